@@ -1,0 +1,211 @@
+//! One clip of a bank: frames and segments by time.
+
+use crate::layout::{ClipRecord, FLAG_VISEMES, INLINE_STARTS};
+use crate::{Bank, ClipId, Fps, Segment, Segments, Time, Viseme, VisemeType};
+
+/// One spoken line: mouth shapes by frame, and segments with texts and events.
+#[derive(Clone, Copy, Debug)]
+pub struct Clip<'data, 'bank> {
+    pub(crate) bank: &'bank Bank<'data>,
+    pub(crate) record: &'data ClipRecord,
+    slot: u32,
+    fps: Option<Fps>,
+    viseme_type: Option<VisemeType>,
+}
+
+impl<'data, 'bank> Clip<'data, 'bank> {
+    #[inline]
+    pub(crate) fn new(bank: &'bank Bank<'data>, record: &'data ClipRecord, slot: u32) -> Self {
+        let fps = match record.fps_denominator.get() {
+            0 => None,
+            denominator => {
+                Some(Fps::from_parts(record.fps_numerator.get(), denominator, record.frames_per_micro_q64.get()))
+            }
+        };
+        Clip { bank, record, slot, fps, viseme_type: VisemeType::from_u8(record.viseme_type) }
+    }
+
+    /// The clip with `fps` where its file and the project left the frame rate unspecified.
+    #[must_use]
+    pub fn or_fps(mut self, fps: Fps) -> Self {
+        self.fps = self.fps.or(Some(fps));
+        self
+    }
+
+    /// The clip with `viseme_type` where its file and the project left the viseme type unspecified.
+    #[must_use]
+    pub fn or_viseme_type(mut self, viseme_type: VisemeType) -> Self {
+        self.viseme_type = self.viseme_type.or(Some(viseme_type));
+        self
+    }
+
+    /// The id: the hash of the key.
+    pub fn id(&self) -> ClipId {
+        ClipId::from_u64(self.record.id.get())
+    }
+
+    /// The key: path of the Lipz file below its source root, without extension. Empty only in a
+    /// damaged bank.
+    pub fn key(&self) -> &'data str {
+        let record = self.record;
+        self.bank.names.text_at(record.key_offset_bytes.get(), u32::from(record.key_length_bytes.get())).unwrap_or("")
+    }
+
+    pub(crate) fn key_bytes(&self) -> Option<&'data [u8]> {
+        let start = self.record.key_offset_bytes.get() as usize;
+        self.bank.names.slice(start, start.checked_add(usize::from(self.record.key_length_bytes.get()))?)
+    }
+
+    /// The place of the clip in the bank, for [`Bank::clip_at`].
+    pub const fn slot(&self) -> u32 {
+        self.slot
+    }
+
+    /// The frame rate; `None` if it is unspecified and none was given with [`Clip::or_fps`]. Without
+    /// a frame rate no time leads to a frame.
+    pub const fn fps(&self) -> Option<Fps> {
+        self.fps
+    }
+
+    /// The viseme type; `None` if it is unspecified and none was given with
+    /// [`Clip::or_viseme_type`].
+    pub const fn viseme_type(&self) -> Option<VisemeType> {
+        self.viseme_type
+    }
+
+    /// Whether the file has a `visemes` element. Without one, a clip has texts or events but no
+    /// frames, and its segments no times.
+    pub const fn has_visemes(&self) -> bool {
+        self.record.flags & FLAG_VISEMES != 0
+    }
+
+    /// Whether the file has an `events` element.
+    pub fn has_events(&self) -> bool {
+        self.record.events_first.get() != crate::layout::NO_EVENTS
+    }
+
+    /// The number of frames.
+    #[inline]
+    pub fn frame_count(&self) -> u32 {
+        self.record.frame_count.get()
+    }
+
+    /// The frame codes, one byte per frame, without delimiters. Empty if damaged.
+    pub fn frames(&self) -> &'data [u8] {
+        self.frames_between(0, self.frame_count()).unwrap_or(&[])
+    }
+
+    pub(crate) fn frames_between(&self, start: u32, end: u32) -> Option<&'data [u8]> {
+        let first = self.record.frames_offset_bytes.get() as usize;
+        let range = first.checked_add(start as usize)?..first.checked_add(end as usize)?;
+        self.bank.frames.get(range)
+    }
+
+    /// Microseconds from the start of the first frame to the end of the last, rounded up; `None`
+    /// without a frame rate.
+    pub fn duration_us(&self) -> Option<u64> {
+        Some(self.fps?.start_of_frame_us(self.frame_count()))
+    }
+
+    /// The index of the frame that shows at `time`; `None` before the start, from the end on, and
+    /// without a frame rate.
+    #[inline]
+    pub fn frame_at<T: Time>(&self, time: T) -> Option<u32> {
+        time.frame(self.fps?, self.frame_count())
+    }
+
+    /// The viseme of frame `index`; rest outside the clip.
+    #[inline]
+    pub fn viseme(&self, index: u32) -> Viseme {
+        if index >= self.frame_count() {
+            return Viseme::REST;
+        }
+        let offset = (self.record.frames_offset_bytes.get() as usize).checked_add(index as usize);
+        match offset.and_then(|offset| self.bank.frames.get(offset)) {
+            Some(&code) => Viseme::from_code(code),
+            None => Viseme::REST,
+        }
+    }
+
+    /// The viseme that shows at `time`; rest before the start, from the end on, and without a frame
+    /// rate.
+    #[inline]
+    pub fn viseme_at<T: Time>(&self, time: T) -> Viseme {
+        match self.frame_at(time) {
+            Some(frame) => self.viseme(frame),
+            None => Viseme::REST,
+        }
+    }
+
+    /// The number of segments, at least 1 in a verified bank. Whatever a damaged bank says, there
+    /// are no more than it has starts for.
+    #[inline]
+    pub fn segment_count(&self) -> u32 {
+        let starts = match crate::segment::far_starts(self) {
+            None => INLINE_STARTS,
+            Some(_) => self.bank.starts.len(),
+        };
+        self.record.segment_count.get().min((starts as u32).saturating_add(1))
+    }
+
+    /// The segment with this index.
+    #[inline]
+    pub fn segment(&self, index: u32) -> Option<Segment<'data, 'bank>> {
+        if index < self.segment_count() {
+            Some(Segment::new(*self, index))
+        } else {
+            None
+        }
+    }
+
+    /// All segments in order.
+    pub fn segments(&self) -> Segments<'data, 'bank> {
+        Segments::new(*self)
+    }
+
+    /// The segment that frame `index` belongs to. Segments of no frames are never found by frame.
+    #[inline]
+    pub fn segment_of_frame(&self, index: u32) -> Option<Segment<'data, 'bank>> {
+        if index >= self.frame_count() {
+            return None;
+        }
+        self.segment(crate::segment::index_of_frame(self, index)?)
+    }
+
+    /// The segment at `time`; `None` before the start, from the end on, and without a frame rate.
+    #[inline]
+    pub fn segment_at<T: Time>(&self, time: T) -> Option<Segment<'data, 'bank>> {
+        self.segment_of_frame(self.frame_at(time)?)
+    }
+}
+
+/// Clips of a bank in the order of their keys.
+#[derive(Clone, Debug)]
+pub struct Clips<'data, 'bank> {
+    bank: &'bank Bank<'data>,
+    next: usize,
+    end: usize,
+}
+
+impl<'data, 'bank> Clips<'data, 'bank> {
+    pub(crate) fn new(bank: &'bank Bank<'data>, next: usize, end: usize) -> Self {
+        Clips { bank, next, end }
+    }
+}
+
+impl<'data, 'bank> Iterator for Clips<'data, 'bank> {
+    type Item = Clip<'data, 'bank>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.next >= self.end {
+            return None;
+        }
+        let slot = self.bank.key_order.get(self.next)?.get();
+        self.next = self.next.saturating_add(1);
+        self.bank.clip_at(slot)
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        (0, Some(self.end.saturating_sub(self.next)))
+    }
+}

@@ -1,0 +1,110 @@
+//! Why a bank is refused: a stable number and a byte offset.
+
+use core::fmt;
+
+/// What [`Bank::open`](crate::Bank::open) or [`Bank::verify`](crate::Bank::verify) found.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub struct Error {
+    kind: ErrorKind,
+    offset_bytes: u32,
+}
+
+impl Error {
+    pub(crate) const fn new(kind: ErrorKind, offset_bytes: u32) -> Error {
+        Error { kind, offset_bytes }
+    }
+
+    /// What is wrong.
+    pub const fn kind(self) -> ErrorKind {
+        self.kind
+    }
+
+    /// Where it is wrong: bytes from the start of the bank.
+    pub const fn offset_bytes(self) -> u32 {
+        self.offset_bytes
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} (bank error {}, at byte {})", self.kind.message(), self.kind as u8, self.offset_bytes)
+    }
+}
+
+#[cfg(feature = "std")]
+impl std::error::Error for Error {}
+
+macro_rules! error_kinds {
+    ($($(#[doc = $doc:literal])+ $name:ident = $number:literal, $message:literal;)+) => {
+        /// The kinds of damage, by stable number: numbers are never given a new meaning.
+        #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+        #[non_exhaustive]
+        #[repr(u8)]
+        pub enum ErrorKind {
+            $($(#[doc = $doc])+ $name = $number,)+
+        }
+
+        impl ErrorKind {
+            /// Every kind, in the order of the numbers.
+            pub const ALL: &'static [ErrorKind] = &[$(ErrorKind::$name),+];
+
+            /// The kind in one English sentence, without full stop.
+            pub const fn message(self) -> &'static str {
+                match self {
+                    $(ErrorKind::$name => $message,)+
+                }
+            }
+        }
+    };
+}
+
+error_kinds! {
+    /// Fewer bytes than a header has.
+    TooShort = 1, "the file is shorter than the header of a bank";
+    /// The first bytes are not those of a bank.
+    NotABank = 2, "the file is not a lipz bank";
+    /// The first bytes are those of a bank after a line-ending conversion.
+    TextMode = 3, "the bank was damaged by a copy in text mode (line endings were converted)";
+    /// The major format version is another one than this reader's.
+    UnsupportedVersion = 4, "the bank has a format version that this reader does not know";
+    /// The length in the header is not the length of the bytes.
+    WrongLength = 5, "the file is not as long as its header says (cut off, or something was appended)";
+    /// The directory does not fit into the file.
+    DirectoryOutOfBounds = 6, "the directory reaches past the end of the file";
+    /// A section does not fit into the file.
+    SectionOutOfBounds = 7, "a section reaches past the end of the file";
+    /// A section's entry size or length is not what its tag stands for.
+    SectionShape = 8, "a section has another entry size or length than its tag stands for";
+    /// A required section of format 1 is absent.
+    SectionMissing = 9, "a section that every bank has is missing";
+    /// A section that this reader does not know is marked as required.
+    SectionUnknown = 10, "the bank needs a newer reader (unknown required section)";
+    /// A tag stands in the directory twice.
+    SectionTwice = 11, "a section appears twice in the directory";
+    /// The checksum differs.
+    Checksum = 12, "the checksum does not match: the file was changed or damaged";
+    /// The clip index does not lead to the clip.
+    ClipIndex = 13, "the clip index does not lead to the clip record";
+    /// The key of a clip lies outside its pool, or its hash is not the clip's id.
+    ClipKey = 14, "the key of a clip does not match its id";
+    /// The order table is not the clips sorted by key.
+    ClipOrder = 15, "the clips are not listed in the order of their keys";
+    /// The frames of a clip lie outside their section.
+    FrameRange = 16, "the frames of a clip reach past their section";
+    /// A frame code is not one of the clip's viseme type.
+    FrameCode = 17, "a frame code is not one of the clip's viseme type";
+    /// The frame rate is outside 1 to 1000 or its reciprocal is wrong.
+    FrameRate = 18, "the frame rate of a clip is not valid";
+    /// The viseme type or a flag of a clip is unknown.
+    ClipFlags = 19, "a clip has an unknown viseme type or flag";
+    /// The segment starts of a clip are missing, decrease, or lie past its end.
+    SegmentStarts = 20, "the segment starts of a clip are not valid";
+    /// A text reference or the end of a text is not valid.
+    TextReference = 21, "a text reference is not valid";
+    /// A string pool is not UTF-8.
+    Utf8 = 22, "a string pool is not valid UTF-8";
+    /// An event reference is not valid.
+    EventReference = 23, "an event reference is not valid";
+    /// The locales are not listed in the order of their tags, or a tag lies outside its pool.
+    LocaleOrder = 24, "the locales are not listed in the order of their tags";
+}

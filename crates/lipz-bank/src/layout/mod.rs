@@ -1,0 +1,74 @@
+//! The binary layout of a bank, format 1: shared by the reader and the writer.
+//!
+//! Every structure has alignment 1 and little-endian fields, so that any `&[u8]` can be read in
+//! place. `docs/FORMAT.md` carries the same tables for people; a test compares the two.
+
+mod index;
+mod records;
+mod sections;
+
+pub use index::{bucket_of, slot_of, spread, DIRECT_SLOT};
+pub use records::{ClipRecord, EventRecord, LocaleRecord};
+pub use records::{FLAG_FAR_STARTS, FLAG_VISEMES, INLINE_STARTS, LOCALE_DEFAULT, NO_EVENTS};
+pub use sections::{DirectoryEntry, Header, Tag, CHECKED_FROM, SECTION_REQUIRED};
+
+/// Little-endian, unaligned 16-bit number.
+pub type U16 = zerocopy::little_endian::U16;
+/// Little-endian, unaligned 32-bit number.
+pub type U32 = zerocopy::little_endian::U32;
+/// Little-endian, unaligned 64-bit number.
+pub type U64 = zerocopy::little_endian::U64;
+
+/// First eight bytes of a bank. As in PNG, a byte above 127, CR LF, a DOS end-of-file and a lone LF
+/// make every usual text-mode damage visible.
+pub const MAGIC: [u8; 8] = *b"\x89LPZ\r\n\x1a\n";
+
+/// Major format version: a reader refuses any other.
+pub const FORMAT_MAJOR: u16 = 1;
+/// Minor format version: a reader accepts newer ones, which only add sections that it may skip.
+pub const FORMAT_MINOR: u16 = 0;
+
+/// Entry of the text index for "no text, also after fallback".
+pub const NO_TEXT: u32 = u32::MAX;
+/// Bit of a text index entry: the text is that of another locale.
+pub const TEXT_FALLBACK: u32 = 1 << 31;
+/// Bit of a text index entry: the ends in the run have four bytes each instead of two.
+pub const TEXT_WIDE: u32 = 1 << 30;
+/// The other bits of a text index entry: where the run starts in the text pool, in bytes.
+pub const TEXT_OFFSET: u32 = TEXT_WIDE - 1;
+
+/// Folds `bytes` into the checksum of format 1.
+///
+/// Fletcher's sums over little-endian 32-bit words, in eight lanes with 64-bit sums that cannot wrap
+/// for a file of 4 GiB: a change of one word, and of any two words in a lane, always changes them.
+/// The tail is padded with zeros; the length goes in at the end.
+pub fn checksum(bytes: &[u8]) -> u64 {
+    const LANES: usize = 8;
+    const BLOCK: usize = LANES * 4;
+    let mut plain = [0_u64; LANES];
+    let mut weighted = [0_u64; LANES];
+    let mut add = |block: &[u8]| {
+        let lanes = plain.iter_mut().zip(&mut weighted);
+        for (word, (plain, weighted)) in block.chunks_exact(4).zip(lanes) {
+            let mut le = [0; 4];
+            le.copy_from_slice(word);
+            *plain = plain.wrapping_add(u64::from(u32::from_le_bytes(le)));
+            *weighted = weighted.wrapping_add(*plain);
+        }
+    };
+    let mut blocks = bytes.chunks_exact(BLOCK);
+    for block in &mut blocks {
+        add(block);
+    }
+    let mut last = [0; BLOCK];
+    for (to, from) in last.iter_mut().zip(blocks.remainder()) {
+        *to = *from;
+    }
+    add(&last);
+    let mut hash = bytes.len() as u64;
+    for sum in plain.iter().chain(&weighted) {
+        hash = (hash ^ sum).wrapping_mul(0x9FB2_1C65_1E98_DF25);
+        hash ^= hash >> 32;
+    }
+    hash
+}

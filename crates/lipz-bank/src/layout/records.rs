@@ -1,0 +1,76 @@
+//! The records of the sections.
+
+use super::{U16, U32, U64};
+use core::mem::size_of;
+use zerocopy::{FromBytes, Immutable, IntoBytes, KnownLayout, Unaligned};
+
+/// Segment starts that fit into a clip record: those of segments 1 to 8 (segment 0 starts at 0).
+pub const INLINE_STARTS: usize = 8;
+/// `events_first` of a clip whose file has no `events` element.
+pub const NO_EVENTS: u32 = u32::MAX;
+/// Clip flag: the file has a `visemes` element (possibly of no frames).
+pub const FLAG_VISEMES: u8 = 1;
+/// Clip flag: the segment starts stand in the `STRT` section; see [`ClipRecord::starts`].
+pub const FLAG_FAR_STARTS: u8 = 2;
+/// Locale flag: the project's default locale.
+pub const LOCALE_DEFAULT: u16 = 1;
+
+/// One clip: all that a frame or segment query needs, in one cache line.
+#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
+#[repr(C)]
+pub struct ClipRecord {
+    /// [`ClipId`](crate::ClipId) of the key.
+    pub id: U64,
+    /// ⌈2⁶⁴ · frames per microsecond⌉; 0 if the frame rate is unspecified.
+    pub frames_per_micro_q64: U64,
+    /// Frame rate, in lowest terms; 0 if unspecified.
+    pub fps_numerator: U32,
+    /// Seconds in which that many frames pass; 0 if unspecified.
+    pub fps_denominator: U32,
+    /// Where the clip's frames start in the `FRAM` section.
+    pub frames_offset_bytes: U32,
+    /// Frames of the clip.
+    pub frame_count: U32,
+    /// Segments of the clip, at least 1.
+    pub segment_count: U32,
+    /// Index of the first segment's entry in `EVRF`, or [`NO_EVENTS`].
+    pub events_first: U32,
+    /// Where the key starts in the `NAME` section.
+    pub key_offset_bytes: U32,
+    /// Length of the key.
+    pub key_length_bytes: U16,
+    /// Number of the [`VisemeType`](crate::VisemeType), 0 if unspecified.
+    pub viseme_type: u8,
+    /// [`FLAG_VISEMES`], [`FLAG_FAR_STARTS`].
+    pub flags: u8,
+    /// Start frames of segments 1 to 8, unused ones 0xFFFF, if the clip has at most 9 segments and
+    /// 65,535 frames. Otherwise (flag [`FLAG_FAR_STARTS`]) the first two entries are the low and
+    /// high half of the index in `STRT` of segment 1's start, and the others are 0xFFFF.
+    pub starts: [U16; INLINE_STARTS],
+}
+
+/// One locale of the bank.
+#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
+#[repr(C)]
+pub struct LocaleRecord {
+    /// Where the tag (`en-us`) starts in the `NAME` section.
+    pub tag_offset_bytes: U32,
+    /// Length of the tag.
+    pub tag_length_bytes: U16,
+    /// [`LOCALE_DEFAULT`] or 0.
+    pub flags: U16,
+}
+
+/// One distinct event string.
+#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
+#[repr(C)]
+pub struct EventRecord {
+    /// Where the string starts in the `EVST` section.
+    pub offset_bytes: U32,
+    /// Length of the string.
+    pub length_bytes: U32,
+}
+
+const _: () = assert!(size_of::<ClipRecord>() == 64);
+const _: () = assert!(size_of::<LocaleRecord>() == 8);
+const _: () = assert!(size_of::<EventRecord>() == 8);

@@ -1,0 +1,106 @@
+//! The header of a bank and the directory of its sections.
+
+use super::{U16, U32, U64};
+use core::mem::size_of;
+use zerocopy::{FromBytes, Immutable, IntoBytes, KnownLayout, Unaligned};
+
+/// Offset of the first byte that the checksum covers: all but the magic and the checksum itself.
+pub const CHECKED_FROM: usize = 16;
+
+/// The first 64 bytes of a bank.
+#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
+#[repr(C)]
+pub struct Header {
+    /// [`MAGIC`](super::MAGIC).
+    pub magic: [u8; 8],
+    /// [`checksum`](super::checksum) of every byte from [`CHECKED_FROM`] on.
+    pub checksum: U64,
+    /// Length of the whole file.
+    pub file_length_bytes: U32,
+    /// [`FORMAT_MAJOR`](super::FORMAT_MAJOR).
+    pub format_major: U16,
+    /// [`FORMAT_MINOR`](super::FORMAT_MINOR) of the writer.
+    pub format_minor: U16,
+    /// Hash of the clip ids and segment counts in slot order: files that belong together share it.
+    pub fingerprint: U64,
+    /// Start value of the clip index, see [`spread`](super::spread).
+    pub index_seed: U64,
+    /// Entries in the directory, which follows the header.
+    pub section_count: U32,
+    /// Zero.
+    pub reserved: [u8; 20],
+}
+
+/// One section of the bank: 16 bytes of the directory.
+#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
+#[repr(C)]
+pub struct DirectoryEntry {
+    /// Four ASCII letters, see [`Tag`].
+    pub tag: [u8; 4],
+    /// Where the section starts in the file; a multiple of 64, so that no clip record crosses a
+    /// cache line.
+    pub offset_bytes: U32,
+    /// Length of the section.
+    pub length_bytes: U32,
+    /// Length of one entry; 1 for pools and byte streams.
+    pub entry_bytes: U16,
+    /// [`SECTION_REQUIRED`] or 0.
+    pub flags: U16,
+}
+
+/// Flag of a section that a reader must know to use the bank.
+pub const SECTION_REQUIRED: u16 = 1;
+
+/// Tags of the sections of format 1.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Tag(pub [u8; 4]);
+
+impl Tag {
+    /// [`ClipRecord`](super::ClipRecord)s in slot order.
+    pub const CLIPS: Tag = Tag(*b"CLIP");
+    /// Pilots of the clip index, one `u32` per bucket.
+    pub const PILOTS: Tag = Tag(*b"PILT");
+    /// Slots of the clips in the order of their keys (bytewise), one `u32` each.
+    pub const KEY_ORDER: Tag = Tag(*b"ORDR");
+    /// Pool of keys and locale tags, UTF-8.
+    pub const NAMES: Tag = Tag(*b"NAME");
+    /// Frame codes, one byte each.
+    pub const FRAMES: Tag = Tag(*b"FRAM");
+    /// Segment starts that do not fit into their clip record, one `u32` each.
+    pub const STARTS: Tag = Tag(*b"STRT");
+    /// [`LocaleRecord`](super::LocaleRecord)s in the order of their tags.
+    pub const LOCALES: Tag = Tag(*b"LOCL");
+    /// Text index: for each locale in turn, one `u32` per slot.
+    pub const TEXT_INDEX: Tag = Tag(*b"TXIX");
+    /// Text pool, UTF-8: runs of ends and display texts, each locale's together.
+    pub const TEXTS: Tag = Tag(*b"TEXT");
+    /// For each clip with events in turn, one `u32` per segment: number of an event record.
+    pub const EVENT_REFS: Tag = Tag(*b"EVRF");
+    /// [`EventRecord`](super::EventRecord)s: the distinct event strings.
+    pub const EVENTS: Tag = Tag(*b"EVNT");
+    /// Pool of event strings, UTF-8.
+    pub const EVENT_STRINGS: Tag = Tag(*b"EVST");
+    /// Optional: where each clip's source record starts in `SRCE`, one `u32` per slot.
+    pub const SOURCE_INDEX: Tag = Tag(*b"SRCX");
+    /// Optional: what the display form lost of each Lipz file. Only the compiler reads it.
+    pub const SOURCES: Tag = Tag(*b"SRCE");
+
+    /// The sections that every bank has, with the length of an entry, in file order.
+    pub const REQUIRED: [(Tag, usize); 12] = [
+        (Tag::CLIPS, size_of::<super::ClipRecord>()),
+        (Tag::PILOTS, 4),
+        (Tag::KEY_ORDER, 4),
+        (Tag::NAMES, 1),
+        (Tag::FRAMES, 1),
+        (Tag::STARTS, 4),
+        (Tag::LOCALES, size_of::<super::LocaleRecord>()),
+        (Tag::TEXT_INDEX, 4),
+        (Tag::TEXTS, 1),
+        (Tag::EVENT_REFS, 4),
+        (Tag::EVENTS, size_of::<super::EventRecord>()),
+        (Tag::EVENT_STRINGS, 1),
+    ];
+}
+
+const _: () = assert!(size_of::<Header>() == 64);
+const _: () = assert!(size_of::<DirectoryEntry>() == 16);

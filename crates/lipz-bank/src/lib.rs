@@ -1,0 +1,75 @@
+//! Reader of lipz dialogue banks: `no_std`, no allocation, no `unsafe`.
+//!
+//! A *bank* is one packed file that holds the mouth shapes, subtitles and events of many spoken
+//! lines. It is used in place: from a memory map, from ROM, from any `&[u8]`. The data flows one
+//! way, bytes → [`Bank`] → [`Clip`] → [`Segment`]:
+//!
+//! ```
+//! use lipz_bank::{Bank, ClipId, Micros};
+//!
+//! // Ids are computed while compiling; a key is the path of a Lipz file without extension.
+//! const GOOD_EVENING: ClipId = ClipId::of("act1/mara-good-evening");
+//!
+//! # fn main() -> Result<(), lipz_bank::Error> {
+//! # let bytes: &[u8] = include_bytes!("../../../fixtures/banks/v1/drama.lipzbank");
+//! let bank = Bank::open(bytes)?.verify()?;
+//! let now = Micros(1_500_000);
+//! if let (Some(clip), Some(german)) = (bank.clip(GOOD_EVENING), bank.locale("de-de")) {
+//!     let mouth = clip.viseme_at(now); // rest outside the clip, never an error
+//!     let text = clip.segment_at(now).and_then(|segment| segment.text(german));
+//!     println!("{mouth} {}", text.map_or("", |text| text.as_str()));
+//! }
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! # Trust
+//!
+//! [`Bank::open`] looks at the header and the directory only. After it, no call panics, reads out
+//! of bounds or loops without bound, whatever the bytes are: on damage a query returns `None` or
+//! rest. [`Bank::verify`] reads every byte once; after it has passed, no query fails for which the
+//! compiler stored data, and texts are returned without being checked again.
+//!
+//! The checksum finds damage. It does not prove who wrote a file: sign banks that come from
+//! strangers, as any other code or asset.
+
+#![no_std]
+#![forbid(unsafe_code)]
+// Lengths and offsets fit 32 bits: `open` checks the file length, slices do the rest.
+#![allow(clippy::cast_possible_truncation)]
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::indexing_slicing,
+        clippy::arithmetic_side_effects,
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic
+    )
+)]
+
+#[cfg(feature = "std")]
+extern crate std;
+
+mod bank;
+mod clip;
+mod error;
+mod fps;
+mod id;
+pub mod layout;
+mod locale;
+mod pool;
+mod segment;
+mod time;
+mod verify;
+mod viseme;
+
+pub use bank::Bank;
+pub use clip::{Clip, Clips};
+pub use error::{Error, ErrorKind};
+pub use fps::Fps;
+pub use id::ClipId;
+pub use locale::{Locale, Locales};
+pub use segment::{Segment, Segments, Text};
+pub use time::{Micros, Samples, Seconds, Time};
+pub use viseme::{Viseme, VisemeType};

@@ -1,0 +1,41 @@
+//! String pools: UTF-8 bytes that are checked once by `verify`, or per query before it.
+
+/// A section of interned strings.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Pool<'data> {
+    /// Not verified: each string is checked when it is asked for.
+    Bytes(&'data [u8]),
+    /// Verified: strings are cut out of it at character boundaries, without another check.
+    Checked(&'data str),
+}
+
+impl<'data> Pool<'data> {
+    pub(crate) fn bytes(self) -> &'data [u8] {
+        match self {
+            Pool::Bytes(bytes) => bytes,
+            Pool::Checked(text) => text.as_bytes(),
+        }
+    }
+
+    /// The bytes from `start` to `end`, if they lie in the pool.
+    #[inline]
+    pub(crate) fn slice(self, start: usize, end: usize) -> Option<&'data [u8]> {
+        self.bytes().get(start..end)
+    }
+
+    /// The string from `start` to `end`, if it lies in the pool and is UTF-8.
+    #[inline]
+    pub(crate) fn text(self, start: usize, end: usize) -> Option<&'data str> {
+        match self {
+            Pool::Bytes(bytes) => core::str::from_utf8(bytes.get(start..end)?).ok(),
+            Pool::Checked(text) => text.get(start..end),
+        }
+    }
+
+    /// The string of `length` bytes at `offset`.
+    #[inline]
+    pub(crate) fn text_at(self, offset: u32, length: u32) -> Option<&'data str> {
+        let start = offset as usize;
+        self.text(start, start.checked_add(length as usize)?)
+    }
+}

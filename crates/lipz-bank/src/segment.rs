@@ -1,0 +1,220 @@
+//! One segment of a clip: frames, display texts and event string.
+
+use crate::layout::{FLAG_FAR_STARTS, NO_EVENTS, NO_TEXT, TEXT_FALLBACK, TEXT_OFFSET, TEXT_WIDE};
+use crate::{Clip, Locale};
+use core::ops::Deref;
+
+/// A stretch of a clip, between two `|` of its Lipz file.
+#[derive(Clone, Copy, Debug)]
+pub struct Segment<'data, 'bank> {
+    clip: Clip<'data, 'bank>,
+    index: u32,
+}
+
+impl<'data, 'bank> Segment<'data, 'bank> {
+    #[inline]
+    pub(crate) fn new(clip: Clip<'data, 'bank>, index: u32) -> Self {
+        Segment { clip, index }
+    }
+
+    /// The clip that this is a segment of.
+    pub const fn clip(&self) -> &Clip<'data, 'bank> {
+        &self.clip
+    }
+
+    /// The place of the segment in its clip, from 0.
+    pub const fn index(&self) -> u32 {
+        self.index
+    }
+
+    /// The first frame of the segment.
+    pub fn start_frame(&self) -> u32 {
+        start_frame(&self.clip, self.index).unwrap_or(0)
+    }
+
+    /// The frame after the last one; equal to the start for a segment of no frames.
+    pub fn end_frame(&self) -> u32 {
+        let next = self.index.saturating_add(1);
+        if next < self.clip.segment_count() {
+            start_frame(&self.clip, next).unwrap_or(0)
+        } else {
+            self.clip.frame_count()
+        }
+    }
+
+    /// The first microsecond of the segment, rounded up; `None` without a frame rate.
+    pub fn start_us(&self) -> Option<u64> {
+        Some(self.clip.fps()?.start_of_frame_us(self.start_frame()))
+    }
+
+    /// The first microsecond after the segment, rounded up; `None` without a frame rate.
+    pub fn end_us(&self) -> Option<u64> {
+        Some(self.clip.fps()?.start_of_frame_us(self.end_frame()))
+    }
+
+    /// The frame codes of the segment, one byte per frame.
+    pub fn frames(&self) -> &'data [u8] {
+        self.clip.frames_between(self.start_frame(), self.end_frame()).unwrap_or(&[])
+    }
+
+    /// The display text in `locale`, or in the locale that it falls back to; `None` if neither has
+    /// a text for this clip.
+    ///
+    /// A segment of an existing text may be empty. `locale` comes from the same bank.
+    #[inline]
+    pub fn text(&self, locale: Locale<'data>) -> Option<Text<'data>> {
+        let (start, end, is_fallback) = self.text_range(locale)?;
+        Some(Text { text: locale.texts.text(start, end)?, is_fallback })
+    }
+
+    /// Like [`Segment::text`], as bytes that are not checked to be UTF-8: for programs that cannot
+    /// afford the checker's code.
+    #[inline]
+    pub fn text_bytes(&self, locale: Locale<'data>) -> Option<&'data [u8]> {
+        let (start, end, _) = self.text_range(locale)?;
+        locale.texts.slice(start, end)
+    }
+
+    /// Where the text stands in the text pool, and whether it is that of another locale.
+    #[inline]
+    fn text_range(&self, locale: Locale<'data>) -> Option<(usize, usize, bool)> {
+        let entry = locale.index.get(self.clip.slot() as usize)?.get();
+        if entry == NO_TEXT {
+            return None;
+        }
+        let pool = locale.texts.bytes();
+        let run = pool.get((entry & TEXT_OFFSET) as usize..)?;
+        let wide = entry & TEXT_WIDE != 0;
+        let end = text_end(run, self.index, wide)?;
+        let start = match self.index.checked_sub(1) {
+            Some(before) => text_end(run, before, wide)?,
+            None => 0,
+        };
+        let ends = (self.clip.segment_count() as usize).checked_mul(if wide { 4 } else { 2 })?;
+        let texts = ((entry & TEXT_OFFSET) as usize).checked_add(ends)?;
+        Some((texts.checked_add(start)?, texts.checked_add(end)?, entry & TEXT_FALLBACK != 0))
+    }
+
+    /// The event string, trimmed; empty if nothing happens at this segment, `None` if the file has
+    /// no `events` element.
+    pub fn event(&self) -> Option<&'data str> {
+        let first = self.clip.record.events_first.get();
+        if first == NO_EVENTS {
+            return None;
+        }
+        let bank = self.clip.bank;
+        let at = (first as usize).checked_add(self.index as usize)?;
+        let record = bank.events.get(bank.event_refs.get(at)?.get() as usize)?;
+        bank.event_strings.text_at(record.offset_bytes.get(), record.length_bytes.get())
+    }
+}
+
+/// A display text.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Text<'data> {
+    text: &'data str,
+    is_fallback: bool,
+}
+
+impl<'data> Text<'data> {
+    /// The text as a player sees it: trimmed, without `{meta}`.
+    pub const fn as_str(self) -> &'data str {
+        self.text
+    }
+
+    /// Whether the locale asked for has no text for this clip, and this is that of another one.
+    pub const fn is_fallback(self) -> bool {
+        self.is_fallback
+    }
+}
+
+impl Deref for Text<'_> {
+    type Target = str;
+
+    fn deref(&self) -> &str {
+        self.text
+    }
+}
+
+/// The end of text `index` in a run, in bytes from the end of the table of ends: 7 bits a byte, so
+/// that the table is ASCII and the whole text pool one UTF-8 string.
+#[inline]
+pub(crate) fn text_end(run: &[u8], index: u32, wide: bool) -> Option<usize> {
+    let index = index as usize;
+    if !wide {
+        let start = index.checked_mul(2)?;
+        return match run.get(start..start.checked_add(2)?)? {
+            [low, high] => Some(usize::from(*low) | usize::from(*high) << 7),
+            _ => None,
+        };
+    }
+    let start = index.checked_mul(4)?;
+    match run.get(start..start.checked_add(4)?)? {
+        [a, b, c, d] => Some(usize::from(*a) | usize::from(*b) << 7 | usize::from(*c) << 14 | usize::from(*d) << 21),
+        _ => None,
+    }
+}
+
+/// The first frame of segment `index`; `None` if damaged.
+pub(crate) fn start_frame(clip: &Clip<'_, '_>, index: u32) -> Option<u32> {
+    match (index.checked_sub(1), far_starts(clip)) {
+        (None, _) => Some(0),
+        (Some(before), None) => Some(u32::from(clip.record.starts.get(before as usize)?.get())),
+        (Some(before), Some(first)) => Some(clip.bank.starts.get(first.checked_add(before as usize)?)?.get()),
+    }
+}
+
+/// Index in `STRT` of the start of segment 1, if the starts do not stand in the record.
+#[inline]
+pub(crate) fn far_starts(clip: &Clip<'_, '_>) -> Option<usize> {
+    if clip.record.flags & FLAG_FAR_STARTS == 0 {
+        return None;
+    }
+    let [low, high, ..] = &clip.record.starts;
+    Some(usize::from(low.get()) | (usize::from(high.get()) << 16))
+}
+
+/// The last segment that starts at or before `frame`: the one that contains it.
+#[inline]
+pub(crate) fn index_of_frame(clip: &Clip<'_, '_>, frame: u32) -> Option<u32> {
+    match far_starts(clip) {
+        // Unused starts are 0xFFFF, after every frame: all eight are compared without a branch.
+        None => {
+            let starts = clip.record.starts.iter();
+            Some(starts.map(|start| u32::from(u32::from(start.get()) <= frame)).fold(0, u32::wrapping_add))
+        }
+        Some(first) => {
+            let end = first.checked_add((clip.segment_count() as usize).checked_sub(1)?)?;
+            let starts = clip.bank.starts.get(first..end)?;
+            Some(starts.partition_point(|start| start.get() <= frame) as u32)
+        }
+    }
+}
+
+/// The segments of a clip in order.
+#[derive(Clone, Debug)]
+pub struct Segments<'data, 'bank> {
+    clip: Clip<'data, 'bank>,
+    next: u32,
+}
+
+impl<'data, 'bank> Segments<'data, 'bank> {
+    pub(crate) fn new(clip: Clip<'data, 'bank>) -> Self {
+        Segments { clip, next: 0 }
+    }
+}
+
+impl<'data, 'bank> Iterator for Segments<'data, 'bank> {
+    type Item = Segment<'data, 'bank>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let segment = self.clip.segment(self.next)?;
+        self.next = self.next.saturating_add(1);
+        Some(segment)
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        let left = self.clip.segment_count().saturating_sub(self.next) as usize;
+        (left, Some(left))
+    }
+}

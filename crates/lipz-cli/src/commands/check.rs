@@ -1,0 +1,20 @@
+//! `lipz check`: the findings of source files.
+
+use super::with_inputs;
+use crate::args::Check;
+use crate::{Outcome, console, render};
+use lipz::Level;
+use lipz_compiler::{check_all, count};
+
+pub(crate) fn run(arguments: &Check) -> Outcome {
+    let sources = &arguments.sources;
+    let run = with_inputs(sources, &sources.options(), check_all);
+    render::findings(&run.reports);
+    if count(&run.reports, Level::Error) > 0 {
+        return Outcome::Findings;
+    }
+    if !sources.quiet {
+        console::print(&format!("{} checked\n", console::counted(run.file_count, "file")));
+    }
+    Outcome::Clean
+}

@@ -1,0 +1,54 @@
+//! `lipz pack`: source files to a bank.
+
+use super::{Run, with_inputs};
+use crate::args::Pack;
+use crate::{Outcome, console, render};
+use lipz::Level;
+use lipz_compiler::{Options, compile, count, replace_file};
+use std::time::{Duration, Instant};
+
+pub(crate) fn run(arguments: &Pack) -> Outcome {
+    let options = Options { strip: arguments.strip, ..arguments.sources.options() };
+    let mut run = with_inputs(&arguments.sources, &options, compile);
+    render::findings(&run.reports);
+    let bank = match run.compiled.bank.take() {
+        Some(bank) if count(&run.reports, Level::Error) == 0 => bank,
+        _ => return Outcome::Findings,
+    };
+    let start = Instant::now();
+    if let Err(report) = replace_file(&arguments.output, &bank) {
+        render::findings(&[report]);
+        return Outcome::Failed;
+    }
+    let write = start.elapsed();
+    if !arguments.sources.quiet {
+        console::print(&format!(
+            "{} packed into {} ({} bytes)\n",
+            console::counted(run.file_count, "clip"),
+            arguments.output.display(),
+            console::grouped(bank.len())
+        ));
+    }
+    if arguments.timings {
+        console::print(&timings(&run, write));
+    }
+    Outcome::Clean
+}
+
+/// The time of each phase, in milliseconds.
+fn timings(run: &Run, write: Duration) -> String {
+    let phases = &run.compiled.phases;
+    let line = |name: &str, time: Duration| format!("  {name:<22} {:>9.1} ms\n", time.as_secs_f64() * 1000.0);
+    [
+        line("discover", run.discover),
+        line("read, parse and check", phases.files),
+        line("  read (all threads)", phases.read),
+        line("  parse (all threads)", phases.parse),
+        line("  check (all threads)", phases.check),
+        line("localise", phases.localise),
+        line("lower", phases.lower),
+        line("verify", phases.verify),
+        line("write", write),
+    ]
+    .concat()
+}

@@ -1,0 +1,42 @@
+//! `lipz unpack`: a bank to source files.
+
+use crate::args::Unpack;
+use crate::bank_file::BankFile;
+use crate::{Outcome, console, render};
+use lipz::Code;
+use lipz_compiler::unpack;
+
+pub(crate) fn run(arguments: &Unpack) -> Outcome {
+    let file = match BankFile::map(&arguments.bank) {
+        Ok(file) => file,
+        Err(outcome) => return outcome,
+    };
+    let bank = match file.verified() {
+        Ok(bank) => bank,
+        Err(outcome) => return outcome,
+    };
+    let bar = console::progress_bar(bank.clip_count(), arguments.quiet);
+    let unpacked = unpack(&bank, &arguments.output, arguments.force, &|count| bar.inc(count));
+    bar.finish_and_clear();
+    match unpacked {
+        Ok(unpacked) => {
+            if !arguments.quiet {
+                let form = if unpacked.is_exact { "" } else { " (display forms: the bank was stripped)" };
+                let files = console::counted(unpacked.files, "file");
+                console::print(&format!("{files} unpacked into {}{form}\n", arguments.output.display()));
+            }
+            Outcome::Clean
+        }
+        Err(mut reports) => {
+            for report in &mut reports {
+                if report.source.path.is_empty() {
+                    file.path().clone_into(&mut report.source.path);
+                }
+            }
+            render::findings(&reports);
+            let failed =
+                reports.iter().flat_map(|report| &report.diagnostics).any(|found| found.code == Code::OutputFailed);
+            if failed { Outcome::Failed } else { Outcome::Findings }
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! Findings as text for people: headline, place, caret, notes, help.
+
+use crate::console;
+use annotate_snippets::renderer::DecorStyle;
+use annotate_snippets::{AnnotationKind, Group, Level as Title, Origin, Renderer, Snippet};
+use lipz::{Diagnostic, Level, Source};
+use lipz_compiler::{Report, count};
+
+/// Prints all findings and a closing count.
+pub(crate) fn findings(reports: &[Report]) {
+    let renderer = Renderer::styled().decor_style(DecorStyle::Ascii).term_width(console::width());
+    let mut text = String::new();
+    for report in reports {
+        for diagnostic in &report.diagnostics {
+            text.push_str(&renderer.render(&[group(&report.source, diagnostic)]));
+            text.push_str("\n\n");
+        }
+    }
+    console::remark(&text);
+    let (errors, warnings) = (count(reports, Level::Error), count(reports, Level::Warning));
+    let parts: Vec<String> = [(errors, "error"), (warnings, "warning")]
+        .into_iter()
+        .filter(|(number, _)| *number > 0)
+        .map(|(number, what)| console::counted(number, what))
+        .collect();
+    if !parts.is_empty() {
+        let files = reports.iter().filter(|report| !report.source.path.is_empty()).count();
+        console::remark(&format!("{} in {}\n", parts.join(" and "), console::counted(files, "file")));
+    }
+}
+
+/// The finding as the renderer wants it.
+fn group<'r>(source: &'r Source, diagnostic: &'r Diagnostic) -> Group<'r> {
+    let title = match diagnostic.level {
+        Level::Error => Title::ERROR,
+        Level::Warning => Title::WARNING,
+    };
+    let mut group = Group::with_title(title.primary_title(diagnostic.headline.as_str()).id(diagnostic.code.number()));
+    match &diagnostic.primary {
+        Some(_) => group = group.element(snippet(source, diagnostic)),
+        None if !source.path.is_empty() => group = group.element(Origin::path(source.path.as_str())),
+        None => {}
+    }
+    for note in &diagnostic.notes {
+        group = group.element(Title::NOTE.message(note.as_str()));
+    }
+    if let Some(help) = &diagnostic.help {
+        group = group.element(Title::HELP.message(help.as_str()));
+    }
+    group
+}
+
+fn snippet<'r>(source: &'r Source, diagnostic: &'r Diagnostic) -> Snippet<'r, annotate_snippets::Annotation<'r>> {
+    let mut snippet = Snippet::source(source.text.as_str()).path(source.path.as_str());
+    let labels = diagnostic.primary.iter().map(|label| (AnnotationKind::Primary, label));
+    let others = diagnostic.secondary.iter().map(|label| (AnnotationKind::Context, label));
+    for (kind, label) in labels.chain(others) {
+        let end = (label.span.end as usize).min(source.text.len());
+        let start = (label.span.start as usize).min(end);
+        let annotation = kind.span(start..end);
+        snippet =
+            snippet.annotation(if label.text.is_empty() { annotation } else { annotation.label(label.text.as_str()) });
+    }
+    snippet
+}

@@ -1,0 +1,53 @@
+//! Checking one file: from elements to a clip, with every finding on the way.
+
+mod elements;
+mod events;
+mod fps;
+mod segments;
+mod texts;
+mod visemes;
+
+use crate::Options;
+use crate::clip::{ClipData, ClipText, TextRun};
+use elements::Roles;
+use lipz::{Diagnostic, Document, Level};
+
+/// The clip that `document` describes, or `None` if it has errors. All findings are reported.
+///
+/// `key` and `source` of the clip are left empty.
+pub(crate) fn check(document: &Document<'_>, options: &Options, diagnostics: &mut Vec<Diagnostic>) -> Option<ClipData> {
+    let first = diagnostics.len();
+    let roles = Roles::assign(document, options, diagnostics);
+    let fps = roles.fps.and_then(|number| fps::rate(number, diagnostics));
+    let viseme_type = roles.viseme_type.and_then(|name| visemes::viseme_type(name, diagnostics));
+    let known_type = viseme_type.or(options.default_viseme_type);
+    // A wrong viseme_type is reported already: do not blame the codes for it.
+    let type_failed = roles.viseme_type.is_some() && viseme_type.is_none();
+    let frames = roles.visemes.map(|string| {
+        let expected = if type_failed { visemes::Expected::Unknown } else { visemes::Expected::from(known_type) };
+        visemes::frames(string, expected, diagnostics)
+    });
+    let texts: Vec<_> = roles.texts.iter().map(|text| texts::display_texts(text.string, diagnostics)).collect();
+    let events = roles.events.map(|string| events::trimmed(string, diagnostics));
+    let segment_count = segments::common_count(&roles, diagnostics);
+    if diagnostics[first..].iter().any(|diagnostic| diagnostic.level == Level::Error) {
+        return None;
+    }
+    let has_visemes = frames.is_some();
+    let (frames, starts) = frames.unwrap_or_else(|| (Vec::new(), vec![0; segment_count]));
+    let mut texts: Vec<ClipText> = std::iter::zip(&roles.texts, texts)
+        .map(|(text, displays)| ClipText { locale: text.locale.clone(), run: TextRun::new(&displays) })
+        .collect();
+    texts.sort_by(|a, b| a.locale.cmp(&b.locale));
+    Some(ClipData {
+        key: String::new(),
+        fps: fps.or(options.default_fps),
+        viseme_type: known_type,
+        has_visemes,
+        frames,
+        starts,
+        texts,
+        events,
+        source: Vec::new(),
+    })
+}

@@ -1,0 +1,70 @@
+//! Texts: display forms, and what is odd about them.
+
+use lipz::JsonString;
+use lipz::{Code, Diagnostic, text};
+use std::borrow::Cow;
+
+/// Findings of one kind that one text shows in full; the rest is counted.
+const SHOWN: usize = 3;
+
+/// The display text of each segment.
+pub(super) fn display_texts<'t>(string: &'t JsonString<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Cow<'t, str>> {
+    let mut unbalanced = Vec::new();
+    let mut nested = Vec::new();
+    let texts: Vec<Cow<'_, str>> = text::segments(&string.text)
+        .map(|range| {
+            let display = text::display(&string.text[range.clone()]);
+            unbalanced.extend(display.unbalanced.iter().map(|at| range.start + at));
+            nested.extend(display.nested.iter().map(|at| range.start + at));
+            display.text
+        })
+        .collect();
+    for &at in unbalanced.iter().take(SHOWN) {
+        let (brace, partner) = if string.text.as_bytes().get(at) == Some(&b'{') { ('{', '}') } else { ('}', '{') };
+        let finding = Diagnostic::at(
+            Code::UnbalancedBrace,
+            string.span_of(at..at + 1),
+            format!("this `{brace}` has no `{partner}` in its segment and is displayed"),
+        )
+        .help("braces enclose meta information that is not displayed, and end in the segment where they begin");
+        diagnostics.push(more(finding, unbalanced.len()));
+    }
+    for &at in nested.iter().take(SHOWN) {
+        let finding = Diagnostic::at(
+            Code::NestedBraces,
+            string.span_of(at..at + 1),
+            "the meta information that starts here contains braces",
+        )
+        .help("everything up to its own `}` is left out of the display");
+        diagnostics.push(more(finding, nested.len()));
+    }
+    nul(string, Code::NulInText, "the text contains", diagnostics);
+    if texts.iter().all(|text| text.is_empty()) {
+        let finding = Diagnostic::at(Code::EmptyDisplayText, string.span(), "nothing of this text is displayed");
+        diagnostics.push(if text::trim(&string.text).is_empty() {
+            finding.help("leave the element out, so that players see the text of the fallback locale")
+        } else {
+            finding.note("all of it is {meta}, which the format does not display")
+        });
+    }
+    texts
+}
+
+/// Says how many findings of the kind are not shown.
+fn more(finding: Diagnostic, count: usize) -> Diagnostic {
+    match count.saturating_sub(SHOWN) {
+        0 => finding,
+        rest => finding.note(format!("{rest} more in this text are not shown")),
+    }
+}
+
+/// Reports U+0000, at which programs in C would stop reading.
+pub(super) fn nul(string: &JsonString<'_>, code: Code, what: &str, diagnostics: &mut Vec<Diagnostic>) {
+    if let Some(at) = string.text.find('\0') {
+        diagnostics.push(
+            Diagnostic::at(code, string.span_of(at..at + 1), format!("{what} U+0000"))
+                .note("it is kept; programs in C must use the length that comes with every string")
+                .help("remove it unless it is there on purpose"),
+        );
+    }
+}

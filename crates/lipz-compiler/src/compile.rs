@@ -1,0 +1,225 @@
+//! The run: read, parse and check every file in parallel, then localise, lower and verify.
+
+use crate::clip::ClipData;
+use crate::{Content, Input, Options, Report, check, key, localise, lower, report, source_record};
+use lipz::{Code, Diagnostic, Source};
+use lipz_bank::Bank;
+use rayon::prelude::*;
+use std::fs::File;
+use std::io::Read;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{Duration, Instant};
+
+/// What a run gave.
+#[derive(Debug, Default)]
+pub struct Compiled {
+    /// The bank, verified; `None` if there are errors, or only a check was asked for.
+    pub bank: Option<Vec<u8>>,
+    /// All findings, sorted by file and place.
+    pub reports: Vec<Report>,
+    /// Where the time went.
+    pub phases: Phases,
+}
+
+/// Time spent per phase. Reading, parsing and checking run on several threads: their times are
+/// sums over the threads.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Phases {
+    /// Reading files, all threads.
+    pub read: Duration,
+    /// Parsing, all threads.
+    pub parse: Duration,
+    /// Checking, all threads.
+    pub check: Duration,
+    /// The three above, on the clock.
+    pub files: Duration,
+    /// Resolving locales.
+    pub localise: Duration,
+    /// Laying out the bank.
+    pub lower: Duration,
+    /// Verifying the bank.
+    pub verify: Duration,
+}
+
+/// Is told how many more files are done, from several threads.
+pub type Progress<'a> = dyn Fn(u64) + Sync + 'a;
+
+/// Checks `inputs` and, if they have no errors, packs them into a bank.
+///
+/// The bytes of the bank depend only on keys, contents and options: not on the order of the inputs,
+/// their folder, or the number of threads.
+///
+/// ```
+/// use lipz_compiler::{Input, Options, compile};
+/// let file = br#"{ "fps": 24, "visemes": "MAEO-", "viseme_type": "blair", "text_en-us": "Mayor!" }"#;
+/// let compiled = compile(&[Input::from_bytes("act1/mayor", file)], &Options::default(), &|_| {});
+/// assert!(compiled.reports.is_empty());
+/// let bytes = compiled.bank.ok_or("no bank")?;
+/// let bank = lipz_bank::Bank::open(&bytes)?.verify()?;
+/// assert_eq!(bank.clip_by_key("act1/mayor").map(|clip| clip.frame_count()), Some(5));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn compile(inputs: &[Input], options: &Options, progress: &Progress<'_>) -> Compiled {
+    in_pool(options, || {
+        let mut run = read_all(inputs, options, progress);
+        if report::has_errors(&run.reports) {
+            return run.finish(None);
+        }
+        let start = Instant::now();
+        let localised = localise::localise(&run.clips, options);
+        run.phases.localise = start.elapsed();
+        let start = Instant::now();
+        let bank = lower::lower(&run.clips, &localised, options);
+        run.phases.lower = start.elapsed();
+        run.clips = Vec::new();
+        let start = Instant::now();
+        let verified = bank.and_then(verified);
+        run.phases.verify = start.elapsed();
+        match verified {
+            Ok(bank) => run.finish(Some(bank)),
+            Err(report) => {
+                run.reports.push(report);
+                run.finish(None)
+            }
+        }
+    })
+}
+
+/// Checks `inputs` as [`compile`] does, without making a bank.
+pub fn check_all(inputs: &[Input], options: &Options, progress: &Progress<'_>) -> Compiled {
+    in_pool(options, || read_all(inputs, options, progress).finish(None))
+}
+
+/// Runs `work` with the number of threads that was asked for; on the current ones if there is no
+/// starting others.
+fn in_pool<R: Send>(options: &Options, work: impl FnOnce() -> R + Send) -> R {
+    match options.threads {
+        Some(count) => match rayon::ThreadPoolBuilder::new().num_threads(count).build() {
+            Ok(pool) => pool.install(work),
+            Err(_) => work(),
+        },
+        None => work(),
+    }
+}
+
+/// What is known after the files are read: clips in the order of their keys.
+struct Run {
+    clips: Vec<ClipData>,
+    reports: Vec<Report>,
+    phases: Phases,
+}
+
+impl Run {
+    fn finish(mut self, bank: Option<Vec<u8>>) -> Compiled {
+        report::sort(&mut self.reports);
+        Compiled { bank, reports: self.reports, phases: self.phases }
+    }
+}
+
+/// Nanoseconds per phase, summed over threads.
+#[derive(Default)]
+struct Clock {
+    read: AtomicU64,
+    parse: AtomicU64,
+    check: AtomicU64,
+}
+
+fn read_all(inputs: &[Input], options: &Options, progress: &Progress<'_>) -> Run {
+    let start = Instant::now();
+    let mut reports = Vec::new();
+    key::check(inputs, &mut reports);
+    let clock = Clock::default();
+    let outcomes: Vec<_> = inputs
+        .par_iter()
+        .map_init(Vec::new, |buffer, input| {
+            let outcome = one_file(input, options, buffer, &clock);
+            progress(1);
+            outcome
+        })
+        .collect();
+    let mut clips = Vec::with_capacity(outcomes.len());
+    for (clip, report) in outcomes {
+        clips.extend(clip);
+        reports.extend(report);
+    }
+    clips.sort_by(|a, b| a.key.cmp(&b.key));
+    let nanoseconds = |sum: &AtomicU64| Duration::from_nanos(sum.load(Ordering::Relaxed));
+    let phases = Phases {
+        read: nanoseconds(&clock.read),
+        parse: nanoseconds(&clock.parse),
+        check: nanoseconds(&clock.check),
+        files: start.elapsed(),
+        ..Phases::default()
+    };
+    Run { clips, reports, phases }
+}
+
+/// Reads, parses and checks one file. `buffer` is kept between the files of a thread.
+fn one_file(
+    input: &Input,
+    options: &Options,
+    buffer: &mut Vec<u8>,
+    clock: &Clock,
+) -> (Option<ClipData>, Option<Report>) {
+    let mut lap = Lap { last: Instant::now() };
+    let bytes = match &input.content {
+        Content::Bytes(bytes) => bytes.as_slice(),
+        Content::File(path) => {
+            buffer.clear();
+            // One byte more than a clip can have is enough to see that it is too large.
+            let limit = lipz::MAX_FILE_BYTES as u64 + 1;
+            if let Err(error) = File::open(path).and_then(|file| file.take(limit).read_to_end(buffer)) {
+                let headline = format!("the file cannot be read: {error}");
+                return (None, Some(Report::about(&input.name, Diagnostic::new(Code::UnreadableFile, headline))));
+            }
+            buffer.as_slice()
+        }
+    };
+    lap.add_to(&clock.read);
+    let mut parsed = lipz::parse(bytes);
+    lap.add_to(&clock.parse);
+    let clip = parsed.document.as_ref().and_then(|document| {
+        let mut clip = check::check(document, options, &mut parsed.diagnostics)?;
+        clip.key.clone_from(&input.key);
+        if !options.strip {
+            clip.source = source_record::encode(document, &clip);
+        }
+        Some(clip)
+    });
+    lap.add_to(&clock.check);
+    if parsed.diagnostics.is_empty() {
+        return (clip, None);
+    }
+    parsed.diagnostics.sort_by_key(Diagnostic::start);
+    let text = String::from_utf8_lossy(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)).into_owned();
+    let source = Source { path: input.name.clone(), text };
+    (clip, Some(Report { source, diagnostics: parsed.diagnostics }))
+}
+
+/// A stopwatch that starts again at each reading.
+struct Lap {
+    last: Instant,
+}
+
+impl Lap {
+    fn add_to(&mut self, sum: &AtomicU64) {
+        let now = Instant::now();
+        let elapsed = u64::try_from((now - self.last).as_nanos()).unwrap_or(u64::MAX);
+        sum.fetch_add(elapsed, Ordering::Relaxed);
+        self.last = now;
+    }
+}
+
+/// The bank, if the reader finds no fault with it. A failure here is a defect of this compiler, and
+/// better found now than in a game.
+fn verified(bank: Vec<u8>) -> Result<Vec<u8>, Report> {
+    match Bank::open(&bank).and_then(Bank::verify) {
+        Ok(_) => Ok(bank),
+        Err(error) => Err(Report::failure(
+            "",
+            Code::BankDamaged,
+            format!("the bank that was made does not pass verification: {error}"),
+            "this is a defect of lipz: please report it with the files that lead to it",
+        )),
+    }
+}

@@ -1,0 +1,120 @@
+//! Locales of the bank, and which text each clip shows in each of them.
+
+use crate::Options;
+use crate::clip::ClipData;
+use lipz::locale::language;
+use std::collections::BTreeMap;
+
+/// The locales of a bank with the texts of all clips.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) struct Localised {
+    /// In the order of their tags.
+    pub(crate) locales: Vec<LocaleColumn>,
+}
+
+/// The texts of one locale.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) struct LocaleColumn {
+    pub(crate) tag: String,
+    pub(crate) is_default: bool,
+    /// For each clip: where its text is.
+    pub(crate) texts: Vec<Choice>,
+}
+
+/// Where the text of a clip in a locale is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Choice {
+    /// The clip has a text in the locale: its index in `ClipData::texts`.
+    Own(usize),
+    /// It does not, and shows that of the locale with this index.
+    Fallback(usize),
+    /// Nor in any locale that this one falls back to.
+    Missing,
+}
+
+/// Finds the locales of `clips` and resolves fallback: a locale falls back to those of the same
+/// language (the default locale first, then by tag), then to the default locale.
+pub(crate) fn localise(clips: &[ClipData], options: &Options) -> Localised {
+    let default = options.default_locale.as_deref();
+    let mut index_of: BTreeMap<&str, usize> = BTreeMap::new();
+    for text in clips.iter().flat_map(|clip| &clip.texts) {
+        if !index_of.contains_key(text.locale.as_ref()) {
+            index_of.insert(&text.locale, 0);
+        }
+    }
+    for (index, (_, value)) in index_of.iter_mut().enumerate() {
+        *value = index;
+    }
+    let tags: Vec<&str> = index_of.keys().copied().collect();
+    let mut columns = vec![vec![Choice::Missing; clips.len()]; tags.len()];
+    for (at, clip) in clips.iter().enumerate() {
+        for (index, text) in clip.texts.iter().enumerate() {
+            if let Some(column) = index_of.get(text.locale.as_ref()).and_then(|&locale| columns.get_mut(locale)) {
+                column[at] = Choice::Own(index);
+            }
+        }
+    }
+    let own: Vec<Vec<bool>> =
+        columns.iter().map(|column| column.iter().map(|choice| matches!(choice, Choice::Own(_))).collect()).collect();
+    let locales = std::iter::zip(&tags, columns).enumerate().map(|(locale, (tag, mut texts))| {
+        let chain = chain(&tags, locale, default);
+        for (at, choice) in texts.iter_mut().enumerate().filter(|(_, choice)| **choice == Choice::Missing) {
+            if let Some(&fallback) = chain.iter().find(|&&other| own[other][at]) {
+                *choice = Choice::Fallback(fallback);
+            }
+        }
+        LocaleColumn { tag: (*tag).to_owned(), is_default: Some(*tag) == default, texts }
+    });
+    Localised { locales: locales.collect() }
+}
+
+/// The locales that `locale` falls back to, in order.
+fn chain(tags: &[&str], locale: usize, default: Option<&str>) -> Vec<usize> {
+    let default = tags.iter().position(|tag| Some(*tag) == default);
+    let same_language = |other: &usize| language(tags[*other]) == language(tags[locale]);
+    let mut chain: Vec<usize> = default.into_iter().filter(same_language).collect();
+    chain.extend((0..tags.len()).filter(same_language));
+    chain.extend(default);
+    chain.retain(|&other| other != locale);
+    chain
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::clip::{ClipText, TextRun};
+
+    fn clip(locales: &[&str]) -> ClipData {
+        let text = |tag: &&str| ClipText { locale: (*tag).into(), run: TextRun::new(&[*tag]) };
+        ClipData { texts: locales.iter().map(text).collect(), ..ClipData::default() }
+    }
+
+    #[test]
+    fn same_language_then_default() {
+        let clips = [
+            clip(&["de-at", "de-ch", "de-de", "en-us"]),
+            clip(&["de-ch", "en-us"]),
+            clip(&["en-us"]),
+            clip(&["fr-fr"]),
+        ];
+        let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
+        let localised = localise(&clips, &options);
+        let of = |tag: &str| &localised.locales.iter().find(|locale| locale.tag == tag).unwrap().texts;
+        use Choice::{Fallback, Missing, Own};
+        // de-at, de-ch, de-de, en-us, fr-fr
+        assert_eq!(*of("de-at"), [Own(0), Fallback(1), Fallback(3), Missing]);
+        assert_eq!(*of("de-ch"), [Own(1), Own(0), Fallback(3), Missing]);
+        assert_eq!(*of("fr-fr"), [Fallback(3), Fallback(3), Fallback(3), Own(0)]);
+        assert_eq!(*of("en-us"), [Own(3), Own(1), Own(0), Missing]);
+    }
+
+    #[test]
+    fn the_default_goes_first_within_its_language() {
+        let clips = [clip(&["en-au", "en-us"]), clip(&["en-gb"])];
+        let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
+        let localised = localise(&clips, &options);
+        assert_eq!(localised.locales[1].texts, [Choice::Fallback(2), Choice::Own(0)]);
+        let without_default = localise(&clips, &Options::default());
+        assert_eq!(without_default.locales[1].texts, [Choice::Fallback(0), Choice::Own(0)]);
+    }
+}

@@ -1,0 +1,72 @@
+//! Header, directory and sections in one file.
+
+use super::{fit, too_large};
+use crate::Report;
+use lipz_bank::layout::{
+    CHECKED_FROM, DirectoryEntry, FORMAT_MAJOR, FORMAT_MINOR, Header, MAGIC, SECTION_REQUIRED, Tag, U16, checksum,
+};
+use zerocopy::IntoBytes;
+
+/// Sections start at multiples of a cache line.
+const ALIGNMENT: usize = 64;
+
+/// A section to be written.
+pub(super) struct Section<'b> {
+    tag: Tag,
+    bytes: &'b [u8],
+    entry_bytes: usize,
+    flags: u16,
+}
+
+impl<'b> Section<'b> {
+    /// A section of [`Tag::REQUIRED`].
+    pub(super) fn required(tag: Tag, bytes: &'b [u8]) -> Section<'b> {
+        let entry_bytes =
+            Tag::REQUIRED.iter().find(|(known, _)| *known == tag).map_or(1, |(_, entry_bytes)| *entry_bytes);
+        Section { tag, bytes, entry_bytes, flags: SECTION_REQUIRED }
+    }
+
+    /// A section that readers may skip.
+    pub(super) fn optional(tag: Tag, entry_bytes: usize, bytes: &'b [u8]) -> Section<'b> {
+        Section { tag, bytes, entry_bytes, flags: 0 }
+    }
+}
+
+/// The file: header, directory, sections in the order given, zeros between them.
+pub(super) fn assemble(sections: &[Section<'_>], index_seed: u64, fingerprint: u64) -> Result<Vec<u8>, Report> {
+    let directory_end = size_of::<Header>() + sections.len() * size_of::<DirectoryEntry>();
+    let mut directory = Vec::with_capacity(sections.len());
+    let mut end = directory_end;
+    for section in sections {
+        let offset = end.next_multiple_of(ALIGNMENT);
+        end = offset + section.bytes.len();
+        directory.push(DirectoryEntry {
+            tag: section.tag.0,
+            offset_bytes: fit(offset, "sections")?.into(),
+            length_bytes: fit(section.bytes.len(), "sections")?.into(),
+            entry_bytes: U16::new(u16::try_from(section.entry_bytes).map_err(|_| too_large("entries"))?),
+            flags: section.flags.into(),
+        });
+    }
+    let mut header = Header {
+        magic: MAGIC,
+        checksum: 0.into(),
+        file_length_bytes: fit(end, "sections")?.into(),
+        format_major: FORMAT_MAJOR.into(),
+        format_minor: FORMAT_MINOR.into(),
+        fingerprint: fingerprint.into(),
+        index_seed: index_seed.into(),
+        section_count: fit(sections.len(), "sections")?.into(),
+        reserved: [0; 20],
+    };
+    let mut bank = Vec::with_capacity(end);
+    bank.extend_from_slice(header.as_bytes());
+    bank.extend_from_slice(directory.as_bytes());
+    for section in sections {
+        bank.resize(bank.len().next_multiple_of(ALIGNMENT), 0);
+        bank.extend_from_slice(section.bytes);
+    }
+    header.checksum = checksum(&bank[CHECKED_FROM..]).into();
+    bank[..size_of::<Header>()].copy_from_slice(header.as_bytes());
+    Ok(bank)
+}

@@ -1,0 +1,79 @@
+//! From clips to the sections of a bank.
+
+mod assemble;
+mod index;
+mod records;
+mod strings;
+
+use crate::clip::ClipData;
+use crate::localise::Localised;
+use crate::{Options, Report};
+use assemble::Section;
+use lipz::Code;
+use lipz_bank::ClipId;
+use lipz_bank::layout::Tag;
+use std::collections::HashMap;
+use zerocopy::IntoBytes;
+
+/// The bank of `clips`, which are in the order of their keys.
+pub(crate) fn lower(clips: &[ClipData], localised: &Localised, options: &Options) -> Result<Vec<u8>, Report> {
+    let ids = unique_ids(clips)?;
+    let index = index::build(&ids);
+    let names = strings::names(clips, localised)?;
+    let texts = strings::texts(clips, localised, &index.slots)?;
+    let events = strings::events(clips)?;
+    let frames: Vec<u8> = clips.iter().flat_map(|clip| clip.frames.iter().copied()).collect();
+    let records = records::clips(clips, &ids, &index.slots, &names, &events)?;
+    let locales = records::locales(localised, &names);
+    let mut sections = vec![
+        Section::required(Tag::CLIPS, records.clips.as_bytes()),
+        Section::required(Tag::PILOTS, index.pilots.as_bytes()),
+        Section::required(Tag::KEY_ORDER, index.slots_le.as_bytes()),
+        Section::required(Tag::NAMES, names.pool.as_bytes()),
+        Section::required(Tag::FRAMES, &frames),
+        Section::required(Tag::STARTS, records.far_starts.as_bytes()),
+        Section::required(Tag::LOCALES, locales.as_bytes()),
+        Section::required(Tag::TEXT_INDEX, texts.index.as_bytes()),
+        Section::required(Tag::TEXTS, &texts.pool),
+        Section::required(Tag::EVENT_REFS, events.references.as_bytes()),
+        Section::required(Tag::EVENTS, events.records.as_bytes()),
+        Section::required(Tag::EVENT_STRINGS, events.pool.as_bytes()),
+    ];
+    let sources = strings::sources(clips, &index.slots)?;
+    if !options.strip {
+        sections.push(Section::optional(Tag::SOURCE_INDEX, 4, sources.index.as_bytes()));
+        sections.push(Section::optional(Tag::SOURCES, 1, &sources.pool));
+    }
+    assemble::assemble(&sections, index.seed, records.fingerprint)
+}
+
+/// The ids of `clips`, if no two are the same.
+fn unique_ids(clips: &[ClipData]) -> Result<Vec<u64>, Report> {
+    let ids: Vec<u64> = clips.iter().map(|clip| ClipId::of(&clip.key).get()).collect();
+    let mut seen = HashMap::with_capacity(ids.len());
+    for (clip, id) in std::iter::zip(clips, &ids) {
+        if let Some(other) = seen.insert(*id, &clip.key) {
+            return Err(Report::failure(
+                format!("{}.lipz", clip.key),
+                Code::IdCollision,
+                format!("the keys `{other}` and `{}` have the same clip id, {id:016x}", clip.key),
+                "rename one of the two: it happens about once in 10^9 banks of 100,000 clips",
+            ));
+        }
+    }
+    Ok(ids)
+}
+
+/// A number that a 32-bit field of the bank holds, or the finding that it does not.
+fn fit(number: usize, what: &str) -> Result<u32, Report> {
+    u32::try_from(number).map_err(|_| too_large(what))
+}
+
+fn too_large(what: &str) -> Report {
+    Report::failure(
+        "",
+        Code::BankTooLarge,
+        format!("{what} of the bank do not fit 32-bit offsets"),
+        "make several banks, one per act or one per language",
+    )
+}

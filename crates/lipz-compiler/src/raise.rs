@@ -1,0 +1,155 @@
+//! From a bank back to documents: the reverse of lowering.
+
+use crate::Report;
+use crate::source_record::{self, Name, Recorded};
+use lipz::{Code, Document, Element, JsonString, Raw, Value};
+use lipz_bank::layout::{Tag, U32};
+use lipz_bank::{Bank, Clip, Fps, Locale};
+use std::borrow::Cow;
+use zerocopy::FromBytes;
+
+/// The Lipz files of a bank, in the order of their keys.
+pub struct Documents<'data, 'bank> {
+    bank: &'bank Bank<'data>,
+    sources: Option<Sources<'data>>,
+}
+
+struct Sources<'data> {
+    index: &'data [U32],
+    records: &'data [u8],
+}
+
+impl<'data, 'bank> Documents<'data, 'bank> {
+    /// The files of a verified `bank`.
+    ///
+    /// # Errors
+    /// If one of the two source sections is missing or has another shape.
+    pub fn of(bank: &'bank Bank<'data>) -> Result<Self, Report> {
+        let section = |tag| bank.sections().find(|(found, _)| *found == tag).map(|(_, bytes)| bytes);
+        let sources = match (section(Tag::SOURCE_INDEX), section(Tag::SOURCES)) {
+            (None, None) => None,
+            (Some(index), Some(records)) => {
+                let index = <[U32]>::ref_from_bytes(index).ok().filter(|index| index.len() == bank.clip_count());
+                let index = index.ok_or_else(|| damaged("the source index has another length"))?;
+                Some(Sources { index, records })
+            }
+            _ => return Err(damaged("one of the two source sections is missing")),
+        };
+        Ok(Documents { bank, sources })
+    }
+
+    /// Whether the bank holds what the display form lost, so that the files are exact.
+    pub fn is_exact(&self) -> bool {
+        self.sources.is_some()
+    }
+
+    /// Key and document of each clip.
+    pub fn iter(&self) -> impl Iterator<Item = Result<(&'data str, Document<'data>), Report>> + '_ {
+        self.bank.clips().map(|clip| Ok((clip.key(), self.document(&clip)?)))
+    }
+
+    fn document(&self, clip: &Clip<'data, '_>) -> Result<Document<'data>, Report> {
+        let own: Vec<Locale<'data>> = self
+            .bank
+            .locales()
+            .filter(|locale| {
+                clip.segment(0).and_then(|segment| segment.text(*locale)).is_some_and(|text| !text.is_fallback())
+            })
+            .collect();
+        match &self.sources {
+            Some(sources) => {
+                let damage = || damaged(&format!("the source record of `{}` cannot be decoded", clip.key()));
+                let offset = sources.index.get(clip.slot() as usize).ok_or_else(damage)?.get();
+                let record = sources.records.get(offset as usize..).ok_or_else(damage)?;
+                exact(clip, &own, record).ok_or_else(damage)
+            }
+            None => Ok(display_form(clip, &own)),
+        }
+    }
+}
+
+fn damaged(what: &str) -> Report {
+    Report::failure("", Code::SourceDamaged, what.to_owned(), "pack the bank again from its sources")
+}
+
+/// The document as it was written.
+fn exact<'data>(clip: &Clip<'data, '_>, own: &[Locale<'data>], record: &'data [u8]) -> Option<Document<'data>> {
+    let mut elements = Vec::new();
+    for (name, value) in source_record::decode(record)? {
+        let held = || match name {
+            Name::Known("viseme_type") => Some(clip.viseme_type()?.name().to_owned()),
+            Name::Known("visemes") => visemes(clip),
+            Name::Known("events") => joined(clip, lipz_bank::Segment::event),
+            Name::OwnText(index) => text(clip, *own.get(index)?),
+            _ => None,
+        };
+        let value = match value {
+            Recorded::AsInBank => Value::String(Cow::<str>::Owned(held()?).into()),
+            Recorded::String(string) => Value::String(Cow::Borrowed(string).into()),
+            Recorded::Number(number) => Value::Number(Raw::new(number)),
+            Recorded::Other(json) => Value::Other(Raw::new(json)),
+        };
+        let name = match name {
+            Name::Spelled(name) => Cow::Borrowed(name),
+            Name::Known(name) => Cow::Borrowed(name),
+            Name::OwnText(index) => Cow::Owned(format!("text_{}", own.get(index)?.tag())),
+        };
+        elements.push(Element { name: name.into(), value });
+    }
+    Some(Document { elements })
+}
+
+/// The document in canonical order, with display texts.
+fn display_form<'data>(clip: &Clip<'data, '_>, own: &[Locale<'data>]) -> Document<'data> {
+    let mut elements = Vec::new();
+    let mut push = |name: String, value: Value<'data>| {
+        elements.push(Element { name: JsonString::from(Cow::Owned(name)), value });
+    };
+    let string = |text: String| Value::String(Cow::<str>::Owned(text).into());
+    if let Some(fps) = clip.fps() {
+        push("fps".into(), Value::Number(Raw::new(decimal(fps))));
+    }
+    if let Some(viseme_type) = clip.viseme_type() {
+        push("viseme_type".into(), string(viseme_type.name().into()));
+    }
+    if let Some(visemes) = visemes(clip).filter(|_| clip.has_visemes()) {
+        push("visemes".into(), string(visemes));
+    }
+    for locale in own {
+        if let Some(text) = text(clip, *locale) {
+            push(format!("text_{}", locale.tag()), string(text));
+        }
+    }
+    if let Some(events) = joined(clip, lipz_bank::Segment::event) {
+        push("events".into(), string(events));
+    }
+    Document { elements }
+}
+
+fn visemes(clip: &Clip<'_, '_>) -> Option<String> {
+    joined(clip, |segment| std::str::from_utf8(segment.frames()).ok())
+}
+
+fn text<'data>(clip: &Clip<'data, '_>, locale: Locale<'data>) -> Option<String> {
+    joined(clip, |segment| Some(segment.text(locale)?.as_str()))
+}
+
+/// The parts of all segments with `|` between them, if every segment has one.
+fn joined<'data, 'bank, 's>(
+    clip: &Clip<'data, 'bank>,
+    part: impl Fn(&lipz_bank::Segment<'data, 'bank>) -> Option<&'s str>,
+) -> Option<String> {
+    let mut whole = String::new();
+    for segment in clip.segments() {
+        if segment.index() > 0 {
+            whole.push(lipz::text::DELIMITER);
+        }
+        whole.push_str(part(&segment)?);
+    }
+    Some(whole)
+}
+
+/// The rate as a decimal number: exact where the ratio has an end, otherwise the nearest `f64`.
+fn decimal(fps: Fps) -> String {
+    fps.to_f64().to_string()
+}

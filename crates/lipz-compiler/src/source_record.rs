@@ -1,0 +1,184 @@
+//! Source records: what the display form lost of a Lipz file, so that unpacking gives it back.
+//!
+//! A record lists the elements in file order. Values that the bank holds anyway are not repeated:
+//! a file without padding, meta and unknown elements costs a few bytes, and equal records are
+//! stored once. `docs/FORMAT.md`, "Source records", describes the encoding.
+
+use crate::clip::ClipData;
+use lipz::{Document, Value};
+
+/// Names of elements that a record mentions by number; higher numbers are the clip's own texts.
+const NAMED: [&str; 4] = ["fps", "viseme_type", "visemes", "events"];
+/// The number of the first of the clip's own texts.
+const FIRST_TEXT: u64 = 1 + NAMED.len() as u64;
+
+/// How a record holds a value.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Kind {
+    /// The bank holds the same string: segments joined with `|`.
+    AsInBank = 0,
+    String = 1,
+    Number = 2,
+    Other = 3,
+}
+
+/// One element of a decoded record.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) enum Name<'r> {
+    /// Spelled out.
+    Spelled(&'r str),
+    /// One of the format's elements, or the text in the clip's own locale with this number.
+    Known(&'static str),
+    OwnText(usize),
+}
+
+/// The value of an element of a decoded record.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) enum Recorded<'r> {
+    AsInBank,
+    String(&'r str),
+    Number(&'r str),
+    Other(&'r str),
+}
+
+/// The record of `document`, which was checked to be `clip`.
+pub(crate) fn encode(document: &Document<'_>, clip: &ClipData) -> Vec<u8> {
+    let mut record = Vec::with_capacity(2 + 4 * document.elements.len());
+    push_number(&mut record, document.elements.len() as u64);
+    for element in &document.elements {
+        let name = element.name.text.as_ref();
+        let own_text = name
+            .strip_prefix("text_")
+            .and_then(|tag| clip.texts.binary_search_by(|text| text.locale.as_ref().cmp(tag)).ok());
+        match (NAMED.iter().position(|known| *known == name), own_text) {
+            (Some(index), _) => push_number(&mut record, 1 + index as u64),
+            (None, Some(index)) => push_number(&mut record, FIRST_TEXT + index as u64),
+            (None, None) => {
+                push_number(&mut record, 0);
+                push_string(&mut record, name);
+            }
+        }
+        let (kind, spelled) = match &element.value {
+            Value::String(string) if is_as_in_bank(name, &string.text, own_text, clip) => (Kind::AsInBank, None),
+            Value::String(string) => (Kind::String, Some(string.text.as_ref())),
+            Value::Number(raw) => (Kind::Number, Some(raw.text.as_ref())),
+            Value::Other(raw) => (Kind::Other, Some(raw.text.as_ref())),
+        };
+        record.push(kind as u8);
+        if let Some(spelled) = spelled {
+            push_string(&mut record, spelled);
+        }
+    }
+    record
+}
+
+/// Whether the segments that the bank holds, joined with `|`, are `value`. The display form only
+/// ever leaves characters out, so equal lengths mean equal strings.
+fn is_as_in_bank(name: &str, value: &str, own_text: Option<usize>, clip: &ClipData) -> bool {
+    let delimiters = clip.starts.len() - 1;
+    let held = match name {
+        "viseme_type" => return true,
+        "visemes" => clip.frames.len(),
+        "events" => clip.events.iter().flatten().map(|event| event.len()).sum(),
+        _ => match own_text.and_then(|index| clip.texts.get(index)) {
+            Some(text) => text.run.text_bytes(clip.starts.len()),
+            None => return false,
+        },
+    };
+    held + delimiters == value.len()
+}
+
+fn push_number(record: &mut Vec<u8>, mut number: u64) {
+    while number >= 0x80 {
+        record.push(number as u8 | 0x80);
+        number >>= 7;
+    }
+    record.push(number as u8);
+}
+
+fn push_string(record: &mut Vec<u8>, text: &str) {
+    push_number(record, text.len() as u64);
+    record.extend_from_slice(text.as_bytes());
+}
+
+/// The elements of the record that starts at `bytes`; `None` where it is damaged.
+pub(crate) fn decode(bytes: &[u8]) -> Option<Vec<(Name<'_>, Recorded<'_>)>> {
+    let mut reader = Reader { rest: bytes };
+    let count = reader.number()?;
+    let mut elements = Vec::new();
+    for _ in 0..count {
+        let name = match reader.number()? {
+            0 => Name::Spelled(reader.string()?),
+            number if number < FIRST_TEXT => Name::Known(NAMED.get(usize::try_from(number - 1).ok()?)?),
+            number => Name::OwnText(usize::try_from(number - FIRST_TEXT).ok()?),
+        };
+        let value = match reader.byte()? {
+            kind if kind == Kind::AsInBank as u8 => Recorded::AsInBank,
+            kind if kind == Kind::String as u8 => Recorded::String(reader.string()?),
+            kind if kind == Kind::Number as u8 => Recorded::Number(reader.string()?),
+            kind if kind == Kind::Other as u8 => Recorded::Other(reader.string()?),
+            _ => return None,
+        };
+        elements.push((name, value));
+    }
+    Some(elements)
+}
+
+struct Reader<'r> {
+    rest: &'r [u8],
+}
+
+impl<'r> Reader<'r> {
+    fn byte(&mut self) -> Option<u8> {
+        let (&byte, rest) = self.rest.split_first()?;
+        self.rest = rest;
+        Some(byte)
+    }
+
+    fn number(&mut self) -> Option<u64> {
+        let mut number = 0;
+        for shift in (0..63).step_by(7) {
+            let byte = self.byte()?;
+            number |= u64::from(byte & 0x7F) << shift;
+            if byte < 0x80 {
+                return Some(number);
+            }
+        }
+        None
+    }
+
+    fn string(&mut self) -> Option<&'r str> {
+        let length = usize::try_from(self.number()?).ok()?;
+        let (string, rest) = self.rest.split_at_checked(length)?;
+        self.rest = rest;
+        std::str::from_utf8(string).ok()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn damage_is_no_panic() {
+        let document =
+            lipz::parse(br#"{"visemes":"A|-","text_en-us":" {x} Hi | ","fps":24.0,"q":[1]}"#).document.unwrap();
+        let clip = crate::check::check(&document, &crate::Options::default(), &mut Vec::new()).unwrap();
+        let record = encode(&document, &clip);
+        let elements = decode(&record).unwrap();
+        assert_eq!(elements[0], (Name::Known("visemes"), Recorded::AsInBank));
+        assert_eq!(elements[1], (Name::OwnText(0), Recorded::String(" {x} Hi | ")));
+        assert_eq!(elements[2], (Name::Known("fps"), Recorded::Number("24.0")));
+        assert_eq!(elements[3], (Name::Spelled("q"), Recorded::Other("[1]")));
+        for length in 0..record.len() {
+            assert!(decode(&record[..length]).is_none(), "{length}");
+        }
+        for at in 0..record.len() {
+            for change in 1..=255 {
+                let mut damaged = record.clone();
+                damaged[at] ^= change;
+                let _ = decode(&damaged);
+            }
+        }
+    }
+}

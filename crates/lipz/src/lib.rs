@@ -1,0 +1,35 @@
+//! Lipz files: the JSON format for spoken dialogue, as a library.
+//!
+//! A Lipz file holds one voice clip: one mouth-shape code per frame, subtitles per locale, events
+//! per segment (Lipz File Format 1.0 by Erik Hermansen). This crate reads such a file into a
+//! [`Document`] that knows where each of its characters stands, writes it again, and carries the
+//! rules that the format states about [texts](mod@text), [locales](mod@locale) and
+//! [frame rates](mod@rate). Findings are [`Diagnostic`]s with stable [`Code`]s.
+//!
+//! ```
+//! let file = br#"{ "fps": 24, "visemes": "SMA-|EOO-", "text_en-us": "Hello, |Amy." }"#;
+//! let parsed = lipz::parse(file);
+//! assert!(parsed.diagnostics.is_empty());
+//! let document = parsed.document.ok_or("a valid file")?;
+//! assert_eq!(document.string("visemes"), Some("SMA-|EOO-"));
+//! assert_eq!(lipz::text::display(" {whispering} Amy. ").text, "Amy.");
+//! # Ok::<(), &str>(())
+//! ```
+//!
+//! What is not here: checks of one element against another and project-wide rules (crate
+//! `lipz-compiler`), the binary bank (`lipz-bank`), printing (`lipz-cli`).
+
+pub mod diagnostic;
+mod document;
+pub mod locale;
+mod parse;
+pub mod rate;
+mod source;
+pub mod text;
+mod write;
+
+pub use diagnostic::{Code, Diagnostic, Level};
+pub use document::{Document, Element, JsonString, Raw, Value};
+pub use parse::{MAX_FILE_BYTES, Parsed, parse};
+pub use source::{LineColumn, Source, Span};
+pub use write::write;

@@ -1,0 +1,87 @@
+//! Locales of texts: the names of `text_ll-cc` elements.
+
+use icu_locale_core::LanguageIdentifier;
+
+/// What the name of an element says about a text's locale.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum TextName {
+    /// `text_ll-cc`: the locale.
+    Canonical(String),
+    /// Another spelling of a locale, `text-en_us`, `text_EN-US`: the locale that is meant.
+    Misspelt(String),
+    /// `text` without a locale.
+    NoLocale,
+    /// A text whose locale does not have the form `ll-cc`: the locale as written, and the BCP 47
+    /// tag in lower case if it is one.
+    OtherShape(String, Option<String>),
+}
+
+/// Reads the name of an element; `None` if it is not that of a text.
+///
+/// ```
+/// use lipz::locale::{TextName, text_name};
+/// assert_eq!(text_name("text_es-mx"), Some(TextName::Canonical("es-mx".into())));
+/// assert_eq!(text_name("text-en_us"), Some(TextName::Misspelt("en-us".into())));
+/// assert_eq!(text_name("texture"), None);
+/// ```
+pub fn text_name(name: &str) -> Option<TextName> {
+    let rest = name.strip_prefix("text")?;
+    let Some(separator) = rest.chars().next() else { return Some(TextName::NoLocale) };
+    if !matches!(separator, '_' | '-') {
+        return None;
+    }
+    let locale = &rest[1..];
+    let tag = locale.to_ascii_lowercase().replace('_', "-");
+    if !has_lipz_shape(&tag) {
+        let extended = tag.parse::<LanguageIdentifier>().is_ok().then_some(tag);
+        return Some(TextName::OtherShape(locale.to_owned(), extended));
+    }
+    Some(if separator == '_' && tag == locale { TextName::Canonical(tag) } else { TextName::Misspelt(tag) })
+}
+
+/// Whether a tag has the form `ll-cc`: two lower-case letters, a hyphen, two lower-case letters.
+pub fn has_lipz_shape(tag: &str) -> bool {
+    matches!(tag.as_bytes(), [b'a'..=b'z', b'a'..=b'z', b'-', b'a'..=b'z', b'a'..=b'z'])
+}
+
+/// The language part of a tag: `en` of `en-us`.
+pub fn language(tag: &str) -> &str {
+    tag.split('-').next().unwrap_or(tag)
+}
+
+/// Which parts of an `ll-cc` tag are in no ISO list: language (ISO 639-1), country (ISO 3166-1).
+pub fn unknown_parts(tag: &str) -> (bool, bool) {
+    let (language, country) = tag.split_once('-').unwrap_or((tag, ""));
+    let country = country.to_ascii_uppercase();
+    (isolang::Language::from_639_1(language).is_none(), rust_iso3166::from_alpha2(&country).is_none())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spellings() {
+        let misspelt = |tag: &str| Some(TextName::Misspelt(tag.to_owned()));
+        for name in ["text-en_us", "text_en_us", "text_EN-US", "text-en-us", "text_En_uS"] {
+            assert_eq!(text_name(name), misspelt("en-us"), "{name}");
+        }
+        assert_eq!(text_name("text"), Some(TextName::NoLocale));
+        let other = |name: &str, tag: Option<&str>| Some(TextName::OtherShape(name.into(), tag.map(Into::into)));
+        assert_eq!(text_name("text_es-419"), other("es-419", Some("es-419")));
+        assert_eq!(text_name("text_zh-Hant"), other("zh-Hant", Some("zh-hant")));
+        assert_eq!(text_name("text_en"), other("en", Some("en")));
+        assert_eq!(text_name("text_"), other("", None));
+        assert_eq!(text_name("text_englisch-deutsch"), other("englisch-deutsch", None));
+        for name in ["texture", "Text_en-us", "visemes", "texten-us"] {
+            assert_eq!(text_name(name), None, "{name}");
+        }
+    }
+
+    #[test]
+    fn iso_lists() {
+        assert_eq!(unknown_parts("en-us"), (false, false));
+        assert_eq!(unknown_parts("en-uk"), (false, true));
+        assert_eq!(unknown_parts("xx-us"), (true, false));
+    }
+}
