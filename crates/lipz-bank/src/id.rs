@@ -10,7 +10,7 @@ use core::fmt;
 /// ```
 /// use lipz_bank::ClipId;
 /// const HELLO: ClipId = ClipId::of("act1/samson-hello");
-/// assert_eq!(HELLO.get(), 0x0f27_10a5_99ea_7b47);
+/// assert_eq!(HELLO.get(), 0xffff_95a9_0441_eeda);
 /// ```
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ClipId(u64);

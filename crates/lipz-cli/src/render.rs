@@ -3,20 +3,34 @@
 use crate::console;
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Group, Level as Title, Origin, Renderer, Snippet};
-use lipz::{Diagnostic, Level, Source};
+use lipz::{Code, Diagnostic, Level, Source};
 use lipz_compiler::{Report, count};
+use std::collections::BTreeMap;
 
-/// Prints all findings and a closing count.
+/// Findings of one code that a run shows in full; the others are counted.
+const SHOWN_PER_CODE: usize = 100;
+
+/// Prints findings, what was left out of them, and a closing count.
 pub(crate) fn findings(reports: &[Report]) {
     let renderer = Renderer::styled().decor_style(DecorStyle::Ascii).term_width(console::width());
-    let mut text = String::new();
+    let mut count_of: BTreeMap<Code, usize> = BTreeMap::new();
     for report in reports {
+        let mut text = String::new();
         for diagnostic in &report.diagnostics {
-            text.push_str(&renderer.render(&[group(&report.source, diagnostic)]));
-            text.push_str("\n\n");
+            let count = count_of.entry(diagnostic.code).or_default();
+            *count += 1;
+            if *count <= SHOWN_PER_CODE {
+                text.push_str(&renderer.render(&[group(&report.source, diagnostic)]));
+                text.push_str("\n\n");
+            }
+        }
+        console::remark(&text);
+    }
+    for (code, count) in count_of {
+        if let Some(hidden) = count.checked_sub(SHOWN_PER_CODE).filter(|hidden| *hidden > 0) {
+            console::remark(&format!("{} more of {code} ({})\n", console::grouped(hidden), code.summary()));
         }
     }
-    console::remark(&text);
     let (errors, warnings) = (count(reports, Level::Error), count(reports, Level::Warning));
     let parts: Vec<String> = [(errors, "error"), (warnings, "warning")]
         .into_iter()

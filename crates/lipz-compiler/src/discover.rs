@@ -14,10 +14,11 @@ use walkdir::WalkDir;
 ///
 /// Reports what cannot be found or read. Files are returned in the order of their paths.
 pub fn discover(sources: &[PathBuf], root: Option<&Path>) -> (Vec<Input>, Vec<Report>) {
-    let mut found = Discovery { root, files: Vec::new(), reports: Vec::new() };
+    let root = root.map(plain);
+    let mut found = Discovery { root: root.as_deref(), files: Vec::new(), reports: Vec::new() };
     for source in sources {
         let before = (found.files.len(), found.reports.len());
-        found.source(source);
+        found.source(&plain(source));
         if (found.files.len(), found.reports.len()) == before {
             found.reports.push(Report::failure(
                 display(source),
@@ -36,6 +37,13 @@ pub fn discover(sources: &[PathBuf], root: Option<&Path>) -> (Vec<Input>, Vec<Re
         content: Content::File(file.path),
     });
     (inputs.collect(), found.reports)
+}
+
+/// The path without `.` parts, so that `voices`, `./voices` and `voices/` are one folder. Links and
+/// `..` stay: only the file system knows where they lead.
+fn plain(path: &Path) -> PathBuf {
+    let plain: PathBuf = path.components().filter(|part| *part != Component::CurDir).collect();
+    if plain.as_os_str().is_empty() { PathBuf::from(".") } else { plain }
 }
 
 struct Found {
@@ -131,6 +139,8 @@ fn is_lipz(path: &Path) -> bool {
 
 /// The path below `root`, with `/`, without the extension `.lipz`.
 fn key_of(path: &Path, root: &Path) -> Result<String, String> {
+    let root = if root == Path::new(".") { Path::new("") } else { root };
+    let path = path.strip_prefix(".").unwrap_or(path);
     let below = path.strip_prefix(root).map_err(|_| format!("it is not below the root `{}`", display(root)))?;
     let mut parts = Vec::new();
     for component in below.components() {

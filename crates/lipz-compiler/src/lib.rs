@@ -31,3 +31,8 @@ pub use output::replace_file;
 pub use raise::Documents;
 pub use report::{Report, count};
 pub use unpack::{Unpacked, unpack};
+
+/// The example of the README, run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;

@@ -4,7 +4,7 @@ use crate::Report;
 use crate::source_record::{self, Name, Recorded};
 use lipz::{Code, Document, Element, JsonString, Raw, Value};
 use lipz_bank::layout::{Tag, U32};
-use lipz_bank::{Bank, Clip, Fps, Locale};
+use lipz_bank::{Bank, Clip, Fps, Locale, Segment};
 use std::borrow::Cow;
 use zerocopy::FromBytes;
 
@@ -75,16 +75,17 @@ fn damaged(what: &str) -> Report {
 /// The document as it was written.
 fn exact<'data>(clip: &Clip<'data, '_>, own: &[Locale<'data>], record: &'data [u8]) -> Option<Document<'data>> {
     let mut elements = Vec::new();
-    for (name, value) in source_record::decode(record)? {
-        let held = || match name {
+    for (name, value) in source_record::decode(record, clip.segment_count())? {
+        let held = |padding: &[(usize, usize)]| match name {
             Name::Known("viseme_type") => Some(clip.viseme_type()?.name().to_owned()),
-            Name::Known("visemes") => visemes(clip),
-            Name::Known("events") => joined(clip, lipz_bank::Segment::event),
-            Name::OwnText(index) => text(clip, *own.get(index)?),
+            Name::Known("visemes") => joined(clip, padding, codes),
+            Name::Known("events") => joined(clip, padding, Segment::event),
+            Name::OwnText(index) => joined(clip, padding, display_text(*own.get(index)?)),
             _ => None,
         };
         let value = match value {
-            Recorded::AsInBank => Value::String(Cow::<str>::Owned(held()?).into()),
+            Recorded::AsInBank => Value::String(Cow::<str>::Owned(held(&[])?).into()),
+            Recorded::Padded(padding) => Value::String(Cow::<str>::Owned(held(&padding)?).into()),
             Recorded::String(string) => Value::String(Cow::Borrowed(string).into()),
             Recorded::Number(number) => Value::Number(Raw::new(number)),
             Recorded::Other(json) => Value::Other(Raw::new(json)),
@@ -112,39 +113,44 @@ fn display_form<'data>(clip: &Clip<'data, '_>, own: &[Locale<'data>]) -> Documen
     if let Some(viseme_type) = clip.viseme_type() {
         push("viseme_type".into(), string(viseme_type.name().into()));
     }
-    if let Some(visemes) = visemes(clip).filter(|_| clip.has_visemes()) {
+    if let Some(visemes) = joined(clip, &[], codes).filter(|_| clip.has_visemes()) {
         push("visemes".into(), string(visemes));
     }
     for locale in own {
-        if let Some(text) = text(clip, *locale) {
+        if let Some(text) = joined(clip, &[], display_text(*locale)) {
             push(format!("text_{}", locale.tag()), string(text));
         }
     }
-    if let Some(events) = joined(clip, lipz_bank::Segment::event) {
+    if let Some(events) = joined(clip, &[], Segment::event) {
         push("events".into(), string(events));
     }
     Document { elements }
 }
 
-fn visemes(clip: &Clip<'_, '_>) -> Option<String> {
-    joined(clip, |segment| std::str::from_utf8(segment.frames()).ok())
+fn codes<'data>(segment: &Segment<'data, '_>) -> Option<&'data str> {
+    std::str::from_utf8(segment.frames()).ok()
 }
 
-fn text<'data>(clip: &Clip<'data, '_>, locale: Locale<'data>) -> Option<String> {
-    joined(clip, |segment| Some(segment.text(locale)?.as_str()))
+fn display_text<'data>(locale: Locale<'data>) -> impl Fn(&Segment<'data, '_>) -> Option<&'data str> {
+    move |segment| Some(segment.text(locale)?.as_str())
 }
 
-/// The parts of all segments with `|` between them, if every segment has one.
-fn joined<'data, 'bank, 's>(
+/// The parts of all segments with `|` between them, if every segment has one; with blanks before
+/// and after each as in `padding`.
+fn joined<'data, 'bank>(
     clip: &Clip<'data, 'bank>,
-    part: impl Fn(&lipz_bank::Segment<'data, 'bank>) -> Option<&'s str>,
+    padding: &[(usize, usize)],
+    part: impl Fn(&Segment<'data, 'bank>) -> Option<&'data str>,
 ) -> Option<String> {
     let mut whole = String::new();
     for segment in clip.segments() {
+        let (before, after) = padding.get(segment.index() as usize).copied().unwrap_or_default();
         if segment.index() > 0 {
             whole.push(lipz::text::DELIMITER);
         }
+        whole.extend(std::iter::repeat_n(' ', before));
         whole.push_str(part(&segment)?);
+        whole.extend(std::iter::repeat_n(' ', after));
     }
     Some(whole)
 }

@@ -17,12 +17,15 @@ const FIRST_TEXT: u64 = 1 + NAMED.len() as u64;
 enum Kind {
     /// The bank holds the same string: segments joined with `|`.
     AsInBank = 0,
+    /// Spelled out.
     String = 1,
     Number = 2,
     Other = 3,
+    /// As in the bank, with blanks around the segments: their numbers before and after each.
+    Padded = 4,
 }
 
-/// One element of a decoded record.
+/// The name of an element of a decoded record.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) enum Name<'r> {
     /// Spelled out.
@@ -35,7 +38,10 @@ pub(crate) enum Name<'r> {
 /// The value of an element of a decoded record.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) enum Recorded<'r> {
+    /// The segments that the bank holds, joined with `|`.
     AsInBank,
+    /// The same, with as many blanks before and after each segment.
+    Padded(Vec<(usize, usize)>),
     String(&'r str),
     Number(&'r str),
     Other(&'r str),
@@ -58,34 +64,51 @@ pub(crate) fn encode(document: &Document<'_>, clip: &ClipData) -> Vec<u8> {
                 push_string(&mut record, name);
             }
         }
-        let (kind, spelled) = match &element.value {
-            Value::String(string) if is_as_in_bank(name, &string.text, own_text, clip) => (Kind::AsInBank, None),
-            Value::String(string) => (Kind::String, Some(string.text.as_ref())),
-            Value::Number(raw) => (Kind::Number, Some(raw.text.as_ref())),
-            Value::Other(raw) => (Kind::Other, Some(raw.text.as_ref())),
-        };
-        record.push(kind as u8);
-        if let Some(spelled) = spelled {
-            push_string(&mut record, spelled);
+        let held = held_bytes(name, own_text, clip);
+        match &element.value {
+            Value::String(string) => push_text(&mut record, &string.text, held, clip.starts.len()),
+            Value::Number(raw) => push_spelled(&mut record, Kind::Number, &raw.text),
+            Value::Other(raw) => push_spelled(&mut record, Kind::Other, &raw.text),
         }
     }
     record
 }
 
-/// Whether the segments that the bank holds, joined with `|`, are `value`. The display form only
-/// ever leaves characters out, so equal lengths mean equal strings.
-fn is_as_in_bank(name: &str, value: &str, own_text: Option<usize>, clip: &ClipData) -> bool {
-    let delimiters = clip.starts.len() - 1;
-    let held = match name {
-        "viseme_type" => return true,
-        "visemes" => clip.frames.len(),
-        "events" => clip.events.iter().flatten().map(|event| event.len()).sum(),
-        _ => match own_text.and_then(|index| clip.texts.get(index)) {
-            Some(text) => text.run.text_bytes(clip.starts.len()),
-            None => return false,
-        },
-    };
-    held + delimiters == value.len()
+/// Bytes of the segments that the bank holds of an element; `None` if it holds none.
+fn held_bytes(name: &str, own_text: Option<usize>, clip: &ClipData) -> Option<usize> {
+    match name {
+        "viseme_type" => clip.viseme_type.map(|viseme_type| viseme_type.name().len()),
+        "visemes" => Some(clip.frames.len()),
+        "events" => clip.events.as_ref().map(|events| events.iter().map(|event| event.len()).sum()),
+        _ => clip.texts.get(own_text?).map(|text| text.run.text_bytes(clip.starts.len())),
+    }
+}
+
+/// Appends a string in the shortest way. What the bank holds of a string is what is left after
+/// leaving characters out, so equal lengths mean equal strings.
+fn push_text(record: &mut Vec<u8>, text: &str, held: Option<usize>, segment_count: usize) {
+    let blank = ' ';
+    if held.is_some_and(|held| held == text.len() || held + segment_count - 1 == text.len()) {
+        record.push(Kind::AsInBank as u8);
+        return;
+    }
+    let segments = || lipz::text::segments(text).map(|range| &text[range]);
+    let unpadded: usize = segments().map(|segment| segment.trim_matches(blank).len()).sum();
+    if held != Some(unpadded) {
+        push_spelled(record, Kind::String, text);
+        return;
+    }
+    record.push(Kind::Padded as u8);
+    for segment in segments() {
+        let behind = segment.trim_start_matches(blank);
+        push_number(record, (segment.len() - behind.len()) as u64);
+        push_number(record, (behind.len() - behind.trim_end_matches(blank).len()) as u64);
+    }
+}
+
+fn push_spelled(record: &mut Vec<u8>, kind: Kind, text: &str) {
+    record.push(kind as u8);
+    push_string(record, text);
 }
 
 fn push_number(record: &mut Vec<u8>, mut number: u64) {
@@ -101,8 +124,9 @@ fn push_string(record: &mut Vec<u8>, text: &str) {
     record.extend_from_slice(text.as_bytes());
 }
 
-/// The elements of the record that starts at `bytes`; `None` where it is damaged.
-pub(crate) fn decode(bytes: &[u8]) -> Option<Vec<(Name<'_>, Recorded<'_>)>> {
+/// The elements of the record that starts at `bytes`, of a clip with so many segments; `None` where
+/// it is damaged.
+pub(crate) fn decode(bytes: &[u8], segment_count: u32) -> Option<Vec<(Name<'_>, Recorded<'_>)>> {
     let mut reader = Reader { rest: bytes };
     let count = reader.number()?;
     let mut elements = Vec::new();
@@ -114,6 +138,7 @@ pub(crate) fn decode(bytes: &[u8]) -> Option<Vec<(Name<'_>, Recorded<'_>)>> {
         };
         let value = match reader.byte()? {
             kind if kind == Kind::AsInBank as u8 => Recorded::AsInBank,
+            kind if kind == Kind::Padded as u8 => Recorded::Padded(reader.padding(segment_count)?),
             kind if kind == Kind::String as u8 => Recorded::String(reader.string()?),
             kind if kind == Kind::Number as u8 => Recorded::Number(reader.string()?),
             kind if kind == Kind::Other as u8 => Recorded::Other(reader.string()?),
@@ -147,6 +172,17 @@ impl<'r> Reader<'r> {
         None
     }
 
+    /// Blanks before and after each segment, altogether no more than a file can have.
+    fn padding(&mut self, segment_count: u32) -> Option<Vec<(usize, usize)>> {
+        let mut left = lipz::MAX_FILE_BYTES;
+        let mut blanks = || {
+            let count = usize::try_from(self.number()?).ok()?;
+            left = left.checked_sub(count)?;
+            Some(count)
+        };
+        (0..segment_count).map(|_| Some((blanks()?, blanks()?))).collect()
+    }
+
     fn string(&mut self) -> Option<&'r str> {
         let length = usize::try_from(self.number()?).ok()?;
         let (string, rest) = self.rest.split_at_checked(length)?;
@@ -162,22 +198,25 @@ mod tests {
     #[test]
     fn damage_is_no_panic() {
         let document =
-            lipz::parse(br#"{"visemes":"A|-","text_en-us":" {x} Hi | ","fps":24.0,"q":[1]}"#).document.unwrap();
+            lipz::parse(br#"{"visemes":"A|-","text_en-us":" {x} Hi | ","fps":24.0,"q":[1],"text_de-de":" Na  |"}"#)
+                .document
+                .unwrap();
         let clip = crate::check::check(&document, &crate::Options::default(), &mut Vec::new()).unwrap();
         let record = encode(&document, &clip);
-        let elements = decode(&record).unwrap();
+        let elements = decode(&record, 2).unwrap();
         assert_eq!(elements[0], (Name::Known("visemes"), Recorded::AsInBank));
-        assert_eq!(elements[1], (Name::OwnText(0), Recorded::String(" {x} Hi | ")));
+        assert_eq!(elements[1], (Name::OwnText(1), Recorded::String(" {x} Hi | ")));
         assert_eq!(elements[2], (Name::Known("fps"), Recorded::Number("24.0")));
         assert_eq!(elements[3], (Name::Spelled("q"), Recorded::Other("[1]")));
+        assert_eq!(elements[4], (Name::OwnText(0), Recorded::Padded(vec![(1, 2), (0, 0)])));
         for length in 0..record.len() {
-            assert!(decode(&record[..length]).is_none(), "{length}");
+            assert!(decode(&record[..length], 2).is_none(), "{length}");
         }
         for at in 0..record.len() {
             for change in 1..=255 {
                 let mut damaged = record.clone();
                 damaged[at] ^= change;
-                let _ = decode(&damaged);
+                let _ = decode(&damaged, 2);
             }
         }
     }

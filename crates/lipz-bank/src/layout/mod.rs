@@ -39,8 +39,8 @@ pub const TEXT_OFFSET: u32 = TEXT_WIDE - 1;
 
 /// Folds `bytes` into the checksum of format 1.
 ///
-/// Fletcher's sums over little-endian 32-bit words, in eight lanes with 64-bit sums that cannot wrap
-/// for a file of 4 GiB: a change of one word, and of any two words in a lane, always changes them.
+/// Fletcher's sums over little-endian 32-bit words, in eight lanes with sums modulo 2⁶⁴: a change of
+/// one word, and of any two words in a lane, always changes the sums (for a file of up to 4 GiB).
 /// The tail is padded with zeros; the length goes in at the end.
 pub fn checksum(bytes: &[u8]) -> u64 {
     const LANES: usize = 8;

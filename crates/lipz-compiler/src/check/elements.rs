@@ -113,7 +113,18 @@ fn text_locale(
                 None
             }
         },
-        TextName::OtherShape(_, Some(tag)) if options.extended_locales => Some(tag),
+        TextName::OtherShape(_, Some(tag)) if options.extended_locales => {
+            // Tags differ in case by custom (zh-Hant); only separators are misspelt.
+            if !written.eq_ignore_ascii_case(&format!("text_{tag}")) {
+                diagnostics.push(
+                    Diagnostic::at(Code::LocaleSpelling, span, format!("`{written}` is read as `text_{tag}`"))
+                        .note("the format spells locales in lower case, with a hyphen, after text_")
+                        .help(format!("write \"text_{tag}\""))
+                        .fix(span, format!("\"text_{tag}\"")),
+                );
+            }
+            Some(tag)
+        }
         TextName::OtherShape(locale, tag) => {
             let finding =
                 Diagnostic::at(Code::LocaleShape, span, format!("`{locale}` is not a locale of the form ll-cc"))

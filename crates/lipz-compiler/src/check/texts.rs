@@ -41,7 +41,7 @@ pub(super) fn display_texts<'t>(string: &'t JsonString<'_>, diagnostics: &mut Ve
     nul(string, Code::NulInText, "the text contains", diagnostics);
     if texts.iter().all(|text| text.is_empty()) {
         let finding = Diagnostic::at(Code::EmptyDisplayText, string.span(), "nothing of this text is displayed");
-        diagnostics.push(if text::trim(&string.text).is_empty() {
+        diagnostics.push(if !string.text.contains('{') {
             finding.help("leave the element out, so that players see the text of the fallback locale")
         } else {
             finding.note("all of it is {meta}, which the format does not display")

@@ -150,7 +150,7 @@ fn foreign_codes(string: &JsonString<'_>, expected: Expected, diagnostics: &mut 
             diagnostics.push(
                 sets.into_iter()
                     .fold(finding, Diagnostic::note)
-                    .help("correct the codes, and name the type: \"viseme_type\": \"blair\""),
+                    .help(format!("correct the codes, and name the type: \"viseme_type\": \"{}\"", viseme_type.name())),
             );
         }
         return;

@@ -13,12 +13,14 @@ pub(super) fn explain(text: &str, error: &serde_json::Error) -> Diagnostic {
     if error.classify() == Category::Eof {
         return unfinished(text);
     }
-    trailing_comma(&at)
-        .or_else(|| comment(&at))
-        .or_else(|| escape(&at))
-        .or_else(|| control_character(&at))
-        .or_else(|| missing_comma(&at))
-        .unwrap_or_else(|| other(&at, error))
+    let message = error.to_string();
+    if message.starts_with("control character") {
+        return control_character(&at.next());
+    }
+    if message.starts_with("invalid escape") {
+        return escape(&at).unwrap_or_else(|| other(&at, error));
+    }
+    trailing_comma(&at).or_else(|| comment(&at)).or_else(|| missing_comma(&at)).unwrap_or_else(|| other(&at, error))
 }
 
 /// Explains what follows the root object.
@@ -82,6 +84,12 @@ impl<'s> Place<'s> {
             offset -= 1;
         }
         Place { text, offset }
+    }
+
+    /// The place of the next character. serde_json does not count the control character that it
+    /// stopped at as read.
+    fn next(&self) -> Place<'s> {
+        Place { text: self.text, offset: self.character_span().end as usize }
     }
 
     fn rest(&self) -> &'s str {
@@ -154,33 +162,36 @@ fn comment(at: &Place<'_>) -> Option<Diagnostic> {
 }
 
 fn escape(at: &Place<'_>) -> Option<Diagnostic> {
-    let (backslash, '\\') = at.text.get(..at.offset)?.char_indices().next_back()? else { return None };
-    let span = Span::new(backslash, at.character_span().end as usize);
-    let spelled = at.text.get(span.range())?;
-    Some(
-        Diagnostic::at(Code::BadEscape, span, format!("`{}` is not an escape that JSON knows", spelled.escape_debug()))
-            .help("JSON knows \\\" \\\\ \\/ \\b \\f \\n \\r \\t and \\u with four hexadecimal digits; write \\\\ for a backslash"),
-    )
+    // A wrong letter is one character behind the backslash; for a wrong digit of \u, serde_json points
+    // at the fourth.
+    let before = at.text.get(..at.offset)?;
+    let backslash = before.char_indices().rev().take(5).find(|&(_, character)| character == '\\')?.0;
+    let escape = at.text.get(backslash..at.character_span().end as usize)?;
+    // An escape that is too short ends where its string does.
+    let escape = escape.strip_suffix('"').filter(|short| short.starts_with("\\u")).unwrap_or(escape);
+    let span = Span::new(backslash, backslash + escape.len());
+    let spelled: String = escape.chars().map(|c| if c.is_control() { '\u{FFFD}' } else { c }).collect();
+    Some(Diagnostic::at(Code::BadEscape, span, format!("`{spelled}` is not an escape that JSON knows")).help(
+        "JSON knows \\\" \\\\ \\/ \\b \\f \\n \\r \\t and \\u with four hexadecimal digits; write \\\\ for a backslash",
+    ))
 }
 
-fn control_character(at: &Place<'_>) -> Option<Diagnostic> {
-    let character = at.character()?;
-    if character >= ' ' {
-        return None;
-    }
+fn control_character(at: &Place<'_>) -> Diagnostic {
+    let character = at.character().unwrap_or('\0');
     let (name, spelled) = match character {
         '\n' | '\r' => ("a line break", "\\n"),
         '\t' => ("a tab", "\\t"),
         _ => ("a control character", "\\u00XX"),
     };
-    let diagnostic =
-        Diagnostic::at(Code::ControlCharacter, at.character_span(), format!("{name} stands inside a string"))
-            .help(format!("write {spelled} if it belongs to the string, otherwise join the lines"));
-    Some(if name == "a line break" {
+    // A line break is marked behind the last character of its line, not across two lines.
+    let span = if name == "a line break" { Span::new(at.offset, at.offset) } else { at.character_span() };
+    let diagnostic = Diagnostic::at(Code::ControlCharacter, span, format!("{name} stands inside a string"))
+        .help(format!("write {spelled} if it belongs to the string, otherwise join the lines"));
+    if name == "a line break" {
         diagnostic.note("files copied from a printed page often have lines broken where the page was too narrow")
     } else {
         diagnostic
-    })
+    }
 }
 
 fn missing_comma(at: &Place<'_>) -> Option<Diagnostic> {

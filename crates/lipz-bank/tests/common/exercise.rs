@@ -1,0 +1,142 @@
+//! Every query of the reader, on banks that may be damaged.
+
+use lipz_bank::{Bank, Clip, ClipId, Fps, Locale, Micros, Samples, Seconds, Segment, Time, VisemeType};
+use std::hint::black_box;
+use std::time::Duration;
+
+/// How many points in time are tried.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Effort {
+    /// One per unit: for tests that try hundreds of thousands of banks.
+    Few,
+    /// All extremes.
+    All,
+}
+
+/// Calls everything that a bank offers. Panics only if an iterator gives more than it can have.
+pub(crate) fn every_query(bank: &Bank<'_>, effort: Effort) {
+    // Nothing of which every item stands in the file can have more items than the file has bytes.
+    let limit = bank.length_bytes();
+    black_box((bank.fingerprint(), bank.format_version(), bank.clip_count()));
+    assert!(bank.sections().filter(|section| black_box(section).1.len() <= limit).count() <= limit);
+    let locales: Vec<Locale<'_>> = bank.locales().take(limit + 1).collect();
+    assert!(locales.len() <= limit);
+    assert!(bank.locales().size_hint().1.map_or(false, |most| most >= locales.len()));
+    for locale in &locales {
+        black_box((bank.locale(locale.tag()).is_some(), locale.is_default()));
+    }
+    black_box((bank.default_locale().is_some(), bank.locale("de-de").is_some()));
+    for prefix in ["", "act1/", "zz"] {
+        let clips = bank.clips_under(prefix);
+        let most = clips.size_hint().1.unwrap_or(usize::MAX);
+        assert!(clips.take(limit + 1).count() <= most.min(limit));
+    }
+    for id in [0, 1, u64::MAX, ClipId::of("act1/blair").get()] {
+        black_box(bank.clip(ClipId::from_u64(id)).is_some());
+    }
+    let slots = bank.clip_count() as u32;
+    for slot in (0..slots).chain([slots, u32::MAX]) {
+        if let Some(clip) = bank.clip_at(slot) {
+            black_box((bank.clip(clip.id()).is_some(), bank.clip_by_key(clip.key()).is_some()));
+            every_clip_query(&clip, &locales, limit, effort);
+        }
+    }
+    assert!(bank.clip_at(slots).is_none() && bank.clip_at(u32::MAX).is_none());
+}
+
+fn every_clip_query(clip: &Clip<'_, '_>, locales: &[Locale<'_>], limit: usize, effort: Effort) {
+    black_box((clip.id(), clip.key(), clip.slot(), clip.viseme_type(), clip.has_visemes(), clip.has_events()));
+    black_box((clip.fps().map(Fps::to_f64), clip.duration_us(), clip.or_viseme_type(VisemeType::Rms).viseme_type()));
+    assert!(clip.frames().len() <= limit);
+    let frames = clip.frame_count();
+    for frame in [0, frames / 2, frames.wrapping_sub(1), frames, u32::MAX] {
+        black_box((clip.viseme(frame), clip.segment_of_frame(frame).is_some()));
+    }
+    every_time(clip, effort);
+    every_time(&clip.or_fps(Fps::whole(24)), effort);
+    let segments = clip.segments();
+    assert_eq!(segments.size_hint().1, Some(clip.segment_count() as usize));
+    let mut count = 0;
+    for segment in segments.take(limit + 1) {
+        every_segment_query(&segment, locales, limit);
+        count += 1;
+    }
+    assert!(count <= limit && count == clip.segment_count() as usize);
+    assert!(clip.segment(clip.segment_count()).is_none() && clip.segment(u32::MAX).is_none());
+}
+
+fn every_segment_query(segment: &Segment<'_, '_>, locales: &[Locale<'_>], limit: usize) {
+    black_box((segment.index(), segment.clip().slot(), segment.start_frame(), segment.end_frame()));
+    black_box((segment.start_us(), segment.end_us(), segment.event()));
+    assert!(segment.frames().len() <= limit);
+    for locale in locales {
+        let text = segment.text(*locale);
+        let bytes = segment.text_bytes(*locale);
+        // The two differ only where the bytes are not UTF-8.
+        if let Some(text) = text {
+            assert_eq!(Some(text.as_str().as_bytes()), bytes);
+            black_box(text.is_fallback());
+        }
+    }
+}
+
+fn every_time(clip: &Clip<'_, '_>, effort: Effort) {
+    if effort == Effort::Few {
+        at(clip, Micros(41_000));
+        at(clip, Samples { position: 3_969, rate_hz: 44_100 });
+        at(clip, Seconds(0.25_f64));
+        return;
+    }
+    for time in [0, 1, -1, 41_666, 41_667, 3_600_000_000, i64::from(u32::MAX), i64::MAX, i64::MIN] {
+        at(clip, Micros(time));
+        for rate_hz in [0, 1, 8_000, 44_100, u32::MAX] {
+            at(clip, Samples { position: time, rate_hz });
+        }
+        let duration = Duration::from_micros(time.unsigned_abs());
+        at(clip, duration);
+    }
+    at(clip, Duration::MAX);
+    for time in [0.0, -0.0, 1.0, -1.0, 1e300, 5e-324, f64::MIN_POSITIVE, f64::MAX, f64::MIN, f64::EPSILON] {
+        at(clip, Seconds(time));
+        at(clip, Seconds(time as f32));
+    }
+    for time in [f64::NAN, -f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        at(clip, Seconds(time));
+        at(clip, Seconds(time as f32));
+        assert_eq!(clip.frame_at(Seconds(time)), None);
+    }
+    for bits in [1, 0x007F_FFFF, 0x0080_0000, 0x7F7F_FFFF, 0x7F80_0001, 0x8000_0001, u32::MAX] {
+        at(clip, Seconds(f32::from_bits(bits)));
+    }
+}
+
+fn at(clip: &Clip<'_, '_>, time: impl Time) {
+    let frame = clip.frame_at(time);
+    assert!(frame.map_or(true, |frame| frame < clip.frame_count()));
+    black_box((clip.viseme_at(time), clip.segment_at(time).is_some()));
+}
+
+/// What holds of every bank that passed `verify`: no query fails for which there is data.
+pub(crate) fn verified_is_whole(bank: &Bank<'_>) {
+    assert_eq!(bank.clips().count(), bank.clip_count());
+    let locales: Vec<Locale<'_>> = bank.locales().collect();
+    assert!(locales.iter().all(|locale| bank.locale(locale.tag()).is_some()));
+    for clip in bank.clips() {
+        assert_eq!(bank.clip(clip.id()).map(|found| found.slot()), Some(clip.slot()));
+        assert_eq!(bank.clip_by_key(clip.key()).map(|found| found.slot()), Some(clip.slot()));
+        assert_eq!(clip.frames().len(), clip.frame_count() as usize);
+        let mut end = 0;
+        for segment in clip.segments() {
+            assert_eq!(segment.start_frame(), end);
+            end = segment.end_frame();
+            assert!(end >= segment.start_frame());
+            assert_eq!(segment.frames().len(), (end - segment.start_frame()) as usize);
+            assert_eq!(segment.event().is_some(), clip.has_events());
+        }
+        assert_eq!(end, clip.frame_count());
+        for &locale in &locales {
+            let texts = || clip.segments().map(|segment| segment.text(locale).is_some());
+            assert!(texts().all(|some| some) || !texts().any(|some| some));
+        }
+    }
+}

@@ -1,0 +1,111 @@
+//! Golden banks, and tools to look into them and to damage them.
+#![allow(dead_code)] // each test file uses its part
+
+pub(crate) mod dump;
+pub(crate) mod exercise;
+
+use lipz_bank::layout::{checksum, ClipRecord, DirectoryEntry, Header, Tag, CHECKED_FROM};
+use lipz_bank::{Bank, ClipId, Error};
+use std::mem::size_of;
+use std::ops::Range;
+use zerocopy::FromBytes;
+
+pub(crate) static DRAMA: &[u8] = include_bytes!("../../../../fixtures/banks/v1/drama.lipzbank");
+pub(crate) static SMALL: &[u8] = include_bytes!("../../../../fixtures/banks/v1/small.lipzbank");
+pub(crate) static STRIPPED: &[u8] = include_bytes!("../../../../fixtures/banks/v1/stripped.lipzbank");
+pub(crate) static WIDE: &[u8] = include_bytes!("../../../../fixtures/banks/v1/wide.lipzbank");
+
+/// A bank of this repository, verified.
+pub(crate) fn verified(bytes: &[u8]) -> Bank<'_> {
+    Bank::open(bytes).and_then(Bank::verify).expect("a golden bank")
+}
+
+/// The first finding of open or verify, if there is one.
+pub(crate) fn finding(bytes: &[u8]) -> Option<Error> {
+    Bank::open(bytes).and_then(Bank::verify).err()
+}
+
+/// Makes the checksum right again after a change.
+pub(crate) fn reseal(bytes: &mut [u8]) {
+    if let Some(checked) = bytes.get(CHECKED_FROM..) {
+        let sum = checksum(checked);
+        bytes[8..16].copy_from_slice(&sum.to_le_bytes());
+    }
+}
+
+/// A copy of `bytes` that `change` has changed, with the right checksum.
+pub(crate) fn changed(bytes: &[u8], change: impl FnOnce(&mut Vec<u8>)) -> Vec<u8> {
+    let mut copy = bytes.to_vec();
+    change(&mut copy);
+    reseal(&mut copy);
+    copy
+}
+
+/// Overwrites the bytes from `at` on.
+pub(crate) fn put(bytes: &mut [u8], at: usize, new: impl AsRef<[u8]>) {
+    let new = new.as_ref();
+    bytes[at..at + new.len()].copy_from_slice(new);
+}
+
+/// The number in the four bytes at `at`.
+pub(crate) fn u32_at(bytes: &[u8], at: usize) -> u32 {
+    u32::from_le_bytes(bytes[at..at + 4].try_into().expect("four bytes"))
+}
+
+/// The directory of a bank without fault.
+pub(crate) fn directory(bytes: &[u8]) -> &[DirectoryEntry] {
+    let (header, rest) = Header::ref_from_prefix(bytes).expect("a header");
+    let count = header.section_count.get() as usize;
+    <[DirectoryEntry]>::ref_from_prefix_with_elems(rest, count).expect("a directory").0
+}
+
+/// Where the directory entry of a section stands.
+pub(crate) fn entry_of(bytes: &[u8], tag: Tag) -> usize {
+    let index = directory(bytes).iter().position(|entry| entry.tag == tag.0).expect("a known section");
+    size_of::<Header>() + index * size_of::<DirectoryEntry>()
+}
+
+/// Where the contents of a section stand.
+pub(crate) fn section(bytes: &[u8], tag: Tag) -> Range<usize> {
+    let at = entry_of(bytes, tag);
+    let start = u32_at(bytes, at + 4) as usize;
+    start..start + u32_at(bytes, at + 8) as usize
+}
+
+/// A copy of `bytes` in which a section has other contents; they stand at the end of the file.
+pub(crate) fn with_section(bytes: &[u8], tag: Tag, contents: &[u8]) -> Vec<u8> {
+    changed(bytes, |bank| {
+        bank.resize(bank.len().next_multiple_of(64), 0);
+        let start = bank.len() as u32;
+        bank.extend_from_slice(contents);
+        let (entry, length) = (entry_of(bank, tag), bank.len() as u32);
+        put(bank, entry + 4, start.to_le_bytes());
+        put(bank, entry + 8, (length - start).to_le_bytes());
+        put(bank, 16, length.to_le_bytes());
+    })
+}
+
+/// Where the record of a clip stands.
+pub(crate) fn record_of(bytes: &[u8], key: &str) -> usize {
+    let clips = section(bytes, Tag::CLIPS);
+    let records = <[ClipRecord]>::ref_from_bytes(&bytes[clips.clone()]).expect("clip records");
+    let slot = records.iter().position(|record| record.id.get() == ClipId::of(key).get()).expect("a known key");
+    clips.start + slot * size_of::<ClipRecord>()
+}
+
+/// Random numbers, always the same ones (SplitMix64; Steele, Lea and Flood, OOPSLA 2014).
+pub(crate) struct Random(pub(crate) u64);
+
+impl Random {
+    pub(crate) fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        mixed ^ (mixed >> 31)
+    }
+
+    /// A number below `bound`.
+    pub(crate) fn below(&mut self, bound: usize) -> usize {
+        (self.next() % bound as u64) as usize
+    }
+}

@@ -1,0 +1,216 @@
+//! Why a bank is refused: each kind of damage is named, with the place where it is.
+// Tests and their helpers: they run with the workspace's compiler, not with the oldest one of the reader.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+#![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
+
+mod common;
+
+use common::{changed, entry_of, finding, put, record_of, section, u32_at, SMALL};
+use lipz_bank::layout::{Tag, MAGIC, NO_TEXT, TEXT_FALLBACK, TEXT_WIDE};
+use lipz_bank::ErrorKind;
+
+/// The kind and place found in a small bank that `change` has changed.
+fn found(change: impl FnOnce(&mut Vec<u8>)) -> (ErrorKind, usize) {
+    let error = finding(&changed(SMALL, change)).expect("damage");
+    (error.kind(), error.offset_bytes() as usize)
+}
+
+fn start(tag: Tag) -> usize {
+    section(SMALL, tag).start
+}
+
+/// Numbers are in scripts, logs and bug reports of others: they never get another meaning.
+#[test]
+fn numbers_are_stable() {
+    use ErrorKind::*;
+    let table = [
+        (1, TooShort),
+        (2, NotABank),
+        (3, TextMode),
+        (4, UnsupportedVersion),
+        (5, WrongLength),
+        (6, DirectoryOutOfBounds),
+        (7, SectionOutOfBounds),
+        (8, SectionShape),
+        (9, SectionMissing),
+        (10, SectionUnknown),
+        (11, SectionTwice),
+        (12, Checksum),
+        (13, ClipIndex),
+        (14, ClipKey),
+        (15, ClipOrder),
+        (16, FrameRange),
+        (17, FrameCode),
+        (18, FrameRate),
+        (19, ClipFlags),
+        (20, SegmentStarts),
+        (21, TextReference),
+        (22, Utf8),
+        (23, EventReference),
+        (24, LocaleOrder),
+    ];
+    assert!(table
+        .iter()
+        .map(|(number, kind)| (*number, *kind))
+        .eq(ErrorKind::ALL.iter().map(|&kind| (kind as u8, kind))));
+}
+
+#[test]
+fn messages_say_number_and_place() {
+    let error = finding(&SMALL[..100]).expect("damage");
+    let message = "the file is not as long as its header says (cut off, or something was appended)";
+    assert_eq!(error.to_string(), format!("{message} (bank error 5, at byte 16)"));
+    for kind in ErrorKind::ALL {
+        assert!(!kind.message().is_empty() && !kind.message().ends_with('.'));
+    }
+}
+
+#[test]
+fn beginnings_of_files() {
+    use ErrorKind::{NotABank, TextMode, TooShort};
+    let kind = |bytes: &[u8]| finding(bytes).map(|error| (error.kind(), error.offset_bytes()));
+    assert_eq!(kind(b""), Some((TooShort, 0)));
+    assert_eq!(kind(&SMALL[..3]), Some((TooShort, 3)));
+    assert_eq!(kind(&SMALL[..63]), Some((TooShort, 63)));
+    assert_eq!(kind(b"{ \"visemes\": \"AO\" }"), Some((NotABank, 0)));
+    assert_eq!(kind(&[0; 200]), Some((NotABank, 0)));
+    // What copying in text mode does to the magic: CR LF to LF, LF to CR LF.
+    let replaced = |with: &[u8]| [with, &SMALL[8..]].concat();
+    assert_eq!(kind(&replaced(b"\x89LPZ\n\x1a\n")), Some((TextMode, 0)));
+    assert_eq!(kind(&replaced(b"\x89LPZ\r\r\n\x1a\r\n")), Some((TextMode, 0)));
+    assert_eq!(&SMALL[..8], &MAGIC);
+}
+
+#[test]
+fn header_and_directory() {
+    use ErrorKind::*;
+    assert_eq!(found(|bank| put(bank, 20, [2, 0])), (UnsupportedVersion, 20));
+    assert_eq!(found(|bank| put(bank, 16, [0, 0])), (WrongLength, 16));
+    assert_eq!(found(|bank| bank.push(0)), (WrongLength, 16));
+    assert!(matches!(found(|bank| put(bank, 40, u32::MAX.to_le_bytes())), (DirectoryOutOfBounds, 40..=48)));
+    let frames = entry_of(SMALL, Tag::FRAMES);
+    assert_eq!(found(|bank| put(bank, frames + 4, u32::MAX.to_le_bytes())), (SectionOutOfBounds, frames));
+    assert_eq!(found(|bank| put(bank, frames + 8, 2000_u32.to_le_bytes())), (SectionOutOfBounds, frames));
+    let clips = entry_of(SMALL, Tag::CLIPS);
+    assert_eq!(found(|bank| put(bank, clips + 12, [32])), (SectionShape, clips));
+    assert_eq!(found(|bank| put(bank, clips + 8, 767_u32.to_le_bytes())), (SectionShape, clips));
+    let twice = entry_of(SMALL, Tag::SOURCE_INDEX);
+    assert_eq!(found(|bank| put(bank, twice, b"TEXT")), (SectionTwice, twice));
+    let missing = found(|bank| {
+        put(bank, frames, b"ABCD");
+        put(bank, frames + 14, [0, 0]);
+    });
+    assert!(matches!(missing, (SectionMissing, 40..=48)));
+    assert_eq!(found(|bank| put(bank, frames, b"ABCD")), (SectionUnknown, frames));
+}
+
+/// A newer minor version and sections that nobody knows are no damage.
+#[test]
+fn what_is_accepted() {
+    let newer = changed(SMALL, |bank| put(bank, 22, [7, 0]));
+    assert_eq!(finding(&newer), None);
+    let optional = changed(SMALL, |bank| put(bank, entry_of(SMALL, Tag::SOURCES), b"NEWS"));
+    assert_eq!(finding(&optional), None);
+}
+
+#[test]
+fn checksum() {
+    let mut bank = SMALL.to_vec();
+    *bank.last_mut().expect("bytes") ^= 1;
+    let error = finding(&bank).expect("damage");
+    assert_eq!((error.kind(), error.offset_bytes()), (ErrorKind::Checksum, 8));
+}
+
+#[test]
+fn clip_records() {
+    use ErrorKind::*;
+    let clip = record_of(SMALL, "act1/blair");
+    // The places of the fields are those of docs/FORMAT.md.
+    let field = |at: usize, new: &[u8]| found(|bank| put(bank, clip + at, new));
+    assert_eq!(field(0, &[0; 8]), (ClipIndex, clip));
+    assert_eq!(field(40, &u32::MAX.to_le_bytes()), (ClipKey, clip), "key offset");
+    assert_eq!(field(44, &[9]), (ClipKey, clip), "key length");
+    assert_eq!(field(24, &u32::MAX.to_le_bytes()), (FrameRange, clip), "frames offset");
+    assert_eq!(field(28, &78_u32.to_le_bytes()), (FrameRange, clip), "frame count");
+    assert_eq!(field(46, &[2]), (FrameCode, clip), "viseme type");
+    assert_eq!(field(46, &[4]), (ClipFlags, clip), "viseme type");
+    assert_eq!(field(47, &[0]), (ClipFlags, clip), "frames without visemes");
+    assert_eq!(field(47, &[0x81]), (ClipFlags, clip), "flags");
+    assert_eq!(field(8, &[0; 8]), (FrameRate, clip), "reciprocal");
+    assert_eq!(field(16, &[0; 4]), (FrameRate, clip), "numerator");
+    assert_eq!(field(16, &1001_u32.to_le_bytes()), (FrameRate, clip), "numerator");
+    assert_eq!(field(20, &[0; 4]), (FrameRate, clip), "denominator");
+    assert_eq!(field(32, &[0; 4]), (SegmentStarts, clip), "segment count");
+    assert_eq!(field(32, &10_u32.to_le_bytes()), (SegmentStarts, clip), "segment count");
+    assert_eq!(field(48, &[15]), (SegmentStarts, clip), "starts that decrease");
+    assert_eq!(field(50, &[18]), (SegmentStarts, clip), "a start behind the end");
+    assert_eq!(field(62, &[0]), (SegmentStarts, clip), "an unused start");
+    assert_eq!(field(47, &[3]), (SegmentStarts, clip), "far starts that are none");
+    assert_eq!(field(36, &94_u32.to_le_bytes()), (EventReference, clip), "first event");
+    let frame = start(Tag::FRAMES) + u32_at(SMALL, clip + 24) as usize;
+    assert_eq!(found(|bank| put(bank, frame + 3, b"Z")), (FrameCode, clip));
+    let far = record_of(SMALL, "act2/far");
+    assert_eq!(found(|bank| put(bank, far + 50, [1])), (SegmentStarts, far), "index of the far starts");
+    assert_eq!(found(|bank| put(bank, start(Tag::STARTS), [99])), (SegmentStarts, far));
+}
+
+/// A rate is in lowest terms and comes with the one right reciprocal: also where that is a whole
+/// number, so that nothing was rounded.
+#[test]
+fn frame_rates() {
+    let clip = record_of(SMALL, "act1/blair");
+    let with = |numerator: u32, denominator: u32, reciprocal: u64| {
+        let bank = changed(SMALL, |bank| {
+            put(bank, clip + 8, reciprocal.to_le_bytes());
+            put(bank, clip + 16, numerator.to_le_bytes());
+            put(bank, clip + 20, denominator.to_le_bytes());
+        });
+        finding(&bank).map(|error| (error.kind(), error.offset_bytes() as usize))
+    };
+    let damage = Some((ErrorKind::FrameRate, clip));
+    let film = lipz_bank::Fps::whole(24).frames_per_micro_q64();
+    assert_eq!(with(24, 1, film), None);
+    assert_eq!([with(24, 1, film - 1), with(24, 1, film + 1), with(48, 2, film)], [damage; 3]);
+    let exact = 1 << 54; // 2^64 * 15625 / (16 * 10^6)
+    assert_eq!(with(15_625, 16, exact), None);
+    assert_eq!([with(15_625, 16, exact - 1), with(15_625, 16, exact + 1)], [damage; 2]);
+    assert_eq!([with(0, 0, 0), with(0, 0, 1), with(24, 0, 0)], [None, damage, damage]);
+}
+
+#[test]
+fn index_and_order() {
+    use ErrorKind::*;
+    let (kind, at) = found(|bank| put(bank, start(Tag::PILOTS), [0x55; 4]));
+    assert_eq!(kind, ClipIndex);
+    assert!(section(SMALL, Tag::CLIPS).contains(&at) && at % 64 == start(Tag::CLIPS) % 64);
+    let order = start(Tag::KEY_ORDER);
+    assert_eq!(found(|bank| bank.copy_within(order..order + 4, order + 4)), (ClipOrder, order + 4));
+    assert_eq!(found(|bank| put(bank, order + 8, 12_u32.to_le_bytes())), (ClipOrder, order + 8));
+    let shorter = |bank: &mut Vec<u8>| put(bank, entry_of(SMALL, Tag::KEY_ORDER) + 8, 44_u32.to_le_bytes());
+    assert_eq!(found(shorter), (ClipOrder, order));
+}
+
+#[test]
+fn texts_events_and_locales() {
+    use ErrorKind::*;
+    let (index, texts) = (start(Tag::TEXT_INDEX), start(Tag::TEXTS));
+    for entry in [1000, TEXT_FALLBACK | 1000, TEXT_WIDE | 226, NO_TEXT - 1] {
+        assert_eq!(found(|bank| put(bank, index + 4, entry.to_le_bytes())), (TextReference, index + 4), "{entry:#x}");
+    }
+    let fewer = |bank: &mut Vec<u8>| put(bank, entry_of(SMALL, Tag::TEXT_INDEX) + 8, 92_u32.to_le_bytes());
+    assert_eq!(found(fewer), (TextReference, index));
+    // The first run starts with the end of its first text.
+    let (kind, at) = found(|bank| put(bank, texts, [0x7F, 0x7F]));
+    assert!(kind == TextReference && section(SMALL, Tag::TEXT_INDEX).contains(&at), "{kind:?} at {at}");
+    let naive = SMALL.windows(3).position(|window| window == "ïv".as_bytes()).expect("naïve");
+    assert_eq!(found(|bank| put(bank, naive, b"\xFF")), (Utf8, naive));
+    let name = start(Tag::NAMES) + 4;
+    assert_eq!(found(|bank| put(bank, name, b"\x80")), (Utf8, name));
+    let (references, records) = (start(Tag::EVENT_REFS), start(Tag::EVENTS));
+    assert_eq!(found(|bank| put(bank, references + 8, [9])), (EventReference, references + 8));
+    assert_eq!(found(|bank| put(bank, records + 12, [99])), (EventReference, records + 8));
+    let locales = start(Tag::LOCALES);
+    assert_eq!(found(|bank| bank.copy_within(locales..locales + 8, locales + 8)), (LocaleOrder, locales + 8));
+    assert_eq!(found(|bank| put(bank, locales + 4, [0])), (LocaleOrder, locales));
+    assert_eq!(found(|bank| put(bank, locales + 6, [2])), (LocaleOrder, locales));
+}

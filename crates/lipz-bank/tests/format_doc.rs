@@ -1,0 +1,196 @@
+//! `docs/FORMAT.md` says what the code does: its tables and vectors are compared with it.
+// Tests and their helpers: they run with the workspace's compiler, not with the oldest one of the reader.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+#![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
+
+mod common;
+
+use common::{section, verified, DRAMA, SMALL};
+use lipz_bank::layout::{self, ClipRecord, DirectoryEntry, EventRecord, Header, LocaleRecord, Tag};
+use lipz_bank::{ClipId, ErrorKind};
+use std::mem::{size_of, size_of_val};
+use zerocopy::FromBytes;
+
+static PAGE: &str = include_str!("../../../docs/FORMAT.md");
+
+/// The cells of all rows of the first table with these columns behind `heading`.
+fn table(heading: &str, columns: &str) -> Vec<Vec<&'static str>> {
+    let start = PAGE.find(&format!("\n{heading}\n")).unwrap_or_else(|| panic!("no heading {heading}"));
+    let mut lines = PAGE[start..].lines().skip_while(|line| *line != columns);
+    assert_eq!(lines.next(), Some(columns), "the table of {heading}");
+    let cells =
+        |line: &'static str| line.trim_matches('|').split('|').map(|cell| cell.trim().trim_matches('`')).collect();
+    let rows: Vec<_> = lines.skip(1).take_while(|line| line.starts_with('|')).map(cells).collect();
+    assert!(!rows.is_empty(), "{heading}");
+    rows
+}
+
+fn number(cell: &str) -> u64 {
+    let parsed = match cell.strip_prefix("0x") {
+        Some(digits) => u64::from_str_radix(digits, 16),
+        None => cell.parse(),
+    };
+    parsed.unwrap_or_else(|_| panic!("`{cell}` is no number"))
+}
+
+fn hex(cell: &str) -> u64 {
+    assert_eq!(cell.len(), 16, "{cell}");
+    u64::from_str_radix(cell, 16).expect("hexadecimal digits")
+}
+
+/// Compares a table with offset, size and name of fields, and with the whole length.
+fn check_fields(structure: &str, fields: &[(usize, usize, &str)], length: usize) {
+    let rows = table(&format!("### {structure}"), "| offset | size | name | meaning |");
+    let (end, rows) = rows.split_last().expect("rows");
+    assert_eq!((number(end[0]) as usize, end[2]), (length, "end"), "{structure}");
+    let described: Vec<_> = rows.iter().map(|row| (number(row[0]) as usize, number(row[1]) as usize, row[2])).collect();
+    assert_eq!(described, fields, "{structure}");
+    let sum: usize = fields.iter().map(|(_, size, _)| size).sum();
+    assert_eq!(sum, length, "{structure}: no gaps");
+}
+
+/// Offset, size and name of the named fields. All fields must be named.
+macro_rules! fields {
+    ($structure:ident { $($field:ident),+ $(,)? }) => {{
+        let zeros = [0; size_of::<$structure>()];
+        let (value, _) = $structure::ref_from_prefix(&zeros).expect("enough bytes");
+        let base = value as *const $structure as usize;
+        let $structure { $($field),+ } = value;
+        [$(($field as *const _ as usize - base, size_of_val($field), stringify!($field))),+]
+    }};
+}
+
+#[test]
+fn header() {
+    let fields = fields!(Header {
+        magic,
+        checksum,
+        file_length_bytes,
+        format_major,
+        format_minor,
+        fingerprint,
+        index_seed,
+        section_count,
+        reserved,
+    });
+    check_fields("Header", &fields, size_of::<Header>());
+    let row = &table("### Header", "| offset | size | name | meaning |")[0];
+    let magic: Vec<String> = layout::MAGIC.iter().map(|byte| format!("{byte:02X}")).collect();
+    assert!(row[3].starts_with(&magic.join(" ")), "{}", row[3]);
+    assert_eq!(layout::CHECKED_FROM, 16);
+}
+
+#[test]
+fn records() {
+    let fields = fields!(DirectoryEntry { tag, offset_bytes, length_bytes, entry_bytes, flags });
+    check_fields("DirectoryEntry", &fields, size_of::<DirectoryEntry>());
+    let fields = fields!(ClipRecord {
+        id,
+        frames_per_micro_q64,
+        fps_numerator,
+        fps_denominator,
+        frames_offset_bytes,
+        frame_count,
+        segment_count,
+        events_first,
+        key_offset_bytes,
+        key_length_bytes,
+        viseme_type,
+        flags,
+        starts,
+    });
+    check_fields("ClipRecord", &fields, size_of::<ClipRecord>());
+    let fields = fields!(LocaleRecord { tag_offset_bytes, tag_length_bytes, flags });
+    check_fields("LocaleRecord", &fields, size_of::<LocaleRecord>());
+    let fields = fields!(EventRecord { offset_bytes, length_bytes });
+    check_fields("EventRecord", &fields, size_of::<EventRecord>());
+}
+
+#[test]
+fn sections() {
+    let row = |row: &Vec<&'static str>| (row[0], number(row[1]) as usize);
+    let required: Vec<_> = table("### Sections", "| tag | entry bytes | contents |").iter().map(row).collect();
+    let known = Tag::REQUIRED.map(|(tag, bytes)| (String::from_utf8(tag.0.to_vec()).expect("ASCII"), bytes));
+    assert!(required.iter().map(|&(tag, bytes)| (tag.to_owned(), bytes)).eq(known));
+    for (tag, bytes) in [(Tag::SOURCE_INDEX, 4), (Tag::SOURCES, 1)] {
+        let tag = String::from_utf8(tag.0.to_vec()).expect("ASCII");
+        assert!(PAGE.contains(&format!("\n| `{tag}` | {bytes} | ")), "{tag}");
+    }
+}
+
+#[test]
+fn values() {
+    let values = [
+        ("FORMAT_MAJOR", u32::from(layout::FORMAT_MAJOR)),
+        ("FORMAT_MINOR", u32::from(layout::FORMAT_MINOR)),
+        ("SECTION_REQUIRED", u32::from(layout::SECTION_REQUIRED)),
+        ("FLAG_VISEMES", u32::from(layout::FLAG_VISEMES)),
+        ("FLAG_FAR_STARTS", u32::from(layout::FLAG_FAR_STARTS)),
+        ("INLINE_STARTS", layout::INLINE_STARTS as u32),
+        ("NO_EVENTS", layout::NO_EVENTS),
+        ("LOCALE_DEFAULT", u32::from(layout::LOCALE_DEFAULT)),
+        ("NO_TEXT", layout::NO_TEXT),
+        ("TEXT_FALLBACK", layout::TEXT_FALLBACK),
+        ("TEXT_WIDE", layout::TEXT_WIDE),
+        ("TEXT_OFFSET", layout::TEXT_OFFSET),
+        ("DIRECT_SLOT", layout::DIRECT_SLOT),
+    ];
+    let described: Vec<_> = table("### ClipRecord", "| name | value |");
+    assert!(described.iter().map(|row| (row[0], number(row[1]) as u32)).eq(values));
+}
+
+#[test]
+fn errors() {
+    let described = table("## Errors", "| number | kind | message |");
+    let described = described.iter().map(|row| (number(row[0]) as u8, row[1].to_owned(), row[2]));
+    assert!(described.eq(ErrorKind::ALL.iter().map(|&kind| (kind as u8, format!("{kind:?}"), kind.message()))));
+}
+
+#[test]
+fn clip_ids() {
+    for row in table("## Clip ids", "| key | clip id |") {
+        assert_eq!(ClipId::of(row[0]).get(), hex(row[1]), "{}", row[0]);
+    }
+}
+
+#[test]
+fn clip_index() {
+    let columns = "| id | index_seed | spread | buckets | bucket | pilot | clips | slot |";
+    for row in table("## Clip index", columns) {
+        let spread = layout::spread(hex(row[0]), number(row[1]));
+        let small = |column: usize| number(row[column]) as u32;
+        assert_eq!(spread, hex(row[2]));
+        assert_eq!(layout::bucket_of(spread, small(3)), small(4));
+        assert_eq!(layout::slot_of(spread, small(5), small(6)), small(7));
+    }
+}
+
+#[test]
+fn checksum() {
+    for row in table("## Checksum", "| bytes | checksum |") {
+        let bytes: Vec<u8> = match row[0] {
+            "(none)" => Vec::new(),
+            "00 01 02 ... 1F" => (0..=0x1F).collect(),
+            "00 01 02 ... 63" => (0..=0x63).collect(),
+            listed => listed.split(' ').map(|byte| u8::from_str_radix(byte, 16).expect("a byte")).collect(),
+        };
+        assert_eq!(layout::checksum(&bytes), hex(row[1]), "{}", row[0]);
+    }
+}
+
+/// The pseudo-code of the page, once more in words of Rust, against banks of the compiler.
+#[test]
+fn fingerprint() {
+    let mix = |value: u64, multiplier: u64| {
+        let product = value.wrapping_mul(multiplier);
+        product ^ (product >> 32)
+    };
+    for bytes in [SMALL, DRAMA] {
+        let records = <[ClipRecord]>::ref_from_bytes(&bytes[section(bytes, Tag::CLIPS)]).expect("records");
+        let fingerprint = records.iter().fold(records.len() as u64, |hash, record| {
+            let hash = mix(hash ^ record.id.get(), 0x9E37_79B9_7F4A_7C15);
+            mix(hash ^ u64::from(record.segment_count.get()), 0x9FB2_1C65_1E98_DF25)
+        });
+        assert_eq!(verified(bytes).fingerprint(), fingerprint);
+    }
+}

@@ -1,0 +1,67 @@
+//! Golden banks of every format version: they open, verify, and answer as they always did.
+// Tests and their helpers: they run with the workspace's compiler, not with the oldest one of the reader.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+#![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
+
+mod common;
+
+use common::dump::dump;
+use common::{exercise, verified, DRAMA, SMALL, STRIPPED, WIDE};
+use std::path::Path;
+
+/// Compares the answers of a bank with the committed ones, or commits them with `LIPZ_BLESS=1`.
+fn check(bytes: &[u8], name: &str) {
+    let bank = verified(bytes);
+    exercise::verified_is_whole(&bank);
+    exercise::every_query(&bank, exercise::Effort::All);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/banks/v1").join(name);
+    let found = dump(&bank);
+    if std::env::var_os("LIPZ_BLESS").is_some() {
+        std::fs::write(&path, &found).expect("the dump can be written");
+    }
+    let expected = std::fs::read_to_string(&path).expect("a dump beside the bank (LIPZ_BLESS=1 writes it)");
+    for (line, (found, expected)) in found.lines().zip(expected.lines()).enumerate() {
+        assert_eq!(found, expected, "{name}, line {}", line + 1);
+    }
+    assert_eq!(found.len(), expected.len(), "{name}: the one is longer than the other");
+}
+
+#[test]
+fn drama() {
+    check(DRAMA, "drama.dump");
+}
+
+#[test]
+fn small() {
+    check(SMALL, "small.dump");
+}
+
+#[test]
+fn wide() {
+    check(WIDE, "wide.dump");
+}
+
+/// Leaving the sources out changes no answer: the dump is that of the bank with sources.
+#[test]
+fn stripped() {
+    check(STRIPPED, "small.dump");
+    assert!(STRIPPED.len() < SMALL.len());
+    assert_eq!(verified(STRIPPED).fingerprint(), verified(SMALL).fingerprint());
+}
+
+/// The bank that other tests change byte by byte must stay small for them to stay fast.
+#[test]
+fn small_is_small() {
+    assert!(SMALL.len() < 4096, "{} bytes", SMALL.len());
+}
+
+/// The wide bank is there for runs with four-byte ends: own ones and such reached by fallback.
+#[test]
+fn wide_has_wide_runs() {
+    use lipz_bank::layout::{Tag, NO_TEXT, TEXT_FALLBACK, TEXT_WIDE};
+    let index = &WIDE[common::section(WIDE, Tag::TEXT_INDEX)];
+    let entries = || (0..index.len()).step_by(4).map(|at| common::u32_at(index, at)).filter(|&entry| entry != NO_TEXT);
+    let count = |flags| entries().filter(|entry| entry & (TEXT_WIDE | TEXT_FALLBACK) == flags).count();
+    assert_eq!((count(TEXT_WIDE), count(TEXT_WIDE | TEXT_FALLBACK)), (2, 1));
+    assert_eq!((count(0), count(TEXT_FALLBACK)), (2, 1));
+}

@@ -1,0 +1,99 @@
+//! The command line itself: help, usage errors, exit codes, and that a failed run changes nothing.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use std::fs;
+use support::{lipz, repository, tree, write};
+
+const COMMANDS: [&str; 5] = ["pack", "check", "unpack", "verify", "inspect"];
+
+#[test]
+fn help_of_each_command_shows_an_example() {
+    let repository = repository();
+    for command in COMMANDS {
+        let help = lipz(&repository, [command, "--help"]);
+        assert_eq!((help.code, help.stderr.as_str()), (0, ""), "{command}");
+        assert!(help.stdout.contains("Example"), "{command}: {}", help.stdout);
+        assert!(help.stdout.contains(&format!("\n  lipz {command} ")), "{command}: {}", help.stdout);
+        assert!(help.stdout.lines().all(|line| line.chars().count() <= 100), "{command}: {}", help.stdout);
+    }
+}
+
+#[test]
+fn help_lists_every_command_and_the_exit_codes() {
+    let help = lipz(&repository(), ["--help"]);
+    assert_eq!(help.code, 0);
+    for command in COMMANDS {
+        assert!(help.stdout.lines().any(|line| line.trim_start().starts_with(command)), "{command}: {}", help.stdout);
+    }
+    assert!(help.stdout.contains("Exit codes: 0"), "{}", help.stdout);
+    let version = lipz(&repository(), ["--version"]);
+    assert_eq!((version.code, version.stdout), (0, format!("lipz {}\n", env!("CARGO_PKG_VERSION"))));
+}
+
+#[test]
+fn usage_errors_exit_with_2() {
+    let usage_errors: [&[&str]; 12] = [
+        &[],
+        &["pakc", "fixtures/drama"],
+        &["check"],
+        &["check", "fixtures/drama", "--fps", "24"],
+        &["check", "fixtures/drama", "--default-fps", "0"],
+        &["check", "fixtures/drama", "--default-fps", "1000.5"],
+        &["check", "fixtures/drama", "--default-viseme-type", "Blair"],
+        &["check", "fixtures/drama", "--default-locale", "english-us"],
+        &["check", "fixtures/drama", "--threads", "0"],
+        &["pack", "fixtures/drama"],
+        &["unpack", "drama.lipzbank"],
+        &["inspect", "drama.lipzbank", "act1/otto-aye", "--list", "act1"],
+    ];
+    for arguments in usage_errors {
+        let outcome = lipz(&repository(), arguments);
+        assert_eq!((outcome.code, outcome.stdout.as_str()), (2, ""), "{arguments:?}: {}", outcome.stderr);
+        assert!(!outcome.stderr.is_empty(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn warnings_do_not_stop_a_bank_and_errors_do() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    write(folder, "voices/aye.lipz", r#"{ "text-en_us": "Aye." }"#);
+    let packed = lipz(folder, ["pack", "voices", "-o", "voices.lipzbank"]);
+    assert_eq!(packed.code, 0, "{}", packed.stderr);
+    assert!(packed.stderr.contains("warning[LZ0501]"), "{}", packed.stderr);
+    let before = fs::read(folder.join("voices.lipzbank")).unwrap();
+
+    write(folder, "voices/no.lipz", r#"{ "viseme_type": "blair", "visemes": "N" }"#);
+    let failed = lipz(folder, ["pack", "voices", "-o", "voices.lipzbank"]);
+    assert_eq!((failed.code, failed.stdout.as_str()), (1, ""), "{}", failed.stderr);
+    assert!(failed.stderr.ends_with("1 error and 1 warning in 2 files\n"), "{}", failed.stderr);
+    assert_eq!(fs::read(folder.join("voices.lipzbank")).unwrap(), before, "the old bank is untouched");
+    let files = ["voices", "voices.lipzbank", "voices/aye.lipz", "voices/no.lipz"];
+    assert_eq!(tree(folder), files, "no temporary file is left");
+
+    let none = lipz(folder, ["pack", "voices", "-o", "new.lipzbank"]);
+    assert_eq!(none.code, 1);
+    assert_eq!(tree(folder), files, "no bank is made where there was none");
+}
+
+#[test]
+fn quiet_runs_print_findings_only() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    write(folder, "voices/aye.lipz", r#"{ "text_en-us": "Aye." }"#);
+    for arguments in [
+        &["check", "voices", "--quiet"][..],
+        &["pack", "voices", "-o", "b.lipzbank", "--quiet"],
+        &["verify", "b.lipzbank", "--quiet"],
+        &["unpack", "b.lipzbank", "-o", "out", "--quiet"],
+    ] {
+        let outcome = lipz(folder, arguments);
+        assert_eq!((outcome.code, outcome.stdout.as_str(), outcome.stderr.as_str()), (0, "", ""), "{arguments:?}");
+    }
+    write(folder, "voices/aye.lipz", r#"{ "text_en-us": "" }"#);
+    let outcome = lipz(folder, ["check", "voices", "--quiet"]);
+    assert_eq!((outcome.code, outcome.stdout.as_str()), (0, ""));
+    assert!(outcome.stderr.contains("warning[LZ0507]"), "{}", outcome.stderr);
+}

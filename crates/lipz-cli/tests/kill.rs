@@ -1,0 +1,56 @@
+//! `lipz pack`, killed at any moment, leaves the old bank whole.
+
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+/// Kills per run of the test, spread evenly over the time that a whole run takes.
+const KILLS: u32 = 60;
+
+/// Sources of a bank that takes a while to write: some megabytes of frames.
+fn write_sources(folder: &Path, code: &str) {
+    std::fs::create_dir_all(folder).unwrap();
+    for clip in 0..4 {
+        let file = format!("{{\"visemes\":\"{}\"}}", code.repeat(2_000_000));
+        std::fs::write(folder.join(format!("clip-{clip}.lipz")), file).unwrap();
+    }
+}
+
+fn pack(sources: &Path, bank: &Path) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lipz"));
+    command.arg("pack").arg(sources).arg("-o").arg(bank).stdout(Stdio::null()).stderr(Stdio::null());
+    command
+}
+
+#[test]
+fn a_killed_pack_leaves_the_old_bank_or_the_new_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let (old_sources, new_sources) = (folder.path().join("old"), folder.path().join("new"));
+    write_sources(&old_sources, "A");
+    write_sources(&new_sources, "M");
+    let bank = folder.path().join("dialogue.lipzbank");
+    assert!(pack(&new_sources, &bank).status().unwrap().success());
+    let new = std::fs::read(&bank).unwrap();
+    let start = Instant::now();
+    assert!(pack(&old_sources, &bank).status().unwrap().success());
+    let whole_run = start.elapsed();
+    let old = std::fs::read(&bank).unwrap();
+    assert!(old != new);
+
+    let mut replaced = 0;
+    for kill in 0..KILLS {
+        std::fs::write(&bank, &old).unwrap();
+        let mut child = pack(&new_sources, &bank).spawn().unwrap();
+        std::thread::sleep(whole_run * kill / KILLS);
+        child.kill().unwrap();
+        child.wait().unwrap();
+        let found = std::fs::read(&bank).unwrap();
+        assert!(found == old || found == new, "killed after {:?}: neither bank", whole_run * kill / KILLS);
+        replaced += u32::from(found == new);
+    }
+    assert!(replaced < KILLS, "no run was killed before it ended: the test shows nothing");
+    // What is left of killed runs is a temporary file, and does not disturb the next run.
+    assert!(pack(&new_sources, &bank).status().unwrap().success());
+    assert!(std::fs::read(&bank).unwrap() == new);
+    assert!(whole_run > Duration::from_millis(1));
+}

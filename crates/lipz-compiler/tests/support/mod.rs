@@ -1,0 +1,22 @@
+//! Fixtures for the tests of this crate.
+
+use lipz_compiler::{Content, discover};
+use std::path::{Path, PathBuf};
+
+/// A folder of the repository's fixtures.
+pub(crate) fn folder(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures").join(name)
+}
+
+/// Keys and contents of the Lipz files in a folder of the fixtures.
+pub(crate) fn files(name: &str) -> Vec<(String, Vec<u8>)> {
+    let (inputs, reports) = discover(&[folder(name)], None);
+    assert!(reports.is_empty(), "{reports:?}");
+    inputs
+        .into_iter()
+        .map(|input| match input.content {
+            Content::File(path) => (input.key, std::fs::read(path).unwrap()),
+            Content::Bytes(bytes) => (input.key, bytes),
+        })
+        .collect()
+}

@@ -1,0 +1,138 @@
+//! The allow-lists: what each crate of the workspace may depend on.
+//!
+//! A new name here is a decision. The reader goes into games and firmware, so each crate below it
+//! is code that somebody else must audit; `lipz` is a library for other tools; the compiler runs in
+//! build scripts, where every crate costs every user build time.
+
+/// What one crate may depend on. `None` is anything.
+pub(super) struct Rule {
+    pub(super) name: &'static str,
+    /// Crates that its manifest may name, outside of tests.
+    pub(super) direct: Option<&'static [&'static str]>,
+    /// Crates that may be below it: the lists together.
+    pub(super) transitive: Option<&'static [&'static [&'static str]]>,
+}
+
+pub(super) const ALLOWED: &[Rule] = &[
+    Rule { name: "lipz-bank", direct: Some(&["zerocopy"]), transitive: Some(&[READER]) },
+    Rule {
+        name: "lipz",
+        direct: Some(&["icu_locale_core", "isolang", "lipz-bank", "rust_iso3166", "serde", "serde_json"]),
+        transitive: Some(&[READER, JSON_AND_LOCALES, &["lipz-bank"]]),
+    },
+    Rule {
+        name: "lipz-compiler",
+        direct: Some(&[
+            "cap-std",
+            "cap-tempfile",
+            "glob",
+            "icu_casemap",
+            "lipz",
+            "lipz-bank",
+            "rayon",
+            "strsim",
+            "tempfile",
+            "unicode-normalization",
+            "unicode-width",
+            "walkdir",
+            "zerocopy",
+        ]),
+        transitive: Some(&[
+            READER,
+            JSON_AND_LOCALES,
+            CASE_FOLDING,
+            FILES,
+            &["lipz", "lipz-bank", "strsim", "unicode-normalization", "tinyvec", "unicode-width"],
+        ]),
+    },
+    // The ends of the graph: no crate has to carry what these two use.
+    Rule { name: "lipz-cli", direct: None, transitive: None },
+    Rule { name: "xtask", direct: None, transitive: None },
+];
+
+/// Crates that talk to a person or a terminal, or need `unsafe` to use: not for libraries.
+pub(super) const COMMAND_LINE_ONLY: &[&str] = &["annotate-snippets", "anstream", "clap", "indicatif", "memmap2"];
+
+/// Who may depend on them.
+pub(super) const COMMAND_LINE_USERS: &[&str] = &["lipz-cli", "xtask"];
+
+/// zerocopy and its derive, which runs while compiling.
+const READER: &[&str] = &["zerocopy", "zerocopy-derive", "proc-macro2", "quote", "syn", "unicode-ident"];
+
+/// serde_json, icu_locale_core, isolang, rust_iso3166 and what they use.
+const JSON_AND_LOCALES: &[&str] = &[
+    "displaydoc",
+    "fastrand",
+    "icu_locale_core",
+    "isolang",
+    "itoa",
+    "litemap",
+    "memchr",
+    "phf",
+    "phf_generator",
+    "phf_macros",
+    "phf_shared",
+    "rust_iso3166",
+    "serde",
+    "serde_core",
+    "serde_derive",
+    "serde_json",
+    "siphasher",
+    "tinystr",
+    "writeable",
+    "zmij",
+];
+
+/// icu_casemap and what it uses.
+const CASE_FOLDING: &[&str] = &[
+    "icu_casemap",
+    "icu_casemap_data",
+    "icu_collections",
+    "icu_properties",
+    "icu_properties_data",
+    "icu_provider",
+    "potential_utf",
+    "stable_deref_trait",
+    "synstructure",
+    "utf8_iter",
+    "yoke",
+    "yoke-derive",
+    "zerofrom",
+    "zerofrom-derive",
+    "zerotrie",
+    "zerovec",
+    "zerovec-derive",
+];
+
+/// Finding, reading and writing files, on several threads: cap-std, cap-tempfile, glob, rayon,
+/// tempfile, walkdir and what they use.
+const FILES: &[&str] = &[
+    "ambient-authority",
+    "bitflags",
+    "cap-primitives",
+    "cap-std",
+    "cap-tempfile",
+    "cfg-if",
+    "crossbeam-deque",
+    "crossbeam-epoch",
+    "crossbeam-utils",
+    "either",
+    "fs-set-times",
+    "getrandom",
+    "glob",
+    "io-extras",
+    "io-lifetimes",
+    "ipnet",
+    "libc",
+    "linux-raw-sys",
+    "maybe-owned",
+    "once_cell",
+    "rayon",
+    "rayon-core",
+    "rustix",
+    "rustix-linux-procfs",
+    "same-file",
+    "tempfile",
+    "uuid",
+    "walkdir",
+];

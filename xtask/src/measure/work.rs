@@ -1,0 +1,199 @@
+//! The pieces of work that are measured, each in a process of its own.
+
+use crate::{Failure, place};
+use clap::ValueEnum;
+use lipz_compiler::{Options, Phases, compile, discover, replace_file};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use std::hint::black_box;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// A piece of work.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+pub(crate) enum Work {
+    List,
+    Read,
+    Borrowed,
+    Value,
+    Pack,
+    Strip,
+}
+
+impl Work {
+    pub(super) const ALL: [Work; 6] = [Work::List, Work::Read, Work::Borrowed, Work::Value, Work::Pack, Work::Strip];
+
+    /// What it is called in the table.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Work::List => "list the tree",
+            Work::Read => "list, read",
+            Work::Borrowed => "list, read, serde_json into a borrowed struct",
+            Work::Value => "list, read, serde_json into a `Value`",
+            Work::Pack => "**pack**",
+            Work::Strip => "**pack --strip**",
+        }
+    }
+
+    /// What it is called on the command line of the child.
+    pub(super) fn argument(self) -> String {
+        self.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
+    }
+}
+
+/// What one run of a piece of work took.
+#[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
+pub(super) struct Measurement {
+    /// On the clock, from the path of the folder to the end of the work.
+    pub(super) seconds: f64,
+    /// Parts of it, by name; those in brackets are sums over threads.
+    pub(super) phases: Vec<(String, f64)>,
+    /// Peak of the process's memory; `None` on systems that do not tell.
+    pub(super) peak_bytes: Option<u64>,
+    /// Size of the bank.
+    pub(super) bank_bytes: Option<u64>,
+}
+
+pub(super) fn run(work: Work, folder: &Path, bank: &Path, threads: usize) -> Result<Measurement, Failure> {
+    let mut measurement = Measurement::default();
+    let start = Instant::now();
+    match work {
+        Work::List => {
+            black_box(place::list(folder).map_err(|error| error.to_string())?);
+        }
+        Work::Read => each_file(folder, threads, |bytes| Ok(bytes.len()))?,
+        Work::Borrowed => each_file(folder, threads, |bytes| {
+            let clip: Borrowed<'_> = serde_json::from_slice(bytes).map_err(|error| error.to_string())?;
+            Ok(black_box(clip).visemes.len())
+        })?,
+        Work::Value => each_file(folder, threads, |bytes| {
+            let value: serde_json::Value = serde_json::from_slice(bytes).map_err(|error| error.to_string())?;
+            Ok(black_box(value).as_object().map_or(0, serde_json::Map::len))
+        })?,
+        Work::Pack => pack(folder, bank, threads, false, &mut measurement)?,
+        Work::Strip => pack(folder, bank, threads, true, &mut measurement)?,
+    }
+    measurement.seconds = start.elapsed().as_secs_f64();
+    measurement.peak_bytes = peak_bytes();
+    Ok(measurement)
+}
+
+/// A clip as a program reads it that knows its elements and locales: strings stay in the file.
+#[derive(Deserialize)]
+#[expect(dead_code, reason = "what is measured is filling it")]
+struct Borrowed<'f> {
+    fps: f64,
+    viseme_type: &'f str,
+    visemes: &'f str,
+    events: Option<&'f str>,
+    #[serde(rename = "text_en-us")]
+    text_en: Option<&'f str>,
+    #[serde(rename = "text_de-de")]
+    text_de: Option<&'f str>,
+    #[serde(rename = "text_fr-fr")]
+    text_fr: Option<&'f str>,
+    #[serde(rename = "text_ru-ru")]
+    text_ru: Option<&'f str>,
+    #[serde(rename = "text_ja-jp")]
+    text_ja: Option<&'f str>,
+    #[serde(rename = "text_zh-cn")]
+    text_zh: Option<&'f str>,
+    #[serde(rename = "text_ko-kr")]
+    text_ko: Option<&'f str>,
+    #[serde(rename = "text_ar-sa")]
+    text_ar: Option<&'f str>,
+    #[serde(rename = "text_el-gr")]
+    text_el: Option<&'f str>,
+    #[serde(rename = "text_he-il")]
+    text_he: Option<&'f str>,
+    #[serde(rename = "text_hi-in")]
+    text_hi: Option<&'f str>,
+    #[serde(rename = "text_th-th")]
+    text_th: Option<&'f str>,
+}
+
+/// Lists the files and does something with the bytes of each, on `threads` threads.
+fn each_file(
+    folder: &Path,
+    threads: usize,
+    work: impl Fn(&[u8]) -> Result<usize, Failure> + Sync,
+) -> Result<(), Failure> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(|error| error.to_string())?;
+    let files = place::list(folder).map_err(|error| error.to_string())?;
+    let one = |path: &PathBuf| {
+        let bytes = std::fs::read(path).map_err(|error| format!("`{}`: {error}", path.display()))?;
+        work(&bytes)
+    };
+    let sizes: Result<Vec<usize>, Failure> = pool.install(|| files.par_iter().map(one).collect());
+    black_box(sizes?);
+    Ok(())
+}
+
+fn pack(folder: &Path, bank: &Path, threads: usize, strip: bool, measurement: &mut Measurement) -> Result<(), Failure> {
+    let start = Instant::now();
+    let (inputs, reports) = discover(&[folder.to_owned()], None);
+    let discovered = start.elapsed();
+    let start = Instant::now();
+    let options = Options { strip, threads: Some(threads), ..Options::default() };
+    let compiled = compile(&inputs, &options, &|_| {});
+    let compiling = start.elapsed();
+    let finding = reports.iter().chain(&compiled.reports).flat_map(|report| &report.diagnostics).next();
+    if let Some(finding) = finding {
+        return Err(format!("a made-up clip has a finding: {}", finding.headline));
+    }
+    let bytes = compiled.bank.ok_or("no bank")?;
+    let start = Instant::now();
+    replace_file(bank, &bytes).map_err(|report| format!("{:?}", report.diagnostics))?;
+    let written = start.elapsed();
+    measurement.bank_bytes = Some(bytes.len() as u64);
+    measurement.phases = phases(discovered, compiling, &compiled.phases, written);
+    Ok(())
+}
+
+fn phases(discovered: Duration, compiling: Duration, phases: &Phases, written: Duration) -> Vec<(String, f64)> {
+    let accounted = phases.files + phases.localise + phases.lower + phases.verify;
+    let parts = [
+        ("discover", discovered),
+        ("read, parse, check", phases.files),
+        ("(read, all threads)", phases.read),
+        ("(parse, all threads)", phases.parse),
+        ("(check, all threads)", phases.check),
+        ("localise", phases.localise),
+        ("lower", phases.lower),
+        ("verify", phases.verify),
+        ("compile, in no phase", compiling.saturating_sub(accounted)),
+        ("write and sync", written),
+    ];
+    parts.map(|(name, time)| (name.to_owned(), time.as_secs_f64())).into()
+}
+
+/// The high-water mark of this process's memory, where Linux tells it.
+fn peak_bytes() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    let kibibytes: u64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
+    Some(kibibytes * 1024)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_piece_of_work_gets_through() {
+        let temporary = place::temporary_folder().unwrap();
+        let folder = temporary.path().join("clips");
+        let bank = temporary.path().join("measured.lipzbank");
+        crate::generate::generate(230, 12, 3, &folder).unwrap();
+        let mut sizes = Vec::new();
+        for work in Work::ALL {
+            let measurement = run(work, &folder, &bank, 2).unwrap();
+            assert!(measurement.seconds > 0.0);
+            assert_eq!(measurement.peak_bytes.is_some(), cfg!(target_os = "linux"));
+            sizes.extend(measurement.bank_bytes);
+            let parts = measurement.phases.iter().filter(|(name, _)| !name.starts_with('('));
+            assert!(parts.map(|(_, seconds)| seconds).sum::<f64>() <= measurement.seconds);
+        }
+        assert!(matches!(sizes[..], [whole, stripped] if stripped < whole), "{sizes:?}");
+    }
+}
