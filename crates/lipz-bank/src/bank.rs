@@ -3,6 +3,7 @@
 use crate::layout::{self, ClipRecord, DirectoryEntry, EventRecord, Header, LocaleRecord, Tag, U32};
 use crate::pool::Pool;
 use crate::{Clip, ClipId, Clips, Error, ErrorKind, Locale, Locales};
+use core::fmt;
 use core::mem::size_of;
 use zerocopy::{FromBytes, Immutable, KnownLayout, Unaligned};
 
@@ -10,7 +11,7 @@ use zerocopy::{FromBytes, Immutable, KnownLayout, Unaligned};
 ///
 /// `'data` is the life of the bytes. Strings and frame codes that queries return live that long,
 /// not only as long as this value.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Bank<'data> {
     pub(crate) bytes: &'data [u8],
     pub(crate) header: &'data Header,
@@ -39,9 +40,16 @@ impl<'data> Bank<'data> {
     pub fn open(bytes: &'data [u8]) -> Result<Bank<'data>, Error> {
         let (header, rest) = open_header(bytes)?;
         let count = header.section_count.get() as usize;
+        if count > layout::MAX_SECTIONS {
+            return Err(Error::new(ErrorKind::DirectoryTooLong, SECTION_COUNT_OFFSET));
+        }
         let (directory, _) = <[DirectoryEntry]>::ref_from_prefix_with_elems(rest, count)
-            .map_err(|_| Error::new(ErrorKind::DirectoryOutOfBounds, 48))?;
+            .map_err(|_| Error::new(ErrorKind::DirectoryOutOfBounds, SECTION_COUNT_OFFSET))?;
+        let sections = Sections { bytes, directory };
         for (index, entry) in directory.iter().enumerate() {
+            if sections.contents(entry).is_none() {
+                return Err(Error::new(ErrorKind::SectionOutOfBounds, entry_offset(index)));
+            }
             let known = Tag::REQUIRED.iter().any(|(tag, _)| tag.0 == entry.tag)
                 || entry.tag == Tag::SOURCE_INDEX.0
                 || entry.tag == Tag::SOURCES.0;
@@ -49,7 +57,6 @@ impl<'data> Bank<'data> {
                 return Err(Error::new(ErrorKind::SectionUnknown, entry_offset(index)));
             }
         }
-        let sections = Sections { bytes, directory };
         let bank = Bank {
             bytes,
             header,
@@ -172,6 +179,20 @@ impl<'data> Bank<'data> {
     }
 }
 
+/// What the bank has, not its bytes.
+impl fmt::Debug for Bank<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Bank")
+            .field("length_bytes", &self.bytes.len())
+            .field("clip_count", &self.clips.len())
+            .field("locale_count", &self.locales.len())
+            .finish_non_exhaustive()
+    }
+}
+
+/// Where the number of sections stands in the header.
+const SECTION_COUNT_OFFSET: u32 = 40;
+
 /// Checks everything of the header but the checksum.
 fn open_header(bytes: &[u8]) -> Result<(&Header, &[u8]), Error> {
     let magic_start = bytes.get(..4);
@@ -218,7 +239,7 @@ impl<'data> Sections<'data> {
         T: FromBytes + Immutable + KnownLayout + Unaligned,
     {
         let mut found = self.directory.iter().enumerate().filter(|(_, entry)| entry.tag == tag.0);
-        let (index, entry) = found.next().ok_or(Error::new(ErrorKind::SectionMissing, 48))?;
+        let (index, entry) = found.next().ok_or(Error::new(ErrorKind::SectionMissing, SECTION_COUNT_OFFSET))?;
         if let Some((second, _)) = found.next() {
             return Err(Error::new(ErrorKind::SectionTwice, entry_offset(second)));
         }

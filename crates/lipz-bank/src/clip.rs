@@ -1,10 +1,13 @@
 //! One clip of a bank: frames and segments by time.
 
+use core::fmt;
+use core::iter::FusedIterator;
+
 use crate::layout::{ClipRecord, FLAG_VISEMES, INLINE_STARTS};
 use crate::{Bank, ClipId, Fps, Segment, Segments, Time, Viseme, VisemeType};
 
 /// One spoken line: mouth shapes by frame, and segments with texts and events.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Clip<'data, 'bank> {
     pub(crate) bank: &'bank Bank<'data>,
     pub(crate) record: &'data ClipRecord,
@@ -179,6 +182,13 @@ impl<'data, 'bank> Clip<'data, 'bank> {
     }
 }
 
+/// The key and the slot, not the frames.
+impl fmt::Debug for Clip<'_, '_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Clip").field("key", &self.key()).field("slot", &self.slot).finish_non_exhaustive()
+    }
+}
+
 /// Clips of a bank in the order of their keys.
 #[derive(Clone, Debug)]
 pub struct Clips<'data, 'bank> {
@@ -200,12 +210,16 @@ impl<'data, 'bank> Iterator for Clips<'data, 'bank> {
         if self.next >= self.end {
             return None;
         }
-        let slot = self.bank.key_order.get(self.next)?.get();
-        self.next = self.next.saturating_add(1);
-        self.bank.clip_at(slot)
+        let slot = self.bank.key_order.get(self.next).map(|slot| slot.get());
+        let clip = slot.and_then(|slot| self.bank.clip_at(slot));
+        // A damaged order table ends the iteration.
+        self.next = if clip.is_some() { self.next.saturating_add(1) } else { self.end };
+        clip
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {
         (0, Some(self.end.saturating_sub(self.next)))
     }
 }
+
+impl FusedIterator for Clips<'_, '_> {}

@@ -87,10 +87,10 @@ error_kinds! {
     ClipIndex = 13, "the clip index does not lead to the clip record";
     /// The key of a clip lies outside its pool, or its hash is not the clip's id.
     ClipKey = 14, "the key of a clip does not match its id";
-    /// The order table is not the clips sorted by key.
+    /// The order table does not name the clips in the order of their keys.
     ClipOrder = 15, "the clips are not listed in the order of their keys";
-    /// The frames of a clip lie outside their section.
-    FrameRange = 16, "the frames of a clip reach past their section";
+    /// The frames of a clip do not lie behind those of the clip before it, or outside their section.
+    FrameRange = 16, "the frames of a clip are not where they belong";
     /// A frame code is not one of the clip's viseme type.
     FrameCode = 17, "a frame code is not one of the clip's viseme type";
     /// The frame rate is outside 1 to 1000 or its reciprocal is wrong.
@@ -107,4 +107,12 @@ error_kinds! {
     EventReference = 23, "an event reference is not valid";
     /// The locales are not listed in the order of their tags, or a tag lies outside its pool.
     LocaleOrder = 24, "the locales are not listed in the order of their tags";
+    /// A section overlaps another, leaves a gap, or does not start at a multiple of 64.
+    SectionPlace = 25, "a section is not right behind the one before it";
+    /// The directory has more than 64 entries.
+    DirectoryTooLong = 26, "the directory has more than 64 sections";
+    /// The fingerprint is not that of the clips.
+    Fingerprint = 27, "the fingerprint does not match the clips";
+    /// Runs of text are shared by more clips and locales than a real bank has.
+    TooManySteps = 28, "the bank takes far more steps to check than a real one";
 }

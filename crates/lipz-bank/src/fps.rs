@@ -1,5 +1,6 @@
 //! Frame rates as exact ratios, and the arithmetic from times to frame numbers.
 
+use crate::Time;
 use core::fmt;
 
 /// Microseconds in a second.
@@ -135,6 +136,12 @@ impl Fps {
         Some(frame)
     }
 
+    /// The frame that shows at `time`: ⌊time · rate⌋. `None` before 0, and from frame 2³² − 1 on.
+    #[inline]
+    pub fn frame_at<T: Time>(self, time: T) -> Option<u32> {
+        time.frame(self, u32::MAX)
+    }
+
     /// The first microsecond at which `frame` shows: ⌈frame / rate⌉ in exact arithmetic.
     ///
     /// Saturates at `u64::MAX` only for rates that no valid bank holds.
@@ -155,6 +162,13 @@ const fn greatest_common_divisor(mut a: u32, mut b: u32) -> u32 {
         b = rest;
     }
     a
+}
+
+/// The nearest decimal number, `29.97`.
+impl fmt::Display for Fps {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(&self.to_f64(), f)
+    }
 }
 
 impl fmt::Debug for Fps {

@@ -16,9 +16,9 @@ use core::fmt;
 pub struct ClipId(u64);
 
 /// Odd 64-bit multiplier with no structure: the fractional part of the golden ratio.
-const STEP: u64 = 0x9E37_79B9_7F4A_7C15;
+pub(crate) const STEP: u64 = 0x9E37_79B9_7F4A_7C15;
 /// Multiplier of the finish (Pelle Evensen's `rrmxmx` study; any odd constant with good avalanche).
-const FINISH: u64 = 0x9FB2_1C65_1E98_DF25;
+pub(crate) const FINISH: u64 = 0x9FB2_1C65_1E98_DF25;
 
 impl ClipId {
     /// The id of `key`, the path of a Lipz file below its source root, with `/` and without
@@ -54,7 +54,7 @@ impl ClipId {
 }
 
 /// Multiplies and folds the well-mixed high half into the low one.
-const fn mix(value: u64, multiplier: u64) -> u64 {
+pub(crate) const fn mix(value: u64, multiplier: u64) -> u64 {
     let product = value.wrapping_mul(multiplier);
     product ^ (product >> 32)
 }

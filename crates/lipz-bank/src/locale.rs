@@ -1,5 +1,8 @@
 //! The locales of a bank: handles that text queries take.
 
+use core::fmt;
+use core::iter::FusedIterator;
+
 use crate::layout::{LocaleRecord, LOCALE_DEFAULT, U32};
 use crate::pool::Pool;
 use crate::Bank;
@@ -7,7 +10,7 @@ use crate::Bank;
 /// A locale of a bank: where its texts are.
 ///
 /// Look it up once, with [`Bank::locale`], and pass it to every text query.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Locale<'data> {
     record: &'data LocaleRecord,
     names: Pool<'data>,
@@ -31,6 +34,13 @@ impl<'data> Locale<'data> {
     pub(crate) fn tag_bytes(&self) -> Option<&'data [u8]> {
         let start = self.record.tag_offset_bytes.get() as usize;
         self.names.slice(start, start.checked_add(usize::from(self.record.tag_length_bytes.get()))?)
+    }
+}
+
+/// The tag, not the texts.
+impl fmt::Debug for Locale<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Locale({:?})", self.tag())
     }
 }
 
@@ -64,3 +74,5 @@ impl<'data> Iterator for Locales<'data, '_> {
         (0, Some(left))
     }
 }
+
+impl FusedIterator for Locales<'_, '_> {}

@@ -1,7 +1,7 @@
 //! String pools: UTF-8 bytes that are checked once by `verify`, or per query before it.
 
 /// A section of interned strings.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) enum Pool<'data> {
     /// Not verified: each string is checked when it is asked for.
     Bytes(&'data [u8]),

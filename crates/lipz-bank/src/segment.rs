@@ -2,10 +2,12 @@
 
 use crate::layout::{FLAG_FAR_STARTS, NO_EVENTS, NO_TEXT, TEXT_FALLBACK, TEXT_OFFSET, TEXT_WIDE};
 use crate::{Clip, Locale};
+use core::fmt;
+use core::iter::FusedIterator;
 use core::ops::Deref;
 
 /// A stretch of a clip, between two `|` of its Lipz file.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Segment<'data, 'bank> {
     clip: Clip<'data, 'bank>,
     index: u32,
@@ -109,6 +111,13 @@ impl<'data, 'bank> Segment<'data, 'bank> {
     }
 }
 
+/// The clip and the index, not the texts.
+impl fmt::Debug for Segment<'_, '_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Segment").field("clip", &self.clip).field("index", &self.index).finish()
+    }
+}
+
 /// A display text.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Text<'data> {
@@ -133,6 +142,12 @@ impl Deref for Text<'_> {
 
     fn deref(&self) -> &str {
         self.text
+    }
+}
+
+impl fmt::Display for Text<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.text)
     }
 }
 
@@ -218,3 +233,6 @@ impl<'data, 'bank> Iterator for Segments<'data, 'bank> {
         (left, Some(left))
     }
 }
+
+impl ExactSizeIterator for Segments<'_, '_> {}
+impl FusedIterator for Segments<'_, '_> {}

@@ -77,10 +77,10 @@ impl Time for core::time::Duration {
 /// `f32`. Where your engine offers an integer clock, use [`Micros`] or [`Samples`].
 ///
 /// ```
-/// # use lipz_bank::{Fps, Seconds, Time};
+/// # use lipz_bank::{Fps, Seconds};
 /// let start_of_frame_123 = 123.0_f64 / 30.0;
 /// assert!(start_of_frame_123 * 30.0 < 123.0); // the naive product shows frame 122
-/// assert_eq!(Seconds(start_of_frame_123).frame(Fps::whole(30), 200), Some(123));
+/// assert_eq!(Fps::whole(30).frame_at(Seconds(start_of_frame_123)), Some(123));
 /// ```
 #[derive(Clone, Copy, PartialEq, PartialOrd, Debug)]
 pub struct Seconds<T>(pub T);
@@ -92,8 +92,8 @@ impl Time for Seconds<f32> {
         let exponent = bits >> 23; // with the sign above its eight bits
         let fraction = u64::from(bits & 0x7F_FFFF);
         match exponent {
-            _ if bits == 1 << 31 => frame_at_float(fps, frame_count, 0, 0), // -0.0
-            255.. => None,                                                  // negative, infinite, NaN
+            _ if bits == 1 << 31 => frame_at_float(fps, frame_count, 0, 149), // -0.0
+            255.. => None,                                                    // negative, infinite, NaN
             0 => frame_at_float(fps, frame_count, fraction, 149),
             _ => frame_at_float(fps, frame_count, fraction | 1 << 23, 150_i32.wrapping_sub(exponent as i32)),
         }
@@ -107,8 +107,8 @@ impl Time for Seconds<f64> {
         let exponent = bits >> 52; // with the sign above its eleven bits
         let fraction = bits & 0xF_FFFF_FFFF_FFFF;
         match exponent {
-            _ if bits == 1 << 63 => frame_at_float(fps, frame_count, 0, 0), // -0.0
-            2047.. => None,                                                 // negative, infinite, NaN
+            _ if bits == 1 << 63 => frame_at_float(fps, frame_count, 0, 1074), // -0.0
+            2047.. => None,                                                    // negative, infinite, NaN
             0 => frame_at_float(fps, frame_count, fraction, 1074),
             _ => frame_at_float(fps, frame_count, fraction | 1 << 52, 1075_i32.wrapping_sub(exponent as i32)),
         }

@@ -177,3 +177,12 @@ proptest! {
         assert_starts_f32(n & ((1 << 21) - 1), rate, fps(numerator, denominator));
     }
 }
+
+/// Two units in the last place behind -0.0 are as little as behind 0.0.
+#[test]
+fn negative_zero_is_zero() {
+    for rate in [1, 24, 1000] {
+        assert_eq!(Fps::whole(rate).frame_at(Seconds(-0.0_f64)), Some(0));
+        assert_eq!(Fps::whole(rate).frame_at(Seconds(-0.0_f32)), Some(0));
+    }
+}

@@ -5,6 +5,8 @@
 //! SIGIR 1992; Belazzougui, Botelho and Dietzfelbinger, ESA 2009). A look-up reads one pilot and
 //! one clip record, and has no loop.
 
+use crate::id;
+
 /// Bit of a pilot whose bucket holds one id: the other bits are the slot itself.
 pub const DIRECT_SLOT: u32 = 1 << 31;
 
@@ -13,8 +15,7 @@ pub const DIRECT_SLOT: u32 = 1 << 31;
 /// The seed is 0 unless two ids of one bucket cannot be separated by any pilot.
 #[inline]
 pub const fn spread(id: u64, seed: u64) -> u64 {
-    let product = (id ^ seed).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-    product ^ (product >> 32)
+    id::mix(id ^ seed, id::STEP)
 }
 
 /// The bucket of a spread id.

@@ -7,10 +7,12 @@ mod index;
 mod records;
 mod sections;
 
+use crate::id;
+
 pub use index::{bucket_of, slot_of, spread, DIRECT_SLOT};
 pub use records::{ClipRecord, EventRecord, LocaleRecord};
 pub use records::{FLAG_FAR_STARTS, FLAG_VISEMES, INLINE_STARTS, LOCALE_DEFAULT, NO_EVENTS};
-pub use sections::{DirectoryEntry, Header, Tag, CHECKED_FROM, SECTION_REQUIRED};
+pub use sections::{DirectoryEntry, Header, Tag, CHECKED_FROM, MAX_SECTIONS, SECTION_ALIGNMENT, SECTION_REQUIRED};
 
 /// Little-endian, unaligned 16-bit number.
 pub type U16 = zerocopy::little_endian::U16;
@@ -36,6 +38,15 @@ pub const TEXT_FALLBACK: u32 = 1 << 31;
 pub const TEXT_WIDE: u32 = 1 << 30;
 /// The other bits of a text index entry: where the run starts in the text pool, in bytes.
 pub const TEXT_OFFSET: u32 = TEXT_WIDE - 1;
+
+/// Hash of the ids and segment counts of the clips, in slot order: what texts in another file must
+/// agree with.
+pub fn fingerprint(clips: &[ClipRecord]) -> u64 {
+    clips.iter().fold(clips.len() as u64, |hash, clip| {
+        let hash = id::mix(hash ^ clip.id.get(), id::STEP);
+        id::mix(hash ^ u64::from(clip.segment_count.get()), id::FINISH)
+    })
+}
 
 /// Folds `bytes` into the checksum of format 1.
 ///

@@ -48,6 +48,12 @@ pub struct DirectoryEntry {
     pub flags: U16,
 }
 
+/// Sections start at multiples of a cache line, with no more than the needed zeros before them.
+pub const SECTION_ALIGNMENT: u32 = 64;
+
+/// Sections that a bank can have.
+pub const MAX_SECTIONS: usize = 64;
+
 /// Flag of a section that a reader must know to use the bank.
 pub const SECTION_REQUIRED: u16 = 1;
 

@@ -3,6 +3,7 @@
 
 pub(crate) mod dump;
 pub(crate) mod exercise;
+pub(crate) mod forge;
 
 use lipz_bank::layout::{checksum, ClipRecord, DirectoryEntry, Header, Tag, CHECKED_FROM};
 use lipz_bank::{Bank, ClipId, Error};
@@ -70,19 +71,6 @@ pub(crate) fn section(bytes: &[u8], tag: Tag) -> Range<usize> {
     let at = entry_of(bytes, tag);
     let start = u32_at(bytes, at + 4) as usize;
     start..start + u32_at(bytes, at + 8) as usize
-}
-
-/// A copy of `bytes` in which a section has other contents; they stand at the end of the file.
-pub(crate) fn with_section(bytes: &[u8], tag: Tag, contents: &[u8]) -> Vec<u8> {
-    changed(bytes, |bank| {
-        bank.resize(bank.len().next_multiple_of(64), 0);
-        let start = bank.len() as u32;
-        bank.extend_from_slice(contents);
-        let (entry, length) = (entry_of(bank, tag), bank.len() as u32);
-        put(bank, entry + 4, start.to_le_bytes());
-        put(bank, entry + 8, (length - start).to_le_bytes());
-        put(bank, 16, length.to_le_bytes());
-    })
 }
 
 /// Where the record of a clip stands.

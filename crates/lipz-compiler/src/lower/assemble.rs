@@ -3,12 +3,13 @@
 use super::{fit, too_large};
 use crate::Report;
 use lipz_bank::layout::{
-    CHECKED_FROM, DirectoryEntry, FORMAT_MAJOR, FORMAT_MINOR, Header, MAGIC, SECTION_REQUIRED, Tag, U16, checksum,
+    CHECKED_FROM, DirectoryEntry, FORMAT_MAJOR, FORMAT_MINOR, Header, MAGIC, SECTION_ALIGNMENT, SECTION_REQUIRED, Tag,
+    U16, checksum,
 };
 use zerocopy::IntoBytes;
 
 /// Sections start at multiples of a cache line.
-const ALIGNMENT: usize = 64;
+const ALIGNMENT: usize = SECTION_ALIGNMENT as usize;
 
 /// A section to be written.
 pub(super) struct Section<'b> {

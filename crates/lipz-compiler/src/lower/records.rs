@@ -6,7 +6,7 @@ use crate::Report;
 use crate::clip::ClipData;
 use crate::localise::Localised;
 use lipz_bank::layout::{
-    ClipRecord, FLAG_FAR_STARTS, FLAG_VISEMES, INLINE_STARTS, LOCALE_DEFAULT, LocaleRecord, U16, U32,
+    ClipRecord, FLAG_FAR_STARTS, FLAG_VISEMES, INLINE_STARTS, LOCALE_DEFAULT, LocaleRecord, U16, U32, fingerprint,
 };
 use lipz_bank::{Fps, VisemeType};
 use zerocopy::FromZeros;
@@ -70,15 +70,6 @@ fn starts(clip: &ClipData, far_starts: &mut Vec<U32>) -> Result<([U16; INLINE_ST
     inline[1] = U16::new((first >> 16) as u16);
     far_starts.extend(starts.iter().map(|&start| U32::new(start)));
     Ok((inline, FLAG_FAR_STARTS))
-}
-
-/// Hash of ids and segment counts: what texts in another file must agree with.
-fn fingerprint(records: &[ClipRecord]) -> u64 {
-    records.iter().fold(records.len() as u64, |hash, record| {
-        let mixed = (hash ^ record.id.get()).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-        let mixed = (mixed ^ (mixed >> 32) ^ u64::from(record.segment_count.get())).wrapping_mul(0x9FB2_1C65_1E98_DF25);
-        mixed ^ (mixed >> 32)
-    })
 }
 
 /// The locale records, in the order of their tags.

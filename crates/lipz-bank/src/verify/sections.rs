@@ -1,0 +1,54 @@
+//! Sections: in the order of the directory, one behind the other, each tag once.
+
+use super::error_at;
+use crate::layout::{Tag, SECTION_ALIGNMENT};
+use crate::{Bank, Error, ErrorKind};
+use core::mem::size_of_val;
+
+/// Checks places and tags of all sections, known or not, and the lengths of tables that run
+/// parallel to others.
+pub(super) fn sections(bank: &Bank<'_>) -> Result<(), Error> {
+    // `open` has found directory and sections in the file, and no more than 64 of them.
+    let mut end = size_of_val(bank.header).wrapping_add(size_of_val(bank.directory));
+    let mut before: &[_] = &[];
+    for (index, entry) in bank.directory.iter().enumerate() {
+        if before.iter().any(|other: &crate::layout::DirectoryEntry| other.tag == entry.tag) {
+            return Err(error_at(bank, ErrorKind::SectionTwice, entry));
+        }
+        let gap = (entry.offset_bytes.get() as usize).checked_sub(end);
+        let is_aligned = entry.offset_bytes.get() % SECTION_ALIGNMENT == 0;
+        if !is_aligned || gap.map_or(true, |gap| gap >= SECTION_ALIGNMENT as usize) {
+            return Err(error_at(bank, ErrorKind::SectionPlace, entry));
+        }
+        end = (entry.offset_bytes.get() as usize).wrapping_add(entry.length_bytes.get() as usize);
+        before = bank.directory.get(..=index).unwrap_or(before);
+    }
+    if end != bank.bytes.len() {
+        return Err(error_at(bank, ErrorKind::SectionPlace, bank.directory));
+    }
+    table_lengths(bank)
+}
+
+fn table_lengths(bank: &Bank<'_>) -> Result<(), Error> {
+    if bank.key_order.len() != bank.clips.len() {
+        return Err(error_at(bank, ErrorKind::ClipOrder, bank.key_order));
+    }
+    if bank.locales.len().checked_mul(bank.clips.len()) != Some(bank.text_index.len()) {
+        return Err(error_at(bank, ErrorKind::TextReference, bank.text_index));
+    }
+    let entry = |tag: Tag| bank.directory.iter().find(|entry| entry.tag == tag.0);
+    match (entry(Tag::SOURCE_INDEX), entry(Tag::SOURCES)) {
+        (None, None) => Ok(()),
+        (Some(index), Some(sources)) => {
+            let entries = bank.clips.len().checked_mul(4);
+            if index.entry_bytes.get() != 4 || entries != Some(index.length_bytes.get() as usize) {
+                return Err(error_at(bank, ErrorKind::SectionShape, index));
+            }
+            if sources.entry_bytes.get() != 1 {
+                return Err(error_at(bank, ErrorKind::SectionShape, sources));
+            }
+            Ok(())
+        }
+        (Some(lonely), None) | (None, Some(lonely)) => Err(error_at(bank, ErrorKind::SectionMissing, lonely)),
+    }
+}

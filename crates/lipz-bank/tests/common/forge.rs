@@ -1,0 +1,119 @@
+//! Banks built field by field: larger or odder than those of the fixtures.
+
+use lipz_bank::layout::*;
+use lipz_bank::{ClipId, VisemeType};
+use zerocopy::IntoBytes;
+
+/// A clip to be forged, without frame rate and events.
+#[derive(Clone)]
+pub(crate) struct ForgedClip {
+    pub(crate) key: &'static str,
+    pub(crate) frames: Vec<u8>,
+    /// Starts of segments 1 and up.
+    pub(crate) starts: Vec<u32>,
+    pub(crate) has_far_starts: bool,
+}
+
+/// The bank of `clips`, which are in the order of their keys; `locale_count` locales have the text
+/// entries `entries`, locale by locale, and share the pool of texts.
+pub(crate) fn bank(clips: &[ForgedClip], locale_count: usize, entries: &[u32], pool: &[u8]) -> Vec<u8> {
+    let (mut records, mut names, mut frames, mut starts) = (Vec::new(), String::new(), Vec::new(), Vec::new());
+    for clip in clips {
+        let mut inline = [U16::new(0xFFFF); INLINE_STARTS];
+        let fits = clip.starts.iter().zip(&mut inline);
+        if clip.has_far_starts {
+            inline[0] = (starts.len() as u16).into();
+            inline[1] = ((starts.len() >> 16) as u16).into();
+            starts.extend(clip.starts.iter().map(|&start| U32::new(start)));
+        } else {
+            fits.for_each(|(&start, field)| *field = (start as u16).into());
+        }
+        records.push(ClipRecord {
+            id: ClipId::of(clip.key).get().into(),
+            frames_per_micro_q64: 0.into(),
+            fps_numerator: 0.into(),
+            fps_denominator: 0.into(),
+            frames_offset_bytes: (frames.len() as u32).into(),
+            frame_count: (clip.frames.len() as u32).into(),
+            segment_count: (clip.starts.len() as u32 + 1).into(),
+            events_first: NO_EVENTS.into(),
+            key_offset_bytes: (names.len() as u32).into(),
+            key_length_bytes: (clip.key.len() as u16).into(),
+            viseme_type: VisemeType::Blair as u8,
+            flags: FLAG_VISEMES | if clip.has_far_starts { FLAG_FAR_STARTS } else { 0 },
+            starts: inline,
+        });
+        names.push_str(clip.key);
+        frames.extend_from_slice(&clip.frames);
+    }
+    let mut locales = Vec::new();
+    for number in 0..locale_count {
+        let offset = names.len() as u32;
+        locales.push(LocaleRecord { tag_offset_bytes: offset.into(), tag_length_bytes: 8.into(), flags: 0.into() });
+        names.push_str(&format!("{number:08}"));
+    }
+    let order: Vec<U32> = (0..clips.len() as u32).map(U32::new).collect();
+    let entries: Vec<U32> = entries.iter().map(|&entry| U32::new(entry)).collect();
+    let (pilots, none) = (pilots(&records), [].as_slice());
+    let contents = [
+        records.as_bytes(),
+        pilots.as_bytes(),
+        order.as_bytes(),
+        names.as_bytes(),
+        &frames,
+        starts.as_bytes(),
+        locales.as_bytes(),
+        entries.as_bytes(),
+        pool,
+        none,
+        none,
+        none,
+    ];
+    file(&contents, fingerprint(&records))
+}
+
+/// Pilots that lead every id directly to its slot: so many buckets that each has one id at most.
+fn pilots(records: &[ClipRecord]) -> Vec<U32> {
+    let buckets = |count: u32| records.iter().map(move |record| bucket_of(spread(record.id.get(), 0), count) as usize);
+    let count = (1..10_000).find(|&count| {
+        let mut taken = vec![false; count as usize];
+        buckets(count).all(|bucket| !std::mem::replace(&mut taken[bucket], true))
+    });
+    let mut pilots = vec![U32::new(DIRECT_SLOT); count.expect("few clips") as usize];
+    for (slot, bucket) in buckets(pilots.len() as u32).enumerate() {
+        pilots[bucket] = (DIRECT_SLOT | slot as u32).into();
+    }
+    pilots
+}
+
+/// The file of these contents of the required sections.
+fn file(contents: &[&[u8]; 12], fingerprint: u64) -> Vec<u8> {
+    let mut bytes = vec![0; 64 + 16 * contents.len()];
+    for (index, ((tag, entry_bytes), section)) in Tag::REQUIRED.iter().zip(contents).enumerate() {
+        bytes.resize(bytes.len().next_multiple_of(64), 0);
+        let entry = DirectoryEntry {
+            tag: tag.0,
+            offset_bytes: (bytes.len() as u32).into(),
+            length_bytes: (section.len() as u32).into(),
+            entry_bytes: (*entry_bytes as u16).into(),
+            flags: SECTION_REQUIRED.into(),
+        };
+        bytes[64 + 16 * index..][..16].copy_from_slice(entry.as_bytes());
+        bytes.extend_from_slice(section);
+    }
+    let mut header = Header {
+        magic: MAGIC,
+        checksum: 0.into(),
+        file_length_bytes: (bytes.len() as u32).into(),
+        format_major: FORMAT_MAJOR.into(),
+        format_minor: FORMAT_MINOR.into(),
+        fingerprint: fingerprint.into(),
+        index_seed: 0.into(),
+        section_count: (contents.len() as u32).into(),
+        reserved: [0; 20],
+    };
+    bytes[..64].copy_from_slice(header.as_bytes());
+    header.checksum = checksum(&bytes[CHECKED_FROM..]).into();
+    bytes[..64].copy_from_slice(header.as_bytes());
+    bytes
+}
