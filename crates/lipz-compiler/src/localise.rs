@@ -25,9 +25,9 @@ pub(crate) struct LocaleColumn {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Choice {
     /// The clip has a text in the locale: its index in `ClipData::texts`.
-    Own(usize),
+    Own(u32),
     /// It does not, and shows that of the locale with this index.
-    Fallback(usize),
+    Fallback(u32),
     /// Nor in any locale that this one falls back to.
     Missing,
 }
@@ -46,23 +46,24 @@ pub(crate) fn localise(clips: &[ClipData], options: &Options) -> Localised {
         *value = index;
     }
     let tags: Vec<&str> = index_of.keys().copied().collect();
-    let mut columns = vec![vec![Choice::Missing; clips.len()]; tags.len()];
+    let mut own = vec![vec![Choice::Missing; clips.len()]; tags.len()];
     for (at, clip) in clips.iter().enumerate() {
-        for (index, text) in clip.texts.iter().enumerate() {
-            if let Some(column) = index_of.get(text.locale.as_ref()).and_then(|&locale| columns.get_mut(locale)) {
+        for (index, text) in (0..).zip(&clip.texts) {
+            if let Some(column) = index_of.get(text.locale.as_ref()).and_then(|&locale| own.get_mut(locale)) {
                 column[at] = Choice::Own(index);
             }
         }
     }
-    let own: Vec<Vec<bool>> =
-        columns.iter().map(|column| column.iter().map(|choice| matches!(choice, Choice::Own(_))).collect()).collect();
-    let locales = std::iter::zip(&tags, columns).enumerate().map(|(locale, (tag, mut texts))| {
+    let locales = tags.iter().enumerate().map(|(locale, tag)| {
         let chain = chain(&tags, locale, default);
-        for (at, choice) in texts.iter_mut().enumerate().filter(|(_, choice)| **choice == Choice::Missing) {
-            if let Some(&fallback) = chain.iter().find(|&&other| own[other][at]) {
-                *choice = Choice::Fallback(fallback);
-            }
-        }
+        let choice = |(at, choice): (usize, &Choice)| match choice {
+            Choice::Missing => chain
+                .iter()
+                .find(|&&other| own[other][at] != Choice::Missing)
+                .map_or(Choice::Missing, |&other| Choice::Fallback(other as u32)),
+            own => *own,
+        };
+        let texts = own[locale].iter().enumerate().map(choice).collect();
         LocaleColumn { tag: (*tag).to_owned(), is_default: Some(*tag) == default, texts }
     });
     Localised { locales: locales.collect() }

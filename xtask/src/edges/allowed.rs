@@ -25,6 +25,7 @@ pub(super) const ALLOWED: &[Rule] = &[
         direct: Some(&[
             "cap-std",
             "cap-tempfile",
+            "foldhash",
             "glob",
             "icu_casemap",
             "lipz",
@@ -42,7 +43,7 @@ pub(super) const ALLOWED: &[Rule] = &[
             JSON_AND_LOCALES,
             CASE_FOLDING,
             FILES,
-            &["lipz", "lipz-bank", "strsim", "unicode-normalization", "tinyvec", "unicode-width"],
+            &["foldhash", "lipz", "lipz-bank", "strsim", "unicode-normalization", "tinyvec", "unicode-width"],
         ]),
     },
     // The ends of the graph: no crate has to carry what these two use.

@@ -11,10 +11,10 @@ use zerocopy::IntoBytes;
 /// Sections start at multiples of a cache line.
 const ALIGNMENT: usize = SECTION_ALIGNMENT as usize;
 
-/// A section to be written.
+/// A section to be written: pieces that are copied one behind the other.
 pub(super) struct Section<'b> {
     tag: Tag,
-    bytes: &'b [u8],
+    pieces: Vec<&'b [u8]>,
     entry_bytes: usize,
     flags: u16,
 }
@@ -22,14 +22,22 @@ pub(super) struct Section<'b> {
 impl<'b> Section<'b> {
     /// A section of [`Tag::REQUIRED`].
     pub(super) fn required(tag: Tag, bytes: &'b [u8]) -> Section<'b> {
-        let entry_bytes =
-            Tag::REQUIRED.iter().find(|(known, _)| *known == tag).map_or(1, |(_, entry_bytes)| *entry_bytes);
-        Section { tag, bytes, entry_bytes, flags: SECTION_REQUIRED }
+        Section::of_pieces(tag, vec![bytes])
+    }
+
+    /// A section of [`Tag::REQUIRED`], in pieces.
+    pub(super) fn of_pieces(tag: Tag, pieces: Vec<&'b [u8]>) -> Section<'b> {
+        let known = Tag::REQUIRED.iter().find(|(known, _)| *known == tag);
+        Section { tag, pieces, entry_bytes: known.map_or(1, |(_, entry_bytes)| *entry_bytes), flags: SECTION_REQUIRED }
     }
 
     /// A section that readers may skip.
-    pub(super) fn optional(tag: Tag, entry_bytes: usize, bytes: &'b [u8]) -> Section<'b> {
-        Section { tag, bytes, entry_bytes, flags: 0 }
+    pub(super) fn optional(tag: Tag, entry_bytes: usize, pieces: Vec<&'b [u8]>) -> Section<'b> {
+        Section { tag, pieces, entry_bytes, flags: 0 }
+    }
+
+    fn length(&self) -> usize {
+        self.pieces.iter().map(|piece| piece.len()).sum()
     }
 }
 
@@ -40,11 +48,12 @@ pub(super) fn assemble(sections: &[Section<'_>], index_seed: u64, fingerprint: u
     let mut end = directory_end;
     for section in sections {
         let offset = end.next_multiple_of(ALIGNMENT);
-        end = offset + section.bytes.len();
+        let length = section.length();
+        end = offset + length;
         directory.push(DirectoryEntry {
             tag: section.tag.0,
             offset_bytes: fit(offset, "sections")?.into(),
-            length_bytes: fit(section.bytes.len(), "sections")?.into(),
+            length_bytes: fit(length, "sections")?.into(),
             entry_bytes: U16::new(u16::try_from(section.entry_bytes).map_err(|_| too_large("entries"))?),
             flags: section.flags.into(),
         });
@@ -65,7 +74,9 @@ pub(super) fn assemble(sections: &[Section<'_>], index_seed: u64, fingerprint: u
     bank.extend_from_slice(directory.as_bytes());
     for section in sections {
         bank.resize(bank.len().next_multiple_of(ALIGNMENT), 0);
-        bank.extend_from_slice(section.bytes);
+        for piece in &section.pieces {
+            bank.extend_from_slice(piece);
+        }
     }
     header.checksum = checksum(&bank[CHECKED_FROM..]).into();
     bank[..size_of::<Header>()].copy_from_slice(header.as_bytes());

@@ -12,7 +12,6 @@ use assemble::Section;
 use lipz::Code;
 use lipz_bank::ClipId;
 use lipz_bank::layout::Tag;
-use std::collections::HashMap;
 use zerocopy::IntoBytes;
 
 /// The bank of `clips`, which are in the order of their keys.
@@ -22,7 +21,6 @@ pub(crate) fn lower(clips: &[ClipData], localised: &Localised, options: &Options
     let names = strings::names(clips, localised)?;
     let texts = strings::texts(clips, localised, &index.slots)?;
     let events = strings::events(clips)?;
-    let frames: Vec<u8> = clips.iter().flat_map(|clip| clip.frames.iter().copied()).collect();
     let records = records::clips(clips, &ids, &index.slots, &names, &events)?;
     let locales = records::locales(localised, &names);
     let mut sections = vec![
@@ -30,19 +28,19 @@ pub(crate) fn lower(clips: &[ClipData], localised: &Localised, options: &Options
         Section::required(Tag::PILOTS, index.pilots.as_bytes()),
         Section::required(Tag::KEY_ORDER, index.slots_le.as_bytes()),
         Section::required(Tag::NAMES, names.pool.as_bytes()),
-        Section::required(Tag::FRAMES, &frames),
+        Section::of_pieces(Tag::FRAMES, clips.iter().map(|clip| clip.frames.as_slice()).collect()),
         Section::required(Tag::STARTS, records.far_starts.as_bytes()),
         Section::required(Tag::LOCALES, locales.as_bytes()),
         Section::required(Tag::TEXT_INDEX, texts.index.as_bytes()),
-        Section::required(Tag::TEXTS, &texts.pool),
+        Section::of_pieces(Tag::TEXTS, texts.pieces),
         Section::required(Tag::EVENT_REFS, events.references.as_bytes()),
         Section::required(Tag::EVENTS, events.records.as_bytes()),
         Section::required(Tag::EVENT_STRINGS, events.pool.as_bytes()),
     ];
     let sources = strings::sources(clips, &index.slots)?;
     if !options.strip {
-        sections.push(Section::optional(Tag::SOURCE_INDEX, 4, sources.index.as_bytes()));
-        sections.push(Section::optional(Tag::SOURCES, 1, &sources.pool));
+        sections.push(Section::optional(Tag::SOURCE_INDEX, 4, vec![sources.index.as_bytes()]));
+        sections.push(Section::optional(Tag::SOURCES, 1, sources.pieces));
     }
     assemble::assemble(&sections, index.seed, records.fingerprint)
 }
@@ -50,13 +48,17 @@ pub(crate) fn lower(clips: &[ClipData], localised: &Localised, options: &Options
 /// The ids of `clips`, if no two are the same.
 fn unique_ids(clips: &[ClipData]) -> Result<Vec<u64>, Report> {
     let ids: Vec<u64> = clips.iter().map(|clip| ClipId::of(&clip.key).get()).collect();
-    let mut seen = HashMap::with_capacity(ids.len());
-    for (clip, id) in std::iter::zip(clips, &ids) {
-        if let Some(other) = seen.insert(*id, &clip.key) {
+    let mut sorted: Vec<(u64, &str)> =
+        std::iter::zip(ids.iter().copied(), clips.iter().map(|clip| clip.key.as_str())).collect();
+    sorted.sort_unstable();
+    for pair in sorted.windows(2) {
+        if let &[(id, key), (next_id, next_key)] = pair
+            && id == next_id
+        {
             return Err(Report::failure(
-                format!("{}.lipz", clip.key),
+                format!("{next_key}.lipz"),
                 Code::IdCollision,
-                format!("the keys `{other}` and `{}` have the same clip id, {id:016x}", clip.key),
+                format!("the keys `{key}` and `{next_key}` have the same clip id, {id:016x}"),
                 "rename one of the two: it happens about once in 10^9 banks of 100,000 clips",
             ));
         }

@@ -2,12 +2,14 @@
 
 use super::{fit, too_large};
 use crate::Report;
-use crate::clip::{ClipData, TextRun};
+use crate::clip::ClipData;
 use crate::localise::{Choice, LocaleColumn, Localised};
 use lipz_bank::layout::{EventRecord, NO_EVENTS, NO_TEXT, TEXT_FALLBACK, TEXT_OFFSET, TEXT_WIDE, U32};
 use rayon::prelude::*;
-use std::collections::HashMap;
-use std::hash::Hash;
+
+/// With a fast hash that is seeded anew in each process: the order of the entries is never used.
+type HashMap<K, V> = foldhash::HashMap<K, V>;
+use foldhash::HashMapExt;
 
 /// Where a name stands in the pool of names.
 #[derive(Clone, Copy)]
@@ -39,85 +41,92 @@ pub(super) fn names(clips: &[ClipData], localised: &Localised) -> Result<Names, 
     Ok(Names { pool, keys, tags })
 }
 
-/// A pool of byte strings in which equal ones stand once.
-struct Interner<T> {
-    pool: Vec<u8>,
-    offsets: HashMap<T, usize>,
+/// Byte strings of which equal ones stand once in a pool. The pool is not made: its pieces are
+/// copied straight into the bank.
+struct Interner<'c> {
+    pieces: Vec<&'c [u8]>,
+    length: usize,
+    offsets: HashMap<&'c [u8], usize>,
 }
 
-impl<T: AsRef<[u8]> + Hash + Eq> Interner<T> {
-    fn new() -> Self {
-        Interner { pool: Vec::new(), offsets: HashMap::new() }
+impl<'c> Interner<'c> {
+    fn with_capacity(count: usize) -> Self {
+        Interner { pieces: Vec::with_capacity(count), length: 0, offsets: HashMap::with_capacity(count) }
     }
 
-    fn place(&mut self, string: T) -> usize {
-        let offset = self.pool.len();
-        match self.offsets.entry(string) {
-            std::collections::hash_map::Entry::Occupied(known) => *known.get(),
-            std::collections::hash_map::Entry::Vacant(new) => {
-                self.pool.extend_from_slice(new.key().as_ref());
-                *new.insert(offset)
-            }
+    /// The offset of `string` in the pool.
+    fn place(&mut self, string: &'c [u8]) -> usize {
+        let next = self.length;
+        let offset = *self.offsets.entry(string).or_insert(next);
+        // New, or empty and then harmless: strings that are known lie before the end.
+        if offset == next {
+            self.pieces.push(string);
+            self.length += string.len();
         }
+        offset
     }
 }
 
-/// The text index and the text pool.
-pub(super) struct Texts {
+/// The text index and the pieces of the text pool.
+pub(super) struct Texts<'c> {
     /// Locale by locale, one entry per slot.
     pub(super) index: Vec<U32>,
-    pub(super) pool: Vec<u8>,
+    pub(super) pieces: Vec<&'c [u8]>,
 }
 
-/// The texts of one locale: its part of the pool, and the place in it of each clip's own text.
-struct LocaleTexts {
-    pool: Vec<u8>,
-    offsets: Vec<Option<usize>>,
+/// The texts of one locale: its part of the pool, and the entry of each clip's own text as if that
+/// part were the pool.
+struct LocaleTexts<'c> {
+    pieces: Vec<&'c [u8]>,
+    length: usize,
+    entries: Vec<u32>,
 }
 
 /// Each locale's texts stand together, in the order of the keys; a run that appears twice in a
 /// locale stands once.
-pub(super) fn texts(clips: &[ClipData], localised: &Localised, slots: &[u32]) -> Result<Texts, Report> {
-    let parts: Vec<LocaleTexts> = localised.locales.par_iter().map(|locale| locale_texts(clips, locale)).collect();
-    let mut pool = Vec::with_capacity(parts.iter().map(|part| part.pool.len()).sum());
-    let mut bases = Vec::with_capacity(parts.len());
-    for part in &parts {
-        bases.push(pool.len());
-        pool.extend_from_slice(&part.pool);
-    }
-    if pool.len() > TEXT_OFFSET as usize {
+pub(super) fn texts<'c>(clips: &'c [ClipData], localised: &Localised, slots: &[u32]) -> Result<Texts<'c>, Report> {
+    let parts: Vec<LocaleTexts<'c>> = localised.locales.par_iter().map(|locale| locale_texts(clips, locale)).collect();
+    if parts.iter().map(|part| part.length).sum::<usize>() >= TEXT_OFFSET as usize {
         return Err(too_large("texts"));
     }
-    let entry = |locale: usize, at: usize| -> Option<u32> {
-        let offset = parts.get(locale)?.offsets.get(at).copied().flatten()?;
-        let tag = localised.locales[locale].tag.as_str();
-        let run = &clips[at].texts.iter().find(|text| *text.locale == *tag)?.run;
-        let offset = u32::try_from(bases[locale] + offset).ok()?;
-        Some(offset | if run.is_wide { TEXT_WIDE } else { 0 })
+    let bases: Vec<u32> = parts
+        .iter()
+        .scan(0, |end, part| {
+            let base = *end;
+            *end += part.length;
+            Some(base as u32)
+        })
+        .collect();
+    let entry = |locale: usize, at: usize| match parts[locale].entries[at] {
+        NO_TEXT => NO_TEXT,
+        entry => entry + bases[locale],
     };
     let mut index = vec![U32::new(NO_TEXT); localised.locales.len() * clips.len()];
-    for (locale, column) in localised.locales.iter().enumerate() {
-        let start = locale * clips.len();
+    let tables = index.chunks_mut(clips.len().max(1));
+    for (locale, (column, table)) in std::iter::zip(&localised.locales, tables).enumerate() {
         for (at, choice) in column.texts.iter().enumerate() {
-            let value = match *choice {
+            table[slots[at] as usize] = U32::new(match *choice {
                 Choice::Own(_) => entry(locale, at),
-                Choice::Fallback(other) => entry(other, at).map(|entry| entry | TEXT_FALLBACK),
-                Choice::Missing => None,
-            };
-            index[start + slots[at] as usize] = U32::new(value.unwrap_or(NO_TEXT));
+                Choice::Fallback(other) => entry(other as usize, at) | TEXT_FALLBACK,
+                Choice::Missing => NO_TEXT,
+            });
         }
     }
-    Ok(Texts { index, pool })
+    Ok(Texts { index, pieces: parts.into_iter().flat_map(|part| part.pieces).collect() })
 }
 
-fn locale_texts(clips: &[ClipData], locale: &LocaleColumn) -> LocaleTexts {
-    let mut interner: Interner<&TextRun> = Interner::new();
-    let offsets = std::iter::zip(clips, &locale.texts).map(|(clip, choice)| match choice {
-        Choice::Own(index) => clip.texts.get(*index).map(|text| interner.place(&text.run)),
-        _ => None,
+/// The own texts of a locale. An offset that does not fit is found by the sum of the lengths.
+fn locale_texts<'c>(clips: &'c [ClipData], locale: &LocaleColumn) -> LocaleTexts<'c> {
+    let mut interner = Interner::with_capacity(clips.len());
+    let entries = std::iter::zip(clips, &locale.texts).map(|(clip, choice)| match choice {
+        Choice::Own(index) => {
+            let run = &clip.texts[*index as usize].run;
+            interner.place(&run.bytes) as u32 | if run.is_wide { TEXT_WIDE } else { 0 }
+        }
+        _ => NO_TEXT,
     });
-    let offsets = offsets.collect();
-    LocaleTexts { pool: interner.pool, offsets }
+    let entries = entries.collect();
+    LocaleTexts { pieces: interner.pieces, length: interner.length, entries }
 }
 
 /// Event references, records and strings.
@@ -137,7 +146,7 @@ pub(super) fn events(clips: &[ClipData]) -> Result<Events, Report> {
         records: Vec::new(),
         pool: String::new(),
     };
-    let mut numbers: HashMap<&str, u32> = HashMap::new();
+    let mut numbers: HashMap<&str, u32> = HashMap::with_capacity(clips.len());
     for clip in clips {
         events.first.push(match clip.events {
             Some(_) => fit(events.references.len(), "events")?,
@@ -159,25 +168,19 @@ pub(super) fn events(clips: &[ClipData]) -> Result<Events, Report> {
     Ok(events)
 }
 
-/// The source index and the source records.
-pub(super) struct Sources {
+/// The source index and the pieces of the pool of source records.
+pub(super) struct Sources<'c> {
     /// One offset per slot.
     pub(super) index: Vec<U32>,
-    pub(super) pool: Vec<u8>,
+    pub(super) pieces: Vec<&'c [u8]>,
 }
 
 /// Equal source records stand once.
-pub(super) fn sources(clips: &[ClipData], slots: &[u32]) -> Result<Sources, Report> {
-    let mut interner: Interner<&[u8]> = Interner::new();
+pub(super) fn sources<'c>(clips: &'c [ClipData], slots: &[u32]) -> Result<Sources<'c>, Report> {
+    let mut interner = Interner::with_capacity(clips.len() / 2);
     let mut index = vec![U32::new(0); clips.len()];
     for (clip, &slot) in std::iter::zip(clips, slots) {
         index[slot as usize] = fit(interner.place(&clip.source), "sources")?.into();
     }
-    Ok(Sources { index, pool: interner.pool })
-}
-
-impl AsRef<[u8]> for TextRun {
-    fn as_ref(&self) -> &[u8] {
-        &self.bytes
-    }
+    Ok(Sources { index, pieces: interner.pieces })
 }
