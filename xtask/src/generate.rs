@@ -1,24 +1,14 @@
 //! `cargo xtask generate`: a folder of made-up clips of realistic size and shape.
 //!
-//! The shape is that of the clips that the project's goals are stated for: 1 to 12 s a clip at 24,
-//! 25 or 30 frames per second, 1 to 6 segments, texts as long as what is said in that time in each
-//! language, events on 30 % of the segments, about 100 files a folder, about 700 bytes a file at
-//! five locales.
-
-mod clip;
-mod texts;
+//! What they are like is said in the crate that makes them, `lipz-benches`.
 
 use crate::Failure;
 use clap::Args;
+use lipz_benches::{CLIPS_PER_SCENE, DEFAULT_SEED, MAX_LOCALES, clip_json, scene_folder};
 use rayon::prelude::*;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
-
-/// Files of a folder: a scene.
-const FILES_PER_SCENE: usize = 100;
-/// Scenes of an act.
-const SCENES_PER_ACT: usize = 20;
 
 /// What `generate` is asked for.
 #[derive(Args, Debug)]
@@ -40,12 +30,9 @@ pub(crate) struct Settings {
     seed: u64,
 }
 
-/// The seed of all published measurements.
-pub(crate) const DEFAULT_SEED: u64 = 1;
-
 /// A number of locales that there are words for.
 pub(crate) fn parse_locale_count(text: &str) -> Result<usize, String> {
-    let most = texts::LOCALES.len();
+    let most = MAX_LOCALES;
     text.parse().ok().filter(|count| (1..=most).contains(count)).ok_or_else(|| format!("a number from 1 to {most}"))
 }
 
@@ -68,18 +55,18 @@ pub(crate) fn generate(clips: usize, locales: usize, seed: u64, folder: &Path) -
     if fs::read_dir(folder).is_ok_and(|mut entries| entries.next().is_some()) {
         return Err(failed(folder, &"the folder is not empty"));
     }
-    let scenes = clips.div_ceil(FILES_PER_SCENE);
+    let scenes = clips.div_ceil(CLIPS_PER_SCENE);
     // A folder is made and filled by one thread: no two wait for its lock.
     let sizes: Result<Vec<u64>, Failure> = (0..scenes)
         .into_par_iter()
         .map(|scene| {
             let folder = folder.join(scene_folder(scene));
             fs::create_dir_all(&folder).map_err(|error| failed(&folder, &error))?;
-            let first = scene * FILES_PER_SCENE;
+            let first = scene * CLIPS_PER_SCENE;
             let mut bytes = 0;
-            for index in first..clips.min(first + FILES_PER_SCENE) {
+            for index in first..clips.min(first + CLIPS_PER_SCENE) {
                 let path = folder.join(format!("line-{index:06}.lipz"));
-                let json = clip::json(seed, index, locales);
+                let json = clip_json(seed, index, locales);
                 fs::write(&path, &json).map_err(|error| failed(&path, &error))?;
                 bytes += json.len() as u64;
             }
@@ -89,22 +76,18 @@ pub(crate) fn generate(clips: usize, locales: usize, seed: u64, folder: &Path) -
     Ok(sizes?.iter().sum())
 }
 
-fn scene_folder(scene: usize) -> String {
-    format!("act{:02}/scene{:02}", scene / SCENES_PER_ACT + 1, scene % SCENES_PER_ACT + 1)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use lipz_compiler::{Input, Options, check_all};
 
     fn clips(count: usize, locales: usize) -> Vec<String> {
-        (0..count).map(|index| clip::json(DEFAULT_SEED, index, locales)).collect()
+        (0..count).map(|index| clip_json(DEFAULT_SEED, index, locales)).collect()
     }
 
     #[test]
     fn nothing_is_found_in_them() {
-        for locales in [1, 5, texts::LOCALES.len()] {
+        for locales in [1, 5, MAX_LOCALES] {
             let inputs: Vec<Input> = clips(1000, locales)
                 .into_iter()
                 .enumerate()
@@ -144,7 +127,7 @@ mod tests {
         assert_eq!(generate(250, 3, 7, &two).unwrap(), bytes);
         let line = |folder: &Path| fs::read(folder.join("act01/scene03/line-000249.lipz")).unwrap();
         assert_eq!(line(&one), line(&two));
-        assert_ne!(clip::json(7, 249, 3), clip::json(8, 249, 3));
+        assert_ne!(clip_json(7, 249, 3), clip_json(8, 249, 3));
         assert!(generate(1, 1, 7, &one).is_err(), "the folder is not empty");
     }
 }

@@ -6,7 +6,6 @@ mod edges;
 mod generate;
 mod measure;
 mod place;
-mod random;
 
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use std::ffi::OsString;

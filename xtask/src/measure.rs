@@ -7,9 +7,10 @@
 mod table;
 mod work;
 
-use crate::generate::{DEFAULT_SEED, generate, parse_locale_count};
+use crate::generate::{generate, parse_locale_count};
 use crate::{Failure, place};
 use clap::Args;
+use lipz_benches::DEFAULT_SEED;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use work::{Measurement, Work};

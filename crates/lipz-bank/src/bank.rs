@@ -50,9 +50,7 @@ impl<'data> Bank<'data> {
             if sections.contents(entry).is_none() {
                 return Err(Error::new(ErrorKind::SectionOutOfBounds, entry_offset(index)));
             }
-            let known = Tag::REQUIRED.iter().any(|(tag, _)| tag.0 == entry.tag)
-                || entry.tag == Tag::SOURCE_INDEX.0
-                || entry.tag == Tag::SOURCES.0;
+            let known = Tag::REQUIRED.iter().chain(&Tag::OPTIONAL).any(|(tag, _)| tag.0 == entry.tag);
             if !known && entry.flags.get() & layout::SECTION_REQUIRED != 0 {
                 return Err(Error::new(ErrorKind::SectionUnknown, entry_offset(index)));
             }
@@ -105,7 +103,7 @@ impl<'data> Bank<'data> {
         self.clip(ClipId::of(key)).filter(|clip| clip.key_bytes() == Some(key.as_bytes()))
     }
 
-    /// The clip in this slot, 0 to [`Bank::clip_count`]. Slots are in no order that means anything.
+    /// The clip in this slot, a number below [`Bank::clip_count`]. Slots are in no order that means anything.
     #[inline]
     pub fn clip_at(&self, slot: u32) -> Option<Clip<'data, '_>> {
         let record = self.clips.get(slot as usize)?;

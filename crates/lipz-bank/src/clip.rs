@@ -50,8 +50,12 @@ impl<'data, 'bank> Clip<'data, 'bank> {
     /// The key: path of the Lipz file below its source root, without extension. Empty only in a
     /// damaged bank.
     pub fn key(&self) -> &'data str {
+        self.checked_key().unwrap_or("")
+    }
+
+    pub(crate) fn checked_key(&self) -> Option<&'data str> {
         let record = self.record;
-        self.bank.names.text_at(record.key_offset_bytes.get(), u32::from(record.key_length_bytes.get())).unwrap_or("")
+        self.bank.names.text_at(record.key_offset_bytes.get(), u32::from(record.key_length_bytes.get()))
     }
 
     pub(crate) fn key_bytes(&self) -> Option<&'data [u8]> {

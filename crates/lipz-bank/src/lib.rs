@@ -27,7 +27,7 @@
 //!
 //! [`Bank::open`] looks at the header and the directory only. After it, no call panics, reads out
 //! of bounds or loops without bound, whatever the bytes are: on damage a query returns `None` or
-//! rest. [`Bank::verify`] reads every byte once; after it has passed, no query fails for which the
+//! rest. [`Bank::verify`] checks every byte and every reference; after it has passed, no query fails for which the
 //! compiler stored data, and texts are returned without being checked again.
 //!
 //! The checksum finds damage. It does not prove who wrote a file: sign banks that come from

@@ -1,8 +1,10 @@
 //! The command line: commands, arguments, help texts.
 
-use clap::{Args, Parser, Subcommand};
+use clap::error::ErrorKind;
+use clap::{Args, CommandFactory, Parser, Subcommand};
 use lipz_bank::{Fps, VisemeType};
 use lipz_compiler::Options;
+use std::ffi::OsString;
 use std::path::PathBuf;
 
 /// Spoken dialogue for games: packs Lipz files into banks.
@@ -15,6 +17,19 @@ use std::path::PathBuf;
 pub(crate) struct Arguments {
     #[command(subcommand)]
     pub(crate) command: Command,
+}
+
+impl Arguments {
+    /// The arguments in `words`, the first of which is the program's name.
+    pub(crate) fn read(words: impl IntoIterator<Item = OsString>) -> Result<Arguments, clap::Error> {
+        let arguments = Arguments::try_parse_from(words)?;
+        match &arguments.command {
+            Command::Pack(pack) => pack.sources.validate()?,
+            Command::Check(check) => check.sources.validate()?,
+            Command::Unpack(_) | Command::Verify(_) | Command::Inspect(_) => {}
+        }
+        Ok(arguments)
+    }
 }
 
 #[derive(Subcommand, Debug)]
@@ -166,6 +181,18 @@ pub(crate) struct Sources {
 }
 
 impl Sources {
+    /// What the parser cannot see by itself: arguments that contradict each other.
+    ///
+    /// # Errors
+    /// A usage error for the command line.
+    pub(crate) fn validate(&self) -> Result<(), clap::Error> {
+        let refused = |tag: &&String| !self.extended_locales && !lipz::locale::has_lipz_shape(tag);
+        let Some(tag) = self.default_locale.as_ref().filter(refused) else { return Ok(()) };
+        let tip = "name a country, as in en-us, or accept any BCP 47 tag with '--extended-locales'";
+        let message = format!("the default locale '{tag}' does not have the form ll-cc\n\n  tip: {tip}");
+        Err(Arguments::command().error(ErrorKind::ArgumentConflict, message))
+    }
+
     /// The compiler's options.
     pub(crate) fn options(&self) -> Options {
         Options {
@@ -190,9 +217,5 @@ fn parse_viseme_type(text: &str) -> Result<VisemeType, String> {
 }
 
 fn parse_locale(text: &str) -> Result<String, String> {
-    use lipz::locale::TextName;
-    match lipz::locale::text_name(&format!("text_{text}")) {
-        Some(TextName::Canonical(tag) | TextName::Misspelt(tag) | TextName::OtherShape(_, Some(tag))) => Ok(tag),
-        _ => Err("a locale is a language and a country, such as en-us".into()),
-    }
+    lipz::locale::canonical_tag(text, true).ok_or_else(|| "a locale is a language and a country, such as en-us".into())
 }

@@ -1,12 +1,17 @@
 //! Bank files on disk: mapping them, and what to say when they are not banks.
 
-use crate::{Outcome, render};
+use crate::{Outcome, console, render};
 use lipz::{Code, Diagnostic};
-use lipz_bank::Bank;
+use lipz_bank::layout::{FORMAT_MAJOR, FORMAT_MINOR, Header, MAGIC};
+use lipz_bank::{Bank, Error, ErrorKind};
 use lipz_compiler::Report;
 use memmap2::Mmap;
 use std::fs::File;
+use std::io;
+use std::mem::offset_of;
 use std::path::Path;
+
+const NAME_A_BANK: &str = "name a .lipzbank file; `lipz pack` makes one of Lipz files";
 
 /// A bank file, mapped into memory.
 pub(crate) struct BankFile {
@@ -17,15 +22,17 @@ pub(crate) struct BankFile {
 impl BankFile {
     /// Maps the file at `path`; reports why it cannot be.
     pub(crate) fn map(path: &Path) -> Result<BankFile, Outcome> {
-        let shown = path.to_string_lossy().into_owned();
-        match map(path) {
-            Ok(map) => Ok(BankFile { path: shown, map }),
-            Err(error) => {
-                let finding = Diagnostic::new(Code::BankRefused, format!("`{shown}` cannot be read: {error}"));
-                render::findings(&[Report::about(shown, finding)]);
-                Err(Outcome::Failed)
-            }
-        }
+        let shown = console::path(path);
+        map(path).map(|map| BankFile { path: shown.clone(), map }).map_err(|error| {
+            let finding = |what: &str| Diagnostic::new(Code::BankRefused, format!("`{shown}` {what}"));
+            let finding = match error.kind() {
+                io::ErrorKind::NotFound => finding("does not exist").help("check the spelling of the path"),
+                io::ErrorKind::IsADirectory => finding("is a folder").help("name the bank in it"),
+                _ => finding(&format!("cannot be read: {error}")),
+            };
+            render::findings(&[Report::about(shown.as_str(), finding)]);
+            Outcome::Failed
+        })
     }
 
     /// The bank in the file, verified; reports what is wrong with it.
@@ -33,15 +40,7 @@ impl BankFile {
         let opened = Bank::open(&self.map).map_err(|error| (Code::BankRefused, error));
         let verified = opened.and_then(|bank| bank.verify().map_err(|error| (Code::BankDamaged, error)));
         verified.map_err(|(code, error)| {
-            let finding = Diagnostic::new(code, error.kind().message())
-                .note(format!(
-                    "bank error {}, at byte {} of {}",
-                    error.kind() as u8,
-                    error.offset_bytes(),
-                    self.map.len()
-                ))
-                .help("pack the bank again, or copy it again in binary mode");
-            render::findings(&[Report::about(self.path.clone(), finding)]);
+            render::findings(&[Report::about(self.path.clone(), refused(code, error, &self.map))]);
             Outcome::Findings
         })
     }
@@ -52,10 +51,37 @@ impl BankFile {
     }
 }
 
-fn map(path: &Path) -> std::io::Result<Mmap> {
+/// The finding for a file that does not open or verify as a bank.
+fn refused(code: Code, error: Error, bytes: &[u8]) -> Diagnostic {
+    let kind = error.kind();
+    let place = format!("bank error {}, at byte {} of {}", kind as u8, error.offset_bytes(), bytes.len());
+    let finding = Diagnostic::new(code, kind.message()).note(place);
+    let update = "update lipz, or pack the bank again with this one";
+    match kind {
+        ErrorKind::UnsupportedVersion => finding
+            .note(format!("the bank has {}, this lipz reads {FORMAT_MAJOR}.{FORMAT_MINOR}", version(bytes)))
+            .help(update),
+        ErrorKind::SectionUnknown => finding.help(update),
+        ErrorKind::NotABank => finding.help(NAME_A_BANK),
+        ErrorKind::TooShort if !bytes.starts_with(&MAGIC) => finding.help(NAME_A_BANK),
+        ErrorKind::TextMode => finding.help("copy it again in binary mode"),
+        _ => finding.help("copy the bank again, or pack it again"),
+    }
+}
+
+/// The format version in the header, `2.0`.
+fn version(bytes: &[u8]) -> String {
+    let number = |at: usize| match bytes.get(at..at + 2) {
+        Some(&[low, high]) => u16::from_le_bytes([low, high]).to_string(),
+        _ => "?".to_owned(),
+    };
+    format!("{}.{}", number(offset_of!(Header, format_major)), number(offset_of!(Header, format_minor)))
+}
+
+fn map(path: &Path) -> io::Result<Mmap> {
     let file = File::open(path)?;
     if file.metadata()?.is_dir() {
-        return Err(std::io::Error::other("it is a folder"));
+        return Err(io::ErrorKind::IsADirectory.into());
     }
     // SAFETY: the map is only read. Banks are replaced by renaming, never changed in place; should
     // someone else truncate the file while it is read, this process may be stopped by a signal.

@@ -1,16 +1,25 @@
 //! What goes to standard output and standard error.
 
+use crate::Outcome;
 use indicatif::{ProgressBar, ProgressStyle};
+use lipz::diagnostic::show;
 use std::io::{self, IsTerminal, Write};
+use std::path::Path;
 use std::time::Duration;
 
 /// Columns when there is no terminal to ask.
 const DEFAULT_WIDTH: usize = 100;
 
-/// Prints a result. A reader that went away (`| head`) is no error.
-pub(crate) fn print(text: &str) {
+/// Prints a result. A reader that went away (`| head`) is no error; a full disk is.
+pub(crate) fn print(text: &str) -> Outcome {
     let mut out = anstream::stdout().lock();
-    let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            remark(&format!("error: the output cannot be written: {error}\n"));
+            Outcome::Failed
+        }
+        _ => Outcome::Clean,
+    }
 }
 
 /// Prints findings and remarks.
@@ -21,10 +30,10 @@ pub(crate) fn remark(text: &str) {
 
 /// Columns of the terminal, or a width that suits files.
 pub(crate) fn width() -> usize {
-    terminal_size::terminal_size().map_or(DEFAULT_WIDTH, |(width, _)| usize::from(width.0)).clamp(40, 200)
+    terminal_size::terminal_size().map_or(DEFAULT_WIDTH, |(width, _)| usize::from(width.0)).clamp(24, 200)
 }
 
-/// A bar that counts to `length`; shown only on a terminal, and only if it takes a while.
+/// A bar that counts to `length`; shown only on a terminal.
 pub(crate) fn progress_bar(length: usize, quiet: bool) -> ProgressBar {
     if quiet || !io::stderr().is_terminal() {
         return ProgressBar::hidden();
@@ -35,6 +44,11 @@ pub(crate) fn progress_bar(length: usize, quiet: bool) -> ProgressBar {
     }
     bar.enable_steady_tick(Duration::from_millis(200));
     bar
+}
+
+/// A path as it is printed: nothing in it steers the terminal.
+pub(crate) fn path(path: &Path) -> String {
+    show::text(&path.to_string_lossy()).into_owned()
 }
 
 /// A number with commas: 1,234,567.

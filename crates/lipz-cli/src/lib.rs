@@ -10,7 +10,6 @@ mod render;
 mod timeline;
 
 use args::{Arguments, Command};
-use clap::Parser;
 use std::ffi::OsString;
 use std::process::ExitCode;
 
@@ -37,7 +36,7 @@ impl From<Outcome> for ExitCode {
 
 /// Runs the command line `arguments`, the first of which is the program's name.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    let arguments = match Arguments::try_parse_from(arguments) {
+    let arguments = match Arguments::read(arguments) {
         Ok(arguments) => arguments,
         Err(error) => {
             // Help goes to standard output with code 0, usage errors to standard error with 2.

@@ -1,11 +1,16 @@
 //! Findings as text for people: headline, place, caret, notes, help.
+//!
+//! Keys, paths and texts come from anybody: nothing in them reaches the terminal as a control
+//! character.
 
 use crate::console;
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Group, Level as Title, Origin, Renderer, Snippet};
+use lipz::diagnostic::show;
 use lipz::{Code, Diagnostic, Level, Source};
 use lipz_compiler::{Report, count};
-use std::collections::BTreeMap;
+use std::borrow::Cow;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Findings of one code that a run shows in full; the others are counted.
 const SHOWN_PER_CODE: usize = 100;
@@ -16,11 +21,12 @@ pub(crate) fn findings(reports: &[Report]) {
     let mut count_of: BTreeMap<Code, usize> = BTreeMap::new();
     for report in reports {
         let mut text = String::new();
+        let source = &printable(&report.source);
         for diagnostic in &report.diagnostics {
             let count = count_of.entry(diagnostic.code).or_default();
             *count += 1;
             if *count <= SHOWN_PER_CODE {
-                text.push_str(&renderer.render(&[group(&report.source, diagnostic)]));
+                text.push_str(&renderer.render(&[group(source, diagnostic)]));
                 text.push_str("\n\n");
             }
         }
@@ -38,9 +44,21 @@ pub(crate) fn findings(reports: &[Report]) {
         .map(|(number, what)| console::counted(number, what))
         .collect();
     if !parts.is_empty() {
-        let files = reports.iter().filter(|report| !report.source.path.is_empty()).count();
+        let files: BTreeSet<&str> = reports.iter().map(|report| report.source.path.as_str()).collect();
+        let files = files.iter().filter(|path| !path.is_empty()).count();
         console::remark(&format!("{} in {}\n", parts.join(" and "), console::counted(files, "file")));
     }
+}
+
+/// The file without the control characters U+0080 to U+009F, which the renderer does not replace as it
+/// does the others; a terminal may take U+009B for the start of a command. Their stand-in has as many
+/// bytes, so that every place stays where it is.
+fn printable(source: &Source) -> Cow<'_, Source> {
+    let steers = |c: char| matches!(c, '\u{80}'..='\u{9F}');
+    if !source.text.contains(steers) {
+        return Cow::Borrowed(source);
+    }
+    Cow::Owned(Source { path: source.path.clone(), text: source.text.replace(steers, "·") })
 }
 
 /// The finding as the renderer wants it.
@@ -49,31 +67,35 @@ fn group<'r>(source: &'r Source, diagnostic: &'r Diagnostic) -> Group<'r> {
         Level::Error => Title::ERROR,
         Level::Warning => Title::WARNING,
     };
-    let mut group = Group::with_title(title.primary_title(diagnostic.headline.as_str()).id(diagnostic.code.number()));
+    let mut group =
+        Group::with_title(title.primary_title(show::text(&diagnostic.headline)).id(diagnostic.code.number()));
     match &diagnostic.primary {
         Some(_) => group = group.element(snippet(source, diagnostic)),
-        None if !source.path.is_empty() => group = group.element(Origin::path(source.path.as_str())),
+        None if !source.path.is_empty() => group = group.element(Origin::path(show::text(&source.path))),
         None => {}
     }
     for note in &diagnostic.notes {
-        group = group.element(Title::NOTE.message(note.as_str()));
+        group = group.element(Title::NOTE.message(show::text(note)));
     }
     if let Some(help) = &diagnostic.help {
-        group = group.element(Title::HELP.message(help.as_str()));
+        group = group.element(Title::HELP.message(show::text(help)));
     }
     group
 }
 
 fn snippet<'r>(source: &'r Source, diagnostic: &'r Diagnostic) -> Snippet<'r, annotate_snippets::Annotation<'r>> {
-    let mut snippet = Snippet::source(source.text.as_str()).path(source.path.as_str());
+    let mut snippet = Snippet::source(source.text.as_str()).path(show::text(&source.path));
     let labels = diagnostic.primary.iter().map(|label| (AnnotationKind::Primary, label));
     let others = diagnostic.secondary.iter().map(|label| (AnnotationKind::Context, label));
     for (kind, label) in labels.chain(others) {
         let end = (label.span.end as usize).min(source.text.len());
         let start = (label.span.start as usize).min(end);
         let annotation = kind.span(start..end);
-        snippet =
-            snippet.annotation(if label.text.is_empty() { annotation } else { annotation.label(label.text.as_str()) });
+        snippet = snippet.annotation(if label.text.is_empty() {
+            annotation
+        } else {
+            annotation.label(show::text(&label.text))
+        });
     }
     snippet
 }

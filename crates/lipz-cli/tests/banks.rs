@@ -5,10 +5,10 @@
 
 mod support;
 
-use lipz_bank::ClipId;
-use lipz_bank::layout::{CHECKED_FROM, Tag, checksum};
+use lipz_bank::layout::Tag;
 use std::fs;
 use std::os::unix::fs::symlink;
+use support::forge::{bank_with_key, seal, section};
 use support::{Scene, lipz, tree};
 
 /// A scene with a bank `b.lipzbank` of two clips, `act1/aye` and `no`.
@@ -22,19 +22,6 @@ fn scene() -> Scene {
 
 fn bank(scene: &Scene) -> Vec<u8> {
     fs::read(scene.path().join("b.lipzbank")).unwrap()
-}
-
-/// Where a section is in the bank, by its directory entry.
-fn section(bank: &[u8], tag: Tag) -> std::ops::Range<usize> {
-    let at = bank.windows(4).position(|window| window == tag.0).unwrap();
-    let number = |at: usize| u32::from_le_bytes(bank[at..at + 4].try_into().unwrap()) as usize;
-    number(at + 4)..number(at + 4) + number(at + 8)
-}
-
-/// Makes the checksum right again, as someone would who damages a bank on purpose.
-fn seal(bank: &mut [u8]) {
-    let sum = checksum(&bank[CHECKED_FROM..]);
-    bank[8..16].copy_from_slice(&sum.to_le_bytes());
 }
 
 #[test]
@@ -85,25 +72,22 @@ fn banks_that_were_changed() {
     seal(&mut sources);
     scene.write("sources.lipzbank", &sources);
     scene.expect("LZ0905-source-damaged", &["unpack", "sources.lipzbank", "-o", "out"]);
-    scene.finish(4);
+    // Also where the first file could be written.
+    let mut last = whole.clone();
+    let end = section(&whole, Tag::SOURCES).end;
+    last[end - 1] = 0xFF;
+    seal(&mut last);
+    scene.write("last.lipzbank", &last);
+    scene.expect("LZ0905-source-damaged-last", &["unpack", "last.lipzbank", "-o", "out"]);
+    assert!(!scene.path().join("out").exists(), "nothing is made for a bank that cannot be decoded");
+    scene.finish(5);
 }
 
-/// A bank that verifies, but whose key leads out of the folder: made from one with a key of the same
-/// length. With one clip, every id has the slot 0.
 #[test]
 fn a_key_that_leads_out_of_the_folder() {
     let mut scene = Scene::new();
-    scene.write("voices/act1/ottos.lipz", r#"{ "text_en-us": "Aye." }"#);
-    scene.prepare(&["pack", "voices", "-o", "b.lipzbank", "--quiet"]);
-    let whole = bank(&scene);
     for (name, key) in [("parent", "../a/ottos"), ("absolute", "/tmp/ottos"), ("device", "act1/con.a")] {
-        let mut bank = whole.clone();
-        let names = section(&bank, Tag::NAMES);
-        let at = bank[names.clone()].windows(10).position(|window| window == b"act1/ottos").unwrap() + names.start;
-        bank[at..at + 10].copy_from_slice(key.as_bytes());
-        let record = section(&bank, Tag::CLIPS).start;
-        bank[record..record + 8].copy_from_slice(&ClipId::of(key).get().to_le_bytes());
-        seal(&mut bank);
+        let bank = bank_with_key(&scene, key);
         let file = format!("{name}.lipzbank");
         scene.write(&file, &bank);
         scene.prepare(&["verify", &file, "--quiet"]);
@@ -137,6 +121,14 @@ fn unpacking_stays_in_its_folder() {
     scene.expect("LZ0904-output-failed-link-leads-out-forced", &["unpack", "b.lipzbank", "-o", "out", "--force"]);
     assert_eq!(tree(&scene.path().join("outside")), ["mine.txt"], "nothing was written outside");
 
+    // Links to nowhere, and files where folders belong.
+    fs::remove_file(scene.path().join("out/act1")).unwrap();
+    symlink("nowhere", scene.path().join("out/act1")).unwrap();
+    scene.expect("LZ0904-output-failed-link-to-nowhere", &["unpack", "b.lipzbank", "-o", "out"]);
+    fs::remove_file(scene.path().join("out/act1")).unwrap();
+    scene.write("out/act1", "mine");
+    scene.expect("LZ0904-output-failed-file-for-folder", &["unpack", "b.lipzbank", "-o", "out"]);
+
     // A file that is a link is replaced, not followed.
     fs::remove_file(scene.path().join("out/act1")).unwrap();
     fs::create_dir(scene.path().join("out/act1")).unwrap();
@@ -145,7 +137,11 @@ fn unpacking_stays_in_its_folder() {
     scene.prepare(&["unpack", "b.lipzbank", "-o", "out", "--force"]);
     assert_eq!(fs::read(scene.path().join("outside/mine.txt")).unwrap(), b"mine");
     assert!(!scene.path().join("out/act1/aye.lipz").is_symlink());
-    scene.finish(2);
+
+    fs::remove_file(scene.path().join("out/no.lipz")).unwrap();
+    fs::create_dir(scene.path().join("out/no.lipz")).unwrap();
+    scene.expect("LZ0904-output-failed-folder-for-file", &["unpack", "b.lipzbank", "-o", "out", "--force"]);
+    scene.finish(5);
 }
 
 #[test]
@@ -155,9 +151,26 @@ fn outputs_that_cannot_be_written() {
     fs::create_dir(scene.path().join("a-folder.lipzbank")).unwrap();
     let before = tree(scene.path());
     scene.expect("LZ0904-output-failed-folder", &["pack", "voices", "-o", "a-folder.lipzbank"]);
-    scene.expect("LZ0904-output-failed-no-folder", &["pack", "voices", "-o", "nowhere/b.lipzbank"]);
+    symlink("nowhere", scene.path().join("dangling")).unwrap();
+    scene.expect("LZ0904-output-failed-dangling-link", &["pack", "voices", "-o", "dangling"]);
+    fs::remove_file(scene.path().join("dangling")).unwrap();
+    assert!(std::process::Command::new("mkfifo").arg(scene.path().join("pipe")).status().unwrap().success());
+    scene.expect("LZ0904-output-failed-pipe", &["pack", "voices", "-o", "pipe"]);
+    fs::remove_file(scene.path().join("pipe")).unwrap();
     scene.expect("LZ0904-output-failed-below-file", &["pack", "voices", "-o", "a-file/b.lipzbank"]);
     scene.expect("LZ0904-output-failed-unpack-file", &["unpack", "b.lipzbank", "-o", "a-file"]);
     assert_eq!(tree(scene.path()), before, "nothing is written, nothing is left behind");
-    scene.finish(4);
+    scene.finish(5);
+}
+
+#[test]
+fn outputs_in_new_folders_and_behind_links() {
+    let scene = scene();
+    scene.prepare(&["pack", "voices", "-o", "new/folder/b.lipzbank"]);
+    let bank = fs::read(scene.path().join("new/folder/b.lipzbank")).unwrap();
+    scene.write("old.lipzbank", "old");
+    symlink("old.lipzbank", scene.path().join("link.lipzbank")).unwrap();
+    scene.prepare(&["pack", "voices", "-o", "link.lipzbank"]);
+    assert!(scene.path().join("link.lipzbank").is_symlink());
+    assert_eq!(fs::read(scene.path().join("old.lipzbank")).unwrap(), bank);
 }

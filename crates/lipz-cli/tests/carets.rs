@@ -16,6 +16,7 @@ fn shown(source: &str) -> String {
         match character {
             '\t' => shown.push_str("    "),
             '\u{200D}' => {} // zero width joiner
+            '\u{80}'..='\u{9F}' => shown.push('·'),
             '\0'..='\u{1F}' => shown.extend(char::from_u32(0x2400 + u32::from(character))),
             _ => shown.push(character),
         }

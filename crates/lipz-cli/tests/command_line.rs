@@ -34,7 +34,7 @@ fn help_lists_every_command_and_the_exit_codes() {
 
 #[test]
 fn usage_errors_exit_with_2() {
-    let usage_errors: [&[&str]; 12] = [
+    let usage_errors: [&[&str]; 13] = [
         &[],
         &["pakc", "fixtures/drama"],
         &["check"],
@@ -43,6 +43,7 @@ fn usage_errors_exit_with_2() {
         &["check", "fixtures/drama", "--default-fps", "1000.5"],
         &["check", "fixtures/drama", "--default-viseme-type", "Blair"],
         &["check", "fixtures/drama", "--default-locale", "english-us"],
+        &["pack", "fixtures/drama", "-o", "drama.lipzbank", "--default-locale", "es-419"],
         &["check", "fixtures/drama", "--threads", "0"],
         &["pack", "fixtures/drama"],
         &["unpack", "drama.lipzbank"],
@@ -53,6 +54,16 @@ fn usage_errors_exit_with_2() {
         assert_eq!((outcome.code, outcome.stdout.as_str()), (2, ""), "{arguments:?}: {}", outcome.stderr);
         assert!(!outcome.stderr.is_empty(), "{arguments:?}");
     }
+}
+
+#[test]
+fn a_default_locale_of_another_shape_needs_its_flag() {
+    let arguments = ["check", "fixtures/drama", "--default-locale", "es-419"];
+    let refused = lipz(&repository(), arguments);
+    assert_eq!((refused.code, refused.stdout.as_str()), (2, ""));
+    assert!(refused.stderr.contains("'es-419' does not have the form ll-cc"), "{}", refused.stderr);
+    assert!(refused.stderr.contains("--extended-locales"), "{}", refused.stderr);
+    assert_eq!(lipz(&repository(), arguments.iter().chain(&["--extended-locales"])).code, 0);
 }
 
 #[test]

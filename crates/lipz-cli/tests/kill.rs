@@ -1,4 +1,5 @@
 //! `lipz pack`, killed at any moment, leaves the old bank whole.
+#![allow(clippy::unwrap_used, reason = "tests")]
 
 use std::path::Path;
 use std::process::{Command, Stdio};

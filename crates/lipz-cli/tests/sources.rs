@@ -134,9 +134,26 @@ fn a_file_named_by_several_sources_counts_once() {
         &["voices/", "voices"],
         &["voices", "voices/**/*.lipz"],
         &["voices", "voices/act1", "--root", "voices"],
+        &["voices", "voices/act1"],
+        &["voices/act1", "voices"],
     ] {
         let outcome = support::lipz(scene.path(), ["check"].iter().chain(sources));
         assert_eq!((outcome.code, outcome.stdout.as_str()), (0, "1 file checked\n"), "{sources:?}: {}", outcome.stderr);
+    }
+}
+
+/// `lipz_compiler::discover`: "under the key that the first of them gives it".
+#[test]
+fn the_first_source_gives_a_file_its_key() {
+    let scene = Scene::new();
+    scene.write("voices/act1/aye.lipz", CLIP);
+    scene.write("voices/no.lipz", CLIP);
+    for (sources, keys) in [(["voices", "voices/act1"], ["act1/aye", "no"]), (["voices/act1", "voices"], ["aye", "no"])]
+    {
+        scene.prepare(&["pack", sources[0], sources[1], "-o", "b.lipzbank"]);
+        let list = support::lipz(scene.path(), ["inspect", "b.lipzbank", "--list"]);
+        let listed: Vec<&str> = list.stdout.lines().filter_map(|line| line.split(' ').next()).collect();
+        assert_eq!(listed, keys, "{sources:?}");
     }
 }
 

@@ -3,10 +3,11 @@
 use crate::clip::ClipData;
 use crate::{Content, Input, Options, Report, check, key, localise, lower, report, source_record};
 use lipz::{Code, Diagnostic, Source};
-use lipz_bank::Bank;
+use lipz_bank::{Bank, ErrorKind};
 use rayon::prelude::*;
 use std::fs::File;
 use std::io::Read;
+use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
@@ -35,7 +36,7 @@ pub struct Phases {
     pub files: Duration,
     /// Resolving locales.
     pub localise: Duration,
-    /// Laying out the bank.
+    /// Laying out the bank, and giving back what it was made from.
     pub lower: Duration,
     /// Verifying the bank.
     pub verify: Duration,
@@ -60,6 +61,10 @@ pub type Progress<'a> = dyn Fn(u64) + Sync + 'a;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn compile(inputs: &[Input], options: &Options, progress: &Progress<'_>) -> Compiled {
+    let options = &match canonical(options) {
+        Ok(options) => options,
+        Err(report) => return Compiled { reports: vec![report], ..Compiled::default() },
+    };
     in_pool(options, || {
         let mut run = read_all(inputs, options, progress);
         if report::has_errors(&run.reports) {
@@ -70,8 +75,9 @@ pub fn compile(inputs: &[Input], options: &Options, progress: &Progress<'_>) -> 
         run.phases.localise = start.elapsed();
         let start = Instant::now();
         let bank = lower::lower(&run.clips, &localised, options);
-        run.phases.lower = start.elapsed();
         run.clips = Vec::new();
+        drop(localised);
+        run.phases.lower = start.elapsed();
         let start = Instant::now();
         let verified = bank.and_then(verified);
         run.phases.verify = start.elapsed();
@@ -87,7 +93,24 @@ pub fn compile(inputs: &[Input], options: &Options, progress: &Progress<'_>) -> 
 
 /// Checks `inputs` as [`compile`] does, without making a bank.
 pub fn check_all(inputs: &[Input], options: &Options, progress: &Progress<'_>) -> Compiled {
-    in_pool(options, || read_all(inputs, options, progress).finish(None))
+    match canonical(options) {
+        Ok(options) => in_pool(&options, || read_all(inputs, &options, progress).finish(None)),
+        Err(report) => Compiled { reports: vec![report], ..Compiled::default() },
+    }
+}
+
+/// The options with the default locale in its canonical form.
+fn canonical(options: &Options) -> Result<Options, Report> {
+    let Some(tag) = &options.default_locale else { return Ok(options.clone()) };
+    match lipz::locale::canonical_tag(tag, options.extended_locales) {
+        Some(tag) => Ok(Options { default_locale: Some(tag), ..options.clone() }),
+        None => Err(Report::failure(
+            "",
+            Code::LocaleShape,
+            format!("the default locale `{tag}` is not a locale of the form ll-cc"),
+            "name a language and a country: en-us",
+        )),
+    }
 }
 
 /// Runs `work` with the number of threads that was asked for; on the current ones if there is no
@@ -166,11 +189,8 @@ fn one_file(
         Content::Bytes(bytes) => bytes.as_slice(),
         Content::File(path) => {
             buffer.clear();
-            // One byte more than a clip can have is enough to see that it is too large.
-            let limit = lipz::MAX_FILE_BYTES as u64 + 1;
-            if let Err(error) = File::open(path).and_then(|file| file.take(limit).read_to_end(buffer)) {
-                let headline = format!("the file cannot be read: {error}");
-                return (None, Some(Report::about(&input.name, Diagnostic::new(Code::UnreadableFile, headline))));
+            if let Some(finding) = read_file(path, buffer) {
+                return (None, Some(Report::about(&input.name, finding)));
             }
             buffer.as_slice()
         }
@@ -196,6 +216,28 @@ fn one_file(
     (clip, Some(Report { source, diagnostics: parsed.diagnostics }))
 }
 
+/// Bytes that are read without asking how many there are, which takes as long as to read them.
+const SMALL_FILE: u64 = 1 << 16;
+
+/// Reads a file into the empty `buffer`; a finding if that is not possible.
+fn read_file(path: &Path, buffer: &mut Vec<u8>) -> Option<Diagnostic> {
+    let limit = lipz::MAX_FILE_BYTES as u64;
+    let read = File::open(path).and_then(|mut file| {
+        file.by_ref().take(SMALL_FILE).read_to_end(buffer)?;
+        let is_read = (buffer.len() as u64) < SMALL_FILE;
+        if is_read || file.metadata()?.len() > limit {
+            return Ok(is_read);
+        }
+        // Some files do not tell their length: one byte too many shows that they are too large.
+        file.take(limit + 1 - SMALL_FILE).read_to_end(buffer).map(|_| true)
+    });
+    match read {
+        Ok(true) => None,
+        Ok(false) => Some(lipz::too_large()),
+        Err(error) => Some(Diagnostic::new(Code::UnreadableFile, format!("the file cannot be read: {error}"))),
+    }
+}
+
 /// A stopwatch that starts again at each reading.
 struct Lap {
     last: Instant,
@@ -215,6 +257,12 @@ impl Lap {
 fn verified(bank: Vec<u8>) -> Result<Vec<u8>, Report> {
     match Bank::open(&bank).and_then(Bank::verify) {
         Ok(_) => Ok(bank),
+        Err(error) if error.kind() == ErrorKind::TooManySteps => Err(Report::failure(
+            "",
+            Code::BankTooLarge,
+            "clips of very many segments share their texts in very many locales: readers would refuse the bank".into(),
+            "make several banks, one per language",
+        )),
         Err(error) => Err(Report::failure(
             "",
             Code::BankDamaged,

@@ -3,6 +3,7 @@
 use crate::key::EXTENSION;
 use crate::{Content, Input, Report};
 use lipz::{Code, Diagnostic};
+use std::io;
 use std::path::{Component, Path, PathBuf};
 use walkdir::WalkDir;
 
@@ -10,15 +11,17 @@ use walkdir::WalkDir;
 ///
 /// A source is a folder (all `.lipz` files in it and below), a file, or a glob pattern. Keys are
 /// paths below `root`; without it, below the folder, beside the file, or below the longest part of
-/// the pattern without wildcards. A file named by several sources counts once.
+/// the pattern without wildcards. A file that several sources name by the same path counts once, under
+/// the key that the first of them gives it.
 ///
 /// Reports what cannot be found or read. Files are returned in the order of their paths.
 pub fn discover(sources: &[PathBuf], root: Option<&Path>) -> (Vec<Input>, Vec<Report>) {
     let root = root.map(plain);
-    let mut found = Discovery { root: root.as_deref(), files: Vec::new(), reports: Vec::new() };
+    let mut found = Discovery { root: root.as_deref(), source: 0, files: Vec::new(), reports: Vec::new() };
     for source in sources {
         let before = (found.files.len(), found.reports.len());
         found.source(&plain(source));
+        found.source += 1;
         if (found.files.len(), found.reports.len()) == before {
             found.reports.push(Report::failure(
                 display(source),
@@ -29,8 +32,9 @@ pub fn discover(sources: &[PathBuf], root: Option<&Path>) -> (Vec<Input>, Vec<Re
         }
     }
     let mut files = found.files;
-    files.sort_by(|a, b| (&a.path, &a.key).cmp(&(&b.path, &b.key)));
-    files.dedup_by(|a, b| a.path == b.path && a.key == b.key);
+    // As strings: paths are compared part by part, which takes many times as long.
+    files.sort_unstable_by(|a, b| (a.path.as_os_str(), a.source).cmp(&(b.path.as_os_str(), b.source)));
+    files.dedup_by(|next, first| next.path.as_os_str() == first.path.as_os_str());
     let inputs = files.into_iter().map(|file| Input {
         name: display(&file.path),
         key: file.key,
@@ -49,10 +53,14 @@ fn plain(path: &Path) -> PathBuf {
 struct Found {
     path: PathBuf,
     key: String,
+    /// Number of the source that names it.
+    source: usize,
 }
 
 struct Discovery<'a> {
     root: Option<&'a Path>,
+    /// Number of the source that is looked at.
+    source: usize,
     files: Vec<Found>,
     reports: Vec<Report>,
 }
@@ -64,7 +72,7 @@ impl Discovery<'_> {
             Ok(_) => self.file(source.to_owned(), source.parent().unwrap_or(Path::new(""))),
             Err(error) => match source.to_str() {
                 Some(pattern) if pattern.contains(['*', '?', '[']) => self.pattern(pattern),
-                _ => self.unreadable(source, &error.to_string()),
+                _ => self.reports.push(unreadable(source, &error)),
             },
         }
     }
@@ -77,13 +85,16 @@ impl Discovery<'_> {
                 }
                 Ok(_) => {}
                 Err(error) => {
-                    let path = error.path().unwrap_or(folder).to_owned();
-                    let why = match (error.loop_ancestor(), error.io_error()) {
-                        (Some(ancestor), _) => format!("a link leads back to `{}`", display(ancestor)),
-                        (None, Some(error)) => error.to_string(),
-                        (None, None) => "unknown error".into(),
-                    };
-                    self.unreadable(&path, &why);
+                    let path = error.path().unwrap_or(folder);
+                    self.reports.push(match (error.loop_ancestor(), error.io_error()) {
+                        (Some(ancestor), _) => {
+                            let link = display(path);
+                            let headline = format!("`{link}` is a link that leads back to `{}`", display(ancestor));
+                            Report::failure(link, Code::UnreadableFile, headline, "remove the link")
+                        }
+                        (None, Some(error)) => unreadable(path, error),
+                        (None, None) => unreadable(path, &io::Error::other("unknown error")),
+                    });
                 }
             }
         }
@@ -110,43 +121,58 @@ impl Discovery<'_> {
             match path {
                 Ok(path) if path.is_file() && is_lipz(&path) => self.file(path, &base),
                 Ok(_) => {}
-                Err(error) => self.unreadable(error.path(), &error.error().to_string()),
+                Err(error) => self.reports.push(unreadable(error.path(), error.error())),
             }
         }
     }
 
     fn file(&mut self, path: PathBuf, base: &Path) {
         match key_of(&path, self.root.unwrap_or(base)) {
-            Ok(key) => self.files.push(Found { path, key }),
-            Err(why) => self.reports.push(Report::failure(
-                display(&path),
-                Code::RefusedKey,
-                format!("`{}` has no key: {why}", display(&path)),
-                "keys are paths below the source root; choose it with --root, or rename the file",
-            )),
+            Ok(key) => self.files.push(Found { path, key, source: self.source }),
+            Err((why, help)) => {
+                let path = display(&path);
+                let headline = format!("`{path}` has no key: {why}");
+                self.reports.push(Report::failure(path, Code::RefusedKey, headline, help));
+            }
         }
     }
+}
 
-    fn unreadable(&mut self, path: &Path, why: &str) {
-        let headline = format!("`{}` cannot be read: {why}", display(path));
-        self.reports.push(Report::about(display(path), Diagnostic::new(Code::UnreadableFile, headline)));
-    }
+/// The finding for a source or a file in it that cannot be read.
+fn unreadable(path: &Path, error: &io::Error) -> Report {
+    let shown = display(path);
+    let (headline, help) = if error.kind() != io::ErrorKind::NotFound {
+        let headline = format!("`{shown}` cannot be read: {error}");
+        return Report::about(shown, Diagnostic::new(Code::UnreadableFile, headline));
+    } else if path.symlink_metadata().is_ok() {
+        (format!("`{shown}` is a link to a file that does not exist"), "remove the link, or restore the file")
+    } else {
+        (format!("`{shown}` does not exist"), "check the spelling of the path")
+    };
+    Report::failure(shown, Code::UnreadableFile, headline, help)
 }
 
 fn is_lipz(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(EXTENSION))
 }
 
-/// The path below `root`, with `/`, without the extension `.lipz`.
-fn key_of(path: &Path, root: &Path) -> Result<String, String> {
+/// The path below `root`, with `/`, without the extension `.lipz`; or why there is none, and what to
+/// do about it.
+fn key_of(path: &Path, root: &Path) -> Result<String, (String, &'static str)> {
+    let not_below =
+        || (format!("it is not below the root `{}`", display(root)), "give a folder above the file with --root");
     let root = if root == Path::new(".") { Path::new("") } else { root };
     let path = path.strip_prefix(".").unwrap_or(path);
-    let below = path.strip_prefix(root).map_err(|_| format!("it is not below the root `{}`", display(root)))?;
+    let below = path.strip_prefix(root).map_err(|_| not_below())?;
     let mut parts = Vec::new();
     for component in below.components() {
         match component {
-            Component::Normal(part) => parts.push(part.to_str().ok_or("its path is not Unicode")?),
-            other => return Err(format!("its path contains `{}`", other.as_os_str().to_string_lossy())),
+            Component::Normal(part) => parts
+                .push(part.to_str().ok_or_else(|| ("its path is not Unicode".into(), "rename the file or folder"))?),
+            Component::ParentDir => {
+                return Err(("its path contains `..`".into(), "name the file by a path without `..`"));
+            }
+            _ => return Err(not_below()),
         }
     }
     let key = parts.join("/");

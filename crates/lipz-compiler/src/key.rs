@@ -1,10 +1,11 @@
 //! Keys: which paths can be clips everywhere, and which of them clash.
 
-use crate::{Input, Report};
-use icu_casemap::CaseMapper;
-use lipz::{Code, Diagnostic};
-use std::collections::HashMap;
-use unicode_normalization::UnicodeNormalization;
+mod clash;
+
+pub use clash::folded;
+pub(crate) use clash::{check, clash};
+
+use lipz::diagnostic::show;
 
 /// Extension of Lipz files.
 pub const EXTENSION: &str = "lipz";
@@ -30,7 +31,13 @@ pub fn refusal(key: &str) -> Option<String> {
         return Some(format!("it has {} bytes, more than {MAX_KEY_BYTES}", key.len()));
     }
     if let Some(bad) = key.chars().find(|&c| c.is_control() || "\\:<>\"|?*".contains(c)) {
-        return Some(format!("it contains `{}`", bad.escape_default()));
+        return Some(format!("it contains {}, which Windows does not allow", show::character(bad)));
+    }
+    match key {
+        "" => return Some("it is empty".into()),
+        _ if key.starts_with('/') => return Some("it is an absolute path".into()),
+        _ if key.ends_with('/') => return Some("it ends with `/`".into()),
+        _ => {}
     }
     let parts: Vec<&str> = key.split('/').collect();
     let folders = parts.len() - 1;
@@ -38,16 +45,20 @@ pub fn refusal(key: &str) -> Option<String> {
 }
 
 fn part_refusal(part: &str, is_folder: bool) -> Option<String> {
-    match part {
-        "" => return Some("a part of it is empty: it starts or ends with `/`, or contains `//`".into()),
+    let shown = show::text(part);
+    let end = match part {
+        "" => return Some("it contains `//`".into()),
         "." | ".." => return Some(format!("`{part}` leads to another folder")),
-        _ => {}
-    }
-    if part.ends_with(['.', ' ']) || part.starts_with(' ') {
-        return Some(format!("`{part}` starts or ends with a blank, or ends with a dot"));
+        _ if part.starts_with(' ') => Some("starts with a blank"),
+        _ if part.ends_with(' ') => Some("ends with a blank"),
+        _ if part.ends_with('.') => Some("ends with a dot"),
+        _ => None,
+    };
+    if let Some(end) = end {
+        return Some(format!("`{shown}` {end}, which Windows does not allow"));
     }
     if part.len() > MAX_PART_BYTES {
-        return Some(format!("`{part}` has {} bytes, more than {MAX_PART_BYTES}", part.len()));
+        return Some(format!("`{shown}` has {} bytes, more than {MAX_PART_BYTES}", part.len()));
     }
     let stem = part.split('.').next().unwrap_or(part).trim_end().to_uppercase();
     let is_device = match stem.as_str() {
@@ -57,54 +68,12 @@ fn part_refusal(part: &str, is_folder: bool) -> Option<String> {
         }),
     };
     if is_device {
-        return Some(format!("`{part}` is the name of a device on Windows"));
+        return Some(format!("`{shown}` is the name of a device on Windows"));
     }
     if is_folder && part.to_ascii_lowercase().ends_with(".lipz") {
-        return Some(format!("the folder `{part}` is named like a Lipz file"));
+        return Some(format!("the folder `{shown}` is named like a Lipz file"));
     }
     None
-}
-
-/// The key as a file system sees it that ignores case and Unicode normalisation: equal for keys
-/// that are one file there (Unicode Standard, section 3.13, canonical caseless matching).
-pub fn folded(key: &str) -> String {
-    if key.is_ascii() {
-        return key.to_ascii_lowercase();
-    }
-    let decomposed: String = key.nfd().collect();
-    CaseMapper::new().fold_string(&decomposed).nfd().collect()
-}
-
-/// Reports refused keys, keys that appear twice, and keys that are one file on some systems.
-pub(crate) fn check(inputs: &[Input], reports: &mut Vec<Report>) {
-    let mut seen: HashMap<String, &Input> = HashMap::with_capacity(inputs.len());
-    for input in inputs {
-        let key = &input.key;
-        if let Some(why) = refusal(key) {
-            reports.push(Report::failure(
-                &input.name,
-                Code::RefusedKey,
-                format!("the key `{}` cannot be used: {why}", key.escape_debug()),
-                "rename the file or folder: keys become file names on other systems when a bank is unpacked",
-            ));
-            continue;
-        }
-        let Some(before) = seen.insert(folded(key), input) else { continue };
-        let finding = if before.key == *key {
-            Diagnostic::new(Code::DuplicateKey, format!("the key `{key}` appears twice"))
-                .note(format!("the other file is {}", before.name))
-                .help("pack one of the two, or give the sources a common root with --root")
-        } else {
-            Diagnostic::new(
-                Code::KeyClash,
-                format!("the keys `{}` and `{key}` are one file on some systems", before.key),
-            )
-            .note(format!("the other file is {}", before.name))
-            .note("Windows and macOS ignore case, macOS ignores Unicode normalisation")
-            .help("rename one of the two")
-        };
-        reports.push(Report::about(&input.name, finding));
-    }
 }
 
 #[cfg(test)]
@@ -150,13 +119,5 @@ mod tests {
         for key in ["a", "act1/samson-hello", "Ärger/être/日本", "console", "com", "com10", "a.b", "...a", "a b"] {
             assert_eq!(refusal(key), None, "{key:?}");
         }
-    }
-
-    #[test]
-    fn folding_finds_what_file_systems_equate() {
-        assert_eq!(folded("Act1/HELLO"), folded("act1/hello"));
-        assert_eq!(folded("\u{e9}t\u{e9}"), folded("E\u{301}TE\u{301}"));
-        assert_eq!(folded("STRASSE/é"), folded("straße/É"));
-        assert_ne!(folded("a"), folded("b"));
     }
 }

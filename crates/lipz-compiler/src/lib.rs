@@ -4,6 +4,29 @@
 //! phase reports what it finds and goes on, so that one run shows all problems of all files; a bank
 //! is made only if none of them is an error. [`unpack`] goes the other way.
 //!
+//! A build script packs a folder like this:
+//!
+//! ```no_run
+//! use lipz_compiler::{Options, compile, discover, replace_file};
+//! use std::path::{Path, PathBuf};
+//!
+//! let sources = PathBuf::from("voices");
+//! println!("cargo::rerun-if-changed={}", sources.display());
+//! let (inputs, mut reports) = discover(&[sources], None);
+//! let mut compiled = compile(&inputs, &Options::default(), &|_| {});
+//! reports.append(&mut compiled.reports);
+//! for report in &reports {
+//!     for found in &report.diagnostics {
+//!         let place = report.source.line_column(found.start());
+//!         let (path, line, headline) = (&report.source.path, place.line, &found.headline);
+//!         println!("cargo::warning={path}:{line}: {}: {headline} ({})", found.level, found.code);
+//!     }
+//! }
+//! let bank = compiled.bank.expect("findings at error level");
+//! let output = Path::new(&std::env::var("OUT_DIR").expect("set by cargo")).join("dialogue.lipzbank");
+//! replace_file(&output, &bank).expect("the bank cannot be written");
+//! ```
+//!
 //! What is not here: printing, settings files and exit codes (`lipz-cli`); other tools' formats.
 // Sizes are checked where they enter (`fit`); casts below are of numbers known to be small.
 #![allow(clippy::cast_possible_truncation)]

@@ -9,7 +9,8 @@ pub struct Options {
     pub default_fps: Option<Fps>,
     /// Viseme type of files without `viseme_type`. Without it their clips' type is "unspecified".
     pub default_viseme_type: Option<VisemeType>,
-    /// Locale of `text` elements without one, and the last resort of every locale's fallback.
+    /// Locale of `text` elements without one, and the last resort of every locale's fallback. Any
+    /// spelling that [`lipz::locale::canonical_tag`] accepts.
     pub default_locale: Option<String>,
     /// Accept any BCP 47 language tag (`es-419`, `zh-hant`), not only `ll-cc`.
     pub extended_locales: bool,

@@ -6,6 +6,7 @@
 
 use crate::clip::ClipData;
 use lipz::{Document, Value};
+use std::collections::HashSet;
 
 /// Names of elements that a record mentions by number; higher numbers are the clip's own texts.
 const NAMED: [&str; 4] = ["fps", "viseme_type", "visemes", "events"];
@@ -127,11 +128,17 @@ fn push_string(record: &mut Vec<u8>, text: &str) {
 /// The elements of the record that starts at `bytes`, of a clip with so many segments; `None` where
 /// it is damaged.
 pub(crate) fn decode(bytes: &[u8], segment_count: u32) -> Option<Vec<(Name<'_>, Recorded<'_>)>> {
-    let mut reader = Reader { rest: bytes };
+    let mut reader = Reader { rest: bytes, blanks_left: lipz::MAX_FILE_BYTES };
     let count = reader.number()?;
-    let mut elements = Vec::new();
+    let mut elements: Vec<(Name<'_>, Recorded<'_>)> = Vec::new();
+    let mut named = HashSet::new();
     for _ in 0..count {
-        let name = match reader.number()? {
+        let number = reader.number()?;
+        // An element that the bank holds stands once: otherwise a few bytes would ask for much memory.
+        if number > 0 && !named.insert(number) {
+            return None;
+        }
+        let name = match number {
             0 => Name::Spelled(reader.string()?),
             number if number < FIRST_TEXT => Name::Known(NAMED.get(usize::try_from(number - 1).ok()?)?),
             number => Name::OwnText(usize::try_from(number - FIRST_TEXT).ok()?),
@@ -151,6 +158,8 @@ pub(crate) fn decode(bytes: &[u8], segment_count: u32) -> Option<Vec<(Name<'_>, 
 
 struct Reader<'r> {
     rest: &'r [u8],
+    /// Blanks that the elements to come may have altogether: no more than a file.
+    blanks_left: usize,
 }
 
 impl<'r> Reader<'r> {
@@ -172,12 +181,11 @@ impl<'r> Reader<'r> {
         None
     }
 
-    /// Blanks before and after each segment, altogether no more than a file can have.
+    /// Blanks before and after each segment.
     fn padding(&mut self, segment_count: u32) -> Option<Vec<(usize, usize)>> {
-        let mut left = lipz::MAX_FILE_BYTES;
         let mut blanks = || {
             let count = usize::try_from(self.number()?).ok()?;
-            left = left.checked_sub(count)?;
+            self.blanks_left = self.blanks_left.checked_sub(count)?;
             Some(count)
         };
         (0..segment_count).map(|_| Some((blanks()?, blanks()?))).collect()
@@ -219,5 +227,14 @@ mod tests {
                 let _ = decode(&damaged, 2);
             }
         }
+    }
+
+    #[test]
+    fn a_few_bytes_do_not_ask_for_much_memory() {
+        // Two texts that claim 200 million blanks each, and one text twice.
+        let padded = |number: u8| [&[number, Kind::Padded as u8][..], &[0x80, 0x84, 0xAF, 0x5F, 0]].concat();
+        assert!(decode(&[&[1][..], &padded(5)].concat(), 1).is_some());
+        assert!(decode(&[&[2][..], &padded(5), &padded(6)].concat(), 1).is_none());
+        assert!(decode(&[2, 5, Kind::AsInBank as u8, 5, Kind::AsInBank as u8], 1).is_none());
     }
 }

@@ -1,11 +1,13 @@
 //! Unpacking a bank into a folder of Lipz files.
 
-use crate::key::{EXTENSION, folded, refusal};
+use crate::key::{EXTENSION, clash, folded, refusal};
+use crate::output::file_in_the_way;
 use crate::raise::Documents;
 use crate::{Report, discover};
 use cap_std::ambient_authority;
 use cap_std::fs::Dir;
 use cap_tempfile::TempFile;
+use lipz::diagnostic::show;
 use lipz::{Code, Diagnostic};
 use lipz_bank::Bank;
 use std::collections::HashMap;
@@ -28,8 +30,9 @@ pub struct Unpacked {
 /// or not at all. Files that exist are replaced only with `overwrite`.
 ///
 /// # Errors
-/// Keys that cannot be file names everywhere, or that would be one file, and files that exist: found
-/// before the first file is written. Then whatever the file system refuses.
+/// Keys that cannot be file names everywhere, or that would be one file, source records that cannot be
+/// decoded, and files that exist: found before the first file is written. Then whatever the file system
+/// refuses.
 pub fn unpack(
     bank: &Bank<'_>,
     folder: &Path,
@@ -37,18 +40,29 @@ pub fn unpack(
     progress: &dyn Fn(u64),
 ) -> Result<Unpacked, Vec<Report>> {
     let documents = Documents::of(bank).map_err(|report| vec![report])?;
-    let refused = refused_keys(bank);
+    let mut refused = refused_keys(bank);
+    if documents.is_exact() {
+        // Decoded twice rather than kept: a bank can hold more than fits the memory.
+        refused.extend(documents.iter().filter_map(Result::err));
+    }
     if !refused.is_empty() {
         return Err(refused);
     }
-    let failed = |path: String, error: &io::Error| {
-        let headline = format!("`{path}` cannot be written: {error}");
+    let failed = |path: String, why: String| {
+        let headline = format!("`{path}` cannot be written: {why}");
         vec![Report::about(path, Diagnostic::new(Code::OutputFailed, headline))]
     };
     let shown = discover::display(folder);
     let output = std::fs::create_dir_all(folder)
         .and_then(|()| Dir::open_ambient_dir(folder, ambient_authority()))
-        .map_err(|error| failed(shown.clone(), &error))?;
+        .map_err(|error| {
+            let why = match file_in_the_way(folder) {
+                Some(file) if file == folder => "it is a file, not a folder".into(),
+                Some(file) => format!("`{}` is a file, not a folder", discover::display(file)),
+                None => error.to_string(),
+            };
+            failed(shown.clone(), why)
+        })?;
     if !overwrite {
         let existing = existing_files(bank, &output, &shown);
         if !existing.is_empty() {
@@ -60,7 +74,14 @@ pub fn unpack(
         let (key, document) = document.map_err(|report| vec![report])?;
         let name = format!("{key}.{EXTENSION}");
         let text = lipz::write(&document);
-        write_file(&output, &name, text.as_bytes()).map_err(|error| failed(format!("{shown}/{name}"), &error))?;
+        write_file(&output, &name, text.as_bytes()).map_err(|error| {
+            let why = match obstacle(&output, &name) {
+                Some((part, what)) if part == name => format!("it is {what}"),
+                Some((part, what)) => format!("`{shown}/{part}` is {what}"),
+                None => error.to_string(),
+            };
+            failed(format!("{shown}/{name}"), why)
+        })?;
         files += 1;
         progress(1);
     }
@@ -74,9 +95,10 @@ fn refused_keys(bank: &Bank<'_>) -> Vec<Report> {
     for clip in bank.clips() {
         let key = clip.key();
         let finding = if let Some(why) = refusal(key) {
-            Diagnostic::new(Code::RefusedKey, format!("the key `{}` cannot be unpacked: {why}", key.escape_debug()))
+            let headline = format!("the key `{}` cannot be unpacked: {why}", show::text(key));
+            Diagnostic::new(Code::RefusedKey, headline).help("this bank was changed or not made by lipz")
         } else if let Some(other) = seen.insert(folded(key), key) {
-            Diagnostic::new(Code::KeyClash, format!("the keys `{other}` and `{key}` are one file on some systems"))
+            clash(other, key)
         } else {
             continue;
         };
@@ -112,4 +134,21 @@ fn write_file(output: &Dir, name: &str, bytes: &[u8]) -> io::Result<()> {
     let mut temporary = TempFile::new(folder)?;
     temporary.write_all(bytes)?;
     temporary.replace(file)
+}
+
+/// The part of the path `name` below `output` in which no file can be written, and what it is.
+fn obstacle<'n>(output: &Dir, name: &'n str) -> Option<(&'n str, &'static str)> {
+    let folders = name.match_indices('/').filter_map(|(at, _)| name.get(..at));
+    for folder in folders {
+        let metadata = output.symlink_metadata(folder).ok()?;
+        let what = match (metadata.is_symlink(), output.metadata(folder)) {
+            (_, Ok(target)) if target.is_dir() => continue,
+            (false, _) => "a file, not a folder",
+            (true, Ok(_)) => "a link to a file, not to a folder",
+            (true, Err(error)) if error.kind() == io::ErrorKind::NotFound => "a link to a folder that does not exist",
+            (true, Err(_)) => "a link that leads out of the folder",
+        };
+        return Some((folder, what));
+    }
+    output.symlink_metadata(name).is_ok_and(|metadata| metadata.is_dir()).then_some((name, "a folder"))
 }

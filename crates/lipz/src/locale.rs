@@ -9,7 +9,7 @@ pub enum TextName {
     Canonical(String),
     /// Another spelling of a locale, `text-en_us`, `text_EN-US`: the locale that is meant.
     Misspelt(String),
-    /// `text` without a locale.
+    /// `text` or `text_` without a locale.
     NoLocale,
     /// A text whose locale does not have the form `ll-cc`: the locale as written, and the BCP 47
     /// tag in lower case if it is one.
@@ -31,12 +31,32 @@ pub fn text_name(name: &str) -> Option<TextName> {
         return None;
     }
     let locale = &rest[1..];
+    if locale.is_empty() {
+        return Some(TextName::NoLocale);
+    }
     let tag = locale.to_ascii_lowercase().replace('_', "-");
     if !has_lipz_shape(&tag) {
         let extended = tag.parse::<LanguageIdentifier>().is_ok().then_some(tag);
         return Some(TextName::OtherShape(locale.to_owned(), extended));
     }
     Some(if separator == '_' && tag == locale { TextName::Canonical(tag) } else { TextName::Misspelt(tag) })
+}
+
+/// The canonical form of a locale tag (`en_US` is `en-us`); `None` if it does not have the form
+/// `ll-cc`, or with `extended` is no BCP 47 language tag.
+///
+/// ```
+/// use lipz::locale::canonical_tag;
+/// assert_eq!(canonical_tag("en_US", false).as_deref(), Some("en-us"));
+/// assert_eq!(canonical_tag("es-419", false), None);
+/// assert_eq!(canonical_tag("es-419", true).as_deref(), Some("es-419"));
+/// ```
+pub fn canonical_tag(tag: &str, extended: bool) -> Option<String> {
+    match text_name(&format!("text_{tag}"))? {
+        TextName::Canonical(tag) | TextName::Misspelt(tag) => Some(tag),
+        TextName::OtherShape(_, tag) if extended => tag,
+        _ => None,
+    }
 }
 
 /// Whether a tag has the form `ll-cc`: two lower-case letters, a hyphen, two lower-case letters.
@@ -66,12 +86,13 @@ mod tests {
         for name in ["text-en_us", "text_en_us", "text_EN-US", "text-en-us", "text_En_uS"] {
             assert_eq!(text_name(name), misspelt("en-us"), "{name}");
         }
-        assert_eq!(text_name("text"), Some(TextName::NoLocale));
+        for name in ["text", "text_", "text-"] {
+            assert_eq!(text_name(name), Some(TextName::NoLocale), "{name}");
+        }
         let other = |name: &str, tag: Option<&str>| Some(TextName::OtherShape(name.into(), tag.map(Into::into)));
         assert_eq!(text_name("text_es-419"), other("es-419", Some("es-419")));
         assert_eq!(text_name("text_zh-Hant"), other("zh-Hant", Some("zh-hant")));
         assert_eq!(text_name("text_en"), other("en", Some("en")));
-        assert_eq!(text_name("text_"), other("", None));
         assert_eq!(text_name("text_englisch-deutsch"), other("englisch-deutsch", None));
         for name in ["texture", "Text_en-us", "visemes", "texten-us"] {
             assert_eq!(text_name(name), None, "{name}");

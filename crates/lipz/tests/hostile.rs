@@ -1,4 +1,5 @@
 //! Files made to hurt: they are read in linear time, without deep recursion.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
 
 use lipz::{Code, Level, parse};
 

@@ -1,4 +1,5 @@
 //! Spans point at the very characters, whatever stands around them and however they are escaped.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
 
 use lipz::{Document, Value};
 use proptest::prelude::*;

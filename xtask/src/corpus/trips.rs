@@ -2,8 +2,8 @@
 
 use super::{Differences, Files, Seen, bank_of};
 use crate::Failure;
-use crate::random::Random;
 use lipz_bank::Bank;
+use lipz_benches::Random;
 use lipz_compiler::{Options, discover, unpack};
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -91,6 +91,9 @@ impl Tag {
     /// Optional: what the display form lost of each Lipz file. Only the compiler reads it.
     pub const SOURCES: Tag = Tag(*b"SRCE");
 
+    /// The sections that a bank of format 1 may have, with the length of an entry, in file order.
+    pub const OPTIONAL: [(Tag, usize); 2] = [(Tag::SOURCE_INDEX, 4), (Tag::SOURCES, 1)];
+
     /// The sections that every bank has, with the length of an entry, in file order.
     pub const REQUIRED: [(Tag, usize); 12] = [
         (Tag::CLIPS, size_of::<super::ClipRecord>()),

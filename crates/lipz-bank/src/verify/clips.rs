@@ -25,7 +25,7 @@ pub(super) fn clips(bank: &Bank<'_>) -> Result<u32, Error> {
     let mut before: Option<&str> = None;
     for slot in bank.key_order {
         let clip = bank.clip_at(slot.get()).ok_or(error_at(bank, ErrorKind::ClipOrder, slot))?;
-        let key = key(bank, &clip).ok_or(error_at(bank, ErrorKind::ClipKey, clip.record))?;
+        let key = clip.checked_key().ok_or(error_at(bank, ErrorKind::ClipKey, clip.record))?;
         if Some(key) <= before {
             return Err(error_at(bank, ErrorKind::ClipOrder, slot));
         }
@@ -43,11 +43,6 @@ pub(super) fn clips(bank: &Bank<'_>) -> Result<u32, Error> {
         return Err(error_at(bank, ErrorKind::EventReference, bank.event_refs));
     }
     Ok(ends.names)
-}
-
-fn key<'data>(bank: &Bank<'data>, clip: &Clip<'data, '_>) -> Option<&'data str> {
-    let record = clip.record;
-    bank.names.text_at(record.key_offset_bytes.get(), u32::from(record.key_length_bytes.get()))
 }
 
 /// Checks one clip record.

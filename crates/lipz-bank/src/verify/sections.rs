@@ -1,7 +1,7 @@
 //! Sections: in the order of the directory, one behind the other, each tag once.
 
 use super::error_at;
-use crate::layout::{Tag, SECTION_ALIGNMENT};
+use crate::layout::{DirectoryEntry, Tag, SECTION_ALIGNMENT};
 use crate::{Bank, Error, ErrorKind};
 use core::mem::size_of_val;
 
@@ -12,7 +12,7 @@ pub(super) fn sections(bank: &Bank<'_>) -> Result<(), Error> {
     let mut end = size_of_val(bank.header).wrapping_add(size_of_val(bank.directory));
     let mut before: &[_] = &[];
     for (index, entry) in bank.directory.iter().enumerate() {
-        if before.iter().any(|other: &crate::layout::DirectoryEntry| other.tag == entry.tag) {
+        if before.iter().any(|other: &DirectoryEntry| other.tag == entry.tag) {
             return Err(error_at(bank, ErrorKind::SectionTwice, entry));
         }
         let gap = (entry.offset_bytes.get() as usize).checked_sub(end);
@@ -36,15 +36,18 @@ fn table_lengths(bank: &Bank<'_>) -> Result<(), Error> {
     if bank.locales.len().checked_mul(bank.clips.len()) != Some(bank.text_index.len()) {
         return Err(error_at(bank, ErrorKind::TextReference, bank.text_index));
     }
-    let entry = |tag: Tag| bank.directory.iter().find(|entry| entry.tag == tag.0);
-    match (entry(Tag::SOURCE_INDEX), entry(Tag::SOURCES)) {
+    let entry = |(tag, _): (Tag, usize)| bank.directory.iter().find(|entry| entry.tag == tag.0);
+    let has_shape =
+        |entry: &DirectoryEntry, (_, entry_bytes): (Tag, usize)| usize::from(entry.entry_bytes.get()) == entry_bytes;
+    let [of_index, of_sources] = Tag::OPTIONAL;
+    match (entry(of_index), entry(of_sources)) {
         (None, None) => Ok(()),
         (Some(index), Some(sources)) => {
-            let entries = bank.clips.len().checked_mul(4);
-            if index.entry_bytes.get() != 4 || entries != Some(index.length_bytes.get() as usize) {
+            let length = bank.clips.len().checked_mul(4);
+            if !has_shape(index, of_index) || length != Some(index.length_bytes.get() as usize) {
                 return Err(error_at(bank, ErrorKind::SectionShape, index));
             }
-            if sources.entry_bytes.get() != 1 {
+            if !has_shape(sources, of_sources) {
                 return Err(error_at(bank, ErrorKind::SectionShape, sources));
             }
             Ok(())

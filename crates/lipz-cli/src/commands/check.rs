@@ -11,10 +11,10 @@ pub(crate) fn run(arguments: &Check) -> Outcome {
     let run = with_inputs(sources, &sources.options(), check_all);
     render::findings(&run.reports);
     if count(&run.reports, Level::Error) > 0 {
-        return Outcome::Findings;
+        return run.failure();
     }
-    if !sources.quiet {
-        console::print(&format!("{} checked\n", console::counted(run.file_count, "file")));
+    if sources.quiet {
+        return Outcome::Clean;
     }
-    Outcome::Clean
+    console::print(&format!("{} checked\n", console::counted(run.file_count, "file")))
 }

@@ -7,7 +7,7 @@ pub(crate) mod unpack;
 pub(crate) mod verify;
 
 use crate::args::Sources;
-use crate::console;
+use crate::{Outcome, console};
 use lipz_compiler::{Compiled, Input, Options, Progress, Report, discover};
 use std::time::{Duration, Instant};
 
@@ -31,4 +31,11 @@ struct Run {
     reports: Vec<Report>,
     compiled: Compiled,
     discover: Duration,
+}
+
+impl Run {
+    /// How a run with findings at error level ends: without a single input, the tool could not run.
+    fn failure(&self) -> Outcome {
+        if self.file_count == 0 { Outcome::Failed } else { Outcome::Findings }
+    }
 }

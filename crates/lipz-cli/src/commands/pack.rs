@@ -13,7 +13,7 @@ pub(crate) fn run(arguments: &Pack) -> Outcome {
     render::findings(&run.reports);
     let bank = match run.compiled.bank.take() {
         Some(bank) if count(&run.reports, Level::Error) == 0 => bank,
-        _ => return Outcome::Findings,
+        _ => return run.failure(),
     };
     let start = Instant::now();
     if let Err(report) = replace_file(&arguments.output, &bank) {
@@ -21,18 +21,15 @@ pub(crate) fn run(arguments: &Pack) -> Outcome {
         return Outcome::Failed;
     }
     let write = start.elapsed();
+    let mut text = String::new();
     if !arguments.sources.quiet {
-        console::print(&format!(
-            "{} packed into {} ({} bytes)\n",
-            console::counted(run.file_count, "clip"),
-            arguments.output.display(),
-            console::grouped(bank.len())
-        ));
+        let (clips, bytes) = (console::counted(run.file_count, "clip"), console::grouped(bank.len()));
+        text = format!("{clips} packed into {} ({bytes} bytes)\n", console::path(&arguments.output));
     }
     if arguments.timings {
-        console::print(&timings(&run, write));
+        text.push_str(&timings(&run, write));
     }
-    Outcome::Clean
+    console::print(&text)
 }
 
 /// The time of each phase, in milliseconds.

@@ -20,12 +20,12 @@ pub(crate) fn run(arguments: &Unpack) -> Outcome {
     bar.finish_and_clear();
     match unpacked {
         Ok(unpacked) => {
-            if !arguments.quiet {
-                let form = if unpacked.is_exact { "" } else { " (display forms: the bank was stripped)" };
-                let files = console::counted(unpacked.files, "file");
-                console::print(&format!("{files} unpacked into {}{form}\n", arguments.output.display()));
+            if arguments.quiet {
+                return Outcome::Clean;
             }
-            Outcome::Clean
+            let form = if unpacked.is_exact { "" } else { " (display forms: the bank was stripped)" };
+            let files = console::counted(unpacked.files, "file");
+            console::print(&format!("{files} unpacked into {}{form}\n", console::path(&arguments.output)))
         }
         Err(mut reports) => {
             for report in &mut reports {

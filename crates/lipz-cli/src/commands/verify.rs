@@ -22,13 +22,11 @@ pub(crate) fn run(arguments: &Verify) -> Outcome {
 
 fn verify(file: &BankFile, quiet: bool) -> Outcome {
     match file.verified() {
+        Ok(_) if quiet => Outcome::Clean,
         Ok(bank) => {
-            if !quiet {
-                let clips = console::counted(bank.clip_count(), "clip");
-                let bytes = console::grouped(bank.length_bytes());
-                console::print(&format!("{}: no fault ({clips}, {bytes} bytes)\n", file.path()));
-            }
-            Outcome::Clean
+            let clips = console::counted(bank.clip_count(), "clip");
+            let bytes = console::grouped(bank.length_bytes());
+            console::print(&format!("{}: no fault ({clips}, {bytes} bytes)\n", file.path()))
         }
         Err(outcome) => outcome,
     }

@@ -3,14 +3,18 @@
 mod elements;
 mod events;
 mod fps;
+mod locales;
+mod names;
 mod segments;
 mod texts;
+mod types;
 mod visemes;
 
 use crate::Options;
 use crate::clip::{ClipData, ClipText, TextRun};
 use elements::Roles;
 use lipz::{Diagnostic, Document, Level};
+use visemes::Expected;
 
 /// The clip that `document` describes, or `None` if it has errors. All findings are reported.
 ///
@@ -20,13 +24,14 @@ pub(crate) fn check(document: &Document<'_>, options: &Options, diagnostics: &mu
     let roles = Roles::assign(document, options, diagnostics);
     let fps = roles.fps.and_then(|number| fps::rate(number, diagnostics));
     let viseme_type = roles.viseme_type.and_then(|name| visemes::viseme_type(name, diagnostics));
-    let known_type = viseme_type.or(options.default_viseme_type);
-    // A wrong viseme_type is reported already: do not blame the codes for it.
-    let type_failed = roles.viseme_type.is_some() && viseme_type.is_none();
-    let frames = roles.visemes.map(|string| {
-        let expected = if type_failed { visemes::Expected::Unknown } else { visemes::Expected::from(known_type) };
-        visemes::frames(string, expected, diagnostics)
-    });
+    let expected = match (viseme_type, options.default_viseme_type) {
+        (Some(named), _) => Expected::Named(named),
+        // A wrong viseme_type is reported already: do not blame the codes for it.
+        (None, _) if roles.viseme_type.is_some() => Expected::Unknown,
+        (None, Some(default)) => Expected::Default(default),
+        (None, None) => Expected::Any,
+    };
+    let frames = roles.visemes.map(|string| visemes::frames(string, expected, diagnostics));
     let texts: Vec<_> = roles.texts.iter().map(|text| texts::display_texts(text.string, diagnostics)).collect();
     let events = roles.events.map(|string| events::trimmed(string, diagnostics));
     let segment_count = segments::common_count(&roles, diagnostics);
@@ -42,7 +47,7 @@ pub(crate) fn check(document: &Document<'_>, options: &Options, diagnostics: &mu
     Some(ClipData {
         key: String::new(),
         fps: fps.or(options.default_fps),
-        viseme_type: known_type,
+        viseme_type: viseme_type.or(options.default_viseme_type),
         has_visemes,
         frames,
         starts,

@@ -1,96 +1,153 @@
 //! Segment counts: every element has as many segments as `visemes`.
 
 use super::elements::Roles;
-use lipz::JsonString;
+use super::visemes::DELIMITER_LOOKALIKES;
+use lipz::diagnostic::show;
 use lipz::text::{self, DELIMITER};
-use lipz::{Code, Diagnostic};
+use lipz::{Code, Diagnostic, JsonString};
 use unicode_width::UnicodeWidthStr;
 
 /// Segments shown side by side; the rest is counted.
 const SHOWN: usize = 12;
+/// Rows that are shown after one of the elements has ended.
+const SHOWN_ALONE: usize = 2;
 /// Columns of a segment that are shown.
 const WIDTH: usize = 36;
+
+/// An element with its number of segments.
+#[derive(Clone, Copy)]
+struct Segmented<'d> {
+    name: &'d str,
+    string: &'d JsonString<'d>,
+    count: usize,
+}
+
+impl<'d> Segmented<'d> {
+    fn new(name: &'d str, string: &'d JsonString<'d>) -> Self {
+        let count = 1 + string.text.bytes().filter(|&byte| byte == DELIMITER as u8).count();
+        Segmented { name, string, count }
+    }
+}
 
 /// The number of segments that the elements agree on, 1 for a clip without segmented elements;
 /// reports elements that differ.
 pub(super) fn common_count(roles: &Roles<'_>, diagnostics: &mut Vec<Diagnostic>) -> usize {
-    let texts = roles.texts.iter().map(|text| (text.name.text.as_ref(), text.string));
-    let mut elements = roles
-        .visemes
-        .map(|visemes| ("visemes", visemes))
-        .into_iter()
-        .chain(texts)
-        .chain(roles.events.map(|events| ("events", events)));
-    let Some((reference_name, reference)) = elements.next() else { return 1 };
-    let expected = count(reference);
-    for (name, string) in elements {
-        if count(string) != expected {
-            diagnostics.push(mismatch(name, string, reference_name, reference));
-        }
+    let texts = roles.texts.iter().map(|text| Segmented::new(&text.name.text, text.string));
+    let events = roles.events.map(|events| Segmented::new("events", events));
+    let mut others = texts.chain(events);
+    let visemes = roles.visemes.map(|visemes| Segmented::new("visemes", visemes));
+    let Some(reference) = visemes.or_else(|| others.next()) else { return 1 };
+    let others: Vec<Segmented<'_>> = others.collect();
+    if others.iter().any(|other| other.count != reference.count) {
+        report(reference, &others, visemes.is_some(), diagnostics);
     }
-    expected
+    reference.count
 }
 
-fn count(string: &JsonString<'_>) -> usize {
-    1 + string.text.bytes().filter(|&byte| byte == DELIMITER as u8).count()
+fn report(reference: Segmented<'_>, others: &[Segmented<'_>], is_visemes: bool, diagnostics: &mut Vec<Diagnostic>) {
+    // Delimiters that are reported as foreign codes already.
+    let lookalikes = if is_visemes { reference.string.text.matches(DELIMITER_LOOKALIKES).count() } else { 0 };
+    let differing = || others.iter().filter(|other| other.count != reference.count);
+    let is_explained = |other: &Segmented<'_>| lookalikes > 0 && other.count == reference.count + lookalikes;
+    if let ([first, _, ..], true) = (others, is_visemes)
+        && others.iter().all(|other| other.count == first.count && damage(other, reference).is_none())
+    {
+        // All the others agree: one finding, about `visemes`.
+        if !is_explained(first) {
+            let headline = format!("`visemes` has {}, all other elements {}", plural(reference.count), first.count);
+            diagnostics.push(mismatch(headline, reference, *first));
+        }
+        return;
+    }
+    for other in differing().filter(|other| !is_explained(other)) {
+        let headline =
+            format!("`{}` has {}, `{}` {}", other.name, plural(other.count), reference.name, reference.count);
+        let finding = mismatch(headline, *other, reference);
+        diagnostics.push(match damage(other, reference) {
+            Some(help) => finding.help(help),
+            None => finding,
+        });
+    }
 }
 
-fn mismatch(name: &str, string: &JsonString<'_>, reference_name: &str, reference: &JsonString<'_>) -> Diagnostic {
-    let (found, expected) = (count(string), count(reference));
-    let plural = |count: usize| if count == 1 { "1 segment".to_owned() } else { format!("{count} segments") };
-    let headline = format!("`{name}` has {}, `{reference_name}` {expected}", plural(found));
-    let mut finding = Diagnostic::at(Code::SegmentCount, string.span(), headline)
-        .label(plural(found))
-        .also(reference.span(), plural(expected));
-    let left = std::iter::once(reference_name.to_owned()).chain(shown(reference)).collect::<Vec<_>>();
-    let right = std::iter::once(name.to_owned()).chain(shown(string)).collect::<Vec<_>>();
+/// Two elements that differ, with their segments side by side.
+fn mismatch(headline: String, blamed: Segmented<'_>, reference: Segmented<'_>) -> Diagnostic {
+    let mut finding = Diagnostic::at(Code::SegmentCount, blamed.string.span(), headline)
+        .label(plural(blamed.count))
+        .also(reference.string.span(), plural(reference.count))
+        .help("put a `|` into each element where the segments meet");
+    let (longest, shortest) = (blamed.count.max(reference.count), blamed.count.min(reference.count));
+    let rows = longest.min(shortest + SHOWN_ALONE).min(SHOWN);
+    let left = std::iter::once(reference.name.to_owned()).chain(cells(reference)).collect::<Vec<_>>();
+    let right = std::iter::once(blamed.name.to_owned()).chain(cells(blamed)).collect::<Vec<_>>();
     let width = left.iter().map(|cell| cell.width()).max().unwrap_or(0);
-    for row in 0..left.len().max(right.len()).min(SHOWN + 1) {
+    for row in 0..=rows {
         let number = if row == 0 { String::new() } else { row.to_string() };
         let missing = "(none)".to_owned();
         let (a, b) = (left.get(row).unwrap_or(&missing), right.get(row).unwrap_or(&missing));
         let blanks = " ".repeat(width.saturating_sub(a.width()));
         finding = finding.note(format!("{number:>2}  {a}{blanks}  {b}"));
     }
-    let hidden = found.max(expected).saturating_sub(SHOWN);
-    if hidden > 0 {
-        finding = finding.note(format!("{hidden} more segments are not shown"));
-    }
-    if found < expected && looks_like_damage(&string.text) {
-        finding.help(
-            "this looks like `l` or `I` used for `|`: files copied from the published specification have this damage",
-        )
-    } else {
-        finding.help("put a `|` into each element where the segments meet")
+    match longest - rows {
+        0 => finding,
+        1 => finding.note("1 more segment is not shown"),
+        hidden => finding.note(format!("{hidden} more segments are not shown")),
     }
 }
 
+fn plural(count: usize) -> String {
+    if count == 1 { "1 segment".to_owned() } else { format!("{count} segments") }
+}
+
 /// The segments of an element as a column of cells.
-fn shown(string: &JsonString<'_>) -> impl Iterator<Item = String> {
-    text::segments(&string.text).take(SHOWN).map(|range| {
-        let segment = text::trim(&string.text[range]);
+fn cells(element: Segmented<'_>) -> impl Iterator<Item = String> {
+    let text = &element.string.text;
+    text::segments(text).take(SHOWN).map(|range| {
         let mut cell = String::new();
-        for character in segment.chars() {
+        for character in text::trim(&text[range]).chars() {
             if cell.width() >= WIDTH {
                 cell.push('…');
                 break;
             }
-            cell.push(if character.is_control() { '\u{FFFD}' } else { character });
+            cell.push_str(&show::text(character.encode_utf8(&mut [0; 4])));
         }
         format!("`{cell}`")
     })
 }
 
+/// What an element with too few segments probably has for `|`.
+fn damage(element: &Segmented<'_>, reference: Segmented<'_>) -> Option<String> {
+    if element.count >= reference.count {
+        return None;
+    }
+    let text = element.string.text.as_ref();
+    if let Some(bar) = text.chars().find(|c| !c.is_ascii() && DELIMITER_LOOKALIKES.contains(c)) {
+        return Some(format!("this looks like `{bar}` used for `|`"));
+    }
+    looks_like_printed(text).then(|| {
+        "this looks like `l` or `I` used for `|`: files copied from the published specification have this damage".into()
+    })
+}
+
 /// Whether a text contains what a printed `|` was read as: `l` or `I` before a capital letter, or
 /// after white space as the start of a word that is none (`lIt was you!`, `   lpoints butler`).
-fn looks_like_damage(text: &str) -> bool {
-    let characters: Vec<char> = text.chars().collect();
-    characters.windows(3).any(|window| match window {
-        [before, 'l' | 'I', after] => {
-            (before.is_whitespace() || before.is_ascii_punctuation()) && after.is_ascii_alphabetic() && !is_word(*after)
+fn looks_like_printed(text: &str) -> bool {
+    let starts_word = |before: char| before.is_whitespace() || before.is_ascii_punctuation();
+    let mut before = None;
+    let mut characters = text.chars().peekable();
+    while let Some(character) = characters.next() {
+        if let ('l' | 'I', Some(after)) = (character, characters.peek()) {
+            let is_damage = match before {
+                Some(before) => starts_word(before) && after.is_ascii_alphabetic() && !is_word(*after),
+                None => after.is_ascii_uppercase(),
+            };
+            if is_damage {
+                return true;
+            }
         }
-        _ => false,
-    }) || text.starts_with(['l', 'I']) && text.len() > 2 && text[1..].starts_with(|c: char| c.is_ascii_uppercase())
+        before = Some(character);
+    }
+    false
 }
 
 /// Whether an English word can go on with this letter after `l` or `I`.

@@ -19,7 +19,7 @@ pub(super) fn display_texts<'t>(string: &'t JsonString<'_>, diagnostics: &mut Ve
             display.text
         })
         .collect();
-    for &at in unbalanced.iter().take(SHOWN) {
+    for (index, &at) in unbalanced.iter().take(SHOWN).enumerate() {
         let (brace, partner) = if string.text.as_bytes().get(at) == Some(&b'{') { ('{', '}') } else { ('}', '{') };
         let finding = Diagnostic::at(
             Code::UnbalancedBrace,
@@ -27,16 +27,16 @@ pub(super) fn display_texts<'t>(string: &'t JsonString<'_>, diagnostics: &mut Ve
             format!("this `{brace}` has no `{partner}` in its segment and is displayed"),
         )
         .help("braces enclose meta information that is not displayed, and end in the segment where they begin");
-        diagnostics.push(more(finding, unbalanced.len()));
+        diagnostics.push(more(finding, index, unbalanced.len()));
     }
-    for &at in nested.iter().take(SHOWN) {
+    for (index, &at) in nested.iter().take(SHOWN).enumerate() {
         let finding = Diagnostic::at(
             Code::NestedBraces,
             string.span_of(at..at + 1),
             "the meta information that starts here contains braces",
         )
         .help("everything up to its own `}` is left out of the display");
-        diagnostics.push(more(finding, nested.len()));
+        diagnostics.push(more(finding, index, nested.len()));
     }
     nul(string, Code::NulInText, "the text contains", diagnostics);
     if texts.iter().all(|text| text.is_empty()) {
@@ -50,11 +50,11 @@ pub(super) fn display_texts<'t>(string: &'t JsonString<'_>, diagnostics: &mut Ve
     texts
 }
 
-/// Says how many findings of the kind are not shown.
-fn more(finding: Diagnostic, count: usize) -> Diagnostic {
+/// Says behind the last finding that is shown how many of the kind are not.
+fn more(finding: Diagnostic, index: usize, count: usize) -> Diagnostic {
     match count.saturating_sub(SHOWN) {
-        0 => finding,
-        rest => finding.note(format!("{rest} more in this text are not shown")),
+        rest if rest > 0 && index + 1 == SHOWN => finding.note(format!("{rest} more in this text are not shown")),
+        _ => finding,
     }
 }
 

@@ -25,15 +25,16 @@ impl<'b> Section<'b> {
         Section::of_pieces(tag, vec![bytes])
     }
 
-    /// A section of [`Tag::REQUIRED`], in pieces.
+    /// A section of [`Tag::REQUIRED`] or [`Tag::OPTIONAL`], in pieces.
     pub(super) fn of_pieces(tag: Tag, pieces: Vec<&'b [u8]>) -> Section<'b> {
-        let known = Tag::REQUIRED.iter().find(|(known, _)| *known == tag);
-        Section { tag, pieces, entry_bytes: known.map_or(1, |(_, entry_bytes)| *entry_bytes), flags: SECTION_REQUIRED }
-    }
-
-    /// A section that readers may skip.
-    pub(super) fn optional(tag: Tag, entry_bytes: usize, pieces: Vec<&'b [u8]>) -> Section<'b> {
-        Section { tag, pieces, entry_bytes, flags: 0 }
+        let bytes_of = |table: &[(Tag, usize)]| table.iter().find(|(known, _)| *known == tag).map(|(_, bytes)| *bytes);
+        let required = bytes_of(&Tag::REQUIRED);
+        Section {
+            tag,
+            pieces,
+            entry_bytes: required.or_else(|| bytes_of(&Tag::OPTIONAL)).unwrap_or(1),
+            flags: if required.is_some() { SECTION_REQUIRED } else { 0 },
+        }
     }
 
     fn length(&self) -> usize {

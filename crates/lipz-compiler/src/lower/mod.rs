@@ -39,8 +39,8 @@ pub(crate) fn lower(clips: &[ClipData], localised: &Localised, options: &Options
     ];
     let sources = strings::sources(clips, &index.slots)?;
     if !options.strip {
-        sections.push(Section::optional(Tag::SOURCE_INDEX, 4, vec![sources.index.as_bytes()]));
-        sections.push(Section::optional(Tag::SOURCES, 1, sources.pieces));
+        sections.push(Section::of_pieces(Tag::SOURCE_INDEX, vec![sources.index.as_bytes()]));
+        sections.push(Section::of_pieces(Tag::SOURCES, sources.pieces));
     }
     assemble::assemble(&sections, index.seed, records.fingerprint)
 }

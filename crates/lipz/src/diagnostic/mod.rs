@@ -1,6 +1,7 @@
 //! Findings: what is wrong, where, how bad, and what to do about it.
 
 mod registry;
+pub mod show;
 
 pub use registry::Code;
 

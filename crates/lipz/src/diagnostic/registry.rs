@@ -45,7 +45,7 @@ codes! {
     NotUtf8 "LZ0003" "not-utf8" Error "the file is not UTF-8"
     Utf16 "LZ0004" "utf16" Error "the file is UTF-16"
     ByteOrderMark "LZ0005" "byte-order-mark" Warning "the file starts with a byte order mark"
-    FileTooLarge "LZ0006" "file-too-large" Error "the file is larger than a clip can be"
+    FileTooLarge "LZ0006" "file-too-large" Error "the file is larger than 256 MiB, the largest that is read"
 
     JsonSyntax "LZ0101" "json-syntax" Error "the file is not JSON"
     TrailingComma "LZ0102" "trailing-comma" Error "a comma stands after the last element"

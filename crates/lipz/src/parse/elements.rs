@@ -1,6 +1,7 @@
 //! From text to elements: serde_json finds them, their places come from where it points.
 
 use super::syntax;
+use crate::diagnostic::show;
 use crate::document::Raw;
 use crate::{Code, Diagnostic, Document, Element, JsonString, Span, Value};
 use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
@@ -83,7 +84,7 @@ fn json_string<'s>(text: &'s str, literal: &'s str, diagnostics: &mut Vec<Diagno
         match serde_json::from_str::<String>(literal) {
             Ok(decoded) => Cow::Owned(decoded),
             Err(_) => {
-                diagnostics.push(syntax::bad_escape(literal, start));
+                diagnostics.push(syntax::half_of_a_pair(literal, start));
                 return None;
             }
         }
@@ -105,11 +106,11 @@ fn unique(elements: &[Element<'_>], diagnostics: &mut Vec<Diagnostic>) -> bool {
                 Diagnostic::at(
                     Code::DuplicateElement,
                     span,
-                    format!("the element `{}` appears twice", element.name.text),
+                    format!("the element {} appears again", show::name(&element.name.text)),
                 )
                 .label("again here")
                 .also(*before, "first here")
-                .help("remove one of the two: programs disagree about which of them counts"),
+                .help("keep one of them: programs disagree about which one counts"),
             );
         } else {
             first.insert(&element.name.text, span);

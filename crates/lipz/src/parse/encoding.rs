@@ -1,17 +1,16 @@
 //! From bytes to text: UTF-8, with or without a byte order mark.
 
 use super::MAX_FILE_BYTES;
+use crate::diagnostic::show;
 use crate::{Code, Diagnostic, Span};
+
+/// What Windows-1252 has at 0x80 to 0x9F; blanks where it has nothing.
+const WINDOWS_1252: &str = "€ ‚ƒ„…†‡ˆ‰Š‹Œ Ž  ‘’“”•–—˜™š›œ žŸ";
 
 /// The text of the file without byte order mark, or `None` and the reason why there is none.
 pub(super) fn decode<'s>(bytes: &'s [u8], diagnostics: &mut Vec<Diagnostic>) -> Option<&'s str> {
     if bytes.len() > MAX_FILE_BYTES {
-        let mebibytes = bytes.len() >> 20;
-        diagnostics.push(
-            Diagnostic::new(Code::FileTooLarge, format!("the file has {mebibytes} MiB, more than a clip can be"))
-                .note(format!("the largest file that is read has {} MiB", MAX_FILE_BYTES >> 20))
-                .help("one Lipz file describes one audio file: split the recording"),
-        );
+        diagnostics.push(too_large());
         return None;
     }
     if let Some(order) = utf16_byte_order(bytes) {
@@ -23,7 +22,7 @@ pub(super) fn decode<'s>(bytes: &'s [u8], diagnostics: &mut Vec<Diagnostic>) -> 
     let without_mark = bytes.strip_prefix(b"\xEF\xBB\xBF");
     if without_mark.is_some() {
         diagnostics.push(
-            Diagnostic::at(Code::ByteOrderMark, Span::new(0, 0), "the file starts with a byte order mark")
+            Diagnostic::new(Code::ByteOrderMark, "the file starts with a byte order mark")
                 .note("it is skipped; JSON texts must not start with one (RFC 8259, section 8.1)")
                 .help("save the file as UTF-8 without byte order mark (\"without BOM\")"),
         );
@@ -32,10 +31,17 @@ pub(super) fn decode<'s>(bytes: &'s [u8], diagnostics: &mut Vec<Diagnostic>) -> 
     match std::str::from_utf8(bytes) {
         Ok(text) => Some(text),
         Err(error) => {
-            diagnostics.push(not_utf8(bytes, error.valid_up_to()));
+            diagnostics.push(not_utf8(bytes, error));
             None
         }
     }
+}
+
+/// The finding for a file longer than [`MAX_FILE_BYTES`], for callers who know its length before
+/// they read it.
+pub fn too_large() -> Diagnostic {
+    Diagnostic::new(Code::FileTooLarge, Code::FileTooLarge.summary())
+        .help("one Lipz file describes one audio file: split the recording")
 }
 
 /// Recognises UTF-16 by its byte order mark, or by the zero byte next to the first brace or blank.
@@ -51,14 +57,46 @@ fn utf16_byte_order(bytes: &[u8]) -> Option<&'static str> {
 
 /// The finding for the first byte that is not UTF-8. Its span counts in the text that
 /// `String::from_utf8_lossy` makes of the file, in which bad bytes have a replacement character.
-fn not_utf8(bytes: &[u8], valid_up_to: usize) -> Diagnostic {
-    let byte = bytes.get(valid_up_to).copied().unwrap_or_default();
-    let span = Span::new(valid_up_to, valid_up_to + '\u{FFFD}'.len_utf8());
-    let diagnostic =
-        Diagnostic::at(Code::NotUtf8, span, format!("byte 0x{byte:02X} is not UTF-8")).help("save the file as UTF-8");
-    if byte >= 0xA0 {
-        let latin = char::from(byte);
-        return diagnostic.note(format!("in Latin-1 and Windows-1252 this byte is `{latin}`"));
+fn not_utf8(bytes: &[u8], error: std::str::Utf8Error) -> Diagnostic {
+    let at = error.valid_up_to();
+    let byte = bytes.get(at).copied().unwrap_or_default();
+    let span = Span::new(at, at + '\u{FFFD}'.len_utf8());
+    if error.error_len().is_none() {
+        return Diagnostic::at(Code::NotUtf8, span, "the file ends in the middle of a character")
+            .help("was the file cut off while it was copied? copy it again");
     }
-    diagnostic
+    let finding = Diagnostic::at(Code::NotUtf8, span, format!("the file is not UTF-8 (byte 0x{byte:02X})"))
+        .help("save the file as UTF-8");
+    match in_windows_1252(byte) {
+        Some(character) if byte < 0xA0 => finding.note(format!("in Windows-1252 this byte is `{character}`")),
+        Some(character) => {
+            finding.note(format!("in Latin-1 and Windows-1252 this byte is {}", show::character(character)))
+        }
+        None => finding,
+    }
+}
+
+/// The character that a byte above 0x7F stands for in Windows-1252.
+fn in_windows_1252(byte: u8) -> Option<char> {
+    match byte {
+        0x80..=0x9F => WINDOWS_1252.chars().nth(usize::from(byte - 0x80)).filter(|&character| character != ' '),
+        0xA0.. => Some(char::from(byte)),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn windows_1252() {
+        assert_eq!(WINDOWS_1252.chars().count(), 32);
+        for (byte, character) in [(0x80, '€'), (0x8E, 'Ž'), (0x93, '“'), (0x9F, 'Ÿ'), (0xF6, 'ö')] {
+            assert_eq!(in_windows_1252(byte), Some(character));
+        }
+        for byte in [0x81, 0x8D, 0x8F, 0x90, 0x9D] {
+            assert_eq!(in_windows_1252(byte), None);
+        }
+    }
 }

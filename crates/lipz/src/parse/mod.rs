@@ -4,7 +4,9 @@ mod elements;
 mod encoding;
 mod syntax;
 
-use crate::{Code, Diagnostic, Document, Span};
+pub use encoding::too_large;
+
+use crate::{Code, Diagnostic, Document};
 
 /// Longest file that is read, in bytes: far more than a clip can need (20 million frames with 40
 /// subtitles), and little enough for 32-bit spans and texts of 2²⁸ bytes.
@@ -38,9 +40,8 @@ pub fn parse(bytes: &[u8]) -> Parsed<'_> {
         None => None,
     };
     if document.as_ref().is_some_and(|document| document.elements.is_empty()) {
-        let span = Span::new(0, 0);
         diagnostics.push(
-            Diagnostic::at(Code::EmptyDocument, span, "the file has no elements: an empty clip")
+            Diagnostic::new(Code::EmptyDocument, "the file has no elements: an empty clip")
                 .help("a clip usually has \"visemes\", and \"text_ll-cc\" for its subtitles"),
         );
     }

@@ -1,0 +1,39 @@
+//! Parsing and packing in memory, beside serde_json parsing the same files.
+#![allow(
+    missing_docs,
+    clippy::expect_used,
+    reason = "a bench program: criterion's macros, and a stop at the first surprise"
+)]
+
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use lipz_benches::{DEFAULT_SEED, clip_json, clip_key};
+use lipz_compiler::{Input, Options, check_all, compile};
+use std::hint::black_box;
+
+const CLIPS: usize = 2000;
+const LOCALES: usize = 5;
+
+fn packing(criterion: &mut Criterion) {
+    let files: Vec<_> = (0..CLIPS).map(|index| (clip_key(index), clip_json(DEFAULT_SEED, index, LOCALES))).collect();
+    let inputs: Vec<Input> = files.iter().map(|(key, json)| Input::from_bytes(key, json.as_bytes())).collect();
+    let options = Options { threads: Some(1), ..Options::default() };
+    let mut group = criterion.benchmark_group("one thread");
+    group.throughput(Throughput::Bytes(files.iter().map(|(_, json)| json.len() as u64).sum())).sample_size(20);
+    group.bench_function("parse (serde_json::Value)", |bencher| {
+        bencher
+            .iter(|| files.iter().filter(|(_, json)| serde_json::from_str::<serde_json::Value>(json).is_ok()).count());
+    });
+    group.bench_function("parse", |bencher| {
+        bencher.iter(|| files.iter().filter(|(_, json)| lipz::parse(json.as_bytes()).document.is_some()).count());
+    });
+    group.bench_function("check", |bencher| {
+        bencher.iter(|| check_all(black_box(&inputs), &options, &|_| {}).reports.len());
+    });
+    group.bench_function("compile", |bencher| {
+        bencher.iter(|| compile(black_box(&inputs), &options, &|_| {}).bank.expect("a bank").len());
+    });
+    group.finish();
+}
+
+criterion_group!(benches, packing);
+criterion_main!(benches);

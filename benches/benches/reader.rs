@@ -1,0 +1,102 @@
+//! Queries of the reader beside the specification's own way, on the same clips.
+#![allow(
+    missing_docs,
+    clippy::expect_used,
+    reason = "a bench program: criterion's macros, and a stop at the first surprise"
+)]
+
+use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
+use lipz_bank::{Bank, ClipId, Micros};
+use lipz_benches::{DEFAULT_SEED, Random, clip_json, clip_key, naive};
+use lipz_compiler::{Input, Options, compile};
+use std::hint::black_box;
+
+const CLIPS: usize = 10_000;
+const LOCALES: usize = 5;
+/// Microseconds between two frames of a display.
+const TICK_US: i64 = 16_667;
+
+fn bank(files: &[(String, String)]) -> Vec<u8> {
+    let inputs: Vec<Input> = files.iter().map(|(key, json)| Input::from_bytes(key, json.as_bytes())).collect();
+    let options = Options { strip: true, ..Options::default() };
+    compile(&inputs, &options, &|_| {}).bank.expect("clips without errors")
+}
+
+fn queries(criterion: &mut Criterion) {
+    let files: Vec<_> = (0..CLIPS).map(|index| (clip_key(index), clip_json(DEFAULT_SEED, index, LOCALES))).collect();
+    let bytes = bank(&files);
+    let bank = Bank::open(&bytes).and_then(Bank::verify).expect("a bank without fault");
+    let rival = naive::Naive::parse(files.iter().map(|(key, json)| (key.as_str(), json.as_str()))).expect("JSON");
+    let locale = bank.locale("de-de").expect("the second locale");
+    let clips: Vec<_> = files.iter().filter_map(|(key, _)| Some((bank.clip_by_key(key)?, rival.clip(key)?))).collect();
+    assert_eq!(clips.len(), CLIPS);
+
+    // Both give the same answers, or there is nothing to compare.
+    for (clip, value) in clips.iter().step_by(97) {
+        for time_us in (0..12_500_000).step_by(133_337) {
+            let seconds = time_us as f64 / 1e6;
+            assert_eq!(clip.viseme_at(Micros(time_us)).as_char(), naive::current_viseme(value, seconds));
+        }
+    }
+
+    let mut random = Random::new(DEFAULT_SEED, 0);
+    let picks: Vec<usize> = (0..4096).map(|_| random.between(0, CLIPS - 1)).collect();
+    let mut next = picks.iter().cycle();
+    let mut pick = move || *next.next().expect("an endless iterator");
+    let ids: Vec<ClipId> = files.iter().map(|(key, _)| ClipId::of(key)).collect();
+
+    let mut group = criterion.benchmark_group("reader");
+    group.bench_function("find, by id", |bencher| bencher.iter(|| bank.clip(ids[pick()]).map(|clip| clip.slot())));
+    group.bench_function("find, by key", |bencher| {
+        bencher.iter(|| bank.clip_by_key(&files[pick()].0).map(|clip| clip.slot()));
+    });
+    group
+        .bench_function("find, by key (serde_json)", |bencher| bencher.iter(|| rival.clip(&files[pick()].0).is_some()));
+    group.bench_function("find, missing id", |bencher| {
+        bencher.iter(|| bank.clip(ClipId::from_u64(ids[pick()].get() ^ 1)).is_some());
+    });
+    let mut time = Random::new(DEFAULT_SEED, 1);
+    group.bench_function("viseme at a time", |bencher| {
+        bencher.iter(|| clips[pick()].0.viseme_at(Micros(time.between(0, 3_000_000) as i64)));
+    });
+    group.bench_function("viseme at a time (specification)", |bencher| {
+        bencher.iter(|| naive::current_viseme(clips[pick()].1, time.between(0, 3_000_000) as f64 / 1e6));
+    });
+    group.bench_function("segment and text at a time", |bencher| {
+        bencher.iter(|| {
+            let segment = clips[pick()].0.segment_at(Micros(time.between(0, 1_000_000) as i64));
+            segment.and_then(|segment| segment.text(locale)).map(|text| text.len())
+        });
+    });
+    group.bench_function("segment and text at a time (specification)", |bencher| {
+        bencher.iter(|| {
+            naive::current_text(clips[pick()].1, "de-de", time.between(0, 1_000_000) as f64 / 1e6).map(str::len)
+        });
+    });
+    let (clip, value) = clips[pick()];
+    let mut now = 0;
+    let mut tick = move || {
+        now = (now + TICK_US) % 6_000_000;
+        now
+    };
+    group.bench_function("60 Hz tick", |bencher| bencher.iter(|| clip.viseme_at(Micros(tick()))));
+    group.bench_function("60 Hz tick (specification)", |bencher| {
+        bencher.iter(|| naive::current_viseme(value, tick() as f64 / 1e6));
+    });
+    group.bench_function("open", |bencher| bencher.iter(|| Bank::open(black_box(&bytes)).is_ok()));
+    group.finish();
+
+    let mut group = criterion.benchmark_group("whole bank");
+    group.throughput(Throughput::Bytes(bytes.len() as u64)).sample_size(20);
+    group.bench_function("verify", |bencher| {
+        bencher.iter(|| Bank::open(black_box(&bytes)).and_then(Bank::verify).is_ok());
+    });
+    group.bench_function("parse (serde_json)", |bencher| {
+        let parse = |()| naive::Naive::parse(files.iter().map(|(key, json)| (key.as_str(), json.as_str()))).is_ok();
+        bencher.iter_batched(|| (), parse, BatchSize::PerIteration);
+    });
+    group.finish();
+}
+
+criterion_group!(benches, queries);
+criterion_main!(benches);

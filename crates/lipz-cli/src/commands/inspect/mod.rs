@@ -1,0 +1,160 @@
+//! `lipz inspect`: what is in a bank.
+
+mod json;
+
+use crate::args::Inspect;
+use crate::bank_file::BankFile;
+use crate::timeline::timeline;
+use crate::{Outcome, console};
+use json::{ClipJson, ListedJson, SummaryJson};
+use lipz::diagnostic::show;
+use lipz_bank::{Bank, Locale};
+use serde::Serialize;
+use std::fmt::Write;
+use unicode_width::UnicodeWidthStr;
+
+/// Keys longer than this are not compared letter by letter.
+const LONGEST_COMPARED: usize = 200;
+
+pub(crate) fn run(arguments: &Inspect) -> Outcome {
+    let file = match BankFile::map(&arguments.bank) {
+        Ok(file) => file,
+        Err(outcome) => return outcome,
+    };
+    let bank = match file.verified() {
+        Ok(bank) => bank,
+        Err(outcome) => return outcome,
+    };
+    match (&arguments.key, &arguments.list) {
+        (Some(key), _) => clip(&bank, key, arguments),
+        (None, Some(prefix)) => list(&bank, prefix, arguments.json),
+        (None, None) => summary(&bank, file.path(), arguments.json),
+    }
+}
+
+fn clip(bank: &Bank<'_>, key: &str, arguments: &Inspect) -> Outcome {
+    let Some(clip) = bank.clip_by_key(key) else {
+        console::remark(&format!("error: no clip `{}` in the bank\n", show::text(key)));
+        let near = near_keys(bank, key);
+        console::remark(&if near.is_empty() {
+            "help: `--list` lists the clips of the bank\n".to_owned()
+        } else {
+            format!("help: did you mean {}?\n", near.join(", "))
+        });
+        return Outcome::Failed;
+    };
+    let mut locales: Vec<Locale<'_>> = Vec::new();
+    for tag in &arguments.locale {
+        match bank.locale(tag) {
+            Some(locale) => locales.push(locale),
+            None => {
+                let known: Vec<_> = bank.locales().map(|locale| show::text(locale.tag())).collect();
+                let tag = show::text(tag);
+                console::remark(&format!("error: no locale `{tag}` in the bank\nhelp: it has {}\n", known.join(", ")));
+                return Outcome::Failed;
+            }
+        }
+    }
+    if locales.is_empty() {
+        locales.extend(bank.locales());
+    }
+    if arguments.json {
+        return print_json(&ClipJson::of(&clip, &locales));
+    }
+    console::print(&timeline(&clip, &locales, console::width()))
+}
+
+/// Keys that contain the last part of the one asked for, or else are spelled almost like it.
+fn near_keys(bank: &Bank<'_>, key: &str) -> Vec<String> {
+    let wanted = key.rsplit('/').next().unwrap_or(key).trim_end_matches(".lipz");
+    let mut near: Vec<&str> =
+        bank.clips().map(|clip| clip.key()).filter(|known| !wanted.is_empty() && known.contains(wanted)).collect();
+    if near.is_empty() && key.len() < LONGEST_COMPARED {
+        let distance = |known: &str| strsim::damerau_levenshtein(known, key);
+        let candidates = bank.clips().map(|clip| clip.key()).filter(|known| known.len() < LONGEST_COMPARED);
+        let mut ranked: Vec<(usize, &str)> = candidates.map(|known| (distance(known), known)).collect();
+        ranked.sort_unstable();
+        near =
+            ranked.into_iter().take_while(|(distance, _)| distance * 4 <= key.len()).map(|(_, known)| known).collect();
+    }
+    near.into_iter().take(3).map(|key| format!("`{}`", show::text(key))).collect()
+}
+
+fn list(bank: &Bank<'_>, prefix: &str, json: bool) -> Outcome {
+    let clips: Vec<ListedJson<'_>> = bank.clips_under(prefix).map(|clip| ListedJson::of(&clip)).collect();
+    if json {
+        return print_json(&clips);
+    }
+    if clips.is_empty() {
+        console::remark(&format!("no key starts with `{}`\n", show::text(prefix)));
+    }
+    let keys: Vec<_> = clips.iter().map(|clip| show::text(clip.key)).collect();
+    let width = keys.iter().map(|key| key.width()).max().unwrap_or(0);
+    let mut text = String::new();
+    for (clip, key) in clips.iter().zip(&keys) {
+        let seconds = clip.duration_us.map_or("      ?".into(), |us| format!("{:7.2}", us as f64 / 1e6));
+        let blanks = " ".repeat(width - key.width());
+        let segments = console::counted(clip.segments as usize, "segment");
+        let _ = writeln!(text, "{key}{blanks}  {seconds} s  {:>5} frames  {segments:>11}", clip.frames);
+    }
+    console::print(&text)
+}
+
+fn summary(bank: &Bank<'_>, path: &str, json: bool) -> Outcome {
+    let summary = SummaryJson::of(bank);
+    if json {
+        return print_json(&summary);
+    }
+    let mut text = String::new();
+    let (major, minor) = bank.format_version();
+    let _ = writeln!(
+        text,
+        "{path}: lipz bank, format {major}.{minor}, {} bytes, no fault",
+        console::grouped(summary.bytes)
+    );
+    let _ = writeln!(
+        text,
+        "  {}, {}, {}, {:.1} s of speech{}",
+        console::counted(summary.clips, "clip"),
+        console::counted(summary.frames, "frame"),
+        console::counted(summary.segments, "segment"),
+        summary.seconds,
+        match summary.clips_without_fps {
+            0 => String::new(),
+            count => format!(" (and {} without a frame rate)", console::counted(count, "clip")),
+        }
+    );
+    let _ = writeln!(text, "  fingerprint {}\n", summary.fingerprint);
+    let _ = writeln!(text, "  {:<12} {:>8} {:>9} {:>8}", "locale", "texts", "fallback", "missing");
+    for locale in &summary.locales {
+        let default = if locale.is_default { "  default" } else { "" };
+        let _ = writeln!(
+            text,
+            "  {:<12} {:>8} {:>9} {:>8}{default}",
+            show::text(locale.tag),
+            locale.texts,
+            locale.fallbacks,
+            locale.missing
+        );
+    }
+    let _ = writeln!(text, "\n  {:<12} {:>12}", "section", "bytes");
+    for section in &summary.sections {
+        let _ = writeln!(text, "  {:<12} {:>12}", show::text(&section.tag), console::grouped(section.bytes));
+    }
+    console::print(&text)
+}
+
+fn print_json<T: Serialize>(value: &T) -> Outcome {
+    match serde_json::to_string_pretty(value) {
+        Ok(json) => console::print(&(without_controls(&json) + "\n")),
+        Err(error) => {
+            console::remark(&format!("error: {error}\n"));
+            Outcome::Failed
+        }
+    }
+}
+
+/// The JSON with every control character escaped: serde_json leaves those above U+007E.
+fn without_controls(json: &str) -> String {
+    json.split('\n').map(show::text).collect::<Vec<_>>().join("\n")
+}

@@ -1,0 +1,103 @@
+//! The locale of a text element, by its name.
+
+use crate::Options;
+use lipz::diagnostic::show;
+use lipz::locale::{self, TextName};
+use lipz::{Code, Diagnostic, Element, Level};
+
+/// The locale of a text element, after reporting what is odd about its name.
+pub(super) fn text_locale(
+    element: &Element<'_>,
+    name: TextName,
+    options: &Options,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Option<String> {
+    match name {
+        TextName::Canonical(locale) => {
+            diagnostics.extend(unknown_parts(element, &locale));
+            Some(locale)
+        }
+        TextName::Misspelt(locale) => {
+            diagnostics.push(misspelt(element, &locale));
+            diagnostics.extend(unknown_parts(element, &locale));
+            Some(locale)
+        }
+        TextName::NoLocale => {
+            diagnostics.push(no_locale(element, options.default_locale.as_deref()));
+            options.default_locale.clone()
+        }
+        TextName::OtherShape(_, Some(tag)) if options.extended_locales => {
+            // Tags differ in case by custom (zh-Hant); only separators are misspelt.
+            if !element.name.text.eq_ignore_ascii_case(&format!("text_{tag}")) {
+                diagnostics.push(misspelt(element, &tag));
+            }
+            Some(tag)
+        }
+        TextName::OtherShape(locale, tag) => {
+            diagnostics.push(other_shape(element, &locale, tag.is_some(), options));
+            None
+        }
+    }
+}
+
+fn misspelt(element: &Element<'_>, locale: &str) -> Diagnostic {
+    let headline = format!("{} is read as `text_{locale}`", show::name(&element.name.text));
+    let finding = Diagnostic::at(Code::LocaleSpelling, element.name.span(), headline)
+        .note("the format spells locales in lower case, with a hyphen, after text_");
+    renamed(finding, element, locale)
+}
+
+fn no_locale(element: &Element<'_>, default: Option<&str>) -> Diagnostic {
+    let name = &element.name.text;
+    let finding = |headline| Diagnostic::at(Code::TextWithoutLocale, element.name.span(), headline);
+    let Some(default) = default else {
+        return finding(format!("`{name}` has no locale"))
+            .help("write the locale, \"text_en-us\", or set the project's default locale: --default-locale en-us");
+    };
+    let mut finding = finding(format!("`{name}` has no locale and is read as the default, `text_{default}`"));
+    finding.level = Level::Warning;
+    renamed(finding, element, default)
+}
+
+/// The help and the fix to name the element `text_` and the locale.
+fn renamed(finding: Diagnostic, element: &Element<'_>, locale: &str) -> Diagnostic {
+    let name = format!("\"text_{locale}\"");
+    finding.help(format!("write {name}")).fix(element.name.span(), name)
+}
+
+/// The finding for a locale that the run does not accept; `is_tag` if it is one of BCP 47.
+fn other_shape(element: &Element<'_>, locale: &str, is_tag: bool, options: &Options) -> Diagnostic {
+    let shown = show::name(locale);
+    let finding = if options.extended_locales {
+        Diagnostic::at(Code::LocaleShape, element.name.span(), format!("{shown} is not a BCP 47 language tag"))
+            .note("a tag is a language, with a script or a region: en-us, es-419, zh-hant")
+    } else {
+        Diagnostic::at(Code::LocaleShape, element.name.span(), format!("{shown} is not a locale of the form ll-cc"))
+            .note("ll is a language (ISO 639-1), cc a country (ISO 3166-1), both lower case: en-us, zh-tw")
+    };
+    let without_blanks = element.name.text.trim();
+    match locale::text_name(without_blanks) {
+        Some(TextName::Canonical(tag)) if without_blanks.len() < element.name.text.len() => {
+            let name = format!("\"text_{tag}\"");
+            finding.help(format!("remove the blank: {name}")).fix(element.name.span(), name)
+        }
+        _ if is_tag => finding.help("name a country, or accept any BCP 47 tag: --extended-locales"),
+        _ => finding.help("write \"text_ll-cc\", for example \"text_en-us\""),
+    }
+}
+
+/// The warning for a language or a country that is in no ISO list.
+fn unknown_parts(element: &Element<'_>, tag: &str) -> Option<Diagnostic> {
+    let (language, country) = tag.split_once('-').unwrap_or((tag, ""));
+    let what = match locale::unknown_parts(tag) {
+        (false, false) => return None,
+        (true, true) => format!("`{language}` is no language and `{country}` no country"),
+        (true, false) => format!("`{language}` is no language"),
+        (false, true) => format!("`{country}` is no country"),
+    };
+    let finding = Diagnostic::at(Code::UnknownLocale, element.name.span(), format!("{what} of the ISO lists"));
+    Some(finding.help(match tag {
+        "en-uk" => "the United Kingdom is gb: \"text_en-gb\"",
+        _ => "languages are ISO 639-1 codes, countries ISO 3166-1 alpha-2 codes",
+    }))
+}

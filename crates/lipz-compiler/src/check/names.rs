@@ -1,0 +1,50 @@
+//! Names that are not of the format, and those that were probably meant.
+
+use lipz::diagnostic::show;
+use lipz::locale::{self, TextName};
+use lipz::{Code, Diagnostic, Element};
+
+/// Names of the elements of the format that are not texts.
+const NAMES: [&str; 4] = ["fps", "visemes", "viseme_type", "events"];
+
+/// Bytes of the longest name that is compared with others.
+const COMPARED: usize = 40;
+
+/// The finding for a name that is not of the format.
+pub(super) fn unknown(element: &Element<'_>) -> Diagnostic {
+    let name = element.name.text.as_ref();
+    let headline = if name.is_empty() {
+        "an element has an empty name".to_owned()
+    } else {
+        format!("{} is not an element of the format", show::name(name))
+    };
+    Diagnostic::at(Code::UnknownElement, element.name.span(), headline)
+        .note("it is kept for unpacking; games do not see it")
+        .help(match suggestion(name) {
+            Some(known) => format!("did you mean `{known}`?"),
+            None => "the elements are fps, viseme_type, visemes, text_ll-cc, events".to_owned(),
+        })
+}
+
+/// The element that someone who wrote `name` probably meant.
+fn suggestion(name: &str) -> Option<String> {
+    if name.len() > COMPARED {
+        return None;
+    }
+    let written = name.to_lowercase();
+    // `Text_en-us`, `texten-us`
+    let locale = written.strip_prefix("text").map(|rest| rest.trim_start_matches(['_', '-', ' ']));
+    let text = locale.and_then(|locale| locale::text_name(&format!("text_{locale}")));
+    if let Some(TextName::Canonical(tag) | TextName::Misspelt(tag)) = text {
+        return Some(format!("text_{tag}"));
+    }
+    let plain = |name: &str| name.replace(['_', '-', ' '], "");
+    let written = plain(&written);
+    NAMES
+        .into_iter()
+        .chain(["text_ll-cc"])
+        .map(|known| (strsim::damerau_levenshtein(&written, &plain(known)), known))
+        .filter(|&(distance, known)| distance * 3 <= known.len())
+        .min()
+        .map(|(_, known)| known.to_owned())
+}

@@ -1,0 +1,39 @@
+//! Types of values: strings, and the number `fps`.
+
+use lipz::diagnostic::show;
+use lipz::{Code, Diagnostic, Element, JsonString, Raw, Value};
+
+/// The string that the element must have.
+pub(super) fn string<'d>(element: &'d Element<'d>, diagnostics: &mut Vec<Diagnostic>) -> Option<&'d JsonString<'d>> {
+    if let Value::String(string) = &element.value {
+        return Some(string);
+    }
+    let help = match element.value.type_name() {
+        "null" => "remove the element if it has no value",
+        "a number" => "put the value into double quotes",
+        "an array" if element.name.text != "viseme_type" => "write one string with `|` between the segments",
+        _ => "write the value as one string",
+    };
+    diagnostics.push(wrong_type(element, "a string").help(help));
+    None
+}
+
+/// The number that the element must have.
+pub(super) fn number<'d>(element: &'d Element<'d>, diagnostics: &mut Vec<Diagnostic>) -> Option<&'d Raw<'d>> {
+    match &element.value {
+        Value::Number(number) => return Some(number),
+        Value::String(string) if lipz::rate::parse(&string.text).is_some() => diagnostics.push(
+            wrong_type(element, "a number")
+                .help(format!("remove the quotes: {}", string.text))
+                .fix(string.span(), string.text.clone()),
+        ),
+        _ => diagnostics.push(wrong_type(element, "a number").help("write frames per second as a number: 24, 29.97")),
+    }
+    None
+}
+
+fn wrong_type(element: &Element<'_>, expected: &str) -> Diagnostic {
+    let headline = format!("{} is {}, not {expected}", show::name(&element.name.text), element.value.type_name());
+    Diagnostic::at(Code::WrongType, element.value.span(), headline)
+        .also(element.name.span(), format!("must be {expected}"))
+}

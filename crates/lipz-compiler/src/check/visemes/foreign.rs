@@ -1,0 +1,147 @@
+//! Codes that the viseme type does not have.
+
+use super::Expected;
+use super::instead::instead;
+use super::tally::{Counted, Tally, contains};
+use lipz::diagnostic::show;
+use lipz::{Code, Diagnostic, JsonString};
+use lipz_bank::VisemeType;
+
+/// Different foreign codes that one element shows; the rest is counted.
+const SHOWN: usize = 4;
+
+/// Reports codes that do not fit: one finding if one reason explains them all, otherwise one for each
+/// different character.
+pub(super) fn report(string: &JsonString<'_>, expected: Expected, diagnostics: &mut Vec<Diagnostic>) {
+    let tally = Tally::of(&string.text);
+    let given = match expected {
+        Expected::Named(viseme_type) | Expected::Default(viseme_type) => Some(viseme_type),
+        Expected::Any | Expected::Unknown => None,
+    };
+    let is_candidate = |known: &VisemeType| given.is_none_or(|given| given == *known);
+    let lower = VisemeType::ALL.into_iter().filter(is_candidate).find(|known| tally.is_lower_case_of(*known));
+    if let Some(viseme_type) = lower {
+        diagnostics.push(lower_case(string, viseme_type));
+        return;
+    }
+    let viseme_type = given.unwrap_or_else(|| tally.nearest());
+    let foreign: Vec<&Counted> = tally.foreign_to(viseme_type).collect();
+    let Some(first) = foreign.first() else { return };
+    let fitting: Vec<&str> = tally.fitting().map(VisemeType::name).collect();
+    if !fitting.is_empty() {
+        diagnostics.push(other_type(string, first, viseme_type, &fitting, expected));
+    } else if given.is_none() && foreign.iter().all(|found| is_of_some_type(found)) {
+        diagnostics.push(mixed(string, first, viseme_type, &foreign));
+    } else {
+        for index in 0..foreign.len().min(SHOWN) {
+            diagnostics.extend(one_of(string, index, viseme_type, &foreign, expected));
+        }
+    }
+}
+
+/// One of the foreign characters, by itself.
+fn one_of(
+    string: &JsonString<'_>,
+    index: usize,
+    viseme_type: VisemeType,
+    foreign: &[&Counted],
+    expected: Expected,
+) -> Option<Diagnostic> {
+    let found = *foreign.get(index)?;
+    let shown = show::character(found.character);
+    let headline = match expected {
+        Expected::Named(known) | Expected::Default(known) => {
+            let article = if known == VisemeType::Rms { "an" } else { "a" };
+            format!("{shown} is not {article} {known} code")
+        }
+        _ if is_of_some_type(found) => {
+            let others = if foreign.len() == 1 { "the others" } else { "most of the others" };
+            format!("{shown} is not a code of {viseme_type}, which fits {others}")
+        }
+        _ => format!("{shown} is not a code of any viseme type"),
+    };
+    let mut finding = repeated(Diagnostic::at(Code::ForeignCode, span(string, found), headline), found);
+    if index == 0 {
+        finding = with_legal(finding, viseme_type, expected);
+    }
+    if index + 1 == SHOWN && foreign.len() > SHOWN {
+        finding = finding.note(format!("{} more different characters are not shown", foreign.len() - SHOWN));
+    }
+    finding.help = instead(found.character, viseme_type, foreign);
+    Some(finding)
+}
+
+/// Codes of several types, without one that has them all.
+fn mixed(string: &JsonString<'_>, first: &Counted, viseme_type: VisemeType, foreign: &[&Counted]) -> Diagnostic {
+    let shown = show::character(first.character);
+    let headline = format!("{shown} is no {viseme_type} code, and no viseme type has all codes of this file");
+    let finding = repeated(Diagnostic::at(Code::MixedCodes, span(string, first), headline), first);
+    let sets = VisemeType::ALL.map(|known| format!("{known}: {}", spaced(known)));
+    let correct = || format!("correct the codes, and name the type: \"viseme_type\": \"{viseme_type}\"");
+    let help = instead(first.character, viseme_type, foreign).unwrap_or_else(correct);
+    sets.into_iter().fold(finding, Diagnostic::note).help(help)
+}
+
+/// Codes that are all of another type than the given one.
+fn other_type(
+    string: &JsonString<'_>,
+    first: &Counted,
+    viseme_type: VisemeType,
+    fitting: &[&str],
+    expected: Expected,
+) -> Diagnostic {
+    let headline = format!("these are {} codes, not {viseme_type}", fitting.join(" or "));
+    let finding = Diagnostic::at(Code::ForeignCode, span(string, first), headline);
+    with_legal(finding, viseme_type, expected).help(match (fitting, expected) {
+        ([one], Expected::Default(_)) => {
+            format!("write \"viseme_type\": \"{one}\" in the file, or change --default-viseme-type")
+        }
+        ([one], _) => format!("write \"viseme_type\": \"{one}\", or correct the codes"),
+        _ => "write the viseme type of these codes, or correct them".into(),
+    })
+}
+
+/// Codes of the type, but all in lower case.
+fn lower_case(string: &JsonString<'_>, viseme_type: VisemeType) -> Diagnostic {
+    let first = string.text.find(|c: char| c.is_ascii_lowercase()).unwrap_or_default();
+    let finding =
+        Diagnostic::at(Code::ForeignCode, string.span_of(first..first + 1), "the viseme codes are in lower case")
+            .note(format!("legal are {}, and `|` between segments", spaced(viseme_type)))
+            .help("write them in upper case");
+    // Line breaks and tabs would have to be escaped again.
+    if string.text.contains(char::is_control) {
+        return finding;
+    }
+    finding.fix(string.span(), format!("\"{}\"", string.text.to_ascii_uppercase()))
+}
+
+/// Whether the character is a code of any type.
+fn is_of_some_type(found: &Counted) -> bool {
+    VisemeType::ALL.iter().any(|known| contains(*known, found.character))
+}
+
+/// Where the character stands first.
+fn span(string: &JsonString<'_>, found: &Counted) -> lipz::Span {
+    string.span_of(found.first_at..found.first_at + found.character.len_utf8())
+}
+
+fn repeated(finding: Diagnostic, found: &Counted) -> Diagnostic {
+    match found.count {
+        1 => finding,
+        count => finding.note(format!("it appears {count} times; this is the first")),
+    }
+}
+
+/// Adds the legal codes, and where the type comes from if that is not the file.
+fn with_legal(finding: Diagnostic, viseme_type: VisemeType, expected: Expected) -> Diagnostic {
+    let finding = finding.note(format!("legal are {}, and `|` between segments", spaced(viseme_type)));
+    match expected {
+        Expected::Default(_) => finding.note("the viseme type is that of --default-viseme-type"),
+        _ => finding,
+    }
+}
+
+/// The legal codes with blanks between them.
+fn spaced(viseme_type: VisemeType) -> String {
+    viseme_type.codes().chars().map(String::from).collect::<Vec<_>>().join(" ")
+}

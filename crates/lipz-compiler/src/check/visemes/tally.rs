@@ -1,0 +1,65 @@
+//! Which characters a viseme string consists of.
+
+use lipz::text::DELIMITER;
+use lipz_bank::VisemeType;
+
+/// Different characters that are looked at: a string of more is no viseme string at all.
+const COUNTED: usize = 64;
+
+/// A character of a viseme string.
+pub(super) struct Counted {
+    pub(super) character: char,
+    pub(super) first_at: usize,
+    pub(super) count: usize,
+}
+
+/// The different characters of a viseme string but for delimiters and white space.
+pub(super) struct Tally(Vec<Counted>);
+
+impl Tally {
+    pub(super) fn of(text: &str) -> Tally {
+        let mut found: Vec<Counted> = Vec::new();
+        for (at, character) in text.char_indices() {
+            if matches!(character, DELIMITER | ' ' | '\t' | '\n' | '\r') {
+                continue;
+            }
+            let has_room = found.len() < COUNTED;
+            match found.iter_mut().find(|counted| counted.character == character) {
+                Some(counted) => counted.count += 1,
+                None if has_room => found.push(Counted { character, first_at: at, count: 1 }),
+                None => {}
+            }
+        }
+        Tally(found)
+    }
+
+    /// The characters that are no codes of the type.
+    pub(super) fn foreign_to(&self, viseme_type: VisemeType) -> impl Iterator<Item = &Counted> {
+        self.0.iter().filter(move |counted| !contains(viseme_type, counted.character))
+    }
+
+    /// The types that have all characters as codes.
+    pub(super) fn fitting(&self) -> impl Iterator<Item = VisemeType> {
+        VisemeType::ALL.into_iter().filter(|known| self.foreign_to(*known).next().is_none())
+    }
+
+    /// The type with the fewest codes that are foreign to it.
+    pub(super) fn nearest(&self) -> VisemeType {
+        let foreign_count = |known: &VisemeType| self.foreign_to(*known).map(|foreign| foreign.count).sum::<usize>();
+        VisemeType::ALL.into_iter().min_by_key(foreign_count).unwrap_or(VisemeType::Blair)
+    }
+
+    /// Whether the codes are those of the type, but all in lower case. A lone `l` is rather a damaged `|`.
+    pub(super) fn is_lower_case_of(&self, viseme_type: VisemeType) -> bool {
+        self.0.iter().any(|counted| counted.character.is_ascii_lowercase() && counted.character != 'l')
+            && self.0.iter().all(|counted| {
+                let upper = counted.character.to_ascii_uppercase();
+                !counted.character.is_ascii_uppercase() && contains(viseme_type, upper)
+            })
+    }
+}
+
+/// Whether the character is a code of the type.
+pub(super) fn contains(viseme_type: VisemeType, character: char) -> bool {
+    u8::try_from(character).is_ok_and(|code| viseme_type.contains(code))
+}

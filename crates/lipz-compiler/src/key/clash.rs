@@ -1,0 +1,107 @@
+//! Keys that are the same, or one file on some systems.
+
+use super::refusal;
+use crate::{Input, Report};
+use icu_casemap::CaseMapper;
+use lipz::diagnostic::show;
+use lipz::{Code, Diagnostic};
+use std::collections::HashMap;
+use unicode_normalization::UnicodeNormalization;
+
+/// Code points of a character that is spelled in two ways.
+const SPELLED: usize = 4;
+
+/// The key as a file system sees it that ignores case and Unicode normalisation: equal for keys
+/// that are one file there (Unicode Standard, section 3.13, canonical caseless matching).
+pub fn folded(key: &str) -> String {
+    if key.is_ascii() {
+        return key.to_ascii_lowercase();
+    }
+    let decomposed: String = key.nfd().collect();
+    CaseMapper::new().fold_string(&decomposed).nfd().collect()
+}
+
+/// Reports refused keys, keys that appear twice, and keys that are one file on some systems.
+pub(crate) fn check(inputs: &[Input], reports: &mut Vec<Report>) {
+    let mut seen: HashMap<String, &Input> = HashMap::with_capacity(inputs.len());
+    for input in inputs {
+        let key = &input.key;
+        if let Some(why) = refusal(key) {
+            reports.push(Report::failure(
+                &input.name,
+                Code::RefusedKey,
+                format!("the key `{}` cannot be used: {why}", show::text(key)),
+                "rename the file or folder: keys become file names on other systems when a bank is unpacked",
+            ));
+            continue;
+        }
+        let Some(before) = seen.insert(folded(key), input) else { continue };
+        let finding = if before.key == *key {
+            Diagnostic::new(Code::DuplicateKey, format!("the key `{}` appears twice", show::text(key)))
+                .help("pack one of the two, or give the sources a common root with --root")
+        } else {
+            clash(&before.key, key).help("rename one of the two")
+        };
+        let finding = finding.note(format!("the other file is {}", before.name));
+        reports.push(Report::about(&input.name, finding));
+    }
+}
+
+/// The finding for two different keys that are equal when [`folded`].
+pub(crate) fn clash(first: &str, second: &str) -> Diagnostic {
+    let keys = format!("the keys `{}` and `{}`", show::text(first), show::text(second));
+    match two_spellings(first, second) {
+        Some((one, other)) => {
+            let character: String = one.nfc().collect();
+            Diagnostic::new(Code::KeyClash, format!("{keys} look alike and are one file on some systems")).note(
+                format!(
+                    "one has `{character}` as {}, the other as {}; macOS ignores the difference",
+                    code_points(one),
+                    code_points(other)
+                ),
+            )
+        }
+        None => Diagnostic::new(Code::KeyClash, format!("{keys} are one file on some systems"))
+            .note("Windows and macOS ignore case, macOS ignores Unicode normalisation"),
+    }
+}
+
+/// The first character that two keys spell with other code points, if the keys differ in nothing
+/// else.
+fn two_spellings<'k>(first: &'k str, second: &'k str) -> Option<(&'k str, &'k str)> {
+    if !first.nfc().eq(second.nfc()) {
+        return None;
+    }
+    let same = std::iter::zip(first.chars(), second.chars()).take_while(|(a, b)| a == b).map(|(a, _)| a.len_utf8());
+    let start: usize = same.sum();
+    let (first, second) = (first.get(start..)?, second.get(start..)?);
+    let starts = |text: &'k str| text.char_indices().take(SPELLED).map(|(at, c)| &text[..at + c.len_utf8()]);
+    starts(first).find_map(|one| Some((one, starts(second).find(|other| one.nfc().eq(other.nfc()))?)))
+}
+
+/// The code points of a character: `A and U+0308`.
+fn code_points(character: &str) -> String {
+    let point = |c: char| if c.is_ascii_graphic() { c.to_string() } else { show::number(c) };
+    character.chars().map(point).collect::<Vec<_>>().join(" and ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn folding_finds_what_file_systems_equate() {
+        assert_eq!(folded("Act1/HELLO"), folded("act1/hello"));
+        assert_eq!(folded("\u{e9}t\u{e9}"), folded("E\u{301}TE\u{301}"));
+        assert_eq!(folded("STRASSE/é"), folded("straße/É"));
+        assert_ne!(folded("a"), folded("b"));
+    }
+
+    #[test]
+    fn spellings_are_told_apart() {
+        assert_eq!(two_spellings("x/\u{c4}rger", "x/A\u{308}rger"), Some(("\u{c4}", "A\u{308}")));
+        assert_eq!(two_spellings("\u{ac01}", "\u{1100}\u{1161}\u{11a8}").map(|(_, b)| b.chars().count()), Some(3));
+        assert_eq!(two_spellings("\u{c4}a", "A\u{308}A"), None);
+        assert_eq!(code_points("A\u{308}"), "A and U+0308");
+    }
+}
