@@ -84,7 +84,7 @@ fn segment() -> impl Strategy<Value = String> {
     ]
 }
 
-fn joined(segments: Vec<String>) -> Value<'static> {
+fn joined(segments: &[String]) -> Value<'static> {
     Value::String(Cow::<str>::Owned(segments.join("|")).into())
 }
 
@@ -97,14 +97,14 @@ fn document() -> impl Strategy<Value = Document<'static>> {
     (1..6_usize, 0..4_usize).prop_flat_map(|(segments, code_set)| {
         let codes = ["[-AMOSWEFLU]{0,20}", "[-ABCDEFG]{0,20}", "[-0-9]{0,20}", "[-AEF ]{0,20}"][code_set];
         let types = ["blair", "toonboom", "rms", "blair"];
-        let visemes = proptest::collection::vec(codes, segments).prop_map(|parts| element("visemes", joined(parts)));
-        let viseme_type = Just(element("viseme_type", joined(vec![types[code_set].into()])));
+        let visemes = proptest::collection::vec(codes, segments).prop_map(|parts| element("visemes", joined(&parts)));
+        let viseme_type = Just(element("viseme_type", joined(&[types[code_set].into()])));
         let fps = "(24|30\\.00|2\\.5e1|23\\.976|999\\.999|1|1e3|12\\.3456789012345678)"
             .prop_map(|number| element("fps", Value::Number(Raw::new(number))));
-        let events = proptest::collection::vec(segment(), segments).prop_map(|parts| element("events", joined(parts)));
+        let events = proptest::collection::vec(segment(), segments).prop_map(|parts| element("events", joined(&parts)));
         let names = "text_(en-us|de-de|ja-jp|ar-eg|pt-br)|text-fr_ca|text_ES-MX";
         let texts = proptest::collection::btree_map(names, proptest::collection::vec(segment(), segments), 0..4)
-            .prop_map(|texts| texts.into_iter().map(|(name, parts)| element(name, joined(parts))).collect::<Vec<_>>());
+            .prop_map(|texts| texts.into_iter().map(|(name, parts)| element(name, joined(&parts))).collect::<Vec<_>>());
         let unknown =
             ("[xyz]{1,3}\\PC{0,3}", "(null|true|\\[1, 2\\]|\\{\"a\": \"\\|\"\\}|-0\\.50)").prop_map(|(name, json)| {
                 let is_number = json.starts_with('-');
