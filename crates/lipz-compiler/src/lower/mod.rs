@@ -45,7 +45,7 @@ pub(crate) fn lower(clips: &[ClipData], localised: &Localised, options: &Options
     assemble::assemble(&sections, index.seed, records.fingerprint)
 }
 
-/// The ids of `clips`, if no two are the same.
+/// The ids of `clips`, if no two are the same. The report has the key of a clip for a path.
 fn unique_ids(clips: &[ClipData]) -> Result<Vec<u64>, Report> {
     let ids: Vec<u64> = clips.iter().map(|clip| ClipId::of(&clip.key).get()).collect();
     let mut sorted: Vec<(u64, &str)> =
@@ -56,7 +56,7 @@ fn unique_ids(clips: &[ClipData]) -> Result<Vec<u64>, Report> {
             && id == next_id
         {
             return Err(Report::failure(
-                format!("{next_key}.lipz"),
+                next_key,
                 Code::IdCollision,
                 format!("the keys `{key}` and `{next_key}` have the same clip id, {id:016x}"),
                 "rename one of the two: it happens about once in 10^9 banks of 100,000 clips",
