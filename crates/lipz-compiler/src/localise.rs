@@ -83,11 +83,13 @@ fn chain(tags: &[&str], locale: usize, default: Option<&str>) -> Vec<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::clip::{ClipText, TextRun};
 
     fn clip(locales: &[&str]) -> ClipData {
-        let text = |tag: &&str| ClipText { locale: (*tag).into(), run: TextRun::new(&[*tag]) };
-        ClipData { texts: locales.iter().map(text).collect(), ..ClipData::default() }
+        let mut clip = ClipData { starts: vec![0], ..ClipData::default() };
+        for tag in locales {
+            clip.add_texts((*tag).into(), &[tag]);
+        }
+        clip
     }
 
     #[test]

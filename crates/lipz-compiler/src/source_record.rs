@@ -81,7 +81,7 @@ fn held_bytes(name: &str, own_text: Option<usize>, clip: &ClipData) -> Option<us
         "viseme_type" => clip.viseme_type.map(|viseme_type| viseme_type.name().len()),
         "visemes" => Some(clip.frames.len()),
         "events" => clip.events.as_ref().map(|events| events.iter().map(|event| event.len()).sum()),
-        _ => clip.texts.get(own_text?).map(|text| text.run.text_bytes(clip.starts.len())),
+        _ => clip.texts.get(own_text?).map(|text| clip.text_bytes(text)),
     }
 }
 

@@ -34,12 +34,16 @@ pub fn text_name(name: &str) -> Option<TextName> {
     if locale.is_empty() {
         return Some(TextName::NoLocale);
     }
-    let tag = locale.to_ascii_lowercase().replace('_', "-");
-    if !has_lipz_shape(&tag) {
-        let extended = tag.parse::<LanguageIdentifier>().is_ok().then_some(tag);
-        return Some(TextName::OtherShape(locale.to_owned(), extended));
+    // Nearly every name is spelled as it should be.
+    if separator == '_' && has_lipz_shape(locale) {
+        return Some(TextName::Canonical(locale.to_owned()));
     }
-    Some(if separator == '_' && tag == locale { TextName::Canonical(tag) } else { TextName::Misspelt(tag) })
+    let tag = locale.to_ascii_lowercase().replace('_', "-");
+    if has_lipz_shape(&tag) {
+        return Some(TextName::Misspelt(tag));
+    }
+    let extended = tag.parse::<LanguageIdentifier>().is_ok().then_some(tag);
+    Some(TextName::OtherShape(locale.to_owned(), extended))
 }
 
 /// The canonical form of a locale tag (`en_US` is `en-us`); `None` if it does not have the form
@@ -72,8 +76,12 @@ pub fn language(tag: &str) -> &str {
 /// Which parts of an `ll-cc` tag are in no ISO list: language (ISO 639-1), country (ISO 3166-1).
 pub fn unknown_parts(tag: &str) -> (bool, bool) {
     let (language, country) = tag.split_once('-').unwrap_or((tag, ""));
-    let country = country.to_ascii_uppercase();
-    (isolang::Language::from_639_1(language).is_none(), rust_iso3166::from_alpha2(&country).is_none())
+    let upper: [u8; 2] = match country.as_bytes() {
+        [first, second] => [first.to_ascii_uppercase(), second.to_ascii_uppercase()],
+        _ => *b"  ",
+    };
+    let country = std::str::from_utf8(&upper).ok().and_then(rust_iso3166::from_alpha2);
+    (isolang::Language::from_639_1(language).is_none(), country.is_none())
 }
 
 #[cfg(test)]

@@ -41,7 +41,7 @@ pub struct Display<'t> {
 /// ```
 pub fn display(segment: &str) -> Display<'_> {
     let mut display = Display { text: Cow::Borrowed(trim(segment)), unbalanced: Vec::new(), nested: Vec::new() };
-    if !segment.contains(['{', '}']) {
+    if memchr::memchr2(b'{', b'}', segment.as_bytes()).is_none() {
         return display;
     }
     let metas = metas(segment, &mut display.unbalanced, &mut display.nested);

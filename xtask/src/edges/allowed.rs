@@ -17,7 +17,7 @@ pub(super) const ALLOWED: &[Rule] = &[
     Rule { name: "lipz-bank", direct: Some(&["zerocopy"]), transitive: Some(&[READER]) },
     Rule {
         name: "lipz",
-        direct: Some(&["icu_locale_core", "isolang", "lipz-bank", "rust_iso3166", "serde", "serde_json"]),
+        direct: Some(&["icu_locale_core", "isolang", "lipz-bank", "memchr", "rust_iso3166", "serde", "serde_json"]),
         transitive: Some(&[READER, JSON_AND_LOCALES, &["lipz-bank"]]),
     },
     Rule {

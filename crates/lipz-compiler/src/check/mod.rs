@@ -11,7 +11,7 @@ mod types;
 mod visemes;
 
 use crate::Options;
-use crate::clip::{ClipData, ClipText, TextRun};
+use crate::clip::ClipData;
 use elements::Roles;
 use lipz::{Diagnostic, Document, Level};
 use visemes::Expected;
@@ -40,19 +40,21 @@ pub(crate) fn check(document: &Document<'_>, options: &Options, diagnostics: &mu
     }
     let has_visemes = frames.is_some();
     let (frames, starts) = frames.unwrap_or_else(|| (Vec::new(), vec![0; segment_count]));
-    let mut texts: Vec<ClipText> = std::iter::zip(&roles.texts, texts)
-        .map(|(text, displays)| ClipText { locale: text.locale.clone(), run: TextRun::new(&displays) })
-        .collect();
-    texts.sort_by(|a, b| a.locale.cmp(&b.locale));
-    Some(ClipData {
-        key: String::new(),
+    let mut clip = ClipData {
         fps: fps.or(options.default_fps),
         viseme_type: viseme_type.or(options.default_viseme_type),
         has_visemes,
         frames,
         starts,
-        texts,
         events,
-        source: Vec::new(),
-    })
+        ..ClipData::default()
+    };
+    let mut texts: Vec<_> = std::iter::zip(roles.texts, texts).collect();
+    texts.sort_by(|(a, _), (b, _)| a.locale.cmp(&b.locale));
+    let bytes = texts.iter().flat_map(|(_, displays)| displays).map(|display| display.len() + 4).sum();
+    clip.reserve_texts(texts.len(), bytes);
+    for (text, displays) in texts {
+        clip.add_texts(text.locale, &displays);
+    }
+    Some(clip)
 }

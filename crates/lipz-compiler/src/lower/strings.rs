@@ -120,8 +120,8 @@ fn locale_texts<'c>(clips: &'c [ClipData], locale: &LocaleColumn) -> LocaleTexts
     let mut interner = Interner::with_capacity(clips.len());
     let entries = std::iter::zip(clips, &locale.texts).map(|(clip, choice)| match choice {
         Choice::Own(index) => {
-            let run = &clip.texts[*index as usize].run;
-            interner.place(&run.bytes) as u32 | if run.is_wide { TEXT_WIDE } else { 0 }
+            let text = &clip.texts[*index as usize];
+            interner.place(clip.run(text)) as u32 | if text.is_wide { TEXT_WIDE } else { 0 }
         }
         _ => NO_TEXT,
     });

@@ -94,8 +94,20 @@ fn json_string<'s>(text: &'s str, literal: &'s str, diagnostics: &mut Vec<Diagno
     Some(JsonString::from_literal(decoded, literal, Span::new(start, start).start))
 }
 
+/// Elements that are compared with each other directly.
+const FEW_ELEMENTS: usize = 48;
+
 /// Whether every name stands once; reports the others.
 fn unique(elements: &[Element<'_>], diagnostics: &mut Vec<Diagnostic>) -> bool {
+    // A usual file has a dozen elements: comparing each with each is faster than any table.
+    if elements.len() <= FEW_ELEMENTS {
+        let texts = elements.iter().map(|element| &element.name.text);
+        let is_first =
+            |(index, name): (usize, &Cow<'_, str>)| elements[..index].iter().all(|other| other.name.text != *name);
+        if texts.enumerate().all(is_first) {
+            return true;
+        }
+    }
     let mut first: HashMap<&str, Span> = HashMap::with_capacity(elements.len());
     let mut all_unique = true;
     for element in elements {
