@@ -21,6 +21,7 @@
 
 pub mod diagnostic;
 mod document;
+pub mod event;
 pub mod locale;
 mod parse;
 pub mod rate;

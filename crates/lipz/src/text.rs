@@ -19,7 +19,12 @@ pub fn segments(text: &str) -> impl Iterator<Item = Range<usize>> + '_ {
 /// A text without the white space at its ends, as JSON has white space: blank, tab, CR, LF.
 /// Everything else (U+00A0, U+200B, …) is content.
 pub fn trim(text: &str) -> &str {
-    text.trim_matches([' ', '\t', '\r', '\n'])
+    text.trim_matches(is_white_space)
+}
+
+/// White space as JSON has it.
+pub(crate) fn is_white_space(c: char) -> bool {
+    matches!(c, ' ' | '\t' | '\r' | '\n')
 }
 
 /// What is displayed of a segment, and what is odd about its braces.

@@ -82,6 +82,7 @@ codes! {
     SegmentCount "LZ0601" "segment-count" Error "elements have different numbers of segments"
 
     NulInEvents "LZ0701" "nul-in-events" Warning "an event contains U+0000"
+    UnknownEmotion "LZ0702" "unknown-emotion" Warning "an emotion is not one of the specification"
 
     KeyClash "LZ0801" "key-clash" Error "two keys differ only in case or Unicode normalisation"
     DuplicateKey "LZ0802" "duplicate-key" Error "two sources have the same key"
