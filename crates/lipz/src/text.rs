@@ -9,11 +9,17 @@ pub const DELIMITER: char = '|';
 /// The segments of an element: the byte ranges between its delimiters. There is always at least one.
 pub fn segments(text: &str) -> impl Iterator<Item = Range<usize>> + '_ {
     let mut start = 0;
-    text.split(DELIMITER).map(move |segment| {
-        let range = start..start + segment.len();
-        start = range.end + 1;
+    let ends = memchr::memchr_iter(DELIMITER as u8, text.as_bytes()).chain([text.len()]);
+    ends.map(move |end| {
+        let range = start..end;
+        start = end + 1;
         range
     })
+}
+
+/// The number of segments of an element.
+pub fn segment_count(text: &str) -> usize {
+    1 + memchr::memchr_iter(DELIMITER as u8, text.as_bytes()).count()
 }
 
 /// A text without the white space at its ends, as JSON has white space: blank, tab, CR, LF.
@@ -98,6 +104,9 @@ mod tests {
         assert_eq!(ranges("").len(), 1);
         assert_eq!(ranges("|"), [0..0, 1..1]);
         assert_eq!(ranges("ü|b"), [0..2, 3..4]);
+        for text in ["", "|", "ü|b", "a||b|"] {
+            assert_eq!(ranges(text).len(), segment_count(text));
+        }
     }
 
     #[test]

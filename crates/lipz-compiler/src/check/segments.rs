@@ -3,7 +3,7 @@
 use super::elements::Roles;
 use super::visemes::DELIMITER_LOOKALIKES;
 use lipz::diagnostic::show;
-use lipz::text::{self, DELIMITER};
+use lipz::text;
 use lipz::{Code, Diagnostic, JsonString};
 use unicode_width::UnicodeWidthStr;
 
@@ -24,7 +24,7 @@ struct Segmented<'d> {
 
 impl<'d> Segmented<'d> {
     fn new(name: &'d str, string: &'d JsonString<'d>) -> Self {
-        let count = 1 + string.text.bytes().filter(|&byte| byte == DELIMITER as u8).count();
+        let count = text::segment_count(&string.text);
         Segmented { name, string, count }
     }
 }

@@ -60,6 +60,9 @@ fn more(finding: Diagnostic, index: usize, count: usize) -> Diagnostic {
 
 /// Reports U+0000, at which programs in C would stop reading.
 pub(super) fn nul(string: &JsonString<'_>, code: Code, what: &str, diagnostics: &mut Vec<Diagnostic>) {
+    if !string.text.as_bytes().contains(&0) {
+        return;
+    }
     if let Some(at) = string.text.find('\0') {
         diagnostics.push(
             Diagnostic::at(code, string.span_of(at..at + 1), format!("{what} U+0000"))

@@ -8,7 +8,7 @@ mod type_name;
 pub(super) use instead::DELIMITER_LOOKALIKES;
 pub(super) use type_name::viseme_type;
 
-use lipz::{Code, Diagnostic, JsonString};
+use lipz::{Code, Diagnostic, JsonString, text};
 use lipz_bank::VisemeType;
 
 /// What the codes are checked against.
@@ -31,14 +31,17 @@ pub(super) fn frames(
     diagnostics: &mut Vec<Diagnostic>,
 ) -> (Vec<u8>, Vec<u32>) {
     let mut frames = Vec::with_capacity(string.text.len());
-    let mut starts = vec![0];
-    let mut has_white_space = false;
-    for &byte in string.text.as_bytes() {
-        match byte {
-            // A source file has less than 2²⁸ bytes.
-            b'|' => starts.push(u32::try_from(frames.len()).unwrap_or(u32::MAX)),
-            b' ' | b'\t' | b'\n' | b'\r' => has_white_space = true,
-            code => frames.push(code),
+    let mut starts = Vec::with_capacity(4);
+    // Looked for in the whole, without a branch per code: it is hardly ever there.
+    let has_white_space = string.text.bytes().fold(false, |found, byte| found | is_white_space(byte));
+    for range in text::segments(&string.text) {
+        // A source file has less than 2²⁸ bytes.
+        starts.push(u32::try_from(frames.len()).unwrap_or(u32::MAX));
+        let codes = &string.text.as_bytes()[range];
+        if has_white_space {
+            frames.extend(codes.iter().filter(|code| !is_white_space(**code)));
+        } else {
+            frames.extend_from_slice(codes);
         }
     }
     if has_white_space {
@@ -53,6 +56,10 @@ pub(super) fn frames(
         foreign::report(string, expected, diagnostics);
     }
     (frames, starts)
+}
+
+fn is_white_space(byte: u8) -> bool {
+    matches!(byte, b' ' | b'\t' | b'\n' | b'\r')
 }
 
 fn white_space(string: &JsonString<'_>) -> Option<Diagnostic> {
