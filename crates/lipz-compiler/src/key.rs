@@ -45,7 +45,7 @@ pub fn refusal(key: &str) -> Option<String> {
 }
 
 fn part_refusal(part: &str, is_folder: bool) -> Option<String> {
-    let shown = show::text(part);
+    let shown = || show::text(part);
     let end = match part {
         "" => return Some("it contains `//`".into()),
         "." | ".." => return Some(format!("`{part}` leads to another folder")),
@@ -55,25 +55,29 @@ fn part_refusal(part: &str, is_folder: bool) -> Option<String> {
         _ => None,
     };
     if let Some(end) = end {
-        return Some(format!("`{shown}` {end}, which Windows does not allow"));
+        return Some(format!("`{}` {end}, which Windows does not allow", shown()));
     }
     if part.len() > MAX_PART_BYTES {
-        return Some(format!("`{shown}` has {} bytes, more than {MAX_PART_BYTES}", part.len()));
+        return Some(format!("`{}` has {} bytes, more than {MAX_PART_BYTES}", shown(), part.len()));
     }
-    let stem = part.split('.').next().unwrap_or(part).trim_end().to_uppercase();
-    let is_device = match stem.as_str() {
+    let stem = part.split('.').next().unwrap_or(part).trim_end();
+    if stem.len() <= "CONOUT$".len() && is_device(&stem.to_uppercase()) {
+        return Some(format!("`{}` is the name of a device on Windows", shown()));
+    }
+    if is_folder && part.to_ascii_lowercase().ends_with(".lipz") {
+        return Some(format!("the folder `{}` is named like a Lipz file", shown()));
+    }
+    None
+}
+
+/// Whether Windows has a device of this name, in capitals.
+fn is_device(stem: &str) -> bool {
+    match stem {
         "CON" | "PRN" | "AUX" | "NUL" | "CONIN$" | "CONOUT$" => true,
         _ => stem.strip_prefix("COM").or_else(|| stem.strip_prefix("LPT")).is_some_and(|digit| {
             matches!(digit, "0" | "1" | "2" | "3" | "4" | "5" | "6" | "7" | "8" | "9" | "¹" | "²" | "³")
         }),
-    };
-    if is_device {
-        return Some(format!("`{shown}` is the name of a device on Windows"));
     }
-    if is_folder && part.to_ascii_lowercase().ends_with(".lipz") {
-        return Some(format!("the folder `{shown}` is named like a Lipz file"));
-    }
-    None
 }
 
 #[cfg(test)]

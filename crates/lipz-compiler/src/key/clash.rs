@@ -2,10 +2,11 @@
 
 use super::refusal;
 use crate::{Input, Report};
+use foldhash::{HashMap, HashMapExt};
 use icu_casemap::CaseMapper;
 use lipz::diagnostic::show;
 use lipz::{Code, Diagnostic};
-use std::collections::HashMap;
+use rayon::prelude::*;
 use unicode_normalization::UnicodeNormalization;
 
 /// Code points of a character that is spelled in two ways.
@@ -23,10 +24,12 @@ pub fn folded(key: &str) -> String {
 
 /// Reports refused keys, keys that appear twice, and keys that are one file on some systems.
 pub(crate) fn check(inputs: &[Input], reports: &mut Vec<Report>) {
+    let judged: Vec<(Option<String>, String)> =
+        inputs.par_iter().map(|input| (refusal(&input.key), folded(&input.key))).collect();
     let mut seen: HashMap<String, &Input> = HashMap::with_capacity(inputs.len());
-    for input in inputs {
+    for (input, (refused, folded)) in inputs.iter().zip(judged) {
         let key = &input.key;
-        if let Some(why) = refusal(key) {
+        if let Some(why) = refused {
             reports.push(Report::failure(
                 &input.name,
                 Code::RefusedKey,
@@ -35,7 +38,7 @@ pub(crate) fn check(inputs: &[Input], reports: &mut Vec<Report>) {
             ));
             continue;
         }
-        let Some(before) = seen.insert(folded(key), input) else { continue };
+        let Some(before) = seen.insert(folded, input) else { continue };
         let finding = if before.key == *key {
             Diagnostic::new(Code::DuplicateKey, format!("the key `{}` appears twice", show::text(key)))
                 .help("pack one of the two, or give the sources a common root with --root")
