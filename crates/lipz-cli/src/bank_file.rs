@@ -13,41 +13,34 @@ use std::path::Path;
 
 const NAME_A_BANK: &str = "name a .lipzbank file; `lipz pack` makes one of Lipz files";
 
-/// A bank file, mapped into memory.
-pub(crate) struct BankFile {
-    path: String,
-    map: Mmap,
+/// Maps the bank at `path`, verifies it and hands it to `work`, with its path as messages name it.
+/// Reports why the file cannot be read, or what is wrong with the bank.
+pub(crate) fn with_bank(path: &Path, work: impl FnOnce(&str, &Bank<'_>) -> Outcome) -> Outcome {
+    let shown = console::path(path);
+    let map = match map(path) {
+        Ok(map) => map,
+        Err(error) => {
+            render::findings(&[Report::about(shown.as_str(), unreadable(&shown, &error))]);
+            return Outcome::Failed;
+        }
+    };
+    let opened = Bank::open(&map).map_err(|error| (Code::BankRefused, error));
+    match opened.and_then(|bank| bank.verify().map_err(|error| (Code::BankDamaged, error))) {
+        Ok(bank) => work(&shown, &bank),
+        Err((code, error)) => {
+            render::findings(&[Report::about(shown, refused(code, error, &map))]);
+            Outcome::Findings
+        }
+    }
 }
 
-impl BankFile {
-    /// Maps the file at `path`; reports why it cannot be.
-    pub(crate) fn map(path: &Path) -> Result<BankFile, Outcome> {
-        let shown = console::path(path);
-        map(path).map(|map| BankFile { path: shown.clone(), map }).map_err(|error| {
-            let finding = |what: &str| Diagnostic::new(Code::BankRefused, format!("`{shown}` {what}"));
-            let finding = match error.kind() {
-                io::ErrorKind::NotFound => finding("does not exist").help("check the spelling of the path"),
-                io::ErrorKind::IsADirectory => finding("is a folder").help("name the bank in it"),
-                _ => finding(&format!("cannot be read: {error}")),
-            };
-            render::findings(&[Report::about(shown.as_str(), finding)]);
-            Outcome::Failed
-        })
-    }
-
-    /// The bank in the file, verified; reports what is wrong with it.
-    pub(crate) fn verified(&self) -> Result<Bank<'_>, Outcome> {
-        let opened = Bank::open(&self.map).map_err(|error| (Code::BankRefused, error));
-        let verified = opened.and_then(|bank| bank.verify().map_err(|error| (Code::BankDamaged, error)));
-        verified.map_err(|(code, error)| {
-            render::findings(&[Report::about(self.path.clone(), refused(code, error, &self.map))]);
-            Outcome::Findings
-        })
-    }
-
-    /// How messages name the file.
-    pub(crate) fn path(&self) -> &str {
-        &self.path
+/// The finding for a file that cannot be mapped.
+fn unreadable(shown: &str, error: &io::Error) -> Diagnostic {
+    let finding = |what: &str| Diagnostic::new(Code::BankRefused, format!("`{shown}` {what}"));
+    match error.kind() {
+        io::ErrorKind::NotFound => finding("does not exist").help("check the spelling of the path"),
+        io::ErrorKind::IsADirectory => finding("is a folder").help("name the bank in it"),
+        _ => finding(&format!("cannot be read: {error}")),
     }
 }
 

@@ -1,22 +1,19 @@
 //! `lipz unpack`: a bank to source files.
 
 use crate::args::Unpack;
-use crate::bank_file::BankFile;
+use crate::bank_file::with_bank;
 use crate::{Outcome, console, render};
 use lipz::Code;
+use lipz_bank::Bank;
 use lipz_compiler::unpack;
 
 pub(crate) fn run(arguments: &Unpack) -> Outcome {
-    let file = match BankFile::map(&arguments.bank) {
-        Ok(file) => file,
-        Err(outcome) => return outcome,
-    };
-    let bank = match file.verified() {
-        Ok(bank) => bank,
-        Err(outcome) => return outcome,
-    };
+    with_bank(&arguments.bank, |path, bank| unpack_into(path, bank, arguments))
+}
+
+fn unpack_into(path: &str, bank: &Bank<'_>, arguments: &Unpack) -> Outcome {
     let bar = console::progress_bar(bank.clip_count(), arguments.quiet);
-    let unpacked = unpack(&bank, &arguments.output, arguments.force, &|count| bar.inc(count));
+    let unpacked = unpack(bank, &arguments.output, arguments.force, &|count| bar.inc(count));
     bar.finish_and_clear();
     match unpacked {
         Ok(unpacked) => {
@@ -30,7 +27,7 @@ pub(crate) fn run(arguments: &Unpack) -> Outcome {
         Err(mut reports) => {
             for report in &mut reports {
                 if report.source.path.is_empty() {
-                    file.path().clone_into(&mut report.source.path);
+                    path.clone_into(&mut report.source.path);
                 }
             }
             render::findings(&reports);

@@ -1,16 +1,14 @@
 //! `lipz verify`: the full check of banks.
 
 use crate::args::Verify;
-use crate::bank_file::BankFile;
+use crate::bank_file::with_bank;
 use crate::{Outcome, console};
+use lipz_bank::Bank;
 
 pub(crate) fn run(arguments: &Verify) -> Outcome {
     let mut worst = Outcome::Clean;
     for path in &arguments.banks {
-        let outcome = match BankFile::map(path) {
-            Ok(file) => verify(&file, arguments.quiet),
-            Err(outcome) => outcome,
-        };
+        let outcome = with_bank(path, |path, bank| if arguments.quiet { Outcome::Clean } else { no_fault(path, bank) });
         worst = match (worst, outcome) {
             (Outcome::Failed, _) | (_, Outcome::Failed) => Outcome::Failed,
             (Outcome::Findings, _) | (_, Outcome::Findings) => Outcome::Findings,
@@ -20,14 +18,8 @@ pub(crate) fn run(arguments: &Verify) -> Outcome {
     worst
 }
 
-fn verify(file: &BankFile, quiet: bool) -> Outcome {
-    match file.verified() {
-        Ok(_) if quiet => Outcome::Clean,
-        Ok(bank) => {
-            let clips = console::counted(bank.clip_count(), "clip");
-            let bytes = console::grouped(bank.length_bytes());
-            console::print(&format!("{}: no fault ({clips}, {bytes} bytes)\n", file.path()))
-        }
-        Err(outcome) => outcome,
-    }
+fn no_fault(path: &str, bank: &Bank<'_>) -> Outcome {
+    let clips = console::counted(bank.clip_count(), "clip");
+    let bytes = console::grouped(bank.length_bytes());
+    console::print(&format!("{path}: no fault ({clips}, {bytes} bytes)\n"))
 }

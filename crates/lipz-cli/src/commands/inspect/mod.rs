@@ -3,7 +3,7 @@
 mod json;
 
 use crate::args::Inspect;
-use crate::bank_file::BankFile;
+use crate::bank_file::with_bank;
 use crate::timeline::timeline;
 use crate::{Outcome, console};
 use json::{ClipJson, ListedJson, SummaryJson};
@@ -17,19 +17,11 @@ use unicode_width::UnicodeWidthStr;
 const LONGEST_COMPARED: usize = 200;
 
 pub(crate) fn run(arguments: &Inspect) -> Outcome {
-    let file = match BankFile::map(&arguments.bank) {
-        Ok(file) => file,
-        Err(outcome) => return outcome,
-    };
-    let bank = match file.verified() {
-        Ok(bank) => bank,
-        Err(outcome) => return outcome,
-    };
-    match (&arguments.key, &arguments.list) {
-        (Some(key), _) => clip(&bank, key, arguments),
-        (None, Some(prefix)) => list(&bank, prefix, arguments.json),
-        (None, None) => summary(&bank, file.path(), arguments.json),
-    }
+    with_bank(&arguments.bank, |path, bank| match (&arguments.key, &arguments.list) {
+        (Some(key), _) => clip(bank, key, arguments),
+        (None, Some(prefix)) => list(bank, prefix, arguments.json),
+        (None, None) => summary(bank, path, arguments.json),
+    })
 }
 
 fn clip(bank: &Bank<'_>, key: &str, arguments: &Inspect) -> Outcome {
