@@ -6,7 +6,7 @@
 )]
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use lipz_benches::{DEFAULT_SEED, clip_json, clip_key};
+use lipz_benches::files;
 use lipz_compiler::{Input, Options, check_all, compile};
 use std::hint::black_box;
 
@@ -14,7 +14,7 @@ const CLIPS: usize = 2000;
 const LOCALES: usize = 5;
 
 fn packing(criterion: &mut Criterion) {
-    let files: Vec<_> = (0..CLIPS).map(|index| (clip_key(index), clip_json(DEFAULT_SEED, index, LOCALES))).collect();
+    let files = files(CLIPS, LOCALES);
     let inputs: Vec<Input> = files.iter().map(|(key, json)| Input::from_bytes(key, json.as_bytes())).collect();
     let options = Options { threads: Some(1), ..Options::default() };
     let mut group = criterion.benchmark_group("one thread");

@@ -7,7 +7,7 @@
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use lipz_bank::{Bank, ClipId, Micros};
-use lipz_benches::{DEFAULT_SEED, Random, clip_json, clip_key, naive};
+use lipz_benches::{DEFAULT_SEED, Random, files, naive};
 use lipz_compiler::{Input, Options, compile};
 use std::hint::black_box;
 
@@ -23,7 +23,7 @@ fn bank(files: &[(String, String)]) -> Vec<u8> {
 }
 
 fn queries(criterion: &mut Criterion) {
-    let files: Vec<_> = (0..CLIPS).map(|index| (clip_key(index), clip_json(DEFAULT_SEED, index, LOCALES))).collect();
+    let files = files(CLIPS, LOCALES);
     let bytes = bank(&files);
     let bank = Bank::open(&bytes).and_then(Bank::verify).expect("a bank without fault");
     let rival = naive::Naive::parse(files.iter().map(|(key, json)| (key.as_str(), json.as_str()))).expect("JSON");

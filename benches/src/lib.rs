@@ -25,6 +25,11 @@ pub fn clip_json(seed: u64, index: usize, locales: usize) -> String {
     clip::json(seed, index, locales)
 }
 
+/// Keys and Lipz files of the first `count` clips of the published measurements.
+pub fn files(count: usize, locales: usize) -> Vec<(String, String)> {
+    (0..count).map(|index| (clip_key(index), clip_json(DEFAULT_SEED, index, locales))).collect()
+}
+
 /// The key of clip number `index`, `act03/scene07/line-004611`.
 pub fn clip_key(index: usize) -> String {
     format!("{}/line-{index:06}", scene_folder(index / CLIPS_PER_SCENE))

@@ -108,3 +108,19 @@ fn quiet_runs_print_findings_only() {
     assert_eq!((outcome.code, outcome.stdout.as_str()), (0, ""));
     assert!(outcome.stderr.contains("warning[LZ0507]"), "{}", outcome.stderr);
 }
+
+#[test]
+fn a_misspelt_key_gets_the_one_that_was_meant() {
+    let bank = "fixtures/banks/v1/drama.lipzbank";
+    let asked = [
+        ("nell-helo", "did you mean `act1/nell-hello`?"),
+        ("act1/mara-god-evening", "did you mean `act1/mara-good-evening`?"),
+        ("good-evening.lipz", "did you mean `act1/mara-good-evening`?"),
+        ("quite-another", "`--list` lists the clips of the bank"),
+    ];
+    for (key, help) in asked {
+        let run = lipz(&repository(), ["inspect", bank, key]);
+        assert_eq!((run.code, run.stdout.as_str()), (2, ""));
+        assert!(run.stderr.contains(help), "{key}: {}", run.stderr);
+    }
+}

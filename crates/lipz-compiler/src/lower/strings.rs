@@ -4,12 +4,9 @@ use super::{fit, too_large};
 use crate::Report;
 use crate::clip::ClipData;
 use crate::localise::{Choice, LocaleColumn, Localised};
+use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order of entries is never used
 use lipz_bank::layout::{EventRecord, NO_EVENTS, NO_TEXT, TEXT_FALLBACK, TEXT_OFFSET, TEXT_WIDE, U32};
 use rayon::prelude::*;
-
-/// With a fast hash that is seeded anew in each process: the order of the entries is never used.
-type HashMap<K, V> = foldhash::HashMap<K, V>;
-use foldhash::HashMapExt;
 
 /// Where a name stands in the pool of names.
 #[derive(Clone, Copy)]

@@ -57,12 +57,14 @@ fn clip(bank: &Bank<'_>, key: &str, arguments: &Inspect) -> Outcome {
 }
 
 /// Keys that contain the last part of the one asked for, or else are spelled almost like it.
-fn near_keys(bank: &Bank<'_>, key: &str) -> Vec<String> {
-    let wanted = key.rsplit('/').next().unwrap_or(key).trim_end_matches(".lipz");
+fn near_keys<'d>(bank: &Bank<'d>, key: &str) -> Vec<String> {
+    let wanted = last_part(key).trim_end_matches(".lipz");
     let mut near: Vec<&str> =
         bank.clips().map(|clip| clip.key()).filter(|known| !wanted.is_empty() && known.contains(wanted)).collect();
     if near.is_empty() && key.len() < LONGEST_COMPARED {
-        let distance = |known: &str| strsim::damerau_levenshtein(known, key);
+        // Who names no folder means the last part.
+        let compared = |known: &'d str| if key.contains('/') { known } else { last_part(known) };
+        let distance = |known: &'d str| strsim::damerau_levenshtein(compared(known), key);
         let candidates = bank.clips().map(|clip| clip.key()).filter(|known| known.len() < LONGEST_COMPARED);
         let mut ranked: Vec<(usize, &str)> = candidates.map(|known| (distance(known), known)).collect();
         ranked.sort_unstable();
@@ -70,6 +72,11 @@ fn near_keys(bank: &Bank<'_>, key: &str) -> Vec<String> {
             ranked.into_iter().take_while(|(distance, _)| distance * 4 <= key.len()).map(|(_, known)| known).collect();
     }
     near.into_iter().take(3).map(|key| format!("`{}`", show::text(key))).collect()
+}
+
+/// What stands behind the last `/` of a key.
+fn last_part(key: &str) -> &str {
+    key.rsplit('/').next().unwrap_or(key)
 }
 
 fn list(bank: &Bank<'_>, prefix: &str, json: bool) -> Outcome {

@@ -24,6 +24,9 @@ fn line_break(at: &Place<'_>) -> Diagnostic {
     // It is marked behind the last character of its line, not across two lines.
     let finding = Diagnostic::at(Code::ControlCharacter, at.span_of(0), "a line break stands inside a string");
     let next_line = at.rest().trim_start_matches(WHITE_SPACE);
+    if next_line.is_empty() {
+        return finding.help("the closing `\"` is missing, or the file was cut off while it was copied");
+    }
     if starts_element(next_line) || next_line.starts_with('}') {
         return finding
             .help("write \\n if it belongs to the string, otherwise join the lines; or is the closing `\"` missing?");
