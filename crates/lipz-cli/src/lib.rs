@@ -7,6 +7,7 @@ mod bank_file;
 mod commands;
 mod console;
 mod render;
+mod sources;
 mod timeline;
 
 use args::{Arguments, Command};

@@ -6,7 +6,7 @@ pub(crate) mod pack;
 pub(crate) mod unpack;
 pub(crate) mod verify;
 
-use crate::args::Sources;
+use crate::sources::Sources;
 use crate::{Outcome, console};
 use lipz_compiler::{Compiled, Input, Options, Progress, Report, discover};
 use std::time::{Duration, Instant};

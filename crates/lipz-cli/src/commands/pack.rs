@@ -1,11 +1,39 @@
 //! `lipz pack`: source files to a bank.
 
 use super::{Run, with_inputs};
-use crate::args::Pack;
+use crate::sources::Sources;
 use crate::{Outcome, console, render};
+use clap::Args;
 use lipz::Level;
 use lipz_compiler::{Options, compile, count, replace_file};
+use std::path::PathBuf;
 use std::time::{Duration, Instant};
+
+/// Check Lipz files and pack them into a bank.
+///
+/// The old bank stays as it is until the new one is complete and verified. Nothing is written if
+/// there are errors.
+#[derive(Args, Debug)]
+#[command(after_help = "Examples:
+  lipz pack voices -o dialogue.lipzbank
+  lipz pack voices/act1 voices/act2 --root voices -o acts.lipzbank --default-locale en-us
+  lipz pack 'voices/**/mara-*.lipz' -o mara.lipzbank --strip")]
+pub(crate) struct Pack {
+    #[command(flatten)]
+    pub(crate) sources: Sources,
+
+    /// The bank to write
+    #[arg(short, long, value_name = "BANK")]
+    pub(crate) output: PathBuf,
+
+    /// Leave out the source section: smaller, but unpacking gives display forms only
+    #[arg(long)]
+    pub(crate) strip: bool,
+
+    /// Print where the time went
+    #[arg(long)]
+    pub(crate) timings: bool,
+}
 
 pub(crate) fn run(arguments: &Pack) -> Outcome {
     let options = Options { strip: arguments.strip, ..arguments.sources.options() };

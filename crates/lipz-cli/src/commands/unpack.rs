@@ -1,11 +1,36 @@
 //! `lipz unpack`: a bank to source files.
 
-use crate::args::Unpack;
 use crate::bank_file::with_bank;
 use crate::{Outcome, console, render};
+use clap::Args;
 use lipz::Code;
 use lipz_bank::Bank;
 use lipz_compiler::unpack;
+use std::path::PathBuf;
+
+/// Write the clips of a bank as Lipz files.
+///
+/// Nothing is written outside the folder, and nothing at all if a key cannot be a file name.
+#[derive(Args, Debug)]
+#[command(after_help = "Example:
+  lipz unpack dialogue.lipzbank -o voices")]
+pub(crate) struct Unpack {
+    /// The bank to read
+    #[arg(value_name = "BANK")]
+    pub(crate) bank: PathBuf,
+
+    /// The folder to write into; it is made if it does not exist
+    #[arg(short, long, value_name = "FOLDER")]
+    pub(crate) output: PathBuf,
+
+    /// Replace files that exist
+    #[arg(long)]
+    pub(crate) force: bool,
+
+    /// Show no progress and no summary
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
 
 pub(crate) fn run(arguments: &Unpack) -> Outcome {
     with_bank(&arguments.bank, |path, bank| unpack_into(path, bank, arguments))

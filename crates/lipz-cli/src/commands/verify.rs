@@ -1,9 +1,24 @@
 //! `lipz verify`: the full check of banks.
 
-use crate::args::Verify;
 use crate::bank_file::with_bank;
 use crate::{Outcome, console};
+use clap::Args;
 use lipz_bank::Bank;
+use std::path::PathBuf;
+
+/// Check every byte and every reference of banks.
+#[derive(Args, Debug)]
+#[command(after_help = "Example:
+  lipz verify dialogue.lipzbank")]
+pub(crate) struct Verify {
+    /// The banks to check
+    #[arg(value_name = "BANK", required = true)]
+    pub(crate) banks: Vec<PathBuf>,
+
+    /// Print nothing about banks without fault
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
 
 pub(crate) fn run(arguments: &Verify) -> Outcome {
     let mut worst = Outcome::Clean;

@@ -1,6 +1,7 @@
 //! From clips to the sections of a bank.
 
 mod assemble;
+mod events;
 mod index;
 mod records;
 mod strings;
@@ -20,7 +21,7 @@ pub(crate) fn lower(clips: &[ClipData], localised: &Localised, options: &Options
     let index = index::build(&ids);
     let names = strings::names(clips, localised)?;
     let texts = strings::texts(clips, localised, &index.slots)?;
-    let events = strings::events(clips)?;
+    let events = events::events(clips)?;
     let records = records::clips(clips, &ids, &index.slots, &names, &events)?;
     let locales = records::locales(localised, &names);
     let mut sections = vec![

@@ -1,7 +1,8 @@
 //! The fixed-size records: clips, far segment starts, locales.
 
+use super::events::Events;
 use super::fit;
-use super::strings::{Events, Names};
+use super::strings::Names;
 use crate::Report;
 use crate::clip::ClipData;
 use crate::localise::Localised;

@@ -2,19 +2,49 @@
 
 mod json;
 
-use crate::args::Inspect;
 use crate::bank_file::with_bank;
 use crate::timeline::timeline;
 use crate::{Outcome, console};
+use clap::Args;
 use json::{ClipJson, ListedJson, SummaryJson};
 use lipz::diagnostic::show;
 use lipz_bank::{Bank, Locale};
 use serde::Serialize;
 use std::fmt::Write;
+use std::path::PathBuf;
 use unicode_width::UnicodeWidthStr;
 
 /// Keys longer than this are not compared letter by letter.
 const LONGEST_COMPARED: usize = 200;
+
+/// Show what is in a bank: a summary, the list of clips, or one clip as a timeline.
+#[derive(Args, Debug)]
+#[command(after_help = "Examples:
+  lipz inspect dialogue.lipzbank
+  lipz inspect dialogue.lipzbank --list act1/
+  lipz inspect dialogue.lipzbank act1/mara-hello --locale de-de
+  lipz inspect dialogue.lipzbank act1/mara-hello --json")]
+pub(crate) struct Inspect {
+    /// The bank to read
+    #[arg(value_name = "BANK")]
+    pub(crate) bank: PathBuf,
+
+    /// The clip to show
+    #[arg(value_name = "KEY")]
+    pub(crate) key: Option<String>,
+
+    /// List the clips whose keys start with PREFIX
+    #[arg(long, value_name = "PREFIX", num_args = 0..=1, default_missing_value = "", conflicts_with = "key")]
+    pub(crate) list: Option<String>,
+
+    /// Show texts in this locale only; may be given several times
+    #[arg(long, value_name = "LOCALE", requires = "key")]
+    pub(crate) locale: Vec<String>,
+
+    /// Print JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
 
 pub(crate) fn run(arguments: &Inspect) -> Outcome {
     with_bank(&arguments.bank, |path, bank| match (&arguments.key, &arguments.list) {
