@@ -65,6 +65,7 @@ impl Sources {
             extended_locales: self.extended_locales,
             strip: false,
             threads: self.threads.map(usize::from),
+            ..Options::default()
         }
     }
 }

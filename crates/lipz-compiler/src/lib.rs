@@ -49,7 +49,7 @@ mod unpack;
 pub use compile::{Compiled, Phases, Progress, check_all, compile};
 pub use discover::discover;
 pub use input::{Content, Input};
-pub use options::Options;
+pub use options::{Levels, Options, Registry, TextLimits};
 pub use output::replace_file;
 pub use raise::Documents;
 pub use report::{Report, count};

@@ -1,6 +1,8 @@
 //! What a project decides about its Lipz files.
 
+use lipz::{Code, Level};
 use lipz_bank::{Fps, VisemeType};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Settings of a pack or check run.
 #[derive(Clone, Debug, Default)]
@@ -18,4 +20,46 @@ pub struct Options {
     pub strip: bool,
     /// Threads that read and check files; `None` for one per core.
     pub threads: Option<usize>,
+    /// Levels of lints that differ from their defaults.
+    pub levels: Levels,
+    /// Locales to pack; `None` for all that the files have.
+    pub locales: Option<BTreeSet<String>>,
+    /// For a locale, those that its missing texts are taken from, in order, instead of the usual
+    /// ones.
+    pub fallbacks: BTreeMap<String, Vec<String>>,
+    /// Braces are displayed as they are: `{0}` is a placeholder of the game, not meta.
+    pub literal_braces: bool,
+    /// How much text a screen holds and a player reads.
+    pub text_limits: TextLimits,
+    /// The names that events may mention.
+    pub registry: Registry,
+    /// Viseme type that clips of other types are converted to.
+    pub viseme_type: Option<VisemeType>,
+}
+
+/// Levels that a project gives to lints: `None` is "allow", the finding is dropped.
+pub type Levels = BTreeMap<Code, Option<Level>>;
+
+/// Limits of display texts; those that are `None` are not checked.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct TextLimits {
+    /// Columns of a line; East Asian wide characters count two.
+    pub line_columns: Option<u32>,
+    /// Lines of a segment.
+    pub lines: Option<u32>,
+    /// Characters that a player reads in a second, over the time of the segment.
+    pub characters_per_second: Option<f64>,
+}
+
+/// Names that Character Event Syntax may mention; a list that is `None` is not checked.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Registry {
+    /// Characters of the scenes.
+    pub characters: Option<BTreeSet<String>>,
+    /// Things that characters look and point at.
+    pub props: Option<BTreeSet<String>>,
+    /// Emotions beyond those of the specification.
+    pub emotions: BTreeSet<String>,
+    /// Actions of `does`.
+    pub actions: Option<BTreeSet<String>>,
 }
