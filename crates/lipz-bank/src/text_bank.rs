@@ -23,9 +23,9 @@ use crate::{Bank, Error, ErrorKind, Locale, Locales};
 ///     let text = segment.zip(texts.locale("de-de")).and_then(|(segment, german)| segment.text(german));
 ///     Ok(text.map(|text| text.as_str()))
 /// }
-/// # let base = include_bytes!("../../../fixtures/banks/v1/drama.lipzbank");
-/// // A full bank of the same clips will do, too.
-/// assert_eq!(german_text(base, base, "act1/mara-good-evening")?, Some("Guten Abend. Ein Zimmer für eine Nacht, bitte."));
+/// # let base = include_bytes!("../../../fixtures/banks/v1/split.lipzbank");
+/// # let texts = include_bytes!("../../../fixtures/banks/v1/split.de-de.lipztexts");
+/// assert_eq!(german_text(base, texts, "act1/toonboom")?, Some("Nur"));
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy)]
