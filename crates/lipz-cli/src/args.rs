@@ -21,8 +21,8 @@ impl Arguments {
     pub(crate) fn read(words: impl IntoIterator<Item = OsString>) -> Result<Arguments, clap::Error> {
         let arguments = Arguments::try_parse_from(words)?;
         match &arguments.command {
-            Command::Pack(pack) => pack.sources.validate()?,
-            Command::Check(check) => check.sources.validate()?,
+            Command::Pack(pack) => pack.sources.project.validate()?,
+            Command::Check(check) => check.sources.project.validate()?,
             Command::Unpack(_) | Command::Verify(_) | Command::Inspect(_) => {}
         }
         Ok(arguments)

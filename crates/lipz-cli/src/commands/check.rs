@@ -19,12 +19,12 @@ pub(crate) struct Check {
 
 pub(crate) fn run(arguments: &Check) -> Outcome {
     let sources = &arguments.sources;
-    let run = with_inputs(sources, &sources.options(), check_all);
+    let run = with_inputs(sources, &sources.project.options(), check_all);
     render::findings(&run.reports);
     if count(&run.reports, Level::Error) > 0 {
         return run.failure();
     }
-    if sources.quiet {
+    if sources.project.quiet {
         return Outcome::Clean;
     }
     console::print(&format!("{} checked\n", console::counted(run.file_count, "file")))

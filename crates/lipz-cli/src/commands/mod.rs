@@ -15,9 +15,9 @@ use std::time::{Duration, Instant};
 /// the reports; a run without inputs has none of its own.
 fn with_inputs(sources: &Sources, options: &Options, work: fn(&[Input], &Options, &Progress<'_>) -> Compiled) -> Run {
     let start = Instant::now();
-    let (inputs, mut reports) = discover(&sources.sources, sources.root.as_deref());
+    let (inputs, mut reports) = discover(&sources.places.sources, sources.places.root.as_deref());
     let discover = start.elapsed();
-    let bar = console::progress_bar(inputs.len(), sources.quiet);
+    let bar = console::progress_bar(inputs.len(), sources.project.quiet);
     let mut compiled = work(&inputs, options, &|count| bar.inc(count));
     bar.finish_and_clear();
     reports.append(&mut compiled.reports);

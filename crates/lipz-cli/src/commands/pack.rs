@@ -36,7 +36,7 @@ pub(crate) struct Pack {
 }
 
 pub(crate) fn run(arguments: &Pack) -> Outcome {
-    let options = Options { strip: arguments.strip, ..arguments.sources.options() };
+    let options = Options { strip: arguments.strip, ..arguments.sources.project.options() };
     let mut run = with_inputs(&arguments.sources, &options, compile);
     render::findings(&run.reports);
     let bank = match run.compiled.bank.take() {
@@ -50,7 +50,7 @@ pub(crate) fn run(arguments: &Pack) -> Outcome {
     }
     let write = start.elapsed();
     let mut text = String::new();
-    if !arguments.sources.quiet {
+    if !arguments.sources.project.quiet {
         let (clips, bytes) = (console::counted(run.file_count, "clip"), console::grouped(bank.len()));
         text = format!("{clips} packed into {} ({bytes} bytes)\n", console::path(&arguments.output));
     }
