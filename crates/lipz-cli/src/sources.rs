@@ -20,7 +20,7 @@ pub(crate) struct Sources {
 /// Where Lipz files come from.
 #[derive(Args, Debug)]
 pub(crate) struct Places {
-    /// Folders, files or glob patterns
+    /// Folders, files or glob patterns; `-` reads one Lipz file from standard input
     #[arg(value_name = "SOURCES", required = true)]
     pub(crate) sources: Vec<PathBuf>,
 
