@@ -1,6 +1,6 @@
 //! The command line: the list of commands. Each one's arguments and help stand beside its work.
 
-use crate::commands::{check, diff, inspect, pack, unpack, verify};
+use crate::commands::{check, diff, inspect, pack, stats, unpack, verify};
 use clap::{Parser, Subcommand};
 use colorchoice_clap::Color;
 use std::ffi::OsString;
@@ -29,6 +29,7 @@ impl Arguments {
             Command::Pack(pack) => pack.sources.project.validate()?,
             Command::Check(check) => check.sources.project.validate()?,
             Command::Diff(diff) => diff.project.validate()?,
+            Command::Stats(stats) => stats.project.validate()?,
             Command::Unpack(_) | Command::Verify(_) | Command::Inspect(_) => {}
         }
         Ok(arguments)
@@ -43,4 +44,5 @@ pub(crate) enum Command {
     Verify(verify::Verify),
     Inspect(inspect::Inspect),
     Diff(diff::Diff),
+    Stats(stats::Stats),
 }

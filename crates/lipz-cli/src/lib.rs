@@ -56,6 +56,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Verify(verify) => commands::verify::run(&verify),
         Command::Inspect(inspect) => commands::inspect::run(&inspect),
         Command::Diff(diff) => commands::diff::run(&diff),
+        Command::Stats(stats) => commands::stats::run(&stats),
     };
     outcome.into()
 }

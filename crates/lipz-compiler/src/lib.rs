@@ -46,6 +46,7 @@ mod output;
 mod raise;
 mod report;
 mod source_record;
+pub mod stats;
 mod unpack;
 
 pub use compile::{Compiled, Phases, Progress, check_all, compile};

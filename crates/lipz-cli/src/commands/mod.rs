@@ -2,8 +2,10 @@
 
 pub(crate) mod check;
 pub(crate) mod diff;
+mod either;
 pub(crate) mod inspect;
 pub(crate) mod pack;
+pub(crate) mod stats;
 pub(crate) mod unpack;
 pub(crate) mod verify;
 

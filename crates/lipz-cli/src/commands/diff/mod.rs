@@ -4,14 +4,13 @@ mod json;
 mod text;
 mod words;
 
-use super::with_inputs;
-use crate::bank_file::BankFile;
-use crate::sources::{Places, Project};
-use crate::{Outcome, console, render};
+use super::either::bank_or_files;
+use crate::sources::Project;
+use crate::{Outcome, console};
 use clap::Args;
 use json::DifferenceJson;
-use lipz_compiler::{compile, diff};
-use std::path::{Path, PathBuf};
+use lipz_compiler::diff;
+use std::path::PathBuf;
 
 /// Compare banks, or the folders that banks are made of.
 ///
@@ -53,8 +52,8 @@ pub(crate) fn run(arguments: &Diff) -> Outcome {
 }
 
 fn compare(arguments: &Diff) -> Result<Outcome, Outcome> {
-    let old = side(&arguments.old, &arguments.project)?;
-    let new = side(&arguments.new, &arguments.project)?;
+    let old = bank_or_files(&arguments.old, &arguments.project)?;
+    let new = bank_or_files(&arguments.new, &arguments.project)?;
     let (old_bank, new_bank) = (old.bank()?, new.bank()?);
     let difference = diff::diff(&old_bank, &new_bank);
     let printed = if arguments.json {
@@ -68,22 +67,4 @@ fn compare(arguments: &Diff) -> Result<Outcome, Outcome> {
         Outcome::Clean if !difference.is_empty() => Outcome::Findings,
         printed => printed,
     })
-}
-
-/// One side: a bank file, or Lipz files packed in memory.
-fn side(path: &Path, project: &Project) -> Result<BankFile, Outcome> {
-    if !names_lipz_files(path) {
-        return BankFile::open(path);
-    }
-    let places = Places { sources: vec![path.to_owned()], root: None };
-    let mut run = with_inputs(&places, project.quiet, &project.options(), compile);
-    render::findings(&run.reports);
-    let bank = run.compiled.bank.take().filter(|_| !run.has_errors()).ok_or(Outcome::Findings)?;
-    Ok(BankFile::made(console::path(path), bank))
-}
-
-/// Whether a path is that of Lipz files: a folder, a pattern, a file `.lipz`.
-pub(super) fn names_lipz_files(path: &Path) -> bool {
-    let is_pattern = || !path.exists() && path.to_string_lossy().contains(['*', '?', '[']);
-    path.is_dir() || path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("lipz")) || is_pattern()
 }
