@@ -1,7 +1,8 @@
 //! The command line: the list of commands. Each one's arguments and help stand beside its work.
 
-use crate::commands::{check, inspect, pack, unpack, verify};
+use crate::commands::{check, diff, inspect, pack, stats, unpack, verify};
 use clap::{Parser, Subcommand};
+use colorchoice_clap::Color;
 use std::ffi::OsString;
 
 /// Spoken dialogue for games: packs Lipz files into banks.
@@ -10,8 +11,12 @@ use std::ffi::OsString;
 /// segment. A bank holds many clips in one file that games use in place.
 #[derive(Parser, Debug)]
 #[command(name = "lipz", version, max_term_width = 100)]
-#[command(after_help = "Exit codes: 0 nothing at error level, 1 findings at error level, 2 the tool could not run.")]
+#[command(after_help = "Exit codes: 0 nothing at error level, 1 findings at error level, 2 the tool could not run, \
+                  130 interrupted.")]
 pub(crate) struct Arguments {
+    #[command(flatten)]
+    pub(crate) color: Color,
+
     #[command(subcommand)]
     pub(crate) command: Command,
 }
@@ -21,8 +26,10 @@ impl Arguments {
     pub(crate) fn read(words: impl IntoIterator<Item = OsString>) -> Result<Arguments, clap::Error> {
         let arguments = Arguments::try_parse_from(words)?;
         match &arguments.command {
-            Command::Pack(pack) => pack.sources.validate()?,
-            Command::Check(check) => check.sources.validate()?,
+            Command::Pack(pack) => pack.sources.project.validate()?,
+            Command::Check(check) => check.sources.project.validate()?,
+            Command::Diff(diff) => diff.project.validate()?,
+            Command::Stats(stats) => stats.project.validate()?,
             Command::Unpack(_) | Command::Verify(_) | Command::Inspect(_) => {}
         }
         Ok(arguments)
@@ -36,4 +43,6 @@ pub(crate) enum Command {
     Unpack(unpack::Unpack),
     Verify(verify::Verify),
     Inspect(inspect::Inspect),
+    Diff(diff::Diff),
+    Stats(stats::Stats),
 }

@@ -1,6 +1,6 @@
 //! Bank files on disk: mapping them, and what to say when they are not banks.
 
-use crate::{Outcome, console, render};
+use crate::{Outcome, console, render, standard};
 use lipz::{Code, Diagnostic};
 use lipz_bank::layout::{FORMAT_MAJOR, FORMAT_MINOR, Header, MAGIC};
 use lipz_bank::{Bank, Error, ErrorKind};
@@ -11,26 +11,70 @@ use std::io;
 use std::mem::offset_of;
 use std::path::Path;
 
+/// The most bytes that a bank has: its offsets have 32 bits.
+const LONGEST_BANK: u64 = u32::MAX as u64;
+
 const NAME_A_BANK: &str = "name a .lipzbank file; `lipz pack` makes one of Lipz files";
 
-/// Maps the bank at `path`, verifies it and hands it to `work`, with its path as messages name it.
+/// The bytes of a bank, and how messages name it.
+pub(crate) struct BankFile {
+    pub(crate) name: String,
+    bytes: Bytes,
+}
+
+enum Bytes {
+    Mapped(Mmap),
+    Read(Vec<u8>),
+}
+
+impl BankFile {
+    /// Maps the file at `path`, or reads standard input. Reports why that is not possible.
+    pub(crate) fn open(path: &Path) -> Result<BankFile, Outcome> {
+        let (name, bytes) = if standard::is_meant(path) {
+            (standard::INPUT_NAME.to_owned(), standard::read(LONGEST_BANK + 1).map(Bytes::Read))
+        } else {
+            (console::path(path), map(path).map(Bytes::Mapped))
+        };
+        match bytes {
+            Ok(bytes) => Ok(BankFile { name, bytes }),
+            Err(error) => {
+                let finding = unreadable(&name, &error);
+                render::findings(&[Report::about(name, finding)]);
+                Err(Outcome::Failed)
+            }
+        }
+    }
+
+    /// A bank that was made in memory.
+    pub(crate) fn made(name: String, bytes: Vec<u8>) -> BankFile {
+        BankFile { name, bytes: Bytes::Read(bytes) }
+    }
+
+    /// The bank, verified. Reports what is wrong with it.
+    pub(crate) fn bank(&self) -> Result<Bank<'_>, Outcome> {
+        let bytes: &[u8] = match &self.bytes {
+            Bytes::Mapped(map) => map,
+            Bytes::Read(bytes) => bytes,
+        };
+        let opened = Bank::open(bytes).map_err(|error| (Code::BankRefused, error));
+        let verified = opened.and_then(|bank| bank.verify().map_err(|error| (Code::BankDamaged, error)));
+        verified.map_err(|(code, error)| {
+            render::findings(&[Report::about(self.name.as_str(), refused(code, error, bytes))]);
+            Outcome::Findings
+        })
+    }
+}
+
+/// Opens the bank at `path`, verifies it and hands it to `work`, with its path as messages name it.
 /// Reports why the file cannot be read, or what is wrong with the bank.
 pub(crate) fn with_bank(path: &Path, work: impl FnOnce(&str, &Bank<'_>) -> Outcome) -> Outcome {
-    let shown = console::path(path);
-    let map = match map(path) {
-        Ok(map) => map,
-        Err(error) => {
-            render::findings(&[Report::about(shown.as_str(), unreadable(&shown, &error))]);
-            return Outcome::Failed;
-        }
+    let file = match BankFile::open(path) {
+        Ok(file) => file,
+        Err(outcome) => return outcome,
     };
-    let opened = Bank::open(&map).map_err(|error| (Code::BankRefused, error));
-    match opened.and_then(|bank| bank.verify().map_err(|error| (Code::BankDamaged, error))) {
-        Ok(bank) => work(&shown, &bank),
-        Err((code, error)) => {
-            render::findings(&[Report::about(shown, refused(code, error, &map))]);
-            Outcome::Findings
-        }
+    match file.bank() {
+        Ok(bank) => work(&file.name, &bank),
+        Err(outcome) => outcome,
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::Outcome;
 use indicatif::{ProgressBar, ProgressStyle};
 use lipz::diagnostic::show;
+use serde::Serialize;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 use std::time::Duration;
@@ -12,8 +13,16 @@ const DEFAULT_WIDTH: usize = 100;
 
 /// Prints a result. A reader that went away (`| head`) is no error; a full disk is.
 pub(crate) fn print(text: &str) -> Outcome {
-    let mut out = anstream::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+    printed(anstream::stdout().lock(), text.as_bytes())
+}
+
+/// Prints a result that is not text.
+pub(crate) fn print_bytes(bytes: &[u8]) -> Outcome {
+    printed(io::stdout().lock(), bytes)
+}
+
+fn printed(mut out: impl Write, bytes: &[u8]) -> Outcome {
+    match out.write_all(bytes).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
             remark(&format!("error: the output cannot be written: {error}\n"));
             Outcome::Failed
@@ -22,10 +31,32 @@ pub(crate) fn print(text: &str) -> Outcome {
     }
 }
 
+/// Prints a result as JSON.
+pub(crate) fn print_json<T: Serialize>(value: &T) -> Outcome {
+    match serde_json::to_string_pretty(value) {
+        Ok(json) => print(&(without_controls(&json) + "\n")),
+        Err(error) => {
+            remark(&format!("error: {error}\n"));
+            Outcome::Failed
+        }
+    }
+}
+
+/// The JSON with every control character escaped: serde_json leaves those above U+007E.
+fn without_controls(json: &str) -> String {
+    json.split('\n').map(show::text).collect::<Vec<_>>().join("\n")
+}
+
 /// Prints findings and remarks.
 pub(crate) fn remark(text: &str) {
     let mut out = anstream::stderr().lock();
     let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+}
+
+/// Prints a remark when a progress bar may stand at the end of the terminal.
+pub(crate) fn remark_below_progress(text: &str) {
+    let line_break = if io::stderr().is_terminal() { "\n" } else { "" };
+    remark(&format!("{line_break}{text}"));
 }
 
 /// Columns of the terminal, or a width that suits files.

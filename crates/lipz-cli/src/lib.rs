@@ -6,8 +6,10 @@ mod args;
 mod bank_file;
 mod commands;
 mod console;
+mod interrupt;
 mod render;
 mod sources;
+mod standard;
 mod timeline;
 
 use args::{Arguments, Command};
@@ -45,12 +47,16 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             return if error.use_stderr() { Outcome::Failed.into() } else { Outcome::Clean.into() };
         }
     };
+    arguments.color.write_global();
+    interrupt::listen();
     let outcome = match arguments.command {
         Command::Pack(pack) => commands::pack::run(&pack),
         Command::Check(check) => commands::check::run(&check),
         Command::Unpack(unpack) => commands::unpack::run(&unpack),
         Command::Verify(verify) => commands::verify::run(&verify),
         Command::Inspect(inspect) => commands::inspect::run(&inspect),
+        Command::Diff(diff) => commands::diff::run(&diff),
+        Command::Stats(stats) => commands::stats::run(&stats),
     };
     outcome.into()
 }

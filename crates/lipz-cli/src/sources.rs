@@ -10,14 +10,29 @@ use std::path::PathBuf;
 /// Where Lipz files come from, and what the project decides about them.
 #[derive(Args, Debug)]
 pub(crate) struct Sources {
-    /// Folders, files or glob patterns
+    #[command(flatten)]
+    pub(crate) places: Places,
+
+    #[command(flatten)]
+    pub(crate) project: Project,
+}
+
+/// Where Lipz files come from.
+#[derive(Args, Debug)]
+pub(crate) struct Places {
+    /// Folders, files or glob patterns; `-` reads one Lipz file from standard input
     #[arg(value_name = "SOURCES", required = true)]
     pub(crate) sources: Vec<PathBuf>,
 
     /// Keys are paths below this folder [default: each source folder]
     #[arg(long, value_name = "FOLDER")]
     pub(crate) root: Option<PathBuf>,
+}
 
+/// What the project decides about its Lipz files, and how the run goes: also for commands that name
+/// their files in other ways.
+#[derive(Args, Debug)]
+pub(crate) struct Project {
     /// Frame rate of files without `fps` [default: unspecified, the game supplies it]
     #[arg(long, value_name = "FPS", value_parser = parse_fps)]
     pub(crate) default_fps: Option<Fps>,
@@ -43,7 +58,7 @@ pub(crate) struct Sources {
     pub(crate) quiet: bool,
 }
 
-impl Sources {
+impl Project {
     /// What the parser cannot see by itself: arguments that contradict each other.
     ///
     /// # Errors

@@ -2,7 +2,8 @@
 //!
 //! Data flows one way: [`discover`] → parse → check → localise → lower → [`replace_file`]. Every
 //! phase reports what it finds and goes on, so that one run shows all problems of all files; a bank
-//! is made only if none of them is an error. [`unpack`] goes the other way.
+//! is made only if none of them is an error. [`unpack`] goes the other way, [`diff`](mod@diff) compares two
+//! banks.
 //!
 //! A build script packs a folder like this:
 //!
@@ -34,6 +35,7 @@
 mod check;
 mod clip;
 mod compile;
+pub mod diff;
 mod discover;
 mod input;
 pub mod key;
@@ -45,6 +47,7 @@ mod raise;
 mod report;
 mod source_record;
 mod split;
+pub mod stats;
 mod unpack;
 
 pub use compile::{Compiled, Phases, Progress, check_all, compile};

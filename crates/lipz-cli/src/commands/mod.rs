@@ -1,28 +1,49 @@
 //! The commands, one file each.
 
 pub(crate) mod check;
+pub(crate) mod diff;
+mod either;
 pub(crate) mod inspect;
 pub(crate) mod pack;
+pub(crate) mod stats;
 pub(crate) mod unpack;
 pub(crate) mod verify;
 
-use crate::sources::Sources;
-use crate::{Outcome, console};
-use lipz_compiler::{Compiled, Input, Options, Progress, Report, discover};
+use crate::sources::Places;
+use crate::{Outcome, console, standard};
+use lipz::Level;
+use lipz_compiler::{Compiled, Input, Options, Progress, Report, count, discover};
+use std::path::PathBuf;
 use std::time::{Duration, Instant};
+
+/// A run of the compiler: [`compile`](lipz_compiler::compile) or a check.
+type Work = fn(&[Input], &Options, &Progress<'_>) -> Compiled;
 
 /// Finds the inputs and hands them to `work`, with a progress bar. What discovery found is added to
 /// the reports; a run without inputs has none of its own.
-fn with_inputs(sources: &Sources, options: &Options, work: fn(&[Input], &Options, &Progress<'_>) -> Compiled) -> Run {
+fn with_inputs(places: &Places, quiet: bool, options: &Options, work: Work) -> Run {
     let start = Instant::now();
-    let (inputs, mut reports) = discover(&sources.sources, sources.root.as_deref());
+    let (inputs, mut reports) = find(places);
     let discover = start.elapsed();
-    let bar = console::progress_bar(inputs.len(), sources.quiet);
+    let bar = console::progress_bar(inputs.len(), quiet);
     let mut compiled = work(&inputs, options, &|count| bar.inc(count));
     bar.finish_and_clear();
     reports.append(&mut compiled.reports);
     reports.sort_by(|a, b| a.source.path.cmp(&b.source.path));
     Run { file_count: inputs.len(), reports, compiled, discover }
+}
+
+/// The inputs at `places`, one of which may be standard input, and what is wrong with the others.
+fn find(places: &Places) -> (Vec<Input>, Vec<Report>) {
+    let paths: Vec<PathBuf> = places.sources.iter().filter(|path| !standard::is_meant(path)).cloned().collect();
+    let (mut inputs, mut reports) = discover(&paths, places.root.as_deref());
+    if paths.len() < places.sources.len() {
+        match standard::lipz_file() {
+            Ok(input) => inputs.push(input),
+            Err(report) => reports.push(report),
+        }
+    }
+    (inputs, reports)
 }
 
 /// What a run over source files gave.
@@ -34,6 +55,11 @@ struct Run {
 }
 
 impl Run {
+    /// Whether there are findings at error level.
+    fn has_errors(&self) -> bool {
+        count(&self.reports, Level::Error) > 0
+    }
+
     /// How a run with findings at error level ends: without a single input, the tool could not run.
     fn failure(&self) -> Outcome {
         if self.file_count == 0 { Outcome::Failed } else { Outcome::Findings }

@@ -2,17 +2,17 @@
 
 use super::{Run, with_inputs};
 use crate::sources::Sources;
-use crate::{Outcome, console, render};
+use crate::{Outcome, console, interrupt, render, standard};
 use clap::Args;
-use lipz::Level;
-use lipz_compiler::{Options, Report, Split, compile, count, replace_file, split};
-use std::path::PathBuf;
+use lipz_compiler::{Options, Report, Split, compile, replace_file, split};
+use std::io::{self, IsTerminal};
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 /// Check Lipz files and pack them into a bank.
 ///
 /// The old bank stays as it is until the new one is complete and verified. Nothing is written if
-/// there are errors.
+/// there are errors, or if the run is interrupted.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz pack voices -o dialogue.lipzbank
@@ -22,7 +22,7 @@ pub(crate) struct Pack {
     #[command(flatten)]
     pub(crate) sources: Sources,
 
-    /// The bank to write
+    /// The bank to write; `-` writes it to standard output
     #[arg(short, long, value_name = "BANK")]
     pub(crate) output: PathBuf,
 
@@ -41,50 +41,77 @@ pub(crate) struct Pack {
 }
 
 pub(crate) fn run(arguments: &Pack) -> Outcome {
-    let options = Options { strip: arguments.strip, ..arguments.sources.options() };
-    let mut run = with_inputs(&arguments.sources, &options, compile);
+    let Sources { places, project } = &arguments.sources;
+    let is_standard = standard::is_meant(&arguments.output);
+    if is_standard && io::stdout().is_terminal() {
+        console::remark("error: a bank is not for a terminal\nhelp: name a file, or send standard output to one\n");
+        return Outcome::Failed;
+    }
+    let options = Options { strip: arguments.strip, ..project.options() };
+    let mut run = with_inputs(places, project.quiet, &options, compile);
     render::findings(&run.reports);
     let bank = match run.compiled.bank.take() {
-        Some(bank) if count(&run.reports, Level::Error) == 0 => bank,
+        Some(bank) if !run.has_errors() => bank,
         _ => return run.failure(),
     };
     let start = Instant::now();
-    let files = match written(arguments, bank) {
+    let files = match files(&arguments.output, bank, arguments.split_locales) {
         Ok(files) => files,
         Err(report) => {
             render::findings(&[report]);
             return Outcome::Failed;
         }
     };
-    let write = start.elapsed();
+    let written = match files.as_slice() {
+        [(_, bank)] if is_standard => console::print_bytes(bank),
+        _ => write(&files),
+    };
+    if written != Outcome::Clean {
+        return written;
+    }
     let mut text = String::new();
-    if !arguments.sources.quiet {
-        let clips = console::counted(run.file_count, "clip");
-        for (index, (path, length_bytes)) in files.iter().enumerate() {
-            let what = if index == 0 { format!("{clips} packed into") } else { "texts packed into".to_owned() };
-            let (path, bytes) = (console::path(path), console::grouped(*length_bytes));
-            text.push_str(&format!("{what} {path} ({bytes} bytes)\n"));
-        }
+    if !project.quiet {
+        text = summary(&files, run.file_count, is_standard);
     }
     if arguments.timings {
-        text.push_str(&timings(&run, write));
+        text.push_str(&timings(&run, start.elapsed()));
+    }
+    if is_standard {
+        console::remark(&text);
+        return Outcome::Clean;
     }
     console::print(&text)
 }
 
-/// Writes the bank and its text banks; their paths and lengths, the bank first.
-fn written(arguments: &Pack, bank: Vec<u8>) -> Result<Vec<(PathBuf, usize)>, Report> {
-    let output = &arguments.output;
-    let Split { base, texts } =
-        if arguments.split_locales { split(&bank)? } else { Split { base: bank, texts: Vec::new() } };
-    let mut files = vec![(output.clone(), base)];
+/// The bank and its text banks with their paths, the bank first.
+fn files(output: &Path, bank: Vec<u8>, split_locales: bool) -> Result<Vec<(PathBuf, Vec<u8>)>, Report> {
+    let Split { base, texts } = if split_locales { split(&bank)? } else { Split { base: bank, texts: Vec::new() } };
+    let mut files = vec![(output.to_owned(), base)];
     let text_bank = |(tag, texts)| (output.with_extension(format!("{tag}.lipztexts")), texts);
     files.extend(texts.into_iter().map(text_bank));
-    // The bank last: whoever finds it finds its texts, too.
-    for (path, bytes) in files.iter().rev() {
-        replace_file(path, bytes)?;
+    Ok(files)
+}
+
+/// Writes the files, the bank last: whoever finds it finds its texts, too.
+fn write(files: &[(PathBuf, Vec<u8>)]) -> Outcome {
+    let written = interrupt::whole(|| files.iter().rev().try_for_each(|(path, bytes)| replace_file(path, bytes)));
+    match written {
+        Ok(()) => Outcome::Clean,
+        Err(report) => {
+            render::findings(&[report]);
+            Outcome::Failed
+        }
     }
-    Ok(files.into_iter().map(|(path, bytes)| (path, bytes.len())).collect())
+}
+
+/// What was written.
+fn summary(files: &[(PathBuf, Vec<u8>)], clip_count: usize, is_standard: bool) -> String {
+    let line = |(index, (path, bytes)): (usize, &(PathBuf, Vec<u8>))| {
+        let what = if index == 0 { console::counted(clip_count, "clip") } else { "texts".to_owned() };
+        let path = if is_standard { "standard output".into() } else { console::path(path) };
+        format!("{what} packed into {path} ({} bytes)\n", console::grouped(bytes.len()))
+    };
+    files.iter().enumerate().map(line).collect()
 }
 
 /// The time of each phase, in milliseconds.

@@ -1,7 +1,7 @@
 //! `lipz unpack`: a bank to source files.
 
 use crate::bank_file::with_bank;
-use crate::{Outcome, console, render};
+use crate::{Outcome, console, interrupt, render};
 use clap::Args;
 use lipz::Code;
 use lipz_bank::Bank;
@@ -10,12 +10,13 @@ use std::path::PathBuf;
 
 /// Write the clips of a bank as Lipz files.
 ///
-/// Nothing is written outside the folder, and nothing at all if a key cannot be a file name.
+/// Nothing is written outside the folder, and nothing at all if a key cannot be a file name. When the
+/// run is interrupted, the files written so far stay, each of them whole.
 #[derive(Args, Debug)]
 #[command(after_help = "Example:
   lipz unpack dialogue.lipzbank -o voices")]
 pub(crate) struct Unpack {
-    /// The bank to read
+    /// The bank to read; `-` reads it from standard input
     #[arg(value_name = "BANK")]
     pub(crate) bank: PathBuf,
 
@@ -38,7 +39,11 @@ pub(crate) fn run(arguments: &Unpack) -> Outcome {
 
 fn unpack_into(path: &str, bank: &Bank<'_>, arguments: &Unpack) -> Outcome {
     let bar = console::progress_bar(bank.clip_count(), arguments.quiet);
-    let unpacked = unpack(bank, &arguments.output, arguments.force, &|count| bar.inc(count));
+    let progress = |count| {
+        bar.inc(count);
+        interrupt::point();
+    };
+    let unpacked = interrupt::whole(|| unpack(bank, &arguments.output, arguments.force, &progress));
     bar.finish_and_clear();
     match unpacked {
         Ok(unpacked) => {

@@ -11,7 +11,7 @@ use std::path::PathBuf;
 #[command(after_help = "Example:
   lipz verify dialogue.lipzbank")]
 pub(crate) struct Verify {
-    /// The banks to check
+    /// The banks to check; `-` reads one from standard input
     #[arg(value_name = "BANK", required = true)]
     pub(crate) banks: Vec<PathBuf>,
 

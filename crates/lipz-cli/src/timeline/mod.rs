@@ -33,7 +33,7 @@ fn heading(clip: &Clip<'_, '_>) -> String {
 }
 
 /// The rate with at most three decimals.
-fn rounded(fps: Fps) -> String {
+pub(crate) fn rounded(fps: Fps) -> String {
     let text = format!("{:.3}", fps.to_f64());
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }

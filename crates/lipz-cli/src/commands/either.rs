@@ -1,0 +1,28 @@
+//! Arguments that name a bank or the Lipz files that one is made of.
+
+use super::with_inputs;
+use crate::bank_file::BankFile;
+use crate::sources::{Places, Project};
+use crate::{Outcome, console, render};
+use lipz_compiler::compile;
+use std::path::Path;
+
+/// The bank at `path`, or the Lipz files there, packed in memory. Reports what is wrong with them.
+pub(super) fn bank_or_files(path: &Path, project: &Project) -> Result<BankFile, Outcome> {
+    if !names_lipz_files(path) {
+        return BankFile::open(path);
+    }
+    let places = Places { sources: vec![path.to_owned()], root: None };
+    let mut run = with_inputs(&places, project.quiet, &project.options(), compile);
+    render::findings(&run.reports);
+    match run.compiled.bank.take() {
+        Some(bank) if !run.has_errors() => Ok(BankFile::made(console::path(path), bank)),
+        _ => Err(run.failure()),
+    }
+}
+
+/// Whether a path is that of Lipz files: a folder, a pattern, a file `.lipz`.
+fn names_lipz_files(path: &Path) -> bool {
+    let is_pattern = || !path.exists() && path.to_string_lossy().contains(['*', '?', '[']);
+    path.is_dir() || path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("lipz")) || is_pattern()
+}

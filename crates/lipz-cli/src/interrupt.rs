@@ -1,0 +1,51 @@
+//! Ctrl-C and requests to end: they are obeyed at once, but not between the start and the end of
+//! writing a file, so that no half-written one is left behind.
+
+use crate::console;
+use std::process;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// The exit code of an interrupted run: 128 and the number of the signal that Ctrl-C sends.
+const EXIT_CODE: i32 = 128 + 2;
+
+/// Held while files are written.
+static WRITING: Mutex<()> = Mutex::new(());
+/// Whether the run was asked to end.
+static IS_ASKED: AtomicBool = AtomicBool::new(false);
+
+/// Ends the process when it is asked to; waits for files that are being written.
+pub(crate) fn listen() {
+    // Where another handler is set, or signals are ignored (`nohup`), it stays so.
+    let _ = ctrlc::try_set_handler(|| {
+        IS_ASKED.store(true, Ordering::SeqCst);
+        let _nothing_is_open = writing();
+        end();
+    });
+}
+
+/// Runs `write`, which leaves no file half-written when it returns or calls [`point`]; ends the
+/// process after it if that was asked for meanwhile.
+pub(crate) fn whole<R>(write: impl FnOnce() -> R) -> R {
+    let _held = writing();
+    let written = write();
+    point();
+    written
+}
+
+/// A point between two files of a [`whole`] run at which the process may end.
+pub(crate) fn point() {
+    if IS_ASKED.load(Ordering::SeqCst) {
+        end();
+    }
+}
+
+fn writing() -> MutexGuard<'static, ()> {
+    // A run that panicked while it wrote has removed its temporary file on the way out.
+    WRITING.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+fn end() -> ! {
+    console::remark_below_progress("interrupted\n");
+    process::exit(EXIT_CODE)
+}

@@ -1,0 +1,89 @@
+//! Standard input and output in place of files, and when there are colours.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+use support::repository;
+
+fn with_input(folder: &Path, arguments: &[&str], input: &[u8]) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_lipz"))
+        .args(arguments)
+        .current_dir(folder)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // A command that refuses its input does not read all of it.
+    let _ = child.stdin.take().unwrap().write_all(input);
+    child.wait_with_output().unwrap()
+}
+
+fn printed(output: &Output) -> (i32, String, String) {
+    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
+    (output.status.code().unwrap(), text(&output.stdout), text(&output.stderr))
+}
+
+#[test]
+fn a_lipz_file_is_checked_from_standard_input() {
+    let folder = repository();
+    let clean = with_input(&folder, &["check", "-"], br#"{ "text_en-us": "Aye." }"#);
+    assert_eq!(printed(&clean), (0, "1 file checked\n".into(), String::new()));
+    let (code, stdout, stderr) = printed(&with_input(&folder, &["check", "-"], br#"{ "fps": 0 }"#));
+    assert_eq!((code, stdout.as_str()), (1, ""));
+    assert!(stderr.contains("error[LZ0301]") && stderr.contains("--> <stdin>:1:10"), "{stderr}");
+    let beside = with_input(&folder, &["check", "fixtures/drama", "-"], b"{ \"fps\": 24 }");
+    assert_eq!(printed(&beside).1, "49 files checked\n");
+}
+
+#[test]
+fn banks_go_through_pipes() {
+    let folder = repository();
+    let packed = with_input(&folder, &["pack", "fixtures/drama", "--default-locale", "en-us", "-o", "-"], b"");
+    let summary = String::from_utf8(packed.stderr.clone()).unwrap();
+    assert!(summary.starts_with("48 clips packed into standard output ("), "{summary}");
+    let file = tempfile::tempdir().unwrap();
+    let path = file.path().join("drama.lipzbank");
+    let arguments = ["pack", "fixtures/drama", "--default-locale", "en-us", "-q", "-o", path.to_str().unwrap()];
+    assert_eq!(printed(&with_input(&folder, &arguments, b"")), (0, String::new(), String::new()));
+    assert!(fs::read(&path).unwrap() == packed.stdout, "the same bank, and nothing else");
+
+    let (code, verified, _) = printed(&with_input(&folder, &["verify", "-"], &packed.stdout));
+    assert_eq!((code, verified.starts_with("<stdin>: no fault (48 clips, ")), (0, true), "{verified}");
+    let (code, listed, _) = printed(&with_input(&folder, &["inspect", "-", "--list"], &packed.stdout));
+    assert_eq!((code, listed.lines().count()), (0, 48));
+    let (code, _, refused) = printed(&with_input(&folder, &["verify", "-"], b"no bank"));
+    assert_eq!((code, refused.contains("error[LZ0902]")), (1, true), "{refused}");
+}
+
+#[test]
+fn nothing_is_packed_into_standard_output_with_errors() {
+    let packed = with_input(&repository(), &["pack", "-", "-o", "-"], b"{ \"fps\": 0 }");
+    assert_eq!((packed.status.code(), packed.stdout.as_slice()), (Some(1), &b""[..]));
+}
+
+#[test]
+fn colours_are_asked_for_or_not() {
+    let has_colours = |arguments: &[&str], variables: &[(&str, &str)]| {
+        let output = Command::new(env!("CARGO_BIN_EXE_lipz"))
+            .args(["check", "fixtures/bad/LZ0303-unknown-viseme-type.lipz"])
+            .args(arguments)
+            .current_dir(repository())
+            .env_remove("NO_COLOR")
+            .env_remove("CLICOLOR_FORCE")
+            .envs(variables.iter().copied())
+            .output()
+            .unwrap();
+        output.stderr.contains(&b'\x1b')
+    };
+    assert!(!has_colours(&[], &[]), "there is no terminal");
+    assert!(has_colours(&[], &[("CLICOLOR_FORCE", "1")]));
+    assert!(!has_colours(&[], &[("NO_COLOR", "1")]));
+    assert!(has_colours(&["--color", "always"], &[("NO_COLOR", "1")]));
+    assert!(!has_colours(&["--color", "never"], &[("CLICOLOR_FORCE", "1")]));
+    assert!(!has_colours(&["--color", "auto"], &[]));
+}

@@ -1,0 +1,145 @@
+//! The differences of one clip.
+
+use super::{Change, LocalePair};
+use lipz_bank::{Clip, Fps, Locale, Segment, VisemeType};
+
+/// How a clip differs; at least one field says so.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct ClipChange<'d> {
+    /// The key.
+    pub key: &'d str,
+    /// The frame rates; `None` inside for unspecified ones.
+    pub fps: Option<Change<Option<Fps>>>,
+    /// The viseme types; `None` inside for unspecified ones.
+    pub viseme_type: Option<Change<Option<VisemeType>>>,
+    /// The mouth shapes.
+    pub frames: Option<FramesChange>,
+    /// The first frame of every segment, if the boundaries or the number of segments differ.
+    pub segment_starts: Option<Change<Vec<u32>>>,
+    /// Display texts, sorted by locale and segment.
+    pub texts: Vec<TextChange<'d>>,
+    /// Event strings, sorted by segment.
+    pub events: Vec<EventChange<'d>>,
+}
+
+/// How the mouth shapes of a clip differ.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct FramesChange {
+    /// Numbers of frames; `None` for a clip without mouth shapes.
+    pub counts: Change<Option<u32>>,
+    /// Frames with another code, or that only one of the clips has.
+    pub differing: u32,
+    /// The first of them.
+    pub first: Option<u32>,
+}
+
+/// How the display text of a segment differs.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct TextChange<'d> {
+    /// The locale.
+    pub locale: &'d str,
+    /// The segment, from 0.
+    pub segment: u32,
+    /// The texts; `None` for a clip without a text of its own in the locale, or without the segment.
+    pub text: Change<Option<&'d str>>,
+    /// Both are texts of another locale, which the clip shows for want of one in this locale. Such
+    /// differences are told only of clips whose own texts are the same, and of locales that both banks have.
+    pub is_fallback: bool,
+}
+
+/// How the event string of a segment differs.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct EventChange<'d> {
+    /// The segment, from 0.
+    pub segment: u32,
+    /// The events; `None` for a clip without `events`, or without the segment.
+    pub event: Change<Option<&'d str>>,
+}
+
+impl<'d> ClipChange<'d> {
+    /// How the clips differ, apart from their keys; `None` if they do not.
+    pub(super) fn between(
+        old: &Clip<'d, '_>,
+        new: &Clip<'d, '_>,
+        locales: &[LocalePair<'d>],
+    ) -> Option<ClipChange<'d>> {
+        let change = ClipChange {
+            key: new.key(),
+            fps: Change::between(old.fps(), new.fps()),
+            viseme_type: Change::between(old.viseme_type(), new.viseme_type()),
+            frames: frames(old, new),
+            segment_starts: Change::between(starts(old), starts(new)),
+            texts: texts(old, new, locales),
+            events: events(old, new),
+        };
+        let same = ClipChange { key: new.key(), ..ClipChange::default() };
+        (change != same).then_some(change)
+    }
+}
+
+fn frames(old: &Clip<'_, '_>, new: &Clip<'_, '_>) -> Option<FramesChange> {
+    let count = |clip: &Clip<'_, '_>| clip.has_visemes().then(|| clip.frame_count());
+    let counts = Change { old: count(old), new: count(new) };
+    let (old, new) = (old.frames(), new.frames());
+    if old == new && counts.old == counts.new {
+        return None;
+    }
+    let in_both = old.iter().zip(new);
+    let first = in_both.clone().position(|(old, new)| old != new);
+    let first = first.or_else(|| (old.len() != new.len()).then(|| old.len().min(new.len())));
+    let differing = in_both.filter(|(old, new)| old != new).count() + old.len().abs_diff(new.len());
+    Some(FramesChange { counts, differing: differing as u32, first: first.map(|first| first as u32) })
+}
+
+fn starts(clip: &Clip<'_, '_>) -> Vec<u32> {
+    clip.segments().map(|segment| segment.start_frame()).collect()
+}
+
+/// Calls `look` with each segment that one of the clips has, and its number.
+fn each_segment<'d, 'b>(
+    old: &Clip<'d, 'b>,
+    new: &Clip<'d, 'b>,
+    mut look: impl FnMut(u32, Change<Option<Segment<'d, 'b>>>),
+) {
+    for segment in 0..old.segment_count().max(new.segment_count()) {
+        look(segment, Change { old: old.segment(segment), new: new.segment(segment) });
+    }
+}
+
+/// The own texts that differ; if there are none, the borrowed ones.
+fn texts<'d>(old: &Clip<'d, '_>, new: &Clip<'d, '_>, locales: &[LocalePair<'d>]) -> Vec<TextChange<'d>> {
+    let own = texts_that(old, new, locales, false);
+    if own.is_empty() { texts_that(old, new, locales, true) } else { own }
+}
+
+fn texts_that<'d>(
+    old: &Clip<'d, '_>,
+    new: &Clip<'d, '_>,
+    locales: &[LocalePair<'d>],
+    is_fallback: bool,
+) -> Vec<TextChange<'d>> {
+    let text = |segment: Option<Segment<'d, '_>>, locale: Option<Locale<'d>>| {
+        let text = segment?.text(locale?)?;
+        (text.is_fallback() == is_fallback).then_some(text.as_str())
+    };
+    let mut found = Vec::new();
+    // A locale that one bank does not have lends nothing to the clips of the other.
+    let has_both = |pair: &&LocalePair<'d>| pair.old.is_some() && pair.new.is_some();
+    for pair in locales.iter().filter(|pair| !is_fallback || has_both(pair)) {
+        each_segment(old, new, |segment, both| {
+            if let Some(change) = Change::between(text(both.old, pair.old), text(both.new, pair.new)) {
+                found.push(TextChange { locale: pair.tag, segment, text: change, is_fallback });
+            }
+        });
+    }
+    found
+}
+
+fn events<'d>(old: &Clip<'d, '_>, new: &Clip<'d, '_>) -> Vec<EventChange<'d>> {
+    let event = |segment: Option<Segment<'d, '_>>| segment?.event();
+    let mut found = Vec::new();
+    each_segment(old, new, |segment, both| {
+        found.extend(Change::between(event(both.old), event(both.new)).map(|event| EventChange { segment, event }));
+    });
+    found
+}

@@ -1,0 +1,237 @@
+//! What a program would notice if one bank took the place of another.
+//!
+//! Compared is what the reader answers: frame rates, frames, segments, display texts, events. How the
+//! source files were spelled, and whether a bank keeps them, makes no difference.
+
+mod clip;
+mod renamed;
+
+pub use clip::{ClipChange, EventChange, FramesChange, TextChange};
+pub use renamed::Renamed;
+
+use lipz_bank::{Bank, Locale};
+
+/// An old value and the new one.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Change<T> {
+    /// In the old bank.
+    pub old: T,
+    /// In the new bank.
+    pub new: T,
+}
+
+impl<T: PartialEq> Change<T> {
+    /// The change, if there is one.
+    fn between(old: T, new: T) -> Option<Change<T>> {
+        (old != new).then_some(Change { old, new })
+    }
+}
+
+/// The differences of two banks. Keys and locale tags are sorted.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Difference<'d> {
+    /// Locales that only the new bank has.
+    pub added_locales: Vec<&'d str>,
+    /// Locales that only the old bank has.
+    pub removed_locales: Vec<&'d str>,
+    /// The default locales, if they differ.
+    pub default_locale: Option<Change<Option<&'d str>>>,
+    /// Keys of clips that only the new bank has.
+    pub added: Vec<&'d str>,
+    /// Keys of clips that only the old bank has.
+    pub removed: Vec<&'d str>,
+    /// Clips that are the same but for their keys. They are not among the added and removed ones.
+    pub renamed: Vec<Renamed<'d>>,
+    /// Clips that both banks have, and that differ.
+    pub changed: Vec<ClipChange<'d>>,
+    /// Number of clips that both banks have, and that do not differ.
+    pub same: usize,
+}
+
+impl Difference<'_> {
+    /// Whether the banks say the same.
+    pub fn is_empty(&self) -> bool {
+        let locales = self.added_locales.len() + self.removed_locales.len();
+        let clips = self.added.len() + self.removed.len() + self.renamed.len() + self.changed.len();
+        locales + clips == 0 && self.default_locale.is_none()
+    }
+}
+
+/// Compares two verified banks.
+///
+/// ```
+/// use lipz_bank::Bank;
+/// use lipz_compiler::{Input, Options, compile, diff};
+/// let pack = |text| compile(&[Input::from_bytes("aye", text)], &Options::default(), &|_| {}).bank;
+/// let old = pack(r#"{ "text_en-us": "Aye." }"#).ok_or("no bank")?;
+/// let new = pack(r#"{ "text_en-us": "Aye, aye." }"#).ok_or("no bank")?;
+/// let (old, new) = (Bank::open(&old)?.verify()?, Bank::open(&new)?.verify()?);
+/// let difference = diff::diff(&old, &new);
+/// assert_eq!(difference.changed[0].texts[0].text.new, Some("Aye, aye."));
+/// assert!(diff::diff(&old, &old).is_empty());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn diff<'d>(old: &Bank<'d>, new: &Bank<'d>) -> Difference<'d> {
+    let locales = LocalePair::of(old, new);
+    let only_in = |other: fn(&LocalePair<'d>) -> bool| {
+        let tags = locales.iter().filter(|pair| other(pair)).map(|pair| pair.tag);
+        tags.collect::<Vec<_>>()
+    };
+    let default_tag = |bank: &Bank<'d>| bank.default_locale().map(|locale| locale.tag());
+    let mut difference = Difference {
+        added_locales: only_in(|pair| pair.old.is_none()),
+        removed_locales: only_in(|pair| pair.new.is_none()),
+        default_locale: Change::between(default_tag(old), default_tag(new)),
+        ..Difference::default()
+    };
+    for clip in old.clips() {
+        match new.clip_by_key(clip.key()).map(|other| ClipChange::between(&clip, &other, &locales)) {
+            None => difference.removed.push(clip.key()),
+            Some(None) => difference.same += 1,
+            Some(Some(change)) => difference.changed.push(change),
+        }
+    }
+    let added = new.clips().filter(|clip| old.clip_by_key(clip.key()).is_none());
+    difference.added = added.map(|clip| clip.key()).collect();
+    renamed::find(&mut difference, old, new, &locales);
+    difference
+}
+
+/// One locale in both banks.
+struct LocalePair<'d> {
+    tag: &'d str,
+    old: Option<Locale<'d>>,
+    new: Option<Locale<'d>>,
+}
+
+impl<'d> LocalePair<'d> {
+    /// The locales of either bank, sorted.
+    fn of(old: &Bank<'d>, new: &Bank<'d>) -> Vec<LocalePair<'d>> {
+        let mut tags: Vec<&str> = old.locales().chain(new.locales()).map(|locale| locale.tag()).collect();
+        tags.sort_unstable();
+        tags.dedup();
+        tags.into_iter().map(|tag| LocalePair { tag, old: old.locale(tag), new: new.locale(tag) }).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Input, Options, compile};
+
+    /// A bank of these files, by key and text.
+    pub(super) fn bank(files: &[(&str, &str)]) -> Vec<u8> {
+        let inputs: Vec<_> = files.iter().map(|(key, text)| Input::from_bytes(*key, *text)).collect();
+        let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
+        compile(&inputs, &options, &|_| {}).bank.unwrap()
+    }
+
+    fn compare<R>(old: &[(&str, &str)], new: &[(&str, &str)], look: impl FnOnce(&Difference<'_>) -> R) -> R {
+        let (old, new) = (bank(old), bank(new));
+        look(&diff(&Bank::open(&old).unwrap().verify().unwrap(), &Bank::open(&new).unwrap().verify().unwrap()))
+    }
+
+    const AYE: &str = r#"{ "fps": 24, "viseme_type": "blair", "visemes": "AAA|MM-", "text_en-us": "Aye.|{to Mara} Aye!",
+        "text_de-de": "Ja.|Ja!", "events": "|points door" }"#;
+
+    #[test]
+    fn the_same_clips_are_no_difference() {
+        // Meta, blanks and the order of the elements are not what a program sees.
+        let other = r#"{ "events": "   |points door", "text_de-de": "Ja. |Ja!", "text_en-us": "Aye.|Aye!",
+            "visemes": "AAA|MM-", "viseme_type": "blair", "fps": 24.0 }"#;
+        compare(&[("a", AYE), ("b", AYE)], &[("a", other), ("b", AYE)], |difference| {
+            assert!(difference.is_empty(), "{difference:?}");
+            assert_eq!(difference.same, 2);
+        });
+    }
+
+    #[test]
+    fn every_part_of_a_clip_is_compared() {
+        let other = r#"{ "fps": 30, "viseme_type": "toonboom", "visemes": "AA|AAA-B", "text_en-us": "Aye.|No!",
+            "text_ja-jp": "はい|いいえ", "events": "|points window" }"#;
+        compare(&[("a", AYE)], &[("a", other)], |difference| {
+            assert_eq!(
+                (&difference.added_locales[..], &difference.removed_locales[..]),
+                (&["ja-jp"][..], &["de-de"][..])
+            );
+            let change = &difference.changed[0];
+            assert_eq!(change.fps.map(|fps| fps.new.unwrap().numerator()), Some(30));
+            assert_eq!(change.viseme_type.map(|kind| kind.new.unwrap().name()), Some("toonboom"));
+            let counts = Change { old: Some(6), new: Some(7) };
+            // AAAMM- against AAAAA-B: frames 3 and 4 differ, frame 6 is new.
+            assert_eq!(change.frames, Some(FramesChange { counts, differing: 3, first: Some(3) }));
+            assert_eq!(change.segment_starts, Some(Change { old: vec![0, 3], new: vec![0, 2] }));
+            let texts = change.texts.iter().map(|text| (text.locale, text.segment, text.text.old, text.text.new));
+            let texts: Vec<_> = texts.collect();
+            let expected = [
+                ("de-de", 0, Some("Ja."), None),
+                ("de-de", 1, Some("Ja!"), None),
+                ("en-us", 1, Some("Aye!"), Some("No!")),
+                ("ja-jp", 0, None, Some("はい")),
+                ("ja-jp", 1, None, Some("いいえ")),
+            ];
+            assert_eq!(texts, expected);
+            let event = Change { old: Some("points door"), new: Some("points window") };
+            assert_eq!(change.events, [EventChange { segment: 1, event }]);
+        });
+    }
+
+    #[test]
+    fn absent_and_empty_are_not_the_same() {
+        compare(&[("a", r#"{ "visemes": "" }"#)], &[("a", r#"{ "events": "" }"#)], |difference| {
+            let change = &difference.changed[0];
+            assert_eq!(change.frames.unwrap().counts, Change { old: Some(0), new: None });
+            assert_eq!(change.events[0].event, Change { old: None, new: Some("") });
+        });
+    }
+
+    #[test]
+    fn another_fallback_is_a_difference_of_its_own() {
+        // The clip falls back to en-us in both banks; only which locale is the default differs.
+        let clips = [("a", r#"{ "text_en-us": "Aye.", "text_de-de": "Ja." }"#), ("b", r#"{ "text_ja-jp": "はい" }"#)];
+        let pack = |default: &str| {
+            let inputs = clips.map(|(key, text)| Input::from_bytes(key, text));
+            let options = Options { default_locale: Some(default.into()), ..Options::default() };
+            compile(&inputs, &options, &|_| {}).bank.unwrap()
+        };
+        let (old, new) = (pack("en-us"), pack("de-de"));
+        let (old, new) = (Bank::open(&old).unwrap(), Bank::open(&new).unwrap());
+        let difference = diff(&old, &new);
+        assert_eq!(difference.default_locale, Some(Change { old: Some("en-us"), new: Some("de-de") }));
+        let text = &difference.changed[0].texts[0];
+        assert_eq!((text.locale, text.text), ("ja-jp", Change { old: Some("Aye."), new: Some("Ja.") }));
+        assert!(text.is_fallback);
+    }
+
+    #[test]
+    fn a_new_locale_changes_the_clips_that_have_it_only() {
+        let ja = r#"{ "text_en-us": "No.", "text_ja-jp": "いいえ" }"#;
+        let no = r#"{ "text_en-us": "No." }"#;
+        compare(&[("a", AYE), ("b", no)], &[("a", AYE), ("b", ja)], |difference| {
+            assert_eq!(difference.added_locales, ["ja-jp"]);
+            let changed: Vec<_> = difference.changed.iter().map(|change| change.key).collect();
+            assert_eq!((changed, difference.same), (vec!["b"], 1));
+        });
+    }
+
+    #[test]
+    fn clips_are_added_removed_and_renamed() {
+        let (no, empty) = (r#"{ "text_en-us": "No." }"#, "{}");
+        let old = [("a", AYE), ("gone", no), ("old-name", AYE), ("same", no)];
+        let new = [("a", AYE), ("here", empty), ("new-name", AYE), ("same", no)];
+        compare(&old, &new, |difference| {
+            assert_eq!((&difference.added[..], &difference.removed[..]), (&["here"][..], &["gone"][..]));
+            assert_eq!(difference.renamed, [Renamed { old: "old-name", new: "new-name" }]);
+            assert_eq!((difference.changed.len(), difference.same), (0, 2));
+        });
+    }
+
+    #[test]
+    fn equal_clips_are_paired_once_each() {
+        compare(&[("a", AYE), ("b", AYE)], &[("c", AYE), ("d", AYE), ("e", AYE)], |difference| {
+            let pairs = [Renamed { old: "a", new: "c" }, Renamed { old: "b", new: "d" }];
+            assert_eq!(difference.renamed, pairs);
+            assert_eq!((&difference.added[..], difference.removed.len()), (&["e"][..], 0));
+        });
+    }
+}

@@ -1,0 +1,246 @@
+//! How much of what is in a bank.
+
+use lipz_bank::layout::Tag;
+use lipz_bank::{Bank, Clip, Fps, VisemeType};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Clips that are named as the longest and the shortest.
+const EXTREMES: usize = 3;
+
+/// Counts over a whole bank.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Stats<'d> {
+    /// Clips.
+    pub clips: usize,
+    /// Frames of all clips.
+    pub frames: u64,
+    /// Segments of all clips.
+    pub segments: u64,
+    /// The times of all clips that have a frame rate, in microseconds.
+    pub duration_us: u64,
+    /// Clips per frame rate, the lowest first.
+    pub rates: Vec<RateCount>,
+    /// Frames per code and viseme type, for the types that clips have.
+    pub visemes: Vec<VisemeCounts>,
+    /// The locales, in the order of the bank.
+    pub locales: Vec<LocaleStats<'d>>,
+    /// Segments at which something happens.
+    pub events: usize,
+    /// How many different event strings there are.
+    pub distinct_events: usize,
+    /// The clips that last longest, longest first. Clips without frames or a frame rate do not count.
+    pub longest: Vec<Duration<'d>>,
+    /// The clips that last shortest, shortest first, without those among the longest.
+    pub shortest: Vec<Duration<'d>>,
+    /// Bytes of the whole bank.
+    pub length_bytes: usize,
+    /// Bytes per section, in the order of the bank. The rest of the bank is header, directory and the
+    /// gaps between sections.
+    pub sections: Vec<(Tag, usize)>,
+}
+
+/// How many clips have a frame rate.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct RateCount {
+    /// The rate; `None` for "unspecified".
+    pub fps: Option<Fps>,
+    /// Clips.
+    pub clips: usize,
+}
+
+/// How often codes of a viseme type occur.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct VisemeCounts {
+    /// The type; `None` for "unspecified".
+    pub viseme_type: Option<VisemeType>,
+    /// Clips of this type.
+    pub clips: usize,
+    /// Frames per code: every legal code in the order of the specification, or, of unspecified type,
+    /// those that occur.
+    pub frames: Vec<(char, u64)>,
+}
+
+/// How much text a locale has. Texts that clips borrow from other locales do not count.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct LocaleStats<'d> {
+    /// The locale.
+    pub tag: &'d str,
+    /// Whether it is the default one.
+    pub is_default: bool,
+    /// Clips with a text of their own.
+    pub texts: usize,
+    /// Clips that show the text of another locale.
+    pub fallbacks: usize,
+    /// Clips without any text.
+    pub missing: usize,
+    /// Characters (Unicode scalar values) of the display texts.
+    pub characters: u64,
+    /// Words of the display texts, as white space separates them: few in Chinese or Japanese.
+    pub words: u64,
+}
+
+/// How long a clip lasts.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Duration<'d> {
+    /// Its key.
+    pub key: &'d str,
+    /// Its time in microseconds.
+    pub duration_us: u64,
+}
+
+impl<'d> Stats<'d> {
+    /// Counts what is in a verified bank.
+    pub fn of(bank: &Bank<'d>) -> Stats<'d> {
+        let mut stats = Stats {
+            clips: bank.clip_count(),
+            length_bytes: bank.length_bytes(),
+            sections: bank.sections().map(|(tag, bytes)| (tag, bytes.len())).collect(),
+            rates: rates(bank),
+            visemes: visemes(bank),
+            locales: bank.locales().map(|locale| LocaleStats::of(bank, locale)).collect(),
+            ..Stats::default()
+        };
+        let mut events = BTreeSet::new();
+        for clip in bank.clips() {
+            stats.frames += u64::from(clip.frame_count());
+            stats.segments += u64::from(clip.segment_count());
+            stats.duration_us += clip.duration_us().unwrap_or(0);
+            for event in clip.segments().filter_map(|segment| segment.event()).filter(|event| !event.is_empty()) {
+                stats.events += 1;
+                events.insert(event);
+            }
+        }
+        stats.distinct_events = events.len();
+        (stats.longest, stats.shortest) = extremes(bank);
+        stats
+    }
+}
+
+fn rates(bank: &Bank<'_>) -> Vec<RateCount> {
+    let mut rates: Vec<RateCount> = Vec::new();
+    for clip in bank.clips() {
+        match rates.iter_mut().find(|rate| rate.fps == clip.fps()) {
+            Some(rate) => rate.clips += 1,
+            None => rates.push(RateCount { fps: clip.fps(), clips: 1 }),
+        }
+    }
+    let value = |rate: &RateCount| rate.fps.map_or(0.0, Fps::to_f64);
+    rates.sort_by(|a, b| value(a).total_cmp(&value(b)));
+    rates
+}
+
+fn visemes(bank: &Bank<'_>) -> Vec<VisemeCounts> {
+    let mut count_of: BTreeMap<Option<VisemeType>, (usize, [u64; 256])> = BTreeMap::new();
+    for clip in bank.clips().filter(|clip| clip.has_visemes()) {
+        let (clips, frames) = count_of.entry(clip.viseme_type()).or_insert((0, [0; 256]));
+        *clips += 1;
+        for &code in clip.frames() {
+            frames[usize::from(code)] += 1;
+        }
+    }
+    let counts = |(viseme_type, (clips, frames)): (Option<VisemeType>, (usize, [u64; 256]))| {
+        let frames = match viseme_type {
+            Some(kind) => kind.codes().bytes().map(|code| (code as char, frames[usize::from(code)])).collect(),
+            None => (0..=u8::MAX).zip(frames).filter(|(_, n)| *n > 0).map(|(code, n)| (code as char, n)).collect(),
+        };
+        VisemeCounts { viseme_type, clips, frames }
+    };
+    count_of.into_iter().map(counts).collect()
+}
+
+impl<'d> LocaleStats<'d> {
+    fn of(bank: &Bank<'d>, locale: lipz_bank::Locale<'d>) -> LocaleStats<'d> {
+        let mut stats = LocaleStats {
+            tag: locale.tag(),
+            is_default: locale.is_default(),
+            texts: 0,
+            fallbacks: 0,
+            missing: 0,
+            characters: 0,
+            words: 0,
+        };
+        for clip in bank.clips() {
+            match clip.segment(0).and_then(|segment| segment.text(locale)) {
+                None => stats.missing += 1,
+                Some(text) if text.is_fallback() => stats.fallbacks += 1,
+                Some(_) => {
+                    stats.texts += 1;
+                    for text in clip.segments().filter_map(|segment| segment.text(locale)) {
+                        stats.characters += text.chars().count() as u64;
+                        stats.words += text.split_whitespace().count() as u64;
+                    }
+                }
+            }
+        }
+        stats
+    }
+}
+
+/// The longest and the shortest clips.
+fn extremes<'d>(bank: &Bank<'d>) -> (Vec<Duration<'d>>, Vec<Duration<'d>>) {
+    let timed = |clip: Clip<'d, '_>| {
+        let duration_us = clip.duration_us().filter(|us| *us > 0)?;
+        Some(Duration { key: clip.key(), duration_us })
+    };
+    let mut all: Vec<Duration<'d>> = bank.clips().filter_map(timed).collect();
+    all.sort_by(|a, b| b.duration_us.cmp(&a.duration_us).then(a.key.cmp(b.key)));
+    let longest: Vec<_> = all.iter().take(EXTREMES).copied().collect();
+    let shortest = all.iter().skip(longest.len()).rev().take(EXTREMES).copied().collect();
+    (longest, shortest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Input, Options, compile};
+
+    #[test]
+    fn everything_is_counted() {
+        let inputs = [
+            Input::from_bytes(
+                "a",
+                r#"{ "fps": 10, "viseme_type": "blair", "visemes": "AAM-|-", "text_en-us": "{m} Aye aye.|No.",
+                    "events": "points door|points door" }"#,
+            ),
+            Input::from_bytes("b", r#"{ "fps": 10, "viseme_type": "rms", "visemes": "09", "text_de-de": "Nö" }"#),
+            Input::from_bytes("d", r#"{ "text_en-us": "" }"#),
+        ];
+        let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
+        let bytes = compile(&inputs, &options, &|_| {}).bank.unwrap();
+        let bank = Bank::open(&bytes).unwrap().verify().unwrap();
+        let stats = Stats::of(&bank);
+        assert_eq!((stats.clips, stats.frames, stats.segments, stats.duration_us), (3, 7, 4, 700_000));
+        let rates: Vec<_> = stats.rates.iter().map(|rate| (rate.fps.map(Fps::numerator), rate.clips)).collect();
+        assert_eq!(rates, [(None, 1), (Some(10), 2)]);
+        assert_eq!(stats.visemes.len(), 2);
+        let (blair, rms) = (&stats.visemes[0], &stats.visemes[1]);
+        assert_eq!(
+            (blair.viseme_type, &blair.frames[..3]),
+            (Some(VisemeType::Blair), &[('-', 2), ('A', 2), ('M', 1)][..])
+        );
+        assert_eq!((rms.frames[1], rms.frames[10], rms.frames.len()), (('0', 1), ('9', 1), 11));
+        let german = LocaleStats {
+            tag: "de-de",
+            is_default: false,
+            texts: 1,
+            fallbacks: 2,
+            missing: 0,
+            characters: 2,
+            words: 1,
+        };
+        let english = LocaleStats {
+            tag: "en-us",
+            is_default: true,
+            texts: 2,
+            fallbacks: 0,
+            missing: 1,
+            characters: 11,
+            words: 3,
+        };
+        assert_eq!(stats.locales, [german, english]);
+        assert_eq!((stats.events, stats.distinct_events), (2, 1));
+        let durations = [Duration { key: "a", duration_us: 500_000 }, Duration { key: "b", duration_us: 200_000 }];
+        assert_eq!((&stats.longest[..], &stats.shortest[..]), (&durations[..], &[][..]));
+        assert!(stats.sections.iter().map(|(_, bytes)| bytes).sum::<usize>() < stats.length_bytes);
+    }
+}
