@@ -45,7 +45,7 @@ pub fn discover(sources: &[PathBuf], root: Option<&Path>) -> (Vec<Input>, Vec<Re
 
 /// The path without `.` parts, so that `voices`, `./voices` and `voices/` are one folder. Links and
 /// `..` stay: only the file system knows where they lead.
-fn plain(path: &Path) -> PathBuf {
+pub(crate) fn plain(path: &Path) -> PathBuf {
     let plain: PathBuf = path.components().filter(|part| *part != Component::CurDir).collect();
     if plain.as_os_str().is_empty() { PathBuf::from(".") } else { plain }
 }

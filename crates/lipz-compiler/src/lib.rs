@@ -27,7 +27,7 @@
 //! replace_file(&output, &bank).expect("the bank cannot be written");
 //! ```
 //!
-//! What is not here: printing, settings files and exit codes (`lipz-cli`); other tools' formats.
+//! What is not here: printing and exit codes (`lipz-cli`); other tools' formats.
 // Sizes are checked where they enter (`fit`); casts below are of numbers known to be small.
 #![allow(clippy::cast_possible_truncation)]
 
@@ -37,12 +37,14 @@ mod compile;
 mod discover;
 mod input;
 pub mod key;
+mod levels;
 mod localise;
 mod lower;
 mod options;
 mod output;
 mod raise;
 mod report;
+pub mod settings;
 mod source_record;
 mod unpack;
 
