@@ -1,8 +1,7 @@
 //! The command line: the list of commands. Each one's arguments and help stand beside its work.
 
-use crate::commands::{check, inspect, pack, unpack, verify};
+use crate::commands::{check, init, inspect, pack, unpack, verify};
 use clap::{Parser, Subcommand};
-use std::ffi::OsString;
 
 /// Spoken dialogue for games: packs Lipz files into banks.
 ///
@@ -16,23 +15,11 @@ pub(crate) struct Arguments {
     pub(crate) command: Command,
 }
 
-impl Arguments {
-    /// The arguments in `words`, the first of which is the program's name.
-    pub(crate) fn read(words: impl IntoIterator<Item = OsString>) -> Result<Arguments, clap::Error> {
-        let arguments = Arguments::try_parse_from(words)?;
-        match &arguments.command {
-            Command::Pack(pack) => pack.sources.validate()?,
-            Command::Check(check) => check.sources.validate()?,
-            Command::Unpack(_) | Command::Verify(_) | Command::Inspect(_) => {}
-        }
-        Ok(arguments)
-    }
-}
-
 #[derive(Subcommand, Debug)]
 pub(crate) enum Command {
     Pack(pack::Pack),
     Check(check::Check),
+    Init(init::Init),
     Unpack(unpack::Unpack),
     Verify(verify::Verify),
     Inspect(inspect::Inspect),

@@ -10,21 +10,26 @@ use lipz_compiler::{check_all, count};
 /// Check Lipz files without packing them.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
+  lipz check
   lipz check voices
   lipz check voices/act1/mara-hello.lipz")]
 pub(crate) struct Check {
     #[command(flatten)]
-    pub(crate) sources: Sources,
+    sources: Sources,
 }
 
 pub(crate) fn run(arguments: &Check) -> Outcome {
-    let sources = &arguments.sources;
-    let run = with_inputs(sources, &sources.options(), check_all);
+    let project = match arguments.sources.project() {
+        Ok(project) => project,
+        Err(outcome) => return outcome,
+    };
+    let quiet = arguments.sources.quiet;
+    let run = with_inputs(&project.settings, quiet, check_all);
     render::findings(&run.reports);
     if count(&run.reports, Level::Error) > 0 {
         return run.failure();
     }
-    if sources.quiet {
+    if quiet {
         return Outcome::Clean;
     }
     console::print(&format!("{} checked\n", console::counted(run.file_count, "file")))

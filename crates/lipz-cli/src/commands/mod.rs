@@ -1,24 +1,25 @@
 //! The commands, one file each.
 
 pub(crate) mod check;
+pub(crate) mod init;
 pub(crate) mod inspect;
 pub(crate) mod pack;
 pub(crate) mod unpack;
 pub(crate) mod verify;
 
-use crate::sources::Sources;
 use crate::{Outcome, console};
-use lipz_compiler::{Compiled, Input, Options, Progress, Report, discover};
+use lipz_compiler::settings::Settings;
+use lipz_compiler::{Compiled, Input, Options, Progress, Report};
 use std::time::{Duration, Instant};
 
-/// Finds the inputs and hands them to `work`, with a progress bar. What discovery found is added to
-/// the reports; a run without inputs has none of its own.
-fn with_inputs(sources: &Sources, options: &Options, work: fn(&[Input], &Options, &Progress<'_>) -> Compiled) -> Run {
+/// Finds the inputs of a project and hands them to `work`, with a progress bar. What discovery found is
+/// added to the reports; a run without inputs has none of its own.
+fn with_inputs(settings: &Settings, quiet: bool, work: fn(&[Input], &Options, &Progress<'_>) -> Compiled) -> Run {
     let start = Instant::now();
-    let (inputs, mut reports) = discover(&sources.sources, sources.root.as_deref());
+    let (inputs, mut reports) = settings.discover();
     let discover = start.elapsed();
-    let bar = console::progress_bar(inputs.len(), sources.quiet);
-    let mut compiled = work(&inputs, options, &|count| bar.inc(count));
+    let bar = console::progress_bar(inputs.len(), quiet);
+    let mut compiled = work(&inputs, &settings.options, &|count| bar.inc(count));
     bar.finish_and_clear();
     reports.append(&mut compiled.reports);
     reports.sort_by(|a, b| a.source.path.cmp(&b.source.path));

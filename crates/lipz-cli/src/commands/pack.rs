@@ -1,11 +1,12 @@
 //! `lipz pack`: source files to a bank.
 
 use super::{Run, with_inputs};
-use crate::sources::Sources;
+use crate::sources::{Project, Sources, usage_error};
 use crate::{Outcome, console, render};
 use clap::Args;
+use clap::error::ErrorKind;
 use lipz::Level;
-use lipz_compiler::{Options, compile, count, replace_file};
+use lipz_compiler::{compile, count, replace_file};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
@@ -15,36 +16,45 @@ use std::time::{Duration, Instant};
 /// there are errors.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
+  lipz pack
   lipz pack voices -o dialogue.lipzbank
   lipz pack voices/act1 voices/act2 --root voices -o acts.lipzbank --default-locale en-us
   lipz pack 'voices/**/mara-*.lipz' -o mara.lipzbank --strip")]
 pub(crate) struct Pack {
     #[command(flatten)]
-    pub(crate) sources: Sources,
+    sources: Sources,
 
-    /// The bank to write
+    /// The bank to write [default: `output` of lipz.toml]
     #[arg(short, long, value_name = "BANK")]
-    pub(crate) output: PathBuf,
+    output: Option<PathBuf>,
 
     /// Leave out the source section: smaller, but unpacking gives display forms only
-    #[arg(long)]
-    pub(crate) strip: bool,
+    #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    strip: Option<bool>,
 
     /// Print where the time went
     #[arg(long)]
-    pub(crate) timings: bool,
+    timings: bool,
 }
 
 pub(crate) fn run(arguments: &Pack) -> Outcome {
-    let options = Options { strip: arguments.strip, ..arguments.sources.options() };
-    let mut run = with_inputs(&arguments.sources, &options, compile);
+    let Project { mut settings, found } = match arguments.sources.project() {
+        Ok(project) => project,
+        Err(outcome) => return outcome,
+    };
+    let Some(output) = arguments.output.as_ref().or(settings.output.as_ref()) else {
+        let tip = "name a file with '--output', or set `output` in lipz.toml";
+        return usage_error(ErrorKind::MissingRequiredArgument, "no bank to write is named", tip);
+    };
+    settings.options.strip = arguments.strip.unwrap_or(settings.options.strip);
+    let mut run = with_inputs(&settings, arguments.sources.quiet, compile);
     render::findings(&run.reports);
     let bank = match run.compiled.bank.take() {
         Some(bank) if count(&run.reports, Level::Error) == 0 => bank,
         _ => return run.failure(),
     };
     let start = Instant::now();
-    if let Err(report) = replace_file(&arguments.output, &bank) {
+    if let Err(report) = replace_file(output, &bank) {
         render::findings(&[report]);
         return Outcome::Failed;
     }
@@ -52,7 +62,10 @@ pub(crate) fn run(arguments: &Pack) -> Outcome {
     let mut text = String::new();
     if !arguments.sources.quiet {
         let (clips, bytes) = (console::counted(run.file_count, "clip"), console::grouped(bank.len()));
-        text = format!("{clips} packed into {} ({bytes} bytes)\n", console::path(&arguments.output));
+        text = format!("{clips} packed into {} ({bytes} bytes)\n", console::path(output));
+        if let Some(file) = found {
+            text.push_str(&format!("with the settings of {}\n", console::path(&file)));
+        }
     }
     if arguments.timings {
         text.push_str(&timings(&run, write));

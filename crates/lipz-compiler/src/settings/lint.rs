@@ -52,8 +52,7 @@ impl Selection {
 
 /// The name of the lint that somebody who wrote `text` probably meant.
 pub fn suggestion(text: &str) -> Option<&'static str> {
-    let names = Code::ALL.iter().map(|code| code.name()).chain([WARNINGS]);
-    nearest(text, names).or_else(|| nearest(text, Code::ALL.iter().map(|code| code.number())))
+    nearest(text, Code::ALL.iter().map(|code| code.name()).chain([WARNINGS]))
 }
 
 /// Why `code` cannot have this level; `None` if it can.

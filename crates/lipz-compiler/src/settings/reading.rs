@@ -48,7 +48,7 @@ pub(super) fn read(text: &str, folder: &Path, findings: &mut Findings) -> Settin
         let places = finding.primary.iter().chain(&finding.secondary);
         !places.into_iter().any(|label| syntax::is_made_up(text, &errors, label.span))
     });
-    findings.extend(syntax::findings(text, &errors));
+    findings.extend(syntax::findings(text, root.get_ref(), &errors));
     findings.append(&mut found);
     settings
 }

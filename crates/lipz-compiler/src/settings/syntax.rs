@@ -3,18 +3,22 @@
 use lipz::diagnostic::show;
 use lipz::{Code, Diagnostic, Span};
 use std::collections::BTreeSet;
-use toml::de::Error;
+use toml::de::{DeTable, DeValue, Error};
 
 /// What the parser says of brackets without partner, at the end of what they swallowed.
 const UNCLOSED: &str = "unclosed";
 
-/// The findings for the parser's `errors`, the first of each line: those after it come of it.
-pub(super) fn findings(text: &str, errors: &[Error]) -> Vec<Diagnostic> {
+/// The findings for the parser's `errors`, which made `root` of `text`: the first of each line: those after it come of it.
+pub(super) fn findings(text: &str, root: &DeTable<'_>, errors: &[Error]) -> Vec<Diagnostic> {
     if let Some(error) = errors.iter().find(|error| error.message().starts_with(UNCLOSED)) {
-        return vec![finding(text, error)];
+        return vec![finding(text, root, error)];
     }
     let mut lines = BTreeSet::new();
-    errors.iter().filter(|error| lines.insert(line(text, start(error)))).map(|error| finding(text, error)).collect()
+    errors
+        .iter()
+        .filter(|error| lines.insert(line(text, start(error))))
+        .map(|error| finding(text, root, error))
+        .collect()
 }
 
 /// Whether the parser's recovery from `errors` may have made up what stands at `place`.
@@ -32,29 +36,50 @@ fn line(text: &str, at: usize) -> usize {
     text.bytes().take(at).filter(|&byte| byte == b'\n').count()
 }
 
-fn finding(text: &str, error: &Error) -> Diagnostic {
+fn finding(text: &str, root: &DeTable<'_>, error: &Error) -> Diagnostic {
     let place = error.span().unwrap_or_default();
     let written = text.get(place.clone()).unwrap_or_default();
     let message = error.message();
-    let described = show::text(message);
-    let (headline, help) = if message.starts_with("string values must be quoted") {
-        match written {
-            "" => ("a value is missing".to_owned(), "write a value behind the `=`, or remove the line".to_owned()),
-            word => {
-                (format!("{} is a text without quotes", show::name(word)), format!("write \"{}\"", show::text(word)))
-            }
+    let (what, _) = message.split_once(", expected").unwrap_or((message, ""));
+    let at = |headline: String| Diagnostic::at(Code::SettingsSyntax, Span::new(place.start, place.end), headline);
+    match what {
+        "string values must be quoted" if written.is_empty() => {
+            at("a value is missing".to_owned()).help("write a value behind the `=`, or remove the line")
         }
-    } else if message.starts_with("duplicate key") {
-        (format!("{} appears twice", show::name(written)), "join the two, or remove one".to_owned())
-    } else if message.starts_with("missing escaped value") {
-        ("`\\` starts an escape, and none follows".to_owned(), "write `/` in paths, on every system".to_owned())
-    } else if message.starts_with("invalid boolean") {
-        (format!("{} is neither true nor false", show::name(written)), "write true or false".to_owned())
-    } else if message.starts_with("key with no value") {
-        ("a name has no value".to_owned(), "write name = value, as in default-fps = 24".to_owned())
-    } else {
-        let help = "texts stand in \"…\", lists in […], and each setting on a line of its own";
-        (format!("this is not TOML: {described}"), help.to_owned())
-    };
-    Diagnostic::at(Code::SettingsSyntax, Span::new(place.start, place.end), headline).help(help)
+        "string values must be quoted" => at(format!("{} is a text without quotes", show::name(written)))
+            .help(format!("write \"{}\"", show::text(written))),
+        "duplicate key" => at(format!("{} appears twice", show::name(written))).help("join the two, or remove one"),
+        "missing escaped value" => {
+            at("`\\` starts an escape, and none follows".to_owned()).help("write `/` in paths, on every system")
+        }
+        "invalid boolean" => {
+            at(format!("{} is neither true nor false", show::name(written))).help("write true or false")
+        }
+        "key with no value" => at("a name has no value".to_owned()).help("write name = value, as in default-fps = 24"),
+        "invalid basic string" => {
+            at("a text does not end".to_owned()).help("texts stand between \" and \" on one line")
+        }
+        "unexpected key or value" => at("the line goes on behind a value".to_owned())
+            .help("lists stand in […], and each setting on a line of its own"),
+        "unclosed array" => match opening(root, place.start) {
+            Some(start) => Diagnostic::at(Code::SettingsSyntax, Span::new(start, start + 1), "this `[` has no `]`")
+                .help("close the list: [\"…\", \"…\"]"),
+            None => at("a list does not end".to_owned()).help("close the list: [\"…\", \"…\"]"),
+        },
+        "missing comma between array elements" => {
+            at("a `,` is missing before this item of the list".to_owned()).help("write [\"…\", \"…\"]")
+        }
+        "unclosed table" => at("the name of a table has no `]`".to_owned()).help("write [text], for example"),
+        _ => at(format!("this is not TOML: {}", show::text(message)))
+            .help("texts stand in \"…\", lists in […], and each setting on a line of its own"),
+    }
+}
+
+/// Where the array starts that the parser ended at byte `end`.
+fn opening(table: &DeTable<'_>, end: usize) -> Option<usize> {
+    table.iter().find_map(|(_, value)| match value.get_ref() {
+        DeValue::Array(_) if value.span().end == end => Some(value.span().start),
+        DeValue::Table(table) => opening(table, end),
+        _ => None,
+    })
 }

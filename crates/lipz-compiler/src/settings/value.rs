@@ -151,7 +151,7 @@ impl<'t> Value<'t> {
             DeValue::Array(_) => "a list",
             DeValue::Table(_) => "a table",
         };
-        let headline = format!("`{}` is {expected}, not {found}", self.name);
+        let headline = format!("`{}` is {found}, not {expected}", self.name);
         findings.push(
             Diagnostic::at(Code::SettingType, self.span(), headline)
                 .also(span(&self.key), format!("must be {expected}"))
