@@ -3,8 +3,10 @@
 
 mod support;
 
+use lipz::{Code, Level};
+use lipz_compiler::settings::{Content, TABLES, Table};
 use std::fs;
-use support::{Scene, lipz, tree};
+use support::{Comparison, Scene, lipz, repository, tree};
 
 const CLIP: &str = r#"{ "text": "Aye.", "events": "feels nervous" }"#;
 const UNEVEN: &str = r#"{ "visemes": "A|M", "text_en-us": "Hello,|{softly} dear|Amy.", "events": "feels sad" }"#;
@@ -181,4 +183,62 @@ fn init_writes_a_file_that_works_and_replaces_none() {
     let files = ["act1", "act1/aye.lipz", "lipz.toml", "new", "new/project", "new/project/lipz.toml"];
     assert_eq!(tree(scene.path()), files);
     scene.finish(1);
+}
+
+/// The settings of a table as rows: name, flags, default, what it decides.
+fn rows(table: &Table) -> Vec<[String; 4]> {
+    match &table.content {
+        Content::Settings(settings) => settings
+            .iter()
+            .map(|setting| [setting.name, setting.flag, setting.default, setting.about].map(str::to_owned))
+            .collect(),
+        Content::Map(map) => {
+            let examples = map.examples.iter().map(|example| format!("`{example}`")).collect::<Vec<_>>();
+            let about = format!("for example {}", examples.join(", "));
+            vec![[map.name.into(), map.flag.into(), map.default.into(), about]]
+        }
+    }
+}
+
+#[test]
+fn every_setting_has_a_flag_and_every_flag_a_setting() {
+    let help = lipz(".".as_ref(), ["pack", "--help"]).stdout;
+    let lines = help.lines().map(str::trim_start).filter(|line| line.starts_with('-'));
+    let shown = lines.filter_map(|line| line.split([' ', '[', ',']).find(|word| word.starts_with("--")));
+    let of_the_run = ["--config", "--no-config", "--threads", "--quiet", "--timings", "--help"];
+    let mut shown: Vec<&str> = shown.filter(|flag| !of_the_run.contains(flag)).collect();
+    let flags: Vec<String> = TABLES.iter().flat_map(rows).map(|[_, flag, ..]| flag).collect();
+    let mut flags: Vec<&str> =
+        flags.iter().flat_map(|flags| flags.split(", ")).filter(|flag| *flag != "SOURCES").collect();
+    shown.sort_unstable();
+    flags.sort_unstable();
+    assert_eq!(shown, flags);
+}
+
+#[test]
+fn the_page_shows_every_setting_and_lint() {
+    let mut made = String::new();
+    for table in TABLES {
+        let title = if table.name.is_empty() { "Above the first table".into() } else { format!("`[{}]`", table.name) };
+        made += &format!(
+            "\n### {title}\n\n{}\n\n| setting | flag | without it | decides |\n| --- | --- | --- | --- |\n",
+            table.about
+        );
+        for [name, flag, default, about] in rows(table) {
+            let flags = flag.split(", ").map(|flag| format!("`{flag}`")).collect::<Vec<_>>().join(", ");
+            made += &format!("| `{name}` | {flags} | {default} | {about} |\n");
+        }
+    }
+    made += "\n### Lints\n\nThose whose level can be lowered; all others are errors, whatever the settings say.\n\n";
+    made += "| code | name | own level | reports that |\n| --- | --- | --- | --- |\n";
+    for code in Code::ALL.iter().filter(|code| code.can_be_lowered()) {
+        let level = if code.default_level() == Level::Error { "deny" } else { "warn" };
+        made += &format!("| {code} | `{}` | {level} | {} |\n", code.name(), code.summary());
+    }
+    let page = fs::read_to_string(repository().join("docs/SETTINGS.md")).unwrap();
+    let (before, rest) = page.split_once("cargo test -p lipz-cli -->\n").unwrap();
+    let (_, after) = rest.split_once("<!-- end -->").unwrap();
+    let mut comparison = Comparison::default();
+    comparison.compare("docs/SETTINGS.md", &format!("{before}cargo test -p lipz-cli -->\n{made}\n<!-- end -->{after}"));
+    comparison.finish(1);
 }
