@@ -3,6 +3,7 @@
 use clap::{ArgAction, Args};
 use lipz_bank::{Fps, VisemeType};
 use lipz_compiler::Options;
+use lipz_compiler::settings::is_word;
 use std::collections::BTreeSet;
 
 const DEFAULTS: &str = "What files leave open";
@@ -149,8 +150,5 @@ fn parse_positive(text: &str) -> Result<f64, String> {
 }
 
 fn parse_word(text: &str) -> Result<String, String> {
-    if text.is_empty() || text.contains(|c: char| matches!(c, ' ' | '\t' | '\r' | '\n' | '|')) {
-        return Err("names that events mention are words without blanks and `|`".into());
-    }
-    Ok(text.to_owned())
+    if is_word(text) { Ok(text.to_owned()) } else { Err("events mention words without blanks, `,` and `|`".into()) }
 }

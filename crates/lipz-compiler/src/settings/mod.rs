@@ -10,6 +10,7 @@ mod value;
 
 pub use table::{Content, Map, Setting, TABLES, Table};
 pub use template::template;
+pub use value::is_word;
 
 use crate::discover::{display, plain};
 use crate::{Input, Options, Report, discover, levels};

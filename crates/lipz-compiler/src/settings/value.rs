@@ -135,7 +135,7 @@ impl<'t> Value<'t> {
     /// A word that Character Event Syntax can mention.
     pub(super) fn word(&self, findings: &mut Findings) -> Option<String> {
         let text = self.text(findings)?;
-        if text.contains(|c: char| matches!(c, ' ' | '\t' | '\r' | '\n' | ',' | '|')) {
+        if !is_word(text) {
             return self.refuse("is not one word", "events mention words without blanks, `,` and `|`", findings);
         }
         Some(text.to_owned())
@@ -188,6 +188,12 @@ pub(super) fn canonical_locale(text: &str, extended: bool) -> Result<String, (&'
         )),
         (None, None) => Err(("is not a locale", "name a language and a country, as in en-us")),
     }
+}
+
+/// Whether events can mention `text`: one word of Character Event Syntax, which ends at white space,
+/// at `,`, and where a segment does.
+pub fn is_word(text: &str) -> bool {
+    !text.is_empty() && !text.contains([' ', '\t', '\r', '\n', ',', lipz::text::DELIMITER])
 }
 
 pub(super) fn span(range: &Range<usize>) -> Span {
