@@ -27,6 +27,8 @@
 //! replace_file(&output, &bank).expect("the bank cannot be written");
 //! ```
 //!
+//! [`settings::Settings`] reads what a project decides from its `lipz.toml`.
+//!
 //! What is not here: printing and exit codes (`lipz-cli`); other tools' formats.
 // Sizes are checked where they enter (`fit`); casts below are of numbers known to be small.
 #![allow(clippy::cast_possible_truncation)]

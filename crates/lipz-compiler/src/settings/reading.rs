@@ -1,8 +1,9 @@
 //! From the TOML of a settings file to settings: tables and names, known and unknown.
 
+use super::syntax::Faults;
 use super::table::{Content, TABLES, Table};
 use super::value::{Findings, Value, canonical_locale, span};
-use super::{Settings, lint, near, syntax};
+use super::{Settings, lint, near};
 use crate::Levels;
 use crate::discover::plain;
 use lipz::diagnostic::show;
@@ -44,11 +45,12 @@ pub(super) fn read(text: &str, folder: &Path, findings: &mut Findings) -> Settin
     if settings.sources.is_empty() {
         settings.sources.push(plain(folder));
     }
+    let faults = Faults::new(text, &errors);
     found.retain(|finding| {
         let places = finding.primary.iter().chain(&finding.secondary);
-        !places.into_iter().any(|label| syntax::is_made_up(text, &errors, label.span))
+        !places.into_iter().any(|label| faults.may_have_made_up(label.span))
     });
-    findings.extend(syntax::findings(text, root.get_ref(), &errors));
+    findings.extend(faults.findings(root.get_ref()));
     findings.append(&mut found);
     settings
 }
@@ -65,7 +67,7 @@ impl<'t> Reading<'t> {
                     _ => {
                         let value = Value { name: name.to_owned(), key: key.span(), node };
                         let help = format!("write [{name}] on a line of its own, and its settings below");
-                        let _: Option<()> = value.wrong_type("a table", &help, &mut self.findings);
+                        value.wrong_type::<()>("a table", &help, &mut self.findings);
                         return;
                     }
                 },
@@ -106,7 +108,7 @@ impl<'t> Reading<'t> {
     }
 
     pub(super) fn refuse(&mut self, value: &Value<'_>, what: &str, help: &str) {
-        let _: Option<()> = value.refuse(what, help, &mut self.findings);
+        value.refuse::<()>(what, help, &mut self.findings);
     }
 
     /// A list of words that events mention.

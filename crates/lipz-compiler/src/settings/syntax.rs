@@ -2,38 +2,53 @@
 
 use lipz::diagnostic::show;
 use lipz::{Code, Diagnostic, Span};
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use toml::de::{DeTable, DeValue, Error};
 
 /// What the parser says of brackets without partner, at the end of what they swallowed.
 const UNCLOSED: &str = "unclosed";
 
-/// The findings for the parser's `errors`, which made `root` of `text`: the first of each line: those after it come of it.
-pub(super) fn findings(text: &str, root: &DeTable<'_>, errors: &[Error]) -> Vec<Diagnostic> {
-    if let Some(error) = errors.iter().find(|error| error.message().starts_with(UNCLOSED)) {
-        return vec![finding(text, root, error)];
+/// What the parser stumbled over. It goes on after each error as best it can.
+pub(super) struct Faults<'t> {
+    text: &'t str,
+    line_starts: Vec<usize>,
+    /// The first error of each line: those after it come of it.
+    by_line: BTreeMap<usize, &'t Error>,
+    /// A bracket without partner: everything else comes of it.
+    unclosed: Option<&'t Error>,
+}
+
+impl<'t> Faults<'t> {
+    /// The faults of `text`, in which the parser found `errors`.
+    pub(super) fn new(text: &'t str, errors: &'t [Error]) -> Faults<'t> {
+        let line_starts = text.match_indices('\n').map(|(end, _)| end + 1).collect();
+        let unclosed = errors.iter().find(|error| error.message().starts_with(UNCLOSED));
+        let mut faults = Faults { text, line_starts, by_line: BTreeMap::new(), unclosed };
+        for error in errors {
+            let line = faults.line(error.span().map_or(0, |span| span.start));
+            faults.by_line.entry(line).or_insert(error);
+        }
+        faults
     }
-    let mut lines = BTreeSet::new();
-    errors
-        .iter()
-        .filter(|error| lines.insert(line(text, start(error))))
-        .map(|error| finding(text, root, error))
-        .collect()
-}
 
-/// Whether the parser's recovery from `errors` may have made up what stands at `place`.
-pub(super) fn is_made_up(text: &str, errors: &[Error], place: Span) -> bool {
-    let lines = line(text, place.start as usize)..=line(text, place.end as usize);
-    errors.iter().any(|error| error.message().starts_with(UNCLOSED) || lines.contains(&line(text, start(error))))
-}
+    /// The findings; `root` is what the parser made of the text.
+    pub(super) fn findings(&self, root: &DeTable<'_>) -> Vec<Diagnostic> {
+        match self.unclosed {
+            Some(error) => vec![finding(self.text, root, error)],
+            None => self.by_line.values().map(|error| finding(self.text, root, error)).collect(),
+        }
+    }
 
-fn start(error: &Error) -> usize {
-    error.span().map_or(0, |span| span.start)
-}
+    /// Whether the parser may have made up what stands at `place`.
+    pub(super) fn may_have_made_up(&self, place: Span) -> bool {
+        let lines = self.line(place.start as usize)..=self.line(place.end as usize);
+        self.unclosed.is_some() || self.by_line.range(lines).next().is_some()
+    }
 
-/// The number of line ends before byte `at`.
-fn line(text: &str, at: usize) -> usize {
-    text.bytes().take(at).filter(|&byte| byte == b'\n').count()
+    /// The number of line ends before byte `at`.
+    fn line(&self, at: usize) -> usize {
+        self.line_starts.partition_point(|&start| start <= at)
+    }
 }
 
 fn finding(text: &str, root: &DeTable<'_>, error: &Error) -> Diagnostic {
