@@ -1,9 +1,8 @@
 //! The command line: the list of commands. Each one's arguments and help stand beside its work.
 
-use crate::commands::{check, diff, inspect, pack, stats, unpack, verify};
+use crate::commands::{check, diff, init, inspect, pack, stats, unpack, verify};
 use clap::{Parser, Subcommand};
 use colorchoice_clap::Color;
-use std::ffi::OsString;
 
 /// Spoken dialogue for games: packs Lipz files into banks.
 ///
@@ -21,25 +20,11 @@ pub(crate) struct Arguments {
     pub(crate) command: Command,
 }
 
-impl Arguments {
-    /// The arguments in `words`, the first of which is the program's name.
-    pub(crate) fn read(words: impl IntoIterator<Item = OsString>) -> Result<Arguments, clap::Error> {
-        let arguments = Arguments::try_parse_from(words)?;
-        match &arguments.command {
-            Command::Pack(pack) => pack.sources.project.validate()?,
-            Command::Check(check) => check.sources.project.validate()?,
-            Command::Diff(diff) => diff.project.validate()?,
-            Command::Stats(stats) => stats.project.validate()?,
-            Command::Unpack(_) | Command::Verify(_) | Command::Inspect(_) => {}
-        }
-        Ok(arguments)
-    }
-}
-
 #[derive(Subcommand, Debug)]
 pub(crate) enum Command {
     Pack(pack::Pack),
     Check(check::Check),
+    Init(init::Init),
     Unpack(unpack::Unpack),
     Verify(verify::Verify),
     Inspect(inspect::Inspect),

@@ -7,12 +7,15 @@ mod bank_file;
 mod commands;
 mod console;
 mod interrupt;
+mod lint_flags;
+mod project;
 mod render;
 mod sources;
 mod standard;
 mod timeline;
 
 use args::{Arguments, Command};
+use clap::Parser;
 use std::ffi::OsString;
 use std::process::ExitCode;
 
@@ -39,7 +42,7 @@ impl From<Outcome> for ExitCode {
 
 /// Runs the command line `arguments`, the first of which is the program's name.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    let arguments = match Arguments::read(arguments) {
+    let arguments = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => arguments,
         Err(error) => {
             // Help goes to standard output with code 0, usage errors to standard error with 2.
@@ -52,6 +55,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let outcome = match arguments.command {
         Command::Pack(pack) => commands::pack::run(&pack),
         Command::Check(check) => commands::check::run(&check),
+        Command::Init(init) => commands::init::run(&init),
         Command::Unpack(unpack) => commands::unpack::run(&unpack),
         Command::Verify(verify) => commands::verify::run(&verify),
         Command::Inspect(inspect) => commands::inspect::run(&inspect),

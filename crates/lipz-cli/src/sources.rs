@@ -1,100 +1,149 @@
-//! The arguments of commands that read Lipz files: where they are, and what the project decides about them.
+//! The arguments of commands that read Lipz files: where they are, and which settings hold for them.
 
 use crate::args::Arguments;
+use crate::lint_flags::LintFlags;
+use crate::project::{ProjectFlags, refused_locale};
+use crate::{Outcome, render};
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory};
-use lipz_bank::{Fps, VisemeType};
-use lipz_compiler::Options;
-use std::path::PathBuf;
+use lipz::Code;
+use lipz_compiler::settings::{FILE_NAME, Settings};
+use std::path::{Path, PathBuf};
+
+const PROJECT: &str = "Project";
 
 /// Where Lipz files come from, and what the project decides about them.
 #[derive(Args, Debug)]
 pub(crate) struct Sources {
-    #[command(flatten)]
-    pub(crate) places: Places,
-
-    #[command(flatten)]
-    pub(crate) project: Project,
-}
-
-/// Where Lipz files come from.
-#[derive(Args, Debug)]
-pub(crate) struct Places {
-    /// Folders, files or glob patterns; `-` reads one Lipz file from standard input
-    #[arg(value_name = "SOURCES", required = true)]
-    pub(crate) sources: Vec<PathBuf>,
+    /// Folders, files or glob patterns; `-` reads one Lipz file from standard input [default: those of
+    /// lipz.toml]
+    #[arg(value_name = "SOURCES")]
+    sources: Vec<PathBuf>,
 
     /// Keys are paths below this folder [default: each source folder]
-    #[arg(long, value_name = "FOLDER")]
-    pub(crate) root: Option<PathBuf>,
+    #[arg(long, value_name = "FOLDER", help_heading = PROJECT)]
+    root: Option<PathBuf>,
+
+    #[command(flatten)]
+    arguments: ProjectArguments,
 }
 
 /// What the project decides about its Lipz files, and how the run goes: also for commands that name
 /// their files in other ways.
 #[derive(Args, Debug)]
-pub(crate) struct Project {
-    /// Frame rate of files without `fps` [default: unspecified, the game supplies it]
-    #[arg(long, value_name = "FPS", value_parser = parse_fps)]
-    pub(crate) default_fps: Option<Fps>,
+pub(crate) struct ProjectArguments {
+    /// Settings file [default: lipz.toml beside or above the first source, else the current folder]
+    #[arg(long, value_name = "FILE", help_heading = PROJECT)]
+    config: Option<PathBuf>,
 
-    /// Viseme type of files without `viseme_type`: blair, toonboom, rms [default: unspecified]
-    #[arg(long, value_name = "TYPE", value_parser = parse_viseme_type)]
-    pub(crate) default_viseme_type: Option<VisemeType>,
+    /// Use no settings file
+    #[arg(long, conflicts_with = "config", help_heading = PROJECT)]
+    no_config: bool,
 
-    /// Locale of `text` without a locale, and the one that others fall back to
-    #[arg(long, value_name = "LOCALE", value_parser = parse_locale)]
-    pub(crate) default_locale: Option<String>,
+    #[command(flatten)]
+    flags: ProjectFlags,
 
-    /// Accept any BCP 47 language tag (es-419, zh-hant), not only ll-cc
-    #[arg(long)]
-    pub(crate) extended_locales: bool,
+    #[command(flatten)]
+    lints: LintFlags,
 
     /// Threads to use [default: one per core]
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    pub(crate) threads: Option<u16>,
+    threads: Option<u16>,
 
     /// Show no progress and no summary, only findings
     #[arg(short, long)]
     pub(crate) quiet: bool,
 }
 
-impl Project {
-    /// What the parser cannot see by itself: arguments that contradict each other.
-    ///
-    /// # Errors
-    /// A usage error for the command line.
-    pub(crate) fn validate(&self) -> Result<(), clap::Error> {
-        let refused = |tag: &&String| !self.extended_locales && !lipz::locale::has_lipz_shape(tag);
-        let Some(tag) = self.default_locale.as_ref().filter(refused) else { return Ok(()) };
-        let tip = "name a country, as in en-us, or accept any BCP 47 tag with '--extended-locales'";
-        let message = format!("the default locale '{tag}' does not have the form ll-cc\n\n  tip: {tip}");
-        Err(Arguments::command().error(ErrorKind::ArgumentConflict, message))
-    }
+/// What a run works with: the settings file, with the command line's arguments over it.
+pub(crate) struct Project {
+    /// The settings.
+    pub(crate) settings: Settings,
+    /// The file that they come from, if it was found in another folder than the current one.
+    pub(crate) found: Option<PathBuf>,
+}
 
-    /// The compiler's options.
-    pub(crate) fn options(&self) -> Options {
-        Options {
-            default_fps: self.default_fps,
-            default_viseme_type: self.default_viseme_type,
-            default_locale: self.default_locale.clone(),
-            extended_locales: self.extended_locales,
-            strip: false,
-            threads: self.threads.map(usize::from),
-            ..Options::default()
+impl Sources {
+    /// The project that the arguments name. What is wrong with it is printed, and how the run ends is
+    /// returned.
+    pub(crate) fn project(&self) -> Result<Project, Outcome> {
+        let mut project = self.arguments.project(&self.sources)?;
+        if self.root.is_some() {
+            project.settings.root.clone_from(&self.root);
         }
+        Ok(project)
+    }
+
+    /// Whether to show findings only.
+    pub(crate) fn is_quiet(&self) -> bool {
+        self.arguments.quiet
     }
 }
 
-fn parse_fps(text: &str) -> Result<Fps, String> {
-    lipz::rate::parse(text)
-        .and_then(|rate| Fps::new(rate.numerator, rate.denominator))
-        .ok_or_else(|| "a frame rate is a number from 1 to 1000, such as 24 or 29.97".into())
+impl ProjectArguments {
+    /// The project to which these sources belong; those of its settings file if there are none.
+    pub(crate) fn project(&self, sources: &[PathBuf]) -> Result<Project, Outcome> {
+        let file = self.settings_file(sources);
+        let mut settings = match &file {
+            Some(file) => read(file)?,
+            None => Settings::default(),
+        };
+        if !sources.is_empty() {
+            settings.sources = sources.to_vec();
+        }
+        if settings.sources.is_empty() {
+            let tip = format!("name a folder of Lipz files, or make a {FILE_NAME} that does: lipz init");
+            return Err(usage_error(
+                ErrorKind::MissingRequiredArgument,
+                &format!("no sources are named, and there is no {FILE_NAME} in this folder or above it"),
+                &tip,
+            ));
+        }
+        let options = &mut settings.options;
+        self.flags.apply(options);
+        self.lints.apply(&mut options.levels);
+        options.threads = self.threads.map(usize::from);
+        if let Some(tag) = refused_locale(options) {
+            let tip = "name a country, as in en-us, or accept any BCP 47 tag with '--extended-locales'";
+            let message = format!("the locale '{tag}' does not have the form ll-cc");
+            return Err(usage_error(ErrorKind::ArgumentConflict, &message, tip));
+        }
+        let found = file.filter(|file| self.config.is_none() && file != Path::new(FILE_NAME));
+        Ok(Project { settings, found })
+    }
+
+    /// The settings file: the one that is named; otherwise that of the first source, wherever the
+    /// command is run; otherwise that of the current folder.
+    fn settings_file(&self, sources: &[PathBuf]) -> Option<PathBuf> {
+        if self.no_config {
+            return None;
+        }
+        let of_first = || {
+            // A pattern or a file lies in the first folder above it.
+            let folder = sources.first()?.ancestors().find(|path| path.is_dir())?;
+            Settings::find(folder)
+        };
+        self.config.clone().or_else(of_first).or_else(|| Settings::find(Path::new(".")))
+    }
 }
 
-fn parse_viseme_type(text: &str) -> Result<VisemeType, String> {
-    VisemeType::from_name(text).ok_or_else(|| "the viseme types are blair, toonboom and rms".into())
+/// The settings in `file`; its findings are printed.
+fn read(file: &Path) -> Result<Settings, Outcome> {
+    let (settings, report) = Settings::read(file);
+    let has_errors = report.has_errors();
+    let is_read = report.diagnostics.iter().all(|finding| finding.code != Code::SettingsUnreadable);
+    if !report.diagnostics.is_empty() {
+        render::findings(&[report]);
+    }
+    match (has_errors, is_read) {
+        (false, _) => Ok(settings),
+        (true, true) => Err(Outcome::Findings),
+        (true, false) => Err(Outcome::Failed),
+    }
 }
 
-fn parse_locale(text: &str) -> Result<String, String> {
-    lipz::locale::canonical_tag(text, true).ok_or_else(|| "a locale is a language and a country, such as en-us".into())
+/// Prints that the command line is not enough or contradicts itself.
+pub(crate) fn usage_error(kind: ErrorKind, message: &str, tip: &str) -> Outcome {
+    let _ = Arguments::command().error(kind, format!("{message}\n\n  tip: {tip}")).print();
+    Outcome::Failed
 }

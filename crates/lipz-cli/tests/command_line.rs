@@ -6,7 +6,7 @@ mod support;
 use std::fs;
 use support::{lipz, repository, tree, write};
 
-const COMMANDS: [&str; 5] = ["pack", "check", "unpack", "verify", "inspect"];
+const COMMANDS: [&str; 6] = ["pack", "check", "init", "unpack", "verify", "inspect"];
 
 #[test]
 fn help_of_each_command_shows_an_example() {
@@ -45,7 +45,7 @@ fn usage_errors_exit_with_2() {
         &["check", "fixtures/drama", "--default-locale", "english-us"],
         &["pack", "fixtures/drama", "-o", "drama.lipzbank", "--default-locale", "es-419"],
         &["check", "fixtures/drama", "--threads", "0"],
-        &["pack", "fixtures/drama"],
+        &["pack", "fixtures/spec/repaired"],
         &["unpack", "drama.lipzbank"],
         &["inspect", "drama.lipzbank", "act1/otto-aye", "--list", "act1"],
     ];

@@ -38,6 +38,19 @@ fn bad_files_with_flags() {
 }
 
 #[test]
+fn bad_settings() {
+    let repository = repository();
+    let mut comparison = Comparison::default();
+    for file in files("fixtures/bad/settings", "toml") {
+        // Wrong settings end the run: no source is looked at.
+        let outcome = lipz(&repository, ["check", "nowhere", "--config", &file]);
+        assert_eq!(outcome.stdout, "", "{file}");
+        comparison.compare(&file.replace(".toml", ".expected"), &outcome.expectation());
+    }
+    comparison.finish(10);
+}
+
+#[test]
 fn examples_of_the_specification_as_printed() {
     compare_folder("fixtures/spec/as-printed", 8);
 }
@@ -76,7 +89,13 @@ const NOT_CAUSED: [(Code, &str); 1] = [(Code::BankTooLarge, "needs more than 4 G
 
 /// The text of every `.expected` file, with its path.
 fn expectations() -> Vec<(String, String)> {
-    let folders = ["fixtures/bad", "fixtures/bad/with-flags", "fixtures/bad/generated", "fixtures/spec/as-printed"];
+    let folders = [
+        "fixtures/bad",
+        "fixtures/bad/with-flags",
+        "fixtures/bad/generated",
+        "fixtures/bad/settings",
+        "fixtures/spec/as-printed",
+    ];
     let paths = folders.into_iter().flat_map(|folder| files(folder, "expected"));
     paths
         .map(|path| (fs::read_to_string(repository().join(&path)).unwrap(), path))
@@ -137,10 +156,12 @@ fn every_bad_file_shows_the_code_that_it_is_named_after() {
 
 #[test]
 fn every_expectation_has_its_file() {
-    for folder in ["fixtures/bad", "fixtures/bad/with-flags", "fixtures/spec/as-printed"] {
+    let folders =
+        ["fixtures/bad", "fixtures/bad/with-flags", "fixtures/spec/as-printed"].map(|folder| (folder, "lipz"));
+    for (folder, kind) in folders.into_iter().chain([("fixtures/bad/settings", "toml")]) {
         for extension in ["expected", "flags"] {
             for path in files(folder, extension) {
-                let source = format!("{}.lipz", path.strip_suffix(&format!(".{extension}")).unwrap());
+                let source = format!("{}.{kind}", path.strip_suffix(&format!(".{extension}")).unwrap());
                 assert!(repository().join(&source).is_file(), "{path} belongs to {source}, which does not exist");
             }
         }

@@ -45,7 +45,7 @@ pub fn discover(sources: &[PathBuf], root: Option<&Path>) -> (Vec<Input>, Vec<Re
 
 /// The path without `.` parts, so that `voices`, `./voices` and `voices/` are one folder. Links and
 /// `..` stay: only the file system knows where they lead.
-fn plain(path: &Path) -> PathBuf {
+pub(crate) fn plain(path: &Path) -> PathBuf {
     let plain: PathBuf = path.components().filter(|part| *part != Component::CurDir).collect();
     if plain.as_os_str().is_empty() { PathBuf::from(".") } else { plain }
 }
@@ -163,7 +163,15 @@ fn key_of(path: &Path, root: &Path) -> Result<String, (String, &'static str)> {
         || (format!("it is not below the root `{}`", display(root)), "give a folder above the file with --root");
     let root = if root == Path::new(".") { Path::new("") } else { root };
     let path = path.strip_prefix(".").unwrap_or(path);
-    let below = path.strip_prefix(root).map_err(|_| not_below())?;
+    let resolved;
+    let below = match path.strip_prefix(root) {
+        Ok(below) => below,
+        Err(_) => {
+            // By another path, as `act1` in `../voices`: only the file system knows.
+            resolved = resolved_below(path, root).ok_or_else(not_below)?;
+            &resolved
+        }
+    };
     let mut parts = Vec::new();
     for component in below.components() {
         match component {
@@ -178,6 +186,14 @@ fn key_of(path: &Path, root: &Path) -> Result<String, (String, &'static str)> {
     let key = parts.join("/");
     let stem = key.len().saturating_sub(EXTENSION.len() + 1);
     Ok(if is_lipz(path) { key.get(..stem).unwrap_or_default().to_owned() } else { key })
+}
+
+/// The path of a file below `root`, where its folder and the root really are; `None` if it is not
+/// below it.
+fn resolved_below(path: &Path, root: &Path) -> Option<PathBuf> {
+    let root = plain(root).canonicalize().ok()?;
+    let folder = plain(path.parent()?).canonicalize().ok()?;
+    Some(folder.strip_prefix(root).ok()?.join(path.file_name()?))
 }
 
 /// A path as messages show it: with `/` on every system.

@@ -28,7 +28,9 @@
 //! replace_file(&output, &bank).expect("the bank cannot be written");
 //! ```
 //!
-//! What is not here: printing, settings files and exit codes (`lipz-cli`); other tools' formats.
+//! [`settings::Settings`] reads what a project decides from its `lipz.toml`.
+//!
+//! What is not here: printing and exit codes (`lipz-cli`); other tools' formats.
 // Sizes are checked where they enter (`fit`); casts below are of numbers known to be small.
 #![allow(clippy::cast_possible_truncation)]
 
@@ -39,12 +41,14 @@ pub mod diff;
 mod discover;
 mod input;
 pub mod key;
+mod levels;
 mod localise;
 mod lower;
 mod options;
 mod output;
 mod raise;
 mod report;
+pub mod settings;
 mod source_record;
 mod split;
 pub mod stats;

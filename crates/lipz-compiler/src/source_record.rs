@@ -67,12 +67,21 @@ pub(crate) fn encode(document: &Document<'_>, clip: &ClipData) -> Vec<u8> {
         }
         let held = held_bytes(name, own_text, clip);
         match &element.value {
+            Value::String(string) if is_joined(name, &string.text, clip) => {
+                push_spelled(&mut record, Kind::String, &string.text);
+            }
             Value::String(string) => push_text(&mut record, &string.text, held, clip.starts.len()),
             Value::Number(raw) => push_spelled(&mut record, Kind::Number, &raw.text),
             Value::Other(raw) => push_spelled(&mut record, Kind::Other, &raw.text),
         }
     }
     record
+}
+
+/// Whether the bank holds the element joined to one segment, because its number of segments is not
+/// that of the clip.
+fn is_joined(name: &str, text: &str, clip: &ClipData) -> bool {
+    name != "viseme_type" && lipz::text::segment_count(text) != clip.starts.len()
 }
 
 /// Bytes of the segments that the bank holds of an element; `None` if it holds none.
@@ -209,7 +218,7 @@ mod tests {
             lipz::parse(br#"{"visemes":"A|-","text_en-us":" {x} Hi | ","fps":24.0,"q":[1],"text_de-de":" Na  |"}"#)
                 .document
                 .unwrap();
-        let clip = crate::check::check(&document, &crate::Options::default(), &mut Vec::new()).unwrap();
+        let clip = crate::check::check(&document, &crate::Options::default(), &mut Vec::new());
         let record = encode(&document, &clip);
         let elements = decode(&record, 2).unwrap();
         assert_eq!(elements[0], (Name::Known("visemes"), Recorded::AsInBank));

@@ -3,7 +3,7 @@
 
 mod support;
 
-use lipz::{Document, Element, Raw, Value};
+use lipz::{Code, Document, Element, Level, Raw, Value};
 use lipz_bank::Bank;
 use lipz_compiler::{Documents, Input, Options, compile};
 use proptest::prelude::*;
@@ -128,6 +128,34 @@ fn document() -> impl Strategy<Value = Document<'static>> {
     })
 }
 
+/// Options under which elements may differ in segments.
+fn joining() -> Options {
+    Options { levels: [(Code::SegmentCount, Some(Level::Warning))].into(), ..Options::default() }
+}
+
+/// The texts and events of one document with the other elements of another: segments that differ.
+fn uneven() -> impl Strategy<Value = Document<'static>> {
+    let is_segmented = |element: &Element<'_>| element.name.text.starts_with("text") || element.name.text == "events";
+    (document(), document()).prop_map(move |(one, other)| {
+        let segmented = one.elements.into_iter().filter(is_segmented);
+        let others = other.elements.into_iter().filter(|element| !is_segmented(element));
+        Document { elements: segmented.chain(others).collect() }
+    })
+}
+
+#[test]
+fn elements_that_are_joined_come_back() {
+    let uneven = [
+        r#"{"visemes":"AM","text_en-us":"a|b","events":"x|y"}"#,
+        r#"{"visemes":"A|M","text_en-us":" Hello ","text_de-de":"a|b|c","events":"feels sad||feels happy"}"#,
+        r#"{"text_en-us":"a|b","events":"x y"}"#,
+        r#"{"viseme_type":"rms","visemes":"1|2|3|4","text_en-us":"a b c"}"#,
+    ];
+    let files: Vec<_> =
+        uneven.iter().enumerate().map(|(n, text)| (format!("uneven-{n}"), text.as_bytes().to_vec())).collect();
+    assert_round_trip(&files, &joining());
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(400))]
 
@@ -139,6 +167,16 @@ proptest! {
             .map(|(number, document)| (format!("clip-{number}"), lipz::write(document).into_bytes()))
             .collect();
         assert_round_trip(&files, &Options::default());
+    }
+
+    #[test]
+    fn any_documents_with_segments_that_differ_come_back(documents in proptest::collection::vec(uneven(), 1..8)) {
+        let files: Vec<_> = documents
+            .iter()
+            .enumerate()
+            .map(|(number, document)| (format!("clip-{number}"), lipz::write(document).into_bytes()))
+            .collect();
+        assert_round_trip(&files, &joining());
     }
 
     #[test]

@@ -33,6 +33,7 @@ pub(super) const ALLOWED: &[Rule] = &[
             "rayon",
             "strsim",
             "tempfile",
+            "toml",
             "unicode-normalization",
             "unicode-width",
             "walkdir",
@@ -43,6 +44,7 @@ pub(super) const ALLOWED: &[Rule] = &[
             JSON_AND_LOCALES,
             CASE_FOLDING,
             FILES,
+            TOML,
             &["foldhash", "lipz", "lipz-bank", "strsim", "unicode-normalization", "tinyvec", "unicode-width"],
         ]),
     },
@@ -105,6 +107,9 @@ const CASE_FOLDING: &[&str] = &[
     "zerovec",
     "zerovec-derive",
 ];
+
+/// toml and what it uses.
+const TOML: &[&str] = &["serde_spanned", "toml", "toml_datetime", "toml_parser", "winnow"];
 
 /// Finding, reading and writing files, on several threads: cap-std, cap-tempfile, glob, rayon,
 /// tempfile, walkdir and what they use.

@@ -2,18 +2,18 @@
 
 use super::with_inputs;
 use crate::bank_file::BankFile;
-use crate::sources::{Places, Project};
+use crate::sources::ProjectArguments;
 use crate::{Outcome, console, render};
 use lipz_compiler::compile;
 use std::path::Path;
 
 /// The bank at `path`, or the Lipz files there, packed in memory. Reports what is wrong with them.
-pub(super) fn bank_or_files(path: &Path, project: &Project) -> Result<BankFile, Outcome> {
+pub(super) fn bank_or_files(path: &Path, arguments: &ProjectArguments) -> Result<BankFile, Outcome> {
     if !names_lipz_files(path) {
         return BankFile::open(path);
     }
-    let places = Places { sources: vec![path.to_owned()], root: None };
-    let mut run = with_inputs(&places, project.quiet, &project.options(), compile);
+    let project = arguments.project(&[path.to_owned()])?;
+    let mut run = with_inputs(&project.settings, arguments.quiet, compile);
     render::findings(&run.reports);
     match run.compiled.bank.take() {
         Some(bank) if !run.has_errors() => Ok(BankFile::made(console::path(path), bank)),

@@ -3,41 +3,41 @@
 pub(crate) mod check;
 pub(crate) mod diff;
 mod either;
+pub(crate) mod init;
 pub(crate) mod inspect;
 pub(crate) mod pack;
 pub(crate) mod stats;
 pub(crate) mod unpack;
 pub(crate) mod verify;
 
-use crate::sources::Places;
 use crate::{Outcome, console, standard};
 use lipz::Level;
-use lipz_compiler::{Compiled, Input, Options, Progress, Report, count, discover};
-use std::path::PathBuf;
+use lipz_compiler::settings::Settings;
+use lipz_compiler::{Compiled, Input, Options, Progress, Report, count};
 use std::time::{Duration, Instant};
 
 /// A run of the compiler: [`compile`](lipz_compiler::compile) or a check.
 type Work = fn(&[Input], &Options, &Progress<'_>) -> Compiled;
 
-/// Finds the inputs and hands them to `work`, with a progress bar. What discovery found is added to
-/// the reports; a run without inputs has none of its own.
-fn with_inputs(places: &Places, quiet: bool, options: &Options, work: Work) -> Run {
+/// Finds the inputs of a project and hands them to `work`, with a progress bar. What discovery found is
+/// added to the reports; a run without inputs has none of its own.
+fn with_inputs(settings: &Settings, quiet: bool, work: Work) -> Run {
     let start = Instant::now();
-    let (inputs, mut reports) = find(places);
+    let (inputs, mut reports) = find(settings);
     let discover = start.elapsed();
     let bar = console::progress_bar(inputs.len(), quiet);
-    let mut compiled = work(&inputs, options, &|count| bar.inc(count));
+    let mut compiled = work(&inputs, &settings.options, &|count| bar.inc(count));
     bar.finish_and_clear();
     reports.append(&mut compiled.reports);
     reports.sort_by(|a, b| a.source.path.cmp(&b.source.path));
     Run { file_count: inputs.len(), reports, compiled, discover }
 }
 
-/// The inputs at `places`, one of which may be standard input, and what is wrong with the others.
-fn find(places: &Places) -> (Vec<Input>, Vec<Report>) {
-    let paths: Vec<PathBuf> = places.sources.iter().filter(|path| !standard::is_meant(path)).cloned().collect();
-    let (mut inputs, mut reports) = discover(&paths, places.root.as_deref());
-    if paths.len() < places.sources.len() {
+/// The inputs of a project, one of which may be standard input, and what is wrong with the others.
+fn find(settings: &Settings) -> (Vec<Input>, Vec<Report>) {
+    let (standard, paths) = settings.sources.iter().cloned().partition::<Vec<_>, _>(|path| standard::is_meant(path));
+    let (mut inputs, mut reports) = Settings { sources: paths, ..settings.clone() }.discover();
+    if !standard.is_empty() {
         match standard::lipz_file() {
             Ok(input) => inputs.push(input),
             Err(report) => reports.push(report),

@@ -1,10 +1,11 @@
 //! `lipz pack`: source files to a bank.
 
 use super::{Run, with_inputs};
-use crate::sources::Sources;
+use crate::sources::{Project, Sources, usage_error};
 use crate::{Outcome, console, interrupt, render, standard};
 use clap::Args;
-use lipz_compiler::{Options, Report, Split, compile, replace_file, split};
+use clap::error::ErrorKind;
+use lipz_compiler::{Report, Split, compile, replace_file, split};
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -15,47 +16,59 @@ use std::time::{Duration, Instant};
 /// there are errors, or if the run is interrupted.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
+  lipz pack
   lipz pack voices -o dialogue.lipzbank
   lipz pack voices/act1 voices/act2 --root voices -o acts.lipzbank --default-locale en-us
   lipz pack 'voices/**/mara-*.lipz' -o mara.lipzbank --strip")]
 pub(crate) struct Pack {
     #[command(flatten)]
-    pub(crate) sources: Sources,
+    sources: Sources,
 
-    /// The bank to write; `-` writes it to standard output
+    /// The bank to write; `-` writes it to standard output [default: `output` of lipz.toml]
     #[arg(short, long, value_name = "BANK")]
-    pub(crate) output: PathBuf,
+    output: Option<PathBuf>,
 
     /// Leave out the source section: smaller, but unpacking gives display forms only
-    #[arg(long)]
-    pub(crate) strip: bool,
+    #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    strip: Option<bool>,
 
     /// Write the texts of each locale into a text bank of its own, BANK with the locale before the
     /// extension .lipztexts; the bank has all the rest
     #[arg(long)]
-    pub(crate) split_locales: bool,
+    split_locales: bool,
 
     /// Print where the time went
     #[arg(long)]
-    pub(crate) timings: bool,
+    timings: bool,
 }
 
 pub(crate) fn run(arguments: &Pack) -> Outcome {
-    let Sources { places, project } = &arguments.sources;
-    let is_standard = standard::is_meant(&arguments.output);
+    let Project { mut settings, found } = match arguments.sources.project() {
+        Ok(project) => project,
+        Err(outcome) => return outcome,
+    };
+    let Some(output) = arguments.output.as_ref().or(settings.output.as_ref()) else {
+        let tip = "name a file with '--output', or set `output` in lipz.toml";
+        return usage_error(ErrorKind::MissingRequiredArgument, "no bank to write is named", tip);
+    };
+    let is_standard = standard::is_meant(output);
     if is_standard && io::stdout().is_terminal() {
         console::remark("error: a bank is not for a terminal\nhelp: name a file, or send standard output to one\n");
         return Outcome::Failed;
     }
-    let options = Options { strip: arguments.strip, ..project.options() };
-    let mut run = with_inputs(places, project.quiet, &options, compile);
+    if is_standard && arguments.split_locales {
+        let tip = "name a file with '--output': the text banks are written beside it";
+        return usage_error(ErrorKind::ArgumentConflict, "several banks do not fit standard output", tip);
+    }
+    settings.options.strip = arguments.strip.unwrap_or(settings.options.strip);
+    let mut run = with_inputs(&settings, arguments.sources.is_quiet(), compile);
     render::findings(&run.reports);
     let bank = match run.compiled.bank.take() {
         Some(bank) if !run.has_errors() => bank,
         _ => return run.failure(),
     };
     let start = Instant::now();
-    let files = match files(&arguments.output, bank, arguments.split_locales) {
+    let files = match files(output, bank, arguments.split_locales) {
         Ok(files) => files,
         Err(report) => {
             render::findings(&[report]);
@@ -70,8 +83,11 @@ pub(crate) fn run(arguments: &Pack) -> Outcome {
         return written;
     }
     let mut text = String::new();
-    if !project.quiet {
+    if !arguments.sources.is_quiet() {
         text = summary(&files, run.file_count, is_standard);
+        if let Some(file) = found {
+            text.push_str(&format!("with the settings of {}\n", console::path(&file)));
+        }
     }
     if arguments.timings {
         text.push_str(&timings(&run, start.elapsed()));

@@ -1,6 +1,6 @@
 //! The locale of a text element, by its name.
 
-use crate::Options;
+use crate::{Options, levels};
 use lipz::diagnostic::show;
 use lipz::locale::{self, TextName};
 use lipz::{Code, Diagnostic, Element, Level};
@@ -23,7 +23,7 @@ pub(super) fn text_locale(
             Some(locale)
         }
         TextName::NoLocale => {
-            diagnostics.push(no_locale(element, options.default_locale.as_deref()));
+            diagnostics.push(no_locale(element, options));
             options.default_locale.clone()
         }
         TextName::OtherShape(_, Some(tag)) if options.extended_locales => {
@@ -47,12 +47,16 @@ fn misspelt(element: &Element<'_>, locale: &str) -> Diagnostic {
     renamed(finding, element, locale)
 }
 
-fn no_locale(element: &Element<'_>, default: Option<&str>) -> Diagnostic {
+fn no_locale(element: &Element<'_>, options: &Options) -> Diagnostic {
     let name = &element.name.text;
     let finding = |headline| Diagnostic::at(Code::TextWithoutLocale, element.name.span(), headline);
-    let Some(default) = default else {
-        return finding(format!("`{name}` has no locale"))
-            .help("write the locale, \"text_en-us\", or set the project's default locale: --default-locale en-us");
+    let Some(default) = &options.default_locale else {
+        let finding = finding(format!("`{name}` has no locale")).help(
+            "write the locale, \"text_en-us\", or set the project's default locale: default-locale = \"en-us\" in \
+             lipz.toml, or --default-locale en-us",
+        );
+        let is_lowered = levels::is_lowered(&options.levels, Code::TextWithoutLocale);
+        return if is_lowered { finding.note("it is kept for unpacking; games do not see it") } else { finding };
     };
     let mut finding = finding(format!("`{name}` has no locale and is read as the default, `text_{default}`"));
     finding.level = Level::Warning;
@@ -81,7 +85,9 @@ fn other_shape(element: &Element<'_>, locale: &str, is_tag: bool, options: &Opti
             let name = format!("\"text_{tag}\"");
             finding.help(format!("remove the blank: {name}")).fix(element.name.span(), name)
         }
-        _ if is_tag => finding.help("name a country, or accept any BCP 47 tag: --extended-locales"),
+        _ if is_tag => finding.help(
+            "name a country, or accept any BCP 47 tag: extended-locales = true in lipz.toml, or --extended-locales",
+        ),
         _ => finding.help("write \"text_ll-cc\", for example \"text_en-us\""),
     }
 }

@@ -3,6 +3,7 @@
 mod elements;
 mod events;
 mod fps;
+mod join;
 mod locales;
 mod names;
 mod segments;
@@ -13,14 +14,14 @@ mod visemes;
 use crate::Options;
 use crate::clip::ClipData;
 use elements::Roles;
-use lipz::{Diagnostic, Document, Level};
+use lipz::{Diagnostic, Document};
 use visemes::Expected;
 
-/// The clip that `document` describes, or `None` if it has errors. All findings are reported.
+/// The clip that `document` describes. All findings are reported; if one of them is an error at the
+/// project's levels, the clip is not to be used.
 ///
 /// `key` and `source` of the clip are left empty.
-pub(crate) fn check(document: &Document<'_>, options: &Options, diagnostics: &mut Vec<Diagnostic>) -> Option<ClipData> {
-    let first = diagnostics.len();
+pub(crate) fn check(document: &Document<'_>, options: &Options, diagnostics: &mut Vec<Diagnostic>) -> ClipData {
     let roles = Roles::assign(document, options, diagnostics);
     let fps = roles.fps.and_then(|number| fps::rate(number, diagnostics));
     let viseme_type = roles.viseme_type.and_then(|name| visemes::viseme_type(name, diagnostics));
@@ -34,10 +35,9 @@ pub(crate) fn check(document: &Document<'_>, options: &Options, diagnostics: &mu
     let frames = roles.visemes.map(|string| visemes::frames(string, expected, diagnostics));
     let texts: Vec<_> = roles.texts.iter().map(|text| texts::display_texts(text.string, diagnostics)).collect();
     let events = roles.events.map(|string| events::trimmed(string, diagnostics));
-    let segment_count = segments::common_count(&roles, diagnostics);
-    if diagnostics[first..].iter().any(|diagnostic| diagnostic.level == Level::Error) {
-        return None;
-    }
+    let segment_count = segments::common_count(&roles, options, diagnostics);
+    let texts = texts.into_iter().map(|segments| join::texts(segments, segment_count));
+    let events = events.map(|segments| join::events(segments, segment_count));
     let has_visemes = frames.is_some();
     let (frames, starts) = frames.unwrap_or_else(|| (Vec::new(), vec![0; segment_count]));
     let mut clip = ClipData {
@@ -56,5 +56,5 @@ pub(crate) fn check(document: &Document<'_>, options: &Options, diagnostics: &mu
     for (text, displays) in texts {
         clip.add_texts(text.locale, &displays);
     }
-    Some(clip)
+    clip
 }

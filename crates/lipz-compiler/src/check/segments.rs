@@ -2,6 +2,7 @@
 
 use super::elements::Roles;
 use super::visemes::DELIMITER_LOOKALIKES;
+use crate::{Options, levels};
 use lipz::diagnostic::show;
 use lipz::text;
 use lipz::{Code, Diagnostic, JsonString};
@@ -13,6 +14,9 @@ const SHOWN: usize = 12;
 const SHOWN_ALONE: usize = 2;
 /// Columns of a segment that are shown.
 const WIDTH: usize = 36;
+
+/// What happens to elements that differ if the project lowers the finding.
+const JOINED: &str = "all segments of an element that differs from `visemes` are joined to its first one";
 
 /// An element with its number of segments.
 #[derive(Clone, Copy)]
@@ -31,7 +35,7 @@ impl<'d> Segmented<'d> {
 
 /// The number of segments that the elements agree on, 1 for a clip without segmented elements;
 /// reports elements that differ.
-pub(super) fn common_count(roles: &Roles<'_>, diagnostics: &mut Vec<Diagnostic>) -> usize {
+pub(super) fn common_count(roles: &Roles<'_>, options: &Options, diagnostics: &mut Vec<Diagnostic>) -> usize {
     let texts = roles.texts.iter().map(|text| Segmented::new(&text.name.text, text.string));
     let events = roles.events.map(|events| Segmented::new("events", events));
     let mut others = texts.chain(events);
@@ -39,7 +43,13 @@ pub(super) fn common_count(roles: &Roles<'_>, diagnostics: &mut Vec<Diagnostic>)
     let Some(reference) = visemes.or_else(|| others.next()) else { return 1 };
     let others: Vec<Segmented<'_>> = others.collect();
     if others.iter().any(|other| other.count != reference.count) {
+        let first = diagnostics.len();
         report(reference, &others, visemes.is_some(), diagnostics);
+        if levels::is_lowered(&options.levels, Code::SegmentCount) {
+            for finding in &mut diagnostics[first..] {
+                finding.notes.push(JOINED.to_owned());
+            }
+        }
     }
     reference.count
 }

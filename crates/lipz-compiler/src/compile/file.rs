@@ -2,8 +2,8 @@
 
 use super::Phases;
 use crate::clip::ClipData;
-use crate::{Content, Input, Options, Report, check, source_record};
-use lipz::{Code, Diagnostic, Source};
+use crate::{Content, Input, Options, Report, check, levels, source_record};
+use lipz::{Code, Diagnostic, Level, Source};
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
@@ -47,13 +47,16 @@ pub(super) fn one_file(
     lap.add_to(&clock.read);
     let mut parsed = lipz::parse(bytes);
     lap.add_to(&clock.parse);
-    let clip = parsed.document.as_ref().and_then(|document| {
-        let mut clip = check::check(document, options, &mut parsed.diagnostics)?;
+    let checked =
+        parsed.document.as_ref().map(|document| (document, check::check(document, options, &mut parsed.diagnostics)));
+    levels::apply(&options.levels, &mut parsed.diagnostics);
+    let has_errors = parsed.diagnostics.iter().any(|finding| finding.level == Level::Error);
+    let clip = checked.filter(|_| !has_errors).map(|(document, mut clip)| {
         clip.key.clone_from(&input.key);
         if !options.strip {
             clip.source = source_record::encode(document, &clip);
         }
-        Some(clip)
+        clip
     });
     lap.add_to(&clock.check);
     if parsed.diagnostics.is_empty() {

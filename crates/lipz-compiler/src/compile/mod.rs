@@ -3,7 +3,7 @@
 mod file;
 
 use crate::clip::ClipData;
-use crate::{Input, Options, Report, key, localise, lower, report};
+use crate::{Input, Options, Report, key, levels, localise, lower, report};
 use file::{Clock, one_file};
 use lipz::Code;
 use lipz_bank::{Bank, ErrorKind};
@@ -142,6 +142,9 @@ fn read_all(inputs: &[Input], options: &Options, progress: &Progress<'_>) -> Run
     let start = Instant::now();
     let mut reports = Vec::new();
     key::check(inputs, &mut reports);
+    for report in &mut reports {
+        levels::apply(&options.levels, &mut report.diagnostics);
+    }
     let clock = Clock::default();
     let outcomes: Vec<_> = inputs
         .par_iter()

@@ -96,6 +96,42 @@ codes! {
     OutputFailed "LZ0904" "output-failed" Error "an output cannot be written"
     SourceDamaged "LZ0905" "source-damaged" Error "a bank's source section cannot be decoded"
     WouldOverwrite "LZ0906" "would-overwrite" Error "an output file is there already"
+
+    SettingsSyntax "LZ1001" "settings-syntax" Error "the settings are not TOML"
+    UnknownSetting "LZ1002" "unknown-setting" Error "there is no such setting"
+    SettingType "LZ1003" "setting-type" Error "a setting has a value of another type"
+    SettingValue "LZ1004" "setting-value" Error "a setting has a value that it cannot have"
+    UnknownLint "LZ1005" "unknown-lint" Error "there is no such lint"
+    FixedLevel "LZ1006" "fixed-level" Error "an error cannot be lowered"
+    SettingsUnreadable "LZ1007" "settings-unreadable" Error "a settings file cannot be read"
+}
+
+impl Code {
+    /// Whether a project may lower the level of the rule, in `lipz.toml` or on the command line. Every
+    /// level may be raised.
+    ///
+    /// Most errors are fixed: the file or the bank has no meaning then. These say what they do instead:
+    /// elements are joined to one segment ([`Code::SegmentCount`]), a text without a locale is kept for
+    /// unpacking like an unknown element ([`Code::TextWithoutLocale`]), keys clash on other systems only
+    /// ([`Code::KeyClash`]), and an empty folder adds no clips ([`Code::NoSources`]).
+    pub const fn can_be_lowered(self) -> bool {
+        matches!(self.default_level(), Level::Warning)
+            || matches!(self, Code::SegmentCount | Code::TextWithoutLocale | Code::KeyClash | Code::NoSources)
+    }
+
+    /// The rule with this number or name, in any case: `LZ0702`, `unknown-emotion`.
+    ///
+    /// ```
+    /// use lipz::Code;
+    /// assert_eq!(Code::named("lz0702"), Some(Code::UnknownEmotion));
+    /// assert_eq!(Code::named("unknown-emotion"), Some(Code::UnknownEmotion));
+    /// ```
+    pub fn named(text: &str) -> Option<Code> {
+        Code::ALL
+            .iter()
+            .copied()
+            .find(|code| code.number().eq_ignore_ascii_case(text) || code.name().eq_ignore_ascii_case(text))
+    }
 }
 
 impl fmt::Display for Code {

@@ -7,8 +7,9 @@ use crate::{Code, Diagnostic, Span};
 /// What Windows-1252 has at 0x80 to 0x9F; blanks where it has nothing.
 const WINDOWS_1252: &str = "€ ‚ƒ„…†‡ˆ‰Š‹Œ Ž  ‘’“”•–—˜™š›œ žŸ";
 
-/// The text of the file without byte order mark, or `None` and the reason why there is none.
-pub(super) fn decode<'s>(bytes: &'s [u8], diagnostics: &mut Vec<Diagnostic>) -> Option<&'s str> {
+/// The text of a file without byte order mark, or `None` and the reason why there is none: it is not
+/// UTF-8, or too large.
+pub fn decode<'s>(bytes: &'s [u8], diagnostics: &mut Vec<Diagnostic>) -> Option<&'s str> {
     if bytes.len() > MAX_FILE_BYTES {
         diagnostics.push(too_large());
         return None;

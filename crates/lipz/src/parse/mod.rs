@@ -4,7 +4,7 @@ mod elements;
 mod encoding;
 mod syntax;
 
-pub use encoding::too_large;
+pub use encoding::{decode, too_large};
 
 use crate::{Code, Diagnostic, Document};
 
@@ -27,7 +27,7 @@ pub struct Parsed<'s> {
 /// byte after a byte order mark.
 pub fn parse(bytes: &[u8]) -> Parsed<'_> {
     let mut diagnostics = Vec::new();
-    let document = match encoding::decode(bytes, &mut diagnostics) {
+    let document = match decode(bytes, &mut diagnostics) {
         Some(text) if text.bytes().all(is_white_space) => {
             let headline = if text.is_empty() { "the file is empty" } else { "the file holds nothing but white space" };
             diagnostics.push(

@@ -5,7 +5,7 @@ mod text;
 mod words;
 
 use super::either::bank_or_files;
-use crate::sources::Project;
+use crate::sources::ProjectArguments;
 use crate::{Outcome, console};
 use clap::Args;
 use json::DifferenceJson;
@@ -34,7 +34,7 @@ pub(crate) struct Diff {
     pub(crate) new: PathBuf,
 
     #[command(flatten)]
-    pub(crate) project: Project,
+    pub(crate) project: ProjectArguments,
 
     /// Show all differences, however many they are
     #[arg(long)]

@@ -49,7 +49,7 @@ impl<'d> SummaryJson<'d> {
             clips_without_fps: bank.clips().filter(|clip| clip.fps().is_none()).count(),
             frames: bank.clips().map(|clip| clip.frame_count() as usize).sum(),
             segments: bank.clips().map(|clip| clip.segment_count() as usize).sum(),
-            seconds: bank.clips().filter_map(|clip| clip.duration_us()).map(|us| us as f64 / 1e6).sum(),
+            seconds: bank.clips().filter_map(|clip| clip.duration_us()).fold(0.0, |sum, us| sum + us as f64 / 1e6),
             has_sources: bank.sections().any(|(tag, _)| tag == Tag::SOURCES),
             locales: bank.locales().map(|locale| LocaleJson::of(bank, locale)).collect(),
             sections: sections.collect(),

@@ -4,7 +4,7 @@ mod json;
 mod text;
 
 use super::either::bank_or_files;
-use crate::sources::Project;
+use crate::sources::ProjectArguments;
 use crate::{Outcome, console};
 use clap::Args;
 use std::path::PathBuf;
@@ -22,7 +22,7 @@ pub(crate) struct Stats {
     pub(crate) bank: PathBuf,
 
     #[command(flatten)]
-    pub(crate) project: Project,
+    pub(crate) project: ProjectArguments,
 
     /// Print JSON
     #[arg(long)]

@@ -1,0 +1,157 @@
+//! The settings of a project: its file `lipz.toml`, read with every finding at its place.
+
+pub mod lint;
+mod near;
+mod reading;
+mod syntax;
+mod table;
+mod template;
+mod value;
+
+pub use table::{Content, Map, Setting, TABLES, Table};
+pub use template::template;
+pub use value::is_word;
+
+use crate::discover::{display, plain};
+use crate::{Input, Options, Report, discover, levels};
+use lipz::{Code, Diagnostic, Level, Source};
+use std::io;
+use std::path::{Component, Path, PathBuf};
+
+/// Name of the file that [`Settings::find`] looks for.
+pub const FILE_NAME: &str = "lipz.toml";
+
+/// What a project decides: where its Lipz files are, where its bank goes, and how it is made.
+#[derive(Clone, Debug, Default)]
+pub struct Settings {
+    /// Folders, files and glob patterns, as [`discover`] takes them.
+    pub sources: Vec<PathBuf>,
+    /// Keys are paths below this folder; `None` for below each source.
+    pub root: Option<PathBuf>,
+    /// The bank to write.
+    pub output: Option<PathBuf>,
+    /// How the bank is made.
+    pub options: Options,
+}
+
+impl Settings {
+    /// The `lipz.toml` of `folder` or of the nearest folder above it that has one. A relative folder
+    /// gives a relative path: `../lipz.toml`.
+    pub fn find(folder: &Path) -> Option<PathBuf> {
+        let folders = std::iter::successors(Some(plain(folder)), |folder| above(folder));
+        folders.map(|folder| inside(&folder, FILE_NAME)).find(|file| file.is_file())
+    }
+
+    /// Reads the settings file at `path`.
+    ///
+    /// Paths in the file count from its folder. Settings with findings at error level keep their
+    /// defaults; the report says whether there are any.
+    pub fn read(path: &Path) -> (Settings, Report) {
+        let name = display(path);
+        match std::fs::read(path) {
+            Ok(bytes) => Settings::parse(&bytes, name, path.parent().unwrap_or(Path::new(""))),
+            Err(error) => (Settings::default(), Report::about(name.as_str(), unreadable(&name, &error))),
+        }
+    }
+
+    /// Reads the settings in `bytes`, which messages call `name`. Paths in them count from `folder`.
+    ///
+    /// ```
+    /// use lipz_compiler::settings::Settings;
+    /// let (settings, report) = Settings::parse(b"sources = [\"voices\"]", "lipz.toml", "game".as_ref());
+    /// assert!(report.diagnostics.is_empty());
+    /// assert_eq!(settings.sources, [std::path::Path::new("game/voices")]);
+    /// ```
+    pub fn parse(bytes: &[u8], name: impl Into<String>, folder: &Path) -> (Settings, Report) {
+        // A byte order mark is allowed in TOML.
+        let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
+        let mut diagnostics = Vec::new();
+        let settings = match lipz::decode(bytes, &mut diagnostics) {
+            Some(text) => reading::read(text, folder, &mut diagnostics),
+            None => Settings::default(),
+        };
+        levels::apply(&settings.options.levels, &mut diagnostics);
+        diagnostics.sort_by_key(Diagnostic::start);
+        let source = Source { path: name.into(), text: String::from_utf8_lossy(bytes).into_owned() };
+        (settings, Report { source, diagnostics })
+    }
+
+    /// The Lipz files of the sources with their keys, as [`discover`] finds them, and what it finds
+    /// wrong, at the project's levels.
+    pub fn discover(&self) -> (Vec<Input>, Vec<Report>) {
+        let (inputs, mut reports) = discover(&self.sources, self.root.as_deref());
+        for report in &mut reports {
+            levels::apply(&self.options.levels, &mut report.diagnostics);
+        }
+        reports.retain(|report| !report.diagnostics.is_empty());
+        (inputs, reports)
+    }
+}
+
+impl Report {
+    /// Whether a finding is at error level.
+    pub fn has_errors(&self) -> bool {
+        self.diagnostics.iter().any(|finding| finding.level == Level::Error)
+    }
+}
+
+fn unreadable(name: &str, error: &io::Error) -> Diagnostic {
+    let finding = |what: &str| Diagnostic::new(Code::SettingsUnreadable, format!("the settings file `{name}` {what}"));
+    match error.kind() {
+        io::ErrorKind::NotFound => {
+            finding("does not exist").help("check the spelling of the path, or make one: lipz init")
+        }
+        io::ErrorKind::IsADirectory => finding("is a folder").help("name the file in it"),
+        _ => finding(&format!("cannot be read: {error}")),
+    }
+}
+
+/// The folder above a [`plain`] one; `None` above the topmost.
+fn above(folder: &Path) -> Option<PathBuf> {
+    match folder.components().next_back()? {
+        Component::Normal(_) => folder.parent().map(plain),
+        Component::CurDir | Component::ParentDir => {
+            let above = plain(&folder.join(".."));
+            // The topmost folder lies above itself.
+            let is_another = above.canonicalize().ok()? != folder.canonicalize().ok()?;
+            is_another.then_some(above)
+        }
+        Component::RootDir | Component::Prefix(_) => None,
+    }
+}
+
+/// The path of `name`, which counts from `folder`.
+fn inside(folder: &Path, name: &str) -> PathBuf {
+    plain(&folder.join(name))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_file_above_is_found() {
+        let folder = tempfile::tempdir().unwrap();
+        let inner = folder.path().join("project/voices/act1");
+        std::fs::create_dir_all(&inner).unwrap();
+        assert_eq!(Settings::find(&inner), None);
+        std::fs::write(folder.path().join("project/lipz.toml"), "").unwrap();
+        assert_eq!(Settings::find(&inner), Some(folder.path().join("project/lipz.toml")));
+        let around = inner.join("../../voices");
+        assert_eq!(Settings::find(&around), Some(inner.join("../../lipz.toml")), "`..` may be a link: it stays");
+        std::fs::create_dir(folder.path().join("project/voices/lipz.toml")).unwrap();
+        assert_eq!(Settings::find(&inner), Some(folder.path().join("project/lipz.toml")), "a folder is no file");
+    }
+
+    #[test]
+    fn folders_above_a_relative_one() {
+        let above = |folder: &str| above(Path::new(folder));
+        assert_eq!(above("voices/act1"), Some("voices".into()));
+        assert_eq!(above("voices"), Some(".".into()));
+        assert_eq!(above("."), Some("..".into()));
+        assert_eq!(above(".."), Some("../..".into()));
+        assert_eq!(above("/"), None);
+        let deep = "../".repeat(200);
+        assert_eq!(above(&deep), None, "above the root folder");
+    }
+}

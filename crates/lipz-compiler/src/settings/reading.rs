@@ -1,0 +1,225 @@
+//! From the TOML of a settings file to settings: tables and names, known and unknown.
+
+use super::syntax::Faults;
+use super::table::{Content, TABLES, Table};
+use super::value::{Findings, Value, canonical_locale, span};
+use super::{Settings, lint, near};
+use crate::Levels;
+use crate::discover::plain;
+use lipz::diagnostic::show;
+use lipz::{Code, Diagnostic, Span};
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+use toml::Spanned;
+use toml::de::{DeString, DeTable, DeValue};
+
+/// What was read so far.
+pub(super) struct Reading<'t> {
+    pub(super) settings: Settings,
+    pub(super) folder: &'t Path,
+    pub(super) findings: Findings,
+    /// Levels of groups of lints: they hold where no lint is named by itself.
+    groups: Levels,
+    /// Where each level was set.
+    levels: BTreeMap<Code, Span>,
+}
+
+/// The settings in `text`, with paths that count from `folder`.
+pub(super) fn read(text: &str, folder: &Path, findings: &mut Findings) -> Settings {
+    let (root, errors) = DeTable::parse_recoverable(text);
+    let mut reading = Reading {
+        settings: Settings::default(),
+        folder,
+        findings: Vec::new(),
+        groups: Levels::new(),
+        levels: BTreeMap::new(),
+    };
+    for table in TABLES {
+        reading.table(table, root.get_ref());
+    }
+    reading.unknown_names("", root.get_ref());
+    let Reading { mut settings, groups, findings: mut found, .. } = reading;
+    for (code, level) in groups {
+        settings.options.levels.entry(code).or_insert(level);
+    }
+    if settings.sources.is_empty() {
+        settings.sources.push(plain(folder));
+    }
+    let faults = Faults::new(text, &errors);
+    found.retain(|finding| {
+        let places = finding.primary.iter().chain(&finding.secondary);
+        !places.into_iter().any(|label| faults.may_have_made_up(label.span))
+    });
+    findings.extend(faults.findings(root.get_ref()));
+    findings.append(&mut found);
+    settings
+}
+
+impl<'t> Reading<'t> {
+    /// Reads the settings of one table.
+    fn table(&mut self, table: &Table, root: &'t DeTable<'t>) {
+        let entries = match table.name {
+            "" => root,
+            name => match root.get_key_value(name) {
+                None => return,
+                Some((key, node)) => match node.get_ref() {
+                    DeValue::Table(entries) => entries,
+                    _ => {
+                        let value = Value { name: name.to_owned(), key: key.span(), node };
+                        let help = format!("write [{name}] on a line of its own, and its settings below");
+                        value.wrong_type::<()>("a table", &help, &mut self.findings);
+                        return;
+                    }
+                },
+            },
+        };
+        match &table.content {
+            Content::Settings(settings) => {
+                for setting in *settings {
+                    if let Some((key, node)) = entries.get_key_value(setting.name) {
+                        let name = dotted(table.name, setting.name);
+                        (setting.read)(&Value { name, key: key.span(), node }, self);
+                    }
+                }
+                if !table.name.is_empty() {
+                    self.unknown_names(table.name, entries);
+                }
+            }
+            Content::Map(map) => {
+                for (key, node) in entries {
+                    let name = dotted(table.name, key.get_ref());
+                    (map.read)(key.get_ref(), &Value { name, key: key.span(), node }, self);
+                }
+            }
+        }
+    }
+
+    /// Reports the entries of a table that are no settings.
+    fn unknown_names(&mut self, table: &str, entries: &DeTable<'_>) {
+        let known = names(table);
+        for (key, _) in entries.iter().filter(|(key, _)| !known.contains(&key.get_ref().as_ref())) {
+            self.findings.push(unknown_name(table, key, &known));
+        }
+    }
+
+    /// Whether locales may be any BCP 47 tags.
+    pub(super) fn extended(&self) -> bool {
+        self.settings.options.extended_locales
+    }
+
+    pub(super) fn refuse(&mut self, value: &Value<'_>, what: &str, help: &str) {
+        value.refuse::<()>(what, help, &mut self.findings);
+    }
+
+    /// A list of words that events mention.
+    pub(super) fn words(&mut self, value: &Value<'_>) -> Option<BTreeSet<String>> {
+        value.list(&mut self.findings, Value::word).map(FromIterator::from_iter)
+    }
+
+    /// The locales that the locale `name` falls back to.
+    pub(super) fn fallback(&mut self, name: &str, value: &Value<'_>) {
+        let extended = self.extended();
+        let locale = canonical_locale(name, extended);
+        if let Err((what, help)) = &locale {
+            let headline = format!("{} {what}", show::name(name));
+            self.findings.push(Diagnostic::at(Code::SettingValue, span(&value.key), headline).help(*help));
+        }
+        let chain = value.list(&mut self.findings, |item, findings| {
+            let other = item.locale(extended, findings)?;
+            match &locale {
+                Ok(locale) if *locale == other => item.refuse("falls back to itself", "name other locales", findings),
+                _ => Some(other),
+            }
+        });
+        if let (Ok(locale), Some(chain)) = (locale, chain) {
+            self.settings.options.fallbacks.insert(locale, chain);
+        }
+    }
+
+    /// The level of the lint or group `name`.
+    pub(super) fn level(&mut self, name: &str, value: &Value<'_>) {
+        let selection = lint::Selection::named(name);
+        if selection.is_none() {
+            let headline = format!("{} is not a lint", show::name(name));
+            let help = match lint::suggestion(name) {
+                Some(known) => format!("did you mean `{known}`?"),
+                None => "findings show their code in brackets: write that, or the name of the lint".to_owned(),
+            };
+            self.findings.push(Diagnostic::at(Code::UnknownLint, span(&value.key), headline).help(help));
+        }
+        let Some(text) = value.text(&mut self.findings) else { return };
+        let level = match lint::level(text) {
+            Ok(level) => level,
+            Err(meant) => {
+                let help = match meant {
+                    Some(known) => format!("did you mean \"{known}\"?"),
+                    None => "the levels are \"allow\", \"warn\" and \"deny\"".to_owned(),
+                };
+                return self.refuse(value, "is not a level", &help);
+            }
+        };
+        match selection {
+            Some(lint::Selection::One(code)) => self.level_of(code, level, value),
+            Some(group) => self.groups.extend(group.codes().into_iter().map(|code| (code, level))),
+            None => {}
+        }
+    }
+
+    fn level_of(&mut self, code: Code, level: Option<lipz::Level>, value: &Value<'_>) {
+        let name = code.name();
+        if let Some(why) = lint::refusal(code, level) {
+            let headline = format!("`{name}` is an error that cannot be lowered");
+            let finding =
+                Diagnostic::at(Code::FixedLevel, value.span(), headline).also(span(&value.key), code.summary());
+            self.findings.push(finding.help(why));
+        } else if let Some(before) = self.levels.insert(code, span(&value.key)) {
+            let headline = format!("`{name}` and `{code}` are one lint, whose level is set twice");
+            let finding = Diagnostic::at(Code::SettingValue, span(&value.key), headline).also(before, "the first one");
+            self.findings.push(finding.help("remove one of the two"));
+        } else {
+            self.settings.options.levels.insert(code, level);
+        }
+    }
+}
+
+/// The names that may stand in a table; in the root also those of the other tables.
+fn names(table: &str) -> Vec<&'static str> {
+    let own = TABLES.iter().filter(|found| found.name == table).flat_map(setting_names);
+    let tables = TABLES.iter().map(|table| table.name).filter(|name| table.is_empty() && !name.is_empty());
+    own.chain(tables).collect()
+}
+
+fn setting_names(table: &Table) -> impl Iterator<Item = &'static str> {
+    let settings = match table.content {
+        Content::Settings(settings) => settings,
+        Content::Map(_) => &[],
+    };
+    settings.iter().map(|setting| setting.name)
+}
+
+fn unknown_name(table: &str, key: &Spanned<DeString<'_>>, known: &[&'static str]) -> Diagnostic {
+    let name = key.get_ref().as_ref();
+    let finding =
+        |what: &str| Diagnostic::at(Code::UnknownSetting, span(&key.span()), format!("{} {what}", show::name(name)));
+    // A setting below a table's name belongs to the table: the usual slip.
+    if let Some(other) = TABLES.iter().find(|other| setting_names(other).any(|setting| setting == name)) {
+        return match (other.name, table) {
+            ("", table) => finding(&format!("is no setting of [{table}]")).help("write it above the first table"),
+            (other, _) => finding(&format!("is a setting of [{other}]")).help(format!("write it below [{other}]")),
+        };
+    }
+    let place = if table.is_empty() { "is not a setting".to_owned() } else { format!("is not a setting of [{table}]") };
+    let everywhere = || TABLES.iter().flat_map(setting_names);
+    match near::nearest(name, known.iter().copied()).or_else(|| near::nearest(name, everywhere())) {
+        Some(known) => finding(&place).help(format!("did you mean `{known}`?")),
+        None => finding(&place).help(match table {
+            "" => "`lipz init` writes a file that shows all settings".to_owned(),
+            table => format!("the settings of [{table}] are {}", known.join(", ")),
+        }),
+    }
+}
+
+/// The name of a setting with that of its table: `text.lines`.
+fn dotted(table: &str, name: &str) -> String {
+    if table.is_empty() { name.to_owned() } else { format!("{table}.{name}") }
+}

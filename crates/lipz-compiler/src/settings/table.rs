@@ -1,0 +1,271 @@
+//! Every setting, once: its name, flag, default, what it decides, and how its value is read.
+
+use super::inside;
+use super::reading::Reading;
+use super::value::Value;
+
+/// A table of `lipz.toml`.
+pub struct Table {
+    /// Its name; empty for the settings above the first table.
+    pub name: &'static str,
+    /// What its settings decide, in one sentence.
+    pub about: &'static str,
+    /// What it contains.
+    pub content: Content,
+}
+
+/// What a table contains.
+pub enum Content {
+    /// Settings with names of their own.
+    Settings(&'static [Setting]),
+    /// Names that the project chooses.
+    Map(Map),
+}
+
+/// One setting.
+pub struct Setting {
+    /// Its name in the table.
+    pub name: &'static str,
+    /// The flag of the command line that overrides it.
+    pub flag: &'static str,
+    /// What it decides, in one or two sentences.
+    pub about: &'static str,
+    /// What holds without it.
+    pub default: &'static str,
+    /// A value: the default if that can be written, otherwise an example.
+    pub example: &'static str,
+    pub(super) read: fn(&Value<'_>, &mut Reading<'_>),
+}
+
+/// Settings of one kind, by names that the project chooses.
+pub struct Map {
+    /// What the names stand for.
+    pub name: &'static str,
+    /// The flag of the command line that overrides an entry.
+    pub flag: &'static str,
+    /// What holds for names that are not mentioned.
+    pub default: &'static str,
+    /// Some entries.
+    pub examples: &'static [&'static str],
+    /// Reads the entry with this name.
+    pub(super) read: fn(&str, &Value<'_>, &mut Reading<'_>),
+}
+
+/// All settings, in the order in which they are read and documented.
+pub const TABLES: &[Table] = &[
+    Table {
+        name: "",
+        about: "Where the Lipz files are, where the bank goes, and what holds for all of them.",
+        content: Content::Settings(GENERAL),
+    },
+    Table {
+        name: "fallbacks",
+        about: "Where texts that a locale misses come from: other locales, in order.",
+        content: Content::Map(FALLBACKS),
+    },
+    Table {
+        name: "text",
+        about: "How texts are displayed, and how much of them a screen holds and a player reads.",
+        content: Content::Settings(TEXT),
+    },
+    Table {
+        name: "lints",
+        about: "Levels of findings: \"allow\" (not reported), \"warn\" or \"deny\" (no bank is written).",
+        content: Content::Map(LINTS),
+    },
+    Table {
+        name: "registry",
+        about: "Names that events may mention; others are reported.",
+        content: Content::Settings(REGISTRY),
+    },
+];
+
+const GENERAL: &[Setting] = &[
+    Setting {
+        name: "sources",
+        flag: "SOURCES",
+        about: "Lipz files: folders, files and glob patterns.",
+        default: "the folder of lipz.toml",
+        example: "[\".\"]",
+        read: |value, to| {
+            let folder = to.folder;
+            let sources = value.list(&mut to.findings, |item, findings| Some(inside(folder, item.text(findings)?)));
+            match sources {
+                Some(sources) if sources.is_empty() => {
+                    to.refuse(value, "names no sources", "name folders, files or patterns, or remove the line");
+                }
+                sources => to.settings.sources = sources.unwrap_or_default(),
+            }
+        },
+    },
+    Setting {
+        name: "root",
+        flag: "--root",
+        about: "Keys of clips are paths below this folder, without `.lipz`.",
+        default: "each source folder",
+        example: "\".\"",
+        read: |value, to| to.settings.root = value.text(&mut to.findings).map(|path| inside(to.folder, path)),
+    },
+    Setting {
+        name: "output",
+        flag: "--output",
+        about: "The bank that `lipz pack` writes.",
+        default: "to be named on the command line",
+        example: "\"dialogue.lipzbank\"",
+        read: |value, to| to.settings.output = value.text(&mut to.findings).map(|path| inside(to.folder, path)),
+    },
+    Setting {
+        name: "default-fps",
+        flag: "--default-fps",
+        about: "Frame rate of files without `fps`, from 1 to 1000.",
+        default: "unspecified, the game supplies it",
+        example: "24",
+        read: |value, to| to.settings.options.default_fps = value.fps(&mut to.findings),
+    },
+    Setting {
+        name: "default-viseme-type",
+        flag: "--default-viseme-type",
+        about: "Viseme type of files without `viseme_type`: blair, toonboom or rms.",
+        default: "unspecified, the game supplies it",
+        example: "\"blair\"",
+        read: |value, to| to.settings.options.default_viseme_type = value.viseme_type(&mut to.findings),
+    },
+    Setting {
+        name: "viseme-type",
+        flag: "--viseme-type",
+        about: "Viseme type that clips of other types are converted to.",
+        default: "each clip keeps its own",
+        example: "\"toonboom\"",
+        read: |value, to| to.settings.options.viseme_type = value.viseme_type(&mut to.findings),
+    },
+    // Before the settings that contain locales.
+    Setting {
+        name: "extended-locales",
+        flag: "--extended-locales",
+        about: "Accept any BCP 47 language tag (es-419, zh-hant), not only ll-cc.",
+        default: "false",
+        example: "false",
+        read: |value, to| {
+            to.settings.options.extended_locales = value.boolean(&mut to.findings).unwrap_or_default();
+        },
+    },
+    Setting {
+        name: "default-locale",
+        flag: "--default-locale",
+        about: "Locale of `text` without a locale, and the last one that others fall back to.",
+        default: "none",
+        example: "\"en-us\"",
+        read: |value, to| to.settings.options.default_locale = value.locale(to.extended(), &mut to.findings),
+    },
+    Setting {
+        name: "locales",
+        flag: "--locales",
+        about: "Locales to pack.",
+        default: "all that the files have",
+        example: "[\"en-us\", \"de-de\"]",
+        read: |value, to| {
+            let extended = to.extended();
+            let locales = value.list(&mut to.findings, |item, findings| item.locale(extended, findings));
+            match locales {
+                Some(locales) if locales.is_empty() => {
+                    to.refuse(value, "names no locales", "name at least one, or remove the line for all");
+                }
+                locales => to.settings.options.locales = locales.map(FromIterator::from_iter),
+            }
+        },
+    },
+    Setting {
+        name: "strip",
+        flag: "--strip",
+        about: "Leave out what only unpacking needs: a smaller bank, which unpacks to display forms.",
+        default: "false",
+        example: "false",
+        read: |value, to| to.settings.options.strip = value.boolean(&mut to.findings).unwrap_or_default(),
+    },
+];
+
+const FALLBACKS: Map = Map {
+    name: "LOCALE",
+    flag: "--fallback",
+    default: "locales of the same language, then the default locale",
+    examples: &["de-at = [\"de-de\", \"en-us\"]", "es-mx = [\"es-es\"]"],
+    read: |name, value, to| to.fallback(name, value),
+};
+
+const TEXT: &[Setting] = &[
+    Setting {
+        name: "literal-braces",
+        flag: "--literal-braces",
+        about: "Display braces as they are: `{0}` is a placeholder of the game, not meta information.",
+        default: "false",
+        example: "false",
+        read: |value, to| to.settings.options.literal_braces = value.boolean(&mut to.findings).unwrap_or_default(),
+    },
+    Setting {
+        name: "line-columns",
+        flag: "--max-line-columns",
+        about: "Columns of a line; East Asian wide characters count two.",
+        default: "no limit",
+        example: "42",
+        read: |value, to| to.settings.options.text_limits.line_columns = value.count(&mut to.findings),
+    },
+    Setting {
+        name: "lines",
+        flag: "--max-lines",
+        about: "Lines of a segment.",
+        default: "no limit",
+        example: "2",
+        read: |value, to| to.settings.options.text_limits.lines = value.count(&mut to.findings),
+    },
+    Setting {
+        name: "characters-per-second",
+        flag: "--max-characters-per-second",
+        about: "Characters that a player reads in a second, over the time of a segment.",
+        default: "no limit",
+        example: "17",
+        read: |value, to| to.settings.options.text_limits.characters_per_second = value.positive(&mut to.findings),
+    },
+];
+
+const LINTS: Map = Map {
+    name: "LINT",
+    flag: "--allow, --warn, --deny",
+    default: "each lint's own level",
+    examples: &["warnings = \"deny\"", "unknown-emotion = \"allow\"", "segment-count = \"warn\""],
+    read: |name, value, to| to.level(name, value),
+};
+
+const REGISTRY: &[Setting] = &[
+    Setting {
+        name: "characters",
+        flag: "--characters",
+        about: "Characters of the scenes.",
+        default: "any",
+        example: "[\"samson\", \"amy\"]",
+        read: |value, to| to.settings.options.registry.characters = to.words(value),
+    },
+    Setting {
+        name: "props",
+        flag: "--props",
+        about: "Things that characters look and point at, other than characters.",
+        default: "any",
+        example: "[\"door\", \"lamp\"]",
+        read: |value, to| to.settings.options.registry.props = to.words(value),
+    },
+    Setting {
+        name: "emotions",
+        flag: "--emotions",
+        about: "Emotions beyond those of the specification.",
+        default: "none",
+        example: "[\"nervous\"]",
+        read: |value, to| to.settings.options.registry.emotions = to.words(value).unwrap_or_default(),
+    },
+    Setting {
+        name: "actions",
+        flag: "--actions",
+        about: "Actions of `does`.",
+        default: "any",
+        example: "[\"wave\", \"nod\"]",
+        read: |value, to| to.settings.options.registry.actions = to.words(value),
+    },
+];

@@ -1,0 +1,201 @@
+//! Values of settings: their types, and what they may be.
+
+use super::near::nearest;
+use lipz::diagnostic::show;
+use lipz::{Code, Diagnostic, Span, locale, rate};
+use lipz_bank::{Fps, VisemeType};
+use std::fmt::Display;
+use std::ops::Range;
+use std::str::FromStr;
+use toml::Spanned;
+use toml::de::DeValue;
+
+/// The value of a setting.
+pub(super) struct Value<'t> {
+    /// The setting as messages name it: `text.lines`.
+    pub(super) name: String,
+    /// Where the key stands.
+    pub(super) key: Range<usize>,
+    pub(super) node: &'t Spanned<DeValue<'t>>,
+}
+
+/// Where findings go.
+pub(super) type Findings = Vec<Diagnostic>;
+
+impl<'t> Value<'t> {
+    pub(super) fn boolean(&self, findings: &mut Findings) -> Option<bool> {
+        match self.node.get_ref() {
+            DeValue::Boolean(value) => Some(*value),
+            DeValue::String(text) if matches!(text.as_ref(), "true" | "false") => {
+                self.wrong_type("true or false", &format!("remove the quotes: {text}"), findings)
+            }
+            _ => self.wrong_type("true or false", "write true or false", findings),
+        }
+    }
+
+    pub(super) fn text(&self, findings: &mut Findings) -> Option<&'t str> {
+        match self.node.get_ref() {
+            DeValue::String(text) if text.is_empty() => {
+                self.refuse("is empty", "write a value, or remove the line", findings)
+            }
+            DeValue::String(text) => Some(text.as_ref()),
+            _ => self.wrong_type("a text", "put the value into double quotes", findings),
+        }
+    }
+
+    /// The items of a list, each as a value by itself. Items with findings are left out.
+    pub(super) fn list<T>(
+        &self,
+        findings: &mut Findings,
+        mut item: impl FnMut(&Value<'t>, &mut Findings) -> Option<T>,
+    ) -> Option<Vec<T>> {
+        let DeValue::Array(array) = self.node.get_ref() else {
+            let help = match self.node.get_ref() {
+                DeValue::String(text) => format!("write [\"{}\"]", show::text(text)),
+                _ => "write texts in brackets: [\"…\", \"…\"]".to_owned(),
+            };
+            return self.wrong_type("a list", &help, findings);
+        };
+        let items = array.iter().map(|node| Value { name: self.name.clone(), key: self.key.clone(), node });
+        Some(items.filter_map(|value| item(&value, findings)).collect())
+    }
+
+    /// A number of at least 1 without fraction.
+    pub(super) fn count(&self, findings: &mut Findings) -> Option<u32> {
+        let DeValue::Integer(integer) = self.node.get_ref() else {
+            return self.wrong_type("a whole number", "write a number without fraction and quotes", findings);
+        };
+        match u32::from_str_radix(integer.as_str(), integer.radix()) {
+            Ok(count) if count > 0 => Some(count),
+            _ => self.refuse("is not between 1 and 4294967295", "remove the line for no limit", findings),
+        }
+    }
+
+    /// A number above 0.
+    pub(super) fn positive(&self, findings: &mut Findings) -> Option<f64> {
+        let number = self.decimal(findings)?;
+        match f64::from_str(&number) {
+            Ok(number) if number > 0.0 && number.is_finite() => Some(number),
+            _ => self.refuse("is not a number above 0", "remove the line for no limit", findings),
+        }
+    }
+
+    /// A frame rate; a warning if it is not exactly what is written.
+    pub(super) fn fps(&self, findings: &mut Findings) -> Option<Fps> {
+        let number = self.decimal(findings)?;
+        let rate = rate::parse(number.trim_start_matches('+'));
+        let Some((rate, fps)) = rate.and_then(|rate| Some((rate, Fps::new(rate.numerator, rate.denominator)?))) else {
+            return self.refuse("is outside 1 to 1000", "write frames per second, usually 24, 25 or 30", findings);
+        };
+        if !rate.is_exact {
+            let (numerator, denominator) = (rate.numerator, rate.denominator);
+            let headline = format!("`{}` is stored as {numerator}/{denominator}, the nearest exact ratio", self.name);
+            findings.push(Diagnostic::at(Code::FpsInexact, self.span(), headline).help("write fewer digits"));
+        }
+        Some(fps)
+    }
+
+    /// The decimal digits of a number.
+    fn decimal(&self, findings: &mut Findings) -> Option<String> {
+        match self.node.get_ref() {
+            DeValue::Float(float) => Some(float.as_str().to_owned()),
+            DeValue::Integer(integer) => match i64::from_str_radix(integer.as_str(), integer.radix()) {
+                Ok(number) => Some(number.to_string()),
+                Err(_) => Some(integer.as_str().to_owned()),
+            },
+            DeValue::String(text) if text.parse::<f64>().is_ok() => {
+                self.wrong_type("a number", &format!("remove the quotes: {text}"), findings)
+            }
+            _ => self.wrong_type("a number", "write a number: 24, 29.97", findings),
+        }
+    }
+
+    pub(super) fn viseme_type(&self, findings: &mut Findings) -> Option<VisemeType> {
+        let text = self.text(findings)?;
+        let found = VisemeType::from_name(text);
+        if found.is_none() {
+            let help = match nearest(text, VisemeType::ALL.map(VisemeType::name)) {
+                Some(known) => format!("did you mean \"{known}\"?"),
+                None => "the viseme types are blair, toonboom and rms".to_owned(),
+            };
+            return self.refuse("is not a viseme type", &help, findings);
+        }
+        found
+    }
+
+    /// A locale in its canonical form; of any BCP 47 tag if `extended`.
+    pub(super) fn locale(&self, extended: bool, findings: &mut Findings) -> Option<String> {
+        let text = self.text(findings)?;
+        match canonical_locale(text, extended) {
+            Ok(tag) => Some(tag),
+            Err((what, help)) => self.refuse(what, help, findings),
+        }
+    }
+
+    /// A word that Character Event Syntax can mention.
+    pub(super) fn word(&self, findings: &mut Findings) -> Option<String> {
+        let text = self.text(findings)?;
+        if !is_word(text) {
+            return self.refuse("is not one word", "events mention words without blanks, `,` and `|`", findings);
+        }
+        Some(text.to_owned())
+    }
+
+    /// Reports that the value has another type; there is no value then.
+    pub(super) fn wrong_type<T>(&self, expected: &str, help: &str, findings: &mut Findings) -> Option<T> {
+        let found = match self.node.get_ref() {
+            DeValue::String(_) => "a text",
+            DeValue::Integer(_) | DeValue::Float(_) => "a number",
+            DeValue::Boolean(_) => "true or false",
+            DeValue::Datetime(_) => "a date or time",
+            DeValue::Array(_) => "a list",
+            DeValue::Table(_) => "a table",
+        };
+        let headline = format!("`{}` is {found}, not {expected}", self.name);
+        findings.push(
+            Diagnostic::at(Code::SettingType, self.span(), headline)
+                .also(span(&self.key), format!("must be {expected}"))
+                .help(help),
+        );
+        None
+    }
+
+    /// Reports that the setting cannot have the value; there is none then.
+    pub(super) fn refuse<T>(&self, what: impl Display, help: &str, findings: &mut Findings) -> Option<T> {
+        let shown = match self.node.get_ref() {
+            DeValue::String(text) if text.is_empty() => format!("`{}`", self.name),
+            DeValue::String(text) => show::name(text),
+            DeValue::Integer(integer) => show::name(&integer.to_string()),
+            DeValue::Float(float) => show::name(float.as_str()),
+            _ => format!("`{}`", self.name),
+        };
+        findings.push(Diagnostic::at(Code::SettingValue, self.span(), format!("{shown} {what}")).help(help));
+        None
+    }
+
+    pub(super) fn span(&self) -> Span {
+        span(&self.node.span())
+    }
+}
+
+/// The canonical form of a locale, or what is wrong with it and what to do.
+pub(super) fn canonical_locale(text: &str, extended: bool) -> Result<String, (&'static str, &'static str)> {
+    match (locale::canonical_tag(text, extended), locale::canonical_tag(text, true)) {
+        (Some(tag), _) => Ok(tag),
+        (None, Some(_)) => Err((
+            "is not a locale of the form ll-cc",
+            "name a language and a country, as in en-us, or accept any BCP 47 tag: extended-locales = true",
+        )),
+        (None, None) => Err(("is not a locale", "name a language and a country, as in en-us")),
+    }
+}
+
+/// Whether events can mention `text`: one word of Character Event Syntax, which ends at white space,
+/// at `,`, and where a segment does.
+pub fn is_word(text: &str) -> bool {
+    !text.is_empty() && !text.contains([' ', '\t', '\r', '\n', ',', lipz::text::DELIMITER])
+}
+
+pub(super) fn span(range: &Range<usize>) -> Span {
+    Span::new(range.start, range.end)
+}

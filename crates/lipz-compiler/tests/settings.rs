@@ -1,0 +1,106 @@
+//! `lipz.toml` with anything in it: findings with places in the file, and no panic.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+use lipz::{Code, Level};
+use lipz_bank::{Fps, VisemeType};
+use lipz_compiler::Report;
+use lipz_compiler::settings::{Settings, template};
+use proptest::prelude::*;
+use std::path::{Path, PathBuf};
+
+fn parse(bytes: &[u8]) -> (Settings, Report) {
+    Settings::parse(bytes, "game/lipz.toml", Path::new("game"))
+}
+
+#[test]
+fn every_setting_is_read() {
+    let text = r#"
+        sources = ["voices", "../shared/*.lipz"]
+        root = "."
+        output = "/tmp/b.lipzbank"
+        default-fps = 23.976
+        default-viseme-type = "rms"
+        viseme-type = "blair"
+        extended-locales = true
+        default-locale = "EN_us"
+        locales = ["en-us", "zh-Hant"]
+        strip = true
+        fallbacks = { es-419 = ["es-es", "en-us"] }
+        text = { literal-braces = true, line-columns = 42, lines = 2, characters-per-second = 17.5 }
+        lints = { warnings = "deny", LZ0702 = "allow", segment-count = "warn" }
+        registry = { characters = ["mara"], props = ["door"], emotions = ["nervous"], actions = [] }
+    "#;
+    let (settings, report) = parse(text.as_bytes());
+    assert_eq!(report.diagnostics, []);
+    assert_eq!(settings.sources, ["game/voices", "game/../shared/*.lipz"].map(PathBuf::from));
+    assert_eq!(settings.root, Some("game".into()));
+    assert_eq!(settings.output, Some("/tmp/b.lipzbank".into()));
+    let options = settings.options;
+    assert_eq!(options.default_fps, Fps::new(2997, 125));
+    assert_eq!((options.default_viseme_type, options.viseme_type), (Some(VisemeType::Rms), Some(VisemeType::Blair)));
+    assert!(options.extended_locales && options.strip && options.literal_braces);
+    assert_eq!(options.default_locale.as_deref(), Some("en-us"));
+    assert_eq!(options.locales, Some(["en-us", "zh-hant"].map(str::to_owned).into()));
+    assert_eq!(options.fallbacks["es-419"], ["es-es", "en-us"]);
+    let limits = options.text_limits;
+    assert_eq!((limits.line_columns, limits.lines, limits.characters_per_second), (Some(42), Some(2), Some(17.5)));
+    assert_eq!(options.levels[&Code::UnknownEmotion], None, "a lint by itself wins over its group");
+    assert_eq!(options.levels[&Code::UnknownLocale], Some(Level::Error));
+    assert_eq!(options.levels[&Code::SegmentCount], Some(Level::Warning));
+    assert_eq!(options.registry.characters, Some(["mara".to_owned()].into()));
+    assert_eq!(options.registry.actions, Some([].into()), "no actions at all");
+    assert_eq!(options.registry.emotions, ["nervous".to_owned()].into());
+}
+
+#[test]
+fn a_byte_order_mark_is_skipped() {
+    let (settings, report) = parse(b"\xEF\xBB\xBFstrip = true\nstirp = true");
+    assert!(settings.options.strip);
+    assert_eq!(report.diagnostics.len(), 1);
+    assert_eq!(&report.source.text[report.diagnostics[0].primary.as_ref().unwrap().span.range()], "stirp");
+}
+
+/// The template with every setting uncommented.
+fn uncommented() -> String {
+    template()
+        .replace("\n#", "\n")
+        .lines()
+        .filter(|line| !line.starts_with(' '))
+        .map(|line| format!("{line}\n"))
+        .collect()
+}
+
+fn assert_places_are_in_the_file(bytes: &[u8]) {
+    let (_, report) = parse(bytes);
+    for finding in &report.diagnostics {
+        for label in finding.primary.iter().chain(&finding.secondary) {
+            assert!(report.source.text.get(label.span.range()).is_some(), "{finding:?}");
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn any_bytes(bytes in any::<Vec<u8>>()) {
+        assert_places_are_in_the_file(&bytes);
+    }
+
+    #[test]
+    fn any_change_of_a_good_file(
+        (at, removed) in (any::<prop::sample::Index>(), 0..9_usize),
+        inserted in "[\\[\\]{}=\"',.#a-z0-9\\\\\u{e9}灯\r\n \\-]{0,6}",
+    ) {
+        let mut bytes = uncommented().into_bytes();
+        let start = at.index(bytes.len());
+        let end = (start + removed).min(bytes.len());
+        bytes.splice(start..end, inserted.bytes());
+        assert_places_are_in_the_file(&bytes);
+    }
+}
+
+#[test]
+fn many_faults_take_little_time() {
+    let faults = "default-fps = \n[a\n".repeat(50_000) + &"x = y\n".repeat(50_000);
+    assert_places_are_in_the_file(faults.as_bytes());
+    assert_places_are_in_the_file("x = [".repeat(100_000).as_bytes());
+}
