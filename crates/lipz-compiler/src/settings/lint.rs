@@ -1,6 +1,6 @@
 //! Names and levels of lints, in `lipz.toml` and on the command line.
 
-use super::near::nearest;
+use lipz::diagnostic::suggest::nearest;
 use lipz::{Code, Level};
 
 /// The group of all lints that are warnings by default.

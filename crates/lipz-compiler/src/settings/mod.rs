@@ -1,7 +1,6 @@
 //! The settings of a project: its file `lipz.toml`, read with every finding at its place.
 
 pub mod lint;
-mod near;
 mod reading;
 mod syntax;
 mod table;

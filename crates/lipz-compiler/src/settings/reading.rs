@@ -3,10 +3,11 @@
 use super::syntax::Faults;
 use super::table::{Content, TABLES, Table};
 use super::value::{Findings, Value, canonical_locale, span};
-use super::{Settings, lint, near};
+use super::{Settings, lint};
 use crate::Levels;
 use crate::discover::plain;
 use lipz::diagnostic::show;
+use lipz::diagnostic::suggest::nearest;
 use lipz::{Code, Diagnostic, Span};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -210,7 +211,7 @@ fn unknown_name(table: &str, key: &Spanned<DeString<'_>>, known: &[&'static str]
     }
     let place = if table.is_empty() { "is not a setting".to_owned() } else { format!("is not a setting of [{table}]") };
     let everywhere = || TABLES.iter().flat_map(setting_names);
-    match near::nearest(name, known.iter().copied()).or_else(|| near::nearest(name, everywhere())) {
+    match nearest(name, known.iter().copied()).or_else(|| nearest(name, everywhere())) {
         Some(known) => finding(&place).help(format!("did you mean `{known}`?")),
         None => finding(&place).help(match table {
             "" => "`lipz init` writes a file that shows all settings".to_owned(),

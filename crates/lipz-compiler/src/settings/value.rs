@@ -1,7 +1,7 @@
 //! Values of settings: their types, and what they may be.
 
-use super::near::nearest;
 use lipz::diagnostic::show;
+use lipz::diagnostic::suggest::nearest;
 use lipz::{Code, Diagnostic, Span, locale, rate};
 use lipz_bank::{Fps, VisemeType};
 use std::fmt::Display;
