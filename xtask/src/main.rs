@@ -34,6 +34,16 @@ enum Task {
     Inspect(Passed),
     /// Check Lipz files without packing them (as `lipz check`)
     Check(Passed),
+    /// Compare banks, or the folders that banks are made of (as `lipz diff`)
+    Diff(Passed),
+    /// Show how much is in a bank (as `lipz stats`)
+    Stats(Passed),
+    /// Print the JSON Schema of Lipz files (as `lipz schema`)
+    Schema(Passed),
+    /// Print a script that completes the command line in a shell (as `lipz completions`)
+    Completions(Passed),
+    /// Write manual pages (as `lipz man`)
+    Man(Passed),
     /// Run everything that a change must pass: format, lints, documentation, tests, edges
     Ci,
     /// Check which crates depend on which
@@ -58,7 +68,8 @@ struct Passed {
 }
 
 /// The tasks that are commands of `lipz`.
-const PASSED: [&str; 5] = ["pack", "unpack", "verify", "inspect", "check"];
+const PASSED: [&str; 10] =
+    ["pack", "unpack", "verify", "inspect", "check", "diff", "stats", "schema", "completions", "man"];
 
 fn main() -> ExitCode {
     let arguments: Vec<OsString> = std::env::args_os().skip(1).collect();
@@ -74,9 +85,16 @@ fn main() -> ExitCode {
     };
     let result = match task {
         // Only if clap knows a shorter spelling of these names than the line above.
-        Task::Pack(_) | Task::Unpack(_) | Task::Verify(_) | Task::Inspect(_) | Task::Check(_) => {
-            Err("name the task in full".into())
-        }
+        Task::Pack(_)
+        | Task::Unpack(_)
+        | Task::Verify(_)
+        | Task::Inspect(_)
+        | Task::Check(_)
+        | Task::Diff(_)
+        | Task::Stats(_)
+        | Task::Schema(_)
+        | Task::Completions(_)
+        | Task::Man(_) => Err("name the task in full".into()),
         Task::Ci => ci::run(),
         Task::Edges => edges::run(),
         Task::Generate(settings) => generate::run(&settings),

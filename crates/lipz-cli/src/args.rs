@@ -1,6 +1,6 @@
 //! The command line: the list of commands. Each one's arguments and help stand beside its work.
 
-use crate::commands::{check, diff, inspect, pack, stats, unpack, verify};
+use crate::commands::{check, completions, diff, inspect, man, pack, schema, stats, unpack, verify};
 use clap::{Parser, Subcommand};
 use colorchoice_clap::Color;
 use std::ffi::OsString;
@@ -30,7 +30,12 @@ impl Arguments {
             Command::Check(check) => check.sources.project.validate()?,
             Command::Diff(diff) => diff.project.validate()?,
             Command::Stats(stats) => stats.project.validate()?,
-            Command::Unpack(_) | Command::Verify(_) | Command::Inspect(_) => {}
+            Command::Unpack(_)
+            | Command::Verify(_)
+            | Command::Inspect(_)
+            | Command::Schema(_)
+            | Command::Completions(_)
+            | Command::Man(_) => {}
         }
         Ok(arguments)
     }
@@ -45,4 +50,7 @@ pub(crate) enum Command {
     Inspect(inspect::Inspect),
     Diff(diff::Diff),
     Stats(stats::Stats),
+    Schema(schema::Schema),
+    Completions(completions::Completions),
+    Man(man::ManPages),
 }

@@ -57,6 +57,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Inspect(inspect) => commands::inspect::run(&inspect),
         Command::Diff(diff) => commands::diff::run(&diff),
         Command::Stats(stats) => commands::stats::run(&stats),
+        Command::Schema(schema) => commands::schema::run(&schema),
+        Command::Completions(completions) => commands::completions::run(&completions),
+        Command::Man(man) => commands::man::run(&man),
     };
     outcome.into()
 }
