@@ -131,7 +131,7 @@ fn rates(bank: &Bank<'_>) -> Vec<RateCount> {
 
 fn visemes(bank: &Bank<'_>) -> Vec<VisemeCounts> {
     let mut count_of: BTreeMap<Option<VisemeType>, (usize, [u64; 256])> = BTreeMap::new();
-    for clip in bank.clips().filter(|clip| clip.has_visemes()) {
+    for clip in bank.clips().filter(Clip::has_visemes) {
         let (clips, frames) = count_of.entry(clip.viseme_type()).or_insert((0, [0; 256]));
         *clips += 1;
         for &code in clip.frames() {
