@@ -1,6 +1,6 @@
 //! The command line: the list of commands. Each one's arguments and help stand beside its work.
 
-use crate::commands::{check, diff, init, inspect, pack, stats, unpack, verify};
+use crate::commands::{check, completions, diff, init, inspect, man, pack, schema, stats, unpack, verify};
 use clap::{Parser, Subcommand};
 use colorchoice_clap::Color;
 
@@ -30,4 +30,7 @@ pub(crate) enum Command {
     Inspect(inspect::Inspect),
     Diff(diff::Diff),
     Stats(stats::Stats),
+    Schema(schema::Schema),
+    Completions(completions::Completions),
+    Man(man::ManPages),
 }

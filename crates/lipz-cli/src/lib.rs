@@ -15,7 +15,7 @@ mod standard;
 mod timeline;
 
 use args::{Arguments, Command};
-use clap::Parser;
+use clap::{CommandFactory, Parser};
 use std::ffi::OsString;
 use std::process::ExitCode;
 
@@ -61,6 +61,15 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Inspect(inspect) => commands::inspect::run(&inspect),
         Command::Diff(diff) => commands::diff::run(&diff),
         Command::Stats(stats) => commands::stats::run(&stats),
+        Command::Schema(schema) => commands::schema::run(&schema),
+        Command::Completions(completions) => commands::completions::run(&completions),
+        Command::Man(man) => commands::man::run(&man),
     };
     outcome.into()
+}
+
+/// The names of the commands.
+pub fn commands() -> impl Iterator<Item = String> {
+    let names: Vec<_> = Arguments::command().get_subcommands().map(|command| command.get_name().to_owned()).collect();
+    names.into_iter()
 }

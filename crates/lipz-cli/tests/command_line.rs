@@ -6,7 +6,8 @@ mod support;
 use std::fs;
 use support::{lipz, repository, tree, write};
 
-const COMMANDS: [&str; 6] = ["pack", "check", "init", "unpack", "verify", "inspect"];
+const COMMANDS: [&str; 11] =
+    ["pack", "check", "init", "unpack", "verify", "inspect", "diff", "stats", "schema", "completions", "man"];
 
 #[test]
 fn help_of_each_command_shows_an_example() {
@@ -34,7 +35,7 @@ fn help_lists_every_command_and_the_exit_codes() {
 
 #[test]
 fn usage_errors_exit_with_2() {
-    let usage_errors: [&[&str]; 13] = [
+    let usage_errors: [&[&str]; 18] = [
         &[],
         &["pakc", "fixtures/drama"],
         &["check"],
@@ -48,6 +49,11 @@ fn usage_errors_exit_with_2() {
         &["pack", "fixtures/spec/repaired"],
         &["unpack", "drama.lipzbank"],
         &["inspect", "drama.lipzbank", "act1/otto-aye", "--list", "act1"],
+        &["diff", "drama.lipzbank"],
+        &["diff", "drama.lipzbank", "fixtures/drama", "--default-locale", "es-419"],
+        &["stats", "fixtures/drama", "--default-locale", "es-419"],
+        &["man"],
+        &["check", "fixtures/drama", "--color", "red"],
     ];
     for arguments in usage_errors {
         let outcome = lipz(&repository(), arguments);

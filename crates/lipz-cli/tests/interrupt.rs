@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 use support::tree;
 
 /// Interrupts per test, spread evenly over the time that a whole run takes.
-const INTERRUPTS: u32 = 30;
+const INTERRUPTS: u32 = 20;
 /// The exit code of an interrupted run.
 const INTERRUPTED: i32 = 130;
 
@@ -54,7 +54,7 @@ fn an_interrupted_pack_leaves_one_whole_bank() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
     for clip in 0..4 {
-        let frames = "M".repeat(2_000_000);
+        let frames = "M".repeat(1_000_000);
         support::write(folder, &format!("voices/clip-{clip}.lipz"), format!("{{\"visemes\":\"{frames}\"}}"));
     }
     support::write(folder, "old/aye.lipz", "{ \"text_en-us\": \"Aye.\" }");
@@ -80,7 +80,7 @@ fn an_interrupted_unpack_leaves_whole_files() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
     let text = "{\n  \"text_en-us\": \"Aye.\"\n}\n";
-    for clip in 0..3000 {
+    for clip in 0..1000 {
         support::write(folder, &format!("voices/{clip}.lipz"), text);
     }
     assert!(lipz(folder, &["pack", "voices", "-o", "voices.lipzbank"]).wait().unwrap().success());

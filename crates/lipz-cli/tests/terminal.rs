@@ -103,5 +103,12 @@ fn banks_with_hostile_keys_and_texts() {
     scene.write("texts/aye.lipz", "{ \"text_en-us\": \"\\u001b[2JAye \u{9b}2J\", \"events\": \"\\u001b]0;x\\u0007\" }");
     scene.prepare(&["pack", "texts", "-o", "texts.lipzbank", "--quiet"]);
     assert_harmless(&scene, &["inspect", "texts.lipzbank", "aye"], "Aye");
+    for sides in [["hostile.lipzbank", "texts"], ["texts", "hostile.lipzbank"]] {
+        assert_harmless(&scene, &["diff", sides[0], sides[1]], "2J");
+        assert_harmless(&scene, &["diff", sides[0], sides[1], "--json"], "2J");
+    }
+    scene.write("other/aye.lipz", "{ \"text_en-us\": \"\\u001b[2JNo\", \"events\": \"\\u009bx\" }");
+    assert_harmless(&scene, &["diff", "texts", "other"], "2J");
+    assert_harmless(&scene, &["stats", "hostile.lipzbank"], "section");
     assert_harmless(&scene, &["inspect", "texts.lipzbank", "aye", "--json"], "Aye");
 }

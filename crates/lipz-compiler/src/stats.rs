@@ -29,9 +29,9 @@ pub struct Stats<'d> {
     /// How many different event strings there are.
     pub distinct_events: usize,
     /// The clips that last longest, longest first. Clips without frames or a frame rate do not count.
-    pub longest: Vec<Duration<'d>>,
+    pub longest: Vec<ClipDuration<'d>>,
     /// The clips that last shortest, shortest first, without those among the longest.
-    pub shortest: Vec<Duration<'d>>,
+    pub shortest: Vec<ClipDuration<'d>>,
     /// Bytes of the whole bank.
     pub length_bytes: usize,
     /// Bytes per section, in the order of the bank. The rest of the bank is header, directory and the
@@ -81,7 +81,7 @@ pub struct LocaleStats<'d> {
 
 /// How long a clip lasts.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Duration<'d> {
+pub struct ClipDuration<'d> {
     /// Its key.
     pub key: &'d str,
     /// Its time in microseconds.
@@ -131,7 +131,7 @@ fn rates(bank: &Bank<'_>) -> Vec<RateCount> {
 
 fn visemes(bank: &Bank<'_>) -> Vec<VisemeCounts> {
     let mut count_of: BTreeMap<Option<VisemeType>, (usize, [u64; 256])> = BTreeMap::new();
-    for clip in bank.clips().filter(|clip| clip.has_visemes()) {
+    for clip in bank.clips().filter(Clip::has_visemes) {
         let (clips, frames) = count_of.entry(clip.viseme_type()).or_insert((0, [0; 256]));
         *clips += 1;
         for &code in clip.frames() {
@@ -177,12 +177,12 @@ impl<'d> LocaleStats<'d> {
 }
 
 /// The longest and the shortest clips.
-fn extremes<'d>(bank: &Bank<'d>) -> (Vec<Duration<'d>>, Vec<Duration<'d>>) {
+fn extremes<'d>(bank: &Bank<'d>) -> (Vec<ClipDuration<'d>>, Vec<ClipDuration<'d>>) {
     let timed = |clip: Clip<'d, '_>| {
         let duration_us = clip.duration_us().filter(|us| *us > 0)?;
-        Some(Duration { key: clip.key(), duration_us })
+        Some(ClipDuration { key: clip.key(), duration_us })
     };
-    let mut all: Vec<Duration<'d>> = bank.clips().filter_map(timed).collect();
+    let mut all: Vec<ClipDuration<'d>> = bank.clips().filter_map(timed).collect();
     all.sort_by(|a, b| b.duration_us.cmp(&a.duration_us).then(a.key.cmp(b.key)));
     let longest: Vec<_> = all.iter().take(EXTREMES).copied().collect();
     let shortest = all.iter().skip(longest.len()).rev().take(EXTREMES).copied().collect();
@@ -239,7 +239,8 @@ mod tests {
         };
         assert_eq!(stats.locales, [german, english]);
         assert_eq!((stats.events, stats.distinct_events), (2, 1));
-        let durations = [Duration { key: "a", duration_us: 500_000 }, Duration { key: "b", duration_us: 200_000 }];
+        let durations =
+            [ClipDuration { key: "a", duration_us: 500_000 }, ClipDuration { key: "b", duration_us: 200_000 }];
         assert_eq!((&stats.longest[..], &stats.shortest[..]), (&durations[..], &[][..]));
         assert!(stats.sections.iter().map(|(_, bytes)| bytes).sum::<usize>() < stats.length_bytes);
     }

@@ -25,6 +25,7 @@ pub mod event;
 pub mod locale;
 mod parse;
 pub mod rate;
+pub mod schema;
 mod source;
 pub mod text;
 mod write;

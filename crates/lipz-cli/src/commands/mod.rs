@@ -1,11 +1,14 @@
 //! The commands, one file each.
 
 pub(crate) mod check;
+pub(crate) mod completions;
 pub(crate) mod diff;
 mod either;
 pub(crate) mod init;
 pub(crate) mod inspect;
+pub(crate) mod man;
 pub(crate) mod pack;
+pub(crate) mod schema;
 pub(crate) mod stats;
 pub(crate) mod unpack;
 pub(crate) mod verify;

@@ -136,7 +136,7 @@ fn both(out: &mut String, name: &str, change: Change<Option<&str>>) {
     let mut name = format!("    {name}{}", " ".repeat(13_usize.saturating_sub(name.width())));
     for (sign, side) in [('-', old), ('+', new)] {
         if let Some(side) = side {
-            let _ = writeln!(out, "{}", format!("{name}{sign} {side}").trim_end());
+            let _ = writeln!(out, "{name}{sign} {side}");
             name = " ".repeat(name.width());
         }
     }

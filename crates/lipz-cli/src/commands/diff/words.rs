@@ -11,6 +11,9 @@ const NEW: Style = AnsiColor::Green.on_default();
 /// Both texts as they are shown one above the other: in colours of their own, with the words
 /// underlined that the other does not have.
 pub(super) fn marked(old: &str, new: &str) -> (String, String) {
+    if old.is_empty() || new.is_empty() {
+        return (only_old(old), only_new(new));
+    }
     let (old, new) = (show::text(old), show::text(new));
     let words = TextDiff::from_unicode_words(old.as_ref(), new.as_ref());
     let side = |style: Style, own: ChangeTag| {
@@ -26,12 +29,19 @@ pub(super) fn marked(old: &str, new: &str) -> (String, String) {
 
 /// A text that only the old side has.
 pub(super) fn only_old(text: &str) -> String {
-    format!("{OLD}{}{OLD:#}", show::text(text))
+    alone(text, OLD)
 }
 
 /// A text that only the new side has.
 pub(super) fn only_new(text: &str) -> String {
-    format!("{NEW}{}{NEW:#}", show::text(text))
+    alone(text, NEW)
+}
+
+fn alone(text: &str, style: Style) -> String {
+    if text.is_empty() {
+        return "(empty)".into();
+    }
+    format!("{style}{}{style:#}", show::text(text))
 }
 
 #[cfg(test)]
@@ -59,7 +69,7 @@ mod tests {
     #[test]
     fn nothing_of_a_text_is_a_control_character() {
         let (old, new) = marked("a\u{1b}[2J", "b\u{9b}");
-        assert!(seen(&old).contains("\\u001B"), "{}", seen(&old));
-        assert!(seen(&new).contains("\\u009B"), "{}", seen(&new));
+        let plain = |text: &str| seen(text).replace(['[', ']'], "");
+        assert_eq!((plain(&old), plain(&new)), ("a\\u001B2J".into(), "b\\u009B".into()));
     }
 }

@@ -1,6 +1,6 @@
 //! What `lipz stats --json` prints. Fields are only ever added (docs/VERSIONING.md).
 
-use lipz_compiler::stats::{Duration, Stats};
+use lipz_compiler::stats::{ClipDuration, Stats};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -78,7 +78,7 @@ impl<'d> StatsJson<'d> {
             words: locale.words,
         });
         let sections = stats.sections.iter();
-        let clips = |durations: &[Duration<'d>]| {
+        let clips = |durations: &[ClipDuration<'d>]| {
             durations.iter().map(|clip| ClipJson { key: clip.key, duration_us: clip.duration_us }).collect()
         };
         StatsJson {

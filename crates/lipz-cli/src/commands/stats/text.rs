@@ -4,7 +4,7 @@ use crate::console::{counted, grouped};
 use crate::timeline::rounded;
 use lipz::diagnostic::show;
 use lipz_bank::VisemeType;
-use lipz_compiler::stats::{Duration, LocaleStats, Stats, VisemeCounts};
+use lipz_compiler::stats::{ClipDuration, LocaleStats, Stats, VisemeCounts};
 use std::fmt::Write;
 use unicode_width::UnicodeWidthStr;
 
@@ -120,7 +120,7 @@ fn visemes(out: &mut String, counts: &VisemeCounts) {
     }
 }
 
-fn clips(out: &mut String, heading: &str, clips: &[Duration<'_>]) {
+fn clips(out: &mut String, heading: &str, clips: &[ClipDuration<'_>]) {
     if clips.is_empty() {
         return;
     }

@@ -1,0 +1,25 @@
+//! `lipz completions`: what shells need to complete the command line.
+
+use crate::args::Arguments;
+use crate::{Outcome, console};
+use clap::{Args, CommandFactory};
+use clap_complete::Shell;
+
+/// Print a script that completes the commands and options of lipz in a shell.
+#[derive(Args, Debug)]
+#[command(after_help = "Examples:
+  lipz completions bash > ~/.local/share/bash-completion/completions/lipz
+  lipz completions zsh > ~/.zfunc/_lipz
+  lipz completions fish > ~/.config/fish/completions/lipz.fish
+  lipz completions powershell >> $PROFILE")]
+pub(crate) struct Completions {
+    /// The shell
+    #[arg(value_name = "SHELL")]
+    pub(crate) shell: Shell,
+}
+
+pub(crate) fn run(arguments: &Completions) -> Outcome {
+    let mut script = Vec::new();
+    clap_complete::generate(arguments.shell, &mut Arguments::command(), "lipz", &mut script);
+    console::print_bytes(&script)
+}

@@ -1,0 +1,53 @@
+//! `lipz man`: manual pages.
+
+use crate::args::Arguments;
+use crate::{Outcome, console, interrupt, render};
+use clap::{Args, Command, CommandFactory};
+use clap_mangen::Man;
+use lipz_compiler::replace_file;
+use std::io;
+use std::path::PathBuf;
+
+/// Write manual pages: one about lipz, and one about each command.
+#[derive(Args, Debug)]
+#[command(after_help = "Example:
+  lipz man -o ~/.local/share/man/man1")]
+pub(crate) struct ManPages {
+    /// The folder to write into; it is made if it does not exist
+    #[arg(short, long, value_name = "FOLDER")]
+    pub(crate) output: PathBuf,
+}
+
+pub(crate) fn run(arguments: &ManPages) -> Outcome {
+    let pages = match pages() {
+        Ok(pages) => pages,
+        Err(error) => {
+            console::remark(&format!("error: {error}\n"));
+            return Outcome::Failed;
+        }
+    };
+    for (name, page) in &pages {
+        if let Err(report) = interrupt::whole(|| replace_file(&arguments.output.join(name), page)) {
+            render::findings(&[report]);
+            return Outcome::Failed;
+        }
+    }
+    let count = console::counted(pages.len(), "page");
+    console::print(&format!("{count} written into {}\n", console::path(&arguments.output)))
+}
+
+/// The pages with the names of their files.
+fn pages() -> io::Result<Vec<(String, Vec<u8>)>> {
+    let mut lipz = Arguments::command();
+    // Gives the commands their full names and the options that all have.
+    lipz.build();
+    let commands = lipz.get_subcommands().filter(|command| command.get_name() != "help").cloned();
+    std::iter::once(lipz.clone()).chain(commands).map(page).collect()
+}
+
+fn page(command: Command) -> io::Result<(String, Vec<u8>)> {
+    let man = Man::new(command);
+    let mut page = Vec::new();
+    man.render(&mut page)?;
+    Ok((man.get_filename(), page))
+}

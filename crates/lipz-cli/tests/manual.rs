@@ -1,0 +1,79 @@
+//! Shell completions and manual pages know every command and option.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::process::{Command, Stdio};
+use support::{lipz, repository, tree};
+
+/// The commands that `lipz --help` lists.
+fn commands() -> Vec<String> {
+    let help = lipz(&repository(), ["--help"]).stdout;
+    let list = help.split("Commands:\n").nth(1).unwrap().split("\n\n").next().unwrap();
+    let names = list.lines().filter(|line| line.starts_with("  ") && !line.starts_with("   "));
+    let names = names.filter_map(|line| line.split_whitespace().next()).filter(|name| *name != "help");
+    names.map(str::to_owned).collect()
+}
+
+/// The long options that `lipz COMMAND --help` lists.
+fn options(command: &str) -> BTreeSet<String> {
+    let help = lipz(&repository(), [command, "--help"]).stdout;
+    let list = help.split("Options:\n").nth(1).unwrap().to_owned();
+    let words = list.lines().filter(|line| line.trim_start().starts_with('-')).flat_map(str::split_whitespace);
+    let options = words.filter(|word| word.starts_with("--"));
+    options.map(|word| word.trim_end_matches(',').split(['=', '[']).next().unwrap().to_owned()).collect()
+}
+
+#[test]
+fn completions_know_every_command_and_option() {
+    assert!(commands().len() >= 9, "{:?}", commands());
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let script = lipz(&repository(), ["completions", shell]);
+        assert_eq!((script.code, script.stderr.as_str()), (0, ""), "{shell}");
+        for command in commands() {
+            assert!(script.stdout.contains(&command), "{shell}: {command}");
+            for option in options(&command) {
+                // fish writes options without their hyphens.
+                assert!(script.stdout.contains(option.trim_start_matches('-')), "{shell}: {command} {option}");
+            }
+        }
+    }
+    assert_eq!(lipz(&repository(), ["completions", "tcsh"]).code, 2);
+}
+
+#[test]
+fn the_completions_of_bash_are_bash() {
+    let folder = tempfile::tempdir().unwrap();
+    let script = folder.path().join("lipz.bash");
+    fs::write(&script, lipz(&repository(), ["completions", "bash"]).stdout).unwrap();
+    // Where there is no bash, there is nothing to see.
+    if let Ok(status) = Command::new("bash").arg("-n").arg(&script).stderr(Stdio::inherit()).status() {
+        assert!(status.success());
+    }
+}
+
+#[test]
+fn every_command_has_a_manual_page_with_its_options() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let written = lipz(folder, ["man", "-o", "man/man1"]);
+    let count = commands().len() + 1;
+    assert_eq!((written.code, written.stdout), (0, format!("{count} pages written into man/man1\n")));
+    let mut expected: Vec<String> = commands().iter().map(|name| format!("man/man1/lipz-{name}.1")).collect();
+    expected.extend(["man", "man/man1", "man/man1/lipz.1"].map(String::from));
+    expected.sort();
+    assert_eq!(tree(folder), expected, "these files and no others");
+    for command in commands() {
+        let page = fs::read_to_string(folder.join(format!("man/man1/lipz-{command}.1"))).unwrap();
+        let page = page.replace("\\-", "-");
+        assert!(page.contains(&format!("lipz {command}")) && page.contains("Example"), "{command}: {page}");
+        for option in options(&command) {
+            assert!(page.contains(&option), "{command} {option}: {page}");
+        }
+    }
+    fs::write(folder.join("file"), "").unwrap();
+    let refused = lipz(folder, ["man", "-o", "file"]);
+    assert_eq!((refused.code, refused.stderr.contains("error[LZ0904]")), (2, true), "{}", refused.stderr);
+}
