@@ -1,8 +1,9 @@
 //! Opening a bank and finding its clips and locales.
 
-use crate::layout::{self, ClipRecord, DirectoryEntry, EventRecord, Header, LocaleRecord, Tag, U32};
+use crate::layout::{self, ClipRecord, DirectoryEntry, Header, LocaleRecord, Tag, U32};
+use crate::layout::{EventNameRecord, EventRecord, TypedEventRecord};
 use crate::pool::Pool;
-use crate::{Clip, ClipId, Clips, Error, ErrorKind, Locale, Locales};
+use crate::{Clip, ClipId, Clips, Error, ErrorKind, EventName, Locale, Locales};
 use core::fmt;
 use core::mem::size_of;
 use zerocopy::{FromBytes, Immutable, KnownLayout, Unaligned};
@@ -27,6 +28,8 @@ pub struct Bank<'data> {
     pub(crate) texts: Pool<'data>,
     pub(crate) event_refs: &'data [U32],
     pub(crate) events: &'data [EventRecord],
+    pub(crate) typed_events: &'data [TypedEventRecord],
+    pub(crate) event_names: &'data [EventNameRecord],
     pub(crate) event_strings: Pool<'data>,
 }
 
@@ -70,6 +73,8 @@ impl<'data> Bank<'data> {
             texts: Pool::Bytes(sections.array(Tag::TEXTS)?),
             event_refs: sections.array(Tag::EVENT_REFS)?,
             events: sections.array(Tag::EVENTS)?,
+            typed_events: sections.array(Tag::TYPED_EVENTS)?,
+            event_names: sections.array(Tag::EVENT_NAMES)?,
             event_strings: Pool::Bytes(sections.array(Tag::EVENT_STRINGS)?),
         };
         Ok(bank)
@@ -153,6 +158,13 @@ impl<'data> Bank<'data> {
     /// All locales of the bank, in the order of their tags.
     pub fn locales(&self) -> Locales<'data, '_> {
         Locales::new(self)
+    }
+
+    /// The name that events mention, spelled as there (`amy`); `None` if no event does.
+    ///
+    /// Look names up once and compare their [ids](EventName::id) per event.
+    pub fn event_name(&self, name: &str) -> Option<EventName<'data>> {
+        EventName::find(self, name)
     }
 
     /// Hash of what the clips of this bank are: files that belong together share it.

@@ -1,7 +1,7 @@
 //! One segment of a clip: frames, display texts and event string.
 
-use crate::layout::{FLAG_FAR_STARTS, NO_EVENTS, NO_TEXT, TEXT_FALLBACK, TEXT_OFFSET, TEXT_WIDE};
-use crate::{Clip, Locale};
+use crate::layout::{EventRecord, FLAG_FAR_STARTS, NO_EVENTS, NO_TEXT, TEXT_FALLBACK, TEXT_OFFSET, TEXT_WIDE};
+use crate::{Clip, Events, Locale};
 use core::fmt;
 use core::iter::FusedIterator;
 use core::ops::Deref;
@@ -100,14 +100,26 @@ impl<'data, 'bank> Segment<'data, 'bank> {
     /// The event string, trimmed; empty if nothing happens at this segment, `None` if the file has
     /// no `events` element.
     pub fn event(&self) -> Option<&'data str> {
+        let record = self.event_record()?;
+        self.clip.bank.event_strings.text_at(record.offset_bytes.get(), record.length_bytes.get())
+    }
+
+    /// The events of the segment, if they are Character Event Syntax.
+    ///
+    /// There are none where nothing happens, and where the event string is some other syntax, such as
+    /// a script: [`Segment::event`] has it.
+    pub fn events(&self) -> Events<'data> {
+        Events::new(self.clip.bank, self.event_record())
+    }
+
+    fn event_record(&self) -> Option<&'data EventRecord> {
         let first = self.clip.record.events_first.get();
         if first == NO_EVENTS {
             return None;
         }
         let bank = self.clip.bank;
         let at = (first as usize).checked_add(self.index as usize)?;
-        let record = bank.events.get(bank.event_refs.get(at)?.get() as usize)?;
-        bank.event_strings.text_at(record.offset_bytes.get(), record.length_bytes.get())
+        bank.events.get(bank.event_refs.get(at)?.get() as usize)
     }
 }
 

@@ -6,6 +6,7 @@
 //! claim the same bytes, from being checked over and over.
 
 mod clips;
+mod events;
 mod sections;
 mod texts;
 
@@ -25,7 +26,7 @@ pub(crate) fn verify(bank: &mut Bank<'_>) -> Result<(), Error> {
     bank.event_strings = checked_pool(bank, bank.event_strings)?;
     let keys_end = clips::clips(bank)?;
     locales(bank, keys_end)?;
-    events(bank)?;
+    events::events(bank)?;
     if layout::fingerprint(bank.clips) != bank.header.fingerprint.get() {
         return Err(Error::new(ErrorKind::Fingerprint, 24));
     }
@@ -75,27 +76,6 @@ fn locales(bank: &Bank<'_>, mut end: u32) -> Result<(), Error> {
     }
     if end as usize != bank.names.bytes().len() {
         return Err(error_at(bank, ErrorKind::LocaleOrder, bank.locales));
-    }
-    Ok(())
-}
-
-/// Event strings fill their pool in order; event references lie in the table of strings.
-fn events(bank: &Bank<'_>) -> Result<(), Error> {
-    let mut end = 0_u32;
-    for record in bank.events {
-        let string = bank.event_strings.text_at(record.offset_bytes.get(), record.length_bytes.get());
-        if string.is_none() || record.offset_bytes.get() != end {
-            return Err(error_at(bank, ErrorKind::EventReference, record));
-        }
-        end = end.wrapping_add(record.length_bytes.get());
-    }
-    if end as usize != bank.event_strings.bytes().len() {
-        return Err(error_at(bank, ErrorKind::EventReference, bank.events));
-    }
-    for reference in bank.event_refs {
-        if reference.get() as usize >= bank.events.len() {
-            return Err(error_at(bank, ErrorKind::EventReference, reference));
-        }
     }
     Ok(())
 }

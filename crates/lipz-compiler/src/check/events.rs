@@ -17,12 +17,13 @@ pub(super) fn trimmed(string: &JsonString<'_>, diagnostics: &mut Vec<Diagnostic>
             let segment = &string.text[range.clone()];
             for event in event::parse(segment).unwrap_or_default() {
                 if let Command::Feels(emotion) = event.command
-                    && !EMOTIONS.contains(&emotion)
+                    && !EMOTIONS.contains(&emotion.text)
                 {
                     unknown += 1;
                     if unknown <= SHOWN {
-                        let word = range.start + event.last_word.start..range.start + event.last_word.end;
-                        diagnostics.push(unknown_emotion(string, word, emotion));
+                        let word = emotion.range();
+                        let word = range.start + word.start..range.start + word.end;
+                        diagnostics.push(unknown_emotion(string, word, emotion.text));
                     }
                 }
             }
