@@ -41,8 +41,9 @@ fn compare(bytes: &[u8]) -> usize {
         names.extend(events.iter().flat_map(|(character, _, object)| [*character, *object]).flatten());
     }
     // Names are numbered in their order, without gaps, and none is there that no event mentions.
-    let numbered: Vec<_> = names.iter().map(|name| bank.event_name(name).map(EventName::id)).collect();
-    assert!(numbered.into_iter().eq((0..names.len() as u32).map(Some)), "{names:?}");
+    for (name, number) in names.iter().zip(0..) {
+        assert_eq!(bank.event_name(name).map(EventName::id), Some(number), "{names:?}");
+    }
     let sections: Vec<_> = bank.sections().filter(|(tag, _)| *tag == lipz_bank::layout::Tag::EVENT_NAMES).collect();
     assert_eq!(sections[0].1.len(), names.len() * size_of::<lipz_bank::layout::EventNameRecord>());
     count
