@@ -17,8 +17,17 @@ pub(super) const ALLOWED: &[Rule] = &[
     Rule { name: "lipz-bank", direct: Some(&["zerocopy"]), transitive: Some(&[READER]) },
     Rule {
         name: "lipz",
-        direct: Some(&["icu_locale_core", "isolang", "lipz-bank", "memchr", "rust_iso3166", "serde", "serde_json"]),
-        transitive: Some(&[READER, JSON_AND_LOCALES, &["lipz-bank"]]),
+        direct: Some(&[
+            "icu_locale_core",
+            "isolang",
+            "lipz-bank",
+            "memchr",
+            "rust_iso3166",
+            "serde",
+            "serde_json",
+            "strsim",
+        ]),
+        transitive: Some(&[READER, LIPZ_FILES, &["lipz-bank"]]),
     },
     Rule {
         name: "lipz-compiler",
@@ -31,7 +40,6 @@ pub(super) const ALLOWED: &[Rule] = &[
             "lipz",
             "lipz-bank",
             "rayon",
-            "strsim",
             "tempfile",
             "unicode-normalization",
             "unicode-width",
@@ -40,10 +48,10 @@ pub(super) const ALLOWED: &[Rule] = &[
         ]),
         transitive: Some(&[
             READER,
-            JSON_AND_LOCALES,
+            LIPZ_FILES,
             CASE_FOLDING,
             FILES,
-            &["foldhash", "lipz", "lipz-bank", "strsim", "unicode-normalization", "tinyvec", "unicode-width"],
+            &["foldhash", "lipz", "lipz-bank", "unicode-normalization", "tinyvec", "unicode-width"],
         ]),
     },
     // The ends of the graph: no crate has to carry what these use.
@@ -61,8 +69,8 @@ pub(super) const COMMAND_LINE_USERS: &[&str] = &["lipz-cli", "xtask"];
 /// zerocopy and its derive, which runs while compiling.
 const READER: &[&str] = &["zerocopy", "zerocopy-derive", "proc-macro2", "quote", "syn", "unicode-ident"];
 
-/// serde_json, icu_locale_core, isolang, rust_iso3166 and what they use.
-const JSON_AND_LOCALES: &[&str] = &[
+/// serde_json, icu_locale_core, isolang, rust_iso3166 and what they use; strsim for suggestions.
+const LIPZ_FILES: &[&str] = &[
     "displaydoc",
     "fastrand",
     "icu_locale_core",
@@ -80,6 +88,7 @@ const JSON_AND_LOCALES: &[&str] = &[
     "serde_derive",
     "serde_json",
     "siphasher",
+    "strsim",
     "tinystr",
     "writeable",
     "zmij",

@@ -1,7 +1,7 @@
 //! The event strings of a clip's segments.
 
 use super::texts::nul;
-use lipz::diagnostic::show;
+use lipz::diagnostic::{show, suggest};
 use lipz::event::{self, Command, EMOTIONS};
 use lipz::{Code, Diagnostic, JsonString, text};
 
@@ -36,9 +36,8 @@ fn unknown_emotion(string: &JsonString<'_>, word: std::ops::Range<usize>, emotio
     let headline = format!("{} is not an emotion of the specification", show::name(emotion));
     let finding = Diagnostic::at(Code::UnknownEmotion, string.span_of(word), headline)
         .note(format!("the emotions are {}", EMOTIONS.join(", ")));
-    let near = EMOTIONS.iter().map(|known| (strsim::damerau_levenshtein(emotion, known), known)).min();
-    match near.filter(|(distance, known)| emotion.len() < 40 && distance * 3 <= known.len()) {
-        Some((_, known)) => finding.help(format!("did you mean `{known}`?")),
+    match suggest::nearest(emotion, EMOTIONS) {
+        Some(known) => finding.help(format!("did you mean `{known}`?")),
         None => finding.help("it is kept as written: make sure that your game knows it"),
     }
 }

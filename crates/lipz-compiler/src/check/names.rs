@@ -1,14 +1,11 @@
 //! Names that are not of the format, and those that were probably meant.
 
-use lipz::diagnostic::show;
+use lipz::diagnostic::{show, suggest};
 use lipz::locale::{self, TextName};
 use lipz::{Code, Diagnostic, Element};
 
 /// Names of the elements of the format that are not texts.
 const NAMES: [&str; 4] = ["fps", "visemes", "viseme_type", "events"];
-
-/// Bytes of the longest name that is compared with others.
-const COMPARED: usize = 40;
 
 /// The finding for a name that is not of the format.
 pub(super) fn unknown(element: &Element<'_>) -> Diagnostic {
@@ -28,9 +25,6 @@ pub(super) fn unknown(element: &Element<'_>) -> Diagnostic {
 
 /// The element that someone who wrote `name` probably meant.
 fn suggestion(name: &str) -> Option<String> {
-    if name.len() > COMPARED {
-        return None;
-    }
     let written = name.to_lowercase();
     // `Text_en-us`, `texten-us`
     let locale = written.strip_prefix("text").map(|rest| rest.trim_start_matches(['_', '-', ' ']));
@@ -38,13 +32,5 @@ fn suggestion(name: &str) -> Option<String> {
     if let Some(TextName::Canonical(tag) | TextName::Misspelt(tag)) = text {
         return Some(format!("text_{tag}"));
     }
-    let plain = |name: &str| name.replace(['_', '-', ' '], "");
-    let written = plain(&written);
-    NAMES
-        .into_iter()
-        .chain(["text_ll-cc"])
-        .map(|known| (strsim::damerau_levenshtein(&written, &plain(known)), known))
-        .filter(|&(distance, known)| distance * 3 <= known.len())
-        .min()
-        .map(|(_, known)| known.to_owned())
+    suggest::nearest(name, NAMES.into_iter().chain(["text_ll-cc"])).map(str::to_owned)
 }

@@ -2,6 +2,7 @@
 
 mod registry;
 pub mod show;
+pub mod suggest;
 
 pub use registry::Code;
 

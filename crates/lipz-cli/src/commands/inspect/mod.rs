@@ -7,15 +7,12 @@ use crate::timeline::timeline;
 use crate::{Outcome, console};
 use clap::Args;
 use json::{ClipJson, ListedJson, SummaryJson};
-use lipz::diagnostic::show;
+use lipz::diagnostic::{show, suggest};
 use lipz_bank::{Bank, Locale};
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;
 use unicode_width::UnicodeWidthStr;
-
-/// Keys longer than this are not compared letter by letter.
-const LONGEST_COMPARED: usize = 200;
 
 /// Show what is in a bank: a summary, the list of clips, or one clip as a timeline.
 #[derive(Args, Debug)]
@@ -91,15 +88,14 @@ fn near_keys<'d>(bank: &Bank<'d>, key: &str) -> Vec<String> {
     let wanted = last_part(key).trim_end_matches(".lipz");
     let mut near: Vec<&str> =
         bank.clips().map(|clip| clip.key()).filter(|known| !wanted.is_empty() && known.contains(wanted)).collect();
-    if near.is_empty() && key.len() < LONGEST_COMPARED {
+    if near.is_empty() {
         // Who names no folder means the last part.
         let compared = |known: &'d str| if key.contains('/') { known } else { last_part(known) };
-        let distance = |known: &'d str| strsim::damerau_levenshtein(compared(known), key);
-        let candidates = bank.clips().map(|clip| clip.key()).filter(|known| known.len() < LONGEST_COMPARED);
-        let mut ranked: Vec<(usize, &str)> = candidates.map(|known| (distance(known), known)).collect();
+        let distance = |known: &'d str| suggest::distance(key, compared(known));
+        let mut ranked: Vec<(usize, &str)> =
+            bank.clips().map(|clip| clip.key()).filter_map(|known| Some((distance(known)?, known))).collect();
         ranked.sort_unstable();
-        near =
-            ranked.into_iter().take_while(|(distance, _)| distance * 4 <= key.len()).map(|(_, known)| known).collect();
+        near = ranked.into_iter().map(|(_, known)| known).collect();
     }
     near.into_iter().take(3).map(|key| format!("`{}`", show::text(key))).collect()
 }
