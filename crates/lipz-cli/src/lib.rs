@@ -6,6 +6,7 @@ mod args;
 mod bank_file;
 mod commands;
 mod console;
+mod registries;
 mod render;
 mod sources;
 mod timeline;

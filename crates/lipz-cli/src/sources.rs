@@ -1,6 +1,7 @@
 //! The arguments of commands that read Lipz files: where they are, and what the project decides about them.
 
 use crate::args::Arguments;
+use crate::registries::Registries;
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory};
 use lipz_bank::{Fps, VisemeType};
@@ -34,6 +35,9 @@ pub(crate) struct Sources {
     #[arg(long)]
     pub(crate) extended_locales: bool,
 
+    #[command(flatten)]
+    pub(crate) registries: Registries,
+
     /// Threads to use [default: one per core]
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,
@@ -65,6 +69,7 @@ impl Sources {
             extended_locales: self.extended_locales,
             strip: false,
             threads: self.threads.map(usize::from),
+            registry: self.registries.registry(),
             ..Options::default()
         }
     }

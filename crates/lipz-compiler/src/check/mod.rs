@@ -33,7 +33,7 @@ pub(crate) fn check(document: &Document<'_>, options: &Options, diagnostics: &mu
     };
     let frames = roles.visemes.map(|string| visemes::frames(string, expected, diagnostics));
     let texts: Vec<_> = roles.texts.iter().map(|text| texts::display_texts(text.string, diagnostics)).collect();
-    let events = roles.events.map(|string| events::trimmed(string, diagnostics));
+    let events = roles.events.map(|string| events::trimmed(string, &options.registry, diagnostics));
     let segment_count = segments::common_count(&roles, diagnostics);
     if diagnostics[first..].iter().any(|diagnostic| diagnostic.level == Level::Error) {
         return None;
