@@ -20,9 +20,8 @@ fn stored<'d>(segment: &Segment<'d, '_>) -> Vec<Parts<'d>> {
 }
 
 fn parsed(string: &str) -> Vec<Parts<'_>> {
-    let events = event::parse(string).unwrap_or_default();
+    let events = event::parse(string).into_iter().flatten();
     events
-        .into_iter()
         .map(|event| {
             let [character, object] = [event.character, event.command.object()].map(|word| word.map(|word| word.text));
             (character, event.command.verb(), object)

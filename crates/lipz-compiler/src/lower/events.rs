@@ -40,15 +40,15 @@ pub(super) fn events(clips: &[ClipData]) -> Result<Events, Report> {
             let next = fit(records.len(), "events")?;
             let number = *numbers.entry(string).or_insert(next);
             if number == next {
-                let typed = event::parse(string).unwrap_or_default();
+                let typed_first = parsed.len();
+                parsed.extend(event::parse(string).into_iter().flatten());
                 records.push(EventRecord {
                     offset_bytes: fit(pool.len(), "events")?.into(),
                     length_bytes: fit(string.len(), "events")?.into(),
-                    typed_first: fit(parsed.len(), "events")?.into(),
-                    typed_count: fit(typed.len(), "events")?.into(),
+                    typed_first: fit(typed_first, "events")?.into(),
+                    typed_count: fit(parsed.len() - typed_first, "events")?.into(),
                 });
                 pool.push_str(string);
-                parsed.extend(typed);
             }
             references.push(number.into());
         }

@@ -8,16 +8,11 @@ use super::texts::nul;
 use crate::Registry;
 use lipz::event;
 use lipz::{Code, Diagnostic, JsonString, text};
-use names::Unknown;
-use near::Near;
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// Findings of one kind that one element shows in full; the rest is counted.
 const SHOWN: usize = 3;
-
-/// The kinds of findings about events.
-const CODES: [Code; 5] =
-    [Code::UnknownEmotion, Code::UnknownCharacter, Code::UnknownTarget, Code::UnknownAction, Code::NearEvent];
 
 /// The trimmed event string of each segment.
 pub(super) fn trimmed(
@@ -26,72 +21,69 @@ pub(super) fn trimmed(
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Vec<Box<str>> {
     nul(string, Code::NulInEvents, "the events contain", diagnostics);
-    let mut faults = Vec::new();
+    let mut findings = Findings { string, registry, by_code: BTreeMap::new() };
     let trimmed = text::segments(&string.text)
         .map(|range| {
             let segment = &string.text[range.clone()];
-            collect(segment, range.start, registry, &mut faults);
+            findings.of_segment(segment, range.start);
             text::trim(segment).into()
         })
         .collect();
-    if !faults.is_empty() {
-        report(&faults, string, registry, diagnostics);
-    }
+    diagnostics.extend(findings.by_code.into_values().flat_map(OfCode::shown));
     trimmed
 }
 
-/// Something that is wrong in a segment.
-struct Fault<'t> {
-    /// Where the segment starts, in bytes of the element's text.
-    segment_start: usize,
-    what: What<'t>,
+/// What is wrong with the events of an element.
+struct Findings<'e> {
+    string: &'e JsonString<'e>,
+    registry: &'e Registry,
+    by_code: BTreeMap<Code, OfCode>,
 }
 
-enum What<'t> {
-    Unknown(Unknown<'t>),
-    Near(Near<'t>),
+/// The findings of one code: the first few, and how many there are.
+#[derive(Default)]
+struct OfCode {
+    first: Vec<Diagnostic>,
+    count: usize,
 }
 
-impl Fault<'_> {
-    fn code(&self) -> Code {
-        match &self.what {
-            What::Unknown(unknown) => unknown.code(),
-            What::Near(_) => Code::NearEvent,
+impl Findings<'_> {
+    /// Adds what is wrong in a segment, which starts at byte `start` of the element's text.
+    fn of_segment(&mut self, segment: &str, start: usize) {
+        let (string, registry) = (self.string, self.registry);
+        let span = |at: Range<usize>| string.span_of(start + at.start..start + at.end);
+        match event::parse(segment) {
+            Some(events) => {
+                for unknown in events.flat_map(|event| names::unknown(&event, registry)) {
+                    self.add(unknown.code(), || unknown.finding(span(unknown.word.range()), registry));
+                }
+            }
+            None => {
+                for near in near::near(segment, registry) {
+                    self.add(Code::NearEvent, || near.finding(span(near.at.clone())));
+                }
+            }
         }
     }
 
-    fn finding(&self, string: &JsonString<'_>, registry: &Registry) -> Diagnostic {
-        let span = |at: Range<usize>| string.span_of(self.segment_start + at.start..self.segment_start + at.end);
-        match &self.what {
-            What::Unknown(unknown) => unknown.finding(span(unknown.word.range()), registry),
-            What::Near(near) => near.finding(span(near.at.clone())),
+    fn add(&mut self, code: Code, finding: impl FnOnce() -> Diagnostic) {
+        let of_code = self.by_code.entry(code).or_default();
+        of_code.count += 1;
+        if of_code.count <= SHOWN {
+            of_code.first.push(finding());
         }
     }
 }
 
-fn collect<'t>(segment: &'t str, segment_start: usize, registry: &Registry, faults: &mut Vec<Fault<'t>>) {
-    let mut add = |what| faults.push(Fault { segment_start, what });
-    match event::parse(segment) {
-        Some(events) => {
-            let unknown = events.iter().flat_map(|event| names::unknown(event, registry));
-            unknown.for_each(|unknown| add(What::Unknown(unknown)));
+impl OfCode {
+    /// The findings that are shown; the last one says how many are not.
+    fn shown(mut self) -> Vec<Diagnostic> {
+        let hidden = self.count - self.first.len();
+        if hidden > 0
+            && let Some(last) = self.first.pop()
+        {
+            self.first.push(last.note(format!("{hidden} more in these events are not shown")));
         }
-        None => near::near(segment, registry).into_iter().for_each(|near| add(What::Near(near))),
-    }
-}
-
-/// Shows the first few faults of each kind.
-fn report(faults: &[Fault<'_>], string: &JsonString<'_>, registry: &Registry, diagnostics: &mut Vec<Diagnostic>) {
-    for code in CODES {
-        let of_kind = || faults.iter().filter(|fault| fault.code() == code);
-        let hidden = of_kind().count().saturating_sub(SHOWN);
-        for (index, fault) in of_kind().take(SHOWN).enumerate() {
-            let finding = fault.finding(string, registry);
-            diagnostics.push(if hidden > 0 && index + 1 == SHOWN {
-                finding.note(format!("{hidden} more in these events are not shown"))
-            } else {
-                finding
-            });
-        }
+        self.first
     }
 }

@@ -85,7 +85,7 @@ pub(super) struct Unknown<'t> {
 }
 
 /// The names of an event that are not known although all names of their role are.
-pub(super) fn unknown<'t>(event: &Event<'t>, registry: &Registry) -> impl Iterator<Item = Unknown<'t>> {
+pub(super) fn unknown<'t>(event: &Event<'t>, registry: &Registry) -> impl Iterator<Item = Unknown<'t>> + use<'t> {
     let character = event.character.map(|word| (Role::Character, word));
     let object = Role::of_object(event.command.verb()).zip(event.command.object());
     let is_unknown = |(role, word): &(Role, Word<'_>)| {

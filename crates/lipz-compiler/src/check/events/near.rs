@@ -36,37 +36,28 @@ pub(super) struct Near<'t> {
     /// Where it stands, in bytes of the segment.
     pub(super) at: Range<usize>,
     slip: Slip<'t>,
-    /// The event that was probably meant.
-    meant: String,
 }
 
 enum Slip<'t> {
-    /// These words are no verb.
-    Verb(&'t str),
-    /// These words are too many.
-    Extra(&'t str),
+    /// These words are no verb; the event that was probably meant.
+    Verb(&'t str, String),
+    /// These words are too many; the event that was probably meant.
+    Extra(&'t str, String),
     /// Nothing stands beside this `,`.
     Nothing,
 }
 
 /// The faults of a segment that is not Character Event Syntax, if it certainly was to be.
-pub(super) fn near<'t>(segment: &'t str, registry: &Registry) -> Vec<Near<'t>> {
-    let mut faults = Vec::new();
+pub(super) fn near<'t>(segment: &'t str, registry: &Registry) -> impl Iterator<Item = Near<'t>> {
+    let fault = |part: Part<'t>| if part.event().is_some() { None } else { near_part(part, registry) };
     let mut has_event = false;
-    for part in event::parts(segment) {
-        if part.event().is_some() {
-            has_event = true;
-            continue;
-        }
-        match near_part(part, registry) {
-            Some(fault) => {
-                has_event |= !matches!(fault.slip, Slip::Nothing);
-                faults.push(fault);
-            }
-            None => return Vec::new(),
-        }
-    }
-    if has_event { faults } else { Vec::new() }
+    let is_near = event::parts(segment).all(|part| {
+        let fault = fault(part);
+        let is_event = fault.is_none() && part.event().is_some();
+        has_event |= is_event || fault.as_ref().is_some_and(|fault| !matches!(fault.slip, Slip::Nothing));
+        is_event || fault.is_some()
+    });
+    event::parts(segment).filter_map(fault).filter(move |_| is_near && has_event)
 }
 
 /// The fault of a part that is no event.
@@ -74,14 +65,16 @@ fn near_part<'t>(part: Part<'t>, registry: &Registry) -> Option<Near<'t>> {
     let words: Vec<Word<'t>> = part.words().take(MOST_WORDS + 1).collect();
     if words.is_empty() {
         let separator = part.start.checked_sub(1).unwrap_or(part.text.len());
-        return Some(Near { at: separator..separator + 1, slip: Slip::Nothing, meant: String::new() });
+        return Some(Near { at: separator..separator + 1, slip: Slip::Nothing });
     }
     if words.len() > MOST_WORDS || !words.iter().all(|word| is_plain(word.text)) {
         return None;
     }
-    near_command(part, None, &words, registry).or_else(|| {
+    // The verb is the first word or, behind a character, the second.
+    let speaker = Reading { part, character: None, registry };
+    speaker.near(&words).or_else(|| {
         let (character, rest) = words.split_first()?;
-        near_command(part, Some(*character), rest, registry)
+        Reading { character: Some(*character), ..speaker }.near(rest)
     })
 }
 
@@ -90,46 +83,62 @@ fn is_plain(word: &str) -> bool {
     word.starts_with(char::is_alphanumeric) && word.chars().all(|c| c.is_alphanumeric() || "-_'’".contains(c))
 }
 
-/// The fault of an event of which `words` are the verb and what follows.
-fn near_command<'t>(
+/// A part, read as an event of a character.
+#[derive(Clone, Copy)]
+struct Reading<'t, 'r> {
     part: Part<'t>,
     character: Option<Word<'t>>,
-    words: &[Word<'t>],
-    registry: &Registry,
-) -> Option<Near<'t>> {
-    let [written, between @ .., object] = words else { return None };
-    let (at, slip, command): (_, fn(&'t str) -> Slip<'t>, _) = match between {
-        [] if is_nearly(written.text, STOPS) => {
-            let stopped = STOPPED.into_iter().find(|stopped| is_nearly(object.text, stopped))?;
-            (written.start..object.range().end, Slip::Verb, format!("{STOPS} {stopped}"))
+    registry: &'r Registry,
+}
+
+impl<'t> Reading<'t, '_> {
+    /// The fault if `words` are nearly a verb and what belongs to it.
+    fn near(self, words: &[Word<'t>]) -> Option<Near<'t>> {
+        match words {
+            [verb, object] if is_nearly(verb.text, STOPS) => self.stops(*verb, *object),
+            [verb, object] => self.misspelt(*verb, *object),
+            [verb, between @ .., object] => self.too_many_words(*verb, between, *object),
+            _ => None,
         }
-        [] => {
-            let verb = verb(written.text)?;
-            let names = Names::of(Role::of_object(verb)?, registry);
-            let is_verb_but_for_case = written.text.eq_ignore_ascii_case(verb);
-            let is_certain = is_verb_but_for_case || names.contains(object.text);
-            let object = if is_certain { object.text } else { names.nearest(object.text)? };
-            (written.range(), Slip::Verb, format!("{verb} {object}"))
-        }
-        [first, .., last] | [first @ last] => {
-            let verb = verb(written.text)?;
-            let is_known = Names::of(Role::of_object(verb)?, registry).contains(object.text);
-            let is_english = written.text == verb && between.len() == 1 && PREPOSITIONS.contains(&first.text);
-            let is_certain = is_known || is_english && character.is_none();
-            if !is_certain {
-                return None;
-            }
-            let meant = format!("{verb} {}", object.text);
-            if written.text == verb {
-                (first.start..last.range().end, Slip::Extra, meant)
-            } else {
-                (written.start..last.range().end, Slip::Verb, meant)
-            }
-        }
-    };
-    let slip = slip(&part.text[at.start - part.start..at.end - part.start]);
-    let meant = character.map_or_else(|| command.clone(), |character| format!("{} {command}", character.text));
-    Some(Near { at, slip, meant })
+    }
+
+    /// `stop staring`
+    fn stops(self, written: Word<'t>, object: Word<'t>) -> Option<Near<'t>> {
+        let stopped = STOPPED.into_iter().find(|stopped| is_nearly(object.text, stopped))?;
+        Some(self.fault(written.start..object.range().end, Slip::Verb, STOPS, stopped))
+    }
+
+    /// `feel sad`
+    fn misspelt(self, written: Word<'t>, object: Word<'t>) -> Option<Near<'t>> {
+        let verb = verb(written.text)?;
+        let names = Names::of(Role::of_object(verb)?, self.registry);
+        let is_certain = written.text.eq_ignore_ascii_case(verb) || names.contains(object.text);
+        let object = if is_certain { object.text } else { names.nearest(object.text)? };
+        Some(self.fault(written.range(), Slip::Verb, verb, object))
+    }
+
+    /// `points at door`, `feels very sad`
+    fn too_many_words(self, written: Word<'t>, between: &[Word<'t>], object: Word<'t>) -> Option<Near<'t>> {
+        let (first, last) = (between.first()?, between.last()?);
+        let verb = verb(written.text)?;
+        let is_verb = written.text == verb;
+        let is_known = Names::of(Role::of_object(verb)?, self.registry).contains(object.text);
+        // Without names that confirm it, only what nobody would say about someone: `points at door`.
+        let is_english = is_verb && between.len() == 1 && PREPOSITIONS.contains(&first.text);
+        let is_certain = is_known || (is_english && self.character.is_none());
+        let (start, slip): (_, fn(_, _) -> _) =
+            if is_verb { (first.start, Slip::Extra) } else { (written.start, Slip::Verb) };
+        is_certain.then(|| self.fault(start..last.range().end, slip, verb, object.text))
+    }
+
+    fn fault(self, at: Range<usize>, slip: fn(&'t str, String) -> Slip<'t>, verb: &str, object: &str) -> Near<'t> {
+        let words = &self.part.text[at.start - self.part.start..at.end - self.part.start];
+        let meant = match self.character {
+            Some(character) => format!("{} {verb} {object}", character.text),
+            None => format!("{verb} {object}"),
+        };
+        Near { at, slip: slip(words, meant) }
+    }
 }
 
 /// The verb with an object that a word is, or that was meant by it.
@@ -148,14 +157,19 @@ fn is_nearly(word: &str, verb: &str) -> bool {
 
 impl Near<'_> {
     pub(super) fn finding(&self, span: Span) -> Diagnostic {
+        let did_you_mean = |meant: &str| format!("did you mean {}?", show::name(meant));
         let (headline, help) = match &self.slip {
-            Slip::Verb(words) => (format!("{} is not a verb of Character Event Syntax", show::name(words)), None),
-            Slip::Extra(word) => (format!("{} stands between a verb and its object", show::name(word)), None),
-            Slip::Nothing => ("an event is missing beside this `,`".to_owned(), Some("remove the `,`".to_owned())),
+            Slip::Verb(words, meant) => {
+                (format!("{} is not a verb of Character Event Syntax", show::name(words)), did_you_mean(meant))
+            }
+            Slip::Extra(words, meant) => {
+                (format!("{} stands between a verb and its object", show::name(words)), did_you_mean(meant))
+            }
+            Slip::Nothing => ("an event is missing beside this `,`".to_owned(), "remove the `,`".to_owned()),
         };
         Diagnostic::at(Code::NearEvent, span, headline)
             .note("all of the segment is kept as text: games see no events in it")
-            .help(help.unwrap_or_else(|| format!("did you mean {}?", show::name(&self.meant))))
+            .help(help)
     }
 }
 
@@ -176,7 +190,11 @@ mod tests {
 
     /// What is marked in a segment, and what was meant by it.
     fn faults<'t>(segment: &'t str, registry: &Registry) -> Vec<(&'t str, String)> {
-        near(segment, registry).into_iter().map(|near| (&segment[near.at], near.meant)).collect()
+        let meant = |slip| match slip {
+            Slip::Verb(_, meant) | Slip::Extra(_, meant) => meant,
+            Slip::Nothing => String::new(),
+        };
+        near(segment, registry).map(|near| (&segment[near.at], meant(near.slip))).collect()
     }
 
     #[test]
