@@ -108,6 +108,21 @@ impl<'data, 'bank> Segment<'data, 'bank> {
     ///
     /// There are none where nothing happens, and where the event string is some other syntax, such as
     /// a script: [`Segment::event`] has it.
+    ///
+    /// ```
+    /// use lipz_bank::{Bank, Command};
+    ///
+    /// # let bytes: &[u8] = include_bytes!("../../../fixtures/banks/v1/drama.lipzbank");
+    /// let bank = Bank::open(bytes)?.verify()?;
+    /// let sad = bank.event_name("sad"); // names are looked up once, and compared as numbers
+    /// let segments = bank.clips().flat_map(|clip| clip.segments());
+    /// let tears = segments.flat_map(|segment| segment.events()).filter(|event| match event.command {
+    ///     Command::Feels(emotion) => Some(emotion) == sad,
+    ///     _ => false,
+    /// });
+    /// assert_eq!(tears.count(), 6);
+    /// # Ok::<(), lipz_bank::Error>(())
+    /// ```
     pub fn events(&self) -> Events<'data> {
         Events::new(self.clip.bank, self.event_record())
     }

@@ -7,7 +7,7 @@ mod common;
 
 use common::{changed, entry_of, finding, put, record_of, section, u32_at, SMALL, STRIPPED};
 use lipz_bank::layout::{Tag, MAGIC, NO_TEXT, TEXT_FALLBACK, TEXT_WIDE};
-use lipz_bank::ErrorKind;
+use lipz_bank::{Error, ErrorKind};
 
 /// The kind and place found in a small bank that `change` has changed.
 fn found(change: impl FnOnce(&mut Vec<u8>)) -> (ErrorKind, usize) {
@@ -260,5 +260,5 @@ fn events() {
         put(bank, entry_of(STRIPPED, Tag::EVENT_STRINGS) + 8, strings.to_le_bytes());
         bank.push(b'!');
     });
-    assert_eq!(finding(&longer).map(|error| error.kind()), Some(EventName), "a byte that belongs to no name");
+    assert_eq!(finding(&longer).map(Error::kind), Some(EventName), "a byte that belongs to no name");
 }
