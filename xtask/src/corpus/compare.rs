@@ -48,10 +48,7 @@ fn events(clip: &Clip<'_, '_>, row: &Row, key: &str, differences: &mut Differenc
 fn typed_events(string: &str) -> Vec<String> {
     let event = |part: &str| {
         let words: Vec<&str> = part.split(|c| " \t\r\n".contains(c)).filter(|word| !word.is_empty()).collect();
-        let (verb, object) = match words[..] {
-            [verb, object] | [_, verb, object] => (verb, object),
-            _ => return None,
-        };
+        let ([verb, object] | [_, verb, object]) = words[..] else { return None };
         let is_event = match verb {
             "stops" => object == "staring" || object == "pointing",
             verb => ["feels", "sees", "stares", "points", "does"].contains(&verb),
