@@ -52,8 +52,10 @@ fn numbers_are_stable() {
         (26, DirectoryTooLong),
         (27, Fingerprint),
         (28, TooManySteps),
-        (29, TypedEvent),
-        (30, EventName),
+        (29, OtherClips),
+        (30, TextsOnly),
+        (31, TypedEvent),
+        (32, EventName),
     ];
     assert!(table
         .iter()

@@ -44,6 +44,7 @@ mod output;
 mod raise;
 mod report;
 mod source_record;
+mod split;
 mod unpack;
 
 pub use compile::{Compiled, Phases, Progress, check_all, compile};
@@ -53,6 +54,7 @@ pub use options::{Levels, Options, Registry, TextLimits};
 pub use output::replace_file;
 pub use raise::Documents;
 pub use report::{Report, count};
+pub use split::{Split, split};
 pub use unpack::{Unpacked, unpack};
 
 /// The example of the README, run as a test.
