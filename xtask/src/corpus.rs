@@ -46,6 +46,7 @@ struct Seen {
     frames: usize,
     texts: usize,
     events: usize,
+    typed_events: usize,
     times: usize,
     warnings: usize,
     bank_bytes: usize,
@@ -56,13 +57,14 @@ impl std::fmt::Display for Seen {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(
             f,
-            "{} rows, {} clips, {} segments, {} frames, {} texts, {} events, {} times, {} warnings, {:.2} MB, {} identical banks",
+            "{} rows, {} clips, {} segments, {} frames, {} texts, {} events, {} typed, {} times, {} warnings, {:.2} MB, {} identical banks",
             self.rows,
             self.clips,
             self.segments,
             self.frames,
             self.texts,
             self.events,
+            self.typed_events,
             self.times,
             self.warnings,
             self.bank_bytes as f64 / 1e6,
@@ -174,6 +176,7 @@ mod tests {
         assert_eq!(differences.count(), 0, "{differences:?}");
         // Each bank, with and without source section, is compared.
         assert_eq!((seen.rows, seen.clips, seen.segments, seen.texts, seen.events), (1, 2, 4, 4, 4));
+        assert_eq!(seen.typed_events, 2);
         assert!(seen.times > 0 && seen.identical_banks == 11, "{seen}");
     }
 

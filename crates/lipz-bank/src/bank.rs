@@ -1,10 +1,10 @@
 //! Opening a bank and finding its clips and locales.
 
 use crate::file::File;
-use crate::layout::{self, ClipRecord, EventRecord, Tag, U32};
+use crate::layout::{self, ClipRecord, EventNameRecord, EventRecord, Tag, TypedEventRecord, U32};
 use crate::locale::LocaleTable;
 use crate::pool::Pool;
-use crate::{Clip, ClipId, Clips, Error, ErrorKind, Locale, Locales};
+use crate::{Clip, ClipId, Clips, Error, ErrorKind, EventName, Locale, Locales};
 use core::fmt;
 
 /// A bank, used in place: a few slices into the caller's bytes.
@@ -23,6 +23,8 @@ pub struct Bank<'data> {
     pub(crate) texts: LocaleTable<'data>,
     pub(crate) event_refs: &'data [U32],
     pub(crate) events: &'data [EventRecord],
+    pub(crate) typed_events: &'data [TypedEventRecord],
+    pub(crate) event_names: &'data [EventNameRecord],
     pub(crate) event_strings: Pool<'data>,
 }
 
@@ -50,6 +52,8 @@ impl<'data> Bank<'data> {
             texts: LocaleTable::of(&file, clips.len())?,
             event_refs: file.array(Tag::EVENT_REFS)?,
             events: file.array(Tag::EVENTS)?,
+            typed_events: file.array(Tag::TYPED_EVENTS)?,
+            event_names: file.array(Tag::EVENT_NAMES)?,
             event_strings: Pool::Bytes(file.array(Tag::EVENT_STRINGS)?),
         })
     }
@@ -132,6 +136,13 @@ impl<'data> Bank<'data> {
     /// All locales of the bank, in the order of their tags.
     pub fn locales(&self) -> Locales<'data> {
         self.texts.locales()
+    }
+
+    /// The name that events mention, spelled as there (`amy`); `None` if no event does.
+    ///
+    /// Look names up once and compare their [ids](EventName::id) per event.
+    pub fn event_name(&self, name: &str) -> Option<EventName<'data>> {
+        EventName::find(self, name)
     }
 
     /// Hash of what the clips of this bank are: files that belong together share it.

@@ -119,4 +119,8 @@ error_kinds! {
     OtherClips = 29, "the texts belong to a bank with other clips";
     /// A text bank where a bank is asked for.
     TextsOnly = 30, "the file has texts only, for the clips of another bank";
+    /// A typed event has an unknown verb, refers to no name, or does not lie behind the one before it.
+    TypedEvent = 31, "a typed event is not valid";
+    /// The names of typed events are not listed in their order, or one lies outside its pool.
+    EventName = 32, "the names in events are not listed in their order";
 }

@@ -51,6 +51,12 @@ impl<'data> File<'data> {
     where
         T: FromBytes + Immutable + KnownLayout + Unaligned,
     {
+        let (bytes, at) = self.required(tag, size_of::<T>())?;
+        <[T]>::ref_from_bytes(bytes).map_err(|_| Error::new(ErrorKind::SectionShape, at))
+    }
+
+    /// The one section with this tag, and where its entry stands: the code that all types share.
+    fn required(&self, tag: Tag, entry_bytes: usize) -> Result<(&'data [u8], u32), Error> {
         let mut found = self.directory.iter().enumerate().filter(|(_, entry)| entry.tag == tag.0);
         let (index, entry) = found.next().ok_or(Error::new(ErrorKind::SectionMissing, SECTION_COUNT_OFFSET))?;
         if let Some((second, _)) = found.next() {
@@ -58,10 +64,10 @@ impl<'data> File<'data> {
         }
         let at = entry_offset(index);
         let bytes = self.contents(entry).ok_or(Error::new(ErrorKind::SectionOutOfBounds, at))?;
-        if usize::from(entry.entry_bytes.get()) != size_of::<T>() {
+        if usize::from(entry.entry_bytes.get()) != entry_bytes {
             return Err(Error::new(ErrorKind::SectionShape, at));
         }
-        <[T]>::ref_from_bytes(bytes).map_err(|_| Error::new(ErrorKind::SectionShape, at))
+        Ok((bytes, at))
     }
 
     /// The sections in the order of the directory, known or not.

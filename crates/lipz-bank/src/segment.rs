@@ -1,8 +1,8 @@
 //! One segment of a clip: frames, display texts and event string.
 
-use crate::layout::{FLAG_FAR_STARTS, NARROW_END_BYTES, NO_EVENTS, NO_TEXT, WIDE_END_BYTES};
+use crate::layout::{EventRecord, FLAG_FAR_STARTS, NARROW_END_BYTES, NO_EVENTS, NO_TEXT, WIDE_END_BYTES};
 use crate::layout::{TEXT_FALLBACK, TEXT_OFFSET, TEXT_WIDE};
-use crate::{Clip, Locale};
+use crate::{Clip, Events, Locale};
 use core::fmt;
 use core::iter::FusedIterator;
 use core::ops::Deref;
@@ -103,14 +103,41 @@ impl<'data, 'bank> Segment<'data, 'bank> {
     /// The event string, trimmed; empty if nothing happens at this segment, `None` if the file has
     /// no `events` element.
     pub fn event(&self) -> Option<&'data str> {
+        let record = self.event_record()?;
+        self.clip.bank.event_strings.text_at(record.offset_bytes.get(), record.length_bytes.get())
+    }
+
+    /// The events of the segment, if they are Character Event Syntax.
+    ///
+    /// There are none where nothing happens, and where the event string is some other syntax, such as
+    /// a script: [`Segment::event`] has it.
+    ///
+    /// ```
+    /// use lipz_bank::{Bank, Command};
+    ///
+    /// # let bytes: &[u8] = include_bytes!("../../../fixtures/banks/v1/drama.lipzbank");
+    /// let bank = Bank::open(bytes)?.verify()?;
+    /// let sad = bank.event_name("sad"); // names are looked up once, and compared as numbers
+    /// let segments = bank.clips().flat_map(|clip| clip.segments());
+    /// let tears = segments.flat_map(|segment| segment.events()).filter(|event| match event.command {
+    ///     Command::Feels(emotion) => Some(emotion) == sad,
+    ///     _ => false,
+    /// });
+    /// assert_eq!(tears.count(), 6);
+    /// # Ok::<(), lipz_bank::Error>(())
+    /// ```
+    pub fn events(&self) -> Events<'data> {
+        Events::new(self.clip.bank, self.event_record())
+    }
+
+    fn event_record(&self) -> Option<&'data EventRecord> {
         let first = self.clip.record.events_first.get();
         if first == NO_EVENTS {
             return None;
         }
         let bank = self.clip.bank;
         let at = (first as usize).checked_add(self.index as usize)?;
-        let record = bank.events.get(bank.event_refs.get(at)?.get() as usize)?;
-        bank.event_strings.text_at(record.offset_bytes.get(), record.length_bytes.get())
+        bank.events.get(bank.event_refs.get(at)?.get() as usize)
     }
 }
 

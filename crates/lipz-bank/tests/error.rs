@@ -5,9 +5,9 @@
 
 mod common;
 
-use common::{changed, entry_of, finding, put, record_of, section, u32_at, SMALL};
+use common::{changed, entry_of, finding, put, record_of, section, u32_at, SMALL, STRIPPED};
 use lipz_bank::layout::{Tag, MAGIC, NO_TEXT, TEXT_FALLBACK, TEXT_WIDE};
-use lipz_bank::ErrorKind;
+use lipz_bank::{Error, ErrorKind};
 
 /// The kind and place found in a small bank that `change` has changed.
 fn found(change: impl FnOnce(&mut Vec<u8>)) -> (ErrorKind, usize) {
@@ -54,6 +54,8 @@ fn numbers_are_stable() {
         (28, TooManySteps),
         (29, OtherClips),
         (30, TextsOnly),
+        (31, TypedEvent),
+        (32, EventName),
     ];
     assert!(table
         .iter()
@@ -205,7 +207,7 @@ fn index_and_order() {
 }
 
 #[test]
-fn texts_events_and_locales() {
+fn texts_and_locales() {
     use ErrorKind::*;
     let (index, texts) = (start(Tag::TEXT_INDEX), start(Tag::TEXTS));
     for entry in [1000, TEXT_FALLBACK | 1000, TEXT_WIDE | 226, NO_TEXT - 1] {
@@ -220,11 +222,45 @@ fn texts_events_and_locales() {
     assert_eq!(found(|bank| put(bank, naive, b"\xFF")), (Utf8, naive));
     let name = start(Tag::NAMES) + 4;
     assert_eq!(found(|bank| put(bank, name, b"\x80")), (Utf8, name));
-    let (references, records) = (start(Tag::EVENT_REFS), start(Tag::EVENTS));
-    assert_eq!(found(|bank| put(bank, references + 8, [9])), (EventReference, references + 8));
-    assert_eq!(found(|bank| put(bank, records + 12, [99])), (EventReference, records + 8));
     let locales = start(Tag::LOCALES);
     assert_eq!(found(|bank| bank.copy_within(locales..locales + 8, locales + 8)), (LocaleOrder, locales + 8));
     assert_eq!(found(|bank| put(bank, locales + 4, [0])), (LocaleOrder, locales));
     assert_eq!(found(|bank| put(bank, locales + 6, [2])), (LocaleOrder, locales));
+}
+
+#[test]
+fn events() {
+    use ErrorKind::*;
+    let (references, records) = (start(Tag::EVENT_REFS), start(Tag::EVENTS));
+    assert_eq!(found(|bank| put(bank, references + 8, [99])), (EventReference, references + 8));
+    assert_eq!(found(|bank| put(bank, records + 20, [0xFF; 4])), (EventReference, records + 16), "length");
+    assert_eq!(found(|bank| put(bank, records + 8, [1])), (TypedEvent, records), "first typed event");
+    assert_eq!(found(|bank| put(bank, records + 12, u32::MAX.to_le_bytes())), (TypedEvent, records), "count");
+    let (typed, typed_bytes) = (start(Tag::TYPED_EVENTS), section(SMALL, Tag::TYPED_EVENTS).len());
+    let shorter = |bank: &mut Vec<u8>| {
+        put(bank, entry_of(SMALL, Tag::TYPED_EVENTS) + 8, (typed_bytes as u32 - 12).to_le_bytes());
+    };
+    assert_eq!(found(shorter).0, TypedEvent, "a string whose events are not all there");
+    for verb in [0, 8, 255] {
+        assert_eq!(found(|bank| put(bank, typed + 8, [verb])), (TypedEvent, typed), "verb {verb}");
+    }
+    // The first is `amy feels sad`: it can have another character, but no other kind of verb.
+    assert_eq!(found(|bank| put(bank, typed + 8, [4])), (TypedEvent, typed), "an object that is too many");
+    assert_eq!(found(|bank| put(bank, typed, [4])), (TypedEvent, typed), "character");
+    assert_eq!(found(|bank| put(bank, typed + 4, [4])), (TypedEvent, typed), "object");
+    assert_eq!(found(|bank| put(bank, typed + 4, [0xFF; 4])), (TypedEvent, typed), "no object");
+    assert_eq!(finding(&changed(SMALL, |bank| put(bank, typed, [0xFF; 4]))), None, "the speaker");
+    let names = start(Tag::EVENT_NAMES);
+    assert_eq!(found(|bank| put(bank, names + 8, [0])), (EventName, names + 8), "offset");
+    assert_eq!(found(|bank| put(bank, names + 4, [0])), (EventName, names), "an empty name");
+    let pool_end = section(SMALL, Tag::EVENT_STRINGS).end;
+    let (last, order) = (pool_end - "amydoorsadwave".len(), names + 8);
+    assert_eq!(found(|bank| put(bank, last, b"zmy")), (EventName, order), "not in order");
+    let longer = changed(STRIPPED, |bank| {
+        let (length, strings) = (bank.len() as u32 + 1, section(STRIPPED, Tag::EVENT_STRINGS).len() as u32 + 1);
+        put(bank, 16, length.to_le_bytes());
+        put(bank, entry_of(STRIPPED, Tag::EVENT_STRINGS) + 8, strings.to_le_bytes());
+        bank.push(b'!');
+    });
+    assert_eq!(finding(&longer).map(Error::kind), Some(EventName), "a byte that belongs to no name");
 }

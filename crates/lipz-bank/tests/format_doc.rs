@@ -6,7 +6,8 @@
 mod common;
 
 use common::{section, verified, DRAMA, SMALL};
-use lipz_bank::layout::{self, ClipRecord, DirectoryEntry, EventRecord, Header, LocaleRecord, Tag};
+use lipz_bank::layout::{self, ClipRecord, DirectoryEntry, Header, LocaleRecord, Tag};
+use lipz_bank::layout::{EventNameRecord, EventRecord, TypedEventRecord};
 use lipz_bank::{ClipId, ErrorKind};
 use std::mem::{size_of, size_of_val};
 use zerocopy::FromBytes;
@@ -102,8 +103,12 @@ fn records() {
     check_fields("ClipRecord", &fields, size_of::<ClipRecord>());
     let fields = fields!(LocaleRecord { tag_offset_bytes, tag_length_bytes, flags });
     check_fields("LocaleRecord", &fields, size_of::<LocaleRecord>());
-    let fields = fields!(EventRecord { offset_bytes, length_bytes });
+    let fields = fields!(EventRecord { offset_bytes, length_bytes, typed_first, typed_count });
     check_fields("EventRecord", &fields, size_of::<EventRecord>());
+    let fields = fields!(TypedEventRecord { character, object, verb, reserved });
+    check_fields("TypedEventRecord", &fields, size_of::<TypedEventRecord>());
+    let fields = fields!(EventNameRecord { offset_bytes, length_bytes });
+    check_fields("EventNameRecord", &fields, size_of::<EventNameRecord>());
 }
 
 #[test]
@@ -133,10 +138,25 @@ fn values() {
         ("TEXT_FALLBACK", layout::TEXT_FALLBACK),
         ("TEXT_WIDE", layout::TEXT_WIDE),
         ("TEXT_OFFSET", layout::TEXT_OFFSET),
+        ("NO_NAME", layout::NO_NAME),
         ("DIRECT_SLOT", layout::DIRECT_SLOT),
     ];
     let described: Vec<_> = table("### ClipRecord", "| name | value |");
     assert!(described.iter().map(|row| (row[0], number(row[1]) as u32)).eq(values));
+}
+
+/// Each verb of the page, written down and read back.
+#[test]
+fn verbs() {
+    let typed = section(SMALL, Tag::TYPED_EVENTS);
+    let records = <[TypedEventRecord]>::ref_from_bytes(&SMALL[typed]).expect("typed events");
+    let bank = verified(SMALL);
+    let far = bank.clip_by_key("act2/far").expect("the clip with all verbs");
+    let events = far.segments().skip(1).flat_map(|segment| segment.events());
+    let found: Vec<_> = records.iter().zip(events).map(|(record, event)| (record.verb, event.command.verb())).collect();
+    let described = table("### TypedEventRecord", "| verb | is | object |");
+    let described: Vec<_> = described.iter().map(|row| (number(row[0]) as u8, row[1])).collect();
+    assert_eq!(found, described);
 }
 
 #[test]

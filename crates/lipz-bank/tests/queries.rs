@@ -6,7 +6,7 @@
 mod common;
 
 use common::{dump::dump, verified, SMALL};
-use lipz_bank::{Bank, Clip, ClipId, Fps, Locale, Micros, Samples, Seconds, Viseme, VisemeType};
+use lipz_bank::{Bank, Clip, ClipId, Command, EventName, Fps, Locale, Micros, Samples, Seconds, Viseme, VisemeType};
 
 const KEYS: [&str; 12] = [
     "act1/blair",
@@ -176,6 +176,36 @@ fn texts_and_where_they_come_from() {
         assert_eq!(texts("act1/escapes", german)[2], Some(("漢字\u{A0}", false)));
         let first = clip(bank, "act1/escapes").segment(1).expect("three segments");
         assert_eq!(first.text_bytes(german), Some("größer 😀".as_bytes()));
+    });
+}
+
+#[test]
+fn typed_events() {
+    both(|bank| {
+        let segments: Vec<_> = clip(bank, "act2/far").segments().collect();
+        let at = |index: usize| segments[index].events().map(|event| event.to_string()).collect::<Vec<_>>();
+        assert_eq!((at(0), segments[0].event()), (vec!["amy feels sad".into()], Some("amy feels sad")));
+        assert_eq!((at(2), segments[2].event()), (vec![], Some("")));
+        assert_eq!(at(4), ["sees door", "stares door", "stops staring"]);
+        assert_eq!(segments[4].event(), Some("sees door, stares door,stops staring"));
+        // Another syntax has a string only, and a clip without events has nothing.
+        let script = clip(bank, "act1/rms").segment(1).expect("two segments");
+        assert_eq!((script.event(), script.events().count()), (Some("say(\"a, b\")"), 0));
+        assert!(clip(bank, "act1/toonboom").segments().all(|segment| segment.events().next().is_none()));
+    });
+}
+
+/// A game looks its names up once and compares numbers from then on.
+#[test]
+fn names_in_events() {
+    both(|bank| {
+        let id = |name| bank.event_name(name).map(EventName::id);
+        assert_eq!(["amy", "door", "sad", "wave"].map(id), [0, 1, 2, 3].map(Some));
+        assert_eq!(["", "am", "amyd", "Amy", "zz", "sees", "staring"].map(id), [None; 7]);
+        let first = clip(bank, "act2/far").segment(0).and_then(|segment| segment.events().next()).expect("an event");
+        assert_eq!(first.character, bank.event_name("amy"));
+        assert!(matches!(first.command, Command::Feels(emotion) if Some(emotion.id()) == id("sad")));
+        assert_eq!(bank.event_name("wave").map(EventName::as_str), Some("wave"));
     });
 }
 

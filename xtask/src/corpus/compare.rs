@@ -25,12 +25,37 @@ pub(super) fn bank(
         rates_and_types(&clip, row, key, differences, seen);
         frames(&clip, row, contents, key, differences, seen);
         texts(bank, &clip, row, key, differences, seen);
-        let events: Option<Vec<&str>> =
-            if clip.has_events() { clip.segments().map(|segment| segment.event()).collect() } else { None };
-        seen.events += events.as_ref().map_or(0, Vec::len);
-        let expected: Option<Vec<&str>> = row.events.as_ref().map(|events| events.iter().map(String::as_str).collect());
-        differences.equal(key, "the list of events", events, expected);
+        events(&clip, row, key, differences, seen);
     }
+}
+
+/// The event strings, and the typed events of each.
+fn events(clip: &Clip<'_, '_>, row: &Row, key: &str, differences: &mut Differences, seen: &mut Seen) {
+    let events: Option<Vec<&str>> =
+        if clip.has_events() { clip.segments().map(|segment| segment.event()).collect() } else { None };
+    seen.events += events.as_ref().map_or(0, Vec::len);
+    let expected: Option<Vec<&str>> = row.events.as_ref().map(|events| events.iter().map(String::as_str).collect());
+    differences.equal(key, "the list of events", events, expected);
+    for (segment, string) in std::iter::zip(clip.segments(), row.events.iter().flatten()) {
+        let typed: Vec<String> = segment.events().map(|event| event.to_string()).collect();
+        seen.typed_events += typed.len();
+        differences.equal(key, &format!("the typed events of `{string}`"), typed, typed_events(string));
+    }
+}
+
+/// The events that a string says, with one blank between words; none if a part of it is no event.
+/// Done here by long hand, so that it does not agree with the parser under test by sharing its mistakes.
+fn typed_events(string: &str) -> Vec<String> {
+    let event = |part: &str| {
+        let words: Vec<&str> = part.split(|c| " \t\r\n".contains(c)).filter(|word| !word.is_empty()).collect();
+        let ([verb, object] | [_, verb, object]) = words[..] else { return None };
+        let is_event = match verb {
+            "stops" => object == "staring" || object == "pointing",
+            verb => ["feels", "sees", "stares", "points", "does"].contains(&verb),
+        };
+        is_event.then(|| words.join(" "))
+    };
+    string.split(',').map(event).collect::<Option<_>>().unwrap_or_default()
 }
 
 /// The bank's own frame rate and viseme type, those supplied at run time, and frames by time.

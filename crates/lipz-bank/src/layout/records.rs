@@ -14,6 +14,22 @@ pub const FLAG_VISEMES: u8 = 1;
 pub const FLAG_FAR_STARTS: u8 = 2;
 /// Locale flag: the project's default locale.
 pub const LOCALE_DEFAULT: u16 = 1;
+/// Number of a typed event's character for "the speaker", and of its object for "none".
+pub const NO_NAME: u32 = u32::MAX;
+/// Verb of a typed event: `feels emotion`.
+pub const VERB_FEELS: u8 = 1;
+/// Verb of a typed event: `sees target`.
+pub const VERB_SEES: u8 = 2;
+/// Verb of a typed event: `stares target`.
+pub const VERB_STARES: u8 = 3;
+/// Verb of a typed event: `stops staring`.
+pub const VERB_STOPS_STARING: u8 = 4;
+/// Verb of a typed event: `points target`.
+pub const VERB_POINTS: u8 = 5;
+/// Verb of a typed event: `stops pointing`.
+pub const VERB_STOPS_POINTING: u8 = 6;
+/// Verb of a typed event: `does action`.
+pub const VERB_DOES: u8 = 7;
 
 /// One clip: all that a frame or segment query needs, in one cache line.
 #[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
@@ -69,8 +85,39 @@ pub struct EventRecord {
     pub offset_bytes: U32,
     /// Length of the string.
     pub length_bytes: U32,
+    /// Index in `EVTY` of the first of the events that the string is made of.
+    pub typed_first: U32,
+    /// How many they are; 0 if the string is empty or some other syntax than Character Event Syntax.
+    pub typed_count: U32,
+}
+
+/// One event of Character Event Syntax.
+#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
+#[repr(C)]
+pub struct TypedEventRecord {
+    /// Number of the name of who does it in `EVNM`, or [`NO_NAME`] for the speaker of the clip.
+    pub character: U32,
+    /// Number of the name of the emotion, target or action in `EVNM`; [`NO_NAME`] for the verbs that
+    /// stop something.
+    pub object: U32,
+    /// [`VERB_FEELS`] and so on.
+    pub verb: u8,
+    /// Zero.
+    pub reserved: [u8; 3],
+}
+
+/// One distinct name that typed events mention: a character, emotion, target or action.
+#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
+#[repr(C)]
+pub struct EventNameRecord {
+    /// Where the name starts in the `EVST` section.
+    pub offset_bytes: U32,
+    /// Length of the name.
+    pub length_bytes: U32,
 }
 
 const _: () = assert!(size_of::<ClipRecord>() == 64);
 const _: () = assert!(size_of::<LocaleRecord>() == 8);
-const _: () = assert!(size_of::<EventRecord>() == 8);
+const _: () = assert!(size_of::<EventRecord>() == 16);
+const _: () = assert!(size_of::<TypedEventRecord>() == 12);
+const _: () = assert!(size_of::<EventNameRecord>() == 8);

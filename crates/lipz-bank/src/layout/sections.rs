@@ -84,7 +84,11 @@ impl Tag {
     pub const EVENT_REFS: Tag = Tag(*b"EVRF");
     /// [`EventRecord`](super::EventRecord)s: the distinct event strings.
     pub const EVENTS: Tag = Tag(*b"EVNT");
-    /// Pool of event strings, UTF-8.
+    /// [`TypedEventRecord`](super::TypedEventRecord)s: what each event string in turn is made of.
+    pub const TYPED_EVENTS: Tag = Tag(*b"EVTY");
+    /// [`EventNameRecord`](super::EventNameRecord)s in the order of the names (bytewise).
+    pub const EVENT_NAMES: Tag = Tag(*b"EVNM");
+    /// Pool of event strings and the names in them, UTF-8.
     pub const EVENT_STRINGS: Tag = Tag(*b"EVST");
     /// Optional: where each clip's source record starts in `SRCE`, one `u32` per slot.
     pub const SOURCE_INDEX: Tag = Tag(*b"SRCX");
@@ -95,7 +99,7 @@ impl Tag {
     pub const OPTIONAL: [(Tag, usize); 2] = [(Tag::SOURCE_INDEX, 4), (Tag::SOURCES, 1)];
 
     /// The sections that every bank has, with the length of an entry, in file order.
-    pub const REQUIRED: [(Tag, usize); 12] = [
+    pub const REQUIRED: [(Tag, usize); 14] = [
         (Tag::CLIPS, size_of::<super::ClipRecord>()),
         (Tag::PILOTS, 4),
         (Tag::KEY_ORDER, 4),
@@ -107,6 +111,8 @@ impl Tag {
         (Tag::TEXTS, 1),
         (Tag::EVENT_REFS, 4),
         (Tag::EVENTS, size_of::<super::EventRecord>()),
+        (Tag::TYPED_EVENTS, size_of::<super::TypedEventRecord>()),
+        (Tag::EVENT_NAMES, size_of::<super::EventNameRecord>()),
         (Tag::EVENT_STRINGS, 1),
     ];
 }

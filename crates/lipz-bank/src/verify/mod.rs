@@ -6,6 +6,7 @@
 //! claim the same bytes, from being checked over and over.
 
 mod clips;
+mod events;
 mod sections;
 mod texts;
 
@@ -26,7 +27,7 @@ pub(crate) fn verify(bank: &mut Bank<'_>) -> Result<(), Error> {
     bank.event_strings = checked_pool(&bank.file, bank.event_strings)?;
     let keys_end = clips::clips(bank)?;
     locales(&bank.file, &bank.texts, keys_end)?;
-    events(bank)?;
+    events::events(bank)?;
     if layout::fingerprint(bank.clips) != bank.file.header.fingerprint.get() {
         return Err(Error::new(ErrorKind::Fingerprint, 24));
     }
@@ -113,27 +114,6 @@ fn locales(file: &File<'_>, table: &LocaleTable<'_>, mut end: u32) -> Result<(),
     }
     if end as usize != table.names.bytes().len() {
         return Err(error_in(file, ErrorKind::LocaleOrder, table.records));
-    }
-    Ok(())
-}
-
-/// Event strings fill their pool in order; event references lie in the table of strings.
-fn events(bank: &Bank<'_>) -> Result<(), Error> {
-    let mut end = 0_u32;
-    for record in bank.events {
-        let string = bank.event_strings.text_at(record.offset_bytes.get(), record.length_bytes.get());
-        if string.is_none() || record.offset_bytes.get() != end {
-            return Err(error_at(bank, ErrorKind::EventReference, record));
-        }
-        end = end.wrapping_add(record.length_bytes.get());
-    }
-    if end as usize != bank.event_strings.bytes().len() {
-        return Err(error_at(bank, ErrorKind::EventReference, bank.events));
-    }
-    for reference in bank.event_refs {
-        if reference.get() as usize >= bank.events.len() {
-            return Err(error_at(bank, ErrorKind::EventReference, reference));
-        }
     }
     Ok(())
 }

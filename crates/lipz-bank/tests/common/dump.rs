@@ -34,6 +34,9 @@ fn dump_clip(out: &mut String, bank: &Bank<'_>, clip: &Clip<'_, '_>) {
         if let Some(event) = segment.event() {
             let _ = writeln!(out, "    event {}", quoted(event));
         }
+        for event in segment.events() {
+            let _ = writeln!(out, "    typed {}", quoted(&event.to_string()));
+        }
         for locale in bank.locales() {
             if let Some(text) = segment.text(locale) {
                 let origin = if text.is_fallback() { " (fallback)" } else { "" };

@@ -25,6 +25,9 @@ pub(crate) fn every_query(bank: &Bank<'_>, effort: Effort) {
     for locale in &locales {
         black_box((bank.locale(locale.tag()).is_some(), locale.is_default()));
     }
+    for name in ["", "amy", "door", "zz"] {
+        black_box(bank.event_name(name).map(|name| (name.id(), name.as_str())));
+    }
     black_box((bank.default_locale().is_some(), bank.locale("de-de").is_some()));
     for prefix in ["", "act1/", "zz"] {
         let clips = bank.clips_under(prefix);
@@ -69,6 +72,10 @@ fn every_segment_query(segment: &Segment<'_, '_>, locales: &[Locale<'_>], limit:
     black_box((segment.index(), segment.clip().slot(), segment.start_frame(), segment.end_frame()));
     black_box((segment.start_us(), segment.end_us(), segment.event()));
     assert!(segment.frames().len() <= limit);
+    let events = segment.events();
+    let most = events.size_hint().1.unwrap_or(usize::MAX);
+    let strings: Vec<String> = events.take(limit + 1).map(|event| event.to_string()).collect();
+    assert!(strings.len() <= most.min(limit));
     for locale in locales {
         let text = segment.text(*locale);
         let bytes = segment.text_bytes(*locale);
@@ -132,6 +139,13 @@ pub(crate) fn verified_is_whole(bank: &Bank<'_>) {
             assert!(end >= segment.start_frame());
             assert_eq!(segment.frames().len(), (end - segment.start_frame()) as usize);
             assert_eq!(segment.event().is_some(), clip.has_events());
+            let events = segment.events();
+            assert_eq!(events.size_hint().1, Some(events.clone().count()));
+            for event in events {
+                for name in [event.character, event.command.object()].into_iter().flatten() {
+                    assert_eq!(bank.event_name(name.as_str()), Some(name));
+                }
+            }
         }
         assert_eq!(end, clip.frame_count());
         for &locale in &locales {

@@ -68,6 +68,8 @@ pub(crate) fn bank(clips: &[ForgedClip], locale_count: usize, entries: &[u32], p
         none,
         none,
         none,
+        none,
+        none,
     ];
     file(&contents, fingerprint(&records))
 }
@@ -87,7 +89,7 @@ fn pilots(records: &[ClipRecord]) -> Vec<U32> {
 }
 
 /// The file of these contents of the required sections.
-fn file(contents: &[&[u8]; 12], fingerprint: u64) -> Vec<u8> {
+fn file(contents: &[&[u8]; 14], fingerprint: u64) -> Vec<u8> {
     let mut bytes = vec![0; 64 + 16 * contents.len()];
     for (index, ((tag, entry_bytes), section)) in Tag::REQUIRED.iter().zip(contents).enumerate() {
         bytes.resize(bytes.len().next_multiple_of(64), 0);

@@ -62,12 +62,23 @@ fn details(out: &mut String, segment: &Segment<'_, '_>, locales: &[Locale<'_>], 
         }
         _ => out.push_str("  no frames\n"),
     }
-    line(out, "event", segment.event().unwrap_or_default(), columns);
+    events(out, segment, columns);
     for locale in locales {
         if let Some(text) = segment.text(*locale).filter(|text| !text.is_empty()) {
             let fallback = if text.is_fallback() { "  (fallback)" } else { "" };
             line(out, &show::text(locale.tag()), &format!("{}{fallback}", text.as_str()), columns);
         }
+    }
+}
+
+/// A line for each event of Character Event Syntax, or one for what is some other syntax.
+fn events(out: &mut String, segment: &Segment<'_, '_>, columns: Columns) {
+    let mut events = segment.events().peekable();
+    match segment.event() {
+        Some(text) if !text.is_empty() && events.peek().is_none() => {
+            line(out, "event", &format!("{text}  (other syntax)"), columns);
+        }
+        _ => events.for_each(|event| line(out, "event", &event.to_string(), columns)),
     }
 }
 
@@ -107,7 +118,7 @@ mod tests {
     fn a_clip_of_two_bands() {
         let visemes = format!("{}|{}", "A".repeat(30), "M".repeat(30));
         let json = format!(
-            r#"{{"fps":24,"viseme_type":"blair","visemes":"{visemes}","events":"feels sad|",
+            r#"{{"fps":24,"viseme_type":"blair","visemes":"{visemes}","events":"feels  sad,amy stops staring|ring(3, x)",
                "text_en-us":"One two three four five six seven|{{m}} eight","text_ja-jp":"一二三四五六七八九十一二三四五六七八九十|"}}"#
         );
         let expected = "\
@@ -124,11 +135,13 @@ a/clip
 
 segment 0  0.000 s to 1.250 s  frames 0 to 29
   event  feels sad
+  event  amy stops staring
   en-us  One two three four five six
          seven
   ja-jp  一二三四五六七八九十一二三四五
          六七八九十
 segment 1  1.250 s to 2.500 s  frames 30 to 59
+  event  ring(3, x)  (other syntax)
   en-us  eight
 ";
         assert_eq!(shown(&bank(&json), 40), expected);
@@ -154,9 +167,7 @@ segment 1  1.250 s to 2.500 s  frames 30 to 59
         let bands = shown(&bank(r#"{"visemes":"AAAAAAAAAAAA"}"#), 40);
         assert!(bands.contains("\n  '0        '10\n  AAAAAAAAAAAA\n  |0----------\n"), "{bands}");
         let textless = shown(&bank(r#"{"events":"a|b"}"#), 40);
-        assert!(
-            textless
-                .ends_with("no mouth shapes, id 8497556c6a2fdffa\n\nsegment 0\n  event  a\nsegment 1\n  event  b\n")
-        );
+        let segments = "\n\nsegment 0\n  event  a  (other syntax)\nsegment 1\n  event  b  (other syntax)\n";
+        assert!(textless.ends_with(&format!("no mouth shapes, id 8497556c6a2fdffa{segments}")), "{textless}");
     }
 }

@@ -34,7 +34,7 @@ pub(crate) fn check(document: &Document<'_>, options: &Options, diagnostics: &mu
     };
     let frames = roles.visemes.map(|string| visemes::frames(string, expected, diagnostics));
     let texts: Vec<_> = roles.texts.iter().map(|text| texts::display_texts(text.string, diagnostics)).collect();
-    let events = roles.events.map(|string| events::trimmed(string, diagnostics));
+    let events = roles.events.map(|string| events::trimmed(string, &options.registry, diagnostics));
     let segment_count = segments::common_count(&roles, options, diagnostics);
     let texts = texts.into_iter().map(|segments| join::texts(segments, segment_count));
     let events = events.map(|segments| join::events(segments, segment_count));

@@ -1,46 +1,101 @@
-//! The events: references of segments, records of distinct strings, and their pool.
+//! The events: references of segments, records of distinct strings, the typed events that those are
+//! made of, and the names in them.
 
 use super::fit;
 use crate::Report;
 use crate::clip::ClipData;
 use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order of entries is never used
-use lipz_bank::layout::{EventRecord, NO_EVENTS, U32};
+use lipz::event::{self, Command, Event, Word};
+use lipz_bank::layout::{EventNameRecord, EventRecord, NO_EVENTS, NO_NAME, TypedEventRecord, U32};
+use lipz_bank::layout::{
+    VERB_DOES, VERB_FEELS, VERB_POINTS, VERB_SEES, VERB_STARES, VERB_STOPS_POINTING, VERB_STOPS_STARING,
+};
 
-/// Event references, records and strings.
+/// The sections of the events.
 pub(super) struct Events {
     /// Index of each clip's first reference, or `NO_EVENTS`.
     pub(super) first: Vec<u32>,
     pub(super) references: Vec<U32>,
     pub(super) records: Vec<EventRecord>,
+    pub(super) typed: Vec<TypedEventRecord>,
+    pub(super) names: Vec<EventNameRecord>,
+    /// Event strings, then names.
     pub(super) pool: String,
 }
 
-/// Numbers the distinct event strings in the order of their first use.
+/// Numbers the distinct event strings in the order of their first use, and parses each once.
 pub(super) fn events(clips: &[ClipData]) -> Result<Events, Report> {
-    let mut events = Events {
-        first: Vec::with_capacity(clips.len()),
-        references: Vec::new(),
-        records: Vec::new(),
-        pool: String::new(),
-    };
+    let mut first = Vec::with_capacity(clips.len());
+    let mut references = Vec::new();
+    let mut records = Vec::new();
+    let mut parsed: Vec<Event<'_>> = Vec::new();
+    let mut pool = String::new();
     let mut numbers: HashMap<&str, u32> = HashMap::with_capacity(clips.len());
     for clip in clips {
-        events.first.push(match clip.events {
-            Some(_) => fit(events.references.len(), "events")?,
+        first.push(match clip.events {
+            Some(_) => fit(references.len(), "events")?,
             None => NO_EVENTS,
         });
-        for event in clip.events.iter().flatten() {
-            let next = fit(events.records.len(), "events")?;
-            let number = *numbers.entry(event).or_insert(next);
+        for string in clip.events.iter().flatten() {
+            let next = fit(records.len(), "events")?;
+            let number = *numbers.entry(string).or_insert(next);
             if number == next {
-                events.records.push(EventRecord {
-                    offset_bytes: fit(events.pool.len(), "events")?.into(),
-                    length_bytes: fit(event.len(), "events")?.into(),
+                let typed_first = parsed.len();
+                parsed.extend(event::parse(string).into_iter().flatten());
+                records.push(EventRecord {
+                    offset_bytes: fit(pool.len(), "events")?.into(),
+                    length_bytes: fit(string.len(), "events")?.into(),
+                    typed_first: fit(typed_first, "events")?.into(),
+                    typed_count: fit(parsed.len() - typed_first, "events")?.into(),
                 });
-                events.pool.push_str(event);
+                pool.push_str(string);
             }
-            events.references.push(number.into());
+            references.push(number.into());
         }
     }
-    Ok(events)
+    let sorted = sorted_names(&parsed);
+    let typed = parsed.iter().map(|event| typed_record(event, &sorted)).collect();
+    let names = name_records(&sorted, &mut pool)?;
+    Ok(Events { first, references, records, typed, names, pool })
+}
+
+/// The distinct names in `events`, in their order.
+fn sorted_names<'e>(events: &[Event<'e>]) -> Vec<&'e str> {
+    let words = events.iter().flat_map(|event| [event.character, event.command.object()]).flatten();
+    let mut names: Vec<&str> = words.map(|word| word.text).collect();
+    names.sort_unstable();
+    names.dedup();
+    names
+}
+
+/// The record of an event whose names are among the `sorted` ones.
+fn typed_record(event: &Event<'_>, sorted: &[&str]) -> TypedEventRecord {
+    let number = |word: Option<Word<'_>>| {
+        let place = word.and_then(|word| sorted.binary_search(&word.text).ok());
+        place.map_or(NO_NAME, |place| place as u32).into()
+    };
+    TypedEventRecord {
+        character: number(event.character),
+        object: number(event.command.object()),
+        verb: match event.command {
+            Command::Feels(_) => VERB_FEELS,
+            Command::Sees(_) => VERB_SEES,
+            Command::Stares(_) => VERB_STARES,
+            Command::StopsStaring => VERB_STOPS_STARING,
+            Command::Points(_) => VERB_POINTS,
+            Command::StopsPointing => VERB_STOPS_POINTING,
+            Command::Does(_) => VERB_DOES,
+        },
+        reserved: [0; 3],
+    }
+}
+
+/// Adds the names to the pool.
+fn name_records(names: &[&str], pool: &mut String) -> Result<Vec<EventNameRecord>, Report> {
+    let mut place = |name: &str| {
+        let offset_bytes = fit(pool.len(), "events")?.into();
+        pool.push_str(name);
+        Ok(EventNameRecord { offset_bytes, length_bytes: fit(name.len(), "events")?.into() })
+    };
+    names.iter().map(|name| place(name)).collect()
 }

@@ -36,6 +36,8 @@ pub(crate) fn lower(clips: &[ClipData], localised: &Localised, options: &Options
         Section::of_pieces(Tag::TEXTS, texts.pieces),
         Section::required(Tag::EVENT_REFS, events.references.as_bytes()),
         Section::required(Tag::EVENTS, events.records.as_bytes()),
+        Section::required(Tag::TYPED_EVENTS, events.typed.as_bytes()),
+        Section::required(Tag::EVENT_NAMES, events.names.as_bytes()),
         Section::required(Tag::EVENT_STRINGS, events.pool.as_bytes()),
     ];
     let sources = strings::sources(clips, &index.slots)?;

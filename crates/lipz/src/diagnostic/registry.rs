@@ -82,7 +82,11 @@ codes! {
     SegmentCount "LZ0601" "segment-count" Error "elements have different numbers of segments"
 
     NulInEvents "LZ0701" "nul-in-events" Warning "an event contains U+0000"
-    UnknownEmotion "LZ0702" "unknown-emotion" Warning "an emotion is not one of the specification"
+    UnknownEmotion "LZ0702" "unknown-emotion" Warning "an emotion is neither one of the specification nor registered"
+    UnknownCharacter "LZ0703" "unknown-character" Warning "the character of an event is not registered"
+    UnknownTarget "LZ0704" "unknown-target" Warning "a character or prop that an event is aimed at is not registered"
+    UnknownAction "LZ0705" "unknown-action" Warning "the action of an event is not registered"
+    NearEvent "LZ0706" "near-event" Warning "events are nearly Character Event Syntax, and so kept as text"
 
     KeyClash "LZ0801" "key-clash" Error "two keys differ only in case or Unicode normalisation"
     DuplicateKey "LZ0802" "duplicate-key" Error "two sources have the same key"

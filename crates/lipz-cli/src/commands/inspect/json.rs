@@ -1,7 +1,7 @@
 //! What `lipz inspect --json` prints. Fields are only ever added (docs/VERSIONING.md).
 
 use lipz_bank::layout::Tag;
-use lipz_bank::{Bank, Clip, Locale};
+use lipz_bank::{Bank, Clip, Event, EventName, Locale};
 use serde::Serialize;
 
 /// The summary of a bank.
@@ -114,8 +114,28 @@ pub(super) struct SegmentJson<'d> {
     pub(super) end_frame: u32,
     pub(super) start_us: Option<u64>,
     pub(super) end_us: Option<u64>,
+    /// The event string.
     pub(super) event: Option<&'d str>,
+    /// What it says, if it is Character Event Syntax.
+    pub(super) events: Vec<EventJson<'d>>,
     pub(super) texts: Vec<TextJson<'d>>,
+}
+
+#[derive(Serialize)]
+pub(super) struct EventJson<'d> {
+    pub(super) character: Option<&'d str>,
+    pub(super) verb: &'static str,
+    pub(super) object: Option<&'d str>,
+}
+
+impl<'d> EventJson<'d> {
+    fn of(event: Event<'d>) -> Self {
+        EventJson {
+            character: event.character.map(EventName::as_str),
+            verb: event.command.verb(),
+            object: event.command.object().map(EventName::as_str),
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -133,6 +153,7 @@ impl<'d> ClipJson<'d> {
             start_us: segment.start_us(),
             end_us: segment.end_us(),
             event: segment.event(),
+            events: segment.events().map(EventJson::of).collect(),
             texts: locales
                 .iter()
                 .filter_map(|locale| Some((locale.tag(), segment.text(*locale)?)))

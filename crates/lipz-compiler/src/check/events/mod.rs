@@ -1,0 +1,89 @@
+//! The event strings of a clip's segments: kept as they are, and checked where they are Character
+//! Event Syntax or nearly so.
+
+mod names;
+mod near;
+
+use super::texts::nul;
+use crate::Registry;
+use lipz::event;
+use lipz::{Code, Diagnostic, JsonString, text};
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// Findings of one kind that one element shows in full; the rest is counted.
+const SHOWN: usize = 3;
+
+/// The trimmed event string of each segment.
+pub(super) fn trimmed(
+    string: &JsonString<'_>,
+    registry: &Registry,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Vec<Box<str>> {
+    nul(string, Code::NulInEvents, "the events contain", diagnostics);
+    let mut findings = Findings { string, registry, by_code: BTreeMap::new() };
+    let trimmed = text::segments(&string.text)
+        .map(|range| {
+            let segment = &string.text[range.clone()];
+            findings.of_segment(segment, range.start);
+            text::trim(segment).into()
+        })
+        .collect();
+    diagnostics.extend(findings.by_code.into_values().flat_map(OfCode::shown));
+    trimmed
+}
+
+/// What is wrong with the events of an element.
+struct Findings<'e> {
+    string: &'e JsonString<'e>,
+    registry: &'e Registry,
+    by_code: BTreeMap<Code, OfCode>,
+}
+
+/// The findings of one code: the first few, and how many there are.
+#[derive(Default)]
+struct OfCode {
+    first: Vec<Diagnostic>,
+    count: usize,
+}
+
+impl Findings<'_> {
+    /// Adds what is wrong in a segment, which starts at byte `start` of the element's text.
+    fn of_segment(&mut self, segment: &str, start: usize) {
+        let (string, registry) = (self.string, self.registry);
+        let span = |at: Range<usize>| string.span_of(start + at.start..start + at.end);
+        match event::parse(segment) {
+            Some(events) => {
+                for unknown in events.flat_map(|event| names::unknown(&event, registry)) {
+                    self.add(unknown.code(), || unknown.finding(span(unknown.word.range()), registry));
+                }
+            }
+            None => {
+                for near in near::near(segment, registry) {
+                    self.add(Code::NearEvent, || near.finding(span(near.at.clone())));
+                }
+            }
+        }
+    }
+
+    fn add(&mut self, code: Code, finding: impl FnOnce() -> Diagnostic) {
+        let of_code = self.by_code.entry(code).or_default();
+        of_code.count += 1;
+        if of_code.count <= SHOWN {
+            of_code.first.push(finding());
+        }
+    }
+}
+
+impl OfCode {
+    /// The findings that are shown; the last one says how many are not.
+    fn shown(mut self) -> Vec<Diagnostic> {
+        let hidden = self.count - self.first.len();
+        if hidden > 0
+            && let Some(last) = self.first.pop()
+        {
+            self.first.push(last.note(format!("{hidden} more in these events are not shown")));
+        }
+        self.first
+    }
+}

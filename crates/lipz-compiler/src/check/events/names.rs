@@ -1,0 +1,142 @@
+//! Names in events, against those that the project registers.
+
+use crate::Registry;
+use lipz::diagnostic::{show, suggest};
+use lipz::event::{EMOTIONS, Event, Word};
+use lipz::{Code, Diagnostic, Span};
+use std::collections::BTreeSet;
+
+/// Known names that a finding lists.
+const LISTED: usize = 20;
+
+/// What a word of an event is the name of.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Role {
+    Character,
+    Emotion,
+    /// A character or a prop.
+    Target,
+    Action,
+}
+
+impl Role {
+    /// The role of what follows a verb.
+    pub(super) fn of_object(verb: &str) -> Option<Role> {
+        match verb {
+            "feels" => Some(Role::Emotion),
+            "sees" | "stares" | "points" => Some(Role::Target),
+            "does" => Some(Role::Action),
+            _ => None,
+        }
+    }
+}
+
+/// The names that may play a role.
+pub(super) struct Names<'r> {
+    specified: &'static [&'static str],
+    registered: [Option<&'r BTreeSet<String>>; 2],
+    /// Whether there are no others: a target can be a character or a prop, so both must be registered.
+    is_complete: bool,
+}
+
+impl<'r> Names<'r> {
+    pub(super) fn of(role: Role, registry: &'r Registry) -> Names<'r> {
+        let (characters, props) = (registry.characters.as_ref(), registry.props.as_ref());
+        let actions = registry.actions.as_ref();
+        let (specified, registered, is_complete): (&[_], _, _) = match role {
+            Role::Character => (&[], [characters, None], characters.is_some()),
+            Role::Emotion => (&EMOTIONS, [Some(&registry.emotions), None], true),
+            Role::Target => (&[], [characters, props], characters.is_some() && props.is_some()),
+            Role::Action => (&[], [actions, None], actions.is_some()),
+        };
+        Names { specified, registered, is_complete }
+    }
+
+    /// Whether a name is spelled exactly so.
+    pub(super) fn contains(&self, name: &str) -> bool {
+        self.specified.contains(&name) || self.registered.into_iter().flatten().any(|names| names.contains(name))
+    }
+
+    /// The name that was probably meant.
+    pub(super) fn nearest(&self, written: &str) -> Option<&'r str> {
+        suggest::nearest(written, self.iter())
+    }
+
+    fn iter(&self) -> impl Iterator<Item = &'r str> {
+        let registered = self.registered.into_iter().flatten().flatten().map(String::as_str);
+        self.specified.iter().copied().chain(registered)
+    }
+
+    /// The names for people, or the start of a long list; `None` if there are none.
+    fn listed(&self) -> Option<String> {
+        let shown: Vec<_> = self.iter().take(LISTED).map(show::text).collect();
+        match self.iter().count() {
+            0 => None,
+            count if count > LISTED => Some(format!("{} and {} more", shown.join(", "), count - LISTED)),
+            _ => Some(shown.join(", ")),
+        }
+    }
+}
+
+/// A name that is not among the known ones.
+pub(super) struct Unknown<'t> {
+    role: Role,
+    pub(super) word: Word<'t>,
+}
+
+/// The names of an event that are not known although all names of their role are.
+pub(super) fn unknown<'t>(event: &Event<'t>, registry: &Registry) -> impl Iterator<Item = Unknown<'t>> + use<'t> {
+    let character = event.character.map(|word| (Role::Character, word));
+    let object = Role::of_object(event.command.verb()).zip(event.command.object());
+    let is_unknown = |(role, word): &(Role, Word<'_>)| {
+        let names = Names::of(*role, registry);
+        names.is_complete && !names.contains(word.text)
+    };
+    [character, object]
+        .map(|name| name.filter(is_unknown))
+        .into_iter()
+        .flatten()
+        .map(|(role, word)| Unknown { role, word })
+}
+
+impl Unknown<'_> {
+    pub(super) fn code(&self) -> Code {
+        match self.role {
+            Role::Character => Code::UnknownCharacter,
+            Role::Emotion => Code::UnknownEmotion,
+            Role::Target => Code::UnknownTarget,
+            Role::Action => Code::UnknownAction,
+        }
+    }
+
+    pub(super) fn finding(&self, span: Span, registry: &Registry) -> Diagnostic {
+        let (what, known, lists) = match self.role {
+            Role::Character => ("not a registered character", "registered characters", ["characters"].as_slice()),
+            Role::Emotion if registry.emotions.is_empty() => {
+                ("not an emotion of the specification", "emotions", ["emotions"].as_slice())
+            }
+            Role::Emotion => {
+                ("neither an emotion of the specification nor a registered one", "emotions", ["emotions"].as_slice())
+            }
+            Role::Target => (
+                "neither a registered character nor a registered prop",
+                "registered characters and props",
+                ["characters", "props"].as_slice(),
+            ),
+            Role::Action => ("not a registered action", "registered actions", ["actions"].as_slice()),
+        };
+        let names = Names::of(self.role, registry);
+        let headline = format!("{} is {what}", show::name(self.word.text));
+        let finding = Diagnostic::at(self.code(), span, headline).note(match names.listed() {
+            Some(listed) => format!("the {known} are {listed}"),
+            None => format!("there are no {known}"),
+        });
+        finding.help(match names.nearest(self.word.text) {
+            Some(name) => format!("did you mean {}?", show::name(name)),
+            None => {
+                let (settings, flags) = (lists.join(" or "), lists.join(" or --"));
+                format!("if your game knows it, add it to {settings} in lipz.toml, or to --{flags}")
+            }
+        })
+    }
+}

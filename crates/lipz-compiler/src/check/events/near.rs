@@ -1,0 +1,280 @@
+//! Segments that are nearly Character Event Syntax: a verb misspelt, a word too many, a `,` too many.
+//!
+//! Scripts and prose are legal, too. So a segment is reported only if it would be Character Event
+//! Syntax as a whole once its faults are corrected, and a misspelt verb is believed only where what
+//! follows confirms it: a known emotion, target or action.
+
+use super::names::{Names, Role};
+use crate::Registry;
+use lipz::diagnostic::{show, suggest};
+use lipz::event::{self, Part, Word};
+use lipz::{Code, Diagnostic, Span};
+use std::ops::Range;
+
+/// Verbs that an object follows.
+const VERBS: [&str; 5] = ["feels", "sees", "stares", "points", "does"];
+/// The verb of which the object is one of the next.
+const STOPS: &str = "stops";
+const STOPPED: [&str; 2] = ["staring", "pointing"];
+
+/// Words that stand for verbs although they are spelled otherwise.
+const OTHERWISE: [(&str, &str); 3] = [("do", "does"), ("look", "sees"), ("looks", "sees")];
+/// English verbs that are one letter from a verb of the syntax, and not meant for it.
+const NOT_MEANT: [&str; 23] = [
+    "dies", "feeds", "goes", "painting", "paints", "prints", "scares", "scaring", "seeks", "seems", "sets", "sews",
+    "shares", "sharing", "spares", "sparing", "starting", "starts", "starves", "starving", "states", "stores",
+    "storing",
+];
+/// Words that English has between verb and target, where the syntax has none.
+const PREPOSITIONS: [&str; 2] = ["at", "to"];
+
+/// Words of the longest part that is looked at: `amy points at the butler`.
+const MOST_WORDS: usize = 5;
+
+/// What keeps a part from being an event.
+pub(super) struct Near<'t> {
+    /// Where it stands, in bytes of the segment.
+    pub(super) at: Range<usize>,
+    slip: Slip<'t>,
+}
+
+enum Slip<'t> {
+    /// These words are no verb; the event that was probably meant.
+    Verb(&'t str, String),
+    /// These words are too many; the event that was probably meant.
+    Extra(&'t str, String),
+    /// Nothing stands beside this `,`.
+    Nothing,
+}
+
+/// The faults of a segment that is not Character Event Syntax, if it certainly was to be.
+pub(super) fn near<'t>(segment: &'t str, registry: &Registry) -> impl Iterator<Item = Near<'t>> {
+    let fault = |part: Part<'t>| if part.event().is_some() { None } else { near_part(part, registry) };
+    let mut has_event = false;
+    let is_near = event::parts(segment).all(|part| {
+        let fault = fault(part);
+        let is_event = fault.is_none() && part.event().is_some();
+        has_event |= is_event || fault.as_ref().is_some_and(|fault| !matches!(fault.slip, Slip::Nothing));
+        is_event || fault.is_some()
+    });
+    event::parts(segment).filter_map(fault).filter(move |_| is_near && has_event)
+}
+
+/// The fault of a part that is no event.
+fn near_part<'t>(part: Part<'t>, registry: &Registry) -> Option<Near<'t>> {
+    let words: Vec<Word<'t>> = part.words().take(MOST_WORDS + 1).collect();
+    if words.is_empty() {
+        let separator = part.start.checked_sub(1).unwrap_or(part.text.len());
+        return Some(Near { at: separator..separator + 1, slip: Slip::Nothing });
+    }
+    if words.len() > MOST_WORDS || !words.iter().all(|word| is_plain(word.text)) {
+        return None;
+    }
+    // The verb is the first word or, behind a character, the second.
+    let speaker = Reading { part, character: None, registry };
+    speaker.near(&words).or_else(|| {
+        let (character, rest) = words.split_first()?;
+        Reading { character: Some(*character), ..speaker }.near(rest)
+    })
+}
+
+/// Whether a word is a name or a verb, rather than part of a script or the end of a sentence.
+fn is_plain(word: &str) -> bool {
+    word.starts_with(char::is_alphanumeric) && word.chars().all(|c| c.is_alphanumeric() || "-_'’".contains(c))
+}
+
+/// A part, read as an event of a character.
+#[derive(Clone, Copy)]
+struct Reading<'t, 'r> {
+    part: Part<'t>,
+    character: Option<Word<'t>>,
+    registry: &'r Registry,
+}
+
+impl<'t> Reading<'t, '_> {
+    /// The fault if `words` are nearly a verb and what belongs to it.
+    fn near(self, words: &[Word<'t>]) -> Option<Near<'t>> {
+        match words {
+            [verb, object] if is_nearly(verb.text, STOPS) => self.stops(*verb, *object),
+            [verb, object] => self.misspelt(*verb, *object),
+            [verb, between @ .., object] => self.too_many_words(*verb, between, *object),
+            _ => None,
+        }
+    }
+
+    /// `stop staring`
+    fn stops(self, written: Word<'t>, object: Word<'t>) -> Option<Near<'t>> {
+        let stopped = STOPPED.into_iter().find(|stopped| is_nearly(object.text, stopped))?;
+        Some(self.fault(written.start..object.range().end, Slip::Verb, STOPS, stopped))
+    }
+
+    /// `feel sad`
+    fn misspelt(self, written: Word<'t>, object: Word<'t>) -> Option<Near<'t>> {
+        let verb = verb(written.text)?;
+        let names = Names::of(Role::of_object(verb)?, self.registry);
+        let is_certain = written.text.eq_ignore_ascii_case(verb) || names.contains(object.text);
+        let object = if is_certain { object.text } else { names.nearest(object.text)? };
+        Some(self.fault(written.range(), Slip::Verb, verb, object))
+    }
+
+    /// `points at door`, `feels very sad`
+    fn too_many_words(self, written: Word<'t>, between: &[Word<'t>], object: Word<'t>) -> Option<Near<'t>> {
+        let (first, last) = (between.first()?, between.last()?);
+        let verb = verb(written.text)?;
+        let is_verb = written.text == verb;
+        let is_known = Names::of(Role::of_object(verb)?, self.registry).contains(object.text);
+        // Without names that confirm it, only what nobody would say about someone: `points at door`.
+        let is_english = is_verb && between.len() == 1 && PREPOSITIONS.contains(&first.text);
+        let is_certain = is_known || (is_english && self.character.is_none());
+        let (start, slip): (_, fn(_, _) -> _) =
+            if is_verb { (first.start, Slip::Extra) } else { (written.start, Slip::Verb) };
+        is_certain.then(|| self.fault(start..last.range().end, slip, verb, object.text))
+    }
+
+    fn fault(self, at: Range<usize>, slip: fn(&'t str, String) -> Slip<'t>, verb: &str, object: &str) -> Near<'t> {
+        let words = &self.part.text[at.start - self.part.start..at.end - self.part.start];
+        let meant = match self.character {
+            Some(character) => format!("{} {verb} {object}", character.text),
+            None => format!("{verb} {object}"),
+        };
+        Near { at, slip: slip(words, meant) }
+    }
+}
+
+/// The verb with an object that a word is, or that was meant by it.
+fn verb(word: &str) -> Option<&'static str> {
+    match OTHERWISE.iter().find(|(written, _)| word.eq_ignore_ascii_case(written)) {
+        Some((_, verb)) => Some(verb),
+        None => VERBS.into_iter().find(|verb| is_nearly(word, verb)),
+    }
+}
+
+/// Whether a word is the verb, but for case and one letter.
+fn is_nearly(word: &str, verb: &str) -> bool {
+    let is_meant = || !NOT_MEANT.iter().any(|other| word.eq_ignore_ascii_case(other));
+    suggest::distance(word, verb).is_some_and(|distance| distance <= 1) && is_meant()
+}
+
+impl Near<'_> {
+    pub(super) fn finding(&self, span: Span) -> Diagnostic {
+        let did_you_mean = |meant: &str| format!("did you mean {}?", show::name(meant));
+        let (headline, help) = match &self.slip {
+            Slip::Verb(words, meant) => {
+                (format!("{} is not a verb of Character Event Syntax", show::name(words)), did_you_mean(meant))
+            }
+            Slip::Extra(words, meant) => {
+                (format!("{} stands between a verb and its object", show::name(words)), did_you_mean(meant))
+            }
+            Slip::Nothing => ("an event is missing beside this `,`".to_owned(), "remove the `,`".to_owned()),
+        };
+        Diagnostic::at(Code::NearEvent, span, headline)
+            .note("all of the segment is kept as text: games see no events in it")
+            .help(help)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    fn registry() -> Registry {
+        let names = |names: &str| Some(names.split(' ').map(str::to_owned).collect::<BTreeSet<_>>());
+        Registry {
+            characters: names("amy rob"),
+            props: names("door lamp"),
+            actions: names("wave"),
+            ..Registry::default()
+        }
+    }
+
+    /// What is marked in a segment, and what was meant by it.
+    fn faults<'t>(segment: &'t str, registry: &Registry) -> Vec<(&'t str, String)> {
+        let meant = |slip| match slip {
+            Slip::Verb(_, meant) | Slip::Extra(_, meant) => meant,
+            Slip::Nothing => String::new(),
+        };
+        near(segment, registry).map(|near| (&segment[near.at], meant(near.slip))).collect()
+    }
+
+    #[test]
+    fn what_is_nearly_an_event() {
+        let cases = [
+            ("feel sad", "feel", "feels sad"),
+            ("amy  feals happy ", "feals", "amy feels happy"),
+            ("feals hapy", "feals", "feels happy"),
+            ("Feels  jealous", "Feels", "feels jealous"),
+            ("amy Sees mayor", "Sees", "amy sees mayor"),
+            ("stop staring", "stop staring", "stops staring"),
+            ("amy stops pionting", "stops pionting", "amy stops pointing"),
+            ("feels very sad", "very", "feels sad"),
+            ("points at butler", "at", "points butler"),
+        ];
+        let with_names = [
+            ("stare door", "stare", "stares door"),
+            ("amy pionts lampe", "pionts", "amy points lamp"),
+            ("do wave", "do", "does wave"),
+            ("amy looks at rob", "looks at", "amy sees rob"),
+            ("amy points at the door", "at the", "amy points door"),
+        ];
+        for (segment, at, meant) in cases {
+            assert_eq!(faults(segment, &Registry::default()), [(at, meant.to_owned())], "{segment}");
+        }
+        for (segment, at, meant) in cases.into_iter().chain(with_names) {
+            assert_eq!(faults(segment, &registry()), [(at, meant.to_owned())], "{segment}");
+        }
+    }
+
+    #[test]
+    fn what_some_other_syntax_is_left_to() {
+        let segments = [
+            "pointAt(butler)",
+            "feel(sad)",
+            "feel sad()",
+            "if feel == sad then",
+            "-- feel sad",
+            "say(\"amy feel sad, rob feel happy\")",
+            "feels sad, playSound(3)",
+            "feel sad, ring bell",
+            "amy feeds rob",
+            "amy scares rob",
+            "amy goes wave",
+            "stops sharing",
+            "stops crying",
+            "we feel fine",
+            "She points at him",
+            "They see the light.",
+            "Points at the door.",
+            "nod",
+            "bow, look-at mayor",
+            ",",
+            "a,",
+            "",
+        ];
+        for segment in segments {
+            assert_eq!(faults(segment, &Registry::default()), [], "{segment}");
+            assert_eq!(faults(segment, &registry()), [], "{segment}");
+        }
+    }
+
+    #[test]
+    fn one_part_of_several() {
+        let fault = |at, meant: &str| (at, meant.to_owned());
+        let of = |segment| faults(segment, &Registry::default());
+        assert_eq!(of("feels sad, amy feel happy"), [fault("feel", "amy feels happy")]);
+        assert_eq!(of("feel sad,Feels happy"), [fault("feel", "feels sad"), fault("Feels", "feels happy")]);
+        assert_eq!(of("feels sad, "), [fault(",", "")]);
+        assert_eq!(of(",feels sad"), [fault(",", "")]);
+        assert_eq!(of("日本 feels sad,,stops staring"), [fault(",", "")]);
+    }
+
+    /// No word stands in the list that would not be taken for a verb without it.
+    #[test]
+    fn other_verbs_are_near() {
+        for word in NOT_MEANT {
+            let all = VERBS.iter().chain(&STOPPED);
+            let nearest = all.filter_map(|verb| suggest::distance(word, verb)).min();
+            assert_eq!((nearest, verb(word)), (Some(1), None), "{word}");
+        }
+    }
+}

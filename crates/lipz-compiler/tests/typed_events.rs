@@ -1,0 +1,76 @@
+//! The typed events of a bank are those that its event strings parse to.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
+
+mod support;
+
+use lipz::event;
+use lipz_bank::{Bank, EventName, Segment};
+use lipz_compiler::{Input, Options, compile};
+use proptest::prelude::*;
+use std::collections::BTreeSet;
+
+/// Character, verb and object of an event, from either side.
+type Parts<'e> = (Option<&'e str>, &'static str, Option<&'e str>);
+
+fn stored<'d>(segment: &Segment<'d, '_>) -> Vec<Parts<'d>> {
+    let name = |name: Option<EventName<'d>>| name.map(EventName::as_str);
+    let parts =
+        |event: lipz_bank::Event<'d>| (name(event.character), event.command.verb(), name(event.command.object()));
+    segment.events().map(parts).collect()
+}
+
+fn parsed(string: &str) -> Vec<Parts<'_>> {
+    let events = event::parse(string).into_iter().flatten();
+    events
+        .map(|event| {
+            let [character, object] = [event.character, event.command.object()].map(|word| word.map(|word| word.text));
+            (character, event.command.verb(), object)
+        })
+        .collect()
+}
+
+/// Compares all events of a bank with its strings; returns how many there are.
+fn compare(bytes: &[u8]) -> usize {
+    let bank = Bank::open(bytes).and_then(Bank::verify).unwrap();
+    let (mut count, mut names) = (0, BTreeSet::new());
+    for segment in bank.clips().flat_map(|clip| clip.segments()) {
+        let events = stored(&segment);
+        assert_eq!(events, parsed(segment.event().unwrap_or_default()));
+        count += events.len();
+        names.extend(events.iter().flat_map(|(character, _, object)| [*character, *object]).flatten());
+    }
+    // Names are numbered in their order, without gaps, and none is there that no event mentions.
+    for (name, number) in names.iter().zip(0..) {
+        assert_eq!(bank.event_name(name).map(EventName::id), Some(number), "{names:?}");
+    }
+    let sections: Vec<_> = bank.sections().filter(|(tag, _)| *tag == lipz_bank::layout::Tag::EVENT_NAMES).collect();
+    assert_eq!(sections[0].1.len(), names.len() * size_of::<lipz_bank::layout::EventNameRecord>());
+    count
+}
+
+#[test]
+fn the_drama() {
+    let inputs: Vec<_> =
+        support::files("drama").into_iter().map(|(key, bytes)| Input::from_bytes(&key, bytes)).collect();
+    let bank = compile(&inputs, &Options::default(), &|_| {}).bank.unwrap();
+    assert!(compare(&bank) > 100);
+}
+
+/// One part of an event string: an event, or something that is nearly one, or none at all.
+fn part() -> impl Strategy<Value = String> {
+    let word = "amy|rob|door|sad|feels|stops|staring|日本|é|x";
+    let words = proptest::collection::vec(word, 0..5).prop_map(|words| words.join(" "));
+    let event = ("(amy |rob |feels )?", "feels|sees|stares|points|does", word)
+        .prop_map(|(character, verb, object)| format!("{character}{verb} {object}"));
+    prop_oneof![8 => event, 2 => "(日本 )?stops (staring|pointing)", 1 => words, 1 => "[ !(-9;-@_]{0,6}"]
+}
+
+proptest! {
+    #[test]
+    fn generated_events(segments in proptest::collection::vec(proptest::collection::vec(part(), 1..4), 1..6)) {
+        let strings: Vec<String> = segments.iter().map(|parts| parts.join(",")).collect();
+        let file = format!(r#"{{ "events": "{}" }}"#, strings.join("|"));
+        let inputs = ["a", "b"].map(|key| Input::from_bytes(key, file.clone()));
+        compare(&compile(&inputs, &Options::default(), &|_| {}).bank.unwrap());
+    }
+}
