@@ -1,6 +1,6 @@
 //! The command line: the list of commands. Each one's arguments and help stand beside its work.
 
-use crate::commands::{check, inspect, pack, unpack, verify};
+use crate::commands::{check, ids, inspect, pack, unpack, verify};
 use clap::{Parser, Subcommand};
 use std::ffi::OsString;
 
@@ -23,6 +23,7 @@ impl Arguments {
         match &arguments.command {
             Command::Pack(pack) => pack.sources.validate()?,
             Command::Check(check) => check.sources.validate()?,
+            Command::Ids(ids) => ids.validate()?,
             Command::Unpack(_) | Command::Verify(_) | Command::Inspect(_) => {}
         }
         Ok(arguments)
@@ -36,4 +37,5 @@ pub(crate) enum Command {
     Unpack(unpack::Unpack),
     Verify(verify::Verify),
     Inspect(inspect::Inspect),
+    Ids(ids::Ids),
 }

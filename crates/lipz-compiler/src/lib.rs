@@ -35,6 +35,7 @@ mod check;
 mod clip;
 mod compile;
 mod discover;
+pub mod ids;
 mod input;
 pub mod key;
 mod localise;

@@ -1,6 +1,7 @@
 //! The commands, one file each.
 
 pub(crate) mod check;
+pub(crate) mod ids;
 pub(crate) mod inspect;
 pub(crate) mod pack;
 pub(crate) mod unpack;

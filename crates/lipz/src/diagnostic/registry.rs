@@ -96,6 +96,8 @@ codes! {
     OutputFailed "LZ0904" "output-failed" Error "an output cannot be written"
     SourceDamaged "LZ0905" "source-damaged" Error "a bank's source section cannot be decoded"
     WouldOverwrite "LZ0906" "would-overwrite" Error "an output file is there already"
+
+    IdentifierClash "LZ1201" "identifier-clash" Error "two keys have the same identifier in a program"
 }
 
 impl fmt::Display for Code {
