@@ -34,6 +34,7 @@
 mod check;
 mod clip;
 mod compile;
+mod depend;
 mod discover;
 pub mod ids;
 mod input;
@@ -48,6 +49,7 @@ mod source_record;
 mod unpack;
 
 pub use compile::{Compiled, Phases, Progress, check_all, compile};
+pub use depend::{dependencies, depfile};
 pub use discover::discover;
 pub use input::{Content, Input};
 pub use options::{Levels, Options, Registry, TextLimits};

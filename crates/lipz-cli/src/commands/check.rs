@@ -27,5 +27,5 @@ pub(crate) fn run(arguments: &Check) -> Outcome {
     if sources.quiet {
         return Outcome::Clean;
     }
-    console::print(&format!("{} checked\n", console::counted(run.file_count, "file")))
+    console::print(&format!("{} checked\n", console::counted(run.inputs.len(), "file")))
 }

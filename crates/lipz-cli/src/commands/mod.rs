@@ -23,12 +23,12 @@ fn with_inputs(sources: &Sources, options: &Options, work: fn(&[Input], &Options
     bar.finish_and_clear();
     reports.append(&mut compiled.reports);
     reports.sort_by(|a, b| a.source.path.cmp(&b.source.path));
-    Run { file_count: inputs.len(), reports, compiled, discover }
+    Run { inputs, reports, compiled, discover }
 }
 
 /// What a run over source files gave.
 struct Run {
-    file_count: usize,
+    inputs: Vec<Input>,
     reports: Vec<Report>,
     compiled: Compiled,
     discover: Duration,
@@ -37,6 +37,6 @@ struct Run {
 impl Run {
     /// How a run with findings at error level ends: without a single input, the tool could not run.
     fn failure(&self) -> Outcome {
-        if self.file_count == 0 { Outcome::Failed } else { Outcome::Findings }
+        if self.inputs.is_empty() { Outcome::Failed } else { Outcome::Findings }
     }
 }

@@ -5,7 +5,7 @@ use crate::sources::Sources;
 use crate::{Outcome, console, render};
 use clap::Args;
 use lipz::Level;
-use lipz_compiler::{Options, compile, count, replace_file};
+use lipz_compiler::{Options, compile, count, dependencies, depfile, replace_file};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
@@ -30,6 +30,10 @@ pub(crate) struct Pack {
     #[arg(long)]
     pub(crate) strip: bool,
 
+    /// Also write what the bank depends on, for Make, Ninja and CMake
+    #[arg(long, value_name = "FILE")]
+    pub(crate) depfile: Option<PathBuf>,
+
     /// Print where the time went
     #[arg(long)]
     pub(crate) timings: bool,
@@ -48,10 +52,17 @@ pub(crate) fn run(arguments: &Pack) -> Outcome {
         render::findings(&[report]);
         return Outcome::Failed;
     }
+    if let Some(path) = &arguments.depfile {
+        let dependencies = dependencies(&arguments.sources.sources, &run.inputs);
+        if let Err(report) = replace_file(path, &depfile(&arguments.output, &dependencies)) {
+            render::findings(&[report]);
+            return Outcome::Failed;
+        }
+    }
     let write = start.elapsed();
     let mut text = String::new();
     if !arguments.sources.quiet {
-        let (clips, bytes) = (console::counted(run.file_count, "clip"), console::grouped(bank.len()));
+        let (clips, bytes) = (console::counted(run.inputs.len(), "clip"), console::grouped(bank.len()));
         text = format!("{clips} packed into {} ({bytes} bytes)\n", console::path(&arguments.output));
     }
     if arguments.timings {
