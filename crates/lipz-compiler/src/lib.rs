@@ -4,33 +4,23 @@
 //! phase reports what it finds and goes on, so that one run shows all problems of all files; a bank
 //! is made only if none of them is an error. [`unpack`] goes the other way.
 //!
-//! A build script packs a folder like this:
+//! A build script packs a folder with [`Build`], which puts the bank and a constant for each clip
+//! where the program finds them:
 //!
 //! ```no_run
-//! use lipz_compiler::{Options, compile, discover, replace_file};
-//! use std::path::{Path, PathBuf};
-//!
-//! let sources = PathBuf::from("voices");
-//! println!("cargo::rerun-if-changed={}", sources.display());
-//! let (inputs, mut reports) = discover(&[sources], None);
-//! let mut compiled = compile(&inputs, &Options::default(), &|_| {});
-//! reports.append(&mut compiled.reports);
-//! for report in &reports {
-//!     for found in &report.diagnostics {
-//!         let place = report.source.line_column(found.start());
-//!         let (path, line, headline) = (&report.source.path, place.line, &found.headline);
-//!         println!("cargo::warning={path}:{line}: {}: {headline} ({})", found.level, found.code);
-//!     }
+//! // build.rs
+//! fn main() -> Result<(), lipz_compiler::BuildFailed> {
+//!     lipz_compiler::Build::new("voices").run()
 //! }
-//! let bank = compiled.bank.expect("findings at error level");
-//! let output = Path::new(&std::env::var("OUT_DIR").expect("set by cargo")).join("dialogue.lipzbank");
-//! replace_file(&output, &bank).expect("the bank cannot be written");
 //! ```
 //!
-//! What is not here: printing, settings files and exit codes (`lipz-cli`); other tools' formats.
+//! Everything else returns values and [`Report`]s, and leaves it to the caller what to do with them.
+//!
+//! What is not here: printing (but for [`Build`]), settings files and exit codes (`lipz-cli`); other tools' formats.
 // Sizes are checked where they enter (`fit`); casts below are of numbers known to be small.
 #![allow(clippy::cast_possible_truncation)]
 
+mod build;
 mod check;
 mod clip;
 mod compile;
@@ -48,6 +38,7 @@ mod report;
 mod source_record;
 mod unpack;
 
+pub use build::{Build, BuildFailed};
 pub use compile::{Compiled, Phases, Progress, check_all, compile};
 pub use depend::{dependencies, depfile};
 pub use discover::discover;
