@@ -6,7 +6,7 @@ mod support;
 use std::fs;
 use support::{lipz, repository, tree, write};
 
-const COMMANDS: [&str; 5] = ["pack", "check", "unpack", "verify", "inspect"];
+const COMMANDS: [&str; 6] = ["pack", "check", "unpack", "verify", "inspect", "ids"];
 
 #[test]
 fn help_of_each_command_shows_an_example() {
@@ -99,6 +99,7 @@ fn quiet_runs_print_findings_only() {
         &["pack", "voices", "-o", "b.lipzbank", "--quiet"],
         &["verify", "b.lipzbank", "--quiet"],
         &["unpack", "b.lipzbank", "-o", "out", "--quiet"],
+        &["ids", "b.lipzbank", "--lang", "c", "-o", "ids.h", "--quiet"],
     ] {
         let outcome = lipz(folder, arguments);
         assert_eq!((outcome.code, outcome.stdout.as_str(), outcome.stderr.as_str()), (0, "", ""), "{arguments:?}");

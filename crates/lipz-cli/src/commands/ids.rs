@@ -14,13 +14,14 @@ use lipz_compiler::{Report, compile, count, replace_file};
 use std::path::{Path, PathBuf};
 
 /// Write the ids of clips as constants for programs, so that a misspelt key does not compile.
+///
+/// SOURCES are Lipz files, which are checked and packed in memory, or one bank (.lipzbank).
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz ids dialogue.lipzbank --lang c -o dialogue_ids.h
   lipz ids voices --lang csharp --prefix Game.Dialogue -o DialogueIds.cs
   lipz ids voices --lang json")]
 pub(crate) struct Ids {
-    /// What the ids are of: the Lipz files of a project, or a bank (`.lipzbank`) alone
     #[command(flatten)]
     pub(crate) sources: Sources,
 

@@ -56,9 +56,6 @@ fn message(source: &Source, found: &Diagnostic) -> String {
         message.push_str(": ");
     }
     let _ = write!(message, "{} [{}]", found.headline, found.code);
-    if let Some(label) = found.primary.as_ref().filter(|label| !label.text.is_empty()) {
-        let _ = write!(message, "; {}", label.text);
-    }
     // Notes that start with a blank are rows of a table, which makes no sense on one line.
     for note in found.notes.iter().filter(|note| !note.starts_with(' ')) {
         let _ = write!(message, "; note: {note}");

@@ -53,23 +53,23 @@ fn number(c: char) -> String {
 
 /// `MARA_GOOD_EVENING`.
 pub(super) fn upper_snake(words: &[String]) -> String {
-    finished(words.iter().map(|word| word.to_uppercase()).collect::<Vec<_>>().join("_"))
+    finished(&words.iter().map(|word| word.to_uppercase()).collect::<Vec<_>>().join("_"))
 }
 
 /// `mara_good_evening`.
 pub(super) fn snake(words: &[String]) -> String {
-    finished(words.iter().map(|word| word.to_lowercase()).collect::<Vec<_>>().join("_"))
+    finished(&words.iter().map(|word| word.to_lowercase()).collect::<Vec<_>>().join("_"))
 }
 
 /// `MaraGoodEvening`.
 pub(super) fn pascal(words: &[String]) -> String {
-    finished(humped(String::new(), words))
+    finished(&humped(String::new(), words))
 }
 
 /// `maraGoodEvening`.
 pub(super) fn camel(words: &[String]) -> String {
     match words {
-        [first, rest @ ..] => finished(humped(first.to_lowercase(), rest)),
+        [first, rest @ ..] => finished(&humped(first.to_lowercase(), rest)),
         [] => String::new(),
     }
 }
@@ -87,8 +87,10 @@ fn humped(mut name: String, words: &[String]) -> String {
     name
 }
 
-/// The name with `_` in front if it cannot start an identifier.
-fn finished(name: String) -> String {
+/// The name with `_` in front if it cannot start an identifier; composed, as compilers compare names
+/// (UAX 31, NFC).
+fn finished(name: &str) -> String {
+    let name: String = name.nfc().collect();
     if name.starts_with(is_xid_start) { name } else { format!("_{name}") }
 }
 
@@ -142,6 +144,24 @@ mod tests {
         assert_eq!(camel(&words("2nd take")), "_2ndTake");
         assert_eq!(snake(&words("straßeÄrger")), "straße_ärger");
         assert_eq!(upper_snake(&words("straße")), "STRASSE");
+    }
+
+    fn is_identifier(name: &str) -> bool {
+        let mut chars = name.chars();
+        chars.next().is_some_and(|c| c == '_' || is_xid_start(c)) && chars.all(is_xid_continue)
+    }
+
+    proptest::proptest! {
+        #[test]
+        fn whatever_a_part_contains_it_becomes_an_identifier(part in "\\PC{1,12}|[a-zA-Z0-9_ .!ßÄéǆŉİ·ः-]{1,12}") {
+            let words = words(&part);
+            for join in [upper_snake, snake, pascal, camel] {
+                let name = join(&words);
+                proptest::prop_assert!(is_identifier(&name) && name != "_", "{part:?}: {name:?}");
+                let plain: Vec<String> = words.iter().map(|word| ascii(word)).collect();
+                proptest::prop_assert!(is_identifier(&join(&plain)) && join(&plain).is_ascii(), "{part:?}: {plain:?}");
+            }
+        }
     }
 
     #[test]
