@@ -1,7 +1,7 @@
 //! What a bank depends on: for build engines, which run the compiler again when it changes.
 
 use crate::{Content, Input, discover};
-use std::io::Write;
+use std::iter;
 use std::path::{Path, PathBuf};
 use walkdir::WalkDir;
 
@@ -51,27 +51,51 @@ pub fn depfile(target: &Path, dependencies: &[PathBuf]) -> Vec<u8> {
     }
     file.push(b'\n');
     for name in &names {
-        let _ = file.write_all(b"\n").and_then(|()| file.write_all(name)).and_then(|()| file.write_all(b":\n"));
+        file.push(b'\n');
+        file.extend_from_slice(name);
+        file.extend_from_slice(b":\n");
     }
     file
 }
 
-/// The path as Make reads it: `\` before blanks and `#`, `$` doubled, and backslashes doubled where
-/// they stand before a blank. Blanks of other kinds and line breaks have no spelling.
+/// The path as Make reads it: `\` before blanks and `#`, with backslashes before these doubled, and `$`
+/// doubled. Line breaks have no spelling.
 fn escaped(path: &Path) -> Vec<u8> {
-    let mut name = Vec::new();
-    let mut backslashes = 0;
+    let mut name: Vec<u8> = Vec::new();
     for &byte in path.as_os_str().as_encoded_bytes() {
         match byte {
             b'\\' if cfg!(windows) => name.push(b'/'),
             b' ' | b'#' => {
-                name.extend(std::iter::repeat_n(b'\\', backslashes + 1));
+                let backslashes = name.iter().rev().take_while(|&&before| before == b'\\').count();
+                name.extend(iter::repeat_n(b'\\', backslashes + 1));
                 name.push(byte);
             }
             b'$' => name.extend_from_slice(b"$$"),
             _ => name.push(byte),
         }
-        backslashes = if byte == b'\\' { backslashes + 1 } else { 0 };
     }
     name
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn patterns_are_watched_from_their_first_wildcard() {
+        let folder = tempfile::tempdir().unwrap();
+        let literal = folder.path().join("[act 1]");
+        std::fs::create_dir(&literal).unwrap();
+        let sources = ["voices/act?/**/*.lipz", "*.lipz", "./voices/", "no/where.lipz"].map(PathBuf::from);
+        assert_eq!(watched(&sources), ["voices", ".", "voices", "no/where.lipz"].map(PathBuf::from));
+        assert_eq!(watched(std::slice::from_ref(&literal)), [literal], "a folder with the name of a pattern");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn names_are_escaped_for_make() {
+        for (path, expected) in [("a b", "a\\ b"), ("a\\ b", "a\\\\\\ b"), ("#$\\", "\\#$$\\"), ("é", "é")] {
+            assert_eq!(escaped(Path::new(path)), expected.as_bytes(), "{path}");
+        }
+    }
 }

@@ -23,7 +23,7 @@ use std::{env, fmt};
 /// `dialogue.lipzbank`, and `dialogue.rs` with a constant per clip and per locale (see [`ids`]). The
 /// program takes them from there:
 ///
-/// ```ignore
+/// ```text
 /// static BANK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/dialogue.lipzbank"));
 ///
 /// mod dialogue {
