@@ -1,6 +1,6 @@
 //! The command line: the list of commands. Each one's arguments and help stand beside its work.
 
-use crate::commands::{check, completions, diff, init, inspect, man, pack, schema, stats, unpack, verify};
+use crate::commands::{check, completions, diff, ids, init, inspect, man, pack, schema, stats, unpack, verify};
 use clap::{Parser, Subcommand};
 use colorchoice_clap::Color;
 
@@ -33,4 +33,5 @@ pub(crate) enum Command {
     Schema(schema::Schema),
     Completions(completions::Completions),
     Man(man::ManPages),
+    Ids(ids::Ids),
 }

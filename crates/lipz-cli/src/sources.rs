@@ -59,8 +59,17 @@ pub(crate) struct ProjectArguments {
 pub(crate) struct Project {
     /// The settings.
     pub(crate) settings: Settings,
-    /// The file that they come from, if it was found in another folder than the current one.
-    pub(crate) found: Option<PathBuf>,
+    /// The file that they come from.
+    pub(crate) file: Option<PathBuf>,
+    /// Whether the command line names the file.
+    is_named: bool,
+}
+
+impl Project {
+    /// The settings file, if it was found in another folder than the current one.
+    pub(crate) fn found(&self) -> Option<&Path> {
+        self.file.as_deref().filter(|file| !self.is_named && *file != Path::new(FILE_NAME))
+    }
 }
 
 impl Sources {
@@ -72,6 +81,11 @@ impl Sources {
             project.settings.root.clone_from(&self.root);
         }
         Ok(project)
+    }
+
+    /// The paths that the command line names.
+    pub(crate) fn paths(&self) -> &[PathBuf] {
+        &self.sources
     }
 
     /// Whether to show findings only.
@@ -108,8 +122,7 @@ impl ProjectArguments {
             let message = format!("the locale '{tag}' does not have the form ll-cc");
             return Err(usage_error(ErrorKind::ArgumentConflict, &message, tip));
         }
-        let found = file.filter(|file| self.config.is_none() && file != Path::new(FILE_NAME));
-        Ok(Project { settings, found })
+        Ok(Project { settings, file, is_named: self.config.is_some() })
     }
 
     /// The settings file: the one that is named; otherwise that of the first source, wherever the

@@ -105,6 +105,7 @@ fn quiet_runs_print_findings_only() {
         &["pack", "voices", "-o", "b.lipzbank", "--quiet"],
         &["verify", "b.lipzbank", "--quiet"],
         &["unpack", "b.lipzbank", "-o", "out", "--quiet"],
+        &["ids", "b.lipzbank", "--lang", "c", "-o", "ids.h", "--quiet"],
     ] {
         let outcome = lipz(folder, arguments);
         assert_eq!((outcome.code, outcome.stdout.as_str(), outcome.stderr.as_str()), (0, "", ""), "{arguments:?}");

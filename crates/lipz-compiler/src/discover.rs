@@ -50,6 +50,16 @@ pub(crate) fn plain(path: &Path) -> PathBuf {
     if plain.as_os_str().is_empty() { PathBuf::from(".") } else { plain }
 }
 
+/// Whether a source that does not exist by this name is a glob pattern.
+pub(crate) fn is_pattern(source: &str) -> bool {
+    source.contains(['*', '?', '['])
+}
+
+/// The longest part of a pattern without wildcards.
+pub(crate) fn base(pattern: &str) -> PathBuf {
+    Path::new(pattern).components().take_while(|part| !is_pattern(&part.as_os_str().to_string_lossy())).collect()
+}
+
 struct Found {
     path: PathBuf,
     key: String,
@@ -71,7 +81,7 @@ impl Discovery<'_> {
             Ok(metadata) if metadata.is_dir() => self.folder(source),
             Ok(_) => self.file(source.to_owned(), source.parent().unwrap_or(Path::new(""))),
             Err(error) => match source.to_str() {
-                Some(pattern) if pattern.contains(['*', '?', '[']) => self.pattern(pattern),
+                Some(pattern) if is_pattern(pattern) => self.pattern(pattern),
                 _ => self.reports.push(unreadable(source, &error)),
             },
         }
@@ -113,10 +123,7 @@ impl Discovery<'_> {
                 return;
             }
         };
-        let base: PathBuf = Path::new(pattern)
-            .components()
-            .take_while(|part| !part.as_os_str().to_string_lossy().contains(['*', '?', '[']))
-            .collect();
+        let base = base(pattern);
         for path in paths {
             match path {
                 Ok(path) if path.is_file() && is_lipz(&path) => self.file(path, &base),

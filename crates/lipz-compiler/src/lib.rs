@@ -5,40 +5,31 @@
 //! is made only if none of them is an error. [`unpack`] goes the other way, [`diff`](mod@diff) compares two
 //! banks.
 //!
-//! A build script packs a folder like this:
+//! A build script packs a folder with [`Build`], which puts the bank and a constant for each clip
+//! where the program finds them:
 //!
 //! ```no_run
-//! use lipz_compiler::{Options, compile, discover, replace_file};
-//! use std::path::{Path, PathBuf};
-//!
-//! let sources = PathBuf::from("voices");
-//! println!("cargo::rerun-if-changed={}", sources.display());
-//! let (inputs, mut reports) = discover(&[sources], None);
-//! let mut compiled = compile(&inputs, &Options::default(), &|_| {});
-//! reports.append(&mut compiled.reports);
-//! for report in &reports {
-//!     for found in &report.diagnostics {
-//!         let place = report.source.line_column(found.start());
-//!         let (path, line, headline) = (&report.source.path, place.line, &found.headline);
-//!         println!("cargo::warning={path}:{line}: {}: {headline} ({})", found.level, found.code);
-//!     }
+//! // build.rs
+//! fn main() -> Result<(), lipz_compiler::BuildFailed> {
+//!     lipz_compiler::Build::new("voices").run()
 //! }
-//! let bank = compiled.bank.expect("findings at error level");
-//! let output = Path::new(&std::env::var("OUT_DIR").expect("set by cargo")).join("dialogue.lipzbank");
-//! replace_file(&output, &bank).expect("the bank cannot be written");
 //! ```
 //!
-//! [`settings::Settings`] reads what a project decides from its `lipz.toml`.
+//! [`settings::Settings`] reads what a project decides from its `lipz.toml`. Everything but [`Build`]
+//! returns values and [`Report`]s, and leaves it to the caller what to do with them.
 //!
-//! What is not here: printing and exit codes (`lipz-cli`); other tools' formats.
+//! What is not here: printing (but for [`Build`]) and exit codes (`lipz-cli`); other tools' formats.
 // Sizes are checked where they enter (`fit`); casts below are of numbers known to be small.
 #![allow(clippy::cast_possible_truncation)]
 
+mod build;
 mod check;
 mod clip;
 mod compile;
+mod depend;
 pub mod diff;
 mod discover;
+pub mod ids;
 mod input;
 pub mod key;
 mod levels;
@@ -54,7 +45,9 @@ mod split;
 pub mod stats;
 mod unpack;
 
+pub use build::{Build, BuildFailed};
 pub use compile::{Compiled, Phases, Progress, check_all, compile};
+pub use depend::{dependencies, depfile};
 pub use discover::discover;
 pub use input::{Content, Input};
 pub use options::{Levels, Options, Registry, TextLimits};

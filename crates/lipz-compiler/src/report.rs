@@ -14,7 +14,12 @@ pub struct Report {
 impl Report {
     /// One finding about a file as a whole.
     pub fn about(path: impl Into<String>, diagnostic: Diagnostic) -> Report {
-        Report { source: Source { path: path.into(), text: String::new() }, diagnostics: vec![diagnostic] }
+        Report::all_about(path, vec![diagnostic])
+    }
+
+    /// Findings about a file as a whole.
+    pub fn all_about(path: impl Into<String>, diagnostics: Vec<Diagnostic>) -> Report {
+        Report { source: Source { path: path.into(), text: String::new() }, diagnostics }
     }
 
     /// A finding with a whole-file headline and a help line.

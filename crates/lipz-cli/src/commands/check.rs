@@ -32,5 +32,5 @@ pub(crate) fn run(arguments: &Check) -> Outcome {
     if quiet {
         return Outcome::Clean;
     }
-    console::print(&format!("{} checked\n", console::counted(run.file_count, "file")))
+    console::print(&format!("{} checked\n", console::counted(run.inputs.len(), "file")))
 }

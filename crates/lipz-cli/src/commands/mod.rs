@@ -4,6 +4,7 @@ pub(crate) mod check;
 pub(crate) mod completions;
 pub(crate) mod diff;
 mod either;
+pub(crate) mod ids;
 pub(crate) mod init;
 pub(crate) mod inspect;
 pub(crate) mod man;
@@ -33,7 +34,7 @@ fn with_inputs(settings: &Settings, quiet: bool, work: Work) -> Run {
     bar.finish_and_clear();
     reports.append(&mut compiled.reports);
     reports.sort_by(|a, b| a.source.path.cmp(&b.source.path));
-    Run { file_count: inputs.len(), reports, compiled, discover }
+    Run { inputs, reports, compiled, discover }
 }
 
 /// The inputs of a project, one of which may be standard input, and what is wrong with the others.
@@ -51,7 +52,7 @@ fn find(settings: &Settings) -> (Vec<Input>, Vec<Report>) {
 
 /// What a run over source files gave.
 struct Run {
-    file_count: usize,
+    inputs: Vec<Input>,
     reports: Vec<Report>,
     compiled: Compiled,
     discover: Duration,
@@ -65,6 +66,6 @@ impl Run {
 
     /// How a run with findings at error level ends: without a single input, the tool could not run.
     fn failure(&self) -> Outcome {
-        if self.file_count == 0 { Outcome::Failed } else { Outcome::Findings }
+        if self.inputs.is_empty() { Outcome::Failed } else { Outcome::Findings }
     }
 }

@@ -1,11 +1,11 @@
 //! `lipz pack`: source files to a bank.
 
 use super::{Run, with_inputs};
-use crate::sources::{Project, Sources, usage_error};
+use crate::sources::{Sources, usage_error};
 use crate::{Outcome, console, interrupt, render, standard};
 use clap::Args;
 use clap::error::ErrorKind;
-use lipz_compiler::{Report, Split, compile, replace_file, split};
+use lipz_compiler::{Report, Split, compile, dependencies, depfile, replace_file, split};
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -37,16 +37,23 @@ pub(crate) struct Pack {
     #[arg(long)]
     split_locales: bool,
 
+    /// Also write what the bank depends on, for Make, Ninja and CMake
+    #[arg(long, value_name = "FILE")]
+    depfile: Option<PathBuf>,
+
     /// Print where the time went
     #[arg(long)]
     timings: bool,
 }
 
 pub(crate) fn run(arguments: &Pack) -> Outcome {
-    let Project { mut settings, found } = match arguments.sources.project() {
+    let mut project = match arguments.sources.project() {
         Ok(project) => project,
         Err(outcome) => return outcome,
     };
+    let settings = &mut project.settings;
+    settings.options.strip = arguments.strip.unwrap_or(settings.options.strip);
+    let settings = &project.settings;
     let Some(output) = arguments.output.as_ref().or(settings.output.as_ref()) else {
         let tip = "name a file with '--output', or set `output` in lipz.toml";
         return usage_error(ErrorKind::MissingRequiredArgument, "no bank to write is named", tip);
@@ -56,12 +63,12 @@ pub(crate) fn run(arguments: &Pack) -> Outcome {
         console::remark("error: a bank is not for a terminal\nhelp: name a file, or send standard output to one\n");
         return Outcome::Failed;
     }
-    if is_standard && arguments.split_locales {
-        let tip = "name a file with '--output': the text banks are written beside it";
-        return usage_error(ErrorKind::ArgumentConflict, "several banks do not fit standard output", tip);
+    if is_standard && (arguments.split_locales || arguments.depfile.is_some()) {
+        let tip =
+            "name a file with '--output': text banks are written beside it, and a depfile tells what it depends on";
+        return usage_error(ErrorKind::ArgumentConflict, "standard output holds one bank and has no name", tip);
     }
-    settings.options.strip = arguments.strip.unwrap_or(settings.options.strip);
-    let mut run = with_inputs(&settings, arguments.sources.is_quiet(), compile);
+    let mut run = with_inputs(settings, arguments.sources.is_quiet(), compile);
     render::findings(&run.reports);
     let bank = match run.compiled.bank.take() {
         Some(bank) if !run.has_errors() => bank,
@@ -75,18 +82,23 @@ pub(crate) fn run(arguments: &Pack) -> Outcome {
             return Outcome::Failed;
         }
     };
-    let written = match files.as_slice() {
+    let mut written = match files.as_slice() {
         [(_, bank)] if is_standard => console::print_bytes(bank),
         _ => write(&files),
     };
+    if let (Outcome::Clean, Some(path)) = (written, &arguments.depfile) {
+        let mut dependencies = dependencies(&settings.sources, &run.inputs);
+        dependencies.extend(project.file.clone());
+        written = write(&[(path.clone(), depfile(output, &dependencies))]);
+    }
     if written != Outcome::Clean {
         return written;
     }
     let mut text = String::new();
     if !arguments.sources.is_quiet() {
-        text = summary(&files, run.file_count, is_standard);
-        if let Some(file) = found {
-            text.push_str(&format!("with the settings of {}\n", console::path(&file)));
+        text = summary(&files, run.inputs.len(), is_standard);
+        if let Some(file) = project.found() {
+            text.push_str(&format!("with the settings of {}\n", console::path(file)));
         }
     }
     if arguments.timings {

@@ -108,6 +108,8 @@ codes! {
     UnknownLint "LZ1005" "unknown-lint" Error "there is no such lint"
     FixedLevel "LZ1006" "fixed-level" Error "an error cannot be lowered"
     SettingsUnreadable "LZ1007" "settings-unreadable" Error "a settings file cannot be read"
+
+    IdentifierClash "LZ1201" "identifier-clash" Error "two keys have the same identifier in a program"
 }
 
 impl Code {

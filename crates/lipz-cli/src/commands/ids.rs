@@ -1,0 +1,115 @@
+//! `lipz ids`: clip ids and locales as source code for programs.
+
+use super::with_inputs;
+use crate::bank_file::with_bank;
+use crate::sources::{Sources, usage_error};
+use crate::{Outcome, console, interrupt, render};
+use clap::error::ErrorKind;
+use clap::{Args, ValueEnum};
+use lipz_bank::Bank;
+use lipz_compiler::ids::{Language, generate};
+use lipz_compiler::{Report, compile, replace_file};
+use std::path::{Path, PathBuf};
+
+/// Write the ids of clips as constants for programs, so that a misspelt key does not compile.
+///
+/// SOURCES are Lipz files, which are checked and packed in memory, or one bank (.lipzbank).
+#[derive(Args, Debug)]
+#[command(after_help = "Examples:
+  lipz ids dialogue.lipzbank --lang c -o dialogue_ids.h
+  lipz ids voices --lang csharp --prefix Game.Dialogue -o DialogueIds.cs
+  lipz ids voices --lang json")]
+pub(crate) struct Ids {
+    #[command(flatten)]
+    sources: Sources,
+
+    /// The language to write
+    #[arg(short, long, value_name = "LANGUAGE")]
+    lang: LanguageName,
+
+    /// The file to write [default: standard output]
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+
+    /// What C names start with [default: LIPZ_], or the C# namespace [default: Lipz]
+    #[arg(long, value_name = "NAME")]
+    prefix: Option<String>,
+}
+
+#[derive(ValueEnum, Clone, Copy, Debug)]
+pub(crate) enum LanguageName {
+    Rust,
+    C,
+    Csharp,
+    Typescript,
+    Json,
+}
+
+impl From<LanguageName> for Language {
+    fn from(name: LanguageName) -> Language {
+        match name {
+            LanguageName::Rust => Language::Rust,
+            LanguageName::C => Language::C,
+            LanguageName::Csharp => Language::CSharp,
+            LanguageName::Typescript => Language::TypeScript,
+            LanguageName::Json => Language::Json,
+        }
+    }
+}
+
+pub(crate) fn run(arguments: &Ids) -> Outcome {
+    let language = Language::from(arguments.lang);
+    if let Some(prefix) = arguments.prefix.as_ref().filter(|prefix| !language.accepts_prefix(prefix)) {
+        let name = language.name();
+        let (message, tip) = match language.default_prefix() {
+            Some(default) => (format!("'{prefix}' is not a prefix for {name}"), format!("the default is {default}")),
+            None => ("'--prefix' is for C and C#".to_owned(), format!("{name} has names of its own")),
+        };
+        return usage_error(ErrorKind::ArgumentConflict, &message, &tip);
+    }
+    match arguments.sources.paths() {
+        [bank] if is_bank(bank) => with_bank(bank, |path, bank| write(path, bank, arguments)),
+        sources => of_sources(sources, arguments),
+    }
+}
+
+fn is_bank(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("lipzbank")) && !path.is_dir()
+}
+
+/// The ids of the bank that would be packed.
+fn of_sources(sources: &[PathBuf], arguments: &Ids) -> Outcome {
+    let project = match arguments.sources.project() {
+        Ok(project) => project,
+        Err(outcome) => return outcome,
+    };
+    let run = with_inputs(&project.settings, arguments.sources.is_quiet(), compile);
+    render::findings(&run.reports);
+    match &run.compiled.bank {
+        Some(bytes) if !run.has_errors() => match Bank::open(bytes) {
+            Ok(bank) => write(&sources.first().map(|path| console::path(path)).unwrap_or_default(), &bank, arguments),
+            Err(_) => Outcome::Failed,
+        },
+        _ => run.failure(),
+    }
+}
+
+fn write(source: &str, bank: &Bank<'_>, arguments: &Ids) -> Outcome {
+    let text = match generate(bank, arguments.lang.into(), arguments.prefix.as_deref()) {
+        Ok(text) => text,
+        Err(clashes) => {
+            render::findings(&[Report::all_about(source, clashes)]);
+            return Outcome::Findings;
+        }
+    };
+    let Some(output) = &arguments.output else { return console::print(&text) };
+    if let Err(report) = interrupt::whole(|| replace_file(output, text.as_bytes())) {
+        render::findings(&[report]);
+        return Outcome::Failed;
+    }
+    if arguments.sources.is_quiet() {
+        return Outcome::Clean;
+    }
+    let clips = console::counted(bank.clip_count(), "id");
+    console::print(&format!("{clips} written to {}\n", console::path(output)))
+}

@@ -1,0 +1,126 @@
+//! `lipz pack --depfile`: read back by a parser of the format, and used by Make where it is installed.
+#![cfg(unix)]
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "tests")]
+
+mod support;
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+use std::time::{Duration, SystemTime};
+use support::{Scene, lipz, tree};
+
+const CLIP: &str = r#"{ "text_en-us": "Aye." }"#;
+
+/// Names that need escapes.
+const NAMES: [&str; 5] = ["plain", "with blanks in it", "$HOME and $$", "# one", "act 1/é (2), 50%"];
+
+/// The names before and behind the colon of the first rule, as GNU Make reads them ("Rule Syntax"):
+/// `\` takes the meaning from blank, `#` and, before these, from itself; `$$` is `$`.
+fn parse(depfile: &str) -> (String, Vec<String>) {
+    let rule = depfile.lines().next().unwrap();
+    let mut names = vec![String::new()];
+    let mut rest = rule.chars().peekable();
+    while let Some(c) = rest.next() {
+        let name = names.last_mut().unwrap();
+        match c {
+            '\\' if rest.next_if(|next| matches!(next, ' ' | '#')).is_some_and(|next| {
+                name.push(next);
+                true
+            }) => {}
+            '$' => {
+                assert_eq!(rest.next(), Some('$'), "a lone $ in {rule}");
+                name.push('$');
+            }
+            ' ' => names.push(String::new()),
+            '#' => unreachable!("a comment in {rule}"),
+            c => name.push(c),
+        }
+    }
+    let target = names.remove(0);
+    (target.strip_suffix(':').expect("a target").to_owned(), names)
+}
+
+#[test]
+fn every_file_and_folder_is_listed() {
+    let scene = Scene::new();
+    for name in NAMES {
+        scene.write(&format!("voices/{name}.lipz"), CLIP);
+    }
+    scene.write("voices/notes.txt", "no source");
+    fs::create_dir_all(scene.path().join("voices/empty/for later")).unwrap();
+    scene.write("more voices/aye.lipz", CLIP);
+    let arguments = ["pack", "voices", "more voices/*.lipz", "-o", "out/my bank", "--depfile", "out/my bank.d"];
+    scene.prepare(&arguments);
+    let (target, mut dependencies) = parse(&fs::read_to_string(scene.path().join("out/my bank.d")).unwrap());
+    assert_eq!(target, "out/my bank");
+    dependencies.sort();
+    let mut expected = tree(scene.path());
+    expected.retain(|path| !path.starts_with("out") && !path.ends_with(".txt"));
+    assert_eq!(dependencies, expected);
+}
+
+#[test]
+fn errors_leave_the_depfile() {
+    let scene = Scene::new();
+    scene.write("voices/aye.lipz", CLIP);
+    let arguments = ["pack", "voices", "-o", "b.lipzbank", "--depfile", "b.d"];
+    scene.prepare(&arguments);
+    let before = fs::read(scene.path().join("b.d")).unwrap();
+    scene.write("voices/no.lipz", "");
+    assert_eq!(lipz(scene.path(), arguments).code, 1);
+    assert_eq!(fs::read(scene.path().join("b.d")).unwrap(), before);
+    // A depfile that cannot be written is said so.
+    fs::remove_file(scene.path().join("voices/no.lipz")).unwrap();
+    let outcome = lipz(scene.path(), ["pack", "voices", "-o", "b.lipzbank", "--depfile", "voices"]);
+    assert_eq!(outcome.code, 2, "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("error[LZ0904]"), "{}", outcome.stderr);
+}
+
+/// Gives the file or folder a time before or after everything else.
+fn touch(path: &Path, time: SystemTime) {
+    fs::File::open(path).unwrap().set_modified(time).unwrap();
+}
+
+#[test]
+fn make_packs_again_when_something_changes() {
+    if Command::new("make").arg("--version").output().is_err() {
+        eprintln!("skipped: `make` is not on this machine");
+        return;
+    }
+    let scene = Scene::new();
+    for name in NAMES {
+        scene.write(&format!("voices/{name}.lipz"), CLIP);
+    }
+    scene.write("Makefile", "b.lipzbank:\n\t@\"$(LIPZ)\" pack voices -o $@ --depfile b.d\n-include b.d\n");
+    let packs = || {
+        let output = Command::new("make")
+            .arg(format!("LIPZ={}", env!("CARGO_BIN_EXE_lipz")))
+            .current_dir(scene.path())
+            .output()
+            .unwrap();
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let packs = String::from_utf8_lossy(&output.stdout).contains("packed into");
+        // From now on everything is older than the bank, but for what a step touches.
+        let old = SystemTime::now() - Duration::from_secs(60);
+        for path in tree(scene.path()).iter().filter(|path| path.starts_with("voices")) {
+            touch(&scene.path().join(path), old);
+        }
+        packs
+    };
+    assert!(packs(), "there is no bank");
+    assert!(!packs(), "nothing changed");
+    let soon = SystemTime::now() + Duration::from_secs(60);
+    for name in NAMES {
+        touch(&scene.path().join(format!("voices/{name}.lipz")), soon);
+        assert!(packs(), "{name} changed");
+        assert!(!packs(), "nothing changed after {name}");
+    }
+    scene.write("voices/act 1/new.lipz", CLIP);
+    touch(&scene.path().join("voices/act 1"), soon);
+    assert!(packs(), "a file was added");
+    fs::remove_file(scene.path().join("voices/plain.lipz")).unwrap();
+    touch(&scene.path().join("voices"), soon);
+    assert!(packs(), "a file was removed, which stops no rule");
+    assert!(!packs(), "nothing changed at the end");
+}

@@ -1,0 +1,247 @@
+//! Banks from `build.rs`: the one part of this library that prints, and that reads the environment.
+
+mod messages;
+
+use crate::ids::{self, Language};
+use crate::{Options, Report, compile, count, depend, discover, replace_file, report};
+use lipz::{Code, Diagnostic, Level};
+use lipz_bank::Bank;
+use std::ffi::OsStr;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::{env, fmt};
+
+/// Packs Lipz files while cargo builds a program, from its `build.rs`:
+///
+/// ```no_run
+/// fn main() -> Result<(), lipz_compiler::BuildFailed> {
+///     lipz_compiler::Build::new("voices").run()
+/// }
+/// ```
+///
+/// Two files appear in the folder `OUT_DIR` that cargo gives to each build script: the bank
+/// `dialogue.lipzbank`, and `dialogue.rs` with a constant per clip and per locale (see [`ids`]). The
+/// program takes them from there:
+///
+/// ```text
+/// static BANK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/dialogue.lipzbank"));
+///
+/// mod dialogue {
+///     include!(concat!(env!("OUT_DIR"), "/dialogue.rs"));
+/// }
+///
+/// let clip = bank.clip(dialogue::act1::MARA_GOOD_EVENING); // misspelt, it does not compile
+/// ```
+///
+/// Findings appear as warnings and errors of cargo (1.84 or later), one line each. The script runs
+/// again when a file of the sources changes, is added or removed.
+#[derive(Clone, Debug)]
+pub struct Build {
+    sources: Vec<PathBuf>,
+    root: Option<PathBuf>,
+    options: Options,
+    name: String,
+}
+
+impl Build {
+    /// A build of the Lipz files in `source`: a folder, a file or a glob pattern, relative to the
+    /// package.
+    pub fn new(source: impl Into<PathBuf>) -> Build {
+        Build { sources: vec![source.into()], root: None, options: Options::default(), name: "dialogue".into() }
+    }
+
+    /// Adds another folder, file or glob pattern.
+    #[must_use]
+    pub fn source(mut self, source: impl Into<PathBuf>) -> Build {
+        self.sources.push(source.into());
+        self
+    }
+
+    /// Makes keys paths below this folder, not below each source.
+    #[must_use]
+    pub fn root(mut self, root: impl Into<PathBuf>) -> Build {
+        self.root = Some(root.into());
+        self
+    }
+
+    /// Sets what the project decides about its files.
+    #[must_use]
+    pub fn options(mut self, options: Options) -> Build {
+        self.options = options;
+        self
+    }
+
+    /// Names the outputs `NAME.lipzbank` and `NAME.rs`, for programs with several banks.
+    #[must_use]
+    pub fn name(mut self, name: impl Into<String>) -> Build {
+        self.name = name.into();
+        self
+    }
+
+    /// Packs the bank, writes it and its ids, and tells cargo what was found.
+    ///
+    /// # Errors
+    /// Findings at error level, all of which were printed; and whatever keeps the script from
+    /// running. The outputs of the run before are unchanged then. Return the error from `main`: that
+    /// fails the build.
+    pub fn run(self) -> Result<(), BuildFailed> {
+        let folder = env::var_os("OUT_DIR").ok_or(BuildFailed::NoOutputFolder)?;
+        self.run_in(Path::new(&folder), &mut io::stdout().lock())
+    }
+
+    /// Does it with the outputs in `folder`; `cargo` is where cargo reads.
+    fn run_in(&self, folder: &Path, cargo: &mut dyn Write) -> Result<(), BuildFailed> {
+        let reports = self.pack(folder);
+        let lines = messages::watched(&depend::watched(&self.sources)) + &messages::findings(&reports);
+        cargo.write_all(lines.as_bytes()).and_then(|()| cargo.flush()).map_err(BuildFailed::Unheard)?;
+        match count(&reports, Level::Error) {
+            0 => Ok(()),
+            errors => Err(BuildFailed::Findings { errors }),
+        }
+    }
+
+    /// Writes the outputs if nothing that was found is an error.
+    fn pack(&self, folder: &Path) -> Vec<Report> {
+        let (inputs, mut reports) = discover(&self.sources, self.root.as_deref());
+        let mut compiled = compile(&inputs, &self.options, &|_| {});
+        reports.append(&mut compiled.reports);
+        if let Some(bank) = compiled.bank.filter(|_| !report::has_errors(&reports)) {
+            reports.extend(self.write(folder, &bank).err());
+        }
+        report::sort(&mut reports);
+        reports
+    }
+
+    fn write(&self, folder: &Path, bank: &[u8]) -> Result<(), Report> {
+        if Path::new(&self.name).file_name() != Some(OsStr::new(&self.name)) {
+            let headline = format!("`{}` is not the name of a file", self.name);
+            return Err(Report::failure("", Code::OutputFailed, headline, "name the outputs without folders"));
+        }
+        let ids = rust_ids(bank).map_err(|diagnostics| {
+            let path = self.sources.first().map(|source| discover::display(source)).unwrap_or_default();
+            Report::all_about(path, diagnostics)
+        })?;
+        let path = |extension: &str| folder.join(format!("{}.{extension}", self.name));
+        replace_file(&path("lipzbank"), bank)?;
+        replace_file(&path("rs"), ids.as_bytes())
+    }
+}
+
+fn rust_ids(bank: &[u8]) -> Result<String, Vec<Diagnostic>> {
+    let damaged = |error: lipz_bank::Error| vec![Diagnostic::new(Code::BankDamaged, error.kind().message())];
+    ids::generate(&Bank::open(bank).map_err(damaged)?, Language::Rust, None)
+}
+
+/// Why a build script failed, for `main` to return.
+pub enum BuildFailed {
+    /// Findings at error level. Cargo shows each.
+    Findings {
+        /// How many.
+        errors: usize,
+    },
+    /// `OUT_DIR` is not set: the program is not a build script that cargo runs.
+    NoOutputFolder,
+    /// Standard output, where cargo reads, cannot be written.
+    Unheard(io::Error),
+}
+
+impl fmt::Display for BuildFailed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            BuildFailed::Findings { errors: 1 } => f.write_str("1 error in Lipz files; no bank was written"),
+            BuildFailed::Findings { errors } => write!(f, "{errors} errors in Lipz files; no bank was written"),
+            BuildFailed::NoOutputFolder => {
+                f.write_str("OUT_DIR is not set: `lipz_compiler::Build` runs in build scripts of cargo only")
+            }
+            BuildFailed::Unheard(error) => write!(f, "standard output cannot be written: {error}"),
+        }
+    }
+}
+
+/// The same words: this is what a `main` that returns the error prints.
+impl fmt::Debug for BuildFailed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl std::error::Error for BuildFailed {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fs;
+
+    const CLIP: &str = r#"{ "fps": 24, "visemes": "MAEO-", "viseme_type": "blair", "text_en-us": "Mayor!" }"#;
+
+    /// Runs a build of `files` in `voices`; what it told cargo, and the names of its outputs.
+    fn run(scene: &Path, build: impl FnOnce(Build) -> Build, files: &[(&str, &str)]) -> (String, Vec<String>) {
+        for (name, text) in files {
+            let path = scene.join("voices").join(name);
+            fs::create_dir_all(path.parent().unwrap()).unwrap();
+            fs::write(path, text).unwrap();
+        }
+        let (mut cargo, outputs) = (Vec::new(), scene.join("out"));
+        fs::create_dir_all(&outputs).unwrap();
+        let result = build(Build::new(scene.join("voices"))).run_in(&outputs, &mut cargo);
+        let lines = String::from_utf8(cargo).unwrap().replace(&*discover::display(scene), "SCENE");
+        assert_eq!(result.is_err(), lines.contains("cargo::error="), "{result:?}: {lines}");
+        let mut names: Vec<String> =
+            fs::read_dir(outputs).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        (lines, names)
+    }
+
+    #[test]
+    fn a_clean_build_writes_bank_and_ids() {
+        let scene = tempfile::tempdir().unwrap();
+        let (lines, names) = run(scene.path(), |build| build, &[("act1/mayor.lipz", CLIP)]);
+        assert_eq!(lines, "cargo::rerun-if-changed=SCENE/voices\n");
+        assert_eq!(names, ["dialogue.lipzbank", "dialogue.rs"]);
+        let bytes = fs::read(scene.path().join("out/dialogue.lipzbank")).unwrap();
+        assert!(Bank::open(&bytes).unwrap().verify().unwrap().clip_by_key("act1/mayor").is_some());
+        let ids = fs::read_to_string(scene.path().join("out/dialogue.rs")).unwrap();
+        assert!(ids.contains("pub const MAYOR: ::lipz_bank::ClipId"), "{ids}");
+    }
+
+    #[test]
+    fn errors_are_all_told_and_leave_the_outputs() {
+        let scene = tempfile::tempdir().unwrap();
+        run(scene.path(), |build| build, &[("aye.lipz", CLIP)]);
+        let before = fs::read(scene.path().join("out/dialogue.lipzbank")).unwrap();
+        let foreign = "{\n  \"viseme_type\": \"blair\",\n  \"visemes\": \"MAZ-\" }";
+        let (lines, _) = run(scene.path(), |build| build, &[("b.lipz", foreign), ("c.lipz", ""), ("d.lipz", "{}")]);
+        let told: Vec<&str> = lines.lines().filter(|line| !line.contains("rerun")).collect();
+        assert_eq!(told.len(), 3, "{lines}");
+        assert!(
+            told[0].starts_with("cargo::error=SCENE/voices/b.lipz:3:17: `Z` is not a blair code [LZ0401]; "),
+            "{lines}"
+        );
+        assert!(told[1].starts_with("cargo::error=SCENE/voices/c.lipz: the file is empty [LZ0002]"), "{lines}");
+        assert!(told[2].starts_with("cargo::warning=SCENE/voices/d.lipz"), "{lines}");
+        assert_eq!(fs::read(scene.path().join("out/dialogue.lipzbank")).unwrap(), before);
+    }
+
+    #[test]
+    fn clashes_and_bad_names_write_nothing() {
+        let scene = tempfile::tempdir().unwrap();
+        let (lines, names) = run(scene.path(), |build| build, &[("a-b.lipz", CLIP), ("a_b.lipz", CLIP)]);
+        assert!(lines.contains("cargo::error=SCENE/voices: the keys `a-b` and `a_b` have the same"), "{lines}");
+        assert_eq!(names, [""; 0]);
+        fs::remove_file(scene.path().join("voices/a-b.lipz")).unwrap();
+        for name in ["../x", "", "..", "x/"] {
+            let (lines, names) = run(scene.path(), |build| build.name(name), &[]);
+            assert!(lines.contains("[LZ0904]"), "{lines}");
+            assert_eq!(names, [""; 0], "{name}");
+        }
+    }
+
+    #[test]
+    fn sources_that_do_not_exist_are_watched() {
+        let scene = tempfile::tempdir().unwrap();
+        let (lines, names) = run(scene.path(), |build| build.source("no/where"), &[("aye.lipz", CLIP)]);
+        assert!(lines.contains("cargo::rerun-if-changed=no/where\n"), "{lines}");
+        assert!(lines.contains("cargo::error=no/where: `no/where` does not exist [LZ0001]; help: check"), "{lines}");
+        assert_eq!(names, [""; 0]);
+    }
+}

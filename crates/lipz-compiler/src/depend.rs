@@ -1,0 +1,101 @@
+//! What a bank depends on: for build engines, which run the compiler again when it changes.
+
+use crate::{Content, Input, discover};
+use std::iter;
+use std::path::{Path, PathBuf};
+use walkdir::WalkDir;
+
+/// The files of `inputs`, and all folders in which a run over `sources` looked for files: when one is
+/// added or removed, its folder changes. Sorted.
+pub fn dependencies(sources: &[PathBuf], inputs: &[Input]) -> Vec<PathBuf> {
+    let folders = watched(sources).into_iter().flat_map(|source| {
+        let entries = WalkDir::new(source).follow_links(true).into_iter().filter_map(Result::ok);
+        entries.filter(|entry| entry.file_type().is_dir()).map(walkdir::DirEntry::into_path)
+    });
+    let files = inputs.iter().filter_map(|input| match &input.content {
+        Content::File(path) => Some(path.clone()),
+        Content::Bytes(_) => None,
+    });
+    let mut all: Vec<PathBuf> = folders.chain(files).collect();
+    all.sort_unstable();
+    all.dedup();
+    all
+}
+
+/// The folders and files in and below which sources lie: of a pattern, the folder before its first
+/// wildcard.
+pub(crate) fn watched(sources: &[PathBuf]) -> Vec<PathBuf> {
+    let place = |source: &PathBuf| match source.to_str() {
+        Some(pattern) if !source.exists() && discover::is_pattern(pattern) => discover::plain(&discover::base(pattern)),
+        _ => discover::plain(source),
+    };
+    sources.iter().map(place).collect()
+}
+
+/// A dependency file as compilers write it (`gcc -MD -MP`), which Make, Ninja and CMake read: `target`
+/// depends on `dependencies`. Each of them is also a target without a rule of its own, so that Make
+/// accepts its removal.
+///
+/// ```
+/// use std::path::Path;
+/// let file = lipz_compiler::depfile(Path::new("dialogue.lipzbank"), &["voices".into(), "voices/no 1.lipz".into()]);
+/// assert_eq!(file, b"dialogue.lipzbank: voices voices/no\\ 1.lipz\n\nvoices:\n\nvoices/no\\ 1.lipz:\n");
+/// ```
+pub fn depfile(target: &Path, dependencies: &[PathBuf]) -> Vec<u8> {
+    let names: Vec<Vec<u8>> = dependencies.iter().map(|path| escaped(path)).collect();
+    let mut file = escaped(target);
+    file.push(b':');
+    for name in &names {
+        file.push(b' ');
+        file.extend_from_slice(name);
+    }
+    file.push(b'\n');
+    for name in &names {
+        file.push(b'\n');
+        file.extend_from_slice(name);
+        file.extend_from_slice(b":\n");
+    }
+    file
+}
+
+/// The path as Make reads it: `\` before blanks and `#`, with backslashes before these doubled, and `$`
+/// doubled. Line breaks have no spelling.
+fn escaped(path: &Path) -> Vec<u8> {
+    let mut name: Vec<u8> = Vec::new();
+    for &byte in path.as_os_str().as_encoded_bytes() {
+        match byte {
+            b'\\' if cfg!(windows) => name.push(b'/'),
+            b' ' | b'#' => {
+                let backslashes = name.iter().rev().take_while(|&&before| before == b'\\').count();
+                name.extend(iter::repeat_n(b'\\', backslashes + 1));
+                name.push(byte);
+            }
+            b'$' => name.extend_from_slice(b"$$"),
+            _ => name.push(byte),
+        }
+    }
+    name
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn patterns_are_watched_from_their_first_wildcard() {
+        let folder = tempfile::tempdir().unwrap();
+        let literal = folder.path().join("[act 1]");
+        std::fs::create_dir(&literal).unwrap();
+        let sources = ["voices/act?/**/*.lipz", "*.lipz", "./voices/", "no/where.lipz"].map(PathBuf::from);
+        assert_eq!(watched(&sources), ["voices", ".", "voices", "no/where.lipz"].map(PathBuf::from));
+        assert_eq!(watched(std::slice::from_ref(&literal)), [literal], "a folder with the name of a pattern");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn names_are_escaped_for_make() {
+        for (path, expected) in [("a b", "a\\ b"), ("a\\ b", "a\\\\\\ b"), ("#$\\", "\\#$$\\"), ("é", "é")] {
+            assert_eq!(escaped(Path::new(path)), expected.as_bytes(), "{path}");
+        }
+    }
+}

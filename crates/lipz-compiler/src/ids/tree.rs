@@ -1,0 +1,95 @@
+//! The clips of a bank as a tree of identifiers, which every language writes in its own way.
+
+use lipz::diagnostic::show;
+use lipz::{Code, Diagnostic};
+use lipz_bank::{Bank, Clip, Locale, Text};
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
+
+/// Characters of a text that a comment shows.
+const TEXT_SHOWN: usize = 80;
+
+/// The identifiers of a key: those of its folders, then that of the clip.
+pub(super) type Naming = fn(key: &str) -> Vec<String>;
+
+/// The clips and folders of a folder, by their identifiers. Folders whose names give the same
+/// identifier are one.
+#[derive(Default)]
+pub(super) struct Folder<'data> {
+    pub(super) folders: BTreeMap<String, Folder<'data>>,
+    pub(super) clips: BTreeMap<String, Leaf<'data>>,
+}
+
+/// A clip, as far as generated code tells of it.
+pub(super) struct Leaf<'data> {
+    pub(super) key: &'data str,
+    pub(super) id: u64,
+    /// The beginning of its text, on one line; empty if it has none.
+    pub(super) text: String,
+}
+
+impl Leaf<'_> {
+    /// `act1/mara-hello: Hello, Otto.`
+    pub(super) fn about(&self) -> String {
+        let separator = if self.text.is_empty() { "" } else { ": " };
+        format!("{}{separator}{}", show::text(self.key), self.text)
+    }
+}
+
+impl<'data> Folder<'data> {
+    /// The tree of a bank's clips; a finding for each clip whose identifier another one has.
+    pub(super) fn of(bank: &Bank<'data>, naming: Naming, language: &str) -> Result<Folder<'data>, Vec<Diagnostic>> {
+        let mut root = Folder::default();
+        let mut clashes = Vec::new();
+        let locales = locales_for_comments(bank);
+        for clip in bank.clips() {
+            let mut folders = naming(clip.key());
+            let Some(name) = folders.pop() else { continue };
+            let folder = folders.into_iter().fold(&mut root, |folder, name| folder.folders.entry(name).or_default());
+            match folder.clips.entry(name) {
+                Entry::Occupied(before) => clashes.push(clash(before.get().key, clip.key(), before.key(), language)),
+                Entry::Vacant(free) => {
+                    free.insert(Leaf { key: clip.key(), id: clip.id().get(), text: text(&clip, &locales) });
+                }
+            }
+        }
+        if clashes.is_empty() { Ok(root) } else { Err(clashes) }
+    }
+
+    /// The name of a clip where clips and folders share their names: folders come first.
+    pub(super) fn name_beside_folders(&self, clip: &str) -> String {
+        if self.folders.contains_key(clip) { format!("{clip}_") } else { clip.to_owned() }
+    }
+}
+
+fn clash(first: &str, second: &str, name: &str, language: &str) -> Diagnostic {
+    let (first, second) = (show::text(first), show::text(second));
+    Diagnostic::new(
+        Code::IdentifierClash,
+        format!("the keys `{first}` and `{second}` have the same identifier `{name}` in {language}"),
+    )
+    .help("rename one of the two files; identifiers have letters and digits, other characters only divide words")
+}
+
+/// The locales whose texts comments show, the first that a clip has: the default locale, then the
+/// others in the order of their tags.
+fn locales_for_comments<'data>(bank: &Bank<'data>) -> Vec<Locale<'data>> {
+    let mut locales: Vec<_> = bank.locales().collect();
+    locales.sort_by_key(|locale| !locale.is_default());
+    locales
+}
+
+/// The beginning of a clip's text on one line.
+fn text(clip: &Clip<'_, '_>, locales: &[Locale<'_>]) -> String {
+    let in_locale = |locale: &Locale<'_>| {
+        let texts = clip.segments().filter_map(|segment| segment.text(*locale));
+        let own = texts.filter(|text| !text.is_fallback() && !text.is_empty());
+        let texts: Vec<&str> = own.map(Text::as_str).collect();
+        (!texts.is_empty()).then(|| texts.join(" "))
+    };
+    let whole = locales.iter().find_map(in_locale).unwrap_or_default();
+    match whole.char_indices().nth(TEXT_SHOWN) {
+        Some((end, _)) => format!("{}…", show::text(whole[..end].trim_end())),
+        None => show::text(&whole).into_owned(),
+    }
+}

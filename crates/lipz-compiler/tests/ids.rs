@@ -1,0 +1,214 @@
+//! Generated ids: what is written for keys that are hard to make identifiers of, and that compilers
+//! take it.
+//!
+//! `fixtures/ids` holds the expected files; `LIPZ_BLESS=1` writes them anew. The Rust one is compiled
+//! into this test; a compiler of another language that is not on the machine is skipped.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+
+use lipz_bank::{Bank, ClipId};
+use lipz_compiler::ids::{Language, generate};
+use lipz_compiler::{Input, Options, compile};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// Keys with everything that languages do not like, and texts that could end comments.
+const HARD: [(&str, &str); 20] = [
+    ("hello", "Hello."),
+    ("act1/mara-good-evening", "Good evening, Otto. | You are late,"),
+    ("act1/mara", "*/ \\u202E not the end of the comment /*"),
+    ("act1/mara/aye", "`Aye`, said <b>Mara</b> & [Otto]."),
+    (
+        "act1/2nd take (final)",
+        "A text that is so long that nobody wants to read all of it in a comment, as long as this.",
+    ),
+    ("act1/take-1-12", ""),
+    ("act1/take-11-2", ""),
+    ("act1/act1", "Act one."),
+    ("Act1/OttoAyeAye", "Aye, aye!"),
+    ("Ärger/straße", "Ärger"),
+    ("日本/はい、船長", "はい。"),
+    ("हिन्दी/नमस्ते", "नमस्ते"),
+    ("🎉/!!!", "\\n\\u0007"),
+    ("type/self/match", "match"),
+    ("class/new", "new"),
+    ("locales/en-us", "A folder named locales."),
+    ("locale/en-us", "A folder named locale."),
+    ("clips/equals", "Equal."),
+    ("to-string", "As a string."),
+    ("ids/h", "The guard."),
+];
+
+/// The expected Rust file, compiled.
+mod generated {
+    include!("../../../fixtures/ids/ids.rs");
+}
+
+fn bank(files: &[(&str, &str)]) -> Vec<u8> {
+    let json = |text: &str| {
+        let german = "Hallo.".to_owned() + &"|".repeat(text.matches('|').count());
+        format!(r#"{{ "text_en-us": "{text}", "text_de-de": "{german}" }}"#)
+    };
+    let inputs: Vec<Input> = files.iter().map(|(key, text)| Input::from_bytes(*key, json(text))).collect();
+    let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
+    let compiled = compile(&inputs, &options, &|_| {});
+    compiled.bank.unwrap_or_else(|| panic!("{:?}", compiled.reports))
+}
+
+fn fixtures() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/ids")
+}
+
+fn file(language: Language) -> PathBuf {
+    fixtures().join(match language {
+        Language::Rust => "ids.rs",
+        Language::C => "ids.h",
+        Language::CSharp => "Ids.cs",
+        Language::TypeScript => "ids.ts",
+        _ => "ids.json",
+    })
+}
+
+#[test]
+fn hard_keys_give_the_expected_files() {
+    let bytes = bank(&HARD);
+    let bank = Bank::open(&bytes).unwrap();
+    for language in Language::ALL {
+        let actual = generate(&bank, language, None).unwrap_or_else(|clashes| panic!("{language:?}: {clashes:?}"));
+        let path = file(language);
+        if std::env::var_os("LIPZ_BLESS").is_some_and(|value| value == "1") {
+            fs::write(&path, actual).unwrap();
+            continue;
+        }
+        let expected = fs::read_to_string(&path).unwrap();
+        assert!(expected == actual, "{language:?} differs from {}; it is now\n{actual}", path.display());
+    }
+}
+
+#[test]
+fn constants_of_rust_are_the_ids_of_the_keys() {
+    use generated::{act1, ids, locales, type_, ärger};
+    for (constant, key) in [
+        (generated::HELLO, "hello"),
+        (act1::MARA_GOOD_EVENING, "act1/mara-good-evening"),
+        (act1::mara::AYE, "act1/mara/aye"),
+        (act1::_2ND_TAKE_FINAL, "act1/2nd take (final)"),
+        (act1::OTTO_AYE_AYE, "Act1/OttoAyeAye"),
+        (ärger::STRASSE, "Ärger/straße"),
+        (generated::日本::はい_船長, "日本/はい、船長"),
+        (generated::u1f389::U0021U0021U0021, "🎉/!!!"),
+        (type_::self_::MATCH, "type/self/match"),
+        (generated::locales_::EN_US, "locales/en-us"),
+        (ids::H, "ids/h"),
+    ] {
+        assert_eq!(constant, ClipId::of(key), "{key}");
+    }
+    assert_eq!([locales::DE_DE, locales::EN_US], ["de-de", "en-us"]);
+}
+
+#[test]
+fn json_has_the_id_of_every_key() {
+    let json: serde_json::Value = serde_json::from_str(&fs::read_to_string(file(Language::Json)).unwrap()).unwrap();
+    assert_eq!(json["clips"].as_object().unwrap().len(), HARD.len());
+    for (key, _) in HARD {
+        assert_eq!(json["clips"][key], ClipId::of(key).to_string(), "{key}");
+    }
+}
+
+#[test]
+fn a_prefix_replaces_that_of_the_language() {
+    let bytes = bank(&HARD);
+    let bank = Bank::open(&bytes).unwrap();
+    assert!(generate(&bank, Language::C, Some("GAME_")).unwrap().contains("#define GAME_HELLO UINT64_C("));
+    assert!(generate(&bank, Language::CSharp, Some("Game.Talk")).unwrap().contains("\nnamespace Game.Talk\n"));
+    for prefix in ["", "1x", "a-b", "x;", "é", "a..b", ".a"] {
+        assert!(Language::ALL.iter().all(|language| !language.accepts_prefix(prefix)), "{prefix:?}");
+    }
+}
+
+#[test]
+fn clashes_name_both_keys() {
+    let clashes = |files: &[(&str, &str)], language| {
+        let bytes = bank(files);
+        let clashes = generate(&Bank::open(&bytes).unwrap(), language, None).err().unwrap_or_default();
+        clashes.into_iter().map(|found| found.headline).collect::<Vec<_>>()
+    };
+    let files = [("a/mara-aye", ""), ("a/mara_aye", ""), ("a/MaraAye", ""), ("a-mara/aye", "")];
+    let headlines = clashes(&files, Language::Rust);
+    assert_eq!(headlines.len(), 2, "{headlines:?}");
+    assert_eq!(headlines[1], "the keys `a/MaraAye` and `a/mara_aye` have the same identifier `MARA_AYE` in Rust");
+    assert_eq!(clashes(&files, Language::C).len(), 3, "C has no folders");
+    assert_eq!(clashes(&files, Language::Json), [""; 0]);
+}
+
+/// Runs a tool with `arguments`; `None`, said aloud, where it is not installed.
+fn tool(name: &str, arguments: &[&str]) -> Option<Output> {
+    let output = Command::new(name).args(arguments).current_dir(fixtures()).output();
+    if output.is_err() {
+        eprintln!("skipped: `{name}` is not on this machine");
+    }
+    output.ok()
+}
+
+fn assert_success(output: Option<Output>) {
+    if let Some(output) = output {
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    }
+}
+
+/// A program that fails to compile, or to run, if the header is wrong.
+const C_PROGRAM: &str = r#"
+#include "ids.h"
+#include "ids.h"
+#include <string.h>
+#if LIPZ_HELLO == LIPZ_TO_STRING
+#error "ids differ"
+#endif
+int main(void) {
+    const uint64_t id = LIPZ_ACT1_MARA_GOOD_EVENING;
+    switch (id) {
+        case LIPZ_ARGER_STRASSE: return 1;
+        case LIPZ_ACT1_MARA_GOOD_EVENING: return id != EXPECTED || strcmp(LIPZ_LOCALE_EN_US, "en-us");
+        default: return 1;
+    }
+}
+"#;
+
+#[test]
+fn c_and_cpp_compile_the_header() {
+    let folder = tempfile::tempdir().unwrap();
+    let (include, program) = (format!("-I{}", fixtures().display()), folder.path().join("program"));
+    let expected = format!("-DEXPECTED=UINT64_C(0x{})", ClipId::of("act1/mara-good-evening"));
+    for (compiler, standard, name) in [("cc", "-std=c99", "program.c"), ("c++", "-std=c++11", "program.cpp")] {
+        let source = folder.path().join(name);
+        fs::write(&source, C_PROGRAM).unwrap();
+        let (source, program) = (source.to_str().unwrap(), program.to_str().unwrap());
+        let warnings = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"];
+        let arguments = [&[standard, &include, &expected, source, "-o", program][..], &warnings].concat();
+        let Some(output) = tool(compiler, &arguments) else { continue };
+        assert_success(Some(output));
+        assert_success(tool(program, &[]));
+    }
+}
+
+#[test]
+fn node_reads_the_typescript() {
+    let folder = tempfile::tempdir().unwrap();
+    // JavaScript is what is left without types.
+    let typescript = fs::read_to_string(file(Language::TypeScript)).unwrap();
+    let (constants, types) = typescript.split_once("/** The keys of the clips. */").unwrap();
+    assert!(types.contains("| \"act1/mara-good-evening\""), "{types}");
+    fs::write(folder.path().join("ids.mjs"), constants.replace(" as const", "")).unwrap();
+    let program = format!(
+        "import {{ act1, class_, hello, locales, locales_ }} from './ids.mjs';
+         if (act1.maraGoodEvening !== 0x{}n || hello !== 0x{}n) throw new Error('ids');
+         if (act1.mara_ === undefined || act1.mara.aye === undefined) throw new Error('a folder and a clip');
+         if (class_.new === undefined || locales_.enUs === undefined) throw new Error('reserved words');
+         if (locales.enUs !== 'en-us') throw new Error('locales');",
+        ClipId::of("act1/mara-good-evening"),
+        ClipId::of("hello")
+    );
+    let program_path = folder.path().join("program.mjs");
+    fs::write(&program_path, program).unwrap();
+    assert_success(tool("node", &[program_path.to_str().unwrap()]));
+}

@@ -1,0 +1,48 @@
+//! The player against what the Lipz files say.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+use dialogue_player::{BANK, Player, dialogue};
+use lipz_bank::{Bank, ClipId};
+
+/// 24 frames per second, rounded up, so that each frame starts a picture.
+const FRAME_US: i64 = 41_667;
+
+#[test]
+fn a_clip_is_played_frame_by_frame() {
+    let bank = Bank::open(BANK).unwrap().verify().unwrap();
+    let mut player = Player::start(&bank, dialogue::act1::MARA_GOOD_EVENING, dialogue::locales::DE_DE).unwrap();
+    let (mut mouths, mut subtitles, mut events) = (String::new(), Vec::new(), Vec::new());
+    while !player.is_over() {
+        mouths.push(player.mouth().as_char());
+        if subtitles.last() != Some(&player.subtitle()) {
+            subtitles.push(player.subtitle());
+        }
+        while let Some(event) = player.next_event() {
+            events.push((mouths.len() - 1, event));
+        }
+        player.advance(FRAME_US);
+    }
+    assert_eq!(mouths, "SOOOOSEEEFEESAASS---OOOSSSOO-------SOOUUUASSEELAAAS---AASSSSSSSEEFFOSSASEEASLLS-------------");
+    assert_eq!(subtitles, ["Guten Abend, Otto.", "Du bist spät dran,", "und der Nebel ist zu früh."]);
+    assert_eq!(events, [(0, "mara feels neutral"), (35, "mara sees otto"), (54, "mara points fog")]);
+    assert_eq!((player.mouth().as_char(), player.subtitle()), ('-', ""), "rest when the clip is over");
+}
+
+#[test]
+fn no_event_is_lost_when_a_picture_takes_long() {
+    let bank = Bank::open(BANK).unwrap();
+    let mut player = Player::start(&bank, dialogue::act1::MARA_GOOD_EVENING, "en-us").unwrap();
+    player.advance(60_000_000);
+    let events: Vec<_> = std::iter::from_fn(|| player.next_event()).collect();
+    assert_eq!(events, ["mara feels neutral", "mara sees otto", "mara points fog"]);
+}
+
+#[test]
+fn every_constant_is_a_clip_of_the_bank() {
+    let bank = Bank::open(BANK).unwrap();
+    assert_eq!(dialogue::act1::OTTO_AYE, ClipId::of("act1/otto-aye"));
+    for id in [dialogue::act1::OTTO_AYE, dialogue::act1::MARA_GOOD_EVENING] {
+        assert!(Player::start(&bank, id, dialogue::locales::JA_JP).is_some());
+    }
+    assert!(Player::start(&bank, ClipId::of("act1/otto-ay"), "en-us").is_none());
+}
