@@ -46,7 +46,7 @@ pub(crate) fn check(document: &Document<'_>, options: &Options, diagnostics: &mu
         has_visemes,
         frames,
         starts,
-        events,
+        events: events.map(|events| events.into_iter().map(Into::into).collect()),
         ..ClipData::default()
     };
     let mut texts: Vec<_> = std::iter::zip(roles.texts, texts).collect();

@@ -15,18 +15,18 @@ use std::ops::Range;
 const SHOWN: usize = 3;
 
 /// The trimmed event string of each segment.
-pub(super) fn trimmed(
-    string: &JsonString<'_>,
+pub(super) fn trimmed<'t>(
+    string: &'t JsonString<'_>,
     registry: &Registry,
     diagnostics: &mut Vec<Diagnostic>,
-) -> Vec<Box<str>> {
+) -> Vec<&'t str> {
     nul(string, Code::NulInEvents, "the events contain", diagnostics);
     let mut findings = Findings { string, registry, by_code: BTreeMap::new() };
     let trimmed = text::segments(&string.text)
         .map(|range| {
             let segment = &string.text[range.clone()];
             findings.of_segment(segment, range.start);
-            text::trim(segment).into()
+            text::trim(segment)
         })
         .collect();
     diagnostics.extend(findings.by_code.into_values().flat_map(OfCode::shown));

@@ -52,12 +52,12 @@ pub(super) fn near<'t>(segment: &'t str, registry: &Registry) -> impl Iterator<I
     let fault = |part: Part<'t>| if part.event().is_some() { None } else { near_part(part, registry) };
     let mut has_event = false;
     let is_near = event::parts(segment).all(|part| {
-        let fault = fault(part);
-        let is_event = fault.is_none() && part.event().is_some();
+        let (is_event, fault) = (part.event().is_some(), fault(part));
         has_event |= is_event || fault.as_ref().is_some_and(|fault| !matches!(fault.slip, Slip::Nothing));
         is_event || fault.is_some()
     });
-    event::parts(segment).filter_map(fault).filter(move |_| is_near && has_event)
+    let faults = (is_near && has_event).then(|| event::parts(segment).filter_map(fault));
+    faults.into_iter().flatten()
 }
 
 /// The fault of a part that is no event.
