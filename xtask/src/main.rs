@@ -2,6 +2,7 @@
 
 mod ci;
 mod corpus;
+mod docs;
 mod edges;
 mod generate;
 mod measure;
@@ -34,10 +35,14 @@ enum Task {
     Inspect(Passed),
     /// Check Lipz files without packing them (as `lipz check`)
     Check(Passed),
+    /// Show the page about a code, or list the codes (as `lipz explain`)
+    Explain(Passed),
     /// Run everything that a change must pass: format, lints, documentation, tests, edges
     Ci,
     /// Check which crates depend on which
     Edges,
+    /// Write docs/DIAGNOSTICS.md, whose contents are in the code
+    Docs,
     /// Write a folder of made-up clips of realistic size and shape
     Generate(generate::Settings),
     /// Measure packing against reading the same files (release builds only)
@@ -58,7 +63,7 @@ struct Passed {
 }
 
 /// The tasks that are commands of `lipz`.
-const PASSED: [&str; 5] = ["pack", "unpack", "verify", "inspect", "check"];
+const PASSED: [&str; 6] = ["pack", "unpack", "verify", "inspect", "check", "explain"];
 
 fn main() -> ExitCode {
     let arguments: Vec<OsString> = std::env::args_os().skip(1).collect();
@@ -74,11 +79,12 @@ fn main() -> ExitCode {
     };
     let result = match task {
         // Only if clap knows a shorter spelling of these names than the line above.
-        Task::Pack(_) | Task::Unpack(_) | Task::Verify(_) | Task::Inspect(_) | Task::Check(_) => {
+        Task::Pack(_) | Task::Unpack(_) | Task::Verify(_) | Task::Inspect(_) | Task::Check(_) | Task::Explain(_) => {
             Err("name the task in full".into())
         }
         Task::Ci => ci::run(),
         Task::Edges => edges::run(),
+        Task::Docs => docs::run(),
         Task::Generate(settings) => generate::run(&settings),
         Task::Measure(settings) => measure::run(&settings),
         Task::Corpus(settings) => corpus::run(&settings),
