@@ -1,6 +1,7 @@
 //! The command line: the list of commands. Each one's arguments and help stand beside its work.
 
-use crate::commands::{check, inspect, pack, unpack, verify};
+use crate::commands::{check, explain, inspect, pack, unpack, verify};
+use crate::render::Format;
 use clap::{Parser, Subcommand};
 use std::ffi::OsString;
 
@@ -12,6 +13,10 @@ use std::ffi::OsString;
 #[command(name = "lipz", version, max_term_width = 100)]
 #[command(after_help = "Exit codes: 0 nothing at error level, 1 findings at error level, 2 the tool could not run.")]
 pub(crate) struct Arguments {
+    /// How findings are shown
+    #[arg(long, global = true, value_enum, value_name = "FORMAT", default_value_t = Format::Human)]
+    pub(crate) format: Format,
+
     #[command(subcommand)]
     pub(crate) command: Command,
 }
@@ -23,7 +28,7 @@ impl Arguments {
         match &arguments.command {
             Command::Pack(pack) => pack.sources.validate()?,
             Command::Check(check) => check.sources.validate()?,
-            Command::Unpack(_) | Command::Verify(_) | Command::Inspect(_) => {}
+            Command::Unpack(_) | Command::Verify(_) | Command::Inspect(_) | Command::Explain(_) => {}
         }
         Ok(arguments)
     }
@@ -36,4 +41,5 @@ pub(crate) enum Command {
     Unpack(unpack::Unpack),
     Verify(verify::Verify),
     Inspect(inspect::Inspect),
+    Explain(explain::Explain),
 }

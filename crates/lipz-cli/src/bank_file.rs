@@ -1,6 +1,7 @@
 //! Bank files on disk: mapping them, and what to say when they are not banks.
 
-use crate::{Outcome, console, render};
+use crate::render::Findings;
+use crate::{Outcome, console};
 use lipz::{Code, Diagnostic};
 use lipz_bank::layout::{FORMAT_MAJOR, FORMAT_MINOR, Header, MAGIC};
 use lipz_bank::{Bank, Error, ErrorKind};
@@ -15,20 +16,24 @@ const NAME_A_BANK: &str = "name a .lipzbank file; `lipz pack` makes one of Lipz 
 
 /// Maps the bank at `path`, verifies it and hands it to `work`, with its path as messages name it.
 /// Reports why the file cannot be read, or what is wrong with the bank.
-pub(crate) fn with_bank(path: &Path, work: impl FnOnce(&str, &Bank<'_>) -> Outcome) -> Outcome {
+pub(crate) fn with_bank(
+    path: &Path,
+    findings: &mut Findings,
+    work: impl FnOnce(&str, &Bank<'_>, &mut Findings) -> Outcome,
+) -> Outcome {
     let shown = console::path(path);
     let map = match map(path) {
         Ok(map) => map,
         Err(error) => {
-            render::findings(&[Report::about(shown.as_str(), unreadable(&shown, &error))]);
+            findings.add(vec![Report::about(shown.as_str(), unreadable(&shown, &error))]);
             return Outcome::Failed;
         }
     };
     let opened = Bank::open(&map).map_err(|error| (Code::BankRefused, error));
     match opened.and_then(|bank| bank.verify().map_err(|error| (Code::BankDamaged, error))) {
-        Ok(bank) => work(&shown, &bank),
+        Ok(bank) => work(&shown, &bank, findings),
         Err((code, error)) => {
-            render::findings(&[Report::about(shown, refused(code, error, &map))]);
+            findings.add(vec![Report::about(shown, refused(code, error, &map))]);
             Outcome::Findings
         }
     }

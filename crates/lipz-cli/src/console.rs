@@ -3,6 +3,7 @@
 use crate::Outcome;
 use indicatif::{ProgressBar, ProgressStyle};
 use lipz::diagnostic::show;
+use serde::Serialize;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 use std::time::Duration;
@@ -20,6 +21,22 @@ pub(crate) fn print(text: &str) -> Outcome {
         }
         _ => Outcome::Clean,
     }
+}
+
+/// Prints a result as JSON.
+pub(crate) fn print_json<T: Serialize>(value: &T) -> Outcome {
+    match serde_json::to_string_pretty(value) {
+        Ok(json) => print(&(without_controls(&json) + "\n")),
+        Err(error) => {
+            remark(&format!("error: {error}\n"));
+            Outcome::Failed
+        }
+    }
+}
+
+/// The JSON with every control character escaped: serde_json leaves those above U+007E.
+fn without_controls(json: &str) -> String {
+    json.split('\n').map(show::text).collect::<Vec<_>>().join("\n")
 }
 
 /// Prints findings and remarks.

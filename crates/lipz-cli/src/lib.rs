@@ -6,11 +6,13 @@ mod args;
 mod bank_file;
 mod commands;
 mod console;
+mod page;
 mod render;
 mod sources;
 mod timeline;
 
 use args::{Arguments, Command};
+use render::Findings;
 use std::ffi::OsString;
 use std::process::ExitCode;
 
@@ -45,12 +47,14 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             return if error.use_stderr() { Outcome::Failed.into() } else { Outcome::Clean.into() };
         }
     };
+    let mut findings = Findings::new(arguments.format);
     let outcome = match arguments.command {
-        Command::Pack(pack) => commands::pack::run(&pack),
-        Command::Check(check) => commands::check::run(&check),
-        Command::Unpack(unpack) => commands::unpack::run(&unpack),
-        Command::Verify(verify) => commands::verify::run(&verify),
-        Command::Inspect(inspect) => commands::inspect::run(&inspect),
+        Command::Pack(pack) => commands::pack::run(&pack, &mut findings),
+        Command::Check(check) => commands::check::run(&check, &mut findings),
+        Command::Unpack(unpack) => commands::unpack::run(&unpack, &mut findings),
+        Command::Verify(verify) => commands::verify::run(&verify, &mut findings),
+        Command::Inspect(inspect) => commands::inspect::run(&inspect, &mut findings),
+        Command::Explain(explain) => commands::explain::run(&explain),
     };
-    outcome.into()
+    findings.finish(outcome).into()
 }

@@ -1,11 +1,11 @@
 //! `lipz check`: the findings of source files.
 
 use super::with_inputs;
+use crate::render::Findings;
 use crate::sources::Sources;
-use crate::{Outcome, console, render};
+use crate::{Outcome, console};
 use clap::Args;
-use lipz::Level;
-use lipz_compiler::{check_all, count};
+use lipz_compiler::check_all;
 
 /// Check Lipz files without packing them.
 #[derive(Args, Debug)]
@@ -17,15 +17,13 @@ pub(crate) struct Check {
     pub(crate) sources: Sources,
 }
 
-pub(crate) fn run(arguments: &Check) -> Outcome {
+pub(crate) fn run(arguments: &Check, findings: &mut Findings) -> Outcome {
     let sources = &arguments.sources;
     let run = with_inputs(sources, &sources.options(), check_all);
-    render::findings(&run.reports);
-    if count(&run.reports, Level::Error) > 0 {
-        return run.failure();
+    let outcome = run.outcome();
+    findings.add(run.reports);
+    if outcome != Outcome::Clean || sources.quiet {
+        return outcome;
     }
-    if sources.quiet {
-        return Outcome::Clean;
-    }
-    console::print(&format!("{} checked\n", console::counted(run.file_count, "file")))
+    findings.summary(&format!("{} checked\n", console::counted(run.file_count, "file")))
 }

@@ -1,6 +1,7 @@
 //! The commands, one file each.
 
 pub(crate) mod check;
+pub(crate) mod explain;
 pub(crate) mod inspect;
 pub(crate) mod pack;
 pub(crate) mod unpack;
@@ -8,7 +9,8 @@ pub(crate) mod verify;
 
 use crate::sources::Sources;
 use crate::{Outcome, console};
-use lipz_compiler::{Compiled, Input, Options, Progress, Report, discover};
+use lipz::Level;
+use lipz_compiler::{Compiled, Input, Options, Progress, Report, count, discover};
 use std::time::{Duration, Instant};
 
 /// Finds the inputs and hands them to `work`, with a progress bar. What discovery found is added to
@@ -34,8 +36,13 @@ struct Run {
 }
 
 impl Run {
-    /// How a run with findings at error level ends: without a single input, the tool could not run.
-    fn failure(&self) -> Outcome {
-        if self.file_count == 0 { Outcome::Failed } else { Outcome::Findings }
+    /// How the run ends, by its findings: with errors and without a single input, the tool could not
+    /// run.
+    fn outcome(&self) -> Outcome {
+        match count(&self.reports, Level::Error) {
+            0 => Outcome::Clean,
+            _ if self.file_count == 0 => Outcome::Failed,
+            _ => Outcome::Findings,
+        }
     }
 }

@@ -1,11 +1,12 @@
 //! `lipz pack`: source files to a bank.
 
 use super::{Run, with_inputs};
+use crate::render::Findings;
 use crate::sources::Sources;
-use crate::{Outcome, console, render};
+use crate::{Outcome, console};
 use clap::Args;
-use lipz::Level;
-use lipz_compiler::{Options, compile, count, replace_file};
+use lipz_compiler::{Options, compile, replace_file};
+use std::mem;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
@@ -35,17 +36,18 @@ pub(crate) struct Pack {
     pub(crate) timings: bool,
 }
 
-pub(crate) fn run(arguments: &Pack) -> Outcome {
+pub(crate) fn run(arguments: &Pack, findings: &mut Findings) -> Outcome {
     let options = Options { strip: arguments.strip, ..arguments.sources.options() };
     let mut run = with_inputs(&arguments.sources, &options, compile);
-    render::findings(&run.reports);
+    let outcome = run.outcome();
+    findings.add(mem::take(&mut run.reports));
     let bank = match run.compiled.bank.take() {
-        Some(bank) if count(&run.reports, Level::Error) == 0 => bank,
-        _ => return run.failure(),
+        Some(bank) if outcome == Outcome::Clean => bank,
+        _ => return outcome,
     };
     let start = Instant::now();
     if let Err(report) = replace_file(&arguments.output, &bank) {
-        render::findings(&[report]);
+        findings.add(vec![report]);
         return Outcome::Failed;
     }
     let write = start.elapsed();
@@ -57,7 +59,7 @@ pub(crate) fn run(arguments: &Pack) -> Outcome {
     if arguments.timings {
         text.push_str(&timings(&run, write));
     }
-    console::print(&text)
+    findings.summary(&text)
 }
 
 /// The time of each phase, in milliseconds.

@@ -1,7 +1,8 @@
 //! `lipz unpack`: a bank to source files.
 
 use crate::bank_file::with_bank;
-use crate::{Outcome, console, render};
+use crate::render::Findings;
+use crate::{Outcome, console};
 use clap::Args;
 use lipz::Code;
 use lipz_bank::Bank;
@@ -32,22 +33,22 @@ pub(crate) struct Unpack {
     pub(crate) quiet: bool,
 }
 
-pub(crate) fn run(arguments: &Unpack) -> Outcome {
-    with_bank(&arguments.bank, |path, bank| unpack_into(path, bank, arguments))
+pub(crate) fn run(arguments: &Unpack, findings: &mut Findings) -> Outcome {
+    with_bank(&arguments.bank, findings, |path, bank, findings| unpack_into(path, bank, arguments, findings))
 }
 
-fn unpack_into(path: &str, bank: &Bank<'_>, arguments: &Unpack) -> Outcome {
+fn unpack_into(path: &str, bank: &Bank<'_>, arguments: &Unpack, findings: &mut Findings) -> Outcome {
     let bar = console::progress_bar(bank.clip_count(), arguments.quiet);
     let unpacked = unpack(bank, &arguments.output, arguments.force, &|count| bar.inc(count));
     bar.finish_and_clear();
     match unpacked {
         Ok(unpacked) => {
             if arguments.quiet {
-                return Outcome::Clean;
+                return findings.summary("");
             }
             let form = if unpacked.is_exact { "" } else { " (display forms: the bank was stripped)" };
             let files = console::counted(unpacked.files, "file");
-            console::print(&format!("{files} unpacked into {}{form}\n", console::path(&arguments.output)))
+            findings.summary(&format!("{files} unpacked into {}{form}\n", console::path(&arguments.output)))
         }
         Err(mut reports) => {
             for report in &mut reports {
@@ -55,9 +56,9 @@ fn unpack_into(path: &str, bank: &Bank<'_>, arguments: &Unpack) -> Outcome {
                     path.clone_into(&mut report.source.path);
                 }
             }
-            render::findings(&reports);
             let failed =
                 reports.iter().flat_map(|report| &report.diagnostics).any(|found| found.code == Code::OutputFailed);
+            findings.add(reports);
             if failed { Outcome::Failed } else { Outcome::Findings }
         }
     }

@@ -3,13 +3,13 @@
 mod json;
 
 use crate::bank_file::with_bank;
+use crate::render::Findings;
 use crate::timeline::timeline;
 use crate::{Outcome, console};
 use clap::Args;
 use json::{ClipJson, ListedJson, SummaryJson};
 use lipz::diagnostic::{show, suggest};
 use lipz_bank::{Bank, Locale};
-use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;
 use unicode_width::UnicodeWidthStr;
@@ -43,8 +43,8 @@ pub(crate) struct Inspect {
     pub(crate) json: bool,
 }
 
-pub(crate) fn run(arguments: &Inspect) -> Outcome {
-    with_bank(&arguments.bank, |path, bank| match (&arguments.key, &arguments.list) {
+pub(crate) fn run(arguments: &Inspect, findings: &mut Findings) -> Outcome {
+    with_bank(&arguments.bank, findings, |path, bank, _| match (&arguments.key, &arguments.list) {
         (Some(key), _) => clip(bank, key, arguments),
         (None, Some(prefix)) => list(bank, prefix, arguments.json),
         (None, None) => summary(bank, path, arguments.json),
@@ -78,7 +78,7 @@ fn clip(bank: &Bank<'_>, key: &str, arguments: &Inspect) -> Outcome {
         locales.extend(bank.locales());
     }
     if arguments.json {
-        return print_json(&ClipJson::of(&clip, &locales));
+        return console::print_json(&ClipJson::of(&clip, &locales));
     }
     console::print(&timeline(&clip, &locales, console::width()))
 }
@@ -108,7 +108,7 @@ fn last_part(key: &str) -> &str {
 fn list(bank: &Bank<'_>, prefix: &str, json: bool) -> Outcome {
     let clips: Vec<ListedJson<'_>> = bank.clips_under(prefix).map(|clip| ListedJson::of(&clip)).collect();
     if json {
-        return print_json(&clips);
+        return console::print_json(&clips);
     }
     if clips.is_empty() {
         console::remark(&format!("no key starts with `{}`\n", show::text(prefix)));
@@ -128,7 +128,7 @@ fn list(bank: &Bank<'_>, prefix: &str, json: bool) -> Outcome {
 fn summary(bank: &Bank<'_>, path: &str, json: bool) -> Outcome {
     let summary = SummaryJson::of(bank);
     if json {
-        return print_json(&summary);
+        return console::print_json(&summary);
     }
     let mut text = String::new();
     let (major, minor) = bank.format_version();
@@ -167,19 +167,4 @@ fn summary(bank: &Bank<'_>, path: &str, json: bool) -> Outcome {
         let _ = writeln!(text, "  {:<12} {:>12}", show::text(&section.tag), console::grouped(section.bytes));
     }
     console::print(&text)
-}
-
-fn print_json<T: Serialize>(value: &T) -> Outcome {
-    match serde_json::to_string_pretty(value) {
-        Ok(json) => console::print(&(without_controls(&json) + "\n")),
-        Err(error) => {
-            console::remark(&format!("error: {error}\n"));
-            Outcome::Failed
-        }
-    }
-}
-
-/// The JSON with every control character escaped: serde_json leaves those above U+007E.
-fn without_controls(json: &str) -> String {
-    json.split('\n').map(show::text).collect::<Vec<_>>().join("\n")
 }
