@@ -7,14 +7,40 @@ use std::fs;
 
 const PATH: &str = "docs/DIAGNOSTICS.md";
 
-const INTRODUCTION: &str = "\
-<!-- Written by `cargo xtask docs` from crates/lipz/src/diagnostic: change it there. -->
+const INTRODUCTION: &str = r#"<!-- Written by `cargo xtask docs` from crates/lipz/src/diagnostic: change it there. -->
 
 # Diagnostics
 
 Every finding of lipz has a code. `lipz explain LZ0401` shows what this page says about it. Numbers are
 never given a new meaning. An error forbids to write the bank, a warning does not.
-";
+"#;
+
+const FOR_PROGRAMS: &str = r#"
+## For programs
+
+`--format json` prints one object: the numbers of `errors` and `warnings`, and `findings`, sorted by
+file and place. A finding has
+
+| field | is |
+| --- | --- |
+| `code`, `name` | `"LZ0401"`, `"foreign-code"` |
+| `level` | `"error"` or `"warning"` |
+| `message` | one sentence that is enough by itself |
+| `path` | the file as it was named or found; empty if the finding is about none |
+| `span` | the characters that it is about; `null` if it is about the whole file |
+| `label` | a remark about them, or `null` |
+| `labels` | other places that belong to it: `span` and `text` |
+| `notes` | further facts, one line each |
+| `help` | what to do, or `null` |
+| `fix` | the change that does it, if one is certain: `span` and `replacement`; otherwise `null` |
+
+A span goes from `start` to `end`, the place behind its last character. Both have `line` and `column`,
+counted from 1 in characters (Unicode scalar values), and `offset_bytes` in the text, from 0. A byte
+order mark is not part of the text.
+
+`--format sarif` has the same findings with the property names of SARIF 2.1.0, and the pages below as
+the help of its rules. `--format github` prints workflow commands of GitHub Actions.
+"#;
 
 pub(crate) fn run() -> Result<(), Failure> {
     let path = place::workspace_root().join(PATH);
@@ -32,6 +58,7 @@ fn document() -> String {
             let _ = writeln!(text, "| [{code} {name}](#{}) | {level} | {summary} |", anchor(*code));
         }
     }
+    text.push_str(FOR_PROGRAMS);
     for code in Code::ALL {
         let (name, level, summary) = (code.name(), code.default_level(), code.summary());
         let _ = writeln!(text, "\n## {code} {name}\n\n*{level}: {summary}*\n\n{}", code.page().trim_end());

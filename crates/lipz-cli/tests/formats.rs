@@ -73,6 +73,18 @@ fn all_formats_have_all_findings() {
 }
 
 #[test]
+fn every_field_of_the_json_is_documented() {
+    let json: Value = serde_json::from_str(&bad_files("json")).unwrap();
+    let page = fs::read_to_string(repository().join("docs/DIAGNOSTICS.md")).unwrap();
+    let fixed = list(&json, "/findings").iter().find(|found| !found["fix"].is_null()).unwrap();
+    for object in [&json, fixed, &fixed["fix"], &fixed["span"], &fixed["span"]["start"]] {
+        for field in object.as_object().unwrap().keys() {
+            assert!(page.contains(&format!("`{field}`")), "{field}");
+        }
+    }
+}
+
+#[test]
 fn places_in_json_are_those_of_the_file() {
     let json: Value = serde_json::from_str(&bad_files("json")).unwrap();
     let mut compared = 0;
@@ -128,6 +140,8 @@ fn every_command_prints_a_document_and_nothing_else() {
         (&["unpack", "good.lipzbank", "-o", "out"], 1, &[Code::WouldOverwrite]),
         (&["inspect", "bad.lipzbank"], 1, &[Code::BankRefused]),
     ];
+    let github = lipz(scene.path(), ["check", "good", "--format", "github"]);
+    assert_eq!((github.code, github.stdout.as_str(), github.stderr.as_str()), (0, "", ""));
     for format in ["json", "sarif"] {
         // Whatever stands there from the format before.
         let _ = fs::remove_dir_all(scene.path().join("out"));

@@ -1,7 +1,8 @@
 //! Findings as workflow commands of GitHub Actions, which shows them beside the changed lines.
 
+use super::places::Places;
+use lipz::Diagnostic;
 use lipz::diagnostic::show;
-use lipz::{Diagnostic, Source};
 use lipz_compiler::Report;
 use std::fmt::Write;
 
@@ -9,20 +10,21 @@ use std::fmt::Write;
 pub(super) fn annotations(reports: &[Report]) -> String {
     let mut text = String::new();
     for report in reports {
+        let places = Places::of(report);
         for diagnostic in &report.diagnostics {
-            text.push_str(&annotation(&report.source, diagnostic));
+            text.push_str(&annotation(&report.source.path, &places, diagnostic));
         }
     }
     text
 }
 
-fn annotation(source: &Source, diagnostic: &Diagnostic) -> String {
+fn annotation(path: &str, places: &Places, diagnostic: &Diagnostic) -> String {
     let mut command = format!("::{} ", diagnostic.level);
-    if !source.path.is_empty() {
-        let _ = write!(command, "file={},", property(&source.path));
+    if !path.is_empty() {
+        let _ = write!(command, "file={},", property(path));
     }
     if let Some(label) = &diagnostic.primary {
-        let (start, end) = (source.line_column(label.span.start), source.line_column(label.span.end));
+        let [start, end] = places.ends(label.span);
         let _ = write!(command, "line={},endLine={},", start.line, end.line);
         // GitHub takes columns for stretches of one line only.
         if start.line == end.line {
@@ -60,10 +62,11 @@ fn property(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lipz::{Code, Level, Span};
+    use lipz::{Code, Source, Span};
 
-    fn source() -> Source {
-        Source { path: "act 1, a:b/100%.lipz".into(), text: "{\n  \"é\": 1\n}".into() }
+    fn annotated(found: Diagnostic) -> String {
+        let source = Source { path: "act 1, a:b/100%.lipz".into(), text: "{\n  \"é\": 1\n}".into() };
+        annotations(&[Report { source, diagnostics: vec![found] }])
     }
 
     #[test]
@@ -72,7 +75,7 @@ mod tests {
             .note("c\u{1b}[2J")
             .help("d: e");
         assert_eq!(
-            annotation(&source(), &found),
+            annotated(found),
             "::warning file=act 1%2C a%3Ab/100%25.lipz,line=2,endLine=2,col=3,endColumn=6,\
              title=LZ0203 unknown-element::a%0D%0A::error::b, 100%25%0Anote: c\\u001B[2J%0Ahelp: d: e\n"
         );
@@ -81,15 +84,15 @@ mod tests {
     #[test]
     fn columns_are_left_out_of_several_lines() {
         let found = Diagnostic::at(Code::JsonSyntax, Span::new(0, 13), "x");
-        let text = annotation(&source(), &found);
+        let text = annotated(found);
         assert!(text.contains(",line=1,endLine=3,title="), "{text}");
-        assert!(text.starts_with(&format!("::{} ", Level::Error)), "{text}");
+        assert!(text.starts_with("::error file="), "{text}");
     }
 
     #[test]
     fn findings_without_a_file_have_a_title() {
         assert_eq!(
-            annotation(&Source::default(), &Diagnostic::new(Code::NoSources, "none")),
+            annotations(&[Report::about("", Diagnostic::new(Code::NoSources, "none"))]),
             "::error title=LZ0805 no-sources::none\n"
         );
     }

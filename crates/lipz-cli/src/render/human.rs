@@ -3,7 +3,7 @@
 //! Keys, paths and texts come from anybody: nothing in them reaches the terminal as a control
 //! character.
 
-use crate::{Outcome, console};
+use crate::console;
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Group, Level as Title, Origin, Renderer, Snippet};
 use lipz::diagnostic::show;
@@ -49,11 +49,10 @@ pub(super) fn print(reports: &[Report]) {
 }
 
 /// Tells people at a terminal where more about a code is. Logs of builds go without.
-pub(super) fn hint(code: Code) -> Outcome {
+pub(super) fn hint(code: Code) {
     if io::stderr().is_terminal() {
         console::remark(&format!("for more about a finding: lipz explain {code}\n"));
     }
-    Outcome::Clean
 }
 
 /// The findings of one code.

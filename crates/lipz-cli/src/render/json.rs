@@ -1,7 +1,8 @@
 //! Findings as one JSON document. Fields are only ever added (docs/VERSIONING.md).
 
+use super::places::Places;
 use lipz::diagnostic::Label;
-use lipz::{Diagnostic, Level, Source};
+use lipz::{Diagnostic, Level, LineColumn};
 use lipz_compiler::{Report, count};
 use serde::Serialize;
 
@@ -59,7 +60,10 @@ struct Place {
 
 impl<'r> Document<'r> {
     pub(super) fn of(reports: &'r [Report]) -> Self {
-        let of = |report: &'r Report| report.diagnostics.iter().map(|found| Finding::of(&report.source, found));
+        let of = |report: &'r Report| {
+            let places = Places::of(report);
+            report.diagnostics.iter().map(move |found| Finding::of(&report.source.path, &places, found))
+        };
         Document {
             errors: count(reports, Level::Error),
             warnings: count(reports, Level::Warning),
@@ -69,16 +73,16 @@ impl<'r> Document<'r> {
 }
 
 impl<'r> Finding<'r> {
-    fn of(source: &'r Source, diagnostic: &'r Diagnostic) -> Self {
+    fn of(path: &'r str, places: &Places, diagnostic: &'r Diagnostic) -> Self {
         let primary = diagnostic.primary.as_ref();
-        let other = |label: &'r Label| OtherPlace { span: Span::of(source, label.span), text: &label.text };
+        let other = |label: &'r Label| OtherPlace { span: Span::of(places, label.span), text: &label.text };
         Finding {
             code: diagnostic.code.number(),
             name: diagnostic.code.name(),
             level: diagnostic.level.to_string(),
             message: &diagnostic.headline,
-            path: &source.path,
-            span: primary.map(|label| Span::of(source, label.span)),
+            path,
+            span: primary.map(|label| Span::of(places, label.span)),
             label: primary.map(|label| label.text.as_str()).filter(|text| !text.is_empty()),
             labels: diagnostic.secondary.iter().map(other).collect(),
             notes: &diagnostic.notes,
@@ -86,20 +90,20 @@ impl<'r> Finding<'r> {
             fix: diagnostic
                 .fix
                 .as_ref()
-                .map(|fix| Fix { span: Span::of(source, fix.span), replacement: &fix.replacement }),
+                .map(|fix| Fix { span: Span::of(places, fix.span), replacement: &fix.replacement }),
         }
     }
 }
 
 impl Span {
-    fn of(source: &Source, span: lipz::Span) -> Span {
-        Span { start: Place::of(source, span.start), end: Place::of(source, span.end) }
+    fn of(places: &Places, span: lipz::Span) -> Span {
+        let [start, end] = places.ends(span);
+        Span { start: Place::of(start, span.start), end: Place::of(end, span.end) }
     }
 }
 
 impl Place {
-    fn of(source: &Source, offset_bytes: u32) -> Place {
-        let place = source.line_column(offset_bytes);
+    fn of(place: LineColumn, offset_bytes: u32) -> Place {
         Place { line: place.line, column: place.column, offset_bytes }
     }
 }

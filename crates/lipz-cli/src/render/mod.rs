@@ -3,6 +3,7 @@
 mod github;
 mod human;
 mod json;
+mod places;
 mod sarif;
 
 use crate::{Outcome, console};
@@ -30,8 +31,9 @@ pub(crate) enum Format {
 /// something else, as that of `inspect`: these print one only if they have findings instead.
 pub(crate) struct Findings {
     format: Format,
+    /// The code of the first one.
     first: Option<Code>,
-    /// What the document at the end is about, once it is due.
+    /// What the document is about, once it is due.
     reports: Option<Vec<Report>>,
 }
 
@@ -42,35 +44,35 @@ impl Findings {
 
     /// Shows these findings, or keeps them for the document.
     pub(crate) fn add(&mut self, reports: Vec<Report>) {
-        let code = reports.iter().flat_map(|report| &report.diagnostics).map(|found| found.code).next();
-        self.first = self.first.or(code);
-        match self.format {
-            Format::Human => human::print(&reports),
-            Format::Github => {
-                console::print(&github::annotations(&reports));
-            }
-            Format::Json | Format::Sarif => self.reports.get_or_insert_default().extend(reports),
+        if self.format != Format::Human {
+            self.reports.get_or_insert_default().extend(reports);
+            return;
         }
+        human::print(&reports);
+        let mut codes = reports.iter().flat_map(|report| &report.diagnostics).map(|found| found.code);
+        self.first = self.first.or_else(|| codes.next());
     }
 
     /// Says what the command did, unless standard output is for a document.
     pub(crate) fn summary(&mut self, text: &str) -> Outcome {
-        match self.format {
-            Format::Human | Format::Github => console::print(text),
-            Format::Json | Format::Sarif => {
-                self.reports.get_or_insert_default();
-                Outcome::Clean
-            }
+        if self.format == Format::Human {
+            return console::print(text);
         }
+        self.reports.get_or_insert_default();
+        Outcome::Clean
     }
 
     /// Ends the run: prints the document, or where people find more. Gives the outcome of both.
     pub(crate) fn finish(self, outcome: Outcome) -> Outcome {
-        let printed = match (self.format, self.reports, self.first) {
-            (Format::Json, Some(reports), _) => console::print_json(&json::Document::of(&reports)),
-            (Format::Sarif, Some(reports), _) => console::print_json(&sarif::document(&reports, outcome)),
-            (Format::Human, _, Some(code)) => human::hint(code),
-            _ => Outcome::Clean,
+        if let Some(code) = self.first {
+            human::hint(code);
+        }
+        let Some(reports) = self.reports else { return outcome };
+        let printed = match self.format {
+            Format::Human => Outcome::Clean,
+            Format::Json => console::print_json(&json::Document::of(&reports)),
+            Format::Sarif => console::print_json(&sarif::document(&reports, outcome)),
+            Format::Github => console::print(&github::annotations(&reports)),
         };
         if printed == Outcome::Clean { outcome } else { printed }
     }

@@ -7,9 +7,9 @@ mod location;
 mod rule;
 
 use crate::Outcome;
-use lipz::{Code, Diagnostic, Source, diagnostic};
+use lipz::{Code, Diagnostic, diagnostic};
 use lipz_compiler::Report;
-use location::{ArtifactChange, Location, Message};
+use location::{ArtifactChange, File, Location, Message};
 use rule::Rule;
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -80,9 +80,7 @@ struct Fix {
 
 /// The document about a run that ended with `outcome`.
 pub(super) fn document(reports: &[Report], outcome: Outcome) -> Log {
-    let found =
-        || reports.iter().flat_map(|report| report.diagnostics.iter().map(move |found| (&report.source, found)));
-    let codes: BTreeSet<Code> = found().map(|(_, diagnostic)| diagnostic.code).collect();
+    let codes: BTreeSet<Code> = reports.iter().flat_map(|report| &report.diagnostics).map(|found| found.code).collect();
     let codes: Vec<Code> = codes.into_iter().collect();
     Log {
         schema: SCHEMA,
@@ -98,23 +96,29 @@ pub(super) fn document(reports: &[Report], outcome: Outcome) -> Log {
             },
             invocations: [Invocation { execution_successful: outcome != Outcome::Failed }],
             column_kind: "unicodeCodePoints",
-            results: found().map(|(source, diagnostic)| entry(source, diagnostic, &codes)).collect(),
+            results: reports.iter().flat_map(|report| entries(report, &codes)).collect(),
         }],
     }
 }
 
-fn entry(source: &Source, diagnostic: &Diagnostic, codes: &[Code]) -> ResultEntry {
+/// The findings in one file.
+fn entries(report: &Report, codes: &[Code]) -> Vec<ResultEntry> {
+    let file = File::of(report);
+    report.diagnostics.iter().map(|diagnostic| entry(&file, diagnostic, codes)).collect()
+}
+
+fn entry(file: &File, diagnostic: &Diagnostic, codes: &[Code]) -> ResultEntry {
     let fix = |fix: &diagnostic::Fix| Fix {
         description: diagnostic.help.clone().map(Message::of),
-        artifact_changes: [ArtifactChange::of(source, fix)],
+        artifact_changes: [file.change(fix)],
     };
     ResultEntry {
         rule_id: diagnostic.code.number(),
         rule_index: codes.partition_point(|&code| code < diagnostic.code),
         level: diagnostic.level.to_string(),
         message: Message::of(message(diagnostic)),
-        locations: Location::of(source, diagnostic.primary.as_ref()).into_iter().collect(),
-        related_locations: diagnostic.secondary.iter().filter_map(|label| Location::of(source, Some(label))).collect(),
+        locations: file.location(diagnostic.primary.as_ref()).into_iter().collect(),
+        related_locations: diagnostic.secondary.iter().filter_map(|label| file.location(Some(label))).collect(),
         fixes: diagnostic.fix.iter().map(fix).collect(),
     }
 }

@@ -1,7 +1,9 @@
 //! Places and changes in files, as SARIF writes them.
 
+use crate::render::places::Places;
 use lipz::diagnostic::Label;
-use lipz::{Source, Span, diagnostic};
+use lipz::{Span, diagnostic};
+use lipz_compiler::Report;
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 use serde::Serialize;
 
@@ -64,43 +66,47 @@ impl Message {
     }
 }
 
-impl Location {
+/// A file with findings.
+pub(super) struct File {
+    uri: String,
+    places: Places,
+}
+
+impl File {
+    pub(super) fn of(report: &Report) -> File {
+        File { uri: uri(&report.source.path), places: Places::of(report) }
+    }
+
     /// The marked place, or the whole file; none if the finding is about no file.
-    pub(super) fn of(source: &Source, label: Option<&Label>) -> Option<Location> {
-        if source.path.is_empty() {
+    pub(super) fn location(&self, label: Option<&Label>) -> Option<Location> {
+        if self.uri.is_empty() {
             return None;
         }
         let text = label.map(|label| label.text.as_str()).filter(|text| !text.is_empty());
         Some(Location {
             physical_location: PhysicalLocation {
-                artifact_location: ArtifactLocation::of(source),
-                region: label.map(|label| Region::of(source, label.span)),
+                artifact_location: self.artifact(),
+                region: label.map(|label| self.region(label.span)),
             },
             message: text.map(Message::of),
         })
     }
-}
 
-impl ArtifactLocation {
-    fn of(source: &Source) -> ArtifactLocation {
-        ArtifactLocation { uri: uri(&source.path) }
-    }
-}
-
-impl Region {
-    fn of(source: &Source, span: Span) -> Region {
-        let (start, end) = (source.line_column(span.start), source.line_column(span.end));
-        Region { start_line: start.line, start_column: start.column, end_line: end.line, end_column: end.column }
-    }
-}
-
-impl ArtifactChange {
-    pub(super) fn of(source: &Source, fix: &diagnostic::Fix) -> ArtifactChange {
+    pub(super) fn change(&self, fix: &diagnostic::Fix) -> ArtifactChange {
         let inserted_content = Message::of(&fix.replacement);
         ArtifactChange {
-            artifact_location: ArtifactLocation::of(source),
-            replacements: [Replacement { deleted_region: Region::of(source, fix.span), inserted_content }],
+            artifact_location: self.artifact(),
+            replacements: [Replacement { deleted_region: self.region(fix.span), inserted_content }],
         }
+    }
+
+    fn artifact(&self) -> ArtifactLocation {
+        ArtifactLocation { uri: self.uri.clone() }
+    }
+
+    fn region(&self, span: Span) -> Region {
+        let [start, end] = self.places.ends(span);
+        Region { start_line: start.line, start_column: start.column, end_line: end.line, end_column: end.column }
     }
 }
 
@@ -127,14 +133,5 @@ mod tests {
         assert_eq!(uri("../a:b/100%.lipz"), "../a%3Ab/100%25.lipz");
         assert_eq!(uri("/voices/aye.lipz"), "file:///voices/aye.lipz");
         assert_eq!(uri("C:/voices/aye.lipz"), "file:///C:/voices/aye.lipz");
-    }
-
-    #[test]
-    fn places_count_characters_from_one() {
-        let source = Source { path: "aye.lipz".into(), text: "{\n \"é\": 灯 }".into() };
-        let region = Region::of(&source, Span::new(9, 12));
-        assert_eq!((region.start_line, region.start_column), (2, 7));
-        assert_eq!((region.end_line, region.end_column), (2, 8));
-        assert!(Location::of(&Source::default(), None).is_none());
     }
 }
