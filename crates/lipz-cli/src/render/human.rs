@@ -35,17 +35,23 @@ pub(super) fn print(reports: &[Report]) {
         let (hidden, files) = (console::grouped(tally.hidden), console::counted(tally.files.len(), "file"));
         console::remark(&format!("{hidden} more {code} ({}) in {files} are not shown\n", code.summary()));
     }
+    console::remark(&closing(reports));
+}
+
+/// How much was found, in how many files; nothing if nothing was.
+fn closing(reports: &[Report]) -> String {
     let (errors, warnings) = (count(reports, Level::Error), count(reports, Level::Warning));
     let parts: Vec<String> = [(errors, "error"), (warnings, "warning")]
         .into_iter()
         .filter(|(number, _)| *number > 0)
         .map(|(number, what)| console::counted(number, what))
         .collect();
-    if !parts.is_empty() {
-        let files: BTreeSet<&str> = reports.iter().map(|report| report.source.path.as_str()).collect();
-        let files = files.iter().filter(|path| !path.is_empty()).count();
-        console::remark(&format!("{} in {}\n", parts.join(" and "), console::counted(files, "file")));
+    if parts.is_empty() {
+        return String::new();
     }
+    let files: BTreeSet<&str> = reports.iter().map(|report| report.source.path.as_str()).collect();
+    let files = files.iter().filter(|path| !path.is_empty()).count();
+    format!("{} in {}\n", parts.join(" and "), console::counted(files, "file"))
 }
 
 /// Tells people at a terminal where more about a code is. Logs of builds go without.
