@@ -43,3 +43,13 @@ pub(crate) enum Command {
     Inspect(inspect::Inspect),
     Explain(explain::Explain),
 }
+
+impl Command {
+    /// Whether standard output is for a result other than findings.
+    pub(crate) fn prints_result(&self) -> bool {
+        match self {
+            Command::Pack(_) | Command::Check(_) | Command::Unpack(_) | Command::Verify(_) => false,
+            Command::Inspect(_) | Command::Explain(_) => true,
+        }
+    }
+}

@@ -47,14 +47,14 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             return if error.use_stderr() { Outcome::Failed.into() } else { Outcome::Clean.into() };
         }
     };
-    let mut findings = Findings::new(arguments.format);
+    let mut findings = Findings::new(arguments.format, arguments.command.prints_result());
     let outcome = match arguments.command {
         Command::Pack(pack) => commands::pack::run(&pack, &mut findings),
         Command::Check(check) => commands::check::run(&check, &mut findings),
         Command::Unpack(unpack) => commands::unpack::run(&unpack, &mut findings),
         Command::Verify(verify) => commands::verify::run(&verify, &mut findings),
         Command::Inspect(inspect) => commands::inspect::run(&inspect, &mut findings),
-        Command::Explain(explain) => commands::explain::run(&explain),
+        Command::Explain(explain) => return commands::explain::run(&explain).into(),
     };
     findings.finish(outcome).into()
 }

@@ -14,38 +14,40 @@ use lipz_compiler::Report;
 /// How findings are shown.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 pub(crate) enum Format {
-    /// Text with the marked source, on standard error
+    /// Text with the marked source
     Human,
-    /// One JSON document with every finding, on standard output
+    /// One JSON document with every finding
     Json,
-    /// One SARIF 2.1.0 document with every finding, on standard output
+    /// One SARIF 2.1.0 document with every finding
     Sarif,
-    /// Annotations of GitHub Actions, one a line, on standard output
+    /// Annotations of GitHub Actions, one a line
     Github,
 }
 
 /// The findings of one run of a command.
 ///
-/// People see them as they come. A document for programs is printed at the end, and is then all that
-/// standard output has. It is due also without findings, except from commands whose result is
-/// something else, as that of `inspect`: these print one only if they have findings instead.
+/// People see them as they come, on standard error. A document for programs is printed at the end,
+/// also if nothing was found. It is then all that standard output has; only if that is for another
+/// result, such as a bank, the document goes to standard error.
 pub(crate) struct Findings {
     format: Format,
-    /// The code of the first one.
+    is_output_taken: bool,
+    /// What the document is about.
+    reports: Vec<Report>,
+    /// The code of the first one that people saw.
     first: Option<Code>,
-    /// What the document is about, once it is due.
-    reports: Option<Vec<Report>>,
 }
 
 impl Findings {
-    pub(crate) fn new(format: Format) -> Findings {
-        Findings { format, first: None, reports: None }
+    /// `is_output_taken` if standard output is for something else.
+    pub(crate) fn new(format: Format, is_output_taken: bool) -> Findings {
+        Findings { format, is_output_taken, reports: Vec::new(), first: None }
     }
 
     /// Shows these findings, or keeps them for the document.
     pub(crate) fn add(&mut self, reports: Vec<Report>) {
         if self.format != Format::Human {
-            self.reports.get_or_insert_default().extend(reports);
+            self.reports.extend(reports);
             return;
         }
         human::print(&reports);
@@ -53,27 +55,33 @@ impl Findings {
         self.first = self.first.or_else(|| codes.next());
     }
 
-    /// Says what the command did, unless standard output is for a document.
-    pub(crate) fn summary(&mut self, text: &str) -> Outcome {
-        if self.format == Format::Human {
-            return console::print(text);
-        }
-        self.reports.get_or_insert_default();
-        Outcome::Clean
+    /// Tells people what the command did.
+    pub(crate) fn summary(&self, text: &str) -> Outcome {
+        if self.format == Format::Human { self.print(text) } else { Outcome::Clean }
     }
 
     /// Ends the run: prints the document, or where people find more. Gives the outcome of both.
     pub(crate) fn finish(self, outcome: Outcome) -> Outcome {
-        if let Some(code) = self.first {
-            human::hint(code);
-        }
-        let Some(reports) = self.reports else { return outcome };
-        let printed = match self.format {
-            Format::Human => Outcome::Clean,
-            Format::Json => console::print_json(&json::Document::of(&reports)),
-            Format::Sarif => console::print_json(&sarif::document(&reports, outcome)),
-            Format::Github => console::print(&github::annotations(&reports)),
+        let document = match self.format {
+            Format::Human => {
+                self.first.inspect(|code| human::hint(*code));
+                return outcome;
+            }
+            Format::Json => console::json(&json::Document::of(&self.reports)),
+            Format::Sarif => console::json(&sarif::document(&self.reports, outcome)),
+            Format::Github => Ok(github::annotations(&self.reports)),
         };
-        if printed == Outcome::Clean { outcome } else { printed }
+        match document.map_or_else(|failed| failed, |text| self.print(&text)) {
+            Outcome::Clean => outcome,
+            failed => failed,
+        }
+    }
+
+    fn print(&self, text: &str) -> Outcome {
+        if self.is_output_taken {
+            console::remark(text);
+            return Outcome::Clean;
+        }
+        console::print(text)
     }
 }
