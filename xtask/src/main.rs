@@ -2,6 +2,7 @@
 
 mod ci;
 mod corpus;
+mod docs;
 mod edges;
 mod generate;
 mod measure;
@@ -28,6 +29,8 @@ enum Task {
     Ci,
     /// Check which crates depend on which
     Edges,
+    /// Write docs/DIAGNOSTICS.md, whose contents are in the code
+    Docs,
     /// Write a folder of made-up clips of realistic size and shape
     Generate(generate::Settings),
     /// Measure packing against reading the same files (release builds only)
@@ -55,6 +58,7 @@ fn main() -> ExitCode {
     let result = match task {
         Task::Ci => ci::run(),
         Task::Edges => edges::run(),
+        Task::Docs => docs::run(),
         Task::Generate(settings) => generate::run(&settings),
         Task::Measure(settings) => measure::run(&settings),
         Task::Corpus(settings) => corpus::run(&settings),

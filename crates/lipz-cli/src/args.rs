@@ -1,6 +1,9 @@
 //! The command line: the list of commands. Each one's arguments and help stand beside its work.
 
-use crate::commands::{check, completions, diff, ids, init, inspect, man, pack, schema, stats, unpack, verify};
+use crate::commands::{
+    check, completions, diff, explain, ids, init, inspect, man, pack, schema, stats, unpack, verify,
+};
+use crate::render::Format;
 use clap::{Parser, Subcommand};
 use colorchoice_clap::Color;
 
@@ -15,6 +18,10 @@ use colorchoice_clap::Color;
 pub(crate) struct Arguments {
     #[command(flatten)]
     pub(crate) color: Color,
+
+    /// How findings are shown
+    #[arg(long, global = true, value_enum, value_name = "FORMAT", default_value_t = Format::Human)]
+    pub(crate) format: Format,
 
     #[command(subcommand)]
     pub(crate) command: Command,
@@ -34,4 +41,18 @@ pub(crate) enum Command {
     Completions(completions::Completions),
     Man(man::ManPages),
     Ids(ids::Ids),
+    Explain(explain::Explain),
+}
+
+impl Command {
+    /// Whether standard output is for a result other than findings.
+    pub(crate) fn prints_result(&self) -> bool {
+        match self {
+            Command::Pack(pack) => pack.prints_bank(),
+            Command::Ids(ids) => ids.prints_ids(),
+            Command::Check(_) | Command::Init(_) | Command::Unpack(_) | Command::Verify(_) | Command::Man(_) => false,
+            Command::Inspect(_) | Command::Diff(_) | Command::Stats(_) | Command::Explain(_) => true,
+            Command::Schema(_) | Command::Completions(_) => true,
+        }
+    }
 }

@@ -1,6 +1,7 @@
 //! Bank files on disk: mapping them, and what to say when they are not banks.
 
-use crate::{Outcome, console, render, standard};
+use crate::render::Findings;
+use crate::{Outcome, console, standard};
 use lipz::{Code, Diagnostic};
 use lipz_bank::layout::{FORMAT_MAJOR, FORMAT_MINOR, Header, MAGIC};
 use lipz_bank::{Bank, Error, ErrorKind};
@@ -29,7 +30,7 @@ enum Bytes {
 
 impl BankFile {
     /// Maps the file at `path`, or reads standard input. Reports why that is not possible.
-    pub(crate) fn open(path: &Path) -> Result<BankFile, Outcome> {
+    pub(crate) fn open(path: &Path, findings: &mut Findings) -> Result<BankFile, Outcome> {
         let (name, bytes) = if standard::is_meant(path) {
             (standard::INPUT_NAME.to_owned(), standard::read(LONGEST_BANK + 1).map(Bytes::Read))
         } else {
@@ -39,7 +40,7 @@ impl BankFile {
             Ok(bytes) => Ok(BankFile { name, bytes }),
             Err(error) => {
                 let finding = unreadable(&name, &error);
-                render::findings(&[Report::about(name, finding)]);
+                findings.add(vec![Report::about(name, finding)]);
                 Err(Outcome::Failed)
             }
         }
@@ -51,7 +52,7 @@ impl BankFile {
     }
 
     /// The bank, verified. Reports what is wrong with it.
-    pub(crate) fn bank(&self) -> Result<Bank<'_>, Outcome> {
+    pub(crate) fn bank(&self, findings: &mut Findings) -> Result<Bank<'_>, Outcome> {
         let bytes: &[u8] = match &self.bytes {
             Bytes::Mapped(map) => map,
             Bytes::Read(bytes) => bytes,
@@ -59,7 +60,7 @@ impl BankFile {
         let opened = Bank::open(bytes).map_err(|error| (Code::BankRefused, error));
         let verified = opened.and_then(|bank| bank.verify().map_err(|error| (Code::BankDamaged, error)));
         verified.map_err(|(code, error)| {
-            render::findings(&[Report::about(self.name.as_str(), refused(code, error, bytes))]);
+            findings.add(vec![Report::about(self.name.as_str(), refused(code, error, bytes))]);
             Outcome::Findings
         })
     }
@@ -67,13 +68,17 @@ impl BankFile {
 
 /// Opens the bank at `path`, verifies it and hands it to `work`, with its path as messages name it.
 /// Reports why the file cannot be read, or what is wrong with the bank.
-pub(crate) fn with_bank(path: &Path, work: impl FnOnce(&str, &Bank<'_>) -> Outcome) -> Outcome {
-    let file = match BankFile::open(path) {
+pub(crate) fn with_bank(
+    path: &Path,
+    findings: &mut Findings,
+    work: impl FnOnce(&str, &Bank<'_>, &mut Findings) -> Outcome,
+) -> Outcome {
+    let file = match BankFile::open(path, findings) {
         Ok(file) => file,
         Err(outcome) => return outcome,
     };
-    match file.bank() {
-        Ok(bank) => work(&file.name, &bank),
+    match file.bank(findings) {
+        Ok(bank) => work(&file.name, &bank, findings),
         Err(outcome) => outcome,
     }
 }

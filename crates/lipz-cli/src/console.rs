@@ -33,11 +33,16 @@ fn printed(mut out: impl Write, bytes: &[u8]) -> Outcome {
 
 /// Prints a result as JSON.
 pub(crate) fn print_json<T: Serialize>(value: &T) -> Outcome {
+    json(value).map_or_else(|failed| failed, |text| print(&text))
+}
+
+/// The value as JSON, as it may be printed.
+pub(crate) fn json<T: Serialize>(value: &T) -> Result<String, Outcome> {
     match serde_json::to_string_pretty(value) {
-        Ok(json) => print(&(without_controls(&json) + "\n")),
+        Ok(json) => Ok(without_controls(&json) + "\n"),
         Err(error) => {
             remark(&format!("error: {error}\n"));
-            Outcome::Failed
+            Err(Outcome::Failed)
         }
     }
 }

@@ -8,6 +8,7 @@ mod commands;
 mod console;
 mod interrupt;
 mod lint_flags;
+mod page;
 mod project;
 mod render;
 mod sources;
@@ -16,6 +17,7 @@ mod timeline;
 
 use args::{Arguments, Command};
 use clap::{CommandFactory, Parser};
+use render::Findings;
 use std::ffi::OsString;
 use std::process::ExitCode;
 
@@ -52,21 +54,23 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     };
     arguments.color.write_global();
     interrupt::listen();
+    let mut findings = Findings::new(arguments.format, arguments.command.prints_result());
     let outcome = match arguments.command {
-        Command::Pack(pack) => commands::pack::run(&pack),
-        Command::Check(check) => commands::check::run(&check),
-        Command::Init(init) => commands::init::run(&init),
-        Command::Unpack(unpack) => commands::unpack::run(&unpack),
-        Command::Verify(verify) => commands::verify::run(&verify),
-        Command::Inspect(inspect) => commands::inspect::run(&inspect),
-        Command::Diff(diff) => commands::diff::run(&diff),
-        Command::Stats(stats) => commands::stats::run(&stats),
+        Command::Pack(pack) => commands::pack::run(&pack, &mut findings),
+        Command::Check(check) => commands::check::run(&check, &mut findings),
+        Command::Init(init) => commands::init::run(&init, &mut findings),
+        Command::Unpack(unpack) => commands::unpack::run(&unpack, &mut findings),
+        Command::Verify(verify) => commands::verify::run(&verify, &mut findings),
+        Command::Inspect(inspect) => commands::inspect::run(&inspect, &mut findings),
+        Command::Diff(diff) => commands::diff::run(&diff, &mut findings),
+        Command::Stats(stats) => commands::stats::run(&stats, &mut findings),
         Command::Schema(schema) => commands::schema::run(&schema),
         Command::Completions(completions) => commands::completions::run(&completions),
-        Command::Man(man) => commands::man::run(&man),
-        Command::Ids(ids) => commands::ids::run(&ids),
+        Command::Man(man) => commands::man::run(&man, &mut findings),
+        Command::Explain(explain) => return commands::explain::run(&explain).into(),
+        Command::Ids(ids) => commands::ids::run(&ids, &mut findings),
     };
-    outcome.into()
+    findings.finish(outcome).into()
 }
 
 /// The names of the commands.

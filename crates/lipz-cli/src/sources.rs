@@ -1,9 +1,10 @@
 //! The arguments of commands that read Lipz files: where they are, and which settings hold for them.
 
+use crate::Outcome;
 use crate::args::Arguments;
 use crate::lint_flags::LintFlags;
 use crate::project::{ProjectFlags, refused_locale};
-use crate::{Outcome, render};
+use crate::render::Findings;
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory};
 use lipz::Code;
@@ -75,8 +76,8 @@ impl Project {
 impl Sources {
     /// The project that the arguments name. What is wrong with it is printed, and how the run ends is
     /// returned.
-    pub(crate) fn project(&self) -> Result<Project, Outcome> {
-        let mut project = self.arguments.project(&self.sources)?;
+    pub(crate) fn project(&self, findings: &mut Findings) -> Result<Project, Outcome> {
+        let mut project = self.arguments.project(&self.sources, findings)?;
         if self.root.is_some() {
             project.settings.root.clone_from(&self.root);
         }
@@ -96,10 +97,10 @@ impl Sources {
 
 impl ProjectArguments {
     /// The project to which these sources belong; those of its settings file if there are none.
-    pub(crate) fn project(&self, sources: &[PathBuf]) -> Result<Project, Outcome> {
+    pub(crate) fn project(&self, sources: &[PathBuf], findings: &mut Findings) -> Result<Project, Outcome> {
         let file = self.settings_file(sources);
         let mut settings = match &file {
-            Some(file) => read(file)?,
+            Some(file) => read(file, findings)?,
             None => Settings::default(),
         };
         if !sources.is_empty() {
@@ -141,12 +142,12 @@ impl ProjectArguments {
 }
 
 /// The settings in `file`; its findings are printed.
-fn read(file: &Path) -> Result<Settings, Outcome> {
+fn read(file: &Path, findings: &mut Findings) -> Result<Settings, Outcome> {
     let (settings, report) = Settings::read(file);
     let has_errors = report.has_errors();
     let is_read = report.diagnostics.iter().all(|finding| finding.code != Code::SettingsUnreadable);
     if !report.diagnostics.is_empty() {
-        render::findings(&[report]);
+        findings.add(vec![report]);
     }
     match (has_errors, is_read) {
         (false, _) => Ok(settings),

@@ -35,7 +35,7 @@ fn help_lists_every_command_and_the_exit_codes() {
 
 #[test]
 fn usage_errors_exit_with_2() {
-    let usage_errors: [&[&str]; 18] = [
+    let usage_errors: [&[&str]; 20] = [
         &[],
         &["pakc", "fixtures/drama"],
         &["check"],
@@ -54,6 +54,8 @@ fn usage_errors_exit_with_2() {
         &["stats", "fixtures/drama", "--default-locale", "es-419"],
         &["man"],
         &["check", "fixtures/drama", "--color", "red"],
+        &["check", "fixtures/drama", "--format", "xml"],
+        &["explain", "LZ0401", "--list"],
     ];
     for arguments in usage_errors {
         let outcome = lipz(&repository(), arguments);

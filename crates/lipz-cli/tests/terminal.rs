@@ -13,6 +13,9 @@ use support::forge::bank_with_key;
 /// direction round.
 const HOSTILE: &str = "\u{1b}]0;x\u{7}\u{1b}[2J\u{9b}2J\u{8}\u{202e}\u{7f}";
 
+/// Every way to show findings.
+const FORMATS: [&str; 4] = ["human", "json", "sarif", "github"];
+
 /// What a terminal would get, without the colours that are lipz' own.
 fn printed(scene: &Scene, arguments: &[&str]) -> String {
     let output = Command::new(env!("CARGO_BIN_EXE_lipz"))
@@ -64,13 +67,17 @@ fn findings_about_hostile_files() {
     ];
     for (name, text) in &files {
         scene.write(&format!("{name}/aye.lipz"), text);
-        assert_harmless(&scene, &["check", name], "LZ0");
+        for format in FORMATS {
+            assert_harmless(&scene, &["check", name, "--format", format], "LZ0");
+        }
     }
     for clip in ["Aye", "aye"] {
         scene.write(&format!("keys/{HOSTILE}/{clip}.lipz"), "{}");
     }
     scene.write(&format!("keys/{HOSTILE}.lipz"), "{}");
-    assert_harmless(&scene, &["check", "keys"], "LZ0803");
+    for format in FORMATS {
+        assert_harmless(&scene, &["check", "keys", "--format", format], "LZ0803");
+    }
     let missing = format!("nowhere{HOSTILE}");
     for arguments in [["check", &missing], ["verify", &missing], ["inspect", &missing]] {
         assert_harmless(&scene, &arguments, "nowhere");
@@ -83,6 +90,7 @@ fn findings_about_hostile_files() {
     assert_harmless(&scene, &["inspect", &output, HOSTILE], "no clip");
     assert_harmless(&scene, &["unpack", &output, "-o", HOSTILE], "1 file unpacked");
     assert_harmless(&scene, &["unpack", &output, "-o", HOSTILE], "LZ0906");
+    assert_harmless(&scene, &["explain", HOSTILE], "not a code");
 }
 
 #[test]

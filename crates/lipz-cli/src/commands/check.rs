@@ -1,8 +1,9 @@
 //! `lipz check`: the findings of source files.
 
 use super::with_inputs;
+use crate::render::Findings;
 use crate::sources::Sources;
-use crate::{Outcome, console, render};
+use crate::{Outcome, console};
 use clap::Args;
 use lipz_compiler::check_all;
 
@@ -18,19 +19,17 @@ pub(crate) struct Check {
     sources: Sources,
 }
 
-pub(crate) fn run(arguments: &Check) -> Outcome {
-    let project = match arguments.sources.project() {
+pub(crate) fn run(arguments: &Check, findings: &mut Findings) -> Outcome {
+    let project = match arguments.sources.project(findings) {
         Ok(project) => project,
         Err(outcome) => return outcome,
     };
     let quiet = arguments.sources.is_quiet();
     let run = with_inputs(&project.settings, quiet, check_all);
-    render::findings(&run.reports);
-    if run.has_errors() {
-        return run.failure();
+    let outcome = run.outcome();
+    findings.add(run.reports);
+    if outcome != Outcome::Clean || quiet {
+        return outcome;
     }
-    if quiet {
-        return Outcome::Clean;
-    }
-    console::print(&format!("{} checked\n", console::counted(run.inputs.len(), "file")))
+    findings.summary(&format!("{} checked\n", console::counted(run.inputs.len(), "file")))
 }

@@ -2,22 +2,28 @@
 
 use super::with_inputs;
 use crate::bank_file::BankFile;
+use crate::render::Findings;
 use crate::sources::ProjectArguments;
-use crate::{Outcome, console, render};
+use crate::{Outcome, console};
 use lipz_compiler::compile;
 use std::path::Path;
 
 /// The bank at `path`, or the Lipz files there, packed in memory. Reports what is wrong with them.
-pub(super) fn bank_or_files(path: &Path, arguments: &ProjectArguments) -> Result<BankFile, Outcome> {
+pub(super) fn bank_or_files(
+    path: &Path,
+    arguments: &ProjectArguments,
+    findings: &mut Findings,
+) -> Result<BankFile, Outcome> {
     if !names_lipz_files(path) {
-        return BankFile::open(path);
+        return BankFile::open(path, findings);
     }
-    let project = arguments.project(&[path.to_owned()])?;
+    let project = arguments.project(&[path.to_owned()], findings)?;
     let mut run = with_inputs(&project.settings, arguments.quiet, compile);
-    render::findings(&run.reports);
+    let outcome = run.outcome();
+    findings.add(run.reports);
     match run.compiled.bank.take() {
-        Some(bank) if !run.has_errors() => Ok(BankFile::made(console::path(path), bank)),
-        _ => Err(run.failure()),
+        Some(bank) if outcome == Outcome::Clean => Ok(BankFile::made(console::path(path), bank)),
+        _ => Err(outcome),
     }
 }
 

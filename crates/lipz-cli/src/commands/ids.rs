@@ -2,13 +2,15 @@
 
 use super::with_inputs;
 use crate::bank_file::with_bank;
+use crate::render::Findings;
 use crate::sources::{Sources, usage_error};
-use crate::{Outcome, console, interrupt, render};
+use crate::{Outcome, console, interrupt};
 use clap::error::ErrorKind;
 use clap::{Args, ValueEnum};
 use lipz_bank::Bank;
 use lipz_compiler::ids::{Language, generate};
 use lipz_compiler::{Report, compile, replace_file};
+use std::mem;
 use std::path::{Path, PathBuf};
 
 /// Write the ids of clips as constants for programs, so that a misspelt key does not compile.
@@ -57,7 +59,14 @@ impl From<LanguageName> for Language {
     }
 }
 
-pub(crate) fn run(arguments: &Ids) -> Outcome {
+impl Ids {
+    /// Whether the ids go to standard output.
+    pub(crate) fn prints_ids(&self) -> bool {
+        self.output.is_none()
+    }
+}
+
+pub(crate) fn run(arguments: &Ids, findings: &mut Findings) -> Outcome {
     let language = Language::from(arguments.lang);
     if let Some(prefix) = arguments.prefix.as_ref().filter(|prefix| !language.accepts_prefix(prefix)) {
         let name = language.name();
@@ -68,8 +77,10 @@ pub(crate) fn run(arguments: &Ids) -> Outcome {
         return usage_error(ErrorKind::ArgumentConflict, &message, &tip);
     }
     match arguments.sources.paths() {
-        [bank] if is_bank(bank) => with_bank(bank, |path, bank| write(path, bank, arguments)),
-        sources => of_sources(sources, arguments),
+        [bank] if is_bank(bank) => {
+            with_bank(bank, findings, |path, bank, findings| write(path, bank, arguments, findings))
+        }
+        sources => of_sources(sources, arguments, findings),
     }
 }
 
@@ -78,38 +89,41 @@ fn is_bank(path: &Path) -> bool {
 }
 
 /// The ids of the bank that would be packed.
-fn of_sources(sources: &[PathBuf], arguments: &Ids) -> Outcome {
-    let project = match arguments.sources.project() {
+fn of_sources(sources: &[PathBuf], arguments: &Ids, findings: &mut Findings) -> Outcome {
+    let project = match arguments.sources.project(findings) {
         Ok(project) => project,
         Err(outcome) => return outcome,
     };
-    let run = with_inputs(&project.settings, arguments.sources.is_quiet(), compile);
-    render::findings(&run.reports);
+    let mut run = with_inputs(&project.settings, arguments.sources.is_quiet(), compile);
+    let outcome = run.outcome();
+    findings.add(mem::take(&mut run.reports));
     match &run.compiled.bank {
-        Some(bytes) if !run.has_errors() => match Bank::open(bytes) {
-            Ok(bank) => write(&sources.first().map(|path| console::path(path)).unwrap_or_default(), &bank, arguments),
+        Some(bytes) if outcome == Outcome::Clean => match Bank::open(bytes) {
+            Ok(bank) => {
+                write(&sources.first().map(|path| console::path(path)).unwrap_or_default(), &bank, arguments, findings)
+            }
             Err(_) => Outcome::Failed,
         },
-        _ => run.failure(),
+        _ => outcome,
     }
 }
 
-fn write(source: &str, bank: &Bank<'_>, arguments: &Ids) -> Outcome {
+fn write(source: &str, bank: &Bank<'_>, arguments: &Ids, findings: &mut Findings) -> Outcome {
     let text = match generate(bank, arguments.lang.into(), arguments.prefix.as_deref()) {
         Ok(text) => text,
         Err(clashes) => {
-            render::findings(&[Report::all_about(source, clashes)]);
+            findings.add(vec![Report::all_about(source, clashes)]);
             return Outcome::Findings;
         }
     };
     let Some(output) = &arguments.output else { return console::print(&text) };
     if let Err(report) = interrupt::whole(|| replace_file(output, text.as_bytes())) {
-        render::findings(&[report]);
+        findings.add(vec![report]);
         return Outcome::Failed;
     }
     if arguments.sources.is_quiet() {
         return Outcome::Clean;
     }
     let clips = console::counted(bank.clip_count(), "id");
-    console::print(&format!("{clips} written to {}\n", console::path(output)))
+    findings.summary(&format!("{clips} written to {}\n", console::path(output)))
 }

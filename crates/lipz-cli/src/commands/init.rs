@@ -1,6 +1,7 @@
 //! `lipz init`: a settings file that explains itself.
 
-use crate::{Outcome, console, render};
+use crate::render::Findings;
+use crate::{Outcome, console};
 use clap::Args;
 use lipz::{Code, Diagnostic};
 use lipz_compiler::settings::{FILE_NAME, template};
@@ -26,22 +27,22 @@ pub(crate) struct Init {
     quiet: bool,
 }
 
-pub(crate) fn run(arguments: &Init) -> Outcome {
+pub(crate) fn run(arguments: &Init, findings: &mut Findings) -> Outcome {
     let is_here = arguments.folder.as_os_str() == ".";
     let file = if is_here { PathBuf::from(FILE_NAME) } else { arguments.folder.join(FILE_NAME) };
     let shown = console::path(&file);
     if !arguments.force && file.symlink_metadata().is_ok() {
         let finding = Diagnostic::new(Code::WouldOverwrite, format!("`{shown}` is there already"));
         let finding = finding.note("nothing was written").help("edit it, or replace it by a fresh one with --force");
-        render::findings(&[Report::about(shown, finding)]);
+        findings.add(vec![Report::about(shown, finding)]);
         return Outcome::Findings;
     }
     if let Err(report) = replace_file(&file, template().as_bytes()) {
-        render::findings(&[report]);
+        findings.add(vec![report]);
         return Outcome::Failed;
     }
     if arguments.quiet {
         return Outcome::Clean;
     }
-    console::print(&format!("{shown} written: `lipz check` in its folder checks all Lipz files there and below\n"))
+    findings.summary(&format!("{shown} written: `lipz check` in its folder checks all Lipz files there and below\n"))
 }

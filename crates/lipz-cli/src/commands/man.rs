@@ -1,7 +1,8 @@
 //! `lipz man`: manual pages.
 
 use crate::args::Arguments;
-use crate::{Outcome, console, interrupt, render};
+use crate::render::Findings;
+use crate::{Outcome, console, interrupt};
 use clap::{Args, Command, CommandFactory};
 use clap_mangen::Man;
 use lipz_compiler::replace_file;
@@ -18,7 +19,7 @@ pub(crate) struct ManPages {
     pub(crate) output: PathBuf,
 }
 
-pub(crate) fn run(arguments: &ManPages) -> Outcome {
+pub(crate) fn run(arguments: &ManPages, findings: &mut Findings) -> Outcome {
     let pages = match pages() {
         Ok(pages) => pages,
         Err(error) => {
@@ -28,12 +29,12 @@ pub(crate) fn run(arguments: &ManPages) -> Outcome {
     };
     for (name, page) in &pages {
         if let Err(report) = interrupt::whole(|| replace_file(&arguments.output.join(name), page)) {
-            render::findings(&[report]);
+            findings.add(vec![report]);
             return Outcome::Failed;
         }
     }
     let count = console::counted(pages.len(), "page");
-    console::print(&format!("{count} written into {}\n", console::path(&arguments.output)))
+    findings.summary(&format!("{count} written into {}\n", console::path(&arguments.output)))
 }
 
 /// The pages with the names of their files.

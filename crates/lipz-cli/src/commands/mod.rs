@@ -4,6 +4,7 @@ pub(crate) mod check;
 pub(crate) mod completions;
 pub(crate) mod diff;
 mod either;
+pub(crate) mod explain;
 pub(crate) mod ids;
 pub(crate) mod init;
 pub(crate) mod inspect;
@@ -59,13 +60,13 @@ struct Run {
 }
 
 impl Run {
-    /// Whether there are findings at error level.
-    fn has_errors(&self) -> bool {
-        count(&self.reports, Level::Error) > 0
-    }
-
-    /// How a run with findings at error level ends: without a single input, the tool could not run.
-    fn failure(&self) -> Outcome {
-        if self.inputs.is_empty() { Outcome::Failed } else { Outcome::Findings }
+    /// How the run ends, by its findings: with errors and without a single input, the tool could not
+    /// run.
+    fn outcome(&self) -> Outcome {
+        match count(&self.reports, Level::Error) {
+            0 => Outcome::Clean,
+            _ if self.inputs.is_empty() => Outcome::Failed,
+            _ => Outcome::Findings,
+        }
     }
 }

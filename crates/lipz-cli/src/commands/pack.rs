@@ -1,12 +1,14 @@
 //! `lipz pack`: source files to a bank.
 
 use super::{Run, with_inputs};
+use crate::render::Findings;
 use crate::sources::{Sources, usage_error};
-use crate::{Outcome, console, interrupt, render, standard};
+use crate::{Outcome, console, interrupt, standard};
 use clap::Args;
 use clap::error::ErrorKind;
 use lipz_compiler::{Report, Split, compile, dependencies, depfile, replace_file, split};
 use std::io::{self, IsTerminal};
+use std::mem;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -46,8 +48,15 @@ pub(crate) struct Pack {
     timings: bool,
 }
 
-pub(crate) fn run(arguments: &Pack) -> Outcome {
-    let mut project = match arguments.sources.project() {
+impl Pack {
+    /// Whether the bank goes to standard output.
+    pub(crate) fn prints_bank(&self) -> bool {
+        self.output.as_ref().is_some_and(|output| standard::is_meant(output))
+    }
+}
+
+pub(crate) fn run(arguments: &Pack, findings: &mut Findings) -> Outcome {
+    let mut project = match arguments.sources.project(findings) {
         Ok(project) => project,
         Err(outcome) => return outcome,
     };
@@ -69,27 +78,28 @@ pub(crate) fn run(arguments: &Pack) -> Outcome {
         return usage_error(ErrorKind::ArgumentConflict, "standard output holds one bank and has no name", tip);
     }
     let mut run = with_inputs(settings, arguments.sources.is_quiet(), compile);
-    render::findings(&run.reports);
+    let outcome = run.outcome();
+    findings.add(mem::take(&mut run.reports));
     let bank = match run.compiled.bank.take() {
-        Some(bank) if !run.has_errors() => bank,
-        _ => return run.failure(),
+        Some(bank) if outcome == Outcome::Clean => bank,
+        _ => return outcome,
     };
     let start = Instant::now();
     let files = match files(output, bank, arguments.split_locales) {
         Ok(files) => files,
         Err(report) => {
-            render::findings(&[report]);
+            findings.add(vec![report]);
             return Outcome::Failed;
         }
     };
     let mut written = match files.as_slice() {
         [(_, bank)] if is_standard => console::print_bytes(bank),
-        _ => write(&files),
+        _ => write(&files, findings),
     };
     if let (Outcome::Clean, Some(path)) = (written, &arguments.depfile) {
         let mut dependencies = dependencies(&settings.sources, &run.inputs);
         dependencies.extend(project.file.clone());
-        written = write(&[(path.clone(), depfile(output, &dependencies))]);
+        written = write(&[(path.clone(), depfile(output, &dependencies))], findings);
     }
     if written != Outcome::Clean {
         return written;
@@ -104,11 +114,7 @@ pub(crate) fn run(arguments: &Pack) -> Outcome {
     if arguments.timings {
         text.push_str(&timings(&run, start.elapsed()));
     }
-    if is_standard {
-        console::remark(&text);
-        return Outcome::Clean;
-    }
-    console::print(&text)
+    findings.summary(&text)
 }
 
 /// The bank and its text banks with their paths, the bank first.
@@ -121,12 +127,12 @@ fn files(output: &Path, bank: Vec<u8>, split_locales: bool) -> Result<Vec<(PathB
 }
 
 /// Writes the files, the bank last: whoever finds it finds its texts, too.
-fn write(files: &[(PathBuf, Vec<u8>)]) -> Outcome {
+fn write(files: &[(PathBuf, Vec<u8>)], findings: &mut Findings) -> Outcome {
     let written = interrupt::whole(|| files.iter().rev().try_for_each(|(path, bytes)| replace_file(path, bytes)));
     match written {
         Ok(()) => Outcome::Clean,
         Err(report) => {
-            render::findings(&[report]);
+            findings.add(vec![report]);
             Outcome::Failed
         }
     }

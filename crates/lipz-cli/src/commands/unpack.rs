@@ -1,7 +1,8 @@
 //! `lipz unpack`: a bank to source files.
 
 use crate::bank_file::with_bank;
-use crate::{Outcome, console, interrupt, render};
+use crate::render::Findings;
+use crate::{Outcome, console, interrupt};
 use clap::Args;
 use lipz::Code;
 use lipz_bank::Bank;
@@ -33,11 +34,11 @@ pub(crate) struct Unpack {
     pub(crate) quiet: bool,
 }
 
-pub(crate) fn run(arguments: &Unpack) -> Outcome {
-    with_bank(&arguments.bank, |path, bank| unpack_into(path, bank, arguments))
+pub(crate) fn run(arguments: &Unpack, findings: &mut Findings) -> Outcome {
+    with_bank(&arguments.bank, findings, |path, bank, findings| unpack_into(path, bank, arguments, findings))
 }
 
-fn unpack_into(path: &str, bank: &Bank<'_>, arguments: &Unpack) -> Outcome {
+fn unpack_into(path: &str, bank: &Bank<'_>, arguments: &Unpack, findings: &mut Findings) -> Outcome {
     let bar = console::progress_bar(bank.clip_count(), arguments.quiet);
     let progress = |count| {
         bar.inc(count);
@@ -52,7 +53,7 @@ fn unpack_into(path: &str, bank: &Bank<'_>, arguments: &Unpack) -> Outcome {
             }
             let form = if unpacked.is_exact { "" } else { " (display forms: the bank was stripped)" };
             let files = console::counted(unpacked.files, "file");
-            console::print(&format!("{files} unpacked into {}{form}\n", console::path(&arguments.output)))
+            findings.summary(&format!("{files} unpacked into {}{form}\n", console::path(&arguments.output)))
         }
         Err(mut reports) => {
             for report in &mut reports {
@@ -60,9 +61,9 @@ fn unpack_into(path: &str, bank: &Bank<'_>, arguments: &Unpack) -> Outcome {
                     path.clone_into(&mut report.source.path);
                 }
             }
-            render::findings(&reports);
             let failed =
                 reports.iter().flat_map(|report| &report.diagnostics).any(|found| found.code == Code::OutputFailed);
+            findings.add(reports);
             if failed { Outcome::Failed } else { Outcome::Findings }
         }
     }

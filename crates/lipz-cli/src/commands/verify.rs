@@ -1,6 +1,7 @@
 //! `lipz verify`: the full check of banks.
 
 use crate::bank_file::with_bank;
+use crate::render::Findings;
 use crate::{Outcome, console};
 use clap::Args;
 use lipz_bank::Bank;
@@ -20,10 +21,12 @@ pub(crate) struct Verify {
     pub(crate) quiet: bool,
 }
 
-pub(crate) fn run(arguments: &Verify) -> Outcome {
+pub(crate) fn run(arguments: &Verify, findings: &mut Findings) -> Outcome {
     let mut worst = Outcome::Clean;
     for path in &arguments.banks {
-        let outcome = with_bank(path, |path, bank| if arguments.quiet { Outcome::Clean } else { no_fault(path, bank) });
+        let outcome = with_bank(path, findings, |path, bank, findings| {
+            if arguments.quiet { Outcome::Clean } else { findings.summary(&no_fault(path, bank)) }
+        });
         worst = match (worst, outcome) {
             (Outcome::Failed, _) | (_, Outcome::Failed) => Outcome::Failed,
             (Outcome::Findings, _) | (_, Outcome::Findings) => Outcome::Findings,
@@ -33,8 +36,8 @@ pub(crate) fn run(arguments: &Verify) -> Outcome {
     worst
 }
 
-fn no_fault(path: &str, bank: &Bank<'_>) -> Outcome {
+fn no_fault(path: &str, bank: &Bank<'_>) -> String {
     let clips = console::counted(bank.clip_count(), "clip");
     let bytes = console::grouped(bank.length_bytes());
-    console::print(&format!("{path}: no fault ({clips}, {bytes} bytes)\n"))
+    format!("{path}: no fault ({clips}, {bytes} bytes)\n")
 }

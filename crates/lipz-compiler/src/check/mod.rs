@@ -37,7 +37,7 @@ pub(crate) fn check(document: &Document<'_>, options: &Options, diagnostics: &mu
     let events = roles.events.map(|string| events::trimmed(string, &options.registry, diagnostics));
     let segment_count = segments::common_count(&roles, options, diagnostics);
     let texts = texts.into_iter().map(|segments| join::texts(segments, segment_count));
-    let events = events.map(|segments| join::events(segments, segment_count));
+    let events = events.map(|segments| join::events(segments.into_iter().map(Into::into).collect(), segment_count));
     let has_visemes = frames.is_some();
     let (frames, starts) = frames.unwrap_or_else(|| (Vec::new(), vec![0; segment_count]));
     let mut clip = ClipData {
@@ -46,7 +46,7 @@ pub(crate) fn check(document: &Document<'_>, options: &Options, diagnostics: &mu
         has_visemes,
         frames,
         starts,
-        events: events.map(|events| events.into_iter().map(Into::into).collect()),
+        events,
         ..ClipData::default()
     };
     let mut texts: Vec<_> = std::iter::zip(roles.texts, texts).collect();

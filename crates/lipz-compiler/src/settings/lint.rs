@@ -36,7 +36,7 @@ impl Selection {
         if text == WARNINGS {
             return Some(Selection::Warnings);
         }
-        Code::named(text).map(Selection::One)
+        Code::find(text).map(Selection::One)
     }
 
     /// The selected lints.

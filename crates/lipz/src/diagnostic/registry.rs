@@ -1,45 +1,57 @@
-//! Every code, once: number, name, default level and what it stands for.
+//! Every code, once: number, name, default level and what it stands for. Its page is in `pages/`.
 
 use super::Level;
 use std::fmt;
 
 macro_rules! codes {
-    ($($variant:ident $number:literal $name:literal $level:ident $summary:literal)+) => {
+    ($($group:literal $($variant:ident $number:literal $name:literal $level:ident $summary:literal)+)+) => {
         /// A rule, by its stable code. Numbers are never given a new meaning.
         #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
         #[non_exhaustive]
         pub enum Code {
-            $(#[doc = concat!("`", $number, "` ", $name, ": ", $summary)] $variant,)+
+            $($(#[doc = concat!("`", $number, "` ", $name, ": ", $summary)] $variant,)+)+
         }
 
         impl Code {
             /// Every code in the order of the numbers.
-            pub const ALL: &'static [Code] = &[$(Code::$variant),+];
+            pub const ALL: &'static [Code] = &[$($(Code::$variant),+),+];
 
             /// The stable number, `LZ0401`.
             pub const fn number(self) -> &'static str {
-                match self { $(Code::$variant => $number,)+ }
+                match self { $($(Code::$variant => $number,)+)+ }
             }
 
             /// The name for settings, `foreign-code`.
             pub const fn name(self) -> &'static str {
-                match self { $(Code::$variant => $name,)+ }
+                match self { $($(Code::$variant => $name,)+)+ }
             }
 
             /// The level unless a project sets another.
             pub const fn default_level(self) -> Level {
-                match self { $(Code::$variant => Level::$level,)+ }
+                match self { $($(Code::$variant => Level::$level,)+)+ }
             }
 
             /// What the rule is about, in one line.
             pub const fn summary(self) -> &'static str {
-                match self { $(Code::$variant => $summary,)+ }
+                match self { $($(Code::$variant => $summary,)+)+ }
+            }
+
+            /// The heading under which lists show the code.
+            pub const fn group(self) -> &'static str {
+                match self { $($(Code::$variant => $group,)+)+ }
+            }
+
+            /// What a writer or localiser should know about the rule, in Markdown: what, why, example
+            /// and fix.
+            pub const fn page(self) -> &'static str {
+                match self { $($(Code::$variant => include_str!(concat!("pages/", $number, ".md")),)+)+ }
             }
         }
     };
 }
 
 codes! {
+    "Reading files"
     UnreadableFile "LZ0001" "unreadable-file" Error "a source cannot be read"
     EmptyFile "LZ0002" "empty-file" Error "the file is empty"
     NotUtf8 "LZ0003" "not-utf8" Error "the file is not UTF-8"
@@ -47,6 +59,7 @@ codes! {
     ByteOrderMark "LZ0005" "byte-order-mark" Warning "the file starts with a byte order mark"
     FileTooLarge "LZ0006" "file-too-large" Error "the file is larger than 256 MiB, the largest that is read"
 
+    "JSON"
     JsonSyntax "LZ0101" "json-syntax" Error "the file is not JSON"
     TrailingComma "LZ0102" "trailing-comma" Error "a comma stands after the last element"
     Comment "LZ0103" "comment" Error "JSON has no comments"
@@ -56,19 +69,23 @@ codes! {
     BadEscape "LZ0107" "bad-escape" Error "an escape stands for no character"
     UnfinishedFile "LZ0108" "unfinished-file" Error "the file ends too early"
 
+    "Elements"
     DuplicateElement "LZ0201" "duplicate-element" Error "an element appears twice"
     WrongType "LZ0202" "wrong-type" Error "an element has another type than its name asks for"
     UnknownElement "LZ0203" "unknown-element" Warning "an element is not one of the format"
     EmptyDocument "LZ0204" "empty-document" Warning "the file has no elements"
 
+    "Frame rate and viseme type"
     FpsOutOfRange "LZ0301" "fps-out-of-range" Error "fps lies between 1 and 1000"
     FpsInexact "LZ0302" "fps-inexact" Warning "fps has more digits than an exact ratio can hold"
     UnknownVisemeType "LZ0303" "unknown-viseme-type" Error "viseme_type is blair, toonboom or rms"
 
+    "Viseme codes"
     ForeignCode "LZ0401" "foreign-code" Error "a viseme code is not one of the viseme type"
     WhiteSpaceInVisemes "LZ0402" "white-space-in-visemes" Warning "white space stands between viseme codes"
     MixedCodes "LZ0403" "mixed-codes" Error "the viseme codes fit no viseme type"
 
+    "Locales and texts"
     LocaleSpelling "LZ0501" "locale-spelling" Warning "a text element is not spelled text_ll-cc"
     TextWithoutLocale "LZ0502" "text-without-locale" Error "a text has no locale"
     LocaleShape "LZ0503" "locale-shape" Error "a locale does not have the form ll-cc"
@@ -79,8 +96,10 @@ codes! {
     NulInText "LZ0508" "nul-in-text" Warning "a text contains U+0000"
     SameLocaleTwice "LZ0509" "same-locale-twice" Error "two texts are of the same locale"
 
+    "Segments"
     SegmentCount "LZ0601" "segment-count" Error "elements have different numbers of segments"
 
+    "Events"
     NulInEvents "LZ0701" "nul-in-events" Warning "an event contains U+0000"
     UnknownEmotion "LZ0702" "unknown-emotion" Warning "an emotion is neither one of the specification nor registered"
     UnknownCharacter "LZ0703" "unknown-character" Warning "the character of an event is not registered"
@@ -88,12 +107,14 @@ codes! {
     UnknownAction "LZ0705" "unknown-action" Warning "the action of an event is not registered"
     NearEvent "LZ0706" "near-event" Warning "events are nearly Character Event Syntax, and so kept as text"
 
+    "Keys and sources"
     KeyClash "LZ0801" "key-clash" Error "two keys differ only in case or Unicode normalisation"
     DuplicateKey "LZ0802" "duplicate-key" Error "two sources have the same key"
     RefusedKey "LZ0803" "refused-key" Error "a key cannot be a file name everywhere"
     IdCollision "LZ0804" "id-collision" Error "two keys have the same clip id"
     NoSources "LZ0805" "no-sources" Error "no Lipz file was found"
 
+    "Banks and outputs"
     BankTooLarge "LZ0901" "bank-too-large" Error "the bank does not fit its 32-bit offsets"
     BankRefused "LZ0902" "bank-refused" Error "a file cannot be opened as a bank"
     BankDamaged "LZ0903" "bank-damaged" Error "a bank does not pass verification"
@@ -101,6 +122,7 @@ codes! {
     SourceDamaged "LZ0905" "source-damaged" Error "a bank's source section cannot be decoded"
     WouldOverwrite "LZ0906" "would-overwrite" Error "an output file is there already"
 
+    "Settings"
     SettingsSyntax "LZ1001" "settings-syntax" Error "the settings are not TOML"
     UnknownSetting "LZ1002" "unknown-setting" Error "there is no such setting"
     SettingType "LZ1003" "setting-type" Error "a setting has a value of another type"
@@ -109,6 +131,7 @@ codes! {
     FixedLevel "LZ1006" "fixed-level" Error "an error cannot be lowered"
     SettingsUnreadable "LZ1007" "settings-unreadable" Error "a settings file cannot be read"
 
+    "Ids"
     IdentifierClash "LZ1201" "identifier-clash" Error "two keys have the same identifier in a program"
 }
 
@@ -125,18 +148,17 @@ impl Code {
             || matches!(self, Code::SegmentCount | Code::TextWithoutLocale | Code::KeyClash | Code::NoSources)
     }
 
-    /// The rule with this number or name, in any case: `LZ0702`, `unknown-emotion`.
+    /// The code with this number or name, whatever the case of the letters.
     ///
     /// ```
     /// use lipz::Code;
-    /// assert_eq!(Code::named("lz0702"), Some(Code::UnknownEmotion));
-    /// assert_eq!(Code::named("unknown-emotion"), Some(Code::UnknownEmotion));
+    /// assert_eq!(Code::find("lz0401"), Some(Code::ForeignCode));
+    /// assert_eq!(Code::find("foreign-code"), Some(Code::ForeignCode));
+    /// assert_eq!(Code::find("LZ0400"), None);
     /// ```
-    pub fn named(text: &str) -> Option<Code> {
-        Code::ALL
-            .iter()
-            .copied()
-            .find(|code| code.number().eq_ignore_ascii_case(text) || code.name().eq_ignore_ascii_case(text))
+    pub fn find(text: &str) -> Option<Code> {
+        let is = |known: &str| known.eq_ignore_ascii_case(text);
+        Code::ALL.iter().copied().find(|code| is(code.number()) || is(code.name()))
     }
 }
 
@@ -147,6 +169,7 @@ impl fmt::Display for Code {
 }
 
 #[cfg(test)]
+#[allow(clippy::panic, reason = "tests")]
 mod tests {
     use super::*;
 
@@ -158,5 +181,26 @@ mod tests {
         names.sort_unstable();
         names.dedup();
         assert_eq!(names.len(), Code::ALL.len());
+    }
+
+    #[test]
+    fn groups_are_the_hundreds_of_the_numbers() {
+        for pair in Code::ALL.windows(2) {
+            let [a, b] = pair else { continue };
+            let same_hundred = a.number()[..4] == b.number()[..4];
+            assert_eq!(a.group() == b.group(), same_hundred, "{a} {} and {b} {}", a.group(), b.group());
+        }
+    }
+
+    #[test]
+    fn pages_have_their_four_parts() {
+        for code in Code::ALL {
+            let mut rest = code.page();
+            assert!(rest.starts_with("**What.** "), "{code}");
+            for part in ["**What.** ", "**Why.** ", "**Example.**", "**Fix.** "] {
+                let at = rest.find(part).unwrap_or_else(|| panic!("{code}: {part} is missing or out of order"));
+                rest = &rest[at..];
+            }
+        }
     }
 }

@@ -5,6 +5,7 @@ mod text;
 mod words;
 
 use super::either::bank_or_files;
+use crate::render::Findings;
 use crate::sources::ProjectArguments;
 use crate::{Outcome, console};
 use clap::Args;
@@ -45,16 +46,16 @@ pub(crate) struct Diff {
     pub(crate) json: bool,
 }
 
-pub(crate) fn run(arguments: &Diff) -> Outcome {
+pub(crate) fn run(arguments: &Diff, findings: &mut Findings) -> Outcome {
     // A side that is not to be had leaves nothing to compare, for whatever reason.
-    let Ok(outcome) = compare(arguments) else { return Outcome::Failed };
+    let Ok(outcome) = compare(arguments, findings) else { return Outcome::Failed };
     outcome
 }
 
-fn compare(arguments: &Diff) -> Result<Outcome, Outcome> {
-    let old = bank_or_files(&arguments.old, &arguments.project)?;
-    let new = bank_or_files(&arguments.new, &arguments.project)?;
-    let (old_bank, new_bank) = (old.bank()?, new.bank()?);
+fn compare(arguments: &Diff, findings: &mut Findings) -> Result<Outcome, Outcome> {
+    let old = bank_or_files(&arguments.old, &arguments.project, findings)?;
+    let new = bank_or_files(&arguments.new, &arguments.project, findings)?;
+    let (old_bank, new_bank) = (old.bank(findings)?, new.bank(findings)?);
     let difference = diff::diff(&old_bank, &new_bank);
     let printed = if arguments.json {
         console::print_json(&DifferenceJson::of(&difference))

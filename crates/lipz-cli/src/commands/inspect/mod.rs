@@ -3,6 +3,7 @@
 mod json;
 
 use crate::bank_file::with_bank;
+use crate::render::Findings;
 use crate::timeline::timeline;
 use crate::{Outcome, console};
 use clap::Args;
@@ -42,8 +43,8 @@ pub(crate) struct Inspect {
     pub(crate) json: bool,
 }
 
-pub(crate) fn run(arguments: &Inspect) -> Outcome {
-    with_bank(&arguments.bank, |path, bank| match (&arguments.key, &arguments.list) {
+pub(crate) fn run(arguments: &Inspect, findings: &mut Findings) -> Outcome {
+    with_bank(&arguments.bank, findings, |path, bank, _| match (&arguments.key, &arguments.list) {
         (Some(key), _) => clip(bank, key, arguments),
         (None, Some(prefix)) => list(bank, prefix, arguments.json),
         (None, None) => summary(bank, path, arguments.json),

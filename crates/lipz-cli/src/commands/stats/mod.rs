@@ -4,6 +4,7 @@ mod json;
 mod text;
 
 use super::either::bank_or_files;
+use crate::render::Findings;
 use crate::sources::ProjectArguments;
 use crate::{Outcome, console};
 use clap::Args;
@@ -29,9 +30,9 @@ pub(crate) struct Stats {
     pub(crate) json: bool,
 }
 
-pub(crate) fn run(arguments: &Stats) -> Outcome {
-    let shown = bank_or_files(&arguments.bank, &arguments.project).and_then(|file| {
-        let bank = file.bank()?;
+pub(crate) fn run(arguments: &Stats, findings: &mut Findings) -> Outcome {
+    let shown = bank_or_files(&arguments.bank, &arguments.project, findings).and_then(|file| {
+        let bank = file.bank(findings)?;
         let stats = lipz_compiler::stats::Stats::of(&bank);
         Ok(if arguments.json {
             console::print_json(&json::StatsJson::of(&stats))

@@ -11,42 +11,76 @@ use lipz::{Code, Diagnostic, Level, Source};
 use lipz_compiler::{Report, count};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
+use std::io::{self, IsTerminal};
 
 /// Findings of one code that a run shows in full; the others are counted.
 const SHOWN_PER_CODE: usize = 100;
 
 /// Prints findings, what was left out of them, and a closing count.
-pub(crate) fn findings(reports: &[Report]) {
+pub(super) fn print(reports: &[Report]) {
     let renderer = Renderer::styled().decor_style(DecorStyle::Ascii).term_width(console::width());
-    let mut count_of: BTreeMap<Code, usize> = BTreeMap::new();
+    let mut tallies: BTreeMap<Code, Tally<'_>> = BTreeMap::new();
     for report in reports {
         let mut text = String::new();
         let source = &printable(&report.source);
         for diagnostic in &report.diagnostics {
-            let count = count_of.entry(diagnostic.code).or_default();
-            *count += 1;
-            if *count <= SHOWN_PER_CODE {
+            if tallies.entry(diagnostic.code).or_default().is_shown(report) {
                 text.push_str(&renderer.render(&[group(source, diagnostic)]));
                 text.push_str("\n\n");
             }
         }
         console::remark(&text);
     }
-    for (code, count) in count_of {
-        if let Some(hidden) = count.checked_sub(SHOWN_PER_CODE).filter(|hidden| *hidden > 0) {
-            console::remark(&format!("{} more of {code} ({})\n", console::grouped(hidden), code.summary()));
-        }
+    for (code, tally) in tallies.iter().filter(|(_, tally)| tally.hidden > 0) {
+        let (hidden, files) = (console::grouped(tally.hidden), console::counted(tally.files.len(), "file"));
+        console::remark(&format!("{hidden} more {code} ({}) in {files} are not shown\n", code.summary()));
     }
+    console::remark(&closing(reports));
+}
+
+/// How much was found, in how many files; nothing if nothing was.
+fn closing(reports: &[Report]) -> String {
     let (errors, warnings) = (count(reports, Level::Error), count(reports, Level::Warning));
     let parts: Vec<String> = [(errors, "error"), (warnings, "warning")]
         .into_iter()
         .filter(|(number, _)| *number > 0)
         .map(|(number, what)| console::counted(number, what))
         .collect();
-    if !parts.is_empty() {
-        let files: BTreeSet<&str> = reports.iter().map(|report| report.source.path.as_str()).collect();
-        let files = files.iter().filter(|path| !path.is_empty()).count();
-        console::remark(&format!("{} in {}\n", parts.join(" and "), console::counted(files, "file")));
+    if parts.is_empty() {
+        return String::new();
+    }
+    let files: BTreeSet<&str> = reports.iter().map(|report| report.source.path.as_str()).collect();
+    let files = files.iter().filter(|path| !path.is_empty()).count();
+    format!("{} in {}\n", parts.join(" and "), console::counted(files, "file"))
+}
+
+/// Tells people at a terminal where more about a code is. Logs of builds go without.
+pub(super) fn hint(code: Code) {
+    if io::stderr().is_terminal() {
+        console::remark(&format!("for more about a finding: lipz explain {code}\n"));
+    }
+}
+
+/// The findings of one code.
+#[derive(Default)]
+struct Tally<'r> {
+    shown: usize,
+    hidden: usize,
+    /// Paths of the files with hidden findings.
+    files: BTreeSet<&'r str>,
+}
+
+impl<'r> Tally<'r> {
+    /// Counts a finding in the file of `report` and says whether it is one of those that are shown.
+    fn is_shown(&mut self, report: &'r Report) -> bool {
+        let is_shown = self.shown < SHOWN_PER_CODE;
+        if is_shown {
+            self.shown += 1;
+        } else {
+            self.hidden += 1;
+            self.files.insert(&report.source.path);
+        }
+        is_shown
     }
 }
 
