@@ -34,6 +34,8 @@ enum Task {
     Inspect(Passed),
     /// Check Lipz files without packing them (as `lipz check`)
     Check(Passed),
+    /// Bring Lipz files into their canonical layout (as `lipz fmt`)
+    Fmt(Passed),
     /// Run everything that a change must pass: format, lints, documentation, tests, edges
     Ci,
     /// Check which crates depend on which
@@ -58,7 +60,7 @@ struct Passed {
 }
 
 /// The tasks that are commands of `lipz`.
-const PASSED: [&str; 5] = ["pack", "unpack", "verify", "inspect", "check"];
+const PASSED: [&str; 6] = ["pack", "unpack", "verify", "inspect", "check", "fmt"];
 
 fn main() -> ExitCode {
     let arguments: Vec<OsString> = std::env::args_os().skip(1).collect();
@@ -74,7 +76,7 @@ fn main() -> ExitCode {
     };
     let result = match task {
         // Only if clap knows a shorter spelling of these names than the line above.
-        Task::Pack(_) | Task::Unpack(_) | Task::Verify(_) | Task::Inspect(_) | Task::Check(_) => {
+        Task::Pack(_) | Task::Unpack(_) | Task::Verify(_) | Task::Inspect(_) | Task::Check(_) | Task::Fmt(_) => {
             Err("name the task in full".into())
         }
         Task::Ci => ci::run(),

@@ -1,6 +1,6 @@
 //! The command line: the list of commands. Each one's arguments and help stand beside its work.
 
-use crate::commands::{check, inspect, pack, unpack, verify};
+use crate::commands::{check, fmt, inspect, pack, unpack, verify};
 use clap::{Parser, Subcommand};
 use std::ffi::OsString;
 
@@ -23,7 +23,7 @@ impl Arguments {
         match &arguments.command {
             Command::Pack(pack) => pack.sources.validate()?,
             Command::Check(check) => check.sources.validate()?,
-            Command::Unpack(_) | Command::Verify(_) | Command::Inspect(_) => {}
+            Command::Fmt(_) | Command::Unpack(_) | Command::Verify(_) | Command::Inspect(_) => {}
         }
         Ok(arguments)
     }
@@ -33,6 +33,7 @@ impl Arguments {
 pub(crate) enum Command {
     Pack(pack::Pack),
     Check(check::Check),
+    Fmt(fmt::Fmt),
     Unpack(unpack::Unpack),
     Verify(verify::Verify),
     Inspect(inspect::Inspect),

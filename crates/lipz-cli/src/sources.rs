@@ -76,10 +76,10 @@ fn parse_fps(text: &str) -> Result<Fps, String> {
         .ok_or_else(|| "a frame rate is a number from 1 to 1000, such as 24 or 29.97".into())
 }
 
-fn parse_viseme_type(text: &str) -> Result<VisemeType, String> {
+pub(crate) fn parse_viseme_type(text: &str) -> Result<VisemeType, String> {
     VisemeType::from_name(text).ok_or_else(|| "the viseme types are blair, toonboom and rms".into())
 }
 
-fn parse_locale(text: &str) -> Result<String, String> {
+pub(crate) fn parse_locale(text: &str) -> Result<String, String> {
     lipz::locale::canonical_tag(text, true).ok_or_else(|| "a locale is a language and a country, such as en-us".into())
 }

@@ -35,6 +35,7 @@ mod check;
 mod clip;
 mod compile;
 mod discover;
+mod fix;
 mod input;
 pub mod key;
 mod localise;
@@ -43,16 +44,19 @@ mod options;
 mod output;
 mod raise;
 mod report;
+mod rewrite;
 mod source_record;
 mod unpack;
 
 pub use compile::{Compiled, Phases, Progress, check_all, compile};
 pub use discover::discover;
+pub use fix::{Fixed, fix};
 pub use input::{Content, Input};
 pub use options::{Levels, Options, Registry, TextLimits};
 pub use output::replace_file;
 pub use raise::Documents;
 pub use report::{Report, count};
+pub use rewrite::{each_file, rewrite_file};
 pub use unpack::{Unpacked, unpack};
 
 /// The example of the README, run as a test.

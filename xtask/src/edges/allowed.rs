@@ -17,8 +17,17 @@ pub(super) const ALLOWED: &[Rule] = &[
     Rule { name: "lipz-bank", direct: Some(&["zerocopy"]), transitive: Some(&[READER]) },
     Rule {
         name: "lipz",
-        direct: Some(&["icu_locale_core", "isolang", "lipz-bank", "memchr", "rust_iso3166", "serde", "serde_json"]),
-        transitive: Some(&[READER, JSON_AND_LOCALES, &["lipz-bank"]]),
+        direct: Some(&[
+            "icu_locale_core",
+            "isolang",
+            "lipz-bank",
+            "memchr",
+            "rust_iso3166",
+            "serde",
+            "serde_json",
+            "unicode-width",
+        ]),
+        transitive: Some(&[READER, JSON_AND_LOCALES, &["lipz-bank", "unicode-width"]]),
     },
     Rule {
         name: "lipz-compiler",

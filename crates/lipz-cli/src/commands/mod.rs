@@ -1,6 +1,7 @@
 //! The commands, one file each.
 
 pub(crate) mod check;
+pub(crate) mod fmt;
 pub(crate) mod inspect;
 pub(crate) mod pack;
 pub(crate) mod unpack;
@@ -13,7 +14,11 @@ use std::time::{Duration, Instant};
 
 /// Finds the inputs and hands them to `work`, with a progress bar. What discovery found is added to
 /// the reports; a run without inputs has none of its own.
-fn with_inputs(sources: &Sources, options: &Options, work: fn(&[Input], &Options, &Progress<'_>) -> Compiled) -> Run {
+fn with_inputs(
+    sources: &Sources,
+    options: &Options,
+    work: impl FnOnce(&[Input], &Options, &Progress<'_>) -> Compiled,
+) -> Run {
     let start = Instant::now();
     let (inputs, mut reports) = discover(&sources.sources, sources.root.as_deref());
     let discover = start.elapsed();

@@ -69,7 +69,7 @@ pub(super) fn one_file(
 const SMALL_FILE: u64 = 1 << 16;
 
 /// Reads a file into the empty `buffer`; a finding if that is not possible.
-fn read_file(path: &Path, buffer: &mut Vec<u8>) -> Option<Diagnostic> {
+pub(crate) fn read_file(path: &Path, buffer: &mut Vec<u8>) -> Option<Diagnostic> {
     let limit = lipz::MAX_FILE_BYTES as u64;
     let read = File::open(path).and_then(|mut file| {
         file.by_ref().take(SMALL_FILE).read_to_end(buffer)?;
