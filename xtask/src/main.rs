@@ -36,6 +36,8 @@ enum Task {
     Check(Passed),
     /// Bring Lipz files into their canonical layout (as `lipz fmt`)
     Fmt(Passed),
+    /// Convert Lipz files to another viseme type (as `lipz convert`)
+    Convert(Passed),
     /// Run everything that a change must pass: format, lints, documentation, tests, edges
     Ci,
     /// Check which crates depend on which
@@ -60,7 +62,7 @@ struct Passed {
 }
 
 /// The tasks that are commands of `lipz`.
-const PASSED: [&str; 6] = ["pack", "unpack", "verify", "inspect", "check", "fmt"];
+const PASSED: [&str; 7] = ["pack", "unpack", "verify", "inspect", "check", "fmt", "convert"];
 
 fn main() -> ExitCode {
     let arguments: Vec<OsString> = std::env::args_os().skip(1).collect();
@@ -76,7 +78,7 @@ fn main() -> ExitCode {
     };
     let result = match task {
         // Only if clap knows a shorter spelling of these names than the line above.
-        Task::Pack(_) | Task::Unpack(_) | Task::Verify(_) | Task::Inspect(_) | Task::Check(_) | Task::Fmt(_) => {
+        Task::Pack(_) | Task::Unpack(_) | Task::Verify(_) | Task::Inspect(_) | Task::Check(_) | Task::Fmt(_) | Task::Convert(_) => {
             Err("name the task in full".into())
         }
         Task::Ci => ci::run(),

@@ -1,6 +1,6 @@
 //! The command line: the list of commands. Each one's arguments and help stand beside its work.
 
-use crate::commands::{check, fmt, inspect, pack, unpack, verify};
+use crate::commands::{check, convert, fmt, inspect, pack, unpack, verify};
 use clap::{Parser, Subcommand};
 use std::ffi::OsString;
 
@@ -23,6 +23,7 @@ impl Arguments {
         match &arguments.command {
             Command::Pack(pack) => pack.sources.validate()?,
             Command::Check(check) => check.sources.validate()?,
+            Command::Convert(convert) => convert.sources.validate()?,
             Command::Fmt(_) | Command::Unpack(_) | Command::Verify(_) | Command::Inspect(_) => {}
         }
         Ok(arguments)
@@ -34,6 +35,7 @@ pub(crate) enum Command {
     Pack(pack::Pack),
     Check(check::Check),
     Fmt(fmt::Fmt),
+    Convert(convert::Convert),
     Unpack(unpack::Unpack),
     Verify(verify::Verify),
     Inspect(inspect::Inspect),

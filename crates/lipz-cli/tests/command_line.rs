@@ -6,7 +6,7 @@ mod support;
 use std::fs;
 use support::{lipz, repository, tree, write};
 
-const COMMANDS: [&str; 5] = ["pack", "check", "unpack", "verify", "inspect"];
+const COMMANDS: [&str; 7] = ["pack", "check", "fmt", "convert", "unpack", "verify", "inspect"];
 
 #[test]
 fn help_of_each_command_shows_an_example() {
@@ -34,7 +34,7 @@ fn help_lists_every_command_and_the_exit_codes() {
 
 #[test]
 fn usage_errors_exit_with_2() {
-    let usage_errors: [&[&str]; 13] = [
+    let usage_errors: [&[&str]; 17] = [
         &[],
         &["pakc", "fixtures/drama"],
         &["check"],
@@ -48,6 +48,10 @@ fn usage_errors_exit_with_2() {
         &["pack", "fixtures/drama"],
         &["unpack", "drama.lipzbank"],
         &["inspect", "drama.lipzbank", "act1/otto-aye", "--list", "act1"],
+        &["check", "fixtures/drama", "--diff"],
+        &["fmt"],
+        &["convert", "fixtures/drama", "--viseme-type", "toonboom"],
+        &["convert", "fixtures/drama", "-o", "out", "--in-place", "--viseme-type", "toonboom"],
     ];
     for arguments in usage_errors {
         let outcome = lipz(&repository(), arguments);

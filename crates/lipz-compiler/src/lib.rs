@@ -34,6 +34,7 @@
 mod check;
 mod clip;
 mod compile;
+mod convert;
 mod discover;
 mod fix;
 mod input;
@@ -49,6 +50,7 @@ mod source_record;
 mod unpack;
 
 pub use compile::{Compiled, Phases, Progress, check_all, compile};
+pub use convert::{Converted, convert};
 pub use discover::discover;
 pub use fix::{Fixed, fix};
 pub use input::{Content, Input};

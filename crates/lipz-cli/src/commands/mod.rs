@@ -1,6 +1,7 @@
 //! The commands, one file each.
 
 pub(crate) mod check;
+pub(crate) mod convert;
 pub(crate) mod fmt;
 pub(crate) mod inspect;
 pub(crate) mod pack;

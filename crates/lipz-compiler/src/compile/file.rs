@@ -2,7 +2,7 @@
 
 use super::Phases;
 use crate::clip::ClipData;
-use crate::{Content, Input, Options, Report, check, source_record};
+use crate::{Content, Input, Options, Report, check, convert, source_record};
 use lipz::{Code, Diagnostic, Source};
 use std::fs::File;
 use std::io::Read;
@@ -50,8 +50,11 @@ pub(super) fn one_file(
     let clip = parsed.document.as_ref().and_then(|document| {
         let mut clip = check::check(document, options, &mut parsed.diagnostics)?;
         clip.key.clone_from(&input.key);
+        let converted = options
+            .viseme_type
+            .and_then(|to| convert::convert_clip(document, &mut clip, to, &mut parsed.diagnostics));
         if !options.strip {
-            clip.source = source_record::encode(document, &clip);
+            clip.source = source_record::encode(converted.as_ref().unwrap_or(document), &clip);
         }
         Some(clip)
     });
