@@ -78,9 +78,13 @@ fn main() -> ExitCode {
     };
     let result = match task {
         // Only if clap knows a shorter spelling of these names than the line above.
-        Task::Pack(_) | Task::Unpack(_) | Task::Verify(_) | Task::Inspect(_) | Task::Check(_) | Task::Fmt(_) | Task::Convert(_) => {
-            Err("name the task in full".into())
-        }
+        Task::Pack(_)
+        | Task::Unpack(_)
+        | Task::Verify(_)
+        | Task::Inspect(_)
+        | Task::Check(_)
+        | Task::Fmt(_)
+        | Task::Convert(_) => Err("name the task in full".into()),
         Task::Ci => ci::run(),
         Task::Edges => edges::run(),
         Task::Generate(settings) => generate::run(&settings),

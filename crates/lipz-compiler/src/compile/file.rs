@@ -50,9 +50,8 @@ pub(super) fn one_file(
     let clip = parsed.document.as_ref().and_then(|document| {
         let mut clip = check::check(document, options, &mut parsed.diagnostics)?;
         clip.key.clone_from(&input.key);
-        let converted = options
-            .viseme_type
-            .and_then(|to| convert::convert_clip(document, &mut clip, to, &mut parsed.diagnostics));
+        let converted =
+            options.viseme_type.and_then(|to| convert::convert_clip(document, &mut clip, to, &mut parsed.diagnostics));
         if !options.strip {
             clip.source = source_record::encode(converted.as_ref().unwrap_or(document), &clip);
         }

@@ -38,8 +38,7 @@ pub struct Converted {
 /// ```
 pub fn convert(bytes: &[u8], to: VisemeType, options: &Options) -> Converted {
     let mut parsed = lipz::parse(bytes);
-    let clip =
-        parsed.document.as_ref().and_then(|document| check::check(document, options, &mut parsed.diagnostics));
+    let clip = parsed.document.as_ref().and_then(|document| check::check(document, options, &mut parsed.diagnostics));
     let (Some(document), Some(clip)) = (&parsed.document, clip) else {
         parsed.diagnostics.retain(|finding| finding.level == Level::Error);
         return Converted { text: None, diagnostics: parsed.diagnostics };

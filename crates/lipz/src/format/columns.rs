@@ -1,6 +1,7 @@
 //! Columns: which blanks bring the `|` of all elements under each other.
 
 use crate::text::DELIMITER;
+use unicode_segmentation::UnicodeSegmentation;
 use unicode_width::UnicodeWidthStr;
 
 /// Columns from the opening quote up to which `|` are aligned: nobody reads further to the side,
@@ -41,7 +42,7 @@ pub(super) fn align(rows: &mut [Row]) {
             .map(|(row, start)| {
                 // The last segment ends with the quote, which nobody needs in a column.
                 row.segments.get(index + 1)?;
-                Some(start + row.segments.get(index)?.width())
+                Some(start + width(row.segments.get(index)?))
             })
             .collect();
         let Some(column) = ends.iter().copied().flatten().max().filter(|column| *column <= ALIGNED_COLUMNS) else {
@@ -54,6 +55,13 @@ pub(super) fn align(rows: &mut [Row]) {
             *start = end + blanks + 1;
         }
     }
+}
+
+/// Columns of a text in an editor: each character that a reader sees has one or two. Character by
+/// character, because the width of the whole would join Arabic letters that fixed-width fonts keep
+/// apart.
+fn width(text: &str) -> usize {
+    if text.is_ascii() { text.len() } else { text.graphemes(true).map(UnicodeWidthStr::width).sum() }
 }
 
 #[cfg(test)]
