@@ -44,7 +44,7 @@ pub fn convert(bytes: &[u8], to: VisemeType, options: &Options) -> Converted {
         return Converted { text: None, diagnostics: parsed.diagnostics };
     };
     match Conversion::of(document, &clip, to) {
-        Err(finding) => Converted { text: None, diagnostics: vec![finding] },
+        Err(finding) => Converted { text: None, diagnostics: vec![*finding] },
         Ok(None) => Converted { text: None, diagnostics: Vec::new() },
         Ok(Some(conversion)) => Converted {
             text: edits::apply(bytes, document, &conversion),
@@ -64,7 +64,7 @@ pub(crate) fn convert_clip<'d>(
     let conversion = match Conversion::of(document, clip, to) {
         Ok(conversion) => conversion?,
         Err(finding) => {
-            diagnostics.push(finding);
+            diagnostics.push(*finding);
             return None;
         }
     };
@@ -84,7 +84,7 @@ struct Conversion {
 
 impl Conversion {
     /// How the clip that `document` describes is converted; `None` if it need not be.
-    fn of(document: &Document<'_>, clip: &ClipData, to: VisemeType) -> Result<Option<Conversion>, Diagnostic> {
+    fn of(document: &Document<'_>, clip: &ClipData, to: VisemeType) -> Result<Option<Conversion>, Box<Diagnostic>> {
         let candidates: Vec<VisemeType> = match clip.viseme_type {
             Some(known) if known == to => return Ok(None),
             Some(known) => vec![known],
@@ -96,10 +96,10 @@ impl Conversion {
         let mut results = candidates.iter().map(|&from| converted(from));
         let (Some(&from), Some(first)) = (candidates.first(), results.next()) else { return Ok(None) };
         if results.any(|other| other != first) {
-            return Err(findings::ambiguous(document, &candidates));
+            return Err(Box::new(findings::ambiguous(document, &candidates)));
         }
         match first {
-            None => Err(findings::refused(document, from, to)),
+            None => Err(Box::new(findings::refused(document, from, to))),
             Some(frames) if clip.viseme_type.is_none() && frames == clip.frames => Ok(None),
             Some(frames) => Ok(Some(Conversion { from, to, frames })),
         }

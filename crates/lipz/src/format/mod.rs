@@ -73,8 +73,9 @@ pub fn format(document: &Document<'_>, style: Style<'_>) -> String {
     }
     let mut elements: Vec<(Role, &Element<'_>)> =
         document.elements.iter().map(|element| (Role::of(&element.name.text), element)).collect();
-    if let Some(first) = first_text(&elements, style.default_locale) {
-        elements[first].0 = Role::FirstText;
+    let first = first_text(&elements, style.default_locale);
+    if let Some((role, _)) = first.and_then(|index| elements.get_mut(index)) {
+        *role = Role::FirstText;
     }
     elements.sort_by(|(a, _), (b, _)| a.cmp(b)); // stable: unknown elements stay in their order
     let names: Vec<Cow<'_, str>> = elements.iter().map(|(_, element)| element.name.spelling()).collect();
@@ -145,10 +146,10 @@ fn values<'d>(elements: &[(Role, &'d Element<'d>)]) -> Vec<Cow<'d, str>> {
     }
     columns::align(&mut rows);
     let mut rows = rows.into_iter();
-    let mut value = |(role, element): &(Role, &'d Element<'d>)| match (role, &element.value) {
+    let value = |(role, element): &(Role, &'d Element<'d>)| match (role, &element.value) {
         (Role::Unknown | Role::VisemeType | Role::Fps, Value::String(string)) => string.spelling(),
         (_, Value::String(_)) => Cow::Owned(rows.next().map_or_else(String::new, Row::literal)),
         (_, Value::Number(raw) | Value::Other(raw)) => Cow::Borrowed(raw.text.as_ref()),
     };
-    elements.iter().map(|element| value(element)).collect()
+    elements.iter().map(value).collect()
 }
