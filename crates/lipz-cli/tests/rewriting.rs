@@ -150,6 +150,11 @@ fn converting_into_a_folder_writes_all_files_under_their_keys() {
     let outcome = lipz(scene.path(), ["convert", "voices", "--viseme-type", "toonboom", "-o", "out"]);
     assert_eq!((outcome.code, outcome.stderr.as_str()), (0, ""));
     assert_eq!(outcome.stdout, "1 file converted to toonboom, 1 unchanged\n");
+    scene.write("voices/loud.lipz", "{ \"visemes\": \"12\" }");
+    let one_of_three = lipz(scene.path(), ["convert", "voices", "--viseme-type", "toonboom", "-o", "other"]);
+    assert!(one_of_three.stderr.ends_with("\n1 error in 1 file\n"), "{}", one_of_three.stderr);
+    assert_eq!(one_of_three.code, 1);
+    assert_eq!(tree(&scene.path().join("other")), ["act1", "act1/a.lipz", "b.lipz"]);
     for name in ["out/act1/a.lipz", "out/b.lipz"] {
         assert_eq!(fs::read_to_string(scene.path().join(name)).unwrap(), toonboom, "{name}");
     }

@@ -3,6 +3,7 @@
 
 #[path = "support/documents.rs"]
 mod documents;
+mod support;
 
 use documents::document;
 use lipz::format::{LineEnding, Style, format};
@@ -157,6 +158,25 @@ proptest! {
         prop_assert_eq!(&back.diagnostics, &[]);
         prop_assert_eq!(back.text.unwrap(), file);
     }
+}
+
+#[test]
+fn fixing_bad_files_makes_nothing_worse() {
+    let options = Options { default_locale: Some("ja-jp".into()), ..Options::default() };
+    let mut mended = 0;
+    for (name, bytes) in support::files("bad").into_iter().chain(support::files("spec/as-printed")) {
+        let Some(fixed) = fix(&bytes, &options) else { continue };
+        mended += 1;
+        let packed = |bytes: &[u8]| {
+            let options = Options { strip: true, ..options.clone() };
+            compile(&[Input::from_bytes("clip", bytes)], &options, &|_| {}).bank
+        };
+        let (before, after) = (lipz::parse(&bytes).document, lipz::parse(fixed.text.as_bytes()).document);
+        assert!(before.is_none() || after.is_some(), "{name}");
+        assert!(packed(&bytes).is_none_or(|bank| Some(bank) == packed(fixed.text.as_bytes())), "{name}");
+        assert_eq!(fix(fixed.text.as_bytes(), &options), None, "{name}");
+    }
+    assert!(mended > 20, "{mended}");
 }
 
 fn converted(file: &str, to: VisemeType, options: &Options) -> (Option<String>, Vec<String>) {

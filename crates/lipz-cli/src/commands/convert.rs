@@ -4,7 +4,7 @@ use crate::rewriting::{Rewriting, failure, files};
 use crate::sources::{Sources, parse_viseme_type};
 use crate::{Outcome, console, render};
 use clap::Args;
-use lipz::{Code, Diagnostic, Level, Source};
+use lipz::{Code, Diagnostic, Level};
 use lipz_bank::VisemeType;
 use lipz_compiler::{Input, Report, convert, count, discover, each_file, key, replace_file};
 use std::path::{Path, PathBuf};
@@ -49,26 +49,14 @@ pub(crate) fn run(arguments: &Convert) -> Outcome {
     let options = sources.options();
     let results = each_file(&inputs, &options, &|count| bar.inc(count), |input, bytes| {
         let converted = convert(bytes, arguments.viseme_type, &options);
-        let report = || {
-            let text = String::from_utf8_lossy(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)).into_owned();
-            Report { source: Source { path: input.name.clone(), text }, diagnostics: converted.diagnostics.clone() }
-        };
-        let mut reports = Vec::new();
-        if !converted.diagnostics.is_empty() {
-            reports.push(report());
-        }
-        let is_refused = count(&reports, Level::Error) > 0;
         let is_changed = converted.text.is_some();
-        let written = match (converted.text, &arguments.output) {
-            _ if is_refused => Ok(()),
-            (text, Some(folder)) => {
-                replace_file(&output(folder, input), text.as_ref().map_or(bytes, |text| text.as_bytes()))
-            }
-            (Some(text), None) => Rewriting::InPlace.rewrite(input, bytes, &text).map(|_| ()),
-            (None, None) => Ok(()),
+        let written = match converted.diagnostics.iter().any(|finding| finding.level == Level::Error) {
+            true => Ok(()),
+            false => arguments.write(input, bytes, converted.text.as_deref()),
         };
-        reports.extend(written.err());
-        (is_changed, reports)
+        let found = !converted.diagnostics.is_empty();
+        let findings = found.then(|| Report::of_file(&input.name, bytes, converted.diagnostics));
+        (is_changed, findings.into_iter().chain(written.err()).collect::<Vec<_>>())
     });
     bar.finish_and_clear();
     let (mut changed, mut unchanged) = (0, 0);
@@ -89,6 +77,17 @@ pub(crate) fn run(arguments: &Convert) -> Outcome {
         console::print(&format!("{changed} converted to {}, {unchanged} unchanged\n", arguments.viseme_type))
     };
     if count(&reports, Level::Error) > 0 { failure(&reports) } else { printed }
+}
+
+impl Convert {
+    /// Writes a file, whose new text is `after` if it has one, to where it was asked for.
+    fn write(&self, input: &Input, before: &[u8], after: Option<&str>) -> Result<(), Report> {
+        match (&self.output, after) {
+            (Some(folder), after) => replace_file(&output(folder, input), after.map_or(before, str::as_bytes)),
+            (None, Some(after)) => Rewriting::InPlace.rewrite(input, before, after).map(|_| ()),
+            (None, None) => Ok(()),
+        }
+    }
 }
 
 /// Where the converted file is written.

@@ -4,7 +4,6 @@ use crate::rewriting::{Rewriting, failure, files};
 use crate::sources::parse_locale;
 use crate::{Outcome, console, render};
 use clap::Args;
-use lipz::Source;
 use lipz::diagnostic::show;
 use lipz::format::{LineEnding, Style, format};
 use lipz_compiler::{Options, Report, discover, each_file};
@@ -133,16 +132,7 @@ fn standard_input(arguments: &Fmt) -> Outcome {
 /// The file in canonical layout, or why it cannot be read.
 fn formatted(name: &str, bytes: &[u8], arguments: &Fmt) -> Result<String, Report> {
     let parsed = lipz::parse(bytes);
-    let text = String::from_utf8_lossy(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes));
-    match parsed.document {
-        Some(document) => {
-            let style =
-                Style { default_locale: arguments.default_locale.as_deref(), line_ending: LineEnding::of(&text) };
-            Ok(format(&document, style))
-        }
-        None => {
-            let source = Source { path: name.to_owned(), text: text.into_owned() };
-            Err(Report { source, diagnostics: parsed.diagnostics })
-        }
-    }
+    let Some(document) = parsed.document else { return Err(Report::of_file(name, bytes, parsed.diagnostics)) };
+    let line_ending = LineEnding::of(&String::from_utf8_lossy(bytes));
+    Ok(format(&document, Style { default_locale: arguments.default_locale.as_deref(), line_ending }))
 }

@@ -3,7 +3,7 @@
 use super::Phases;
 use crate::clip::ClipData;
 use crate::{Content, Input, Options, Report, check, convert, source_record};
-use lipz::{Code, Diagnostic, Source};
+use lipz::{Code, Diagnostic};
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
@@ -62,9 +62,7 @@ pub(super) fn one_file(
         return (clip, None);
     }
     parsed.diagnostics.sort_by_key(Diagnostic::start);
-    let text = String::from_utf8_lossy(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)).into_owned();
-    let source = Source { path: input.name.clone(), text };
-    (clip, Some(Report { source, diagnostics: parsed.diagnostics }))
+    (clip, Some(Report::of_file(&input.name, bytes, parsed.diagnostics)))
 }
 
 /// Bytes that are read without asking how many there are, which takes as long as to read them.
