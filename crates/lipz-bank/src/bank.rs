@@ -1,11 +1,11 @@
 //! Opening a bank and finding its clips and locales.
 
-use crate::layout::{self, ClipRecord, DirectoryEntry, EventRecord, Header, LocaleRecord, Tag, U32};
+use crate::file::File;
+use crate::layout::{self, ClipRecord, EventRecord, Tag, U32};
+use crate::locale::LocaleTable;
 use crate::pool::Pool;
 use crate::{Clip, ClipId, Clips, Error, ErrorKind, Locale, Locales};
 use core::fmt;
-use core::mem::size_of;
-use zerocopy::{FromBytes, Immutable, KnownLayout, Unaligned};
 
 /// A bank, used in place: a few slices into the caller's bytes.
 ///
@@ -13,18 +13,14 @@ use zerocopy::{FromBytes, Immutable, KnownLayout, Unaligned};
 /// not only as long as this value.
 #[derive(Clone, Copy)]
 pub struct Bank<'data> {
-    pub(crate) bytes: &'data [u8],
-    pub(crate) header: &'data Header,
-    pub(crate) directory: &'data [DirectoryEntry],
+    pub(crate) file: File<'data>,
     pub(crate) clips: &'data [ClipRecord],
     pub(crate) pilots: &'data [U32],
     pub(crate) key_order: &'data [U32],
     pub(crate) names: Pool<'data>,
     pub(crate) frames: &'data [u8],
     pub(crate) starts: &'data [U32],
-    pub(crate) locales: &'data [LocaleRecord],
-    pub(crate) text_index: &'data [U32],
-    pub(crate) texts: Pool<'data>,
+    pub(crate) texts: LocaleTable<'data>,
     pub(crate) event_refs: &'data [U32],
     pub(crate) events: &'data [EventRecord],
     pub(crate) event_strings: Pool<'data>,
@@ -38,41 +34,24 @@ impl<'data> Bank<'data> {
     /// When the bytes are not a bank of a known format version, were cut off, or have a directory
     /// that leads out of them.
     pub fn open(bytes: &'data [u8]) -> Result<Bank<'data>, Error> {
-        let (header, rest) = open_header(bytes)?;
-        let count = header.section_count.get() as usize;
-        if count > layout::MAX_SECTIONS {
-            return Err(Error::new(ErrorKind::DirectoryTooLong, SECTION_COUNT_OFFSET));
+        let file = File::open(bytes)?;
+        if file.has(Tag::LOCALES) && !file.has(Tag::CLIPS) {
+            return Err(Error::new(ErrorKind::TextsOnly, 0));
         }
-        let (directory, _) = <[DirectoryEntry]>::ref_from_prefix_with_elems(rest, count)
-            .map_err(|_| Error::new(ErrorKind::DirectoryOutOfBounds, SECTION_COUNT_OFFSET))?;
-        let sections = Sections { bytes, directory };
-        for (index, entry) in directory.iter().enumerate() {
-            if sections.contents(entry).is_none() {
-                return Err(Error::new(ErrorKind::SectionOutOfBounds, entry_offset(index)));
-            }
-            let known = Tag::REQUIRED.iter().chain(&Tag::OPTIONAL).any(|(tag, _)| tag.0 == entry.tag);
-            if !known && entry.flags.get() & layout::SECTION_REQUIRED != 0 {
-                return Err(Error::new(ErrorKind::SectionUnknown, entry_offset(index)));
-            }
-        }
-        let bank = Bank {
-            bytes,
-            header,
-            directory,
-            clips: sections.array(Tag::CLIPS)?,
-            pilots: sections.array(Tag::PILOTS)?,
-            key_order: sections.array(Tag::KEY_ORDER)?,
-            names: Pool::Bytes(sections.array(Tag::NAMES)?),
-            frames: sections.array(Tag::FRAMES)?,
-            starts: sections.array(Tag::STARTS)?,
-            locales: sections.array(Tag::LOCALES)?,
-            text_index: sections.array(Tag::TEXT_INDEX)?,
-            texts: Pool::Bytes(sections.array(Tag::TEXTS)?),
-            event_refs: sections.array(Tag::EVENT_REFS)?,
-            events: sections.array(Tag::EVENTS)?,
-            event_strings: Pool::Bytes(sections.array(Tag::EVENT_STRINGS)?),
-        };
-        Ok(bank)
+        let clips: &[ClipRecord] = file.array(Tag::CLIPS)?;
+        Ok(Bank {
+            file,
+            clips,
+            pilots: file.array(Tag::PILOTS)?,
+            key_order: file.array(Tag::KEY_ORDER)?,
+            names: Pool::Bytes(file.array(Tag::NAMES)?),
+            frames: file.array(Tag::FRAMES)?,
+            starts: file.array(Tag::STARTS)?,
+            texts: LocaleTable::of(&file, clips.len())?,
+            event_refs: file.array(Tag::EVENT_REFS)?,
+            events: file.array(Tag::EVENTS)?,
+            event_strings: Pool::Bytes(file.array(Tag::EVENT_STRINGS)?),
+        })
     }
 
     /// Checks every byte and every reference, and returns the bank with its strings marked as
@@ -129,7 +108,7 @@ impl<'data> Bank<'data> {
     /// The slot that the index names for `id`, if the clip there has that id.
     #[inline]
     pub(crate) fn slot(&self, id: ClipId) -> Option<u32> {
-        let spread = layout::spread(id.get(), self.header.index_seed.get());
+        let spread = layout::spread(id.get(), self.file.header.index_seed.get());
         let bucket = layout::bucket_of(spread, self.pilots.len() as u32);
         let pilot = self.pilots.get(bucket as usize)?.get();
         let slot = layout::slot_of(spread, pilot, self.clips.len() as u32);
@@ -142,7 +121,7 @@ impl<'data> Bank<'data> {
 
     /// The locale with this tag, spelled as in the bank (`en-us`). Keep it: queries take it.
     pub fn locale(&self, tag: &str) -> Option<Locale<'data>> {
-        self.locales().find(|locale| locale.tag_bytes() == Some(tag.as_bytes()))
+        self.texts.locale(tag)
     }
 
     /// The default locale, if one was set when the bank was packed.
@@ -151,29 +130,28 @@ impl<'data> Bank<'data> {
     }
 
     /// All locales of the bank, in the order of their tags.
-    pub fn locales(&self) -> Locales<'data, '_> {
-        Locales::new(self)
+    pub fn locales(&self) -> Locales<'data> {
+        self.texts.locales()
     }
 
     /// Hash of what the clips of this bank are: files that belong together share it.
     pub fn fingerprint(&self) -> u64 {
-        self.header.fingerprint.get()
+        self.file.header.fingerprint.get()
     }
 
     /// Format version, major and minor.
     pub fn format_version(&self) -> (u16, u16) {
-        (self.header.format_major.get(), self.header.format_minor.get())
+        (self.file.header.format_major.get(), self.file.header.format_minor.get())
     }
 
     /// Length of the bank.
     pub const fn length_bytes(&self) -> usize {
-        self.bytes.len()
+        self.file.bytes.len()
     }
 
     /// The sections of the bank in the order of its directory, known or not: tag and contents.
     pub fn sections(&self) -> impl Iterator<Item = (Tag, &'data [u8])> + '_ {
-        let sections = Sections { bytes: self.bytes, directory: self.directory };
-        self.directory.iter().filter_map(move |entry| Some((Tag(entry.tag), sections.contents(entry)?)))
+        self.file.sections()
     }
 }
 
@@ -181,71 +159,9 @@ impl<'data> Bank<'data> {
 impl fmt::Debug for Bank<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Bank")
-            .field("length_bytes", &self.bytes.len())
+            .field("length_bytes", &self.file.bytes.len())
             .field("clip_count", &self.clips.len())
-            .field("locale_count", &self.locales.len())
+            .field("locale_count", &self.texts.records.len())
             .finish_non_exhaustive()
-    }
-}
-
-/// Where the number of sections stands in the header.
-const SECTION_COUNT_OFFSET: u32 = 40;
-
-/// Checks everything of the header but the checksum.
-fn open_header(bytes: &[u8]) -> Result<(&Header, &[u8]), Error> {
-    let magic_start = bytes.get(..4);
-    let (header, rest) = Header::ref_from_prefix(bytes).map_err(|_| match magic_start {
-        Some(start) if start != &layout::MAGIC[..4] => Error::new(ErrorKind::NotABank, 0),
-        _ => Error::new(ErrorKind::TooShort, bytes.len() as u32),
-    })?;
-    if header.magic != layout::MAGIC {
-        let kind = if magic_start == Some(&layout::MAGIC[..4]) { ErrorKind::TextMode } else { ErrorKind::NotABank };
-        return Err(Error::new(kind, 0));
-    }
-    if header.format_major.get() != layout::FORMAT_MAJOR {
-        return Err(Error::new(ErrorKind::UnsupportedVersion, 20));
-    }
-    if header.file_length_bytes.get() as usize != bytes.len() {
-        return Err(Error::new(ErrorKind::WrongLength, 16));
-    }
-    Ok((header, rest))
-}
-
-/// Where a directory entry stands in the file.
-#[allow(clippy::arithmetic_side_effects)] // the directory lies in a file of less than 4 GiB
-fn entry_offset(index: usize) -> u32 {
-    (size_of::<Header>() + index * size_of::<DirectoryEntry>()) as u32
-}
-
-/// The directory while a bank is being opened.
-struct Sections<'data> {
-    bytes: &'data [u8],
-    directory: &'data [DirectoryEntry],
-}
-
-impl<'data> Sections<'data> {
-    /// The contents of a section, if they lie in the file.
-    fn contents(&self, entry: &DirectoryEntry) -> Option<&'data [u8]> {
-        let start = entry.offset_bytes.get() as usize;
-        let end = start.checked_add(entry.length_bytes.get() as usize)?;
-        self.bytes.get(start..end)
-    }
-
-    /// The one section with this tag, as entries of type `T`.
-    fn array<T>(&self, tag: Tag) -> Result<&'data [T], Error>
-    where
-        T: FromBytes + Immutable + KnownLayout + Unaligned,
-    {
-        let mut found = self.directory.iter().enumerate().filter(|(_, entry)| entry.tag == tag.0);
-        let (index, entry) = found.next().ok_or(Error::new(ErrorKind::SectionMissing, SECTION_COUNT_OFFSET))?;
-        if let Some((second, _)) = found.next() {
-            return Err(Error::new(ErrorKind::SectionTwice, entry_offset(second)));
-        }
-        let at = entry_offset(index);
-        let bytes = self.contents(entry).ok_or(Error::new(ErrorKind::SectionOutOfBounds, at))?;
-        if usize::from(entry.entry_bytes.get()) != size_of::<T>() {
-            return Err(Error::new(ErrorKind::SectionShape, at));
-        }
-        <[T]>::ref_from_bytes(bytes).map_err(|_| Error::new(ErrorKind::SectionShape, at))
     }
 }

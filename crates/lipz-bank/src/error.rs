@@ -115,4 +115,8 @@ error_kinds! {
     Fingerprint = 27, "the fingerprint does not match the clips";
     /// Runs of text are shared by more clips and locales than a real bank has.
     TooManySteps = 28, "the bank takes far more steps to check than a real one";
+    /// The fingerprint of a text bank is not that of the bank.
+    OtherClips = 29, "the texts belong to a bank with other clips";
+    /// A text bank where a bank is asked for.
+    TextsOnly = 30, "the file has texts only, for the clips of another bank";
 }

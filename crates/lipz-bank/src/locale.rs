@@ -1,15 +1,50 @@
-//! The locales of a bank: handles that text queries take.
+//! The locales of a file: handles that text queries take.
 
 use core::fmt;
 use core::iter::FusedIterator;
 
-use crate::layout::{LocaleRecord, LOCALE_DEFAULT, U32};
+use crate::file::File;
+use crate::layout::{LocaleRecord, Tag, LOCALE_DEFAULT, U32};
 use crate::pool::Pool;
-use crate::Bank;
+use crate::Error;
+
+/// The locales of a file with their texts: four of the sections of a bank, all that a text bank
+/// has.
+#[derive(Clone, Copy)]
+pub(crate) struct LocaleTable<'data> {
+    pub(crate) records: &'data [LocaleRecord],
+    pub(crate) names: Pool<'data>,
+    /// For each locale in turn, one entry per slot.
+    pub(crate) index: &'data [U32],
+    pub(crate) texts: Pool<'data>,
+    pub(crate) clip_count: usize,
+}
+
+impl<'data> LocaleTable<'data> {
+    /// The table of a file about `clip_count` clips.
+    pub(crate) fn of(file: &File<'data>, clip_count: usize) -> Result<LocaleTable<'data>, Error> {
+        Ok(LocaleTable {
+            records: file.array(Tag::LOCALES)?,
+            names: Pool::Bytes(file.array(Tag::NAMES)?),
+            index: file.array(Tag::TEXT_INDEX)?,
+            texts: Pool::Bytes(file.array(Tag::TEXTS)?),
+            clip_count,
+        })
+    }
+
+    /// The locale with this tag.
+    pub(crate) fn locale(&self, tag: &str) -> Option<Locale<'data>> {
+        self.locales().find(|locale| locale.tag_bytes() == Some(tag.as_bytes()))
+    }
+
+    pub(crate) fn locales(&self) -> Locales<'data> {
+        Locales { table: *self, next: 0 }
+    }
+}
 
 /// A locale of a bank: where its texts are.
 ///
-/// Look it up once, with [`Bank::locale`], and pass it to every text query.
+/// Look it up once, with [`Bank::locale`](crate::Bank::locale), and pass it to every text query.
 #[derive(Clone, Copy)]
 pub struct Locale<'data> {
     record: &'data LocaleRecord,
@@ -31,7 +66,7 @@ impl<'data> Locale<'data> {
         self.record.flags.get() & LOCALE_DEFAULT != 0
     }
 
-    pub(crate) fn tag_bytes(&self) -> Option<&'data [u8]> {
+    fn tag_bytes(&self) -> Option<&'data [u8]> {
         let start = self.record.tag_offset_bytes.get() as usize;
         self.names.slice(start, start.checked_add(usize::from(self.record.tag_length_bytes.get()))?)
     }
@@ -44,35 +79,36 @@ impl fmt::Debug for Locale<'_> {
     }
 }
 
-/// The locales of a bank in the order of their tags.
-#[derive(Clone, Debug)]
-pub struct Locales<'data, 'bank> {
-    bank: &'bank Bank<'data>,
+/// The locales of a file in the order of their tags.
+#[derive(Clone)]
+pub struct Locales<'data> {
+    table: LocaleTable<'data>,
     next: usize,
 }
 
-impl<'data, 'bank> Locales<'data, 'bank> {
-    pub(crate) fn new(bank: &'bank Bank<'data>) -> Self {
-        Locales { bank, next: 0 }
-    }
-}
-
-impl<'data> Iterator for Locales<'data, '_> {
+impl<'data> Iterator for Locales<'data> {
     type Item = Locale<'data>;
 
     fn next(&mut self) -> Option<Locale<'data>> {
-        let bank = self.bank;
-        let record = bank.locales.get(self.next)?;
-        let start = self.next.checked_mul(bank.clips.len())?;
-        let index = bank.text_index.get(start..start.checked_add(bank.clips.len())?)?;
+        let table = self.table;
+        let record = table.records.get(self.next)?;
+        let start = self.next.checked_mul(table.clip_count)?;
+        let index = table.index.get(start..start.checked_add(table.clip_count)?)?;
         self.next = self.next.saturating_add(1);
-        Some(Locale { record, names: bank.names, index, texts: bank.texts })
+        Some(Locale { record, names: table.names, index, texts: table.texts })
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {
-        let left = self.bank.locales.len().saturating_sub(self.next);
+        let left = self.table.records.len().saturating_sub(self.next);
         (0, Some(left))
     }
 }
 
-impl FusedIterator for Locales<'_, '_> {}
+impl FusedIterator for Locales<'_> {}
+
+/// The locales that are left.
+impl fmt::Debug for Locales<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries(self.clone()).finish()
+    }
+}

@@ -1,6 +1,7 @@
 //! One segment of a clip: frames, display texts and event string.
 
-use crate::layout::{FLAG_FAR_STARTS, NO_EVENTS, NO_TEXT, TEXT_FALLBACK, TEXT_OFFSET, TEXT_WIDE};
+use crate::layout::{FLAG_FAR_STARTS, NARROW_END_BYTES, NO_EVENTS, NO_TEXT, WIDE_END_BYTES};
+use crate::layout::{TEXT_FALLBACK, TEXT_OFFSET, TEXT_WIDE};
 use crate::{Clip, Locale};
 use core::fmt;
 use core::iter::FusedIterator;
@@ -62,9 +63,10 @@ impl<'data, 'bank> Segment<'data, 'bank> {
     /// The display text in `locale`, or in the locale that it falls back to; `None` if neither has
     /// a text for this clip.
     ///
-    /// A segment of an existing text may be empty. `locale` comes from the same bank.
+    /// A segment of an existing text may be empty. `locale` comes from the same
+    /// bank, or from a [`TextBank`](crate::TextBank) that it opened.
     #[inline]
-    pub fn text(&self, locale: Locale<'data>) -> Option<Text<'data>> {
+    pub fn text<'texts>(&self, locale: Locale<'texts>) -> Option<Text<'texts>> {
         let (start, end, is_fallback) = self.text_range(locale)?;
         Some(Text { text: locale.texts.text(start, end)?, is_fallback })
     }
@@ -72,14 +74,14 @@ impl<'data, 'bank> Segment<'data, 'bank> {
     /// Like [`Segment::text`], as bytes that are not checked to be UTF-8: for programs that cannot
     /// afford the checker's code.
     #[inline]
-    pub fn text_bytes(&self, locale: Locale<'data>) -> Option<&'data [u8]> {
+    pub fn text_bytes<'texts>(&self, locale: Locale<'texts>) -> Option<&'texts [u8]> {
         let (start, end, _) = self.text_range(locale)?;
         locale.texts.slice(start, end)
     }
 
     /// Where the text stands in the text pool, and whether it is that of another locale.
     #[inline]
-    fn text_range(&self, locale: Locale<'data>) -> Option<(usize, usize, bool)> {
+    fn text_range(&self, locale: Locale<'_>) -> Option<(usize, usize, bool)> {
         let entry = locale.index.get(self.clip.slot() as usize)?.get();
         if entry == NO_TEXT {
             return None;
@@ -92,7 +94,8 @@ impl<'data, 'bank> Segment<'data, 'bank> {
             Some(before) => text_end(run, before, wide)?,
             None => 0,
         };
-        let ends = (self.clip.segment_count() as usize).checked_mul(if wide { 4 } else { 2 })?;
+        let ends =
+            (self.clip.segment_count() as usize).checked_mul(if wide { WIDE_END_BYTES } else { NARROW_END_BYTES })?;
         let texts = ((entry & TEXT_OFFSET) as usize).checked_add(ends)?;
         Some((texts.checked_add(start)?, texts.checked_add(end)?, entry & TEXT_FALLBACK != 0))
     }
@@ -157,14 +160,14 @@ impl fmt::Display for Text<'_> {
 pub(crate) fn text_end(run: &[u8], index: u32, wide: bool) -> Option<usize> {
     let index = index as usize;
     if !wide {
-        let start = index.checked_mul(2)?;
-        return match run.get(start..start.checked_add(2)?)? {
+        let start = index.checked_mul(NARROW_END_BYTES)?;
+        return match run.get(start..start.checked_add(NARROW_END_BYTES)?)? {
             [low, high] => Some(usize::from(*low) | usize::from(*high) << 7),
             _ => None,
         };
     }
-    let start = index.checked_mul(4)?;
-    match run.get(start..start.checked_add(4)?)? {
+    let start = index.checked_mul(WIDE_END_BYTES)?;
+    match run.get(start..start.checked_add(WIDE_END_BYTES)?)? {
         [a, b, c, d] => Some(usize::from(*a) | usize::from(*b) << 7 | usize::from(*c) << 14 | usize::from(*d) << 21),
         _ => None,
     }

@@ -52,6 +52,8 @@ fn numbers_are_stable() {
         (26, DirectoryTooLong),
         (27, Fingerprint),
         (28, TooManySteps),
+        (29, OtherClips),
+        (30, TextsOnly),
     ];
     assert!(table
         .iter()

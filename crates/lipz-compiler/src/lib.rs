@@ -47,6 +47,7 @@ mod raise;
 mod report;
 mod rewrite;
 mod source_record;
+mod split;
 mod unpack;
 
 pub use compile::{Compiled, Phases, Progress, check_all, compile};
@@ -59,6 +60,7 @@ pub use output::replace_file;
 pub use raise::Documents;
 pub use report::{Report, count};
 pub use rewrite::{each_file, rewrite_file};
+pub use split::{Split, split};
 pub use unpack::{Unpacked, unpack};
 
 /// The example of the README, run as a test.

@@ -38,6 +38,10 @@ pub const TEXT_FALLBACK: u32 = 1 << 31;
 pub const TEXT_WIDE: u32 = 1 << 30;
 /// The other bits of a text index entry: where the run starts in the text pool, in bytes.
 pub const TEXT_OFFSET: u32 = TEXT_WIDE - 1;
+/// Bytes of an end in a narrow run.
+pub const NARROW_END_BYTES: usize = 2;
+/// Bytes of an end in a wide run.
+pub const WIDE_END_BYTES: usize = 4;
 
 /// Hash of the ids and segment counts of the clips, in slot order: what texts in another file must
 /// agree with.

@@ -1,7 +1,7 @@
 //! Clip records, in the order of their keys, and what they own.
 
 use super::error_at;
-use super::texts::Texts;
+use super::texts::TextCheck;
 use crate::layout::{self, FLAG_FAR_STARTS, FLAG_VISEMES};
 use crate::segment::far_starts;
 use crate::{Bank, Clip, ClipId, Error, ErrorKind, VisemeType};
@@ -21,7 +21,7 @@ struct Ends {
 /// are clips, names every clip once.
 pub(super) fn clips(bank: &Bank<'_>) -> Result<u32, Error> {
     let mut ends = Ends::default();
-    let mut texts = Texts::of(bank);
+    let mut texts = TextCheck::of(bank.file, bank.texts);
     let mut before: Option<&str> = None;
     for slot in bank.key_order {
         let clip = bank.clip_at(slot.get()).ok_or(error_at(bank, ErrorKind::ClipOrder, slot))?;
@@ -31,7 +31,7 @@ pub(super) fn clips(bank: &Bank<'_>) -> Result<u32, Error> {
         }
         before = Some(key);
         clip_record(bank, &clip, key, &mut ends).map_err(|kind| error_at(bank, kind, clip.record))?;
-        texts.clip(bank, &clip)?;
+        texts.clip(&clip)?;
     }
     if ends.frames as usize != bank.frames.len() {
         return Err(error_at(bank, ErrorKind::FrameRange, bank.frames));

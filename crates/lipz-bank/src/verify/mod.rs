@@ -9,54 +9,92 @@ mod clips;
 mod sections;
 mod texts;
 
+use crate::file::File;
 use crate::layout::{self, LocaleRecord};
+use crate::locale::LocaleTable;
 use crate::pool::Pool;
-use crate::{Bank, Error, ErrorKind};
+use crate::{Bank, Error, ErrorKind, TextBank};
+use texts::TextCheck;
 
 /// Checks the bank and marks its pools as checked.
 pub(crate) fn verify(bank: &mut Bank<'_>) -> Result<(), Error> {
-    let checked = bank.bytes.get(layout::CHECKED_FROM..).unwrap_or(&[]);
-    if layout::checksum(checked) != bank.header.checksum.get() {
-        return Err(Error::new(ErrorKind::Checksum, 8));
-    }
-    sections::sections(bank)?;
-    bank.names = checked_pool(bank, bank.names)?;
-    bank.texts = checked_pool(bank, bank.texts)?;
-    bank.event_strings = checked_pool(bank, bank.event_strings)?;
+    checksum(&bank.file)?;
+    sections::sections(&bank.file)?;
+    sections::table_lengths(bank)?;
+    check_pools(&bank.file, &mut bank.texts)?;
+    bank.names = bank.texts.names;
+    bank.event_strings = checked_pool(&bank.file, bank.event_strings)?;
     let keys_end = clips::clips(bank)?;
-    locales(bank, keys_end)?;
+    locales(&bank.file, &bank.texts, keys_end)?;
     events(bank)?;
-    if layout::fingerprint(bank.clips) != bank.header.fingerprint.get() {
+    if layout::fingerprint(bank.clips) != bank.file.header.fingerprint.get() {
         return Err(Error::new(ErrorKind::Fingerprint, 24));
     }
     Ok(())
 }
 
-/// An error at the place of `item`, which lies in the bank.
-fn error_at<T: ?Sized>(bank: &Bank<'_>, kind: ErrorKind, item: &T) -> Error {
-    let item = item as *const T as *const u8 as usize;
-    Error::new(kind, item.wrapping_sub(bank.bytes.as_ptr() as usize) as u32)
+/// Checks a text bank against the bank of its clips, and marks its pools as checked.
+pub(crate) fn verify_texts(texts: &mut TextBank<'_>, bank: &Bank<'_>) -> Result<(), Error> {
+    let file = texts.file;
+    checksum(&file)?;
+    sections::sections(&file)?;
+    sections::text_index_length(&file, &texts.table)?;
+    check_pools(&file, &mut texts.table)?;
+    // Another bank's tags stand behind its keys.
+    let start = texts.table.records.first().map_or(0, |first| first.tag_offset_bytes.get());
+    locales(&file, &texts.table, start)?;
+    if file.header.fingerprint.get() != bank.fingerprint() || texts.table.clip_count != bank.clip_count() {
+        return Err(Error::new(ErrorKind::OtherClips, 24));
+    }
+    let mut check = TextCheck::of(file, texts.table);
+    bank.clips().try_for_each(|clip| check.clip(&clip))
 }
 
-fn checked_pool<'data>(bank: &Bank<'data>, pool: Pool<'data>) -> Result<Pool<'data>, Error> {
+fn checksum(file: &File<'_>) -> Result<(), Error> {
+    let checked = file.bytes.get(layout::CHECKED_FROM..).unwrap_or(&[]);
+    if layout::checksum(checked) != file.header.checksum.get() {
+        return Err(Error::new(ErrorKind::Checksum, 8));
+    }
+    Ok(())
+}
+
+/// An error at the place of `item`, which lies in the file.
+fn error_in<T: ?Sized>(file: &File<'_>, kind: ErrorKind, item: &T) -> Error {
+    let item = item as *const T as *const u8 as usize;
+    Error::new(kind, item.wrapping_sub(file.bytes.as_ptr() as usize) as u32)
+}
+
+/// An error at the place of `item`, which lies in the bank.
+fn error_at<T: ?Sized>(bank: &Bank<'_>, kind: ErrorKind, item: &T) -> Error {
+    error_in(&bank.file, kind, item)
+}
+
+/// Checks the strings of a file's locales.
+fn check_pools<'data>(file: &File<'data>, table: &mut LocaleTable<'data>) -> Result<(), Error> {
+    table.names = checked_pool(file, table.names)?;
+    table.texts = checked_pool(file, table.texts)?;
+    Ok(())
+}
+
+fn checked_pool<'data>(file: &File<'data>, pool: Pool<'data>) -> Result<Pool<'data>, Error> {
     let bytes = pool.bytes();
     match core::str::from_utf8(bytes) {
         Ok(text) => Ok(Pool::Checked(text)),
         Err(error) => {
             let behind = bytes.get(error.valid_up_to()..).unwrap_or(bytes);
-            Err(error_at(bank, ErrorKind::Utf8, behind))
+            Err(error_in(file, ErrorKind::Utf8, behind))
         }
     }
 }
 
 /// Tags ascend strictly and fill the pool of names from `end` on; one locale at most is the default.
-fn locales(bank: &Bank<'_>, mut end: u32) -> Result<(), Error> {
+fn locales(file: &File<'_>, table: &LocaleTable<'_>, mut end: u32) -> Result<(), Error> {
     let mut before = "";
     let mut has_default = false;
     let tag = |record: &LocaleRecord| {
-        bank.names.text_at(record.tag_offset_bytes.get(), u32::from(record.tag_length_bytes.get()))
+        table.names.text_at(record.tag_offset_bytes.get(), u32::from(record.tag_length_bytes.get()))
     };
-    for record in bank.locales {
+    for record in table.records {
         let is_default = record.flags.get() & layout::LOCALE_DEFAULT != 0;
         let flags_are_known = record.flags.get() & !layout::LOCALE_DEFAULT == 0;
         match tag(record) {
@@ -68,13 +106,13 @@ fn locales(bank: &Bank<'_>, mut end: u32) -> Result<(), Error> {
             {
                 before = tag;
             }
-            _ => return Err(error_at(bank, ErrorKind::LocaleOrder, record)),
+            _ => return Err(error_in(file, ErrorKind::LocaleOrder, record)),
         }
         has_default |= is_default;
         end = end.wrapping_add(u32::from(record.tag_length_bytes.get()));
     }
-    if end as usize != bank.names.bytes().len() {
-        return Err(error_at(bank, ErrorKind::LocaleOrder, bank.locales));
+    if end as usize != table.names.bytes().len() {
+        return Err(error_in(file, ErrorKind::LocaleOrder, table.records));
     }
     Ok(())
 }

@@ -1,42 +1,42 @@
 //! Sections: in the order of the directory, one behind the other, each tag once.
 
-use super::error_at;
+use super::{error_at, error_in};
+use crate::file::File;
 use crate::layout::{DirectoryEntry, Tag, SECTION_ALIGNMENT};
+use crate::locale::LocaleTable;
 use crate::{Bank, Error, ErrorKind};
 use core::mem::size_of_val;
 
-/// Checks places and tags of all sections, known or not, and the lengths of tables that run
-/// parallel to others.
-pub(super) fn sections(bank: &Bank<'_>) -> Result<(), Error> {
+/// Checks places and tags of all sections, known or not.
+pub(super) fn sections(file: &File<'_>) -> Result<(), Error> {
     // `open` has found directory and sections in the file, and no more than 64 of them.
-    let mut end = size_of_val(bank.header).wrapping_add(size_of_val(bank.directory));
+    let mut end = size_of_val(file.header).wrapping_add(size_of_val(file.directory));
     let mut before: &[_] = &[];
-    for (index, entry) in bank.directory.iter().enumerate() {
+    for (index, entry) in file.directory.iter().enumerate() {
         if before.iter().any(|other: &DirectoryEntry| other.tag == entry.tag) {
-            return Err(error_at(bank, ErrorKind::SectionTwice, entry));
+            return Err(error_in(file, ErrorKind::SectionTwice, entry));
         }
         let gap = (entry.offset_bytes.get() as usize).checked_sub(end);
         let is_aligned = entry.offset_bytes.get() % SECTION_ALIGNMENT == 0;
         if !is_aligned || gap.map_or(true, |gap| gap >= SECTION_ALIGNMENT as usize) {
-            return Err(error_at(bank, ErrorKind::SectionPlace, entry));
+            return Err(error_in(file, ErrorKind::SectionPlace, entry));
         }
         end = (entry.offset_bytes.get() as usize).wrapping_add(entry.length_bytes.get() as usize);
-        before = bank.directory.get(..=index).unwrap_or(before);
+        before = file.directory.get(..=index).unwrap_or(before);
     }
-    if end != bank.bytes.len() {
-        return Err(error_at(bank, ErrorKind::SectionPlace, bank.directory));
+    if end != file.bytes.len() {
+        return Err(error_in(file, ErrorKind::SectionPlace, file.directory));
     }
-    table_lengths(bank)
+    Ok(())
 }
 
-fn table_lengths(bank: &Bank<'_>) -> Result<(), Error> {
+/// Checks the lengths of tables that run parallel to others.
+pub(super) fn table_lengths(bank: &Bank<'_>) -> Result<(), Error> {
     if bank.key_order.len() != bank.clips.len() {
         return Err(error_at(bank, ErrorKind::ClipOrder, bank.key_order));
     }
-    if bank.locales.len().checked_mul(bank.clips.len()) != Some(bank.text_index.len()) {
-        return Err(error_at(bank, ErrorKind::TextReference, bank.text_index));
-    }
-    let entry = |(tag, _): (Tag, usize)| bank.directory.iter().find(|entry| entry.tag == tag.0);
+    text_index_length(&bank.file, &bank.texts)?;
+    let entry = |(tag, _): (Tag, usize)| bank.file.directory.iter().find(|entry| entry.tag == tag.0);
     let has_shape =
         |entry: &DirectoryEntry, (_, entry_bytes): (Tag, usize)| usize::from(entry.entry_bytes.get()) == entry_bytes;
     let [of_index, of_sources] = Tag::OPTIONAL;
@@ -54,4 +54,12 @@ fn table_lengths(bank: &Bank<'_>) -> Result<(), Error> {
         }
         (Some(lonely), None) | (None, Some(lonely)) => Err(error_at(bank, ErrorKind::SectionMissing, lonely)),
     }
+}
+
+/// Checks that the text index has an entry for each clip in each locale.
+pub(super) fn text_index_length(file: &File<'_>, table: &LocaleTable<'_>) -> Result<(), Error> {
+    if table.records.len().checked_mul(table.clip_count) != Some(table.index.len()) {
+        return Err(error_in(file, ErrorKind::TextReference, table.index));
+    }
+    Ok(())
 }

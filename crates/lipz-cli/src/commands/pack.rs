@@ -5,7 +5,7 @@ use crate::sources::Sources;
 use crate::{Outcome, console, render};
 use clap::Args;
 use lipz::Level;
-use lipz_compiler::{Options, compile, count, replace_file};
+use lipz_compiler::{Options, Report, Split, compile, count, replace_file, split};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
@@ -30,6 +30,11 @@ pub(crate) struct Pack {
     #[arg(long)]
     pub(crate) strip: bool,
 
+    /// Write the texts of each locale into a text bank of its own, BANK with the locale before the
+    /// extension .lipztexts; the bank has all the rest
+    #[arg(long)]
+    pub(crate) split_locales: bool,
+
     /// Print where the time went
     #[arg(long)]
     pub(crate) timings: bool,
@@ -44,20 +49,42 @@ pub(crate) fn run(arguments: &Pack) -> Outcome {
         _ => return run.failure(),
     };
     let start = Instant::now();
-    if let Err(report) = replace_file(&arguments.output, &bank) {
-        render::findings(&[report]);
-        return Outcome::Failed;
-    }
+    let files = match written(arguments, bank) {
+        Ok(files) => files,
+        Err(report) => {
+            render::findings(&[report]);
+            return Outcome::Failed;
+        }
+    };
     let write = start.elapsed();
     let mut text = String::new();
     if !arguments.sources.quiet {
-        let (clips, bytes) = (console::counted(run.file_count, "clip"), console::grouped(bank.len()));
-        text = format!("{clips} packed into {} ({bytes} bytes)\n", console::path(&arguments.output));
+        let clips = console::counted(run.file_count, "clip");
+        for (index, (path, length_bytes)) in files.iter().enumerate() {
+            let what = if index == 0 { format!("{clips} packed into") } else { "texts packed into".to_owned() };
+            let (path, bytes) = (console::path(path), console::grouped(*length_bytes));
+            text.push_str(&format!("{what} {path} ({bytes} bytes)\n"));
+        }
     }
     if arguments.timings {
         text.push_str(&timings(&run, write));
     }
     console::print(&text)
+}
+
+/// Writes the bank and its text banks; their paths and lengths, the bank first.
+fn written(arguments: &Pack, bank: Vec<u8>) -> Result<Vec<(PathBuf, usize)>, Report> {
+    let output = &arguments.output;
+    let Split { base, texts } =
+        if arguments.split_locales { split(&bank)? } else { Split { base: bank, texts: Vec::new() } };
+    let mut files = vec![(output.clone(), base)];
+    let text_bank = |(tag, texts)| (output.with_extension(format!("{tag}.lipztexts")), texts);
+    files.extend(texts.into_iter().map(text_bank));
+    // The bank last: whoever finds it finds its texts, too.
+    for (path, bytes) in files.iter().rev() {
+        replace_file(path, bytes)?;
+    }
+    Ok(files.into_iter().map(|(path, bytes)| (path, bytes.len())).collect())
 }
 
 /// The time of each phase, in milliseconds.

@@ -12,7 +12,7 @@ use zerocopy::IntoBytes;
 const ALIGNMENT: usize = SECTION_ALIGNMENT as usize;
 
 /// A section to be written: pieces that are copied one behind the other.
-pub(super) struct Section<'b> {
+pub(crate) struct Section<'b> {
     tag: Tag,
     pieces: Vec<&'b [u8]>,
     entry_bytes: usize,
@@ -21,12 +21,12 @@ pub(super) struct Section<'b> {
 
 impl<'b> Section<'b> {
     /// A section of [`Tag::REQUIRED`].
-    pub(super) fn required(tag: Tag, bytes: &'b [u8]) -> Section<'b> {
+    pub(crate) fn required(tag: Tag, bytes: &'b [u8]) -> Section<'b> {
         Section::of_pieces(tag, vec![bytes])
     }
 
     /// A section of [`Tag::REQUIRED`] or [`Tag::OPTIONAL`], in pieces.
-    pub(super) fn of_pieces(tag: Tag, pieces: Vec<&'b [u8]>) -> Section<'b> {
+    pub(crate) fn of_pieces(tag: Tag, pieces: Vec<&'b [u8]>) -> Section<'b> {
         let bytes_of = |table: &[(Tag, usize)]| table.iter().find(|(known, _)| *known == tag).map(|(_, bytes)| *bytes);
         let required = bytes_of(&Tag::REQUIRED);
         Section {
@@ -43,7 +43,7 @@ impl<'b> Section<'b> {
 }
 
 /// The file: header, directory, sections in the order given, zeros between them.
-pub(super) fn assemble(sections: &[Section<'_>], index_seed: u64, fingerprint: u64) -> Result<Vec<u8>, Report> {
+pub(crate) fn assemble(sections: &[Section<'_>], index_seed: u64, fingerprint: u64) -> Result<Vec<u8>, Report> {
     let directory_end = size_of::<Header>() + sections.len() * size_of::<DirectoryEntry>();
     let mut directory = Vec::with_capacity(sections.len());
     let mut end = directory_end;

@@ -1,6 +1,6 @@
 //! From clips to the sections of a bank.
 
-mod assemble;
+pub(crate) mod assemble;
 mod events;
 mod index;
 mod records;
@@ -68,7 +68,7 @@ fn unique_ids(clips: &[ClipData]) -> Result<Vec<u64>, Report> {
 }
 
 /// A number that a 32-bit field of the bank holds, or the finding that it does not.
-fn fit(number: usize, what: &str) -> Result<u32, Report> {
+pub(crate) fn fit(number: usize, what: &str) -> Result<u32, Report> {
     u32::try_from(number).map_err(|_| too_large(what))
 }
 

@@ -1,4 +1,5 @@
 //! Fixtures for the tests of this crate.
+#![allow(dead_code, reason = "each test program uses a part of this")]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
 
 use lipz_compiler::{Content, discover};

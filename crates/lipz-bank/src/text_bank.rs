@@ -1,0 +1,84 @@
+//! Text banks: locales in files of their own, opened together with the bank of their clips.
+
+use core::fmt;
+
+use crate::file::File;
+use crate::layout::Tag;
+use crate::locale::LocaleTable;
+use crate::{Bank, Error, ErrorKind, Locale, Locales};
+
+/// The texts of one or more locales in a file of their own, which belongs to one [`Bank`].
+///
+/// A game that ships in many languages packs a base bank and a text bank per locale, and opens the base with the
+/// one that the player reads. A [`Locale`] from here is used as one of the bank itself; no query
+/// costs more.
+///
+/// ```
+/// use lipz_bank::{Bank, Error};
+///
+/// fn german_text<'a>(base: &'a [u8], texts: &'a [u8], key: &str) -> Result<Option<&'a str>, Error> {
+///     let bank = Bank::open(base)?.verify()?;
+///     let texts = bank.open_texts(texts)?.verify(&bank)?;
+///     let segment = bank.clip_by_key(key).and_then(|clip| clip.segment(0));
+///     let text = segment.zip(texts.locale("de-de")).and_then(|(segment, german)| segment.text(german));
+///     Ok(text.map(|text| text.as_str()))
+/// }
+/// # let base = include_bytes!("../../../fixtures/banks/v1/split.lipzbank");
+/// # let texts = include_bytes!("../../../fixtures/banks/v1/split.de-de.lipztexts");
+/// assert_eq!(german_text(base, texts, "act1/toonboom")?, Some("Nur"));
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy)]
+pub struct TextBank<'data> {
+    pub(crate) file: File<'data>,
+    pub(crate) table: LocaleTable<'data>,
+}
+
+impl Bank<'_> {
+    /// Opens a text bank for the clips of this bank, in a time that depends only on the number of
+    /// sections.
+    ///
+    /// # Errors
+    /// As [`Bank::open`], and when the texts belong to other clips: the fingerprints differ.
+    pub fn open_texts<'texts>(&self, bytes: &'texts [u8]) -> Result<TextBank<'texts>, Error> {
+        let file = File::open(bytes)?;
+        if file.header.fingerprint.get() != self.fingerprint() {
+            return Err(Error::new(ErrorKind::OtherClips, 24));
+        }
+        Ok(TextBank { file, table: LocaleTable::of(&file, self.clip_count())? })
+    }
+}
+
+impl<'data> TextBank<'data> {
+    /// Checks every byte and every reference against `bank`, which was verified and is the one that
+    /// opened the texts; afterwards texts cost no UTF-8 check.
+    ///
+    /// # Errors
+    /// The first damage found.
+    pub fn verify(mut self, bank: &Bank<'_>) -> Result<TextBank<'data>, Error> {
+        crate::verify::verify_texts(&mut self, bank)?;
+        Ok(self)
+    }
+
+    /// The locale with this tag, spelled as in the file (`de-de`). Keep it: queries take it.
+    pub fn locale(&self, tag: &str) -> Option<Locale<'data>> {
+        self.table.locale(tag)
+    }
+
+    /// The locales of the file, in the order of their tags.
+    pub fn locales(&self) -> Locales<'data> {
+        self.table.locales()
+    }
+
+    /// The sections of the file in the order of its directory, known or not: tag and contents.
+    pub fn sections(&self) -> impl Iterator<Item = (Tag, &'data [u8])> + '_ {
+        self.file.sections()
+    }
+}
+
+/// The locales, not the texts.
+impl fmt::Debug for TextBank<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("TextBank").field(&self.locales()).finish()
+    }
+}

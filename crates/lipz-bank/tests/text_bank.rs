@@ -1,0 +1,134 @@
+//! Text banks: they answer as the bank from which they were split, belong to one bank only, and
+//! damage in them is found as in any bank.
+// Tests and their helpers: they run with the workspace's compiler, not with the oldest one of the reader.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+#![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
+
+mod common;
+
+use common::{changed, directory, put, reseal, section, u32_at, verified, DRAMA, SMALL};
+use lipz_bank::layout::{Tag, NO_TEXT};
+use lipz_bank::{Bank, Error, ErrorKind, TextBank};
+
+static BASE: &[u8] = include_bytes!("../../../fixtures/banks/v1/split.lipzbank");
+static GERMAN: &[u8] = include_bytes!("../../../fixtures/banks/v1/split.de-de.lipztexts");
+static ENGLISH: &[u8] = include_bytes!("../../../fixtures/banks/v1/split.en-us.lipztexts");
+
+/// What opening and verifying the texts finds.
+fn finding(bank: &Bank<'_>, bytes: &[u8]) -> Option<Error> {
+    bank.open_texts(bytes).and_then(|texts| texts.verify(bank)).err()
+}
+
+/// Asks for all texts of all locales; whether there is one for each segment or for none of a clip.
+fn texts_are_whole(bank: &Bank<'_>, texts: &TextBank<'_>) -> bool {
+    let mut is_whole = true;
+    for locale in texts.locales() {
+        for clip in bank.clips() {
+            let count = clip.segments().filter(|segment| segment.text(locale).is_some()).count();
+            is_whole &= count == 0 || count == clip.segment_count() as usize;
+        }
+    }
+    is_whole
+}
+
+#[test]
+fn answers_are_those_of_the_whole_bank() {
+    let (whole, base) = (verified(SMALL), verified(BASE));
+    assert_eq!(base.locales().count(), 0);
+    assert_eq!(base.fingerprint(), whole.fingerprint());
+    let mut compared = 0;
+    for bytes in [GERMAN, ENGLISH] {
+        let texts = base.open_texts(bytes).and_then(|texts| texts.verify(&base)).expect("a golden text bank");
+        for locale in texts.locales() {
+            let same = whole.locale(locale.tag()).expect("a locale of the whole bank");
+            assert_eq!(locale.is_default(), same.is_default());
+            for clip in base.clips() {
+                let other = whole.clip(clip.id()).expect("a clip of the whole bank");
+                assert_eq!(clip.frames(), other.frames());
+                for (segment, other) in clip.segments().zip(other.segments()) {
+                    assert_eq!(segment.text(locale), other.text(same));
+                    assert_eq!(segment.text_bytes(locale), other.text_bytes(same));
+                    assert_eq!(segment.event(), other.event());
+                    compared += usize::from(segment.text(locale).is_some());
+                }
+            }
+        }
+    }
+    assert!(compared > 40, "{compared} texts");
+}
+
+#[test]
+fn texts_belong_to_one_bank() {
+    let other = verified(DRAMA);
+    let error = other.open_texts(GERMAN).expect_err("texts of other clips");
+    assert_eq!((error.kind(), error.offset_bytes()), (ErrorKind::OtherClips, 24));
+    // Opened with the one, verified against the other.
+    let texts = verified(BASE).open_texts(GERMAN).expect("its own texts");
+    assert_eq!(texts.verify(&other).expect_err("texts of other clips").kind(), ErrorKind::OtherClips);
+}
+
+#[test]
+fn a_text_bank_is_no_bank() {
+    assert_eq!(Bank::open(GERMAN).expect_err("no clips").kind(), ErrorKind::TextsOnly);
+}
+
+/// A whole bank of the same clips serves as a text bank of all its locales.
+#[test]
+fn a_whole_bank_is_a_text_bank() {
+    let base = verified(BASE);
+    let texts = base.open_texts(SMALL).and_then(|texts| texts.verify(&base)).expect("the same clips");
+    assert!(texts.locales().map(|locale| locale.tag()).eq(["de-de", "en-us"]));
+    assert!(texts_are_whole(&base, &texts));
+}
+
+#[test]
+fn every_truncation_and_every_change_is_noticed() {
+    let base = verified(BASE);
+    for length in 0..GERMAN.len() {
+        assert!(finding(&base, &GERMAN[..length]).is_some(), "{length} bytes");
+    }
+    let mut bytes = GERMAN.to_vec();
+    for at in 0..bytes.len() {
+        for change in 1..=255 {
+            bytes[at] ^= change;
+            if let Ok(texts) = base.open_texts(&bytes) {
+                texts_are_whole(&base, &texts);
+                assert!(texts.verify(&base).is_err(), "byte {at} ^ {change:#x} goes unnoticed");
+            }
+            bytes[at] ^= change;
+        }
+    }
+}
+
+/// With the checksum made right, `verify` decides, and what it lets through is whole.
+#[test]
+fn every_forged_byte() {
+    let base = verified(BASE);
+    for at in 16..GERMAN.len() {
+        for change in 1..=255 {
+            let mut bytes = GERMAN.to_vec();
+            bytes[at] ^= change;
+            reseal(&mut bytes);
+            let Ok(texts) = base.open_texts(&bytes) else { continue };
+            texts_are_whole(&base, &texts);
+            if let Ok(texts) = texts.verify(&base) {
+                assert!(texts_are_whole(&base, &texts), "byte {at} ^ {change:#x}");
+            }
+        }
+    }
+}
+
+#[test]
+fn forged_references_are_named() {
+    let base = verified(BASE);
+    let index = section(GERMAN, Tag::TEXT_INDEX);
+    let own = index.clone().step_by(4).find(|&at| u32_at(GERMAN, at) != NO_TEXT).expect("a text");
+    let reference = changed(GERMAN, |bytes| put(bytes, own, 0x3FFF_FFFF_u32.to_le_bytes()));
+    let error = finding(&base, &reference).expect("past the pool");
+    assert_eq!((error.kind(), error.offset_bytes()), (ErrorKind::TextReference, own as u32));
+    let shorter = changed(GERMAN, |bytes| {
+        let entry = 64 + 16 * directory(GERMAN).iter().position(|entry| entry.tag == Tag::TEXT_INDEX.0).expect("TXIX");
+        put(bytes, entry + 8, ((index.len() - 4) as u32).to_le_bytes());
+    });
+    assert_eq!(finding(&base, &shorter).map(Error::kind), Some(ErrorKind::TextReference));
+}

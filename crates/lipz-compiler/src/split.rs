@@ -1,0 +1,127 @@
+//! Splitting a bank by locale: a base bank without texts, and a text bank for each locale.
+
+use crate::Report;
+use crate::lower::assemble::{Section, assemble};
+use crate::lower::fit;
+use foldhash::{HashMap, HashMapExt};
+use lipz::Code;
+use lipz_bank::layout::{
+    Header, LOCALE_DEFAULT, LocaleRecord, NARROW_END_BYTES, NO_TEXT, TEXT_FALLBACK, TEXT_OFFSET, TEXT_WIDE, Tag, U32,
+    WIDE_END_BYTES,
+};
+use lipz_bank::{Bank, Clip, Locale};
+use zerocopy::{FromBytes, IntoBytes};
+
+/// A bank, split by [`split`].
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Split {
+    /// The bank without texts, locales and sources.
+    pub base: Vec<u8>,
+    /// Tag and text bank of each locale.
+    pub texts: Vec<(String, Vec<u8>)>,
+}
+
+/// Splits a bank that [`compile`](crate::compile) made. The text bank of a locale holds all that a
+/// player of that locale reads: where the locale falls back, the text of the other one, marked as a
+/// fallback. Source records refer to texts of all locales and are left out.
+///
+/// ```
+/// use lipz_compiler::{Input, Options, compile, split};
+/// let file = br#"{ "visemes": "MA|EO", "text_en-us": "Mayor| !", "text_de-de": "Herr|Mayor!" }"#;
+/// let bank = compile(&[Input::from_bytes("mayor", file)], &Options::default(), &|_| {}).bank.ok_or("no bank")?;
+/// let split = split(&bank).map_err(|_| "the bank is damaged")?;
+/// let (tag, german) = &split.texts[0];
+/// let base = lipz_bank::Bank::open(&split.base)?.verify()?;
+/// let texts = base.open_texts(german)?.verify(&base)?;
+/// let segment = base.clip_by_key("mayor").and_then(|clip| clip.segment(1)).ok_or("no clip")?;
+/// let text = texts.locale(tag).and_then(|locale| segment.text(locale));
+/// assert_eq!(text.map(|text| text.as_str()), Some("Mayor!"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// A finding if `bytes` are not a bank.
+pub fn split(bytes: &[u8]) -> Result<Split, Report> {
+    let bank = Bank::open(bytes).and_then(Bank::verify);
+    let (Ok(bank), Ok((header, _))) = (bank, Header::ref_from_prefix(bytes)) else {
+        return Err(Report::failure("", Code::BankDamaged, "the bank to be split is damaged".into(), "pack it again"));
+    };
+    let whole = Whole { bank, index_seed: header.index_seed.get() };
+    let tables = whole.section(Tag::TEXT_INDEX).chunks((whole.bank.clip_count() * size_of::<U32>()).max(1));
+    let texts = std::iter::zip(whole.bank.locales(), tables)
+        .map(|(locale, table)| Ok((locale.tag().to_owned(), whole.text_bank(locale, table)?)))
+        .collect::<Result<_, Report>>()?;
+    Ok(Split { base: whole.base()?, texts })
+}
+
+/// The bank that is split.
+struct Whole<'data> {
+    bank: Bank<'data>,
+    index_seed: u64,
+}
+
+impl<'data> Whole<'data> {
+    /// The contents of a section, which every bank has.
+    fn section(&self, tag: Tag) -> &'data [u8] {
+        self.bank.sections().find(|(found, _)| *found == tag).map_or(&[], |(_, contents)| contents)
+    }
+
+    /// The bank without locales: all other required sections as they are.
+    fn base(&self) -> Result<Vec<u8>, Report> {
+        let names = self.section(Tag::NAMES);
+        // Keys come first, in one piece.
+        let keys_bytes = self.bank.clips().map(|clip| clip.key().len()).sum();
+        let sections = Tag::REQUIRED.map(|(tag, _)| match tag {
+            Tag::LOCALES | Tag::TEXT_INDEX | Tag::TEXTS => Section::required(tag, &[]),
+            Tag::NAMES => Section::required(tag, names.get(..keys_bytes).unwrap_or(names)),
+            other => Section::required(other, self.section(other)),
+        });
+        assemble(&sections, self.index_seed, self.bank.fingerprint())
+    }
+
+    /// The texts of one locale, whose part of the text index is `table`: runs in the order of the keys,
+    /// equal ones once.
+    fn text_bank(&self, locale: Locale<'data>, table: &[u8]) -> Result<Vec<u8>, Report> {
+        let entries = <[U32]>::ref_from_bytes(table).unwrap_or_default();
+        let pool = self.section(Tag::TEXTS);
+        let mut index = vec![U32::new(NO_TEXT); entries.len()];
+        let mut runs = Vec::new();
+        let mut offsets = HashMap::new();
+        let mut length = 0;
+        for clip in self.bank.clips() {
+            let slot = clip.slot() as usize;
+            let (Some(entry), Some(to)) = (entries.get(slot), index.get_mut(slot)) else { continue };
+            let Some(run) = run(pool, entry.get(), clip, locale) else { continue };
+            let offset = *offsets.entry(run).or_insert_with(|| {
+                runs.push(run);
+                length += run.len();
+                length - run.len()
+            });
+            *to = U32::new(fit(offset, "texts")? | entry.get() & (TEXT_WIDE | TEXT_FALLBACK));
+        }
+        let tag = locale.tag();
+        let record = LocaleRecord {
+            tag_offset_bytes: 0.into(),
+            tag_length_bytes: (tag.len() as u16).into(),
+            flags: if locale.is_default() { LOCALE_DEFAULT } else { 0 }.into(),
+        };
+        let sections = [
+            Section::required(Tag::NAMES, tag.as_bytes()),
+            Section::required(Tag::LOCALES, record.as_bytes()),
+            Section::required(Tag::TEXT_INDEX, index.as_bytes()),
+            Section::of_pieces(Tag::TEXTS, runs),
+        ];
+        assemble(&sections, 0, self.bank.fingerprint())
+    }
+}
+
+/// The run of a clip's texts: the table of ends, and what it counts.
+fn run<'data>(pool: &'data [u8], entry: u32, clip: Clip<'data, '_>, locale: Locale<'data>) -> Option<&'data [u8]> {
+    if entry == NO_TEXT {
+        return None;
+    }
+    let end_bytes = if entry & TEXT_WIDE == 0 { NARROW_END_BYTES } else { WIDE_END_BYTES };
+    let texts: usize = clip.segments().filter_map(|segment| segment.text_bytes(locale)).map(<[u8]>::len).sum();
+    let length = clip.segment_count() as usize * end_bytes + texts;
+    pool.get((entry & TEXT_OFFSET) as usize..)?.get(..length)
+}

@@ -1,0 +1,48 @@
+//! Banks split by locale: each text of the whole bank is in the text bank of its locale.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use lipz_bank::Bank;
+use lipz_compiler::{Options, compile, discover, split};
+
+#[test]
+fn text_banks_answer_as_the_whole() {
+    let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
+    let (inputs, _) = discover(&[support::folder("drama")], None);
+    let whole = compile(&inputs, &options, &|_| {}).bank.unwrap();
+    let bank = Bank::open(&whole).unwrap().verify().unwrap();
+    let split = split(&whole).unwrap();
+    let base = Bank::open(&split.base).unwrap().verify().unwrap();
+    assert!(base.locales().next().is_none() && base.sections().all(|(tag, _)| tag.0 != *b"SRCE"));
+    assert_eq!(split.texts.len(), bank.locales().count());
+    let mut text_count = 0;
+    for ((tag, bytes), locale) in split.texts.iter().zip(bank.locales()) {
+        assert_eq!(tag, locale.tag());
+        let texts = base.open_texts(bytes).unwrap().verify(&base).unwrap();
+        let own = texts.locale(tag).unwrap();
+        assert_eq!((texts.locales().count(), own.is_default()), (1, locale.is_default()));
+        for (clip, whole_clip) in base.clips().zip(bank.clips()) {
+            assert_eq!((clip.key(), clip.frames()), (whole_clip.key(), whole_clip.frames()));
+            for (segment, whole_segment) in clip.segments().zip(whole_clip.segments()) {
+                assert_eq!(segment.text(own), whole_segment.text(locale));
+                text_count += usize::from(segment.text(own).is_some());
+            }
+        }
+        // Nothing of another language comes along, but what the locale falls back to.
+        assert!(bytes.len() < whole.len() / 5, "{tag}: {} of {} bytes", bytes.len(), whole.len());
+    }
+    assert!(text_count > 500, "{text_count} texts");
+}
+
+#[test]
+fn a_bank_without_clips() {
+    let whole = compile(&[], &Options::default(), &|_| {}).bank.unwrap();
+    let split = split(&whole).unwrap();
+    assert!(Bank::open(&split.base).unwrap().verify().is_ok() && split.texts.is_empty());
+}
+
+#[test]
+fn what_is_no_bank_is_refused() {
+    assert!(split(b"not a bank").is_err());
+}
