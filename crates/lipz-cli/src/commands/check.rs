@@ -1,14 +1,13 @@
 //! `lipz check`: the findings of source files, and their certain fixes.
 
+use super::fixing::{Fixing, fix_all};
 use super::with_inputs;
 use crate::rewriting::{Rewriting, files};
 use crate::sources::Sources;
 use crate::{Outcome, console, render};
 use clap::Args;
 use lipz::Level;
-use lipz::diagnostic::show;
-use lipz_compiler::{Content, Fixed, Input, Options, Report, check_all, count, discover, each_file, fix};
-use std::collections::HashMap;
+use lipz_compiler::{check_all, count};
 
 /// Check Lipz files without packing them.
 ///
@@ -35,7 +34,11 @@ pub(crate) struct Check {
 pub(crate) fn run(arguments: &Check) -> Outcome {
     let sources = &arguments.sources;
     let options = sources.options();
-    let fixing = if arguments.fix { fix_all(arguments, &options) } else { Fixing::default() };
+    let fixing = match (arguments.fix, arguments.diff) {
+        (false, _) => Fixing::default(),
+        (true, false) => fix_all(sources, &options, Rewriting::InPlace),
+        (true, true) => fix_all(sources, &options, Rewriting::Diff),
+    };
     let mut run = with_inputs(sources, &options, |inputs, options, progress| {
         check_all(&fixing.instead_of(inputs), options, progress)
     });
@@ -49,65 +52,8 @@ pub(crate) fn run(arguments: &Check) -> Outcome {
     if count(&run.reports, Level::Error) > 0 {
         return run.failure();
     }
-    if sources.quiet {
+    if sources.quiet || arguments.diff {
         return printed;
     }
     console::print(&format!("{} checked\n", files(run.file_count)))
-}
-
-/// What fixing gave.
-#[derive(Default)]
-struct Fixing {
-    /// What was fixed in each file, or the differences.
-    changes: String,
-    /// Files that are to be checked as if they were fixed.
-    in_memory: HashMap<String, String>,
-    /// Files that could not be written.
-    unwritten: Vec<Report>,
-}
-
-impl Fixing {
-    /// The inputs, those that are only fixed in memory with their new texts.
-    fn instead_of(&self, inputs: &[Input]) -> Vec<Input> {
-        let fixed = |input: &Input| match self.in_memory.get(&input.name) {
-            Some(text) => Input { content: Content::Bytes(text.clone().into_bytes()), ..input.clone() },
-            None => input.clone(),
-        };
-        inputs.iter().map(fixed).collect()
-    }
-}
-
-/// Fixes all files, or shows what would be fixed.
-fn fix_all(arguments: &Check, options: &Options) -> Fixing {
-    let rewriting = if arguments.diff { Rewriting::Diff } else { Rewriting::InPlace };
-    // What cannot be found or read is reported by the check that follows.
-    let (inputs, _) = discover(&arguments.sources.sources, arguments.sources.root.as_deref());
-    let bar = console::progress_bar(inputs.len(), arguments.sources.quiet);
-    let results = each_file(&inputs, options, &|count| bar.inc(count), |input, bytes| {
-        let fixed = fix(bytes, options)?;
-        Some(rewriting.rewrite(input, bytes, &fixed.text).map(|difference| (fixed, difference)))
-    });
-    bar.finish_and_clear();
-    let mut fixing = Fixing::default();
-    for (input, result) in std::iter::zip(inputs, results) {
-        match result {
-            Ok(Some(Ok((fixed, difference)))) => {
-                if arguments.diff {
-                    fixing.changes.push_str(&difference);
-                    fixing.in_memory.insert(input.name, fixed.text);
-                } else if !arguments.sources.quiet {
-                    fixing.changes.push_str(&format!("{}: {} fixed\n", show::text(&input.name), mended(&fixed)));
-                }
-            }
-            Ok(Some(Err(report))) => fixing.unwritten.push(report),
-            Ok(None) | Err(_) => {}
-        }
-    }
-    fixing
-}
-
-/// `3 findings (LZ0402, LZ0501)`.
-fn mended(fixed: &Fixed) -> String {
-    let codes: Vec<&str> = fixed.mended.keys().map(|code| code.number()).collect();
-    format!("{} ({})", console::counted(fixed.mended.values().sum(), "finding"), codes.join(", "))
 }

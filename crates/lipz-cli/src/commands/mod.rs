@@ -2,6 +2,7 @@
 
 pub(crate) mod check;
 pub(crate) mod convert;
+mod fixing;
 pub(crate) mod fmt;
 pub(crate) mod inspect;
 pub(crate) mod pack;
