@@ -1,7 +1,7 @@
 //! The command line: the list of commands. Each one's arguments and help stand beside its work.
 
 use crate::commands::{
-    check, completions, diff, explain, ids, init, inspect, man, pack, schema, stats, unpack, verify,
+    check, completions, convert, diff, explain, fmt, ids, init, inspect, man, pack, schema, stats, unpack, verify,
 };
 use crate::render::Format;
 use clap::{Parser, Subcommand};
@@ -32,6 +32,8 @@ pub(crate) enum Command {
     Pack(pack::Pack),
     Check(check::Check),
     Init(init::Init),
+    Fmt(fmt::Fmt),
+    Convert(convert::Convert),
     Unpack(unpack::Unpack),
     Verify(verify::Verify),
     Inspect(inspect::Inspect),
@@ -50,7 +52,9 @@ impl Command {
         match self {
             Command::Pack(pack) => pack.prints_bank(),
             Command::Ids(ids) => ids.prints_ids(),
-            Command::Check(_) | Command::Init(_) | Command::Unpack(_) | Command::Verify(_) | Command::Man(_) => false,
+            Command::Check(check) => check.prints_diff(),
+            Command::Fmt(fmt) => fmt.prints_result(),
+            Command::Convert(_) | Command::Init(_) | Command::Unpack(_) | Command::Verify(_) | Command::Man(_) => false,
             Command::Inspect(_) | Command::Diff(_) | Command::Stats(_) | Command::Explain(_) => true,
             Command::Schema(_) | Command::Completions(_) => true,
         }

@@ -11,6 +11,8 @@ mod lint_flags;
 mod page;
 mod project;
 mod render;
+mod rewriting;
+mod settings_file;
 mod sources;
 mod standard;
 mod timeline;
@@ -58,6 +60,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let outcome = match arguments.command {
         Command::Pack(pack) => commands::pack::run(&pack, &mut findings),
         Command::Check(check) => commands::check::run(&check, &mut findings),
+        Command::Fmt(fmt) => commands::fmt::run(&fmt, &mut findings),
+        Command::Convert(convert) => commands::convert::run(&convert, &mut findings),
         Command::Init(init) => commands::init::run(&init, &mut findings),
         Command::Unpack(unpack) => commands::unpack::run(&unpack, &mut findings),
         Command::Verify(verify) => commands::verify::run(&verify, &mut findings),

@@ -132,7 +132,7 @@ fn parse_viseme_type(text: &str) -> Result<VisemeType, String> {
     VisemeType::from_name(text).ok_or_else(|| "the viseme types are blair, toonboom and rms".into())
 }
 
-fn parse_locale(text: &str) -> Result<String, String> {
+pub(crate) fn parse_locale(text: &str) -> Result<String, String> {
     lipz::locale::canonical_tag(text, true).ok_or_else(|| "a locale is a language and a country, such as en-us".into())
 }
 

@@ -5,13 +5,12 @@ use crate::args::Arguments;
 use crate::lint_flags::LintFlags;
 use crate::project::{ProjectFlags, refused_locale};
 use crate::render::Findings;
+use crate::settings_file::{Project, SettingsFile};
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory};
-use lipz::Code;
-use lipz_compiler::settings::{FILE_NAME, Settings};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-const PROJECT: &str = "Project";
+pub(crate) const PROJECT: &str = "Project";
 
 /// Where Lipz files come from, and what the project decides about them.
 #[derive(Args, Debug)]
@@ -33,13 +32,8 @@ pub(crate) struct Sources {
 /// their files in other ways.
 #[derive(Args, Debug)]
 pub(crate) struct ProjectArguments {
-    /// Settings file [default: lipz.toml beside or above the first source, else the current folder]
-    #[arg(long, value_name = "FILE", help_heading = PROJECT)]
-    config: Option<PathBuf>,
-
-    /// Use no settings file
-    #[arg(long, conflicts_with = "config", help_heading = PROJECT)]
-    no_config: bool,
+    #[command(flatten)]
+    file: SettingsFile,
 
     #[command(flatten)]
     flags: ProjectFlags,
@@ -54,23 +48,6 @@ pub(crate) struct ProjectArguments {
     /// Show no progress and no summary, only findings
     #[arg(short, long)]
     pub(crate) quiet: bool,
-}
-
-/// What a run works with: the settings file, with the command line's arguments over it.
-pub(crate) struct Project {
-    /// The settings.
-    pub(crate) settings: Settings,
-    /// The file that they come from.
-    pub(crate) file: Option<PathBuf>,
-    /// Whether the command line names the file.
-    is_named: bool,
-}
-
-impl Project {
-    /// The settings file, if it was found in another folder than the current one.
-    pub(crate) fn found(&self) -> Option<&Path> {
-        self.file.as_deref().filter(|file| !self.is_named && *file != Path::new(FILE_NAME))
-    }
 }
 
 impl Sources {
@@ -98,23 +75,8 @@ impl Sources {
 impl ProjectArguments {
     /// The project to which these sources belong; those of its settings file if there are none.
     pub(crate) fn project(&self, sources: &[PathBuf], findings: &mut Findings) -> Result<Project, Outcome> {
-        let file = self.settings_file(sources);
-        let mut settings = match &file {
-            Some(file) => read(file, findings)?,
-            None => Settings::default(),
-        };
-        if !sources.is_empty() {
-            settings.sources = sources.to_vec();
-        }
-        if settings.sources.is_empty() {
-            let tip = format!("name a folder of Lipz files, or make a {FILE_NAME} that does: lipz init");
-            return Err(usage_error(
-                ErrorKind::MissingRequiredArgument,
-                &format!("no sources are named, and there is no {FILE_NAME} in this folder or above it"),
-                &tip,
-            ));
-        }
-        let options = &mut settings.options;
+        let mut project = self.file.project(sources, findings)?;
+        let options = &mut project.settings.options;
         self.flags.apply(options);
         self.lints.apply(&mut options.levels);
         options.threads = self.threads.map(usize::from);
@@ -123,36 +85,7 @@ impl ProjectArguments {
             let message = format!("the locale '{tag}' does not have the form ll-cc");
             return Err(usage_error(ErrorKind::ArgumentConflict, &message, tip));
         }
-        Ok(Project { settings, file, is_named: self.config.is_some() })
-    }
-
-    /// The settings file: the one that is named; otherwise that of the first source, wherever the
-    /// command is run; otherwise that of the current folder.
-    fn settings_file(&self, sources: &[PathBuf]) -> Option<PathBuf> {
-        if self.no_config {
-            return None;
-        }
-        let of_first = || {
-            // A pattern or a file lies in the first folder above it.
-            let folder = sources.first()?.ancestors().find(|path| path.is_dir())?;
-            Settings::find(folder)
-        };
-        self.config.clone().or_else(of_first).or_else(|| Settings::find(Path::new(".")))
-    }
-}
-
-/// The settings in `file`; its findings are printed.
-fn read(file: &Path, findings: &mut Findings) -> Result<Settings, Outcome> {
-    let (settings, report) = Settings::read(file);
-    let has_errors = report.has_errors();
-    let is_read = report.diagnostics.iter().all(|finding| finding.code != Code::SettingsUnreadable);
-    if !report.diagnostics.is_empty() {
-        findings.add(vec![report]);
-    }
-    match (has_errors, is_read) {
-        (false, _) => Ok(settings),
-        (true, true) => Err(Outcome::Findings),
-        (true, false) => Err(Outcome::Failed),
+        Ok(project)
     }
 }
 

@@ -17,12 +17,16 @@ pub(crate) fn is_meant(path: &Path) -> bool {
 
 /// Standard input as a Lipz file.
 pub(crate) fn lipz_file() -> Result<Input, Report> {
+    Ok(Input { key: INPUT_KEY.into(), name: INPUT_NAME.into(), content: Content::Bytes(lipz_bytes()?) })
+}
+
+/// The bytes of a Lipz file on standard input.
+pub(crate) fn lipz_bytes() -> Result<Vec<u8>, Report> {
     // One byte more than is allowed shows that there are too many.
-    let bytes = read(lipz::MAX_FILE_BYTES as u64 + 1).map_err(|error| {
+    read(lipz::MAX_FILE_BYTES as u64 + 1).map_err(|error| {
         let headline = format!("standard input cannot be read: {error}");
         Report::about(INPUT_NAME, Diagnostic::new(Code::UnreadableFile, headline))
-    })?;
-    Ok(Input { key: INPUT_KEY.into(), name: INPUT_NAME.into(), content: Content::Bytes(bytes) })
+    })
 }
 
 /// Standard input up to its end, or up to `limit_bytes`.

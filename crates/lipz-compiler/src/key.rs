@@ -2,8 +2,8 @@
 
 mod clash;
 
-pub use clash::folded;
-pub(crate) use clash::{check, clash};
+pub(crate) use clash::clash;
+pub use clash::{check, folded};
 
 use lipz::diagnostic::show;
 

@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 
 /// Replaces the file at `path` by `bytes`: writes a temporary file in the same folder, syncs it and
 /// renames it. Whenever the process or the machine stops, `path` is the old file or the new one; what
-/// may be left is a file `.NAME.….tmp` beside it. Folders are made, links followed.
+/// may be left is a file `.NAME.….tmp` beside it. Folders are made, links followed,
+/// permissions kept.
 ///
 /// # Errors
 /// Whatever the file system refuses, and a `path` that is a folder, a pipe or a device; it is
@@ -72,6 +73,9 @@ fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
     }
     let mut temporary = builder.tempfile_in(folder)?;
     temporary.write_all(bytes)?;
+    if let Ok(metadata) = path.metadata() {
+        temporary.as_file().set_permissions(metadata.permissions())?;
+    }
     temporary.as_file().sync_all()?;
     temporary.persist(path).map_err(|error| error.error)?;
     if cfg!(unix) {

@@ -22,6 +22,13 @@ impl Report {
         Report { source: Source { path: path.into(), text: String::new() }, diagnostics }
     }
 
+    /// Findings in a file with these bytes.
+    pub fn of_file(path: impl Into<String>, bytes: &[u8], diagnostics: Vec<Diagnostic>) -> Report {
+        let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
+        let text = String::from_utf8_lossy(bytes).into_owned();
+        Report { source: Source { path: path.into(), text }, diagnostics }
+    }
+
     /// A finding with a whole-file headline and a help line.
     pub(crate) fn failure(path: impl Into<String>, code: Code, headline: String, help: &str) -> Report {
         Report::about(path, Diagnostic::new(code, headline).help(help))

@@ -139,6 +139,24 @@ impl<'s> JsonString<'s> {
         Span::new(self.start as usize + start, self.start as usize + end)
     }
 
+    /// The literal as it is spelled in the file, or as [`literal`](crate::literal) spells it.
+    pub(crate) fn spelling(&self) -> Cow<'_, str> {
+        if self.literal.is_empty() { Cow::Owned(crate::literal(&self.text)) } else { Cow::Borrowed(self.literal) }
+    }
+
+    /// The characters, each with its spelling in the file: `é` with `é` or `\u00e9`.
+    pub(crate) fn characters(&self) -> impl Iterator<Item = (char, &str)> {
+        let mut rest = self.literal.get(1..).unwrap_or_default();
+        self.text.char_indices().map(move |(at, character)| {
+            let spelled = match first_character(rest) {
+                _ if rest.is_empty() => &self.text[at..at + character.len_utf8()],
+                (length, _) => rest.get(..length).unwrap_or_default(),
+            };
+            rest = rest.get(spelled.len()..).unwrap_or_default();
+            (character, spelled)
+        })
+    }
+
     /// Offset in the literal of the character that starts at byte `decoded` of the text.
     fn source_offset(&self, decoded: usize) -> usize {
         let Some(inner) = self.literal.get(1..self.literal.len().saturating_sub(1)) else { return 0 };

@@ -22,6 +22,8 @@
 pub mod diagnostic;
 mod document;
 pub mod event;
+pub mod fix;
+pub mod format;
 pub mod locale;
 mod parse;
 pub mod rate;
@@ -34,4 +36,4 @@ pub use diagnostic::{Code, Diagnostic, Level};
 pub use document::{Document, Element, JsonString, Raw, Value};
 pub use parse::{MAX_FILE_BYTES, Parsed, decode, parse, too_large};
 pub use source::{LineColumn, Source, Span};
-pub use write::write;
+pub use write::{literal, write};

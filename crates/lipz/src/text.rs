@@ -28,8 +28,8 @@ pub fn trim(text: &str) -> &str {
     text.trim_matches(is_white_space)
 }
 
-/// White space as JSON has it.
-pub(crate) fn is_white_space(c: char) -> bool {
+/// White space as JSON has it: blank, tab, CR, LF.
+pub fn is_white_space(c: char) -> bool {
     matches!(c, ' ' | '\t' | '\r' | '\n')
 }
 

@@ -8,10 +8,10 @@ pub fn write(document: &Document<'_>) -> String {
     let mut out = String::from("{");
     for (index, element) in document.elements.iter().enumerate() {
         out.push_str(if index == 0 { "\n  " } else { ",\n  " });
-        push_string(&mut out, &element.name.text);
+        out.push_str(&literal(&element.name.text));
         out.push_str(": ");
         match &element.value {
-            Value::String(string) => push_string(&mut out, &string.text),
+            Value::String(string) => out.push_str(&literal(&string.text)),
             Value::Number(raw) | Value::Other(raw) => out.push_str(&raw.text),
         }
     }
@@ -19,7 +19,11 @@ pub fn write(document: &Document<'_>) -> String {
     out
 }
 
-/// Appends a JSON string literal. Characters outside ASCII stay as they are.
-fn push_string(out: &mut String, text: &str) {
-    out.push_str(&serde_json::Value::from(text).to_string());
+/// A text as a JSON string literal, with its quotes. Characters outside ASCII stay as they are.
+///
+/// ```
+/// assert_eq!(lipz::literal("\"Né\"\n"), r#""\"Né\"\n""#);
+/// ```
+pub fn literal(text: &str) -> String {
+    serde_json::Value::from(text).to_string()
 }

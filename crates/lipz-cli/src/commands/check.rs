@@ -1,22 +1,36 @@
-//! `lipz check`: the findings of source files.
+//! `lipz check`: the findings of source files, and their certain fixes.
 
+use super::fixing::{Fixing, fix_all};
 use super::with_inputs;
 use crate::render::Findings;
+use crate::rewriting::{Rewriting, files};
 use crate::sources::Sources;
 use crate::{Outcome, console};
 use clap::Args;
 use lipz_compiler::check_all;
 
 /// Check Lipz files without packing them.
+///
+/// With --fix, certain fixes are made in the files: those that leave the bank as it is, and those of
+/// errors where what was meant is beyond doubt. What remains is reported, and decides the exit code.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz check
   lipz check voices
   lipz check voices/act1/mara-hello.lipz
-  lipz check - < draft.lipz")]
+  lipz check - < draft.lipz
+  lipz check --fix --diff voices")]
 pub(crate) struct Check {
     #[command(flatten)]
     sources: Sources,
+
+    /// Make the fixes that are certain
+    #[arg(long)]
+    fix: bool,
+
+    /// Show the fixes as a unified diff, and write nothing
+    #[arg(long, visible_alias = "dry-run", requires = "fix")]
+    diff: bool,
 }
 
 pub(crate) fn run(arguments: &Check, findings: &mut Findings) -> Outcome {
@@ -24,12 +38,31 @@ pub(crate) fn run(arguments: &Check, findings: &mut Findings) -> Outcome {
         Ok(project) => project,
         Err(outcome) => return outcome,
     };
-    let quiet = arguments.sources.is_quiet();
-    let run = with_inputs(&project.settings, quiet, check_all);
+    let (settings, quiet) = (&project.settings, arguments.sources.is_quiet());
+    let fixing = match (arguments.fix, arguments.diff) {
+        (false, _) => Fixing::default(),
+        (true, false) => fix_all(settings, quiet, Rewriting::InPlace),
+        (true, true) => fix_all(settings, quiet, Rewriting::Diff),
+    };
+    let mut run = with_inputs(settings, quiet, |inputs, options, progress| {
+        check_all(&fixing.instead_of(inputs), options, progress)
+    });
+    let unwritten = !fixing.unwritten.is_empty();
+    run.reports.extend(fixing.unwritten);
     let outcome = run.outcome();
     findings.add(run.reports);
-    if outcome != Outcome::Clean || quiet {
-        return outcome;
+    let printed = if arguments.diff { console::print(&fixing.changes) } else { findings.summary(&fixing.changes) };
+    match outcome {
+        _ if unwritten => Outcome::Failed,
+        Outcome::Clean if quiet || arguments.diff => printed,
+        Outcome::Clean => findings.summary(&format!("{} checked\n", files(run.inputs.len()))),
+        outcome => outcome,
     }
-    findings.summary(&format!("{} checked\n", console::counted(run.inputs.len(), "file")))
+}
+
+impl Check {
+    /// Whether standard output is for differences.
+    pub(crate) fn prints_diff(&self) -> bool {
+        self.diff
+    }
 }

@@ -2,9 +2,12 @@
 
 pub(crate) mod check;
 pub(crate) mod completions;
+pub(crate) mod convert;
 pub(crate) mod diff;
 mod either;
 pub(crate) mod explain;
+mod fixing;
+pub(crate) mod fmt;
 pub(crate) mod ids;
 pub(crate) mod init;
 pub(crate) mod inspect;
@@ -21,12 +24,13 @@ use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiled, Input, Options, Progress, Report, count};
 use std::time::{Duration, Instant};
 
-/// A run of the compiler: [`compile`](lipz_compiler::compile) or a check.
-type Work = fn(&[Input], &Options, &Progress<'_>) -> Compiled;
-
 /// Finds the inputs of a project and hands them to `work`, with a progress bar. What discovery found is
 /// added to the reports; a run without inputs has none of its own.
-fn with_inputs(settings: &Settings, quiet: bool, work: Work) -> Run {
+fn with_inputs(
+    settings: &Settings,
+    quiet: bool,
+    work: impl FnOnce(&[Input], &Options, &Progress<'_>) -> Compiled,
+) -> Run {
     let start = Instant::now();
     let (inputs, mut reports) = find(settings);
     let discover = start.elapsed();

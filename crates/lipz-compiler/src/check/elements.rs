@@ -45,6 +45,7 @@ impl<'d> Roles<'d> {
                 },
             }
         }
+        locales::keep_names_apart(document, diagnostics);
         roles
     }
 

@@ -3,7 +3,8 @@
 use crate::{Options, levels};
 use lipz::diagnostic::show;
 use lipz::locale::{self, TextName};
-use lipz::{Code, Diagnostic, Element, Level};
+use lipz::{Code, Diagnostic, Document, Element, Level};
+use std::collections::HashMap;
 
 /// The locale of a text element, after reporting what is odd about its name.
 pub(super) fn text_locale(
@@ -67,6 +68,28 @@ fn no_locale(element: &Element<'_>, options: &Options) -> Diagnostic {
 fn renamed(finding: Diagnostic, element: &Element<'_>, locale: &str) -> Diagnostic {
     let name = format!("\"text_{locale}\"");
     finding.help(format!("write {name}")).fix(element.name.span(), name)
+}
+
+/// Takes back fixes that would give two elements one name.
+pub(super) fn keep_names_apart(document: &Document<'_>, diagnostics: &mut [Diagnostic]) {
+    let renames = |finding: &Diagnostic| {
+        matches!(finding.code, Code::LocaleSpelling | Code::TextWithoutLocale | Code::LocaleShape)
+            && finding.fix.is_some()
+    };
+    if !diagnostics.iter().any(renames) {
+        return;
+    }
+    let mut count_of: HashMap<String, usize> = HashMap::new();
+    for name in document.elements.iter().map(|element| lipz::literal(&element.name.text)) {
+        *count_of.entry(name).or_default() += 1;
+    }
+    let renaming = || diagnostics.iter().filter(|finding| renames(finding)).filter_map(|finding| finding.fix.as_ref());
+    for fix in renaming() {
+        *count_of.entry(fix.replacement.clone()).or_default() += 1;
+    }
+    for finding in diagnostics.iter_mut().filter(|finding| renames(finding)) {
+        finding.fix = finding.fix.take().filter(|fix| count_of.get(&fix.replacement) == Some(&1));
+    }
 }
 
 /// The finding for a locale that the run does not accept; `is_tag` if it is one of BCP 47.

@@ -22,7 +22,7 @@ pub(super) fn string<'d>(element: &'d Element<'d>, diagnostics: &mut Vec<Diagnos
 pub(super) fn number<'d>(element: &'d Element<'d>, diagnostics: &mut Vec<Diagnostic>) -> Option<&'d Raw<'d>> {
     match &element.value {
         Value::Number(number) => return Some(number),
-        Value::String(string) if lipz::rate::parse(&string.text).is_some() => diagnostics.push(
+        Value::String(string) if is_rate(&string.text) => diagnostics.push(
             wrong_type(element, "a number")
                 .help(format!("remove the quotes: {}", string.text))
                 .fix(string.span(), string.text.clone()),
@@ -30,6 +30,12 @@ pub(super) fn number<'d>(element: &'d Element<'d>, diagnostics: &mut Vec<Diagnos
         _ => diagnostics.push(wrong_type(element, "a number").help("write frames per second as a number: 24, 29.97")),
     }
     None
+}
+
+/// Whether the text is a frame rate as JSON spells numbers: not `024`, not `24.`.
+fn is_rate(text: &str) -> bool {
+    let is_number = || lipz::parse(format!("{{\"fps\":{text}}}").as_bytes()).document.is_some();
+    lipz::rate::parse(text).is_some() && is_number()
 }
 
 fn wrong_type(element: &Element<'_>, expected: &str) -> Diagnostic {

@@ -2,8 +2,8 @@
 
 use super::Phases;
 use crate::clip::ClipData;
-use crate::{Content, Input, Options, Report, check, levels, source_record};
-use lipz::{Code, Diagnostic, Level, Source};
+use crate::{Content, Input, Options, Report, check, convert, levels, source_record};
+use lipz::{Code, Diagnostic, Document, Level};
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
@@ -47,32 +47,47 @@ pub(super) fn one_file(
     lap.add_to(&clock.read);
     let mut parsed = lipz::parse(bytes);
     lap.add_to(&clock.parse);
-    let checked =
-        parsed.document.as_ref().map(|document| (document, check::check(document, options, &mut parsed.diagnostics)));
-    levels::apply(&options.levels, &mut parsed.diagnostics);
-    let has_errors = parsed.diagnostics.iter().any(|finding| finding.level == Level::Error);
-    let clip = checked.filter(|_| !has_errors).map(|(document, mut clip)| {
+    let clip = parsed.document.as_ref().and_then(|document| {
+        let mut clip = checked(document, options, &mut parsed.diagnostics)?;
         clip.key.clone_from(&input.key);
-        if !options.strip {
-            clip.source = source_record::encode(document, &clip);
-        }
-        clip
+        Some(clip)
     });
     lap.add_to(&clock.check);
     if parsed.diagnostics.is_empty() {
         return (clip, None);
     }
     parsed.diagnostics.sort_by_key(Diagnostic::start);
-    let text = String::from_utf8_lossy(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)).into_owned();
-    let source = Source { path: input.name.clone(), text };
-    (clip, Some(Report { source, diagnostics: parsed.diagnostics }))
+    (clip, Some(Report::of_file(&input.name, bytes, parsed.diagnostics)))
+}
+
+/// The clip that a document describes, converted if the project asks for that; `None` if there are
+/// errors.
+fn checked(document: &Document<'_>, options: &Options, diagnostics: &mut Vec<Diagnostic>) -> Option<ClipData> {
+    let mut clip = check::check(document, options, diagnostics);
+    if has_errors(options, diagnostics) {
+        return None;
+    }
+    let converted = options.viseme_type.and_then(|to| convert::convert_clip(document, &mut clip, to, diagnostics));
+    if has_errors(options, diagnostics) {
+        return None;
+    }
+    if !options.strip {
+        clip.source = source_record::encode(converted.as_ref().unwrap_or(document), &clip);
+    }
+    Some(clip)
+}
+
+/// Whether a finding is an error at the project's levels, which the findings get.
+fn has_errors(options: &Options, diagnostics: &mut Vec<Diagnostic>) -> bool {
+    levels::apply(&options.levels, diagnostics);
+    diagnostics.iter().any(|finding| finding.level == Level::Error)
 }
 
 /// Bytes that are read without asking how many there are, which takes as long as to read them.
 const SMALL_FILE: u64 = 1 << 16;
 
 /// Reads a file into the empty `buffer`; a finding if that is not possible.
-fn read_file(path: &Path, buffer: &mut Vec<u8>) -> Option<Diagnostic> {
+pub(crate) fn read_file(path: &Path, buffer: &mut Vec<u8>) -> Option<Diagnostic> {
     let limit = lipz::MAX_FILE_BYTES as u64;
     let read = File::open(path).and_then(|mut file| {
         file.by_ref().take(SMALL_FILE).read_to_end(buffer)?;

@@ -2,6 +2,8 @@
 
 mod file;
 
+pub(crate) use file::read_file;
+
 use crate::clip::ClipData;
 use crate::{Input, Options, Report, key, levels, localise, lower, report};
 use file::{Clock, one_file};
@@ -114,7 +116,7 @@ fn canonical(options: &Options) -> Result<Options, Report> {
 
 /// Runs `work` with the number of threads that was asked for; on the current ones if there is no
 /// starting others.
-fn in_pool<R: Send>(options: &Options, work: impl FnOnce() -> R + Send) -> R {
+pub(crate) fn in_pool<R: Send>(options: &Options, work: impl FnOnce() -> R + Send) -> R {
     match options.threads {
         Some(count) => match rayon::ThreadPoolBuilder::new().num_threads(count).build() {
             Ok(pool) => pool.install(work),

@@ -23,7 +23,7 @@ pub fn folded(key: &str) -> String {
 }
 
 /// Reports refused keys, keys that appear twice, and keys that are one file on some systems.
-pub(crate) fn check(inputs: &[Input], reports: &mut Vec<Report>) {
+pub fn check(inputs: &[Input], reports: &mut Vec<Report>) {
     let judged: Vec<(Option<String>, String)> =
         inputs.par_iter().map(|input| (refusal(&input.key), folded(&input.key))).collect();
     let mut seen: HashMap<String, &Input> = HashMap::with_capacity(inputs.len());

@@ -84,6 +84,8 @@ codes! {
     ForeignCode "LZ0401" "foreign-code" Error "a viseme code is not one of the viseme type"
     WhiteSpaceInVisemes "LZ0402" "white-space-in-visemes" Warning "white space stands between viseme codes"
     MixedCodes "LZ0403" "mixed-codes" Error "the viseme codes fit no viseme type"
+    ConversionLoss "LZ0404" "conversion-loss" Warning "frames lose their own mouth shape in the new viseme type"
+    NotConvertible "LZ0405" "not-convertible" Error "viseme codes cannot be converted to the new viseme type"
 
     "Locales and texts"
     LocaleSpelling "LZ0501" "locale-spelling" Warning "a text element is not spelled text_ll-cc"

@@ -48,9 +48,14 @@ pub fn name(name: &str) -> String {
 /// assert_eq!(show::character('\u{a0}'), "U+00A0");
 /// ```
 pub fn character(c: char) -> String {
+    if has_shape(c) { format!("`{c}`") } else { number(c) }
+}
+
+/// Whether there is something to see of a character that stands by itself.
+pub(crate) fn has_shape(c: char) -> bool {
     // What Rust escapes without need is to be seen; what else it escapes has no shape of its own:
     // controls, white space, combining marks, code points without a character.
-    if matches!(c, '\'' | '"' | '\\') || c.escape_debug().len() == 1 { format!("`{c}`") } else { number(c) }
+    matches!(c, '\'' | '"' | '\\') || c.escape_debug().len() == 1
 }
 
 /// The character by its number: `U+001B`.

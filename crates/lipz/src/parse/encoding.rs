@@ -25,7 +25,9 @@ pub fn decode<'s>(bytes: &'s [u8], diagnostics: &mut Vec<Diagnostic>) -> Option<
         diagnostics.push(
             Diagnostic::new(Code::ByteOrderMark, "the file starts with a byte order mark")
                 .note("it is skipped; JSON texts must not start with one (RFC 8259, section 8.1)")
-                .help("save the file as UTF-8 without byte order mark (\"without BOM\")"),
+                .help("save the file as UTF-8 without byte order mark (\"without BOM\")")
+                // Spans count behind the mark, and a text that is written again has none.
+                .fix(Span::default(), ""),
         );
     }
     let bytes = without_mark.unwrap_or(bytes);

@@ -1,7 +1,7 @@
 //! Codes that the viseme type does not have.
 
 use super::Expected;
-use super::instead::instead;
+use super::instead::{NINE_OF_THE_AUTHORS_TOOL, instead};
 use super::tally::{Counted, Tally, contains};
 use lipz::diagnostic::show;
 use lipz::{Code, Diagnostic, JsonString};
@@ -68,6 +68,10 @@ fn one_of(
         finding = finding.note(format!("{} more different characters are not shown", foreign.len() - SHOWN));
     }
     finding.help = instead(found.character, viseme_type, foreign);
+    let is_named = !matches!(expected, Expected::Any | Expected::Unknown);
+    if (found.character, viseme_type, is_named) == (NINE_OF_THE_AUTHORS_TOOL, VisemeType::Rms, true) {
+        finding = finding.fix(string.span(), lipz::literal(&string.text.replace(NINE_OF_THE_AUTHORS_TOOL, "9")));
+    }
     Some(finding)
 }
 
@@ -108,11 +112,11 @@ fn lower_case(string: &JsonString<'_>, viseme_type: VisemeType) -> Diagnostic {
         Diagnostic::at(Code::ForeignCode, string.span_of(first..first + 1), "the viseme codes are in lower case")
             .note(format!("legal are {}, and `|` between segments", spaced(viseme_type)))
             .help("write them in upper case");
-    // Line breaks and tabs would have to be escaped again.
-    if string.text.contains(char::is_control) {
+    // An `l` may be a damaged `|`.
+    if string.text.contains('l') {
         return finding;
     }
-    finding.fix(string.span(), format!("\"{}\"", string.text.to_ascii_uppercase()))
+    finding.fix(string.span(), lipz::literal(&string.text.to_ascii_uppercase()))
 }
 
 /// Whether the character is a code of any type.

@@ -6,6 +6,10 @@ use lipz_bank::VisemeType;
 /// Characters that are read or typed for `|`: the published PDF has `l` and `I`, keyboards the others.
 pub(in crate::check) const DELIMITER_LOOKALIKES: [char; 5] = ['l', 'I', '¦', '│', '｜'];
 
+/// What the format author's own tool wrote for 9, the character behind it in ASCII. No other mistake
+/// leads to it.
+pub(super) const NINE_OF_THE_AUTHORS_TOOL: char = ':';
+
 /// What the author probably meant by a character that is no code of the type; one of `foreign`.
 pub(super) fn instead(character: char, viseme_type: VisemeType, foreign: &[&Counted]) -> Option<String> {
     let no_other_digits = || foreign.iter().all(|found| !matches!(found.character, '1'..='9'));
@@ -18,7 +22,9 @@ pub(super) fn instead(character: char, viseme_type: VisemeType, foreign: &[&Coun
             format!("this looks like `0` used for `O`: {pdf}")
         }
         'O' if viseme_type == VisemeType::Rms => "this looks like `O` used for `0`".into(),
-        ':' if viseme_type == VisemeType::Rms => "the format author's own tool wrote `:` for 9".into(),
+        NINE_OF_THE_AUTHORS_TOOL if viseme_type == VisemeType::Rms => {
+            "the format author's own tool wrote `:` for 9".into()
+        }
         '‐' | '‑' | '‒' | '–' | '—' | '−' | 'ー' | '_' | '.' | 'X' => "rest is the hyphen, `-`".into(),
         _ if upper != character && viseme_type.contains(upper as u8) => format!("codes are upper case: `{upper}`"),
         _ => return None,

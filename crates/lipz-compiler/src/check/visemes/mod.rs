@@ -44,14 +44,14 @@ pub(super) fn frames(
             frames.extend_from_slice(codes);
         }
     }
-    if has_white_space {
-        diagnostics.extend(white_space(string));
-    }
     let legal = match expected {
         Expected::Named(viseme_type) | Expected::Default(viseme_type) => viseme_type.contains_all(&frames),
         Expected::Any => VisemeType::ALL.iter().any(|viseme_type| viseme_type.contains_all(&frames)),
         Expected::Unknown => true,
     };
+    if has_white_space {
+        diagnostics.extend(white_space(string, legal));
+    }
     if !legal {
         foreign::report(string, expected, diagnostics);
     }
@@ -62,16 +62,20 @@ fn is_white_space(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t' | b'\n' | b'\r')
 }
 
-fn white_space(string: &JsonString<'_>) -> Option<Diagnostic> {
+fn white_space(string: &JsonString<'_>, codes_are_legal: bool) -> Option<Diagnostic> {
     let is_white_space = |c: char| matches!(c, ' ' | '\t' | '\n' | '\r');
     let start = string.text.find(is_white_space)?;
     let length = string.text[start..].find(|c| !is_white_space(c)).unwrap_or(string.text.len() - start);
     let count = string.text.chars().filter(|&c| is_white_space(c)).count();
-    let finding = Diagnostic::at(
+    let mut finding = Diagnostic::at(
         Code::WhiteSpaceInVisemes,
         string.span_of(start..start + length),
         "white space between viseme codes is no frame and is ignored",
     )
     .help("remove it; write `-` for a frame at rest");
+    // Otherwise it may be something else altogether, a text for example.
+    if codes_are_legal {
+        finding = finding.fix(string.span(), lipz::literal(&string.text.replace(is_white_space, "")));
+    }
     Some(if count > length { finding.note(format!("{count} characters of white space in all")) } else { finding })
 }

@@ -1,7 +1,7 @@
 //! Commas: one too many, one too few, one in a number.
 
 use super::Expected;
-use super::place::{Place, starts_element};
+use super::place::{Place, WHITE_SPACE, starts_element};
 use crate::{Code, Diagnostic, Span};
 
 /// Digits of the longest number that a message repeats.
@@ -48,7 +48,14 @@ fn decimal(at: &Place<'_>, expected: Expected) -> Option<Diagnostic> {
         ..=DIGITS_SHOWN => format!("a decimal number has a point: {whole}.{fraction}"),
         _ => "a decimal number has a point".to_owned(),
     };
-    Some(Diagnostic::at(Code::JsonSyntax, comma, headline).help("write a point for this comma").fix(comma, "."))
+    let finding = Diagnostic::at(Code::JsonSyntax, comma, headline).help("write a point for this comma");
+    // `1,000` may be a thousand, and other elements may hold anything.
+    let is_fps = start
+        .strip_suffix(whole)?
+        .trim_end_matches(WHITE_SPACE)
+        .strip_suffix(':')
+        .is_some_and(|before| before.trim_end_matches(WHITE_SPACE).ends_with("\"fps\""));
+    Some(if is_fps && (whole != "1" || fraction.len() != 3) { finding.fix(comma, ".") } else { finding })
 }
 
 /// No comma between a value and the next element.
@@ -62,13 +69,11 @@ fn missing(at: &Place<'_>, expected: Expected) -> Option<Diagnostic> {
     if last == '"' && is_next_to_it && !starts_element(at.rest()) {
         return None; // a quotation mark inside a text
     }
-    Some(
-        Diagnostic::at(
-            Code::JsonSyntax,
-            Span { start: value.end, end: value.end },
-            "a comma is missing between two elements",
-        )
+    let end = Span { start: value.end, end: value.end };
+    let finding = Diagnostic::at(Code::JsonSyntax, end, "a comma is missing between two elements")
         .also(at.character_span(), "the next element starts here")
-        .help("write a comma after the value"),
-    )
+        .help("write a comma after the value");
+    // In one line, the quotation mark may also be one of a text: "the "Admiral": a parrot".
+    let is_next_line = at.text_of(Span { start: value.end, end: at.character_span().start })?.contains('\n');
+    Some(if is_next_line && starts_element(at.rest()) { finding.fix(end, ",") } else { finding })
 }

@@ -49,7 +49,11 @@ pub(in crate::parse) fn explain_rest(text: &str, error: &serde_json::Error) -> D
             .label("the clip's object has ended before this")
             .note("one Lipz file describes one audio file")
             .help("put each object into a file of its own"),
-        (Some('}'), ..) => finding("one closing brace too many").help("delete this `}`"),
+        (Some('}'), ..) => {
+            let finding = finding("one closing brace too many").help("delete this `}`");
+            let is_last = at.rest().trim_end_matches(WHITE_SPACE).len() == 1;
+            if is_last { finding.fix(at.character_span(), "") } else { finding }
+        }
         (Some(','), Some('"'), Some((brace, _))) => {
             Diagnostic::at(Code::JoinedObjects, brace, "the object is closed too early")
                 .also(at.character_span(), "more elements follow")

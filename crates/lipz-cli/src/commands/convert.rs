@@ -1,0 +1,119 @@
+//! `lipz convert`: Lipz files with the codes of another viseme type.
+
+use crate::render::Findings;
+use crate::rewriting::{Rewriting, failure, files};
+use crate::sources::{Sources, usage_error};
+use crate::{Outcome, console, interrupt};
+use clap::Args;
+use clap::error::ErrorKind;
+use lipz::{Code, Diagnostic, Level};
+use lipz_compiler::{Input, Report, convert, count, each_file, key, replace_file};
+use std::path::{Path, PathBuf};
+
+/// Convert Lipz files to another viseme type: blair to toonboom, toonboom to blair.
+///
+/// Only the codes and `viseme_type` change. Blair's L and U have no shape of their own in Toon Boom's
+/// chart; files that lose them are named. There is no way from or to rms.
+#[derive(Args, Debug)]
+#[command(after_help = "Examples:
+  lipz convert voices --viseme-type toonboom -o voices-toonboom
+  lipz convert voices --viseme-type blair --in-place")]
+pub(crate) struct Convert {
+    #[command(flatten)]
+    sources: Sources,
+
+    /// Replace the files
+    #[arg(long, required_unless_present = "output")]
+    in_place: bool,
+
+    /// Write all files into this folder, converted or not, under their keys
+    #[arg(short, long, value_name = "FOLDER", conflicts_with = "in_place")]
+    output: Option<PathBuf>,
+}
+
+pub(crate) fn run(arguments: &Convert, findings: &mut Findings) -> Outcome {
+    let project = match arguments.sources.project(findings) {
+        Ok(project) => project,
+        Err(outcome) => return outcome,
+    };
+    let options = &project.settings.options;
+    let Some(viseme_type) = options.viseme_type else {
+        let tip = "name it with '--viseme-type', or set `viseme-type` in lipz.toml";
+        return usage_error(ErrorKind::MissingRequiredArgument, "no viseme type to convert to is named", tip);
+    };
+    let quiet = arguments.sources.is_quiet();
+    let (inputs, mut reports) = project.settings.discover();
+    if let Some(folder) = &arguments.output {
+        key::check(&inputs, &mut reports);
+        reports.extend(inputs.iter().filter_map(|input| in_the_way(folder, input)));
+        if !reports.is_empty() {
+            let outcome = failure(&reports);
+            findings.add(reports);
+            return outcome;
+        }
+    }
+    let bar = console::progress_bar(inputs.len(), quiet);
+    let results = each_file(&inputs, options, &|count| bar.inc(count), |input, bytes| {
+        let converted = convert(bytes, viseme_type, options);
+        let is_changed = converted.text.is_some();
+        let written = match converted.diagnostics.iter().any(|finding| finding.level == Level::Error) {
+            true => Ok(()),
+            false => arguments.write(input, bytes, converted.text.as_deref()),
+        };
+        let found = !converted.diagnostics.is_empty();
+        let report = found.then(|| Report::of_file(&input.name, bytes, converted.diagnostics));
+        (is_changed, report.into_iter().chain(written.err()).collect::<Vec<_>>())
+    });
+    bar.finish_and_clear();
+    let (mut changed, mut unchanged) = (0, 0);
+    for result in results {
+        let (is_changed, of_file) = result.unwrap_or_else(|report| (false, vec![report]));
+        match (count(&of_file, Level::Error), is_changed) {
+            (0, true) => changed += 1,
+            (0, false) => unchanged += 1,
+            _ => {}
+        }
+        reports.extend(of_file);
+    }
+    let outcome = if count(&reports, Level::Error) > 0 { failure(&reports) } else { Outcome::Clean };
+    findings.add(reports);
+    if quiet || inputs.is_empty() {
+        return outcome;
+    }
+    let (changed, unchanged) = (files(changed), console::grouped(unchanged));
+    match findings.summary(&format!("{changed} converted to {viseme_type}, {unchanged} unchanged\n")) {
+        Outcome::Clean => outcome,
+        failed => failed,
+    }
+}
+
+impl Convert {
+    /// Writes a file, whose new text is `after` if it has one, to where it was asked for.
+    fn write(&self, input: &Input, before: &[u8], after: Option<&str>) -> Result<(), Report> {
+        match (&self.output, after) {
+            (Some(folder), after) => {
+                let after = after.map_or(before, str::as_bytes);
+                interrupt::whole(|| replace_file(&output(folder, input), after))
+            }
+            (None, Some(after)) => interrupt::whole(|| Rewriting::InPlace.rewrite(input, before, after)).map(|_| ()),
+            (None, None) => Ok(()),
+        }
+    }
+}
+
+/// Where the converted file is written.
+fn output(folder: &Path, input: &Input) -> PathBuf {
+    folder.join(format!("{}.{}", input.key, key::EXTENSION))
+}
+
+/// The finding for an output file that exists.
+fn in_the_way(folder: &Path, input: &Input) -> Option<Report> {
+    let path = output(folder, input);
+    path.symlink_metadata().ok()?;
+    let shown = console::path(&path);
+    let finding = Diagnostic::new(Code::WouldOverwrite, format!("`{shown}` is there already"));
+    Some(Report::about(
+        shown,
+        finding.note("nothing was written").help("write into another folder, or replace the sources with --in-place"),
+    ))
+}

@@ -1,0 +1,55 @@
+//! Commands that change source files: replacing them, or only showing what would change.
+
+use crate::{Outcome, console};
+use lipz::Code;
+use lipz::diagnostic::show;
+use lipz_compiler::{Content, Input, Report, rewrite_file};
+use similar::TextDiff;
+use std::borrow::Cow;
+use std::io::{self, IsTerminal};
+
+/// What is done with a file that changes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Rewriting {
+    /// It is replaced.
+    InPlace,
+    /// It is only counted.
+    Nothing,
+    /// It is only counted, with the difference.
+    Diff,
+}
+
+impl Rewriting {
+    /// Makes `after` of the file that was read as `before`. Gives the difference if it is asked for.
+    pub(crate) fn rewrite(self, input: &Input, before: &[u8], after: &str) -> Result<String, Report> {
+        match (self, &input.content) {
+            (Rewriting::InPlace, Content::File(path)) => {
+                rewrite_file(path, before, after.as_bytes()).map(|()| String::new())
+            }
+            (Rewriting::Diff, _) => Ok(diff(&input.name, &String::from_utf8_lossy(before), after)),
+            _ => Ok(String::new()),
+        }
+    }
+}
+
+/// How a run ends that could not change some files because of `reports`.
+pub(crate) fn failure(reports: &[Report]) -> Outcome {
+    let mut findings = reports.iter().flat_map(|report| &report.diagnostics);
+    let unwritten = |code| matches!(code, Code::OutputFailed | Code::UnreadableFile | Code::NoSources);
+    if findings.any(|finding| unwritten(finding.code)) { Outcome::Failed } else { Outcome::Findings }
+}
+
+/// The difference between two texts of a file, as `diff -u` and `patch` know it. Bytes that steer a
+/// terminal do not reach one.
+fn diff(name: &str, before: &str, after: &str) -> String {
+    let unified = TextDiff::from_lines(before, after).unified_diff().header(name, name).to_string();
+    if !io::stdout().is_terminal() {
+        return unified;
+    }
+    unified.lines().flat_map(|line| [show::text(line), Cow::Borrowed("\n")]).collect()
+}
+
+/// `1 file`, `2 files`.
+pub(crate) fn files(number: usize) -> String {
+    console::counted(number, "file")
+}

@@ -1,0 +1,42 @@
+//! Converting a source text: only the codes and the name of their type are edited.
+
+use super::Conversion;
+use lipz::diagnostic::Fix;
+use lipz::text::is_white_space;
+use lipz::{Document, Element, Span, Value, fix, literal};
+
+const BYTE_ORDER_MARK: &str = "\u{FEFF}";
+
+/// The text of the file that `document` was read from, converted. `None` if it is not UTF-8.
+pub(super) fn apply(bytes: &[u8], document: &Document<'_>, conversion: &Conversion) -> Option<String> {
+    let text = std::str::from_utf8(bytes).ok()?;
+    let (mark, text) = match text.strip_prefix(BYTE_ORDER_MARK) {
+        Some(text) => (BYTE_ORDER_MARK, text),
+        None => ("", text),
+    };
+    let viseme_type = literal(conversion.to.name());
+    let mut edits = Vec::new();
+    let visemes = document.get("visemes");
+    if let Some(Element { value: Value::String(string), .. }) = visemes {
+        edits.push(Fix { span: string.span(), replacement: literal(&conversion.visemes(&string.text)) });
+    }
+    match (document.get("viseme_type"), visemes) {
+        (Some(element), _) => edits.push(Fix { span: element.value.span(), replacement: viseme_type }),
+        // A project's default would be that of the old codes.
+        (None, Some(visemes)) => edits.push(insertion(text, visemes, &viseme_type)?),
+        (None, None) => {}
+    }
+    let edits: Vec<&Fix> = edits.iter().collect();
+    Some(mark.to_owned() + &fix::apply(text, &edits).text)
+}
+
+/// A new element `viseme_type` behind the element `visemes`, set apart from it as that is from what
+/// stands before it.
+fn insertion(text: &str, visemes: &Element<'_>, viseme_type: &str) -> Option<Fix> {
+    let (name, value) = (visemes.name.span().range(), visemes.value.span().range());
+    let before = text.get(..name.start)?;
+    let white_space = before.get(before.trim_end_matches(is_white_space).len()..)?;
+    let colon = text.get(name.end..value.start)?;
+    let replacement = format!(",{white_space}\"viseme_type\"{colon}{viseme_type}");
+    Some(Fix { span: Span::new(value.end, value.end), replacement })
+}

@@ -1,0 +1,56 @@
+//! What converting loses, and why it is refused.
+
+use super::Conversion;
+use super::chart::MERGED;
+use lipz::{Code, Diagnostic, Document, Element, Value};
+use lipz_bank::VisemeType;
+
+/// The warning about frames whose shape the new type does not have.
+pub(super) fn loss(document: &Document<'_>, conversion: &Conversion) -> Option<Diagnostic> {
+    let (VisemeType::Blair, VisemeType::ToonBoom) = (conversion.from, conversion.to) else { return None };
+    let Value::String(visemes) = &document.get("visemes")?.value else { return None };
+    let is_merged = |code: char| MERGED.iter().any(|(blair, _)| char::from(*blair) == code);
+    let first = visemes.text.find(is_merged)?;
+    let count = visemes.text.matches(is_merged).count();
+    let frames = |count: usize| if count == 1 { "1 frame".to_owned() } else { format!("{count} frames") };
+    let loses = if count == 1 { "loses its" } else { "lose their" };
+    let headline = format!("{} {loses} own mouth shape: toonboom has no `L` and no `U`", frames(count));
+    let finding = Diagnostic::at(Code::ConversionLoss, visemes.span_of(first..first + 1), headline);
+    let finding = MERGED.iter().fold(finding, |finding, &(blair, toonboom)| {
+        let (blair, toonboom) = (char::from(blair), char::from(toonboom));
+        match visemes.text.matches(blair).count() {
+            0 => finding,
+            count => finding.note(format!("`{blair}` becomes `{toonboom}` in {}", frames(count))),
+        }
+    });
+    Some(finding.help("keep the blair file: converting back gives `S` and `W` for them"))
+}
+
+/// The error for codes that have no counterparts.
+pub(super) fn refused(document: &Document<'_>, from: VisemeType, to: VisemeType) -> Diagnostic {
+    let finding = about_type(document, format!("{from} codes cannot be converted to {to}"))
+        .note("rms codes say how loud a frame is, blair and toonboom codes which shape the mouth has");
+    match to {
+        VisemeType::Rms => finding.help("make the rms codes from the audio file"),
+        _ => finding.help(format!("make the {to} codes from the audio file, or animate them by hand")),
+    }
+}
+
+/// The error for codes that mean different mouths in the types that have them.
+pub(super) fn ambiguous(document: &Document<'_>, candidates: &[VisemeType]) -> Diagnostic {
+    let names: Vec<&str> = candidates.iter().map(|known| known.name()).collect();
+    let headline = format!("these codes cannot be converted: they may be {}", names.join(" or "));
+    let example = names.first().copied().unwrap_or_default();
+    about_type(document, headline).help(format!(
+        "name their type: \"viseme_type\": \"{example}\" in the file, or --default-viseme-type {example}"
+    ))
+}
+
+/// A finding about the viseme type, or the codes of a file that does not name it.
+fn about_type(document: &Document<'_>, headline: String) -> Diagnostic {
+    let element = document.get("viseme_type").or_else(|| document.get("visemes"));
+    match element {
+        Some(Element { value, .. }) => Diagnostic::at(Code::NotConvertible, value.span(), headline),
+        None => Diagnostic::new(Code::NotConvertible, headline),
+    }
+}

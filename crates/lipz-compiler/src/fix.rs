@@ -1,0 +1,132 @@
+//! Applying the certain fixes of a file's findings, until there are none left.
+
+use crate::{Options, check};
+use lipz::diagnostic::Fix;
+use lipz::{Code, Diagnostic, fix};
+use std::collections::BTreeMap;
+
+/// Rounds of reading and fixing. A file that is not JSON shows one finding a round; who makes more
+/// mistakes than this mends the rest in another run.
+const ROUNDS: usize = 100;
+
+/// A file after its certain fixes.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Fixed {
+    /// The new text, without byte order mark.
+    pub text: String,
+    /// How many findings of each code were mended.
+    pub mended: BTreeMap<Code, usize>,
+}
+
+/// Applies the certain fixes of a file's findings; `None` if it has none.
+///
+/// A fix is certain if the bank that is made of the file is the same before and after, or, where
+/// there is an error and so no bank, if what was meant is beyond doubt. Everything else in the file
+/// stays as it is spelled. Findings of lints that the project allows are left alone.
+///
+/// ```
+/// use lipz_compiler::{Options, fix};
+/// let file = br#"{ "fps": "24", "visemes": "MA EO-", }"#;
+/// let fixed = fix(file, &Options::default()).ok_or("nothing to fix")?;
+/// assert_eq!(fixed.text, r#"{ "fps": 24, "visemes": "MAEO-" }"#);
+/// assert_eq!(fixed.mended.len(), 3);
+/// # Ok::<(), &str>(())
+/// ```
+pub fn fix(bytes: &[u8], options: &Options) -> Option<Fixed> {
+    let mut fixed: Option<Fixed> = None;
+    for _ in 0..ROUNDS {
+        let bytes = fixed.as_ref().map_or(bytes, |fixed| fixed.text.as_bytes());
+        let Some((text, findings)) = findings(bytes, options) else { break };
+        let fixes: Vec<&Fix> = findings.iter().filter_map(|finding| finding.fix.as_ref()).collect();
+        let round = fix::apply(text, &fixes);
+        if round.applied.is_empty() {
+            break;
+        }
+        let mut mended = fixed.map(|fixed| fixed.mended).unwrap_or_default();
+        for finding in round.applied.iter().filter_map(|&index| findings.get(index)) {
+            *mended.entry(finding.code).or_default() += 1;
+        }
+        fixed = Some(Fixed { text: round.text, mended });
+    }
+    fixed
+}
+
+/// The text of a file without byte order mark, and its findings that have a fix; `None` if it is not
+/// UTF-8.
+fn findings<'f>(bytes: &'f [u8], options: &Options) -> Option<(&'f str, Vec<Diagnostic>)> {
+    let text = std::str::from_utf8(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)).ok()?;
+    let mut parsed = lipz::parse(bytes);
+    if let Some(document) = &parsed.document {
+        check::check(document, options, &mut parsed.diagnostics);
+    }
+    let is_allowed = |code: Code| matches!(options.levels.get(&code), Some(None));
+    parsed.diagnostics.retain(|finding| finding.fix.is_some() && !is_allowed(finding.code));
+    Some((text, parsed.diagnostics))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn fixed(file: &str) -> Option<String> {
+        let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
+        let fixed = fix(file.as_bytes(), &options)?;
+        assert_eq!(fix(fixed.text.as_bytes(), &options), None, "fixed again: {}", fixed.text);
+        Some(fixed.text)
+    }
+
+    #[test]
+    fn certain_fixes() {
+        let cases = [
+            ("\u{FEFF}{}", "{}"),
+            (r#"{"visemes": "A \n\u0020B\t|\u002d",}"#, r#"{"visemes": "AB|-"}"#),
+            (r#"{"text-en_us": "a", "text_DE-de": "b"}"#, r#"{"text_en-us": "a", "text_de-de": "b"}"#),
+            (r#"{"text": "a"}"#, r#"{"text_en-us": "a"}"#),
+            (r#"{"text_en-us ": "a"}"#, r#"{"text_en-us": "a"}"#),
+            (r#"{"viseme_type": "Toon Boom"}"#, r#"{"viseme_type": "toonboom"}"#),
+            (r#"{"fps": "23.976"}"#, r#"{"fps": 23.976}"#),
+            (r#"{"fps": 23,976}"#, r#"{"fps": 23.976}"#),
+            ("{\"fps\": 24\r\n\"visemes\": \"A\"\r\n}", "{\"fps\": 24,\r\n\"visemes\": \"A\"\r\n}"),
+            (r#"{"fps" = 24,,}}"#, r#"{"fps" : 24}"#),
+            // First the codes, then the white space between them.
+            (r#"{"visemes": "ma e-|sso"}"#, r#"{"visemes": "MAE-|SSO"}"#),
+            (r#"{"visemes": "12:-", "viseme_type": "RMS"}"#, r#"{"visemes": "129-", "viseme_type": "rms"}"#),
+        ];
+        for (file, expected) in cases {
+            assert_eq!(fixed(file).as_deref(), Some(expected), "{file}");
+        }
+    }
+
+    #[test]
+    fn what_is_not_certain_stays() {
+        let cases = [
+            r#"{"visemes": "MAlEO"}"#,
+            r#"{"visemes": "malle"}"#,
+            r#"{"visemes": "M0O", "viseme_type": "blair"}"#,
+            r#"{"visemes": "12:-"}"#,
+            r#"{"visemes": "How are you?"}"#,
+            r#"{"Visemes": "A", "visemeType": "blair"}"#,
+            r#"{"fps": 1,000}"#,
+            r#"{"fps": "024"}"#,
+            r#"{"fps": "24."}"#,
+            r#"{"x": 1,5}"#,
+            r#"{"text_en-us": "the "Admiral": a parrot"}"#,
+            r#"{"viseme_type": "blare"}"#,
+            // Two names must not become one.
+            r#"{"text-en_us": "a", "text_EN-US": "b"}"#,
+            r#"{"text": "a", "text_en-us": "b"}"#,
+            r#"{"text_en-us ": "a", "text_en-us": "b"}"#,
+            r#"{"text_en-us": "fine"}"#,
+            "",
+        ];
+        for file in cases {
+            assert_eq!(fixed(file), None, "{file}");
+        }
+    }
+
+    #[test]
+    fn findings_of_an_allowed_lint_are_left_alone() {
+        let options = Options { levels: [(Code::LocaleSpelling, None)].into(), ..Options::default() };
+        assert_eq!(fix(br#"{"text-en_us": "a"}"#, &options), None);
+    }
+}

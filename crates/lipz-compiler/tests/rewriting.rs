@@ -1,0 +1,248 @@
+//! Formatting, fixing and converting keep what a file means, whatever is in it.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
+
+#[path = "support/documents.rs"]
+mod documents;
+mod support;
+
+use documents::document;
+use lipz::format::{LineEnding, Style, format};
+use lipz::{Document, Value, text};
+use lipz_bank::VisemeType::{self, Blair, ToonBoom};
+use lipz_bank::{Bank, Clip};
+use lipz_compiler::{Documents, Input, Options, compile, convert, fix};
+use proptest::prelude::*;
+use unicode_segmentation::UnicodeSegmentation;
+use unicode_width::UnicodeWidthStr;
+
+/// The bank of one file, without its source record.
+fn bank(file: &str, options: &Options) -> Vec<u8> {
+    let options = Options { strip: true, ..options.clone() };
+    let compiled = compile(&[Input::from_bytes("clip", file)], &options, &|_| {});
+    compiled.bank.unwrap_or_else(|| panic!("{file}\n{:#?}", compiled.reports))
+}
+
+fn parsed(file: &str) -> Document<'_> {
+    lipz::parse(file.as_bytes()).document.unwrap_or_else(|| panic!("{file}"))
+}
+
+fn formatted(file: &str, default_locale: Option<&str>) -> String {
+    format(&parsed(file), Style { default_locale, line_ending: LineEnding::of(file) })
+}
+
+/// The document as a file with escapes where `escaped` says so, for one character after the other.
+fn spelled(document: &Document<'_>, escaped: &[bool]) -> String {
+    let mut escaped = escaped.iter().copied().cycle();
+    let mut literal = |text: &str| {
+        let mut out = String::from("\"");
+        for c in text.chars() {
+            if escaped.next() == Some(true) {
+                out.extend(c.encode_utf16(&mut [0; 2]).iter().map(|unit| format!("\\u{unit:04x}")));
+            } else {
+                let literal = lipz::literal(c.encode_utf8(&mut [0; 4]));
+                out.push_str(&literal[1..literal.len() - 1]);
+            }
+        }
+        out + "\""
+    };
+    let elements: Vec<String> = document
+        .elements
+        .iter()
+        .map(|element| {
+            let value = match &element.value {
+                Value::String(string) => literal(&string.text),
+                Value::Number(raw) | Value::Other(raw) => raw.text.to_string(),
+            };
+            format!("{}:{value}", literal(&element.name.text))
+        })
+        .collect();
+    format!("{{{}}}", elements.join(","))
+}
+
+/// Every element is there, and says the same but for white space at the ends of segments.
+fn assert_same_elements(before: &Document<'_>, after: &Document<'_>) {
+    assert_eq!(before.elements.len(), after.elements.len());
+    for element in &before.elements {
+        let name = element.name.text.as_ref();
+        let other = &after.get(name).unwrap_or_else(|| panic!("{name:?} is gone")).value;
+        match (&element.value, other) {
+            (Value::String(string), Value::String(other)) if name == "events" || name.starts_with("text") => {
+                let trimmed = |text: &str| -> Vec<String> {
+                    text::segments(text).map(|range| text::trim(&text[range]).to_owned()).collect()
+                };
+                assert_eq!(trimmed(&string.text), trimmed(&other.text), "{name}");
+            }
+            (value, other) => assert_eq!(value, other, "{name}"),
+        }
+    }
+}
+
+/// The columns of the `|` in the lines of texts and events.
+fn columns(formatted: &str) -> Vec<Vec<usize>> {
+    let is_padded = |line: &&str| line.starts_with("  \"text") || line.starts_with("  \"events\"");
+    let width = |text: &str| text.graphemes(true).map(UnicodeWidthStr::width).sum();
+    let delimiters = |line: &str| line.match_indices('|').map(|(at, _)| width(&line[..at])).collect();
+    formatted.lines().filter(is_padded).map(delimiters).collect()
+}
+
+/// All segments of a converted clip as code strings.
+fn codes(bytes: &[u8]) -> Vec<String> {
+    let bank = Bank::open(bytes).and_then(Bank::verify).unwrap();
+    let of =
+        |clip: Clip<'_, '_>| clip.segments().map(|segment| String::from_utf8_lossy(segment.frames()).into()).collect();
+    bank.clip_by_key("clip").map(of).unwrap()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(600))]
+
+    #[test]
+    fn formatting_keeps_the_meaning(
+        document in document(),
+        escaped in proptest::collection::vec(proptest::bool::weighted(0.2), 1..50),
+        default_locale in proptest::option::of("(en-us|de-de|ko-kr)"),
+    ) {
+        let file = spelled(&document, &escaped);
+        prop_assert_eq!(&parsed(&file), &document, "the test's own spelling: {}", file);
+        let once = formatted(&file, default_locale.as_deref());
+        assert_same_elements(&document, &parsed(&once));
+        prop_assert_eq!(bank(&file, &Options::default()), bank(&once, &Options::default()));
+        prop_assert_eq!(formatted(&once, default_locale.as_deref()), once.as_str());
+        let columns = columns(&once);
+        prop_assert!(columns.windows(2).all(|two| two[0] == two[1]), "{}", once);
+    }
+
+    #[test]
+    fn fixing_keeps_the_meaning(document in document(), has_mark: bool, has_comma: bool) {
+        let options = Options { default_locale: Some("de-de".into()), ..Options::default() };
+        let valid = lipz::write(&document);
+        let mut file = if has_mark { format!("\u{FEFF}{valid}") } else { valid.clone() };
+        if has_comma && !document.elements.is_empty() {
+            file.insert(file.rfind('}').unwrap(), ',');
+        }
+        let fixed = fix(file.as_bytes(), &options);
+        let text = fixed.map_or(file, |fixed| fixed.text);
+        prop_assert_eq!(fix(text.as_bytes(), &options), None);
+        prop_assert_eq!(bank(&valid, &options), bank(&text, &options));
+        let left = lipz::parse(text.as_bytes()).diagnostics;
+        prop_assert!(left.iter().all(|finding| finding.fix.is_none()), "{left:?}");
+    }
+
+    #[test]
+    fn packing_converts_as_the_file_is_converted(document in document(), to in prop_oneof![Just(Blair), Just(ToonBoom)]) {
+        let file = lipz::write(&document);
+        let converted = convert(file.as_bytes(), to, &Options::default());
+        let packing = Options { viseme_type: Some(to), ..Options::default() };
+        let packed = compile(&[Input::from_bytes("clip", file.as_str())], &packing, &|_| {});
+        let of_packing = packed.reports.into_iter().flat_map(|report| report.diagnostics);
+        let is_about_it = |finding: &lipz::Diagnostic| ["LZ0404", "LZ0405"].contains(&finding.code.number());
+        prop_assert_eq!(of_packing.filter(is_about_it).collect::<Vec<_>>(), converted.diagnostics);
+        let Some(bytes) = packed.bank else { return Ok(()) };
+        let text = converted.text.unwrap_or(file);
+        prop_assert_eq!(bank(&text, &Options::default()), bank(&text, &packing));
+        // What is unpacked is the converted file, and packs to the same bank without converting.
+        let bank = Bank::open(&bytes).and_then(Bank::verify).unwrap();
+        let documents = Documents::of(&bank).unwrap();
+        let (_, unpacked) = documents.iter().next().unwrap().unwrap();
+        prop_assert_eq!(&unpacked, &parsed(&text));
+        let again = compile(&[Input::from_bytes("clip", lipz::write(&unpacked))], &Options::default(), &|_| {});
+        prop_assert_eq!(again.bank.unwrap(), bytes);
+    }
+
+    #[test]
+    fn toonboom_comes_back_from_blair(visemes in "[-ABCDEFG|]{0,40}") {
+        let file = format!(r#"{{ "viseme_type": "toonboom", "visemes": "{visemes}" }}"#);
+        let there = convert(file.as_bytes(), Blair, &Options::default());
+        prop_assert_eq!(&there.diagnostics, &[]);
+        let back = convert(there.text.unwrap().as_bytes(), ToonBoom, &Options::default());
+        prop_assert_eq!(&back.diagnostics, &[]);
+        prop_assert_eq!(back.text.unwrap(), file);
+    }
+}
+
+#[test]
+fn fixing_bad_files_makes_nothing_worse() {
+    let options = Options { default_locale: Some("ja-jp".into()), ..Options::default() };
+    let mut mended = 0;
+    for (name, bytes) in support::files("bad").into_iter().chain(support::files("spec/as-printed")) {
+        let Some(fixed) = fix(&bytes, &options) else { continue };
+        mended += 1;
+        let packed = |bytes: &[u8]| {
+            let options = Options { strip: true, ..options.clone() };
+            compile(&[Input::from_bytes("clip", bytes)], &options, &|_| {}).bank
+        };
+        let (before, after) = (lipz::parse(&bytes).document, lipz::parse(fixed.text.as_bytes()).document);
+        assert!(before.is_none() || after.is_some(), "{name}");
+        assert!(packed(&bytes).is_none_or(|bank| Some(bank) == packed(fixed.text.as_bytes())), "{name}");
+        assert_eq!(fix(fixed.text.as_bytes(), &options), None, "{name}");
+    }
+    assert!(mended > 20, "{mended}");
+}
+
+fn converted(file: &str, to: VisemeType, options: &Options) -> (Option<String>, Vec<String>) {
+    let converted = convert(file.as_bytes(), to, options);
+    (converted.text, converted.diagnostics.iter().map(|found| format!("{}: {}", found.code, found.headline)).collect())
+}
+
+#[test]
+fn only_codes_and_type_are_edited() {
+    let default = Options { default_viseme_type: Some(Blair), ..Options::default() };
+    let cases = [
+        // The byte order mark, line endings, escapes and odd blanks of the rest stay.
+        (
+            "\u{FEFF}{\r\n\t\"visemes\" :  \"\\u004dA |-\",\r\n\t\"x\":[ 1 ],\"viseme_type\":\"blair\"  }",
+            "\u{FEFF}{\r\n\t\"visemes\" :  \"AD |-\",\r\n\t\"x\":[ 1 ],\"viseme_type\":\"toonboom\"  }",
+        ),
+        // A file whose type comes from the project names its own from now on.
+        (
+            "{\n  \"visemes\" : \"MA\",\n  \"fps\" : 24\n}",
+            "{\n  \"visemes\" : \"AD\",\n  \"viseme_type\" : \"toonboom\",\n  \"fps\" : 24\n}",
+        ),
+        (r#"{"visemes":"MA"}"#, r#"{"visemes":"AD","viseme_type":"toonboom"}"#),
+        (r#"{"viseme_type":"blair"}"#, r#"{"viseme_type":"toonboom"}"#),
+    ];
+    for (file, expected) in cases {
+        assert_eq!(converted(file, ToonBoom, &default), (Some(expected.into()), vec![]), "{file}");
+    }
+}
+
+#[test]
+fn files_without_a_type() {
+    let none = Options::default();
+    assert_eq!(
+        converted(r#"{"visemes":"MA-"}"#, ToonBoom, &none).0.unwrap(),
+        r#"{"visemes":"AD-","viseme_type":"toonboom"}"#
+    );
+    let ambiguous = "LZ0405: these codes cannot be converted: they may be blair or toonboom";
+    for to in [Blair, ToonBoom] {
+        assert_eq!(converted(r#"{"visemes":"AEF-"}"#, to, &none), (None, vec![ambiguous.into()]));
+    }
+    for unchanged in [r#"{"visemes":"--|-"}"#, r#"{"visemes":""}"#, r#"{"fps":24}"#, r#"{"visemes":"BD"}"#] {
+        assert_eq!(converted(unchanged, ToonBoom, &none), (None, vec![]), "{unchanged}");
+    }
+}
+
+#[test]
+fn loudness_is_refused_and_rest_is_not() {
+    let refused = |from: VisemeType, to| vec![format!("LZ0405: {from} codes cannot be converted to {to}")];
+    let rms = r#"{"viseme_type":"rms","visemes":"0-9"}"#;
+    assert_eq!(converted(rms, Blair, &Options::default()), (None, refused(VisemeType::Rms, Blair)));
+    let blair = r#"{"viseme_type":"blair","visemes":"MA"}"#;
+    assert_eq!(converted(blair, VisemeType::Rms, &Options::default()), (None, refused(Blair, VisemeType::Rms)));
+    let rest = r#"{"viseme_type":"rms","visemes":"-|-"}"#;
+    assert_eq!(converted(rest, Blair, &Options::default()).0.unwrap(), rest.replace("rms", "blair"));
+}
+
+#[test]
+fn packing_converts_and_reports_what_is_lost() {
+    let file = r#"{"viseme_type":"blair","visemes":"MASOWEF-|LUL"}"#;
+    let options = Options { viseme_type: Some(ToonBoom), ..Options::default() };
+    let compiled = compile(&[Input::from_bytes("clip", file)], &options, &|_| {});
+    let [finding] = &compiled.reports[0].diagnostics[..] else { panic!("{:?}", compiled.reports) };
+    assert_eq!(finding.headline, "3 frames lose their own mouth shape: toonboom has no `L` and no `U`");
+    assert_eq!(finding.notes, ["`L` becomes `B` in 2 frames", "`U` becomes `F` in 1 frame"]);
+    let bytes = compiled.bank.unwrap();
+    assert_eq!(codes(&bytes), ["ADBEFCG-", "BFB"]);
+    let bank = Bank::open(&bytes).and_then(Bank::verify).unwrap();
+    assert_eq!(bank.clip_by_key("clip").unwrap().viseme_type(), Some(ToonBoom));
+}
