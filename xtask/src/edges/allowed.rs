@@ -31,6 +31,7 @@ pub(super) const ALLOWED: &[Rule] = &[
             "lipz",
             "lipz-bank",
             "rayon",
+            "rustix",
             "strsim",
             "tempfile",
             "unicode-normalization",

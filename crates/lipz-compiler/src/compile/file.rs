@@ -1,12 +1,10 @@
 //! One file: read, parsed, checked, with the time that each takes.
 
 use super::Phases;
+use super::read::FileReader;
 use crate::clip::ClipData;
 use crate::{Content, Input, Options, Report, check, source_record};
-use lipz::{Code, Diagnostic, Source};
-use std::fs::File;
-use std::io::Read;
-use std::path::Path;
+use lipz::{Diagnostic, Source};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
@@ -26,23 +24,20 @@ impl Clock {
     }
 }
 
-/// Reads, parses and checks one file. `buffer` is kept between the files of a thread.
+/// Reads, parses and checks one file.
 pub(super) fn one_file(
     input: &Input,
     options: &Options,
-    buffer: &mut Vec<u8>,
+    reader: &mut FileReader,
     clock: &Clock,
 ) -> (Option<ClipData>, Option<Report>) {
     let mut lap = Lap { last: Instant::now() };
     let bytes = match &input.content {
         Content::Bytes(bytes) => bytes.as_slice(),
-        Content::File(path) => {
-            buffer.clear();
-            if let Some(finding) = read_file(path, buffer) {
-                return (None, Some(Report::about(&input.name, finding)));
-            }
-            buffer.as_slice()
-        }
+        Content::File(path) => match reader.read(path) {
+            Ok(bytes) => bytes,
+            Err(finding) => return (None, Some(Report::about(&input.name, finding))),
+        },
     };
     lap.add_to(&clock.read);
     let mut parsed = lipz::parse(bytes);
@@ -63,28 +58,6 @@ pub(super) fn one_file(
     let text = String::from_utf8_lossy(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)).into_owned();
     let source = Source { path: input.name.clone(), text };
     (clip, Some(Report { source, diagnostics: parsed.diagnostics }))
-}
-
-/// Bytes that are read without asking how many there are, which takes as long as to read them.
-const SMALL_FILE: u64 = 1 << 16;
-
-/// Reads a file into the empty `buffer`; a finding if that is not possible.
-fn read_file(path: &Path, buffer: &mut Vec<u8>) -> Option<Diagnostic> {
-    let limit = lipz::MAX_FILE_BYTES as u64;
-    let read = File::open(path).and_then(|mut file| {
-        file.by_ref().take(SMALL_FILE).read_to_end(buffer)?;
-        let is_read = (buffer.len() as u64) < SMALL_FILE;
-        if is_read || file.metadata()?.len() > limit {
-            return Ok(is_read);
-        }
-        // Some files do not tell their length: one byte too many shows that they are too large.
-        file.take(limit + 1 - SMALL_FILE).read_to_end(buffer).map(|_| true)
-    });
-    match read {
-        Ok(true) => None,
-        Ok(false) => Some(lipz::too_large()),
-        Err(error) => Some(Diagnostic::new(Code::UnreadableFile, format!("the file cannot be read: {error}"))),
-    }
 }
 
 /// A stopwatch that starts again at each reading.

@@ -1,6 +1,7 @@
 //! The run: read, parse and check every file in parallel, then localise, lower and verify.
 
 mod file;
+mod read;
 
 use crate::clip::ClipData;
 use crate::{Input, Options, Report, key, localise, lower, report};
@@ -8,6 +9,7 @@ use file::{Clock, one_file};
 use lipz::Code;
 use lipz_bank::{Bank, ErrorKind};
 use rayon::prelude::*;
+use read::FileReader;
 use std::time::{Duration, Instant};
 
 /// What a run gave.
@@ -145,8 +147,8 @@ fn read_all(inputs: &[Input], options: &Options, progress: &Progress<'_>) -> Run
     let clock = Clock::default();
     let outcomes: Vec<_> = inputs
         .par_iter()
-        .map_init(Vec::new, |buffer, input| {
-            let outcome = one_file(input, options, buffer, &clock);
+        .map_init(FileReader::default, |reader, input| {
+            let outcome = one_file(input, options, reader, &clock);
             progress(1);
             outcome
         })
