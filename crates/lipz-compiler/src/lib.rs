@@ -44,6 +44,7 @@ mod output;
 mod raise;
 mod report;
 mod source_record;
+mod strings;
 mod unpack;
 
 pub use compile::{Compiled, Phases, Progress, check_all, compile};

@@ -30,6 +30,7 @@ pub(super) const ALLOWED: &[Rule] = &[
             "icu_casemap",
             "lipz",
             "lipz-bank",
+            "memchr",
             "rayon",
             "rustix",
             "strsim",

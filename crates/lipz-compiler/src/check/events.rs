@@ -9,7 +9,7 @@ use lipz::{Code, Diagnostic, JsonString, text};
 const SHOWN: usize = 3;
 
 /// The trimmed event string of each segment.
-pub(super) fn trimmed(string: &JsonString<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Box<str>> {
+pub(super) fn trimmed<'t>(string: &'t JsonString<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<&'t str> {
     nul(string, Code::NulInEvents, "the events contain", diagnostics);
     let mut unknown = 0;
     text::segments(&string.text)
@@ -26,7 +26,7 @@ pub(super) fn trimmed(string: &JsonString<'_>, diagnostics: &mut Vec<Diagnostic>
                     }
                 }
             }
-            text::trim(segment).into()
+            text::trim(segment)
         })
         .collect()
 }

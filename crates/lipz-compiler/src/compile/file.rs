@@ -1,63 +1,53 @@
-//! One file: read, parsed, checked, with the time that each takes.
+//! What one thread does: it reads, parses and checks one file after another, and takes the time.
 
 use super::Phases;
 use super::read::FileReader;
-use crate::clip::ClipData;
+use crate::clip::{ClipData, Clips};
 use crate::{Content, Input, Options, Report, check, source_record};
 use lipz::{Diagnostic, Source};
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-/// Nanoseconds per phase, summed over threads.
+/// What a thread needs to make clips of files, and what it has made of them.
 #[derive(Default)]
-pub(super) struct Clock {
-    read: AtomicU64,
-    parse: AtomicU64,
-    check: AtomicU64,
+pub(super) struct Worker {
+    reader: FileReader,
+    clip: ClipData,
+    pub(super) clips: Clips,
+    pub(super) reports: Vec<Report>,
+    /// The time of reading, parsing and checking.
+    pub(super) phases: Phases,
 }
 
-impl Clock {
-    /// The phases of which this is the time.
-    pub(super) fn phases(&self) -> Phases {
-        let time = |sum: &AtomicU64| Duration::from_nanos(sum.load(Ordering::Relaxed));
-        Phases { read: time(&self.read), parse: time(&self.parse), check: time(&self.check), ..Phases::default() }
-    }
-}
-
-/// Reads, parses and checks one file.
-pub(super) fn one_file(
-    input: &Input,
-    options: &Options,
-    reader: &mut FileReader,
-    clock: &Clock,
-) -> (Option<ClipData>, Option<Report>) {
-    let mut lap = Lap { last: Instant::now() };
-    let bytes = match &input.content {
-        Content::Bytes(bytes) => bytes.as_slice(),
-        Content::File(path) => match reader.read(path) {
-            Ok(bytes) => bytes,
-            Err(finding) => return (None, Some(Report::about(&input.name, finding))),
-        },
-    };
-    lap.add_to(&clock.read);
-    let mut parsed = lipz::parse(bytes);
-    lap.add_to(&clock.parse);
-    let clip = parsed.document.as_ref().and_then(|document| {
-        let mut clip = check::check(document, options, &mut parsed.diagnostics)?;
-        clip.key.clone_from(&input.key);
-        if !options.strip {
-            clip.source = source_record::encode(document, &clip);
+impl Worker {
+    /// Reads, parses and checks one file.
+    pub(super) fn file(&mut self, input: &Input, options: &Options) {
+        let mut lap = Lap { last: Instant::now() };
+        let bytes = match &input.content {
+            Content::Bytes(bytes) => bytes.as_slice(),
+            Content::File(path) => match self.reader.read(path) {
+                Ok(bytes) => bytes,
+                Err(finding) => return self.reports.push(Report::about(&input.name, finding)),
+            },
+        };
+        self.phases.read += lap.time();
+        let lipz::Parsed { document, mut diagnostics } = lipz::parse(bytes);
+        self.phases.parse += lap.time();
+        let locales = &mut self.clips.locales;
+        if let Some(document) = document
+            && check::check(&document, options, locales, &mut self.clip, &mut diagnostics)
+        {
+            if !options.strip {
+                source_record::encode(&document, locales, &mut self.clip);
+            }
+            self.clips.push(&input.key, &self.clip);
         }
-        Some(clip)
-    });
-    lap.add_to(&clock.check);
-    if parsed.diagnostics.is_empty() {
-        return (clip, None);
+        self.phases.check += lap.time();
+        if !diagnostics.is_empty() {
+            diagnostics.sort_by_key(Diagnostic::start);
+            let text = String::from_utf8_lossy(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)).into_owned();
+            self.reports.push(Report { source: Source { path: input.name.clone(), text }, diagnostics });
+        }
     }
-    parsed.diagnostics.sort_by_key(Diagnostic::start);
-    let text = String::from_utf8_lossy(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)).into_owned();
-    let source = Source { path: input.name.clone(), text };
-    (clip, Some(Report { source, diagnostics: parsed.diagnostics }))
 }
 
 /// A stopwatch that starts again at each reading.
@@ -66,10 +56,10 @@ struct Lap {
 }
 
 impl Lap {
-    fn add_to(&mut self, sum: &AtomicU64) {
+    fn time(&mut self) -> Duration {
         let now = Instant::now();
-        let elapsed = u64::try_from((now - self.last).as_nanos()).unwrap_or(u64::MAX);
-        sum.fetch_add(elapsed, Ordering::Relaxed);
+        let time = now - self.last;
         self.last = now;
+        time
     }
 }

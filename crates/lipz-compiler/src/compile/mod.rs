@@ -3,13 +3,12 @@
 mod file;
 mod read;
 
-use crate::clip::ClipData;
+use crate::clip::Clips;
 use crate::{Input, Options, Report, key, localise, lower, report};
-use file::{Clock, one_file};
+use file::Worker;
 use lipz::Code;
 use lipz_bank::{Bank, ErrorKind};
 use rayon::prelude::*;
-use read::FileReader;
 use std::time::{Duration, Instant};
 
 /// What a run gave.
@@ -72,10 +71,12 @@ pub fn compile(inputs: &[Input], options: &Options, progress: &Progress<'_>) -> 
             return run.finish(None);
         }
         let start = Instant::now();
-        let localised = localise::localise(&run.clips, options);
+        let tags = Clips::join_locales(&mut run.clips);
+        let clips = Clips::by_key(&run.clips);
+        let localised = localise::localise(&clips, &tags, options);
         run.phases.localise = start.elapsed();
         let start = Instant::now();
-        let bank = lower::lower(&run.clips, &localised, options).map_err(|report| in_file(report, inputs));
+        let bank = lower::lower(&clips, &localised, options).map_err(|report| in_file(report, inputs));
         run.clips = Vec::new();
         drop(localised);
         run.phases.lower = start.elapsed();
@@ -126,9 +127,9 @@ fn in_pool<R: Send>(options: &Options, work: impl FnOnce() -> R + Send) -> R {
     }
 }
 
-/// What is known after the files are read: clips in the order of their keys.
+/// What is known after the files are read.
 struct Run {
-    clips: Vec<ClipData>,
+    clips: Vec<Clips>,
     reports: Vec<Report>,
     phases: Phases,
 }
@@ -142,25 +143,22 @@ impl Run {
 
 fn read_all(inputs: &[Input], options: &Options, progress: &Progress<'_>) -> Run {
     let start = Instant::now();
-    let mut reports = Vec::new();
-    key::check(inputs, &mut reports);
-    let clock = Clock::default();
-    let outcomes: Vec<_> = inputs
-        .par_iter()
-        .map_init(FileReader::default, |reader, input| {
-            let outcome = one_file(input, options, reader, &clock);
-            progress(1);
-            outcome
-        })
-        .collect();
-    let mut clips = Vec::with_capacity(outcomes.len());
-    for (clip, report) in outcomes {
-        clips.extend(clip);
-        reports.extend(report);
+    let mut run = Run { clips: Vec::new(), reports: Vec::new(), phases: Phases::default() };
+    key::check(inputs, &mut run.reports);
+    let work = inputs.par_iter().fold(Worker::default, |mut worker, input| {
+        worker.file(input, options);
+        progress(1);
+        worker
+    });
+    for worker in work.collect::<Vec<_>>() {
+        run.clips.push(worker.clips);
+        run.reports.extend(worker.reports);
+        run.phases.read += worker.phases.read;
+        run.phases.parse += worker.phases.parse;
+        run.phases.check += worker.phases.check;
     }
-    clips.sort_by(|a, b| a.key.cmp(&b.key));
-    let phases = Phases { files: start.elapsed(), ..clock.phases() };
-    Run { clips, reports, phases }
+    run.phases.files = start.elapsed();
+    run
 }
 
 /// The report with the name of the file, where it has the key of a clip for a path.

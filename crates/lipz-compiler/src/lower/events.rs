@@ -2,7 +2,7 @@
 
 use super::fit;
 use crate::Report;
-use crate::clip::ClipData;
+use crate::clip::Clip;
 use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order of entries is never used
 use lipz_bank::layout::{EventRecord, NO_EVENTS, U32};
 
@@ -16,7 +16,7 @@ pub(super) struct Events {
 }
 
 /// Numbers the distinct event strings in the order of their first use.
-pub(super) fn events(clips: &[ClipData]) -> Result<Events, Report> {
+pub(super) fn events(clips: &[Clip<'_>]) -> Result<Events, Report> {
     let mut events = Events {
         first: Vec::with_capacity(clips.len()),
         references: Vec::new(),
@@ -25,11 +25,11 @@ pub(super) fn events(clips: &[ClipData]) -> Result<Events, Report> {
     };
     let mut numbers: HashMap<&str, u32> = HashMap::with_capacity(clips.len());
     for clip in clips {
-        events.first.push(match clip.events {
+        events.first.push(match clip.events() {
             Some(_) => fit(events.references.len(), "events")?,
             None => NO_EVENTS,
         });
-        for event in clip.events.iter().flatten() {
+        for event in clip.events().into_iter().flatten() {
             let next = fit(events.records.len(), "events")?;
             let number = *numbers.entry(event).or_insert(next);
             if number == next {

@@ -6,7 +6,7 @@ mod index;
 mod records;
 mod strings;
 
-use crate::clip::ClipData;
+use crate::clip::Clip;
 use crate::localise::Localised;
 use crate::{Options, Report};
 use assemble::Section;
@@ -16,7 +16,7 @@ use lipz_bank::layout::Tag;
 use zerocopy::IntoBytes;
 
 /// The bank of `clips`, which are in the order of their keys.
-pub(crate) fn lower(clips: &[ClipData], localised: &Localised, options: &Options) -> Result<Vec<u8>, Report> {
+pub(crate) fn lower(clips: &[Clip<'_>], localised: &Localised, options: &Options) -> Result<Vec<u8>, Report> {
     let ids = unique_ids(clips)?;
     let index = index::build(&ids);
     let names = strings::names(clips, localised)?;
@@ -29,7 +29,7 @@ pub(crate) fn lower(clips: &[ClipData], localised: &Localised, options: &Options
         Section::required(Tag::PILOTS, index.pilots.as_bytes()),
         Section::required(Tag::KEY_ORDER, index.slots_le.as_bytes()),
         Section::required(Tag::NAMES, names.pool.as_bytes()),
-        Section::of_pieces(Tag::FRAMES, clips.iter().map(|clip| clip.frames.as_slice()).collect()),
+        Section::of_pieces(Tag::FRAMES, clips.iter().map(Clip::frames).collect()),
         Section::required(Tag::STARTS, records.far_starts.as_bytes()),
         Section::required(Tag::LOCALES, locales.as_bytes()),
         Section::required(Tag::TEXT_INDEX, texts.index.as_bytes()),
@@ -47,24 +47,19 @@ pub(crate) fn lower(clips: &[ClipData], localised: &Localised, options: &Options
 }
 
 /// The ids of `clips`, if no two are the same. The report has the key of a clip for a path.
-fn unique_ids(clips: &[ClipData]) -> Result<Vec<u64>, Report> {
-    let ids: Vec<u64> = clips.iter().map(|clip| ClipId::of(&clip.key).get()).collect();
-    let mut sorted: Vec<(u64, &str)> =
-        std::iter::zip(ids.iter().copied(), clips.iter().map(|clip| clip.key.as_str())).collect();
+fn unique_ids(clips: &[Clip<'_>]) -> Result<Vec<u64>, Report> {
+    let ids: Vec<u64> = clips.iter().map(|clip| ClipId::of(clip.key()).get()).collect();
+    let mut sorted = ids.clone();
     sorted.sort_unstable();
-    for pair in sorted.windows(2) {
-        if let &[(id, key), (next_id, next_key)] = pair
-            && id == next_id
-        {
-            return Err(Report::failure(
-                next_key,
-                Code::IdCollision,
-                format!("the keys `{key}` and `{next_key}` have the same clip id, {id:016x}"),
-                "rename one of the two: it happens about once in 10^9 banks of 100,000 clips",
-            ));
-        }
-    }
-    Ok(ids)
+    let Some([id, _]) = sorted.array_windows().find(|[id, next]| id == next) else { return Ok(ids) };
+    let mut same = std::iter::zip(&ids, clips).filter(|(other, _)| *other == id).map(|(_, clip)| clip.key());
+    let (key, next_key) = (same.next().unwrap_or_default(), same.next().unwrap_or_default());
+    Err(Report::failure(
+        next_key,
+        Code::IdCollision,
+        format!("the keys `{key}` and `{next_key}` have the same clip id, {id:016x}"),
+        "rename one of the two: it happens about once in 10^9 banks of 100,000 clips",
+    ))
 }
 
 /// A number that a 32-bit field of the bank holds, or the finding that it does not.

@@ -2,7 +2,7 @@
 
 use super::{fit, too_large};
 use crate::Report;
-use crate::clip::ClipData;
+use crate::clip::Clip;
 use crate::localise::{Choice, LocaleColumn, Localised};
 use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order of entries is never used
 use lipz_bank::layout::{NO_TEXT, TEXT_FALLBACK, TEXT_OFFSET, TEXT_WIDE, U32};
@@ -25,7 +25,7 @@ pub(super) struct Names {
 }
 
 /// The pool of names: keys in their order, then tags.
-pub(super) fn names(clips: &[ClipData], localised: &Localised) -> Result<Names, Report> {
+pub(super) fn names(clips: &[Clip<'_>], localised: &Localised) -> Result<Names, Report> {
     let mut pool = String::new();
     let mut place = |name: &str| {
         let offset_bytes = fit(pool.len(), "names")?;
@@ -33,7 +33,7 @@ pub(super) fn names(clips: &[ClipData], localised: &Localised) -> Result<Names, 
         let length_bytes = u16::try_from(name.len()).map_err(|_| too_large("names"))?;
         Ok(NamePlace { offset_bytes, length_bytes })
     };
-    let keys = clips.iter().map(|clip| place(&clip.key)).collect::<Result<_, _>>()?;
+    let keys = clips.iter().map(|clip| place(clip.key())).collect::<Result<_, _>>()?;
     let tags = localised.locales.iter().map(|locale| place(&locale.tag)).collect::<Result<_, _>>()?;
     Ok(Names { pool, keys, tags })
 }
@@ -81,7 +81,7 @@ struct LocaleTexts<'c> {
 
 /// Each locale's texts stand together, in the order of the keys; a run that appears twice in a
 /// locale stands once.
-pub(super) fn texts<'c>(clips: &'c [ClipData], localised: &Localised, slots: &[u32]) -> Result<Texts<'c>, Report> {
+pub(super) fn texts<'c>(clips: &[Clip<'c>], localised: &Localised, slots: &[u32]) -> Result<Texts<'c>, Report> {
     let parts: Vec<LocaleTexts<'c>> = localised.locales.par_iter().map(|locale| locale_texts(clips, locale)).collect();
     if parts.iter().map(|part| part.length).sum::<usize>() >= TEXT_OFFSET as usize {
         return Err(too_large("texts"));
@@ -113,11 +113,11 @@ pub(super) fn texts<'c>(clips: &'c [ClipData], localised: &Localised, slots: &[u
 }
 
 /// The own texts of a locale. An offset that does not fit is found by the sum of the lengths.
-fn locale_texts<'c>(clips: &'c [ClipData], locale: &LocaleColumn) -> LocaleTexts<'c> {
+fn locale_texts<'c>(clips: &[Clip<'c>], locale: &LocaleColumn) -> LocaleTexts<'c> {
     let mut interner = Interner::with_capacity(clips.len());
     let entries = std::iter::zip(clips, &locale.texts).map(|(clip, choice)| match choice {
         Choice::Own(index) => {
-            let text = &clip.texts[*index as usize];
+            let text = &clip.texts()[*index as usize];
             interner.place(clip.run(text)) as u32 | if text.is_wide { TEXT_WIDE } else { 0 }
         }
         _ => NO_TEXT,
@@ -134,11 +134,11 @@ pub(super) struct Sources<'c> {
 }
 
 /// Equal source records stand once.
-pub(super) fn sources<'c>(clips: &'c [ClipData], slots: &[u32]) -> Result<Sources<'c>, Report> {
+pub(super) fn sources<'c>(clips: &[Clip<'c>], slots: &[u32]) -> Result<Sources<'c>, Report> {
     let mut interner = Interner::with_capacity(clips.len() / 2);
     let mut index = vec![U32::new(0); clips.len()];
     for (clip, &slot) in std::iter::zip(clips, slots) {
-        index[slot as usize] = fit(interner.place(&clip.source), "sources")?.into();
+        index[slot as usize] = fit(interner.place(clip.source()), "sources")?.into();
     }
     Ok(Sources { index, pieces: interner.pieces })
 }
