@@ -28,6 +28,8 @@ pub(crate) struct ClipData {
     pub(crate) texts: Vec<ClipText>,
     /// The runs of all texts.
     pub(crate) runs: Vec<u8>,
+    /// Room for the display texts of one locale, before they become a run.
+    pub(crate) displays: Strings,
     /// Whether the file has an `events` element.
     pub(crate) has_events: bool,
     /// Trimmed event strings of all segments, if it has.
@@ -57,17 +59,18 @@ impl ClipData {
         self.starts.clear();
         self.texts.clear();
         self.runs.clear();
+        self.displays.clear();
         self.events.clear();
         self.source.clear();
         (self.has_visemes, self.has_events) = (false, false);
         (self.fps, self.viseme_type) = (None, None);
     }
 
-    /// Adds the display texts of a locale: a table of ends, then the texts.
-    pub(crate) fn add_texts(&mut self, locale: u32, texts: &Strings) {
-        let is_wide = texts.text().len() > MAX_NARROW_END;
+    /// Adds `self.displays` as the texts of a locale: a table of ends, then the texts.
+    pub(crate) fn add_displays(&mut self, locale: u32) {
+        let is_wide = self.displays.text().len() > MAX_NARROW_END;
         let start = self.runs.len() as u32;
-        for end in texts.ends() {
+        for end in self.displays.ends() {
             let seven_bits = |index: u32| (end >> (7 * index)) as u8 & 0x7F;
             if is_wide {
                 self.runs.extend_from_slice(&[0, 1, 2, 3].map(seven_bits));
@@ -75,7 +78,7 @@ impl ClipData {
                 self.runs.extend_from_slice(&[0, 1].map(seven_bits));
             }
         }
-        self.runs.extend_from_slice(texts.text().as_bytes());
+        self.runs.extend_from_slice(self.displays.text().as_bytes());
         self.texts.push(ClipText { locale, place: start..self.runs.len() as u32, is_wide });
     }
 

@@ -71,7 +71,6 @@ fn chain(tags: &[Box<str>], locale: usize, default: Option<&str>) -> Vec<usize> 
 mod tests {
     use super::*;
     use crate::clip::{ClipData, Clips};
-    use crate::strings::Strings;
 
     /// Localises clips with texts in these locales.
     fn localised(clips: &[&[&str]], default: Option<&str>) -> Localised {
@@ -79,7 +78,7 @@ mod tests {
         for (key, tags) in ('a'..).zip(clips) {
             let mut clip = ClipData { starts: vec![0], ..ClipData::default() };
             for tag in *tags {
-                clip.add_texts(store.locales.number(tag, true), &Strings::default());
+                clip.add_displays(store.locales.number(tag, true));
             }
             store.push(&key.to_string(), &clip);
         }

@@ -17,7 +17,16 @@ pub(super) const ALLOWED: &[Rule] = &[
     Rule { name: "lipz-bank", direct: Some(&["zerocopy"]), transitive: Some(&[READER]) },
     Rule {
         name: "lipz",
-        direct: Some(&["icu_locale_core", "isolang", "lipz-bank", "memchr", "rust_iso3166", "serde", "serde_json"]),
+        direct: Some(&[
+            "icu_locale_core",
+            "isolang",
+            "lipz-bank",
+            "memchr",
+            "rust_iso3166",
+            "serde",
+            "serde_json",
+            "simdutf8",
+        ]),
         transitive: Some(&[READER, JSON_AND_LOCALES, &["lipz-bank"]]),
     },
     Rule {
@@ -63,7 +72,7 @@ pub(super) const COMMAND_LINE_USERS: &[&str] = &["lipz-cli", "xtask"];
 /// zerocopy and its derive, which runs while compiling.
 const READER: &[&str] = &["zerocopy", "zerocopy-derive", "proc-macro2", "quote", "syn", "unicode-ident"];
 
-/// serde_json, icu_locale_core, isolang, rust_iso3166 and what they use.
+/// serde_json, simdutf8, icu_locale_core, isolang, rust_iso3166 and what they use.
 const JSON_AND_LOCALES: &[&str] = &[
     "displaydoc",
     "fastrand",
@@ -81,6 +90,7 @@ const JSON_AND_LOCALES: &[&str] = &[
     "serde_core",
     "serde_derive",
     "serde_json",
+    "simdutf8",
     "siphasher",
     "tinystr",
     "writeable",

@@ -35,7 +35,7 @@ impl<'d> Roles<'d> {
         locales: &mut Locales,
         diagnostics: &mut Vec<Diagnostic>,
     ) -> Roles<'d> {
-        let mut roles = Roles::default();
+        let mut roles = Roles { texts: Vec::with_capacity(document.elements.len()), ..Roles::default() };
         for element in &document.elements {
             match element.name.text.as_ref() {
                 "fps" => roles.fps = types::number(element, diagnostics),

@@ -12,7 +12,6 @@ mod visemes;
 
 use crate::Options;
 use crate::clip::{ClipData, Locales};
-use crate::strings::Strings;
 use elements::Roles;
 use lipz::{Diagnostic, Document, Level};
 use visemes::Expected;
@@ -45,10 +44,9 @@ pub(crate) fn check(
         clip.has_visemes = true;
         visemes::frames(string, expected, clip, diagnostics);
     }
-    let mut displays = Strings::default();
     for text in &roles.texts {
-        texts::display_texts(text.string, &mut displays, diagnostics);
-        clip.add_texts(text.locale, &displays);
+        texts::display_texts(text.string, &mut clip.displays, diagnostics);
+        clip.add_displays(text.locale);
     }
     clip.texts.sort_by(|a, b| locales.tag(a.locale).cmp(locales.tag(b.locale)));
     if let Some(string) = roles.events {

@@ -36,9 +36,9 @@ pub struct Phases {
     pub files: Duration,
     /// Resolving locales.
     pub localise: Duration,
-    /// Laying out the bank, and giving back what it was made from.
+    /// Laying out the bank.
     pub lower: Duration,
-    /// Verifying the bank.
+    /// Verifying the bank, while what it was made from is given back.
     pub verify: Duration,
 }
 
@@ -77,11 +77,12 @@ pub fn compile(inputs: &[Input], options: &Options, progress: &Progress<'_>) -> 
         run.phases.localise = start.elapsed();
         let start = Instant::now();
         let bank = lower::lower(&clips, &localised, options).map_err(|report| in_file(report, inputs));
-        run.clips = Vec::new();
         drop(localised);
         run.phases.lower = start.elapsed();
         let start = Instant::now();
-        let verified = bank.and_then(verified);
+        let clips = std::mem::take(&mut run.clips);
+        // Giving back much memory takes time, too.
+        let (verified, ()) = rayon::join(|| bank.and_then(verified), || drop(clips));
         run.phases.verify = start.elapsed();
         match verified {
             Ok(bank) => run.finish(Some(bank)),

@@ -18,10 +18,13 @@ use zerocopy::IntoBytes;
 /// The bank of `clips`, which are in the order of their keys.
 pub(crate) fn lower(clips: &[Clip<'_>], localised: &Localised, options: &Options) -> Result<Vec<u8>, Report> {
     let ids = unique_ids(clips)?;
-    let index = index::build(&ids);
+    let (index, (texts, events)) = rayon::join(
+        || index::build(&ids),
+        || rayon::join(|| strings::texts(clips, localised), || events::events(clips)),
+    );
+    let events = events?;
     let names = strings::names(clips, localised)?;
-    let texts = strings::texts(clips, localised, &index.slots)?;
-    let events = events::events(clips)?;
+    let text_index = texts.index(localised, &index.slots)?;
     let records = records::clips(clips, &ids, &index.slots, &names, &events)?;
     let locales = records::locales(localised, &names);
     let mut sections = vec![
@@ -32,14 +35,15 @@ pub(crate) fn lower(clips: &[Clip<'_>], localised: &Localised, options: &Options
         Section::of_pieces(Tag::FRAMES, clips.iter().map(Clip::frames).collect()),
         Section::required(Tag::STARTS, records.far_starts.as_bytes()),
         Section::required(Tag::LOCALES, locales.as_bytes()),
-        Section::required(Tag::TEXT_INDEX, texts.index.as_bytes()),
-        Section::of_pieces(Tag::TEXTS, texts.pieces),
+        Section::required(Tag::TEXT_INDEX, text_index.as_bytes()),
+        Section::of_pieces(Tag::TEXTS, texts.pieces()),
         Section::required(Tag::EVENT_REFS, events.references.as_bytes()),
         Section::required(Tag::EVENTS, events.records.as_bytes()),
         Section::required(Tag::EVENT_STRINGS, events.pool.as_bytes()),
     ];
-    let sources = strings::sources(clips, &index.slots)?;
+    let sources;
     if !options.strip {
+        sources = strings::sources(clips, &index.slots)?;
         sections.push(Section::of_pieces(Tag::SOURCE_INDEX, vec![sources.index.as_bytes()]));
         sections.push(Section::of_pieces(Tag::SOURCES, sources.pieces));
     }

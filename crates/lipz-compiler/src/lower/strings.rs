@@ -64,11 +64,9 @@ impl<'c> Interner<'c> {
     }
 }
 
-/// The text index and the pieces of the text pool.
+/// The texts of all locales.
 pub(super) struct Texts<'c> {
-    /// Locale by locale, one entry per slot.
-    pub(super) index: Vec<U32>,
-    pub(super) pieces: Vec<&'c [u8]>,
+    parts: Vec<LocaleTexts<'c>>,
 }
 
 /// The texts of one locale: its part of the pool, and the entry of each clip's own text as if that
@@ -79,37 +77,49 @@ struct LocaleTexts<'c> {
     entries: Vec<u32>,
 }
 
-/// Each locale's texts stand together, in the order of the keys; a run that appears twice in a
-/// locale stands once.
-pub(super) fn texts<'c>(clips: &[Clip<'c>], localised: &Localised, slots: &[u32]) -> Result<Texts<'c>, Report> {
-    let parts: Vec<LocaleTexts<'c>> = localised.locales.par_iter().map(|locale| locale_texts(clips, locale)).collect();
-    if parts.iter().map(|part| part.length).sum::<usize>() >= TEXT_OFFSET as usize {
-        return Err(too_large("texts"));
-    }
-    let bases: Vec<u32> = parts
-        .iter()
-        .scan(0, |end, part| {
-            let base = *end;
-            *end += part.length;
-            Some(base as u32)
-        })
-        .collect();
-    let entry = |locale: usize, at: usize| match parts[locale].entries[at] {
-        NO_TEXT => NO_TEXT,
-        entry => entry + bases[locale],
-    };
-    let mut index = vec![U32::new(NO_TEXT); localised.locales.len() * clips.len()];
-    let tables = index.chunks_mut(clips.len().max(1));
-    for (locale, (column, table)) in std::iter::zip(&localised.locales, tables).enumerate() {
-        for (at, choice) in column.texts.iter().enumerate() {
-            table[slots[at] as usize] = U32::new(match *choice {
-                Choice::Own(_) => entry(locale, at),
-                Choice::Fallback(other) => entry(other as usize, at) | TEXT_FALLBACK,
-                Choice::Missing => NO_TEXT,
-            });
+/// Each locale's texts, in the order of the keys; a run that appears twice in a locale stands once.
+pub(super) fn texts<'c>(clips: &[Clip<'c>], localised: &Localised) -> Texts<'c> {
+    let parts = localised.locales.par_iter().map(|locale| locale_texts(clips, locale)).collect();
+    Texts { parts }
+}
+
+impl<'c> Texts<'c> {
+    /// The text index: locale by locale, one entry per slot.
+    pub(super) fn index(&self, localised: &Localised, slots: &[u32]) -> Result<Vec<U32>, Report> {
+        if self.parts.iter().map(|part| part.length).sum::<usize>() >= TEXT_OFFSET as usize {
+            return Err(too_large("texts"));
         }
+        let bases: Vec<u32> = self
+            .parts
+            .iter()
+            .scan(0, |end, part| {
+                let base = *end;
+                *end += part.length;
+                Some(base as u32)
+            })
+            .collect();
+        let entry = |locale: usize, at: usize| match self.parts[locale].entries[at] {
+            NO_TEXT => NO_TEXT,
+            entry => entry + bases[locale],
+        };
+        let mut index = vec![U32::new(NO_TEXT); localised.locales.len() * slots.len()];
+        let tables = index.par_chunks_mut(slots.len().max(1));
+        tables.zip(&localised.locales).enumerate().for_each(|(locale, (table, column))| {
+            for (at, choice) in column.texts.iter().enumerate() {
+                table[slots[at] as usize] = U32::new(match *choice {
+                    Choice::Own(_) => entry(locale, at),
+                    Choice::Fallback(other) => entry(other as usize, at) | TEXT_FALLBACK,
+                    Choice::Missing => NO_TEXT,
+                });
+            }
+        });
+        Ok(index)
     }
-    Ok(Texts { index, pieces: parts.into_iter().flat_map(|part| part.pieces).collect() })
+
+    /// The pieces of the text pool: each locale's texts stand together.
+    pub(super) fn pieces(self) -> Vec<&'c [u8]> {
+        self.parts.into_iter().flat_map(|part| part.pieces).collect()
+    }
 }
 
 /// The own texts of a locale. An offset that does not fit is found by the sum of the lengths.

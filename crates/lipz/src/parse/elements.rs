@@ -80,7 +80,7 @@ fn json_value<'s>(text: &'s str, literal: &'s str, diagnostics: &mut Vec<Diagnos
 fn json_string<'s>(text: &'s str, literal: &'s str, diagnostics: &mut Vec<Diagnostic>) -> Option<JsonString<'s>> {
     let start = offset_in(text, literal);
     let inner = literal.get(1..literal.len().saturating_sub(1)).unwrap_or_default();
-    let decoded = if inner.contains('\\') {
+    let decoded = if memchr::memchr(b'\\', inner.as_bytes()).is_some() {
         match serde_json::from_str::<String>(literal) {
             Ok(decoded) => Cow::Owned(decoded),
             Err(_) => {
