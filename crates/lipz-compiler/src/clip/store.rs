@@ -68,10 +68,17 @@ impl Clips {
         });
     }
 
+    /// The clips in the order in which they were added, as the first batch.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = Clip<'_>> {
+        (0..self.heads.len()).map(|index| Clip { clips: self, batch: 0, index })
+    }
+
     /// The clips of all `batches` in the order of their keys.
     pub(crate) fn by_key(batches: &[Clips]) -> Vec<Clip<'_>> {
-        let clips = batches.iter().flat_map(|clips| (0..clips.heads.len()).map(move |index| Clip { clips, index }));
-        let mut clips: Vec<Clip<'_>> = clips.collect();
+        let mut clips: Vec<Clip<'_>> = Vec::with_capacity(batches.iter().map(|clips| clips.heads.len()).sum());
+        for (batch, of_batch) in batches.iter().enumerate() {
+            clips.extend(of_batch.iter().map(|clip| Clip { batch, ..clip }));
+        }
         // Sources come sorted by path: the stable sort takes little more than a look.
         clips.sort_by(|a, b| a.key().cmp(b.key()));
         clips
@@ -104,6 +111,7 @@ impl Clips {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Clip<'c> {
     clips: &'c Clips,
+    batch: usize,
     index: usize,
 }
 
@@ -116,6 +124,11 @@ impl<'c> Clip<'c> {
 
     fn head(&self) -> &'c Head {
         &self.clips.heads[self.index]
+    }
+
+    /// Number of the batch, and of the clip in it.
+    pub(crate) fn place(&self) -> (usize, usize) {
+        (self.batch, self.index)
     }
 
     pub(crate) fn key(&self) -> &'c str {
@@ -144,6 +157,12 @@ impl<'c> Clip<'c> {
 
     pub(crate) fn texts(&self) -> &'c [ClipText] {
         &self.clips.texts[self.range(|ends| ends.texts)]
+    }
+
+    /// The text in the locale with this number; for clips whose locales are joined.
+    pub(crate) fn text(&self, locale: u32) -> Option<&'c ClipText> {
+        let texts = self.texts();
+        texts.binary_search_by_key(&locale, |text| text.locale).ok().map(|index| &texts[index])
     }
 
     /// The run of one of the clip's texts.

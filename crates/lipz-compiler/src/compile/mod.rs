@@ -4,7 +4,8 @@ mod file;
 mod read;
 
 use crate::clip::Clips;
-use crate::{Input, Options, Report, key, localise, lower, report};
+use crate::lower::Layout;
+use crate::{Input, Options, Report, key, localise, report};
 use file::Worker;
 use lipz::Code;
 use lipz_bank::{Bank, ErrorKind};
@@ -36,9 +37,9 @@ pub struct Phases {
     pub files: Duration,
     /// Resolving locales.
     pub localise: Duration,
-    /// Laying out the bank.
+    /// Laying out and filling the bank, and giving back what it was made from.
     pub lower: Duration,
-    /// Verifying the bank, while what it was made from is given back.
+    /// Verifying the bank.
     pub verify: Duration,
 }
 
@@ -76,13 +77,13 @@ pub fn compile(inputs: &[Input], options: &Options, progress: &Progress<'_>) -> 
         let localised = localise::localise(&clips, &tags, options);
         run.phases.localise = start.elapsed();
         let start = Instant::now();
-        let bank = lower::lower(&clips, &localised, options).map_err(|report| in_file(report, inputs));
-        drop(localised);
+        let layout = Layout::of(&clips, &localised, options);
+        drop((clips, localised));
+        let batches = std::mem::take(&mut run.clips);
+        let bank = layout.and_then(|layout| layout.fill(batches)).map_err(|report| in_file(report, inputs));
         run.phases.lower = start.elapsed();
         let start = Instant::now();
-        let clips = std::mem::take(&mut run.clips);
-        // Giving back much memory takes time, too.
-        let (verified, ()) = rayon::join(|| bank.and_then(verified), || drop(clips));
+        let verified = bank.and_then(verified);
         run.phases.verify = start.elapsed();
         match verified {
             Ok(bank) => run.finish(Some(bank)),

@@ -16,6 +16,8 @@ use zerocopy::FromZeros;
 pub(super) struct ClipRecords {
     pub(super) clips: Vec<ClipRecord>,
     pub(super) far_starts: Vec<U32>,
+    /// Frames of all clips.
+    pub(super) frame_count: usize,
     pub(super) fingerprint: u64,
 }
 
@@ -53,7 +55,7 @@ pub(super) fn clips(
         frames_offset += clip.frames().len();
     }
     let fingerprint = fingerprint(&records);
-    Ok(ClipRecords { clips: records, far_starts, fingerprint })
+    Ok(ClipRecords { clips: records, far_starts, frame_count: frames_offset, fingerprint })
 }
 
 /// The starts of segments 1 and up: in the record if they fit, otherwise where they stand.

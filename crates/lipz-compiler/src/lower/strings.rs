@@ -1,4 +1,4 @@
-//! The pools: names, texts, source records.
+//! The pools: names, and the places of texts and source records in theirs.
 
 use super::{fit, too_large};
 use crate::Report;
@@ -38,17 +38,15 @@ pub(super) fn names(clips: &[Clip<'_>], localised: &Localised) -> Result<Names, 
     Ok(Names { pool, keys, tags })
 }
 
-/// Byte strings of which equal ones stand once in a pool. The pool is not made: its pieces are
-/// copied straight into the bank.
+/// Byte strings of which equal ones stand once in a pool. The pool is not made: only the places in it.
 struct Interner<'c> {
-    pieces: Vec<&'c [u8]>,
     length: usize,
     offsets: HashMap<&'c [u8], usize>,
 }
 
 impl<'c> Interner<'c> {
     fn with_capacity(count: usize) -> Self {
-        Interner { pieces: Vec::with_capacity(count), length: 0, offsets: HashMap::with_capacity(count) }
+        Interner { length: 0, offsets: HashMap::with_capacity(count) }
     }
 
     /// The offset of `string` in the pool.
@@ -57,73 +55,34 @@ impl<'c> Interner<'c> {
         let offset = *self.offsets.entry(string).or_insert(next);
         // New, or empty and then harmless: strings that are known lie before the end.
         if offset == next {
-            self.pieces.push(string);
             self.length += string.len();
         }
         offset
     }
 }
 
-/// The texts of all locales.
-pub(super) struct Texts<'c> {
-    parts: Vec<LocaleTexts<'c>>,
+/// Where the texts are.
+pub(super) struct Texts {
+    /// Locale by locale, one entry per slot.
+    pub(super) index: Vec<U32>,
+    /// Bytes of each locale's part of the pool; the parts follow each other.
+    pub(super) lengths: Vec<usize>,
 }
 
-/// The texts of one locale: its part of the pool, and the entry of each clip's own text as if that
-/// part were the pool.
-struct LocaleTexts<'c> {
-    pieces: Vec<&'c [u8]>,
+/// The texts of one locale: the length of its part of the pool, and the entry of each clip's own text as
+/// if that part were the pool.
+pub(super) struct LocaleTexts {
     length: usize,
     entries: Vec<u32>,
 }
 
 /// Each locale's texts, in the order of the keys; a run that appears twice in a locale stands once.
-pub(super) fn texts<'c>(clips: &[Clip<'c>], localised: &Localised) -> Texts<'c> {
-    let parts = localised.locales.par_iter().map(|locale| locale_texts(clips, locale)).collect();
-    Texts { parts }
-}
-
-impl<'c> Texts<'c> {
-    /// The text index: locale by locale, one entry per slot.
-    pub(super) fn index(&self, localised: &Localised, slots: &[u32]) -> Result<Vec<U32>, Report> {
-        if self.parts.iter().map(|part| part.length).sum::<usize>() >= TEXT_OFFSET as usize {
-            return Err(too_large("texts"));
-        }
-        let bases: Vec<u32> = self
-            .parts
-            .iter()
-            .scan(0, |end, part| {
-                let base = *end;
-                *end += part.length;
-                Some(base as u32)
-            })
-            .collect();
-        let entry = |locale: usize, at: usize| match self.parts[locale].entries[at] {
-            NO_TEXT => NO_TEXT,
-            entry => entry + bases[locale],
-        };
-        let mut index = vec![U32::new(NO_TEXT); localised.locales.len() * slots.len()];
-        let tables = index.par_chunks_mut(slots.len().max(1));
-        tables.zip(&localised.locales).enumerate().for_each(|(locale, (table, column))| {
-            for (at, choice) in column.texts.iter().enumerate() {
-                table[slots[at] as usize] = U32::new(match *choice {
-                    Choice::Own(_) => entry(locale, at),
-                    Choice::Fallback(other) => entry(other as usize, at) | TEXT_FALLBACK,
-                    Choice::Missing => NO_TEXT,
-                });
-            }
-        });
-        Ok(index)
-    }
-
-    /// The pieces of the text pool: each locale's texts stand together.
-    pub(super) fn pieces(self) -> Vec<&'c [u8]> {
-        self.parts.into_iter().flat_map(|part| part.pieces).collect()
-    }
+pub(super) fn locale_texts(clips: &[Clip<'_>], localised: &Localised) -> Vec<LocaleTexts> {
+    localised.locales.par_iter().map(|locale| own_texts(clips, locale)).collect()
 }
 
 /// The own texts of a locale. An offset that does not fit is found by the sum of the lengths.
-fn locale_texts<'c>(clips: &[Clip<'c>], locale: &LocaleColumn) -> LocaleTexts<'c> {
+fn own_texts(clips: &[Clip<'_>], locale: &LocaleColumn) -> LocaleTexts {
     let mut interner = Interner::with_capacity(clips.len());
     let entries = std::iter::zip(clips, &locale.texts).map(|(clip, choice)| match choice {
         Choice::Own(index) => {
@@ -133,22 +92,56 @@ fn locale_texts<'c>(clips: &[Clip<'c>], locale: &LocaleColumn) -> LocaleTexts<'c
         _ => NO_TEXT,
     });
     let entries = entries.collect();
-    LocaleTexts { pieces: interner.pieces, length: interner.length, entries }
+    LocaleTexts { length: interner.length, entries }
 }
 
-/// The source index and the pieces of the pool of source records.
-pub(super) struct Sources<'c> {
+/// The text index: each locale's texts stand together.
+pub(super) fn texts(parts: &[LocaleTexts], localised: &Localised, slots: &[u32]) -> Result<Texts, Report> {
+    let lengths: Vec<usize> = parts.iter().map(|part| part.length).collect();
+    if lengths.iter().sum::<usize>() >= TEXT_OFFSET as usize {
+        return Err(too_large("texts"));
+    }
+    let bases: Vec<u32> = lengths
+        .iter()
+        .scan(0, |end, length| {
+            let base = *end;
+            *end += length;
+            Some(base as u32)
+        })
+        .collect();
+    let entry = |locale: usize, at: usize| match parts[locale].entries[at] {
+        NO_TEXT => NO_TEXT,
+        entry => entry + bases[locale],
+    };
+    let mut index = vec![U32::new(NO_TEXT); parts.len() * slots.len()];
+    let tables = index.par_chunks_mut(slots.len().max(1)).zip(&localised.locales).enumerate();
+    tables.for_each(|(locale, (table, column))| {
+        for (at, choice) in column.texts.iter().enumerate() {
+            table[slots[at] as usize] = U32::new(match *choice {
+                Choice::Own(_) => entry(locale, at),
+                Choice::Fallback(other) => entry(other as usize, at) | TEXT_FALLBACK,
+                Choice::Missing => NO_TEXT,
+            });
+        }
+    });
+    Ok(Texts { index, lengths })
+}
+
+/// Where the source records are.
+#[derive(Default)]
+pub(super) struct Sources {
     /// One offset per slot.
     pub(super) index: Vec<U32>,
-    pub(super) pieces: Vec<&'c [u8]>,
+    /// Bytes of the pool.
+    pub(super) length: usize,
 }
 
 /// Equal source records stand once.
-pub(super) fn sources<'c>(clips: &[Clip<'c>], slots: &[u32]) -> Result<Sources<'c>, Report> {
+pub(super) fn sources(clips: &[Clip<'_>], slots: &[u32]) -> Result<Sources, Report> {
     let mut interner = Interner::with_capacity(clips.len() / 2);
     let mut index = vec![U32::new(0); clips.len()];
     for (clip, &slot) in std::iter::zip(clips, slots) {
         index[slot as usize] = fit(interner.place(clip.source()), "sources")?.into();
     }
-    Ok(Sources { index, pieces: interner.pieces })
+    Ok(Sources { index, length: interner.length })
 }
