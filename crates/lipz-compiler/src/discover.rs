@@ -3,6 +3,7 @@
 use crate::key::EXTENSION;
 use crate::{Content, Input, Report};
 use lipz::{Code, Diagnostic};
+use std::ffi::OsStr;
 use std::io;
 use std::path::{Component, MAIN_SEPARATOR, Path, PathBuf};
 use walkdir::{DirEntry, WalkDir};
@@ -17,12 +18,11 @@ use walkdir::{DirEntry, WalkDir};
 /// Reports what cannot be found or read. Files are returned in the order of their paths.
 pub fn discover(sources: &[PathBuf], root: Option<&Path>) -> (Vec<Input>, Vec<Report>) {
     let root = root.map(plain);
-    let mut found = Discovery { root: root.as_deref(), source: 0, files: Vec::new(), reports: Vec::new() };
+    let mut found = Discovery { root: root.as_deref(), inputs: Vec::new(), reports: Vec::new() };
     for source in sources {
-        let before = (found.files.len(), found.reports.len());
+        let before = (found.inputs.len(), found.reports.len());
         found.source(&plain(source));
-        found.source += 1;
-        if (found.files.len(), found.reports.len()) == before {
+        if (found.inputs.len(), found.reports.len()) == before {
             found.reports.push(Report::failure(
                 display(source),
                 Code::NoSources,
@@ -31,17 +31,22 @@ pub fn discover(sources: &[PathBuf], root: Option<&Path>) -> (Vec<Input>, Vec<Re
             ));
         }
     }
-    let mut files = found.files;
-    // Nearly sorted: the stable sort takes little more than a look. As strings: paths are compared part by
-    // part, which takes many times as long.
-    files.sort_by(|a, b| (a.path.as_os_str(), a.source).cmp(&(b.path.as_os_str(), b.source)));
-    files.dedup_by(|next, first| next.path.as_os_str() == first.path.as_os_str());
-    let inputs = files.into_iter().map(|file| Input {
-        name: display(&file.path),
-        key: file.key,
-        content: Content::File(file.path),
-    });
-    (inputs.collect(), found.reports)
+    let mut inputs = found.inputs;
+    // As strings: paths are compared part by part, which takes many times as long. Equal ones stay in the
+    // order of the sources.
+    if !inputs.is_sorted_by_key(path) {
+        inputs.sort_by(|a, b| path(a).cmp(&path(b)));
+    }
+    inputs.dedup_by(|next, first| path(next) == path(first));
+    (inputs, found.reports)
+}
+
+/// The path of an input that was discovered.
+fn path(input: &Input) -> Option<&OsStr> {
+    match &input.content {
+        Content::File(path) => Some(path.as_os_str()),
+        Content::Bytes(_) => None,
+    }
 }
 
 /// The path without `.` parts, so that `voices`, `./voices` and `voices/` are one folder. Links and
@@ -51,18 +56,9 @@ fn plain(path: &Path) -> PathBuf {
     if plain.as_os_str().is_empty() { PathBuf::from(".") } else { plain }
 }
 
-struct Found {
-    path: PathBuf,
-    key: String,
-    /// Number of the source that names it.
-    source: usize,
-}
-
 struct Discovery<'a> {
     root: Option<&'a Path>,
-    /// Number of the source that is looked at.
-    source: usize,
-    files: Vec<Found>,
+    inputs: Vec<Input>,
     reports: Vec<Report>,
 }
 
@@ -86,7 +82,7 @@ impl Discovery<'_> {
                 Ok(entry) if entry.file_type().is_file() && is_lipz(entry.path()) => {
                     let path = entry.into_path();
                     match prefix.as_deref().and_then(|prefix| key_below(&path, folder, prefix)) {
-                        Some(key) => self.files.push(Found { path, key, source: self.source }),
+                        Some(key) => self.input(path, key),
                         None => self.file(path, folder),
                     }
                 }
@@ -135,13 +131,17 @@ impl Discovery<'_> {
 
     fn file(&mut self, path: PathBuf, base: &Path) {
         match key_of(&path, self.root.unwrap_or(base)) {
-            Ok(key) => self.files.push(Found { path, key, source: self.source }),
+            Ok(key) => self.input(path, key),
             Err((why, help)) => {
                 let path = display(&path);
                 let headline = format!("`{path}` has no key: {why}");
                 self.reports.push(Report::failure(path, Code::RefusedKey, headline, help));
             }
         }
+    }
+
+    fn input(&mut self, path: PathBuf, key: String) {
+        self.inputs.push(Input { name: display(&path), key, content: Content::File(path) });
     }
 }
 

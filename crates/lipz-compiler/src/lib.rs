@@ -47,7 +47,7 @@ mod source_record;
 mod strings;
 mod unpack;
 
-pub use compile::{Compiled, Phases, Progress, check_all, compile};
+pub use compile::{Compiled, Phases, Progress, check_all, compile, pack};
 pub use discover::discover;
 pub use input::{Content, Input};
 pub use options::{Levels, Options, Registry, TextLimits};

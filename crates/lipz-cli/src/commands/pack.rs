@@ -4,10 +4,9 @@ use super::{Run, with_inputs};
 use crate::sources::Sources;
 use crate::{Outcome, console, render};
 use clap::Args;
-use lipz::Level;
-use lipz_compiler::{Options, compile, count, replace_file};
+use lipz_compiler::{Options, pack};
 use std::path::PathBuf;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Check Lipz files and pack them into a bank.
 ///
@@ -37,31 +36,24 @@ pub(crate) struct Pack {
 
 pub(crate) fn run(arguments: &Pack) -> Outcome {
     let options = Options { strip: arguments.strip, ..arguments.sources.options() };
-    let mut run = with_inputs(&arguments.sources, &options, compile);
+    let run = with_inputs(&arguments.sources, &options, |inputs, options, progress| {
+        pack(inputs, options, &arguments.output, progress)
+    });
     render::findings(&run.reports);
-    let bank = match run.compiled.bank.take() {
-        Some(bank) if count(&run.reports, Level::Error) == 0 => bank,
-        _ => return run.failure(),
-    };
-    let start = Instant::now();
-    if let Err(report) = replace_file(&arguments.output, &bank) {
-        render::findings(&[report]);
-        return Outcome::Failed;
-    }
-    let write = start.elapsed();
+    let Some(bank) = &run.compiled.bank else { return run.failure() };
     let mut text = String::new();
     if !arguments.sources.quiet {
         let (clips, bytes) = (console::counted(run.file_count, "clip"), console::grouped(bank.len()));
         text = format!("{clips} packed into {} ({bytes} bytes)\n", console::path(&arguments.output));
     }
     if arguments.timings {
-        text.push_str(&timings(&run, write));
+        text.push_str(&timings(&run));
     }
     console::print(&text)
 }
 
 /// The time of each phase, in milliseconds.
-fn timings(run: &Run, write: Duration) -> String {
+fn timings(run: &Run) -> String {
     let phases = &run.compiled.phases;
     let line = |name: &str, time: Duration| format!("  {name:<22} {:>9.1} ms\n", time.as_secs_f64() * 1000.0);
     [
@@ -72,8 +64,7 @@ fn timings(run: &Run, write: Duration) -> String {
         line("  check (all threads)", phases.check),
         line("localise", phases.localise),
         line("lower", phases.lower),
-        line("verify", phases.verify),
-        line("write", write),
+        line("verify and write", phases.finish),
     ]
     .concat()
 }

@@ -3,6 +3,7 @@
 use crate::strings::Strings;
 use lipz::JsonString;
 use lipz::{Code, Diagnostic, text};
+use std::borrow::Cow;
 
 /// Findings of one kind that one text shows in full; the rest is counted.
 const SHOWN: usize = 3;
@@ -12,7 +13,12 @@ pub(super) fn display_texts(string: &JsonString<'_>, displays: &mut Strings, dia
     let mut unbalanced = Vec::new();
     let mut nested = Vec::new();
     displays.clear();
+    let has_braces = memchr::memchr2(b'{', b'}', string.text.as_bytes()).is_some();
     for range in text::segments(&string.text) {
+        if !has_braces {
+            displays.push(text::trim(&string.text[range]));
+            continue;
+        }
         let display = text::display(&string.text[range.clone()]);
         unbalanced.extend(display.unbalanced.iter().map(|at| range.start + at));
         nested.extend(display.nested.iter().map(|at| range.start + at));
@@ -58,7 +64,11 @@ fn more(finding: Diagnostic, index: usize, count: usize) -> Diagnostic {
 
 /// Reports U+0000, at which programs in C would stop reading.
 pub(super) fn nul(string: &JsonString<'_>, code: Code, what: &str, diagnostics: &mut Vec<Diagnostic>) {
-    if let Some(at) = memchr::memchr(0, string.text.as_bytes()) {
+    // As it stands, JSON allows no U+0000: only an escape makes one.
+    if matches!(string.text, Cow::Borrowed(_)) {
+        return;
+    }
+    if let Some(at) = string.text.find('\0') {
         diagnostics.push(
             Diagnostic::at(code, string.span_of(at..at + 1), format!("{what} U+0000"))
                 .note("it is kept; programs in C must use the length that comes with every string")

@@ -5,11 +5,13 @@ mod read;
 
 use crate::clip::Clips;
 use crate::lower::Layout;
+use crate::output::replace_file_if;
 use crate::{Input, Options, Report, key, localise, report};
 use file::Worker;
 use lipz::Code;
 use lipz_bank::{Bank, ErrorKind};
 use rayon::prelude::*;
+use std::path::Path;
 use std::time::{Duration, Instant};
 
 /// What a run gave.
@@ -39,8 +41,8 @@ pub struct Phases {
     pub localise: Duration,
     /// Laying out and filling the bank, and giving back what it was made from.
     pub lower: Duration,
-    /// Verifying the bank.
-    pub verify: Duration,
+    /// Verifying the bank and, in [`pack`], writing it at the same time.
+    pub finish: Duration,
 }
 
 /// Is told how many more files are done, from several threads.
@@ -62,6 +64,25 @@ pub type Progress<'a> = dyn Fn(u64) + Sync + 'a;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn compile(inputs: &[Input], options: &Options, progress: &Progress<'_>) -> Compiled {
+    make(inputs, options, progress, verify)
+}
+
+/// Does what [`compile`] does, and replaces the file at `path` by the bank as [`replace_file`](crate::replace_file) does. It is
+/// verified while it is written to a temporary file, which takes the name `path` only after both: that is
+/// faster than one after the other.
+///
+/// If the file cannot be written, a report says so, and there is no bank.
+pub fn pack(inputs: &[Input], options: &Options, path: &Path, progress: &Progress<'_>) -> Compiled {
+    make(inputs, options, progress, |bank| replace_file_if(path, bank, || verify(bank)))
+}
+
+/// Checks `inputs`, makes a bank of them and hands it to `finish`, without whose consent there is none.
+fn make(
+    inputs: &[Input],
+    options: &Options,
+    progress: &Progress<'_>,
+    finish: impl FnOnce(&[u8]) -> Result<(), Report> + Send,
+) -> Compiled {
     let options = &match canonical(options) {
         Ok(options) => options,
         Err(report) => return Compiled { reports: vec![report], ..Compiled::default() },
@@ -83,9 +104,9 @@ pub fn compile(inputs: &[Input], options: &Options, progress: &Progress<'_>) -> 
         let bank = layout.and_then(|layout| layout.fill(batches)).map_err(|report| in_file(report, inputs));
         run.phases.lower = start.elapsed();
         let start = Instant::now();
-        let verified = bank.and_then(verified);
-        run.phases.verify = start.elapsed();
-        match verified {
+        let finished = bank.and_then(|bank| finish(&bank).map(|()| bank));
+        run.phases.finish = start.elapsed();
+        match finished {
             Ok(bank) => run.finish(Some(bank)),
             Err(report) => {
                 run.reports.push(report);
@@ -171,11 +192,11 @@ fn in_file(mut report: Report, inputs: &[Input]) -> Report {
     report
 }
 
-/// The bank, if the reader finds no fault with it. A failure here is a defect of this compiler, and
-/// better found now than in a game.
-fn verified(bank: Vec<u8>) -> Result<Vec<u8>, Report> {
-    match Bank::open(&bank).and_then(Bank::verify) {
-        Ok(_) => Ok(bank),
+/// What the reader finds at fault with the bank: a defect of this compiler, and better found now than in
+/// a game.
+fn verify(bank: &[u8]) -> Result<(), Report> {
+    match Bank::open(bank).and_then(Bank::verify) {
+        Ok(_) => Ok(()),
         Err(error) if error.kind() == ErrorKind::TooManySteps => Err(Report::failure(
             "",
             Code::BankTooLarge,
