@@ -141,7 +141,7 @@ impl Discovery<'_> {
     }
 
     fn input(&mut self, path: PathBuf, key: String) {
-        self.inputs.push(Input { name: display(&path), key, content: Content::File(path) });
+        self.inputs.push(Input { key, content: Content::File(path) });
     }
 }
 

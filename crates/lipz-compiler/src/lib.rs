@@ -1,19 +1,21 @@
 //! Compiler of lipz dialogue banks.
 //!
-//! Data flows one way: [`discover`] → parse → check → localise → lower → [`replace_file`]. Every
-//! phase reports what it finds and goes on, so that one run shows all problems of all files; a bank
-//! is made only if none of them is an error. [`unpack`] goes the other way.
+//! Data flows one way: [`discover`] → parse → check → localise → lower → write. Every phase reports
+//! what it finds and goes on, so that one run shows all problems of all files; a bank is made only if
+//! none of them is an error. [`compile`] gives the bank, [`pack`] writes it. [`unpack`] goes the other
+//! way.
 //!
 //! A build script packs a folder like this:
 //!
 //! ```no_run
-//! use lipz_compiler::{Options, compile, discover, replace_file};
+//! use lipz_compiler::{Options, discover, pack};
 //! use std::path::{Path, PathBuf};
 //!
 //! let sources = PathBuf::from("voices");
 //! println!("cargo::rerun-if-changed={}", sources.display());
 //! let (inputs, mut reports) = discover(&[sources], None);
-//! let mut compiled = compile(&inputs, &Options::default(), &|_| {});
+//! let output = Path::new(&std::env::var("OUT_DIR").expect("set by cargo")).join("dialogue.lipzbank");
+//! let mut compiled = pack(&inputs, &Options::default(), &output, &|_| {});
 //! reports.append(&mut compiled.reports);
 //! for report in &reports {
 //!     for found in &report.diagnostics {
@@ -22,9 +24,7 @@
 //!         println!("cargo::warning={path}:{line}: {}: {headline} ({})", found.level, found.code);
 //!     }
 //! }
-//! let bank = compiled.bank.expect("findings at error level");
-//! let output = Path::new(&std::env::var("OUT_DIR").expect("set by cargo")).join("dialogue.lipzbank");
-//! replace_file(&output, &bank).expect("the bank cannot be written");
+//! compiled.bank.expect("findings at error level");
 //! ```
 //!
 //! What is not here: printing, settings files and exit codes (`lipz-cli`); other tools' formats.

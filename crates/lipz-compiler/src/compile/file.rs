@@ -26,7 +26,7 @@ impl Worker {
             Content::Bytes(bytes) => bytes.as_slice(),
             Content::File(path) => match self.reader.read(path) {
                 Ok(bytes) => bytes,
-                Err(finding) => return self.reports.push(Report::about(&input.name, finding)),
+                Err(report) => return self.reports.push(report),
             },
         };
         self.phases.read += lap.time();
@@ -45,7 +45,7 @@ impl Worker {
         if !diagnostics.is_empty() {
             diagnostics.sort_by_key(Diagnostic::start);
             let text = String::from_utf8_lossy(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)).into_owned();
-            self.reports.push(Report { source: Source { path: input.name.clone(), text }, diagnostics });
+            self.reports.push(Report { source: Source { path: input.name(), text }, diagnostics });
         }
     }
 }

@@ -187,7 +187,7 @@ fn read_all(inputs: &[Input], options: &Options, progress: &Progress<'_>) -> Run
 /// The report with the name of the file, where it has the key of a clip for a path.
 fn in_file(mut report: Report, inputs: &[Input]) -> Report {
     if let Some(input) = inputs.iter().find(|input| input.key == report.source.path) {
-        report.source.path.clone_from(&input.name);
+        report.source.path = input.name();
     }
     report
 }

@@ -1,5 +1,7 @@
 //! Reading files, each relative to the folder that it lies in.
 
+use crate::Report;
+use crate::discover::display;
 use lipz::{Code, Diagnostic};
 use std::fs::File;
 use std::io::{self, Read};
@@ -17,8 +19,8 @@ pub(super) struct FileReader {
 }
 
 impl FileReader {
-    /// The bytes of the file at `path`, or a finding if it cannot be read.
-    pub(super) fn read(&mut self, path: &Path) -> Result<&[u8], Diagnostic> {
+    /// The bytes of the file at `path`, or the report that it cannot be read.
+    pub(super) fn read(&mut self, path: &Path) -> Result<&[u8], Report> {
         let limit = lipz::MAX_FILE_BYTES as u64;
         self.bytes.clear();
         let read = self.open(path).and_then(|mut file| {
@@ -30,11 +32,12 @@ impl FileReader {
             // Some files do not tell their length: one byte too many shows that they are too large.
             file.take(limit + 1 - SMALL_FILE).read_to_end(&mut self.bytes).map(|_| true)
         });
-        match read {
-            Ok(true) => Ok(&self.bytes),
-            Ok(false) => Err(lipz::too_large()),
-            Err(error) => Err(Diagnostic::new(Code::UnreadableFile, format!("the file cannot be read: {error}"))),
-        }
+        let finding = match read {
+            Ok(true) => return Ok(&self.bytes),
+            Ok(false) => lipz::too_large(),
+            Err(error) => Diagnostic::new(Code::UnreadableFile, format!("the file cannot be read: {error}")),
+        };
+        Err(Report::about(display(path), finding))
     }
 
     #[cfg(not(unix))]
@@ -47,7 +50,7 @@ impl FileReader {
         use rustix::fs::{Mode, OFlags, openat};
         let (Some(folder), Some(name)) = (path.parent(), path.file_name()) else { return File::open(path) };
         // As strings: paths are compared part by part.
-        if !self.folder.as_ref().is_some_and(|(open, _)| open.as_os_str() == folder.as_os_str()) {
+        if self.folder.as_ref().is_none_or(|(open, _)| open.as_os_str() != folder.as_os_str()) {
             self.folder = File::open(folder).ok().map(|file| (folder.to_owned(), file));
         }
         let Some((_, folder)) = &self.folder else { return File::open(path) };

@@ -55,7 +55,7 @@ pub(crate) fn check(inputs: &[Input], reports: &mut Vec<Report>) {
         let key = &input.key;
         if let Some(why) = refusal(key) {
             reports.push(Report::failure(
-                &input.name,
+                input.name(),
                 Code::RefusedKey,
                 format!("the key `{}` cannot be used: {why}", show::text(key)),
                 "rename the file or folder: keys become file names on other systems when a bank is unpacked",
@@ -69,8 +69,8 @@ pub(crate) fn check(inputs: &[Input], reports: &mut Vec<Report>) {
         } else {
             clash(&before.key, key).help("rename one of the two")
         };
-        let finding = finding.note(format!("the other file is {}", before.name));
-        reports.push(Report::about(&input.name, finding));
+        let finding = finding.note(format!("the other file is {}", before.name()));
+        reports.push(Report::about(input.name(), finding));
     }
 }
 
