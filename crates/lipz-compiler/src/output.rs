@@ -106,3 +106,20 @@ impl Written {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn without_consent_nothing_changes() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("old.lipzbank");
+        replace_file(&path, b"old").unwrap();
+        let refused = || Err(Report::about("", Diagnostic::new(Code::BankDamaged, "refused")));
+        let report = replace_file_if(&path, b"new", refused).unwrap_err();
+        assert_eq!(report.diagnostics[0].headline, "refused");
+        assert_eq!(std::fs::read(&path).unwrap(), b"old");
+        assert_eq!(folder.path().read_dir().unwrap().count(), 1);
+    }
+}

@@ -62,3 +62,21 @@ impl Strings {
         self.range(0..self.count())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn strings_keep_their_ends() {
+        let mut strings = Strings::default();
+        for string in ["", "ab", "", "ü"] {
+            strings.push(string);
+        }
+        assert_eq!(strings.iter().collect::<Vec<_>>(), ["", "ab", "", "ü"]);
+        assert_eq!(strings.range(1..3).collect::<Vec<_>>(), ["ab", ""]);
+        assert_eq!((strings.get(0), strings.get(3), strings.count()), ("", "ü", 4));
+        strings.clear();
+        assert_eq!(strings.iter().next(), None);
+    }
+}

@@ -181,3 +181,37 @@ impl<'c> Clip<'c> {
         &self.clips.sources[self.range(|ends| ends.source)]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A clip of so many frames with texts that say their locale.
+    fn push(clips: &mut Clips, key: &str, frames: usize, tags: &[&str]) {
+        let mut clip = ClipData { frames: vec![b'-'; frames], starts: vec![0], ..ClipData::default() };
+        for tag in tags {
+            clip.displays.clear();
+            clip.displays.push(tag);
+            clip.add_displays(clips.locales.number(tag, true));
+        }
+        clips.push(key, &clip);
+    }
+
+    #[test]
+    fn batches_become_one_list_with_common_locales() {
+        let (mut first, mut second) = (Clips::default(), Clips::default());
+        push(&mut first, "c", 3, &["de-de", "fr-fr"]);
+        first.locales.number("it-it", true);
+        push(&mut first, "a", 1, &[]);
+        push(&mut second, "b", 2, &["en-us", "fr-fr"]);
+        let mut batches = [first, second];
+        assert_eq!(Clips::join_locales(&mut batches), ["de-de", "en-us", "fr-fr"].map(Box::from));
+        let clips = Clips::by_key(&batches);
+        let seen: Vec<_> = clips.iter().map(|clip| (clip.key(), clip.frames().len(), clip.place())).collect();
+        assert_eq!(seen, [("a", 1, (0, 1)), ("b", 2, (1, 0)), ("c", 3, (0, 0))]);
+        let run = |clip: &Clip<'_>, locale| clip.text(locale).map(|text| clip.run(text)[2..].to_vec());
+        let texts: Vec<_> = clips.iter().map(|clip| [0, 1, 2].map(|locale| run(clip, locale))).collect();
+        let [de, en, fr] = ["de-de", "en-us", "fr-fr"].map(|tag| Some(tag.into()));
+        assert_eq!(texts, [[None, None, None], [None, en, fr.clone()], [de, None, fr]]);
+    }
+}
