@@ -112,7 +112,7 @@ fn files(
             differences.add(|| format!("{}: {} {}", report.source.path, finding.code.number(), finding.headline));
         }
         if report.diagnostics.iter().any(|finding| finding.level == Level::Error) {
-            inputs.retain(|input| input.name != report.source.path);
+            inputs.retain(|input| input.name() != report.source.path);
         }
     }
     seen.warnings = lipz_compiler::count(&reports, Level::Warning);
@@ -121,9 +121,9 @@ fn files(
         let Content::File(path) = &input.content else { continue };
         let bytes = std::fs::read(path).map_err(|error| format!("`{}`: {error}", path.display()))?;
         match rows.get(&input.key) {
-            None => differences.add(|| format!("{}: no row", input.name)),
+            None => differences.add(|| format!("{}: no row", input.name())),
             Some(row) if row.is_stale(&bytes) => {
-                differences.add(|| format!("{}: stale row: the file has changed since", input.name));
+                differences.add(|| format!("{}: stale row: the file has changed since", input.name()));
             }
             Some(_) => {}
         }

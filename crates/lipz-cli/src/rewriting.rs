@@ -26,7 +26,7 @@ impl Rewriting {
             (Rewriting::InPlace, Content::File(path)) => {
                 rewrite_file(path, before, after.as_bytes()).map(|()| String::new())
             }
-            (Rewriting::Diff, _) => Ok(diff(&input.name, &String::from_utf8_lossy(before), after)),
+            (Rewriting::Diff, _) => Ok(diff(&input.name(), &String::from_utf8_lossy(before), after)),
             _ => Ok(String::new()),
         }
     }

@@ -17,7 +17,8 @@ pub(crate) fn is_meant(path: &Path) -> bool {
 
 /// Standard input as a Lipz file.
 pub(crate) fn lipz_file() -> Result<Input, Report> {
-    Ok(Input { key: INPUT_KEY.into(), name: INPUT_NAME.into(), content: Content::Bytes(lipz_bytes()?) })
+    let content = Content::Bytes { name: INPUT_NAME.into(), bytes: lipz_bytes()? };
+    Ok(Input { key: INPUT_KEY.into(), content })
 }
 
 /// The bytes of a Lipz file on standard input.

@@ -14,7 +14,7 @@ pub fn dependencies(sources: &[PathBuf], inputs: &[Input]) -> Vec<PathBuf> {
     });
     let files = inputs.iter().filter_map(|input| match &input.content {
         Content::File(path) => Some(path.clone()),
-        Content::Bytes(_) => None,
+        Content::Bytes { .. } => None,
     });
     let mut all: Vec<PathBuf> = folders.chain(files).collect();
     all.sort_unstable();

@@ -3,9 +3,10 @@
 use crate::key::EXTENSION;
 use crate::{Content, Input, Report};
 use lipz::{Code, Diagnostic};
+use std::ffi::OsStr;
 use std::io;
-use std::path::{Component, Path, PathBuf};
-use walkdir::WalkDir;
+use std::path::{Component, MAIN_SEPARATOR, Path, PathBuf};
+use walkdir::{DirEntry, WalkDir};
 
 /// The Lipz files of `sources`, with their keys.
 ///
@@ -17,12 +18,11 @@ use walkdir::WalkDir;
 /// Reports what cannot be found or read. Files are returned in the order of their paths.
 pub fn discover(sources: &[PathBuf], root: Option<&Path>) -> (Vec<Input>, Vec<Report>) {
     let root = root.map(plain);
-    let mut found = Discovery { root: root.as_deref(), source: 0, files: Vec::new(), reports: Vec::new() };
+    let mut found = Discovery { root: root.as_deref(), inputs: Vec::new(), reports: Vec::new() };
     for source in sources {
-        let before = (found.files.len(), found.reports.len());
+        let before = (found.inputs.len(), found.reports.len());
         found.source(&plain(source));
-        found.source += 1;
-        if (found.files.len(), found.reports.len()) == before {
+        if (found.inputs.len(), found.reports.len()) == before {
             found.reports.push(Report::failure(
                 display(source),
                 Code::NoSources,
@@ -31,16 +31,22 @@ pub fn discover(sources: &[PathBuf], root: Option<&Path>) -> (Vec<Input>, Vec<Re
             ));
         }
     }
-    let mut files = found.files;
-    // As strings: paths are compared part by part, which takes many times as long.
-    files.sort_unstable_by(|a, b| (a.path.as_os_str(), a.source).cmp(&(b.path.as_os_str(), b.source)));
-    files.dedup_by(|next, first| next.path.as_os_str() == first.path.as_os_str());
-    let inputs = files.into_iter().map(|file| Input {
-        name: display(&file.path),
-        key: file.key,
-        content: Content::File(file.path),
-    });
-    (inputs.collect(), found.reports)
+    let mut inputs = found.inputs;
+    // As strings: paths are compared part by part, which takes many times as long. Equal ones stay in the
+    // order of the sources.
+    if !inputs.is_sorted_by_key(path) {
+        inputs.sort_by(|a, b| path(a).cmp(&path(b)));
+    }
+    inputs.dedup_by(|next, first| path(next) == path(first));
+    (inputs, found.reports)
+}
+
+/// The path of an input that was discovered.
+fn path(input: &Input) -> Option<&OsStr> {
+    match &input.content {
+        Content::File(path) => Some(path.as_os_str()),
+        Content::Bytes { .. } => None,
+    }
 }
 
 /// The path without `.` parts, so that `voices`, `./voices` and `voices/` are one folder. Links and
@@ -60,18 +66,9 @@ pub(crate) fn base(pattern: &str) -> PathBuf {
     Path::new(pattern).components().take_while(|part| !is_pattern(&part.as_os_str().to_string_lossy())).collect()
 }
 
-struct Found {
-    path: PathBuf,
-    key: String,
-    /// Number of the source that names it.
-    source: usize,
-}
-
 struct Discovery<'a> {
     root: Option<&'a Path>,
-    /// Number of the source that is looked at.
-    source: usize,
-    files: Vec<Found>,
+    inputs: Vec<Input>,
     reports: Vec<Report>,
 }
 
@@ -88,10 +85,16 @@ impl Discovery<'_> {
     }
 
     fn folder(&mut self, folder: &Path) {
-        for entry in WalkDir::new(folder).follow_links(true) {
+        let by_path = |a: &DirEntry, b: &DirEntry| a.path().as_os_str().cmp(b.path().as_os_str());
+        let prefix = key_prefix(folder, self.root.unwrap_or(folder));
+        for entry in WalkDir::new(folder).follow_links(true).sort_by(by_path) {
             match entry {
                 Ok(entry) if entry.file_type().is_file() && is_lipz(entry.path()) => {
-                    self.file(entry.into_path(), folder);
+                    let path = entry.into_path();
+                    match prefix.as_deref().and_then(|prefix| key_below(&path, folder, prefix)) {
+                        Some(key) => self.input(path, key),
+                        None => self.file(path, folder),
+                    }
                 }
                 Ok(_) => {}
                 Err(error) => {
@@ -135,13 +138,17 @@ impl Discovery<'_> {
 
     fn file(&mut self, path: PathBuf, base: &Path) {
         match key_of(&path, self.root.unwrap_or(base)) {
-            Ok(key) => self.files.push(Found { path, key, source: self.source }),
+            Ok(key) => self.input(path, key),
             Err((why, help)) => {
                 let path = display(&path);
                 let headline = format!("`{path}` has no key: {why}");
                 self.reports.push(Report::failure(path, Code::RefusedKey, headline, help));
             }
         }
+    }
+
+    fn input(&mut self, path: PathBuf, key: String) {
+        self.inputs.push(Input { key, content: Content::File(path) });
     }
 }
 
@@ -203,8 +210,29 @@ fn resolved_below(path: &Path, root: &Path) -> Option<PathBuf> {
     Some(folder.strip_prefix(root).ok()?.join(path.file_name()?))
 }
 
+/// What the keys of the files in `folder` start with; `None` if that depends on the file.
+fn key_prefix(folder: &Path, root: &Path) -> Option<String> {
+    let mut prefix = key_of(folder, root).ok()?;
+    if is_lipz(folder) {
+        return None;
+    }
+    if !prefix.is_empty() {
+        prefix.push('/');
+    }
+    Some(prefix)
+}
+
+/// The same as [`key_of`] for a file that was found in `folder`, whose keys start with `prefix`: without
+/// taking the path to pieces.
+fn key_below(path: &Path, folder: &Path, prefix: &str) -> Option<String> {
+    let below = path.to_str()?.strip_prefix(folder.to_str()?)?.trim_start_matches(MAIN_SEPARATOR);
+    let stem = below.get(..below.len().checked_sub(EXTENSION.len() + 1)?)?;
+    let key = [prefix, stem].concat();
+    Some(if MAIN_SEPARATOR == '/' { key } else { key.replace(MAIN_SEPARATOR, "/") })
+}
+
 /// A path as messages show it: with `/` on every system.
 pub(crate) fn display(path: &Path) -> String {
     let path = path.to_string_lossy();
-    if std::path::MAIN_SEPARATOR == '/' { path.into_owned() } else { path.replace(std::path::MAIN_SEPARATOR, "/") }
+    if MAIN_SEPARATOR == '/' { path.into_owned() } else { path.replace(MAIN_SEPARATOR, "/") }
 }

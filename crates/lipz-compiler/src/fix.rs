@@ -1,5 +1,6 @@
 //! Applying the certain fixes of a file's findings, until there are none left.
 
+use crate::clip::{ClipData, Locales};
 use crate::{Options, check};
 use lipz::diagnostic::Fix;
 use lipz::{Code, Diagnostic, fix};
@@ -57,7 +58,7 @@ fn findings<'f>(bytes: &'f [u8], options: &Options) -> Option<(&'f str, Vec<Diag
     let text = std::str::from_utf8(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)).ok()?;
     let mut parsed = lipz::parse(bytes);
     if let Some(document) = &parsed.document {
-        check::check(document, options, &mut parsed.diagnostics);
+        check::check(document, options, &mut Locales::default(), &mut ClipData::default(), &mut parsed.diagnostics);
     }
     let is_allowed = |code: Code| matches!(options.levels.get(&code), Some(None));
     parsed.diagnostics.retain(|finding| finding.fix.is_some() && !is_allowed(finding.code));

@@ -1,5 +1,7 @@
 //! The inputs of a run: Lipz files with their keys.
 
+use crate::discover::display;
+use crate::key::EXTENSION;
 use std::path::PathBuf;
 
 /// One Lipz file to be packed.
@@ -7,8 +9,6 @@ use std::path::PathBuf;
 pub struct Input {
     /// The clip's key: path below the source root, with `/`, without extension.
     pub key: String,
-    /// How messages name the file.
-    pub name: String,
     /// Where the bytes are.
     pub content: Content,
 }
@@ -19,13 +19,26 @@ pub enum Content {
     /// In a file.
     File(PathBuf),
     /// Here.
-    Bytes(Vec<u8>),
+    Bytes {
+        /// How messages name the file.
+        name: String,
+        /// The bytes.
+        bytes: Vec<u8>,
+    },
 }
 
 impl Input {
     /// An input in memory; messages call it `key.lipz`.
     pub fn from_bytes(key: impl Into<String>, bytes: impl Into<Vec<u8>>) -> Input {
         let key = key.into();
-        Input { name: format!("{key}.lipz"), key, content: Content::Bytes(bytes.into()) }
+        Input { content: Content::Bytes { name: format!("{key}.{EXTENSION}"), bytes: bytes.into() }, key }
+    }
+
+    /// How messages name the file: by its path, with `/` on every system.
+    pub fn name(&self) -> String {
+        match &self.content {
+            Content::File(path) => display(path),
+            Content::Bytes { name, .. } => name.clone(),
+        }
     }
 }

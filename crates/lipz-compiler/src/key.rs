@@ -30,7 +30,9 @@ pub fn refusal(key: &str) -> Option<String> {
     if key.len() > MAX_KEY_BYTES {
         return Some(format!("it has {} bytes, more than {MAX_KEY_BYTES}", key.len()));
     }
-    if let Some(bad) = key.chars().find(|&c| c.is_control() || "\\:<>\"|?*".contains(c)) {
+    if let Some(bad) =
+        key.chars().find(|&c| c.is_control() || matches!(c, '\\' | ':' | '<' | '>' | '"' | '|' | '?' | '*'))
+    {
         return Some(format!("it contains {}, which Windows does not allow", show::character(bad)));
     }
     match key {
@@ -39,9 +41,9 @@ pub fn refusal(key: &str) -> Option<String> {
         _ if key.ends_with('/') => return Some("it ends with `/`".into()),
         _ => {}
     }
-    let parts: Vec<&str> = key.split('/').collect();
-    let folders = parts.len() - 1;
-    parts.iter().enumerate().find_map(|(index, part)| part_refusal(part, index < folders))
+    let (folders, file) = key.rsplit_once('/').map_or((None, key), |(folders, file)| (Some(folders), file));
+    let folders = folders.into_iter().flat_map(|folders| folders.split('/'));
+    folders.map(|part| (part, true)).chain([(file, false)]).find_map(|(part, is_folder)| part_refusal(part, is_folder))
 }
 
 fn part_refusal(part: &str, is_folder: bool) -> Option<String> {
@@ -61,22 +63,24 @@ fn part_refusal(part: &str, is_folder: bool) -> Option<String> {
         return Some(format!("`{}` has {} bytes, more than {MAX_PART_BYTES}", shown(), part.len()));
     }
     let stem = part.split('.').next().unwrap_or(part).trim_end();
-    if stem.len() <= "CONOUT$".len() && is_device(&stem.to_uppercase()) {
+    if is_device(stem) {
         return Some(format!("`{}` is the name of a device on Windows", shown()));
     }
-    if is_folder && part.to_ascii_lowercase().ends_with(".lipz") {
+    if is_folder && part.rsplit_once('.').is_some_and(|(_, extension)| extension.eq_ignore_ascii_case(EXTENSION)) {
         return Some(format!("the folder `{}` is named like a Lipz file", shown()));
     }
     None
 }
 
-/// Whether Windows has a device of this name, in capitals.
+/// Whether Windows has a device of this name.
 fn is_device(stem: &str) -> bool {
-    match stem {
-        "CON" | "PRN" | "AUX" | "NUL" | "CONIN$" | "CONOUT$" => true,
-        _ => stem.strip_prefix("COM").or_else(|| stem.strip_prefix("LPT")).is_some_and(|digit| {
-            matches!(digit, "0" | "1" | "2" | "3" | "4" | "5" | "6" | "7" | "8" | "9" | "¹" | "²" | "³")
-        }),
+    let is = |name: &str| stem.eq_ignore_ascii_case(name);
+    match (stem.get(..3), stem.get(3..)) {
+        (Some(_), Some("")) => ["CON", "PRN", "AUX", "NUL"].into_iter().any(is),
+        (Some(port), Some("0" | "1" | "2" | "3" | "4" | "5" | "6" | "7" | "8" | "9" | "¹" | "²" | "³")) => {
+            port.eq_ignore_ascii_case("COM") || port.eq_ignore_ascii_case("LPT")
+        }
+        _ => is("CONIN$") || is("CONOUT$"),
     }
 }
 

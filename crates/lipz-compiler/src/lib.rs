@@ -1,9 +1,9 @@
 //! Compiler of lipz dialogue banks.
 //!
-//! Data flows one way: [`discover`] → parse → check → localise → lower → [`replace_file`]. Every
-//! phase reports what it finds and goes on, so that one run shows all problems of all files; a bank
-//! is made only if none of them is an error. [`unpack`] goes the other way, [`diff`](mod@diff) compares two
-//! banks.
+//! Data flows one way: [`discover`] → parse → check → localise → lower → write. Every phase reports
+//! what it finds and goes on, so that one run shows all problems of all files; a bank is made only if
+//! none of them is an error. [`compile`] gives the bank, [`pack`] writes it. [`unpack`] goes the other
+//! way, [`diff`](mod@diff) compares two banks.
 //!
 //! A build script packs a folder with [`Build`], which puts the bank and a constant for each clip
 //! where the program finds them:
@@ -46,10 +46,11 @@ pub mod settings;
 mod source_record;
 mod split;
 pub mod stats;
+mod strings;
 mod unpack;
 
 pub use build::{Build, BuildFailed};
-pub use compile::{Compiled, Phases, Progress, check_all, compile};
+pub use compile::{Compiled, Phases, Progress, check_all, compile, pack};
 pub use convert::{Converted, convert};
 pub use depend::{dependencies, depfile};
 pub use discover::discover;

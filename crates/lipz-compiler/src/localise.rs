@@ -1,9 +1,8 @@
 //! Locales of the bank, and which text each clip shows in each of them.
 
 use crate::Options;
-use crate::clip::ClipData;
+use crate::clip::Clip;
 use lipz::locale::language;
-use std::collections::BTreeMap;
 
 /// The locales of a bank with the texts of all clips.
 #[derive(Debug, PartialEq, Eq)]
@@ -15,7 +14,7 @@ pub(crate) struct Localised {
 /// The texts of one locale.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct LocaleColumn {
-    pub(crate) tag: String,
+    pub(crate) tag: Box<str>,
     pub(crate) is_default: bool,
     /// For each clip: where its text is.
     pub(crate) texts: Vec<Choice>,
@@ -24,7 +23,7 @@ pub(crate) struct LocaleColumn {
 /// Where the text of a clip in a locale is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Choice {
-    /// The clip has a text in the locale: its index in `ClipData::texts`.
+    /// The clip has a text in the locale: its index in `Clip::texts`.
     Own(u32),
     /// It does not, and shows that of the locale with this index.
     Fallback(u32),
@@ -32,30 +31,18 @@ pub(crate) enum Choice {
     Missing,
 }
 
-/// Finds the locales of `clips` and resolves fallback: a locale falls back to those of the same
-/// language (the default locale first, then by tag), then to the default locale.
-pub(crate) fn localise(clips: &[ClipData], options: &Options) -> Localised {
+/// Resolves fallback for `clips`, whose texts refer to `tags`: a locale falls back to those of the
+/// same language (the default locale first, then by tag), then to the default locale.
+pub(crate) fn localise(clips: &[Clip<'_>], tags: &[Box<str>], options: &Options) -> Localised {
     let default = options.default_locale.as_deref();
-    let mut index_of: BTreeMap<&str, usize> = BTreeMap::new();
-    for text in clips.iter().flat_map(|clip| &clip.texts) {
-        if !index_of.contains_key(text.locale.as_ref()) {
-            index_of.insert(&text.locale, 0);
-        }
-    }
-    for (index, (_, value)) in index_of.iter_mut().enumerate() {
-        *value = index;
-    }
-    let tags: Vec<&str> = index_of.keys().copied().collect();
     let mut own = vec![vec![Choice::Missing; clips.len()]; tags.len()];
     for (at, clip) in clips.iter().enumerate() {
-        for (index, text) in (0..).zip(&clip.texts) {
-            if let Some(column) = index_of.get(text.locale.as_ref()).and_then(|&locale| own.get_mut(locale)) {
-                column[at] = Choice::Own(index);
-            }
+        for (index, text) in (0..).zip(clip.texts()) {
+            own[text.locale as usize][at] = Choice::Own(index);
         }
     }
     let locales = tags.iter().enumerate().map(|(locale, tag)| {
-        let chain = chain(&tags, locale, default);
+        let chain = chain(tags, locale, default);
         let choice = |(at, choice): (usize, &Choice)| match choice {
             Choice::Missing => chain
                 .iter()
@@ -64,15 +51,15 @@ pub(crate) fn localise(clips: &[ClipData], options: &Options) -> Localised {
             own => *own,
         };
         let texts = own[locale].iter().enumerate().map(choice).collect();
-        LocaleColumn { tag: (*tag).to_owned(), is_default: Some(*tag) == default, texts }
+        LocaleColumn { tag: tag.clone(), is_default: Some(tag.as_ref()) == default, texts }
     });
     Localised { locales: locales.collect() }
 }
 
 /// The locales that `locale` falls back to, in order.
-fn chain(tags: &[&str], locale: usize, default: Option<&str>) -> Vec<usize> {
-    let default = tags.iter().position(|tag| Some(*tag) == default);
-    let same_language = |other: &usize| language(tags[*other]) == language(tags[locale]);
+fn chain(tags: &[Box<str>], locale: usize, default: Option<&str>) -> Vec<usize> {
+    let default = tags.iter().position(|tag| Some(tag.as_ref()) == default);
+    let same_language = |other: &usize| language(&tags[*other]) == language(&tags[locale]);
     let mut chain: Vec<usize> = default.into_iter().filter(same_language).collect();
     chain.extend((0..tags.len()).filter(same_language));
     chain.extend(default);
@@ -83,26 +70,29 @@ fn chain(tags: &[&str], locale: usize, default: Option<&str>) -> Vec<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::clip::{ClipData, Clips};
 
-    fn clip(locales: &[&str]) -> ClipData {
-        let mut clip = ClipData { starts: vec![0], ..ClipData::default() };
-        for tag in locales {
-            clip.add_texts((*tag).into(), &[tag]);
+    /// Localises clips with texts in these locales.
+    fn localised(clips: &[&[&str]], default: Option<&str>) -> Localised {
+        let mut store = Clips::default();
+        for (key, tags) in ('a'..).zip(clips) {
+            let mut clip = ClipData { starts: vec![0], ..ClipData::default() };
+            for tag in *tags {
+                clip.add_displays(store.locales.number(tag, true));
+            }
+            store.push(&key.to_string(), &clip);
         }
-        clip
+        let mut batches = [store];
+        let tags = Clips::join_locales(&mut batches);
+        let options = Options { default_locale: default.map(Into::into), ..Options::default() };
+        localise(&Clips::by_key(&batches), &tags, &options)
     }
 
     #[test]
     fn same_language_then_default() {
-        let clips = [
-            clip(&["de-at", "de-ch", "de-de", "en-us"]),
-            clip(&["de-ch", "en-us"]),
-            clip(&["en-us"]),
-            clip(&["fr-fr"]),
-        ];
-        let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
-        let localised = localise(&clips, &options);
-        let of = |tag: &str| &localised.locales.iter().find(|locale| locale.tag == tag).unwrap().texts;
+        let clips: [&[&str]; 4] = [&["de-at", "de-ch", "de-de", "en-us"], &["de-ch", "en-us"], &["en-us"], &["fr-fr"]];
+        let localised = localised(&clips, Some("en-us"));
+        let of = |tag: &str| &localised.locales.iter().find(|locale| *locale.tag == *tag).unwrap().texts;
         use Choice::{Fallback, Missing, Own};
         // de-at, de-ch, de-de, en-us, fr-fr
         assert_eq!(*of("de-at"), [Own(0), Fallback(1), Fallback(3), Missing]);
@@ -113,11 +103,8 @@ mod tests {
 
     #[test]
     fn the_default_goes_first_within_its_language() {
-        let clips = [clip(&["en-au", "en-us"]), clip(&["en-gb"])];
-        let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
-        let localised = localise(&clips, &options);
-        assert_eq!(localised.locales[1].texts, [Choice::Fallback(2), Choice::Own(0)]);
-        let without_default = localise(&clips, &Options::default());
-        assert_eq!(without_default.locales[1].texts, [Choice::Fallback(0), Choice::Own(0)]);
+        let clips: [&[&str]; 2] = [&["en-au", "en-us"], &["en-gb"]];
+        assert_eq!(localised(&clips, Some("en-us")).locales[1].texts, [Choice::Fallback(2), Choice::Own(0)]);
+        assert_eq!(localised(&clips, None).locales[1].texts, [Choice::Fallback(0), Choice::Own(0)]);
     }
 }

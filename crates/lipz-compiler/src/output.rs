@@ -5,6 +5,7 @@ use lipz::{Code, Diagnostic};
 use std::fs::File;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
 
 /// Replaces the file at `path` by `bytes`: writes a temporary file in the same folder, syncs it and
 /// renames it. Whenever the process or the machine stops, `path` is the old file or the new one; what
@@ -15,12 +16,25 @@ use std::path::{Path, PathBuf};
 /// Whatever the file system refuses, and a `path` that is a folder, a pipe or a device; it is
 /// unchanged then.
 pub fn replace_file(path: &Path, bytes: &[u8]) -> Result<(), Report> {
-    replace(path, bytes).map_err(|error| {
+    replace_file_if(path, bytes, || Ok(()))
+}
+
+/// The same, if `check` finds nothing: it runs while the temporary file is written and synced, and
+/// without its consent that is never renamed.
+pub(crate) fn replace_file_if(
+    path: &Path,
+    bytes: &[u8],
+    check: impl FnOnce() -> Result<(), Report> + Send,
+) -> Result<(), Report> {
+    let failed = |error: io::Error| {
         let shown = discover::display(path);
         let headline = format!("`{shown}` cannot be written: {}", why(path, &error));
         let finding = Diagnostic::new(Code::OutputFailed, headline);
         Report::about(shown, finding.note("whatever was there before is unchanged"))
-    })
+    };
+    let (written, checked) = rayon::join(|| Written::beside(path, bytes), check);
+    checked?;
+    written.and_then(Written::replace).map_err(failed)
 }
 
 /// Why the file at `path` cannot be written.
@@ -58,29 +72,58 @@ fn target(path: &Path) -> io::Result<PathBuf> {
     }
 }
 
-fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let path = &target(path)?;
-    let folder = folder_of(path);
-    std::fs::create_dir_all(folder)?;
-    let prefix = format!(".{}.", path.file_name().unwrap_or_default().to_string_lossy());
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(&prefix).suffix(".tmp");
-    #[cfg(unix)]
-    {
-        // Temporary files are private by default; a bank is as public as the umask allows.
-        use std::os::unix::fs::PermissionsExt;
-        builder.permissions(std::fs::Permissions::from_mode(0o666));
+/// A new file, written and synced, beside the one that it will replace.
+struct Written {
+    temporary: NamedTempFile,
+    target: PathBuf,
+}
+
+impl Written {
+    fn beside(path: &Path, bytes: &[u8]) -> io::Result<Written> {
+        let target = target(path)?;
+        let folder = folder_of(&target);
+        std::fs::create_dir_all(folder)?;
+        let prefix = format!(".{}.", target.file_name().unwrap_or_default().to_string_lossy());
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(&prefix).suffix(".tmp");
+        #[cfg(unix)]
+        {
+            // Temporary files are private by default; a bank is as public as the umask allows.
+            use std::os::unix::fs::PermissionsExt;
+            builder.permissions(std::fs::Permissions::from_mode(0o666));
+        }
+        let mut temporary = builder.tempfile_in(folder)?;
+        temporary.write_all(bytes)?;
+        if let Ok(metadata) = target.metadata() {
+            temporary.as_file().set_permissions(metadata.permissions())?;
+        }
+        temporary.as_file().sync_all()?;
+        Ok(Written { temporary, target })
     }
-    let mut temporary = builder.tempfile_in(folder)?;
-    temporary.write_all(bytes)?;
-    if let Ok(metadata) = path.metadata() {
-        temporary.as_file().set_permissions(metadata.permissions())?;
+
+    fn replace(self) -> io::Result<()> {
+        self.temporary.persist(&self.target).map_err(|error| error.error)?;
+        if cfg!(unix) {
+            // Make the rename last, too. Some file systems cannot: the bank is there all the same.
+            let _ = File::open(folder_of(&self.target)).and_then(|folder| folder.sync_all());
+        }
+        Ok(())
     }
-    temporary.as_file().sync_all()?;
-    temporary.persist(path).map_err(|error| error.error)?;
-    if cfg!(unix) {
-        // Make the rename last, too. Some file systems cannot: the bank is there all the same.
-        let _ = File::open(folder).and_then(|folder| folder.sync_all());
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn without_consent_nothing_changes() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("old.lipzbank");
+        replace_file(&path, b"old").unwrap();
+        let refused = || Err(Report::about("", Diagnostic::new(Code::BankDamaged, "refused")));
+        let report = replace_file_if(&path, b"new", refused).unwrap_err();
+        assert_eq!(report.diagnostics[0].headline, "refused");
+        assert_eq!(std::fs::read(&path).unwrap(), b"old");
+        assert_eq!(folder.path().read_dir().unwrap().count(), 1);
     }
-    Ok(())
 }

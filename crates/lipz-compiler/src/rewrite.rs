@@ -1,6 +1,6 @@
 //! Rewriting source files: each is read, handed to a tool, and replaced as a whole.
 
-use crate::compile::{in_pool, read_file};
+use crate::compile::{FileReader, in_pool};
 use crate::{Content, Input, Options, Progress, Report, discover, replace_file};
 use lipz::{Code, Diagnostic};
 use rayon::prelude::*;
@@ -14,21 +14,15 @@ pub fn each_file<R: Send>(
     progress: &Progress<'_>,
     work: impl Fn(&Input, &[u8]) -> R + Send + Sync,
 ) -> Vec<Result<R, Report>> {
-    let one = |buffer: &mut Vec<u8>, input: &Input| {
+    let one = |reader: &mut FileReader, input: &Input| {
         let result = match &input.content {
-            Content::Bytes(bytes) => Ok(work(input, bytes)),
-            Content::File(path) => {
-                buffer.clear();
-                match read_file(path, buffer) {
-                    None => Ok(work(input, buffer)),
-                    Some(finding) => Err(Report::about(&input.name, finding)),
-                }
-            }
+            Content::Bytes { bytes, .. } => Ok(work(input, bytes)),
+            Content::File(path) => reader.read(path).map(|bytes| work(input, bytes)),
         };
         progress(1);
         result
     };
-    in_pool(options, || inputs.par_iter().map_init(Vec::new, one).collect())
+    in_pool(options, || inputs.par_iter().map_init(FileReader::default, one).collect())
 }
 
 /// Replaces the file at `path`, which was read as `before`, by `after`, as [`replace_file`] does.
@@ -45,12 +39,12 @@ pub fn rewrite_file(path: &Path, before: &[u8], after: &[u8]) -> Result<(), Repo
     if path.metadata().is_ok_and(|metadata| metadata.permissions().readonly()) {
         return refused("it is read-only", "make it writable, or check it out if your version control locks files");
     }
-    let mut now = Vec::with_capacity(before.len());
-    let is_read = read_file(path, &mut now).is_none();
-    if is_read && now == after {
+    let mut reader = FileReader::default();
+    let now = reader.read(path).ok();
+    if now == Some(after) {
         return Ok(()); // through another name of the same file
     }
-    if !is_read || now != before {
+    if now != Some(before) {
         return refused("another program has changed it in the meantime", "run the command again");
     }
     replace_file(path, after)

@@ -4,7 +4,7 @@
 //! a file without padding, meta and unknown elements costs a few bytes, and equal records are
 //! stored once. `docs/FORMAT.md`, "Source records", describes the encoding.
 
-use crate::clip::ClipData;
+use crate::clip::{ClipData, Locales};
 use lipz::{Document, Value};
 use std::collections::HashSet;
 
@@ -48,15 +48,14 @@ pub(crate) enum Recorded<'r> {
     Other(&'r str),
 }
 
-/// The record of `document`, which was checked to be `clip`.
-pub(crate) fn encode(document: &Document<'_>, clip: &ClipData) -> Vec<u8> {
-    let mut record = Vec::with_capacity(2 + 4 * document.elements.len());
+/// Gives `clip` the record of `document`, which was checked to be it.
+pub(crate) fn encode(document: &Document<'_>, locales: &Locales, clip: &mut ClipData) {
+    let mut record = std::mem::take(&mut clip.source);
     push_number(&mut record, document.elements.len() as u64);
     for element in &document.elements {
         let name = element.name.text.as_ref();
-        let own_text = name
-            .strip_prefix("text_")
-            .and_then(|tag| clip.texts.binary_search_by(|text| text.locale.as_ref().cmp(tag)).ok());
+        let locale = name.strip_prefix("text_").and_then(|tag| locales.get(tag));
+        let own_text = locale.and_then(|locale| clip.texts.iter().position(|text| text.locale == locale));
         match (NAMED.iter().position(|known| *known == name), own_text) {
             (Some(index), _) => push_number(&mut record, 1 + index as u64),
             (None, Some(index)) => push_number(&mut record, FIRST_TEXT + index as u64),
@@ -75,7 +74,7 @@ pub(crate) fn encode(document: &Document<'_>, clip: &ClipData) -> Vec<u8> {
             Value::Other(raw) => push_spelled(&mut record, Kind::Other, &raw.text),
         }
     }
-    record
+    clip.source = record;
 }
 
 /// Whether the bank holds the element joined to one segment, because its number of segments is not
@@ -89,7 +88,7 @@ fn held_bytes(name: &str, own_text: Option<usize>, clip: &ClipData) -> Option<us
     match name {
         "viseme_type" => clip.viseme_type.map(|viseme_type| viseme_type.name().len()),
         "visemes" => Some(clip.frames.len()),
-        "events" => clip.events.as_ref().map(|events| events.iter().map(|event| event.len()).sum()),
+        "events" => clip.has_events.then(|| clip.events.text().len()),
         _ => clip.texts.get(own_text?).map(|text| clip.text_bytes(text)),
     }
 }
@@ -218,8 +217,11 @@ mod tests {
             lipz::parse(br#"{"visemes":"A|-","text_en-us":" {x} Hi | ","fps":24.0,"q":[1],"text_de-de":" Na  |"}"#)
                 .document
                 .unwrap();
-        let clip = crate::check::check(&document, &crate::Options::default(), &mut Vec::new());
-        let record = encode(&document, &clip);
+        let (mut clip, mut locales) = (ClipData::default(), Locales::default());
+        let options = crate::Options::default();
+        crate::check::check(&document, &options, &mut locales, &mut clip, &mut Vec::new());
+        encode(&document, &locales, &mut clip);
+        let record = clip.source;
         let elements = decode(&record, 2).unwrap();
         assert_eq!(elements[0], (Name::Known("visemes"), Recorded::AsInBank));
         assert_eq!(elements[1], (Name::OwnText(1), Recorded::String(" {x} Hi | ")));

@@ -72,11 +72,11 @@ impl<'data> Whole<'data> {
         // Keys come first, in one piece.
         let keys_bytes = self.bank.clips().map(|clip| clip.key().len()).sum();
         let sections = Tag::REQUIRED.map(|(tag, _)| match tag {
-            Tag::LOCALES | Tag::TEXT_INDEX | Tag::TEXTS => Section::required(tag, &[]),
-            Tag::NAMES => Section::required(tag, names.get(..keys_bytes).unwrap_or(names)),
-            other => Section::required(other, self.section(other)),
+            Tag::LOCALES | Tag::TEXT_INDEX | Tag::TEXTS => Section::table(tag, &[]),
+            Tag::NAMES => Section::table(tag, names.get(..keys_bytes).unwrap_or(names)),
+            other => Section::table(other, self.section(other)),
         });
-        assemble(&sections, self.index_seed, self.bank.fingerprint())
+        assemble(&sections, self.index_seed, self.bank.fingerprint(), |_| ())
     }
 
     /// The texts of one locale, whose part of the text index is `table`: runs in the order of the keys,
@@ -87,15 +87,14 @@ impl<'data> Whole<'data> {
         let mut index = vec![U32::new(NO_TEXT); entries.len()];
         let mut runs = Vec::new();
         let mut offsets = HashMap::new();
-        let mut length = 0;
         for clip in self.bank.clips() {
             let slot = clip.slot() as usize;
             let (Some(entry), Some(to)) = (entries.get(slot), index.get_mut(slot)) else { continue };
             let Some(run) = run(pool, entry.get(), clip, locale) else { continue };
             let offset = *offsets.entry(run).or_insert_with(|| {
-                runs.push(run);
-                length += run.len();
-                length - run.len()
+                let offset = runs.len();
+                runs.extend_from_slice(run);
+                offset
             });
             *to = U32::new(fit(offset, "texts")? | entry.get() & (TEXT_WIDE | TEXT_FALLBACK));
         }
@@ -106,12 +105,12 @@ impl<'data> Whole<'data> {
             flags: if locale.is_default() { LOCALE_DEFAULT } else { 0 }.into(),
         };
         let sections = [
-            Section::required(Tag::NAMES, tag.as_bytes()),
-            Section::required(Tag::LOCALES, record.as_bytes()),
-            Section::required(Tag::TEXT_INDEX, index.as_bytes()),
-            Section::of_pieces(Tag::TEXTS, runs),
+            Section::table(Tag::NAMES, tag.as_bytes()),
+            Section::table(Tag::LOCALES, record.as_bytes()),
+            Section::table(Tag::TEXT_INDEX, index.as_bytes()),
+            Section::table(Tag::TEXTS, &runs),
         ];
-        assemble(&sections, 0, self.bank.fingerprint())
+        assemble(&sections, 0, self.bank.fingerprint(), |_| ())
     }
 }
 

@@ -26,6 +26,11 @@ const MAX_PLACES: usize = 34;
 /// assert_eq!(parse("0.999"), None);
 /// ```
 pub fn parse(number: &str) -> Option<Rate> {
+    // Nearly every rate is a whole number of two digits.
+    if let &[tens @ b'1'..=b'9', ones @ b'0'..=b'9'] = number.as_bytes() {
+        let numerator = u32::from(tens - b'0') * 10 + u32::from(ones - b'0');
+        return Some(Rate { numerator, denominator: 1, is_exact: true });
+    }
     let (mantissa, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
     let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
     // An exponent beyond i64 leaves the range, or meets a mantissa too long for any file.

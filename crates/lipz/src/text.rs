@@ -25,6 +25,10 @@ pub fn segment_count(text: &str) -> usize {
 /// A text without the white space at its ends, as JSON has white space: blank, tab, CR, LF.
 /// Everything else (U+00A0, U+200B, …) is content.
 pub fn trim(text: &str) -> &str {
+    let is_blank = |byte: &u8| is_white_space(char::from(*byte));
+    if !text.as_bytes().first().is_some_and(is_blank) && !text.as_bytes().last().is_some_and(is_blank) {
+        return text; // without a look at whole characters
+    }
     text.trim_matches(is_white_space)
 }
 

@@ -2,7 +2,7 @@
 
 use crate::{Failure, place};
 use clap::ValueEnum;
-use lipz_compiler::{Options, Phases, compile, discover, replace_file};
+use lipz_compiler::{Options, Phases, discover};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::hint::black_box;
@@ -135,23 +135,19 @@ fn pack(folder: &Path, bank: &Path, threads: usize, strip: bool, measurement: &m
     let discovered = start.elapsed();
     let start = Instant::now();
     let options = Options { strip, threads: Some(threads), ..Options::default() };
-    let compiled = compile(&inputs, &options, &|_| {});
-    let compiling = start.elapsed();
+    let compiled = lipz_compiler::pack(&inputs, &options, bank, &|_| {});
+    let packing = start.elapsed();
     let finding = reports.iter().chain(&compiled.reports).flat_map(|report| &report.diagnostics).next();
     if let Some(finding) = finding {
-        return Err(format!("a made-up clip has a finding: {}", finding.headline));
+        return Err(format!("packing made-up clips: {}", finding.headline));
     }
-    let bytes = compiled.bank.ok_or("no bank")?;
-    let start = Instant::now();
-    replace_file(bank, &bytes).map_err(|report| format!("{:?}", report.diagnostics))?;
-    let written = start.elapsed();
-    measurement.bank_bytes = Some(bytes.len() as u64);
-    measurement.phases = phases(discovered, compiling, &compiled.phases, written);
+    measurement.bank_bytes = compiled.bank.map(|bank| bank.len() as u64);
+    measurement.phases = phases(discovered, packing, &compiled.phases);
     Ok(())
 }
 
-fn phases(discovered: Duration, compiling: Duration, phases: &Phases, written: Duration) -> Vec<(String, f64)> {
-    let accounted = phases.files + phases.localise + phases.lower + phases.verify;
+fn phases(discovered: Duration, packing: Duration, phases: &Phases) -> Vec<(String, f64)> {
+    let accounted = phases.files + phases.localise + phases.lower + phases.finish;
     let parts = [
         ("discover", discovered),
         ("read, parse, check", phases.files),
@@ -160,9 +156,8 @@ fn phases(discovered: Duration, compiling: Duration, phases: &Phases, written: D
         ("(check, all threads)", phases.check),
         ("localise", phases.localise),
         ("lower", phases.lower),
-        ("verify", phases.verify),
-        ("compile, in no phase", compiling.saturating_sub(accounted)),
-        ("write and sync", written),
+        ("verify; write and sync", phases.finish),
+        ("in no phase", packing.saturating_sub(accounted)),
     ];
     parts.map(|(name, time)| (name.to_owned(), time.as_secs_f64())).into()
 }

@@ -61,7 +61,7 @@ pub(crate) fn run(arguments: &Convert, findings: &mut Findings) -> Outcome {
             false => arguments.write(input, bytes, converted.text.as_deref()),
         };
         let found = !converted.diagnostics.is_empty();
-        let report = found.then(|| Report::of_file(&input.name, bytes, converted.diagnostics));
+        let report = found.then(|| Report::of_file(input.name(), bytes, converted.diagnostics));
         (is_changed, report.into_iter().chain(written.err()).collect::<Vec<_>>())
     });
     bar.finish_and_clear();

@@ -25,8 +25,11 @@ impl Fixing {
         if self.in_memory.is_empty() {
             return Cow::Borrowed(inputs);
         }
-        let fixed = |input: &Input| match self.in_memory.get(&input.name) {
-            Some(text) => Input { content: Content::Bytes(text.clone().into_bytes()), ..input.clone() },
+        let fixed = |input: &Input| match self.in_memory.get(&input.name()) {
+            Some(text) => {
+                let content = Content::Bytes { name: input.name(), bytes: text.clone().into_bytes() };
+                Input { key: input.key.clone(), content }
+            }
             None => input.clone(),
         };
         inputs.iter().map(fixed).collect()
@@ -50,9 +53,9 @@ pub(super) fn fix_all(settings: &Settings, quiet: bool, rewriting: Rewriting) ->
             Ok(Some(Ok((fixed, difference)))) => {
                 if rewriting == Rewriting::Diff {
                     fixing.changes.push_str(&difference);
-                    fixing.in_memory.insert(input.name, fixed.text);
+                    fixing.in_memory.insert(input.name(), fixed.text);
                 } else if !quiet {
-                    fixing.changes.push_str(&format!("{}: {} fixed\n", show::text(&input.name), mended(&fixed)));
+                    fixing.changes.push_str(&format!("{}: {} fixed\n", show::text(&input.name()), mended(&fixed)));
                 }
             }
             Ok(Some(Err(report))) => fixing.unwritten.push(report),

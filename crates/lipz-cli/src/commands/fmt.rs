@@ -65,7 +65,7 @@ pub(crate) fn run(arguments: &Fmt, findings: &mut Findings) -> Outcome {
     let (inputs, mut reports) = settings.discover();
     let bar = console::progress_bar(inputs.len(), arguments.quiet);
     let results = each_file(&inputs, &settings.options, &|count| bar.inc(count), |input, bytes| {
-        let after = formatted(&input.name, bytes, default_locale)?;
+        let after = formatted(&input.name(), bytes, default_locale)?;
         if after.as_bytes() == bytes {
             return Ok(None);
         }
@@ -79,7 +79,7 @@ pub(crate) fn run(arguments: &Fmt, findings: &mut Findings) -> Outcome {
             Ok(Some(difference)) => {
                 changed += 1;
                 if arguments.check {
-                    shown.push_str(&show::text(&input.name));
+                    shown.push_str(&show::text(&input.name()));
                     shown.push('\n');
                 }
                 shown.push_str(&difference);

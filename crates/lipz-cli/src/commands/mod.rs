@@ -19,13 +19,14 @@ pub(crate) mod unpack;
 pub(crate) mod verify;
 
 use crate::{Outcome, console, standard};
-use lipz::Level;
+use lipz::{Code, Level};
 use lipz_compiler::settings::Settings;
-use lipz_compiler::{Compiled, Input, Options, Progress, Report, count};
+use lipz_compiler::{Compiled, Input, Options, Progress, Report, check_all, count};
 use std::time::{Duration, Instant};
 
-/// Finds the inputs of a project and hands them to `work`, with a progress bar. What discovery found is
-/// added to the reports; a run without inputs has none of its own.
+/// Finds the inputs of a project and hands them to `work`, with a progress bar; if some cannot be found,
+/// they are only checked. What discovery found is added to the reports; a run without inputs has none of
+/// its own.
 fn with_inputs(
     settings: &Settings,
     quiet: bool,
@@ -35,7 +36,11 @@ fn with_inputs(
     let (inputs, mut reports) = find(settings);
     let discover = start.elapsed();
     let bar = console::progress_bar(inputs.len(), quiet);
-    let mut compiled = work(&inputs, &settings.options, &|count| bar.inc(count));
+    let progress = |files| bar.inc(files);
+    let mut compiled = match count(&reports, Level::Error) {
+        0 => work(&inputs, &settings.options, &progress),
+        _ => check_all(&inputs, &settings.options, &progress),
+    };
     bar.finish_and_clear();
     reports.append(&mut compiled.reports);
     reports.sort_by(|a, b| a.source.path.cmp(&b.source.path));
@@ -64,12 +69,13 @@ struct Run {
 }
 
 impl Run {
-    /// How the run ends, by its findings: with errors and without a single input, the tool could not
-    /// run.
+    /// How the run ends, by its findings: with errors and without a single input, or a way to write the
+    /// bank, the tool could not run.
     fn outcome(&self) -> Outcome {
+        let mut findings = self.reports.iter().flat_map(|report| &report.diagnostics);
         match count(&self.reports, Level::Error) {
             0 => Outcome::Clean,
-            _ if self.inputs.is_empty() => Outcome::Failed,
+            _ if self.inputs.is_empty() || findings.any(|found| found.code == Code::OutputFailed) => Outcome::Failed,
             _ => Outcome::Findings,
         }
     }

@@ -1,8 +1,9 @@
 //! Which element plays which role.
 
-use super::{locales, names, types};
+use super::locales::{keep_names_apart, text_locale};
+use super::{names, types};
 use crate::Options;
-use lipz::locale::{self, TextName};
+use crate::clip::Locales;
 use lipz::{Code, Diagnostic, Document, Element};
 use lipz::{JsonString, Raw};
 
@@ -19,7 +20,8 @@ pub(super) struct Roles<'d> {
 
 /// A text element whose locale is known.
 pub(super) struct TextElement<'d> {
-    pub(super) locale: Box<str>,
+    /// Number of the locale.
+    pub(super) locale: u32,
     pub(super) name: &'d JsonString<'d>,
     pub(super) string: &'d JsonString<'d>,
 }
@@ -30,40 +32,47 @@ impl<'d> Roles<'d> {
     pub(super) fn assign(
         document: &'d Document<'d>,
         options: &Options,
+        locales: &mut Locales,
         diagnostics: &mut Vec<Diagnostic>,
     ) -> Roles<'d> {
-        let mut roles = Roles::default();
+        let mut roles = Roles { texts: Vec::with_capacity(document.elements.len()), ..Roles::default() };
         for element in &document.elements {
             match element.name.text.as_ref() {
                 "fps" => roles.fps = types::number(element, diagnostics),
                 "viseme_type" => roles.viseme_type = types::string(element, diagnostics),
                 "visemes" => roles.visemes = types::string(element, diagnostics),
                 "events" => roles.events = types::string(element, diagnostics),
-                name => match locale::text_name(name) {
-                    Some(text_name) => roles.text(element, text_name, options, diagnostics),
+                _ => match text_locale(element, options, locales, diagnostics) {
+                    Some(locale) => roles.text(element, locale, locales, diagnostics),
                     None => diagnostics.push(names::unknown(element)),
                 },
             }
         }
-        locales::keep_names_apart(document, diagnostics);
+        keep_names_apart(document, diagnostics);
         roles
     }
 
-    fn text(&mut self, element: &'d Element<'d>, name: TextName, options: &Options, diagnostics: &mut Vec<Diagnostic>) {
-        let locale = locales::text_locale(element, name, options, diagnostics);
+    fn text(
+        &mut self,
+        element: &'d Element<'d>,
+        locale: Option<u32>,
+        locales: &Locales,
+        diagnostics: &mut Vec<Diagnostic>,
+    ) {
         let (Some(locale), Some(string)) = (locale, types::string(element, diagnostics)) else { return };
-        if let Some(before) = self.texts.iter().find(|text| *text.locale == *locale) {
+        if let Some(before) = self.texts.iter().find(|text| text.locale == locale) {
+            let tag = locales.tag(locale);
             diagnostics.push(
                 Diagnostic::at(
                     Code::SameLocaleTwice,
                     element.name.span(),
-                    format!("a second text for the locale `{locale}`"),
+                    format!("a second text for the locale `{tag}`"),
                 )
                 .also(before.name.span(), "the first one")
                 .help("remove or rename one of the two"),
             );
             return;
         }
-        self.texts.push(TextElement { locale: locale.into(), name: &element.name, string });
+        self.texts.push(TextElement { locale, name: &element.name, string });
     }
 }

@@ -1,13 +1,32 @@
 //! The locale of a text element, by its name.
 
+use crate::clip::Locales;
 use crate::{Options, levels};
 use lipz::diagnostic::show;
 use lipz::locale::{self, TextName};
 use lipz::{Code, Diagnostic, Document, Element, Level};
 use std::collections::HashMap;
 
-/// The locale of a text element, after reporting what is odd about its name.
+/// The locale of a text element, after reporting what is odd about its name; no locale if there is
+/// none to be used, `None` if the name is not that of a text.
 pub(super) fn text_locale(
+    element: &Element<'_>,
+    options: &Options,
+    locales: &mut Locales,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Option<Option<u32>> {
+    let name = element.name.text.as_ref();
+    if let Some(known) = name.strip_prefix("text_").and_then(|tag| locales.clean(tag)) {
+        return Some(Some(known));
+    }
+    let name = locale::text_name(name)?;
+    let before = diagnostics.len();
+    let tag = tag_of(element, name, options, diagnostics);
+    Some(tag.map(|tag| locales.number(&tag, diagnostics.len() == before)))
+}
+
+/// The tag that the name of a text element means.
+fn tag_of(
     element: &Element<'_>,
     name: TextName,
     options: &Options,

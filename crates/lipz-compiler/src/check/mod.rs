@@ -12,19 +12,27 @@ mod types;
 mod visemes;
 
 use crate::Options;
-use crate::clip::ClipData;
+use crate::clip::{ClipData, Locales};
 use elements::Roles;
 use lipz::{Diagnostic, Document};
 use visemes::Expected;
 
-/// The clip that `document` describes. All findings are reported; if one of them is an error at the
-/// project's levels, the clip is not to be used.
+/// Makes `clip` the one that `document` describes; its texts refer to `locales`. All findings are
+/// reported; if one of them is an error at the project's levels, the clip is of no use.
 ///
-/// `key` and `source` of the clip are left empty.
-pub(crate) fn check(document: &Document<'_>, options: &Options, diagnostics: &mut Vec<Diagnostic>) -> ClipData {
-    let roles = Roles::assign(document, options, diagnostics);
-    let fps = roles.fps.and_then(|number| fps::rate(number, diagnostics));
+/// The source record of the clip is left empty.
+pub(crate) fn check(
+    document: &Document<'_>,
+    options: &Options,
+    locales: &mut Locales,
+    clip: &mut ClipData,
+    diagnostics: &mut Vec<Diagnostic>,
+) {
+    clip.clear();
+    let roles = Roles::assign(document, options, locales, diagnostics);
+    clip.fps = roles.fps.and_then(|number| fps::rate(number, diagnostics)).or(options.default_fps);
     let viseme_type = roles.viseme_type.and_then(|name| visemes::viseme_type(name, diagnostics));
+    clip.viseme_type = viseme_type.or(options.default_viseme_type);
     let expected = match (viseme_type, options.default_viseme_type) {
         (Some(named), _) => Expected::Named(named),
         // A wrong viseme_type is reported already: do not blame the codes for it.
@@ -32,29 +40,25 @@ pub(crate) fn check(document: &Document<'_>, options: &Options, diagnostics: &mu
         (None, Some(default)) => Expected::Default(default),
         (None, None) => Expected::Any,
     };
-    let frames = roles.visemes.map(|string| visemes::frames(string, expected, diagnostics));
-    let texts: Vec<_> = roles.texts.iter().map(|text| texts::display_texts(text.string, diagnostics)).collect();
-    let events = roles.events.map(|string| events::trimmed(string, &options.registry, diagnostics));
-    let segment_count = segments::common_count(&roles, options, diagnostics);
-    let texts = texts.into_iter().map(|segments| join::texts(segments, segment_count));
-    let events = events.map(|segments| join::events(segments.into_iter().map(Into::into).collect(), segment_count));
-    let has_visemes = frames.is_some();
-    let (frames, starts) = frames.unwrap_or_else(|| (Vec::new(), vec![0; segment_count]));
-    let mut clip = ClipData {
-        fps: fps.or(options.default_fps),
-        viseme_type: viseme_type.or(options.default_viseme_type),
-        has_visemes,
-        frames,
-        starts,
-        events,
-        ..ClipData::default()
-    };
-    let mut texts: Vec<_> = std::iter::zip(roles.texts, texts).collect();
-    texts.sort_by(|(a, _), (b, _)| a.locale.cmp(&b.locale));
-    let bytes = texts.iter().flat_map(|(_, displays)| displays).map(|display| display.len() + 4).sum();
-    clip.reserve_texts(texts.len(), bytes);
-    for (text, displays) in texts {
-        clip.add_texts(text.locale, &displays);
+    if let Some(string) = roles.visemes {
+        clip.has_visemes = true;
+        visemes::frames(string, expected, clip, diagnostics);
     }
-    clip
+    let mut uneven = Vec::new();
+    let segment_count = segments::common_count(&roles, options, &mut uneven);
+    for text in &roles.texts {
+        texts::display_texts(text.string, &mut clip.displays, diagnostics);
+        join::texts(&mut clip.displays, segment_count);
+        clip.add_displays(text.locale);
+    }
+    clip.texts.sort_by(|a, b| locales.tag(a.locale).cmp(locales.tag(b.locale)));
+    if let Some(string) = roles.events {
+        clip.has_events = true;
+        events::trimmed(string, &options.registry, diagnostics).into_iter().for_each(|event| clip.events.push(event));
+        join::events(&mut clip.events, segment_count);
+    }
+    diagnostics.append(&mut uneven);
+    if !clip.has_visemes {
+        clip.starts.resize(segment_count, 0);
+    }
 }

@@ -1,5 +1,6 @@
 //! Texts: display forms, and what is odd about them.
 
+use crate::strings::Strings;
 use lipz::JsonString;
 use lipz::{Code, Diagnostic, text};
 use std::borrow::Cow;
@@ -7,18 +8,22 @@ use std::borrow::Cow;
 /// Findings of one kind that one text shows in full; the rest is counted.
 const SHOWN: usize = 3;
 
-/// The display text of each segment.
-pub(super) fn display_texts<'t>(string: &'t JsonString<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Cow<'t, str>> {
+/// Makes `displays` the display texts of all segments.
+pub(super) fn display_texts(string: &JsonString<'_>, displays: &mut Strings, diagnostics: &mut Vec<Diagnostic>) {
     let mut unbalanced = Vec::new();
     let mut nested = Vec::new();
-    let texts: Vec<Cow<'_, str>> = text::segments(&string.text)
-        .map(|range| {
-            let display = text::display(&string.text[range.clone()]);
-            unbalanced.extend(display.unbalanced.iter().map(|at| range.start + at));
-            nested.extend(display.nested.iter().map(|at| range.start + at));
-            display.text
-        })
-        .collect();
+    displays.clear();
+    let has_braces = memchr::memchr2(b'{', b'}', string.text.as_bytes()).is_some();
+    for range in text::segments(&string.text) {
+        if !has_braces {
+            displays.push(text::trim(&string.text[range]));
+            continue;
+        }
+        let display = text::display(&string.text[range.clone()]);
+        unbalanced.extend(display.unbalanced.iter().map(|at| range.start + at));
+        nested.extend(display.nested.iter().map(|at| range.start + at));
+        displays.push(&display.text);
+    }
     for (index, &at) in unbalanced.iter().take(SHOWN).enumerate() {
         let (brace, partner) = if string.text.as_bytes().get(at) == Some(&b'{') { ('{', '}') } else { ('}', '{') };
         let finding = Diagnostic::at(
@@ -39,7 +44,7 @@ pub(super) fn display_texts<'t>(string: &'t JsonString<'_>, diagnostics: &mut Ve
         diagnostics.push(more(finding, index, nested.len()));
     }
     nul(string, Code::NulInText, "the text contains", diagnostics);
-    if texts.iter().all(|text| text.is_empty()) {
+    if displays.text().is_empty() {
         let finding = Diagnostic::at(Code::EmptyDisplayText, string.span(), "nothing of this text is displayed");
         diagnostics.push(if !string.text.contains('{') {
             finding.help("leave the element out, so that players see the text of the fallback locale")
@@ -47,7 +52,6 @@ pub(super) fn display_texts<'t>(string: &'t JsonString<'_>, diagnostics: &mut Ve
             finding.note("all of it is {meta}, which the format does not display")
         });
     }
-    texts
 }
 
 /// Says behind the last finding that is shown how many of the kind are not.
@@ -60,7 +64,8 @@ fn more(finding: Diagnostic, index: usize, count: usize) -> Diagnostic {
 
 /// Reports U+0000, at which programs in C would stop reading.
 pub(super) fn nul(string: &JsonString<'_>, code: Code, what: &str, diagnostics: &mut Vec<Diagnostic>) {
-    if !string.text.as_bytes().contains(&0) {
+    // As it stands, JSON allows no U+0000: only an escape makes one.
+    if matches!(string.text, Cow::Borrowed(_)) {
         return;
     }
     if let Some(at) = string.text.find('\0') {

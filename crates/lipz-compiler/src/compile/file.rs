@@ -1,80 +1,71 @@
-//! One file: read, parsed, checked, with the time that each takes.
+//! What one thread does: it reads, parses and checks one file after another, and takes the time.
 
 use super::Phases;
-use crate::clip::ClipData;
+use super::read::FileReader;
+use crate::clip::{ClipData, Clips, Locales};
 use crate::{Content, Input, Options, Report, check, convert, levels, source_record};
-use lipz::{Code, Diagnostic, Document, Level};
-use std::fs::File;
-use std::io::Read;
-use std::path::Path;
-use std::sync::atomic::{AtomicU64, Ordering};
+use lipz::{Diagnostic, Document, Level};
 use std::time::{Duration, Instant};
 
-/// Nanoseconds per phase, summed over threads.
+/// What a thread needs to make clips of files, and what it has made of them.
 #[derive(Default)]
-pub(super) struct Clock {
-    read: AtomicU64,
-    parse: AtomicU64,
-    check: AtomicU64,
+pub(super) struct Worker {
+    reader: FileReader,
+    clip: ClipData,
+    pub(super) clips: Clips,
+    pub(super) reports: Vec<Report>,
+    /// The time of reading, parsing and checking.
+    pub(super) phases: Phases,
 }
 
-impl Clock {
-    /// The phases of which this is the time.
-    pub(super) fn phases(&self) -> Phases {
-        let time = |sum: &AtomicU64| Duration::from_nanos(sum.load(Ordering::Relaxed));
-        Phases { read: time(&self.read), parse: time(&self.parse), check: time(&self.check), ..Phases::default() }
-    }
-}
-
-/// Reads, parses and checks one file. `buffer` is kept between the files of a thread.
-pub(super) fn one_file(
-    input: &Input,
-    options: &Options,
-    buffer: &mut Vec<u8>,
-    clock: &Clock,
-) -> (Option<ClipData>, Option<Report>) {
-    let mut lap = Lap { last: Instant::now() };
-    let bytes = match &input.content {
-        Content::Bytes(bytes) => bytes.as_slice(),
-        Content::File(path) => {
-            buffer.clear();
-            if let Some(finding) = read_file(path, buffer) {
-                return (None, Some(Report::about(&input.name, finding)));
-            }
-            buffer.as_slice()
+impl Worker {
+    /// Reads, parses and checks one file.
+    pub(super) fn file(&mut self, input: &Input, options: &Options) {
+        let mut lap = Lap { last: Instant::now() };
+        let bytes = match &input.content {
+            Content::Bytes { bytes, .. } => bytes.as_slice(),
+            Content::File(path) => match self.reader.read(path) {
+                Ok(bytes) => bytes,
+                Err(report) => return self.reports.push(report),
+            },
+        };
+        self.phases.read += lap.time();
+        let lipz::Parsed { document, mut diagnostics } = lipz::parse(bytes);
+        self.phases.parse += lap.time();
+        if let Some(document) = document
+            && make_clip(&document, options, &mut self.clips.locales, &mut self.clip, &mut diagnostics)
+        {
+            self.clips.push(&input.key, &self.clip);
         }
-    };
-    lap.add_to(&clock.read);
-    let mut parsed = lipz::parse(bytes);
-    lap.add_to(&clock.parse);
-    let clip = parsed.document.as_ref().and_then(|document| {
-        let mut clip = checked(document, options, &mut parsed.diagnostics)?;
-        clip.key.clone_from(&input.key);
-        Some(clip)
-    });
-    lap.add_to(&clock.check);
-    if parsed.diagnostics.is_empty() {
-        return (clip, None);
+        self.phases.check += lap.time();
+        if !diagnostics.is_empty() {
+            diagnostics.sort_by_key(Diagnostic::start);
+            self.reports.push(Report::of_file(input.name(), bytes, diagnostics));
+        }
     }
-    parsed.diagnostics.sort_by_key(Diagnostic::start);
-    (clip, Some(Report::of_file(&input.name, bytes, parsed.diagnostics)))
 }
 
-/// The clip that a document describes, converted if the project asks for that; `None` if there are
-/// errors.
-fn checked(document: &Document<'_>, options: &Options, diagnostics: &mut Vec<Diagnostic>) -> Option<ClipData> {
-    let mut clip = check::check(document, options, diagnostics);
+/// Makes `clip` the one that `document` describes, converted if the project asks for that; false if there
+/// are errors, and the clip then of no use.
+fn make_clip(
+    document: &Document<'_>,
+    options: &Options,
+    locales: &mut Locales,
+    clip: &mut ClipData,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> bool {
+    check::check(document, options, locales, clip, diagnostics);
     if has_errors(options, diagnostics) {
-        return None;
+        return false;
     }
-    let converted = options.viseme_type.and_then(|to| convert::convert_clip(document, &mut clip, to, diagnostics));
+    let converted = options.viseme_type.and_then(|to| convert::convert_clip(document, clip, to, diagnostics));
     if has_errors(options, diagnostics) {
-        return None;
+        return false;
     }
     if !options.strip {
-        clip.source = source_record::encode(converted.as_ref().unwrap_or(document), &clip);
+        source_record::encode(converted.as_ref().unwrap_or(document), locales, clip);
     }
-    Some(clip)
+    true
 }
 
 /// Whether a finding is an error at the project's levels, which the findings get.
@@ -83,38 +74,16 @@ fn has_errors(options: &Options, diagnostics: &mut Vec<Diagnostic>) -> bool {
     diagnostics.iter().any(|finding| finding.level == Level::Error)
 }
 
-/// Bytes that are read without asking how many there are, which takes as long as to read them.
-const SMALL_FILE: u64 = 1 << 16;
-
-/// Reads a file into the empty `buffer`; a finding if that is not possible.
-pub(crate) fn read_file(path: &Path, buffer: &mut Vec<u8>) -> Option<Diagnostic> {
-    let limit = lipz::MAX_FILE_BYTES as u64;
-    let read = File::open(path).and_then(|mut file| {
-        file.by_ref().take(SMALL_FILE).read_to_end(buffer)?;
-        let is_read = (buffer.len() as u64) < SMALL_FILE;
-        if is_read || file.metadata()?.len() > limit {
-            return Ok(is_read);
-        }
-        // Some files do not tell their length: one byte too many shows that they are too large.
-        file.take(limit + 1 - SMALL_FILE).read_to_end(buffer).map(|_| true)
-    });
-    match read {
-        Ok(true) => None,
-        Ok(false) => Some(lipz::too_large()),
-        Err(error) => Some(Diagnostic::new(Code::UnreadableFile, format!("the file cannot be read: {error}"))),
-    }
-}
-
 /// A stopwatch that starts again at each reading.
 struct Lap {
     last: Instant,
 }
 
 impl Lap {
-    fn add_to(&mut self, sum: &AtomicU64) {
+    fn time(&mut self) -> Duration {
         let now = Instant::now();
-        let elapsed = u64::try_from((now - self.last).as_nanos()).unwrap_or(u64::MAX);
-        sum.fetch_add(elapsed, Ordering::Relaxed);
+        let time = now - self.last;
         self.last = now;
+        time
     }
 }

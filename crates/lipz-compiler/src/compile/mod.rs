@@ -1,15 +1,19 @@
 //! The run: read, parse and check every file in parallel, then localise, lower and verify.
 
 mod file;
+mod read;
 
-pub(crate) use file::read_file;
+pub(crate) use read::FileReader;
 
-use crate::clip::ClipData;
-use crate::{Input, Options, Report, key, levels, localise, lower, report};
-use file::{Clock, one_file};
+use crate::clip::Clips;
+use crate::lower::Layout;
+use crate::output::replace_file_if;
+use crate::{Input, Options, Report, key, levels, localise, report};
+use file::Worker;
 use lipz::Code;
 use lipz_bank::{Bank, ErrorKind};
 use rayon::prelude::*;
+use std::path::Path;
 use std::time::{Duration, Instant};
 
 /// What a run gave.
@@ -37,10 +41,10 @@ pub struct Phases {
     pub files: Duration,
     /// Resolving locales.
     pub localise: Duration,
-    /// Laying out the bank, and giving back what it was made from.
+    /// Laying out and filling the bank, and giving back what it was made from.
     pub lower: Duration,
-    /// Verifying the bank.
-    pub verify: Duration,
+    /// Verifying the bank and, in [`pack`], writing it at the same time.
+    pub finish: Duration,
 }
 
 /// Is told how many more files are done, from several threads.
@@ -62,6 +66,25 @@ pub type Progress<'a> = dyn Fn(u64) + Sync + 'a;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn compile(inputs: &[Input], options: &Options, progress: &Progress<'_>) -> Compiled {
+    make(inputs, options, progress, verify)
+}
+
+/// Does what [`compile`] does, and replaces the file at `path` by the bank as [`replace_file`](crate::replace_file) does. It is
+/// verified while it is written to a temporary file, which takes the name `path` only after both: that is
+/// faster than one after the other.
+///
+/// If the file cannot be written, a report says so, and there is no bank.
+pub fn pack(inputs: &[Input], options: &Options, path: &Path, progress: &Progress<'_>) -> Compiled {
+    make(inputs, options, progress, |bank| replace_file_if(path, bank, || verify(bank)))
+}
+
+/// Checks `inputs`, makes a bank of them and hands it to `finish`, without whose consent there is none.
+fn make(
+    inputs: &[Input],
+    options: &Options,
+    progress: &Progress<'_>,
+    finish: impl FnOnce(&[u8]) -> Result<(), Report> + Send,
+) -> Compiled {
     let options = &match canonical(options) {
         Ok(options) => options,
         Err(report) => return Compiled { reports: vec![report], ..Compiled::default() },
@@ -72,17 +95,20 @@ pub fn compile(inputs: &[Input], options: &Options, progress: &Progress<'_>) -> 
             return run.finish(None);
         }
         let start = Instant::now();
-        let localised = localise::localise(&run.clips, options);
+        let tags = Clips::join_locales(&mut run.clips);
+        let clips = Clips::by_key(&run.clips);
+        let localised = localise::localise(&clips, &tags, options);
         run.phases.localise = start.elapsed();
         let start = Instant::now();
-        let bank = lower::lower(&run.clips, &localised, options).map_err(|report| in_file(report, inputs));
-        run.clips = Vec::new();
-        drop(localised);
+        let layout = Layout::of(&clips, &localised, options);
+        drop((clips, localised));
+        let batches = std::mem::take(&mut run.clips);
+        let bank = layout.and_then(|layout| layout.fill(batches)).map_err(|report| in_file(report, inputs));
         run.phases.lower = start.elapsed();
         let start = Instant::now();
-        let verified = bank.and_then(verified);
-        run.phases.verify = start.elapsed();
-        match verified {
+        let finished = bank.and_then(|bank| finish(&bank).map(|()| bank));
+        run.phases.finish = start.elapsed();
+        match finished {
             Ok(bank) => run.finish(Some(bank)),
             Err(report) => {
                 run.reports.push(report);
@@ -126,9 +152,9 @@ pub(crate) fn in_pool<R: Send>(options: &Options, work: impl FnOnce() -> R + Sen
     }
 }
 
-/// What is known after the files are read: clips in the order of their keys.
+/// What is known after the files are read.
 struct Run {
-    clips: Vec<ClipData>,
+    clips: Vec<Clips>,
     reports: Vec<Report>,
     phases: Phases,
 }
@@ -142,43 +168,40 @@ impl Run {
 
 fn read_all(inputs: &[Input], options: &Options, progress: &Progress<'_>) -> Run {
     let start = Instant::now();
-    let mut reports = Vec::new();
-    key::check(inputs, &mut reports);
-    for report in &mut reports {
+    let mut run = Run { clips: Vec::new(), reports: Vec::new(), phases: Phases::default() };
+    key::check(inputs, &mut run.reports);
+    for report in &mut run.reports {
         levels::apply(&options.levels, &mut report.diagnostics);
     }
-    let clock = Clock::default();
-    let outcomes: Vec<_> = inputs
-        .par_iter()
-        .map_init(Vec::new, |buffer, input| {
-            let outcome = one_file(input, options, buffer, &clock);
-            progress(1);
-            outcome
-        })
-        .collect();
-    let mut clips = Vec::with_capacity(outcomes.len());
-    for (clip, report) in outcomes {
-        clips.extend(clip);
-        reports.extend(report);
+    let work = inputs.par_iter().fold(Worker::default, |mut worker, input| {
+        worker.file(input, options);
+        progress(1);
+        worker
+    });
+    for worker in work.collect::<Vec<_>>() {
+        run.clips.push(worker.clips);
+        run.reports.extend(worker.reports);
+        run.phases.read += worker.phases.read;
+        run.phases.parse += worker.phases.parse;
+        run.phases.check += worker.phases.check;
     }
-    clips.sort_by(|a, b| a.key.cmp(&b.key));
-    let phases = Phases { files: start.elapsed(), ..clock.phases() };
-    Run { clips, reports, phases }
+    run.phases.files = start.elapsed();
+    run
 }
 
 /// The report with the name of the file, where it has the key of a clip for a path.
 fn in_file(mut report: Report, inputs: &[Input]) -> Report {
     if let Some(input) = inputs.iter().find(|input| input.key == report.source.path) {
-        report.source.path.clone_from(&input.name);
+        report.source.path = input.name();
     }
     report
 }
 
-/// The bank, if the reader finds no fault with it. A failure here is a defect of this compiler, and
-/// better found now than in a game.
-fn verified(bank: Vec<u8>) -> Result<Vec<u8>, Report> {
-    match Bank::open(&bank).and_then(Bank::verify) {
-        Ok(_) => Ok(bank),
+/// What the reader finds at fault with the bank: a defect of this compiler, and better found now than in
+/// a game.
+fn verify(bank: &[u8]) -> Result<(), Report> {
+    match Bank::open(bank).and_then(Bank::verify) {
+        Ok(_) => Ok(()),
         Err(error) if error.kind() == ErrorKind::TooManySteps => Err(Report::failure(
             "",
             Code::BankTooLarge,

@@ -7,7 +7,7 @@ mod chart;
 mod edits;
 mod findings;
 
-use crate::clip::ClipData;
+use crate::clip::{ClipData, Locales};
 use crate::{Options, check, levels};
 use chart::counterpart;
 use lipz::{Diagnostic, Document, Element, Level, Value};
@@ -38,10 +38,13 @@ pub struct Converted {
 /// ```
 pub fn convert(bytes: &[u8], to: VisemeType, options: &Options) -> Converted {
     let mut parsed = lipz::parse(bytes);
-    let clip = parsed.document.as_ref().map(|document| check::check(document, options, &mut parsed.diagnostics));
+    let mut clip = ClipData::default();
+    if let Some(document) = &parsed.document {
+        check::check(document, options, &mut Locales::default(), &mut clip, &mut parsed.diagnostics);
+    }
     levels::apply(&options.levels, &mut parsed.diagnostics);
     parsed.diagnostics.retain(|finding| finding.level == Level::Error);
-    let (Some(document), Some(clip), true) = (&parsed.document, clip, parsed.diagnostics.is_empty()) else {
+    let (Some(document), true) = (&parsed.document, parsed.diagnostics.is_empty()) else {
         return Converted { text: None, diagnostics: parsed.diagnostics };
     };
     match Conversion::of(document, &clip, to) {

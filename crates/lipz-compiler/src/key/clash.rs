@@ -2,11 +2,13 @@
 
 use super::refusal;
 use crate::{Input, Report};
+use foldhash::fast::RandomState;
 use foldhash::{HashMap, HashMapExt};
 use icu_casemap::CaseMapper;
 use lipz::diagnostic::show;
 use lipz::{Code, Diagnostic};
 use rayon::prelude::*;
+use std::hash::BuildHasher;
 use unicode_normalization::UnicodeNormalization;
 
 /// Code points of a character that is spelled in two ways.
@@ -22,31 +24,53 @@ pub fn folded(key: &str) -> String {
     CaseMapper::new().fold_string(&decomposed).nfd().collect()
 }
 
+/// Whether no key is refused and no two are equal when folded, as nearly always: found out on all
+/// threads, with a hash per key instead of a string.
+fn are_fine(inputs: &[Input]) -> bool {
+    let state = RandomState::default();
+    let hash = |lower: &mut String, key: &str| {
+        if !key.is_ascii() {
+            return state.hash_one(folded(key).as_str());
+        }
+        lower.clear();
+        lower.push_str(key);
+        lower.make_ascii_lowercase();
+        state.hash_one(lower.as_str())
+    };
+    let judged = inputs
+        .par_iter()
+        .map_init(String::new, |lower, input| refusal(&input.key).is_none().then(|| hash(lower, &input.key)));
+    let Some(mut hashes) = judged.collect::<Option<Vec<u64>>>() else { return false };
+    hashes.par_sort_unstable();
+    hashes.array_windows().all(|[one, next]| one != next)
+}
+
 /// Reports refused keys, keys that appear twice, and keys that are one file on some systems.
 pub fn check(inputs: &[Input], reports: &mut Vec<Report>) {
-    let judged: Vec<(Option<String>, String)> =
-        inputs.par_iter().map(|input| (refusal(&input.key), folded(&input.key))).collect();
+    if are_fine(inputs) {
+        return;
+    }
     let mut seen: HashMap<String, &Input> = HashMap::with_capacity(inputs.len());
-    for (input, (refused, folded)) in inputs.iter().zip(judged) {
+    for input in inputs {
         let key = &input.key;
-        if let Some(why) = refused {
+        if let Some(why) = refusal(key) {
             reports.push(Report::failure(
-                &input.name,
+                input.name(),
                 Code::RefusedKey,
                 format!("the key `{}` cannot be used: {why}", show::text(key)),
                 "rename the file or folder: keys become file names on other systems when a bank is unpacked",
             ));
             continue;
         }
-        let Some(before) = seen.insert(folded, input) else { continue };
+        let Some(before) = seen.insert(folded(key), input) else { continue };
         let finding = if before.key == *key {
             Diagnostic::new(Code::DuplicateKey, format!("the key `{}` appears twice", show::text(key)))
                 .help("pack one of the two, or give the sources a common root with --root")
         } else {
             clash(&before.key, key).help("rename one of the two")
         };
-        let finding = finding.note(format!("the other file is {}", before.name));
-        reports.push(Report::about(&input.name, finding));
+        let finding = finding.note(format!("the other file is {}", before.name()));
+        reports.push(Report::about(input.name(), finding));
     }
 }
 

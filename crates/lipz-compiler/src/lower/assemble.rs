@@ -11,50 +11,54 @@ use zerocopy::IntoBytes;
 /// Sections start at multiples of a cache line.
 const ALIGNMENT: usize = SECTION_ALIGNMENT as usize;
 
-/// A section to be written: pieces that are copied one behind the other.
+/// A section to be written.
 pub(crate) struct Section<'b> {
     tag: Tag,
-    pieces: Vec<&'b [u8]>,
+    length: usize,
+    /// The section, unless it is copied from the clips.
+    table: Option<&'b [u8]>,
     entry_bytes: usize,
     flags: u16,
 }
 
 impl<'b> Section<'b> {
-    /// A section of [`Tag::REQUIRED`].
-    pub(crate) fn required(tag: Tag, bytes: &'b [u8]) -> Section<'b> {
-        Section::of_pieces(tag, vec![bytes])
+    /// A section that is there already.
+    pub(crate) fn table(tag: Tag, bytes: &'b [u8]) -> Section<'b> {
+        Section { table: Some(bytes), ..Section::of_clips(tag, bytes.len()) }
     }
 
-    /// A section of [`Tag::REQUIRED`] or [`Tag::OPTIONAL`], in pieces.
-    pub(crate) fn of_pieces(tag: Tag, pieces: Vec<&'b [u8]>) -> Section<'b> {
+    /// A section of so many bytes that is copied from the clips.
+    pub(crate) fn of_clips(tag: Tag, length: usize) -> Section<'b> {
         let bytes_of = |table: &[(Tag, usize)]| table.iter().find(|(known, _)| *known == tag).map(|(_, bytes)| *bytes);
         let required = bytes_of(&Tag::REQUIRED);
         Section {
             tag,
-            pieces,
+            length,
+            table: None,
             entry_bytes: required.or_else(|| bytes_of(&Tag::OPTIONAL)).unwrap_or(1),
             flags: if required.is_some() { SECTION_REQUIRED } else { 0 },
         }
     }
-
-    fn length(&self) -> usize {
-        self.pieces.iter().map(|piece| piece.len()).sum()
-    }
 }
 
-/// The file: header, directory, sections in the order given, zeros between them.
-pub(crate) fn assemble(sections: &[Section<'_>], index_seed: u64, fingerprint: u64) -> Result<Vec<u8>, Report> {
+/// The file: header, directory, sections in the order given, zeros between them. `fill` gets the places
+/// of those that are copied from the clips.
+pub(crate) fn assemble(
+    sections: &[Section<'_>],
+    index_seed: u64,
+    fingerprint: u64,
+    fill: impl FnOnce(Vec<&mut [u8]>),
+) -> Result<Vec<u8>, Report> {
     let directory_end = size_of::<Header>() + sections.len() * size_of::<DirectoryEntry>();
     let mut directory = Vec::with_capacity(sections.len());
     let mut end = directory_end;
     for section in sections {
         let offset = end.next_multiple_of(ALIGNMENT);
-        let length = section.length();
-        end = offset + length;
+        end = offset + section.length;
         directory.push(DirectoryEntry {
             tag: section.tag.0,
             offset_bytes: fit(offset, "sections")?.into(),
-            length_bytes: fit(length, "sections")?.into(),
+            length_bytes: fit(section.length, "sections")?.into(),
             entry_bytes: U16::new(u16::try_from(section.entry_bytes).map_err(|_| too_large("entries"))?),
             flags: section.flags.into(),
         });
@@ -70,15 +74,22 @@ pub(crate) fn assemble(sections: &[Section<'_>], index_seed: u64, fingerprint: u
         section_count: fit(sections.len(), "sections")?.into(),
         reserved: [0; 20],
     };
-    let mut bank = Vec::with_capacity(end);
-    bank.extend_from_slice(header.as_bytes());
-    bank.extend_from_slice(directory.as_bytes());
-    for section in sections {
-        bank.resize(bank.len().next_multiple_of(ALIGNMENT), 0);
-        for piece in &section.pieces {
-            bank.extend_from_slice(piece);
+    // Zeros straight from the system, touched only where a section is written.
+    let mut bank = vec![0; end];
+    bank[..size_of::<Header>()].copy_from_slice(header.as_bytes());
+    bank[size_of::<Header>()..directory_end].copy_from_slice(directory.as_bytes());
+    let mut places = Vec::new();
+    let mut rest = &mut bank[directory_end..];
+    for (section, entry) in std::iter::zip(sections, &directory) {
+        let gap = entry.offset_bytes.get() as usize - (end - rest.len());
+        let (place, behind) = rest[gap..].split_at_mut(section.length);
+        match section.table {
+            Some(table) => place.copy_from_slice(table),
+            None => places.push(place),
         }
+        rest = behind;
     }
+    fill(places);
     header.checksum = checksum(&bank[CHECKED_FROM..]).into();
     bank[..size_of::<Header>()].copy_from_slice(header.as_bytes());
     Ok(bank)

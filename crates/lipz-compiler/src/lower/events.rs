@@ -3,7 +3,7 @@
 
 use super::fit;
 use crate::Report;
-use crate::clip::ClipData;
+use crate::clip::Clip;
 use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order of entries is never used
 use lipz::event::{self, Command, Event, Word};
 use lipz_bank::layout::{EventNameRecord, EventRecord, NO_EVENTS, NO_NAME, TypedEventRecord, U32};
@@ -24,7 +24,7 @@ pub(super) struct Events {
 }
 
 /// Numbers the distinct event strings in the order of their first use, and parses each once.
-pub(super) fn events(clips: &[ClipData]) -> Result<Events, Report> {
+pub(super) fn events(clips: &[Clip<'_>]) -> Result<Events, Report> {
     let mut first = Vec::with_capacity(clips.len());
     let mut references = Vec::new();
     let mut records = Vec::new();
@@ -32,11 +32,11 @@ pub(super) fn events(clips: &[ClipData]) -> Result<Events, Report> {
     let mut pool = String::new();
     let mut numbers: HashMap<&str, u32> = HashMap::with_capacity(clips.len());
     for clip in clips {
-        first.push(match clip.events {
+        first.push(match clip.events() {
             Some(_) => fit(references.len(), "events")?,
             None => NO_EVENTS,
         });
-        for string in clip.events.iter().flatten() {
+        for string in clip.events().into_iter().flatten() {
             let next = fit(records.len(), "events")?;
             let number = *numbers.entry(string).or_insert(next);
             if number == next {

@@ -44,23 +44,18 @@ pub(super) fn build(ids: &[u64]) -> Index {
 fn try_seed(ids: &[u64], seed: u64) -> Option<(Vec<u32>, Vec<u32>)> {
     let bucket_count = ids.len().div_ceil(IDS_PER_BUCKET);
     let (slot_count, buckets_u32) = (u32::try_from(ids.len()).ok()?, u32::try_from(bucket_count).ok()?);
-    let mut buckets: Vec<Vec<(u64, usize)>> = vec![Vec::new(); bucket_count];
-    for (clip, &id) in ids.iter().enumerate() {
-        let hash = spread(id, seed);
-        buckets[bucket_of(hash, buckets_u32) as usize].push((hash, clip));
-    }
-    if buckets.iter().any(|bucket| bucket.len() > MAX_BUCKET) {
+    let buckets = Buckets::of(ids, seed, buckets_u32);
+    if (0..bucket_count).any(|bucket| buckets.members(bucket).len() > MAX_BUCKET) {
         return None;
     }
     let mut order: Vec<usize> = (0..bucket_count).collect();
-    order.sort_by_key(|&bucket| std::cmp::Reverse(buckets[bucket].len()));
+    order.sort_by_key(|&bucket| std::cmp::Reverse(buckets.members(bucket).len()));
     let mut taken = vec![false; ids.len()];
     let mut pilots = vec![0; bucket_count];
     let mut slots = vec![0; ids.len()];
     let mut next_free = 0;
     for bucket in order {
-        let members = &buckets[bucket];
-        pilots[bucket] = match members.as_slice() {
+        pilots[bucket] = match buckets.members(bucket) {
             [] => break, // the others are empty too
             [(_, clip)] => {
                 next_free += taken[next_free..].iter().position(|taken| !taken)?;
@@ -72,6 +67,39 @@ fn try_seed(ids: &[u64], seed: u64) -> Option<(Vec<u32>, Vec<u32>)> {
         };
     }
     Some((pilots, slots))
+}
+
+/// Clips with their spread ids, bucket by bucket.
+struct Buckets {
+    members: Vec<(u64, usize)>,
+    /// Where each bucket starts in `members`, and where the last one ends.
+    starts: Vec<usize>,
+}
+
+impl Buckets {
+    fn of(ids: &[u64], seed: u64, count: u32) -> Buckets {
+        let bucket_of = |hash: u64| bucket_of(hash, count) as usize;
+        let mut starts = vec![0; count as usize + 1];
+        for &id in ids {
+            starts[bucket_of(spread(id, seed)) + 1] += 1;
+        }
+        for bucket in 1..starts.len() {
+            starts[bucket] += starts[bucket - 1];
+        }
+        let mut ends = starts.clone();
+        let mut members = vec![(0, 0); ids.len()];
+        for (clip, &id) in ids.iter().enumerate() {
+            let hash = spread(id, seed);
+            let end = &mut ends[bucket_of(hash)];
+            members[*end] = (hash, clip);
+            *end += 1;
+        }
+        Buckets { members, starts }
+    }
+
+    fn members(&self, bucket: usize) -> &[(u64, usize)] {
+        &self.members[self.starts[bucket]..self.starts[bucket + 1]]
+    }
 }
 
 /// Finds a pilot with which all `members` land in different free slots, and takes those.

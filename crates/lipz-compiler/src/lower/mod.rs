@@ -2,71 +2,119 @@
 
 pub(crate) mod assemble;
 mod events;
+mod fill;
 mod index;
 mod records;
 mod strings;
 
-use crate::clip::ClipData;
+use crate::clip::{Clip, Clips};
 use crate::localise::Localised;
 use crate::{Options, Report};
 use assemble::Section;
+use events::Events;
+use index::Index;
 use lipz::Code;
 use lipz_bank::ClipId;
-use lipz_bank::layout::Tag;
+use lipz_bank::layout::{LocaleRecord, Tag};
+use records::ClipRecords;
+use strings::{Names, Sources, Texts};
 use zerocopy::IntoBytes;
 
-/// The bank of `clips`, which are in the order of their keys.
-pub(crate) fn lower(clips: &[ClipData], localised: &Localised, options: &Options) -> Result<Vec<u8>, Report> {
-    let ids = unique_ids(clips)?;
-    let index = index::build(&ids);
-    let names = strings::names(clips, localised)?;
-    let texts = strings::texts(clips, localised, &index.slots)?;
-    let events = events::events(clips)?;
-    let records = records::clips(clips, &ids, &index.slots, &names, &events)?;
-    let locales = records::locales(localised, &names);
-    let mut sections = vec![
-        Section::required(Tag::CLIPS, records.clips.as_bytes()),
-        Section::required(Tag::PILOTS, index.pilots.as_bytes()),
-        Section::required(Tag::KEY_ORDER, index.slots_le.as_bytes()),
-        Section::required(Tag::NAMES, names.pool.as_bytes()),
-        Section::of_pieces(Tag::FRAMES, clips.iter().map(|clip| clip.frames.as_slice()).collect()),
-        Section::required(Tag::STARTS, records.far_starts.as_bytes()),
-        Section::required(Tag::LOCALES, locales.as_bytes()),
-        Section::required(Tag::TEXT_INDEX, texts.index.as_bytes()),
-        Section::of_pieces(Tag::TEXTS, texts.pieces),
-        Section::required(Tag::EVENT_REFS, events.references.as_bytes()),
-        Section::required(Tag::EVENTS, events.records.as_bytes()),
-        Section::required(Tag::TYPED_EVENTS, events.typed.as_bytes()),
-        Section::required(Tag::EVENT_NAMES, events.names.as_bytes()),
-        Section::required(Tag::EVENT_STRINGS, events.pool.as_bytes()),
-    ];
-    let sources = strings::sources(clips, &index.slots)?;
-    if !options.strip {
-        sections.push(Section::of_pieces(Tag::SOURCE_INDEX, vec![sources.index.as_bytes()]));
-        sections.push(Section::of_pieces(Tag::SOURCES, sources.pieces));
+/// All of a bank but what is copied from the clips as it is; of that, the places.
+pub(crate) struct Layout {
+    records: ClipRecords,
+    index: Index,
+    names: Names,
+    locales: Vec<LocaleRecord>,
+    texts: Texts,
+    events: Events,
+    sources: Sources,
+    is_stripped: bool,
+    /// For each batch of clips, their slots.
+    batch_slots: Vec<Vec<u32>>,
+}
+
+impl Layout {
+    /// Lays out the bank of `clips`, which are in the order of their keys.
+    pub(crate) fn of(clips: &[Clip<'_>], localised: &Localised, options: &Options) -> Result<Layout, Report> {
+        let ids = unique_ids(clips)?;
+        let ((index, events), (texts, sources)) = rayon::join(
+            || rayon::join(|| index::build(&ids), || events::events(clips)),
+            || rayon::join(|| strings::locale_texts(clips, localised), || strings::own_sources(clips)),
+        );
+        let (slots, events) = (&index.slots, events?);
+        let names = strings::names(clips, localised)?;
+        Ok(Layout {
+            records: records::clips(clips, &ids, slots, &names, &events)?,
+            locales: records::locales(localised, &names),
+            texts: strings::texts(&texts, localised, slots)?,
+            sources: strings::sources(&sources, slots)?,
+            is_stripped: options.strip,
+            batch_slots: batch_slots(clips, slots),
+            names,
+            events,
+            index,
+        })
     }
-    assemble::assemble(&sections, index.seed, records.fingerprint)
+
+    /// The bank, filled from the clips that were laid out.
+    pub(crate) fn fill(&self, batches: Vec<Clips>) -> Result<Vec<u8>, Report> {
+        let mut sections = vec![
+            Section::table(Tag::CLIPS, self.records.clips.as_bytes()),
+            Section::table(Tag::PILOTS, self.index.pilots.as_bytes()),
+            Section::table(Tag::KEY_ORDER, self.index.slots_le.as_bytes()),
+            Section::table(Tag::NAMES, self.names.pool.as_bytes()),
+            Section::of_clips(Tag::FRAMES, self.records.frame_count),
+            Section::table(Tag::STARTS, self.records.far_starts.as_bytes()),
+            Section::table(Tag::LOCALES, self.locales.as_bytes()),
+            Section::table(Tag::TEXT_INDEX, self.texts.index.as_bytes()),
+            Section::of_clips(Tag::TEXTS, self.texts.lengths.iter().sum()),
+            Section::table(Tag::EVENT_REFS, self.events.references.as_bytes()),
+            Section::table(Tag::EVENTS, self.events.records.as_bytes()),
+            Section::table(Tag::TYPED_EVENTS, self.events.typed.as_bytes()),
+            Section::table(Tag::EVENT_NAMES, self.events.names.as_bytes()),
+            Section::table(Tag::EVENT_STRINGS, self.events.pool.as_bytes()),
+        ];
+        if !self.is_stripped {
+            sections.push(Section::table(Tag::SOURCE_INDEX, self.sources.index.as_bytes()));
+            sections.push(Section::of_clips(Tag::SOURCES, self.sources.length));
+        }
+        assemble::assemble(&sections, self.index.seed, self.records.fingerprint, |places| {
+            fill::fill(self, batches, places);
+        })
+    }
+}
+
+/// For each batch of clips, their slots.
+fn batch_slots(clips: &[Clip<'_>], slots: &[u32]) -> Vec<Vec<u32>> {
+    let mut batches: Vec<Vec<u32>> = Vec::new();
+    for (clip, &slot) in std::iter::zip(clips, slots) {
+        let (batch, index) = clip.place();
+        if batches.len() <= batch {
+            batches.resize(batch + 1, Vec::new());
+        }
+        if batches[batch].len() <= index {
+            batches[batch].resize(index + 1, 0);
+        }
+        batches[batch][index] = slot;
+    }
+    batches
 }
 
 /// The ids of `clips`, if no two are the same. The report has the key of a clip for a path.
-fn unique_ids(clips: &[ClipData]) -> Result<Vec<u64>, Report> {
-    let ids: Vec<u64> = clips.iter().map(|clip| ClipId::of(&clip.key).get()).collect();
-    let mut sorted: Vec<(u64, &str)> =
-        std::iter::zip(ids.iter().copied(), clips.iter().map(|clip| clip.key.as_str())).collect();
+fn unique_ids(clips: &[Clip<'_>]) -> Result<Vec<u64>, Report> {
+    let ids: Vec<u64> = clips.iter().map(|clip| ClipId::of(clip.key()).get()).collect();
+    let mut sorted = ids.clone();
     sorted.sort_unstable();
-    for pair in sorted.windows(2) {
-        if let &[(id, key), (next_id, next_key)] = pair
-            && id == next_id
-        {
-            return Err(Report::failure(
-                next_key,
-                Code::IdCollision,
-                format!("the keys `{key}` and `{next_key}` have the same clip id, {id:016x}"),
-                "rename one of the two: it happens about once in 10^9 banks of 100,000 clips",
-            ));
-        }
-    }
-    Ok(ids)
+    let Some([id, _]) = sorted.array_windows().find(|[id, next]| id == next) else { return Ok(ids) };
+    let mut same = std::iter::zip(&ids, clips).filter(|(other, _)| *other == id).map(|(_, clip)| clip.key());
+    let (key, next_key) = (same.next().unwrap_or_default(), same.next().unwrap_or_default());
+    Err(Report::failure(
+        next_key,
+        Code::IdCollision,
+        format!("the keys `{key}` and `{next_key}` have the same clip id, {id:016x}"),
+        "rename one of the two: it happens about once in 10^9 banks of 100,000 clips",
+    ))
 }
 
 /// A number that a 32-bit field of the bank holds, or the finding that it does not.

@@ -1,8 +1,8 @@
-//! The pools: names, texts, source records.
+//! The pools: names, and the places of texts and source records in theirs.
 
 use super::{fit, too_large};
 use crate::Report;
-use crate::clip::ClipData;
+use crate::clip::Clip;
 use crate::localise::{Choice, LocaleColumn, Localised};
 use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order of entries is never used
 use lipz_bank::layout::{NO_TEXT, TEXT_FALLBACK, TEXT_OFFSET, TEXT_WIDE, U32};
@@ -25,7 +25,7 @@ pub(super) struct Names {
 }
 
 /// The pool of names: keys in their order, then tags.
-pub(super) fn names(clips: &[ClipData], localised: &Localised) -> Result<Names, Report> {
+pub(super) fn names(clips: &[Clip<'_>], localised: &Localised) -> Result<Names, Report> {
     let mut pool = String::new();
     let mut place = |name: &str| {
         let offset_bytes = fit(pool.len(), "names")?;
@@ -33,22 +33,20 @@ pub(super) fn names(clips: &[ClipData], localised: &Localised) -> Result<Names, 
         let length_bytes = u16::try_from(name.len()).map_err(|_| too_large("names"))?;
         Ok(NamePlace { offset_bytes, length_bytes })
     };
-    let keys = clips.iter().map(|clip| place(&clip.key)).collect::<Result<_, _>>()?;
+    let keys = clips.iter().map(|clip| place(clip.key())).collect::<Result<_, _>>()?;
     let tags = localised.locales.iter().map(|locale| place(&locale.tag)).collect::<Result<_, _>>()?;
     Ok(Names { pool, keys, tags })
 }
 
-/// Byte strings of which equal ones stand once in a pool. The pool is not made: its pieces are
-/// copied straight into the bank.
+/// Byte strings of which equal ones stand once in a pool. The pool is not made: only the places in it.
 struct Interner<'c> {
-    pieces: Vec<&'c [u8]>,
     length: usize,
     offsets: HashMap<&'c [u8], usize>,
 }
 
 impl<'c> Interner<'c> {
     fn with_capacity(count: usize) -> Self {
-        Interner { pieces: Vec::with_capacity(count), length: 0, offsets: HashMap::with_capacity(count) }
+        Interner { length: 0, offsets: HashMap::with_capacity(count) }
     }
 
     /// The offset of `string` in the pool.
@@ -57,40 +55,57 @@ impl<'c> Interner<'c> {
         let offset = *self.offsets.entry(string).or_insert(next);
         // New, or empty and then harmless: strings that are known lie before the end.
         if offset == next {
-            self.pieces.push(string);
             self.length += string.len();
         }
         offset
     }
 }
 
-/// The text index and the pieces of the text pool.
-pub(super) struct Texts<'c> {
+/// Where the texts are.
+pub(super) struct Texts {
     /// Locale by locale, one entry per slot.
     pub(super) index: Vec<U32>,
-    pub(super) pieces: Vec<&'c [u8]>,
+    /// Bytes of each locale's part of the pool; the parts follow each other.
+    pub(super) lengths: Vec<usize>,
 }
 
-/// The texts of one locale: its part of the pool, and the entry of each clip's own text as if that
-/// part were the pool.
-struct LocaleTexts<'c> {
-    pieces: Vec<&'c [u8]>,
+/// What one interner has placed: bytes of its part of a pool, and the entry of each clip as if that part
+/// were the pool. An offset that does not fit is found by the length.
+pub(super) struct Interned {
     length: usize,
     entries: Vec<u32>,
 }
 
-/// Each locale's texts stand together, in the order of the keys; a run that appears twice in a
-/// locale stands once.
-pub(super) fn texts<'c>(clips: &'c [ClipData], localised: &Localised, slots: &[u32]) -> Result<Texts<'c>, Report> {
-    let parts: Vec<LocaleTexts<'c>> = localised.locales.par_iter().map(|locale| locale_texts(clips, locale)).collect();
-    if parts.iter().map(|part| part.length).sum::<usize>() >= TEXT_OFFSET as usize {
+/// Each locale's texts, in the order of the keys; a run that appears twice in a locale stands once.
+pub(super) fn locale_texts(clips: &[Clip<'_>], localised: &Localised) -> Vec<Interned> {
+    localised.locales.par_iter().map(|locale| own_texts(clips, locale)).collect()
+}
+
+/// The own texts of a locale.
+fn own_texts(clips: &[Clip<'_>], locale: &LocaleColumn) -> Interned {
+    let mut interner = Interner::with_capacity(clips.len());
+    let entries = std::iter::zip(clips, &locale.texts).map(|(clip, choice)| match choice {
+        Choice::Own(index) => {
+            let text = &clip.texts()[*index as usize];
+            interner.place(clip.run(text)) as u32 | if text.is_wide { TEXT_WIDE } else { 0 }
+        }
+        _ => NO_TEXT,
+    });
+    let entries = entries.collect();
+    Interned { length: interner.length, entries }
+}
+
+/// The text index: each locale's texts stand together.
+pub(super) fn texts(parts: &[Interned], localised: &Localised, slots: &[u32]) -> Result<Texts, Report> {
+    let lengths: Vec<usize> = parts.iter().map(|part| part.length).collect();
+    if lengths.iter().sum::<usize>() >= TEXT_OFFSET as usize {
         return Err(too_large("texts"));
     }
-    let bases: Vec<u32> = parts
+    let bases: Vec<u32> = lengths
         .iter()
-        .scan(0, |end, part| {
+        .scan(0, |end, length| {
             let base = *end;
-            *end += part.length;
+            *end += length;
             Some(base as u32)
         })
         .collect();
@@ -98,9 +113,9 @@ pub(super) fn texts<'c>(clips: &'c [ClipData], localised: &Localised, slots: &[u
         NO_TEXT => NO_TEXT,
         entry => entry + bases[locale],
     };
-    let mut index = vec![U32::new(NO_TEXT); localised.locales.len() * clips.len()];
-    let tables = index.chunks_mut(clips.len().max(1));
-    for (locale, (column, table)) in std::iter::zip(&localised.locales, tables).enumerate() {
+    let mut index = vec![U32::new(NO_TEXT); parts.len() * slots.len()];
+    let tables = index.par_chunks_mut(slots.len().max(1)).zip(&localised.locales).enumerate();
+    tables.for_each(|(locale, (table, column))| {
         for (at, choice) in column.texts.iter().enumerate() {
             table[slots[at] as usize] = U32::new(match *choice {
                 Choice::Own(_) => entry(locale, at),
@@ -108,37 +123,31 @@ pub(super) fn texts<'c>(clips: &'c [ClipData], localised: &Localised, slots: &[u
                 Choice::Missing => NO_TEXT,
             });
         }
-    }
-    Ok(Texts { index, pieces: parts.into_iter().flat_map(|part| part.pieces).collect() })
-}
-
-/// The own texts of a locale. An offset that does not fit is found by the sum of the lengths.
-fn locale_texts<'c>(clips: &'c [ClipData], locale: &LocaleColumn) -> LocaleTexts<'c> {
-    let mut interner = Interner::with_capacity(clips.len());
-    let entries = std::iter::zip(clips, &locale.texts).map(|(clip, choice)| match choice {
-        Choice::Own(index) => {
-            let text = &clip.texts[*index as usize];
-            interner.place(clip.run(text)) as u32 | if text.is_wide { TEXT_WIDE } else { 0 }
-        }
-        _ => NO_TEXT,
     });
-    let entries = entries.collect();
-    LocaleTexts { pieces: interner.pieces, length: interner.length, entries }
+    Ok(Texts { index, lengths })
 }
 
-/// The source index and the pieces of the pool of source records.
-pub(super) struct Sources<'c> {
+/// Where the source records are.
+pub(super) struct Sources {
     /// One offset per slot.
     pub(super) index: Vec<U32>,
-    pub(super) pieces: Vec<&'c [u8]>,
+    /// Bytes of the pool.
+    pub(super) length: usize,
 }
 
-/// Equal source records stand once.
-pub(super) fn sources<'c>(clips: &'c [ClipData], slots: &[u32]) -> Result<Sources<'c>, Report> {
+/// The source records in the order of the keys; equal ones stand once.
+pub(super) fn own_sources(clips: &[Clip<'_>]) -> Interned {
     let mut interner = Interner::with_capacity(clips.len() / 2);
-    let mut index = vec![U32::new(0); clips.len()];
-    for (clip, &slot) in std::iter::zip(clips, slots) {
-        index[slot as usize] = fit(interner.place(&clip.source), "sources")?.into();
+    let entries = clips.iter().map(|clip| interner.place(clip.source()) as u32).collect();
+    Interned { length: interner.length, entries }
+}
+
+/// The source index.
+pub(super) fn sources(interned: &Interned, slots: &[u32]) -> Result<Sources, Report> {
+    fit(interned.length, "sources")?;
+    let mut index = vec![U32::new(0); slots.len()];
+    for (&entry, &slot) in std::iter::zip(&interned.entries, slots) {
+        index[slot as usize] = entry.into();
     }
-    Ok(Sources { index, pieces: interner.pieces })
+    Ok(Sources { index, length: interned.length })
 }

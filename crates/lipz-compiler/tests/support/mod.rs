@@ -18,7 +18,7 @@ pub(crate) fn files(name: &str) -> Vec<(String, Vec<u8>)> {
         .into_iter()
         .map(|input| match input.content {
             Content::File(path) => (input.key, std::fs::read(path).unwrap()),
-            Content::Bytes(bytes) => (input.key, bytes),
+            Content::Bytes { bytes, .. } => (input.key, bytes),
         })
         .collect()
 }

@@ -26,9 +26,11 @@ pub(super) fn elements<'s>(text: &'s str, diagnostics: &mut Vec<Diagnostic>) -> 
     }
     let mut elements = Vec::with_capacity(members.0.len());
     let mut complete = true;
+    let literals = Literals { text, has_escapes: has_escapes(text) };
     for (name, value) in members.0 {
-        let element = json_string(text, name.get(), diagnostics)
-            .and_then(|name| Some(Element { name, value: json_value(text, value.get(), diagnostics)? }));
+        let element = literals
+            .string(name.get(), diagnostics)
+            .and_then(|name| Some(Element { name, value: literals.value(value.get(), diagnostics)? }));
         complete &= element.is_some();
         elements.extend(element);
     }
@@ -61,37 +63,50 @@ impl<'de> Deserialize<'de> for Members<'de> {
     }
 }
 
-/// Where `part`, a slice of `text`, stands in it.
-fn offset_in(text: &str, part: &str) -> usize {
-    (part.as_ptr() as usize).wrapping_sub(text.as_ptr() as usize)
+fn has_escapes(text: &str) -> bool {
+    memchr::memchr(b'\\', text.as_bytes()).is_some()
 }
 
-fn json_value<'s>(text: &'s str, literal: &'s str, diagnostics: &mut Vec<Diagnostic>) -> Option<Value<'s>> {
-    let start = offset_in(text, literal);
-    let raw = || Raw { text: Cow::Borrowed(literal), span: Span::new(start, start + literal.len()) };
-    Some(match literal.as_bytes().first() {
-        Some(b'"') => Value::String(json_string(text, literal, diagnostics)?),
-        Some(b'-' | b'0'..=b'9') => Value::Number(raw()),
-        _ => Value::Other(raw()),
-    })
+/// The literals of a text, whose syntax serde_json has accepted.
+struct Literals<'s> {
+    text: &'s str,
+    /// Whether any literal can have escapes: few files have one.
+    has_escapes: bool,
 }
 
-/// Decodes a literal whose syntax serde_json has accepted.
-fn json_string<'s>(text: &'s str, literal: &'s str, diagnostics: &mut Vec<Diagnostic>) -> Option<JsonString<'s>> {
-    let start = offset_in(text, literal);
-    let inner = literal.get(1..literal.len().saturating_sub(1)).unwrap_or_default();
-    let decoded = if inner.contains('\\') {
-        match serde_json::from_str::<String>(literal) {
-            Ok(decoded) => Cow::Owned(decoded),
-            Err(_) => {
-                diagnostics.push(syntax::half_of_a_pair(literal, start));
-                return None;
+impl<'s> Literals<'s> {
+    /// Where `literal` stands in the text.
+    fn offset(&self, literal: &str) -> usize {
+        (literal.as_ptr() as usize).wrapping_sub(self.text.as_ptr() as usize)
+    }
+
+    fn value(&self, literal: &'s str, diagnostics: &mut Vec<Diagnostic>) -> Option<Value<'s>> {
+        let start = self.offset(literal);
+        let raw = || Raw { text: Cow::Borrowed(literal), span: Span::new(start, start + literal.len()) };
+        Some(match literal.as_bytes().first() {
+            Some(b'"') => Value::String(self.string(literal, diagnostics)?),
+            Some(b'-' | b'0'..=b'9') => Value::Number(raw()),
+            _ => Value::Other(raw()),
+        })
+    }
+
+    /// The string decoded.
+    fn string(&self, literal: &'s str, diagnostics: &mut Vec<Diagnostic>) -> Option<JsonString<'s>> {
+        let start = self.offset(literal);
+        let inner = literal.get(1..literal.len().saturating_sub(1)).unwrap_or_default();
+        let decoded = if self.has_escapes && has_escapes(inner) {
+            match serde_json::from_str::<String>(literal) {
+                Ok(decoded) => Cow::Owned(decoded),
+                Err(_) => {
+                    diagnostics.push(syntax::half_of_a_pair(literal, start));
+                    return None;
+                }
             }
-        }
-    } else {
-        Cow::Borrowed(inner)
-    };
-    Some(JsonString::from_literal(decoded, literal, Span::new(start, start).start))
+        } else {
+            Cow::Borrowed(inner)
+        };
+        Some(JsonString::from_literal(decoded, literal, Span::new(start, start).start))
+    }
 }
 
 /// Elements that are compared with each other directly.

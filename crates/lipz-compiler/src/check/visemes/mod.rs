@@ -8,6 +8,7 @@ mod type_name;
 pub(super) use instead::DELIMITER_LOOKALIKES;
 pub(super) use type_name::viseme_type;
 
+use crate::clip::ClipData;
 use lipz::{Code, Diagnostic, JsonString, text};
 use lipz_bank::VisemeType;
 
@@ -24,14 +25,15 @@ pub(super) enum Expected {
     Unknown,
 }
 
-/// Frame codes without delimiters and white space, and the start frame of each segment.
+/// Gives the clip its frame codes, without delimiters and white space, and the start frame of each
+/// segment.
 pub(super) fn frames(
     string: &JsonString<'_>,
     expected: Expected,
+    clip: &mut ClipData,
     diagnostics: &mut Vec<Diagnostic>,
-) -> (Vec<u8>, Vec<u32>) {
-    let mut frames = Vec::with_capacity(string.text.len());
-    let mut starts = Vec::with_capacity(4);
+) {
+    let (frames, starts) = (&mut clip.frames, &mut clip.starts);
     // Looked for in the whole, without a branch per code: it is hardly ever there.
     let has_white_space = string.text.bytes().fold(false, |found, byte| found | is_white_space(byte));
     for range in text::segments(&string.text) {
@@ -45,8 +47,8 @@ pub(super) fn frames(
         }
     }
     let legal = match expected {
-        Expected::Named(viseme_type) | Expected::Default(viseme_type) => viseme_type.contains_all(&frames),
-        Expected::Any => VisemeType::ALL.iter().any(|viseme_type| viseme_type.contains_all(&frames)),
+        Expected::Named(viseme_type) | Expected::Default(viseme_type) => viseme_type.contains_all(frames),
+        Expected::Any => VisemeType::ALL.iter().any(|viseme_type| viseme_type.contains_all(frames)),
         Expected::Unknown => true,
     };
     if has_white_space {
@@ -55,7 +57,6 @@ pub(super) fn frames(
     if !legal {
         foreign::report(string, expected, diagnostics);
     }
-    (frames, starts)
 }
 
 fn is_white_space(byte: u8) -> bool {

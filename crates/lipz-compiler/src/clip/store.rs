@@ -1,0 +1,217 @@
+//! Checked clips in bulk: flat, so that a hundred thousand of them cost no allocation each.
+
+use super::{ClipData, ClipText, Locales};
+use crate::strings::Strings;
+use lipz_bank::{Fps, VisemeType};
+use std::collections::BTreeSet;
+use std::ops::Range;
+
+/// Clips, part by part: all frames in one buffer, all texts in one, and so on. A clip is where its
+/// parts end in them; they start where those of the clip before it end.
+#[derive(Debug, Default)]
+pub(crate) struct Clips {
+    /// The locales that texts refer to by number.
+    pub(crate) locales: Locales,
+    heads: Vec<Head>,
+    keys: Strings,
+    frames: Vec<u8>,
+    starts: Vec<u32>,
+    texts: Vec<ClipText>,
+    runs: Vec<u8>,
+    events: Strings,
+    sources: Vec<u8>,
+}
+
+/// What is not in a buffer of a clip, and where its parts end.
+#[derive(Clone, Copy, Debug)]
+struct Head {
+    fps: Option<Fps>,
+    viseme_type: Option<VisemeType>,
+    has_visemes: bool,
+    has_events: bool,
+    ends: Ends,
+}
+
+#[derive(Clone, Copy, Debug, Default)]
+struct Ends {
+    frames: usize,
+    starts: usize,
+    texts: usize,
+    runs: usize,
+    events: usize,
+    source: usize,
+}
+
+impl Clips {
+    /// Adds a clip, whose texts refer to `self.locales`.
+    pub(crate) fn push(&mut self, key: &str, clip: &ClipData) {
+        self.keys.push(key);
+        self.frames.extend_from_slice(&clip.frames);
+        self.starts.extend_from_slice(&clip.starts);
+        self.texts.extend_from_slice(&clip.texts);
+        self.runs.extend_from_slice(&clip.runs);
+        clip.events.iter().for_each(|event| self.events.push(event));
+        self.sources.extend_from_slice(&clip.source);
+        self.heads.push(Head {
+            fps: clip.fps,
+            viseme_type: clip.viseme_type,
+            has_visemes: clip.has_visemes,
+            has_events: clip.has_events,
+            ends: Ends {
+                frames: self.frames.len(),
+                starts: self.starts.len(),
+                texts: self.texts.len(),
+                runs: self.runs.len(),
+                events: self.events.count(),
+                source: self.sources.len(),
+            },
+        });
+    }
+
+    /// The clips in the order in which they were added, as the first batch.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = Clip<'_>> {
+        (0..self.heads.len()).map(|index| Clip { clips: self, batch: 0, index })
+    }
+
+    /// The clips of all `batches` in the order of their keys.
+    pub(crate) fn by_key(batches: &[Clips]) -> Vec<Clip<'_>> {
+        let mut clips: Vec<Clip<'_>> = Vec::with_capacity(batches.iter().map(|clips| clips.heads.len()).sum());
+        for (batch, of_batch) in batches.iter().enumerate() {
+            clips.extend(of_batch.iter().map(|clip| Clip { batch, ..clip }));
+        }
+        // Sources come sorted by path: the stable sort takes little more than a look.
+        clips.sort_by(|a, b| a.key().cmp(b.key()));
+        clips
+    }
+
+    /// The tags of the locales that the texts of all `batches` are in, sorted. From then on the texts
+    /// refer to these.
+    pub(crate) fn join_locales(batches: &mut [Clips]) -> Vec<Box<str>> {
+        let mut used = BTreeSet::new();
+        for clips in &*batches {
+            let mut is_used = vec![false; clips.locales.tags().len()];
+            clips.texts.iter().for_each(|text| is_used[text.locale as usize] = true);
+            used.extend(
+                std::iter::zip(clips.locales.tags(), is_used).filter(|(_, is_used)| *is_used).map(|(tag, _)| tag),
+            );
+        }
+        let tags: Vec<Box<str>> = used.into_iter().cloned().collect();
+        for clips in batches {
+            let locales = std::mem::take(&mut clips.locales);
+            // Those that are not used are not asked for.
+            let number = |tag| tags.binary_search(tag).map_or(u32::MAX, |number| number as u32);
+            let numbers: Vec<u32> = locales.tags().iter().map(number).collect();
+            clips.texts.iter_mut().for_each(|text| text.locale = numbers[text.locale as usize]);
+        }
+        tags
+    }
+}
+
+/// One of the [`Clips`].
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Clip<'c> {
+    clips: &'c Clips,
+    batch: usize,
+    index: usize,
+}
+
+impl<'c> Clip<'c> {
+    /// Where a part of the clip lies among those of all.
+    fn range(&self, end: impl Fn(&Ends) -> usize) -> Range<usize> {
+        let start = self.index.checked_sub(1).map_or(0, |before| end(&self.clips.heads[before].ends));
+        start..end(&self.head().ends)
+    }
+
+    fn head(&self) -> &'c Head {
+        &self.clips.heads[self.index]
+    }
+
+    /// Number of the batch, and of the clip in it.
+    pub(crate) fn place(&self) -> (usize, usize) {
+        (self.batch, self.index)
+    }
+
+    pub(crate) fn key(&self) -> &'c str {
+        self.clips.keys.get(self.index)
+    }
+
+    pub(crate) fn fps(&self) -> Option<Fps> {
+        self.head().fps
+    }
+
+    pub(crate) fn viseme_type(&self) -> Option<VisemeType> {
+        self.head().viseme_type
+    }
+
+    pub(crate) fn has_visemes(&self) -> bool {
+        self.head().has_visemes
+    }
+
+    pub(crate) fn frames(&self) -> &'c [u8] {
+        &self.clips.frames[self.range(|ends| ends.frames)]
+    }
+
+    pub(crate) fn starts(&self) -> &'c [u32] {
+        &self.clips.starts[self.range(|ends| ends.starts)]
+    }
+
+    pub(crate) fn texts(&self) -> &'c [ClipText] {
+        &self.clips.texts[self.range(|ends| ends.texts)]
+    }
+
+    /// The text in the locale with this number; for clips whose locales are joined.
+    pub(crate) fn text(&self, locale: u32) -> Option<&'c ClipText> {
+        let texts = self.texts();
+        texts.binary_search_by_key(&locale, |text| text.locale).ok().map(|index| &texts[index])
+    }
+
+    /// The run of one of the clip's texts.
+    pub(crate) fn run(&self, text: &ClipText) -> &'c [u8] {
+        let start = self.range(|ends| ends.runs).start;
+        &self.clips.runs[start + text.place.start as usize..start + text.place.end as usize]
+    }
+
+    /// The event strings of all segments, if the file has an `events` element.
+    pub(crate) fn events(&self) -> Option<impl Iterator<Item = &'c str> + use<'c>> {
+        let numbers = self.range(|ends| ends.events);
+        self.head().has_events.then(|| self.clips.events.range(numbers))
+    }
+
+    pub(crate) fn source(&self) -> &'c [u8] {
+        &self.clips.sources[self.range(|ends| ends.source)]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A clip of so many frames with texts that say their locale.
+    fn push(clips: &mut Clips, key: &str, frames: usize, tags: &[&str]) {
+        let mut clip = ClipData { frames: vec![b'-'; frames], starts: vec![0], ..ClipData::default() };
+        for tag in tags {
+            clip.displays.clear();
+            clip.displays.push(tag);
+            clip.add_displays(clips.locales.number(tag, true));
+        }
+        clips.push(key, &clip);
+    }
+
+    #[test]
+    fn batches_become_one_list_with_common_locales() {
+        let (mut first, mut second) = (Clips::default(), Clips::default());
+        push(&mut first, "c", 3, &["de-de", "fr-fr"]);
+        first.locales.number("it-it", true);
+        push(&mut first, "a", 1, &[]);
+        push(&mut second, "b", 2, &["en-us", "fr-fr"]);
+        let mut batches = [first, second];
+        assert_eq!(Clips::join_locales(&mut batches), ["de-de", "en-us", "fr-fr"].map(Box::from));
+        let clips = Clips::by_key(&batches);
+        let seen: Vec<_> = clips.iter().map(|clip| (clip.key(), clip.frames().len(), clip.place())).collect();
+        assert_eq!(seen, [("a", 1, (0, 1)), ("b", 2, (1, 0)), ("c", 3, (0, 0))]);
+        let run = |clip: &Clip<'_>, locale| clip.text(locale).map(|text| clip.run(text)[2..].to_vec());
+        let texts: Vec<_> = clips.iter().map(|clip| [0, 1, 2].map(|locale| run(clip, locale))).collect();
+        let [de, en, fr] = ["de-de", "en-us", "fr-fr"].map(|tag| Some(tag.into()));
+        assert_eq!(texts, [[None, None, None], [None, en, fr.clone()], [de, None, fr]]);
+    }
+}

@@ -1,0 +1,61 @@
+//! The sections that are copied from the clips: frames, texts, source records.
+
+use super::Layout;
+use crate::clip::{Clip, Clips};
+use lipz_bank::layout::TEXT_OFFSET;
+use rayon::prelude::*;
+
+/// A part of a section, which one thread at a time copies.
+struct Lane<'b> {
+    part: Part,
+    place: &'b mut [u8],
+}
+
+/// Which part.
+enum Part {
+    Frames,
+    /// The texts of a locale, which start at an offset in the pool.
+    Texts {
+        locale: usize,
+        start: usize,
+    },
+    Sources,
+}
+
+/// Copies what the clips of `batches` own to `places`: those of frames, texts and, if they are kept,
+/// source records. Each batch is given back when it is copied, so that clips and bank do not add up.
+pub(super) fn fill(layout: &Layout, batches: Vec<Clips>, places: Vec<&mut [u8]>) {
+    let mut places = places.into_iter();
+    let mut lanes = Vec::new();
+    lanes.extend(places.next().map(|place| Lane { part: Part::Frames, place }));
+    let (mut start, mut texts) = (0, places.next().unwrap_or_default());
+    for (locale, &length) in layout.texts.lengths.iter().enumerate() {
+        let (place, behind) = texts.split_at_mut(length);
+        lanes.push(Lane { part: Part::Texts { locale, start }, place });
+        start += length;
+        texts = behind;
+    }
+    lanes.extend(places.next().map(|place| Lane { part: Part::Sources, place }));
+    for (clips, slots) in std::iter::zip(batches, &layout.batch_slots) {
+        lanes.par_iter_mut().for_each(|lane| {
+            std::iter::zip(clips.iter(), slots).for_each(|(clip, &slot)| lane.copy(layout, &clip, slot as usize));
+        });
+    }
+}
+
+impl Lane<'_> {
+    /// Copies the part of a clip. Equal texts and source records have one place, and are copied to it
+    /// again.
+    fn copy(&mut self, layout: &Layout, clip: &Clip<'_>, slot: usize) {
+        let (offset, bytes) = match self.part {
+            Part::Frames => (layout.records.clips[slot].frames_offset_bytes.get() as usize, clip.frames()),
+            Part::Texts { locale, start } => {
+                let Some(text) = clip.text(locale as u32) else { return };
+                let entry = layout.texts.index[locale * layout.records.clips.len() + slot].get();
+                ((entry & TEXT_OFFSET) as usize - start, clip.run(text))
+            }
+            Part::Sources => (layout.sources.index[slot].get() as usize, clip.source()),
+        };
+        self.place[offset..offset + bytes.len()].copy_from_slice(bytes);
+    }
+}

@@ -1,0 +1,82 @@
+//! Strings one behind the other in one buffer, so that many cost as little as one.
+
+use std::ops::Range;
+
+/// A list of strings.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub(crate) struct Strings {
+    text: String,
+    /// Where each string ends in `text`.
+    ends: Vec<usize>,
+}
+
+impl Strings {
+    /// Adds a string.
+    pub(crate) fn push(&mut self, string: &str) {
+        self.text.push_str(string);
+        self.ends.push(self.text.len());
+    }
+
+    /// Removes all strings and keeps the room.
+    pub(crate) fn clear(&mut self) {
+        self.text.clear();
+        self.ends.clear();
+    }
+
+    /// Number of strings.
+    pub(crate) fn count(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// All strings, one behind the other.
+    pub(crate) fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Where each string ends in [`Strings::text`].
+    pub(crate) fn ends(&self) -> &[usize] {
+        &self.ends
+    }
+
+    fn start(&self, number: usize) -> usize {
+        number.checked_sub(1).map_or(0, |before| self.ends[before])
+    }
+
+    /// The string with this number.
+    pub(crate) fn get(&self, number: usize) -> &str {
+        &self.text[self.start(number)..self.ends[number]]
+    }
+
+    /// The strings with these numbers.
+    pub(crate) fn range(&self, numbers: Range<usize>) -> impl Iterator<Item = &str> {
+        let mut start = self.start(numbers.start);
+        self.ends[numbers].iter().map(move |&end| {
+            let string = &self.text[start..end];
+            start = end;
+            string
+        })
+    }
+
+    /// All strings.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = &str> {
+        self.range(0..self.count())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn strings_keep_their_ends() {
+        let mut strings = Strings::default();
+        for string in ["", "ab", "", "ü"] {
+            strings.push(string);
+        }
+        assert_eq!(strings.iter().collect::<Vec<_>>(), ["", "ab", "", "ü"]);
+        assert_eq!(strings.range(1..3).collect::<Vec<_>>(), ["ab", ""]);
+        assert_eq!((strings.get(0), strings.get(3), strings.count()), ("", "ü", 4));
+        strings.clear();
+        assert_eq!(strings.iter().next(), None);
+    }
+}
