@@ -40,22 +40,29 @@ pub(crate) fn check(
         (None, Some(default)) => Expected::Default(default),
         (None, None) => Expected::Any,
     };
+    let (mut segment_count, mut counts_differ) = (None, false);
+    let mut count = |segments: usize| counts_differ |= *segment_count.get_or_insert(segments) != segments;
     if let Some(string) = roles.visemes {
         clip.has_visemes = true;
         visemes::frames(string, expected, clip, diagnostics);
+        count(clip.starts.len());
     }
     for text in &roles.texts {
         texts::display_texts(text.string, &mut clip.displays, diagnostics);
+        count(clip.displays.count());
         clip.add_displays(text.locale);
     }
     clip.texts.sort_by(|a, b| locales.tag(a.locale).cmp(locales.tag(b.locale)));
     if let Some(string) = roles.events {
         clip.has_events = true;
         events::trimmed(string, diagnostics).into_iter().for_each(|event| clip.events.push(event));
+        count(clip.events.count());
     }
-    let segment_count = segments::common_count(&roles, diagnostics);
+    if counts_differ {
+        segments::report_differing(&roles, diagnostics);
+    }
     if !clip.has_visemes {
-        clip.starts.resize(segment_count, 0);
+        clip.starts.resize(segment_count.unwrap_or(1), 0);
     }
     diagnostics[first..].iter().all(|diagnostic| diagnostic.level != Level::Error)
 }

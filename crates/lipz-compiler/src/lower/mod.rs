@@ -38,9 +38,9 @@ impl Layout {
     /// Lays out the bank of `clips`, which are in the order of their keys.
     pub(crate) fn of(clips: &[Clip<'_>], localised: &Localised, options: &Options) -> Result<Layout, Report> {
         let ids = unique_ids(clips)?;
-        let (index, (texts, events)) = rayon::join(
-            || index::build(&ids),
-            || rayon::join(|| strings::locale_texts(clips, localised), || events::events(clips)),
+        let ((index, events), (texts, sources)) = rayon::join(
+            || rayon::join(|| index::build(&ids), || events::events(clips)),
+            || rayon::join(|| strings::locale_texts(clips, localised), || strings::own_sources(clips)),
         );
         let (slots, events) = (&index.slots, events?);
         let names = strings::names(clips, localised)?;
@@ -48,7 +48,7 @@ impl Layout {
             records: records::clips(clips, &ids, slots, &names, &events)?,
             locales: records::locales(localised, &names),
             texts: strings::texts(&texts, localised, slots)?,
-            sources: if options.strip { Sources::default() } else { strings::sources(clips, slots)? },
+            sources: strings::sources(&sources, slots)?,
             is_stripped: options.strip,
             batch_slots: batch_slots(clips, slots),
             names,

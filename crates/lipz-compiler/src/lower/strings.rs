@@ -69,20 +69,20 @@ pub(super) struct Texts {
     pub(super) lengths: Vec<usize>,
 }
 
-/// The texts of one locale: the length of its part of the pool, and the entry of each clip's own text as
-/// if that part were the pool.
-pub(super) struct LocaleTexts {
+/// What one interner has placed: bytes of its part of a pool, and the entry of each clip as if that part
+/// were the pool. An offset that does not fit is found by the length.
+pub(super) struct Interned {
     length: usize,
     entries: Vec<u32>,
 }
 
 /// Each locale's texts, in the order of the keys; a run that appears twice in a locale stands once.
-pub(super) fn locale_texts(clips: &[Clip<'_>], localised: &Localised) -> Vec<LocaleTexts> {
+pub(super) fn locale_texts(clips: &[Clip<'_>], localised: &Localised) -> Vec<Interned> {
     localised.locales.par_iter().map(|locale| own_texts(clips, locale)).collect()
 }
 
-/// The own texts of a locale. An offset that does not fit is found by the sum of the lengths.
-fn own_texts(clips: &[Clip<'_>], locale: &LocaleColumn) -> LocaleTexts {
+/// The own texts of a locale.
+fn own_texts(clips: &[Clip<'_>], locale: &LocaleColumn) -> Interned {
     let mut interner = Interner::with_capacity(clips.len());
     let entries = std::iter::zip(clips, &locale.texts).map(|(clip, choice)| match choice {
         Choice::Own(index) => {
@@ -92,11 +92,11 @@ fn own_texts(clips: &[Clip<'_>], locale: &LocaleColumn) -> LocaleTexts {
         _ => NO_TEXT,
     });
     let entries = entries.collect();
-    LocaleTexts { length: interner.length, entries }
+    Interned { length: interner.length, entries }
 }
 
 /// The text index: each locale's texts stand together.
-pub(super) fn texts(parts: &[LocaleTexts], localised: &Localised, slots: &[u32]) -> Result<Texts, Report> {
+pub(super) fn texts(parts: &[Interned], localised: &Localised, slots: &[u32]) -> Result<Texts, Report> {
     let lengths: Vec<usize> = parts.iter().map(|part| part.length).collect();
     if lengths.iter().sum::<usize>() >= TEXT_OFFSET as usize {
         return Err(too_large("texts"));
@@ -128,7 +128,6 @@ pub(super) fn texts(parts: &[LocaleTexts], localised: &Localised, slots: &[u32])
 }
 
 /// Where the source records are.
-#[derive(Default)]
 pub(super) struct Sources {
     /// One offset per slot.
     pub(super) index: Vec<U32>,
@@ -136,12 +135,19 @@ pub(super) struct Sources {
     pub(super) length: usize,
 }
 
-/// Equal source records stand once.
-pub(super) fn sources(clips: &[Clip<'_>], slots: &[u32]) -> Result<Sources, Report> {
+/// The source records in the order of the keys; equal ones stand once.
+pub(super) fn own_sources(clips: &[Clip<'_>]) -> Interned {
     let mut interner = Interner::with_capacity(clips.len() / 2);
-    let mut index = vec![U32::new(0); clips.len()];
-    for (clip, &slot) in std::iter::zip(clips, slots) {
-        index[slot as usize] = fit(interner.place(clip.source()), "sources")?.into();
+    let entries = clips.iter().map(|clip| interner.place(clip.source()) as u32).collect();
+    Interned { length: interner.length, entries }
+}
+
+/// The source index.
+pub(super) fn sources(interned: &Interned, slots: &[u32]) -> Result<Sources, Report> {
+    fit(interned.length, "sources")?;
+    let mut index = vec![U32::new(0); slots.len()];
+    for (&entry, &slot) in std::iter::zip(&interned.entries, slots) {
+        index[slot as usize] = entry.into();
     }
-    Ok(Sources { index, length: interner.length })
+    Ok(Sources { index, length: interned.length })
 }
