@@ -12,7 +12,7 @@ use std::ops::Range;
 
 /// One clip as the check makes it. A thread fills the same one for all of its files, so that its
 /// buffers are made once, and adds it to its [`Clips`].
-#[derive(Clone, PartialEq, Eq, Debug, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct ClipData {
     /// Frame rate, of the file or the project's default.
     pub(crate) fps: Option<Fps>,
@@ -39,7 +39,7 @@ pub(crate) struct ClipData {
 }
 
 /// The display texts of a clip in one locale: a run of the text pool.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct ClipText {
     /// Number of the locale in [`Locales`].
     pub(crate) locale: u32,

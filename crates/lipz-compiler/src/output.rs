@@ -16,7 +16,7 @@ use tempfile::NamedTempFile;
 /// Whatever the file system refuses, and a `path` that is a folder, a pipe or a device; it is
 /// unchanged then.
 pub fn replace_file(path: &Path, bytes: &[u8]) -> Result<(), Report> {
-    replace_file_if(path, bytes, || Ok(()))
+    Written::beside(path, bytes).and_then(Written::replace).map_err(|error| failed(path, &error))
 }
 
 /// The same, if `check` finds nothing: it runs while the temporary file is written and synced, and
@@ -26,15 +26,16 @@ pub(crate) fn replace_file_if(
     bytes: &[u8],
     check: impl FnOnce() -> Result<(), Report> + Send,
 ) -> Result<(), Report> {
-    let failed = |error: io::Error| {
-        let shown = discover::display(path);
-        let headline = format!("`{shown}` cannot be written: {}", why(path, &error));
-        let finding = Diagnostic::new(Code::OutputFailed, headline);
-        Report::about(shown, finding.note("whatever was there before is unchanged"))
-    };
     let (written, checked) = rayon::join(|| Written::beside(path, bytes), check);
     checked?;
-    written.and_then(Written::replace).map_err(failed)
+    written.and_then(Written::replace).map_err(|error| failed(path, &error))
+}
+
+fn failed(path: &Path, error: &io::Error) -> Report {
+    let shown = discover::display(path);
+    let headline = format!("`{shown}` cannot be written: {}", why(path, error));
+    let finding = Diagnostic::new(Code::OutputFailed, headline);
+    Report::about(shown, finding.note("whatever was there before is unchanged"))
 }
 
 /// Why the file at `path` cannot be written.

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 /// A list of strings.
-#[derive(Clone, PartialEq, Eq, Debug, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct Strings {
     text: String,
     /// Where each string ends in `text`.

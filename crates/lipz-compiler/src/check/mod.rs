@@ -40,25 +40,35 @@ pub(crate) fn check(
         (None, Some(default)) => Expected::Default(default),
         (None, None) => Expected::Any,
     };
+    // The first element says how many segments there are; others are joined if that is allowed.
+    let (mut segment_count, mut counts_differ) = (None, false);
+    let mut expected_count = |found: usize| {
+        let expected = *segment_count.get_or_insert(found);
+        counts_differ |= expected != found;
+        expected
+    };
     if let Some(string) = roles.visemes {
         clip.has_visemes = true;
         visemes::frames(string, expected, clip, diagnostics);
+        expected_count(clip.starts.len());
     }
-    let mut uneven = Vec::new();
-    let segment_count = segments::common_count(&roles, options, &mut uneven);
     for text in &roles.texts {
         texts::display_texts(text.string, &mut clip.displays, diagnostics);
-        join::texts(&mut clip.displays, segment_count);
+        let count = expected_count(clip.displays.count());
+        join::texts(&mut clip.displays, count);
         clip.add_displays(text.locale);
     }
     clip.texts.sort_by(|a, b| locales.tag(a.locale).cmp(locales.tag(b.locale)));
     if let Some(string) = roles.events {
         clip.has_events = true;
         events::trimmed(string, &options.registry, diagnostics).into_iter().for_each(|event| clip.events.push(event));
-        join::events(&mut clip.events, segment_count);
+        let count = expected_count(clip.events.count());
+        join::events(&mut clip.events, count);
     }
-    diagnostics.append(&mut uneven);
+    if counts_differ {
+        segments::report_differing(&roles, options, diagnostics);
+    }
     if !clip.has_visemes {
-        clip.starts.resize(segment_count, 0);
+        clip.starts.resize(segment_count.unwrap_or(1), 0);
     }
 }

@@ -33,25 +33,20 @@ impl<'d> Segmented<'d> {
     }
 }
 
-/// The number of segments that the elements agree on, 1 for a clip without segmented elements;
-/// reports elements that differ.
-pub(super) fn common_count(roles: &Roles<'_>, options: &Options, diagnostics: &mut Vec<Diagnostic>) -> usize {
+/// Reports the elements that have another number of segments than the rest.
+pub(super) fn report_differing(roles: &Roles<'_>, options: &Options, diagnostics: &mut Vec<Diagnostic>) {
     let texts = roles.texts.iter().map(|text| Segmented::new(&text.name.text, text.string));
     let events = roles.events.map(|events| Segmented::new("events", events));
     let mut others = texts.chain(events);
     let visemes = roles.visemes.map(|visemes| Segmented::new("visemes", visemes));
-    let Some(reference) = visemes.or_else(|| others.next()) else { return 1 };
-    let others: Vec<Segmented<'_>> = others.collect();
-    if others.iter().any(|other| other.count != reference.count) {
-        let first = diagnostics.len();
-        report(reference, &others, visemes.is_some(), diagnostics);
-        if levels::is_lowered(&options.levels, Code::SegmentCount) {
-            for finding in &mut diagnostics[first..] {
-                finding.notes.push(JOINED.to_owned());
-            }
+    let Some(reference) = visemes.or_else(|| others.next()) else { return };
+    let first = diagnostics.len();
+    report(reference, &others.collect::<Vec<_>>(), visemes.is_some(), diagnostics);
+    if levels::is_lowered(&options.levels, Code::SegmentCount) {
+        for finding in &mut diagnostics[first..] {
+            finding.notes.push(JOINED.to_owned());
         }
     }
-    reference.count
 }
 
 fn report(reference: Segmented<'_>, others: &[Segmented<'_>], is_visemes: bool, diagnostics: &mut Vec<Diagnostic>) {

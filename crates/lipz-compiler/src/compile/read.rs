@@ -5,7 +5,7 @@ use crate::discover::display;
 use lipz::{Code, Diagnostic};
 use std::fs::File;
 use std::io::{self, Read};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Bytes that are read without asking how many there are, which takes as long as to read them.
 const SMALL_FILE: u64 = 1 << 16;
@@ -14,7 +14,8 @@ const SMALL_FILE: u64 = 1 << 16;
 /// found in an open folder in two thirds of the time that a whole path takes.
 #[derive(Default)]
 pub(crate) struct FileReader {
-    folder: Option<(PathBuf, File)>,
+    #[cfg(unix)]
+    folder: Option<(std::path::PathBuf, File)>,
     bytes: Vec<u8>,
 }
 
@@ -40,6 +41,7 @@ impl FileReader {
         Err(Report::about(display(path), finding))
     }
 
+    /// Elsewhere, the standard library has no other way than the path.
     #[cfg(not(unix))]
     fn open(&mut self, path: &Path) -> io::Result<File> {
         File::open(path)
