@@ -34,13 +34,16 @@
 mod check;
 mod clip;
 mod compile;
+mod coverage;
 mod discover;
+mod fallback;
 mod input;
 pub mod key;
 mod localise;
 mod lower;
 mod options;
 mod output;
+mod pseudo;
 mod raise;
 mod report;
 mod source_record;
@@ -48,6 +51,7 @@ mod split;
 mod unpack;
 
 pub use compile::{Compiled, Phases, Progress, check_all, compile};
+pub use coverage::{Coverage, coverage};
 pub use discover::discover;
 pub use input::{Content, Input};
 pub use options::{Levels, Options, Registry, TextLimits};

@@ -1,8 +1,7 @@
 //! Locales of the bank, and which text each clip shows in each of them.
 
-use crate::Options;
 use crate::clip::ClipData;
-use lipz::locale::language;
+use crate::{Options, fallback};
 use std::collections::BTreeMap;
 
 /// The locales of a bank with the texts of all clips.
@@ -32,8 +31,7 @@ pub(crate) enum Choice {
     Missing,
 }
 
-/// Finds the locales of `clips` and resolves fallback: a locale falls back to those of the same
-/// language (the default locale first, then by tag), then to the default locale.
+/// Finds the locales of `clips` and resolves fallback; [`fallback::chain`] has the rule.
 pub(crate) fn localise(clips: &[ClipData], options: &Options) -> Localised {
     let default = options.default_locale.as_deref();
     let mut index_of: BTreeMap<&str, usize> = BTreeMap::new();
@@ -55,7 +53,7 @@ pub(crate) fn localise(clips: &[ClipData], options: &Options) -> Localised {
         }
     }
     let locales = tags.iter().enumerate().map(|(locale, tag)| {
-        let chain = chain(&tags, locale, default);
+        let chain = fallback::chain(&tags, locale, options);
         let choice = |(at, choice): (usize, &Choice)| match choice {
             Choice::Missing => chain
                 .iter()
@@ -67,17 +65,6 @@ pub(crate) fn localise(clips: &[ClipData], options: &Options) -> Localised {
         LocaleColumn { tag: (*tag).to_owned(), is_default: Some(*tag) == default, texts }
     });
     Localised { locales: locales.collect() }
-}
-
-/// The locales that `locale` falls back to, in order.
-fn chain(tags: &[&str], locale: usize, default: Option<&str>) -> Vec<usize> {
-    let default = tags.iter().position(|tag| Some(*tag) == default);
-    let same_language = |other: &usize| language(tags[*other]) == language(tags[locale]);
-    let mut chain: Vec<usize> = default.into_iter().filter(same_language).collect();
-    chain.extend((0..tags.len()).filter(same_language));
-    chain.extend(default);
-    chain.retain(|&other| other != locale);
-    chain
 }
 
 #[cfg(test)]
@@ -109,15 +96,5 @@ mod tests {
         assert_eq!(*of("de-ch"), [Own(1), Own(0), Fallback(3), Missing]);
         assert_eq!(*of("fr-fr"), [Fallback(3), Fallback(3), Fallback(3), Own(0)]);
         assert_eq!(*of("en-us"), [Own(3), Own(1), Own(0), Missing]);
-    }
-
-    #[test]
-    fn the_default_goes_first_within_its_language() {
-        let clips = [clip(&["en-au", "en-us"]), clip(&["en-gb"])];
-        let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
-        let localised = localise(&clips, &options);
-        assert_eq!(localised.locales[1].texts, [Choice::Fallback(2), Choice::Own(0)]);
-        let without_default = localise(&clips, &Options::default());
-        assert_eq!(without_default.locales[1].texts, [Choice::Fallback(0), Choice::Own(0)]);
     }
 }

@@ -28,6 +28,7 @@ pub(super) const ALLOWED: &[Rule] = &[
             "foldhash",
             "glob",
             "icu_casemap",
+            "icu_locale",
             "lipz",
             "lipz-bank",
             "rayon",
@@ -41,7 +42,7 @@ pub(super) const ALLOWED: &[Rule] = &[
         transitive: Some(&[
             READER,
             JSON_AND_LOCALES,
-            CASE_FOLDING,
+            UNICODE_DATA,
             FILES,
             &["foldhash", "lipz", "lipz-bank", "strsim", "unicode-normalization", "tinyvec", "unicode-width"],
         ]),
@@ -85,11 +86,15 @@ const JSON_AND_LOCALES: &[&str] = &[
     "zmij",
 ];
 
-/// icu_casemap and what it uses.
-const CASE_FOLDING: &[&str] = &[
+/// icu_casemap, icu_locale and what they use.
+const UNICODE_DATA: &[&str] = &[
     "icu_casemap",
     "icu_casemap_data",
     "icu_collections",
+    "icu_locale",
+    "icu_locale_data",
+    "icu_locale_fallback",
+    "icu_locale_fallback_data",
     "icu_properties",
     "icu_properties_data",
     "icu_provider",
