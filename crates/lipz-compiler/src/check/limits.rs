@@ -80,7 +80,6 @@ fn too_fast(display: &str, seconds: f64, limits: &TextLimits) -> Option<String> 
         return Some("this text stands at a segment of no frames: nobody has time to read it".to_owned());
     }
     let speed = characters as f64 / seconds;
-    (speed > limit).then(|| {
-        format!("{characters} characters in {seconds:.2} s are {speed:.1} a second, the limit is {limit}")
-    })
+    (speed > limit)
+        .then(|| format!("{characters} characters in {seconds:.2} s are {speed:.1} a second, the limit is {limit}"))
 }

@@ -3,6 +3,7 @@
 mod elements;
 mod events;
 mod fps;
+mod limits;
 mod locales;
 mod names;
 mod segments;
@@ -10,9 +11,10 @@ mod texts;
 mod types;
 mod visemes;
 
-use crate::Options;
 use crate::clip::ClipData;
+use crate::{Options, TextLimits};
 use elements::Roles;
+use limits::Times;
 use lipz::{Diagnostic, Document, Level};
 use visemes::Expected;
 
@@ -32,16 +34,29 @@ pub(crate) fn check(document: &Document<'_>, options: &Options, diagnostics: &mu
         (None, None) => Expected::Any,
     };
     let frames = roles.visemes.map(|string| visemes::frames(string, expected, diagnostics));
-    let texts: Vec<_> = roles.texts.iter().map(|text| texts::display_texts(text.string, diagnostics)).collect();
+    let texts: Vec<_> =
+        roles.texts.iter().map(|text| texts::display_texts(text.string, options, diagnostics)).collect();
     let events = roles.events.map(|string| events::trimmed(string, diagnostics));
     let segment_count = segments::common_count(&roles, diagnostics);
+    let fps = fps.or(options.default_fps);
+    if options.text_limits != TextLimits::default() {
+        let times = frames.as_ref().zip(fps).map(|((frames, starts), fps)| Times {
+            starts,
+            frame_count: frames.len() as u32,
+            fps,
+        });
+        for (text, displays) in std::iter::zip(&roles.texts, &texts) {
+            let displays = displays.iter().map(AsRef::as_ref);
+            limits::check(text.string, displays, times.as_ref(), &options.text_limits, diagnostics);
+        }
+    }
     if diagnostics[first..].iter().any(|diagnostic| diagnostic.level == Level::Error) {
         return None;
     }
     let has_visemes = frames.is_some();
     let (frames, starts) = frames.unwrap_or_else(|| (Vec::new(), vec![0; segment_count]));
     let mut clip = ClipData {
-        fps: fps.or(options.default_fps),
+        fps,
         viseme_type: viseme_type.or(options.default_viseme_type),
         has_visemes,
         frames,

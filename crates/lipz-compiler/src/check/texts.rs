@@ -1,18 +1,26 @@
 //! Texts: display forms, and what is odd about them.
 
+use crate::Options;
 use lipz::JsonString;
 use lipz::{Code, Diagnostic, text};
 use std::borrow::Cow;
 
 /// Findings of one kind that one text shows in full; the rest is counted.
-const SHOWN: usize = 3;
+pub(super) const SHOWN: usize = 3;
 
 /// The display text of each segment.
-pub(super) fn display_texts<'t>(string: &'t JsonString<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Cow<'t, str>> {
+pub(super) fn display_texts<'t>(
+    string: &'t JsonString<'_>,
+    options: &Options,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Vec<Cow<'t, str>> {
     let mut unbalanced = Vec::new();
     let mut nested = Vec::new();
     let texts: Vec<Cow<'_, str>> = text::segments(&string.text)
         .map(|range| {
+            if options.literal_braces {
+                return Cow::Borrowed(text::trim(&string.text[range]));
+            }
             let display = text::display(&string.text[range.clone()]);
             unbalanced.extend(display.unbalanced.iter().map(|at| range.start + at));
             nested.extend(display.nested.iter().map(|at| range.start + at));
@@ -41,7 +49,7 @@ pub(super) fn display_texts<'t>(string: &'t JsonString<'_>, diagnostics: &mut Ve
     nul(string, Code::NulInText, "the text contains", diagnostics);
     if texts.iter().all(|text| text.is_empty()) {
         let finding = Diagnostic::at(Code::EmptyDisplayText, string.span(), "nothing of this text is displayed");
-        diagnostics.push(if !string.text.contains('{') {
+        diagnostics.push(if options.literal_braces || !string.text.contains('{') {
             finding.help("leave the element out, so that players see the text of the fallback locale")
         } else {
             finding.note("all of it is {meta}, which the format does not display")
@@ -51,7 +59,7 @@ pub(super) fn display_texts<'t>(string: &'t JsonString<'_>, diagnostics: &mut Ve
 }
 
 /// Says behind the last finding that is shown how many of the kind are not.
-fn more(finding: Diagnostic, index: usize, count: usize) -> Diagnostic {
+pub(super) fn more(finding: Diagnostic, index: usize, count: usize) -> Diagnostic {
     match count.saturating_sub(SHOWN) {
         rest if rest > 0 && index + 1 == SHOWN => finding.note(format!("{rest} more in this text are not shown")),
         _ => finding,
