@@ -8,7 +8,7 @@ use lipz_compiler::{Input, Options, TextLimits, compile};
 /// Codes and marked characters of the findings in one file.
 fn findings(file: &str, options: &Options) -> Vec<(Code, String, String)> {
     let compiled = compile(&[Input::from_bytes("clip", file)], options, &|_| {});
-    let found = compiled.reports.iter().flat_map(|report| report.diagnostics.iter().map(|found| (report, found)));
+    let found = compiled.reports.iter().flat_map(|report| report.diagnostics.iter().map(move |found| (report, found)));
     found
         .map(|(report, found)| {
             let span = found.primary.as_ref().unwrap().span;
