@@ -1,6 +1,7 @@
 //! A checked clip: what a Lipz file means, free of how it is written.
 
 mod locales;
+mod packed;
 mod store;
 
 pub(crate) use locales::Locales;
@@ -47,6 +48,8 @@ pub(crate) struct ClipText {
     place: Range<u32>,
     /// Whether ends have four bytes instead of two.
     pub(crate) is_wide: bool,
+    /// Whether it is the text of another locale, which is not packed.
+    pub(crate) is_fallback: bool,
 }
 
 /// The largest end that two bytes of 7 bits hold.
@@ -79,7 +82,7 @@ impl ClipData {
             }
         }
         self.runs.extend_from_slice(self.displays.text().as_bytes());
-        self.texts.push(ClipText { locale, place: start..self.runs.len() as u32, is_wide });
+        self.texts.push(ClipText { locale, place: start..self.runs.len() as u32, is_wide, is_fallback: false });
     }
 
     /// Bytes of the display texts alone, without the table of ends.

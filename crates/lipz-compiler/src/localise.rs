@@ -1,8 +1,7 @@
 //! Locales of the bank, and which text each clip shows in each of them.
 
-use crate::Options;
 use crate::clip::Clip;
-use lipz::locale::language;
+use crate::{Options, fallback};
 
 /// The locales of a bank with the texts of all clips.
 #[derive(Debug, PartialEq, Eq)]
@@ -31,8 +30,7 @@ pub(crate) enum Choice {
     Missing,
 }
 
-/// Resolves fallback for `clips`, whose texts refer to `tags`: a locale falls back to those of the
-/// same language (the default locale first, then by tag), then to the default locale.
+/// Resolves fallback for `clips`, whose texts refer to `tags`; [`fallback::chain`] has the rule.
 pub(crate) fn localise(clips: &[Clip<'_>], tags: &[Box<str>], options: &Options) -> Localised {
     let default = options.default_locale.as_deref();
     let mut own = vec![vec![Choice::Missing; clips.len()]; tags.len()];
@@ -42,11 +40,11 @@ pub(crate) fn localise(clips: &[Clip<'_>], tags: &[Box<str>], options: &Options)
         }
     }
     let locales = tags.iter().enumerate().map(|(locale, tag)| {
-        let chain = chain(tags, locale, default);
+        let chain = fallback::chain(tags, locale, options);
         let choice = |(at, choice): (usize, &Choice)| match choice {
             Choice::Missing => chain
                 .iter()
-                .find(|&&other| own[other][at] != Choice::Missing)
+                .find(|&&other| matches!(own[other][at], Choice::Own(index) if !clips[at].texts()[index as usize].is_fallback))
                 .map_or(Choice::Missing, |&other| Choice::Fallback(other as u32)),
             own => *own,
         };
@@ -54,17 +52,6 @@ pub(crate) fn localise(clips: &[Clip<'_>], tags: &[Box<str>], options: &Options)
         LocaleColumn { tag: tag.clone(), is_default: Some(tag.as_ref()) == default, texts }
     });
     Localised { locales: locales.collect() }
-}
-
-/// The locales that `locale` falls back to, in order.
-fn chain(tags: &[Box<str>], locale: usize, default: Option<&str>) -> Vec<usize> {
-    let default = tags.iter().position(|tag| Some(tag.as_ref()) == default);
-    let same_language = |other: &usize| language(&tags[*other]) == language(&tags[locale]);
-    let mut chain: Vec<usize> = default.into_iter().filter(same_language).collect();
-    chain.extend((0..tags.len()).filter(same_language));
-    chain.extend(default);
-    chain.retain(|&other| other != locale);
-    chain
 }
 
 #[cfg(test)]
@@ -99,12 +86,5 @@ mod tests {
         assert_eq!(*of("de-ch"), [Own(1), Own(0), Fallback(3), Missing]);
         assert_eq!(*of("fr-fr"), [Fallback(3), Fallback(3), Fallback(3), Own(0)]);
         assert_eq!(*of("en-us"), [Own(3), Own(1), Own(0), Missing]);
-    }
-
-    #[test]
-    fn the_default_goes_first_within_its_language() {
-        let clips: [&[&str]; 2] = [&["en-au", "en-us"], &["en-gb"]];
-        assert_eq!(localised(&clips, Some("en-us")).locales[1].texts, [Choice::Fallback(2), Choice::Own(0)]);
-        assert_eq!(localised(&clips, None).locales[1].texts, [Choice::Fallback(0), Choice::Own(0)]);
     }
 }

@@ -1,5 +1,7 @@
 //! What a project decides about its Lipz files.
 
+use crate::pseudo;
+use lipz::locale::TextName;
 use lipz::{Code, Level};
 use lipz_bank::{Fps, VisemeType};
 use std::collections::{BTreeMap, BTreeSet};
@@ -35,6 +37,28 @@ pub struct Options {
     pub registry: Registry,
     /// Viseme type that clips of other types are converted to.
     pub viseme_type: Option<VisemeType>,
+    /// Add a pseudo-locale, made of the texts of the default locale: `en-xa` of `en-us`.
+    pub pseudo: bool,
+}
+
+impl Options {
+    /// Whether the element with this name is packed: all but texts of other locales than those that are.
+    pub(crate) fn packs(&self, name: &str) -> bool {
+        let Some(packed) = &self.locales else { return true };
+        match lipz::locale::text_name(name) {
+            Some(TextName::Canonical(tag) | TextName::Misspelt(tag) | TextName::OtherShape(_, Some(tag))) => {
+                packed.contains(&tag)
+            }
+            Some(TextName::NoLocale) => self.default_locale.as_ref().is_none_or(|tag| packed.contains(tag)),
+            Some(TextName::OtherShape(_, None)) | None => true,
+        }
+    }
+
+    /// The pseudo-locale that is made of the texts of this locale, if one is.
+    pub(crate) fn pseudo_locale_of(&self, tag: &str) -> Option<String> {
+        let is_source = self.pseudo && self.default_locale.as_deref() == Some(tag);
+        is_source.then(|| pseudo::locale_for(tag))
+    }
 }
 
 /// Levels that a project gives to lints: `None` is "allow", the finding is dropped.

@@ -4,8 +4,9 @@
 //! a file without padding, meta and unknown elements costs a few bytes, and equal records are
 //! stored once. `docs/FORMAT.md`, "Source records", describes the encoding.
 
-use crate::clip::{ClipData, Locales};
-use lipz::{Document, Value};
+use crate::Options;
+use crate::clip::{ClipData, ClipText, Locales};
+use lipz::{Document, Element, Value};
 use std::collections::HashSet;
 
 /// Names of elements that a record mentions by number; higher numbers are the clip's own texts.
@@ -48,23 +49,26 @@ pub(crate) enum Recorded<'r> {
     Other(&'r str),
 }
 
-/// Gives `clip` the record of `document`, which was checked to be it.
-pub(crate) fn encode(document: &Document<'_>, locales: &Locales, clip: &mut ClipData) {
+/// Gives `clip` the record of `document`, which was checked to be it. Texts that are not packed are left
+/// out.
+pub(crate) fn encode(document: &Document<'_>, options: &Options, locales: &Locales, clip: &mut ClipData) {
     let mut record = std::mem::take(&mut clip.source);
-    push_number(&mut record, document.elements.len() as u64);
-    for element in &document.elements {
+    let is_packed = |element: &&Element<'_>| options.packs(&element.name.text);
+    push_number(&mut record, document.elements.iter().filter(is_packed).count() as u64);
+    for element in document.elements.iter().filter(is_packed) {
         let name = element.name.text.as_ref();
         let locale = name.strip_prefix("text_").and_then(|tag| locales.get(tag));
-        let own_text = locale.and_then(|locale| clip.texts.iter().position(|text| text.locale == locale));
+        let mut own_texts = clip.texts.iter().filter(|text| !text.is_fallback).enumerate();
+        let own_text = locale.and_then(|locale| own_texts.find(|(_, text)| text.locale == locale));
         match (NAMED.iter().position(|known| *known == name), own_text) {
             (Some(index), _) => push_number(&mut record, 1 + index as u64),
-            (None, Some(index)) => push_number(&mut record, FIRST_TEXT + index as u64),
+            (None, Some((index, _))) => push_number(&mut record, FIRST_TEXT + index as u64),
             (None, None) => {
                 push_number(&mut record, 0);
                 push_string(&mut record, name);
             }
         }
-        let held = held_bytes(name, own_text, clip);
+        let held = held_bytes(name, own_text.map(|(_, text)| text), clip);
         match &element.value {
             Value::String(string) if is_joined(name, &string.text, clip) => {
                 push_spelled(&mut record, Kind::String, &string.text);
@@ -84,12 +88,12 @@ fn is_joined(name: &str, text: &str, clip: &ClipData) -> bool {
 }
 
 /// Bytes of the segments that the bank holds of an element; `None` if it holds none.
-fn held_bytes(name: &str, own_text: Option<usize>, clip: &ClipData) -> Option<usize> {
+fn held_bytes(name: &str, own_text: Option<&ClipText>, clip: &ClipData) -> Option<usize> {
     match name {
         "viseme_type" => clip.viseme_type.map(|viseme_type| viseme_type.name().len()),
         "visemes" => Some(clip.frames.len()),
         "events" => clip.has_events.then(|| clip.events.text().len()),
-        _ => clip.texts.get(own_text?).map(|text| clip.text_bytes(text)),
+        _ => own_text.map(|text| clip.text_bytes(text)),
     }
 }
 
@@ -218,9 +222,9 @@ mod tests {
                 .document
                 .unwrap();
         let (mut clip, mut locales) = (ClipData::default(), Locales::default());
-        let options = crate::Options::default();
+        let options = Options::default();
         crate::check::check(&document, &options, &mut locales, &mut clip, &mut Vec::new());
-        encode(&document, &locales, &mut clip);
+        encode(&document, &options, &locales, &mut clip);
         let record = clip.source;
         let elements = decode(&record, 2).unwrap();
         assert_eq!(elements[0], (Name::Known("visemes"), Recorded::AsInBank));

@@ -39,6 +39,7 @@ pub(super) const ALLOWED: &[Rule] = &[
             "foldhash",
             "glob",
             "icu_casemap",
+            "icu_locale",
             "lipz",
             "lipz-bank",
             "memchr",
@@ -55,7 +56,7 @@ pub(super) const ALLOWED: &[Rule] = &[
         transitive: Some(&[
             READER,
             LIPZ_FILES,
-            CASE_FOLDING,
+            UNICODE_DATA,
             FILES,
             TOML,
             &["foldhash", "lipz", "lipz-bank", "unicode-normalization", "tinyvec"],
@@ -110,11 +111,15 @@ const LIPZ_FILES: &[&str] = &[
     "zmij",
 ];
 
-/// icu_casemap and what it uses.
-const CASE_FOLDING: &[&str] = &[
+/// icu_casemap, icu_locale and what they use.
+const UNICODE_DATA: &[&str] = &[
     "icu_casemap",
     "icu_casemap_data",
     "icu_collections",
+    "icu_locale",
+    "icu_locale_data",
+    "icu_locale_fallback",
+    "icu_locale_fallback_data",
     "icu_properties",
     "icu_properties_data",
     "icu_provider",

@@ -4,6 +4,7 @@ mod elements;
 mod events;
 mod fps;
 mod join;
+mod limits;
 mod locales;
 mod names;
 mod segments;
@@ -11,9 +12,10 @@ mod texts;
 mod types;
 mod visemes;
 
-use crate::Options;
 use crate::clip::{ClipData, Locales};
+use crate::{Options, TextLimits, pseudo};
 use elements::Roles;
+use limits::Times;
 use lipz::{Diagnostic, Document};
 use visemes::Expected;
 
@@ -52,11 +54,19 @@ pub(crate) fn check(
         visemes::frames(string, expected, clip, diagnostics);
         expected_count(clip.starts.len());
     }
+    let limits = (options.text_limits != TextLimits::default()).then_some(&options.text_limits);
     for text in &roles.texts {
-        texts::display_texts(text.string, &mut clip.displays, diagnostics);
+        texts::display_texts(text.string, options, &mut clip.displays, diagnostics);
         let count = expected_count(clip.displays.count());
+        if let Some(limits) = limits.filter(|_| clip.displays.count() == count) {
+            limits::check(text.string, clip.displays.iter(), Times::of(clip).as_ref(), limits, diagnostics);
+        }
         join::texts(&mut clip.displays, count);
         clip.add_displays(text.locale);
+        if let Some(pseudo) = options.pseudo_locale_of(locales.tag(text.locale)) {
+            pseudo::translate(&mut clip.displays);
+            clip.add_displays(locales.number(&pseudo, false));
+        }
     }
     clip.texts.sort_by(|a, b| locales.tag(a.locale).cmp(locales.tag(b.locale)));
     if let Some(string) = roles.events {

@@ -1,21 +1,27 @@
 //! Texts: display forms, and what is odd about them.
 
+use crate::Options;
 use crate::strings::Strings;
 use lipz::JsonString;
 use lipz::{Code, Diagnostic, text};
 use std::borrow::Cow;
 
 /// Findings of one kind that one text shows in full; the rest is counted.
-const SHOWN: usize = 3;
+pub(super) const SHOWN: usize = 3;
 
 /// Makes `displays` the display texts of all segments.
-pub(super) fn display_texts(string: &JsonString<'_>, displays: &mut Strings, diagnostics: &mut Vec<Diagnostic>) {
+pub(super) fn display_texts(
+    string: &JsonString<'_>,
+    options: &Options,
+    displays: &mut Strings,
+    diagnostics: &mut Vec<Diagnostic>,
+) {
     let mut unbalanced = Vec::new();
     let mut nested = Vec::new();
     displays.clear();
-    let has_braces = memchr::memchr2(b'{', b'}', string.text.as_bytes()).is_some();
+    let has_meta = !options.literal_braces && memchr::memchr2(b'{', b'}', string.text.as_bytes()).is_some();
     for range in text::segments(&string.text) {
-        if !has_braces {
+        if !has_meta {
             displays.push(text::trim(&string.text[range]));
             continue;
         }
@@ -46,7 +52,7 @@ pub(super) fn display_texts(string: &JsonString<'_>, displays: &mut Strings, dia
     nul(string, Code::NulInText, "the text contains", diagnostics);
     if displays.text().is_empty() {
         let finding = Diagnostic::at(Code::EmptyDisplayText, string.span(), "nothing of this text is displayed");
-        diagnostics.push(if !string.text.contains('{') {
+        diagnostics.push(if options.literal_braces || !string.text.contains('{') {
             finding.help("leave the element out, so that players see the text of the fallback locale")
         } else {
             finding.note("all of it is {meta}, which the format does not display")
@@ -55,7 +61,7 @@ pub(super) fn display_texts(string: &JsonString<'_>, displays: &mut Strings, dia
 }
 
 /// Says behind the last finding that is shown how many of the kind are not.
-fn more(finding: Diagnostic, index: usize, count: usize) -> Diagnostic {
+pub(super) fn more(finding: Diagnostic, index: usize, count: usize) -> Diagnostic {
     match count.saturating_sub(SHOWN) {
         rest if rest > 0 && index + 1 == SHOWN => finding.note(format!("{rest} more in this text are not shown")),
         _ => finding,

@@ -58,12 +58,15 @@ fn make_clip(
     if has_errors(options, diagnostics) {
         return false;
     }
+    if let Some(packed) = &options.locales {
+        clip.keep_texts(packed, locales, options);
+    }
     let converted = options.viseme_type.and_then(|to| convert::convert_clip(document, clip, to, diagnostics));
     if has_errors(options, diagnostics) {
         return false;
     }
     if !options.strip {
-        source_record::encode(converted.as_ref().unwrap_or(document), locales, clip);
+        source_record::encode(converted.as_ref().unwrap_or(document), options, locales, clip);
     }
     true
 }

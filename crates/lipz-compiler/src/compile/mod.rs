@@ -126,18 +126,32 @@ pub fn check_all(inputs: &[Input], options: &Options, progress: &Progress<'_>) -
     }
 }
 
-/// The options with the default locale in its canonical form.
+/// The options with all locales in their canonical form.
 fn canonical(options: &Options) -> Result<Options, Report> {
-    let Some(tag) = &options.default_locale else { return Ok(options.clone()) };
-    match lipz::locale::canonical_tag(tag, options.extended_locales) {
-        Some(tag) => Ok(Options { default_locale: Some(tag), ..options.clone() }),
-        None => Err(Report::failure(
+    let canonical = |tag: &String| {
+        lipz::locale::canonical_tag(tag, options.extended_locales).ok_or_else(|| {
+            let headline = format!("the project's locale `{tag}` is not a locale of the form ll-cc");
+            Report::failure("", Code::LocaleShape, headline, "name a language and a country: en-us")
+        })
+    };
+    if options.pseudo && options.default_locale.is_none() {
+        let headline = "a pseudo-locale is made of the default locale, and there is none".to_owned();
+        return Err(Report::failure(
             "",
-            Code::LocaleShape,
-            format!("the default locale `{tag}` is not a locale of the form ll-cc"),
-            "name a language and a country: en-us",
-        )),
+            Code::SettingValue,
+            headline,
+            "set the default locale: --default-locale en-us",
+        ));
     }
+    let chain = |(tag, chain): (&String, &Vec<String>)| {
+        Ok((canonical(tag)?, chain.iter().map(canonical).collect::<Result<_, Report>>()?))
+    };
+    Ok(Options {
+        default_locale: options.default_locale.as_ref().map(canonical).transpose()?,
+        locales: options.locales.as_ref().map(|tags| tags.iter().map(canonical).collect()).transpose()?,
+        fallbacks: options.fallbacks.iter().map(chain).collect::<Result<_, Report>>()?,
+        ..options.clone()
+    })
 }
 
 /// Runs `work` with the number of threads that was asked for; on the current ones if there is no

@@ -87,7 +87,8 @@ fn own_texts(clips: &[Clip<'_>], locale: &LocaleColumn) -> Interned {
     let entries = std::iter::zip(clips, &locale.texts).map(|(clip, choice)| match choice {
         Choice::Own(index) => {
             let text = &clip.texts()[*index as usize];
-            interner.place(clip.run(text)) as u32 | if text.is_wide { TEXT_WIDE } else { 0 }
+            let flags = if text.is_wide { TEXT_WIDE } else { 0 } | if text.is_fallback { TEXT_FALLBACK } else { 0 };
+            interner.place(clip.run(text)) as u32 | flags
         }
         _ => NO_TEXT,
     });

@@ -97,6 +97,10 @@ codes! {
     EmptyDisplayText "LZ0507" "empty-display-text" Warning "nothing of a text is displayed"
     NulInText "LZ0508" "nul-in-text" Warning "a text contains U+0000"
     SameLocaleTwice "LZ0509" "same-locale-twice" Error "two texts are of the same locale"
+    TextTooWide "LZ0510" "text-too-wide" Warning "a line of a text is wider than the screen holds"
+    TooManyLines "LZ0511" "too-many-lines" Warning "a text has more lines than the screen holds"
+    ReadsTooFast "LZ0512" "reads-too-fast" Warning "a text is shown for too short a time to be read"
+    LowCoverage "LZ0513" "low-coverage" Error "fewer clips have a text in a locale than the project asks for"
 
     "Segments"
     SegmentCount "LZ0601" "segment-count" Error "elements have different numbers of segments"

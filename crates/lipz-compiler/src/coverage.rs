@@ -1,0 +1,155 @@
+//! Coverage: how much of a dialogue is translated into each locale of a bank.
+
+use lipz_bank::{Bank, Clip, Locale, Text};
+use std::collections::BTreeMap;
+
+/// How the clips of a bank are covered by the texts of one locale.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Coverage {
+    /// The locale, `de-de`.
+    pub tag: String,
+    /// Whether it is the default locale of the bank.
+    pub is_default: bool,
+    /// Clips that have a text in any locale.
+    pub clip_count: usize,
+    /// Clips that have a text in this one.
+    pub own_count: usize,
+    /// Of these, clips whose text is that of the default locale, letter by letter: perhaps names, perhaps not
+    /// yet translated.
+    pub same_as_default: Vec<String>,
+    /// Clips that show the text of another locale, by its tag.
+    pub fallbacks: BTreeMap<String, Vec<String>>,
+    /// Clips that show no text, though they have one in some locale.
+    pub missing: Vec<String>,
+}
+
+impl Coverage {
+    /// Clips with a text of their own, in percent; 100 if there is nothing to translate.
+    pub fn percent(&self) -> f64 {
+        if self.clip_count == 0 { 100.0 } else { self.own_count as f64 * 100.0 / self.clip_count as f64 }
+    }
+}
+
+/// The coverage of each locale of a verified `bank`, in the order of their tags. Keys are in the order of
+/// the bank.
+///
+/// ```
+/// use lipz_compiler::{Input, Options, compile, coverage};
+/// let inputs = [
+///     Input::from_bytes("aye", r#"{ "text_en-us": "Aye.", "text_de-de": "Ja." }"#),
+///     Input::from_bytes("no", r#"{ "text_en-us": "No." }"#),
+/// ];
+/// let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
+/// let bytes = compile(&inputs, &options, &|_| {}).bank.ok_or("no bank")?;
+/// let bank = lipz_bank::Bank::open(&bytes)?.verify()?;
+/// let german = &coverage(&bank)[0];
+/// assert_eq!((german.tag.as_str(), german.percent()), ("de-de", 50.0));
+/// assert_eq!(german.fallbacks["en-us"], ["no"]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn coverage(bank: &Bank<'_>) -> Vec<Coverage> {
+    let locales: Vec<Locale<'_>> = bank.locales().collect();
+    let default = locales.iter().position(Locale::is_default);
+    let empty = |locale: &Locale<'_>| Coverage {
+        tag: locale.tag().to_owned(),
+        is_default: locale.is_default(),
+        ..Coverage::default()
+    };
+    let mut found: Vec<Coverage> = locales.iter().map(empty).collect();
+    for clip in bank.clips() {
+        let shown: Vec<Shown<'_>> = locales.iter().map(|locale| shown(&clip, *locale)).collect();
+        if shown.iter().all(|shown| matches!(shown, Shown::Nothing)) {
+            continue;
+        }
+        let default = default.and_then(|default| shown.get(default));
+        for (coverage, text) in std::iter::zip(&mut found, &shown) {
+            coverage.clip_count += 1;
+            let key = clip.key().to_owned();
+            match text {
+                Shown::Own(text) => {
+                    coverage.own_count += 1;
+                    if !coverage.is_default && matches!(default, Some(Shown::Own(default)) if default == text) {
+                        coverage.same_as_default.push(key);
+                    }
+                }
+                Shown::Fallback(text) => {
+                    let is_origin = |other: &Shown<'_>| matches!(other, Shown::Own(own) if own.is(text));
+                    let origin = shown.iter().position(is_origin);
+                    let tag = origin.and_then(|origin| locales.get(origin)).map_or("", Locale::tag);
+                    coverage.fallbacks.entry(tag.to_owned()).or_default().push(key);
+                }
+                Shown::Nothing => coverage.missing.push(key),
+            }
+        }
+    }
+    found
+}
+
+/// What a player of a locale reads of a clip.
+enum Shown<'data> {
+    Own(ClipText<'data>),
+    Fallback(ClipText<'data>),
+    Nothing,
+}
+
+/// The texts of a clip's segments.
+#[derive(PartialEq)]
+struct ClipText<'data>(Vec<&'data str>);
+
+impl ClipText<'_> {
+    /// Whether two texts are the same in the file, not only equal: each locale's texts stand apart.
+    fn is(&self, other: &ClipText<'_>) -> bool {
+        let start = |text: &ClipText<'_>| text.0.first().map(|text| text.as_ptr());
+        start(self) == start(other)
+    }
+}
+
+fn shown<'data>(clip: &Clip<'data, '_>, locale: Locale<'data>) -> Shown<'data> {
+    let is_fallback = clip.segment(0).and_then(|segment| segment.text(locale)).map(Text::is_fallback);
+    let texts = clip.segments().filter_map(|segment| segment.text(locale)).map(Text::as_str);
+    match is_fallback {
+        None => Shown::Nothing,
+        Some(false) => Shown::Own(ClipText(texts.collect())),
+        Some(true) => Shown::Fallback(ClipText(texts.collect())),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Input, Options, compile};
+
+    #[test]
+    fn every_kind_of_text() {
+        let inputs = [
+            Input::from_bytes("a", r#"{ "text_en-us": "Aye.", "text_de-de": "Ja.", "text_de-at": "Jo." }"#),
+            Input::from_bytes("b", r#"{ "text_en-us": "OK", "text_de-de": "OK" }"#),
+            Input::from_bytes("c", r#"{ "text_fr-fr": "Oui." }"#),
+            Input::from_bytes("d", r#"{ "text_en-us": "No." }"#),
+            Input::from_bytes("e", r#"{ "visemes": "-A-" }"#),
+        ];
+        let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
+        let bytes = compile(&inputs, &options, &|_| {}).bank.unwrap();
+        let found = coverage(&Bank::open(&bytes).unwrap().verify().unwrap());
+        let of = |tag: &str| found.iter().find(|coverage| coverage.tag == tag).unwrap();
+        let keys = |keys: &[&str]| keys.iter().map(|key| (*key).to_owned()).collect::<Vec<_>>();
+        let german = of("de-de");
+        assert_eq!((german.clip_count, german.own_count, german.percent()), (4, 2, 50.0));
+        assert_eq!(german.same_as_default, keys(&["b"]));
+        assert_eq!(german.fallbacks, [("en-us".to_owned(), keys(&["d"]))].into());
+        assert_eq!(german.missing, keys(&["c"]));
+        let austrian = of("de-at");
+        assert_eq!(austrian.fallbacks["de-de"], keys(&["b"]));
+        assert_eq!(austrian.fallbacks["en-us"], keys(&["d"]));
+        let english = of("en-us");
+        assert!(english.is_default && english.same_as_default.is_empty());
+        assert_eq!(english.missing, keys(&["c"]));
+    }
+
+    #[test]
+    fn nothing_to_translate_is_complete() {
+        let bytes = compile(&[], &Options::default(), &|_| {}).bank.unwrap();
+        assert!(coverage(&Bank::open(&bytes).unwrap()).is_empty());
+        assert_eq!(Coverage::default().percent(), 100.0);
+    }
+}

@@ -1,0 +1,106 @@
+//! Which locales a locale falls back to.
+
+use crate::Options;
+use crate::pseudo;
+use icu_locale::fallback::LocaleFallbacker;
+use lipz::locale::language;
+
+/// The places in `tags` of the locales that `tags[locale]` falls back to, in order.
+///
+/// If the project names them, those. Otherwise, as translations of Unicode's CLDR inherit: a text for
+/// Argentina is missed least if it is one for Latin America (`es-419`), then one for Spain; then come
+/// other locales of the same language (Traditional for Simplified Chinese), then the default locale.
+/// Among equals the default locale goes first, then the order of the tags.
+pub(crate) fn chain<T: AsRef<str>>(tags: &[T], locale: usize, options: &Options) -> Vec<usize> {
+    let place = |tag: &str| tags.iter().position(|known| known.as_ref() == tag);
+    if let Some(named) = options.fallbacks.get(tags[locale].as_ref()) {
+        return named.iter().filter_map(|tag| place(tag)).filter(|&other| other != locale).collect();
+    }
+    let default = options.default_locale.as_deref().and_then(place);
+    let wanted = ancestors(tags[locale].as_ref());
+    let mut ranked: Vec<_> = (0..tags.len())
+        .filter(|&other| other != locale && !pseudo::is_pseudo(tags[other].as_ref()))
+        .filter_map(|other| {
+            let distance = distance(&wanted, &ancestors(tags[other].as_ref()));
+            let is_same_language = language(tags[other].as_ref()) == language(tags[locale].as_ref());
+            let distance = distance.or(is_same_language.then_some((usize::MAX, 0)))?;
+            Some((distance, Some(other) != default, other))
+        })
+        .collect();
+    ranked.sort_unstable();
+    let mut chain: Vec<usize> = ranked.into_iter().map(|(_, _, other)| other).collect();
+    chain.extend(default.filter(|default| *default != locale && !chain.contains(default)));
+    chain
+}
+
+/// Steps from a locale to the nearest ancestor that it shares with another, and from there to the
+/// other; `None` if they share none.
+fn distance(wanted: &[String], other: &[String]) -> Option<(usize, usize)> {
+    wanted.iter().enumerate().find_map(|(up, tag)| Some((up, other.iter().position(|known| known == tag)?)))
+}
+
+/// A locale and those that it inherits from in CLDR: es-AR, es-419, es.
+fn ancestors(tag: &str) -> Vec<String> {
+    let Ok(locale) = tag.parse::<icu_locale::Locale>() else { return vec![tag.to_owned()] };
+    let fallbacker = LocaleFallbacker::new();
+    let mut steps = fallbacker.for_config(Default::default()).fallback_for(locale.into());
+    let mut ancestors = Vec::new();
+    while !steps.get().is_unknown() {
+        ancestors.push(steps.get().to_string());
+        steps.step();
+    }
+    ancestors
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn chain_of(tag: &str, tags: &[&'static str], options: &Options) -> Vec<&'static str> {
+        let locale = tags.iter().position(|known| *known == tag).unwrap();
+        chain(tags, locale, options).into_iter().map(|other| tags[other]).collect()
+    }
+
+    fn default(tag: &str) -> Options {
+        Options { default_locale: Some(tag.into()), ..Options::default() }
+    }
+
+    #[test]
+    fn parents_of_cldr_come_first() {
+        let spanish = ["en-us", "es-ar", "es-es", "es-mx"];
+        assert_eq!(chain_of("es-ar", &spanish, &default("en-us")), ["es-mx", "es-es", "en-us"]);
+        assert_eq!(chain_of("es-es", &spanish, &default("en-us")), ["es-ar", "es-mx", "en-us"]);
+        let english = ["en-au", "en-gb", "en-us"];
+        assert_eq!(chain_of("en-au", &english, &default("en-us")), ["en-gb", "en-us"]);
+        assert_eq!(chain_of("pt-ao", &["pt-ao", "pt-br", "pt-pt"], &default("pt-br")), ["pt-pt", "pt-br"]);
+        assert_eq!(chain_of("nb-no", &["da-dk", "nb-no", "nn-no"], &Options::default()), ["nn-no"]);
+    }
+
+    #[test]
+    fn another_script_is_still_the_language() {
+        let chinese = ["en-us", "zh-cn", "zh-hk", "zh-tw"];
+        assert_eq!(chain_of("zh-hk", &chinese, &default("en-us")), ["zh-tw", "zh-cn", "en-us"]);
+    }
+
+    #[test]
+    fn the_default_goes_first_among_equals() {
+        let german = ["de-at", "de-ch", "de-de", "fr-fr"];
+        assert_eq!(chain_of("de-at", &german, &default("de-de")), ["de-de", "de-ch"]);
+        assert_eq!(chain_of("de-at", &german, &Options::default()), ["de-ch", "de-de"]);
+        assert_eq!(chain_of("fr-fr", &german, &default("de-de")), ["de-de"]);
+        assert!(chain_of("fr-fr", &german, &Options::default()).is_empty());
+    }
+
+    #[test]
+    fn a_project_names_its_own() {
+        let fallbacks = [("de-at".to_owned(), vec!["en-us".to_owned(), "xx-yy".to_owned(), "de-de".to_owned()])];
+        let options = Options { fallbacks: fallbacks.into(), ..default("de-de") };
+        assert_eq!(chain_of("de-at", &["de-at", "de-de", "en-us"], &options), ["en-us", "de-de"]);
+    }
+
+    #[test]
+    fn nobody_falls_back_to_a_pseudo_locale() {
+        assert_eq!(chain_of("en-gb", &["en-gb", "en-us", "en-xa"], &default("en-us")), ["en-us"]);
+        assert_eq!(chain_of("en-xa", &["en-gb", "en-us", "en-xa"], &default("en-us")), ["en-us", "en-gb"]);
+    }
+}

@@ -1,0 +1,115 @@
+//! Pseudo-localisation: texts that are longer and full of accents, yet readable, so that screens and
+//! fonts can be tested before there are translations.
+//!
+//! Unicode's CLDR has the pseudo-locale `en-XA` for this; the conventions (accents, brackets, words that
+//! count) are those of Android's and ICU's.
+
+use crate::strings::Strings;
+use lipz::locale::language;
+
+/// The region of CLDR's accented pseudo-locales.
+const REGION: &str = "-xa";
+
+/// Percent by which a text grows: translations from English take about that much more room
+/// (W3C, "Text size in translation").
+const GROWTH_PERCENT: usize = 40;
+
+/// What texts are padded with: whoever reads `two` last knows what was cut off.
+const PADDING: [&str; 10] = ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"];
+
+/// Accented forms of `a` to `z`, then of `A` to `Z`.
+const ACCENTED: &str = "åƀçðéƒĝĥîĵķļɱñöþǫŕšţûṽŵẋýžÅƁÇÐÉƑĜĤÎĴĶĻṀÑÖÞǪŔŠŢÛṼŴẊÝŽ";
+
+/// The pseudo-locale for texts of `locale`: `en-xa` for `en-us`.
+pub(crate) fn locale_for(locale: &str) -> String {
+    format!("{}{REGION}", language(locale))
+}
+
+/// Whether a locale is one of these.
+pub(crate) fn is_pseudo(tag: &str) -> bool {
+    tag.ends_with(REGION)
+}
+
+/// Replaces the display texts of a clip by their pseudo-translations.
+pub(crate) fn translate(displays: &mut Strings) {
+    let translated: Vec<String> = displays.iter().map(pseudo).collect();
+    displays.clear();
+    translated.iter().for_each(|text| displays.push(text));
+}
+
+/// The pseudo-translation of a display text: letters with accents, 40 % longer, in brackets. What stands
+/// in braces stays, so that placeholders work; an empty text stays empty.
+fn pseudo(text: &str) -> String {
+    if text.is_empty() {
+        return String::new();
+    }
+    let mut out = String::with_capacity(text.len() * 2);
+    out.push('[');
+    let mut depth = 0_usize;
+    for character in text.chars() {
+        match character {
+            '{' => depth += 1,
+            '}' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        out.push(if depth == 0 { accented(character) } else { character });
+    }
+    let mut missing = (text.chars().count() * GROWTH_PERCENT).div_ceil(100);
+    for word in PADDING.iter().cycle() {
+        if missing == 0 {
+            break;
+        }
+        out.push(' ');
+        out.push_str(word);
+        missing = missing.saturating_sub(word.len() + 1);
+    }
+    out.push(']');
+    out
+}
+
+fn accented(character: char) -> char {
+    let place = match character {
+        'a'..='z' => character as usize - 'a' as usize,
+        'A'..='Z' => character as usize - 'A' as usize + 26,
+        _ => return character,
+    };
+    ACCENTED.chars().nth(place).unwrap_or(character)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn longer_accented_and_in_brackets() {
+        assert_eq!(pseudo("Hello, Amy."), "[Ĥéļļö, Åɱý. one two]");
+        assert_eq!(pseudo(""), "");
+        assert_eq!(pseudo("いいえ。"), "[いいえ。 one]");
+        for text in ["a", "No.", "Now, boys and girls, I'd like you to put away your readers."] {
+            let (before, after) = (text.chars().count(), pseudo(text).chars().count());
+            assert!(after * 100 >= before * (100 + GROWTH_PERCENT), "{text}");
+            assert!(after <= before * 2 + 10, "{text}");
+        }
+    }
+
+    #[test]
+    fn placeholders_stay() {
+        assert_eq!(pseudo("Take {count} of {max}"), "[Ţåķé {count} öƒ {max} one two three]");
+        assert_eq!(pseudo("a } b"), "[å } ƀ one]");
+    }
+
+    #[test]
+    fn every_letter_has_one_accented_form() {
+        let mut forms: Vec<char> = ('a'..='z').chain('A'..='Z').map(accented).collect();
+        assert!(forms.iter().all(|form| form.is_alphabetic() && !form.is_ascii()));
+        forms.sort_unstable();
+        forms.dedup();
+        assert_eq!((forms.len(), ACCENTED.chars().count()), (52, 52));
+    }
+
+    #[test]
+    fn tags() {
+        assert_eq!(locale_for("en-us"), "en-xa");
+        assert!(is_pseudo("en-xa") && !is_pseudo("en-us"));
+    }
+}
