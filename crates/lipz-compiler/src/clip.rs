@@ -6,6 +6,7 @@ mod store;
 pub(crate) use locales::Locales;
 pub(crate) use store::{Clip, Clips};
 
+use crate::hashed::hash;
 use crate::strings::Strings;
 use lipz_bank::{Fps, VisemeType};
 use std::ops::Range;
@@ -47,6 +48,8 @@ pub(crate) struct ClipText {
     place: Range<u32>,
     /// Whether ends have four bytes instead of two.
     pub(crate) is_wide: bool,
+    /// Hash of the run: made while it is in the cache.
+    pub(crate) hash: u64,
 }
 
 /// The largest end that two bytes of 7 bits hold.
@@ -79,7 +82,8 @@ impl ClipData {
             }
         }
         self.runs.extend_from_slice(self.displays.text().as_bytes());
-        self.texts.push(ClipText { locale, place: start..self.runs.len() as u32, is_wide });
+        let hash = hash(&self.runs[start as usize..]);
+        self.texts.push(ClipText { locale, place: start..self.runs.len() as u32, is_wide, hash });
     }
 
     /// Bytes of the display texts alone, without the table of ends.

@@ -35,6 +35,7 @@ mod check;
 mod clip;
 mod compile;
 mod discover;
+mod hashed;
 mod input;
 pub mod key;
 mod localise;

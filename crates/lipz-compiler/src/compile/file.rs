@@ -16,12 +16,12 @@ pub(super) struct Worker {
     pub(super) reports: Vec<Report>,
     /// The time of reading, parsing and checking.
     pub(super) phases: Phases,
+    lap: Lap,
 }
 
 impl Worker {
     /// Reads, parses and checks one file.
     pub(super) fn file(&mut self, input: &Input, options: &Options) {
-        let mut lap = Lap { last: Instant::now() };
         let bytes = match &input.content {
             Content::Bytes(bytes) => bytes.as_slice(),
             Content::File(path) => match self.reader.read(path) {
@@ -29,9 +29,9 @@ impl Worker {
                 Err(report) => return self.reports.push(report),
             },
         };
-        self.phases.read += lap.time();
+        self.phases.read += self.lap.time();
         let lipz::Parsed { document, mut diagnostics } = lipz::parse(bytes);
-        self.phases.parse += lap.time();
+        self.phases.parse += self.lap.time();
         let locales = &mut self.clips.locales;
         if let Some(document) = document
             && check::check(&document, options, locales, &mut self.clip, &mut diagnostics)
@@ -41,7 +41,7 @@ impl Worker {
             }
             self.clips.push(&input.key, &self.clip);
         }
-        self.phases.check += lap.time();
+        self.phases.check += self.lap.time();
         if !diagnostics.is_empty() {
             diagnostics.sort_by_key(Diagnostic::start);
             let text = String::from_utf8_lossy(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)).into_owned();
@@ -53,6 +53,12 @@ impl Worker {
 /// A stopwatch that starts again at each reading.
 struct Lap {
     last: Instant,
+}
+
+impl Default for Lap {
+    fn default() -> Lap {
+        Lap { last: Instant::now() }
+    }
 }
 
 impl Lap {
