@@ -7,6 +7,7 @@ mod store;
 pub(crate) use locales::Locales;
 pub(crate) use store::{Clip, Clips};
 
+use crate::hashed::hash;
 use crate::strings::Strings;
 use lipz_bank::{Fps, VisemeType};
 use std::ops::Range;
@@ -50,6 +51,8 @@ pub(crate) struct ClipText {
     pub(crate) is_wide: bool,
     /// Whether it is the text of another locale, which is not packed.
     pub(crate) is_fallback: bool,
+    /// Hash of the run: made while it is in the cache.
+    pub(crate) hash: u64,
 }
 
 /// The largest end that two bytes of 7 bits hold.
@@ -82,7 +85,9 @@ impl ClipData {
             }
         }
         self.runs.extend_from_slice(self.displays.text().as_bytes());
-        self.texts.push(ClipText { locale, place: start..self.runs.len() as u32, is_wide, is_fallback: false });
+        let hash = hash(&self.runs[start as usize..]);
+        let place = start..self.runs.len() as u32;
+        self.texts.push(ClipText { locale, place, is_wide, is_fallback: false, hash });
     }
 
     /// Bytes of the display texts alone, without the table of ends.

@@ -33,6 +33,7 @@ pub mod diff;
 mod discover;
 mod fallback;
 mod fix;
+mod hashed;
 pub mod ids;
 mod input;
 pub mod key;

@@ -16,12 +16,12 @@ pub(super) struct Worker {
     pub(super) reports: Vec<Report>,
     /// The time of reading, parsing and checking.
     pub(super) phases: Phases,
+    lap: Lap,
 }
 
 impl Worker {
     /// Reads, parses and checks one file.
     pub(super) fn file(&mut self, input: &Input, options: &Options) {
-        let mut lap = Lap { last: Instant::now() };
         let bytes = match &input.content {
             Content::Bytes { bytes, .. } => bytes.as_slice(),
             Content::File(path) => match self.reader.read(path) {
@@ -29,15 +29,15 @@ impl Worker {
                 Err(report) => return self.reports.push(report),
             },
         };
-        self.phases.read += lap.time();
+        self.phases.read += self.lap.time();
         let lipz::Parsed { document, mut diagnostics } = lipz::parse(bytes);
-        self.phases.parse += lap.time();
+        self.phases.parse += self.lap.time();
         if let Some(document) = document
             && make_clip(&document, options, &mut self.clips.locales, &mut self.clip, &mut diagnostics)
         {
             self.clips.push(&input.key, &self.clip);
         }
-        self.phases.check += lap.time();
+        self.phases.check += self.lap.time();
         if !diagnostics.is_empty() {
             diagnostics.sort_by_key(Diagnostic::start);
             self.reports.push(Report::of_file(input.name(), bytes, diagnostics));
@@ -80,6 +80,12 @@ fn has_errors(options: &Options, diagnostics: &mut Vec<Diagnostic>) -> bool {
 /// A stopwatch that starts again at each reading.
 struct Lap {
     last: Instant,
+}
+
+impl Default for Lap {
+    fn default() -> Lap {
+        Lap { last: Instant::now() }
+    }
 }
 
 impl Lap {

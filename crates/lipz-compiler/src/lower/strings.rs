@@ -3,6 +3,7 @@
 use super::{fit, too_large};
 use crate::Report;
 use crate::clip::Clip;
+use crate::hashed::{Hashed, hash};
 use crate::localise::{Choice, LocaleColumn, Localised};
 use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order of entries is never used
 use lipz_bank::layout::{NO_TEXT, TEXT_FALLBACK, TEXT_OFFSET, TEXT_WIDE, U32};
@@ -41,7 +42,7 @@ pub(super) fn names(clips: &[Clip<'_>], localised: &Localised) -> Result<Names, 
 /// Byte strings of which equal ones stand once in a pool. The pool is not made: only the places in it.
 struct Interner<'c> {
     length: usize,
-    offsets: HashMap<&'c [u8], usize>,
+    offsets: HashMap<Hashed<'c>, usize>,
 }
 
 impl<'c> Interner<'c> {
@@ -50,12 +51,12 @@ impl<'c> Interner<'c> {
     }
 
     /// The offset of `string` in the pool.
-    fn place(&mut self, string: &'c [u8]) -> usize {
-        let next = self.length;
+    fn place(&mut self, string: Hashed<'c>) -> usize {
+        let (next, length) = (self.length, string.bytes.len());
         let offset = *self.offsets.entry(string).or_insert(next);
         // New, or empty and then harmless: strings that are known lie before the end.
         if offset == next {
-            self.length += string.len();
+            self.length += length;
         }
         offset
     }
@@ -88,7 +89,7 @@ fn own_texts(clips: &[Clip<'_>], locale: &LocaleColumn) -> Interned {
         Choice::Own(index) => {
             let text = &clip.texts()[*index as usize];
             let flags = if text.is_wide { TEXT_WIDE } else { 0 } | if text.is_fallback { TEXT_FALLBACK } else { 0 };
-            interner.place(clip.run(text)) as u32 | flags
+            interner.place(Hashed { hash: text.hash, bytes: clip.run(text) }) as u32 | flags
         }
         _ => NO_TEXT,
     });
@@ -139,7 +140,8 @@ pub(super) struct Sources {
 /// The source records in the order of the keys; equal ones stand once.
 pub(super) fn own_sources(clips: &[Clip<'_>]) -> Interned {
     let mut interner = Interner::with_capacity(clips.len() / 2);
-    let entries = clips.iter().map(|clip| interner.place(clip.source()) as u32).collect();
+    let hashed = |bytes| Hashed { hash: hash(bytes), bytes };
+    let entries = clips.iter().map(|clip| interner.place(hashed(clip.source())) as u32).collect();
     Interned { length: interner.length, entries }
 }
 
