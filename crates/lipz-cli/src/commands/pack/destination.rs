@@ -48,15 +48,15 @@ impl<'a> Destination<'a> {
     }
 
     /// Brings the bank to where it is not yet. Reports why that is not possible.
-    pub(super) fn deliver(&self, bank: Vec<u8>, findings: &mut Findings) -> Result<Written, Outcome> {
+    pub(super) fn deliver(&self, bank: &[u8], findings: &mut Findings) -> Result<Written, Outcome> {
         match self {
             Destination::File(path) => Ok(Written(vec![(console::path(path), bank.len())])),
-            Destination::StandardOutput => match console::print_bytes(&bank) {
+            Destination::StandardOutput => match console::print_bytes(bank) {
                 Outcome::Clean => Ok(Written(vec![("standard output".to_owned(), bank.len())])),
                 failed => Err(failed),
             },
             Destination::Split(path) => {
-                let split = split(&bank).map_err(|report| {
+                let split = split(bank).map_err(|report| {
                     findings.add(vec![report]);
                     Outcome::Failed
                 })?;

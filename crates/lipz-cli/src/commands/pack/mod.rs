@@ -86,7 +86,7 @@ pub(crate) fn run(arguments: &Pack, findings: &mut Findings) -> Outcome {
         Some(bank) if outcome == Outcome::Clean => bank,
         _ => return outcome,
     };
-    let written = match destination.deliver(bank, findings) {
+    let written = match destination.deliver(&bank, findings) {
         Ok(written) => written,
         Err(outcome) => return outcome,
     };
