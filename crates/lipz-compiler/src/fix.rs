@@ -126,6 +126,17 @@ mod tests {
     }
 
     #[test]
+    fn the_default_locale_is_written_as_the_format_spells_it() {
+        let fixed = |default: &str| {
+            let options = Options { default_locale: Some(default.into()), ..Options::default() };
+            fix(br#"{"text": "a"}"#, &options)
+        };
+        let once = [(Code::TextWithoutLocale, 1)].into();
+        assert_eq!(fixed("EN_us"), Some(Fixed { text: r#"{"text_en-us": "a"}"#.into(), mended: once }));
+        assert_eq!(fixed("english"), None);
+    }
+
+    #[test]
     fn findings_of_an_allowed_lint_are_left_alone() {
         let options = Options { levels: [(Code::LocaleSpelling, None)].into(), ..Options::default() };
         assert_eq!(fix(br#"{"text-en_us": "a"}"#, &options), None);

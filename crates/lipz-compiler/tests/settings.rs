@@ -3,8 +3,8 @@
 
 use lipz::{Code, Level};
 use lipz_bank::{Fps, VisemeType};
-use lipz_compiler::Report;
 use lipz_compiler::settings::{Settings, template};
+use lipz_compiler::{MinCoverage, Report};
 use proptest::prelude::*;
 use std::path::{Path, PathBuf};
 
@@ -24,7 +24,10 @@ fn every_setting_is_read() {
         extended-locales = true
         default-locale = "EN_us"
         locales = ["en-us", "zh-Hant"]
+        split-locales = true
+        pseudo = true
         strip = true
+        coverage = { all = 90, DE_de = 99.5 }
         fallbacks = { es-419 = ["es-es", "en-us"] }
         text = { literal-braces = true, line-columns = 42, lines = 2, characters-per-second = 17.5 }
         lints = { warnings = "deny", LZ0702 = "allow", segment-count = "warn" }
@@ -35,7 +38,10 @@ fn every_setting_is_read() {
     assert_eq!(settings.sources, ["game/voices", "game/../shared/*.lipz"].map(PathBuf::from));
     assert_eq!(settings.root, Some("game".into()));
     assert_eq!(settings.output, Some("/tmp/b.lipzbank".into()));
+    assert!(settings.split_locales);
     let options = settings.options;
+    assert!(options.pseudo);
+    assert_eq!(options.min_coverage, MinCoverage { all: Some(90.0), locales: [("de-de".to_owned(), 99.5)].into() });
     assert_eq!(options.default_fps, Fps::new(2997, 125));
     assert_eq!((options.default_viseme_type, options.viseme_type), (Some(VisemeType::Rms), Some(VisemeType::Blair)));
     assert!(options.extended_locales && options.strip && options.literal_braces);
@@ -50,6 +56,16 @@ fn every_setting_is_read() {
     assert_eq!(options.registry.characters, Some(["mara".to_owned()].into()));
     assert_eq!(options.registry.actions, Some([].into()), "no actions at all");
     assert_eq!(options.registry.emotions, ["nervous".to_owned()].into());
+}
+
+#[test]
+fn a_locale_has_one_entry() {
+    for text in ["[coverage]\nde-de = 90\nDE_de = 10", "[fallbacks]\nde-at = [\"de-de\"]\nde_AT = []"] {
+        let (_, report) = parse(text.as_bytes());
+        let [finding] = &report.diagnostics[..] else { unreachable!("{text}: {:?}", report.diagnostics) };
+        assert_eq!(finding.code, Code::SettingValue);
+        assert!(finding.headline.starts_with("a second entry for the locale `de-"), "{}", finding.headline);
+    }
 }
 
 #[test]

@@ -14,6 +14,7 @@ pub const ID: &str = concat!(env!("CARGO_PKG_REPOSITORY"), "/blob/main/docs/lipz
 const LIPZ_LOCALE: &str = "[a-z]{2}-[a-z]{2}";
 /// Language, script, region and variants of BCP 47 (RFC 5646, section 2.1) in lower case.
 const EXTENDED_LOCALE: &str = "[a-z]{2,3}(-[a-z]{4})?(-([a-z]{2}|[0-9]{3}))?(-([a-z0-9]{5,8}|[0-9][a-z0-9]{3}))*";
+
 /// The schema (draft 2020-12) as indented JSON text.
 ///
 /// With `extended_locales` it accepts any BCP 47 language tag in the names of texts, in lower case.

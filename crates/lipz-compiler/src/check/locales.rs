@@ -43,8 +43,9 @@ fn tag_of(
             Some(locale)
         }
         TextName::NoLocale => {
-            diagnostics.push(no_locale(element, options));
-            options.default_locale.clone()
+            let default = default_locale(options);
+            diagnostics.push(no_locale(element, default.as_deref(), options));
+            default
         }
         TextName::OtherShape(_, Some(tag)) if options.extended_locales => {
             // Tags differ in case by custom (zh-Hant); only separators are misspelt.
@@ -67,10 +68,15 @@ fn misspelt(element: &Element<'_>, locale: &str) -> Diagnostic {
     renamed(finding, element, locale)
 }
 
-fn no_locale(element: &Element<'_>, options: &Options) -> Diagnostic {
+/// The project's default locale in its canonical form; those who fix a single file may spell it as they like.
+fn default_locale(options: &Options) -> Option<String> {
+    locale::canonical_tag(options.default_locale.as_deref()?, options.extended_locales)
+}
+
+fn no_locale(element: &Element<'_>, default: Option<&str>, options: &Options) -> Diagnostic {
     let name = &element.name.text;
     let finding = |headline| Diagnostic::at(Code::TextWithoutLocale, element.name.span(), headline);
-    let Some(default) = &options.default_locale else {
+    let Some(default) = default else {
         let finding = finding(format!("`{name}` has no locale")).help(
             "write the locale, \"text_en-us\", or set the project's default locale: default-locale = \"en-us\" in \
              lipz.toml, or --default-locale en-us",

@@ -132,6 +132,13 @@ impl<'t> Reading<'t> {
         }
     }
 
+    /// Reports the second entry of a locale, whose key spells it in another way than the first.
+    fn locale_twice(&mut self, locale: &str, value: &Value<'_>) {
+        let headline = format!("a second entry for the locale `{locale}`");
+        let finding = Diagnostic::at(Code::SettingValue, span(&value.key), headline);
+        self.findings.push(finding.help("remove one of the two"));
+    }
+
     /// The share of the clips that must have a text in the locale `name`, or in all.
     pub(super) fn min_coverage(&mut self, name: &str, value: &Value<'_>) {
         let locale = if name == ALL_LOCALES { None } else { Some(self.locale_of_key(name, value)) };
@@ -140,7 +147,9 @@ impl<'t> Reading<'t> {
         match locale {
             None => wanted.all = Some(percent),
             Some(Some(locale)) => {
-                wanted.locales.insert(locale, percent);
+                if wanted.locales.insert(locale.clone(), percent).is_some() {
+                    self.locale_twice(&locale, value);
+                }
             }
             Some(None) => {}
         }
@@ -157,8 +166,10 @@ impl<'t> Reading<'t> {
                 _ => Some(other),
             }
         });
-        if let (Some(locale), Some(chain)) = (locale, chain) {
-            self.settings.options.fallbacks.insert(locale, chain);
+        if let (Some(locale), Some(chain)) = (locale, chain)
+            && self.settings.options.fallbacks.insert(locale.clone(), chain).is_some()
+        {
+            self.locale_twice(&locale, value);
         }
     }
 
