@@ -55,7 +55,7 @@ pub fn fix(bytes: &[u8], options: &Options) -> Option<Fixed> {
 /// The text of a file without byte order mark, and its findings that have a fix; `None` if it is not
 /// UTF-8.
 fn findings<'f>(bytes: &'f [u8], options: &Options) -> Option<(&'f str, Vec<Diagnostic>)> {
-    let text = std::str::from_utf8(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)).ok()?;
+    let text = std::str::from_utf8(lipz::without_byte_order_mark(bytes)).ok()?;
     let mut parsed = lipz::parse(bytes);
     if let Some(document) = &parsed.document {
         check::check(document, options, &mut Locales::default(), &mut ClipData::default(), &mut parsed.diagnostics);

@@ -24,8 +24,7 @@ impl Report {
 
     /// Findings in a file with these bytes.
     pub fn of_file(path: impl Into<String>, bytes: &[u8], diagnostics: Vec<Diagnostic>) -> Report {
-        let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
-        let text = String::from_utf8_lossy(bytes).into_owned();
+        let text = String::from_utf8_lossy(lipz::without_byte_order_mark(bytes)).into_owned();
         Report { source: Source { path: path.into(), text }, diagnostics }
     }
 

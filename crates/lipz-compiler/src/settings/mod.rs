@@ -65,7 +65,7 @@ impl Settings {
     /// ```
     pub fn parse(bytes: &[u8], name: impl Into<String>, folder: &Path) -> (Settings, Report) {
         // A byte order mark is allowed in TOML.
-        let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
+        let bytes = lipz::without_byte_order_mark(bytes);
         let mut diagnostics = Vec::new();
         let settings = match lipz::decode(bytes, &mut diagnostics) {
             Some(text) => reading::read(text, folder, &mut diagnostics),

@@ -20,8 +20,8 @@ pub fn decode<'s>(bytes: &'s [u8], diagnostics: &mut Vec<Diagnostic>) -> Option<
         );
         return None;
     }
-    let without_mark = bytes.strip_prefix(b"\xEF\xBB\xBF");
-    if without_mark.is_some() {
+    let without_mark = without_byte_order_mark(bytes);
+    if without_mark.len() < bytes.len() {
         diagnostics.push(
             Diagnostic::new(Code::ByteOrderMark, "the file starts with a byte order mark")
                 .note("it is skipped; JSON texts must not start with one (RFC 8259, section 8.1)")
@@ -30,10 +30,14 @@ pub fn decode<'s>(bytes: &'s [u8], diagnostics: &mut Vec<Diagnostic>) -> Option<
                 .fix(Span::default(), ""),
         );
     }
-    let bytes = without_mark.unwrap_or(bytes);
     // The fast check first; it does not tell the place.
-    let text = simdutf8::basic::from_utf8(bytes).or_else(|_| std::str::from_utf8(bytes));
-    text.map_err(|error| diagnostics.push(not_utf8(bytes, error))).ok()
+    let text = simdutf8::basic::from_utf8(without_mark).or_else(|_| std::str::from_utf8(without_mark));
+    text.map_err(|error| diagnostics.push(not_utf8(without_mark, error))).ok()
+}
+
+/// The bytes behind a UTF-8 byte order mark, from which spans count; all of them if there is none.
+pub fn without_byte_order_mark(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)
 }
 
 /// The finding for a file longer than [`MAX_FILE_BYTES`], for callers who know its length before

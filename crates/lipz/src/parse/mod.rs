@@ -4,8 +4,9 @@ mod elements;
 mod encoding;
 mod syntax;
 
-pub use encoding::{decode, too_large};
+pub use encoding::{decode, too_large, without_byte_order_mark};
 
+use crate::text::trim;
 use crate::{Code, Diagnostic, Document};
 
 /// Longest file that is read, in bytes: far more than a clip can need (20 million frames with 40
@@ -28,7 +29,7 @@ pub struct Parsed<'s> {
 pub fn parse(bytes: &[u8]) -> Parsed<'_> {
     let mut diagnostics = Vec::new();
     let document = match decode(bytes, &mut diagnostics) {
-        Some(text) if text.bytes().all(is_white_space) => {
+        Some(text) if trim(text).is_empty() => {
             let headline = if text.is_empty() { "the file is empty" } else { "the file holds nothing but white space" };
             diagnostics.push(
                 Diagnostic::new(Code::EmptyFile, headline)
@@ -47,9 +48,4 @@ pub fn parse(bytes: &[u8]) -> Parsed<'_> {
     }
     diagnostics.sort_by_key(Diagnostic::start);
     Parsed { document, diagnostics }
-}
-
-/// White space as JSON has it: blank, tab, line feed, carriage return.
-fn is_white_space(byte: u8) -> bool {
-    matches!(byte, b' ' | b'\t' | b'\n' | b'\r')
 }

@@ -64,7 +64,7 @@ fn is_white_space(byte: u8) -> bool {
 }
 
 fn white_space(string: &JsonString<'_>, codes_are_legal: bool) -> Option<Diagnostic> {
-    let is_white_space = |c: char| matches!(c, ' ' | '\t' | '\n' | '\r');
+    let is_white_space = text::is_white_space;
     let start = string.text.find(is_white_space)?;
     let length = string.text[start..].find(|c| !is_white_space(c)).unwrap_or(string.text.len() - start);
     let count = string.text.chars().filter(|&c| is_white_space(c)).count();

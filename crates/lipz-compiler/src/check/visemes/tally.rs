@@ -1,6 +1,6 @@
 //! Which characters a viseme string consists of.
 
-use lipz::text::DELIMITER;
+use lipz::text::{DELIMITER, is_white_space};
 use lipz_bank::VisemeType;
 
 /// Different characters that are looked at: a string of more is no viseme string at all.
@@ -20,7 +20,7 @@ impl Tally {
     pub(super) fn of(text: &str) -> Tally {
         let mut found: Vec<Counted> = Vec::new();
         for (at, character) in text.char_indices() {
-            if matches!(character, DELIMITER | ' ' | '\t' | '\n' | '\r') {
+            if character == DELIMITER || is_white_space(character) {
                 continue;
             }
             let has_room = found.len() < COUNTED;
