@@ -1,8 +1,8 @@
 //! The command line: the list of commands. Each one's arguments and help stand beside its work.
 
 use crate::commands::{
-    check, completions, convert, diff, explain, fmt, ids, init, inspect, man, pack, schema, stats, unpack, verify,
-    watch,
+    check, completions, convert, coverage, diff, explain, fmt, ids, init, inspect, man, pack, schema, stats, unpack,
+    verify, watch,
 };
 use crate::render::Format;
 use clap::{Parser, Subcommand};
@@ -40,6 +40,7 @@ pub(crate) enum Command {
     Verify(verify::Verify),
     Inspect(inspect::Inspect),
     Diff(diff::Diff),
+    Coverage(coverage::CoverageArguments),
     Stats(stats::Stats),
     Schema(schema::Schema),
     Completions(completions::Completions),
@@ -58,8 +59,8 @@ impl Command {
             Command::Fmt(fmt) => fmt.prints_result(),
             Command::Watch(_) | Command::Convert(_) | Command::Init(_) | Command::Unpack(_) => false,
             Command::Verify(_) | Command::Man(_) => false,
-            Command::Inspect(_) | Command::Diff(_) | Command::Stats(_) | Command::Explain(_) => true,
-            Command::Schema(_) | Command::Completions(_) => true,
+            Command::Inspect(_) | Command::Diff(_) | Command::Coverage(_) | Command::Stats(_) => true,
+            Command::Explain(_) | Command::Schema(_) | Command::Completions(_) => true,
         }
     }
 }

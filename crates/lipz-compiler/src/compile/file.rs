@@ -32,10 +32,13 @@ impl Worker {
         self.phases.read += self.lap.time();
         let lipz::Parsed { document, mut diagnostics } = lipz::parse(bytes);
         self.phases.parse += self.lap.time();
-        if let Some(document) = document
-            && make_clip(&document, options, &mut self.clips.locales, &mut self.clip, &mut diagnostics)
-        {
-            self.clips.push(&input.key, &self.clip);
+        match document {
+            Some(document) => {
+                if make_clip(&document, options, &mut self.clips.locales, &mut self.clip, &mut diagnostics) {
+                    self.clips.push(&input.key, &self.clip);
+                }
+            }
+            None => levels::apply(&options.levels, &mut diagnostics),
         }
         self.phases.check += self.lap.time();
         if !diagnostics.is_empty() {

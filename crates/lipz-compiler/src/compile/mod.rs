@@ -8,7 +8,7 @@ pub(crate) use read::FileReader;
 use crate::clip::Clips;
 use crate::lower::Layout;
 use crate::output::replace_file_if;
-use crate::{Input, Options, Report, key, levels, localise, report};
+use crate::{Input, MinCoverage, Options, Report, coverage, key, levels, localise, report, shortfalls};
 use file::Worker;
 use lipz::Code;
 use lipz_bank::{Bank, ErrorKind};
@@ -106,7 +106,10 @@ fn make(
         let bank = layout.and_then(|layout| layout.fill(batches)).map_err(|report| in_file(report, inputs));
         run.phases.lower = start.elapsed();
         let start = Instant::now();
-        let finished = bank.and_then(|bank| finish(&bank).map(|()| bank));
+        let finished = bank.and_then(|bank| {
+            enough_texts(&bank, options)?;
+            finish(&bank).map(|()| bank)
+        });
         run.phases.finish = start.elapsed();
         match finished {
             Ok(bank) => run.finish(Some(bank)),
@@ -201,6 +204,17 @@ fn read_all(inputs: &[Input], options: &Options, progress: &Progress<'_>) -> Run
     }
     run.phases.files = start.elapsed();
     run
+}
+
+/// Whether as much is translated as the project asks for.
+fn enough_texts(bank: &[u8], options: &Options) -> Result<(), Report> {
+    if options.min_coverage == MinCoverage::default() {
+        return Ok(());
+    }
+    // A damaged bank is found by who verifies it.
+    let Ok(bank) = Bank::open(bank) else { return Ok(()) };
+    let shortfalls = shortfalls(&coverage(&bank), &options.min_coverage);
+    if shortfalls.is_empty() { Ok(()) } else { Err(Report::all_about("", shortfalls)) }
 }
 
 /// The report with the name of the file, where it has the key of a clip for a path.

@@ -37,6 +37,12 @@ pub(super) struct Written {
 /// What was written where, the bank first.
 pub(super) struct AllWritten(Vec<Written>);
 
+impl Written {
+    fn new(name: String, bytes: &[u8]) -> Written {
+        Written { name, length_bytes: bytes.len(), is_new: true }
+    }
+}
+
 impl Destination {
     /// The destination that the arguments name, or how the run ends if they contradict each other.
     pub(super) fn of(output: &Path, is_split: bool, has_depfile: bool) -> Result<Destination, Outcome> {
@@ -81,22 +87,17 @@ impl Destination {
         replacing: Replacing,
         findings: &mut Findings,
     ) -> Result<AllWritten, Outcome> {
-        match (self, replacing) {
-            (Destination::File(path), Replacing::Always) => {
-                let bank = Written { name: console::path(path), length_bytes: bank.len(), is_new: true };
-                Ok(AllWritten(vec![bank]))
+        match self {
+            // Written by `make`.
+            Destination::File(path) if replacing == Replacing::Always => {
+                Ok(AllWritten(vec![Written::new(console::path(path), bank)]))
             }
-            (Destination::File(path), Replacing::IfDifferent) => {
-                Ok(AllWritten(vec![write(path, bank, replacing, findings)?]))
-            }
-            (Destination::StandardOutput, _) => match console::print_bytes(bank) {
-                Outcome::Clean => {
-                    let name = "standard output".to_owned();
-                    Ok(AllWritten(vec![Written { name, length_bytes: bank.len(), is_new: true }]))
-                }
+            Destination::File(path) => Ok(AllWritten(vec![write(path, bank, replacing, findings)?])),
+            Destination::StandardOutput => match console::print_bytes(bank) {
+                Outcome::Clean => Ok(AllWritten(vec![Written::new("standard output".to_owned(), bank)])),
                 failed => Err(failed),
             },
-            (Destination::Split(path), _) => {
+            Destination::Split(path) => {
                 let split = split(bank).map_err(|report| {
                     findings.add(vec![report]);
                     Outcome::Failed
@@ -127,7 +128,7 @@ pub(super) fn write(
             Outcome::Failed
         })?;
     }
-    Ok(Written { name: console::path(path), length_bytes: bytes.len(), is_new })
+    Ok(Written { is_new, ..Written::new(console::path(path), bytes) })
 }
 
 /// Whether the file has these bytes.

@@ -37,8 +37,8 @@ pub(crate) struct Pack {
 
     /// Write the texts of each locale into a text bank of its own, BANK with the locale before the
     /// extension .lipztexts; the bank has all the rest
-    #[arg(long)]
-    split_locales: bool,
+    #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    split_locales: Option<bool>,
 
     /// Also write what the bank depends on, for Make, Ninja and CMake
     #[arg(long, value_name = "FILE")]

@@ -42,7 +42,8 @@ impl Plan {
             let tip = "name a file with '--output', or set `output` in lipz.toml";
             return Err(usage_error(ErrorKind::MissingRequiredArgument, "no bank to write is named", tip));
         };
-        let destination = Destination::of(&output, arguments.split_locales, arguments.depfile.is_some())?;
+        let is_split = arguments.split_locales.unwrap_or(settings.split_locales);
+        let destination = Destination::of(&output, is_split, arguments.depfile.is_some())?;
         Ok(Plan { project, output, destination, depfile: arguments.depfile.clone() })
     }
 
