@@ -1,6 +1,6 @@
 //! Waiting for changes: events of the file system, gathered until there is quiet.
 
-use super::scope::Scope;
+use super::scope::{Scope, concerns};
 use crate::{Outcome, console};
 use lipz::diagnostic::show;
 use notify::{ErrorKind, Event, EventKind, RecommendedWatcher, Watcher, recommended_watcher};
@@ -55,7 +55,7 @@ impl Alarm {
         let bell = self.bell.clone();
         let settings_name = scope.settings_name().map(ToOwned::to_owned);
         let mut watcher = recommended_watcher(move |event: notify::Result<Event>| {
-            let concerns = |path: &PathBuf| Scope::concerns(settings_name.as_deref(), path);
+            let concerns = |path: &PathBuf| concerns(settings_name.as_deref(), path);
             // An error is that of one folder; looking at the files tells more about it.
             let change = event.map_or(Some(Change::Perhaps), |event| weigh(&event, concerns));
             if let Some(change) = change {
@@ -147,8 +147,7 @@ mod tests {
         let data = EventKind::Modify(ModifyKind::Data(DataChange::Any));
         let from = EventKind::Modify(ModifyKind::Name(RenameMode::From));
         let read = EventKind::Access(AccessKind::Close(AccessMode::Read));
-        let weigh =
-            |kind, path: &PathBuf| weigh(&Event::new(kind).add_path(path.clone()), |path| Scope::concerns(None, path));
+        let weigh = |kind, path: &PathBuf| weigh(&Event::new(kind).add_path(path.clone()), |path| concerns(None, path));
         assert_eq!(weigh(data, &clip), Some(Change::Certain));
         assert_eq!(weigh(data, &settings), Some(Change::Certain));
         assert_eq!(weigh(EventKind::Remove(RemoveKind::File), &gone.with_extension("lipz")), Some(Change::Certain));

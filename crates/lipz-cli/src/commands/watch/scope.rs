@@ -62,12 +62,6 @@ impl Scope {
         places
     }
 
-    /// Whether a path is that of a Lipz file or of the settings file, judged by its name: watchers do not
-    /// call a file by the path by which the project calls it.
-    pub(super) fn concerns(settings_name: Option<&OsStr>, path: &Path) -> bool {
-        is_lipz(path) || path.file_name().is_some_and(|name| name == FILE_NAME || Some(name) == settings_name)
-    }
-
     /// The name of the settings file.
     pub(super) fn settings_name(&self) -> Option<&OsStr> {
         self.settings_file.as_ref()?.file_name()
@@ -81,8 +75,18 @@ impl Scope {
             Content::Bytes { .. } => None,
         });
         let paths = lipz_files.chain(self.settings_file.clone());
-        State { files: paths.map(|path| (stamp(&path), path)).map(|(stamp, path)| (path, stamp)).collect(), problems }
+        let stamped = |path: PathBuf| {
+            let stamp = stamp(&path);
+            (path, stamp)
+        };
+        State { files: paths.map(stamped).collect(), problems }
     }
+}
+
+/// Whether a path is that of a Lipz file or of the settings file, judged by its name: watchers do not
+/// call a file by the path by which the project calls it.
+pub(super) fn concerns(settings_name: Option<&OsStr>, path: &Path) -> bool {
+    is_lipz(path) || path.file_name().is_some_and(|name| name == FILE_NAME || Some(name) == settings_name)
 }
 
 fn stamp(path: &Path) -> Option<Stamp> {
@@ -99,5 +103,27 @@ fn folder_of(file: &Path) -> PathBuf {
     match file.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder.to_owned(),
         _ => PathBuf::from("."),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn folders_of_files_and_whole_folders() {
+        let sources = ["voices/act?/*.lipz", "clips/a.lipz", "other"].map(PathBuf::from).to_vec();
+        let settings = Settings { sources, ..Settings::default() };
+        let scope = Scope { settings, settings_file: Some("lipz.toml".into()) };
+        let (alone, below) = (RecursiveMode::NonRecursive, RecursiveMode::Recursive);
+        let expected = [(".", alone), ("clips", alone), ("other", below), ("voices", below)];
+        assert_eq!(scope.folders(), BTreeMap::from(expected.map(|(folder, mode)| (PathBuf::from(folder), mode))));
+    }
+
+    #[test]
+    fn a_folder_is_watched_with_those_in_it_if_a_source_asks_for_that() {
+        let settings = Settings { sources: vec!["a.lipz".into(), ".".into()], ..Settings::default() };
+        let scope = Scope { settings, settings_file: Some("lipz.toml".into()) };
+        assert_eq!(scope.folders(), BTreeMap::from([(PathBuf::from("."), RecursiveMode::Recursive)]));
     }
 }
