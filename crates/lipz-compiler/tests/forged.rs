@@ -1,0 +1,62 @@
+//! Banks that somebody forged, checksum and all: whatever passes verification, no tool panics on.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+use lipz_bank::Bank;
+use lipz_bank::layout::{CHECKED_FROM, checksum};
+use lipz_compiler::ids::{Language, generate};
+use lipz_compiler::stats::Stats;
+use lipz_compiler::{Documents, Input, Options, compile, coverage, diff, split};
+
+/// A bank with padded, joined, falling back and unknown elements.
+fn bank() -> Vec<u8> {
+    let inputs = [
+        Input::from_bytes(
+            "act1/a",
+            r#"{ "viseme_type": "blair", "fps": 24, "visemes": "AM|O-", "text_en-us": " Aye. | {x} Now?",
+                "text_de-de": "Ja.|", "events": "amy points door| feels sad ", "x": [1], "y": "z" }"#,
+        ),
+        Input::from_bytes("b", r#"{ "visemes": "MA", "text_en-us": " No. ", "Text_en_us": null }"#),
+    ];
+    let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
+    compile(&inputs, &options, &|_| {}).bank.unwrap()
+}
+
+/// Uses a bank in all ways; whether it passes verification.
+fn is_used(bytes: &[u8], original: &Bank<'_>) -> bool {
+    let Ok(bank) = Bank::open(bytes).and_then(Bank::verify) else { return false };
+    if let Ok(documents) = Documents::of(&bank) {
+        for (_, document) in documents.iter().flatten() {
+            lipz::write(&document);
+        }
+    }
+    coverage(&bank);
+    Stats::of(&bank);
+    diff::diff(original, &bank);
+    for language in Language::ALL {
+        let _ = generate(&bank, language, None);
+    }
+    let split = split(bytes).unwrap();
+    let base = Bank::open(&split.base).unwrap().verify().unwrap();
+    for (_, texts) in &split.texts {
+        base.open_texts(texts).unwrap().verify(&base).unwrap();
+    }
+    true
+}
+
+#[test]
+fn every_forged_byte() {
+    let good = bank();
+    let original = Bank::open(&good).and_then(Bank::verify).unwrap();
+    let mut used = 0;
+    for at in CHECKED_FROM..good.len() {
+        for change in [0x01, 0x02, 0x04, 0x40, 0x80, 0xFF] {
+            let mut forged = good.clone();
+            forged[at] ^= change;
+            let sum = checksum(&forged[CHECKED_FROM..]);
+            forged[CHECKED_FROM - size_of_val(&sum)..CHECKED_FROM].copy_from_slice(&sum.to_le_bytes());
+            used += usize::from(is_used(&forged, &original));
+        }
+    }
+    // Texts, names of events and source records may say anything.
+    assert!(used > 500, "{used}");
+}
