@@ -4,9 +4,7 @@
 mod support;
 
 use std::fs;
-use std::io::Write;
-use std::process::{Command, Output, Stdio};
-use support::{Comparison, Scene, files, lipz, repository, tree};
+use support::{Comparison, Scene, files, lipz, repository, tree, with_input};
 
 const ROUGH: &str = "{\"text_en-us\":\"Aye. |No.\",\"visemes\":\"MAEO-|SO\"}";
 const NEAT: &str = "{\n  \"visemes\" :    \"MAEO-|SO\",\n  \"text_en-us\" : \"Aye. |No.\"\n}\n";
@@ -23,36 +21,22 @@ fn formatted_files() {
 
 /// What `lipz fmt -` makes of a file.
 fn through_standard_input(bytes: &[u8]) -> String {
-    let printed = with_input(&["fmt", "-"], bytes);
-    String::from_utf8(printed.stdout).unwrap()
-}
-
-fn with_input(arguments: &[&str], bytes: &[u8]) -> Output {
-    let mut process = Command::new(env!("CARGO_BIN_EXE_lipz"))
-        .args(arguments)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    // A command that refuses its arguments reads nothing.
-    let _ = process.stdin.take().unwrap().write_all(bytes);
-    process.wait_with_output().unwrap()
+    String::from_utf8(with_input(&repository(), &["fmt", "-"], bytes).stdout).unwrap()
 }
 
 #[test]
 fn standard_input_goes_to_standard_output() {
-    let diff = with_input(&["fmt", "--diff", "-"], ROUGH.as_bytes());
+    let diff = with_input(&repository(), &["fmt", "--diff", "-"], ROUGH.as_bytes());
     assert!(diff.stdout.starts_with(b"--- <stdin>\n+++ <stdin>\n@@ "), "{diff:?}");
     let to_toonboom = ["convert", "-", "--viseme-type", "toonboom"];
     let blair = "{ \"visemes\": \"MAEO-\", \"viseme_type\": \"blair\" }";
     let toonboom = "{ \"visemes\": \"ADCE-\", \"viseme_type\": \"toonboom\" }";
     for before in [blair, toonboom] {
-        let converted = with_input(&to_toonboom, before.as_bytes());
+        let converted = with_input(&repository(), &to_toonboom, before.as_bytes());
         assert_eq!((converted.status.code(), converted.stdout.as_slice()), (Some(0), toonboom.as_bytes()));
         assert!(converted.stderr.is_empty(), "{converted:?}");
     }
-    let loud = with_input(&to_toonboom, b"{ \"visemes\": \"12\" }");
+    let loud = with_input(&repository(), &to_toonboom, b"{ \"visemes\": \"12\" }");
     assert_eq!((loud.status.code(), loud.stdout.is_empty()), (Some(1), true), "{loud:?}");
     assert!(loud.stderr.starts_with(b"error[LZ0405]"), "{loud:?}");
 }
