@@ -42,11 +42,11 @@ pub(crate) enum Command {
     Diff(diff::Diff),
     Coverage(coverage::CoverageArguments),
     Stats(stats::Stats),
+    Ids(ids::Ids),
+    Explain(explain::Explain),
     Schema(schema::Schema),
     Completions(completions::Completions),
     Man(man::ManPages),
-    Ids(ids::Ids),
-    Explain(explain::Explain),
 }
 
 impl Command {
@@ -57,8 +57,8 @@ impl Command {
             Command::Ids(ids) => ids.prints_ids(),
             Command::Check(check) => check.prints_diff(),
             Command::Fmt(fmt) => fmt.prints_result(),
-            Command::Watch(_) | Command::Convert(_) | Command::Init(_) | Command::Unpack(_) => false,
-            Command::Verify(_) | Command::Man(_) => false,
+            Command::Convert(convert) => convert.prints_result(),
+            Command::Watch(_) | Command::Init(_) | Command::Unpack(_) | Command::Verify(_) | Command::Man(_) => false,
             Command::Inspect(_) | Command::Diff(_) | Command::Coverage(_) | Command::Stats(_) => true,
             Command::Explain(_) | Command::Schema(_) | Command::Completions(_) => true,
         }

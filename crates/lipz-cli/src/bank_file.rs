@@ -10,7 +10,7 @@ use memmap2::Mmap;
 use std::fs::File;
 use std::io;
 use std::mem::offset_of;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// The most bytes that a bank has: its offsets have 32 bits.
 const LONGEST_BANK: u64 = u32::MAX as u64;
@@ -40,8 +40,7 @@ impl BankFile {
             Ok(bytes) => Ok(BankFile { name, bytes }),
             Err(error) => {
                 let finding = unreadable(&name, &error);
-                findings.add(vec![Report::about(name, finding)]);
-                Err(Outcome::Failed)
+                Err(findings.fail(Report::about(name, finding)))
             }
         }
     }
@@ -78,28 +77,6 @@ impl BankFile {
             Outcome::Findings
         })
     }
-}
-
-/// Opens the bank at `path`, verifies it and hands it to `work`, with its path as messages name it.
-/// Reports why the file cannot be read, or what is wrong with the bank.
-pub(crate) fn with_bank(
-    path: &Path,
-    findings: &mut Findings,
-    work: impl FnOnce(&str, &Bank<'_>, &mut Findings) -> Outcome,
-) -> Outcome {
-    let file = match BankFile::open(path, findings) {
-        Ok(file) => file,
-        Err(outcome) => return outcome,
-    };
-    match file.bank(findings) {
-        Ok(bank) => work(&file.name, &bank, findings),
-        Err(outcome) => outcome,
-    }
-}
-
-/// Opens text banks. Reports why that is not possible.
-pub(crate) fn open_all(paths: &[PathBuf], findings: &mut Findings) -> Result<Vec<BankFile>, Outcome> {
-    paths.iter().map(|path| BankFile::open(path, findings)).collect()
 }
 
 /// The finding for a file that cannot be mapped.

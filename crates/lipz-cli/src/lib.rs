@@ -8,6 +8,7 @@ mod commands;
 mod console;
 mod interrupt;
 mod lint_flags;
+mod output_file;
 mod page;
 mod project;
 mod render;
@@ -34,6 +35,9 @@ enum Outcome {
     Failed,
 }
 
+/// How a command ended, early or at its end: `?` leaves it where it cannot go on.
+type Ended = Result<Outcome, Outcome>;
+
 impl From<Outcome> for ExitCode {
     fn from(outcome: Outcome) -> ExitCode {
         ExitCode::from(match outcome {
@@ -57,7 +61,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     arguments.color.write_global();
     interrupt::listen();
     let mut findings = Findings::new(arguments.format, arguments.command.prints_result());
-    let outcome = match arguments.command {
+    let ended = match arguments.command {
         Command::Pack(pack) => commands::pack::run(&pack, &mut findings),
         // Each of its runs shows what it found.
         Command::Watch(watch) => return commands::watch::run(&watch, &findings).into(),
@@ -71,13 +75,14 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Coverage(coverage) => commands::coverage::run(&coverage, &mut findings),
         Command::Diff(diff) => commands::diff::run(&diff, &mut findings),
         Command::Stats(stats) => commands::stats::run(&stats, &mut findings),
-        Command::Schema(schema) => commands::schema::run(&schema),
-        Command::Completions(completions) => commands::completions::run(&completions),
         Command::Man(man) => commands::man::run(&man, &mut findings),
-        Command::Explain(explain) => return commands::explain::run(&explain).into(),
         Command::Ids(ids) => commands::ids::run(&ids, &mut findings),
+        // These have no findings, and so no document about them.
+        Command::Schema(schema) => return commands::schema::run(&schema).into(),
+        Command::Completions(completions) => return commands::completions::run(&completions).into(),
+        Command::Explain(explain) => return commands::explain::run(&explain).into(),
     };
-    findings.finish(outcome).into()
+    findings.finish(ended.unwrap_or_else(|outcome| outcome)).into()
 }
 
 /// The names of the commands.

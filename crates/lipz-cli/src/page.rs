@@ -64,7 +64,11 @@ impl Block {
             return String::new();
         }
         let (first, others) = if self.is_item { ("* ", "  ") } else { ("", "") };
-        let options = textwrap::Options::new(width).initial_indent(first).subsequent_indent(others);
+        // Names and flags with hyphens stay whole: people copy them.
+        let options = textwrap::Options::new(width)
+            .initial_indent(first)
+            .subsequent_indent(others)
+            .word_splitter(textwrap::WordSplitter::NoHyphenation);
         format!("\n{}\n", textwrap::fill(&self.text, options))
     }
 }

@@ -1,12 +1,15 @@
 //! Commands that change source files: replacing them, or only showing what would change.
 
-use crate::{Outcome, console};
+use crate::sources::usage_error;
+use crate::{Outcome, console, standard};
+use clap::error::ErrorKind;
 use lipz::Code;
 use lipz::diagnostic::show;
 use lipz_compiler::{Content, Input, Report, rewrite_file};
 use similar::TextDiff;
 use std::borrow::Cow;
 use std::io::{self, IsTerminal};
+use std::path::PathBuf;
 
 /// What is done with a file that changes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -26,7 +29,7 @@ impl Rewriting {
             (Rewriting::InPlace, Content::File(path)) => {
                 rewrite_file(path, before, after.as_bytes()).map(|()| String::new())
             }
-            (Rewriting::Diff, _) => Ok(diff(&input.name(), &String::from_utf8_lossy(before), after)),
+            (Rewriting::Diff, _) => Ok(diff(&input.name(), before, after)),
             _ => Ok(String::new()),
         }
     }
@@ -39,10 +42,30 @@ pub(crate) fn failure(reports: &[Report]) -> Outcome {
     if findings.any(|finding| unwritten(finding.code)) { Outcome::Failed } else { Outcome::Findings }
 }
 
+/// Whether standard input is what changes; it goes to standard output then. Beside files, which stay where
+/// they are, it cannot.
+pub(crate) fn reads_standard_input(sources: &[PathBuf]) -> Result<bool, Outcome> {
+    if sources.len() > 1 && sources.iter().any(|source| standard::is_meant(source)) {
+        let tip = "name '-' alone, or files and folders only";
+        return Err(usage_error(
+            ErrorKind::ArgumentConflict,
+            "standard input cannot be changed together with files",
+            tip,
+        ));
+    }
+    Ok(is_standard_input(sources))
+}
+
+/// Whether standard input is the only source.
+pub(crate) fn is_standard_input(sources: &[PathBuf]) -> bool {
+    matches!(sources, [source] if standard::is_meant(source))
+}
+
 /// The difference between two texts of a file, as `diff -u` and `patch` know it. Bytes that steer a
 /// terminal do not reach one.
-fn diff(name: &str, before: &str, after: &str) -> String {
-    let unified = TextDiff::from_lines(before, after).unified_diff().header(name, name).to_string();
+pub(crate) fn diff(name: &str, before: &[u8], after: &str) -> String {
+    let before = String::from_utf8_lossy(before);
+    let unified = TextDiff::from_lines(before.as_ref(), after).unified_diff().header(name, name).to_string();
     if !io::stdout().is_terminal() {
         return unified;
     }

@@ -94,8 +94,10 @@ impl ProjectArguments {
     }
 }
 
-/// Prints that the command line is not enough or contradicts itself.
+/// Prints that the command line is not enough or contradicts itself. It looks as what clap prints, without
+/// the usage: clap would show that of `lipz`, which tells nothing about its commands.
 pub(crate) fn usage_error(kind: ErrorKind, message: &str, tip: &str) -> Outcome {
-    let _ = Arguments::command().error(kind, format!("{message}\n\n  tip: {tip}")).print();
+    let error = clap::Error::raw(kind, format!("{message}\n\n  tip: {tip}\n"));
+    let _ = error.with_cmd(&Arguments::command()).print();
     Outcome::Failed
 }

@@ -41,6 +41,25 @@ fn coverage_of_a_folder_and_of_its_bank() {
 }
 
 #[test]
+fn in_a_project_coverage_and_stats_need_no_bank() {
+    let scene = scene();
+    scene.write("lipz.toml", "sources = [\"voices\"]\ndefault-locale = \"en-us\"\n");
+    let coverage = lipz(scene.path(), ["coverage"]);
+    assert_eq!((coverage.code, coverage.stdout.as_str()), (0, TABLE), "{coverage:?}");
+    let stats = lipz(scene.path(), ["stats"]);
+    assert!(stats.code == 0 && stats.stdout.starts_with("voices\n  2 clips, "), "{stats:?}");
+    assert_eq!(lipz(scene.path(), ["coverage", "--no-config"]).code, 2);
+}
+
+#[test]
+fn the_table_and_the_finding_show_the_same_percent() {
+    let scene = scene();
+    scene.write("voices/yes.lipz", r#"{ "text_en-us": "Yes.", "text_de-de": "Doch." }"#);
+    let shown = lipz(scene.path(), ["coverage", "voices", "--min-coverage", "66.7"]);
+    assert!(shown.stdout.contains(" 66.6 % ") && shown.stderr.contains(": 66.6 % of"), "{shown:?}");
+}
+
+#[test]
 fn too_little_is_translated() {
     let mut scene = scene();
     let wanted = ["--min-coverage", "60"];
@@ -68,6 +87,8 @@ fn text_banks_are_checked_and_shown_with_their_bank() {
     assert!(verified.stdout.contains("b.de-de.lipztexts: no fault (texts in de-de, "), "{verified:?}");
     let shown = lipz(scene.path(), ["inspect", "b.lipzbank", "aye", "--texts", "b.de-de.lipztexts"]);
     assert!(shown.stdout.contains("Ja.") && !shown.stdout.contains("Aye."), "{shown:?}");
+    let coverage = lipz(scene.path(), ["coverage", "b.lipzbank"]);
+    assert!(coverage.stdout.contains("no clip has a text; those of a split bank"), "{coverage:?}");
     scene.expect("LZ0902-bank-refused-texts-only", &["verify", "b.de-de.lipztexts"]);
     scene.write("more/yes.lipz", r#"{ "text_de-de": "Doch." }"#);
     scene.prepare(&["pack", "more", "-o", "m.lipzbank", "--quiet"]);

@@ -4,9 +4,7 @@
 mod support;
 
 use std::fs;
-use std::io::Write;
-use std::process::{Command, Stdio};
-use support::{Comparison, Scene, files, lipz, repository, tree};
+use support::{Comparison, Scene, files, lipz, repository, tree, with_input};
 
 const ROUGH: &str = "{\"text_en-us\":\"Aye. |No.\",\"visemes\":\"MAEO-|SO\"}";
 const NEAT: &str = "{\n  \"visemes\" :    \"MAEO-|SO\",\n  \"text_en-us\" : \"Aye. |No.\"\n}\n";
@@ -23,14 +21,44 @@ fn formatted_files() {
 
 /// What `lipz fmt -` makes of a file.
 fn through_standard_input(bytes: &[u8]) -> String {
-    let mut process = Command::new(env!("CARGO_BIN_EXE_lipz"))
-        .args(["fmt", "-"])
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()
-        .unwrap();
-    process.stdin.take().unwrap().write_all(bytes).unwrap();
-    String::from_utf8(process.wait_with_output().unwrap().stdout).unwrap()
+    String::from_utf8(with_input(&repository(), &["fmt", "-"], bytes).stdout).unwrap()
+}
+
+#[test]
+fn standard_input_goes_to_standard_output() {
+    let diff = with_input(&repository(), &["fmt", "--diff", "-"], ROUGH.as_bytes());
+    assert!(diff.stdout.starts_with(b"--- <stdin>\n+++ <stdin>\n@@ "), "{diff:?}");
+    let to_toonboom = ["convert", "-", "--viseme-type", "toonboom"];
+    let blair = "{ \"visemes\": \"MAEO-\", \"viseme_type\": \"blair\" }";
+    let toonboom = "{ \"visemes\": \"ADCE-\", \"viseme_type\": \"toonboom\" }";
+    for before in [blair, toonboom] {
+        let converted = with_input(&repository(), &to_toonboom, before.as_bytes());
+        assert_eq!((converted.status.code(), converted.stdout.as_slice()), (Some(0), toonboom.as_bytes()));
+        assert!(converted.stderr.is_empty(), "{converted:?}");
+    }
+    let loud = with_input(&repository(), &to_toonboom, b"{ \"visemes\": \"12\" }");
+    assert_eq!((loud.status.code(), loud.stdout.is_empty()), (Some(1), true), "{loud:?}");
+    assert!(loud.stderr.starts_with(b"error[LZ0405]"), "{loud:?}");
+}
+
+#[test]
+fn standard_input_is_no_file_that_can_be_changed() {
+    let scene = Scene::new();
+    scene.write("a.lipz", ROUGH);
+    let refused: [(&[&str], &str); 5] = [
+        (&["fmt", "-", "a.lipz"], "standard input cannot be changed together with files"),
+        (&["check", "--fix", "-"], "standard input is no file that can be fixed"),
+        (&["convert", "a.lipz", "-", "--viseme-type", "blair", "--in-place"], "together with files"),
+        (&["convert", "-", "--viseme-type", "blair", "--in-place"], "goes to standard output"),
+        (&["convert", "a.lipz", "--viseme-type", "blair"], "it is not said where the converted files go"),
+    ];
+    for (arguments, why) in refused {
+        let outcome = lipz(scene.path(), arguments);
+        assert_eq!((outcome.code, outcome.stdout.as_str()), (2, ""), "{outcome:?}");
+        assert!(outcome.stderr.contains(why) && outcome.stderr.contains("\n  tip: "), "{outcome:?}");
+        assert!(!outcome.stderr.contains("Usage: lipz [OPTIONS] <COMMAND>"), "{outcome:?}");
+    }
+    assert_eq!(fs::read_to_string(scene.path().join("a.lipz")).unwrap(), ROUGH);
 }
 
 #[test]

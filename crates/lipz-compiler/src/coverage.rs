@@ -31,6 +31,12 @@ impl Coverage {
     pub fn percent(&self) -> f64 {
         if self.clip_count == 0 { 100.0 } else { self.own_count as f64 * 100.0 / self.clip_count as f64 }
     }
+
+    /// [`percent`](Self::percent) as people read it: cut off behind the tenths, not rounded, for 99.96 % is
+    /// not all.
+    pub fn percent_in_tenths(&self) -> f64 {
+        (self.percent() * 10.0).floor() / 10.0
+    }
 }
 
 /// The coverage of each locale of a verified `bank`, in the order of their tags. Keys are in the order of
@@ -106,17 +112,12 @@ pub fn shortfalls(found: &[Coverage], wanted: &MinCoverage) -> Vec<Diagnostic> {
 }
 
 fn shortfall(coverage: &Coverage, wanted_percent: f64) -> Diagnostic {
-    let (tag, percent) = (&coverage.tag, floor_to_tenth(coverage.percent()));
+    let (tag, percent) = (&coverage.tag, coverage.percent_in_tenths());
     let headline = format!("{percent} % of the clips have a text in `{tag}`, {wanted_percent} % are asked for");
     let missing = coverage.clip_count - coverage.own_count;
     Diagnostic::new(Code::LowCoverage, headline)
         .note(format!("{missing} of {} clips have none", coverage.clip_count))
         .help(format!("translate them (`lipz coverage --missing {tag}` lists them), or ask for less"))
-}
-
-/// Cut off, not rounded: 99.96 % is not all.
-fn floor_to_tenth(percent: f64) -> f64 {
-    (percent * 10.0).floor() / 10.0
 }
 
 /// What a player of a locale reads of a clip.

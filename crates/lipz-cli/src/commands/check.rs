@@ -4,9 +4,10 @@ use super::fixing::{Fixing, fix_all};
 use super::with_inputs;
 use crate::render::Findings;
 use crate::rewriting::{Rewriting, files};
-use crate::sources::Sources;
-use crate::{Outcome, console};
+use crate::sources::{Sources, usage_error};
+use crate::{Ended, Outcome, console, standard};
 use clap::Args;
+use clap::error::ErrorKind;
 use lipz_compiler::check_all;
 
 /// Check Lipz files without packing them.
@@ -33,12 +34,13 @@ pub(crate) struct Check {
     diff: bool,
 }
 
-pub(crate) fn run(arguments: &Check, findings: &mut Findings) -> Outcome {
-    let project = match arguments.sources.project(findings) {
-        Ok(project) => project,
-        Err(outcome) => return outcome,
-    };
+pub(crate) fn run(arguments: &Check, findings: &mut Findings) -> Ended {
+    let project = arguments.sources.project(findings)?;
     let (settings, quiet) = (&project.settings, arguments.sources.is_quiet());
+    if arguments.fix && settings.sources.iter().any(|source| standard::is_meant(source)) {
+        let tip = "save it in a file, or leave out '--fix'";
+        return Err(usage_error(ErrorKind::ArgumentConflict, "standard input is no file that can be fixed", tip));
+    }
     let fixing = match (arguments.fix, arguments.diff) {
         (false, _) => Fixing::default(),
         (true, false) => fix_all(settings, quiet, Rewriting::InPlace),
@@ -52,12 +54,12 @@ pub(crate) fn run(arguments: &Check, findings: &mut Findings) -> Outcome {
     let outcome = run.outcome();
     findings.add(run.reports);
     let printed = if arguments.diff { console::print(&fixing.changes) } else { findings.summary(&fixing.changes) };
-    match outcome {
+    Ok(match outcome {
         _ if unwritten => Outcome::Failed,
         Outcome::Clean if quiet || arguments.diff => printed,
         Outcome::Clean => findings.summary(&format!("{} checked\n", files(run.inputs.len()))),
         outcome => outcome,
-    }
+    })
 }
 
 impl Check {

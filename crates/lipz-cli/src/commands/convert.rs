@@ -1,29 +1,32 @@
 //! `lipz convert`: Lipz files with the codes of another viseme type.
 
 use crate::render::Findings;
-use crate::rewriting::{Rewriting, failure, files};
+use crate::rewriting::{Rewriting, failure, files, is_standard_input, reads_standard_input};
 use crate::sources::{Sources, usage_error};
-use crate::{Outcome, console, interrupt};
+use crate::{Ended, Outcome, console, interrupt, standard};
 use clap::Args;
 use clap::error::ErrorKind;
 use lipz::{Code, Diagnostic, Level};
-use lipz_compiler::{Input, Report, convert, count, each_file, key, replace_file};
+use lipz_bank::VisemeType;
+use lipz_compiler::{Input, Options, Report, convert, count, each_file, key, replace_file};
 use std::path::{Path, PathBuf};
 
 /// Convert Lipz files to another viseme type: blair to toonboom, toonboom to blair.
 ///
 /// Only the codes and `viseme_type` change. Blair's L and U have no shape of their own in Toon Boom's
-/// chart; files that lose them are named. There is no way from or to rms.
+/// chart; files that lose them are named. There is no way from or to rms. What comes from standard input
+/// goes to standard output.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz convert voices --viseme-type toonboom -o voices-toonboom
-  lipz convert voices --viseme-type blair --in-place")]
+  lipz convert voices --viseme-type blair --in-place
+  lipz convert - --viseme-type blair < mayor.lipz")]
 pub(crate) struct Convert {
     #[command(flatten)]
     sources: Sources,
 
     /// Replace the files
-    #[arg(long, required_unless_present = "output")]
+    #[arg(long)]
     in_place: bool,
 
     /// Write all files into this folder, converted or not, under their keys
@@ -31,25 +34,33 @@ pub(crate) struct Convert {
     output: Option<PathBuf>,
 }
 
-pub(crate) fn run(arguments: &Convert, findings: &mut Findings) -> Outcome {
-    let project = match arguments.sources.project(findings) {
-        Ok(project) => project,
-        Err(outcome) => return outcome,
-    };
+/// Where converted files go.
+#[derive(Clone, Copy)]
+enum Target<'a> {
+    InPlace,
+    Folder(&'a Path),
+}
+
+pub(crate) fn run(arguments: &Convert, findings: &mut Findings) -> Ended {
+    let project = arguments.sources.project(findings)?;
     let options = &project.settings.options;
     let Some(viseme_type) = options.viseme_type else {
         let tip = "name it with '--viseme-type', or set `viseme-type` in lipz.toml";
-        return usage_error(ErrorKind::MissingRequiredArgument, "no viseme type to convert to is named", tip);
+        return Err(usage_error(ErrorKind::MissingRequiredArgument, "no viseme type to convert to is named", tip));
     };
+    if reads_standard_input(&project.settings.sources)? {
+        return arguments.standard_input(viseme_type, options, findings);
+    }
+    let target = arguments.target()?;
     let quiet = arguments.sources.is_quiet();
     let (inputs, mut reports) = project.settings.discover();
-    if let Some(folder) = &arguments.output {
+    if let Target::Folder(folder) = target {
         key::check(&inputs, &mut reports);
         reports.extend(inputs.iter().filter_map(|input| in_the_way(folder, input)));
         if !reports.is_empty() {
             let outcome = failure(&reports);
             findings.add(reports);
-            return outcome;
+            return Err(outcome);
         }
     }
     let bar = console::progress_bar(inputs.len(), quiet);
@@ -58,7 +69,7 @@ pub(crate) fn run(arguments: &Convert, findings: &mut Findings) -> Outcome {
         let is_changed = converted.text.is_some();
         let written = match converted.diagnostics.iter().any(|finding| finding.level == Level::Error) {
             true => Ok(()),
-            false => arguments.write(input, bytes, converted.text.as_deref()),
+            false => target.write(input, bytes, converted.text.as_deref()),
         };
         let found = !converted.diagnostics.is_empty();
         let report = found.then(|| Report::of_file(input.name(), bytes, converted.diagnostics));
@@ -78,25 +89,64 @@ pub(crate) fn run(arguments: &Convert, findings: &mut Findings) -> Outcome {
     let outcome = if count(&reports, Level::Error) > 0 { failure(&reports) } else { Outcome::Clean };
     findings.add(reports);
     if quiet || inputs.is_empty() {
-        return outcome;
+        return Ok(outcome);
     }
     let (changed, unchanged) = (files(changed), console::grouped(unchanged));
-    match findings.summary(&format!("{changed} converted to {viseme_type}, {unchanged} unchanged\n")) {
+    Ok(match findings.summary(&format!("{changed} converted to {viseme_type}, {unchanged} unchanged\n")) {
         Outcome::Clean => outcome,
         failed => failed,
-    }
+    })
 }
 
 impl Convert {
-    /// Writes a file, whose new text is `after` if it has one, to where it was asked for.
-    fn write(&self, input: &Input, before: &[u8], after: Option<&str>) -> Result<(), Report> {
-        match (&self.output, after) {
-            (Some(folder), after) => {
+    /// Whether standard output is for a converted file.
+    pub(crate) fn prints_result(&self) -> bool {
+        is_standard_input(self.sources.paths())
+    }
+
+    fn target(&self) -> Result<Target<'_>, Outcome> {
+        match &self.output {
+            Some(folder) => Ok(Target::Folder(folder)),
+            None if self.in_place => Ok(Target::InPlace),
+            None => {
+                let tip = "replace the files with '--in-place', or name a folder with '--output'";
+                let message = "it is not said where the converted files go";
+                Err(usage_error(ErrorKind::MissingRequiredArgument, message, tip))
+            }
+        }
+    }
+
+    /// Converts what comes from standard input.
+    fn standard_input(&self, viseme_type: VisemeType, options: &Options, findings: &mut Findings) -> Ended {
+        if self.in_place || self.output.is_some() {
+            let tip = "leave out '--in-place' and '--output'";
+            let message = "what comes from standard input goes to standard output";
+            return Err(usage_error(ErrorKind::ArgumentConflict, message, tip));
+        }
+        let bytes = standard::lipz_bytes().map_err(|report| findings.fail(report))?;
+        let converted = convert(&bytes, viseme_type, options);
+        let report = Report::of_file(standard::INPUT_NAME, &bytes, converted.diagnostics);
+        let has_errors = report.has_errors();
+        findings.add(vec![report]);
+        if has_errors {
+            return Err(Outcome::Findings);
+        }
+        Ok(console::print_bytes(converted.text.as_ref().map_or(&bytes, |text| text.as_bytes())))
+    }
+}
+
+impl Target<'_> {
+    /// Writes a file, whose new text is `after` if it has one.
+    fn write(self, input: &Input, before: &[u8], after: Option<&str>) -> Result<(), Report> {
+        match (self, after) {
+            (Target::Folder(folder), after) => {
                 let after = after.map_or(before, str::as_bytes);
                 interrupt::whole(|| replace_file(&output(folder, input), after))
             }
-            (None, Some(after)) => interrupt::whole(|| Rewriting::InPlace.rewrite(input, before, after)).map(|_| ()),
-            (None, None) => Ok(()),
+            (Target::InPlace, Some(after)) => {
+                interrupt::whole(|| Rewriting::InPlace.rewrite(input, before, after)).map(|_| ())
+            }
+            (Target::InPlace, None) => Ok(()),
         }
     }
 }

@@ -4,7 +4,7 @@ use super::either::{names_lipz_files, packed};
 use crate::bank_file::BankFile;
 use crate::render::Findings;
 use crate::sources::ProjectArguments;
-use crate::{Outcome, console};
+use crate::{Ended, Outcome, console};
 use clap::Args;
 use lipz::diagnostic::show;
 use lipz_compiler::{Coverage, MinCoverage, Report, coverage, shortfalls};
@@ -19,15 +19,18 @@ use std::path::PathBuf;
 /// another locale, or none. A folder is compiled in memory, with the same flags as for `lipz pack`.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
+  lipz coverage
   lipz coverage voices
   lipz coverage voices --missing de-de
   lipz coverage dialogue.lipzbank --min-coverage 95 --min-coverage de-de=100
 
-Exit codes: 0 enough is translated, 1 less than the project asks for, 2 the tool could not run.")]
+Exit codes: 0 enough is translated, 1 less than the project asks for, 2 the tool could not run, 130
+interrupted.")]
 pub(crate) struct CoverageArguments {
-    /// A bank, or a folder, file or pattern of Lipz files; `-` is a bank on standard input
+    /// A bank, or a folder, file or pattern of Lipz files; `-` is a bank on standard input [default: the
+    /// Lipz files of lipz.toml]
     #[arg(value_name = "BANK")]
-    bank: PathBuf,
+    bank: Option<PathBuf>,
 
     #[command(flatten)]
     project: ProjectArguments,
@@ -41,18 +44,13 @@ pub(crate) struct CoverageArguments {
     json: bool,
 }
 
-pub(crate) fn run(arguments: &CoverageArguments, findings: &mut Findings) -> Outcome {
-    show_coverage(arguments, findings).unwrap_or_else(|outcome| outcome)
-}
-
-fn show_coverage(arguments: &CoverageArguments, findings: &mut Findings) -> Result<Outcome, Outcome> {
-    let mut project = arguments.project.project(std::slice::from_ref(&arguments.bank), findings)?;
+pub(crate) fn run(arguments: &CoverageArguments, findings: &mut Findings) -> Ended {
+    let mut project = arguments.project.project(arguments.bank.as_slice(), findings)?;
     // Here it is the question, not a condition for making the bank.
     let wanted: MinCoverage = std::mem::take(&mut project.settings.options.min_coverage);
-    let file = if names_lipz_files(&arguments.bank) {
-        packed(&arguments.bank, &project.settings, arguments.project.quiet, findings)?
-    } else {
-        BankFile::open(&arguments.bank, findings)?
+    let file = match &arguments.bank {
+        Some(bank) if !names_lipz_files(bank) => BankFile::open(bank, findings)?,
+        _ => packed(&project.settings, arguments.project.quiet, findings)?,
     };
     let found = coverage(&file.bank(findings)?);
     let printed = match &arguments.missing {
@@ -82,7 +80,10 @@ fn missing(found: &[Coverage], tag: &str) -> Result<String, Outcome> {
 }
 
 fn table(name: &str, found: &[Coverage]) -> String {
-    let clips = console::counted(found.first().map_or(0, |coverage| coverage.clip_count), "clip");
+    let Some(first) = found.first() else {
+        return format!("{name}: no clip has a text; those of a split bank are in its text banks\n");
+    };
+    let clips = console::counted(first.clip_count, "clip");
     let mut text = format!("{name}: {clips} with texts\n\n");
     let _ = writeln!(
         text,
@@ -99,7 +100,7 @@ fn table(name: &str, found: &[Coverage]) -> String {
         let line = format!(
             "  {:<12} {:>7.1} % {:>7} {:>8} {:>9} {:>8}  {}",
             show::text(&coverage.tag),
-            coverage.percent(),
+            coverage.percent_in_tenths(),
             coverage.own_count,
             coverage.same_as_default.len(),
             fallback_count,

@@ -9,31 +9,31 @@ use lipz_compiler::compile;
 use lipz_compiler::settings::Settings;
 use std::path::Path;
 
-/// The bank at `path`, or the Lipz files there, packed in memory. Reports what is wrong with them.
+/// The bank at `path`, or the Lipz files there, packed in memory; without a path, those of `lipz.toml`.
+/// Reports what is wrong with them.
 pub(super) fn bank_or_files(
-    path: &Path,
+    path: Option<&Path>,
     arguments: &ProjectArguments,
     findings: &mut Findings,
 ) -> Result<BankFile, Outcome> {
-    if !names_lipz_files(path) {
-        return BankFile::open(path, findings);
+    match path {
+        Some(path) if !names_lipz_files(path) => BankFile::open(path, findings),
+        path => {
+            let sources: Vec<_> = path.into_iter().map(Path::to_owned).collect();
+            let project = arguments.project(&sources, findings)?;
+            packed(&project.settings, arguments.quiet, findings)
+        }
     }
-    let project = arguments.project(&[path.to_owned()], findings)?;
-    packed(path, &project.settings, arguments.quiet, findings)
 }
 
-/// The bank of the Lipz files at `path`, packed in memory. Reports what is wrong with them.
-pub(super) fn packed(
-    path: &Path,
-    settings: &Settings,
-    quiet: bool,
-    findings: &mut Findings,
-) -> Result<BankFile, Outcome> {
+/// The bank of a project's Lipz files, packed in memory. Reports what is wrong with them.
+pub(super) fn packed(settings: &Settings, quiet: bool, findings: &mut Findings) -> Result<BankFile, Outcome> {
+    let sources: Vec<_> = settings.sources.iter().map(|path| console::path(path)).collect();
     let mut run = with_inputs(settings, quiet, compile);
     let outcome = run.outcome();
     findings.add(run.reports);
     match run.compiled.bank.take() {
-        Some(bank) if outcome == Outcome::Clean => Ok(BankFile::made(console::path(path), bank)),
+        Some(bank) if outcome == Outcome::Clean => Ok(BankFile::made(sources.join(", "), bank)),
         _ => Err(outcome),
     }
 }

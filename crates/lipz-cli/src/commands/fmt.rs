@@ -2,10 +2,10 @@
 
 use crate::project::parse_locale;
 use crate::render::Findings;
-use crate::rewriting::{Rewriting, failure, files};
+use crate::rewriting::{Rewriting, diff, failure, files, is_standard_input, reads_standard_input};
 use crate::settings_file::{Project, SettingsFile};
 use crate::sources::PROJECT;
-use crate::{Outcome, console, interrupt, standard};
+use crate::{Ended, Outcome, console, interrupt, standard};
 use clap::Args;
 use lipz::diagnostic::show;
 use lipz::format::{LineEnding, Style, format};
@@ -52,15 +52,12 @@ pub(crate) struct Fmt {
     quiet: bool,
 }
 
-pub(crate) fn run(arguments: &Fmt, findings: &mut Findings) -> Outcome {
-    let Project { mut settings, .. } = match arguments.file.project(&arguments.sources, findings) {
-        Ok(project) => project,
-        Err(outcome) => return outcome,
-    };
+pub(crate) fn run(arguments: &Fmt, findings: &mut Findings) -> Ended {
+    let Project { mut settings, .. } = arguments.file.project(&arguments.sources, findings)?;
     settings.options.threads = arguments.threads.map(usize::from);
     let default_locale = arguments.default_locale.as_deref().or(settings.options.default_locale.as_deref());
-    if arguments.reads_standard_input() {
-        return standard_input(arguments, default_locale, findings);
+    if reads_standard_input(&settings.sources)? {
+        return Ok(standard_input(arguments, default_locale, findings));
     }
     let (inputs, mut reports) = settings.discover();
     let bar = console::progress_bar(inputs.len(), arguments.quiet);
@@ -96,21 +93,17 @@ pub(crate) fn run(arguments: &Fmt, findings: &mut Findings) -> Outcome {
         Rewriting::Nothing | Rewriting::Diff => console::remark(&summary("would change")),
     }
     let printed = if arguments.prints_result() { console::print(&shown) } else { findings.summary(&shown) };
-    match (failed, printed) {
+    Ok(match (failed, printed) {
         (Some(failed), _) => failed,
         (None, Outcome::Clean) if arguments.check && changed > 0 => Outcome::Findings,
         (None, printed) => printed,
-    }
+    })
 }
 
 impl Fmt {
     /// Whether standard output is for files, differences or the names of files.
     pub(crate) fn prints_result(&self) -> bool {
-        self.rewriting() != Rewriting::InPlace || self.reads_standard_input()
-    }
-
-    fn reads_standard_input(&self) -> bool {
-        matches!(self.sources.as_slice(), [path] if standard::is_meant(path))
+        self.rewriting() != Rewriting::InPlace || is_standard_input(&self.sources)
     }
 
     fn rewriting(&self) -> Rewriting {
@@ -127,9 +120,15 @@ fn standard_input(arguments: &Fmt, default_locale: Option<&str>, findings: &mut 
     let formatted = standard::lipz_bytes()
         .and_then(|before| formatted(standard::INPUT_NAME, &before, default_locale).map(|after| (before, after)));
     match formatted {
-        Ok((before, after)) if arguments.check && after.as_bytes() != before => Outcome::Findings,
-        Ok(_) if arguments.check => Outcome::Clean,
-        Ok((_, after)) => console::print(&after),
+        Ok((before, after)) => {
+            let printed = match arguments.rewriting() {
+                Rewriting::InPlace => console::print(&after),
+                Rewriting::Diff => console::print(&diff(standard::INPUT_NAME, &before, &after)),
+                Rewriting::Nothing => Outcome::Clean,
+            };
+            let differs = arguments.check && after.as_bytes() != before;
+            if differs && printed == Outcome::Clean { Outcome::Findings } else { printed }
+        }
         Err(report) => {
             let outcome = failure(std::slice::from_ref(&report));
             findings.add(vec![report]);

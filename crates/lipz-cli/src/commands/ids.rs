@@ -1,15 +1,15 @@
 //! `lipz ids`: clip ids and locales as source code for programs.
 
 use super::with_inputs;
-use crate::bank_file::with_bank;
+use crate::bank_file::BankFile;
 use crate::render::Findings;
 use crate::sources::{Sources, usage_error};
-use crate::{Outcome, console, interrupt};
+use crate::{Ended, Outcome, console, output_file};
 use clap::error::ErrorKind;
 use clap::{Args, ValueEnum};
 use lipz_bank::Bank;
 use lipz_compiler::ids::{Language, generate};
-use lipz_compiler::{Report, compile, replace_file};
+use lipz_compiler::{Report, compile};
 use std::mem;
 use std::path::{Path, PathBuf};
 
@@ -66,7 +66,7 @@ impl Ids {
     }
 }
 
-pub(crate) fn run(arguments: &Ids, findings: &mut Findings) -> Outcome {
+pub(crate) fn run(arguments: &Ids, findings: &mut Findings) -> Ended {
     let language = Language::from(arguments.lang);
     if let Some(prefix) = arguments.prefix.as_ref().filter(|prefix| !language.accepts_prefix(prefix)) {
         let name = language.name();
@@ -74,11 +74,12 @@ pub(crate) fn run(arguments: &Ids, findings: &mut Findings) -> Outcome {
             Some(default) => (format!("'{prefix}' is not a prefix for {name}"), format!("the default is {default}")),
             None => ("'--prefix' is for C and C#".to_owned(), format!("{name} has names of its own")),
         };
-        return usage_error(ErrorKind::ArgumentConflict, &message, &tip);
+        return Err(usage_error(ErrorKind::ArgumentConflict, &message, &tip));
     }
     match arguments.sources.paths() {
         [bank] if is_bank(bank) => {
-            with_bank(bank, findings, |path, bank, findings| write(path, bank, arguments, findings))
+            let file = BankFile::open(bank, findings)?;
+            write(&file.name, &file.bank(findings)?, arguments, findings)
         }
         sources => of_sources(sources, arguments, findings),
     }
@@ -89,11 +90,8 @@ fn is_bank(path: &Path) -> bool {
 }
 
 /// The ids of the bank that would be packed.
-fn of_sources(sources: &[PathBuf], arguments: &Ids, findings: &mut Findings) -> Outcome {
-    let project = match arguments.sources.project(findings) {
-        Ok(project) => project,
-        Err(outcome) => return outcome,
-    };
+fn of_sources(sources: &[PathBuf], arguments: &Ids, findings: &mut Findings) -> Ended {
+    let project = arguments.sources.project(findings)?;
     let mut run = with_inputs(&project.settings, arguments.sources.is_quiet(), compile);
     let outcome = run.outcome();
     findings.add(mem::take(&mut run.reports));
@@ -102,28 +100,22 @@ fn of_sources(sources: &[PathBuf], arguments: &Ids, findings: &mut Findings) -> 
             Ok(bank) => {
                 write(&sources.first().map(|path| console::path(path)).unwrap_or_default(), &bank, arguments, findings)
             }
-            Err(_) => Outcome::Failed,
+            Err(_) => Err(Outcome::Failed),
         },
-        _ => outcome,
+        _ => Err(outcome),
     }
 }
 
-fn write(source: &str, bank: &Bank<'_>, arguments: &Ids, findings: &mut Findings) -> Outcome {
-    let text = match generate(bank, arguments.lang.into(), arguments.prefix.as_deref()) {
-        Ok(text) => text,
-        Err(clashes) => {
-            findings.add(vec![Report::all_about(source, clashes)]);
-            return Outcome::Findings;
-        }
-    };
-    let Some(output) = &arguments.output else { return console::print(&text) };
-    if let Err(report) = interrupt::whole(|| replace_file(output, text.as_bytes())) {
-        findings.add(vec![report]);
-        return Outcome::Failed;
-    }
+fn write(source: &str, bank: &Bank<'_>, arguments: &Ids, findings: &mut Findings) -> Ended {
+    let text = generate(bank, arguments.lang.into(), arguments.prefix.as_deref()).map_err(|clashes| {
+        findings.add(vec![Report::all_about(source, clashes)]);
+        Outcome::Findings
+    })?;
+    let Some(output) = &arguments.output else { return Ok(console::print(&text)) };
+    output_file::write(output, text.as_bytes(), findings)?;
     if arguments.sources.is_quiet() {
-        return Outcome::Clean;
+        return Ok(Outcome::Clean);
     }
-    let clips = console::counted(bank.clip_count(), "id");
-    findings.summary(&format!("{clips} written to {}\n", console::path(output)))
+    let ids = console::counted(bank.clip_count(), "id");
+    Ok(findings.summary(&format!("{ids} written to {}\n", console::path(output))))
 }

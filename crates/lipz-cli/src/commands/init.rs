@@ -1,11 +1,11 @@
 //! `lipz init`: a settings file that explains itself.
 
 use crate::render::Findings;
-use crate::{Outcome, console};
+use crate::{Ended, Outcome, console, output_file};
 use clap::Args;
 use lipz::{Code, Diagnostic};
+use lipz_compiler::Report;
 use lipz_compiler::settings::{FILE_NAME, template};
-use lipz_compiler::{Report, replace_file};
 use std::path::PathBuf;
 
 /// Write a lipz.toml with every setting, explained and commented out.
@@ -27,7 +27,7 @@ pub(crate) struct Init {
     quiet: bool,
 }
 
-pub(crate) fn run(arguments: &Init, findings: &mut Findings) -> Outcome {
+pub(crate) fn run(arguments: &Init, findings: &mut Findings) -> Ended {
     let is_here = arguments.folder.as_os_str() == ".";
     let file = if is_here { PathBuf::from(FILE_NAME) } else { arguments.folder.join(FILE_NAME) };
     let shown = console::path(&file);
@@ -35,14 +35,12 @@ pub(crate) fn run(arguments: &Init, findings: &mut Findings) -> Outcome {
         let finding = Diagnostic::new(Code::WouldOverwrite, format!("`{shown}` is there already"));
         let finding = finding.note("nothing was written").help("edit it, or replace it by a fresh one with --force");
         findings.add(vec![Report::about(shown, finding)]);
-        return Outcome::Findings;
+        return Err(Outcome::Findings);
     }
-    if let Err(report) = replace_file(&file, template().as_bytes()) {
-        findings.add(vec![report]);
-        return Outcome::Failed;
-    }
+    output_file::write(&file, template().as_bytes(), findings)?;
     if arguments.quiet {
-        return Outcome::Clean;
+        return Ok(Outcome::Clean);
     }
-    findings.summary(&format!("{shown} written: `lipz check` in its folder checks all Lipz files there and below\n"))
+    let next = "`lipz check` in its folder checks all Lipz files there and below";
+    Ok(findings.summary(&format!("{shown} written: {next}\n")))
 }

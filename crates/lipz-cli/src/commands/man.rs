@@ -2,10 +2,9 @@
 
 use crate::args::Arguments;
 use crate::render::Findings;
-use crate::{Outcome, console, interrupt};
+use crate::{Ended, Outcome, console, output_file};
 use clap::{Args, Command, CommandFactory};
 use clap_mangen::Man;
-use lipz_compiler::replace_file;
 use std::io;
 use std::path::PathBuf;
 
@@ -19,22 +18,16 @@ pub(crate) struct ManPages {
     pub(crate) output: PathBuf,
 }
 
-pub(crate) fn run(arguments: &ManPages, findings: &mut Findings) -> Outcome {
-    let pages = match pages() {
-        Ok(pages) => pages,
-        Err(error) => {
-            console::remark(&format!("error: {error}\n"));
-            return Outcome::Failed;
-        }
-    };
+pub(crate) fn run(arguments: &ManPages, findings: &mut Findings) -> Ended {
+    let pages = pages().map_err(|error| {
+        console::remark(&format!("error: {error}\n"));
+        Outcome::Failed
+    })?;
     for (name, page) in &pages {
-        if let Err(report) = interrupt::whole(|| replace_file(&arguments.output.join(name), page)) {
-            findings.add(vec![report]);
-            return Outcome::Failed;
-        }
+        output_file::write(&arguments.output.join(name), page, findings)?;
     }
     let count = console::counted(pages.len(), "page");
-    findings.summary(&format!("{count} written into {}\n", console::path(&arguments.output)))
+    Ok(findings.summary(&format!("{count} written into {}\n", console::path(&arguments.output))))
 }
 
 /// The pages with the names of their files.

@@ -1,11 +1,10 @@
 //! `lipz unpack`: a bank to source files.
 
-use crate::bank_file::with_bank;
+use crate::bank_file::BankFile;
 use crate::render::Findings;
-use crate::{Outcome, console, interrupt};
+use crate::{Ended, Outcome, console, interrupt};
 use clap::Args;
 use lipz::Code;
-use lipz_bank::Bank;
 use lipz_compiler::unpack;
 use std::path::PathBuf;
 
@@ -34,37 +33,35 @@ pub(crate) struct Unpack {
     pub(crate) quiet: bool,
 }
 
-pub(crate) fn run(arguments: &Unpack, findings: &mut Findings) -> Outcome {
-    with_bank(&arguments.bank, findings, |path, bank, findings| unpack_into(path, bank, arguments, findings))
-}
-
-fn unpack_into(path: &str, bank: &Bank<'_>, arguments: &Unpack, findings: &mut Findings) -> Outcome {
+pub(crate) fn run(arguments: &Unpack, findings: &mut Findings) -> Ended {
+    let file = BankFile::open(&arguments.bank, findings)?;
+    let bank = file.bank(findings)?;
     let bar = console::progress_bar(bank.clip_count(), arguments.quiet);
     let progress = |count| {
         bar.inc(count);
         interrupt::point();
     };
-    let unpacked = interrupt::whole(|| unpack(bank, &arguments.output, arguments.force, &progress));
+    let unpacked = interrupt::whole(|| unpack(&bank, &arguments.output, arguments.force, &progress));
     bar.finish_and_clear();
     match unpacked {
         Ok(unpacked) => {
             if arguments.quiet {
-                return Outcome::Clean;
+                return Ok(Outcome::Clean);
             }
             let form = if unpacked.is_exact { "" } else { " (display forms: the bank was stripped)" };
             let files = console::counted(unpacked.files, "file");
-            findings.summary(&format!("{files} unpacked into {}{form}\n", console::path(&arguments.output)))
+            Ok(findings.summary(&format!("{files} unpacked into {}{form}\n", console::path(&arguments.output))))
         }
         Err(mut reports) => {
             for report in &mut reports {
                 if report.source.path.is_empty() {
-                    path.clone_into(&mut report.source.path);
+                    file.name.clone_into(&mut report.source.path);
                 }
             }
             let failed =
                 reports.iter().flat_map(|report| &report.diagnostics).any(|found| found.code == Code::OutputFailed);
             findings.add(reports);
-            if failed { Outcome::Failed } else { Outcome::Findings }
+            Err(if failed { Outcome::Failed } else { Outcome::Findings })
         }
     }
 }

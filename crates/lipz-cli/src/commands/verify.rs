@@ -1,9 +1,9 @@
 //! `lipz verify`: the full check of banks.
 
-use crate::bank_file::{BankFile, with_bank};
+use crate::bank_file::BankFile;
 use crate::render::Findings;
 use crate::sources::usage_error;
-use crate::{Outcome, console};
+use crate::{Ended, Outcome, console};
 use clap::Args;
 use clap::error::ErrorKind;
 use lipz::diagnostic::show;
@@ -31,36 +31,30 @@ pub(crate) struct Verify {
     pub(crate) quiet: bool,
 }
 
-pub(crate) fn run(arguments: &Verify, findings: &mut Findings) -> Outcome {
+pub(crate) fn run(arguments: &Verify, findings: &mut Findings) -> Ended {
     if !arguments.texts.is_empty() && arguments.banks.len() > 1 {
         let tip = "name the one bank that they belong to";
-        return usage_error(ErrorKind::ArgumentConflict, "text banks belong to one bank", tip);
+        return Err(usage_error(ErrorKind::ArgumentConflict, "text banks belong to one bank", tip));
     }
-    let mut worst = Outcome::Clean;
-    for path in &arguments.banks {
-        let outcome = with_bank(path, findings, |path, bank, findings| {
-            let clips = console::counted(bank.clip_count(), "clip");
-            match tell(path, &clips, bank.length_bytes(), arguments, findings) {
-                Outcome::Clean => arguments
-                    .texts
-                    .iter()
-                    .map(|path| verify_texts(path, bank, arguments, findings))
-                    .fold(Outcome::Clean, worse),
-                failed => failed,
-            }
-        });
-        worst = worse(worst, outcome);
-    }
-    worst
+    // One that is damaged keeps none of the others from being checked.
+    let outcomes = arguments.banks.iter().map(|path| verify(path, arguments, findings));
+    Ok(worst(outcomes))
 }
 
-fn verify_texts(path: &Path, bank: &Bank<'_>, arguments: &Verify, findings: &mut Findings) -> Outcome {
-    let verified = BankFile::open(path, findings).and_then(|file| {
-        let texts = file.texts(bank, findings)?;
-        let tags: Vec<_> = texts.locales().map(|locale| show::text(locale.tag())).collect();
-        Ok(tell(&file.name, &format!("texts in {}", tags.join(", ")), texts.length_bytes(), arguments, findings))
-    });
-    verified.unwrap_or_else(|outcome| outcome)
+fn verify(path: &Path, arguments: &Verify, findings: &mut Findings) -> Ended {
+    let file = BankFile::open(path, findings)?;
+    let bank = file.bank(findings)?;
+    let clips = console::counted(bank.clip_count(), "clip");
+    let told = tell(&file.name, &clips, bank.length_bytes(), arguments, findings);
+    let texts = arguments.texts.iter().map(|path| verify_texts(path, &bank, arguments, findings));
+    Ok(worst(std::iter::once(Ok(told)).chain(texts)))
+}
+
+fn verify_texts(path: &Path, bank: &Bank<'_>, arguments: &Verify, findings: &mut Findings) -> Ended {
+    let file = BankFile::open(path, findings)?;
+    let texts = file.texts(bank, findings)?;
+    let tags: Vec<_> = texts.locales().map(|locale| show::text(locale.tag())).collect();
+    Ok(tell(&file.name, &format!("texts in {}", tags.join(", ")), texts.length_bytes(), arguments, findings))
 }
 
 /// Says that a file has no fault.
@@ -71,10 +65,11 @@ fn tell(name: &str, what: &str, length_bytes: usize, arguments: &Verify, finding
     findings.summary(&format!("{name}: no fault ({what}, {} bytes)\n", console::grouped(length_bytes)))
 }
 
-fn worse(one: Outcome, other: Outcome) -> Outcome {
-    match (one, other) {
-        (Outcome::Failed, _) | (_, Outcome::Failed) => Outcome::Failed,
-        (Outcome::Findings, _) | (_, Outcome::Findings) => Outcome::Findings,
-        _ => Outcome::Clean,
-    }
+fn worst(outcomes: impl Iterator<Item = Ended>) -> Outcome {
+    let severity = |outcome: &Outcome| match outcome {
+        Outcome::Clean => 0,
+        Outcome::Findings => 1,
+        Outcome::Failed => 2,
+    };
+    outcomes.map(|ended| ended.unwrap_or_else(|outcome| outcome)).max_by_key(severity).unwrap_or(Outcome::Clean)
 }

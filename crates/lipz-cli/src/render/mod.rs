@@ -60,6 +60,12 @@ impl Findings {
         self.first = self.first.or_else(|| codes.next());
     }
 
+    /// Shows why the command cannot go on.
+    pub(crate) fn fail(&mut self, report: Report) -> Outcome {
+        self.add(vec![report]);
+        Outcome::Failed
+    }
+
     /// Tells people what the command did.
     pub(crate) fn summary(&self, text: &str) -> Outcome {
         if self.format == Format::Human { self.print(text) } else { Outcome::Clean }

@@ -6,8 +6,9 @@ pub(crate) mod forge;
 
 use similar::TextDiff;
 use std::fs;
+use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Output, Stdio};
 
 /// The folder of the repository, from which fixtures are named.
 pub(crate) fn repository() -> PathBuf {
@@ -43,6 +44,21 @@ pub(crate) fn lipz<S: AsRef<std::ffi::OsStr>>(folder: &Path, arguments: impl Int
         stderr: String::from_utf8(output.stderr).unwrap(),
         code: output.status.code().expect("ended by a signal"),
     }
+}
+
+/// Runs `lipz` in `folder` with `input` on standard input.
+pub(crate) fn with_input(folder: &Path, arguments: &[&str], input: &[u8]) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_lipz"))
+        .args(arguments)
+        .current_dir(folder)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // A command that refuses its input does not read all of it.
+    let _ = child.stdin.take().unwrap().write_all(input);
+    child.wait_with_output().unwrap()
 }
 
 /// Whether expected files are written rather than compared.

@@ -241,7 +241,7 @@ fn unknown_name(table: &str, key: &Spanned<DeString<'_>>, known: &[&'static str]
     // A setting below a table's name belongs to the table: the usual slip.
     if let Some(other) = TABLES.iter().find(|other| setting_names(other).any(|setting| setting == name)) {
         return match (other.name, table) {
-            ("", table) => finding(&format!("is no setting of [{table}]")).help("write it above the first table"),
+            ("", table) => finding(&format!("is not a setting of [{table}]")).help("write it above the first table"),
             (other, _) => finding(&format!("is a setting of [{other}]")).help(format!("write it below [{other}]")),
         };
     }

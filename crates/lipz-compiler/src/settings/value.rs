@@ -39,6 +39,7 @@ impl<'t> Value<'t> {
                 self.refuse("is empty", "write a value, or remove the line", findings)
             }
             DeValue::String(text) => Some(text.as_ref()),
+            DeValue::Array(_) => self.wrong_type("a text", "write one text, without brackets: \"…\"", findings),
             _ => self.wrong_type("a text", "put the value into double quotes", findings),
         }
     }
@@ -65,9 +66,11 @@ impl<'t> Value<'t> {
         let DeValue::Integer(integer) = self.node.get_ref() else {
             return self.wrong_type("a whole number", "write a number without fraction and quotes", findings);
         };
-        match u32::from_str_radix(integer.as_str(), integer.radix()) {
+        let number = i64::from_str_radix(integer.as_str(), integer.radix()).unwrap_or(i64::MAX);
+        match u32::try_from(number) {
             Ok(count) if count > 0 => Some(count),
-            _ => self.refuse("is not between 1 and 4294967295", "remove the line for no limit", findings),
+            _ if number < 1 => self.refuse("is less than 1", "remove the line for no limit", findings),
+            _ => self.refuse("is too large", "remove the line for no limit", findings),
         }
     }
 

@@ -7,7 +7,7 @@ mod words;
 use super::either::bank_or_files;
 use crate::render::Findings;
 use crate::sources::ProjectArguments;
-use crate::{Outcome, console};
+use crate::{Ended, Outcome, console};
 use clap::Args;
 use json::DifferenceJson;
 use lipz_compiler::diff;
@@ -28,33 +28,32 @@ Exit codes: 0 no difference, 1 differences, 2 the tool could not run, 130 interr
 pub(crate) struct Diff {
     /// The old side: a bank, or a folder, file or pattern of Lipz files; `-` is a bank on standard input
     #[arg(value_name = "OLD")]
-    pub(crate) old: PathBuf,
+    old: PathBuf,
 
     /// The new side
     #[arg(value_name = "NEW")]
-    pub(crate) new: PathBuf,
+    new: PathBuf,
 
     #[command(flatten)]
-    pub(crate) project: ProjectArguments,
+    project: ProjectArguments,
 
     /// Show all differences, however many they are
     #[arg(long)]
-    pub(crate) all: bool,
+    all: bool,
 
     /// Print JSON, always with all differences
     #[arg(long)]
-    pub(crate) json: bool,
+    json: bool,
 }
 
-pub(crate) fn run(arguments: &Diff, findings: &mut Findings) -> Outcome {
+pub(crate) fn run(arguments: &Diff, findings: &mut Findings) -> Ended {
     // A side that is not to be had leaves nothing to compare, for whatever reason.
-    let Ok(outcome) = compare(arguments, findings) else { return Outcome::Failed };
-    outcome
+    compare(arguments, findings).map_err(|_| Outcome::Failed)
 }
 
-fn compare(arguments: &Diff, findings: &mut Findings) -> Result<Outcome, Outcome> {
-    let old = bank_or_files(&arguments.old, &arguments.project, findings)?;
-    let new = bank_or_files(&arguments.new, &arguments.project, findings)?;
+fn compare(arguments: &Diff, findings: &mut Findings) -> Ended {
+    let old = bank_or_files(Some(&arguments.old), &arguments.project, findings)?;
+    let new = bank_or_files(Some(&arguments.new), &arguments.project, findings)?;
     let (old_bank, new_bank) = (old.bank(findings)?, new.bank(findings)?);
     let difference = diff::diff(&old_bank, &new_bank);
     let printed = if arguments.json {

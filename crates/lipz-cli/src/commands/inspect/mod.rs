@@ -2,10 +2,10 @@
 
 mod json;
 
-use crate::bank_file::{open_all, with_bank};
+use crate::bank_file::BankFile;
 use crate::render::Findings;
 use crate::timeline::timeline;
-use crate::{Outcome, console};
+use crate::{Ended, Outcome, console};
 use clap::Args;
 use json::{ClipJson, ListedJson, SummaryJson};
 use lipz::diagnostic::{show, suggest};
@@ -48,21 +48,18 @@ pub(crate) struct Inspect {
     pub(crate) json: bool,
 }
 
-pub(crate) fn run(arguments: &Inspect, findings: &mut Findings) -> Outcome {
-    with_bank(&arguments.bank, findings, |path, bank, findings| {
-        show_bank(path, bank, arguments, findings).unwrap_or_else(|outcome| outcome)
-    })
-}
-
-fn show_bank(path: &str, bank: &Bank<'_>, arguments: &Inspect, findings: &mut Findings) -> Result<Outcome, Outcome> {
-    let files = open_all(&arguments.texts, findings)?;
+pub(crate) fn run(arguments: &Inspect, findings: &mut Findings) -> Ended {
+    let file = BankFile::open(&arguments.bank, findings)?;
+    let bank = file.bank(findings)?;
+    let text_files: Vec<BankFile> =
+        arguments.texts.iter().map(|path| BankFile::open(path, findings)).collect::<Result<_, Outcome>>()?;
     let texts: Vec<TextBank<'_>> =
-        files.iter().map(|file| file.texts(bank, findings)).collect::<Result<_, Outcome>>()?;
+        text_files.iter().map(|file| file.texts(&bank, findings)).collect::<Result<_, Outcome>>()?;
     let locales: Vec<Locale<'_>> = bank.locales().chain(texts.iter().flat_map(TextBank::locales)).collect();
     Ok(match (&arguments.key, &arguments.list) {
-        (Some(key), _) => clip(bank, key, &locales, arguments),
-        (None, Some(prefix)) => list(bank, prefix, arguments.json),
-        (None, None) => summary(bank, &locales, path, arguments.json),
+        (Some(key), _) => clip(&bank, key, &locales, arguments),
+        (None, Some(prefix)) => list(&bank, prefix, arguments.json),
+        (None, None) => summary(&bank, &locales, &file.name, arguments.json),
     })
 }
 

@@ -81,13 +81,10 @@ impl Pack {
     }
 }
 
-pub(crate) fn run(arguments: &Pack, findings: &mut Findings) -> Outcome {
+pub(crate) fn run(arguments: &Pack, findings: &mut Findings) -> Result<Outcome, Outcome> {
     let quiet = arguments.sources.is_quiet();
-    let run = arguments.plan(findings).and_then(|plan| Ok((plan.run(Replacing::Always, quiet, findings)?, plan)));
-    let (packed, plan) = match run {
-        Ok(run) => run,
-        Err(outcome) => return outcome,
-    };
+    let plan = arguments.plan(findings)?;
+    let packed = plan.run(Replacing::Always, quiet, findings)?;
     let mut text = String::new();
     if !quiet {
         text = packed.summary();
@@ -96,5 +93,5 @@ pub(crate) fn run(arguments: &Pack, findings: &mut Findings) -> Outcome {
         }
     }
     text.push_str(&arguments.timings(&packed));
-    findings.summary(&text)
+    Ok(findings.summary(&text))
 }
