@@ -34,6 +34,7 @@ pub(super) const ALLOWED: &[Rule] = &[
     Rule {
         name: "lipz-compiler",
         direct: Some(&[
+            "bincode",
             "cap-std",
             "cap-tempfile",
             "foldhash",
@@ -47,6 +48,7 @@ pub(super) const ALLOWED: &[Rule] = &[
             "serde_json",
             "tempfile",
             "toml",
+            "twox-hash",
             "unicode-ident",
             "unicode-normalization",
             "unicode-width",
@@ -59,6 +61,7 @@ pub(super) const ALLOWED: &[Rule] = &[
             UNICODE_DATA,
             FILES,
             TOML,
+            CACHE,
             &["foldhash", "lipz", "lipz-bank", "unicode-normalization", "tinyvec"],
         ]),
     },
@@ -138,6 +141,9 @@ const UNICODE_DATA: &[&str] = &[
 
 /// toml and what it uses.
 const TOML: &[&str] = &["serde_spanned", "toml", "toml_datetime", "toml_parser", "winnow"];
+
+/// bincode and twox-hash, which only the cache of the compiler uses, and what they use.
+const CACHE: &[&str] = &["bincode", "bincode_derive", "twox-hash", "unty", "virtue"];
 
 /// Finding, reading and writing files, on several threads: cap-std, cap-tempfile, glob, rayon,
 /// tempfile, walkdir and what they use.
