@@ -70,6 +70,11 @@ impl<'data> TextBank<'data> {
         self.table.locales()
     }
 
+    /// Length of the file.
+    pub const fn length_bytes(&self) -> usize {
+        self.file.bytes.len()
+    }
+
     /// The sections of the file in the order of its directory, known or not: tag and contents.
     pub fn sections(&self) -> impl Iterator<Item = (Tag, &'data [u8])> + '_ {
         self.file.sections()

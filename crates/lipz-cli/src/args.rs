@@ -1,7 +1,8 @@
 //! The command line: the list of commands. Each one's arguments and help stand beside its work.
 
 use crate::commands::{
-    check, completions, convert, diff, explain, fmt, ids, init, inspect, man, pack, schema, stats, unpack, verify,
+    check, completions, convert, coverage, diff, explain, fmt, ids, init, inspect, man, pack, schema, stats, unpack,
+    verify,
 };
 use crate::render::Format;
 use clap::{Parser, Subcommand};
@@ -38,6 +39,7 @@ pub(crate) enum Command {
     Verify(verify::Verify),
     Inspect(inspect::Inspect),
     Diff(diff::Diff),
+    Coverage(coverage::CoverageArguments),
     Stats(stats::Stats),
     Schema(schema::Schema),
     Completions(completions::Completions),
@@ -55,7 +57,9 @@ impl Command {
             Command::Check(check) => check.prints_diff(),
             Command::Fmt(fmt) => fmt.prints_result(),
             Command::Convert(_) | Command::Init(_) | Command::Unpack(_) | Command::Verify(_) | Command::Man(_) => false,
-            Command::Inspect(_) | Command::Diff(_) | Command::Stats(_) | Command::Explain(_) => true,
+            Command::Inspect(_) | Command::Diff(_) | Command::Coverage(_) | Command::Stats(_) | Command::Explain(_) => {
+                true
+            }
             Command::Schema(_) | Command::Completions(_) => true,
         }
     }

@@ -4,13 +4,13 @@ use crate::render::Findings;
 use crate::{Outcome, console, standard};
 use lipz::{Code, Diagnostic};
 use lipz_bank::layout::{FORMAT_MAJOR, FORMAT_MINOR, Header, MAGIC};
-use lipz_bank::{Bank, Error, ErrorKind};
+use lipz_bank::{Bank, Error, ErrorKind, TextBank};
 use lipz_compiler::Report;
 use memmap2::Mmap;
 use std::fs::File;
 use std::io;
 use std::mem::offset_of;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The most bytes that a bank has: its offsets have 32 bits.
 const LONGEST_BANK: u64 = u32::MAX as u64;
@@ -46,6 +46,23 @@ impl BankFile {
         }
     }
 
+    fn bytes(&self) -> &[u8] {
+        match &self.bytes {
+            Bytes::Mapped(map) => map,
+            Bytes::Read(bytes) => bytes,
+        }
+    }
+
+    /// The file as a text bank of `bank`, verified. Reports what is wrong with it.
+    pub(crate) fn texts(&self, bank: &Bank<'_>, findings: &mut Findings) -> Result<TextBank<'_>, Outcome> {
+        let opened = bank.open_texts(self.bytes()).map_err(|error| (Code::BankRefused, error));
+        let verified = opened.and_then(|texts| texts.verify(bank).map_err(|error| (Code::BankDamaged, error)));
+        verified.map_err(|(code, error)| {
+            findings.add(vec![Report::about(self.name.as_str(), refused(code, error, self.bytes()))]);
+            Outcome::Findings
+        })
+    }
+
     /// A bank that was made in memory.
     pub(crate) fn made(name: String, bytes: Vec<u8>) -> BankFile {
         BankFile { name, bytes: Bytes::Read(bytes) }
@@ -53,10 +70,7 @@ impl BankFile {
 
     /// The bank, verified. Reports what is wrong with it.
     pub(crate) fn bank(&self, findings: &mut Findings) -> Result<Bank<'_>, Outcome> {
-        let bytes: &[u8] = match &self.bytes {
-            Bytes::Mapped(map) => map,
-            Bytes::Read(bytes) => bytes,
-        };
+        let bytes = self.bytes();
         let opened = Bank::open(bytes).map_err(|error| (Code::BankRefused, error));
         let verified = opened.and_then(|bank| bank.verify().map_err(|error| (Code::BankDamaged, error)));
         verified.map_err(|(code, error)| {
@@ -83,6 +97,11 @@ pub(crate) fn with_bank(
     }
 }
 
+/// Opens text banks. Reports why that is not possible.
+pub(crate) fn open_all(paths: &[PathBuf], findings: &mut Findings) -> Result<Vec<BankFile>, Outcome> {
+    paths.iter().map(|path| BankFile::open(path, findings)).collect()
+}
+
 /// The finding for a file that cannot be mapped.
 fn unreadable(shown: &str, error: &io::Error) -> Diagnostic {
     let finding = |what: &str| Diagnostic::new(Code::BankRefused, format!("`{shown}` {what}"));
@@ -106,6 +125,8 @@ fn refused(code: Code, error: Error, bytes: &[u8]) -> Diagnostic {
         ErrorKind::SectionUnknown => finding.help(update),
         ErrorKind::NotABank => finding.help(NAME_A_BANK),
         ErrorKind::TooShort if !bytes.starts_with(&MAGIC) => finding.help(NAME_A_BANK),
+        ErrorKind::TextsOnly => finding.help("name the bank that it belongs to, and this file with --texts"),
+        ErrorKind::OtherClips => finding.help("take the texts that were packed with this bank, or pack both again"),
         ErrorKind::TextMode => finding.help("copy it again in binary mode"),
         _ => finding.help("copy the bank again, or pack it again"),
     }

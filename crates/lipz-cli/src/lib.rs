@@ -66,6 +66,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Unpack(unpack) => commands::unpack::run(&unpack, &mut findings),
         Command::Verify(verify) => commands::verify::run(&verify, &mut findings),
         Command::Inspect(inspect) => commands::inspect::run(&inspect, &mut findings),
+        Command::Coverage(coverage) => commands::coverage::run(&coverage, &mut findings),
         Command::Diff(diff) => commands::diff::run(&diff, &mut findings),
         Command::Stats(stats) => commands::stats::run(&stats, &mut findings),
         Command::Schema(schema) => commands::schema::run(&schema),

@@ -45,6 +45,16 @@ pub(crate) struct ProjectFlags {
     #[arg(help_heading = LOCALES)]
     fallback: Vec<(String, Vec<String>)>,
 
+    /// Add a pseudo-locale of the default locale's texts, with accents and longer: en-xa of en-us
+    #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    #[arg(help_heading = LOCALES)]
+    pseudo: Option<bool>,
+
+    /// Percent of the clips that must have a text in each locale, or in one: 90, de-de=100
+    #[arg(long, value_name = "[LOCALE=]PERCENT", value_parser = parse_min_coverage, action = ArgAction::Append)]
+    #[arg(help_heading = LOCALES)]
+    min_coverage: Vec<(Option<String>, f64)>,
+
     /// Display braces as they are: `{0}` is a placeholder of the game, not meta information
     #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
     #[arg(help_heading = TEXTS)]
@@ -89,6 +99,15 @@ impl ProjectFlags {
         options.extended_locales = self.extended_locales.unwrap_or(options.extended_locales);
         override_some(&mut options.locales, &set(&self.locales));
         options.fallbacks.extend(self.fallback.iter().cloned());
+        options.pseudo = self.pseudo.unwrap_or(options.pseudo);
+        for (locale, percent) in &self.min_coverage {
+            match locale {
+                None => options.min_coverage.all = Some(*percent),
+                Some(locale) => {
+                    options.min_coverage.locales.insert(locale.clone(), *percent);
+                }
+            }
+        }
         options.literal_braces = self.literal_braces.unwrap_or(options.literal_braces);
         let limits = &mut options.text_limits;
         override_some(&mut limits.line_columns, &self.max_line_columns);
@@ -119,7 +138,7 @@ fn override_some<T: Clone>(option: &mut Option<T>, flag: &Option<T>) {
 }
 
 fn set(names: &Option<Vec<String>>) -> Option<BTreeSet<String>> {
-    names.as_ref().map(|names| names.iter().cloned().collect())
+    names.as_ref().map(|names| names.iter().filter(|name| !name.is_empty()).cloned().collect())
 }
 
 fn parse_fps(text: &str) -> Result<Fps, String> {
@@ -142,6 +161,17 @@ fn parse_fallback(text: &str) -> Result<(String, Vec<String>), String> {
     Ok((parse_locale(locale)?, chain))
 }
 
+fn parse_min_coverage(text: &str) -> Result<(Option<String>, f64), String> {
+    let (locale, percent) = match text.split_once('=') {
+        Some((locale, percent)) => (Some(parse_locale(locale)?), percent),
+        None => (None, text),
+    };
+    match percent.parse::<f64>() {
+        Ok(percent) if (0.0..=100.0).contains(&percent) => Ok((locale, percent)),
+        _ => Err("write percent from 0 to 100: 90, or de-de=90".into()),
+    }
+}
+
 fn parse_positive(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(number) if number > 0.0 && number.is_finite() => Ok(number),
@@ -149,6 +179,11 @@ fn parse_positive(text: &str) -> Result<f64, String> {
     }
 }
 
+/// A word that events mention; nothing between the commas is no word.
 fn parse_word(text: &str) -> Result<String, String> {
-    if is_word(text) { Ok(text.to_owned()) } else { Err("events mention words without blanks, `,` and `|`".into()) }
+    if text.is_empty() || is_word(text) {
+        Ok(text.to_owned())
+    } else {
+        Err("events mention words without blanks, `,` and `|`".into())
+    }
 }

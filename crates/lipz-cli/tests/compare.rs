@@ -90,7 +90,7 @@ fn a_bank_is_the_same_as_its_folder() {
         let quiet = lipz(&repository(), ["diff", "--quiet"].iter().chain(&sides).chain(&FLAGS));
         assert_eq!((quiet.code, quiet.stdout.as_str()), (0, ""));
     }
-    let other = lipz(&repository(), ["diff", DRAMA_BANK, DRAMA]);
+    let other = lipz(&repository(), ["diff", "--no-config", DRAMA_BANK, DRAMA]);
     assert!(other.stdout.contains("~ default locale  en-us -> none"), "{}", other.stdout);
 }
 

@@ -205,7 +205,8 @@ fn every_setting_has_a_flag_and_every_flag_a_setting() {
     let help = lipz(".".as_ref(), ["pack", "--help"]).stdout;
     let lines = help.lines().map(str::trim_start).filter(|line| line.starts_with('-'));
     let shown = lines.filter_map(|line| line.split([' ', '[', ',']).find(|word| word.starts_with("--")));
-    let of_the_run = ["--config", "--no-config", "--threads", "--quiet", "--timings", "--help"];
+    let of_the_run =
+        ["--color", "--config", "--depfile", "--format", "--help", "--no-config", "--quiet", "--threads", "--timings"];
     let mut shown: Vec<&str> = shown.filter(|flag| !of_the_run.contains(flag)).collect();
     let flags: Vec<String> = TABLES.iter().flat_map(rows).map(|[_, flag, ..]| flag).collect();
     let mut flags: Vec<&str> =

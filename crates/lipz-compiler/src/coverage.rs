@@ -1,5 +1,7 @@
 //! Coverage: how much of a dialogue is translated into each locale of a bank.
 
+use crate::{MinCoverage, pseudo};
+use lipz::{Code, Diagnostic};
 use lipz_bank::{Bank, Clip, Locale, Text};
 use std::collections::BTreeMap;
 
@@ -85,6 +87,37 @@ pub fn coverage(bank: &Bank<'_>) -> Vec<Coverage> {
     found
 }
 
+/// A finding for each locale that is covered less than it must be, also for those that no clip has.
+///
+/// Pseudo-locales are not judged.
+pub fn shortfalls(found: &[Coverage], wanted: &MinCoverage) -> Vec<Diagnostic> {
+    let clip_count = found.first().map_or(0, |coverage| coverage.clip_count);
+    let absent = wanted.locales.keys().filter(|tag| found.iter().all(|coverage| coverage.tag != **tag));
+    let absent = absent.map(|tag| Coverage { tag: tag.clone(), clip_count, ..Coverage::default() });
+    let absent: Vec<Coverage> = absent.collect();
+    let judged = found.iter().chain(&absent).filter(|coverage| !pseudo::is_pseudo(&coverage.tag));
+    judged
+        .filter_map(|coverage| {
+            let percent = wanted.locales.get(&coverage.tag).copied().or(wanted.all)?;
+            (coverage.percent() < percent).then(|| shortfall(coverage, percent))
+        })
+        .collect()
+}
+
+fn shortfall(coverage: &Coverage, wanted_percent: f64) -> Diagnostic {
+    let (tag, percent) = (&coverage.tag, floor_to_tenth(coverage.percent()));
+    let headline = format!("{percent} % of the clips have a text in `{tag}`, {wanted_percent} % are asked for");
+    let missing = coverage.clip_count - coverage.own_count;
+    Diagnostic::new(Code::LowCoverage, headline)
+        .note(format!("{missing} of {} clips have none", coverage.clip_count))
+        .help(format!("translate them (`lipz coverage --missing {tag}` lists them), or ask for less"))
+}
+
+/// Cut off, not rounded: 99.96 % is not all.
+fn floor_to_tenth(percent: f64) -> f64 {
+    (percent * 10.0).floor() / 10.0
+}
+
 /// What a player of a locale reads of a clip.
 enum Shown<'data> {
     Own(ClipText<'data>),
@@ -144,6 +177,26 @@ mod tests {
         let english = of("en-us");
         assert!(english.is_default && english.same_as_default.is_empty());
         assert_eq!(english.missing, keys(&["c"]));
+    }
+
+    #[test]
+    fn shortfalls_are_found() {
+        let covered =
+            |tag: &str, own_count| Coverage { tag: tag.into(), clip_count: 3, own_count, ..Coverage::default() };
+        let found = [covered("de-de", 2), covered("en-us", 3), covered("en-xa", 0)];
+        let headlines = |all, locales: &[(&str, f64)]| {
+            let locales = locales.iter().map(|&(tag, percent)| (tag.to_owned(), percent)).collect();
+            shortfalls(&found, &MinCoverage { all, locales })
+                .into_iter()
+                .map(|found| found.headline)
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(headlines(None, &[]), [""; 0]);
+        assert_eq!(headlines(Some(66.6), &[]), [""; 0]);
+        let german = "66.6 % of the clips have a text in `de-de`, 100 % are asked for";
+        assert_eq!(headlines(Some(100.0), &[]), [german]);
+        let french = "0 % of the clips have a text in `fr-fr`, 50 % are asked for";
+        assert_eq!(headlines(Some(100.0), &[("de-de", 10.0), ("fr-fr", 50.0)]), [french]);
     }
 
     #[test]

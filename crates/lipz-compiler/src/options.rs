@@ -37,6 +37,8 @@ pub struct Options {
     pub registry: Registry,
     /// Viseme type that clips of other types are converted to.
     pub viseme_type: Option<VisemeType>,
+    /// How much of the dialogue must be translated for a bank to be made.
+    pub min_coverage: MinCoverage,
     /// Add a pseudo-locale, made of the texts of the default locale: `en-xa` of `en-us`.
     pub pseudo: bool,
 }
@@ -73,6 +75,15 @@ pub struct TextLimits {
     pub lines: Option<u32>,
     /// Characters that a player reads in a second, over the time of the segment.
     pub characters_per_second: Option<f64>,
+}
+
+/// Shares of the clips that must have a text of their own, in percent from 0 to 100.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct MinCoverage {
+    /// In every locale that is not named below.
+    pub all: Option<f64>,
+    /// In these locales.
+    pub locales: BTreeMap<String, f64>,
 }
 
 /// Names that Character Event Syntax may mention; a list that is `None` is not checked.

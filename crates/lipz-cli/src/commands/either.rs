@@ -6,6 +6,7 @@ use crate::render::Findings;
 use crate::sources::ProjectArguments;
 use crate::{Outcome, console};
 use lipz_compiler::compile;
+use lipz_compiler::settings::Settings;
 use std::path::Path;
 
 /// The bank at `path`, or the Lipz files there, packed in memory. Reports what is wrong with them.
@@ -18,7 +19,17 @@ pub(super) fn bank_or_files(
         return BankFile::open(path, findings);
     }
     let project = arguments.project(&[path.to_owned()], findings)?;
-    let mut run = with_inputs(&project.settings, arguments.quiet, compile);
+    packed(path, &project.settings, arguments.quiet, findings)
+}
+
+/// The bank of the Lipz files at `path`, packed in memory. Reports what is wrong with them.
+pub(super) fn packed(
+    path: &Path,
+    settings: &Settings,
+    quiet: bool,
+    findings: &mut Findings,
+) -> Result<BankFile, Outcome> {
+    let mut run = with_inputs(settings, quiet, compile);
     let outcome = run.outcome();
     findings.add(run.reports);
     match run.compiled.bank.take() {
@@ -28,7 +39,7 @@ pub(super) fn bank_or_files(
 }
 
 /// Whether a path is that of Lipz files: a folder, a pattern, a file `.lipz`.
-fn names_lipz_files(path: &Path) -> bool {
+pub(super) fn names_lipz_files(path: &Path) -> bool {
     let is_pattern = || !path.exists() && path.to_string_lossy().contains(['*', '?', '[']);
     path.is_dir() || path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("lipz")) || is_pattern()
 }

@@ -3,6 +3,7 @@
 mod messages;
 
 use crate::ids::{self, Language};
+use crate::settings::Settings;
 use crate::{Options, Report, compile, count, depend, discover, replace_file, report};
 use lipz::{Code, Diagnostic, Level};
 use lipz_bank::Bank;
@@ -35,19 +36,29 @@ use std::{env, fmt};
 ///
 /// Findings appear as warnings and errors of cargo (1.84 or later), one line each. The script runs
 /// again when a file of the sources changes, is added or removed.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Build {
+    settings_file: Option<PathBuf>,
     sources: Vec<PathBuf>,
     root: Option<PathBuf>,
-    options: Options,
-    name: String,
+    options: Option<Options>,
+    name: Option<String>,
 }
+
+/// What the outputs are called unless the build names them.
+const DEFAULT_NAME: &str = "dialogue";
 
 impl Build {
     /// A build of the Lipz files in `source`: a folder, a file or a glob pattern, relative to the
     /// package.
     pub fn new(source: impl Into<PathBuf>) -> Build {
-        Build { sources: vec![source.into()], root: None, options: Options::default(), name: "dialogue".into() }
+        Build { sources: vec![source.into()], ..Build::default() }
+    }
+
+    /// A build by the settings of a project, `lipz.toml`. What the methods below set goes before them; its
+    /// `output` is left alone.
+    pub fn from_settings(file: impl Into<PathBuf>) -> Build {
+        Build { settings_file: Some(file.into()), ..Build::default() }
     }
 
     /// Adds another folder, file or glob pattern.
@@ -67,14 +78,14 @@ impl Build {
     /// Sets what the project decides about its files.
     #[must_use]
     pub fn options(mut self, options: Options) -> Build {
-        self.options = options;
+        self.options = Some(options);
         self
     }
 
     /// Names the outputs `NAME.lipzbank` and `NAME.rs`, for programs with several banks.
     #[must_use]
     pub fn name(mut self, name: impl Into<String>) -> Build {
-        self.name = name.into();
+        self.name = Some(name.into());
         self
     }
 
@@ -91,8 +102,13 @@ impl Build {
 
     /// Does it with the outputs in `folder`; `cargo` is where cargo reads.
     fn run_in(&self, folder: &Path, cargo: &mut dyn Write) -> Result<(), BuildFailed> {
-        let reports = self.pack(folder);
-        let lines = messages::watched(&depend::watched(&self.sources)) + &messages::findings(&reports);
+        let (settings, mut reports) = self.settings();
+        if !report::has_errors(&reports) {
+            reports.extend(self.pack(&settings, folder));
+        }
+        let mut watched = depend::watched(&settings.sources);
+        watched.extend(self.settings_file.clone());
+        let lines = messages::watched(&watched) + &messages::findings(&reports);
         cargo.write_all(lines.as_bytes()).and_then(|()| cargo.flush()).map_err(BuildFailed::Unheard)?;
         match count(&reports, Level::Error) {
             0 => Ok(()),
@@ -100,28 +116,43 @@ impl Build {
         }
     }
 
+    /// The settings of the project, with what the build sets over them, and what is wrong with them.
+    fn settings(&self) -> (Settings, Vec<Report>) {
+        let (mut settings, report) = match &self.settings_file {
+            Some(file) => Settings::read(file),
+            None => Default::default(),
+        };
+        if !self.sources.is_empty() {
+            settings.sources.clone_from(&self.sources);
+        }
+        settings.root = self.root.clone().or(settings.root);
+        settings.options = self.options.clone().unwrap_or(settings.options);
+        (settings, vec![report])
+    }
+
     /// Writes the outputs if nothing that was found is an error.
-    fn pack(&self, folder: &Path) -> Vec<Report> {
-        let (inputs, mut reports) = discover(&self.sources, self.root.as_deref());
-        let mut compiled = compile(&inputs, &self.options, &|_| {});
+    fn pack(&self, settings: &Settings, folder: &Path) -> Vec<Report> {
+        let (inputs, mut reports) = settings.discover();
+        let mut compiled = compile(&inputs, &settings.options, &|_| {});
         reports.append(&mut compiled.reports);
         if let Some(bank) = compiled.bank.filter(|_| !report::has_errors(&reports)) {
-            reports.extend(self.write(folder, &bank).err());
+            reports.extend(self.write(settings, folder, &bank).err());
         }
         report::sort(&mut reports);
         reports
     }
 
-    fn write(&self, folder: &Path, bank: &[u8]) -> Result<(), Report> {
-        if Path::new(&self.name).file_name() != Some(OsStr::new(&self.name)) {
-            let headline = format!("`{}` is not the name of a file", self.name);
+    fn write(&self, settings: &Settings, folder: &Path, bank: &[u8]) -> Result<(), Report> {
+        let name = self.name.as_deref().unwrap_or(DEFAULT_NAME);
+        if Path::new(name).file_name() != Some(OsStr::new(name)) {
+            let headline = format!("`{name}` is not the name of a file");
             return Err(Report::failure("", Code::OutputFailed, headline, "name the outputs without folders"));
         }
         let ids = rust_ids(bank).map_err(|diagnostics| {
-            let path = self.sources.first().map(|source| discover::display(source)).unwrap_or_default();
+            let path = settings.sources.first().map(|source| discover::display(source)).unwrap_or_default();
             Report::all_about(path, diagnostics)
         })?;
-        let path = |extension: &str| folder.join(format!("{}.{extension}", self.name));
+        let path = |extension: &str| folder.join(format!("{name}.{extension}"));
         replace_file(&path("lipzbank"), bank)?;
         replace_file(&path("rs"), ids.as_bytes())
     }
@@ -234,6 +265,22 @@ mod tests {
             assert!(lines.contains("[LZ0904]"), "{lines}");
             assert_eq!(names, [""; 0], "{name}");
         }
+    }
+
+    #[test]
+    fn settings_hold_and_are_watched() {
+        let scene = tempfile::tempdir().unwrap();
+        let file = scene.path().join("lipz.toml");
+        let by_settings = |text: &str| {
+            fs::write(&file, text).unwrap();
+            run(scene.path(), |_| Build::from_settings(&file), &[("act1/mayor.lipz", r#"{ "text": "Mayor!" }"#)])
+        };
+        let (lines, names) = by_settings("sources = [\"voices\"]\ndefault-locale = \"en-us\"\n");
+        assert!(lines.starts_with("cargo::rerun-if-changed=SCENE/voices\ncargo::rerun-if-changed=SCENE/lipz.toml\n"));
+        assert!(lines.contains("[LZ0502]") && !lines.contains("error"), "{lines}");
+        assert_eq!(names, ["dialogue.lipzbank", "dialogue.rs"]);
+        let (lines, _) = by_settings("default-local = \"en-us\"\n");
+        assert!(lines.contains("cargo::error=SCENE/lipz.toml:1:1: "), "{lines}");
     }
 
     #[test]

@@ -60,15 +60,21 @@ impl Worker {
         }
         let lipz::Parsed { document, mut diagnostics } = lipz::parse(bytes);
         self.phases.parse += self.lap.time();
-        if let Some(document) = document
-            && make_clip(&document, options, &mut made.clips.locales, &mut made.clip, &mut diagnostics)
-        {
+        let is_made = match document {
+            Some(document) => make_clip(&document, options, &mut made.clips.locales, &mut made.clip, &mut diagnostics),
+            None => {
+                levels::apply(&options.levels, &mut diagnostics);
+                false
+            }
+        };
+        if is_made {
             made.clips.push(&input.key, &made.clip);
         }
         self.phases.check += self.lap.time();
-        if diagnostics.is_empty() {
+        if is_made && diagnostics.is_empty() {
             made.stamped.files.extend(stamped.map(|((stamp, _), seen)| (seen.name(), stamp)));
-        } else {
+        }
+        if !diagnostics.is_empty() {
             diagnostics.sort_by_key(Diagnostic::start);
             self.reports.push(Report::of_file(input.name(), bytes, diagnostics));
         }

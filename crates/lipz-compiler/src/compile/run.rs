@@ -5,7 +5,8 @@ use super::{Compiled, Phases, Progress};
 use crate::cache::{Cache, Stamped};
 use crate::clip::Clips;
 use crate::lower::Layout;
-use crate::{Input, Options, Report, key, levels, localise, report};
+use crate::{Input, MinCoverage, Options, Report, coverage, key, levels, localise, report, shortfalls};
+use lipz_bank::Bank;
 use rayon::prelude::*;
 use std::time::Instant;
 
@@ -72,7 +73,10 @@ impl Run {
         let bank = layout.and_then(|layout| layout.fill(batches)).map_err(|report| in_file(report, inputs));
         self.phases.lower = start.elapsed();
         let start = Instant::now();
-        let finished = bank.and_then(|bank| finish(&bank).map(|()| bank));
+        let finished = bank.and_then(|bank| {
+            enough_texts(&bank, options)?;
+            finish(&bank).map(|()| bank)
+        });
         self.phases.finish = start.elapsed();
         match finished {
             Ok(bank) => self.finish(Some(bank)),
@@ -89,6 +93,17 @@ impl Run {
         let recalled = self.stamped.recalled;
         Compiled { bank, reports: self.reports, recalled, phases: self.phases, ..Compiled::default() }
     }
+}
+
+/// Whether as much is translated as the project asks for.
+fn enough_texts(bank: &[u8], options: &Options) -> Result<(), Report> {
+    if options.min_coverage == MinCoverage::default() {
+        return Ok(());
+    }
+    // A damaged bank is found by who verifies it.
+    let Ok(bank) = Bank::open(bank) else { return Ok(()) };
+    let shortfalls = shortfalls(&coverage(&bank), &options.min_coverage);
+    if shortfalls.is_empty() { Ok(()) } else { Err(Report::all_about("", shortfalls)) }
 }
 
 /// The report with the name of the file, where it has the key of a clip for a path.

@@ -29,6 +29,8 @@ pub struct Settings {
     pub root: Option<PathBuf>,
     /// The bank to write.
     pub output: Option<PathBuf>,
+    /// Write the texts of each locale into a text bank of its own.
+    pub split_locales: bool,
     /// How the bank is made.
     pub options: Options,
 }

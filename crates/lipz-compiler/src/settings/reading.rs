@@ -14,6 +14,9 @@ use std::path::Path;
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
+/// What stands for every locale in the table of coverage.
+const ALL_LOCALES: &str = "all";
+
 /// What was read so far.
 pub(super) struct Reading<'t> {
     pub(super) settings: Settings,
@@ -117,22 +120,44 @@ impl<'t> Reading<'t> {
         value.list(&mut self.findings, Value::word).map(FromIterator::from_iter)
     }
 
+    /// The locale that a key names.
+    fn locale_of_key(&mut self, name: &str, value: &Value<'_>) -> Option<String> {
+        match canonical_locale(name, self.extended()) {
+            Ok(locale) => Some(locale),
+            Err((what, help)) => {
+                let headline = format!("{} {what}", show::name(name));
+                self.findings.push(Diagnostic::at(Code::SettingValue, span(&value.key), headline).help(help));
+                None
+            }
+        }
+    }
+
+    /// The share of the clips that must have a text in the locale `name`, or in all.
+    pub(super) fn min_coverage(&mut self, name: &str, value: &Value<'_>) {
+        let locale = if name == ALL_LOCALES { None } else { Some(self.locale_of_key(name, value)) };
+        let Some(percent) = value.percent(&mut self.findings) else { return };
+        let wanted = &mut self.settings.options.min_coverage;
+        match locale {
+            None => wanted.all = Some(percent),
+            Some(Some(locale)) => {
+                wanted.locales.insert(locale, percent);
+            }
+            Some(None) => {}
+        }
+    }
+
     /// The locales that the locale `name` falls back to.
     pub(super) fn fallback(&mut self, name: &str, value: &Value<'_>) {
         let extended = self.extended();
-        let locale = canonical_locale(name, extended);
-        if let Err((what, help)) = &locale {
-            let headline = format!("{} {what}", show::name(name));
-            self.findings.push(Diagnostic::at(Code::SettingValue, span(&value.key), headline).help(*help));
-        }
+        let locale = self.locale_of_key(name, value);
         let chain = value.list(&mut self.findings, |item, findings| {
             let other = item.locale(extended, findings)?;
             match &locale {
-                Ok(locale) if *locale == other => item.refuse("falls back to itself", "name other locales", findings),
+                Some(locale) if *locale == other => item.refuse("falls back to itself", "name other locales", findings),
                 _ => Some(other),
             }
         });
-        if let (Ok(locale), Some(chain)) = (locale, chain) {
+        if let (Some(locale), Some(chain)) = (locale, chain) {
             self.settings.options.fallbacks.insert(locale, chain);
         }
     }

@@ -64,6 +64,11 @@ pub const TABLES: &[Table] = &[
         content: Content::Map(FALLBACKS),
     },
     Table {
+        name: "coverage",
+        about: "Percent of the clips that must have a text of their own in a locale, or in `all`, for a bank to be made.",
+        content: Content::Map(COVERAGE),
+    },
+    Table {
         name: "text",
         about: "How texts are displayed, and how much of them a screen holds and a player reads.",
         content: Content::Settings(TEXT),
@@ -175,6 +180,22 @@ const GENERAL: &[Setting] = &[
         },
     },
     Setting {
+        name: "split-locales",
+        flag: "--split-locales",
+        about: "Write the texts of each locale into a text bank beside the bank: `dialogue.de-de.lipztexts`.",
+        default: "false",
+        example: "false",
+        read: |value, to| to.settings.split_locales = value.boolean(&mut to.findings).unwrap_or_default(),
+    },
+    Setting {
+        name: "pseudo",
+        flag: "--pseudo",
+        about: "Add a pseudo-locale of the default locale's texts, with accents and longer: `en-xa` of `en-us`.",
+        default: "false",
+        example: "false",
+        read: |value, to| to.settings.options.pseudo = value.boolean(&mut to.findings).unwrap_or_default(),
+    },
+    Setting {
         name: "strip",
         flag: "--strip",
         about: "Leave out what only unpacking needs: a smaller bank, which unpacks to display forms.",
@@ -190,6 +211,14 @@ const FALLBACKS: Map = Map {
     default: "locales of the same language, then the default locale",
     examples: &["de-at = [\"de-de\", \"en-us\"]", "es-mx = [\"es-es\"]"],
     read: |name, value, to| to.fallback(name, value),
+};
+
+const COVERAGE: Map = Map {
+    name: "LOCALE",
+    flag: "--min-coverage",
+    default: "not asked for",
+    examples: &["all = 90", "de-de = 100"],
+    read: |name, value, to| to.min_coverage(name, value),
 };
 
 const TEXT: &[Setting] = &[

@@ -80,6 +80,15 @@ impl<'t> Value<'t> {
         }
     }
 
+    /// A number from 0 to 100.
+    pub(super) fn percent(&self, findings: &mut Findings) -> Option<f64> {
+        let number = self.decimal(findings)?;
+        match f64::from_str(&number) {
+            Ok(number) if (0.0..=100.0).contains(&number) => Some(number),
+            _ => self.refuse("is not a number from 0 to 100", "write percent: 90", findings),
+        }
+    }
+
     /// A frame rate; a warning if it is not exactly what is written.
     pub(super) fn fps(&self, findings: &mut Findings) -> Option<Fps> {
         let number = self.decimal(findings)?;

@@ -36,7 +36,7 @@ pub(super) struct SectionJson {
 }
 
 impl<'d> SummaryJson<'d> {
-    pub(super) fn of(bank: &Bank<'d>) -> Self {
+    pub(super) fn of(bank: &Bank<'_>, locales: &[Locale<'d>]) -> Self {
         let (major, minor) = bank.format_version();
         let sections = bank
             .sections()
@@ -51,14 +51,14 @@ impl<'d> SummaryJson<'d> {
             segments: bank.clips().map(|clip| clip.segment_count() as usize).sum(),
             seconds: bank.clips().filter_map(|clip| clip.duration_us()).fold(0.0, |sum, us| sum + us as f64 / 1e6),
             has_sources: bank.sections().any(|(tag, _)| tag == Tag::SOURCES),
-            locales: bank.locales().map(|locale| LocaleJson::of(bank, locale)).collect(),
+            locales: locales.iter().map(|locale| LocaleJson::of(bank, *locale)).collect(),
             sections: sections.collect(),
         }
     }
 }
 
 impl<'d> LocaleJson<'d> {
-    pub(super) fn of(bank: &Bank<'d>, locale: Locale<'d>) -> Self {
+    pub(super) fn of(bank: &Bank<'_>, locale: Locale<'d>) -> Self {
         let mut json =
             LocaleJson { tag: locale.tag(), is_default: locale.is_default(), texts: 0, fallbacks: 0, missing: 0 };
         for clip in bank.clips() {

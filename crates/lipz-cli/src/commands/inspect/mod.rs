@@ -2,14 +2,14 @@
 
 mod json;
 
-use crate::bank_file::with_bank;
+use crate::bank_file::{open_all, with_bank};
 use crate::render::Findings;
 use crate::timeline::timeline;
 use crate::{Outcome, console};
 use clap::Args;
 use json::{ClipJson, ListedJson, SummaryJson};
 use lipz::diagnostic::{show, suggest};
-use lipz_bank::{Bank, Locale};
+use lipz_bank::{Bank, Locale, TextBank};
 use std::fmt::Write;
 use std::path::PathBuf;
 use unicode_width::UnicodeWidthStr;
@@ -20,7 +20,8 @@ use unicode_width::UnicodeWidthStr;
   lipz inspect dialogue.lipzbank
   lipz inspect dialogue.lipzbank --list act1/
   lipz inspect dialogue.lipzbank act1/mara-hello --locale de-de
-  lipz inspect dialogue.lipzbank act1/mara-hello --json")]
+  lipz inspect dialogue.lipzbank act1/mara-hello --json
+  lipz inspect dialogue.lipzbank act1/mara-hello --texts dialogue.de-de.lipztexts")]
 pub(crate) struct Inspect {
     /// The bank to read; `-` reads it from standard input
     #[arg(value_name = "BANK")]
@@ -34,6 +35,10 @@ pub(crate) struct Inspect {
     #[arg(long, value_name = "PREFIX", num_args = 0..=1, default_missing_value = "", conflicts_with = "key")]
     pub(crate) list: Option<String>,
 
+    /// Text banks of the bank: their locales are shown, too
+    #[arg(long, value_name = "FILE")]
+    texts: Vec<PathBuf>,
+
     /// Show texts in this locale only; may be given several times
     #[arg(long, value_name = "LOCALE", requires = "key")]
     pub(crate) locale: Vec<String>,
@@ -44,14 +49,24 @@ pub(crate) struct Inspect {
 }
 
 pub(crate) fn run(arguments: &Inspect, findings: &mut Findings) -> Outcome {
-    with_bank(&arguments.bank, findings, |path, bank, _| match (&arguments.key, &arguments.list) {
-        (Some(key), _) => clip(bank, key, arguments),
-        (None, Some(prefix)) => list(bank, prefix, arguments.json),
-        (None, None) => summary(bank, path, arguments.json),
+    with_bank(&arguments.bank, findings, |path, bank, findings| {
+        show_bank(path, bank, arguments, findings).unwrap_or_else(|outcome| outcome)
     })
 }
 
-fn clip(bank: &Bank<'_>, key: &str, arguments: &Inspect) -> Outcome {
+fn show_bank(path: &str, bank: &Bank<'_>, arguments: &Inspect, findings: &mut Findings) -> Result<Outcome, Outcome> {
+    let files = open_all(&arguments.texts, findings)?;
+    let texts: Vec<TextBank<'_>> =
+        files.iter().map(|file| file.texts(bank, findings)).collect::<Result<_, Outcome>>()?;
+    let locales: Vec<Locale<'_>> = bank.locales().chain(texts.iter().flat_map(TextBank::locales)).collect();
+    Ok(match (&arguments.key, &arguments.list) {
+        (Some(key), _) => clip(bank, key, &locales, arguments),
+        (None, Some(prefix)) => list(bank, prefix, arguments.json),
+        (None, None) => summary(bank, &locales, path, arguments.json),
+    })
+}
+
+fn clip(bank: &Bank<'_>, key: &str, all: &[Locale<'_>], arguments: &Inspect) -> Outcome {
     let Some(clip) = bank.clip_by_key(key) else {
         console::remark(&format!("error: no clip `{}` in the bank\n", show::text(key)));
         let near = near_keys(bank, key);
@@ -64,10 +79,10 @@ fn clip(bank: &Bank<'_>, key: &str, arguments: &Inspect) -> Outcome {
     };
     let mut locales: Vec<Locale<'_>> = Vec::new();
     for tag in &arguments.locale {
-        match bank.locale(tag) {
-            Some(locale) => locales.push(locale),
+        match all.iter().find(|locale| locale.tag() == tag) {
+            Some(locale) => locales.push(*locale),
             None => {
-                let known: Vec<_> = bank.locales().map(|locale| show::text(locale.tag())).collect();
+                let known: Vec<_> = all.iter().map(|locale| show::text(locale.tag())).collect();
                 let tag = show::text(tag);
                 console::remark(&format!("error: no locale `{tag}` in the bank\nhelp: it has {}\n", known.join(", ")));
                 return Outcome::Failed;
@@ -75,7 +90,7 @@ fn clip(bank: &Bank<'_>, key: &str, arguments: &Inspect) -> Outcome {
         }
     }
     if locales.is_empty() {
-        locales.extend(bank.locales());
+        locales.extend(all);
     }
     if arguments.json {
         return console::print_json(&ClipJson::of(&clip, &locales));
@@ -125,8 +140,8 @@ fn list(bank: &Bank<'_>, prefix: &str, json: bool) -> Outcome {
     console::print(&text)
 }
 
-fn summary(bank: &Bank<'_>, path: &str, json: bool) -> Outcome {
-    let summary = SummaryJson::of(bank);
+fn summary(bank: &Bank<'_>, locales: &[Locale<'_>], path: &str, json: bool) -> Outcome {
+    let summary = SummaryJson::of(bank, locales);
     if json {
         return console::print_json(&summary);
     }

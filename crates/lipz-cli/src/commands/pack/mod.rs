@@ -38,8 +38,8 @@ pub(crate) struct Pack {
 
     /// Write the texts of each locale into a text bank of its own, BANK with the locale before the
     /// extension .lipztexts; the bank has all the rest
-    #[arg(long)]
-    split_locales: bool,
+    #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    split_locales: Option<bool>,
 
     /// Also write what the bank depends on, for Make, Ninja and CMake
     #[arg(long, value_name = "FILE")]
@@ -69,7 +69,11 @@ pub(crate) fn run(arguments: &Pack, findings: &mut Findings) -> Outcome {
         let tip = "name a file with '--output', or set `output` in lipz.toml";
         return usage_error(ErrorKind::MissingRequiredArgument, "no bank to write is named", tip);
     };
-    let destination = match Destination::of(output, arguments.split_locales, arguments.depfile.is_some()) {
+    let destination = match Destination::of(
+        output,
+        arguments.split_locales.unwrap_or(settings.split_locales),
+        arguments.depfile.is_some(),
+    ) {
         Ok(destination) => destination,
         Err(outcome) => return outcome,
     };
