@@ -4,14 +4,18 @@ use crate::render::Findings;
 use crate::sources::usage_error;
 use crate::{Outcome, console, interrupt, standard};
 use clap::error::ErrorKind;
-use lipz_compiler::{Compiled, Input, Options, Progress, compile, pack, replace_file, split};
+use lipz_compiler::{Compiled, Input, Options, Progress, compile, pack, pack_cached, replace_file, split};
 use std::io::{self, IsTerminal};
 use std::path::Path;
 
 /// Where a bank goes.
 pub(super) enum Destination<'a> {
     StandardOutput,
-    File(&'a Path),
+    File {
+        bank: &'a Path,
+        /// What is known of the files of the run before.
+        cache: Option<&'a Path>,
+    },
     /// The texts of each locale into a text bank beside it.
     Split(&'a Path),
 }
@@ -21,9 +25,15 @@ pub(super) struct Written(Vec<(String, usize)>);
 
 impl<'a> Destination<'a> {
     /// The destination that the arguments name, or how the run ends if they contradict each other.
-    pub(super) fn of(output: &'a Path, is_split: bool, has_depfile: bool) -> Result<Destination<'a>, Outcome> {
+    pub(super) fn of(
+        output: &'a Path,
+        is_split: bool,
+        has_depfile: bool,
+        cache: Option<&'a Path>,
+    ) -> Result<Destination<'a>, Outcome> {
         if !standard::is_meant(output) {
-            return Ok(if is_split { Destination::Split(output) } else { Destination::File(output) });
+            let whole = Destination::File { bank: output, cache };
+            return Ok(if is_split { Destination::Split(output) } else { whole });
         }
         if is_split || has_depfile {
             let tip = "name a file with '--output': text banks are written beside it, and a depfile is about it";
@@ -39,24 +49,27 @@ impl<'a> Destination<'a> {
 
     /// Makes the bank. One that goes to a file is written while it is verified.
     pub(super) fn make(&self, inputs: &[Input], options: &Options, progress: &Progress<'_>) -> Compiled {
-        let Destination::File(path) = self else { return compile(inputs, options, progress) };
+        let Destination::File { bank, cache } = self else { return compile(inputs, options, progress) };
         let progress = |files| {
             progress(files);
             interrupt::point();
         };
-        interrupt::whole(|| pack(inputs, options, path, &progress))
+        interrupt::whole(|| match cache {
+            Some(cache) => pack_cached(inputs, options, bank, cache, &progress),
+            None => pack(inputs, options, bank, &progress),
+        })
     }
 
     /// Brings the bank to where it is not yet. Reports why that is not possible.
-    pub(super) fn deliver(&self, bank: Vec<u8>, findings: &mut Findings) -> Result<Written, Outcome> {
+    pub(super) fn deliver(&self, bank: &[u8], findings: &mut Findings) -> Result<Written, Outcome> {
         match self {
-            Destination::File(path) => Ok(Written(vec![(console::path(path), bank.len())])),
-            Destination::StandardOutput => match console::print_bytes(&bank) {
+            Destination::File { bank: path, .. } => Ok(Written(vec![(console::path(path), bank.len())])),
+            Destination::StandardOutput => match console::print_bytes(bank) {
                 Outcome::Clean => Ok(Written(vec![("standard output".to_owned(), bank.len())])),
                 failed => Err(failed),
             },
             Destination::Split(path) => {
-                let split = split(&bank).map_err(|report| {
+                let split = split(bank).map_err(|report| {
                     findings.add(vec![report]);
                     Outcome::Failed
                 })?;
@@ -83,10 +96,11 @@ pub(super) fn write(path: &Path, bytes: &[u8], findings: &mut Findings) -> Resul
 
 impl Written {
     /// A line for each file.
-    pub(super) fn summary(&self, clip_count: usize) -> String {
+    pub(super) fn summary(&self, clip_count: usize, is_unchanged: bool) -> String {
+        let done = if is_unchanged { "unchanged in" } else { "packed into" };
         let line = |(index, (name, length_bytes)): (usize, &(String, usize))| {
             let what = if index == 0 { console::counted(clip_count, "clip") } else { "texts".to_owned() };
-            format!("{what} packed into {name} ({} bytes)\n", console::grouped(*length_bytes))
+            format!("{what} {done} {name} ({} bytes)\n", console::grouped(*length_bytes))
         };
         self.0.iter().enumerate().map(line).collect()
     }
