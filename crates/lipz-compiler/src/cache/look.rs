@@ -10,7 +10,7 @@ const COARSEST_TICK: Duration = Duration::from_secs(2);
 
 /// How a file looks from outside.
 #[derive(Encode, Decode, Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) struct Look {
+pub(super) struct Look {
     length_bytes: u64,
     modified_ns: u64,
     /// When anything about the file changed last. Programs can set the time of modification, but on
@@ -23,7 +23,7 @@ pub(crate) struct Look {
 
 impl Look {
     /// The look of a file with this metadata; `None` if it has times before 1970 or after 2500.
-    pub(crate) fn of(metadata: &Metadata) -> Option<Look> {
+    pub(super) fn of(metadata: &Metadata) -> Option<Look> {
         let modified_ns = since_epoch_ns(metadata.modified().ok()?)?;
         #[cfg(unix)]
         let (changed_ns, number) = {

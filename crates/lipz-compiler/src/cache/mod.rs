@@ -10,12 +10,12 @@ mod look;
 mod recall;
 mod stamps;
 
-pub(crate) use look::Look;
 pub(crate) use stamps::{Name, Stamp};
 
 use crate::clip::{ClipData, Locales};
-use crate::compile::{Compiled, FileReader, Progress, Run, canonical, in_pool, write_verified};
+use crate::compile::{Compiled, Progress, Run, canonical, in_pool, write_verified};
 use crate::{Content, Input, Options};
+use look::Look;
 use recall::Recall;
 use stamps::{Stamps, hash};
 use std::fs::File;
@@ -160,9 +160,9 @@ impl<'b> Cache<'b> {
     }
 
     /// Looks at the file of an input; `None` if it has none, or cannot be looked at.
-    pub(crate) fn look_at<'c>(&'c self, input: &'c Input, reader: &mut FileReader) -> Option<Seen<'c>> {
+    pub(crate) fn look_at<'c>(&'c self, input: &'c Input) -> Option<Seen<'c>> {
         let Content::File(path) = &input.content else { return None };
-        let look = reader.look(path)?;
+        let look = Look::of(&path.metadata().ok()?)?;
         let name = Name::of(path.as_os_str().as_encoded_bytes(), &input.key);
         let known = self.before.as_ref().and_then(|(stamps, _)| stamps.get(name));
         Some(Seen { cache: self, key: &input.key, name, look, known })
@@ -196,5 +196,37 @@ impl Seen<'_> {
     pub(crate) fn recall(&self, locales: &mut Locales, clip: &mut ClipData) -> bool {
         let recall = self.cache.before.as_ref().map(|(_, recall)| recall);
         recall.and_then(|recall| recall.clip(self.key, locales, clip)).is_some()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::time::Duration;
+
+    #[test]
+    fn settled_files_are_not_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        let (bank, options) = (path("bank"), Options::default());
+        std::fs::write(path("a.lipz"), r#"{"visemes":"A-","viseme_type":"blair"}"#).unwrap();
+        let (inputs, _) = crate::discover(&[path("a.lipz")], None);
+        let packed = crate::pack(&inputs, &options, &bank, &|_| {}).bank.unwrap();
+        let run = |before: Option<&Before>, later: Duration| {
+            let cache = Cache { start: SystemTime::now() + later, ..Cache::of(before) };
+            Run::read(&inputs, &options, Some(&cache), &|_| {}).stamped
+        };
+        let counts = |before: Option<&Before>, later| {
+            let stamped = run(before, later);
+            (stamped.files.len(), stamped.recalled, stamped.unread)
+        };
+        for (later, unread) in [(Duration::ZERO, 0), (Duration::from_secs(60), 1)] {
+            let stamps = Stamps::new(&options, recall::checksum_of(&packed).unwrap(), run(None, later).files);
+            let mut before = Before { stamps, bank: packed.clone() };
+            assert_eq!(counts(None, later), (1, 0, 0));
+            assert_eq!(counts(Some(&before), later), (1, 1, unread));
+            before.stamps.bank_checksum = 0;
+            assert_eq!(counts(Some(&before), later), (1, 0, 0), "the stamps are about another bank");
+        }
     }
 }

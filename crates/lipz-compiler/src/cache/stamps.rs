@@ -39,17 +39,17 @@ pub(crate) struct Stamp {
 impl Stamp {
     /// The stamp of a file with these contents that looked like this before it was read, in a run that
     /// started at `start`.
-    pub(crate) fn of(look: Look, contents: u128, start: SystemTime) -> Stamp {
+    pub(super) fn of(look: Look, contents: u128, start: SystemTime) -> Stamp {
         Stamp { look, contents, is_settled: look.is_settled_at(start) }
     }
 
     /// Whether a file that looks like this is certainly the one of the stamp.
-    pub(crate) fn proves(&self, look: &Look) -> bool {
+    pub(super) fn proves(&self, look: &Look) -> bool {
         self.is_settled && self.look == *look
     }
 
     /// Whether the file of the stamp had these contents.
-    pub(crate) fn has_contents(&self, contents: u128) -> bool {
+    pub(super) fn has_contents(&self, contents: u128) -> bool {
         self.contents == contents
     }
 }
@@ -60,7 +60,7 @@ pub(crate) struct Name(u128);
 
 impl Name {
     /// The name of the file at `path`, whose clip has this key.
-    pub(crate) fn of(path: &[u8], key: &str) -> Name {
+    pub(super) fn of(path: &[u8], key: &str) -> Name {
         // No path contains the separator.
         Name(hash(&[path, b"\0", key.as_bytes()].concat()))
     }

@@ -32,7 +32,7 @@ pub(super) struct Made {
 impl Worker {
     /// Recalls the clip of one file from the cache, or reads, parses and checks it.
     pub(super) fn file(&mut self, input: &Input, options: &Options, cache: Option<&Cache<'_>>) {
-        let seen = cache.and_then(|cache| cache.look_at(input, &mut self.reader));
+        let seen = cache.and_then(|cache| cache.look_at(input));
         let made = &mut self.made;
         if let Some(seen) = &seen
             && let Some(stamp) = seen.unread()

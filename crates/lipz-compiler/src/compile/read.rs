@@ -1,7 +1,6 @@
 //! Reading files, each relative to the folder that it lies in.
 
 use crate::Report;
-use crate::cache::Look;
 use crate::discover::display;
 use lipz::{Code, Diagnostic};
 use std::fs::File;
@@ -40,11 +39,6 @@ impl FileReader {
             Err(error) => Diagnostic::new(Code::UnreadableFile, format!("the file cannot be read: {error}")),
         };
         Err(Report::about(display(path), finding))
-    }
-
-    /// How the file at `path` looks; `None` if it cannot be looked at.
-    pub(crate) fn look(&mut self, path: &Path) -> Option<Look> {
-        Look::of(&path.metadata().ok()?)
     }
 
     /// Elsewhere, the standard library has no other way than the path.
