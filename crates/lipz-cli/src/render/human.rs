@@ -50,8 +50,10 @@ fn closing(reports: &[Report]) -> String {
         return String::new();
     }
     let files: BTreeSet<&str> = reports.iter().map(|report| report.source.path.as_str()).collect();
-    let files = files.iter().filter(|path| !path.is_empty()).count();
-    format!("{} in {}\n", parts.join(" and "), console::counted(files, "file"))
+    match files.iter().filter(|path| !path.is_empty()).count() {
+        0 => format!("{}\n", parts.join(" and ")),
+        files => format!("{} in {}\n", parts.join(" and "), console::counted(files, "file")),
+    }
 }
 
 /// Tells people at a terminal where more about a code is. Logs of builds go without.

@@ -1,17 +1,16 @@
 //! `lipz pack`: source files to a bank.
 
 mod destination;
+mod plan;
 
-use super::{Run, with_inputs};
+pub(crate) use destination::Replacing;
+pub(crate) use plan::{Packed, Plan};
+
 use crate::render::Findings;
-use crate::sources::{Sources, usage_error};
+use crate::sources::Sources;
 use crate::{Outcome, console, standard};
 use clap::Args;
-use clap::error::ErrorKind;
-use destination::Destination;
 use lipz_compiler::settings::Settings;
-use lipz_compiler::{dependencies, depfile};
-use std::mem;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -27,7 +26,7 @@ use std::time::Duration;
   lipz pack 'voices/**/mara-*.lipz' -o mara.lipzbank --strip")]
 pub(crate) struct Pack {
     #[command(flatten)]
-    sources: Sources,
+    pub(crate) sources: Sources,
 
     /// The bank to write; `-` writes it to standard output [default: `output` of lipz.toml]
     #[arg(short, long, value_name = "BANK")]
@@ -71,82 +70,54 @@ impl Pack {
         let cache = self.cache.as_deref().or(settings.cache.as_deref());
         cache.filter(|_| !self.no_cache)
     }
+
+    /// What a run works with now. What is wrong with it is printed, and how the run ends is returned.
+    pub(crate) fn plan(&self, findings: &mut Findings) -> Result<Plan, Outcome> {
+        Plan::of(self, findings)
+    }
+
+    /// The time of each phase, in milliseconds, and what a cache spared, if that was asked for.
+    pub(crate) fn timings(&self, packed: &Packed) -> String {
+        if !self.timings {
+            return String::new();
+        }
+        let phases = &packed.phases;
+        let line = |name: &str, time: Duration| format!("  {name:<22} {:>9.1} ms\n", time.as_secs_f64() * 1000.0);
+        [
+            line("discover", packed.discover),
+            line("cache", phases.cache),
+            line("files", phases.files),
+            line("  recall (all threads)", phases.recall),
+            line("  read (all threads)", phases.read),
+            line("  parse (all threads)", phases.parse),
+            line("  check (all threads)", phases.check),
+            line("localise", phases.localise),
+            line("lower", phases.lower),
+            line("verify and write", phases.finish),
+            format!(
+                "  {} of {} recalled from the bank\n",
+                packed.recalled,
+                console::counted(packed.clip_count, "clip")
+            ),
+        ]
+        .concat()
+    }
 }
 
 pub(crate) fn run(arguments: &Pack, findings: &mut Findings) -> Outcome {
-    let mut project = match arguments.sources.project(findings) {
-        Ok(project) => project,
+    let quiet = arguments.sources.is_quiet();
+    let run = arguments.plan(findings).and_then(|plan| Ok((plan.run(Replacing::Always, quiet, findings)?, plan)));
+    let (packed, plan) = match run {
+        Ok(run) => run,
         Err(outcome) => return outcome,
     };
-    let options = &mut project.settings.options;
-    options.strip = arguments.strip.unwrap_or(options.strip);
-    let settings = &project.settings;
-    let Some(output) = arguments.output.as_ref().or(settings.output.as_ref()) else {
-        let tip = "name a file with '--output', or set `output` in lipz.toml";
-        return usage_error(ErrorKind::MissingRequiredArgument, "no bank to write is named", tip);
-    };
-    let destination = match Destination::of(
-        output,
-        arguments.split_locales.unwrap_or(settings.split_locales),
-        arguments.depfile.is_some(),
-        arguments.cache(settings),
-    ) {
-        Ok(destination) => destination,
-        Err(outcome) => return outcome,
-    };
-    let mut run = with_inputs(settings, arguments.sources.is_quiet(), |inputs, options, progress| {
-        destination.make(inputs, options, progress)
-    });
-    let outcome = run.outcome();
-    findings.add(mem::take(&mut run.reports));
-    let bank = match run.compiled.bank.take() {
-        Some(bank) if outcome == Outcome::Clean => bank,
-        _ => return outcome,
-    };
-    let written = match destination.deliver(&bank, findings) {
-        Ok(written) => written,
-        Err(outcome) => return outcome,
-    };
-    if let Some(path) = &arguments.depfile {
-        let mut dependencies = dependencies(&settings.sources, &run.inputs);
-        dependencies.extend(project.file.clone());
-        if let Err(outcome) = destination::write(path, &depfile(output, &dependencies), findings) {
-            return outcome;
-        }
-    }
     let mut text = String::new();
-    if !arguments.sources.is_quiet() {
-        text = written.summary(run.inputs.len(), run.compiled.is_unchanged);
-        if let Some(file) = project.found() {
+    if !quiet {
+        text = packed.summary();
+        if let Some(file) = plan.project.found() {
             text.push_str(&format!("with the settings of {}\n", console::path(file)));
         }
     }
-    if arguments.timings {
-        text.push_str(&timings(&run));
-    }
+    text.push_str(&arguments.timings(&packed));
     findings.summary(&text)
-}
-
-/// The time of each phase, in milliseconds, and what a cache spared.
-fn timings(run: &Run) -> String {
-    let phases = &run.compiled.phases;
-    let line = |name: &str, time: Duration| format!("  {name:<22} {:>9.1} ms\n", time.as_secs_f64() * 1000.0);
-    [
-        line("discover", run.discover),
-        line("cache", phases.cache),
-        line("files", phases.files),
-        line("  recall (all threads)", phases.recall),
-        line("  read (all threads)", phases.read),
-        line("  parse (all threads)", phases.parse),
-        line("  check (all threads)", phases.check),
-        line("localise", phases.localise),
-        line("lower", phases.lower),
-        line("verify and write", phases.finish),
-        format!(
-            "  {} of {} recalled from the bank\n",
-            run.compiled.recalled,
-            console::counted(run.inputs.len(), "clip")
-        ),
-    ]
-    .concat()
 }

@@ -1,0 +1,87 @@
+//! Locales on the command line: coverage, chosen locales, text banks.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use serde_json::Value;
+use support::{Scene, lipz};
+
+/// A scene with the Lipz files of two clips, one of them without German.
+fn scene() -> Scene {
+    let scene = Scene::new();
+    scene.write("voices/aye.lipz", r#"{ "visemes": "AE-", "text_en-us": "Aye.", "text_de-de": "Ja." }"#);
+    scene.write("voices/no.lipz", r#"{ "visemes": "SO-", "text_en-us": "No." }"#);
+    scene
+}
+
+const TABLE: &str = "\
+voices: 2 clips with texts
+
+  locale         covered   texts     same  fallback  nothing  falls back to
+  de-de           50.0 %       1        0         1        0  en-us 1
+  en-us          100.0 %       2        0         0        0  (default locale)
+
+same: the text is that of the default locale, letter by letter
+";
+
+#[test]
+fn coverage_of_a_folder_and_of_its_bank() {
+    let scene = scene();
+    let folder = lipz(scene.path(), ["coverage", "voices", "--default-locale", "en-us"]);
+    assert_eq!((folder.code, folder.stdout.as_str(), folder.stderr.as_str()), (0, TABLE, ""));
+    scene.prepare(&["pack", "voices", "-o", "b.lipzbank", "--default-locale", "en-us", "--quiet"]);
+    let bank = lipz(scene.path(), ["coverage", "b.lipzbank"]);
+    assert_eq!((bank.code, bank.stdout), (0, TABLE.replace("voices", "b.lipzbank")));
+    let keys = lipz(scene.path(), ["coverage", "b.lipzbank", "--missing", "de-de"]);
+    assert_eq!((keys.code, keys.stdout.as_str()), (0, "no\n"));
+    assert_eq!(lipz(scene.path(), ["coverage", "b.lipzbank", "--missing", "fr-fr"]).code, 2);
+    let json = lipz(scene.path(), ["coverage", "b.lipzbank", "--json"]);
+    let json: Value = serde_json::from_str(&json.stdout).unwrap();
+    assert_eq!(json.pointer("/0/fallbacks/en-us/0").and_then(Value::as_str), Some("no"));
+}
+
+#[test]
+fn too_little_is_translated() {
+    let mut scene = scene();
+    let wanted = ["--min-coverage", "60"];
+    let pack = ["pack", "voices", "-o", "b.lipzbank", "--min-coverage", "60"];
+    scene.expect("LZ0513-low-coverage", &pack);
+    assert!(!scene.path().join("b.lipzbank").exists());
+    let shown = lipz(scene.path(), ["coverage", "voices"].iter().chain(&wanted));
+    assert_eq!(shown.code, 1);
+    assert!(shown.stdout.contains("50.0 %") && shown.stderr.contains("[LZ0513]"), "{shown:?}");
+    scene.write("lipz.toml", "[coverage]\nall = 100\nde-de = 50\n");
+    assert_eq!(lipz(scene.path(), ["pack", "voices", "-o", "b.lipzbank"]).code, 0);
+    scene.finish(1);
+}
+
+#[test]
+fn text_banks_are_checked_and_shown_with_their_bank() {
+    let mut scene = scene();
+    scene.write("lipz.toml", "default-locale = \"en-us\"\nsplit-locales = true\n");
+    let packed = lipz(scene.path(), ["pack", "voices", "-o", "b.lipzbank"]);
+    let lines: Vec<&str> = packed.stdout.lines().filter_map(|line| line.split(" (").next()).collect();
+    assert_eq!(lines[..2], ["2 clips packed into b.lipzbank", "texts packed into b.de-de.lipztexts"], "{packed:?}");
+    let verify = ["verify", "b.lipzbank", "--texts", "b.de-de.lipztexts", "b.en-us.lipztexts"];
+    let verified = lipz(scene.path(), verify);
+    assert_eq!((verified.code, verified.stdout.lines().count()), (0, 3), "{verified:?}");
+    assert!(verified.stdout.contains("b.de-de.lipztexts: no fault (texts in de-de, "), "{verified:?}");
+    let shown = lipz(scene.path(), ["inspect", "b.lipzbank", "aye", "--texts", "b.de-de.lipztexts"]);
+    assert!(shown.stdout.contains("Ja.") && !shown.stdout.contains("Aye."), "{shown:?}");
+    scene.expect("LZ0902-bank-refused-texts-only", &["verify", "b.de-de.lipztexts"]);
+    scene.write("more/yes.lipz", r#"{ "text_de-de": "Doch." }"#);
+    scene.prepare(&["pack", "more", "-o", "m.lipzbank", "--quiet"]);
+    scene.expect("LZ0902-bank-refused-other-clips", &["verify", "-q", "b.lipzbank", "--texts", "m.de-de.lipztexts"]);
+    assert_eq!(lipz(scene.path(), ["pack", "voices", "-o", "-"]).code, 2, "several banks for standard output");
+    let whole = lipz(scene.path(), ["pack", "voices", "-o", "w.lipzbank", "--split-locales=false"]);
+    assert_eq!((whole.code, whole.stdout.lines().count()), (0, 1), "{whole:?}");
+    scene.finish(2);
+}
+
+#[test]
+fn only_chosen_locales_are_packed() {
+    let scene = scene();
+    scene.prepare(&["pack", "voices", "-o", "b.lipzbank", "--locales", "de-de", "--default-locale", "en-us", "-q"]);
+    let shown = lipz(scene.path(), ["inspect", "b.lipzbank", "no"]);
+    assert!(shown.stdout.contains("No.") && !shown.stdout.contains("en-us"), "{shown:?}");
+}

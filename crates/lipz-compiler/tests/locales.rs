@@ -1,0 +1,150 @@
+//! Which locales a bank has, and where their texts come from.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use lipz::Code;
+use lipz_bank::Bank;
+use lipz_compiler::{Documents, Input, MinCoverage, Options, compile, discover};
+
+const FILES: [(&str, &str); 3] = [
+    ("aye", r#"{ "text_en-us": "{x} Aye.", "text_de-de": "Ja.", "text_en-gb": "Aye, sir." }"#),
+    ("both", r#"{ "text_de-at": "Servus.", "text_de-de": "Hallo.", "text_en-us": "Hello." }"#),
+    ("no", r#"{ "text_en-us": "No.", "events": "feels sad" }"#),
+];
+
+fn inputs(files: &[(&str, &str)]) -> Vec<Input> {
+    files.iter().map(|(key, file)| Input::from_bytes(*key, *file)).collect()
+}
+
+fn packed(options: &Options) -> Vec<u8> {
+    let compiled = compile(&inputs(&FILES), options, &|_| {});
+    assert!(compiled.reports.is_empty(), "{:?}", compiled.reports);
+    compiled.bank.unwrap()
+}
+
+fn only(tags: &[&str]) -> Options {
+    let locales = Some(tags.iter().map(|tag| (*tag).to_owned()).collect());
+    Options { default_locale: Some("en-us".into()), locales, ..Options::default() }
+}
+
+/// Each locale with what a player reads in it, clip by clip; `*` before fallbacks.
+fn shown(bytes: &[u8]) -> Vec<(String, Vec<String>)> {
+    let bank = Bank::open(bytes).unwrap().verify().unwrap();
+    let text = |clip: lipz_bank::Clip<'_, '_>, locale| match clip.segment(0).unwrap().text(locale) {
+        Some(text) => format!("{}{text}", if text.is_fallback() { "*" } else { "" }),
+        None => "-".to_owned(),
+    };
+    let texts = |locale| bank.clips().map(|clip| text(clip, locale)).collect();
+    bank.locales().map(|locale| (locale.tag().to_owned(), texts(locale))).collect()
+}
+
+#[test]
+fn chosen_locales_have_what_they_fall_back_to() {
+    let expect = |tags: &[&str], expected: &[(&str, [&str; 3])]| {
+        let expected = expected.iter().map(|(tag, texts)| ((*tag).to_owned(), texts.map(str::to_owned).to_vec()));
+        let expected: Vec<(String, Vec<String>)> = expected.collect();
+        assert_eq!(shown(&packed(&only(tags))), expected, "{tags:?}");
+    };
+    expect(&["de-de"], &[("de-de", ["Ja.", "Hallo.", "*No."])]);
+    expect(&["de-at"], &[("de-at", ["*Ja.", "Servus.", "*No."])]);
+    let english = ("en-us", ["Aye.", "Hello.", "No."]);
+    expect(&["de-at", "en-us"], &[("de-at", ["*Ja.", "Servus.", "*No."]), english]);
+    // A locale that no file has is what it falls back to.
+    expect(&["de-ch"], &[("de-ch", ["*Ja.", "*Servus.", "*No."])]);
+}
+
+#[test]
+fn texts_that_are_not_packed_are_nowhere_in_the_bank() {
+    let bytes = packed(&only(&["de-de"]));
+    let has = |text: &str| bytes.windows(text.len()).any(|window| window == text.as_bytes());
+    assert!(has("Hallo.") && !has("Servus.") && !has("Hello.") && !has("en-gb") && !has("{x}"));
+    let bank = Bank::open(&bytes).unwrap().verify().unwrap();
+    let documents = Documents::of(&bank).unwrap();
+    let names: Vec<Vec<String>> = documents
+        .iter()
+        .map(|document| document.unwrap().1.elements.iter().map(|element| element.name.text.to_string()).collect())
+        .collect();
+    assert_eq!(names, [vec!["text_de-de"], vec!["text_de-de"], vec!["events"]]);
+}
+
+#[test]
+fn choosing_all_locales_changes_nothing() {
+    let (inputs, _) = discover(&[support::folder("drama")], None);
+    let default_locale = Some("en-us".to_owned());
+    let all = compile(&inputs, &Options { default_locale: default_locale.clone(), ..Options::default() }, &|_| {});
+    let all = all.bank.unwrap();
+    let tags = Bank::open(&all).unwrap().locales().map(|locale| locale.tag().to_owned()).collect();
+    let chosen = Options { default_locale, locales: Some(tags), ..Options::default() };
+    assert_eq!(compile(&inputs, &chosen, &|_| {}).bank.unwrap(), all);
+}
+
+#[test]
+fn named_fallbacks_come_first() {
+    let fallbacks = [("en-gb".to_owned(), vec!["de-de".to_owned()])].into();
+    let options = Options { fallbacks, default_locale: Some("en-us".into()), ..Options::default() };
+    let british = shown(&packed(&options)).into_iter().find(|(tag, _)| tag == "en-gb").unwrap();
+    assert_eq!(british.1, ["Aye, sir.", "*Hallo.", "-"]);
+}
+
+#[test]
+fn a_pseudo_locale_is_made_of_the_default_locale() {
+    let options = Options { pseudo: true, default_locale: Some("en-us".into()), ..Options::default() };
+    let all = shown(&packed(&options));
+    let of = |wanted: &str| all.iter().find(|(tag, _)| tag == wanted).unwrap().1.clone();
+    assert_eq!(of("en-xa"), ["[Åýé. one]", "[Ĥéļļö. one]", "[Ñö. one]"]);
+    assert_eq!(of("en-gb"), ["Aye, sir.", "*Hello.", "*No."], "nobody falls back to it");
+    let without = compile(&inputs(&FILES), &Options { pseudo: true, ..Options::default() }, &|_| {});
+    assert!(without.bank.is_none() && without.reports[0].diagnostics[0].code == Code::SettingValue);
+}
+
+#[test]
+fn a_pseudo_locale_is_packed_beside_chosen_ones() {
+    let options = Options { pseudo: true, ..only(&["de-de"]) };
+    let tags: Vec<String> = shown(&packed(&options)).into_iter().map(|(tag, _)| tag).collect();
+    assert_eq!(tags, ["de-de", "en-xa"]);
+}
+
+#[test]
+fn a_file_keeps_its_own_text_of_the_pseudo_locale() {
+    let file = r#"{ "text_en-us": "Aye.", "text_en-xa": "Mine.", "text_fr-fr": " Oui." }"#;
+    let options = Options { pseudo: true, default_locale: Some("en-us".into()), ..Options::default() };
+    let bytes = compile(&inputs(&[("aye", file)]), &options, &|_| {}).bank.unwrap();
+    let texts: Vec<Vec<String>> = shown(&bytes).into_iter().map(|(_, texts)| texts).collect();
+    assert_eq!(texts, [["Aye."], ["Mine."], ["Oui."]]);
+    let bank = Bank::open(&bytes).unwrap().verify().unwrap();
+    let documents = Documents::of(&bank).unwrap();
+    let (_, document) = documents.iter().next().unwrap().unwrap();
+    assert_eq!(document, lipz::parse(file.as_bytes()).document.unwrap());
+}
+
+#[test]
+fn too_little_coverage_makes_no_bank() {
+    let wanted = |all, locale: Option<(&str, f64)>| {
+        let locales = locale.into_iter().map(|(tag, percent)| (tag.to_owned(), percent)).collect();
+        let options = Options { min_coverage: MinCoverage { all, locales }, ..Options::default() };
+        let compiled = compile(&inputs(&FILES), &options, &|_| {});
+        let codes: Vec<Code> =
+            compiled.reports.iter().flat_map(|report| &report.diagnostics).map(|found| found.code).collect();
+        assert_eq!(compiled.bank.is_none(), !codes.is_empty());
+        codes.len()
+    };
+    assert_eq!(wanted(Some(33.3), None), 0);
+    assert_eq!(wanted(Some(50.0), None), 2);
+    assert_eq!(wanted(Some(50.0), Some(("de-at", 30.0))), 1);
+    assert_eq!(wanted(None, Some(("fr-fr", 1.0))), 1);
+    assert_eq!(wanted(None, Some(("DE_at", 30.0))), 0, "another spelling of the locale");
+}
+
+#[test]
+fn locales_of_another_shape_are_refused() {
+    let broken = [
+        Options { default_locale: Some("english".into()), ..Options::default() },
+        only(&["es-419"]),
+        Options { fallbacks: [("de".to_owned(), vec![])].into(), ..Options::default() },
+    ];
+    for options in broken {
+        let compiled = compile(&inputs(&FILES), &options, &|_| {});
+        assert_eq!(compiled.reports[0].diagnostics[0].code, Code::LocaleShape);
+    }
+}
