@@ -205,8 +205,18 @@ fn every_setting_has_a_flag_and_every_flag_a_setting() {
     let help = lipz(".".as_ref(), ["pack", "--help"]).stdout;
     let lines = help.lines().map(str::trim_start).filter(|line| line.starts_with('-'));
     let shown = lines.filter_map(|line| line.split([' ', '[', ',']).find(|word| word.starts_with("--")));
-    let of_the_run =
-        ["--color", "--config", "--depfile", "--format", "--help", "--no-config", "--quiet", "--threads", "--timings"];
+    let of_the_run = [
+        "--color",
+        "--config",
+        "--depfile",
+        "--format",
+        "--help",
+        "--no-cache",
+        "--no-config",
+        "--quiet",
+        "--threads",
+        "--timings",
+    ];
     let mut shown: Vec<&str> = shown.filter(|flag| !of_the_run.contains(flag)).collect();
     let flags: Vec<String> = TABLES.iter().flat_map(rows).map(|[_, flag, ..]| flag).collect();
     let mut flags: Vec<&str> =
@@ -242,4 +252,33 @@ fn the_page_shows_every_setting_and_lint() {
     let mut comparison = Comparison::default();
     comparison.compare("docs/SETTINGS.md", &format!("{before}cargo test -p lipz-cli -->\n{made}\n<!-- end -->{after}"));
     comparison.finish(1);
+}
+
+#[test]
+fn packing_again_with_a_cache() {
+    let scene = project();
+    scene.write("lipz.toml", "sources = [\"voices\"]\noutput = \"b.lipzbank\"\ncache = \"build/b.cache\"\n");
+    scene.write("voices/act1/aye.lipz", r#"{ "text_en-us": "Aye." }"#);
+    let pack = |arguments: &[&str]| {
+        let run = lipz(scene.path(), ["pack", "--timings"].iter().chain(arguments));
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        let mut lines = run.stdout.lines();
+        (lines.next().unwrap().to_owned(), lines.next_back().unwrap().trim().to_owned())
+    };
+    let spared = |count| format!("{count} of 1 clip recalled from the bank");
+    let first = pack(&[]);
+    assert!(first.0.starts_with("1 clip packed into b.lipzbank ("), "{}", first.0);
+    assert_eq!(first.1, spared(0));
+    let again = pack(&[]);
+    assert!(again.0.starts_with("1 clip unchanged in b.lipzbank ("), "{}", again.0);
+    assert_eq!(again.1, spared(1));
+    assert_eq!(pack(&["--no-cache"]), first);
+    assert_eq!(pack(&["--cache", "other.cache"]), first);
+    assert_eq!(pack(&["--split-locales"]).1, spared(0));
+    assert_eq!(pack(&[]), first, "the bank has become another one");
+    assert_eq!(pack(&[]), again);
+
+    let refused = lipz(scene.path(), ["pack", "--cache", "lipz.toml"]);
+    assert_eq!((refused.code, codes(&refused.stderr)), (2, vec!["0904"]), "{}", refused.stderr);
+    assert!(refused.stderr.contains("`lipz.toml` is not a cache of lipz, and is left alone"), "{}", refused.stderr);
 }

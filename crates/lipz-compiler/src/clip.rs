@@ -2,9 +2,11 @@
 
 mod locales;
 mod packed;
+mod run;
 mod store;
 
 pub(crate) use locales::Locales;
+pub(crate) use run::run;
 pub(crate) use store::{Clip, Clips};
 
 use crate::hashed::hash;
@@ -85,9 +87,21 @@ impl ClipData {
             }
         }
         self.runs.extend_from_slice(self.displays.text().as_bytes());
+        self.add_text(locale, start, is_wide, false);
+    }
+
+    /// Adds a run as the texts of a locale.
+    pub(crate) fn add_run(&mut self, locale: u32, run: &[u8], is_wide: bool, is_fallback: bool) {
+        let start = self.runs.len() as u32;
+        self.runs.extend_from_slice(run);
+        self.add_text(locale, start, is_wide, is_fallback);
+    }
+
+    /// Adds what stands in `runs` from `start` on as the texts of a locale.
+    fn add_text(&mut self, locale: u32, start: u32, is_wide: bool, is_fallback: bool) {
         let hash = hash(&self.runs[start as usize..]);
         let place = start..self.runs.len() as u32;
-        self.texts.push(ClipText { locale, place, is_wide, is_fallback: false, hash });
+        self.texts.push(ClipText { locale, place, is_wide, is_fallback, hash });
     }
 
     /// Bytes of the display texts alone, without the table of ends.

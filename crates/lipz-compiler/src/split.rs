@@ -1,15 +1,13 @@
 //! Splitting a bank by locale: a base bank without texts, and a text bank for each locale.
 
 use crate::Report;
+use crate::clip::run;
 use crate::lower::assemble::{Section, assemble};
 use crate::lower::fit;
 use foldhash::{HashMap, HashMapExt};
 use lipz::Code;
-use lipz_bank::layout::{
-    Header, LOCALE_DEFAULT, LocaleRecord, NARROW_END_BYTES, NO_TEXT, TEXT_FALLBACK, TEXT_OFFSET, TEXT_WIDE, Tag, U32,
-    WIDE_END_BYTES,
-};
-use lipz_bank::{Bank, Clip, Locale};
+use lipz_bank::layout::{Header, LOCALE_DEFAULT, LocaleRecord, NO_TEXT, TEXT_FALLBACK, TEXT_WIDE, Tag, U32};
+use lipz_bank::{Bank, Locale};
 use zerocopy::{FromBytes, IntoBytes};
 
 /// A bank, split by [`split`].
@@ -90,7 +88,7 @@ impl<'data> Whole<'data> {
         for clip in self.bank.clips() {
             let slot = clip.slot() as usize;
             let (Some(entry), Some(to)) = (entries.get(slot), index.get_mut(slot)) else { continue };
-            let Some(run) = run(pool, entry.get(), clip, locale) else { continue };
+            let Some(run) = run(pool, entry.get(), clip.segment_count()) else { continue };
             let offset = *offsets.entry(run).or_insert_with(|| {
                 let offset = runs.len();
                 runs.extend_from_slice(run);
@@ -112,15 +110,4 @@ impl<'data> Whole<'data> {
         ];
         assemble(&sections, 0, self.bank.fingerprint(), |_| ())
     }
-}
-
-/// The run of a clip's texts: the table of ends, and what it counts.
-fn run<'data>(pool: &'data [u8], entry: u32, clip: Clip<'data, '_>, locale: Locale<'data>) -> Option<&'data [u8]> {
-    if entry == NO_TEXT {
-        return None;
-    }
-    let end_bytes = if entry & TEXT_WIDE == 0 { NARROW_END_BYTES } else { WIDE_END_BYTES };
-    let texts: usize = clip.segments().filter_map(|segment| segment.text_bytes(locale)).map(<[u8]>::len).sum();
-    let length = clip.segment_count() as usize * end_bytes + texts;
-    pool.get((entry & TEXT_OFFSET) as usize..)?.get(..length)
 }

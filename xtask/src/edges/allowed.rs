@@ -35,6 +35,7 @@ pub(super) const ALLOWED: &[Rule] = &[
     Rule {
         name: "lipz-compiler",
         direct: Some(&[
+            "bincode",
             "cap-std",
             "cap-tempfile",
             "foldhash",
@@ -49,6 +50,7 @@ pub(super) const ALLOWED: &[Rule] = &[
             "serde_json",
             "tempfile",
             "toml",
+            "twox-hash",
             "unicode-ident",
             "unicode-normalization",
             "unicode-width",
@@ -61,6 +63,7 @@ pub(super) const ALLOWED: &[Rule] = &[
             UNICODE_DATA,
             FILES,
             TOML,
+            CACHE,
             &["foldhash", "lipz", "lipz-bank", "unicode-normalization", "tinyvec"],
         ]),
     },
@@ -140,6 +143,9 @@ const UNICODE_DATA: &[&str] = &[
 
 /// toml and what it uses.
 const TOML: &[&str] = &["serde_spanned", "toml", "toml_datetime", "toml_parser", "winnow"];
+
+/// bincode and twox-hash, which only the cache of the compiler uses, and what they use.
+const CACHE: &[&str] = &["bincode", "bincode_derive", "twox-hash", "unty", "virtue"];
 
 /// Finding, reading and writing files, on several threads: cap-std, cap-tempfile, glob, rayon,
 /// tempfile, walkdir and what they use.

@@ -26,7 +26,7 @@ pub(super) fn rows(clips: usize, json_bytes: u64, measured: &[(Work, Vec<Measure
         let median = median(measurements);
         row(&first, work.name(), median.seconds, &memory(&median));
         first.clear();
-        if *work == Work::Pack {
+        if matches!(work, Work::Pack | Work::Again) {
             for (name, seconds) in &median.phases {
                 row("", &format!("… {name}"), *seconds, " | | ");
             }

@@ -2,10 +2,12 @@
 
 use crate::{Failure, place};
 use clap::ValueEnum;
-use lipz_compiler::{Options, Phases, discover};
+use lipz_compiler::{Compiled, Input, Options, Phases, discover};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
+use std::fs::File;
 use std::hint::black_box;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -13,25 +15,30 @@ use std::time::{Duration, Instant};
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 pub(crate) enum Work {
     List,
+    Stat,
     Read,
     Borrowed,
     Value,
     Pack,
     Strip,
+    Again,
 }
 
 impl Work {
-    pub(super) const ALL: [Work; 6] = [Work::List, Work::Read, Work::Borrowed, Work::Value, Work::Pack, Work::Strip];
+    pub(super) const ALL: [Work; 8] =
+        [Work::List, Work::Stat, Work::Read, Work::Borrowed, Work::Value, Work::Pack, Work::Strip, Work::Again];
 
     /// What it is called in the table.
     pub(super) fn name(self) -> &'static str {
         match self {
             Work::List => "list the tree",
+            Work::Stat => "list, stat of every file",
             Work::Read => "list, read",
             Work::Borrowed => "list, read, serde_json into a borrowed struct",
             Work::Value => "list, read, serde_json into a `Value`",
             Work::Pack => "**pack**",
             Work::Strip => "**pack --strip**",
+            Work::Again => "**pack --cache after one file changed**",
         }
     }
 
@@ -56,11 +63,17 @@ pub(super) struct Measurement {
 
 pub(super) fn run(work: Work, folder: &Path, bank: &Path, threads: usize) -> Result<Measurement, Failure> {
     let mut measurement = Measurement::default();
+    if work == Work::Again {
+        change_one_file(folder, bank, threads)?;
+    }
     let start = Instant::now();
     match work {
         Work::List => {
             black_box(place::list(folder).map_err(|error| error.to_string())?);
         }
+        Work::Stat => each_path(folder, threads, |path| {
+            path.metadata().map(|metadata| metadata.len() as usize).map_err(|error| failed(path, &error))
+        })?,
         Work::Read => each_file(folder, threads, |bytes| Ok(bytes.len()))?,
         Work::Borrowed => each_file(folder, threads, |bytes| {
             let clip: Borrowed<'_> = serde_json::from_slice(bytes).map_err(|error| error.to_string())?;
@@ -72,6 +85,7 @@ pub(super) fn run(work: Work, folder: &Path, bank: &Path, threads: usize) -> Res
         })?,
         Work::Pack => pack(folder, bank, threads, false, &mut measurement)?,
         Work::Strip => pack(folder, bank, threads, true, &mut measurement)?,
+        Work::Again => pack_again(folder, bank, threads, &mut measurement)?,
     }
     measurement.seconds = start.elapsed().as_secs_f64();
     measurement.peak_bytes = peak_bytes();
@@ -118,24 +132,65 @@ fn each_file(
     threads: usize,
     work: impl Fn(&[u8]) -> Result<usize, Failure> + Sync,
 ) -> Result<(), Failure> {
+    each_path(folder, threads, |path| work(&std::fs::read(path).map_err(|error| failed(path, &error))?))
+}
+
+/// Lists the files and does something with the path of each, on `threads` threads.
+fn each_path(
+    folder: &Path,
+    threads: usize,
+    work: impl Fn(&Path) -> Result<usize, Failure> + Sync,
+) -> Result<(), Failure> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(|error| error.to_string())?;
     let files = place::list(folder).map_err(|error| error.to_string())?;
-    let one = |path: &PathBuf| {
-        let bytes = std::fs::read(path).map_err(|error| format!("`{}`: {error}", path.display()))?;
-        work(&bytes)
-    };
-    let sizes: Result<Vec<usize>, Failure> = pool.install(|| files.par_iter().map(one).collect());
+    let sizes: Result<Vec<usize>, Failure> = pool.install(|| files.par_iter().map(|path| work(path)).collect());
     black_box(sizes?);
     Ok(())
 }
 
+fn failed(path: &Path, error: &io::Error) -> Failure {
+    format!("`{}`: {error}", path.display())
+}
+
 fn pack(folder: &Path, bank: &Path, threads: usize, strip: bool, measurement: &mut Measurement) -> Result<(), Failure> {
+    let options = Options { strip, threads: Some(threads), ..Options::default() };
+    packing(folder, measurement, |inputs| lipz_compiler::pack(inputs, &options, bank, &|_| {}))
+}
+
+/// Packs with a cache beside the bank.
+fn pack_again(folder: &Path, bank: &Path, threads: usize, measurement: &mut Measurement) -> Result<(), Failure> {
+    let options = Options { threads: Some(threads), ..Options::default() };
+    let (bank, cache) = remembered(bank);
+    packing(folder, measurement, |inputs| lipz_compiler::pack_cached(inputs, &options, &bank, &cache, &|_| {}))
+}
+
+/// Bank and cache of [`pack_again`]: no other piece of work touches them.
+fn remembered(bank: &Path) -> (PathBuf, PathBuf) {
+    (bank.with_extension("again.lipzbank"), bank.with_extension("cache"))
+}
+
+/// Makes the cache if there is none, then changes a file.
+fn change_one_file(folder: &Path, bank: &Path, threads: usize) -> Result<(), Failure> {
+    if !remembered(bank).1.exists() {
+        pack_again(folder, bank, threads, &mut Measurement::default())?;
+    }
+    let files = place::list(folder).map_err(|error| error.to_string())?;
+    let Some(path) = files.first() else { return Ok(()) };
+    let mut file = File::options().append(true).open(path).map_err(|error| failed(path, &error))?;
+    file.write_all(b"\n").map_err(|error| failed(path, &error))
+}
+
+/// Finds the inputs and hands them to `pack`; takes the time of its phases.
+fn packing(
+    folder: &Path,
+    measurement: &mut Measurement,
+    pack: impl FnOnce(&[Input]) -> Compiled,
+) -> Result<(), Failure> {
     let start = Instant::now();
     let (inputs, reports) = discover(&[folder.to_owned()], None);
     let discovered = start.elapsed();
     let start = Instant::now();
-    let options = Options { strip, threads: Some(threads), ..Options::default() };
-    let compiled = lipz_compiler::pack(&inputs, &options, bank, &|_| {});
+    let compiled = pack(&inputs);
     let packing = start.elapsed();
     let finding = reports.iter().chain(&compiled.reports).flat_map(|report| &report.diagnostics).next();
     if let Some(finding) = finding {
@@ -147,10 +202,12 @@ fn pack(folder: &Path, bank: &Path, threads: usize, strip: bool, measurement: &m
 }
 
 fn phases(discovered: Duration, packing: Duration, phases: &Phases) -> Vec<(String, f64)> {
-    let accounted = phases.files + phases.localise + phases.lower + phases.finish;
+    let accounted = phases.cache + phases.files + phases.localise + phases.lower + phases.finish;
     let parts = [
         ("discover", discovered),
-        ("read, parse, check", phases.files),
+        ("cache", phases.cache),
+        ("files", phases.files),
+        ("(recall, all threads)", phases.recall),
         ("(read, all threads)", phases.read),
         ("(parse, all threads)", phases.parse),
         ("(check, all threads)", phases.check),
@@ -189,6 +246,6 @@ mod tests {
             let parts = measurement.phases.iter().filter(|(name, _)| !name.starts_with('('));
             assert!(parts.map(|(_, seconds)| seconds).sum::<f64>() <= measurement.seconds);
         }
-        assert!(matches!(sizes[..], [whole, stripped] if stripped < whole), "{sizes:?}");
+        assert!(matches!(sizes[..], [whole, stripped, again] if stripped < whole && again == whole), "{sizes:?}");
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Phases;
 use super::read::FileReader;
+use crate::cache::{Cache, Seen, Stamp, Stamped};
 use crate::clip::{ClipData, Clips, Locales};
 use crate::{Content, Input, Options, Report, check, convert, levels, source_record};
 use lipz::{Diagnostic, Document, Level};
@@ -11,17 +12,37 @@ use std::time::{Duration, Instant};
 #[derive(Default)]
 pub(super) struct Worker {
     reader: FileReader,
-    clip: ClipData,
-    pub(super) clips: Clips,
+    pub(super) made: Made,
     pub(super) reports: Vec<Report>,
-    /// The time of reading, parsing and checking.
+    /// The time of recalling, reading, parsing and checking.
     pub(super) phases: Phases,
     lap: Lap,
 }
 
+/// The clips that a thread has made.
+#[derive(Default)]
+pub(super) struct Made {
+    /// Room for the next one.
+    clip: ClipData,
+    pub(super) clips: Clips,
+    /// What a cache should know of their files.
+    pub(super) stamped: Stamped,
+}
+
 impl Worker {
-    /// Reads, parses and checks one file.
-    pub(super) fn file(&mut self, input: &Input, options: &Options) {
+    /// Recalls the clip of one file from the cache, or reads, parses and checks it.
+    pub(super) fn file(&mut self, input: &Input, options: &Options, cache: Option<&Cache<'_>>) {
+        let seen = cache.and_then(|cache| cache.look_at(input));
+        let made = &mut self.made;
+        if let Some(seen) = &seen
+            && let Some(stamp) = seen.unread()
+            && made.recall(seen, stamp)
+        {
+            made.stamped.unread += 1;
+            self.phases.recall += self.lap.time();
+            return;
+        }
+        self.phases.recall += self.lap.time();
         let bytes = match &input.content {
             Content::Bytes { bytes, .. } => bytes.as_slice(),
             Content::File(path) => match self.reader.read(path) {
@@ -30,21 +51,46 @@ impl Worker {
             },
         };
         self.phases.read += self.lap.time();
+        let stamped = seen.map(|seen| (seen.read(bytes), seen));
+        if let Some(((stamp, true), seen)) = &stamped
+            && made.recall(seen, *stamp)
+        {
+            self.phases.recall += self.lap.time();
+            return;
+        }
         let lipz::Parsed { document, mut diagnostics } = lipz::parse(bytes);
         self.phases.parse += self.lap.time();
-        match document {
-            Some(document) => {
-                if make_clip(&document, options, &mut self.clips.locales, &mut self.clip, &mut diagnostics) {
-                    self.clips.push(&input.key, &self.clip);
-                }
+        let is_made = match document {
+            Some(document) => make_clip(&document, options, &mut made.clips.locales, &mut made.clip, &mut diagnostics),
+            None => {
+                levels::apply(&options.levels, &mut diagnostics);
+                false
             }
-            None => levels::apply(&options.levels, &mut diagnostics),
+        };
+        if is_made {
+            made.clips.push(&input.key, &made.clip);
         }
         self.phases.check += self.lap.time();
+        if is_made && diagnostics.is_empty() {
+            made.stamped.files.extend(stamped.map(|((stamp, _), seen)| (seen.name(), stamp)));
+        }
         if !diagnostics.is_empty() {
             diagnostics.sort_by_key(Diagnostic::start);
             self.reports.push(Report::of_file(input.name(), bytes, diagnostics));
         }
+    }
+}
+
+impl Made {
+    /// Adds the clip of an unchanged file from the old bank; false if that does not have it.
+    fn recall(&mut self, seen: &Seen<'_>, stamp: Stamp) -> bool {
+        let is_recalled = seen.recall(&mut self.clips.locales, &mut self.clip);
+        if is_recalled {
+            self.clips.push(seen.key(), &self.clip);
+            self.stamped.files.push((seen.name(), stamp));
+            self.stamped.recalled += 1;
+        }
+        is_recalled
     }
 }
 

@@ -2,21 +2,19 @@
 
 mod file;
 mod read;
+mod run;
 
 pub(crate) use read::FileReader;
+pub(crate) use run::Run;
 
-use crate::clip::Clips;
-use crate::lower::Layout;
 use crate::output::replace_file_if;
-use crate::{Input, MinCoverage, Options, Report, coverage, key, levels, localise, pseudo, report, shortfalls};
-use file::Worker;
+use crate::{Input, MinCoverage, Options, Report, pseudo};
 use lipz::Code;
 use lipz::diagnostic::show;
 use lipz_bank::{Bank, ErrorKind};
-use rayon::prelude::*;
 use std::collections::BTreeSet;
 use std::path::Path;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// What a run gave.
 #[derive(Debug, Default)]
@@ -25,21 +23,36 @@ pub struct Compiled {
     pub bank: Option<Vec<u8>>,
     /// All findings, sorted by file and place.
     pub reports: Vec<Report>,
+    /// Clips that were not made anew: see [`pack_cached`](crate::pack_cached).
+    pub recalled: usize,
+    /// Whether the bank was left as it is, because no clip changed.
+    pub is_unchanged: bool,
     /// Where the time went.
     pub phases: Phases,
 }
 
-/// Time spent per phase. Reading, parsing and checking run on several threads: their times are
-/// sums over the threads.
+impl Compiled {
+    /// A run that this finding keeps from starting.
+    pub(crate) fn refused(report: Report) -> Compiled {
+        Compiled { reports: vec![report], ..Compiled::default() }
+    }
+}
+
+/// Time spent per phase. Recalling, reading, parsing and checking run on several threads: their
+/// times are sums over the threads.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Phases {
+    /// Reading the cache and the bank that it is about, and writing the cache.
+    pub cache: Duration,
+    /// Looking at files and recalling their clips, all threads.
+    pub recall: Duration,
     /// Reading files, all threads.
     pub read: Duration,
     /// Parsing, all threads.
     pub parse: Duration,
     /// Checking, all threads.
     pub check: Duration,
-    /// The three above, on the clock.
+    /// The four above, on the clock.
     pub files: Duration,
     /// Resolving locales.
     pub localise: Duration,
@@ -77,7 +90,7 @@ pub fn compile(inputs: &[Input], options: &Options, progress: &Progress<'_>) -> 
 ///
 /// If the file cannot be written, a report says so, and there is no bank.
 pub fn pack(inputs: &[Input], options: &Options, path: &Path, progress: &Progress<'_>) -> Compiled {
-    make(inputs, options, progress, |bank| replace_file_if(path, bank, || verify(bank)))
+    make(inputs, options, progress, |bank| write_verified(path, bank))
 }
 
 /// Checks `inputs`, makes a bank of them and hands it to `finish`, without whose consent there is none.
@@ -87,52 +100,27 @@ fn make(
     progress: &Progress<'_>,
     finish: impl FnOnce(&[u8]) -> Result<(), Report> + Send,
 ) -> Compiled {
-    let options = &match canonical(options) {
-        Ok(options) => options,
-        Err(report) => return Compiled { reports: vec![report], ..Compiled::default() },
-    };
-    in_pool(options, || {
-        let mut run = read_all(inputs, options, progress);
-        if report::has_errors(&run.reports) {
-            return run.finish(None);
-        }
-        let start = Instant::now();
-        let tags = Clips::join_locales(&mut run.clips);
-        let clips = Clips::by_key(&run.clips);
-        let localised = localise::localise(&clips, &tags, options);
-        run.phases.localise = start.elapsed();
-        let start = Instant::now();
-        let layout = Layout::of(&clips, &localised, options);
-        drop((clips, localised));
-        let batches = std::mem::take(&mut run.clips);
-        let bank = layout.and_then(|layout| layout.fill(batches)).map_err(|report| in_file(report, inputs));
-        run.phases.lower = start.elapsed();
-        let start = Instant::now();
-        let finished = bank.and_then(|bank| {
-            enough_texts(&bank, options)?;
-            finish(&bank).map(|()| bank)
-        });
-        run.phases.finish = start.elapsed();
-        match finished {
-            Ok(bank) => run.finish(Some(bank)),
-            Err(report) => {
-                run.reports.push(report);
-                run.finish(None)
-            }
-        }
-    })
+    match canonical(options) {
+        Ok(options) => in_pool(&options, || Run::read(inputs, &options, None, progress).make(inputs, &options, finish)),
+        Err(report) => Compiled::refused(report),
+    }
+}
+
+/// Replaces the file at `path` by a bank, which is verified meanwhile.
+pub(crate) fn write_verified(path: &Path, bank: &[u8]) -> Result<(), Report> {
+    replace_file_if(path, bank, || verify(bank))
 }
 
 /// Checks `inputs` as [`compile`] does, without making a bank.
 pub fn check_all(inputs: &[Input], options: &Options, progress: &Progress<'_>) -> Compiled {
     match canonical(options) {
-        Ok(options) => in_pool(&options, || read_all(inputs, &options, progress).finish(None)),
-        Err(report) => Compiled { reports: vec![report], ..Compiled::default() },
+        Ok(options) => in_pool(&options, || Run::read(inputs, &options, None, progress).finish(None)),
+        Err(report) => Compiled::refused(report),
     }
 }
 
 /// The options with all locales in their canonical form, and the pseudo-locale among those to be packed.
-fn canonical(options: &Options) -> Result<Options, Report> {
+pub(crate) fn canonical(options: &Options) -> Result<Options, Report> {
     let canonical = |tag: &String| {
         lipz::locale::canonical_tag(tag, options.extended_locales).ok_or_else(|| {
             let headline = format!("the project's locale {} is not a locale of the form ll-cc", show::name(tag));
@@ -180,62 +168,6 @@ pub(crate) fn in_pool<R: Send>(options: &Options, work: impl FnOnce() -> R + Sen
         },
         None => work(),
     }
-}
-
-/// What is known after the files are read.
-struct Run {
-    clips: Vec<Clips>,
-    reports: Vec<Report>,
-    phases: Phases,
-}
-
-impl Run {
-    fn finish(mut self, bank: Option<Vec<u8>>) -> Compiled {
-        report::sort(&mut self.reports);
-        Compiled { bank, reports: self.reports, phases: self.phases }
-    }
-}
-
-fn read_all(inputs: &[Input], options: &Options, progress: &Progress<'_>) -> Run {
-    let start = Instant::now();
-    let mut run = Run { clips: Vec::new(), reports: Vec::new(), phases: Phases::default() };
-    key::check(inputs, &mut run.reports);
-    for report in &mut run.reports {
-        levels::apply(&options.levels, &mut report.diagnostics);
-    }
-    let work = inputs.par_iter().fold(Worker::default, |mut worker, input| {
-        worker.file(input, options);
-        progress(1);
-        worker
-    });
-    for worker in work.collect::<Vec<_>>() {
-        run.clips.push(worker.clips);
-        run.reports.extend(worker.reports);
-        run.phases.read += worker.phases.read;
-        run.phases.parse += worker.phases.parse;
-        run.phases.check += worker.phases.check;
-    }
-    run.phases.files = start.elapsed();
-    run
-}
-
-/// Whether as much is translated as the project asks for.
-fn enough_texts(bank: &[u8], options: &Options) -> Result<(), Report> {
-    if options.min_coverage == MinCoverage::default() {
-        return Ok(());
-    }
-    // A damaged bank is found by who verifies it.
-    let Ok(bank) = Bank::open(bank) else { return Ok(()) };
-    let shortfalls = shortfalls(&coverage(&bank), &options.min_coverage);
-    if shortfalls.is_empty() { Ok(()) } else { Err(Report::all_about("", shortfalls)) }
-}
-
-/// The report with the name of the file, where it has the key of a clip for a path.
-fn in_file(mut report: Report, inputs: &[Input]) -> Report {
-    if let Some(input) = inputs.iter().find(|input| input.key == report.source.path) {
-        report.source.path = input.name();
-    }
-    report
 }
 
 /// What the reader finds at fault with the bank: a defect of this compiler, and better found now than in

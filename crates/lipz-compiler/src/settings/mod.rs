@@ -31,6 +31,8 @@ pub struct Settings {
     pub output: Option<PathBuf>,
     /// Write the texts of each locale into a text bank of its own.
     pub split_locales: bool,
+    /// File in which a run remembers the Lipz files for the next one.
+    pub cache: Option<PathBuf>,
     /// How the bank is made.
     pub options: Options,
 }

@@ -120,6 +120,15 @@ const GENERAL: &[Setting] = &[
         read: |value, to| to.settings.output = value.text(&mut to.findings).map(|path| inside(to.folder, path)),
     },
     Setting {
+        name: "cache",
+        flag: "--cache",
+        about: "File in which `lipz pack` remembers the Lipz files, so that the next run reads only those that changed. \
+                Safe to delete; `--no-cache` does without for once.",
+        default: "every run reads all files",
+        example: "\"dialogue.cache\"",
+        read: |value, to| to.settings.cache = value.text(&mut to.findings).map(|path| inside(to.folder, path)),
+    },
+    Setting {
         name: "default-fps",
         flag: "--default-fps",
         about: "Frame rate of files without `fps`, from 1 to 1000.",

@@ -4,7 +4,7 @@ use crate::render::Findings;
 use crate::sources::usage_error;
 use crate::{Outcome, console, interrupt, standard};
 use clap::error::ErrorKind;
-use lipz_compiler::{Compiled, Input, Options, Progress, compile, pack, replace_file, split};
+use lipz_compiler::{Compiled, Input, Options, Progress, compile, pack, pack_cached, replace_file, split};
 use std::fs;
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
@@ -12,7 +12,11 @@ use std::path::{Path, PathBuf};
 /// Where a bank goes.
 pub(super) enum Destination {
     StandardOutput,
-    File(PathBuf),
+    File {
+        bank: PathBuf,
+        /// What is known of the files of the run before.
+        cache: Option<PathBuf>,
+    },
     /// The texts of each locale into a text bank beside it.
     Split(PathBuf),
 }
@@ -45,10 +49,16 @@ impl Written {
 
 impl Destination {
     /// The destination that the arguments name, or how the run ends if they contradict each other.
-    pub(super) fn of(output: &Path, is_split: bool, has_depfile: bool) -> Result<Destination, Outcome> {
+    pub(super) fn of(
+        output: &Path,
+        is_split: bool,
+        has_depfile: bool,
+        cache: Option<&Path>,
+    ) -> Result<Destination, Outcome> {
         if !standard::is_meant(output) {
             let path = output.to_owned();
-            return Ok(if is_split { Destination::Split(path) } else { Destination::File(path) });
+            let whole = |bank| Destination::File { bank, cache: cache.map(Path::to_owned) };
+            return Ok(if is_split { Destination::Split(path) } else { whole(path) });
         }
         if is_split || has_depfile {
             let tip = "name a file with '--output': text banks are written beside it, and a depfile is about it";
@@ -70,29 +80,33 @@ impl Destination {
         options: &Options,
         progress: &Progress<'_>,
     ) -> Compiled {
-        let (Destination::File(path), Replacing::Always) = (self, replacing) else {
+        let (Destination::File { bank, cache }, Replacing::Always) = (self, replacing) else {
             return compile(inputs, options, progress);
         };
         let progress = |files| {
             progress(files);
             interrupt::point();
         };
-        interrupt::whole(|| pack(inputs, options, path, &progress))
+        interrupt::whole(|| match cache {
+            Some(cache) => pack_cached(inputs, options, bank, cache, &progress),
+            None => pack(inputs, options, bank, &progress),
+        })
     }
 
     /// Brings the bank to where it is not yet. Reports why that is not possible.
     pub(super) fn deliver(
         &self,
         bank: &[u8],
+        is_unchanged: bool,
         replacing: Replacing,
         findings: &mut Findings,
     ) -> Result<AllWritten, Outcome> {
         match self {
             // Written by `make`.
-            Destination::File(path) if replacing == Replacing::Always => {
-                Ok(AllWritten(vec![Written::new(console::path(path), bank)]))
+            Destination::File { bank: path, .. } if replacing == Replacing::Always => {
+                Ok(AllWritten(vec![Written { is_new: !is_unchanged, ..Written::new(console::path(path), bank) }]))
             }
-            Destination::File(path) => Ok(AllWritten(vec![write(path, bank, replacing, findings)?])),
+            Destination::File { bank: path, .. } => Ok(AllWritten(vec![write(path, bank, replacing, findings)?])),
             Destination::StandardOutput => match console::print_bytes(bank) {
                 Outcome::Clean => Ok(AllWritten(vec![Written::new("standard output".to_owned(), bank)])),
                 failed => Err(failed),
@@ -142,7 +156,8 @@ impl AllWritten {
     pub(super) fn summary(&self, clip_count: usize) -> String {
         let line = |(index, file): (usize, &Written)| {
             let what = if index == 0 { console::counted(clip_count, "clip") } else { "texts".to_owned() };
-            format!("{what} packed into {} ({} bytes)\n", file.name, console::grouped(file.length_bytes))
+            let done = if file.is_new { "packed into" } else { "unchanged in" };
+            format!("{what} {done} {} ({} bytes)\n", file.name, console::grouped(file.length_bytes))
         };
         self.0.iter().enumerate().map(line).collect()
     }

@@ -10,7 +10,8 @@ use crate::render::Findings;
 use crate::sources::Sources;
 use crate::{Outcome, console, standard};
 use clap::Args;
-use std::path::PathBuf;
+use lipz_compiler::settings::Settings;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// Check Lipz files and pack them into a bank.
@@ -44,6 +45,15 @@ pub(crate) struct Pack {
     #[arg(long, value_name = "FILE")]
     depfile: Option<PathBuf>,
 
+    /// Remember the Lipz files in FILE, so that the next run reads only those that changed [default:
+    /// `cache` of lipz.toml]. Safe to delete. Not for text banks and standard output
+    #[arg(long, value_name = "FILE")]
+    cache: Option<PathBuf>,
+
+    /// Read all files, and remember none
+    #[arg(long, conflicts_with = "cache")]
+    no_cache: bool,
+
     /// Print where the time went
     #[arg(long)]
     timings: bool,
@@ -55,12 +65,18 @@ impl Pack {
         self.output.as_ref().is_some_and(|output| standard::is_meant(output))
     }
 
+    /// The cache to use.
+    fn cache<'a>(&'a self, settings: &'a Settings) -> Option<&'a Path> {
+        let cache = self.cache.as_deref().or(settings.cache.as_deref());
+        cache.filter(|_| !self.no_cache)
+    }
+
     /// What a run works with now. What is wrong with it is printed, and how the run ends is returned.
     pub(crate) fn plan(&self, findings: &mut Findings) -> Result<Plan, Outcome> {
         Plan::of(self, findings)
     }
 
-    /// The time of each phase, in milliseconds, if that was asked for.
+    /// The time of each phase, in milliseconds, and what a cache spared, if that was asked for.
     pub(crate) fn timings(&self, packed: &Packed) -> String {
         if !self.timings {
             return String::new();
@@ -69,13 +85,20 @@ impl Pack {
         let line = |name: &str, time: Duration| format!("  {name:<22} {:>9.1} ms\n", time.as_secs_f64() * 1000.0);
         [
             line("discover", packed.discover),
-            line("read, parse and check", phases.files),
+            line("cache", phases.cache),
+            line("files", phases.files),
+            line("  recall (all threads)", phases.recall),
             line("  read (all threads)", phases.read),
             line("  parse (all threads)", phases.parse),
             line("  check (all threads)", phases.check),
             line("localise", phases.localise),
             line("lower", phases.lower),
             line("verify and write", phases.finish),
+            format!(
+                "  {} of {} recalled from the bank\n",
+                packed.recalled,
+                console::counted(packed.clip_count, "clip")
+            ),
         ]
         .concat()
     }

@@ -8,7 +8,7 @@ use crate::settings_file::Project;
 use crate::sources::usage_error;
 use crate::{Outcome, standard};
 use clap::error::ErrorKind;
-use lipz_compiler::{Phases, dependencies, depfile};
+use lipz_compiler::{Compiled, Phases, dependencies, depfile};
 use std::mem;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -23,7 +23,9 @@ pub(crate) struct Plan {
 
 /// What a run made.
 pub(crate) struct Packed {
-    clip_count: usize,
+    pub(super) clip_count: usize,
+    /// Clips that a cache spared.
+    pub(super) recalled: usize,
     written: AllWritten,
     /// The time it took to find the files.
     pub(super) discover: Duration,
@@ -43,7 +45,8 @@ impl Plan {
             return Err(usage_error(ErrorKind::MissingRequiredArgument, "no bank to write is named", tip));
         };
         let is_split = arguments.split_locales.unwrap_or(settings.split_locales);
-        let destination = Destination::of(&output, is_split, arguments.depfile.is_some())?;
+        let cache = arguments.cache(settings);
+        let destination = Destination::of(&output, is_split, arguments.depfile.is_some(), cache)?;
         Ok(Plan { project, output, destination, depfile: arguments.depfile.clone() })
     }
 
@@ -65,14 +68,14 @@ impl Plan {
             Some(bank) if outcome == Outcome::Clean => bank,
             _ => return Err(outcome),
         };
-        let written = self.destination.deliver(&bank, replacing, findings)?;
+        let written = self.destination.deliver(&bank, run.compiled.is_unchanged, replacing, findings)?;
         if let Some(path) = &self.depfile {
             let mut dependencies = dependencies(&settings.sources, &run.inputs);
             dependencies.extend(self.project.file.clone());
             destination::write(path, &depfile(&self.output, &dependencies), replacing, findings)?;
         }
-        let (clip_count, phases) = (run.inputs.len(), run.compiled.phases);
-        Ok(Packed { clip_count, written, discover: run.discover, phases })
+        let Compiled { recalled, phases, .. } = run.compiled;
+        Ok(Packed { clip_count: run.inputs.len(), recalled, written, discover: run.discover, phases })
     }
 }
 

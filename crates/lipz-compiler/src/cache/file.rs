@@ -1,0 +1,48 @@
+//! The file that a user names for a cache: read, and replaced only if it is one.
+
+use super::stamps::MAGIC;
+use crate::discover::display;
+use crate::{Report, replace_file};
+use lipz::Code;
+use lipz::diagnostic::show;
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+/// The bytes of the cache at `path`; empty if there is none.
+///
+/// # Errors
+/// If `path` is something else, which must not be replaced.
+pub(super) fn read(path: &Path) -> Result<Vec<u8>, Report> {
+    let mut bytes = Vec::new();
+    let is_cache = match path.metadata() {
+        Ok(metadata) if !metadata.is_file() => Ok(false),
+        Ok(_) => File::open(path).and_then(|mut file| {
+            file.by_ref().take(MAGIC.len() as u64).read_to_end(&mut bytes)?;
+            let is_cache = bytes.is_empty() || bytes == MAGIC;
+            if is_cache {
+                file.read_to_end(&mut bytes)?;
+            }
+            Ok(is_cache)
+        }),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(true),
+        Err(error) => Err(error),
+    };
+    let why = match is_cache {
+        Ok(true) => return Ok(bytes),
+        Ok(false) => "is not a cache of lipz, and is left alone".to_owned(),
+        Err(error) => format!("cannot be read: {error}"),
+    };
+    let name = display(path);
+    let headline = format!("{} {why}", show::name(&name));
+    Err(Report::failure(name, Code::OutputFailed, headline, "name another file for the cache, or delete this one"))
+}
+
+/// Replaces the cache at `path`.
+///
+/// # Errors
+/// If it cannot be written, or `path` is something else.
+pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), Report> {
+    read(path)?;
+    replace_file(path, bytes)
+}

@@ -1,0 +1,79 @@
+//! What the file system tells of a file without reading it, and what that proves.
+
+use bincode::{Decode, Encode};
+use std::fs::Metadata;
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
+
+/// Some file systems tell times to two seconds (FAT). A file that changed so shortly before it was
+/// looked at may change once more within the same tick, and look the same.
+const COARSEST_TICK: Duration = Duration::from_secs(2);
+
+/// How a file looks from outside.
+#[derive(Encode, Decode, Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct Look {
+    length_bytes: u64,
+    modified_ns: u64,
+    /// When anything about the file changed last. Programs can set the time of modification, but on
+    /// Unix not this one; elsewhere it is the time of modification.
+    changed_ns: u64,
+    /// Number of the file in its file system, which another file that takes its name does not have;
+    /// 0 where there is none.
+    number: u64,
+}
+
+impl Look {
+    /// The look of a file with this metadata; `None` if it has times before 1970 or after 2500.
+    pub(super) fn of(metadata: &Metadata) -> Option<Look> {
+        let modified_ns = since_epoch_ns(metadata.modified().ok()?)?;
+        #[cfg(unix)]
+        let (changed_ns, number) = {
+            use std::os::unix::fs::MetadataExt;
+            let time = Duration::new(metadata.ctime().try_into().ok()?, metadata.ctime_nsec().try_into().ok()?);
+            (u64::try_from(time.as_nanos()).ok()?, metadata.ino())
+        };
+        #[cfg(not(unix))]
+        let (changed_ns, number) = (modified_ns, 0);
+        Some(Look { length_bytes: metadata.len(), modified_ns, changed_ns, number })
+    }
+
+    /// Whether a file that looks like this at `time` looks different if it changes from then on.
+    pub(super) fn is_settled_at(&self, time: SystemTime) -> bool {
+        let settled_ns = u128::from(self.changed_ns) + COARSEST_TICK.as_nanos();
+        since_epoch_ns(time).is_some_and(|time| u128::from(time) > settled_ns)
+    }
+}
+
+fn since_epoch_ns(time: SystemTime) -> Option<u64> {
+    u64::try_from(time.duration_since(UNIX_EPOCH).ok()?.as_nanos()).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fs::{self, File};
+
+    #[test]
+    fn a_file_settles_after_the_coarsest_tick() {
+        let file = tempfile::NamedTempFile::new().unwrap();
+        let look = Look::of(&file.as_file().metadata().unwrap()).unwrap();
+        let changed = UNIX_EPOCH + Duration::from_nanos(look.changed_ns);
+        assert!(!look.is_settled_at(changed) && !look.is_settled_at(changed + COARSEST_TICK));
+        assert!(look.is_settled_at(changed + COARSEST_TICK + Duration::from_millis(1)));
+        assert!(!look.is_settled_at(changed - COARSEST_TICK), "a file from the future");
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn another_file_with_the_same_name_length_and_time_looks_different() {
+        let folder = tempfile::tempdir().unwrap();
+        let (path, other) = (folder.path().join("a"), folder.path().join("b"));
+        fs::write(&path, "old").unwrap();
+        let metadata = path.metadata().unwrap();
+        fs::write(&other, "new").unwrap();
+        File::options().append(true).open(&other).unwrap().set_modified(metadata.modified().unwrap()).unwrap();
+        fs::rename(&other, &path).unwrap();
+        let (old, new) = (Look::of(&metadata).unwrap(), Look::of(&path.metadata().unwrap()).unwrap());
+        assert_eq!((old.length_bytes, old.modified_ns), (new.length_bytes, new.modified_ns));
+        assert_ne!(old, new);
+    }
+}

@@ -1,0 +1,232 @@
+//! Packing again after few files changed: what did not change is recalled from the old bank.
+//!
+//! The bank holds the contents of all clips already. The file of the cache holds what proves that they
+//! are those of the files: how each file looked, the hash of its contents, and the checksum of the
+//! bank. Nothing is believed without proof, so that the new bank is the one that a run without a cache
+//! makes. `docs/ARCHITECTURE.md` says what is trusted when.
+
+mod file;
+mod look;
+mod recall;
+mod stamps;
+
+pub(crate) use stamps::{Name, Stamp};
+
+use crate::clip::{ClipData, Locales};
+use crate::compile::{Compiled, Progress, Run, canonical, in_pool, write_verified};
+use crate::{Content, Input, Options};
+use look::Look;
+use recall::Recall;
+use stamps::{Stamps, hash};
+use std::fs::File;
+use std::io;
+use std::path::Path;
+use std::time::{Instant, SystemTime};
+
+/// Does what [`pack`](crate::pack) does, and remembers the files in the file `cache`, so that the next run reads only
+/// those that changed: the clips of all others are recalled from the bank at `path`. The bank is the
+/// same, byte by byte, as that of [`pack`](crate::pack).
+///
+/// Files with findings are read in every run, so that the findings are reported again. If no clip
+/// changed, the bank stays and gets the current time as that of its modification.
+///
+/// The cache is safe to delete. One that is damaged, that another version of this library wrote, or that
+/// belongs to another bank or to other options is ignored and replaced. A file that is no cache is left alone
+/// and reported, as is one that cannot be written.
+pub fn pack_cached(
+    inputs: &[Input],
+    options: &Options,
+    path: &Path,
+    cache: &Path,
+    progress: &Progress<'_>,
+) -> Compiled {
+    match canonical(options) {
+        Ok(options) => in_pool(&options, || pack(inputs, &options, path, cache, progress)),
+        Err(report) => Compiled::refused(report),
+    }
+}
+
+fn pack(inputs: &[Input], options: &Options, path: &Path, cache: &Path, progress: &Progress<'_>) -> Compiled {
+    let start = Instant::now();
+    let file = match file::read(cache) {
+        Ok(file) => file,
+        Err(report) => return Compiled::refused(report),
+    };
+    let before = Before::read(&file, path, options);
+    let cached = Cache::of(before.as_ref());
+    let reading = start.elapsed();
+    let mut run = Run::read(inputs, options, Some(&cached), progress);
+    run.phases.cache = reading;
+    let files = std::mem::take(&mut run.stamped.files);
+    let is_unchanged = run.stamped.recalled == inputs.len() && cached.clip_count() == Some(inputs.len());
+    let are_stamps_unchanged =
+        is_unchanged && run.stamped.unread == inputs.len() && cached.stamp_count() == inputs.len();
+    drop(cached);
+    let old_bank = before.map(|before| before.bank);
+    let mut compiled = match old_bank {
+        Some(bank) if is_unchanged && !run.has_errors() && touch(path).is_ok() => {
+            Compiled { is_unchanged, ..run.finish(Some(bank)) }
+        }
+        // The old bank is given back before the new one is made.
+        old_bank => {
+            drop(old_bank);
+            run.make(inputs, options, |bank| write_verified(path, bank))
+        }
+    };
+    let start = Instant::now();
+    if let Some(checksum) = compiled.bank.as_deref().and_then(recall::checksum_of)
+        && !are_stamps_unchanged
+        && let Some(file) = Stamps::new(options, checksum, files).encode()
+        && let Err(report) = file::write(cache, &file)
+    {
+        compiled.reports.push(report);
+        compiled.bank = None;
+    }
+    compiled.phases.cache += start.elapsed();
+    compiled
+}
+
+/// Gives the file at `path` the current time, for build tools that compare it with those of the sources.
+fn touch(path: &Path) -> io::Result<()> {
+    File::options().append(true).open(path)?.set_modified(SystemTime::now())
+}
+
+/// What the run before this one left: stamps, and the bank that they are about.
+struct Before {
+    stamps: Stamps,
+    bank: Vec<u8>,
+}
+
+impl Before {
+    fn read(cache: &[u8], path: &Path, options: &Options) -> Option<Before> {
+        let stamps = Stamps::decode(cache, options)?;
+        let is_file = path.metadata().is_ok_and(|metadata| metadata.is_file());
+        let bank = std::fs::read(path).ok().filter(|_| is_file)?;
+        Some(Before { stamps, bank })
+    }
+}
+
+/// What a run asks for the clips of files that did not change.
+pub(crate) struct Cache<'b> {
+    before: Option<(&'b Stamps, Recall<'b>)>,
+    start: SystemTime,
+}
+
+/// What a run has stamped and recalled.
+#[derive(Default)]
+pub(crate) struct Stamped {
+    /// The stamps of all files without findings.
+    pub(crate) files: Vec<(Name, Stamp)>,
+    /// Clips that were recalled.
+    pub(crate) recalled: usize,
+    /// Of these, those whose files were not read.
+    pub(crate) unread: usize,
+}
+
+impl Stamped {
+    /// Adds what another thread has.
+    pub(crate) fn append(&mut self, mut other: Stamped) {
+        self.files.append(&mut other.files);
+        self.recalled += other.recalled;
+        self.unread += other.unread;
+    }
+}
+
+/// A file that was looked at.
+pub(crate) struct Seen<'c> {
+    cache: &'c Cache<'c>,
+    key: &'c str,
+    name: Name,
+    look: Look,
+    /// Its stamp of the run before.
+    known: Option<&'c Stamp>,
+}
+
+impl<'b> Cache<'b> {
+    fn of(before: Option<&'b Before>) -> Cache<'b> {
+        let recalling = |before: &'b Before| {
+            let recall = Recall::of(&before.bank, before.stamps.bank_checksum)?;
+            Some((&before.stamps, recall))
+        };
+        Cache { before: before.and_then(recalling), start: SystemTime::now() }
+    }
+
+    fn clip_count(&self) -> Option<usize> {
+        self.before.as_ref().map(|(_, recall)| recall.clip_count())
+    }
+
+    fn stamp_count(&self) -> usize {
+        self.before.as_ref().map_or(0, |(stamps, _)| stamps.count())
+    }
+
+    /// Looks at the file of an input; `None` if it has none, or cannot be looked at.
+    pub(crate) fn look_at<'c>(&'c self, input: &'c Input) -> Option<Seen<'c>> {
+        let Content::File(path) = &input.content else { return None };
+        let look = Look::of(&path.metadata().ok()?)?;
+        let name = Name::of(path.as_os_str().as_encoded_bytes(), &input.key);
+        let known = self.before.as_ref().and_then(|(stamps, _)| stamps.get(name));
+        Some(Seen { cache: self, key: &input.key, name, look, known })
+    }
+}
+
+impl Seen<'_> {
+    /// The stamp of the file, if its look proves that it did not change.
+    pub(crate) fn unread(&self) -> Option<Stamp> {
+        self.known.filter(|known| known.proves(&self.look)).copied()
+    }
+
+    /// The stamp of the file, which has these contents, and whether it had them before.
+    pub(crate) fn read(&self, bytes: &[u8]) -> (Stamp, bool) {
+        let contents = hash(bytes);
+        let is_same = self.known.is_some_and(|known| known.has_contents(contents));
+        (Stamp::of(self.look, contents, self.cache.start), is_same)
+    }
+
+    /// The key of the file's clip.
+    pub(crate) fn key(&self) -> &str {
+        self.key
+    }
+
+    /// The name of the file in a cache.
+    pub(crate) fn name(&self) -> Name {
+        self.name
+    }
+
+    /// Makes `clip` the one that the file was packed as; false if the old bank does not have it.
+    pub(crate) fn recall(&self, locales: &mut Locales, clip: &mut ClipData) -> bool {
+        let recall = self.cache.before.as_ref().map(|(_, recall)| recall);
+        recall.and_then(|recall| recall.clip(self.key, locales, clip)).is_some()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::time::Duration;
+
+    #[test]
+    fn settled_files_are_not_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        let (bank, options) = (path("bank"), Options::default());
+        std::fs::write(path("a.lipz"), r#"{"visemes":"A-","viseme_type":"blair"}"#).unwrap();
+        let (inputs, _) = crate::discover(&[path("a.lipz")], None);
+        let packed = crate::pack(&inputs, &options, &bank, &|_| {}).bank.unwrap();
+        let run = |before: Option<&Before>, later: Duration| {
+            let cache = Cache { start: SystemTime::now() + later, ..Cache::of(before) };
+            Run::read(&inputs, &options, Some(&cache), &|_| {}).stamped
+        };
+        let counts = |before: Option<&Before>, later| {
+            let stamped = run(before, later);
+            (stamped.files.len(), stamped.recalled, stamped.unread)
+        };
+        for (later, unread) in [(Duration::ZERO, 0), (Duration::from_secs(60), 1)] {
+            let stamps = Stamps::new(&options, recall::checksum_of(&packed).unwrap(), run(None, later).files);
+            let mut before = Before { stamps, bank: packed.clone() };
+            assert_eq!(counts(None, later), (1, 0, 0));
+            assert_eq!(counts(Some(&before), later), (1, 1, unread));
+            before.stamps.bank_checksum = 0;
+            assert_eq!(counts(Some(&before), later), (1, 0, 0), "the stamps are about another bank");
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! Clips of the old bank, as the check made them.
+
+use crate::clip::{ClipData, Locales, run};
+use lipz_bank::layout::{CHECKED_FROM, Header, NO_TEXT, TEXT_FALLBACK, TEXT_WIDE, Tag, U32, checksum};
+use lipz_bank::{Bank, Clip};
+use zerocopy::FromBytes;
+
+/// The old bank, of which clips are recalled.
+pub(super) struct Recall<'b> {
+    bank: Bank<'b>,
+    /// The runs of all locales.
+    pool: &'b [u8],
+    /// Tag and part of the text index of each locale.
+    locales: Vec<(&'b str, &'b [U32])>,
+    /// `None` if the bank was stripped.
+    sources: Option<Sources<'b>>,
+}
+
+struct Sources<'b> {
+    /// Where the record of each slot starts.
+    index: &'b [U32],
+    records: &'b [u8],
+    /// Where each record starts, ascending: it ends where the next one starts.
+    starts: Vec<u32>,
+}
+
+/// The checksum in the header of a bank.
+pub(super) fn checksum_of(bank: &[u8]) -> Option<u64> {
+    Some(Header::ref_from_prefix(bank).ok()?.0.checksum.get())
+}
+
+impl<'b> Recall<'b> {
+    /// Recalls from the bank with this checksum; `None` if these bytes are not that bank, which was
+    /// verified before it was written.
+    pub(super) fn of(bank: &'b [u8], expected_checksum: u64) -> Option<Recall<'b>> {
+        let checked = bank.get(CHECKED_FROM..)?;
+        if checksum_of(bank) != Some(expected_checksum) || checksum(checked) != expected_checksum {
+            return None;
+        }
+        let bank = Bank::open(bank).ok()?;
+        let section = |tag| bank.sections().find(|(found, _)| *found == tag).map(|(_, bytes)| bytes);
+        let index = <[U32]>::ref_from_bytes(section(Tag::TEXT_INDEX)?).ok()?;
+        let tables = index.chunks_exact(bank.clip_count().max(1));
+        let sources = match (section(Tag::SOURCE_INDEX), section(Tag::SOURCES)) {
+            (Some(index), Some(records)) => Some(Sources::of(<[U32]>::ref_from_bytes(index).ok()?, records)),
+            _ => None,
+        };
+        Some(Recall {
+            pool: section(Tag::TEXTS)?,
+            locales: std::iter::zip(bank.locales(), tables).map(|(locale, table)| (locale.tag(), table)).collect(),
+            sources,
+            bank,
+        })
+    }
+
+    pub(super) fn clip_count(&self) -> usize {
+        self.bank.clip_count()
+    }
+
+    /// Makes `clip` the one with this key; `None` if there is none, and `clip` is then of no use.
+    pub(super) fn clip(&self, key: &str, locales: &mut Locales, clip: &mut ClipData) -> Option<()> {
+        let found = self.bank.clip_by_key(key)?;
+        clip.clear();
+        clip.fps = found.fps();
+        clip.viseme_type = found.viseme_type();
+        clip.has_visemes = found.has_visemes();
+        clip.frames.extend_from_slice(found.frames());
+        clip.starts.extend(found.segments().map(|segment| segment.start_frame()));
+        clip.has_events = found.has_events();
+        for segment in found.segments().filter(|_| clip.has_events) {
+            clip.events.push(segment.event()?);
+        }
+        self.texts(&found, locales, clip)?;
+        if let Some(sources) = &self.sources {
+            clip.source.extend_from_slice(sources.record(found.slot())?);
+        }
+        Some(())
+    }
+
+    /// The clip's own texts, and those of locales that are not packed. The others came from fallback,
+    /// which is resolved anew.
+    fn texts(&self, found: &Clip<'_, '_>, locales: &mut Locales, clip: &mut ClipData) -> Option<()> {
+        let slot = found.slot() as usize;
+        for (tag, table) in &self.locales {
+            let entry = table.get(slot)?.get();
+            let own_entry = entry & !TEXT_FALLBACK;
+            let is_fallback = entry != own_entry;
+            // A locale's runs stand together: what no locale has as its own is of one that is not packed.
+            let is_resolved =
+                || self.locales.iter().any(|(_, table)| table.get(slot).map(|own| own.get()) == Some(own_entry));
+            if entry == NO_TEXT || is_fallback && is_resolved() {
+                continue;
+            }
+            let run = run(self.pool, entry, found.segment_count())?;
+            clip.add_run(locales.number(tag, false), run, entry & TEXT_WIDE != 0, is_fallback);
+        }
+        Some(())
+    }
+}
+
+impl<'b> Sources<'b> {
+    fn of(index: &'b [U32], records: &'b [u8]) -> Sources<'b> {
+        let mut starts: Vec<u32> = index.iter().map(|start| start.get()).collect();
+        starts.sort_unstable();
+        starts.dedup();
+        Sources { index, records, starts }
+    }
+
+    /// The record of the clip in this slot.
+    fn record(&self, slot: u32) -> Option<&'b [u8]> {
+        let start = self.index.get(slot as usize)?.get();
+        let next = self.starts.partition_point(|other| *other <= start);
+        let end = self.starts.get(next).map_or(self.records.len(), |&end| end as usize);
+        self.records.get(start as usize..end)
+    }
+}

@@ -1,0 +1,164 @@
+//! The file of a cache: what the sources of a bank looked like when it was packed.
+
+use super::look::Look;
+use crate::Options;
+use bincode::config::{Configuration, Fixint, LittleEndian};
+use bincode::{Decode, Encode};
+use lipz_bank::layout::{FORMAT_MAJOR, FORMAT_MINOR};
+use std::time::SystemTime;
+use twox_hash::XxHash3_128;
+
+/// What a cache starts with, of any version: files that start with something else are never replaced.
+pub(super) const MAGIC: &[u8; 16] = b"lipz cache file\n";
+
+/// Changes whenever the file or the meaning of a stamp does. The version of the crate counts, too:
+/// another compiler may find other things in the same file.
+const MAKER: (&str, u16, u16, u32) = (env!("CARGO_PKG_VERSION"), FORMAT_MAJOR, FORMAT_MINOR, 1);
+
+/// Bytes of the hash between the magic and the encoded stamps.
+const HASH_BYTES: usize = 16;
+
+/// Numbers of fixed length: there are many, and they have no small values.
+const ENCODING: Configuration<LittleEndian, Fixint> = bincode::config::standard().with_fixed_int_encoding();
+
+/// A 128-bit hash. Files that differ have different ones, unless somebody makes them for that.
+pub(super) fn hash(bytes: &[u8]) -> u128 {
+    XxHash3_128::oneshot(bytes)
+}
+
+/// What a source file without findings was when it was packed.
+#[derive(Encode, Decode, Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct Stamp {
+    look: Look,
+    contents: u128,
+    /// Whether the file was old enough when it was looked at for the same look to prove the same
+    /// contents.
+    is_settled: bool,
+}
+
+impl Stamp {
+    /// The stamp of a file with these contents that looked like this before it was read, in a run that
+    /// started at `start`.
+    pub(super) fn of(look: Look, contents: u128, start: SystemTime) -> Stamp {
+        Stamp { look, contents, is_settled: look.is_settled_at(start) }
+    }
+
+    /// Whether a file that looks like this is certainly the one of the stamp.
+    pub(super) fn proves(&self, look: &Look) -> bool {
+        self.is_settled && self.look == *look
+    }
+
+    /// Whether the file of the stamp had these contents.
+    pub(super) fn has_contents(&self, contents: u128) -> bool {
+        self.contents == contents
+    }
+}
+
+/// The name of a file in a cache.
+#[derive(Encode, Decode, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(crate) struct Name(u128);
+
+impl Name {
+    /// The name of the file at `path`, whose clip has this key.
+    pub(super) fn of(path: &[u8], key: &str) -> Name {
+        // No path contains the separator.
+        Name(hash(&[path, b"\0", key.as_bytes()].concat()))
+    }
+}
+
+/// The stamps of the files of a bank.
+#[derive(Encode, Decode, PartialEq, Eq, Debug)]
+pub(super) struct Stamps {
+    maker: u128,
+    options: u128,
+    /// Checksum of the bank that was packed from the files.
+    pub(super) bank_checksum: u64,
+    /// In the order of the names.
+    files: Vec<(Name, Stamp)>,
+}
+
+impl Stamps {
+    /// Stamps of the files of the bank with this checksum.
+    pub(super) fn new(options: &Options, bank_checksum: u64, mut files: Vec<(Name, Stamp)>) -> Stamps {
+        files.sort_unstable_by_key(|(name, _)| *name);
+        Stamps { maker: maker(), options: hash_of(options), bank_checksum, files }
+    }
+
+    /// The stamps in the file of a cache; `None` if it was made by another version or with other options, or
+    /// is damaged.
+    pub(super) fn decode(file: &[u8], options: &Options) -> Option<Stamps> {
+        let (sum, encoded) = file.strip_prefix(MAGIC)?.split_first_chunk::<HASH_BYTES>()?;
+        if u128::from_le_bytes(*sum) != hash(encoded) {
+            return None;
+        }
+        let (stamps, length): (Stamps, usize) = bincode::decode_from_slice(encoded, ENCODING).ok()?;
+        let is_meant = stamps.maker == maker() && stamps.options == hash_of(options);
+        (length == encoded.len() && is_meant).then_some(stamps)
+    }
+
+    /// The file of a cache.
+    pub(super) fn encode(&self) -> Option<Vec<u8>> {
+        let encoded = bincode::encode_to_vec(self, ENCODING).ok()?;
+        Some([MAGIC.as_slice(), &hash(&encoded).to_le_bytes(), &encoded].concat())
+    }
+
+    /// Number of stamps.
+    pub(super) fn count(&self) -> usize {
+        self.files.len()
+    }
+
+    /// The stamp of a file.
+    pub(super) fn get(&self, name: Name) -> Option<&Stamp> {
+        let at = self.files.binary_search_by_key(&name, |(name, _)| *name).ok()?;
+        self.files.get(at).map(|(_, stamp)| stamp)
+    }
+}
+
+fn maker() -> u128 {
+    hash(format!("{MAKER:?}").as_bytes())
+}
+
+/// The options as a number: all but the number of threads, which changes no bank.
+fn hash_of(options: &Options) -> u128 {
+    hash(format!("{:?}", Options { threads: None, ..options.clone() }).as_bytes())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn stamps(options: &Options) -> Stamps {
+        let look = Look::of(&std::fs::metadata(env!("CARGO_MANIFEST_DIR")).unwrap()).unwrap();
+        let file = |path: &[u8]| (Name::of(path, "a"), Stamp::of(look, hash(path), SystemTime::now()));
+        Stamps::new(options, 7, vec![file(b"x"), file(b"y"), file(b"z")])
+    }
+
+    #[test]
+    fn a_file_gives_its_stamps_back_and_damaged_none() {
+        let options = Options::default();
+        let stamps = stamps(&options);
+        let file = stamps.encode().unwrap();
+        assert_eq!(Stamps::decode(&file, &options).as_ref(), Some(&stamps));
+        assert!(stamps.get(Name::of(b"y", "a")).unwrap().has_contents(hash(b"y")));
+        assert_eq!(stamps.get(Name::of(b"y", "b")), None);
+        for at in 0..file.len() {
+            assert_eq!(Stamps::decode(&file[..at], &options), None);
+            for bit in 0..8 {
+                let mut damaged = file.clone();
+                damaged[at] ^= 1 << bit;
+                assert_eq!(Stamps::decode(&damaged, &options), None, "bit {bit} of byte {at}");
+            }
+        }
+        assert_eq!(Stamps::decode(&[&file[..], b"\0"].concat(), &options), None);
+    }
+
+    #[test]
+    fn other_options_and_versions_are_not_meant() {
+        let options = Options::default();
+        let file = stamps(&options).encode().unwrap();
+        assert!(Stamps::decode(&file, &Options { threads: Some(3), ..Options::default() }).is_some());
+        assert!(Stamps::decode(&file, &Options { strip: true, ..Options::default() }).is_none());
+        let of_another = Stamps { maker: 0, ..stamps(&options) };
+        assert_eq!(Stamps::decode(&of_another.encode().unwrap(), &options), None);
+    }
+}

@@ -1,0 +1,115 @@
+//! One run: files are read on all threads, then a bank is made of their clips.
+
+use super::file::Worker;
+use super::{Compiled, Phases, Progress};
+use crate::cache::{Cache, Stamped};
+use crate::clip::Clips;
+use crate::lower::Layout;
+use crate::{Input, MinCoverage, Options, Report, coverage, key, levels, localise, report, shortfalls};
+use lipz_bank::Bank;
+use rayon::prelude::*;
+use std::time::Instant;
+
+/// What is known after the files are read.
+#[derive(Default)]
+pub(crate) struct Run {
+    clips: Vec<Clips>,
+    reports: Vec<Report>,
+    pub(crate) phases: Phases,
+    /// What a cache should know of the files, if there is one.
+    pub(crate) stamped: Stamped,
+}
+
+impl Run {
+    /// Reads, parses and checks `inputs`, or recalls their clips from a cache.
+    pub(crate) fn read(inputs: &[Input], options: &Options, cache: Option<&Cache<'_>>, progress: &Progress<'_>) -> Run {
+        let start = Instant::now();
+        let mut run = Run::default();
+        key::check(inputs, &mut run.reports);
+        for report in &mut run.reports {
+            levels::apply(&options.levels, &mut report.diagnostics);
+        }
+        let work = inputs.par_iter().fold(Worker::default, |mut worker, input| {
+            worker.file(input, options, cache);
+            progress(1);
+            worker
+        });
+        for worker in work.collect::<Vec<_>>() {
+            run.clips.push(worker.made.clips);
+            run.reports.extend(worker.reports);
+            run.stamped.append(worker.made.stamped);
+            run.phases.recall += worker.phases.recall;
+            run.phases.read += worker.phases.read;
+            run.phases.parse += worker.phases.parse;
+            run.phases.check += worker.phases.check;
+        }
+        run.phases.files = start.elapsed();
+        run
+    }
+
+    pub(crate) fn has_errors(&self) -> bool {
+        report::has_errors(&self.reports)
+    }
+
+    /// Makes a bank of the clips and hands it to `finish`, without whose consent there is none.
+    pub(crate) fn make(
+        mut self,
+        inputs: &[Input],
+        options: &Options,
+        finish: impl FnOnce(&[u8]) -> Result<(), Report> + Send,
+    ) -> Compiled {
+        if self.has_errors() {
+            return self.finish(None);
+        }
+        let start = Instant::now();
+        let tags = Clips::join_locales(&mut self.clips);
+        let clips = Clips::by_key(&self.clips);
+        let localised = localise::localise(&clips, &tags, options);
+        self.phases.localise = start.elapsed();
+        let start = Instant::now();
+        let layout = Layout::of(&clips, &localised, options);
+        drop((clips, localised));
+        let batches = std::mem::take(&mut self.clips);
+        let bank = layout.and_then(|layout| layout.fill(batches)).map_err(|report| in_file(report, inputs));
+        self.phases.lower = start.elapsed();
+        let start = Instant::now();
+        let finished = bank.and_then(|bank| {
+            enough_texts(&bank, options)?;
+            finish(&bank).map(|()| bank)
+        });
+        self.phases.finish = start.elapsed();
+        match finished {
+            Ok(bank) => self.finish(Some(bank)),
+            Err(report) => {
+                self.reports.push(report);
+                self.finish(None)
+            }
+        }
+    }
+
+    /// Ends the run with this bank.
+    pub(crate) fn finish(mut self, bank: Option<Vec<u8>>) -> Compiled {
+        report::sort(&mut self.reports);
+        let recalled = self.stamped.recalled;
+        Compiled { bank, reports: self.reports, recalled, phases: self.phases, ..Compiled::default() }
+    }
+}
+
+/// Whether as much is translated as the project asks for.
+fn enough_texts(bank: &[u8], options: &Options) -> Result<(), Report> {
+    if options.min_coverage == MinCoverage::default() {
+        return Ok(());
+    }
+    // A damaged bank is found by who verifies it.
+    let Ok(bank) = Bank::open(bank) else { return Ok(()) };
+    let shortfalls = shortfalls(&coverage(&bank), &options.min_coverage);
+    if shortfalls.is_empty() { Ok(()) } else { Err(Report::all_about("", shortfalls)) }
+}
+
+/// The report with the name of the file, where it has the key of a clip for a path.
+fn in_file(mut report: Report, inputs: &[Input]) -> Report {
+    if let Some(input) = inputs.iter().find(|input| input.key == report.source.path) {
+        report.source.path = input.name();
+    }
+    report
+}

@@ -1,0 +1,300 @@
+//! Packing with a cache gives the bank, and the findings, of packing without one: whatever happened to the
+//! files, the bank and the cache meanwhile.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
+
+#[path = "support/documents.rs"]
+mod documents;
+mod support;
+
+use lipz::Code;
+use lipz_compiler::{Compiled, Input, Options, compile, discover, pack_cached};
+use proptest::prelude::*;
+use proptest::strategy::ValueTree;
+use proptest::test_runner::TestRunner;
+use std::fs::{self, File};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, SystemTime};
+
+/// How long a file has to be left alone before its look alone proves that it did not change.
+const SETTLING: Duration = Duration::from_millis(2100);
+
+/// A project in a folder of its own.
+struct Scene {
+    folder: tempfile::TempDir,
+    options: Options,
+    has_other_root: bool,
+}
+
+impl Scene {
+    fn new() -> Scene {
+        let scene = Scene { folder: tempfile::tempdir().unwrap(), options: Options::default(), has_other_root: false };
+        fs::create_dir_all(scene.path("voices/act1")).unwrap();
+        scene
+    }
+
+    /// A project of the made-up scene, whose files have settled.
+    fn drama() -> Scene {
+        let scene = Scene { options: options(4), ..Scene::new() };
+        for (key, bytes) in support::files("drama") {
+            let path = scene.path(&format!("voices/{key}.lipz"));
+            fs::create_dir_all(path.parent().unwrap()).unwrap();
+            fs::write(path, bytes).unwrap();
+        }
+        std::thread::sleep(SETTLING);
+        scene
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    fn bank(&self) -> PathBuf {
+        self.path("out/dialogue.lipzbank")
+    }
+
+    fn cache(&self) -> PathBuf {
+        self.path("lipz.cache")
+    }
+
+    fn inputs(&self) -> Vec<Input> {
+        let root = self.has_other_root.then(|| self.folder.path());
+        discover(&[self.path("voices")], root).0
+    }
+
+    fn pack_unchecked(&self) -> Compiled {
+        pack_cached(&self.inputs(), &self.options, &self.bank(), &self.cache(), &|_| {})
+    }
+
+    /// Packs with the cache, and compares everything with a run without one.
+    fn pack(&self) -> Compiled {
+        let with_cache = self.pack_unchecked();
+        let without = compile(&self.inputs(), &self.options, &|_| {});
+        assert_eq!(with_cache.reports, without.reports);
+        assert!(with_cache.bank == without.bank, "the banks differ");
+        if let Some(bank) = &without.bank {
+            assert!(fs::read(self.bank()).unwrap() == *bank, "another bank was written");
+        }
+        with_cache
+    }
+}
+
+/// Changes one character of a text, and neither length nor time of modification.
+fn tamper(path: &Path) {
+    let modified = path.metadata().unwrap().modified().unwrap();
+    let text = fs::read_to_string(path).unwrap();
+    let at = text.rfind(|letter: char| letter.is_ascii_lowercase()).unwrap();
+    let other = if text[at..].starts_with('e') { "o" } else { "e" };
+    fs::write(path, [&text[..at], other, &text[at + 1..]].concat()).unwrap();
+    set_modified(path, modified);
+}
+
+fn set_modified(path: &Path, time: SystemTime) {
+    File::options().append(true).open(path).unwrap().set_modified(time).unwrap();
+}
+
+fn flip(path: &Path, at: usize) {
+    let mut bytes = fs::read(path).unwrap();
+    let at = at % bytes.len();
+    bytes[at] ^= 0x10;
+    fs::write(path, bytes).unwrap();
+}
+
+#[test]
+fn only_what_changed_is_made_anew() {
+    let mut scene = Scene::drama();
+    let count = scene.inputs().len();
+    let first = scene.pack();
+    assert_eq!((first.recalled, first.is_unchanged), (0, false));
+
+    let old = SystemTime::now() - Duration::from_secs(1000);
+    set_modified(&scene.bank(), old);
+    let again = scene.pack();
+    assert_eq!((again.recalled, again.is_unchanged), (count, true));
+    assert!(scene.bank().metadata().unwrap().modified().unwrap() > old, "build tools see that it is up to date");
+
+    let inputs = scene.inputs();
+    let lipz_compiler::Content::File(changed) = &inputs[7].content else { panic!() };
+    tamper(changed);
+    let one = scene.pack();
+    assert_eq!((one.recalled, one.is_unchanged), (count - 1, false));
+
+    fs::write(scene.path("voices/new.lipz"), r#"{"visemes":"A-","viseme_type":"blair","fps":24}"#).unwrap();
+    assert_eq!(scene.pack().recalled, count);
+    fs::remove_file(changed).unwrap();
+    let removed = scene.pack();
+    assert_eq!((removed.recalled, removed.is_unchanged), (count, false));
+
+    set_modified(&scene.path("voices/new.lipz"), old);
+    assert!(scene.pack().is_unchanged, "only the time changed");
+
+    scene.options.strip = true;
+    assert_eq!(scene.pack().recalled, 0, "a bank without sources is another bank");
+    assert_eq!(scene.pack().recalled, count);
+    scene.has_other_root = true;
+    assert_eq!(scene.pack().recalled, 0, "the keys are others");
+    scene.options.threads = Some(1);
+    assert!(scene.pack().is_unchanged);
+}
+
+#[test]
+fn findings_are_reported_in_every_run() {
+    let scene = Scene::new();
+    let (good, doubtful) = (scene.path("voices/good.lipz"), scene.path("voices/doubtful.lipz"));
+    fs::write(&good, r#"{"visemes":"A-","viseme_type":"blair","fps":24}"#).unwrap();
+    fs::write(&doubtful, "{}").unwrap();
+    for recalled in [0, 1, 1] {
+        let compiled = scene.pack();
+        assert_eq!((compiled.recalled, compiled.reports.len(), compiled.is_unchanged), (recalled, 1, false));
+    }
+    let before = fs::read(scene.bank()).unwrap();
+    fs::write(&good, "{").unwrap();
+    assert!(scene.pack().bank.is_none());
+    assert_eq!(fs::read(scene.bank()).unwrap(), before, "errors leave the bank");
+}
+
+#[test]
+fn a_damaged_bank_or_cache_is_not_believed() {
+    let scene = Scene::new();
+    fs::write(scene.path("voices/a.lipz"), r#"{"visemes":"A|-","viseme_type":"blair","text_en-us":"a|b"}"#).unwrap();
+    fs::write(scene.path("voices/b.lipz"), r#"{"events":"otto feels sad","text_de-de":"b"}"#).unwrap();
+    scene.pack();
+    let (bank, cache) = (fs::read(scene.bank()).unwrap(), fs::read(scene.cache()).unwrap());
+    // The header byte by byte; the checksum is about the rest as a whole.
+    for at in (0..64).chain((64..bank.len()).step_by(31)) {
+        flip(&scene.bank(), at);
+        assert_eq!(scene.pack().recalled, 0, "byte {at} of the bank");
+    }
+    for at in 0..cache.len() {
+        flip(&scene.cache(), at);
+        let compiled = scene.pack_unchecked();
+        assert!(fs::read(scene.bank()).unwrap() == bank, "byte {at} of the cache");
+        if let Some(report) = compiled.reports.first() {
+            // It does not look like a cache any more, and could be anything.
+            assert_eq!(report.diagnostics[0].code, Code::OutputFailed);
+            fs::write(scene.cache(), &cache).unwrap();
+        } else {
+            assert_eq!(compiled.recalled, 0, "byte {at} of the cache");
+        }
+    }
+    for length in 0..cache.len() {
+        fs::write(scene.cache(), &cache[..length]).unwrap();
+        assert_eq!(scene.pack_unchecked().recalled, 0);
+        fs::write(scene.cache(), &cache).unwrap();
+    }
+    fs::remove_file(scene.bank()).unwrap();
+    assert_eq!(scene.pack().recalled, 0);
+    assert_eq!(scene.pack().recalled, 2);
+}
+
+#[test]
+fn files_that_are_no_caches_are_left_alone() {
+    let scene = Scene::new();
+    let source = scene.path("voices/a.lipz");
+    fs::write(&source, r#"{"visemes":"A-","viseme_type":"blair"}"#).unwrap();
+    let inputs = scene.inputs();
+    for (cache, bank_is_written) in [(&source, false), (&scene.path("voices"), false), (&scene.bank(), true)] {
+        let compiled = pack_cached(&inputs, &scene.options, &scene.bank(), cache, &|_| {});
+        assert!(compiled.bank.is_none());
+        assert_eq!(compiled.reports.len(), 1);
+        assert_eq!(compiled.reports[0].diagnostics[0].code, Code::OutputFailed);
+        assert_eq!(scene.bank().exists(), bank_is_written);
+    }
+    assert_eq!(scene.pack().reports, [], "source and bank are whole");
+}
+
+/// What happens to a project between two runs. Files are named by numbers, taken modulo their count.
+#[derive(Clone, Debug)]
+enum Edit {
+    Write(usize, String),
+    Delete(usize),
+    Touch(usize),
+    Tamper(usize),
+    Swap(usize, usize),
+    DamageBank(usize),
+    DamageCache(usize),
+    Options(usize),
+    Root,
+}
+
+fn edit() -> impl Strategy<Value = Edit> {
+    let any = || any::<usize>();
+    let text = documents::document().prop_map(|document| lipz::write(&document));
+    prop_oneof![
+        6 => (any(), text).prop_map(|(file, text)| Edit::Write(file, text)),
+        2 => any().prop_map(Edit::Delete),
+        2 => any().prop_map(Edit::Touch),
+        3 => any().prop_map(Edit::Tamper),
+        2 => (any(), any()).prop_map(|(a, b)| Edit::Swap(a, b)),
+        1 => any().prop_map(Edit::DamageBank),
+        1 => any().prop_map(Edit::DamageCache),
+        1 => any().prop_map(Edit::Options),
+        1 => Just(Edit::Root),
+    ]
+}
+
+/// Options under which the findings of the generated documents are allowed, so that they are stamped.
+fn options(number: usize) -> Options {
+    let plain = Options {
+        default_locale: Some("en-us".into()),
+        levels: Code::ALL.iter().map(|code| (*code, None)).collect(),
+        ..Options::default()
+    };
+    match number % 5 {
+        0 => Options { strip: true, ..plain },
+        1 => Options { pseudo: true, ..plain },
+        2 => Options { locales: Some(["de-at", "en-us", "fr-ca"].map(String::from).into()), ..plain },
+        3 => Options { default_locale: Some("de-de".into()), literal_braces: true, ..plain },
+        _ => plain,
+    }
+}
+
+impl Scene {
+    fn apply(&mut self, edit: &Edit) {
+        let file = |number: usize| self.path(&format!("voices/{}{}.lipz", ["", "act1/"][number % 2], number % 24));
+        match edit {
+            Edit::Write(number, text) => fs::write(file(*number), text).unwrap(),
+            Edit::Delete(number) => drop(fs::remove_file(file(*number))),
+            Edit::Touch(number) if file(*number).exists() => set_modified(&file(*number), SystemTime::now()),
+            Edit::Tamper(number) if file(*number).exists() => tamper(&file(*number)),
+            Edit::Swap(a, b) if file(*a).exists() && file(*b).exists() => {
+                fs::rename(file(*a), self.path("aside")).unwrap();
+                let _ = fs::rename(file(*b), file(*a));
+                fs::rename(self.path("aside"), file(*b)).unwrap();
+            }
+            Edit::DamageBank(at) => flip(&self.bank(), *at),
+            // Not where it says that it is a cache.
+            Edit::DamageCache(at) => flip(&self.cache(), 16 + at % (fs::read(self.cache()).unwrap().len() - 16)),
+            Edit::Options(number) => self.options = options(*number),
+            Edit::Root => self.has_other_root = !self.has_other_root,
+            _ => {}
+        }
+    }
+}
+
+#[test]
+fn any_edits() {
+    let mut runner = TestRunner::deterministic();
+    let mut next = |strategy: &BoxedStrategy<Vec<Edit>>| strategy.new_tree(&mut runner).unwrap().current();
+    let edits = proptest::collection::vec(edit(), 0..4).boxed();
+    let mut scene = Scene { options: options(4), ..Scene::new() };
+    next(&proptest::collection::vec(edit(), 200).boxed())
+        .iter()
+        .filter(|edit| matches!(edit, Edit::Write(..)))
+        .for_each(|edit| scene.apply(edit));
+    std::thread::sleep(SETTLING);
+    scene.pack();
+    let (mut recalled, mut unchanged) = (0, 0);
+    for round in 0..200 {
+        let edits = next(&edits);
+        println!("round {round}: {edits:?}"); // shown if the test fails
+        edits.iter().for_each(|edit| scene.apply(edit));
+        let mut compiled = scene.pack();
+        if compiled.bank.is_none() {
+            compiled.reports.iter().for_each(|report| fs::remove_file(&report.source.path).unwrap());
+            compiled = scene.pack();
+        }
+        recalled += compiled.recalled;
+        unchanged += usize::from(compiled.is_unchanged);
+    }
+    assert!(recalled > 1500 && unchanged > 40, "{recalled} clips were recalled, {unchanged} banks were unchanged");
+}
