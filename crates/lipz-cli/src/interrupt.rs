@@ -11,6 +11,8 @@ const EXIT_CODE: i32 = 128 + 2;
 
 /// Held while files are written.
 static WRITING: Mutex<()> = Mutex::new(());
+/// Taken by the thread that ends the process, and never given back: the others have nothing to say.
+static ENDING: Mutex<()> = Mutex::new(());
 /// Whether the run was asked to end.
 static IS_ASKED: AtomicBool = AtomicBool::new(false);
 
@@ -33,7 +35,7 @@ pub(crate) fn whole<R>(write: impl FnOnce() -> R) -> R {
     written
 }
 
-/// A point between two files of a [`whole`] run at which the process may end.
+/// A point between two files of a [`whole`] run at which the process may end; any thread may call it.
 pub(crate) fn point() {
     if IS_ASKED.load(Ordering::SeqCst) {
         end();
@@ -45,7 +47,9 @@ fn writing() -> MutexGuard<'static, ()> {
     WRITING.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
+/// Ends the process, whichever of several threads comes first.
 fn end() -> ! {
+    let _first = ENDING.lock();
     console::remark_below_progress("interrupted\n");
     process::exit(EXIT_CODE)
 }
