@@ -38,6 +38,8 @@ pub(crate) struct ClipData {
     pub(crate) has_events: bool,
     /// Trimmed event strings of all segments, if it has.
     pub(crate) events: Strings,
+    /// Whether an element has another number of segments than the clip, and was joined to one.
+    pub(crate) has_joined: bool,
     /// What the above lost of the file; see `source_record`. Empty when stripped.
     pub(crate) source: Vec<u8>,
 }
@@ -70,7 +72,7 @@ impl ClipData {
         self.displays.clear();
         self.events.clear();
         self.source.clear();
-        (self.has_visemes, self.has_events) = (false, false);
+        (self.has_visemes, self.has_events, self.has_joined) = (false, false, false);
         (self.fps, self.viseme_type) = (None, None);
     }
 

@@ -84,7 +84,7 @@ pub(crate) fn encode(document: &Document<'_>, options: &Options, locales: &Local
 /// Whether the bank holds the element joined to one segment, because its number of segments is not
 /// that of the clip.
 fn is_joined(name: &str, text: &str, clip: &ClipData) -> bool {
-    name != "viseme_type" && lipz::text::segment_count(text) != clip.starts.len()
+    clip.has_joined && name != "viseme_type" && lipz::text::segment_count(text) != clip.starts.len()
 }
 
 /// Bytes of the segments that the bank holds of an element; `None` if it holds none.

@@ -77,6 +77,7 @@ pub(crate) fn check(
         let count = expected_count(clip.events.count());
         join::events(&mut clip.events, count);
     }
+    clip.has_joined = counts_differ;
     if counts_differ {
         segments::report_differing(&roles, options, diagnostics);
     }

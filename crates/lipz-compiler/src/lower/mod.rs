@@ -37,13 +37,14 @@ pub(crate) struct Layout {
 impl Layout {
     /// Lays out the bank of `clips`, which are in the order of their keys.
     pub(crate) fn of(clips: &[Clip<'_>], localised: &Localised, options: &Options) -> Result<Layout, Report> {
-        let ids = unique_ids(clips)?;
-        let ((index, events), (texts, sources)) = rayon::join(
-            || rayon::join(|| index::build(&ids), || events::events(clips)),
+        let index_of_ids = || unique_ids(clips).map(|ids| (index::build(&ids), ids));
+        let small_parts = || (events::events(clips), strings::names(clips, localised));
+        let ((index, (events, names)), (texts, sources)) = rayon::join(
+            || rayon::join(index_of_ids, small_parts),
             || rayon::join(|| strings::locale_texts(clips, localised), || strings::own_sources(clips)),
         );
-        let (slots, events) = (&index.slots, events?);
-        let names = strings::names(clips, localised)?;
+        let (index, ids) = index?;
+        let (slots, events, names) = (&index.slots, events?, names?);
         Ok(Layout {
             records: records::clips(clips, &ids, slots, &names, &events)?,
             locales: records::locales(localised, &names),
