@@ -2,7 +2,7 @@
 
 use crate::commands::{
     check, completions, convert, coverage, diff, explain, fmt, ids, init, inspect, man, pack, schema, stats, unpack,
-    verify,
+    verify, watch,
 };
 use crate::render::Format;
 use clap::{Parser, Subcommand};
@@ -31,6 +31,7 @@ pub(crate) struct Arguments {
 #[derive(Subcommand, Debug)]
 pub(crate) enum Command {
     Pack(pack::Pack),
+    Watch(watch::Watch),
     Check(check::Check),
     Init(init::Init),
     Fmt(fmt::Fmt),
@@ -57,11 +58,9 @@ impl Command {
             Command::Check(check) => check.prints_diff(),
             Command::Fmt(fmt) => fmt.prints_result(),
             Command::Convert(convert) => convert.prints_result(),
-            Command::Init(_) | Command::Unpack(_) | Command::Verify(_) | Command::Man(_) => false,
-            Command::Inspect(_) | Command::Diff(_) | Command::Coverage(_) | Command::Stats(_) | Command::Explain(_) => {
-                true
-            }
-            Command::Schema(_) | Command::Completions(_) => true,
+            Command::Watch(_) | Command::Init(_) | Command::Unpack(_) | Command::Verify(_) | Command::Man(_) => false,
+            Command::Inspect(_) | Command::Diff(_) | Command::Coverage(_) | Command::Stats(_) => true,
+            Command::Explain(_) | Command::Schema(_) | Command::Completions(_) => true,
         }
     }
 }

@@ -52,6 +52,14 @@ fn without_controls(json: &str) -> String {
     json.split('\n').map(show::text).collect::<Vec<_>>().join("\n")
 }
 
+/// Clears the terminal, if standard output is one.
+pub(crate) fn clear() {
+    // Cursor to the first place, then erase all (ECMA-48: CUP, ED). Also without colours.
+    if io::stdout().is_terminal() {
+        let _ = io::stdout().write_all(b"\x1B[H\x1B[2J").and_then(|()| io::stdout().flush());
+    }
+}
+
 /// Prints findings and remarks.
 pub(crate) fn remark(text: &str) {
     let mut out = anstream::stderr().lock();

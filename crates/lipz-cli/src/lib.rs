@@ -62,7 +62,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     interrupt::listen();
     let mut findings = Findings::new(arguments.format, arguments.command.prints_result());
     let ended = match arguments.command {
-        Command::Pack(pack) => Ok(commands::pack::run(&pack, &mut findings)),
+        Command::Pack(pack) => commands::pack::run(&pack, &mut findings),
+        // Each of its runs shows what it found.
+        Command::Watch(watch) => return commands::watch::run(&watch, &findings).into(),
         Command::Check(check) => commands::check::run(&check, &mut findings),
         Command::Fmt(fmt) => commands::fmt::run(&fmt, &mut findings),
         Command::Convert(convert) => commands::convert::run(&convert, &mut findings),

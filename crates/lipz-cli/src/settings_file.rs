@@ -61,6 +61,13 @@ impl SettingsFile {
         Ok(Project { settings, file, is_named: self.config.is_some() })
     }
 
+    /// The settings file that holds, or would hold if it were made in the current folder; `None` if there
+    /// shall be none.
+    pub(crate) fn place(&self, sources: &[PathBuf]) -> Option<PathBuf> {
+        let file = || self.find(sources).unwrap_or_else(|| FILE_NAME.into());
+        (!self.no_config).then(file)
+    }
+
     /// The settings file: the one that is named; otherwise that of the first source, wherever the
     /// command is run; otherwise that of the current folder.
     fn find(&self, sources: &[PathBuf]) -> Option<PathBuf> {

@@ -61,6 +61,11 @@ impl Sources {
         Ok(project)
     }
 
+    /// Where the settings file is, or would be.
+    pub(crate) fn settings_file(&self) -> Option<PathBuf> {
+        self.arguments.file.place(&self.sources)
+    }
+
     /// The paths that the command line names.
     pub(crate) fn paths(&self) -> &[PathBuf] {
         &self.sources

@@ -19,7 +19,8 @@ pub struct Coverage {
     /// Of these, clips whose text is that of the default locale, letter by letter: perhaps names, perhaps not
     /// yet translated.
     pub same_as_default: Vec<String>,
-    /// Clips that show the text of another locale, by its tag.
+    /// Clips that show the text of another locale, by its tag; the tag is empty if that locale is not in
+    /// the bank.
     pub fallbacks: BTreeMap<String, Vec<String>>,
     /// Clips that show no text, though they have one in some locale.
     pub missing: Vec<String>,

@@ -23,8 +23,8 @@ pub fn dependencies(sources: &[PathBuf], inputs: &[Input]) -> Vec<PathBuf> {
 }
 
 /// The folders and files in and below which sources lie: of a pattern, the folder before its first
-/// wildcard.
-pub(crate) fn watched(sources: &[PathBuf]) -> Vec<PathBuf> {
+/// wildcard. A change that matters to a run over `sources` is a change there.
+pub fn watched(sources: &[PathBuf]) -> Vec<PathBuf> {
     let place = |source: &PathBuf| match source.to_str() {
         Some(pattern) if !source.exists() && discover::is_pattern(pattern) => discover::plain(&discover::base(pattern)),
         _ => discover::plain(source),

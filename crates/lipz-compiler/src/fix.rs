@@ -1,7 +1,7 @@
 //! Applying the certain fixes of a file's findings, until there are none left.
 
 use crate::clip::{ClipData, Locales};
-use crate::{Options, check};
+use crate::{Options, check, levels};
 use lipz::diagnostic::Fix;
 use lipz::{Code, Diagnostic, fix};
 use std::collections::BTreeMap;
@@ -60,8 +60,8 @@ fn findings<'f>(bytes: &'f [u8], options: &Options) -> Option<(&'f str, Vec<Diag
     if let Some(document) = &parsed.document {
         check::check(document, options, &mut Locales::default(), &mut ClipData::default(), &mut parsed.diagnostics);
     }
-    let is_allowed = |code: Code| matches!(options.levels.get(&code), Some(None));
-    parsed.diagnostics.retain(|finding| finding.fix.is_some() && !is_allowed(finding.code));
+    levels::apply(&options.levels, &mut parsed.diagnostics);
+    parsed.diagnostics.retain(|finding| finding.fix.is_some());
     Some((text, parsed.diagnostics))
 }
 

@@ -57,7 +57,7 @@ pub use build::{Build, BuildFailed};
 pub use compile::{Compiled, Phases, Progress, check_all, compile, pack};
 pub use convert::{Converted, convert};
 pub use coverage::{Coverage, coverage, shortfalls};
-pub use depend::{dependencies, depfile};
+pub use depend::{dependencies, depfile, watched};
 pub use discover::discover;
 pub use fix::{Fixed, fix};
 pub use input::{Content, Input};

@@ -39,7 +39,8 @@ pub struct Options {
     pub viseme_type: Option<VisemeType>,
     /// How much of the dialogue must be translated for a bank to be made.
     pub min_coverage: MinCoverage,
-    /// Add a pseudo-locale, made of the texts of the default locale: `en-xa` of `en-us`.
+    /// Add a pseudo-locale, made of the texts of the default locale: `en-xa` of `en-us`. It is packed
+    /// whether `locales` names it or not. Files that have a text in it keep theirs.
     pub pseudo: bool,
 }
 

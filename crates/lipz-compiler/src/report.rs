@@ -29,6 +29,11 @@ impl Report {
         Report { source: Source { path: path.into(), text }, diagnostics }
     }
 
+    /// Whether a finding is at error level.
+    pub fn has_errors(&self) -> bool {
+        self.diagnostics.iter().any(|finding| finding.level == Level::Error)
+    }
+
     /// A finding with a whole-file headline and a help line.
     pub(crate) fn failure(path: impl Into<String>, code: Code, headline: String, help: &str) -> Report {
         Report::about(path, Diagnostic::new(code, headline).help(help))
@@ -42,7 +47,7 @@ pub fn count(reports: &[Report], level: Level) -> usize {
 
 /// Whether a finding forbids to write the bank.
 pub(crate) fn has_errors(reports: &[Report]) -> bool {
-    count(reports, Level::Error) > 0
+    reports.iter().any(Report::has_errors)
 }
 
 /// Sorts reports by path and merges those about the same file.

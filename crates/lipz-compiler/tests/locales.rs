@@ -99,6 +99,26 @@ fn a_pseudo_locale_is_made_of_the_default_locale() {
 }
 
 #[test]
+fn a_pseudo_locale_is_packed_beside_chosen_ones() {
+    let options = Options { pseudo: true, ..only(&["de-de"]) };
+    let tags: Vec<String> = shown(&packed(&options)).into_iter().map(|(tag, _)| tag).collect();
+    assert_eq!(tags, ["de-de", "en-xa"]);
+}
+
+#[test]
+fn a_file_keeps_its_own_text_of_the_pseudo_locale() {
+    let file = r#"{ "text_en-us": "Aye.", "text_en-xa": "Mine.", "text_fr-fr": " Oui." }"#;
+    let options = Options { pseudo: true, default_locale: Some("en-us".into()), ..Options::default() };
+    let bytes = compile(&inputs(&[("aye", file)]), &options, &|_| {}).bank.unwrap();
+    let texts: Vec<Vec<String>> = shown(&bytes).into_iter().map(|(_, texts)| texts).collect();
+    assert_eq!(texts, [["Aye."], ["Mine."], ["Oui."]]);
+    let bank = Bank::open(&bytes).unwrap().verify().unwrap();
+    let documents = Documents::of(&bank).unwrap();
+    let (_, document) = documents.iter().next().unwrap().unwrap();
+    assert_eq!(document, lipz::parse(file.as_bytes()).document.unwrap());
+}
+
+#[test]
 fn too_little_coverage_makes_no_bank() {
     let wanted = |all, locale: Option<(&str, f64)>| {
         let locales = locale.into_iter().map(|(tag, percent)| (tag.to_owned(), percent)).collect();
@@ -113,6 +133,7 @@ fn too_little_coverage_makes_no_bank() {
     assert_eq!(wanted(Some(50.0), None), 2);
     assert_eq!(wanted(Some(50.0), Some(("de-at", 30.0))), 1);
     assert_eq!(wanted(None, Some(("fr-fr", 1.0))), 1);
+    assert_eq!(wanted(None, Some(("DE_at", 30.0))), 0, "another spelling of the locale");
 }
 
 #[test]

@@ -7,7 +7,7 @@ mod support;
 
 use documents::document;
 use lipz::format::{LineEnding, Style, format};
-use lipz::{Document, Value, text};
+use lipz::{Code, Document, Level, Value, text};
 use lipz_bank::VisemeType::{self, Blair, ToonBoom};
 use lipz_bank::{Bank, Clip};
 use lipz_compiler::{Documents, Input, Options, compile, convert, fix};
@@ -231,6 +231,19 @@ fn loudness_is_refused_and_rest_is_not() {
     assert_eq!(converted(blair, VisemeType::Rms, &Options::default()), (None, refused(Blair, VisemeType::Rms)));
     let rest = r#"{"viseme_type":"rms","visemes":"-|-"}"#;
     assert_eq!(converted(rest, Blair, &Options::default()).0.unwrap(), rest.replace("rms", "blair"));
+}
+
+#[test]
+fn what_is_lost_has_the_level_of_the_project() {
+    let file = br#"{"viseme_type":"blair","visemes":"LUL"}"#;
+    let with = |level| {
+        let options = Options { levels: [(Code::ConversionLoss, level)].into(), ..Options::default() };
+        let converted = convert(file, ToonBoom, &options);
+        (converted.text.is_some(), converted.diagnostics.iter().map(|found| found.level).collect::<Vec<_>>())
+    };
+    assert_eq!(with(Some(Level::Warning)), (true, vec![Level::Warning]));
+    assert_eq!(with(None), (true, vec![]));
+    assert_eq!(with(Some(Level::Error)), (false, vec![Level::Error]));
 }
 
 #[test]

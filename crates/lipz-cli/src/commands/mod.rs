@@ -18,6 +18,7 @@ pub(crate) mod schema;
 pub(crate) mod stats;
 pub(crate) mod unpack;
 pub(crate) mod verify;
+pub(crate) mod watch;
 
 use crate::{Outcome, console, standard};
 use lipz::{Code, Level};

@@ -44,6 +44,11 @@ impl Findings {
         Findings { format, is_output_taken, reports: Vec::new(), first: None }
     }
 
+    /// The findings of another run, shown in the same way.
+    pub(crate) fn of_next_run(&self) -> Findings {
+        Findings::new(self.format, self.is_output_taken)
+    }
+
     /// Shows these findings, or keeps them for the document.
     pub(crate) fn add(&mut self, reports: Vec<Report>) {
         if self.format != Format::Human {

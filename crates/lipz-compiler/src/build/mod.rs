@@ -55,8 +55,8 @@ impl Build {
         Build { sources: vec![source.into()], ..Build::default() }
     }
 
-    /// A build by the settings of a project, `lipz.toml`. What the methods below set goes before them; its
-    /// `output` is left alone.
+    /// A build by the settings of a project, `lipz.toml`. What the methods below set goes before them. Its
+    /// `output` and `split-locales` are left alone: the outputs are those of a build script.
     pub fn from_settings(file: impl Into<PathBuf>) -> Build {
         Build { settings_file: Some(file.into()), ..Build::default() }
     }

@@ -63,9 +63,11 @@ pub(crate) fn check(
         }
         join::texts(&mut clip.displays, count);
         clip.add_displays(text.locale);
-        if let Some(pseudo) = options.pseudo_locale_of(locales.tag(text.locale)) {
+        let pseudo = options.pseudo_locale_of(locales.tag(text.locale)).map(|tag| locales.number(&tag, false));
+        // A text that the file itself has in that locale stays the only one.
+        if let Some(pseudo) = pseudo.filter(|pseudo| roles.texts.iter().all(|text| text.locale != *pseudo)) {
             pseudo::translate(&mut clip.displays);
-            clip.add_displays(locales.number(&pseudo, false));
+            clip.add_displays(pseudo);
         }
     }
     clip.texts.sort_by(|a, b| locales.tag(a.locale).cmp(locales.tag(b.locale)));

@@ -8,11 +8,13 @@ pub(crate) use read::FileReader;
 use crate::clip::Clips;
 use crate::lower::Layout;
 use crate::output::replace_file_if;
-use crate::{Input, MinCoverage, Options, Report, coverage, key, levels, localise, report, shortfalls};
+use crate::{Input, MinCoverage, Options, Report, coverage, key, levels, localise, pseudo, report, shortfalls};
 use file::Worker;
 use lipz::Code;
+use lipz::diagnostic::show;
 use lipz_bank::{Bank, ErrorKind};
 use rayon::prelude::*;
+use std::collections::BTreeSet;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
@@ -129,11 +131,11 @@ pub fn check_all(inputs: &[Input], options: &Options, progress: &Progress<'_>) -
     }
 }
 
-/// The options with all locales in their canonical form.
+/// The options with all locales in their canonical form, and the pseudo-locale among those to be packed.
 fn canonical(options: &Options) -> Result<Options, Report> {
     let canonical = |tag: &String| {
         lipz::locale::canonical_tag(tag, options.extended_locales).ok_or_else(|| {
-            let headline = format!("the project's locale `{tag}` is not a locale of the form ll-cc");
+            let headline = format!("the project's locale {} is not a locale of the form ll-cc", show::name(tag));
             Report::failure("", Code::LocaleShape, headline, "name a language and a country: en-us")
         })
     };
@@ -149,10 +151,21 @@ fn canonical(options: &Options) -> Result<Options, Report> {
     let chain = |(tag, chain): (&String, &Vec<String>)| {
         Ok((canonical(tag)?, chain.iter().map(canonical).collect::<Result<_, Report>>()?))
     };
+    let share = |(tag, percent): (&String, &f64)| Ok((canonical(tag)?, *percent));
+    let default_locale = options.default_locale.as_ref().map(canonical).transpose()?;
+    let mut locales: Option<BTreeSet<String>> =
+        options.locales.as_ref().map(|tags| tags.iter().map(canonical).collect()).transpose()?;
+    if let (Some(locales), Some(default), true) = (&mut locales, &default_locale, options.pseudo) {
+        locales.insert(pseudo::locale_for(default));
+    }
     Ok(Options {
-        default_locale: options.default_locale.as_ref().map(canonical).transpose()?,
-        locales: options.locales.as_ref().map(|tags| tags.iter().map(canonical).collect()).transpose()?,
+        default_locale,
+        locales,
         fallbacks: options.fallbacks.iter().map(chain).collect::<Result<_, Report>>()?,
+        min_coverage: MinCoverage {
+            locales: options.min_coverage.locales.iter().map(share).collect::<Result<_, Report>>()?,
+            ..options.min_coverage
+        },
         ..options.clone()
     })
 }

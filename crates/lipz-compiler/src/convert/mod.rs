@@ -43,18 +43,24 @@ pub fn convert(bytes: &[u8], to: VisemeType, options: &Options) -> Converted {
         check::check(document, options, &mut Locales::default(), &mut clip, &mut parsed.diagnostics);
     }
     levels::apply(&options.levels, &mut parsed.diagnostics);
-    parsed.diagnostics.retain(|finding| finding.level == Level::Error);
+    parsed.diagnostics.retain(is_error);
     let (Some(document), true) = (&parsed.document, parsed.diagnostics.is_empty()) else {
         return Converted { text: None, diagnostics: parsed.diagnostics };
     };
-    match Conversion::of(document, &clip, to) {
-        Err(finding) => Converted { text: None, diagnostics: vec![*finding] },
-        Ok(None) => Converted { text: None, diagnostics: Vec::new() },
-        Ok(Some(conversion)) => Converted {
-            text: edits::apply(bytes, document, &conversion),
-            diagnostics: findings::loss(document, &conversion).into_iter().collect(),
-        },
-    }
+    let (text, mut diagnostics) = match Conversion::of(document, &clip, to) {
+        Err(finding) => (None, vec![*finding]),
+        Ok(None) => (None, Vec::new()),
+        Ok(Some(conversion)) => {
+            (edits::apply(bytes, document, &conversion), findings::loss(document, &conversion).into_iter().collect())
+        }
+    };
+    levels::apply(&options.levels, &mut diagnostics);
+    let text = text.filter(|_| !diagnostics.iter().any(is_error));
+    Converted { text, diagnostics }
+}
+
+fn is_error(finding: &Diagnostic) -> bool {
+    finding.level == Level::Error
 }
 
 /// Converts a clip that is to be packed, and gives the document as it would have to be written for it;

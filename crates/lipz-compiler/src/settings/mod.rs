@@ -13,7 +13,7 @@ pub use value::is_word;
 
 use crate::discover::{display, plain};
 use crate::{Input, Options, Report, discover, levels};
-use lipz::{Code, Diagnostic, Level, Source};
+use lipz::{Code, Diagnostic, Source};
 use std::io;
 use std::path::{Component, Path, PathBuf};
 
@@ -86,13 +86,6 @@ impl Settings {
         }
         reports.retain(|report| !report.diagnostics.is_empty());
         (inputs, reports)
-    }
-}
-
-impl Report {
-    /// Whether a finding is at error level.
-    pub fn has_errors(&self) -> bool {
-        self.diagnostics.iter().any(|finding| finding.level == Level::Error)
     }
 }
 

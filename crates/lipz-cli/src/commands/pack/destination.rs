@@ -2,28 +2,53 @@
 
 use crate::render::Findings;
 use crate::sources::usage_error;
-use crate::{Outcome, console, interrupt, standard};
+use crate::{Outcome, console, interrupt, output_file, standard};
 use clap::error::ErrorKind;
-use lipz_compiler::{Compiled, Input, Options, Progress, compile, pack, replace_file, split};
+use lipz_compiler::{Compiled, Input, Options, Progress, compile, pack, split};
+use std::fs;
 use std::io::{self, IsTerminal};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Where a bank goes.
-pub(super) enum Destination<'a> {
+pub(super) enum Destination {
     StandardOutput,
-    File(&'a Path),
+    File(PathBuf),
     /// The texts of each locale into a text bank beside it.
-    Split(&'a Path),
+    Split(PathBuf),
 }
 
-/// What was written where: names of files with their lengths in bytes, the bank first.
-pub(super) struct Written(Vec<(String, usize)>);
+/// When a file is replaced.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Replacing {
+    /// By every run: its time tells build engines that it is up to date.
+    Always,
+    /// By other bytes only: whoever has it open reads it again only for a reason.
+    IfDifferent,
+}
 
-impl<'a> Destination<'a> {
+/// A file that the run made.
+pub(super) struct Written {
+    name: String,
+    length_bytes: usize,
+    /// Whether it was written, rather than found as it should be.
+    is_new: bool,
+}
+
+/// What was written where, the bank first.
+pub(super) struct AllWritten(Vec<Written>);
+
+impl Written {
+    fn new(name: String, bytes: &[u8]) -> Written {
+        Written { name, length_bytes: bytes.len(), is_new: true }
+    }
+}
+
+impl Destination {
     /// The destination that the arguments name, or how the run ends if they contradict each other.
-    pub(super) fn of(output: &'a Path, is_split: bool, has_depfile: bool) -> Result<Destination<'a>, Outcome> {
+    pub(super) fn of(output: &Path, is_split: bool, has_depfile: bool) -> Result<Destination, Outcome> {
         if !standard::is_meant(output) {
-            return Ok(if is_split { Destination::Split(output) } else { Destination::File(output) });
+            let path = output.to_owned();
+            return Ok(if is_split { Destination::Split(path) } else { Destination::File(path) });
         }
         if is_split || has_depfile {
             let tip = "name a file with '--output': text banks are written beside it, and a depfile is about it";
@@ -37,9 +62,17 @@ impl<'a> Destination<'a> {
         Ok(Destination::StandardOutput)
     }
 
-    /// Makes the bank. One that goes to a file is written while it is verified.
-    pub(super) fn make(&self, inputs: &[Input], options: &Options, progress: &Progress<'_>) -> Compiled {
-        let Destination::File(path) = self else { return compile(inputs, options, progress) };
+    /// Makes the bank. One that replaces a file in any case is written while it is verified.
+    pub(super) fn make(
+        &self,
+        replacing: Replacing,
+        inputs: &[Input],
+        options: &Options,
+        progress: &Progress<'_>,
+    ) -> Compiled {
+        let (Destination::File(path), Replacing::Always) = (self, replacing) else {
+            return compile(inputs, options, progress);
+        };
         let progress = |files| {
             progress(files);
             interrupt::point();
@@ -48,46 +81,79 @@ impl<'a> Destination<'a> {
     }
 
     /// Brings the bank to where it is not yet. Reports why that is not possible.
-    pub(super) fn deliver(&self, bank: &[u8], findings: &mut Findings) -> Result<Written, Outcome> {
+    pub(super) fn deliver(
+        &self,
+        bank: &[u8],
+        replacing: Replacing,
+        findings: &mut Findings,
+    ) -> Result<AllWritten, Outcome> {
         match self {
-            Destination::File(path) => Ok(Written(vec![(console::path(path), bank.len())])),
+            // Written by `make`.
+            Destination::File(path) if replacing == Replacing::Always => {
+                Ok(AllWritten(vec![Written::new(console::path(path), bank)]))
+            }
+            Destination::File(path) => Ok(AllWritten(vec![write(path, bank, replacing, findings)?])),
             Destination::StandardOutput => match console::print_bytes(bank) {
-                Outcome::Clean => Ok(Written(vec![("standard output".to_owned(), bank.len())])),
+                Outcome::Clean => Ok(AllWritten(vec![Written::new("standard output".to_owned(), bank)])),
                 failed => Err(failed),
             },
             Destination::Split(path) => {
-                let split = split(bank).map_err(|report| {
-                    findings.add(vec![report]);
-                    Outcome::Failed
-                })?;
+                let split = split(bank).map_err(|report| findings.fail(report))?;
                 let mut files = Vec::new();
                 for (tag, texts) in &split.texts {
-                    files.push(write(&path.with_extension(format!("{tag}.lipztexts")), texts, findings)?);
+                    files.push(write(&path.with_extension(format!("{tag}.lipztexts")), texts, replacing, findings)?);
                 }
                 // The bank last: whoever finds it finds its texts, too.
-                files.insert(0, write(path, &split.base, findings)?);
-                Ok(Written(files))
+                files.insert(0, write(path, &split.base, replacing, findings)?);
+                Ok(AllWritten(files))
             }
         }
     }
 }
 
-/// Replaces a file; gives its name and length. Reports why that is not possible.
-pub(super) fn write(path: &Path, bytes: &[u8], findings: &mut Findings) -> Result<(String, usize), Outcome> {
-    interrupt::whole(|| replace_file(path, bytes)).map_err(|report| {
-        findings.add(vec![report]);
-        Outcome::Failed
-    })?;
-    Ok((console::path(path), bytes.len()))
+/// Replaces a file. Reports why that is not possible.
+pub(super) fn write(
+    path: &Path,
+    bytes: &[u8],
+    replacing: Replacing,
+    findings: &mut Findings,
+) -> Result<Written, Outcome> {
+    let is_new = replacing == Replacing::Always || !has(path, bytes);
+    if is_new {
+        output_file::write(path, bytes, findings)?;
+    }
+    Ok(Written { is_new, ..Written::new(console::path(path), bytes) })
 }
 
-impl Written {
+/// Whether the file has these bytes.
+fn has(path: &Path, bytes: &[u8]) -> bool {
+    let is_as_long = path.metadata().is_ok_and(|found| found.is_file() && found.len() == bytes.len() as u64);
+    is_as_long && fs::read(path).is_ok_and(|found| found == bytes)
+}
+
+impl AllWritten {
     /// A line for each file.
     pub(super) fn summary(&self, clip_count: usize) -> String {
-        let line = |(index, (name, length_bytes)): (usize, &(String, usize))| {
+        let line = |(index, file): (usize, &Written)| {
             let what = if index == 0 { console::counted(clip_count, "clip") } else { "texts".to_owned() };
-            format!("{what} packed into {name} ({} bytes)\n", console::grouped(*length_bytes))
+            format!("{what} packed into {} ({} bytes)\n", file.name, console::grouped(file.length_bytes))
         };
         self.0.iter().enumerate().map(line).collect()
+    }
+
+    /// One line about all files, and whether any is another than before.
+    pub(super) fn headline(&self, clip_count: usize) -> String {
+        let clips = console::counted(clip_count, "clip");
+        let name = self.0.first().map_or("nothing", |bank| bank.name.as_str());
+        let length_bytes = self.0.iter().map(|file| file.length_bytes).sum();
+        let texts = match self.0.len() {
+            0 | 1 => String::new(),
+            files => format!(" and {}", console::counted(files - 1, "text bank")),
+        };
+        let done = match self.0.iter().any(|file| file.is_new) {
+            true => format!("{clips} packed into"),
+            false => format!("nothing changed: {clips} in"),
+        };
+        format!("{done} {name}{texts} ({} bytes)", console::grouped(length_bytes))
     }
 }

@@ -1,16 +1,15 @@
 //! `lipz pack`: source files to a bank.
 
 mod destination;
+mod plan;
 
-use super::{Run, with_inputs};
+pub(crate) use destination::Replacing;
+pub(crate) use plan::{Packed, Plan};
+
 use crate::render::Findings;
-use crate::sources::{Sources, usage_error};
-use crate::{Outcome, console, standard};
+use crate::sources::Sources;
+use crate::{Ended, Outcome, console, standard};
 use clap::Args;
-use clap::error::ErrorKind;
-use destination::Destination;
-use lipz_compiler::{dependencies, depfile};
-use std::mem;
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -26,7 +25,7 @@ use std::time::Duration;
   lipz pack 'voices/**/mara-*.lipz' -o mara.lipzbank --strip")]
 pub(crate) struct Pack {
     #[command(flatten)]
-    sources: Sources,
+    pub(crate) sources: Sources,
 
     /// The bank to write; `-` writes it to standard output [default: `output` of lipz.toml]
     #[arg(short, long, value_name = "BANK")]
@@ -55,74 +54,44 @@ impl Pack {
     pub(crate) fn prints_bank(&self) -> bool {
         self.output.as_ref().is_some_and(|output| standard::is_meant(output))
     }
+
+    /// What a run works with now. What is wrong with it is printed, and how the run ends is returned.
+    pub(crate) fn plan(&self, findings: &mut Findings) -> Result<Plan, Outcome> {
+        Plan::of(self, findings)
+    }
+
+    /// The time of each phase, in milliseconds, if that was asked for.
+    pub(crate) fn timings(&self, packed: &Packed) -> String {
+        if !self.timings {
+            return String::new();
+        }
+        let phases = &packed.phases;
+        let line = |name: &str, time: Duration| format!("  {name:<22} {:>9.1} ms\n", time.as_secs_f64() * 1000.0);
+        [
+            line("discover", packed.discover),
+            line("read, parse and check", phases.files),
+            line("  read (all threads)", phases.read),
+            line("  parse (all threads)", phases.parse),
+            line("  check (all threads)", phases.check),
+            line("localise", phases.localise),
+            line("lower", phases.lower),
+            line("verify and write", phases.finish),
+        ]
+        .concat()
+    }
 }
 
-pub(crate) fn run(arguments: &Pack, findings: &mut Findings) -> Outcome {
-    let mut project = match arguments.sources.project(findings) {
-        Ok(project) => project,
-        Err(outcome) => return outcome,
-    };
-    let options = &mut project.settings.options;
-    options.strip = arguments.strip.unwrap_or(options.strip);
-    let settings = &project.settings;
-    let Some(output) = arguments.output.as_ref().or(settings.output.as_ref()) else {
-        let tip = "name a file with '--output', or set `output` in lipz.toml";
-        return usage_error(ErrorKind::MissingRequiredArgument, "no bank to write is named", tip);
-    };
-    let destination = match Destination::of(
-        output,
-        arguments.split_locales.unwrap_or(settings.split_locales),
-        arguments.depfile.is_some(),
-    ) {
-        Ok(destination) => destination,
-        Err(outcome) => return outcome,
-    };
-    let mut run = with_inputs(settings, arguments.sources.is_quiet(), |inputs, options, progress| {
-        destination.make(inputs, options, progress)
-    });
-    let outcome = run.outcome();
-    findings.add(mem::take(&mut run.reports));
-    let bank = match run.compiled.bank.take() {
-        Some(bank) if outcome == Outcome::Clean => bank,
-        _ => return outcome,
-    };
-    let written = match destination.deliver(&bank, findings) {
-        Ok(written) => written,
-        Err(outcome) => return outcome,
-    };
-    if let Some(path) = &arguments.depfile {
-        let mut dependencies = dependencies(&settings.sources, &run.inputs);
-        dependencies.extend(project.file.clone());
-        if let Err(outcome) = destination::write(path, &depfile(output, &dependencies), findings) {
-            return outcome;
-        }
-    }
+pub(crate) fn run(arguments: &Pack, findings: &mut Findings) -> Ended {
+    let quiet = arguments.sources.is_quiet();
+    let plan = arguments.plan(findings)?;
+    let packed = plan.run(Replacing::Always, quiet, findings)?;
     let mut text = String::new();
-    if !arguments.sources.is_quiet() {
-        text = written.summary(run.inputs.len());
-        if let Some(file) = project.found() {
+    if !quiet {
+        text = packed.summary();
+        if let Some(file) = plan.project.found() {
             text.push_str(&format!("with the settings of {}\n", console::path(file)));
         }
     }
-    if arguments.timings {
-        text.push_str(&timings(&run));
-    }
-    findings.summary(&text)
-}
-
-/// The time of each phase, in milliseconds.
-fn timings(run: &Run) -> String {
-    let phases = &run.compiled.phases;
-    let line = |name: &str, time: Duration| format!("  {name:<22} {:>9.1} ms\n", time.as_secs_f64() * 1000.0);
-    [
-        line("discover", run.discover),
-        line("read, parse and check", phases.files),
-        line("  read (all threads)", phases.read),
-        line("  parse (all threads)", phases.parse),
-        line("  check (all threads)", phases.check),
-        line("localise", phases.localise),
-        line("lower", phases.lower),
-        line("verify and write", phases.finish),
-    ]
-    .concat()
+    text.push_str(&arguments.timings(&packed));
+    Ok(findings.summary(&text))
 }

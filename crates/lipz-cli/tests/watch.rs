@@ -1,0 +1,273 @@
+//! `lipz watch`, as a person uses it: files change, and the bank follows.
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "tests")]
+
+mod support;
+
+use std::fs;
+use std::io::Read;
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::sync::{Arc, Mutex};
+use std::thread;
+use std::time::{Duration, Instant};
+use support::{Scene, lipz, tree};
+
+/// How long a step may take on a machine that is busy with other things.
+const DEADLINE: Duration = Duration::from_secs(30);
+/// How often to look whether it is done.
+const LOOK: Duration = Duration::from_millis(50);
+/// Long enough for many runs, if each caused the next.
+const MANY_RUNS: Duration = Duration::from_secs(1);
+
+const AYE: &str = r#"{ "text_en-us": "Aye." }"#;
+const NO: &str = r#"{ "text_en-us": "No." }"#;
+const BROKEN: &str = r#"{ "text_en-us": "Per"#;
+const BANK: &str = "out/b.lipzbank";
+
+/// A running `lipz watch`; it ends with the test.
+struct Watch<'a> {
+    scene: &'a Scene,
+    child: Child,
+    stdout: Arc<Mutex<String>>,
+    stderr: Arc<Mutex<String>>,
+}
+
+impl Drop for Watch<'_> {
+    fn drop(&mut self) {
+        // Fails where the test has ended it.
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+/// What a stream gave so far.
+fn collect(mut stream: impl Read + Send + 'static) -> Arc<Mutex<String>> {
+    let text = Arc::new(Mutex::new(String::new()));
+    let collected = Arc::clone(&text);
+    thread::spawn(move || {
+        let mut buffer = [0; 4096];
+        while let Ok(length @ 1..) = stream.read(&mut buffer) {
+            text.lock().unwrap().push_str(&String::from_utf8_lossy(&buffer[..length]));
+        }
+    });
+    collected
+}
+
+impl<'a> Watch<'a> {
+    fn start(scene: &'a Scene, arguments: &[&str]) -> Watch<'a> {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_lipz"))
+            .arg("watch")
+            .args(arguments)
+            .current_dir(scene.path())
+            .env("NO_COLOR", "1")
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let (stdout, stderr) = (collect(child.stdout.take().unwrap()), collect(child.stderr.take().unwrap()));
+        Watch { scene, child, stdout, stderr }
+    }
+
+    /// Starts it on a scene whose first run succeeds.
+    fn started(scene: &'a Scene, arguments: &[&str]) -> Watch<'a> {
+        let watch = Watch::start(scene, arguments);
+        watch.until("watching", |watch| watch.stdout().contains("watching"));
+        watch
+    }
+
+    fn stdout(&self) -> String {
+        self.stdout.lock().unwrap().clone()
+    }
+
+    fn stderr(&self) -> String {
+        self.stderr.lock().unwrap().clone()
+    }
+
+    /// How many runs said this.
+    fn count(&self, result: &str) -> usize {
+        self.stdout().matches(result).count()
+    }
+
+    fn until(&self, what: &str, holds: impl Fn(&Watch<'_>) -> bool) {
+        let start = Instant::now();
+        while !holds(self) {
+            let (stdout, stderr) = (self.stdout(), self.stderr());
+            assert!(start.elapsed() < DEADLINE, "not within {DEADLINE:?}: {what}\n{stdout}\n{stderr}");
+            thread::sleep(LOOK);
+        }
+    }
+
+    /// Waits until the bank is what `lipz pack` makes of the sources.
+    fn until_packed(&self, what: &str, sources: &str) {
+        self.scene.prepare(&["pack", sources, "-o", "expected/b.lipzbank"]);
+        let expected = fs::read(self.scene.path().join("expected/b.lipzbank")).unwrap();
+        self.until(what, |watch| fs::read(watch.scene.path().join(BANK)).is_ok_and(|bank| bank == expected));
+    }
+
+    /// Makes a change that ends in errors, and waits for the finding; the bank stays.
+    fn refuses(&self, change: impl FnOnce(), finding: &str) {
+        let (before, runs) = (self.bank(), self.count("not packed: the old bank is kept"));
+        change();
+        self.until(finding, |watch| {
+            watch.stderr().contains(finding) && watch.count("not packed: the old bank is kept") > runs
+        });
+        assert_eq!(self.bank(), before);
+    }
+
+    fn bank(&self) -> Vec<u8> {
+        fs::read(self.scene.path().join(BANK)).unwrap()
+    }
+}
+
+#[test]
+fn the_bank_follows_the_files() {
+    let scene = Scene::new();
+    scene.write("voices/a.lipz", AYE);
+    let watch = Watch::started(&scene, &["voices", "-o", BANK]);
+    watch.until_packed("the first pack", "voices");
+    let voices = scene.path().join("voices");
+    scene.write("voices/a.lipz", NO);
+    watch.until_packed("a changed file", "voices");
+    watch.refuses(|| scene.write("voices/a.lipz", BROKEN), "error[LZ0108]");
+    scene.write("voices/a.lipz", AYE);
+    scene.write("voices/b.lipz", NO);
+    watch.until_packed("mended, and a new file", "voices");
+    fs::write(voices.join("b.lipz~"), AYE).unwrap();
+    fs::rename(voices.join("b.lipz~"), voices.join("b.lipz")).unwrap();
+    watch.until_packed("a file replaced as editors do it", "voices");
+    scene.write("voices/act1/c.lipz", AYE);
+    watch.until_packed("a new folder", "voices");
+    scene.write("voices/act1/c.lipz", NO);
+    watch.until_packed("a changed file in it", "voices");
+    fs::rename(voices.join("act1"), voices.join("act2")).unwrap();
+    watch.until_packed("a renamed folder", "voices");
+    fs::rename(voices.join("act2"), scene.path().join("away")).unwrap();
+    watch.until_packed("a folder moved away", "voices");
+    fs::remove_file(voices.join("b.lipz")).unwrap();
+    watch.until_packed("a removed file", "voices");
+}
+
+#[test]
+fn a_bank_with_the_same_bytes_is_not_written() {
+    let scene = Scene::new();
+    scene.write("voices/a.lipz", AYE);
+    let watch = Watch::started(&scene, &["voices/*.lipz", "-o", BANK, "--strip"]);
+    let written = || fs::metadata(scene.path().join(BANK)).unwrap().modified().unwrap();
+    let before = written();
+    scene.write("voices/a.lipz", format!("\n{AYE}\n"));
+    watch.until("a run without a change", |watch| watch.count("nothing changed: 1 clip in out/b.lipzbank") > 0);
+    assert_eq!(written(), before);
+}
+
+#[test]
+fn outputs_among_the_sources_cause_no_run() {
+    let scene = Scene::new();
+    scene.write("a.lipz", AYE);
+    let watch = Watch::started(&scene, &[".", "-o", "b.lipzbank", "--depfile", "b.d", "--split-locales"]);
+    scene.write("a.lipz", NO);
+    watch.until("a second run", |watch| watch.count("1 clip packed into b.lipzbank and 1 text bank") == 2);
+    let before = watch.stdout();
+    scene.write("notes.txt", "Read this.");
+    thread::sleep(MANY_RUNS);
+    // A busy machine may split one change into two.
+    assert!(watch.count("nothing changed") <= 1, "before: {before}\nafter: {}", watch.stdout());
+    assert_eq!(watch.count("packed into"), 2);
+}
+
+#[test]
+fn settings_take_effect() {
+    let scene = Scene::new();
+    scene.write("voices/a.lipz", AYE);
+    scene.write("others/b.lipz", NO);
+    scene.write("lipz.toml", "sources = [\"voices\"]\noutput = \"out/b.lipzbank\"\n");
+    let watch = Watch::started(&scene, &[]);
+    watch.until_packed("the first pack", "voices");
+    watch.refuses(|| scene.write("lipz.toml", "sources = [\"others\"]\noutput = "), "error[LZ10");
+    scene.write("lipz.toml", "sources = [\"others\"]\noutput = \"out/b.lipzbank\"\n");
+    watch.until_packed("other sources", "others");
+    scene.write("others/b.lipz", AYE);
+    watch.until_packed("a change in them", "others");
+    watch.refuses(|| fs::remove_file(scene.path().join("lipz.toml")).unwrap(), "no sources are named");
+    scene.write("lipz.toml", "sources = [\"voices\"]\noutput = \"out/b.lipzbank\"\n");
+    watch.until_packed("settings that are back", "voices");
+}
+
+#[test]
+fn sources_may_come_and_go() {
+    let scene = Scene::new();
+    let watch = Watch::start(&scene, &["voices", "-o", BANK]);
+    watch.until("a missing folder is named", |watch| {
+        watch.stderr().contains("`voices` does not exist") && watch.stdout().contains("waiting for voices")
+    });
+    assert_eq!(watch.count("not packed: there is no bank yet"), 1);
+    scene.write("voices/a.lipz", AYE);
+    watch.until_packed("a folder that came", "voices");
+    watch.refuses(|| fs::remove_dir_all(scene.path().join("voices")).unwrap(), "`voices` does not exist");
+    scene.write("voices/a.lipz", NO);
+    watch.until_packed("a folder that came back", "voices");
+    scene.write("voices/a.lipz", AYE);
+    watch.until_packed("a change in it", "voices");
+}
+
+#[test]
+fn files_can_be_looked_at_instead() {
+    let scene = Scene::new();
+    scene.write("voices/a.lipz", AYE);
+    let watch = Watch::started(&scene, &["--poll=0.1", "voices", "-o", BANK]);
+    scene.write("voices/b.lipz", NO);
+    watch.until_packed("a new file", "voices");
+    watch.refuses(|| scene.write("voices/b.lipz", BROKEN), "error[LZ0108]");
+    scene.write("voices/b.lipz", AYE);
+    watch.until_packed("mended", "voices");
+}
+
+#[test]
+fn every_run_prints_a_document_for_programs() {
+    let scene = Scene::new();
+    scene.write("voices/a.lipz", AYE);
+    let watch = Watch::start(&scene, &["voices", "-o", BANK, "--format", "json"]);
+    let documents = |watch: &Watch<'_>| {
+        let stdout = watch.stdout();
+        let documents = serde_json::Deserializer::from_str(&stdout).into_iter::<serde_json::Value>();
+        documents.map_while(Result::ok).collect::<Vec<_>>()
+    };
+    watch.until("a document", |watch| documents(watch).len() == 1);
+    scene.write("voices/a.lipz", BROKEN);
+    watch.until("a document with a finding", |watch| {
+        documents(watch).last().unwrap().to_string().contains("\"LZ0108\"")
+    });
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_watch_leaves_whole_files() {
+    for signal in ["-INT", "-TERM"] {
+        let scene = Scene::new();
+        scene.write("voices/a.lipz", AYE);
+        let mut watch = Watch::started(&scene, &["voices", "-o", BANK]);
+        let id = watch.child.id().to_string();
+        assert!(Command::new("kill").args([signal, &id]).status().unwrap().success());
+        assert_eq!(watch.child.wait().unwrap().code(), Some(130));
+        watch.until("the last word", |watch| watch.stderr() == "interrupted\n");
+        assert_eq!(tree(scene.path()), ["out", BANK, "voices", "voices/a.lipz"]);
+    }
+}
+
+#[test]
+fn what_cannot_be_watched_is_refused() {
+    let scene = Scene::new();
+    scene.write("voices/a.lipz", AYE);
+    let refused = |arguments: &[&str], message: &str| {
+        let outcome = lipz(Path::new(scene.path()), [&["watch"], arguments].concat());
+        assert_eq!(outcome.code, 2, "{arguments:?}");
+        assert!(outcome.stderr.contains(message), "{arguments:?}: {}", outcome.stderr);
+    };
+    refused(&["-", "-o", BANK], "standard input and output cannot be watched");
+    refused(&["voices", "-o", "-"], "standard input and output cannot be watched");
+    refused(&["voices"], "no bank to write is named");
+    refused(&["-o", BANK], "no sources are named");
+    refused(&["voices", "-o", BANK, "--config", "no.toml"], "`no.toml` does not exist");
+    refused(&["voices", "-o", BANK, "--poll=0"], "a number of seconds above 0");
+    refused(&["voices", "-o", BANK, "--poll=NaN"], "a number of seconds above 0");
+    assert_eq!(tree(scene.path()), ["voices", "voices/a.lipz"]);
+}
