@@ -4,7 +4,35 @@
 mod support;
 
 use std::fs;
-use support::{lipz, repository, tree, write};
+use support::{Scene, lipz, repository, tree, write};
+
+#[test]
+fn no_output_replaces_a_lipz_file() {
+    let scene = Scene::new();
+    scene.write("voices/a.lipz", "{ \"visemes\": \"MAEO-\" }");
+    let over: [&[&str]; 3] = [
+        &["pack", "voices", "-o", "voices/a.lipz"],
+        &["pack", "voices", "-o", "b.lipzbank", "--depfile", "voices/a.LIPZ"],
+        &["ids", "voices", "--lang", "c", "-o", "voices/a.lipz"],
+    ];
+    for arguments in over {
+        let outcome = lipz(scene.path(), arguments);
+        assert_eq!((outcome.code, outcome.stdout.as_str()), (2, ""), "{outcome:?}");
+        assert!(outcome.stderr.contains("is the name of a Lipz file"), "{outcome:?}");
+    }
+    assert_eq!(tree(scene.path()), ["voices", "voices/a.lipz"]);
+    assert!(fs::read_to_string(scene.path().join("voices/a.lipz")).unwrap().contains("MAEO"));
+}
+
+#[test]
+fn standard_output_is_named_on_the_command_line_only() {
+    let scene = Scene::new();
+    scene.write("voices/a.lipz", "{ \"visemes\": \"MAEO-\" }");
+    scene.write("lipz.toml", "output = \"-\"\n");
+    let outcome = lipz(scene.path(), ["pack"]);
+    assert_eq!((outcome.code, outcome.stdout.as_str()), (2, ""), "{outcome:?}");
+    assert!(outcome.stderr.contains("only '--output -'"), "{outcome:?}");
+}
 
 #[test]
 fn help_of_each_command_shows_an_example() {

@@ -76,6 +76,9 @@ pub(crate) fn run(arguments: &Ids, findings: &mut Findings) -> Ended {
         };
         return Err(usage_error(ErrorKind::ArgumentConflict, &message, &tip));
     }
+    if let Some(output) = &arguments.output {
+        output_file::refuse_source(output)?;
+    }
     match arguments.sources.paths() {
         [bank] if is_bank(bank) => {
             let file = BankFile::open(bank, findings)?;

@@ -62,6 +62,7 @@ pub fn refusal(code: Code, level: Option<Level>) -> Option<&'static str> {
         Code::RefusedKey | Code::DuplicateKey | Code::IdCollision => {
             "a bank cannot hold such keys: rename the files, or name a root above them"
         }
+        Code::LowCoverage => "it is what the project asks for: ask for less, or translate more",
         // The codes of banks, outputs and settings follow those of sources.
         _ if code > Code::NoSources => "it is about what lipz does, not about Lipz files",
         _ => "such a file has no certain meaning, and lipz does not guess: mend the file",

@@ -2,9 +2,9 @@
 
 use crate::render::Findings;
 use crate::sources::usage_error;
-use crate::{Outcome, console, interrupt, standard};
+use crate::{Outcome, console, interrupt, output_file, standard};
 use clap::error::ErrorKind;
-use lipz_compiler::{Compiled, Input, Options, Progress, compile, pack, pack_cached, replace_file, split};
+use lipz_compiler::{Compiled, Input, Options, Progress, compile, pack, pack_cached, split};
 use std::fs;
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
@@ -112,10 +112,7 @@ impl Destination {
                 failed => Err(failed),
             },
             Destination::Split(path) => {
-                let split = split(bank).map_err(|report| {
-                    findings.add(vec![report]);
-                    Outcome::Failed
-                })?;
+                let split = split(bank).map_err(|report| findings.fail(report))?;
                 let mut files = Vec::new();
                 for (tag, texts) in &split.texts {
                     files.push(write(&path.with_extension(format!("{tag}.lipztexts")), texts, replacing, findings)?);
@@ -137,10 +134,7 @@ pub(super) fn write(
 ) -> Result<Written, Outcome> {
     let is_new = replacing == Replacing::Always || !has(path, bytes);
     if is_new {
-        interrupt::whole(|| replace_file(path, bytes)).map_err(|report| {
-            findings.add(vec![report]);
-            Outcome::Failed
-        })?;
+        output_file::write(path, bytes, findings)?;
     }
     Ok(Written { is_new, ..Written::new(console::path(path), bytes) })
 }

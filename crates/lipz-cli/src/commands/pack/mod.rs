@@ -8,7 +8,7 @@ pub(crate) use plan::{Packed, Plan};
 
 use crate::render::Findings;
 use crate::sources::Sources;
-use crate::{Outcome, console, standard};
+use crate::{Ended, Outcome, console, standard};
 use clap::Args;
 use lipz_compiler::settings::Settings;
 use std::path::{Path, PathBuf};
@@ -104,7 +104,7 @@ impl Pack {
     }
 }
 
-pub(crate) fn run(arguments: &Pack, findings: &mut Findings) -> Result<Outcome, Outcome> {
+pub(crate) fn run(arguments: &Pack, findings: &mut Findings) -> Ended {
     let quiet = arguments.sources.is_quiet();
     let plan = arguments.plan(findings)?;
     let packed = plan.run(Replacing::Always, quiet, findings)?;

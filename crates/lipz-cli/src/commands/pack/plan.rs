@@ -6,7 +6,7 @@ use crate::commands::with_inputs;
 use crate::render::Findings;
 use crate::settings_file::Project;
 use crate::sources::usage_error;
-use crate::{Outcome, standard};
+use crate::{Outcome, output_file, standard};
 use clap::error::ErrorKind;
 use lipz_compiler::{Compiled, Phases, dependencies, depfile};
 use std::mem;
@@ -40,10 +40,21 @@ impl Plan {
         let mut project = arguments.sources.project(findings)?;
         let settings = &mut project.settings;
         settings.options.strip = arguments.strip.unwrap_or(settings.options.strip);
-        let Some(output) = arguments.output.clone().or_else(|| settings.output.clone()) else {
-            let tip = "name a file with '--output', or set `output` in lipz.toml";
-            return Err(usage_error(ErrorKind::MissingRequiredArgument, "no bank to write is named", tip));
+        let output = match (&arguments.output, &settings.output) {
+            (Some(output), _) => output.clone(),
+            (None, Some(output)) if standard::is_meant(output) => {
+                let tip = "name a file there; only '--output -' stands for standard output";
+                return Err(usage_error(ErrorKind::ArgumentConflict, "`output` in lipz.toml is `-`", tip));
+            }
+            (None, Some(output)) => output.clone(),
+            (None, None) => {
+                let tip = "name a file with '--output', or set `output` in lipz.toml";
+                return Err(usage_error(ErrorKind::MissingRequiredArgument, "no bank to write is named", tip));
+            }
         };
+        for path in std::iter::once(&output).chain(&arguments.depfile) {
+            output_file::refuse_source(path)?;
+        }
         let is_split = arguments.split_locales.unwrap_or(settings.split_locales);
         let cache = arguments.cache(settings);
         let destination = Destination::of(&output, is_split, arguments.depfile.is_some(), cache)?;
