@@ -72,7 +72,9 @@ pub(super) fn run(work: Work, folder: &Path, bank: &Path, threads: usize) -> Res
             black_box(place::list(folder).map_err(|error| error.to_string())?);
         }
         Work::Stat => each_path(folder, threads, |path| {
-            path.metadata().map(|metadata| metadata.len() as usize).map_err(|error| failed(path, &error))
+            path.metadata()
+                .map(|metadata| usize::try_from(metadata.len()).unwrap_or(usize::MAX))
+                .map_err(|error| failed(path, &error))
         })?,
         Work::Read => each_file(folder, threads, |bytes| Ok(bytes.len()))?,
         Work::Borrowed => each_file(folder, threads, |bytes| {
