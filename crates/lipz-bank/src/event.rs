@@ -98,7 +98,7 @@ pub struct Event<'data> {
     /// Who; `None` for the speaker of the clip.
     pub character: Option<EventName<'data>>,
     /// What.
-    pub command: Command<'data>,
+    pub command: Command<EventName<'data>>,
 }
 
 impl<'data> Event<'data> {
@@ -142,28 +142,28 @@ impl fmt::Display for Event<'_> {
     }
 }
 
-/// What a character does.
+/// What a character does, with the `Name` of an emotion, target or action.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum Command<'data> {
+pub enum Command<Name> {
     /// `feels emotion`: lasts until changed.
-    Feels(EventName<'data>),
+    Feels(Name),
     /// `sees target`, a character or a prop: for a moment.
-    Sees(EventName<'data>),
+    Sees(Name),
     /// `stares target`: until `stops staring`.
-    Stares(EventName<'data>),
+    Stares(Name),
     /// `stops staring`.
     StopsStaring,
     /// `points target`: until `stops pointing`.
-    Points(EventName<'data>),
+    Points(Name),
     /// `stops pointing`.
     StopsPointing,
     /// `does action`: an action of the game.
-    Does(EventName<'data>),
+    Does(Name),
 }
 
-impl<'data> Command<'data> {
+impl<Name> Command<Name> {
     /// The verb as it is written: `feels`, `stops staring`.
-    pub const fn verb(self) -> &'static str {
+    pub const fn verb(&self) -> &'static str {
         match self {
             Command::Feels(_) => "feels",
             Command::Sees(_) => "sees",
@@ -176,7 +176,7 @@ impl<'data> Command<'data> {
     }
 
     /// The emotion, target or action; `None` for the verbs that stop something.
-    pub const fn object(self) -> Option<EventName<'data>> {
+    pub fn object(self) -> Option<Name> {
         match self {
             Command::Feels(object)
             | Command::Sees(object)

@@ -1,6 +1,7 @@
 //! Character Event Syntax: what the events of a segment say (Lipz specification, last chapter).
 
 use crate::text::{is_white_space, trim};
+pub use lipz_bank::Command;
 use std::fmt;
 use std::ops::Range;
 
@@ -35,69 +36,23 @@ pub struct Event<'t> {
     /// Who; `None` for the speaker of the clip.
     pub character: Option<Word<'t>>,
     /// What.
-    pub command: Command<'t>,
+    pub command: Command<Word<'t>>,
     /// Where the verb stands, in bytes of the segment; both words of `stops staring`.
     pub verb: Range<usize>,
 }
 
-/// What a character does.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Command<'t> {
-    /// `feels emotion`: lasts until changed.
-    Feels(Word<'t>),
-    /// `sees target`: for a moment.
-    Sees(Word<'t>),
-    /// `stares target`: until `stops staring`.
-    Stares(Word<'t>),
-    /// `stops staring`.
-    StopsStaring,
-    /// `points target`: until `stops pointing`.
-    Points(Word<'t>),
-    /// `stops pointing`.
-    StopsPointing,
-    /// `does action`: an action of the game.
-    Does(Word<'t>),
-}
-
-impl<'t> Command<'t> {
-    /// The verb as it is written: `feels`, `stops staring`.
-    pub const fn verb(self) -> &'static str {
-        match self {
-            Command::Feels(_) => "feels",
-            Command::Sees(_) => "sees",
-            Command::Stares(_) => "stares",
-            Command::StopsStaring => "stops staring",
-            Command::Points(_) => "points",
-            Command::StopsPointing => "stops pointing",
-            Command::Does(_) => "does",
-        }
-    }
-
-    /// The emotion, target or action; `None` for the verbs that stop something.
-    pub const fn object(self) -> Option<Word<'t>> {
-        match self {
-            Command::Feels(object)
-            | Command::Sees(object)
-            | Command::Stares(object)
-            | Command::Points(object)
-            | Command::Does(object) => Some(object),
-            Command::StopsStaring | Command::StopsPointing => None,
-        }
-    }
-
-    /// The command of these two words.
-    fn of(verb: &str, object: Word<'t>) -> Option<Command<'t>> {
-        Some(match (verb, object.text) {
-            ("feels", _) => Command::Feels(object),
-            ("sees", _) => Command::Sees(object),
-            ("stares", _) => Command::Stares(object),
-            ("points", _) => Command::Points(object),
-            ("does", _) => Command::Does(object),
-            ("stops", "staring") => Command::StopsStaring,
-            ("stops", "pointing") => Command::StopsPointing,
-            _ => return None,
-        })
-    }
+/// The command of these two words.
+fn command<'t>(verb: &str, object: Word<'t>) -> Option<Command<Word<'t>>> {
+    Some(match (verb, object.text) {
+        ("feels", _) => Command::Feels(object),
+        ("sees", _) => Command::Sees(object),
+        ("stares", _) => Command::Stares(object),
+        ("points", _) => Command::Points(object),
+        ("does", _) => Command::Does(object),
+        ("stops", "staring") => Command::StopsStaring,
+        ("stops", "pointing") => Command::StopsPointing,
+        _ => return None,
+    })
 }
 
 impl fmt::Display for Event<'_> {
@@ -146,7 +101,7 @@ impl<'t> Part<'t> {
         if words.next().is_some() {
             return None;
         }
-        let command = Command::of(verb.text, object)?;
+        let command = command(verb.text, object)?;
         let end = if command.object().is_some() { verb } else { object }.range().end;
         Some(Event { character, command, verb: verb.start..end })
     }
