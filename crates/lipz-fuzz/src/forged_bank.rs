@@ -51,7 +51,10 @@ struct Overwrite {
 static BASES: LazyLock<Vec<Vec<u8>>> = LazyLock::new(|| {
     let far = format!(r#"{{ "visemes": "{}", "text_en-us": "{}x" }}"#, "A|".repeat(11) + "B", "a|".repeat(11));
     let sets: [&[(&str, &str)]; 3] = [
-        &[("a", r#"{ "fps": 24, "viseme_type": "blair", "visemes": "MA|EO-", "text_en-us": "Mayor!|No", "events": "|amy points door" }"#)],
+        &[(
+            "a",
+            r#"{ "fps": 24, "viseme_type": "blair", "visemes": "MA|EO-", "text_en-us": "Mayor!|No", "events": "|amy points door" }"#,
+        )],
         &[
             ("act1/far", &far),
             ("act1/none", r#"{ "text_de-de": "Ja" }"#),

@@ -12,8 +12,7 @@ const SEPARATOR: u8 = 0;
 /// element as they were, and packed again they are the same bank.
 pub fn round_trip(bytes: &[u8]) {
     let joined = [(Code::SegmentCount, Some(Level::Warning))];
-    let options =
-        Options { default_locale: Some("en-us".into()), levels: joined.into(), ..Options::default() };
+    let options = Options { default_locale: Some("en-us".into()), levels: joined.into(), ..Options::default() };
     let files = bytes.split(|byte| *byte == SEPARATOR).take(4);
     let input = |(number, file): (usize, &[u8])| Input::from_bytes(format!("clip-{number}"), file);
     let is_good = |file: &&[u8]| compile(&[input((0, file))], &options, &|_| {}).bank.is_some();
