@@ -118,9 +118,13 @@ fn typed<'d>(segment: &Segment<'d, '_>) -> Parts<'d> {
 }
 
 fn parsed(string: &str) -> Parts<'_> {
-    let word = |word: Option<event::Word<'_>>| word.map(|word| word.text);
     let events = event::parse(string).into_iter().flatten();
-    events.map(|event| (word(event.character), event.command.verb(), word(event.command.object()))).collect()
+    events
+        .map(|event| {
+            let [character, object] = [event.character, event.command.object()].map(|word| word.map(|word| word.text));
+            (character, event.command.verb(), object)
+        })
+        .collect()
 }
 
 fn options() -> impl Strategy<Value = Options> {
