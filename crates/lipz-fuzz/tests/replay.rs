@@ -12,7 +12,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Changed copies of each seed.
-const COPIES: u64 = 200;
+const COPIES: u64 = 2_000;
 
 fn fuzz() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz")
@@ -30,7 +30,7 @@ fn seeds(target: &str) -> Vec<PathBuf> {
 fn changed(seed: &[u8], random: &mut Random) -> Vec<u8> {
     let mut bytes = seed.to_vec();
     for _ in 0..=random.below(4) {
-        let at = random.below(bytes.len());
+        let at = random.below(bytes.len().max(1));
         let end = (at + 1 + random.below(16)).min(bytes.len());
         match random.below(5) {
             0 => bytes.extend_from_within(at..end),
