@@ -57,7 +57,7 @@ fn build(folder: &Path) -> Result<PathBuf, Failure> {
     let host = host()?;
     // With a target, the flags are not for build scripts, which could not be linked with them.
     let status = cargo_command()
-        .args(["build", "--release", "--locked", "--target", &host])
+        .args(["build", "--release", "--target", &host])
         .current_dir(folder)
         .env("CARGO_ENCODED_RUSTFLAGS", COVERAGE.join("\u{1f}"))
         .env("CARGO_TARGET_DIR", folder.join("target"))
