@@ -12,6 +12,7 @@ pub(crate) mod fmt;
 pub(crate) mod ids;
 pub(crate) mod init;
 pub(crate) mod inspect;
+mod locale_choice;
 pub(crate) mod man;
 pub(crate) mod pack;
 pub(crate) mod schema;
