@@ -7,7 +7,12 @@ mod edges;
 mod fuzz;
 mod generate;
 mod measure;
+mod msrv;
+mod needs;
 mod place;
+mod size;
+mod targets;
+mod toolchain;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::ffi::OsString;
@@ -30,6 +35,12 @@ enum Task {
     Ci,
     /// Check which crates depend on which
     Edges,
+    /// Run the reader on other machines: bare metal, big-endian, 32-bit, wasm
+    Targets(targets::Settings),
+    /// Count the reader's code on a Cortex-M, and prove that it cannot panic or allocate
+    Size,
+    /// Build the reader with the oldest compiler that it promises
+    Msrv,
     /// Write docs/DIAGNOSTICS.md, whose contents are in the code
     Docs,
     /// Write a folder of made-up clips of realistic size and shape
@@ -61,6 +72,9 @@ fn main() -> ExitCode {
     let result = match task {
         Task::Ci => ci::run(),
         Task::Edges => edges::run(),
+        Task::Targets(settings) => targets::run(&settings),
+        Task::Size => size::run(),
+        Task::Msrv => msrv::run(),
         Task::Docs => docs::run(),
         Task::Generate(settings) => generate::run(&settings),
         Task::Measure(settings) => measure::run(&settings),
