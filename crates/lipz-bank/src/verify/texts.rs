@@ -37,7 +37,8 @@ impl<'data> TextCheck<'data> {
     pub(super) fn clip(&mut self, clip: &Clip<'_, '_>) -> Result<(), Error> {
         // The last runs found valid for this clip: locales that fall back to one are not checked again.
         let mut known = [layout::NO_TEXT; 4];
-        for (locale, index) in self.table.index.chunks_exact(self.table.clip_count).enumerate() {
+        // Not 0 where there is a clip: `max` shows it to the compiler.
+        for (locale, index) in self.table.index.chunks_exact(self.table.clip_count.max(1)).enumerate() {
             let entry = match index.get(clip.slot() as usize) {
                 Some(entry) => entry,
                 None => continue, // a slot is less than the length of a chunk
