@@ -1,6 +1,6 @@
 //! `cargo xtask ci`: everything that a change must pass, in order, until something fails.
 
-use crate::{Failure, edges};
+use crate::{Failure, capi, edges, web};
 use std::process::Command;
 use std::time::{Duration, Instant};
 
@@ -36,6 +36,8 @@ pub(crate) fn run() -> Result<(), Failure> {
     }
     timed("edges", &mut times, edges::run)?;
     timed("reader without std", &mut times, bare_metal)?;
+    timed("C and C++", &mut times, capi::run)?;
+    timed("web", &mut times, web::run)?;
     println!("\nall steps passed:");
     for (name, time) in times {
         println!("  {name:<20} {:>7.1} s", time.as_secs_f64());
@@ -87,7 +89,7 @@ fn bare_metal() -> Result<(), Failure> {
     }
 }
 
-fn is_installed(target: &str) -> bool {
+pub(crate) fn is_installed(target: &str) -> bool {
     let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     let output = Command::new(rustc).args(["--print", "target-libdir", "--target", target]).output();
     output.is_ok_and(|output| {

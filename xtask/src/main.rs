@@ -1,5 +1,6 @@
 //! Tasks of this workspace: `cargo xtask <task>`. Without a task it lists them.
 
+mod capi;
 mod ci;
 mod corpus;
 mod docs;
@@ -7,6 +8,8 @@ mod edges;
 mod generate;
 mod measure;
 mod place;
+mod tools;
+mod web;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::ffi::OsString;
@@ -27,6 +30,10 @@ struct Arguments {
 enum Task {
     /// Run everything that a change must pass: format, lints, documentation, tests, edges
     Ci,
+    /// Build the libraries for C, install them in target/capi, and run C and C++ programs with them
+    Capi,
+    /// Build the npm package for browsers and node in target/web, and test it in both
+    Web,
     /// Check which crates depend on which
     Edges,
     /// Write docs/DIAGNOSTICS.md, whose contents are in the code
@@ -57,6 +64,8 @@ fn main() -> ExitCode {
     };
     let result = match task {
         Task::Ci => ci::run(),
+        Task::Capi => capi::run(),
+        Task::Web => web::run(),
         Task::Edges => edges::run(),
         Task::Docs => docs::run(),
         Task::Generate(settings) => generate::run(&settings),

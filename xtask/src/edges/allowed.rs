@@ -67,6 +67,7 @@ pub(super) const ALLOWED: &[Rule] = &[
             &["foldhash", "lipz", "lipz-bank", "unicode-normalization", "tinyvec"],
         ]),
     },
+    Rule { name: "lipz-capi", direct: Some(&["lipz-bank"]), transitive: Some(&[READER, &["lipz-bank"]]) },
     // What a game carries; its build script uses the compiler.
     Rule {
         name: "dialogue-player",
