@@ -7,7 +7,8 @@ mod install;
 mod programs;
 
 use crate::ci::cargo_command;
-use crate::{Failure, place, tools};
+use crate::needs::{has_program, skip, succeed};
+use crate::{Failure, place};
 use std::path::Path;
 
 /// What the programs need; the libraries need Rust only.
@@ -15,25 +16,28 @@ const TOOLS: [&str; 6] = ["cc", "c++", "cmake", "make", "pkg-config", "valgrind"
 
 pub(crate) fn run() -> Result<(), Failure> {
     if !cfg!(target_os = "linux") {
-        return tools::skip("the libraries are installed as on Linux").map(|_| ());
+        return skip("Linux, for the names of the libraries");
     }
     let target = std::path::absolute(place::target_folder()).map_err(|error| error.to_string())?;
     build(&target)?;
     let prefix = target.join("capi");
     install::install(&target.join("library"), &prefix)?;
     println!("installed below {}", prefix.display());
-    if tools::are_installed(&TOOLS)? { programs::run(&prefix) } else { Ok(()) }
+    match TOOLS.iter().find(|tool| !has_program(tool)) {
+        Some(tool) => skip(tool),
+        None => programs::run(&prefix),
+    }
 }
 
 /// Builds the static and the shared library.
 fn build(target: &Path) -> Result<(), Failure> {
     let soname = format!("link-arg=-Wl,-soname,{}", install::soname());
-    tools::output(
+    succeed(
         cargo_command()
             .args(["rustc", "--package", "lipz-capi", "--lib", "--profile", "library", "--locked", "--quiet"])
             .args(["--features", "panic-handler", "--crate-type", "staticlib,cdylib", "--target-dir"])
             .arg(target)
             .args(["--", "-C", &soname]),
+        "the build of the libraries",
     )
-    .map(|_| ())
 }

@@ -7,8 +7,9 @@ mod docs;
 mod edges;
 mod generate;
 mod measure;
+mod needs;
 mod place;
-mod tools;
+mod toolchain;
 mod web;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};

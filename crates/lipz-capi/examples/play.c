@@ -17,8 +17,11 @@
 static const char *const VERBS[] = {"",              "feels",  "sees",           "stares",
                                     "stops staring", "points", "stops pointing", "does"};
 
-static void print_string(lipz_string string) {
-    fwrite(string.data, 1, string.length_bytes, stdout);
+/* Strings have a length and no terminator; where there is none, the pointer is null. */
+static void print(const char *data, size_t length_bytes) {
+    if (length_bytes > 0) {
+        fwrite(data, 1, length_bytes, stdout);
+    }
 }
 
 static int failed(const char *what, lipz_status status) {
@@ -51,16 +54,16 @@ static void print_segment(const lipz_bank *bank, const lipz_segment *segment, co
 
     printf("\n%" PRIu32 ": ", segment->index);
     if (lipz_segment_text(bank, segment, locale, &text) == LIPZ_OK) {
-        fwrite(text.data, 1, text.length_bytes, stdout);
+        print(text.data, text.length_bytes);
         printf("%s", text.is_fallback ? " (fallback)" : "");
     }
     printf("\n");
     for (index = 0; lipz_segment_event(bank, segment, index, &event) == LIPZ_OK; index++) {
         printf("* ");
-        print_string(event.character.name);
+        print(event.character.name.data, event.character.name.length_bytes);
         printf("%s%s", event.character.id == LIPZ_NO_NAME ? "" : " ", VERBS[event.verb]);
         printf("%s", event.object.id == LIPZ_NO_NAME ? "" : " ");
-        print_string(event.object.name);
+        print(event.object.name.data, event.object.name.length_bytes);
         printf("\n");
     }
 }

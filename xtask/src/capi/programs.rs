@@ -1,8 +1,10 @@
 //! The programs in `crates/lipz-capi/examples`, built as their readers would build them.
 
-use crate::{Failure, place, tools};
+use crate::needs::succeed;
+use crate::{Failure, place};
+use std::ffi::OsStr;
 use std::path::Path;
-use std::process::Command;
+use std::process::{Command, Output};
 
 /// What the programs play, and what they print then.
 const BANK: &str = "fixtures/banks/v1/drama.lipzbank";
@@ -34,22 +36,23 @@ pub(super) fn run(prefix: &Path) -> Result<(), Failure> {
 
 fn cmake(sources: &Path, prefix: &Path, build: &Path) -> Result<(), Failure> {
     let found = format!("-DCMAKE_PREFIX_PATH={}", prefix.display());
-    tools::output(Command::new("cmake").arg("-S").arg(sources).arg("-B").arg(build).arg(found))?;
-    tools::output(Command::new("cmake").arg("--build").arg(build)).map(|_| ())
+    let mut configure = Command::new("cmake");
+    configure.args(["--log-level=ERROR", "-S"]).arg(sources).arg("-B").arg(build).arg(found);
+    succeed(&mut configure, "CMake")?;
+    succeed(Command::new("cmake").arg("--build").arg(build), "the build with CMake")
 }
 
 fn make(sources: &Path, prefix: &Path, build: &Path, flags: &str) -> Result<(), Failure> {
     let variable = |name: &str, value: &str| format!("{name}={value}");
-    tools::output(
+    succeed(
         Command::new("make")
-            .arg("--always-make")
-            .arg("-C")
+            .args(["--always-make", "--no-print-directory", "-C"])
             .arg(sources)
             .arg(variable("BUILD", &build.to_string_lossy()))
             .args([variable("CFLAGS", flags), variable("CXXFLAGS", flags)])
             .env("PKG_CONFIG_PATH", prefix.join("lib/pkgconfig")),
+        "the build with pkg-config",
     )
-    .map(|_| ())
 }
 
 fn under_valgrind(program: &Path) -> Command {
@@ -59,21 +62,31 @@ fn under_valgrind(program: &Path) -> Command {
 }
 
 /// The program plays the clip and prints what it should.
-fn plays(mut program: Command, prefix: &Path, expected: &str) -> Result<(), Failure> {
-    let found = tools::output(with_library(&mut program, prefix).arg(place::workspace_root().join(BANK)).args(CLIP))?;
-    if found == expected { Ok(()) } else { Err(format!("it printed something else than {EXPECTED}:\n{found}")) }
+fn plays(program: Command, prefix: &Path, expected: &str) -> Result<(), Failure> {
+    let (shown, output) = played(program, prefix, BANK)?;
+    if output.status.success() && output.stdout == expected.as_bytes() {
+        println!("{shown}: as expected");
+        return Ok(());
+    }
+    let [printed, errors] = [&output.stdout, &output.stderr].map(|bytes| String::from_utf8_lossy(bytes));
+    Err(format!("`{shown}` ended with {}, and did not print {EXPECTED}:\n{printed}{errors}", output.status))
 }
 
 /// The program says of a file that is no bank that it is none.
-fn refuses(mut program: Command, prefix: &Path) -> Result<(), Failure> {
-    let file = place::workspace_root().join("Cargo.toml");
-    match tools::output(with_library(&mut program, prefix).arg(file).args(CLIP)) {
-        Err(failure) if failure.contains("not a lipz bank") => Ok(()),
-        other => Err(format!("a file that is no bank is not refused: {other:?}")),
+fn refuses(program: Command, prefix: &Path) -> Result<(), Failure> {
+    let (shown, output) = played(program, prefix, "Cargo.toml")?;
+    let errors = String::from_utf8_lossy(&output.stderr);
+    if output.status.code() == Some(1) && errors.contains("not a lipz bank") {
+        return Ok(());
     }
+    Err(format!("`{shown}` ended with {}, although its file is no bank:\n{errors}", output.status))
 }
 
-/// Lets the program find the shared library.
-fn with_library<'command>(program: &'command mut Command, prefix: &Path) -> &'command mut Command {
-    program.env("LD_LIBRARY_PATH", prefix.join("lib"))
+/// Plays the clip of a bank.
+fn played(mut program: Command, prefix: &Path, bank: &str) -> Result<(String, Output), Failure> {
+    let words = std::iter::once(program.get_program()).chain(program.get_args());
+    let shown = words.map(OsStr::to_string_lossy).collect::<Vec<_>>().join(" ");
+    program.env("LD_LIBRARY_PATH", prefix.join("lib")).arg(place::workspace_root().join(bank)).args(CLIP);
+    let output = program.output().map_err(|error| format!("`{shown}` cannot be run: {error}"))?;
+    Ok((shown, output))
 }
