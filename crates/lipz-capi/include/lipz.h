@@ -19,6 +19,7 @@
 
 #include <stddef.h>
 #include <stdint.h>
+
 // Damage: the file is shorter than the header of a bank.
 #define LIPZ_TOO_SHORT 1
 
@@ -213,8 +214,8 @@ typedef struct lipz_clip {
   uint32_t frame_count;
   // Number of segments, at least 1 in a verified bank.
   uint32_t segment_count;
-  // Frames in `fps_denominator` seconds, in lowest terms; 0 if unspecified. Set both to supply it: from 1 to 1000
-  // frames per second.
+  // Frames in `fps_denominator` seconds, in lowest terms; 0 if unspecified. Set both to supply it:
+  // from 1 to 1000 frames per second.
   uint32_t fps_numerator;
   // Seconds in which `fps_numerator` frames pass; 0 if unspecified.
   uint32_t fps_denominator;
@@ -464,8 +465,8 @@ lipz_status lipz_locale_at(const struct lipz_bank *bank,
 // The default locale; `LIPZ_NONE` if none was set when the bank was packed.
 lipz_status lipz_locale_default(const struct lipz_bank *bank, struct lipz_locale *locale);
 
-// The event string of a segment, trimmed and otherwise as in the Lipz file. Empty if nothing happens; `LIPZ_NONE` if the file
-// has no events.
+// The event string of a segment, trimmed and otherwise as in the Lipz file. Empty if nothing happens;
+// `LIPZ_NONE` if the file has no events.
 lipz_status lipz_segment_event_string(const struct lipz_bank *bank,
                                       const struct lipz_segment *segment,
                                       struct lipz_string *string);

@@ -30,8 +30,8 @@ pub struct Clip {
     pub frame_count: u32,
     /// Number of segments, at least 1 in a verified bank.
     pub segment_count: u32,
-    /// Frames in `fps_denominator` seconds, in lowest terms; 0 if unspecified. Set both to supply it: from 1 to 1000
-    /// frames per second.
+    /// Frames in `fps_denominator` seconds, in lowest terms; 0 if unspecified. Set both to supply it:
+    /// from 1 to 1000 frames per second.
     pub fps_numerator: u32,
     /// Seconds in which `fps_numerator` frames pass; 0 if unspecified.
     pub fps_denominator: u32,

@@ -76,8 +76,8 @@ impl Event {
     }
 }
 
-/// The event string of a segment, trimmed and otherwise as in the Lipz file. Empty if nothing happens; `LIPZ_NONE` if the file
-/// has no events.
+/// The event string of a segment, trimmed and otherwise as in the Lipz file. Empty if nothing happens;
+/// `LIPZ_NONE` if the file has no events.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn lipz_segment_event_string(
     bank: Option<&Bank>,

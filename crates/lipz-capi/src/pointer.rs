@@ -6,10 +6,7 @@ use core::mem::MaybeUninit;
 use core::slice;
 
 /// Writes the answer of `find` to `out`, or the empty one if there is none.
-pub(crate) fn answer<T: Default>(
-    out: Option<&mut MaybeUninit<T>>,
-    find: impl FnOnce() -> Result<T, Status>,
-) -> Status {
+pub(crate) fn answer<T: Default>(out: Option<&mut MaybeUninit<T>>, find: impl FnOnce() -> Result<T, Status>) -> Status {
     let Some(out) = out else { return LIPZ_NULL_POINTER };
     let (value, status) = match find() {
         Ok(value) => (value, LIPZ_OK),

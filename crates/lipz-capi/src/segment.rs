@@ -96,11 +96,7 @@ pub unsafe extern "C" fn lipz_segment_text(
         let locale = locale.ok_or(LIPZ_NULL_POINTER)?.find(&opened, texts.as_ref()).ok_or(LIPZ_NONE)?;
         let text = found(&opened, segment)?.text(locale).ok_or(LIPZ_NONE)?;
         let string = text.as_str();
-        Ok(Text {
-            data: string.as_ptr().cast(),
-            length_bytes: string.len(),
-            is_fallback: text.is_fallback().into(),
-        })
+        Ok(Text { data: string.as_ptr().cast(), length_bytes: string.len(), is_fallback: text.is_fallback().into() })
     })
 }
 

@@ -51,24 +51,42 @@ fn all_units_of_time_lead_to_the_frame_of_the_reader() {
             unsafe {
                 let frames = [
                     (Answer::of(|out| lipz_frame_at_us(bank, found, time_us, out)), clip.frame_at(Micros(time_us))),
-                    (Answer::of(|out| lipz_frame_at_seconds(bank, found, seconds, out)), clip.frame_at(Seconds(seconds))),
-                    (Answer::of(|out| lipz_frame_at_samples(bank, found, position, rate_hz, out)), clip.frame_at(samples)),
+                    (
+                        Answer::of(|out| lipz_frame_at_seconds(bank, found, seconds, out)),
+                        clip.frame_at(Seconds(seconds)),
+                    ),
+                    (
+                        Answer::of(|out| lipz_frame_at_samples(bank, found, position, rate_hz, out)),
+                        clip.frame_at(samples),
+                    ),
                 ];
                 for (found, expected) in frames {
                     assert_eq!(found.some(), expected, "{time_us} us");
                 }
                 let visemes = [
                     (Answer::of(|out| lipz_viseme_at_us(bank, found, time_us, out)), clip.viseme_at(Micros(time_us))),
-                    (Answer::of(|out| lipz_viseme_at_seconds(bank, found, seconds, out)), clip.viseme_at(Seconds(seconds))),
-                    (Answer::of(|out| lipz_viseme_at_samples(bank, found, position, rate_hz, out)), clip.viseme_at(samples)),
+                    (
+                        Answer::of(|out| lipz_viseme_at_seconds(bank, found, seconds, out)),
+                        clip.viseme_at(Seconds(seconds)),
+                    ),
+                    (
+                        Answer::of(|out| lipz_viseme_at_samples(bank, found, position, rate_hz, out)),
+                        clip.viseme_at(samples),
+                    ),
                 ];
                 for (found, expected) in visemes {
                     assert_eq!(found.ok(), Viseme(expected.code()), "{time_us} us");
                 }
                 let segments = [
                     (Answer::of(|out| lipz_segment_at_us(bank, found, time_us, out)), clip.segment_at(Micros(time_us))),
-                    (Answer::of(|out| lipz_segment_at_seconds(bank, found, seconds, out)), clip.segment_at(Seconds(seconds))),
-                    (Answer::of(|out| lipz_segment_at_samples(bank, found, position, rate_hz, out)), clip.segment_at(samples)),
+                    (
+                        Answer::of(|out| lipz_segment_at_seconds(bank, found, seconds, out)),
+                        clip.segment_at(Seconds(seconds)),
+                    ),
+                    (
+                        Answer::of(|out| lipz_segment_at_samples(bank, found, position, rate_hz, out)),
+                        clip.segment_at(samples),
+                    ),
                 ];
                 for (found, expected) in segments {
                     let found: Option<Segment> = found.some();
@@ -87,12 +105,16 @@ fn segments_have_the_texts_and_events_of_the_reader() {
         for clip in expected.clips() {
             let found = Answer::<Clip>::of(|out| unsafe { lipz_clip_by_id(bank, clip.id().get(), out) }).ok();
             for segment in clip.segments() {
-                let found = Answer::<Segment>::of(|out| unsafe { lipz_segment_at(bank, Some(&found), segment.index(), out) }).ok();
+                let found =
+                    Answer::<Segment>::of(|out| unsafe { lipz_segment_at(bank, Some(&found), segment.index(), out) })
+                        .ok();
                 assert_eq!((found.start_frame, found.end_frame), (segment.start_frame(), segment.end_frame()));
                 let string = Answer::of(|out| unsafe { lipz_segment_event_string(bank, Some(&found), out) });
                 assert_eq!(string.some().map(text_of), segment.event());
                 let written: Vec<_> = (0..)
-                    .map_while(|index| Answer::<Event>::of(|out| unsafe { lipz_segment_event(bank, Some(&found), index, out) }).some())
+                    .map_while(|index| {
+                        Answer::<Event>::of(|out| unsafe { lipz_segment_event(bank, Some(&found), index, out) }).some()
+                    })
                     .map(|event| common::written(&event))
                     .collect();
                 assert_eq!(written, segment.events().map(|event| event.to_string()).collect::<Vec<_>>());
@@ -102,9 +124,11 @@ fn segments_have_the_texts_and_events_of_the_reader() {
                     let by_index = Answer::<Locale>::of(|out| unsafe { lipz_locale_at(bank, index, out) }).ok();
                     assert_eq!((by_tag.index, text_of(by_index.tag)), (index, locale.tag()));
                     assert_eq!(by_tag.is_default == 1, locale.is_default());
-                    let text = Answer::<Text>::of(|out| unsafe { lipz_segment_text(bank, Some(&found), Some(&by_tag), out) }).some();
+                    let text =
+                        Answer::<Text>::of(|out| unsafe { lipz_segment_text(bank, Some(&found), Some(&by_tag), out) })
+                            .some();
                     let text = text.map(|text| {
-                        let string = lipz_capi::String { data: text.data, length_bytes: text.length_bytes };
+                        let string = String { data: text.data, length_bytes: text.length_bytes };
                         (text_of(string), text.is_fallback == 1)
                     });
                     assert_eq!(text, segment.text(locale).map(|text| (text.as_str(), text.is_fallback())));

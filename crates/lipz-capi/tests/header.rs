@@ -80,7 +80,7 @@ fn header() -> String {
 
 /// The kinds of damage as statuses. The reader lists them, with their numbers.
 fn damage() -> String {
-    let mut text = String::new();
+    let mut text = String::from("\n");
     for kind in ErrorKind::ALL {
         let mut name = String::from("LIPZ");
         for letter in format!("{kind:?}").chars() {

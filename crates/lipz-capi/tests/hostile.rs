@@ -60,9 +60,9 @@ fn every_status_has_a_message() {
         assert_eq!(text_of(message), kind.message());
     }
     for status in [LIPZ_OK, LIPZ_NONE, LIPZ_NULL_POINTER, LIPZ_NOT_UTF8] {
-        assert_eq!(Answer::<lipz_capi::String>::of(|out| lipz_status_message(status, out)).status, LIPZ_OK);
+        assert_eq!(Answer::<String>::of(|out| lipz_status_message(status, out)).status, LIPZ_OK);
     }
-    assert_eq!(Answer::<lipz_capi::String>::of(|out| lipz_status_message(200, out)).status, LIPZ_NONE);
+    assert_eq!(Answer::<String>::of(|out| lipz_status_message(200, out)).status, LIPZ_NONE);
 }
 
 #[test]
@@ -87,7 +87,7 @@ fn a_text_bank_belongs_to_its_bank() {
     let segment = Answer::<Segment>::of(|out| unsafe { lipz_segment_at(Some(&split), Some(&clip), 0, out) }).ok();
     let text = Answer::<Text>::of(|out| unsafe { lipz_segment_text(Some(&split), Some(&segment), Some(&locale), out) });
     let text = text.ok();
-    assert_eq!(text_of(lipz_capi::String { data: text.data, length_bytes: text.length_bytes }), "Nur");
+    assert_eq!(text_of(String { data: text.data, length_bytes: text.length_bytes }), "Nur");
 
     let (_, mut drama) = bank(DRAMA);
     let status = unsafe { lipz_bank_use_texts(Some(&mut drama), GERMAN.as_ptr(), GERMAN.len(), None) };
@@ -105,9 +105,8 @@ fn queries_are_total_on_damaged_banks_and_foreign_structs() {
         random ^ (random >> 29)
     };
     let (_, intact) = bank(SMALL);
-    let clips: Vec<Clip> = (0..12)
-        .map(|slot| Answer::of(|out| unsafe { lipz_clip_at(Some(&intact), slot, out) }).ok())
-        .collect();
+    let clips: Vec<Clip> =
+        (0..12).map(|slot| Answer::of(|out| unsafe { lipz_clip_at(Some(&intact), slot, out) }).ok()).collect();
     for place in 0..SMALL.len() {
         let mut bytes = SMALL.to_vec();
         *bytes.get_mut(place).unwrap() ^= 1 << (place % 8);
@@ -116,20 +115,25 @@ fn queries_are_total_on_damaged_banks_and_foreign_structs() {
         every_query(&bank, clip, next() as u32 % 16);
         let foreign = Clip { fps_numerator: next() as u32, fps_denominator: next() as u32, ..*clip };
         every_query(&bank, &Clip { id: next(), ..foreign }, next() as u32);
-        every_query(&bank, &Clip { frame_count: next() as u32, segment_count: next() as u32, ..foreign }, next() as u32);
+        every_query(
+            &bank,
+            &Clip { frame_count: next() as u32, segment_count: next() as u32, ..foreign },
+            next() as u32,
+        );
     }
 }
 
 fn every_query(bank: &Bank, clip: &Clip, number: u32) {
     let (bank, time_us) = (Some(bank), i64::from(number) * 1000);
     unsafe {
-        let segment = Segment { clip_id: clip.id, index: number % 13, start_frame: number, end_frame: number, reserved: number };
+        let segment =
+            Segment { clip_id: clip.id, index: number % 13, start_frame: number, end_frame: number, reserved: number };
         let locale = Locale { index: number % 3, ..Locale::default() };
         Answer::<BankInfo>::of(|out| lipz_bank_info(bank, out));
         Answer::<Clip>::of(|out| lipz_clip_at(bank, number, out));
         Answer::<Clip>::of(|out| lipz_clip_by_id(bank, clip.id, out));
-        Answer::<lipz_capi::String>::of(|out| lipz_clip_key(bank, Some(clip), out));
-        Answer::<lipz_capi::String>::of(|out| lipz_clip_frames(bank, Some(clip), out));
+        Answer::<String>::of(|out| lipz_clip_key(bank, Some(clip), out));
+        Answer::<String>::of(|out| lipz_clip_frames(bank, Some(clip), out));
         Answer::<Viseme>::of(|out| lipz_clip_viseme(bank, Some(clip), number, out));
         Answer::<u64>::of(|out| lipz_clip_start_of_frame_us(bank, Some(clip), number, out));
         Answer::<u32>::of(|out| lipz_frame_at_us(bank, Some(clip), time_us, out));
@@ -138,7 +142,7 @@ fn every_query(bank: &Bank, clip: &Clip, number: u32) {
         Answer::<Segment>::of(|out| lipz_segment_at_us(bank, Some(clip), time_us, out));
         Answer::<Segment>::of(|out| lipz_segment_at(bank, Some(clip), number, out));
         Answer::<Text>::of(|out| lipz_segment_text(bank, Some(&segment), Some(&locale), out));
-        Answer::<lipz_capi::String>::of(|out| lipz_segment_event_string(bank, Some(&segment), out));
+        Answer::<String>::of(|out| lipz_segment_event_string(bank, Some(&segment), out));
         Answer::<Event>::of(|out| lipz_segment_event(bank, Some(&segment), number % 5, out));
         Answer::<Locale>::of(|out| lipz_locale_at(bank, number, out));
         Answer::<Locale>::of(|out| lipz_locale_default(bank, out));

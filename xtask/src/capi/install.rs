@@ -31,7 +31,9 @@ fn files(built: &Path, prefix: &Path) -> std::io::Result<()> {
     for name in [soname(), "liblipz.so"] {
         fs::copy(built.join("liblipz_capi.so"), lib.join(name))?;
     }
-    for (name, folder) in [("lipz.pc", pkgconfig), ("lipz-config.cmake", cmake.clone()), ("lipz-config-version.cmake", cmake)] {
+    for (name, folder) in
+        [("lipz.pc", pkgconfig), ("lipz-config.cmake", cmake.clone()), ("lipz-config-version.cmake", cmake)]
+    {
         let template = fs::read_to_string(sources.join("package").join(name))?;
         fs::write(folder.join(name), template.replace("@VERSION@", VERSION).replace("@SONAME@", soname()))?;
     }

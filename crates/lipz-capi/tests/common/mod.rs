@@ -57,7 +57,7 @@ pub(crate) fn ptr(text: &str) -> (*const c_char, usize) {
     (text.as_ptr().cast(), text.len())
 }
 
-pub(crate) fn text_of(string: lipz_capi::String) -> &'static str {
+pub(crate) fn text_of(string: String) -> &'static str {
     // SAFETY: strings of a bank that lives as long as the program.
     let bytes = unsafe { std::slice::from_raw_parts(string.data.cast(), string.length_bytes) };
     std::str::from_utf8(bytes).unwrap()
