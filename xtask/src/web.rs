@@ -41,7 +41,7 @@ fn build(toolchain: &Toolchain) -> Result<(), Failure> {
         command.env(variable(TARGET, "LINKER"), linker);
     }
     // A page waits for the module to be loaded more than for its answers.
-    command.env("CARGO_PROFILE_LIBRARY_OPT_LEVEL", "s");
+    command.env("CARGO_PROFILE_LIBRARY_OPT_LEVEL", "s").env("CARGO_PROFILE_LIBRARY_STRIP", "true");
     command.args(["--package", "lipz-capi", "--lib", "--profile", "library", "--quiet"]);
     command.args(["--features", "panic-handler", "--crate-type", "cdylib"]);
     succeed(&mut command, "the build of the module")

@@ -18,7 +18,8 @@ export async function serve(port, post = () => false) {
       // `normalize` leaves no `..` behind the leading slash.
       const path = join(ROOT, normalize(decodeURIComponent(pathname)));
       const type = TYPES[extname(path)] ?? "application/octet-stream";
-      response.writeHead(200, { "Content-Type": type }).end(await readFile(path));
+      const contents = await readFile(path);
+      response.writeHead(200, { "Content-Type": type }).end(contents);
     } catch {
       response.writeHead(404).end();
     }
