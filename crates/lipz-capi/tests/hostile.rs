@@ -102,7 +102,7 @@ fn queries_are_total_on_damaged_banks_and_foreign_structs() {
     let mut random = 0x9E37_79B9_7F4A_7C15_u64;
     let mut next = || {
         random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        random ^ (random >> 29)
+        (random >> 32) as u32
     };
     let (_, intact) = bank(SMALL);
     let clips: Vec<Clip> =
@@ -112,14 +112,10 @@ fn queries_are_total_on_damaged_banks_and_foreign_structs() {
         *bytes.get_mut(place).unwrap() ^= 1 << (place % 8);
         let bank = Bank { data: bytes.as_ptr(), length_bytes: bytes.len(), ..Bank::default() };
         let clip = clips.get(place % clips.len()).unwrap();
-        every_query(&bank, clip, next() as u32 % 16);
-        let foreign = Clip { fps_numerator: next() as u32, fps_denominator: next() as u32, ..*clip };
-        every_query(&bank, &Clip { id: next(), ..foreign }, next() as u32);
-        every_query(
-            &bank,
-            &Clip { frame_count: next() as u32, segment_count: next() as u32, ..foreign },
-            next() as u32,
-        );
+        every_query(&bank, clip, next() % 16);
+        let foreign = Clip { fps_numerator: next(), fps_denominator: next(), ..*clip };
+        every_query(&bank, &Clip { id: next().into(), ..foreign }, next());
+        every_query(&bank, &Clip { frame_count: next(), segment_count: next(), ..foreign }, next());
     }
 }
 

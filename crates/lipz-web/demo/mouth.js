@@ -5,12 +5,12 @@ const shape = (width, rise, drop, teeth = 0, tongue = 0) => ({ width, rise, drop
 
 const REST = shape(24, 1, 5);
 const CLOSED = shape(26, 1, 1);
-const CONSONANT = shape(28, 8, 12, 0.55);
-const WIDE = shape(34, 10, 18, 0.45, 0.3);
-const OPEN = shape(30, 16, 40, 0.25, 0.5);
+const CONSONANT = shape(28, 9, 14, 0.85);
+const WIDE = shape(34, 10, 18, 0.7, 0.3);
+const OPEN = shape(30, 16, 40, 0.32, 0.6);
 const ROUND = shape(19, 22, 36, 0.1, 0.4);
 const PURSED = shape(11, 12, 16);
-const BITE = shape(27, 8, 7, 0.9);
+const BITE = shape(27, 9, 8, 1.2);
 const TONGUE = shape(28, 13, 28, 0.3, 0.9);
 const HALF_ROUND = shape(15, 16, 24, 0, 0.3);
 
@@ -46,7 +46,7 @@ const FACE = `
   <circle cx="-28" cy="-11" r="2.5" fill="#fff"/><circle cx="32" cy="-11" r="2.5" fill="#fff"/>
   <path class="brow" d="M-42 -28Q-30 -35 -18 -29"/><path class="brow" d="M18 -29Q30 -35 42 -28"/>
   <path class="nose" d="M-2 4Q-7 18 3 19"/>
-  <g transform="translate(0 50)">
+  <g transform="translate(0 45) scale(0.86)">
     <path class="inside"/>
     <g clip-path="url(#opening)"><ellipse class="tongue" cx="0"/><rect class="teeth" x="-40" width="80"/></g>
     <path class="lips"/>

@@ -1,4 +1,4 @@
-// Serves the package to a browser on this machine: node demo/serve.js
+// Serves the package to a browser on this machine: node demo/serve.js [port]
 
 import { createServer } from "node:http";
 import { readFile } from "node:fs/promises";
@@ -29,6 +29,6 @@ export async function serve(port, post = () => false) {
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
-  const server = await serve(PORT);
+  const server = await serve(Number(process.argv[2] ?? PORT));
   console.log(`http://127.0.0.1:${server.address().port}/demo/index.html`);
 }
