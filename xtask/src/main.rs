@@ -7,8 +7,11 @@ mod docs;
 mod edges;
 mod generate;
 mod measure;
+mod msrv;
 mod needs;
 mod place;
+mod size;
+mod targets;
 mod toolchain;
 mod web;
 
@@ -37,6 +40,12 @@ enum Task {
     Web,
     /// Check which crates depend on which
     Edges,
+    /// Run the reader on other machines: bare metal, big-endian, 32-bit, wasm
+    Targets(targets::Settings),
+    /// Count the reader's code on a Cortex-M, and prove that it cannot panic or allocate
+    Size,
+    /// Build the reader with the oldest compiler that it promises
+    Msrv,
     /// Write docs/DIAGNOSTICS.md, whose contents are in the code
     Docs,
     /// Write a folder of made-up clips of realistic size and shape
@@ -68,6 +77,9 @@ fn main() -> ExitCode {
         Task::Capi => capi::run(),
         Task::Web => web::run(),
         Task::Edges => edges::run(),
+        Task::Targets(settings) => targets::run(&settings),
+        Task::Size => size::run(),
+        Task::Msrv => msrv::run(),
         Task::Docs => docs::run(),
         Task::Generate(settings) => generate::run(&settings),
         Task::Measure(settings) => measure::run(&settings),

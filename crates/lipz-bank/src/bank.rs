@@ -1,6 +1,6 @@
 //! Opening a bank and finding its clips and locales.
 
-use crate::file::File;
+use crate::file::{entries, File, Sections};
 use crate::layout::{self, ClipRecord, EventNameRecord, EventRecord, Tag, TypedEventRecord, U32};
 use crate::locale::LocaleTable;
 use crate::pool::Pool;
@@ -36,25 +36,33 @@ impl<'data> Bank<'data> {
     /// When the bytes are not a bank of a known format version, were cut off, or have a directory
     /// that leads out of them.
     pub fn open(bytes: &'data [u8]) -> Result<Bank<'data>, Error> {
-        let file = File::open(bytes)?;
-        if file.has(Tag::LOCALES) && !file.has(Tag::CLIPS) {
+        let (file, sections) = File::open(bytes)?;
+        let [clips, _, _, _, _, _, locales, ..] = sections;
+        if clips.is_none() && locales.is_some() {
             return Err(Error::new(ErrorKind::TextsOnly, 0));
         }
-        let clips: &[ClipRecord] = file.array(Tag::CLIPS)?;
-        Ok(Bank {
+        Bank::of(file, &sections).ok_or_else(|| file.misfit())
+    }
+
+    /// The bank of these sections, unless one is missing or does not consist of entries.
+    fn of(file: File<'data>, sections: &Sections<'data>) -> Option<Bank<'data>> {
+        let [clips, pilots, key_order, names, frames, starts, _, _, _, event_refs, events, typed_events, event_names, event_strings] =
+            *sections;
+        let clips: &[ClipRecord] = entries(clips)?;
+        Some(Bank {
             file,
             clips,
-            pilots: file.array(Tag::PILOTS)?,
-            key_order: file.array(Tag::KEY_ORDER)?,
-            names: Pool::Bytes(file.array(Tag::NAMES)?),
-            frames: file.array(Tag::FRAMES)?,
-            starts: file.array(Tag::STARTS)?,
-            texts: LocaleTable::of(&file, clips.len())?,
-            event_refs: file.array(Tag::EVENT_REFS)?,
-            events: file.array(Tag::EVENTS)?,
-            typed_events: file.array(Tag::TYPED_EVENTS)?,
-            event_names: file.array(Tag::EVENT_NAMES)?,
-            event_strings: Pool::Bytes(file.array(Tag::EVENT_STRINGS)?),
+            pilots: entries(pilots)?,
+            key_order: entries(key_order)?,
+            names: Pool::Bytes(names?),
+            frames: frames?,
+            starts: entries(starts)?,
+            texts: LocaleTable::of(sections, clips.len())?,
+            event_refs: entries(event_refs)?,
+            events: entries(events)?,
+            typed_events: entries(typed_events)?,
+            event_names: entries(event_names)?,
+            event_strings: Pool::Bytes(event_strings?),
         })
     }
 
