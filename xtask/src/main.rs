@@ -34,7 +34,7 @@ struct Arguments {
 enum Task {
     /// Run everything that a change must pass: format, lints, documentation, tests, edges
     Ci,
-    /// Build the libraries for C, install them in target/capi, and run C and C++ programs with them
+    /// Build the libraries for C in target/capi, and run programs in C and C++ with them
     Capi,
     /// Build the npm package for browsers and node in target/web, and test it in both
     Web,

@@ -47,7 +47,7 @@ fn build(toolchain: &Toolchain) -> Result<(), Failure> {
     succeed(&mut command, "the build of the module")
 }
 
-/// Puts module, sources and bank together, in place of what is there.
+/// Puts the package together, in place of what is there.
 fn assemble(package: &Path) -> std::io::Result<()> {
     let root = place::workspace_root();
     if package.exists() {
@@ -64,6 +64,9 @@ fn assemble(package: &Path) -> std::io::Result<()> {
     }
     let module = Toolchain::build_folder().join(TARGET).join("library/lipz_capi.wasm");
     fs::copy(module, package.join("lipz.wasm"))?;
+    for licence in ["LICENSE-MIT", "LICENSE-APACHE"] {
+        fs::copy(root.join(licence), package.join(licence))?;
+    }
     fs::copy(root.join(BANK), package.join("demo/dialogue.lipzbank"))?;
     fs::copy(root.join("crates/lipz-capi/include/lipz.h"), package.join("test/lipz.h"))?;
     Ok(())

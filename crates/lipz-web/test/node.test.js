@@ -93,6 +93,13 @@ test("keys of any length and alphabet can be asked for", async () => {
   assert.equal(bank.clip(KEY).key, KEY);
 });
 
+test("the package has the version of the library", async () => {
+  const header = await readFile(new URL("lipz.h", import.meta.url), "utf8");
+  const { version } = JSON.parse(await readFile(new URL("../package.json", import.meta.url), "utf8"));
+  const numbers = ["MAJOR", "MINOR", "PATCH"].map((part) => header.match(`LIPZ_VERSION_${part} (\\d+)`)[1]);
+  assert.equal(version, numbers.join("."));
+});
+
 test("structs.js has the structs of lipz.h, field by field", async () => {
   const header = await readFile(new URL("lipz.h", import.meta.url), "utf8");
   const names = { size_t: "u32", uint32_t: "u32", uint64_t: "u64", "const char *": "pointer", "const uint8_t *": "pointer" };
