@@ -57,7 +57,8 @@ function show() {
   $("time").textContent = `${time.toFixed(2)} / ${clip.duration.toFixed(2)} s`;
   $("event").textContent = segment?.event ?? "";
   $("subtitle").textContent = text?.text ?? "";
-  $("subtitle").lang = $("locale").value;
+  // Whose text a fallback is, the bank does not say.
+  $("subtitle").lang = text?.isFallback ? "" : $("locale").value;
   $("subtitle").dir = "auto";
   $("subtitle").classList.toggle("fallback", text?.isFallback ?? false);
   $("play").classList.toggle("playing", clock.playing);
