@@ -1,6 +1,6 @@
 //! Opening a bank and finding its clips and locales.
 
-use crate::file::{entries, File, Sections};
+use crate::file::{entries, File, Sections, NO_SECTIONS};
 use crate::layout::{self, ClipRecord, EventNameRecord, EventRecord, Tag, TypedEventRecord, U32};
 use crate::locale::LocaleTable;
 use crate::pool::Pool;
@@ -36,7 +36,8 @@ impl<'data> Bank<'data> {
     /// When the bytes are not a bank of a known format version, were cut off, or have a directory
     /// that leads out of them.
     pub fn open(bytes: &'data [u8]) -> Result<Bank<'data>, Error> {
-        let (file, sections) = File::open(bytes)?;
+        let mut sections = NO_SECTIONS;
+        let file = File::open(bytes, &mut sections)?;
         let [clips, _, _, _, _, _, locales, ..] = sections;
         if clips.is_none() && locales.is_some() {
             return Err(Error::new(ErrorKind::TextsOnly, 0));

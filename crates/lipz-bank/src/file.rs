@@ -19,10 +19,13 @@ pub(crate) struct File<'data> {
 /// The contents of the sections that every bank has, in the order of [`Tag::REQUIRED`].
 pub(crate) type Sections<'data> = [Option<&'data [u8]>; Tag::REQUIRED.len()];
 
+/// The place for [`Sections`].
+pub(crate) const NO_SECTIONS: Sections<'static> = [None; Tag::REQUIRED.len()];
+
 impl<'data> File<'data> {
     /// Checks header and directory, and finds the sections, in a time that depends only on their
-    /// number.
-    pub(crate) fn open(bytes: &'data [u8]) -> Result<(File<'data>, Sections<'data>), Error> {
+    /// number. They are put into place, because returning so many costs a copy.
+    pub(crate) fn open(bytes: &'data [u8], sections: &mut Sections<'data>) -> Result<File<'data>, Error> {
         let (header, rest) = open_header(bytes)?;
         let count = header.section_count.get() as usize;
         if count > layout::MAX_SECTIONS {
@@ -31,11 +34,10 @@ impl<'data> File<'data> {
         let (directory, _) = <[DirectoryEntry]>::ref_from_prefix_with_elems(rest, count)
             .map_err(|_| Error::new(ErrorKind::DirectoryOutOfBounds, SECTION_COUNT_OFFSET))?;
         let file = File { bytes, header, directory };
-        let mut sections = [None; Tag::REQUIRED.len()];
         for (index, entry) in directory.iter().enumerate() {
-            file.place(entry, &mut sections).map_err(|kind| Error::new(kind, entry_offset(index)))?;
+            file.place(entry, sections).map_err(|kind| Error::new(kind, entry_offset(index)))?;
         }
-        Ok((file, sections))
+        Ok(file)
     }
 
     /// Puts the contents of one section to its place.

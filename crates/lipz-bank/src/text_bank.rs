@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::file::File;
+use crate::file::{File, NO_SECTIONS};
 use crate::layout::Tag;
 use crate::locale::LocaleTable;
 use crate::{Bank, Error, ErrorKind, Locale, Locales};
@@ -41,7 +41,8 @@ impl Bank<'_> {
     /// # Errors
     /// As [`Bank::open`], and when the texts belong to other clips: the fingerprints differ.
     pub fn open_texts<'texts>(&self, bytes: &'texts [u8]) -> Result<TextBank<'texts>, Error> {
-        let (file, sections) = File::open(bytes)?;
+        let mut sections = NO_SECTIONS;
+        let file = File::open(bytes, &mut sections)?;
         if file.header.fingerprint.get() != self.fingerprint() {
             return Err(Error::new(ErrorKind::OtherClips, 24));
         }
