@@ -14,8 +14,8 @@ const TARGET: &str = "wasm32-unknown-unknown";
 /// The bank that the demo and the tests play, and where they look for it.
 const BANK: &str = "fixtures/banks/v1/drama.lipzbank";
 
-/// The folders of the package; each is one level deep.
-const FOLDERS: [&str; 3] = [".", "demo", "test"];
+/// The folders of the package, the first of which is the package itself.
+const FOLDERS: [&str; 3] = ["", "demo", "test"];
 
 pub(crate) fn run() -> Result<(), Failure> {
     let Some(toolchain) = Toolchain::find(TARGET, Library::Core) else {
