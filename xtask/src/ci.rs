@@ -1,6 +1,6 @@
 //! `cargo xtask ci`: everything that a change must pass, in order, until something fails.
 
-use crate::{Failure, edges, msrv, size, targets};
+use crate::{Failure, capi, edges, msrv, size, targets, web};
 use std::process::Command;
 use std::time::{Duration, Instant};
 
@@ -35,6 +35,8 @@ pub(crate) fn run() -> Result<(), Failure> {
     timed("oldest compiler", &mut times, msrv::run)?;
     timed("size", &mut times, size::run)?;
     timed("targets", &mut times, targets::run_all)?;
+    timed("C and C++", &mut times, capi::run)?;
+    timed("web", &mut times, web::run)?;
     println!("\nall steps passed:");
     for (name, time) in times {
         println!("  {name:<20} {:>7.1} s", time.as_secs_f64());

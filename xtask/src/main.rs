@@ -1,5 +1,6 @@
 //! Tasks of this workspace: `cargo xtask <task>`. Without a task it lists them.
 
+mod capi;
 mod ci;
 mod corpus;
 mod docs;
@@ -13,6 +14,7 @@ mod place;
 mod size;
 mod targets;
 mod toolchain;
+mod web;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::ffi::OsString;
@@ -33,6 +35,10 @@ struct Arguments {
 enum Task {
     /// Run everything that a change must pass: format, lints, documentation, tests, edges
     Ci,
+    /// Build the libraries for C in target/capi, and run programs in C and C++ with them
+    Capi,
+    /// Build the npm package for browsers and node in target/web, and test it in both
+    Web,
     /// Check which crates depend on which
     Edges,
     /// Run the reader on other machines: bare metal, big-endian, 32-bit, wasm
@@ -71,6 +77,8 @@ fn main() -> ExitCode {
     };
     let result = match task {
         Task::Ci => ci::run(),
+        Task::Capi => capi::run(),
+        Task::Web => web::run(),
         Task::Edges => edges::run(),
         Task::Targets(settings) => targets::run(&settings),
         Task::Size => size::run(),

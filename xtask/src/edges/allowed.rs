@@ -72,6 +72,7 @@ pub(super) const ALLOWED: &[Rule] = &[
         direct: Some(&["lipz-bank", "memmap2", "self_cell"]),
         transitive: Some(&[READER, &["lipz-bank", "libc", "memmap2", "self_cell"]]),
     },
+    Rule { name: "lipz-capi", direct: Some(&["lipz-bank"]), transitive: Some(&[READER, &["lipz-bank"]]) },
     // What a game carries; its build script uses the compiler.
     Rule {
         name: "dialogue-player",
