@@ -1,11 +1,14 @@
 //! Tasks of this workspace: `cargo xtask <task>`. Without a task it lists them.
 
 mod ci;
+mod compare;
 mod corpus;
 mod docs;
 mod edges;
 mod generate;
+mod instructions;
 mod measure;
+mod needs;
 mod place;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
@@ -35,6 +38,10 @@ enum Task {
     Generate(generate::Settings),
     /// Measure packing against reading the same files (release builds only)
     Measure(measure::Settings),
+    /// Compare the reader with other ways to keep clips in a file, as a Markdown table
+    Compare(compare::Settings),
+    /// Count the instructions of the reader's queries and hold them to their limits
+    Instructions(instructions::Settings),
     /// Check packing, reading and unpacking against a folder of files with known contents
     Corpus(corpus::Settings),
     /// One piece of work of `measure`, in a process of its own
@@ -61,6 +68,8 @@ fn main() -> ExitCode {
         Task::Docs => docs::run(),
         Task::Generate(settings) => generate::run(&settings),
         Task::Measure(settings) => measure::run(&settings),
+        Task::Compare(settings) => compare::run(&settings),
+        Task::Instructions(settings) => instructions::run(&settings),
         Task::Corpus(settings) => corpus::run(&settings),
         Task::Measured(measured) => measure::run_one(&measured),
     };

@@ -67,13 +67,18 @@ const fn kind<R: rival::Rival>() -> Kind {
 }
 
 /// All that take part.
-const KINDS: [Kind; 6] = [
+const KINDS: [Kind; 11] = [
     kind::<rivals::none::Nothing>(),
     kind::<rivals::lipz::Lipz>(),
     kind::<rivals::limit::Limit>(),
     kind::<rivals::rkyv::Rkyv>(),
+    kind::<rivals::flat::Flatbuffers>(),
+    kind::<rivals::zerovec::ZeroVectors>(),
+    kind::<rivals::serde::Bincode>(),
+    kind::<rivals::serde::Postcard>(),
     kind::<rivals::json::ParsedOnce>(),
     kind::<rivals::json::AsSpecified>(),
+    kind::<rivals::sqlite::Sqlite>(),
 ];
 
 /// The locale of which texts are asked.

@@ -41,11 +41,12 @@ impl Bank<'_> {
     /// # Errors
     /// As [`Bank::open`], and when the texts belong to other clips: the fingerprints differ.
     pub fn open_texts<'texts>(&self, bytes: &'texts [u8]) -> Result<TextBank<'texts>, Error> {
-        let file = File::open(bytes)?;
+        let (file, sections) = File::open(bytes)?;
         if file.header.fingerprint.get() != self.fingerprint() {
             return Err(Error::new(ErrorKind::OtherClips, 24));
         }
-        Ok(TextBank { file, table: LocaleTable::of(&file, self.clip_count())? })
+        let table = LocaleTable::of(&sections, self.clip_count()).ok_or_else(|| file.misfit())?;
+        Ok(TextBank { file, table })
     }
 }
 
