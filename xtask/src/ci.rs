@@ -1,6 +1,6 @@
 //! `cargo xtask ci`: everything that a change must pass, in order, until something fails.
 
-use crate::{Failure, edges};
+use crate::{Failure, edges, instructions};
 use std::process::Command;
 use std::time::{Duration, Instant};
 
@@ -36,6 +36,7 @@ pub(crate) fn run() -> Result<(), Failure> {
     }
     timed("edges", &mut times, edges::run)?;
     timed("reader without std", &mut times, bare_metal)?;
+    timed("instructions of the reader", &mut times, || instructions::run(&instructions::Settings::default()))?;
     println!("\nall steps passed:");
     for (name, time) in times {
         println!("  {name:<20} {:>7.1} s", time.as_secs_f64());

@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// What `instructions` is asked for.
-#[derive(Args, Debug)]
+#[derive(Args, Debug, Default)]
 pub(crate) struct Settings {
     /// Make what is counted now the limits
     #[arg(long)]
@@ -94,7 +94,8 @@ fn bank_bytes() -> Result<Vec<u8>, Failure> {
 /// Instructions of one answer: what twice as many take more.
 fn count(program: &Path, bank: &Path, question: &str) -> Result<u64, Failure> {
     let times = if WHOLE_BANK.contains(&question) { 2 } else { 10_000 };
-    let ask = |times: u64| callgrind::instructions(Command::new(program).arg(bank).arg(question).arg(times.to_string()));
+    let ask =
+        |times: u64| callgrind::instructions(Command::new(program).arg(bank).arg(question).arg(times.to_string()));
     Ok(ask(2 * times)?.saturating_sub(ask(times)?) / times)
 }
 

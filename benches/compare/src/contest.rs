@@ -104,7 +104,11 @@ impl<R: Rival> Entry<R> {
         Ok(Box::new(Entry::<R> { file, reader, questions, misses, locale: locale.to_owned() }))
     }
 
-    fn sum_open(&self, times: usize, open: impl Fn(&'static File) -> Result<R::Reader, Failure>) -> Result<usize, Failure> {
+    fn sum_open(
+        &self,
+        times: usize,
+        open: impl Fn(&'static File) -> Result<R::Reader, Failure>,
+    ) -> Result<usize, Failure> {
         for _ in 0..times {
             black_box(&open(black_box(self.file))?);
         }
@@ -175,9 +179,10 @@ impl<R: Rival> Contestant for Entry<R> {
     }
 
     fn heap_bytes(&self) -> Result<usize, Failure> {
-        let before = heap::held_bytes();
+        let held = || heap::held_bytes() + R::foreign_heap_bytes();
+        let before = held();
         let reader = R::open(self.file)?;
-        let held = heap::held_bytes().saturating_sub(before);
+        let held = held().saturating_sub(before);
         drop(reader);
         Ok(held)
     }

@@ -87,7 +87,11 @@ impl Clip {
             viseme_type: types.iter().find(|(name, _)| *name == file.viseme_type).map_or(0, |(_, number)| *number),
             starts: starts.collect(),
             visemes: file.visemes.replace('|', ""),
-            texts: file.texts.values().map(|text| text.split('|').map(|text| display(text).to_owned()).collect()).collect(),
+            texts: file
+                .texts
+                .values()
+                .map(|text| text.split('|').map(|text| display(text).to_owned()).collect())
+                .collect(),
             events: match file.events.as_str() {
                 "" => Vec::new(),
                 events => events.split('|').map(str::to_owned).collect(),

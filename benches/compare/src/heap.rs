@@ -3,8 +3,7 @@
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
-/// The system's allocator, with counters. SQLite's C code has its own way to the system: see
-/// [`crate::rivals::sqlite`].
+/// The system's allocator, with counters.
 struct Counting;
 
 #[global_allocator]

@@ -67,9 +67,10 @@ const fn kind<R: rival::Rival>() -> Kind {
 }
 
 /// All that take part.
-const KINDS: [Kind; 11] = [
+const KINDS: [Kind; 12] = [
     kind::<rivals::none::Nothing>(),
     kind::<rivals::lipz::Lipz>(),
+    kind::<rivals::lipz::LipzSimd>(),
     kind::<rivals::limit::Limit>(),
     kind::<rivals::rkyv::Rkyv>(),
     kind::<rivals::flat::Flatbuffers>(),

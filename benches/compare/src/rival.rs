@@ -34,6 +34,11 @@ pub trait Rival: 'static {
     /// Opens a file that is known to be good.
     fn open(file: &'static File) -> Result<Self::Reader, Failure>;
 
+    /// Bytes on the heap that the allocator of this program does not see.
+    fn foreign_heap_bytes() -> usize {
+        0
+    }
+
     /// Opens a file that may be damaged: afterwards nothing that the reader does is undefined.
     fn open_validated(file: &'static File) -> Result<Self::Reader, Failure>;
 }

@@ -71,8 +71,21 @@ impl<'data> Bank<'data> {
     ///
     /// # Errors
     /// The first damage found.
-    pub fn verify(mut self) -> Result<Bank<'data>, Error> {
-        crate::verify::verify(&mut self)?;
+    pub fn verify(self) -> Result<Bank<'data>, Error> {
+        self.verify_with(crate::verify::core_utf8)
+    }
+
+    /// Like [`Bank::verify`], with a UTF-8 check of the program's own: that of the standard library takes
+    /// half of the time.
+    ///
+    /// `utf8` gives the bytes that it gets as a string, or nothing if they are not UTF-8. That of
+    /// [simdutf8](https://docs.rs/simdutf8) is many times faster than the standard library's:
+    /// `bank.verify_with(|bytes| simdutf8::basic::from_utf8(bytes).ok())`.
+    ///
+    /// # Errors
+    /// The first damage found.
+    pub fn verify_with(mut self, utf8: fn(&'data [u8]) -> Option<&'data str>) -> Result<Bank<'data>, Error> {
+        crate::verify::verify(&mut self, utf8)?;
         Ok(self)
     }
 

@@ -49,7 +49,8 @@ impl Rival for ZeroVectors {
             first_segments.push(first_segments[first_segments.len() - 1] + clip.starts.len() as u32);
             events.extend((0..clip.starts.len()).map(|segment| clip.events.get(segment).map_or("", String::as_str)));
         }
-        let texts = (0..corpus.bank.locales.len()).flat_map(|locale| clips.iter().flat_map(move |clip| &clip.texts[locale]));
+        let texts =
+            (0..corpus.bank.locales.len()).flat_map(|locale| clips.iter().flat_map(move |clip| &clip.texts[locale]));
         let vectors = Vectors {
             locales: VarZeroVec::from(corpus.bank.locales.as_slice()),
             keys: VarZeroVec::from(clips.iter().map(|clip| clip.key.as_str()).collect::<Vec<_>>().as_slice()),
