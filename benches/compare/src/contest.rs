@@ -5,10 +5,11 @@ use crate::corpus::{Corpus, Questions, frame_at};
 use crate::heap;
 use crate::rival::{File, Reader, Rival};
 use clap::ValueEnum;
+use cpu_time::ThreadTime;
 use std::hint::black_box;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Questions between two looks at the clock.
 const BATCH: usize = 1024;
@@ -53,20 +54,21 @@ pub trait Contestant {
     /// Asks `times` times. Returns how many answers were given: a sweep has many a clip.
     fn ask(&self, ask: Ask, at: Range<usize>) -> Result<usize, Failure>;
 
-    /// Nanoseconds per answer, asking from question `cursor` on, which moves.
+    /// Nanoseconds of this thread's processor time per answer: what other programs take does not count.
+    /// Asks from question `cursor` on, which moves.
     fn time(&self, ask: Ask, cursor: &mut usize) -> Result<f64, Failure> {
         if matches!(ask, Ask::Open | Ask::Validate) {
-            let start = Instant::now();
+            let start = ThreadTime::now();
             self.ask(ask, 0..1)?;
             let once = start.elapsed();
             if once > FAST_OPEN {
                 return Ok(once.as_nanos() as f64);
             }
-            let start = Instant::now();
+            let start = ThreadTime::now();
             self.ask(ask, 0..OPENINGS as usize)?;
             return Ok(start.elapsed().as_nanos() as f64 / f64::from(OPENINGS));
         }
-        let (start, mut answers) = (Instant::now(), 0);
+        let (start, mut answers) = (ThreadTime::now(), 0);
         while start.elapsed() < SLICE {
             answers += self.ask(ask, *cursor..*cursor + BATCH)?;
             *cursor = (*cursor + BATCH) % self.question_count();

@@ -9,6 +9,8 @@ use std::hint::black_box;
 
 /// Microseconds between two frames of a display.
 const TICK_US: usize = 16_667;
+/// Places and times that are asked for in turn.
+const DRAWN: usize = 10_000;
 /// No clip of the generator is longer.
 const LONGEST_US: usize = 12_000_000;
 
@@ -28,10 +30,10 @@ fn ask(bytes: &[u8], question: &str, times: usize) -> Result<(), Box<dyn std::er
     let ids: Vec<ClipId> = keys.iter().map(|key| ClipId::of(key)).collect();
     let clips: Vec<Clip<'_, '_>> = ids.iter().filter_map(|id| bank.clip(*id)).collect();
     let mut random = Random::new(DEFAULT_SEED, 0);
-    // Where and when: drawn before, so that drawing does not count.
-    let places: Vec<usize> = (0..times).map(|_| random.between(0, clips.len() - 1)).collect();
-    let times_us: Vec<i64> = (0..times).map(|_| random.between(0, LONGEST_US) as i64).collect();
-    let asked = std::iter::zip(places, times_us);
+    // Where and when: as many for any number of questions, so that drawing does not count.
+    let drawn: Vec<(usize, i64)> =
+        (0..DRAWN).map(|_| (random.between(0, clips.len() - 1), random.between(0, LONGEST_US) as i64)).collect();
+    let asked = drawn.into_iter().cycle().take(times);
     match question {
         "open" => (0..times).for_each(|_| _ = black_box(Bank::open(black_box(bytes)))),
         "verify" => (0..times).for_each(|_| _ = black_box(Bank::open(black_box(bytes)).and_then(Bank::verify))),
