@@ -1,6 +1,6 @@
 //! `cargo xtask ci`: everything that a change must pass, in order, until something fails.
 
-use crate::{Failure, capi, edges, msrv, size, targets, web};
+use crate::{Failure, capi, edges, instructions, msrv, size, targets, web};
 use std::process::Command;
 use std::time::{Duration, Instant};
 
@@ -37,6 +37,7 @@ pub(crate) fn run() -> Result<(), Failure> {
     timed("targets", &mut times, targets::run_all)?;
     timed("C and C++", &mut times, capi::run)?;
     timed("web", &mut times, web::run)?;
+    timed("instructions of the reader", &mut times, || instructions::run(&instructions::Settings::default()))?;
     println!("\nall steps passed:");
     for (name, time) in times {
         println!("  {name:<20} {:>7.1} s", time.as_secs_f64());

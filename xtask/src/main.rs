@@ -2,11 +2,13 @@
 
 mod capi;
 mod ci;
+mod compare;
 mod corpus;
 mod docs;
 mod edges;
 mod fuzz;
 mod generate;
+mod instructions;
 mod measure;
 mod msrv;
 mod needs;
@@ -53,6 +55,10 @@ enum Task {
     Generate(generate::Settings),
     /// Measure packing against reading the same files (release builds only)
     Measure(measure::Settings),
+    /// Compare the reader with other ways to keep clips in a file, as a Markdown table
+    Compare(compare::Settings),
+    /// Count the instructions of the reader's queries and hold them to their limits
+    Instructions(instructions::Settings),
     /// Check packing, reading and unpacking against a folder of files with known contents
     Corpus(corpus::Settings),
     /// Look for inputs on which something does not hold that must hold for any bytes
@@ -86,6 +92,8 @@ fn main() -> ExitCode {
         Task::Docs => docs::run(),
         Task::Generate(settings) => generate::run(&settings),
         Task::Measure(settings) => measure::run(&settings),
+        Task::Compare(settings) => compare::run(&settings),
+        Task::Instructions(settings) => instructions::run(&settings),
         Task::Corpus(settings) => corpus::run(&settings),
         Task::Fuzz(settings) => fuzz::run(&settings),
         Task::Measured(measured) => measure::run_one(&measured),

@@ -57,8 +57,20 @@ impl<'data> TextBank<'data> {
     ///
     /// # Errors
     /// The first damage found.
-    pub fn verify(mut self, bank: &Bank<'_>) -> Result<TextBank<'data>, Error> {
-        crate::verify::verify_texts(&mut self, bank)?;
+    pub fn verify(self, bank: &Bank<'_>) -> Result<TextBank<'data>, Error> {
+        self.verify_with(bank, crate::verify::core_utf8)
+    }
+
+    /// Like [`TextBank::verify`], with a UTF-8 check of the program's own: see [`Bank::verify_with`].
+    ///
+    /// # Errors
+    /// The first damage found.
+    pub fn verify_with(
+        mut self,
+        bank: &Bank<'_>,
+        utf8: fn(&'data [u8]) -> Option<&'data str>,
+    ) -> Result<TextBank<'data>, Error> {
+        crate::verify::verify_texts(&mut self, bank, utf8)?;
         Ok(self)
     }
 
