@@ -48,7 +48,7 @@
     )
 )]
 
-#[cfg(feature = "std")]
+#[cfg(any(feature = "std", test))]
 extern crate std;
 
 mod bank;
@@ -60,6 +60,7 @@ mod fps;
 mod id;
 pub mod layout;
 mod locale;
+mod playback;
 mod pool;
 mod segment;
 mod text_bank;
@@ -74,6 +75,7 @@ pub use event::{Command, Event, EventName, Events};
 pub use fps::Fps;
 pub use id::ClipId;
 pub use locale::{Locale, Locales};
+pub use playback::{CharacterState, Characters, Crossed, Hold, Lead, Playback};
 pub use segment::{Segment, Segments, Text};
 pub use text_bank::TextBank;
 pub use time::{Micros, Samples, Seconds, Time};
