@@ -51,6 +51,7 @@
 #[cfg(any(feature = "std", test))]
 extern crate std;
 
+mod babble;
 mod bank;
 mod clip;
 mod error;
@@ -60,6 +61,7 @@ mod fps;
 mod id;
 pub mod layout;
 mod locale;
+mod openness;
 mod playback;
 mod pool;
 mod segment;
@@ -68,6 +70,7 @@ mod time;
 mod verify;
 mod viseme;
 
+pub use babble::{Babble, Babbles, Level, Power, Weight, Weights};
 pub use bank::Bank;
 pub use clip::{Clip, Clips};
 pub use error::{Error, ErrorKind};
