@@ -184,7 +184,10 @@ impl<'data> Babble<'data> {
     ///
     /// Each loop starts with its first digit at 0. It is computed from the time, never stepped, so nothing drifts.
     pub fn at<T: Time, P: Power>(&self, elapsed: T, power: P) -> Weights {
-        let Some(index) = self.rate.frame_at(elapsed) else { return Weights::default() };
+        let index = match self.rate.frame_at(elapsed) {
+            Some(index) => index,
+            None => return Weights::default(),
+        };
         let [ooh, aah] = power.indices([self.ooh_power_transfer.len(), self.aah_power_transfer.len()]);
         Weights {
             ooh: product(self.ooh, index, self.ooh_power_transfer, ooh),

@@ -17,7 +17,8 @@ fn bank(settings: &str) -> Vec<u8> {
 
 #[test]
 fn a_named_profile_takes_from_the_projects_own_and_that_from_the_viewers() {
-    let bytes = bank("[babble]\nrate = 30\nooh = \"12\"\n[babble.robot]\nooh = \"34\"\n[babble.\"größer\"]\naah = \"5\"\n");
+    let bytes =
+        bank("[babble]\nrate = 30\nooh = \"12\"\n[babble.robot]\nooh = \"34\"\n[babble.\"größer\"]\naah = \"5\"\n");
     let bank = Bank::open(&bytes).unwrap().verify().unwrap();
     assert!(bank.babbles().map(|babble| babble.name()).eq(["default", "größer", "robot"]));
     let (own, robot) = (bank.default_babble(), bank.babble("robot").unwrap());
