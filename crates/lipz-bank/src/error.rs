@@ -128,4 +128,6 @@ error_kinds! {
     TypedEvent = 31, "a typed event is not valid";
     /// The names of typed events are not listed in their order, or one lies outside its pool.
     EventName = 32, "the names in events are not listed in their order";
+    /// A babble profile is cut off, not in the order of the names, or has a string that is not digits.
+    Babble = 33, "a babble profile is not valid";
 }

@@ -1,8 +1,8 @@
 //! The command line: the list of commands. Each one's arguments and help stand beside its work.
 
 use crate::commands::{
-    check, completions, convert, coverage, diff, explain, fmt, ids, init, inspect, man, pack, schema, stats, unpack,
-    verify, watch,
+    babble, check, completions, convert, coverage, diff, explain, fmt, ids, init, inspect, man, pack, schema, stats,
+    unpack, verify, watch,
 };
 use crate::render::Format;
 use clap::{Parser, Subcommand};
@@ -43,6 +43,7 @@ pub(crate) enum Command {
     Coverage(coverage::CoverageArguments),
     Stats(stats::Stats),
     Ids(ids::Ids),
+    Babble(babble::BabbleArguments),
     Explain(explain::Explain),
     Schema(schema::Schema),
     Completions(completions::Completions),
@@ -59,7 +60,9 @@ impl Command {
             Command::Fmt(fmt) => fmt.prints_result(),
             Command::Convert(convert) => convert.prints_result(),
             Command::Watch(_) | Command::Init(_) | Command::Unpack(_) | Command::Verify(_) | Command::Man(_) => false,
-            Command::Inspect(_) | Command::Diff(_) | Command::Coverage(_) | Command::Stats(_) => true,
+            Command::Inspect(_) | Command::Diff(_) | Command::Coverage(_) | Command::Stats(_) | Command::Babble(_) => {
+                true
+            }
             Command::Explain(_) | Command::Schema(_) | Command::Completions(_) => true,
         }
     }

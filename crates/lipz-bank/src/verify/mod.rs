@@ -5,6 +5,7 @@
 //! compiler writes it. That is checked, too: it is what keeps a forged bank, in which all clips
 //! claim the same bytes, from being checked over and over.
 
+mod babble;
 mod clips;
 mod events;
 mod sections;
@@ -36,6 +37,7 @@ pub(crate) fn verify<'data>(bank: &mut Bank<'data>, utf8: Utf8<'data>) -> Result
     let keys_end = clips::clips(bank)?;
     locales(&bank.file, &bank.texts, keys_end)?;
     events::events(bank)?;
+    babble::babble(bank)?;
     if layout::fingerprint(bank.clips) != bank.file.header.fingerprint.get() {
         return Err(Error::new(ErrorKind::Fingerprint, 24));
     }

@@ -139,6 +139,13 @@ codes! {
 
     "Ids"
     IdentifierClash "LZ1201" "identifier-clash" Error "two keys have the same identifier in a program"
+
+    "Babble"
+    BabbleDigits "LZ1401" "babble-digits" Error "a loop or power transfer of a babble profile is not digits"
+    BabbleRate "LZ1402" "babble-rate" Error "the rate of a babble profile is outside 1 to 1000"
+    ViewerSettingsSyntax "LZ1403" "viewer-settings-syntax" Error "viewer settings are not LLSD in XML"
+    ViewerSettingType "LZ1404" "viewer-setting-type" Error "a setting of a viewer has a value of another type"
+    LipSyncDisabled "LZ1405" "lip-sync-disabled" Warning "lip sync is switched off in the viewer's settings"
 }
 
 impl Code {
