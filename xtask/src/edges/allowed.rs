@@ -67,6 +67,11 @@ pub(super) const ALLOWED: &[Rule] = &[
             &["foldhash", "lipz", "lipz-bank", "unicode-normalization", "tinyvec"],
         ]),
     },
+    Rule {
+        name: "lipz-interop",
+        direct: Some(&["lipz", "serde", "serde_json", "toml", "unicode-segmentation"]),
+        transitive: Some(&[READER, LIPZ_FILES, TOML, &["lipz", "lipz-bank"]]),
+    },
     // What a game carries; its build script uses the compiler.
     Rule {
         name: "dialogue-player",
