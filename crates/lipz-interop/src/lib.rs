@@ -16,15 +16,18 @@
 //!
 //! What is not here: banks and their layout, settings, files and printing (`lipz-cli`).
 
+mod export;
 pub mod formats;
 mod frames;
 mod import;
+mod json;
 mod map;
 mod segments;
 mod source;
 mod time;
 mod track;
 
+pub use export::{ExportOptions, Exported, export};
 pub use formats::Format;
 pub use frames::Why;
 pub use import::{Clip, DEFAULT_RATE, ImportOptions, Imported, Lost, import};

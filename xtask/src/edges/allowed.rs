@@ -69,8 +69,8 @@ pub(super) const ALLOWED: &[Rule] = &[
     },
     Rule {
         name: "lipz-interop",
-        direct: Some(&["lipz", "serde", "serde_json", "toml", "unicode-segmentation"]),
-        transitive: Some(&[READER, LIPZ_FILES, TOML, &["lipz", "lipz-bank"]]),
+        direct: Some(&["lipz", "roxmltree", "serde", "serde_json", "toml", "unicode-segmentation"]),
+        transitive: Some(&[READER, LIPZ_FILES, TOML, &["lipz", "lipz-bank", "roxmltree"]]),
     },
     // What a game carries; its build script uses the compiler.
     Rule {
