@@ -71,7 +71,10 @@ fn track<'m>(
     else {
         let name = viseme_type.map_or("of no known viseme type", VisemeType::name);
         let headline = format!("`{}` has no mapping table for the codes of the clip, which are {name}", format.name);
-        findings.push(refusal(headline).help("convert the clip first: lipz convert --viseme-type blair"));
+        findings.push(refusal(headline).help(match viseme_type {
+            Some(VisemeType::Rms) => "loudness (rms) is no mouth shape; export clips of the types blair and toonboom",
+            _ => "convert the clip first: lipz convert --viseme-type blair",
+        }));
         return None;
     };
     let mut shapes: Vec<Shape> = Vec::new();

@@ -293,6 +293,13 @@ fn texts(track: &Track, options: &ImportOptions<'_>, findings: &mut Vec<Diagnost
                 .help("name the locale: --locale en-us, or `default-locale` in lipz.toml"),
         );
     }
+    for (index, text) in texts.iter().enumerate() {
+        let Some(locale) = &text.locale else { continue };
+        if texts.iter().take(index).any(|before| before.locale == text.locale) {
+            let headline = format!("two texts are of the locale {}", show::name(locale));
+            findings.push(Diagnostic::new(Code::SameLocaleTwice, headline).help("keep one of them"));
+        }
+    }
     texts
 }
 
