@@ -4,6 +4,7 @@ mod ci;
 mod corpus;
 mod docs;
 mod edges;
+mod fuzz;
 mod generate;
 mod measure;
 mod place;
@@ -37,6 +38,8 @@ enum Task {
     Measure(measure::Settings),
     /// Check packing, reading and unpacking against a folder of files with known contents
     Corpus(corpus::Settings),
+    /// Look for inputs on which something does not hold that must hold for any bytes
+    Fuzz(fuzz::Settings),
     /// One piece of work of `measure`, in a process of its own
     #[command(hide = true)]
     Measured(measure::Measured),
@@ -62,6 +65,7 @@ fn main() -> ExitCode {
         Task::Generate(settings) => generate::run(&settings),
         Task::Measure(settings) => measure::run(&settings),
         Task::Corpus(settings) => corpus::run(&settings),
+        Task::Fuzz(settings) => fuzz::run(&settings),
         Task::Measured(measured) => measure::run_one(&measured),
     };
     match result {

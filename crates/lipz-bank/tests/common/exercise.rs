@@ -1,6 +1,6 @@
 //! Every query of the reader, on banks that may be damaged.
 
-use lipz_bank::{Bank, Clip, ClipId, Fps, Locale, Micros, Samples, Seconds, Segment, Time, VisemeType};
+use lipz_bank::{Bank, Clip, ClipId, Fps, Locale, Micros, Samples, Seconds, Segment, TextBank, Time, VisemeType};
 use std::hint::black_box;
 use std::time::Duration;
 
@@ -11,6 +11,23 @@ pub(crate) enum Effort {
     Few,
     /// All extremes.
     All,
+}
+
+/// Opens and asks everything, before verification and, where that passes, after it; whether it passes.
+pub(crate) fn provoke(bytes: &[u8], effort: Effort) -> bool {
+    let Ok(bank) = Bank::open(bytes) else { return false };
+    every_query(&bank, effort);
+    match bank.verify() {
+        Ok(bank) => {
+            every_query(&bank, effort);
+            verified_is_whole(&bank);
+            true
+        }
+        Err(error) => {
+            assert!(error.offset_bytes() as usize <= bytes.len(), "{error}");
+            false
+        }
+    }
 }
 
 /// Calls everything that a bank offers. Panics only if an iterator gives more than it can have.
@@ -153,4 +170,17 @@ pub(crate) fn verified_is_whole(bank: &Bank<'_>) {
             assert!(texts().all(|some| some) || !texts().any(|some| some));
         }
     }
+}
+
+/// Asks for all texts of all locales; whether there is one for each segment or for none of a clip.
+pub(crate) fn every_text_query(bank: &Bank<'_>, texts: &TextBank<'_>) -> bool {
+    let mut is_whole = true;
+    for locale in texts.locales() {
+        black_box((texts.locale(locale.tag()).is_some(), locale.is_default()));
+        for clip in bank.clips() {
+            let count = clip.segments().filter(|segment| segment.text(locale).is_some()).count();
+            is_whole &= count == 0 || count == clip.segment_count() as usize;
+        }
+    }
+    is_whole
 }

@@ -15,6 +15,7 @@ pub(crate) mod ids;
 pub(crate) mod import;
 pub(crate) mod init;
 pub(crate) mod inspect;
+mod locale_choice;
 pub(crate) mod man;
 pub(crate) mod maps;
 pub(crate) mod pack;

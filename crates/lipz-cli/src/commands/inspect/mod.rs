@@ -2,6 +2,7 @@
 
 mod json;
 
+use super::locale_choice::choose;
 use crate::bank_file::BankFile;
 use crate::render::Findings;
 use crate::timeline::timeline;
@@ -74,18 +75,11 @@ fn clip(bank: &Bank<'_>, key: &str, all: &[Locale<'_>], arguments: &Inspect) -> 
         });
         return Outcome::Failed;
     };
-    let mut locales: Vec<Locale<'_>> = Vec::new();
-    for tag in &arguments.locale {
-        match all.iter().find(|locale| locale.tag() == tag) {
-            Some(locale) => locales.push(*locale),
-            None => {
-                let known: Vec<_> = all.iter().map(|locale| show::text(locale.tag())).collect();
-                let tag = show::text(tag);
-                console::remark(&format!("error: no locale `{tag}` in the bank\nhelp: it has {}\n", known.join(", ")));
-                return Outcome::Failed;
-            }
-        }
-    }
+    let asked = arguments.locale.iter().map(|asked| choose(asked, all.iter().copied(), |locale| locale.tag()));
+    let mut locales: Vec<Locale<'_>> = match asked.collect() {
+        Ok(locales) => locales,
+        Err(outcome) => return outcome,
+    };
     if locales.is_empty() {
         locales.extend(all);
     }
