@@ -73,6 +73,11 @@ pub(super) const ALLOWED: &[Rule] = &[
         transitive: Some(&[READER, &["lipz-bank", "libc", "memmap2", "self_cell"]]),
     },
     Rule { name: "lipz-capi", direct: Some(&["lipz-bank"]), transitive: Some(&[READER, &["lipz-bank"]]) },
+    Rule {
+        name: "lipz-interop",
+        direct: Some(&["lipz", "roxmltree", "serde", "serde_json", "toml", "unicode-segmentation"]),
+        transitive: Some(&[READER, LIPZ_FILES, TOML, &["lipz", "lipz-bank", "roxmltree"]]),
+    },
     // What a game carries; its build script uses the compiler.
     Rule {
         name: "dialogue-player",
