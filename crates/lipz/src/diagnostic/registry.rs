@@ -139,6 +139,28 @@ codes! {
 
     "Ids"
     IdentifierClash "LZ1201" "identifier-clash" Error "two keys have the same identifier in a program"
+
+    "Fallout"
+    LipVersion "LZ1501" "lip-version" Error "a file is not a LIP file of version 2"
+    LipCutOff "LZ1502" "lip-cut-off" Error "a LIP file ends before its last marker"
+    LipHeader "LZ1503" "lip-header" Warning "a word of a LIP file's header is not what it is in other files"
+    LipLengthOrder "LZ1504" "lip-length-order" Warning "the length in a LIP file is little-endian"
+    LipLength "LZ1505" "lip-length" Warning "the length in a LIP file is not the position of the last marker"
+    LipCounts "LZ1506" "lip-counts" Warning "a LIP file does not have one more marker than phonemes"
+    LipName "LZ1507" "lip-name" Warning "a LIP file names another sound than its own"
+    LipPhoneme "LZ1508" "lip-phoneme" Warning "a phoneme code of a LIP file stands for no sound"
+    LipMarkerType "LZ1509" "lip-marker-type" Warning "a marker of a LIP file has an unknown type"
+    LipMarkerOrder "LZ1510" "lip-marker-order" Warning "the markers of a LIP file do not run from 0 forwards"
+    LipTrailing "LZ1511" "lip-trailing" Warning "bytes follow the last marker of a LIP file"
+    LipTimeBase "LZ1512" "lip-time-base" Warning "a LIP file does not end where its sound does"
+    LipExportName "LZ1513" "lip-export-name" Error "a clip cannot be a LIP file by its name"
+    MsgSyntax "LZ1521" "msg-syntax" Error "the braces or numbers of a .msg file are wrong"
+    MsgEntry "LZ1522" "msg-entry" Warning "the game does not show an entry of a .msg file as it is written"
+    FrmRefused "LZ1531" "frm-refused" Error "a file is not a whole FRM file"
+    HeadFrames "LZ1532" "head-frames" Error "a head's phoneme file has fewer frames than mouth shapes"
+    HeadsList "LZ1533" "heads-list" Error "a line of heads.lst names no head"
+    HeadName "LZ1534" "head-name" Warning "an FRM file is not named like a file of a head"
+    HeadFiles "LZ1535" "head-files" Warning "the files of a head are not those that heads.lst counts"
 }
 
 impl Code {
