@@ -1,7 +1,7 @@
 //! The command line: the list of commands. Each one's arguments and help stand beside its work.
 
 use crate::commands::{
-    check, completions, convert, coverage, diff, explain, fmt, ids, init, inspect, man, pack, schema, stats, unpack,
+    check, completions, convert, coverage, diff, explain, fallout, fmt, ids, init, inspect, man, pack, schema, stats, unpack,
     verify, watch,
 };
 use crate::render::Format;
@@ -43,6 +43,7 @@ pub(crate) enum Command {
     Coverage(coverage::CoverageArguments),
     Stats(stats::Stats),
     Ids(ids::Ids),
+    Fallout(fallout::Fallout),
     Explain(explain::Explain),
     Schema(schema::Schema),
     Completions(completions::Completions),
@@ -60,7 +61,7 @@ impl Command {
             Command::Convert(convert) => convert.prints_result(),
             Command::Watch(_) | Command::Init(_) | Command::Unpack(_) | Command::Verify(_) | Command::Man(_) => false,
             Command::Inspect(_) | Command::Diff(_) | Command::Coverage(_) | Command::Stats(_) => true,
-            Command::Explain(_) | Command::Schema(_) | Command::Completions(_) => true,
+            Command::Fallout(_) | Command::Explain(_) | Command::Schema(_) | Command::Completions(_) => true,
         }
     }
 }

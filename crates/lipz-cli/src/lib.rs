@@ -77,6 +77,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Stats(stats) => commands::stats::run(&stats, &mut findings),
         Command::Man(man) => commands::man::run(&man, &mut findings),
         Command::Ids(ids) => commands::ids::run(&ids, &mut findings),
+        Command::Fallout(fallout) => commands::fallout::run(&fallout, &mut findings),
         // These have no findings, and so no document about them.
         Command::Schema(schema) => return commands::schema::run(&schema).into(),
         Command::Completions(completions) => return commands::completions::run(&completions).into(),

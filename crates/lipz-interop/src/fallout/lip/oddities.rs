@@ -1,8 +1,7 @@
 //! What is unusual in a LIP file: what the game's own loader logs, and what its tools got wrong.
 
 use super::{ByteOrder, Lip, Marker, offset};
-use crate::fallout::phonemes::LAST_PHONEME;
-use crate::fallout::{list, place};
+use crate::fallout::{LAST_PHONEME, list, place};
 use lipz::diagnostic::show;
 use lipz::{Code, Diagnostic};
 
