@@ -1,6 +1,37 @@
 //! Lip-sync files of other tools, to and from Lipz files.
+//!
+//! Each format is one file in `formats/`: it reads bytes into [`Track`]s, shapes with exact times in the
+//! names of the tool, and writes them. What is common to all is done once: a [`Map`] turns names into Lipz
+//! codes, [`import`] lays them out in frames and joins the text, and [`export`] goes the other way.
+//!
+//! ```
+//! use lipz_interop::{ImportOptions, formats, import};
+//!
+//! let format = formats::find("rhubarb-tsv").ok_or("no such format")?;
+//! let imported = import(format, b"0.00\tX\n0.25\tD\n0.50\tA\n0.75\tX\n", &ImportOptions::default());
+//! let clip = imported.clips.first().ok_or("a clip")?;
+//! assert_eq!(clip.document.string("visemes"), Some("------AAAAAAMMMMMM"));
+//! # Ok::<(), &str>(())
+//! ```
+//!
+//! What is not here: banks and their layout, settings, files and printing (`lipz-cli`).
 
 pub mod fallout;
+pub mod formats;
+mod frames;
+mod import;
+mod map;
+mod script;
+mod segments;
+mod source;
 mod time;
+mod track;
 
+pub use formats::Format;
+pub use frames::Why;
+pub use import::{Clip, DEFAULT_RATE, ImportOptions, Imported, Lost, import};
+pub use map::{Map, built_in as maps, find as find_map};
+pub use script::Script;
+pub use segments::Segments;
 pub use time::Time;
+pub use track::{Shape, Text, Timed, Track};

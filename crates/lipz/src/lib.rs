@@ -34,6 +34,7 @@ mod write;
 
 pub use diagnostic::{Code, Diagnostic, Level};
 pub use document::{Document, Element, JsonString, Raw, Value};
+pub use lipz_bank::VisemeType;
 pub use parse::{MAX_FILE_BYTES, Parsed, decode, parse, too_large, without_byte_order_mark};
 pub use source::{LineColumn, Source, Span};
 pub use write::{literal, write};

@@ -67,6 +67,25 @@ pub(super) const ALLOWED: &[Rule] = &[
             &["foldhash", "lipz", "lipz-bank", "unicode-normalization", "tinyvec"],
         ]),
     },
+    Rule {
+        name: "lipz-interop",
+        direct: Some(&[
+            "csv",
+            "encoding_rs",
+            "hound",
+            "lipz",
+            "serde",
+            "serde_json",
+            "toml",
+            "unicode-segmentation",
+        ]),
+        transitive: Some(&[
+            READER,
+            LIPZ_FILES,
+            TOML,
+            &["cfg-if", "csv", "csv-core", "encoding_rs", "hound", "lipz", "lipz-bank", "ryu"],
+        ]),
+    },
     // What a game carries; its build script uses the compiler.
     Rule {
         name: "dialogue-player",

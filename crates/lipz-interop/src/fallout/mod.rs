@@ -3,6 +3,7 @@
 //! [`lip`] has the files exactly as they are, [`units`] what their markers count, [`msg`] the texts of the
 //! game, [`heads`] the pictures. docs/FALLOUT.md describes all of them.
 
+pub(crate) mod clip;
 pub mod heads;
 pub mod lip;
 pub mod msg;

@@ -137,6 +137,21 @@ codes! {
     FixedLevel "LZ1006" "fixed-level" Error "an error cannot be lowered"
     SettingsUnreadable "LZ1007" "settings-unreadable" Error "a settings file cannot be read"
 
+    "Files of other tools"
+    ForeignSyntax "LZ1101" "foreign-syntax" Error "a file of another tool is not in its format"
+    ForeignCutOff "LZ1102" "foreign-cut-off" Error "a file of another tool ends too early"
+    ForeignValue "LZ1103" "foreign-value" Error "a file of another tool has a value that it cannot have"
+    ForeignOddity "LZ1104" "foreign-oddity" Warning "a file of another tool is not quite as the tool writes it"
+    UnknownSymbol "LZ1105" "unknown-symbol" Error "a mouth shape of another tool is not in the mapping table"
+    TimesBackwards "LZ1106" "times-backwards" Warning "the times of mouth shapes run backwards"
+    NoShapes "LZ1107" "no-shapes" Warning "a file of another tool has no mouth shapes"
+    ShapesLost "LZ1108" "shapes-lost" Warning "mouth shapes are too short for a frame"
+    SegmentGuessed "LZ1109" "segment-guessed" Warning "a segment starts where no pause is"
+    TextLeftOut "LZ1110" "text-left-out" Warning "a text is left out because its locale is not known"
+    MapRefused "LZ1111" "map-refused" Error "a mapping table cannot be used"
+    NotExportable "LZ1112" "not-exportable" Error "a clip cannot be written in the format of another tool"
+    ExportLoss "LZ1113" "export-loss" Warning "the format of another tool cannot hold a part of a clip"
+
     "Ids"
     IdentifierClash "LZ1201" "identifier-clash" Error "two keys have the same identifier in a program"
 

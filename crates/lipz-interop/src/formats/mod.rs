@@ -1,0 +1,41 @@
+//! The formats of other tools, one file each, and the list of them.
+
+mod rhubarb_tsv;
+
+use crate::{ImportOptions, Track, fallout};
+use lipz::Diagnostic;
+
+/// A format of another tool.
+#[derive(Clone, Copy, Debug)]
+pub struct Format {
+    /// What commands call it, `rhubarb-tsv`.
+    pub name: &'static str,
+    /// The tool and its file, in a few words.
+    pub about: &'static str,
+    /// The extension that its files have, without the dot.
+    pub extension: &'static str,
+    /// Command lines that show how it is used, import first.
+    pub examples: &'static [&'static str],
+    /// The mapping tables of its symbols; the first one is used unless another viseme type is asked for.
+    pub maps: &'static [&'static str],
+    /// Whether its files are not text: then findings have no spans, and notes name bytes.
+    pub is_binary: bool,
+    /// Reads a file, if lipz imports the format.
+    pub read: Option<Read>,
+    /// Writes a file, if lipz exports the format.
+    pub write: Option<Write>,
+}
+
+/// Reads a file: a track for each speaker, as far as the file can be read, and findings.
+pub type Read = fn(&[u8], &ImportOptions<'_>, &mut Vec<Diagnostic>) -> Vec<Track>;
+
+/// Writes a track whose symbols are those of the format. Findings tell what the format cannot hold.
+pub type Write = fn(&Track, &mut Vec<Diagnostic>) -> Vec<u8>;
+
+/// Every format, in the order in which lists show them.
+pub const ALL: &[Format] = &[rhubarb_tsv::FORMAT, fallout::clip::FORMAT];
+
+/// The format of this name.
+pub fn find(name: &str) -> Option<&'static Format> {
+    ALL.iter().find(|format| format.name == name)
+}

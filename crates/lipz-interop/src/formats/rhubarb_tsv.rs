@@ -1,0 +1,46 @@
+//! Rhubarb Lip Sync, `-f tsv`: a line for each shape, its start in seconds, a tab, its letter. The last line
+//! is the end of the recording (Rhubarb's README, "Output formats").
+
+use super::Format;
+use crate::{ImportOptions, Shape, Time, Track, source};
+use lipz::{Code, Diagnostic};
+
+pub(super) const FORMAT: Format = Format {
+    name: "rhubarb-tsv",
+    about: "Rhubarb Lip Sync, tab-separated (-f tsv)",
+    extension: "tsv",
+    examples: &["lipz import rhubarb-tsv recorded/*.tsv -o voices"],
+    maps: &["rhubarb", "rhubarb-toonboom"],
+    is_binary: false,
+    read: Some(read),
+    write: None,
+};
+
+fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Track> {
+    let Some(text) = source::text(bytes, findings) else { return Vec::new() };
+    let mut track = Track::default();
+    for line in source::lines(text).filter(|line| !line.text.trim().is_empty()) {
+        let Some((start, symbol)) = line.split_once('\t') else {
+            findings.push(line.not("a time, a tab and a mouth shape").help("a line is, for example, 0.25 A"));
+            continue;
+        };
+        match Time::parse(start.text) {
+            Some(time) if !symbol.text.is_empty() => track.shapes.push(Shape::at(symbol.span(), time, symbol.text)),
+            Some(_) => findings.push(source::cut_off(text, "a mouth shape is missing")),
+            None => findings.push(start.not("a time in seconds").help("times are seconds with a dot: 0.25")),
+        }
+    }
+    // The last line is no shape: it says when the one before it ends.
+    if let [.., _, end] = track.shapes.as_slice() {
+        track.end = Some(end.start);
+        track.shapes.pop();
+    } else if findings.is_empty() {
+        let missing = "it has no line that says when the recording ends";
+        findings.push(if track.shapes.is_empty() {
+            Diagnostic::new(Code::NoShapes, "the file has no mouth shapes")
+        } else {
+            source::cut_off(text, missing)
+        });
+    }
+    vec![track]
+}

@@ -1,0 +1,314 @@
+//! From shapes with exact times to one code per frame, so that what reads on a mouth stays.
+//!
+//! A frame shows one shape. Shapes shorter than a frame can find none; which of them give way is decided
+//! here. Closed lips (M, B, P) and the lip under the teeth (F, V) are what viewers miss first ("Talking
+//! Heads": consonants hold, and steal from the sound before them), so they get a frame of their time as long
+//! as no other such shape needs it.
+
+use crate::Time;
+use lipz::VisemeType;
+use lipz::rate::Rate;
+
+/// A shape on its way to frames: its code and its times.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct Run {
+    pub(crate) code: u8,
+    pub(crate) start: Time,
+    pub(crate) end: Time,
+}
+
+/// Why a shape has no frame.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Why {
+    /// It is shorter than a frame, and its neighbours cover more of the frames that it touches.
+    TooShort,
+    /// Its only frame was given to closed lips, or to F and V.
+    GaveWay,
+    /// It would have been held for less than the minimum.
+    BelowMinimum,
+}
+
+/// Frames with the shapes that they show.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub(crate) struct Frames {
+    /// How many frames each run shows, in the order of the runs.
+    pub(crate) lengths: Vec<usize>,
+    /// The runs that have no frame, and why.
+    pub(crate) lost: Vec<(usize, Why)>,
+}
+
+/// Whether a code is one of the shapes that must not vanish: closed lips, F and V.
+pub(crate) fn must_show(viseme_type: VisemeType, code: u8) -> bool {
+    match viseme_type {
+        VisemeType::Blair => matches!(code, b'M' | b'F'),
+        VisemeType::ToonBoom => matches!(code, b'A' | b'G'),
+        VisemeType::Rms => false,
+    }
+}
+
+/// Gives `runs`, which follow each other without gaps, their frames. Each run that shows is held for
+/// `min_hold` frames, if it can be.
+pub(crate) fn resample(runs: &[Run], viseme_type: VisemeType, rate: Rate, min_hold: usize) -> Frames {
+    let mut owners = nearest_boundaries(runs, rate);
+    let mut why = vec![Why::TooShort; runs.len()];
+    let had_frames = counts(&owners, runs.len());
+    for (run, frame) in reserved(runs, viseme_type, rate, owners.len()) {
+        if let Some(owner) = owners.get_mut(frame) {
+            *owner = run;
+        }
+    }
+    let mut lengths = counts(&owners, runs.len());
+    for ((why, had), has) in why.iter_mut().zip(had_frames).zip(&lengths) {
+        if had > 0 && *has == 0 {
+            *why = Why::GaveWay;
+        }
+    }
+    let show = |run: usize| runs.get(run).is_some_and(|run| must_show(viseme_type, run.code));
+    hold(&mut lengths, &mut why, min_hold, show);
+    let lost = |(run, (&frames, why)): (usize, (&usize, Why))| (frames == 0).then_some((run, why));
+    let lost = lengths.iter().zip(why).enumerate().filter_map(lost).collect();
+    Frames { lengths, lost }
+}
+
+/// The run that each frame shows if every run starts at the frame boundary nearest to its time.
+fn nearest_boundaries(runs: &[Run], rate: Rate) -> Vec<usize> {
+    let mut owners = Vec::new();
+    for (index, run) in runs.iter().enumerate() {
+        let end = usize::try_from(run.end.nearest_frame(rate)).unwrap_or(usize::MAX);
+        owners.resize(end.max(owners.len()), index);
+    }
+    owners
+}
+
+fn counts(owners: &[usize], runs: usize) -> Vec<usize> {
+    let mut counts = vec![0; runs];
+    for &owner in owners {
+        if let Some(count) = counts.get_mut(owner) {
+            *count += 1;
+        }
+    }
+    counts
+}
+
+/// A frame for each run that must show and for which one exists: one that its time touches, and that no
+/// earlier one of them needs.
+fn reserved(runs: &[Run], viseme_type: VisemeType, rate: Rate, frames: usize) -> Vec<(usize, usize)> {
+    let frame = |count: u64| usize::try_from(count).unwrap_or(usize::MAX);
+    // What each could have, first and last frame. Both ascend from run to run.
+    let mut kept: Vec<(usize, usize, usize)> = Vec::new();
+    let mut next_free = 0;
+    for (index, run) in runs.iter().enumerate().filter(|(_, run)| must_show(viseme_type, run.code)) {
+        let last = frame(run.end.frames_begun(rate)).min(frames);
+        let first = frame(run.start.frame(rate)).max(next_free);
+        if first < last {
+            kept.push((index, first, last - 1));
+            next_free = first + 1;
+        }
+    }
+    // From the end, how late each can be without being in the way of those after it.
+    let mut before = usize::MAX;
+    for (_, _, last) in kept.iter_mut().rev() {
+        *last = (*last).min(before.saturating_sub(1));
+        before = *last;
+    }
+    let mut next_free = 0;
+    kept.into_iter()
+        .map(|(index, first, last)| {
+            let wanted = runs.get(index).map_or(first, |run| frame(run.start.nearest_frame(rate)));
+            let chosen = wanted.clamp(first.max(next_free).min(last), last);
+            next_free = chosen + 1;
+            (index, chosen)
+        })
+        .collect()
+}
+
+/// Brings every run that shows to `minimum` frames. What it lacks comes from the run before, then from the
+/// run after, of what those have beyond the minimum. A run that lacks frames all the same gives way, unless it
+/// must show: then its neighbours do.
+fn hold(lengths: &mut [usize], why: &mut [Why], minimum: usize, must_show: impl Fn(usize) -> bool) {
+    if minimum < 2 {
+        return;
+    }
+    let mut done: Vec<usize> = Vec::new();
+    let shown: Vec<usize> =
+        (0..lengths.len()).filter(|&run| lengths.get(run).is_some_and(|&length| length > 0)).collect();
+    let length = |lengths: &[usize], run: Option<&usize>| run.and_then(|&run| lengths.get(run).copied()).unwrap_or(0);
+    for (at, &run) in shown.iter().enumerate() {
+        let rest = shown.get(at + 1..).unwrap_or_default();
+        let spare_before = length(lengths, done.last()).saturating_sub(minimum);
+        move_frames(lengths, done.last().copied(), run, spare_before, minimum);
+        let spare_after = length(lengths, rest.first()).saturating_sub(minimum);
+        move_frames(lengths, rest.first().copied(), run, spare_after, minimum);
+        let has = length(lengths, Some(&run));
+        if has == 0 || has >= minimum {
+            // Without frames, an earlier run that must show has taken them.
+            done.extend((has > 0).then_some(run));
+            continue;
+        }
+        if must_show(run) {
+            for &other in rest.iter().take_while(|&&other| !must_show(other)) {
+                take_from(lengths, why, other, run, minimum);
+            }
+            while let Some(&other) = done.last().filter(|&&other| !must_show(other)) {
+                if length(lengths, Some(&run)) >= minimum {
+                    break;
+                }
+                // All of it: what it kept would be less than the minimum.
+                take_from(lengths, why, other, run, usize::MAX);
+                done.pop();
+            }
+            done.push(run);
+        } else if let Some(heir) = done.last().or(rest.first()) {
+            move_frames(lengths, Some(run), *heir, has, usize::MAX);
+            mark(why, run, Why::BelowMinimum);
+        } else {
+            done.push(run); // the only one
+        }
+    }
+}
+
+/// Moves frames from a run to a neighbour that has fewer than `wanted`, at most `spare`.
+fn move_frames(lengths: &mut [usize], from: Option<usize>, to: usize, spare: usize, wanted: usize) {
+    let Some(from) = from else { return };
+    let lacks = wanted.saturating_sub(lengths.get(to).copied().unwrap_or(wanted));
+    let moved = lacks.min(spare);
+    if let Some(length) = lengths.get_mut(from) {
+        *length -= moved.min(*length);
+    }
+    if let Some(length) = lengths.get_mut(to) {
+        *length += moved;
+    }
+}
+
+/// Moves what `to` lacks from a run that may vanish by it.
+fn take_from(lengths: &mut [usize], why: &mut [Why], from: usize, to: usize, minimum: usize) {
+    let all = lengths.get(from).copied().unwrap_or(0);
+    move_frames(lengths, Some(from), to, all, minimum);
+    if lengths.get(from) == Some(&0) {
+        mark(why, from, Why::GaveWay);
+    }
+}
+
+fn mark(why: &mut [Why], run: usize, reason: Why) {
+    if let Some(why) = why.get_mut(run) {
+        *why = reason;
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    const FILM: Rate = Rate { numerator: 24, denominator: 1, is_exact: true };
+
+    /// Runs of codes with their lengths in milliseconds.
+    fn runs(shapes: &[(u8, u64)]) -> Vec<Run> {
+        let mut end = 0;
+        let run = |&(code, ms): &(u8, u64)| {
+            let start = end;
+            end += ms;
+            Run { code, start: Time::new(start, 1000), end: Time::new(end, 1000) }
+        };
+        shapes.iter().map(run).collect()
+    }
+
+    fn codes(shapes: &[(u8, u64)], min_hold: usize) -> String {
+        let runs = runs(shapes);
+        let frames = resample(&runs, VisemeType::Blair, FILM, min_hold);
+        let of_run = |(run, length): (&Run, &usize)| char::from(run.code).to_string().repeat(*length);
+        runs.iter().zip(&frames.lengths).map(of_run).collect()
+    }
+
+    #[test]
+    fn shapes_start_at_the_nearest_frame() {
+        assert_eq!(codes(&[(b'-', 100), (b'A', 150), (b'E', 250)], 1), "--AAAAEEEEEE");
+        assert_eq!(codes(&[(b'A', 90), (b'S', 10), (b'E', 110)], 1), "AAEEE", "S is lost: no frame is mostly its own");
+    }
+
+    #[test]
+    fn closed_lips_take_a_frame_of_their_time() {
+        assert_eq!(codes(&[(b'A', 100), (b'M', 10), (b'E', 100)], 1), "AAMEE");
+        assert_eq!(
+            codes(&[(b'A', 100), (b'M', 5), (b'F', 5), (b'M', 5), (b'E', 93)], 1),
+            "AAMEE",
+            "one frame for three"
+        );
+        assert_eq!(codes(&[(b'M', 5), (b'F', 5)], 1), "", "there is no frame");
+    }
+
+    #[test]
+    fn what_gives_way_is_told() {
+        let frames = resample(&runs(&[(b'A', 42), (b'M', 20), (b'F', 28), (b'E', 40)]), VisemeType::Blair, FILM, 1);
+        assert_eq!(frames.lengths, [1, 1, 1, 0]);
+        assert_eq!(frames.lost, [(3, Why::GaveWay)]);
+    }
+
+    #[test]
+    fn short_shapes_are_held_or_give_way() {
+        assert_eq!(codes(&[(b'A', 250), (b'S', 42), (b'E', 250)], 2), "AAAAASSEEEEEE", "from the one before");
+        assert_eq!(codes(&[(b'A', 84), (b'S', 42), (b'E', 250)], 2), "AASSEEEEE", "or from the one after");
+        assert_eq!(codes(&[(b'A', 84), (b'S', 42), (b'E', 84)], 2), "AAAEE", "or it gives way");
+        assert_eq!(codes(&[(b'A', 84), (b'M', 42), (b'E', 84)], 2), "AAMMM", "closed lips do not");
+    }
+
+    /// The most runs that must show of which each can have a frame of its own that it touches.
+    fn most_shown(runs: &[Run], frames: usize) -> usize {
+        let mut free: Vec<usize> = (0..frames).collect();
+        let mut shown = 0;
+        for run in runs.iter().filter(|run| must_show(VisemeType::Blair, run.code)) {
+            let touched = |frame: &usize| {
+                let (start, end) = (Time::of_frame(*frame as u64, FILM), Time::of_frame(*frame as u64 + 1, FILM));
+                start < run.end && run.start < end
+            };
+            if let Some(at) = free.iter().position(touched) {
+                free.drain(..=at);
+                shown += 1;
+            }
+        }
+        shown
+    }
+
+    proptest! {
+        #[test]
+        fn closed_lips_never_vanish_when_a_frame_exists(
+            shapes in prop::collection::vec((prop::sample::select(b"-AMFSEM".to_vec()), 1_u64..120), 0..40),
+        ) {
+            let runs = runs(&shapes);
+            let frames = resample(&runs, VisemeType::Blair, FILM, 1);
+            let total: usize = frames.lengths.iter().sum();
+            prop_assert_eq!(total as u64, runs.last().map_or(0, |run| run.end.nearest_frame(FILM)));
+            let shown = runs.iter().zip(&frames.lengths).filter(|(run, length)| must_show(VisemeType::Blair, run.code) && **length > 0);
+            prop_assert_eq!(shown.count(), most_shown(&runs, total));
+        }
+
+        #[test]
+        fn no_shape_is_held_for_less_than_the_minimum(
+            shapes in prop::collection::vec((prop::sample::select(b"-ASE".to_vec()), 1_u64..400), 1..40),
+            min_hold in 1_usize..5,
+        ) {
+            let runs = runs(&shapes);
+            let without = resample(&runs, VisemeType::Blair, FILM, 1);
+            let frames = resample(&runs, VisemeType::Blair, FILM, min_hold);
+            let total: usize = frames.lengths.iter().sum();
+            prop_assert_eq!(total, without.lengths.iter().sum::<usize>());
+            let shown: Vec<usize> = frames.lengths.iter().copied().filter(|&length| length > 0).collect();
+            prop_assert!(shown.len() == 1 || shown.iter().all(|&length| length >= min_hold), "{:?}", frames.lengths);
+            prop_assert_eq!(shown.len() + frames.lost.len(), runs.len());
+        }
+
+        #[test]
+        fn closed_lips_are_held_at_the_cost_of_others(
+            shapes in prop::collection::vec((prop::sample::select(b"-AMSE".to_vec()), 1_u64..400), 1..40),
+            min_hold in 1_usize..5,
+        ) {
+            let runs = runs(&shapes);
+            let without = resample(&runs, VisemeType::Blair, FILM, 1);
+            let frames = resample(&runs, VisemeType::Blair, FILM, min_hold);
+            for (index, run) in runs.iter().enumerate().filter(|(_, run)| run.code == b'M') {
+                prop_assert!(without.lengths[index] == 0 || frames.lengths[index] > 0, "{run:?}");
+            }
+        }
+    }
+}

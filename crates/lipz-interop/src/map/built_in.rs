@@ -1,0 +1,57 @@
+//! The mapping tables that come with the crate.
+
+use super::Map;
+use std::sync::LazyLock;
+
+macro_rules! tables {
+    ($($name:literal)+) => {
+        /// The files, as they are in `maps/`.
+        const FILES: &[(&str, &str)] = &[$(($name, include_str!(concat!("../../maps/", $name, ".toml")))),+];
+    };
+}
+
+tables! {
+    "fallout"
+    "rhubarb"
+    "rhubarb-toonboom"
+}
+
+static TABLES: LazyLock<Vec<Map>> =
+    LazyLock::new(|| FILES.iter().filter_map(|(_, text)| Map::parse(text).ok()).collect());
+
+/// The mapping tables that come with the crate, by name.
+pub fn built_in() -> &'static [Map] {
+    &TABLES
+}
+
+/// The mapping table of this name that comes with the crate.
+pub fn find(name: &str) -> Option<&'static Map> {
+    TABLES.iter().find(|map| map.name == name)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_file_is_a_table_of_its_name() {
+        for (name, text) in FILES {
+            assert_eq!(Map::parse(text).unwrap().name, *name);
+        }
+        assert_eq!(built_in().len(), FILES.len());
+    }
+
+    #[test]
+    fn what_is_written_is_read_as_the_same_code() {
+        for map in built_in() {
+            for (code, symbol) in map.codes() {
+                let back = map.code(symbol);
+                assert!(back.is_some(), "{}: {symbol}", map.name);
+                // Codes may share a symbol; the one that the symbol reads as is among them.
+                let reads_as = back.unwrap();
+                assert_eq!(map.symbol(reads_as), Some(symbol), "{}: {}", map.name, char::from(code));
+            }
+        }
+    }
+}

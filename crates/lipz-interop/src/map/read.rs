@@ -1,0 +1,266 @@
+//! Reading a mapping table from TOML.
+
+use super::Map;
+use lipz::diagnostic::{show, suggest};
+use lipz::{Code, Diagnostic, Span, VisemeType};
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// What a table states about itself, each with what to write there.
+const FIELDS: [(&str, &str); 8] = [
+    ("name", "a name: \"our-rig\""),
+    ("version", "a whole number that counts up when a row changes: 1"),
+    ("about", "a sentence about the table"),
+    ("source", "where its rows come from"),
+    ("viseme-type", "the viseme type of its codes: \"blair\", \"toonboom\" or \"rms\""),
+    ("ignore-case", "true if symbols are the same in upper and lower case"),
+    ("guessed", "a list of symbols whose code is a guess"),
+    ("to-lipz", "a table of symbols with their codes: MBP = \"M\""),
+];
+/// The table of the way back, which may be left out.
+const FROM_LIPZ: &str = "from-lipz";
+
+impl Map {
+    /// Reads a mapping table.
+    ///
+    /// # Errors
+    /// Text that is not TOML, fields that are missing, unknown or of another type, codes that the viseme type
+    /// does not have.
+    pub fn parse(text: &str) -> Result<Map, Vec<Diagnostic>> {
+        let root = DeTable::parse(text).map_err(|error| {
+            let headline = format!("the mapping table is not TOML: {}", show::text(error.message()));
+            vec![
+                refusal(error.span().unwrap_or_default(), headline)
+                    .help("symbols and codes stand in quotes: \"F.V\" = \"F\""),
+            ]
+        })?;
+        let mut reading = Reading { root: root.get_ref(), findings: Vec::new() };
+        let map = reading.map();
+        match map.filter(|_| reading.findings.is_empty()) {
+            Some(map) => Ok(map),
+            None => Err(reading.findings),
+        }
+    }
+}
+
+struct Reading<'t> {
+    root: &'t DeTable<'t>,
+    findings: Vec<Diagnostic>,
+}
+
+impl<'t> Reading<'t> {
+    fn map(&mut self) -> Option<Map> {
+        self.unknown_fields();
+        let name = self.string("name")?.0.to_owned();
+        let version = self.version()?;
+        let viseme_type = self.viseme_type()?;
+        let mut to_lipz = Vec::new();
+        let mut from_lipz = Vec::new();
+        for (symbol, value, span) in self.rows("to-lipz")? {
+            to_lipz.extend(self.code(value, span, viseme_type).map(|code| (symbol.to_owned(), code)));
+        }
+        if self.root.contains_key(FROM_LIPZ) {
+            for (code, symbol, span) in self.rows(FROM_LIPZ)? {
+                from_lipz.extend(self.code(code, span, viseme_type).map(|code| (code, symbol.to_owned())));
+            }
+        } else {
+            // The first symbol of each code.
+            for (symbol, code) in &to_lipz {
+                if from_lipz.iter().all(|(known, _)| known != code) {
+                    from_lipz.push((*code, symbol.clone()));
+                }
+            }
+        }
+        Some(Map {
+            name,
+            version,
+            about: self.optional("about")?,
+            source: self.optional("source")?,
+            viseme_type,
+            guessed: self.guessed()?,
+            ignores_case: self.ignores_case()?,
+            to_lipz,
+            from_lipz,
+        })
+    }
+
+    fn unknown_fields(&mut self) {
+        let known = || FIELDS.iter().map(|(name, _)| *name).chain([FROM_LIPZ]);
+        for (key, _) in self.root {
+            let written: &str = key.get_ref();
+            if known().all(|name| name != written) {
+                let finding = refusal(key.span(), format!("a mapping table has no field {}", show::name(written)));
+                self.findings.push(match suggest::nearest(written, known()) {
+                    Some(name) => finding.help(format!("did you mean `{name}`?")),
+                    None => finding.help("its fields are name, version, about, source, viseme-type, ignore-case, guessed, to-lipz and from-lipz"),
+                });
+            }
+        }
+    }
+
+    /// The value of a field that must be there.
+    fn required(&mut self, field: &str) -> Option<&'t Spanned<DeValue<'t>>> {
+        let found = self.root.get(field);
+        if found.is_none() {
+            let finding = Diagnostic::new(Code::MapRefused, format!("the mapping table has no `{field}`"));
+            self.findings.push(finding.help(what_to_write(field)));
+        }
+        found
+    }
+
+    fn wrong_type(&mut self, field: &str, span: Range<usize>) {
+        self.findings.push(refusal(span, format!("`{field}` has a value of another type")).help(what_to_write(field)));
+    }
+
+    /// A text that must be there, with its place.
+    fn string(&mut self, field: &str) -> Option<(&'t str, Range<usize>)> {
+        let value = self.required(field)?;
+        match value.get_ref() {
+            DeValue::String(text) => Some((text, value.span())),
+            _ => {
+                self.wrong_type(field, value.span());
+                None
+            }
+        }
+    }
+
+    /// A text that may be left out.
+    fn optional(&mut self, field: &str) -> Option<String> {
+        if !self.root.contains_key(field) {
+            return Some(String::new());
+        }
+        self.string(field).map(|(text, _)| text.to_owned())
+    }
+
+    fn version(&mut self) -> Option<u32> {
+        let value = self.required("version")?;
+        let number = match value.get_ref() {
+            DeValue::Integer(integer) => u32::from_str_radix(integer.as_str(), integer.radix()).ok(),
+            _ => None,
+        };
+        if number.is_none() {
+            self.wrong_type("version", value.span());
+        }
+        number
+    }
+
+    fn viseme_type(&mut self) -> Option<VisemeType> {
+        let (name, span) = self.string("viseme-type")?;
+        let found = VisemeType::from_name(name);
+        if found.is_none() {
+            let headline = format!("{} is not a viseme type", show::name(name));
+            self.findings.push(refusal(span, headline).help("the viseme types are blair, toonboom and rms"));
+        }
+        found
+    }
+
+    fn ignores_case(&mut self) -> Option<bool> {
+        match self.root.get("ignore-case") {
+            None => Some(false),
+            Some(value) => match value.get_ref() {
+                DeValue::Boolean(ignores) => Some(*ignores),
+                _ => {
+                    self.wrong_type("ignore-case", value.span());
+                    None
+                }
+            },
+        }
+    }
+
+    fn guessed(&mut self) -> Option<Vec<String>> {
+        let Some(value) = self.root.get("guessed") else { return Some(Vec::new()) };
+        let items = match value.get_ref() {
+            DeValue::Array(items) => items.iter().map(|item| match item.get_ref() {
+                DeValue::String(symbol) => Some(symbol.clone().into_owned()),
+                _ => None,
+            }),
+            _ => {
+                self.wrong_type("guessed", value.span());
+                return None;
+            }
+        };
+        let symbols: Option<Vec<String>> = items.collect();
+        if symbols.is_none() {
+            self.wrong_type("guessed", value.span());
+        }
+        symbols
+    }
+
+    /// The rows of a table of texts: key, value and place.
+    fn rows(&mut self, field: &str) -> Option<Vec<(&'t str, &'t str, Range<usize>)>> {
+        let value = self.required(field)?;
+        let DeValue::Table(table) = value.get_ref() else {
+            self.wrong_type(field, value.span());
+            return None;
+        };
+        // The parser sorts keys; the file's order says which symbol of a code is the first.
+        let mut rows = Vec::with_capacity(table.len());
+        for (key, value) in table {
+            match value.get_ref() {
+                DeValue::String(text) => {
+                    let key_text: &str = key.get_ref();
+                    let text: &str = text;
+                    rows.push((key_text, text, key.span().start..value.span().end));
+                }
+                _ => self.wrong_type(field, value.span()),
+            }
+        }
+        rows.sort_by_key(|(.., span)| span.start);
+        Some(rows)
+    }
+
+    /// The one code that a text consists of.
+    fn code(&mut self, text: &str, span: Range<usize>, viseme_type: VisemeType) -> Option<u8> {
+        let code = match text.as_bytes() {
+            [code] if viseme_type.contains(*code) => Some(*code),
+            _ => None,
+        };
+        if code.is_none() {
+            let headline = format!("{} is no code of the viseme type {viseme_type}", show::name(text));
+            let help = format!("its codes are {}", viseme_type.codes());
+            self.findings.push(refusal(span, headline).help(help));
+        }
+        code
+    }
+}
+
+fn what_to_write(field: &str) -> String {
+    let what =
+        FIELDS.iter().find(|(name, _)| *name == field).map_or("symbols by their codes: M = \"MBP\"", |(_, what)| what);
+    format!("`{field}` is {what}")
+}
+
+fn refusal(span: Range<usize>, headline: String) -> Diagnostic {
+    Diagnostic::at(Code::MapRefused, Span::new(span.start, span.end), headline)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    const START: &str = "name = \"x\"\nversion = 1\nviseme-type = \"blair\"\n";
+
+    fn headlines(text: &str) -> Vec<String> {
+        Map::parse(text).unwrap_err().into_iter().map(|finding| finding.headline).collect()
+    }
+
+    #[test]
+    fn the_first_symbol_of_a_code_is_the_one_that_is_written() {
+        let map = Map::parse(&format!("{START}[to-lipz]\nrest = \"-\"\nZ = \"S\"\nA = \"S\"\n")).unwrap();
+        assert_eq!((map.symbol(b'S'), map.code("A"), map.code("a")), (Some("Z"), Some(b'S'), None));
+        assert!(!map.is_lossless());
+        let back = Map::parse(&format!("{START}[to-lipz]\nZ = \"S\"\nA = \"S\"\n[from-lipz]\nS = \"A\"\n")).unwrap();
+        assert_eq!(back.symbol(b'S'), Some("A"));
+    }
+
+    #[test]
+    fn what_is_wrong_is_named() {
+        assert_eq!(headlines("name = x").len(), 1);
+        assert_eq!(headlines("version = 1\n"), ["the mapping table has no `name`"]);
+        assert_eq!(headlines(&format!("{START}to-lips = 1\n[to-lipz]\n")), ["a mapping table has no field `to-lips`"]);
+        assert_eq!(headlines(&format!("{START}[to-lipz]\nA = \"Z\"\n")), ["`Z` is no code of the viseme type blair"]);
+        assert_eq!(headlines(&format!("{START}[to-lipz]\nA = 1\n")), ["`to-lipz` has a value of another type"]);
+    }
+}

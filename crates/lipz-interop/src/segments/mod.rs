@@ -1,0 +1,136 @@
+//! Segments of imported clips: where they start, and which part of the text belongs to each.
+
+mod pauses;
+mod sentences;
+
+pub(crate) use pauses::Speech;
+
+use crate::{Text, Time, Track};
+use lipz::text::{DELIMITER, trim};
+use lipz::{Code, Diagnostic};
+use sentences::{cut, sentences, words};
+
+/// Where an imported clip is divided into segments, if its text has no `|` that say so.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Segments {
+    /// At the phrases of the file, if it has any.
+    #[default]
+    Phrases,
+    /// Where the mouth rests for a while.
+    Pauses,
+    /// At the ends of the text's sentences.
+    Sentences,
+    /// Nowhere.
+    None,
+}
+
+/// A clip's segments.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub(crate) struct Division {
+    /// When each segment but the first starts.
+    pub(crate) starts: Vec<Time>,
+    /// The parts of each text, one for each segment.
+    pub(crate) texts: Vec<Vec<String>>,
+}
+
+/// Divides the texts and the shapes of a track alike.
+pub(crate) fn divide(
+    track: &Track,
+    speech: &Speech,
+    texts: &[Text],
+    segments: Segments,
+    findings: &mut Vec<Diagnostic>,
+) -> Division {
+    // `|` in a text say how many segments there are, whatever divides the others.
+    if let Some(marked) = texts.iter().find(|text| text.text.contains(DELIMITER)) {
+        let starts = starts_of(&parts(&marked.text), track, speech, findings);
+        return Division { texts: texts.iter().map(|text| parts_as_written(&text.text)).collect(), starts };
+    }
+    let by_times = |starts: Vec<Time>| {
+        let texts = texts.iter().map(|text| parts_at(&text.text, &starts, track, speech)).collect();
+        Division { starts, texts }
+    };
+    match (segments, texts.first()) {
+        (Segments::Phrases, _) => {
+            let starts = track.phrases.iter().skip(1).map(|phrase| phrase.start).collect();
+            let of_file: Vec<String> = track.phrases.iter().map(|phrase| phrase.text.clone()).collect();
+            match texts {
+                [only] if track.phrases.len() > 1 && is_all(&only.text, &of_file) => {
+                    Division { starts, texts: vec![of_file] }
+                }
+                _ => by_times(starts),
+            }
+        }
+        (Segments::Pauses, _) => by_times(speech.pauses().map(|pause| pause.end).collect()),
+        (Segments::Sentences, Some(first)) => {
+            let parts = sentences(&first.text);
+            let starts = starts_of(&parts, track, speech, findings);
+            let others = texts.iter().skip(1).map(|text| parts_at(&text.text, &starts, track, speech));
+            Division { texts: std::iter::once(parts).chain(others.collect::<Vec<_>>()).collect(), starts }
+        }
+        (Segments::Sentences | Segments::None, _) => by_times(Vec::new()),
+    }
+}
+
+/// Whether `parts` say together what `text` says.
+fn is_all(text: &str, parts: &[String]) -> bool {
+    words(text).eq(parts.iter().flat_map(|part| words(part)))
+}
+
+/// The parts between the `|` of a text, trimmed.
+fn parts(text: &str) -> Vec<String> {
+    text.split(DELIMITER).map(|part| trim(part).to_owned()).collect()
+}
+
+fn parts_as_written(text: &str) -> Vec<String> {
+    text.split(DELIMITER).map(str::to_owned).collect()
+}
+
+/// A text in as many parts as there are segments.
+fn parts_at(text: &str, starts: &[Time], track: &Track, speech: &Speech) -> Vec<String> {
+    let spoken: Vec<&str> = words(text).collect();
+    if spoken.len() == track.words.len() {
+        // The file says when each word is spoken.
+        let first_words = starts.iter().map(|start| track.words.iter().filter(|word| word.start < *start).count());
+        let bounds: Vec<usize> = std::iter::once(0).chain(first_words).chain([spoken.len()]).collect();
+        let part =
+            |pair: &[usize]| spoken.get(pair.first().copied()?..pair.last().copied()?).map(|words| words.join(" "));
+        return bounds.windows(2).map(|pair| part(pair).unwrap_or_default()).collect();
+    }
+    let shares: Vec<f64> = starts.iter().map(|start| speech.share(*start)).collect();
+    cut(text, &shares)
+}
+
+/// When each of these parts but the first starts: as the file tells it, or else at the pause that is
+/// nearest to where the part would start if every letter took the same time.
+fn starts_of(parts: &[String], track: &Track, speech: &Speech, findings: &mut Vec<Diagnostic>) -> Vec<Time> {
+    if track.phrases.len() == parts.len() {
+        return track.phrases.iter().skip(1).map(|phrase| phrase.start).collect();
+    }
+    let counts: Vec<usize> = parts.iter().map(|part| words(part).count()).collect();
+    if counts.iter().sum::<usize>() == track.words.len() {
+        let mut before = 0;
+        let mut first_words = counts.iter().map(|count| {
+            before += count;
+            track.words.get(before).map(|word| word.start)
+        });
+        let starts: Option<Vec<Time>> = first_words.by_ref().take(parts.len().saturating_sub(1)).collect();
+        if let Some(starts) = starts {
+            return starts;
+        }
+    }
+    let lengths: Vec<usize> = parts.iter().map(|part| part.chars().filter(|c| c.is_alphanumeric()).count()).collect();
+    let (starts, guessed) = speech.starts(&lengths);
+    if guessed > 0 {
+        let (all, what) = (starts.len(), if guessed == 1 { "boundary lies" } else { "boundaries lie" });
+        findings.push(
+            Diagnostic::new(
+                Code::SegmentGuessed,
+                format!("{guessed} of {all} segment {what} in no pause of the mouth"),
+            )
+            .note("they stand where they would be if every letter took the same time")
+            .help("move the `|` of the visemes to where the voice is, or divide the text at its pauses"),
+        );
+    }
+    starts
+}

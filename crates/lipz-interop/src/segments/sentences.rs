@@ -1,0 +1,101 @@
+//! Texts in parts: at the ends of sentences, or at shares of the speech.
+
+use lipz::text::trim;
+use unicode_segmentation::UnicodeSegmentation;
+
+/// What it costs to cut a text elsewhere than at the end of a sentence, as a share of the whole text: at
+/// another mark, and between any two words.
+const COST_AT_MARK: f64 = 0.04;
+const COST_AT_BLANK: f64 = 0.10;
+
+/// The words of a text as tools count them: what stands between white space.
+pub(super) fn words(text: &str) -> impl Iterator<Item = &str> {
+    text.split_whitespace()
+}
+
+/// The sentences of a text (Unicode Standard Annex 29).
+pub(super) fn sentences(text: &str) -> Vec<String> {
+    let found: Vec<String> = text
+        .split_sentence_bounds()
+        .map(|sentence| trim(sentence).to_owned())
+        .filter(|part| !part.is_empty())
+        .collect();
+    if found.is_empty() { vec![String::new()] } else { found }
+}
+
+/// Cuts a text near these shares of it, rather where a sentence or a clause ends. There is one part more
+/// than there are shares; it may be empty.
+pub(super) fn cut(text: &str, shares: &[f64]) -> Vec<String> {
+    let places = places(text);
+    let mut parts = Vec::with_capacity(shares.len() + 1);
+    let mut start = 0;
+    for share in shares {
+        let cost = |place: &&Place| (place.share - share).abs() + place.cost;
+        let behind = places.iter().filter(|place| place.at >= start);
+        let end = behind.min_by(|a, b| cost(a).total_cmp(&cost(b))).map_or(text.len(), |place| place.at);
+        parts.push(trim(text.get(start..end).unwrap_or_default()).to_owned());
+        start = end.max(start);
+    }
+    parts.push(trim(text.get(start..).unwrap_or_default()).to_owned());
+    parts
+}
+
+/// A place where a text can be cut.
+struct Place {
+    /// The byte before which it is cut.
+    at: usize,
+    /// How much of the letters stands before it.
+    share: f64,
+    cost: f64,
+}
+
+#[allow(clippy::cast_precision_loss, reason = "lengths of texts")]
+fn places(text: &str) -> Vec<Place> {
+    let letters = |text: &str| text.chars().filter(|c| c.is_alphanumeric()).count();
+    let all = letters(text).max(1) as f64;
+    let mut places = vec![Place { at: 0, share: 0.0, cost: 0.0 }, Place { at: text.len(), share: 1.0, cost: 0.0 }];
+    let ends_of_sentences: Vec<usize> =
+        text.split_sentence_bound_indices().map(|(start, sentence)| start + sentence.trim_end().len()).collect();
+    let (mut before, mut counted) = (0, 0);
+    for (blank, _) in text.char_indices().filter(|(_, c)| c.is_whitespace()) {
+        let word = text.get(counted..blank).unwrap_or_default();
+        counted = blank;
+        before += letters(word);
+        let cost = match word.chars().next_back() {
+            _ if ends_of_sentences.binary_search(&blank).is_ok() => 0.0,
+            Some(mark) if !mark.is_alphanumeric() && !mark.is_whitespace() => COST_AT_MARK,
+            _ => COST_AT_BLANK,
+        };
+        places.push(Place { at: blank, share: before as f64 / all, cost });
+    }
+    places.sort_by_key(|place| place.at);
+    places
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sentences_in_several_languages() {
+        assert_eq!(sentences("Who's there? It is 3.5 miles. Go!"), ["Who's there?", "It is 3.5 miles.", "Go!"]);
+        assert_eq!(sentences("誰だ？灯台守か。"), ["誰だ？", "灯台守か。"]);
+        assert_eq!(sentences(" "), [""]);
+    }
+
+    #[test]
+    fn cuts_prefer_the_ends_of_sentences() {
+        assert_eq!(cut("Let me think... It was you!", &[0.5]), ["Let me think...", "It was you!"]);
+        assert_eq!(cut("one two three four", &[0.5]), ["one two", "three four"]);
+        assert_eq!(cut("Yes", &[0.3, 0.6]).len(), 3);
+        assert_eq!(cut("", &[0.5]), ["", ""]);
+    }
+
+    #[test]
+    fn nothing_of_the_text_is_lost() {
+        let text = "Aye, sir. The light, the light! It went out at ten.";
+        for share in [[0.1, 0.2, 0.9], [0.0, 0.5, 1.0], [0.9, 0.1, 0.5]] {
+            assert_eq!(words(&cut(text, &share).join(" ")).collect::<Vec<_>>(), words(text).collect::<Vec<_>>());
+        }
+    }
+}

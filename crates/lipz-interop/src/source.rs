@@ -1,0 +1,90 @@
+//! What readers of text formats share: text from bytes, lines with their places, numbers.
+
+use lipz::diagnostic::show;
+use lipz::rate::Rate;
+use lipz::{Code, Diagnostic, Span, without_byte_order_mark};
+
+/// The text of a file. Tools on Windows write a byte order mark; it is skipped.
+pub(crate) fn text<'s>(bytes: &'s [u8], findings: &mut Vec<Diagnostic>) -> Option<&'s str> {
+    lipz::decode(without_byte_order_mark(bytes), findings)
+}
+
+/// The lines of a text without their ends, each with the byte at which it starts.
+pub(crate) fn lines(text: &str) -> impl Iterator<Item = Line<'_>> {
+    let mut start = 0;
+    text.split_inclusive('\n').map(move |line| {
+        let at = start;
+        start += line.len();
+        let line = line.strip_suffix('\n').unwrap_or(line);
+        Line { text: line.strip_suffix('\r').unwrap_or(line), at }
+    })
+}
+
+/// A part of a text that knows where it stands: a line, a field of a line.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Line<'s> {
+    pub(crate) text: &'s str,
+    /// The byte at which it starts.
+    pub(crate) at: usize,
+}
+
+impl<'s> Line<'s> {
+    /// Where it stands.
+    pub(crate) fn span(self) -> Span {
+        Span::new(self.at, self.at + self.text.len())
+    }
+
+    /// Without blanks at its ends.
+    pub(crate) fn trimmed(self) -> Line<'s> {
+        let start = self.text.len() - self.text.trim_start().len();
+        Line { text: self.text.trim(), at: self.at + start }
+    }
+
+    /// What stands before and behind the first `separator`, trimmed.
+    pub(crate) fn split_once(self, separator: char) -> Option<(Line<'s>, Line<'s>)> {
+        let (before, after) = self.text.split_once(separator)?;
+        let behind = self.at + before.len() + separator.len_utf8();
+        Some((Line { text: before, at: self.at }.trimmed(), Line { text: after, at: behind }.trimmed()))
+    }
+
+    /// The part between white space, one after the other.
+    pub(crate) fn fields(self) -> impl Iterator<Item = Line<'s>> {
+        let start = self.text.as_ptr() as usize;
+        self.text.split_whitespace().map(move |text| Line { text, at: self.at + (text.as_ptr() as usize - start) })
+    }
+
+    /// A finding about it.
+    pub(crate) fn finding(self, code: Code, headline: impl Into<String>) -> Diagnostic {
+        Diagnostic::at(code, self.span(), headline)
+    }
+
+    /// The finding that it is not what the format has there.
+    pub(crate) fn not(self, what: &str) -> Diagnostic {
+        let headline = match self.text.is_empty() {
+            true => format!("{what} is missing"),
+            false => format!("{} is not {what}", show::name(self.text)),
+        };
+        self.finding(Code::ForeignSyntax, headline)
+    }
+
+    /// The number of frames or units that it spells.
+    pub(crate) fn number(self, what: &str, findings: &mut Vec<Diagnostic>) -> Option<u64> {
+        let number = self.text.parse().ok();
+        if number.is_none() {
+            findings.push(self.not(what));
+        }
+        number
+    }
+}
+
+/// The finding for a file that ends too early.
+pub(crate) fn cut_off(text: &str, missing: &str) -> Diagnostic {
+    let end = text.trim_end().len();
+    Diagnostic::at(Code::ForeignCutOff, Span::new(end, end), format!("the file ends too early: {missing}"))
+        .help("was it cut off while it was copied, or the tool interrupted? make it again")
+}
+
+/// The rate of `number` frames a second, if it is one.
+pub(crate) fn rate(number: &str) -> Option<Rate> {
+    lipz::rate::parse(number)
+}

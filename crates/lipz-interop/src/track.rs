@@ -1,0 +1,72 @@
+//! What other tools say about a recording, before it becomes a Lipz file: shapes with their times.
+
+use crate::Time;
+use lipz::rate::Rate;
+use lipz::{Element, Span};
+
+/// The mouth shapes of one speaker in one recording, as a file of another tool has them.
+///
+/// Times are exact, shapes have the names that the tool gives them. Which Lipz code a name stands for is the
+/// business of a [`Map`](crate::Map); to which frames it comes, that of [`import`](crate::import()).
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Track {
+    /// What the file calls the speaker, if it can have several.
+    pub name: Option<String>,
+    /// The [mapping table](crate::Map) of its symbols, if the file tells it and not the format.
+    pub map: Option<&'static str>,
+    /// The shapes. Each lasts until the next one starts.
+    pub shapes: Vec<Shape>,
+    /// When the last shape ends; without it, the last shape is held for a frame.
+    pub end: Option<Time>,
+    /// The frame rate that the file was made for.
+    pub rate: Option<Rate>,
+    /// Stretches of text that belong together, as the file divides it.
+    pub phrases: Vec<Timed>,
+    /// The spoken words.
+    pub words: Vec<Timed>,
+    /// What is said, in the locale if the file tells it. `|` in it divides segments.
+    pub texts: Vec<Text>,
+    /// Elements of Lipz files that are taken as they are, such as events.
+    pub elements: Vec<Element<'static>>,
+}
+
+/// A mouth shape or sound from a time on.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Shape {
+    /// When it starts.
+    pub start: Time,
+    /// What the format calls it.
+    pub symbol: String,
+    /// Where the file says so; `None` in a binary file.
+    pub span: Option<Span>,
+}
+
+/// A stretch of text from a time on.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Timed {
+    /// When it starts.
+    pub start: Time,
+    /// What is said.
+    pub text: String,
+}
+
+/// What is said in a recording.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Text {
+    /// The tag of the locale, `en-us`; `None` if the file does not tell it.
+    pub locale: Option<String>,
+    /// The text.
+    pub text: String,
+}
+
+impl Shape {
+    /// A shape of a text file.
+    pub fn at(span: Span, start: Time, symbol: impl Into<String>) -> Shape {
+        Shape { start, symbol: symbol.into(), span: Some(span) }
+    }
+
+    /// A shape of a binary file.
+    pub fn new(start: Time, symbol: impl Into<String>) -> Shape {
+        Shape { start, symbol: symbol.into(), span: None }
+    }
+}
