@@ -1,8 +1,8 @@
 //! The command line: the list of commands. Each one's arguments and help stand beside its work.
 
 use crate::commands::{
-    check, completions, convert, coverage, diff, explain, fallout, fmt, ids, init, inspect, man, pack, schema, stats, unpack,
-    verify, watch,
+    check, completions, convert, coverage, diff, explain, fallout, fmt, ids, init, inspect, man, pack, schema, stats,
+    unpack, verify, watch,
 };
 use crate::render::Format;
 use clap::{Parser, Subcommand};

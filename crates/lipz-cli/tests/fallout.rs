@@ -4,7 +4,7 @@
 mod support;
 
 use std::fs;
-use support::{Scene, lipz, repository};
+use support::{Scene, lipz};
 
 /// An FRM file with frames of one pixel.
 fn frm(frames: u16) -> Vec<u8> {
@@ -70,4 +70,8 @@ fn files_that_are_not_there_cannot_be_checked() {
     let outcome = lipz(scene.path(), ["fallout", "heads", "nowhere"]);
     assert_eq!(outcome.code, 2);
     assert!(outcome.stderr.starts_with("error[LZ0001]: `nowhere` cannot be read: "), "{}", outcome.stderr);
+    fs::create_dir(scene.path().join("empty")).unwrap();
+    let outcome = lipz(scene.path(), ["fallout", "heads", "empty"]);
+    assert_eq!(outcome.code, 1);
+    assert!(outcome.stderr.starts_with("error[LZ0805]: no FRM files in `empty`\n"), "{}", outcome.stderr);
 }

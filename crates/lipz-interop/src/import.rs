@@ -92,6 +92,8 @@ pub struct Clip {
     pub frames: usize,
     /// The shapes that have no frame.
     pub lost: Vec<Lost>,
+    /// How the file was read where there was a choice, a sentence each.
+    pub remarks: Vec<String>,
 }
 
 /// A shape without a frame.
@@ -179,7 +181,8 @@ fn clip(track: Track, map: &Map, options: &ImportOptions<'_>, findings: &mut Vec
     let division = divide(&track, &speech, &texts, options.segments, findings);
     let codes = codes(&runs, &resampled.lengths, &division, rate);
     let document = document(&track, codes, texts, &division, map.viseme_type, rate);
-    Some(Clip { name: track.name, document, map: map.label(), rate, frames: resampled.lengths.iter().sum(), lost })
+    let frames = resampled.lengths.iter().sum();
+    Some(Clip { name: track.name, document, map: map.label(), rate, frames, lost, remarks: track.remarks })
 }
 
 /// The track with its shapes in the order of their times; reports where they run backwards.

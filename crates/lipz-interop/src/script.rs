@@ -61,7 +61,8 @@ fn of_rows(text: &str) -> (Script, Vec<Diagnostic>) {
     };
     let (Some(file), Some(line)) = (column(FILE, rows.peek()), column(TEXT, rows.peek())) else {
         let end = text.find('\n').unwrap_or(text.len());
-        let finding = Diagnostic::at(Code::ForeignSyntax, Span::new(0, end), "the first line does not name the columns");
+        let finding =
+            Diagnostic::at(Code::ForeignSyntax, Span::new(0, end), "the first line does not name the columns");
         found.push(finding.help("a script starts with `file,text`; other columns are not used"));
         return (script, found);
     };

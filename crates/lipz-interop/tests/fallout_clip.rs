@@ -64,7 +64,8 @@ fn phonemes_between_frames_are_told() {
 fn the_unit_is_named_or_told_by_the_sound() {
     let bytes = fixture("eld_2.lip");
     let frames = |units_per_second: Option<u32>, sound_length: Option<Time>| {
-        let imported = import(format(), &bytes, &ImportOptions { units_per_second, sound_length, ..ImportOptions::default() });
+        let imported =
+            import(format(), &bytes, &ImportOptions { units_per_second, sound_length, ..ImportOptions::default() });
         (imported.clips[0].frames, codes(&imported.diagnostics))
     };
     assert_eq!(frames(None, None), (19, vec![]));

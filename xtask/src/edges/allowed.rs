@@ -69,16 +69,7 @@ pub(super) const ALLOWED: &[Rule] = &[
     },
     Rule {
         name: "lipz-interop",
-        direct: Some(&[
-            "csv",
-            "encoding_rs",
-            "hound",
-            "lipz",
-            "serde",
-            "serde_json",
-            "toml",
-            "unicode-segmentation",
-        ]),
+        direct: Some(&["csv", "encoding_rs", "hound", "lipz", "serde", "serde_json", "toml", "unicode-segmentation"]),
         transitive: Some(&[
             READER,
             LIPZ_FILES,

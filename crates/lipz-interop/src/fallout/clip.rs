@@ -32,17 +32,17 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, findings: &mut Vec<Diagnostic
         }
     };
     findings.extend(lip.oddities(options.name.unwrap_or(&lip.sound())));
-    let [usual, ..] = units::KNOWN;
-    let units_per_second = match (options.units_per_second, options.sound_length) {
-        (Some(named), _) => named,
+    let (units_per_second, why) = match (options.units_per_second, options.sound_length) {
+        (Some(named), _) => (named, "as named"),
         (None, Some(length)) => {
             let (nearest, warning) = units::nearest(lip.end(), length);
             findings.extend(warning);
-            nearest
+            (nearest, "which comes nearest to the end of the sound")
         }
-        (None, None) => usual,
+        (None, None) => (units::USUAL, "as the game plays it"),
     };
-    vec![track(&lip, units_per_second)]
+    let remark = format!("{units_per_second} units a second, {why}");
+    vec![Track { remarks: vec![remark], ..track(&lip, units_per_second) }]
 }
 
 /// The shapes as the game shows them: each marker takes effect when the sound has passed all before it.
@@ -94,8 +94,7 @@ fn write(track: &Track, findings: &mut Vec<Diagnostic>) -> Vec<u8> {
 
 /// The sample that is nearest to a time, as a position.
 fn position(time: Time) -> u32 {
-    let [units_per_second, ..] = units::KNOWN;
-    let samples = time.in_units(units_per_second / SAMPLE_BYTES);
+    let samples = time.in_units(units::USUAL / SAMPLE_BYTES);
     u32::try_from(samples).unwrap_or(u32::MAX).saturating_mul(SAMPLE_BYTES)
 }
 

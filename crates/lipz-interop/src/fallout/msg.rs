@@ -109,7 +109,11 @@ impl<'t> Reading<'t> {
         let text = self.rest_of_entry(number)?;
         let Some(parsed) = parse_number(&number.joined()) else {
             let headline = format!("{} is no number", show::name(number.written));
-            return Err(refusal(number.span(), headline, "an entry is {number}{sound}{text}: {104}{hak001}{Greetings.}"));
+            return Err(refusal(
+                number.span(),
+                headline,
+                "an entry is {number}{sound}{text}: {104}{hak001}{Greetings.}",
+            ));
         };
         self.look_at(text);
         Ok(Some(Entry { number: parsed, sound: sound.joined(), text: text.joined(), span: text.span() }))
@@ -193,7 +197,8 @@ mod tests {
         let text = "# remark\r\n{100}{}{You see \r\nElder.}\r\n{-1}{eld_1} remark {Hello!}{+7}\n{}\n{}";
         let (entries, found) = read(text);
         assert_eq!(found, []);
-        let read: Vec<_> = entries.iter().map(|entry| (entry.number, entry.sound.as_str(), entry.text.as_str())).collect();
+        let read: Vec<_> =
+            entries.iter().map(|entry| (entry.number, entry.sound.as_str(), entry.text.as_str())).collect();
         assert_eq!(read, [(100, "", "You see Elder."), (-1, "eld_1", "Hello!"), (7, "", "")]);
         assert_eq!(entries.get(1).and_then(|entry| text.get(entry.span.range())), Some("Hello!"));
     }
@@ -220,7 +225,10 @@ mod tests {
     #[test]
     fn what_the_game_shows_otherwise() {
         assert_eq!(headlines("{1}{}{Hi\nthere}"), ["words run together at a line break"]);
-        assert_eq!(headlines("{1}{}{Hi {2}{}{there}"), ["a field starts within a text", "the entry has fewer than three fields"]);
+        assert_eq!(
+            headlines("{1}{}{Hi {2}{}{there}"),
+            ["a field starts within a text", "the entry has fewer than three fields"]
+        );
         let (entries, found) = read("{1}{a}{old}\n{1}{a}{new}");
         assert_eq!((entries.len(), found.len()), (1, 1));
         assert_eq!(entries.first().map(|entry| entry.text.as_str()), Some("new"));

@@ -30,8 +30,12 @@ mod tests {
 
     #[test]
     fn lengths_stand_in_headers() {
-        let spec =
-            hound::WavSpec { channels: 2, sample_rate: 8000, bits_per_sample: 16, sample_format: hound::SampleFormat::Int };
+        let spec = hound::WavSpec {
+            channels: 2,
+            sample_rate: 8000,
+            bits_per_sample: 16,
+            sample_format: hound::SampleFormat::Int,
+        };
         let mut wav = Cursor::new(Vec::new());
         let mut writer = hound::WavWriter::new(&mut wav, spec).unwrap();
         for _ in 0..8000 {

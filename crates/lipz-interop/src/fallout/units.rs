@@ -4,12 +4,12 @@
 use crate::Time;
 use lipz::{Code, Diagnostic};
 
-/// Units in a second that are known, the usual one first.
-///
-/// The engine plays every sound as one channel of 16 bits at 22,050 Hz, and markers are compared with
-/// bytes of that. The document has "4 x 22100", which is a stereo rate with a slip; 88,200 is the rate that
-/// it probably means.
-pub const KNOWN: [u32; 3] = [44_100, 88_200, 88_400];
+/// Units in a second of the game's files: the engine plays every sound as one channel of 16 bits at 22,050 Hz.
+pub const USUAL: u32 = 44_100;
+
+/// Units in a second that are known, the usual one first. The document has "4 x 22100", which is a stereo rate
+/// with a slip; the one before it is the rate that it probably means.
+pub const KNOWN: [u32; 3] = [USUAL, 88_200, 88_400];
 
 /// How far the last marker may stand from the end of the sound, as a part of its length.
 const TOLERANCE: u64 = 100;
@@ -25,8 +25,7 @@ const TOLERANCE: u64 = 100;
 pub fn nearest(last_position: u32, sound: Time) -> (u32, Option<Diagnostic>) {
     let sound_us = sound.in_units(MICROSECONDS);
     let distance_us = |units: u32| Time::new(u64::from(last_position), units).in_units(MICROSECONDS).abs_diff(sound_us);
-    let [usual, ..] = KNOWN;
-    let units = KNOWN.into_iter().min_by_key(|&units| distance_us(units)).unwrap_or(usual);
+    let units = KNOWN.into_iter().min_by_key(|&units| distance_us(units)).unwrap_or(USUAL);
     if distance_us(units) <= sound_us / TOLERANCE {
         return (units, None);
     }

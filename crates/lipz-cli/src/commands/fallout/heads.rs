@@ -78,11 +78,15 @@ impl Checked {
     /// The pictures of a folder, compared with its list if it has one.
     fn folder(&mut self, folder: &Path) {
         let Some(paths) = self.read(folder, listed) else { return };
-        match paths.iter().find(|path| has_extension(path, LIST)) {
-            Some(list) => self.list(list),
-            None => {
-                self.pictures(&paths);
-            }
+        if let Some(list) = paths.iter().find(|path| has_extension(path, LIST)) {
+            self.list(list);
+        } else if paths.iter().any(|path| has_extension(path, PICTURE)) {
+            self.pictures(&paths);
+        } else {
+            let shown = console::path(folder);
+            let finding = Diagnostic::new(Code::NoSources, format!("no FRM files in `{shown}`"));
+            let help = "heads lie below art/heads in the data of the game; its archives must be unpacked first";
+            self.reports.push(Report::about(shown, finding.help(help)));
         }
     }
 

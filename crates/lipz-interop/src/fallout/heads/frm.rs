@@ -58,7 +58,8 @@ impl Frm {
             for index in 0..frm.frames {
                 let what = || cut_off(FRAMES, &format!("frame {index} of {}", frm.frames));
                 let pixels = at.checked_add(FRAME_HEADER_BYTES).ok_or_else(what)?;
-                let length = bytes.get(at..pixels).and_then(|frame| frame.get(PIXEL_BYTES)).map(number).ok_or_else(what)?;
+                let length =
+                    bytes.get(at..pixels).and_then(|frame| frame.get(PIXEL_BYTES)).map(number).ok_or_else(what)?;
                 at = pixels.saturating_add(length as usize);
                 if at > bytes.len() {
                     return Err(what());

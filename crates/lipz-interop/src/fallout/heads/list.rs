@@ -39,8 +39,9 @@ pub fn read_list(text: &str) -> (Vec<Head>, Vec<Diagnostic>) {
         }
         let Some((root, fidgets)) = parse_line(written) else {
             found.push(
-                Diagnostic::at(Code::HeadsList, span, "the line does not name a head and three numbers")
-                    .help("write `ROOT,X,Y,Z`: the start of its files' names, and its good, neutral and bad fidget files"),
+                Diagnostic::at(Code::HeadsList, span, "the line does not name a head and three numbers").help(
+                    "write `ROOT,X,Y,Z`: the start of its files' names, and its good, neutral and bad fidget files",
+                ),
             );
             continue;
         };

@@ -58,7 +58,8 @@ pub fn compare(heads: &[Head], files: &[HeadFile]) -> Vec<Diagnostic> {
         counted.extend(expected);
     }
     let of_list = |file: &&HeadFile| heads.iter().any(|head| head.root.eq_ignore_ascii_case(&file.root));
-    let is_surplus = |file: &&HeadFile| matches!(file.content, Content::Fidget(_)) && !counted.contains(&file.file_name());
+    let is_surplus =
+        |file: &&HeadFile| matches!(file.content, Content::Fidget(_)) && !counted.contains(&file.file_name());
     for head in heads {
         let own = files.iter().filter(|file| head.root.eq_ignore_ascii_case(&file.root));
         let surplus: Vec<String> = own.filter(is_surplus).map(HeadFile::file_name).collect();
@@ -69,8 +70,7 @@ pub fn compare(heads: &[Head], files: &[HeadFile]) -> Vec<Diagnostic> {
             found.push(finding.note("the game never shows them").help("correct the numbers of fidget files"));
         }
     }
-    let unlisted: BTreeSet<&str> =
-        files.iter().filter(|file| !of_list(file)).map(|file| file.root.as_str()).collect();
+    let unlisted: BTreeSet<&str> = files.iter().filter(|file| !of_list(file)).map(|file| file.root.as_str()).collect();
     found.extend(unlisted.into_iter().map(|root| {
         let headline = format!("heads.lst has no line for {}", show::name(root));
         Diagnostic::new(Code::HeadFiles, headline).help(format!("add `{root},1,1,1` with its numbers of fidget files"))

@@ -112,8 +112,23 @@ mod tests {
 
     #[test]
     fn other_names() {
-        let others = ["gp.frm", "myronnv.frm", "myrongb.frm", "myronnn.frm", "myrongf.frm", "myrongf0.frm", "myrongf01.frm",
-            "myrongp1.frm", "myrongp.fr0", "myrongp", "myrongf99999999999.frm", ".frm", "élèveg", "1.frm", ""];
+        let others = [
+            "gp.frm",
+            "myronnv.frm",
+            "myrongb.frm",
+            "myronnn.frm",
+            "myrongf.frm",
+            "myrongf0.frm",
+            "myrongf01.frm",
+            "myrongp1.frm",
+            "myrongp.fr0",
+            "myrongp",
+            "myrongf99999999999.frm",
+            ".frm",
+            "élèveg",
+            "1.frm",
+            "",
+        ];
         for name in others {
             assert_eq!(HeadFile::parse(name), None, "{name}");
         }

@@ -132,7 +132,8 @@ impl Lip {
             let [Marker { position: before, .. }, Marker { position, .. }] = pair else { return None };
             let headline = format!("marker {} runs backwards, from {before} to {position}", index + 1);
             let finding = place(Code::LipMarkerOrder, self.marker_place(index + 1), headline);
-            let note = "as in the game, its phoneme starts at the last place before it, and hides the one that starts there";
+            let note =
+                "as in the game, its phoneme starts at the last place before it, and hides the one that starts there";
             (position < before).then(|| finding.note(note))
         });
         list(found, findings);

@@ -93,8 +93,9 @@ fn refused_version(version: u32) -> Diagnostic {
             .help("look for the file of version 2; the game plays this one without moving the mouth"),
         _ if version.swap_bytes() == VERSION => at("the words of this LIP file are little-endian".into())
             .help("write them big-endian: only the length at 0x10 is little-endian in files of the game"),
-        _ if version.to_be_bytes() == *b"LIP " => at("this is a LIP file of Knights of the Old Republic".into())
-            .help("import it with `lipz import kotor`"),
+        _ if version.to_be_bytes() == *b"LIP " => {
+            at("this is a LIP file of Knights of the Old Republic".into()).help("import it with `lipz import kotor`")
+        }
         _ => at(format!("this is no LIP file of Fallout 2: its version is {version}, not {VERSION}"))
             .help("LIP files of the game lie in its data below sound/speech"),
     }
