@@ -27,6 +27,7 @@ mod source;
 mod time;
 mod track;
 
+pub use encoding_rs::Encoding;
 pub use formats::Format;
 pub use frames::Why;
 pub use import::{Clip, DEFAULT_RATE, ImportOptions, Imported, Lost, import};
