@@ -148,9 +148,12 @@ pub fn import(format: &Format, bytes: &[u8], options: &ImportOptions<'_>) -> Imp
 /// The table for a track: the one that is asked for, that of the file, or one of the format.
 fn table<'m>(format: &Format, track: &Track, options: &ImportOptions<'m>) -> Option<&'m Map> {
     let of_format = || {
-        let mut maps = format.maps.iter().filter_map(|name| map::find(name));
+        let maps = format.maps.iter().filter_map(|name| map::find(name));
         let wanted = |map: &&Map| options.viseme_type.is_none_or(|wanted| wanted == map.viseme_type);
-        maps.clone().find(wanted).or_else(|| maps.next())
+        let has_all = |map: &&Map| track.shapes.iter().all(|shape| map.code(&shape.symbol).is_some());
+        let mut of_type = maps.clone().filter(wanted);
+        // Files of one format come from several tools, each with its own names.
+        of_type.clone().find(has_all).or_else(|| of_type.next()).or_else(|| maps.clone().next())
     };
     options.map.or_else(|| map::find(track.map?)).or_else(of_format)
 }

@@ -16,10 +16,12 @@
 //!
 //! What is not here: banks and their layout, settings, files and printing (`lipz-cli`).
 
+mod export;
 pub mod fallout;
 pub mod formats;
 mod frames;
 mod import;
+mod json;
 mod map;
 mod script;
 mod segments;
@@ -28,6 +30,7 @@ mod time;
 mod track;
 
 pub use encoding_rs::Encoding;
+pub use export::{ExportOptions, Exported, export};
 pub use formats::Format;
 pub use frames::Why;
 pub use import::{Clip, DEFAULT_RATE, ImportOptions, Imported, Lost, import};

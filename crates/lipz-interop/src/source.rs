@@ -1,7 +1,6 @@
 //! What readers of text formats share: text from bytes, lines with their places, numbers.
 
 use lipz::diagnostic::show;
-use lipz::rate::Rate;
 use lipz::{Code, Diagnostic, Span, without_byte_order_mark};
 
 /// The text of a file. Tools on Windows write a byte order mark; it is skipped.
@@ -82,9 +81,4 @@ pub(crate) fn cut_off(text: &str, missing: &str) -> Diagnostic {
     let end = text.trim_end().len();
     Diagnostic::at(Code::ForeignCutOff, Span::new(end, end), format!("the file ends too early: {missing}"))
         .help("was it cut off while it was copied, or the tool interrupted? make it again")
-}
-
-/// The rate of `number` frames a second, if it is one.
-pub(crate) fn rate(number: &str) -> Option<Rate> {
-    lipz::rate::parse(number)
 }

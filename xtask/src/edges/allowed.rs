@@ -69,12 +69,22 @@ pub(super) const ALLOWED: &[Rule] = &[
     },
     Rule {
         name: "lipz-interop",
-        direct: Some(&["csv", "encoding_rs", "hound", "lipz", "serde", "serde_json", "toml", "unicode-segmentation"]),
+        direct: Some(&[
+            "csv",
+            "encoding_rs",
+            "hound",
+            "lipz",
+            "roxmltree",
+            "serde",
+            "serde_json",
+            "toml",
+            "unicode-segmentation",
+        ]),
         transitive: Some(&[
             READER,
             LIPZ_FILES,
             TOML,
-            &["cfg-if", "csv", "csv-core", "encoding_rs", "hound", "lipz", "lipz-bank", "ryu"],
+            &["cfg-if", "csv", "csv-core", "encoding_rs", "hound", "lipz", "lipz-bank", "roxmltree", "ryu"],
         ]),
     },
     // What a game carries; its build script uses the compiler.

@@ -1,6 +1,21 @@
 //! The formats of other tools, one file each, and the list of them.
 
+mod azure;
+mod bohemia;
+mod kotor;
+mod lipz_editor;
+mod lipz_txt;
+mod moho;
+mod ovr;
+mod pamela;
+mod papagayo;
+mod papagayo_pg2;
+mod papagayo_pgo;
+mod polly;
+mod rhubarb;
+mod rhubarb_json;
 mod rhubarb_tsv;
+mod rhubarb_xml;
 
 use crate::{ImportOptions, Track, fallout};
 use lipz::Diagnostic;
@@ -33,7 +48,23 @@ pub type Read = fn(&[u8], &ImportOptions<'_>, &mut Vec<Diagnostic>) -> Vec<Track
 pub type Write = fn(&Track, &mut Vec<Diagnostic>) -> Vec<u8>;
 
 /// Every format, in the order in which lists show them.
-pub const ALL: &[Format] = &[rhubarb_tsv::FORMAT, fallout::clip::FORMAT];
+pub const ALL: &[Format] = &[
+    rhubarb_tsv::FORMAT,
+    rhubarb_json::FORMAT,
+    rhubarb_xml::FORMAT,
+    moho::FORMAT,
+    papagayo_pgo::FORMAT,
+    papagayo_pg2::FORMAT,
+    pamela::FORMAT,
+    kotor::FORMAT,
+    bohemia::FORMAT,
+    fallout::clip::FORMAT,
+    polly::FORMAT,
+    azure::FORMAT,
+    ovr::FORMAT,
+    lipz_txt::FORMAT,
+    lipz_editor::FORMAT,
+];
 
 /// The format of this name.
 pub fn find(name: &str) -> Option<&'static Format> {

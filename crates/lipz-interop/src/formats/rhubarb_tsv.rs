@@ -1,19 +1,20 @@
 //! Rhubarb Lip Sync, `-f tsv`: a line for each shape, its start in seconds, a tab, its letter. The last line
 //! is the end of the recording (Rhubarb's README, "Output formats").
 
-use super::Format;
+use super::{Format, rhubarb};
 use crate::{ImportOptions, Shape, Time, Track, source};
-use lipz::{Code, Diagnostic};
+use lipz::Diagnostic;
+use std::fmt::Write;
 
 pub(super) const FORMAT: Format = Format {
     name: "rhubarb-tsv",
     about: "Rhubarb Lip Sync, tab-separated (-f tsv)",
     extension: "tsv",
-    examples: &["lipz import rhubarb-tsv recorded/*.tsv -o voices"],
-    maps: &["rhubarb", "rhubarb-toonboom"],
+    examples: &["lipz import rhubarb-tsv recorded/*.tsv -o voices", "lipz export rhubarb-tsv voices -o recorded"],
+    maps: rhubarb::MAPS,
     is_binary: false,
     read: Some(read),
-    write: None,
+    write: Some(write),
 };
 
 fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Track> {
@@ -21,7 +22,7 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> 
     let mut track = Track::default();
     for line in source::lines(text).filter(|line| !line.text.trim().is_empty()) {
         let Some((start, symbol)) = line.split_once('\t') else {
-            findings.push(line.not("a time, a tab and a mouth shape").help("a line is, for example, 0.25 A"));
+            findings.push(line.not("a time, a tab and a mouth shape").help("a line is, for example, 0.25 and A"));
             continue;
         };
         match Time::parse(start.text) {
@@ -31,16 +32,19 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> 
         }
     }
     // The last line is no shape: it says when the one before it ends.
-    if let [.., _, end] = track.shapes.as_slice() {
-        track.end = Some(end.start);
-        track.shapes.pop();
-    } else if findings.is_empty() {
-        let missing = "it has no line that says when the recording ends";
-        findings.push(if track.shapes.is_empty() {
-            Diagnostic::new(Code::NoShapes, "the file has no mouth shapes")
-        } else {
-            source::cut_off(text, missing)
-        });
+    if track.shapes.len() > 1 {
+        track.end = track.shapes.pop().map(|end| end.start);
+    } else if track.shapes.len() == 1 {
+        findings.push(source::cut_off(text, "it has no line that says when the recording ends"));
     }
     vec![track]
+}
+
+fn write(track: &Track, _: &mut Vec<Diagnostic>) -> Vec<u8> {
+    let mut text = String::new();
+    for (start, symbol) in rhubarb::rows(track) {
+        let _ = writeln!(text, "{start}\t{symbol}");
+    }
+    let _ = writeln!(text, "{}\t{}", rhubarb::seconds(rhubarb::end(track)), rhubarb::REST);
+    text.into_bytes()
 }

@@ -11,9 +11,21 @@ macro_rules! tables {
 }
 
 tables! {
+    "arpabet-blair"
+    "azure"
+    "blair"
+    "bohemia"
+    "cmu"
     "fallout"
+    "fleming-dobbs"
+    "kotor"
+    "ovr"
+    "papagayo"
+    "polly"
     "rhubarb"
     "rhubarb-toonboom"
+    "rms"
+    "toonboom"
 }
 
 static TABLES: LazyLock<Vec<Map>> =
@@ -40,6 +52,16 @@ mod tests {
             assert_eq!(Map::parse(text).unwrap().name, *name);
         }
         assert_eq!(built_in().len(), FILES.len());
+    }
+
+    #[test]
+    fn which_tables_lose_nothing() {
+        let lossless: Vec<&str> = built_in()
+            .iter()
+            .filter(|map| map.is_lossless() && map.keeps_codes())
+            .map(|map| map.name.as_str())
+            .collect();
+        assert_eq!(lossless, ["blair", "papagayo", "toonboom"]);
     }
 
     #[test]

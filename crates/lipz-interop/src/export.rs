@@ -1,0 +1,165 @@
+//! From a Lipz document to a track in the symbols of another tool, and to its file.
+
+use crate::import::REST;
+use crate::{Format, Map, Shape, Time, Timed, Track, map};
+use lipz::rate::Rate;
+use lipz::text::{DELIMITER, is_white_space};
+use lipz::{Code, Diagnostic, Document, Value, VisemeType};
+
+/// What a project and a person decide about an export.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ExportOptions<'a> {
+    /// The table to use instead of the one of the format.
+    pub map: Option<&'a Map>,
+    /// The frame rate of files without `fps`.
+    pub default_rate: Option<Rate>,
+    /// The viseme type of files without `viseme_type`.
+    pub default_viseme_type: Option<VisemeType>,
+    /// The name of the file to be written, without folders and extension, for formats that have it in the file,
+    /// too.
+    pub name: Option<&'a str>,
+}
+
+/// What an export gave.
+#[derive(Debug, Default)]
+pub struct Exported {
+    /// The file; `None` if a finding is an error.
+    pub bytes: Option<Vec<u8>>,
+    /// The table that was used: `rhubarb 1`.
+    pub map: String,
+    /// What of the clip has no place in the format, such as `texts`.
+    pub left_out: Vec<&'static str>,
+    /// What is wrong or lost.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Writes a Lipz document in a format of another tool.
+pub fn export(format: &Format, document: &Document<'_>, options: &ExportOptions<'_>) -> Exported {
+    let mut exported = Exported::default();
+    let findings = &mut exported.diagnostics;
+    let Some(write) = format.write else { return exported };
+    let Some((track, map)) = track(format, document, options, findings) else { return exported };
+    exported.left_out = left_out(document);
+    exported.map = map.label();
+    exported.bytes = Some(write(&track, &mut exported.diagnostics));
+    exported
+}
+
+/// The document as a track in the symbols of the format, and the table that they are from.
+fn track<'m>(
+    format: &Format,
+    document: &Document<'_>,
+    options: &ExportOptions<'m>,
+    findings: &mut Vec<Diagnostic>,
+) -> Option<(Track, &'m Map)> {
+    let Some(visemes) = document.string("visemes") else {
+        findings.push(refusal("the clip has no mouth shapes").help("only clips with \"visemes\" can be exported"));
+        return None;
+    };
+    let codes: Vec<u8> = visemes
+        .chars()
+        .filter(|&c| c != DELIMITER && !is_white_space(c))
+        .map(|c| u8::try_from(c).unwrap_or(0))
+        .collect();
+    let Some(rate) = rate(document).or(options.default_rate) else {
+        findings.push(
+            refusal("the clip has no frame rate").help("add \"fps\" to the file, or set `default-fps` in lipz.toml"),
+        );
+        return None;
+    };
+    let viseme_type = viseme_type(document, &codes, options);
+    let of_format = || format.maps.iter().filter_map(|name| map::find(name));
+    let fits = |map: &&Map| Some(map.viseme_type) == viseme_type && map.viseme_type.contains_all(&codes);
+    let Some(map) = options.map.filter(fits).or_else(|| of_format().find(fits).filter(|_| options.map.is_none()))
+    else {
+        let name = viseme_type.map_or("of no known viseme type", VisemeType::name);
+        let headline = format!("`{}` has no mapping table for the codes of the clip, which are {name}", format.name);
+        findings.push(refusal(headline).help("convert the clip first: lipz convert --viseme-type blair"));
+        return None;
+    };
+    let mut shapes: Vec<Shape> = Vec::new();
+    for (frame, run) in runs(&codes) {
+        let Some(symbol) = map.symbol(run) else {
+            let headline = format!("`{}` has no symbol for the code `{}`", map.name, char::from(run));
+            findings.push(refusal(headline).help("give a table that has it with --map"));
+            return None;
+        };
+        shapes.push(Shape::new(Time::of_frame(frame, rate), symbol));
+    }
+    report_merged(&codes, map, findings);
+    let end = Some(Time::of_frame(codes.len() as u64, rate));
+    let (name, phrases) = (options.name.map(str::to_owned), segments(visemes, rate));
+    Some((Track { name, shapes, end, rate: Some(rate), phrases, ..Track::default() }, map))
+}
+
+/// Where the segments start. What is said in them has no place in formats of shapes.
+fn segments(visemes: &str, rate: Rate) -> Vec<Timed> {
+    let mut frame = 0;
+    let of_segment = |codes: &str| {
+        let start = Time::of_frame(frame, rate);
+        frame += codes.chars().filter(|&c| !is_white_space(c)).count() as u64;
+        Timed { start, text: String::new() }
+    };
+    visemes.split(DELIMITER).map(of_segment).collect()
+}
+
+fn refusal(headline: impl Into<String>) -> Diagnostic {
+    Diagnostic::new(Code::NotExportable, headline)
+}
+
+fn rate(document: &Document<'_>) -> Option<Rate> {
+    match &document.get("fps")?.value {
+        Value::Number(number) => lipz::rate::parse(&number.text),
+        _ => None,
+    }
+}
+
+/// The type of the codes: as the file names it, the project's default, or the first one that has them all.
+fn viseme_type(document: &Document<'_>, codes: &[u8], options: &ExportOptions<'_>) -> Option<VisemeType> {
+    match document.string("viseme_type") {
+        Some(name) => VisemeType::from_name(name),
+        None => options
+            .default_viseme_type
+            .or_else(|| VisemeType::ALL.into_iter().find(|viseme_type| viseme_type.contains_all(codes))),
+    }
+}
+
+/// Where equal codes start, with the code.
+fn runs(codes: &[u8]) -> impl Iterator<Item = (u64, u8)> {
+    let mut frame = 0;
+    codes.chunk_by(|a, b| a == b).map(move |run| {
+        let start = frame;
+        frame += run.len() as u64;
+        (start, run.first().copied().unwrap_or(REST))
+    })
+}
+
+/// Reports codes that come back as others, because they share a symbol.
+fn report_merged(codes: &[u8], map: &Map, findings: &mut Vec<Diagnostic>) {
+    for code in map.viseme_type.codes().bytes() {
+        let frames = codes.iter().filter(|&&other| other == code).count();
+        let Some(symbol) = map.symbol(code).filter(|_| frames > 0) else { continue };
+        if let Some(back) = map.code(symbol).filter(|&back| back != code) {
+            let (code, back) = (char::from(code), char::from(back));
+            let headline = format!("{frames} frames of `{code}` are written as `{symbol}`, which is read as `{back}`");
+            findings.push(
+                Diagnostic::new(Code::ExportLoss, headline)
+                    .note(format!("the mapping table `{}` has no other symbol for `{code}`", map.name)),
+            );
+        }
+    }
+}
+
+/// What of the document no format of mouth shapes has a place for.
+fn left_out(document: &Document<'_>) -> Vec<&'static str> {
+    let has = |is: &dyn Fn(&str) -> bool| document.elements.iter().any(|element| is(&element.name.text));
+    let is_text = |name: &str| lipz::locale::text_name(name).is_some();
+    let is_known = |name: &str| matches!(name, "visemes" | "viseme_type" | "fps" | "events") || is_text(name);
+    let parts: [(&'static str, bool); 4] = [
+        ("segments", document.string("visemes").is_some_and(|visemes| visemes.contains(DELIMITER))),
+        ("texts", has(&is_text)),
+        ("events", document.get("events").is_some()),
+        ("unknown elements", has(&|name| !is_known(name))),
+    ];
+    parts.into_iter().filter(|(_, is_there)| *is_there).map(|(what, _)| what).collect()
+}

@@ -1,0 +1,52 @@
+//! Bohemia Interactive, `.lip`: lines `time, shape`, seconds and 0 to 7. The first shape is 0 at 0.000; the
+//! last line is the end, with -1. A first line `frame = 0.040` tells the step.
+
+use super::Format;
+use crate::{ImportOptions, Shape, Time, Track, source};
+use lipz::{Code, Diagnostic};
+
+/// What stands for the shape in the last line.
+const END: &str = "-1";
+
+pub(super) const FORMAT: Format = Format {
+    name: "bohemia",
+    about: "Bohemia Interactive (Arma, DayZ) .lip",
+    extension: "lip",
+    examples: &["lipz import bohemia sounds/*.lip -o voices"],
+    maps: &["bohemia"],
+    is_binary: false,
+    read: Some(read),
+    write: None,
+};
+
+fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Track> {
+    let Some(text) = source::text(bytes, findings) else { return Vec::new() };
+    let mut track = Track::default();
+    for (index, line) in source::lines(text).filter(|line| !line.text.trim().is_empty()).enumerate() {
+        if index == 0 && line.text.trim_start().starts_with("frame") {
+            let step = line.split_once('=').and_then(|(_, step)| Time::parse(step.text));
+            if step.is_none() {
+                findings.push(line.not("`frame = ` and seconds"));
+            }
+            continue;
+        }
+        if let Some(end) = track.end.filter(|_| !line.text.trim().is_empty()) {
+            let headline = format!("a line stands behind the end at {end}");
+            findings.push(line.finding(Code::ForeignOddity, headline).note("it is not read"));
+            break;
+        }
+        let Some((start, shape)) = line.split_once(',') else {
+            findings.push(line.not("a time, a comma and a shape"));
+            continue;
+        };
+        match Time::parse(start.text) {
+            None => findings.push(start.not("a time in seconds")),
+            Some(end) if shape.text == END => track.end = Some(end),
+            Some(time) => track.shapes.push(Shape::at(shape.span(), time, shape.text)),
+        }
+    }
+    if track.end.is_none() && findings.is_empty() && !track.shapes.is_empty() {
+        findings.push(source::cut_off(text, "it has no line with -1 that says when the recording ends"));
+    }
+    vec![track]
+}

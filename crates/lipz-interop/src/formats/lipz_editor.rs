@@ -1,0 +1,118 @@
+//! JSON of the Lipz author's first editor: nearly Lipz files, with `visemeType`, with frame rate and type in a
+//! nested `source`, several objects joined by commas, and `|` that is in the texts but lost from the visemes.
+
+use super::Format;
+use crate::json::{self, Node};
+use crate::{DEFAULT_RATE, ImportOptions, Shape, Text, Time, Timed, Track, source};
+use lipz::locale::{TextName, text_name};
+use lipz::rate::Rate;
+use lipz::text::DELIMITER;
+use lipz::{Code, Diagnostic, Element, JsonString, Span, Value, VisemeType};
+use std::borrow::Cow;
+
+pub(super) const FORMAT: Format = Format {
+    name: "lipz-editor",
+    about: "the Lipz author's first editor, JSON",
+    extension: "json",
+    examples: &["lipz import lipz-editor old/*.json --locale en-us -o voices"],
+    maps: &["blair", "toonboom", "rms"],
+    is_binary: false,
+    read: Some(read),
+    write: None,
+};
+
+fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Track> {
+    let Some(text) = source::text(bytes, findings) else { return Vec::new() };
+    let objects = json::joined(text, findings);
+    let numbered = objects.into_iter().zip(1_usize..);
+    numbered.filter_map(|(object, number)| track(object, number, findings)).collect()
+}
+
+fn track(object: Node<'_>, number: usize, findings: &mut Vec<Diagnostic>) -> Option<Track> {
+    if !object.is_object() {
+        findings.push(object.not("an object with \"visemes\" and texts"));
+        return None;
+    }
+    let rate = rate(object, findings).unwrap_or(DEFAULT_RATE);
+    let mut track = Track { name: Some(number.to_string()), rate: Some(rate), ..Track::default() };
+    track.map = viseme_type(object, findings).map(VisemeType::name);
+    let visemes = object.get(&["visemes"]).and_then(|node| Some((node, node.string()?)));
+    if let Some((node, visemes)) = visemes {
+        shapes(node.span(), &visemes, rate, &mut track);
+    }
+    for (name, node) in object.members() {
+        let locale = match text_name(&name) {
+            Some(TextName::Canonical(tag) | TextName::Misspelt(tag) | TextName::OtherShape(_, Some(tag))) => Some(tag),
+            Some(_) => None,
+            None => {
+                other(&name, node, &mut track, findings);
+                continue;
+            }
+        };
+        match node.string() {
+            Some(text) => track.texts.push(Text { locale, text }),
+            None => findings.push(node.not("a text")),
+        }
+    }
+    Some(track)
+}
+
+/// The member of the object, or of its `source`.
+fn of_clip<'s>(object: Node<'s>, names: &[&str]) -> Option<Node<'s>> {
+    object.get(names).or_else(|| object.get(&["source"])?.get(names))
+}
+
+fn rate(object: Node<'_>, findings: &mut Vec<Diagnostic>) -> Option<Rate> {
+    let fps = of_clip(object, &["fps"])?;
+    let rate = fps.number().and_then(|digits| lipz::rate::parse(&digits));
+    if rate.is_none() {
+        findings.push(fps.not("a frame rate from 1 to 1000"));
+    }
+    rate
+}
+
+fn viseme_type(object: Node<'_>, findings: &mut Vec<Diagnostic>) -> Option<VisemeType> {
+    let named = of_clip(object, &["viseme_type", "visemeType"])?;
+    let found = named.string().and_then(|name| VisemeType::from_name(&name.to_ascii_lowercase()));
+    if found.is_none() {
+        findings.push(named.not("a viseme type: blair, toonboom or rms"));
+    }
+    found
+}
+
+/// A shape for each code, and a phrase for each segment of the visemes, if they have any.
+fn shapes(place: Span, visemes: &str, rate: Rate, track: &mut Track) {
+    let mut frame = 0;
+    let mut segments = vec![Time::ZERO];
+    for c in visemes.chars().filter(|c| !c.is_whitespace()) {
+        let start = Time::of_frame(frame, rate);
+        if c == DELIMITER {
+            segments.push(start);
+        } else {
+            track.shapes.push(Shape::at(place, start, c.to_string()));
+            frame += 1;
+        }
+    }
+    if segments.len() > 1 {
+        track.phrases = segments.into_iter().map(|start| Timed { start, text: String::new() }).collect();
+    }
+    track.end = Some(Time::of_frame(frame, rate));
+}
+
+/// Events are kept; what else the editor noted has no place in a Lipz file.
+fn other(name: &str, node: Node<'_>, track: &mut Track, findings: &mut Vec<Diagnostic>) {
+    let string = |text: String| JsonString::from(Cow::<'static, str>::Owned(text));
+    match name {
+        "visemes" | "fps" | "viseme_type" | "visemeType" => {}
+        "events" => {
+            if let Some(events) = node.string() {
+                track.elements.push(Element { name: string(name.to_owned()), value: Value::String(string(events)) });
+            }
+        }
+        _ => {
+            let headline = format!("{} is left out", lipz::diagnostic::show::name(name));
+            let finding = Diagnostic::at(Code::ForeignOddity, node.span(), headline);
+            findings.push(finding.note("it has no place in a Lipz file; frame rate and viseme type in it are used"));
+        }
+    }
+}

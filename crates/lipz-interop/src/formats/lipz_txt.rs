@@ -1,0 +1,58 @@
+//! The current format of the author of Lipz, `.lipz.txt`: 24 frames a second. `phoneme.` starts a phoneme on
+//! a frame, a blank holds what shows for one frame, `-.` rests (sl-web-face, `lipzFileUtil.ts`).
+
+use super::Format;
+use crate::source::{self, Line};
+use crate::{DEFAULT_RATE, ImportOptions, Shape, Time, Track};
+use lipz::Diagnostic;
+
+/// What ends a phoneme.
+const END: char = '.';
+
+pub(super) const FORMAT: Format = Format {
+    name: "lipz-txt",
+    about: "the Lipz author's phonemes, .lipz.txt",
+    extension: "lipz.txt",
+    examples: &["lipz import lipz-txt audio/*.lipz.txt -o voices"],
+    maps: &["arpabet-blair"],
+    is_binary: false,
+    read: Some(read),
+    write: None,
+};
+
+fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Track> {
+    let Some(text) = source::text(bytes, findings) else { return Vec::new() };
+    let mut track = Track { rate: Some(DEFAULT_RATE), ..Track::default() };
+    let mut frame = 0;
+    let mut start = None;
+    // Line ends are what an editor adds at the end, and no frames.
+    let text = text.trim_end_matches(['\r', '\n']);
+    for (at, c) in text.char_indices() {
+        match c {
+            END => {
+                let from = start.take().unwrap_or(at);
+                let phoneme = Line { text: text.get(from..at).unwrap_or_default(), at: from };
+                if phoneme.text.is_empty() {
+                    findings.push(Line { text: ".", at }.not("a phoneme and its dot"));
+                }
+                track.shapes.push(Shape::at(phoneme.span(), Time::of_frame(frame, DEFAULT_RATE), phoneme.text));
+                frame += 1;
+            }
+            // A blank inside of a phoneme holds a frame, too, but nobody writes that.
+            ' ' if start.is_none() => frame += 1,
+            c if c.is_whitespace() => {
+                let from = start.take().unwrap_or(at);
+                let place = Line { text: text.get(from..at + c.len_utf8()).unwrap_or_default(), at: from };
+                findings.push(
+                    place.not("a phoneme and its dot").help("blanks hold a frame, nothing else divides phonemes"),
+                );
+            }
+            _ => start = start.or(Some(at)),
+        }
+    }
+    if start.is_some() {
+        findings.push(source::cut_off(text, "the last phoneme has no dot"));
+    }
+    track.end = Some(Time::of_frame(frame, DEFAULT_RATE));
+    vec![track]
+}

@@ -1,0 +1,83 @@
+//! Moho (and Anime Studio) switch data, `.dat`: `MohoSwitch1`, then a frame and the name of a layer per line.
+//! Frames count from 1 by convention, and the file does not tell how many are a second. Papagayo and Rhubarb
+//! write it, each with a rest at the end; readers such as Adventure Game Studio count from 0.
+
+use super::Format;
+use crate::{DEFAULT_RATE, ImportOptions, Shape, Time, Track, source};
+use lipz::{Code, Diagnostic};
+use std::fmt::Write;
+
+/// The first line.
+const HEADER: &str = "MohoSwitch1";
+/// Frames that are written count from here.
+const FIRST_FRAME: u64 = 1;
+const REST: &str = "rest";
+
+pub(super) const FORMAT: Format = Format {
+    name: "moho",
+    about: "Moho switch layer, of Moho, Papagayo or Rhubarb (-f dat)",
+    extension: "dat",
+    examples: &["lipz import moho recorded/*.dat --file-fps 24 -o voices", "lipz export moho voices -o switches"],
+    maps: &["papagayo", "rhubarb", "rhubarb-toonboom", "fleming-dobbs", "cmu"],
+    is_binary: false,
+    read: Some(read),
+    write: Some(write),
+};
+
+fn read(bytes: &[u8], options: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Track> {
+    let Some(text) = source::text(bytes, findings) else { return Vec::new() };
+    let rate = options.file_rate.unwrap_or(DEFAULT_RATE);
+    let mut track = Track { rate: Some(rate), ..Track::default() };
+    let mut lines = source::lines(text).filter(|line| !line.text.trim().is_empty()).peekable();
+    match lines.peek().copied() {
+        Some(first) if first.text.trim() == HEADER => {
+            lines.next();
+        }
+        Some(first) if first.text.trim_start().starts_with(|c: char| c.is_ascii_digit()) => findings.push(
+            first
+                .finding(Code::ForeignOddity, format!("the first line is not `{HEADER}`"))
+                .note("the file is read as if it were"),
+        ),
+        Some(first) => {
+            findings.push(first.not("`MohoSwitch1`, the first line").help("is this a file of Moho?"));
+            return Vec::new();
+        }
+        None => {}
+    }
+    for line in lines {
+        let Some((frame, symbol)) = line.trimmed().split_once(' ') else {
+            findings.push(line.not("a frame and the name of a layer"));
+            continue;
+        };
+        let Some(number) = frame.number("the number of a frame", findings) else { continue };
+        let Some(frame) = number.checked_sub(options.dat_base) else {
+            let headline = format!("frame {number} comes before the first one, {}", options.dat_base);
+            findings.push(frame.finding(Code::ForeignValue, headline).help("count from 0 with --dat-base 0"));
+            continue;
+        };
+        track.shapes.push(Shape::at(symbol.span(), Time::of_frame(frame, rate), symbol.text));
+    }
+    end_at_rest(&mut track);
+    vec![track]
+}
+
+/// The rest that writers put at the end says when the recording ends.
+fn end_at_rest(track: &mut Track) {
+    if let [.., _, last] = track.shapes.as_slice()
+        && matches!(last.symbol.as_str(), REST | "X")
+    {
+        track.end = Some(last.start);
+        track.shapes.pop();
+    }
+}
+
+fn write(track: &Track, _: &mut Vec<Diagnostic>) -> Vec<u8> {
+    let rate = track.rate.unwrap_or(DEFAULT_RATE);
+    let mut text = format!("{HEADER}\n");
+    for shape in &track.shapes {
+        let _ = writeln!(text, "{} {}", shape.start.nearest_frame(rate) + FIRST_FRAME, shape.symbol);
+    }
+    let end = track.end.unwrap_or(Time::ZERO);
+    let _ = writeln!(text, "{} {REST}", end.nearest_frame(rate) + FIRST_FRAME);
+    text.into_bytes()
+}

@@ -1,0 +1,89 @@
+//! Pamela, `.pam`: the section `[Speech]` with lines `position:PHONEME`. A frame has 15 positions, a second 24
+//! frames. Phonemes are those of the CMU dictionary, vowels with a digit for their stress; `None` rests.
+
+use super::Format;
+use crate::{DEFAULT_RATE, ImportOptions, Shape, Time, Track, source};
+use lipz::rate::Rate;
+use lipz::{Code, Diagnostic};
+use std::fmt::Write;
+
+/// Positions on the time line for each frame.
+const POSITIONS_PER_FRAME: u32 = 15;
+const SECTION: &str = "[Speech]";
+const REST: &str = "None";
+
+pub(super) const FORMAT: Format = Format {
+    name: "pamela",
+    about: "Pamela lip sync",
+    extension: "pam",
+    examples: &["lipz import pamela recorded/*.pam -o voices", "lipz export pamela voices -o recorded"],
+    maps: &["cmu"],
+    is_binary: false,
+    read: Some(read),
+    write: Some(write),
+};
+
+fn read(bytes: &[u8], options: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Track> {
+    let Some(text) = source::text(bytes, findings) else { return Vec::new() };
+    let rate = options.file_rate.unwrap_or(DEFAULT_RATE);
+    let mut track = Track { rate: Some(rate), ..Track::default() };
+    let (mut in_speech, mut has_speech) = (false, false);
+    for line in source::lines(text) {
+        let line = source::Line { text: line.text.split("//").next().unwrap_or_default(), at: line.at }.trimmed();
+        if line.text.is_empty() {
+            continue;
+        }
+        if line.text.starts_with('[') {
+            in_speech = line.text.eq_ignore_ascii_case(SECTION);
+            has_speech |= in_speech;
+            continue;
+        }
+        if !in_speech {
+            continue;
+        }
+        let Some((position, phoneme)) = line.split_once(':') else {
+            findings.push(line.not("a position, `:` and a phoneme"));
+            continue;
+        };
+        let Some(position) = position.number("a position", findings) else { continue };
+        if phoneme.text.is_empty() {
+            findings.push(phoneme.not("a phoneme"));
+            continue;
+        }
+        let symbol = phoneme.text.trim_end_matches(['0', '1', '2']);
+        track.shapes.push(Shape::at(phoneme.span(), time(position, rate), symbol));
+    }
+    if !has_speech {
+        let missing = format!("it has no section {SECTION}");
+        findings.push(source::cut_off(text, &missing));
+    }
+    // Writers of Pamela sort by name as often as by time: that is no fault.
+    track.shapes.sort_by_key(|shape| shape.start);
+    if track.shapes.len() > 1 && track.shapes.last().is_some_and(|last| last.symbol.eq_ignore_ascii_case(REST)) {
+        track.end = track.shapes.pop().map(|rest| rest.start);
+    }
+    vec![track]
+}
+
+fn time(position: u64, rate: Rate) -> Time {
+    let positions = rate.numerator.saturating_mul(POSITIONS_PER_FRAME);
+    Time::new(position.saturating_mul(u64::from(rate.denominator)), positions)
+}
+
+fn write(track: &Track, findings: &mut Vec<Diagnostic>) -> Vec<u8> {
+    let rate = track.rate.unwrap_or(DEFAULT_RATE);
+    if rate != DEFAULT_RATE {
+        findings.push(
+            Diagnostic::new(Code::ExportLoss, "Pamela counts 24 frames a second, and the clip has another rate").note(
+                "positions are counted for 24; a frame that starts between two of them starts at the nearest one",
+            ),
+        );
+    }
+    let position = |time: Time| time.in_units(DEFAULT_RATE.numerator * POSITIONS_PER_FRAME);
+    let mut text = format!("{SECTION}\n");
+    for shape in &track.shapes {
+        let _ = writeln!(text, "{}:{}", position(shape.start), shape.symbol);
+    }
+    let _ = writeln!(text, "{}:{REST}", position(track.end.unwrap_or(Time::ZERO)));
+    text.into_bytes()
+}

@@ -1,0 +1,78 @@
+//! Amazon Polly speech marks: one JSON object a line, with milliseconds. Visemes have a start only; marks of
+//! words and sentences tell when each is spoken.
+
+use super::Format;
+use crate::json::{self, Node};
+use crate::source::{self, Line};
+use crate::{ImportOptions, Shape, Text, Time, Timed, Track};
+use lipz::Diagnostic;
+
+pub(super) const FORMAT: Format = Format {
+    name: "polly",
+    about: "Amazon Polly speech marks",
+    extension: "marks",
+    examples: &["lipz import polly speech/*.marks --locale en-us -o voices"],
+    maps: &["polly"],
+    is_binary: false,
+    read: Some(read),
+    write: None,
+};
+
+fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Track> {
+    let Some(text) = source::text(bytes, findings) else { return Vec::new() };
+    let mut track = Track::default();
+    for line in source::lines(text).filter(|line| !line.text.trim().is_empty()) {
+        // Each line is JSON of its own, whose places count in the file.
+        let mut found = Vec::new();
+        let mark = json::root(line.text, &mut found)
+            .map(|root| Node { line: Line { at: line.at + root.line.at, ..root.line } });
+        if mark.is_none() {
+            let is_last = line.at + line.text.len() >= text.trim_end().len();
+            findings.push(match found.pop() {
+                Some(finding) if finding.code == lipz::Code::ForeignCutOff && is_last => {
+                    source::cut_off(text, "the last speech mark is not complete")
+                }
+                _ => line.not("a speech mark, a JSON object on a line"),
+            });
+            continue;
+        }
+        if let Some(mark) = mark {
+            add(mark, &mut track, findings);
+        }
+    }
+    let sentences: Vec<&str> = track.phrases.iter().map(|phrase| phrase.text.as_str()).collect();
+    if !sentences.is_empty() {
+        track.texts.push(Text { locale: None, text: sentences.join(" ") });
+    }
+    // The last viseme is the silence that starts when the voice has ended.
+    if track.shapes.len() > 1 && track.shapes.last().is_some_and(|last| last.symbol == "sil") {
+        track.end = track.shapes.pop().map(|last| last.start);
+    }
+    vec![track]
+}
+
+fn add(mark: Node<'_>, track: &mut Track, findings: &mut Vec<Diagnostic>) {
+    let mut member = |name: &str| {
+        let found = mark.get(&[name]);
+        if found.is_none() {
+            findings.push(mark.lacks(&format!("\"{name}\"")));
+        }
+        found
+    };
+    let (Some(time), Some(kind), Some(value)) = (member("time"), member("type"), member("value")) else { return };
+    let Some(start) = time.number().and_then(|ms| ms.parse().ok()).map(|ms| Time::new(ms, 1000)) else {
+        findings.push(time.not("a time in milliseconds"));
+        return;
+    };
+    let Some(text) = value.string() else {
+        findings.push(value.not("a text"));
+        return;
+    };
+    match kind.string().as_deref() {
+        Some("viseme") => track.shapes.push(Shape::at(value.span(), start, text)),
+        Some("word") => track.words.push(Timed { start, text }),
+        Some("sentence") => track.phrases.push(Timed { start, text }),
+        Some("ssml") => {}
+        _ => findings.push(kind.not("a type of speech mark: viseme, word, sentence or ssml")),
+    }
+}

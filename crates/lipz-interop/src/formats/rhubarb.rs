@@ -1,0 +1,64 @@
+//! What Rhubarb's formats have in common: times in hundredths of a second, shapes without gaps.
+
+use crate::{Time, Track};
+
+pub(super) const MAPS: &[&str] = &["rhubarb", "rhubarb-toonboom"];
+/// The shape of silence.
+pub(super) const REST: &str = "X";
+/// Rhubarb works on a grid of this many steps a second.
+const STEPS: u32 = 100;
+
+/// A time in seconds with two decimals.
+pub(super) fn seconds(time: Time) -> String {
+    let steps = time.in_units(STEPS);
+    format!("{}.{:02}", steps / u64::from(STEPS), steps % u64::from(STEPS))
+}
+
+/// When the recording ends.
+pub(super) fn end(track: &Track) -> Time {
+    track.end.unwrap_or(Time::ZERO)
+}
+
+/// Starts and shapes, at least one: Rhubarb never writes none.
+pub(super) fn rows(track: &Track) -> Vec<(String, &str)> {
+    let mut rows: Vec<_> = track.shapes.iter().map(|shape| (seconds(shape.start), shape.symbol.as_str())).collect();
+    if rows.is_empty() {
+        rows.push((seconds(Time::ZERO), REST));
+    }
+    rows
+}
+
+/// Starts, ends and shapes.
+pub(super) fn spans(track: &Track) -> Vec<(String, String, &str)> {
+    let rows = rows(track);
+    let ends = rows.iter().skip(1).map(|(start, _)| start.clone()).chain([seconds(end(track))]);
+    ends.zip(&rows).map(|(end, (start, symbol))| (start.clone(), end, *symbol)).collect()
+}
+
+/// A shape from a time to a time, as JSON and XML have them.
+pub(super) struct Cue {
+    pub(super) start: Time,
+    pub(super) end: Time,
+    pub(super) symbol: String,
+    pub(super) span: lipz::Span,
+}
+
+/// The track of shapes with ends: the mouth rests between them.
+pub(super) fn track(cues: Vec<Cue>, duration: Option<Time>) -> Track {
+    let mut track = Track::default();
+    let mut ended: Option<Time> = None;
+    for cue in cues {
+        if let Some(gap) = ended.filter(|ended| *ended < cue.start) {
+            track.shapes.push(crate::Shape::at(cue.span, gap, REST));
+        }
+        track.shapes.push(crate::Shape::at(cue.span, cue.start, cue.symbol));
+        ended = Some(cue.end.max(cue.start));
+    }
+    if let Some(gap) = ended.filter(|ended| duration.is_some_and(|duration| *ended < duration))
+        && let Some(last) = track.shapes.last().and_then(|shape| shape.span)
+    {
+        track.shapes.push(crate::Shape::at(last, gap, REST));
+    }
+    track.end = duration.max(ended);
+    track
+}

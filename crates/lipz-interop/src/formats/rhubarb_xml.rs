@@ -1,0 +1,100 @@
+//! Rhubarb Lip Sync, `-f xml`: `mouthCue` elements with `start` and `end`, and the shape as their text.
+
+use super::Format;
+use super::rhubarb::{self, Cue};
+use crate::{ImportOptions, Time, Track, source};
+use lipz::diagnostic::show;
+use lipz::{Code, Diagnostic, Span};
+use roxmltree::{Document, Node, ParsingOptions};
+
+pub(super) const FORMAT: Format = Format {
+    name: "rhubarb-xml",
+    about: "Rhubarb Lip Sync, XML (-f xml)",
+    extension: "xml",
+    examples: &["lipz import rhubarb-xml recorded/*.xml -o voices"],
+    maps: rhubarb::MAPS,
+    is_binary: false,
+    read: Some(read),
+    write: None,
+};
+
+fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Track> {
+    let Some(text) = source::text(bytes, findings) else { return Vec::new() };
+    // Entities of a document type can grow without bound; Rhubarb writes none, and by default none is read.
+    let document = match Document::parse_with_options(text, ParsingOptions::default()) {
+        Ok(document) => document,
+        Err(error) => {
+            findings.push(syntax(text, &error));
+            return Vec::new();
+        }
+    };
+    let duration = document.descendants().find(|node| node.has_tag_name("duration"));
+    let duration = duration.and_then(|node| {
+        let start = node.first_child().map_or(node.range().start, |text| text.range().start);
+        time(node.text().unwrap_or_default(), start, findings)
+    });
+    let cues: Vec<Cue> = document
+        .descendants()
+        .filter(|node| node.has_tag_name("mouthCue"))
+        .filter_map(|node| cue(node, findings))
+        .collect();
+    if !document.root_element().has_tag_name("rhubarbResult") {
+        let span = span(document.root_element().range());
+        let headline = "the root is not rhubarbResult".to_owned();
+        findings.push(Diagnostic::at(Code::ForeignSyntax, span, headline).help("is this a file of Rhubarb?"));
+    }
+    vec![rhubarb::track(cues, duration)]
+}
+
+fn cue(node: Node<'_, '_>, findings: &mut Vec<Diagnostic>) -> Option<Cue> {
+    let mut attribute = |name: &str| {
+        let Some(attribute) = node.attribute_node(name) else {
+            let headline = format!("`mouthCue` has no attribute `{name}`");
+            findings.push(Diagnostic::at(Code::ForeignSyntax, span(node.range()), headline));
+            return None;
+        };
+        time(attribute.value(), attribute.range_value().start, findings)
+    };
+    let (start, end) = (attribute("start")?, attribute("end")?);
+    let text = node.first_child().filter(Node::is_text);
+    let symbol = text.and_then(|text| text.text()).unwrap_or_default().trim().to_owned();
+    let place = text.map_or(node.range(), |text| text.range());
+    Some(Cue { start, end, symbol, span: span(place) })
+}
+
+fn time(text: &str, at: usize, findings: &mut Vec<Diagnostic>) -> Option<Time> {
+    let time = Time::parse(text.trim());
+    if time.is_none() {
+        let headline = format!("{} is not a time in seconds", show::name(text));
+        findings.push(Diagnostic::at(Code::ForeignSyntax, Span::new(at, at + text.len()), headline));
+    }
+    time
+}
+
+fn span(range: std::ops::Range<usize>) -> Span {
+    Span::new(range.start, range.end)
+}
+
+fn syntax(text: &str, error: &roxmltree::Error) -> Diagnostic {
+    if matches!(
+        error,
+        roxmltree::Error::UnclosedRootNode | roxmltree::Error::UnexpectedEndOfStream | roxmltree::Error::NoRootNode
+    ) {
+        return source::cut_off(text, "its XML is not complete");
+    }
+    let place = error.pos();
+    let lines = text.split_inclusive('\n').take((place.row as usize).saturating_sub(1));
+    let before: usize = lines.map(str::len).sum();
+    let line = text.get(before..).unwrap_or_default();
+    // Columns count characters, from 1.
+    let column = line.char_indices().nth((place.col as usize).saturating_sub(1)).map_or(line.len(), |(at, _)| at);
+    let at = (before + column).min(text.len());
+    let length = text.get(at..).and_then(|rest| rest.chars().next()).map_or(0, char::len_utf8);
+    let message = error.to_string();
+    let what = message.split(" at ").next().unwrap_or(&message).to_owned();
+    Diagnostic::at(
+        Code::ForeignSyntax,
+        Span::new(at, at + length),
+        format!("the file is not XML: {}", show::text(&what)),
+    )
+}
