@@ -4,7 +4,7 @@
 mod support;
 
 use std::fs;
-use support::{Scene, lipz};
+use support::{Scene, lipz, repository};
 
 /// An FRM file with frames of one pixel.
 fn frm(frames: u16) -> Vec<u8> {
@@ -74,4 +74,91 @@ fn files_that_are_not_there_cannot_be_checked() {
     let outcome = lipz(scene.path(), ["fallout", "heads", "empty"]);
     assert_eq!(outcome.code, 1);
     assert!(outcome.stderr.starts_with("error[LZ0805]: no FRM files in `empty`\n"), "{}", outcome.stderr);
+}
+
+/// Copies the LIP files of the repository.
+fn write_lips(scene: &Scene) {
+    for name in ["eld_1.lip", "eld_2.lip", "eld_odd.lip", "eld_cut.lip", "eld_old.lip"] {
+        scene.write(name, fs::read(repository().join("fixtures/fallout").join(name)).unwrap());
+    }
+}
+
+/// A LIP file of the repository with other bytes from a place on.
+fn with(bytes: &[u8], at: usize) -> Vec<u8> {
+    let mut lip = fs::read(repository().join("fixtures/fallout/eld_2.lip")).unwrap();
+    lip.resize(lip.len().max(at + bytes.len()), 0);
+    lip[at..at + bytes.len()].copy_from_slice(bytes);
+    lip
+}
+
+#[test]
+fn what_is_unusual_in_lip_files() {
+    let mut scene = Scene::new();
+    write_lips(&scene);
+    let import = |name: &'static str| ["import", "fallout", name, "-o", "out", "--quiet"];
+    scene.expect("LZ1501-lip-version", &import("eld_old.lip"));
+    scene.expect("LZ1502-lip-cut-off", &import("eld_cut.lip"));
+    scene.expect("LZ1504-lip-length-order", &import("eld_1.lip"));
+    scene.expect("LZ1508-lip-phoneme-and-others", &import("eld_odd.lip"));
+    scene.write("eld_2.lip", with(&[0, 0, 0, 9], 0x0C));
+    scene.expect("LZ1503-lip-header", &["import", "fallout", "eld_2.lip", "-o", "header", "--quiet"]);
+    scene.write("eld_2.lip", with(&[0, 0, 0x90, 0], 0x10));
+    scene.expect("LZ1505-lip-length", &["import", "fallout", "eld_2.lip", "-o", "length", "--quiet"]);
+    scene.write("eld_2.lip", with(&[0, 0, 0, 7], 0x1C));
+    scene.expect("LZ1506-lip-counts", &["import", "fallout", "eld_2.lip", "-o", "counts", "--quiet"]);
+    scene.write("eld_2.lip", with(&[0, 0, 0, 5], 0x33));
+    scene.expect("LZ1509-lip-marker-type", &["import", "fallout", "eld_2.lip", "-o", "type", "--quiet"]);
+    scene.write("eld_2.lip", with(&[], 0));
+    let length = ["import", "fallout", "eld_2.lip", "-o", "base", "--quiet", "--audio-length", "3"];
+    scene.expect("LZ1512-lip-time-base", &length);
+    scene.write("elder.msg", "{100}{}{You see Elder.}\n{101}{eld_1}{Greetings,\nChosen.}\n{102}{eld_2}{Welcome\n");
+    scene.expect("LZ1521-msg-syntax", &["import", "fallout", "eld_2.lip", "-o", "msg", "--script", "elder.msg"]);
+    scene.write("voices/mara-good-evening.lipz", r#"{ "visemes": "MA", "viseme_type": "blair", "fps": 24 }"#);
+    scene.expect("LZ1513-lip-export-name", &["export", "fallout", "voices", "-o", "speech"]);
+    scene.finish(11);
+}
+
+#[test]
+fn texts_come_from_scripts() {
+    let scene = Scene::new();
+    write_lips(&scene);
+    scene.write("elder.msg", b"{101}{ELD_1}{Greetings,\nChosen.}\r\n{102}{eld_2}{D\xE9j\xE0 vu.}\r\n");
+    let import =
+        ["import", "fallout", "eld_1.lip", "eld_2.lip", "-o", "voices", "--script", "elder.msg", "--locale", "en-us"];
+    let outcome = lipz(scene.path(), import);
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("warning[LZ1522]: words run together at a line break"), "{}", outcome.stderr);
+    assert_eq!(
+        outcome.stdout,
+        "2 files imported from fallout into voices, by the mapping table fallout 1\n\
+         2 files: 44100 units a second, as the game plays it\n"
+    );
+    let read = |name: &str| fs::read_to_string(scene.path().join(name)).unwrap();
+    assert!(read("voices/eld_1.lipz").contains("\"Greetings,Chosen.\""), "{}", read("voices/eld_1.lipz"));
+    assert!(read("voices/eld_2.lipz").contains("\"Déjà vu.\""), "{}", read("voices/eld_2.lipz"));
+}
+
+#[test]
+fn the_sound_beside_a_file_chooses_its_unit() {
+    let scene = Scene::new();
+    write_lips(&scene);
+    // Its magic number and version, then 0.4 seconds of samples at 22,050 a second, channels and rate.
+    scene.write("eld_2.ACM", [&[0x97, 0x28, 3, 1][..], &8820_u32.to_le_bytes(), &[1, 0, 0x22, 0x56]].concat());
+    let outcome = lipz(scene.path(), ["import", "fallout", "eld_2.lip", "-o", "voices"]);
+    assert_eq!((outcome.code, outcome.stderr.as_str()), (0, ""));
+    assert!(outcome.stdout.contains("88200 units a second, which comes nearest to the end of the sound"), "{outcome:?}");
+}
+
+#[test]
+fn what_is_exported_comes_back() {
+    let scene = Scene::new();
+    let clip = r#"{ "visemes": "--MMAA|SEELOOWFF-", "viseme_type": "blair", "fps": 12.5 }"#;
+    scene.write("voices/act1/mayor.lipz", clip);
+    let exported = lipz(scene.path(), ["export", "fallout", "voices", "-o", "speech"]);
+    assert_eq!((exported.code, exported.stderr.as_str()), (0, ""));
+    assert!(exported.stdout.ends_with("the format has no place for segments\n"), "{}", exported.stdout);
+    let imported = lipz(scene.path(), ["import", "fallout", "speech/act1/mayor.lip", "-o", "back", "--fps", "12.5"]);
+    assert_eq!((imported.code, imported.stderr.as_str()), (0, ""));
+    let back = fs::read_to_string(scene.path().join("back/mayor.lipz")).unwrap();
+    assert!(back.contains("\"--MMAASEELOOWFF-\""), "{back}");
 }
