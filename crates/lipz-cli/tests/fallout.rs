@@ -146,7 +146,10 @@ fn the_sound_beside_a_file_chooses_its_unit() {
     scene.write("eld_2.ACM", [&[0x97, 0x28, 3, 1][..], &8820_u32.to_le_bytes(), &[1, 0, 0x22, 0x56]].concat());
     let outcome = lipz(scene.path(), ["import", "fallout", "eld_2.lip", "-o", "voices"]);
     assert_eq!((outcome.code, outcome.stderr.as_str()), (0, ""));
-    assert!(outcome.stdout.contains("88200 units a second, which comes nearest to the end of the sound"), "{outcome:?}");
+    assert!(
+        outcome.stdout.contains("88200 units a second, which comes nearest to the end of the sound"),
+        "{outcome:?}"
+    );
 }
 
 #[test]
