@@ -79,13 +79,13 @@ fn files_that_are_not_there_cannot_be_checked() {
 /// Copies the LIP files of the repository.
 fn write_lips(scene: &Scene) {
     for name in ["eld_1.lip", "eld_2.lip", "eld_odd.lip", "eld_cut.lip", "eld_old.lip"] {
-        scene.write(name, fs::read(repository().join("fixtures/fallout").join(name)).unwrap());
+        scene.write(name, fs::read(repository().join("fixtures/interop/fallout").join(name)).unwrap());
     }
 }
 
 /// A LIP file of the repository with other bytes from a place on.
 fn with(bytes: &[u8], at: usize) -> Vec<u8> {
-    let mut lip = fs::read(repository().join("fixtures/fallout/eld_2.lip")).unwrap();
+    let mut lip = fs::read(repository().join("fixtures/interop/fallout/eld_2.lip")).unwrap();
     lip.resize(lip.len().max(at + bytes.len()), 0);
     lip[at..at + bytes.len()].copy_from_slice(bytes);
     lip

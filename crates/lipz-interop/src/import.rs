@@ -172,7 +172,8 @@ fn clip(track: Track, map: &Map, options: &ImportOptions<'_>, findings: &mut Vec
         .lost
         .iter()
         .filter_map(|&(index, why)| {
-            let run = runs.get(index)?;
+            // The rest before the first shape is ours: nobody misses it.
+            let run = runs.get(index).filter(|run| run.code != REST || run.start > Time::ZERO)?;
             Some(Lost { symbol: (*symbols.get(index)?).to_owned(), start: run.start, end: run.end, why })
         })
         .collect();

@@ -20,7 +20,7 @@ fn map() -> &'static Map {
 }
 
 fn fixture(name: &str) -> Vec<u8> {
-    fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/fallout").join(name)).unwrap()
+    fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/interop/fallout").join(name)).unwrap()
 }
 
 fn visemes(imported: &Imported) -> &str {

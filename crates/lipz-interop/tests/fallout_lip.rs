@@ -8,7 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 fn fixtures() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/fallout")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/interop/fallout")
 }
 
 fn fixture(name: &str) -> Vec<u8> {
@@ -152,7 +152,9 @@ fn a_file_full_of_oddities_lists_some_and_counts_the_rest() {
     assert!(found.iter().any(|finding| finding.notes.contains(&"4899 more like this are not listed".into())));
 }
 
-/// The fixtures, made anew: `LIPZ_BLESS=1 cargo test -p lipz-interop --test fallout_lip` writes them.
+/// The fixtures: as most files of the game, with a little-endian length; without anything unusual; with a name of
+/// 8 bytes that is another file's, flags, a phoneme beyond the last, a marker that runs backwards and a byte at the
+/// end; cut off; of version 1. `LIPZ_BLESS=1 cargo test -p lipz-interop --test fallout_lip` writes them.
 fn made() -> Vec<(&'static str, Vec<u8>)> {
     let plain = hello();
     let mut as_most = plain.clone();

@@ -70,9 +70,10 @@ fn code(symbol: &str) -> Option<u8> {
     u8::from_str_radix(digits, 16).ok().filter(|&code| code <= LAST_PHONEME)
 }
 
-/// Writes a track whose name is that of the sound.
+/// Writes a track whose name is that of the sound; without one, the name in the file is empty.
 fn write(track: &Track, findings: &mut Vec<Diagnostic>) -> Vec<u8> {
-    let Some(name) = name_field(track.name.as_deref().unwrap_or_default(), findings) else { return Vec::new() };
+    let name = track.name.as_deref().map_or(Some([0; NAME_BYTES]), |name| name_field(name, findings));
+    let Some(name) = name else { return Vec::new() };
     let (mut phonemes, mut markers) = (Vec::new(), Vec::new());
     let mut is_after_silence = true;
     for shape in &track.shapes {

@@ -1,0 +1,73 @@
+//! What becomes of the fixtures: `NAME.expected` beside each holds its clips and findings. `LIPZ_BLESS=1`
+//! writes these files anew.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use lipz::format::{Style, format};
+use lipz_interop::{ImportOptions, formats, import};
+use std::fmt::Write;
+use std::fs;
+use support::{every_fixture, fixtures};
+
+#[test]
+fn every_fixture_becomes_what_is_expected() {
+    let blessing = std::env::var_os("LIPZ_BLESS").is_some();
+    let mut differences = Vec::new();
+    for (of, file, bytes) in every_fixture() {
+        let options = ImportOptions { locale: Some("en-us"), ..ImportOptions::default() };
+        let imported = import(of, &bytes, &options);
+        let mut text = String::new();
+        for finding in &imported.diagnostics {
+            writeln!(text, "{}[{}]: {}", finding.level, finding.code, finding.headline).unwrap();
+        }
+        for clip in &imported.clips {
+            writeln!(text, "{} by {}, {} frames", clip.name.as_deref().unwrap_or("clip"), clip.map, clip.frames)
+                .unwrap();
+            text += &format(&clip.document, Style::default());
+        }
+        let expected = file.with_extension(format!("{}.expected", file.extension().unwrap().to_str().unwrap()));
+        if blessing {
+            fs::write(expected, text).unwrap();
+        } else if fs::read_to_string(&expected).unwrap_or_default() != text {
+            differences.push(format!("{}:\n{text}", expected.display()));
+        }
+    }
+    assert!(differences.is_empty(), "{}", differences.join("\n"));
+}
+
+#[test]
+fn every_imported_format_has_a_fixture_and_an_example() {
+    for of in formats::ALL {
+        let first = of.examples.first().unwrap();
+        match of.read {
+            Some(_) => {
+                assert!(!fixtures(of).is_empty(), "{}", of.name);
+                assert!(first.starts_with(&format!("lipz import {} ", of.name)), "{first}");
+            }
+            None => assert!(first.starts_with("lipz export "), "{first}"),
+        }
+        assert!(of.write.is_none() || of.examples.iter().any(|line| line.starts_with("lipz export ")), "{}", of.name);
+        assert!(of.maps.iter().all(|name| lipz_interop::find_map(name).is_some()), "{}", of.name);
+    }
+}
+
+#[test]
+fn text_and_shapes_have_the_same_segments() {
+    let tsv = b"0.00\tX\n0.20\tB\n1.00\tX\n1.50\tD\n2.60\tX\n3.00\tX\n";
+    let of = formats::find("rhubarb-tsv").unwrap();
+    let segments = |text, segments| {
+        let options = ImportOptions { text: Some(text), locale: Some("en-us"), segments, ..ImportOptions::default() };
+        let document = import(of, tsv, &options).clips.remove(0).document;
+        (document.string("visemes").unwrap().find('|'), document.string("text_en-us").unwrap().to_owned())
+    };
+    use lipz_interop::Segments::{None, Pauses, Phrases, Sentences};
+    let divided = (Some(36), "Let me think...|It was you!".to_owned());
+    for way in [Pauses, Sentences] {
+        assert_eq!(segments("Let me think... It was you!", way), divided);
+    }
+    assert_eq!(segments("Let me think... | It was you!", None), divided, "marks in the text count always");
+    for way in [None, Phrases] {
+        assert_eq!(segments("Let me think... It was you!", way).0, Option::None);
+    }
+}

@@ -1,0 +1,77 @@
+//! No file makes an importer panic, whatever happened to it; and what it gives holds together.
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
+
+mod support;
+
+use lipz::Level;
+use lipz::text::segment_count;
+use lipz_interop::{Format, ImportOptions, Segments, import};
+use support::every_fixture;
+
+/// Changed files of each fixture.
+const MUTATIONS: u64 = 1500;
+
+/// Imports the bytes and checks what comes of them.
+fn check(format: &Format, bytes: &[u8], segments: Segments) {
+    let options = ImportOptions { segments, locale: Some("en-us"), min_hold: 2, ..ImportOptions::default() };
+    let imported = import(format, bytes, &options);
+    let has_errors = imported.diagnostics.iter().any(|finding| finding.level == Level::Error);
+    assert!(!(has_errors && !imported.clips.is_empty()), "{}", format.name);
+    for clip in imported.clips {
+        let visemes = clip.document.string("visemes").unwrap();
+        assert_eq!(visemes.bytes().filter(|byte| *byte != b'|').count(), clip.frames);
+        for element in &clip.document.elements {
+            if element.name.text.starts_with("text_en") {
+                let text = clip.document.string(&element.name.text).unwrap();
+                assert_eq!(segment_count(text), segment_count(visemes), "{}: {text}", format.name);
+            }
+        }
+        let written = lipz::write(&clip.document);
+        assert!(lipz::parse(written.as_bytes()).document.is_some(), "{}: {written}", format.name);
+    }
+    for finding in &imported.diagnostics {
+        for label in finding.primary.iter().chain(&finding.secondary) {
+            assert!(label.span.start <= label.span.end && label.span.end as usize <= bytes.len() + 3, "{finding:?}");
+        }
+    }
+}
+
+#[test]
+fn truncation_at_every_byte() {
+    for (format, _, bytes) in every_fixture() {
+        for length in 0..=bytes.len() {
+            check(format, &bytes[..length], Segments::Pauses);
+        }
+    }
+}
+
+#[test]
+fn random_changes() {
+    // The same on every machine: a linear congruential generator (Knuth, MMIX).
+    let mut state: u64 = 1;
+    let mut random = move |below: usize| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        usize::try_from(state >> 33).unwrap() % below.max(1)
+    };
+    let pieces: [&[u8]; 10] =
+        [b"\"", b"999999999999999999999", b"-1", b"\n", b"|", b"{", b"\xFF", b"1e308", b"\0", b","];
+    for (format, _, bytes) in every_fixture() {
+        for round in 0..MUTATIONS {
+            let mut changed = bytes.clone();
+            for _ in 0..=random(4) {
+                let at = random(changed.len());
+                match random(4) {
+                    0 if !changed.is_empty() => changed[at] = u8::try_from(random(256)).unwrap(),
+                    1 => drop(changed.drain(at..(at + random(8)).min(changed.len()))),
+                    2 => drop(changed.splice(at..at, pieces[random(pieces.len())].iter().copied())),
+                    _ => {
+                        let end = (at + random(40)).min(changed.len());
+                        changed.extend_from_within(at..end);
+                    }
+                }
+            }
+            let segments = [Segments::Phrases, Segments::Pauses, Segments::Sentences, Segments::None];
+            check(format, &changed, segments[usize::try_from(round % 4).unwrap()]);
+        }
+    }
+}

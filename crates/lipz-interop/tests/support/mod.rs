@@ -1,0 +1,27 @@
+//! The fixtures of `fixtures/interop`: a folder for each format, named like it.
+#![allow(dead_code, reason = "each test program uses a part of this")]
+#![allow(clippy::unwrap_used, reason = "a test stops at the first surprise")]
+
+use lipz_interop::{Format, formats};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The format's fixtures, in the order of their names.
+pub(crate) fn fixtures(format: &Format) -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/interop").join(format.name);
+    let mut files: Vec<PathBuf> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.retain(|file| file.extension().is_none_or(|extension| extension != "expected"));
+    files.sort();
+    files
+}
+
+/// Every format that is imported, with each of its fixtures.
+pub(crate) fn every_fixture() -> impl Iterator<Item = (&'static Format, PathBuf, Vec<u8>)> {
+    let readable = formats::ALL.iter().filter(|format| format.read.is_some());
+    readable.flat_map(|format| {
+        fixtures(format).into_iter().map(move |file| {
+            let bytes = fs::read(&file).unwrap();
+            (format, file, bytes)
+        })
+    })
+}
