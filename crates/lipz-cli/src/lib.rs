@@ -80,6 +80,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Man(man) => commands::man::run(&man, &mut findings),
         Command::Ids(ids) => commands::ids::run(&ids, &mut findings),
         Command::Babble(babble) => commands::babble::run(&babble, &mut findings),
+        Command::Fallout(fallout) => commands::fallout::run(&fallout, &mut findings),
         // These have no findings, and so no document about them.
         Command::Schema(schema) => return commands::schema::run(&schema).into(),
         Command::Completions(completions) => return commands::completions::run(&completions).into(),

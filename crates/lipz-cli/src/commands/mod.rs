@@ -9,6 +9,7 @@ pub(crate) mod diff;
 mod either;
 pub(crate) mod explain;
 pub(crate) mod export;
+pub(crate) mod fallout;
 mod fixing;
 pub(crate) mod fmt;
 mod foreign;
