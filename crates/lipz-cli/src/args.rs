@@ -1,8 +1,8 @@
 //! The command line: the list of commands. Each one's arguments and help stand beside its work.
 
 use crate::commands::{
-    check, completions, convert, coverage, diff, explain, fmt, ids, init, inspect, man, pack, schema, stats, unpack,
-    verify, watch,
+    check, completions, convert, coverage, diff, explain, export, fmt, ids, import, init, inspect, man, maps, pack,
+    schema, stats, unpack, verify, watch,
 };
 use crate::render::Format;
 use clap::{Parser, Subcommand};
@@ -36,6 +36,9 @@ pub(crate) enum Command {
     Init(init::Init),
     Fmt(fmt::Fmt),
     Convert(convert::Convert),
+    Import(import::Import),
+    Export(export::Export),
+    Maps(maps::Maps),
     Unpack(unpack::Unpack),
     Verify(verify::Verify),
     Inspect(inspect::Inspect),
@@ -58,9 +61,11 @@ impl Command {
             Command::Check(check) => check.prints_diff(),
             Command::Fmt(fmt) => fmt.prints_result(),
             Command::Convert(convert) => convert.prints_result(),
+            Command::Import(import) => import.prints_result(),
+            Command::Export(export) => export.prints_result(),
             Command::Watch(_) | Command::Init(_) | Command::Unpack(_) | Command::Verify(_) | Command::Man(_) => false,
             Command::Inspect(_) | Command::Diff(_) | Command::Coverage(_) | Command::Stats(_) => true,
-            Command::Explain(_) | Command::Schema(_) | Command::Completions(_) => true,
+            Command::Explain(_) | Command::Schema(_) | Command::Completions(_) | Command::Maps(_) => true,
         }
     }
 }

@@ -68,6 +68,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Check(check) => commands::check::run(&check, &mut findings),
         Command::Fmt(fmt) => commands::fmt::run(&fmt, &mut findings),
         Command::Convert(convert) => commands::convert::run(&convert, &mut findings),
+        Command::Import(import) => commands::import::run(&import, &mut findings),
+        Command::Export(export) => commands::export::run(&export, &mut findings),
         Command::Init(init) => commands::init::run(&init, &mut findings),
         Command::Unpack(unpack) => commands::unpack::run(&unpack, &mut findings),
         Command::Verify(verify) => commands::verify::run(&verify, &mut findings),
@@ -80,6 +82,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         // These have no findings, and so no document about them.
         Command::Schema(schema) => return commands::schema::run(&schema).into(),
         Command::Completions(completions) => return commands::completions::run(&completions).into(),
+        Command::Maps(maps) => return commands::maps::run(&maps).into(),
         Command::Explain(explain) => return commands::explain::run(&explain).into(),
     };
     findings.finish(ended.unwrap_or_else(|outcome| outcome)).into()

@@ -141,13 +141,13 @@ fn set(names: &Option<Vec<String>>) -> Option<BTreeSet<String>> {
     names.as_ref().map(|names| names.iter().filter(|name| !name.is_empty()).cloned().collect())
 }
 
-fn parse_fps(text: &str) -> Result<Fps, String> {
+pub(crate) fn parse_fps(text: &str) -> Result<Fps, String> {
     lipz::rate::parse(text)
         .and_then(|rate| Fps::new(rate.numerator, rate.denominator))
         .ok_or_else(|| "a frame rate is a number from 1 to 1000, such as 24 or 29.97".into())
 }
 
-fn parse_viseme_type(text: &str) -> Result<VisemeType, String> {
+pub(crate) fn parse_viseme_type(text: &str) -> Result<VisemeType, String> {
     VisemeType::from_name(text).ok_or_else(|| "the viseme types are blair, toonboom and rms".into())
 }
 

@@ -8,7 +8,7 @@ use std::path::Path;
 /// How messages call what came from standard input.
 pub(crate) const INPUT_NAME: &str = "<stdin>";
 /// The key of a clip that came from standard input: it has no path.
-const INPUT_KEY: &str = "stdin";
+pub(crate) const INPUT_KEY: &str = "stdin";
 
 /// Whether a path stands for standard input or output. A file of that name is `./-`.
 pub(crate) fn is_meant(path: &Path) -> bool {

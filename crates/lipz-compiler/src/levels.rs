@@ -5,7 +5,7 @@ use lipz::{Code, Diagnostic};
 
 /// Gives the findings the levels of the project and drops those that it allows. Errors that cannot be
 /// lowered stay errors ([`Code::can_be_lowered`]).
-pub(crate) fn apply(levels: &Levels, diagnostics: &mut Vec<Diagnostic>) {
+pub fn apply(levels: &Levels, diagnostics: &mut Vec<Diagnostic>) {
     if levels.is_empty() {
         return;
     }

@@ -64,6 +64,7 @@ pub use depend::{dependencies, depfile, watched};
 pub use discover::discover;
 pub use fix::{Fixed, fix};
 pub use input::{Content, Input};
+pub use levels::apply as apply_levels;
 pub use options::{Levels, MinCoverage, Options, Registry, TextLimits};
 pub use output::replace_file;
 pub use raise::Documents;

@@ -28,6 +28,17 @@ pub enum Why {
     BelowMinimum,
 }
 
+impl Why {
+    /// The reason in a few words.
+    pub const fn reason(self) -> &'static str {
+        match self {
+            Why::TooShort => "shorter than a frame",
+            Why::GaveWay => "its frame shows closed lips or F and V",
+            Why::BelowMinimum => "shorter than the minimum hold",
+        }
+    }
+}
+
 /// Frames with the shapes that they show.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub(crate) struct Frames {

@@ -25,6 +25,8 @@ pub struct ImportOptions<'a> {
     pub viseme_type: Option<VisemeType>,
     /// The frame rate of the clips; without it, that of the file.
     pub rate: Option<Rate>,
+    /// The frame rate of clips if neither is told.
+    pub default_rate: Rate,
     /// Frames a second of files that count frames and do not say how many are a second.
     pub file_rate: Option<Rate>,
     /// The number of the first frame in Moho files, 0 or 1.
@@ -47,6 +49,7 @@ impl Default for ImportOptions<'_> {
             map: None,
             viseme_type: None,
             rate: None,
+            default_rate: DEFAULT_RATE,
             file_rate: None,
             dat_base: 1,
             min_hold: 1,
@@ -101,12 +104,7 @@ impl Lost {
     /// The loss as a sentence.
     pub fn describe(&self) -> String {
         let ms = self.end.in_units(1000).saturating_sub(self.start.in_units(1000));
-        let why = match self.why {
-            Why::TooShort => "shorter than a frame",
-            Why::GaveWay => "its frame shows closed lips or F and V",
-            Why::BelowMinimum => "shorter than the minimum hold",
-        };
-        format!("{} at {} ({ms} ms): {why}", show::name(&self.symbol), self.start)
+        format!("{} at {} ({ms} ms): {}", show::name(&self.symbol), self.start, self.why.reason())
     }
 }
 
@@ -149,7 +147,7 @@ fn table<'m>(format: &Format, track: &Track, options: &ImportOptions<'m>) -> Opt
 /// The clip of a track.
 fn clip(track: Track, map: &Map, options: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Option<Clip> {
     let track = in_order(track, findings);
-    let rate = options.rate.or(track.rate).unwrap_or(DEFAULT_RATE);
+    let rate = options.rate.or(track.rate).unwrap_or(options.default_rate);
     let (symbols, runs) = runs(&track, map, rate, findings)?;
     if track.shapes.is_empty() && track.phrases.is_empty() {
         findings.push(

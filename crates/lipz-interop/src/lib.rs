@@ -31,7 +31,7 @@ pub use export::{ExportOptions, Exported, export};
 pub use formats::Format;
 pub use frames::Why;
 pub use import::{Clip, DEFAULT_RATE, ImportOptions, Imported, Lost, import};
-pub use map::{Map, built_in as maps, find as find_map};
+pub use map::{Map, built_in as maps, file as map_file, find as find_map};
 pub use segments::Segments;
 pub use time::Time;
 pub use track::{Shape, Text, Timed, Track};

@@ -40,6 +40,11 @@ pub fn find(name: &str) -> Option<&'static Map> {
     TABLES.iter().find(|map| map.name == name)
 }
 
+/// The file of the mapping table of this name, to start one's own from.
+pub fn file(name: &str) -> Option<&'static str> {
+    FILES.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
+}
+
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {

@@ -6,7 +6,7 @@
 mod built_in;
 mod read;
 
-pub use built_in::{built_in, find};
+pub use built_in::{built_in, file, find};
 
 use lipz::VisemeType;
 use lipz::diagnostic::suggest;
