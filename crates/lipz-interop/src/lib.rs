@@ -24,6 +24,7 @@ mod json;
 mod map;
 mod segments;
 mod source;
+pub mod subtitles;
 mod time;
 mod track;
 

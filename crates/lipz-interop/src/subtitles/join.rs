@@ -4,10 +4,11 @@ use super::Cue;
 use super::clip::bounds;
 use crate::Time;
 use crate::export::rate;
-use crate::import::{REST, element, number};
+use crate::import::{REST, element, fps};
 use lipz::rate::Rate;
 use lipz::text::{DELIMITER, display, is_white_space, segments, trim};
 use lipz::{Code, Diagnostic, Document, Value};
+use std::cmp::Reverse;
 
 /// A clip of subtitles alone: the mouth rests, and each cue is a segment. Between them are segments without text.
 ///
@@ -29,7 +30,7 @@ pub fn clip(cues: &[Cue], locale: &str, rate: Rate, findings: &mut Vec<Diagnosti
         elements: vec![
             element("visemes", division.visemes(&codes)),
             element(&format!("text_{locale}"), division.text()),
-            number("fps", rate),
+            fps(rate),
         ],
     }
 }
@@ -42,17 +43,16 @@ const MAX_FRAMES: usize = 1 << 22;
 /// A clip without segments gets those of the cues. One that has them keeps them: a cue is the text of the
 /// segment that it shows in for longest. Segments whose display text stays the same keep their spelling, with
 /// meta and blanks.
-pub fn join(
-    document: Document<'static>,
+pub fn join<'s>(
+    mut document: Document<'s>,
     cues: &[Cue],
     locale: &str,
     default_rate: Rate,
     findings: &mut Vec<Diagnostic>,
-) -> Document<'static> {
+) -> Document<'s> {
     let name = format!("text_{locale}");
     let rate = rate(&document).unwrap_or(default_rate);
     let visemes = document.string("visemes").map(str::to_owned);
-    let mut document = document;
     let text = match &visemes {
         Some(visemes) if is_undivided(&document, &name) => {
             let codes: Vec<u8> = visemes.bytes().filter(|byte| !is_white_space(char::from(*byte))).collect();
@@ -77,7 +77,8 @@ const BAR: &str = "|";
 /// Whether nothing in the document says that it has segments, but perhaps the text with this name, which is replaced.
 fn is_undivided(document: &Document<'_>, name: &str) -> bool {
     let is_segmented = |name: &str| matches!(name, "visemes" | "events") || name.starts_with("text_");
-    let mut others = document.elements.iter().filter(|element| element.name.text != name && is_segmented(&element.name.text));
+    let mut others =
+        document.elements.iter().filter(|element| element.name.text != name && is_segmented(&element.name.text));
     others.all(|element| match &element.value {
         // One text for the whole clip in another locale would have to be divided, too.
         Value::String(string) if element.name.text == "visemes" => !string.text.contains(DELIMITER),
@@ -142,13 +143,17 @@ fn in_segments(cues: &[Cue], bounds: &[u64], rate: Rate, findings: &mut Vec<Diag
             _ => 0,
         };
         let shows = || bounds.windows(2).map(shared).enumerate();
-        // The first of equal ones.
-        let Some((at, longest)) = shows().rev_max() else { continue };
+        // The first of equal ones; of a subtitle that shows in none, the last one that has begun.
+        let last_begun =
+            bounds.iter().rposition(|first| *first <= start).unwrap_or(0).min(texts.len().saturating_sub(1));
+        let longest = shows().max_by_key(|&(at, frames)| (frames, Reverse(at))).filter(|(_, frames)| *frames > 0);
+        let (at, longest) = longest.unwrap_or((last_begun, 0));
         if longest == 0 {
             findings.push(place(cue, "the subtitle shows in no frame of the clip"));
         } else if let Some((other, frames)) = shows().find(|&(other, frames)| other != at && frames > 1) {
             let (own, other) = (at + 1, other + 1);
-            let finding = place(cue, &format!("the subtitle is that of segment {own}, and shows in segment {other}, too"));
+            let finding =
+                place(cue, &format!("the subtitle is that of segment {own}, and shows in segment {other}, too"));
             findings.push(finding.note(format!("for {longest} frames in the one, and {frames} in the other")));
         }
         if let Some(text) = texts.get_mut(at) {
@@ -179,7 +184,7 @@ fn keep_spelling(old: &str, new: &str) -> String {
 }
 
 /// Gives an element a value; a new text comes behind the last one, or behind the visemes.
-fn set(document: &mut Document<'static>, name: &str, value: String) {
+fn set(document: &mut Document<'_>, name: &str, value: String) {
     let new = element(name, value);
     match document.elements.iter_mut().find(|element| element.name.text == name) {
         Some(element) => *element = new,

@@ -23,11 +23,18 @@ pub(super) fn write(cues: &[Cue], findings: &mut Vec<Diagnostic>) -> String {
         let mut text = markup::to_plain(&cue.text);
         if text.contains(timing::ARROW) {
             text = text.replace(timing::ARROW, ARROW_IN_TEXT);
-            let headline = format!("`{}` in a text is written as `{ARROW_IN_TEXT}`", timing::ARROW);
-            findings.push(Diagnostic::new(Code::SubtitleLoss, headline).help("WebVTT can hold it: lipz subtitles export vtt"));
+            let arrow = timing::ARROW;
+            findings.push(loss(cue, format!("`{arrow}` in the text is written as `{ARROW_IN_TEXT}`")));
+        }
+        if markup::from_srt(&text).has_lost_tags {
+            findings.push(loss(cue, "players take a part of the text for a tag".to_owned()));
         }
         let (start, end) = (timing::timestamp(cue.start_ms, ','), timing::timestamp(cue.end_ms, ','));
         let _ = writeln!(file, "{number}\n{start} {} {end}\n{text}\n", timing::ARROW);
     }
     file
+}
+
+fn loss(cue: &Cue, headline: String) -> Diagnostic {
+    Diagnostic::at(Code::SubtitleLoss, cue.span, headline).help("WebVTT can hold it: lipz subtitles export vtt")
 }

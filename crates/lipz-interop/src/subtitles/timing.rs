@@ -87,7 +87,8 @@ pub(super) fn sort(cues: &mut [Cue], findings: &mut Vec<Diagnostic>) {
     });
     if let Some(span) = backwards {
         let headline = "the subtitle appears before the one above it";
-        let finding = Diagnostic::at(Code::SubtitleTimes, span, headline).note("all are taken in the order of their times");
+        let finding =
+            Diagnostic::at(Code::SubtitleTimes, span, headline).note("all are taken in the order of their times");
         findings.push(finding.help("was the file edited by hand, or joined of two? look at it there"));
     }
     cues.sort_by_key(|cue| cue.start_ms);
@@ -97,7 +98,7 @@ pub(super) fn sort(cues: &mut [Cue], findings: &mut Vec<Diagnostic>) {
     });
     if let Some((before, after)) = overlap {
         let finding = Diagnostic::at(Code::SubtitleTimes, after, "the subtitle appears while another one shows")
-            .label(before, "this one")
+            .also(before, "this one")
             .note("a segment has one text: each subtitle starts when the one before it ends");
         findings.push(finding.help("join the two, or let the first one end earlier"));
     }
