@@ -70,6 +70,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Convert(convert) => commands::convert::run(&convert, &mut findings),
         Command::Import(import) => commands::import::run(&import, &mut findings),
         Command::Export(export) => commands::export::run(&export, &mut findings),
+        Command::Subtitles(subtitles) => commands::subtitles::run(&subtitles, &mut findings),
         Command::Init(init) => commands::init::run(&init, &mut findings),
         Command::Unpack(unpack) => commands::unpack::run(&unpack, &mut findings),
         Command::Verify(verify) => commands::verify::run(&verify, &mut findings),

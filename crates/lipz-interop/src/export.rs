@@ -106,11 +106,13 @@ fn segments(visemes: &str, rate: Rate) -> Vec<Timed> {
     visemes.split(DELIMITER).map(of_segment).collect()
 }
 
-fn refusal(headline: impl Into<String>) -> Diagnostic {
+/// The finding for a clip that cannot be exported.
+pub(crate) fn refusal(headline: impl Into<String>) -> Diagnostic {
     Diagnostic::new(Code::NotExportable, headline)
 }
 
-fn rate(document: &Document<'_>) -> Option<Rate> {
+/// The frame rate of a document, if it has one.
+pub(crate) fn rate(document: &Document<'_>) -> Option<Rate> {
     match &document.get("fps")?.value {
         Value::Number(number) => lipz::rate::parse(&number.text),
         _ => None,

@@ -355,13 +355,19 @@ fn document(
         elements.push(element(&name, trimmed.join(&DELIMITER.to_string())));
     }
     elements.push(element("viseme_type", viseme_type.name().to_owned()));
-    elements.push(Element { name: string("fps".to_owned()), value: Value::Number(Raw::new(spell(rate))) });
+    elements.push(fps(rate));
     elements.extend(track.elements.iter().cloned());
     Document { elements }
 }
 
-fn element(name: &str, value: String) -> Element<'static> {
+/// An element with a string.
+pub(crate) fn element(name: &str, value: String) -> Element<'static> {
     Element { name: string(name.to_owned()), value: Value::String(string(value)) }
+}
+
+/// The frame rate as an element.
+pub(crate) fn fps(rate: Rate) -> Element<'static> {
+    Element { name: string("fps".to_owned()), value: Value::Number(Raw::new(spell(rate))) }
 }
 
 fn string(text: String) -> JsonString<'static> {

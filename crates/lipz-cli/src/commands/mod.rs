@@ -23,6 +23,7 @@ pub(crate) mod maps;
 pub(crate) mod pack;
 pub(crate) mod schema;
 pub(crate) mod stats;
+pub(crate) mod subtitles;
 pub(crate) mod unpack;
 pub(crate) mod verify;
 pub(crate) mod watch;
