@@ -1,5 +1,6 @@
 //! What a project decides about its Lipz files.
 
+use crate::babble::BabbleProfiles;
 use crate::{Report, pseudo};
 use lipz::diagnostic::show;
 use lipz::locale::TextName;
@@ -43,6 +44,8 @@ pub struct Options {
     /// Add a pseudo-locale, made of the texts of the default locale: `en-xa` of `en-us`. It is packed
     /// whether `locales` names it or not. Files that have a text in it keep theirs.
     pub pseudo: bool,
+    /// How mouths move that no clip describes.
+    pub babble: BabbleProfiles,
 }
 
 impl Options {

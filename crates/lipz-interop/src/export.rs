@@ -1,7 +1,7 @@
 //! From a Lipz document to a track in the symbols of another tool, and to its file.
 
 use crate::import::REST;
-use crate::{Format, Map, Shape, Time, Track, map};
+use crate::{Format, Map, Shape, Time, Timed, Track, map};
 use lipz::rate::Rate;
 use lipz::text::{DELIMITER, is_white_space};
 use lipz::{Code, Diagnostic, Document, Value, VisemeType};
@@ -15,6 +15,9 @@ pub struct ExportOptions<'a> {
     pub default_rate: Option<Rate>,
     /// The viseme type of files without `viseme_type`.
     pub default_viseme_type: Option<VisemeType>,
+    /// The name of the file to be written, without folders and extension, for formats that have it in the file,
+    /// too.
+    pub name: Option<&'a str>,
 }
 
 /// What an export gave.
@@ -88,14 +91,28 @@ fn track<'m>(
     }
     report_merged(&codes, map, findings);
     let end = Some(Time::of_frame(codes.len() as u64, rate));
-    Some((Track { shapes, end, rate: Some(rate), ..Track::default() }, map))
+    let (name, phrases) = (options.name.map(str::to_owned), segments(visemes, rate));
+    Some((Track { name, shapes, end, rate: Some(rate), phrases, ..Track::default() }, map))
 }
 
-fn refusal(headline: impl Into<String>) -> Diagnostic {
+/// Where the segments start. What is said in them has no place in formats of shapes.
+fn segments(visemes: &str, rate: Rate) -> Vec<Timed> {
+    let mut frame = 0;
+    let of_segment = |codes: &str| {
+        let start = Time::of_frame(frame, rate);
+        frame += codes.chars().filter(|&c| !is_white_space(c)).count() as u64;
+        Timed { start, text: String::new() }
+    };
+    visemes.split(DELIMITER).map(of_segment).collect()
+}
+
+/// The finding for a clip that cannot be exported.
+pub(crate) fn refusal(headline: impl Into<String>) -> Diagnostic {
     Diagnostic::new(Code::NotExportable, headline)
 }
 
-fn rate(document: &Document<'_>) -> Option<Rate> {
+/// The frame rate of a document, if it has one.
+pub(crate) fn rate(document: &Document<'_>) -> Option<Rate> {
     match &document.get("fps")?.value {
         Value::Number(number) => lipz::rate::parse(&number.text),
         _ => None,

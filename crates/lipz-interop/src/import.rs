@@ -29,6 +29,13 @@ pub struct ImportOptions<'a> {
     pub default_rate: Rate,
     /// Frames a second of files that count frames and do not say how many are a second.
     pub file_rate: Option<Rate>,
+    /// The name of the file without folders and extension, for formats that have it in the file, too.
+    pub name: Option<&'a str>,
+    /// What a second has of the units in which a Fallout file counts; without it, what the length of the sound
+    /// tells, or what the engine plays.
+    pub units_per_second: Option<u32>,
+    /// How long the recording is.
+    pub sound_length: Option<Time>,
     /// The number of the first frame in Moho files, 0 or 1.
     pub dat_base: u64,
     /// Frames for which a shape is shown at least.
@@ -51,6 +58,9 @@ impl Default for ImportOptions<'_> {
             rate: None,
             default_rate: DEFAULT_RATE,
             file_rate: None,
+            name: None,
+            units_per_second: None,
+            sound_length: None,
             dat_base: 1,
             min_hold: 1,
             text: None,
@@ -85,6 +95,8 @@ pub struct Clip {
     pub frames: usize,
     /// The shapes that have no frame.
     pub lost: Vec<Lost>,
+    /// How the file was read where there was a choice, a sentence each.
+    pub remarks: Vec<String>,
 }
 
 /// A shape without a frame.
@@ -171,7 +183,8 @@ fn clip(track: Track, map: &Map, options: &ImportOptions<'_>, findings: &mut Vec
     let division = divide(&track, &speech, &texts, options.segments, findings);
     let codes = codes(&runs, &resampled.lengths, &division, rate);
     let document = document(&track, codes, texts, &division, map.viseme_type, rate);
-    Some(Clip { name: track.name, document, map: map.label(), rate, frames: resampled.lengths.iter().sum(), lost })
+    let frames = resampled.lengths.iter().sum();
+    Some(Clip { name: track.name, document, map: map.label(), rate, frames, lost, remarks: track.remarks })
 }
 
 /// The track with its shapes in the order of their times; reports where they run backwards.
@@ -342,13 +355,19 @@ fn document(
         elements.push(element(&name, trimmed.join(&DELIMITER.to_string())));
     }
     elements.push(element("viseme_type", viseme_type.name().to_owned()));
-    elements.push(Element { name: string("fps".to_owned()), value: Value::Number(Raw::new(spell(rate))) });
+    elements.push(fps(rate));
     elements.extend(track.elements.iter().cloned());
     Document { elements }
 }
 
-fn element(name: &str, value: String) -> Element<'static> {
+/// An element with a string.
+pub(crate) fn element(name: &str, value: String) -> Element<'static> {
     Element { name: string(name.to_owned()), value: Value::String(string(value)) }
+}
+
+/// The frame rate as an element.
+pub(crate) fn fps(rate: Rate) -> Element<'static> {
+    Element { name: string("fps".to_owned()), value: Value::Number(Raw::new(spell(rate))) }
 }
 
 fn string(text: String) -> JsonString<'static> {

@@ -17,21 +17,26 @@
 //! What is not here: banks and their layout, settings, files and printing (`lipz-cli`).
 
 mod export;
+pub mod fallout;
 pub mod formats;
 mod frames;
 mod import;
 mod json;
 mod map;
+mod script;
 mod segments;
 mod source;
+pub mod subtitles;
 mod time;
 mod track;
 
+pub use encoding_rs::Encoding;
 pub use export::{ExportOptions, Exported, export};
 pub use formats::Format;
 pub use frames::Why;
 pub use import::{Clip, DEFAULT_RATE, ImportOptions, Imported, Lost, import};
 pub use map::{Map, built_in as maps, file as map_file, find as find_map};
+pub use script::Script;
 pub use segments::Segments;
 pub use time::Time;
 pub use track::{Shape, Text, Timed, Track};

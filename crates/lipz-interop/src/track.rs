@@ -28,6 +28,8 @@ pub struct Track {
     pub texts: Vec<Text>,
     /// Elements of Lipz files that are taken as they are, such as events.
     pub elements: Vec<Element<'static>>,
+    /// How the file was read where there was a choice, a sentence each.
+    pub remarks: Vec<String>,
 }
 
 /// A mouth shape or sound from a time on.

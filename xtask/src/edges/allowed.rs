@@ -72,10 +72,26 @@ pub(super) const ALLOWED: &[Rule] = &[
         direct: Some(&["lipz-bank", "memmap2", "self_cell"]),
         transitive: Some(&[READER, &["lipz-bank", "libc", "memmap2", "self_cell"]]),
     },
+    Rule { name: "lipz-capi", direct: Some(&["lipz-bank"]), transitive: Some(&[READER, &["lipz-bank"]]) },
     Rule {
         name: "lipz-interop",
-        direct: Some(&["lipz", "roxmltree", "serde", "serde_json", "toml", "unicode-segmentation"]),
-        transitive: Some(&[READER, LIPZ_FILES, TOML, &["lipz", "lipz-bank", "roxmltree"]]),
+        direct: Some(&[
+            "csv",
+            "encoding_rs",
+            "hound",
+            "lipz",
+            "roxmltree",
+            "serde",
+            "serde_json",
+            "toml",
+            "unicode-segmentation",
+        ]),
+        transitive: Some(&[
+            READER,
+            LIPZ_FILES,
+            TOML,
+            &["cfg-if", "csv", "csv-core", "encoding_rs", "hound", "lipz", "lipz-bank", "roxmltree", "ryu"],
+        ]),
     },
     // What a game carries; its build script uses the compiler.
     Rule {

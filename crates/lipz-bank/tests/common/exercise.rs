@@ -1,6 +1,9 @@
 //! Every query of the reader, on banks that may be damaged.
 
-use lipz_bank::{Bank, Clip, ClipId, Fps, Locale, Micros, Samples, Seconds, Segment, TextBank, Time, VisemeType};
+use lipz_bank::{
+    Bank, Clip, ClipId, Fps, Hold, Lead, Locale, Micros, Playback, Samples, Seconds, Segment, TextBank, Time,
+    VisemeType,
+};
 use std::hint::black_box;
 use std::time::Duration;
 
@@ -74,6 +77,7 @@ fn every_clip_query(clip: &Clip<'_, '_>, locales: &[Locale<'_>], limit: usize, e
     }
     every_time(clip, effort);
     every_time(&clip.or_fps(Fps::whole(24)), effort);
+    play(clip);
     let segments = clip.segments();
     assert_eq!(segments.size_hint().1, Some(clip.segment_count() as usize));
     let mut count = 0;
@@ -132,6 +136,23 @@ fn every_time(clip: &Clip<'_, '_>, effort: Effort) {
     for bits in [1, 0x007F_FFFF, 0x0080_0000, 0x7F7F_FFFF, 0x7F80_0001, 0x8000_0001, u32::MAX] {
         at(clip, Seconds(f32::from_bits(bits)));
     }
+}
+
+/// Plays the clip once, in a few leaps.
+fn play(clip: &Clip<'_, '_>) {
+    let Some(playback) = Playback::new(clip.or_fps(Fps::whole(24)).or_viseme_type(VisemeType::Blair)) else { return };
+    let mut playback = playback.with_lead(Lead::two_frames(Fps::whole(24))).with_hold(Hold::frames(3));
+    let segments = clip.segment_count() as usize;
+    let mut fired = 0;
+    for time in [-1, 0, 41_667, 400_000, 0] {
+        fired += playback.advance_to(Micros(time)).count();
+        black_box((playback.viseme(), playback.segment().is_some(), playback.frame()));
+    }
+    fired += playback.finish().count();
+    assert!(fired <= segments && playback.is_over());
+    playback.seek(Micros(100_000));
+    assert!(playback.loop_to(Micros(100_000)).count() <= 2 * segments);
+    black_box((playback.state(None), playback.characters().take(2).count()));
 }
 
 fn at(clip: &Clip<'_, '_>, time: impl Time) {

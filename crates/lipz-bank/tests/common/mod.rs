@@ -1,6 +1,7 @@
 //! Golden banks, and tools to look into them and to damage them.
 #![allow(dead_code)] // each test file uses its part
 
+pub(crate) mod answers;
 pub(crate) mod dump;
 pub(crate) mod exercise;
 pub(crate) mod forge;

@@ -113,6 +113,7 @@ fn one(format: &Format, input: &Input, bytes: &[u8], options: &Options, map: Opt
         map,
         default_rate: options.default_fps.map(foreign::rate),
         default_viseme_type: options.default_viseme_type,
+        name: input.key.rsplit('/').next(),
     };
     let mut exported = parsed.document.map(|document| export(format, &document, &export_options)).unwrap_or_default();
     diagnostics.append(&mut exported.diagnostics);

@@ -9,8 +9,8 @@ use lipz::{Code, Diagnostic, Level};
 use lipz_bank::Fps;
 use lipz_compiler::{Report, count};
 use lipz_interop::{Format, Map, find_map, formats, maps};
-use std::fs;
 use std::path::{Path, PathBuf};
+use std::{fs, io};
 
 /// The names of formats, for the command line.
 pub(super) fn names(is_meant: impl Fn(&Format) -> bool) -> PossibleValuesParser {
@@ -94,10 +94,7 @@ impl Source {
             return Ok(Source { key: standard::INPUT_KEY.into(), bytes, name: standard::INPUT_NAME.into() });
         }
         let name = console::path(path);
-        let bytes = fs::read(path).map_err(|error| {
-            let headline = format!("`{name}` cannot be read: {error}");
-            Report::about(name.clone(), Diagnostic::new(Code::UnreadableFile, headline))
-        })?;
+        let bytes = fs::read(path).map_err(|error| unreadable(path, &error))?;
         Ok(Source { key: key(path, format.extension), bytes, name })
     }
 
@@ -111,6 +108,13 @@ impl Source {
             false => Report::of_file(self.name.clone(), &self.bytes, diagnostics),
         })
     }
+}
+
+/// The report that a file cannot be read.
+pub(super) fn unreadable(path: &Path, error: &io::Error) -> Report {
+    let name = console::path(path);
+    let headline = format!("`{name}` cannot be read: {error}");
+    Report::about(name, Diagnostic::new(Code::UnreadableFile, headline))
 }
 
 /// The name of a file without the extension of its format, or else without its last one.

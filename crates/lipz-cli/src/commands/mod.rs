@@ -1,5 +1,6 @@
 //! The commands, one file each.
 
+pub(crate) mod babble;
 pub(crate) mod check;
 pub(crate) mod completions;
 pub(crate) mod convert;
@@ -8,6 +9,7 @@ pub(crate) mod diff;
 mod either;
 pub(crate) mod explain;
 pub(crate) mod export;
+pub(crate) mod fallout;
 mod fixing;
 pub(crate) mod fmt;
 mod foreign;
@@ -21,6 +23,7 @@ pub(crate) mod maps;
 pub(crate) mod pack;
 pub(crate) mod schema;
 pub(crate) mod stats;
+pub(crate) mod subtitles;
 pub(crate) mod unpack;
 pub(crate) mod verify;
 pub(crate) mod watch;

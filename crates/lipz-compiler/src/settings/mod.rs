@@ -1,5 +1,6 @@
 //! The settings of a project: its file `lipz.toml`, read with every finding at its place.
 
+mod babble;
 pub mod lint;
 mod reading;
 mod syntax;

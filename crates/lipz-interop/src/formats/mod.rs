@@ -17,7 +17,7 @@ mod rhubarb_json;
 mod rhubarb_tsv;
 mod rhubarb_xml;
 
-use crate::{ImportOptions, Track};
+use crate::{ImportOptions, Track, fallout};
 use lipz::Diagnostic;
 
 /// A format of another tool.
@@ -58,6 +58,7 @@ pub const ALL: &[Format] = &[
     pamela::FORMAT,
     kotor::FORMAT,
     bohemia::FORMAT,
+    fallout::clip::FORMAT,
     polly::FORMAT,
     azure::FORMAT,
     ovr::FORMAT,

@@ -16,6 +16,7 @@ tables! {
     "blair"
     "bohemia"
     "cmu"
+    "fallout"
     "fleming-dobbs"
     "kotor"
     "ovr"

@@ -1,6 +1,7 @@
 //! `lipz import`: files of other tools as Lipz files.
 
 mod options;
+mod recordings;
 mod report;
 mod text;
 
@@ -13,8 +14,9 @@ use clap::error::ErrorKind;
 use lipz::Level;
 use lipz::format::{Style, format};
 use lipz_compiler::{Content, Input, Report, key, replace_file};
-use lipz_interop::{Clip, Format, ImportOptions, Imported, import};
+use lipz_interop::{Clip, Format, ImportOptions, Imported, Script, import};
 use options::Settings;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// Import mouth shapes from files of other tools.
@@ -82,7 +84,8 @@ pub(crate) fn run(arguments: &Import, findings: &mut Findings) -> Ended {
     }
     let settings = arguments.options.settings(folder.filter(|_| !is_printed), findings)?;
     let texts = text::Texts::of(arguments.options.text.as_deref(), several).map_err(|report| findings.fail(report))?;
-    let (made, mut reports) = read(arguments, format, &settings, &texts)?;
+    let script = arguments.options.recordings.script(findings)?;
+    let (made, mut reports) = read(arguments, format, &settings, &texts, &script)?;
     let inputs: Vec<Input> = made.iter().map(|made| made.input.clone()).collect();
     key::check(&inputs, &mut reports);
     if let Some(folder) = folder.filter(|_| !is_printed && !arguments.force) {
@@ -131,6 +134,7 @@ fn read(
     format: &Format,
     settings: &Settings<'_>,
     texts: &text::Texts,
+    script: &Script,
 ) -> Result<(Vec<Made>, Vec<Report>), Outcome> {
     let (mut made, mut reports) = (Vec::new(), Vec::new());
     for file in &arguments.files {
@@ -148,7 +152,8 @@ fn read(
                 continue;
             }
         };
-        let options = ImportOptions { text: text.as_deref(), ..settings.import_options() };
+        let mut options = ImportOptions { text: text.as_deref(), ..settings.import_options() };
+        arguments.options.recordings.apply(file, &source.key, script, &mut options);
         let Imported { clips, mut diagnostics } = import(format, &source.bytes, &options);
         settings.apply_levels(&mut diagnostics);
         let is_wrong = diagnostics.iter().any(|finding| finding.level == Level::Error);
@@ -181,8 +186,18 @@ fn summary(format: &Format, made: &[Made], written: usize, folder: &Path) -> Str
         if lost == 0 { String::new() } else { format!(", {} without a frame", console::counted(lost, "mouth shape")) };
     let (files, tables) = (console::counted(written, "file"), maps.join(", "));
     format!(
-        "{files} imported from {} into {}, by the mapping table {tables}{lost}\n",
+        "{files} imported from {} into {}, by the mapping table {tables}{lost}\n{}",
         format.name,
-        console::path(folder)
+        console::path(folder),
+        remarks(made)
     )
+}
+
+/// How the files were read where there was a choice, one kind a line.
+fn remarks(made: &[Made]) -> String {
+    let mut files = BTreeMap::<&str, usize>::new();
+    for remark in made.iter().flat_map(|made| &made.clip.remarks) {
+        *files.entry(remark).or_default() += 1;
+    }
+    files.into_iter().map(|(remark, count)| format!("{}: {remark}\n", console::counted(count, "file"))).collect()
 }

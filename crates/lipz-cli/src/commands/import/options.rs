@@ -1,5 +1,6 @@
 //! The flags of an import, and the settings of the project below them.
 
+use super::recordings::Recordings;
 use crate::Outcome;
 use crate::commands::foreign::{self, MapChoice};
 use crate::lint_flags::LintFlags;
@@ -13,7 +14,7 @@ use lipz_interop::{DEFAULT_RATE, ImportOptions, Segments, Time};
 use std::path::{Path, PathBuf};
 
 const SHAPES: &str = "Mouth shapes";
-const TEXT: &str = "Text and segments";
+pub(super) const TEXT: &str = "Text and segments";
 
 #[derive(Args, Debug)]
 pub(crate) struct Options {
@@ -56,6 +57,9 @@ pub(crate) struct Options {
     /// Seconds of rest that are a pause
     #[arg(long, value_name = "SECONDS", default_value = "0.3", value_parser = parse_time, help_heading = TEXT)]
     min_pause: Time,
+
+    #[command(flatten)]
+    pub(super) recordings: Recordings,
 
     #[command(flatten)]
     file: SettingsFile,
@@ -117,10 +121,10 @@ impl Settings<'_> {
             file_rate: flags.file_fps.map(foreign::rate),
             dat_base: flags.dat_base,
             min_hold: usize::from(flags.min_hold),
-            text: None,
             locale: self.default_locale(),
             segments: flags.segments.into(),
             min_pause: flags.min_pause,
+            ..ImportOptions::default()
         }
     }
 
@@ -135,6 +139,6 @@ impl Settings<'_> {
     }
 }
 
-fn parse_time(text: &str) -> Result<Time, String> {
+pub(super) fn parse_time(text: &str) -> Result<Time, String> {
     Time::parse(text).ok_or_else(|| "write seconds, such as 0.3".into())
 }

@@ -19,6 +19,8 @@ struct OfClip<'a> {
     fps: f64,
     frames: usize,
     lost: Vec<Loss<'a>>,
+    /// How the file was read where there was a choice.
+    remarks: &'a [String],
 }
 
 #[derive(Serialize)]
@@ -38,6 +40,7 @@ pub(super) fn json<'a>(format: &Format, clips: impl Iterator<Item = (&'a Input, 
         fps: f64::from(clip.rate.numerator) / f64::from(clip.rate.denominator),
         frames: clip.frames,
         lost: clip.lost.iter().map(loss).collect(),
+        remarks: &clip.remarks,
     });
     console::json(&Document { format: format.name, clips: clips.collect() })
 }

@@ -172,5 +172,15 @@ fn summary(bank: &Bank<'_>, locales: &[Locale<'_>], path: &str, json: bool) -> O
     for section in &summary.sections {
         let _ = writeln!(text, "  {:<12} {:>12}", show::text(&section.tag), console::grouped(section.bytes));
     }
+    for babble in &summary.babble {
+        let name = show::text(babble.name);
+        let _ = writeln!(
+            text,
+            "\n  babble {name}, {:.3} digits a second",
+            f64::from(babble.rate[0]) / f64::from(babble.rate[1])
+        );
+        let _ = writeln!(text, "  {:<12} {}  power {}", "ooh", babble.ooh, babble.ooh_power_transfer);
+        let _ = writeln!(text, "  {:<12} {}  power {}", "aah", babble.aah, babble.aah_power_transfer);
+    }
     console::print(&text)
 }

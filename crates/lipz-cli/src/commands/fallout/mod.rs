@@ -1,0 +1,28 @@
+//! `lipz fallout`: what belongs to the talking heads of Fallout 2, beside their LIP files.
+
+mod heads;
+
+use crate::Ended;
+use crate::render::Findings;
+use clap::{Args, Subcommand};
+
+/// Check files of Fallout 2's talking heads.
+///
+/// LIP files themselves become Lipz files by `lipz import fallout`, and Lipz files LIP files by
+/// `lipz export fallout`.
+#[derive(Args, Debug)]
+pub(crate) struct Fallout {
+    #[command(subcommand)]
+    task: Task,
+}
+
+#[derive(Subcommand, Debug)]
+enum Task {
+    Heads(heads::Heads),
+}
+
+pub(crate) fn run(arguments: &Fallout, findings: &mut Findings) -> Ended {
+    match &arguments.task {
+        Task::Heads(heads) => heads::run(heads, findings),
+    }
+}

@@ -1,0 +1,120 @@
+//! LIP files as a format of `lipz import` and `lipz export`: phonemes to shapes with times, and back.
+
+use super::lip::{Lip, Marker, NAME_BYTES};
+use super::{LAST_PHONEME, units};
+use crate::{Format, ImportOptions, Shape, Time, Track};
+use lipz::diagnostic::show;
+use lipz::{Code, Diagnostic};
+
+pub(crate) const FORMAT: Format = Format {
+    name: "fallout",
+    about: "Fallout 2 talking heads (LIP version 2)",
+    extension: "lip",
+    examples: &["lipz import fallout speech/*.lip -o voices", "lipz export fallout voices -o speech"],
+    maps: &["fallout"],
+    is_binary: true,
+    read: Some(read),
+    write: Some(write),
+};
+
+/// The code of silence.
+const SILENCE: u8 = 0x00;
+
+/// Bytes of a sample of decoded sound.
+const SAMPLE_BYTES: u32 = 2;
+
+fn read(bytes: &[u8], options: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Track> {
+    let lip = match Lip::read(bytes) {
+        Ok(lip) => lip,
+        Err(refused) => {
+            findings.push(refused);
+            return Vec::new();
+        }
+    };
+    findings.extend(lip.oddities(options.name.unwrap_or(&lip.sound())));
+    let (units_per_second, why) = match (options.units_per_second, options.sound_length) {
+        (Some(named), _) => (named, "as named"),
+        (None, Some(length)) => {
+            let (nearest, warning) = units::nearest(lip.end(), length);
+            findings.extend(warning);
+            (nearest, "which comes nearest to the end of the sound")
+        }
+        (None, None) => (units::USUAL, "as the game plays it"),
+    };
+    let remark = format!("{units_per_second} units a second, {why}");
+    vec![Track { remarks: vec![remark], ..track(&lip, units_per_second) }]
+}
+
+/// The shapes as the game shows them: each marker takes effect when the sound has passed all before it.
+fn track(lip: &Lip, units_per_second: u32) -> Track {
+    let mut passed = 0;
+    let mut starts = lip.markers.iter().map(|marker| {
+        passed = marker.position.max(passed);
+        Time::new(u64::from(passed), units_per_second)
+    });
+    let phonemes = lip.phonemes.iter().map(|&code| if code > LAST_PHONEME { SILENCE } else { code });
+    let before_the_end = lip.markers.len().saturating_sub(1);
+    let shapes = starts.by_ref().take(before_the_end).zip(phonemes.chain(std::iter::repeat(SILENCE)));
+    let shapes = shapes.map(|(start, code)| Shape::new(start, symbol(code))).collect();
+    Track { shapes, end: starts.next(), ..Track::default() }
+}
+
+/// How the mapping table spells a code.
+fn symbol(code: u8) -> String {
+    format!("0x{code:02X}")
+}
+
+/// The code that a mapping table spells so.
+fn code(symbol: &str) -> Option<u8> {
+    let digits = symbol.strip_prefix("0x").or_else(|| symbol.strip_prefix("0X"))?;
+    u8::from_str_radix(digits, 16).ok().filter(|&code| code <= LAST_PHONEME)
+}
+
+/// Writes a track whose name is that of the sound; without one, the name in the file is empty.
+fn write(track: &Track, findings: &mut Vec<Diagnostic>) -> Vec<u8> {
+    let name = track.name.as_deref().map_or(Some([0; NAME_BYTES]), |name| name_field(name, findings));
+    let Some(name) = name else { return Vec::new() };
+    let (mut phonemes, mut markers) = (Vec::new(), Vec::new());
+    let mut is_after_silence = true;
+    for shape in &track.shapes {
+        let Some(code) = code(&shape.symbol) else {
+            let headline = format!("{} is no phoneme code of Fallout", show::name(&shape.symbol));
+            findings.push(Diagnostic::new(Code::LipPhoneme, headline).help("codes are 0x00 to 0x29"));
+            continue;
+        };
+        let starts_segment = track.phrases.iter().any(|segment| segment.start == shape.start);
+        let is_start = code == SILENCE || is_after_silence || starts_segment;
+        is_after_silence = code == SILENCE;
+        phonemes.push(code);
+        markers.push(Marker { kind: u32::from(is_start), position: position(shape.start) });
+    }
+    let end = track.end.or_else(|| track.shapes.last().map(|shape| shape.start)).unwrap_or(Time::ZERO);
+    markers.push(Marker { kind: 1, position: position(end) });
+    Lip::new(name, phonemes, markers).write()
+}
+
+/// The sample that is nearest to a time, as a position.
+fn position(time: Time) -> u32 {
+    let samples = time.in_units(units::USUAL / SAMPLE_BYTES);
+    u32::try_from(samples).unwrap_or(u32::MAX).saturating_mul(SAMPLE_BYTES)
+}
+
+/// The name of a sound as the header holds it; reports why it cannot.
+fn name_field(name: &str, findings: &mut Vec<Diagnostic>) -> Option<[u8; NAME_BYTES]> {
+    let is_allowed = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b'-');
+    let why = match name.len() {
+        0 => "it is empty".to_owned(),
+        _ if !name.bytes().all(is_allowed) => "only ASCII letters, digits, `_` and `-` fit".to_owned(),
+        length if length > NAME_BYTES => format!("it has {length} characters, at most {NAME_BYTES} fit"),
+        length => {
+            let mut field = [0; NAME_BYTES];
+            field.get_mut(..length)?.copy_from_slice(name.as_bytes());
+            return Some(field);
+        }
+    };
+    let headline = format!("{} cannot be the name of a LIP file: {why}", show::name(name));
+    findings.push(
+        Diagnostic::new(Code::LipExportName, headline).help("rename the Lipz file as its sound is called in the game"),
+    );
+    None
+}

@@ -1,0 +1,109 @@
+//! `heads.lst`: a line for each head, with its numbers of fidget files.
+
+use super::{Content, Disposition, HeadFile};
+use lipz::{Code, Diagnostic, Span};
+
+/// A line of `heads.lst`.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Head {
+    /// What the names of its files start with, in lower case.
+    pub root: String,
+    /// Fidget files for a good, a neutral and a bad disposition.
+    pub fidgets: [u32; 3],
+    /// Where the line stands.
+    pub span: Span,
+}
+
+/// More fidget files than any head has: a number beyond is a slip of the hand.
+const MOST_FIDGETS: u32 = 1000;
+
+/// Reads `heads.lst`: `ROOT,X,Y,Z` or, as the document writes it, `ROOT X, Y, Z`. What follows the last number
+/// is a remark. Empty lines are skipped.
+///
+/// Lines of another form, and roots that came before, are reported and left out.
+///
+/// ```
+/// let (heads, findings) = lipz_interop::fallout::heads::read_list("myron,2,3,1\n");
+/// assert_eq!((heads[0].root.as_str(), heads[0].fidgets), ("myron", [2, 3, 1]));
+/// assert!(findings.is_empty());
+/// ```
+pub fn read_list(text: &str) -> (Vec<Head>, Vec<Diagnostic>) {
+    let (mut heads, mut found) = (Vec::<Head>::new(), Vec::new());
+    let mut start = 0;
+    for line in text.split_inclusive('\n') {
+        let written = line.trim_end();
+        let span = Span::new(start, start + written.len());
+        start += line.len();
+        if written.is_empty() {
+            continue;
+        }
+        let Some((root, fidgets)) = parse_line(written) else {
+            found.push(
+                Diagnostic::at(Code::HeadsList, span, "the line does not name a head and three numbers").help(
+                    "write `ROOT,X,Y,Z`: the start of its files' names, and its good, neutral and bad fidget files",
+                ),
+            );
+            continue;
+        };
+        match heads.iter().find(|head| head.root == root) {
+            None => heads.push(Head { root, fidgets, span }),
+            Some(first) => found.push(
+                Diagnostic::at(Code::HeadsList, span, format!("`{root}` has two lines"))
+                    .also(first.span, "the first one")
+                    .help("remove one of them"),
+            ),
+        }
+    }
+    (heads, found)
+}
+
+/// Root and numbers of a line.
+fn parse_line(line: &str) -> Option<(String, [u32; 3])> {
+    let is_separator = |c: char| c == ',' || c == ';' || c.is_ascii_whitespace();
+    let mut words = line.split(is_separator).filter(|word| !word.is_empty());
+    let root = words.next().filter(|root| root.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_'))?;
+    let mut number = || words.next()?.parse().ok().filter(|&number| number <= MOST_FIDGETS);
+    Some((root.to_ascii_lowercase(), [number()?, number()?, number()?]))
+}
+
+impl Head {
+    /// The files that the game looks for: mouth shapes, transitions and fidgets.
+    pub fn files(&self) -> impl Iterator<Item = HeadFile> {
+        use Disposition::{Bad, Good, Neutral};
+        let file = |disposition, content| HeadFile { root: self.root.clone(), disposition, content };
+        let transitions = [(Good, Neutral), (Neutral, Good), (Neutral, Bad), (Bad, Neutral)];
+        let transitions = transitions.map(|(from, to)| file(from, Content::Transition(to)));
+        let phonemes = Disposition::ALL.map(|disposition| file(disposition, Content::Phonemes));
+        let numbers = Disposition::ALL.into_iter().zip(self.fidgets);
+        let fidgets = numbers.flat_map(move |(disposition, count)| {
+            (1..=count).map(move |number| file(disposition, Content::Fidget(number)))
+        });
+        phonemes.into_iter().chain(transitions).chain(fidgets)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Vec<(String, [u32; 3])> {
+        read_list(text).0.into_iter().map(|head| (head.root, head.fidgets)).collect()
+    }
+
+    #[test]
+    fn both_spellings() {
+        let expected = vec![("elder".to_owned(), [1, 2, 3]), ("myron".to_owned(), [0, 10, 1])];
+        assert_eq!(read("ELDER,1,2,3\r\nmyron,0,10,1 ; the chemist\r\n"), expected);
+        assert_eq!(read("elder 1, 2, 3\n\nmyron\t0, 10,1"), expected);
+    }
+
+    #[test]
+    fn lines_of_another_form_are_marked() {
+        let text = "elder,1,2\nmyron,1,1,x\nä,1,1,1\nlynette,1,1,1\nLYNETTE,2,2,2\nlynette2,1,1,4000000000\n";
+        let (heads, found) = read_list(text);
+        assert_eq!(heads.len(), 1);
+        let marked: Vec<&str> =
+            found.iter().filter_map(|finding| text.get(finding.primary.as_ref()?.span.range())).collect();
+        assert_eq!(marked, ["elder,1,2", "myron,1,1,x", "ä,1,1,1", "LYNETTE,2,2,2", "lynette2,1,1,4000000000"]);
+    }
+}

@@ -1,0 +1,121 @@
+//! Talking heads: the FRM files whose frames are the mouth shapes of LIP files, and `heads.lst`.
+
+mod disposition;
+mod frm;
+mod list;
+mod name;
+
+pub use disposition::Disposition;
+pub use frm::Frm;
+pub use list::{Head, read_list};
+pub use name::{Content, HeadFile};
+
+use lipz::diagnostic::show;
+use lipz::{Code, Diagnostic};
+use std::collections::BTreeSet;
+
+/// Mouth shapes that a phoneme file shows; the game does not use frames beyond them.
+pub const MOUTH_SHAPES: u16 = 9;
+
+/// Checks an FRM file of a head by its name and its bytes, and gives what it is.
+pub fn check_file(name: &str, bytes: &[u8]) -> (Option<HeadFile>, Vec<Diagnostic>) {
+    let mut found = Vec::new();
+    let file = HeadFile::parse(name);
+    if file.is_none() {
+        let headline = format!("{} is not named like a file of a head", show::name(name));
+        found.push(Diagnostic::new(Code::HeadName, headline).note(name::FORM).help("files of other art lie elsewhere"));
+    }
+    match Frm::read(bytes) {
+        Err(finding) => found.push(finding),
+        Ok(frm) => found.extend(file.as_ref().and_then(|file| too_few_frames(file, frm))),
+    }
+    (file, found)
+}
+
+fn too_few_frames(file: &HeadFile, frm: Frm) -> Option<Diagnostic> {
+    let is_short = file.content == Content::Phonemes && frm.frames < MOUTH_SHAPES;
+    is_short.then(|| {
+        let headline = format!("the phoneme file has {} frames, not {MOUTH_SHAPES}", frm.frames);
+        super::place(Code::HeadFrames, frm::FRAMES, headline)
+            .note("each frame is a mouth shape: rest, A, S, E, F, L, M, O, W")
+            .help("draw the missing frames; a LIP file that names one shows something else")
+    })
+}
+
+/// Compares the heads of `heads.lst` with the files that lie beside it. Findings are about the list.
+pub fn compare(heads: &[Head], files: &[HeadFile]) -> Vec<Diagnostic> {
+    let there: BTreeSet<String> = files.iter().map(HeadFile::file_name).collect();
+    let mut found = Vec::new();
+    let mut counted = BTreeSet::new();
+    for head in heads {
+        let expected: BTreeSet<String> = head.files().map(|file| file.file_name()).collect();
+        let missing: Vec<&str> = expected.difference(&there).map(String::as_str).collect();
+        if !missing.is_empty() {
+            let headline = format!("{} has no {}", show::name(&head.root), listed(&missing));
+            let finding = Diagnostic::at(Code::HeadFiles, head.span, headline);
+            found.push(finding.help("add the files, or correct the numbers of fidget files"));
+        }
+        counted.extend(expected);
+    }
+    let of_list = |file: &&HeadFile| heads.iter().any(|head| head.root.eq_ignore_ascii_case(&file.root));
+    let is_surplus =
+        |file: &&HeadFile| matches!(file.content, Content::Fidget(_)) && !counted.contains(&file.file_name());
+    for head in heads {
+        let own = files.iter().filter(|file| head.root.eq_ignore_ascii_case(&file.root));
+        let surplus: Vec<String> = own.filter(is_surplus).map(HeadFile::file_name).collect();
+        if !surplus.is_empty() {
+            let surplus: Vec<&str> = surplus.iter().map(String::as_str).collect();
+            let headline = format!("the numbers of {} leave out {}", show::name(&head.root), listed(&surplus));
+            let finding = Diagnostic::at(Code::HeadFiles, head.span, headline);
+            found.push(finding.note("the game never shows them").help("correct the numbers of fidget files"));
+        }
+    }
+    let unlisted: BTreeSet<&str> = files.iter().filter(|file| !of_list(file)).map(|file| file.root.as_str()).collect();
+    found.extend(unlisted.into_iter().map(|root| {
+        let headline = format!("heads.lst has no line for {}", show::name(root));
+        Diagnostic::new(Code::HeadFiles, headline).help(format!("add `{root},1,1,1` with its numbers of fidget files"))
+    }));
+    found
+}
+
+/// Names of files for a message: the first few, and how many more.
+fn listed(names: &[&str]) -> String {
+    const SHOWN: usize = 6;
+    let shown: Vec<String> = names.iter().take(SHOWN).map(|name| show::name(name)).collect();
+    match names.len().saturating_sub(SHOWN) {
+        0 => shown.join(", "),
+        more => format!("{} and {more} more", shown.join(", ")),
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    fn files(names: &[&str]) -> Vec<HeadFile> {
+        names.iter().map(|name| HeadFile::parse(name).unwrap()).collect()
+    }
+
+    fn headlines(list: &str, names: &[&str]) -> Vec<String> {
+        let (heads, found) = read_list(list);
+        assert_eq!(found, []);
+        compare(&heads, &files(names)).into_iter().map(|finding| finding.headline).collect()
+    }
+
+    #[test]
+    fn a_head_is_whole_with_its_phonemes_transitions_and_fidgets() {
+        let whole = ["elgn", "elng", "elnb", "elbn", "elgp", "elnp", "elbp", "elgf1", "elnf1", "elnf2", "elbf1"];
+        let names: Vec<String> = whole.iter().map(|name| format!("{}.FRM", name.to_uppercase())).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        assert_eq!(headlines("el,1,2,1\n", &names), Vec::<String>::new());
+        assert_eq!(headlines("el,1,1,1\n", &names), ["the numbers of `el` leave out `elnf2.frm`"]);
+        assert_eq!(headlines("el,1,3,1\n", &names), ["`el` has no `elnf3.frm`"]);
+        assert_eq!(headlines("", &names), ["heads.lst has no line for `EL`"; 1].map(|line| line.replace("EL", "el")));
+        let none = headlines("el,1,2,1\n", &[]);
+        assert_eq!(
+            none,
+            ["`el` has no `elbf1.frm`, `elbn.frm`, `elbp.frm`, `elgf1.frm`, `elgn.frm`, `elgp.frm` and 5 more"]
+        );
+    }
+}

@@ -1,0 +1,102 @@
+//! From bytes to a [`Lip`].
+
+use super::{HEADER_BYTES, Lip, MARKER_BYTES, Marker, NAME_BYTES, VERSION, offset};
+use crate::fallout::place;
+use lipz::{Code, Diagnostic};
+use std::ops::Range;
+
+/// Bytes of a file of version 1: the game's structure with its pointers.
+const VERSION_1_BYTES: usize = 360;
+
+impl Lip {
+    /// Reads a file. Whatever is unusual in it is kept; [`Lip::oddities`] tells about it.
+    ///
+    /// # Errors
+    /// [`Code::LipVersion`] for another version, and for what is no LIP file at all;
+    /// [`Code::LipCutOff`] for a file that ends before its last marker.
+    pub fn read(bytes: &[u8]) -> Result<Lip, Diagnostic> {
+        let header = Header(bytes);
+        let version = header.word(offset::VERSION)?;
+        if version != VERSION {
+            return Err(refused_version(version));
+        }
+        let phoneme_count = header.word(offset::PHONEME_COUNT)?;
+        let marker_count = header.word(offset::MARKER_COUNT)?;
+        let extension = header.array(offset::EXTENSION)?;
+        let cut_off = || cut_off_body(bytes.len(), phoneme_count, marker_count);
+        let body = bytes.get(HEADER_BYTES..).unwrap_or_default();
+        let (phonemes, body) = split(body, phoneme_count, 1).ok_or_else(cut_off)?;
+        let (markers, trailing) = split(body, marker_count, MARKER_BYTES).ok_or_else(cut_off)?;
+        let (markers, _) = markers.as_chunks::<MARKER_BYTES>();
+        let marker = |&[a, b, c, d, e, f, g, h]: &[u8; MARKER_BYTES]| Marker {
+            kind: u32::from_be_bytes([a, b, c, d]),
+            position: u32::from_be_bytes([e, f, g, h]),
+        };
+        Ok(Lip {
+            constant: header.word(offset::CONSTANT)?,
+            flags: header.word(offset::FLAGS)?,
+            unknown_0c: header.word(offset::UNKNOWN_0C)?,
+            length_word: header.array(offset::LENGTH)?,
+            unknown_18: header.word(offset::UNKNOWN_18)?,
+            name: header.array::<NAME_BYTES>(offset::NAME)?,
+            extension,
+            phonemes: phonemes.to_vec(),
+            markers: markers.iter().map(marker).collect(),
+            trailing: trailing.to_vec(),
+        })
+    }
+}
+
+/// The file, as far as it is there.
+struct Header<'b>(&'b [u8]);
+
+impl Header<'_> {
+    fn array<const N: usize>(&self, range: Range<usize>) -> Result<[u8; N], Diagnostic> {
+        let array = self.0.get(range).and_then(|bytes| bytes.try_into().ok());
+        array.ok_or_else(|| {
+            let headline = format!("the file ends within the header, after {} of {HEADER_BYTES} bytes", self.0.len());
+            whole_again(Diagnostic::new(Code::LipCutOff, headline))
+        })
+    }
+
+    fn word(&self, range: Range<usize>) -> Result<u32, Diagnostic> {
+        self.array(range).map(u32::from_be_bytes)
+    }
+}
+
+/// The first `count` items of `item_bytes` each, and the rest; `None` if there are fewer.
+fn split(bytes: &[u8], count: u32, item_bytes: usize) -> Option<(&[u8], &[u8])> {
+    let length = usize::try_from(count).ok()?.checked_mul(item_bytes)?;
+    bytes.split_at_checked(length)
+}
+
+fn cut_off_body(length_bytes: usize, phonemes: u32, markers: u32) -> Diagnostic {
+    let needed = HEADER_BYTES as u64 + u64::from(phonemes) + u64::from(markers) * MARKER_BYTES as u64;
+    let headline = format!("the file ends before its last marker: it has {length_bytes} of {needed} bytes");
+    let counts = format!("the header counts {phonemes} phonemes and {markers} markers");
+    let places = offset::PHONEME_COUNT.start..offset::MARKER_COUNT.end;
+    whole_again(place(Code::LipCutOff, places, headline).note(counts))
+}
+
+fn whole_again(finding: Diagnostic) -> Diagnostic {
+    finding.help("copy the file again from where it came from; transfer it as binary, not as text")
+}
+
+fn refused_version(version: u32) -> Diagnostic {
+    let at = |headline: String| place(Code::LipVersion, offset::VERSION, headline);
+    match version {
+        1 => at("this is a LIP file of version 1, which has no mouth shapes".into())
+            .note(format!(
+                "version 1 is the game's structure as it lay in memory, {VERSION_1_BYTES} bytes: it has pointers where \
+                 version 2 has phonemes and markers"
+            ))
+            .help("look for the file of version 2; the game plays this one without moving the mouth"),
+        _ if version.swap_bytes() == VERSION => at("the words of this LIP file are little-endian".into())
+            .help("write them big-endian: only the length at 0x10 is little-endian in files of the game"),
+        _ if version.to_be_bytes() == *b"LIP " => {
+            at("this is a LIP file of Knights of the Old Republic".into()).help("import it with `lipz import kotor`")
+        }
+        _ => at(format!("this is no LIP file of Fallout 2: its version is {version}, not {VERSION}"))
+            .help("LIP files of the game lie in its data below sound/speech"),
+    }
+}

@@ -1,0 +1,34 @@
+//! From a [`Lip`] to its bytes.
+
+use super::{HEADER_BYTES, Lip, MARKER_BYTES, VERSION};
+
+impl Lip {
+    /// The bytes of the file. What was read with [`Lip::read`] gives the same bytes again.
+    pub fn write(&self) -> Vec<u8> {
+        let length = HEADER_BYTES + self.phonemes.len() + self.markers.len() * MARKER_BYTES + self.trailing.len();
+        let mut bytes = Vec::with_capacity(length);
+        let mut word = |value: [u8; 4]| bytes.extend_from_slice(&value);
+        word(VERSION.to_be_bytes());
+        word(self.constant.to_be_bytes());
+        word(self.flags.to_be_bytes());
+        word(self.unknown_0c.to_be_bytes());
+        word(self.length_word);
+        word(count(self.phonemes.len()));
+        word(self.unknown_18.to_be_bytes());
+        word(count(self.markers.len()));
+        bytes.extend_from_slice(&self.name);
+        bytes.extend_from_slice(&self.extension);
+        bytes.extend_from_slice(&self.phonemes);
+        for marker in &self.markers {
+            bytes.extend_from_slice(&marker.kind.to_be_bytes());
+            bytes.extend_from_slice(&marker.position.to_be_bytes());
+        }
+        bytes.extend_from_slice(&self.trailing);
+        bytes
+    }
+}
+
+/// A count as a word. Files are far smaller than what it can hold.
+fn count(number: usize) -> [u8; 4] {
+    u32::try_from(number).unwrap_or(u32::MAX).to_be_bytes()
+}

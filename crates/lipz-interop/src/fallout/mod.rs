@@ -1,0 +1,39 @@
+//! Fallout 2: LIP files of its talking heads, and what belongs to them.
+//!
+//! [`lip`] has the files exactly as they are, [`units`] what their markers count, [`msg`] the texts of the
+//! game, [`heads`] the pictures. docs/FALLOUT.md describes all of them.
+
+pub(crate) mod clip;
+pub mod heads;
+pub mod lip;
+pub mod msg;
+pub mod sound;
+pub mod units;
+
+use lipz::{Code, Diagnostic};
+use std::ops::Range;
+
+/// The last phoneme code that stands for a sound.
+pub const LAST_PHONEME: u8 = 0x29;
+
+/// Findings of one kind that are listed of a file; the others are counted.
+const LISTED: usize = 100;
+
+/// A finding about these bytes of a file that is not text.
+fn place(code: Code, range: Range<usize>, headline: impl Into<String>) -> Diagnostic {
+    let finding = Diagnostic::new(code, headline);
+    match range.end.saturating_sub(1) {
+        last if last > range.start => finding.note(format!("bytes {:#04x} to {last:#04x}", range.start)),
+        _ => finding.note(format!("byte {:#04x}", range.start)),
+    }
+}
+
+/// Adds the first findings of one kind, and counts the others in a note of the last: a damaged file
+/// can have millions.
+fn list(found: &mut Vec<Diagnostic>, mut findings: impl Iterator<Item = Diagnostic>) {
+    found.extend(findings.by_ref().take(LISTED));
+    let more = findings.count();
+    if let Some(last) = found.last_mut().filter(|_| more > 0) {
+        last.notes.push(format!("{more} more like this are not listed"));
+    }
+}
