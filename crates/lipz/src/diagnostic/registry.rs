@@ -152,15 +152,15 @@ codes! {
     NotExportable "LZ1112" "not-exportable" Error "a clip cannot be written in the format of another tool"
     ExportLoss "LZ1113" "export-loss" Warning "the format of another tool cannot hold a part of a clip"
 
+    "Ids"
+    IdentifierClash "LZ1201" "identifier-clash" Error "two keys have the same identifier in a program"
+
     "Subtitles"
     SubtitleSyntax "LZ1301" "subtitle-syntax" Error "a subtitle file is not in its format"
     SubtitleTimes "LZ1302" "subtitle-times" Warning "subtitles overlap, or are not in the order of their times"
     SubtitlePlace "LZ1303" "subtitle-place" Warning "a subtitle does not fit the segments of its clip"
     SubtitleText "LZ1304" "subtitle-text" Warning "a subtitle has what a Lipz text cannot hold"
     SubtitleLoss "LZ1305" "subtitle-loss" Warning "a text has no place in subtitles"
-
-    "Ids"
-    IdentifierClash "LZ1201" "identifier-clash" Error "two keys have the same identifier in a program"
 
     "Babble"
     BabbleDigits "LZ1401" "babble-digits" Error "a loop or power transfer of a babble profile is not digits"
