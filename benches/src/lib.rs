@@ -4,6 +4,7 @@
 //! frames per second, 1 to 6 segments, texts as long as what is said in that time in each language,
 //! events on 30 % of the segments, about 700 bytes a file at five locales.
 
+pub mod callgrind;
 mod clip;
 pub mod naive;
 mod random;

@@ -1,11 +1,8 @@
 //! `cargo xtask ci`: everything that a change must pass, in order, until something fails.
 
-use crate::{Failure, edges};
+use crate::{Failure, capi, edges, instructions, msrv, size, targets, web};
 use std::process::Command;
 use std::time::{Duration, Instant};
-
-/// Targets without std that the reader is built for, the first that is installed.
-const BARE_METAL: [&str; 3] = ["thumbv7em-none-eabi", "thumbv6m-none-eabi", "riscv32imc-unknown-none-elf"];
 
 /// One step: a cargo command.
 struct Step {
@@ -35,7 +32,12 @@ pub(crate) fn run() -> Result<(), Failure> {
         timed(step.name, &mut times, || cargo(step.arguments, step.environment))?;
     }
     timed("edges", &mut times, edges::run)?;
-    timed("reader without std", &mut times, bare_metal)?;
+    timed("oldest compiler", &mut times, msrv::run)?;
+    timed("size", &mut times, size::run)?;
+    timed("targets", &mut times, targets::run_all)?;
+    timed("C and C++", &mut times, capi::run)?;
+    timed("web", &mut times, web::run)?;
+    timed("instructions of the reader", &mut times, || instructions::run(&instructions::Settings::default()))?;
     println!("\nall steps passed:");
     for (name, time) in times {
         println!("  {name:<20} {:>7.1} s", time.as_secs_f64());
@@ -71,27 +73,4 @@ fn cargo(arguments: &[&str], environment: Option<(&str, &str)>) -> Result<(), Fa
         Ok(status) => Err(format!("`{shown}` ended with {status}")),
         Err(error) => Err(format!("`{shown}` cannot be run: {error}")),
     }
-}
-
-/// Builds the reader for a target without std, if there is one: `no_std` on a target with std does
-/// not show that a dependency needs it.
-fn bare_metal() -> Result<(), Failure> {
-    match BARE_METAL.into_iter().find(|target| is_installed(target)) {
-        Some(target) => {
-            cargo(&["build", "--package", "lipz-bank", "--no-default-features", "--locked", "--target", target], None)
-        }
-        None => {
-            println!("skipped: no target without std is installed (rustup target add {})", BARE_METAL[0]);
-            Ok(())
-        }
-    }
-}
-
-fn is_installed(target: &str) -> bool {
-    let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
-    let output = Command::new(rustc).args(["--print", "target-libdir", "--target", target]).output();
-    output.is_ok_and(|output| {
-        let folder = String::from_utf8_lossy(&output.stdout).trim().to_owned();
-        output.status.success() && std::fs::read_dir(folder).is_ok_and(|mut files| files.next().is_some())
-    })
 }

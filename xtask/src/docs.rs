@@ -12,7 +12,7 @@ const INTRODUCTION: &str = r#"<!-- Written by `cargo xtask docs` from crates/lip
 # Diagnostics
 
 Every finding of lipz has a code. `lipz explain LZ0401` shows what this page says about it. Numbers are
-never given a new meaning. An error forbids to write the bank, a warning does not.
+never given a new meaning. While there are errors no bank is written; warnings do not prevent it.
 "#;
 
 const FOR_PROGRAMS: &str = r#"

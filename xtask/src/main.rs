@@ -1,12 +1,22 @@
 //! Tasks of this workspace: `cargo xtask <task>`. Without a task it lists them.
 
+mod capi;
 mod ci;
+mod compare;
 mod corpus;
 mod docs;
 mod edges;
+mod fuzz;
 mod generate;
+mod instructions;
 mod measure;
+mod msrv;
+mod needs;
 mod place;
+mod size;
+mod targets;
+mod toolchain;
+mod web;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::ffi::OsString;
@@ -27,16 +37,32 @@ struct Arguments {
 enum Task {
     /// Run everything that a change must pass: format, lints, documentation, tests, edges
     Ci,
+    /// Build the libraries for C in target/capi, and run programs in C and C++ with them
+    Capi,
+    /// Build the npm package for browsers and node in target/web, and test it in both
+    Web,
     /// Check which crates depend on which
     Edges,
+    /// Run the reader on other machines: bare metal, big-endian, 32-bit, wasm
+    Targets(targets::Settings),
+    /// Count the reader's code on a Cortex-M, and prove that it cannot panic or allocate
+    Size,
+    /// Build the reader with the oldest compiler that it promises
+    Msrv,
     /// Write docs/DIAGNOSTICS.md, whose contents are in the code
     Docs,
     /// Write a folder of made-up clips of realistic size and shape
     Generate(generate::Settings),
     /// Measure packing against reading the same files (release builds only)
     Measure(measure::Settings),
+    /// Compare the reader with other ways to keep clips in a file, as a Markdown table
+    Compare(compare::Settings),
+    /// Count the instructions of the reader's queries and hold them to their limits
+    Instructions(instructions::Settings),
     /// Check packing, reading and unpacking against a folder of files with known contents
     Corpus(corpus::Settings),
+    /// Look for inputs on which something does not hold that must hold for any bytes
+    Fuzz(fuzz::Settings),
     /// One piece of work of `measure`, in a process of its own
     #[command(hide = true)]
     Measured(measure::Measured),
@@ -57,11 +83,19 @@ fn main() -> ExitCode {
     };
     let result = match task {
         Task::Ci => ci::run(),
+        Task::Capi => capi::run(),
+        Task::Web => web::run(),
         Task::Edges => edges::run(),
+        Task::Targets(settings) => targets::run(&settings),
+        Task::Size => size::run(),
+        Task::Msrv => msrv::run(),
         Task::Docs => docs::run(),
         Task::Generate(settings) => generate::run(&settings),
         Task::Measure(settings) => measure::run(&settings),
+        Task::Compare(settings) => compare::run(&settings),
+        Task::Instructions(settings) => instructions::run(&settings),
         Task::Corpus(settings) => corpus::run(&settings),
+        Task::Fuzz(settings) => fuzz::run(&settings),
         Task::Measured(measured) => measure::run_one(&measured),
     };
     match result {

@@ -58,11 +58,6 @@ impl<'data, 'bank> Clip<'data, 'bank> {
         self.bank.names.text_at(record.key_offset_bytes.get(), u32::from(record.key_length_bytes.get()))
     }
 
-    pub(crate) fn key_bytes(&self) -> Option<&'data [u8]> {
-        let start = self.record.key_offset_bytes.get() as usize;
-        self.bank.names.slice(start, start.checked_add(usize::from(self.record.key_length_bytes.get()))?)
-    }
-
     /// The place of the clip in the bank, for [`Bank::clip_at`].
     pub const fn slot(&self) -> u32 {
         self.slot
@@ -156,7 +151,7 @@ impl<'data, 'bank> Clip<'data, 'bank> {
     }
 
     /// The segment with this index.
-    #[inline]
+    #[inline(always)] // otherwise the whole clip is copied for the call
     pub fn segment(&self, index: u32) -> Option<Segment<'data, 'bank>> {
         if index < self.segment_count() {
             Some(Segment::new(*self, index))
@@ -171,7 +166,7 @@ impl<'data, 'bank> Clip<'data, 'bank> {
     }
 
     /// The segment that frame `index` belongs to. Segments of no frames are never found by frame.
-    #[inline]
+    #[inline(always)]
     pub fn segment_of_frame(&self, index: u32) -> Option<Segment<'data, 'bank>> {
         if index >= self.frame_count() {
             return None;
@@ -180,7 +175,7 @@ impl<'data, 'bank> Clip<'data, 'bank> {
     }
 
     /// The segment at `time`; `None` before the start, from the end on, and without a frame rate.
-    #[inline]
+    #[inline(always)]
     pub fn segment_at<T: Time>(&self, time: T) -> Option<Segment<'data, 'bank>> {
         self.segment_of_frame(self.frame_at(time)?)
     }

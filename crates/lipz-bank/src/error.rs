@@ -27,7 +27,7 @@ impl Error {
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} (bank error {}, at byte {})", self.kind.message(), self.kind as u8, self.offset_bytes)
+        write!(f, "{} (bank error {}, at byte {})", self.kind.message(), self.kind.number(), self.offset_bytes)
     }
 }
 
@@ -47,6 +47,11 @@ macro_rules! error_kinds {
         impl ErrorKind {
             /// Every kind, in the order of the numbers.
             pub const ALL: &'static [ErrorKind] = &[$(ErrorKind::$name),+];
+
+            /// The number of the kind, which is never given a new meaning.
+            pub const fn number(self) -> u8 {
+                self as u8
+            }
 
             /// The kind in one English sentence, without full stop.
             pub const fn message(self) -> &'static str {
@@ -123,4 +128,6 @@ error_kinds! {
     TypedEvent = 31, "a typed event is not valid";
     /// The names of typed events are not listed in their order, or one lies outside its pool.
     EventName = 32, "the names in events are not listed in their order";
+    /// A babble profile is cut off, not in the order of the names, or has a string that is not digits.
+    Babble = 33, "a babble profile is not valid";
 }

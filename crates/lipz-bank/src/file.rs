@@ -16,9 +16,16 @@ pub(crate) struct File<'data> {
     pub(crate) directory: &'data [DirectoryEntry],
 }
 
+/// The contents of the sections that every bank has, in the order of [`Tag::REQUIRED`].
+pub(crate) type Sections<'data> = [Option<&'data [u8]>; Tag::REQUIRED.len()];
+
+/// The place for [`Sections`].
+pub(crate) const NO_SECTIONS: Sections<'static> = [None; Tag::REQUIRED.len()];
+
 impl<'data> File<'data> {
-    /// Checks header and directory, in a time that depends only on the number of sections.
-    pub(crate) fn open(bytes: &'data [u8]) -> Result<File<'data>, Error> {
+    /// Checks header and directory, and finds the sections, in a time that depends only on their
+    /// number. They are put into place, because returning so many costs a copy.
+    pub(crate) fn open(bytes: &'data [u8], sections: &mut Sections<'data>) -> Result<File<'data>, Error> {
         let (header, rest) = open_header(bytes)?;
         let count = header.section_count.get() as usize;
         if count > layout::MAX_SECTIONS {
@@ -28,15 +35,27 @@ impl<'data> File<'data> {
             .map_err(|_| Error::new(ErrorKind::DirectoryOutOfBounds, SECTION_COUNT_OFFSET))?;
         let file = File { bytes, header, directory };
         for (index, entry) in directory.iter().enumerate() {
-            if file.contents(entry).is_none() {
-                return Err(Error::new(ErrorKind::SectionOutOfBounds, entry_offset(index)));
-            }
-            let known = Tag::REQUIRED.iter().chain(&Tag::OPTIONAL).any(|(tag, _)| tag.0 == entry.tag);
-            if !known && entry.flags.get() & layout::SECTION_REQUIRED != 0 {
-                return Err(Error::new(ErrorKind::SectionUnknown, entry_offset(index)));
-            }
+            file.place(entry, sections).map_err(|kind| Error::new(kind, entry_offset(index)))?;
         }
         Ok(file)
+    }
+
+    /// Puts the contents of one section to its place.
+    fn place(&self, entry: &DirectoryEntry, sections: &mut Sections<'data>) -> Result<(), ErrorKind> {
+        let contents = self.contents(entry).ok_or(ErrorKind::SectionOutOfBounds)?;
+        let mut required = Tag::REQUIRED.iter().zip(sections);
+        if let Some(((_, entry_bytes), place)) = required.find(|((tag, _), _)| tag.0 == entry.tag) {
+            if place.replace(contents).is_some() {
+                return Err(ErrorKind::SectionTwice);
+            }
+            let has_shape = usize::from(entry.entry_bytes.get()) == *entry_bytes;
+            return has_shape.then_some(()).ok_or(ErrorKind::SectionShape);
+        }
+        let is_known = Tag::OPTIONAL.iter().any(|(tag, _)| tag.0 == entry.tag);
+        if !is_known && entry.flags.get() & layout::SECTION_REQUIRED != 0 {
+            return Err(ErrorKind::SectionUnknown);
+        }
+        Ok(())
     }
 
     /// The contents of a section, if they lie in the file.
@@ -46,39 +65,31 @@ impl<'data> File<'data> {
         self.bytes.get(start..end)
     }
 
-    /// The one section with this tag, as entries of type `T`.
-    pub(crate) fn array<T>(&self, tag: Tag) -> Result<&'data [T], Error>
-    where
-        T: FromBytes + Immutable + KnownLayout + Unaligned,
-    {
-        let (bytes, at) = self.required(tag, size_of::<T>())?;
-        <[T]>::ref_from_bytes(bytes).map_err(|_| Error::new(ErrorKind::SectionShape, at))
-    }
-
-    /// The one section with this tag, and where its entry stands: the code that all types share.
-    fn required(&self, tag: Tag, entry_bytes: usize) -> Result<(&'data [u8], u32), Error> {
-        let mut found = self.directory.iter().enumerate().filter(|(_, entry)| entry.tag == tag.0);
-        let (index, entry) = found.next().ok_or(Error::new(ErrorKind::SectionMissing, SECTION_COUNT_OFFSET))?;
-        if let Some((second, _)) = found.next() {
-            return Err(Error::new(ErrorKind::SectionTwice, entry_offset(second)));
+    /// Why [`entries`] did not find what every file has: a section that entries do not fill, or else
+    /// one that is missing.
+    pub(crate) fn misfit(&self) -> Error {
+        for (index, entry) in self.directory.iter().enumerate() {
+            let required = Tag::REQUIRED.iter().find(|(tag, _)| tag.0 == entry.tag);
+            let entry_bytes = required.map_or(1, |(_, entry_bytes)| *entry_bytes as u32);
+            if entry.length_bytes.get().checked_rem(entry_bytes) != Some(0) {
+                return Error::new(ErrorKind::SectionShape, entry_offset(index));
+            }
         }
-        let at = entry_offset(index);
-        let bytes = self.contents(entry).ok_or(Error::new(ErrorKind::SectionOutOfBounds, at))?;
-        if usize::from(entry.entry_bytes.get()) != entry_bytes {
-            return Err(Error::new(ErrorKind::SectionShape, at));
-        }
-        Ok((bytes, at))
+        Error::new(ErrorKind::SectionMissing, SECTION_COUNT_OFFSET)
     }
 
     /// The sections in the order of the directory, known or not.
     pub(crate) fn sections(&self) -> impl Iterator<Item = (Tag, &'data [u8])> + '_ {
         self.directory.iter().filter_map(move |entry| Some((Tag(entry.tag), self.contents(entry)?)))
     }
+}
 
-    /// Whether the directory has a section with this tag.
-    pub(crate) fn has(&self, tag: Tag) -> bool {
-        self.directory.iter().any(|entry| entry.tag == tag.0)
-    }
+/// The contents of a section as entries of type `T`, if there is such a section and they fill it.
+pub(crate) fn entries<T>(section: Option<&[u8]>) -> Option<&[T]>
+where
+    T: FromBytes + Immutable + KnownLayout + Unaligned,
+{
+    <[T]>::ref_from_bytes(section?).ok()
 }
 
 /// Checks everything of the header but the checksum.

@@ -28,13 +28,17 @@ pub struct Fps {
 impl Fps {
     /// The rate of `numerator` frames in `denominator` seconds, in lowest terms; `None` outside
     /// 1 to 1000.
-    #[allow(clippy::arithmetic_side_effects)] // divisors are not zero: checked first
+    #[allow(clippy::arithmetic_side_effects)] // 1000 · denominator fits 64 bits
     pub const fn new(numerator: u32, denominator: u32) -> Option<Fps> {
         if denominator == 0 || numerator < denominator || numerator as u64 > 1000 * denominator as u64 {
             return None;
         }
         let divisor = greatest_common_divisor(numerator, denominator);
-        Some(Fps::with_reciprocal(numerator / divisor, denominator / divisor))
+        // No divisor is zero; checked division keeps a panic out of the machine code.
+        match (numerator.checked_div(divisor), denominator.checked_div(divisor)) {
+            (Some(numerator), Some(denominator)) => Fps::with_reciprocal(numerator, denominator),
+            _ => None,
+        }
     }
 
     /// A rate of whole frames per second, for constants.
@@ -50,10 +54,12 @@ impl Fps {
     }
 
     #[allow(clippy::arithmetic_side_effects)] // numerator ≤ 1000 · denominator: fits 64 bits
-    const fn with_reciprocal(numerator: u32, denominator: u32) -> Fps {
+    const fn with_reciprocal(numerator: u32, denominator: u32) -> Option<Fps> {
         let micros = denominator as u128 * MICROS_PER_SECOND as u128;
-        let reciprocal = (((numerator as u128) << 64) + micros - 1) / micros;
-        Fps { numerator, denominator, frames_per_micro_q64: reciprocal as u64 }
+        match (((numerator as u128) << 64) + micros - 1).checked_div(micros) {
+            Some(reciprocal) => Some(Fps { numerator, denominator, frames_per_micro_q64: reciprocal as u64 }),
+            None => None,
+        }
     }
 
     /// The rate with fields as stored in a bank, not checked.

@@ -48,9 +48,10 @@
     )
 )]
 
-#[cfg(feature = "std")]
+#[cfg(any(feature = "std", test))]
 extern crate std;
 
+mod babble;
 mod bank;
 mod clip;
 mod error;
@@ -60,6 +61,8 @@ mod fps;
 mod id;
 pub mod layout;
 mod locale;
+mod openness;
+mod playback;
 mod pool;
 mod segment;
 mod text_bank;
@@ -67,6 +70,7 @@ mod time;
 mod verify;
 mod viseme;
 
+pub use babble::{Babble, Babbles, Level, Power, Weight, Weights};
 pub use bank::Bank;
 pub use clip::{Clip, Clips};
 pub use error::{Error, ErrorKind};
@@ -74,6 +78,7 @@ pub use event::{Command, Event, EventName, Events};
 pub use fps::Fps;
 pub use id::ClipId;
 pub use locale::{Locale, Locales};
+pub use playback::{CharacterState, Characters, Crossed, Hold, Lead, Playback};
 pub use segment::{Segment, Segments, Text};
 pub use text_bank::TextBank;
 pub use time::{Micros, Samples, Seconds, Time};

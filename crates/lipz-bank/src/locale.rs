@@ -3,10 +3,9 @@
 use core::fmt;
 use core::iter::FusedIterator;
 
-use crate::file::File;
-use crate::layout::{LocaleRecord, Tag, LOCALE_DEFAULT, U32};
+use crate::file::{entries, Sections};
+use crate::layout::{LocaleRecord, LOCALE_DEFAULT, U32};
 use crate::pool::Pool;
-use crate::Error;
 
 /// The locales of a file with their texts: four of the sections of a bank, all that a text bank
 /// has.
@@ -21,13 +20,15 @@ pub(crate) struct LocaleTable<'data> {
 }
 
 impl<'data> LocaleTable<'data> {
-    /// The table of a file about `clip_count` clips.
-    pub(crate) fn of(file: &File<'data>, clip_count: usize) -> Result<LocaleTable<'data>, Error> {
-        Ok(LocaleTable {
-            records: file.array(Tag::LOCALES)?,
-            names: Pool::Bytes(file.array(Tag::NAMES)?),
-            index: file.array(Tag::TEXT_INDEX)?,
-            texts: Pool::Bytes(file.array(Tag::TEXTS)?),
+    /// The table of a file about `clip_count` clips, unless one of its sections is missing or does not
+    /// consist of entries.
+    pub(crate) fn of(sections: &Sections<'data>, clip_count: usize) -> Option<LocaleTable<'data>> {
+        let [_, _, _, names, _, _, locales, text_index, texts, ..] = *sections;
+        Some(LocaleTable {
+            records: entries(locales)?,
+            names: Pool::Bytes(names?),
+            index: entries(text_index)?,
+            texts: Pool::Bytes(texts?),
             clip_count,
         })
     }

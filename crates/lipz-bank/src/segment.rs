@@ -65,7 +65,7 @@ impl<'data, 'bank> Segment<'data, 'bank> {
     ///
     /// A segment of an existing text may be empty. `locale` comes from the same
     /// bank, or from a [`TextBank`](crate::TextBank) that it opened.
-    #[inline]
+    #[inline(always)] // otherwise the whole segment is copied for the call
     pub fn text<'texts>(&self, locale: Locale<'texts>) -> Option<Text<'texts>> {
         let (start, end, is_fallback) = self.text_range(locale)?;
         Some(Text { text: locale.texts.text(start, end)?, is_fallback })
@@ -80,24 +80,23 @@ impl<'data, 'bank> Segment<'data, 'bank> {
     }
 
     /// Where the text stands in the text pool, and whether it is that of another locale.
-    #[inline]
+    #[inline(always)]
     fn text_range(&self, locale: Locale<'_>) -> Option<(usize, usize, bool)> {
         let entry = locale.index.get(self.clip.slot() as usize)?.get();
         if entry == NO_TEXT {
             return None;
         }
-        let pool = locale.texts.bytes();
-        let run = pool.get((entry & TEXT_OFFSET) as usize..)?;
+        let offset = (entry & TEXT_OFFSET) as usize;
+        let run = locale.texts.bytes().get(offset..)?;
         let wide = entry & TEXT_WIDE != 0;
+        // Read in any case: a branch on whether it is the first text would often be mispredicted.
+        let before = text_end(run, self.index.saturating_sub(1), wide)?;
+        let start = if self.index == 0 { 0 } else { before };
         let end = text_end(run, self.index, wide)?;
-        let start = match self.index.checked_sub(1) {
-            Some(before) => text_end(run, before, wide)?,
-            None => 0,
-        };
-        let ends =
-            (self.clip.segment_count() as usize).checked_mul(if wide { WIDE_END_BYTES } else { NARROW_END_BYTES })?;
-        let texts = ((entry & TEXT_OFFSET) as usize).checked_add(ends)?;
-        Some((texts.checked_add(start)?, texts.checked_add(end)?, entry & TEXT_FALLBACK != 0))
+        let width = if wide { WIDE_END_BYTES } else { NARROW_END_BYTES };
+        // What wraps around in a damaged bank leads to another place of the pool, or to none.
+        let texts = offset.wrapping_add((self.clip.segment_count() as usize).wrapping_mul(width));
+        Some((texts.wrapping_add(start), texts.wrapping_add(end), entry & TEXT_FALLBACK != 0))
     }
 
     /// The event string, trimmed; empty if nothing happens at this segment, `None` if the file has
@@ -183,19 +182,24 @@ impl fmt::Display for Text<'_> {
 
 /// The end of text `index` in a run, in bytes from the end of the table of ends: 7 bits a byte, so
 /// that the table is ASCII and the whole text pool one UTF-8 string.
-#[inline]
+#[inline(always)]
 pub(crate) fn text_end(run: &[u8], index: u32, wide: bool) -> Option<usize> {
-    let index = index as usize;
-    if !wide {
-        let start = index.checked_mul(NARROW_END_BYTES)?;
-        return match run.get(start..start.checked_add(NARROW_END_BYTES)?)? {
-            [low, high] => Some(usize::from(*low) | usize::from(*high) << 7),
-            _ => None,
-        };
+    if wide {
+        return wide_text_end(run, index);
     }
-    let start = index.checked_mul(WIDE_END_BYTES)?;
-    match run.get(start..start.checked_add(WIDE_END_BYTES)?)? {
-        [a, b, c, d] => Some(usize::from(*a) | usize::from(*b) << 7 | usize::from(*c) << 14 | usize::from(*d) << 21),
+    match run.get((index as usize).checked_mul(NARROW_END_BYTES)?..)? {
+        [low, high, ..] => Some(usize::from(*low) | usize::from(*high) << 7),
+        _ => None,
+    }
+}
+
+/// As above, for texts of more than 16 KB: rare, so it is kept out of the way.
+#[cold]
+fn wide_text_end(run: &[u8], index: u32) -> Option<usize> {
+    match run.get((index as usize).checked_mul(WIDE_END_BYTES)?..)? {
+        [a, b, c, d, ..] => {
+            Some(usize::from(*a) | usize::from(*b) << 7 | usize::from(*c) << 14 | usize::from(*d) << 21)
+        }
         _ => None,
     }
 }
@@ -220,20 +224,25 @@ pub(crate) fn far_starts(clip: &Clip<'_, '_>) -> Option<usize> {
 }
 
 /// The last segment that starts at or before `frame`: the one that contains it.
-#[inline]
+#[inline(always)]
 pub(crate) fn index_of_frame(clip: &Clip<'_, '_>, frame: u32) -> Option<u32> {
     match far_starts(clip) {
-        // Unused starts are 0xFFFF, after every frame: all eight are compared without a branch.
+        // Unused starts are 0xFFFF, after every frame: all eight are compared at once, as vector code.
         None => {
+            let frame = u16::try_from(frame).ok()?;
             let starts = clip.record.starts.iter();
-            Some(starts.map(|start| u32::from(u32::from(start.get()) <= frame)).fold(0, u32::wrapping_add))
+            Some(u32::from(starts.map(|start| u16::from(start.get() <= frame)).fold(0, u16::wrapping_add)))
         }
-        Some(first) => {
-            let end = first.checked_add((clip.segment_count() as usize).checked_sub(1)?)?;
-            let starts = clip.bank.starts.get(first..end)?;
-            Some(starts.partition_point(|start| start.get() <= frame) as u32)
-        }
+        Some(first) => index_in_far_starts(clip, first, frame),
     }
+}
+
+/// A clip of more than nine segments, or of an hour: rare, so it is kept out of the way.
+#[cold]
+fn index_in_far_starts(clip: &Clip<'_, '_>, first: usize, frame: u32) -> Option<u32> {
+    let end = first.checked_add((clip.segment_count() as usize).checked_sub(1)?)?;
+    let starts = clip.bank.starts.get(first..end)?;
+    Some(starts.partition_point(|start| start.get() <= frame) as u32)
 }
 
 /// The segments of a clip in order.

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::file::File;
+use crate::file::{File, NO_SECTIONS};
 use crate::layout::Tag;
 use crate::locale::LocaleTable;
 use crate::{Bank, Error, ErrorKind, Locale, Locales};
@@ -41,11 +41,13 @@ impl Bank<'_> {
     /// # Errors
     /// As [`Bank::open`], and when the texts belong to other clips: the fingerprints differ.
     pub fn open_texts<'texts>(&self, bytes: &'texts [u8]) -> Result<TextBank<'texts>, Error> {
-        let file = File::open(bytes)?;
+        let mut sections = NO_SECTIONS;
+        let file = File::open(bytes, &mut sections)?;
         if file.header.fingerprint.get() != self.fingerprint() {
             return Err(Error::new(ErrorKind::OtherClips, 24));
         }
-        Ok(TextBank { file, table: LocaleTable::of(&file, self.clip_count())? })
+        let table = LocaleTable::of(&sections, self.clip_count()).ok_or_else(|| file.misfit())?;
+        Ok(TextBank { file, table })
     }
 }
 
@@ -55,8 +57,20 @@ impl<'data> TextBank<'data> {
     ///
     /// # Errors
     /// The first damage found.
-    pub fn verify(mut self, bank: &Bank<'_>) -> Result<TextBank<'data>, Error> {
-        crate::verify::verify_texts(&mut self, bank)?;
+    pub fn verify(self, bank: &Bank<'_>) -> Result<TextBank<'data>, Error> {
+        self.verify_with(bank, crate::verify::core_utf8)
+    }
+
+    /// Like [`TextBank::verify`], with a UTF-8 check of the program's own: see [`Bank::verify_with`].
+    ///
+    /// # Errors
+    /// The first damage found.
+    pub fn verify_with(
+        mut self,
+        bank: &Bank<'_>,
+        utf8: fn(&'data [u8]) -> Option<&'data str>,
+    ) -> Result<TextBank<'data>, Error> {
+        crate::verify::verify_texts(&mut self, bank, utf8)?;
         Ok(self)
     }
 

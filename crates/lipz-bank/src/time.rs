@@ -12,7 +12,18 @@ pub trait Time: Copy + sealed::Sealed {
     /// The frame that shows at this time, if it is one of the first `frame_count`.
     #[doc(hidden)]
     fn frame(self, fps: Fps, frame_count: u32) -> Option<u32>;
+
+    /// Whether this is a time from the start on.
+    #[doc(hidden)]
+    fn has_begun(self) -> bool;
+
+    /// The time so much later, rounded up to the unit.
+    #[doc(hidden)]
+    fn later(self, us: u32) -> Self;
 }
+
+/// Microseconds in a second.
+const MICROS_PER_SECOND: u32 = 1_000_000;
 
 mod sealed {
     pub trait Sealed {}
@@ -40,6 +51,16 @@ impl Time for Micros {
             None
         }
     }
+
+    #[inline]
+    fn has_begun(self) -> bool {
+        self.0 >= 0
+    }
+
+    #[inline]
+    fn later(self, us: u32) -> Self {
+        Micros(self.0.saturating_add(i64::from(us)))
+    }
 }
 
 /// A position in samples, at a sample rate.
@@ -59,12 +80,35 @@ impl Time for Samples {
         }
         fps.frame_at_units(self.position as u128, self.rate_hz, frame_count)
     }
+
+    #[inline]
+    fn has_begun(self) -> bool {
+        self.position >= 0 && self.rate_hz > 0
+    }
+
+    #[allow(clippy::arithmetic_side_effects)] // the divisor is not zero
+    fn later(self, us: u32) -> Self {
+        let millionths = u64::from(us).wrapping_mul(u64::from(self.rate_hz));
+        let micros = u64::from(MICROS_PER_SECOND);
+        let samples = (millionths / micros).wrapping_add(u64::from(millionths % micros != 0));
+        Samples { position: self.position.saturating_add(samples as i64), ..self }
+    }
 }
 
 impl Time for core::time::Duration {
     #[inline]
     fn frame(self, fps: Fps, frame_count: u32) -> Option<u32> {
         fps.frame_at_units(self.as_nanos(), 1_000_000_000, frame_count)
+    }
+
+    #[inline]
+    fn has_begun(self) -> bool {
+        true
+    }
+
+    #[inline]
+    fn later(self, us: u32) -> Self {
+        self.saturating_add(core::time::Duration::from_micros(u64::from(us)))
     }
 }
 
@@ -98,6 +142,16 @@ impl Time for Seconds<f32> {
             _ => frame_at_float(fps, frame_count, fraction | 1 << 23, 150_i32.wrapping_sub(exponent as i32)),
         }
     }
+
+    #[inline]
+    fn has_begun(self) -> bool {
+        self.0 >= 0.0
+    }
+
+    #[inline]
+    fn later(self, us: u32) -> Self {
+        Seconds(self.0 + us as f32 / MICROS_PER_SECOND as f32)
+    }
 }
 
 impl Time for Seconds<f64> {
@@ -112,6 +166,16 @@ impl Time for Seconds<f64> {
             0 => frame_at_float(fps, frame_count, fraction, 1074),
             _ => frame_at_float(fps, frame_count, fraction | 1 << 52, 1075_i32.wrapping_sub(exponent as i32)),
         }
+    }
+
+    #[inline]
+    fn has_begun(self) -> bool {
+        self.0 >= 0.0
+    }
+
+    #[inline]
+    fn later(self, us: u32) -> Self {
+        Seconds(self.0 + f64::from(us) / f64::from(MICROS_PER_SECOND))
     }
 }
 

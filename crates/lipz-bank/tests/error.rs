@@ -56,6 +56,7 @@ fn numbers_are_stable() {
         (30, TextsOnly),
         (31, TypedEvent),
         (32, EventName),
+        (33, Babble),
     ];
     assert!(table
         .iter()

@@ -7,7 +7,7 @@ mod common;
 
 use common::{section, verified, DRAMA, SMALL};
 use lipz_bank::layout::{self, ClipRecord, DirectoryEntry, Header, LocaleRecord, Tag};
-use lipz_bank::layout::{EventNameRecord, EventRecord, TypedEventRecord};
+use lipz_bank::layout::{BabbleRecord, EventNameRecord, EventRecord, TypedEventRecord};
 use lipz_bank::{ClipId, ErrorKind};
 use std::mem::{size_of, size_of_val};
 use zerocopy::FromBytes;
@@ -107,6 +107,18 @@ fn records() {
     check_fields("EventRecord", &fields, size_of::<EventRecord>());
     let fields = fields!(TypedEventRecord { character, object, verb, reserved });
     check_fields("TypedEventRecord", &fields, size_of::<TypedEventRecord>());
+    let fields = fields!(BabbleRecord {
+        frames_per_micro_q64,
+        rate_numerator,
+        rate_denominator,
+        name_length_bytes,
+        ooh_length_bytes,
+        aah_length_bytes,
+        ooh_power_transfer_length_bytes,
+        aah_power_transfer_length_bytes,
+        reserved,
+    });
+    check_fields("BabbleRecord", &fields, size_of::<BabbleRecord>());
     let fields = fields!(EventNameRecord { offset_bytes, length_bytes });
     check_fields("EventNameRecord", &fields, size_of::<EventNameRecord>());
 }
@@ -117,7 +129,7 @@ fn sections() {
     let required: Vec<_> = table("### Sections", "| tag | entry bytes | contents |").iter().map(row).collect();
     let known = Tag::REQUIRED.map(|(tag, bytes)| (String::from_utf8(tag.0.to_vec()).expect("ASCII"), bytes));
     assert!(required.iter().map(|&(tag, bytes)| (tag.to_owned(), bytes)).eq(known));
-    for (tag, bytes) in [(Tag::SOURCE_INDEX, 4), (Tag::SOURCES, 1)] {
+    for (tag, bytes) in Tag::OPTIONAL {
         let tag = String::from_utf8(tag.0.to_vec()).expect("ASCII");
         assert!(PAGE.contains(&format!("\n| `{tag}` | {bytes} | ")), "{tag}");
     }

@@ -5,7 +5,7 @@
 
 mod common;
 
-use common::exercise::{every_query, verified_is_whole, Effort};
+use common::exercise::{every_query, provoke, verified_is_whole, Effort};
 use common::{changed, directory, finding, put, reseal, section, u32_at, Random, SMALL, STRIPPED, WIDE};
 use lipz_bank::layout::Tag;
 use lipz_bank::Bank;
@@ -13,23 +13,6 @@ use std::ops::Range;
 
 /// Under an interpreter, a sample of the changes has to do.
 const STEP: usize = if cfg!(miri) { 997 } else { 1 };
-
-/// Opens and asks everything, before verification and, where that passes, after it.
-fn provoke(bytes: &[u8], effort: Effort) -> bool {
-    let Ok(bank) = Bank::open(bytes) else { return false };
-    every_query(&bank, effort);
-    match bank.verify() {
-        Ok(bank) => {
-            every_query(&bank, effort);
-            verified_is_whole(&bank);
-            true
-        }
-        Err(error) => {
-            assert!(error.offset_bytes() as usize <= bytes.len(), "{error}");
-            false
-        }
-    }
-}
 
 /// Runs `work` on parts of `range`, one thread per core.
 fn in_parallel(range: Range<usize>, work: impl Fn(usize) + Sync) {

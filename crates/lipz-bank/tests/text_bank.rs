@@ -6,9 +6,10 @@
 
 mod common;
 
+use common::exercise::every_text_query;
 use common::{changed, directory, put, reseal, section, u32_at, verified, DRAMA, SMALL};
 use lipz_bank::layout::{Tag, NO_TEXT};
-use lipz_bank::{Bank, Error, ErrorKind, TextBank};
+use lipz_bank::{Bank, Error, ErrorKind};
 
 static BASE: &[u8] = include_bytes!("../../../fixtures/banks/v1/split.lipzbank");
 static GERMAN: &[u8] = include_bytes!("../../../fixtures/banks/v1/split.de-de.lipztexts");
@@ -17,18 +18,6 @@ static ENGLISH: &[u8] = include_bytes!("../../../fixtures/banks/v1/split.en-us.l
 /// What opening and verifying the texts finds.
 fn finding(bank: &Bank<'_>, bytes: &[u8]) -> Option<Error> {
     bank.open_texts(bytes).and_then(|texts| texts.verify(bank)).err()
-}
-
-/// Asks for all texts of all locales; whether there is one for each segment or for none of a clip.
-fn texts_are_whole(bank: &Bank<'_>, texts: &TextBank<'_>) -> bool {
-    let mut is_whole = true;
-    for locale in texts.locales() {
-        for clip in bank.clips() {
-            let count = clip.segments().filter(|segment| segment.text(locale).is_some()).count();
-            is_whole &= count == 0 || count == clip.segment_count() as usize;
-        }
-    }
-    is_whole
 }
 
 #[test]
@@ -78,7 +67,7 @@ fn a_whole_bank_is_a_text_bank() {
     let base = verified(BASE);
     let texts = base.open_texts(SMALL).and_then(|texts| texts.verify(&base)).expect("the same clips");
     assert!(texts.locales().map(|locale| locale.tag()).eq(["de-de", "en-us"]));
-    assert!(texts_are_whole(&base, &texts));
+    assert!(every_text_query(&base, &texts));
 }
 
 #[test]
@@ -92,7 +81,7 @@ fn every_truncation_and_every_change_is_noticed() {
         for change in 1..=255 {
             bytes[at] ^= change;
             if let Ok(texts) = base.open_texts(&bytes) {
-                texts_are_whole(&base, &texts);
+                every_text_query(&base, &texts);
                 assert!(texts.verify(&base).is_err(), "byte {at} ^ {change:#x} goes unnoticed");
             }
             bytes[at] ^= change;
@@ -110,9 +99,9 @@ fn every_forged_byte() {
             bytes[at] ^= change;
             reseal(&mut bytes);
             let Ok(texts) = base.open_texts(&bytes) else { continue };
-            texts_are_whole(&base, &texts);
+            every_text_query(&base, &texts);
             if let Ok(texts) = texts.verify(&base) {
-                assert!(texts_are_whole(&base, &texts), "byte {at} ^ {change:#x}");
+                assert!(every_text_query(&base, &texts), "byte {at} ^ {change:#x}");
             }
         }
     }

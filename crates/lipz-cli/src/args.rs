@@ -1,8 +1,8 @@
 //! The command line: the list of commands. Each one's arguments and help stand beside its work.
 
 use crate::commands::{
-    check, completions, convert, coverage, diff, explain, export, fallout, fmt, ids, import, init, inspect, man, maps,
-    pack, schema, stats, unpack, verify, watch,
+    babble, check, completions, convert, coverage, diff, explain, export, fallout, fmt, ids, import, init, inspect,
+    man, maps, pack, schema, stats, subtitles, unpack, verify, watch,
 };
 use crate::render::Format;
 use clap::{Parser, Subcommand};
@@ -38,6 +38,7 @@ pub(crate) enum Command {
     Convert(convert::Convert),
     Import(import::Import),
     Export(export::Export),
+    Subtitles(subtitles::Subtitles),
     Maps(maps::Maps),
     Unpack(unpack::Unpack),
     Verify(verify::Verify),
@@ -46,6 +47,7 @@ pub(crate) enum Command {
     Coverage(coverage::CoverageArguments),
     Stats(stats::Stats),
     Ids(ids::Ids),
+    Babble(babble::BabbleArguments),
     Fallout(fallout::Fallout),
     Explain(explain::Explain),
     Schema(schema::Schema),
@@ -64,10 +66,15 @@ impl Command {
             Command::Convert(convert) => convert.prints_result(),
             Command::Import(import) => import.prints_result(),
             Command::Export(export) => export.prints_result(),
-            Command::Watch(_) | Command::Init(_) | Command::Unpack(_) | Command::Verify(_) | Command::Man(_) => false,
+            Command::Subtitles(_)
+            | Command::Watch(_)
+            | Command::Init(_)
+            | Command::Unpack(_)
+            | Command::Verify(_)
+            | Command::Man(_) => false,
             Command::Inspect(_) | Command::Diff(_) | Command::Coverage(_) | Command::Stats(_) => true,
+            Command::Babble(_) | Command::Fallout(_) | Command::Maps(_) => true,
             Command::Explain(_) | Command::Schema(_) | Command::Completions(_) => true,
-            Command::Maps(_) | Command::Fallout(_) => true,
         }
     }
 }

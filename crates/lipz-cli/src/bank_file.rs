@@ -1,4 +1,4 @@
-//! Bank files on disk: mapping them, and what to say when they are not banks.
+//! Bank files on disk, and what to say when they are not banks.
 
 use crate::render::Findings;
 use crate::{Outcome, console, standard};
@@ -6,8 +6,7 @@ use lipz::{Code, Diagnostic};
 use lipz_bank::layout::{FORMAT_MAJOR, FORMAT_MINOR, Header, MAGIC};
 use lipz_bank::{Bank, Error, ErrorKind, TextBank};
 use lipz_compiler::Report;
-use memmap2::Mmap;
-use std::fs::File;
+use lipz_host::{FileBytes, Hold};
 use std::io;
 use std::mem::offset_of;
 use std::path::Path;
@@ -20,21 +19,16 @@ const NAME_A_BANK: &str = "name a .lipzbank file; `lipz pack` makes one of Lipz 
 /// The bytes of a bank, and how messages name it.
 pub(crate) struct BankFile {
     pub(crate) name: String,
-    bytes: Bytes,
-}
-
-enum Bytes {
-    Mapped(Mmap),
-    Read(Vec<u8>),
+    bytes: FileBytes,
 }
 
 impl BankFile {
     /// Maps the file at `path`, or reads standard input. Reports why that is not possible.
     pub(crate) fn open(path: &Path, findings: &mut Findings) -> Result<BankFile, Outcome> {
         let (name, bytes) = if standard::is_meant(path) {
-            (standard::INPUT_NAME.to_owned(), standard::read(LONGEST_BANK + 1).map(Bytes::Read))
+            (standard::INPUT_NAME.to_owned(), standard::read(LONGEST_BANK + 1).map(FileBytes::from))
         } else {
-            (console::path(path), map(path).map(Bytes::Mapped))
+            (console::path(path), FileBytes::open(path, Hold::Mapped))
         };
         match bytes {
             Ok(bytes) => Ok(BankFile { name, bytes }),
@@ -45,35 +39,27 @@ impl BankFile {
         }
     }
 
-    fn bytes(&self) -> &[u8] {
-        match &self.bytes {
-            Bytes::Mapped(map) => map,
-            Bytes::Read(bytes) => bytes,
-        }
-    }
-
     /// The file as a text bank of `bank`, verified. Reports what is wrong with it.
     pub(crate) fn texts(&self, bank: &Bank<'_>, findings: &mut Findings) -> Result<TextBank<'_>, Outcome> {
-        let opened = bank.open_texts(self.bytes()).map_err(|error| (Code::BankRefused, error));
+        let opened = bank.open_texts(&self.bytes).map_err(|error| (Code::BankRefused, error));
         let verified = opened.and_then(|texts| texts.verify(bank).map_err(|error| (Code::BankDamaged, error)));
         verified.map_err(|(code, error)| {
-            findings.add(vec![Report::about(self.name.as_str(), refused(code, error, self.bytes()))]);
+            findings.add(vec![Report::about(self.name.as_str(), refused(code, error, &self.bytes))]);
             Outcome::Findings
         })
     }
 
     /// A bank that was made in memory.
     pub(crate) fn made(name: String, bytes: Vec<u8>) -> BankFile {
-        BankFile { name, bytes: Bytes::Read(bytes) }
+        BankFile { name, bytes: bytes.into() }
     }
 
     /// The bank, verified. Reports what is wrong with it.
     pub(crate) fn bank(&self, findings: &mut Findings) -> Result<Bank<'_>, Outcome> {
-        let bytes = self.bytes();
-        let opened = Bank::open(bytes).map_err(|error| (Code::BankRefused, error));
+        let opened = Bank::open(&self.bytes).map_err(|error| (Code::BankRefused, error));
         let verified = opened.and_then(|bank| bank.verify().map_err(|error| (Code::BankDamaged, error)));
         verified.map_err(|(code, error)| {
-            findings.add(vec![Report::about(self.name.as_str(), refused(code, error, bytes))]);
+            findings.add(vec![Report::about(self.name.as_str(), refused(code, error, &self.bytes))]);
             Outcome::Findings
         })
     }
@@ -116,17 +102,4 @@ fn version(bytes: &[u8]) -> String {
         _ => "?".to_owned(),
     };
     format!("{}.{}", number(offset_of!(Header, format_major)), number(offset_of!(Header, format_minor)))
-}
-
-fn map(path: &Path) -> io::Result<Mmap> {
-    let file = File::open(path)?;
-    if file.metadata()?.is_dir() {
-        return Err(io::ErrorKind::IsADirectory.into());
-    }
-    // SAFETY: the map is only read. Banks are replaced by renaming, never changed in place; should
-    // someone else truncate the file while it is read, this process may be stopped by a signal.
-    #[expect(unsafe_code, reason = "mapping a file is unsafe by its nature")]
-    unsafe {
-        Mmap::map(&file)
-    }
 }

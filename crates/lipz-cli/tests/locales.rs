@@ -34,6 +34,8 @@ fn coverage_of_a_folder_and_of_its_bank() {
     assert_eq!((bank.code, bank.stdout), (0, TABLE.replace("voices", "b.lipzbank")));
     let keys = lipz(scene.path(), ["coverage", "b.lipzbank", "--missing", "de-de"]);
     assert_eq!((keys.code, keys.stdout.as_str()), (0, "no\n"));
+    let misspelt = lipz(scene.path(), ["coverage", "b.lipzbank", "--missing", "de_DE"]);
+    assert_eq!((misspelt.code, misspelt.stdout), (0, keys.stdout));
     assert_eq!(lipz(scene.path(), ["coverage", "b.lipzbank", "--missing", "fr-fr"]).code, 2);
     let json = lipz(scene.path(), ["coverage", "b.lipzbank", "--json"]);
     let json: Value = serde_json::from_str(&json.stdout).unwrap();
@@ -97,6 +99,27 @@ fn text_banks_are_checked_and_shown_with_their_bank() {
     let whole = lipz(scene.path(), ["pack", "voices", "-o", "w.lipzbank", "--split-locales=false"]);
     assert_eq!((whole.code, whole.stdout.lines().count()), (0, 1), "{whole:?}");
     scene.finish(2);
+}
+
+#[test]
+fn text_banks_of_locales_that_are_gone_are_named() {
+    let scene = scene();
+    let pack = |locales: &[&str]| {
+        let arguments = ["pack", "voices", "-o", "b.lipzbank", "--split-locales"];
+        lipz(scene.path(), arguments.iter().chain(locales))
+    };
+    assert!(!pack(&[]).stdout.contains("not written"));
+    let text = pack(&["--locales", "en-us"]).stdout;
+    assert!(text.ends_with("not written: b.de-de.lipztexts, whose locale the bank no longer has\n"), "{text}");
+    assert!(scene.path().join("b.de-de.lipztexts").exists(), "whoever removes a locale decides about its files");
+}
+
+#[test]
+fn fallback_to_a_locale_that_is_not_packed() {
+    let scene = scene();
+    let arguments = ["coverage", "voices", "--default-locale", "en-us", "--locales", "de-de"];
+    let shown = lipz(scene.path(), arguments).stdout;
+    assert!(shown.contains("(not packed) 1"), "{shown}");
 }
 
 #[test]

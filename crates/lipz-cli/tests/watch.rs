@@ -3,6 +3,8 @@
 
 mod support;
 
+#[cfg(unix)]
+use lipz_host::{Hold, LiveBank, OwnedBank};
 use std::fs;
 use std::io::Read;
 use std::path::Path;
@@ -270,4 +272,35 @@ fn what_cannot_be_watched_is_refused() {
     refused(&["voices", "-o", BANK, "--poll=0"], "a number of seconds above 0");
     refused(&["voices", "-o", BANK, "--poll=NaN"], "a number of seconds above 0");
     assert_eq!(tree(scene.path()), ["voices", "voices/a.lipz"]);
+}
+
+/// A program that maps the bank goes from version to version, and keeps the old one on errors in the
+/// sources and on damage to the bank.
+#[cfg(unix)] // elsewhere a mapped file is not replaced
+#[test]
+fn a_running_program_follows_the_bank() {
+    let scene = Scene::new();
+    scene.write("voices/a.lipz", AYE);
+    let watch = Watch::started(&scene, &["voices", "-o", BANK]);
+    let path = scene.path().join(BANK);
+    let live = LiveBank::open(&path, Hold::Mapped).unwrap();
+    let says = |version: &OwnedBank| {
+        let bank = version.bank();
+        let segment = bank.clip_by_key("a").unwrap().segment(0).unwrap();
+        segment.text(bank.locale("en-us").unwrap()).unwrap().to_string()
+    };
+    let first = live.current();
+    assert_eq!(says(&first), "Aye.");
+    scene.write("voices/a.lipz", NO);
+    watch.until("the new text", |_| live.refresh().is_ok() && says(&live.current()) == "No.");
+    watch.refuses(|| scene.write("voices/a.lipz", BROKEN), "error[LZ0108]");
+    assert!(!live.refresh().unwrap());
+    // Somebody else puts a damaged copy there.
+    fs::write(path.with_extension("copy"), &watch.bank()[..100]).unwrap();
+    fs::rename(path.with_extension("copy"), &path).unwrap();
+    assert!(matches!(live.refresh(), Err(lipz_host::Error::Bank(_))));
+    assert_eq!(says(&live.current()), "No.");
+    scene.write("voices/a.lipz", AYE);
+    watch.until("the bank that was packed again", |_| live.refresh().is_ok() && says(&live.current()) == "Aye.");
+    assert_eq!(says(&first), "Aye.");
 }

@@ -23,6 +23,7 @@
 // Sizes are checked where they enter (`fit`); casts below are of numbers known to be small.
 #![allow(clippy::cast_possible_truncation)]
 
+pub mod babble;
 mod build;
 mod cache;
 mod check;

@@ -1,6 +1,8 @@
 //! What a project decides about its Lipz files.
 
-use crate::pseudo;
+use crate::babble::BabbleProfiles;
+use crate::{Report, pseudo};
+use lipz::diagnostic::show;
 use lipz::locale::TextName;
 use lipz::{Code, Level};
 use lipz_bank::{Fps, VisemeType};
@@ -42,9 +44,50 @@ pub struct Options {
     /// Add a pseudo-locale, made of the texts of the default locale: `en-xa` of `en-us`. It is packed
     /// whether `locales` names it or not. Files that have a text in it keep theirs.
     pub pseudo: bool,
+    /// How mouths move that no clip describes.
+    pub babble: BabbleProfiles,
 }
 
 impl Options {
+    /// The options with all locales in their canonical form, and the pseudo-locale among those to be packed.
+    pub(crate) fn canonical(&self) -> Result<Options, Report> {
+        let canonical = |tag: &String| {
+            lipz::locale::canonical_tag(tag, self.extended_locales).ok_or_else(|| {
+                let headline = format!("the project's locale {} is not a locale of the form ll-cc", show::name(tag));
+                Report::failure("", Code::LocaleShape, headline, "name a language and a country: en-us")
+            })
+        };
+        if self.pseudo && self.default_locale.is_none() {
+            let headline = "a pseudo-locale is made of the default locale, and there is none".to_owned();
+            return Err(Report::failure(
+                "",
+                Code::SettingValue,
+                headline,
+                "set the default locale: --default-locale en-us",
+            ));
+        }
+        let chain = |(tag, chain): (&String, &Vec<String>)| {
+            Ok((canonical(tag)?, chain.iter().map(canonical).collect::<Result<_, Report>>()?))
+        };
+        let share = |(tag, percent): (&String, &f64)| Ok((canonical(tag)?, *percent));
+        let default_locale = self.default_locale.as_ref().map(canonical).transpose()?;
+        let mut locales: Option<BTreeSet<String>> =
+            self.locales.as_ref().map(|tags| tags.iter().map(canonical).collect()).transpose()?;
+        if let (Some(locales), Some(default), true) = (&mut locales, &default_locale, self.pseudo) {
+            locales.insert(pseudo::locale_for(default));
+        }
+        Ok(Options {
+            default_locale,
+            locales,
+            fallbacks: self.fallbacks.iter().map(chain).collect::<Result<_, Report>>()?,
+            min_coverage: MinCoverage {
+                locales: self.min_coverage.locales.iter().map(share).collect::<Result<_, Report>>()?,
+                ..self.min_coverage
+            },
+            ..self.clone()
+        })
+    }
+
     /// Whether the element with this name is packed: all but texts of other locales than those that are.
     pub(crate) fn packs(&self, name: &str) -> bool {
         let Some(packed) = &self.locales else { return true };

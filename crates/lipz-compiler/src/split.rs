@@ -59,21 +59,25 @@ struct Whole<'data> {
 }
 
 impl<'data> Whole<'data> {
-    /// The contents of a section, which every bank has.
+    /// The contents of a section; empty if the bank does not have it.
     fn section(&self, tag: Tag) -> &'data [u8] {
         self.bank.sections().find(|(found, _)| *found == tag).map_or(&[], |(_, contents)| contents)
     }
 
-    /// The bank without locales: all other required sections as they are.
+    /// The bank without locales: all other required sections and babble as they are.
     fn base(&self) -> Result<Vec<u8>, Report> {
         let names = self.section(Tag::NAMES);
         // Keys come first, in one piece.
         let keys_bytes = self.bank.clips().map(|clip| clip.key().len()).sum();
-        let sections = Tag::REQUIRED.map(|(tag, _)| match tag {
+        let required = Tag::REQUIRED.map(|(tag, _)| match tag {
             Tag::LOCALES | Tag::TEXT_INDEX | Tag::TEXTS => Section::table(tag, &[]),
             Tag::NAMES => Section::table(tag, names.get(..keys_bytes).unwrap_or(names)),
             other => Section::table(other, self.section(other)),
         });
+        let babble = self.section(Tag::BABBLE);
+        let has_babble = !babble.is_empty();
+        let sections: Vec<_> =
+            required.into_iter().chain(has_babble.then(|| Section::table(Tag::BABBLE, babble))).collect();
         assemble(&sections, self.index_seed, self.bank.fingerprint(), |_| ())
     }
 

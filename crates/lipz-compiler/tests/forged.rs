@@ -1,11 +1,13 @@
 //! Banks that somebody forged, checksum and all: whatever passes verification, no tool panics on.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
+#[path = "support/used.rs"]
+mod used;
+
 use lipz_bank::Bank;
 use lipz_bank::layout::{CHECKED_FROM, checksum};
-use lipz_compiler::ids::{Language, generate};
-use lipz_compiler::stats::Stats;
-use lipz_compiler::{Documents, Input, Options, compile, coverage, diff, split};
+use lipz_compiler::{Input, Options, compile};
+use used::is_used;
 
 /// A bank with padded, joined, falling back and unknown elements.
 fn bank() -> Vec<u8> {
@@ -19,28 +21,6 @@ fn bank() -> Vec<u8> {
     ];
     let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
     compile(&inputs, &options, &|_| {}).bank.unwrap()
-}
-
-/// Uses a bank in all ways; whether it passes verification.
-fn is_used(bytes: &[u8], original: &Bank<'_>) -> bool {
-    let Ok(bank) = Bank::open(bytes).and_then(Bank::verify) else { return false };
-    if let Ok(documents) = Documents::of(&bank) {
-        for (_, document) in documents.iter().flatten() {
-            lipz::write(&document);
-        }
-    }
-    coverage(&bank);
-    Stats::of(&bank);
-    diff::diff(original, &bank);
-    for language in Language::ALL {
-        let _ = generate(&bank, language, None);
-    }
-    let split = split(bytes).unwrap();
-    let base = Bank::open(&split.base).unwrap().verify().unwrap();
-    for (_, texts) in &split.texts {
-        base.open_texts(texts).unwrap().verify(&base).unwrap();
-    }
-    true
 }
 
 #[test]

@@ -74,7 +74,10 @@ fn track<'m>(
     else {
         let name = viseme_type.map_or("of no known viseme type", VisemeType::name);
         let headline = format!("`{}` has no mapping table for the codes of the clip, which are {name}", format.name);
-        findings.push(refusal(headline).help("convert the clip first: lipz convert --viseme-type blair"));
+        findings.push(refusal(headline).help(match viseme_type {
+            Some(VisemeType::Rms) => "loudness (rms) is no mouth shape; export clips of the types blair and toonboom",
+            _ => "convert the clip first: lipz convert --viseme-type blair",
+        }));
         return None;
     };
     let mut shapes: Vec<Shape> = Vec::new();
@@ -103,11 +106,13 @@ fn segments(visemes: &str, rate: Rate) -> Vec<Timed> {
     visemes.split(DELIMITER).map(of_segment).collect()
 }
 
-fn refusal(headline: impl Into<String>) -> Diagnostic {
+/// The finding for a clip that cannot be exported.
+pub(crate) fn refusal(headline: impl Into<String>) -> Diagnostic {
     Diagnostic::new(Code::NotExportable, headline)
 }
 
-fn rate(document: &Document<'_>) -> Option<Rate> {
+/// The frame rate of a document, if it has one.
+pub(crate) fn rate(document: &Document<'_>) -> Option<Rate> {
     match &document.get("fps")?.value {
         Value::Number(number) => lipz::rate::parse(&number.text),
         _ => None,

@@ -306,6 +306,13 @@ fn texts(track: &Track, options: &ImportOptions<'_>, findings: &mut Vec<Diagnost
                 .help("name the locale: --locale en-us, or `default-locale` in lipz.toml"),
         );
     }
+    for (index, text) in texts.iter().enumerate() {
+        let Some(locale) = &text.locale else { continue };
+        if texts.iter().take(index).any(|before| before.locale == text.locale) {
+            let headline = format!("two texts are of the locale {}", show::name(locale));
+            findings.push(Diagnostic::new(Code::SameLocaleTwice, headline).help("keep one of them"));
+        }
+    }
     texts
 }
 
@@ -348,13 +355,19 @@ fn document(
         elements.push(element(&name, trimmed.join(&DELIMITER.to_string())));
     }
     elements.push(element("viseme_type", viseme_type.name().to_owned()));
-    elements.push(Element { name: string("fps".to_owned()), value: Value::Number(Raw::new(spell(rate))) });
+    elements.push(fps(rate));
     elements.extend(track.elements.iter().cloned());
     Document { elements }
 }
 
-fn element(name: &str, value: String) -> Element<'static> {
+/// An element with a string.
+pub(crate) fn element(name: &str, value: String) -> Element<'static> {
     Element { name: string(name.to_owned()), value: Value::String(string(value)) }
+}
+
+/// The frame rate as an element.
+pub(crate) fn fps(rate: Rate) -> Element<'static> {
+    Element { name: string("fps".to_owned()), value: Value::Number(Raw::new(spell(rate))) }
 }
 
 fn string(text: String) -> JsonString<'static> {

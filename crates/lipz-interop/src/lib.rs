@@ -26,6 +26,7 @@ mod map;
 mod script;
 mod segments;
 mod source;
+pub mod subtitles;
 mod time;
 mod track;
 

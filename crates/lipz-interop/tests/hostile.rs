@@ -16,7 +16,7 @@ fn check(format: &Format, bytes: &[u8], segments: Segments) {
     let options = ImportOptions { segments, locale: Some("en-us"), min_hold: 2, ..ImportOptions::default() };
     let imported = import(format, bytes, &options);
     let has_errors = imported.diagnostics.iter().any(|finding| finding.level == Level::Error);
-    assert!(!(has_errors && !imported.clips.is_empty()), "{}", format.name);
+    assert!(!has_errors || imported.clips.is_empty(), "{}", format.name);
     for clip in imported.clips {
         let visemes = clip.document.string("visemes").unwrap();
         assert_eq!(visemes.bytes().filter(|byte| *byte != b'|').count(), clip.frames);

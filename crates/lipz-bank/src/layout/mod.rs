@@ -10,7 +10,7 @@ mod sections;
 use crate::id;
 
 pub use index::{bucket_of, slot_of, spread, DIRECT_SLOT};
-pub use records::{ClipRecord, EventNameRecord, EventRecord, LocaleRecord, TypedEventRecord};
+pub use records::{BabbleRecord, ClipRecord, EventNameRecord, EventRecord, LocaleRecord, TypedEventRecord};
 pub use records::{FLAG_FAR_STARTS, FLAG_VISEMES, INLINE_STARTS, LOCALE_DEFAULT, NO_EVENTS, NO_NAME};
 pub use records::{
     VERB_DOES, VERB_FEELS, VERB_POINTS, VERB_SEES, VERB_STARES, VERB_STOPS_POINTING, VERB_STOPS_STARING,

@@ -116,6 +116,31 @@ pub struct EventNameRecord {
     pub length_bytes: U32,
 }
 
+/// One babble profile; its name, loops and power transfers follow it in this order.
+#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
+#[repr(C)]
+pub struct BabbleRecord {
+    /// ⌈2⁶⁴ · digits per microsecond⌉.
+    pub frames_per_micro_q64: U64,
+    /// Digits of the loops in `rate_denominator` seconds, in lowest terms.
+    pub rate_numerator: U32,
+    /// Seconds in which that many digits pass.
+    pub rate_denominator: U32,
+    /// Length of the name.
+    pub name_length_bytes: U16,
+    /// Length of the loop for the lips.
+    pub ooh_length_bytes: U16,
+    /// Length of the loop for the jaw.
+    pub aah_length_bytes: U16,
+    /// Length of the power transfer of the lips.
+    pub ooh_power_transfer_length_bytes: U16,
+    /// Length of the power transfer of the jaw.
+    pub aah_power_transfer_length_bytes: U16,
+    /// Zero.
+    pub reserved: [u8; 6],
+}
+
+const _: () = assert!(size_of::<BabbleRecord>() == 32);
 const _: () = assert!(size_of::<ClipRecord>() == 64);
 const _: () = assert!(size_of::<LocaleRecord>() == 8);
 const _: () = assert!(size_of::<EventRecord>() == 16);

@@ -48,7 +48,7 @@ pub(super) fn clips(bank: &Bank<'_>) -> Result<u32, Error> {
 /// Checks one clip record.
 fn clip_record(bank: &Bank<'_>, clip: &Clip<'_, '_>, key: &str, ends: &mut Ends) -> Result<(), ErrorKind> {
     let record = clip.record;
-    if bank.slot(clip.id()) != Some(clip.slot()) {
+    if bank.record(clip.id()).map(|(slot, _)| slot) != Some(clip.slot()) {
         return Err(ErrorKind::ClipIndex);
     }
     if key.is_empty() || record.key_offset_bytes.get() != ends.names || ClipId::of(key) != clip.id() {

@@ -5,6 +5,7 @@
 //! compiler writes it. That is checked, too: it is what keeps a forged bank, in which all clips
 //! claim the same bytes, from being checked over and over.
 
+mod babble;
 mod clips;
 mod events;
 mod sections;
@@ -17,17 +18,26 @@ use crate::pool::Pool;
 use crate::{Bank, Error, ErrorKind, TextBank};
 use texts::TextCheck;
 
+/// Gives bytes as a string if they are UTF-8.
+pub(crate) type Utf8<'data> = fn(&'data [u8]) -> Option<&'data str>;
+
+/// The check of the standard library.
+pub(crate) fn core_utf8(bytes: &[u8]) -> Option<&str> {
+    core::str::from_utf8(bytes).ok()
+}
+
 /// Checks the bank and marks its pools as checked.
-pub(crate) fn verify(bank: &mut Bank<'_>) -> Result<(), Error> {
+pub(crate) fn verify<'data>(bank: &mut Bank<'data>, utf8: Utf8<'data>) -> Result<(), Error> {
     checksum(&bank.file)?;
     sections::sections(&bank.file)?;
     sections::table_lengths(bank)?;
-    check_pools(&bank.file, &mut bank.texts)?;
+    check_pools(&bank.file, &mut bank.texts, utf8)?;
     bank.names = bank.texts.names;
-    bank.event_strings = checked_pool(&bank.file, bank.event_strings)?;
+    bank.event_strings = checked_pool(&bank.file, bank.event_strings, utf8)?;
     let keys_end = clips::clips(bank)?;
     locales(&bank.file, &bank.texts, keys_end)?;
     events::events(bank)?;
+    babble::babble(bank)?;
     if layout::fingerprint(bank.clips) != bank.file.header.fingerprint.get() {
         return Err(Error::new(ErrorKind::Fingerprint, 24));
     }
@@ -35,12 +45,16 @@ pub(crate) fn verify(bank: &mut Bank<'_>) -> Result<(), Error> {
 }
 
 /// Checks a text bank against the bank of its clips, and marks its pools as checked.
-pub(crate) fn verify_texts(texts: &mut TextBank<'_>, bank: &Bank<'_>) -> Result<(), Error> {
+pub(crate) fn verify_texts<'data>(
+    texts: &mut TextBank<'data>,
+    bank: &Bank<'_>,
+    utf8: Utf8<'data>,
+) -> Result<(), Error> {
     let file = texts.file;
     checksum(&file)?;
     sections::sections(&file)?;
     sections::text_index_length(&file, &texts.table)?;
-    check_pools(&file, &mut texts.table)?;
+    check_pools(&file, &mut texts.table, utf8)?;
     // Another bank's tags stand behind its keys.
     let start = texts.table.records.first().map_or(0, |first| first.tag_offset_bytes.get());
     locales(&file, &texts.table, start)?;
@@ -71,14 +85,18 @@ fn error_at<T: ?Sized>(bank: &Bank<'_>, kind: ErrorKind, item: &T) -> Error {
 }
 
 /// Checks the strings of a file's locales.
-fn check_pools<'data>(file: &File<'data>, table: &mut LocaleTable<'data>) -> Result<(), Error> {
-    table.names = checked_pool(file, table.names)?;
-    table.texts = checked_pool(file, table.texts)?;
+fn check_pools<'data>(file: &File<'data>, table: &mut LocaleTable<'data>, utf8: Utf8<'data>) -> Result<(), Error> {
+    table.names = checked_pool(file, table.names, utf8)?;
+    table.texts = checked_pool(file, table.texts, utf8)?;
     Ok(())
 }
 
-fn checked_pool<'data>(file: &File<'data>, pool: Pool<'data>) -> Result<Pool<'data>, Error> {
+fn checked_pool<'data>(file: &File<'data>, pool: Pool<'data>, utf8: Utf8<'data>) -> Result<Pool<'data>, Error> {
     let bytes = pool.bytes();
+    // A string that is not these very bytes would be an answer to another question.
+    if let Some(text) = utf8(bytes).filter(|text| core::ptr::eq(text.as_bytes(), bytes)) {
+        return Ok(Pool::Checked(text));
+    }
     match core::str::from_utf8(bytes) {
         Ok(text) => Ok(Pool::Checked(text)),
         Err(error) => {

@@ -39,7 +39,10 @@ pub(super) fn table_lengths(bank: &Bank<'_>) -> Result<(), Error> {
     let entry = |(tag, _): (Tag, usize)| bank.file.directory.iter().find(|entry| entry.tag == tag.0);
     let has_shape =
         |entry: &DirectoryEntry, (_, entry_bytes): (Tag, usize)| usize::from(entry.entry_bytes.get()) == entry_bytes;
-    let [of_index, of_sources] = Tag::OPTIONAL;
+    let [of_babble, of_index, of_sources] = Tag::OPTIONAL;
+    if let Some(babble) = entry(of_babble).filter(|babble| !has_shape(babble, of_babble)) {
+        return Err(error_at(bank, ErrorKind::SectionShape, babble));
+    }
     match (entry(of_index), entry(of_sources)) {
         (None, None) => Ok(()),
         (Some(index), Some(sources)) => {

@@ -37,10 +37,10 @@ impl<'data> TextCheck<'data> {
     pub(super) fn clip(&mut self, clip: &Clip<'_, '_>) -> Result<(), Error> {
         // The last runs found valid for this clip: locales that fall back to one are not checked again.
         let mut known = [layout::NO_TEXT; 4];
-        for (locale, index) in self.table.index.chunks_exact(self.table.clip_count).enumerate() {
-            let entry = match index.get(clip.slot() as usize) {
+        for (number, locale) in self.table.locales().enumerate() {
+            let entry = match locale.index.get(clip.slot() as usize) {
                 Some(entry) => entry,
-                None => continue, // a slot is less than the length of a chunk
+                None => continue, // a locale has an entry per slot
             };
             self.charge(1).ok_or(error_in(&self.file, ErrorKind::TooManySteps, entry))?;
             let run = entry.get() & !layout::TEXT_FALLBACK;
@@ -51,7 +51,7 @@ impl<'data> TextCheck<'data> {
             if !run_is_valid(self.pool, run, clip.segment_count()) {
                 return Err(error_in(&self.file, ErrorKind::TextReference, entry));
             }
-            if let Some(place) = known.get_mut(locale % 4) {
+            if let Some(place) = known.get_mut(number % 4) {
                 *place = run;
             }
         }

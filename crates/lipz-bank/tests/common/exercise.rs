@@ -1,6 +1,9 @@
 //! Every query of the reader, on banks that may be damaged.
 
-use lipz_bank::{Bank, Clip, ClipId, Fps, Locale, Micros, Samples, Seconds, Segment, Time, VisemeType};
+use lipz_bank::{
+    Bank, Clip, ClipId, Fps, Hold, Lead, Locale, Micros, Playback, Samples, Seconds, Segment, TextBank, Time,
+    VisemeType,
+};
 use std::hint::black_box;
 use std::time::Duration;
 
@@ -11,6 +14,23 @@ pub(crate) enum Effort {
     Few,
     /// All extremes.
     All,
+}
+
+/// Opens and asks everything, before verification and, where that passes, after it; whether it passes.
+pub(crate) fn provoke(bytes: &[u8], effort: Effort) -> bool {
+    let Ok(bank) = Bank::open(bytes) else { return false };
+    every_query(&bank, effort);
+    match bank.verify() {
+        Ok(bank) => {
+            every_query(&bank, effort);
+            verified_is_whole(&bank);
+            true
+        }
+        Err(error) => {
+            assert!(error.offset_bytes() as usize <= bytes.len(), "{error}");
+            false
+        }
+    }
 }
 
 /// Calls everything that a bank offers. Panics only if an iterator gives more than it can have.
@@ -57,6 +77,7 @@ fn every_clip_query(clip: &Clip<'_, '_>, locales: &[Locale<'_>], limit: usize, e
     }
     every_time(clip, effort);
     every_time(&clip.or_fps(Fps::whole(24)), effort);
+    play(clip);
     let segments = clip.segments();
     assert_eq!(segments.size_hint().1, Some(clip.segment_count() as usize));
     let mut count = 0;
@@ -117,6 +138,23 @@ fn every_time(clip: &Clip<'_, '_>, effort: Effort) {
     }
 }
 
+/// Plays the clip once, in a few leaps.
+fn play(clip: &Clip<'_, '_>) {
+    let Some(playback) = Playback::new(clip.or_fps(Fps::whole(24)).or_viseme_type(VisemeType::Blair)) else { return };
+    let mut playback = playback.with_lead(Lead::two_frames(Fps::whole(24))).with_hold(Hold::frames(3));
+    let segments = clip.segment_count() as usize;
+    let mut fired = 0;
+    for time in [-1, 0, 41_667, 400_000, 0] {
+        fired += playback.advance_to(Micros(time)).count();
+        black_box((playback.viseme(), playback.segment().is_some(), playback.frame()));
+    }
+    fired += playback.finish().count();
+    assert!(fired <= segments && playback.is_over());
+    playback.seek(Micros(100_000));
+    assert!(playback.loop_to(Micros(100_000)).count() <= 2 * segments);
+    black_box((playback.state(None), playback.characters().take(2).count()));
+}
+
 fn at(clip: &Clip<'_, '_>, time: impl Time) {
     let frame = clip.frame_at(time);
     assert!(frame.map_or(true, |frame| frame < clip.frame_count()));
@@ -153,4 +191,17 @@ pub(crate) fn verified_is_whole(bank: &Bank<'_>) {
             assert!(texts().all(|some| some) || !texts().any(|some| some));
         }
     }
+}
+
+/// Asks for all texts of all locales; whether there is one for each segment or for none of a clip.
+pub(crate) fn every_text_query(bank: &Bank<'_>, texts: &TextBank<'_>) -> bool {
+    let mut is_whole = true;
+    for locale in texts.locales() {
+        black_box((texts.locale(locale.tag()).is_some(), locale.is_default()));
+        for clip in bank.clips() {
+            let count = clip.segments().filter(|segment| segment.text(locale).is_some()).count();
+            is_whole &= count == 0 || count == clip.segment_count() as usize;
+        }
+    }
+    is_whole
 }

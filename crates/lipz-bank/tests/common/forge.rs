@@ -55,7 +55,7 @@ pub(crate) fn bank(clips: &[ForgedClip], locale_count: usize, entries: &[u32], p
     let order: Vec<U32> = (0..clips.len() as u32).map(U32::new).collect();
     let entries: Vec<U32> = entries.iter().map(|&entry| U32::new(entry)).collect();
     let (pilots, none) = (pilots(&records), [].as_slice());
-    let contents = [
+    let contents: [&[u8]; 14] = [
         records.as_bytes(),
         pilots.as_bytes(),
         order.as_bytes(),
@@ -71,7 +71,8 @@ pub(crate) fn bank(clips: &[ForgedClip], locale_count: usize, entries: &[u32], p
         none,
         none,
     ];
-    file(&contents, fingerprint(&records))
+    let sections = Tag::REQUIRED.iter().zip(contents).map(|(&(tag, entry), contents)| (tag, entry as u16, contents));
+    file(&sections.collect::<Vec<_>>(), fingerprint(&records), 0)
 }
 
 /// Pilots that lead every id directly to its slot: so many buckets that each has one id at most.
@@ -88,20 +89,22 @@ fn pilots(records: &[ClipRecord]) -> Vec<U32> {
     pilots
 }
 
-/// The file of these contents of the required sections.
-fn file(contents: &[&[u8]; 14], fingerprint: u64) -> Vec<u8> {
-    let mut bytes = vec![0; 64 + 16 * contents.len()];
-    for (index, ((tag, entry_bytes), section)) in Tag::REQUIRED.iter().zip(contents).enumerate() {
+/// The file of these sections: tag, length of an entry, contents. They follow each other as `verify`
+/// wants them.
+pub(crate) fn file(sections: &[(Tag, u16, &[u8])], fingerprint: u64, index_seed: u64) -> Vec<u8> {
+    let mut bytes = vec![0; 64 + 16 * sections.len()];
+    for (index, &(tag, entry_bytes, contents)) in sections.iter().enumerate() {
         bytes.resize(bytes.len().next_multiple_of(64), 0);
+        let is_optional = Tag::OPTIONAL.iter().any(|(optional, _)| *optional == tag);
         let entry = DirectoryEntry {
             tag: tag.0,
             offset_bytes: (bytes.len() as u32).into(),
-            length_bytes: (section.len() as u32).into(),
-            entry_bytes: (*entry_bytes as u16).into(),
-            flags: SECTION_REQUIRED.into(),
+            length_bytes: (contents.len() as u32).into(),
+            entry_bytes: entry_bytes.into(),
+            flags: if is_optional { 0 } else { SECTION_REQUIRED }.into(),
         };
         bytes[64 + 16 * index..][..16].copy_from_slice(entry.as_bytes());
-        bytes.extend_from_slice(section);
+        bytes.extend_from_slice(contents);
     }
     let mut header = Header {
         magic: MAGIC,
@@ -110,8 +113,8 @@ fn file(contents: &[&[u8]; 14], fingerprint: u64) -> Vec<u8> {
         format_major: FORMAT_MAJOR.into(),
         format_minor: FORMAT_MINOR.into(),
         fingerprint: fingerprint.into(),
-        index_seed: 0.into(),
-        section_count: (contents.len() as u32).into(),
+        index_seed: index_seed.into(),
+        section_count: (sections.len() as u32).into(),
         reserved: [0; 20],
     };
     bytes[..64].copy_from_slice(header.as_bytes());

@@ -1,7 +1,9 @@
 //! `lipz coverage`: how much of a dialogue is translated.
 
 use super::either::{names_lipz_files, packed};
+use super::locale_choice::choose;
 use crate::bank_file::BankFile;
+use crate::console::grouped;
 use crate::render::Findings;
 use crate::sources::ProjectArguments;
 use crate::{Ended, Outcome, console};
@@ -9,6 +11,7 @@ use clap::Args;
 use lipz::diagnostic::show;
 use lipz_compiler::{Coverage, MinCoverage, Report, coverage, shortfalls};
 use serde::Serialize;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -68,12 +71,7 @@ pub(crate) fn run(arguments: &CoverageArguments, findings: &mut Findings) -> End
 
 /// The keys of the clips that have no text of their own in a locale, one a line.
 fn missing(found: &[Coverage], tag: &str) -> Result<String, Outcome> {
-    let Some(coverage) = found.iter().find(|coverage| coverage.tag == tag) else {
-        let known: Vec<_> = found.iter().map(|coverage| show::text(&coverage.tag)).collect();
-        let tag = show::text(tag);
-        console::remark(&format!("error: no locale `{tag}` in the bank\nhelp: it has {}\n", known.join(", ")));
-        return Err(Outcome::Failed);
-    };
+    let coverage = choose(tag, found.iter(), |coverage| &coverage.tag)?;
     let mut keys: Vec<&String> = coverage.fallbacks.values().flatten().chain(&coverage.missing).collect();
     keys.sort_unstable();
     Ok(keys.into_iter().flat_map(|key| [show::text(key), "\n".into()]).collect())
@@ -93,7 +91,7 @@ fn table(name: &str, found: &[Coverage]) -> String {
     for coverage in found {
         let fallback_count: usize = coverage.fallbacks.values().map(Vec::len).sum();
         let mut fallbacks: Vec<String> =
-            coverage.fallbacks.iter().map(|(tag, keys)| format!("{} {}", show::text(tag), keys.len())).collect();
+            coverage.fallbacks.iter().map(|(tag, keys)| format!("{} {}", name_of(tag), grouped(keys.len()))).collect();
         if coverage.is_default {
             fallbacks.insert(0, "(default locale)".to_owned());
         }
@@ -101,16 +99,21 @@ fn table(name: &str, found: &[Coverage]) -> String {
             "  {:<12} {:>7.1} % {:>7} {:>8} {:>9} {:>8}  {}",
             show::text(&coverage.tag),
             coverage.percent_in_tenths(),
-            coverage.own_count,
-            coverage.same_as_default.len(),
-            fallback_count,
-            coverage.missing.len(),
+            grouped(coverage.own_count),
+            grouped(coverage.same_as_default.len()),
+            grouped(fallback_count),
+            grouped(coverage.missing.len()),
             fallbacks.join(", ")
         );
         let _ = writeln!(text, "{}", line.trim_end());
     }
     text.push_str("\nsame: the text is that of the default locale, letter by letter\n");
     text
+}
+
+/// The locale that a text was taken from, for people.
+fn name_of(tag: &str) -> Cow<'_, str> {
+    if tag.is_empty() { "(not packed)".into() } else { show::text(tag) }
 }
 
 #[derive(Serialize)]

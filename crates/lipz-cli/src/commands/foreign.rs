@@ -3,14 +3,14 @@
 use crate::render::Findings;
 use crate::{Outcome, console, standard};
 use clap::builder::PossibleValuesParser;
-use lipz::diagnostic::show;
+use lipz::diagnostic::{show, suggest};
 use lipz::rate::Rate;
 use lipz::{Code, Diagnostic, Level};
 use lipz_bank::Fps;
 use lipz_compiler::{Report, count};
-use lipz_interop::{Format, Map, find_map, formats};
-use std::fs;
+use lipz_interop::{Format, Map, find_map, formats, maps};
 use std::path::{Path, PathBuf};
+use std::{fs, io};
 
 /// The names of formats, for the command line.
 pub(super) fn names(is_meant: impl Fn(&Format) -> bool) -> PossibleValuesParser {
@@ -54,11 +54,15 @@ pub(super) fn map(named: &str, findings: &mut Findings) -> Result<MapChoice, Out
     if let Some(map) = find_map(named).filter(|_| !path.is_file()) {
         return Ok(MapChoice::BuiltIn(map));
     }
+    if !path.exists() {
+        let headline = format!("{} is neither a mapping table nor a file", show::name(named));
+        let known = suggest::nearest(named, maps().iter().map(|map| map.name.as_str()));
+        let help = known.map_or("`lipz maps` lists the tables".to_owned(), |known| format!("did you mean `{known}`?"));
+        return Err(findings.fail(Report::about("", Diagnostic::new(Code::MapRefused, headline).help(help))));
+    }
     let bytes = fs::read(path).map_err(|error| {
         let headline = format!("the mapping table {} cannot be read: {error}", show::name(named));
-        let finding = Diagnostic::new(Code::MapRefused, headline);
-        let finding = finding.help("name a file, or one of the tables that `lipz maps` lists");
-        findings.fail(Report::about(console::path(path), finding))
+        findings.fail(Report::about(console::path(path), Diagnostic::new(Code::MapRefused, headline)))
     })?;
     let mut diagnostics = Vec::new();
     let read = lipz::decode(lipz::without_byte_order_mark(&bytes), &mut diagnostics).map(Map::parse);
@@ -90,10 +94,7 @@ impl Source {
             return Ok(Source { key: standard::INPUT_KEY.into(), bytes, name: standard::INPUT_NAME.into() });
         }
         let name = console::path(path);
-        let bytes = fs::read(path).map_err(|error| {
-            let headline = format!("`{name}` cannot be read: {error}");
-            Report::about(name.clone(), Diagnostic::new(Code::UnreadableFile, headline))
-        })?;
+        let bytes = fs::read(path).map_err(|error| unreadable(path, &error))?;
         Ok(Source { key: key(path, format.extension), bytes, name })
     }
 
@@ -107,6 +108,13 @@ impl Source {
             false => Report::of_file(self.name.clone(), &self.bytes, diagnostics),
         })
     }
+}
+
+/// The report that a file cannot be read.
+pub(super) fn unreadable(path: &Path, error: &io::Error) -> Report {
+    let name = console::path(path);
+    let headline = format!("`{name}` cannot be read: {error}");
+    Report::about(name, Diagnostic::new(Code::UnreadableFile, headline))
 }
 
 /// The name of a file without the extension of its format, or else without its last one.

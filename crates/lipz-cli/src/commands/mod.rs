@@ -1,5 +1,6 @@
 //! The commands, one file each.
 
+pub(crate) mod babble;
 pub(crate) mod check;
 pub(crate) mod completions;
 pub(crate) mod convert;
@@ -16,11 +17,13 @@ pub(crate) mod ids;
 pub(crate) mod import;
 pub(crate) mod init;
 pub(crate) mod inspect;
+mod locale_choice;
 pub(crate) mod man;
 pub(crate) mod maps;
 pub(crate) mod pack;
 pub(crate) mod schema;
 pub(crate) mod stats;
+pub(crate) mod subtitles;
 pub(crate) mod unpack;
 pub(crate) mod verify;
 pub(crate) mod watch;

@@ -13,11 +13,11 @@ mod stamps;
 pub(crate) use stamps::{Name, Stamp};
 
 use crate::clip::{ClipData, Locales};
-use crate::compile::{Compiled, Progress, Run, canonical, in_pool, write_verified};
+use crate::compile::{Compiled, Progress, Run, in_pool, write_verified};
 use crate::{Content, Input, Options};
 use look::Look;
 use recall::Recall;
-use stamps::{Stamps, hash};
+use stamps::{Lookup, Stamps, hash};
 use std::fs::File;
 use std::io;
 use std::path::Path;
@@ -40,7 +40,7 @@ pub fn pack_cached(
     cache: &Path,
     progress: &Progress<'_>,
 ) -> Compiled {
-    match canonical(options) {
+    match options.canonical() {
         Ok(options) => in_pool(&options, || pack(inputs, &options, path, cache, progress)),
         Err(report) => Compiled::refused(report),
     }
@@ -108,7 +108,7 @@ impl Before {
 
 /// What a run asks for the clips of files that did not change.
 pub(crate) struct Cache<'b> {
-    before: Option<(&'b Stamps, Recall<'b>)>,
+    before: Option<(Lookup<'b>, Recall<'b>)>,
     start: SystemTime,
 }
 
@@ -146,7 +146,7 @@ impl<'b> Cache<'b> {
     fn of(before: Option<&'b Before>) -> Cache<'b> {
         let recalling = |before: &'b Before| {
             let recall = Recall::of(&before.bank, before.stamps.bank_checksum)?;
-            Some((&before.stamps, recall))
+            Some((before.stamps.lookup(), recall))
         };
         Cache { before: before.and_then(recalling), start: SystemTime::now() }
     }
@@ -159,12 +159,13 @@ impl<'b> Cache<'b> {
         self.before.as_ref().map_or(0, |(stamps, _)| stamps.count())
     }
 
-    /// Looks at the file of an input; `None` if it has none, or cannot be looked at.
-    pub(crate) fn look_at<'c>(&'c self, input: &'c Input) -> Option<Seen<'c>> {
+    /// Looks at the file of an input; `None` if it has none, or cannot be looked at. Its stamp is probably number
+    /// `next`, which is then counted on.
+    pub(crate) fn look_at<'c>(&'c self, input: &'c Input, next: &mut usize) -> Option<Seen<'c>> {
         let Content::File(path) = &input.content else { return None };
         let look = Look::of(&path.metadata().ok()?)?;
         let name = Name::of(path.as_os_str().as_encoded_bytes(), &input.key);
-        let known = self.before.as_ref().and_then(|(stamps, _)| stamps.get(name));
+        let known = self.before.as_ref().and_then(|(stamps, _)| stamps.get(name, next));
         Some(Seen { cache: self, key: &input.key, name, look, known })
     }
 }

@@ -20,8 +20,8 @@ struct Sources<'b> {
     /// Where the record of each slot starts.
     index: &'b [U32],
     records: &'b [u8],
-    /// Where each record starts, ascending: it ends where the next one starts.
-    starts: Vec<u32>,
+    /// Where the record of each slot ends.
+    ends: Vec<u32>,
 }
 
 /// The checksum in the header of a bank.
@@ -99,18 +99,22 @@ impl<'b> Recall<'b> {
 }
 
 impl<'b> Sources<'b> {
+    /// A record ends where the next one starts.
     fn of(index: &'b [U32], records: &'b [u8]) -> Sources<'b> {
-        let mut starts: Vec<u32> = index.iter().map(|start| start.get()).collect();
+        let mut starts: Vec<(u32, usize)> = std::iter::zip(index.iter().map(|start| start.get()), 0..).collect();
         starts.sort_unstable();
-        starts.dedup();
-        Sources { index, records, starts }
+        let mut ends = vec![0; index.len()];
+        let mut end = records.len() as u32;
+        for equal in starts.chunk_by(|(a, _), (b, _)| a == b).rev() {
+            equal.iter().for_each(|(_, slot)| ends[*slot] = end);
+            end = equal[0].0;
+        }
+        Sources { index, records, ends }
     }
 
     /// The record of the clip in this slot.
     fn record(&self, slot: u32) -> Option<&'b [u8]> {
-        let start = self.index.get(slot as usize)?.get();
-        let next = self.starts.partition_point(|other| *other <= start);
-        let end = self.starts.get(next).map_or(self.records.len(), |&end| end as usize);
-        self.records.get(start as usize..end)
+        let slot = slot as usize;
+        self.records.get(self.index.get(slot)?.get() as usize..*self.ends.get(slot)? as usize)
     }
 }

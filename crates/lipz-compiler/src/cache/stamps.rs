@@ -5,6 +5,7 @@ use crate::Options;
 use bincode::config::{Configuration, Fixint, LittleEndian};
 use bincode::{Decode, Encode};
 use lipz_bank::layout::{FORMAT_MAJOR, FORMAT_MINOR};
+use std::sync::OnceLock;
 use std::time::SystemTime;
 use twox_hash::XxHash3_128;
 
@@ -13,7 +14,7 @@ pub(super) const MAGIC: &[u8; 16] = b"lipz cache file\n";
 
 /// Changes whenever the file or the meaning of a stamp does. The version of the crate counts, too:
 /// another compiler may find other things in the same file.
-const MAKER: (&str, u16, u16, u32) = (env!("CARGO_PKG_VERSION"), FORMAT_MAJOR, FORMAT_MINOR, 1);
+const MAKER: (&str, u16, u16, u32) = (env!("CARGO_PKG_VERSION"), FORMAT_MAJOR, FORMAT_MINOR, 2);
 
 /// Bytes of the hash between the magic and the encoded stamps.
 const HASH_BYTES: usize = 16;
@@ -73,14 +74,13 @@ pub(super) struct Stamps {
     options: u128,
     /// Checksum of the bank that was packed from the files.
     pub(super) bank_checksum: u64,
-    /// In the order of the names.
+    /// In the order of the inputs.
     files: Vec<(Name, Stamp)>,
 }
 
 impl Stamps {
     /// Stamps of the files of the bank with this checksum.
-    pub(super) fn new(options: &Options, bank_checksum: u64, mut files: Vec<(Name, Stamp)>) -> Stamps {
-        files.sort_unstable_by_key(|(name, _)| *name);
+    pub(super) fn new(options: &Options, bank_checksum: u64, files: Vec<(Name, Stamp)>) -> Stamps {
         Stamps { maker: maker(), options: hash_of(options), bank_checksum, files }
     }
 
@@ -102,15 +102,40 @@ impl Stamps {
         Some([MAGIC.as_slice(), &hash(&encoded).to_le_bytes(), &encoded].concat())
     }
 
+    /// For looking the stamps up by name.
+    pub(super) fn lookup(&self) -> Lookup<'_> {
+        Lookup { files: &self.files, by_name: OnceLock::new() }
+    }
+}
+
+/// Stamps by name. Files come in the order in which the run before this one stamped them, but for those
+/// that were added or had findings: nearly always the next stamp is the one that is looked for.
+pub(super) struct Lookup<'s> {
+    files: &'s [(Name, Stamp)],
+    /// The places of the stamps in the order of their names; made when a file is out of order.
+    by_name: OnceLock<Vec<usize>>,
+}
+
+impl<'s> Lookup<'s> {
     /// Number of stamps.
     pub(super) fn count(&self) -> usize {
         self.files.len()
     }
 
-    /// The stamp of a file.
-    pub(super) fn get(&self, name: Name) -> Option<&Stamp> {
-        let at = self.files.binary_search_by_key(&name, |(name, _)| *name).ok()?;
-        self.files.get(at).map(|(_, stamp)| stamp)
+    /// The stamp of a file, probably the one at `next`, which is then moved behind it.
+    pub(super) fn get(&self, name: Name, next: &mut usize) -> Option<&'s Stamp> {
+        let at = |at: &usize| self.files.get(*at).filter(|(found, _)| *found == name);
+        if at(next).is_none() {
+            let by_name = self.by_name.get_or_init(|| {
+                let mut places: Vec<usize> = (0..self.files.len()).collect();
+                places.sort_unstable_by_key(|&at| self.files[at].0);
+                places
+            });
+            *next = *by_name.get(by_name.partition_point(|&at| self.files[at].0 < name))?;
+        }
+        let (_, stamp) = at(next)?;
+        *next += 1;
+        Some(stamp)
     }
 }
 
@@ -139,8 +164,6 @@ mod tests {
         let stamps = stamps(&options);
         let file = stamps.encode().unwrap();
         assert_eq!(Stamps::decode(&file, &options).as_ref(), Some(&stamps));
-        assert!(stamps.get(Name::of(b"y", "a")).unwrap().has_contents(hash(b"y")));
-        assert_eq!(stamps.get(Name::of(b"y", "b")), None);
         for at in 0..file.len() {
             assert_eq!(Stamps::decode(&file[..at], &options), None);
             for bit in 0..8 {
@@ -150,6 +173,22 @@ mod tests {
             }
         }
         assert_eq!(Stamps::decode(&[&file[..], b"\0"].concat(), &options), None);
+    }
+
+    #[test]
+    fn stamps_are_found_in_and_out_of_order() {
+        let stamps = stamps(&Options::default());
+        let lookup = stamps.lookup();
+        let mut next = 0;
+        let mut has = |path: &[u8]| {
+            let name = Name::of(path, "a");
+            lookup.get(name, &mut next).is_some_and(|stamp| stamp.has_contents(hash(path)))
+        };
+        assert!([b"x", b"y", b"z"].into_iter().all(|path| has(path)), "in order");
+        assert!(lookup.by_name.get().is_none(), "nothing had to be searched");
+        assert!(!has(b"w"), "not known");
+        assert!([b"z", b"x", b"y", b"y"].into_iter().all(|path| has(path)), "out of order");
+        assert_eq!(lookup.get(Name::of(b"y", "b"), &mut 1), None, "the path with another key");
     }
 
     #[test]

@@ -27,13 +27,15 @@ pub(super) struct Made {
     pub(super) clips: Clips,
     /// What a cache should know of their files.
     pub(super) stamped: Stamped,
+    /// Number of the stamp that the next file probably has in the cache; `None` before the first one.
+    next_stamp: Option<usize>,
 }
 
 impl Worker {
-    /// Recalls the clip of one file from the cache, or reads, parses and checks it.
-    pub(super) fn file(&mut self, input: &Input, options: &Options, cache: Option<&Cache<'_>>) {
-        let seen = cache.and_then(|cache| cache.look_at(input));
+    /// Recalls the clip of file number `index` from the cache, or reads, parses and checks it.
+    pub(super) fn file(&mut self, index: usize, input: &Input, options: &Options, cache: Option<&Cache<'_>>) {
         let made = &mut self.made;
+        let seen = cache.and_then(|cache| cache.look_at(input, made.next_stamp.get_or_insert(index)));
         if let Some(seen) = &seen
             && let Some(stamp) = seen.unread()
             && made.recall(seen, stamp)

@@ -8,11 +8,9 @@ pub(crate) use read::FileReader;
 pub(crate) use run::Run;
 
 use crate::output::replace_file_if;
-use crate::{Input, MinCoverage, Options, Report, pseudo};
+use crate::{Input, Options, Report};
 use lipz::Code;
-use lipz::diagnostic::show;
 use lipz_bank::{Bank, ErrorKind};
-use std::collections::BTreeSet;
 use std::path::Path;
 use std::time::Duration;
 
@@ -100,7 +98,7 @@ fn make(
     progress: &Progress<'_>,
     finish: impl FnOnce(&[u8]) -> Result<(), Report> + Send,
 ) -> Compiled {
-    match canonical(options) {
+    match options.canonical() {
         Ok(options) => in_pool(&options, || Run::read(inputs, &options, None, progress).make(inputs, &options, finish)),
         Err(report) => Compiled::refused(report),
     }
@@ -113,49 +111,10 @@ pub(crate) fn write_verified(path: &Path, bank: &[u8]) -> Result<(), Report> {
 
 /// Checks `inputs` as [`compile`] does, without making a bank.
 pub fn check_all(inputs: &[Input], options: &Options, progress: &Progress<'_>) -> Compiled {
-    match canonical(options) {
+    match options.canonical() {
         Ok(options) => in_pool(&options, || Run::read(inputs, &options, None, progress).finish(None)),
         Err(report) => Compiled::refused(report),
     }
-}
-
-/// The options with all locales in their canonical form, and the pseudo-locale among those to be packed.
-pub(crate) fn canonical(options: &Options) -> Result<Options, Report> {
-    let canonical = |tag: &String| {
-        lipz::locale::canonical_tag(tag, options.extended_locales).ok_or_else(|| {
-            let headline = format!("the project's locale {} is not a locale of the form ll-cc", show::name(tag));
-            Report::failure("", Code::LocaleShape, headline, "name a language and a country: en-us")
-        })
-    };
-    if options.pseudo && options.default_locale.is_none() {
-        let headline = "a pseudo-locale is made of the default locale, and there is none".to_owned();
-        return Err(Report::failure(
-            "",
-            Code::SettingValue,
-            headline,
-            "set the default locale: --default-locale en-us",
-        ));
-    }
-    let chain = |(tag, chain): (&String, &Vec<String>)| {
-        Ok((canonical(tag)?, chain.iter().map(canonical).collect::<Result<_, Report>>()?))
-    };
-    let share = |(tag, percent): (&String, &f64)| Ok((canonical(tag)?, *percent));
-    let default_locale = options.default_locale.as_ref().map(canonical).transpose()?;
-    let mut locales: Option<BTreeSet<String>> =
-        options.locales.as_ref().map(|tags| tags.iter().map(canonical).collect()).transpose()?;
-    if let (Some(locales), Some(default), true) = (&mut locales, &default_locale, options.pseudo) {
-        locales.insert(pseudo::locale_for(default));
-    }
-    Ok(Options {
-        default_locale,
-        locales,
-        fallbacks: options.fallbacks.iter().map(chain).collect::<Result<_, Report>>()?,
-        min_coverage: MinCoverage {
-            locales: options.min_coverage.locales.iter().map(share).collect::<Result<_, Report>>()?,
-            ..options.min_coverage
-        },
-        ..options.clone()
-    })
 }
 
 /// Runs `work` with the number of threads that was asked for; on the current ones if there is no

@@ -29,8 +29,8 @@ impl Run {
         for report in &mut run.reports {
             levels::apply(&options.levels, &mut report.diagnostics);
         }
-        let work = inputs.par_iter().fold(Worker::default, |mut worker, input| {
-            worker.file(input, options, cache);
+        let work = inputs.par_iter().enumerate().fold(Worker::default, |mut worker, (index, input)| {
+            worker.file(index, input, options, cache);
             progress(1);
             worker
         });

@@ -29,6 +29,7 @@ pub(crate) struct Layout {
     texts: Texts,
     events: Events,
     sources: Sources,
+    babble: Vec<u8>,
     is_stripped: bool,
     /// For each batch of clips, their slots.
     batch_slots: Vec<Vec<u32>>,
@@ -50,6 +51,7 @@ impl Layout {
             locales: records::locales(localised, &names),
             texts: strings::texts(&texts, localised, slots)?,
             sources: strings::sources(&sources, slots)?,
+            babble: options.babble.section(),
             is_stripped: options.strip,
             batch_slots: batch_slots(clips, slots),
             names,
@@ -76,6 +78,9 @@ impl Layout {
             Section::table(Tag::EVENT_NAMES, self.events.names.as_bytes()),
             Section::table(Tag::EVENT_STRINGS, self.events.pool.as_bytes()),
         ];
+        if !self.babble.is_empty() {
+            sections.push(Section::table(Tag::BABBLE, &self.babble));
+        }
         if !self.is_stripped {
             sections.push(Section::table(Tag::SOURCE_INDEX, self.sources.index.as_bytes()));
             sections.push(Section::of_clips(Tag::SOURCES, self.sources.length));

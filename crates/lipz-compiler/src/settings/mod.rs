@@ -1,5 +1,6 @@
 //! The settings of a project: its file `lipz.toml`, read with every finding at its place.
 
+mod babble;
 pub mod lint;
 mod reading;
 mod syntax;
@@ -14,11 +15,15 @@ pub use value::is_word;
 use crate::discover::{display, plain};
 use crate::{Input, Options, Report, discover, levels};
 use lipz::{Code, Diagnostic, Source};
-use std::io;
+use std::fs::File;
+use std::io::{self, Read};
 use std::path::{Component, Path, PathBuf};
 
 /// Name of the file that [`Settings::find`] looks for.
 pub const FILE_NAME: &str = "lipz.toml";
+
+/// The longest settings file that is read: what is longer was named by mistake.
+const MAX_BYTES: u64 = 1 << 20;
 
 /// What a project decides: where its Lipz files are, where its bank goes, and how it is made.
 #[derive(Clone, Debug, Default)]
@@ -51,7 +56,7 @@ impl Settings {
     /// defaults; the report says whether there are any.
     pub fn read(path: &Path) -> (Settings, Report) {
         let name = display(path);
-        match std::fs::read(path) {
+        match read_limited(path) {
             Ok(bytes) => Settings::parse(&bytes, name, path.parent().unwrap_or(Path::new(""))),
             Err(error) => (Settings::default(), Report::about(name.as_str(), unreadable(&name, &error))),
         }
@@ -91,6 +96,13 @@ impl Settings {
     }
 }
 
+/// The bytes of a settings file; no more than could be one are read.
+fn read_limited(path: &Path) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    File::open(path)?.take(MAX_BYTES + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > MAX_BYTES { Err(io::ErrorKind::FileTooLarge.into()) } else { Ok(bytes) }
+}
+
 fn unreadable(name: &str, error: &io::Error) -> Diagnostic {
     let finding = |what: &str| Diagnostic::new(Code::SettingsUnreadable, format!("the settings file `{name}` {what}"));
     match error.kind() {
@@ -98,6 +110,7 @@ fn unreadable(name: &str, error: &io::Error) -> Diagnostic {
             finding("does not exist").help("check the spelling of the path, or make one: lipz init")
         }
         io::ErrorKind::IsADirectory => finding("is a folder").help("name the file in it"),
+        io::ErrorKind::FileTooLarge => finding("is larger than 1 MiB").help("name a settings file: lipz.toml"),
         _ => finding(&format!("cannot be read: {error}")),
     }
 }
@@ -137,6 +150,16 @@ mod tests {
         assert_eq!(Settings::find(&around), Some(inner.join("../../lipz.toml")), "`..` may be a link: it stays");
         std::fs::create_dir(folder.path().join("project/voices/lipz.toml")).unwrap();
         assert_eq!(Settings::find(&inner), Some(folder.path().join("project/lipz.toml")), "a folder is no file");
+    }
+
+    #[test]
+    fn a_file_that_is_too_long_is_not_read() {
+        let file = tempfile::NamedTempFile::new().unwrap();
+        let findings = || Settings::read(file.path()).1.diagnostics;
+        file.as_file().set_len(MAX_BYTES).unwrap();
+        assert!(findings().iter().all(|finding| finding.code != Code::SettingsUnreadable));
+        file.as_file().set_len(MAX_BYTES + 1).unwrap();
+        assert!(findings().iter().any(|finding| finding.code == Code::SettingsUnreadable));
     }
 
     #[test]

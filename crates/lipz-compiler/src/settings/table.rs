@@ -41,7 +41,7 @@ pub struct Setting {
 pub struct Map {
     /// What the names stand for.
     pub name: &'static str,
-    /// The flag of the command line that overrides an entry.
+    /// The flag of the command line that overrides an entry; empty if there is none.
     pub flag: &'static str,
     /// What holds for names that are not mentioned.
     pub default: &'static str,
@@ -82,6 +82,13 @@ pub const TABLES: &[Table] = &[
         name: "registry",
         about: "Names that events may mention; others are reported.",
         content: Content::Settings(REGISTRY),
+    },
+    Table {
+        name: "babble",
+        about: "How mouths move that no clip describes: the project's own babble profile, and others in [babble.NAME]. \
+                Digits are how far lips (ooh) and jaw (aah) move; power transfers, what the loudness of the voice makes \
+                of that; rate, digits per second. What a named profile leaves out is that of the project's own.",
+        content: Content::Map(BABBLE),
     },
 ];
 
@@ -271,6 +278,21 @@ const LINTS: Map = Map {
     default: "each lint's own level",
     examples: &["warnings = \"deny\"", "unknown-emotion = \"allow\"", "segment-count = \"warn\""],
     read: |name, value, to| to.level(name, value),
+};
+
+const BABBLE: Map = Map {
+    name: "SETTING",
+    flag: "",
+    default: "the profile of Second Life's viewer",
+    examples: &[
+        "ooh = \"1247898743223344444443200000\"",
+        "aah = \"257998776531013446642343\"",
+        "ooh-power-transfer = \"0012345566778899\"",
+        "aah-power-transfer = \"0000123456789\"",
+        "rate = 24",
+        "robot = { rate = 8, aah = \"0909\", ooh = \"0\" }",
+    ],
+    read: |name, value, to| to.babble(name, value),
 };
 
 const REGISTRY: &[Setting] = &[

@@ -94,17 +94,26 @@ impl<'t> Value<'t> {
 
     /// A frame rate; a warning if it is not exactly what is written.
     pub(super) fn fps(&self, findings: &mut Findings) -> Option<Fps> {
+        match self.ratio(findings)? {
+            Some(fps) => Some(fps),
+            None => self.refuse("is outside 1 to 1000", "write frames per second, usually 24, 25 or 30", findings),
+        }
+    }
+
+    /// A rate, if the value is a number: `Some(None)` if that is outside 1 to 1000. A warning if the rate
+    /// is not exactly what is written.
+    pub(super) fn ratio(&self, findings: &mut Findings) -> Option<Option<Fps>> {
         let number = self.decimal(findings)?;
         let rate = rate::parse(number.trim_start_matches('+'));
         let Some((rate, fps)) = rate.and_then(|rate| Some((rate, Fps::new(rate.numerator, rate.denominator)?))) else {
-            return self.refuse("is outside 1 to 1000", "write frames per second, usually 24, 25 or 30", findings);
+            return Some(None);
         };
         if !rate.is_exact {
             let (numerator, denominator) = (rate.numerator, rate.denominator);
             let headline = format!("`{}` is stored as {numerator}/{denominator}, the nearest exact ratio", self.name);
             findings.push(Diagnostic::at(Code::FpsInexact, self.span(), headline).help("write fewer digits"));
         }
-        Some(fps)
+        Some(Some(fps))
     }
 
     /// The decimal digits of a number.

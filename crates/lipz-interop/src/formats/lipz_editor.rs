@@ -105,7 +105,9 @@ fn other(name: &str, node: Node<'_>, track: &mut Track, findings: &mut Vec<Diagn
     match name {
         "visemes" | "fps" | "viseme_type" | "visemeType" => {}
         "events" => {
-            if let Some(events) = node.string() {
+            if track.elements.iter().any(|element| element.name.text == name) {
+                findings.push(Diagnostic::at(Code::DuplicateElement, node.span(), "the events appear again"));
+            } else if let Some(events) = node.string() {
                 track.elements.push(Element { name: string(name.to_owned()), value: Value::String(string(events)) });
             }
         }

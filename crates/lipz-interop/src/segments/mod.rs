@@ -44,7 +44,11 @@ pub(crate) fn divide(
     // `|` in a text say how many segments there are, whatever divides the others.
     if let Some(marked) = texts.iter().find(|text| text.text.contains(DELIMITER)) {
         let starts = starts_of(&parts(&marked.text), track, speech, findings);
-        return Division { texts: texts.iter().map(|text| parts_as_written(&text.text)).collect(), starts };
+        let divided = |text: &Text| match parts(&text.text) {
+            parts if parts.len() == starts.len() + 1 => parts,
+            _ => parts_at(&text.text.replace(DELIMITER, " "), &starts, track, speech),
+        };
+        return Division { texts: texts.iter().map(divided).collect(), starts };
     }
     let by_times = |starts: Vec<Time>| {
         let texts = texts.iter().map(|text| parts_at(&text.text, &starts, track, speech)).collect();
@@ -80,10 +84,6 @@ fn is_all(text: &str, parts: &[String]) -> bool {
 /// The parts between the `|` of a text, trimmed.
 fn parts(text: &str) -> Vec<String> {
     text.split(DELIMITER).map(|part| trim(part).to_owned()).collect()
-}
-
-fn parts_as_written(text: &str) -> Vec<String> {
-    text.split(DELIMITER).map(str::to_owned).collect()
 }
 
 /// A text in as many parts as there are segments.
@@ -128,7 +128,7 @@ fn starts_of(parts: &[String], track: &Track, speech: &Speech, findings: &mut Ve
                 Code::SegmentGuessed,
                 format!("{guessed} of {all} segment {what} in no pause of the mouth"),
             )
-            .note("they stand where they would be if every letter took the same time")
+            .note("guessed as if every letter took the same time")
             .help("move the `|` of the visemes to where the voice is, or divide the text at its pauses"),
         );
     }

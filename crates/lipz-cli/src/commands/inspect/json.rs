@@ -1,8 +1,9 @@
 //! What `lipz inspect --json` prints. Fields are only ever added (docs/VERSIONING.md).
 
 use lipz_bank::layout::Tag;
-use lipz_bank::{Bank, Clip, Event, EventName, Locale};
+use lipz_bank::{Babble, Bank, Clip, Event, EventName, Locale};
 use serde::Serialize;
+use std::borrow::Cow;
 
 /// The summary of a bank.
 #[derive(Serialize)]
@@ -18,6 +19,32 @@ pub(super) struct SummaryJson<'d> {
     pub(super) has_sources: bool,
     pub(super) locales: Vec<LocaleJson<'d>>,
     pub(super) sections: Vec<SectionJson>,
+    pub(super) babble: Vec<BabbleJson<'d>>,
+}
+
+/// A babble profile.
+#[derive(Serialize)]
+pub(super) struct BabbleJson<'d> {
+    pub(super) name: &'d str,
+    pub(super) ooh: Cow<'d, str>,
+    pub(super) aah: Cow<'d, str>,
+    pub(super) ooh_power_transfer: Cow<'d, str>,
+    pub(super) aah_power_transfer: Cow<'d, str>,
+    pub(super) rate: [u32; 2],
+}
+
+impl<'d> BabbleJson<'d> {
+    fn of(babble: Babble<'d>) -> Self {
+        let rate = babble.rate();
+        BabbleJson {
+            name: babble.name(),
+            ooh: String::from_utf8_lossy(babble.ooh()),
+            aah: String::from_utf8_lossy(babble.aah()),
+            ooh_power_transfer: String::from_utf8_lossy(babble.ooh_power_transfer()),
+            aah_power_transfer: String::from_utf8_lossy(babble.aah_power_transfer()),
+            rate: [rate.numerator(), rate.denominator()],
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -36,7 +63,7 @@ pub(super) struct SectionJson {
 }
 
 impl<'d> SummaryJson<'d> {
-    pub(super) fn of(bank: &Bank<'_>, locales: &[Locale<'d>]) -> Self {
+    pub(super) fn of(bank: &Bank<'d>, locales: &[Locale<'d>]) -> Self {
         let (major, minor) = bank.format_version();
         let sections = bank
             .sections()
@@ -53,6 +80,7 @@ impl<'d> SummaryJson<'d> {
             has_sources: bank.sections().any(|(tag, _)| tag == Tag::SOURCES),
             locales: locales.iter().map(|locale| LocaleJson::of(bank, *locale)).collect(),
             sections: sections.collect(),
+            babble: bank.babbles().map(BabbleJson::of).collect(),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 mod json;
 
+use super::locale_choice::choose;
 use crate::bank_file::BankFile;
 use crate::render::Findings;
 use crate::timeline::timeline;
@@ -74,18 +75,11 @@ fn clip(bank: &Bank<'_>, key: &str, all: &[Locale<'_>], arguments: &Inspect) -> 
         });
         return Outcome::Failed;
     };
-    let mut locales: Vec<Locale<'_>> = Vec::new();
-    for tag in &arguments.locale {
-        match all.iter().find(|locale| locale.tag() == tag) {
-            Some(locale) => locales.push(*locale),
-            None => {
-                let known: Vec<_> = all.iter().map(|locale| show::text(locale.tag())).collect();
-                let tag = show::text(tag);
-                console::remark(&format!("error: no locale `{tag}` in the bank\nhelp: it has {}\n", known.join(", ")));
-                return Outcome::Failed;
-            }
-        }
-    }
+    let asked = arguments.locale.iter().map(|asked| choose(asked, all.iter().copied(), |locale| locale.tag()));
+    let mut locales: Vec<Locale<'_>> = match asked.collect() {
+        Ok(locales) => locales,
+        Err(outcome) => return outcome,
+    };
     if locales.is_empty() {
         locales.extend(all);
     }
@@ -177,6 +171,16 @@ fn summary(bank: &Bank<'_>, locales: &[Locale<'_>], path: &str, json: bool) -> O
     let _ = writeln!(text, "\n  {:<12} {:>12}", "section", "bytes");
     for section in &summary.sections {
         let _ = writeln!(text, "  {:<12} {:>12}", show::text(&section.tag), console::grouped(section.bytes));
+    }
+    for babble in &summary.babble {
+        let name = show::text(babble.name);
+        let _ = writeln!(
+            text,
+            "\n  babble {name}, {:.3} digits a second",
+            f64::from(babble.rate[0]) / f64::from(babble.rate[1])
+        );
+        let _ = writeln!(text, "  {:<12} {}  power {}", "ooh", babble.ooh, babble.ooh_power_transfer);
+        let _ = writeln!(text, "  {:<12} {}  power {}", "aah", babble.aah, babble.aah_power_transfer);
     }
     console::print(&text)
 }

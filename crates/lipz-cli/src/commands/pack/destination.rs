@@ -5,9 +5,13 @@ use crate::sources::usage_error;
 use crate::{Outcome, console, interrupt, output_file, standard};
 use clap::error::ErrorKind;
 use lipz_compiler::{Compiled, Input, Options, Progress, compile, pack, pack_cached, split};
+use std::ffi::OsStr;
 use std::fs;
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
+
+/// What the names of text banks end with, behind their locale.
+const TEXTS_EXTENSION: &str = ".lipztexts";
 
 /// Where a bank goes.
 pub(super) enum Destination {
@@ -38,12 +42,23 @@ pub(super) struct Written {
     is_new: bool,
 }
 
-/// What was written where, the bank first.
-pub(super) struct AllWritten(Vec<Written>);
+/// What was written where.
+pub(super) struct AllWritten {
+    /// The bank first.
+    files: Vec<Written>,
+    /// Names of text banks of locales that the bank no longer has.
+    stale: Vec<String>,
+}
 
 impl Written {
     fn new(name: String, bytes: &[u8]) -> Written {
         Written { name, length_bytes: bytes.len(), is_new: true }
+    }
+}
+
+impl AllWritten {
+    fn one(file: Written) -> AllWritten {
+        AllWritten { files: vec![file], stale: Vec::new() }
     }
 }
 
@@ -104,25 +119,44 @@ impl Destination {
         match self {
             // Written by `make`.
             Destination::File { bank: path, .. } if replacing == Replacing::Always => {
-                Ok(AllWritten(vec![Written { is_new: !is_unchanged, ..Written::new(console::path(path), bank) }]))
+                Ok(AllWritten::one(Written { is_new: !is_unchanged, ..Written::new(console::path(path), bank) }))
             }
-            Destination::File { bank: path, .. } => Ok(AllWritten(vec![write(path, bank, replacing, findings)?])),
+            Destination::File { bank: path, .. } => Ok(AllWritten::one(write(path, bank, replacing, findings)?)),
             Destination::StandardOutput => match console::print_bytes(bank) {
-                Outcome::Clean => Ok(AllWritten(vec![Written::new("standard output".to_owned(), bank)])),
+                Outcome::Clean => Ok(AllWritten::one(Written::new("standard output".to_owned(), bank))),
                 failed => Err(failed),
             },
             Destination::Split(path) => {
                 let split = split(bank).map_err(|report| findings.fail(report))?;
                 let mut files = Vec::new();
+                let mut paths = Vec::new();
                 for (tag, texts) in &split.texts {
-                    files.push(write(&path.with_extension(format!("{tag}.lipztexts")), texts, replacing, findings)?);
+                    let path = path.with_extension(format!("{tag}{TEXTS_EXTENSION}"));
+                    files.push(write(&path, texts, replacing, findings)?);
+                    paths.push(path);
                 }
                 // The bank last: whoever finds it finds its texts, too.
                 files.insert(0, write(path, &split.base, replacing, findings)?);
-                Ok(AllWritten(files))
+                Ok(AllWritten { files, stale: stale(path, &paths) })
             }
         }
     }
+}
+
+/// The text banks beside the bank at `path` that are not among those that were written now. They stay: who
+/// removes a locale decides about its files.
+fn stale(path: &Path, written: &[PathBuf]) -> Vec<String> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let (Some(stem), Ok(files)) = (path.file_stem(), fs::read_dir(folder)) else { return Vec::new() };
+    let is_text_bank = |name: &OsStr| {
+        let rest = name.as_encoded_bytes().strip_prefix(stem.as_encoded_bytes());
+        rest.is_some_and(|rest| rest.starts_with(b".") && rest.ends_with(TEXTS_EXTENSION.as_bytes()))
+    };
+    let names = files.filter_map(|file| Some(file.ok()?.file_name()));
+    let stale = names.filter(|name| is_text_bank(name) && written.iter().all(|path| path.file_name() != Some(name)));
+    let mut stale: Vec<String> = stale.map(|name| console::path(&path.with_file_name(name))).collect();
+    stale.sort();
+    stale
 }
 
 /// Replaces a file. Reports why that is not possible.
@@ -153,19 +187,20 @@ impl AllWritten {
             let done = if file.is_new { "packed into" } else { "unchanged in" };
             format!("{what} {done} {} ({} bytes)\n", file.name, console::grouped(file.length_bytes))
         };
-        self.0.iter().enumerate().map(line).collect()
+        let stale = |name: &String| format!("not written: {name}, whose locale the bank no longer has\n");
+        self.files.iter().enumerate().map(line).chain(self.stale.iter().map(stale)).collect()
     }
 
     /// One line about all files, and whether any is another than before.
     pub(super) fn headline(&self, clip_count: usize) -> String {
         let clips = console::counted(clip_count, "clip");
-        let name = self.0.first().map_or("nothing", |bank| bank.name.as_str());
-        let length_bytes = self.0.iter().map(|file| file.length_bytes).sum();
-        let texts = match self.0.len() {
+        let name = self.files.first().map_or("nothing", |bank| bank.name.as_str());
+        let length_bytes = self.files.iter().map(|file| file.length_bytes).sum();
+        let texts = match self.files.len() {
             0 | 1 => String::new(),
             files => format!(" and {}", console::counted(files - 1, "text bank")),
         };
-        let done = match self.0.iter().any(|file| file.is_new) {
+        let done = match self.files.iter().any(|file| file.is_new) {
             true => format!("{clips} packed into"),
             false => format!("nothing changed: {clips} in"),
         };

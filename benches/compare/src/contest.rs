@@ -1,0 +1,235 @@
+//! One rival with its file: checked, measured, counted.
+
+use crate::Failure;
+use crate::corpus::{Corpus, Questions, frame_at};
+use crate::heap;
+use crate::rival::{File, Reader, Rival};
+use clap::ValueEnum;
+use cpu_time::ThreadTime;
+use std::hint::black_box;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// Questions between two looks at the clock.
+const BATCH: usize = 1024;
+/// Time for one kind of question in one round.
+const SLICE: Duration = Duration::from_millis(5);
+/// Frames of a display between two times of the sweep.
+const TICK_US: u32 = 16_667;
+/// What opens faster is opened many times.
+const FAST_OPEN: Duration = Duration::from_micros(100);
+/// How many times.
+const OPENINGS: u32 = 1000;
+
+/// What is asked.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+pub enum Ask {
+    Open,
+    Validate,
+    Find,
+    Miss,
+    Frame,
+    Text,
+    Tick,
+}
+
+impl Ask {
+    pub const ALL: [Ask; 7] = [Ask::Open, Ask::Validate, Ask::Find, Ask::Miss, Ask::Frame, Ask::Text, Ask::Tick];
+}
+
+/// A rival that takes part.
+pub trait Contestant {
+    fn name(&self) -> &'static str;
+
+    /// Length of its file.
+    fn file_bytes(&self) -> usize;
+
+    /// Whether it gives the answers of the corpus.
+    fn check(&self, corpus: &Corpus, questions: &Questions) -> Result<(), Failure>;
+
+    /// Bytes on the heap that the opened file holds.
+    fn heap_bytes(&self) -> Result<usize, Failure>;
+
+    /// Asks `times` times. Returns how many answers were given: a sweep has many a clip.
+    fn ask(&self, ask: Ask, at: Range<usize>) -> Result<usize, Failure>;
+
+    /// Nanoseconds of this thread's processor time per answer: what other programs take does not count.
+    /// Asks from question `cursor` on, which moves.
+    fn time(&self, ask: Ask, cursor: &mut usize) -> Result<f64, Failure> {
+        if matches!(ask, Ask::Open | Ask::Validate) {
+            let start = ThreadTime::now();
+            self.ask(ask, 0..1)?;
+            let once = start.elapsed();
+            if once > FAST_OPEN {
+                return Ok(once.as_nanos() as f64);
+            }
+            let start = ThreadTime::now();
+            self.ask(ask, 0..OPENINGS as usize)?;
+            return Ok(start.elapsed().as_nanos() as f64 / f64::from(OPENINGS));
+        }
+        let (start, mut answers) = (ThreadTime::now(), 0);
+        while start.elapsed() < SLICE {
+            answers += self.ask(ask, *cursor..*cursor + BATCH)?;
+            *cursor = (*cursor + BATCH) % self.question_count();
+        }
+        Ok(start.elapsed().as_nanos() as f64 / answers as f64)
+    }
+
+    /// The number of questions, a multiple of the batch.
+    fn question_count(&self) -> usize;
+}
+
+/// A rival, its file, and the questions in its own numbers.
+pub struct Entry<R: Rival> {
+    file: &'static File,
+    reader: R::Reader,
+    questions: Questions,
+    misses: Questions,
+    locale: String,
+}
+
+impl<R: Rival> Entry<R> {
+    /// Writes the file into `folder` and opens it.
+    pub fn build(corpus: &Corpus, folder: &Path) -> Result<(), Failure> {
+        R::build(corpus, &path(folder, R::NAME))
+    }
+
+    /// Opens the file in `folder`.
+    pub fn open(folder: &Path, mut questions: Questions, locale: &str) -> Result<Box<dyn Contestant>, Failure> {
+        let file = File::map(&path(folder, R::NAME))?;
+        let reader = R::open_validated(file)?;
+        for index in 0..questions.len() {
+            questions.clips[index] = reader.find(questions.key(index)).ok_or("a clip was not found")?;
+        }
+        let misses = questions.misses();
+        Ok(Box::new(Entry::<R> { file, reader, questions, misses, locale: locale.to_owned() }))
+    }
+
+    fn sum_open(
+        &self,
+        times: usize,
+        open: impl Fn(&'static File) -> Result<R::Reader, Failure>,
+    ) -> Result<usize, Failure> {
+        for _ in 0..times {
+            black_box(&open(black_box(self.file))?);
+        }
+        Ok(times)
+    }
+
+    #[inline(never)]
+    fn find(&self, questions: &Questions, at: Range<usize>) -> u32 {
+        at.filter_map(|index| self.reader.find(questions.key(index))).fold(0, u32::wrapping_add)
+    }
+
+    #[inline(never)]
+    fn frame(&self, at: Range<usize>) -> u32 {
+        let Questions { clips, times_us, .. } = &self.questions;
+        let asked = std::iter::zip(&clips[at.clone()], &times_us[at]);
+        let codes = asked.filter_map(|(&number, &time_us)| {
+            let clip = self.reader.clip(number)?;
+            Some(u32::from(self.reader.viseme(clip, time_us)))
+        });
+        codes.fold(0, u32::wrapping_add)
+    }
+
+    #[inline(never)]
+    fn text(&self, at: Range<usize>) -> u32 {
+        let Some(locale) = self.reader.locale(&self.locale) else { return 0 };
+        let Questions { clips, times_us, .. } = &self.questions;
+        let asked = std::iter::zip(&clips[at.clone()], &times_us[at]);
+        let texts = asked.filter_map(|(&number, &time_us)| {
+            let clip = self.reader.clip(number)?;
+            // Whoever asks for a text reads it.
+            self.reader.text(clip, locale, time_us, |text| text.len() as u32 + u32::from(text.as_bytes()[0]))
+        });
+        texts.fold(0, u32::wrapping_add)
+    }
+
+    /// From the start of a clip to a time in it; returns the number of frames shown.
+    #[inline(never)]
+    fn sweep(&self, at: Range<usize>) -> usize {
+        let (mut shown, mut sum) = (0, 0_u32);
+        for index in at {
+            let Some(clip) = self.reader.clip(self.questions.clips[index]) else { continue };
+            for time_us in (0..self.questions.times_us[index]).step_by(TICK_US as usize) {
+                sum = sum.wrapping_add(self.reader.viseme(clip, time_us).into());
+                shown += 1;
+            }
+        }
+        black_box(sum);
+        shown
+    }
+}
+
+/// The file of the rival with this name.
+fn path(folder: &Path, name: &str) -> PathBuf {
+    folder.join(name.replace(|c: char| !c.is_ascii_alphanumeric(), "_"))
+}
+
+impl<R: Rival> Contestant for Entry<R> {
+    fn name(&self) -> &'static str {
+        R::NAME
+    }
+
+    fn file_bytes(&self) -> usize {
+        self.file.map.len()
+    }
+
+    fn question_count(&self) -> usize {
+        self.questions.len()
+    }
+
+    fn heap_bytes(&self) -> Result<usize, Failure> {
+        let held = || heap::held_bytes() + R::foreign_heap_bytes();
+        let before = held();
+        let reader = R::open(self.file)?;
+        let held = held().saturating_sub(before);
+        drop(reader);
+        Ok(held)
+    }
+
+    fn ask(&self, ask: Ask, at: Range<usize>) -> Result<usize, Failure> {
+        let count = at.len();
+        match ask {
+            Ask::Open => return self.sum_open(count, R::open),
+            Ask::Validate => return self.sum_open(count, R::open_validated),
+            Ask::Find => _ = black_box(self.find(&self.questions, at)),
+            Ask::Miss => _ = black_box(self.find(&self.misses, at)),
+            Ask::Frame => _ = black_box(self.frame(at)),
+            Ask::Text => _ = black_box(self.text(at)),
+            Ask::Tick => return Ok(self.sweep(at)),
+        }
+        Ok(count)
+    }
+
+    fn check(&self, corpus: &Corpus, questions: &Questions) -> Result<(), Failure> {
+        let reader = &self.reader;
+        let wrong = |key: &str, what: &str| Err(format!("{}: {what} of `{key}` is wrong", R::NAME).into());
+        for (index, locale_tag) in (0..questions.len()).zip(corpus.bank.locales.iter().cycle()) {
+            let expected = &corpus.bank.clips[questions.clips[index] as usize];
+            let locale = reader.locale(locale_tag).ok_or("a locale was not found")?;
+            let number = reader.find(questions.key(index)).ok_or("a clip was not found")?;
+            let clip = reader.clip(number).ok_or("a number led to no clip")?;
+            let time_us = questions.times_us[index];
+            let frame = frame_at(expected.fps, time_us);
+            if reader.viseme(clip, time_us) != expected.visemes.as_bytes()[frame] {
+                return wrong(questions.key(index), "a frame");
+            }
+            let segment = expected.starts.partition_point(|&start| start as usize <= frame) - 1;
+            let place = corpus.bank.locales.iter().position(|tag| tag == locale_tag).unwrap_or(0);
+            let text = &expected.texts[place][segment];
+            if reader.text(clip, locale, time_us, |found| found == text) != Some(true) {
+                return wrong(questions.key(index), "a text");
+            }
+            if reader.find(self.misses.key(index)).is_some() {
+                return wrong(self.misses.key(index), "the absence");
+            }
+            let behind_us = expected.visemes.len() as u32 * 1_000_000 / expected.fps + 1_000_000;
+            if reader.viseme(clip, behind_us) != b'-' {
+                return wrong(questions.key(index), "the rest behind the end");
+            }
+        }
+        Ok(())
+    }
+}

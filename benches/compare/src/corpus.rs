@@ -1,0 +1,174 @@
+//! The clips that every rival keeps, as plain structures, and what they are asked.
+
+use crate::Failure;
+use lipz_benches::{DEFAULT_SEED, Random};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// Queries of each kind: enough that no cache holds what they touch of a large bank.
+const QUERIES: usize = 1 << 16;
+
+/// All clips, in the order of their keys.
+pub struct Corpus {
+    /// Keys and Lipz files.
+    pub files: Vec<(String, String)>,
+    /// What the files say.
+    pub bank: Clips,
+}
+
+/// What a program wants to keep of the files.
+#[derive(Serialize, Deserialize, bincode::Encode, bincode::Decode, rkyv::Archive, rkyv::Serialize)]
+pub struct Clips {
+    pub locales: Vec<String>,
+    pub clips: Vec<Clip>,
+}
+
+/// What a program wants to know of a clip.
+#[derive(Serialize, Deserialize, bincode::Encode, bincode::Decode, rkyv::Archive, rkyv::Serialize)]
+pub struct Clip {
+    pub key: String,
+    pub fps: u32,
+    pub viseme_type: u8,
+    /// Frame codes, without delimiters.
+    pub visemes: String,
+    /// The first frame of each segment.
+    pub starts: Vec<u32>,
+    /// For each locale, the display text of each segment.
+    pub texts: Vec<Vec<String>>,
+    /// For each segment, its event string; empty if there are none.
+    pub events: Vec<String>,
+}
+
+/// A Lipz file, as serde reads it.
+#[derive(Deserialize)]
+pub struct LipzFile {
+    fps: u32,
+    viseme_type: String,
+    visemes: String,
+    #[serde(default)]
+    events: String,
+    /// The elements `text_…`.
+    #[serde(flatten)]
+    texts: BTreeMap<String, String>,
+}
+
+impl Corpus {
+    /// The first `count` clips of the published measurements.
+    pub fn new(count: usize, locales: usize) -> Result<Corpus, Failure> {
+        let files = lipz_benches::files(count, locales);
+        let parsed = files.iter().map(|(key, json)| Ok((key.clone(), serde_json::from_str(json)?)));
+        let bank = Clips::of(parsed.collect::<Result<_, serde_json::Error>>()?);
+        Ok(Corpus { files, bank })
+    }
+}
+
+impl Clips {
+    /// The clips of these files. All of them have the same locales.
+    pub fn of(files: Vec<(String, LipzFile)>) -> Clips {
+        let tags = files.iter().flat_map(|(_, file)| file.texts.keys().map(|name| name.replace("text_", "")));
+        let mut locales: Vec<String> = tags.collect();
+        locales.sort_unstable();
+        locales.dedup();
+        Clips { locales, clips: files.into_iter().map(|(key, file)| Clip::of(key, &file)).collect() }
+    }
+}
+
+impl Clip {
+    fn of(key: String, file: &LipzFile) -> Clip {
+        let starts = file.visemes.split('|').scan(0, |end, segment| {
+            let start = *end;
+            *end += segment.len() as u32;
+            Some(start)
+        });
+        let types = [("blair", 1), ("toonboom", 2), ("rms", 3)];
+        Clip {
+            key,
+            fps: file.fps,
+            viseme_type: types.iter().find(|(name, _)| *name == file.viseme_type).map_or(0, |(_, number)| *number),
+            starts: starts.collect(),
+            visemes: file.visemes.replace('|', ""),
+            texts: file
+                .texts
+                .values()
+                .map(|text| text.split('|').map(|text| display(text).to_owned()).collect())
+                .collect(),
+            events: match file.events.as_str() {
+                "" => Vec::new(),
+                events => events.split('|').map(str::to_owned).collect(),
+            },
+        }
+    }
+}
+
+/// A text as players see it. In the generated clips, meta stands only at the start.
+pub fn display(text: &str) -> &str {
+    match text.split_once('}') {
+        Some((_, text)) => text.trim(),
+        None => text.trim(),
+    }
+}
+
+/// The frame that shows at a time. The rates of the generated clips are whole numbers.
+#[inline]
+pub fn frame_at(fps: u32, time_us: u32) -> usize {
+    (u64::from(time_us) * u64::from(fps) / 1_000_000) as usize
+}
+
+/// What the rivals are asked: random clips, none twice in a row but by chance.
+pub struct Questions {
+    /// Keys, one behind the other: reading the questions must not be what takes the time.
+    pool: String,
+    /// Where each key ends.
+    ends: Vec<u32>,
+    /// The clip of each key.
+    pub clips: Vec<u32>,
+    /// A time in that clip, in microseconds.
+    pub times_us: Vec<u32>,
+}
+
+impl Questions {
+    /// Questions about `clips`.
+    pub fn about(clips: &[Clip]) -> Questions {
+        let mut random = Random::new(DEFAULT_SEED, 0);
+        let mut questions =
+            Questions { pool: String::new(), ends: Vec::new(), clips: Vec::new(), times_us: Vec::new() };
+        for _ in 0..QUERIES {
+            let number = random.between(0, clips.len() - 1);
+            let clip = &clips[number];
+            questions.pool.push_str(&clip.key);
+            questions.ends.push(questions.pool.len() as u32);
+            questions.clips.push(number as u32);
+            // No frame begins at an odd microsecond, so floating point cannot round to another one.
+            let frame_count = clip.visemes.len();
+            let last_us = (frame_count * 1_000_000 - 1) / clip.fps as usize;
+            questions.times_us.push(random.between(0, last_us - 1) as u32 | 1);
+        }
+        questions
+    }
+
+    /// The number of questions.
+    pub fn len(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// Key number `index`.
+    #[inline]
+    pub fn key(&self, index: usize) -> &str {
+        let start = if index == 0 { 0 } else { self.ends[index - 1] };
+        &self.pool[start as usize..self.ends[index] as usize]
+    }
+
+    /// The questions with keys that no clip has: the last letter is another one.
+    pub fn misses(&self) -> Questions {
+        let mut pool = self.pool.clone().into_bytes();
+        for &end in &self.ends {
+            pool[end as usize - 1] = b'x';
+        }
+        Questions {
+            pool: String::from_utf8(pool).unwrap_or_default(),
+            ends: self.ends.clone(),
+            clips: self.clips.clone(),
+            times_us: self.times_us.clone(),
+        }
+    }
+}

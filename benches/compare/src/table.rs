@@ -1,0 +1,74 @@
+//! Measurements as a Markdown table.
+
+use crate::contest::Ask;
+use std::fmt::Write;
+
+/// What was measured of a rival.
+pub struct Row {
+    pub name: &'static str,
+    pub file_bytes: usize,
+    pub heap_bytes: usize,
+    /// Nanoseconds or instructions for each of [`Ask::ALL`].
+    pub costs: Vec<f64>,
+    /// Allocations per question, the most of any kind.
+    pub allocations: f64,
+}
+
+/// The table of times.
+pub fn times(rows: &[Row]) -> String {
+    let mut table = String::from(
+        "| | file MB | open | validate | heap MB | find ns | miss ns | frame ns | segment + text ns | tick ns | allocations |\n\
+         |---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n",
+    );
+    for row in rows {
+        let cost = |ask: Ask| row.costs[ask as usize];
+        // Writing to a string does not fail.
+        let _ = writeln!(
+            table,
+            "| {} | {} | {} | {} | {} | {:.1} | {:.1} | {:.1} | {:.1} | {:.2} | {:.0} |",
+            row.name,
+            megabytes(row.file_bytes),
+            duration(cost(Ask::Open)),
+            duration(cost(Ask::Validate)),
+            megabytes(row.heap_bytes),
+            cost(Ask::Find),
+            cost(Ask::Miss),
+            cost(Ask::Frame),
+            cost(Ask::Text),
+            cost(Ask::Tick),
+            row.allocations,
+        );
+    }
+    table
+}
+
+/// The table of instructions.
+pub fn instructions(rows: &[Row]) -> String {
+    let mut table = String::from(
+        "| | open | validate, per byte | find | miss | frame | segment + text | tick |\n|---|--:|--:|--:|--:|--:|--:|--:|\n",
+    );
+    for row in rows {
+        let _ = write!(table, "| {} ", row.name);
+        for ask in Ask::ALL {
+            let cost = row.costs[ask as usize];
+            let _ = match ask {
+                Ask::Validate => write!(table, "| {:.2} ", cost / row.file_bytes as f64),
+                _ => write!(table, "| {cost:.0} "),
+            };
+        }
+        table.push_str("|\n");
+    }
+    table
+}
+
+fn megabytes(bytes: usize) -> String {
+    if bytes < 1000 { "0".to_owned() } else { format!("{:.2}", bytes as f64 / 1e6) }
+}
+
+fn duration(ns: f64) -> String {
+    match ns {
+        ..1e3 => format!("{ns:.0} ns"),
+        ..1e6 => format!("{:.1} µs", ns / 1e3),
+        _ => format!("{:.1} ms", ns / 1e6),
+    }
+}

@@ -1,0 +1,57 @@
+//! The program whose instructions `cargo xtask instructions` counts: asks a bank of the generator's
+//! clips the same kind of question a number of times.
+//!
+//! `queries BANK QUESTION TIMES`
+
+use lipz_bank::{Bank, Clip, ClipId, Micros};
+use lipz_benches::{DEFAULT_SEED, Random, clip_key};
+use std::hint::black_box;
+
+/// Microseconds between two frames of a display.
+const TICK_US: usize = 16_667;
+/// Places and times that are asked for in turn.
+const DRAWN: usize = 10_000;
+/// No clip of the generator is longer.
+const LONGEST_US: usize = 12_000_000;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [path, question, times] = arguments.as_slice() else {
+        return Err("usage: queries BANK QUESTION TIMES".into());
+    };
+    let bytes = std::fs::read(path)?;
+    ask(&bytes, question, times.parse()?)
+}
+
+fn ask(bytes: &[u8], question: &str, times: usize) -> Result<(), Box<dyn std::error::Error>> {
+    let bank = Bank::open(bytes)?.verify()?;
+    let locale = bank.locale("de-de").ok_or("the bank has no German")?;
+    let keys: Vec<String> = (0..bank.clip_count()).map(clip_key).collect();
+    let ids: Vec<ClipId> = keys.iter().map(|key| ClipId::of(key)).collect();
+    let clips: Vec<Clip<'_, '_>> = ids.iter().filter_map(|id| bank.clip(*id)).collect();
+    let mut random = Random::new(DEFAULT_SEED, 0);
+    // Where and when: as many for any number of questions, so that drawing does not count.
+    let drawn: Vec<(usize, i64)> =
+        (0..DRAWN).map(|_| (random.between(0, clips.len() - 1), random.between(0, LONGEST_US) as i64)).collect();
+    let asked = drawn.into_iter().cycle().take(times);
+    match question {
+        "open" => (0..times).for_each(|_| _ = black_box(Bank::open(black_box(bytes)))),
+        "verify" => (0..times).for_each(|_| _ = black_box(Bank::open(black_box(bytes)).and_then(Bank::verify))),
+        "find by id" => asked.for_each(|(at, _)| _ = black_box(bank.clip(ids[at]))),
+        "find by key" => asked.for_each(|(at, _)| _ = black_box(bank.clip_by_key(&keys[at]))),
+        "find nothing" => {
+            asked.for_each(|(at, _)| _ = black_box(bank.clip(ClipId::from_u64(ids[at].get() ^ 1))));
+        }
+        "frame" => asked.for_each(|(at, time_us)| _ = black_box(clips[at].viseme_at(Micros(time_us)))),
+        "segment and text" => asked.for_each(|(at, time_us)| {
+            let segment = clips[at].segment_at(Micros(time_us));
+            black_box(segment.and_then(|segment| segment.text(locale)));
+        }),
+        "tick" => {
+            let clip = clips[0];
+            (0..times).for_each(|tick| _ = black_box(clip.viseme_at(Micros((tick * TICK_US % LONGEST_US) as i64))));
+        }
+        _ => return Err(format!("no such question: {question}").into()),
+    }
+    Ok(())
+}

@@ -1,0 +1,265 @@
+//! Babble: a mouth that moves while somebody speaks whose mouth shapes nobody knows.
+
+use crate::layout::{BabbleRecord, Tag};
+use crate::{Bank, Fps, Time};
+use core::fmt;
+use core::iter::FusedIterator;
+use zerocopy::FromBytes;
+
+/// How far something is moved, such as a mouth opened: 0 to 9900 ten-thousandths.
+///
+/// The digit *d* of a loop or of an `rms` clip stands for 0.11 · *d*; the product of two digits, one of a
+/// loop and one of a power transfer, for 0.0121 of it. Both are whole numbers of ten-thousandths: 1100 · *d*, 121 · *d* · *e*.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
+pub struct Weight(u16);
+
+/// Ten-thousandths that a digit stands for.
+const PER_DIGIT: u16 = 1100;
+/// Ten-thousandths of a product of two digits.
+const PER_PRODUCT: u16 = 121;
+/// Ten-thousandths in 1.
+const ONE: f32 = 10_000.0;
+
+impl Weight {
+    /// The weight of a digit; of none, 0.
+    pub(crate) const fn of_digit(code: u8) -> Weight {
+        Weight(digit(code).wrapping_mul(PER_DIGIT))
+    }
+
+    /// The weight in ten-thousandths.
+    pub const fn ten_thousandths(self) -> u16 {
+        self.0
+    }
+
+    /// The weight as a fraction, 0 to 0.99.
+    pub fn to_f32(self) -> f32 {
+        f32::from(self.0) / ONE
+    }
+}
+
+/// What moves the mouth while somebody babbles.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
+pub struct Weights {
+    /// How far the lips are pursed.
+    pub ooh: Weight,
+    /// How far the jaw is open.
+    pub aah: Weight,
+}
+
+/// How loud the voice is: an `f32` from 0 to 1, a [`Level`], or a function that measures either.
+pub trait Power: sealed::Sealed {
+    /// Where the power leads to in transfers of these lengths.
+    #[doc(hidden)]
+    fn indices(self, lengths: [usize; 2]) -> [usize; 2];
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for super::Level {}
+    impl<M: FnOnce() -> P, P: super::Power> Sealed for M {}
+}
+
+/// Power without floating point, in 65,536ths.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct Level(pub u16);
+
+impl Level {
+    /// The power of a voice that nobody measures: three quarters, where all digits of the default profile
+    /// show, but not at their widest.
+    pub const STEADY: Level = Level(0xC000);
+}
+
+impl Power for Level {
+    fn indices(self, lengths: [usize; 2]) -> [usize; 2] {
+        // The digits are at most 65,535, and the level is less than 1: the index is one of them.
+        lengths.map(|length| ((length as u32).wrapping_mul(u32::from(self.0)) >> 16) as usize)
+    }
+}
+
+impl Power for f32 {
+    /// The arithmetic of the viewer. What is below 0 or not a number is silence.
+    fn indices(self, lengths: [usize; 2]) -> [usize; 2] {
+        lengths.map(|length| ((length as f32 * self) as usize).min(length.saturating_sub(1)))
+    }
+}
+
+impl<M: FnOnce() -> P, P: Power> Power for M {
+    fn indices(self, lengths: [usize; 2]) -> [usize; 2] {
+        self().indices(lengths)
+    }
+}
+
+/// A babble profile: loops of digits for lips and jaw, which the power of the voice modulates (Second Life's
+/// "LipSync", "How to babble").
+///
+/// ```
+/// use lipz_bank::{Babble, Level, Micros};
+/// let babble = Babble::DEFAULT; // or that of a bank: bank.default_babble(), bank.babble("robot")
+/// let since_speech_began = Micros(250_000);
+/// let mouth = babble.at(since_speech_began, 0.8); // the power of the voice
+/// assert_eq!((mouth.ooh.ten_thousandths(), mouth.aah.to_f32()), (8 * 7 * 121, 0.5929));
+/// babble.at(since_speech_began, || 0.8); // measured by a function
+/// babble.at(since_speech_began, Level::STEADY); // not measured
+/// ```
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub struct Babble<'data> {
+    name: &'data [u8],
+    ooh: &'data [u8],
+    aah: &'data [u8],
+    ooh_power_transfer: &'data [u8],
+    aah_power_transfer: &'data [u8],
+    rate: Fps,
+}
+
+impl Babble<'static> {
+    /// The viewer's own profile, which needs no bank.
+    pub const DEFAULT: Babble<'static> = Babble {
+        name: b"default",
+        ooh: b"1247898743223344444443200000",
+        aah: b"257998776531013446642343",
+        ooh_power_transfer: b"0012345566778899",
+        aah_power_transfer: b"0000123456789",
+        rate: Fps::whole(24),
+    };
+}
+
+impl<'data> Babble<'data> {
+    /// The profile that `bytes` start with, and what is behind it; `None` if they are damaged.
+    pub(crate) fn split_first(bytes: &'data [u8]) -> Option<(Babble<'data>, &'data [u8])> {
+        let (record, mut rest) = BabbleRecord::ref_from_prefix(bytes).ok()?;
+        let mut take = |length: u16| {
+            let taken = rest.get(..usize::from(length))?;
+            rest = rest.get(usize::from(length)..)?;
+            Some(taken)
+        };
+        let (numerator, denominator) = (record.rate_numerator.get(), record.rate_denominator.get());
+        let babble = Babble {
+            name: take(record.name_length_bytes.get())?,
+            ooh: take(record.ooh_length_bytes.get())?,
+            aah: take(record.aah_length_bytes.get())?,
+            ooh_power_transfer: take(record.ooh_power_transfer_length_bytes.get())?,
+            aah_power_transfer: take(record.aah_power_transfer_length_bytes.get())?,
+            rate: Fps::from_parts(numerator, denominator, record.frames_per_micro_q64.get()),
+        };
+        Some((babble, rest))
+    }
+
+    /// The name of the profile. Empty only in a damaged bank.
+    pub fn name(&self) -> &'data str {
+        core::str::from_utf8(self.name).unwrap_or("")
+    }
+
+    pub(crate) const fn name_bytes(&self) -> &'data [u8] {
+        self.name
+    }
+
+    /// The loop for the lips, in ASCII digits.
+    pub const fn ooh(&self) -> &'data [u8] {
+        self.ooh
+    }
+
+    /// The loop for the jaw.
+    pub const fn aah(&self) -> &'data [u8] {
+        self.aah
+    }
+
+    /// What power does to the lips: a digit for each of as many steps from silence to full power.
+    pub const fn ooh_power_transfer(&self) -> &'data [u8] {
+        self.ooh_power_transfer
+    }
+
+    /// What power does to the jaw.
+    pub const fn aah_power_transfer(&self) -> &'data [u8] {
+        self.aah_power_transfer
+    }
+
+    /// Digits of the loops in a second.
+    pub const fn rate(&self) -> Fps {
+        self.rate
+    }
+
+    /// How lips and jaw are moved `elapsed` after somebody has begun to speak, at this power. Nobody
+    /// speaks before 0.
+    ///
+    /// Each loop starts with its first digit at 0. It is computed from the time, never stepped, so nothing drifts.
+    pub fn at<T: Time, P: Power>(&self, elapsed: T, power: P) -> Weights {
+        let index = match self.rate.frame_at(elapsed) {
+            Some(index) => index,
+            None => return Weights::default(),
+        };
+        let [ooh, aah] = power.indices([self.ooh_power_transfer.len(), self.aah_power_transfer.len()]);
+        Weights {
+            ooh: product(self.ooh, index, self.ooh_power_transfer, ooh),
+            aah: product(self.aah, index, self.aah_power_transfer, aah),
+        }
+    }
+}
+
+/// The weight of a digit of a loop, and of one of the transfer; 0 if one of them is empty.
+fn product(digits: &[u8], index: u32, transfer: &[u8], power_index: usize) -> Weight {
+    let turned = (index as usize).checked_rem(digits.len()).and_then(|at| digits.get(at));
+    match (turned, transfer.get(power_index)) {
+        (Some(own), Some(power)) => Weight(digit(*own).wrapping_mul(digit(*power)).wrapping_mul(PER_PRODUCT)),
+        _ => Weight(0),
+    }
+}
+
+/// The value of a digit; 0 if it is none.
+const fn digit(code: u8) -> u16 {
+    if code.is_ascii_digit() {
+        code.wrapping_sub(b'0') as u16
+    } else {
+        0
+    }
+}
+
+impl fmt::Debug for Babble<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Babble").field(&self.name()).finish()
+    }
+}
+
+impl<'data> Bank<'data> {
+    /// The babble profile with this name.
+    pub fn babble(&self, name: &str) -> Option<Babble<'data>> {
+        self.babbles().find(|babble| babble.name == name.as_bytes())
+    }
+
+    /// The profile of the project, `[babble]` in its settings; [`Babble::DEFAULT`] if it has none.
+    pub fn default_babble(&self) -> Babble<'data> {
+        self.babble("default").unwrap_or(Babble::DEFAULT)
+    }
+
+    /// All babble profiles of the bank, in the order of their names.
+    pub fn babbles(&self) -> Babbles<'data> {
+        let section = self.file.sections().find(|(tag, _)| *tag == Tag::BABBLE);
+        Babbles { bytes: section.map_or(&[], |(_, bytes)| bytes) }
+    }
+}
+
+/// The babble profiles of a bank in the order of their names.
+#[derive(Clone)]
+pub struct Babbles<'data> {
+    bytes: &'data [u8],
+}
+
+impl<'data> Iterator for Babbles<'data> {
+    type Item = Babble<'data>;
+
+    fn next(&mut self) -> Option<Babble<'data>> {
+        // A damaged profile ends the iteration.
+        let (babble, rest) = Babble::split_first(self.bytes)?;
+        self.bytes = rest;
+        Some(babble)
+    }
+}
+
+impl FusedIterator for Babbles<'_> {}
+
+/// The profiles that are left.
+impl fmt::Debug for Babbles<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries(self.clone()).finish()
+    }
+}

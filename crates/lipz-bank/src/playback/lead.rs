@@ -1,0 +1,51 @@
+//! Lead: how far the mouth is ahead of the sound.
+
+use crate::Fps;
+
+/// How far mouth shapes are shown ahead of the sound.
+///
+/// "Before you can utter a sound you must first make the mouth shape": the animators of "The Getaway"
+/// animated one or two frames ahead of the dialogue, and never behind it (Talking Heads, "Never animate behind synch"). The same value makes up for
+/// a display that shows pictures late.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
+pub struct Lead {
+    us: u32,
+}
+
+impl Lead {
+    /// Shapes together with the sound.
+    pub const NONE: Lead = Lead { us: 0 };
+
+    /// So many microseconds.
+    pub const fn micros(us: u32) -> Lead {
+        Lead { us }
+    }
+
+    /// One frame of a clip.
+    ///
+    /// ```
+    /// use lipz_bank::{Fps, Lead};
+    /// const FILM: Lead = Lead::one_frame(Fps::whole(24));
+    /// assert_eq!(FILM.us(), 41_667);
+    /// ```
+    pub const fn one_frame(fps: Fps) -> Lead {
+        Lead::frames(1, fps)
+    }
+
+    /// Two frames of a clip.
+    pub const fn two_frames(fps: Fps) -> Lead {
+        Lead::frames(2, fps)
+    }
+
+    /// Rounded up, so that a time at the start of a frame leads to the start of another.
+    #[allow(clippy::arithmetic_side_effects)] // no divisor is zero; a rate is at least 1: at most two seconds
+    const fn frames(count: u64, fps: Fps) -> Lead {
+        let (micros, rate) = (count * fps.denominator() as u64 * 1_000_000, fps.numerator() as u64);
+        Lead { us: ((micros + rate - 1) / rate) as u32 }
+    }
+
+    /// The lead in microseconds.
+    pub const fn us(self) -> u32 {
+        self.us
+    }
+}

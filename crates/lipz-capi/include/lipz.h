@@ -1,0 +1,491 @@
+/*
+ * lipz.h - reads lipz dialogue banks in place. https://github.com/lipz/lipz
+ *
+ * MIT OR Apache-2.0. Written by `LIPZ_BLESS=1 cargo test -p lipz-capi --test header` from the code.
+ * docs/C.md shows how to use it.
+ *
+ * Contract: a pointer is null or leads to a value of its type, or to as many bytes as the length
+ * beside it says; that holds for the pointers in a lipz_bank, too, for as long as the bank and strings
+ * from it are used. Nobody writes to those bytes meanwhile, and answers do not overlap arguments.
+ *
+ * Everything else is total: no function crashes, reads out of bounds or loops without end, whatever the
+ * bytes of the bank and the numbers in the structs are. Each returns a status, and writes an
+ * empty answer (zeros, null, the viseme at rest) unless that is LIPZ_OK. All may be called from several
+ * threads at once.
+ */
+
+#ifndef LIPZ_H
+#define LIPZ_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+// Damage: the file is shorter than the header of a bank.
+#define LIPZ_TOO_SHORT 1
+
+// Damage: the file is not a lipz bank.
+#define LIPZ_NOT_A_BANK 2
+
+// Damage: the bank was damaged by a copy in text mode (line endings were converted).
+#define LIPZ_TEXT_MODE 3
+
+// Damage: the bank has a format version that this reader does not know.
+#define LIPZ_UNSUPPORTED_VERSION 4
+
+// Damage: the file is not as long as its header says (cut off, or something was appended).
+#define LIPZ_WRONG_LENGTH 5
+
+// Damage: the directory reaches past the end of the file.
+#define LIPZ_DIRECTORY_OUT_OF_BOUNDS 6
+
+// Damage: a section reaches past the end of the file.
+#define LIPZ_SECTION_OUT_OF_BOUNDS 7
+
+// Damage: a section has another entry size or length than its tag stands for.
+#define LIPZ_SECTION_SHAPE 8
+
+// Damage: a section that every bank has is missing.
+#define LIPZ_SECTION_MISSING 9
+
+// Damage: the bank needs a newer reader (unknown required section).
+#define LIPZ_SECTION_UNKNOWN 10
+
+// Damage: a section appears twice in the directory.
+#define LIPZ_SECTION_TWICE 11
+
+// Damage: the checksum does not match: the file was changed or damaged.
+#define LIPZ_CHECKSUM 12
+
+// Damage: the clip index does not lead to the clip record.
+#define LIPZ_CLIP_INDEX 13
+
+// Damage: the key of a clip does not match its id.
+#define LIPZ_CLIP_KEY 14
+
+// Damage: the clips are not listed in the order of their keys.
+#define LIPZ_CLIP_ORDER 15
+
+// Damage: the frames of a clip are not where they belong.
+#define LIPZ_FRAME_RANGE 16
+
+// Damage: a frame code is not one of the clip's viseme type.
+#define LIPZ_FRAME_CODE 17
+
+// Damage: the frame rate of a clip is not valid.
+#define LIPZ_FRAME_RATE 18
+
+// Damage: a clip has an unknown viseme type or flag.
+#define LIPZ_CLIP_FLAGS 19
+
+// Damage: the segment starts of a clip are not valid.
+#define LIPZ_SEGMENT_STARTS 20
+
+// Damage: a text reference is not valid.
+#define LIPZ_TEXT_REFERENCE 21
+
+// Damage: a string pool is not valid UTF-8.
+#define LIPZ_UTF8 22
+
+// Damage: an event reference is not valid.
+#define LIPZ_EVENT_REFERENCE 23
+
+// Damage: the locales are not listed in the order of their tags.
+#define LIPZ_LOCALE_ORDER 24
+
+// Damage: a section is not right behind the one before it.
+#define LIPZ_SECTION_PLACE 25
+
+// Damage: the directory has more than 64 sections.
+#define LIPZ_DIRECTORY_TOO_LONG 26
+
+// Damage: the fingerprint does not match the clips.
+#define LIPZ_FINGERPRINT 27
+
+// Damage: the bank takes far more steps to check than a real one.
+#define LIPZ_TOO_MANY_STEPS 28
+
+// Damage: the texts belong to a bank with other clips.
+#define LIPZ_OTHER_CLIPS 29
+
+// Damage: the file has texts only, for the clips of another bank.
+#define LIPZ_TEXTS_ONLY 30
+
+// Damage: a typed event is not valid.
+#define LIPZ_TYPED_EVENT 31
+
+// Damage: the names in events are not listed in their order.
+#define LIPZ_EVENT_NAME 32
+
+
+
+// Version of this header: changes of the first number break programs; so do, while it is 0, those
+// of the second.
+#define LIPZ_VERSION_MAJOR 0
+
+// Second number of the version.
+#define LIPZ_VERSION_MINOR 1
+
+// Third number of the version.
+#define LIPZ_VERSION_PATCH 0
+
+// Viseme type: Preston Blair's chart, `-AMOSWEFLU`.
+#define LIPZ_BLAIR 1
+
+// Viseme type: Toon Boom's chart, `-ABCDEFG`.
+#define LIPZ_TOONBOOM 2
+
+// Viseme type: loudness, `-0123456789`.
+#define LIPZ_RMS 3
+
+// Verb: `feels emotion`, lasts until changed.
+#define LIPZ_FEELS 1
+
+// Verb: `sees target`, a character or a prop, for a moment.
+#define LIPZ_SEES 2
+
+// Verb: `stares target`, until `stops staring`.
+#define LIPZ_STARES 3
+
+// Verb: `stops staring`.
+#define LIPZ_STOPS_STARING 4
+
+// Verb: `points target`, until `stops pointing`.
+#define LIPZ_POINTS 5
+
+// Verb: `stops pointing`.
+#define LIPZ_STOPS_POINTING 6
+
+// Verb: `does action`, an action of the game.
+#define LIPZ_DOES 7
+
+// The `id` where there is no name.
+#define LIPZ_NO_NAME 4294967295
+
+// What became of a call: `LIPZ_OK`, one of the other numbers from 256 on, or the kind of damage
+// that was found in a bank, from 1 to 255. Numbers are never given a new meaning.
+typedef uint32_t lipz_status;
+
+// A string in UTF-8, without terminator: it stands in the bytes of the bank and lives as long as
+// they do. It may contain U+0000.
+typedef struct lipz_string {
+  // The first byte; null only if there is no string.
+  const char *data;
+  // Length in bytes.
+  size_t length_bytes;
+} lipz_string;
+
+// A bank: the caller's bytes, and beside them those of a text bank, if one is used. It owns
+// nothing: copy it, forget it.
+typedef struct lipz_bank {
+  // The bytes of the bank, at any address: a mapped file, ROM, memory.
+  const uint8_t *data;
+  // Length of the bank.
+  size_t length_bytes;
+  // The bytes of the text bank that has the locales; null if they are those of the bank itself.
+  const uint8_t *texts;
+  // Length of the text bank.
+  size_t texts_length_bytes;
+} lipz_bank;
+
+// What a bank has.
+typedef struct lipz_bank_info_t {
+  // Hash of what the clips are: a bank and its text banks share it.
+  uint64_t fingerprint;
+  // Number of clips: their slots are the numbers below it.
+  uint32_t clip_count;
+  // Number of locales: those of the text bank, if one is used.
+  uint32_t locale_count;
+  // Major format version.
+  uint32_t format_major;
+  // Minor format version.
+  uint32_t format_minor;
+} lipz_bank_info_t;
+
+// One spoken line.
+//
+// Queries go by `id`, and take the frame rate from here only where the bank has none. The other
+// fields are there to be read.
+typedef struct lipz_clip {
+  // Hash of the key: names the clip within its bank.
+  uint64_t id;
+  // Place of the clip in the bank, for `lipz_clip_at`.
+  uint32_t slot;
+  // Number of frames.
+  uint32_t frame_count;
+  // Number of segments, at least 1 in a verified bank.
+  uint32_t segment_count;
+  // Frames in `fps_denominator` seconds, in lowest terms; 0 if unspecified. Set both to supply it:
+  // from 1 to 1000 frames per second.
+  uint32_t fps_numerator;
+  // Seconds in which `fps_numerator` frames pass; 0 if unspecified.
+  uint32_t fps_denominator;
+  // `LIPZ_BLAIR`, `LIPZ_TOONBOOM`, `LIPZ_RMS`; 0 if unspecified.
+  uint32_t viseme_type;
+  // 1 if the Lipz file has visemes. Without them there are no frames, and segments have no times.
+  uint32_t has_visemes;
+  // 1 if the Lipz file has events.
+  uint32_t has_events;
+} lipz_clip;
+
+// A mouth shape: its Lipz code, an ASCII character in any bank that passes verification. Rest is `-`.
+typedef uint8_t lipz_viseme;
+
+// A stretch of a clip, between two `|` of its Lipz file. Queries go by `clip_id` and `index`.
+typedef struct lipz_segment {
+  // The clip that this is a segment of.
+  uint64_t clip_id;
+  // Place of the segment in its clip, from 0.
+  uint32_t index;
+  // Its first frame.
+  uint32_t start_frame;
+  // The frame behind its last one.
+  uint32_t end_frame;
+  // Zero; keeps the size the same on all machines.
+  uint32_t reserved;
+} lipz_segment;
+
+// A locale of a bank. Look it up once; queries go by `index`.
+typedef struct lipz_locale {
+  // Its tag, as in `text_en-us` of a Lipz file: `en-us`.
+  struct lipz_string tag;
+  // Its place among the locales, which are in the order of their tags.
+  uint32_t index;
+  // 1 for the default locale that was set when the bank was packed.
+  uint32_t is_default;
+} lipz_locale;
+
+// A display text, as a player sees it: UTF-8 without terminator, in the bytes of the bank.
+typedef struct lipz_text {
+  // The first byte; null only if there is no text.
+  const char *data;
+  // Length in bytes.
+  size_t length_bytes;
+  // 1 if the clip has no text of its own in the locale, and this is that of another one.
+  uint32_t is_fallback;
+} lipz_text;
+
+// A name that events mention: a character, an emotion, a target or an action.
+typedef struct lipz_name {
+  // The name as it is spelled in the Lipz file.
+  struct lipz_string name;
+  // Its number in this bank: equal names have equal numbers. `LIPZ_NO_NAME` if there is none.
+  uint32_t id;
+} lipz_name;
+
+// One event of Character Event Syntax: `[character] verb object`.
+typedef struct lipz_event {
+  // Who; no name for the speaker of the clip.
+  struct lipz_name character;
+  // The emotion, target or action; no name for the verbs that stop something.
+  struct lipz_name object;
+  // `LIPZ_FEELS` and so on.
+  uint32_t verb;
+} lipz_event;
+
+// The answer was written.
+#define LIPZ_OK 0
+
+// There is no such thing: no clip with this id, no text in this locale, no frame at this time. The
+// answer is empty, a viseme rest.
+#define LIPZ_NONE 256
+
+// A pointer is null that must not be.
+#define LIPZ_NULL_POINTER 257
+
+// A key, tag or name that was asked for is not UTF-8.
+#define LIPZ_NOT_UTF8 258
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+// The version of the library that runs, as `major * 1000000 + minor * 1000 + patch`.
+uint32_t lipz_version(void);
+
+// A status in one English sentence, without full stop; `LIPZ_NONE` for numbers that are no status.
+lipz_status lipz_status_message(lipz_status status, struct lipz_string *message);
+
+// Opens the bank that fills `length_bytes` bytes at `data`: checks header and directory, in a time
+// that does not depend on the number of clips.
+//
+// `damage_offset_bytes` may be null; otherwise it gets the place of what is wrong, and 0 if nothing is.
+lipz_status lipz_bank_open(const uint8_t *data,
+                           size_t length_bytes,
+                           struct lipz_bank *bank,
+                           uint32_t *damage_offset_bytes);
+
+// Makes `bank` use the locales of a text bank: opens it, and checks that it belongs to the clips.
+// Unless that succeeds, `bank` stays as it was.
+//
+// `damage_offset_bytes` as for `lipz_bank_open`; the place is one in the text bank.
+lipz_status lipz_bank_use_texts(struct lipz_bank *bank,
+                                const uint8_t *texts,
+                                size_t texts_length_bytes,
+                                uint32_t *damage_offset_bytes);
+
+// Checks every byte and reference of a bank, and of its text bank. After it no query fails for
+// which the bank has data.
+//
+// `damage_offset_bytes` as for `lipz_bank_open`; the place is one in the text bank if the bank is
+// whole.
+lipz_status lipz_bank_verify(const struct lipz_bank *bank, uint32_t *damage_offset_bytes);
+
+// What a bank has.
+lipz_status lipz_bank_info(const struct lipz_bank *bank, struct lipz_bank_info_t *info);
+
+// The id of the clip with this key. It never changes: `lipz ids --lang c` writes the ids of all
+// clips as constants.
+lipz_status lipz_clip_id_of_key(const char *key, size_t key_length_bytes, uint64_t *id);
+
+// The clip with this id.
+lipz_status lipz_clip_by_id(const struct lipz_bank *bank, uint64_t id, struct lipz_clip *clip);
+
+// The clip with this key, compared whole.
+lipz_status lipz_clip_by_key(const struct lipz_bank *bank,
+                             const char *key,
+                             size_t key_length_bytes,
+                             struct lipz_clip *clip);
+
+// The clip in this slot, a number below `clip_count` of the bank. Slots are in no order that means
+// anything.
+lipz_status lipz_clip_at(const struct lipz_bank *bank, uint32_t slot, struct lipz_clip *clip);
+
+// The key of a clip: the path of its Lipz file below the source root, without extension.
+lipz_status lipz_clip_key(const struct lipz_bank *bank,
+                          const struct lipz_clip *clip,
+                          struct lipz_string *key);
+
+// The frame codes of a clip, one byte per frame.
+lipz_status lipz_clip_frames(const struct lipz_bank *bank,
+                             const struct lipz_clip *clip,
+                             struct lipz_string *frames);
+
+// The viseme of a frame; rest outside the clip.
+lipz_status lipz_clip_viseme(const struct lipz_bank *bank,
+                             const struct lipz_clip *clip,
+                             uint32_t frame,
+                             lipz_viseme *viseme);
+
+// The first microsecond at which a frame shows; that of frame `frame_count` is the length of the
+// clip. `LIPZ_NONE` without a frame rate.
+lipz_status lipz_clip_start_of_frame_us(const struct lipz_bank *bank,
+                                        const struct lipz_clip *clip,
+                                        uint32_t frame,
+                                        uint64_t *time_us);
+
+// The frame that shows `time_us` microseconds after the audio began: the fastest unit.
+lipz_status lipz_frame_at_us(const struct lipz_bank *bank,
+                             const struct lipz_clip *clip,
+                             int64_t time_us,
+                             uint32_t *frame);
+
+// The frame that shows after `position` samples (per channel) at `rate_hz` samples per second.
+lipz_status lipz_frame_at_samples(const struct lipz_bank *bank,
+                                  const struct lipz_clip *clip,
+                                  int64_t position,
+                                  uint32_t rate_hz,
+                                  uint32_t *frame);
+
+// The frame that shows after `seconds`, taken two units in the last place later, so that `n / fps`
+// leads to frame `n`. Where your engine offers an integer clock, use the other units.
+lipz_status lipz_frame_at_seconds(const struct lipz_bank *bank,
+                                  const struct lipz_clip *clip,
+                                  double seconds,
+                                  uint32_t *frame);
+
+// The viseme that shows `time_us` microseconds after the audio began; rest when nobody speaks.
+lipz_status lipz_viseme_at_us(const struct lipz_bank *bank,
+                              const struct lipz_clip *clip,
+                              int64_t time_us,
+                              lipz_viseme *viseme);
+
+// The viseme that shows after `position` samples at `rate_hz`; rest when nobody speaks.
+lipz_status lipz_viseme_at_samples(const struct lipz_bank *bank,
+                                   const struct lipz_clip *clip,
+                                   int64_t position,
+                                   uint32_t rate_hz,
+                                   lipz_viseme *viseme);
+
+// The viseme that shows after `seconds`, with the rule of `lipz_frame_at_seconds`; rest when nobody
+// speaks.
+lipz_status lipz_viseme_at_seconds(const struct lipz_bank *bank,
+                                   const struct lipz_clip *clip,
+                                   double seconds,
+                                   lipz_viseme *viseme);
+
+// The segment `time_us` microseconds after the audio began.
+lipz_status lipz_segment_at_us(const struct lipz_bank *bank,
+                               const struct lipz_clip *clip,
+                               int64_t time_us,
+                               struct lipz_segment *segment);
+
+// The segment after `position` samples at `rate_hz`.
+lipz_status lipz_segment_at_samples(const struct lipz_bank *bank,
+                                    const struct lipz_clip *clip,
+                                    int64_t position,
+                                    uint32_t rate_hz,
+                                    struct lipz_segment *segment);
+
+// The segment after `seconds`, with the rule of `lipz_frame_at_seconds`.
+lipz_status lipz_segment_at_seconds(const struct lipz_bank *bank,
+                                    const struct lipz_clip *clip,
+                                    double seconds,
+                                    struct lipz_segment *segment);
+
+// The segment of a clip with this index, a number below its `segment_count`.
+lipz_status lipz_segment_at(const struct lipz_bank *bank,
+                            const struct lipz_clip *clip,
+                            uint32_t index,
+                            struct lipz_segment *segment);
+
+// The segment that a frame belongs to. Segments of no frames are never found by frame.
+lipz_status lipz_segment_of_frame(const struct lipz_bank *bank,
+                                  const struct lipz_clip *clip,
+                                  uint32_t frame,
+                                  struct lipz_segment *segment);
+
+// The text of a segment in a locale of the same bank. `LIPZ_NONE` if the clip has none, also by
+// fallback.
+lipz_status lipz_segment_text(const struct lipz_bank *bank,
+                              const struct lipz_segment *segment,
+                              const struct lipz_locale *locale,
+                              struct lipz_text *text);
+
+// The locale with this tag, spelled as in the bank.
+lipz_status lipz_locale_by_tag(const struct lipz_bank *bank,
+                               const char *tag,
+                               size_t tag_length_bytes,
+                               struct lipz_locale *locale);
+
+// The locale with this index, a number below `locale_count` of the bank.
+lipz_status lipz_locale_at(const struct lipz_bank *bank,
+                           uint32_t index,
+                           struct lipz_locale *locale);
+
+// The default locale; `LIPZ_NONE` if none was set when the bank was packed.
+lipz_status lipz_locale_default(const struct lipz_bank *bank, struct lipz_locale *locale);
+
+// The event string of a segment, trimmed and otherwise as in the Lipz file. Empty if nothing happens;
+// `LIPZ_NONE` if the file has no events.
+lipz_status lipz_segment_event_string(const struct lipz_bank *bank,
+                                      const struct lipz_segment *segment,
+                                      struct lipz_string *string);
+
+// The typed event of a segment with this index: ask from 0 on until `LIPZ_NONE`. There are none where the
+// event string is some other syntax, such as a script.
+lipz_status lipz_segment_event(const struct lipz_bank *bank,
+                               const struct lipz_segment *segment,
+                               uint32_t index,
+                               struct lipz_event *event);
+
+// The name that events mention, spelled as there. Look names up once and compare numbers per event.
+lipz_status lipz_event_name(const struct lipz_bank *bank,
+                            const char *name,
+                            size_t name_length_bytes,
+                            struct lipz_name *found);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* LIPZ_H */

@@ -1,0 +1,170 @@
+//! Opening banks, and the way of every query into one.
+
+use crate::pointer::{answer, bytes};
+use crate::status::{LIPZ_NULL_POINTER, LIPZ_OK, Status, of_damage};
+use core::mem::MaybeUninit;
+use core::ptr;
+use lipz_bank::{Error, TextBank};
+
+/// A bank: the caller's bytes, and beside them those of a text bank, if one is used. It owns
+/// nothing: copy it, forget it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct Bank {
+    /// The bytes of the bank, at any address: a mapped file, ROM, memory.
+    pub data: *const u8,
+    /// Length of the bank.
+    pub length_bytes: usize,
+    /// The bytes of the text bank that has the locales; null if they are those of the bank itself.
+    pub texts: *const u8,
+    /// Length of the text bank.
+    pub texts_length_bytes: usize,
+}
+
+impl Default for Bank {
+    fn default() -> Bank {
+        Bank { data: ptr::null(), length_bytes: 0, texts: ptr::null(), texts_length_bytes: 0 }
+    }
+}
+
+/// What a bank has.
+#[repr(C)]
+#[derive(Clone, Copy, Default, Debug)]
+pub struct BankInfo {
+    /// Hash of what the clips are: a bank and its text banks share it.
+    pub fingerprint: u64,
+    /// Number of clips: their slots are the numbers below it.
+    pub clip_count: u32,
+    /// Number of locales: those of the text bank, if one is used.
+    pub locale_count: u32,
+    /// Major format version.
+    pub format_major: u32,
+    /// Minor format version.
+    pub format_minor: u32,
+}
+
+/// Opens the bank that fills `length_bytes` bytes at `data`: checks header and directory, in a time
+/// that does not depend on the number of clips.
+///
+/// `damage_offset_bytes` may be null; otherwise it gets the place of what is wrong, and 0 if nothing is.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn lipz_bank_open(
+    data: *const u8,
+    length_bytes: usize,
+    bank: Option<&mut MaybeUninit<Bank>>,
+    damage_offset_bytes: Option<&mut MaybeUninit<u32>>,
+) -> Status {
+    let place = damage_offset_bytes.map(|offset| offset.write(0));
+    answer(bank, || {
+        // SAFETY: the contract of the crate, which the caller keeps.
+        let bytes = unsafe { bytes(data, length_bytes) }?;
+        told(lipz_bank::Bank::open(bytes), place)?;
+        Ok(Bank { data, length_bytes, ..Bank::default() })
+    })
+}
+
+/// Makes `bank` use the locales of a text bank: opens it, and checks that it belongs to the clips.
+/// Unless that succeeds, `bank` stays as it was.
+///
+/// `damage_offset_bytes` as for `lipz_bank_open`; the place is one in the text bank.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn lipz_bank_use_texts(
+    bank: Option<&mut Bank>,
+    texts: *const u8,
+    texts_length_bytes: usize,
+    damage_offset_bytes: Option<&mut MaybeUninit<u32>>,
+) -> Status {
+    let place = damage_offset_bytes.map(|offset| offset.write(0));
+    let Some(bank) = bank else { return LIPZ_NULL_POINTER };
+    let with_texts = Bank { texts, texts_length_bytes, ..*bank };
+    // SAFETY: the contract of the crate, which the caller keeps.
+    let opened = unsafe { opened(Some(bank)).and_then(|opened| Ok((opened, bytes(texts, texts_length_bytes)?))) };
+    let result = opened.and_then(|(opened, texts)| told(opened.open_texts(texts), place));
+    match result {
+        Ok(_) => {
+            *bank = with_texts;
+            LIPZ_OK
+        }
+        Err(status) => status,
+    }
+}
+
+/// Checks every byte and reference of a bank, and of its text bank. After it no query fails for
+/// which the bank has data.
+///
+/// `damage_offset_bytes` as for `lipz_bank_open`; the place is one in the text bank if the bank is
+/// whole.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn lipz_bank_verify(
+    bank: Option<&Bank>,
+    damage_offset_bytes: Option<&mut MaybeUninit<u32>>,
+) -> Status {
+    let place = damage_offset_bytes.map(|offset| offset.write(0));
+    // SAFETY: the contract of the crate, which the caller keeps.
+    let opened = unsafe { opened(bank).and_then(|opened| Ok((opened, texts(bank, &opened)?))) };
+    let verified = opened.and_then(|(opened, texts)| {
+        let verified = opened.verify().and_then(|bank| texts.map_or(Ok(()), |texts| texts.verify(&bank).map(|_| ())));
+        told(verified, place)
+    });
+    verified.err().unwrap_or(LIPZ_OK)
+}
+
+/// What a bank has.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn lipz_bank_info(bank: Option<&Bank>, info: Option<&mut MaybeUninit<BankInfo>>) -> Status {
+    answer(info, || {
+        // SAFETY: the contract of the crate, which the caller keeps.
+        let (opened, texts) = unsafe { opened(bank).and_then(|opened| Ok((opened, texts(bank, &opened)?))) }?;
+        let locales = texts.map_or_else(|| opened.locales(), |texts| texts.locales());
+        let (major, minor) = opened.format_version();
+        Ok(BankInfo {
+            fingerprint: opened.fingerprint(),
+            clip_count: number(opened.clip_count()),
+            locale_count: number(locales.count()),
+            format_major: major.into(),
+            format_minor: minor.into(),
+        })
+    })
+}
+
+/// The bank of the caller's bytes, opened as if for the first time: nothing in `bank` is believed.
+///
+/// # Safety
+/// The contract of the crate.
+pub(crate) unsafe fn opened<'data>(bank: Option<&Bank>) -> Result<lipz_bank::Bank<'data>, Status> {
+    let bank = bank.ok_or(LIPZ_NULL_POINTER)?;
+    // SAFETY: the same contract.
+    let bytes = unsafe { bytes(bank.data, bank.length_bytes) }?;
+    lipz_bank::Bank::open(bytes).map_err(of_damage)
+}
+
+/// The text bank beside `opened`, if one is used.
+///
+/// # Safety
+/// The contract of the crate.
+pub(crate) unsafe fn texts<'data>(
+    bank: Option<&Bank>,
+    opened: &lipz_bank::Bank<'_>,
+) -> Result<Option<TextBank<'data>>, Status> {
+    match bank {
+        Some(bank) if !bank.texts.is_null() => {
+            // SAFETY: the same contract.
+            let bytes = unsafe { bytes(bank.texts, bank.texts_length_bytes) }?;
+            opened.open_texts(bytes).map(Some).map_err(of_damage)
+        }
+        _ => Ok(None),
+    }
+}
+
+/// A number of things that stand in a file, whose length has 32 bits.
+fn number(count: usize) -> u32 {
+    u32::try_from(count).unwrap_or(u32::MAX)
+}
+
+/// The status of damage; writes down where it is.
+fn told<T>(result: Result<T, Error>, place: Option<&mut u32>) -> Result<T, Status> {
+    if let (Err(error), Some(place)) = (&result, place) {
+        *place = error.offset_bytes();
+    }
+    result.map_err(of_damage)
+}

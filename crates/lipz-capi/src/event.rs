@@ -1,0 +1,121 @@
+//! Events of a segment: as written, and typed.
+
+use crate::bank::{Bank, opened};
+use crate::pointer::{answer, text};
+use crate::segment::{Segment, of_segment};
+use crate::status::{LIPZ_NONE, Status};
+use crate::string::String;
+use core::ffi::c_char;
+use core::mem::MaybeUninit;
+use lipz_bank::{Command, EventName as Name};
+
+/// Verb: `feels emotion`, lasts until changed.
+pub const LIPZ_FEELS: u32 = 1;
+/// Verb: `sees target`, a character or a prop, for a moment.
+pub const LIPZ_SEES: u32 = 2;
+/// Verb: `stares target`, until `stops staring`.
+pub const LIPZ_STARES: u32 = 3;
+/// Verb: `stops staring`.
+pub const LIPZ_STOPS_STARING: u32 = 4;
+/// Verb: `points target`, until `stops pointing`.
+pub const LIPZ_POINTS: u32 = 5;
+/// Verb: `stops pointing`.
+pub const LIPZ_STOPS_POINTING: u32 = 6;
+/// Verb: `does action`, an action of the game.
+pub const LIPZ_DOES: u32 = 7;
+
+/// The `id` where there is no name.
+pub const LIPZ_NO_NAME: u32 = 0xFFFF_FFFF;
+
+/// A name that events mention: a character, an emotion, a target or an action.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct EventName {
+    /// The name as it is spelled in the Lipz file.
+    pub name: String,
+    /// Its number in this bank: equal names have equal numbers. `LIPZ_NO_NAME` if there is none.
+    pub id: u32,
+}
+
+impl EventName {
+    fn of(name: Option<Name<'_>>) -> EventName {
+        name.map_or_else(EventName::default, |name| EventName { name: String::of(name.as_str()), id: name.id() })
+    }
+}
+
+impl Default for EventName {
+    fn default() -> EventName {
+        EventName { name: String::default(), id: LIPZ_NO_NAME }
+    }
+}
+
+/// One event of Character Event Syntax: `[character] verb object`.
+#[repr(C)]
+#[derive(Clone, Copy, Default, Debug)]
+pub struct Event {
+    /// Who; no name for the speaker of the clip.
+    pub character: EventName,
+    /// The emotion, target or action; no name for the verbs that stop something.
+    pub object: EventName,
+    /// `LIPZ_FEELS` and so on.
+    pub verb: u32,
+}
+
+impl Event {
+    fn of(event: lipz_bank::Event<'_>) -> Event {
+        let verb = match event.command {
+            Command::Feels(_) => LIPZ_FEELS,
+            Command::Sees(_) => LIPZ_SEES,
+            Command::Stares(_) => LIPZ_STARES,
+            Command::StopsStaring => LIPZ_STOPS_STARING,
+            Command::Points(_) => LIPZ_POINTS,
+            Command::StopsPointing => LIPZ_STOPS_POINTING,
+            Command::Does(_) => LIPZ_DOES,
+        };
+        Event { character: EventName::of(event.character), object: EventName::of(event.command.object()), verb }
+    }
+}
+
+/// The event string of a segment, trimmed and otherwise as in the Lipz file. Empty if nothing happens;
+/// `LIPZ_NONE` if the file has no events.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn lipz_segment_event_string(
+    bank: Option<&Bank>,
+    segment: Option<&Segment>,
+    string: Option<&mut MaybeUninit<String>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe { of_segment(bank, segment, string, |segment| Ok(String::of(segment.event().ok_or(LIPZ_NONE)?))) }
+}
+
+/// The typed event of a segment with this index: ask from 0 on until `LIPZ_NONE`. There are none where the
+/// event string is some other syntax, such as a script.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn lipz_segment_event(
+    bank: Option<&Bank>,
+    segment: Option<&Segment>,
+    index: u32,
+    event: Option<&mut MaybeUninit<Event>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe {
+        of_segment(bank, segment, event, |segment| {
+            Ok(Event::of(segment.events().nth(index as usize).ok_or(LIPZ_NONE)?))
+        })
+    }
+}
+
+/// The name that events mention, spelled as there. Look names up once and compare numbers per event.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn lipz_event_name(
+    bank: Option<&Bank>,
+    name: *const c_char,
+    name_length_bytes: usize,
+    found: Option<&mut MaybeUninit<EventName>>,
+) -> Status {
+    answer(found, || {
+        // SAFETY: the contract of the crate, which the caller keeps.
+        let (bank, name) = unsafe { (opened(bank)?, text(name, name_length_bytes)?) };
+        Ok(EventName::of(Some(bank.event_name(name).ok_or(LIPZ_NONE)?)))
+    })
+}

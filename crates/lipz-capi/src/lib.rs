@@ -1,0 +1,55 @@
+//! C ABI of the reader of lipz banks: what `include/lipz.h` declares.
+//!
+//! Every function takes plain structs by pointer, gives its answer through its last pointers and
+//! returns a [`Status`]. `docs/C.md` shows how they are used.
+//!
+//! # Contract
+//!
+//! The caller guarantees, and nothing else:
+//!
+//! * a pointer is null or leads to a value of its type, or to as many bytes as the length beside it
+//!   says; that holds for the pointers in a [`Bank`], too, for as long as the bank and the strings
+//!   from it are used;
+//! * nobody writes to those bytes meanwhile, and answers do not overlap arguments.
+//!
+//! Everything else is total. A null pointer is a status. The numbers in a struct are believed no
+//! more than the bytes of a bank: a struct of another bank, or of random numbers, leads to
+//! [`LIPZ_NONE`] or to other contents of the same bank, never out of it. That is why a [`Bank`] holds
+//! no more than bytes and lengths, and each query looks at header and directory again.
+
+#![no_std]
+#![allow(unsafe_code, reason = "the pointers of C; see `pointer`")]
+#![allow(clippy::missing_safety_doc, reason = "all functions have one contract: the one above")]
+#![cfg_attr(not(test), deny(clippy::indexing_slicing, clippy::arithmetic_side_effects))]
+
+mod bank;
+mod clip;
+mod event;
+mod locale;
+#[cfg(feature = "panic-handler")]
+mod panic;
+mod pointer;
+mod segment;
+mod status;
+mod string;
+mod time;
+mod version;
+
+pub use bank::{Bank, BankInfo, lipz_bank_info, lipz_bank_open, lipz_bank_use_texts, lipz_bank_verify};
+pub use clip::{
+    Clip, LIPZ_BLAIR, LIPZ_RMS, LIPZ_TOONBOOM, Viseme, lipz_clip_at, lipz_clip_by_id, lipz_clip_by_key,
+    lipz_clip_frames, lipz_clip_id_of_key, lipz_clip_key, lipz_clip_start_of_frame_us, lipz_clip_viseme,
+};
+pub use event::{
+    Event, EventName, LIPZ_DOES, LIPZ_FEELS, LIPZ_NO_NAME, LIPZ_POINTS, LIPZ_SEES, LIPZ_STARES, LIPZ_STOPS_POINTING,
+    LIPZ_STOPS_STARING, lipz_event_name, lipz_segment_event, lipz_segment_event_string,
+};
+pub use locale::{Locale, lipz_locale_at, lipz_locale_by_tag, lipz_locale_default};
+pub use segment::{Segment, Text, lipz_segment_at, lipz_segment_of_frame, lipz_segment_text};
+pub use status::{LIPZ_NONE, LIPZ_NOT_UTF8, LIPZ_NULL_POINTER, LIPZ_OK, Status, lipz_status_message};
+pub use string::String;
+pub use time::{
+    lipz_frame_at_samples, lipz_frame_at_seconds, lipz_frame_at_us, lipz_segment_at_samples, lipz_segment_at_seconds,
+    lipz_segment_at_us, lipz_viseme_at_samples, lipz_viseme_at_seconds, lipz_viseme_at_us,
+};
+pub use version::{LIPZ_VERSION_MAJOR, LIPZ_VERSION_MINOR, LIPZ_VERSION_PATCH, lipz_version};

@@ -1,0 +1,39 @@
+//! Every pointer of C becomes a Rust value here, or is refused.
+
+use crate::status::{LIPZ_NOT_UTF8, LIPZ_NULL_POINTER, LIPZ_OK, Status};
+use core::ffi::c_char;
+use core::mem::MaybeUninit;
+use core::slice;
+
+/// Writes the answer of `find` to `out`, or the empty one if there is none.
+pub(crate) fn answer<T: Default>(out: Option<&mut MaybeUninit<T>>, find: impl FnOnce() -> Result<T, Status>) -> Status {
+    let Some(out) = out else { return LIPZ_NULL_POINTER };
+    let (value, status) = match find() {
+        Ok(value) => (value, LIPZ_OK),
+        Err(status) => (T::default(), status),
+    };
+    out.write(value);
+    status
+}
+
+/// The `length_bytes` bytes at `data`, for as long as the caller of the library has them.
+///
+/// # Safety
+/// `data` is null or leads to that many bytes, which nobody writes to.
+pub(crate) unsafe fn bytes<'data>(data: *const u8, length_bytes: usize) -> Result<&'data [u8], Status> {
+    if data.is_null() || length_bytes > isize::MAX.unsigned_abs() {
+        return Err(LIPZ_NULL_POINTER);
+    }
+    // SAFETY: not null, and of a length that a slice can have; the rest is the contract.
+    Ok(unsafe { slice::from_raw_parts(data, length_bytes) })
+}
+
+/// A string that is asked for.
+///
+/// # Safety
+/// As [`bytes`].
+pub(crate) unsafe fn text<'data>(data: *const c_char, length_bytes: usize) -> Result<&'data str, Status> {
+    // SAFETY: the same contract; `char` has one byte.
+    let bytes = unsafe { bytes(data.cast(), length_bytes) }?;
+    core::str::from_utf8(bytes).map_err(|_| LIPZ_NOT_UTF8)
+}

@@ -1,0 +1,43 @@
+//! What functions return: stable numbers.
+
+use crate::pointer::answer;
+use crate::string::String;
+use core::mem::MaybeUninit;
+use lipz_bank::{Error, ErrorKind};
+
+/// What became of a call: `LIPZ_OK`, one of the other numbers from 256 on, or the kind of damage
+/// that was found in a bank, from 1 to 255. Numbers are never given a new meaning.
+pub type Status = u32;
+
+/// The answer was written.
+pub const LIPZ_OK: Status = 0;
+/// There is no such thing: no clip with this id, no text in this locale, no frame at this time. The
+/// answer is empty, a viseme rest.
+pub const LIPZ_NONE: Status = 256;
+/// A pointer is null that must not be.
+pub const LIPZ_NULL_POINTER: Status = 257;
+/// A key, tag or name that was asked for is not UTF-8.
+pub const LIPZ_NOT_UTF8: Status = 258;
+
+/// The number of the kind of damage.
+pub(crate) fn of_damage(error: Error) -> Status {
+    Status::from(error.kind().number())
+}
+
+/// A status in one English sentence, without full stop; `LIPZ_NONE` for numbers that are no status.
+#[unsafe(no_mangle)]
+pub extern "C" fn lipz_status_message(status: Status, message: Option<&mut MaybeUninit<String>>) -> Status {
+    answer(message, || {
+        let text = match status {
+            LIPZ_OK => "the answer was written",
+            LIPZ_NONE => "there is no such thing",
+            LIPZ_NULL_POINTER => "a pointer is null",
+            LIPZ_NOT_UTF8 => "the string is not UTF-8",
+            damage => {
+                let kind = ErrorKind::ALL.iter().find(|kind| Status::from(kind.number()) == damage);
+                kind.ok_or(LIPZ_NONE)?.message()
+            }
+        };
+        Ok(String::of(text))
+    })
+}

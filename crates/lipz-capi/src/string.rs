@@ -1,0 +1,31 @@
+//! Strings that are cut out of a bank.
+
+use core::ffi::c_char;
+use core::ptr;
+
+/// A string in UTF-8, without terminator: it stands in the bytes of the bank and lives as long as
+/// they do. It may contain U+0000.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct String {
+    /// The first byte; null only if there is no string.
+    pub data: *const c_char,
+    /// Length in bytes.
+    pub length_bytes: usize,
+}
+
+impl String {
+    pub(crate) fn of(text: &str) -> String {
+        String::of_bytes(text.as_bytes())
+    }
+
+    pub(crate) fn of_bytes(bytes: &[u8]) -> String {
+        String { data: bytes.as_ptr().cast(), length_bytes: bytes.len() }
+    }
+}
+
+impl Default for String {
+    fn default() -> String {
+        String { data: ptr::null(), length_bytes: 0 }
+    }
+}

@@ -1,0 +1,27 @@
+//! The version of the library, for a header and a shared library that do not belong together.
+
+/// Version of this header: changes of the first number break programs; so do, while it is 0, those
+/// of the second.
+pub const LIPZ_VERSION_MAJOR: u32 = 0;
+/// Second number of the version.
+pub const LIPZ_VERSION_MINOR: u32 = 1;
+/// Third number of the version.
+pub const LIPZ_VERSION_PATCH: u32 = 0;
+
+/// The version of the library that runs, as `major * 1000000 + minor * 1000 + patch`.
+#[unsafe(no_mangle)]
+pub extern "C" fn lipz_version() -> u32 {
+    const { LIPZ_VERSION_MAJOR * 1_000_000 + LIPZ_VERSION_MINOR * 1000 + LIPZ_VERSION_PATCH }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    extern crate std;
+
+    #[test]
+    fn the_version_is_that_of_the_crate() {
+        let version = std::format!("{LIPZ_VERSION_MAJOR}.{LIPZ_VERSION_MINOR}.{LIPZ_VERSION_PATCH}");
+        assert_eq!(version, env!("CARGO_PKG_VERSION"));
+    }
+}

@@ -1,0 +1,171 @@
+//! The functions give the answers of the reader, on every query to every golden bank.
+#![allow(unsafe_code, clippy::unwrap_used, reason = "tests")]
+
+mod common;
+
+use common::{Answer, DRAMA, SMALL, bank, ptr, text_of};
+use lipz_bank::{Micros, Samples, Seconds};
+use lipz_capi::*;
+
+#[test]
+fn clips_are_found_by_id_key_and_slot() {
+    for bytes in [DRAMA, SMALL] {
+        let (expected, bank) = bank(bytes);
+        let info = Answer::<BankInfo>::of(|out| unsafe { lipz_bank_info(Some(&bank), out) }).ok();
+        assert_eq!(info.clip_count as usize, expected.clip_count());
+        assert_eq!(info.locale_count as usize, expected.locales().count());
+        assert_eq!(info.fingerprint, expected.fingerprint());
+        for clip in expected.clips() {
+            let (key, length) = ptr(clip.key());
+            let id = Answer::of(|out| unsafe { lipz_clip_id_of_key(key, length, out) }).ok();
+            assert_eq!(id, clip.id().get());
+            let by_id = Answer::<Clip>::of(|out| unsafe { lipz_clip_by_id(Some(&bank), id, out) }).ok();
+            let by_key = Answer::<Clip>::of(|out| unsafe { lipz_clip_by_key(Some(&bank), key, length, out) }).ok();
+            let by_slot = Answer::<Clip>::of(|out| unsafe { lipz_clip_at(Some(&bank), clip.slot(), out) }).ok();
+            for found in [by_id, by_key, by_slot] {
+                assert_eq!((found.id, found.slot), (id, clip.slot()));
+                assert_eq!((found.frame_count, found.segment_count), (clip.frame_count(), clip.segment_count()));
+                let fps = clip.fps().map_or((0, 0), |fps| (fps.numerator(), fps.denominator()));
+                assert_eq!((found.fps_numerator, found.fps_denominator), fps);
+                assert_eq!(found.viseme_type, clip.viseme_type().map_or(0, |kind| kind as u32));
+                assert_eq!((found.has_visemes == 1, found.has_events == 1), (clip.has_visemes(), clip.has_events()));
+            }
+            let found = Answer::of(|out| unsafe { lipz_clip_key(Some(&bank), Some(&by_id), out) }).ok();
+            assert_eq!(text_of(found), clip.key());
+            let frames = Answer::of(|out| unsafe { lipz_clip_frames(Some(&bank), Some(&by_id), out) }).ok();
+            assert_eq!(text_of(frames).as_bytes(), clip.frames());
+        }
+    }
+}
+
+#[test]
+fn all_units_of_time_lead_to_the_frame_of_the_reader() {
+    let (expected, bank) = bank(SMALL);
+    let (bank, rate_hz) = (Some(&bank), 44_100);
+    for clip in expected.clips() {
+        let found = Answer::<Clip>::of(|out| unsafe { lipz_clip_by_id(bank, clip.id().get(), out) }).ok();
+        let found = Some(&found);
+        for time_us in (-50_000..3_000_000).step_by(33_333) {
+            let (seconds, position) = (time_us as f64 / 1e6, time_us * 441 / 10_000);
+            let samples = Samples { position, rate_hz };
+            unsafe {
+                let frames = [
+                    (Answer::of(|out| lipz_frame_at_us(bank, found, time_us, out)), clip.frame_at(Micros(time_us))),
+                    (
+                        Answer::of(|out| lipz_frame_at_seconds(bank, found, seconds, out)),
+                        clip.frame_at(Seconds(seconds)),
+                    ),
+                    (
+                        Answer::of(|out| lipz_frame_at_samples(bank, found, position, rate_hz, out)),
+                        clip.frame_at(samples),
+                    ),
+                ];
+                for (found, expected) in frames {
+                    assert_eq!(found.some(), expected, "{time_us} us");
+                }
+                let visemes = [
+                    (Answer::of(|out| lipz_viseme_at_us(bank, found, time_us, out)), clip.viseme_at(Micros(time_us))),
+                    (
+                        Answer::of(|out| lipz_viseme_at_seconds(bank, found, seconds, out)),
+                        clip.viseme_at(Seconds(seconds)),
+                    ),
+                    (
+                        Answer::of(|out| lipz_viseme_at_samples(bank, found, position, rate_hz, out)),
+                        clip.viseme_at(samples),
+                    ),
+                ];
+                for (found, expected) in visemes {
+                    assert_eq!(found.ok(), Viseme(expected.code()), "{time_us} us");
+                }
+                let segments = [
+                    (Answer::of(|out| lipz_segment_at_us(bank, found, time_us, out)), clip.segment_at(Micros(time_us))),
+                    (
+                        Answer::of(|out| lipz_segment_at_seconds(bank, found, seconds, out)),
+                        clip.segment_at(Seconds(seconds)),
+                    ),
+                    (
+                        Answer::of(|out| lipz_segment_at_samples(bank, found, position, rate_hz, out)),
+                        clip.segment_at(samples),
+                    ),
+                ];
+                for (found, expected) in segments {
+                    let found: Option<Segment> = found.some();
+                    assert_eq!(found.map(|segment| segment.index), expected.map(|segment| segment.index()));
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn segments_have_the_texts_and_events_of_the_reader() {
+    for bytes in [DRAMA, SMALL] {
+        let (expected, bank) = bank(bytes);
+        let bank = Some(&bank);
+        for clip in expected.clips() {
+            let found = Answer::<Clip>::of(|out| unsafe { lipz_clip_by_id(bank, clip.id().get(), out) }).ok();
+            for segment in clip.segments() {
+                let found =
+                    Answer::<Segment>::of(|out| unsafe { lipz_segment_at(bank, Some(&found), segment.index(), out) })
+                        .ok();
+                assert_eq!((found.start_frame, found.end_frame), (segment.start_frame(), segment.end_frame()));
+                let string = Answer::of(|out| unsafe { lipz_segment_event_string(bank, Some(&found), out) });
+                assert_eq!(string.some().map(text_of), segment.event());
+                let written: Vec<_> = (0..)
+                    .map_while(|index| {
+                        Answer::<Event>::of(|out| unsafe { lipz_segment_event(bank, Some(&found), index, out) }).some()
+                    })
+                    .map(|event| common::written(&event))
+                    .collect();
+                assert_eq!(written, segment.events().map(|event| event.to_string()).collect::<Vec<_>>());
+                for (index, locale) in (0..).zip(expected.locales()) {
+                    let (tag, length) = ptr(locale.tag());
+                    let by_tag = Answer::<Locale>::of(|out| unsafe { lipz_locale_by_tag(bank, tag, length, out) }).ok();
+                    let by_index = Answer::<Locale>::of(|out| unsafe { lipz_locale_at(bank, index, out) }).ok();
+                    assert_eq!((by_tag.index, text_of(by_index.tag)), (index, locale.tag()));
+                    assert_eq!(by_tag.is_default == 1, locale.is_default());
+                    let text =
+                        Answer::<Text>::of(|out| unsafe { lipz_segment_text(bank, Some(&found), Some(&by_tag), out) })
+                            .some();
+                    let text = text.map(|text| {
+                        let string = String { data: text.data, length_bytes: text.length_bytes };
+                        (text_of(string), text.is_fallback == 1)
+                    });
+                    assert_eq!(text, segment.text(locale).map(|text| (text.as_str(), text.is_fallback())));
+                }
+            }
+        }
+    }
+}
+
+/// A clip whose file has no frame rate plays with that of the struct; one that has it keeps it.
+#[test]
+fn the_caller_supplies_a_frame_rate() {
+    let (_, bank) = bank(SMALL);
+    let bank = Some(&bank);
+    let clip_of = |key| {
+        let (key, length) = ptr(key);
+        Answer::<Clip>::of(|out| unsafe { lipz_clip_by_key(bank, key, length, out) }).ok()
+    };
+    let at = |clip: &Clip| Answer::<u32>::of(|out| unsafe { lipz_frame_at_us(bank, Some(clip), 500_000, out) });
+    let mut clip = clip_of("act2/unspecified");
+    assert_eq!((clip.fps_denominator, at(&clip).status), (0, LIPZ_NONE));
+    (clip.fps_numerator, clip.fps_denominator) = (4, 1);
+    assert_eq!(at(&clip).ok(), 2);
+    (clip.fps_numerator, clip.fps_denominator) = (0, 7);
+    assert_eq!(at(&clip).status, LIPZ_NONE, "no frame rate");
+    let mut clip = clip_of("act1/blair");
+    let own = at(&clip).ok();
+    (clip.fps_numerator, clip.fps_denominator) = (1, 1);
+    assert_eq!(at(&clip).ok(), own);
+}
+
+#[test]
+fn names_and_the_default_locale() {
+    let (expected, bank) = bank(DRAMA);
+    let (name, length) = ptr("otto");
+    let found = Answer::<EventName>::of(|out| unsafe { lipz_event_name(Some(&bank), name, length, out) }).ok();
+    assert_eq!((found.id, text_of(found.name)), (expected.event_name("otto").unwrap().id(), "otto"));
+    let locale = Answer::<Locale>::of(|out| unsafe { lipz_locale_default(Some(&bank), out) }).ok();
+    assert_eq!(text_of(locale.tag), "en-us");
+}

@@ -1,0 +1,95 @@
+//! The header is what the code and its documentation say: `LIPZ_BLESS=1` writes it.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+use cbindgen::{Builder, Config, DocumentationStyle, Language, Style};
+use lipz_bank::ErrorKind;
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+
+/// The names of the structs in C: those of functions and constants are the same in Rust.
+const NAMES: [(&str, &str); 11] = [
+    ("Bank", "lipz_bank"),
+    ("BankInfo", "lipz_bank_info_t"),
+    ("Clip", "lipz_clip"),
+    ("Event", "lipz_event"),
+    ("EventName", "lipz_name"),
+    ("Locale", "lipz_locale"),
+    ("Segment", "lipz_segment"),
+    ("Status", "lipz_status"),
+    ("String", "lipz_string"),
+    ("Text", "lipz_text"),
+    ("Viseme", "lipz_viseme"),
+];
+
+/// The files with declarations, in the order of the header.
+const FILES: [&str; 9] =
+    ["version.rs", "status.rs", "string.rs", "bank.rs", "clip.rs", "time.rs", "segment.rs", "locale.rs", "event.rs"];
+
+const INTRODUCTION: &str = "/*
+ * lipz.h - reads lipz dialogue banks in place. https://github.com/lipz/lipz
+ *
+ * MIT OR Apache-2.0. Written by `LIPZ_BLESS=1 cargo test -p lipz-capi --test header` from the code.
+ * docs/C.md shows how to use it.
+ *
+ * Contract: a pointer is null or leads to a value of its type, or to as many bytes as the length
+ * beside it says; that holds for the pointers in a lipz_bank, too, for as long as the bank and strings
+ * from it are used. Nobody writes to those bytes meanwhile, and answers do not overlap arguments.
+ *
+ * Everything else is total: no function crashes, reads out of bounds or loops without end, whatever the
+ * bytes of the bank and the numbers in the structs are. Each returns a status, and writes an
+ * empty answer (zeros, null, the viseme at rest) unless that is LIPZ_OK. All may be called from several
+ * threads at once.
+ */";
+
+#[test]
+fn the_header_is_current() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("include/lipz.h");
+    let header = header();
+    if std::env::var_os("LIPZ_BLESS").is_some() {
+        fs::write(&path, &header).unwrap();
+    }
+    let found = fs::read_to_string(&path).unwrap();
+    assert!(found == header, "include/lipz.h is not what the code says: LIPZ_BLESS=1 writes it");
+}
+
+/// The header as it should be.
+fn header() -> String {
+    let mut config = Config {
+        language: Language::C,
+        style: Style::Both,
+        cpp_compat: true,
+        header: Some(INTRODUCTION.into()),
+        include_guard: Some("LIPZ_H".into()),
+        after_includes: Some(damage()),
+        no_includes: true,
+        sys_includes: vec!["stddef.h".into(), "stdint.h".into()],
+        usize_is_size_t: true,
+        documentation_style: DocumentationStyle::C99,
+        line_length: 100,
+        ..Config::default()
+    };
+    config.export.rename = NAMES.iter().map(|(rust, c)| ((*rust).into(), (*c).into())).collect();
+    let sources = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let builder = FILES.iter().fold(Builder::new(), |builder, file| builder.with_src(sources.join(file)));
+    let bindings = builder.with_config(config).generate().unwrap();
+    let mut text = Vec::new();
+    bindings.write(&mut text);
+    String::from_utf8(text).unwrap()
+}
+
+/// The kinds of damage as statuses. The reader lists them, with their numbers.
+fn damage() -> String {
+    let mut text = String::from("\n");
+    for kind in ErrorKind::ALL {
+        let mut name = String::from("LIPZ");
+        for letter in format!("{kind:?}").chars() {
+            if letter.is_ascii_uppercase() {
+                name.push('_');
+            }
+            name.push(letter.to_ascii_uppercase());
+        }
+        let _ = writeln!(text, "// Damage: {}.\n#define {name} {}\n", kind.message(), kind.number());
+    }
+    text
+}

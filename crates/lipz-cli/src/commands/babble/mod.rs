@@ -1,0 +1,91 @@
+//! `lipz babble`: the babble profile of a Second Life viewer, as settings of a project.
+
+mod llsd;
+
+use crate::render::Findings;
+use crate::{Ended, Outcome, console, standard};
+use clap::Args;
+use lipz::{Code, Diagnostic};
+use lipz_bank::Babble;
+use lipz_compiler::Report;
+use lipz_compiler::babble::BabbleProfile;
+use lipz_compiler::settings::is_word;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+/// Print the babble profile in a viewer's settings, for lipz.toml.
+///
+/// Viewers of Second Life keep what users changed in user_settings/settings.xml. What is not there has the
+/// viewer's default, which is printed, too.
+#[derive(Args, Debug)]
+#[command(after_help = "Examples:
+  lipz babble settings.xml >> lipz.toml
+  lipz babble settings.xml --name robot >> lipz.toml")]
+pub(crate) struct BabbleArguments {
+    /// The viewer's settings; `-` reads them from standard input
+    #[arg(value_name = "SETTINGS")]
+    pub(crate) settings: PathBuf,
+
+    /// Name of the profile; without it, it is the project's own
+    #[arg(long, value_name = "NAME", value_parser = name)]
+    pub(crate) name: Option<String>,
+}
+
+/// A name that stands in a TOML table's head as it is.
+fn name(text: &str) -> Result<String, String> {
+    let is_bare = text.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '-' | '_'));
+    if is_word(text) && is_bare { Ok(text.to_owned()) } else { Err("a name has letters, digits, - and _".to_owned()) }
+}
+
+pub(crate) fn run(arguments: &BabbleArguments, findings: &mut Findings) -> Ended {
+    let path = &arguments.settings;
+    let (shown, bytes) = read(path).map_err(|report| findings.fail(report))?;
+    let mut diagnostics = Vec::new();
+    let text = lipz::decode(lipz::without_byte_order_mark(&bytes), &mut diagnostics);
+    let profile = text.and_then(|text| llsd::profile(text, &shown, &mut diagnostics));
+    let report = Report::of_file(&shown, &bytes, diagnostics);
+    let has_errors = report.has_errors();
+    if !report.diagnostics.is_empty() {
+        findings.add(vec![report]);
+    }
+    match profile {
+        Some(profile) if !has_errors => Ok(console::print(&toml(&profile, arguments.name.as_deref()))),
+        _ => Ok(Outcome::Findings),
+    }
+}
+
+/// The name for messages and the bytes of the file.
+fn read(path: &Path) -> Result<(String, Vec<u8>), Report> {
+    if standard::is_meant(path) {
+        return Ok((standard::INPUT_NAME.to_owned(), standard::lipz_bytes()?));
+    }
+    let shown = console::path(path);
+    match std::fs::read(path) {
+        Ok(bytes) => Ok((shown, bytes)),
+        Err(error) => {
+            let headline = format!("the file cannot be read: {error}");
+            Err(Report::about(shown, Diagnostic::new(Code::UnreadableFile, headline)))
+        }
+    }
+}
+
+/// The profile as a table of lipz.toml, complete.
+fn toml(profile: &BabbleProfile, name: Option<&str>) -> String {
+    let mut text = match name {
+        Some(name) => format!("[babble.{name}]\n"),
+        None => "[babble]\n".to_owned(),
+    };
+    let built_in = Babble::DEFAULT;
+    for (key, own, default) in [
+        ("ooh", &profile.ooh, built_in.ooh()),
+        ("aah", &profile.aah, built_in.aah()),
+        ("ooh-power-transfer", &profile.ooh_power_transfer, built_in.ooh_power_transfer()),
+        ("aah-power-transfer", &profile.aah_power_transfer, built_in.aah_power_transfer()),
+    ] {
+        let default = || String::from_utf8_lossy(default).into_owned();
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{key} = \"{}\"", own.as_ref().map_or_else(default, ToString::to_string));
+    }
+    let _ = writeln!(text, "rate = {}", profile.rate.unwrap_or(built_in.rate()));
+    text
+}

@@ -1,0 +1,22 @@
+//! Arguments that name a locale of a bank.
+
+use crate::{Outcome, console};
+use lipz::diagnostic::show;
+use lipz::locale::canonical_tag;
+
+/// The one of `known` whose tag is `asked`, however it is spelled: `de_DE` is `de-de`. Says which ones there
+/// are if there is none.
+pub(super) fn choose<T>(
+    asked: &str,
+    known: impl Iterator<Item = T> + Clone,
+    tag: impl Fn(&T) -> &str,
+) -> Result<T, Outcome> {
+    let canonical = canonical_tag(asked, true);
+    let wanted = canonical.as_deref().unwrap_or(asked);
+    known.clone().find(|locale| tag(locale) == wanted).ok_or_else(|| {
+        let tags: Vec<_> = known.map(|locale| show::text(tag(&locale)).into_owned()).collect();
+        let asked = show::text(asked);
+        console::remark(&format!("error: no locale `{asked}` in the bank\nhelp: it has {}\n", tags.join(", ")));
+        Outcome::Failed
+    })
+}

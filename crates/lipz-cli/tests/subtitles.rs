@@ -1,0 +1,94 @@
+//! `lipz subtitles`: what is written, what is read, and what is said about it.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use std::fs;
+use support::{Scene, lipz, repository};
+
+const CLIP: &str =
+    r#"{ "fps": 24, "viseme_type": "blair", "visemes": "--MA|EO--", "text_en-us": "|{speaker: Mara} Hello & bye." }"#;
+
+#[test]
+fn the_drama_returns() {
+    let scene = Scene::new();
+    let voices = repository().join("fixtures/drama");
+    let voices = voices.to_str().unwrap();
+    for format in ["srt", "vtt"] {
+        let folder = format!("{format}-files");
+        scene.prepare(&["unpack", &drama(&scene), "-o", format]);
+        scene.prepare(&["subtitles", "export", format, voices, "-o", &folder, "--quiet"]);
+        // The speakers and times of all are there, and give the texts back.
+        let before = bank(&scene, format);
+        scene.prepare(&["subtitles", "import", &folder, "-o", format]);
+        let diff = lipz(scene.path(), ["diff", &before, format]);
+        assert_eq!((diff.code, diff.stderr.as_str()), (0, ""), "{}", diff.stdout);
+    }
+}
+
+fn drama(scene: &Scene) -> String {
+    let voices = repository().join("fixtures/drama");
+    scene.prepare(&["pack", voices.to_str().unwrap(), "-o", "drama.lipzbank", "--quiet"]);
+    "drama.lipzbank".into()
+}
+
+fn bank(scene: &Scene, folder: &str) -> String {
+    let bank = format!("{folder}.lipzbank");
+    scene.prepare(&["pack", folder, "-o", &bank, "--quiet", "--no-config"]);
+    bank
+}
+
+#[test]
+fn files_have_key_and_locale_in_their_names() {
+    let scene = Scene::new();
+    scene.write("voices/act1/mayor.lipz", CLIP);
+    scene.prepare(&["subtitles", "export", "vtt", "voices", "-o", "out"]);
+    let vtt = fs::read_to_string(scene.path().join("out/act1/mayor.en-us.vtt")).unwrap();
+    assert_eq!(vtt, "WEBVTT\n\n00:00:00.167 --> 00:00:00.333\n<v Mara>Hello &amp; bye.\n");
+    scene.prepare(&["subtitles", "export", "srt", "voices", "-o", "out"]);
+    let srt = fs::read_to_string(scene.path().join("out/act1/mayor.en-us.srt")).unwrap();
+    assert_eq!(srt, "1\n00:00:00,167 --> 00:00:00,333\nHello & bye.\n\n");
+    let again = lipz(scene.path(), ["subtitles", "export", "srt", "voices", "-o", "out"]);
+    assert!(again.code == 1 && again.stderr.contains("is there already"), "{again:?}");
+    let other = lipz(scene.path(), ["subtitles", "export", "srt", "voices", "-o", "other", "--locale", "de_DE"]);
+    assert_eq!((other.code, scene.path().join("other").exists()), (0, false));
+}
+
+#[test]
+fn a_clip_that_is_not_there_is_made() {
+    let scene = Scene::new();
+    scene.write("in/mayor.de-de.srt", "1\n00:00:00,500 --> 00:00:01,000\nGuten Abend.\n");
+    scene.write("in/readme.txt", "not a subtitle");
+    scene.prepare(&["subtitles", "import", "in", "-o", "voices", "--fps", "4"]);
+    let made = fs::read_to_string(scene.path().join("voices/mayor.lipz")).unwrap();
+    assert!(made.contains("--|--") && made.contains("Guten Abend."), "{made}");
+    let nowhere = lipz(scene.path(), ["subtitles", "import", "in/readme.txt", "-o", "voices"]);
+    assert_eq!(nowhere.code, 2);
+}
+
+#[test]
+fn findings() {
+    let mut scene = Scene::new();
+    scene.write("voices/mayor.lipz", r#"{ "fps": 24, "visemes": "MAAA|EEOO|", "text_en-us": "Yes.|a --> b|Gone." }"#);
+    let import = |file| ["subtitles", "import", file, "-o", "voices", "--quiet"];
+    let files = [
+        ("LZ1301-subtitle-syntax", "a.en-us.srt", "1\n00:00:01,000 --> 00:00:02\nGood evening.\n\nWho?\n"),
+        ("LZ1301-subtitle-syntax-vtt", "b.en-us.vtt", "1\n00:01.000 --> 00:02.000\nGood evening.\n"),
+        ("LZ1301-subtitle-syntax-end", "c.ja-jp.srt", "1\n00:00:03,000 --> 00:00:02,000\nこんばんは。\n"),
+        (
+            "LZ1302-subtitle-times",
+            "d.en-us.srt",
+            "1\n00:00:02,000 --> 00:00:03,000\nTwo.\n\n2\n00:00:01,000 --> 00:00:02,500\nOne.\n",
+        ),
+        ("LZ1303-subtitle-place", "mayor.de-de.srt", "1\n00:00:00,000 --> 00:00:00,333\nGuten Abend.\n"),
+        ("LZ1304-subtitle-text", "e.en-us.srt", "1\n00:00:00,000 --> 00:00:00,333\n<i>Good</i> evening | night.\n"),
+    ];
+    for (name, file, content) in files {
+        scene.write(file, content);
+        scene.expect(name, &import(file));
+    }
+    scene.expect("LZ1305-subtitle-loss", &["subtitles", "export", "srt", "voices", "-o", "out", "--quiet"]);
+    scene.write("f.srt", "1\n00:00:01,000 --> 00:00:02,000\nGood evening.\n");
+    scene.expect("LZ1110-text-left-out-subtitles", &import("f.srt"));
+    scene.finish(8);
+}

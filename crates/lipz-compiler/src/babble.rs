@@ -1,0 +1,128 @@
+//! Babble profiles of a project: checked digits, and the section that they become.
+
+use lipz_bank::layout::BabbleRecord;
+use lipz_bank::{Babble, Fps};
+use std::collections::BTreeMap;
+use std::fmt;
+use zerocopy::IntoBytes;
+
+/// The name of the profile that programs get without naming one.
+pub const DEFAULT_PROFILE: &str = "default";
+
+/// Digits that a record of the bank can count.
+const MAX_DIGITS: usize = u16::MAX as usize;
+
+/// A loop or a power transfer: one digit or more.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Digits(String);
+
+/// Why a text is no loop.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum NotDigits {
+    /// There are none.
+    Empty,
+    /// A character that is no digit, and the byte at which it stands.
+    Foreign(char, usize),
+    /// More than a bank holds.
+    TooMany,
+}
+
+impl Digits {
+    /// The digits in `text`.
+    ///
+    /// # Errors
+    /// If they are not digits from 0 to 9, none at all, or more than 65,535.
+    pub fn parse(text: &str) -> Result<Digits, NotDigits> {
+        if let Some((at, foreign)) = text.char_indices().find(|(_, c)| !c.is_ascii_digit()) {
+            return Err(NotDigits::Foreign(foreign, at));
+        }
+        match text.len() {
+            0 => Err(NotDigits::Empty),
+            1..=MAX_DIGITS => Ok(Digits(text.to_owned())),
+            _ => Err(NotDigits::TooMany),
+        }
+    }
+
+    /// The digits.
+    pub fn as_str(&self) -> &str {
+        &self.0
+    }
+}
+
+impl fmt::Display for Digits {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+/// What a profile says; what it leaves open is that of the profile which it is based on.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct BabbleProfile {
+    /// The loop for the lips.
+    pub ooh: Option<Digits>,
+    /// The loop for the jaw.
+    pub aah: Option<Digits>,
+    /// What power does to the lips.
+    pub ooh_power_transfer: Option<Digits>,
+    /// What power does to the jaw.
+    pub aah_power_transfer: Option<Digits>,
+    /// Digits per second.
+    pub rate: Option<Fps>,
+}
+
+/// The babble profiles of a project.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct BabbleProfiles {
+    /// The project's own, based on [`Babble::DEFAULT`]. It becomes the profile `default`, if it says anything.
+    pub base: BabbleProfile,
+    /// Others by name, based on it. Names are not empty, and at most 65,535 bytes long.
+    pub named: BTreeMap<String, BabbleProfile>,
+}
+
+impl BabbleProfiles {
+    /// The section of the bank; empty if there are no profiles.
+    pub(crate) fn section(&self) -> Vec<u8> {
+        let mut profiles: BTreeMap<&str, &BabbleProfile> = BTreeMap::new();
+        if self.base != BabbleProfile::default() {
+            profiles.insert(DEFAULT_PROFILE, &self.base);
+        }
+        profiles.extend(self.named.iter().map(|(name, profile)| (name.as_str(), profile)));
+        let mut bytes = Vec::new();
+        for (name, profile) in profiles {
+            self.push(&mut bytes, name, profile);
+        }
+        bytes
+    }
+
+    fn push(&self, bytes: &mut Vec<u8>, name: &str, profile: &BabbleProfile) {
+        let base = &self.base;
+        let built_in = Babble::DEFAULT;
+        let digits = |own: &'_ Option<Digits>, base: &'_ Option<Digits>, built_in: &[u8]| -> Vec<u8> {
+            own.as_ref().or(base.as_ref()).map_or(built_in.to_vec(), |digits| digits.as_str().into())
+        };
+        let ooh = digits(&profile.ooh, &base.ooh, built_in.ooh());
+        let aah = digits(&profile.aah, &base.aah, built_in.aah());
+        let of_power = built_in.ooh_power_transfer();
+        let ooh_power_transfer = digits(&profile.ooh_power_transfer, &base.ooh_power_transfer, of_power);
+        let of_power = built_in.aah_power_transfer();
+        let aah_power_transfer = digits(&profile.aah_power_transfer, &base.aah_power_transfer, of_power);
+        let rate = profile.rate.or(base.rate).unwrap_or(built_in.rate());
+        // Names and digits are no longer than that: `Digits` and the settings see to it.
+        let length = |bytes: &[u8]| u16::try_from(bytes.len()).unwrap_or(u16::MAX).into();
+        let record = BabbleRecord {
+            frames_per_micro_q64: rate.frames_per_micro_q64().into(),
+            rate_numerator: rate.numerator().into(),
+            rate_denominator: rate.denominator().into(),
+            name_length_bytes: length(name.as_bytes()),
+            ooh_length_bytes: length(&ooh),
+            aah_length_bytes: length(&aah),
+            ooh_power_transfer_length_bytes: length(&ooh_power_transfer),
+            aah_power_transfer_length_bytes: length(&aah_power_transfer),
+            reserved: [0; 6],
+        };
+        bytes.extend_from_slice(record.as_bytes());
+        for string in [name.as_bytes(), &ooh, &aah, &ooh_power_transfer, &aah_power_transfer] {
+            bytes.extend_from_slice(string);
+        }
+    }
+}

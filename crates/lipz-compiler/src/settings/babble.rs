@@ -1,0 +1,113 @@
+//! `[babble]` and the profiles below it.
+
+use super::reading::Reading;
+use super::value::{Value, span};
+use crate::babble::{BabbleProfile, Digits, NotDigits};
+use lipz::diagnostic::show;
+use lipz::diagnostic::suggest::nearest;
+use lipz::{Code, Diagnostic};
+use lipz_bank::Fps;
+use toml::de::DeValue;
+
+/// What a profile can say.
+const SETTINGS: [&str; 5] = ["ooh", "aah", "ooh-power-transfer", "aah-power-transfer", "rate"];
+
+/// Bytes of a name that a record of the bank can count.
+const MAX_NAME_BYTES: usize = u16::MAX as usize;
+
+impl Reading<'_> {
+    /// An entry of `[babble]`: a setting of the project's own profile, or a profile with a name.
+    pub(super) fn babble(&mut self, name: &str, value: &Value<'_>) {
+        let mut base = std::mem::take(&mut self.settings.options.babble.base);
+        let is_setting = self.profile_setting(name, value, &mut base);
+        self.settings.options.babble.base = base;
+        if is_setting {
+            return;
+        }
+        let DeValue::Table(entries) = value.node.get_ref() else {
+            return self.unknown_babble_setting(name, value);
+        };
+        if name.is_empty() || name.len() > MAX_NAME_BYTES {
+            let headline = "a babble profile has a name that is empty or too long";
+            let finding = Diagnostic::at(Code::SettingValue, span(&value.key), headline);
+            return self
+                .findings
+                .push(finding.help("programs ask for it by its name: write one, as in [babble.robot]"));
+        }
+        let mut profile = BabbleProfile::default();
+        for (key, node) in entries {
+            let setting = key.get_ref().as_ref();
+            let value = Value { name: format!("{}.{setting}", value.name), key: key.span(), node };
+            if !self.profile_setting(setting, &value, &mut profile) {
+                self.unknown_babble_setting(setting, &value);
+            }
+        }
+        self.settings.options.babble.named.insert(name.to_owned(), profile);
+    }
+
+    /// Reads a setting of a profile; `false` if there is none with this name.
+    fn profile_setting(&mut self, name: &str, value: &Value<'_>, profile: &mut BabbleProfile) -> bool {
+        let digits = match name {
+            "ooh" => &mut profile.ooh,
+            "aah" => &mut profile.aah,
+            "ooh-power-transfer" => &mut profile.ooh_power_transfer,
+            "aah-power-transfer" => &mut profile.aah_power_transfer,
+            "rate" => {
+                profile.rate = self.rate(value);
+                return true;
+            }
+            _ => return false,
+        };
+        *digits = self.digits(value);
+        true
+    }
+
+    fn digits(&mut self, value: &Value<'_>) -> Option<Digits> {
+        let text = match value.node.get_ref() {
+            DeValue::String(text) => text,
+            DeValue::Integer(number) => {
+                let help = format!("put the digits into quotes: \"{number}\"");
+                return value.wrong_type("a text of digits", &help, &mut self.findings);
+            }
+            _ => return value.wrong_type("a text of digits", "write digits in quotes: \"0123\"", &mut self.findings),
+        };
+        let (what, help) = match Digits::parse(text) {
+            Ok(digits) => return Some(digits),
+            Err(NotDigits::Empty) => ("is empty".to_owned(), "write at least one digit; 0 alone keeps the morph still"),
+            Err(NotDigits::Foreign(c, _)) => {
+                let what = format!("has {}, which is not a digit", show::character(c));
+                (what, "each digit from 0 to 9 is how far the morph moves")
+            }
+            Err(NotDigits::TooMany) => ("has too many digits".to_owned(), "a bank holds loops of up to 65,535 digits"),
+        };
+        let mut place = value.span();
+        if let Err(NotDigits::Foreign(c, at)) = Digits::parse(text) {
+            // In a plain string, the characters stand behind the quote as they are.
+            let start = place.start as usize + 1 + at;
+            let is_plain = value.node.span().len() == text.len() + 2;
+            place = if is_plain { lipz::Span::new(start, start + c.len_utf8()) } else { place };
+        }
+        let headline = format!("`{}` {what}", show::text(&value.name));
+        self.findings.push(Diagnostic::at(Code::BabbleDigits, place, headline).help(help));
+        None
+    }
+
+    fn rate(&mut self, value: &Value<'_>) -> Option<Fps> {
+        let rate = value.ratio(&mut self.findings)?;
+        if rate.is_none() {
+            let headline = format!("`{}` is outside 1 to 1000", show::text(&value.name));
+            let finding = Diagnostic::at(Code::BabbleRate, value.span(), headline);
+            self.findings.push(finding.help("write digits per second; the viewer's own rate is 24"));
+        }
+        rate
+    }
+
+    fn unknown_babble_setting(&mut self, name: &str, value: &Value<'_>) {
+        let headline = format!("{} is not a setting of a babble profile", show::name(name));
+        let help = match nearest(name, SETTINGS) {
+            Some(known) => format!("did you mean `{known}`?"),
+            None => format!("they are {}; a profile with a name is a table, [babble.NAME]", SETTINGS.join(", ")),
+        };
+        self.findings.push(Diagnostic::at(Code::UnknownSetting, span(&value.key), headline).help(help));
+    }
+}

@@ -1,0 +1,48 @@
+//! What a file looks like from outside: another look means that it may be another file.
+
+use std::fs::Metadata;
+use std::time::{Duration, SystemTime};
+
+/// For how long a file must have been left alone so that its next change shows: the clocks of some file
+/// systems tick every two seconds, and a younger file may change once more within the same tick.
+const SETTLED_AFTER: Duration = Duration::from_secs(2);
+
+/// What the system tells about a file without reading it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct Stamp {
+    length_bytes: u64,
+    modified: Option<SystemTime>,
+    identity: Identity,
+}
+
+/// Device, inode, and time of change: a file that is renamed over another has another inode, and nobody
+/// can set the time of change.
+#[cfg(unix)]
+type Identity = (u64, u64, i64, i64);
+
+/// The time of creation; Windows tells no more.
+#[cfg(not(unix))]
+type Identity = Option<SystemTime>;
+
+impl Stamp {
+    pub(crate) fn of(metadata: &Metadata) -> Stamp {
+        Stamp { length_bytes: metadata.len(), modified: metadata.modified().ok(), identity: identity(metadata) }
+    }
+
+    /// Whether a change from now on gives the file another stamp.
+    pub(crate) fn is_settled(&self) -> bool {
+        let age = self.modified.and_then(|modified| SystemTime::now().duration_since(modified).ok());
+        age.is_some_and(|age| age > SETTLED_AFTER)
+    }
+}
+
+#[cfg(unix)]
+fn identity(metadata: &Metadata) -> Identity {
+    use std::os::unix::fs::MetadataExt;
+    (metadata.dev(), metadata.ino(), metadata.ctime(), metadata.ctime_nsec())
+}
+
+#[cfg(not(unix))]
+fn identity(metadata: &Metadata) -> Identity {
+    metadata.created().ok()
+}

@@ -1,0 +1,84 @@
+//! From a clip to cues: a segment with a text shows from its first frame to that of the next one.
+
+use super::Cue;
+use crate::Time;
+use crate::export::{rate, refusal};
+use lipz::rate::Rate;
+use lipz::text::{DELIMITER, display, is_white_space, segments};
+use lipz::{Code, Diagnostic, Document, Value};
+
+/// What a project decides about subtitles.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct SubtitleOptions<'a> {
+    /// The frame rate of files without `fps`.
+    pub default_rate: Option<Rate>,
+    /// Who speaks where the text has no `{speaker: …}`.
+    pub speaker: Option<&'a str>,
+}
+
+/// The cues of a clip in a locale, with times to the millisecond: the nearest one to the start of a frame. Segments
+/// without a text have none; findings tell what has no time. `None` if the clip has no text in the locale, or a
+/// finding is an error.
+///
+/// ```
+/// use lipz_interop::subtitles::{SubtitleOptions, cues};
+/// let parsed = lipz::parse(br#"{ "fps": 24, "visemes": "--MA|EO--", "text_en-us": "|Hello." }"#);
+/// let document = parsed.document.ok_or("a valid file")?;
+/// let cues = cues(&document, "en-us", &SubtitleOptions::default(), &mut Vec::new()).ok_or("a text")?;
+/// assert_eq!((cues[0].start_ms, cues[0].end_ms, cues[0].text.as_str()), (167, 333, "Hello."));
+/// # Ok::<(), &str>(())
+/// ```
+pub fn cues(
+    document: &Document<'_>,
+    locale: &str,
+    options: &SubtitleOptions<'_>,
+    findings: &mut Vec<Diagnostic>,
+) -> Option<Vec<Cue>> {
+    let element = document.get(&format!("text_{locale}"))?;
+    let Value::String(string) = &element.value else { return None };
+    let Some(rate) = rate(document).or(options.default_rate) else {
+        findings.push(
+            refusal("the clip has no frame rate").help("add \"fps\" to the file, or set `default-fps` in lipz.toml"),
+        );
+        return None;
+    };
+    let Some(bounds) = document.string("visemes").map(bounds) else {
+        findings.push(refusal("the clip has no mouth shapes, which tell when its segments show"));
+        return None;
+    };
+    let mut cues = Vec::new();
+    for (range, frames) in segments(&string.text).zip(bounds.windows(2)) {
+        let text = string.text.get(range.clone()).unwrap_or_default();
+        if display(text).text.is_empty() {
+            continue;
+        }
+        let &[start, end] = frames else { continue };
+        if start == end {
+            let span = string.span_of(range);
+            let finding = Diagnostic::at(Code::SubtitleLoss, span, "the segment has no frames, and is no subtitle");
+            findings.push(finding.help("give it frames, or move its text to a segment that has some"));
+            continue;
+        }
+        let ms = |frame| Time::of_frame(frame, rate).in_units(1000);
+        let text = match options.speaker {
+            Some(name) if !text.contains("{speaker:") => format!("{{speaker: {name}}} {text}"),
+            _ => text.to_owned(),
+        };
+        cues.push(Cue { start_ms: ms(start), end_ms: ms(end), text, span: element.value.span() });
+    }
+    Some(cues)
+}
+
+/// The frames at which segments start, and the number of all frames.
+pub(super) fn bounds(visemes: &str) -> Vec<u64> {
+    let mut frame = 0;
+    let mut bounds = vec![0];
+    for code in visemes.chars().filter(|code| !is_white_space(*code)) {
+        match code {
+            DELIMITER => bounds.push(frame),
+            _ => frame += 1,
+        }
+    }
+    bounds.push(frame);
+    bounds
+}

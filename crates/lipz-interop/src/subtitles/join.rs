@@ -1,0 +1,197 @@
+//! From cues to a clip: the texts of its segments, and where it has none yet, the segments.
+
+use super::Cue;
+use super::clip::bounds;
+use crate::Time;
+use crate::export::rate;
+use crate::import::{REST, element, fps};
+use lipz::rate::Rate;
+use lipz::text::{DELIMITER, display, is_white_space, segments, trim};
+use lipz::{Code, Diagnostic, Document, Value};
+use std::cmp::Reverse;
+
+/// A clip of subtitles alone: the mouth rests, and each cue is a segment. Between them are segments without text.
+///
+/// ```
+/// use lipz_interop::subtitles::{Cue, clip};
+/// let cue = Cue { start_ms: 125, end_ms: 250, text: "Hello.".into(), ..Cue::default() };
+/// let rate = lipz::rate::parse("24").ok_or("a rate")?;
+/// let document = clip(&[cue], "en-us", rate, &mut Vec::new());
+/// assert_eq!(document.string("visemes"), Some("---|---"));
+/// assert_eq!(document.string("text_en-us"), Some("|Hello."));
+/// # Ok::<(), &str>(())
+/// ```
+pub fn clip(cues: &[Cue], locale: &str, rate: Rate, findings: &mut Vec<Diagnostic>) -> Document<'static> {
+    let end_ms = cues.iter().map(|cue| cue.end_ms).max().unwrap_or(0);
+    let frames = usize::try_from(Time::new(end_ms, 1000).nearest_frame(rate)).unwrap_or(usize::MAX);
+    let codes = vec![REST; frames.min(MAX_FRAMES)];
+    let division = divide(cues, codes.len() as u64, rate, findings);
+    Document {
+        elements: vec![
+            element("visemes", division.visemes(&codes)),
+            element(&format!("text_{locale}"), division.text()),
+            fps(rate),
+        ],
+    }
+}
+
+/// Frames of a clip, at most: more than a day at 24 frames a second can only be a mistake.
+const MAX_FRAMES: usize = 1 << 22;
+
+/// Gives a clip the texts of `cues` in a locale, in place of those that it has.
+///
+/// A clip without segments gets those of the cues. One that has them keeps them: a cue is the text of the
+/// segment that it shows in for longest. Segments whose display text stays the same keep their spelling, with
+/// meta and blanks.
+pub fn join<'s>(
+    mut document: Document<'s>,
+    cues: &[Cue],
+    locale: &str,
+    default_rate: Rate,
+    findings: &mut Vec<Diagnostic>,
+) -> Document<'s> {
+    let name = format!("text_{locale}");
+    let rate = rate(&document).unwrap_or(default_rate);
+    let visemes = document.string("visemes").map(str::to_owned);
+    let text = match &visemes {
+        Some(visemes) if is_undivided(&document, &name) => {
+            let codes: Vec<u8> = visemes.bytes().filter(|byte| !is_white_space(char::from(*byte))).collect();
+            let division = divide(cues, codes.len() as u64, rate, findings);
+            set(&mut document, "visemes", division.visemes(&codes));
+            division.text()
+        }
+        Some(visemes) => in_segments(cues, &bounds(visemes), rate, findings).join(BAR),
+        None => cues.iter().map(|cue| trim(&cue.text)).collect::<Vec<_>>().join(BAR),
+    };
+    let text = match document.string(&name) {
+        Some(old) => keep_spelling(old, &text),
+        None => text,
+    };
+    set(&mut document, &name, text);
+    document
+}
+
+/// `|` as a string.
+const BAR: &str = "|";
+
+/// Whether nothing in the document says that it has segments, but perhaps the text with this name, which is replaced.
+fn is_undivided(document: &Document<'_>, name: &str) -> bool {
+    let is_segmented = |name: &str| matches!(name, "visemes" | "events") || name.starts_with("text_");
+    let mut others =
+        document.elements.iter().filter(|element| element.name.text != name && is_segmented(&element.name.text));
+    others.all(|element| match &element.value {
+        // One text for the whole clip in another locale would have to be divided, too.
+        Value::String(string) if element.name.text == "visemes" => !string.text.contains(DELIMITER),
+        Value::String(string) => trim(&string.text).is_empty(),
+        _ => true,
+    })
+}
+
+/// The segments that cues make.
+#[derive(Default)]
+struct Division {
+    /// Where each starts, with its text.
+    segments: Vec<(u64, String)>,
+}
+
+impl Division {
+    fn visemes(&self, codes: &[u8]) -> String {
+        let starts = self.segments.iter().skip(1).map(|(start, _)| usize::try_from(*start).unwrap_or(usize::MAX));
+        let bounds: Vec<usize> = std::iter::once(0).chain(starts).chain([codes.len()]).collect();
+        let parts = bounds.windows(2).map(|pair| match pair {
+            &[start, end] => codes.get(start..end).unwrap_or_default(),
+            _ => &[],
+        });
+        parts.map(|codes| codes.iter().copied().map(char::from).collect::<String>()).collect::<Vec<_>>().join(BAR)
+    }
+
+    fn text(&self) -> String {
+        self.segments.iter().map(|(_, text)| trim(text)).collect::<Vec<_>>().join(BAR)
+    }
+}
+
+/// A segment for each cue, and one without text for each time without a cue.
+fn divide(cues: &[Cue], frames: u64, rate: Rate, findings: &mut Vec<Diagnostic>) -> Division {
+    let mut division = Division::default();
+    let mut end = 0;
+    for cue in cues {
+        let frame = |ms| Time::new(ms, 1000).nearest_frame(rate).min(frames);
+        let (start, until) = (frame(cue.start_ms).max(end), frame(cue.end_ms));
+        if until <= start {
+            findings.push(place(cue, "the subtitle shows in no frame of the clip"));
+        }
+        if start > end {
+            division.segments.push((end, String::new()));
+        }
+        division.segments.push((start, cue.text.clone()));
+        end = until.max(start);
+    }
+    if end < frames || division.segments.is_empty() {
+        division.segments.push((end, String::new()));
+    }
+    division
+}
+
+/// The texts of segments with these bounds: of each cue in the one that it shows in for longest.
+fn in_segments(cues: &[Cue], bounds: &[u64], rate: Rate, findings: &mut Vec<Diagnostic>) -> Vec<String> {
+    let mut texts = vec![String::new(); bounds.len().saturating_sub(1)];
+    for cue in cues {
+        let frame = |ms| Time::new(ms, 1000).nearest_frame(rate);
+        let (start, end) = (frame(cue.start_ms), frame(cue.end_ms));
+        let shared = |pair: &[u64]| match pair {
+            &[first, next] => end.min(next).saturating_sub(start.max(first)),
+            _ => 0,
+        };
+        let shows = || bounds.windows(2).map(shared).enumerate();
+        // The first of equal ones; of a subtitle that shows in none, the last one that has begun.
+        let last_begun =
+            bounds.iter().rposition(|first| *first <= start).unwrap_or(0).min(texts.len().saturating_sub(1));
+        let longest = shows().max_by_key(|&(at, frames)| (frames, Reverse(at))).filter(|(_, frames)| *frames > 0);
+        let (at, longest) = longest.unwrap_or((last_begun, 0));
+        if longest == 0 {
+            findings.push(place(cue, "the subtitle shows in no frame of the clip"));
+        } else if let Some((other, frames)) = shows().find(|&(other, frames)| other != at && frames > 1) {
+            let (own, other) = (at + 1, other + 1);
+            let finding =
+                place(cue, &format!("the subtitle is that of segment {own}, and shows in segment {other}, too"));
+            findings.push(finding.note(format!("for {longest} frames in the one, and {frames} in the other")));
+        }
+        if let Some(text) = texts.get_mut(at) {
+            if !text.is_empty() {
+                text.push('\n');
+            }
+            text.push_str(trim(&cue.text));
+        }
+    }
+    texts
+}
+
+fn place(cue: &Cue, headline: &str) -> Diagnostic {
+    Diagnostic::at(Code::SubtitlePlace, cue.span, headline)
+        .help("give it the times of a segment: lipz inspect shows them, and `|` in the visemes sets them")
+}
+
+/// Which segment of each text is as it was in `old`, as far as a player sees: that keeps its spelling.
+fn keep_spelling(old: &str, new: &str) -> String {
+    let parts = |text: &str| segments(text).map(|range| text.get(range).unwrap_or_default().to_owned()).collect();
+    let (old, mut new): (Vec<String>, Vec<String>) = (parts(old), parts(new));
+    for (new, old) in new.iter_mut().zip(old) {
+        if display(new).text == display(&old).text {
+            *new = old;
+        }
+    }
+    new.join(BAR)
+}
+
+/// Gives an element a value; a new text comes behind the last one, or behind the visemes.
+fn set(document: &mut Document<'_>, name: &str, value: String) {
+    let new = element(name, value);
+    match document.elements.iter_mut().find(|element| element.name.text == name) {
+        Some(element) => *element = new,
+        None => {
+            let is_before = |name: &str| name == "visemes" || name.starts_with("text_");
+            let before = document.elements.iter().rposition(|element| is_before(&element.name.text));
+            document.elements.insert(before.map_or(0, |at| at + 1), new);
+        }
+    }
+}

@@ -1,0 +1,167 @@
+//! Markup in cues: tags, character references, who speaks.
+
+use lipz::text::display;
+
+/// The meta of a Lipz text that says who speaks what follows.
+const SPEAKER: &str = "{speaker:";
+
+/// Character references of WebVTT, with their characters (W3C, "WebVTT cue text parsing rules").
+const REFERENCES: [(&str, &str); 6] =
+    [("&lt;", "<"), ("&gt;", ">"), ("&lrm;", "\u{200e}"), ("&rlm;", "\u{200f}"), ("&nbsp;", "\u{a0}"), ("&amp;", "&")];
+
+/// Tags that players of SubRip know; all else between `<` and `>` is text.
+const SRT_TAGS: [&str; 5] = ["i", "b", "u", "s", "font"];
+
+/// A text of a cue as one of a Lipz file.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) struct Plain {
+    pub(super) text: String,
+    /// Whether it had tags that a Lipz text has no place for.
+    pub(super) has_lost_tags: bool,
+}
+
+/// What a tag becomes.
+enum Tag {
+    Text,
+    Lost,
+    Replaced(String),
+}
+
+/// A text of WebVTT: `<v Mara>` becomes `{speaker: Mara}`.
+pub(super) fn from_vtt(text: &str) -> Plain {
+    let tag = |tag: &str| {
+        let (name, annotation) = tag.split_once(char::is_whitespace).unwrap_or((tag, ""));
+        match name.split('.').next() {
+            Some("v") => Tag::Replaced(speaker(&referenced(annotation))),
+            // Nothing shows where a voice ends, and where a word is spoken.
+            Some("/v") => Tag::Replaced(String::new()),
+            Some(time) if time.starts_with(|first: char| first.is_ascii_digit()) => Tag::Replaced(String::new()),
+            _ => Tag::Lost,
+        }
+    };
+    without_tags(text, tag, referenced)
+}
+
+/// A text of SubRip.
+pub(super) fn from_srt(text: &str) -> Plain {
+    let tag = |tag: &str| {
+        let name = tag.trim_start_matches('/').split(char::is_whitespace).next().unwrap_or_default();
+        if SRT_TAGS.iter().any(|known| name.eq_ignore_ascii_case(known)) { Tag::Lost } else { Tag::Text }
+    };
+    without_tags(text, tag, str::to_owned)
+}
+
+fn without_tags(text: &str, tag: impl Fn(&str) -> Tag, plain: impl Fn(&str) -> String) -> Plain {
+    let mut result = Plain { text: String::new(), has_lost_tags: false };
+    let mut rest = text;
+    while let Some((before, tagged)) = rest.split_once('<') {
+        result.text += &plain(before);
+        let Some((inner, after)) = tagged.split_once('>') else {
+            result.text.push('<');
+            rest = tagged;
+            continue;
+        };
+        rest = after;
+        match tag(inner) {
+            Tag::Lost => result.has_lost_tags = true,
+            Tag::Replaced(replacement) => result.text += &replacement,
+            Tag::Text => {
+                result.text.push('<');
+                rest = tagged;
+            }
+        }
+    }
+    result.text += &plain(rest);
+    result
+}
+
+fn referenced(text: &str) -> String {
+    REFERENCES.iter().fold(text.to_owned(), |text, (reference, character)| text.replace(reference, character))
+}
+
+/// The meta that says who speaks; nothing for a voice without a name.
+fn speaker(name: &str) -> String {
+    let name = name.replace(['{', '}'], "");
+    match name.trim() {
+        "" => String::new(),
+        name => format!("{SPEAKER} {name}}} "),
+    }
+}
+
+/// A text for WebVTT. `{speaker: Mara}` becomes `<v Mara>`.
+pub(super) fn to_vtt(text: &str) -> String {
+    let lines = voices(text).into_iter().map(|(speaker, text)| match speaker {
+        Some(name) => format!("<v {}>{}", escaped(name), escaped(&text)),
+        None => escaped(&text),
+    });
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+/// A text as it is displayed, without who speaks.
+pub(super) fn to_plain(text: &str) -> String {
+    voices(text).into_iter().map(|(_, text)| text).collect::<Vec<_>>().join("\n")
+}
+
+/// The texts of the speakers as they are displayed, empty ones and empty lines left out: those would end a cue.
+fn voices(text: &str) -> Vec<(Option<&str>, String)> {
+    let mut voices = Vec::new();
+    let (mut name, mut rest) = (None, text);
+    loop {
+        let next = rest.split_once(SPEAKER).and_then(|(before, meta)| Some((before, meta.split_once('}')?)));
+        let (said, after) = next.map_or((rest, None), |(before, after)| (before, Some(after)));
+        let shown = display(said).text;
+        let lines: Vec<&str> = shown.lines().map(str::trim_end).filter(|line| !line.is_empty()).collect();
+        if !lines.is_empty() {
+            voices.push((name, lines.join("\n")));
+        }
+        let Some((next_name, after)) = after else { return voices };
+        name = Some(next_name.trim()).filter(|name| !name.is_empty());
+        rest = after;
+    }
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn texts_of_web_vtt() {
+        for (vtt, text, has_lost_tags) in [
+            ("Tom &amp; Amy &lt;3 &amp;lt;", "Tom & Amy <3 &lt;", false),
+            ("<v Mara>Good evening.", "{speaker: Mara} Good evening.", false),
+            ("<v.loud Mara &amp; Tom>Hey!</v>", "{speaker: Mara & Tom} Hey!", false),
+            ("<v Mara>Hi.\n<v Tom>Ho.", "{speaker: Mara} Hi.\n{speaker: Tom} Ho.", false),
+            ("<v>Who?", "Who?", false),
+            ("<i>So</i> <00:00:01.500>late", "So late", true),
+            ("1 < 2", "1 < 2", false),
+        ] {
+            assert_eq!(from_vtt(vtt), Plain { text: text.to_owned(), has_lost_tags }, "{vtt}");
+        }
+    }
+
+    #[test]
+    fn texts_of_sub_rip() {
+        for (srt, text, has_lost_tags) in [
+            ("<i>So</i> <FONT color=\"red\">late</FONT>", "So late", true),
+            ("{\\an8}Up", "{\\an8}Up", false),
+            ("a <b c", "a <b c", false),
+            ("<Mara> &amp; <- Tom", "<Mara> &amp; <- Tom", false),
+        ] {
+            assert_eq!(from_srt(srt), Plain { text: text.to_owned(), has_lost_tags }, "{srt}");
+        }
+    }
+
+    #[test]
+    fn what_is_written() {
+        let text = " {smiling} Tom & <Amy>\n\n {speaker: Mara} -->{nod} {speaker:} Me?";
+        assert_eq!(to_vtt(text), "Tom &amp; &lt;Amy&gt;\n<v Mara>--&gt;\nMe?");
+        assert_eq!(to_plain(text), "Tom & <Amy>\n-->\nMe?");
+        assert_eq!(to_vtt("{speaker: Mara"), "{speaker: Mara");
+        let text = "{speaker: Mara} Good evening & <welcome>!";
+        assert_eq!(from_vtt(&to_vtt(text)).text, text);
+    }
+}

@@ -1,0 +1,110 @@
+//! Subtitle files: SubRip (`.srt`) and WebVTT (`.vtt`), to and from the texts and segments of clips.
+//!
+//! A segment with a text in a locale is a [`Cue`], as both formats call what shows from one time to another.
+//! `docs/INTEROP.md` says what is kept in which direction.
+
+mod clip;
+mod join;
+mod markup;
+mod srt;
+mod timing;
+mod vtt;
+
+pub use clip::{SubtitleOptions, cues};
+pub use join::{clip, join};
+
+use lipz::text::DELIMITER;
+use lipz::{Code, Diagnostic, Span};
+use markup::Plain;
+
+/// A text that shows from one time to another.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Cue {
+    /// When it appears, in milliseconds.
+    pub start_ms: u64,
+    /// When it vanishes, in milliseconds.
+    pub end_ms: u64,
+    /// What shows, in the words of Lipz files: `{speaker: Mara}` says who speaks, other meta is not written.
+    pub text: String,
+    /// Where a file says when it shows.
+    pub span: Span,
+}
+
+/// A format of subtitle files.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum SubtitleFormat {
+    /// SubRip. It has no way to say who speaks, and none to write a text that looks like markup.
+    Srt,
+    /// WebVTT (W3C). Speakers are voice spans, `<v Mara>`.
+    Vtt,
+}
+
+impl SubtitleFormat {
+    /// Both.
+    pub const ALL: [SubtitleFormat; 2] = [SubtitleFormat::Srt, SubtitleFormat::Vtt];
+
+    /// What files are called: their extension, without the dot.
+    pub fn extension(self) -> &'static str {
+        match self {
+            SubtitleFormat::Srt => "srt",
+            SubtitleFormat::Vtt => "vtt",
+        }
+    }
+
+    /// The format of files with this extension, in any case.
+    pub fn of_extension(extension: &str) -> Option<SubtitleFormat> {
+        SubtitleFormat::ALL.into_iter().find(|format| format.extension().eq_ignore_ascii_case(extension))
+    }
+
+    /// The cues of a file in the order of their times, and what is wrong with it. Spans count from the first byte
+    /// after a byte order mark.
+    ///
+    /// ```
+    /// use lipz_interop::subtitles::SubtitleFormat;
+    /// let file = "WEBVTT\n\n00:01.500 --> 00:02.000\n<v Mara>Good evening &amp; welcome.\n";
+    /// let mut findings = Vec::new();
+    /// let cues = SubtitleFormat::Vtt.read(file.as_bytes(), &mut findings);
+    /// assert!(findings.is_empty());
+    /// assert_eq!((cues[0].start_ms, cues[0].text.as_str()), (1500, "{speaker: Mara} Good evening & welcome."));
+    /// ```
+    pub fn read(self, bytes: &[u8], findings: &mut Vec<Diagnostic>) -> Vec<Cue> {
+        let Some(text) = crate::source::text(bytes, findings) else { return Vec::new() };
+        let mut cues = match self {
+            SubtitleFormat::Srt => srt::read(text, findings),
+            SubtitleFormat::Vtt => vtt::read(text, findings),
+        };
+        timing::sort(&mut cues, findings);
+        cues
+    }
+
+    /// The file with these cues. Findings tell what the format cannot hold.
+    pub fn write(self, cues: &[Cue], findings: &mut Vec<Diagnostic>) -> String {
+        match self {
+            SubtitleFormat::Srt => srt::write(cues, findings),
+            SubtitleFormat::Vtt => vtt::write(cues),
+        }
+    }
+}
+
+/// What stands for `|` in a text: there it would divide segments.
+const BAR_IN_TEXT: &str = "\u{a6}";
+
+/// The cue with its text; reports what a Lipz text cannot hold.
+fn read_text(cue: Cue, plain: Plain, findings: &mut Vec<Diagnostic>) -> Cue {
+    if plain.has_lost_tags {
+        let headline = "the subtitle has tags, which are left out";
+        findings.push(
+            Diagnostic::at(Code::SubtitleText, cue.span, headline)
+                .note("texts of Lipz files have no markup; a game may have its own, as {meta}"),
+        );
+    }
+    if plain.text.contains(DELIMITER) {
+        let headline = format!("`{DELIMITER}` in the subtitle becomes `{BAR_IN_TEXT}`");
+        findings.push(
+            Diagnostic::at(Code::SubtitleText, cue.span, headline)
+                .note("in Lipz files, `|` divides segments")
+                .help("write the text in another way if the difference matters"),
+        );
+    }
+    Cue { text: plain.text.replace(DELIMITER, BAR_IN_TEXT), ..cue }
+}

@@ -1,0 +1,40 @@
+//! SubRip: a number, the times, the lines, an empty line. There is no specification; this is what players read.
+
+use super::{Cue, markup, timing};
+use lipz::{Code, Diagnostic};
+use std::fmt::Write;
+
+/// What stands for an arrow of times in a text: players would take the line for times.
+const ARROW_IN_TEXT: &str = "\u{2192}";
+
+pub(super) fn read(text: &str, findings: &mut Vec<Diagnostic>) -> Vec<Cue> {
+    let mut cues = Vec::new();
+    for block in timing::blocks(text) {
+        let Some((cue, text)) = timing::cue(&block, findings) else { continue };
+        let plain = markup::from_srt(&text);
+        cues.push(super::read_text(cue, plain, findings));
+    }
+    cues
+}
+
+pub(super) fn write(cues: &[Cue], findings: &mut Vec<Diagnostic>) -> String {
+    let mut file = String::new();
+    for (number, cue) in (1..).zip(cues) {
+        let mut text = markup::to_plain(&cue.text);
+        if text.contains(timing::ARROW) {
+            text = text.replace(timing::ARROW, ARROW_IN_TEXT);
+            let arrow = timing::ARROW;
+            findings.push(loss(cue, format!("`{arrow}` in the text is written as `{ARROW_IN_TEXT}`")));
+        }
+        if markup::from_srt(&text).has_lost_tags {
+            findings.push(loss(cue, "players take a part of the text for a tag".to_owned()));
+        }
+        let (start, end) = (timing::timestamp(cue.start_ms, ','), timing::timestamp(cue.end_ms, ','));
+        let _ = writeln!(file, "{number}\n{start} {} {end}\n{text}\n", timing::ARROW);
+    }
+    file
+}
+
+fn loss(cue: &Cue, headline: String) -> Diagnostic {
+    Diagnostic::at(Code::SubtitleLoss, cue.span, headline).help("WebVTT can hold it: lipz subtitles export vtt")
+}

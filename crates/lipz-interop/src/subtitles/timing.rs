@@ -1,0 +1,142 @@
+//! Times of cues: the lines that have them, and their order.
+
+use super::Cue;
+use crate::source::{self, Line};
+use lipz::{Code, Diagnostic};
+
+/// What stands between the times of a cue.
+pub(super) const ARROW: &str = "-->";
+
+/// The lines of a file between empty ones.
+pub(super) fn blocks(text: &str) -> Vec<Vec<Line<'_>>> {
+    let lines: Vec<Line<'_>> = source::lines(text).collect();
+    let is_empty = |line: &Line<'_>| line.text.trim().is_empty();
+    lines.split(is_empty).filter(|block| !block.is_empty()).map(<[_]>::to_vec).collect()
+}
+
+/// The cue of a block: perhaps a name or number, the times, then the text.
+pub(super) fn cue(block: &[Line<'_>], findings: &mut Vec<Diagnostic>) -> Option<(Cue, String)> {
+    let Some((at, line)) = block.iter().enumerate().take(2).find(|(_, line)| line.text.contains(ARROW)) else {
+        let line = block.first()?;
+        findings.push(
+            line.finding(Code::SubtitleSyntax, "a line belongs to no subtitle: there are no times above it")
+                .help("a subtitle is its times, 00:00:01,000 --> 00:00:02,500, and its lines; an empty line ends it"),
+        );
+        return None;
+    };
+    let (start_ms, end_ms) = times(*line, findings)?;
+    let lines: Vec<&str> = block.get(at + 1..).unwrap_or_default().iter().map(|line| line.text).collect();
+    Some((Cue { start_ms, end_ms, text: String::new(), span: line.span() }, lines.join("\n")))
+}
+
+/// The times of a line, `00:00:01,000 --> 00:00:02,500`. What stands behind them is about places on the screen.
+fn times(line: Line<'_>, findings: &mut Vec<Diagnostic>) -> Option<(u64, u64)> {
+    let (before, after) = line.text.split_once(ARROW)?;
+    let behind = Line { text: after, at: line.at + before.len() + ARROW.len() };
+    let first = Line { text: before, at: line.at }.trimmed();
+    let second = behind.fields().next().unwrap_or(behind);
+    let mut read = |field: Line<'_>| {
+        let time = milliseconds(field.text);
+        if time.is_none() {
+            let finding = field.finding(Code::SubtitleSyntax, "this is no time of a subtitle");
+            findings.push(finding.help("times are hours, minutes, seconds and milliseconds: 00:00:02,500"));
+        }
+        time
+    };
+    let (start_ms, end_ms) = (read(first), read(second));
+    let (start_ms, end_ms) = (start_ms?, end_ms?);
+    if end_ms < start_ms {
+        let headline = "the subtitle ends before it starts";
+        findings.push(line.finding(Code::SubtitleSyntax, headline).help("exchange the times, or correct them"));
+        return None;
+    }
+    Some((start_ms, end_ms))
+}
+
+/// `HH:MM:SS,mmm`. WebVTT has a dot and may leave out the hours; files in the wild mix both.
+fn milliseconds(text: &str) -> Option<u64> {
+    let (clock, fraction) = text.split_once([',', '.'])?;
+    let number = |digits: &str| digits.bytes().all(|byte| byte.is_ascii_digit()).then(|| digits.parse().ok()).flatten();
+    let ms = format!("{fraction:0<3}");
+    if fraction.is_empty() || ms.len() > 3 {
+        return None;
+    }
+    let parts: Vec<u64> = clock.split(':').map(number).collect::<Option<_>>()?;
+    let (hours, minutes, seconds) = match parts.as_slice() {
+        &[hours, minutes, seconds] => (hours, minutes, seconds),
+        &[minutes, seconds] => (0, minutes, seconds),
+        _ => return None,
+    };
+    if minutes > 59 || seconds > 59 {
+        return None;
+    }
+    hours.checked_mul(3_600_000)?.checked_add(minutes * 60_000 + seconds * 1000 + number(&ms)?)
+}
+
+/// `00:00:02,500`, with the separator of the format.
+pub(super) fn timestamp(ms: u64, separator: char) -> String {
+    let (seconds, ms) = (ms / 1000, ms % 1000);
+    format!("{:02}:{:02}:{:02}{separator}{ms:03}", seconds / 3600, seconds / 60 % 60, seconds % 60)
+}
+
+/// Brings cues into the order of their times; reports those that are not, and those that overlap.
+pub(super) fn sort(cues: &mut [Cue], findings: &mut Vec<Diagnostic>) {
+    let backwards = cues.windows(2).find_map(|pair| match pair {
+        [before, after] if after.start_ms < before.start_ms => Some(after.span),
+        _ => None,
+    });
+    if let Some(span) = backwards {
+        let headline = "the subtitle appears before the one above it";
+        let finding =
+            Diagnostic::at(Code::SubtitleTimes, span, headline).note("all are taken in the order of their times");
+        findings.push(finding.help("was the file edited by hand, or joined of two? look at it there"));
+    }
+    cues.sort_by_key(|cue| cue.start_ms);
+    let overlap = cues.windows(2).find_map(|pair| match pair {
+        [before, after] if after.start_ms < before.end_ms => Some((before.span, after.span)),
+        _ => None,
+    });
+    if let Some((before, after)) = overlap {
+        let finding = Diagnostic::at(Code::SubtitleTimes, after, "the subtitle appears while another one shows")
+            .also(before, "this one")
+            .note("a segment has one text: each subtitle starts when the one before it ends");
+        findings.push(finding.help("join the two, or let the first one end earlier"));
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_of_both_formats() {
+        for (text, ms) in [
+            ("00:00:00,000", 0),
+            ("01:02:03,456", 3_723_456),
+            ("100:00:00.001", 360_000_001),
+            ("02:03.4", 123_400),
+            ("59:59.999", 3_599_999),
+        ] {
+            assert_eq!(milliseconds(text), Some(ms), "{text}");
+            assert_eq!(milliseconds(&timestamp(ms, '.')), Some(ms));
+        }
+        for text in ["", "1", "00:00:01", "00:00:60,000", "00:60:00,000", "00:00:01,", "00:00:01,0000", "-1:00,000"] {
+            assert_eq!(milliseconds(text), None, "{text}");
+        }
+        assert_eq!(milliseconds("9999999999999999999:00:00.000"), None);
+    }
+
+    #[test]
+    fn cues_come_in_order() {
+        let cue = |start_ms, end_ms| Cue { start_ms, end_ms, ..Cue::default() };
+        let sorted = |mut cues: Vec<Cue>| {
+            let mut findings = Vec::new();
+            sort(&mut cues, &mut findings);
+            (cues.iter().map(|cue| cue.start_ms).collect::<Vec<_>>(), findings.len())
+        };
+        assert_eq!(sorted(vec![cue(0, 5), cue(5, 9)]), (vec![0, 5], 0));
+        assert_eq!(sorted(vec![cue(5, 9), cue(0, 5)]), (vec![0, 5], 1));
+        assert_eq!(sorted(vec![cue(0, 6), cue(5, 9)]), (vec![0, 5], 1));
+    }
+}

@@ -1,0 +1,44 @@
+//! WebVTT (W3C Recommendation track): `WEBVTT`, then blocks between empty lines.
+
+use super::{Cue, markup, timing};
+use lipz::{Code, Diagnostic, Span};
+use std::fmt::Write;
+
+const SIGNATURE: &str = "WEBVTT";
+/// Blocks that are no cues start with one of these.
+const OTHER_BLOCKS: [&str; 3] = ["NOTE", "STYLE", "REGION"];
+
+pub(super) fn read(text: &str, findings: &mut Vec<Diagnostic>) -> Vec<Cue> {
+    let starts_with = |line: &str, word: &str| {
+        line.strip_prefix(word).is_some_and(|rest| rest.is_empty() || rest.starts_with([' ', '\t']))
+    };
+    let first = text.lines().next().unwrap_or_default();
+    if !starts_with(first, SIGNATURE) {
+        findings.push(
+            Diagnostic::at(Code::SubtitleSyntax, Span::new(0, first.len()), "the file does not start with `WEBVTT`")
+                .help("is it of another format? those of SubRip are read as srt"),
+        );
+        return Vec::new();
+    }
+    let mut cues = Vec::new();
+    // What stands right below the signature belongs to the header.
+    for block in timing::blocks(text).iter().skip(1) {
+        let is_other = |line: &&str| OTHER_BLOCKS.iter().any(|word| starts_with(line, word));
+        if block.first().map(|line| line.text).filter(is_other).is_some() {
+            continue;
+        }
+        let Some((cue, text)) = timing::cue(block, findings) else { continue };
+        let plain = markup::from_vtt(&text);
+        cues.push(super::read_text(cue, plain, findings));
+    }
+    cues
+}
+
+pub(super) fn write(cues: &[Cue]) -> String {
+    let mut file = format!("{SIGNATURE}\n");
+    for cue in cues {
+        let (start, end) = (timing::timestamp(cue.start_ms, '.'), timing::timestamp(cue.end_ms, '.'));
+        let _ = writeln!(file, "\n{start} {} {end}\n{}", timing::ARROW, markup::to_vtt(&cue.text));
+    }
+    file
+}

@@ -1,0 +1,76 @@
+// The structs of lipz.h in the memory of the module: a test compares them with the header.
+//
+// Fields have the sizes and the alignments of C on wasm32, where pointers have 4 bytes.
+
+export const u32 = {
+  size: 4,
+  align: 4,
+  read: (view, at) => view.getUint32(at, true),
+  write: (view, at, value) => view.setUint32(at, value, true),
+};
+export const u64 = {
+  size: 8,
+  align: 8,
+  read: (view, at) => view.getBigUint64(at, true),
+  write: (view, at, value) => view.setBigUint64(at, value, true),
+};
+export const pointer = u32;
+export const lipz_viseme = { size: 1, align: 1, read: (view, at) => String.fromCharCode(view.getUint8(at)) };
+
+/** A struct with these fields, each of which is a number or a struct. */
+function struct(fields) {
+  const places = [];
+  let end = 0;
+  let align = 1;
+  for (const [name, type] of Object.entries(fields)) {
+    const at = aligned(end, type.align);
+    places.push([name, at, type]);
+    end = at + type.size;
+    align = Math.max(align, type.align);
+  }
+  return {
+    fields,
+    size: aligned(end, align),
+    align,
+    read: (view, start) => Object.fromEntries(places.map(([name, at, type]) => [name, type.read(view, start + at)])),
+    write: (view, start, value) => places.forEach(([name, at, type]) => type.write(view, start + at, value[name])),
+  };
+}
+
+function aligned(at, align) {
+  return Math.ceil(at / align) * align;
+}
+
+export const lipz_string = struct({ data: pointer, length_bytes: u32 });
+
+export const lipz_bank = struct({ data: pointer, length_bytes: u32, texts: pointer, texts_length_bytes: u32 });
+
+export const lipz_bank_info_t = struct({
+  fingerprint: u64,
+  clip_count: u32,
+  locale_count: u32,
+  format_major: u32,
+  format_minor: u32,
+});
+
+export const lipz_clip = struct({
+  id: u64,
+  slot: u32,
+  frame_count: u32,
+  segment_count: u32,
+  fps_numerator: u32,
+  fps_denominator: u32,
+  viseme_type: u32,
+  has_visemes: u32,
+  has_events: u32,
+});
+
+export const lipz_segment = struct({ clip_id: u64, index: u32, start_frame: u32, end_frame: u32, reserved: u32 });
+
+export const lipz_text = struct({ data: pointer, length_bytes: u32, is_fallback: u32 });
+
+export const lipz_locale = struct({ tag: lipz_string, index: u32, is_default: u32 });
+
+export const lipz_name = struct({ name: lipz_string, id: u32 });
+
+export const lipz_event = struct({ character: lipz_name, object: lipz_name, verb: u32 });

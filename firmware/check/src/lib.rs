@@ -1,0 +1,101 @@
+//! Compares every answer of a bank with expected ones, byte by byte and without std.
+//!
+//! The expected answers are a golden bank's `.dump`, the very file that the tests of `lipz-bank`
+//! compare with, and the function that writes the answers is theirs, too.
+
+#![no_std]
+#![forbid(unsafe_code)]
+
+#[path = "../../../crates/lipz-bank/tests/common/answers.rs"]
+mod answers;
+
+use core::fmt;
+use lipz_bank::{Bank, Error};
+
+/// Why a bank does not give the expected answers.
+#[derive(Clone, Copy, Debug)]
+pub enum Failure<'a> {
+    /// The bank was refused.
+    Refused(Error),
+    /// An answer differs.
+    Differs {
+        /// Line of the expected answers, from 1.
+        line: u32,
+        /// Bytes of the line that are as expected.
+        equal_bytes: u32,
+        /// The line that was expected, without its end; empty behind the last one.
+        expected: &'a str,
+    },
+}
+
+impl Failure<'_> {
+    /// The line that differs, or 0 if the bank was refused.
+    pub fn line(&self) -> u32 {
+        match self {
+            Failure::Refused(_) => 0,
+            Failure::Differs { line, .. } => *line,
+        }
+    }
+}
+
+impl fmt::Display for Failure<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Failure::Refused(error) => write!(f, "refused: {error}"),
+            Failure::Differs { line, equal_bytes, expected } => {
+                write!(f, "answer {line} differs behind byte {equal_bytes}; expected: {expected}")
+            }
+        }
+    }
+}
+
+/// Opens and verifies the bank that `bytes` are.
+pub fn verified(bytes: &[u8]) -> Result<Bank<'_>, Failure<'_>> {
+    Bank::open(bytes).and_then(Bank::verify).map_err(Failure::Refused)
+}
+
+/// Asks `bank` everything: each frame, viseme by time, segment, event, and text in each locale.
+pub fn answers_as<'a>(bank: &Bank<'_>, expected: &'a str) -> Result<(), Failure<'a>> {
+    let mut comparison = Comparison { expected, equal_bytes: 0 };
+    let is_written = answers::write_answers(bank, &mut comparison).is_ok();
+    if is_written && comparison.equal_bytes == expected.len() {
+        Ok(())
+    } else {
+        Err(comparison.failure())
+    }
+}
+
+/// A sink that stops at the first byte that is not the expected one.
+struct Comparison<'a> {
+    expected: &'a str,
+    equal_bytes: usize,
+}
+
+impl fmt::Write for Comparison<'_> {
+    fn write_str(&mut self, found: &str) -> fmt::Result {
+        let rest = self.expected.as_bytes().get(self.equal_bytes..).unwrap_or(&[]);
+        let equal = found.bytes().zip(rest).take_while(|(found, expected)| found == *expected).count();
+        self.equal_bytes += equal;
+        if equal == found.len() {
+            Ok(())
+        } else {
+            Err(fmt::Error)
+        }
+    }
+}
+
+impl<'a> Comparison<'a> {
+    fn failure(&self) -> Failure<'a> {
+        let mut start = 0;
+        let mut number = 0;
+        for line in self.expected.split_inclusive('\n') {
+            number += 1;
+            if start + line.len() > self.equal_bytes {
+                let equal_bytes = (self.equal_bytes - start) as u32;
+                return Failure::Differs { line: number, equal_bytes, expected: line.trim_end() };
+            }
+            start += line.len();
+        }
+        Failure::Differs { line: number + 1, equal_bytes: 0, expected: "" }
+    }
+}

@@ -1,0 +1,128 @@
+//! Entry points whose size is measured: a linker that drops what nobody calls keeps what one of
+//! them needs. Each is as thin as it can be over one function of the reader.
+//!
+//! A panic or an allocation that one of them can reach leaves an undefined symbol, and the link
+//! fails. `control_panic` and `control_allocator` show that it would.
+
+#![no_std]
+
+mod controls;
+
+use core::mem::MaybeUninit;
+use core::panic::PanicInfo;
+use lipz_bank::{Bank, ClipId, Error, Event, EventName, Locale, Micros, TextBank};
+
+/// A bank, as an entry point returns it: in memory of its caller.
+type Place<T> = MaybeUninit<T>;
+
+fn status<T>(result: Result<T, Error>, place: &mut Place<T>) -> u32 {
+    match result {
+        Ok(value) => {
+            place.write(value);
+            0
+        }
+        Err(error) => error.kind() as u32 | error.offset_bytes() << 8,
+    }
+}
+
+fn answer<T>(value: Option<T>, place: &mut Place<T>) -> bool {
+    value.map(|value| place.write(value)).is_some()
+}
+
+#[no_mangle]
+fn size_open<'a>(bytes: &'a [u8], place: &mut Place<Bank<'a>>) -> u32 {
+    status(Bank::open(bytes), place)
+}
+
+#[no_mangle]
+fn size_verify(bank: &mut Bank<'_>) -> u32 {
+    match bank.verify() {
+        Ok(verified) => {
+            *bank = verified;
+            0
+        }
+        Err(error) => error.kind() as u32 | error.offset_bytes() << 8,
+    }
+}
+
+#[no_mangle]
+fn size_clip(bank: &Bank<'_>, id: ClipId) -> u32 {
+    bank.clip(id).map_or(u32::MAX, |clip| clip.slot())
+}
+
+#[no_mangle]
+fn size_clip_by_key(bank: &Bank<'_>, key: &str) -> u32 {
+    bank.clip_by_key(key).map_or(u32::MAX, |clip| clip.slot())
+}
+
+#[no_mangle]
+fn size_viseme_at(bank: &Bank<'_>, slot: u32, time_us: i64) -> u8 {
+    bank.clip_at(slot).map_or(0, |clip| clip.viseme_at(Micros(time_us)).code())
+}
+
+#[no_mangle]
+fn size_segment_at(bank: &Bank<'_>, slot: u32, time_us: i64) -> u32 {
+    let segment = bank.clip_at(slot).and_then(|clip| clip.segment_at(Micros(time_us)));
+    segment.map_or(u32::MAX, |segment| segment.index())
+}
+
+#[no_mangle]
+fn size_locale<'a>(bank: &Bank<'a>, tag: &str, place: &mut Place<Locale<'a>>) -> bool {
+    answer(bank.locale(tag), place)
+}
+
+#[no_mangle]
+fn size_text_bytes<'a>(bank: &Bank<'_>, slot: u32, index: u32, of: &Locale<'a>, place: &mut Place<&'a [u8]>) -> bool {
+    let segment = bank.clip_at(slot).and_then(|clip| clip.segment(index));
+    answer(segment.and_then(|segment| segment.text_bytes(*of)), place)
+}
+
+#[no_mangle]
+fn size_text<'a>(bank: &Bank<'_>, slot: u32, index: u32, of: &Locale<'a>, place: &mut Place<&'a str>) -> bool {
+    let segment = bank.clip_at(slot).and_then(|clip| clip.segment(index));
+    answer(segment.and_then(|segment| segment.text(*of)).map(|text| text.as_str()), place)
+}
+
+#[no_mangle]
+fn size_event<'a>(bank: &Bank<'a>, slot: u32, index: u32, place: &mut Place<&'a str>) -> bool {
+    let segment = bank.clip_at(slot).and_then(|clip| clip.segment(index));
+    answer(segment.and_then(|segment| segment.event()), place)
+}
+
+#[no_mangle]
+fn size_events(bank: &Bank<'_>, slot: u32, index: u32, each: fn(Event<'_>)) {
+    if let Some(segment) = bank.clip_at(slot).and_then(|clip| clip.segment(index)) {
+        segment.events().for_each(each);
+    }
+}
+
+#[no_mangle]
+fn size_event_name(bank: &Bank<'_>, name: &str) -> u32 {
+    bank.event_name(name).map_or(u32::MAX, EventName::id)
+}
+
+#[no_mangle]
+fn size_open_texts<'a>(bank: &Bank<'_>, bytes: &'a [u8], place: &mut Place<TextBank<'a>>) -> u32 {
+    status(bank.open_texts(bytes), place)
+}
+
+#[no_mangle]
+fn size_verify_texts(texts: &TextBank<'_>, bank: &Bank<'_>) -> u32 {
+    texts.verify(bank).map_or_else(|error| error.kind() as u32 | error.offset_bytes() << 8, |_| 0)
+}
+
+#[no_mangle]
+fn size_text_bank_locale<'a>(texts: &TextBank<'a>, tag: &str, place: &mut Place<Locale<'a>>) -> bool {
+    answer(texts.locale(tag), place)
+}
+
+extern "C" {
+    /// Nobody defines it: what reaches it does not link.
+    fn panic_is_reachable() -> !;
+}
+
+#[panic_handler]
+fn panic(_: &PanicInfo<'_>) -> ! {
+    // SAFETY: it is never linked.
+    unsafe { panic_is_reachable() }
+}

@@ -1,0 +1,134 @@
+//! `cargo xtask fuzz`: builds the fuzz targets and runs each for a while.
+//!
+//! It needs nothing but Rust and a C++ compiler (libFuzzer comes with the crate libfuzzer-sys): the
+//! compiler of this repository measures coverage with flags that are stable.
+
+use crate::ci::cargo_command;
+use crate::{Failure, place};
+use clap::Args;
+use lipz_fuzz::{TARGETS, Target};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// Counters for every edge of the code, and comparisons for libFuzzer to learn from.
+const COVERAGE: [&str; 7] = [
+    "--cfg",
+    "fuzzing",
+    "-Cpasses=sancov-module",
+    "-Cllvm-args=-sanitizer-coverage-level=4",
+    "-Cllvm-args=-sanitizer-coverage-inline-8bit-counters",
+    "-Cllvm-args=-sanitizer-coverage-pc-table",
+    "-Cllvm-args=-sanitizer-coverage-trace-compares",
+];
+
+/// Seconds after which one input has taken too long.
+const LONGEST_SECONDS: u32 = 20;
+
+/// What `fuzz` is asked for.
+#[derive(Args, Debug)]
+pub(crate) struct Settings {
+    /// Minutes for each target
+    #[arg(long, value_name = "N", default_value = "1")]
+    minutes: u32,
+
+    /// The target to run; all, one after the other, if none is named
+    #[arg(long, value_name = "NAME", value_parser = TARGETS.map(|target| target.name))]
+    target: Option<String>,
+}
+
+pub(crate) fn run(settings: &Settings) -> Result<(), Failure> {
+    let folder = place::workspace_root().join("fuzz");
+    let programs = build(&folder)?;
+    let chosen = TARGETS.iter().filter(|target| settings.target.as_deref().is_none_or(|chosen| chosen == target.name));
+    let mut lines = String::new();
+    for target in chosen {
+        println!("\n── {}", target.name);
+        let executions = fuzz(target, &folder, &programs, settings.minutes)?;
+        minimise(target, &folder, &programs)?;
+        lines.push_str(&format!("  {:<12} {executions:>12} executions\n", target.name));
+    }
+    println!("\n{} min each, nothing found:\n{lines}", settings.minutes);
+    Ok(())
+}
+
+/// Builds all targets; returns the folder that they are in.
+fn build(folder: &Path) -> Result<PathBuf, Failure> {
+    let host = host()?;
+    // With a target, the flags are not for build scripts, which could not be linked with them.
+    let status = cargo_command()
+        .args(["build", "--release", "--target", &host])
+        .current_dir(folder)
+        .env("CARGO_ENCODED_RUSTFLAGS", COVERAGE.join("\u{1f}"))
+        .env("CARGO_TARGET_DIR", folder.join("target"))
+        .status();
+    match status {
+        Ok(status) if status.success() => Ok(folder.join("target").join(host).join("release")),
+        Ok(status) => Err(format!("the fuzz targets were not built: {status}")),
+        Err(error) => Err(format!("cargo cannot be run: {error}")),
+    }
+}
+
+/// The machine that this runs on, as rustc calls it.
+fn host() -> Result<String, Failure> {
+    let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+    let output = Command::new(rustc).args(["--print", "host-tuple"]).output();
+    let output = output.map_err(|error| format!("rustc cannot be run: {error}"))?;
+    Ok(String::from_utf8_lossy(&output.stdout).trim().to_owned())
+}
+
+/// A run of a target: the folders `corpus/NAME`, which grows, and `seeds/NAME`. Returns how many inputs
+/// were tried.
+fn fuzz(target: &Target, folder: &Path, programs: &Path, minutes: u32) -> Result<u64, Failure> {
+    let artifacts = made(folder.join("artifacts").join(target.name))?;
+    let output = libfuzzer(target, programs)
+        .arg(format!("-max_total_time={}", minutes.saturating_mul(60)))
+        .arg(format!("-max_len={}", target.longest_bytes))
+        .arg(format!("-timeout={LONGEST_SECONDS}"))
+        .arg(format!("-artifact_prefix={}/", artifacts.display()))
+        .arg("-print_final_stats=1")
+        .arg(made(folder.join("corpus").join(target.name))?)
+        .arg(folder.join("seeds").join(target.name))
+        .stderr(Stdio::piped())
+        .output()
+        .map_err(|error| format!("`{}` cannot be run: {error}", target.name))?;
+    let log = String::from_utf8_lossy(&output.stderr);
+    if !output.status.success() {
+        return Err(format!(
+            "{log}\n`{}` found something: the input is in {}. Add it to fuzz/seeds/{} with the fix.",
+            target.name,
+            artifacts.display(),
+            target.name
+        ));
+    }
+    let executions = log.lines().find_map(|line| line.strip_prefix("stat::number_of_executed_units:"));
+    executions.and_then(|number| number.trim().parse().ok()).ok_or(format!("no statistics:\n{log}"))
+}
+
+/// Keeps of the corpus what covers all that it covers.
+fn minimise(target: &Target, folder: &Path, programs: &Path) -> Result<(), Failure> {
+    let corpus = folder.join("corpus").join(target.name);
+    let smaller = made(folder.join("corpus").join(format!("{}.smaller", target.name)))?;
+    let failed = |why: String| format!("the corpus of `{}` was not minimised: {why}", target.name);
+    let merged = libfuzzer(target, programs).arg("-merge=1").args([&smaller, &corpus]).stderr(Stdio::piped()).output();
+    let merged = merged.map_err(|error| failed(error.to_string()))?;
+    if !merged.status.success() {
+        return Err(failed(String::from_utf8_lossy(&merged.stderr).into_owned()));
+    }
+    let files = |folder: &Path| fs::read_dir(folder).map_or(0, Iterator::count);
+    println!("corpus: {} files of {} are enough", files(&smaller), files(&corpus));
+    fs::remove_dir_all(&corpus).and_then(|()| fs::rename(&smaller, &corpus)).map_err(|error| failed(error.to_string()))
+}
+
+/// The program of a target, with one thread for the compiler: coverage is counted for all threads
+/// together.
+fn libfuzzer(target: &Target, programs: &Path) -> Command {
+    let mut command = Command::new(programs.join(target.name));
+    command.env("RAYON_NUM_THREADS", "1");
+    command
+}
+
+fn made(folder: PathBuf) -> Result<PathBuf, Failure> {
+    fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    Ok(folder)
+}

@@ -1,0 +1,63 @@
+//! What programs use of the reader, as entry points of firmware/size.
+
+/// Queries that a program uses together.
+pub(super) struct Group {
+    pub(super) name: &'static str,
+    parts: &'static [&'static [&'static str]],
+    /// Most bytes of code on a Cortex-M4: what was reached, and three in a hundred for another compiler.
+    pub(super) budget_bytes: Option<u64>,
+}
+
+impl Group {
+    /// The entry points.
+    pub(super) fn entries(&self) -> Vec<&'static str> {
+        self.parts.concat()
+    }
+}
+
+const OPEN: &[&str] = &["size_open"];
+const FRAMES: &[&str] = &["size_clip", "size_viseme_at", "size_segment_at"];
+const TEXT_BYTES: &[&str] = &["size_locale", "size_text_bytes"];
+const TEXTS: &[&str] = &["size_text"];
+const EVENT_STRINGS: &[&str] = &["size_event"];
+const EVENTS: &[&str] = &["size_events", "size_event_name"];
+const KEYS: &[&str] = &["size_clip_by_key"];
+const TEXT_BANKS: &[&str] = &["size_open_texts", "size_text_bank_locale"];
+const VERIFY: &[&str] = &["size_verify"];
+const VERIFY_TEXTS: &[&str] = &["size_verify_texts"];
+
+/// Programs, each with all of the one before it.
+pub(super) const PROGRAMS: [Group; 8] = [
+    Group { name: "open", parts: &[OPEN], budget_bytes: Some(1_300) },
+    Group { name: "+ find, frames and segments by time", parts: &[OPEN, FRAMES], budget_bytes: Some(1_960) },
+    Group { name: "+ texts as bytes, locales", parts: &[OPEN, FRAMES, TEXT_BYTES], budget_bytes: Some(2_740) },
+    Group { name: "+ typed events, names", parts: &[OPEN, FRAMES, TEXT_BYTES, EVENTS], budget_bytes: Some(3_500) },
+    Group { name: "+ find by key", parts: &[OPEN, FRAMES, TEXT_BYTES, EVENTS, KEYS], budget_bytes: Some(3_890) },
+    Group {
+        name: "+ text banks",
+        parts: &[OPEN, FRAMES, TEXT_BYTES, EVENTS, KEYS, TEXT_BANKS],
+        budget_bytes: Some(4_180),
+    },
+    Group {
+        name: "+ UTF-8 check: texts and event strings as strings",
+        parts: &[OPEN, FRAMES, TEXT_BYTES, EVENTS, KEYS, TEXT_BANKS, TEXTS, EVENT_STRINGS],
+        budget_bytes: Some(5_010),
+    },
+    Group {
+        name: "+ verify: everything",
+        parts: &[OPEN, FRAMES, TEXT_BYTES, EVENTS, KEYS, TEXT_BANKS, TEXTS, EVENT_STRINGS, VERIFY, VERIFY_TEXTS],
+        budget_bytes: Some(10_400),
+    },
+];
+
+/// Single groups, each with all that it calls: what they share is counted in each.
+pub(super) const SINGLE: [Group; 8] = [
+    Group { name: "alone: find", parts: &[&["size_clip"]], budget_bytes: None },
+    Group { name: "alone: frame by time", parts: &[&["size_viseme_at"]], budget_bytes: None },
+    Group { name: "alone: segment by time", parts: &[&["size_segment_at"]], budget_bytes: None },
+    Group { name: "alone: text as bytes", parts: &[&["size_text_bytes"]], budget_bytes: None },
+    Group { name: "alone: text", parts: &[TEXTS], budget_bytes: None },
+    Group { name: "alone: typed events", parts: &[&["size_events"]], budget_bytes: None },
+    Group { name: "alone: open a text bank", parts: &[&["size_open_texts"]], budget_bytes: None },
+    Group { name: "alone: verify", parts: &[VERIFY], budget_bytes: None },
+];

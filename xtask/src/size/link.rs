@@ -1,0 +1,53 @@
+//! Linking entry points with what they call, and nothing else.
+
+use super::elf::{Sizes, sizes};
+use crate::Failure;
+use crate::place::temporary_folder;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use tempfile::TempDir;
+
+/// A linker for one library of entry points.
+pub(super) struct Linker {
+    program: PathBuf,
+    library: PathBuf,
+    folder: TempDir,
+}
+
+impl Linker {
+    pub(super) fn new(program: &Path, library: &Path) -> Result<Linker, Failure> {
+        Ok(Linker { program: program.to_owned(), library: library.to_owned(), folder: temporary_folder()? })
+    }
+
+    /// The size of the entry points with all that they call. If that is a panic or an allocation, a
+    /// symbol is undefined, and this is a failure.
+    pub(super) fn link(&self, entries: &[&str]) -> Result<Sizes, Failure> {
+        let (output, program) = self.run(entries)?;
+        if !output.status.success() {
+            return Err(format!("{} do not link:\n{}", entries.join(", "), String::from_utf8_lossy(&output.stderr)));
+        }
+        let bytes = std::fs::read(&program).map_err(|error| error.to_string())?;
+        sizes(&bytes).map_err(|error| format!("the linked program: {error}"))
+    }
+
+    /// The negative control: an entry point that must fail for want of `symbol`.
+    pub(super) fn must_not_link(&self, entry: &str, symbol: &str) -> Result<(), Failure> {
+        let (output, _) = self.run(&[entry])?;
+        let errors = String::from_utf8_lossy(&output.stderr);
+        if output.status.success() || !errors.contains(&format!("undefined symbol: {symbol}")) {
+            return Err(format!("`{entry}` does not fail for want of `{symbol}` as it must: the proof shows nothing"));
+        }
+        Ok(())
+    }
+
+    fn run(&self, entries: &[&str]) -> Result<(Output, PathBuf), Failure> {
+        let program = self.folder.path().join("linked");
+        let mut command = Command::new(&self.program);
+        command.args(["-flavor", "gnu", "--gc-sections"]);
+        for entry in entries {
+            command.args(["-e", entry, "-u", entry]);
+        }
+        let output = command.arg("-o").arg(&program).arg(&self.library).output();
+        Ok((output.map_err(|error| format!("`{}`: {error}", self.program.display()))?, program))
+    }
+}

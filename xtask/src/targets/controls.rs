@@ -1,0 +1,59 @@
+//! The banks that a machine without a system is given: the golden one, and two that it must refuse,
+//! without which nobody would know that it checks anything.
+
+use crate::Failure;
+use crate::place::{temporary_folder, workspace_root};
+use lipz_bank::layout::{CHECKED_FROM, checksum};
+use lipz_bank::{Bank, ClipId};
+use std::path::{Path, PathBuf};
+use std::process::Output;
+
+/// The clip of which a control changes a frame.
+const CLIP: &str = "act1/mara-good-evening";
+
+/// Where the checksum stands in the header.
+const CHECKSUM: std::ops::Range<usize> = 8..16;
+
+/// Gives a machine the banks: `run` starts it with a bank and the expected answers.
+pub(super) fn check(run: impl Fn(&Path, &Path) -> std::io::Result<Output>) -> Result<(), Failure> {
+    let golden = workspace_root().join("fixtures/banks/v1/drama.lipzbank");
+    let answers = golden.with_extension("dump");
+    let bytes = std::fs::read(&golden).map_err(|error| format!("`{}`: {error}", golden.display()))?;
+    let run = |bank: &Path| {
+        let output = run(bank, &answers).map_err(|error| error.to_string())?;
+        let printed = [output.stdout, output.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned()).concat();
+        Ok::<_, Failure>((output.status.code(), printed))
+    };
+    let (code, printed) = run(&golden)?;
+    print!("{printed}");
+    if code != Some(0) {
+        return Err(format!("the machine ended with {code:?}"));
+    }
+    let folder = temporary_folder()?;
+    for (name, control, expected) in controls(&bytes)? {
+        let path: PathBuf = folder.path().join(name);
+        std::fs::write(&path, control).map_err(|error| error.to_string())?;
+        let (code, printed) = run(&path)?;
+        if code != Some(1) || !printed.contains(&expected) {
+            return Err(format!("the {name} bank should end with 1 and `{expected}`, not {code:?} and:\n{printed}"));
+        }
+        println!("the {name} bank is refused");
+    }
+    Ok(())
+}
+
+/// Banks with one frame changed, and what must be said about them: one is damaged; the other has the
+/// right checksum again, so that only the answers can give it away.
+fn controls(bytes: &[u8]) -> Result<[(&'static str, Vec<u8>, String); 2], Failure> {
+    let bank = Bank::open(bytes).map_err(|error| error.to_string())?;
+    let clip = bank.clip(ClipId::of(CLIP)).ok_or("the golden bank has lost a clip")?;
+    let place = clip.frames().as_ptr() as usize - bytes.as_ptr() as usize;
+    let mut damaged = bytes.to_vec();
+    let frame = damaged.get_mut(place).ok_or("the clip has lost its frames")?;
+    *frame = if *frame == b'A' { b'E' } else { b'A' };
+    let mut forged = damaged.clone();
+    let sum = checksum(forged.get(CHECKED_FROM..).unwrap_or_default());
+    forged.splice(CHECKSUM, sum.to_le_bytes());
+    let frames = format!("  {} frames ", clip.frame_count());
+    Ok([("damaged", damaged, "refused".into()), ("forged", forged, format!("expected: {frames}"))])
+}

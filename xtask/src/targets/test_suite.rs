@@ -1,0 +1,48 @@
+//! The whole test suite of the reader on machines of another byte order or word size.
+
+use crate::Failure;
+use crate::needs::{has_program, skip, succeed};
+use crate::toolchain::{Library, NEEDS, Toolchain, variable};
+
+const STATIC: &str = "-Ctarget-feature=+crt-static";
+
+/// A machine with a system.
+pub(super) struct Machine {
+    target: &'static str,
+    /// A C compiler for the target, which links; Debian's package has the same name.
+    linker: &'static str,
+    /// What runs its programs, unless this machine does.
+    emulator: Option<&'static str>,
+}
+
+/// 64 bits, big-endian.
+pub(super) const BIG_ENDIAN: Machine =
+    Machine { target: "s390x-unknown-linux-gnu", linker: "s390x-linux-gnu-gcc", emulator: Some("qemu-s390x") };
+
+/// 32 bits, little-endian: a processor of 64 bits runs its programs.
+pub(super) const BITS_32: Machine =
+    Machine { target: "i686-unknown-linux-gnu", linker: "i686-linux-gnu-gcc", emulator: None };
+
+pub(super) fn run(machine: &Machine) -> Result<(), Failure> {
+    let programs = [Some(machine.linker), machine.emulator];
+    if let Some(missing) = programs.into_iter().flatten().find(|program| !has_program(program)) {
+        return skip(missing);
+    }
+    if machine.emulator.is_none() && !cfg!(target_arch = "x86_64") {
+        return skip("a processor that runs its programs");
+    }
+    let Some(toolchain) = Toolchain::find(machine.target, Library::Std) else {
+        return skip(NEEDS);
+    };
+    let mut tests = toolchain.cargo("test");
+    tests.args(["--quiet", "--package", "lipz-bank"]);
+    tests.env(variable(machine.target, "LINKER"), machine.linker);
+    // The programs bring their libraries.
+    tests.env("RUSTFLAGS", STATIC).env("RUSTDOCFLAGS", STATIC);
+    // Nobody debugs these, and without they are built in half the time.
+    tests.env("CARGO_PROFILE_DEV_DEBUG", "0");
+    if let Some(emulator) = machine.emulator {
+        tests.env(variable(machine.target, "RUNNER"), emulator);
+    }
+    succeed(&mut tests, "the test suite")
+}

@@ -1,0 +1,24 @@
+//! The reader as a wasm module in node.
+
+use super::controls;
+use crate::Failure;
+use crate::needs::{has_program, skip, succeed};
+use crate::place::workspace_root;
+use crate::toolchain::{Library, NEEDS, Toolchain};
+use std::process::Command;
+
+const TARGET: &str = "wasm32-unknown-unknown";
+
+pub(super) fn run() -> Result<(), Failure> {
+    if !has_program("node") {
+        return skip("node");
+    }
+    let Some(toolchain) = Toolchain::find(TARGET, Library::Core) else {
+        return skip(NEEDS);
+    };
+    let mut build = toolchain.firmware("build");
+    succeed(build.args(["--quiet", "--release", "--package", "firmware-wasm"]), "the build of the module")?;
+    let module = toolchain.release_folder().join("firmware_wasm.wasm");
+    let script = workspace_root().join("firmware/wasm/check.mjs");
+    controls::check(|bank, answers| Command::new("node").arg(&script).args([&module, bank, answers]).output())
+}

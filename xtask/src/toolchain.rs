@@ -1,0 +1,123 @@
+//! Compilers for other machines than this one: with an installed target, or with the sources of the
+//! standard library, of which cargo then builds what the target needs.
+
+use crate::ci::cargo_command;
+use crate::place::workspace_root;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// What to install if there is no compiler for a target.
+pub(crate) const NEEDS: &str = "`rustup target add` for the target, or Debian's rustc-web, cargo-web and rust-web-src";
+
+/// Which parts of the standard library a program needs.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Library {
+    /// Core and alloc.
+    Core,
+    /// All of it, with the harness of tests.
+    Std,
+}
+
+/// A compiler that can build for a target.
+pub(crate) struct Toolchain {
+    folder: Option<PathBuf>,
+    target: &'static str,
+    /// What cargo builds from source, if the target is not installed.
+    builds: Option<Library>,
+}
+
+impl Toolchain {
+    /// The compiler of this project if the target is installed, else any that has its sources.
+    pub(crate) fn find(target: &'static str, library: Library) -> Option<Toolchain> {
+        if has_target(target) {
+            return Some(Toolchain { folder: None, target, builds: None });
+        }
+        Toolchain::with_sources(target, library)
+    }
+
+    /// A compiler that has its sources: this one, or that of the system.
+    pub(crate) fn with_sources(target: &'static str, library: Library) -> Option<Toolchain> {
+        [None, Some(PathBuf::from("/usr/bin"))]
+            .into_iter()
+            .map(|folder| Toolchain { folder, target, builds: Some(library) })
+            .find(Toolchain::has_sources)
+    }
+
+    fn program(&self, name: &str) -> PathBuf {
+        self.folder.as_ref().map_or_else(|| PathBuf::from(name), |folder| folder.join(name))
+    }
+
+    fn has_sources(&self) -> bool {
+        printed(Command::new(self.program("rustc")).args(["--print", "sysroot"]))
+            .is_some_and(|sysroot| Path::new(&sysroot).join("lib/rustlib/src/rust/library/Cargo.toml").is_file())
+    }
+
+    /// The version of the compiler.
+    pub(crate) fn version(&self) -> String {
+        printed(Command::new(self.program("rustc")).arg("--version")).unwrap_or_default()
+    }
+
+    /// Where the files of this target are built: apart from those of the project's own compiler.
+    pub(crate) fn build_folder() -> PathBuf {
+        workspace_root().join("target/machines")
+    }
+
+    /// The folder with the files that a release build leaves.
+    pub(crate) fn release_folder(&self) -> PathBuf {
+        Toolchain::build_folder().join(self.target).join("release")
+    }
+
+    /// `cargo <task>` for the target.
+    pub(crate) fn cargo(&self, task: &str) -> Command {
+        let mut command = match self.folder {
+            None => cargo_command(),
+            // Rustup and `cargo run` have set these for the project's own compiler.
+            Some(_) => {
+                let mut command = Command::new(self.program("cargo"));
+                command.env_remove("LD_LIBRARY_PATH").env_remove("RUSTUP_TOOLCHAIN").env_remove("CARGO");
+                command.env("RUSTC", self.program("rustc")).env("RUSTDOC", self.program("rustdoc"));
+                command
+            }
+        };
+        let folder = Toolchain::build_folder();
+        command.arg(task).args(["--locked", "--target", self.target]);
+        command.env("CARGO_TARGET_DIR", &folder).env("CARGO_BUILD_BUILD_DIR", &folder).current_dir(workspace_root());
+        if let Some(library) = self.builds {
+            command.env("RUSTC_BOOTSTRAP", "1");
+            command.arg(if library == Library::Core { "-Zbuild-std=core,alloc" } else { "-Zbuild-std" });
+        }
+        command
+    }
+
+    /// `cargo <task>` in the workspace `firmware`, linked by the linker that comes with Rust.
+    pub(crate) fn firmware(&self, task: &str) -> Command {
+        let mut command = self.cargo(task);
+        if let Some(linker) = rust_lld() {
+            command.env(variable(self.target, "LINKER"), linker);
+        }
+        command.current_dir(workspace_root().join("firmware"));
+        command
+    }
+}
+
+/// The variable that configures cargo for a target.
+pub(crate) fn variable(target: &str, name: &str) -> String {
+    format!("CARGO_TARGET_{}_{name}", target.to_uppercase().replace('-', "_"))
+}
+
+/// The linker that comes with Rust; it links for all targets.
+pub(crate) fn rust_lld() -> Option<PathBuf> {
+    let library = printed(Command::new("rustc").args(["--print", "target-libdir"]))?;
+    Some(Path::new(&library).with_file_name("bin").join("rust-lld")).filter(|linker| linker.is_file())
+}
+
+fn has_target(target: &str) -> bool {
+    printed(Command::new("rustc").args(["--print", "target-libdir", "--target", target]))
+        .is_some_and(|folder| std::fs::read_dir(folder).is_ok_and(|mut files| files.next().is_some()))
+}
+
+/// What a command prints, if it succeeds.
+fn printed(command: &mut Command) -> Option<String> {
+    let output = command.output().ok().filter(|output| output.status.success())?;
+    Some(String::from_utf8_lossy(&output.stdout).trim().to_owned())
+}

@@ -1,0 +1,79 @@
+//! `cargo xtask web`: builds the npm package in `target/web`, and tests it in node and in Chromium.
+//!
+//! Its wasm module is lipz-capi, without a line of its own: what JavaScript needs is the ABI of C.
+
+use crate::needs::{has_program, skip, succeed};
+use crate::toolchain::{Library, NEEDS, Toolchain, rust_lld, variable};
+use crate::{Failure, place};
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+const TARGET: &str = "wasm32-unknown-unknown";
+
+/// The bank that the demo and the tests play, and where they look for it.
+const BANK: &str = "fixtures/banks/v1/drama.lipzbank";
+
+/// The folders of the package, the first of which is the package itself.
+const FOLDERS: [&str; 3] = ["", "demo", "test"];
+
+pub(crate) fn run() -> Result<(), Failure> {
+    let Some(toolchain) = Toolchain::find(TARGET, Library::Core) else {
+        return skip(NEEDS);
+    };
+    build(&toolchain)?;
+    let package = place::target_folder().join("web");
+    assemble(&package).map_err(|error| format!("`{}` cannot be written: {error}", package.display()))?;
+    println!("npm package: {}", package.display());
+    if !has_program("node") {
+        return skip("node");
+    }
+    test(&package, "node.test.js")?;
+    if !has_program("chromium") {
+        return skip("chromium");
+    }
+    test(&package, "browser.test.js")
+}
+
+fn build(toolchain: &Toolchain) -> Result<(), Failure> {
+    let mut command = toolchain.cargo("rustc");
+    if let Some(linker) = rust_lld() {
+        command.env(variable(TARGET, "LINKER"), linker);
+    }
+    // A page waits for the module to be loaded more than for its answers.
+    command.env("CARGO_PROFILE_LIBRARY_OPT_LEVEL", "s").env("CARGO_PROFILE_LIBRARY_STRIP", "true");
+    command.args(["--package", "lipz-capi", "--lib", "--profile", "library", "--quiet"]);
+    command.args(["--features", "panic-handler", "--crate-type", "cdylib"]);
+    succeed(&mut command, "the build of the module")
+}
+
+/// Puts the package together, in place of what is there.
+fn assemble(package: &Path) -> std::io::Result<()> {
+    let root = place::workspace_root();
+    if package.exists() {
+        fs::remove_dir_all(package)?;
+    }
+    for folder in FOLDERS {
+        fs::create_dir_all(package.join(folder))?;
+        for entry in fs::read_dir(root.join("crates/lipz-web").join(folder))? {
+            let entry = entry?;
+            if entry.file_type()?.is_file() {
+                fs::copy(entry.path(), package.join(folder).join(entry.file_name()))?;
+            }
+        }
+    }
+    let module = Toolchain::build_folder().join(TARGET).join("library/lipz_capi.wasm");
+    fs::copy(module, package.join("lipz.wasm"))?;
+    for licence in ["LICENSE-MIT", "LICENSE-APACHE"] {
+        fs::copy(root.join(licence), package.join(licence))?;
+    }
+    fs::copy(root.join(BANK), package.join("demo/dialogue.lipzbank"))?;
+    fs::copy(root.join("crates/lipz-capi/include/lipz.h"), package.join("test/lipz.h"))?;
+    Ok(())
+}
+
+fn test(package: &Path, file: &str) -> Result<(), Failure> {
+    let mut command = Command::new("node");
+    command.args(["--test", "--test-reporter=spec"]).arg(package.join("test").join(file));
+    succeed(&mut command, file)
+}
