@@ -27,7 +27,7 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, findings: &mut Vec<Diagnostic
     let lip = match Lip::read(bytes) {
         Ok(lip) => lip,
         Err(refused) => {
-            findings.push(refused);
+            findings.push(*refused);
             return Vec::new();
         }
     };

@@ -33,19 +33,18 @@ impl Frm {
     ///
     /// # Errors
     /// [`Code::FrmRefused`] for another version, and for a file that ends before its last frame.
-    pub fn read(bytes: &[u8]) -> Result<Frm, Diagnostic> {
+    pub fn read(bytes: &[u8]) -> Result<Frm, Box<Diagnostic>> {
         let cut_off = |range: Range<usize>, what: &str| {
             let headline = format!("the file ends within {what}, after {} bytes", bytes.len());
-            place(Code::FrmRefused, range, headline).help("copy the file again from where it came from")
+            Box::new(place(Code::FrmRefused, range, headline).help("copy the file again from where it came from"))
         };
-        let header = |range: Range<usize>| {
-            bytes.get(range).ok_or_else(|| cut_off(0..bytes.len(), "the header")).map(|bytes| number(bytes))
-        };
+        let header =
+            |range: Range<usize>| bytes.get(range).ok_or_else(|| cut_off(0..bytes.len(), "the header")).map(number);
         let version = header(VERSION)?;
         if version != KNOWN_VERSION {
             let headline = format!("this is no FRM file: its version is {version}, not {KNOWN_VERSION}");
-            return Err(place(Code::FrmRefused, VERSION, headline)
-                .help("name FRM files only; pictures for FRM files are converted by the tools of modders"));
+            let help = "name FRM files only; pictures for FRM files are converted by the tools of modders";
+            return Err(Box::new(place(Code::FrmRefused, VERSION, headline).help(help)));
         }
         let frm = Frm { fps: short(header(FPS)?), frames: short(header(FRAMES)?) };
         let starts = bytes.get(STARTS).ok_or_else(|| cut_off(0..bytes.len(), "the header"))?;

@@ -26,7 +26,7 @@ pub fn check_file(name: &str, bytes: &[u8]) -> (Option<HeadFile>, Vec<Diagnostic
         found.push(Diagnostic::new(Code::HeadName, headline).note(name::FORM).help("files of other art lie elsewhere"));
     }
     match Frm::read(bytes) {
-        Err(finding) => found.push(finding),
+        Err(finding) => found.push(*finding),
         Ok(frm) => found.extend(file.as_ref().and_then(|file| too_few_frames(file, frm))),
     }
     (file, found)

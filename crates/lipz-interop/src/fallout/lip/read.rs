@@ -14,16 +14,16 @@ impl Lip {
     /// # Errors
     /// [`Code::LipVersion`] for another version, and for what is no LIP file at all;
     /// [`Code::LipCutOff`] for a file that ends before its last marker.
-    pub fn read(bytes: &[u8]) -> Result<Lip, Diagnostic> {
+    pub fn read(bytes: &[u8]) -> Result<Lip, Box<Diagnostic>> {
         let header = Header(bytes);
         let version = header.word(offset::VERSION)?;
         if version != VERSION {
-            return Err(refused_version(version));
+            return Err(Box::new(refused_version(version)));
         }
         let phoneme_count = header.word(offset::PHONEME_COUNT)?;
         let marker_count = header.word(offset::MARKER_COUNT)?;
         let extension = header.array(offset::EXTENSION)?;
-        let cut_off = || cut_off_body(bytes.len(), phoneme_count, marker_count);
+        let cut_off = || Box::new(cut_off_body(bytes.len(), phoneme_count, marker_count));
         let body = bytes.get(HEADER_BYTES..).unwrap_or_default();
         let (phonemes, body) = split(body, phoneme_count, 1).ok_or_else(cut_off)?;
         let (markers, trailing) = split(body, marker_count, MARKER_BYTES).ok_or_else(cut_off)?;
@@ -51,15 +51,15 @@ impl Lip {
 struct Header<'b>(&'b [u8]);
 
 impl Header<'_> {
-    fn array<const N: usize>(&self, range: Range<usize>) -> Result<[u8; N], Diagnostic> {
+    fn array<const N: usize>(&self, range: Range<usize>) -> Result<[u8; N], Box<Diagnostic>> {
         let array = self.0.get(range).and_then(|bytes| bytes.try_into().ok());
         array.ok_or_else(|| {
             let headline = format!("the file ends within the header, after {} of {HEADER_BYTES} bytes", self.0.len());
-            whole_again(Diagnostic::new(Code::LipCutOff, headline))
+            Box::new(whole_again(Diagnostic::new(Code::LipCutOff, headline)))
         })
     }
 
-    fn word(&self, range: Range<usize>) -> Result<u32, Diagnostic> {
+    fn word(&self, range: Range<usize>) -> Result<u32, Box<Diagnostic>> {
         self.array(range).map(u32::from_be_bytes)
     }
 }
