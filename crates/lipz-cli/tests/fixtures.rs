@@ -51,6 +51,18 @@ fn bad_settings() {
 }
 
 #[test]
+fn bad_viewer_settings() {
+    let repository = repository();
+    let mut comparison = Comparison::default();
+    for file in files("fixtures/bad/viewer", "xml") {
+        let outcome = lipz(&repository, ["babble", &file]);
+        assert_eq!(outcome.stdout.is_empty(), outcome.code == 1, "{file}");
+        comparison.compare(&file.replace(".xml", ".expected"), &outcome.expectation());
+    }
+    comparison.finish(6);
+}
+
+#[test]
 fn examples_of_the_specification_as_printed() {
     compare_folder("fixtures/spec/as-printed", 8);
 }
@@ -94,6 +106,7 @@ fn expectations() -> Vec<(String, String)> {
         "fixtures/bad/with-flags",
         "fixtures/bad/generated",
         "fixtures/bad/settings",
+        "fixtures/bad/viewer",
         "fixtures/spec/as-printed",
     ];
     let paths = folders.into_iter().flat_map(|folder| files(folder, "expected"));
@@ -158,7 +171,8 @@ fn every_bad_file_shows_the_code_that_it_is_named_after() {
 fn every_expectation_has_its_file() {
     let folders =
         ["fixtures/bad", "fixtures/bad/with-flags", "fixtures/spec/as-printed"].map(|folder| (folder, "lipz"));
-    for (folder, kind) in folders.into_iter().chain([("fixtures/bad/settings", "toml")]) {
+    for (folder, kind) in folders.into_iter().chain([("fixtures/bad/settings", "toml"), ("fixtures/bad/viewer", "xml")])
+    {
         for extension in ["expected", "flags"] {
             for path in files(folder, extension) {
                 let source = format!("{}.{kind}", path.strip_suffix(&format!(".{extension}")).unwrap());
