@@ -22,7 +22,7 @@ pub fn parse(bytes: &[u8]) {
 }
 
 /// The marked places of a finding are stretches of the text.
-fn is_about(found: &Diagnostic, text: &str) {
+pub(crate) fn is_about(found: &Diagnostic, text: &str) {
     let labels = found.primary.iter().chain(&found.secondary).map(|label| label.span);
     let spans: Vec<Span> = labels.chain(found.fix.as_ref().map(|fix| fix.span)).collect();
     assert!(spans.iter().all(|span| text.get(span.range()).is_some()), "outside of the text: {found:?}");

@@ -8,6 +8,7 @@
 
 mod bank;
 mod file;
+mod foreign;
 mod forged_bank;
 mod round_trip;
 
@@ -22,6 +23,7 @@ mod used;
 
 pub use bank::{bank, text_bank};
 pub use file::{parse, rewrite};
+pub use foreign::foreign;
 pub use forged_bank::forged_bank;
 pub use round_trip::round_trip;
 
@@ -36,11 +38,12 @@ pub struct Target {
 }
 
 /// All fuzz targets.
-pub const TARGETS: [Target; 6] = [
+pub const TARGETS: [Target; 7] = [
     Target { name: "bank", check: bank, longest_bytes: 8192 },
     Target { name: "text_bank", check: text_bank, longest_bytes: 4096 },
     Target { name: "forged_bank", check: forged_bank, longest_bytes: 512 },
     Target { name: "parse", check: parse, longest_bytes: 4096 },
+    Target { name: "foreign", check: foreign, longest_bytes: 2048 },
     Target { name: "rewrite", check: rewrite, longest_bytes: 4096 },
     Target { name: "round_trip", check: round_trip, longest_bytes: 4096 },
 ];

@@ -89,22 +89,21 @@ impl SubtitleFormat {
 /// What stands for `|` in a text: there it would divide segments.
 const BAR_IN_TEXT: &str = "\u{a6}";
 
-/// The cue with its text; reports what a Lipz text cannot hold.
-fn read_text(cue: Cue, plain: Plain, findings: &mut Vec<Diagnostic>) -> Cue {
+/// The text of the cue at `span`; reports what a Lipz text cannot hold.
+fn read_text(span: Span, plain: &Plain, findings: &mut Vec<Diagnostic>) -> String {
     if plain.has_lost_tags {
-        let headline = "the subtitle has tags, which are left out";
         findings.push(
-            Diagnostic::at(Code::SubtitleText, cue.span, headline)
+            Diagnostic::at(Code::SubtitleText, span, "the subtitle has tags, which are left out")
                 .note("texts of Lipz files have no markup; a game may have its own, as {meta}"),
         );
     }
     if plain.text.contains(DELIMITER) {
         let headline = format!("`{DELIMITER}` in the subtitle becomes `{BAR_IN_TEXT}`");
         findings.push(
-            Diagnostic::at(Code::SubtitleText, cue.span, headline)
+            Diagnostic::at(Code::SubtitleText, span, headline)
                 .note("in Lipz files, `|` divides segments")
                 .help("write the text in another way if the difference matters"),
         );
     }
-    Cue { text: plain.text.replace(DELIMITER, BAR_IN_TEXT), ..cue }
+    plain.text.replace(DELIMITER, BAR_IN_TEXT)
 }

@@ -11,8 +11,8 @@ pub(super) fn read(text: &str, findings: &mut Vec<Diagnostic>) -> Vec<Cue> {
     let mut cues = Vec::new();
     for block in timing::blocks(text) {
         let Some((cue, text)) = timing::cue(&block, findings) else { continue };
-        let plain = markup::from_srt(&text);
-        cues.push(super::read_text(cue, plain, findings));
+        let text = super::read_text(cue.span, &markup::from_srt(&text), findings);
+        cues.push(Cue { text, ..cue });
     }
     cues
 }

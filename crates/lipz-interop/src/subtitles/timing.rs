@@ -62,9 +62,9 @@ fn milliseconds(text: &str) -> Option<u64> {
         return None;
     }
     let parts: Vec<u64> = clock.split(':').map(number).collect::<Option<_>>()?;
-    let (hours, minutes, seconds) = match parts.as_slice() {
-        &[hours, minutes, seconds] => (hours, minutes, seconds),
-        &[minutes, seconds] => (0, minutes, seconds),
+    let (hours, minutes, seconds) = match *parts.as_slice() {
+        [hours, minutes, seconds] => (hours, minutes, seconds),
+        [minutes, seconds] => (0, minutes, seconds),
         _ => return None,
     };
     if minutes > 59 || seconds > 59 {

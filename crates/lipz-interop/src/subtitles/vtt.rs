@@ -28,8 +28,8 @@ pub(super) fn read(text: &str, findings: &mut Vec<Diagnostic>) -> Vec<Cue> {
             continue;
         }
         let Some((cue, text)) = timing::cue(block, findings) else { continue };
-        let plain = markup::from_vtt(&text);
-        cues.push(super::read_text(cue, plain, findings));
+        let text = super::read_text(cue.span, &markup::from_vtt(&text), findings);
+        cues.push(Cue { text, ..cue });
     }
     cues
 }
