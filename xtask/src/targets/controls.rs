@@ -30,9 +30,9 @@ pub(super) fn check(run: impl Fn(&Path, &Path) -> std::io::Result<Output>) -> Re
         return Err(format!("the machine ended with {code:?}"));
     }
     let folder = temporary_folder()?;
-    for (name, control, expected) in controls(&bytes)? {
+    for Control { name, bytes, expected } in controls(&bytes)? {
         let path: PathBuf = folder.path().join(name);
-        std::fs::write(&path, control).map_err(|error| error.to_string())?;
+        std::fs::write(&path, bytes).map_err(|error| error.to_string())?;
         let (code, printed) = run(&path)?;
         if code != Some(1) || !printed.contains(&expected) {
             return Err(format!("the {name} bank should end with 1 and `{expected}`, not {code:?} and:\n{printed}"));
@@ -42,9 +42,17 @@ pub(super) fn check(run: impl Fn(&Path, &Path) -> std::io::Result<Output>) -> Re
     Ok(())
 }
 
-/// Banks with one frame changed, and what must be said about them: one is damaged; the other has the
-/// right checksum again, so that only the answers can give it away.
-fn controls(bytes: &[u8]) -> Result<[(&'static str, Vec<u8>, String); 2], Failure> {
+/// A bank that a machine must refuse.
+struct Control {
+    name: &'static str,
+    bytes: Vec<u8>,
+    /// What must be said about it.
+    expected: String,
+}
+
+/// Banks with one frame changed: one is damaged; the other has the right checksum again, so that only the
+/// answers can give it away.
+fn controls(bytes: &[u8]) -> Result<[Control; 2], Failure> {
     let bank = Bank::open(bytes).map_err(|error| error.to_string())?;
     let clip = bank.clip(ClipId::of(CLIP)).ok_or("the golden bank has lost a clip")?;
     let place = clip.frames().as_ptr() as usize - bytes.as_ptr() as usize;
@@ -55,5 +63,8 @@ fn controls(bytes: &[u8]) -> Result<[(&'static str, Vec<u8>, String); 2], Failur
     let sum = checksum(forged.get(CHECKED_FROM..).unwrap_or_default());
     forged.splice(CHECKSUM, sum.to_le_bytes());
     let frames = format!("  {} frames ", clip.frame_count());
-    Ok([("damaged", damaged, "refused".into()), ("forged", forged, format!("expected: {frames}"))])
+    Ok([
+        Control { name: "damaged", bytes: damaged, expected: "refused".into() },
+        Control { name: "forged", bytes: forged, expected: format!("expected: {frames}") },
+    ])
 }

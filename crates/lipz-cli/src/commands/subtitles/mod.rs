@@ -25,7 +25,7 @@ pub(crate) struct Subtitles {
 
 #[derive(Subcommand, Debug)]
 enum Direction {
-    Export(export::Export),
+    Export(Box<export::Export>),
     Import(import::Import),
 }
 
