@@ -11,6 +11,8 @@ use clap::{Args, Subcommand};
 /// LIP files themselves become Lipz files by `lipz import fallout`, and Lipz files LIP files by
 /// `lipz export fallout`.
 #[derive(Args, Debug)]
+#[command(after_help = "Example:
+  lipz fallout heads data/art/heads")]
 pub(crate) struct Fallout {
     #[command(subcommand)]
     task: Task,
