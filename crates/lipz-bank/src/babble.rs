@@ -98,7 +98,7 @@ impl<M: FnOnce() -> P, P: Power> Power for M {
 /// let babble = Babble::DEFAULT; // or that of a bank: bank.default_babble(), bank.babble("robot")
 /// let since_speech_began = Micros(250_000);
 /// let mouth = babble.at(since_speech_began, 0.8); // the power of the voice
-/// assert_eq!((mouth.ooh.ten_thousandths(), mouth.aah.to_f32()), (8 * 7 * 121, 0.5929));
+/// assert_eq!((mouth.ooh.ten_thousandths(), mouth.aah.to_f32()), (8 * 8 * 121, 0.5929));
 /// babble.at(since_speech_began, || 0.8); // measured by a function
 /// babble.at(since_speech_began, Level::STEADY); // not measured
 /// ```

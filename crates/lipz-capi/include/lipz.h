@@ -116,6 +116,9 @@
 // Damage: the names in events are not listed in their order.
 #define LIPZ_EVENT_NAME 32
 
+// Damage: a babble profile is not valid.
+#define LIPZ_BABBLE 33
+
 
 
 // Version of this header: changes of the first number break programs; so do, while it is 0, those

@@ -16,13 +16,13 @@ fn the_drama_returns() {
     let voices = voices.to_str().unwrap();
     for format in ["srt", "vtt"] {
         let folder = format!("{format}-files");
-        scene.prepare(&["unpack", &drama(&scene), "-o", format]);
-        scene.prepare(&["subtitles", "export", format, voices, "-o", &folder, "--quiet"]);
+        scene.prepare(&["unpack", &drama(&scene), "-o", format, "--quiet"]);
+        scene.prepare(&["subtitles", "export", format, voices, "-o", &folder, "--default-fps", "24", "--quiet"]);
         // The speakers and times of all are there, and give the texts back.
         let before = bank(&scene, format);
-        scene.prepare(&["subtitles", "import", &folder, "-o", format]);
+        scene.prepare(&["subtitles", "import", &folder, "-o", format, "--fps", "24", "--quiet"]);
         let diff = lipz(scene.path(), ["diff", &before, format]);
-        assert_eq!((diff.code, diff.stderr.as_str()), (0, ""), "{}", diff.stdout);
+        assert!(diff.code == 0 && diff.stdout.contains("no difference in 48 clips"), "{diff:?}");
     }
 }
 

@@ -53,8 +53,8 @@ pub fn cues(
             continue;
         }
         let &[start, end] = frames else { continue };
+        let span = string.span_of(range);
         if start == end {
-            let span = string.span_of(range);
             let finding = Diagnostic::at(Code::SubtitleLoss, span, "the segment has no frames, and is no subtitle");
             findings.push(finding.help("give it frames, or move its text to a segment that has some"));
             continue;
@@ -64,7 +64,7 @@ pub fn cues(
             Some(name) if !text.contains("{speaker:") => format!("{{speaker: {name}}} {text}"),
             _ => text.to_owned(),
         };
-        cues.push(Cue { start_ms: ms(start), end_ms: ms(end), text, span: element.value.span() });
+        cues.push(Cue { start_ms: ms(start), end_ms: ms(end), text, span });
     }
     Some(cues)
 }
