@@ -98,7 +98,7 @@ impl<M: FnOnce() -> P, P: Power> Power for M {
 /// let babble = Babble::DEFAULT; // or that of a bank: bank.default_babble(), bank.babble("robot")
 /// let since_speech_began = Micros(250_000);
 /// let mouth = babble.at(since_speech_began, 0.8); // the power of the voice
-/// assert_eq!((mouth.ooh.ten_thousandths(), mouth.aah.to_f32()), (8 * 7 * 121, 0.5929));
+/// assert_eq!((mouth.ooh.ten_thousandths(), mouth.aah.to_f32()), (8 * 8 * 121, 0.5929));
 /// babble.at(since_speech_began, || 0.8); // measured by a function
 /// babble.at(since_speech_began, Level::STEADY); // not measured
 /// ```
@@ -233,15 +233,15 @@ impl<'data> Bank<'data> {
 
     /// All babble profiles of the bank, in the order of their names.
     pub fn babbles(&self) -> Babbles<'data> {
-        let section = self.file.sections().find(|(tag, _)| *tag == Tag::BABBLE);
-        Babbles { bytes: section.map_or(&[], |(_, bytes)| bytes) }
+        let section = self.file.entry(Tag::BABBLE).and_then(|entry| self.file.contents(entry));
+        Babbles { bytes: section.unwrap_or(&[]) }
     }
 }
 
 /// The babble profiles of a bank in the order of their names.
 #[derive(Clone)]
 pub struct Babbles<'data> {
-    bytes: &'data [u8],
+    pub(crate) bytes: &'data [u8],
 }
 
 impl<'data> Iterator for Babbles<'data> {

@@ -1,10 +1,10 @@
 //! Opening a bank and finding its clips and locales.
 
-use crate::file::{entries, File, Sections, NO_SECTIONS};
+use crate::file::{entries, File, Sections, ALL_SECTIONS};
 use crate::layout::{self, ClipRecord, EventNameRecord, EventRecord, Tag, TypedEventRecord, U32};
 use crate::locale::LocaleTable;
 use crate::pool::Pool;
-use crate::{Clip, ClipId, Clips, Error, ErrorKind, EventName, Locale, Locales};
+use crate::{Clip, ClipId, Clips, Error, EventName, Locale, Locales};
 use core::fmt;
 
 /// A bank, used in place: a few slices into the caller's bytes.
@@ -17,7 +17,6 @@ pub struct Bank<'data> {
     pub(crate) clips: &'data [ClipRecord],
     pub(crate) pilots: &'data [U32],
     pub(crate) key_order: &'data [U32],
-    pub(crate) names: Pool<'data>,
     pub(crate) frames: &'data [u8],
     pub(crate) starts: &'data [U32],
     pub(crate) texts: LocaleTable<'data>,
@@ -36,34 +35,23 @@ impl<'data> Bank<'data> {
     /// When the bytes are not a bank of a known format version, were cut off, or have a directory
     /// that leads out of them.
     pub fn open(bytes: &'data [u8]) -> Result<Bank<'data>, Error> {
-        let mut sections = NO_SECTIONS;
-        let file = File::open(bytes, &mut sections)?;
-        let [clips, _, _, _, _, _, locales, ..] = sections;
-        if clips.is_none() && locales.is_some() {
-            return Err(Error::new(ErrorKind::TextsOnly, 0));
-        }
-        Bank::of(file, &sections).ok_or_else(|| file.misfit())
-    }
-
-    /// The bank of these sections, unless one is missing or does not consist of entries.
-    fn of(file: File<'data>, sections: &Sections<'data>) -> Option<Bank<'data>> {
-        let [clips, pilots, key_order, names, frames, starts, _, _, _, event_refs, events, typed_events, event_names, event_strings] =
-            *sections;
-        let clips: &[ClipRecord] = entries(clips)?;
-        Some(Bank {
+        let file = File::open(bytes)?;
+        let mut found: Sections<'data> = [&[]; Tag::REQUIRED.len()];
+        file.find(ALL_SECTIONS, &mut found)?;
+        let clips: &[ClipRecord] = entries(found[0]);
+        Ok(Bank {
             file,
             clips,
-            pilots: entries(pilots)?,
-            key_order: entries(key_order)?,
-            names: Pool::Bytes(names?),
-            frames: frames?,
-            starts: entries(starts)?,
-            texts: LocaleTable::of(sections, clips.len())?,
-            event_refs: entries(event_refs)?,
-            events: entries(events)?,
-            typed_events: entries(typed_events)?,
-            event_names: entries(event_names)?,
-            event_strings: Pool::Bytes(event_strings?),
+            pilots: entries(found[1]),
+            key_order: entries(found[2]),
+            frames: found[4],
+            starts: entries(found[5]),
+            texts: LocaleTable::of(&found, clips.len()),
+            event_refs: entries(found[9]),
+            events: entries(found[10]),
+            typed_events: entries(found[11]),
+            event_names: entries(found[12]),
+            event_strings: Pool::Bytes(found[13]),
         })
     }
 
@@ -72,6 +60,7 @@ impl<'data> Bank<'data> {
     ///
     /// # Errors
     /// The first damage found.
+    #[inline(always)]
     pub fn verify(self) -> Result<Bank<'data>, Error> {
         self.verify_with(crate::verify::core_utf8)
     }
@@ -85,6 +74,7 @@ impl<'data> Bank<'data> {
     ///
     /// # Errors
     /// The first damage found.
+    #[inline(always)] // a bank is many words, and the caller knows where they go
     pub fn verify_with(mut self, utf8: fn(&'data [u8]) -> Option<&'data str>) -> Result<Bank<'data>, Error> {
         crate::verify::verify(&mut self, utf8)?;
         Ok(self)
@@ -99,7 +89,7 @@ impl<'data> Bank<'data> {
     /// The clip with this id: one pilot, one clip record, no loop.
     #[inline]
     pub fn clip(&self, id: ClipId) -> Option<Clip<'data, '_>> {
-        let (slot, record) = self.record(id)?;
+        let (slot, record) = self.find(id)?;
         Some(Clip::new(self, record, slot))
     }
 
@@ -138,8 +128,13 @@ impl<'data> Bank<'data> {
     }
 
     /// The slot that the index names for `id`, and the record there, if it has that id.
-    #[inline]
+    #[inline(never)] // where the search is not all that there is to do
     pub(crate) fn record(&self, id: ClipId) -> Option<(u32, &'data ClipRecord)> {
+        self.find(id)
+    }
+
+    #[inline(always)]
+    fn find(&self, id: ClipId) -> Option<(u32, &'data ClipRecord)> {
         let spread = layout::spread(id.get(), self.file.header.index_seed.get());
         let bucket = layout::bucket_of(spread, self.pilots.len() as u32);
         let pilot = self.pilots.get(bucket as usize)?.get();
@@ -156,7 +151,7 @@ impl<'data> Bank<'data> {
     #[inline]
     pub(crate) fn key_bytes(&self, record: &ClipRecord) -> Option<&'data [u8]> {
         let start = record.key_offset_bytes.get() as usize;
-        self.names.slice(start, start.checked_add(usize::from(record.key_length_bytes.get()))?)
+        self.texts.names.slice(start, start.checked_add(usize::from(record.key_length_bytes.get()))?)
     }
 
     /// The locale with this tag, spelled as in the bank (`en-us`). Keep it: queries take it.

@@ -102,7 +102,7 @@ fn a_bank_without_profiles_has_the_built_in_one() {
 fn all_mouths_answer_one_question() {
     let bank = verified(SMALL);
     let clip = |key| bank.clip_by_key(key).expect("a clip");
-    let open = |key, us| clip(key).openness_at(Micros(us)).map(|weight| weight.ten_thousandths());
+    let open = |key, us| clip(key).openness_at(Micros(us)).map(lipz_bank::Weight::ten_thousandths);
     assert_eq!(open("act1/rms", 81_000), Some(0)); // -0123456789- at 12.5 fps
     assert_eq!(open("act1/rms", 161_000), Some(1100));
     assert_eq!(open("act1/rms", 801_000), Some(9900));
