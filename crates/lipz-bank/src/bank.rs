@@ -89,7 +89,7 @@ impl<'data> Bank<'data> {
     /// The clip with this id: one pilot, one clip record, no loop.
     #[inline]
     pub fn clip(&self, id: ClipId) -> Option<Clip<'data, '_>> {
-        let (slot, record) = self.find(id)?;
+        let (slot, record) = self.record(id)?;
         Some(Clip::new(self, record, slot))
     }
 
@@ -128,13 +128,10 @@ impl<'data> Bank<'data> {
     }
 
     /// The slot that the index names for `id`, and the record there, if it has that id.
-    #[inline(never)] // where the search is not all that there is to do
+    // Long code where 64-bit products are not instructions.
+    #[cfg_attr(target_pointer_width = "64", inline)]
+    #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     pub(crate) fn record(&self, id: ClipId) -> Option<(u32, &'data ClipRecord)> {
-        self.find(id)
-    }
-
-    #[inline(always)]
-    fn find(&self, id: ClipId) -> Option<(u32, &'data ClipRecord)> {
         let spread = layout::spread(id.get(), self.file.header.index_seed.get());
         let bucket = layout::bucket_of(spread, self.pilots.len() as u32);
         let pilot = self.pilots.get(bucket as usize)?.get();
