@@ -1,6 +1,6 @@
 //! Opening a bank and finding its clips and locales.
 
-use crate::file::{entries, File, Sections, ALL_SECTIONS};
+use crate::file::{entries, place, File, Sections, ALL_SECTIONS};
 use crate::layout::{self, ClipRecord, EventNameRecord, EventRecord, Tag, TypedEventRecord, U32};
 use crate::locale::LocaleTable;
 use crate::pool::Pool;
@@ -38,20 +38,20 @@ impl<'data> Bank<'data> {
         let file = File::open(bytes)?;
         let mut found: Sections<'data> = [&[]; Tag::REQUIRED.len()];
         file.find(ALL_SECTIONS, &mut found)?;
-        let clips: &[ClipRecord] = entries(found[0]);
+        let clips: &[ClipRecord] = entries(found[place::CLIPS]);
         Ok(Bank {
             file,
             clips,
-            pilots: entries(found[1]),
-            key_order: entries(found[2]),
-            frames: found[4],
-            starts: entries(found[5]),
+            pilots: entries(found[place::PILOTS]),
+            key_order: entries(found[place::KEY_ORDER]),
+            frames: found[place::FRAMES],
+            starts: entries(found[place::STARTS]),
             texts: LocaleTable::of(&found, clips.len()),
-            event_refs: entries(found[9]),
-            events: entries(found[10]),
-            typed_events: entries(found[11]),
-            event_names: entries(found[12]),
-            event_strings: Pool::Bytes(found[13]),
+            event_refs: entries(found[place::EVENT_REFS]),
+            events: entries(found[place::EVENTS]),
+            typed_events: entries(found[place::TYPED_EVENTS]),
+            event_names: entries(found[place::EVENT_NAMES]),
+            event_strings: Pool::Bytes(found[place::EVENT_STRINGS]),
         })
     }
 

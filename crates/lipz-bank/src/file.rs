@@ -27,11 +27,43 @@ pub(crate) type SectionSet = u32;
 /// Every section of a bank.
 pub(crate) const ALL_SECTIONS: SectionSet = (1 << Tag::REQUIRED.len()) - 1;
 
-/// What a text bank has of them: names, locales, text index and texts.
-pub(crate) const TEXT_SECTIONS: SectionSet = 1 << 3 | 1 << 6 | 1 << 7 | 1 << 8;
+/// What a text bank has of them.
+pub(crate) const TEXT_SECTIONS: SectionSet =
+    1 << place::NAMES | 1 << place::LOCALES | 1 << place::TEXT_INDEX | 1 << place::TEXTS;
 
-/// What it does not have: clips.
-const CLIP_SECTION: SectionSet = 1;
+/// What it does not have.
+const CLIP_SECTION: SectionSet = 1 << place::CLIPS;
+
+/// The places of sections in [`Sections`].
+pub(crate) mod place {
+    use super::place_of;
+    use crate::layout::Tag;
+
+    pub(crate) const CLIPS: usize = place_of(Tag::CLIPS);
+    pub(crate) const PILOTS: usize = place_of(Tag::PILOTS);
+    pub(crate) const KEY_ORDER: usize = place_of(Tag::KEY_ORDER);
+    pub(crate) const NAMES: usize = place_of(Tag::NAMES);
+    pub(crate) const FRAMES: usize = place_of(Tag::FRAMES);
+    pub(crate) const STARTS: usize = place_of(Tag::STARTS);
+    pub(crate) const LOCALES: usize = place_of(Tag::LOCALES);
+    pub(crate) const TEXT_INDEX: usize = place_of(Tag::TEXT_INDEX);
+    pub(crate) const TEXTS: usize = place_of(Tag::TEXTS);
+    pub(crate) const EVENT_REFS: usize = place_of(Tag::EVENT_REFS);
+    pub(crate) const EVENTS: usize = place_of(Tag::EVENTS);
+    pub(crate) const TYPED_EVENTS: usize = place_of(Tag::TYPED_EVENTS);
+    pub(crate) const EVENT_NAMES: usize = place_of(Tag::EVENT_NAMES);
+    pub(crate) const EVENT_STRINGS: usize = place_of(Tag::EVENT_STRINGS);
+}
+
+/// The place of a tag, found while compiling.
+#[allow(clippy::indexing_slicing, clippy::arithmetic_side_effects)]
+const fn place_of(tag: Tag) -> usize {
+    let mut place = 0;
+    while u32::from_le_bytes(Tag::REQUIRED[place].0 .0) != u32::from_le_bytes(tag.0) {
+        place += 1;
+    }
+    place
+}
 
 impl<'data> File<'data> {
     /// Checks header and directory, but not the places of the sections.

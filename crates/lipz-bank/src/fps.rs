@@ -110,9 +110,7 @@ impl Fps {
     /// The rounded-up reciprocal gives that number or one more (its error is below one for any
     /// 64-bit time); the sign of the remainder tells which. The remainder is less than 2⁵² in
     /// size, so arithmetic modulo 2⁶⁴ suffices for it.
-    // Long code where 64-bit products are not instructions.
-    #[cfg_attr(target_pointer_width = "64", inline)]
-    #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
+    #[inline]
     pub(crate) fn frame_at_micros(self, time_us: u64) -> u64 {
         let wide = u128::from(time_us).wrapping_mul(u128::from(self.frames_per_micro_q64));
         let estimate = (wide >> 64) as u64;

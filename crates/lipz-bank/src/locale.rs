@@ -3,7 +3,7 @@
 use core::fmt;
 use core::iter::FusedIterator;
 
-use crate::file::{entries, Sections};
+use crate::file::{entries, place, Sections};
 use crate::layout::{LocaleRecord, LOCALE_DEFAULT, U32};
 use crate::pool::Pool;
 
@@ -23,10 +23,10 @@ impl<'data> LocaleTable<'data> {
     /// The table of a file about `clip_count` clips.
     pub(crate) fn of(sections: &Sections<'data>, clip_count: usize) -> LocaleTable<'data> {
         LocaleTable {
-            records: entries(sections[6]),
-            names: Pool::Bytes(sections[3]),
-            index: entries(sections[7]),
-            texts: Pool::Bytes(sections[8]),
+            records: entries(sections[place::LOCALES]),
+            names: Pool::Bytes(sections[place::NAMES]),
+            index: entries(sections[place::TEXT_INDEX]),
+            texts: Pool::Bytes(sections[place::TEXTS]),
             clip_count,
         }
     }
