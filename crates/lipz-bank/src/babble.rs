@@ -233,15 +233,15 @@ impl<'data> Bank<'data> {
 
     /// All babble profiles of the bank, in the order of their names.
     pub fn babbles(&self) -> Babbles<'data> {
-        let section = self.file.sections().find(|(tag, _)| *tag == Tag::BABBLE);
-        Babbles { bytes: section.map_or(&[], |(_, bytes)| bytes) }
+        let section = self.file.entry(Tag::BABBLE).and_then(|entry| self.file.contents(entry));
+        Babbles { bytes: section.unwrap_or(&[]) }
     }
 }
 
 /// The babble profiles of a bank in the order of their names.
 #[derive(Clone)]
 pub struct Babbles<'data> {
-    bytes: &'data [u8],
+    pub(crate) bytes: &'data [u8],
 }
 
 impl<'data> Iterator for Babbles<'data> {

@@ -1,10 +1,10 @@
 //! Opening a bank and finding its clips and locales.
 
-use crate::file::{entries, File, Sections, NO_SECTIONS};
+use crate::file::{entries, place, File, Sections, ALL_SECTIONS};
 use crate::layout::{self, ClipRecord, EventNameRecord, EventRecord, Tag, TypedEventRecord, U32};
 use crate::locale::LocaleTable;
 use crate::pool::Pool;
-use crate::{Clip, ClipId, Clips, Error, ErrorKind, EventName, Locale, Locales};
+use crate::{Clip, ClipId, Clips, Error, EventName, Locale, Locales};
 use core::fmt;
 
 /// A bank, used in place: a few slices into the caller's bytes.
@@ -17,7 +17,6 @@ pub struct Bank<'data> {
     pub(crate) clips: &'data [ClipRecord],
     pub(crate) pilots: &'data [U32],
     pub(crate) key_order: &'data [U32],
-    pub(crate) names: Pool<'data>,
     pub(crate) frames: &'data [u8],
     pub(crate) starts: &'data [U32],
     pub(crate) texts: LocaleTable<'data>,
@@ -36,34 +35,23 @@ impl<'data> Bank<'data> {
     /// When the bytes are not a bank of a known format version, were cut off, or have a directory
     /// that leads out of them.
     pub fn open(bytes: &'data [u8]) -> Result<Bank<'data>, Error> {
-        let mut sections = NO_SECTIONS;
-        let file = File::open(bytes, &mut sections)?;
-        let [clips, _, _, _, _, _, locales, ..] = sections;
-        if clips.is_none() && locales.is_some() {
-            return Err(Error::new(ErrorKind::TextsOnly, 0));
-        }
-        Bank::of(file, &sections).ok_or_else(|| file.misfit())
-    }
-
-    /// The bank of these sections, unless one is missing or does not consist of entries.
-    fn of(file: File<'data>, sections: &Sections<'data>) -> Option<Bank<'data>> {
-        let [clips, pilots, key_order, names, frames, starts, _, _, _, event_refs, events, typed_events, event_names, event_strings] =
-            *sections;
-        let clips: &[ClipRecord] = entries(clips)?;
-        Some(Bank {
+        let file = File::open(bytes)?;
+        let mut found: Sections<'data> = [&[]; Tag::REQUIRED.len()];
+        file.find(ALL_SECTIONS, &mut found)?;
+        let clips: &[ClipRecord] = entries(found[place::CLIPS]);
+        Ok(Bank {
             file,
             clips,
-            pilots: entries(pilots)?,
-            key_order: entries(key_order)?,
-            names: Pool::Bytes(names?),
-            frames: frames?,
-            starts: entries(starts)?,
-            texts: LocaleTable::of(sections, clips.len())?,
-            event_refs: entries(event_refs)?,
-            events: entries(events)?,
-            typed_events: entries(typed_events)?,
-            event_names: entries(event_names)?,
-            event_strings: Pool::Bytes(event_strings?),
+            pilots: entries(found[place::PILOTS]),
+            key_order: entries(found[place::KEY_ORDER]),
+            frames: found[place::FRAMES],
+            starts: entries(found[place::STARTS]),
+            texts: LocaleTable::of(&found, clips.len()),
+            event_refs: entries(found[place::EVENT_REFS]),
+            events: entries(found[place::EVENTS]),
+            typed_events: entries(found[place::TYPED_EVENTS]),
+            event_names: entries(found[place::EVENT_NAMES]),
+            event_strings: Pool::Bytes(found[place::EVENT_STRINGS]),
         })
     }
 
@@ -72,6 +60,7 @@ impl<'data> Bank<'data> {
     ///
     /// # Errors
     /// The first damage found.
+    #[inline(always)]
     pub fn verify(self) -> Result<Bank<'data>, Error> {
         self.verify_with(crate::verify::core_utf8)
     }
@@ -85,6 +74,7 @@ impl<'data> Bank<'data> {
     ///
     /// # Errors
     /// The first damage found.
+    #[inline(always)] // a bank is many words, and the caller knows where they go
     pub fn verify_with(mut self, utf8: fn(&'data [u8]) -> Option<&'data str>) -> Result<Bank<'data>, Error> {
         crate::verify::verify(&mut self, utf8)?;
         Ok(self)
@@ -138,7 +128,9 @@ impl<'data> Bank<'data> {
     }
 
     /// The slot that the index names for `id`, and the record there, if it has that id.
-    #[inline]
+    // Long code where 64-bit products are not instructions.
+    #[cfg_attr(target_pointer_width = "64", inline)]
+    #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     pub(crate) fn record(&self, id: ClipId) -> Option<(u32, &'data ClipRecord)> {
         let spread = layout::spread(id.get(), self.file.header.index_seed.get());
         let bucket = layout::bucket_of(spread, self.pilots.len() as u32);
@@ -156,7 +148,7 @@ impl<'data> Bank<'data> {
     #[inline]
     pub(crate) fn key_bytes(&self, record: &ClipRecord) -> Option<&'data [u8]> {
         let start = record.key_offset_bytes.get() as usize;
-        self.names.slice(start, start.checked_add(usize::from(record.key_length_bytes.get()))?)
+        self.texts.names.slice(start, start.checked_add(usize::from(record.key_length_bytes.get()))?)
     }
 
     /// The locale with this tag, spelled as in the bank (`en-us`). Keep it: queries take it.

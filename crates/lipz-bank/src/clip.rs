@@ -3,7 +3,7 @@
 use core::fmt;
 use core::iter::FusedIterator;
 
-use crate::layout::{ClipRecord, FLAG_VISEMES, INLINE_STARTS};
+use crate::layout::{ClipRecord, FLAG_VISEMES};
 use crate::{Bank, ClipId, Fps, Segment, Segments, Time, Viseme, VisemeType};
 
 /// One spoken line: mouth shapes by frame, and segments with texts and events.
@@ -50,12 +50,7 @@ impl<'data, 'bank> Clip<'data, 'bank> {
     /// The key: path of the Lipz file below its source root, without extension. Empty only in a
     /// damaged bank.
     pub fn key(&self) -> &'data str {
-        self.checked_key().unwrap_or("")
-    }
-
-    pub(crate) fn checked_key(&self) -> Option<&'data str> {
-        let record = self.record;
-        self.bank.names.text_at(record.key_offset_bytes.get(), u32::from(record.key_length_bytes.get()))
+        key(self.bank, self.record).unwrap_or("")
     }
 
     /// The place of the clip in the bank, for [`Bank::clip_at`].
@@ -143,11 +138,7 @@ impl<'data, 'bank> Clip<'data, 'bank> {
     /// are no more than it has starts for.
     #[inline]
     pub fn segment_count(&self) -> u32 {
-        let starts = match crate::segment::far_starts(self) {
-            None => INLINE_STARTS,
-            Some(_) => self.bank.starts.len(),
-        };
-        self.record.segment_count.get().min((starts as u32).saturating_add(1))
+        crate::segment::segment_count(self.bank, self.record)
     }
 
     /// The segment with this index.
@@ -179,6 +170,11 @@ impl<'data, 'bank> Clip<'data, 'bank> {
     pub fn segment_at<T: Time>(&self, time: T) -> Option<Segment<'data, 'bank>> {
         self.segment_of_frame(self.frame_at(time)?)
     }
+}
+
+/// The key, unless it is damaged.
+pub(crate) fn key<'data>(bank: &Bank<'data>, record: &ClipRecord) -> Option<&'data str> {
+    bank.texts.names.text_at(record.key_offset_bytes.get(), u32::from(record.key_length_bytes.get()))
 }
 
 /// The key and the slot, not the frames.

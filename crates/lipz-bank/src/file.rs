@@ -8,6 +8,8 @@ use zerocopy::{FromBytes, Immutable, KnownLayout, Unaligned};
 /// Where the number of sections stands in the header.
 const SECTION_COUNT_OFFSET: u32 = 40;
 
+const DIRECTORY_OUT_OF_BOUNDS: Error = Error::new(ErrorKind::DirectoryOutOfBounds, SECTION_COUNT_OFFSET);
+
 /// A file of which header and directory are checked.
 #[derive(Clone, Copy)]
 pub(crate) struct File<'data> {
@@ -17,38 +19,109 @@ pub(crate) struct File<'data> {
 }
 
 /// The contents of the sections that every bank has, in the order of [`Tag::REQUIRED`].
-pub(crate) type Sections<'data> = [Option<&'data [u8]>; Tag::REQUIRED.len()];
+pub(crate) type Sections<'data> = [&'data [u8]; Tag::REQUIRED.len()];
 
-/// The place for [`Sections`].
-pub(crate) const NO_SECTIONS: Sections<'static> = [None; Tag::REQUIRED.len()];
+/// Which of [`Sections`] a file has or needs: a bit each.
+pub(crate) type SectionSet = u32;
+
+/// Every section of a bank.
+pub(crate) const ALL_SECTIONS: SectionSet = (1 << Tag::REQUIRED.len()) - 1;
+
+/// What a text bank has of them.
+pub(crate) const TEXT_SECTIONS: SectionSet =
+    1 << place::NAMES | 1 << place::LOCALES | 1 << place::TEXT_INDEX | 1 << place::TEXTS;
+
+/// What it does not have.
+const CLIP_SECTION: SectionSet = 1 << place::CLIPS;
+
+/// The places of sections in [`Sections`].
+pub(crate) mod place {
+    use super::place_of;
+    use crate::layout::Tag;
+
+    pub(crate) const CLIPS: usize = place_of(Tag::CLIPS);
+    pub(crate) const PILOTS: usize = place_of(Tag::PILOTS);
+    pub(crate) const KEY_ORDER: usize = place_of(Tag::KEY_ORDER);
+    pub(crate) const NAMES: usize = place_of(Tag::NAMES);
+    pub(crate) const FRAMES: usize = place_of(Tag::FRAMES);
+    pub(crate) const STARTS: usize = place_of(Tag::STARTS);
+    pub(crate) const LOCALES: usize = place_of(Tag::LOCALES);
+    pub(crate) const TEXT_INDEX: usize = place_of(Tag::TEXT_INDEX);
+    pub(crate) const TEXTS: usize = place_of(Tag::TEXTS);
+    pub(crate) const EVENT_REFS: usize = place_of(Tag::EVENT_REFS);
+    pub(crate) const EVENTS: usize = place_of(Tag::EVENTS);
+    pub(crate) const TYPED_EVENTS: usize = place_of(Tag::TYPED_EVENTS);
+    pub(crate) const EVENT_NAMES: usize = place_of(Tag::EVENT_NAMES);
+    pub(crate) const EVENT_STRINGS: usize = place_of(Tag::EVENT_STRINGS);
+}
+
+/// The place of a tag, found while compiling.
+#[allow(clippy::indexing_slicing, clippy::arithmetic_side_effects)]
+const fn place_of(tag: Tag) -> usize {
+    let mut place = 0;
+    while u32::from_le_bytes(Tag::REQUIRED[place].0 .0) != u32::from_le_bytes(tag.0) {
+        place += 1;
+    }
+    place
+}
 
 impl<'data> File<'data> {
-    /// Checks header and directory, and finds the sections, in a time that depends only on their
-    /// number. They are put into place, because returning so many costs a copy.
-    pub(crate) fn open(bytes: &'data [u8], sections: &mut Sections<'data>) -> Result<File<'data>, Error> {
-        let (header, rest) = open_header(bytes)?;
+    /// Checks header and directory, but not the places of the sections.
+    #[inline(always)] // a result of several words otherwise takes code that copies it
+    pub(crate) fn open(bytes: &'data [u8]) -> Result<File<'data>, Error> {
+        check_header(bytes)?;
+        File::of(bytes).ok_or(DIRECTORY_OUT_OF_BOUNDS)
+    }
+
+    #[inline(always)]
+    fn of(bytes: &'data [u8]) -> Option<File<'data>> {
+        let (header, rest) = Header::ref_from_prefix(bytes).ok()?;
         let count = header.section_count.get() as usize;
-        if count > layout::MAX_SECTIONS {
-            return Err(Error::new(ErrorKind::DirectoryTooLong, SECTION_COUNT_OFFSET));
+        let (directory, _) = <[DirectoryEntry]>::ref_from_prefix_with_elems(rest, count).ok()?;
+        Some(File { bytes, header, directory })
+    }
+
+    /// Checks the places of all sections and finds those that every bank has, in a time that depends
+    /// only on their number. Those that are `needed` must be there.
+    ///
+    /// They are put into place, because returning so many costs a copy.
+    pub(crate) fn find(&self, needed: SectionSet, sections: &mut Sections<'data>) -> Result<(), Error> {
+        let mut found = 0;
+        for (index, entry) in self.directory.iter().enumerate() {
+            self.place(index, entry, sections, &mut found).map_err(|kind| Error::new(kind, entry_offset(index)))?;
         }
-        let (directory, _) = <[DirectoryEntry]>::ref_from_prefix_with_elems(rest, count)
-            .map_err(|_| Error::new(ErrorKind::DirectoryOutOfBounds, SECTION_COUNT_OFFSET))?;
-        let file = File { bytes, header, directory };
-        for (index, entry) in directory.iter().enumerate() {
-            file.place(entry, sections).map_err(|kind| Error::new(kind, entry_offset(index)))?;
+        if found & needed == needed {
+            Ok(())
+        } else if found & (TEXT_SECTIONS | CLIP_SECTION) == TEXT_SECTIONS {
+            Err(Error::new(ErrorKind::TextsOnly, 0))
+        } else {
+            Err(Error::new(ErrorKind::SectionMissing, SECTION_COUNT_OFFSET))
         }
-        Ok(file)
     }
 
     /// Puts the contents of one section to its place.
-    fn place(&self, entry: &DirectoryEntry, sections: &mut Sections<'data>) -> Result<(), ErrorKind> {
+    fn place(
+        &self,
+        index: usize,
+        entry: &DirectoryEntry,
+        sections: &mut Sections<'data>,
+        found: &mut SectionSet,
+    ) -> Result<(), ErrorKind> {
         let contents = self.contents(entry).ok_or(ErrorKind::SectionOutOfBounds)?;
-        let mut required = Tag::REQUIRED.iter().zip(sections);
-        if let Some(((_, entry_bytes), place)) = required.find(|((tag, _), _)| tag.0 == entry.tag) {
-            if place.replace(contents).is_some() {
+        let is_at = |at: &usize| Tag::REQUIRED.get(*at).map_or(false, |(tag, _)| tag.0 == entry.tag);
+        // The compiler writes them in this order, so that the first guess is right.
+        let at = Some(index).filter(is_at).or_else(|| (0..Tag::REQUIRED.len()).find(is_at));
+        if let Some((at, (_, entry_bytes))) = at.and_then(|at| Some((at, Tag::REQUIRED.get(at)?))) {
+            let bit = 1_u32.wrapping_shl(at as u32);
+            if *found & bit != 0 {
                 return Err(ErrorKind::SectionTwice);
             }
-            let has_shape = usize::from(entry.entry_bytes.get()) == *entry_bytes;
+            *found |= bit;
+            if let Some(place) = sections.get_mut(at) {
+                *place = contents;
+            }
+            let is_filled = entry.length_bytes.get().checked_rem(*entry_bytes as u32) == Some(0);
+            let has_shape = usize::from(entry.entry_bytes.get()) == *entry_bytes && is_filled;
             return has_shape.then_some(()).ok_or(ErrorKind::SectionShape);
         }
         let is_known = Tag::OPTIONAL.iter().any(|(tag, _)| tag.0 == entry.tag);
@@ -65,17 +138,10 @@ impl<'data> File<'data> {
         self.bytes.get(start..end)
     }
 
-    /// Why [`entries`] did not find what every file has: a section that entries do not fill, or else
-    /// one that is missing.
-    pub(crate) fn misfit(&self) -> Error {
-        for (index, entry) in self.directory.iter().enumerate() {
-            let required = Tag::REQUIRED.iter().find(|(tag, _)| tag.0 == entry.tag);
-            let entry_bytes = required.map_or(1, |(_, entry_bytes)| *entry_bytes as u32);
-            if entry.length_bytes.get().checked_rem(entry_bytes) != Some(0) {
-                return Error::new(ErrorKind::SectionShape, entry_offset(index));
-            }
-        }
-        Error::new(ErrorKind::SectionMissing, SECTION_COUNT_OFFSET)
+    /// The place in the directory of a section that a file need not have.
+    #[inline(never)] // asked for in several places, once per file
+    pub(crate) fn entry(&self, tag: Tag) -> Option<&'data DirectoryEntry> {
+        self.directory.iter().find(|entry| entry.tag == tag.0)
     }
 
     /// The sections in the order of the directory, known or not.
@@ -84,18 +150,18 @@ impl<'data> File<'data> {
     }
 }
 
-/// The contents of a section as entries of type `T`, if there is such a section and they fill it.
-pub(crate) fn entries<T>(section: Option<&[u8]>) -> Option<&[T]>
+/// The contents of a section as entries of type `T`, which fill it: [`File::open`] has made sure of that.
+pub(crate) fn entries<T>(contents: &[u8]) -> &[T]
 where
     T: FromBytes + Immutable + KnownLayout + Unaligned,
 {
-    <[T]>::ref_from_bytes(section?).ok()
+    <[T]>::ref_from_prefix(contents).map_or(&[], |(entries, _)| entries)
 }
 
-/// Checks everything of the header but the checksum.
-fn open_header(bytes: &[u8]) -> Result<(&Header, &[u8]), Error> {
+/// Checks everything of the header but the checksum, and that the directory may be as long as it is.
+fn check_header(bytes: &[u8]) -> Result<(), Error> {
     let magic_start = bytes.get(..4);
-    let (header, rest) = Header::ref_from_prefix(bytes).map_err(|_| match magic_start {
+    let (header, _) = Header::ref_from_prefix(bytes).map_err(|_| match magic_start {
         Some(start) if start != &layout::MAGIC[..4] => Error::new(ErrorKind::NotABank, 0),
         _ => Error::new(ErrorKind::TooShort, bytes.len() as u32),
     })?;
@@ -109,7 +175,10 @@ fn open_header(bytes: &[u8]) -> Result<(&Header, &[u8]), Error> {
     if header.file_length_bytes.get() as usize != bytes.len() {
         return Err(Error::new(ErrorKind::WrongLength, 16));
     }
-    Ok((header, rest))
+    if header.section_count.get() as usize > layout::MAX_SECTIONS {
+        return Err(Error::new(ErrorKind::DirectoryTooLong, SECTION_COUNT_OFFSET));
+    }
+    Ok(())
 }
 
 /// Where a directory entry stands in the file.

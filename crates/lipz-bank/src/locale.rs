@@ -3,7 +3,7 @@
 use core::fmt;
 use core::iter::FusedIterator;
 
-use crate::file::{entries, Sections};
+use crate::file::{entries, place, Sections};
 use crate::layout::{LocaleRecord, LOCALE_DEFAULT, U32};
 use crate::pool::Pool;
 
@@ -20,17 +20,15 @@ pub(crate) struct LocaleTable<'data> {
 }
 
 impl<'data> LocaleTable<'data> {
-    /// The table of a file about `clip_count` clips, unless one of its sections is missing or does not
-    /// consist of entries.
-    pub(crate) fn of(sections: &Sections<'data>, clip_count: usize) -> Option<LocaleTable<'data>> {
-        let [_, _, _, names, _, _, locales, text_index, texts, ..] = *sections;
-        Some(LocaleTable {
-            records: entries(locales)?,
-            names: Pool::Bytes(names?),
-            index: entries(text_index)?,
-            texts: Pool::Bytes(texts?),
+    /// The table of a file about `clip_count` clips.
+    pub(crate) fn of(sections: &Sections<'data>, clip_count: usize) -> LocaleTable<'data> {
+        LocaleTable {
+            records: entries(sections[place::LOCALES]),
+            names: Pool::Bytes(sections[place::NAMES]),
+            index: entries(sections[place::TEXT_INDEX]),
+            texts: Pool::Bytes(sections[place::TEXTS]),
             clip_count,
-        })
+        }
     }
 
     /// The locale with this tag.

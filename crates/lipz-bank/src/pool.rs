@@ -33,7 +33,7 @@ impl<'data> Pool<'data> {
     }
 
     /// The string of `length` bytes at `offset`.
-    #[inline]
+    #[inline(never)] // names and tags: asked for in many places, none of which is in a hurry
     pub(crate) fn text_at(self, offset: u32, length: u32) -> Option<&'data str> {
         let start = offset as usize;
         self.text(start, start.checked_add(length as usize)?)

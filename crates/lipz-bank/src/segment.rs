@@ -1,8 +1,8 @@
 //! One segment of a clip: frames, display texts and event string.
 
-use crate::layout::{EventRecord, FLAG_FAR_STARTS, NARROW_END_BYTES, NO_EVENTS, NO_TEXT, WIDE_END_BYTES};
-use crate::layout::{TEXT_FALLBACK, TEXT_OFFSET, TEXT_WIDE};
-use crate::{Clip, Events, Locale};
+use crate::layout::{ClipRecord, EventRecord, FLAG_FAR_STARTS, INLINE_STARTS, NARROW_END_BYTES, NO_EVENTS, NO_TEXT};
+use crate::layout::{TEXT_FALLBACK, TEXT_OFFSET, TEXT_WIDE, WIDE_END_BYTES};
+use crate::{Bank, Clip, Events, Locale};
 use core::fmt;
 use core::iter::FusedIterator;
 use core::ops::Deref;
@@ -32,14 +32,14 @@ impl<'data, 'bank> Segment<'data, 'bank> {
 
     /// The first frame of the segment.
     pub fn start_frame(&self) -> u32 {
-        start_frame(&self.clip, self.index).unwrap_or(0)
+        start_frame(self.clip.bank, self.clip.record, self.index).unwrap_or(0)
     }
 
     /// The frame after the last one; equal to the start for a segment of no frames.
     pub fn end_frame(&self) -> u32 {
         let next = self.index.saturating_add(1);
         if next < self.clip.segment_count() {
-            start_frame(&self.clip, next).unwrap_or(0)
+            start_frame(self.clip.bank, self.clip.record, next).unwrap_or(0)
         } else {
             self.clip.frame_count()
         }
@@ -183,7 +183,7 @@ impl fmt::Display for Text<'_> {
 /// The end of text `index` in a run, in bytes from the end of the table of ends: 7 bits a byte, so
 /// that the table is ASCII and the whole text pool one UTF-8 string.
 #[inline(always)]
-pub(crate) fn text_end(run: &[u8], index: u32, wide: bool) -> Option<usize> {
+fn text_end(run: &[u8], index: u32, wide: bool) -> Option<usize> {
     if wide {
         return wide_text_end(run, index);
     }
@@ -204,29 +204,39 @@ fn wide_text_end(run: &[u8], index: u32) -> Option<usize> {
     }
 }
 
+/// The number of segments, no more than there are starts for.
+#[inline]
+pub(crate) fn segment_count(bank: &Bank<'_>, record: &ClipRecord) -> u32 {
+    let starts = match far_starts(record) {
+        None => INLINE_STARTS,
+        Some(_) => bank.starts.len(),
+    };
+    record.segment_count.get().min((starts as u32).saturating_add(1))
+}
+
 /// The first frame of segment `index`; `None` if damaged.
-pub(crate) fn start_frame(clip: &Clip<'_, '_>, index: u32) -> Option<u32> {
-    match (index.checked_sub(1), far_starts(clip)) {
+pub(crate) fn start_frame(bank: &Bank<'_>, record: &ClipRecord, index: u32) -> Option<u32> {
+    match (index.checked_sub(1), far_starts(record)) {
         (None, _) => Some(0),
-        (Some(before), None) => Some(u32::from(clip.record.starts.get(before as usize)?.get())),
-        (Some(before), Some(first)) => Some(clip.bank.starts.get(first.checked_add(before as usize)?)?.get()),
+        (Some(before), None) => Some(u32::from(record.starts.get(before as usize)?.get())),
+        (Some(before), Some(first)) => Some(bank.starts.get(first.checked_add(before as usize)?)?.get()),
     }
 }
 
 /// Index in `STRT` of the start of segment 1, if the starts do not stand in the record.
 #[inline]
-pub(crate) fn far_starts(clip: &Clip<'_, '_>) -> Option<usize> {
-    if clip.record.flags & FLAG_FAR_STARTS == 0 {
+pub(crate) fn far_starts(record: &ClipRecord) -> Option<usize> {
+    if record.flags & FLAG_FAR_STARTS == 0 {
         return None;
     }
-    let [low, high, ..] = &clip.record.starts;
+    let [low, high, ..] = &record.starts;
     Some(usize::from(low.get()) | (usize::from(high.get()) << 16))
 }
 
 /// The last segment that starts at or before `frame`: the one that contains it.
 #[inline(always)]
 pub(crate) fn index_of_frame(clip: &Clip<'_, '_>, frame: u32) -> Option<u32> {
-    match far_starts(clip) {
+    match far_starts(clip.record) {
         // Unused starts are 0xFFFF, after every frame: all eight are compared at once, as vector code.
         None => {
             let frame = u16::try_from(frame).ok()?;

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::file::{File, NO_SECTIONS};
+use crate::file::{File, Sections, TEXT_SECTIONS};
 use crate::layout::Tag;
 use crate::locale::LocaleTable;
 use crate::{Bank, Error, ErrorKind, Locale, Locales};
@@ -41,13 +41,13 @@ impl Bank<'_> {
     /// # Errors
     /// As [`Bank::open`], and when the texts belong to other clips: the fingerprints differ.
     pub fn open_texts<'texts>(&self, bytes: &'texts [u8]) -> Result<TextBank<'texts>, Error> {
-        let mut sections = NO_SECTIONS;
-        let file = File::open(bytes, &mut sections)?;
+        let file = File::open(bytes)?;
+        let mut found: Sections<'texts> = [&[]; Tag::REQUIRED.len()];
+        file.find(TEXT_SECTIONS, &mut found)?;
         if file.header.fingerprint.get() != self.fingerprint() {
             return Err(Error::new(ErrorKind::OtherClips, 24));
         }
-        let table = LocaleTable::of(&sections, self.clip_count()).ok_or_else(|| file.misfit())?;
-        Ok(TextBank { file, table })
+        Ok(TextBank { file, table: LocaleTable::of(&found, self.clip_count()) })
     }
 }
 

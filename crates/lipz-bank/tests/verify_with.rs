@@ -3,6 +3,8 @@
 
 use lipz_bank::{Bank, ErrorKind};
 
+type Utf8Check = fn(&[u8]) -> Option<&str>;
+
 const BANK: &[u8] = include_bytes!("../../../fixtures/banks/v1/drama.lipzbank");
 
 fn texts(bank: &Bank<'_>) -> Vec<String> {
@@ -22,8 +24,8 @@ fn gives_the_same_texts() {
 #[test]
 fn a_check_that_is_wrong_changes_nothing() {
     let expected = texts(&Bank::open(BANK).unwrap().verify().unwrap());
-    type Check = fn(&[u8]) -> Option<&str>;
-    let wrong: [Check; 3] = [|_| None, |_| Some("something else"), |bytes| std::str::from_utf8(bytes).ok()?.get(1..)];
+    let wrong: [Utf8Check; 3] =
+        [|_| None, |_| Some("something else"), |bytes| std::str::from_utf8(bytes).ok()?.get(1..)];
     for wrong in wrong {
         let bank = Bank::open(BANK).unwrap().verify_with(wrong).unwrap();
         assert_eq!(texts(&bank), expected);

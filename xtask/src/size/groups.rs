@@ -28,25 +28,25 @@ const VERIFY_TEXTS: &[&str] = &["size_verify_texts"];
 
 /// Programs, each with all of the one before it.
 pub(super) const PROGRAMS: [Group; 8] = [
-    Group { name: "open", parts: &[OPEN], budget_bytes: Some(1_300) },
-    Group { name: "+ find, frames and segments by time", parts: &[OPEN, FRAMES], budget_bytes: Some(1_960) },
-    Group { name: "+ texts as bytes, locales", parts: &[OPEN, FRAMES, TEXT_BYTES], budget_bytes: Some(2_740) },
-    Group { name: "+ typed events, names", parts: &[OPEN, FRAMES, TEXT_BYTES, EVENTS], budget_bytes: Some(3_500) },
-    Group { name: "+ find by key", parts: &[OPEN, FRAMES, TEXT_BYTES, EVENTS, KEYS], budget_bytes: Some(3_890) },
+    Group { name: "open", parts: &[OPEN], budget_bytes: Some(885) },
+    Group { name: "+ find, frames and segments by time", parts: &[OPEN, FRAMES], budget_bytes: Some(1_650) },
+    Group { name: "+ texts as bytes, locales", parts: &[OPEN, FRAMES, TEXT_BYTES], budget_bytes: Some(2_290) },
+    Group { name: "+ typed events, names", parts: &[OPEN, FRAMES, TEXT_BYTES, EVENTS], budget_bytes: Some(3_030) },
+    Group { name: "+ find by key", parts: &[OPEN, FRAMES, TEXT_BYTES, EVENTS, KEYS], budget_bytes: Some(3_275) },
     Group {
         name: "+ text banks",
         parts: &[OPEN, FRAMES, TEXT_BYTES, EVENTS, KEYS, TEXT_BANKS],
-        budget_bytes: Some(4_180),
+        budget_bytes: Some(3_570),
     },
     Group {
         name: "+ UTF-8 check: texts and event strings as strings",
         parts: &[OPEN, FRAMES, TEXT_BYTES, EVENTS, KEYS, TEXT_BANKS, TEXTS, EVENT_STRINGS],
-        budget_bytes: Some(5_010),
+        budget_bytes: Some(4_555),
     },
     Group {
         name: "+ verify: everything",
         parts: &[OPEN, FRAMES, TEXT_BYTES, EVENTS, KEYS, TEXT_BANKS, TEXTS, EVENT_STRINGS, VERIFY, VERIFY_TEXTS],
-        budget_bytes: Some(10_400),
+        budget_bytes: Some(9_390),
     },
 ];
 

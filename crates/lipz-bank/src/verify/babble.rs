@@ -1,13 +1,11 @@
 //! Babble profiles, one behind the other in the order of their names.
 
 use super::error_in;
-use crate::layout::Tag;
 use crate::{Babble, Bank, Error, ErrorKind};
 
 /// Checks the section, if the bank has it.
 pub(super) fn babble(bank: &Bank<'_>) -> Result<(), Error> {
-    let section = bank.file.sections().find(|(tag, _)| *tag == Tag::BABBLE);
-    let mut rest = section.map_or(&[][..], |(_, bytes)| bytes);
+    let mut rest = bank.babbles().bytes;
     let mut before: &[u8] = &[];
     while !rest.is_empty() {
         match Babble::split_first(rest) {

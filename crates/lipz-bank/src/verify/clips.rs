@@ -1,15 +1,21 @@
 //! Clip records, in the order of their keys, and what they own.
 
 use super::error_at;
+use super::strings::Strings;
 use super::texts::TextCheck;
-use crate::layout::{self, FLAG_FAR_STARTS, FLAG_VISEMES};
-use crate::segment::far_starts;
-use crate::{Bank, Clip, ClipId, Error, ErrorKind, VisemeType};
+use crate::clip::key;
+use crate::layout::{ClipRecord, FLAG_FAR_STARTS, FLAG_VISEMES, NO_EVENTS};
+use crate::segment::{far_starts, segment_count, start_frame};
+use crate::{Bank, ClipId, Error, ErrorKind, Fps, VisemeType};
+
+/// What stands in a clip record in place of a start that the clip does not have.
+const UNUSED_START: u16 = 0xFFFF;
+/// Entries of a clip record that lead to far starts.
+const FAR_ENTRIES: usize = 2;
 
 /// Where the parts of the clips so far end in their sections.
 #[derive(Default)]
 struct Ends {
-    names: u32,
     frames: u32,
     starts: usize,
     event_refs: u32,
@@ -21,17 +27,25 @@ struct Ends {
 /// are clips, names every clip once.
 pub(super) fn clips(bank: &Bank<'_>) -> Result<u32, Error> {
     let mut ends = Ends::default();
-    let mut texts = TextCheck::of(bank.file, bank.texts);
-    let mut before: Option<&str> = None;
-    for slot in bank.key_order {
-        let clip = bank.clip_at(slot.get()).ok_or(error_at(bank, ErrorKind::ClipOrder, slot))?;
-        let key = clip.checked_key().ok_or(error_at(bank, ErrorKind::ClipKey, clip.record))?;
-        if Some(key) <= before {
-            return Err(error_at(bank, ErrorKind::ClipOrder, slot));
+    let mut texts = TextCheck::of(&bank.file, &bank.texts);
+    let mut keys = Strings::of(bank.texts.names, 0);
+    for entry in bank.key_order {
+        let slot = entry.get();
+        let record = bank.clips.get(slot as usize).ok_or(error_at(bank, ErrorKind::ClipOrder, entry))?;
+        let failed = |kind| error_at(bank, kind, record);
+        let key = key(bank, record).filter(|key| !key.is_empty()).ok_or(failed(ErrorKind::ClipKey))?;
+        if !keys.ascends(key) {
+            return Err(error_at(bank, ErrorKind::ClipOrder, entry));
         }
-        before = Some(key);
-        clip_record(bank, &clip, key, &mut ends).map_err(|kind| error_at(bank, kind, clip.record))?;
-        texts.clip(&clip)?;
+        if bank.record(ClipId::from_u64(record.id.get())).map(|(slot, _)| slot) != Some(slot) {
+            return Err(failed(ErrorKind::ClipIndex));
+        }
+        let follows = keys.follows(record.key_offset_bytes.get(), u32::from(record.key_length_bytes.get()));
+        if !follows || ClipId::of(key).get() != record.id.get() {
+            return Err(failed(ErrorKind::ClipKey));
+        }
+        let segment_count = contents(bank, record, &mut ends).map_err(failed)?;
+        texts.clip(slot as usize, segment_count)?;
     }
     if ends.frames as usize != bank.frames.len() {
         return Err(error_at(bank, ErrorKind::FrameRange, bank.frames));
@@ -42,95 +56,81 @@ pub(super) fn clips(bank: &Bank<'_>) -> Result<u32, Error> {
     if ends.event_refs as usize != bank.event_refs.len() {
         return Err(error_at(bank, ErrorKind::EventReference, bank.event_refs));
     }
-    Ok(ends.names)
+    Ok(keys.end())
 }
 
-/// Checks one clip record.
-fn clip_record(bank: &Bank<'_>, clip: &Clip<'_, '_>, key: &str, ends: &mut Ends) -> Result<(), ErrorKind> {
-    let record = clip.record;
-    if bank.record(clip.id()).map(|(slot, _)| slot) != Some(clip.slot()) {
-        return Err(ErrorKind::ClipIndex);
-    }
-    if key.is_empty() || record.key_offset_bytes.get() != ends.names || ClipId::of(key) != clip.id() {
-        return Err(ErrorKind::ClipKey);
-    }
-    ends.names = ends.names.wrapping_add(key.len() as u32);
+/// Checks what a clip record says of frames and segments; returns how many those are.
+fn contents(bank: &Bank<'_>, record: &ClipRecord, ends: &mut Ends) -> Result<u32, ErrorKind> {
+    let viseme_type = VisemeType::from_u8(record.viseme_type);
     if record.flags & !(FLAG_VISEMES | FLAG_FAR_STARTS) != 0
-        || (record.viseme_type != 0 && clip.viseme_type().is_none())
+        || (record.viseme_type != 0 && viseme_type.is_none())
         || (record.flags & FLAG_VISEMES == 0 && record.frame_count.get() != 0)
     {
         return Err(ErrorKind::ClipFlags);
     }
-    frame_rate(clip)?;
-    if record.frames_offset_bytes.get() != ends.frames {
+    if !frame_rate_is_valid(record) {
+        return Err(ErrorKind::FrameRate);
+    }
+    let start = record.frames_offset_bytes.get();
+    let end = start.checked_add(record.frame_count.get()).ok_or(ErrorKind::FrameRange)?;
+    let frames = bank.frames.get(start as usize..end as usize).ok_or(ErrorKind::FrameRange)?;
+    if start != ends.frames {
         return Err(ErrorKind::FrameRange);
     }
-    ends.frames = ends.frames.wrapping_add(record.frame_count.get());
-    frame_codes(clip)?;
-    segment_starts(bank, clip, ends)?;
-    if clip.has_events() {
-        if record.events_first.get() != ends.event_refs {
+    ends.frames = end;
+    let may_be = |kind: &VisemeType| viseme_type.map_or(true, |own| own == *kind) && kind.contains_all(frames);
+    if !VisemeType::ALL.iter().any(may_be) {
+        return Err(ErrorKind::FrameCode);
+    }
+    let segment_count = segment_count(bank, record);
+    if !starts_are_valid(bank, record, segment_count, ends) {
+        return Err(ErrorKind::SegmentStarts);
+    }
+    let events_first = record.events_first.get();
+    if events_first != NO_EVENTS {
+        if events_first != ends.event_refs {
             return Err(ErrorKind::EventReference);
         }
         // Far starts have an entry a segment, inline ones nine at most: the sum fits 32 bits.
-        ends.event_refs = ends.event_refs.wrapping_add(clip.segment_count());
+        ends.event_refs = ends.event_refs.wrapping_add(segment_count);
     }
-    Ok(())
+    Ok(segment_count)
 }
 
-fn frame_rate(clip: &Clip<'_, '_>) -> Result<(), ErrorKind> {
-    let record = clip.record;
-    let valid = match clip.fps() {
-        Some(fps) => fps.is_valid(),
-        None => record.fps_numerator.get() == 0 && record.frames_per_micro_q64.get() == 0,
-    };
-    valid.then_some(()).ok_or(ErrorKind::FrameRate)
-}
-
-fn frame_codes(clip: &Clip<'_, '_>) -> Result<(), ErrorKind> {
-    let frames = clip.frames_between(0, clip.frame_count()).ok_or(ErrorKind::FrameRange)?;
-    let legal = match clip.viseme_type() {
-        Some(viseme_type) => viseme_type.contains_all(frames),
-        None => VisemeType::ALL.iter().any(|viseme_type| viseme_type.contains_all(frames)),
-    };
-    legal.then_some(()).ok_or(ErrorKind::FrameCode)
+fn frame_rate_is_valid(record: &ClipRecord) -> bool {
+    let (numerator, denominator) = (record.fps_numerator.get(), record.fps_denominator.get());
+    let reciprocal = record.frames_per_micro_q64.get();
+    match denominator {
+        0 => numerator == 0 && reciprocal == 0,
+        _ => Fps::from_parts(numerator, denominator, reciprocal).is_valid(),
+    }
 }
 
 /// Starts exist, do not decrease and do not pass the end; unused ones are 0xFFFF.
-fn segment_starts(bank: &Bank<'_>, clip: &Clip<'_, '_>, ends: &mut Ends) -> Result<(), ErrorKind> {
-    let count = clip.segment_count();
-    // The reader clamps what a damaged record says.
-    if count == 0 || count != clip.record.segment_count.get() {
-        return Err(ErrorKind::SegmentStarts);
-    }
+fn starts_are_valid(bank: &Bank<'_>, record: &ClipRecord, count: u32, ends: &mut Ends) -> bool {
     let used = (count as usize).wrapping_sub(1);
-    let is_unused = |start: &layout::U16| start.get() == 0xFFFF;
-    let starts_are_valid = match far_starts(clip) {
-        None => {
-            let (starts, unused) = clip.record.starts.split_at(used.min(layout::INLINE_STARTS));
-            clip.frame_count() <= 0xFFFF
-                && unused.iter().all(is_unused)
-                && ascend(starts.iter().map(|start| u32::from(start.get())), clip.frame_count())
-        }
+    let frame_count = record.frame_count.get();
+    let (used_entries, is_in_place) = match far_starts(record) {
+        None => (used, frame_count <= u32::from(UNUSED_START)),
         Some(first) => {
-            let end = first.wrapping_add(used);
-            let starts = bank.starts.get(first..end);
-            let follows = first == ends.starts && clip.record.starts.iter().skip(2).all(is_unused);
-            ends.starts = end;
-            let ascends = |starts: &[layout::U32]| ascend(starts.iter().map(|start| start.get()), clip.frame_count());
-            follows && starts.map_or(false, ascends)
+            let before = core::mem::replace(&mut ends.starts, first.wrapping_add(used));
+            (FAR_ENTRIES, first == before)
         }
     };
-    starts_are_valid.then_some(()).ok_or(ErrorKind::SegmentStarts)
-}
-
-fn ascend(starts: impl Iterator<Item = u32>, frame_count: u32) -> bool {
+    // The reader clamps the count that a damaged record says.
+    let count_is_valid = count != 0 && count == record.segment_count.get();
+    if !count_is_valid
+        || !is_in_place
+        || record.starts.iter().skip(used_entries).any(|start| start.get() != UNUSED_START)
+    {
+        return false;
+    }
     let mut before = 0;
-    for start in starts {
-        if start < before {
-            return false;
+    for index in 0..count {
+        match start_frame(bank, record, index) {
+            Some(start) if start >= before => before = start,
+            _ => return false,
         }
-        before = start;
     }
     before <= frame_count
 }

@@ -1,6 +1,7 @@
 //! Event strings, the typed events that they are made of, and the names in those.
 
 use super::error_at;
+use super::strings::Strings;
 use crate::event::{typed_events, Event};
 use crate::{Bank, Error, ErrorKind};
 
@@ -24,13 +25,13 @@ pub(super) fn events(bank: &Bank<'_>) -> Result<(), Error> {
 /// Event strings follow each other in their pool, and so do their typed events, which are all of the
 /// table; returns where the strings end.
 fn strings(bank: &Bank<'_>) -> Result<u32, Error> {
-    let (mut end, mut typed_end) = (0_u32, 0_u32);
+    let mut strings = Strings::of(bank.event_strings, 0);
+    let mut typed_end = 0_u32;
     for record in bank.events {
-        let string = bank.event_strings.text_at(record.offset_bytes.get(), record.length_bytes.get());
-        if string.is_none() || record.offset_bytes.get() != end {
+        let (offset, length) = (record.offset_bytes.get(), record.length_bytes.get());
+        if bank.event_strings.text_at(offset, length).is_none() || !strings.follows(offset, length) {
             return Err(error_at(bank, ErrorKind::EventReference, record));
         }
-        end = end.wrapping_add(record.length_bytes.get());
         if record.typed_first.get() != typed_end || typed_events(bank, record).is_none() {
             return Err(error_at(bank, ErrorKind::TypedEvent, record));
         }
@@ -39,20 +40,18 @@ fn strings(bank: &Bank<'_>) -> Result<u32, Error> {
     if typed_end as usize != bank.typed_events.len() {
         return Err(error_at(bank, ErrorKind::TypedEvent, bank.typed_events));
     }
-    Ok(end)
+    Ok(strings.end())
 }
 
-/// Names ascend strictly and fill the pool from `end` on.
-fn names(bank: &Bank<'_>, mut end: u32) -> Result<(), Error> {
-    let mut before = "";
+/// Names ascend strictly and fill the pool from `start` on.
+fn names(bank: &Bank<'_>, start: u32) -> Result<(), Error> {
+    let mut names = Strings::of(bank.event_strings, start);
     for record in bank.event_names {
-        match bank.event_strings.text_at(record.offset_bytes.get(), record.length_bytes.get()) {
-            Some(name) if name > before && record.offset_bytes.get() == end => before = name,
-            _ => return Err(error_at(bank, ErrorKind::EventName, record)),
+        if names.next_ascending(record.offset_bytes.get(), record.length_bytes.get()).is_none() {
+            return Err(error_at(bank, ErrorKind::EventName, record));
         }
-        end = end.wrapping_add(record.length_bytes.get());
     }
-    if end as usize != bank.event_strings.bytes().len() {
+    if !names.fill_the_pool() {
         return Err(error_at(bank, ErrorKind::EventName, bank.event_names));
     }
     Ok(())

@@ -9,13 +9,16 @@ mod babble;
 mod clips;
 mod events;
 mod sections;
+mod strings;
 mod texts;
 
 use crate::file::File;
-use crate::layout::{self, LocaleRecord};
+use crate::layout;
 use crate::locale::LocaleTable;
 use crate::pool::Pool;
+use crate::segment::segment_count;
 use crate::{Bank, Error, ErrorKind, TextBank};
+use strings::Strings;
 use texts::TextCheck;
 
 /// Gives bytes as a string if they are UTF-8.
@@ -31,9 +34,9 @@ pub(crate) fn verify<'data>(bank: &mut Bank<'data>, utf8: Utf8<'data>) -> Result
     checksum(&bank.file)?;
     sections::sections(&bank.file)?;
     sections::table_lengths(bank)?;
-    check_pools(&bank.file, &mut bank.texts, utf8)?;
-    bank.names = bank.texts.names;
-    bank.event_strings = checked_pool(&bank.file, bank.event_strings, utf8)?;
+    for pool in [&mut bank.texts.names, &mut bank.texts.texts, &mut bank.event_strings] {
+        check_pool(&bank.file, pool, utf8)?;
+    }
     let keys_end = clips::clips(bank)?;
     locales(&bank.file, &bank.texts, keys_end)?;
     events::events(bank)?;
@@ -54,15 +57,20 @@ pub(crate) fn verify_texts<'data>(
     checksum(&file)?;
     sections::sections(&file)?;
     sections::text_index_length(&file, &texts.table)?;
-    check_pools(&file, &mut texts.table, utf8)?;
+    for pool in [&mut texts.table.names, &mut texts.table.texts] {
+        check_pool(&file, pool, utf8)?;
+    }
     // Another bank's tags stand behind its keys.
     let start = texts.table.records.first().map_or(0, |first| first.tag_offset_bytes.get());
     locales(&file, &texts.table, start)?;
     if file.header.fingerprint.get() != bank.fingerprint() || texts.table.clip_count != bank.clip_count() {
         return Err(Error::new(ErrorKind::OtherClips, 24));
     }
-    let mut check = TextCheck::of(file, texts.table);
-    bank.clips().try_for_each(|clip| check.clip(&clip))
+    let mut check = TextCheck::of(&file, &texts.table);
+    for (slot, record) in bank.clips.iter().enumerate() {
+        check.clip(slot, segment_count(bank, record))?;
+    }
+    Ok(())
 }
 
 fn checksum(file: &File<'_>) -> Result<(), Error> {
@@ -84,21 +92,16 @@ fn error_at<T: ?Sized>(bank: &Bank<'_>, kind: ErrorKind, item: &T) -> Error {
     error_in(&bank.file, kind, item)
 }
 
-/// Checks the strings of a file's locales.
-fn check_pools<'data>(file: &File<'data>, table: &mut LocaleTable<'data>, utf8: Utf8<'data>) -> Result<(), Error> {
-    table.names = checked_pool(file, table.names, utf8)?;
-    table.texts = checked_pool(file, table.texts, utf8)?;
-    Ok(())
-}
-
-fn checked_pool<'data>(file: &File<'data>, pool: Pool<'data>, utf8: Utf8<'data>) -> Result<Pool<'data>, Error> {
+/// Checks the strings of a pool, and marks them as checked.
+fn check_pool<'data>(file: &File<'data>, pool: &mut Pool<'data>, utf8: Utf8<'data>) -> Result<(), Error> {
     let bytes = pool.bytes();
     // A string that is not these very bytes would be an answer to another question.
-    if let Some(text) = utf8(bytes).filter(|text| core::ptr::eq(text.as_bytes(), bytes)) {
-        return Ok(Pool::Checked(text));
-    }
-    match core::str::from_utf8(bytes) {
-        Ok(text) => Ok(Pool::Checked(text)),
+    let checked = utf8(bytes).filter(|text| core::ptr::eq(text.as_bytes(), bytes));
+    match checked.map_or_else(|| core::str::from_utf8(bytes), Ok) {
+        Ok(text) => {
+            *pool = Pool::Checked(text);
+            Ok(())
+        }
         Err(error) => {
             let behind = bytes.get(error.valid_up_to()..).unwrap_or(bytes);
             Err(error_in(file, ErrorKind::Utf8, behind))
@@ -106,31 +109,19 @@ fn checked_pool<'data>(file: &File<'data>, pool: Pool<'data>, utf8: Utf8<'data>)
     }
 }
 
-/// Tags ascend strictly and fill the pool of names from `end` on; one locale at most is the default.
-fn locales(file: &File<'_>, table: &LocaleTable<'_>, mut end: u32) -> Result<(), Error> {
-    let mut before = "";
-    let mut has_default = false;
-    let tag = |record: &LocaleRecord| {
-        table.names.text_at(record.tag_offset_bytes.get(), u32::from(record.tag_length_bytes.get()))
-    };
+/// Tags ascend strictly and fill the pool of names from `start` on; one locale at most is the default.
+fn locales(file: &File<'_>, table: &LocaleTable<'_>, start: u32) -> Result<(), Error> {
+    let mut tags = Strings::of(table.names, start);
+    let mut known_flags = layout::LOCALE_DEFAULT;
     for record in table.records {
-        let is_default = record.flags.get() & layout::LOCALE_DEFAULT != 0;
-        let flags_are_known = record.flags.get() & !layout::LOCALE_DEFAULT == 0;
-        match tag(record) {
-            Some(tag)
-                if tag > before
-                    && flags_are_known
-                    && !(is_default && has_default)
-                    && record.tag_offset_bytes.get() == end =>
-            {
-                before = tag;
-            }
-            _ => return Err(error_in(file, ErrorKind::LocaleOrder, record)),
+        let (offset, length) = (record.tag_offset_bytes.get(), record.tag_length_bytes.get());
+        let flags = record.flags.get();
+        if tags.next_ascending(offset, u32::from(length)).is_none() || flags & !known_flags != 0 {
+            return Err(error_in(file, ErrorKind::LocaleOrder, record));
         }
-        has_default |= is_default;
-        end = end.wrapping_add(u32::from(record.tag_length_bytes.get()));
+        known_flags &= !flags;
     }
-    if end as usize != table.names.bytes().len() {
+    if !tags.fill_the_pool() {
         return Err(error_in(file, ErrorKind::LocaleOrder, table.records));
     }
     Ok(())

@@ -36,14 +36,13 @@ pub(super) fn table_lengths(bank: &Bank<'_>) -> Result<(), Error> {
         return Err(error_at(bank, ErrorKind::ClipOrder, bank.key_order));
     }
     text_index_length(&bank.file, &bank.texts)?;
-    let entry = |(tag, _): (Tag, usize)| bank.file.directory.iter().find(|entry| entry.tag == tag.0);
     let has_shape =
         |entry: &DirectoryEntry, (_, entry_bytes): (Tag, usize)| usize::from(entry.entry_bytes.get()) == entry_bytes;
     let [of_babble, of_index, of_sources] = Tag::OPTIONAL;
-    if let Some(babble) = entry(of_babble).filter(|babble| !has_shape(babble, of_babble)) {
+    if let Some(babble) = bank.file.entry(of_babble.0).filter(|babble| !has_shape(babble, of_babble)) {
         return Err(error_at(bank, ErrorKind::SectionShape, babble));
     }
-    match (entry(of_index), entry(of_sources)) {
+    match (bank.file.entry(of_index.0), bank.file.entry(of_sources.0)) {
         (None, None) => Ok(()),
         (Some(index), Some(sources)) => {
             let length = bank.clips.len().checked_mul(4);

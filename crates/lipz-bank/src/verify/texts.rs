@@ -5,8 +5,7 @@ use crate::file::File;
 use crate::layout;
 use crate::locale::LocaleTable;
 use crate::pool::Pool;
-use crate::segment::text_end;
-use crate::{Clip, Error, ErrorKind};
+use crate::{Error, ErrorKind};
 
 /// Steps per byte of the file before it is refused as forged: one for each entry of the text index,
 /// and one for each segment of a run that is checked.
@@ -16,16 +15,16 @@ use crate::{Clip, Error, ErrorKind};
 const STEPS_PER_BYTE: u64 = 64;
 
 /// The check of the texts while the clips are gone through.
-pub(super) struct TextCheck<'data> {
-    file: File<'data>,
-    table: LocaleTable<'data>,
+pub(super) struct TextCheck<'a, 'data> {
+    file: &'a File<'data>,
+    table: &'a LocaleTable<'data>,
     pool: &'data str,
     steps_left: u64,
 }
 
-impl<'data> TextCheck<'data> {
+impl<'a, 'data> TextCheck<'a, 'data> {
     /// The check of the texts of `table`, which is that of `file`.
-    pub(super) fn of(file: File<'data>, table: LocaleTable<'data>) -> TextCheck<'data> {
+    pub(super) fn of(file: &'a File<'data>, table: &'a LocaleTable<'data>) -> Self {
         let pool = match table.texts {
             Pool::Checked(pool) => pool,
             Pool::Bytes(_) => "",
@@ -33,23 +32,27 @@ impl<'data> TextCheck<'data> {
         TextCheck { file, table, pool, steps_left: (file.bytes.len() as u64).wrapping_mul(STEPS_PER_BYTE) }
     }
 
-    /// Checks the texts of one clip, whose segment count is checked, in all locales.
-    pub(super) fn clip(&mut self, clip: &Clip<'_, '_>) -> Result<(), Error> {
+    /// Checks the texts of the clip in this slot, whose segment count is checked, in all locales.
+    pub(super) fn clip(&mut self, slot: usize, segment_count: u32) -> Result<(), Error> {
         // The last runs found valid for this clip: locales that fall back to one are not checked again.
         let mut known = [layout::NO_TEXT; 4];
-        for (number, locale) in self.table.locales().enumerate() {
-            let entry = match locale.index.get(clip.slot() as usize) {
-                Some(entry) => entry,
-                None => continue, // a locale has an entry per slot
-            };
-            self.charge(1).ok_or(error_in(&self.file, ErrorKind::TooManySteps, entry))?;
+        let (mut at, mut number) = (slot, 0_usize);
+        // A locale has an entry per slot; there is a slot, so this ends.
+        while let Some(entry) = self.table.index.get(at) {
+            at = at.wrapping_add(self.table.clip_count);
+            number = number.wrapping_add(1);
             let run = entry.get() & !layout::TEXT_FALLBACK;
-            if entry.get() == layout::NO_TEXT || known.contains(&run) {
+            let is_known = entry.get() == layout::NO_TEXT || known.contains(&run);
+            let steps = if is_known { 1 } else { u64::from(segment_count).wrapping_add(1) };
+            self.steps_left = match self.steps_left.checked_sub(steps) {
+                Some(left) => left,
+                None => return Err(error_in(self.file, ErrorKind::TooManySteps, entry)),
+            };
+            if is_known {
                 continue;
             }
-            self.charge(clip.segment_count()).ok_or(error_in(&self.file, ErrorKind::TooManySteps, entry))?;
-            if !run_is_valid(self.pool, run, clip.segment_count()) {
-                return Err(error_in(&self.file, ErrorKind::TextReference, entry));
+            if !run_is_valid(self.pool, run, segment_count) {
+                return Err(error_in(self.file, ErrorKind::TextReference, entry));
             }
             if let Some(place) = known.get_mut(number % 4) {
                 *place = run;
@@ -57,30 +60,28 @@ impl<'data> TextCheck<'data> {
         }
         Ok(())
     }
-
-    fn charge(&mut self, steps: u32) -> Option<()> {
-        self.steps_left = self.steps_left.checked_sub(u64::from(steps))?;
-        Some(())
-    }
 }
 
 /// The table of ends is ASCII, the ends ascend, and they stand between characters of the pool.
 fn run_is_valid(pool: &str, entry: u32, segment_count: u32) -> bool {
-    let wide = entry & layout::TEXT_WIDE != 0;
     let offset = (entry & layout::TEXT_OFFSET) as usize;
-    let width = if wide { layout::WIDE_END_BYTES } else { layout::NARROW_END_BYTES };
-    let table_bytes = (segment_count as usize).checked_mul(width);
+    let width = if entry & layout::TEXT_WIDE != 0 { layout::WIDE_END_BYTES } else { layout::NARROW_END_BYTES };
     let run = pool.as_bytes().get(offset..).unwrap_or(&[]);
-    let texts = match table_bytes.and_then(|bytes| run.get(..bytes)) {
-        Some(table) if table.is_ascii() => offset.wrapping_add(table.len()),
-        _ => return false,
+    let table_bytes = (segment_count as usize).checked_mul(width);
+    let mut table = match table_bytes.and_then(|bytes| run.get(..bytes)) {
+        Some(table) => table,
+        None => return false,
     };
+    let texts = offset.wrapping_add(table.len());
     let mut before = 0;
-    for segment in 0..segment_count {
-        match text_end(run, segment, wide) {
-            Some(end) if end >= before && pool.is_char_boundary(texts.wrapping_add(end)) => before = end,
-            _ => return false,
+    while let (Some(digits), Some(behind)) = (table.get(..width), table.get(width..)) {
+        let end = digits.iter().rev().fold(0, |end, digit| end << 7 | usize::from(*digit));
+        let is_ascii = digits.iter().all(u8::is_ascii);
+        if !is_ascii || end < before || !pool.is_char_boundary(texts.wrapping_add(end)) {
+            return false;
         }
+        before = end;
+        table = behind;
     }
     true
 }
