@@ -207,11 +207,7 @@ fn product(digits: &[u8], index: u32, transfer: &[u8], power_index: usize) -> We
 
 /// The value of a digit; 0 if it is none.
 const fn digit(code: u8) -> u16 {
-    if code.is_ascii_digit() {
-        code.wrapping_sub(b'0') as u16
-    } else {
-        0
-    }
+    if code.is_ascii_digit() { code.wrapping_sub(b'0') as u16 } else { 0 }
 }
 
 impl fmt::Debug for Babble<'_> {

@@ -1,6 +1,6 @@
 //! Opening a bank and finding its clips and locales.
 
-use crate::file::{entries, place, File, Sections, ALL_SECTIONS};
+use crate::file::{ALL_SECTIONS, File, Sections, entries, place};
 use crate::layout::{self, ClipRecord, EventNameRecord, EventRecord, Tag, TypedEventRecord, U32};
 use crate::locale::LocaleTable;
 use crate::pool::Pool;
@@ -97,11 +97,7 @@ impl<'data> Bank<'data> {
     #[inline]
     pub fn clip_by_key(&self, key: &str) -> Option<Clip<'data, '_>> {
         let (slot, record) = self.record(ClipId::of(key))?;
-        if self.key_bytes(record)? == key.as_bytes() {
-            Some(Clip::new(self, record, slot))
-        } else {
-            None
-        }
+        if self.key_bytes(record)? == key.as_bytes() { Some(Clip::new(self, record, slot)) } else { None }
     }
 
     /// The clip in this slot, a number below [`Bank::clip_count`]. Slots are in no order that means anything.
@@ -137,11 +133,7 @@ impl<'data> Bank<'data> {
         let pilot = self.pilots.get(bucket as usize)?.get();
         let slot = layout::slot_of(spread, pilot, self.clips.len() as u32);
         let record = self.clips.get(slot as usize)?;
-        if record.id.get() == id.get() {
-            Some((slot, record))
-        } else {
-            None
-        }
+        if record.id.get() == id.get() { Some((slot, record)) } else { None }
     }
 
     /// The key of a clip, not checked to be UTF-8.

@@ -144,11 +144,7 @@ impl<'data, 'bank> Clip<'data, 'bank> {
     /// The segment with this index.
     #[inline(always)] // otherwise the whole clip is copied for the call
     pub fn segment(&self, index: u32) -> Option<Segment<'data, 'bank>> {
-        if index < self.segment_count() {
-            Some(Segment::new(*self, index))
-        } else {
-            None
-        }
+        if index < self.segment_count() { Some(Segment::new(*self, index)) } else { None }
     }
 
     /// All segments in order.

@@ -5,11 +5,11 @@ use core::fmt;
 use core::hash::{Hash, Hasher};
 use core::iter::FusedIterator;
 
-use crate::layout::{EventNameRecord, EventRecord, TypedEventRecord, NO_NAME};
+use crate::Bank;
+use crate::layout::{EventNameRecord, EventRecord, NO_NAME, TypedEventRecord};
 use crate::layout::{VERB_DOES, VERB_FEELS, VERB_POINTS, VERB_SEES, VERB_STARES};
 use crate::layout::{VERB_STOPS_POINTING, VERB_STOPS_STARING};
 use crate::pool::Pool;
-use crate::Bank;
 
 /// A name that events mention: a character, an emotion, a target or an action.
 ///
@@ -36,11 +36,7 @@ impl<'data> EventName<'data> {
         };
         let id = bank.event_names.partition_point(|record| bytes(record) < Some(name.as_bytes()));
         let found = EventName::at(bank.event_names, bank.event_strings, id as u32)?;
-        if bytes(found.record) == Some(name.as_bytes()) {
-            Some(found)
-        } else {
-            None
-        }
+        if bytes(found.record) == Some(name.as_bytes()) { Some(found) } else { None }
     }
 
     /// The number of the name in this bank. It is the same as long as the bank is, and another one

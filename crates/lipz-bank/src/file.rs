@@ -59,7 +59,7 @@ pub(crate) mod place {
 #[allow(clippy::indexing_slicing, clippy::arithmetic_side_effects)]
 const fn place_of(tag: Tag) -> usize {
     let mut place = 0;
-    while u32::from_le_bytes(Tag::REQUIRED[place].0 .0) != u32::from_le_bytes(tag.0) {
+    while u32::from_le_bytes(Tag::REQUIRED[place].0.0) != u32::from_le_bytes(tag.0) {
         place += 1;
     }
     place

@@ -3,8 +3,8 @@
 use core::fmt;
 use core::iter::FusedIterator;
 
-use crate::file::{entries, place, Sections};
-use crate::layout::{LocaleRecord, LOCALE_DEFAULT, U32};
+use crate::file::{Sections, entries, place};
+use crate::layout::{LOCALE_DEFAULT, LocaleRecord, U32};
 use crate::pool::Pool;
 
 /// The locales of a file with their texts: four of the sections of a bank, all that a text bank

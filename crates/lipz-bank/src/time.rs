@@ -45,11 +45,7 @@ impl Time for Micros {
             return None;
         }
         let frame = fps.frame_at_micros(self.0 as u64);
-        if frame < u64::from(frame_count) {
-            Some(frame as u32)
-        } else {
-            None
-        }
+        if frame < u64::from(frame_count) { Some(frame as u32) } else { None }
     }
 
     #[inline]

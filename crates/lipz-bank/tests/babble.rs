@@ -5,7 +5,7 @@
 
 mod common;
 
-use common::{verified, SMALL};
+use common::{SMALL, verified};
 use lipz_bank::{Babble, Fps, Level, Micros, Samples, Seconds, Viseme, VisemeType, Weight, Weights};
 use std::time::Duration;
 

@@ -5,8 +5,8 @@
 
 mod common;
 
-use common::{changed, entry_of, finding, put, record_of, section, u32_at, SMALL, STRIPPED};
-use lipz_bank::layout::{Tag, MAGIC, NO_TEXT, TEXT_FALLBACK, TEXT_WIDE};
+use common::{SMALL, STRIPPED, changed, entry_of, finding, put, record_of, section, u32_at};
+use lipz_bank::layout::{MAGIC, NO_TEXT, TEXT_FALLBACK, TEXT_WIDE, Tag};
 use lipz_bank::{Error, ErrorKind};
 
 /// The kind and place found in a small bank that `change` has changed.
@@ -58,10 +58,9 @@ fn numbers_are_stable() {
         (32, EventName),
         (33, Babble),
     ];
-    assert!(table
-        .iter()
-        .map(|(number, kind)| (*number, *kind))
-        .eq(ErrorKind::ALL.iter().map(|&kind| (kind as u8, kind))));
+    assert!(
+        table.iter().map(|(number, kind)| (*number, *kind)).eq(ErrorKind::ALL.iter().map(|&kind| (kind as u8, kind)))
+    );
 }
 
 #[test]

@@ -5,8 +5,8 @@
 
 mod common;
 
-use common::forge::{bank, ForgedClip};
-use common::{changed, entry_of, finding, put, record_of, section, u32_at, verified, DRAMA, SMALL};
+use common::forge::{ForgedClip, bank};
+use common::{DRAMA, SMALL, changed, entry_of, finding, put, record_of, section, u32_at, verified};
 use lipz_bank::layout::Tag;
 use lipz_bank::{Error, ErrorKind};
 

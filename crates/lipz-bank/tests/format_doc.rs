@@ -5,7 +5,7 @@
 
 mod common;
 
-use common::{section, verified, DRAMA, SMALL};
+use common::{DRAMA, SMALL, section, verified};
 use lipz_bank::layout::{self, ClipRecord, DirectoryEntry, Header, LocaleRecord, Tag};
 use lipz_bank::layout::{BabbleRecord, EventNameRecord, EventRecord, TypedEventRecord};
 use lipz_bank::{ClipId, ErrorKind};

@@ -6,7 +6,7 @@
 mod common;
 
 use common::dump::dump;
-use common::{exercise, verified, DRAMA, SMALL, STRIPPED, WIDE};
+use common::{DRAMA, SMALL, STRIPPED, WIDE, exercise, verified};
 use std::path::Path;
 
 /// Compares the answers of a bank with the committed ones, or commits them with `LIPZ_BLESS=1`.
@@ -58,7 +58,7 @@ fn small_is_small() {
 /// The wide bank is there for runs with four-byte ends: own ones and such reached by fallback.
 #[test]
 fn wide_has_wide_runs() {
-    use lipz_bank::layout::{Tag, NO_TEXT, TEXT_FALLBACK, TEXT_WIDE};
+    use lipz_bank::layout::{NO_TEXT, TEXT_FALLBACK, TEXT_WIDE, Tag};
     let index = &WIDE[common::section(WIDE, Tag::TEXT_INDEX)];
     let entries = || (0..index.len()).step_by(4).map(|at| common::u32_at(index, at)).filter(|&entry| entry != NO_TEXT);
     let count = |flags| entries().filter(|entry| entry & (TEXT_WIDE | TEXT_FALLBACK) == flags).count();

@@ -5,10 +5,10 @@
 
 mod common;
 
-use common::exercise::{every_query, provoke, verified_is_whole, Effort};
-use common::{changed, directory, finding, put, reseal, section, u32_at, Random, SMALL, STRIPPED, WIDE};
-use lipz_bank::layout::Tag;
+use common::exercise::{Effort, every_query, provoke, verified_is_whole};
+use common::{Random, SMALL, STRIPPED, WIDE, changed, directory, finding, put, reseal, section, u32_at};
 use lipz_bank::Bank;
+use lipz_bank::layout::Tag;
 use std::ops::Range;
 
 /// Under an interpreter, a sample of the changes has to do.

@@ -5,7 +5,7 @@
 
 mod common;
 
-use common::forge::{bank, ForgedClip};
+use common::forge::{ForgedClip, bank};
 use common::{finding, verified};
 use lipz_bank::layout::{NO_TEXT, TEXT_WIDE};
 use lipz_bank::{ErrorKind, Fps, Micros};

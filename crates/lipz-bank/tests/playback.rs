@@ -5,7 +5,7 @@
 
 mod common;
 
-use common::{verified, DRAMA, SMALL};
+use common::{DRAMA, SMALL, verified};
 use lipz_bank::{Bank, CharacterState, Clip, Crossed, Fps, Hold, Lead, Micros, Playback, Samples, Seconds, Time};
 use proptest::prelude::*;
 use std::collections::BTreeMap;

@@ -5,7 +5,7 @@
 
 mod common;
 
-use common::{dump::dump, verified, SMALL};
+use common::{SMALL, dump::dump, verified};
 use lipz_bank::{Bank, Clip, ClipId, Command, EventName, Fps, Locale, Micros, Samples, Seconds, Viseme, VisemeType};
 
 const KEYS: [&str; 12] = [

@@ -27,11 +27,7 @@ fn fps(numerator: u32, denominator: u32) -> Fps {
 fn exactly(number: f64) -> (u128, i32) {
     let bits = number.to_bits();
     let (exponent, fraction) = ((bits >> 52) as i32 & 0x7FF, u128::from(bits & ((1 << 52) - 1)));
-    if exponent == 0 {
-        (fraction, -1074)
-    } else {
-        (fraction | 1 << 52, exponent - 1075)
-    }
+    if exponent == 0 { (fraction, -1074) } else { (fraction | 1 << 52, exponent - 1075) }
 }
 
 /// ⌊mantissa · 2^exponent · fps⌋ if it is below `frame_count`, by plain division.

@@ -7,8 +7,8 @@
 mod common;
 
 use common::exercise::every_text_query;
-use common::{changed, directory, put, reseal, section, u32_at, verified, DRAMA, SMALL};
-use lipz_bank::layout::{Tag, NO_TEXT};
+use common::{DRAMA, SMALL, changed, directory, put, reseal, section, u32_at, verified};
+use lipz_bank::layout::{NO_TEXT, Tag};
 use lipz_bank::{Bank, Error, ErrorKind};
 
 static BASE: &[u8] = include_bytes!("../../../fixtures/banks/v1/split.lipzbank");

@@ -9,13 +9,13 @@ mod sections;
 
 use crate::id;
 
-pub use index::{bucket_of, slot_of, spread, DIRECT_SLOT};
+pub use index::{DIRECT_SLOT, bucket_of, slot_of, spread};
 pub use records::{BabbleRecord, ClipRecord, EventNameRecord, EventRecord, LocaleRecord, TypedEventRecord};
 pub use records::{FLAG_FAR_STARTS, FLAG_VISEMES, INLINE_STARTS, LOCALE_DEFAULT, NO_EVENTS, NO_NAME};
 pub use records::{
     VERB_DOES, VERB_FEELS, VERB_POINTS, VERB_SEES, VERB_STARES, VERB_STOPS_POINTING, VERB_STOPS_STARING,
 };
-pub use sections::{DirectoryEntry, Header, Tag, CHECKED_FROM, MAX_SECTIONS, SECTION_ALIGNMENT, SECTION_REQUIRED};
+pub use sections::{CHECKED_FROM, DirectoryEntry, Header, MAX_SECTIONS, SECTION_ALIGNMENT, SECTION_REQUIRED, Tag};
 
 /// Little-endian, unaligned 16-bit number.
 pub type U16 = zerocopy::little_endian::U16;

@@ -10,7 +10,7 @@ pub use hold::Hold;
 pub use lead::Lead;
 pub use state::{CharacterState, Characters};
 
-use crate::{segment, Clip, EventName, Fps, Segment, Time, Viseme};
+use crate::{Clip, EventName, Fps, Segment, Time, Viseme, segment};
 use core::fmt;
 
 /// A clip while it is played: a cursor that is told where the sound is.

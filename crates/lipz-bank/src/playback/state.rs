@@ -1,6 +1,6 @@
 //! What outlasts an event: what characters feel, stare and point at.
 
-use super::{crossed, Crossed, Playback};
+use super::{Crossed, Playback, crossed};
 use crate::{Command, Event, EventName};
 use core::iter::FusedIterator;
 

@@ -2,7 +2,7 @@
 
 use super::error_at;
 use super::strings::Strings;
-use crate::event::{typed_events, Event};
+use crate::event::{Event, typed_events};
 use crate::{Bank, Error, ErrorKind};
 
 /// Checks what the event sections hold, each entry once.

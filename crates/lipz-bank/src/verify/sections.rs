@@ -2,7 +2,7 @@
 
 use super::{error_at, error_in};
 use crate::file::File;
-use crate::layout::{DirectoryEntry, Tag, SECTION_ALIGNMENT};
+use crate::layout::{DirectoryEntry, SECTION_ALIGNMENT, Tag};
 use crate::locale::LocaleTable;
 use crate::{Bank, Error, ErrorKind};
 use core::mem::size_of_val;

@@ -6,7 +6,7 @@ pub(crate) mod dump;
 pub(crate) mod exercise;
 pub(crate) mod forge;
 
-use lipz_bank::layout::{checksum, ClipRecord, DirectoryEntry, Header, Tag, CHECKED_FROM};
+use lipz_bank::layout::{CHECKED_FROM, ClipRecord, DirectoryEntry, Header, Tag, checksum};
 use lipz_bank::{Bank, ClipId, Error};
 use std::mem::size_of;
 use std::ops::Range;
