@@ -11,8 +11,12 @@ use lipz_bank::Bank;
 use lipz_bank::layout::Tag;
 use std::ops::Range;
 
-/// Under an interpreter, a sample of the changes has to do.
-const STEP: usize = if cfg!(miri) { 997 } else { 1 };
+/// Where the tests are interpreted or emulated, a sample of the changes has to do.
+const STEP: usize = match () {
+    () if cfg!(miri) => 997,
+    () if cfg!(any(target_arch = "x86_64", target_arch = "aarch64")) => 1,
+    () => 61,
+};
 
 /// Runs `work` on parts of `range`, one thread per core.
 fn in_parallel(range: Range<usize>, work: impl Fn(usize) + Sync) {

@@ -58,11 +58,7 @@ pub fn verified(bytes: &[u8]) -> Result<Bank<'_>, Failure<'_>> {
 pub fn answers_as<'a>(bank: &Bank<'_>, expected: &'a str) -> Result<(), Failure<'a>> {
     let mut comparison = Comparison { expected, equal_bytes: 0 };
     let is_written = answers::write_answers(bank, &mut comparison).is_ok();
-    if is_written && comparison.equal_bytes == expected.len() {
-        Ok(())
-    } else {
-        Err(comparison.failure())
-    }
+    if is_written && comparison.equal_bytes == expected.len() { Ok(()) } else { Err(comparison.failure()) }
 }
 
 /// A sink that stops at the first byte that is not the expected one.
@@ -76,11 +72,7 @@ impl fmt::Write for Comparison<'_> {
         let rest = self.expected.as_bytes().get(self.equal_bytes..).unwrap_or(&[]);
         let equal = found.bytes().zip(rest).take_while(|(found, expected)| found == *expected).count();
         self.equal_bytes += equal;
-        if equal == found.len() {
-            Ok(())
-        } else {
-            Err(fmt::Error)
-        }
+        if equal == found.len() { Ok(()) } else { Err(fmt::Error) }
     }
 }
 

@@ -9,7 +9,7 @@ mod stack;
 
 use core::hint::black_box;
 use core::panic::PanicInfo;
-use firmware_check::{answers_as, verified, Failure};
+use firmware_check::{Failure, answers_as, verified};
 use lipz_bank::{Bank, Micros};
 use machine::{exit, say};
 

@@ -10,7 +10,7 @@ mod controls;
 
 use core::mem::MaybeUninit;
 use core::panic::PanicInfo;
-use lipz_bank::{Bank, ClipId, Error, Event, EventName, Locale, Micros, TextBank};
+use lipz_bank::{Babble, Bank, ClipId, Error, Event, EventName, Hold, Lead, Level, Locale, Micros, Playback, TextBank};
 
 /// A bank, as an entry point returns it: in memory of its caller.
 type Place<T> = MaybeUninit<T>;
@@ -114,6 +114,33 @@ fn size_verify_texts(texts: &TextBank<'_>, bank: &Bank<'_>) -> u32 {
 #[no_mangle]
 fn size_text_bank_locale<'a>(texts: &TextBank<'a>, tag: &str, place: &mut Place<Locale<'a>>) -> bool {
     answer(texts.locale(tag), place)
+}
+
+#[no_mangle]
+fn size_play<'a, 'b>(bank: &'b Bank<'a>, slot: u32, place: &mut Place<Playback<'a, 'b>>) -> bool {
+    let playback = bank.clip_at(slot).and_then(Playback::new);
+    answer(playback.map(|playback| playback.with_lead(Lead::micros(40_000)).with_hold(Hold::frames(2))), place)
+}
+
+#[no_mangle]
+fn size_advance(playback: &mut Playback<'_, '_>, time_us: i64, each: fn(Event<'_>)) -> u8 {
+    playback.advance_to(Micros(time_us)).events().for_each(each);
+    playback.viseme().code()
+}
+
+#[no_mangle]
+fn size_seek(playback: &mut Playback<'_, '_>, time_us: i64) {
+    playback.seek(Micros(time_us));
+}
+
+#[no_mangle]
+fn size_state<'a>(playback: &Playback<'a, '_>, of: &EventName<'a>) -> u32 {
+    playback.state(Some(*of)).emotion.map_or(u32::MAX, EventName::id)
+}
+
+#[no_mangle]
+fn size_babble(bank: &Bank<'_>, name: &str, time_us: i64) -> u16 {
+    bank.babble(name).unwrap_or(Babble::DEFAULT).at(Micros(time_us), Level::STEADY).ooh.ten_thousandths()
 }
 
 extern "C" {

@@ -23,6 +23,8 @@ const EVENT_STRINGS: &[&str] = &["size_event"];
 const EVENTS: &[&str] = &["size_events", "size_event_name"];
 const KEYS: &[&str] = &["size_clip_by_key"];
 const TEXT_BANKS: &[&str] = &["size_open_texts", "size_text_bank_locale"];
+const PLAYBACK: &[&str] = &["size_play", "size_advance", "size_seek", "size_state"];
+const BABBLE: &[&str] = &["size_babble"];
 const VERIFY: &[&str] = &["size_verify"];
 const VERIFY_TEXTS: &[&str] = &["size_verify_texts"];
 
@@ -51,13 +53,15 @@ pub(super) const PROGRAMS: [Group; 8] = [
 ];
 
 /// Single groups, each with all that it calls: what they share is counted in each.
-pub(super) const SINGLE: [Group; 8] = [
+pub(super) const SINGLE: [Group; 10] = [
     Group { name: "alone: find", parts: &[&["size_clip"]], budget_bytes: None },
     Group { name: "alone: frame by time", parts: &[&["size_viseme_at"]], budget_bytes: None },
     Group { name: "alone: segment by time", parts: &[&["size_segment_at"]], budget_bytes: None },
     Group { name: "alone: text as bytes", parts: &[&["size_text_bytes"]], budget_bytes: None },
     Group { name: "alone: text", parts: &[TEXTS], budget_bytes: None },
     Group { name: "alone: typed events", parts: &[&["size_events"]], budget_bytes: None },
+    Group { name: "alone: playback with lead, hold, events and state", parts: &[PLAYBACK], budget_bytes: None },
+    Group { name: "alone: babble", parts: &[BABBLE], budget_bytes: None },
     Group { name: "alone: open a text bank", parts: &[&["size_open_texts"]], budget_bytes: None },
     Group { name: "alone: verify", parts: &[VERIFY], budget_bytes: None },
 ];
