@@ -69,7 +69,7 @@ fn files_that_are_not_there_cannot_be_checked() {
     let scene = Scene::new();
     let outcome = lipz(scene.path(), ["fallout", "heads", "nowhere"]);
     assert_eq!(outcome.code, 2);
-    assert!(outcome.stderr.starts_with("error[LZ0001]: `nowhere` cannot be read: "), "{}", outcome.stderr);
+    assert!(outcome.stderr.starts_with("error[LZ0001]: `nowhere` does not exist"), "{}", outcome.stderr);
     fs::create_dir(scene.path().join("empty")).unwrap();
     let outcome = lipz(scene.path(), ["fallout", "heads", "empty"]);
     assert_eq!(outcome.code, 1);

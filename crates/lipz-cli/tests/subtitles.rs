@@ -67,6 +67,19 @@ fn a_clip_that_is_not_there_is_made() {
 }
 
 #[test]
+fn folders_without_subtitles_and_files_that_are_missing() {
+    let scene = Scene::new();
+    scene.write("empty/readme.txt", "not a subtitle");
+    let import = |named| lipz(scene.path(), ["subtitles", "import", named, "-o", "voices"]);
+    let empty = import("empty");
+    assert_eq!((empty.code, empty.stdout.as_str()), (1, ""));
+    assert!(empty.stderr.contains("error[LZ0805]: no subtitle files in `empty`"), "{empty:?}");
+    let missing = import("no.srt");
+    assert_eq!((missing.code, missing.stdout.as_str()), (2, ""));
+    assert!(missing.stderr.contains("`no.srt` does not exist"), "{missing:?}");
+}
+
+#[test]
 fn findings() {
     let mut scene = Scene::new();
     scene.write("voices/mayor.lipz", r#"{ "fps": 24, "visemes": "MAAA|EEOO|", "text_en-us": "Yes.|a --> b|Gone." }"#);

@@ -113,8 +113,13 @@ impl Source {
 /// The report that a file cannot be read.
 pub(super) fn unreadable(path: &Path, error: &io::Error) -> Report {
     let name = console::path(path);
-    let headline = format!("`{name}` cannot be read: {error}");
-    Report::about(name, Diagnostic::new(Code::UnreadableFile, headline))
+    let finding = |what: &str| Diagnostic::new(Code::UnreadableFile, format!("`{name}` {what}"));
+    let finding = match error.kind() {
+        io::ErrorKind::NotFound => finding("does not exist").help("check the spelling of the path"),
+        io::ErrorKind::IsADirectory => finding("is a folder").help("name the files in it"),
+        _ => finding(&format!("cannot be read: {error}")),
+    };
+    Report::about(name, finding)
 }
 
 /// The name of a file without the extension of its format, or else without its last one.

@@ -1,10 +1,11 @@
 //! `lipz fallout heads`: the pictures of talking heads and `heads.lst`.
 
+use crate::commands::foreign;
 use crate::render::Findings;
 use crate::{Ended, Outcome, console};
 use clap::Args;
-use lipz::{Code, Diagnostic, Level, Source};
-use lipz_compiler::{Report, count};
+use lipz::{Code, Diagnostic, Source};
+use lipz_compiler::Report;
 use lipz_interop::fallout::heads::{Content, Disposition, Head, HeadFile, check_file, compare, read_list};
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -41,15 +42,9 @@ pub(crate) fn run(arguments: &Heads, findings: &mut Findings) -> Ended {
         checked.source(path);
     }
     let Checked { files, reports } = checked;
-    let outcome = match count(&reports, Level::Error) {
-        0 => Outcome::Clean,
-        _ if reports.iter().flat_map(|report| &report.diagnostics).any(|found| found.code == Code::UnreadableFile) => {
-            Outcome::Failed
-        }
-        _ => Outcome::Findings,
-    };
+    let outcome = foreign::outcome(&reports);
     findings.add(reports);
-    if arguments.quiet {
+    if arguments.quiet || files.is_empty() {
         return Ok(outcome);
     }
     match console::print(&table(&files)) {
@@ -127,12 +122,7 @@ impl Checked {
 
     /// What `read` gives; reports why it gives nothing.
     fn read<T>(&mut self, path: &Path, read: impl FnOnce(&Path) -> io::Result<T>) -> Option<T> {
-        let refused = |error: io::Error| {
-            let shown = console::path(path);
-            let finding = Diagnostic::new(Code::UnreadableFile, format!("`{shown}` cannot be read: {error}"));
-            self.reports.push(Report::about(shown, finding.help("is the name right, and may you read it?")));
-        };
-        read(path).map_err(refused).ok()
+        read(path).map_err(|error| self.reports.push(foreign::unreadable(path, &error))).ok()
     }
 }
 

@@ -8,6 +8,7 @@ use lipz::locale::canonical_tag;
 use lipz::{Code, Diagnostic};
 use lipz_compiler::{Options, Report};
 use lipz_interop::subtitles::SubtitleFormat;
+use std::io;
 use std::path::{Path, PathBuf};
 use walkdir::WalkDir;
 
@@ -24,6 +25,7 @@ pub(super) struct Found {
 pub(super) fn find(named: &[PathBuf], options: &Options, reports: &mut Vec<Report>) -> Result<Vec<Found>, Outcome> {
     let mut found = Vec::new();
     for place in named {
+        let (files_before, reports_before) = (found.len(), reports.len());
         for entry in WalkDir::new(place).sort_by_file_name() {
             match entry {
                 Ok(entry) if entry.file_type().is_dir() => {}
@@ -43,14 +45,24 @@ pub(super) fn find(named: &[PathBuf], options: &Options, reports: &mut Vec<Repor
                     // Folders may have other files.
                     None => {}
                 },
-                Err(error) => {
-                    let path = error.path().unwrap_or(place).to_owned();
-                    reports.push(foreign::unreadable(&path, &error.into()));
-                }
+                Err(error) => reports.push(unreadable(place, &error)),
             }
+        }
+        if found.len() == files_before && reports.len() == reports_before {
+            let shown = console::path(place);
+            let finding = Diagnostic::new(Code::NoSources, format!("no subtitle files in `{shown}`"));
+            reports.push(Report::about(shown, finding.help("subtitle files end in .srt or .vtt")));
         }
     }
     Ok(found)
+}
+
+fn unreadable(place: &Path, error: &walkdir::Error) -> Report {
+    let path = error.path().unwrap_or(place);
+    match error.io_error() {
+        Some(error) => foreign::unreadable(path, error),
+        None => foreign::unreadable(path, &io::Error::other("a link leads back to a folder above it")),
+    }
 }
 
 fn format(path: &Path) -> Option<SubtitleFormat> {

@@ -6,7 +6,7 @@ use crate::lint_flags::LintFlags;
 use crate::project::{parse_fps, parse_locale};
 use crate::render::Findings;
 use crate::settings_file::SettingsFile;
-use crate::{Ended, Outcome, console, interrupt};
+use crate::{Ended, console, interrupt};
 use clap::Args;
 use lipz::format::{Style, format};
 use lipz::{Diagnostic, Document, Level};
@@ -74,7 +74,7 @@ pub(super) fn run(arguments: &Import, findings: &mut Findings) -> Ended {
     }
     let outcome = foreign::outcome(&reports);
     findings.add(reports);
-    if arguments.quiet || outcome == Outcome::Failed {
+    if arguments.quiet || written == 0 {
         return Ok(outcome);
     }
     let clips = console::counted(written, "clip");
