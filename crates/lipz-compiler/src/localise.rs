@@ -33,23 +33,32 @@ pub(crate) enum Choice {
 /// Resolves fallback for `clips`, whose texts refer to `tags`; [`fallback::chain`] has the rule.
 pub(crate) fn localise(clips: &[Clip<'_>], tags: &[Box<str>], options: &Options) -> Localised {
     let default = options.default_locale.as_deref();
-    let mut own = vec![vec![Choice::Missing; clips.len()]; tags.len()];
+    let mut choices = vec![vec![Choice::Missing; clips.len()]; tags.len()];
     for (at, clip) in clips.iter().enumerate() {
         for (index, text) in (0..).zip(clip.texts()) {
-            own[text.locale as usize][at] = Choice::Own(index);
+            choices[text.locale as usize][at] = Choice::Own(index);
         }
     }
-    let locales = tags.iter().enumerate().map(|(locale, tag)| {
+    for locale in 0..tags.len() {
         let chain = fallback::chain(tags, locale, options);
-        let choice = |(at, choice): (usize, &Choice)| match choice {
-            Choice::Missing => chain
-                .iter()
-                .find(|&&other| matches!(own[other][at], Choice::Own(index) if !clips[at].texts()[index as usize].is_fallback))
-                .map_or(Choice::Missing, |&other| Choice::Fallback(other as u32)),
-            own => *own,
-        };
-        let texts = own[locale].iter().enumerate().map(choice).collect();
-        LocaleColumn { tag: tag.clone(), is_default: Some(tag.as_ref()) == default, texts }
+        for (at, clip) in clips.iter().enumerate() {
+            if choices[locale][at] != Choice::Missing {
+                continue;
+            }
+            let own_text = |other: usize| match choices[other][at] {
+                Choice::Own(index) => Some(&clip.texts()[index as usize]),
+                _ => None,
+            };
+            let is_own = |&&other: &&usize| own_text(other).is_some_and(|text| !text.is_fallback);
+            if let Some(&other) = chain.iter().find(is_own) {
+                choices[locale][at] = Choice::Fallback(other as u32);
+            }
+        }
+    }
+    let locales = std::iter::zip(tags, choices).map(|(tag, texts)| LocaleColumn {
+        tag: tag.clone(),
+        is_default: Some(tag.as_ref()) == default,
+        texts,
     });
     Localised { locales: locales.collect() }
 }

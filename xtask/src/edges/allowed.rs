@@ -48,6 +48,7 @@ pub(super) const ALLOWED: &[Rule] = &[
             "rayon",
             "rustix",
             "serde_json",
+            "simdutf8",
             "tempfile",
             "toml",
             "twox-hash",

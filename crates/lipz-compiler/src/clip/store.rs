@@ -68,6 +68,22 @@ impl Clips {
         });
     }
 
+    /// Number of clips.
+    pub(crate) fn count(&self) -> usize {
+        self.heads.len()
+    }
+
+    /// Gives back the memory of all but the first `count` clips.
+    pub(crate) fn keep_first(&mut self, count: usize) {
+        let ends = count.checked_sub(1).map_or(Ends::default(), |last| self.heads[last].ends);
+        cut(&mut self.heads, count);
+        cut(&mut self.frames, ends.frames);
+        cut(&mut self.starts, ends.starts);
+        cut(&mut self.texts, ends.texts);
+        cut(&mut self.runs, ends.runs);
+        cut(&mut self.sources, ends.source);
+    }
+
     /// The clips in the order in which they were added, as the first batch.
     pub(crate) fn iter(&self) -> impl Iterator<Item = Clip<'_>> {
         (0..self.heads.len()).map(|index| Clip { clips: self, batch: 0, index })
@@ -105,6 +121,12 @@ impl Clips {
         }
         tags
     }
+}
+
+/// Leaves the first `length` items, in no more room than they need.
+fn cut<T>(items: &mut Vec<T>, length: usize) {
+    items.truncate(length);
+    items.shrink_to_fit();
 }
 
 /// One of the [`Clips`].

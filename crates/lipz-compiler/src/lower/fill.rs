@@ -22,8 +22,12 @@ enum Part {
     Sources,
 }
 
+/// Clips that are copied before their memory is given back: some 2 MB.
+const CLIPS_AT_ONCE: usize = 4096;
+
 /// Copies what the clips of `batches` own to `places`: those of frames, texts and, if they are kept,
-/// source records. Each batch is given back when it is copied, so that clips and bank do not add up.
+/// source records. The clips of a batch are copied from the last to the first and given back on the way, so that
+/// clips and bank do not add up.
 pub(super) fn fill(layout: &Layout, batches: Vec<Clips>, places: Vec<&mut [u8]>) {
     let mut places = places.into_iter();
     let mut lanes = Vec::new();
@@ -36,10 +40,15 @@ pub(super) fn fill(layout: &Layout, batches: Vec<Clips>, places: Vec<&mut [u8]>)
         texts = behind;
     }
     lanes.extend(places.next().map(|place| Lane { part: Part::Sources, place }));
-    for (clips, slots) in std::iter::zip(batches, &layout.batch_slots) {
-        lanes.par_iter_mut().for_each(|lane| {
-            std::iter::zip(clips.iter(), slots).for_each(|(clip, &slot)| lane.copy(layout, &clip, slot as usize));
-        });
+    for (mut clips, slots) in std::iter::zip(batches, &layout.batch_slots) {
+        while clips.count() > 0 {
+            let rest = clips.count().saturating_sub(CLIPS_AT_ONCE);
+            lanes.par_iter_mut().for_each(|lane| {
+                let last = std::iter::zip(clips.iter(), slots).skip(rest);
+                last.for_each(|(clip, &slot)| lane.copy(layout, &clip, slot as usize));
+            });
+            clips.keep_first(rest);
+        }
     }
 }
 
