@@ -55,6 +55,7 @@ mod split;
 pub mod stats;
 mod strings;
 mod unpack;
+mod whole_bank;
 
 pub use build::{Build, BuildFailed};
 pub use cache::{Memory, pack_cached};
@@ -73,6 +74,7 @@ pub use report::{Report, count};
 pub use rewrite::{each_file, rewrite_file};
 pub use split::{Split, split};
 pub use unpack::{Unpacked, unpack};
+pub use whole_bank::WholeBank;
 
 /// The example of the README, run as a test.
 #[cfg(doctest)]

@@ -256,7 +256,7 @@ mod tests {
         run(scene.path(), |build| build, &[]);
         assert_eq!([outputs()[0].as_slice(), &outputs()[2]], [&bank, &ids], "also if a file was lost");
         let (path, cache) = (scene.path().join("out/dialogue.lipzbank"), scene.path().join("out/dialogue.lipzcache"));
-        let (inputs, _) = discover::discover(&[scene.path().join("voices")], None);
+        let (inputs, _) = discover(&[scene.path().join("voices")], None);
         let next = crate::pack_cached(&inputs, &Options::default(), &path, &cache, &|_| {});
         assert_eq!((next.recalled, next.is_unchanged), (1, true));
         run(scene.path(), |build| build, &[("no.lipz", CLIP)]);
