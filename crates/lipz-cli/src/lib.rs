@@ -16,6 +16,7 @@ mod rewriting;
 mod settings_file;
 mod sources;
 mod standard;
+mod text_banks;
 mod timeline;
 
 use args::{Arguments, Command};

@@ -95,6 +95,43 @@ fn a_bank_is_the_same_as_its_folder() {
 }
 
 #[test]
+fn differences_of_banks_as_a_whole() {
+    let scene = Scene::new();
+    scene.write("voices/a.lipz", r#"{ "text_en-us": "Aye.", "text_de-de": "Ja.", "text_de-at": "Ja." }"#);
+    scene.write("voices/b.lipz", r#"{ "text_en-us": "OK", "text_de-de": "OK" }"#);
+    scene.write("old.toml", "[fallbacks]\nde-at = [\"de-de\"]\n[babble.ghost]\n[babble.robot]\naah = \"15\"\n");
+    scene.write("new.toml", "[fallbacks]\nde-at = [\"en-us\"]\n[babble.robot]\naah = \"19\"\nrate = 30\n");
+    for side in ["old", "new"] {
+        let (bank, settings) = (format!("{side}.lipzbank"), format!("{side}.toml"));
+        scene.prepare(&["pack", "voices", "-o", &bank, "--config", &settings, "--quiet"]);
+    }
+    let shown = lipz(scene.path(), ["diff", "old.lipzbank", "new.lipzbank"]);
+    let expected = "\
+old.lipzbank -> new.lipzbank
+
+~ locale de-at falls back to  de-de -> en-us
+- babble profile ghost
+~ babble profile robot
+    rate         24 -> 30
+    aah          - 15
+                 + 19
+
+clips: 2 the same
+";
+    assert_eq!((shown.code, shown.stdout.as_str()), (1, expected));
+    let back = lipz(scene.path(), ["diff", "new.lipzbank", "old.lipzbank"]);
+    assert!(back.stdout.contains("\n+ babble profile ghost\n"), "{}", back.stdout);
+
+    let printed = lipz(scene.path(), ["diff", "old.lipzbank", "new.lipzbank", "--json"]);
+    let found: Value = serde_json::from_str(&printed.stdout).unwrap();
+    assert_eq!((printed.code, &found["is_same"]), (1, &json!(false)));
+    assert_eq!(found["fallbacks"], json!([{ "locale": "de-at", "old": ["de-de"], "new": ["en-us"] }]));
+    let babble = &found["babble"];
+    assert_eq!((&babble[0]["name"], &babble[0]["new"]), (&json!("ghost"), &Value::Null));
+    assert_eq!((&babble[1]["old"]["rate"], &babble[1]["new"]["aah"]), (&json!([24, 1]), &json!("19")));
+}
+
+#[test]
 fn many_differences_are_cut_unless_all_are_asked_for() {
     let scene = Scene::new();
     scene.write("old/first.lipz", "{ \"fps\": 24 }");

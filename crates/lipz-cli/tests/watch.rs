@@ -161,6 +161,47 @@ fn a_bank_with_the_same_bytes_is_not_written() {
     assert_eq!(written(), before);
 }
 
+/// What a run says about files that it did not make anew.
+fn recalled(count: usize, of: &str) -> String {
+    format!("{count} of {of} recalled from the bank")
+}
+
+#[test]
+fn only_changed_files_are_read_again() {
+    let scene = Scene::new();
+    scene.write("voices/a.lipz", AYE);
+    scene.write("voices/b.lipz", NO);
+    let watch = Watch::started(&scene, &["voices", "-o", BANK, "--split-locales", "--timings"]);
+    watch.until("a first run", |watch| watch.count(&recalled(0, "2 clips")) == 1);
+    scene.write("voices/b.lipz", BROKEN);
+    watch.until("errors", |watch| watch.count("not packed") > 0);
+    scene.write("voices/b.lipz", AYE);
+    watch.until("what came before the errors", |watch| watch.count(&recalled(1, "2 clips")) > 0);
+
+    let all = Scene::new();
+    all.write("voices/a.lipz", AYE);
+    let watch = Watch::started(&all, &["voices", "-o", BANK, "--no-cache", "--timings"]);
+    all.write("voices/b.lipz", NO);
+    watch.until("a run that reads all", |watch| watch.count(&recalled(0, "2 clips")) > 0);
+}
+
+#[test]
+fn a_cache_is_taken_over_and_left() {
+    let scene = Scene::new();
+    scene.write("voices/a.lipz", AYE);
+    let arguments = ["voices", "-o", BANK, "--cache", "dialogue.cache", "--timings"];
+    scene.prepare(&[&["pack"], &arguments[..]].concat());
+    let watch = Watch::started(&scene, &arguments);
+    watch.until("a first run that recalls", |watch| watch.count(&recalled(1, "1 clip")) == 1);
+    scene.write("voices/b.lipz", NO);
+    watch.until("a new file", |watch| watch.count(&recalled(1, "2 clips")) > 0);
+    drop(watch);
+    let packed = lipz(scene.path(), [&["pack"], &arguments[..]].concat());
+    assert!(packed.stdout.contains(&recalled(2, "2 clips")), "{}", packed.stdout);
+    let refused = Watch::start(&scene, &["voices", "-o", BANK, "--cache", "voices/a.lipz"]);
+    refused.until("the finding", |watch| watch.stderr().contains("is not a cache of lipz, and is left alone"));
+}
+
 #[test]
 fn outputs_among_the_sources_cause_no_run() {
     let scene = Scene::new();

@@ -1,8 +1,8 @@
 //! Coverage: how much of a dialogue is translated into each locale of a bank.
 
-use crate::{MinCoverage, pseudo};
+use crate::{MinCoverage, Options, WholeBank, fallback, pseudo};
 use lipz::{Code, Diagnostic};
-use lipz_bank::{Bank, Clip, Locale, Text};
+use lipz_bank::{Clip, Locale, Text};
 use std::collections::BTreeMap;
 
 /// How the clips of a bank are covered by the texts of one locale.
@@ -39,8 +39,11 @@ impl Coverage {
     }
 }
 
-/// The coverage of each locale of a verified `bank`, in the order of their tags. Keys are in the order of
+/// The coverage of each locale of a verified bank, in the order of their tags. Keys are in the order of
 /// the bank.
+///
+/// A text bank holds what its locale borrows as copies. They are said to come from the first locale with the same
+/// text, in the order in which locales [fall back](Options::fallbacks) unless a project says otherwise.
 ///
 /// ```
 /// use lipz_compiler::{Input, Options, compile, coverage};
@@ -56,8 +59,12 @@ impl Coverage {
 /// assert_eq!(german.fallbacks["en-us"], ["no"]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn coverage(bank: &Bank<'_>) -> Vec<Coverage> {
-    let locales: Vec<Locale<'_>> = bank.locales().collect();
+pub fn coverage<'data, 'bank>(bank: impl Into<WholeBank<'data, 'bank>>) -> Vec<Coverage>
+where
+    'data: 'bank,
+{
+    let bank: WholeBank<'data, 'bank> = bank.into();
+    let locales = bank.locales();
     let default = locales.iter().position(Locale::is_default);
     let empty = |locale: &Locale<'_>| Coverage {
         tag: locale.tag().to_owned(),
@@ -65,13 +72,14 @@ pub fn coverage(bank: &Bank<'_>) -> Vec<Coverage> {
         ..Coverage::default()
     };
     let mut found: Vec<Coverage> = locales.iter().map(empty).collect();
-    for clip in bank.clips() {
+    let chains = if bank.texts().is_empty() { Vec::new() } else { chains(&locales) };
+    for clip in bank.bank().clips() {
         let shown: Vec<Shown<'_>> = locales.iter().map(|locale| shown(&clip, *locale)).collect();
         if shown.iter().all(|shown| matches!(shown, Shown::Nothing)) {
             continue;
         }
         let default = default.and_then(|default| shown.get(default));
-        for (coverage, text) in std::iter::zip(&mut found, &shown) {
+        for (number, (coverage, text)) in std::iter::zip(&mut found, &shown).enumerate() {
             coverage.clip_count += 1;
             let key = clip.key().to_owned();
             match text {
@@ -83,7 +91,9 @@ pub fn coverage(bank: &Bank<'_>) -> Vec<Coverage> {
                 }
                 Shown::Fallback(text) => {
                     let is_origin = |other: &Shown<'_>| matches!(other, Shown::Own(own) if own.is(text));
-                    let origin = shown.iter().position(is_origin);
+                    let is_equal = |other: &usize| matches!(shown.get(*other), Some(Shown::Own(own)) if own == text);
+                    let equal = || chains.get(number)?.iter().copied().find(is_equal);
+                    let origin = shown.iter().position(is_origin).or_else(equal);
                     let tag = origin.and_then(|origin| locales.get(origin)).map_or("", Locale::tag);
                     coverage.fallbacks.entry(tag.to_owned()).or_default().push(key);
                 }
@@ -92,6 +102,14 @@ pub fn coverage(bank: &Bank<'_>) -> Vec<Coverage> {
         }
     }
     found
+}
+
+/// For each locale, the places of those that it falls back to.
+fn chains(locales: &[Locale<'_>]) -> Vec<Vec<usize>> {
+    let tags: Vec<&str> = locales.iter().map(Locale::tag).collect();
+    let default = locales.iter().find(|locale| locale.is_default());
+    let options = Options { default_locale: default.map(|locale| locale.tag().to_owned()), ..Options::default() };
+    (0..tags.len()).map(|locale| fallback::chain(&tags, locale, &options)).collect()
 }
 
 /// A finding for each locale that is covered less than it must be, also for those that no clip has.
@@ -152,7 +170,8 @@ fn shown<'data>(clip: &Clip<'data, '_>, locale: Locale<'data>) -> Shown<'data> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Input, Options, compile};
+    use crate::{Input, compile, split};
+    use lipz_bank::Bank;
 
     #[test]
     fn every_kind_of_text() {
@@ -179,6 +198,25 @@ mod tests {
         let english = of("en-us");
         assert!(english.is_default && english.same_as_default.is_empty());
         assert_eq!(english.missing, keys(&["c"]));
+    }
+
+    #[test]
+    fn a_split_bank_is_covered_as_the_whole() {
+        let inputs = [
+            Input::from_bytes("a", r#"{ "text_en-us": "OK", "text_de-de": "OK", "text_de-at": "Jo." }"#),
+            Input::from_bytes("b", r#"{ "text_en-us": "OK", "text_de-de": "OK" }"#),
+            Input::from_bytes("c", r#"{ "text_en-us": "No.|No!" }"#),
+        ];
+        let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
+        let bytes = compile(&inputs, &options, &|_| {}).bank.unwrap();
+        let split = split(&bytes).unwrap();
+        let base = Bank::open(&split.base).unwrap().verify().unwrap();
+        let mut texts: Vec<_> = split.texts.iter().map(|(_, texts)| base.open_texts(texts).unwrap()).collect();
+        let whole = coverage(&Bank::open(&bytes).unwrap());
+        assert_eq!(whole[0].fallbacks["de-de"], ["b"], "the nearest of two with the same text");
+        assert_eq!(coverage(WholeBank::of(&base, &texts)), whole);
+        texts.rotate_left(1);
+        assert_eq!(coverage(WholeBank::of(&base, &texts)), whole, "in any order");
     }
 
     #[test]

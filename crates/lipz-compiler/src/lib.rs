@@ -2,8 +2,8 @@
 //!
 //! Data flows one way: [`discover`] → parse → check → localise → lower → write. Every phase reports
 //! what it finds and goes on, so that one run shows all problems of all files; a bank is made only if
-//! none of them is an error. [`compile`] gives the bank, [`pack`] writes it, [`pack_cached`]
-//! looks only at what changed since. [`unpack`] goes the other
+//! none of them is an error. [`compile`] gives the bank, [`pack`] writes it, [`pack_cached`] and
+//! [`Memory`] look only at what changed since. [`unpack`] goes the other
 //! way, [`diff`](mod@diff) compares two banks.
 //!
 //! A build script packs a folder with [`Build`], which puts the bank and a constant for each clip
@@ -55,9 +55,10 @@ mod split;
 pub mod stats;
 mod strings;
 mod unpack;
+mod whole_bank;
 
 pub use build::{Build, BuildFailed};
-pub use cache::pack_cached;
+pub use cache::{Memory, pack_cached};
 pub use compile::{Compiled, Phases, Progress, check_all, compile, pack};
 pub use convert::{Converted, convert};
 pub use coverage::{Coverage, coverage, shortfalls};
@@ -73,6 +74,7 @@ pub use report::{Report, count};
 pub use rewrite::{each_file, rewrite_file};
 pub use split::{Split, split};
 pub use unpack::{Unpacked, unpack};
+pub use whole_bank::WholeBank;
 
 /// The example of the README, run as a test.
 #[cfg(doctest)]

@@ -1,7 +1,7 @@
 //! From a bank back to documents: the reverse of lowering.
 
-use crate::Report;
 use crate::source_record::{self, Name, Recorded};
+use crate::{Report, WholeBank};
 use lipz::{Code, Document, Element, JsonString, Raw, Value};
 use lipz_bank::layout::{Tag, U32};
 use lipz_bank::{Bank, Clip, Fps, Locale, Segment};
@@ -11,6 +11,8 @@ use zerocopy::FromBytes;
 /// The Lipz files of a bank, in the order of their keys.
 pub struct Documents<'data, 'bank> {
     bank: &'bank Bank<'data>,
+    /// The locales whose texts the files have.
+    locales: Vec<Locale<'data>>,
     sources: Option<Sources<'data>>,
 }
 
@@ -20,11 +22,14 @@ struct Sources<'data> {
 }
 
 impl<'data, 'bank> Documents<'data, 'bank> {
-    /// The files of a verified `bank`.
+    /// The files of a verified bank. Those of a bank that was split are not exact: source records stay with texts
+    /// that are in the bank itself.
     ///
     /// # Errors
     /// If one of the two source sections is missing or has another shape.
-    pub fn of(bank: &'bank Bank<'data>) -> Result<Self, Report> {
+    pub fn of(bank: impl Into<WholeBank<'data, 'bank>>) -> Result<Self, Report> {
+        let whole: WholeBank<'data, 'bank> = bank.into();
+        let bank = whole.bank();
         let section = |tag| bank.sections().find(|(found, _)| *found == tag).map(|(_, bytes)| bytes);
         let sources = match (section(Tag::SOURCE_INDEX), section(Tag::SOURCES)) {
             (None, None) => None,
@@ -35,7 +40,9 @@ impl<'data, 'bank> Documents<'data, 'bank> {
             }
             _ => return Err(damaged("one of the two source sections is missing")),
         };
-        Ok(Documents { bank, sources })
+        // Source records count the locales that their bank has.
+        let locales = if sources.is_some() { bank.locales().collect() } else { whole.locales() };
+        Ok(Documents { bank, locales, sources })
     }
 
     /// Whether the bank holds what the display form lost, so that the files are exact.
@@ -49,13 +56,10 @@ impl<'data, 'bank> Documents<'data, 'bank> {
     }
 
     fn document(&self, clip: &Clip<'data, '_>) -> Result<Document<'data>, Report> {
-        let own: Vec<Locale<'data>> = self
-            .bank
-            .locales()
-            .filter(|locale| {
-                clip.segment(0).and_then(|segment| segment.text(*locale)).is_some_and(|text| !text.is_fallback())
-            })
-            .collect();
+        let is_own = |locale: &Locale<'data>| {
+            clip.segment(0).and_then(|segment| segment.text(*locale)).is_some_and(|text| !text.is_fallback())
+        };
+        let own: Vec<Locale<'data>> = self.locales.iter().copied().filter(is_own).collect();
         match &self.sources {
             Some(sources) => {
                 let damage = || damaged(&format!("the source record of `{}` cannot be decoded", clip.key()));

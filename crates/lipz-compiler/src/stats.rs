@@ -1,7 +1,8 @@
 //! How much of what is in a bank.
 
+use crate::WholeBank;
 use lipz_bank::layout::Tag;
-use lipz_bank::{Bank, Clip, Fps, VisemeType};
+use lipz_bank::{Bank, Clip, Fps, Locale, TextBank, VisemeType};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Clips that are named as the longest and the shortest.
@@ -34,6 +35,8 @@ pub struct Stats<'d> {
     pub shortest: Vec<ClipDuration<'d>>,
     /// Bytes of the whole bank.
     pub length_bytes: usize,
+    /// Bytes of its text banks.
+    pub texts_bytes: usize,
     /// Bytes per section, in the order of the bank. The rest of the bank is header, directory and the
     /// gaps between sections.
     pub sections: Vec<(Tag, usize)>,
@@ -90,14 +93,20 @@ pub struct ClipDuration<'d> {
 
 impl<'d> Stats<'d> {
     /// Counts what is in a verified bank.
-    pub fn of(bank: &Bank<'d>) -> Stats<'d> {
+    pub fn of<'b>(bank: impl Into<WholeBank<'d, 'b>>) -> Stats<'d>
+    where
+        'd: 'b,
+    {
+        let whole: WholeBank<'d, 'b> = bank.into();
+        let bank = whole.bank();
         let mut stats = Stats {
             clips: bank.clip_count(),
             length_bytes: bank.length_bytes(),
             sections: bank.sections().map(|(tag, bytes)| (tag, bytes.len())).collect(),
             rates: rates(bank),
             visemes: visemes(bank),
-            locales: bank.locales().map(|locale| LocaleStats::of(bank, locale)).collect(),
+            texts_bytes: whole.texts().iter().map(TextBank::length_bytes).sum(),
+            locales: whole.locales().into_iter().map(|locale| LocaleStats::of(bank, locale)).collect(),
             ..Stats::default()
         };
         let mut events = BTreeSet::new();
@@ -149,7 +158,7 @@ fn visemes(bank: &Bank<'_>) -> Vec<VisemeCounts> {
 }
 
 impl<'d> LocaleStats<'d> {
-    fn of(bank: &Bank<'d>, locale: lipz_bank::Locale<'d>) -> LocaleStats<'d> {
+    fn of(bank: &Bank<'d>, locale: Locale<'d>) -> LocaleStats<'d> {
         let mut stats = LocaleStats {
             tag: locale.tag(),
             is_default: locale.is_default(),
@@ -192,7 +201,7 @@ fn extremes<'d>(bank: &Bank<'d>) -> (Vec<ClipDuration<'d>>, Vec<ClipDuration<'d>
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Input, Options, compile};
+    use crate::{Input, Options, compile, split};
 
     #[test]
     fn everything_is_counted() {
@@ -242,6 +251,11 @@ mod tests {
         let durations =
             [ClipDuration { key: "a", duration_us: 500_000 }, ClipDuration { key: "b", duration_us: 200_000 }];
         assert_eq!((&stats.longest[..], &stats.shortest[..]), (&durations[..], &[][..]));
+        let split = split(&bytes).unwrap();
+        let base = Bank::open(&split.base).unwrap();
+        let texts: Vec<_> = split.texts.iter().map(|(_, texts)| base.open_texts(texts).unwrap()).collect();
+        let of_split = Stats::of(WholeBank::of(&base, &texts));
+        assert_eq!((of_split.texts_bytes > 0, stats.texts_bytes, &of_split.locales), (true, 0, &stats.locales));
         assert!(stats.sections.iter().map(|(_, bytes)| bytes).sum::<usize>() < stats.length_bytes);
     }
 }

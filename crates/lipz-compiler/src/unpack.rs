@@ -3,7 +3,7 @@
 use crate::key::{EXTENSION, clash, folded, refusal};
 use crate::output::file_in_the_way;
 use crate::raise::Documents;
-use crate::{Report, discover};
+use crate::{Report, WholeBank, discover};
 use cap_std::ambient_authority;
 use cap_std::fs::Dir;
 use cap_tempfile::TempFile;
@@ -23,7 +23,7 @@ pub struct Unpacked {
     pub is_exact: bool,
 }
 
-/// Writes every clip of a verified `bank` as a Lipz file into `folder`, which is made if it does
+/// Writes every clip of a verified bank as a Lipz file into `folder`, which is made if it does
 /// not exist. `progress` is called with 1 for every file.
 ///
 /// Nothing is written outside `folder`, also where a link in it leads out. Each file appears whole
@@ -33,13 +33,18 @@ pub struct Unpacked {
 /// Keys that cannot be file names everywhere, or that would be one file, source records that cannot be
 /// decoded, and files that exist: found before the first file is written. Then whatever the file system
 /// refuses.
-pub fn unpack(
-    bank: &Bank<'_>,
+pub fn unpack<'data, 'bank>(
+    bank: impl Into<WholeBank<'data, 'bank>>,
     folder: &Path,
     overwrite: bool,
     progress: &dyn Fn(u64),
-) -> Result<Unpacked, Vec<Report>> {
-    let documents = Documents::of(bank).map_err(|report| vec![report])?;
+) -> Result<Unpacked, Vec<Report>>
+where
+    'data: 'bank,
+{
+    let whole: WholeBank<'data, 'bank> = bank.into();
+    let bank = whole.bank();
+    let documents = Documents::of(whole).map_err(|report| vec![report])?;
     let mut refused = refused_keys(bank);
     if documents.is_exact() {
         // Decoded twice rather than kept: a bank can hold more than fits the memory.

@@ -1,4 +1,4 @@
-//! Packing with a cache gives the bank, and the findings, of packing without one: whatever happened to the
+//! Packing with a cache or a memory gives the bank, and the findings, of packing without one: whatever happened to the
 //! files, the bank and the cache meanwhile.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
 
@@ -7,10 +7,11 @@ mod documents;
 mod support;
 
 use lipz::Code;
-use lipz_compiler::{Compiled, Input, Options, compile, discover, pack_cached};
+use lipz_compiler::{Compiled, Input, Memory, Options, compile, discover, pack_cached};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
+use std::cell::RefCell;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
@@ -23,11 +24,17 @@ struct Scene {
     folder: tempfile::TempDir,
     options: Options,
     has_other_root: bool,
+    memory: RefCell<Memory>,
 }
 
 impl Scene {
     fn new() -> Scene {
-        let scene = Scene { folder: tempfile::tempdir().unwrap(), options: Options::default(), has_other_root: false };
+        let scene = Scene {
+            folder: tempfile::tempdir().unwrap(),
+            options: Options::default(),
+            has_other_root: false,
+            memory: RefCell::default(),
+        };
         fs::create_dir_all(scene.path("voices/act1")).unwrap();
         scene
     }
@@ -65,10 +72,17 @@ impl Scene {
         pack_cached(&self.inputs(), &self.options, &self.bank(), &self.cache(), &|_| {})
     }
 
-    /// Packs with the cache, and compares everything with a run without one.
+    fn remember(&self) -> Compiled {
+        self.memory.borrow_mut().compile(&self.inputs(), &self.options, &|_| {})
+    }
+
+    /// Packs with the cache and with a memory, and compares everything with a run without them.
     fn pack(&self) -> Compiled {
         let with_cache = self.pack_unchecked();
+        let with_memory = self.remember();
         let without = compile(&self.inputs(), &self.options, &|_| {});
+        assert_eq!(with_memory.reports, without.reports);
+        assert!(with_memory.bank == without.bank, "the bank of the memory differs");
         assert_eq!(with_cache.reports, without.reports);
         assert!(with_cache.bank == without.bank, "the banks differ");
         if let Some(bank) = &without.bank {
@@ -150,6 +164,41 @@ fn findings_are_reported_in_every_run() {
     fs::write(&good, "{").unwrap();
     assert!(scene.pack().bank.is_none());
     assert_eq!(fs::read(scene.bank()).unwrap(), before, "errors leave the bank");
+}
+
+#[test]
+fn errors_leave_the_memory() {
+    let scene = Scene::new();
+    let (good, other) = (scene.path("voices/good.lipz"), scene.path("voices/other.lipz"));
+    let clip = r#"{"visemes":"A-","viseme_type":"blair","fps":24}"#;
+    fs::write(&good, clip).unwrap();
+    fs::write(&other, clip).unwrap();
+    assert!(scene.memory.borrow().is_empty());
+    assert_eq!(scene.remember().recalled, 0);
+    fs::write(&other, "{").unwrap();
+    assert!(scene.remember().bank.is_none());
+    fs::write(&other, clip).unwrap();
+    let mended = scene.remember();
+    assert_eq!((mended.recalled, mended.is_unchanged), (2, true));
+}
+
+#[test]
+fn memory_and_cache_go_over_into_each_other() {
+    let scene = Scene::drama();
+    let count = scene.inputs().len();
+    let bank = scene.remember().bank.unwrap();
+    fs::create_dir_all(scene.path("out")).unwrap();
+    fs::write(scene.bank(), &bank).unwrap();
+    scene.memory.borrow().write(&scene.cache()).unwrap();
+    let with_cache = scene.pack_unchecked();
+    assert_eq!((with_cache.recalled, with_cache.is_unchanged), (count, true));
+    scene.memory.replace(Memory::read(&scene.cache(), &scene.bank()).unwrap());
+    let with_memory = scene.remember();
+    assert_eq!((with_memory.recalled, with_memory.is_unchanged), (count, true));
+    assert_eq!(with_memory.bank, Some(bank));
+    for path in [scene.path("voices"), scene.bank()] {
+        assert!(Memory::read(&path, &scene.bank()).is_err() && scene.memory.borrow().write(&path).is_err(), "{path:?}");
+    }
 }
 
 #[test]

@@ -5,7 +5,7 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
-use lipz_bank::{Bank, Clip, ClipId, Locale, Micros, Viseme};
+use lipz_bank::{Bank, ClipId, Event, Lead, Locale, Micros, Playback, Viseme};
 
 /// The bank: here part of the program, elsewhere a mapped file or a piece of ROM.
 pub static BANK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/dialogue.lipzbank"));
@@ -22,53 +22,41 @@ pub mod dialogue {
 /// One clip while it is played.
 #[derive(Debug)]
 pub struct Player<'data, 'bank> {
-    clip: Clip<'data, 'bank>,
+    playback: Playback<'data, 'bank>,
     locale: Locale<'data>,
-    now: Micros,
-    /// The first segment whose event has not been taken.
-    next_segment: u32,
 }
 
 impl<'data, 'bank> Player<'data, 'bank> {
     /// Starts the clip with subtitles in `locale`, one of [`dialogue::locales`]; `None` if the bank
-    /// has no such clip or locale.
+    /// has no such clip or locale, or the clip has no frame rate.
+    ///
+    /// Mouths are a frame ahead of the sound: a sound is made with the mouth in its shape already.
     pub fn start(bank: &'bank Bank<'data>, clip: ClipId, locale: &str) -> Option<Self> {
-        Some(Player { clip: bank.clip(clip)?, locale: bank.locale(locale)?, now: Micros(0), next_segment: 0 })
+        let clip = bank.clip(clip)?;
+        let lead = Lead::one_frame(clip.fps()?);
+        Some(Player { playback: Playback::new(clip)?.with_lead(lead), locale: bank.locale(locale)? })
     }
 
-    /// Lets time pass: the time of one picture of the game, or what its audio engine has played.
-    pub fn advance(&mut self, elapsed_us: i64) {
-        self.now = Micros(self.now.0.saturating_add(elapsed_us));
+    /// The audio engine has played the clip up to `sound`: gives the events that have become due, each
+    /// once, however long a picture took. They do not come again.
+    #[must_use = "the events do not come again"]
+    pub fn advance_to(&mut self, sound: Micros) -> impl Iterator<Item = Event<'data>> + use<'data, 'bank> {
+        self.playback.advance_to(sound).events()
     }
 
     /// The mouth shape to draw now; rest when the clip is over.
     pub fn mouth(&self) -> Viseme {
-        self.clip.viseme_at(self.now)
+        self.playback.viseme()
     }
 
     /// The subtitle to show now; empty when nobody speaks.
     pub fn subtitle(&self) -> &'data str {
-        let text = self.clip.segment_at(self.now).and_then(|segment| segment.text(self.locale));
+        let text = self.playback.segment().and_then(|segment| segment.text(self.locale));
         text.map_or("", |text| text.as_str())
     }
 
-    /// The next event that is due. Ask until there is none: no event is lost when a picture takes
-    /// longer than a segment.
-    pub fn next_event(&mut self) -> Option<&'data str> {
-        loop {
-            let segment = self.clip.segment(self.next_segment)?;
-            if segment.start_us()? > u64::try_from(self.now.0).ok()? {
-                return None;
-            }
-            self.next_segment += 1;
-            if let Some(event) = segment.event().filter(|event| !event.is_empty()) {
-                return Some(event);
-            }
-        }
-    }
-
-    /// Whether all frames have been shown.
+    /// Whether the sound is past the last frame.
     pub fn is_over(&self) -> bool {
-        self.clip.frame_at(self.now).is_none()
+        self.playback.is_over()
     }
 }

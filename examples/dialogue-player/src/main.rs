@@ -1,23 +1,26 @@
 //! Plays a clip in the terminal: `cargo run -p dialogue-player -- de-de`.
 
 use dialogue_player::{BANK, Player, dialogue};
-use lipz_bank::Bank;
-use std::time::Duration;
+use lipz_bank::{Bank, Micros};
+use std::thread;
+use std::time::{Duration, Instant};
 
-/// Time between two pictures: 24 a second.
-const PICTURE_US: i64 = 41_667;
+/// Time between two pictures: about 24 a second.
+const PICTURE: Duration = Duration::from_millis(42);
 
 fn main() -> Result<(), String> {
     let locale = std::env::args().nth(1).unwrap_or_else(|| dialogue::locales::EN_US.into());
     let bank = Bank::open(BANK).and_then(Bank::verify).map_err(|error| error.to_string())?;
     let mut player = Player::start(&bank, dialogue::act1::MARA_GOOD_EVENING, &locale).ok_or("no such locale")?;
+    // A game asks its audio engine how much it has played.
+    let start = Instant::now();
     while !player.is_over() {
-        while let Some(event) = player.next_event() {
+        let sound = Micros(i64::try_from(start.elapsed().as_micros()).unwrap_or(i64::MAX));
+        for event in player.advance_to(sound) {
             println!("* {event}");
         }
         println!("{}  {}", player.mouth(), player.subtitle());
-        std::thread::sleep(Duration::from_micros(PICTURE_US.unsigned_abs()));
-        player.advance(PICTURE_US);
+        thread::sleep(PICTURE);
     }
     Ok(())
 }

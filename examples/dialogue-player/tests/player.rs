@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use dialogue_player::{BANK, Player, dialogue};
-use lipz_bank::{Bank, ClipId};
+use lipz_bank::{Bank, ClipId, Micros};
 
 /// 24 frames per second, rounded up, so that each frame starts a picture.
 const FRAME_US: i64 = 41_667;
@@ -12,19 +12,21 @@ fn a_clip_is_played_frame_by_frame() {
     let bank = Bank::open(BANK).unwrap().verify().unwrap();
     let mut player = Player::start(&bank, dialogue::act1::MARA_GOOD_EVENING, dialogue::locales::DE_DE).unwrap();
     let (mut mouths, mut subtitles, mut events) = (String::new(), Vec::new(), Vec::new());
-    while !player.is_over() {
+    for frame in 0.. {
+        events.extend(player.advance_to(Micros(frame * FRAME_US)).map(|event| (frame, event.to_string())));
+        if player.is_over() {
+            break;
+        }
         mouths.push(player.mouth().as_char());
         if subtitles.last() != Some(&player.subtitle()) {
             subtitles.push(player.subtitle());
         }
-        while let Some(event) = player.next_event() {
-            events.push((mouths.len() - 1, event));
-        }
-        player.advance(FRAME_US);
     }
-    assert_eq!(mouths, "SOOOOSEEEFEESAASS---OOOSSSOO-------SOOUUUASSEELAAAS---AASSSSSSSEEFFOSSASEEASLLS-------------");
+    let shapes = "SOOOOSEEEFEESAASS---OOOSSSOO-------SOOUUUASSEELAAAS---AASSSSSSSEEFFOSSASEEASLLS-------------";
+    assert_eq!(mouths, format!("{}-", &shapes[1..]), "each is a frame ahead of the sound");
     assert_eq!(subtitles, ["Guten Abend, Otto.", "Du bist spät dran,", "und der Nebel ist zu früh."]);
-    assert_eq!(events, [(0, "mara feels neutral"), (35, "mara sees otto"), (54, "mara points fog")]);
+    let expected = [(0, "mara feels neutral"), (35, "mara sees otto"), (54, "mara points fog")];
+    assert_eq!(events, expected.map(|(frame, event)| (frame, event.to_owned())));
     assert_eq!((player.mouth().as_char(), player.subtitle()), ('-', ""), "rest when the clip is over");
 }
 
@@ -32,9 +34,9 @@ fn a_clip_is_played_frame_by_frame() {
 fn no_event_is_lost_when_a_picture_takes_long() {
     let bank = Bank::open(BANK).unwrap();
     let mut player = Player::start(&bank, dialogue::act1::MARA_GOOD_EVENING, "en-us").unwrap();
-    player.advance(60_000_000);
-    let events: Vec<_> = std::iter::from_fn(|| player.next_event()).collect();
-    assert_eq!(events, ["mara feels neutral", "mara sees otto", "mara points fog"]);
+    let mut events_at = |time_us| player.advance_to(Micros(time_us)).map(|event| event.to_string()).collect::<Vec<_>>();
+    assert_eq!(events_at(60_000_000), ["mara feels neutral", "mara sees otto", "mara points fog"]);
+    assert_eq!(events_at(60_000_000), [""; 0], "each comes once");
 }
 
 #[test]

@@ -1,17 +1,17 @@
 //! `lipz coverage`: how much of a dialogue is translated.
 
 use super::either::{names_lipz_files, packed};
-use super::locale_choice::choose;
+use super::locale_choice::{choose, locale_name};
 use crate::bank_file::BankFile;
 use crate::console::grouped;
 use crate::render::Findings;
 use crate::sources::ProjectArguments;
+use crate::text_banks::{TextBanks, TextFiles};
 use crate::{Ended, Outcome, console};
 use clap::Args;
 use lipz::diagnostic::show;
-use lipz_compiler::{Coverage, MinCoverage, Report, coverage, shortfalls};
+use lipz_compiler::{Coverage, MinCoverage, Report, WholeBank, coverage, shortfalls};
 use serde::Serialize;
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -25,6 +25,7 @@ use std::path::PathBuf;
   lipz coverage
   lipz coverage voices
   lipz coverage voices --missing de-de
+  lipz coverage dialogue.lipzbank --texts dialogue.*.lipztexts
   lipz coverage dialogue.lipzbank --min-coverage 95 --min-coverage de-de=100
 
 Exit codes: 0 enough is translated, 1 less than the project asks for, 2 the tool could not run, 130
@@ -34,6 +35,9 @@ pub(crate) struct CoverageArguments {
     /// Lipz files of lipz.toml]
     #[arg(value_name = "BANK")]
     bank: Option<PathBuf>,
+
+    #[command(flatten)]
+    texts: TextBanks,
 
     #[command(flatten)]
     project: ProjectArguments,
@@ -55,7 +59,9 @@ pub(crate) fn run(arguments: &CoverageArguments, findings: &mut Findings) -> End
         Some(bank) if !names_lipz_files(bank) => BankFile::open(bank, findings)?,
         _ => packed(&project.settings, arguments.project.quiet, findings)?,
     };
-    let found = coverage(&file.bank(findings)?);
+    let bank = file.bank(findings)?;
+    let text_files = TextFiles::open(&arguments.texts.texts, findings)?;
+    let found = coverage(WholeBank::of(&bank, &text_files.of(&bank, findings)?));
     let printed = match &arguments.missing {
         Some(tag) => console::print(&missing(&found, tag)?),
         None if arguments.json => console::print_json(&found.iter().map(CoverageJson::of).collect::<Vec<_>>()),
@@ -79,7 +85,7 @@ fn missing(found: &[Coverage], tag: &str) -> Result<String, Outcome> {
 
 fn table(name: &str, found: &[Coverage]) -> String {
     let Some(first) = found.first() else {
-        return format!("{name}: no clip has a text; those of a split bank are in its text banks\n");
+        return format!("{name}: no clip has a text; those of a split bank are in its text banks (--texts)\n");
     };
     let clips = console::counted(first.clip_count, "clip");
     let mut text = format!("{name}: {clips} with texts\n\n");
@@ -90,8 +96,11 @@ fn table(name: &str, found: &[Coverage]) -> String {
     );
     for coverage in found {
         let fallback_count: usize = coverage.fallbacks.values().map(Vec::len).sum();
-        let mut fallbacks: Vec<String> =
-            coverage.fallbacks.iter().map(|(tag, keys)| format!("{} {}", name_of(tag), grouped(keys.len()))).collect();
+        let mut fallbacks: Vec<String> = coverage
+            .fallbacks
+            .iter()
+            .map(|(tag, keys)| format!("{} {}", locale_name(tag), grouped(keys.len())))
+            .collect();
         if coverage.is_default {
             fallbacks.insert(0, "(default locale)".to_owned());
         }
@@ -109,11 +118,6 @@ fn table(name: &str, found: &[Coverage]) -> String {
     }
     text.push_str("\nsame: the text is that of the default locale, letter by letter\n");
     text
-}
-
-/// The locale that a text was taken from, for people.
-fn name_of(tag: &str) -> Cow<'_, str> {
-    if tag.is_empty() { "(not packed)".into() } else { show::text(tag) }
 }
 
 #[derive(Serialize)]

@@ -1,8 +1,14 @@
-//! Arguments that name a locale of a bank.
+//! Locales of a bank, as arguments name them and as people read them.
 
 use crate::{Outcome, console};
 use lipz::diagnostic::show;
 use lipz::locale::canonical_tag;
+use std::borrow::Cow;
+
+/// The locale that a text was taken from, for people.
+pub(super) fn locale_name(tag: &str) -> Cow<'_, str> {
+    if tag.is_empty() { "(not packed)".into() } else { show::text(tag) }
+}
 
 /// The one of `known` whose tag is `asked`, however it is spelled: `de_DE` is `de-de`. Says which ones there
 /// are if there is none.

@@ -2,10 +2,11 @@
 
 use crate::bank_file::BankFile;
 use crate::render::Findings;
+use crate::text_banks::{TextBanks, TextFiles};
 use crate::{Ended, Outcome, console, interrupt};
 use clap::Args;
 use lipz::Code;
-use lipz_compiler::unpack;
+use lipz_compiler::{WholeBank, unpack};
 use std::path::PathBuf;
 
 /// Write the clips of a bank as Lipz files.
@@ -13,12 +14,16 @@ use std::path::PathBuf;
 /// Nothing is written outside the folder, and nothing at all if a key cannot be a file name. When the
 /// run is interrupted, the files written so far stay, each of them whole.
 #[derive(Args, Debug)]
-#[command(after_help = "Example:
-  lipz unpack dialogue.lipzbank -o voices")]
+#[command(after_help = "Examples:
+  lipz unpack dialogue.lipzbank -o voices
+  lipz unpack dialogue.lipzbank --texts dialogue.*.lipztexts -o voices")]
 pub(crate) struct Unpack {
     /// The bank to read; `-` reads it from standard input
     #[arg(value_name = "BANK")]
     pub(crate) bank: PathBuf,
+
+    #[command(flatten)]
+    texts: TextBanks,
 
     /// The folder to write into; it is made if it does not exist
     #[arg(short, long, value_name = "FOLDER")]
@@ -36,12 +41,15 @@ pub(crate) struct Unpack {
 pub(crate) fn run(arguments: &Unpack, findings: &mut Findings) -> Ended {
     let file = BankFile::open(&arguments.bank, findings)?;
     let bank = file.bank(findings)?;
+    let text_files = TextFiles::open(&arguments.texts.texts, findings)?;
+    let texts = text_files.of(&bank, findings)?;
     let bar = console::progress_bar(bank.clip_count(), arguments.quiet);
     let progress = |count| {
         bar.inc(count);
         interrupt::point();
     };
-    let unpacked = interrupt::whole(|| unpack(&bank, &arguments.output, arguments.force, &progress));
+    let unpacked =
+        interrupt::whole(|| unpack(WholeBank::of(&bank, &texts), &arguments.output, arguments.force, &progress));
     bar.finish_and_clear();
     match unpacked {
         Ok(unpacked) => {

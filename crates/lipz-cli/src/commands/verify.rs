@@ -3,6 +3,7 @@
 use crate::bank_file::BankFile;
 use crate::render::Findings;
 use crate::sources::usage_error;
+use crate::text_banks::TextBanks;
 use crate::{Ended, Outcome, console};
 use clap::Args;
 use clap::error::ErrorKind;
@@ -22,9 +23,8 @@ pub(crate) struct Verify {
     #[arg(value_name = "BANK", required = true)]
     pub(crate) banks: Vec<PathBuf>,
 
-    /// Text banks of the bank, to be checked with it
-    #[arg(long, value_name = "FILE", num_args = 1..)]
-    texts: Vec<PathBuf>,
+    #[command(flatten)]
+    texts: TextBanks,
 
     /// Print nothing about banks without fault
     #[arg(short, long)]
@@ -32,7 +32,7 @@ pub(crate) struct Verify {
 }
 
 pub(crate) fn run(arguments: &Verify, findings: &mut Findings) -> Ended {
-    if !arguments.texts.is_empty() && arguments.banks.len() > 1 {
+    if !arguments.texts.texts.is_empty() && arguments.banks.len() > 1 {
         let tip = "name the one bank that they belong to";
         return Err(usage_error(ErrorKind::ArgumentConflict, "text banks belong to one bank", tip));
     }
@@ -46,7 +46,7 @@ fn verify(path: &Path, arguments: &Verify, findings: &mut Findings) -> Ended {
     let bank = file.bank(findings)?;
     let clips = console::counted(bank.clip_count(), "clip");
     let told = tell(&file.name, &clips, bank.length_bytes(), arguments, findings);
-    let texts = arguments.texts.iter().map(|path| verify_texts(path, &bank, arguments, findings));
+    let texts = arguments.texts.texts.iter().map(|path| verify_texts(path, &bank, arguments, findings));
     Ok(worst(std::iter::once(Ok(told)).chain(texts)))
 }
 

@@ -2,9 +2,10 @@
 
 mod messages;
 
+use crate::cache::pack_cached_if;
 use crate::ids::{self, Language};
 use crate::settings::Settings;
-use crate::{Options, Report, compile, count, depend, discover, replace_file, report};
+use crate::{Options, Report, check_all, count, depend, discover, replace_file, report};
 use lipz::{Code, Diagnostic, Level};
 use lipz_bank::Bank;
 use std::ffi::OsStr;
@@ -33,6 +34,9 @@ use std::{env, fmt};
 ///
 /// let clip = bank.clip(dialogue::act1::MARA_GOOD_EVENING); // misspelt, it does not compile
 /// ```
+///
+/// A third file, `dialogue.lipzcache`, remembers the Lipz files, so that the next run reads only those that
+/// changed (see [`pack_cached`](crate::pack_cached)).
 ///
 /// Findings appear as warnings and errors of cargo (1.84 or later), one line each. The script runs
 /// again when a file of the sources changes, is added or removed.
@@ -132,35 +136,40 @@ impl Build {
 
     /// Writes the outputs if nothing that was found is an error.
     fn pack(&self, settings: &Settings, folder: &Path) -> Vec<Report> {
+        let name = self.name.as_deref().unwrap_or(DEFAULT_NAME);
+        if Path::new(name).file_name() != Some(OsStr::new(name)) {
+            let headline = format!("`{name}` is not the name of a file");
+            return vec![Report::failure("", Code::OutputFailed, headline, "name the outputs without folders")];
+        }
+        let path = |extension: &str| folder.join(format!("{name}.{extension}"));
+        let (bank, cache) = (path("lipzbank"), path("lipzcache"));
         let (inputs, mut reports) = settings.discover();
-        let mut compiled = compile(&inputs, &settings.options, &|_| {});
+        let mut ids = String::new();
+        let accept = |bank: &[u8]| {
+            ids = rust_ids(bank, settings)?;
+            Ok(())
+        };
+        let mut compiled = match report::has_errors(&reports) {
+            true => check_all(&inputs, &settings.options, &|_| {}),
+            false => pack_cached_if(&inputs, &settings.options, &bank, &cache, &|_| {}, accept),
+        };
         reports.append(&mut compiled.reports);
-        if let Some(bank) = compiled.bank.filter(|_| !report::has_errors(&reports)) {
-            reports.extend(self.write(settings, folder, &bank).err());
+        if compiled.bank.is_some() {
+            reports.extend(replace_file(&path("rs"), ids.as_bytes()).err());
         }
         report::sort(&mut reports);
         reports
     }
-
-    fn write(&self, settings: &Settings, folder: &Path, bank: &[u8]) -> Result<(), Report> {
-        let name = self.name.as_deref().unwrap_or(DEFAULT_NAME);
-        if Path::new(name).file_name() != Some(OsStr::new(name)) {
-            let headline = format!("`{name}` is not the name of a file");
-            return Err(Report::failure("", Code::OutputFailed, headline, "name the outputs without folders"));
-        }
-        let ids = rust_ids(bank).map_err(|diagnostics| {
-            let path = settings.sources.first().map(|source| discover::display(source)).unwrap_or_default();
-            Report::all_about(path, diagnostics)
-        })?;
-        let path = |extension: &str| folder.join(format!("{name}.{extension}"));
-        replace_file(&path("lipzbank"), bank)?;
-        replace_file(&path("rs"), ids.as_bytes())
-    }
 }
 
-fn rust_ids(bank: &[u8]) -> Result<String, Vec<Diagnostic>> {
+/// The ids of a bank's clips, or which ones are the same.
+fn rust_ids(bank: &[u8], settings: &Settings) -> Result<String, Report> {
     let damaged = |error: lipz_bank::Error| vec![Diagnostic::new(Code::BankDamaged, error.kind().message())];
-    ids::generate(&Bank::open(bank).map_err(damaged)?, Language::Rust, None)
+    let ids = Bank::open(bank).map_err(damaged).and_then(|bank| ids::generate(&bank, Language::Rust, None));
+    ids.map_err(|diagnostics| {
+        let path = settings.sources.first().map(|source| discover::display(source)).unwrap_or_default();
+        Report::all_about(path, diagnostics)
+    })
 }
 
 /// Why a build script failed, for `main` to return.
@@ -205,6 +214,8 @@ mod tests {
 
     const CLIP: &str = r#"{ "fps": 24, "visemes": "MAEO-", "viseme_type": "blair", "text_en-us": "Mayor!" }"#;
 
+    const OUTPUTS: [&str; 3] = ["dialogue.lipzbank", "dialogue.lipzcache", "dialogue.rs"];
+
     /// Runs a build of `files` in `voices`; what it told cargo, and the names of its outputs.
     fn run(scene: &Path, build: impl FnOnce(Build) -> Build, files: &[(&str, &str)]) -> (String, Vec<String>) {
         for (name, text) in files {
@@ -228,11 +239,28 @@ mod tests {
         let scene = tempfile::tempdir().unwrap();
         let (lines, names) = run(scene.path(), |build| build, &[("act1/mayor.lipz", CLIP)]);
         assert_eq!(lines, "cargo::rerun-if-changed=SCENE/voices\n");
-        assert_eq!(names, ["dialogue.lipzbank", "dialogue.rs"]);
+        assert_eq!(names, OUTPUTS);
         let bytes = fs::read(scene.path().join("out/dialogue.lipzbank")).unwrap();
         assert!(Bank::open(&bytes).unwrap().verify().unwrap().clip_by_key("act1/mayor").is_some());
         let ids = fs::read_to_string(scene.path().join("out/dialogue.rs")).unwrap();
         assert!(ids.contains("pub const MAYOR: ::lipz_bank::ClipId"), "{ids}");
+    }
+
+    #[test]
+    fn the_next_run_gives_the_same_and_remembers() {
+        let scene = tempfile::tempdir().unwrap();
+        let outputs = || OUTPUTS.map(|name| fs::read(scene.path().join("out").join(name)).unwrap());
+        run(scene.path(), |build| build, &[("aye.lipz", CLIP)]);
+        let [bank, _, ids] = outputs();
+        fs::remove_file(scene.path().join("out/dialogue.rs")).unwrap();
+        run(scene.path(), |build| build, &[]);
+        assert_eq!([outputs()[0].as_slice(), &outputs()[2]], [&bank, &ids], "also if a file was lost");
+        let (path, cache) = (scene.path().join("out/dialogue.lipzbank"), scene.path().join("out/dialogue.lipzcache"));
+        let (inputs, _) = discover(&[scene.path().join("voices")], None);
+        let next = crate::pack_cached(&inputs, &Options::default(), &path, &cache, &|_| {});
+        assert_eq!((next.recalled, next.is_unchanged), (1, true));
+        run(scene.path(), |build| build, &[("no.lipz", CLIP)]);
+        assert!(String::from_utf8(outputs()[2].clone()).unwrap().contains("pub const NO:"), "a new clip has an id");
     }
 
     #[test]
@@ -278,7 +306,7 @@ mod tests {
         let (lines, names) = by_settings("sources = [\"voices\"]\ndefault-locale = \"en-us\"\n");
         assert!(lines.starts_with("cargo::rerun-if-changed=SCENE/voices\ncargo::rerun-if-changed=SCENE/lipz.toml\n"));
         assert!(lines.contains("[LZ0502]") && !lines.contains("error"), "{lines}");
-        assert_eq!(names, ["dialogue.lipzbank", "dialogue.rs"]);
+        assert_eq!(names, OUTPUTS);
         let (lines, _) = by_settings("default-local = \"en-us\"\n");
         assert!(lines.contains("cargo::error=SCENE/lipz.toml:1:1: "), "{lines}");
     }

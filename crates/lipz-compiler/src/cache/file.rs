@@ -1,6 +1,6 @@
 //! The file that a user names for a cache: read, and replaced only if it is one.
 
-use super::stamps::MAGIC;
+use super::stamps::{MAGIC, Stamps};
 use crate::discover::display;
 use crate::{Report, replace_file};
 use lipz::Code;
@@ -9,11 +9,28 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-/// The bytes of the cache at `path`; empty if there is none.
+/// The stamps in the cache at `path`; `None` if there is none, or one that is damaged or of another version.
 ///
 /// # Errors
 /// If `path` is something else, which must not be replaced.
-pub(super) fn read(path: &Path) -> Result<Vec<u8>, Report> {
+pub(super) fn read(path: &Path) -> Result<Option<Stamps>, Report> {
+    Ok(Stamps::decode(&bytes(path)?))
+}
+
+/// Replaces the cache at `path`.
+///
+/// # Errors
+/// If it cannot be written, or `path` is something else.
+pub(super) fn write(path: &Path, stamps: &Stamps) -> Result<(), Report> {
+    bytes(path)?;
+    match stamps.encode() {
+        Some(bytes) => replace_file(path, &bytes),
+        None => Ok(()),
+    }
+}
+
+/// The bytes of the cache at `path`; empty if there is none.
+fn bytes(path: &Path) -> Result<Vec<u8>, Report> {
     let mut bytes = Vec::new();
     let is_cache = match path.metadata() {
         Ok(metadata) if !metadata.is_file() => Ok(false),
@@ -36,13 +53,4 @@ pub(super) fn read(path: &Path) -> Result<Vec<u8>, Report> {
     let name = display(path);
     let headline = format!("{} {why}", show::name(&name));
     Err(Report::failure(name, Code::OutputFailed, headline, "name another file for the cache, or delete this one"))
-}
-
-/// Replaces the cache at `path`.
-///
-/// # Errors
-/// If it cannot be written, or `path` is something else.
-pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), Report> {
-    read(path)?;
-    replace_file(path, bytes)
 }

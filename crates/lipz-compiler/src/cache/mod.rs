@@ -7,20 +7,23 @@
 
 mod file;
 mod look;
+mod memory;
 mod recall;
 mod stamps;
 
+pub use memory::Memory;
 pub(crate) use stamps::{Name, Stamp};
 
 use crate::clip::{ClipData, Locales};
 use crate::compile::{Compiled, Progress, Run, in_pool, write_verified};
-use crate::{Content, Input, Options};
+use crate::{Content, Input, Options, Report};
 use look::Look;
 use recall::Recall;
 use stamps::{Lookup, Stamps, hash};
 use std::fs::File;
 use std::io;
 use std::path::Path;
+use std::sync::Arc;
 use std::time::{Instant, SystemTime};
 
 /// Does what [`pack`](crate::pack) does, and remembers the files in the file `cache`, so that the next run reads only
@@ -40,50 +43,88 @@ pub fn pack_cached(
     cache: &Path,
     progress: &Progress<'_>,
 ) -> Compiled {
+    pack_cached_if(inputs, options, path, cache, progress, |_| Ok(()))
+}
+
+/// The same, if `accept` finds nothing in the bank: without its consent nothing is written.
+pub(crate) fn pack_cached_if(
+    inputs: &[Input],
+    options: &Options,
+    path: &Path,
+    cache: &Path,
+    progress: &Progress<'_>,
+    accept: impl FnOnce(&[u8]) -> Result<(), Report> + Send,
+) -> Compiled {
+    let finish = |bank: &[u8], is_unchanged: bool| {
+        accept(bank)?;
+        if is_unchanged && touch(path).is_ok() { Ok(()) } else { write_verified(path, bank) }
+    };
     match options.canonical() {
-        Ok(options) => in_pool(&options, || pack(inputs, &options, path, cache, progress)),
+        Ok(options) => in_pool(&options, || pack(inputs, &options, path, cache, progress, finish)),
         Err(report) => Compiled::refused(report),
     }
 }
 
-fn pack(inputs: &[Input], options: &Options, path: &Path, cache: &Path, progress: &Progress<'_>) -> Compiled {
+fn pack(
+    inputs: &[Input],
+    options: &Options,
+    path: &Path,
+    cache: &Path,
+    progress: &Progress<'_>,
+    finish: impl FnOnce(&[u8], bool) -> Result<(), Report> + Send,
+) -> Compiled {
     let start = Instant::now();
-    let file = match file::read(cache) {
-        Ok(file) => file,
+    let before = match Before::read(cache, path) {
+        Ok(before) => before,
         Err(report) => return Compiled::refused(report),
     };
-    let before = Before::read(&file, path, options);
-    let cached = Cache::of(before.as_ref());
     let reading = start.elapsed();
+    let (mut compiled, stamps) = again(inputs, options, before, progress, finish);
+    let start = Instant::now();
+    if let Some(Err(report)) = stamps.map(|stamps| file::write(cache, &stamps)) {
+        compiled.reports.push(report);
+        compiled.bank = None;
+    }
+    compiled.phases.cache += reading + start.elapsed();
+    compiled
+}
+
+/// Makes a bank of `inputs` with what is still true of the run `before`. `finish` is handed the bank, and whether
+/// it is the old one; without its consent there is none.
+///
+/// With a bank come the stamps of its files, unless they are all as they were.
+fn again(
+    inputs: &[Input],
+    options: &Options,
+    before: Option<Before>,
+    progress: &Progress<'_>,
+    finish: impl FnOnce(&[u8], bool) -> Result<(), Report> + Send,
+) -> (Compiled, Option<Stamps>) {
+    let start = Instant::now();
+    let before = before.filter(|before| before.stamps.are_of(options));
+    let cached = Cache::of(before.as_ref());
+    let recalling = start.elapsed();
     let mut run = Run::read(inputs, options, Some(&cached), progress);
-    run.phases.cache = reading;
+    run.phases.cache = recalling;
     let files = std::mem::take(&mut run.stamped.files);
     let is_unchanged = run.stamped.recalled == inputs.len() && cached.clip_count() == Some(inputs.len());
     let are_stamps_unchanged =
         is_unchanged && run.stamped.unread == inputs.len() && cached.stamp_count() == inputs.len();
     drop(cached);
     let old_bank = before.map(|before| before.bank);
-    let mut compiled = match old_bank {
-        Some(bank) if is_unchanged && !run.has_errors() && touch(path).is_ok() => {
-            Compiled { is_unchanged, ..run.finish(Some(bank)) }
-        }
+    let compiled = match old_bank {
+        Some(bank) if is_unchanged && !run.has_errors() => match finish(&bank, true) {
+            Ok(()) => Compiled { is_unchanged, ..run.finish(Some(Arc::unwrap_or_clone(bank))) },
+            Err(report) => run.fail(report),
+        },
         // The old bank is given back before the new one is made.
         old_bank => {
             drop(old_bank);
-            run.make(inputs, options, |bank| write_verified(path, bank))
+            run.make(inputs, options, |bank| finish(bank, false))
         }
     };
-    let start = Instant::now();
-    if let Some(checksum) = compiled.bank.as_deref().and_then(recall::checksum_of)
-        && !are_stamps_unchanged
-        && let Some(file) = Stamps::new(options, checksum, files).encode()
-        && let Err(report) = file::write(cache, &file)
-    {
-        compiled.reports.push(report);
-        compiled.bank = None;
-    }
-    compiled.phases.cache += start.elapsed();
-    compiled
+    let checksum = compiled.bank.as_deref().and_then(recall::checksum_of).filter(|_| !are_stamps_unchanged);
+    (compiled, checksum.map(|checksum| Stamps::new(options, checksum, files)))
 }
 
 /// Gives the file at `path` the current time, for build tools that compare it with those of the sources.
@@ -91,18 +132,23 @@ fn touch(path: &Path) -> io::Result<()> {
     File::options().append(true).open(path)?.set_modified(SystemTime::now())
 }
 
-/// What the run before this one left: stamps, and the bank that they are about.
+/// What the run before this one left: stamps, and the bank that they are about. A clone shares both.
+#[derive(Clone)]
 struct Before {
-    stamps: Stamps,
-    bank: Vec<u8>,
+    stamps: Arc<Stamps>,
+    bank: Arc<Vec<u8>>,
 }
 
 impl Before {
-    fn read(cache: &[u8], path: &Path, options: &Options) -> Option<Before> {
-        let stamps = Stamps::decode(cache, options)?;
+    /// What the file `cache` and the bank at `path` tell; `None` if they tell nothing, for whatever reason.
+    ///
+    /// # Errors
+    /// If there is something else than a cache at `cache`.
+    fn read(cache: &Path, path: &Path) -> Result<Option<Before>, Report> {
+        let Some(stamps) = file::read(cache)? else { return Ok(None) };
         let is_file = path.metadata().is_ok_and(|metadata| metadata.is_file());
-        let bank = std::fs::read(path).ok().filter(|_| is_file)?;
-        Some(Before { stamps, bank })
+        let bank = is_file.then(|| std::fs::read(path).ok()).flatten();
+        Ok(bank.map(|bank| Before { stamps: stamps.into(), bank: bank.into() }))
     }
 }
 
@@ -212,7 +258,7 @@ mod tests {
         let (bank, options) = (path("bank"), Options::default());
         std::fs::write(path("a.lipz"), r#"{"visemes":"A-","viseme_type":"blair"}"#).unwrap();
         let (inputs, _) = crate::discover(&[path("a.lipz")], None);
-        let packed = crate::pack(&inputs, &options, &bank, &|_| {}).bank.unwrap();
+        let packed = Arc::new(crate::pack(&inputs, &options, &bank, &|_| {}).bank.unwrap());
         let run = |before: Option<&Before>, later: Duration| {
             let cache = Cache { start: SystemTime::now() + later, ..Cache::of(before) };
             Run::read(&inputs, &options, Some(&cache), &|_| {}).stamped
@@ -223,10 +269,10 @@ mod tests {
         };
         for (later, unread) in [(Duration::ZERO, 0), (Duration::from_secs(60), 1)] {
             let stamps = Stamps::new(&options, recall::checksum_of(&packed).unwrap(), run(None, later).files);
-            let mut before = Before { stamps, bank: packed.clone() };
+            let mut before = Before { stamps: stamps.into(), bank: Arc::clone(&packed) };
             assert_eq!(counts(None, later), (1, 0, 0));
             assert_eq!(counts(Some(&before), later), (1, 1, unread));
-            before.stamps.bank_checksum = 0;
+            Arc::get_mut(&mut before.stamps).unwrap().bank_checksum = 0;
             assert_eq!(counts(Some(&before), later), (1, 0, 0), "the stamps are about another bank");
         }
     }

@@ -84,16 +84,19 @@ impl Stamps {
         Stamps { maker: maker(), options: hash_of(options), bank_checksum, files }
     }
 
-    /// The stamps in the file of a cache; `None` if it was made by another version or with other options, or
-    /// is damaged.
-    pub(super) fn decode(file: &[u8], options: &Options) -> Option<Stamps> {
+    /// The stamps in the file of a cache; `None` if it was made by another version, or is damaged.
+    pub(super) fn decode(file: &[u8]) -> Option<Stamps> {
         let (sum, encoded) = file.strip_prefix(MAGIC)?.split_first_chunk::<HASH_BYTES>()?;
         if u128::from_le_bytes(*sum) != hash(encoded) {
             return None;
         }
         let (stamps, length): (Stamps, usize) = bincode::decode_from_slice(encoded, ENCODING).ok()?;
-        let is_meant = stamps.maker == maker() && stamps.options == hash_of(options);
-        (length == encoded.len() && is_meant).then_some(stamps)
+        (length == encoded.len() && stamps.maker == maker()).then_some(stamps)
+    }
+
+    /// Whether the files were checked with these options.
+    pub(super) fn are_of(&self, options: &Options) -> bool {
+        self.options == hash_of(options)
     }
 
     /// The file of a cache.
@@ -160,19 +163,18 @@ mod tests {
 
     #[test]
     fn a_file_gives_its_stamps_back_and_damaged_none() {
-        let options = Options::default();
-        let stamps = stamps(&options);
+        let stamps = stamps(&Options::default());
         let file = stamps.encode().unwrap();
-        assert_eq!(Stamps::decode(&file, &options).as_ref(), Some(&stamps));
+        assert_eq!(Stamps::decode(&file).as_ref(), Some(&stamps));
         for at in 0..file.len() {
-            assert_eq!(Stamps::decode(&file[..at], &options), None);
+            assert_eq!(Stamps::decode(&file[..at]), None);
             for bit in 0..8 {
                 let mut damaged = file.clone();
                 damaged[at] ^= 1 << bit;
-                assert_eq!(Stamps::decode(&damaged, &options), None, "bit {bit} of byte {at}");
+                assert_eq!(Stamps::decode(&damaged), None, "bit {bit} of byte {at}");
             }
         }
-        assert_eq!(Stamps::decode(&[&file[..], b"\0"].concat(), &options), None);
+        assert_eq!(Stamps::decode(&[&file[..], b"\0"].concat()), None);
     }
 
     #[test]
@@ -193,11 +195,10 @@ mod tests {
 
     #[test]
     fn other_options_and_versions_are_not_meant() {
-        let options = Options::default();
-        let file = stamps(&options).encode().unwrap();
-        assert!(Stamps::decode(&file, &Options { threads: Some(3), ..Options::default() }).is_some());
-        assert!(Stamps::decode(&file, &Options { strip: true, ..Options::default() }).is_none());
-        let of_another = Stamps { maker: 0, ..stamps(&options) };
-        assert_eq!(Stamps::decode(&of_another.encode().unwrap(), &options), None);
+        let stamps = stamps(&Options::default());
+        assert!(stamps.are_of(&Options { threads: Some(3), ..Options::default() }));
+        assert!(!stamps.are_of(&Options { strip: true, ..Options::default() }));
+        let of_another = Stamps { maker: 0, ..stamps };
+        assert_eq!(Stamps::decode(&of_another.encode().unwrap()), None);
     }
 }

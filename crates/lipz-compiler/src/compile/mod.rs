@@ -21,7 +21,7 @@ pub struct Compiled {
     pub bank: Option<Vec<u8>>,
     /// All findings, sorted by file and place.
     pub reports: Vec<Report>,
-    /// Clips that were not made anew: see [`pack_cached`](crate::pack_cached).
+    /// Clips that were not made anew: see [`pack_cached`](crate::pack_cached) and [`Memory`](crate::Memory).
     pub recalled: usize,
     /// Whether the bank was left as it is, because no clip changed.
     pub is_unchanged: bool,
@@ -131,7 +131,7 @@ pub(crate) fn in_pool<R: Send>(options: &Options, work: impl FnOnce() -> R + Sen
 
 /// What the reader finds at fault with the bank: a defect of this compiler, and better found now than in
 /// a game.
-fn verify(bank: &[u8]) -> Result<(), Report> {
+pub(crate) fn verify(bank: &[u8]) -> Result<(), Report> {
     // Not core's check of UTF-8, which takes longer than all others together.
     let utf8 = |bytes| simdutf8::basic::from_utf8(bytes).ok();
     match Bank::open(bank).and_then(|bank| bank.verify_with(utf8)) {

@@ -80,11 +80,14 @@ impl Run {
         self.phases.finish = start.elapsed();
         match finished {
             Ok(bank) => self.finish(Some(bank)),
-            Err(report) => {
-                self.reports.push(report);
-                self.finish(None)
-            }
+            Err(report) => self.fail(report),
         }
+    }
+
+    /// Ends the run with this finding.
+    pub(crate) fn fail(mut self, report: Report) -> Compiled {
+        self.reports.push(report);
+        self.finish(None)
     }
 
     /// Ends the run with this bank.

@@ -1,15 +1,19 @@
 //! What a program would notice if one bank took the place of another.
 //!
-//! Compared is what the reader answers: frame rates, frames, segments, display texts, events. How the
-//! source files were spelled, and whether a bank keeps them, makes no difference.
+//! Compared is what the reader answers: frame rates, frames, segments, display texts, events, locales, babble
+//! profiles. How the source files were spelled, and whether a bank keeps them, makes no difference.
 
+mod bank;
 mod clip;
 mod renamed;
 
+pub use bank::{BabbleChange, FallbackChange};
 pub use clip::{ClipChange, EventChange, FramesChange, TextChange};
 pub use renamed::Renamed;
 
-use lipz_bank::{Bank, Locale};
+use crate::WholeBank;
+use lipz_bank::Locale;
+use std::collections::BTreeMap;
 
 /// An old value and the new one.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -36,6 +40,10 @@ pub struct Difference<'d> {
     pub removed_locales: Vec<&'d str>,
     /// The default locales, if they differ.
     pub default_locale: Option<Change<Option<&'d str>>>,
+    /// Locales whose clips borrow texts from others than before.
+    pub fallbacks: Vec<FallbackChange<'d>>,
+    /// Babble profiles that differ, sorted by name.
+    pub babble: Vec<BabbleChange<'d>>,
     /// Keys of clips that only the new bank has.
     pub added: Vec<&'d str>,
     /// Keys of clips that only the old bank has.
@@ -51,9 +59,9 @@ pub struct Difference<'d> {
 impl Difference<'_> {
     /// Whether the banks say the same.
     pub fn is_empty(&self) -> bool {
-        let locales = self.added_locales.len() + self.removed_locales.len();
+        let locales = self.added_locales.len() + self.removed_locales.len() + self.fallbacks.len();
         let clips = self.added.len() + self.removed.len() + self.renamed.len() + self.changed.len();
-        locales + clips == 0 && self.default_locale.is_none()
+        locales + self.babble.len() + clips == 0 && self.default_locale.is_none()
     }
 }
 
@@ -71,17 +79,23 @@ impl Difference<'_> {
 /// assert!(diff::diff(&old, &old).is_empty());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn diff<'d>(old: &Bank<'d>, new: &Bank<'d>) -> Difference<'d> {
-    let locales = LocalePair::of(old, new);
+pub fn diff<'d, 'old, 'new>(old: impl Into<WholeBank<'d, 'old>>, new: impl Into<WholeBank<'d, 'new>>) -> Difference<'d>
+where
+    'd: 'old + 'new,
+{
+    let (old_whole, new_whole): (WholeBank<'d, 'old>, WholeBank<'d, 'new>) = (old.into(), new.into());
+    let (old, new) = (old_whole.bank(), new_whole.bank());
+    let locales = LocalePair::of(old_whole, new_whole);
     let only_in = |other: fn(&LocalePair<'d>) -> bool| {
         let tags = locales.iter().filter(|pair| other(pair)).map(|pair| pair.tag);
         tags.collect::<Vec<_>>()
     };
-    let default_tag = |bank: &Bank<'d>| bank.default_locale().map(|locale| locale.tag());
     let mut difference = Difference {
         added_locales: only_in(|pair| pair.old.is_none()),
         removed_locales: only_in(|pair| pair.new.is_none()),
-        default_locale: Change::between(default_tag(old), default_tag(new)),
+        default_locale: Change::between(default_tag(old_whole), default_tag(new_whole)),
+        fallbacks: bank::fallbacks(old_whole, new_whole, &locales),
+        babble: bank::babble(old, new),
         ..Difference::default()
     };
     for clip in old.clips() {
@@ -97,6 +111,11 @@ pub fn diff<'d>(old: &Bank<'d>, new: &Bank<'d>) -> Difference<'d> {
     difference
 }
 
+/// The default locale of a bank.
+fn default_tag<'d>(bank: WholeBank<'d, '_>) -> Option<&'d str> {
+    bank.locales().iter().find(|locale| locale.is_default()).map(Locale::tag)
+}
+
 /// One locale in both banks.
 struct LocalePair<'d> {
     tag: &'d str,
@@ -106,18 +125,26 @@ struct LocalePair<'d> {
 
 impl<'d> LocalePair<'d> {
     /// The locales of either bank, sorted.
-    fn of(old: &Bank<'d>, new: &Bank<'d>) -> Vec<LocalePair<'d>> {
-        let mut tags: Vec<&str> = old.locales().chain(new.locales()).map(|locale| locale.tag()).collect();
-        tags.sort_unstable();
-        tags.dedup();
-        tags.into_iter().map(|tag| LocalePair { tag, old: old.locale(tag), new: new.locale(tag) }).collect()
+    fn of(old: WholeBank<'d, '_>, new: WholeBank<'d, '_>) -> Vec<LocalePair<'d>> {
+        let mut pairs: BTreeMap<&str, LocalePair<'d>> = BTreeMap::new();
+        let absent = |tag| LocalePair { tag, old: None, new: None };
+        for locale in old.locales() {
+            pairs.entry(locale.tag()).or_insert_with_key(|tag| absent(tag)).old = Some(locale);
+        }
+        for locale in new.locales() {
+            pairs.entry(locale.tag()).or_insert_with_key(|tag| absent(tag)).new = Some(locale);
+        }
+        pairs.into_values().collect()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Input, Options, compile};
+    use crate::settings::Settings;
+    use crate::{Input, Options, compile, split};
+    use lipz_bank::{Babble, Bank};
+    use std::path::Path;
 
     /// A bank of these files, by key and text.
     pub(super) fn bank(files: &[(&str, &str)]) -> Vec<u8> {
@@ -201,6 +228,39 @@ mod tests {
         let text = &difference.changed[0].texts[0];
         assert_eq!((text.locale, text.text), ("ja-jp", Change { old: Some("Aye."), new: Some("Ja.") }));
         assert!(text.is_fallback);
+    }
+
+    #[test]
+    fn fallbacks_and_babble_of_the_bank_are_compared() {
+        let clip = Input::from_bytes("a", r#"{ "text_en-us": "Aye.", "text_de-de": "Ja.", "text_de-at": "Ja." }"#);
+        let other = Input::from_bytes("b", r#"{ "text_en-us": "No.", "text_de-de": "No." }"#);
+        let pack = |options: Options| compile(&[clip.clone(), other.clone()], &options, &|_| {}).bank.unwrap();
+        let project = |toml: &str| pack(Settings::parse(toml.as_bytes(), "", Path::new("")).0.options);
+        let old = project("[fallbacks]\nde-at = [\"de-de\"]\n[babble.robot]\nrate = 12\n[babble.ghost]\n");
+        let new = project("[fallbacks]\nde-at = [\"en-us\"]\n[babble.robot]\nrate = 30\n");
+        let (old, new) = (Bank::open(&old).unwrap(), Bank::open(&new).unwrap());
+        let difference = diff(&old, &new);
+        let from = |tag: &str| [tag.to_owned()].into();
+        let change = Change { old: from("de-de"), new: from("en-us") };
+        assert_eq!(difference.fallbacks, [FallbackChange { locale: "de-at", from: change }]);
+        assert!(difference.changed.is_empty(), "the texts are the same");
+        let rates = difference.babble.iter().map(|change| {
+            let rate = |babble: Option<Babble<'_>>| babble.map(|babble| babble.rate().numerator());
+            (change.name, rate(change.profile.old), rate(change.profile.new))
+        });
+        assert_eq!(rates.collect::<Vec<_>>(), [("ghost", Some(24), None), ("robot", Some(12), Some(30))]);
+        assert!(!difference.is_empty() && diff(&old, &old).is_empty());
+    }
+
+    #[test]
+    fn a_split_bank_is_the_whole() {
+        let whole = bank(&[("a", AYE), ("b", r#"{ "text_en-us": "No." }"#)]);
+        let split = split(&whole).unwrap();
+        let (whole, base) = (Bank::open(&whole).unwrap(), Bank::open(&split.base).unwrap());
+        let texts: Vec<_> = split.texts.iter().map(|(_, texts)| base.open_texts(texts).unwrap()).collect();
+        let difference = diff(&whole, WholeBank::of(&base, &texts));
+        assert!(difference.is_empty(), "{difference:?}");
+        assert_eq!(diff(&whole, WholeBank::of(&base, &texts[1..])).removed_locales, ["de-de"]);
     }
 
     #[test]

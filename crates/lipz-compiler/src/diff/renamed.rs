@@ -2,7 +2,7 @@
 
 use super::{ClipChange, Difference, LocalePair};
 use foldhash::fast::FixedState;
-use lipz_bank::{Bank, Clip};
+use lipz_bank::{Bank, Clip, Locale};
 use std::collections::{HashMap, HashSet, VecDeque};
 use std::hash::{BuildHasher, Hash, Hasher};
 
@@ -17,12 +17,14 @@ pub struct Renamed<'d> {
 
 /// Pairs removed clips with equal added ones, in the order of their keys.
 pub(super) fn find<'d>(difference: &mut Difference<'d>, old: &Bank<'d>, new: &Bank<'d>, locales: &[LocalePair<'d>]) {
+    let old_locales: Vec<Locale<'d>> = locales.iter().filter_map(|pair| pair.old).collect();
+    let new_locales: Vec<Locale<'d>> = locales.iter().filter_map(|pair| pair.new).collect();
     let mut candidates: HashMap<u64, VecDeque<Clip<'d, '_>>> = HashMap::new();
     for clip in difference.added.iter().filter_map(|key| new.clip_by_key(key)) {
-        candidates.entry(digest(&clip, new)).or_default().push_back(clip);
+        candidates.entry(digest(&clip, &new_locales)).or_default().push_back(clip);
     }
     for clip in difference.removed.iter().filter_map(|key| old.clip_by_key(key)) {
-        let Some(equal) = candidates.get_mut(&digest(&clip, old)) else { continue };
+        let Some(equal) = candidates.get_mut(&digest(&clip, &old_locales)) else { continue };
         // Clips of one digest that are not equal are too rare to look further.
         if equal.front().is_some_and(|other| ClipChange::between(&clip, other, locales).is_none())
             && let Some(other) = equal.pop_front()
@@ -37,13 +39,13 @@ pub(super) fn find<'d>(difference: &mut Difference<'d>, old: &Bank<'d>, new: &Ba
 }
 
 /// A hash of what [`ClipChange::between`] compares; equal clips have equal ones.
-fn digest(clip: &Clip<'_, '_>, bank: &Bank<'_>) -> u64 {
+fn digest(clip: &Clip<'_, '_>, locales: &[Locale<'_>]) -> u64 {
     let mut hasher = FixedState::default().build_hasher();
     (clip.frames(), clip.segment_count()).hash(&mut hasher);
     for segment in clip.segments() {
         segment.event().hash(&mut hasher);
-        for locale in bank.locales() {
-            if let Some(text) = segment.text(locale).filter(|text| !text.is_fallback()) {
+        for locale in locales {
+            if let Some(text) = segment.text(*locale).filter(|text| !text.is_fallback()) {
                 (locale.tag(), text.as_str()).hash(&mut hasher);
             }
         }

@@ -130,7 +130,8 @@ const GENERAL: &[Setting] = &[
         name: "cache",
         flag: "--cache",
         about: "File in which `lipz pack` remembers the Lipz files, so that the next run reads only those that changed. \
-                Safe to delete; `--no-cache` does without for once.",
+                Safe to delete; `--no-cache` does without for once. \
+                `lipz watch` remembers them anyway, and with the file also from one watch to the next.",
         default: "every run reads all files",
         example: "\"dialogue.cache\"",
         read: |value, to| to.settings.cache = value.text(&mut to.findings).map(|path| inside(to.folder, path)),

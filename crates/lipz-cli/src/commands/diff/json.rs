@@ -1,8 +1,10 @@
 //! What `lipz diff --json` prints. Fields are only ever added (docs/VERSIONING.md).
 
+use crate::commands::babble_json::BabbleJson;
 use lipz_bank::{Fps, VisemeType};
-use lipz_compiler::diff::{Change, ClipChange, Difference, FramesChange};
+use lipz_compiler::diff::{BabbleChange, Change, ClipChange, Difference, FallbackChange, FramesChange};
 use serde::Serialize;
+use std::collections::BTreeSet;
 
 #[derive(Serialize)]
 pub(super) struct DifferenceJson<'d> {
@@ -10,6 +12,8 @@ pub(super) struct DifferenceJson<'d> {
     added_locales: &'d [&'d str],
     removed_locales: &'d [&'d str],
     default_locale: Option<ChangeJson<Option<&'d str>>>,
+    fallbacks: Vec<FallbackJson<'d>>,
+    babble: Vec<BabbleChangeJson<'d>>,
     added: &'d [&'d str],
     removed: &'d [&'d str],
     renamed: Vec<ChangeJson<&'d str>>,
@@ -28,6 +32,22 @@ impl<T> ChangeJson<T> {
     fn of<V>(change: Change<V>, json: impl Fn(V) -> T) -> ChangeJson<T> {
         ChangeJson { old: json(change.old), new: json(change.new) }
     }
+}
+
+/// A locale whose clips borrow texts from others than before.
+#[derive(Serialize)]
+struct FallbackJson<'d> {
+    locale: &'d str,
+    old: &'d BTreeSet<String>,
+    new: &'d BTreeSet<String>,
+}
+
+/// A babble profile; `null` stands for none.
+#[derive(Serialize)]
+struct BabbleChangeJson<'d> {
+    name: &'d str,
+    old: Option<BabbleJson<'d>>,
+    new: Option<BabbleJson<'d>>,
 }
 
 /// A changed clip; `null` and empty lists stand for what did not change.
@@ -74,12 +94,27 @@ impl<'d> DifferenceJson<'d> {
             added_locales: &difference.added_locales,
             removed_locales: &difference.removed_locales,
             default_locale: difference.default_locale.map(|change| ChangeJson::of(change, |tag| tag)),
+            fallbacks: difference.fallbacks.iter().map(FallbackJson::of).collect(),
+            babble: difference.babble.iter().map(BabbleChangeJson::of).collect(),
             added: &difference.added,
             removed: &difference.removed,
             renamed: renamed.collect(),
             changed: difference.changed.iter().map(ClipJson::of).collect(),
             same: difference.same,
         }
+    }
+}
+
+impl<'d> FallbackJson<'d> {
+    fn of(change: &'d FallbackChange<'d>) -> Self {
+        FallbackJson { locale: change.locale, old: &change.from.old, new: &change.from.new }
+    }
+}
+
+impl<'d> BabbleChangeJson<'d> {
+    fn of(change: &BabbleChange<'d>) -> Self {
+        let Change { old, new } = change.profile;
+        BabbleChangeJson { name: change.name, old: old.map(BabbleJson::of), new: new.map(BabbleJson::of) }
     }
 }
 

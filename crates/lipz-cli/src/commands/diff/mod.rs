@@ -7,10 +7,11 @@ mod words;
 use super::either::bank_or_files;
 use crate::render::Findings;
 use crate::sources::ProjectArguments;
+use crate::text_banks::TextFiles;
 use crate::{Ended, Outcome, console};
 use clap::Args;
 use json::DifferenceJson;
-use lipz_compiler::diff;
+use lipz_compiler::{WholeBank, diff};
 use std::path::PathBuf;
 
 /// Compare banks, or the folders that banks are made of.
@@ -23,6 +24,7 @@ use std::path::PathBuf;
   lipz diff old.lipzbank new.lipzbank
   lipz diff dialogue.lipzbank voices --default-locale en-us
   lipz diff dialogue.lipzbank voices --json
+  lipz diff old/b.lipzbank b.lipzbank --old-texts old/b.*.lipztexts --new-texts b.*.lipztexts
 
 Exit codes: 0 no difference, 1 differences, 2 the tool could not run, 130 interrupted.")]
 pub(crate) struct Diff {
@@ -33,6 +35,14 @@ pub(crate) struct Diff {
     /// The new side
     #[arg(value_name = "NEW")]
     new: PathBuf,
+
+    /// Text banks of the old bank
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    old_texts: Vec<PathBuf>,
+
+    /// Text banks of the new bank
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    new_texts: Vec<PathBuf>,
 
     #[command(flatten)]
     project: ProjectArguments,
@@ -55,7 +65,10 @@ fn compare(arguments: &Diff, findings: &mut Findings) -> Ended {
     let old = bank_or_files(Some(&arguments.old), &arguments.project, findings)?;
     let new = bank_or_files(Some(&arguments.new), &arguments.project, findings)?;
     let (old_bank, new_bank) = (old.bank(findings)?, new.bank(findings)?);
-    let difference = diff::diff(&old_bank, &new_bank);
+    let old_files = TextFiles::open(&arguments.old_texts, findings)?;
+    let new_files = TextFiles::open(&arguments.new_texts, findings)?;
+    let (old_texts, new_texts) = (old_files.of(&old_bank, findings)?, new_files.of(&new_bank, findings)?);
+    let difference = diff::diff(WholeBank::of(&old_bank, &old_texts), WholeBank::of(&new_bank, &new_texts));
     let printed = if arguments.json {
         console::print_json(&DifferenceJson::of(&difference))
     } else if arguments.project.quiet && difference.is_empty() {

@@ -1,11 +1,13 @@
 //! A comparison as text for people.
 
 use super::words::{marked, only_new, only_old};
+use crate::commands::locale_choice::locale_name;
 use crate::console::{counted, grouped};
 use crate::timeline::rounded;
 use lipz::diagnostic::show;
 use lipz_bank::{Fps, VisemeType};
-use lipz_compiler::diff::{Change, ClipChange, Difference};
+use lipz_compiler::diff::{BabbleChange, Change, ClipChange, Difference};
+use std::collections::BTreeSet;
 use std::fmt::Write;
 use unicode_width::UnicodeWidthStr;
 
@@ -25,6 +27,7 @@ pub(super) fn text(difference: &Difference<'_>, names: (&str, &str), all: bool) 
     }
     out.push('\n');
     locales(&mut out, difference);
+    difference.babble.iter().for_each(|change| babble(&mut out, change));
     let list = |out: &mut String, what: &str, lines: &mut dyn ExactSizeIterator<Item = String>| {
         let count = lines.len();
         for line in lines.take(shown_clips) {
@@ -57,9 +60,45 @@ fn locales(out: &mut String, difference: &Difference<'_>) {
     for tag in &difference.added_locales {
         let _ = writeln!(out, "+ locale {}", only_new(tag));
     }
+    for change in &difference.fallbacks {
+        let tags = |tags: &BTreeSet<String>| match tags.len() {
+            0 => "nothing".to_owned(),
+            _ => tags.iter().map(|tag| locale_name(tag)).collect::<Vec<_>>().join(", "),
+        };
+        let from = arrow(Change { old: &change.from.old, new: &change.from.new }, tags);
+        let _ = writeln!(out, "~ locale {} falls back to  {from}", show::text(change.locale));
+    }
     if let Some(change) = difference.default_locale {
         let tag = |tag: Option<&str>| tag.map_or("none".into(), |tag| show::text(tag).into_owned());
         let _ = writeln!(out, "~ default locale  {}", arrow(change, tag));
+    }
+}
+
+/// The parts of a babble profile that differ, or that one bank has none of this name.
+fn babble(out: &mut String, change: &BabbleChange<'_>) {
+    let name = format!("babble profile {}", change.name);
+    let Change { old: Some(old), new: Some(new) } = change.profile else {
+        let _ = match change.profile.new {
+            None => writeln!(out, "- {}", only_old(&name)),
+            Some(_) => writeln!(out, "+ {}", only_new(&name)),
+        };
+        return;
+    };
+    let _ = writeln!(out, "~ {}", show::text(&name));
+    if old.rate() != new.rate() {
+        let _ = writeln!(out, "    {:<13}{}", "rate", arrow(Change { old: old.rate(), new: new.rate() }, rounded));
+    }
+    let strings = [
+        ("ooh", old.ooh(), new.ooh()),
+        ("aah", old.aah(), new.aah()),
+        ("ooh power", old.ooh_power_transfer(), new.ooh_power_transfer()),
+        ("aah power", old.aah_power_transfer(), new.aah_power_transfer()),
+    ];
+    for (name, old, new) in strings {
+        let (old, new) = (String::from_utf8_lossy(old), String::from_utf8_lossy(new));
+        if old != new {
+            both(out, name, Change { old: Some(&old), new: Some(&new) });
+        }
     }
 }
 

@@ -1,9 +1,9 @@
 //! What `lipz inspect --json` prints. Fields are only ever added (docs/VERSIONING.md).
 
+use crate::commands::babble_json::BabbleJson;
 use lipz_bank::layout::Tag;
-use lipz_bank::{Babble, Bank, Clip, Event, EventName, Locale};
+use lipz_bank::{Bank, Clip, Event, EventName, Locale};
 use serde::Serialize;
-use std::borrow::Cow;
 
 /// The summary of a bank.
 #[derive(Serialize)]
@@ -20,31 +20,6 @@ pub(super) struct SummaryJson<'d> {
     pub(super) locales: Vec<LocaleJson<'d>>,
     pub(super) sections: Vec<SectionJson>,
     pub(super) babble: Vec<BabbleJson<'d>>,
-}
-
-/// A babble profile.
-#[derive(Serialize)]
-pub(super) struct BabbleJson<'d> {
-    pub(super) name: &'d str,
-    pub(super) ooh: Cow<'d, str>,
-    pub(super) aah: Cow<'d, str>,
-    pub(super) ooh_power_transfer: Cow<'d, str>,
-    pub(super) aah_power_transfer: Cow<'d, str>,
-    pub(super) rate: [u32; 2],
-}
-
-impl<'d> BabbleJson<'d> {
-    fn of(babble: Babble<'d>) -> Self {
-        let rate = babble.rate();
-        BabbleJson {
-            name: babble.name(),
-            ooh: String::from_utf8_lossy(babble.ooh()),
-            aah: String::from_utf8_lossy(babble.aah()),
-            ooh_power_transfer: String::from_utf8_lossy(babble.ooh_power_transfer()),
-            aah_power_transfer: String::from_utf8_lossy(babble.aah_power_transfer()),
-            rate: [rate.numerator(), rate.denominator()],
-        }
-    }
 }
 
 #[derive(Serialize)]

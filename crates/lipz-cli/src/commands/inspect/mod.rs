@@ -5,12 +5,14 @@ mod json;
 use super::locale_choice::choose;
 use crate::bank_file::BankFile;
 use crate::render::Findings;
+use crate::text_banks::{TextBanks, TextFiles};
 use crate::timeline::timeline;
 use crate::{Ended, Outcome, console};
 use clap::Args;
 use json::{ClipJson, ListedJson, SummaryJson};
 use lipz::diagnostic::{show, suggest};
-use lipz_bank::{Bank, Locale, TextBank};
+use lipz_bank::{Bank, Locale};
+use lipz_compiler::WholeBank;
 use std::fmt::Write;
 use std::path::PathBuf;
 use unicode_width::UnicodeWidthStr;
@@ -36,9 +38,8 @@ pub(crate) struct Inspect {
     #[arg(long, value_name = "PREFIX", num_args = 0..=1, default_missing_value = "", conflicts_with = "key")]
     pub(crate) list: Option<String>,
 
-    /// Text banks of the bank: their locales are shown, too
-    #[arg(long, value_name = "FILE")]
-    texts: Vec<PathBuf>,
+    #[command(flatten)]
+    texts: TextBanks,
 
     /// Show texts in this locale only; may be given several times
     #[arg(long, value_name = "LOCALE", requires = "key")]
@@ -52,11 +53,8 @@ pub(crate) struct Inspect {
 pub(crate) fn run(arguments: &Inspect, findings: &mut Findings) -> Ended {
     let file = BankFile::open(&arguments.bank, findings)?;
     let bank = file.bank(findings)?;
-    let text_files: Vec<BankFile> =
-        arguments.texts.iter().map(|path| BankFile::open(path, findings)).collect::<Result<_, Outcome>>()?;
-    let texts: Vec<TextBank<'_>> =
-        text_files.iter().map(|file| file.texts(&bank, findings)).collect::<Result<_, Outcome>>()?;
-    let locales: Vec<Locale<'_>> = bank.locales().chain(texts.iter().flat_map(TextBank::locales)).collect();
+    let text_files = TextFiles::open(&arguments.texts.texts, findings)?;
+    let locales = WholeBank::of(&bank, &text_files.of(&bank, findings)?).locales();
     Ok(match (&arguments.key, &arguments.list) {
         (Some(key), _) => clip(&bank, key, &locales, arguments),
         (None, Some(prefix)) => list(&bank, prefix, arguments.json),

@@ -4,7 +4,7 @@ use crate::render::Findings;
 use crate::sources::usage_error;
 use crate::{Outcome, console, interrupt, output_file, standard};
 use clap::error::ErrorKind;
-use lipz_compiler::{Compiled, Input, Options, Progress, compile, pack, pack_cached, split};
+use lipz_compiler::{Compiled, Input, Memory, Options, Progress, compile, pack, pack_cached, split};
 use std::ffi::OsStr;
 use std::fs;
 use std::io::{self, IsTerminal};
@@ -27,7 +27,7 @@ pub(super) enum Destination {
 
 /// When a file is replaced.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Replacing {
+pub(super) enum Replacing {
     /// By every run: its time tells build engines that it is up to date.
     Always,
     /// By other bytes only: whoever has it open reads it again only for a reason.
@@ -88,16 +88,8 @@ impl Destination {
     }
 
     /// Makes the bank. One that replaces a file in any case is written while it is verified.
-    pub(super) fn make(
-        &self,
-        replacing: Replacing,
-        inputs: &[Input],
-        options: &Options,
-        progress: &Progress<'_>,
-    ) -> Compiled {
-        let (Destination::File { bank, cache }, Replacing::Always) = (self, replacing) else {
-            return compile(inputs, options, progress);
-        };
+    pub(super) fn make(&self, inputs: &[Input], options: &Options, progress: &Progress<'_>) -> Compiled {
+        let Destination::File { bank, cache } = self else { return compile(inputs, options, progress) };
         let progress = |files| {
             progress(files);
             interrupt::point();
@@ -106,6 +98,29 @@ impl Destination {
             Some(cache) => pack_cached(inputs, options, bank, cache, &progress),
             None => pack(inputs, options, bank, &progress),
         })
+    }
+
+    /// Makes the bank with what is remembered of the run before, first of all that of the cache.
+    pub(super) fn make_again(
+        &self,
+        memory: &mut Memory,
+        inputs: &[Input],
+        options: &Options,
+        progress: &Progress<'_>,
+    ) -> Compiled {
+        if let (Destination::File { bank, cache: Some(cache) }, true) = (self, memory.is_empty()) {
+            match Memory::read(cache, bank) {
+                Ok(read) => *memory = read,
+                Err(report) => return Compiled { reports: vec![report], ..Compiled::default() },
+            }
+        }
+        memory.compile(inputs, options, progress)
+    }
+
+    /// Writes what is remembered into the cache, if there is one.
+    pub(super) fn remember(&self, memory: &Memory, findings: &mut Findings) -> Result<(), Outcome> {
+        let Destination::File { cache: Some(cache), .. } = self else { return Ok(()) };
+        interrupt::whole(|| memory.write(cache)).map_err(|report| findings.fail(report))
     }
 
     /// Brings the bank to where it is not yet. Reports why that is not possible.

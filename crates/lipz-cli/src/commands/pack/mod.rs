@@ -3,7 +3,6 @@
 mod destination;
 mod plan;
 
-pub(crate) use destination::Replacing;
 pub(crate) use plan::{Packed, Plan};
 
 use crate::render::Findings;
@@ -65,10 +64,15 @@ impl Pack {
         self.output.as_ref().is_some_and(|output| standard::is_meant(output))
     }
 
+    /// Whether files that did not change may be left unread.
+    pub(crate) fn may_remember(&self) -> bool {
+        !self.no_cache
+    }
+
     /// The cache to use.
     fn cache<'a>(&'a self, settings: &'a Settings) -> Option<&'a Path> {
         let cache = self.cache.as_deref().or(settings.cache.as_deref());
-        cache.filter(|_| !self.no_cache)
+        cache.filter(|_| self.may_remember())
     }
 
     /// What a run works with now. What is wrong with it is printed, and how the run ends is returned.
@@ -107,7 +111,7 @@ impl Pack {
 pub(crate) fn run(arguments: &Pack, findings: &mut Findings) -> Ended {
     let quiet = arguments.sources.is_quiet();
     let plan = arguments.plan(findings)?;
-    let packed = plan.run(Replacing::Always, quiet, findings)?;
+    let packed = plan.run(None, quiet, findings)?;
     let mut text = String::new();
     if !quiet {
         text = packed.summary();

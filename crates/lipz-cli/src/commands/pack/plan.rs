@@ -8,7 +8,7 @@ use crate::settings_file::Project;
 use crate::sources::usage_error;
 use crate::{Outcome, output_file, standard};
 use clap::error::ErrorKind;
-use lipz_compiler::{Compiled, Phases, dependencies, depfile};
+use lipz_compiler::{Compiled, Memory, Phases, dependencies, depfile};
 use std::mem;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -68,10 +68,20 @@ impl Plan {
     }
 
     /// Packs once. Findings are shown; if there are errors, nothing is written.
-    pub(crate) fn run(&self, replacing: Replacing, quiet: bool, findings: &mut Findings) -> Result<Packed, Outcome> {
+    ///
+    /// With a `memory`, the run is one of many: it reads only the files that changed, and replaces files by
+    /// other bytes only.
+    pub(crate) fn run(
+        &self,
+        mut memory: Option<&mut Memory>,
+        quiet: bool,
+        findings: &mut Findings,
+    ) -> Result<Packed, Outcome> {
         let settings = &self.project.settings;
-        let mut run = with_inputs(settings, quiet, |inputs, options, progress| {
-            self.destination.make(replacing, inputs, options, progress)
+        let replacing = if memory.is_some() { Replacing::IfDifferent } else { Replacing::Always };
+        let mut run = with_inputs(settings, quiet, |inputs, options, progress| match &mut memory {
+            Some(memory) => self.destination.make_again(memory, inputs, options, progress),
+            None => self.destination.make(inputs, options, progress),
         });
         let outcome = run.outcome();
         findings.add(mem::take(&mut run.reports));
@@ -80,6 +90,9 @@ impl Plan {
             _ => return Err(outcome),
         };
         let written = self.destination.deliver(&bank, run.compiled.is_unchanged, replacing, findings)?;
+        if let Some(memory) = memory {
+            self.destination.remember(memory, findings)?;
+        }
         if let Some(path) = &self.depfile {
             let mut dependencies = dependencies(&settings.sources, &run.inputs);
             dependencies.extend(self.project.file.clone());

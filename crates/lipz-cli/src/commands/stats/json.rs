@@ -18,6 +18,7 @@ pub(super) struct StatsJson<'d> {
     longest: Vec<ClipJson<'d>>,
     shortest: Vec<ClipJson<'d>>,
     bytes: usize,
+    texts_bytes: usize,
     sections: Vec<SectionJson>,
 }
 
@@ -94,6 +95,7 @@ impl<'d> StatsJson<'d> {
             longest: clips(&stats.longest),
             shortest: clips(&stats.shortest),
             bytes: stats.length_bytes,
+            texts_bytes: stats.texts_bytes,
             sections: sections
                 .map(|(tag, bytes)| SectionJson { tag: String::from_utf8_lossy(&tag.0).into_owned(), bytes: *bytes })
                 .collect(),

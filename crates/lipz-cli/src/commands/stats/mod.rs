@@ -6,8 +6,10 @@ mod text;
 use super::either::bank_or_files;
 use crate::render::Findings;
 use crate::sources::ProjectArguments;
+use crate::text_banks::{TextBanks, TextFiles};
 use crate::{Ended, console};
 use clap::Args;
+use lipz_compiler::WholeBank;
 use std::path::PathBuf;
 
 /// Show how much is in a bank: clips, time, text, bytes, mouth shapes.
@@ -17,12 +19,16 @@ use std::path::PathBuf;
 #[command(after_help = "Examples:
   lipz stats
   lipz stats dialogue.lipzbank
+  lipz stats dialogue.lipzbank --texts dialogue.*.lipztexts
   lipz stats voices --json")]
 pub(crate) struct Stats {
     /// A bank, or a folder, file or pattern of Lipz files; `-` is a bank on standard input [default: the
     /// Lipz files of lipz.toml]
     #[arg(value_name = "BANK")]
     bank: Option<PathBuf>,
+
+    #[command(flatten)]
+    texts: TextBanks,
 
     #[command(flatten)]
     project: ProjectArguments,
@@ -35,7 +41,9 @@ pub(crate) struct Stats {
 pub(crate) fn run(arguments: &Stats, findings: &mut Findings) -> Ended {
     let file = bank_or_files(arguments.bank.as_deref(), &arguments.project, findings)?;
     let bank = file.bank(findings)?;
-    let stats = lipz_compiler::stats::Stats::of(&bank);
+    let text_files = TextFiles::open(&arguments.texts.texts, findings)?;
+    let texts = text_files.of(&bank, findings)?;
+    let stats = lipz_compiler::stats::Stats::of(WholeBank::of(&bank, &texts));
     Ok(if arguments.json {
         console::print_json(&json::StatsJson::of(&stats))
     } else {

@@ -142,6 +142,9 @@ fn sections(out: &mut String, stats: &Stats<'_>) {
     let in_sections: usize = stats.sections.iter().map(|(_, bytes)| bytes).sum();
     row("around them", stats.length_bytes.saturating_sub(in_sections));
     row("whole bank", stats.length_bytes);
+    if stats.texts_bytes > 0 {
+        let _ = writeln!(out, "{} {:>13}", padded("text banks"), grouped(stats.texts_bytes));
+    }
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 mod alarm;
 mod scope;
 
-use super::pack::{Pack, Plan, Replacing};
+use super::pack::{Pack, Plan};
 use crate::render::Findings;
 use crate::sources::usage_error;
 use crate::{Outcome, console};
@@ -11,6 +11,7 @@ use alarm::{Alarm, Change};
 use clap::Args;
 use clap::error::ErrorKind;
 use jiff::Zoned;
+use lipz_compiler::Memory;
 use scope::Scope;
 use std::convert::Infallible;
 use std::time::{Duration, Instant};
@@ -18,7 +19,8 @@ use std::time::{Duration, Instant};
 /// Pack, and pack again whenever a Lipz file or lipz.toml changes.
 ///
 /// The old bank stays as it is while there are errors, and also when a change leaves its bytes the
-/// same. Ends with Ctrl-C. With a --format for programs, every run prints a document of its own.
+/// same. Only files that changed are read again; with a cache, that begins with the first run. Ends with
+/// Ctrl-C. With a --format for programs, every run prints a document of its own.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz watch
@@ -54,7 +56,11 @@ fn watch(arguments: &Watch, findings: &Findings) -> Result<Infallible, Outcome> 
     // Before anything is read, so that no change is missed.
     alarm.set(&scope)?;
     let mut told = String::new();
+    let mut memory = Memory::default();
     loop {
+        if !arguments.pack.may_remember() {
+            memory = Memory::default();
+        }
         let mut findings = findings.of_next_run();
         if arguments.clear {
             console::clear();
@@ -69,7 +75,7 @@ fn watch(arguments: &Watch, findings: &Findings) -> Result<Infallible, Outcome> 
         }
         alarm.set(&scope)?;
         let state = scope.state();
-        let outcome = arguments.pack_once(plan, start, &mut findings);
+        let outcome = arguments.pack_once(plan, &mut memory, start, &mut findings);
         let place = alarm.describe(&scope);
         if place != told {
             arguments.tell(&place, &findings);
@@ -98,13 +104,19 @@ impl Watch {
     }
 
     /// Packs if there is a plan, and tells how it went.
-    fn pack_once(&self, plan: Result<Plan, Outcome>, start: Instant, findings: &mut Findings) -> Outcome {
+    fn pack_once(
+        &self,
+        plan: Result<Plan, Outcome>,
+        memory: &mut Memory,
+        start: Instant,
+        findings: &mut Findings,
+    ) -> Outcome {
         let mut old_bank = "the old bank is kept";
         let packed = plan.and_then(|plan| {
             if !plan.output.exists() {
                 old_bank = "there is no bank yet";
             }
-            plan.run(Replacing::IfDifferent, self.pack.sources.is_quiet(), findings)
+            plan.run(Some(memory), self.pack.sources.is_quiet(), findings)
         });
         let (outcome, headline, timings) = match packed {
             Ok(packed) => {

@@ -1,0 +1,44 @@
+//! The text banks of a bank that was split by locale: one argument for all commands that read banks.
+
+use crate::Outcome;
+use crate::bank_file::BankFile;
+use crate::render::Findings;
+use crate::sources::usage_error;
+use clap::Args;
+use clap::error::ErrorKind;
+use lipz::diagnostic::show;
+use lipz_bank::{Bank, TextBank};
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+
+/// The text banks of the bank that a command reads.
+#[derive(Args, Debug)]
+pub(crate) struct TextBanks {
+    /// Text banks of the bank, whose locales it is to have
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    pub(crate) texts: Vec<PathBuf>,
+}
+
+/// Files that are to be text banks of one bank.
+pub(crate) struct TextFiles(Vec<BankFile>);
+
+impl TextFiles {
+    /// Maps the files. Reports which one cannot be.
+    pub(crate) fn open(paths: &[PathBuf], findings: &mut Findings) -> Result<TextFiles, Outcome> {
+        paths.iter().map(|path| BankFile::open(path, findings)).collect::<Result<_, _>>().map(TextFiles)
+    }
+
+    /// The text banks of `bank`, verified. Reports what is wrong with one of them.
+    pub(crate) fn of<'f>(&'f self, bank: &Bank<'_>, findings: &mut Findings) -> Result<Vec<TextBank<'f>>, Outcome> {
+        let texts = self.0.iter().map(|file| file.texts(bank, findings)).collect::<Result<Vec<_>, _>>()?;
+        let mut seen = BTreeSet::new();
+        for locale in bank.locales().chain(texts.iter().flat_map(TextBank::locales)) {
+            if !seen.insert(locale.tag().to_owned()) {
+                let message = format!("the texts in `{}` are named twice", show::text(locale.tag()));
+                let tip = "name one text bank for each locale that the bank itself does not have";
+                return Err(usage_error(ErrorKind::ArgumentConflict, &message, tip));
+            }
+        }
+        Ok(texts)
+    }
+}

@@ -1,0 +1,51 @@
+//! The differences of banks as a whole: what is about no single clip.
+
+use super::{Change, LocalePair};
+use crate::{Coverage, WholeBank, coverage};
+use lipz_bank::{Babble, Bank};
+use std::collections::BTreeSet;
+
+/// How the fallbacks of a locale that both banks have differ.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct FallbackChange<'d> {
+    /// The locale.
+    pub locale: &'d str,
+    /// The locales whose texts its clips show for want of their own; an empty tag for locales that are not in
+    /// the bank.
+    pub from: Change<BTreeSet<String>>,
+}
+
+/// How a babble profile differs.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct BabbleChange<'d> {
+    /// The name of the profile.
+    pub name: &'d str,
+    /// The profiles; `None` in a bank that has none of this name.
+    pub profile: Change<Option<Babble<'d>>>,
+}
+
+pub(super) fn fallbacks<'d>(
+    old: WholeBank<'d, '_>,
+    new: WholeBank<'d, '_>,
+    locales: &[LocalePair<'d>],
+) -> Vec<FallbackChange<'d>> {
+    let (old, new) = (coverage(old), coverage(new));
+    let from = |found: &[Coverage], tag: &str| {
+        let coverage = found.iter().find(|coverage| coverage.tag == tag);
+        coverage.map(|coverage| coverage.fallbacks.keys().cloned().collect::<BTreeSet<_>>())
+    };
+    let change = |pair: &LocalePair<'d>| {
+        let from = Change::between(from(&old, pair.tag)?, from(&new, pair.tag)?)?;
+        Some(FallbackChange { locale: pair.tag, from })
+    };
+    locales.iter().filter_map(change).collect()
+}
+
+pub(super) fn babble<'d>(old: &Bank<'d>, new: &Bank<'d>) -> Vec<BabbleChange<'d>> {
+    let names: BTreeSet<&'d str> = old.babbles().chain(new.babbles()).map(|babble| babble.name()).collect();
+    let change = |name: &'d str| {
+        let profile = Change::between(old.babble(name), new.babble(name))?;
+        Some(BabbleChange { name, profile })
+    };
+    names.into_iter().filter_map(change).collect()
+}
