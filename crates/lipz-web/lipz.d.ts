@@ -53,7 +53,7 @@ export class Bank {
   clip(keyOrId: string | bigint): Clip | undefined;
   /** The clip in a slot, a number below `clipCount`. */
   clipAt(slot: number): Clip | undefined;
-  /** All clips, in the order of their keys. */
+  /** All clips, in the order of their keys by code points, as in the bank. */
   clips(): Clip[];
 }
 

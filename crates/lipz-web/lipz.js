@@ -1,6 +1,7 @@
 // Reader of lipz dialogue banks: bytes → Bank → Clip → Segment. Types are in lipz.d.ts.
 
 import { BANK, FIRST, LipzError, Memory, SECOND } from "./memory.js";
+import { byCodePoints } from "./order.js";
 import * as c from "./structs.js";
 
 export { LipzError };
@@ -107,10 +108,10 @@ export class Bank {
     return this.#clip(this.#memory.ask(c.lipz_clip, "lipz_clip_at", this.#bank, slot));
   }
 
-  /** All clips, in the order of their keys. */
+  /** All clips, in the order of their keys, which is that of `lipz inspect --list`: by code points. */
   clips() {
     const clips = Array.from({ length: this.clipCount }, (_, slot) => this.clipAt(slot));
-    return clips.sort((a, b) => (a.key < b.key ? -1 : 1));
+    return clips.sort((a, b) => byCodePoints(a.key, b.key));
   }
 
   #clip(fields) {

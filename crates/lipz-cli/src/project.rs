@@ -1,6 +1,6 @@
 //! The flags for what a project decides about its Lipz files: one for every setting of `lipz.toml`.
 
-use clap::{ArgAction, Args};
+use clap::{Arg, ArgAction, Args};
 use lipz_bank::{Fps, VisemeType};
 use lipz_compiler::Options;
 use lipz_compiler::settings::is_word;
@@ -10,6 +10,16 @@ const DEFAULTS: &str = "What files leave open";
 const LOCALES: &str = "Locales";
 const TEXTS: &str = "Texts";
 const EVENTS: &str = "Events";
+
+/// Flags about a bank as a whole, by their fields below.
+const OF_BANKS: [&str; 4] = ["locales", "fallback", "pseudo", "min_coverage"];
+
+/// Hides flags about a bank as a whole from the help of a command that makes none. They are still accepted there, as
+/// the settings of a project are.
+pub(crate) fn hide_of_banks(flag: Arg) -> Arg {
+    let is_of_bank = OF_BANKS.contains(&flag.get_id().as_str());
+    if is_of_bank { flag.hide(true) } else { flag }
+}
 
 /// Flags that override settings.
 #[derive(Args, Clone, Debug, Default)]

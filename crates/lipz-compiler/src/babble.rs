@@ -1,59 +1,13 @@
-//! Babble profiles of a project: checked digits, and the section that they become.
+//! Babble profiles of a project, and the section that they become.
 
+use lipz::digits::Digits;
 use lipz_bank::layout::BabbleRecord;
 use lipz_bank::{Babble, Fps};
 use std::collections::BTreeMap;
-use std::fmt;
 use zerocopy::IntoBytes;
 
 /// The name of the profile that programs get without naming one.
 pub const DEFAULT_PROFILE: &str = "default";
-
-/// Digits that a record of the bank can count.
-const MAX_DIGITS: usize = u16::MAX as usize;
-
-/// A loop or a power transfer: one digit or more.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Digits(String);
-
-/// Why a text is no loop.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum NotDigits {
-    /// There are none.
-    Empty,
-    /// A character that is no digit, and the byte at which it stands.
-    Foreign(char, usize),
-    /// More than a bank holds.
-    TooMany,
-}
-
-impl Digits {
-    /// The digits in `text`.
-    ///
-    /// # Errors
-    /// If they are not digits from 0 to 9, none at all, or more than 65,535.
-    pub fn parse(text: &str) -> Result<Digits, NotDigits> {
-        if let Some((at, foreign)) = text.char_indices().find(|(_, c)| !c.is_ascii_digit()) {
-            return Err(NotDigits::Foreign(foreign, at));
-        }
-        match text.len() {
-            0 => Err(NotDigits::Empty),
-            1..=MAX_DIGITS => Ok(Digits(text.to_owned())),
-            _ => Err(NotDigits::TooMany),
-        }
-    }
-
-    /// The digits.
-    pub fn as_str(&self) -> &str {
-        &self.0
-    }
-}
-
-impl fmt::Display for Digits {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
-    }
-}
 
 /// What a profile says; what it leaves open is that of the profile which it is based on.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]

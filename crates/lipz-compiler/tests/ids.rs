@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 /// Keys with everything that languages do not like, and texts that could end comments.
-const HARD: [(&str, &str); 20] = [
+const HARD: [(&str, &str); 22] = [
     ("hello", "Hello."),
     ("act1/mara-good-evening", "Good evening, Otto. | You are late,"),
     ("act1/mara", "*/ \\u202E not the end of the comment /*"),
@@ -37,6 +37,8 @@ const HARD: [(&str, &str); 20] = [
     ("clips/equals", "Equal."),
     ("to-string", "As a string."),
     ("ids/h", "The guard."),
+    ("ok", "A constant of lipz.h."),
+    ("clip/key", "Another one."),
 ];
 
 /// The expected Rust file, compiled.
@@ -121,6 +123,7 @@ fn a_prefix_replaces_that_of_the_language() {
     let bank = Bank::open(&bytes).unwrap();
     assert!(generate(&bank, Language::C, Some("GAME_")).unwrap().contains("#define GAME_HELLO UINT64_C("));
     assert!(generate(&bank, Language::CSharp, Some("Game.Talk")).unwrap().contains("\nnamespace Game.Talk\n"));
+    assert!(!Language::C.accepts_prefix("LIPZ_") && Language::CSharp.accepts_prefix("LIPZ_"));
     for prefix in ["", "1x", "a-b", "x;", "é", "a..b", ".a"] {
         assert!(Language::ALL.iter().all(|language| !language.accepts_prefix(prefix)), "{prefix:?}");
     }
@@ -160,15 +163,16 @@ fn assert_success(output: Option<Output>) {
 const C_PROGRAM: &str = r#"
 #include "ids.h"
 #include "ids.h"
+#include "lipz.h"
 #include <string.h>
-#if LIPZ_HELLO == LIPZ_TO_STRING
+#if LIPZ_ID_HELLO == LIPZ_ID_TO_STRING || LIPZ_ID_OK == LIPZ_ID_CLIP_KEY || LIPZ_OK != 0
 #error "ids differ"
 #endif
 int main(void) {
-    const uint64_t id = LIPZ_ACT1_MARA_GOOD_EVENING;
+    const uint64_t id = LIPZ_ID_ACT1_MARA_GOOD_EVENING;
     switch (id) {
-        case LIPZ_ARGER_STRASSE: return 1;
-        case LIPZ_ACT1_MARA_GOOD_EVENING: return id != EXPECTED || strcmp(LIPZ_LOCALE_EN_US, "en-us");
+        case LIPZ_ID_ARGER_STRASSE: return 1;
+        case LIPZ_ID_ACT1_MARA_GOOD_EVENING: return id != EXPECTED || strcmp(LIPZ_ID_LOCALE_EN_US, "en-us");
         default: return 1;
     }
 }
@@ -178,13 +182,14 @@ int main(void) {
 fn c_and_cpp_compile_the_header() {
     let folder = tempfile::tempdir().unwrap();
     let (include, program) = (format!("-I{}", fixtures().display()), folder.path().join("program"));
+    let header = format!("-I{}", Path::new(env!("CARGO_MANIFEST_DIR")).join("../lipz-capi/include").display());
     let expected = format!("-DEXPECTED=UINT64_C(0x{})", ClipId::of("act1/mara-good-evening"));
     for (compiler, standard, name) in [("cc", "-std=c99", "program.c"), ("c++", "-std=c++11", "program.cpp")] {
         let source = folder.path().join(name);
         fs::write(&source, C_PROGRAM).unwrap();
         let (source, program) = (source.to_str().unwrap(), program.to_str().unwrap());
         let warnings = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"];
-        let arguments = [&[standard, &include, &expected, source, "-o", program][..], &warnings].concat();
+        let arguments = [&[standard, &include, &header, &expected, source, "-o", program][..], &warnings].concat();
         let Some(output) = tool(compiler, &arguments) else { continue };
         assert_success(Some(output));
         assert_success(tool(program, &[]));

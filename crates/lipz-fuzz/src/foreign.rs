@@ -24,7 +24,7 @@ pub fn foreign(bytes: &[u8]) {
     }
 }
 
-fn has_errors(found: &[Diagnostic]) -> bool {
+pub(crate) fn has_errors(found: &[Diagnostic]) -> bool {
     found.iter().any(|found| found.level == Level::Error)
 }
 

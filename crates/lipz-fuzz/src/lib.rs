@@ -11,6 +11,7 @@ mod file;
 mod foreign;
 mod forged_bank;
 mod round_trip;
+mod second_life;
 
 /// The helpers of the reader's own tests, and with them every query that they know.
 #[path = "../../lipz-bank/tests/common/mod.rs"]
@@ -26,6 +27,7 @@ pub use file::{parse, rewrite};
 pub use foreign::foreign;
 pub use forged_bank::forged_bank;
 pub use round_trip::round_trip;
+pub use second_life::second_life;
 
 /// One fuzz target: `fuzz/fuzz_targets/NAME.rs` with the seeds in `fuzz/seeds/NAME`.
 pub struct Target {
@@ -38,12 +40,13 @@ pub struct Target {
 }
 
 /// All fuzz targets.
-pub const TARGETS: [Target; 7] = [
+pub const TARGETS: [Target; 8] = [
     Target { name: "bank", check: bank, longest_bytes: 8192 },
     Target { name: "text_bank", check: text_bank, longest_bytes: 4096 },
     Target { name: "forged_bank", check: forged_bank, longest_bytes: 512 },
     Target { name: "parse", check: parse, longest_bytes: 4096 },
     Target { name: "foreign", check: foreign, longest_bytes: 2048 },
+    Target { name: "second_life", check: second_life, longest_bytes: 2048 },
     Target { name: "rewrite", check: rewrite, longest_bytes: 4096 },
     Target { name: "round_trip", check: round_trip, longest_bytes: 4096 },
 ];

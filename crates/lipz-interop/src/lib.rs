@@ -24,11 +24,13 @@ mod import;
 mod json;
 mod map;
 mod script;
+pub mod second_life;
 mod segments;
 mod source;
 pub mod subtitles;
 mod time;
 mod track;
+mod xml;
 
 pub use encoding_rs::Encoding;
 pub use export::{ExportOptions, Exported, export};

@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { LipzError, open } from "../lipz.js";
+import { byCodePoints } from "../order.js";
 import * as structs from "../structs.js";
 
 const bytes = await readFile(new URL("../demo/dialogue.lipzbank", import.meta.url));
@@ -17,6 +18,21 @@ test("a bank tells its clips and locales", async () => {
   const keys = bank.clips().map((clip) => clip.key);
   assert.equal(keys.length, 48);
   assert.ok(keys.includes(KEY));
+});
+
+test("clips are in the order of their keys by code points", async () => {
+  const keys = (await open(bytes)).clips().map((clip) => clip.key);
+  const inUtf8 = (key) => Buffer.from(key, "utf8");
+  const byBytes = (a, b) => Buffer.compare(inUtf8(a), inUtf8(b));
+  assert.deepEqual(keys, [...keys].sort(byBytes));
+  const characters = ["", "a", "z", "é", "灯", "\ud7ff", "\ue000", "\uff01", "\u{10000}", "\u{1f600}", "\u{1f601}", "\u{10ffff}"];
+  for (const a of characters) {
+    for (const b of characters) {
+      for (const [left, right] of [[a, b], [`a${a}`, `a${b}`], [`${a}x`, `${b}x`], [`\u{1f600}${a}`, `\u{1f600}${b}`]]) {
+        assert.equal(Math.sign(byCodePoints(left, right)), byBytes(left, right), `${left} and ${right}`);
+      }
+    }
+  }
 });
 
 test("a clip has the frames of its Lipz file", async () => {

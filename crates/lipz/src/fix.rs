@@ -4,7 +4,7 @@ use crate::diagnostic::Fix;
 
 /// A text after some fixes.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Fixed {
+pub struct Applied {
     /// The new text.
     pub text: String,
     /// Which of the fixes were applied, by their places in the list.
@@ -21,10 +21,10 @@ pub struct Fixed {
 /// assert_eq!(fix::apply(r#"{"fps": "24",}"#, &[&comma]).text, r#"{"fps": "24"}"#);
 /// assert_eq!(fix::apply(r#"{"fps": "24",}"#, &[&comma, &quotes]).text, r#"{"fps": 24}"#);
 /// ```
-pub fn apply(text: &str, fixes: &[&Fix]) -> Fixed {
+pub fn apply(text: &str, fixes: &[&Fix]) -> Applied {
     let mut order: Vec<usize> = (0..fixes.len()).collect();
     order.sort_by_key(|&index| fixes.get(index).map(|fix| fix.span));
-    let mut fixed = Fixed { text: String::with_capacity(text.len()), applied: Vec::with_capacity(fixes.len()) };
+    let mut fixed = Applied { text: String::with_capacity(text.len()), applied: Vec::with_capacity(fixes.len()) };
     let mut done = 0;
     for index in order {
         let Some(fix) = fixes.get(index) else { continue };

@@ -20,6 +20,7 @@
 //! `lipz-compiler`), the binary bank (`lipz-bank`), printing (`lipz-cli`).
 
 pub mod diagnostic;
+pub mod digits;
 mod document;
 pub mod event;
 pub mod fix;

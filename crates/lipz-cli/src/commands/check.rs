@@ -2,6 +2,7 @@
 
 use super::fixing::{Fixing, fix_all};
 use super::with_inputs;
+use crate::project::hide_of_banks;
 use crate::render::Findings;
 use crate::rewriting::{Rewriting, files};
 use crate::sources::{Sources, usage_error};
@@ -15,6 +16,7 @@ use lipz_compiler::check_all;
 /// With --fix, certain fixes are made in the files: those that leave the bank as it is, and those of
 /// errors where what was meant is beyond doubt. What remains is reported, and decides the exit code.
 #[derive(Args, Debug)]
+#[command(mut_args(hide_of_banks))]
 #[command(after_help = "Examples:
   lipz check
   lipz check voices

@@ -1,5 +1,6 @@
 //! `lipz convert`: Lipz files with the codes of another viseme type.
 
+use crate::project::hide_of_banks;
 use crate::render::Findings;
 use crate::rewriting::{Rewriting, failure, files, is_standard_input, reads_standard_input};
 use crate::sources::{Sources, usage_error};
@@ -17,6 +18,7 @@ use std::path::{Path, PathBuf};
 /// chart; files that lose them are named. There is no way from or to rms. What comes from standard input
 /// goes to standard output.
 #[derive(Args, Debug)]
+#[command(mut_args(hide_of_banks))]
 #[command(after_help = "Examples:
   lipz convert voices --viseme-type toonboom -o voices-toonboom
   lipz convert voices --viseme-type blair --in-place

@@ -33,7 +33,7 @@ pub(crate) struct Ids {
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 
-    /// What C names start with [default: LIPZ_], or the C# namespace [default: Lipz]
+    /// What C names start with [default: LIPZ_ID_], or the C# namespace [default: Lipz]
     #[arg(long, value_name = "NAME")]
     prefix: Option<String>,
 }
@@ -71,6 +71,10 @@ pub(crate) fn run(arguments: &Ids, findings: &mut Findings) -> Ended {
     if let Some(prefix) = arguments.prefix.as_ref().filter(|prefix| !language.accepts_prefix(prefix)) {
         let name = language.name();
         let (message, tip) = match language.default_prefix() {
+            Some(default) if language == Language::C => (
+                format!("'{prefix}' is not a prefix for C"),
+                format!("take letters, digits and _ that lead to no name of lipz.h or of C; the default is {default}"),
+            ),
             Some(default) => (format!("'{prefix}' is not a prefix for {name}"), format!("the default is {default}")),
             None => ("'--prefix' is for C and C#".to_owned(), format!("{name} has names of its own")),
         };

@@ -16,6 +16,10 @@ pub(crate) struct ManPages {
     /// The folder to write into; it is made if it does not exist
     #[arg(short, long, value_name = "FOLDER")]
     pub(crate) output: PathBuf,
+
+    /// Show no summary
+    #[arg(short, long)]
+    quiet: bool,
 }
 
 pub(crate) fn run(arguments: &ManPages, findings: &mut Findings) -> Ended {
@@ -25,6 +29,9 @@ pub(crate) fn run(arguments: &ManPages, findings: &mut Findings) -> Ended {
     })?;
     for (name, page) in &pages {
         output_file::write(&arguments.output.join(name), page, findings)?;
+    }
+    if arguments.quiet {
+        return Ok(Outcome::Clean);
     }
     let count = console::counted(pages.len(), "page");
     Ok(findings.summary(&format!("{count} written into {}\n", console::path(&arguments.output))))

@@ -6,6 +6,12 @@ use super::{NOTICE, quoted};
 use lipz_bank::ClipId;
 use std::fmt::Write;
 
+/// What names start with unless another prefix is chosen. `lipz.h` promises to have no such name.
+pub(super) const DEFAULT_PREFIX: &str = "LIPZ_ID_";
+
+/// What the constants of `lipz.h` start with.
+const HEADER_PREFIX: &str = "LIPZ_";
+
 /// What the names of locales start with, behind the prefix; and the include guard.
 const LOCALE: &str = "LOCALE_";
 const GUARD: &str = "IDS_H";
@@ -14,6 +20,13 @@ const GUARD: &str = "IDS_H";
 pub(super) fn identifiers(key: &str) -> Vec<String> {
     let name = name(key);
     vec![if name.starts_with(LOCALE) || name == GUARD { format!("{name}_") } else { name }]
+}
+
+/// Whether a name behind this prefix may be one of `lipz.h`, now or later, or one of those that C reserves: they start with
+/// `_` and a capital, or with two `_` (C99, 7.1.3). Keywords have small letters behind every prefix.
+pub(super) fn is_taken(prefix: &str) -> bool {
+    let may_be_of_header = HEADER_PREFIX.starts_with(prefix) || prefix.starts_with(HEADER_PREFIX);
+    may_be_of_header && !prefix.starts_with(DEFAULT_PREFIX) || prefix.starts_with('_')
 }
 
 fn name(text: &str) -> String {
@@ -46,6 +59,16 @@ pub(super) fn comment(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn prefixes_that_lead_to_names_of_others_are_taken() {
+        for prefix in ["LIPZ_", "LIPZ", "L", "LIPZ_GAME_", "LIPZ_CLIP_", "_", "_GAME_", "__GAME_"] {
+            assert!(is_taken(prefix), "{prefix}");
+        }
+        for prefix in [DEFAULT_PREFIX, "LIPZ_ID_GAME_", "GAME_LIPZ_", "lipz_", "CLIP_", "X"] {
+            assert!(!is_taken(prefix), "{prefix}");
+        }
+    }
 
     #[test]
     fn keys_follow_c() {

@@ -8,7 +8,7 @@
 //! | language | identifier |
 //! | --- | --- |
 //! | Rust | `act1::MARA_GOOD_EVENING` |
-//! | C | `LIPZ_ACT1_MARA_GOOD_EVENING` |
+//! | C | `LIPZ_ID_ACT1_MARA_GOOD_EVENING` |
 //! | C# | `Clips.Act1.MaraGoodEvening` |
 //! | TypeScript | `act1.maraGoodEvening` |
 //!
@@ -67,20 +67,21 @@ impl Language {
     /// `None` for languages whose files have names of their own.
     pub const fn default_prefix(self) -> Option<&'static str> {
         match self {
-            Language::C => Some("LIPZ_"),
+            Language::C => Some(c::DEFAULT_PREFIX),
             Language::CSharp => Some("Lipz"),
             Language::Rust | Language::TypeScript | Language::Json => None,
         }
     }
 
-    /// Whether `prefix` can be the prefix: an ASCII identifier, in C# also several with dots.
+    /// Whether `prefix` can be the prefix: an ASCII identifier, in C# also several with dots. In C it must lead to
+    /// no name of `lipz.h` (a clip `ok` would be `LIPZ_OK`) and to none that the language keeps for itself.
     pub fn accepts_prefix(self, prefix: &str) -> bool {
         let is_identifier = |name: &str| {
             name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
                 && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
         };
         match self {
-            Language::C => is_identifier(prefix),
+            Language::C => is_identifier(prefix) && !c::is_taken(prefix),
             Language::CSharp => prefix.split('.').all(is_identifier),
             Language::Rust | Language::TypeScript | Language::Json => false,
         }
@@ -98,7 +99,7 @@ impl Language {
 /// let file = Input::from_bytes("act1/mara-hello", r#"{ "text_en-us": "Hello, Otto." }"#);
 /// let bytes = compile(&[file], &Options::default(), &|_| {}).bank.ok_or("errors")?;
 /// let header = generate(&lipz_bank::Bank::open(&bytes)?, Language::C, None).map_err(|_| "clashes")?;
-/// assert!(header.contains("#define LIPZ_ACT1_MARA_HELLO UINT64_C(0x"));
+/// assert!(header.contains("#define LIPZ_ID_ACT1_MARA_HELLO UINT64_C(0x"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///

@@ -2,9 +2,10 @@
 
 use super::reading::Reading;
 use super::value::{Value, span};
-use crate::babble::{BabbleProfile, Digits, NotDigits};
+use crate::babble::BabbleProfile;
 use lipz::diagnostic::show;
 use lipz::diagnostic::suggest::nearest;
+use lipz::digits::Digits;
 use lipz::{Code, Diagnostic};
 use lipz_bank::Fps;
 use toml::de::DeValue;
@@ -71,24 +72,14 @@ impl Reading<'_> {
             }
             _ => return value.wrong_type("a text of digits", "write digits in quotes: \"0123\"", &mut self.findings),
         };
-        let (what, help) = match Digits::parse(text) {
+        let why = match Digits::parse(text) {
             Ok(digits) => return Some(digits),
-            Err(NotDigits::Empty) => ("is empty".to_owned(), "write at least one digit; 0 alone keeps the morph still"),
-            Err(NotDigits::Foreign(c, _)) => {
-                let what = format!("has {}, which is not a digit", show::character(c));
-                (what, "each digit from 0 to 9 is how far the morph moves")
-            }
-            Err(NotDigits::TooMany) => ("has too many digits".to_owned(), "a bank holds loops of up to 65,535 digits"),
+            Err(why) => why,
         };
-        let mut place = value.span();
-        if let Err(NotDigits::Foreign(c, at)) = Digits::parse(text) {
-            // In a plain string, the characters stand behind the quote as they are.
-            let start = place.start as usize + 1 + at;
-            let is_plain = value.node.span().len() == text.len() + 2;
-            place = if is_plain { lipz::Span::new(start, start + c.len_utf8()) } else { place };
-        }
-        let headline = format!("`{}` {what}", show::text(&value.name));
-        self.findings.push(Diagnostic::at(Code::BabbleDigits, place, headline).help(help));
+        // In a plain string, the characters stand behind the quote as they are.
+        let is_plain = value.node.span().len() == text.len() + 2;
+        let text_start = is_plain.then_some(value.span().start as usize + 1);
+        self.findings.push(why.finding(&value.name, value.span(), text_start));
         None
     }
 

@@ -2,7 +2,7 @@
 
 use super::Format;
 use super::rhubarb::{self, Cue};
-use crate::{ImportOptions, Time, Track, source};
+use crate::{ImportOptions, Time, Track, source, xml};
 use lipz::diagnostic::show;
 use lipz::{Code, Diagnostic, Span};
 use roxmltree::{Document, Node, ParsingOptions};
@@ -39,7 +39,7 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> 
         .filter_map(|node| cue(node, findings))
         .collect();
     if !document.root_element().has_tag_name("rhubarbResult") {
-        let span = span(document.root_element().range());
+        let span = xml::whole(document.root_element());
         let headline = "the root is not rhubarbResult".to_owned();
         findings.push(Diagnostic::at(Code::ForeignSyntax, span, headline).help("is this a file of Rhubarb?"));
     }
@@ -50,7 +50,7 @@ fn cue(node: Node<'_, '_>, findings: &mut Vec<Diagnostic>) -> Option<Cue> {
     let mut attribute = |name: &str| {
         let Some(attribute) = node.attribute_node(name) else {
             let headline = format!("`mouthCue` has no attribute `{name}`");
-            findings.push(Diagnostic::at(Code::ForeignSyntax, span(node.range()), headline));
+            findings.push(Diagnostic::at(Code::ForeignSyntax, xml::whole(node), headline));
             return None;
         };
         time(attribute.value(), attribute.range_value().start, findings)
@@ -58,8 +58,7 @@ fn cue(node: Node<'_, '_>, findings: &mut Vec<Diagnostic>) -> Option<Cue> {
     let (start, end) = (attribute("start")?, attribute("end")?);
     let text = node.first_child().filter(Node::is_text);
     let symbol = text.and_then(|text| text.text()).unwrap_or_default().trim().to_owned();
-    let place = text.map_or(node.range(), |text| text.range());
-    Some(Cue { start, end, symbol, span: span(place) })
+    Some(Cue { start, end, symbol, span: xml::whole(text.unwrap_or(node)) })
 }
 
 fn time(text: &str, at: usize, findings: &mut Vec<Diagnostic>) -> Option<Time> {
@@ -71,10 +70,6 @@ fn time(text: &str, at: usize, findings: &mut Vec<Diagnostic>) -> Option<Time> {
     time
 }
 
-fn span(range: std::ops::Range<usize>) -> Span {
-    Span::new(range.start, range.end)
-}
-
 fn syntax(text: &str, error: &roxmltree::Error) -> Diagnostic {
     if matches!(
         error,
@@ -82,19 +77,6 @@ fn syntax(text: &str, error: &roxmltree::Error) -> Diagnostic {
     ) {
         return source::cut_off(text, "its XML is not complete");
     }
-    let place = error.pos();
-    let lines = text.split_inclusive('\n').take((place.row as usize).saturating_sub(1));
-    let before: usize = lines.map(str::len).sum();
-    let line = text.get(before..).unwrap_or_default();
-    // Columns count characters, from 1.
-    let column = line.char_indices().nth((place.col as usize).saturating_sub(1)).map_or(line.len(), |(at, _)| at);
-    let at = (before + column).min(text.len());
-    let length = text.get(at..).and_then(|rest| rest.chars().next()).map_or(0, char::len_utf8);
-    let message = error.to_string();
-    let what = message.split(" at ").next().unwrap_or(&message).to_owned();
-    Diagnostic::at(
-        Code::ForeignSyntax,
-        Span::new(at, at + length),
-        format!("the file is not XML: {}", show::text(&what)),
-    )
+    let (what, span) = xml::mistake(text, error);
+    Diagnostic::at(Code::ForeignSyntax, span, format!("the file is not XML: {what}"))
 }

@@ -1,45 +1,69 @@
-//! The lip sync settings in a viewer's `settings.xml`: LLSD, an XML of typed maps.
+//! Second Life: the lip sync settings in a viewer's `settings.xml`, which is LLSD, an XML of typed maps.
 
+use crate::{source, xml};
 use lipz::diagnostic::show;
-use lipz::{Code, Diagnostic, Span, rate};
-use lipz_bank::Fps;
-use lipz_compiler::babble::{BabbleProfile, Digits, NotDigits};
-use roxmltree::{Document, Node, TextPos};
-use std::ops::Range;
+use lipz::digits::Digits;
+use lipz::rate::{self, Rate};
+use lipz::{Code, Diagnostic, Span};
+use roxmltree::{Document, Node};
 
 /// Where findings go.
 type Findings = Vec<Diagnostic>;
 
-/// The profile in `text`; `None` if it is no LLSD. Settings that are absent are left open.
-pub(super) fn profile(text: &str, name: &str, findings: &mut Findings) -> Option<BabbleProfile> {
+/// The lip sync settings that a user of a viewer changed; the others have the viewer's defaults.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct LipSync {
+    /// The loop for the lips, `LipSyncOoh`.
+    pub ooh: Option<Digits>,
+    /// The loop for the jaw, `LipSyncAah`.
+    pub aah: Option<Digits>,
+    /// What power does to the lips, `LipSyncOohPowerTransfer`.
+    pub ooh_power_transfer: Option<Digits>,
+    /// What power does to the jaw, `LipSyncAahPowerTransfer`.
+    pub aah_power_transfer: Option<Digits>,
+    /// Digits per second, 1 to 1000, `LipSyncOohAahRate`.
+    pub rate: Option<Rate>,
+}
+
+/// The lip sync settings in the `settings.xml` of a viewer, which messages call `name`; `None` if it is no LLSD.
+/// Settings that are wrong are reported and left open.
+///
+/// ```
+/// let file = br#"<llsd><map>
+///     <key>LipSyncOoh</key><map><key>Value</key><string>0123</string></map>
+/// </map></llsd>"#;
+/// let mut findings = Vec::new();
+/// let settings = lipz_interop::second_life::lip_sync(file, "settings.xml", &mut findings).ok_or("no settings")?;
+/// assert_eq!(settings.ooh.map(|digits| digits.to_string()), Some("0123".to_owned()));
+/// assert!(settings.aah.is_none() && findings.is_empty());
+/// # Ok::<(), &str>(())
+/// ```
+pub fn lip_sync(bytes: &[u8], name: &str, findings: &mut Vec<Diagnostic>) -> Option<LipSync> {
+    let text = source::text(bytes, findings)?;
     let document = match Document::parse(text) {
         Ok(document) => document,
         Err(error) => {
-            let at = offset(text, error.pos());
-            // The message ends with the place, which the caret shows.
-            let message = error.to_string();
-            let message = message.split(" at ").next().unwrap_or(&message);
-            let headline = format!("`{name}` is not XML: {}", show::text(message));
-            let finding = Diagnostic::at(Code::ViewerSettingsSyntax, Span::new(at, at + 1), headline);
-            findings.push(finding.help(WHICH_FILE));
+            let (what, span) = xml::mistake(text, &error);
+            let headline = format!("{} is not XML: {what}", show::name(name));
+            findings.push(Diagnostic::at(Code::ViewerSettingsSyntax, span, headline).help(WHICH_FILE));
             return None;
         }
     };
     let settings = settings(&document, name, findings)?;
     let mut digits = |key| settings.value(key).and_then(|value| value.digits(findings));
-    let mut profile = BabbleProfile {
+    let mut lip_sync = LipSync {
         ooh: digits("LipSyncOoh"),
         aah: digits("LipSyncAah"),
         ooh_power_transfer: digits("LipSyncOohPowerTransfer"),
         aah_power_transfer: digits("LipSyncAahPowerTransfer"),
         rate: None,
     };
-    profile.rate = settings.value("LipSyncOohAahRate").and_then(|value| value.rate(findings));
+    lip_sync.rate = settings.value("LipSyncOohAahRate").and_then(|value| value.rate(findings));
     if let Some(enabled) = settings.value("LipSyncEnabled") {
         enabled.check_enabled(findings);
     }
     findings.sort_by_key(Diagnostic::start);
-    Some(profile)
+    Some(lip_sync)
 }
 
 const WHICH_FILE: &str = "name the settings.xml in the folder user_settings of the viewer";
@@ -96,36 +120,26 @@ impl<'d> Value<'d> {
     fn digits(&self, findings: &mut Findings) -> Option<Digits> {
         let node = self.of_type(&["string"], "a text of digits", findings)?;
         let text = node.text().unwrap_or("");
-        let (what, help) = match Digits::parse(text) {
+        let why = match Digits::parse(text) {
             Ok(digits) => return Some(digits),
-            Err(NotDigits::Empty) => ("is empty".to_owned(), "write at least one digit"),
-            Err(NotDigits::Foreign(c, _)) => (
-                format!("has {}, which is not a digit", show::character(c)),
-                "each digit from 0 to 9 is how far the morph moves",
-            ),
-            Err(NotDigits::TooMany) => ("has too many digits".to_owned(), "a bank holds loops of up to 65,535 digits"),
+            Err(why) => why,
         };
-        let span = match (Digits::parse(text), node.first_child()) {
-            (Err(NotDigits::Foreign(c, at)), Some(child)) if child.range().len() == text.len() => {
-                let start = child.range().start + at;
-                Span::new(start, start + c.len_utf8())
-            }
-            _ => whole(node),
-        };
-        findings.push(Diagnostic::at(Code::BabbleDigits, span, format!("`{}` {what}", self.name)).help(help));
+        // Without entities and the like, the text stands in the file as it is.
+        let plain = node.first_child().filter(|child| child.range().len() == text.len());
+        findings.push(why.finding(self.name, xml::whole(node), plain.map(|child| child.range().start)));
         None
     }
 
-    fn rate(&self, findings: &mut Findings) -> Option<Fps> {
+    fn rate(&self, findings: &mut Findings) -> Option<Rate> {
         let node = self.of_type(&["real", "integer"], "a number", findings)?;
         let text = node.text().unwrap_or("0").trim();
-        let fps = rate::parse(text).and_then(|rate| Fps::new(rate.numerator, rate.denominator));
-        if fps.is_none() {
+        let rate = rate::parse(text);
+        if rate.is_none() {
             let headline = format!("`{}` is outside 1 to 1000", self.name);
-            let finding = Diagnostic::at(Code::BabbleRate, whole(node), headline);
+            let finding = Diagnostic::at(Code::BabbleRate, xml::whole(node), headline);
             findings.push(finding.help("write digits per second; the viewer's own rate is 24"));
         }
-        fps
+        rate
     }
 
     /// Warns if lip sync is off.
@@ -133,7 +147,7 @@ impl<'d> Value<'d> {
         let Some(node) = self.of_type(&["integer", "boolean"], "0 or 1", findings) else { return };
         if matches!(node.text().unwrap_or("0").trim(), "0" | "false" | "") {
             let headline = "lip sync is switched off in these settings";
-            let finding = Diagnostic::at(Code::LipSyncDisabled, whole(node), headline);
+            let finding = Diagnostic::at(Code::LipSyncDisabled, xml::whole(node), headline);
             findings.push(finding.help("look at the profile before you use it: LipSyncEnabled is 0"));
         }
     }
@@ -150,7 +164,7 @@ impl<'d> Value<'d> {
             }
             None => {
                 let headline = format!("`{}` has no value", self.name);
-                let finding = Diagnostic::at(Code::ViewerSettingType, whole(self.key), headline);
+                let finding = Diagnostic::at(Code::ViewerSettingType, xml::whole(self.key), headline);
                 findings
                     .push(finding.help("a setting is a <map> with the <key>Value</key>; remove it for the default"));
             }
@@ -159,23 +173,38 @@ impl<'d> Value<'d> {
     }
 }
 
-fn whole(node: Node<'_, '_>) -> Span {
-    span(node.range())
-}
-
 /// `<map` of an element that may be long.
 fn start_tag(node: Node<'_, '_>) -> Span {
-    let start = node.range().start;
-    Span::new(start, start + 1 + node.tag_name().name().len())
+    let range = node.range();
+    let element = node.document().input_text().get(range.clone()).unwrap_or_default();
+    let length = element.find(|c: char| c.is_whitespace() || matches!(c, '/' | '>')).unwrap_or(element.len());
+    Span::new(range.start, range.start + length)
 }
 
-fn span(range: Range<usize>) -> Span {
-    Span::new(range.start, range.end)
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-/// The byte at a line and a column.
-fn offset(text: &str, place: TextPos) -> usize {
-    let before = text.split_inclusive('\n').take(place.row.saturating_sub(1) as usize).map(str::len).sum::<usize>();
-    let line = text.get(before..).unwrap_or("");
-    before + line.chars().take(place.col.saturating_sub(1) as usize).map(char::len_utf8).sum::<usize>()
+    #[test]
+    fn the_name_of_an_element_is_marked_with_its_prefix() {
+        for (file, marked) in
+            [("<a:灯 xmlns:a='b'/>", "<a:灯"), ("<llsd><array/></llsd>", "<array"), ("<灯></灯>", "<灯")]
+        {
+            let mut found = Vec::new();
+            assert_eq!(lip_sync(file.as_bytes(), "settings.xml", &mut found), None);
+            let span = found.first().and_then(|found| found.primary.as_ref()).map(|label| label.span.range());
+            assert_eq!(span.and_then(|range| file.get(range)), Some(marked));
+        }
+    }
+
+    #[test]
+    fn mistakes_at_the_end_and_in_letters_of_many_bytes_are_in_the_file() {
+        for file in ["", "<", "<llsd>é", "<llsd>\n灯<é", "\u{feff}<llsd", "<llsd></灯>"] {
+            let mut found = Vec::new();
+            assert_eq!(lip_sync(file.as_bytes(), "settings.xml", &mut found), None);
+            let text = file.trim_start_matches('\u{feff}');
+            let span = found.first().and_then(|found| found.primary.as_ref()).map(|label| label.span.range());
+            assert!(span.is_some_and(|range| text.get(range).is_some()), "{file}: {found:?}");
+        }
+    }
 }

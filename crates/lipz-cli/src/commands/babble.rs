@@ -1,15 +1,13 @@
 //! `lipz babble`: the babble profile of a Second Life viewer, as settings of a project.
 
-mod llsd;
-
 use crate::render::Findings;
 use crate::{Ended, Outcome, console, standard};
 use clap::Args;
 use lipz::{Code, Diagnostic};
-use lipz_bank::Babble;
+use lipz_bank::{Babble, Fps};
 use lipz_compiler::Report;
-use lipz_compiler::babble::BabbleProfile;
 use lipz_compiler::settings::is_word;
+use lipz_interop::second_life::{LipSync, lip_sync};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -41,15 +39,14 @@ pub(crate) fn run(arguments: &BabbleArguments, findings: &mut Findings) -> Ended
     let path = &arguments.settings;
     let (shown, bytes) = read(path).map_err(|report| findings.fail(report))?;
     let mut diagnostics = Vec::new();
-    let text = lipz::decode(lipz::without_byte_order_mark(&bytes), &mut diagnostics);
-    let profile = text.and_then(|text| llsd::profile(text, &shown, &mut diagnostics));
+    let settings = lip_sync(&bytes, &shown, &mut diagnostics);
     let report = Report::of_file(&shown, &bytes, diagnostics);
     let has_errors = report.has_errors();
     if !report.diagnostics.is_empty() {
         findings.add(vec![report]);
     }
-    match profile {
-        Some(profile) if !has_errors => Ok(console::print(&toml(&profile, arguments.name.as_deref()))),
+    match settings {
+        Some(settings) if !has_errors => Ok(console::print(&toml(&settings, arguments.name.as_deref()))),
         _ => Ok(Outcome::Findings),
     }
 }
@@ -69,23 +66,24 @@ fn read(path: &Path) -> Result<(String, Vec<u8>), Report> {
     }
 }
 
-/// The profile as a table of lipz.toml, complete.
-fn toml(profile: &BabbleProfile, name: Option<&str>) -> String {
+/// The settings as a profile in lipz.toml, complete.
+fn toml(settings: &LipSync, name: Option<&str>) -> String {
     let mut text = match name {
         Some(name) => format!("[babble.{name}]\n"),
         None => "[babble]\n".to_owned(),
     };
     let built_in = Babble::DEFAULT;
     for (key, own, default) in [
-        ("ooh", &profile.ooh, built_in.ooh()),
-        ("aah", &profile.aah, built_in.aah()),
-        ("ooh-power-transfer", &profile.ooh_power_transfer, built_in.ooh_power_transfer()),
-        ("aah-power-transfer", &profile.aah_power_transfer, built_in.aah_power_transfer()),
+        ("ooh", &settings.ooh, built_in.ooh()),
+        ("aah", &settings.aah, built_in.aah()),
+        ("ooh-power-transfer", &settings.ooh_power_transfer, built_in.ooh_power_transfer()),
+        ("aah-power-transfer", &settings.aah_power_transfer, built_in.aah_power_transfer()),
     ] {
         let default = || String::from_utf8_lossy(default).into_owned();
         // Writing to a string cannot fail.
         let _ = writeln!(text, "{key} = \"{}\"", own.as_ref().map_or_else(default, ToString::to_string));
     }
-    let _ = writeln!(text, "rate = {}", profile.rate.unwrap_or(built_in.rate()));
+    let rate = settings.rate.and_then(|rate| Fps::new(rate.numerator, rate.denominator));
+    let _ = writeln!(text, "rate = {}", rate.unwrap_or(built_in.rate()));
     text
 }
