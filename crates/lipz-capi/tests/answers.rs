@@ -1,5 +1,5 @@
 //! The functions give the answers of the reader, on every query to every golden bank.
-#![allow(unsafe_code, clippy::unwrap_used, reason = "tests")]
+#![allow(unsafe_code, clippy::unwrap_used, clippy::cast_possible_truncation, reason = "tests")]
 
 mod common;
 
