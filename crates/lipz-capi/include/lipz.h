@@ -396,6 +396,13 @@ lipz_status lipz_frame_at_seconds(const struct lipz_bank *bank,
                                   double seconds,
                                   uint32_t *frame);
 
+// `lipz_frame_at_seconds` for clocks that have no `double`. The last place of a `float` is coarse: `n / fps`
+// leads to frame `n` up to 2^21 only, a day at 24 fps.
+lipz_status lipz_frame_at_seconds_f32(const struct lipz_bank *bank,
+                                      const struct lipz_clip *clip,
+                                      float seconds,
+                                      uint32_t *frame);
+
 // The viseme that shows `time_us` microseconds after the audio began; rest when nobody speaks.
 lipz_status lipz_viseme_at_us(const struct lipz_bank *bank,
                               const struct lipz_clip *clip,
@@ -416,6 +423,12 @@ lipz_status lipz_viseme_at_seconds(const struct lipz_bank *bank,
                                    double seconds,
                                    lipz_viseme *viseme);
 
+// `lipz_viseme_at_seconds` for clocks that have no `double`.
+lipz_status lipz_viseme_at_seconds_f32(const struct lipz_bank *bank,
+                                       const struct lipz_clip *clip,
+                                       float seconds,
+                                       lipz_viseme *viseme);
+
 // The segment `time_us` microseconds after the audio began.
 lipz_status lipz_segment_at_us(const struct lipz_bank *bank,
                                const struct lipz_clip *clip,
@@ -434,6 +447,12 @@ lipz_status lipz_segment_at_seconds(const struct lipz_bank *bank,
                                     const struct lipz_clip *clip,
                                     double seconds,
                                     struct lipz_segment *segment);
+
+// `lipz_segment_at_seconds` for clocks that have no `double`.
+lipz_status lipz_segment_at_seconds_f32(const struct lipz_bank *bank,
+                                        const struct lipz_clip *clip,
+                                        float seconds,
+                                        struct lipz_segment *segment);
 
 // The segment of a clip with this index, a number below its `segment_count`.
 lipz_status lipz_segment_at(const struct lipz_bank *bank,

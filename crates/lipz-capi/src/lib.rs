@@ -49,7 +49,8 @@ pub use segment::{Segment, Text, lipz_segment_at, lipz_segment_of_frame, lipz_se
 pub use status::{LIPZ_NONE, LIPZ_NOT_UTF8, LIPZ_NULL_POINTER, LIPZ_OK, Status, lipz_status_message};
 pub use string::String;
 pub use time::{
-    lipz_frame_at_samples, lipz_frame_at_seconds, lipz_frame_at_us, lipz_segment_at_samples, lipz_segment_at_seconds,
-    lipz_segment_at_us, lipz_viseme_at_samples, lipz_viseme_at_seconds, lipz_viseme_at_us,
+    lipz_frame_at_samples, lipz_frame_at_seconds, lipz_frame_at_seconds_f32, lipz_frame_at_us, lipz_segment_at_samples,
+    lipz_segment_at_seconds, lipz_segment_at_seconds_f32, lipz_segment_at_us, lipz_viseme_at_samples,
+    lipz_viseme_at_seconds, lipz_viseme_at_seconds_f32, lipz_viseme_at_us,
 };
 pub use version::{LIPZ_VERSION_MAJOR, LIPZ_VERSION_MINOR, LIPZ_VERSION_PATCH, lipz_version};

@@ -48,6 +48,19 @@ pub unsafe extern "C" fn lipz_frame_at_seconds(
     unsafe { of_clip(bank, clip, frame, |clip| clip.frame_at(Seconds(seconds)).ok_or(LIPZ_NONE)) }
 }
 
+/// `lipz_frame_at_seconds` for clocks that have no `double`. The last place of a `float` is coarse: `n / fps`
+/// leads to frame `n` up to 2^21 only, a day at 24 fps.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn lipz_frame_at_seconds_f32(
+    bank: Option<&Bank>,
+    clip: Option<&Clip>,
+    seconds: f32,
+    frame: Option<&mut MaybeUninit<u32>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe { of_clip(bank, clip, frame, |clip| clip.frame_at(Seconds(seconds)).ok_or(LIPZ_NONE)) }
+}
+
 /// The viseme that shows `time_us` microseconds after the audio began; rest when nobody speaks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn lipz_viseme_at_us(
@@ -86,6 +99,18 @@ pub unsafe extern "C" fn lipz_viseme_at_seconds(
     unsafe { of_clip(bank, clip, viseme, |clip| Ok(Viseme::of(clip.viseme_at(Seconds(seconds))))) }
 }
 
+/// `lipz_viseme_at_seconds` for clocks that have no `double`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn lipz_viseme_at_seconds_f32(
+    bank: Option<&Bank>,
+    clip: Option<&Clip>,
+    seconds: f32,
+    viseme: Option<&mut MaybeUninit<Viseme>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe { of_clip(bank, clip, viseme, |clip| Ok(Viseme::of(clip.viseme_at(Seconds(seconds))))) }
+}
+
 /// The segment `time_us` microseconds after the audio began.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn lipz_segment_at_us(
@@ -117,6 +142,18 @@ pub unsafe extern "C" fn lipz_segment_at_seconds(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
     seconds: f64,
+    segment: Option<&mut MaybeUninit<Segment>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe { of_clip(bank, clip, segment, |clip| Segment::of(clip.segment_at(Seconds(seconds)))) }
+}
+
+/// `lipz_segment_at_seconds` for clocks that have no `double`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn lipz_segment_at_seconds_f32(
+    bank: Option<&Bank>,
+    clip: Option<&Clip>,
+    seconds: f32,
     segment: Option<&mut MaybeUninit<Segment>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.

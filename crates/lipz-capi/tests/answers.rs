@@ -1,5 +1,5 @@
 //! The functions give the answers of the reader, on every query to every golden bank.
-#![allow(unsafe_code, clippy::unwrap_used, reason = "tests")]
+#![allow(unsafe_code, clippy::unwrap_used, clippy::cast_possible_truncation, reason = "tests")]
 
 mod common;
 
@@ -47,6 +47,7 @@ fn all_units_of_time_lead_to_the_frame_of_the_reader() {
         let found = Some(&found);
         for time_us in (-50_000..3_000_000).step_by(33_333) {
             let (seconds, position) = (time_us as f64 / 1e6, time_us * 441 / 10_000);
+            let short = seconds as f32;
             let samples = Samples { position, rate_hz };
             unsafe {
                 let frames = [
@@ -54,6 +55,10 @@ fn all_units_of_time_lead_to_the_frame_of_the_reader() {
                     (
                         Answer::of(|out| lipz_frame_at_seconds(bank, found, seconds, out)),
                         clip.frame_at(Seconds(seconds)),
+                    ),
+                    (
+                        Answer::of(|out| lipz_frame_at_seconds_f32(bank, found, short, out)),
+                        clip.frame_at(Seconds(short)),
                     ),
                     (
                         Answer::of(|out| lipz_frame_at_samples(bank, found, position, rate_hz, out)),
@@ -70,6 +75,10 @@ fn all_units_of_time_lead_to_the_frame_of_the_reader() {
                         clip.viseme_at(Seconds(seconds)),
                     ),
                     (
+                        Answer::of(|out| lipz_viseme_at_seconds_f32(bank, found, short, out)),
+                        clip.viseme_at(Seconds(short)),
+                    ),
+                    (
                         Answer::of(|out| lipz_viseme_at_samples(bank, found, position, rate_hz, out)),
                         clip.viseme_at(samples),
                     ),
@@ -82,6 +91,10 @@ fn all_units_of_time_lead_to_the_frame_of_the_reader() {
                     (
                         Answer::of(|out| lipz_segment_at_seconds(bank, found, seconds, out)),
                         clip.segment_at(Seconds(seconds)),
+                    ),
+                    (
+                        Answer::of(|out| lipz_segment_at_seconds_f32(bank, found, short, out)),
+                        clip.segment_at(Seconds(short)),
                     ),
                     (
                         Answer::of(|out| lipz_segment_at_samples(bank, found, position, rate_hz, out)),

@@ -135,6 +135,7 @@ fn every_query(bank: &Bank, clip: &Clip, number: u32) {
         Answer::<u32>::of(|out| lipz_frame_at_us(bank, Some(clip), time_us, out));
         Answer::<u32>::of(|out| lipz_frame_at_samples(bank, Some(clip), time_us, number, out));
         Answer::<u32>::of(|out| lipz_frame_at_seconds(bank, Some(clip), f64::from(number), out));
+        Answer::<u32>::of(|out| lipz_frame_at_seconds_f32(bank, Some(clip), f32::from_bits(number), out));
         Answer::<Segment>::of(|out| lipz_segment_at_us(bank, Some(clip), time_us, out));
         Answer::<Segment>::of(|out| lipz_segment_at(bank, Some(clip), number, out));
         Answer::<Text>::of(|out| lipz_segment_text(bank, Some(&segment), Some(&locale), out));

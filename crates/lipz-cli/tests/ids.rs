@@ -64,7 +64,9 @@ fn sources_with_errors_have_no_ids() {
 #[test]
 fn prefixes_that_no_language_takes_are_usage_errors() {
     let scene = Scene::new();
-    for (language, prefix) in [("c", "my game"), ("csharp", "Game."), ("rust", "game"), ("json", "x")] {
+    for (language, prefix) in
+        [("c", "my game"), ("c", "LIPZ_"), ("c", "_GAME_"), ("csharp", "Game."), ("rust", "game"), ("json", "x")]
+    {
         let outcome = lipz(scene.path(), ["ids", "voices", "--lang", language, "--prefix", prefix]);
         assert_eq!(outcome.code, 2, "{language}: {}", outcome.stderr);
         assert!(outcome.stderr.contains("prefix"), "{}", outcome.stderr);

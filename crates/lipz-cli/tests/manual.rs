@@ -27,6 +27,16 @@ fn options(command: &str) -> BTreeSet<String> {
 }
 
 #[test]
+fn commands_that_make_no_bank_do_not_list_flags_about_banks() {
+    for flag in ["--locales", "--fallback", "--pseudo", "--min-coverage"] {
+        assert!(options("pack").contains(flag), "{flag}");
+        for command in ["check", "convert"] {
+            assert!(!options(command).contains(flag), "{command} {flag}");
+        }
+    }
+}
+
+#[test]
 fn completions_know_every_command_and_option() {
     assert!(commands().len() >= 9, "{:?}", commands());
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
@@ -73,6 +83,8 @@ fn every_command_has_a_manual_page_with_its_options() {
             assert!(page.contains(&option), "{command} {option}: {page}");
         }
     }
+    let quiet = lipz(folder, ["man", "-o", "man/man1", "--quiet"]);
+    assert_eq!((quiet.code, quiet.stdout.as_str(), quiet.stderr.as_str()), (0, "", ""));
     fs::write(folder.join("file"), "").unwrap();
     let refused = lipz(folder, ["man", "-o", "file"]);
     assert_eq!((refused.code, refused.stderr.contains("error[LZ0904]")), (2, true), "{}", refused.stderr);

@@ -34,8 +34,24 @@ pub(crate) fn replace_file_if(
 fn failed(path: &Path, error: &io::Error) -> Report {
     let shown = discover::display(path);
     let headline = format!("`{shown}` cannot be written: {}", why(path, error));
-    let finding = Diagnostic::new(Code::OutputFailed, headline);
-    Report::about(shown, finding.note("whatever was there before is unchanged"))
+    let finding = Diagnostic::new(Code::OutputFailed, headline).note("whatever was there before is unchanged");
+    Report::about(
+        shown,
+        match help(error) {
+            Some(help) => finding.help(help),
+            None => finding,
+        },
+    )
+}
+
+/// What to do about an error that the message of the system does not say itself.
+fn help(error: &io::Error) -> Option<&'static str> {
+    match error.kind() {
+        io::ErrorKind::PermissionDenied => Some("name a folder that you may write to, or have its owner let you"),
+        io::ErrorKind::ReadOnlyFilesystem => Some("name a place that can be written to"),
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => Some("make room there, or name another place"),
+        _ => None,
+    }
 }
 
 /// Why the file at `path` cannot be written.
@@ -115,6 +131,14 @@ impl Written {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_to_do_about_errors_of_the_system() {
+        let help = |kind: io::ErrorKind| failed(Path::new("a"), &kind.into()).diagnostics[0].help.clone();
+        assert!(help(io::ErrorKind::PermissionDenied).is_some_and(|help| help.contains("that you may write to")));
+        assert!(help(io::ErrorKind::StorageFull).is_some_and(|help| help.contains("make room")));
+        assert_eq!(help(io::ErrorKind::Other), None);
+    }
 
     #[test]
     fn without_consent_nothing_changes() {
