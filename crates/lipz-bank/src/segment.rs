@@ -225,12 +225,12 @@ pub(crate) fn index_of_frame(clip: &Clip<'_, '_>, frame: u32) -> Option<u32> {
             }
         }
     }
-    index_in_far_starts(clip.bank, clip.slot(), second, offset)
+    index_in_starts(clip.bank, clip.slot(), second, offset)
 }
 
 /// A clip of more than nine segments, or one of the last clips: rare, so it is kept out of the way.
 #[cold]
-fn index_in_far_starts(bank: &Bank<'_>, slot: u32, second: usize, offset: u32) -> Option<u32> {
+fn index_in_starts(bank: &Bank<'_>, slot: u32, second: usize, offset: u32) -> Option<u32> {
     let count = usize::from(bank.keys.get(slot as usize)?.segment_count.get()).checked_sub(1)?;
     let starts = bank.starts.get(second..second.wrapping_add(count))?;
     Some(starts.partition_point(|start| start.get() <= offset) as u32)
