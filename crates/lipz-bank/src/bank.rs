@@ -1,7 +1,9 @@
 //! Opening a bank and finding its clips and locales.
 
 use crate::file::{ALL_SECTIONS, File, Sections, entries, place};
-use crate::layout::{self, ClipRecord, EventNameRecord, EventRecord, Tag, TypedEventRecord, U32};
+use crate::layout::{
+    self, ClipRecord, EventNameRecord, EventRecord, KeyRecord, RateRecord, Tag, TypedEventRecord, U32,
+};
 use crate::locale::LocaleTable;
 use crate::pool::Pool;
 use crate::{Clip, ClipId, Clips, Error, EventName, Locale, Locales};
@@ -15,6 +17,8 @@ use core::fmt;
 pub struct Bank<'data> {
     pub(crate) file: File<'data>,
     pub(crate) clips: &'data [ClipRecord],
+    pub(crate) keys: &'data [KeyRecord],
+    pub(crate) rates: &'data [RateRecord],
     pub(crate) pilots: &'data [U32],
     pub(crate) key_order: &'data [U32],
     pub(crate) frames: &'data [u8],
@@ -39,14 +43,17 @@ impl<'data> Bank<'data> {
         let mut found: Sections<'data> = [&[]; Tag::REQUIRED.len()];
         file.find(ALL_SECTIONS, &mut found)?;
         let clips: &[ClipRecord] = entries(found[place::CLIPS]);
+        let starts: &[U32] = entries(found[place::STARTS]);
         Ok(Bank {
             file,
             clips,
+            keys: entries(found[place::KEYS]),
+            rates: entries(found[place::RATES]),
             pilots: entries(found[place::PILOTS]),
             key_order: entries(found[place::KEY_ORDER]),
             frames: found[place::FRAMES],
-            starts: entries(found[place::STARTS]),
-            texts: LocaleTable::of(&found, clips.len()),
+            starts,
+            texts: LocaleTable::of(&found, clips.len(), starts.len().saturating_sub(1)),
             event_refs: entries(found[place::EVENT_REFS]),
             events: entries(found[place::EVENTS]),
             typed_events: entries(found[place::TYPED_EVENTS]),
@@ -86,18 +93,18 @@ impl<'data> Bank<'data> {
         self.clips.len()
     }
 
-    /// The clip with this id: one pilot, one clip record, no loop.
+    /// The clip with this id: one pilot, two records, no loop.
     #[inline]
     pub fn clip(&self, id: ClipId) -> Option<Clip<'data, '_>> {
-        let (slot, record) = self.record(id)?;
-        Some(Clip::new(self, record, slot))
+        let (slot, _) = self.find(id)?;
+        self.clip_at(slot)
     }
 
     /// The clip with this key, compared whole.
     #[inline]
     pub fn clip_by_key(&self, key: &str) -> Option<Clip<'data, '_>> {
-        let (slot, record) = self.record(ClipId::of(key))?;
-        if self.key_bytes(record)? == key.as_bytes() { Some(Clip::new(self, record, slot)) } else { None }
+        let (slot, record) = self.find(ClipId::of(key))?;
+        if self.key_bytes(record)? == key.as_bytes() { self.clip_at(slot) } else { None }
     }
 
     /// The clip in this slot, a number below [`Bank::clip_count`]. Slots are in no order that means anything.
@@ -116,29 +123,29 @@ impl<'data> Bank<'data> {
     /// a folder.
     pub fn clips_under(&self, prefix: &str) -> Clips<'data, '_> {
         let prefix = prefix.as_bytes();
-        let key_at = |position: &U32| self.clips.get(position.get() as usize).and_then(|record| self.key_bytes(record));
+        let key_at = |position: &U32| self.keys.get(position.get() as usize).and_then(|record| self.key_bytes(record));
         let first = self.key_order.partition_point(|at| key_at(at).map_or(true, |key| key < prefix));
         let behind = self.key_order.get(first..).unwrap_or(&[]);
         let count = behind.partition_point(|at| key_at(at).map_or(false, |key| key.starts_with(prefix)));
         Clips::new(self, first, first.saturating_add(count))
     }
 
-    /// The slot that the index names for `id`, and the record there, if it has that id.
+    /// The slot that the index names for `id`, and the key record there, if it has that id.
     // Long code where 64-bit products are not instructions.
     #[cfg_attr(target_pointer_width = "64", inline)]
     #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
-    pub(crate) fn record(&self, id: ClipId) -> Option<(u32, &'data ClipRecord)> {
+    pub(crate) fn find(&self, id: ClipId) -> Option<(u32, &'data KeyRecord)> {
         let spread = layout::spread(id.get(), self.file.header.index_seed.get());
         let bucket = layout::bucket_of(spread, self.pilots.len() as u32);
         let pilot = self.pilots.get(bucket as usize)?.get();
         let slot = layout::slot_of(spread, pilot, self.clips.len() as u32);
-        let record = self.clips.get(slot as usize)?;
+        let record = self.keys.get(slot as usize)?;
         if record.id.get() == id.get() { Some((slot, record)) } else { None }
     }
 
     /// The key of a clip, not checked to be UTF-8.
     #[inline]
-    pub(crate) fn key_bytes(&self, record: &ClipRecord) -> Option<&'data [u8]> {
+    pub(crate) fn key_bytes(&self, record: &KeyRecord) -> Option<&'data [u8]> {
         let start = record.key_offset_bytes.get() as usize;
         self.texts.names.slice(start, start.checked_add(usize::from(record.key_length_bytes.get()))?)
     }

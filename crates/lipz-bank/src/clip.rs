@@ -3,7 +3,7 @@
 use core::fmt;
 use core::iter::FusedIterator;
 
-use crate::layout::{ClipRecord, FLAG_VISEMES};
+use crate::layout::{ClipRecord, FLAG_VISEMES, KeyRecord};
 use crate::{Bank, ClipId, Fps, Segment, Segments, Time, Viseme, VisemeType};
 
 /// One spoken line: mouth shapes by frame, and segments with texts and events.
@@ -19,12 +19,7 @@ pub struct Clip<'data, 'bank> {
 impl<'data, 'bank> Clip<'data, 'bank> {
     #[inline]
     pub(crate) fn new(bank: &'bank Bank<'data>, record: &'data ClipRecord, slot: u32) -> Self {
-        let fps = match record.fps_denominator.get() {
-            0 => None,
-            denominator => {
-                Some(Fps::from_parts(record.fps_numerator.get(), denominator, record.frames_per_micro_q64.get()))
-            }
-        };
+        let fps = Fps::stored(record.rate.get(), bank.rates);
         Clip { bank, record, slot, fps, viseme_type: VisemeType::from_u8(record.viseme_type) }
     }
 
@@ -44,13 +39,19 @@ impl<'data, 'bank> Clip<'data, 'bank> {
 
     /// The id: the hash of the key.
     pub fn id(&self) -> ClipId {
-        ClipId::from_u64(self.record.id.get())
+        ClipId::from_u64(self.key_record().map_or(0, |record| record.id.get()))
     }
 
     /// The key: path of the Lipz file below its source root, without extension. Empty only in a
     /// damaged bank.
     pub fn key(&self) -> &'data str {
-        key(self.bank, self.record).unwrap_or("")
+        self.key_record().and_then(|record| key(self.bank, record)).unwrap_or("")
+    }
+
+    /// How the clip is found; in a verified bank there is one for each.
+    #[inline]
+    fn key_record(&self) -> Option<&'data KeyRecord> {
+        self.bank.keys.get(self.slot as usize)
     }
 
     /// The place of the clip in the bank, for [`Bank::clip_at`].
@@ -78,7 +79,7 @@ impl<'data, 'bank> Clip<'data, 'bank> {
 
     /// Whether the file has an `events` element.
     pub fn has_events(&self) -> bool {
-        self.record.events_first.get() != crate::layout::NO_EVENTS
+        (self.record.segments_first.get() as usize) < self.bank.event_refs.len()
     }
 
     /// The number of frames.
@@ -89,13 +90,9 @@ impl<'data, 'bank> Clip<'data, 'bank> {
 
     /// The frame codes, one byte per frame, without delimiters. Empty if damaged.
     pub fn frames(&self) -> &'data [u8] {
-        self.frames_between(0, self.frame_count()).unwrap_or(&[])
-    }
-
-    pub(crate) fn frames_between(&self, start: u32, end: u32) -> Option<&'data [u8]> {
-        let first = self.record.frames_offset_bytes.get() as usize;
-        let range = first.checked_add(start as usize)?..first.checked_add(end as usize)?;
-        self.bank.frames.get(range)
+        let start = self.record.frames_offset_bytes.get() as usize;
+        let end = start.checked_add(self.frame_count() as usize);
+        end.and_then(|end| self.bank.frames.get(start..end)).unwrap_or(&[])
     }
 
     /// Microseconds from the start of the first frame to the end of the last, rounded up; `None`
@@ -114,9 +111,12 @@ impl<'data, 'bank> Clip<'data, 'bank> {
     /// The viseme of frame `index`; rest outside the clip.
     #[inline]
     pub fn viseme(&self, index: u32) -> Viseme {
-        if index >= self.frame_count() {
-            return Viseme::REST;
-        }
+        if index < self.frame_count() { self.viseme_of(index) } else { Viseme::REST }
+    }
+
+    /// The viseme of a frame that the clip has.
+    #[inline]
+    fn viseme_of(&self, index: u32) -> Viseme {
         let offset = (self.record.frames_offset_bytes.get() as usize).checked_add(index as usize);
         match offset.and_then(|offset| self.bank.frames.get(offset)) {
             Some(&code) => Viseme::from_code(code),
@@ -129,7 +129,7 @@ impl<'data, 'bank> Clip<'data, 'bank> {
     #[inline]
     pub fn viseme_at<T: Time>(&self, time: T) -> Viseme {
         match self.frame_at(time) {
-            Some(frame) => self.viseme(frame),
+            Some(frame) => self.viseme_of(frame),
             None => Viseme::REST,
         }
     }
@@ -138,7 +138,8 @@ impl<'data, 'bank> Clip<'data, 'bank> {
     /// are no more than it has starts for.
     #[inline]
     pub fn segment_count(&self) -> u32 {
-        crate::segment::segment_count(self.bank, self.record)
+        let count = self.key_record().map_or(0, |record| record.segment_count.get());
+        u32::from(count).min(self.bank.starts.len() as u32)
     }
 
     /// The segment with this index.
@@ -155,21 +156,24 @@ impl<'data, 'bank> Clip<'data, 'bank> {
     /// The segment that frame `index` belongs to. Segments of no frames are never found by frame.
     #[inline(always)]
     pub fn segment_of_frame(&self, index: u32) -> Option<Segment<'data, 'bank>> {
-        if index >= self.frame_count() {
-            return None;
-        }
-        self.segment(crate::segment::index_of_frame(self, index)?)
+        if index < self.frame_count() { self.segment_that_has(index) } else { None }
     }
 
     /// The segment at `time`; `None` before the start, from the end on, and without a frame rate.
     #[inline(always)]
     pub fn segment_at<T: Time>(&self, time: T) -> Option<Segment<'data, 'bank>> {
-        self.segment_of_frame(self.frame_at(time)?)
+        self.segment_that_has(self.frame_at(time)?)
+    }
+
+    /// The segment of a frame that the clip has.
+    #[inline(always)]
+    fn segment_that_has(&self, frame: u32) -> Option<Segment<'data, 'bank>> {
+        Some(Segment::new(*self, crate::segment::index_of_frame(self, frame)?))
     }
 }
 
 /// The key, unless it is damaged.
-pub(crate) fn key<'data>(bank: &Bank<'data>, record: &ClipRecord) -> Option<&'data str> {
+pub(crate) fn key<'data>(bank: &Bank<'data>, record: &KeyRecord) -> Option<&'data str> {
     bank.texts.names.text_at(record.key_offset_bytes.get(), u32::from(record.key_length_bytes.get()))
 }
 

@@ -36,7 +36,7 @@ impl std::error::Error for Error {}
 
 macro_rules! error_kinds {
     ($($(#[doc = $doc:literal])+ $name:ident = $number:literal, $message:literal;)+) => {
-        /// The kinds of damage, by stable number: numbers are never given a new meaning.
+        /// The kinds of damage, by stable number: numbers are never given a new meaning. Nothing has the number 28.
         #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
         #[non_exhaustive]
         #[repr(u8)]
@@ -118,8 +118,6 @@ error_kinds! {
     DirectoryTooLong = 26, "the directory has more than 64 sections";
     /// The fingerprint is not that of the clips.
     Fingerprint = 27, "the fingerprint does not match the clips";
-    /// Runs of text are shared by more clips and locales than a real bank has.
-    TooManySteps = 28, "the bank takes far more steps to check than a real one";
     /// The fingerprint of a text bank is not that of the bank.
     OtherClips = 29, "the texts belong to a bank with other clips";
     /// A text bank where a bank is asked for.

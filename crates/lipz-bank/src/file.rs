@@ -29,7 +29,7 @@ pub(crate) const ALL_SECTIONS: SectionSet = (1 << Tag::REQUIRED.len()) - 1;
 
 /// What a text bank has of them.
 pub(crate) const TEXT_SECTIONS: SectionSet =
-    1 << place::NAMES | 1 << place::LOCALES | 1 << place::TEXT_INDEX | 1 << place::TEXTS;
+    1 << place::NAMES | 1 << place::LOCALES | 1 << place::TEXT_INDEX | 1 << place::TEXT_ENDS | 1 << place::TEXTS;
 
 /// What it does not have.
 const CLIP_SECTION: SectionSet = 1 << place::CLIPS;
@@ -40,6 +40,8 @@ pub(crate) mod place {
     use crate::layout::Tag;
 
     pub(crate) const CLIPS: usize = place_of(Tag::CLIPS);
+    pub(crate) const KEYS: usize = place_of(Tag::KEYS);
+    pub(crate) const RATES: usize = place_of(Tag::RATES);
     pub(crate) const PILOTS: usize = place_of(Tag::PILOTS);
     pub(crate) const KEY_ORDER: usize = place_of(Tag::KEY_ORDER);
     pub(crate) const NAMES: usize = place_of(Tag::NAMES);
@@ -47,6 +49,7 @@ pub(crate) mod place {
     pub(crate) const STARTS: usize = place_of(Tag::STARTS);
     pub(crate) const LOCALES: usize = place_of(Tag::LOCALES);
     pub(crate) const TEXT_INDEX: usize = place_of(Tag::TEXT_INDEX);
+    pub(crate) const TEXT_ENDS: usize = place_of(Tag::TEXT_ENDS);
     pub(crate) const TEXTS: usize = place_of(Tag::TEXTS);
     pub(crate) const EVENT_REFS: usize = place_of(Tag::EVENT_REFS);
     pub(crate) const EVENTS: usize = place_of(Tag::EVENTS);
@@ -120,7 +123,7 @@ impl<'data> File<'data> {
             if let Some(place) = sections.get_mut(at) {
                 *place = contents;
             }
-            let is_filled = entry.length_bytes.get().checked_rem(*entry_bytes as u32) == Some(0);
+            let is_filled = entry.length_bytes.get() & (*entry_bytes as u32).wrapping_sub(1) == 0;
             let has_shape = usize::from(entry.entry_bytes.get()) == *entry_bytes && is_filled;
             return has_shape.then_some(()).ok_or(ErrorKind::SectionShape);
         }

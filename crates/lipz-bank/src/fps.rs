@@ -1,10 +1,15 @@
 //! Frame rates as exact ratios, and the arithmetic from times to frame numbers.
 
 use crate::Time;
+use crate::layout::{RateRecord, WHOLE_RATES};
 use core::fmt;
 
 /// Microseconds in a second.
 const MICROS_PER_SECOND: u64 = 1_000_000;
+
+/// Microseconds of which the product with a rate of at most 1000 fits 64 bits. They are 571 years; no clip of
+/// 2³² frames is as long.
+pub(crate) const LATEST_US: u64 = 1 << 54;
 
 /// A frame rate: an exact ratio of frames to seconds, from 1 to 1000 inclusive (Lipz specification,
 /// element `fps`).
@@ -62,7 +67,35 @@ impl Fps {
         }
     }
 
-    /// The rate with fields as stored in a bank, not checked.
+    /// The rate that a clip record stores so, not checked; `None` if it stores none.
+    #[inline]
+    pub(crate) fn stored(rate: u16, records: &[RateRecord]) -> Option<Fps> {
+        if rate <= WHOLE_RATES {
+            return Some(Fps::from_whole(rate));
+        }
+        // No bank has so many records that `NO_RATE` leads to one.
+        records.get(usize::from(rate).wrapping_sub(usize::from(WHOLE_RATES) + 1)).map(Fps::of)
+    }
+
+    /// The rate of a record, not checked.
+    #[inline]
+    pub(crate) fn of(record: &RateRecord) -> Fps {
+        Fps::from_parts(record.fps_numerator.get(), record.fps_denominator.get(), record.frames_per_micro_q64.get())
+    }
+
+    /// A rate of so many frames per second, up to [`WHOLE_RATES`]: as [`Fps::new`] makes it, without a division of
+    /// more than 32 bits.
+    #[inline]
+    #[allow(clippy::arithmetic_side_effects)] // 1000 rests of less than a million fit 32 bits
+    const fn from_whole(frames_per_second: u16) -> Fps {
+        const QUOTIENT: u64 = ((1 << 64) / MICROS_PER_SECOND as u128) as u64;
+        const REST: u32 = ((1 << 64) % MICROS_PER_SECOND as u128) as u32;
+        let numerator = frames_per_second as u32;
+        let rest = (numerator * REST + MICROS_PER_SECOND as u32 - 1) / MICROS_PER_SECOND as u32;
+        Fps::from_parts(numerator, 1, QUOTIENT.wrapping_mul(numerator as u64).wrapping_add(rest as u64))
+    }
+
+    /// The rate of these parts, not checked.
     #[inline]
     pub(crate) const fn from_parts(numerator: u32, denominator: u32, frames_per_micro_q64: u64) -> Fps {
         Fps { numerator, denominator, frames_per_micro_q64 }
@@ -78,7 +111,7 @@ impl Fps {
         self.denominator
     }
 
-    /// ⌈2⁶⁴ · frames per microsecond⌉, as stored in a clip record.
+    /// ⌈2⁶⁴ · frames per microsecond⌉, as stored in a bank.
     pub const fn frames_per_micro_q64(self) -> u64 {
         self.frames_per_micro_q64
     }
@@ -105,13 +138,16 @@ impl Fps {
         product.wrapping_sub(u128::from(numerator) << 64) < micros
     }
 
-    /// The frame that shows at `time_us` microseconds: ⌊time · rate⌋ in exact arithmetic.
+    /// The frame that shows at `time_us` microseconds, before [`LATEST_US`]: ⌊time · rate⌋ in exact arithmetic.
     ///
     /// The rounded-up reciprocal gives that number or one more (its error is below one for any
     /// 64-bit time); the sign of the remainder tells which. The remainder is less than 2⁵² in
     /// size, so arithmetic modulo 2⁶⁴ suffices for it.
     #[inline]
     pub(crate) fn frame_at_micros(self, time_us: u64) -> u64 {
+        if cfg!(target_pointer_width = "64") && self.denominator == 1 {
+            return time_us.wrapping_mul(u64::from(self.numerator)) / MICROS_PER_SECOND;
+        }
         let wide = u128::from(time_us).wrapping_mul(u128::from(self.frames_per_micro_q64));
         let estimate = (wide >> 64) as u64;
         let micros = u64::from(self.denominator).wrapping_mul(MICROS_PER_SECOND);

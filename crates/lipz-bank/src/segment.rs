@@ -1,11 +1,10 @@
 //! One segment of a clip: frames, display texts and event string.
 
-use crate::layout::{ClipRecord, EventRecord, FLAG_FAR_STARTS, INLINE_STARTS, NARROW_END_BYTES, NO_EVENTS, NO_TEXT};
-use crate::layout::{TEXT_FALLBACK, TEXT_OFFSET, TEXT_WIDE, WIDE_END_BYTES};
+use crate::layout::{EventRecord, NO_TEXT, TEXT_FALLBACK, TEXT_OFFSET, TEXT_WIDE, U16};
 use crate::{Bank, Clip, Events, Locale};
 use core::fmt;
 use core::iter::FusedIterator;
-use core::ops::Deref;
+use core::ops::{Deref, Range};
 
 /// A stretch of a clip, between two `|` of its Lipz file.
 #[derive(Clone, Copy)]
@@ -30,18 +29,27 @@ impl<'data, 'bank> Segment<'data, 'bank> {
         self.index
     }
 
+    /// The place of the segment among those of all clips.
+    #[inline]
+    fn number(&self) -> usize {
+        (self.clip.record.segments_first.get() as usize).wrapping_add(self.index as usize)
+    }
+
     /// The first frame of the segment.
     pub fn start_frame(&self) -> u32 {
-        start_frame(self.clip.bank, self.clip.record, self.index).unwrap_or(0)
+        self.frame_range().start.saturating_sub(self.clip.record.frames_offset_bytes.get())
     }
 
     /// The frame after the last one; equal to the start for a segment of no frames.
     pub fn end_frame(&self) -> u32 {
-        let next = self.index.saturating_add(1);
-        if next < self.clip.segment_count() {
-            start_frame(self.clip.bank, self.clip.record, next).unwrap_or(0)
-        } else {
-            self.clip.frame_count()
+        self.frame_range().end.saturating_sub(self.clip.record.frames_offset_bytes.get())
+    }
+
+    /// The frames of the segment among those of all clips; none if damaged.
+    fn frame_range(&self) -> Range<u32> {
+        match self.clip.bank.starts.get(self.number()..) {
+            Some([start, end, ..]) => start.get()..end.get(),
+            _ => 0..0,
         }
     }
 
@@ -57,7 +65,8 @@ impl<'data, 'bank> Segment<'data, 'bank> {
 
     /// The frame codes of the segment, one byte per frame.
     pub fn frames(&self) -> &'data [u8] {
-        self.clip.frames_between(self.start_frame(), self.end_frame()).unwrap_or(&[])
+        let Range { start, end } = self.frame_range();
+        self.clip.bank.frames.get(start as usize..end as usize).unwrap_or(&[])
     }
 
     /// The display text in `locale`, or in the locale that it falls back to; `None` if neither has
@@ -83,20 +92,24 @@ impl<'data, 'bank> Segment<'data, 'bank> {
     #[inline(always)]
     fn text_range(&self, locale: Locale<'_>) -> Option<(usize, usize, bool)> {
         let entry = locale.index.get(self.clip.slot() as usize)?.get();
-        if entry == NO_TEXT {
+        // `NO_TEXT` has the bit of wide texts.
+        let Range { start, end } = if cfg!(target_pointer_width = "64") && entry & TEXT_WIDE == 0 {
+            match locale.ends.get(self.number()..)? {
+                // No branch on whether it is the first text, which would often be mispredicted.
+                [before, end, ..] => {
+                    let mask = u16::from(self.index == 0).wrapping_sub(1);
+                    usize::from(before.get() & mask)..usize::from(end.get())
+                }
+                _ => return None,
+            }
+        } else if entry == NO_TEXT {
             return None;
-        }
-        let offset = (entry & TEXT_OFFSET) as usize;
-        let run = locale.texts.bytes().get(offset..)?;
-        let wide = entry & TEXT_WIDE != 0;
-        // Read in any case: a branch on whether it is the first text would often be mispredicted.
-        let before = text_end(run, self.index.saturating_sub(1), wide)?;
-        let start = if self.index == 0 { 0 } else { before };
-        let end = text_end(run, self.index, wide)?;
-        let width = if wide { WIDE_END_BYTES } else { NARROW_END_BYTES };
+        } else {
+            wide_range(locale.ends, self.clip.record.segments_first.get() as usize, self.index)?
+        };
         // What wraps around in a damaged bank leads to another place of the pool, or to none.
-        let texts = offset.wrapping_add((self.clip.segment_count() as usize).wrapping_mul(width));
-        Some((texts.wrapping_add(start), texts.wrapping_add(end), entry & TEXT_FALLBACK != 0))
+        let offset = (entry & TEXT_OFFSET) as usize;
+        Some((offset.wrapping_add(start), offset.wrapping_add(end), entry & TEXT_FALLBACK != 0))
     }
 
     /// The event string, trimmed; empty if nothing happens at this segment, `None` if the file has
@@ -130,13 +143,8 @@ impl<'data, 'bank> Segment<'data, 'bank> {
     }
 
     fn event_record(&self) -> Option<&'data EventRecord> {
-        let first = self.clip.record.events_first.get();
-        if first == NO_EVENTS {
-            return None;
-        }
         let bank = self.clip.bank;
-        let at = (first as usize).checked_add(self.index as usize)?;
-        bank.events.get(bank.event_refs.get(at)?.get() as usize)
+        bank.events.get(bank.event_refs.get(self.number())?.get() as usize)
     }
 }
 
@@ -180,79 +188,52 @@ impl fmt::Display for Text<'_> {
     }
 }
 
-/// The end of text `index` in a run, in bytes from the end of the table of ends: 7 bits a byte, so
-/// that the table is ASCII and the whole text pool one UTF-8 string.
-#[inline(always)]
-fn text_end(run: &[u8], index: u32, wide: bool) -> Option<usize> {
-    if wide {
-        return wide_text_end(run, index);
+/// Where text `index` of a clip starts and ends among its texts, however long they are. `ends` has the
+/// end of the clip's first text behind the one of segment `first`.
+#[cfg_attr(target_pointer_width = "64", cold)] // texts of 65,536 bytes: rare, so it is kept out of the way
+fn wide_range(ends: &[U16], first: usize, index: u32) -> Option<Range<usize>> {
+    let behind = ends.get(first.wrapping_add(1)..)?;
+    let (mut start, mut end) = (0, 0);
+    for low in behind.get(..=index as usize)? {
+        start = end;
+        end = end_behind(end, *low);
     }
-    match run.get((index as usize).checked_mul(NARROW_END_BYTES)?..)? {
-        [low, high, ..] => Some(usize::from(*low) | usize::from(*high) << 7),
-        _ => None,
-    }
+    Some(start..end)
 }
 
-/// As above, for texts of more than 16 KB: rare, so it is kept out of the way.
-#[cold]
-fn wide_text_end(run: &[u8], index: u32) -> Option<usize> {
-    match run.get((index as usize).checked_mul(WIDE_END_BYTES)?..)? {
-        [a, b, c, d, ..] => {
-            Some(usize::from(*a) | usize::from(*b) << 7 | usize::from(*c) << 14 | usize::from(*d) << 21)
-        }
-        _ => None,
-    }
-}
-
-/// The number of segments, no more than there are starts for.
+/// The end of the text behind one that ends at `before`: the next number with these low bits.
 #[inline]
-pub(crate) fn segment_count(bank: &Bank<'_>, record: &ClipRecord) -> u32 {
-    let starts = match far_starts(record) {
-        None => INLINE_STARTS,
-        Some(_) => bank.starts.len(),
-    };
-    record.segment_count.get().min((starts as u32).saturating_add(1))
+pub(crate) fn end_behind(before: usize, low: U16) -> usize {
+    before.wrapping_add(usize::from(low.get().wrapping_sub(before as u16)))
 }
 
-/// The first frame of segment `index`; `None` if damaged.
-pub(crate) fn start_frame(bank: &Bank<'_>, record: &ClipRecord, index: u32) -> Option<u32> {
-    match (index.checked_sub(1), far_starts(record)) {
-        (None, _) => Some(0),
-        (Some(before), None) => Some(u32::from(record.starts.get(before as usize)?.get())),
-        (Some(before), Some(first)) => Some(bank.starts.get(first.checked_add(before as usize)?)?.get()),
-    }
-}
+/// Starts that are compared at once.
+const NEAR_STARTS: usize = 8;
 
-/// Index in `STRT` of the start of segment 1, if the starts do not stand in the record.
-#[inline]
-pub(crate) fn far_starts(record: &ClipRecord) -> Option<usize> {
-    if record.flags & FLAG_FAR_STARTS == 0 {
-        return None;
-    }
-    let [low, high, ..] = &record.starts;
-    Some(usize::from(low.get()) | (usize::from(high.get()) << 16))
-}
-
-/// The last segment that starts at or before `frame`: the one that contains it.
+/// The last segment that starts at or before `frame`, one of the clip: the segment that contains it.
 #[inline(always)]
 pub(crate) fn index_of_frame(clip: &Clip<'_, '_>, frame: u32) -> Option<u32> {
-    match far_starts(clip.record) {
-        // Unused starts are 0xFFFF, after every frame: all eight are compared at once, as vector code.
-        None => {
-            let frame = u16::try_from(frame).ok()?;
-            let starts = clip.record.starts.iter();
-            Some(u32::from(starts.map(|start| u16::from(start.get() <= frame)).fold(0, u16::wrapping_add)))
+    let offset = clip.record.frames_offset_bytes.get().wrapping_add(frame);
+    // Segment 0 starts at or before every frame.
+    let second = (clip.record.segments_first.get() as usize).wrapping_add(1);
+    if cfg!(target_pointer_width = "64") {
+        // Starts ascend from clip to clip, so those that are not the clip's own do no harm.
+        if let Some(near) = clip.bank.starts.get(second..second.wrapping_add(NEAR_STARTS)) {
+            let passed = near.iter().map(|start| u32::from(start.get() <= offset)).fold(0, u32::wrapping_add);
+            if passed < NEAR_STARTS as u32 {
+                return Some(passed);
+            }
         }
-        Some(first) => index_in_far_starts(clip, first, frame),
     }
+    index_in_starts(clip.bank, clip.slot(), second, offset)
 }
 
-/// A clip of more than nine segments, or of an hour: rare, so it is kept out of the way.
+/// A clip of more than nine segments, or one of the last clips: rare, so it is kept out of the way.
 #[cold]
-fn index_in_far_starts(clip: &Clip<'_, '_>, first: usize, frame: u32) -> Option<u32> {
-    let end = first.checked_add((clip.segment_count() as usize).checked_sub(1)?)?;
-    let starts = clip.bank.starts.get(first..end)?;
-    Some(starts.partition_point(|start| start.get() <= frame) as u32)
+fn index_in_starts(bank: &Bank<'_>, slot: u32, second: usize, offset: u32) -> Option<u32> {
+    let count = usize::from(bank.keys.get(slot as usize)?.segment_count.get()).checked_sub(1)?;
+    let starts = bank.starts.get(second..second.wrapping_add(count))?;
+    Some(starts.partition_point(|start| start.get() <= offset) as u32)
 }
 
 /// The segments of a clip in order.

@@ -1,6 +1,7 @@
 //! Points in time of a clip's audio, in the units that audio engines report.
 
 use crate::Fps;
+use crate::fps::LATEST_US;
 
 /// A point in time since the clip's audio began, in one of the units that audio engines report:
 /// [`Micros`], [`Samples`], [`Seconds`] or [`core::time::Duration`].
@@ -41,10 +42,12 @@ pub struct Micros(pub i64);
 impl Time for Micros {
     #[inline]
     fn frame(self, fps: Fps, frame_count: u32) -> Option<u32> {
-        if self.0 < 0 {
+        // Times before the start are far behind the latest, too.
+        let time_us = self.0 as u64;
+        if time_us >= LATEST_US {
             return None;
         }
-        let frame = fps.frame_at_micros(self.0 as u64);
+        let frame = fps.frame_at_micros(time_us);
         if frame < u64::from(frame_count) { Some(frame as u32) } else { None }
     }
 

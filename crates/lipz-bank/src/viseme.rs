@@ -48,6 +48,9 @@ impl VisemeType {
 
     /// Whether every byte of `codes` is a legal code.
     pub fn contains_all(self, codes: &[u8]) -> bool {
+        if !cfg!(target_pointer_width = "64") {
+            return codes.iter().all(|&code| self.contains(code));
+        }
         // One loop per type, without early exit, so that each becomes vector code.
         match self {
             VisemeType::Blair => all(codes, |code| VisemeType::Blair.contains(code)),

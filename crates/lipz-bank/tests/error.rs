@@ -5,8 +5,8 @@
 
 mod common;
 
-use common::{SMALL, STRIPPED, changed, entry_of, finding, put, record_of, section, u32_at};
-use lipz_bank::layout::{MAGIC, NO_TEXT, TEXT_FALLBACK, TEXT_WIDE, Tag};
+use common::{SMALL, STRIPPED, changed, entry_of, finding, key_record_of, put, record_of, section, u32_at};
+use lipz_bank::layout::{MAGIC, NO_TEXT, TEXT_FALLBACK, TEXT_WIDE, Tag, WHOLE_RATES};
 use lipz_bank::{Error, ErrorKind};
 
 /// The kind and place found in a small bank that `change` has changed.
@@ -51,7 +51,6 @@ fn numbers_are_stable() {
         (25, SectionPlace),
         (26, DirectoryTooLong),
         (27, Fingerprint),
-        (28, TooManySteps),
         (29, OtherClips),
         (30, TextsOnly),
         (31, TypedEvent),
@@ -106,7 +105,7 @@ fn header_and_directory() {
     assert_eq!(found(|bank| put(bank, frames + 8, 2000_u32.to_le_bytes())), (SectionOutOfBounds, frames));
     let clips = entry_of(SMALL, Tag::CLIPS);
     assert_eq!(found(|bank| put(bank, clips + 12, [32])), (SectionShape, clips));
-    assert_eq!(found(|bank| put(bank, clips + 8, 767_u32.to_le_bytes())), (SectionShape, clips));
+    assert_eq!(found(|bank| put(bank, clips + 8, 191_u32.to_le_bytes())), (SectionShape, clips));
     let twice = entry_of(SMALL, Tag::SOURCE_INDEX);
     assert_eq!(found(|bank| put(bank, twice, b"TEXT")), (SectionTwice, twice));
     let missing = found(|bank| {
@@ -140,57 +139,70 @@ fn checksum() {
 #[test]
 fn clip_records() {
     use ErrorKind::*;
-    let clip = record_of(SMALL, "act1/blair");
+    let (clip, key) = (record_of(SMALL, "act1/blair"), key_record_of(SMALL, "act1/blair"));
     // The places of the fields are those of docs/FORMAT.md.
+    let of_key = |at: usize, new: &[u8]| found(|bank| put(bank, key + at, new));
+    assert_eq!(of_key(0, &[0; 8]), (ClipIndex, key), "id");
+    assert_eq!(of_key(8, &u32::MAX.to_le_bytes()), (ClipKey, key), "key offset");
+    assert_eq!(of_key(12, &[9]), (ClipKey, key), "key length");
+    assert_eq!(of_key(14, &[0, 0]), (SegmentStarts, clip), "segment count");
+    assert_eq!(of_key(14, &[0, 1]), (SegmentStarts, clip), "segment count");
     let field = |at: usize, new: &[u8]| found(|bank| put(bank, clip + at, new));
-    assert_eq!(field(0, &[0; 8]), (ClipIndex, clip));
-    assert_eq!(field(40, &u32::MAX.to_le_bytes()), (ClipKey, clip), "key offset");
-    assert_eq!(field(44, &[9]), (ClipKey, clip), "key length");
-    assert_eq!(field(24, &u32::MAX.to_le_bytes()), (FrameRange, clip), "frames offset");
-    assert_eq!(field(28, &78_u32.to_le_bytes()), (FrameRange, clip), "frame count");
-    assert_eq!(field(46, &[2]), (FrameCode, clip), "viseme type");
-    assert_eq!(field(46, &[4]), (ClipFlags, clip), "viseme type");
-    assert_eq!(field(47, &[0]), (ClipFlags, clip), "frames without visemes");
-    assert_eq!(field(47, &[0x81]), (ClipFlags, clip), "flags");
-    assert_eq!(field(8, &[0; 8]), (FrameRate, clip), "reciprocal");
-    assert_eq!(field(16, &[0; 4]), (FrameRate, clip), "numerator");
-    assert_eq!(field(16, &1001_u32.to_le_bytes()), (FrameRate, clip), "numerator");
-    assert_eq!(field(20, &[0; 4]), (FrameRate, clip), "denominator");
-    assert_eq!(field(32, &[0; 4]), (SegmentStarts, clip), "segment count");
-    assert_eq!(field(32, &10_u32.to_le_bytes()), (SegmentStarts, clip), "segment count");
-    assert_eq!(field(48, &[15]), (SegmentStarts, clip), "starts that decrease");
-    assert_eq!(field(50, &[18]), (SegmentStarts, clip), "a start behind the end");
-    assert_eq!(field(62, &[0]), (SegmentStarts, clip), "an unused start");
-    assert_eq!(field(47, &[3]), (SegmentStarts, clip), "far starts that are none");
-    assert_eq!(field(36, &94_u32.to_le_bytes()), (EventReference, clip), "first event");
-    let frame = start(Tag::FRAMES) + u32_at(SMALL, clip + 24) as usize;
+    assert_eq!(field(0, &u32::MAX.to_le_bytes()), (FrameRange, clip), "frames offset");
+    assert_eq!(field(4, &78_u32.to_le_bytes()), (FrameRange, clip), "frame count");
+    assert_eq!(field(8, &1_u32.to_le_bytes()), (SegmentStarts, clip), "first segment");
+    assert_eq!(field(12, &0_u16.to_le_bytes()), (FrameRate, clip), "no frames a second");
+    let rates = section(SMALL, Tag::RATES).len() / 16;
+    let behind = WHOLE_RATES + 1 + rates as u16;
+    assert_eq!(field(12, &behind.to_le_bytes()), (FrameRate, clip), "a rate that is not there");
+    assert_eq!(field(14, &[2]), (FrameCode, clip), "viseme type");
+    assert_eq!(field(14, &[4]), (ClipFlags, clip), "viseme type");
+    assert_eq!(field(15, &[0]), (ClipFlags, clip), "frames without visemes");
+    assert_eq!(field(15, &[0x81]), (ClipFlags, clip), "flags");
+    let frame = start(Tag::FRAMES) + u32_at(SMALL, clip) as usize;
     assert_eq!(found(|bank| put(bank, frame + 3, b"Z")), (FrameCode, clip));
-    let far = record_of(SMALL, "act2/far");
-    assert_eq!(found(|bank| put(bank, far + 50, [1])), (SegmentStarts, far), "index of the far starts");
-    assert_eq!(found(|bank| put(bank, start(Tag::STARTS), [99])), (SegmentStarts, far));
+    let fewer = |bank: &mut Vec<u8>| put(bank, entry_of(SMALL, Tag::KEYS) + 8, 176_u32.to_le_bytes());
+    assert_eq!(found(fewer), (ClipKey, start(Tag::KEYS)));
+}
+
+#[test]
+fn segment_starts() {
+    use ErrorKind::*;
+    let (clip, starts) = (record_of(SMALL, "act1/blair"), start(Tag::STARTS));
+    let entry = |index: usize, new: u32| found(|bank| put(bank, starts + 4 * index, new.to_le_bytes()));
+    // The clip is the first; it has segments.
+    assert_eq!(entry(0, 1), (FrameRange, clip), "the first frame of all");
+    assert_eq!(entry(1, 1000), (SegmentStarts, clip), "a start behind the next");
+    let count = section(SMALL, Tag::STARTS).len() / 4;
+    assert_eq!(entry(count - 1, 1000).0, FrameRange, "behind the last frame of all");
+    let shorter =
+        |bank: &mut Vec<u8>| put(bank, entry_of(SMALL, Tag::STARTS) + 8, (4 * count as u32 - 4).to_le_bytes());
+    assert_eq!(found(shorter).0, TextReference, "text ends are as many");
 }
 
 /// A rate is in lowest terms and comes with the one right reciprocal: also where that is a whole
-/// number, so that nothing was rounded.
+/// number, so that nothing was rounded. Whole rates stand in the clip records.
 #[test]
 fn frame_rates() {
-    let clip = record_of(SMALL, "act1/blair");
+    let rate = start(Tag::RATES);
     let with = |numerator: u32, denominator: u32, reciprocal: u64| {
         let bank = changed(SMALL, |bank| {
-            put(bank, clip + 8, reciprocal.to_le_bytes());
-            put(bank, clip + 16, numerator.to_le_bytes());
-            put(bank, clip + 20, denominator.to_le_bytes());
+            put(bank, rate, reciprocal.to_le_bytes());
+            put(bank, rate + 8, numerator.to_le_bytes());
+            put(bank, rate + 12, denominator.to_le_bytes());
         });
         finding(&bank).map(|error| (error.kind(), error.offset_bytes() as usize))
     };
-    let damage = Some((ErrorKind::FrameRate, clip));
-    let film = lipz_bank::Fps::whole(24).frames_per_micro_q64();
-    assert_eq!(with(24, 1, film), None);
-    assert_eq!([with(24, 1, film - 1), with(24, 1, film + 1), with(48, 2, film)], [damage; 3]);
+    let damage = Some((ErrorKind::FrameRate, rate));
+    let reciprocal =
+        |numerator, denominator| lipz_bank::Fps::new(numerator, denominator).expect("a rate").frames_per_micro_q64();
+    let half = reciprocal(25, 2);
+    assert_eq!(with(25, 2, half), None);
+    assert_eq!([with(25, 2, half - 1), with(25, 2, half + 1), with(50, 4, half)], [damage; 3]);
     let exact = 1 << 54; // 2^64 * 15625 / (16 * 10^6)
     assert_eq!(with(15_625, 16, exact), None);
     assert_eq!([with(15_625, 16, exact - 1), with(15_625, 16, exact + 1)], [damage; 2]);
-    assert_eq!([with(0, 0, 0), with(0, 0, 1), with(24, 0, 0)], [None, damage, damage]);
+    assert_eq!([with(24, 1, reciprocal(24, 1)), with(0, 0, 0)], [damage; 2]);
 }
 
 #[test]
@@ -198,7 +210,7 @@ fn index_and_order() {
     use ErrorKind::*;
     let (kind, at) = found(|bank| put(bank, start(Tag::PILOTS), [0x55; 4]));
     assert_eq!(kind, ClipIndex);
-    assert!(section(SMALL, Tag::CLIPS).contains(&at) && at % 64 == start(Tag::CLIPS) % 64);
+    assert!(section(SMALL, Tag::KEYS).contains(&at) && at % 16 == 0);
     let order = start(Tag::KEY_ORDER);
     assert_eq!(found(|bank| bank.copy_within(order..order + 4, order + 4)), (ClipOrder, order + 4));
     assert_eq!(found(|bank| put(bank, order + 8, 12_u32.to_le_bytes())), (ClipOrder, order + 8));
@@ -209,15 +221,20 @@ fn index_and_order() {
 #[test]
 fn texts_and_locales() {
     use ErrorKind::*;
-    let (index, texts) = (start(Tag::TEXT_INDEX), start(Tag::TEXTS));
+    let index = start(Tag::TEXT_INDEX);
     for entry in [1000, TEXT_FALLBACK | 1000, TEXT_WIDE | 226, NO_TEXT - 1] {
         assert_eq!(found(|bank| put(bank, index + 4, entry.to_le_bytes())), (TextReference, index + 4), "{entry:#x}");
     }
     let fewer = |bank: &mut Vec<u8>| put(bank, entry_of(SMALL, Tag::TEXT_INDEX) + 8, 92_u32.to_le_bytes());
     assert_eq!(found(fewer), (TextReference, index));
-    // The first run starts with the end of its first text.
-    let (kind, at) = found(|bank| put(bank, texts, [0x7F, 0x7F]));
+    let ends = section(SMALL, Tag::TEXT_ENDS);
+    assert_eq!(found(|bank| put(bank, ends.start, [1])), (TextReference, ends.start), "the entry before all others");
+    let (kind, at) = found(|bank| put(bank, ends.end - 2, [0xFF, 0xFF]));
     assert!(kind == TextReference && section(SMALL, Tag::TEXT_INDEX).contains(&at), "{kind:?} at {at}");
+    let fewer = |bank: &mut Vec<u8>| {
+        put(bank, entry_of(SMALL, Tag::TEXT_ENDS) + 8, (ends.len() as u32 - 2).to_le_bytes());
+    };
+    assert_eq!(found(fewer), (TextReference, ends.start));
     let naive = SMALL.windows(3).position(|window| window == "ïv".as_bytes()).expect("naïve");
     assert_eq!(found(|bank| put(bank, naive, b"\xFF")), (Utf8, naive));
     let name = start(Tag::NAMES) + 4;
@@ -238,7 +255,7 @@ fn events() {
     assert_eq!(found(|bank| put(bank, records + 12, u32::MAX.to_le_bytes())), (TypedEvent, records), "count");
     let (typed, typed_bytes) = (start(Tag::TYPED_EVENTS), section(SMALL, Tag::TYPED_EVENTS).len());
     let shorter = |bank: &mut Vec<u8>| {
-        put(bank, entry_of(SMALL, Tag::TYPED_EVENTS) + 8, (typed_bytes as u32 - 12).to_le_bytes());
+        put(bank, entry_of(SMALL, Tag::TYPED_EVENTS) + 8, (typed_bytes as u32 - 16).to_le_bytes());
     };
     assert_eq!(found(shorter).0, TypedEvent, "a string whose events are not all there");
     for verb in [0, 8, 255] {

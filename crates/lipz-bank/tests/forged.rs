@@ -6,7 +6,7 @@
 mod common;
 
 use common::forge::{ForgedClip, bank};
-use common::{DRAMA, SMALL, changed, entry_of, finding, put, record_of, section, u32_at, verified};
+use common::{SMALL, changed, entry_of, finding, put, record_of, section, u32_at};
 use lipz_bank::layout::Tag;
 use lipz_bank::{Error, ErrorKind};
 
@@ -53,44 +53,24 @@ fn one_locale_is_the_default() {
     assert!(finding(&changed(SMALL, |bank| put(bank, locales + 6, [1]))).is_some());
 }
 
-/// The ends in a text run are bytes of seven bits. With the eighth set in two neighbours the pool
-/// is still UTF-8, and the reader would take the bits of the one into the other.
-#[test]
-fn ends_have_seven_bits() {
-    // The last end of the run at the start of the pool: no text of another clip depends on it.
-    let index = section(DRAMA, Tag::TEXT_INDEX);
-    let place = index.clone().step_by(4).position(|at| u32_at(DRAMA, at) == 0).expect("the first run");
-    let bank = verified(DRAMA);
-    let clip = bank.clip_at((place % bank.clip_count()) as u32).expect("its clip");
-    let end = section(DRAMA, Tag::TEXTS).start + 2 * (clip.segment_count() as usize - 1);
-    for (low, high) in (0xC2..0xE0).flat_map(|low| (0x80..0xC0).map(move |high| (low, high))) {
-        assert!(finding(&changed(DRAMA, |bank| put(bank, end, [low, high]))).is_some(), "{low:#x} {high:#x}");
-    }
-}
-
 /// Were clips allowed to claim the same frames, each claim would be checked anew, and verification
 /// would take time in the square of the length.
 #[test]
 fn clips_do_not_share_frames() {
     let (blair, nine) = (record_of(SMALL, "act1/blair"), record_of(SMALL, "act2/nine"));
     let shared = changed(SMALL, |bank| {
-        let offset = u32_at(SMALL, blair + 24) + 1;
-        put(bank, nine + 24, offset.to_le_bytes());
+        let (offset, first) = (u32_at(SMALL, blair), u32_at(SMALL, blair + 8));
+        put(bank, nine, offset.to_le_bytes());
+        put(bank, nine + 8, first.to_le_bytes());
     });
     assert!(finding(&shared).is_some());
 }
 
-/// Many locales that share a few runs of many segments: each entry of four bytes would cost a check
-/// of a whole run. The bank of 700 kB below would take 10⁹ steps.
+/// Many locales that share the texts of many segments: each end of a text is checked, none of them twice.
 #[test]
-fn shared_runs_have_a_budget() {
-    let with = |segments: usize, locales: usize, runs: usize| {
-        let clip = ForgedClip { key: "k", frames: vec![], starts: vec![0; segments - 1], has_far_starts: true };
-        let entries: Vec<u32> = (0..locales).map(|locale| (locale % runs) as u32).collect();
-        bank(&[clip], locales, &entries, &vec![0; 2 * segments + runs])
-    };
-    assert_eq!(finding(&with(30_000, 30_000, 50)).map(Error::kind), Some(ErrorKind::TooManySteps));
-    // Locales that fall back to one run are no cause for suspicion.
-    assert_eq!(finding(&with(30_000, 30_000, 1)), None);
-    assert_eq!(finding(&with(300, 100, 50)), None);
+fn shared_texts_are_whole() {
+    let clip = ForgedClip { key: "k", frames: vec![], starts: vec![0; 2999] };
+    let with = |entry| bank(std::slice::from_ref(&clip), 300, &[entry; 300], &[0], b"x");
+    assert_eq!([finding(&with(0)), finding(&with(1))], [None; 2]);
+    assert_eq!(finding(&with(2)).map(Error::kind), Some(ErrorKind::TextReference));
 }

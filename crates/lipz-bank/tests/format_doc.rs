@@ -6,7 +6,7 @@
 mod common;
 
 use common::{DRAMA, SMALL, section, verified};
-use lipz_bank::layout::{self, ClipRecord, DirectoryEntry, Header, LocaleRecord, Tag};
+use lipz_bank::layout::{self, ClipRecord, DirectoryEntry, Header, KeyRecord, LocaleRecord, RateRecord, Tag};
 use lipz_bank::layout::{BabbleRecord, EventNameRecord, EventRecord, TypedEventRecord};
 use lipz_bank::{ClipId, ErrorKind};
 use std::mem::{size_of, size_of_val};
@@ -85,22 +85,12 @@ fn header() {
 fn records() {
     let fields = fields!(DirectoryEntry { tag, offset_bytes, length_bytes, entry_bytes, flags });
     check_fields("DirectoryEntry", &fields, size_of::<DirectoryEntry>());
-    let fields = fields!(ClipRecord {
-        id,
-        frames_per_micro_q64,
-        fps_numerator,
-        fps_denominator,
-        frames_offset_bytes,
-        frame_count,
-        segment_count,
-        events_first,
-        key_offset_bytes,
-        key_length_bytes,
-        viseme_type,
-        flags,
-        starts,
-    });
+    let fields = fields!(ClipRecord { frames_offset_bytes, frame_count, segments_first, rate, viseme_type, flags });
     check_fields("ClipRecord", &fields, size_of::<ClipRecord>());
+    let fields = fields!(KeyRecord { id, key_offset_bytes, key_length_bytes, segment_count });
+    check_fields("KeyRecord", &fields, size_of::<KeyRecord>());
+    let fields = fields!(RateRecord { frames_per_micro_q64, fps_numerator, fps_denominator });
+    check_fields("RateRecord", &fields, size_of::<RateRecord>());
     let fields = fields!(LocaleRecord { tag_offset_bytes, tag_length_bytes, flags });
     check_fields("LocaleRecord", &fields, size_of::<LocaleRecord>());
     let fields = fields!(EventRecord { offset_bytes, length_bytes, typed_first, typed_count });
@@ -142,9 +132,8 @@ fn values() {
         ("FORMAT_MINOR", u32::from(layout::FORMAT_MINOR)),
         ("SECTION_REQUIRED", u32::from(layout::SECTION_REQUIRED)),
         ("FLAG_VISEMES", u32::from(layout::FLAG_VISEMES)),
-        ("FLAG_FAR_STARTS", u32::from(layout::FLAG_FAR_STARTS)),
-        ("INLINE_STARTS", layout::INLINE_STARTS as u32),
-        ("NO_EVENTS", layout::NO_EVENTS),
+        ("NO_RATE", u32::from(layout::NO_RATE)),
+        ("WHOLE_RATES", u32::from(layout::WHOLE_RATES)),
         ("LOCALE_DEFAULT", u32::from(layout::LOCALE_DEFAULT)),
         ("NO_TEXT", layout::NO_TEXT),
         ("TEXT_FALLBACK", layout::TEXT_FALLBACK),
@@ -218,10 +207,12 @@ fn fingerprint() {
         product ^ (product >> 32)
     };
     for bytes in [SMALL, DRAMA] {
-        let records = <[ClipRecord]>::ref_from_bytes(&bytes[section(bytes, Tag::CLIPS)]).expect("records");
-        let fingerprint = records.iter().fold(records.len() as u64, |hash, record| {
-            let hash = mix(hash ^ record.id.get(), 0x9E37_79B9_7F4A_7C15);
-            mix(hash ^ u64::from(record.segment_count.get()), 0x9FB2_1C65_1E98_DF25)
+        let keys = <[KeyRecord]>::ref_from_bytes(&bytes[section(bytes, Tag::KEYS)]).expect("records");
+        let clips = <[ClipRecord]>::ref_from_bytes(&bytes[section(bytes, Tag::CLIPS)]).expect("records");
+        let fingerprint = keys.iter().zip(clips).fold(keys.len() as u64, |hash, (key, clip)| {
+            let hash = mix(hash ^ key.id.get(), 0x9E37_79B9_7F4A_7C15);
+            let segments = (u64::from(clip.segments_first.get()) << 32) + u64::from(key.segment_count.get());
+            mix(hash ^ segments, 0x9FB2_1C65_1E98_DF25)
         });
         assert_eq!(verified(bytes).fingerprint(), fingerprint);
     }

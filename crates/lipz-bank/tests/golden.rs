@@ -55,9 +55,9 @@ fn small_is_small() {
     assert!(SMALL.len() < 4096, "{} bytes", SMALL.len());
 }
 
-/// The wide bank is there for runs with four-byte ends: own ones and such reached by fallback.
+/// The wide bank is there for texts whose ends wrap around: own ones and such reached by fallback.
 #[test]
-fn wide_has_wide_runs() {
+fn wide_has_wide_texts() {
     use lipz_bank::layout::{NO_TEXT, TEXT_FALLBACK, TEXT_WIDE, Tag};
     let index = &WIDE[common::section(WIDE, Tag::TEXT_INDEX)];
     let entries = || (0..index.len()).step_by(4).map(|at| common::u32_at(index, at)).filter(|&entry| entry != NO_TEXT);

@@ -101,9 +101,6 @@
 // Damage: the fingerprint does not match the clips.
 #define LIPZ_FINGERPRINT 27
 
-// Damage: the bank takes far more steps to check than a real one.
-#define LIPZ_TOO_MANY_STEPS 28
-
 // Damage: the texts belong to a bank with other clips.
 #define LIPZ_OTHER_CLIPS 29
 

@@ -73,6 +73,7 @@ mod tests {
         let mut store = Clips::default();
         for (key, tags) in ('a'..).zip(clips) {
             let mut clip = ClipData { starts: vec![0], ..ClipData::default() };
+            clip.displays.push("");
             for tag in *tags {
                 clip.add_displays(store.locales.number(tag, true));
             }

@@ -1,12 +1,12 @@
 //! Splitting a bank by locale: a base bank without texts, and a text bank for each locale.
 
 use crate::Report;
-use crate::clip::run;
+use crate::clip::{BankTexts, InBank};
 use crate::lower::assemble::{Section, assemble};
 use crate::lower::fit;
 use foldhash::{HashMap, HashMapExt};
 use lipz::Code;
-use lipz_bank::layout::{Header, LOCALE_DEFAULT, LocaleRecord, NO_TEXT, TEXT_FALLBACK, TEXT_WIDE, Tag, U32};
+use lipz_bank::layout::{Header, LOCALE_DEFAULT, LocaleRecord, NO_TEXT, TEXT_FALLBACK, TEXT_WIDE, Tag, U16, U32};
 use lipz_bank::{Bank, Locale};
 use zerocopy::{FromBytes, IntoBytes};
 
@@ -42,19 +42,24 @@ pub struct Split {
 pub fn split(bytes: &[u8]) -> Result<Split, Report> {
     let bank = Bank::open(bytes).and_then(Bank::verify);
     let (Ok(bank), Ok((header, _))) = (bank, Header::ref_from_prefix(bytes)) else {
-        return Err(Report::failure("", Code::BankDamaged, "the bank to be split is damaged".into(), "pack it again"));
+        return Err(damaged());
     };
-    let whole = Whole { bank, index_seed: header.index_seed.get() };
-    let tables = whole.section(Tag::TEXT_INDEX).chunks((whole.bank.clip_count() * size_of::<U32>()).max(1));
-    let texts = std::iter::zip(whole.bank.locales(), tables)
-        .map(|(locale, table)| Ok((locale.tag().to_owned(), whole.text_bank(locale, table)?)))
+    let texts = BankTexts::of(&bank).ok_or_else(damaged)?;
+    let whole = Whole { bank, texts, index_seed: header.index_seed.get() };
+    let texts = (whole.bank.locales().enumerate())
+        .map(|(number, locale)| Ok((locale.tag().to_owned(), whole.text_bank(locale, number)?)))
         .collect::<Result<_, Report>>()?;
     Ok(Split { base: whole.base()?, texts })
+}
+
+fn damaged() -> Report {
+    Report::failure("", Code::BankDamaged, "the bank to be split is damaged".into(), "pack it again")
 }
 
 /// The bank that is split.
 struct Whole<'data> {
     bank: Bank<'data>,
+    texts: BankTexts<'data>,
     index_seed: u64,
 }
 
@@ -71,6 +76,7 @@ impl<'data> Whole<'data> {
         let keys_bytes = self.bank.clips().map(|clip| clip.key().len()).sum();
         let required = Tag::REQUIRED.map(|(tag, _)| match tag {
             Tag::LOCALES | Tag::TEXT_INDEX | Tag::TEXTS => Section::table(tag, &[]),
+            Tag::TEXT_ENDS => Section::table(tag, &[0; size_of::<U16>()]),
             Tag::NAMES => Section::table(tag, names.get(..keys_bytes).unwrap_or(names)),
             other => Section::table(other, self.section(other)),
         });
@@ -81,25 +87,21 @@ impl<'data> Whole<'data> {
         assemble(&sections, self.index_seed, self.bank.fingerprint(), |_| ())
     }
 
-    /// The texts of one locale, whose part of the text index is `table`: runs in the order of the keys,
-    /// equal ones once.
-    fn text_bank(&self, locale: Locale<'data>, table: &[u8]) -> Result<Vec<u8>, Report> {
-        let entries = <[U32]>::ref_from_bytes(table).unwrap_or_default();
-        let pool = self.section(Tag::TEXTS);
-        let mut index = vec![U32::new(NO_TEXT); entries.len()];
-        let mut runs = Vec::new();
+    /// The texts of the locale with this number, in the order of the keys; equal ones once.
+    fn text_bank(&self, locale: Locale<'data>, number: usize) -> Result<Vec<u8>, Report> {
+        let mut index = vec![U32::new(NO_TEXT); self.bank.clip_count()];
+        let mut pool = Vec::new();
         let mut offsets = HashMap::new();
         for clip in self.bank.clips() {
-            let slot = clip.slot() as usize;
-            let (Some(entry), Some(to)) = (entries.get(slot), index.get_mut(slot)) else { continue };
-            let Some(run) = run(pool, entry.get(), clip.segment_count()) else { continue };
-            let offset = *offsets.entry(run).or_insert_with(|| {
-                let offset = runs.len();
-                runs.extend_from_slice(run);
+            let Some(InBank { entry, texts, .. }) = self.texts.of_clip(&clip, number) else { continue };
+            let offset = *offsets.entry(texts).or_insert_with(|| {
+                let offset = pool.len();
+                pool.extend_from_slice(texts);
                 offset
             });
-            *to = U32::new(fit(offset, "texts")? | entry.get() & (TEXT_WIDE | TEXT_FALLBACK));
+            index[clip.slot() as usize] = U32::new(fit(offset, "texts")? | entry & (TEXT_WIDE | TEXT_FALLBACK));
         }
+        let ends = [&[U16::new(0)], self.texts.ends(number).ok_or_else(damaged)?].concat();
         let tag = locale.tag();
         let record = LocaleRecord {
             tag_offset_bytes: 0.into(),
@@ -110,7 +112,8 @@ impl<'data> Whole<'data> {
             Section::table(Tag::NAMES, tag.as_bytes()),
             Section::table(Tag::LOCALES, record.as_bytes()),
             Section::table(Tag::TEXT_INDEX, index.as_bytes()),
-            Section::table(Tag::TEXTS, &runs),
+            Section::table(Tag::TEXT_ENDS, ends.as_bytes()),
+            Section::table(Tag::TEXTS, &pool),
         ];
         assemble(&sections, 0, self.bank.fingerprint(), |_| ())
     }

@@ -72,3 +72,29 @@ fn literal_braces_are_displayed() {
     assert_eq!(texts, ["Take {0} of {max}", "} odd {"]);
     assert_eq!(findings(file, &Options::default()).len(), 2);
 }
+
+/// The bank counts segments of a clip, and bytes of the text of one, with 16 bits; all texts of a clip can have more.
+#[test]
+fn what_belongs_to_one_clip_has_limits() {
+    let texts = |parts: &[usize]| parts.iter().map(|&length| "x".repeat(length)).collect::<Vec<_>>().join("|");
+    let compiled = |text: &str| {
+        let file = format!(r#"{{ "text_en-us": "{text}" }}"#);
+        compile(&[Input::from_bytes("clip", file)], &Options::default(), &|_| {})
+    };
+    let bank = compiled(&texts(&[0, 0xFFFF, 0, 0xFFFF, 3])).bank.unwrap();
+    let bank = Bank::open(&bank).and_then(Bank::verify).unwrap();
+    let (locale, clip) = (bank.locale("en-us").unwrap(), bank.clip_by_key("clip").unwrap());
+    let lengths: Vec<_> = clip.segments().map(|segment| segment.text(locale).unwrap().len()).collect();
+    assert_eq!(lengths, [0, 0xFFFF, 0, 0xFFFF, 3]);
+    assert!(compiled(&texts(&[1; 0xFFFF])).bank.is_some());
+
+    let headline = |text: &str| compiled(text).reports.pop().and_then(|mut report| report.diagnostics.pop()).unwrap();
+    let long = headline(&texts(&[1, 0x1_0000]));
+    assert_eq!(
+        (long.code, long.headline.as_str()),
+        (Code::BankTooLarge, "a segment has a text of more than 65535 bytes")
+    );
+    let many = headline(&texts(&[1; 0x1_0000]));
+    assert_eq!(many.code, Code::BankTooLarge);
+    assert_eq!(many.headline, "the clip has 65536 segments; a bank has room for 65535 of a clip");
+}

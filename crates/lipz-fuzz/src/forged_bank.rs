@@ -5,7 +5,7 @@ use crate::common::{directory, forge, put, reseal, section, u32_at};
 use crate::used::is_used;
 use arbitrary::{Arbitrary, Unstructured};
 use lipz_bank::Bank;
-use lipz_bank::layout::{ClipRecord, Header, Tag, fingerprint};
+use lipz_bank::layout::{ClipRecord, Header, KeyRecord, Tag, fingerprint};
 use lipz_compiler::{Input, Options, compile};
 use std::mem::offset_of;
 use std::sync::LazyLock;
@@ -94,9 +94,12 @@ impl Forgery {
             edit.apply(contents, usize::from(*entry_bytes));
         }
         let (old, _) = Header::read_from_prefix(base).expect("a header");
-        let clips = sections.iter().find(|(tag, ..)| *tag == Tag::CLIPS);
-        let sum = match clips.and_then(|(.., records)| <[ClipRecord]>::ref_from_bytes(records).ok()) {
-            Some(records) if !self.keeps_fingerprint => fingerprint(records),
+        let contents =
+            |tag| sections.iter().find(|(found, ..)| *found == tag).map_or(&[][..], |(.., contents)| contents);
+        let keys = <[KeyRecord]>::ref_from_bytes(contents(Tag::KEYS));
+        let clips = <[ClipRecord]>::ref_from_bytes(contents(Tag::CLIPS));
+        let sum = match (keys, clips) {
+            (Ok(keys), Ok(clips)) if !self.keeps_fingerprint => fingerprint(keys, clips),
             _ => old.fingerprint.get(),
         };
         let sections: Vec<(Tag, u16, &[u8])> =

@@ -3,7 +3,7 @@
 //! Ids fall into buckets; each bucket has a *pilot*, a number that the compiler chose so that
 //! all ids of the bucket land in different free slots ("hash, displace"; Fox, Chen and Heath,
 //! SIGIR 1992; Belazzougui, Botelho and Dietzfelbinger, ESA 2009). A look-up reads one pilot and
-//! one clip record, and has no loop.
+//! one key record, and has no loop.
 
 use crate::id;
 

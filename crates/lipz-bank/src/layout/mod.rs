@@ -10,8 +10,9 @@ mod sections;
 use crate::id;
 
 pub use index::{DIRECT_SLOT, bucket_of, slot_of, spread};
-pub use records::{BabbleRecord, ClipRecord, EventNameRecord, EventRecord, LocaleRecord, TypedEventRecord};
-pub use records::{FLAG_FAR_STARTS, FLAG_VISEMES, INLINE_STARTS, LOCALE_DEFAULT, NO_EVENTS, NO_NAME};
+pub use records::{BabbleRecord, ClipRecord, EventNameRecord, EventRecord};
+pub use records::{FLAG_VISEMES, LOCALE_DEFAULT, NO_NAME, NO_RATE, WHOLE_RATES};
+pub use records::{KeyRecord, LocaleRecord, RateRecord, TypedEventRecord};
 pub use records::{
     VERB_DOES, VERB_FEELS, VERB_POINTS, VERB_SEES, VERB_STARES, VERB_STOPS_POINTING, VERB_STOPS_STARING,
 };
@@ -37,21 +38,16 @@ pub const FORMAT_MINOR: u16 = 0;
 pub const NO_TEXT: u32 = u32::MAX;
 /// Bit of a text index entry: the text is that of another locale.
 pub const TEXT_FALLBACK: u32 = 1 << 31;
-/// Bit of a text index entry: the ends in the run have four bytes each instead of two.
+/// Bit of a text index entry: the clip's texts have 65,536 bytes or more, so that their ends wrap around.
 pub const TEXT_WIDE: u32 = 1 << 30;
-/// The other bits of a text index entry: where the run starts in the text pool, in bytes.
+/// The other bits of a text index entry: where the clip's texts start in the text pool, in bytes.
 pub const TEXT_OFFSET: u32 = TEXT_WIDE - 1;
-/// Bytes of an end in a narrow run.
-pub const NARROW_END_BYTES: usize = 2;
-/// Bytes of an end in a wide run.
-pub const WIDE_END_BYTES: usize = 4;
 
-/// Hash of the ids and segment counts of the clips, in slot order: what texts in another file must
-/// agree with.
-pub fn fingerprint(clips: &[ClipRecord]) -> u64 {
-    clips.iter().fold(clips.len() as u64, |hash, clip| {
-        let hash = id::mix(hash ^ clip.id.get(), id::STEP);
-        id::mix(hash ^ u64::from(clip.segment_count.get()), id::FINISH)
+/// Hash of the ids and segments of the clips, in slot order: what texts in another file must agree with.
+pub fn fingerprint(keys: &[KeyRecord], clips: &[ClipRecord]) -> u64 {
+    keys.iter().zip(clips).fold(keys.len() as u64, |hash, (key, clip)| {
+        let segments = u64::from(clip.segments_first.get()) << 32 | u64::from(key.segment_count.get());
+        id::mix(id::mix(hash ^ key.id.get(), id::STEP) ^ segments, id::FINISH)
     })
 }
 

@@ -4,14 +4,13 @@ use super::{U16, U32, U64};
 use core::mem::size_of;
 use zerocopy::{FromBytes, Immutable, IntoBytes, KnownLayout, Unaligned};
 
-/// Segment starts that fit into a clip record: those of segments 1 to 8 (segment 0 starts at 0).
-pub const INLINE_STARTS: usize = 8;
-/// `events_first` of a clip whose file has no `events` element.
-pub const NO_EVENTS: u32 = u32::MAX;
 /// Clip flag: the file has a `visemes` element (possibly of no frames).
 pub const FLAG_VISEMES: u8 = 1;
-/// Clip flag: the segment starts stand in the `STRT` section; see [`ClipRecord::starts`].
-pub const FLAG_FAR_STARTS: u8 = 2;
+/// `rate` of a clip whose frame rate is unspecified.
+pub const NO_RATE: u16 = u16::MAX;
+/// The highest `rate` that is itself the frames of a second. Those above it count the places in the `RATE`
+/// section.
+pub const WHOLE_RATES: u16 = 1000;
 /// Locale flag: the project's default locale.
 pub const LOCALE_DEFAULT: u16 = 1;
 /// Number of a typed event's character for "the speaker", and of its object for "none".
@@ -31,38 +30,50 @@ pub const VERB_STOPS_POINTING: u8 = 6;
 /// Verb of a typed event: `does action`.
 pub const VERB_DOES: u8 = 7;
 
-/// One clip: all that a frame or segment query needs, in one cache line.
+/// One clip while it plays: what is asked for sixty times a second, apart from how it is found, so that
+/// many fit into a cache.
 #[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
 #[repr(C)]
 pub struct ClipRecord {
-    /// [`ClipId`](crate::ClipId) of the key.
-    pub id: U64,
-    /// ⌈2⁶⁴ · frames per microsecond⌉; 0 if the frame rate is unspecified.
-    pub frames_per_micro_q64: U64,
-    /// Frame rate, in lowest terms; 0 if unspecified.
-    pub fps_numerator: U32,
-    /// Seconds in which that many frames pass; 0 if unspecified.
-    pub fps_denominator: U32,
     /// Where the clip's frames start in the `FRAM` section.
     pub frames_offset_bytes: U32,
     /// Frames of the clip.
     pub frame_count: U32,
-    /// Segments of the clip, at least 1.
-    pub segment_count: U32,
-    /// Index of the first segment's entry in `EVRF`, or [`NO_EVENTS`].
-    pub events_first: U32,
+    /// Number of the first segment among those of all clips: its index in `STRT`, and in `EVRF` if that
+    /// is as long.
+    pub segments_first: U32,
+    /// Frames in a second up to [`WHOLE_RATES`], and above it their places in `RATE`; or [`NO_RATE`].
+    pub rate: U16,
+    /// Number of the [`VisemeType`](crate::VisemeType), 0 if unspecified.
+    pub viseme_type: u8,
+    /// [`FLAG_VISEMES`] or 0.
+    pub flags: u8,
+}
+
+/// One clip as it is found, and what says which texts in other files are its own.
+#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
+#[repr(C)]
+pub struct KeyRecord {
+    /// [`ClipId`](crate::ClipId) of the key.
+    pub id: U64,
     /// Where the key starts in the `NAME` section.
     pub key_offset_bytes: U32,
     /// Length of the key.
     pub key_length_bytes: U16,
-    /// Number of the [`VisemeType`](crate::VisemeType), 0 if unspecified.
-    pub viseme_type: u8,
-    /// [`FLAG_VISEMES`], [`FLAG_FAR_STARTS`].
-    pub flags: u8,
-    /// Start frames of segments 1 to 8, unused ones 0xFFFF, if the clip has at most 9 segments and
-    /// 65,535 frames. Otherwise (flag [`FLAG_FAR_STARTS`]) the first two entries are the low and
-    /// high half of the index in `STRT` of segment 1's start, and the others are 0xFFFF.
-    pub starts: [U16; INLINE_STARTS],
+    /// Segments of the clip, at least 1.
+    pub segment_count: U16,
+}
+
+/// One distinct frame rate that is no whole number.
+#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
+#[repr(C)]
+pub struct RateRecord {
+    /// ⌈2⁶⁴ · frames per microsecond⌉.
+    pub frames_per_micro_q64: U64,
+    /// Frame rate, in lowest terms.
+    pub fps_numerator: U32,
+    /// Seconds in which that many frames pass.
+    pub fps_denominator: U32,
 }
 
 /// One locale of the bank.
@@ -103,7 +114,7 @@ pub struct TypedEventRecord {
     /// [`VERB_FEELS`] and so on.
     pub verb: u8,
     /// Zero.
-    pub reserved: [u8; 3],
+    pub reserved: [u8; 7],
 }
 
 /// One distinct name that typed events mention: a character, emotion, target or action.
@@ -141,8 +152,10 @@ pub struct BabbleRecord {
 }
 
 const _: () = assert!(size_of::<BabbleRecord>() == 32);
-const _: () = assert!(size_of::<ClipRecord>() == 64);
+const _: () = assert!(size_of::<ClipRecord>() == 16);
+const _: () = assert!(size_of::<KeyRecord>() == 16);
+const _: () = assert!(size_of::<RateRecord>() == 16);
 const _: () = assert!(size_of::<LocaleRecord>() == 8);
 const _: () = assert!(size_of::<EventRecord>() == 16);
-const _: () = assert!(size_of::<TypedEventRecord>() == 12);
+const _: () = assert!(size_of::<TypedEventRecord>() == 16);
 const _: () = assert!(size_of::<EventNameRecord>() == 8);

@@ -37,8 +37,8 @@ pub struct Header {
 pub struct DirectoryEntry {
     /// Four ASCII letters, see [`Tag`].
     pub tag: [u8; 4],
-    /// Where the section starts in the file; a multiple of 64, so that no clip record crosses a
-    /// cache line.
+    /// Where the section starts in the file; a multiple of 64, so that no record of a clip crosses
+    /// a cache line.
     pub offset_bytes: U32,
     /// Length of the section.
     pub length_bytes: U32,
@@ -64,6 +64,10 @@ pub struct Tag(pub [u8; 4]);
 impl Tag {
     /// [`ClipRecord`](super::ClipRecord)s in slot order.
     pub const CLIPS: Tag = Tag(*b"CLIP");
+    /// [`KeyRecord`](super::KeyRecord)s in slot order.
+    pub const KEYS: Tag = Tag(*b"KEYS");
+    /// [`RateRecord`](super::RateRecord)s: the distinct frame rates that are no whole numbers.
+    pub const RATES: Tag = Tag(*b"RATE");
     /// Pilots of the clip index, one `u32` per bucket.
     pub const PILOTS: Tag = Tag(*b"PILT");
     /// Slots of the clips in the order of their keys (bytewise), one `u32` each.
@@ -72,15 +76,19 @@ impl Tag {
     pub const NAMES: Tag = Tag(*b"NAME");
     /// Frame codes, one byte each.
     pub const FRAMES: Tag = Tag(*b"FRAM");
-    /// Segment starts that do not fit into their clip record, one `u32` each.
+    /// Segment starts: for each segment of all clips the offset of its first frame in `FRAM`, one `u32` each,
+    /// and behind them the length of `FRAM`.
     pub const STARTS: Tag = Tag(*b"STRT");
     /// [`LocaleRecord`](super::LocaleRecord)s in the order of their tags.
     pub const LOCALES: Tag = Tag(*b"LOCL");
     /// Text index: for each locale in turn, one `u32` per slot.
     pub const TEXT_INDEX: Tag = Tag(*b"TXIX");
-    /// Text pool, UTF-8: runs of ends and display texts, each locale's together.
+    /// Text ends: a 0, then for each locale in turn the end of each segment's text, modulo 2¹⁶, one `u16` each.
+    pub const TEXT_ENDS: Tag = Tag(*b"TXEN");
+    /// Text pool, UTF-8: display texts, each locale's together.
     pub const TEXTS: Tag = Tag(*b"TEXT");
-    /// For each clip with events in turn, one `u32` per segment: number of an event record.
+    /// For each segment of the clips with events, which come first, the number of an event record, one
+    /// `u32` each.
     pub const EVENT_REFS: Tag = Tag(*b"EVRF");
     /// [`EventRecord`](super::EventRecord)s: the distinct event strings.
     pub const EVENTS: Tag = Tag(*b"EVNT");
@@ -101,8 +109,10 @@ impl Tag {
     pub const OPTIONAL: [(Tag, usize); 3] = [(Tag::BABBLE, 1), (Tag::SOURCE_INDEX, 4), (Tag::SOURCES, 1)];
 
     /// The sections that every bank has, with the length of an entry, in file order.
-    pub const REQUIRED: [(Tag, usize); 14] = [
+    pub const REQUIRED: [(Tag, usize); 17] = [
         (Tag::CLIPS, size_of::<super::ClipRecord>()),
+        (Tag::KEYS, size_of::<super::KeyRecord>()),
+        (Tag::RATES, size_of::<super::RateRecord>()),
         (Tag::PILOTS, 4),
         (Tag::KEY_ORDER, 4),
         (Tag::NAMES, 1),
@@ -110,6 +120,7 @@ impl Tag {
         (Tag::STARTS, 4),
         (Tag::LOCALES, size_of::<super::LocaleRecord>()),
         (Tag::TEXT_INDEX, 4),
+        (Tag::TEXT_ENDS, 2),
         (Tag::TEXTS, 1),
         (Tag::EVENT_REFS, 4),
         (Tag::EVENTS, size_of::<super::EventRecord>()),
@@ -121,3 +132,13 @@ impl Tag {
 
 const _: () = assert!(size_of::<Header>() == 64);
 const _: () = assert!(size_of::<DirectoryEntry>() == 16);
+
+// Every length of an entry is a power of two, so that no division tells whether entries fill a section.
+#[allow(clippy::indexing_slicing)]
+const _: () = {
+    let mut place = 0;
+    while place < Tag::REQUIRED.len() {
+        assert!(Tag::REQUIRED[place].1.is_power_of_two());
+        place += 1;
+    }
+};

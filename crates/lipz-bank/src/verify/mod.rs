@@ -16,7 +16,6 @@ use crate::file::File;
 use crate::layout;
 use crate::locale::LocaleTable;
 use crate::pool::Pool;
-use crate::segment::segment_count;
 use crate::{Bank, Error, ErrorKind, TextBank};
 use strings::Strings;
 use texts::TextCheck;
@@ -37,11 +36,12 @@ pub(crate) fn verify<'data>(bank: &mut Bank<'data>, utf8: Utf8<'data>) -> Result
     for pool in [&mut bank.texts.names, &mut bank.texts.texts, &mut bank.event_strings] {
         check_pool(&bank.file, pool, utf8)?;
     }
+    clips::rates(bank)?;
     let keys_end = clips::clips(bank)?;
     locales(&bank.file, &bank.texts, keys_end)?;
     events::events(bank)?;
     babble::babble(bank)?;
-    if layout::fingerprint(bank.clips) != bank.file.header.fingerprint.get() {
+    if layout::fingerprint(bank.keys, bank.clips) != bank.file.header.fingerprint.get() {
         return Err(Error::new(ErrorKind::Fingerprint, 24));
     }
     Ok(())
@@ -56,19 +56,20 @@ pub(crate) fn verify_texts<'data>(
     let file = texts.file;
     checksum(&file)?;
     sections::sections(&file)?;
-    sections::text_index_length(&file, &texts.table)?;
+    sections::text_lengths(&file, &texts.table)?;
     for pool in [&mut texts.table.names, &mut texts.table.texts] {
         check_pool(&file, pool, utf8)?;
     }
     // Another bank's tags stand behind its keys.
     let start = texts.table.records.first().map_or(0, |first| first.tag_offset_bytes.get());
     locales(&file, &texts.table, start)?;
-    if file.header.fingerprint.get() != bank.fingerprint() || texts.table.clip_count != bank.clip_count() {
+    let counts = |table: &LocaleTable<'_>| (table.clip_count, table.segment_count);
+    if file.header.fingerprint.get() != bank.fingerprint() || counts(&texts.table) != counts(&bank.texts) {
         return Err(Error::new(ErrorKind::OtherClips, 24));
     }
-    let mut check = TextCheck::of(&file, &texts.table);
-    for (slot, record) in bank.clips.iter().enumerate() {
-        check.clip(slot, segment_count(bank, record))?;
+    let check = TextCheck::of(&file, &texts.table);
+    for (slot, (clip, record)) in bank.clips.iter().zip(bank.keys).enumerate() {
+        check.clip(slot, clip, record)?;
     }
     Ok(())
 }

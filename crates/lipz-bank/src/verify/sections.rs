@@ -35,7 +35,10 @@ pub(super) fn table_lengths(bank: &Bank<'_>) -> Result<(), Error> {
     if bank.key_order.len() != bank.clips.len() {
         return Err(error_at(bank, ErrorKind::ClipOrder, bank.key_order));
     }
-    text_index_length(&bank.file, &bank.texts)?;
+    if bank.keys.len() != bank.clips.len() {
+        return Err(error_at(bank, ErrorKind::ClipKey, bank.keys));
+    }
+    text_lengths(&bank.file, &bank.texts)?;
     let has_shape =
         |entry: &DirectoryEntry, (_, entry_bytes): (Tag, usize)| usize::from(entry.entry_bytes.get()) == entry_bytes;
     let [of_babble, of_index, of_sources] = Tag::OPTIONAL;
@@ -58,10 +61,15 @@ pub(super) fn table_lengths(bank: &Bank<'_>) -> Result<(), Error> {
     }
 }
 
-/// Checks that the text index has an entry for each clip in each locale.
-pub(super) fn text_index_length(file: &File<'_>, table: &LocaleTable<'_>) -> Result<(), Error> {
+/// Checks that the text index has an entry for each clip in each locale, and the text ends for each segment.
+pub(super) fn text_lengths(file: &File<'_>, table: &LocaleTable<'_>) -> Result<(), Error> {
     if table.records.len().checked_mul(table.clip_count) != Some(table.index.len()) {
         return Err(error_in(file, ErrorKind::TextReference, table.index));
+    }
+    let entries = table.records.len().checked_mul(table.segment_count);
+    let behind = table.ends.split_first().filter(|(first, _)| first.get() == 0).map(|(_, behind)| behind.len());
+    if behind.is_none() || behind != entries {
+        return Err(error_in(file, ErrorKind::TextReference, table.ends));
     }
     Ok(())
 }

@@ -11,41 +11,35 @@ pub(crate) struct ForgedClip {
     pub(crate) frames: Vec<u8>,
     /// Starts of segments 1 and up.
     pub(crate) starts: Vec<u32>,
-    pub(crate) has_far_starts: bool,
 }
 
 /// The bank of `clips`, which are in the order of their keys; `locale_count` locales have the text
-/// entries `entries`, locale by locale, and share the pool of texts.
-pub(crate) fn bank(clips: &[ForgedClip], locale_count: usize, entries: &[u32], pool: &[u8]) -> Vec<u8> {
-    let (mut records, mut names, mut frames, mut starts) = (Vec::new(), String::new(), Vec::new(), Vec::new());
+/// entries `entries`, locale by locale, text ends that repeat `ends`, and share the pool of texts.
+pub(crate) fn bank(clips: &[ForgedClip], locale_count: usize, entries: &[u32], ends: &[u16], pool: &[u8]) -> Vec<u8> {
+    let (mut records, mut keys, mut names, mut frames) = (Vec::new(), Vec::new(), String::new(), Vec::new());
+    let mut starts: Vec<U32> = Vec::new();
     for clip in clips {
-        let mut inline = [U16::new(0xFFFF); INLINE_STARTS];
-        let fits = clip.starts.iter().zip(&mut inline);
-        if clip.has_far_starts {
-            inline[0] = (starts.len() as u16).into();
-            inline[1] = ((starts.len() >> 16) as u16).into();
-            starts.extend(clip.starts.iter().map(|&start| U32::new(start)));
-        } else {
-            fits.for_each(|(&start, field)| *field = (start as u16).into());
-        }
+        let start = frames.len() as u32;
         records.push(ClipRecord {
-            id: ClipId::of(clip.key).get().into(),
-            frames_per_micro_q64: 0.into(),
-            fps_numerator: 0.into(),
-            fps_denominator: 0.into(),
-            frames_offset_bytes: (frames.len() as u32).into(),
+            frames_offset_bytes: start.into(),
             frame_count: (clip.frames.len() as u32).into(),
-            segment_count: (clip.starts.len() as u32 + 1).into(),
-            events_first: NO_EVENTS.into(),
+            segments_first: (starts.len() as u32).into(),
+            rate: NO_RATE.into(),
+            viseme_type: VisemeType::Blair as u8,
+            flags: FLAG_VISEMES,
+        });
+        keys.push(KeyRecord {
+            id: ClipId::of(clip.key).get().into(),
             key_offset_bytes: (names.len() as u32).into(),
             key_length_bytes: (clip.key.len() as u16).into(),
-            viseme_type: VisemeType::Blair as u8,
-            flags: FLAG_VISEMES | if clip.has_far_starts { FLAG_FAR_STARTS } else { 0 },
-            starts: inline,
+            segment_count: (clip.starts.len() as u16 + 1).into(),
         });
+        starts.extend(std::iter::once(&0).chain(&clip.starts).map(|&behind| U32::new(start + behind)));
         names.push_str(clip.key);
         frames.extend_from_slice(&clip.frames);
     }
+    let segment_count = starts.len();
+    starts.push((frames.len() as u32).into());
     let mut locales = Vec::new();
     for number in 0..locale_count {
         let offset = names.len() as u32;
@@ -54,9 +48,13 @@ pub(crate) fn bank(clips: &[ForgedClip], locale_count: usize, entries: &[u32], p
     }
     let order: Vec<U32> = (0..clips.len() as u32).map(U32::new).collect();
     let entries: Vec<U32> = entries.iter().map(|&entry| U32::new(entry)).collect();
-    let (pilots, none) = (pilots(&records), [].as_slice());
-    let contents: [&[u8]; 14] = [
+    let ends = ends.iter().cycle().take(locale_count * segment_count);
+    let ends: Vec<U16> = std::iter::once(&0).chain(ends).map(|&end| U16::new(end)).collect();
+    let (pilots, none) = (pilots(&keys), [].as_slice());
+    let contents: [&[u8]; 17] = [
         records.as_bytes(),
+        keys.as_bytes(),
+        none,
         pilots.as_bytes(),
         order.as_bytes(),
         names.as_bytes(),
@@ -64,6 +62,7 @@ pub(crate) fn bank(clips: &[ForgedClip], locale_count: usize, entries: &[u32], p
         starts.as_bytes(),
         locales.as_bytes(),
         entries.as_bytes(),
+        ends.as_bytes(),
         pool,
         none,
         none,
@@ -72,11 +71,11 @@ pub(crate) fn bank(clips: &[ForgedClip], locale_count: usize, entries: &[u32], p
         none,
     ];
     let sections = Tag::REQUIRED.iter().zip(contents).map(|(&(tag, entry), contents)| (tag, entry as u16, contents));
-    file(&sections.collect::<Vec<_>>(), fingerprint(&records), 0)
+    file(&sections.collect::<Vec<_>>(), fingerprint(&keys, &records), 0)
 }
 
 /// Pilots that lead every id directly to its slot: so many buckets that each has one id at most.
-fn pilots(records: &[ClipRecord]) -> Vec<U32> {
+fn pilots(records: &[KeyRecord]) -> Vec<U32> {
     let buckets = |count: u32| records.iter().map(move |record| bucket_of(spread(record.id.get(), 0), count) as usize);
     let count = (1..10_000).find(|&count| {
         let mut taken = vec![false; count as usize];

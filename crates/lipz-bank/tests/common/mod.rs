@@ -6,7 +6,7 @@ pub(crate) mod dump;
 pub(crate) mod exercise;
 pub(crate) mod forge;
 
-use lipz_bank::layout::{CHECKED_FROM, ClipRecord, DirectoryEntry, Header, Tag, checksum};
+use lipz_bank::layout::{CHECKED_FROM, ClipRecord, DirectoryEntry, Header, KeyRecord, Tag, checksum};
 use lipz_bank::{Bank, ClipId, Error};
 use std::mem::size_of;
 use std::ops::Range;
@@ -74,12 +74,20 @@ pub(crate) fn section(bytes: &[u8], tag: Tag) -> Range<usize> {
     start..start + u32_at(bytes, at + 8) as usize
 }
 
+/// The slot of a clip.
+fn slot_of(bytes: &[u8], key: &str) -> usize {
+    let records = <[KeyRecord]>::ref_from_bytes(&bytes[section(bytes, Tag::KEYS)]).expect("key records");
+    records.iter().position(|record| record.id.get() == ClipId::of(key).get()).expect("a known key")
+}
+
 /// Where the record of a clip stands.
 pub(crate) fn record_of(bytes: &[u8], key: &str) -> usize {
-    let clips = section(bytes, Tag::CLIPS);
-    let records = <[ClipRecord]>::ref_from_bytes(&bytes[clips.clone()]).expect("clip records");
-    let slot = records.iter().position(|record| record.id.get() == ClipId::of(key).get()).expect("a known key");
-    clips.start + slot * size_of::<ClipRecord>()
+    section(bytes, Tag::CLIPS).start + slot_of(bytes, key) * size_of::<ClipRecord>()
+}
+
+/// Where the record of a clip's key stands.
+pub(crate) fn key_record_of(bytes: &[u8], key: &str) -> usize {
+    section(bytes, Tag::KEYS).start + slot_of(bytes, key) * size_of::<KeyRecord>()
 }
 
 /// Random numbers, always the same ones (SplitMix64; Steele, Lea and Flood, OOPSLA 2014).

@@ -2,7 +2,7 @@
 
 use super::Scene;
 use lipz_bank::ClipId;
-use lipz_bank::layout::{CHECKED_FROM, ClipRecord, INLINE_STARTS, Tag, checksum, fingerprint};
+use lipz_bank::layout::{CHECKED_FROM, ClipRecord, KeyRecord, Tag, checksum, fingerprint};
 use std::fs;
 
 /// Where a section is in the bank, by its directory entry.
@@ -28,28 +28,24 @@ pub(crate) fn bank_with_key(scene: &Scene, key: &str) -> Vec<u8> {
     let at = bank[names.clone()].windows(10).position(|window| window == b"act1/ottos").unwrap() + names.start;
     bank[at..at + 10].copy_from_slice(key.as_bytes());
     let id = ClipId::of(key).get();
-    let record = section(&bank, Tag::CLIPS).start;
+    let record = section(&bank, Tag::KEYS).start;
     bank[record..record + 8].copy_from_slice(&id.to_le_bytes());
-    bank[24..32].copy_from_slice(&fingerprint(&[one_segment(id)]).to_le_bytes());
+    bank[24..32].copy_from_slice(&fingerprint_of(id).to_le_bytes());
     seal(&mut bank);
     bank
 }
 
-/// A record with what the fingerprint looks at: the id, and one segment.
-fn one_segment(id: u64) -> ClipRecord {
-    ClipRecord {
-        id: id.into(),
-        frames_per_micro_q64: 0.into(),
-        fps_numerator: 0.into(),
-        fps_denominator: 0.into(),
+/// The fingerprint of a bank with one clip, of one segment.
+fn fingerprint_of(id: u64) -> u64 {
+    let key =
+        KeyRecord { id: id.into(), key_offset_bytes: 0.into(), key_length_bytes: 0.into(), segment_count: 1.into() };
+    let clip = ClipRecord {
         frames_offset_bytes: 0.into(),
         frame_count: 0.into(),
-        segment_count: 1.into(),
-        events_first: 0.into(),
-        key_offset_bytes: 0.into(),
-        key_length_bytes: 0.into(),
+        segments_first: 0.into(),
+        rate: 0.into(),
         viseme_type: 0,
         flags: 0,
-        starts: [0.into(); INLINE_STARTS],
-    }
+    };
+    fingerprint(&[key], &[clip])
 }

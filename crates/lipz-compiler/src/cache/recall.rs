@@ -1,15 +1,14 @@
 //! Clips of the old bank, as the check made them.
 
-use crate::clip::{ClipData, Locales, run};
-use lipz_bank::layout::{CHECKED_FROM, Header, NO_TEXT, TEXT_FALLBACK, TEXT_WIDE, Tag, U32, checksum};
+use crate::clip::{BankTexts, ClipData, Locales};
+use lipz_bank::layout::{CHECKED_FROM, Header, TEXT_FALLBACK, Tag, U32, checksum};
 use lipz_bank::{Bank, Clip};
 use zerocopy::FromBytes;
 
 /// The old bank, of which clips are recalled.
 pub(super) struct Recall<'b> {
     bank: Bank<'b>,
-    /// The runs of all locales.
-    pool: &'b [u8],
+    texts: BankTexts<'b>,
     /// Tag and part of the text index of each locale.
     locales: Vec<(&'b str, &'b [U32])>,
     /// `None` if the bank was stripped.
@@ -39,15 +38,15 @@ impl<'b> Recall<'b> {
         }
         let bank = Bank::open(bank).ok()?;
         let section = |tag| bank.sections().find(|(found, _)| *found == tag).map(|(_, bytes)| bytes);
-        let index = <[U32]>::ref_from_bytes(section(Tag::TEXT_INDEX)?).ok()?;
-        let tables = index.chunks_exact(bank.clip_count().max(1));
+        let texts = BankTexts::of(&bank)?;
+        let tables = (0..).map_while(|locale| texts.entries(locale));
         let sources = match (section(Tag::SOURCE_INDEX), section(Tag::SOURCES)) {
             (Some(index), Some(records)) => Some(Sources::of(<[U32]>::ref_from_bytes(index).ok()?, records)),
             _ => None,
         };
         Some(Recall {
-            pool: section(Tag::TEXTS)?,
             locales: std::iter::zip(bank.locales(), tables).map(|(locale, table)| (locale.tag(), table)).collect(),
+            texts,
             sources,
             bank,
         })
@@ -81,18 +80,16 @@ impl<'b> Recall<'b> {
     /// which is resolved anew.
     fn texts(&self, found: &Clip<'_, '_>, locales: &mut Locales, clip: &mut ClipData) -> Option<()> {
         let slot = found.slot() as usize;
-        for (tag, table) in &self.locales {
-            let entry = table.get(slot)?.get();
-            let own_entry = entry & !TEXT_FALLBACK;
-            let is_fallback = entry != own_entry;
-            // A locale's runs stand together: what no locale has as its own is of one that is not packed.
+        for (number, (tag, _)) in self.locales.iter().enumerate() {
+            let Some(text) = self.texts.of_clip(found, number) else { continue };
+            let own_entry = text.entry & !TEXT_FALLBACK;
+            let is_fallback = text.entry != own_entry;
+            // A locale's texts stand together: what no locale has as its own is of one that is not packed.
             let is_resolved =
                 || self.locales.iter().any(|(_, table)| table.get(slot).map(|own| own.get()) == Some(own_entry));
-            if entry == NO_TEXT || is_fallback && is_resolved() {
-                continue;
+            if !(is_fallback && is_resolved()) {
+                clip.add_texts(locales.number(tag, false), text.ends, text.texts, is_fallback);
             }
-            let run = run(self.pool, entry, found.segment_count())?;
-            clip.add_run(locales.number(tag, false), run, entry & TEXT_WIDE != 0, is_fallback);
         }
         Some(())
     }

@@ -2,9 +2,11 @@
 
 use super::{ClipData, ClipText, Locales};
 use crate::strings::Strings;
+use lipz_bank::layout::U16;
 use lipz_bank::{Fps, VisemeType};
 use std::collections::BTreeSet;
 use std::ops::Range;
+use zerocopy::FromBytes;
 
 /// Clips, part by part: all frames in one buffer, all texts in one, and so on. A clip is where its
 /// parts end in them; they start where those of the clip before it end.
@@ -187,10 +189,12 @@ impl<'c> Clip<'c> {
         texts.binary_search_by_key(&locale, |text| text.locale).ok().map(|index| &texts[index])
     }
 
-    /// The run of one of the clip's texts.
-    pub(crate) fn run(&self, text: &ClipText) -> &'c [u8] {
+    /// Where each of the display texts ends, as in the bank, and the texts.
+    pub(crate) fn run(&self, text: &ClipText) -> (&'c [U16], &'c [u8]) {
         let start = self.range(|ends| ends.runs).start;
-        &self.clips.runs[start + text.place.start as usize..start + text.place.end as usize]
+        let run = &self.clips.runs[start + text.place.start as usize..start + text.place.end as usize];
+        let (ends, texts) = run.split_at(size_of::<U16>() * self.starts().len());
+        (<[U16]>::ref_from_bytes(ends).unwrap_or_default(), texts)
     }
 
     /// The event strings of all segments, if the file has an `events` element.
@@ -231,7 +235,7 @@ mod tests {
         let clips = Clips::by_key(&batches);
         let seen: Vec<_> = clips.iter().map(|clip| (clip.key(), clip.frames().len(), clip.place())).collect();
         assert_eq!(seen, [("a", 1, (0, 1)), ("b", 2, (1, 0)), ("c", 3, (0, 0))]);
-        let run = |clip: &Clip<'_>, locale| clip.text(locale).map(|text| clip.run(text)[2..].to_vec());
+        let run = |clip: &Clip<'_>, locale| clip.text(locale).map(|text| clip.run(text).1.to_vec());
         let texts: Vec<_> = clips.iter().map(|clip| [0, 1, 2].map(|locale| run(clip, locale))).collect();
         let [de, en, fr] = ["de-de", "en-us", "fr-fr"].map(|tag| Some(tag.into()));
         assert_eq!(texts, [[None, None, None], [None, en, fr.clone()], [de, None, fr]]);

@@ -10,7 +10,7 @@ pub(crate) use run::Run;
 use crate::output::replace_file_if;
 use crate::{Input, Options, Report};
 use lipz::Code;
-use lipz_bank::{Bank, ErrorKind};
+use lipz_bank::Bank;
 use std::path::Path;
 use std::time::Duration;
 
@@ -136,12 +136,6 @@ pub(crate) fn verify(bank: &[u8]) -> Result<(), Report> {
     let utf8 = |bytes| simdutf8::basic::from_utf8(bytes).ok();
     match Bank::open(bank).and_then(|bank| bank.verify_with(utf8)) {
         Ok(_) => Ok(()),
-        Err(error) if error.kind() == ErrorKind::TooManySteps => Err(Report::failure(
-            "",
-            Code::BankTooLarge,
-            "clips of very many segments share their texts in very many locales: readers would refuse the bank".into(),
-            "make several banks, one per language",
-        )),
         Err(error) => Err(Report::failure(
             "",
             Code::BankDamaged,

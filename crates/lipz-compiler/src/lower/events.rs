@@ -6,15 +6,13 @@ use crate::Report;
 use crate::clip::Clip;
 use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order of entries is never used
 use lipz::event::{self, Command, Event, Word};
-use lipz_bank::layout::{EventNameRecord, EventRecord, NO_EVENTS, NO_NAME, TypedEventRecord, U32};
+use lipz_bank::layout::{EventNameRecord, EventRecord, NO_NAME, TypedEventRecord, U32};
 use lipz_bank::layout::{
     VERB_DOES, VERB_FEELS, VERB_POINTS, VERB_SEES, VERB_STARES, VERB_STOPS_POINTING, VERB_STOPS_STARING,
 };
 
 /// The sections of the events.
 pub(super) struct Events {
-    /// Index of each clip's first reference, or `NO_EVENTS`.
-    pub(super) first: Vec<u32>,
     pub(super) references: Vec<U32>,
     pub(super) records: Vec<EventRecord>,
     pub(super) typed: Vec<TypedEventRecord>,
@@ -25,17 +23,12 @@ pub(super) struct Events {
 
 /// Numbers the distinct event strings in the order of their first use, and parses each once.
 pub(super) fn events(clips: &[Clip<'_>]) -> Result<Events, Report> {
-    let mut first = Vec::with_capacity(clips.len());
     let mut references = Vec::new();
     let mut records = Vec::new();
     let mut parsed: Vec<Event<'_>> = Vec::new();
     let mut pool = String::new();
     let mut numbers: HashMap<&str, u32> = HashMap::with_capacity(clips.len());
     for clip in clips {
-        first.push(match clip.events() {
-            Some(_) => fit(references.len(), "events")?,
-            None => NO_EVENTS,
-        });
         for string in clip.events().into_iter().flatten() {
             let next = fit(records.len(), "events")?;
             let number = *numbers.entry(string).or_insert(next);
@@ -56,7 +49,7 @@ pub(super) fn events(clips: &[Clip<'_>]) -> Result<Events, Report> {
     let sorted = sorted_names(&parsed);
     let typed = parsed.iter().map(|event| typed_record(event, &sorted)).collect();
     let names = name_records(&sorted, &mut pool)?;
-    Ok(Events { first, references, records, typed, names, pool })
+    Ok(Events { references, records, typed, names, pool })
 }
 
 /// The distinct names in `events`, in their order.
@@ -86,7 +79,7 @@ fn typed_record(event: &Event<'_>, sorted: &[&str]) -> TypedEventRecord {
             Command::StopsPointing => VERB_STOPS_POINTING,
             Command::Does(_) => VERB_DOES,
         },
-        reserved: [0; 3],
+        reserved: [0; 7],
     }
 }
 

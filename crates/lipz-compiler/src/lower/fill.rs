@@ -61,7 +61,7 @@ impl Lane<'_> {
             Part::Texts { locale, start } => {
                 let Some(text) = clip.text(locale as u32) else { return };
                 let entry = layout.texts.index[locale * layout.records.clips.len() + slot].get();
-                ((entry & TEXT_OFFSET) as usize - start, clip.run(text))
+                ((entry & TEXT_OFFSET) as usize - start, clip.run(text).1)
             }
             Part::Sources => (layout.sources.index[slot].get() as usize, clip.source()),
         };

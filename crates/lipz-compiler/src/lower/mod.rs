@@ -46,14 +46,15 @@ impl Layout {
         );
         let (index, ids) = index?;
         let (slots, events, names) = (&index.slots, events?, names?);
+        let records = records::clips(clips, &ids, slots, &names)?;
         Ok(Layout {
-            records: records::clips(clips, &ids, slots, &names, &events)?,
             locales: records::locales(localised, &names),
-            texts: strings::texts(&texts, localised, slots)?,
+            texts: strings::texts(&texts, localised, clips, slots, &records)?,
             sources: strings::sources(&sources, slots)?,
             babble: options.babble.section(),
             is_stripped: options.strip,
             batch_slots: batch_slots(clips, slots),
+            records,
             names,
             events,
             index,
@@ -64,13 +65,16 @@ impl Layout {
     pub(crate) fn fill(&self, batches: Vec<Clips>) -> Result<Vec<u8>, Report> {
         let mut sections = vec![
             Section::table(Tag::CLIPS, self.records.clips.as_bytes()),
+            Section::table(Tag::KEYS, self.records.keys.as_bytes()),
+            Section::table(Tag::RATES, self.records.rates.as_bytes()),
             Section::table(Tag::PILOTS, self.index.pilots.as_bytes()),
             Section::table(Tag::KEY_ORDER, self.index.slots_le.as_bytes()),
             Section::table(Tag::NAMES, self.names.pool.as_bytes()),
             Section::of_clips(Tag::FRAMES, self.records.frame_count),
-            Section::table(Tag::STARTS, self.records.far_starts.as_bytes()),
+            Section::table(Tag::STARTS, self.records.starts.as_bytes()),
             Section::table(Tag::LOCALES, self.locales.as_bytes()),
             Section::table(Tag::TEXT_INDEX, self.texts.index.as_bytes()),
+            Section::table(Tag::TEXT_ENDS, self.texts.ends.as_bytes()),
             Section::of_clips(Tag::TEXTS, self.texts.lengths.iter().sum()),
             Section::table(Tag::EVENT_REFS, self.events.references.as_bytes()),
             Section::table(Tag::EVENTS, self.events.records.as_bytes()),

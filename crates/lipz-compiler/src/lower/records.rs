@@ -1,78 +1,110 @@
-//! The fixed-size records: clips, far segment starts, locales.
+//! The fixed-size records: clips, frame rates, segment starts, locales.
 
-use super::events::Events;
-use super::fit;
 use super::strings::Names;
+use super::{fit, too_large};
 use crate::Report;
-use crate::clip::Clip;
+use crate::clip::{Clip, length_of};
 use crate::localise::Localised;
+use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order of entries is never used
+use lipz::Code;
 use lipz_bank::layout::{
-    ClipRecord, FLAG_FAR_STARTS, FLAG_VISEMES, INLINE_STARTS, LOCALE_DEFAULT, LocaleRecord, U16, U32, fingerprint,
+    ClipRecord, FLAG_VISEMES, KeyRecord, LOCALE_DEFAULT, LocaleRecord, NO_RATE, RateRecord, U16, U32, WHOLE_RATES,
+    fingerprint,
 };
 use lipz_bank::{Fps, VisemeType};
 use zerocopy::FromZeros;
 
-/// The clip records in slot order, and what they refer to.
+/// The records of clips and keys in slot order, and what they refer to.
 pub(super) struct ClipRecords {
     pub(super) clips: Vec<ClipRecord>,
-    pub(super) far_starts: Vec<U32>,
+    pub(super) keys: Vec<KeyRecord>,
+    pub(super) rates: Vec<RateRecord>,
+    /// First frames of all segments, and the end of the last.
+    pub(super) starts: Vec<U32>,
     /// Frames of all clips.
     pub(super) frame_count: usize,
     pub(super) fingerprint: u64,
 }
 
-/// The records of `clips`; frames and events lie in the order of the clips.
-pub(super) fn clips(
-    clips: &[Clip<'_>],
-    ids: &[u64],
-    slots: &[u32],
-    names: &Names,
-    events: &Events,
-) -> Result<ClipRecords, Report> {
+/// The records of `clips`. Frames and segments lie in the order of the clips, those with events first.
+pub(super) fn clips(clips: &[Clip<'_>], ids: &[u64], slots: &[u32], names: &Names) -> Result<ClipRecords, Report> {
+    let mut keys = vec![KeyRecord::new_zeroed(); clips.len()];
     let mut records = vec![ClipRecord::new_zeroed(); clips.len()];
-    let mut far_starts = Vec::new();
+    let mut rates = Rates { records: Vec::new(), numbers: HashMap::new() };
+    let mut starts = Vec::new();
     let mut frames_offset = 0;
-    for (at, clip) in clips.iter().enumerate() {
-        let segment_count = fit(clip.starts().len(), "segments")?;
-        let (starts, flag) = starts(clip, &mut far_starts)?;
-        let visemes = if clip.has_visemes() { FLAG_VISEMES } else { 0 };
+    let (with_events, others): (Vec<_>, Vec<_>) =
+        clips.iter().enumerate().partition(|(_, clip)| clip.events().is_some());
+    for (at, clip) in with_events.into_iter().chain(others) {
+        texts_fit(clip)?;
         let key = names.keys[at];
-        records[slots[at] as usize] = ClipRecord {
+        let frames_start = fit(frames_offset, "frames")?;
+        keys[slots[at] as usize] = KeyRecord {
             id: ids[at].into(),
-            frames_per_micro_q64: clip.fps().map_or(0, Fps::frames_per_micro_q64).into(),
-            fps_numerator: clip.fps().map_or(0, Fps::numerator).into(),
-            fps_denominator: clip.fps().map_or(0, Fps::denominator).into(),
-            frames_offset_bytes: fit(frames_offset, "frames")?.into(),
-            frame_count: fit(clip.frames().len(), "frames")?.into(),
-            segment_count: segment_count.into(),
-            events_first: events.first[at].into(),
             key_offset_bytes: key.offset_bytes.into(),
             key_length_bytes: key.length_bytes.into(),
-            viseme_type: clip.viseme_type().map_or(0, |viseme_type: VisemeType| viseme_type as u8),
-            flags: visemes | flag,
-            starts,
+            segment_count: segment_count(clip)?.into(),
         };
+        records[slots[at] as usize] = ClipRecord {
+            frames_offset_bytes: frames_start.into(),
+            frame_count: fit(clip.frames().len(), "frames")?.into(),
+            segments_first: fit(starts.len(), "segments")?.into(),
+            rate: clip.fps().map_or(Ok(NO_RATE), |fps| rates.number(fps))?.into(),
+            viseme_type: clip.viseme_type().map_or(0, |viseme_type: VisemeType| viseme_type as u8),
+            flags: if clip.has_visemes() { FLAG_VISEMES } else { 0 },
+        };
+        starts.extend(clip.starts().iter().map(|&start| U32::new(frames_start.wrapping_add(start)))); // too much is found at the end
         frames_offset += clip.frames().len();
     }
-    let fingerprint = fingerprint(&records);
-    Ok(ClipRecords { clips: records, far_starts, frame_count: frames_offset, fingerprint })
+    starts.push(fit(frames_offset, "frames")?.into());
+    let fingerprint = fingerprint(&keys, &records);
+    Ok(ClipRecords { clips: records, keys, rates: rates.records, starts, frame_count: frames_offset, fingerprint })
 }
 
-/// The starts of segments 1 and up: in the record if they fit, otherwise where they stand.
-fn starts(clip: &Clip<'_>, far_starts: &mut Vec<U32>) -> Result<([U16; INLINE_STARTS], u8), Report> {
-    let mut inline = [U16::new(u16::MAX); INLINE_STARTS];
-    let starts = clip.starts().get(1..).unwrap_or_default();
-    if starts.len() <= INLINE_STARTS && clip.frames().len() <= usize::from(u16::MAX) {
-        for (field, &start) in inline.iter_mut().zip(starts) {
-            *field = U16::new(start as u16);
-        }
-        return Ok((inline, 0));
+fn segment_count(clip: &Clip<'_>) -> Result<u16, Report> {
+    let count = clip.starts().len();
+    u16::try_from(count).map_err(|_| {
+        let headline = format!("the clip has {count} segments; a bank has room for {} of a clip", u16::MAX);
+        Report::failure(clip.key(), Code::BankTooLarge, headline, "divide it into several clips")
+    })
+}
+
+/// The end of each text is stored modulo 2^16: none is longer than that, however long all of a clip are.
+fn texts_fit(clip: &Clip<'_>) -> Result<(), Report> {
+    let is_too_long = |(ends, texts): (&[U16], &[u8])| length_of(ends) != texts.len();
+    if clip.texts().iter().any(|text| is_too_long(clip.run(text))) {
+        let headline = format!("a segment has a text of more than {} bytes", u16::MAX);
+        return Err(Report::failure(clip.key(), Code::BankTooLarge, headline, "divide the segment with `|`"));
     }
-    let first = fit(far_starts.len(), "segment starts")?;
-    inline[0] = U16::new(first as u16);
-    inline[1] = U16::new((first >> 16) as u16);
-    far_starts.extend(starts.iter().map(|&start| U32::new(start)));
-    Ok((inline, FLAG_FAR_STARTS))
+    Ok(())
+}
+
+/// The distinct frame rates that are no whole numbers, in the order of their first use.
+struct Rates {
+    records: Vec<RateRecord>,
+    numbers: HashMap<(u32, u32), u16>,
+}
+
+impl Rates {
+    fn number(&mut self, fps: Fps) -> Result<u16, Report> {
+        let (numerator, denominator) = (fps.numerator(), fps.denominator());
+        if denominator == 1 {
+            return Ok(numerator as u16); // at most 1000
+        }
+        if let Some(&number) = self.numbers.get(&(numerator, denominator)) {
+            return Ok(number);
+        }
+        let next = usize::from(WHOLE_RATES) + 1 + self.records.len();
+        let next = u16::try_from(next).ok().filter(|&next| next != NO_RATE);
+        let next = next.ok_or_else(|| too_large("frame rates"))?;
+        self.records.push(RateRecord {
+            frames_per_micro_q64: fps.frames_per_micro_q64().into(),
+            fps_numerator: numerator.into(),
+            fps_denominator: denominator.into(),
+        });
+        self.numbers.insert((numerator, denominator), next);
+        Ok(next)
+    }
 }
 
 /// The locale records, in the order of their tags.

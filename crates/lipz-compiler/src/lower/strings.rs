@@ -1,12 +1,13 @@
 //! The pools: names, and the places of texts and source records in theirs.
 
+use super::records::ClipRecords;
 use super::{fit, too_large};
 use crate::Report;
 use crate::clip::Clip;
 use crate::hashed::{Hashed, hash};
 use crate::localise::{Choice, LocaleColumn, Localised};
 use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order of entries is never used
-use lipz_bank::layout::{NO_TEXT, TEXT_FALLBACK, TEXT_OFFSET, TEXT_WIDE, U32};
+use lipz_bank::layout::{NO_TEXT, TEXT_FALLBACK, TEXT_OFFSET, TEXT_WIDE, U16, U32};
 use rayon::prelude::*;
 
 /// Where a name stands in the pool of names.
@@ -54,9 +55,9 @@ impl<'c> Interner<'c> {
     fn place(&mut self, string: Hashed<'c>) -> usize {
         let (next, length) = (self.length, string.bytes.len());
         let offset = *self.offsets.entry(string).or_insert(next);
-        // New, or empty and then harmless: strings that are known lie before the end.
+        // Strings that are known lie before the end. One of no bytes has a place of its own, too.
         if offset == next {
-            self.length += length;
+            self.length += length.max(1);
         }
         offset
     }
@@ -66,6 +67,8 @@ impl<'c> Interner<'c> {
 pub(super) struct Texts {
     /// Locale by locale, one entry per slot.
     pub(super) index: Vec<U32>,
+    /// An entry, then locale by locale one per segment.
+    pub(super) ends: Vec<U16>,
     /// Bytes of each locale's part of the pool; the parts follow each other.
     pub(super) lengths: Vec<usize>,
 }
@@ -77,7 +80,7 @@ pub(super) struct Interned {
     entries: Vec<u32>,
 }
 
-/// Each locale's texts, in the order of the keys; a run that appears twice in a locale stands once.
+/// Each locale's texts, in the order of the keys; those of clips that have the same stand once in a locale.
 pub(super) fn locale_texts(clips: &[Clip<'_>], localised: &Localised) -> Vec<Interned> {
     localised.locales.par_iter().map(|locale| own_texts(clips, locale)).collect()
 }
@@ -88,8 +91,10 @@ fn own_texts(clips: &[Clip<'_>], locale: &LocaleColumn) -> Interned {
     let entries = std::iter::zip(clips, &locale.texts).map(|(clip, choice)| match choice {
         Choice::Own(index) => {
             let text = &clip.texts()[*index as usize];
-            let flags = if text.is_wide { TEXT_WIDE } else { 0 } | if text.is_fallback { TEXT_FALLBACK } else { 0 };
-            interner.place(Hashed { hash: text.hash, bytes: clip.run(text) }) as u32 | flags
+            let (_, texts) = clip.run(text);
+            let flags = if texts.len() > usize::from(u16::MAX) { TEXT_WIDE } else { 0 }
+                | if text.is_fallback { TEXT_FALLBACK } else { 0 };
+            interner.place(Hashed { hash: text.hash, bytes: texts }) as u32 | flags
         }
         _ => NO_TEXT,
     });
@@ -97,8 +102,14 @@ fn own_texts(clips: &[Clip<'_>], locale: &LocaleColumn) -> Interned {
     Interned { length: interner.length, entries }
 }
 
-/// The text index: each locale's texts stand together.
-pub(super) fn texts(parts: &[Interned], localised: &Localised, slots: &[u32]) -> Result<Texts, Report> {
+/// The text index and the text ends: each locale's texts stand together.
+pub(super) fn texts(
+    parts: &[Interned],
+    localised: &Localised,
+    clips: &[Clip<'_>],
+    slots: &[u32],
+    records: &ClipRecords,
+) -> Result<Texts, Report> {
     let lengths: Vec<usize> = parts.iter().map(|part| part.length).collect();
     if lengths.iter().sum::<usize>() >= TEXT_OFFSET as usize {
         return Err(too_large("texts"));
@@ -126,7 +137,29 @@ pub(super) fn texts(parts: &[Interned], localised: &Localised, slots: &[u32]) ->
             });
         }
     });
-    Ok(Texts { index, lengths })
+    Ok(Texts { index, ends: text_ends(localised, clips, slots, records), lengths })
+}
+
+/// The ends of all texts, also of those that are another locale's: so one is found without the clip's
+/// text being touched.
+fn text_ends(localised: &Localised, clips: &[Clip<'_>], slots: &[u32], records: &ClipRecords) -> Vec<U16> {
+    let segment_count = records.starts.len() - 1;
+    let mut ends = vec![U16::new(0); 1 + localised.locales.len() * segment_count];
+    let tables = ends[1..].par_chunks_mut(segment_count.max(1)).zip(&localised.locales);
+    tables.for_each(|(table, column)| {
+        for (at, (clip, choice)) in std::iter::zip(clips, &column.texts).enumerate() {
+            let own = match *choice {
+                Choice::Fallback(other) => localised.locales[other as usize].texts[at],
+                own => own,
+            };
+            if let Choice::Own(index) = own {
+                let (ends, _) = clip.run(&clip.texts()[index as usize]);
+                let first = records.clips[slots[at] as usize].segments_first.get() as usize;
+                table[first..first + ends.len()].copy_from_slice(ends);
+            }
+        }
+    });
+    ends
 }
 
 /// Where the source records are.
