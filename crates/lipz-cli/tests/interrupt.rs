@@ -28,6 +28,7 @@ fn interrupt(folder: &Path, arguments: &[&str], prepare: impl Fn(), look: impl F
     assert!(lipz(folder, arguments).wait().unwrap().success());
     let whole_run = start.elapsed().max(Duration::from_millis(1));
     let mut interrupted = 0;
+    support::make_interruptible();
     for number in 0..INTERRUPTS {
         prepare();
         let child = lipz(folder, arguments);

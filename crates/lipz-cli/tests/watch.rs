@@ -284,6 +284,7 @@ fn every_run_prints_a_document_for_programs() {
 #[cfg(unix)]
 #[test]
 fn an_interrupted_watch_leaves_whole_files() {
+    support::make_interruptible();
     for signal in ["-INT", "-TERM"] {
         let scene = Scene::new();
         scene.write("voices/a.lipz", AYE);

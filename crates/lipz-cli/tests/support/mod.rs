@@ -9,6 +9,7 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
+use std::sync::Once;
 
 /// The folder of the repository, from which fixtures are named.
 pub(crate) fn repository() -> PathBuf {
@@ -44,6 +45,13 @@ pub(crate) fn lipz<S: AsRef<std::ffi::OsStr>>(folder: &Path, arguments: impl Int
         stderr: String::from_utf8(output.stderr).unwrap(),
         code: output.status.code().expect("ended by a signal"),
     }
+}
+
+/// From now on, runs of `lipz` can be interrupted. A process that was started in the background ignores
+/// interrupts, and its children inherit that; but not the handler that this process gets.
+pub(crate) fn make_interruptible() {
+    static HANDLER: Once = Once::new();
+    HANDLER.call_once(|| ctrlc::set_handler(|| std::process::exit(1)).unwrap());
 }
 
 /// Runs `lipz` in `folder` with `input` on standard input.
