@@ -42,6 +42,8 @@ pub(super) fn run(machine: &Machine) -> Result<(), Failure> {
     // Nobody debugs these, and without they are built in half the time.
     tests.env("CARGO_PROFILE_DEV_DEBUG", "0");
     if let Some(emulator) = machine.emulator {
+        // What is emulated runs so slowly that all of it is worth optimising.
+        tests.env("CARGO_PROFILE_DEV_OPT_LEVEL", "1");
         tests.env(variable(machine.target, "RUNNER"), emulator);
     }
     succeed(&mut tests, "the test suite")
