@@ -6,6 +6,9 @@ use crate::toolchain::{Library, NEEDS, Toolchain, variable};
 
 const STATIC: &str = "-Ctarget-feature=+crt-static";
 
+/// Cases of a property, of which there are 256 elsewhere: the byte order matters to all or to none.
+const EMULATED_CASES: &str = "32";
+
 /// A machine with a system.
 pub(super) struct Machine {
     target: &'static str,
@@ -44,6 +47,7 @@ pub(super) fn run(machine: &Machine) -> Result<(), Failure> {
     if let Some(emulator) = machine.emulator {
         // What is emulated runs so slowly that all of it is worth optimising.
         tests.env("CARGO_PROFILE_DEV_OPT_LEVEL", "1");
+        tests.env("PROPTEST_CASES", EMULATED_CASES);
         tests.env(variable(machine.target, "RUNNER"), emulator);
     }
     succeed(&mut tests, "the test suite")
