@@ -1,6 +1,6 @@
 //! `cargo xtask ci`: everything that a change must pass, in order, until something fails.
 
-use crate::{Failure, capi, edges, instructions, msrv, size, targets, web};
+use crate::{Failure, capi, edges, instructions, msrv, place, size, targets, web};
 use std::process::Command;
 use std::time::{Duration, Instant};
 
@@ -26,12 +26,16 @@ const STEPS: [Step; 4] = [
     Step { name: "tests", arguments: &["test", "--workspace", "--locked"], environment: None },
 ];
 
+/// Workspaces of their own, which no other step builds.
+const OTHER_WORKSPACES: [&str; 2] = ["benches/compare", "fuzz"];
+
 pub(crate) fn run() -> Result<(), Failure> {
     let mut times = Vec::new();
     for step in &STEPS {
         timed(step.name, &mut times, || cargo(step.arguments, step.environment))?;
     }
     timed("edges", &mut times, edges::run)?;
+    timed("lock files", &mut times, lock_files)?;
     timed("oldest compiler", &mut times, msrv::run)?;
     timed("size", &mut times, size::run)?;
     timed("targets", &mut times, targets::run_all)?;
@@ -41,6 +45,15 @@ pub(crate) fn run() -> Result<(), Failure> {
     println!("\nall steps passed:");
     for (name, time) in times {
         println!("  {name:<20} {:>7.1} s", time.as_secs_f64());
+    }
+    Ok(())
+}
+
+/// Lock files name what the crates of this workspace depend on now.
+fn lock_files() -> Result<(), Failure> {
+    for folder in OTHER_WORKSPACES {
+        let manifest = place::workspace_root().join(folder).join("Cargo.toml");
+        cargo(&["tree", "--locked", "--depth", "0", "--manifest-path", &manifest.to_string_lossy()], None)?;
     }
     Ok(())
 }
