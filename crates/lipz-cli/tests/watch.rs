@@ -202,6 +202,28 @@ fn a_cache_is_taken_over_and_left() {
     refused.until("the finding", |watch| watch.stderr().contains("is not a cache of lipz, and is left alone"));
 }
 
+/// The bank is packed, and said to be, where only what is written beside it fails.
+#[test]
+fn a_cache_or_depfile_that_cannot_be_written_is_no_failure_of_the_bank() {
+    let scene = Scene::new();
+    scene.write("voices/a.lipz", AYE);
+    let watch = Watch::started(&scene, &["voices", "-o", BANK, "--cache", "cache", "--depfile", "b.d"]);
+    let cannot_be_written = |name: &str| {
+        fs::remove_file(scene.path().join(name)).unwrap();
+        fs::create_dir(scene.path().join(name)).unwrap();
+    };
+    cannot_be_written("cache");
+    scene.write("voices/a.lipz", NO);
+    watch.until_packed("a run without its cache", "voices");
+    watch.until("the finding", |watch| watch.stderr().contains("error[LZ0904]: `cache` "));
+    cannot_be_written("b.d");
+    scene.write("voices/b.lipz", NO);
+    watch.until_packed("a run without its depfile", "voices");
+    watch.until("the finding", |watch| watch.stderr().contains("error[LZ0904]: `b.d` "));
+    watch.until("that it is packed", |watch| watch.count("2 clips packed into out/b.lipzbank") > 0);
+    assert_eq!(watch.count("not packed"), 0, "{}", watch.stdout());
+}
+
 #[test]
 fn outputs_among_the_sources_cause_no_run() {
     let scene = Scene::new();
