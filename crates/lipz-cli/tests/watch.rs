@@ -57,9 +57,11 @@ fn collect(mut stream: impl Read + Send + 'static) -> Arc<Mutex<String>> {
 
 impl<'a> Watch<'a> {
     fn start(scene: &'a Scene, arguments: &[&str]) -> Watch<'a> {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_lipz"))
-            .arg("watch")
-            .args(arguments)
+        Watch::spawn(scene, Command::new(env!("CARGO_BIN_EXE_lipz")).arg("watch").args(arguments))
+    }
+
+    fn spawn(scene: &'a Scene, command: &mut Command) -> Watch<'a> {
+        let mut child = command
             .current_dir(scene.path())
             .env("NO_COLOR", "1")
             .stdout(Stdio::piped())
@@ -88,6 +90,13 @@ impl<'a> Watch<'a> {
     /// How many runs said this.
     fn count(&self, result: &str) -> usize {
         self.stdout().matches(result).count()
+    }
+
+    /// Sends it a signal: `INT`, for example.
+    #[cfg(unix)]
+    fn signal(&self, name: &str) {
+        let arguments = ["-s", name, &self.child.id().to_string()];
+        assert!(Command::new("kill").args(arguments).status().unwrap().success());
     }
 
     fn until(&self, what: &str, holds: impl Fn(&Watch<'_>) -> bool) {
@@ -307,13 +316,34 @@ fn every_run_prints_a_document_for_programs() {
 #[test]
 fn an_interrupted_watch_leaves_whole_files() {
     support::make_interruptible();
-    for signal in ["-INT", "-TERM"] {
+    for signal in ["INT", "TERM", "HUP"] {
         let scene = Scene::new();
         scene.write("voices/a.lipz", AYE);
         let mut watch = Watch::started(&scene, &["voices", "-o", BANK]);
-        let id = watch.child.id().to_string();
-        assert!(Command::new("kill").args([signal, &id]).status().unwrap().success());
+        watch.signal(signal);
         assert_eq!(watch.child.wait().unwrap().code(), Some(130));
+        watch.until("the last word", |watch| watch.stderr() == "interrupted\n");
+        assert_eq!(tree(scene.path()), ["out", BANK, "voices", "voices/a.lipz"]);
+    }
+}
+
+/// What it was started to ignore, as by `nohup` or in the background of a script, it goes on to ignore; by all
+/// else it ends as ever.
+#[cfg(unix)]
+#[test]
+fn ignored_signals_stay_ignored() {
+    support::make_interruptible();
+    for (ignored, ends) in [("INT", "TERM"), ("HUP", "TERM"), ("HUP", "INT"), ("TERM", "INT")] {
+        let scene = Scene::new();
+        scene.write("voices/a.lipz", AYE);
+        let script = format!("trap '' {ignored}; exec \"$0\" watch voices -o {BANK}");
+        let mut watch = Watch::spawn(&scene, Command::new("sh").args(["-c", &script, env!("CARGO_BIN_EXE_lipz")]));
+        watch.until("watching", |watch| watch.stdout().contains("watching"));
+        watch.signal(ignored);
+        scene.write("voices/a.lipz", NO);
+        watch.until("a run after it", |watch| watch.count("packed into") == 2);
+        watch.signal(ends);
+        assert_eq!(watch.child.wait().unwrap().code(), Some(130), "{ends} while {ignored} is ignored");
         watch.until("the last word", |watch| watch.stderr() == "interrupted\n");
         assert_eq!(tree(scene.path()), ["out", BANK, "voices", "voices/a.lipz"]);
     }
