@@ -71,7 +71,7 @@ fn differences_are_those_of_the_whole() {
 fn unpacking_gives_all_texts() {
     let scene = scene();
     let [whole, _] = both(&scene, "unpack", &["-o", "out", "--force"]);
-    assert!(whole.stdout.contains("2 files unpacked"), "{}", whole.stdout);
+    assert!(whole.stdout.contains("2 files unpacked into out (display forms: "), "{}", whole.stdout);
     fs::rename(scene.path().join("out"), scene.path().join("split")).unwrap();
     scene.prepare(&["unpack", "whole.lipzbank", "-o", "whole"]);
     for file in ["act1/aye.lipz", "no.lipz"] {
@@ -79,6 +79,8 @@ fn unpacking_gives_all_texts() {
         assert_eq!(read("split"), read("whole"), "{file}");
     }
     assert!(fs::read_to_string(scene.path().join("split/act1/aye.lipz")).unwrap().contains("Ja."));
+    let without = lipz(scene.path(), ["unpack", "split.lipzbank", "-o", "without"]);
+    assert!(without.stdout.contains("2 files unpacked into without (no texts: "), "{}", without.stdout);
 }
 
 #[test]
