@@ -37,6 +37,8 @@ fn coverage_is_that_of_the_whole() {
     }
     let without = lipz(scene.path(), ["coverage", "split.lipzbank"]);
     assert!(without.stdout.contains("no clip has a text") && without.stdout.contains("(--texts)"), "{without:?}");
+    let by_pattern = lipz(scene.path(), ["coverage", "split.lipzbank", "--texts", "split.*.lipztexts"]);
+    assert!(by_pattern.code == 0 && by_pattern.stdout.contains("  de-de "), "{by_pattern:?}");
     let short = lipz(scene.path(), [&["coverage", "split.lipzbank", "--min-coverage", "90"][..], &TEXTS].concat());
     assert_eq!(short.code, 1, "German is at 50 %");
 }
