@@ -8,7 +8,12 @@ use crate::lower::Layout;
 use crate::{Input, MinCoverage, Options, Report, coverage, key, levels, localise, report, shortfalls};
 use lipz_bank::Bank;
 use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
+
+/// Files that a thread takes at a time: few enough that all threads end together, and so many that those of
+/// a folder stay together.
+const FILES_AT_ONCE: usize = 64;
 
 /// What is known after the files are read.
 #[derive(Default)]
@@ -21,7 +26,8 @@ pub(crate) struct Run {
 }
 
 impl Run {
-    /// Reads, parses and checks `inputs`, or recalls their clips from a cache.
+    /// Reads, parses and checks `inputs`, or recalls their clips from a cache. Each thread makes one batch of
+    /// clips: more of them, and smaller ones, would leave more memory with the allocator.
     pub(crate) fn read(inputs: &[Input], options: &Options, cache: Option<&Cache<'_>>, progress: &Progress<'_>) -> Run {
         let start = Instant::now();
         let mut run = Run::default();
@@ -29,10 +35,18 @@ impl Run {
         for report in &mut run.reports {
             levels::apply(&options.levels, &mut report.diagnostics);
         }
-        let work = inputs.par_iter().enumerate().fold(Worker::default, |mut worker, (index, input)| {
-            worker.file(index, input, options, cache);
-            progress(1);
-            worker
+        let next = AtomicUsize::new(0);
+        let threads = (0..rayon::current_num_threads()).into_par_iter().with_max_len(1);
+        let work = threads.map(|_| {
+            let mut worker = Worker::default();
+            loop {
+                let first = next.fetch_add(FILES_AT_ONCE, Ordering::Relaxed);
+                let Some(behind) = inputs.get(first..).filter(|behind| !behind.is_empty()) else { return worker };
+                for (index, input) in (first..).zip(behind).take(FILES_AT_ONCE) {
+                    worker.file(index, input, options, cache);
+                    progress(1);
+                }
+            }
         });
         for worker in work.collect::<Vec<_>>() {
             run.clips.push(worker.made.clips);

@@ -78,18 +78,20 @@ pub(crate) fn assemble(
     let mut bank = vec![0; end];
     bank[..size_of::<Header>()].copy_from_slice(header.as_bytes());
     bank[size_of::<Header>()..directory_end].copy_from_slice(directory.as_bytes());
-    let mut places = Vec::new();
+    let (mut places, mut tables) = (Vec::new(), Vec::new());
     let mut rest = &mut bank[directory_end..];
     for (section, entry) in std::iter::zip(sections, &directory) {
         let gap = entry.offset_bytes.get() as usize - (end - rest.len());
         let (place, behind) = rest[gap..].split_at_mut(section.length);
         match section.table {
-            Some(table) => place.copy_from_slice(table),
+            Some(table) => tables.push((place, table)),
             None => places.push(place),
         }
         rest = behind;
     }
+    // Tables come last: clips are given back while they are copied, and make room for them.
     fill(places);
+    tables.into_iter().for_each(|(place, table)| place.copy_from_slice(table));
     header.checksum = checksum(&bank[CHECKED_FROM..]).into();
     bank[..size_of::<Header>()].copy_from_slice(header.as_bytes());
     Ok(bank)

@@ -33,7 +33,7 @@ pub(super) fn fill(layout: &Layout, batches: Vec<Clips>, places: Vec<&mut [u8]>)
     let mut lanes = Vec::new();
     lanes.extend(places.next().map(|place| Lane { part: Part::Frames, place }));
     let (mut start, mut texts) = (0, places.next().unwrap_or_default());
-    for (locale, &length) in layout.texts.lengths.iter().enumerate() {
+    for (locale, &length) in layout.text_index.lengths.iter().enumerate() {
         let (place, behind) = texts.split_at_mut(length);
         lanes.push(Lane { part: Part::Texts { locale, start }, place });
         start += length;
@@ -60,7 +60,7 @@ impl Lane<'_> {
             Part::Frames => (layout.records.clips[slot].frames_offset_bytes.get() as usize, clip.frames()),
             Part::Texts { locale, start } => {
                 let Some(text) = clip.text(locale as u32) else { return };
-                let entry = layout.texts.index[locale * layout.records.clips.len() + slot].get();
+                let entry = layout.text_index.entries[locale * layout.records.clips.len() + slot].get();
                 ((entry & TEXT_OFFSET) as usize - start, clip.run(text).1)
             }
             Part::Sources => (layout.sources.index[slot].get() as usize, clip.source()),

@@ -15,9 +15,9 @@ use events::Events;
 use index::Index;
 use lipz::Code;
 use lipz_bank::ClipId;
-use lipz_bank::layout::{LocaleRecord, Tag};
+use lipz_bank::layout::{LocaleRecord, Tag, U16};
 use records::ClipRecords;
-use strings::{Names, Sources, Texts};
+use strings::{Names, Sources, TextIndex};
 use zerocopy::IntoBytes;
 
 /// All of a bank but what is copied from the clips as it is; of that, the places.
@@ -26,7 +26,8 @@ pub(crate) struct Layout {
     index: Index,
     names: Names,
     locales: Vec<LocaleRecord>,
-    texts: Texts,
+    text_index: TextIndex,
+    text_ends: Vec<U16>,
     events: Events,
     sources: Sources,
     babble: Vec<u8>,
@@ -46,10 +47,15 @@ impl Layout {
         );
         let (index, ids) = index?;
         let (slots, events, names) = (&index.slots, events?, names?);
-        let records = records::clips(clips, &ids, slots, &names)?;
+        let (records, text_index) = rayon::join(
+            || records::clips(clips, &ids, slots, &names),
+            || strings::text_index(&texts, localised, slots),
+        );
+        let records = records?;
         Ok(Layout {
             locales: records::locales(localised, &names),
-            texts: strings::texts(&texts, localised, clips, slots, &records)?,
+            text_index: text_index?,
+            text_ends: strings::text_ends(localised, clips, slots, &records),
             sources: strings::sources(&sources, slots)?,
             babble: options.babble.section(),
             is_stripped: options.strip,
@@ -73,9 +79,9 @@ impl Layout {
             Section::of_clips(Tag::FRAMES, self.records.frame_count),
             Section::table(Tag::STARTS, self.records.starts.as_bytes()),
             Section::table(Tag::LOCALES, self.locales.as_bytes()),
-            Section::table(Tag::TEXT_INDEX, self.texts.index.as_bytes()),
-            Section::table(Tag::TEXT_ENDS, self.texts.ends.as_bytes()),
-            Section::of_clips(Tag::TEXTS, self.texts.lengths.iter().sum()),
+            Section::table(Tag::TEXT_INDEX, self.text_index.entries.as_bytes()),
+            Section::table(Tag::TEXT_ENDS, self.text_ends.as_bytes()),
+            Section::of_clips(Tag::TEXTS, self.text_index.lengths.iter().sum()),
             Section::table(Tag::EVENT_REFS, self.events.references.as_bytes()),
             Section::table(Tag::EVENTS, self.events.records.as_bytes()),
             Section::table(Tag::TYPED_EVENTS, self.events.typed.as_bytes()),

@@ -64,11 +64,9 @@ impl<'c> Interner<'c> {
 }
 
 /// Where the texts are.
-pub(super) struct Texts {
+pub(super) struct TextIndex {
     /// Locale by locale, one entry per slot.
-    pub(super) index: Vec<U32>,
-    /// An entry, then locale by locale one per segment.
-    pub(super) ends: Vec<U16>,
+    pub(super) entries: Vec<U32>,
     /// Bytes of each locale's part of the pool; the parts follow each other.
     pub(super) lengths: Vec<usize>,
 }
@@ -102,14 +100,8 @@ fn own_texts(clips: &[Clip<'_>], locale: &LocaleColumn) -> Interned {
     Interned { length: interner.length, entries }
 }
 
-/// The text index and the text ends: each locale's texts stand together.
-pub(super) fn texts(
-    parts: &[Interned],
-    localised: &Localised,
-    clips: &[Clip<'_>],
-    slots: &[u32],
-    records: &ClipRecords,
-) -> Result<Texts, Report> {
+/// The text index: each locale's texts stand together.
+pub(super) fn text_index(parts: &[Interned], localised: &Localised, slots: &[u32]) -> Result<TextIndex, Report> {
     let lengths: Vec<usize> = parts.iter().map(|part| part.length).collect();
     if lengths.iter().sum::<usize>() >= TEXT_OFFSET as usize {
         return Err(too_large("texts"));
@@ -126,8 +118,8 @@ pub(super) fn texts(
         NO_TEXT => NO_TEXT,
         entry => entry + bases[locale],
     };
-    let mut index = vec![U32::new(NO_TEXT); parts.len() * slots.len()];
-    let tables = index.par_chunks_mut(slots.len().max(1)).zip(&localised.locales).enumerate();
+    let mut entries = vec![U32::new(NO_TEXT); parts.len() * slots.len()];
+    let tables = entries.par_chunks_mut(slots.len().max(1)).zip(&localised.locales).enumerate();
     tables.for_each(|(locale, (table, column))| {
         for (at, choice) in column.texts.iter().enumerate() {
             table[slots[at] as usize] = U32::new(match *choice {
@@ -137,12 +129,12 @@ pub(super) fn texts(
             });
         }
     });
-    Ok(Texts { index, ends: text_ends(localised, clips, slots, records), lengths })
+    Ok(TextIndex { entries, lengths })
 }
 
 /// The ends of all texts, also of those that are another locale's: so one is found without the clip's
-/// text being touched.
-fn text_ends(localised: &Localised, clips: &[Clip<'_>], slots: &[u32], records: &ClipRecords) -> Vec<U16> {
+/// text being touched. An entry, then locale by locale one per segment.
+pub(super) fn text_ends(localised: &Localised, clips: &[Clip<'_>], slots: &[u32], records: &ClipRecords) -> Vec<U16> {
     let segment_count = records.starts.len() - 1;
     let mut ends = vec![U16::new(0); 1 + localised.locales.len() * segment_count];
     let tables = ends[1..].par_chunks_mut(segment_count.max(1)).zip(&localised.locales);

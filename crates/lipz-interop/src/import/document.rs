@@ -1,0 +1,100 @@
+//! The Lipz document of an imported clip.
+
+use crate::frames::Run;
+use crate::segments::Division;
+use crate::{ImportOptions, Text, Time, Track};
+use lipz::diagnostic::show;
+use lipz::rate::Rate;
+use lipz::text::{DELIMITER, trim};
+use lipz::{Code, Diagnostic, Document, Element, JsonString, Raw, Value, VisemeType};
+use std::borrow::Cow;
+
+/// The texts of the clip with their locales; reports those that have none.
+pub(super) fn texts(track: &Track, options: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Text> {
+    let given = options.text.map(|text| vec![Text { locale: None, text: text.to_owned() }]);
+    let mut texts = given.unwrap_or_else(|| track.texts.clone());
+    for text in &mut texts {
+        if text.locale.is_none() {
+            text.locale = options.locale.map(str::to_owned);
+        }
+    }
+    let before = texts.len();
+    texts.retain(|text| text.locale.is_some());
+    if texts.len() < before {
+        findings.push(
+            Diagnostic::new(Code::TextLeftOut, "the text is left out: its locale is not known")
+                .help("name the locale: --locale en-us, or `default-locale` in lipz.toml"),
+        );
+    }
+    for (index, text) in texts.iter().enumerate() {
+        let Some(locale) = &text.locale else { continue };
+        if texts.iter().take(index).any(|before| before.locale == text.locale) {
+            let headline = format!("two texts are of the locale {}", show::name(locale));
+            findings.push(Diagnostic::new(Code::SameLocaleTwice, headline).help("keep one of them"));
+        }
+    }
+    texts
+}
+
+/// The codes of all frames, with `|` where segments start.
+pub(super) fn codes(runs: &[Run], lengths: &[usize], division: &Division, rate: Rate) -> String {
+    let mut starts = Vec::with_capacity(runs.len() + 1);
+    let mut codes = String::new();
+    for (run, &length) in runs.iter().zip(lengths) {
+        starts.push((run.start, codes.len()));
+        codes.extend(std::iter::repeat_n(char::from(run.code), length));
+    }
+    // A segment that starts with a shape starts with its first frame, wherever that went.
+    let frame_of = |time: Time| match starts.binary_search_by(|(start, _)| start.cmp(&time)) {
+        Ok(found) => starts.get(found).map_or(codes.len(), |(_, frame)| *frame),
+        Err(_) => usize::try_from(time.nearest_frame(rate)).unwrap_or(codes.len()),
+    };
+    let mut divided = String::with_capacity(codes.len() + division.starts.len());
+    let mut done = 0;
+    for start in &division.starts {
+        let frame = frame_of(*start).clamp(done, codes.len());
+        divided.push_str(codes.get(done..frame).unwrap_or_default());
+        divided.push(DELIMITER);
+        done = frame;
+    }
+    divided + codes.get(done..).unwrap_or_default()
+}
+
+pub(super) fn document(
+    track: &Track,
+    codes: String,
+    texts: Vec<Text>,
+    division: &Division,
+    viseme_type: VisemeType,
+    rate: Rate,
+) -> Document<'static> {
+    let mut elements = vec![element("visemes", codes)];
+    for (text, parts) in texts.into_iter().zip(&division.texts) {
+        let trimmed: Vec<&str> = parts.iter().map(|part| trim(part)).collect();
+        let name = format!("text_{}", text.locale.unwrap_or_default());
+        elements.push(element(&name, trimmed.join(&DELIMITER.to_string())));
+    }
+    elements.push(element("viseme_type", viseme_type.name().to_owned()));
+    elements.push(fps(rate));
+    elements.extend(track.elements.iter().cloned());
+    Document { elements }
+}
+
+/// An element with a string.
+pub(crate) fn element(name: &str, value: String) -> Element<'static> {
+    Element { name: string(name.to_owned()), value: Value::String(string(value)) }
+}
+
+/// The frame rate as an element.
+pub(crate) fn fps(rate: Rate) -> Element<'static> {
+    Element { name: string("fps".to_owned()), value: Value::Number(Raw::new(spell(rate))) }
+}
+
+fn string(text: String) -> JsonString<'static> {
+    Cow::<'static, str>::Owned(text).into()
+}
+
+/// A rate in decimal digits.
+pub(super) fn spell(rate: Rate) -> String {
+    (f64::from(rate.numerator) / f64::from(rate.denominator.max(1))).to_string()
+}

@@ -1,0 +1,137 @@
+//! From a track to a Lipz document: codes, frames, segments, texts.
+
+mod document;
+mod options;
+mod runs;
+
+pub use options::{DEFAULT_RATE, ImportOptions};
+
+pub(crate) use document::{element, fps};
+pub(crate) use runs::REST;
+
+use crate::frames::{Why, resample};
+use crate::segments::{Speech, divide};
+use crate::{Format, Map, Time, Track, map};
+use document::{codes, document, texts};
+use lipz::diagnostic::show;
+use lipz::rate::Rate;
+use lipz::{Code, Diagnostic, Document, Level};
+use runs::{in_order, report, runs};
+
+/// What an import gave.
+#[derive(Debug, Default)]
+pub struct Imported {
+    /// The clips, one for each speaker of the file; none if a finding is an error.
+    pub clips: Vec<Clip>,
+    /// What is wrong or lost.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// An imported clip.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Clip {
+    /// What the file calls the speaker, if it has several.
+    pub name: Option<String>,
+    /// The clip as a Lipz file.
+    pub document: Document<'static>,
+    /// The table that was used: `rhubarb 1`.
+    pub map: String,
+    /// The frame rate.
+    pub rate: Rate,
+    /// Frames of the clip.
+    pub frames: usize,
+    /// The shapes that have no frame.
+    pub lost: Vec<Lost>,
+    /// How the file was read where there was a choice, a sentence each.
+    pub remarks: Vec<String>,
+}
+
+/// A shape without a frame.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Lost {
+    /// What the file calls it.
+    pub symbol: String,
+    /// When it starts.
+    pub start: Time,
+    /// When it ends.
+    pub end: Time,
+    /// Why it has no frame.
+    pub why: Why,
+}
+
+impl Lost {
+    /// The loss as a sentence.
+    pub fn describe(&self) -> String {
+        let ms = self.end.in_units(1000).saturating_sub(self.start.in_units(1000));
+        format!("{} at {} ({ms} ms): {}", show::name(&self.symbol), self.start, self.why.reason())
+    }
+}
+
+/// Reads a file of another tool as Lipz documents.
+///
+/// Nothing in the file makes this panic; what is wrong with it is in the diagnostics. Spans count from the
+/// first byte after a byte order mark; in binary files, notes tell the byte.
+pub fn import(format: &Format, bytes: &[u8], options: &ImportOptions<'_>) -> Imported {
+    let mut imported = Imported::default();
+    let Some(read) = format.read else { return imported };
+    let tracks = read(bytes, options, &mut imported.diagnostics);
+    let several = tracks.len() > 1;
+    for mut track in tracks {
+        if !several {
+            track.name = None;
+        }
+        let Some(map) = table(format, &track, options) else { continue };
+        imported.clips.extend(clip(track, map, options, &mut imported.diagnostics));
+    }
+    imported.diagnostics.sort_by_key(Diagnostic::start);
+    if imported.diagnostics.iter().any(|finding| finding.level == Level::Error) {
+        imported.clips.clear();
+        // Shapes that could not be read are not missing.
+        imported.diagnostics.retain(|finding| finding.code != Code::NoShapes);
+    }
+    imported
+}
+
+/// The table for a track: the one that is asked for, that of the file, or one of the format.
+fn table<'m>(format: &Format, track: &Track, options: &ImportOptions<'m>) -> Option<&'m Map> {
+    let of_format = || {
+        let maps = format.maps.iter().filter_map(|name| map::find(name));
+        let wanted = |map: &&Map| options.viseme_type.is_none_or(|wanted| wanted == map.viseme_type);
+        let has_all = |map: &&Map| track.shapes.iter().all(|shape| map.code(&shape.symbol).is_some());
+        let mut of_type = maps.clone().filter(wanted);
+        // Files of one format come from several tools, each with its own names.
+        of_type.clone().find(has_all).or_else(|| of_type.next()).or_else(|| maps.clone().next())
+    };
+    options.map.or_else(|| map::find(track.map?)).or_else(of_format)
+}
+
+/// The clip of a track.
+fn clip(track: Track, map: &Map, options: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Option<Clip> {
+    let track = in_order(track, findings);
+    let rate = options.rate.or(track.rate).unwrap_or(options.default_rate);
+    let (symbols, runs) = runs(&track, map, rate, findings)?;
+    if track.shapes.is_empty() && track.phrases.is_empty() {
+        findings.push(
+            Diagnostic::new(Code::NoShapes, "the file has no mouth shapes")
+                .help("the clip rests all the time; was the recording silent, or the tool interrupted?"),
+        );
+    }
+    let resampled = resample(&runs, map.viseme_type, rate, options.min_hold);
+    let lost: Vec<Lost> = resampled
+        .lost
+        .iter()
+        .filter_map(|&(index, why)| {
+            // The rest before the first shape is ours: nobody misses it.
+            let run = runs.get(index).filter(|run| run.code != REST || run.start > Time::ZERO)?;
+            Some(Lost { symbol: (*symbols.get(index)?).to_owned(), start: run.start, end: run.end, why })
+        })
+        .collect();
+    report(&lost, symbols.len(), rate, findings);
+    let texts = texts(&track, options, findings);
+    let speech = Speech::of(&runs, options.min_pause);
+    let division = divide(&track, &speech, &texts, options.segments, findings);
+    let codes = codes(&runs, &resampled.lengths, &division, rate);
+    let document = document(&track, codes, texts, &division, map.viseme_type, rate);
+    let frames = resampled.lengths.iter().sum();
+    Some(Clip { name: track.name, document, map: map.label(), rate, frames, lost, remarks: track.remarks })
+}

@@ -1,0 +1,116 @@
+//! From the shapes of a track to runs of codes, and what is lost between them.
+
+use super::Lost;
+use super::document::spell;
+use crate::frames::Run;
+use crate::{Map, Shape, Time, Track};
+use lipz::diagnostic::{Label, show};
+use lipz::rate::Rate;
+use lipz::{Code, Diagnostic};
+
+/// Most frames of a clip: more than a day at 24 frames a second can only be a mistake.
+const MAX_FRAMES: u64 = 1 << 22;
+/// Losses that a finding names; [`Clip::lost`] has all.
+const LOSSES_SHOWN: usize = 8;
+
+/// The track with its shapes in the order of their times; reports where they run backwards.
+pub(super) fn in_order(mut track: Track, findings: &mut Vec<Diagnostic>) -> Track {
+    let backwards = track.shapes.windows(2).filter_map(|pair| match pair {
+        [before, after] if after.start < before.start => Some((before, after)),
+        _ => None,
+    });
+    let count = backwards.clone().count();
+    if let Some((before, after)) = backwards.clone().next() {
+        let (earlier, later) = (after.start, before.start);
+        let headline = format!("times run backwards: {earlier} stands behind {later}");
+        let finding = shape_finding(Code::TimesBackwards, after, headline)
+            .note("the shapes are used in the order of their times")
+            .help("was the file edited by hand, or joined of two? look at the clip there");
+        findings.push(if count > 1 { finding.note(format!("so do {} more", count - 1)) } else { finding });
+        track.shapes.sort_by_key(|shape| shape.start);
+    }
+    track
+}
+
+fn shape_finding(code: Code, shape: &Shape, headline: String) -> Diagnostic {
+    match shape.span {
+        Some(span) => Diagnostic::at(code, span, headline),
+        None => Diagnostic::new(code, headline).note(format!("at {}", shape.start)),
+    }
+}
+
+/// The shapes as codes, equal neighbours joined, with the symbol of each; reports symbols that the table
+/// does not have.
+pub(super) fn runs<'t>(
+    track: &'t Track,
+    map: &Map,
+    rate: Rate,
+    findings: &mut Vec<Diagnostic>,
+) -> Option<(Vec<&'t str>, Vec<Run>)> {
+    let last = track.shapes.last().map_or(Time::ZERO, |shape| shape.start);
+    let a_frame_later = Time::of_frame(last.nearest_frame(rate).saturating_add(1), rate);
+    let end = track.end.unwrap_or(if track.shapes.is_empty() { last } else { a_frame_later }).max(last);
+    if end.nearest_frame(rate) > MAX_FRAMES {
+        let headline = format!("the clip would have more than {MAX_FRAMES} frames: it ends at {end}");
+        findings.push(Diagnostic::new(Code::ForeignValue, headline).help("are the times in the unit of the format?"));
+        return None;
+    }
+    let before = findings.len();
+    let mut unknown: Vec<(&str, Diagnostic)> = Vec::new();
+    let (mut symbols, mut runs): (Vec<&str>, Vec<Run>) = (Vec::new(), Vec::new());
+    let first = track.shapes.first().map_or(end, |shape| shape.start);
+    if first > Time::ZERO {
+        symbols.push("-");
+        runs.push(Run { code: REST, start: Time::ZERO, end: first });
+    }
+    for (index, shape) in track.shapes.iter().enumerate() {
+        let Some(code) = map.code(&shape.symbol) else {
+            match unknown.iter_mut().find(|(symbol, _)| *symbol == shape.symbol) {
+                Some((_, finding)) => {
+                    finding.secondary.extend(shape.span.map(|span| Label { span, text: "also here".into() }));
+                }
+                None => unknown.push((&shape.symbol, unknown_symbol(shape, map))),
+            }
+            continue;
+        };
+        let end = track.shapes.get(index + 1).map_or(end, |next| next.start);
+        match runs.last_mut() {
+            Some(run) if run.code == code => run.end = end,
+            _ => {
+                symbols.push(&shape.symbol);
+                runs.push(Run { code, start: shape.start, end });
+            }
+        }
+    }
+    findings.extend(unknown.into_iter().map(|(_, finding)| finding));
+    (findings.len() == before).then_some((symbols, runs))
+}
+
+/// The resting mouth in every viseme type.
+pub(crate) const REST: u8 = b'-';
+
+fn unknown_symbol(shape: &Shape, map: &Map) -> Diagnostic {
+    let headline = format!("{} is not in the mapping table `{}`", show::name(&shape.symbol), show::text(&map.name));
+    let finding = shape_finding(Code::UnknownSymbol, shape, headline);
+    match map.nearest(&shape.symbol) {
+        Some(known) => finding.help(format!("did you mean {}?", show::name(known))),
+        None => finding.help("give a table that has it with --map; lipz maps shows the tables there are"),
+    }
+}
+
+/// Reports the shapes that have no frame.
+pub(super) fn report(lost: &[Lost], all: usize, rate: Rate, findings: &mut Vec<Diagnostic>) {
+    if lost.is_empty() {
+        return;
+    }
+    let (count, have) = (lost.len(), if lost.len() == 1 { "has" } else { "have" });
+    let headline = format!("{count} of {all} mouth shapes {have} no frame at {} frames a second", spell(rate));
+    let mut finding = Diagnostic::new(Code::ShapesLost, headline);
+    for loss in lost.iter().take(LOSSES_SHOWN) {
+        finding = finding.note(loss.describe());
+    }
+    if count > LOSSES_SHOWN {
+        finding = finding.note(format!("and {} more, which --report lists", count - LOSSES_SHOWN));
+    }
+    findings.push(finding.help("choose a higher rate with --fps if the game can show it"));
+}
