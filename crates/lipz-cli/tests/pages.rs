@@ -88,7 +88,7 @@ fn explain_takes_numbers_and_names() {
     assert!(page.stdout.starts_with("LZ0401 foreign-code (error by default)\n"), "{}", page.stdout);
     assert!(page.stdout.contains("\n\nWhy. There is no mouth shape"), "{}", page.stdout);
     assert!(page.stdout.contains("\n      \"visemes\": \"MAXEO-\"\n"), "{}", page.stdout);
-    for same in ["lz0401", "foreign-code", "Foreign-Code"] {
+    for same in ["lz0401", "foreign-code", "Foreign-Code", "[LZ0401]", "error[LZ0401]:"] {
         assert_eq!(lipz(&repository(), ["explain", same]).stdout, page.stdout, "{same}");
     }
 }
