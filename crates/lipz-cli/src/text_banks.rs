@@ -14,7 +14,7 @@ use std::path::PathBuf;
 /// The text banks of the bank that a command reads.
 #[derive(Args, Debug)]
 pub(crate) struct TextBanks {
-    /// Text banks of the bank, whose locales it is to have
+    /// Text banks of the bank, which is named before them: their locales count as its own
     #[arg(long, value_name = "FILE", num_args = 1..)]
     pub(crate) texts: Vec<PathBuf>,
 }

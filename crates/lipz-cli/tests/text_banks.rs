@@ -106,4 +106,7 @@ fn files_that_are_not_texts_of_the_bank_are_refused() {
     let on_top = lipz(scene.path(), ["stats", "whole.lipzbank", "--texts", TEXTS[1]]);
     assert_eq!(on_top.code, 2, "{}", on_top.stderr);
     assert_eq!(tree(scene.path()), before);
+    // All that stands behind the flag is taken for text banks, so the usage has the bank before it.
+    let behind = lipz(scene.path(), ["inspect", "--texts", TEXTS[1], "split.lipzbank"]);
+    assert!(behind.code == 2 && behind.stderr.contains("Usage: lipz inspect <BANK> [KEY] [OPTIONS]"), "{behind:?}");
 }

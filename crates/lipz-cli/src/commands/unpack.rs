@@ -14,6 +14,7 @@ use std::path::PathBuf;
 /// Nothing is written outside the folder, and nothing at all if a key cannot be a file name. When the
 /// run is interrupted, the files written so far stay, each of them whole.
 #[derive(Args, Debug)]
+#[command(override_usage = "lipz unpack <BANK> --output <FOLDER> [OPTIONS]")]
 #[command(after_help = "Examples:
   lipz unpack dialogue.lipzbank -o voices
   lipz unpack dialogue.lipzbank --texts dialogue.*.lipztexts -o voices")]

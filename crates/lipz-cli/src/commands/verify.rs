@@ -15,6 +15,7 @@ use std::path::{Path, PathBuf};
 ///
 /// Text banks are checked against the bank that they belong to.
 #[derive(Args, Debug)]
+#[command(override_usage = "lipz verify <BANK>... [OPTIONS]")]
 #[command(after_help = "Examples:
   lipz verify dialogue.lipzbank
   lipz verify dialogue.lipzbank --texts dialogue.*.lipztexts")]
