@@ -1,10 +1,15 @@
 //! Ctrl-C and requests to end: they are obeyed at once, but not between the start and the end of
 //! writing a file, so that no half-written one is left behind.
 
+#[cfg(unix)]
+mod unix;
+
 use crate::console;
 use std::process;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+#[cfg(unix)]
+use unix::on_request;
 
 /// The exit code of an interrupted run: 128 and the number of the signal that Ctrl-C sends.
 const EXIT_CODE: i32 = 128 + 2;
@@ -18,12 +23,17 @@ static IS_ASKED: AtomicBool = AtomicBool::new(false);
 
 /// Ends the process when it is asked to; waits for files that are being written.
 pub(crate) fn listen() {
-    // Where another handler is set, or signals are ignored (`nohup`), it stays so.
-    let _ = ctrlc::try_set_handler(|| {
+    on_request(|| {
         IS_ASKED.store(true, Ordering::SeqCst);
         let _nothing_is_open = writing();
         end();
     });
+}
+
+#[cfg(not(unix))]
+fn on_request(end: impl FnMut() + Send + 'static) {
+    // Where the system refuses a handler, Ctrl-C ends the process by itself.
+    let _ = ctrlc::set_handler(end);
 }
 
 /// Runs `write`, which leaves no file half-written when it returns or calls [`point`]; ends the

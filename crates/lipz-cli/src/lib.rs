@@ -10,6 +10,7 @@ mod interrupt;
 mod lint_flags;
 mod output_file;
 mod page;
+mod patterns;
 mod project;
 mod render;
 mod rewriting;

@@ -1,9 +1,9 @@
 //! The text banks of a bank that was split by locale: one argument for all commands that read banks.
 
-use crate::Outcome;
 use crate::bank_file::BankFile;
 use crate::render::Findings;
 use crate::sources::usage_error;
+use crate::{Outcome, patterns};
 use clap::Args;
 use clap::error::ErrorKind;
 use lipz::diagnostic::show;
@@ -14,7 +14,7 @@ use std::path::PathBuf;
 /// The text banks of the bank that a command reads.
 #[derive(Args, Debug)]
 pub(crate) struct TextBanks {
-    /// Text banks of the bank, whose locales it is to have
+    /// Text banks of the bank, which is named before them: their locales count as its own
     #[arg(long, value_name = "FILE", num_args = 1..)]
     pub(crate) texts: Vec<PathBuf>,
 }
@@ -25,7 +25,11 @@ pub(crate) struct TextFiles(Vec<BankFile>);
 impl TextFiles {
     /// Maps the files. Reports which one cannot be.
     pub(crate) fn open(paths: &[PathBuf], findings: &mut Findings) -> Result<TextFiles, Outcome> {
-        paths.iter().map(|path| BankFile::open(path, findings)).collect::<Result<_, _>>().map(TextFiles)
+        patterns::files(paths)
+            .iter()
+            .map(|path| BankFile::open(path, findings))
+            .collect::<Result<_, _>>()
+            .map(TextFiles)
     }
 
     /// The text banks of `bank`, verified. Reports what is wrong with one of them.

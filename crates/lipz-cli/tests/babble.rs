@@ -47,6 +47,19 @@ fn refused(all: &[(&str, &str)]) -> String {
 }
 
 #[test]
+fn settings_that_cannot_be_read_are_named() {
+    let scene = Scene::new();
+    scene.write("user_settings/settings.xml", "");
+    for (path, message) in
+        [("settings.xml", "`settings.xml` does not exist"), ("user_settings", "`user_settings` is a folder")]
+    {
+        let run = lipz(scene.path(), ["babble", path]);
+        assert_eq!((run.code, run.stdout.as_str()), (2, ""));
+        assert!(run.stderr.starts_with(&format!("error[LZ0001]: {message}\n")), "{}", run.stderr);
+    }
+}
+
+#[test]
 fn a_viewer_with_defaults_has_the_built_in_profile() {
     assert_eq!(babble(&settings(&[])), (0, VIEWERS_OWN.into(), String::new()));
 }

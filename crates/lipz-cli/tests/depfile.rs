@@ -42,6 +42,18 @@ fn parse(depfile: &str) -> (String, Vec<String>) {
 }
 
 #[test]
+fn without_its_depfile_the_bank_is_packed_and_the_run_fails() {
+    let scene = Scene::new();
+    scene.write("voices/aye.lipz", CLIP);
+    scene.write("file", "");
+    let outcome = lipz(scene.path(), ["pack", "voices", "-o", "b.lipzbank", "--depfile", "file/b.d"]);
+    assert_eq!(outcome.code, 2);
+    assert!(outcome.stderr.contains("error[LZ0904]: `file/b.d` "), "{}", outcome.stderr);
+    assert!(outcome.stdout.contains("1 clip packed into b.lipzbank"), "{}", outcome.stdout);
+    assert_eq!(tree(scene.path()), ["b.lipzbank", "file", "voices", "voices/aye.lipz"]);
+}
+
+#[test]
 fn every_file_and_folder_is_listed() {
     let scene = Scene::new();
     for name in NAMES {

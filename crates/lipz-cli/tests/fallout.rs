@@ -72,7 +72,7 @@ fn files_that_are_not_there_cannot_be_checked() {
     assert!(outcome.stderr.starts_with("error[LZ0001]: `nowhere` does not exist"), "{}", outcome.stderr);
     fs::create_dir(scene.path().join("empty")).unwrap();
     let outcome = lipz(scene.path(), ["fallout", "heads", "empty"]);
-    assert_eq!(outcome.code, 1);
+    assert_eq!(outcome.code, 2);
     assert!(outcome.stderr.starts_with("error[LZ0805]: no FRM files in `empty`\n"), "{}", outcome.stderr);
 }
 

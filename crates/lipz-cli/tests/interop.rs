@@ -79,6 +79,10 @@ fn files_are_named_after_their_sources_and_nothing_is_replaced() {
     assert!(clip.contains("\"------DDDDDDAAAAAA------\""), "{clip}");
     assert_eq!(lipz(scene.path(), ["check", "voices"]).code, 0);
     assert_eq!(tree(&scene.path().join("voices")), ["mayor.lipz"]);
+    let by_pattern = lipz(scene.path(), ["import", "rhubarb-tsv", "recorded/*/*.tsv", "-o", "more"]);
+    assert_eq!((by_pattern.code, tree(&scene.path().join("more"))), (0, vec!["mayor.lipz".to_owned()]));
+    let nothing = lipz(scene.path(), ["import", "rhubarb-tsv", "recorded/*.tvs", "-o", "more"]);
+    assert!(nothing.code == 2 && nothing.stderr.contains("`recorded/*.tvs` does not exist"), "{}", nothing.stderr);
 }
 
 #[test]

@@ -1,4 +1,5 @@
-//! The pages about codes: `lipz explain`, and that the examples show what they are said to show.
+//! The pages about codes and the first of the README: `lipz explain`, and that the examples show what they are said
+//! to show.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 mod support;
@@ -87,7 +88,7 @@ fn explain_takes_numbers_and_names() {
     assert!(page.stdout.starts_with("LZ0401 foreign-code (error by default)\n"), "{}", page.stdout);
     assert!(page.stdout.contains("\n\nWhy. There is no mouth shape"), "{}", page.stdout);
     assert!(page.stdout.contains("\n      \"visemes\": \"MAXEO-\"\n"), "{}", page.stdout);
-    for same in ["lz0401", "foreign-code", "Foreign-Code"] {
+    for same in ["lz0401", "foreign-code", "Foreign-Code", "[LZ0401]", "error[LZ0401]:"] {
         assert_eq!(lipz(&repository(), ["explain", same]).stdout, page.stdout, "{same}");
     }
 }
@@ -124,4 +125,17 @@ fn explain_says_what_was_probably_meant() {
     let far = lipz(&repository(), ["explain", "LZ9999"]);
     assert_eq!((far.code, far.stdout.as_str()), (2, ""));
     assert!(far.stderr.ends_with("help: `lipz explain --list` lists the codes\n"), "{}", far.stderr);
+}
+
+#[test]
+fn the_finding_in_the_readme_is_that_of_its_file() {
+    let readme = std::fs::read_to_string(repository().join("README.md")).unwrap();
+    let blocks = blocks(&readme);
+    let [file, finding, ..] = blocks.as_slice() else { panic!("no examples") };
+    let scene = Scene::new();
+    scene.write("voices/act1/mayor.lipz", &file.text);
+    let outcome = lipz(scene.path(), ["check", "voices"]);
+    assert_eq!((outcome.code, outcome.stderr), (1, format!("{}\n1 error in 1 file\n", finding.text)));
+    let formatted = lipz(scene.path(), ["fmt", "voices", "--check"]);
+    assert_eq!(formatted.code, 0, "it is in its canonical layout");
 }

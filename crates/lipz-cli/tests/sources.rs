@@ -65,6 +65,17 @@ fn a_file_larger_than_a_clip_can_be() {
 }
 
 #[test]
+fn clips_for_which_a_bank_has_no_room() {
+    let mut scene = Scene::new();
+    let speech = "Bell ".repeat(14_000);
+    scene.write("voices/speech.lipz", format!("{{\n  \"text_en-us\" : \"Hear me: |{speech}|Aye.\"\n}}\n"));
+    scene.expect("LZ0901-bank-too-large-text", &["check", "voices"]);
+    scene.write("voices/speech.lipz", format!("{{\n  \"visemes\" : \"{}\"\n}}\n", "A-|".repeat(70_000)));
+    scene.expect("LZ0901-bank-too-large-segments", &["check", "voices"]);
+    scene.finish(2);
+}
+
+#[test]
 fn keys_that_cannot_be_file_names_everywhere() {
     let mut scene = Scene::new();
     for name in

@@ -72,7 +72,7 @@ fn folders_without_subtitles_and_files_that_are_missing() {
     scene.write("empty/readme.txt", "not a subtitle");
     let import = |named| lipz(scene.path(), ["subtitles", "import", named, "-o", "voices"]);
     let empty = import("empty");
-    assert_eq!((empty.code, empty.stdout.as_str()), (1, ""));
+    assert_eq!((empty.code, empty.stdout.as_str()), (2, ""));
     assert!(empty.stderr.contains("error[LZ0805]: no subtitle files in `empty`"), "{empty:?}");
     let missing = import("no.srt");
     assert_eq!((missing.code, missing.stdout.as_str()), (2, ""));
@@ -94,7 +94,7 @@ fn findings() {
             "1\n00:00:02,000 --> 00:00:03,000\nTwo.\n\n2\n00:00:01,000 --> 00:00:02,500\nOne.\n",
         ),
         ("LZ1303-subtitle-place", "mayor.de-de.srt", "1\n00:00:00,000 --> 00:00:00,333\nGuten Abend.\n"),
-        ("LZ1304-subtitle-text", "e.en-us.srt", "1\n00:00:00,000 --> 00:00:00,333\n<i>Good</i> evening | night.\n"),
+        ("LZ1304-subtitle-text", "e.en-us.srt", "1\n00:00:00,000 --> 00:00:00,333\nA <i>good</i>\nevening | night.\n"),
     ];
     for (name, file, content) in files {
         scene.write(file, content);

@@ -37,6 +37,8 @@ fn coverage_is_that_of_the_whole() {
     }
     let without = lipz(scene.path(), ["coverage", "split.lipzbank"]);
     assert!(without.stdout.contains("no clip has a text") && without.stdout.contains("(--texts)"), "{without:?}");
+    let by_pattern = lipz(scene.path(), ["coverage", "split.lipzbank", "--texts", "split.*.lipztexts"]);
+    assert!(by_pattern.code == 0 && by_pattern.stdout.contains("  de-de "), "{by_pattern:?}");
     let short = lipz(scene.path(), [&["coverage", "split.lipzbank", "--min-coverage", "90"][..], &TEXTS].concat());
     assert_eq!(short.code, 1, "German is at 50 %");
 }
@@ -71,7 +73,7 @@ fn differences_are_those_of_the_whole() {
 fn unpacking_gives_all_texts() {
     let scene = scene();
     let [whole, _] = both(&scene, "unpack", &["-o", "out", "--force"]);
-    assert!(whole.stdout.contains("2 files unpacked"), "{}", whole.stdout);
+    assert!(whole.stdout.contains("2 files unpacked into out (display forms: "), "{}", whole.stdout);
     fs::rename(scene.path().join("out"), scene.path().join("split")).unwrap();
     scene.prepare(&["unpack", "whole.lipzbank", "-o", "whole"]);
     for file in ["act1/aye.lipz", "no.lipz"] {
@@ -79,6 +81,8 @@ fn unpacking_gives_all_texts() {
         assert_eq!(read("split"), read("whole"), "{file}");
     }
     assert!(fs::read_to_string(scene.path().join("split/act1/aye.lipz")).unwrap().contains("Ja."));
+    let without = lipz(scene.path(), ["unpack", "split.lipzbank", "-o", "without"]);
+    assert!(without.stdout.contains("2 files unpacked into without (no texts: "), "{}", without.stdout);
 }
 
 #[test]
@@ -102,4 +106,7 @@ fn files_that_are_not_texts_of_the_bank_are_refused() {
     let on_top = lipz(scene.path(), ["stats", "whole.lipzbank", "--texts", TEXTS[1]]);
     assert_eq!(on_top.code, 2, "{}", on_top.stderr);
     assert_eq!(tree(scene.path()), before);
+    // All that stands behind the flag is taken for text banks, so the usage has the bank before it.
+    let behind = lipz(scene.path(), ["inspect", "--texts", TEXTS[1], "split.lipzbank"]);
+    assert!(behind.code == 2 && behind.stderr.contains("Usage: lipz inspect <BANK> [KEY] [OPTIONS]"), "{behind:?}");
 }

@@ -57,9 +57,11 @@ fn collect(mut stream: impl Read + Send + 'static) -> Arc<Mutex<String>> {
 
 impl<'a> Watch<'a> {
     fn start(scene: &'a Scene, arguments: &[&str]) -> Watch<'a> {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_lipz"))
-            .arg("watch")
-            .args(arguments)
+        Watch::spawn(scene, Command::new(env!("CARGO_BIN_EXE_lipz")).arg("watch").args(arguments))
+    }
+
+    fn spawn(scene: &'a Scene, command: &mut Command) -> Watch<'a> {
+        let mut child = command
             .current_dir(scene.path())
             .env("NO_COLOR", "1")
             .stdout(Stdio::piped())
@@ -88,6 +90,13 @@ impl<'a> Watch<'a> {
     /// How many runs said this.
     fn count(&self, result: &str) -> usize {
         self.stdout().matches(result).count()
+    }
+
+    /// Sends it a signal: `INT`, for example.
+    #[cfg(unix)]
+    fn signal(&self, name: &str) {
+        let arguments = ["-s", name, &self.child.id().to_string()];
+        assert!(Command::new("kill").args(arguments).status().unwrap().success());
     }
 
     fn until(&self, what: &str, holds: impl Fn(&Watch<'_>) -> bool) {
@@ -202,6 +211,28 @@ fn a_cache_is_taken_over_and_left() {
     refused.until("the finding", |watch| watch.stderr().contains("is not a cache of lipz, and is left alone"));
 }
 
+/// The bank is packed, and said to be, where only what is written beside it fails.
+#[test]
+fn a_cache_or_depfile_that_cannot_be_written_is_no_failure_of_the_bank() {
+    let scene = Scene::new();
+    scene.write("voices/a.lipz", AYE);
+    let watch = Watch::started(&scene, &["voices", "-o", BANK, "--cache", "cache", "--depfile", "b.d"]);
+    let cannot_be_written = |name: &str| {
+        fs::remove_file(scene.path().join(name)).unwrap();
+        fs::create_dir(scene.path().join(name)).unwrap();
+    };
+    cannot_be_written("cache");
+    scene.write("voices/a.lipz", NO);
+    watch.until_packed("a run without its cache", "voices");
+    watch.until("the finding", |watch| watch.stderr().contains("error[LZ0904]: `cache` "));
+    cannot_be_written("b.d");
+    scene.write("voices/b.lipz", NO);
+    watch.until_packed("a run without its depfile", "voices");
+    watch.until("the finding", |watch| watch.stderr().contains("error[LZ0904]: `b.d` "));
+    watch.until("that it is packed", |watch| watch.count("2 clips packed into out/b.lipzbank") > 0);
+    assert_eq!(watch.count("not packed"), 0, "{}", watch.stdout());
+}
+
 #[test]
 fn outputs_among_the_sources_cause_no_run() {
     let scene = Scene::new();
@@ -285,13 +316,34 @@ fn every_run_prints_a_document_for_programs() {
 #[test]
 fn an_interrupted_watch_leaves_whole_files() {
     support::make_interruptible();
-    for signal in ["-INT", "-TERM"] {
+    for signal in ["INT", "TERM", "HUP"] {
         let scene = Scene::new();
         scene.write("voices/a.lipz", AYE);
         let mut watch = Watch::started(&scene, &["voices", "-o", BANK]);
-        let id = watch.child.id().to_string();
-        assert!(Command::new("kill").args([signal, &id]).status().unwrap().success());
+        watch.signal(signal);
         assert_eq!(watch.child.wait().unwrap().code(), Some(130));
+        watch.until("the last word", |watch| watch.stderr() == "interrupted\n");
+        assert_eq!(tree(scene.path()), ["out", BANK, "voices", "voices/a.lipz"]);
+    }
+}
+
+/// What it was started to ignore, as by `nohup` or in the background of a script, it goes on to ignore; by all
+/// else it ends as ever.
+#[cfg(unix)]
+#[test]
+fn ignored_signals_stay_ignored() {
+    support::make_interruptible();
+    for (ignored, ends) in [("INT", "TERM"), ("HUP", "TERM"), ("HUP", "INT"), ("TERM", "INT")] {
+        let scene = Scene::new();
+        scene.write("voices/a.lipz", AYE);
+        let script = format!("trap '' {ignored}; exec \"$0\" watch voices -o {BANK}");
+        let mut watch = Watch::spawn(&scene, Command::new("sh").args(["-c", &script, env!("CARGO_BIN_EXE_lipz")]));
+        watch.until("watching", |watch| watch.stdout().contains("watching"));
+        watch.signal(ignored);
+        scene.write("voices/a.lipz", NO);
+        watch.until("a run after it", |watch| watch.count("packed into") == 2);
+        watch.signal(ends);
+        assert_eq!(watch.child.wait().unwrap().code(), Some(130), "{ends} while {ignored} is ignored");
         watch.until("the last word", |watch| watch.stderr() == "interrupted\n");
         assert_eq!(tree(scene.path()), ["out", BANK, "voices", "voices/a.lipz"]);
     }

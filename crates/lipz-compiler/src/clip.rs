@@ -5,7 +5,7 @@ mod locales;
 mod packed;
 mod store;
 
-pub(crate) use in_bank::{BankTexts, InBank, length_of};
+pub(crate) use in_bank::{BankTexts, InBank};
 pub(crate) use locales::Locales;
 pub(crate) use store::{Clip, Clips};
 

@@ -72,7 +72,7 @@ const WHICH_FILE: &str = "name the settings.xml in the folder user_settings of t
 fn settings<'d>(document: &'d Document<'d>, name: &str, findings: &mut Findings) -> Option<Map<'d>> {
     let root = document.root_element();
     let mut refuse = |node: Node<'_, '_>, what: &str| {
-        let headline = format!("`{name}` is not LLSD: {what} <{}>", show::text(node.tag_name().name()));
+        let headline = format!("{} is not LLSD: {what} <{}>", show::name(name), show::text(node.tag_name().name()));
         let finding = Diagnostic::at(Code::ViewerSettingsSyntax, start_tag(node), headline);
         findings.push(finding.help(WHICH_FILE));
     };
@@ -194,6 +194,16 @@ mod tests {
             assert_eq!(lip_sync(file.as_bytes(), "settings.xml", &mut found), None);
             let span = found.first().and_then(|found| found.primary.as_ref()).map(|label| label.span.range());
             assert_eq!(span.and_then(|range| file.get(range)), Some(marked));
+        }
+    }
+
+    #[test]
+    fn names_of_files_are_shown_without_what_steers_a_terminal() {
+        for file in ["<", "<a/>", "<llsd/>"] {
+            let mut found = Vec::new();
+            assert_eq!(lip_sync(file.as_bytes(), "\u{1b}[2J.xml", &mut found), None);
+            let headline = found.first().map(|found| found.headline.as_str()).unwrap_or_default();
+            assert!(headline.starts_with("`\\u001B[2J.xml` is not "), "{headline}");
         }
     }
 

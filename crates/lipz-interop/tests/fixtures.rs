@@ -71,3 +71,13 @@ fn text_and_shapes_have_the_same_segments() {
         assert_eq!(segments("Let me think... It was you!", way).0, Option::None);
     }
 }
+
+/// Shapes that could not be read are not said to be missing as well.
+#[test]
+fn a_file_of_another_format_is_only_told_so() {
+    for (name, bytes) in [("rhubarb-tsv", "{ \"mouthCues\": [] }"), ("moho", "// Pamela"), ("polly", "0.00\tX\n")] {
+        let imported = import(formats::find(name).unwrap(), bytes.as_bytes(), &ImportOptions::default());
+        let codes: Vec<_> = imported.diagnostics.iter().map(|finding| finding.code).collect();
+        assert_eq!((codes, imported.clips.len()), (vec![lipz::Code::ForeignSyntax], 0), "{name}");
+    }
+}

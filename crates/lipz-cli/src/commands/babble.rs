@@ -1,9 +1,9 @@
 //! `lipz babble`: the babble profile of a Second Life viewer, as settings of a project.
 
+use super::foreign;
 use crate::render::Findings;
 use crate::{Ended, Outcome, console, standard};
 use clap::Args;
-use lipz::{Code, Diagnostic};
 use lipz_bank::{Babble, Fps};
 use lipz_compiler::Report;
 use lipz_compiler::settings::is_word;
@@ -56,14 +56,8 @@ fn read(path: &Path) -> Result<(String, Vec<u8>), Report> {
     if standard::is_meant(path) {
         return Ok((standard::INPUT_NAME.to_owned(), standard::lipz_bytes()?));
     }
-    let shown = console::path(path);
-    match std::fs::read(path) {
-        Ok(bytes) => Ok((shown, bytes)),
-        Err(error) => {
-            let headline = format!("the file cannot be read: {error}");
-            Err(Report::about(shown, Diagnostic::new(Code::UnreadableFile, headline)))
-        }
-    }
+    let bytes = std::fs::read(path).map_err(|error| foreign::unreadable(path, &error))?;
+    Ok((console::path(path), bytes))
 }
 
 /// The settings as a profile in lipz.toml, complete.

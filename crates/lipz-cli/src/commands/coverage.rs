@@ -21,6 +21,7 @@ use std::path::PathBuf;
 /// Counted are clips that have a text in any locale. A clip without a text of its own shows that of
 /// another locale, or none. A folder is compiled in memory, with the same flags as for `lipz pack`.
 #[derive(Args, Debug)]
+#[command(override_usage = "lipz coverage [BANK] [OPTIONS]")]
 #[command(after_help = "Examples:
   lipz coverage
   lipz coverage voices

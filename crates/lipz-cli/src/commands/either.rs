@@ -4,9 +4,11 @@ use super::with_inputs;
 use crate::bank_file::BankFile;
 use crate::render::Findings;
 use crate::sources::ProjectArguments;
-use crate::{Outcome, console};
+use crate::{Outcome, console, patterns};
 use lipz_compiler::compile;
+use lipz_compiler::key::EXTENSION;
 use lipz_compiler::settings::Settings;
+use std::ffi::OsStr;
 use std::path::Path;
 
 /// The bank at `path`, or the Lipz files there, packed in memory; without a path, those of `lipz.toml`.
@@ -40,6 +42,6 @@ pub(super) fn packed(settings: &Settings, quiet: bool, findings: &mut Findings) 
 
 /// Whether a path is that of Lipz files: a folder, a pattern, a file `.lipz`.
 pub(super) fn names_lipz_files(path: &Path) -> bool {
-    let is_pattern = || !path.exists() && path.to_string_lossy().contains(['*', '?', '[']);
-    path.is_dir() || path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("lipz")) || is_pattern()
+    let is_lipz = |extension: &OsStr| extension.eq_ignore_ascii_case(EXTENSION);
+    path.is_dir() || path.extension().is_some_and(is_lipz) || patterns::is_pattern(path)
 }

@@ -24,7 +24,9 @@ pub(crate) struct Explain {
 
 pub(crate) fn run(arguments: &Explain) -> Outcome {
     let Some(text) = &arguments.code else { return console::print(&list()) };
-    match Code::find(text) {
+    // As findings show it, `error[LZ0401]:`, it can be copied here.
+    let copied = text.rsplit('[').next().unwrap_or(text).trim_end_matches([':', ']']);
+    match Code::find(copied) {
         Some(code) => console::print(&page::terminal(code, console::width())),
         None => {
             console::remark(&format!("error: {} is not a code of lipz\nhelp: {}\n", show::name(text), instead(text)));

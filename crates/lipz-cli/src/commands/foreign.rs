@@ -1,6 +1,7 @@
 //! What `lipz import` and `lipz export` have in common: formats, mapping tables, files.
 
 use crate::render::Findings;
+use crate::rewriting::failure;
 use crate::{Outcome, console, standard};
 use clap::builder::PossibleValuesParser;
 use lipz::diagnostic::{show, suggest};
@@ -164,11 +165,9 @@ pub(super) fn may_write(reports: &[Report]) -> bool {
 
 /// How a run with these findings ends.
 pub(super) fn outcome(reports: &[Report]) -> Outcome {
-    let mut found = reports.iter().flat_map(|report| &report.diagnostics);
     match count(reports, Level::Error) {
         0 => Outcome::Clean,
-        _ if found.any(|found| matches!(found.code, Code::OutputFailed | Code::UnreadableFile)) => Outcome::Failed,
-        _ => Outcome::Findings,
+        _ => failure(reports),
     }
 }
 

@@ -14,6 +14,7 @@ use std::path::PathBuf;
 /// Nothing is written outside the folder, and nothing at all if a key cannot be a file name. When the
 /// run is interrupted, the files written so far stay, each of them whole.
 #[derive(Args, Debug)]
+#[command(override_usage = "lipz unpack <BANK> --output <FOLDER> [OPTIONS]")]
 #[command(after_help = "Examples:
   lipz unpack dialogue.lipzbank -o voices
   lipz unpack dialogue.lipzbank --texts dialogue.*.lipztexts -o voices")]
@@ -48,15 +49,21 @@ pub(crate) fn run(arguments: &Unpack, findings: &mut Findings) -> Ended {
         bar.inc(count);
         interrupt::point();
     };
-    let unpacked =
-        interrupt::whole(|| unpack(WholeBank::of(&bank, &texts), &arguments.output, arguments.force, &progress));
+    let whole = WholeBank::of(&bank, &texts);
+    let unpacked = interrupt::whole(|| unpack(whole, &arguments.output, arguments.force, &progress));
     bar.finish_and_clear();
     match unpacked {
         Ok(unpacked) => {
             if arguments.quiet {
                 return Ok(Outcome::Clean);
             }
-            let form = if unpacked.is_exact { "" } else { " (display forms: the bank was stripped)" };
+            let form = match unpacked.is_exact {
+                true => "",
+                false if whole.locales().is_empty() => {
+                    " (no texts: those of a split bank are in its text banks, --texts)"
+                }
+                false => " (display forms: the bank has no source section)",
+            };
             let files = console::counted(unpacked.files, "file");
             Ok(findings.summary(&format!("{files} unpacked into {}{form}\n", console::path(&arguments.output))))
         }

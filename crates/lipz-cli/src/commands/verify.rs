@@ -4,7 +4,7 @@ use crate::bank_file::BankFile;
 use crate::render::Findings;
 use crate::sources::usage_error;
 use crate::text_banks::TextBanks;
-use crate::{Ended, Outcome, console};
+use crate::{Ended, Outcome, console, patterns};
 use clap::Args;
 use clap::error::ErrorKind;
 use lipz::diagnostic::show;
@@ -15,6 +15,7 @@ use std::path::{Path, PathBuf};
 ///
 /// Text banks are checked against the bank that they belong to.
 #[derive(Args, Debug)]
+#[command(override_usage = "lipz verify <BANK>... [OPTIONS]")]
 #[command(after_help = "Examples:
   lipz verify dialogue.lipzbank
   lipz verify dialogue.lipzbank --texts dialogue.*.lipztexts")]
@@ -32,12 +33,13 @@ pub(crate) struct Verify {
 }
 
 pub(crate) fn run(arguments: &Verify, findings: &mut Findings) -> Ended {
-    if !arguments.texts.texts.is_empty() && arguments.banks.len() > 1 {
+    let banks = patterns::files(&arguments.banks);
+    if !arguments.texts.texts.is_empty() && banks.len() > 1 {
         let tip = "name the one bank that they belong to";
         return Err(usage_error(ErrorKind::ArgumentConflict, "text banks belong to one bank", tip));
     }
     // One that is damaged keeps none of the others from being checked.
-    let outcomes = arguments.banks.iter().map(|path| verify(path, arguments, findings));
+    let outcomes = banks.iter().map(|path| verify(path, arguments, findings));
     Ok(worst(outcomes))
 }
 
@@ -46,7 +48,8 @@ fn verify(path: &Path, arguments: &Verify, findings: &mut Findings) -> Ended {
     let bank = file.bank(findings)?;
     let clips = console::counted(bank.clip_count(), "clip");
     let told = tell(&file.name, &clips, bank.length_bytes(), arguments, findings);
-    let texts = arguments.texts.texts.iter().map(|path| verify_texts(path, &bank, arguments, findings));
+    let texts = patterns::files(&arguments.texts.texts);
+    let texts = texts.iter().map(|path| verify_texts(path, &bank, arguments, findings));
     Ok(worst(std::iter::once(Ok(told)).chain(texts)))
 }
 

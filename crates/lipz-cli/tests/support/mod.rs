@@ -9,7 +9,6 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
-use std::sync::Once;
 
 /// The folder of the repository, from which fixtures are named.
 pub(crate) fn repository() -> PathBuf {
@@ -49,9 +48,14 @@ pub(crate) fn lipz<S: AsRef<std::ffi::OsStr>>(folder: &Path, arguments: impl Int
 
 /// From now on, runs of `lipz` can be interrupted. A process that was started in the background ignores
 /// interrupts, and its children inherit that; but not the handler that this process gets.
+#[cfg(unix)]
 pub(crate) fn make_interruptible() {
+    use signal_hook::{consts::SIGINT, flag};
+    use std::sync::{Arc, Once};
     static HANDLER: Once = Once::new();
-    HANDLER.call_once(|| ctrlc::set_handler(|| std::process::exit(1)).unwrap());
+    HANDLER.call_once(|| {
+        flag::register_conditional_shutdown(SIGINT, 1, Arc::new(true.into())).unwrap();
+    });
 }
 
 /// Runs `lipz` in `folder` with `input` on standard input.

@@ -7,6 +7,7 @@ mod join;
 mod limits;
 mod locales;
 mod names;
+mod room;
 mod segments;
 mod texts;
 mod types;
@@ -62,11 +63,13 @@ pub(crate) fn check(
             limits::check(text.string, clip.displays.iter(), Times::of(clip).as_ref(), limits, diagnostics);
         }
         join::texts(&mut clip.displays, count);
+        room::for_texts(text.string, &clip.displays, diagnostics);
         clip.add_displays(text.locale);
         let pseudo = options.pseudo_locale_of(locales.tag(text.locale)).map(|tag| locales.number(&tag, false));
         // A text that the file itself has in that locale stays the only one.
         if let Some(pseudo) = pseudo.filter(|pseudo| roles.texts.iter().all(|text| text.locale != *pseudo)) {
             pseudo::translate(&mut clip.displays);
+            room::for_texts(text.string, &clip.displays, diagnostics);
             clip.add_displays(pseudo);
         }
     }
@@ -84,4 +87,5 @@ pub(crate) fn check(
     if !clip.has_visemes {
         clip.starts.resize(segment_count.unwrap_or(1), 0);
     }
+    room::for_segments(&roles, clip.starts.len(), diagnostics);
 }

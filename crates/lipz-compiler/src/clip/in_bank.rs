@@ -15,7 +15,7 @@ pub(crate) struct BankTexts<'b> {
 }
 
 /// The length of the texts with these ends, which are stored modulo 2^16: as a reader adds them up.
-pub(crate) fn length_of(ends: &[U16]) -> usize {
+fn length_of(ends: &[U16]) -> usize {
     ends.iter().fold(0, |end, low| end + usize::from(low.get().wrapping_sub(end as u16)))
 }
 

@@ -3,12 +3,11 @@
 use super::strings::Names;
 use super::{fit, too_large};
 use crate::Report;
-use crate::clip::{Clip, length_of};
+use crate::clip::Clip;
 use crate::localise::Localised;
 use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order of entries is never used
-use lipz::Code;
 use lipz_bank::layout::{
-    ClipRecord, FLAG_VISEMES, KeyRecord, LOCALE_DEFAULT, LocaleRecord, NO_RATE, RateRecord, U16, U32, WHOLE_RATES,
+    ClipRecord, FLAG_VISEMES, KeyRecord, LOCALE_DEFAULT, LocaleRecord, NO_RATE, RateRecord, U32, WHOLE_RATES,
     fingerprint,
 };
 use lipz_bank::{Fps, VisemeType};
@@ -36,14 +35,13 @@ pub(super) fn clips(clips: &[Clip<'_>], ids: &[u64], slots: &[u32], names: &Name
     let (with_events, others): (Vec<_>, Vec<_>) =
         clips.iter().enumerate().partition(|(_, clip)| clip.events().is_some());
     for (at, clip) in with_events.into_iter().chain(others) {
-        texts_fit(clip)?;
         let key = names.keys[at];
         let frames_start = fit(frames_offset, "frames")?;
         keys[slots[at] as usize] = KeyRecord {
             id: ids[at].into(),
             key_offset_bytes: key.offset_bytes.into(),
             key_length_bytes: key.length_bytes.into(),
-            segment_count: segment_count(clip)?.into(),
+            segment_count: (clip.starts().len() as u16).into(), // no clip that passed the check has more
         };
         records[slots[at] as usize] = ClipRecord {
             frames_offset_bytes: frames_start.into(),
@@ -59,24 +57,6 @@ pub(super) fn clips(clips: &[Clip<'_>], ids: &[u64], slots: &[u32], names: &Name
     starts.push(fit(frames_offset, "frames")?.into());
     let fingerprint = fingerprint(&keys, &records);
     Ok(ClipRecords { clips: records, keys, rates: rates.records, starts, frame_count: frames_offset, fingerprint })
-}
-
-fn segment_count(clip: &Clip<'_>) -> Result<u16, Report> {
-    let count = clip.starts().len();
-    u16::try_from(count).map_err(|_| {
-        let headline = format!("the clip has {count} segments; a bank has room for {} of a clip", u16::MAX);
-        Report::failure(clip.key(), Code::BankTooLarge, headline, "divide it into several clips")
-    })
-}
-
-/// The end of each text is stored modulo 2^16: none is longer than that, however long all of a clip are.
-fn texts_fit(clip: &Clip<'_>) -> Result<(), Report> {
-    let is_too_long = |(ends, texts): (&[U16], &[u8])| length_of(ends) != texts.len();
-    if clip.texts().iter().any(|text| is_too_long(clip.run(text))) {
-        let headline = format!("a segment has a text of more than {} bytes", u16::MAX);
-        return Err(Report::failure(clip.key(), Code::BankTooLarge, headline, "divide the segment with `|`"));
-    }
-    Ok(())
 }
 
 /// The distinct frame rates that are no whole numbers, in the order of their first use.

@@ -246,6 +246,9 @@ fn unknown_name(table: &str, key: &Spanned<DeString<'_>>, known: &[&'static str]
         };
     }
     let place = if table.is_empty() { "is not a setting".to_owned() } else { format!("is not a setting of [{table}]") };
+    if let Some(help) = of_flag(name) {
+        return finding(&place).help(help);
+    }
     let everywhere = || TABLES.iter().flat_map(setting_names);
     match nearest(name, known.iter().copied()).or_else(|| nearest(name, everywhere())) {
         Some(known) => finding(&place).help(format!("did you mean `{known}`?")),
@@ -254,6 +257,22 @@ fn unknown_name(table: &str, key: &Spanned<DeString<'_>>, known: &[&'static str]
             table => format!("the settings of [{table}] are {}", known.join(", ")),
         }),
     }
+}
+
+/// What stands in the file for the flag `--name` of the command line.
+fn of_flag(name: &str) -> Option<String> {
+    let is_meant = |flags: &str| flags.split(", ").any(|flag| flag.strip_prefix("--") == Some(name));
+    TABLES.iter().find_map(|table| match &table.content {
+        Content::Settings(settings) => settings
+            .iter()
+            .find(|setting| is_meant(setting.flag))
+            .map(|setting| format!("the flag --{name} is `{}` in [{}]", setting.name, table.name)),
+        Content::Map(map) => {
+            let entry =
+                || Some(format!("the flag --{name} is an entry of [{}]: {}", table.name, map.examples.first()?));
+            is_meant(map.flag).then(entry).flatten()
+        }
+    })
 }
 
 /// The name of a setting with that of its table: `text.lines`.

@@ -84,7 +84,8 @@ fn finding(text: &str, root: &DeTable<'_>, error: &Error) -> Diagnostic {
         "missing comma between array elements" => {
             at("a `,` is missing before this item of the list".to_owned()).help("write [\"…\", \"…\"]")
         }
-        "unclosed table" => at("the name of a table has no `]`".to_owned()).help("write [text], for example"),
+        "unclosed table" => at("the name of a table has no `]`".to_owned())
+            .help("write [text], for example, and quotes round a name with blanks: [babble.\"old robot\"]"),
         _ => at(format!("this is not TOML: {}", show::text(message)))
             .help("texts stand in \"…\", lists in […], and each setting on a line of its own"),
     }

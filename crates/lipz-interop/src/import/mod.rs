@@ -86,6 +86,8 @@ pub fn import(format: &Format, bytes: &[u8], options: &ImportOptions<'_>) -> Imp
     imported.diagnostics.sort_by_key(Diagnostic::start);
     if imported.diagnostics.iter().any(|finding| finding.level == Level::Error) {
         imported.clips.clear();
+        // Shapes that could not be read are not missing.
+        imported.diagnostics.retain(|finding| finding.code != Code::NoShapes);
     }
     imported
 }

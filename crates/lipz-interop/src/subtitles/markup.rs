@@ -1,6 +1,7 @@
 //! Markup in cues: tags, character references, who speaks.
 
 use lipz::text::display;
+use std::ops::Range;
 
 /// The meta of a Lipz text that says who speaks what follows.
 const SPEAKER: &str = "{speaker:";
@@ -16,8 +17,8 @@ const SRT_TAGS: [&str; 5] = ["i", "b", "u", "s", "font"];
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Plain {
     pub(super) text: String,
-    /// Whether it had tags that a Lipz text has no place for.
-    pub(super) has_lost_tags: bool,
+    /// The first tag that a Lipz text has no place for, by its bytes in the text with markup.
+    pub(super) lost_tag: Option<Range<usize>>,
 }
 
 /// What a tag becomes.
@@ -52,7 +53,7 @@ pub(super) fn from_srt(text: &str) -> Plain {
 }
 
 fn without_tags(text: &str, tag: impl Fn(&str) -> Tag, plain: impl Fn(&str) -> String) -> Plain {
-    let mut result = Plain { text: String::new(), has_lost_tags: false };
+    let mut result = Plain { text: String::new(), lost_tag: None };
     let mut rest = text;
     while let Some((before, tagged)) = rest.split_once('<') {
         result.text += &plain(before);
@@ -63,7 +64,10 @@ fn without_tags(text: &str, tag: impl Fn(&str) -> Tag, plain: impl Fn(&str) -> S
         };
         rest = after;
         match tag(inner) {
-            Tag::Lost => result.has_lost_tags = true,
+            Tag::Lost => {
+                let place = text.len() - tagged.len() - 1..text.len() - after.len();
+                result.lost_tag.get_or_insert(place);
+            }
             Tag::Replaced(replacement) => result.text += &replacement,
             Tag::Text => {
                 result.text.push('<');
@@ -130,28 +134,30 @@ mod tests {
 
     #[test]
     fn texts_of_web_vtt() {
-        for (vtt, text, has_lost_tags) in [
-            ("Tom &amp; Amy &lt;3 &amp;lt;", "Tom & Amy <3 &lt;", false),
-            ("<v Mara>Good evening.", "{speaker: Mara} Good evening.", false),
-            ("<v.loud Mara &amp; Tom>Hey!</v>", "{speaker: Mara & Tom} Hey!", false),
-            ("<v Mara>Hi.\n<v Tom>Ho.", "{speaker: Mara} Hi.\n{speaker: Tom} Ho.", false),
-            ("<v>Who?", "Who?", false),
-            ("<i>So</i> <00:00:01.500>late", "So late", true),
-            ("1 < 2", "1 < 2", false),
+        for (vtt, text, lost_tag) in [
+            ("Tom &amp; Amy &lt;3 &amp;lt;", "Tom & Amy <3 &lt;", None),
+            ("<v Mara>Good evening.", "{speaker: Mara} Good evening.", None),
+            ("<v.loud Mara &amp; Tom>Hey!</v>", "{speaker: Mara & Tom} Hey!", None),
+            ("<v Mara>Hi.\n<v Tom>Ho.", "{speaker: Mara} Hi.\n{speaker: Tom} Ho.", None),
+            ("<v>Who?", "Who?", None),
+            ("<i>So</i> <00:00:01.500>late", "So late", Some("<i>")),
+            ("1 < 2", "1 < 2", None),
         ] {
-            assert_eq!(from_vtt(vtt), Plain { text: text.to_owned(), has_lost_tags }, "{vtt}");
+            let plain = from_vtt(vtt);
+            assert_eq!((plain.text.as_str(), plain.lost_tag.map(|tag| &vtt[tag])), (text, lost_tag));
         }
     }
 
     #[test]
     fn texts_of_sub_rip() {
-        for (srt, text, has_lost_tags) in [
-            ("<i>So</i> <FONT color=\"red\">late</FONT>", "So late", true),
-            ("{\\an8}Up", "{\\an8}Up", false),
-            ("a <b c", "a <b c", false),
-            ("<Mara> &amp; <- Tom", "<Mara> &amp; <- Tom", false),
+        for (srt, text, lost_tag) in [
+            ("<i>So</i> <FONT color=\"red\">late</FONT>", "So late", Some("<i>")),
+            ("{\\an8}Up", "{\\an8}Up", None),
+            ("a <b c", "a <b c", None),
+            ("<Mara> &amp; <- Tom", "<Mara> &amp; <- Tom", None),
         ] {
-            assert_eq!(from_srt(srt), Plain { text: text.to_owned(), has_lost_tags }, "{srt}");
+            let plain = from_srt(srt);
+            assert_eq!((plain.text.as_str(), plain.lost_tag.map(|tag| &srt[tag])), (text, lost_tag));
         }
     }
 

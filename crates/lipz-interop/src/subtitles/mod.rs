@@ -16,6 +16,7 @@ pub use join::{clip, join};
 use lipz::text::DELIMITER;
 use lipz::{Code, Diagnostic, Span};
 use markup::Plain;
+use timing::Body;
 
 /// A text that shows from one time to another.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
@@ -89,21 +90,24 @@ impl SubtitleFormat {
 /// What stands for `|` in a text: there it would divide segments.
 const BAR_IN_TEXT: &str = "\u{a6}";
 
-/// The text of the cue at `span`; reports what a Lipz text cannot hold.
-fn read_text(span: Span, plain: &Plain, findings: &mut Vec<Diagnostic>) -> String {
-    if plain.has_lost_tags {
+/// The text of a cue, which `plain` frees of markup; reports what a Lipz text cannot hold.
+fn read_text(body: &Body<'_>, plain: impl Fn(&str) -> Plain, findings: &mut Vec<Diagnostic>) -> String {
+    let marked_up = body.text();
+    let Plain { text, lost_tag } = plain(&marked_up);
+    if let Some(tag) = lost_tag {
         findings.push(
-            Diagnostic::at(Code::SubtitleText, span, "the subtitle has tags, which are left out")
+            Diagnostic::at(Code::SubtitleText, body.span(tag), "the subtitle has tags, which are left out")
                 .note("texts of Lipz files have no markup; a game may have its own, as {meta}"),
         );
     }
-    if plain.text.contains(DELIMITER) {
+    if text.contains(DELIMITER) {
+        let at = marked_up.find(DELIMITER).unwrap_or_default();
         let headline = format!("`{DELIMITER}` in the subtitle becomes `{BAR_IN_TEXT}`");
         findings.push(
-            Diagnostic::at(Code::SubtitleText, span, headline)
+            Diagnostic::at(Code::SubtitleText, body.span(at..at + DELIMITER.len_utf8()), headline)
                 .note("in Lipz files, `|` divides segments")
                 .help("write the text in another way if the difference matters"),
         );
     }
-    plain.text.replace(DELIMITER, BAR_IN_TEXT)
+    text.replace(DELIMITER, BAR_IN_TEXT)
 }

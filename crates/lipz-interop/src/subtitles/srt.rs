@@ -10,8 +10,8 @@ const ARROW_IN_TEXT: &str = "\u{2192}";
 pub(super) fn read(text: &str, findings: &mut Vec<Diagnostic>) -> Vec<Cue> {
     let mut cues = Vec::new();
     for block in timing::blocks(text) {
-        let Some((cue, text)) = timing::cue(&block, findings) else { continue };
-        let text = super::read_text(cue.span, &markup::from_srt(&text), findings);
+        let Some((cue, body)) = timing::cue(&block, findings) else { continue };
+        let text = super::read_text(&body, markup::from_srt, findings);
         cues.push(Cue { text, ..cue });
     }
     cues
@@ -26,7 +26,7 @@ pub(super) fn write(cues: &[Cue], findings: &mut Vec<Diagnostic>) -> String {
             let arrow = timing::ARROW;
             findings.push(loss(cue, format!("`{arrow}` in the text is written as `{ARROW_IN_TEXT}`")));
         }
-        if markup::from_srt(&text).has_lost_tags {
+        if markup::from_srt(&text).lost_tag.is_some() {
             findings.push(loss(cue, "players take a part of the text for a tag".to_owned()));
         }
         let (start, end) = (timing::timestamp(cue.start_ms, ','), timing::timestamp(cue.end_ms, ','));

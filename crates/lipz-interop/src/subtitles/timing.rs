@@ -2,7 +2,8 @@
 
 use super::Cue;
 use crate::source::{self, Line};
-use lipz::{Code, Diagnostic};
+use lipz::{Code, Diagnostic, Span};
+use std::ops::Range;
 
 /// What stands between the times of a cue.
 pub(super) const ARROW: &str = "-->";
@@ -14,8 +15,31 @@ pub(super) fn blocks(text: &str) -> Vec<Vec<Line<'_>>> {
     lines.split(is_empty).filter(|block| !block.is_empty()).map(<[_]>::to_vec).collect()
 }
 
+/// The lines of a cue below its times.
+pub(super) struct Body<'t>(&'t [Line<'t>]);
+
+impl Body<'_> {
+    /// The text of all lines.
+    pub(super) fn text(&self) -> String {
+        self.0.iter().map(|line| line.text).collect::<Vec<_>>().join("\n")
+    }
+
+    /// Where a part of the text stands in the file: as far as it is in the line where it starts.
+    pub(super) fn span(&self, part: Range<usize>) -> Span {
+        let mut start = 0;
+        for line in self.0 {
+            let end = start + line.text.len();
+            if part.start < end {
+                return Span::new(line.at + part.start - start, line.at + part.end.min(end) - start);
+            }
+            start = end + 1;
+        }
+        Span::default()
+    }
+}
+
 /// The cue of a block: perhaps a name or number, the times, then the text.
-pub(super) fn cue(block: &[Line<'_>], findings: &mut Vec<Diagnostic>) -> Option<(Cue, String)> {
+pub(super) fn cue<'t>(block: &'t [Line<'t>], findings: &mut Vec<Diagnostic>) -> Option<(Cue, Body<'t>)> {
     let Some((at, line)) = block.iter().enumerate().take(2).find(|(_, line)| line.text.contains(ARROW)) else {
         let line = block.first()?;
         findings.push(
@@ -25,8 +49,8 @@ pub(super) fn cue(block: &[Line<'_>], findings: &mut Vec<Diagnostic>) -> Option<
         return None;
     };
     let (start_ms, end_ms) = times(*line, findings)?;
-    let lines: Vec<&str> = block.get(at + 1..).unwrap_or_default().iter().map(|line| line.text).collect();
-    Some((Cue { start_ms, end_ms, text: String::new(), span: line.span() }, lines.join("\n")))
+    let body = Body(block.get(at + 1..).unwrap_or_default());
+    Some((Cue { start_ms, end_ms, text: String::new(), span: line.span() }, body))
 }
 
 /// The times of a line, `00:00:01,000 --> 00:00:02,500`. What stands behind them is about places on the screen.
@@ -125,6 +149,18 @@ mod tests {
             assert_eq!(milliseconds(text), None, "{text}");
         }
         assert_eq!(milliseconds("9999999999999999999:00:00.000"), None);
+    }
+
+    #[test]
+    fn parts_of_a_text_are_found_in_the_file() {
+        let file = "1\r\n00:00:01,000 --> 00:00:02,000\r\nGute\r\nfrüh <b\r\n>!\r\n";
+        let blocks = blocks(file);
+        let (_, body) = cue(&blocks[0], &mut Vec::new()).unwrap();
+        let text = body.text();
+        for (part, in_file) in [("Gute", "Gute"), ("üh", "üh"), ("<b\n>", "<b"), ("!", "!")] {
+            let at = text.find(part).unwrap();
+            assert_eq!(&file[body.span(at..at + part.len()).range()], in_file);
+        }
     }
 
     #[test]

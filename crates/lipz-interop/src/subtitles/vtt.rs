@@ -27,8 +27,8 @@ pub(super) fn read(text: &str, findings: &mut Vec<Diagnostic>) -> Vec<Cue> {
         if block.first().map(|line| line.text).filter(is_other).is_some() {
             continue;
         }
-        let Some((cue, text)) = timing::cue(block, findings) else { continue };
-        let text = super::read_text(cue.span, &markup::from_vtt(&text), findings);
+        let Some((cue, body)) = timing::cue(block, findings) else { continue };
+        let text = super::read_text(&body, markup::from_vtt, findings);
         cues.push(Cue { text, ..cue });
     }
     cues

@@ -121,7 +121,7 @@ codes! {
     NoSources "LZ0805" "no-sources" Error "no Lipz file was found"
 
     "Banks and outputs"
-    BankTooLarge "LZ0901" "bank-too-large" Error "the bank does not fit its 32-bit offsets"
+    BankTooLarge "LZ0901" "bank-too-large" Error "a bank has no room for the clips, or for a part of one"
     BankRefused "LZ0902" "bank-refused" Error "a file cannot be opened as a bank"
     BankDamaged "LZ0903" "bank-damaged" Error "a bank does not pass verification"
     OutputFailed "LZ0904" "output-failed" Error "an output cannot be written"

@@ -3,6 +3,7 @@
 use super::MAX_FILE_BYTES;
 use crate::diagnostic::show;
 use crate::{Code, Diagnostic, Span};
+use lipz_bank::layout::MAGIC;
 
 /// What Windows-1252 has at 0x80 to 0x9F; blanks where it has nothing.
 const WINDOWS_1252: &str = "€ ‚ƒ„…†‡ˆ‰Š‹Œ Ž  ‘’“”•–—˜™š›œ žŸ";
@@ -58,9 +59,13 @@ fn utf16_byte_order(bytes: &[u8]) -> Option<&'static str> {
     }
 }
 
-/// The finding for the first byte that is not UTF-8. Its span counts in the text that
+/// The finding for the first byte that is not UTF-8, or for a bank, which is named by mistake. Its span counts in the text that
 /// `String::from_utf8_lossy` makes of the file, in which bad bytes have a replacement character.
 fn not_utf8(bytes: &[u8], error: std::str::Utf8Error) -> Diagnostic {
+    if bytes.starts_with(&MAGIC) {
+        return Diagnostic::new(Code::NotUtf8, "the file is a lipz bank, not text")
+            .help("`lipz verify` checks banks, `lipz unpack` makes Lipz files of one");
+    }
     let at = error.valid_up_to();
     let byte = bytes.get(at).copied().unwrap_or_default();
     let span = Span::new(at, at + '\u{FFFD}'.len_utf8());
@@ -101,5 +106,17 @@ mod tests {
         for byte in [0x81, 0x8D, 0x8F, 0x90, 0x9D] {
             assert_eq!(in_windows_1252(byte), None);
         }
+    }
+
+    #[test]
+    fn a_bank_is_named_as_what_it_is() {
+        let bank = [&MAGIC[..], &[0; 56]].concat();
+        let mut found = Vec::new();
+        assert_eq!(decode(&bank, &mut found), None);
+        assert_eq!(
+            found.iter().map(|found| found.headline.as_str()).collect::<Vec<_>>(),
+            ["the file is a lipz bank, not text"]
+        );
+        assert!(found[0].primary.is_none(), "there is no line to show");
     }
 }

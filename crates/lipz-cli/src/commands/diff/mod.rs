@@ -16,10 +16,11 @@ use std::path::PathBuf;
 
 /// Compare banks, or the folders that banks are made of.
 ///
-/// Compared is what a program sees: clips, frame rates, frames, segments, display texts, events. How
-/// the files are spelled makes no difference. Folders are compiled in memory, with the same flags as
-/// for `lipz pack`.
+/// Compared is what a program sees: clips, frame rates, frames, segments, display texts, events, locales,
+/// babble profiles. How the files are spelled makes no difference. Folders are compiled in memory, with the
+/// same flags as for `lipz pack`.
 #[derive(Args, Debug)]
+#[command(override_usage = "lipz diff <OLD> <NEW> [OPTIONS]")]
 #[command(after_help = "Examples:
   lipz diff old.lipzbank new.lipzbank
   lipz diff dialogue.lipzbank voices --default-locale en-us

@@ -8,7 +8,7 @@ mod text;
 use super::foreign;
 use crate::render::Findings;
 use crate::sources::usage_error;
-use crate::{Ended, Outcome, console, interrupt, output_file, standard};
+use crate::{Ended, Outcome, console, interrupt, output_file, patterns, standard};
 use clap::Args;
 use clap::error::ErrorKind;
 use lipz::Level;
@@ -31,7 +31,7 @@ pub(crate) struct Import {
     #[arg(value_name = "FORMAT", value_parser = foreign::names(|format| format.read.is_some()), hide_possible_values = true)]
     tool_format: String,
 
-    /// The files; `-` reads one from standard input
+    /// The files, or patterns of them; `-` reads one from standard input
     #[arg(value_name = "FILES", required = true)]
     files: Vec<PathBuf>,
 
@@ -77,7 +77,8 @@ pub(crate) fn run(arguments: &Import, findings: &mut Findings) -> Ended {
         output_file::refuse_source(report)?;
     }
     let is_printed = arguments.prints_result();
-    let (folder, several) = (arguments.output.as_deref(), arguments.files.len() > 1);
+    let files = patterns::files(&arguments.files);
+    let (folder, several) = (arguments.output.as_deref(), files.len() > 1);
     if (folder.is_none() && !is_printed) || (is_printed && several) {
         let message = "it is not said where the Lipz files go";
         return Err(usage_error(ErrorKind::MissingRequiredArgument, message, "name a folder with '--output'"));
@@ -85,7 +86,7 @@ pub(crate) fn run(arguments: &Import, findings: &mut Findings) -> Ended {
     let settings = arguments.options.settings(folder.filter(|_| !is_printed), findings)?;
     let texts = text::Texts::of(arguments.options.text.as_deref(), several).map_err(|report| findings.fail(report))?;
     let script = arguments.options.recordings.script(findings)?;
-    let (made, mut reports) = read(arguments, format, &settings, &texts, &script)?;
+    let (made, mut reports) = read(arguments, &files, format, &settings, &texts, &script)?;
     let inputs: Vec<Input> = made.iter().map(|made| made.input.clone()).collect();
     key::check(&inputs, &mut reports);
     if let Some(folder) = folder.filter(|_| !is_printed && !arguments.force) {
@@ -131,13 +132,14 @@ pub(crate) fn run(arguments: &Import, findings: &mut Findings) -> Ended {
 /// Reads every file. Those with errors give no clips.
 fn read(
     arguments: &Import,
+    files: &[PathBuf],
     format: &Format,
     settings: &Settings<'_>,
     texts: &text::Texts,
     script: &Script,
 ) -> Result<(Vec<Made>, Vec<Report>), Outcome> {
     let (mut made, mut reports) = (Vec::new(), Vec::new());
-    for file in &arguments.files {
+    for file in files {
         let source = match foreign::Source::read(file, format) {
             Ok(source) => source,
             Err(report) => {

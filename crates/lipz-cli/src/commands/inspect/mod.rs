@@ -19,6 +19,7 @@ use unicode_width::UnicodeWidthStr;
 
 /// Show what is in a bank: a summary, the list of clips, or one clip as a timeline.
 #[derive(Args, Debug)]
+#[command(override_usage = "lipz inspect <BANK> [KEY] [OPTIONS]")]
 #[command(after_help = "Examples:
   lipz inspect dialogue.lipzbank
   lipz inspect dialogue.lipzbank --list act1/

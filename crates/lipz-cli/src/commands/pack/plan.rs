@@ -8,7 +8,7 @@ use crate::settings_file::Project;
 use crate::sources::usage_error;
 use crate::{Outcome, output_file, standard};
 use clap::error::ErrorKind;
-use lipz_compiler::{Compiled, Memory, Phases, dependencies, depfile};
+use lipz_compiler::{Compiled, Input, Memory, Phases, dependencies, depfile};
 use std::mem;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -27,6 +27,8 @@ pub(crate) struct Packed {
     /// Clips that a cache spared.
     pub(super) recalled: usize,
     written: AllWritten,
+    /// Failed if the cache or the depfile could not be written: the bank is where it belongs all the same.
+    pub(crate) outcome: Outcome,
     /// The time it took to find the files.
     pub(super) discover: Duration,
     /// The times of all that followed.
@@ -90,16 +92,25 @@ impl Plan {
             _ => return Err(outcome),
         };
         let written = self.destination.deliver(&bank, run.compiled.is_unchanged, replacing, findings)?;
-        if let Some(memory) = memory {
-            self.destination.remember(memory, findings)?;
-        }
-        if let Some(path) = &self.depfile {
-            let mut dependencies = dependencies(&settings.sources, &run.inputs);
-            dependencies.extend(self.project.file.clone());
-            destination::write(path, &depfile(&self.output, &dependencies), replacing, findings)?;
-        }
+        let remembered = memory.map_or(Ok(()), |memory| self.destination.remember(memory, findings));
+        let outcome = remembered.and(self.write_depfile(&run.inputs, replacing, findings));
         let Compiled { recalled, phases, .. } = run.compiled;
-        Ok(Packed { clip_count: run.inputs.len(), recalled, written, discover: run.discover, phases })
+        Ok(Packed {
+            clip_count: run.inputs.len(),
+            recalled,
+            written,
+            outcome: outcome.err().unwrap_or(Outcome::Clean),
+            discover: run.discover,
+            phases,
+        })
+    }
+
+    /// Writes what the bank depends on, if that was asked for. Reports why that is not possible.
+    fn write_depfile(&self, inputs: &[Input], replacing: Replacing, findings: &mut Findings) -> Result<(), Outcome> {
+        let Some(path) = &self.depfile else { return Ok(()) };
+        let mut dependencies = dependencies(&self.project.settings.sources, inputs);
+        dependencies.extend(self.project.file.clone());
+        destination::write(path, &depfile(&self.output, &dependencies), replacing, findings).map(|_| ())
     }
 }
 

@@ -16,6 +16,7 @@ use std::path::PathBuf;
 ///
 /// A folder is compiled in memory, with the same flags as for `lipz pack`.
 #[derive(Args, Debug)]
+#[command(override_usage = "lipz stats [BANK] [OPTIONS]")]
 #[command(after_help = "Examples:
   lipz stats
   lipz stats dialogue.lipzbank

@@ -6,7 +6,7 @@ use crate::lint_flags::LintFlags;
 use crate::project::{parse_fps, parse_locale};
 use crate::render::Findings;
 use crate::settings_file::SettingsFile;
-use crate::{Ended, console, interrupt};
+use crate::{Ended, console, interrupt, patterns};
 use clap::Args;
 use lipz::format::{Style, format};
 use lipz::{Diagnostic, Document, Level};
@@ -56,7 +56,7 @@ pub(super) fn run(arguments: &Import, findings: &mut Findings) -> Ended {
     arguments.lints.apply(&mut options.levels);
     options.default_locale = arguments.locale.clone().or(options.default_locale);
     let mut reports = Vec::new();
-    let mut found = found::find(&arguments.files, &options, &mut reports)?;
+    let mut found = found::find(&patterns::files(&arguments.files), &options, &mut reports)?;
     found.sort_by(|a, b| a.key.cmp(&b.key));
     let clips: Vec<&[Found]> = found.chunk_by(|a, b| a.key == b.key).collect();
     let path = |clip: &[Found]| clip.first().map(|file| foreign::path(&arguments.output, &file.key, key::EXTENSION));

@@ -121,7 +121,7 @@ impl Watch {
         let (outcome, headline, timings) = match packed {
             Ok(packed) => {
                 let took_ms = start.elapsed().as_millis();
-                (Outcome::Clean, format!("{}, {took_ms} ms", packed.headline()), self.pack.timings(&packed))
+                (packed.outcome, format!("{}, {took_ms} ms", packed.headline()), self.pack.timings(&packed))
             }
             Err(outcome) => (outcome, format!("not packed: {old_bank}"), String::new()),
         };
