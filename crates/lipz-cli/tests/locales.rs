@@ -77,6 +77,21 @@ fn too_little_is_translated() {
 }
 
 #[test]
+fn a_locale_that_no_clip_has_is_not_left_out_in_silence() {
+    let mut scene = scene();
+    let pack = ["pack", "voices", "-o", "b.lipzbank", "-q", "--cache", "b.cache", "--locales", "de-de,es-mx,fr-rf"];
+    scene.expect("LZ0514-locale-without-texts", &pack);
+    let again = lipz(scene.path(), pack);
+    assert_eq!(again.stderr.matches("[LZ0514]").count(), 2, "nothing changed, and it is said again: {again:?}");
+    let deny = ["pack", "voices", "-o", "c.lipzbank", "--locales", "fr-rf", "--deny", "locale-without-texts"];
+    let denied = lipz(scene.path(), deny);
+    assert!(denied.code == 1 && !scene.path().join("c.lipzbank").exists(), "{denied:?}");
+    let fallback = ["pack", "voices", "-o", "b.lipzbank", "-q", "--locales", "de-at"];
+    assert_eq!(lipz(scene.path(), fallback).stderr, "", "German will do in Austria");
+    scene.finish(1);
+}
+
+#[test]
 fn text_banks_are_checked_and_shown_with_their_bank() {
     let mut scene = scene();
     scene.write("lipz.toml", "default-locale = \"en-us\"\nsplit-locales = true\n");

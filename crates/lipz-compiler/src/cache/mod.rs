@@ -113,10 +113,12 @@ fn again(
     drop(cached);
     let old_bank = before.map(|before| before.bank);
     let compiled = match old_bank {
-        Some(bank) if is_unchanged && !run.has_errors() => match finish(&bank, true) {
-            Ok(()) => Compiled { is_unchanged, ..run.finish(Some(Arc::unwrap_or_clone(bank))) },
-            Err(report) => run.fail(report),
-        },
+        Some(bank) if is_unchanged && !run.has_errors() => {
+            match run.expect_locales(&bank, options).and_then(|()| finish(&bank, true)) {
+                Ok(()) => Compiled { is_unchanged, ..run.finish(Some(Arc::unwrap_or_clone(bank))) },
+                Err(report) => run.fail(report),
+            }
+        }
         // The old bank is given back before the new one is made.
         old_bank => {
             drop(old_bank);

@@ -142,6 +142,15 @@ fn other_shape(element: &Element<'_>, locale: &str, is_tag: bool, options: &Opti
 
 /// The warning for a language or a country that is in no ISO list.
 fn unknown_parts(element: &Element<'_>, tag: &str) -> Option<Diagnostic> {
+    let finding = Diagnostic::at(Code::UnknownLocale, element.name.span(), in_no_list(tag)?);
+    Some(finding.help(match tag {
+        "en-uk" => "the United Kingdom is gb: \"text_en-gb\"",
+        _ => "languages are ISO 639-1 codes, countries ISO 3166-1 alpha-2 codes",
+    }))
+}
+
+/// Which parts of an `ll-cc` tag are in no ISO list, as a sentence; `None` if both are in one.
+pub(crate) fn in_no_list(tag: &str) -> Option<String> {
     let (language, country) = tag.split_once('-').unwrap_or((tag, ""));
     let what = match locale::unknown_parts(tag) {
         (false, false) => return None,
@@ -149,9 +158,5 @@ fn unknown_parts(element: &Element<'_>, tag: &str) -> Option<Diagnostic> {
         (true, false) => format!("`{language}` is no language"),
         (false, true) => format!("`{country}` is no country"),
     };
-    let finding = Diagnostic::at(Code::UnknownLocale, element.name.span(), format!("{what} of the ISO lists"));
-    Some(finding.help(match tag {
-        "en-uk" => "the United Kingdom is gb: \"text_en-gb\"",
-        _ => "languages are ISO 639-1 codes, countries ISO 3166-1 alpha-2 codes",
-    }))
+    Some(format!("{what} of the ISO lists"))
 }

@@ -5,7 +5,7 @@ mod events;
 mod fps;
 mod join;
 mod limits;
-mod locales;
+pub(crate) mod locales;
 mod names;
 mod room;
 mod segments;

@@ -1,5 +1,6 @@
 //! The run: read, parse and check every file in parallel, then localise, lower and verify.
 
+mod demands;
 mod file;
 mod read;
 mod run;

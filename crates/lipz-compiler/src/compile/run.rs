@@ -1,12 +1,11 @@
 //! One run: files are read on all threads, then a bank is made of their clips.
 
 use super::file::Worker;
-use super::{Compiled, Phases, Progress};
+use super::{Compiled, Phases, Progress, demands};
 use crate::cache::{Cache, Stamped};
 use crate::clip::Clips;
 use crate::lower::Layout;
-use crate::{Input, MinCoverage, Options, Report, coverage, key, levels, localise, report, shortfalls};
-use lipz_bank::Bank;
+use crate::{Input, Options, Report, key, levels, localise, report};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
@@ -88,7 +87,8 @@ impl Run {
         self.phases.lower = start.elapsed();
         let start = Instant::now();
         let finished = bank.and_then(|bank| {
-            enough_texts(&bank, options)?;
+            demands::enough_texts(&bank, options)?;
+            self.expect_locales(&bank, options)?;
             finish(&bank).map(|()| bank)
         });
         self.phases.finish = start.elapsed();
@@ -96,6 +96,19 @@ impl Run {
             Ok(bank) => self.finish(Some(bank)),
             Err(report) => self.fail(report),
         }
+    }
+
+    /// Reports the locales that the project packs and the bank does not have.
+    ///
+    /// # Errors
+    /// If they are errors in the project.
+    pub(crate) fn expect_locales(&mut self, bank: &[u8], options: &Options) -> Result<(), Report> {
+        let report = demands::locales_without_texts(bank, options);
+        if report.has_errors() {
+            return Err(report);
+        }
+        self.reports.push(report);
+        Ok(())
     }
 
     /// Ends the run with this finding.
@@ -110,17 +123,6 @@ impl Run {
         let recalled = self.stamped.recalled;
         Compiled { bank, reports: self.reports, recalled, phases: self.phases, ..Compiled::default() }
     }
-}
-
-/// Whether as much is translated as the project asks for.
-fn enough_texts(bank: &[u8], options: &Options) -> Result<(), Report> {
-    if options.min_coverage == MinCoverage::default() {
-        return Ok(());
-    }
-    // A damaged bank is found by who verifies it.
-    let Ok(bank) = Bank::open(bank) else { return Ok(()) };
-    let shortfalls = shortfalls(&coverage(&bank), &options.min_coverage);
-    if shortfalls.is_empty() { Ok(()) } else { Err(Report::all_about("", shortfalls)) }
 }
 
 /// The report with the name of the file, where it has the key of a clip for a path.

@@ -101,6 +101,7 @@ codes! {
     TooManyLines "LZ0511" "too-many-lines" Warning "a text has more lines than the screen holds"
     ReadsTooFast "LZ0512" "reads-too-fast" Warning "a text is shown for too short a time to be read"
     LowCoverage "LZ0513" "low-coverage" Error "fewer clips have a text in a locale than the project asks for"
+    LocaleWithoutTexts "LZ0514" "locale-without-texts" Warning "no clip has a text in a locale that is to be packed"
 
     "Segments"
     SegmentCount "LZ0601" "segment-count" Error "elements have different numbers of segments"
