@@ -4,7 +4,6 @@ use crate::Failure;
 use crate::corpus::{Corpus, Questions, frame_at};
 use crate::heap;
 use crate::rival::{File, Reader, Rival};
-use clap::ValueEnum;
 use cpu_time::ThreadTime;
 use std::hint::black_box;
 use std::ops::Range;
@@ -23,7 +22,7 @@ const FAST_OPEN: Duration = Duration::from_micros(100);
 const OPENINGS: u32 = 1000;
 
 /// What is asked.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Ask {
     Open,
     Validate,

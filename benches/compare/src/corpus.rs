@@ -5,8 +5,8 @@ use lipz_benches::{DEFAULT_SEED, Random};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// Queries of each kind: enough that no cache holds what they touch of a large bank.
-const QUERIES: usize = 1 << 16;
+/// Questions of each kind: enough that no cache holds what they touch of a large bank.
+pub const QUESTIONS: usize = 1 << 16;
 
 /// All clips, in the order of their keys.
 pub struct Corpus {
@@ -115,6 +115,7 @@ pub fn frame_at(fps: u32, time_us: u32) -> usize {
 }
 
 /// What the rivals are asked: random clips, none twice in a row but by chance.
+#[derive(bincode::Encode, bincode::Decode)]
 pub struct Questions {
     /// Keys, one behind the other: reading the questions must not be what takes the time.
     pool: String,
@@ -127,12 +128,12 @@ pub struct Questions {
 }
 
 impl Questions {
-    /// Questions about `clips`.
-    pub fn about(clips: &[Clip]) -> Questions {
+    /// The first `count` questions about `clips`.
+    pub fn about(clips: &[Clip], count: usize) -> Questions {
         let mut random = Random::new(DEFAULT_SEED, 0);
         let mut questions =
             Questions { pool: String::new(), ends: Vec::new(), clips: Vec::new(), times_us: Vec::new() };
-        for _ in 0..QUERIES {
+        for _ in 0..count {
             let number = random.between(0, clips.len() - 1);
             let clip = &clips[number];
             questions.pool.push_str(&clip.key);

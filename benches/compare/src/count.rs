@@ -1,49 +1,73 @@
 //! Instructions per question, counted by valgrind: the same on a busy machine as on a quiet one.
+//!
+//! Files are written and checked as for times. Valgrind, under which a program takes fifty times as
+//! long, only runs what opens a file and asks a few questions, and counts only while it asks.
 
 use crate::contest::{Ask, Contestant};
-use crate::corpus::{Corpus, Questions};
+use crate::corpus::{Clip, Questions};
 use crate::table::Row;
-use crate::{FIRST_LOCALE, Failure, KINDS, LOCALE};
-use clap::{Subcommand, ValueEnum};
+use crate::{Failure, KINDS};
+use clap::Subcommand;
+use lipz_benches::callgrind;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Questions that are counted.
+/// Questions of each kind that are counted.
 const COUNTED: usize = 1000;
+/// Openings that are counted: each is the same.
+const OPENINGS: usize = 2;
+/// The function whose calls are counted, as valgrind calls it.
+const COUNTED_FUNCTION: &str = "lipz_compare::count::asked";
+/// The file of the questions.
+const QUESTIONS: &str = "questions";
 
 /// The hidden command.
 #[derive(Subcommand, Debug)]
 pub enum Piece {
     /// Ask a rival whose file is there
     #[command(hide = true)]
-    Count { rival: String, ask: Ask, times: usize, folder: PathBuf, clips: usize, locales: usize },
+    Count { rival: String, folder: PathBuf, locale: String },
 }
 
-/// Does the work.
+/// Does the work: asks questions of each kind in turn.
 pub fn run(piece: &Piece) -> Result<(), Failure> {
-    let Piece::Count { rival, ask, times, folder, clips, locales } = piece;
+    let Piece::Count { rival, folder, locale } = piece;
     let kind = KINDS.iter().find(|kind| kind.name == rival).ok_or("no such rival")?;
-    let corpus = Corpus::new(*clips, *locales)?;
-    let locale = if *locales > 1 { LOCALE } else { FIRST_LOCALE };
-    let contestant = (kind.open)(folder, Questions::about(&corpus.bank.clips), locale)?;
-    contestant.ask(*ask, 0..*times)?;
+    let questions = std::fs::read(folder.join(QUESTIONS))?;
+    let (questions, _) = bincode::decode_from_slice(&questions, bincode::config::standard())?;
+    let contestant = (kind.open)(folder, questions, locale)?;
+    for ask in Ask::ALL {
+        // What is made for the first question, such as a prepared statement, is not counted.
+        contestant.ask(ask, 0..1)?;
+        asked(contestant.as_ref(), ask)?;
+    }
     Ok(())
 }
 
-/// Counts for all kinds of questions: what asking more often takes more.
-pub fn row(contestant: &dyn Contestant, folder: &Path, clips: usize, locales: usize) -> Result<Row, Failure> {
-    let mut costs = Vec::new();
-    for ask in Ask::ALL {
-        let times = if matches!(ask, Ask::Open | Ask::Validate) { 2 } else { COUNTED };
-        let count = |times: usize| -> Result<f64, Failure> {
-            let mut program = Command::new(std::env::current_exe()?);
-            program.arg("count").arg(contestant.name());
-            program.arg(ask.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned()));
-            program.arg(times.to_string()).arg(folder).arg(clips.to_string()).arg(locales.to_string());
-            Ok(lipz_benches::callgrind::instructions(&program)? as f64)
-        };
-        let answers = contestant.ask(ask, 0..2 * times)? - contestant.ask(ask, 0..times)?;
-        costs.push((count(2 * times)? - count(times)?) / answers as f64);
-    }
-    Ok(Row { name: contestant.name(), file_bytes: contestant.file_bytes(), heap_bytes: 0, costs, allocations: 0.0 })
+/// Asks, and returns how many answers were given.
+#[inline(never)]
+fn asked(contestant: &dyn Contestant, ask: Ask) -> Result<usize, Failure> {
+    let times = if matches!(ask, Ask::Open | Ask::Validate) { OPENINGS } else { COUNTED };
+    contestant.ask(ask, 0..times)
+}
+
+/// Writes the questions about `clips` into `folder`, where the files of the rivals are.
+pub fn prepare(clips: &[Clip], folder: &Path) -> Result<(), Failure> {
+    let questions = bincode::encode_to_vec(Questions::about(clips, COUNTED), bincode::config::standard())?;
+    Ok(std::fs::write(folder.join(QUESTIONS), questions)?)
+}
+
+/// Counts for all kinds of questions.
+pub fn row(contestant: &dyn Contestant, folder: &Path, locale: &str) -> Result<Row, Failure> {
+    let mut program = Command::new(std::env::current_exe()?);
+    program.arg("count").arg(contestant.name()).arg(folder).arg(locale);
+    let counts = callgrind::instructions_of_calls(&program, COUNTED_FUNCTION, Ask::ALL.len(), folder)?;
+    let costs = Ask::ALL.into_iter().zip(counts).map(|(ask, count)| Ok(count as f64 / asked(contestant, ask)? as f64));
+    Ok(Row {
+        name: contestant.name(),
+        file_bytes: contestant.file_bytes(),
+        heap_bytes: 0,
+        costs: costs.collect::<Result<_, Failure>>()?,
+        allocations: 0.0,
+    })
 }

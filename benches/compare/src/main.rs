@@ -14,7 +14,7 @@ mod table;
 
 use clap::Parser;
 use contest::{Ask, Contestant, Entry};
-use corpus::{Corpus, Questions};
+use corpus::{Corpus, QUESTIONS, Questions};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use table::Row;
@@ -120,7 +120,8 @@ fn compare_one(arguments: &Arguments, clips: usize, locales: usize) -> Result<St
     let corpus = Corpus::new(clips, locales)?;
     let folder = tempfile::tempdir()?;
     let locale = if locales > 1 { LOCALE } else { FIRST_LOCALE };
-    let questions = Questions::about(&corpus.bank.clips);
+    let questions = || Questions::about(&corpus.bank.clips, QUESTIONS);
+    let known = questions();
     let mut contestants = Vec::new();
     for kind in &KINDS {
         if !arguments.only.is_empty() && !arguments.only.iter().any(|word| kind.name.contains(word)) {
@@ -128,14 +129,15 @@ fn compare_one(arguments: &Arguments, clips: usize, locales: usize) -> Result<St
         }
         eprintln!("{clips} clips, {locales} locales: writing and checking {}", kind.name);
         (kind.build)(&corpus, folder.path())?;
-        let contestant = (kind.open)(folder.path(), Questions::about(&corpus.bank.clips), locale)?;
+        let contestant = (kind.open)(folder.path(), questions(), locale)?;
         if kind.name != KINDS[0].name {
-            contestant.check(&corpus, &questions)?;
+            contestant.check(&corpus, &known)?;
         }
         contestants.push(contestant);
     }
     if arguments.instructions {
-        let rows = contestants.iter().map(|contestant| count::row(contestant.as_ref(), folder.path(), clips, locales));
+        count::prepare(&corpus.bank.clips, folder.path())?;
+        let rows = contestants.iter().map(|contestant| count::row(contestant.as_ref(), folder.path(), locale));
         return Ok(table::instructions(&rows.collect::<Result<Vec<_>, _>>()?));
     }
     measure(&contestants, arguments.rounds)

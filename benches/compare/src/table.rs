@@ -45,16 +45,12 @@ pub fn times(rows: &[Row]) -> String {
 /// The table of instructions.
 pub fn instructions(rows: &[Row]) -> String {
     let mut table = String::from(
-        "| | open | validate, per byte | find | miss | frame | segment + text | tick |\n|---|--:|--:|--:|--:|--:|--:|--:|\n",
+        "| | open | validate | find | miss | frame | segment + text | tick |\n|---|--:|--:|--:|--:|--:|--:|--:|\n",
     );
     for row in rows {
         let _ = write!(table, "| {} ", row.name);
         for ask in Ask::ALL {
-            let cost = row.costs[ask as usize];
-            let _ = match ask {
-                Ask::Validate => write!(table, "| {:.2} ", cost / row.file_bytes as f64),
-                _ => write!(table, "| {cost:.0} "),
-            };
+            let _ = write!(table, "| {} ", count(row.costs[ask as usize]));
         }
         table.push_str("|\n");
     }
@@ -63,6 +59,10 @@ pub fn instructions(rows: &[Row]) -> String {
 
 fn megabytes(bytes: usize) -> String {
     if bytes < 1000 { "0".to_owned() } else { format!("{:.2}", bytes as f64 / 1e6) }
+}
+
+fn count(instructions: f64) -> String {
+    if instructions < 1e5 { format!("{instructions:.0}") } else { format!("{:.2} M", instructions / 1e6) }
 }
 
 fn duration(ns: f64) -> String {

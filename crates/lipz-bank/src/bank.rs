@@ -6,7 +6,7 @@ use crate::layout::{
 };
 use crate::locale::LocaleTable;
 use crate::pool::Pool;
-use crate::{Clip, ClipId, Clips, Error, EventName, Locale, Locales};
+use crate::{Clip, ClipId, Clips, Error, ErrorKind, EventName, Locale, Locales};
 use core::fmt;
 
 /// A bank, used in place: a few slices into the caller's bytes.
@@ -40,6 +40,9 @@ impl<'data> Bank<'data> {
     /// that leads out of them.
     pub fn open(bytes: &'data [u8]) -> Result<Bank<'data>, Error> {
         let file = File::open(bytes)?;
+        if file.has_texts_only() {
+            return Err(Error::new(ErrorKind::TextsOnly, 0));
+        }
         let mut found: Sections<'data> = [&[]; Tag::REQUIRED.len()];
         file.find(ALL_SECTIONS, &mut found)?;
         let clips: &[ClipRecord] = entries(found[place::CLIPS]);

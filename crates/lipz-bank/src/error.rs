@@ -82,8 +82,8 @@ error_kinds! {
     SectionShape = 8, "a section has another entry size or length than its tag stands for";
     /// A required section of format 1 is absent.
     SectionMissing = 9, "a section that every bank has is missing";
-    /// A section that this reader does not know is marked as required.
-    SectionUnknown = 10, "the bank needs a newer reader (unknown required section)";
+    /// A section that this reader does not know is marked as required, or one that it knows is out of order.
+    SectionUnknown = 10, "the bank needs a newer reader (a required section is unknown or out of order)";
     /// A tag stands in the directory twice.
     SectionTwice = 11, "a section appears twice in the directory";
     /// The checksum differs.

@@ -21,7 +21,7 @@ pub(crate) struct File<'data> {
 /// The contents of the sections that every bank has, in the order of [`Tag::REQUIRED`].
 pub(crate) type Sections<'data> = [&'data [u8]; Tag::REQUIRED.len()];
 
-/// Which of [`Sections`] a file has or needs: a bit each.
+/// Which of [`Sections`] a file needs: a bit each.
 pub(crate) type SectionSet = u32;
 
 /// Every section of a bank.
@@ -30,9 +30,6 @@ pub(crate) const ALL_SECTIONS: SectionSet = (1 << Tag::REQUIRED.len()) - 1;
 /// What a text bank has of them.
 pub(crate) const TEXT_SECTIONS: SectionSet =
     1 << place::NAMES | 1 << place::LOCALES | 1 << place::TEXT_INDEX | 1 << place::TEXT_ENDS | 1 << place::TEXTS;
-
-/// What it does not have.
-const CLIP_SECTION: SectionSet = 1 << place::CLIPS;
 
 /// The places of sections in [`Sections`].
 pub(crate) mod place {
@@ -84,54 +81,44 @@ impl<'data> File<'data> {
         Some(File { bytes, header, directory })
     }
 
-    /// Checks the places of all sections and finds those that every bank has, in a time that depends
-    /// only on their number. Those that are `needed` must be there.
-    ///
-    /// They are put into place, because returning so many costs a copy.
-    pub(crate) fn find(&self, needed: SectionSet, sections: &mut Sections<'data>) -> Result<(), Error> {
-        let mut found = 0;
-        for (index, entry) in self.directory.iter().enumerate() {
-            self.place(index, entry, sections, &mut found).map_err(|kind| Error::new(kind, entry_offset(index)))?;
-        }
-        if found & needed == needed {
-            Ok(())
-        } else if found & (TEXT_SECTIONS | CLIP_SECTION) == TEXT_SECTIONS {
-            Err(Error::new(ErrorKind::TextsOnly, 0))
-        } else {
-            Err(Error::new(ErrorKind::SectionMissing, SECTION_COUNT_OFFSET))
-        }
+    /// Whether the file begins as a text bank does.
+    pub(crate) fn has_texts_only(&self) -> bool {
+        self.directory.first().map_or(false, |first| first.tag == Tag::NAMES.0)
     }
 
-    /// Puts the contents of one section to its place.
+    /// Checks the places of all sections and finds those that are `needed`, which stand in the order of
+    /// [`Tag::REQUIRED`], in a time that depends only on the number of sections.
+    ///
+    /// They are put into place, because returning so many costs a copy.
+    pub(crate) fn find(&self, mut needed: SectionSet, sections: &mut Sections<'data>) -> Result<(), Error> {
+        for (index, entry) in self.directory.iter().enumerate() {
+            self.place(entry, &mut needed, sections).map_err(|kind| Error::new(kind, entry_offset(index)))?;
+        }
+        if needed == 0 { Ok(()) } else { Err(Error::new(ErrorKind::SectionMissing, SECTION_COUNT_OFFSET)) }
+    }
+
+    /// Puts the contents of a section to its place, if it is the next of those that are still needed.
     fn place(
         &self,
-        index: usize,
         entry: &DirectoryEntry,
+        needed: &mut SectionSet,
         sections: &mut Sections<'data>,
-        found: &mut SectionSet,
     ) -> Result<(), ErrorKind> {
         let contents = self.contents(entry).ok_or(ErrorKind::SectionOutOfBounds)?;
-        let is_at = |at: &usize| Tag::REQUIRED.get(*at).map_or(false, |(tag, _)| tag.0 == entry.tag);
-        // The compiler writes them in this order, so that the first guess is right.
-        let at = Some(index).filter(is_at).or_else(|| (0..Tag::REQUIRED.len()).find(is_at));
-        if let Some((at, (_, entry_bytes))) = at.and_then(|at| Some((at, Tag::REQUIRED.get(at)?))) {
-            let bit = 1_u32.wrapping_shl(at as u32);
-            if *found & bit != 0 {
-                return Err(ErrorKind::SectionTwice);
-            }
-            *found |= bit;
-            if let Some(place) = sections.get_mut(at) {
+        let next = needed.trailing_zeros() as usize;
+        match (Tag::REQUIRED.get(next), sections.get_mut(next)) {
+            (Some((tag, entry_bytes)), Some(place)) if tag.0 == entry.tag => {
+                let is_filled = entry.length_bytes.get() & (*entry_bytes as u32).wrapping_sub(1) == 0;
+                if usize::from(entry.entry_bytes.get()) != *entry_bytes || !is_filled {
+                    return Err(ErrorKind::SectionShape);
+                }
                 *place = contents;
+                *needed &= needed.wrapping_sub(1);
+                Ok(())
             }
-            let is_filled = entry.length_bytes.get() & (*entry_bytes as u32).wrapping_sub(1) == 0;
-            let has_shape = usize::from(entry.entry_bytes.get()) == *entry_bytes && is_filled;
-            return has_shape.then_some(()).ok_or(ErrorKind::SectionShape);
+            _ if entry.flags.get() & layout::SECTION_REQUIRED != 0 => Err(ErrorKind::SectionUnknown),
+            _ => Ok(()),
         }
-        let is_known = Tag::OPTIONAL.iter().any(|(tag, _)| tag.0 == entry.tag);
-        if !is_known && entry.flags.get() & layout::SECTION_REQUIRED != 0 {
-            return Err(ErrorKind::SectionUnknown);
-        }
-        Ok(())
     }
 
     /// The contents of a section, if they lie in the file.

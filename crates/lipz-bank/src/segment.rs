@@ -94,9 +94,10 @@ impl<'data, 'bank> Segment<'data, 'bank> {
         let entry = locale.index.get(self.clip.slot() as usize)?.get();
         // `NO_TEXT` has the bit of wide texts.
         let Range { start, end } = if cfg!(target_pointer_width = "64") && entry & TEXT_WIDE == 0 {
-            match locale.ends.get(self.number()..)? {
+            let number = self.number();
+            match locale.ends.get(number..number.wrapping_add(2))? {
                 // No branch on whether it is the first text, which would often be mispredicted.
-                [before, end, ..] => {
+                [before, end] => {
                     let mask = u16::from(self.index == 0).wrapping_sub(1);
                     usize::from(before.get() & mask)..usize::from(end.get())
                 }
@@ -207,8 +208,8 @@ pub(crate) fn end_behind(before: usize, low: U16) -> usize {
     before.wrapping_add(usize::from(low.get().wrapping_sub(before as u16)))
 }
 
-/// Starts that are compared at once.
-const NEAR_STARTS: usize = 8;
+/// Starts that are compared at once: as many as fit a vector.
+const NEAR_STARTS: usize = 4;
 
 /// The last segment that starts at or before `frame`, one of the clip: the segment that contains it.
 #[inline(always)]
@@ -217,11 +218,14 @@ pub(crate) fn index_of_frame(clip: &Clip<'_, '_>, frame: u32) -> Option<u32> {
     // Segment 0 starts at or before every frame.
     let second = (clip.record.segments_first.get() as usize).wrapping_add(1);
     if cfg!(target_pointer_width = "64") {
-        // Starts ascend from clip to clip, so those that are not the clip's own do no harm.
-        if let Some(near) = clip.bank.starts.get(second..second.wrapping_add(NEAR_STARTS)) {
-            let passed = near.iter().map(|start| u32::from(start.get() <= offset)).fold(0, u32::wrapping_add);
-            if passed < NEAR_STARTS as u32 {
-                return Some(passed);
+        // Starts ascend from clip to clip, so those that are not the clip's own do no harm. Few clips need the second look.
+        for index in [0, NEAR_STARTS] {
+            let first = second.wrapping_add(index);
+            if let Some(near) = clip.bank.starts.get(first..first.wrapping_add(NEAR_STARTS)) {
+                let passed = near.iter().map(|start| u32::from(start.get() <= offset)).fold(0, u32::wrapping_add);
+                if passed < NEAR_STARTS as u32 {
+                    return Some(passed.wrapping_add(index as u32));
+                }
             }
         }
     }

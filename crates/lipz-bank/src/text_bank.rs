@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::file::{File, Sections, TEXT_SECTIONS};
+use crate::file::{ALL_SECTIONS, File, Sections, TEXT_SECTIONS};
 use crate::layout::Tag;
 use crate::locale::LocaleTable;
 use crate::{Bank, Error, ErrorKind, Locale, Locales};
@@ -43,7 +43,8 @@ impl Bank<'_> {
     pub fn open_texts<'texts>(&self, bytes: &'texts [u8]) -> Result<TextBank<'texts>, Error> {
         let file = File::open(bytes)?;
         let mut found: Sections<'texts> = [&[]; Tag::REQUIRED.len()];
-        file.find(TEXT_SECTIONS, &mut found)?;
+        // A whole bank serves, too.
+        file.find(if file.has_texts_only() { TEXT_SECTIONS } else { ALL_SECTIONS }, &mut found)?;
         if file.header.fingerprint.get() != self.fingerprint() {
             return Err(Error::new(ErrorKind::OtherClips, 24));
         }

@@ -108,11 +108,14 @@ fn header_and_directory() {
     assert_eq!(found(|bank| put(bank, clips + 8, 191_u32.to_le_bytes())), (SectionShape, clips));
     let twice = entry_of(SMALL, Tag::SOURCE_INDEX);
     assert_eq!(found(|bank| put(bank, twice, b"TEXT")), (SectionTwice, twice));
-    let missing = found(|bank| {
-        put(bank, frames, b"ABCD");
-        put(bank, frames + 14, [0, 0]);
-    });
-    assert!(matches!(missing, (SectionMissing, 40)));
+    let optional = |bank: &mut Vec<u8>, entry: usize| {
+        put(bank, entry, b"ABCD");
+        put(bank, entry + 14, [0, 0]);
+    };
+    let last = entry_of(SMALL, Tag::EVENT_STRINGS);
+    assert_eq!(found(|bank| optional(bank, last)), (SectionMissing, 40));
+    // The one behind a section that is missing is not where it belongs.
+    assert_eq!(found(|bank| optional(bank, frames)), (SectionUnknown, entry_of(SMALL, Tag::STARTS)));
     assert_eq!(found(|bank| put(bank, frames, b"ABCD")), (SectionUnknown, frames));
 }
 

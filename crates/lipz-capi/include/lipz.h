@@ -47,7 +47,7 @@
 // Damage: a section that every bank has is missing.
 #define LIPZ_SECTION_MISSING 9
 
-// Damage: the bank needs a newer reader (unknown required section).
+// Damage: the bank needs a newer reader (a required section is unknown or out of order).
 #define LIPZ_SECTION_UNKNOWN 10
 
 // Damage: a section appears twice in the directory.
