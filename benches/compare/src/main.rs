@@ -55,11 +55,16 @@ struct Arguments {
     count: Option<count::Piece>,
 }
 
+/// Writes the file of a rival into a folder.
+type Build = fn(&Corpus, &Path) -> Result<(), Failure>;
+/// Opens it there for questions about the locale with this tag.
+type Open = fn(&Path, Questions, &str) -> Result<Box<dyn Contestant>, Failure>;
+
 /// The functions that make a rival take part.
 struct Kind {
     name: &'static str,
-    build: fn(&Corpus, &Path) -> Result<(), Failure>,
-    open: fn(&Path, Questions, &str) -> Result<Box<dyn Contestant>, Failure>,
+    build: Build,
+    open: Open,
 }
 
 const fn kind<R: rival::Rival>() -> Kind {

@@ -89,7 +89,7 @@ error_kinds! {
     /// The checksum differs.
     Checksum = 12, "the checksum does not match: the file was changed or damaged";
     /// The clip index does not lead to the clip.
-    ClipIndex = 13, "the clip index does not lead to the clip record";
+    ClipIndex = 13, "the clip index does not lead to the key record";
     /// The key of a clip lies outside its pool, or its hash is not the clip's id.
     ClipKey = 14, "the key of a clip does not match its id";
     /// The order table does not name the clips in the order of their keys.

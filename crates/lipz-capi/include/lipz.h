@@ -56,7 +56,7 @@
 // Damage: the checksum does not match: the file was changed or damaged.
 #define LIPZ_CHECKSUM 12
 
-// Damage: the clip index does not lead to the clip record.
+// Damage: the clip index does not lead to the key record.
 #define LIPZ_CLIP_INDEX 13
 
 // Damage: the key of a clip does not match its id.
