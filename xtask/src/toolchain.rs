@@ -58,7 +58,7 @@ impl Toolchain {
     }
 
     /// Where the files of this target are built: apart from those of the project's own compiler.
-    pub(crate) fn build_folder() -> PathBuf {
+    fn build_folder() -> PathBuf {
         workspace_root().join("target/machines")
     }
 
