@@ -1,47 +1,62 @@
-//! `cargo xtask ci`: everything that a change must pass, in order, until something fails.
+//! `cargo xtask ci`: everything that a change must pass.
+//!
+//! There are two lists of steps, each done in order, and both at the same time: what is built for other
+//! machines has a folder of its own, and often keeps but one core busy. A failure ends both.
 
-use crate::{Failure, capi, edges, instructions, msrv, place, size, targets, web};
+mod step;
+
+use crate::Failure;
 use std::process::Command;
-use std::time::{Duration, Instant};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+use step::{Program, Step};
 
-/// One step: a cargo command.
-struct Step {
-    name: &'static str,
-    arguments: &'static [&'static str],
-    environment: Option<(&'static str, &'static str)>,
-}
-
-const STEPS: [Step; 4] = [
-    Step { name: "format", arguments: &["fmt", "--all", "--check"], environment: None },
+/// What this machine builds and runs.
+const HERE: [Step; 10] = [
+    Step { name: "format", program: Program::Cargo, arguments: &["fmt", "--all", "--check"] },
     Step {
         name: "lints",
+        program: Program::Cargo,
         arguments: &["clippy", "--workspace", "--all-targets", "--locked", "--", "-D", "warnings"],
-        environment: None,
     },
     Step {
         name: "documentation",
+        program: Program::CargoWith("RUSTDOCFLAGS", "-D warnings"),
         arguments: &["doc", "--workspace", "--no-deps", "--locked"],
-        environment: Some(("RUSTDOCFLAGS", "-D warnings")),
     },
-    Step { name: "tests", arguments: &["test", "--workspace", "--locked"], environment: None },
+    Step { name: "tests", program: Program::Cargo, arguments: &["test", "--workspace", "--locked"] },
+    Step { name: "edges", program: Program::Task, arguments: &["edges"] },
+    // Workspaces of their own, which no other step builds: their lock files name what this one depends on now.
+    Step { name: "lock file of compare", program: Program::Cargo, arguments: &lock_file("benches/compare/Cargo.toml") },
+    Step { name: "lock file of fuzz", program: Program::Cargo, arguments: &lock_file("fuzz/Cargo.toml") },
+    Step { name: "oldest compiler", program: Program::Task, arguments: &["msrv"] },
+    Step { name: "C and C++", program: Program::Task, arguments: &["capi"] },
+    Step { name: "instructions", program: Program::Task, arguments: &["instructions"] },
 ];
 
-/// Workspaces of their own, which no other step builds.
-const OTHER_WORKSPACES: [&str; 2] = ["benches/compare", "fuzz"];
+/// What is built for other machines, in `target/machines`.
+const ELSEWHERE: [Step; 3] = [
+    Step { name: "size", program: Program::Task, arguments: &["size"] },
+    Step { name: "targets", program: Program::Task, arguments: &["targets"] },
+    Step { name: "web", program: Program::Task, arguments: &["web"] },
+];
+
+const fn lock_file(manifest: &str) -> [&str; 6] {
+    ["tree", "--locked", "--depth", "0", "--manifest-path", manifest]
+}
+
+/// What steps took.
+type Times = Vec<(&'static str, Duration)>;
 
 pub(crate) fn run() -> Result<(), Failure> {
-    let mut times = Vec::new();
-    for step in &STEPS {
-        timed(step.name, &mut times, || cargo(step.arguments, step.environment))?;
-    }
-    timed("edges", &mut times, edges::run)?;
-    timed("lock files", &mut times, lock_files)?;
-    timed("oldest compiler", &mut times, msrv::run)?;
-    timed("size", &mut times, size::run)?;
-    timed("targets", &mut times, targets::run_all)?;
-    timed("C and C++", &mut times, capi::run)?;
-    timed("web", &mut times, web::run)?;
-    timed("instructions of the reader", &mut times, || instructions::run(&instructions::Settings::default()))?;
+    let has_failed = AtomicBool::new(false);
+    let mut printed = String::new();
+    let (here, elsewhere) = std::thread::scope(|scope| {
+        let elsewhere = scope.spawn(|| in_order(&ELSEWHERE, &has_failed, |step| step.run_into(&mut printed)));
+        (in_order(&HERE, &has_failed, Step::run), elsewhere.join())
+    });
+    print!("{printed}");
+    let times = [here?, elsewhere.map_err(|_| "the steps for other machines panicked")??].concat();
     println!("\nall steps passed:");
     for (name, time) in times {
         println!("  {name:<20} {:>7.1} s", time.as_secs_f64());
@@ -49,41 +64,24 @@ pub(crate) fn run() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Lock files name what the crates of this workspace depend on now.
-fn lock_files() -> Result<(), Failure> {
-    for folder in OTHER_WORKSPACES {
-        let manifest = place::workspace_root().join(folder).join("Cargo.toml");
-        cargo(&["tree", "--locked", "--depth", "0", "--manifest-path", &manifest.to_string_lossy()], None)?;
+/// Does the steps until one fails, here or in the other list.
+fn in_order(
+    steps: &[Step],
+    has_failed: &AtomicBool,
+    mut run: impl FnMut(&Step) -> Result<Duration, Failure>,
+) -> Result<Times, Failure> {
+    let mut times = Vec::new();
+    for step in steps {
+        if has_failed.load(Ordering::Relaxed) {
+            break;
+        }
+        let time = run(step).inspect_err(|_| has_failed.store(true, Ordering::Relaxed))?;
+        times.push((step.name, time));
     }
-    Ok(())
-}
-
-fn timed(
-    name: &'static str,
-    times: &mut Vec<(&'static str, Duration)>,
-    step: impl FnOnce() -> Result<(), Failure>,
-) -> Result<(), Failure> {
-    println!("\n── {name}");
-    let start = Instant::now();
-    step()
-        .map_err(|failure| format!("step `{name}` failed after {:.1} s: {failure}", start.elapsed().as_secs_f64()))?;
-    println!("{name}: {:.1} s", start.elapsed().as_secs_f64());
-    times.push((name, start.elapsed()));
-    Ok(())
+    Ok(times)
 }
 
 /// The cargo that runs this task, or else the one on the path.
 pub(crate) fn cargo_command() -> Command {
     Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
-}
-
-fn cargo(arguments: &[&str], environment: Option<(&str, &str)>) -> Result<(), Failure> {
-    let shown = format!("cargo {}", arguments.join(" "));
-    println!("{}{shown}", environment.map_or(String::new(), |(name, value)| format!("{name}=\"{value}\" ")));
-    let status = cargo_command().args(arguments).envs(environment).status();
-    match status {
-        Ok(status) if status.success() => Ok(()),
-        Ok(status) => Err(format!("`{shown}` ended with {status}")),
-        Err(error) => Err(format!("`{shown}` cannot be run: {error}")),
-    }
 }

@@ -67,8 +67,3 @@ pub(crate) fn run(settings: &Settings) -> Result<(), Failure> {
     }
     Ok(())
 }
-
-/// All targets, as a step of `ci`.
-pub(crate) fn run_all() -> Result<(), Failure> {
-    run(&Settings { targets: Vec::new() })
-}

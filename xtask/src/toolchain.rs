@@ -10,7 +10,7 @@ use std::process::Command;
 pub(crate) const NEEDS: &str = "`rustup target add` for the target, or Debian's rustc-web, cargo-web and rust-web-src";
 
 /// Which parts of the standard library a program needs.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy)]
 pub(crate) enum Library {
     /// Core and alloc.
     Core,
@@ -58,7 +58,7 @@ impl Toolchain {
     }
 
     /// Where the files of this target are built: apart from those of the project's own compiler.
-    pub(crate) fn build_folder() -> PathBuf {
+    fn build_folder() -> PathBuf {
         workspace_root().join("target/machines")
     }
 
@@ -84,7 +84,11 @@ impl Toolchain {
         command.env("CARGO_TARGET_DIR", &folder).env("CARGO_BUILD_BUILD_DIR", &folder).current_dir(workspace_root());
         if let Some(library) = self.builds {
             command.env("RUSTC_BOOTSTRAP", "1");
-            command.arg(if library == Library::Core { "-Zbuild-std=core,alloc" } else { "-Zbuild-std" });
+            command.args(match library {
+                Library::Core => &["-Zbuild-std=core,alloc"][..],
+                // Without what finds the names in backtraces, and without what procedural macros need.
+                Library::Std => &["-Zbuild-std=std,panic_unwind,test", "-Zbuild-std-features=panic-unwind"],
+            });
         }
         command
     }

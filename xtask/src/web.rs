@@ -23,7 +23,8 @@ pub(crate) fn run() -> Result<(), Failure> {
     };
     build(&toolchain)?;
     let package = place::target_folder().join("web");
-    assemble(&package).map_err(|error| format!("`{}` cannot be written: {error}", package.display()))?;
+    assemble(&package, &toolchain.release_folder())
+        .map_err(|error| format!("`{}` cannot be written: {error}", package.display()))?;
     println!("npm package: {}", package.display());
     if !has_program("node") {
         return skip("node");
@@ -41,14 +42,17 @@ fn build(toolchain: &Toolchain) -> Result<(), Failure> {
         command.env(variable(TARGET, "LINKER"), linker);
     }
     // A page waits for the module to be loaded more than for its answers.
-    command.env("CARGO_PROFILE_LIBRARY_OPT_LEVEL", "s").env("CARGO_PROFILE_LIBRARY_STRIP", "true");
-    command.args(["--package", "lipz-capi", "--lib", "--profile", "library", "--quiet"]);
-    command.args(["--features", "panic-handler", "--crate-type", "cdylib"]);
+    // And as the firmware is built: the two share what is built of the standard library.
+    for (setting, value) in [("OPT_LEVEL", "s"), ("LTO", "fat"), ("PANIC", "abort")] {
+        command.env(format!("CARGO_PROFILE_RELEASE_{setting}"), value);
+    }
+    command.args(["--package", "lipz-capi", "--lib", "--release", "--quiet"]);
+    command.args(["--features", "panic-handler", "--crate-type", "cdylib", "--", "-C", "strip=symbols"]);
     succeed(&mut command, "the build of the module")
 }
 
-/// Puts the package together, in place of what is there.
-fn assemble(package: &Path) -> std::io::Result<()> {
+/// Puts the package together, in place of what is there; the module is in `built`.
+fn assemble(package: &Path, built: &Path) -> std::io::Result<()> {
     let root = place::workspace_root();
     if package.exists() {
         fs::remove_dir_all(package)?;
@@ -62,8 +66,7 @@ fn assemble(package: &Path) -> std::io::Result<()> {
             }
         }
     }
-    let module = Toolchain::build_folder().join(TARGET).join("library/lipz_capi.wasm");
-    fs::copy(module, package.join("lipz.wasm"))?;
+    fs::copy(built.join("lipz_capi.wasm"), package.join("lipz.wasm"))?;
     for licence in ["LICENSE-MIT", "LICENSE-APACHE"] {
         fs::copy(root.join(licence), package.join(licence))?;
     }

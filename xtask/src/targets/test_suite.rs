@@ -2,7 +2,7 @@
 
 use crate::Failure;
 use crate::needs::{has_program, skip, succeed};
-use crate::toolchain::{Library, NEEDS, Toolchain, variable};
+use crate::toolchain::{Library, NEEDS, Toolchain, rust_lld, variable};
 
 const STATIC: &str = "-Ctarget-feature=+crt-static";
 
@@ -41,7 +41,12 @@ pub(super) fn run(machine: &Machine) -> Result<(), Failure> {
     tests.args(["--quiet", "--package", "lipz-bank"]);
     tests.env(variable(machine.target, "LINKER"), machine.linker);
     // The programs bring their libraries.
-    tests.env("RUSTFLAGS", STATIC).env("RUSTDOCFLAGS", STATIC);
+    let mut flags = STATIC.to_owned();
+    if let Some(linker) = rust_lld() {
+        // Found by the C compiler as `ld.lld` beside it; the linkers of Debian's cross compilers take longer.
+        flags += &format!(" -Clink-arg=-fuse-ld=lld -Clink-arg=-B{}", linker.with_file_name("gcc-ld").display());
+    }
+    tests.env("RUSTFLAGS", &flags).env("RUSTDOCFLAGS", &flags);
     // Nobody debugs these, and without they are built in half the time.
     tests.env("CARGO_PROFILE_DEV_DEBUG", "0");
     if let Some(emulator) = machine.emulator {

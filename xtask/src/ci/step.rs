@@ -1,0 +1,79 @@
+//! A step of `cargo xtask ci`: a command that must succeed.
+
+use super::cargo_command;
+use crate::Failure;
+use crate::needs::succeed;
+use crate::place::workspace_root;
+use std::process::Command;
+use std::time::{Duration, Instant};
+
+/// What a step runs.
+pub(super) enum Program {
+    Cargo,
+    /// Cargo with a variable and its value.
+    CargoWith(&'static str, &'static str),
+    /// Another task of this program.
+    Task,
+}
+
+/// One step.
+pub(super) struct Step {
+    pub(super) name: &'static str,
+    pub(super) program: Program,
+    pub(super) arguments: &'static [&'static str],
+}
+
+impl Step {
+    /// Runs the step and says how long it took; what it prints is seen at once.
+    pub(super) fn run(&self) -> Result<Duration, Failure> {
+        let start = Instant::now();
+        print!("{}", self.heading());
+        succeed(&mut self.command()?, self.name)?;
+        print!("{}", self.took(start));
+        Ok(start.elapsed())
+    }
+
+    /// The same; what it prints is added to `printed`.
+    pub(super) fn run_into(&self, printed: &mut String) -> Result<Duration, Failure> {
+        let start = Instant::now();
+        printed.push_str(&self.heading());
+        let output = self.command()?.output().map_err(|error| format!("{} cannot be run: {error}", self.name))?;
+        for stream in [output.stdout, output.stderr] {
+            printed.push_str(&String::from_utf8_lossy(&stream));
+        }
+        if !output.status.success() {
+            return Err(format!("{} ended with {}", self.name, output.status));
+        }
+        printed.push_str(&self.took(start));
+        Ok(start.elapsed())
+    }
+
+    fn command(&self) -> Result<Command, Failure> {
+        let mut command = match self.program {
+            Program::Cargo | Program::CargoWith(..) => cargo_command(),
+            Program::Task => {
+                Command::new(std::env::current_exe().map_err(|error| format!("where is this program? {error}"))?)
+            }
+        };
+        if let Program::CargoWith(variable, value) = self.program {
+            command.env(variable, value);
+        }
+        command.args(self.arguments).current_dir(workspace_root());
+        Ok(command)
+    }
+
+    /// The name, and the command as one would type it.
+    fn heading(&self) -> String {
+        let arguments = self.arguments.join(" ");
+        let shown = match self.program {
+            Program::Cargo => format!("cargo {arguments}"),
+            Program::CargoWith(variable, value) => format!("{variable}=\"{value}\" cargo {arguments}"),
+            Program::Task => format!("cargo xtask {arguments}"),
+        };
+        format!("\n── {}\n{shown}\n", self.name)
+    }
+
+    fn took(&self, start: Instant) -> String {
+        format!("{}: {:.1} s\n", self.name, start.elapsed().as_secs_f64())
+    }
+}
