@@ -26,8 +26,8 @@ enum Part {
 const CLIPS_AT_ONCE: usize = 4096;
 
 /// Copies what the clips of `batches` own to `places`: those of frames, texts and, if they are kept,
-/// source records. The clips of a batch are copied from the last to the first and given back on the way, so that
-/// clips and bank do not add up.
+/// source records. Clips are copied from the last to the first and given back on the way, so that clips and bank do
+/// not add up.
 pub(super) fn fill(layout: &Layout, batches: Vec<Clips>, places: Vec<&mut [u8]>) {
     let mut places = places.into_iter();
     let mut lanes = Vec::new();
@@ -40,15 +40,17 @@ pub(super) fn fill(layout: &Layout, batches: Vec<Clips>, places: Vec<&mut [u8]>)
         texts = behind;
     }
     lanes.extend(places.next().map(|place| Lane { part: Part::Sources, place }));
-    for (mut clips, slots) in std::iter::zip(batches, &layout.batch_slots) {
-        while clips.count() > 0 {
-            let rest = clips.count().saturating_sub(CLIPS_AT_ONCE);
-            lanes.par_iter_mut().for_each(|lane| {
-                let last = std::iter::zip(clips.iter(), slots).skip(rest);
-                last.for_each(|(clip, &slot)| lane.copy(layout, &clip, slot as usize));
-            });
-            clips.keep_first(rest);
-        }
+    let mut batches: Vec<(Clips, &Vec<u32>)> = std::iter::zip(batches, &layout.batch_slots).collect();
+    // Neighbours in the bank come from all batches: these shrink together, so that its pages are taken one by one.
+    while let Some((clips, slots)) =
+        batches.iter_mut().filter(|(clips, _)| clips.count() > 0).max_by_key(|(clips, _)| clips.count())
+    {
+        let rest = clips.count().saturating_sub(CLIPS_AT_ONCE);
+        lanes.par_iter_mut().for_each(|lane| {
+            let last = std::iter::zip(clips.iter(), *slots).skip(rest);
+            last.for_each(|(clip, &slot)| lane.copy(layout, &clip, slot as usize));
+        });
+        clips.keep_first(rest);
     }
 }
 
