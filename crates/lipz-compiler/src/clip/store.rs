@@ -75,6 +75,12 @@ impl Clips {
         self.heads.len()
     }
 
+    /// Gives back the memory of keys and events, which must not be asked for any more.
+    pub(crate) fn drop_names(&mut self) {
+        self.keys = Strings::default();
+        self.events = Strings::default();
+    }
+
     /// Gives back the memory of all but the first `count` clips.
     pub(crate) fn keep_first(&mut self, count: usize) {
         let ends = count.checked_sub(1).map_or(Ends::default(), |last| self.heads[last].ends);
