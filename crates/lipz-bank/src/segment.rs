@@ -218,7 +218,8 @@ pub(crate) fn index_of_frame(clip: &Clip<'_, '_>, frame: u32) -> Option<u32> {
     // Segment 0 starts at or before every frame.
     let second = (clip.record.segments_first.get() as usize).wrapping_add(1);
     if cfg!(target_pointer_width = "64") {
-        // Starts ascend from clip to clip, so those that are not the clip's own do no harm. Few clips need the second look.
+        // Starts ascend from clip to clip, so those that are not the clip's own do no harm. Few clips need the
+        // second look.
         for index in [0, NEAR_STARTS] {
             let first = second.wrapping_add(index);
             if let Some(near) = clip.bank.starts.get(first..first.wrapping_add(NEAR_STARTS)) {

@@ -8,6 +8,7 @@ mod commands;
 mod console;
 mod interrupt;
 mod lint_flags;
+mod outcome;
 mod output_file;
 mod page;
 mod patterns;
@@ -22,33 +23,10 @@ mod timeline;
 
 use args::{Arguments, Command};
 use clap::{CommandFactory, Parser};
+use outcome::{Ended, Outcome};
 use render::Findings;
 use std::ffi::OsString;
 use std::process::ExitCode;
-
-/// How a command ended, as its exit code.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Outcome {
-    /// 0: nothing at error level.
-    Clean,
-    /// 1: findings at error level.
-    Findings,
-    /// 2: the tool could not run.
-    Failed,
-}
-
-/// How a command ended, early or at its end: `?` leaves it where it cannot go on.
-type Ended = Result<Outcome, Outcome>;
-
-impl From<Outcome> for ExitCode {
-    fn from(outcome: Outcome) -> ExitCode {
-        ExitCode::from(match outcome {
-            Outcome::Clean => 0,
-            Outcome::Findings => 1,
-            Outcome::Failed => 2,
-        })
-    }
-}
 
 /// Runs the command line `arguments`, the first of which is the program's name.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {

@@ -1,5 +1,6 @@
 //! Patterns of files, such as `recorded/*.tsv`: not every shell puts the names in their place.
 
+use lipz_compiler::is_pattern;
 use std::path::{Path, PathBuf};
 
 /// The files that are named; in place of a pattern those that match it, in the order of their names.
@@ -7,11 +8,6 @@ use std::path::{Path, PathBuf};
 /// A pattern that nothing matches stays: whoever reads the file reports that there is none.
 pub(crate) fn files(named: &[PathBuf]) -> Vec<PathBuf> {
     named.iter().flat_map(|path| matching(path).unwrap_or_else(|| vec![path.clone()])).collect()
-}
-
-/// Whether a path is a pattern: nothing has it as its name.
-pub(crate) fn is_pattern(path: &Path) -> bool {
-    !path.exists() && path.to_string_lossy().contains(['*', '?', '['])
 }
 
 fn matching(path: &Path) -> Option<Vec<PathBuf>> {

@@ -4,7 +4,6 @@ use crate::sources::usage_error;
 use crate::{Outcome, console, standard};
 use clap::error::ErrorKind;
 use lipz::diagnostic::show;
-use lipz::{Code, Diagnostic, Level};
 use lipz_compiler::{Content, Input, Report, rewrite_file};
 use similar::TextDiff;
 use std::borrow::Cow;
@@ -33,14 +32,6 @@ impl Rewriting {
             _ => Ok(String::new()),
         }
     }
-}
-
-/// How a run ends that could not write some files because of the errors among `reports`.
-pub(crate) fn failure(reports: &[Report]) -> Outcome {
-    let mut findings = reports.iter().flat_map(|report| &report.diagnostics);
-    let unwritten = |code| matches!(code, Code::OutputFailed | Code::UnreadableFile | Code::NoSources);
-    let is_failure = |finding: &Diagnostic| finding.level == Level::Error && unwritten(finding.code);
-    if findings.any(is_failure) { Outcome::Failed } else { Outcome::Findings }
 }
 
 /// Whether standard input is what changes; it goes to standard output then. Beside files, which stay where

@@ -26,7 +26,7 @@ pub fn dependencies(sources: &[PathBuf], inputs: &[Input]) -> Vec<PathBuf> {
 /// wildcard. A change that matters to a run over `sources` is a change there.
 pub fn watched(sources: &[PathBuf]) -> Vec<PathBuf> {
     let place = |source: &PathBuf| match source.to_str() {
-        Some(pattern) if !source.exists() && discover::is_pattern(pattern) => discover::plain(&discover::base(pattern)),
+        Some(pattern) if discover::is_pattern(source) => discover::plain(&discover::base(pattern)),
         _ => discover::plain(source),
     };
     sources.iter().map(place).collect()

@@ -56,14 +56,18 @@ pub(crate) fn plain(path: &Path) -> PathBuf {
     if plain.as_os_str().is_empty() { PathBuf::from(".") } else { plain }
 }
 
-/// Whether a source that does not exist by this name is a glob pattern.
-pub(crate) fn is_pattern(source: &str) -> bool {
-    source.contains(['*', '?', '['])
+/// Whether a source is a glob pattern: it has wildcards, and nothing has it as its name.
+pub fn is_pattern(source: &Path) -> bool {
+    has_wildcards(&source.to_string_lossy()) && !source.exists()
+}
+
+fn has_wildcards(text: &str) -> bool {
+    text.contains(['*', '?', '['])
 }
 
 /// The longest part of a pattern without wildcards.
 pub(crate) fn base(pattern: &str) -> PathBuf {
-    Path::new(pattern).components().take_while(|part| !is_pattern(&part.as_os_str().to_string_lossy())).collect()
+    Path::new(pattern).components().take_while(|part| !has_wildcards(&part.as_os_str().to_string_lossy())).collect()
 }
 
 struct Discovery<'a> {
@@ -78,7 +82,7 @@ impl Discovery<'_> {
             Ok(metadata) if metadata.is_dir() => self.folder(source),
             Ok(_) => self.file(source.to_owned(), source.parent().unwrap_or(Path::new(""))),
             Err(error) => match source.to_str() {
-                Some(pattern) if is_pattern(pattern) => self.pattern(pattern),
+                Some(pattern) if has_wildcards(pattern) => self.pattern(pattern),
                 _ => self.reports.push(unreadable(source, &error)),
             },
         }

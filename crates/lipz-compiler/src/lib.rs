@@ -63,7 +63,7 @@ pub use compile::{Compiled, Phases, Progress, check_all, compile, pack};
 pub use convert::{Converted, convert};
 pub use coverage::{Coverage, coverage, shortfalls};
 pub use depend::{dependencies, depfile, watched};
-pub use discover::discover;
+pub use discover::{discover, is_pattern};
 pub use fix::{Fixed, fix};
 pub use input::{Content, Input};
 pub use levels::apply as apply_levels;

@@ -91,8 +91,8 @@ fn what_belongs_to_one_clip_has_limits() {
     let headline = |text: &str| compiled(text).reports.pop().and_then(|mut report| report.diagnostics.pop()).unwrap();
     let long = headline(&texts(&[1, 0x1_0000]));
     assert_eq!(long.code, Code::BankTooLarge);
-    assert_eq!(long.headline, "the text of a segment has 65536 bytes; a bank has room for 65,535");
+    assert_eq!(long.headline, "the text of a segment has 65536 bytes; a bank has room for 65535");
     let many = headline(&texts(&[1; 0x1_0000]));
     assert_eq!(many.code, Code::BankTooLarge);
-    assert_eq!(many.headline, "the clip has 65536 segments; a bank has room for 65,535");
+    assert_eq!(many.headline, "the clip has 65536 segments; a bank has room for 65535");
 }

@@ -11,9 +11,10 @@ use support::every_fixture;
 /// Changed files of each fixture.
 const MUTATIONS: u64 = 1500;
 
-/// A changed length makes hours of a Fallout file. One in so many lasts them; the others pass faster.
-const LASTS: u64 = 9;
-const FAST_UNITS_PER_SECOND: u32 = 1_000_000;
+/// A changed length can make a Fallout file last for hours, which takes long to lay out. One in so many may; in the
+/// others a second has so many units that they are short.
+const ONE_IN: u64 = 9;
+const SHORT_UNITS_PER_SECOND: u32 = 1_000_000;
 
 fn options(segments: Segments) -> ImportOptions<'static> {
     ImportOptions { segments, locale: Some("en-us"), min_hold: 2, ..ImportOptions::default() }
@@ -79,7 +80,7 @@ fn random_changes() {
             }
             let segments = [Segments::Phrases, Segments::Pauses, Segments::Sentences, Segments::None];
             let options = options(segments[usize::try_from(round % 4).unwrap()]);
-            let units_per_second = (round % LASTS != 0).then_some(FAST_UNITS_PER_SECOND);
+            let units_per_second = (round % ONE_IN != 0).then_some(SHORT_UNITS_PER_SECOND);
             check(format, &changed, &ImportOptions { units_per_second, ..options });
         }
     }

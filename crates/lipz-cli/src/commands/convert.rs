@@ -2,7 +2,7 @@
 
 use crate::project::hide_of_banks;
 use crate::render::Findings;
-use crate::rewriting::{Rewriting, failure, files, is_standard_input, reads_standard_input};
+use crate::rewriting::{Rewriting, files, is_standard_input, reads_standard_input};
 use crate::sources::{Sources, usage_error};
 use crate::{Ended, Outcome, console, interrupt, standard};
 use clap::Args;
@@ -60,7 +60,7 @@ pub(crate) fn run(arguments: &Convert, findings: &mut Findings) -> Ended {
         key::check(&inputs, &mut reports);
         reports.extend(inputs.iter().filter_map(|input| in_the_way(folder, input)));
         if !reports.is_empty() {
-            let outcome = failure(&reports);
+            let outcome = Outcome::of(&reports).max(Outcome::Findings);
             findings.add(reports);
             return Err(outcome);
         }
@@ -88,16 +88,13 @@ pub(crate) fn run(arguments: &Convert, findings: &mut Findings) -> Ended {
         }
         reports.extend(of_file);
     }
-    let outcome = if count(&reports, Level::Error) > 0 { failure(&reports) } else { Outcome::Clean };
+    let outcome = Outcome::of(&reports);
     findings.add(reports);
     if quiet || inputs.is_empty() {
         return Ok(outcome);
     }
     let (changed, unchanged) = (files(changed), console::grouped(unchanged));
-    Ok(match findings.summary(&format!("{changed} converted to {viseme_type}, {unchanged} unchanged\n")) {
-        Outcome::Clean => outcome,
-        failed => failed,
-    })
+    Ok(findings.summary(&format!("{changed} converted to {viseme_type}, {unchanged} unchanged\n")).max(outcome))
 }
 
 impl Convert {

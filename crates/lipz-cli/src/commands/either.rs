@@ -4,10 +4,10 @@ use super::with_inputs;
 use crate::bank_file::BankFile;
 use crate::render::Findings;
 use crate::sources::ProjectArguments;
-use crate::{Outcome, console, patterns};
-use lipz_compiler::compile;
+use crate::{Outcome, console};
 use lipz_compiler::key::EXTENSION;
 use lipz_compiler::settings::Settings;
+use lipz_compiler::{compile, is_pattern};
 use std::ffi::OsStr;
 use std::path::Path;
 
@@ -43,5 +43,5 @@ pub(super) fn packed(settings: &Settings, quiet: bool, findings: &mut Findings) 
 /// Whether a path is that of Lipz files: a folder, a pattern, a file `.lipz`.
 pub(super) fn names_lipz_files(path: &Path) -> bool {
     let is_lipz = |extension: &OsStr| extension.eq_ignore_ascii_case(EXTENSION);
-    path.is_dir() || path.extension().is_some_and(is_lipz) || patterns::is_pattern(path)
+    path.is_dir() || path.extension().is_some_and(is_lipz) || is_pattern(path)
 }

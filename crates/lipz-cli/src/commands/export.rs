@@ -97,11 +97,11 @@ pub(crate) fn run(arguments: &Export, findings: &mut Findings) -> Ended {
             },
         }
     }
-    let outcome = foreign::outcome(&reports);
+    let outcome = Outcome::of(&reports);
     findings.add(reports);
     match arguments.output.as_deref().filter(|_| !arguments.sources.is_quiet() && written > 0) {
         None => Ok(outcome),
-        Some(folder) => Ok(foreign::worse(outcome, findings.summary(&summary(format, written, folder, &left_out)))),
+        Some(folder) => Ok(findings.summary(&summary(format, written, folder, &left_out)).max(outcome)),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::project::parse_locale;
 use crate::render::Findings;
-use crate::rewriting::{Rewriting, diff, failure, files, is_standard_input, reads_standard_input};
+use crate::rewriting::{Rewriting, diff, files, is_standard_input, reads_standard_input};
 use crate::settings_file::{Project, SettingsFile};
 use crate::sources::PROJECT;
 use crate::{Ended, Outcome, console, interrupt, standard};
@@ -84,7 +84,7 @@ pub(crate) fn run(arguments: &Fmt, findings: &mut Findings) -> Ended {
             Err(report) => reports.push(report),
         }
     }
-    let failed = (!reports.is_empty()).then(|| failure(&reports));
+    let outcome = Outcome::of(&reports);
     findings.add(reports);
     let summary = |what| format!("{} {what}, {} unchanged\n", files(changed), console::grouped(unchanged));
     match arguments.rewriting() {
@@ -93,11 +93,8 @@ pub(crate) fn run(arguments: &Fmt, findings: &mut Findings) -> Ended {
         Rewriting::Nothing | Rewriting::Diff => console::remark(&summary("would change")),
     }
     let printed = if arguments.prints_result() { console::print(&shown) } else { findings.summary(&shown) };
-    Ok(match (failed, printed) {
-        (Some(failed), _) => failed,
-        (None, Outcome::Clean) if arguments.check && changed > 0 => Outcome::Findings,
-        (None, printed) => printed,
-    })
+    let checked = if arguments.check && changed > 0 { Outcome::Findings } else { Outcome::Clean };
+    Ok(outcome.max(printed).max(checked))
 }
 
 impl Fmt {
@@ -130,7 +127,7 @@ fn standard_input(arguments: &Fmt, default_locale: Option<&str>, findings: &mut 
             if differs && printed == Outcome::Clean { Outcome::Findings } else { printed }
         }
         Err(report) => {
-            let outcome = failure(std::slice::from_ref(&report));
+            let outcome = Outcome::of(std::slice::from_ref(&report));
             findings.add(vec![report]);
             outcome
         }

@@ -1,14 +1,13 @@
 //! What `lipz import` and `lipz export` have in common: formats, mapping tables, files.
 
 use crate::render::Findings;
-use crate::rewriting::failure;
 use crate::{Outcome, console, standard};
 use clap::builder::PossibleValuesParser;
 use lipz::diagnostic::{show, suggest};
 use lipz::rate::Rate;
 use lipz::{Code, Diagnostic, Level};
 use lipz_bank::Fps;
-use lipz_compiler::{Report, count};
+use lipz_compiler::Report;
 use lipz_interop::{Format, Map, find_map, formats, maps};
 use std::path::{Path, PathBuf};
 use std::{fs, io};
@@ -161,19 +160,6 @@ pub(super) fn may_write(reports: &[Report]) -> bool {
         !matches!(found.code, Code::WouldOverwrite | Code::RefusedKey | Code::DuplicateKey | Code::KeyClash)
             || found.level == Level::Warning
     })
-}
-
-/// How a run with these findings ends.
-pub(super) fn outcome(reports: &[Report]) -> Outcome {
-    match count(reports, Level::Error) {
-        0 => Outcome::Clean,
-        _ => failure(reports),
-    }
-}
-
-/// The outcome of a run, unless its summary could not be printed.
-pub(super) fn worse(outcome: Outcome, printed: Outcome) -> Outcome {
-    if printed == Outcome::Clean { outcome } else { printed }
 }
 
 #[cfg(test)]

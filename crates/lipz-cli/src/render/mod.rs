@@ -82,10 +82,7 @@ impl Findings {
             Format::Sarif => console::json(&sarif::document(&self.reports, outcome)),
             Format::Github => Ok(github::annotations(&self.reports)),
         };
-        match document.map_or_else(|failed| failed, |text| self.print(&text)) {
-            Outcome::Clean => outcome,
-            failed => failed,
-        }
+        document.map_or_else(|failed| failed, |text| self.print(&text)).max(outcome)
     }
 
     fn print(&self, text: &str) -> Outcome {

@@ -13,7 +13,7 @@ pub(super) fn for_texts(string: &JsonString<'_>, displays: &Strings, diagnostics
         return;
     };
     let span = text::segments(&string.text).nth(segment).map_or(string.span(), |range| string.span_of(range));
-    let headline = format!("the text of a segment has {} bytes; a bank has room for 65,535", display.len());
+    let headline = format!("the text of a segment has {} bytes; a bank has room for {MOST}", display.len());
     diagnostics.push(Diagnostic::at(Code::BankTooLarge, span, headline).help("divide the segment with `|`"));
 }
 
@@ -25,7 +25,7 @@ pub(super) fn for_segments(roles: &Roles<'_>, count: usize, diagnostics: &mut Ve
     let first_text = || roles.texts.first().map(|text| text.string);
     let Some(string) = roles.visemes.or_else(first_text).or(roles.events) else { return };
     let span = string.text.match_indices(text::DELIMITER).nth(MOST - 1).map(|(at, bar)| at..at + bar.len());
-    let headline = format!("the clip has {count} segments; a bank has room for 65,535");
+    let headline = format!("the clip has {count} segments; a bank has room for {MOST}");
     let finding = Diagnostic::at(Code::BankTooLarge, span.map_or(string.span(), |bar| string.span_of(bar)), headline);
     diagnostics.push(finding.help("divide it into several clips"));
 }

@@ -59,8 +59,8 @@ fn utf16_byte_order(bytes: &[u8]) -> Option<&'static str> {
     }
 }
 
-/// The finding for the first byte that is not UTF-8, or for a bank, which is named by mistake. Its span counts in the text that
-/// `String::from_utf8_lossy` makes of the file, in which bad bytes have a replacement character.
+/// The finding for the first byte that is not UTF-8, or for a bank, which is named by mistake. Its span counts in
+/// the text that `String::from_utf8_lossy` makes of the file, in which bad bytes have a replacement character.
 fn not_utf8(bytes: &[u8], error: std::str::Utf8Error) -> Diagnostic {
     if bytes.starts_with(&MAGIC) {
         return Diagnostic::new(Code::NotUtf8, "the file is a lipz bank, not text")

@@ -42,15 +42,12 @@ pub(crate) fn run(arguments: &Heads, findings: &mut Findings) -> Ended {
         checked.source(path);
     }
     let Checked { files, reports } = checked;
-    let outcome = foreign::outcome(&reports);
+    let outcome = Outcome::of(&reports);
     findings.add(reports);
     if arguments.quiet || files.is_empty() {
         return Ok(outcome);
     }
-    match console::print(&table(&files)) {
-        Outcome::Clean => Ok(outcome),
-        failed => Err(failed),
-    }
+    Ok(console::print(&table(&files)).max(outcome))
 }
 
 #[derive(Default)]

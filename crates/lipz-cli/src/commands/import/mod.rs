@@ -97,7 +97,7 @@ pub(crate) fn run(arguments: &Import, findings: &mut Findings) -> Ended {
     if let [only] = made.as_slice()
         && is_printed
     {
-        let outcome = foreign::outcome(&reports);
+        let outcome = Outcome::of(&reports);
         findings.add(reports);
         return if outcome == Outcome::Clean { Ok(console::print(&layout(only, &settings))) } else { Err(outcome) };
     }
@@ -121,11 +121,11 @@ pub(crate) fn run(arguments: &Import, findings: &mut Findings) -> Ended {
         let report = report::json(format, made.iter().map(|made| (&made.input, &made.clip)))?;
         output_file::write(path, report.as_bytes(), findings)?;
     }
-    let outcome = foreign::outcome(&reports);
+    let outcome = Outcome::of(&reports);
     findings.add(reports);
     match folder.filter(|_| !arguments.quiet && written > 0) {
         None => Ok(outcome),
-        Some(folder) => Ok(foreign::worse(outcome, findings.summary(&summary(format, &made, written, folder)))),
+        Some(folder) => Ok(findings.summary(&summary(format, &made, written, folder)).max(outcome)),
     }
 }
 

@@ -5,7 +5,7 @@ use crate::commands::{find, foreign};
 use crate::project::parse_locale;
 use crate::render::Findings;
 use crate::sources::Sources;
-use crate::{Ended, console, interrupt};
+use crate::{Ended, Outcome, console, interrupt};
 use clap::Args;
 use lipz::Level;
 use lipz::locale::{TextName, text_name};
@@ -77,13 +77,13 @@ pub(super) fn run(arguments: &Export, findings: &mut Findings) -> Ended {
             }
         }
     }
-    let outcome = foreign::outcome(&reports);
+    let outcome = Outcome::of(&reports);
     findings.add(reports);
     if arguments.sources.is_quiet() || written == 0 {
         return Ok(outcome);
     }
     let summary = format!("{} written into {}\n", console::counted(written, "file"), console::path(&arguments.output));
-    Ok(foreign::worse(outcome, findings.summary(&summary)))
+    Ok(findings.summary(&summary).max(outcome))
 }
 
 impl Export {

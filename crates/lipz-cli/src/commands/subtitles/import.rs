@@ -6,7 +6,7 @@ use crate::lint_flags::LintFlags;
 use crate::project::{parse_fps, parse_locale};
 use crate::render::Findings;
 use crate::settings_file::SettingsFile;
-use crate::{Ended, console, interrupt, patterns};
+use crate::{Ended, Outcome, console, interrupt, patterns};
 use clap::Args;
 use lipz::format::{Style, format};
 use lipz::{Diagnostic, Document, Level};
@@ -72,14 +72,14 @@ pub(super) fn run(arguments: &Import, findings: &mut Findings) -> Ended {
             }
         }
     }
-    let outcome = foreign::outcome(&reports);
+    let outcome = Outcome::of(&reports);
     findings.add(reports);
     if arguments.quiet || written == 0 {
         return Ok(outcome);
     }
     let clips = console::counted(written, "clip");
     let summary = format!("texts of {clips} imported into {}\n", console::path(&arguments.output));
-    Ok(foreign::worse(outcome, findings.summary(&summary)))
+    Ok(findings.summary(&summary).max(outcome))
 }
 
 /// Brings the subtitles of one clip into its Lipz file; false if there is nothing to be written.
