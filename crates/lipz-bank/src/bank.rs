@@ -56,7 +56,7 @@ impl<'data> Bank<'data> {
             key_order: entries(found[place::KEY_ORDER]),
             frames: found[place::FRAMES],
             starts,
-            texts: LocaleTable::of(&found, clips.len(), starts.len().saturating_sub(1)),
+            texts: LocaleTable::of(&found, starts.len().saturating_sub(1)),
             event_refs: entries(found[place::EVENT_REFS]),
             events: entries(found[place::EVENTS]),
             typed_events: entries(found[place::TYPED_EVENTS]),

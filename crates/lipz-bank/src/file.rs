@@ -29,7 +29,7 @@ pub(crate) const ALL_SECTIONS: SectionSet = (1 << Tag::REQUIRED.len()) - 1;
 
 /// What a text bank has of them.
 pub(crate) const TEXT_SECTIONS: SectionSet =
-    1 << place::NAMES | 1 << place::LOCALES | 1 << place::TEXT_INDEX | 1 << place::TEXT_ENDS | 1 << place::TEXTS;
+    1 << place::NAMES | 1 << place::LOCALES | 1 << place::TEXT_STARTS | 1 << place::TEXTS;
 
 /// The places of sections in [`Sections`].
 pub(crate) mod place {
@@ -45,8 +45,7 @@ pub(crate) mod place {
     pub(crate) const FRAMES: usize = place_of(Tag::FRAMES);
     pub(crate) const STARTS: usize = place_of(Tag::STARTS);
     pub(crate) const LOCALES: usize = place_of(Tag::LOCALES);
-    pub(crate) const TEXT_INDEX: usize = place_of(Tag::TEXT_INDEX);
-    pub(crate) const TEXT_ENDS: usize = place_of(Tag::TEXT_ENDS);
+    pub(crate) const TEXT_STARTS: usize = place_of(Tag::TEXT_STARTS);
     pub(crate) const TEXTS: usize = place_of(Tag::TEXTS);
     pub(crate) const EVENT_REFS: usize = place_of(Tag::EVENT_REFS);
     pub(crate) const EVENTS: usize = place_of(Tag::EVENTS);

@@ -4,34 +4,29 @@ use core::fmt;
 use core::iter::FusedIterator;
 
 use crate::file::{Sections, entries, place};
-use crate::layout::{LOCALE_DEFAULT, LocaleRecord, U16, U32};
+use crate::layout::{LOCALE_DEFAULT, LocaleRecord, U32};
 use crate::pool::Pool;
 
-/// The locales of a file with their texts: five of the sections of a bank, all that a text bank
+/// The locales of a file with their texts: four of the sections of a bank, all that a text bank
 /// has.
 #[derive(Clone, Copy)]
 pub(crate) struct LocaleTable<'data> {
     pub(crate) records: &'data [LocaleRecord],
     pub(crate) names: Pool<'data>,
-    /// For each locale in turn, one entry per slot.
-    pub(crate) index: &'data [U32],
-    /// An entry, then for each locale in turn one per segment.
-    pub(crate) ends: &'data [U16],
+    /// For each locale in turn, one entry per segment, and one behind them.
+    pub(crate) starts: &'data [U32],
     pub(crate) texts: Pool<'data>,
-    pub(crate) clip_count: usize,
     pub(crate) segment_count: usize,
 }
 
 impl<'data> LocaleTable<'data> {
-    /// The table of a file about so many clips with so many segments.
-    pub(crate) fn of(sections: &Sections<'data>, clip_count: usize, segment_count: usize) -> LocaleTable<'data> {
+    /// The table of a file about clips with so many segments.
+    pub(crate) fn of(sections: &Sections<'data>, segment_count: usize) -> LocaleTable<'data> {
         LocaleTable {
             records: entries(sections[place::LOCALES]),
             names: Pool::Bytes(sections[place::NAMES]),
-            index: entries(sections[place::TEXT_INDEX]),
-            ends: entries(sections[place::TEXT_ENDS]),
+            starts: entries(sections[place::TEXT_STARTS]),
             texts: Pool::Bytes(sections[place::TEXTS]),
-            clip_count,
             segment_count,
         }
     }
@@ -53,10 +48,8 @@ impl<'data> LocaleTable<'data> {
 pub struct Locale<'data> {
     record: &'data LocaleRecord,
     names: Pool<'data>,
-    /// This locale's part of the text index: one entry per slot.
-    pub(crate) index: &'data [U32],
-    /// This locale's text ends: one per segment, and one before them.
-    pub(crate) ends: &'data [U16],
+    /// This locale's text starts: one per segment, and the entry behind them.
+    pub(crate) starts: &'data [U32],
     pub(crate) texts: Pool<'data>,
 }
 
@@ -98,12 +91,10 @@ impl<'data> Iterator for Locales<'data> {
     fn next(&mut self) -> Option<Locale<'data>> {
         let table = self.table;
         let record = table.records.get(self.next)?;
-        let start = self.next.checked_mul(table.clip_count)?;
-        let index = table.index.get(start..start.checked_add(table.clip_count)?)?;
         let start = self.next.checked_mul(table.segment_count)?;
-        let ends = table.ends.get(start..=start.checked_add(table.segment_count)?)?;
+        let starts = table.starts.get(start..=start.checked_add(table.segment_count)?)?;
         self.next = self.next.saturating_add(1);
-        Some(Locale { record, names: table.names, index, ends, texts: table.texts })
+        Some(Locale { record, names: table.names, starts, texts: table.texts })
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {

@@ -1,10 +1,11 @@
 //! One segment of a clip: frames, display texts and event string.
 
-use crate::layout::{EventRecord, NO_TEXT, TEXT_FALLBACK, TEXT_OFFSET, TEXT_WIDE, U16};
-use crate::{Bank, Clip, Events, Locale};
+use crate::layout::EventRecord;
+use crate::text::TextPlace;
+use crate::{Bank, Clip, Events, Locale, Text};
 use core::fmt;
 use core::iter::FusedIterator;
-use core::ops::{Deref, Range};
+use core::ops::Range;
 
 /// A stretch of a clip, between two `|` of its Lipz file.
 #[derive(Clone, Copy)]
@@ -29,10 +30,16 @@ impl<'data, 'bank> Segment<'data, 'bank> {
         self.index
     }
 
+    /// The place of the clip's first segment among those of all clips.
+    #[inline]
+    fn first_number(&self) -> usize {
+        self.clip.record.segments_first.get() as usize
+    }
+
     /// The place of the segment among those of all clips.
     #[inline]
     fn number(&self) -> usize {
-        (self.clip.record.segments_first.get() as usize).wrapping_add(self.index as usize)
+        self.first_number().wrapping_add(self.index as usize)
     }
 
     /// The first frame of the segment.
@@ -76,41 +83,14 @@ impl<'data, 'bank> Segment<'data, 'bank> {
     /// bank, or from a [`TextBank`](crate::TextBank) that it opened.
     #[inline(always)] // otherwise the whole segment is copied for the call
     pub fn text<'texts>(&self, locale: Locale<'texts>) -> Option<Text<'texts>> {
-        let (start, end, is_fallback) = self.text_range(locale)?;
-        Some(Text { text: locale.texts.text(start, end)?, is_fallback })
+        TextPlace::of(locale, self.first_number(), self.number())?.text(locale)
     }
 
     /// Like [`Segment::text`], as bytes that are not checked to be UTF-8: for programs that cannot
     /// afford the checker's code.
     #[inline]
     pub fn text_bytes<'texts>(&self, locale: Locale<'texts>) -> Option<&'texts [u8]> {
-        let (start, end, _) = self.text_range(locale)?;
-        locale.texts.slice(start, end)
-    }
-
-    /// Where the text stands in the text pool, and whether it is that of another locale.
-    #[inline(always)]
-    fn text_range(&self, locale: Locale<'_>) -> Option<(usize, usize, bool)> {
-        let entry = locale.index.get(self.clip.slot() as usize)?.get();
-        // `NO_TEXT` has the bit of wide texts.
-        let Range { start, end } = if cfg!(target_pointer_width = "64") && entry & TEXT_WIDE == 0 {
-            let number = self.number();
-            match locale.ends.get(number..number.wrapping_add(2))? {
-                // No branch on whether it is the first text, which would often be mispredicted.
-                [before, end] => {
-                    let mask = u16::from(self.index == 0).wrapping_sub(1);
-                    usize::from(before.get() & mask)..usize::from(end.get())
-                }
-                _ => return None,
-            }
-        } else if entry == NO_TEXT {
-            return None;
-        } else {
-            wide_range(locale.ends, self.clip.record.segments_first.get() as usize, self.index)?
-        };
-        // What wraps around in a damaged bank leads to another place of the pool, or to none.
-        let offset = (entry & TEXT_OFFSET) as usize;
-        Some((offset.wrapping_add(start), offset.wrapping_add(end), entry & TEXT_FALLBACK != 0))
+        TextPlace::of(locale, self.first_number(), self.number())?.bytes(locale)
     }
 
     /// The event string, trimmed; empty if nothing happens at this segment, `None` if the file has
@@ -154,58 +134,6 @@ impl fmt::Debug for Segment<'_, '_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Segment").field("clip", &self.clip).field("index", &self.index).finish()
     }
-}
-
-/// A display text.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Text<'data> {
-    text: &'data str,
-    is_fallback: bool,
-}
-
-impl<'data> Text<'data> {
-    /// The text as a player sees it: trimmed, without `{meta}`.
-    pub const fn as_str(self) -> &'data str {
-        self.text
-    }
-
-    /// Whether the locale asked for has no text for this clip, and this is that of another one.
-    pub const fn is_fallback(self) -> bool {
-        self.is_fallback
-    }
-}
-
-impl Deref for Text<'_> {
-    type Target = str;
-
-    fn deref(&self) -> &str {
-        self.text
-    }
-}
-
-impl fmt::Display for Text<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.text)
-    }
-}
-
-/// Where text `index` of a clip starts and ends among its texts, however long they are. `ends` has the
-/// end of the clip's first text behind the one of segment `first`.
-#[cfg_attr(target_pointer_width = "64", cold)] // texts of 65,536 bytes: rare, so it is kept out of the way
-fn wide_range(ends: &[U16], first: usize, index: u32) -> Option<Range<usize>> {
-    let behind = ends.get(first.wrapping_add(1)..)?;
-    let (mut start, mut end) = (0, 0);
-    for low in behind.get(..=index as usize)? {
-        start = end;
-        end = end_behind(end, *low);
-    }
-    Some(start..end)
-}
-
-/// The end of the text behind one that ends at `before`: the next number with these low bits.
-#[inline]
-pub(crate) fn end_behind(before: usize, low: U16) -> usize {
-    before.wrapping_add(usize::from(low.get().wrapping_sub(before as u16)))
 }
 
 /// Starts that are compared at once: as many as fit a vector.

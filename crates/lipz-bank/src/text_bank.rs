@@ -48,7 +48,7 @@ impl Bank<'_> {
         if file.header.fingerprint.get() != self.fingerprint() {
             return Err(Error::new(ErrorKind::OtherClips, 24));
         }
-        Ok(TextBank { file, table: LocaleTable::of(&found, self.clip_count(), self.texts.segment_count) })
+        Ok(TextBank { file, table: LocaleTable::of(&found, self.texts.segment_count) })
     }
 }
 

@@ -6,7 +6,7 @@
 mod common;
 
 use common::{SMALL, STRIPPED, changed, entry_of, finding, key_record_of, put, record_of, section, u32_at};
-use lipz_bank::layout::{MAGIC, NO_TEXT, TEXT_FALLBACK, TEXT_WIDE, Tag, WHOLE_RATES};
+use lipz_bank::layout::{MAGIC, NO_TEXT, TEXT_COUNTED, TEXT_FALLBACK, Tag, WHOLE_RATES};
 use lipz_bank::{Error, ErrorKind};
 
 /// The kind and place found in a small bank that `change` has changed.
@@ -102,7 +102,7 @@ fn header_and_directory() {
     assert_eq!(found(cut), (DirectoryOutOfBounds, 40));
     let frames = entry_of(SMALL, Tag::FRAMES);
     assert_eq!(found(|bank| put(bank, frames + 4, u32::MAX.to_le_bytes())), (SectionOutOfBounds, frames));
-    assert_eq!(found(|bank| put(bank, frames + 8, 2000_u32.to_le_bytes())), (SectionOutOfBounds, frames));
+    assert_eq!(found(|bank| put(bank, frames + 8, (SMALL.len() as u32).to_le_bytes())), (SectionOutOfBounds, frames));
     let clips = entry_of(SMALL, Tag::CLIPS);
     assert_eq!(found(|bank| put(bank, clips + 12, [32])), (SectionShape, clips));
     assert_eq!(found(|bank| put(bank, clips + 8, 191_u32.to_le_bytes())), (SectionShape, clips));
@@ -224,20 +224,21 @@ fn index_and_order() {
 #[test]
 fn texts_and_locales() {
     use ErrorKind::*;
-    let index = start(Tag::TEXT_INDEX);
-    for entry in [1000, TEXT_FALLBACK | 1000, TEXT_WIDE | 226, NO_TEXT - 1] {
-        assert_eq!(found(|bank| put(bank, index + 4, entry.to_le_bytes())), (TextReference, index + 4), "{entry:#x}");
+    let starts = section(SMALL, Tag::TEXT_STARTS);
+    // In the second locale, of a clip of several segments.
+    let segment_count = section(SMALL, Tag::STARTS).len() / 4 - 1;
+    let first = u32_at(SMALL, record_of(SMALL, "act1/blair") + 8) as usize;
+    let of_clip = starts.start + 4 * (segment_count + first);
+    for entry in [1000, TEXT_FALLBACK | 1000, TEXT_COUNTED | 1000, NO_TEXT - 1, NO_TEXT] {
+        let found = found(|bank| put(bank, of_clip + 4, entry.to_le_bytes()));
+        assert_eq!(found, (TextReference, of_clip), "{entry:#x}");
     }
-    let fewer = |bank: &mut Vec<u8>| put(bank, entry_of(SMALL, Tag::TEXT_INDEX) + 8, 92_u32.to_le_bytes());
-    assert_eq!(found(fewer), (TextReference, index));
-    let ends = section(SMALL, Tag::TEXT_ENDS);
-    assert_eq!(found(|bank| put(bank, ends.start, [1])), (TextReference, ends.start), "the entry before all others");
-    let (kind, at) = found(|bank| put(bank, ends.end - 2, [0xFF, 0xFF]));
-    assert!(kind == TextReference && section(SMALL, Tag::TEXT_INDEX).contains(&at), "{kind:?} at {at}");
+    let of_pool = found(|bank| put(bank, starts.end - 4, [0xFF]));
+    assert_eq!(of_pool, (TextReference, starts.start), "the length of the pool");
     let fewer = |bank: &mut Vec<u8>| {
-        put(bank, entry_of(SMALL, Tag::TEXT_ENDS) + 8, (ends.len() as u32 - 2).to_le_bytes());
+        put(bank, entry_of(SMALL, Tag::TEXT_STARTS) + 8, (starts.len() as u32 - 4).to_le_bytes());
     };
-    assert_eq!(found(fewer), (TextReference, ends.start));
+    assert_eq!(found(fewer), (TextReference, starts.start));
     let naive = SMALL.windows(3).position(|window| window == "ïv".as_bytes()).expect("naïve");
     assert_eq!(found(|bank| put(bank, naive, b"\xFF")), (Utf8, naive));
     let name = start(Tag::NAMES) + 4;

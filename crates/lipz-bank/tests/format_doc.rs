@@ -137,7 +137,7 @@ fn values() {
         ("LOCALE_DEFAULT", u32::from(layout::LOCALE_DEFAULT)),
         ("NO_TEXT", layout::NO_TEXT),
         ("TEXT_FALLBACK", layout::TEXT_FALLBACK),
-        ("TEXT_WIDE", layout::TEXT_WIDE),
+        ("TEXT_COUNTED", layout::TEXT_COUNTED),
         ("TEXT_OFFSET", layout::TEXT_OFFSET),
         ("NO_NAME", layout::NO_NAME),
         ("DIRECT_SLOT", layout::DIRECT_SLOT),

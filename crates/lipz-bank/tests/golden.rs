@@ -55,13 +55,14 @@ fn small_is_small() {
     assert!(SMALL.len() < 4096, "{} bytes", SMALL.len());
 }
 
-/// The wide bank is there for texts whose ends wrap around: own ones and such reached by fallback.
+/// The wide bank is there for long texts, and for last ones that are counted: own ones and such reached by fallback.
 #[test]
-fn wide_has_wide_texts() {
-    use lipz_bank::layout::{NO_TEXT, TEXT_FALLBACK, TEXT_WIDE, Tag};
-    let index = &WIDE[common::section(WIDE, Tag::TEXT_INDEX)];
-    let entries = || (0..index.len()).step_by(4).map(|at| common::u32_at(index, at)).filter(|&entry| entry != NO_TEXT);
-    let count = |flags| entries().filter(|entry| entry & (TEXT_WIDE | TEXT_FALLBACK) == flags).count();
-    assert_eq!((count(TEXT_WIDE), count(TEXT_WIDE | TEXT_FALLBACK)), (2, 1));
-    assert_eq!((count(0), count(TEXT_FALLBACK)), (2, 1));
+fn wide_has_long_and_counted_texts() {
+    use lipz_bank::layout::{TEXT_COUNTED, TEXT_FALLBACK, TEXT_OFFSET, Tag};
+    let starts = &WIDE[common::section(WIDE, Tag::TEXT_STARTS)];
+    let entries = || (0..starts.len()).step_by(4).map(|at| common::u32_at(starts, at));
+    let count = |flags| entries().filter(|entry| entry & !TEXT_OFFSET == flags).count();
+    assert_eq!((count(TEXT_COUNTED), count(TEXT_COUNTED | TEXT_FALLBACK)), (4, 2));
+    assert!(count(0) > 0 && count(TEXT_FALLBACK) > 0);
+    assert!(WIDE[common::section(WIDE, Tag::TEXTS)].len() > 0xFFFF);
 }

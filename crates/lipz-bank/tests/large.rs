@@ -7,45 +7,48 @@ mod common;
 
 use common::forge::{ForgedClip, bank};
 use common::{finding, verified};
-use lipz_bank::layout::{NO_TEXT, TEXT_WIDE};
+use lipz_bank::layout::{NO_TEXT, TEXT_COUNTED, TEXT_FALLBACK};
 use lipz_bank::{Error, ErrorKind, Fps, Micros};
 
 fn clip(key: &'static str, frame_count: usize, starts: Vec<u32>) -> ForgedClip {
     ForgedClip { key, frames: vec![b'A'; frame_count], starts }
 }
 
-/// The ends of texts of more than 65,535 bytes wrap around, as often as there are segments.
+/// A text that does not end where the next one starts has its length in front, six bits a byte.
 #[test]
-fn ends_of_wide_texts_wrap_around() {
-    let lengths = [0xFFFE, 0, 0xFFFE, 0x8000, 4];
-    let pool = "é".repeat(lengths.iter().sum::<usize>() / 2);
-    let ends: Vec<u16> = lengths
-        .iter()
-        .scan(0, |end, length| {
-            *end += length;
-            Some(*end as u16)
-        })
-        .collect();
-    let with = |entry| bank(&[clip("a", 2, vec![1; 4])], 1, &[entry], &ends, pool.as_bytes());
-    let bytes = with(TEXT_WIDE);
-    let bank = verified(&bytes);
-    let locale = bank.locale("00000000").expect("a locale");
-    let segments = bank.clip_by_key("a").expect("the clip").segments();
-    let found: Vec<_> = segments.filter_map(|segment| Some(segment.text(locale)?.len())).collect();
-    assert_eq!(found, lengths);
-    assert_eq!(finding(&with(0)).map(Error::kind), Some(ErrorKind::TextReference), "not marked as wide");
+fn counted_texts_are_as_long_as_they_say() {
+    for length in [0, 1, 0x3F, 0x40, 0xFFFF, 0x1_0000, 0x3_FFFF] {
+        let count = [length >> 12, length >> 6, length].map(|digits| (digits & 0x3F) as u8);
+        let pool = [b"ab", &count[..], &vec![b'x'; length], b"c"].concat();
+        let bytes = bank(&[clip("a", 2, vec![1, 1])], 1, &[0, 1, TEXT_COUNTED | 2], &pool);
+        let bank = verified(&bytes);
+        let locale = bank.locale("00000000").expect("a locale");
+        let segments = bank.clip_by_key("a").expect("the clip").segments();
+        let found: Vec<_> = segments.filter_map(|segment| Some(segment.text(locale)?.len())).collect();
+        assert_eq!(found, [1, 1, length]);
+        let longer = bank_of_text(&[b"ab", &count[..], &vec![b'x'; length.saturating_sub(1)]].concat());
+        let damage = (length > 0).then_some(ErrorKind::TextReference);
+        assert_eq!(finding(&longer).map(Error::kind), damage, "{length} bytes are not there");
+    }
 }
 
-/// Texts that fit into 16 bits are not marked as wide, and no text has no end.
+/// A clip of one segment, whose text is counted from byte 2 of the pool on.
+fn bank_of_text(pool: &[u8]) -> Vec<u8> {
+    bank(&[clip("a", 0, vec![])], 1, &[TEXT_COUNTED | 2], pool)
+}
+
+/// What `verify` wants of the texts of a clip.
 #[test]
-fn entries_agree_with_the_ends() {
-    let kind = |entry, end| {
-        let bytes = bank(&[clip("a", 0, vec![])], 1, &[entry], &[end], &[b'x'; 0xFFFF]);
+fn texts_are_all_of_one_kind() {
+    let kind = |starts: [u32; 2], pool: &str| {
+        let bytes = bank(&[clip("a", 0, vec![0])], 1, &starts, pool.as_bytes());
         finding(&bytes).map(Error::kind)
     };
-    let damage = Some(ErrorKind::TextReference);
-    assert_eq!([kind(0, 0xFFFF), kind(NO_TEXT, 0), kind(1, 0xFFFE)], [None; 3]);
-    assert_eq!([kind(TEXT_WIDE, 0xFFFF), kind(NO_TEXT, 1), kind(1, 0xFFFF)], [damage; 3]);
+    let (damage, fallback) = (Some(ErrorKind::TextReference), TEXT_FALLBACK);
+    assert_eq!([kind([0, 2], "éx"), kind([fallback, fallback | 3], "éx"), kind([NO_TEXT; 2], "")], [None; 3]);
+    assert_eq!([kind([0, NO_TEXT], "x"), kind([NO_TEXT, 0], "x"), kind([fallback, 0], "x")], [damage; 3]);
+    assert_eq!([kind([0, 1], "éx"), kind([2, 0], "éx"), kind([0, 4], "éx")], [damage; 3]);
+    assert_eq!(kind([0, TEXT_COUNTED], "\0\0"), damage, "no room for a count");
 }
 
 /// Clips of more segments than are compared at once, in front of others and as the last one.
@@ -53,7 +56,7 @@ fn entries_agree_with_the_ends() {
 fn segments_behind_many_others() {
     let few: Vec<u32> = vec![1, 1, 2, 3, 5, 8, 8, 9, 10, 11];
     let clips = [clip("a", 0, vec![0; 0xFFFE]), clip("b", 12, few.clone()), clip("c", 12, few.clone())];
-    let bytes = bank(&clips, 0, &[], &[0], &[]);
+    let bytes = bank(&clips, 0, &[], &[]);
     let bank = verified(&bytes);
     assert_eq!(bank.clip_by_key("a").map(|clip| clip.segment_count()), Some(0xFFFF));
     for key in ["b", "c"] {
@@ -68,7 +71,7 @@ fn segments_behind_many_others() {
 /// A clip of an hour, at the highest rate.
 #[test]
 fn clips_of_many_frames() {
-    let bytes = bank(&[clip("a", 3_600_000, vec![70_000])], 0, &[], &[0], &[]);
+    let bytes = bank(&[clip("a", 3_600_000, vec![70_000])], 0, &[], &[]);
     let bank = verified(&bytes);
     let clip = bank.clip_by_key("a").expect("a clip").or_fps(Fps::whole(1000));
     assert_eq!(clip.frame_at(Micros(3_599_999_999)), Some(3_599_999));

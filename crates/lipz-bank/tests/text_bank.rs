@@ -110,14 +110,14 @@ fn every_forged_byte() {
 #[test]
 fn forged_references_are_named() {
     let base = verified(BASE);
-    let index = section(GERMAN, Tag::TEXT_INDEX);
-    let own = index.clone().step_by(4).find(|&at| u32_at(GERMAN, at) != NO_TEXT).expect("a text");
+    let starts = section(GERMAN, Tag::TEXT_STARTS);
+    let own = starts.clone().step_by(4).find(|&at| u32_at(GERMAN, at) != NO_TEXT).expect("a text");
     let reference = changed(GERMAN, |bytes| put(bytes, own, 0x3FFF_FFFF_u32.to_le_bytes()));
     let error = finding(&base, &reference).expect("past the pool");
     assert_eq!((error.kind(), error.offset_bytes()), (ErrorKind::TextReference, own as u32));
     let shorter = changed(GERMAN, |bytes| {
-        let entry = 64 + 16 * directory(GERMAN).iter().position(|entry| entry.tag == Tag::TEXT_INDEX.0).expect("TXIX");
-        put(bytes, entry + 8, ((index.len() - 4) as u32).to_le_bytes());
+        let entry = 64 + 16 * directory(GERMAN).iter().position(|entry| entry.tag == Tag::TEXT_STARTS.0).expect("TXST");
+        put(bytes, entry + 8, ((starts.len() - 4) as u32).to_le_bytes());
     });
     assert_eq!(finding(&base, &shorter).map(Error::kind), Some(ErrorKind::TextReference));
 }

@@ -1,11 +1,9 @@
 //! A checked clip: what a Lipz file means, free of how it is written.
 
-mod in_bank;
 mod locales;
 mod packed;
 mod store;
 
-pub(crate) use in_bank::{BankTexts, InBank};
 pub(crate) use locales::Locales;
 pub(crate) use store::{Clip, Clips};
 
@@ -14,7 +12,6 @@ use crate::strings::Strings;
 use lipz_bank::layout::U16;
 use lipz_bank::{Fps, VisemeType};
 use std::ops::Range;
-use zerocopy::IntoBytes;
 
 /// One clip as the check makes it. A thread fills the same one for all of its files, so that its
 /// buffers are made once, and adds it to its [`Clips`].
@@ -32,7 +29,7 @@ pub(crate) struct ClipData {
     pub(crate) starts: Vec<u32>,
     /// Texts in the order of their locales' tags.
     pub(crate) texts: Vec<ClipText>,
-    /// The runs of all texts: where each text of a locale ends, as in the bank, then the texts.
+    /// The runs of all texts: where each text of a locale ends, modulo 2¹⁶, then the texts.
     pub(crate) runs: Vec<u8>,
     /// Room for the display texts of one locale, before they become a run.
     pub(crate) displays: Strings,
@@ -82,12 +79,22 @@ impl ClipData {
         self.add_run(locale, start, hash(texts), false);
     }
 
-    /// Adds texts that lie in a bank as those of a locale.
-    pub(crate) fn add_texts(&mut self, locale: u32, ends: &[U16], texts: &[u8], is_fallback: bool) {
+    /// Adds texts that lie in a bank, one per segment, as those of a locale.
+    pub(crate) fn add_texts<'b>(
+        &mut self,
+        locale: u32,
+        texts: impl Iterator<Item = &'b [u8]> + Clone,
+        is_fallback: bool,
+    ) {
         let start = self.runs.len();
-        self.runs.extend_from_slice(ends.as_bytes());
-        self.runs.extend_from_slice(texts);
-        self.add_run(locale, start, hash(texts), is_fallback);
+        let ends = texts.clone().scan(0, |end, text| {
+            *end += text.len();
+            Some(*end as u16)
+        });
+        self.runs.extend(ends.flat_map(u16::to_le_bytes));
+        let texts_start = self.runs.len();
+        texts.for_each(|text| self.runs.extend_from_slice(text));
+        self.add_run(locale, start, hash(&self.runs[texts_start..]), is_fallback);
     }
 
     /// Adds what stands in `runs` from `start` on as the texts of a locale.

@@ -1,13 +1,13 @@
 //! Splitting a bank by locale: a base bank without texts, and a text bank for each locale.
 
 use crate::Report;
-use crate::clip::{BankTexts, InBank};
+use crate::clip::{ClipData, Clips};
 use crate::lower::assemble::{Section, assemble};
 use crate::lower::fit;
-use foldhash::{HashMap, HashMapExt};
+use crate::lower::texts::{Run, copy, place};
 use lipz::Code;
-use lipz_bank::layout::{Header, LOCALE_DEFAULT, LocaleRecord, NO_TEXT, TEXT_FALLBACK, TEXT_WIDE, Tag, U16, U32};
-use lipz_bank::{Bank, Locale};
+use lipz_bank::layout::{Header, LOCALE_DEFAULT, LocaleRecord, NO_TEXT, Tag, U32};
+use lipz_bank::{Bank, Clip, Locale};
 use zerocopy::{FromBytes, IntoBytes};
 
 /// A bank, split by [`split`].
@@ -44,10 +44,9 @@ pub fn split(bytes: &[u8]) -> Result<Split, Report> {
     let (Ok(bank), Ok((header, _))) = (bank, Header::ref_from_prefix(bytes)) else {
         return Err(damaged());
     };
-    let texts = BankTexts::of(&bank).ok_or_else(damaged)?;
-    let whole = Whole { bank, texts, index_seed: header.index_seed.get() };
-    let texts = (whole.bank.locales().enumerate())
-        .map(|(number, locale)| Ok((locale.tag().to_owned(), whole.text_bank(locale, number)?)))
+    let whole = Whole { bank, index_seed: header.index_seed.get() };
+    let texts = (whole.bank.locales())
+        .map(|locale| Ok((locale.tag().to_owned(), whole.text_bank(locale)?)))
         .collect::<Result<_, Report>>()?;
     Ok(Split { base: whole.base()?, texts })
 }
@@ -59,7 +58,6 @@ fn damaged() -> Report {
 /// The bank that is split.
 struct Whole<'data> {
     bank: Bank<'data>,
-    texts: BankTexts<'data>,
     index_seed: u64,
 }
 
@@ -75,8 +73,8 @@ impl<'data> Whole<'data> {
         // Keys come first, in one piece.
         let keys_bytes = self.bank.clips().map(|clip| clip.key().len()).sum();
         let required = Tag::REQUIRED.map(|(tag, _)| match tag {
-            Tag::LOCALES | Tag::TEXT_INDEX | Tag::TEXTS => Section::table(tag, &[]),
-            Tag::TEXT_ENDS => Section::table(tag, &[0; size_of::<U16>()]),
+            Tag::LOCALES | Tag::TEXTS => Section::table(tag, &[]),
+            Tag::TEXT_STARTS => Section::table(tag, &[0; size_of::<U32>()]),
             Tag::NAMES => Section::table(tag, names.get(..keys_bytes).unwrap_or(names)),
             other => Section::table(other, self.section(other)),
         });
@@ -87,21 +85,32 @@ impl<'data> Whole<'data> {
         assemble(&sections, self.index_seed, self.bank.fingerprint(), |_| ())
     }
 
-    /// The texts of the locale with this number, in the order of the keys; equal ones once.
-    fn text_bank(&self, locale: Locale<'data>, number: usize) -> Result<Vec<u8>, Report> {
-        let mut index = vec![U32::new(NO_TEXT); self.bank.clip_count()];
-        let mut pool = Vec::new();
-        let mut offsets = HashMap::new();
-        for clip in self.bank.clips() {
-            let Some(InBank { entry, texts, .. }) = self.texts.of_clip(&clip, number) else { continue };
-            let offset = *offsets.entry(texts).or_insert_with(|| {
-                let offset = pool.len();
-                pool.extend_from_slice(texts);
-                offset
-            });
-            index[clip.slot() as usize] = U32::new(fit(offset, "texts")? | entry & (TEXT_WIDE | TEXT_FALLBACK));
+    /// The texts of a locale, in the order of the segments' numbers; equal ones once.
+    fn text_bank(&self, locale: Locale<'data>) -> Result<Vec<u8>, Report> {
+        let (mut clips, mut clip) = (Clips::default(), ClipData::default());
+        let number = clips.locales.number(locale.tag(), false);
+        for found in self.numbered() {
+            clip.clear();
+            clip.starts.resize(found.segment_count() as usize, 0);
+            let texts = found.segments().map_while(|segment| segment.text(locale));
+            if let Some(first) = texts.clone().next() {
+                clip.add_texts(number, texts.map(|text| text.as_str().as_bytes()), first.is_fallback());
+            }
+            clips.push("", &clip);
         }
-        let ends = [&[U16::new(0)], self.texts.ends(number).ok_or_else(damaged)?].concat();
+        let clips: Vec<_> = clips.iter().collect();
+        let segment_count = clips.iter().map(|clip| clip.starts().len()).sum();
+        let mut starts = vec![U32::new(NO_TEXT); segment_count];
+        let runs =
+            clips.iter().map(|clip| (clip.starts().len(), clip.texts().first().map(|text| Run::of(clip, text, false))));
+        let mut pool = vec![0; place(runs, &mut starts)];
+        let mut rest = &*starts;
+        for clip in &clips {
+            let (own, behind) = rest.split_at(clip.starts().len());
+            clip.texts().iter().for_each(|text| copy(clip.run(text).1, own, 0, &mut pool));
+            rest = behind;
+        }
+        starts.push(fit(pool.len(), "texts")?.into());
         let tag = locale.tag();
         let record = LocaleRecord {
             tag_offset_bytes: 0.into(),
@@ -111,10 +120,14 @@ impl<'data> Whole<'data> {
         let sections = [
             Section::table(Tag::NAMES, tag.as_bytes()),
             Section::table(Tag::LOCALES, record.as_bytes()),
-            Section::table(Tag::TEXT_INDEX, index.as_bytes()),
-            Section::table(Tag::TEXT_ENDS, ends.as_bytes()),
+            Section::table(Tag::TEXT_STARTS, starts.as_bytes()),
             Section::table(Tag::TEXTS, &pool),
         ];
         assemble(&sections, 0, self.bank.fingerprint(), |_| ())
+    }
+    /// The clips in the order in which their segments are numbered.
+    fn numbered(&self) -> impl Iterator<Item = Clip<'data, '_>> {
+        let with_events = |is_wanted| self.bank.clips().filter(move |clip| clip.has_events() == is_wanted);
+        with_events(true).chain(with_events(false))
     }
 }

@@ -90,7 +90,7 @@ fn last<'data, 'bank>(bank: &'bank Bank<'data>) -> lipz_bank::Segment<'data, 'ba
 /// A bank with so many locales.
 fn many_locales(entries: usize) -> Vec<u8> {
     let clip = ForgedClip { key: "k", frames: vec![], starts: vec![] };
-    forge::bank(&[clip], entries, &vec![0; entries], &[0], b"")
+    forge::bank(&[clip], entries, &[0], b"")
 }
 
 /// A bank with `entries` of everything that one clip can refer to: segments that are all empty, event
@@ -98,7 +98,7 @@ fn many_locales(entries: usize) -> Vec<u8> {
 fn hostile(entries: usize) -> Vec<u8> {
     let starts = vec![0; entries - 1];
     let clip = ForgedClip { key: "k", frames: vec![b'A'; entries], starts };
-    let whole = forge::bank(&[clip], 1, &[0], &[0], b"");
+    let whole = forge::bank(&[clip], 1, &vec![0; entries], b"");
     let mut contents: Vec<(Tag, u16, Vec<u8>)> = directory(&whole)
         .iter()
         .map(|entry| (Tag(entry.tag), entry.entry_bytes.get(), whole[section(&whole, Tag(entry.tag))].to_vec()))

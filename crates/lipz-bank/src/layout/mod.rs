@@ -34,14 +34,16 @@ pub const FORMAT_MAJOR: u16 = 1;
 /// Minor format version: a reader accepts newer ones, which only add sections that it may skip.
 pub const FORMAT_MINOR: u16 = 0;
 
-/// Entry of the text index for "no text, also after fallback".
+/// Entry of the text starts for "no text, also after fallback".
 pub const NO_TEXT: u32 = u32::MAX;
-/// Bit of a text index entry: the text is that of another locale.
+/// Bit of a text start: the text is that of another locale.
 pub const TEXT_FALLBACK: u32 = 1 << 31;
-/// Bit of a text index entry: the clip's texts have 65,536 bytes or more, so that their ends wrap around.
-pub const TEXT_WIDE: u32 = 1 << 30;
-/// The other bits of a text index entry: where the clip's texts start in the text pool, in bytes.
-pub const TEXT_OFFSET: u32 = TEXT_WIDE - 1;
+/// Bit of a text start: the text does not end where the next one starts. A count stands in front of it.
+pub const TEXT_COUNTED: u32 = 1 << 30;
+/// The other bits of a text start: where the text, or its count, starts in the text pool, in bytes.
+pub const TEXT_OFFSET: u32 = TEXT_COUNTED - 1;
+/// Length of a count: six bits of the text's length in bytes each, the highest first. So it is ASCII.
+pub const TEXT_COUNT_BYTES: usize = 3;
 
 /// Hash of the ids and segments of the clips, in slot order: what texts in another file must agree with.
 pub fn fingerprint(keys: &[KeyRecord], clips: &[ClipRecord]) -> u64 {

@@ -81,10 +81,9 @@ impl Tag {
     pub const STARTS: Tag = Tag(*b"STRT");
     /// [`LocaleRecord`](super::LocaleRecord)s in the order of their tags.
     pub const LOCALES: Tag = Tag(*b"LOCL");
-    /// Text index: for each locale in turn, one `u32` per slot.
-    pub const TEXT_INDEX: Tag = Tag(*b"TXIX");
-    /// Text ends: a 0, then for each locale in turn the end of each segment's text, modulo 2¹⁶, one `u16` each.
-    pub const TEXT_ENDS: Tag = Tag(*b"TXEN");
+    /// Text starts: for each locale in turn, where the text of each segment of all clips starts in `TEXT`, one
+    /// `u32` each, and behind them the length of `TEXT`.
+    pub const TEXT_STARTS: Tag = Tag(*b"TXST");
     /// Text pool, UTF-8: display texts, each locale's together.
     pub const TEXTS: Tag = Tag(*b"TEXT");
     /// For each segment of the clips with events, which come first, the number of an event record, one
@@ -109,7 +108,7 @@ impl Tag {
     pub const OPTIONAL: [(Tag, usize); 3] = [(Tag::BABBLE, 1), (Tag::SOURCE_INDEX, 4), (Tag::SOURCES, 1)];
 
     /// The sections that every bank has, with the length of an entry, in file order.
-    pub const REQUIRED: [(Tag, usize); 17] = [
+    pub const REQUIRED: [(Tag, usize); 16] = [
         (Tag::CLIPS, size_of::<super::ClipRecord>()),
         (Tag::KEYS, size_of::<super::KeyRecord>()),
         (Tag::RATES, size_of::<super::RateRecord>()),
@@ -119,8 +118,7 @@ impl Tag {
         (Tag::FRAMES, 1),
         (Tag::STARTS, 4),
         (Tag::LOCALES, size_of::<super::LocaleRecord>()),
-        (Tag::TEXT_INDEX, 4),
-        (Tag::TEXT_ENDS, 2),
+        (Tag::TEXT_STARTS, 4),
         (Tag::TEXTS, 1),
         (Tag::EVENT_REFS, 4),
         (Tag::EVENTS, size_of::<super::EventRecord>()),

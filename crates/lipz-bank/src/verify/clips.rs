@@ -41,7 +41,7 @@ pub(super) fn clips(bank: &Bank<'_>) -> Result<u32, Error> {
             return Err(failed(ErrorKind::ClipKey));
         }
         contents(bank, clip, record, &mut segments).map_err(|kind| error_at(bank, kind, clip))?;
-        texts.clip(slot as usize, clip, record)?;
+        texts.clip(clip, record)?;
     }
     if segments.with_events != bank.event_refs.len() {
         return Err(error_at(bank, ErrorKind::EventReference, bank.event_refs));

@@ -2,7 +2,7 @@
 
 use super::{error_at, error_in};
 use crate::file::File;
-use crate::layout::{DirectoryEntry, SECTION_ALIGNMENT, Tag};
+use crate::layout::{DirectoryEntry, SECTION_ALIGNMENT, TEXT_OFFSET, Tag};
 use crate::locale::LocaleTable;
 use crate::{Bank, Error, ErrorKind};
 use core::mem::size_of_val;
@@ -61,15 +61,14 @@ pub(super) fn table_lengths(bank: &Bank<'_>) -> Result<(), Error> {
     }
 }
 
-/// Checks that the text index has an entry for each clip in each locale, and the text ends for each segment.
+/// Checks that there is a text start for each segment in each locale, and that the last one ends with the pool.
 pub(super) fn text_lengths(file: &File<'_>, table: &LocaleTable<'_>) -> Result<(), Error> {
-    if table.records.len().checked_mul(table.clip_count) != Some(table.index.len()) {
-        return Err(error_in(file, ErrorKind::TextReference, table.index));
-    }
-    let entries = table.records.len().checked_mul(table.segment_count);
-    let behind = table.ends.split_first().filter(|(first, _)| first.get() == 0).map(|(_, behind)| behind.len());
-    if behind.is_none() || behind != entries {
-        return Err(error_in(file, ErrorKind::TextReference, table.ends));
+    let texts_end = table.starts.split_last().map(|(end, starts)| (end.get() as usize, starts.len()));
+    let segments = table.records.len().checked_mul(table.segment_count);
+    let pool_length = table.texts.bytes().len();
+    // No text starts at the end of the longest pool: that is `NO_TEXT`.
+    if texts_end != segments.map(|count| (pool_length, count)) || pool_length > TEXT_OFFSET as usize {
+        return Err(error_in(file, ErrorKind::TextReference, table.starts));
     }
     Ok(())
 }

@@ -2,56 +2,50 @@
 
 use super::error_in;
 use crate::file::File;
-use crate::layout::{ClipRecord, KeyRecord, NO_TEXT, TEXT_OFFSET, TEXT_WIDE};
+use crate::layout::{ClipRecord, KeyRecord, NO_TEXT, TEXT_FALLBACK, U32};
 use crate::locale::LocaleTable;
-use crate::pool::Pool;
-use crate::segment::end_behind;
+use crate::text::TextPlace;
 use crate::{Error, ErrorKind};
-
-/// The most bytes of a clip's texts whose ends do not wrap around.
-const MAX_NARROW: usize = 0xFFFF;
 
 /// The check of the texts while the clips are gone through.
 pub(super) struct TextCheck<'a, 'data> {
     file: &'a File<'data>,
     table: &'a LocaleTable<'data>,
-    pool: &'data str,
 }
 
 impl<'a, 'data> TextCheck<'a, 'data> {
     /// The check of the texts of `table`, which is that of `file`.
     pub(super) fn of(file: &'a File<'data>, table: &'a LocaleTable<'data>) -> Self {
-        let pool = match table.texts {
-            Pool::Checked(pool) => pool,
-            Pool::Bytes(_) => "",
-        };
-        TextCheck { file, table, pool }
+        TextCheck { file, table }
     }
 
-    /// Checks the texts of the clip in this slot, whose segments are checked, in all locales: each end once.
-    pub(super) fn clip(&self, slot: usize, clip: &ClipRecord, key: &KeyRecord) -> Result<(), Error> {
+    /// Checks the texts of a clip, whose segments are checked, in all locales.
+    pub(super) fn clip(&self, clip: &ClipRecord, key: &KeyRecord) -> Result<(), Error> {
         let count = usize::from(key.segment_count.get());
-        // Behind the entry that no text has.
-        let mut first = (clip.segments_first.get() as usize).wrapping_add(1);
-        let mut at = slot;
-        // A locale has an entry per slot; there is a slot, so this ends.
-        while let Some(entry) = self.table.index.get(at) {
-            let ends = self.table.ends.get(first..first.wrapping_add(count)).unwrap_or(&[]);
-            let (offset, mut end, mut is_valid) = ((entry.get() & TEXT_OFFSET) as usize, 0, true);
-            for low in ends {
-                end = end_behind(end, *low);
-                is_valid &= self.pool.is_char_boundary(offset.wrapping_add(end));
+        let mut first = clip.segments_first.get() as usize;
+        for _ in self.table.records {
+            let starts = self.table.starts.get(first..=first.wrapping_add(count)).unwrap_or(&[]);
+            if !self.are_valid(starts) {
+                return Err(error_in(self.file, ErrorKind::TextReference, starts));
             }
-            is_valid &= self.pool.is_char_boundary(offset) && (end > MAX_NARROW) == (entry.get() & TEXT_WIDE != 0);
-            if entry.get() == NO_TEXT {
-                is_valid = end == 0;
-            }
-            if !is_valid {
-                return Err(error_in(self.file, ErrorKind::TextReference, entry));
-            }
-            at = at.wrapping_add(self.table.clip_count);
             first = first.wrapping_add(self.table.segment_count);
         }
         Ok(())
+    }
+
+    /// Whether a clip has texts of one kind in all of its segments, own ones or those of another locale, or none in any.
+    /// `starts` has the entry behind its own, too.
+    fn are_valid(&self, starts: &[U32]) -> bool {
+        let kind = |entry: U32| if entry.get() == NO_TEXT { NO_TEXT } else { entry.get() & TEXT_FALLBACK };
+        let of_first = starts.first().map(|first| kind(*first));
+        starts.windows(2).all(|pair| match *pair {
+            [entry, next] => Some(kind(entry)) == of_first && (entry.get() == NO_TEXT || self.is_string(entry, next)),
+            _ => false,
+        })
+    }
+
+    fn is_string(&self, entry: U32, next: U32) -> bool {
+        let place = TextPlace::between(entry, next, self.table.texts);
+        place.map_or(false, |place| place.is_in(self.table.texts))
     }
 }

@@ -13,9 +13,9 @@ pub(crate) struct ForgedClip {
     pub(crate) starts: Vec<u32>,
 }
 
-/// The bank of `clips`, which are in the order of their keys; `locale_count` locales have the text
-/// entries `entries`, locale by locale, text ends that repeat `ends`, and share the pool of texts.
-pub(crate) fn bank(clips: &[ForgedClip], locale_count: usize, entries: &[u32], ends: &[u16], pool: &[u8]) -> Vec<u8> {
+/// The bank of `clips`, which are in the order of their keys; `locale_count` locales share the pool of texts and
+/// have the text starts `text_starts`, each the same.
+pub(crate) fn bank(clips: &[ForgedClip], locale_count: usize, text_starts: &[u32], pool: &[u8]) -> Vec<u8> {
     let (mut records, mut keys, mut names, mut frames) = (Vec::new(), Vec::new(), String::new(), Vec::new());
     let mut starts: Vec<U32> = Vec::new();
     for clip in clips {
@@ -38,7 +38,6 @@ pub(crate) fn bank(clips: &[ForgedClip], locale_count: usize, entries: &[u32], e
         names.push_str(clip.key);
         frames.extend_from_slice(&clip.frames);
     }
-    let segment_count = starts.len();
     starts.push((frames.len() as u32).into());
     let mut locales = Vec::new();
     for number in 0..locale_count {
@@ -47,11 +46,10 @@ pub(crate) fn bank(clips: &[ForgedClip], locale_count: usize, entries: &[u32], e
         names.push_str(&format!("{number:08}"));
     }
     let order: Vec<U32> = (0..clips.len() as u32).map(U32::new).collect();
-    let entries: Vec<U32> = entries.iter().map(|&entry| U32::new(entry)).collect();
-    let ends = ends.iter().cycle().take(locale_count * segment_count);
-    let ends: Vec<U16> = std::iter::once(&0).chain(ends).map(|&end| U16::new(end)).collect();
+    let all_locales = text_starts.repeat(locale_count);
+    let text_starts: Vec<U32> = all_locales.into_iter().chain([pool.len() as u32]).map(U32::new).collect();
     let (pilots, none) = (pilots(&keys), [].as_slice());
-    let contents: [&[u8]; 17] = [
+    let contents: [&[u8]; 16] = [
         records.as_bytes(),
         keys.as_bytes(),
         none,
@@ -61,8 +59,7 @@ pub(crate) fn bank(clips: &[ForgedClip], locale_count: usize, entries: &[u32], e
         &frames,
         starts.as_bytes(),
         locales.as_bytes(),
-        entries.as_bytes(),
-        ends.as_bytes(),
+        text_starts.as_bytes(),
         pool,
         none,
         none,

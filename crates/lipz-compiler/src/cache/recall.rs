@@ -1,16 +1,18 @@
 //! Clips of the old bank, as the check made them.
 
-use crate::clip::{BankTexts, ClipData, Locales};
-use lipz_bank::layout::{CHECKED_FROM, Header, TEXT_FALLBACK, Tag, U32, checksum};
-use lipz_bank::{Bank, Clip};
+use crate::clip::{ClipData, Locales};
+use lipz_bank::layout::{CHECKED_FROM, ClipRecord, Header, NO_TEXT, TEXT_COUNTED, TEXT_FALLBACK, Tag, U32, checksum};
+use lipz_bank::{Bank, Clip, Locale};
 use zerocopy::FromBytes;
 
 /// The old bank, of which clips are recalled.
 pub(super) struct Recall<'b> {
     bank: Bank<'b>,
-    texts: BankTexts<'b>,
-    /// Tag and part of the text index of each locale.
-    locales: Vec<(&'b str, &'b [U32])>,
+    locales: Vec<Locale<'b>>,
+    records: &'b [ClipRecord],
+    /// Locale by locale one entry per segment.
+    text_starts: &'b [U32],
+    segment_count: usize,
     /// `None` if the bank was stripped.
     sources: Option<Sources<'b>>,
 }
@@ -38,15 +40,15 @@ impl<'b> Recall<'b> {
         }
         let bank = Bank::open(bank).ok()?;
         let section = |tag| bank.sections().find(|(found, _)| *found == tag).map(|(_, bytes)| bytes);
-        let texts = BankTexts::of(&bank)?;
-        let tables = (0..).map_while(|locale| texts.entries(locale));
         let sources = match (section(Tag::SOURCE_INDEX), section(Tag::SOURCES)) {
             (Some(index), Some(records)) => Some(Sources::of(<[U32]>::ref_from_bytes(index).ok()?, records)),
             _ => None,
         };
         Some(Recall {
-            locales: std::iter::zip(bank.locales(), tables).map(|(locale, table)| (locale.tag(), table)).collect(),
-            texts,
+            locales: bank.locales().collect(),
+            records: <[ClipRecord]>::ref_from_bytes(section(Tag::CLIPS)?).ok()?,
+            text_starts: <[U32]>::ref_from_bytes(section(Tag::TEXT_STARTS)?).ok()?,
+            segment_count: (section(Tag::STARTS)?.len() / size_of::<U32>()).checked_sub(1)?,
             sources,
             bank,
         })
@@ -69,7 +71,7 @@ impl<'b> Recall<'b> {
         for segment in found.segments().filter(|_| clip.has_events) {
             clip.events.push(segment.event()?);
         }
-        self.texts(&found, locales, clip)?;
+        self.texts(&found, locales, clip);
         if let Some(sources) = &self.sources {
             clip.source.extend_from_slice(sources.record(found.slot())?);
         }
@@ -78,20 +80,25 @@ impl<'b> Recall<'b> {
 
     /// The clip's own texts, and those of locales that are not packed. The others came from fallback,
     /// which is resolved anew.
-    fn texts(&self, found: &Clip<'_, '_>, locales: &mut Locales, clip: &mut ClipData) -> Option<()> {
-        let slot = found.slot() as usize;
-        for (number, (tag, _)) in self.locales.iter().enumerate() {
-            let Some(text) = self.texts.of_clip(found, number) else { continue };
-            let own_entry = text.entry & !TEXT_FALLBACK;
-            let is_fallback = text.entry != own_entry;
+    fn texts(&self, found: &Clip<'_, '_>, locales: &mut Locales, clip: &mut ClipData) {
+        for (number, &locale) in self.locales.iter().enumerate() {
+            let Some(start) = self.text_start(found, number) else { continue };
+            let own_start = start & !TEXT_FALLBACK;
+            let is_fallback = start != own_start;
             // A locale's texts stand together: what no locale has as its own is of one that is not packed.
-            let is_resolved =
-                || self.locales.iter().any(|(_, table)| table.get(slot).map(|own| own.get()) == Some(own_entry));
+            let is_resolved = || (0..self.locales.len()).any(|other| self.text_start(found, other) == Some(own_start));
             if !(is_fallback && is_resolved()) {
-                clip.add_texts(locales.number(tag, false), text.ends, text.texts, is_fallback);
+                let texts = found.segments().map(|segment| segment.text_bytes(locale).unwrap_or_default());
+                clip.add_texts(locales.number(locale.tag(), false), texts, is_fallback);
             }
         }
-        Some(())
+    }
+
+    /// Where the first text of a clip starts in the locale with this number.
+    fn text_start(&self, clip: &Clip<'_, '_>, locale: usize) -> Option<u32> {
+        let first = self.records.get(clip.slot() as usize)?.segments_first.get() as usize;
+        let start = self.text_starts.get(locale * self.segment_count + first)?.get();
+        (start != NO_TEXT).then_some(start & !TEXT_COUNTED)
     }
 }
 

@@ -195,12 +195,16 @@ impl<'c> Clip<'c> {
         texts.binary_search_by_key(&locale, |text| text.locale).ok().map(|index| &texts[index])
     }
 
-    /// Where each of the display texts ends, as in the bank, and the texts.
+    /// Where each of the display texts ends, modulo 2¹⁶, and the texts.
     pub(crate) fn run(&self, text: &ClipText) -> (&'c [U16], &'c [u8]) {
-        let start = self.range(|ends| ends.runs).start;
-        let run = &self.clips.runs[start + text.place.start as usize..start + text.place.end as usize];
-        let (ends, texts) = run.split_at(size_of::<U16>() * self.starts().len());
+        let (ends, texts) = self.whole_run(text).split_at(size_of::<U16>() * self.starts().len());
         (<[U16]>::ref_from_bytes(ends).unwrap_or_default(), texts)
+    }
+
+    /// Both, as they stand in the buffer.
+    pub(crate) fn whole_run(&self, text: &ClipText) -> &'c [u8] {
+        let start = self.range(|ends| ends.runs).start;
+        &self.clips.runs[start + text.place.start as usize..start + text.place.end as usize]
     }
 
     /// The event strings of all segments, if the file has an `events` element.

@@ -1,8 +1,7 @@
 //! The sections that are copied from the clips: frames, texts, source records.
 
-use super::Layout;
+use super::{Layout, texts};
 use crate::clip::{Clip, Clips};
-use lipz_bank::layout::TEXT_OFFSET;
 use rayon::prelude::*;
 
 /// A part of a section, which one thread at a time copies.
@@ -32,12 +31,12 @@ pub(super) fn fill(layout: &Layout, batches: Vec<Clips>, places: Vec<&mut [u8]>)
     let mut places = places.into_iter();
     let mut lanes = Vec::new();
     lanes.extend(places.next().map(|place| Lane { part: Part::Frames, place }));
-    let (mut start, mut texts) = (0, places.next().unwrap_or_default());
-    for (locale, &length) in layout.text_index.lengths.iter().enumerate() {
-        let (place, behind) = texts.split_at_mut(length);
+    let (mut start, mut rest) = (0, places.next().unwrap_or_default());
+    for (locale, &length) in layout.texts.lengths.iter().enumerate() {
+        let (place, behind) = rest.split_at_mut(length);
         lanes.push(Lane { part: Part::Texts { locale, start }, place });
         start += length;
-        texts = behind;
+        rest = behind;
     }
     lanes.extend(places.next().map(|place| Lane { part: Part::Sources, place }));
     let mut batches: Vec<(Clips, &Vec<u32>)> = std::iter::zip(batches, &layout.batch_slots).collect();
@@ -60,12 +59,14 @@ impl Lane<'_> {
     /// Copies the part of a clip. Equal texts and source records have one place, and are copied to it
     /// again.
     fn copy(&mut self, layout: &Layout, clip: &Clip<'_>, slot: usize) {
+        let record = &layout.records.clips[slot];
         let (offset, bytes) = match self.part {
-            Part::Frames => (layout.records.clips[slot].frames_offset_bytes.get() as usize, clip.frames()),
+            Part::Frames => (record.frames_offset_bytes.get() as usize, clip.frames()),
             Part::Texts { locale, start } => {
                 let Some(text) = clip.text(locale as u32) else { return };
-                let entry = layout.text_index.entries[locale * layout.records.clips.len() + slot].get();
-                ((entry & TEXT_OFFSET) as usize - start, clip.run(text).1)
+                let first = locale * layout.segment_count() + record.segments_first.get() as usize;
+                let starts = &layout.texts.starts[first..first + clip.starts().len()];
+                return texts::copy(clip.run(text).1, starts, start, self.place);
             }
             Part::Sources => (layout.sources.index[slot].get() as usize, clip.source()),
         };

@@ -4,8 +4,10 @@ pub(crate) mod assemble;
 mod events;
 mod fill;
 mod index;
+mod numbering;
 mod records;
 mod strings;
+pub(crate) mod texts;
 
 use crate::clip::{Clip, Clips};
 use crate::localise::Localised;
@@ -15,9 +17,11 @@ use events::Events;
 use index::Index;
 use lipz::Code;
 use lipz_bank::ClipId;
-use lipz_bank::layout::{LocaleRecord, Tag, U16};
+use lipz_bank::layout::{LocaleRecord, Tag};
+use numbering::Numbering;
 use records::ClipRecords;
-use strings::{Names, Sources, TextIndex};
+use strings::{Names, Sources};
+use texts::Texts;
 use zerocopy::IntoBytes;
 
 /// All of a bank but what is copied from the clips as it is; of that, the places.
@@ -26,8 +30,7 @@ pub(crate) struct Layout {
     index: Index,
     names: Names,
     locales: Vec<LocaleRecord>,
-    text_index: TextIndex,
-    text_ends: Vec<U16>,
+    texts: Texts,
     events: Events,
     sources: Sources,
     babble: Vec<u8>,
@@ -39,32 +42,32 @@ pub(crate) struct Layout {
 impl Layout {
     /// Lays out the bank of `clips`, which are in the order of their keys.
     pub(crate) fn of(clips: &[Clip<'_>], localised: &Localised, options: &Options) -> Result<Layout, Report> {
+        let numbering = Numbering::of(clips);
         let index_of_ids = || unique_ids(clips).map(|ids| (index::build(&ids), ids));
         let small_parts = || (events::events(clips), strings::names(clips, localised));
         let ((index, (events, names)), (texts, sources)) = rayon::join(
             || rayon::join(index_of_ids, small_parts),
-            || rayon::join(|| strings::locale_texts(clips, localised), || strings::own_sources(clips)),
+            || rayon::join(|| texts::texts(clips, localised, &numbering), || strings::own_sources(clips)),
         );
         let (index, ids) = index?;
         let (slots, events, names) = (&index.slots, events?, names?);
-        let (records, text_index) = rayon::join(
-            || records::clips(clips, &ids, slots, &names),
-            || strings::text_index(&texts, localised, slots),
-        );
-        let records = records?;
         Ok(Layout {
+            records: records::clips(clips, &numbering, &ids, slots, &names)?,
             locales: records::locales(localised, &names),
-            text_index: text_index?,
-            text_ends: strings::text_ends(localised, clips, slots, &records),
+            texts: texts?,
             sources: strings::sources(&sources, slots)?,
             babble: options.babble.section(),
             is_stripped: options.strip,
             batch_slots: batch_slots(clips, slots),
-            records,
             names,
             events,
             index,
         })
+    }
+
+    /// Segments of all clips.
+    fn segment_count(&self) -> usize {
+        self.records.starts.len() - 1
     }
 
     /// The bank, filled from the clips that were laid out.
@@ -79,9 +82,8 @@ impl Layout {
             Section::of_clips(Tag::FRAMES, self.records.frame_count),
             Section::table(Tag::STARTS, self.records.starts.as_bytes()),
             Section::table(Tag::LOCALES, self.locales.as_bytes()),
-            Section::table(Tag::TEXT_INDEX, self.text_index.entries.as_bytes()),
-            Section::table(Tag::TEXT_ENDS, self.text_ends.as_bytes()),
-            Section::of_clips(Tag::TEXTS, self.text_index.lengths.iter().sum()),
+            Section::table(Tag::TEXT_STARTS, self.texts.starts.as_bytes()),
+            Section::of_clips(Tag::TEXTS, self.texts.lengths.iter().sum()),
             Section::table(Tag::EVENT_REFS, self.events.references.as_bytes()),
             Section::table(Tag::EVENTS, self.events.records.as_bytes()),
             Section::table(Tag::TYPED_EVENTS, self.events.typed.as_bytes()),

@@ -1,5 +1,6 @@
 //! The fixed-size records: clips, frame rates, segment starts, locales.
 
+use super::numbering::Numbering;
 use super::strings::Names;
 use super::{fit, too_large};
 use crate::Report;
@@ -25,17 +26,21 @@ pub(super) struct ClipRecords {
     pub(super) fingerprint: u64,
 }
 
-/// The records of `clips`. Frames and segments lie in the order of the clips, those with events first.
-pub(super) fn clips(clips: &[Clip<'_>], ids: &[u64], slots: &[u32], names: &Names) -> Result<ClipRecords, Report> {
+/// The records of `clips`. Frames and segments lie in the order of the segments' numbers.
+pub(super) fn clips(
+    clips: &[Clip<'_>],
+    numbering: &Numbering,
+    ids: &[u64],
+    slots: &[u32],
+    names: &Names,
+) -> Result<ClipRecords, Report> {
     let mut keys = vec![KeyRecord::new_zeroed(); clips.len()];
     let mut records = vec![ClipRecord::new_zeroed(); clips.len()];
     let mut rates = Rates { records: Vec::new(), numbers: HashMap::new() };
-    let mut starts = Vec::new();
+    let mut starts = Vec::with_capacity(numbering.segment_count + 1);
     let mut frames_offset = 0;
-    let (with_events, others): (Vec<_>, Vec<_>) =
-        clips.iter().enumerate().partition(|(_, clip)| clip.events().is_some());
-    for (at, clip) in with_events.into_iter().chain(others) {
-        let key = names.keys[at];
+    for &at in &numbering.order {
+        let (clip, key) = (&clips[at], names.keys[at]);
         let frames_start = fit(frames_offset, "frames")?;
         keys[slots[at] as usize] = KeyRecord {
             id: ids[at].into(),

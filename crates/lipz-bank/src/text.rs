@@ -1,0 +1,100 @@
+//! Display texts, and where they stand in the pool.
+
+use crate::Locale;
+use crate::layout::{NO_TEXT, TEXT_COUNT_BYTES, TEXT_COUNTED, TEXT_FALLBACK, TEXT_OFFSET, U32};
+use crate::pool::Pool;
+use core::fmt;
+use core::ops::Deref;
+
+/// A display text.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Text<'data> {
+    text: &'data str,
+    is_fallback: bool,
+}
+
+impl<'data> Text<'data> {
+    /// The text as a player sees it: trimmed, without `{meta}`.
+    pub const fn as_str(self) -> &'data str {
+        self.text
+    }
+
+    /// Whether the locale asked for has no text for this clip, and this is that of another one.
+    pub const fn is_fallback(self) -> bool {
+        self.is_fallback
+    }
+}
+
+impl Deref for Text<'_> {
+    type Target = str;
+
+    fn deref(&self) -> &str {
+        self.text
+    }
+}
+
+impl fmt::Display for Text<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.text)
+    }
+}
+
+/// Where a text stands in the pool.
+pub(crate) struct TextPlace {
+    start: usize,
+    end: usize,
+    is_fallback: bool,
+}
+
+impl TextPlace {
+    /// The place of the text of a segment in `locale`, given the number of the clip's first segment and its own.
+    #[inline(always)]
+    pub(crate) fn of(locale: Locale<'_>, first: usize, number: usize) -> Option<TextPlace> {
+        // A clip has texts in all of its segments or in none. Its first entry is mostly in one line of the cache with
+        // that of the segment: the processor fetches it while it still looks for the segment.
+        if locale.starts.get(first)?.get() == NO_TEXT {
+            return None;
+        }
+        match locale.starts.get(number..number.wrapping_add(2))? {
+            [start, next] => TextPlace::between(*start, *next, locale.texts),
+            _ => None,
+        }
+    }
+
+    /// The place of the text with this entry, `next` being the one behind it. If there is no text, or the entry is
+    /// damaged, there is either no place or nothing in it.
+    #[inline(always)]
+    pub(crate) fn between(entry: U32, next: U32, texts: Pool<'_>) -> Option<TextPlace> {
+        let (entry, next) = (entry.get(), next.get());
+        let offset = (entry & TEXT_OFFSET) as usize;
+        let (start, end) = if entry & TEXT_COUNTED == 0 {
+            (offset, (next & TEXT_OFFSET) as usize)
+        } else {
+            let start = offset.wrapping_add(TEXT_COUNT_BYTES);
+            (start, start.wrapping_add(counted_length(texts.bytes(), offset)?))
+        };
+        Some(TextPlace { start, end, is_fallback: entry & TEXT_FALLBACK != 0 })
+    }
+
+    /// Whether the place is in the pool, and a string.
+    pub(crate) fn is_in(&self, texts: Pool<'_>) -> bool {
+        texts.text(self.start, self.end).is_some()
+    }
+
+    #[inline(always)]
+    pub(crate) fn text<'texts>(&self, locale: Locale<'texts>) -> Option<Text<'texts>> {
+        Some(Text { text: locale.texts.text(self.start, self.end)?, is_fallback: self.is_fallback })
+    }
+
+    #[inline(always)]
+    pub(crate) fn bytes<'texts>(&self, locale: Locale<'texts>) -> Option<&'texts [u8]> {
+        locale.texts.slice(self.start, self.end)
+    }
+}
+
+/// The length of the text behind the count at `offset`. Where there is no text, that is behind the pool.
+#[inline(never)] // few texts have a count
+fn counted_length(pool: &[u8], offset: usize) -> Option<usize> {
+    let count = pool.get(offset..offset.wrapping_add(TEXT_COUNT_BYTES))?;
+    Some(count.iter().fold(0, |length, digit| length << 6 | usize::from(digit & 0x3F)))
+}

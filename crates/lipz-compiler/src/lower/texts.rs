@@ -1,0 +1,189 @@
+//! The texts: where each starts in the pool, and the bytes there.
+
+use super::numbering::Numbering;
+use super::{fit, too_large};
+use crate::Report;
+use crate::clip::{Clip, ClipText};
+use crate::hashed::Hashed;
+use crate::localise::{Choice, Localised};
+use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order of entries is never used
+use lipz_bank::layout::{NO_TEXT, TEXT_COUNT_BYTES, TEXT_COUNTED, TEXT_FALLBACK, TEXT_OFFSET, U16, U32};
+use rayon::prelude::*;
+
+/// Where the texts are.
+pub(super) struct Texts {
+    /// Locale by locale one entry per segment, and the length of the pool.
+    pub(super) starts: Vec<U32>,
+    /// Bytes of each locale's part of the pool; the parts follow each other.
+    pub(super) lengths: Vec<usize>,
+}
+
+/// The texts of all locales. Each locale's stand together, in the order of the segments' numbers.
+pub(super) fn texts(clips: &[Clip<'_>], localised: &Localised, numbering: &Numbering) -> Result<Texts, Report> {
+    let (count, segment_count) = (localised.locales.len(), numbering.segment_count);
+    let mut starts = vec![U32::new(NO_TEXT); count * segment_count + 1];
+    let mut lengths = vec![0; count];
+    let table_length = segment_count.max(1);
+    let parts = starts.par_chunks_mut(table_length).zip(&mut lengths).enumerate();
+    parts.for_each(|(locale, (table, length))| *length = own_texts(clips, localised, numbering, locale, table));
+    let pool_length = lengths.iter().sum::<usize>();
+    if pool_length >= TEXT_OFFSET as usize {
+        return Err(too_large("texts"));
+    }
+    let bases = lengths.iter().scan(0, |end, length| Some(std::mem::replace(end, *end + *length as u32)));
+    starts.par_chunks_mut(table_length).zip(bases.collect::<Vec<_>>()).for_each(|(table, base)| {
+        table.iter_mut().filter(|start| start.get() != NO_TEXT).for_each(|start| *start += base);
+    });
+    for (locale, column) in localised.locales.iter().enumerate() {
+        for (at, choice) in column.texts.iter().enumerate() {
+            let Choice::Fallback(other) = *choice else { continue };
+            for number in numbering.segments(clips, at) {
+                let start = starts[other as usize * segment_count + number];
+                starts[locale * segment_count + number] = start | TEXT_FALLBACK;
+            }
+        }
+    }
+    starts[count * segment_count] = fit(pool_length, "texts")?.into();
+    Ok(Texts { starts, lengths })
+}
+
+/// Places the own texts of a locale; returns their length.
+fn own_texts(
+    clips: &[Clip<'_>],
+    localised: &Localised,
+    numbering: &Numbering,
+    locale: usize,
+    starts: &mut [U32],
+) -> usize {
+    let mut is_shown_elsewhere = vec![false; clips.len()];
+    for column in &localised.locales {
+        for (is_shown, choice) in std::iter::zip(&mut is_shown_elsewhere, &column.texts) {
+            *is_shown |= *choice == Choice::Fallback(locale as u32);
+        }
+    }
+    let run = |at: usize| match localised.locales[locale].texts[at] {
+        Choice::Own(index) => Some(Run::of(&clips[at], &clips[at].texts()[index as usize], is_shown_elsewhere[at])),
+        _ => None,
+    };
+    place(numbering.order.iter().map(|&at| (clips[at].starts().len(), run(at))), starts)
+}
+
+/// The texts of a clip in one locale, to be placed.
+pub(crate) struct Run<'c> {
+    /// Ends and texts.
+    whole: Hashed<'c>,
+    /// Where each text ends, modulo 2¹⁶.
+    ends: &'c [U16],
+    is_fallback: bool,
+    /// Whether the last text is counted, whatever follows it.
+    is_counted: bool,
+}
+
+impl<'c> Run<'c> {
+    /// The run of a clip's text, which another locale shows, too, or does not.
+    pub(crate) fn of(clip: &Clip<'c>, text: &ClipText, is_shown_elsewhere: bool) -> Run<'c> {
+        let (ends, texts) = clip.run(text);
+        Run {
+            whole: Hashed { hash: text.hash, bytes: clip.whole_run(text) },
+            ends,
+            is_fallback: text.is_fallback,
+            is_counted: is_shown_elsewhere || texts.is_empty(), // so that every run has a start of its own
+        }
+    }
+
+    /// The entry of a text that starts at this offset.
+    fn entry(&self, offset: u32) -> U32 {
+        U32::new(if self.is_fallback { offset | TEXT_FALLBACK } else { offset })
+    }
+
+    /// Makes the entries of texts that stand behind those so far; returns where they end.
+    fn place(&self, start: usize, is_counted: bool, entries: &mut [U32]) -> usize {
+        let mut end = start;
+        for (entry, low) in std::iter::zip(&mut *entries, self.ends) {
+            *entry = self.entry(end as u32); // too much is found by the length
+            end += usize::from(low.get().wrapping_sub((end - start) as u16));
+        }
+        match entries.last_mut().filter(|_| is_counted) {
+            Some(last) => {
+                *last |= TEXT_COUNTED;
+                end + TEXT_COUNT_BYTES
+            }
+            None => end,
+        }
+    }
+}
+
+/// What becomes of the texts of a clip.
+#[derive(Clone, Copy)]
+enum Place {
+    /// There are none.
+    None,
+    /// They stand behind those so far.
+    Next { is_counted: bool },
+    /// The clip with this place in the order has the same.
+    As(usize),
+}
+
+/// Places texts of one locale, clip by clip, each with the number of its segments; those of clips that have the same
+/// stand once. Puts their starts into `starts`, as if the pool began with them, and returns their length.
+pub(crate) fn place<'c>(
+    clips: impl ExactSizeIterator<Item = (usize, Option<Run<'c>>)> + Clone,
+    starts: &mut [U32],
+) -> usize {
+    let places = places(clips.clone().map(|(_, run)| run));
+    let mut firsts: Vec<usize> = Vec::with_capacity(places.len());
+    let (mut first, mut length) = (0, 0);
+    for (at, (count, run)) in clips.enumerate() {
+        let behind = first + count;
+        match (places[at], run) {
+            (Place::As(same), Some(run)) => {
+                for (number, same) in (first..behind).zip(firsts[same]..) {
+                    starts[number] = run.entry(starts[same].get() & !TEXT_FALLBACK);
+                }
+            }
+            (Place::Next { is_counted }, Some(run)) => {
+                let is_followed = matches!(places.get(at + 1), Some(Place::Next { .. }));
+                length = run.place(length, is_counted || !is_followed, &mut starts[first..behind]);
+            }
+            _ => {}
+        }
+        firsts.push(first);
+        first = behind;
+    }
+    length
+}
+
+fn places<'c>(runs: impl ExactSizeIterator<Item = Option<Run<'c>>>) -> Vec<Place> {
+    let mut known = HashMap::with_capacity(runs.len());
+    let mut places: Vec<Place> = Vec::with_capacity(runs.len());
+    for (at, run) in runs.enumerate() {
+        let place = match run {
+            Some(run) => match *known.entry(run.whole).or_insert(at) {
+                first if first == at => Place::Next { is_counted: run.is_counted },
+                first => {
+                    places[first] = Place::Next { is_counted: true };
+                    Place::As(first)
+                }
+            },
+            None => Place::None,
+        };
+        places.push(place);
+    }
+    places
+}
+
+/// Copies the texts of a clip that have these `starts` to their part of the pool, which begins at `part_start`.
+pub(crate) fn copy(texts: &[u8], starts: &[U32], part_start: usize, part: &mut [u8]) {
+    let offset = |start: &U32| (start.get() & TEXT_OFFSET) as usize - part_start;
+    let (Some(first), Some(last)) = (starts.first(), starts.last()) else { return };
+    let (texts, last_text) = texts.split_at(offset(last) - offset(first));
+    part[offset(first)..offset(last)].copy_from_slice(texts);
+    let mut place = &mut part[offset(last)..];
+    if last.get() & TEXT_COUNTED != 0 {
+        let length = last_text.len();
+        let (count, behind) = place.split_at_mut(TEXT_COUNT_BYTES);
+        count.copy_from_slice(&[length >> 12, length >> 6, length].map(|digit| (digit & 0x3F) as u8));
+        place = behind;
+    }
+    place[..last_text.len()].copy_from_slice(last_text);
+}
