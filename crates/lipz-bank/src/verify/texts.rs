@@ -33,13 +33,13 @@ impl<'a, 'data> TextCheck<'a, 'data> {
         Ok(())
     }
 
-    /// Whether a clip has texts of one kind in all of its segments, own ones or those of another locale, or none in any.
-    /// `starts` has the entry behind its own, too.
+    /// Whether a clip has a text in none of its segments or in all, own ones or those of another locale. `starts` has
+    /// the entry behind its own, too.
     fn are_valid(&self, starts: &[U32]) -> bool {
-        let kind = |entry: U32| if entry.get() == NO_TEXT { NO_TEXT } else { entry.get() & TEXT_FALLBACK };
-        let of_first = starts.first().map(|first| kind(*first));
+        let first = starts.first().map_or(NO_TEXT, |first| first.get());
         starts.windows(2).all(|pair| match *pair {
-            [entry, next] => Some(kind(entry)) == of_first && (entry.get() == NO_TEXT || self.is_string(entry, next)),
+            [entry, _] if first == NO_TEXT => entry.get() == NO_TEXT,
+            [entry, next] => (entry.get() ^ first) & TEXT_FALLBACK == 0 && self.is_string(entry, next),
             _ => false,
         })
     }
