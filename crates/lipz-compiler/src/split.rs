@@ -85,32 +85,9 @@ impl<'data> Whole<'data> {
         assemble(&sections, self.index_seed, self.bank.fingerprint(), |_| ())
     }
 
-    /// The texts of a locale, in the order of the segments' numbers; equal ones once.
+    /// The text bank of a locale.
     fn text_bank(&self, locale: Locale<'data>) -> Result<Vec<u8>, Report> {
-        let (mut clips, mut clip) = (Clips::default(), ClipData::default());
-        let number = clips.locales.number(locale.tag(), false);
-        for found in self.numbered() {
-            clip.clear();
-            clip.starts.resize(found.segment_count() as usize, 0);
-            let texts = found.segments().map_while(|segment| segment.text(locale));
-            if let Some(first) = texts.clone().next() {
-                clip.add_texts(number, texts.map(|text| text.as_str().as_bytes()), first.is_fallback());
-            }
-            clips.push("", &clip);
-        }
-        let clips: Vec<_> = clips.iter().collect();
-        let segment_count = clips.iter().map(|clip| clip.starts().len()).sum();
-        let mut starts = vec![U32::new(NO_TEXT); segment_count];
-        let runs =
-            clips.iter().map(|clip| (clip.starts().len(), clip.texts().first().map(|text| Run::of(clip, text, false))));
-        let mut pool = vec![0; place(runs, &mut starts)];
-        let mut rest = &*starts;
-        for clip in &clips {
-            let (own, behind) = rest.split_at(clip.starts().len());
-            clip.texts().iter().for_each(|text| copy(clip.run(text).1, own, 0, &mut pool));
-            rest = behind;
-        }
-        starts.push(fit(pool.len(), "texts")?.into());
+        let (starts, pool) = placed(&self.texts(locale))?;
         let tag = locale.tag();
         let record = LocaleRecord {
             tag_offset_bytes: 0.into(),
@@ -125,9 +102,46 @@ impl<'data> Whole<'data> {
         ];
         assemble(&sections, 0, self.bank.fingerprint(), |_| ())
     }
+
+    /// The texts of a locale, clip by clip in the order in which segments are numbered.
+    fn texts(&self, locale: Locale<'data>) -> Clips {
+        let (mut clips, mut clip) = (Clips::default(), ClipData::default());
+        let number = clips.locales.number(locale.tag(), false);
+        for found in self.numbered() {
+            clip.clear();
+            clip.starts.resize(found.segment_count() as usize, 0);
+            let texts = found.segments().map_while(|segment| segment.text(locale));
+            if let Some(first) = texts.clone().next() {
+                clip.add_texts(number, texts.map(|text| text.as_str().as_bytes()), first.is_fallback());
+            }
+            clips.push("", &clip);
+        }
+        clips
+    }
+
     /// The clips in the order in which their segments are numbered.
     fn numbered(&self) -> impl Iterator<Item = Clip<'data, '_>> {
         let with_events = |is_wanted| self.bank.clips().filter(move |clip| clip.has_events() == is_wanted);
         with_events(true).chain(with_events(false))
     }
+}
+
+/// Text starts and pool of clips with texts in one locale; equal texts stand once.
+fn placed(clips: &Clips) -> Result<(Vec<U32>, Vec<u8>), Report> {
+    let clips: Vec<_> = clips.iter().collect();
+    let segment_count = clips.iter().map(|clip| clip.starts().len()).sum();
+    let mut starts = vec![U32::new(NO_TEXT); segment_count];
+    let runs = clips.iter().map(|clip| {
+        let run = clip.texts().first().map(|text| Run::of(clip, text, false));
+        (clip.starts().len(), run)
+    });
+    let mut pool = vec![0; place(runs, &mut starts)];
+    let mut rest = &*starts;
+    for clip in &clips {
+        let (own, behind) = rest.split_at(clip.starts().len());
+        clip.texts().iter().for_each(|text| copy(clip.run(text).1, own, 0, &mut pool));
+        rest = behind;
+    }
+    starts.push(fit(pool.len(), "texts")?.into());
+    Ok((starts, pool))
 }

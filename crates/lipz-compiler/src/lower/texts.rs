@@ -34,17 +34,22 @@ pub(super) fn texts(clips: &[Clip<'_>], localised: &Localised, numbering: &Numbe
     starts.par_chunks_mut(table_length).zip(bases.collect::<Vec<_>>()).for_each(|(table, base)| {
         table.iter_mut().filter(|start| start.get() != NO_TEXT).for_each(|start| *start += base);
     });
+    fall_back(clips, localised, numbering, &mut starts);
+    starts[count * segment_count] = fit(pool_length, "texts")?.into();
+    Ok(Texts { starts, lengths })
+}
+
+/// Gives a clip without texts in a locale those of the locale that it falls back to.
+fn fall_back(clips: &[Clip<'_>], localised: &Localised, numbering: &Numbering, starts: &mut [U32]) {
     for (locale, column) in localised.locales.iter().enumerate() {
         for (at, choice) in column.texts.iter().enumerate() {
             let Choice::Fallback(other) = *choice else { continue };
             for number in numbering.segments(clips, at) {
-                let start = starts[other as usize * segment_count + number];
-                starts[locale * segment_count + number] = start | TEXT_FALLBACK;
+                let start = starts[other as usize * numbering.segment_count + number];
+                starts[locale * numbering.segment_count + number] = start | TEXT_FALLBACK;
             }
         }
     }
-    starts[count * segment_count] = fit(pool_length, "texts")?.into();
-    Ok(Texts { starts, lengths })
 }
 
 /// Places the own texts of a locale; returns their length.
@@ -186,4 +191,50 @@ pub(crate) fn copy(texts: &[u8], starts: &[U32], part_start: usize, part: &mut [
         place = behind;
     }
     place[..last_text.len()].copy_from_slice(last_text);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::clip::{ClipData, Clips};
+
+    /// Starts and pool of clips with these texts in one locale; the second text is another locale's, too.
+    fn placed(texts: &[&[&str]]) -> (Vec<u32>, Vec<u8>) {
+        let mut store = Clips::default();
+        let locale = store.locales.number("en-us", true);
+        for texts in texts {
+            let mut clip = ClipData { starts: vec![0; texts.len().max(1)], ..ClipData::default() };
+            if !texts.is_empty() {
+                clip.add_texts(locale, texts.iter().map(|text| text.as_bytes()), false);
+            }
+            store.push("", &clip);
+        }
+        let clips: Vec<_> = store.iter().collect();
+        let run = |at: usize| clips[at].texts().first().map(|text| Run::of(&clips[at], text, at == 1));
+        let mut starts = vec![U32::new(NO_TEXT); clips.iter().map(|clip| clip.starts().len()).sum()];
+        let mut pool = vec![b'?'; place((0..clips.len()).map(|at| (clips[at].starts().len(), run(at))), &mut starts)];
+        let mut first = 0;
+        for clip in &clips {
+            let own = &starts[first..first + clip.starts().len()];
+            clip.texts().iter().for_each(|text| copy(clip.run(text).1, own, 0, &mut pool));
+            first += own.len();
+        }
+        (starts.iter().map(|start| start.get()).collect(), pool)
+    }
+
+    #[test]
+    fn last_texts_are_counted_where_something_else_follows() {
+        const C: u32 = TEXT_COUNTED;
+        assert_eq!(
+            placed(&[&["a", "bc"], &["d"], &["e"]]),
+            (vec![0, 1, 3 | C, 7 | C], b"abc\0\0\x01d\0\0\x01e".into())
+        );
+        let none_between = placed(&[&["a"], &["", "b"], &[], &["c"]]);
+        assert_eq!(none_between, (vec![0, 1, 1 | C, NO_TEXT, 5 | C], b"a\0\0\x01b\0\0\x01c".into()));
+        let same = placed(&[&["a", "b"], &["c"], &["a", "b"], &["ab"]]);
+        let pool = b"a\0\0\x01b\0\0\x01c\0\0\x02ab";
+        assert_eq!(same, (vec![0, 1 | C, 5 | C, 0, 1 | C, 9 | C], pool.into()), "other segments are other texts");
+        let empty = placed(&[&["", ""], &["x"], &[""]]);
+        assert_eq!(empty, (vec![0, C, 3 | C, 7 | C], b"\0\0\0\0\0\x01x\0\0\0".into()));
+    }
 }
