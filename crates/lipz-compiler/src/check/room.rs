@@ -1,4 +1,4 @@
-//! What a bank has no room for in one clip: it counts segments, and the bytes of a segment's text, with 16 bits.
+//! What a bank has no room for in one clip: too many segments, and texts that are too long (docs/FORMAT.md, "Limits").
 
 use super::elements::Roles;
 use crate::strings::Strings;
