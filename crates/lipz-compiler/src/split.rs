@@ -131,11 +131,11 @@ fn placed(clips: &Clips) -> Result<(Vec<U32>, Vec<u8>), Report> {
     let clips: Vec<_> = clips.iter().collect();
     let segment_count = clips.iter().map(|clip| clip.starts().len()).sum();
     let mut starts = vec![U32::new(NO_TEXT); segment_count];
-    let runs = clips.iter().map(|clip| {
-        let run = clip.texts().first().map(|text| Run::of(clip, text, false));
-        (clip.starts().len(), run)
-    });
-    let mut pool = vec![0; place(runs, &mut starts)];
+    let runs: Vec<_> = clips
+        .iter()
+        .map(|clip| (clip.starts().len(), clip.texts().first().map(|text| Run::of(clip, text, false))))
+        .collect();
+    let mut pool = vec![0; place(&runs, &mut starts)];
     let mut rest = &*starts;
     for clip in &clips {
         let (own, behind) = rest.split_at(clip.starts().len());

@@ -9,6 +9,7 @@ use crate::localise::{Choice, Localised};
 use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order of entries is never used
 use lipz_bank::layout::{NO_TEXT, TEXT_COUNT_BYTES, TEXT_COUNTED, TEXT_FALLBACK, TEXT_OFFSET, U16, U32};
 use rayon::prelude::*;
+use zerocopy::FromBytes;
 
 /// Where the texts are.
 pub(super) struct Texts {
@@ -70,15 +71,14 @@ fn own_texts(
         Choice::Own(index) => Some(Run::of(&clips[at], &clips[at].texts()[index as usize], is_shown_elsewhere[at])),
         _ => None,
     };
-    place(numbering.order.iter().map(|&at| (clips[at].starts().len(), run(at))), starts)
+    let runs: Vec<_> = numbering.order.iter().map(|&at| (clips[at].starts().len(), run(at))).collect();
+    place(&runs, starts)
 }
 
 /// The texts of a clip in one locale, to be placed.
 pub(crate) struct Run<'c> {
-    /// Ends and texts.
+    /// Where each text ends, modulo 2¹⁶, and the texts.
     whole: Hashed<'c>,
-    /// Where each text ends, modulo 2¹⁶.
-    ends: &'c [U16],
     is_fallback: bool,
     /// Whether the last text is counted, whatever follows it.
     is_counted: bool,
@@ -87,10 +87,9 @@ pub(crate) struct Run<'c> {
 impl<'c> Run<'c> {
     /// The run of a clip's text, which another locale shows, too, or does not.
     pub(crate) fn of(clip: &Clip<'c>, text: &ClipText, is_shown_elsewhere: bool) -> Run<'c> {
-        let (ends, texts) = clip.run(text);
+        let (_, texts) = clip.run(text);
         Run {
             whole: Hashed { hash: text.hash, bytes: clip.whole_run(text) },
-            ends,
             is_fallback: text.is_fallback,
             is_counted: is_shown_elsewhere || texts.is_empty(), // so that every run has a start of its own
         }
@@ -103,8 +102,9 @@ impl<'c> Run<'c> {
 
     /// Makes the entries of texts that stand behind those so far; returns where they end.
     fn place(&self, start: usize, is_counted: bool, entries: &mut [U32]) -> usize {
+        let (ends, _) = <[U16]>::ref_from_prefix_with_elems(self.whole.bytes, entries.len()).unwrap_or_default();
         let mut end = start;
-        for (entry, low) in std::iter::zip(&mut *entries, self.ends) {
+        for (entry, low) in std::iter::zip(&mut *entries, ends) {
             *entry = self.entry(end as u32); // too much is found by the length
             end += usize::from(low.get().wrapping_sub((end - start) as u16));
         }
@@ -129,16 +129,14 @@ enum Place {
     As(usize),
 }
 
-/// Places texts of one locale, clip by clip, each with the number of its segments; those of clips that have the same
-/// stand once. Puts their starts into `starts`, as if the pool began with them, and returns their length.
-pub(crate) fn place<'c>(
-    clips: impl ExactSizeIterator<Item = (usize, Option<Run<'c>>)> + Clone,
-    starts: &mut [U32],
-) -> usize {
-    let places = places(clips.clone().map(|(_, run)| run));
-    let mut firsts: Vec<usize> = Vec::with_capacity(places.len());
+/// Places texts of one locale: those of clips, one behind the other, each with the number of its segments. Those of
+/// clips that have the same stand once. Puts their starts into `starts`, as if the pool began with them, and returns
+/// their length.
+pub(crate) fn place(clips: &[(usize, Option<Run<'_>>)], starts: &mut [U32]) -> usize {
+    let places = places(clips);
+    let mut firsts: Vec<usize> = Vec::with_capacity(clips.len());
     let (mut first, mut length) = (0, 0);
-    for (at, (count, run)) in clips.enumerate() {
+    for (at, (count, run)) in clips.iter().enumerate() {
         let behind = first + count;
         match (places[at], run) {
             (Place::As(same), Some(run)) => {
@@ -158,12 +156,12 @@ pub(crate) fn place<'c>(
     length
 }
 
-fn places<'c>(runs: impl ExactSizeIterator<Item = Option<Run<'c>>>) -> Vec<Place> {
-    let mut known = HashMap::with_capacity(runs.len());
-    let mut places: Vec<Place> = Vec::with_capacity(runs.len());
-    for (at, run) in runs.enumerate() {
+fn places(clips: &[(usize, Option<Run<'_>>)]) -> Vec<Place> {
+    let mut known = HashMap::with_capacity(clips.len());
+    let mut places: Vec<Place> = Vec::with_capacity(clips.len());
+    for (at, (_, run)) in clips.iter().enumerate() {
         let place = match run {
-            Some(run) => match *known.entry(run.whole).or_insert(at) {
+            Some(run) => match *known.entry(&run.whole).or_insert(at) {
                 first if first == at => Place::Next { is_counted: run.is_counted },
                 first => {
                     places[first] = Place::Next { is_counted: true };
@@ -212,7 +210,8 @@ mod tests {
         let clips: Vec<_> = store.iter().collect();
         let run = |at: usize| clips[at].texts().first().map(|text| Run::of(&clips[at], text, at == 1));
         let mut starts = vec![U32::new(NO_TEXT); clips.iter().map(|clip| clip.starts().len()).sum()];
-        let mut pool = vec![b'?'; place((0..clips.len()).map(|at| (clips[at].starts().len(), run(at))), &mut starts)];
+        let runs: Vec<_> = (0..clips.len()).map(|at| (clips[at].starts().len(), run(at))).collect();
+        let mut pool = vec![b'?'; place(&runs, &mut starts)];
         let mut first = 0;
         for clip in &clips {
             let own = &starts[first..first + clip.starts().len()];
