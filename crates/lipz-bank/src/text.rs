@@ -1,7 +1,9 @@
 //! Display texts, and where they stand in the pool.
 
 use crate::Locale;
-use crate::layout::{NO_TEXT, TEXT_COUNT_BYTES, TEXT_COUNTED, TEXT_FALLBACK, TEXT_OFFSET, U32};
+use crate::layout::{
+    NO_TEXT, TEXT_COUNT_BYTES, TEXT_COUNTED, TEXT_FALLBACK, TEXT_MAX_BYTES, TEXT_OFFSET, U32, counted_length,
+};
 use crate::pool::Pool;
 use core::fmt;
 use core::ops::Deref;
@@ -61,8 +63,8 @@ impl TextPlace {
         }
     }
 
-    /// The place of the text with this entry, `next` being the one behind it. If there is no text, or the entry is
-    /// damaged, there is either no place or nothing in it.
+    /// The place of the text with this entry, `next` being the one behind it. Without a text there is no place, or
+    /// nothing in it; a damaged entry may lead to another text.
     #[inline(always)]
     pub(crate) fn between(entry: U32, next: U32, texts: Pool<'_>) -> Option<TextPlace> {
         let (entry, next) = (entry.get(), next.get());
@@ -71,14 +73,14 @@ impl TextPlace {
             (offset, (next & TEXT_OFFSET) as usize)
         } else {
             let start = offset.wrapping_add(TEXT_COUNT_BYTES);
-            (start, start.wrapping_add(counted_length(texts.bytes(), offset)?))
+            (start, start.wrapping_add(length_at(texts.bytes(), offset)?))
         };
         Some(TextPlace { start, end, is_fallback: entry & TEXT_FALLBACK != 0 })
     }
 
-    /// Whether the place is in the pool, and a string.
-    pub(crate) fn is_in(&self, texts: Pool<'_>) -> bool {
-        texts.text(self.start, self.end).is_some()
+    /// Whether the place is that of a string of the pool, no longer than a text may be.
+    pub(crate) fn is_valid(&self, texts: Pool<'_>) -> bool {
+        texts.text(self.start, self.end).map_or(false, |text| text.len() <= TEXT_MAX_BYTES)
     }
 
     #[inline(always)]
@@ -94,7 +96,6 @@ impl TextPlace {
 
 /// The length of the text behind the count at `offset`. Where there is no text, that is behind the pool.
 #[inline(never)] // few texts have a count
-fn counted_length(pool: &[u8], offset: usize) -> Option<usize> {
-    let count = pool.get(offset..offset.wrapping_add(TEXT_COUNT_BYTES))?;
-    Some(count.iter().fold(0, |length, digit| length << 6 | usize::from(digit & 0x3F)))
+fn length_at(pool: &[u8], offset: usize) -> Option<usize> {
+    Some(counted_length(pool.get(offset..offset.wrapping_add(TEXT_COUNT_BYTES))?))
 }

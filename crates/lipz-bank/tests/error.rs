@@ -180,7 +180,7 @@ fn segment_starts() {
     assert_eq!(entry(count - 1, 1000).0, FrameRange, "behind the last frame of all");
     let shorter =
         |bank: &mut Vec<u8>| put(bank, entry_of(SMALL, Tag::STARTS) + 8, (4 * count as u32 - 4).to_le_bytes());
-    assert_eq!(found(shorter).0, TextReference, "text ends are as many");
+    assert_eq!(found(shorter).0, TextReference, "text starts are as many");
 }
 
 /// A rate is in lowest terms and comes with the one right reciprocal: also where that is a whole

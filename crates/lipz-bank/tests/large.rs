@@ -7,7 +7,7 @@ mod common;
 
 use common::forge::{ForgedClip, bank};
 use common::{finding, verified};
-use lipz_bank::layout::{NO_TEXT, TEXT_COUNTED, TEXT_FALLBACK};
+use lipz_bank::layout::{NO_TEXT, TEXT_COUNTED, TEXT_FALLBACK, TEXT_MAX_BYTES, text_count};
 use lipz_bank::{Error, ErrorKind, Fps, Micros};
 
 fn clip(key: &'static str, frame_count: usize, starts: Vec<u32>) -> ForgedClip {
@@ -17,24 +17,29 @@ fn clip(key: &'static str, frame_count: usize, starts: Vec<u32>) -> ForgedClip {
 /// A text that does not end where the next one starts has its length in front, six bits a byte.
 #[test]
 fn counted_texts_are_as_long_as_they_say() {
+    assert_eq!(text_count(0xFFFF), [0x0F, 0x3F, 0x3F]);
     for length in [0, 1, 0x3F, 0x40, 0xFFFF, 0x1_0000, 0x3_FFFF] {
-        let count = [length >> 12, length >> 6, length].map(|digits| (digits & 0x3F) as u8);
-        let pool = [b"ab", &count[..], &vec![b'x'; length], b"c"].concat();
-        let bytes = bank(&[clip("a", 2, vec![1, 1])], 1, &[0, 1, TEXT_COUNTED | 2], &pool);
+        let text = [&text_count(length)[..], &vec![b'x'; length]].concat();
+        let bytes = bank(&[clip("a", 2, vec![1, 1])], 1, &[0, 1, TEXT_COUNTED | 2], &[b"ab", &text[..]].concat());
+        if length > TEXT_MAX_BYTES {
+            assert_eq!(finding(&bytes).map(Error::kind), Some(ErrorKind::TextReference), "{length} bytes are too many");
+            continue;
+        }
         let bank = verified(&bytes);
         let locale = bank.locale("00000000").expect("a locale");
         let segments = bank.clip_by_key("a").expect("the clip").segments();
         let found: Vec<_> = segments.filter_map(|segment| Some(segment.text(locale)?.len())).collect();
         assert_eq!(found, [1, 1, length]);
-        let longer = bank_of_text(&[b"ab", &count[..], &vec![b'x'; length.saturating_sub(1)]].concat());
-        let damage = (length > 0).then_some(ErrorKind::TextReference);
-        assert_eq!(finding(&longer).map(Error::kind), damage, "{length} bytes are not there");
     }
 }
 
-/// A clip of one segment, whose text is counted from byte 2 of the pool on.
-fn bank_of_text(pool: &[u8]) -> Vec<u8> {
-    bank(&[clip("a", 0, vec![])], 1, &[TEXT_COUNTED | 2], pool)
+/// The texts of a clip of one segment.
+#[test]
+fn texts_that_are_not_there_or_too_long() {
+    let kind = |start, pool: &[u8]| finding(&bank(&[clip("a", 0, vec![])], 1, &[start], pool)).map(Error::kind);
+    let damage = Some(ErrorKind::TextReference);
+    assert_eq!([kind(TEXT_COUNTED, b"\0\0\x02ab"), kind(0, &[b'x'; TEXT_MAX_BYTES])], [None; 2]);
+    assert_eq!([kind(TEXT_COUNTED, b"\0\0\x02a"), kind(0, &[b'x'; TEXT_MAX_BYTES + 1])], [damage; 2]);
 }
 
 /// What `verify` wants of the texts of a clip.

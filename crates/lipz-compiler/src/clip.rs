@@ -80,20 +80,15 @@ impl ClipData {
     }
 
     /// Adds texts that lie in a bank, one per segment, as those of a locale.
-    pub(crate) fn add_texts<'b>(
-        &mut self,
-        locale: u32,
-        texts: impl Iterator<Item = &'b [u8]> + Clone,
-        is_fallback: bool,
-    ) {
+    pub(crate) fn add_texts<'b>(&mut self, locale: u32, texts: impl Iterator<Item = &'b [u8]>, is_fallback: bool) {
         let start = self.runs.len();
-        let ends = texts.clone().scan(0, |end, text| {
-            *end += text.len();
-            Some(*end as u16)
-        });
-        self.runs.extend(ends.flat_map(u16::to_le_bytes));
-        let texts_start = self.runs.len();
-        texts.for_each(|text| self.runs.extend_from_slice(text));
+        let texts_start = start + size_of::<U16>() * self.starts.len();
+        self.runs.resize(texts_start, 0);
+        for (number, text) in texts.enumerate() {
+            self.runs.extend_from_slice(text);
+            let end = (self.runs.len() - texts_start) as u16;
+            self.runs[start + size_of::<U16>() * number..][..size_of::<U16>()].copy_from_slice(&end.to_le_bytes());
+        }
         self.add_run(locale, start, hash(&self.runs[texts_start..]), is_fallback);
     }
 

@@ -3,11 +3,10 @@
 use crate::Report;
 use crate::clip::{ClipData, Clips};
 use crate::lower::assemble::{Section, assemble};
-use crate::lower::fit;
-use crate::lower::texts::{Run, copy, place};
+use crate::lower::texts::pool_of;
 use lipz::Code;
-use lipz_bank::layout::{Header, LOCALE_DEFAULT, LocaleRecord, NO_TEXT, Tag, U32};
-use lipz_bank::{Bank, Clip, Locale};
+use lipz_bank::layout::{Header, LOCALE_DEFAULT, LocaleRecord, Tag, U32};
+use lipz_bank::{Bank, Locale};
 use zerocopy::{FromBytes, IntoBytes};
 
 /// A bank, split by [`split`].
@@ -87,7 +86,8 @@ impl<'data> Whole<'data> {
 
     /// The text bank of a locale.
     fn text_bank(&self, locale: Locale<'data>) -> Result<Vec<u8>, Report> {
-        let (starts, pool) = placed(&self.texts(locale))?;
+        let clips = self.clips(locale);
+        let (starts, pool) = pool_of(&clips.iter().collect::<Vec<_>>(), |_| false)?;
         let tag = locale.tag();
         let record = LocaleRecord {
             tag_offset_bytes: 0.into(),
@@ -103,45 +103,20 @@ impl<'data> Whole<'data> {
         assemble(&sections, 0, self.bank.fingerprint(), |_| ())
     }
 
-    /// The texts of a locale, clip by clip in the order in which segments are numbered.
-    fn texts(&self, locale: Locale<'data>) -> Clips {
+    /// The clips with their texts in a locale.
+    fn clips(&self, locale: Locale<'data>) -> Clips {
         let (mut clips, mut clip) = (Clips::default(), ClipData::default());
         let number = clips.locales.number(locale.tag(), false);
-        for found in self.numbered() {
+        for found in self.bank.clips() {
             clip.clear();
+            clip.has_events = found.has_events(); // by which segments are numbered
             clip.starts.resize(found.segment_count() as usize, 0);
-            let texts = found.segments().map_while(|segment| segment.text(locale));
-            if let Some(first) = texts.clone().next() {
-                clip.add_texts(number, texts.map(|text| text.as_str().as_bytes()), first.is_fallback());
+            if let Some(first) = found.segment(0).and_then(|segment| segment.text(locale)) {
+                let texts = found.segments().map(|segment| segment.text_bytes(locale).unwrap_or_default());
+                clip.add_texts(number, texts, first.is_fallback());
             }
             clips.push("", &clip);
         }
         clips
     }
-
-    /// The clips in the order in which their segments are numbered.
-    fn numbered(&self) -> impl Iterator<Item = Clip<'data, '_>> {
-        let with_events = |is_wanted| self.bank.clips().filter(move |clip| clip.has_events() == is_wanted);
-        with_events(true).chain(with_events(false))
-    }
-}
-
-/// Text starts and pool of clips with texts in one locale; equal texts stand once.
-fn placed(clips: &Clips) -> Result<(Vec<U32>, Vec<u8>), Report> {
-    let clips: Vec<_> = clips.iter().collect();
-    let segment_count = clips.iter().map(|clip| clip.starts().len()).sum();
-    let mut starts = vec![U32::new(NO_TEXT); segment_count];
-    let runs: Vec<_> = clips
-        .iter()
-        .map(|clip| (clip.starts().len(), clip.texts().first().map(|text| Run::of(clip, text, false))))
-        .collect();
-    let mut pool = vec![0; place(&runs, &mut starts)];
-    let mut rest = &*starts;
-    for clip in &clips {
-        let (own, behind) = rest.split_at(clip.starts().len());
-        clip.texts().iter().for_each(|text| copy(clip.run(text).1, own, 0, &mut pool));
-        rest = behind;
-    }
-    starts.push(fit(pool.len(), "texts")?.into());
-    Ok((starts, pool))
 }

@@ -73,7 +73,7 @@ fn literal_braces_are_displayed() {
     assert_eq!(findings(file, &Options::default()).len(), 2);
 }
 
-/// The bank counts segments of a clip, and bytes of the text of one, with 16 bits; all texts of a clip can have more.
+/// A clip has at most 65,535 segments, and each a text of as many bytes; all texts of a clip can have more.
 #[test]
 fn what_belongs_to_one_clip_has_limits() {
     let texts = |parts: &[usize]| parts.iter().map(|&length| "x".repeat(length)).collect::<Vec<_>>().join("|");

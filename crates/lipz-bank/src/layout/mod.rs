@@ -42,8 +42,22 @@ pub const TEXT_FALLBACK: u32 = 1 << 31;
 pub const TEXT_COUNTED: u32 = 1 << 30;
 /// The other bits of a text start: where the text, or its count, starts in the text pool, in bytes.
 pub const TEXT_OFFSET: u32 = TEXT_COUNTED - 1;
-/// Length of a count: six bits of the text's length in bytes each, the highest first. So it is ASCII.
+/// Bytes of a count. Each has six bits of the text's length, the highest first, so that the pool stays UTF-8.
 pub const TEXT_COUNT_BYTES: usize = 3;
+/// The most bytes of a text.
+pub const TEXT_MAX_BYTES: usize = 0xFFFF;
+
+/// The count in front of a text of so many bytes.
+#[inline]
+pub const fn text_count(length_bytes: usize) -> [u8; TEXT_COUNT_BYTES] {
+    [(length_bytes >> 12) as u8 & 0x3F, (length_bytes >> 6) as u8 & 0x3F, length_bytes as u8 & 0x3F]
+}
+
+/// The length in bytes of the text behind a count.
+#[inline]
+pub fn counted_length(count: &[u8]) -> usize {
+    count.iter().fold(0, |length, digit| length << 6 | usize::from(digit & 0x3F))
+}
 
 /// Hash of the ids and segments of the clips, in slot order: what texts in another file must agree with.
 pub fn fingerprint(keys: &[KeyRecord], clips: &[ClipRecord]) -> u64 {

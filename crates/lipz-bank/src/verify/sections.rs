@@ -66,7 +66,7 @@ pub(super) fn text_lengths(file: &File<'_>, table: &LocaleTable<'_>) -> Result<(
     let texts_end = table.starts.split_last().map(|(end, starts)| (end.get() as usize, starts.len()));
     let segments = table.records.len().checked_mul(table.segment_count);
     let pool_length = table.texts.bytes().len();
-    // No text starts at the end of the longest pool: that is `NO_TEXT`.
+    // So the count that `NO_TEXT` seems to refer to lies outside of the pool.
     if texts_end != segments.map(|count| (pool_length, count)) || pool_length > TEXT_OFFSET as usize {
         return Err(error_in(file, ErrorKind::TextReference, table.starts));
     }

@@ -24,28 +24,30 @@ impl<'a, 'data> TextCheck<'a, 'data> {
         let count = usize::from(key.segment_count.get());
         let mut first = clip.segments_first.get() as usize;
         for _ in self.table.records {
-            let starts = self.table.starts.get(first..=first.wrapping_add(count)).unwrap_or(&[]);
-            if !self.are_valid(starts) {
-                return Err(error_in(self.file, ErrorKind::TextReference, starts));
+            let starts = self.table.starts.get(first..=first.wrapping_add(count));
+            let fault = starts.map_or(self.table.starts.first(), |starts| self.fault(starts));
+            if let Some(entry) = fault {
+                return Err(error_in(self.file, ErrorKind::TextReference, entry));
             }
             first = first.wrapping_add(self.table.segment_count);
         }
         Ok(())
     }
 
-    /// Whether a clip has a text in none of its segments or in all, own ones or those of another locale. `starts` has
-    /// the entry behind its own, too.
-    fn are_valid(&self, starts: &[U32]) -> bool {
+    /// The first entry at fault: a clip has a text in none of its segments or in all, own ones or those of another
+    /// locale. `starts` has the entry behind its own, too.
+    fn fault<'s>(&self, starts: &'s [U32]) -> Option<&'s U32> {
         let first = starts.first().map_or(NO_TEXT, |first| first.get());
-        starts.windows(2).all(|pair| match *pair {
-            [entry, _] if first == NO_TEXT => entry.get() == NO_TEXT,
-            [entry, next] => (entry.get() ^ first) & TEXT_FALLBACK == 0 && self.is_string(entry, next),
-            _ => false,
+        starts.windows(2).find_map(|pair| match pair {
+            [entry, _] if first == NO_TEXT && entry.get() == NO_TEXT => None,
+            [entry, next] if first != NO_TEXT && self.is_text(*entry, *next, first) => None,
+            pair => pair.first(),
         })
     }
 
-    fn is_string(&self, entry: U32, next: U32) -> bool {
+    /// Whether an entry is that of a text, and of the same kind as the `first` one.
+    fn is_text(&self, entry: U32, next: U32, first: u32) -> bool {
         let place = TextPlace::between(entry, next, self.table.texts);
-        place.map_or(false, |place| place.is_in(self.table.texts))
+        (entry.get() ^ first) & TEXT_FALLBACK == 0 && place.map_or(false, |place| place.is_valid(self.table.texts))
     }
 }

@@ -1,7 +1,7 @@
 //! Clips of the old bank, as the check made them.
 
 use crate::clip::{ClipData, Locales};
-use lipz_bank::layout::{CHECKED_FROM, ClipRecord, Header, NO_TEXT, TEXT_COUNTED, TEXT_FALLBACK, Tag, U32, checksum};
+use lipz_bank::layout::{CHECKED_FROM, ClipRecord, Header, NO_TEXT, TEXT_FALLBACK, Tag, U32, checksum};
 use lipz_bank::{Bank, Clip, Locale};
 use zerocopy::FromBytes;
 
@@ -85,7 +85,8 @@ impl<'b> Recall<'b> {
             let Some(start) = self.text_start(found, number) else { continue };
             let own_start = start & !TEXT_FALLBACK;
             let is_fallback = start != own_start;
-            // A locale's texts stand together: what no locale has as its own is of one that is not packed.
+            // The texts of a clip in a locale have a start of their own, also where they are empty: what no locale has
+            // as its own is of one that is not packed.
             let is_resolved = || (0..self.locales.len()).any(|other| self.text_start(found, other) == Some(own_start));
             if !(is_fallback && is_resolved()) {
                 let texts = found.segments().map(|segment| segment.text_bytes(locale).unwrap_or_default());
@@ -98,7 +99,7 @@ impl<'b> Recall<'b> {
     fn text_start(&self, clip: &Clip<'_, '_>, locale: usize) -> Option<u32> {
         let first = self.records.get(clip.slot() as usize)?.segments_first.get() as usize;
         let start = self.text_starts.get(locale * self.segment_count + first)?.get();
-        (start != NO_TEXT).then_some(start & !TEXT_COUNTED)
+        (start != NO_TEXT).then_some(start)
     }
 }
 

@@ -59,17 +59,22 @@ impl Lane<'_> {
     /// Copies the part of a clip. Equal texts and source records have one place, and are copied to it
     /// again.
     fn copy(&mut self, layout: &Layout, clip: &Clip<'_>, slot: usize) {
-        let record = &layout.records.clips[slot];
-        let (offset, bytes) = match self.part {
-            Part::Frames => (record.frames_offset_bytes.get() as usize, clip.frames()),
+        match self.part {
+            Part::Frames => {
+                self.copy_to(layout.records.clips[slot].frames_offset_bytes.get() as usize, clip.frames());
+            }
             Part::Texts { locale, start } => {
                 let Some(text) = clip.text(locale as u32) else { return };
-                let first = locale * layout.segment_count() + record.segments_first.get() as usize;
+                let segments_first = layout.records.clips[slot].segments_first.get() as usize;
+                let first = locale * layout.segment_count + segments_first;
                 let starts = &layout.texts.starts[first..first + clip.starts().len()];
-                return texts::copy(clip.run(text).1, starts, start, self.place);
+                texts::copy(clip.run(text).1, starts, start, self.place);
             }
-            Part::Sources => (layout.sources.index[slot].get() as usize, clip.source()),
-        };
+            Part::Sources => self.copy_to(layout.sources.index[slot].get() as usize, clip.source()),
+        }
+    }
+
+    fn copy_to(&mut self, offset: usize, bytes: &[u8]) {
         self.place[offset..offset + bytes.len()].copy_from_slice(bytes);
     }
 }

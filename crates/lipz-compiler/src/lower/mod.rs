@@ -31,6 +31,8 @@ pub(crate) struct Layout {
     names: Names,
     locales: Vec<LocaleRecord>,
     texts: Texts,
+    /// Segments of all clips.
+    segment_count: usize,
     events: Events,
     sources: Sources,
     babble: Vec<u8>,
@@ -55,6 +57,7 @@ impl Layout {
             records: records::clips(clips, &numbering, &ids, slots, &names)?,
             locales: records::locales(localised, &names),
             texts: texts?,
+            segment_count: numbering.segment_count,
             sources: strings::sources(&sources, slots)?,
             babble: options.babble.section(),
             is_stripped: options.strip,
@@ -63,11 +66,6 @@ impl Layout {
             events,
             index,
         })
-    }
-
-    /// Segments of all clips.
-    fn segment_count(&self) -> usize {
-        self.records.starts.len() - 1
     }
 
     /// The bank, filled from the clips that were laid out.
@@ -144,7 +142,7 @@ fn too_large(what: &str) -> Report {
     Report::failure(
         "",
         Code::BankTooLarge,
-        format!("{what} of the bank do not fit 32-bit offsets"),
+        format!("{what} of the bank do not fit the offsets of a bank"),
         "make several banks, one per act or one per language",
     )
 }

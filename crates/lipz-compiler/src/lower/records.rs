@@ -51,7 +51,7 @@ pub(super) fn clips(
         records[slots[at] as usize] = ClipRecord {
             frames_offset_bytes: frames_start.into(),
             frame_count: fit(clip.frames().len(), "frames")?.into(),
-            segments_first: fit(starts.len(), "segments")?.into(),
+            segments_first: fit(numbering.segments(clips, at).start, "segments")?.into(),
             rate: clip.fps().map_or(Ok(NO_RATE), |fps| rates.number(fps))?.into(),
             viseme_type: clip.viseme_type().map_or(0, |viseme_type: VisemeType| viseme_type as u8),
             flags: if clip.has_visemes() { FLAG_VISEMES } else { 0 },

@@ -1,13 +1,13 @@
 //! The texts: where each starts in the pool, and the bytes there.
 
 use super::numbering::Numbering;
-use super::{fit, too_large};
+use super::too_large;
 use crate::Report;
 use crate::clip::{Clip, ClipText};
 use crate::hashed::Hashed;
 use crate::localise::{Choice, Localised};
 use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order of entries is never used
-use lipz_bank::layout::{NO_TEXT, TEXT_COUNT_BYTES, TEXT_COUNTED, TEXT_FALLBACK, TEXT_OFFSET, U16, U32};
+use lipz_bank::layout::{NO_TEXT, TEXT_COUNT_BYTES, TEXT_COUNTED, TEXT_FALLBACK, TEXT_OFFSET, U16, U32, text_count};
 use rayon::prelude::*;
 use zerocopy::FromBytes;
 
@@ -24,19 +24,31 @@ pub(super) fn texts(clips: &[Clip<'_>], localised: &Localised, numbering: &Numbe
     let (count, segment_count) = (localised.locales.len(), numbering.segment_count);
     let mut starts = vec![U32::new(NO_TEXT); count * segment_count + 1];
     let mut lengths = vec![0; count];
-    let table_length = segment_count.max(1);
-    let parts = starts.par_chunks_mut(table_length).zip(&mut lengths).enumerate();
-    parts.for_each(|(locale, (table, length))| *length = own_texts(clips, localised, numbering, locale, table));
-    let pool_length = lengths.iter().sum::<usize>();
-    if pool_length >= TEXT_OFFSET as usize {
-        return Err(too_large("texts"));
+    let mut is_shown_elsewhere = vec![vec![false; clips.len()]; count];
+    for column in &localised.locales {
+        for (at, choice) in column.texts.iter().enumerate() {
+            if let Choice::Fallback(other) = *choice {
+                is_shown_elsewhere[other as usize][at] = true;
+            }
+        }
     }
+    let table_length = segment_count.max(1);
+    let columns = localised.locales.par_iter().zip(&is_shown_elsewhere);
+    let parts = starts.par_chunks_mut(table_length).zip(&mut lengths).zip(columns);
+    parts.for_each(|((table, length), (column, is_shown_elsewhere))| {
+        let run = |at: usize| match column.texts[at] {
+            Choice::Own(index) => Some(Run::of(&clips[at], &clips[at].texts()[index as usize], is_shown_elsewhere[at])),
+            _ => None,
+        };
+        *length = own_texts(clips, numbering, run, table);
+    });
+    let pool_length = pool_length(&lengths)?;
     let bases = lengths.iter().scan(0, |end, length| Some(std::mem::replace(end, *end + *length as u32)));
     starts.par_chunks_mut(table_length).zip(bases.collect::<Vec<_>>()).for_each(|(table, base)| {
         table.iter_mut().filter(|start| start.get() != NO_TEXT).for_each(|start| *start += base);
     });
     fall_back(clips, localised, numbering, &mut starts);
-    starts[count * segment_count] = fit(pool_length, "texts")?.into();
+    starts[count * segment_count] = pool_length.into();
     Ok(Texts { starts, lengths })
 }
 
@@ -53,30 +65,44 @@ fn fall_back(clips: &[Clip<'_>], localised: &Localised, numbering: &Numbering, s
     }
 }
 
-/// Places the own texts of a locale; returns their length.
-fn own_texts(
-    clips: &[Clip<'_>],
-    localised: &Localised,
+/// Places the texts that clips have in a locale; returns their length.
+fn own_texts<'c>(
+    clips: &[Clip<'c>],
     numbering: &Numbering,
-    locale: usize,
+    run: impl Fn(usize) -> Option<Run<'c>>,
     starts: &mut [U32],
 ) -> usize {
-    let mut is_shown_elsewhere = vec![false; clips.len()];
-    for column in &localised.locales {
-        for (is_shown, choice) in std::iter::zip(&mut is_shown_elsewhere, &column.texts) {
-            *is_shown |= *choice == Choice::Fallback(locale as u32);
-        }
-    }
-    let run = |at: usize| match localised.locales[locale].texts[at] {
-        Choice::Own(index) => Some(Run::of(&clips[at], &clips[at].texts()[index as usize], is_shown_elsewhere[at])),
-        _ => None,
-    };
     let runs: Vec<_> = numbering.order.iter().map(|&at| (clips[at].starts().len(), run(at))).collect();
-    place(&runs, starts)
+    lay_out(&runs, starts)
+}
+
+/// The length of a pool of these parts, if the offsets in it fit their bits.
+fn pool_length(lengths: &[usize]) -> Result<u32, Report> {
+    let length = lengths.iter().map(|&length| length as u64).sum::<u64>();
+    if length > u64::from(TEXT_OFFSET) { Err(too_large("texts")) } else { Ok(length as u32) }
+}
+
+/// Text starts and pool of clips with texts in one locale. `is_shown_elsewhere` tells whether another locale shows those
+/// of a clip, too.
+pub(crate) fn pool_of(
+    clips: &[Clip<'_>],
+    is_shown_elsewhere: impl Fn(usize) -> bool,
+) -> Result<(Vec<U32>, Vec<u8>), Report> {
+    let numbering = Numbering::of(clips);
+    let mut starts = vec![U32::new(NO_TEXT); numbering.segment_count];
+    let run = |at: usize| clips[at].texts().first().map(|text| Run::of(&clips[at], text, is_shown_elsewhere(at)));
+    let length = pool_length(&[own_texts(clips, &numbering, run, &mut starts)])?;
+    let mut pool = vec![0; length as usize];
+    for (at, clip) in clips.iter().enumerate() {
+        let own = &starts[numbering.segments(clips, at)];
+        clip.texts().iter().for_each(|text| copy(clip.run(text).1, own, 0, &mut pool));
+    }
+    starts.push(length.into());
+    Ok((starts, pool))
 }
 
 /// The texts of a clip in one locale, to be placed.
-pub(crate) struct Run<'c> {
+struct Run<'c> {
     /// Where each text ends, modulo 2¹⁶, and the texts.
     whole: Hashed<'c>,
     is_fallback: bool,
@@ -86,7 +112,7 @@ pub(crate) struct Run<'c> {
 
 impl<'c> Run<'c> {
     /// The run of a clip's text, which another locale shows, too, or does not.
-    pub(crate) fn of(clip: &Clip<'c>, text: &ClipText, is_shown_elsewhere: bool) -> Run<'c> {
+    fn of(clip: &Clip<'c>, text: &ClipText, is_shown_elsewhere: bool) -> Run<'c> {
         let (_, texts) = clip.run(text);
         Run {
             whole: Hashed { hash: text.hash, bytes: clip.whole_run(text) },
@@ -101,7 +127,7 @@ impl<'c> Run<'c> {
     }
 
     /// Makes the entries of texts that stand behind those so far; returns where they end.
-    fn place(&self, start: usize, is_counted: bool, entries: &mut [U32]) -> usize {
+    fn put_entries(&self, start: usize, is_counted: bool, entries: &mut [U32]) -> usize {
         let (ends, _) = <[U16]>::ref_from_prefix_with_elems(self.whole.bytes, entries.len()).unwrap_or_default();
         let mut end = start;
         for (entry, low) in std::iter::zip(&mut *entries, ends) {
@@ -132,7 +158,7 @@ enum Place {
 /// Places texts of one locale: those of clips, one behind the other, each with the number of its segments. Those of
 /// clips that have the same stand once. Puts their starts into `starts`, as if the pool began with them, and returns
 /// their length.
-pub(crate) fn place(clips: &[(usize, Option<Run<'_>>)], starts: &mut [U32]) -> usize {
+fn lay_out(clips: &[(usize, Option<Run<'_>>)], starts: &mut [U32]) -> usize {
     let places = places(clips);
     let mut firsts: Vec<usize> = Vec::with_capacity(clips.len());
     let (mut first, mut length) = (0, 0);
@@ -146,7 +172,7 @@ pub(crate) fn place(clips: &[(usize, Option<Run<'_>>)], starts: &mut [U32]) -> u
             }
             (Place::Next { is_counted }, Some(run)) => {
                 let is_followed = matches!(places.get(at + 1), Some(Place::Next { .. }));
-                length = run.place(length, is_counted || !is_followed, &mut starts[first..behind]);
+                length = run.put_entries(length, is_counted || !is_followed, &mut starts[first..behind]);
             }
             _ => {}
         }
@@ -161,6 +187,7 @@ fn places(clips: &[(usize, Option<Run<'_>>)]) -> Vec<Place> {
     let mut places: Vec<Place> = Vec::with_capacity(clips.len());
     for (at, (_, run)) in clips.iter().enumerate() {
         let place = match run {
+            // Ends are part of what is compared: other segments are other texts.
             Some(run) => match *known.entry(&run.whole).or_insert(at) {
                 first if first == at => Place::Next { is_counted: run.is_counted },
                 first => {
@@ -176,19 +203,18 @@ fn places(clips: &[(usize, Option<Run<'_>>)]) -> Vec<Place> {
 }
 
 /// Copies the texts of a clip that have these `starts` to their part of the pool, which begins at `part_start`.
-pub(crate) fn copy(texts: &[u8], starts: &[U32], part_start: usize, part: &mut [u8]) {
+pub(super) fn copy(texts: &[u8], starts: &[U32], part_start: usize, part: &mut [u8]) {
     let offset = |start: &U32| (start.get() & TEXT_OFFSET) as usize - part_start;
     let (Some(first), Some(last)) = (starts.first(), starts.last()) else { return };
     let (texts, last_text) = texts.split_at(offset(last) - offset(first));
     part[offset(first)..offset(last)].copy_from_slice(texts);
-    let mut place = &mut part[offset(last)..];
+    let mut rest = &mut part[offset(last)..];
     if last.get() & TEXT_COUNTED != 0 {
-        let length = last_text.len();
-        let (count, behind) = place.split_at_mut(TEXT_COUNT_BYTES);
-        count.copy_from_slice(&[length >> 12, length >> 6, length].map(|digit| (digit & 0x3F) as u8));
-        place = behind;
+        let (count, behind) = rest.split_at_mut(TEXT_COUNT_BYTES);
+        count.copy_from_slice(&text_count(last_text.len()));
+        rest = behind;
     }
-    place[..last_text.len()].copy_from_slice(last_text);
+    rest[..last_text.len()].copy_from_slice(last_text);
 }
 
 #[cfg(test)]
@@ -196,7 +222,7 @@ mod tests {
     use super::*;
     use crate::clip::{ClipData, Clips};
 
-    /// Starts and pool of clips with these texts in one locale; the second text is another locale's, too.
+    /// Starts and pool of clips with these texts in one locale; another locale shows those of the second clip, too.
     fn placed(texts: &[&[&str]]) -> (Vec<u32>, Vec<u8>) {
         let mut store = Clips::default();
         let locale = store.locales.number("en-us", true);
@@ -207,17 +233,8 @@ mod tests {
             }
             store.push("", &clip);
         }
-        let clips: Vec<_> = store.iter().collect();
-        let run = |at: usize| clips[at].texts().first().map(|text| Run::of(&clips[at], text, at == 1));
-        let mut starts = vec![U32::new(NO_TEXT); clips.iter().map(|clip| clip.starts().len()).sum()];
-        let runs: Vec<_> = (0..clips.len()).map(|at| (clips[at].starts().len(), run(at))).collect();
-        let mut pool = vec![b'?'; place(&runs, &mut starts)];
-        let mut first = 0;
-        for clip in &clips {
-            let own = &starts[first..first + clip.starts().len()];
-            clip.texts().iter().for_each(|text| copy(clip.run(text).1, own, 0, &mut pool));
-            first += own.len();
-        }
+        let (mut starts, pool) = pool_of(&store.iter().collect::<Vec<_>>(), |at| at == 1).ok().unwrap();
+        assert_eq!(starts.pop().map(|end| end.get() as usize), Some(pool.len()));
         (starts.iter().map(|start| start.get()).collect(), pool)
     }
 
