@@ -24,16 +24,9 @@ pub(super) fn texts(clips: &[Clip<'_>], localised: &Localised, numbering: &Numbe
     let (count, segment_count) = (localised.locales.len(), numbering.segment_count);
     let mut starts = vec![U32::new(NO_TEXT); count * segment_count + 1];
     let mut lengths = vec![0; count];
-    let mut is_shown_elsewhere = vec![vec![false; clips.len()]; count];
-    for column in &localised.locales {
-        for (at, choice) in column.texts.iter().enumerate() {
-            if let Choice::Fallback(other) = *choice {
-                is_shown_elsewhere[other as usize][at] = true;
-            }
-        }
-    }
     let table_length = segment_count.max(1);
-    let columns = localised.locales.par_iter().zip(&is_shown_elsewhere);
+    let shown_elsewhere = shown_elsewhere(clips, localised);
+    let columns = localised.locales.par_iter().zip(&shown_elsewhere);
     let parts = starts.par_chunks_mut(table_length).zip(&mut lengths).zip(columns);
     parts.for_each(|((table, length), (column, is_shown_elsewhere))| {
         let run = |at: usize| match column.texts[at] {
@@ -50,6 +43,19 @@ pub(super) fn texts(clips: &[Clip<'_>], localised: &Localised, numbering: &Numbe
     fall_back(clips, localised, numbering, &mut starts);
     starts[count * segment_count] = pool_length.into();
     Ok(Texts { starts, lengths })
+}
+
+/// For each locale and clip, whether another locale shows the clip's texts, too.
+fn shown_elsewhere(clips: &[Clip<'_>], localised: &Localised) -> Vec<Vec<bool>> {
+    let mut shown = vec![vec![false; clips.len()]; localised.locales.len()];
+    for column in &localised.locales {
+        for (at, choice) in column.texts.iter().enumerate() {
+            if let Choice::Fallback(other) = *choice {
+                shown[other as usize][at] = true;
+            }
+        }
+    }
+    shown
 }
 
 /// Gives a clip without texts in a locale those of the locale that it falls back to.
