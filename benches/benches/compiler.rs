@@ -24,7 +24,7 @@ fn packing(criterion: &mut Criterion) {
             .iter(|| files.iter().filter(|(_, json)| serde_json::from_str::<serde_json::Value>(json).is_ok()).count());
     });
     group.bench_function("parse", |bencher| {
-        bencher.iter(|| files.iter().filter(|(_, json)| lipz::parse(json.as_bytes()).document.is_some()).count());
+        bencher.iter(|| files.iter().filter(|(_, json)| lipz_file::parse(json.as_bytes()).document.is_some()).count());
     });
     group.bench_function("check", |bencher| {
         bencher.iter(|| check_all(black_box(&inputs), &options, &|_| {}).reports.len());

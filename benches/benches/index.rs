@@ -8,10 +8,10 @@
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use foldhash::fast::FixedState;
-use lipz_bank::layout::{KeyRecord, Tag, U32, bucket_of, slot_of, spread};
 use lipz_bank::{Bank, ClipId};
 use lipz_benches::{DEFAULT_SEED, Random, clip_key};
 use lipz_compiler::{Input, Options, compile};
+use lipz_layout::{KeyRecord, Tag, U32, bucket_of, slot_of, spread};
 use std::hash::{BuildHasher, DefaultHasher, Hasher};
 use std::hint::black_box;
 use std::time::Duration;
@@ -211,12 +211,12 @@ fn indexes(criterion: &mut Criterion) {
             (0..count).map(|index| Input::from_bytes(clip_key(index), br#"{ "visemes": "A" }"#)).collect();
         let bytes = compile(&inputs, &Options::default(), &|_| {}).bank.expect("clips without errors");
         let bank = Bank::open(&bytes).expect("a bank");
-        let ids: Vec<u64> = (0..count).map(|index| ClipId::of(&clip_key(index)).get()).collect();
+        let ids: Vec<u64> = (0..count).map(|index| ClipId::from_key(&clip_key(index)).get()).collect();
         let mut sorted: Vec<Record> = ids.iter().copied().map(Record::of).collect();
         sorted.sort_by_key(|record| record.id);
         let mut random = Random::new(DEFAULT_SEED, 0);
         let mut ask = |first: usize| -> Vec<u64> {
-            let id = |index| ClipId::of(&clip_key(first + index)).get();
+            let id = |index| ClipId::from_key(&clip_key(first + index)).get();
             let ids: Vec<u64> = (0..count).map(id).collect();
             (0..QUESTIONS).map(|_| ids[random.between(0, count - 1)]).collect()
         };
@@ -259,7 +259,7 @@ fn hashes(criterion: &mut Criterion) {
             bencher.iter(|| black_box(&keys).iter().fold(0, |sum: u64, key| sum.wrapping_add(hash(key))));
         });
     };
-    time("clip id", |key| ClipId::of(key).get());
+    time("clip id", |key| ClipId::from_key(key).get());
     time("FNV-1a", |key| {
         key.bytes().fold(0xCBF2_9CE4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01B3))
     });

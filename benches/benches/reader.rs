@@ -35,7 +35,7 @@ fn queries(criterion: &mut Criterion) {
     for (clip, value) in clips.iter().step_by(97) {
         for time_us in (0..12_500_000).step_by(133_337) {
             let seconds = time_us as f64 / 1e6;
-            assert_eq!(clip.viseme_at(Micros(time_us)).as_char(), naive::current_viseme(value, seconds));
+            assert_eq!(clip.viseme_at(Micros(time_us)).to_char(), naive::current_viseme(value, seconds));
         }
     }
 
@@ -43,7 +43,7 @@ fn queries(criterion: &mut Criterion) {
     let picks: Vec<usize> = (0..4096).map(|_| random.between(0, CLIPS - 1)).collect();
     let mut next = picks.iter().cycle();
     let mut pick = move || *next.next().expect("an endless iterator");
-    let ids: Vec<ClipId> = files.iter().map(|(key, _)| ClipId::of(key)).collect();
+    let ids: Vec<ClipId> = files.iter().map(|(key, _)| ClipId::from_key(key)).collect();
 
     let mut group = criterion.benchmark_group("reader");
     group.bench_function("find, by id", |bencher| bencher.iter(|| bank.clip(ids[pick()]).map(|clip| clip.slot())));

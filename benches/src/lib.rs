@@ -6,10 +6,12 @@
 
 pub mod callgrind;
 mod clip;
+mod folder;
 pub mod naive;
 mod random;
 mod texts;
 
+pub use folder::{list, temporary_folder, write_clips};
 pub use random::Random;
 
 /// Clips of a folder: a scene.
@@ -44,4 +46,13 @@ pub fn scene_folder(scene: usize) -> String {
 /// The tags of the first `count` locales.
 pub fn locale_tags(count: usize) -> impl Iterator<Item = &'static str> {
     texts::LOCALES.iter().take(count).map(|locale| locale.tag)
+}
+
+/// A number of locales that there are words for, as a command line names it.
+///
+/// # Errors
+/// If it is none.
+pub fn parse_locale_count(text: &str) -> Result<usize, String> {
+    let most = MAX_LOCALES;
+    text.parse().ok().filter(|count| (1..=most).contains(count)).ok_or_else(|| format!("a number from 1 to {most}"))
 }

@@ -1,8 +1,8 @@
 //! Packs `voices` while cargo builds the player.
 
-use lipz_compiler::{Build, BuildFailed, Options};
+use lipz_compiler::{Build, BuildError, Options};
 
-fn main() -> Result<(), BuildFailed> {
+fn main() -> Result<(), BuildError> {
     let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
     Build::new("voices").options(options).run()
 }

@@ -1,4 +1,4 @@
-//! Hands what libFuzzer makes up to `lipz_fuzz::bank`.
+//! Hands what libFuzzer makes up to `lipz_testkit::fuzz::bank`.
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| lipz_fuzz::bank(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| lipz_testkit::fuzz::bank(bytes));

@@ -1,4 +1,4 @@
-//! Hands what libFuzzer makes up to `lipz_fuzz::foreign`.
+//! Hands what libFuzzer makes up to `lipz_testkit::fuzz::foreign`.
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| lipz_fuzz::foreign(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| lipz_testkit::fuzz::foreign(bytes));

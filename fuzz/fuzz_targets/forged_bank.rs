@@ -1,4 +1,4 @@
-//! Hands what libFuzzer makes up to `lipz_fuzz::forged_bank`.
+//! Hands what libFuzzer makes up to `lipz_testkit::fuzz::forged_bank`.
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| lipz_fuzz::forged_bank(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| lipz_testkit::fuzz::forged_bank(bytes));

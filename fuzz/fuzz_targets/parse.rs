@@ -1,4 +1,4 @@
-//! Hands what libFuzzer makes up to `lipz_fuzz::parse`.
+//! Hands what libFuzzer makes up to `lipz_testkit::fuzz::parse`.
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| lipz_fuzz::parse(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| lipz_testkit::fuzz::parse(bytes));

@@ -1,4 +1,4 @@
-//! Hands what libFuzzer makes up to `lipz_fuzz::rewrite`.
+//! Hands what libFuzzer makes up to `lipz_testkit::fuzz::rewrite`.
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| lipz_fuzz::rewrite(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| lipz_testkit::fuzz::rewrite(bytes));

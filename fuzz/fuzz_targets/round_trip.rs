@@ -1,4 +1,4 @@
-//! Hands what libFuzzer makes up to `lipz_fuzz::round_trip`.
+//! Hands what libFuzzer makes up to `lipz_testkit::fuzz::round_trip`.
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| lipz_fuzz::round_trip(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| lipz_testkit::fuzz::round_trip(bytes));

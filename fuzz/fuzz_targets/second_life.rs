@@ -1,4 +1,4 @@
-//! Hands what libFuzzer makes up to `lipz_fuzz::second_life`.
+//! Hands what libFuzzer makes up to `lipz_testkit::fuzz::second_life`.
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| lipz_fuzz::second_life(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| lipz_testkit::fuzz::second_life(bytes));

@@ -4,9 +4,8 @@
 //! compiler of this repository measures coverage with flags that are stable.
 
 use crate::ci::cargo_command;
-use crate::{Failure, place};
+use crate::{Failure, paths};
 use clap::Args;
-use lipz_fuzz::{TARGETS, Target};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -33,16 +32,20 @@ pub(crate) struct Settings {
     minutes: u32,
 
     /// The target to run; all, one after the other, if none is named
-    #[arg(long, value_name = "NAME", value_parser = TARGETS.map(|target| target.name))]
+    #[arg(long, value_name = "NAME")]
     target: Option<String>,
 }
 
 pub(crate) fn run(settings: &Settings) -> Result<(), Failure> {
-    let folder = place::workspace_root().join("fuzz");
+    let folder = paths::workspace_root().join("fuzz");
+    let mut chosen = targets(&folder)?;
+    chosen.retain(|target| settings.target.as_ref().is_none_or(|chosen| *chosen == target.name));
+    if chosen.is_empty() {
+        return Err("there is no such target in fuzz/fuzz_targets".into());
+    }
     let programs = build(&folder)?;
-    let chosen = TARGETS.iter().filter(|target| settings.target.as_deref().is_none_or(|chosen| chosen == target.name));
     let mut lines = String::new();
-    for target in chosen {
+    for target in &chosen {
         println!("\n── {}", target.name);
         let executions = fuzz(target, &folder, &programs, settings.minutes)?;
         minimise(target, &folder, &programs)?;
@@ -50,6 +53,31 @@ pub(crate) fn run(settings: &Settings) -> Result<(), Failure> {
     }
     println!("\n{} min each, nothing found:\n{lines}", settings.minutes);
     Ok(())
+}
+
+/// A fuzz target: a program in `fuzz_targets`, and its options as OSS-Fuzz names them.
+struct Target {
+    name: String,
+    /// The longest input that is worth the time: it has room for all that a check can look at.
+    max_len: u32,
+}
+
+/// All targets, in the order of their names.
+fn targets(folder: &Path) -> Result<Vec<Target>, Failure> {
+    let folder = folder.join("fuzz_targets");
+    let failed = |error: std::io::Error| format!("`{}`: {error}", folder.display());
+    let mut targets = Vec::new();
+    for entry in fs::read_dir(&folder).map_err(failed)? {
+        let path = entry.map_err(failed)?.path();
+        if path.extension().is_some_and(|extension| extension == "rs") {
+            let options = fs::read_to_string(path.with_extension("options")).map_err(failed)?;
+            let max_len = options.lines().find_map(|line| line.strip_prefix("max_len = ")?.parse().ok());
+            let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            targets.push(Target { max_len: max_len.ok_or_else(|| format!("no max_len for `{name}`"))?, name });
+        }
+    }
+    targets.sort_by(|a, b| a.name.cmp(&b.name));
+    Ok(targets)
 }
 
 /// Builds all targets; returns the folder that they are in.
@@ -80,15 +108,15 @@ fn host() -> Result<String, Failure> {
 /// A run of a target: the folders `corpus/NAME`, which grows, and `seeds/NAME`. Returns how many inputs
 /// were tried.
 fn fuzz(target: &Target, folder: &Path, programs: &Path, minutes: u32) -> Result<u64, Failure> {
-    let artifacts = made(folder.join("artifacts").join(target.name))?;
+    let artifacts = made(folder.join("artifacts").join(&target.name))?;
     let output = libfuzzer(target, programs)
         .arg(format!("-max_total_time={}", minutes.saturating_mul(60)))
-        .arg(format!("-max_len={}", target.longest_bytes))
+        .arg(format!("-max_len={}", target.max_len))
         .arg(format!("-timeout={LONGEST_SECONDS}"))
         .arg(format!("-artifact_prefix={}/", artifacts.display()))
         .arg("-print_final_stats=1")
-        .arg(made(folder.join("corpus").join(target.name))?)
-        .arg(folder.join("seeds").join(target.name))
+        .arg(made(folder.join("corpus").join(&target.name))?)
+        .arg(folder.join("seeds").join(&target.name))
         .stderr(Stdio::piped())
         .output()
         .map_err(|error| format!("`{}` cannot be run: {error}", target.name))?;
@@ -107,7 +135,7 @@ fn fuzz(target: &Target, folder: &Path, programs: &Path, minutes: u32) -> Result
 
 /// Keeps of the corpus what covers all that it covers.
 fn minimise(target: &Target, folder: &Path, programs: &Path) -> Result<(), Failure> {
-    let corpus = folder.join("corpus").join(target.name);
+    let corpus = folder.join("corpus").join(&target.name);
     let smaller = made(folder.join("corpus").join(format!("{}.smaller", target.name)))?;
     let failed = |why: String| format!("the corpus of `{}` was not minimised: {why}", target.name);
     let merged = libfuzzer(target, programs).arg("-merge=1").args([&smaller, &corpus]).stderr(Stdio::piped()).output();
@@ -123,7 +151,7 @@ fn minimise(target: &Target, folder: &Path, programs: &Path) -> Result<(), Failu
 /// The program of a target, with one thread for the compiler: coverage is counted for all threads
 /// together.
 fn libfuzzer(target: &Target, programs: &Path) -> Command {
-    let mut command = Command::new(programs.join(target.name));
+    let mut command = Command::new(programs.join(&target.name));
     command.env("RAYON_NUM_THREADS", "1");
     command
 }

@@ -1,21 +1,17 @@
 //! Tasks of this workspace: `cargo xtask <task>`. Without a task it lists them.
 
+mod bless;
 mod capi;
 mod ci;
-mod compare;
-mod corpus;
-mod docs;
 mod edges;
+mod forward;
 mod fuzz;
-mod generate;
-mod instructions;
-mod measure;
 mod msrv;
-mod needs;
-mod place;
+mod paths;
 mod size;
 mod targets;
 mod toolchain;
+mod tools;
 mod web;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
@@ -49,30 +45,17 @@ enum Task {
     Size,
     /// Build the reader with the oldest compiler that it promises
     Msrv,
-    /// Write docs/DIAGNOSTICS.md, whose contents are in the code
-    Docs,
-    /// Write a folder of made-up clips of realistic size and shape
-    Generate(generate::Settings),
-    /// Measure packing against reading the same files (release builds only)
-    Measure(measure::Settings),
-    /// Compare the reader with other ways to keep clips in a file, as a Markdown table
-    Compare(compare::Settings),
-    /// Count the instructions of the reader's queries and hold them to their limits
-    Instructions(instructions::Settings),
-    /// Check packing, reading and unpacking against a folder of files with known contents
-    Corpus(corpus::Settings),
+    /// Write all files that programs make: rules, docs, headers, expected outputs
+    Bless,
     /// Look for inputs on which something does not hold that must hold for any bytes
     Fuzz(fuzz::Settings),
-    /// One piece of work of `measure`, in a process of its own
-    #[command(hide = true)]
-    Measured(measure::Measured),
 }
 
 fn main() -> ExitCode {
     let arguments: Vec<OsString> = std::env::args_os().skip(1).collect();
     // Before clap sees them: it would take `--` and `--help` for itself.
-    if arguments.first().is_some_and(|task| lipz_cli::commands().any(|name| *task == *name)) {
-        return lipz_cli::run(std::iter::once("lipz".into()).chain(arguments));
+    if let Some(forwarded) = forward::command(&arguments) {
+        return forwarded;
     }
     let matches = command().get_matches();
     let Some(task) = Arguments::from_arg_matches(&matches).unwrap_or_else(|error| error.exit()).task else {
@@ -82,6 +65,7 @@ fn main() -> ExitCode {
         };
     };
     let result = match task {
+        Task::Bless => bless::run(),
         Task::Ci => ci::run(),
         Task::Capi => capi::run(),
         Task::Web => web::run(),
@@ -89,14 +73,7 @@ fn main() -> ExitCode {
         Task::Targets(settings) => targets::run(&settings),
         Task::Size => size::run(),
         Task::Msrv => msrv::run(),
-        Task::Docs => docs::run(),
-        Task::Generate(settings) => generate::run(&settings),
-        Task::Measure(settings) => measure::run(&settings),
-        Task::Compare(settings) => compare::run(&settings),
-        Task::Instructions(settings) => instructions::run(&settings),
-        Task::Corpus(settings) => corpus::run(&settings),
         Task::Fuzz(settings) => fuzz::run(&settings),
-        Task::Measured(measured) => measure::run_one(&measured),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -107,10 +84,9 @@ fn main() -> ExitCode {
     }
 }
 
-/// The command line of this program; its help tells that the commands of `lipz` are tasks, too.
+/// The command line of this program; its help names what is forwarded, too.
 fn command() -> clap::Command {
-    let names: Vec<String> = lipz_cli::commands().collect();
-    Arguments::command().after_help(format!("The commands of lipz are tasks, too: {}", names.join(", ")))
+    Arguments::command().after_help(forward::help())
 }
 
 #[cfg(test)]
@@ -120,13 +96,6 @@ mod tests {
     #[test]
     fn the_arguments_are_consistent() {
         Arguments::command().debug_assert();
-    }
-
-    #[test]
-    fn no_task_hides_a_command_of_lipz() {
-        assert!(lipz_cli::commands().all(|name| Arguments::command().find_subcommand(name).is_none()));
-        let help = command().render_help().to_string();
-        assert!(lipz_cli::commands().all(|name| help.contains(&name)), "{help}");
     }
 
     #[test]

@@ -2,8 +2,8 @@
 
 use crate::Failure;
 use crate::ci::cargo_command;
-use crate::needs::{skip, succeed};
-use crate::place::workspace_root;
+use crate::paths::workspace_root;
+use crate::tools::{skip, succeed};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 

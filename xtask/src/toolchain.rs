@@ -2,7 +2,7 @@
 //! standard library, of which cargo then builds what the target needs.
 
 use crate::ci::cargo_command;
-use crate::place::workspace_root;
+use crate::paths::workspace_root;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 

@@ -2,9 +2,9 @@
 //!
 //! Its wasm module is lipz-capi, without a line of its own: what JavaScript needs is the ABI of C.
 
-use crate::needs::{has_program, skip, succeed};
 use crate::toolchain::{Library, NEEDS, Toolchain, rust_lld, variable};
-use crate::{Failure, place};
+use crate::tools::{has_program, skip, succeed};
+use crate::{Failure, paths};
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -22,7 +22,7 @@ pub(crate) fn run() -> Result<(), Failure> {
         return skip(NEEDS);
     };
     build(&toolchain)?;
-    let package = place::target_folder().join("web");
+    let package = paths::target_folder().join("web");
     assemble(&package, &toolchain.release_folder())
         .map_err(|error| format!("`{}` cannot be written: {error}", package.display()))?;
     println!("npm package: {}", package.display());
@@ -53,13 +53,13 @@ fn build(toolchain: &Toolchain) -> Result<(), Failure> {
 
 /// Puts the package together, in place of what is there; the module is in `built`.
 fn assemble(package: &Path, built: &Path) -> std::io::Result<()> {
-    let root = place::workspace_root();
+    let root = paths::workspace_root();
     if package.exists() {
         fs::remove_dir_all(package)?;
     }
     for folder in FOLDERS {
         fs::create_dir_all(package.join(folder))?;
-        for entry in fs::read_dir(root.join("crates/lipz-web").join(folder))? {
+        for entry in fs::read_dir(root.join("packages/lipz-web").join(folder))? {
             let entry = entry?;
             if entry.file_type()?.is_file() {
                 fs::copy(entry.path(), package.join(folder).join(entry.file_name()))?;

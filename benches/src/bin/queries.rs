@@ -27,7 +27,7 @@ fn ask(bytes: &[u8], question: &str, times: usize) -> Result<(), Box<dyn std::er
     let bank = Bank::open(bytes)?.verify()?;
     let locale = bank.locale("de-de").ok_or("the bank has no German")?;
     let keys: Vec<String> = (0..bank.clip_count()).map(clip_key).collect();
-    let ids: Vec<ClipId> = keys.iter().map(|key| ClipId::of(key)).collect();
+    let ids: Vec<ClipId> = keys.iter().map(|key| ClipId::from_key(key)).collect();
     let clips: Vec<Clip<'_, '_>> = ids.iter().filter_map(|id| bank.clip(*id)).collect();
     let mut random = Random::new(DEFAULT_SEED, 0);
     // Where and when: as many for any number of questions, so that drawing does not count.

@@ -1,41 +1,10 @@
 //! Babble: a mouth that moves while somebody speaks whose mouth shapes nobody knows.
 
-use crate::layout::{BabbleRecord, Tag};
-use crate::{Bank, Fps, Time};
+use crate::{Bank, Fps, Time, Weight};
 use core::fmt;
 use core::iter::FusedIterator;
+use lipz_layout::{BabbleRecord, Tag};
 use zerocopy::FromBytes;
-
-/// How far something is moved, such as a mouth opened: 0 to 9900 ten-thousandths.
-///
-/// The digit *d* of a loop or of an `rms` clip stands for 0.11 · *d*; the product of two digits, one of a
-/// loop and one of a power transfer, for 0.0121 of it. Both are whole numbers of ten-thousandths: 1100 · *d*, 121 · *d* · *e*.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
-pub struct Weight(u16);
-
-/// Ten-thousandths that a digit stands for.
-const PER_DIGIT: u16 = 1100;
-/// Ten-thousandths of a product of two digits.
-const PER_PRODUCT: u16 = 121;
-/// Ten-thousandths in 1.
-const ONE: f32 = 10_000.0;
-
-impl Weight {
-    /// The weight of a digit; of none, 0.
-    pub(crate) const fn of_digit(code: u8) -> Weight {
-        Weight(digit(code).wrapping_mul(PER_DIGIT))
-    }
-
-    /// The weight in ten-thousandths.
-    pub const fn ten_thousandths(self) -> u16 {
-        self.0
-    }
-
-    /// The weight as a fraction, 0 to 0.99.
-    pub fn to_f32(self) -> f32 {
-        f32::from(self.0) / ONE
-    }
-}
 
 /// What moves the mouth while somebody babbles.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
@@ -46,7 +15,7 @@ pub struct Weights {
     pub aah: Weight,
 }
 
-/// How loud the voice is: an `f32` from 0 to 1, a [`Level`], or a function that measures either.
+/// How loud the voice is: an `f32` from 0 to 1, a [`VoiceLevel`], or a function that measures either.
 pub trait Power: sealed::Sealed {
     /// Where the power leads to in transfers of these lengths.
     #[doc(hidden)]
@@ -56,21 +25,21 @@ pub trait Power: sealed::Sealed {
 mod sealed {
     pub trait Sealed {}
     impl Sealed for f32 {}
-    impl Sealed for super::Level {}
+    impl Sealed for super::VoiceLevel {}
     impl<M: FnOnce() -> P, P: super::Power> Sealed for M {}
 }
 
 /// Power without floating point, in 65,536ths.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub struct Level(pub u16);
+pub struct VoiceLevel(pub u16);
 
-impl Level {
+impl VoiceLevel {
     /// The power of a voice that nobody measures: three quarters, where all digits of the default profile
     /// show, but not at their widest.
-    pub const STEADY: Level = Level(0xC000);
+    pub const UNMEASURED: VoiceLevel = VoiceLevel(0xC000);
 }
 
-impl Power for Level {
+impl Power for VoiceLevel {
     fn indices(self, lengths: [usize; 2]) -> [usize; 2] {
         // The digits are at most 65,535, and the level is less than 1: the index is one of them.
         lengths.map(|length| ((length as u32).wrapping_mul(u32::from(self.0)) >> 16) as usize)
@@ -94,13 +63,13 @@ impl<M: FnOnce() -> P, P: Power> Power for M {
 /// "LipSync", "How to babble").
 ///
 /// ```
-/// use lipz_bank::{Babble, Level, Micros};
+/// use lipz_bank::{Babble, VoiceLevel, Micros};
 /// let babble = Babble::DEFAULT; // or that of a bank: bank.default_babble(), bank.babble("robot")
 /// let since_speech_began = Micros(250_000);
 /// let mouth = babble.at(since_speech_began, 0.8); // the power of the voice
 /// assert_eq!((mouth.ooh.ten_thousandths(), mouth.aah.to_f32()), (8 * 8 * 121, 0.5929));
 /// babble.at(since_speech_began, || 0.8); // measured by a function
-/// babble.at(since_speech_began, Level::STEADY); // not measured
+/// babble.at(since_speech_began, VoiceLevel::UNMEASURED); // not measured
 /// ```
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub struct Babble<'data> {
@@ -140,7 +109,7 @@ impl<'data> Babble<'data> {
             aah: take(record.aah_length_bytes.get())?,
             ooh_power_transfer: take(record.ooh_power_transfer_length_bytes.get())?,
             aah_power_transfer: take(record.aah_power_transfer_length_bytes.get())?,
-            rate: Fps::from_parts(numerator, denominator, record.frames_per_micro_q64.get()),
+            rate: Fps::from_parts_unchecked(numerator, denominator, record.frames_per_micro_q64.get()),
         };
         Some((babble, rest))
     }
@@ -200,14 +169,9 @@ impl<'data> Babble<'data> {
 fn product(digits: &[u8], index: u32, transfer: &[u8], power_index: usize) -> Weight {
     let turned = (index as usize).checked_rem(digits.len()).and_then(|at| digits.get(at));
     match (turned, transfer.get(power_index)) {
-        (Some(own), Some(power)) => Weight(digit(*own).wrapping_mul(digit(*power)).wrapping_mul(PER_PRODUCT)),
-        _ => Weight(0),
+        (Some(own), Some(power)) => Weight::from_digits(*own, *power),
+        _ => Weight::default(),
     }
-}
-
-/// The value of a digit; 0 if it is none.
-const fn digit(code: u8) -> u16 {
-    if code.is_ascii_digit() { code.wrapping_sub(b'0') as u16 } else { 0 }
 }
 
 impl fmt::Debug for Babble<'_> {

@@ -1,13 +1,11 @@
 //! Opening a bank and finding its clips and locales.
 
 use crate::file::{ALL_SECTIONS, File, Sections, entries, place};
-use crate::layout::{
-    self, ClipRecord, EventNameRecord, EventRecord, KeyRecord, RateRecord, Tag, TypedEventRecord, U32,
-};
 use crate::locale::LocaleTable;
 use crate::pool::Pool;
 use crate::{Clip, ClipId, Clips, Error, ErrorKind, EventName, Locale, Locales};
 use core::fmt;
+use lipz_layout::{ClipRecord, EventNameRecord, EventRecord, KeyRecord, RateRecord, Tag, TypedEventRecord, U32};
 
 /// A bank, used in place: a few slices into the caller's bytes.
 ///
@@ -106,7 +104,7 @@ impl<'data> Bank<'data> {
     /// The clip with this key, compared whole.
     #[inline]
     pub fn clip_by_key(&self, key: &str) -> Option<Clip<'data, '_>> {
-        let (slot, record) = self.find(ClipId::of(key))?;
+        let (slot, record) = self.find(ClipId::from_key(key))?;
         if self.key_bytes(record)? == key.as_bytes() { self.clip_at(slot) } else { None }
     }
 
@@ -138,10 +136,10 @@ impl<'data> Bank<'data> {
     #[cfg_attr(target_pointer_width = "64", inline)]
     #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     pub(crate) fn find(&self, id: ClipId) -> Option<(u32, &'data KeyRecord)> {
-        let spread = layout::spread(id.get(), self.file.header.index_seed.get());
-        let bucket = layout::bucket_of(spread, self.pilots.len() as u32);
+        let spread = lipz_layout::spread(id.get(), self.file.header.index_seed.get());
+        let bucket = lipz_layout::bucket_of(spread, self.pilots.len() as u32);
         let pilot = self.pilots.get(bucket as usize)?.get();
-        let slot = layout::slot_of(spread, pilot, self.clips.len() as u32);
+        let slot = lipz_layout::slot_of(spread, pilot, self.clips.len() as u32);
         let record = self.keys.get(slot as usize)?;
         if record.id.get() == id.get() { Some((slot, record)) } else { None }
     }

@@ -3,8 +3,8 @@
 use core::fmt;
 use core::iter::FusedIterator;
 
-use crate::layout::{ClipRecord, FLAG_VISEMES, KeyRecord};
 use crate::{Bank, ClipId, Fps, Segment, Segments, Time, Viseme, VisemeType};
+use lipz_layout::{ClipRecord, FLAG_VISEMES, KeyRecord};
 
 /// One spoken line: mouth shapes by frame, and segments with texts and events.
 #[derive(Clone, Copy)]
@@ -19,8 +19,8 @@ pub struct Clip<'data, 'bank> {
 impl<'data, 'bank> Clip<'data, 'bank> {
     #[inline]
     pub(crate) fn new(bank: &'bank Bank<'data>, record: &'data ClipRecord, slot: u32) -> Self {
-        let fps = Fps::stored(record.rate.get(), bank.rates);
-        Clip { bank, record, slot, fps, viseme_type: VisemeType::from_u8(record.viseme_type) }
+        let fps = lipz_layout::stored_fps(record.rate.get(), bank.rates);
+        Clip { bank, record, slot, fps, viseme_type: VisemeType::from_number(record.viseme_type) }
     }
 
     /// The clip with `fps` where its file and the project left the frame rate unspecified.

@@ -5,11 +5,11 @@ use core::fmt;
 use core::hash::{Hash, Hasher};
 use core::iter::FusedIterator;
 
-use crate::Bank;
-use crate::layout::{EventNameRecord, EventRecord, NO_NAME, TypedEventRecord};
-use crate::layout::{VERB_DOES, VERB_FEELS, VERB_POINTS, VERB_SEES, VERB_STARES};
-use crate::layout::{VERB_STOPS_POINTING, VERB_STOPS_STARING};
 use crate::pool::Pool;
+use crate::{Bank, Command};
+use lipz_layout::{EventNameRecord, EventRecord, NO_NAME, TypedEventRecord};
+use lipz_layout::{VERB_DOES, VERB_FEELS, VERB_POINTS, VERB_SEES, VERB_STARES};
+use lipz_layout::{VERB_STOPS_POINTING, VERB_STOPS_STARING};
 
 /// A name that events mention: a character, an emotion, a target or an action.
 ///
@@ -134,52 +134,6 @@ impl fmt::Display for Event<'_> {
                 f.write_str(object.as_str())
             }
             None => Ok(()),
-        }
-    }
-}
-
-/// What a character does, with the `Name` of an emotion, target or action.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum Command<Name> {
-    /// `feels emotion`: lasts until changed.
-    Feels(Name),
-    /// `sees target`, a character or a prop: for a moment.
-    Sees(Name),
-    /// `stares target`: until `stops staring`.
-    Stares(Name),
-    /// `stops staring`.
-    StopsStaring,
-    /// `points target`: until `stops pointing`.
-    Points(Name),
-    /// `stops pointing`.
-    StopsPointing,
-    /// `does action`: an action of the game.
-    Does(Name),
-}
-
-impl<Name> Command<Name> {
-    /// The verb as it is written: `feels`, `stops staring`.
-    pub const fn verb(&self) -> &'static str {
-        match self {
-            Command::Feels(_) => "feels",
-            Command::Sees(_) => "sees",
-            Command::Stares(_) => "stares",
-            Command::StopsStaring => "stops staring",
-            Command::Points(_) => "points",
-            Command::StopsPointing => "stops pointing",
-            Command::Does(_) => "does",
-        }
-    }
-
-    /// The emotion, target or action; `None` for the verbs that stop something.
-    pub fn object(self) -> Option<Name> {
-        match self {
-            Command::Feels(object)
-            | Command::Sees(object)
-            | Command::Stares(object)
-            | Command::Points(object)
-            | Command::Does(object) => Some(object),
-            Command::StopsStaring | Command::StopsPointing => None,
         }
     }
 }

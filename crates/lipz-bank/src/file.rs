@@ -1,8 +1,8 @@
 //! What all files of the format have: a header, a directory, and sections.
 
-use crate::layout::{self, DirectoryEntry, Header, Tag};
 use crate::{Error, ErrorKind};
 use core::mem::size_of;
+use lipz_layout::{DirectoryEntry, Header, Tag};
 use zerocopy::{FromBytes, Immutable, KnownLayout, Unaligned};
 
 /// Where the number of sections stands in the header.
@@ -34,7 +34,7 @@ pub(crate) const TEXT_SECTIONS: SectionSet =
 /// The places of sections in [`Sections`].
 pub(crate) mod place {
     use super::place_of;
-    use crate::layout::Tag;
+    use lipz_layout::Tag;
 
     pub(crate) const CLIPS: usize = place_of(Tag::CLIPS);
     pub(crate) const KEYS: usize = place_of(Tag::KEYS);
@@ -115,7 +115,7 @@ impl<'data> File<'data> {
                 *needed &= needed.wrapping_sub(1);
                 Ok(())
             }
-            _ if entry.flags.get() & layout::SECTION_REQUIRED != 0 => Err(ErrorKind::SectionUnknown),
+            _ if entry.flags.get() & lipz_layout::SECTION_REQUIRED != 0 => Err(ErrorKind::SectionUnknown),
             _ => Ok(()),
         }
     }
@@ -151,20 +151,21 @@ where
 fn check_header(bytes: &[u8]) -> Result<(), Error> {
     let magic_start = bytes.get(..4);
     let (header, _) = Header::ref_from_prefix(bytes).map_err(|_| match magic_start {
-        Some(start) if start != &layout::MAGIC[..4] => Error::new(ErrorKind::NotABank, 0),
+        Some(start) if start != &lipz_layout::MAGIC[..4] => Error::new(ErrorKind::NotABank, 0),
         _ => Error::new(ErrorKind::TooShort, bytes.len() as u32),
     })?;
-    if header.magic != layout::MAGIC {
-        let kind = if magic_start == Some(&layout::MAGIC[..4]) { ErrorKind::TextMode } else { ErrorKind::NotABank };
+    if header.magic != lipz_layout::MAGIC {
+        let kind =
+            if magic_start == Some(&lipz_layout::MAGIC[..4]) { ErrorKind::TextMode } else { ErrorKind::NotABank };
         return Err(Error::new(kind, 0));
     }
-    if header.format_major.get() != layout::FORMAT_MAJOR {
+    if header.format_major.get() != lipz_layout::FORMAT_MAJOR {
         return Err(Error::new(ErrorKind::UnsupportedVersion, 20));
     }
     if header.file_length_bytes.get() as usize != bytes.len() {
         return Err(Error::new(ErrorKind::WrongLength, 16));
     }
-    if header.section_count.get() as usize > layout::MAX_SECTIONS {
+    if header.section_count.get() as usize > lipz_layout::MAX_SECTIONS {
         return Err(Error::new(ErrorKind::DirectoryTooLong, SECTION_COUNT_OFFSET));
     }
     Ok(())

@@ -8,7 +8,7 @@
 //! use lipz_bank::{Bank, ClipId, Micros};
 //!
 //! // Ids are computed while compiling; a key is the path of a Lipz file without extension.
-//! const GOOD_EVENING: ClipId = ClipId::of("act1/mara-good-evening");
+//! const GOOD_EVENING: ClipId = ClipId::from_key("act1/mara-good-evening");
 //!
 //! # fn main() -> Result<(), lipz_bank::Error> {
 //! # let bytes: &[u8] = include_bytes!("../../../fixtures/banks/v1/drama.lipzbank");
@@ -57,9 +57,6 @@ mod clip;
 mod error;
 mod event;
 mod file;
-mod fps;
-mod id;
-pub mod layout;
 mod locale;
 mod openness;
 mod playback;
@@ -67,21 +64,17 @@ mod pool;
 mod segment;
 mod text;
 mod text_bank;
-mod time;
 mod verify;
-mod viseme;
 
-pub use babble::{Babble, Babbles, Level, Power, Weight, Weights};
+pub use babble::{Babble, Babbles, Power, VoiceLevel, Weights};
 pub use bank::Bank;
 pub use clip::{Clip, Clips};
 pub use error::{Error, ErrorKind};
-pub use event::{Command, Event, EventName, Events};
-pub use fps::Fps;
-pub use id::ClipId;
+pub use event::{Event, EventName, Events};
 pub use locale::{Locale, Locales};
 pub use playback::{CharacterState, Characters, Crossed, Hold, Lead, Playback};
 pub use segment::{Segment, Segments};
 pub use text::Text;
 pub use text_bank::TextBank;
-pub use time::{Micros, Samples, Seconds, Time};
-pub use viseme::{Viseme, VisemeType};
+
+pub use lipz_types::{ClipId, Command, Fps, Micros, Samples, Seconds, Time, Viseme, VisemeType, Weight};

@@ -4,8 +4,8 @@ use core::fmt;
 use core::iter::FusedIterator;
 
 use crate::file::{Sections, entries, place};
-use crate::layout::{LOCALE_DEFAULT, LocaleRecord, U32};
 use crate::pool::Pool;
+use lipz_layout::{LOCALE_DEFAULT, LocaleRecord, U32};
 
 /// The locales of a file with their texts: four of the sections of a bank, all that a text bank
 /// has.

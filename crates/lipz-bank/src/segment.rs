@@ -1,11 +1,11 @@
 //! One segment of a clip: frames, display texts and event string.
 
-use crate::layout::EventRecord;
 use crate::text::TextPlace;
 use crate::{Bank, Clip, Events, Locale, Text};
 use core::fmt;
 use core::iter::FusedIterator;
 use core::ops::Range;
+use lipz_layout::EventRecord;
 
 /// A stretch of a clip, between two `|` of its Lipz file.
 #[derive(Clone, Copy)]

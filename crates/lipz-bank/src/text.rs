@@ -1,12 +1,12 @@
 //! Display texts, and where they stand in the pool.
 
 use crate::Locale;
-use crate::layout::{
-    NO_TEXT, TEXT_COUNT_BYTES, TEXT_COUNTED, TEXT_FALLBACK, TEXT_MAX_BYTES, TEXT_OFFSET, U32, counted_length,
-};
 use crate::pool::Pool;
 use core::fmt;
 use core::ops::Deref;
+use lipz_layout::{
+    NO_TEXT, TEXT_COUNT_BYTES, TEXT_FALLBACK, TEXT_HAS_LENGTH, TEXT_MAX_BYTES, TEXT_OFFSET, U32, counted_length,
+};
 
 /// A display text.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -69,7 +69,7 @@ impl TextPlace {
     pub(crate) fn between(entry: U32, next: U32, texts: Pool<'_>) -> Option<TextPlace> {
         let (entry, next) = (entry.get(), next.get());
         let offset = (entry & TEXT_OFFSET) as usize;
-        let (start, end) = if entry & TEXT_COUNTED == 0 {
+        let (start, end) = if entry & TEXT_HAS_LENGTH == 0 {
             (offset, (next & TEXT_OFFSET) as usize)
         } else {
             let start = offset.wrapping_add(TEXT_COUNT_BYTES);

@@ -3,9 +3,9 @@
 use core::fmt;
 
 use crate::file::{ALL_SECTIONS, File, Sections, TEXT_SECTIONS};
-use crate::layout::Tag;
 use crate::locale::LocaleTable;
 use crate::{Bank, Error, ErrorKind, Locale, Locales};
+use lipz_layout::Tag;
 
 /// The texts of one or more locales in a file of their own, which belongs to one [`Bank`].
 ///

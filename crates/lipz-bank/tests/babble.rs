@@ -3,10 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
-mod common;
-
-use common::{SMALL, verified};
-use lipz_bank::{Babble, Fps, Level, Micros, Samples, Seconds, Viseme, VisemeType, Weight, Weights};
+use lipz_bank::{Babble, Fps, Micros, Samples, Seconds, Viseme, VisemeType, VoiceLevel, Weight, Weights};
+use lipz_testkit::golden::{SMALL, verified};
 use std::time::Duration;
 
 /// Frames after which loops of 28 and 24 digits repeat together.
@@ -69,15 +67,15 @@ fn levels_are_powers_and_no_power_leaves_the_transfer() {
     let babble = Babble::DEFAULT;
     let elapsed = Micros(200_000); // digits 9 and 9
     for level in 0..=u16::MAX {
-        assert_eq!(babble.at(elapsed, Level(level)), babble.at(elapsed, f32::from(level) / 65_536.0));
+        assert_eq!(babble.at(elapsed, VoiceLevel(level)), babble.at(elapsed, f32::from(level) / 65_536.0));
     }
-    let loudest = babble.at(elapsed, Level(u16::MAX));
+    let loudest = babble.at(elapsed, VoiceLevel(u16::MAX));
     assert_eq!(loudest.ooh.ten_thousandths(), 81 * 121 - 9 * 121, "8 of the loop, 9 of the transfer");
     for power in [1.0, 1.5, f32::INFINITY] {
         assert_eq!(babble.at(elapsed, power), loudest);
     }
     for power in [0.0, -1.0, f32::NEG_INFINITY, f32::NAN] {
-        assert_eq!(babble.at(elapsed, power), babble.at(elapsed, Level(0)));
+        assert_eq!(babble.at(elapsed, power), babble.at(elapsed, VoiceLevel(0)));
     }
     let mut calls = 0;
     assert_eq!(

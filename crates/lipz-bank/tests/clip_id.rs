@@ -20,16 +20,16 @@ fn vectors() {
         ("0123456789abcdef", 0x1b82_c83d_851d_0470),
     ];
     for (key, id) in vectors {
-        assert_eq!(ClipId::of(key).get(), id, "{key}");
+        assert_eq!(ClipId::from_key(key).get(), id, "{key}");
     }
 }
 
 #[test]
 fn the_same_while_compiling() {
-    const ID: ClipId = ClipId::of("act1/samson-hello");
-    static TABLE: [ClipId; 2] = [ID, ClipId::of("行")];
+    const ID: ClipId = ClipId::from_key("act1/samson-hello");
+    static TABLE: [ClipId; 2] = [ID, ClipId::from_key("行")];
     let key = String::from("act1/samson-") + "hello";
-    assert_eq!(TABLE, [ClipId::of(&key), ClipId::from_u64(0xb978_4075_49c4_75c1)]);
+    assert_eq!(TABLE, [ClipId::from_key(&key), ClipId::from_u64(0xb978_4075_49c4_75c1)]);
     assert_eq!(format!("{ID} {ID:?}"), "ffff95a90441eeda ClipId(0xffff95a90441eeda)");
 }
 
@@ -48,7 +48,7 @@ fn keys() -> impl Iterator<Item = String> {
 fn a_million_keys_are_distinct() {
     let mut seen = HashSet::new();
     for key in keys() {
-        assert!(seen.insert(ClipId::of(&key)), "{key}");
+        assert!(seen.insert(ClipId::from_key(&key)), "{key}");
     }
 }
 
@@ -58,7 +58,7 @@ fn length_counts() {
     let mut seen = HashSet::new();
     for filler in ["\0", " ", "a", "-"] {
         for length in 1..100 {
-            assert!(seen.insert(ClipId::of(&filler.repeat(length))), "{length} times {filler:?}");
+            assert!(seen.insert(ClipId::from_key(&filler.repeat(length))), "{length} times {filler:?}");
         }
     }
 }
@@ -70,7 +70,7 @@ fn every_bit_is_set_half_of_the_time() {
     let mut set = [0_u32; 64];
     let mut count = 0_u32;
     for key in keys() {
-        let id = ClipId::of(&key).get();
+        let id = ClipId::from_key(&key).get();
         for (bit, set) in set.iter_mut().enumerate() {
             *set += u32::from(id >> bit & 1 == 1);
         }
@@ -109,7 +109,7 @@ fn every_bit_of_the_key_reaches_every_bit_of_the_id() {
 }
 
 fn id(key: &[u8]) -> u64 {
-    std::str::from_utf8(key).map_or(0, |key| ClipId::of(key).get())
+    std::str::from_utf8(key).map_or(0, |key| ClipId::from_key(key).get())
 }
 
 fn mix(round: u32, at: usize) -> u8 {

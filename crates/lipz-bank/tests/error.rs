@@ -3,11 +3,11 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
-mod common;
-
-use common::{SMALL, STRIPPED, changed, entry_of, finding, key_record_of, put, record_of, section, u32_at};
-use lipz_bank::layout::{MAGIC, NO_TEXT, TEXT_COUNTED, TEXT_FALLBACK, Tag, WHOLE_RATES};
 use lipz_bank::{Error, ErrorKind};
+use lipz_layout::{MAGIC, MAX_INTEGER_FPS, NO_TEXT, TEXT_FALLBACK, TEXT_HAS_LENGTH, Tag};
+use lipz_testkit::golden::{
+    SMALL, STRIPPED, changed, entry_of, finding, key_record_of, put, record_of, section, u32_at,
+};
 
 /// The kind and place found in a small bank that `change` has changed.
 fn found(change: impl FnOnce(&mut Vec<u8>)) -> (ErrorKind, usize) {
@@ -156,7 +156,7 @@ fn clip_records() {
     assert_eq!(field(8, &1_u32.to_le_bytes()), (SegmentStarts, clip), "first segment");
     assert_eq!(field(12, &0_u16.to_le_bytes()), (FrameRate, clip), "no frames a second");
     let rates = section(SMALL, Tag::RATES).len() / 16;
-    let behind = WHOLE_RATES + 1 + rates as u16;
+    let behind = MAX_INTEGER_FPS + 1 + rates as u16;
     assert_eq!(field(12, &behind.to_le_bytes()), (FrameRate, clip), "a rate that is not there");
     assert_eq!(field(14, &[2]), (FrameCode, clip), "viseme type");
     assert_eq!(field(14, &[4]), (ClipFlags, clip), "viseme type");
@@ -229,7 +229,7 @@ fn texts_and_locales() {
     let segment_count = section(SMALL, Tag::STARTS).len() / 4 - 1;
     let first = u32_at(SMALL, record_of(SMALL, "act1/blair") + 8) as usize;
     let of_clip = starts.start + 4 * (segment_count + first);
-    for entry in [1000, TEXT_FALLBACK | 1000, TEXT_COUNTED | 1000, NO_TEXT - 1, NO_TEXT] {
+    for entry in [1000, TEXT_FALLBACK | 1000, TEXT_HAS_LENGTH | 1000, NO_TEXT - 1, NO_TEXT] {
         let found = found(|bank| put(bank, of_clip + 4, entry.to_le_bytes()));
         assert_eq!(found, (TextReference, of_clip), "{entry:#x}");
     }

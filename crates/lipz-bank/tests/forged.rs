@@ -3,12 +3,10 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
-mod common;
-
-use common::forge::{ForgedClip, bank};
-use common::{SMALL, changed, entry_of, finding, put, record_of, section, u32_at};
-use lipz_bank::layout::{TEXT_COUNTED, Tag};
 use lipz_bank::{Error, ErrorKind};
+use lipz_layout::{TEXT_HAS_LENGTH, Tag};
+use lipz_testkit::forge::{ForgedClip, bank};
+use lipz_testkit::golden::{SMALL, changed, entry_of, finding, put, record_of, section, u32_at};
 
 /// Every reference is checked, also those of sections that only the compiler reads.
 #[test]
@@ -70,7 +68,7 @@ fn clips_do_not_share_frames() {
 #[test]
 fn shared_texts_are_whole() {
     let clip = ForgedClip { key: "k", frames: vec![], starts: vec![0; 2999] };
-    let with = |pool| bank(std::slice::from_ref(&clip), 300, &[TEXT_COUNTED; 3000], pool);
+    let with = |pool| bank(std::slice::from_ref(&clip), 300, &[TEXT_HAS_LENGTH; 3000], pool);
     assert_eq!(finding(&with(b"\0\0\x04four")), None);
     assert_eq!(finding(&with(b"\0\0\x05four")).map(Error::kind), Some(ErrorKind::TextReference));
 }

@@ -3,12 +3,10 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
-mod common;
-
-use common::{DRAMA, SMALL, section, verified};
-use lipz_bank::layout::{self, ClipRecord, DirectoryEntry, Header, KeyRecord, LocaleRecord, RateRecord, Tag};
-use lipz_bank::layout::{BabbleRecord, EventNameRecord, EventRecord, TypedEventRecord};
 use lipz_bank::{ClipId, ErrorKind};
+use lipz_layout::{BabbleRecord, EventNameRecord, EventRecord, TypedEventRecord};
+use lipz_layout::{ClipRecord, DirectoryEntry, Header, KeyRecord, LocaleRecord, RateRecord, Tag};
+use lipz_testkit::golden::{DRAMA, SMALL, section, verified};
 use std::mem::{size_of, size_of_val};
 use zerocopy::FromBytes;
 
@@ -76,9 +74,9 @@ fn header() {
     });
     check_fields("Header", &fields, size_of::<Header>());
     let row = &table("### Header", "| offset | size | name | meaning |")[0];
-    let magic: Vec<String> = layout::MAGIC.iter().map(|byte| format!("{byte:02X}")).collect();
+    let magic: Vec<String> = lipz_layout::MAGIC.iter().map(|byte| format!("{byte:02X}")).collect();
     assert!(row[3].starts_with(&magic.join(" ")), "{}", row[3]);
-    assert_eq!(layout::CHECKED_FROM, 16);
+    assert_eq!(lipz_layout::CHECKED_FROM, 16);
 }
 
 #[test]
@@ -128,19 +126,19 @@ fn sections() {
 #[test]
 fn values() {
     let values = [
-        ("FORMAT_MAJOR", u32::from(layout::FORMAT_MAJOR)),
-        ("FORMAT_MINOR", u32::from(layout::FORMAT_MINOR)),
-        ("SECTION_REQUIRED", u32::from(layout::SECTION_REQUIRED)),
-        ("FLAG_VISEMES", u32::from(layout::FLAG_VISEMES)),
-        ("NO_RATE", u32::from(layout::NO_RATE)),
-        ("WHOLE_RATES", u32::from(layout::WHOLE_RATES)),
-        ("LOCALE_DEFAULT", u32::from(layout::LOCALE_DEFAULT)),
-        ("NO_TEXT", layout::NO_TEXT),
-        ("TEXT_FALLBACK", layout::TEXT_FALLBACK),
-        ("TEXT_COUNTED", layout::TEXT_COUNTED),
-        ("TEXT_OFFSET", layout::TEXT_OFFSET),
-        ("NO_NAME", layout::NO_NAME),
-        ("DIRECT_SLOT", layout::DIRECT_SLOT),
+        ("FORMAT_MAJOR", u32::from(lipz_layout::FORMAT_MAJOR)),
+        ("FORMAT_MINOR", u32::from(lipz_layout::FORMAT_MINOR)),
+        ("SECTION_REQUIRED", u32::from(lipz_layout::SECTION_REQUIRED)),
+        ("FLAG_VISEMES", u32::from(lipz_layout::FLAG_VISEMES)),
+        ("NO_RATE", u32::from(lipz_layout::NO_RATE)),
+        ("MAX_INTEGER_FPS", u32::from(lipz_layout::MAX_INTEGER_FPS)),
+        ("LOCALE_DEFAULT", u32::from(lipz_layout::LOCALE_DEFAULT)),
+        ("NO_TEXT", lipz_layout::NO_TEXT),
+        ("TEXT_FALLBACK", lipz_layout::TEXT_FALLBACK),
+        ("TEXT_HAS_LENGTH", lipz_layout::TEXT_HAS_LENGTH),
+        ("TEXT_OFFSET", lipz_layout::TEXT_OFFSET),
+        ("NO_NAME", lipz_layout::NO_NAME),
+        ("DIRECT_SLOT", lipz_layout::DIRECT_SLOT),
     ];
     let described: Vec<_> = table("### ClipRecord", "| name | value |");
     assert!(described.iter().map(|row| (row[0], number(row[1]) as u32)).eq(values));
@@ -170,7 +168,7 @@ fn errors() {
 #[test]
 fn clip_ids() {
     for row in table("## Clip ids", "| key | clip id |") {
-        assert_eq!(ClipId::of(row[0]).get(), hex(row[1]), "{}", row[0]);
+        assert_eq!(ClipId::from_key(row[0]).get(), hex(row[1]), "{}", row[0]);
     }
 }
 
@@ -178,11 +176,11 @@ fn clip_ids() {
 fn clip_index() {
     let columns = "| id | index_seed | spread | buckets | bucket | pilot | clips | slot |";
     for row in table("## Clip index", columns) {
-        let spread = layout::spread(hex(row[0]), number(row[1]));
+        let spread = lipz_layout::spread(hex(row[0]), number(row[1]));
         let small = |column: usize| number(row[column]) as u32;
         assert_eq!(spread, hex(row[2]));
-        assert_eq!(layout::bucket_of(spread, small(3)), small(4));
-        assert_eq!(layout::slot_of(spread, small(5), small(6)), small(7));
+        assert_eq!(lipz_layout::bucket_of(spread, small(3)), small(4));
+        assert_eq!(lipz_layout::slot_of(spread, small(5), small(6)), small(7));
     }
 }
 
@@ -195,7 +193,7 @@ fn checksum() {
             "00 01 02 ... 63" => (0..=0x63).collect(),
             listed => listed.split(' ').map(|byte| u8::from_str_radix(byte, 16).expect("a byte")).collect(),
         };
-        assert_eq!(layout::checksum(&bytes), hex(row[1]), "{}", row[0]);
+        assert_eq!(lipz_layout::checksum(&bytes), hex(row[1]), "{}", row[0]);
     }
 }
 

@@ -3,10 +3,9 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
-mod common;
-
-use common::dump::dump;
-use common::{DRAMA, SMALL, STRIPPED, WIDE, exercise, verified};
+use lipz_testkit::exercise;
+use lipz_testkit::golden::dump;
+use lipz_testkit::golden::{DRAMA, SMALL, STRIPPED, WIDE, verified};
 use std::path::Path;
 
 /// Compares the answers of a bank with the committed ones, or commits them with `LIPZ_BLESS=1`.
@@ -58,11 +57,11 @@ fn small_is_small() {
 /// The wide bank is there for long texts, and for last ones that are counted: own ones and such reached by fallback.
 #[test]
 fn wide_has_long_and_counted_texts() {
-    use lipz_bank::layout::{TEXT_COUNTED, TEXT_FALLBACK, TEXT_OFFSET, Tag};
-    let starts = &WIDE[common::section(WIDE, Tag::TEXT_STARTS)];
-    let entries = || (0..starts.len()).step_by(4).map(|at| common::u32_at(starts, at));
+    use lipz_layout::{TEXT_FALLBACK, TEXT_HAS_LENGTH, TEXT_OFFSET, Tag};
+    let starts = &WIDE[lipz_testkit::golden::section(WIDE, Tag::TEXT_STARTS)];
+    let entries = || (0..starts.len()).step_by(4).map(|at| lipz_testkit::golden::u32_at(starts, at));
     let count = |flags| entries().filter(|entry| entry & !TEXT_OFFSET == flags).count();
-    assert_eq!((count(TEXT_COUNTED), count(TEXT_COUNTED | TEXT_FALLBACK)), (4, 2));
+    assert_eq!((count(TEXT_HAS_LENGTH), count(TEXT_HAS_LENGTH | TEXT_FALLBACK)), (4, 2));
     assert!(count(0) > 0 && count(TEXT_FALLBACK) > 0);
-    assert!(WIDE[common::section(WIDE, Tag::TEXTS)].len() > 0xFFFF);
+    assert!(WIDE[lipz_testkit::golden::section(WIDE, Tag::TEXTS)].len() > 0xFFFF);
 }

@@ -3,12 +3,10 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
-mod common;
-
-use common::exercise::{Effort, every_query, provoke, verified_is_whole};
-use common::{Random, SMALL, STRIPPED, WIDE, changed, directory, finding, put, reseal, section, u32_at};
 use lipz_bank::Bank;
-use lipz_bank::layout::Tag;
+use lipz_layout::Tag;
+use lipz_testkit::exercise::{Effort, every_query, provoke, verified_is_whole};
+use lipz_testkit::golden::{Random, SMALL, STRIPPED, WIDE, changed, directory, finding, put, reseal, section, u32_at};
 use std::ops::Range;
 
 /// Where the tests are interpreted or emulated, a sample of the changes has to do.
@@ -154,7 +152,7 @@ fn one_change(bytes: &mut [u8], random: &mut Random) {
     let end = if random.below(2) == 0 { section(STRIPPED, Tag::RATES).end } else { bytes.len() };
     let at = random.below(end - 64).max(16);
     match random.below(5) {
-        0 => bytes[at] = random.next() as u8,
+        0 => bytes[at] = random.next_u64() as u8,
         1 => {
             let numbers = interesting(bytes, u32_at(bytes, at / 4 * 4));
             put(bytes, at / 4 * 4, numbers[random.below(numbers.len())].to_le_bytes());
@@ -170,7 +168,7 @@ fn one_change(bytes: &mut [u8], random: &mut Random) {
                 bytes.swap(a + byte, b + byte);
             }
         }
-        _ => put(bytes, at / 4 * 4, (random.next() as u32).to_le_bytes()),
+        _ => put(bytes, at / 4 * 4, (random.next_u64() as u32).to_le_bytes()),
     }
 }
 
@@ -179,7 +177,7 @@ fn one_change(bytes: &mut [u8], random: &mut Random) {
 fn noise() {
     let mut random = Random(7);
     for length in 0..600 {
-        let mut bytes: Vec<u8> = (0..length).map(|_| random.next() as u8).collect();
+        let mut bytes: Vec<u8> = (0..length).map(|_| random.next_u64() as u8).collect();
         assert!(finding(&bytes).is_some());
         // Behind a right header, so that the directory is noise too.
         if length >= 64 {

@@ -3,12 +3,10 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
-mod common;
-
-use common::forge::{ForgedClip, bank};
-use common::{finding, verified};
-use lipz_bank::layout::{NO_TEXT, TEXT_COUNTED, TEXT_FALLBACK, TEXT_MAX_BYTES, text_count};
 use lipz_bank::{Error, ErrorKind, Fps, Micros};
+use lipz_layout::{NO_TEXT, TEXT_FALLBACK, TEXT_HAS_LENGTH, TEXT_MAX_BYTES, text_count};
+use lipz_testkit::forge::{ForgedClip, bank};
+use lipz_testkit::golden::{finding, verified};
 
 fn clip(key: &'static str, frame_count: usize, starts: Vec<u32>) -> ForgedClip {
     ForgedClip { key, frames: vec![b'A'; frame_count], starts }
@@ -20,7 +18,7 @@ fn counted_texts_are_as_long_as_they_say() {
     assert_eq!(text_count(0xFFFF), [0x0F, 0x3F, 0x3F]);
     for length in [0, 1, 0x3F, 0x40, 0xFFFF, 0x1_0000, 0x3_FFFF] {
         let text = [&text_count(length)[..], &vec![b'x'; length]].concat();
-        let bytes = bank(&[clip("a", 2, vec![1, 1])], 1, &[0, 1, TEXT_COUNTED | 2], &[b"ab", &text[..]].concat());
+        let bytes = bank(&[clip("a", 2, vec![1, 1])], 1, &[0, 1, TEXT_HAS_LENGTH | 2], &[b"ab", &text[..]].concat());
         if length > TEXT_MAX_BYTES {
             assert_eq!(finding(&bytes).map(Error::kind), Some(ErrorKind::TextReference), "{length} bytes are too many");
             continue;
@@ -38,8 +36,8 @@ fn counted_texts_are_as_long_as_they_say() {
 fn texts_that_are_not_there_or_too_long() {
     let kind = |start, pool: &[u8]| finding(&bank(&[clip("a", 0, vec![])], 1, &[start], pool)).map(Error::kind);
     let damage = Some(ErrorKind::TextReference);
-    assert_eq!([kind(TEXT_COUNTED, b"\0\0\x02ab"), kind(0, &[b'x'; TEXT_MAX_BYTES])], [None; 2]);
-    assert_eq!([kind(TEXT_COUNTED, b"\0\0\x02a"), kind(0, &[b'x'; TEXT_MAX_BYTES + 1])], [damage; 2]);
+    assert_eq!([kind(TEXT_HAS_LENGTH, b"\0\0\x02ab"), kind(0, &[b'x'; TEXT_MAX_BYTES])], [None; 2]);
+    assert_eq!([kind(TEXT_HAS_LENGTH, b"\0\0\x02a"), kind(0, &[b'x'; TEXT_MAX_BYTES + 1])], [damage; 2]);
 }
 
 /// What `verify` wants of the texts of a clip.
@@ -53,7 +51,7 @@ fn texts_are_all_of_one_kind() {
     assert_eq!([kind([0, 2], "éx"), kind([fallback, fallback | 3], "éx"), kind([NO_TEXT; 2], "")], [None; 3]);
     assert_eq!([kind([0, NO_TEXT], "x"), kind([NO_TEXT, 0], "x"), kind([fallback, 0], "x")], [damage; 3]);
     assert_eq!([kind([0, 1], "éx"), kind([2, 0], "éx"), kind([0, 4], "éx")], [damage; 3]);
-    assert_eq!(kind([0, TEXT_COUNTED], "\0\0"), damage, "no room for a count");
+    assert_eq!(kind([0, TEXT_HAS_LENGTH], "\0\0"), damage, "no room for a count");
 }
 
 /// Clips of more segments than are compared at once, in front of others and as the last one.

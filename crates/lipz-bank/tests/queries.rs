@@ -3,10 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
-mod common;
-
-use common::{SMALL, dump::dump, verified};
 use lipz_bank::{Bank, Clip, ClipId, Command, EventName, Fps, Locale, Micros, Samples, Seconds, Viseme, VisemeType};
+use lipz_testkit::golden::{SMALL, dump, verified};
 
 const KEYS: [&str; 12] = [
     "act1/blair",
@@ -44,14 +42,14 @@ fn verified_and_not_answer_alike() {
 
 #[test]
 fn find_by_id_key_and_slot() {
-    const BLAIR: ClipId = ClipId::of("act1/blair");
+    const BLAIR: ClipId = ClipId::from_key("act1/blair");
     both(|bank| {
         assert_eq!(bank.clip(BLAIR).map(|clip| clip.key()), Some("act1/blair"));
         assert_eq!(bank.clip_count(), KEYS.len());
         let mut slots = Vec::new();
         for key in KEYS {
             let found = clip(bank, key);
-            assert_eq!((found.key(), found.id()), (key, ClipId::of(key)));
+            assert_eq!((found.key(), found.id()), (key, ClipId::from_key(key)));
             assert_eq!(bank.clip_at(found.slot()).map(|clip| clip.key()), Some(key));
             slots.push(found.slot());
         }
@@ -64,7 +62,7 @@ fn find_by_id_key_and_slot() {
 fn find_misses() {
     both(|bank| {
         for key in ["", "act1", "act1/blai", "act1/blair ", "Act1/blair", "zzz"] {
-            assert!(bank.clip_by_key(key).is_none() && bank.clip(ClipId::of(key)).is_none(), "{key}");
+            assert!(bank.clip_by_key(key).is_none() && bank.clip(ClipId::from_key(key)).is_none(), "{key}");
         }
         for id in 0..10_000 {
             assert!(bank.clip(ClipId::from_u64(id)).is_none());
@@ -76,12 +74,12 @@ fn find_misses() {
 /// A key is compared whole: an id alone proves nothing about it.
 #[test]
 fn find_by_key_compares_the_key() {
-    let bytes = common::changed(SMALL, |bank| {
-        let name = common::section(SMALL, lipz_bank::layout::Tag::NAMES).start;
-        common::put(bank, name, b"act1/blaiR");
+    let bytes = lipz_testkit::golden::changed(SMALL, |bank| {
+        let name = lipz_testkit::golden::section(SMALL, lipz_layout::Tag::NAMES).start;
+        lipz_testkit::golden::put(bank, name, b"act1/blaiR");
     });
     let bank = Bank::open(&bytes).expect("a directory without fault");
-    assert_eq!(bank.clip(ClipId::of("act1/blair")).map(|clip| clip.key()), Some("act1/blaiR"));
+    assert_eq!(bank.clip(ClipId::from_key("act1/blair")).map(|clip| clip.key()), Some("act1/blaiR"));
     assert!(bank.clip_by_key("act1/blair").is_none() && bank.clip_by_key("act1/blaiR").is_none());
 }
 
@@ -216,7 +214,7 @@ fn visemes_by_time() {
         assert_eq!(clip.frames(), b"-AMOSWEFLUMAEO---");
         // The frame after frame 0 starts at 41,666.67 us.
         for (time_us, code) in [(-1, '-'), (0, '-'), (41_666, '-'), (41_667, 'A'), (83_333, 'A'), (83_334, 'M')] {
-            assert_eq!(clip.viseme_at(Micros(time_us)).as_char(), code, "{time_us}");
+            assert_eq!(clip.viseme_at(Micros(time_us)).to_char(), code, "{time_us}");
         }
         assert_eq!(clip.viseme_at(Samples { position: 1_838, rate_hz: 44_100 }).code(), b'A');
         assert_eq!(clip.viseme_at(Seconds(1.0 / 24.0)).code(), b'A');

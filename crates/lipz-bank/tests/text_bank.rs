@@ -4,12 +4,10 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
-mod common;
-
-use common::exercise::every_text_query;
-use common::{DRAMA, SMALL, changed, directory, put, reseal, section, u32_at, verified};
-use lipz_bank::layout::{NO_TEXT, Tag};
 use lipz_bank::{Bank, Error, ErrorKind};
+use lipz_layout::{NO_TEXT, Tag};
+use lipz_testkit::exercise::every_text_query;
+use lipz_testkit::golden::{DRAMA, SMALL, changed, directory, put, reseal, section, u32_at, verified};
 
 static BASE: &[u8] = include_bytes!("../../../fixtures/banks/v1/split.lipzbank");
 static GERMAN: &[u8] = include_bytes!("../../../fixtures/banks/v1/split.de-de.lipztexts");
@@ -21,7 +19,7 @@ fn finding(bank: &Bank<'_>, bytes: &[u8]) -> Option<Error> {
 }
 
 #[test]
-fn answers_are_those_of_the_whole_bank() {
+fn answers_are_those_of_the_bank_with_texts() {
     let (whole, base) = (verified(SMALL), verified(BASE));
     assert_eq!(base.locales().count(), 0);
     assert_eq!(base.fingerprint(), whole.fingerprint());
@@ -63,7 +61,7 @@ fn a_text_bank_is_no_bank() {
 
 /// A whole bank of the same clips serves as a text bank of all its locales.
 #[test]
-fn a_whole_bank_is_a_text_bank() {
+fn a_bank_with_texts_is_a_text_bank() {
     let base = verified(BASE);
     let texts = base.open_texts(SMALL).and_then(|texts| texts.verify(&base)).expect("the same clips");
     assert!(texts.locales().map(|locale| locale.tag()).eq(["de-de", "en-us"]));

@@ -87,7 +87,7 @@ pub unsafe extern "C" fn lipz_clip_id_of_key(
 ) -> Status {
     answer(id, || {
         // SAFETY: the contract of the crate, which the caller keeps.
-        Ok(ClipId::of(unsafe { text(key, key_length_bytes) }?).get())
+        Ok(ClipId::from_key(unsafe { text(key, key_length_bytes) }?).get())
     })
 }
 

@@ -1,8 +1,8 @@
 //! Babble profiles of a project, and the section that they become.
 
-use lipz::digits::Digits;
-use lipz_bank::layout::BabbleRecord;
 use lipz_bank::{Babble, Fps};
+use lipz_file::digits::Digits;
+use lipz_layout::BabbleRecord;
 use std::collections::BTreeMap;
 use zerocopy::IntoBytes;
 

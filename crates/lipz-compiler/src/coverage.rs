@@ -1,8 +1,8 @@
 //! Coverage: how much of a dialogue is translated into each locale of a bank.
 
-use crate::{MinCoverage, Options, WholeBank, fallback, pseudo};
-use lipz::{Code, Diagnostic};
+use crate::{BankWithTexts, MinCoverage, Options, fallback, pseudo};
 use lipz_bank::{Clip, Locale, Text};
+use lipz_diagnostics::{Code, Diagnostic};
 use std::collections::BTreeMap;
 
 /// How the clips of a bank are covered by the texts of one locale.
@@ -59,11 +59,11 @@ impl Coverage {
 /// assert_eq!(german.fallbacks["en-us"], ["no"]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn coverage<'data, 'bank>(bank: impl Into<WholeBank<'data, 'bank>>) -> Vec<Coverage>
+pub fn coverage<'data, 'bank>(bank: impl Into<BankWithTexts<'data, 'bank>>) -> Vec<Coverage>
 where
     'data: 'bank,
 {
-    let bank: WholeBank<'data, 'bank> = bank.into();
+    let bank: BankWithTexts<'data, 'bank> = bank.into();
     let locales = bank.locales();
     let default = locales.iter().position(Locale::is_default);
     let empty = |locale: &Locale<'_>| Coverage {
@@ -131,9 +131,9 @@ pub fn shortfalls(found: &[Coverage], wanted: &MinCoverage) -> Vec<Diagnostic> {
 
 fn shortfall(coverage: &Coverage, wanted_percent: f64) -> Diagnostic {
     let (tag, percent) = (&coverage.tag, coverage.percent_in_tenths());
-    let headline = format!("{percent} % of the clips have a text in `{tag}`, {wanted_percent} % are asked for");
+    let message = format!("{percent} % of the clips have a text in `{tag}`, {wanted_percent} % are asked for");
     let missing = coverage.clip_count - coverage.own_count;
-    Diagnostic::new(Code::LowCoverage, headline)
+    Diagnostic::new(Code::LowCoverage, message)
         .note(format!("{missing} of {} clips have none", coverage.clip_count))
         .help(format!("translate them (`lipz coverage --missing {tag}` lists them), or ask for less"))
 }
@@ -214,9 +214,9 @@ mod tests {
         let mut texts: Vec<_> = split.texts.iter().map(|(_, texts)| base.open_texts(texts).unwrap()).collect();
         let whole = coverage(&Bank::open(&bytes).unwrap());
         assert_eq!(whole[0].fallbacks["de-de"], ["b"], "the nearest of two with the same text");
-        assert_eq!(coverage(WholeBank::of(&base, &texts)), whole);
+        assert_eq!(coverage(BankWithTexts::of(&base, &texts)), whole);
         texts.rotate_left(1);
-        assert_eq!(coverage(WholeBank::of(&base, &texts)), whole, "in any order");
+        assert_eq!(coverage(BankWithTexts::of(&base, &texts)), whole, "in any order");
     }
 
     #[test]
@@ -226,10 +226,7 @@ mod tests {
         let found = [covered("de-de", 2), covered("en-us", 3), covered("en-xa", 0)];
         let headlines = |all, locales: &[(&str, f64)]| {
             let locales = locales.iter().map(|&(tag, percent)| (tag.to_owned(), percent)).collect();
-            shortfalls(&found, &MinCoverage { all, locales })
-                .into_iter()
-                .map(|found| found.headline)
-                .collect::<Vec<_>>()
+            shortfalls(&found, &MinCoverage { all, locales }).into_iter().map(|found| found.message).collect::<Vec<_>>()
         };
         assert_eq!(headlines(None, &[]), [""; 0]);
         assert_eq!(headlines(Some(66.6), &[]), [""; 0]);

@@ -1,8 +1,8 @@
 //! From the sources that a user names to the Lipz files in them.
 
 use crate::key::EXTENSION;
-use crate::{Content, Input, Report};
-use lipz::{Code, Diagnostic};
+use crate::{Content, Input};
+use lipz_diagnostics::{Code, Diagnostic, Report};
 use std::ffi::OsStr;
 use std::io;
 use std::path::{Component, MAIN_SEPARATOR, Path, PathBuf};
@@ -106,8 +106,8 @@ impl Discovery<'_> {
                     self.reports.push(match (error.loop_ancestor(), error.io_error()) {
                         (Some(ancestor), _) => {
                             let link = display(path);
-                            let headline = format!("`{link}` is a link that leads back to `{}`", display(ancestor));
-                            Report::failure(link, Code::UnreadableFile, headline, "remove the link")
+                            let message = format!("`{link}` is a link that leads back to `{}`", display(ancestor));
+                            Report::failure(link, Code::UnreadableFile, message, "remove the link")
                         }
                         (None, Some(error)) => unreadable(path, error),
                         (None, None) => unreadable(path, &io::Error::other("unknown error")),
@@ -145,8 +145,8 @@ impl Discovery<'_> {
             Ok(key) => self.input(path, key),
             Err((why, help)) => {
                 let path = display(&path);
-                let headline = format!("`{path}` has no key: {why}");
-                self.reports.push(Report::failure(path, Code::RefusedKey, headline, help));
+                let message = format!("`{path}` has no key: {why}");
+                self.reports.push(Report::failure(path, Code::RefusedKey, message, help));
             }
         }
     }
@@ -159,15 +159,15 @@ impl Discovery<'_> {
 /// The finding for a source or a file in it that cannot be read.
 fn unreadable(path: &Path, error: &io::Error) -> Report {
     let shown = display(path);
-    let (headline, help) = if error.kind() != io::ErrorKind::NotFound {
-        let headline = format!("`{shown}` cannot be read: {error}");
-        return Report::about(shown, Diagnostic::new(Code::UnreadableFile, headline));
+    let (message, help) = if error.kind() != io::ErrorKind::NotFound {
+        let message = format!("`{shown}` cannot be read: {error}");
+        return Report::about(shown, Diagnostic::new(Code::UnreadableFile, message));
     } else if path.symlink_metadata().is_ok() {
         (format!("`{shown}` is a link to a file that does not exist"), "remove the link, or restore the file")
     } else {
         (format!("`{shown}` does not exist"), "check the spelling of the path")
     };
-    Report::failure(shown, Code::UnreadableFile, headline, help)
+    Report::failure(shown, Code::UnreadableFile, message, help)
 }
 
 fn is_lipz(path: &Path) -> bool {

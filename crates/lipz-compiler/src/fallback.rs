@@ -3,7 +3,7 @@
 use crate::Options;
 use crate::pseudo;
 use icu_locale::fallback::LocaleFallbacker;
-use lipz::locale::language;
+use lipz_file::locale::language;
 
 /// The places in `tags` of the locales that `tags[locale]` falls back to, in order.
 ///

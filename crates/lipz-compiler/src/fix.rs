@@ -1,9 +1,8 @@
 //! Applying the certain fixes of a file's findings, until there are none left.
 
 use crate::clip::{ClipData, Locales};
-use crate::{Options, check, levels};
-use lipz::diagnostic::Fix;
-use lipz::{Code, Diagnostic, fix};
+use crate::{Options, check};
+use lipz_diagnostics::{Code, Diagnostic, Fix};
 use std::collections::BTreeMap;
 
 /// Rounds of reading and fixing. A file that is not JSON shows one finding a round; who makes more
@@ -39,7 +38,7 @@ pub fn fix(bytes: &[u8], options: &Options) -> Option<Fixed> {
         let bytes = fixed.as_ref().map_or(bytes, |fixed| fixed.text.as_bytes());
         let Some((text, findings)) = findings(bytes, options) else { break };
         let fixes: Vec<&Fix> = findings.iter().filter_map(|finding| finding.fix.as_ref()).collect();
-        let round = fix::apply(text, &fixes);
+        let round = lipz_diagnostics::apply(text, &fixes);
         if round.applied.is_empty() {
             break;
         }
@@ -55,12 +54,12 @@ pub fn fix(bytes: &[u8], options: &Options) -> Option<Fixed> {
 /// The text of a file without byte order mark, and its findings that have a fix; `None` if it is not
 /// UTF-8.
 fn findings<'f>(bytes: &'f [u8], options: &Options) -> Option<(&'f str, Vec<Diagnostic>)> {
-    let text = std::str::from_utf8(lipz::without_byte_order_mark(bytes)).ok()?;
-    let mut parsed = lipz::parse(bytes);
+    let text = std::str::from_utf8(lipz_file::without_byte_order_mark(bytes)).ok()?;
+    let mut parsed = lipz_file::parse(bytes);
     if let Some(document) = &parsed.document {
         check::check(document, options, &mut Locales::default(), &mut ClipData::default(), &mut parsed.diagnostics);
     }
-    levels::apply(&options.levels, &mut parsed.diagnostics);
+    lipz_diagnostics::adjust(&options.levels, &mut parsed.diagnostics);
     parsed.diagnostics.retain(|finding| finding.fix.is_some());
     Some((text, parsed.diagnostics))
 }

@@ -11,19 +11,20 @@
 //!
 //! ```no_run
 //! // build.rs
-//! fn main() -> Result<(), lipz_compiler::BuildFailed> {
+//! fn main() -> Result<(), lipz_compiler::BuildError> {
 //!     lipz_compiler::Build::new("voices").run()
 //! }
 //! ```
 //!
 //! [`settings::Settings`] reads what a project decides from its `lipz.toml`. Everything but [`Build`]
-//! returns values and [`Report`]s, and leaves it to the caller what to do with them.
+//! returns values and [`Report`](diagnostics::Report)s, and leaves it to the caller what to do with them.
 //!
-//! What is not here: printing (but for [`Build`]) and exit codes (`lipz-cli`); other tools' formats.
+//! What is not here: printing (but for [`Build`]) and exit codes (`lipz`); other tools' formats.
 // Sizes are checked where they enter (`fit`); casts below are of numbers known to be small.
 #![allow(clippy::cast_possible_truncation)]
 
 pub mod babble;
+mod bank_with_texts;
 mod build;
 mod cache;
 mod check;
@@ -40,14 +41,12 @@ mod hashed;
 pub mod ids;
 mod input;
 pub mod key;
-mod levels;
 mod localise;
 mod lower;
 mod options;
 mod output;
 mod pseudo;
 mod raise;
-mod report;
 mod rewrite;
 pub mod settings;
 mod source_record;
@@ -55,9 +54,9 @@ mod split;
 pub mod stats;
 mod strings;
 mod unpack;
-mod whole_bank;
 
-pub use build::{Build, BuildFailed};
+pub use bank_with_texts::BankWithTexts;
+pub use build::{Build, BuildError};
 pub use cache::{Memory, pack_cached};
 pub use compile::{Compiled, Phases, Progress, check_all, compile, pack};
 pub use convert::{Converted, convert};
@@ -66,15 +65,13 @@ pub use depend::{dependencies, depfile, watched};
 pub use discover::{discover, is_pattern};
 pub use fix::{Fixed, fix};
 pub use input::{Content, Input};
-pub use levels::apply as apply_levels;
-pub use options::{Levels, MinCoverage, Options, Registry, TextLimits};
+pub use lipz_diagnostics as diagnostics;
+pub use options::{MinCoverage, Options, Registry, TextLimits};
 pub use output::replace_file;
 pub use raise::Documents;
-pub use report::{Report, count};
 pub use rewrite::{each_file, rewrite_file};
 pub use split::{Split, split};
 pub use unpack::{Unpacked, unpack};
-pub use whole_bank::WholeBank;
 
 /// The example of the README, run as a test.
 #[cfg(doctest)]

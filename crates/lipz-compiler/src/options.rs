@@ -1,11 +1,10 @@
 //! What a project decides about its Lipz files.
 
 use crate::babble::BabbleProfiles;
-use crate::{Report, pseudo};
-use lipz::diagnostic::show;
-use lipz::locale::TextName;
-use lipz::{Code, Level};
+use crate::pseudo;
 use lipz_bank::{Fps, VisemeType};
+use lipz_diagnostics::{Code, Levels, Report, escape};
+use lipz_file::locale::TextName;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Settings of a pack or check run.
@@ -52,17 +51,17 @@ impl Options {
     /// The options with all locales in their canonical form, and the pseudo-locale among those to be packed.
     pub(crate) fn canonical(&self) -> Result<Options, Report> {
         let canonical = |tag: &String| {
-            lipz::locale::canonical_tag(tag, self.extended_locales).ok_or_else(|| {
-                let headline = format!("the project's locale {} is not a locale of the form ll-cc", show::name(tag));
-                Report::failure("", Code::LocaleShape, headline, "name a language and a country: en-us")
+            lipz_file::locale::canonical_tag(tag, self.extended_locales).ok_or_else(|| {
+                let message = format!("the project's locale {} is not a locale of the form ll-cc", escape::quoted(tag));
+                Report::failure("", Code::LocaleShape, message, "name a language and a country: en-us")
             })
         };
         if self.pseudo && self.default_locale.is_none() {
-            let headline = "a pseudo-locale is made of the default locale, and there is none".to_owned();
+            let message = "a pseudo-locale is made of the default locale, and there is none".to_owned();
             return Err(Report::failure(
                 "",
                 Code::SettingValue,
-                headline,
+                message,
                 "set the default locale: --default-locale en-us",
             ));
         }
@@ -91,7 +90,7 @@ impl Options {
     /// Whether the element with this name is packed: all but texts of other locales than those that are.
     pub(crate) fn packs(&self, name: &str) -> bool {
         let Some(packed) = &self.locales else { return true };
-        match lipz::locale::text_name(name) {
+        match lipz_file::locale::text_name(name) {
             Some(TextName::Canonical(tag) | TextName::Misspelt(tag) | TextName::OtherShape(_, Some(tag))) => {
                 packed.contains(&tag)
             }
@@ -106,9 +105,6 @@ impl Options {
         is_source.then(|| pseudo::locale_for(tag))
     }
 }
-
-/// Levels that a project gives to lints: `None` is "allow", the finding is dropped.
-pub type Levels = BTreeMap<Code, Option<Level>>;
 
 /// Limits of display texts; those that are `None` are not checked.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]

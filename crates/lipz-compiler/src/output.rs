@@ -1,7 +1,7 @@
 //! Writing a bank so that the old one stays whole until the new one is.
 
-use crate::{Report, discover};
-use lipz::{Code, Diagnostic};
+use crate::discover;
+use lipz_diagnostics::{Code, Diagnostic, Report};
 use std::fs::File;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -33,8 +33,8 @@ pub(crate) fn replace_file_if(
 
 fn failed(path: &Path, error: &io::Error) -> Report {
     let shown = discover::display(path);
-    let headline = format!("`{shown}` cannot be written: {}", why(path, error));
-    let finding = Diagnostic::new(Code::OutputFailed, headline).note("whatever was there before is unchanged");
+    let message = format!("`{shown}` cannot be written: {}", why(path, error));
+    let finding = Diagnostic::new(Code::OutputFailed, message).note("whatever was there before is unchanged");
     Report::about(
         shown,
         match help(error) {
@@ -147,7 +147,7 @@ mod tests {
         replace_file(&path, b"old").unwrap();
         let refused = || Err(Report::about("", Diagnostic::new(Code::BankDamaged, "refused")));
         let report = replace_file_if(&path, b"new", refused).unwrap_err();
-        assert_eq!(report.diagnostics[0].headline, "refused");
+        assert_eq!(report.diagnostics[0].message, "refused");
         assert_eq!(std::fs::read(&path).unwrap(), b"old");
         assert_eq!(folder.path().read_dir().unwrap().count(), 1);
     }

@@ -5,7 +5,7 @@
 //! count) are those of Android's and ICU's.
 
 use crate::strings::Strings;
-use lipz::locale::language;
+use lipz_file::locale::language;
 
 /// The region of CLDR's accented pseudo-locales.
 const REGION: &str = "-xa";

@@ -1,10 +1,11 @@
 //! From a bank back to documents: the reverse of lowering.
 
+use crate::BankWithTexts;
 use crate::source_record::{self, Name, Recorded};
-use crate::{Report, WholeBank};
-use lipz::{Code, Document, Element, JsonString, Raw, Value};
-use lipz_bank::layout::{Tag, U32};
 use lipz_bank::{Bank, Clip, Fps, Locale, Segment};
+use lipz_diagnostics::{Code, Report};
+use lipz_file::{Document, Element, JsonString, Raw, Value};
+use lipz_layout::{Tag, U32};
 use std::borrow::Cow;
 use zerocopy::FromBytes;
 
@@ -27,8 +28,8 @@ impl<'data, 'bank> Documents<'data, 'bank> {
     ///
     /// # Errors
     /// If one of the two source sections is missing or has another shape.
-    pub fn of(bank: impl Into<WholeBank<'data, 'bank>>) -> Result<Self, Report> {
-        let whole: WholeBank<'data, 'bank> = bank.into();
+    pub fn of(bank: impl Into<BankWithTexts<'data, 'bank>>) -> Result<Self, Report> {
+        let whole: BankWithTexts<'data, 'bank> = bank.into();
         let bank = whole.bank();
         let section = |tag| bank.sections().find(|(found, _)| *found == tag).map(|(_, bytes)| bytes);
         let sources = match (section(Tag::SOURCE_INDEX), section(Tag::SOURCES)) {
@@ -150,7 +151,7 @@ fn joined<'data, 'bank>(
     for segment in clip.segments() {
         let (before, after) = padding.get(segment.index() as usize).copied().unwrap_or_default();
         if segment.index() > 0 {
-            whole.push(lipz::text::DELIMITER);
+            whole.push(lipz_file::text::DELIMITER);
         }
         whole.extend(std::iter::repeat_n(' ', before));
         whole.push_str(part(&segment)?);

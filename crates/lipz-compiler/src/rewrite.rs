@@ -1,8 +1,8 @@
 //! Rewriting source files: each is read, handed to a tool, and replaced as a whole.
 
 use crate::compile::{FileReader, in_pool};
-use crate::{Content, Input, Options, Progress, Report, discover, replace_file};
-use lipz::{Code, Diagnostic};
+use crate::{Content, Input, Options, Progress, discover, replace_file};
+use lipz_diagnostics::{Code, Diagnostic, Report};
 use rayon::prelude::*;
 use std::path::Path;
 
@@ -61,14 +61,14 @@ mod tests {
         let path = folder.path().join("a.lipz");
         fs::write(&path, "new").unwrap();
         let report = rewrite_file(&path, b"old", b"mine").unwrap_err();
-        assert!(report.diagnostics[0].headline.ends_with("another program has changed it in the meantime"));
+        assert!(report.diagnostics[0].message.ends_with("another program has changed it in the meantime"));
         assert_eq!(fs::read(&path).unwrap(), b"new");
 
         let mut permissions = path.metadata().unwrap().permissions();
         permissions.set_readonly(true);
         fs::set_permissions(&path, permissions).unwrap();
         let report = rewrite_file(&path, b"new", b"mine").unwrap_err();
-        assert!(report.diagnostics[0].headline.ends_with("it is read-only"));
+        assert!(report.diagnostics[0].message.ends_with("it is read-only"));
         assert_eq!(fs::read(&path).unwrap(), b"new");
     }
 

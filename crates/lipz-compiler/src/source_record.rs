@@ -6,7 +6,7 @@
 
 use crate::Options;
 use crate::clip::{ClipData, ClipText, Locales};
-use lipz::{Document, Element, Value};
+use lipz_file::{Document, Element, Value};
 use std::collections::HashSet;
 
 /// Names of elements that a record mentions by number; higher numbers are the clip's own texts.
@@ -84,7 +84,7 @@ pub(crate) fn encode(document: &Document<'_>, options: &Options, locales: &Local
 /// Whether the bank holds the element joined to one segment, because its number of segments is not
 /// that of the clip.
 fn is_joined(name: &str, text: &str, clip: &ClipData) -> bool {
-    clip.has_joined && name != "viseme_type" && lipz::text::segment_count(text) != clip.starts.len()
+    clip.has_joined && name != "viseme_type" && lipz_file::text::segment_count(text) != clip.starts.len()
 }
 
 /// Bytes of the segments that the bank holds of an element; `None` if it holds none.
@@ -105,7 +105,7 @@ fn push_text(record: &mut Vec<u8>, text: &str, held: Option<usize>, segment_coun
         record.push(Kind::AsInBank as u8);
         return;
     }
-    let segments = || lipz::text::segments(text).map(|range| &text[range]);
+    let segments = || lipz_file::text::segments(text).map(|range| &text[range]);
     let unpadded: usize = segments().map(|segment| segment.trim_matches(blank).len()).sum();
     if held != Some(unpadded) {
         push_spelled(record, Kind::String, text);
@@ -140,7 +140,7 @@ fn push_string(record: &mut Vec<u8>, text: &str) {
 /// The elements of the record that starts at `bytes`, of a clip with so many segments; `None` where
 /// it is damaged.
 pub(crate) fn decode(bytes: &[u8], segment_count: u32) -> Option<Vec<(Name<'_>, Recorded<'_>)>> {
-    let mut reader = Reader { rest: bytes, blanks_left: lipz::MAX_FILE_BYTES };
+    let mut reader = Reader { rest: bytes, blanks_left: lipz_file::MAX_FILE_BYTES };
     let count = reader.number()?;
     let mut elements: Vec<(Name<'_>, Recorded<'_>)> = Vec::new();
     let mut named = HashSet::new();
@@ -217,10 +217,11 @@ mod tests {
 
     #[test]
     fn damage_is_no_panic() {
-        let document =
-            lipz::parse(br#"{"visemes":"A|-","text_en-us":" {x} Hi | ","fps":24.0,"q":[1],"text_de-de":" Na  |"}"#)
-                .document
-                .unwrap();
+        let document = lipz_file::parse(
+            br#"{"visemes":"A|-","text_en-us":" {x} Hi | ","fps":24.0,"q":[1],"text_de-de":" Na  |"}"#,
+        )
+        .document
+        .unwrap();
         let (mut clip, mut locales) = (ClipData::default(), Locales::default());
         let options = Options::default();
         crate::check::check(&document, &options, &mut locales, &mut clip, &mut Vec::new());

@@ -1,12 +1,11 @@
 //! Splitting a bank by locale: a base bank without texts, and a text bank for each locale.
 
-use crate::Report;
 use crate::clip::{ClipData, Clips};
 use crate::lower::assemble::{Section, assemble};
 use crate::lower::texts::pool_of;
-use lipz::Code;
-use lipz_bank::layout::{Header, LOCALE_DEFAULT, LocaleRecord, Tag, U32};
 use lipz_bank::{Bank, Locale};
+use lipz_diagnostics::{Code, Report};
+use lipz_layout::{Header, LOCALE_DEFAULT, LocaleRecord, Tag, U32};
 use zerocopy::{FromBytes, IntoBytes};
 
 /// A bank, split by [`split`].
@@ -51,7 +50,7 @@ pub fn split(bytes: &[u8]) -> Result<Split, Report> {
 }
 
 fn damaged() -> Report {
-    Report::failure("", Code::BankDamaged, "the bank to be split is damaged".into(), "pack it again")
+    Report::failure("", Code::BankDamaged, "the bank to be split is damaged", "pack it again")
 }
 
 /// The bank that is split.

@@ -1,8 +1,8 @@
 //! How much of what is in a bank.
 
-use crate::WholeBank;
-use lipz_bank::layout::Tag;
+use crate::BankWithTexts;
 use lipz_bank::{Bank, Clip, Fps, Locale, TextBank, VisemeType};
+use lipz_layout::Tag;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Clips that are named as the longest and the shortest.
@@ -93,11 +93,11 @@ pub struct ClipDuration<'d> {
 
 impl<'d> Stats<'d> {
     /// Counts what is in a verified bank.
-    pub fn of<'b>(bank: impl Into<WholeBank<'d, 'b>>) -> Stats<'d>
+    pub fn of<'b>(bank: impl Into<BankWithTexts<'d, 'b>>) -> Stats<'d>
     where
         'd: 'b,
     {
-        let whole: WholeBank<'d, 'b> = bank.into();
+        let whole: BankWithTexts<'d, 'b> = bank.into();
         let bank = whole.bank();
         let mut stats = Stats {
             clips: bank.clip_count(),
@@ -254,7 +254,7 @@ mod tests {
         let split = split(&bytes).unwrap();
         let base = Bank::open(&split.base).unwrap();
         let texts: Vec<_> = split.texts.iter().map(|(_, texts)| base.open_texts(texts).unwrap()).collect();
-        let of_split = Stats::of(WholeBank::of(&base, &texts));
+        let of_split = Stats::of(BankWithTexts::of(&base, &texts));
         assert_eq!((of_split.texts_bytes > 0, stats.texts_bytes, &of_split.locales), (true, 0, &stats.locales));
         assert!(stats.sections.iter().map(|(_, bytes)| bytes).sum::<usize>() < stats.length_bytes);
     }

@@ -3,13 +3,12 @@
 use crate::key::{EXTENSION, clash, folded, refusal};
 use crate::output::file_in_the_way;
 use crate::raise::Documents;
-use crate::{Report, WholeBank, discover};
+use crate::{BankWithTexts, discover};
 use cap_std::ambient_authority;
 use cap_std::fs::Dir;
 use cap_tempfile::TempFile;
-use lipz::diagnostic::show;
-use lipz::{Code, Diagnostic};
 use lipz_bank::Bank;
+use lipz_diagnostics::{Code, Diagnostic, Report, escape};
 use std::collections::HashMap;
 use std::io::{self, Write};
 use std::path::Path;
@@ -34,7 +33,7 @@ pub struct Unpacked {
 /// decoded, and files that exist: found before the first file is written. Then whatever the file system
 /// refuses.
 pub fn unpack<'data, 'bank>(
-    bank: impl Into<WholeBank<'data, 'bank>>,
+    bank: impl Into<BankWithTexts<'data, 'bank>>,
     folder: &Path,
     overwrite: bool,
     progress: &dyn Fn(u64),
@@ -42,7 +41,7 @@ pub fn unpack<'data, 'bank>(
 where
     'data: 'bank,
 {
-    let whole: WholeBank<'data, 'bank> = bank.into();
+    let whole: BankWithTexts<'data, 'bank> = bank.into();
     let bank = whole.bank();
     let documents = Documents::of(whole).map_err(|report| vec![report])?;
     let mut refused = refused_keys(bank);
@@ -54,8 +53,8 @@ where
         return Err(refused);
     }
     let failed = |path: String, why: String| {
-        let headline = format!("`{path}` cannot be written: {why}");
-        vec![Report::about(path, Diagnostic::new(Code::OutputFailed, headline))]
+        let message = format!("`{path}` cannot be written: {why}");
+        vec![Report::about(path, Diagnostic::new(Code::OutputFailed, message))]
     };
     let shown = discover::display(folder);
     let output = std::fs::create_dir_all(folder)
@@ -78,7 +77,7 @@ where
     for document in documents.iter() {
         let (key, document) = document.map_err(|report| vec![report])?;
         let name = format!("{key}.{EXTENSION}");
-        let text = lipz::write(&document);
+        let text = lipz_file::write(&document);
         write_file(&output, &name, text.as_bytes()).map_err(|error| {
             let why = match obstacle(&output, &name) {
                 Some((part, what)) if part == name => format!("it is {what}"),
@@ -100,8 +99,8 @@ fn refused_keys(bank: &Bank<'_>) -> Vec<Report> {
     for clip in bank.clips() {
         let key = clip.key();
         let finding = if let Some(why) = refusal(key) {
-            let headline = format!("the key `{}` cannot be unpacked: {why}", show::text(key));
-            Diagnostic::new(Code::RefusedKey, headline).help("this bank was changed or not made by lipz")
+            let message = format!("the key `{}` cannot be unpacked: {why}", escape::text(key));
+            Diagnostic::new(Code::RefusedKey, message).help("this bank was changed or not made by lipz")
         } else if let Some(other) = seen.insert(folded(key), key) {
             clash(other, key)
         } else {

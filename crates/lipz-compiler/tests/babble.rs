@@ -1,10 +1,10 @@
 //! The babble section: what settings make of it, and that damage in it is found.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use lipz_bank::layout::{CHECKED_FROM, Tag, checksum};
-use lipz_bank::{Babble, Bank, ErrorKind, Level, Micros};
+use lipz_bank::{Babble, Bank, ErrorKind, Micros, VoiceLevel};
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Input, Options, compile};
+use lipz_layout::{CHECKED_FROM, Tag, checksum};
 
 const FILE: &str = r#"{ "text_en-us": "Hello." }"#;
 
@@ -58,7 +58,7 @@ fn every_change_is_found_or_valid() {
             bytes[8..16].copy_from_slice(&sum.to_le_bytes());
             let bank = Bank::open(&bytes).unwrap();
             for babble in bank.babbles() {
-                babble.at(Micros(1_000_000), Level::STEADY);
+                babble.at(Micros(1_000_000), VoiceLevel::UNMEASURED);
                 babble.name();
             }
             match bank.verify() {

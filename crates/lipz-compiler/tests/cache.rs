@@ -2,12 +2,10 @@
 //! files, the bank and the cache meanwhile.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
 
-#[path = "support/documents.rs"]
-mod documents;
 mod support;
 
-use lipz::Code;
 use lipz_compiler::{Compiled, Input, Memory, Options, compile, discover, pack_cached};
+use lipz_diagnostics::Code;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
@@ -267,7 +265,7 @@ enum Edit {
 
 fn edit() -> impl Strategy<Value = Edit> {
     let any = || any::<usize>();
-    let text = documents::document().prop_map(|document| lipz::write(&document));
+    let text = lipz_testkit::documents::document().prop_map(|document| lipz_file::write(&document));
     prop_oneof![
         6 => (any(), text).prop_map(|(file, text)| Edit::Write(file, text)),
         2 => any().prop_map(Edit::Delete),

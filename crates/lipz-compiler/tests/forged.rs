@@ -1,13 +1,10 @@
 //! Banks that somebody forged, checksum and all: whatever passes verification, no tool panics on.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-#[path = "support/used.rs"]
-mod used;
-
 use lipz_bank::Bank;
-use lipz_bank::layout::{CHECKED_FROM, checksum};
 use lipz_compiler::{Input, Options, compile};
-use used::is_used;
+use lipz_layout::{CHECKED_FROM, checksum};
+use lipz_testkit::tools::is_used;
 
 /// A bank with padded, joined, falling back and unknown elements.
 fn bank() -> Vec<u8> {

@@ -103,7 +103,7 @@ fn constants_of_rust_are_the_ids_of_the_keys() {
         (generated::locales_::EN_US, "locales/en-us"),
         (ids::H, "ids/h"),
     ] {
-        assert_eq!(constant, ClipId::of(key), "{key}");
+        assert_eq!(constant, ClipId::from_key(key), "{key}");
     }
     assert_eq!([locales::DE_DE, locales::EN_US], ["de-de", "en-us"]);
 }
@@ -113,7 +113,7 @@ fn json_has_the_id_of_every_key() {
     let json: serde_json::Value = serde_json::from_str(&fs::read_to_string(file(Language::Json)).unwrap()).unwrap();
     assert_eq!(json["clips"].as_object().unwrap().len(), HARD.len());
     for (key, _) in HARD {
-        assert_eq!(json["clips"][key], ClipId::of(key).to_string(), "{key}");
+        assert_eq!(json["clips"][key], ClipId::from_key(key).to_string(), "{key}");
     }
 }
 
@@ -134,7 +134,7 @@ fn clashes_name_both_keys() {
     let clashes = |files: &[(&str, &str)], language| {
         let bytes = bank(files);
         let clashes = generate(&Bank::open(&bytes).unwrap(), language, None).err().unwrap_or_default();
-        clashes.into_iter().map(|found| found.headline).collect::<Vec<_>>()
+        clashes.into_iter().map(|found| found.message).collect::<Vec<_>>()
     };
     let files = [("a/mara-aye", ""), ("a/mara_aye", ""), ("a/MaraAye", ""), ("a-mara/aye", "")];
     let headlines = clashes(&files, Language::Rust);
@@ -183,7 +183,7 @@ fn c_and_cpp_compile_the_header() {
     let folder = tempfile::tempdir().unwrap();
     let (include, program) = (format!("-I{}", fixtures().display()), folder.path().join("program"));
     let header = format!("-I{}", Path::new(env!("CARGO_MANIFEST_DIR")).join("../lipz-capi/include").display());
-    let expected = format!("-DEXPECTED=UINT64_C(0x{})", ClipId::of("act1/mara-good-evening"));
+    let expected = format!("-DEXPECTED=UINT64_C(0x{})", ClipId::from_key("act1/mara-good-evening"));
     for (compiler, standard, name) in [("cc", "-std=c99", "program.c"), ("c++", "-std=c++11", "program.cpp")] {
         let source = folder.path().join(name);
         fs::write(&source, C_PROGRAM).unwrap();
@@ -210,8 +210,8 @@ fn node_reads_the_typescript() {
          if (act1.mara_ === undefined || act1.mara.aye === undefined) throw new Error('a folder and a clip');
          if (class_.new === undefined || locales_.enUs === undefined) throw new Error('reserved words');
          if (locales.enUs !== 'en-us') throw new Error('locales');",
-        ClipId::of("act1/mara-good-evening"),
-        ClipId::of("hello")
+        ClipId::from_key("act1/mara-good-evening"),
+        ClipId::from_key("hello")
     );
     let program_path = folder.path().join("program.mjs");
     fs::write(&program_path, program).unwrap();

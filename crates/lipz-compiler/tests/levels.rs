@@ -1,39 +1,39 @@
 //! Levels that a project gives to lints, from every part of a run.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use lipz::{Code, Level};
 use lipz_bank::Bank;
 use lipz_compiler::{Compiled, Input, Options, compile};
+use lipz_diagnostics::{Code, Severity};
 
 const CLIP: &[u8] = br#"{ "text_en-us": "Aye." }"#;
 
-fn run(files: &[(&str, &[u8])], levels: &[(Code, Option<Level>)]) -> Compiled {
+fn run(files: &[(&str, &[u8])], levels: &[(Code, Option<Severity>)]) -> Compiled {
     let inputs: Vec<Input> = files.iter().map(|(key, bytes)| Input::from_bytes(*key, *bytes)).collect();
     compile(&inputs, &Options { levels: levels.iter().copied().collect(), ..Options::default() }, &|_| {})
 }
 
-fn found(compiled: &Compiled) -> Vec<(Code, Level)> {
+fn found(compiled: &Compiled) -> Vec<(Code, Severity)> {
     let findings = compiled.reports.iter().flat_map(|report| &report.diagnostics);
-    findings.map(|finding| (finding.code, finding.level)).collect()
+    findings.map(|finding| (finding.code, finding.severity)).collect()
 }
 
 #[test]
 fn a_warning_of_the_parser_becomes_an_error() {
     let marked = [b"\xEF\xBB\xBF", CLIP].concat();
-    let denied = run(&[("aye", &marked)], &[(Code::ByteOrderMark, Some(Level::Error))]);
-    assert_eq!(found(&denied), [(Code::ByteOrderMark, Level::Error)]);
+    let denied = run(&[("aye", &marked)], &[(Code::ByteOrderMark, Some(Severity::Error))]);
+    assert_eq!(found(&denied), [(Code::ByteOrderMark, Severity::Error)]);
     assert!(denied.bank.is_none());
     // Also where there is no document to check.
     let broken = run(&[("aye", b"\xEF\xBB\xBF{")], &[(Code::ByteOrderMark, None)]);
-    assert_eq!(found(&broken), [(Code::UnfinishedFile, Level::Error)]);
+    assert_eq!(found(&broken), [(Code::UnfinishedFile, Severity::Error)]);
 }
 
 #[test]
 fn keys_that_clash_elsewhere_can_be_packed() {
     let files = [("aye", CLIP), ("Aye", CLIP)];
     assert!(run(&files, &[]).bank.is_none());
-    let warned = run(&files, &[(Code::KeyClash, Some(Level::Warning))]);
-    assert_eq!(found(&warned), [(Code::KeyClash, Level::Warning)]);
+    let warned = run(&files, &[(Code::KeyClash, Some(Severity::Warning))]);
+    assert_eq!(found(&warned), [(Code::KeyClash, Severity::Warning)]);
     let bytes = warned.bank.unwrap();
     assert_eq!(Bank::open(&bytes).unwrap().verify().unwrap().clip_count(), 2);
 }
@@ -42,7 +42,7 @@ fn keys_that_clash_elsewhere_can_be_packed() {
 fn errors_without_another_meaning_stay_errors() {
     let foreign = br#"{ "viseme_type": "blair", "visemes": "AXA" }"#;
     let compiled = run(&[("aye", foreign)], &[(Code::ForeignCode, None)]);
-    assert_eq!(found(&compiled), [(Code::ForeignCode, Level::Error)]);
+    assert_eq!(found(&compiled), [(Code::ForeignCode, Severity::Error)]);
     assert!(compiled.bank.is_none());
 }
 

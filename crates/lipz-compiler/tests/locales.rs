@@ -3,9 +3,9 @@
 
 mod support;
 
-use lipz::Code;
 use lipz_bank::Bank;
 use lipz_compiler::{Documents, Input, MinCoverage, Options, compile, discover};
+use lipz_diagnostics::Code;
 
 const FILES: [(&str, &str); 3] = [
     ("aye", r#"{ "text_en-us": "{x} Aye.", "text_de-de": "Ja.", "text_en-gb": "Aye, sir." }"#),
@@ -115,7 +115,7 @@ fn a_file_keeps_its_own_text_of_the_pseudo_locale() {
     let bank = Bank::open(&bytes).unwrap().verify().unwrap();
     let documents = Documents::of(&bank).unwrap();
     let (_, document) = documents.iter().next().unwrap().unwrap();
-    assert_eq!(document, lipz::parse(file.as_bytes()).document.unwrap());
+    assert_eq!(document, lipz_file::parse(file.as_bytes()).document.unwrap());
 }
 
 #[test]

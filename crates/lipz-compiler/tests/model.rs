@@ -2,14 +2,11 @@
 //! compiler was given is what the reader returns, before and after verification.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
 
-#[path = "support/documents.rs"]
-mod documents;
-
-use documents::document;
-use lipz::locale::{TextName, text_name};
-use lipz::{Document, Value, event, text};
 use lipz_bank::{Bank, Clip, EventName, Micros, Segment};
 use lipz_compiler::{Input, Options, compile};
+use lipz_file::locale::{TextName, text_name};
+use lipz_file::{Document, Value, event, text};
+use lipz_testkit::documents::document;
 use proptest::prelude::*;
 use proptest::{collection, option, sample};
 use std::collections::BTreeMap;
@@ -85,11 +82,11 @@ impl Model {
         for (segment, codes) in clip.segments().zip(&codes) {
             assert_eq!((segment.start_frame(), segment.frames()), (frame, codes.as_bytes()));
             for code in codes.chars() {
-                assert_eq!(clip.viseme(frame).as_char(), code);
+                assert_eq!(clip.viseme(frame).to_char(), code);
                 assert_eq!(clip.segment_of_frame(frame).map(|found| found.index()), Some(segment.index()));
                 if let Some(fps) = clip.fps() {
                     let start = Micros(fps.start_of_frame_us(frame) as i64);
-                    assert_eq!((clip.frame_at(start), clip.viseme_at(start).as_char()), (Some(frame), code));
+                    assert_eq!((clip.frame_at(start), clip.viseme_at(start).to_char()), (Some(frame), code));
                 }
                 frame += 1;
             }
@@ -150,7 +147,7 @@ proptest! {
         options in options(),
     ) {
         let key = |number: usize| format!("clip-{number}");
-        let input = |(number, document)| Input::from_bytes(key(number), lipz::write(document));
+        let input = |(number, document)| Input::from_bytes(key(number), lipz_file::write(document));
         let inputs: Vec<Input> = documents.iter().enumerate().map(input).collect();
         let compiled = compile(&inputs, &options, &|_| {});
         let bytes = compiled.bank.unwrap_or_else(|| panic!("{:#?}", compiled.reports));

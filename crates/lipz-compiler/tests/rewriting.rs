@@ -1,16 +1,15 @@
 //! Formatting, fixing and converting keep what a file means, whatever is in it.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
 
-#[path = "support/documents.rs"]
-mod documents;
 mod support;
 
-use documents::document;
-use lipz::format::{LineEnding, Style, format};
-use lipz::{Code, Document, Level, Value, text};
 use lipz_bank::VisemeType::{self, Blair, ToonBoom};
 use lipz_bank::{Bank, Clip};
 use lipz_compiler::{Documents, Input, Options, compile, convert, fix};
+use lipz_diagnostics::{Code, Severity};
+use lipz_file::format::{LineEnding, Style, format};
+use lipz_file::{Document, Value, text};
+use lipz_testkit::documents::document;
 use proptest::prelude::*;
 use unicode_segmentation::UnicodeSegmentation;
 use unicode_width::UnicodeWidthStr;
@@ -23,7 +22,7 @@ fn bank(file: &str, options: &Options) -> Vec<u8> {
 }
 
 fn parsed(file: &str) -> Document<'_> {
-    lipz::parse(file.as_bytes()).document.unwrap_or_else(|| panic!("{file}"))
+    lipz_file::parse(file.as_bytes()).document.unwrap_or_else(|| panic!("{file}"))
 }
 
 fn formatted(file: &str, default_locale: Option<&str>) -> String {
@@ -39,7 +38,7 @@ fn spelled(document: &Document<'_>, escaped: &[bool]) -> String {
             if escaped.next() == Some(true) {
                 out.extend(c.encode_utf16(&mut [0; 2]).iter().map(|unit| format!("\\u{unit:04x}")));
             } else {
-                let literal = lipz::literal(c.encode_utf8(&mut [0; 4]));
+                let literal = lipz_file::literal(c.encode_utf8(&mut [0; 4]));
                 out.push_str(&literal[1..literal.len() - 1]);
             }
         }
@@ -115,7 +114,7 @@ proptest! {
     #[test]
     fn fixing_keeps_the_meaning(document in document(), has_mark: bool, has_comma: bool) {
         let options = Options { default_locale: Some("de-de".into()), ..Options::default() };
-        let valid = lipz::write(&document);
+        let valid = lipz_file::write(&document);
         let mut file = if has_mark { format!("\u{FEFF}{valid}") } else { valid.clone() };
         if has_comma && !document.elements.is_empty() {
             file.insert(file.rfind('}').unwrap(), ',');
@@ -124,18 +123,18 @@ proptest! {
         let text = fixed.map_or(file, |fixed| fixed.text);
         prop_assert_eq!(fix(text.as_bytes(), &options), None);
         prop_assert_eq!(bank(&valid, &options), bank(&text, &options));
-        let left = lipz::parse(text.as_bytes()).diagnostics;
+        let left = lipz_file::parse(text.as_bytes()).diagnostics;
         prop_assert!(left.iter().all(|finding| finding.fix.is_none()), "{left:?}");
     }
 
     #[test]
     fn packing_converts_as_the_file_is_converted(document in document(), to in prop_oneof![Just(Blair), Just(ToonBoom)]) {
-        let file = lipz::write(&document);
+        let file = lipz_file::write(&document);
         let converted = convert(file.as_bytes(), to, &Options::default());
         let packing = Options { viseme_type: Some(to), ..Options::default() };
         let packed = compile(&[Input::from_bytes("clip", file.as_str())], &packing, &|_| {});
         let of_packing = packed.reports.into_iter().flat_map(|report| report.diagnostics);
-        let is_about_it = |finding: &lipz::Diagnostic| ["LZ0404", "LZ0405"].contains(&finding.code.number());
+        let is_about_it = |finding: &lipz_diagnostics::Diagnostic| ["LZ0404", "LZ0405"].contains(&finding.code.number());
         prop_assert_eq!(of_packing.filter(is_about_it).collect::<Vec<_>>(), converted.diagnostics);
         let Some(bytes) = packed.bank else { return Ok(()) };
         let text = converted.text.unwrap_or(file);
@@ -145,7 +144,7 @@ proptest! {
         let documents = Documents::of(&bank).unwrap();
         let (_, unpacked) = documents.iter().next().unwrap().unwrap();
         prop_assert_eq!(&unpacked, &parsed(&text));
-        let again = compile(&[Input::from_bytes("clip", lipz::write(&unpacked))], &Options::default(), &|_| {});
+        let again = compile(&[Input::from_bytes("clip", lipz_file::write(&unpacked))], &Options::default(), &|_| {});
         prop_assert_eq!(again.bank.unwrap(), bytes);
     }
 
@@ -171,7 +170,7 @@ fn fixing_bad_files_makes_nothing_worse() {
             let options = Options { strip: true, ..options.clone() };
             compile(&[Input::from_bytes("clip", bytes)], &options, &|_| {}).bank
         };
-        let (before, after) = (lipz::parse(&bytes).document, lipz::parse(fixed.text.as_bytes()).document);
+        let (before, after) = (lipz_file::parse(&bytes).document, lipz_file::parse(fixed.text.as_bytes()).document);
         assert!(before.is_none() || after.is_some(), "{name}");
         assert!(packed(&bytes).is_none_or(|bank| Some(bank) == packed(fixed.text.as_bytes())), "{name}");
         assert_eq!(fix(fixed.text.as_bytes(), &options), None, "{name}");
@@ -181,7 +180,7 @@ fn fixing_bad_files_makes_nothing_worse() {
 
 fn converted(file: &str, to: VisemeType, options: &Options) -> (Option<String>, Vec<String>) {
     let converted = convert(file.as_bytes(), to, options);
-    (converted.text, converted.diagnostics.iter().map(|found| format!("{}: {}", found.code, found.headline)).collect())
+    (converted.text, converted.diagnostics.iter().map(|found| format!("{}: {}", found.code, found.message)).collect())
 }
 
 #[test]
@@ -239,11 +238,11 @@ fn what_is_lost_has_the_level_of_the_project() {
     let with = |level| {
         let options = Options { levels: [(Code::ConversionLoss, level)].into(), ..Options::default() };
         let converted = convert(file, ToonBoom, &options);
-        (converted.text.is_some(), converted.diagnostics.iter().map(|found| found.level).collect::<Vec<_>>())
+        (converted.text.is_some(), converted.diagnostics.iter().map(|found| found.severity).collect::<Vec<_>>())
     };
-    assert_eq!(with(Some(Level::Warning)), (true, vec![Level::Warning]));
+    assert_eq!(with(Some(Severity::Warning)), (true, vec![Severity::Warning]));
     assert_eq!(with(None), (true, vec![]));
-    assert_eq!(with(Some(Level::Error)), (false, vec![Level::Error]));
+    assert_eq!(with(Some(Severity::Error)), (false, vec![Severity::Error]));
 }
 
 #[test]
@@ -252,7 +251,7 @@ fn packing_converts_and_reports_what_is_lost() {
     let options = Options { viseme_type: Some(ToonBoom), ..Options::default() };
     let compiled = compile(&[Input::from_bytes("clip", file)], &options, &|_| {});
     let [finding] = &compiled.reports[0].diagnostics[..] else { panic!("{:?}", compiled.reports) };
-    assert_eq!(finding.headline, "3 frames lose their own mouth shape: toonboom has no `L` and no `U`");
+    assert_eq!(finding.message, "3 frames lose their own mouth shape: toonboom has no `L` and no `U`");
     assert_eq!(finding.notes, ["`L` becomes `B` in 2 frames", "`U` becomes `F` in 1 frame"]);
     let bytes = compiled.bank.unwrap();
     assert_eq!(codes(&bytes), ["ADBEFCG-", "BFB"]);

@@ -1,15 +1,14 @@
 //! JSON → bank → JSON: every element that is packed comes back as it was; → bank again: the same bytes.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
 
-#[path = "support/documents.rs"]
-mod documents;
 mod support;
 
-use documents::document;
-use lipz::locale::{TextName, text_name};
-use lipz::{Code, Document, Element, Level};
 use lipz_bank::{Bank, VisemeType};
 use lipz_compiler::{Documents, Input, Options, compile, convert};
+use lipz_diagnostics::{Code, Severity};
+use lipz_file::locale::{TextName, text_name};
+use lipz_file::{Document, Element};
+use lipz_testkit::documents::document;
 use proptest::prelude::*;
 use proptest::{collection, option, sample};
 use std::collections::BTreeSet;
@@ -26,7 +25,7 @@ fn unpacked(bytes: &[u8]) -> Files {
     let bank = Bank::open(bytes).and_then(Bank::verify).unwrap();
     let documents = Documents::of(&bank).unwrap();
     assert!(documents.is_exact());
-    let file = |(key, document): (&str, Document<'_>)| (key.to_owned(), lipz::write(&document).into_bytes());
+    let file = |(key, document): (&str, Document<'_>)| (key.to_owned(), lipz_file::write(&document).into_bytes());
     documents.iter().map(|document| file(document.unwrap())).collect()
 }
 
@@ -34,12 +33,12 @@ fn unpacked(bytes: &[u8]) -> Files {
 fn kept(file: &[u8], options: &Options) -> Vec<u8> {
     let converted = options.viseme_type.and_then(|to| convert(file, to, options).text);
     let file = converted.map_or(file.to_vec(), String::into_bytes);
-    let mut document = lipz::parse(&file).document.unwrap();
+    let mut document = lipz_file::parse(&file).document.unwrap();
     document.elements.retain(|element| match (&options.locales, text_name(&element.name.text)) {
         (Some(chosen), Some(TextName::Canonical(tag) | TextName::Misspelt(tag))) => chosen.contains(&tag),
         _ => true,
     });
-    lipz::write(&document).into_bytes()
+    lipz_file::write(&document).into_bytes()
 }
 
 /// Packs `files`, unpacks them in memory, compares, packs again, compares.
@@ -103,14 +102,14 @@ fn a_stripped_bank_gives_display_forms() {
     assert!(!documents.is_exact());
     let (_, document) = documents.iter().next().unwrap().unwrap();
     let expected = "{\n  \"fps\": 29.97,\n  \"viseme_type\": \"blair\",\n  \"visemes\": \"MA|O-\",\n  \"text_en-us\": \"Hi|you\"\n}\n";
-    assert_eq!(lipz::write(&document), expected);
+    assert_eq!(lipz_file::write(&document), expected);
     let again = compile(&[Input::from_bytes("a", expected)], &options, &|_| {}).bank.unwrap();
     assert_eq!(again, bytes);
 }
 
 /// Options under which elements may differ in segments.
 fn joining() -> Options {
-    Options { levels: [(Code::SegmentCount, Some(Level::Warning))].into(), ..Options::default() }
+    Options { levels: [(Code::SegmentCount, Some(Severity::Warning))].into(), ..Options::default() }
 }
 
 /// The texts and events of one document with the other elements of another: segments that differ.
@@ -165,7 +164,7 @@ proptest! {
     ) {
         // Some codes are not of the default type, or cannot be converted.
         let is_good = |file: &Vec<u8>| compile(&[Input::from_bytes("clip", file.clone())], &options, &|_| {}).bank.is_some();
-        let files = documents.iter().map(|document| lipz::write(document).into_bytes()).filter(is_good);
+        let files = documents.iter().map(|document| lipz_file::write(document).into_bytes()).filter(is_good);
         let files = files.enumerate().map(|(number, file)| (format!("clip-{number}"), file)).collect();
         assert_round_trip(&files, &options);
     }
@@ -175,7 +174,7 @@ proptest! {
         let files: Vec<_> = documents
             .iter()
             .enumerate()
-            .map(|(number, document)| (format!("clip-{number}"), lipz::write(document).into_bytes()))
+            .map(|(number, document)| (format!("clip-{number}"), lipz_file::write(document).into_bytes()))
             .collect();
         assert_round_trip(&files, &Options::default());
     }
@@ -185,15 +184,15 @@ proptest! {
         let files: Vec<_> = documents
             .iter()
             .enumerate()
-            .map(|(number, document)| (format!("clip-{number}"), lipz::write(document).into_bytes()))
+            .map(|(number, document)| (format!("clip-{number}"), lipz_file::write(document).into_bytes()))
             .collect();
         assert_round_trip(&files, &joining());
     }
 
     #[test]
     fn writing_and_reading_is_the_identity(document in document()) {
-        let text = lipz::write(&document);
-        let parsed = lipz::parse(text.as_bytes());
+        let text = lipz_file::write(&document);
+        let parsed = lipz_file::parse(text.as_bytes());
         prop_assert_eq!(parsed.document.unwrap(), document);
     }
 }

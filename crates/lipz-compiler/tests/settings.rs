@@ -1,10 +1,10 @@
 //! `lipz.toml` with anything in it: findings with places in the file, and no panic.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use lipz::{Code, Level};
 use lipz_bank::{Fps, VisemeType};
+use lipz_compiler::MinCoverage;
 use lipz_compiler::settings::{Settings, template};
-use lipz_compiler::{MinCoverage, Report};
+use lipz_diagnostics::{Code, Report, Severity};
 use proptest::prelude::*;
 use std::path::{Path, PathBuf};
 
@@ -51,8 +51,8 @@ fn every_setting_is_read() {
     let limits = options.text_limits;
     assert_eq!((limits.line_columns, limits.lines, limits.characters_per_second), (Some(42), Some(2), Some(17.5)));
     assert_eq!(options.levels[&Code::UnknownEmotion], None, "a lint by itself wins over its group");
-    assert_eq!(options.levels[&Code::UnknownLocale], Some(Level::Error));
-    assert_eq!(options.levels[&Code::SegmentCount], Some(Level::Warning));
+    assert_eq!(options.levels[&Code::UnknownLocale], Some(Severity::Error));
+    assert_eq!(options.levels[&Code::SegmentCount], Some(Severity::Warning));
     assert_eq!(options.registry.characters, Some(["mara".to_owned()].into()));
     assert_eq!(options.registry.actions, Some([].into()), "no actions at all");
     assert_eq!(options.registry.emotions, ["nervous".to_owned()].into());
@@ -64,7 +64,7 @@ fn a_locale_has_one_entry() {
         let (_, report) = parse(text.as_bytes());
         let [finding] = &report.diagnostics[..] else { unreachable!("{text}: {:?}", report.diagnostics) };
         assert_eq!(finding.code, Code::SettingValue);
-        assert!(finding.headline.starts_with("a second entry for the locale `de-"), "{}", finding.headline);
+        assert!(finding.message.starts_with("a second entry for the locale `de-"), "{}", finding.message);
     }
 }
 
@@ -89,7 +89,7 @@ fn uncommented() -> String {
 fn assert_places_are_in_the_file(bytes: &[u8]) {
     let (_, report) = parse(bytes);
     for finding in &report.diagnostics {
-        for label in finding.primary.iter().chain(&finding.secondary) {
+        for label in finding.primary.iter().chain(&finding.labels) {
             assert!(report.source.text.get(label.span.range()).is_some(), "{finding:?}");
         }
     }

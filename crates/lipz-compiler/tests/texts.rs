@@ -1,9 +1,9 @@
 //! What a project decides about texts: limits of screens and readers, literal braces.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use lipz::Code;
 use lipz_bank::Bank;
 use lipz_compiler::{Input, Options, TextLimits, compile};
+use lipz_diagnostics::Code;
 
 /// Codes and marked characters of the findings in one file.
 fn findings(file: &str, options: &Options) -> Vec<(Code, String, String)> {
@@ -12,7 +12,7 @@ fn findings(file: &str, options: &Options) -> Vec<(Code, String, String)> {
     found
         .map(|(report, found)| {
             let span = found.primary.as_ref().unwrap().span;
-            (found.code, report.source.text[span.range()].to_owned(), found.headline.clone())
+            (found.code, report.source.text[span.range()].to_owned(), found.message.clone())
         })
         .collect()
 }
@@ -88,11 +88,11 @@ fn what_belongs_to_one_clip_has_limits() {
     assert_eq!(lengths, [0, 0xFFFF, 0, 0xFFFF, 3]);
     assert!(compiled(&texts(&[1; 0xFFFF])).bank.is_some());
 
-    let headline = |text: &str| compiled(text).reports.pop().and_then(|mut report| report.diagnostics.pop()).unwrap();
-    let long = headline(&texts(&[1, 0x1_0000]));
+    let message = |text: &str| compiled(text).reports.pop().and_then(|mut report| report.diagnostics.pop()).unwrap();
+    let long = message(&texts(&[1, 0x1_0000]));
     assert_eq!(long.code, Code::BankTooLarge);
-    assert_eq!(long.headline, "the text of a segment has 65536 bytes; a bank has room for 65535");
-    let many = headline(&texts(&[1; 0x1_0000]));
+    assert_eq!(long.message, "the text of a segment has 65536 bytes; a bank has room for 65535");
+    let many = message(&texts(&[1; 0x1_0000]));
     assert_eq!(many.code, Code::BankTooLarge);
-    assert_eq!(many.headline, "the clip has 65536 segments; a bank has room for 65535");
+    assert_eq!(many.message, "the clip has 65536 segments; a bank has room for 65535");
 }

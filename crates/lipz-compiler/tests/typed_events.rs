@@ -3,9 +3,9 @@
 
 mod support;
 
-use lipz::event;
 use lipz_bank::{Bank, EventName, Segment};
 use lipz_compiler::{Input, Options, Registry, compile};
+use lipz_file::event;
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 
@@ -43,8 +43,8 @@ fn compare(bytes: &[u8]) -> usize {
     for (name, number) in names.iter().zip(0..) {
         assert_eq!(bank.event_name(name).map(EventName::id), Some(number), "{names:?}");
     }
-    let sections: Vec<_> = bank.sections().filter(|(tag, _)| *tag == lipz_bank::layout::Tag::EVENT_NAMES).collect();
-    assert_eq!(sections[0].1.len(), names.len() * size_of::<lipz_bank::layout::EventNameRecord>());
+    let sections: Vec<_> = bank.sections().filter(|(tag, _)| *tag == lipz_layout::Tag::EVENT_NAMES).collect();
+    assert_eq!(sections[0].1.len(), names.len() * size_of::<lipz_layout::EventNameRecord>());
     count
 }
 

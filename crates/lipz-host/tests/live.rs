@@ -79,7 +79,7 @@ fn until(what: &str, holds: impl Fn() -> bool) {
 }
 
 #[test]
-fn readers_see_whole_banks_while_a_writer_replaces_them() {
+fn readers_see_bank_with_textss_while_a_writer_replaces_them() {
     let banks: Vec<Vec<u8>> = (1..=8).map(version).collect();
     for &hold in HOLDS {
         let (_folder, path) = scene();

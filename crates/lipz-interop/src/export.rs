@@ -2,9 +2,11 @@
 
 use crate::import::REST;
 use crate::{Format, Map, Shape, Time, Timed, Track, map};
-use lipz::rate::Rate;
-use lipz::text::{DELIMITER, is_white_space};
-use lipz::{Code, Diagnostic, Document, Value, VisemeType};
+use lipz_diagnostics::{Code, Diagnostic};
+use lipz_file::rate::Rate;
+use lipz_file::text::{DELIMITER, is_white_space};
+use lipz_file::{Document, Value};
+use lipz_types::VisemeType;
 
 /// What a project and a person decide about an export.
 #[derive(Clone, Copy, Debug, Default)]
@@ -73,8 +75,8 @@ fn track<'m>(
     let Some(map) = options.map.filter(fits).or_else(|| of_format().find(fits).filter(|_| options.map.is_none()))
     else {
         let name = viseme_type.map_or("of no known viseme type", VisemeType::name);
-        let headline = format!("`{}` has no mapping table for the codes of the clip, which are {name}", format.name);
-        findings.push(refusal(headline).help(match viseme_type {
+        let message = format!("`{}` has no mapping table for the codes of the clip, which are {name}", format.name);
+        findings.push(refusal(message).help(match viseme_type {
             Some(VisemeType::Rms) => "loudness (rms) is no mouth shape; export clips of the types blair and toonboom",
             _ => "convert the clip first: lipz convert --viseme-type blair",
         }));
@@ -83,8 +85,8 @@ fn track<'m>(
     let mut shapes: Vec<Shape> = Vec::new();
     for (frame, run) in runs(&codes) {
         let Some(symbol) = map.symbol(run) else {
-            let headline = format!("`{}` has no symbol for the code `{}`", map.name, char::from(run));
-            findings.push(refusal(headline).help("give a table that has it with --map"));
+            let message = format!("`{}` has no symbol for the code `{}`", map.name, char::from(run));
+            findings.push(refusal(message).help("give a table that has it with --map"));
             return None;
         };
         shapes.push(Shape::new(Time::of_frame(frame, rate), symbol));
@@ -107,14 +109,14 @@ fn segments(visemes: &str, rate: Rate) -> Vec<Timed> {
 }
 
 /// The finding for a clip that cannot be exported.
-pub(crate) fn refusal(headline: impl Into<String>) -> Diagnostic {
-    Diagnostic::new(Code::NotExportable, headline)
+pub(crate) fn refusal(message: impl Into<String>) -> Diagnostic {
+    Diagnostic::new(Code::NotExportable, message)
 }
 
 /// The frame rate of a document, if it has one.
 pub(crate) fn rate(document: &Document<'_>) -> Option<Rate> {
     match &document.get("fps")?.value {
-        Value::Number(number) => lipz::rate::parse(&number.text),
+        Value::Number(number) => lipz_file::rate::parse(&number.text),
         _ => None,
     }
 }
@@ -122,7 +124,7 @@ pub(crate) fn rate(document: &Document<'_>) -> Option<Rate> {
 /// The type of the codes: as the file names it, the project's default, or the first one that has them all.
 fn viseme_type(document: &Document<'_>, codes: &[u8], options: &ExportOptions<'_>) -> Option<VisemeType> {
     match document.string("viseme_type") {
-        Some(name) => VisemeType::from_name(name),
+        Some(name) => name.parse::<VisemeType>().ok(),
         None => options
             .default_viseme_type
             .or_else(|| VisemeType::ALL.into_iter().find(|viseme_type| viseme_type.contains_all(codes))),
@@ -146,9 +148,9 @@ fn report_merged(codes: &[u8], map: &Map, findings: &mut Vec<Diagnostic>) {
         let Some(symbol) = map.symbol(code).filter(|_| frames > 0) else { continue };
         if let Some(back) = map.code(symbol).filter(|&back| back != code) {
             let (code, back) = (char::from(code), char::from(back));
-            let headline = format!("{frames} frames of `{code}` are written as `{symbol}`, which is read as `{back}`");
+            let message = format!("{frames} frames of `{code}` are written as `{symbol}`, which is read as `{back}`");
             findings.push(
-                Diagnostic::new(Code::ExportLoss, headline)
+                Diagnostic::new(Code::ExportLoss, message)
                     .note(format!("the mapping table `{}` has no other symbol for `{code}`", map.name)),
             );
         }
@@ -158,7 +160,7 @@ fn report_merged(codes: &[u8], map: &Map, findings: &mut Vec<Diagnostic>) {
 /// What of the document no format of mouth shapes has a place for.
 fn left_out(document: &Document<'_>) -> Vec<&'static str> {
     let has = |is: &dyn Fn(&str) -> bool| document.elements.iter().any(|element| is(&element.name.text));
-    let is_text = |name: &str| lipz::locale::text_name(name).is_some();
+    let is_text = |name: &str| lipz_file::locale::text_name(name).is_some();
     let is_known = |name: &str| matches!(name, "visemes" | "viseme_type" | "fps" | "events") || is_text(name);
     let parts: [(&'static str, bool); 4] = [
         ("segments", document.string("visemes").is_some_and(|visemes| visemes.contains(DELIMITER))),

@@ -6,8 +6,8 @@
 //! as no other such shape needs it.
 
 use crate::Time;
-use lipz::VisemeType;
-use lipz::rate::Rate;
+use lipz_file::rate::Rate;
+use lipz_types::VisemeType;
 
 /// A shape on its way to frames: its code and its times.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

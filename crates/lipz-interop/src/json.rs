@@ -3,7 +3,7 @@
 //! serde_json checks the syntax and finds the ends of values; places come from where its slices point.
 
 use crate::source::Line;
-use lipz::{Code, Diagnostic, Span};
+use lipz_diagnostics::{Code, Diagnostic, Span};
 use serde::de::{Deserializer, MapAccess, SeqAccess, Visitor};
 use serde_json::value::RawValue;
 use std::fmt;

@@ -14,7 +14,7 @@
 //! # Ok::<(), &str>(())
 //! ```
 //!
-//! What is not here: banks and their layout, settings, files and printing (`lipz-cli`).
+//! What is not here: banks and their layout, settings, files and printing (`lipz`).
 
 mod export;
 pub mod fallout;

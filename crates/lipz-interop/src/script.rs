@@ -2,7 +2,7 @@
 
 use crate::fallout::msg;
 use encoding_rs::{Encoding, UTF_8, WINDOWS_1252};
-use lipz::{Code, Diagnostic, Source, Span};
+use lipz_diagnostics::{Code, Diagnostic, Source, Span};
 use std::collections::HashMap;
 
 /// The columns of a CSV that are used.

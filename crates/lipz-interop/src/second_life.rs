@@ -1,10 +1,9 @@
 //! Second Life: the lip sync settings in a viewer's `settings.xml`, which is LLSD, an XML of typed maps.
 
 use crate::{source, xml};
-use lipz::diagnostic::show;
-use lipz::digits::Digits;
-use lipz::rate::{self, Rate};
-use lipz::{Code, Diagnostic, Span};
+use lipz_diagnostics::{Code, Diagnostic, Span, escape};
+use lipz_file::digits::Digits;
+use lipz_file::rate::{self, Rate};
 use roxmltree::{Document, Node};
 
 /// Where findings go.
@@ -44,8 +43,8 @@ pub fn lip_sync(bytes: &[u8], name: &str, findings: &mut Vec<Diagnostic>) -> Opt
         Ok(document) => document,
         Err(error) => {
             let (what, span) = xml::mistake(text, &error);
-            let headline = format!("{} is not XML: {what}", show::name(name));
-            findings.push(Diagnostic::at(Code::ViewerSettingsSyntax, span, headline).help(WHICH_FILE));
+            let message = format!("{} is not XML: {what}", escape::quoted(name));
+            findings.push(Diagnostic::at(Code::ViewerSettingsSyntax, span, message).help(WHICH_FILE));
             return None;
         }
     };
@@ -72,8 +71,9 @@ const WHICH_FILE: &str = "name the settings.xml in the folder user_settings of t
 fn settings<'d>(document: &'d Document<'d>, name: &str, findings: &mut Findings) -> Option<Map<'d>> {
     let root = document.root_element();
     let mut refuse = |node: Node<'_, '_>, what: &str| {
-        let headline = format!("{} is not LLSD: {what} <{}>", show::name(name), show::text(node.tag_name().name()));
-        let finding = Diagnostic::at(Code::ViewerSettingsSyntax, start_tag(node), headline);
+        let message =
+            format!("{} is not LLSD: {what} <{}>", escape::quoted(name), escape::text(node.tag_name().name()));
+        let finding = Diagnostic::at(Code::ViewerSettingsSyntax, start_tag(node), message);
         findings.push(finding.help(WHICH_FILE));
     };
     if !root.has_tag_name("llsd") {
@@ -135,8 +135,8 @@ impl<'d> Value<'d> {
         let text = node.text().unwrap_or("0").trim();
         let rate = rate::parse(text);
         if rate.is_none() {
-            let headline = format!("`{}` is outside 1 to 1000", self.name);
-            let finding = Diagnostic::at(Code::BabbleRate, xml::whole(node), headline);
+            let message = format!("`{}` is outside 1 to 1000", self.name);
+            let finding = Diagnostic::at(Code::BabbleRate, xml::whole(node), message);
             findings.push(finding.help("write digits per second; the viewer's own rate is 24"));
         }
         rate
@@ -146,8 +146,8 @@ impl<'d> Value<'d> {
     fn check_enabled(&self, findings: &mut Findings) {
         let Some(node) = self.of_type(&["integer", "boolean"], "0 or 1", findings) else { return };
         if matches!(node.text().unwrap_or("0").trim(), "0" | "false" | "") {
-            let headline = "lip sync is switched off in these settings";
-            let finding = Diagnostic::at(Code::LipSyncDisabled, xml::whole(node), headline);
+            let message = "lip sync is switched off in these settings";
+            let finding = Diagnostic::at(Code::LipSyncDisabled, xml::whole(node), message);
             findings.push(finding.help("look at the profile before you use it: LipSyncEnabled is 0"));
         }
     }
@@ -157,14 +157,14 @@ impl<'d> Value<'d> {
         match self.node {
             Some(node) if types.iter().any(|name| node.has_tag_name(*name)) => return Some(node),
             Some(node) => {
-                let found = show::text(node.tag_name().name()).into_owned();
-                let headline = format!("`{}` is not {expected}, but of type {found}", self.name);
-                let finding = Diagnostic::at(Code::ViewerSettingType, start_tag(node), headline);
+                let found = escape::text(node.tag_name().name()).into_owned();
+                let message = format!("`{}` is not {expected}, but of type {found}", self.name);
+                let finding = Diagnostic::at(Code::ViewerSettingType, start_tag(node), message);
                 findings.push(finding.help(format!("the viewer writes <{}>", types.join("> or <"))));
             }
             None => {
-                let headline = format!("`{}` has no value", self.name);
-                let finding = Diagnostic::at(Code::ViewerSettingType, xml::whole(self.key), headline);
+                let message = format!("`{}` has no value", self.name);
+                let finding = Diagnostic::at(Code::ViewerSettingType, xml::whole(self.key), message);
                 findings
                     .push(finding.help("a setting is a <map> with the <key>Value</key>; remove it for the default"));
             }
@@ -202,8 +202,8 @@ mod tests {
         for file in ["<", "<a/>", "<llsd/>"] {
             let mut found = Vec::new();
             assert_eq!(lip_sync(file.as_bytes(), "\u{1b}[2J.xml", &mut found), None);
-            let headline = found.first().map(|found| found.headline.as_str()).unwrap_or_default();
-            assert!(headline.starts_with("`\\u001B[2J.xml` is not "), "{headline}");
+            let message = found.first().map(|found| found.message.as_str()).unwrap_or_default();
+            assert!(message.starts_with("`\\u001B[2J.xml` is not "), "{message}");
         }
     }
 

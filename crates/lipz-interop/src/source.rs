@@ -1,11 +1,11 @@
 //! What readers of text formats share: text from bytes, lines with their places, numbers.
 
-use lipz::diagnostic::show;
-use lipz::{Code, Diagnostic, Span, without_byte_order_mark};
+use lipz_diagnostics::{Code, Diagnostic, Span, escape};
+use lipz_file::without_byte_order_mark;
 
 /// The text of a file. Tools on Windows write a byte order mark; it is skipped.
 pub(crate) fn text<'s>(bytes: &'s [u8], findings: &mut Vec<Diagnostic>) -> Option<&'s str> {
-    lipz::decode(without_byte_order_mark(bytes), findings)
+    lipz_file::decode(without_byte_order_mark(bytes), findings)
 }
 
 /// The lines of a text without their ends, each with the byte at which it starts.
@@ -53,17 +53,17 @@ impl<'s> Line<'s> {
     }
 
     /// A finding about it.
-    pub(crate) fn finding(self, code: Code, headline: impl Into<String>) -> Diagnostic {
-        Diagnostic::at(code, self.span(), headline)
+    pub(crate) fn finding(self, code: Code, message: impl Into<String>) -> Diagnostic {
+        Diagnostic::at(code, self.span(), message)
     }
 
     /// The finding that it is not what the format has there.
     pub(crate) fn not(self, what: &str) -> Diagnostic {
-        let headline = match self.text.is_empty() {
+        let message = match self.text.is_empty() {
             true => format!("{what} is missing"),
-            false => format!("{} is not {what}", show::name(self.text)),
+            false => format!("{} is not {what}", escape::quoted(self.text)),
         };
-        self.finding(Code::ForeignSyntax, headline)
+        self.finding(Code::ForeignSyntax, message)
     }
 
     /// The number of frames or units that it spells.

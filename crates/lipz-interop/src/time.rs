@@ -1,6 +1,6 @@
 //! Exact times: whatever unit a format counts in, nothing is lost before frames are chosen.
 
-use lipz::rate::Rate;
+use lipz_file::rate::Rate;
 use std::cmp::Ordering;
 use std::fmt;
 

@@ -1,8 +1,9 @@
 //! What other tools say about a recording, before it becomes a Lipz file: shapes with their times.
 
 use crate::Time;
-use lipz::rate::Rate;
-use lipz::{Element, Span};
+use lipz_diagnostics::Span;
+use lipz_file::Element;
+use lipz_file::rate::Rate;
 
 /// The mouth shapes of one speaker in one recording, as a file of another tool has them.
 ///

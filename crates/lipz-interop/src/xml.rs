@@ -1,7 +1,6 @@
 //! What readers of XML share: where elements and mistakes stand in the text.
 
-use lipz::Span;
-use lipz::diagnostic::show;
+use lipz_diagnostics::{Span, escape};
 use roxmltree::{Error, Node};
 
 /// An element with all that is in it.
@@ -23,5 +22,5 @@ pub(crate) fn mistake(text: &str, error: &Error) -> (String, Span) {
     // The message ends with the place, which the caret shows.
     let message = error.to_string();
     let what = message.split(" at ").next().unwrap_or(&message);
-    (show::text(what).into_owned(), Span::new(at, at + length))
+    (escape::text(what).into_owned(), Span::new(at, at + length))
 }

@@ -1,8 +1,8 @@
 //! LIP files as clips: what is imported of them, what is lost, and what comes back.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
-use lipz::rate::parse as rate;
-use lipz::{Code, Diagnostic};
+use lipz_diagnostics::{Code, Diagnostic};
+use lipz_file::rate::parse as rate;
 use lipz_interop::fallout::lip::{Lip, Marker};
 use lipz_interop::{
     ExportOptions, Format, ImportOptions, Imported, Map, Time, Track, export, find_map, formats, import,
@@ -110,7 +110,7 @@ fn a_file_cut_anywhere_gives_no_clip() {
 /// The LIP file of a clip.
 fn exported(visemes: &str, fps: &str) -> Vec<u8> {
     let file = format!("{{ \"viseme_type\": \"blair\", \"visemes\": \"{visemes}\", \"fps\": {fps} }}");
-    let document = lipz::parse(file.as_bytes()).document.unwrap();
+    let document = lipz_file::parse(file.as_bytes()).document.unwrap();
     let exported = export(format(), &document, &ExportOptions { name: Some("mayor"), ..ExportOptions::default() });
     assert_eq!(exported.diagnostics, []);
     exported.bytes.unwrap()

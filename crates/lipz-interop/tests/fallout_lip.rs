@@ -1,7 +1,7 @@
 //! LIP files: whatever is read is written as it was, and nothing in a file makes reading panic.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
-use lipz::{Code, Diagnostic};
+use lipz_diagnostics::{Code, Diagnostic};
 use lipz_interop::fallout::lip::{ByteOrder, Lip, Marker};
 use proptest::prelude::*;
 use std::fs;
@@ -122,7 +122,7 @@ fn other_files_are_refused_with_a_reason() {
     ] {
         let refused = version(bytes);
         assert_eq!(refused.code, Code::LipVersion);
-        assert!(refused.headline.contains(reason) && refused.help.is_some(), "{refused:?}");
+        assert!(refused.message.contains(reason) && refused.help.is_some(), "{refused:?}");
     }
 }
 

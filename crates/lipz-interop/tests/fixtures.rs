@@ -4,7 +4,7 @@
 
 mod support;
 
-use lipz::format::{Style, format};
+use lipz_file::format::{Style, format};
 use lipz_interop::{ImportOptions, formats, import};
 use std::fmt::Write;
 use std::fs;
@@ -19,7 +19,7 @@ fn every_fixture_becomes_what_is_expected() {
         let imported = import(of, &bytes, &options);
         let mut text = String::new();
         for finding in &imported.diagnostics {
-            writeln!(text, "{}[{}]: {}", finding.level, finding.code, finding.headline).unwrap();
+            writeln!(text, "{}[{}]: {}", finding.severity, finding.code, finding.message).unwrap();
         }
         for clip in &imported.clips {
             writeln!(text, "{} by {}, {} frames", clip.name.as_deref().unwrap_or("clip"), clip.map, clip.frames)
@@ -78,6 +78,6 @@ fn a_file_of_another_format_is_only_told_so() {
     for (name, bytes) in [("rhubarb-tsv", "{ \"mouthCues\": [] }"), ("moho", "// Pamela"), ("polly", "0.00\tX\n")] {
         let imported = import(formats::find(name).unwrap(), bytes.as_bytes(), &ImportOptions::default());
         let codes: Vec<_> = imported.diagnostics.iter().map(|finding| finding.code).collect();
-        assert_eq!((codes, imported.clips.len()), (vec![lipz::Code::ForeignSyntax], 0), "{name}");
+        assert_eq!((codes, imported.clips.len()), (vec![lipz_diagnostics::Code::ForeignSyntax], 0), "{name}");
     }
 }

@@ -3,8 +3,8 @@
 
 mod support;
 
-use lipz::Level;
-use lipz::text::segment_count;
+use lipz_diagnostics::Severity;
+use lipz_file::text::segment_count;
 use lipz_interop::{Format, ImportOptions, Segments, import};
 use support::every_fixture;
 
@@ -23,7 +23,7 @@ fn options(segments: Segments) -> ImportOptions<'static> {
 /// Imports the bytes and checks what comes of them.
 fn check(format: &Format, bytes: &[u8], options: &ImportOptions<'_>) {
     let imported = import(format, bytes, options);
-    let has_errors = imported.diagnostics.iter().any(|finding| finding.level == Level::Error);
+    let has_errors = imported.diagnostics.iter().any(|finding| finding.severity == Severity::Error);
     assert!(!has_errors || imported.clips.is_empty(), "{}", format.name);
     for clip in imported.clips {
         let visemes = clip.document.string("visemes").unwrap();
@@ -34,11 +34,11 @@ fn check(format: &Format, bytes: &[u8], options: &ImportOptions<'_>) {
                 assert_eq!(segment_count(text), segment_count(visemes), "{}: {text}", format.name);
             }
         }
-        let written = lipz::write(&clip.document);
-        assert!(lipz::parse(written.as_bytes()).document.is_some(), "{}: {written}", format.name);
+        let written = lipz_file::write(&clip.document);
+        assert!(lipz_file::parse(written.as_bytes()).document.is_some(), "{}: {written}", format.name);
     }
     for finding in &imported.diagnostics {
-        for label in finding.primary.iter().chain(&finding.secondary) {
+        for label in finding.primary.iter().chain(&finding.labels) {
             assert!(label.span.start <= label.span.end && label.span.end as usize <= bytes.len() + 3, "{finding:?}");
         }
     }

@@ -3,9 +3,10 @@
 
 mod support;
 
-use lipz::rate::Rate;
-use lipz::{Document, VisemeType};
+use lipz_file::Document;
+use lipz_file::rate::Rate;
 use lipz_interop::{ExportOptions, Format, ImportOptions, Map, export, find_map, formats, import};
+use lipz_types::VisemeType;
 use proptest::prelude::*;
 use support::fixtures;
 
@@ -18,9 +19,9 @@ fn clip(viseme_type: VisemeType, fps: &str, visemes: &str) -> String {
 /// What the codes are after writing and reading.
 fn there_and_back(format: &Format, map: &Map, fps: &str, visemes: &str) -> String {
     let text = clip(map.viseme_type, fps, visemes);
-    let document: Document<'_> = lipz::parse(text.as_bytes()).document.unwrap();
+    let document: Document<'_> = lipz_file::parse(text.as_bytes()).document.unwrap();
     let exported = export(format, &document, &ExportOptions { map: Some(map), ..ExportOptions::default() });
-    let rate: Option<Rate> = lipz::rate::parse(fps);
+    let rate: Option<Rate> = lipz_file::rate::parse(fps);
     let options = ImportOptions { map: Some(map), rate, file_rate: rate, ..ImportOptions::default() };
     let imported = import(format, &exported.bytes.unwrap(), &options);
     assert!(imported.diagnostics.is_empty(), "{:?}", imported.diagnostics);
@@ -55,7 +56,7 @@ proptest! {
 fn file_again(format: &str, fps: &str) -> (Vec<u8>, Vec<u8>) {
     let format = formats::find(format).unwrap();
     let bytes = std::fs::read(fixtures(format).first().unwrap()).unwrap();
-    let rate = lipz::rate::parse(fps);
+    let rate = lipz_file::rate::parse(fps);
     let imported = import(format, &bytes, &ImportOptions { rate, ..ImportOptions::default() });
     let document = &imported.clips.first().unwrap().document;
     (export(format, document, &ExportOptions::default()).bytes.unwrap(), bytes)

@@ -1,15 +1,15 @@
 //! Subtitles: what is written is read by others, and comes back.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use lipz::Document;
-use lipz::rate::{Rate, parse};
+use lipz_file::Document;
+use lipz_file::rate::{Rate, parse};
 use lipz_interop::subtitles::{Cue, SubtitleFormat, SubtitleOptions, clip, cues, join};
 use proptest::prelude::*;
 use subtp::srt::{SrtTimestamp, SubRip};
 use subtp::vtt::{VttBlock, VttTimestamp, WebVtt};
 
 fn document(json: &str) -> Document<'static> {
-    lipz::parse(json.to_owned().leak().as_bytes()).document.unwrap()
+    lipz_file::parse(json.to_owned().leak().as_bytes()).document.unwrap()
 }
 
 fn cues_of(document: &Document<'_>) -> Vec<Cue> {
@@ -37,7 +37,7 @@ fn clip_of(segments: &[(usize, String)], rate: Rate) -> Document<'static> {
     let visemes: Vec<String> = segments.iter().map(|(frames, _)| "-".repeat(*frames)).collect();
     let texts: Vec<&str> = segments.iter().map(|(_, text)| text.as_str()).collect();
     let fps = f64::from(rate.numerator) / f64::from(rate.denominator);
-    let (visemes, text) = (visemes.join("|"), lipz::literal(&texts.join("|")));
+    let (visemes, text) = (visemes.join("|"), lipz_file::literal(&texts.join("|")));
     document(&format!("{{\"visemes\": \"{visemes}\", \"text_en-us\": {text}, \"fps\": {fps}}}"))
 }
 
@@ -113,8 +113,8 @@ proptest! {
                 let mut findings = Vec::new();
                 format.read(&file, &mut findings);
                 // The place of a byte that is not UTF-8 is in the text that shows it.
-                findings.retain(|finding| finding.code != lipz::Code::NotUtf8);
-                let places = findings.iter().flat_map(|finding| finding.primary.iter().chain(&finding.secondary));
+                findings.retain(|finding| finding.code != lipz_diagnostics::Code::NotUtf8);
+                let places = findings.iter().flat_map(|finding| finding.primary.iter().chain(&finding.labels));
                 prop_assert!(places.clone().all(|label| label.span.end as usize <= file.len()), "{:?}", findings);
             }
         }

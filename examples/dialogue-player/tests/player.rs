@@ -17,7 +17,7 @@ fn a_clip_is_played_frame_by_frame() {
         if player.is_over() {
             break;
         }
-        mouths.push(player.mouth().as_char());
+        mouths.push(player.mouth().to_char());
         if subtitles.last() != Some(&player.subtitle()) {
             subtitles.push(player.subtitle());
         }
@@ -27,7 +27,7 @@ fn a_clip_is_played_frame_by_frame() {
     assert_eq!(subtitles, ["Guten Abend, Otto.", "Du bist spät dran,", "und der Nebel ist zu früh."]);
     let expected = [(0, "mara feels neutral"), (35, "mara sees otto"), (54, "mara points fog")];
     assert_eq!(events, expected.map(|(frame, event)| (frame, event.to_owned())));
-    assert_eq!((player.mouth().as_char(), player.subtitle()), ('-', ""), "rest when the clip is over");
+    assert_eq!((player.mouth().to_char(), player.subtitle()), ('-', ""), "rest when the clip is over");
 }
 
 #[test]
@@ -42,9 +42,9 @@ fn no_event_is_lost_when_a_picture_takes_long() {
 #[test]
 fn every_constant_is_a_clip_of_the_bank() {
     let bank = Bank::open(BANK).unwrap();
-    assert_eq!(dialogue::act1::OTTO_AYE, ClipId::of("act1/otto-aye"));
+    assert_eq!(dialogue::act1::OTTO_AYE, ClipId::from_key("act1/otto-aye"));
     for id in [dialogue::act1::OTTO_AYE, dialogue::act1::MARA_GOOD_EVENING] {
         assert!(Player::start(&bank, id, dialogue::locales::JA_JP).is_some());
     }
-    assert!(Player::start(&bank, ClipId::of("act1/otto-ay"), "en-us").is_none());
+    assert!(Player::start(&bank, ClipId::from_key("act1/otto-ay"), "en-us").is_none());
 }

@@ -1,16 +1,14 @@
 //! Compares every answer of a bank with expected ones, byte by byte and without std.
 //!
 //! The expected answers are a golden bank's `.dump`, the very file that the tests of `lipz-bank`
-//! compare with, and the function that writes the answers is theirs, too.
+//! compare with, and the function that writes the answers is the one of their helpers, too.
 
 #![no_std]
 #![forbid(unsafe_code)]
 
-#[path = "../../../crates/lipz-bank/tests/common/answers.rs"]
-mod answers;
-
 use core::fmt;
 use lipz_bank::{Bank, Error};
+use lipz_testkit::answers;
 
 /// Why a bank does not give the expected answers.
 #[derive(Clone, Copy, Debug)]

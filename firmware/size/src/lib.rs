@@ -10,7 +10,7 @@ mod controls;
 
 use core::mem::MaybeUninit;
 use core::panic::PanicInfo;
-use lipz_bank::{Babble, Bank, ClipId, Error, Event, EventName, Hold, Lead, Level, Locale, Micros, Playback, TextBank};
+use lipz_bank::{Babble, Bank, ClipId, Error, Event, EventName, Hold, Lead, VoiceLevel, Locale, Micros, Playback, TextBank};
 
 /// A bank, as an entry point returns it: in memory of its caller.
 type Place<T> = MaybeUninit<T>;
@@ -140,7 +140,7 @@ fn size_state<'a>(playback: &Playback<'a, '_>, of: &EventName<'a>) -> u32 {
 
 #[no_mangle]
 fn size_babble(bank: &Bank<'_>, name: &str, time_us: i64) -> u16 {
-    bank.babble(name).unwrap_or(Babble::DEFAULT).at(Micros(time_us), Level::STEADY).ooh.ten_thousandths()
+    bank.babble(name).unwrap_or(Babble::DEFAULT).at(Micros(time_us), VoiceLevel::UNMEASURED).ooh.ten_thousandths()
 }
 
 extern "C" {

@@ -1,6 +1,6 @@
 //! Header, libraries, and what pkg-config and CMake find them by.
 
-use crate::{Failure, place};
+use crate::{Failure, paths};
 use std::fs;
 use std::path::Path;
 
@@ -18,7 +18,7 @@ pub(super) fn install(built: &Path, prefix: &Path) -> Result<(), Failure> {
 }
 
 fn files(built: &Path, prefix: &Path) -> std::io::Result<()> {
-    let sources = place::workspace_root().join("crates/lipz-capi");
+    let sources = paths::workspace_root().join("crates/lipz-capi");
     let (include, lib) = (prefix.join("include"), prefix.join("lib"));
     let (pkgconfig, cmake) = (lib.join("pkgconfig"), lib.join("cmake/lipz"));
     for folder in [&include, &pkgconfig, &cmake] {

@@ -1,7 +1,7 @@
 //! The programs in `crates/lipz-capi/examples`, built as their readers would build them.
 
-use crate::needs::succeed;
-use crate::{Failure, place};
+use crate::tools::succeed;
+use crate::{Failure, paths};
 use std::ffi::OsStr;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -14,7 +14,7 @@ const EXPECTED: &str = "play.expected";
 const SANITIZERS: &str = "-g -fsanitize=address,undefined -fno-sanitize-recover=all";
 
 pub(super) fn run(prefix: &Path) -> Result<(), Failure> {
-    let sources = place::workspace_root().join("crates/lipz-capi/examples");
+    let sources = paths::workspace_root().join("crates/lipz-capi/examples");
     let build = prefix.join("build");
     let expected = std::fs::read_to_string(sources.join(EXPECTED))
         .map_err(|error| format!("`{EXPECTED}` cannot be read: {error}"))?;
@@ -86,7 +86,7 @@ fn refuses(program: Command, prefix: &Path) -> Result<(), Failure> {
 fn played(mut program: Command, prefix: &Path, bank: &str) -> Result<(String, Output), Failure> {
     let words = std::iter::once(program.get_program()).chain(program.get_args());
     let shown = words.map(OsStr::to_string_lossy).collect::<Vec<_>>().join(" ");
-    program.env("LD_LIBRARY_PATH", prefix.join("lib")).arg(place::workspace_root().join(bank)).args(CLIP);
+    program.env("LD_LIBRARY_PATH", prefix.join("lib")).arg(paths::workspace_root().join(bank)).args(CLIP);
     let output = program.output().map_err(|error| format!("`{shown}` cannot be run: {error}"))?;
     Ok((shown, output))
 }

@@ -2,8 +2,8 @@
 
 use super::cargo_command;
 use crate::Failure;
-use crate::needs::succeed;
-use crate::place::workspace_root;
+use crate::paths::workspace_root;
+use crate::tools::succeed;
 use std::process::Command;
 use std::time::{Duration, Instant};
 

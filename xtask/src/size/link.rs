@@ -2,7 +2,7 @@
 
 use super::elf::{Sizes, sizes};
 use crate::Failure;
-use crate::place::temporary_folder;
+use crate::paths::temporary_folder;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use tempfile::TempDir;

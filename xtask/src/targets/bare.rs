@@ -1,8 +1,8 @@
 //! A target on which there is no std: a reader that needs it does not build.
 
 use crate::Failure;
-use crate::needs::{skip, succeed};
 use crate::toolchain::{Library, NEEDS, Toolchain};
+use crate::tools::{skip, succeed};
 use std::process::Command;
 
 const TARGET: &str = "x86_64-unknown-none";

@@ -2,9 +2,9 @@
 //! without which nobody would know that it checks anything.
 
 use crate::Failure;
-use crate::place::{temporary_folder, workspace_root};
-use lipz_bank::layout::{CHECKED_FROM, checksum};
+use crate::paths::{temporary_folder, workspace_root};
 use lipz_bank::{Bank, ClipId};
+use lipz_layout::{CHECKED_FROM, checksum};
 use std::path::{Path, PathBuf};
 use std::process::Output;
 
@@ -54,7 +54,7 @@ struct Control {
 /// answers can give it away.
 fn controls(bytes: &[u8]) -> Result<[Control; 2], Failure> {
     let bank = Bank::open(bytes).map_err(|error| error.to_string())?;
-    let clip = bank.clip(ClipId::of(CLIP)).ok_or("the golden bank has lost a clip")?;
+    let clip = bank.clip(ClipId::from_key(CLIP)).ok_or("the golden bank has lost a clip")?;
     let place = clip.frames().as_ptr() as usize - bytes.as_ptr() as usize;
     let mut damaged = bytes.to_vec();
     let frame = damaged.get_mut(place).ok_or("the clip has lost its frames")?;

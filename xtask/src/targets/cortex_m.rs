@@ -2,8 +2,8 @@
 
 use super::controls;
 use crate::Failure;
-use crate::needs::{has_program, skip, succeed};
 use crate::toolchain::{Library, NEEDS, Toolchain};
+use crate::tools::{has_program, skip, succeed};
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 

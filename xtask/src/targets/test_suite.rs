@@ -1,8 +1,8 @@
 //! The whole test suite of the reader on machines of another byte order or word size.
 
 use crate::Failure;
-use crate::needs::{has_program, skip, succeed};
 use crate::toolchain::{Library, NEEDS, Toolchain, rust_lld, variable};
+use crate::tools::{has_program, skip, succeed};
 
 const STATIC: &str = "-Ctarget-feature=+crt-static";
 

@@ -2,9 +2,9 @@
 
 use super::controls;
 use crate::Failure;
-use crate::needs::{has_program, skip, succeed};
-use crate::place::workspace_root;
+use crate::paths::workspace_root;
 use crate::toolchain::{Library, NEEDS, Toolchain};
+use crate::tools::{has_program, skip, succeed};
 use std::process::Command;
 
 const TARGET: &str = "wasm32-unknown-unknown";

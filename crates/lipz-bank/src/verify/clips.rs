@@ -4,8 +4,8 @@ use super::error_at;
 use super::strings::Strings;
 use super::texts::TextCheck;
 use crate::clip::key;
-use crate::layout::{ClipRecord, FLAG_VISEMES, KeyRecord, NO_RATE, RateRecord, WHOLE_RATES};
-use crate::{Bank, ClipId, Error, ErrorKind, Fps, VisemeType};
+use crate::{Bank, ClipId, Error, ErrorKind, VisemeType};
+use lipz_layout::{ClipRecord, FLAG_VISEMES, KeyRecord, MAX_INTEGER_FPS, NO_RATE, RateRecord};
 
 /// How many segments the clips so far have: those of clips with events come first.
 struct Segments {
@@ -37,7 +37,7 @@ pub(super) fn clips(bank: &Bank<'_>) -> Result<u32, Error> {
             return Err(failed(ErrorKind::ClipIndex));
         }
         let follows = keys.follows(record.key_offset_bytes.get(), u32::from(record.key_length_bytes.get()));
-        if !follows || ClipId::of(key).get() != record.id.get() {
+        if !follows || ClipId::from_key(key).get() != record.id.get() {
             return Err(failed(ErrorKind::ClipKey));
         }
         contents(bank, clip, record, &mut segments).map_err(|kind| error_at(bank, kind, clip))?;
@@ -57,7 +57,7 @@ pub(super) fn clips(bank: &Bank<'_>) -> Result<u32, Error> {
 
 /// Checks what a clip record says of frames and segments.
 fn contents(bank: &Bank<'_>, record: &ClipRecord, key: &KeyRecord, segments: &mut Segments) -> Result<(), ErrorKind> {
-    let viseme_type = VisemeType::from_u8(record.viseme_type);
+    let viseme_type = VisemeType::from_number(record.viseme_type);
     if record.flags & !FLAG_VISEMES != 0
         || (record.viseme_type != 0 && viseme_type.is_none())
         || (record.flags & FLAG_VISEMES == 0 && record.frame_count.get() != 0)
@@ -65,7 +65,7 @@ fn contents(bank: &Bank<'_>, record: &ClipRecord, key: &KeyRecord, segments: &mu
         return Err(ErrorKind::ClipFlags);
     }
     let rate = record.rate.get();
-    if rate == 0 || (rate != NO_RATE && Fps::stored(rate, bank.rates).is_none()) {
+    if rate == 0 || (rate != NO_RATE && lipz_layout::stored_fps(rate, bank.rates).is_none()) {
         return Err(ErrorKind::FrameRate);
     }
     let (first, count) = (record.segments_first.get() as usize, usize::from(key.segment_count.get()));
@@ -96,8 +96,8 @@ fn contents(bank: &Bank<'_>, record: &ClipRecord, key: &KeyRecord, segments: &mu
 
 /// Checks the frame rates that are no whole numbers, of which there are no more than a clip record can name.
 pub(super) fn rates(bank: &Bank<'_>) -> Result<(), Error> {
-    let is_valid = |rate: &RateRecord| rate.fps_denominator.get() != 1 && Fps::of(rate).is_valid();
-    if bank.rates.len() >= usize::from(NO_RATE - WHOLE_RATES) {
+    let is_valid = |rate: &RateRecord| rate.fps_denominator.get() != 1 && rate.fps_unchecked().is_valid();
+    if bank.rates.len() >= usize::from(NO_RATE - MAX_INTEGER_FPS) {
         return Err(error_at(bank, ErrorKind::FrameRate, bank.rates));
     }
     match bank.rates.iter().find(|rate| !is_valid(rate)) {

@@ -13,7 +13,6 @@ mod strings;
 mod texts;
 
 use crate::file::File;
-use crate::layout;
 use crate::locale::LocaleTable;
 use crate::pool::Pool;
 use crate::{Bank, Error, ErrorKind, TextBank};
@@ -41,7 +40,7 @@ pub(crate) fn verify<'data>(bank: &mut Bank<'data>, utf8: Utf8<'data>) -> Result
     locales(&bank.file, &bank.texts, keys_end)?;
     events::events(bank)?;
     babble::babble(bank)?;
-    if layout::fingerprint(bank.keys, bank.clips) != bank.file.header.fingerprint.get() {
+    if lipz_layout::fingerprint(bank.keys, bank.clips) != bank.file.header.fingerprint.get() {
         return Err(Error::new(ErrorKind::Fingerprint, 24));
     }
     Ok(())
@@ -75,8 +74,8 @@ pub(crate) fn verify_texts<'data>(
 }
 
 fn checksum(file: &File<'_>) -> Result<(), Error> {
-    let checked = file.bytes.get(layout::CHECKED_FROM..).unwrap_or(&[]);
-    if layout::checksum(checked) != file.header.checksum.get() {
+    let checked = file.bytes.get(lipz_layout::CHECKED_FROM..).unwrap_or(&[]);
+    if lipz_layout::checksum(checked) != file.header.checksum.get() {
         return Err(Error::new(ErrorKind::Checksum, 8));
     }
     Ok(())
@@ -113,7 +112,7 @@ fn check_pool<'data>(file: &File<'data>, pool: &mut Pool<'data>, utf8: Utf8<'dat
 /// Tags ascend strictly and fill the pool of names from `start` on; one locale at most is the default.
 fn locales(file: &File<'_>, table: &LocaleTable<'_>, start: u32) -> Result<(), Error> {
     let mut tags = Strings::of(table.names, start);
-    let mut known_flags = layout::LOCALE_DEFAULT;
+    let mut known_flags = lipz_layout::LOCALE_DEFAULT;
     for record in table.records {
         let (offset, length) = (record.tag_offset_bytes.get(), record.tag_length_bytes.get());
         let flags = record.flags.get();

@@ -2,10 +2,10 @@
 
 use super::{error_at, error_in};
 use crate::file::File;
-use crate::layout::{DirectoryEntry, SECTION_ALIGNMENT, TEXT_OFFSET, Tag};
 use crate::locale::LocaleTable;
 use crate::{Bank, Error, ErrorKind};
 use core::mem::size_of_val;
+use lipz_layout::{DirectoryEntry, SECTION_ALIGNMENT, TEXT_OFFSET, Tag};
 
 /// Checks places and tags of all sections, known or not.
 pub(super) fn sections(file: &File<'_>) -> Result<(), Error> {

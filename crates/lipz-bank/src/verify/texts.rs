@@ -2,10 +2,10 @@
 
 use super::error_in;
 use crate::file::File;
-use crate::layout::{ClipRecord, KeyRecord, NO_TEXT, TEXT_FALLBACK, U32};
 use crate::locale::LocaleTable;
 use crate::text::TextPlace;
 use crate::{Error, ErrorKind};
+use lipz_layout::{ClipRecord, KeyRecord, NO_TEXT, TEXT_FALLBACK, U32};
 
 /// The check of the texts while the clips are gone through.
 pub(super) struct TextCheck<'a, 'data> {

@@ -2,9 +2,8 @@
 
 use super::stamps::{MAGIC, Stamps};
 use crate::discover::display;
-use crate::{Report, replace_file};
-use lipz::Code;
-use lipz::diagnostic::show;
+use crate::replace_file;
+use lipz_diagnostics::{Code, Report, escape};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
@@ -51,6 +50,6 @@ fn bytes(path: &Path) -> Result<Vec<u8>, Report> {
         Err(error) => format!("cannot be read: {error}"),
     };
     let name = display(path);
-    let headline = format!("{} {why}", show::name(&name));
-    Err(Report::failure(name, Code::OutputFailed, headline, "name another file for the cache, or delete this one"))
+    let message = format!("{} {why}", escape::quoted(&name));
+    Err(Report::failure(name, Code::OutputFailed, message, "name another file for the cache, or delete this one"))
 }

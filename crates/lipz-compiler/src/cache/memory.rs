@@ -2,7 +2,8 @@
 
 use super::{Before, again, file};
 use crate::compile::{Compiled, Progress, in_pool, verify};
-use crate::{Input, Options, Report};
+use crate::{Input, Options};
+use lipz_diagnostics::Report;
 use std::path::Path;
 use std::sync::Arc;
 

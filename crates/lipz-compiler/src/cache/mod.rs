@@ -16,7 +16,8 @@ pub(crate) use stamps::{Name, Stamp};
 
 use crate::clip::{ClipData, Locales};
 use crate::compile::{Compiled, Progress, Run, in_pool, write_verified};
-use crate::{Content, Input, Options, Report};
+use crate::{Content, Input, Options};
+use lipz_diagnostics::Report;
 use look::Look;
 use recall::Recall;
 use stamps::{Lookup, Stamps, hash};

@@ -1,8 +1,8 @@
 //! Clips of the old bank, as the check made them.
 
 use crate::clip::{ClipData, Locales};
-use lipz_bank::layout::{CHECKED_FROM, ClipRecord, Header, NO_TEXT, TEXT_FALLBACK, Tag, U32, checksum};
 use lipz_bank::{Bank, Clip, Locale};
+use lipz_layout::{CHECKED_FROM, ClipRecord, Header, NO_TEXT, TEXT_FALLBACK, Tag, U32, checksum};
 use zerocopy::FromBytes;
 
 /// The old bank, of which clips are recalled.

@@ -4,7 +4,7 @@ use super::look::Look;
 use crate::Options;
 use bincode::config::{Configuration, Fixint, LittleEndian};
 use bincode::{Decode, Encode};
-use lipz_bank::layout::{FORMAT_MAJOR, FORMAT_MINOR};
+use lipz_layout::{FORMAT_MAJOR, FORMAT_MINOR};
 use std::sync::OnceLock;
 use std::time::SystemTime;
 use twox_hash::XxHash3_128;

@@ -4,8 +4,9 @@ use super::locales::{keep_names_apart, text_locale};
 use super::{names, types};
 use crate::Options;
 use crate::clip::Locales;
-use lipz::{Code, Diagnostic, Document, Element};
-use lipz::{JsonString, Raw};
+use lipz_diagnostics::{Code, Diagnostic};
+use lipz_file::{Document, Element};
+use lipz_file::{JsonString, Raw};
 
 /// Elements of the format by role, with values of the right type.
 #[derive(Default)]

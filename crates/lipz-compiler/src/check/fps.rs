@@ -1,26 +1,27 @@
 //! The frame rate: an exact ratio between 1 and 1000.
 
-use lipz::Raw;
-use lipz::{Code, Diagnostic, rate};
 use lipz_bank::Fps;
+use lipz_diagnostics::{Code, Diagnostic};
+use lipz_file::Raw;
+use lipz_file::rate;
 
 /// The rate that the element `fps` spells.
 pub(super) fn rate(number: &Raw<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<Fps> {
     let rate = rate::parse(&number.text);
     let fps = rate.and_then(|rate| Fps::new(rate.numerator, rate.denominator));
     let (Some(rate), Some(fps)) = (rate, fps) else {
-        let headline = format!("{} frames per second is outside 1 to 1000", shortened(&number.text));
+        let message = format!("{} frames per second is outside 1 to 1000", shortened(&number.text));
         diagnostics.push(
-            Diagnostic::at(Code::FpsOutOfRange, number.span, headline)
+            Diagnostic::at(Code::FpsOutOfRange, number.span, message)
                 .help("write the frame rate of the mouth shapes, usually 24, 25 or 30"),
         );
         return None;
     };
     if !rate.is_exact {
         let (numerator, denominator) = (rate.numerator, rate.denominator);
-        let headline = format!("fps is stored as {numerator}/{denominator}, the nearest exact ratio");
+        let message = format!("fps is stored as {numerator}/{denominator}, the nearest exact ratio");
         diagnostics.push(
-            Diagnostic::at(Code::FpsInexact, number.span, headline)
+            Diagnostic::at(Code::FpsInexact, number.span, message)
                 .note("a bank holds frame rates as ratios of 32-bit numbers")
                 .help("write fewer digits, 23.976 or 29.97, if that is what was meant"),
         );

@@ -2,7 +2,7 @@
 //! are joined to one segment.
 
 use crate::strings::Strings;
-use lipz::event;
+use lipz_file::event;
 
 /// Joins the display texts of a clip with `count` segments, if theirs is another number, in the first
 /// segment: with blanks.

@@ -3,8 +3,9 @@
 use super::texts::{SHOWN, more};
 use crate::TextLimits;
 use crate::clip::ClipData;
-use lipz::{Code, Diagnostic, JsonString, text};
 use lipz_bank::Fps;
+use lipz_diagnostics::{Code, Diagnostic};
+use lipz_file::{JsonString, text};
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 /// The time that the segments of a clip are shown.
@@ -44,15 +45,17 @@ pub(super) fn check<'t>(
         let shown = text::trim(&string.text[range.clone()]);
         let start = range.start + (shown.as_ptr() as usize - string.text[range].as_ptr() as usize);
         let span = string.span_of(start..start + shown.len());
-        wide.extend(too_wide(display, limits).map(|headline| {
-            Diagnostic::at(Code::TextTooWide, span, headline).help("shorten it, or break it with \\n")
-        }));
-        tall.extend(too_many_lines(display, limits).map(|headline| {
-            Diagnostic::at(Code::TooManyLines, span, headline).help("shorten it, or divide the segment with `|`")
+        wide.extend(
+            too_wide(display, limits).map(|message| {
+                Diagnostic::at(Code::TextTooWide, span, message).help("shorten it, or break it with \\n")
+            }),
+        );
+        tall.extend(too_many_lines(display, limits).map(|message| {
+            Diagnostic::at(Code::TooManyLines, span, message).help("shorten it, or divide the segment with `|`")
         }));
         let seconds = times.and_then(|times| times.seconds(segment));
-        fast.extend(seconds.and_then(|seconds| too_fast(display, seconds, limits)).map(|headline| {
-            Diagnostic::at(Code::ReadsTooFast, span, headline)
+        fast.extend(seconds.and_then(|seconds| too_fast(display, seconds, limits)).map(|message| {
+            Diagnostic::at(Code::ReadsTooFast, span, message)
                 .help("shorten the text, or move the `|` so that the segment lasts longer")
         }));
     }

@@ -1,10 +1,10 @@
 //! The locale of a text element, by its name.
 
+use crate::Options;
 use crate::clip::Locales;
-use crate::{Options, levels};
-use lipz::diagnostic::show;
-use lipz::locale::{self, TextName};
-use lipz::{Code, Diagnostic, Document, Element, Level};
+use lipz_diagnostics::{Code, Diagnostic, Severity, escape};
+use lipz_file::locale::{self, TextName};
+use lipz_file::{Document, Element};
 use std::collections::HashMap;
 
 /// The locale of a text element, after reporting what is odd about its name; no locale if there is
@@ -62,8 +62,8 @@ fn tag_of(
 }
 
 fn misspelt(element: &Element<'_>, locale: &str) -> Diagnostic {
-    let headline = format!("{} is read as `text_{locale}`", show::name(&element.name.text));
-    let finding = Diagnostic::at(Code::LocaleSpelling, element.name.span(), headline)
+    let message = format!("{} is read as `text_{locale}`", escape::quoted(&element.name.text));
+    let finding = Diagnostic::at(Code::LocaleSpelling, element.name.span(), message)
         .note("the format spells locales in lower case, with a hyphen, after text_");
     renamed(finding, element, locale)
 }
@@ -75,17 +75,17 @@ fn default_locale(options: &Options) -> Option<String> {
 
 fn no_locale(element: &Element<'_>, default: Option<&str>, options: &Options) -> Diagnostic {
     let name = &element.name.text;
-    let finding = |headline| Diagnostic::at(Code::TextWithoutLocale, element.name.span(), headline);
+    let finding = |message| Diagnostic::at(Code::TextWithoutLocale, element.name.span(), message);
     let Some(default) = default else {
         let finding = finding(format!("`{name}` has no locale")).help(
             "write the locale, \"text_en-us\", or set the project's default locale: default-locale = \"en-us\" in \
              lipz.toml, or --default-locale en-us",
         );
-        let is_lowered = levels::is_lowered(&options.levels, Code::TextWithoutLocale);
+        let is_lowered = lipz_diagnostics::is_lowered(&options.levels, Code::TextWithoutLocale);
         return if is_lowered { finding.note("it is kept for unpacking; games do not see it") } else { finding };
     };
     let mut finding = finding(format!("`{name}` has no locale and is read as the default, `text_{default}`"));
-    finding.level = Level::Warning;
+    finding.severity = Severity::Warning;
     renamed(finding, element, default)
 }
 
@@ -105,7 +105,7 @@ pub(super) fn keep_names_apart(document: &Document<'_>, diagnostics: &mut [Diagn
         return;
     }
     let mut count_of: HashMap<String, usize> = HashMap::new();
-    for name in document.elements.iter().map(|element| lipz::literal(&element.name.text)) {
+    for name in document.elements.iter().map(|element| lipz_file::literal(&element.name.text)) {
         *count_of.entry(name).or_default() += 1;
     }
     let renaming = || diagnostics.iter().filter(|finding| renames(finding)).filter_map(|finding| finding.fix.as_ref());
@@ -119,7 +119,7 @@ pub(super) fn keep_names_apart(document: &Document<'_>, diagnostics: &mut [Diagn
 
 /// The finding for a locale that the run does not accept; `is_tag` if it is one of BCP 47.
 fn other_shape(element: &Element<'_>, locale: &str, is_tag: bool, options: &Options) -> Diagnostic {
-    let shown = show::name(locale);
+    let shown = escape::quoted(locale);
     let finding = if options.extended_locales {
         Diagnostic::at(Code::LocaleShape, element.name.span(), format!("{shown} is not a BCP 47 language tag"))
             .note("a tag is a language, with a script or a region: en-us, es-419, zh-hant")

@@ -17,7 +17,8 @@ use crate::clip::{ClipData, Locales};
 use crate::{Options, TextLimits, pseudo};
 use elements::Roles;
 use limits::Times;
-use lipz::{Diagnostic, Document};
+use lipz_diagnostics::Diagnostic;
+use lipz_file::Document;
 use visemes::Expected;
 
 /// Makes `clip` the one that `document` describes; its texts refer to `locales`. All findings are

@@ -1,8 +1,8 @@
 //! Names that are not of the format, and those that were probably meant.
 
-use lipz::diagnostic::{show, suggest};
-use lipz::locale::{self, TextName};
-use lipz::{Code, Diagnostic, Element};
+use lipz_diagnostics::{Code, Diagnostic, escape, suggest};
+use lipz_file::Element;
+use lipz_file::locale::{self, TextName};
 
 /// Names of the elements of the format that are not texts.
 const NAMES: [&str; 4] = ["fps", "visemes", "viseme_type", "events"];
@@ -10,12 +10,12 @@ const NAMES: [&str; 4] = ["fps", "visemes", "viseme_type", "events"];
 /// The finding for a name that is not of the format.
 pub(super) fn unknown(element: &Element<'_>) -> Diagnostic {
     let name = element.name.text.as_ref();
-    let headline = if name.is_empty() {
+    let message = if name.is_empty() {
         "an element has an empty name".to_owned()
     } else {
-        format!("{} is not an element of the format", show::name(name))
+        format!("{} is not an element of the format", escape::quoted(name))
     };
-    Diagnostic::at(Code::UnknownElement, element.name.span(), headline)
+    Diagnostic::at(Code::UnknownElement, element.name.span(), message)
         .note("it is kept for unpacking; games do not see it")
         .help(match suggestion(name) {
             Some(known) => format!("did you mean `{known}`?"),

@@ -2,8 +2,9 @@
 
 use super::elements::Roles;
 use crate::strings::Strings;
-use lipz::{Code, Diagnostic, JsonString, text};
-use lipz_bank::layout::TEXT_MAX_BYTES;
+use lipz_diagnostics::{Code, Diagnostic};
+use lipz_file::{JsonString, text};
+use lipz_layout::TEXT_MAX_BYTES;
 
 /// The most segments of a clip.
 const MOST_SEGMENTS: usize = u16::MAX as usize;
@@ -15,8 +16,8 @@ pub(super) fn for_texts(string: &JsonString<'_>, displays: &Strings, diagnostics
         return;
     };
     let span = text::segments(&string.text).nth(segment).map_or(string.span(), |range| string.span_of(range));
-    let headline = format!("the text of a segment has {} bytes; a bank has room for {TEXT_MAX_BYTES}", display.len());
-    diagnostics.push(Diagnostic::at(Code::BankTooLarge, span, headline).help("divide the segment with `|`"));
+    let message = format!("the text of a segment has {} bytes; a bank has room for {TEXT_MAX_BYTES}", display.len());
+    diagnostics.push(Diagnostic::at(Code::BankTooLarge, span, message).help("divide the segment with `|`"));
 }
 
 /// Reports that there is no room for so many segments, at the first one too many.
@@ -27,7 +28,7 @@ pub(super) fn for_segments(roles: &Roles<'_>, count: usize, diagnostics: &mut Ve
     let first_text = || roles.texts.first().map(|text| text.string);
     let Some(string) = roles.visemes.or_else(first_text).or(roles.events) else { return };
     let span = string.text.match_indices(text::DELIMITER).nth(MOST_SEGMENTS - 1).map(|(at, bar)| at..at + bar.len());
-    let headline = format!("the clip has {count} segments; a bank has room for {MOST_SEGMENTS}");
-    let finding = Diagnostic::at(Code::BankTooLarge, span.map_or(string.span(), |bar| string.span_of(bar)), headline);
+    let message = format!("the clip has {count} segments; a bank has room for {MOST_SEGMENTS}");
+    let finding = Diagnostic::at(Code::BankTooLarge, span.map_or(string.span(), |bar| string.span_of(bar)), message);
     diagnostics.push(finding.help("divide it into several clips"));
 }

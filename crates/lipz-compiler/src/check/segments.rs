@@ -2,10 +2,10 @@
 
 use super::elements::Roles;
 use super::visemes::DELIMITER_LOOKALIKES;
-use crate::{Options, levels};
-use lipz::diagnostic::show;
-use lipz::text;
-use lipz::{Code, Diagnostic, JsonString};
+use crate::Options;
+use lipz_diagnostics::{Code, Diagnostic, escape};
+use lipz_file::JsonString;
+use lipz_file::text;
 use unicode_width::UnicodeWidthStr;
 
 /// Segments shown side by side; the rest is counted.
@@ -42,7 +42,7 @@ pub(super) fn report_differing(roles: &Roles<'_>, options: &Options, diagnostics
     let Some(reference) = visemes.or_else(|| others.next()) else { return };
     let first = diagnostics.len();
     report(reference, &others.collect::<Vec<_>>(), visemes.is_some(), diagnostics);
-    if levels::is_lowered(&options.levels, Code::SegmentCount) {
+    if lipz_diagnostics::is_lowered(&options.levels, Code::SegmentCount) {
         for finding in &mut diagnostics[first..] {
             finding.notes.push(JOINED.to_owned());
         }
@@ -59,15 +59,14 @@ fn report(reference: Segmented<'_>, others: &[Segmented<'_>], is_visemes: bool, 
     {
         // All the others agree: one finding, about `visemes`.
         if !is_explained(first) {
-            let headline = format!("`visemes` has {}, all other elements {}", plural(reference.count), first.count);
-            diagnostics.push(mismatch(headline, reference, *first));
+            let message = format!("`visemes` has {}, all other elements {}", plural(reference.count), first.count);
+            diagnostics.push(mismatch(message, reference, *first));
         }
         return;
     }
     for other in differing().filter(|other| !is_explained(other)) {
-        let headline =
-            format!("`{}` has {}, `{}` {}", other.name, plural(other.count), reference.name, reference.count);
-        let finding = mismatch(headline, *other, reference);
+        let message = format!("`{}` has {}, `{}` {}", other.name, plural(other.count), reference.name, reference.count);
+        let finding = mismatch(message, *other, reference);
         diagnostics.push(match damage(other, reference) {
             Some(help) => finding.help(help),
             None => finding,
@@ -76,8 +75,8 @@ fn report(reference: Segmented<'_>, others: &[Segmented<'_>], is_visemes: bool, 
 }
 
 /// Two elements that differ, with their segments side by side.
-fn mismatch(headline: String, blamed: Segmented<'_>, reference: Segmented<'_>) -> Diagnostic {
-    let mut finding = Diagnostic::at(Code::SegmentCount, blamed.string.span(), headline)
+fn mismatch(message: String, blamed: Segmented<'_>, reference: Segmented<'_>) -> Diagnostic {
+    let mut finding = Diagnostic::at(Code::SegmentCount, blamed.string.span(), message)
         .label(plural(blamed.count))
         .also(reference.string.span(), plural(reference.count))
         .help("put a `|` into each element where the segments meet");
@@ -114,7 +113,7 @@ fn cells(element: Segmented<'_>) -> impl Iterator<Item = String> {
                 cell.push('…');
                 break;
             }
-            cell.push_str(&show::text(character.encode_utf8(&mut [0; 4])));
+            cell.push_str(&escape::text(character.encode_utf8(&mut [0; 4])));
         }
         format!("`{cell}`")
     })

@@ -2,8 +2,9 @@
 
 use crate::Options;
 use crate::strings::Strings;
-use lipz::JsonString;
-use lipz::{Code, Diagnostic, text};
+use lipz_diagnostics::{Code, Diagnostic};
+use lipz_file::JsonString;
+use lipz_file::text;
 use std::borrow::Cow;
 
 /// Findings of one kind that one text shows in full; the rest is counted.

@@ -1,7 +1,7 @@
 //! Types of values: strings, and the number `fps`.
 
-use lipz::diagnostic::show;
-use lipz::{Code, Diagnostic, Element, JsonString, Raw, Value};
+use lipz_diagnostics::{Code, Diagnostic, escape};
+use lipz_file::{Element, JsonString, Raw, Value};
 
 /// The string that the element must have.
 pub(super) fn string<'d>(element: &'d Element<'d>, diagnostics: &mut Vec<Diagnostic>) -> Option<&'d JsonString<'d>> {
@@ -34,12 +34,12 @@ pub(super) fn number<'d>(element: &'d Element<'d>, diagnostics: &mut Vec<Diagnos
 
 /// Whether the text is a frame rate as JSON spells numbers: not `024`, not `24.`.
 fn is_rate(text: &str) -> bool {
-    let is_number = || lipz::parse(format!("{{\"fps\":{text}}}").as_bytes()).document.is_some();
-    lipz::rate::parse(text).is_some() && is_number()
+    let is_number = || lipz_file::parse(format!("{{\"fps\":{text}}}").as_bytes()).document.is_some();
+    lipz_file::rate::parse(text).is_some() && is_number()
 }
 
 fn wrong_type(element: &Element<'_>, expected: &str) -> Diagnostic {
-    let headline = format!("{} is {}, not {expected}", show::name(&element.name.text), element.value.type_name());
-    Diagnostic::at(Code::WrongType, element.value.span(), headline)
+    let message = format!("{} is {}, not {expected}", escape::quoted(&element.name.text), element.value.type_name());
+    Diagnostic::at(Code::WrongType, element.value.span(), message)
         .also(element.name.span(), format!("must be {expected}"))
 }

@@ -2,8 +2,8 @@
 
 use super::{ClipData, ClipText, Locales};
 use crate::strings::Strings;
-use lipz_bank::layout::U16;
 use lipz_bank::{Fps, VisemeType};
+use lipz_layout::U16;
 use std::collections::BTreeSet;
 use std::ops::Range;
 use zerocopy::FromBytes;

@@ -1,9 +1,10 @@
 //! What a project asks of the texts of a bank as a whole.
 
 use crate::check::locales::in_no_list;
-use crate::{MinCoverage, Options, Report, coverage, levels, pseudo, shortfalls};
-use lipz::{Code, Diagnostic, locale};
+use crate::{MinCoverage, Options, coverage, pseudo, shortfalls};
 use lipz_bank::Bank;
+use lipz_diagnostics::{Code, Diagnostic, Report};
+use lipz_file::locale;
 
 /// Whether as much is translated as the project asks for.
 pub(super) fn enough_texts(bank: &[u8], options: &Options) -> Result<(), Report> {
@@ -21,7 +22,7 @@ pub(super) fn locales_without_texts(bank: &[u8], options: &Options) -> Report {
     let (Some(packed), Ok(bank)) = (&options.locales, Bank::open(bank)) else { return Report::default() };
     let is_absent = |tag: &&String| bank.locale(tag).is_none() && !pseudo::is_pseudo(tag);
     let mut findings = packed.iter().filter(is_absent).map(|tag| without_texts(tag)).collect();
-    levels::apply(&options.levels, &mut findings);
+    lipz_diagnostics::adjust(&options.levels, &mut findings);
     Report::all_about("", findings)
 }
 

@@ -4,8 +4,9 @@ use super::Phases;
 use super::read::FileReader;
 use crate::cache::{Cache, Seen, Stamp, Stamped};
 use crate::clip::{ClipData, Clips, Locales};
-use crate::{Content, Input, Options, Report, check, convert, levels, source_record};
-use lipz::{Diagnostic, Document, Level};
+use crate::{Content, Input, Options, check, convert, source_record};
+use lipz_diagnostics::{Diagnostic, Report, Severity};
+use lipz_file::Document;
 use std::time::{Duration, Instant};
 
 /// What a thread needs to make clips of files, and what it has made of them.
@@ -60,12 +61,12 @@ impl Worker {
             self.phases.recall += self.lap.time();
             return;
         }
-        let lipz::Parsed { document, mut diagnostics } = lipz::parse(bytes);
+        let lipz_file::Parsed { document, mut diagnostics } = lipz_file::parse(bytes);
         self.phases.parse += self.lap.time();
         let is_made = match document {
             Some(document) => make_clip(&document, options, &mut made.clips.locales, &mut made.clip, &mut diagnostics),
             None => {
-                levels::apply(&options.levels, &mut diagnostics);
+                lipz_diagnostics::adjust(&options.levels, &mut diagnostics);
                 false
             }
         };
@@ -78,7 +79,7 @@ impl Worker {
         }
         if !diagnostics.is_empty() {
             diagnostics.sort_by_key(Diagnostic::start);
-            self.reports.push(Report::of_file(input.name(), bytes, diagnostics));
+            self.reports.push(Report::from_bytes(input.name(), bytes, diagnostics));
         }
     }
 }
@@ -124,8 +125,8 @@ fn make_clip(
 
 /// Whether a finding is an error at the project's levels, which the findings get.
 fn has_errors(options: &Options, diagnostics: &mut Vec<Diagnostic>) -> bool {
-    levels::apply(&options.levels, diagnostics);
-    diagnostics.iter().any(|finding| finding.level == Level::Error)
+    lipz_diagnostics::adjust(&options.levels, diagnostics);
+    diagnostics.iter().any(|finding| finding.severity == Severity::Error)
 }
 
 /// A stopwatch that starts again at each reading.

@@ -9,9 +9,9 @@ pub(crate) use read::FileReader;
 pub(crate) use run::Run;
 
 use crate::output::replace_file_if;
-use crate::{Input, Options, Report};
-use lipz::Code;
+use crate::{Input, Options};
 use lipz_bank::Bank;
+use lipz_diagnostics::{Code, Report};
 use std::path::Path;
 use std::time::Duration;
 

@@ -1,8 +1,7 @@
 //! Reading files, each relative to the folder that it lies in.
 
-use crate::Report;
 use crate::discover::display;
-use lipz::{Code, Diagnostic};
+use lipz_diagnostics::{Code, Diagnostic, Report};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
@@ -22,7 +21,7 @@ pub(crate) struct FileReader {
 impl FileReader {
     /// The bytes of the file at `path`, or the report that it cannot be read.
     pub(crate) fn read(&mut self, path: &Path) -> Result<&[u8], Report> {
-        let limit = lipz::MAX_FILE_BYTES as u64;
+        let limit = lipz_file::MAX_FILE_BYTES as u64;
         self.bytes.clear();
         let read = self.open(path).and_then(|mut file| {
             file.by_ref().take(SMALL_FILE).read_to_end(&mut self.bytes)?;
@@ -35,7 +34,7 @@ impl FileReader {
         });
         let finding = match read {
             Ok(true) => return Ok(&self.bytes),
-            Ok(false) => lipz::too_large(),
+            Ok(false) => lipz_file::too_large(),
             Err(error) => Diagnostic::new(Code::UnreadableFile, format!("the file cannot be read: {error}")),
         };
         Err(Report::about(display(path), finding))

@@ -5,7 +5,8 @@ use super::{Compiled, Phases, Progress, demands};
 use crate::cache::{Cache, Stamped};
 use crate::clip::Clips;
 use crate::lower::Layout;
-use crate::{Input, Options, Report, key, levels, localise, report};
+use crate::{Input, Options, key, localise};
+use lipz_diagnostics::Report;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
@@ -32,7 +33,7 @@ impl Run {
         let mut run = Run::default();
         key::check(inputs, &mut run.reports);
         for report in &mut run.reports {
-            levels::apply(&options.levels, &mut report.diagnostics);
+            lipz_diagnostics::adjust(&options.levels, &mut report.diagnostics);
         }
         let next = AtomicUsize::new(0);
         let threads = (0..rayon::current_num_threads()).into_par_iter().with_max_len(1);
@@ -61,7 +62,7 @@ impl Run {
     }
 
     pub(crate) fn has_errors(&self) -> bool {
-        report::has_errors(&self.reports)
+        lipz_diagnostics::has_errors(&self.reports)
     }
 
     /// Makes a bank of the clips and hands it to `finish`, without whose consent there is none.
@@ -119,7 +120,7 @@ impl Run {
 
     /// Ends the run with this bank.
     pub(crate) fn finish(mut self, bank: Option<Vec<u8>>) -> Compiled {
-        report::sort(&mut self.reports);
+        lipz_diagnostics::sort(&mut self.reports);
         let recalled = self.stamped.recalled;
         Compiled { bank, reports: self.reports, recalled, phases: self.phases, ..Compiled::default() }
     }

@@ -1,9 +1,9 @@
 //! Converting a source text: only the codes and the name of their type are edited.
 
 use super::Conversion;
-use lipz::diagnostic::Fix;
-use lipz::text::is_white_space;
-use lipz::{Document, Element, Span, Value, fix, literal};
+use lipz_diagnostics::{Fix, Span};
+use lipz_file::text::is_white_space;
+use lipz_file::{Document, Element, Value, literal};
 
 const BYTE_ORDER_MARK: &str = "\u{FEFF}";
 
@@ -27,7 +27,7 @@ pub(super) fn apply(bytes: &[u8], document: &Document<'_>, conversion: &Conversi
         (None, None) => {}
     }
     let edits: Vec<&Fix> = edits.iter().collect();
-    Some(mark.to_owned() + &fix::apply(text, &edits).text)
+    Some(mark.to_owned() + &lipz_diagnostics::apply(text, &edits).text)
 }
 
 /// A new element `viseme_type` behind the element `visemes`, set apart from it as that is from what

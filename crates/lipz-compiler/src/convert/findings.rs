@@ -2,8 +2,9 @@
 
 use super::Conversion;
 use super::chart::MERGED;
-use lipz::{Code, Diagnostic, Document, Element, Value};
 use lipz_bank::VisemeType;
+use lipz_diagnostics::{Code, Diagnostic};
+use lipz_file::{Document, Element, Value};
 
 /// The warning about frames whose shape the new type does not have.
 pub(super) fn loss(document: &Document<'_>, conversion: &Conversion) -> Option<Diagnostic> {
@@ -14,8 +15,8 @@ pub(super) fn loss(document: &Document<'_>, conversion: &Conversion) -> Option<D
     let count = visemes.text.matches(is_merged).count();
     let frames = |count: usize| if count == 1 { "1 frame".to_owned() } else { format!("{count} frames") };
     let loses = if count == 1 { "loses its" } else { "lose their" };
-    let headline = format!("{} {loses} own mouth shape: toonboom has no `L` and no `U`", frames(count));
-    let finding = Diagnostic::at(Code::ConversionLoss, visemes.span_of(first..first + 1), headline);
+    let message = format!("{} {loses} own mouth shape: toonboom has no `L` and no `U`", frames(count));
+    let finding = Diagnostic::at(Code::ConversionLoss, visemes.span_of(first..first + 1), message);
     let finding = MERGED.iter().fold(finding, |finding, &(blair, toonboom)| {
         let (blair, toonboom) = (char::from(blair), char::from(toonboom));
         match visemes.text.matches(blair).count() {
@@ -39,18 +40,18 @@ pub(super) fn refused(document: &Document<'_>, from: VisemeType, to: VisemeType)
 /// The error for codes that mean different mouths in the types that have them.
 pub(super) fn ambiguous(document: &Document<'_>, candidates: &[VisemeType]) -> Diagnostic {
     let names: Vec<&str> = candidates.iter().map(|known| known.name()).collect();
-    let headline = format!("these codes cannot be converted: they may be {}", names.join(" or "));
+    let message = format!("these codes cannot be converted: they may be {}", names.join(" or "));
     let example = names.first().copied().unwrap_or_default();
-    about_type(document, headline).help(format!(
+    about_type(document, message).help(format!(
         "name their type: \"viseme_type\": \"{example}\" in the file, or --default-viseme-type {example}"
     ))
 }
 
 /// A finding about the viseme type, or the codes of a file that does not name it.
-fn about_type(document: &Document<'_>, headline: String) -> Diagnostic {
+fn about_type(document: &Document<'_>, message: String) -> Diagnostic {
     let element = document.get("viseme_type").or_else(|| document.get("visemes"));
     match element {
-        Some(Element { value, .. }) => Diagnostic::at(Code::NotConvertible, value.span(), headline),
-        None => Diagnostic::new(Code::NotConvertible, headline),
+        Some(Element { value, .. }) => Diagnostic::at(Code::NotConvertible, value.span(), message),
+        None => Diagnostic::new(Code::NotConvertible, message),
     }
 }

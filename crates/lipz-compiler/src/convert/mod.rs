@@ -8,10 +8,11 @@ mod edits;
 mod findings;
 
 use crate::clip::{ClipData, Locales};
-use crate::{Options, check, levels};
+use crate::{Options, check};
 use chart::counterpart;
-use lipz::{Diagnostic, Document, Element, Level, Value};
 use lipz_bank::VisemeType;
+use lipz_diagnostics::{Diagnostic, Severity};
+use lipz_file::{Document, Element, Value};
 use std::borrow::Cow;
 
 /// What converting a file gave.
@@ -37,12 +38,12 @@ pub struct Converted {
 /// assert_eq!(converted.text.as_deref(), Some(r#"{ "viseme_type": "toonboom", "visemes": "AD-|BE" }"#));
 /// ```
 pub fn convert(bytes: &[u8], to: VisemeType, options: &Options) -> Converted {
-    let mut parsed = lipz::parse(bytes);
+    let mut parsed = lipz_file::parse(bytes);
     let mut clip = ClipData::default();
     if let Some(document) = &parsed.document {
         check::check(document, options, &mut Locales::default(), &mut clip, &mut parsed.diagnostics);
     }
-    levels::apply(&options.levels, &mut parsed.diagnostics);
+    lipz_diagnostics::adjust(&options.levels, &mut parsed.diagnostics);
     parsed.diagnostics.retain(is_error);
     let (Some(document), true) = (&parsed.document, parsed.diagnostics.is_empty()) else {
         return Converted { text: None, diagnostics: parsed.diagnostics };
@@ -54,13 +55,13 @@ pub fn convert(bytes: &[u8], to: VisemeType, options: &Options) -> Converted {
             (edits::apply(bytes, document, &conversion), findings::loss(document, &conversion).into_iter().collect())
         }
     };
-    levels::apply(&options.levels, &mut diagnostics);
+    lipz_diagnostics::adjust(&options.levels, &mut diagnostics);
     let text = text.filter(|_| !diagnostics.iter().any(is_error));
     Converted { text, diagnostics }
 }
 
 fn is_error(finding: &Diagnostic) -> bool {
-    finding.level == Level::Error
+    finding.severity == Severity::Error
 }
 
 /// Converts a clip that is to be packed, and gives the document as it would have to be written for it;

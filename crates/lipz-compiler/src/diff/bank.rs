@@ -1,7 +1,7 @@
 //! The differences of banks as a whole: what is about no single clip.
 
 use super::{Change, LocalePair};
-use crate::{Coverage, WholeBank, coverage};
+use crate::{BankWithTexts, Coverage, coverage};
 use lipz_bank::{Babble, Bank};
 use std::collections::BTreeSet;
 
@@ -25,8 +25,8 @@ pub struct BabbleChange<'d> {
 }
 
 pub(super) fn fallbacks<'d>(
-    old: WholeBank<'d, '_>,
-    new: WholeBank<'d, '_>,
+    old: BankWithTexts<'d, '_>,
+    new: BankWithTexts<'d, '_>,
     locales: &[LocalePair<'d>],
 ) -> Vec<FallbackChange<'d>> {
     let (old, new) = (coverage(old), coverage(new));

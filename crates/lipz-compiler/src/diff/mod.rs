@@ -11,7 +11,7 @@ pub use bank::{BabbleChange, FallbackChange};
 pub use clip::{ClipChange, EventChange, FramesChange, TextChange};
 pub use renamed::Renamed;
 
-use crate::WholeBank;
+use crate::BankWithTexts;
 use lipz_bank::Locale;
 use std::collections::BTreeMap;
 
@@ -79,11 +79,14 @@ impl Difference<'_> {
 /// assert!(diff::diff(&old, &old).is_empty());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn diff<'d, 'old, 'new>(old: impl Into<WholeBank<'d, 'old>>, new: impl Into<WholeBank<'d, 'new>>) -> Difference<'d>
+pub fn diff<'d, 'old, 'new>(
+    old: impl Into<BankWithTexts<'d, 'old>>,
+    new: impl Into<BankWithTexts<'d, 'new>>,
+) -> Difference<'d>
 where
     'd: 'old + 'new,
 {
-    let (old_whole, new_whole): (WholeBank<'d, 'old>, WholeBank<'d, 'new>) = (old.into(), new.into());
+    let (old_whole, new_whole): (BankWithTexts<'d, 'old>, BankWithTexts<'d, 'new>) = (old.into(), new.into());
     let (old, new) = (old_whole.bank(), new_whole.bank());
     let locales = LocalePair::of(old_whole, new_whole);
     let only_in = |other: fn(&LocalePair<'d>) -> bool| {
@@ -112,7 +115,7 @@ where
 }
 
 /// The default locale of a bank.
-fn default_tag<'d>(bank: WholeBank<'d, '_>) -> Option<&'d str> {
+fn default_tag<'d>(bank: BankWithTexts<'d, '_>) -> Option<&'d str> {
     bank.locales().iter().find(|locale| locale.is_default()).map(Locale::tag)
 }
 
@@ -125,7 +128,7 @@ struct LocalePair<'d> {
 
 impl<'d> LocalePair<'d> {
     /// The locales of either bank, sorted.
-    fn of(old: WholeBank<'d, '_>, new: WholeBank<'d, '_>) -> Vec<LocalePair<'d>> {
+    fn of(old: BankWithTexts<'d, '_>, new: BankWithTexts<'d, '_>) -> Vec<LocalePair<'d>> {
         let mut pairs: BTreeMap<&str, LocalePair<'d>> = BTreeMap::new();
         let absent = |tag| LocalePair { tag, old: None, new: None };
         for locale in old.locales() {
@@ -258,9 +261,9 @@ mod tests {
         let split = split(&whole).unwrap();
         let (whole, base) = (Bank::open(&whole).unwrap(), Bank::open(&split.base).unwrap());
         let texts: Vec<_> = split.texts.iter().map(|(_, texts)| base.open_texts(texts).unwrap()).collect();
-        let difference = diff(&whole, WholeBank::of(&base, &texts));
+        let difference = diff(&whole, BankWithTexts::of(&base, &texts));
         assert!(difference.is_empty(), "{difference:?}");
-        assert_eq!(diff(&whole, WholeBank::of(&base, &texts[1..])).removed_locales, ["de-de"]);
+        assert_eq!(diff(&whole, BankWithTexts::of(&base, &texts[1..])).removed_locales, ["de-de"]);
     }
 
     #[test]

@@ -16,7 +16,7 @@
 //! reserves, and, in C# and TypeScript, behind a clip that is named like a folder beside it. C names
 //! are ASCII: letters lose their accents, other characters are spelled by number (`U306F`), as is in
 //! every language a part without any letter or digit. Two keys with the same identifier are a
-//! finding, [`Code::IdentifierClash`](lipz::Code::IdentifierClash).
+//! finding, [`Code::IdentifierClash`](lipz_diagnostics::Code::IdentifierClash).
 
 mod c;
 mod csharp;
@@ -26,8 +26,8 @@ mod tree;
 mod typescript;
 mod words;
 
-use lipz::Diagnostic;
 use lipz_bank::Bank;
+use lipz_diagnostics::Diagnostic;
 use tree::Folder;
 
 /// A language that ids are written in.

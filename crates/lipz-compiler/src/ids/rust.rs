@@ -3,8 +3,8 @@
 use super::NOTICE;
 use super::tree::{Folder, Leaf};
 use super::words::{snake, upper_snake, words};
-use lipz::diagnostic::show;
 use lipz_bank::ClipId;
+use lipz_diagnostics::escape;
 use std::fmt::Write;
 
 /// The module of the locales, beside those of the folders.
@@ -64,11 +64,11 @@ fn head(out: &mut String, about: &str, name: &str, depth: usize) {
     let _ = writeln!(out, "{blank_line}{indent}/// {about}\n{attribute}{indent}pub mod {name} {{");
 }
 
-/// The id by its number: `ClipId::of` would say the same, and take the compiler more than twice as
+/// The id by its number: `ClipId::from_key` would say the same, and take the compiler more than twice as
 /// long for 100,000 clips.
 fn constant(out: &mut String, name: &str, clip: &Leaf<'_>, depth: usize) {
     let (indent, id) = (indent(depth), ClipId::from_u64(clip.id));
-    let _ = write!(out, "{indent}/// {}", code_span(&show::text(clip.key)));
+    let _ = write!(out, "{indent}/// {}", code_span(&escape::text(clip.key)));
     if !clip.text.is_empty() {
         let _ = write!(out, ": {}", code_span(&clip.text));
     }

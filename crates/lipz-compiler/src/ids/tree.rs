@@ -1,8 +1,7 @@
 //! The clips of a bank as a tree of identifiers, which every language writes in its own way.
 
-use lipz::diagnostic::show;
-use lipz::{Code, Diagnostic};
 use lipz_bank::{Bank, Clip, Locale, Text};
+use lipz_diagnostics::{Code, Diagnostic, escape};
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
@@ -32,7 +31,7 @@ impl Leaf<'_> {
     /// `act1/mara-hello: Hello, Otto.`
     pub(super) fn about(&self) -> String {
         let separator = if self.text.is_empty() { "" } else { ": " };
-        format!("{}{separator}{}", show::text(self.key), self.text)
+        format!("{}{separator}{}", escape::text(self.key), self.text)
     }
 }
 
@@ -63,7 +62,7 @@ impl<'data> Folder<'data> {
 }
 
 fn clash(first: &str, second: &str, name: &str, language: &str) -> Diagnostic {
-    let (first, second) = (show::text(first), show::text(second));
+    let (first, second) = (escape::text(first), escape::text(second));
     Diagnostic::new(
         Code::IdentifierClash,
         format!("the keys `{first}` and `{second}` have the same identifier `{name}` in {language}"),
@@ -89,7 +88,7 @@ fn text(clip: &Clip<'_, '_>, locales: &[Locale<'_>]) -> String {
     };
     let whole = locales.iter().find_map(in_locale).unwrap_or_default();
     match whole.char_indices().nth(TEXT_SHOWN) {
-        Some((end, _)) => format!("{}…", show::text(whole[..end].trim_end())),
-        None => show::text(&whole).into_owned(),
+        Some((end, _)) => format!("{}…", escape::text(whole[..end].trim_end())),
+        None => escape::text(&whole).into_owned(),
     }
 }

@@ -1,12 +1,11 @@
 //! Keys that are the same, or one file on some systems.
 
 use super::refusal;
-use crate::{Input, Report};
+use crate::Input;
 use foldhash::fast::RandomState;
 use foldhash::{HashMap, HashMapExt};
 use icu_casemap::CaseMapper;
-use lipz::diagnostic::show;
-use lipz::{Code, Diagnostic};
+use lipz_diagnostics::{Code, Diagnostic, Report, escape};
 use rayon::prelude::*;
 use std::hash::BuildHasher;
 use unicode_normalization::UnicodeNormalization;
@@ -57,14 +56,14 @@ pub fn check(inputs: &[Input], reports: &mut Vec<Report>) {
             reports.push(Report::failure(
                 input.name(),
                 Code::RefusedKey,
-                format!("the key `{}` cannot be used: {why}", show::text(key)),
+                format!("the key `{}` cannot be used: {why}", escape::text(key)),
                 "rename the file or folder: keys become file names on other systems when a bank is unpacked",
             ));
             continue;
         }
         let Some(before) = seen.insert(folded(key), input) else { continue };
         let finding = if before.key == *key {
-            Diagnostic::new(Code::DuplicateKey, format!("the key `{}` appears twice", show::text(key)))
+            Diagnostic::new(Code::DuplicateKey, format!("the key `{}` appears twice", escape::text(key)))
                 .help("pack one of the two, or give the sources a common root with --root")
         } else {
             clash(&before.key, key).help("rename one of the two")
@@ -76,7 +75,7 @@ pub fn check(inputs: &[Input], reports: &mut Vec<Report>) {
 
 /// The finding for two different keys that are equal when [`folded`].
 pub(crate) fn clash(first: &str, second: &str) -> Diagnostic {
-    let keys = format!("the keys `{}` and `{}`", show::text(first), show::text(second));
+    let keys = format!("the keys `{}` and `{}`", escape::text(first), escape::text(second));
     match two_spellings(first, second) {
         Some((one, other)) => {
             let character: String = one.nfc().collect();
@@ -108,7 +107,7 @@ fn two_spellings<'k>(first: &'k str, second: &'k str) -> Option<(&'k str, &'k st
 
 /// The code points of a character: `A and U+0308`.
 fn code_points(character: &str) -> String {
-    let point = |c: char| if c.is_ascii_graphic() { c.to_string() } else { show::number(c) };
+    let point = |c: char| if c.is_ascii_graphic() { c.to_string() } else { escape::code_point(c) };
     character.chars().map(point).collect::<Vec<_>>().join(" and ")
 }
 

@@ -1,8 +1,8 @@
 //! Header, directory and sections in one file.
 
 use super::{fit, too_large};
-use crate::Report;
-use lipz_bank::layout::{
+use lipz_diagnostics::Report;
+use lipz_layout::{
     CHECKED_FROM, DirectoryEntry, FORMAT_MAJOR, FORMAT_MINOR, Header, MAGIC, SECTION_ALIGNMENT, SECTION_REQUIRED, Tag,
     U16, checksum,
 };

@@ -2,12 +2,12 @@
 //! made of, and the names in them.
 
 use super::fit;
-use crate::Report;
 use crate::clip::Clip;
 use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order of entries is never used
-use lipz::event::{self, Command, Event, Word};
-use lipz_bank::layout::{EventNameRecord, EventRecord, NO_NAME, TypedEventRecord, U32};
-use lipz_bank::layout::{
+use lipz_diagnostics::Report;
+use lipz_file::event::{self, Command, Event, Word};
+use lipz_layout::{EventNameRecord, EventRecord, NO_NAME, TypedEventRecord, U32};
+use lipz_layout::{
     VERB_DOES, VERB_FEELS, VERB_POINTS, VERB_SEES, VERB_STARES, VERB_STOPS_POINTING, VERB_STOPS_STARING,
 };
 

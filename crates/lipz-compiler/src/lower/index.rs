@@ -1,6 +1,6 @@
 //! Building the clip index: a pilot for each bucket, a slot for each clip.
 
-use lipz_bank::layout::{DIRECT_SLOT, U32, bucket_of, slot_of, spread};
+use lipz_layout::{DIRECT_SLOT, U32, bucket_of, slot_of, spread};
 
 /// Ids per bucket on average. More make the table smaller and the search longer: with 3, the table
 /// takes 1.3 bytes a clip and the search a few hundred trials for the last buckets.
@@ -129,7 +129,7 @@ mod tests {
     #[test]
     fn every_id_has_a_slot_of_its_own() {
         for count in [0_usize, 1, 2, 3, 4, 7, 40, 1000, 50_000] {
-            let ids: Vec<u64> = (0..count).map(|n| ClipId::of(&format!("act{}/line-{n}", n % 7)).get()).collect();
+            let ids: Vec<u64> = (0..count).map(|n| ClipId::from_key(&format!("act{}/line-{n}", n % 7)).get()).collect();
             let index = build(&ids);
             let mut slots = index.slots.clone();
             slots.sort_unstable();

@@ -9,15 +9,15 @@ mod records;
 mod strings;
 pub(crate) mod texts;
 
+use crate::Options;
 use crate::clip::{Clip, Clips};
 use crate::localise::Localised;
-use crate::{Options, Report};
 use assemble::Section;
 use events::Events;
 use index::Index;
-use lipz::Code;
 use lipz_bank::ClipId;
-use lipz_bank::layout::{LocaleRecord, Tag};
+use lipz_diagnostics::{Code, Report};
+use lipz_layout::{LocaleRecord, Tag};
 use numbering::Numbering;
 use records::ClipRecords;
 use strings::{Names, Sources};
@@ -119,7 +119,7 @@ fn batch_slots(clips: &[Clip<'_>], slots: &[u32]) -> Vec<Vec<u32>> {
 
 /// The ids of `clips`, if no two are the same. The report has the key of a clip for a path.
 fn unique_ids(clips: &[Clip<'_>]) -> Result<Vec<u64>, Report> {
-    let ids: Vec<u64> = clips.iter().map(|clip| ClipId::of(clip.key()).get()).collect();
+    let ids: Vec<u64> = clips.iter().map(|clip| ClipId::from_key(clip.key()).get()).collect();
     let mut sorted = ids.clone();
     sorted.sort_unstable();
     let Some([id, _]) = sorted.array_windows().find(|[id, next]| id == next) else { return Ok(ids) };

@@ -3,15 +3,15 @@
 use super::numbering::Numbering;
 use super::strings::Names;
 use super::{fit, too_large};
-use crate::Report;
 use crate::clip::Clip;
 use crate::localise::Localised;
 use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order of entries is never used
-use lipz_bank::layout::{
-    ClipRecord, FLAG_VISEMES, KeyRecord, LOCALE_DEFAULT, LocaleRecord, NO_RATE, RateRecord, U32, WHOLE_RATES,
+use lipz_bank::{Fps, VisemeType};
+use lipz_diagnostics::Report;
+use lipz_layout::{
+    ClipRecord, FLAG_VISEMES, KeyRecord, LOCALE_DEFAULT, LocaleRecord, MAX_INTEGER_FPS, NO_RATE, RateRecord, U32,
     fingerprint,
 };
-use lipz_bank::{Fps, VisemeType};
 use zerocopy::FromZeros;
 
 /// The records of clips and keys in slot order, and what they refer to.
@@ -79,7 +79,7 @@ impl Rates {
         if let Some(&number) = self.numbers.get(&(numerator, denominator)) {
             return Ok(number);
         }
-        let next = usize::from(WHOLE_RATES) + 1 + self.records.len();
+        let next = usize::from(MAX_INTEGER_FPS) + 1 + self.records.len();
         let next = u16::try_from(next).ok().filter(|&next| next != NO_RATE);
         let next = next.ok_or_else(|| too_large("frame rates"))?;
         self.records.push(RateRecord {

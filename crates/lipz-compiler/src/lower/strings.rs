@@ -1,12 +1,12 @@
 //! The pools of names and of source records.
 
 use super::{fit, too_large};
-use crate::Report;
 use crate::clip::Clip;
 use crate::hashed::{Hashed, hash};
 use crate::localise::Localised;
 use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order of entries is never used
-use lipz_bank::layout::U32;
+use lipz_diagnostics::Report;
+use lipz_layout::U32;
 
 /// Where a name stands in the pool of names.
 #[derive(Clone, Copy)]

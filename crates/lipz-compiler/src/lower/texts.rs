@@ -2,12 +2,12 @@
 
 use super::numbering::Numbering;
 use super::too_large;
-use crate::Report;
 use crate::clip::{Clip, ClipText};
 use crate::hashed::Hashed;
 use crate::localise::{Choice, Localised};
 use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order of entries is never used
-use lipz_bank::layout::{NO_TEXT, TEXT_COUNT_BYTES, TEXT_COUNTED, TEXT_FALLBACK, TEXT_OFFSET, U16, U32, text_count};
+use lipz_diagnostics::Report;
+use lipz_layout::{NO_TEXT, TEXT_COUNT_BYTES, TEXT_FALLBACK, TEXT_HAS_LENGTH, TEXT_OFFSET, U16, U32, text_count};
 use rayon::prelude::*;
 use zerocopy::FromBytes;
 
@@ -142,7 +142,7 @@ impl<'c> Run<'c> {
         }
         match entries.last_mut().filter(|_| is_counted) {
             Some(last) => {
-                *last |= TEXT_COUNTED;
+                *last |= TEXT_HAS_LENGTH;
                 end + TEXT_COUNT_BYTES
             }
             None => end,
@@ -215,7 +215,7 @@ pub(super) fn copy(texts: &[u8], starts: &[U32], part_start: usize, part: &mut [
     let (texts, last_text) = texts.split_at(offset(last) - offset(first));
     part[offset(first)..offset(last)].copy_from_slice(texts);
     let mut rest = &mut part[offset(last)..];
-    if last.get() & TEXT_COUNTED != 0 {
+    if last.get() & TEXT_HAS_LENGTH != 0 {
         let (count, behind) = rest.split_at_mut(TEXT_COUNT_BYTES);
         count.copy_from_slice(&text_count(last_text.len()));
         rest = behind;
@@ -246,7 +246,7 @@ mod tests {
 
     #[test]
     fn last_texts_are_counted_where_something_else_follows() {
-        const C: u32 = TEXT_COUNTED;
+        const C: u32 = TEXT_HAS_LENGTH;
         assert_eq!(
             placed(&[&["a", "bc"], &["d"], &["e"]]),
             (vec![0, 1, 3 | C, 7 | C], b"abc\0\0\x01d\0\0\x01e".into())

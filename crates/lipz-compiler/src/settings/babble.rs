@@ -3,11 +3,9 @@
 use super::reading::Reading;
 use super::value::{Value, span};
 use crate::babble::BabbleProfile;
-use lipz::diagnostic::show;
-use lipz::diagnostic::suggest::nearest;
-use lipz::digits::Digits;
-use lipz::{Code, Diagnostic};
 use lipz_bank::Fps;
+use lipz_diagnostics::{Code, Diagnostic, escape, suggest::nearest};
+use lipz_file::digits::Digits;
 use toml::de::DeValue;
 
 /// What a profile can say.
@@ -29,8 +27,8 @@ impl Reading<'_> {
             return self.unknown_babble_setting(name, value);
         };
         if name.is_empty() || name.len() > MAX_NAME_BYTES {
-            let headline = "a babble profile has a name that is empty or too long";
-            let finding = Diagnostic::at(Code::SettingValue, span(&value.key), headline);
+            let message = "a babble profile has a name that is empty or too long";
+            let finding = Diagnostic::at(Code::SettingValue, span(&value.key), message);
             return self
                 .findings
                 .push(finding.help("programs ask for it by its name: write one, as in [babble.robot]"));
@@ -86,19 +84,19 @@ impl Reading<'_> {
     fn rate(&mut self, value: &Value<'_>) -> Option<Fps> {
         let rate = value.ratio(&mut self.findings)?;
         if rate.is_none() {
-            let headline = format!("`{}` is outside 1 to 1000", show::text(&value.name));
-            let finding = Diagnostic::at(Code::BabbleRate, value.span(), headline);
+            let message = format!("`{}` is outside 1 to 1000", escape::text(&value.name));
+            let finding = Diagnostic::at(Code::BabbleRate, value.span(), message);
             self.findings.push(finding.help("write digits per second; the viewer's own rate is 24"));
         }
         rate
     }
 
     fn unknown_babble_setting(&mut self, name: &str, value: &Value<'_>) {
-        let headline = format!("{} is not a setting of a babble profile", show::name(name));
+        let message = format!("{} is not a setting of a babble profile", escape::quoted(name));
         let help = match nearest(name, SETTINGS) {
             Some(known) => format!("did you mean `{known}`?"),
             None => format!("they are {}; a profile with a name is a table, [babble.NAME]", SETTINGS.join(", ")),
         };
-        self.findings.push(Diagnostic::at(Code::UnknownSetting, span(&value.key), headline).help(help));
+        self.findings.push(Diagnostic::at(Code::UnknownSetting, span(&value.key), message).help(help));
     }
 }

@@ -1,14 +1,13 @@
 //! Names and levels of lints, in `lipz.toml` and on the command line.
 
-use lipz::diagnostic::suggest::nearest;
-use lipz::{Code, Level};
+use lipz_diagnostics::{Code, Severity, suggest::nearest};
 
 /// The group of all lints that are warnings by default.
 const WARNINGS: &str = "warnings";
 
 /// Levels by name; "allow" drops the finding.
-pub const LEVELS: [(&str, Option<Level>); 3] =
-    [("allow", None), ("warn", Some(Level::Warning)), ("deny", Some(Level::Error))];
+pub const LEVELS: [(&str, Option<Severity>); 3] =
+    [("allow", None), ("warn", Some(Severity::Warning)), ("deny", Some(Severity::Error))];
 
 /// What people from other tools write for a level.
 const OTHER_NAMES: [(&str, &str); 5] =
@@ -27,7 +26,7 @@ impl Selection {
     /// The lints that `text` names: `unknown-emotion`, `LZ0702`, `warnings`.
     ///
     /// ```
-    /// use lipz::Code;
+    /// use lipz_diagnostics::Code;
     /// use lipz_compiler::settings::lint::Selection;
     /// assert_eq!(Selection::named("LZ0702"), Some(Selection::One(Code::UnknownEmotion)));
     /// assert!(Selection::named("warnings").is_some_and(|all| all.codes().contains(&Code::UnknownEmotion)));
@@ -36,7 +35,7 @@ impl Selection {
         if text == WARNINGS {
             return Some(Selection::Warnings);
         }
-        Code::find(text).map(Selection::One)
+        text.parse().ok().map(Selection::One)
     }
 
     /// The selected lints.
@@ -44,7 +43,7 @@ impl Selection {
         match self {
             Selection::One(code) => vec![*code],
             Selection::Warnings => {
-                Code::ALL.iter().copied().filter(|code| code.default_level() == Level::Warning).collect()
+                Code::ALL.iter().copied().filter(|code| code.default_severity() == Severity::Warning).collect()
             }
         }
     }
@@ -56,8 +55,8 @@ pub fn suggestion(text: &str) -> Option<&'static str> {
 }
 
 /// Why `code` cannot have this level; `None` if it can.
-pub fn refusal(code: Code, level: Option<Level>) -> Option<&'static str> {
-    let is_lowered = level < Some(code.default_level());
+pub fn refusal(code: Code, level: Option<Severity>) -> Option<&'static str> {
+    let is_lowered = level < Some(code.default_severity());
     (is_lowered && !code.can_be_lowered()).then_some(match code {
         Code::RefusedKey | Code::DuplicateKey | Code::IdCollision => {
             "a bank cannot hold such keys: rename the files, or name a root above them"
@@ -70,7 +69,7 @@ pub fn refusal(code: Code, level: Option<Level>) -> Option<&'static str> {
 }
 
 /// The level with this name, or the one that was probably meant.
-pub(super) fn level(text: &str) -> Result<Option<Level>, Option<&'static str>> {
+pub(super) fn level(text: &str) -> Result<Option<Severity>, Option<&'static str>> {
     match LEVELS.iter().find(|(name, _)| *name == text) {
         Some((_, level)) => Ok(*level),
         None => {
@@ -86,16 +85,16 @@ mod tests {
 
     #[test]
     fn errors_are_fixed_and_warnings_are_not() {
-        for level in [None, Some(Level::Warning), Some(Level::Error)] {
+        for level in [None, Some(Severity::Warning), Some(Severity::Error)] {
             assert_eq!(refusal(Code::UnknownEmotion, level), None);
             assert_eq!(refusal(Code::SegmentCount, level), None);
-            assert_eq!(refusal(Code::ForeignCode, level).is_some(), level != Some(Level::Error));
+            assert_eq!(refusal(Code::ForeignCode, level).is_some(), level != Some(Severity::Error));
         }
     }
 
     #[test]
     fn levels_of_other_tools_are_understood() {
-        assert_eq!(level("warn"), Ok(Some(Level::Warning)));
+        assert_eq!(level("warn"), Ok(Some(Severity::Warning)));
         assert_eq!(level("Error"), Err(Some("deny")));
         assert_eq!(level("alow"), Err(Some("allow")));
         assert_eq!(level("fatal"), Err(None));

@@ -13,8 +13,8 @@ pub use template::template;
 pub use value::is_word;
 
 use crate::discover::{display, plain};
-use crate::{Input, Options, Report, discover, levels};
-use lipz::{Code, Diagnostic, Source};
+use crate::{Input, Options, discover};
+use lipz_diagnostics::{Code, Diagnostic, Report, Source};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Component, Path, PathBuf};
@@ -72,13 +72,13 @@ impl Settings {
     /// ```
     pub fn parse(bytes: &[u8], name: impl Into<String>, folder: &Path) -> (Settings, Report) {
         // A byte order mark is allowed in TOML.
-        let bytes = lipz::without_byte_order_mark(bytes);
+        let bytes = lipz_file::without_byte_order_mark(bytes);
         let mut diagnostics = Vec::new();
-        let settings = match lipz::decode(bytes, &mut diagnostics) {
+        let settings = match lipz_file::decode(bytes, &mut diagnostics) {
             Some(text) => reading::read(text, folder, &mut diagnostics),
             None => Settings::default(),
         };
-        levels::apply(&settings.options.levels, &mut diagnostics);
+        lipz_diagnostics::adjust(&settings.options.levels, &mut diagnostics);
         diagnostics.sort_by_key(Diagnostic::start);
         let source = Source { path: name.into(), text: String::from_utf8_lossy(bytes).into_owned() };
         (settings, Report { source, diagnostics })
@@ -89,7 +89,7 @@ impl Settings {
     pub fn discover(&self) -> (Vec<Input>, Vec<Report>) {
         let (inputs, mut reports) = discover(&self.sources, self.root.as_deref());
         for report in &mut reports {
-            levels::apply(&self.options.levels, &mut report.diagnostics);
+            lipz_diagnostics::adjust(&self.options.levels, &mut report.diagnostics);
         }
         reports.retain(|report| !report.diagnostics.is_empty());
         (inputs, reports)

@@ -4,11 +4,8 @@ use super::syntax::Faults;
 use super::table::{Content, TABLES, Table};
 use super::value::{Findings, Value, canonical_locale, span};
 use super::{Settings, lint};
-use crate::Levels;
 use crate::discover::plain;
-use lipz::diagnostic::show;
-use lipz::diagnostic::suggest::nearest;
-use lipz::{Code, Diagnostic, Span};
+use lipz_diagnostics::{Code, Diagnostic, Levels, Span, escape, suggest::nearest};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use toml::Spanned;
@@ -51,7 +48,7 @@ pub(super) fn read(text: &str, folder: &Path, findings: &mut Findings) -> Settin
     }
     let faults = Faults::new(text, &errors);
     found.retain(|finding| {
-        let places = finding.primary.iter().chain(&finding.secondary);
+        let places = finding.primary.iter().chain(&finding.labels);
         !places.into_iter().any(|label| faults.may_have_made_up(label.span))
     });
     findings.extend(faults.findings(root.get_ref()));
@@ -125,8 +122,8 @@ impl<'t> Reading<'t> {
         match canonical_locale(name, self.extended()) {
             Ok(locale) => Some(locale),
             Err((what, help)) => {
-                let headline = format!("{} {what}", show::name(name));
-                self.findings.push(Diagnostic::at(Code::SettingValue, span(&value.key), headline).help(help));
+                let message = format!("{} {what}", escape::quoted(name));
+                self.findings.push(Diagnostic::at(Code::SettingValue, span(&value.key), message).help(help));
                 None
             }
         }
@@ -134,8 +131,8 @@ impl<'t> Reading<'t> {
 
     /// Reports the second entry of a locale, whose key spells it in another way than the first.
     fn locale_twice(&mut self, locale: &str, value: &Value<'_>) {
-        let headline = format!("a second entry for the locale `{locale}`");
-        let finding = Diagnostic::at(Code::SettingValue, span(&value.key), headline);
+        let message = format!("a second entry for the locale `{locale}`");
+        let finding = Diagnostic::at(Code::SettingValue, span(&value.key), message);
         self.findings.push(finding.help("remove one of the two"));
     }
 
@@ -177,12 +174,12 @@ impl<'t> Reading<'t> {
     pub(super) fn level(&mut self, name: &str, value: &Value<'_>) {
         let selection = lint::Selection::named(name);
         if selection.is_none() {
-            let headline = format!("{} is not a lint", show::name(name));
+            let message = format!("{} is not a lint", escape::quoted(name));
             let help = match lint::suggestion(name) {
                 Some(known) => format!("did you mean `{known}`?"),
                 None => "findings show their code in brackets: write that, or the name of the lint".to_owned(),
             };
-            self.findings.push(Diagnostic::at(Code::UnknownLint, span(&value.key), headline).help(help));
+            self.findings.push(Diagnostic::at(Code::UnknownLint, span(&value.key), message).help(help));
         }
         let Some(text) = value.text(&mut self.findings) else { return };
         let level = match lint::level(text) {
@@ -202,16 +199,16 @@ impl<'t> Reading<'t> {
         }
     }
 
-    fn level_of(&mut self, code: Code, level: Option<lipz::Level>, value: &Value<'_>) {
+    fn level_of(&mut self, code: Code, level: Option<lipz_diagnostics::Severity>, value: &Value<'_>) {
         let name = code.name();
         if let Some(why) = lint::refusal(code, level) {
-            let headline = format!("`{name}` is an error that cannot be lowered");
+            let message = format!("`{name}` is an error that cannot be lowered");
             let finding =
-                Diagnostic::at(Code::FixedLevel, value.span(), headline).also(span(&value.key), code.summary());
+                Diagnostic::at(Code::FixedLevel, value.span(), message).also(span(&value.key), code.summary());
             self.findings.push(finding.help(why));
         } else if let Some(before) = self.levels.insert(code, span(&value.key)) {
-            let headline = format!("`{name}` and `{code}` are one lint, whose level is set twice");
-            let finding = Diagnostic::at(Code::SettingValue, span(&value.key), headline).also(before, "the first one");
+            let message = format!("`{name}` and `{code}` are one lint, whose level is set twice");
+            let finding = Diagnostic::at(Code::SettingValue, span(&value.key), message).also(before, "the first one");
             self.findings.push(finding.help("remove one of the two"));
         } else {
             self.settings.options.levels.insert(code, level);
@@ -236,8 +233,9 @@ fn setting_names(table: &Table) -> impl Iterator<Item = &'static str> {
 
 fn unknown_name(table: &str, key: &Spanned<DeString<'_>>, known: &[&'static str]) -> Diagnostic {
     let name = key.get_ref().as_ref();
-    let finding =
-        |what: &str| Diagnostic::at(Code::UnknownSetting, span(&key.span()), format!("{} {what}", show::name(name)));
+    let finding = |what: &str| {
+        Diagnostic::at(Code::UnknownSetting, span(&key.span()), format!("{} {what}", escape::quoted(name)))
+    };
     // A setting below a table's name belongs to the table: the usual slip.
     if let Some(other) = TABLES.iter().find(|other| setting_names(other).any(|setting| setting == name)) {
         return match (other.name, table) {

@@ -1,7 +1,6 @@
 //! What is wrong with a file that is not TOML.
 
-use lipz::diagnostic::show;
-use lipz::{Code, Diagnostic, Span};
+use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 use std::collections::BTreeMap;
 use toml::de::{DeTable, DeValue, Error};
 
@@ -56,19 +55,19 @@ fn finding(text: &str, root: &DeTable<'_>, error: &Error) -> Diagnostic {
     let written = text.get(place.clone()).unwrap_or_default();
     let message = error.message();
     let (what, _) = message.split_once(", expected").unwrap_or((message, ""));
-    let at = |headline: String| Diagnostic::at(Code::SettingsSyntax, Span::new(place.start, place.end), headline);
+    let at = |message: String| Diagnostic::at(Code::SettingsSyntax, Span::new(place.start, place.end), message);
     match what {
         "string values must be quoted" if written.is_empty() => {
             at("a value is missing".to_owned()).help("write a value behind the `=`, or remove the line")
         }
-        "string values must be quoted" => at(format!("{} is a text without quotes", show::name(written)))
-            .help(format!("write \"{}\"", show::text(written))),
-        "duplicate key" => at(format!("{} appears twice", show::name(written))).help("join the two, or remove one"),
+        "string values must be quoted" => at(format!("{} is a text without quotes", escape::quoted(written)))
+            .help(format!("write \"{}\"", escape::text(written))),
+        "duplicate key" => at(format!("{} appears twice", escape::quoted(written))).help("join the two, or remove one"),
         "missing escaped value" => {
             at("`\\` starts an escape, and none follows".to_owned()).help("write `/` in paths, on every system")
         }
         "invalid boolean" => {
-            at(format!("{} is neither true nor false", show::name(written))).help("write true or false")
+            at(format!("{} is neither true nor false", escape::quoted(written))).help("write true or false")
         }
         "key with no value" => at("a name has no value".to_owned()).help("write name = value, as in default-fps = 24"),
         "invalid basic string" => {
@@ -86,7 +85,7 @@ fn finding(text: &str, root: &DeTable<'_>, error: &Error) -> Diagnostic {
         }
         "unclosed table" => at("the name of a table has no `]`".to_owned())
             .help("write [text], for example, and quotes round a name with blanks: [babble.\"old robot\"]"),
-        _ => at(format!("this is not TOML: {}", show::text(message)))
+        _ => at(format!("this is not TOML: {}", escape::text(message)))
             .help("texts stand in \"…\", lists in […], and each setting on a line of its own"),
     }
 }

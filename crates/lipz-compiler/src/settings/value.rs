@@ -1,9 +1,8 @@
 //! Values of settings: their types, and what they may be.
 
-use lipz::diagnostic::show;
-use lipz::diagnostic::suggest::nearest;
-use lipz::{Code, Diagnostic, Span, locale, rate};
 use lipz_bank::{Fps, VisemeType};
+use lipz_diagnostics::{Code, Diagnostic, Span, escape, suggest::nearest};
+use lipz_file::{locale, rate};
 use std::fmt::Display;
 use std::ops::Range;
 use std::str::FromStr;
@@ -52,7 +51,7 @@ impl<'t> Value<'t> {
     ) -> Option<Vec<T>> {
         let DeValue::Array(array) = self.node.get_ref() else {
             let help = match self.node.get_ref() {
-                DeValue::String(text) => format!("write [\"{}\"]", show::text(text)),
+                DeValue::String(text) => format!("write [\"{}\"]", escape::text(text)),
                 _ => "write texts in brackets: [\"…\", \"…\"]".to_owned(),
             };
             return self.wrong_type("a list", &help, findings);
@@ -110,8 +109,8 @@ impl<'t> Value<'t> {
         };
         if !rate.is_exact {
             let (numerator, denominator) = (rate.numerator, rate.denominator);
-            let headline = format!("`{}` is stored as {numerator}/{denominator}, the nearest exact ratio", self.name);
-            findings.push(Diagnostic::at(Code::FpsInexact, self.span(), headline).help("write fewer digits"));
+            let message = format!("`{}` is stored as {numerator}/{denominator}, the nearest exact ratio", self.name);
+            findings.push(Diagnostic::at(Code::FpsInexact, self.span(), message).help("write fewer digits"));
         }
         Some(Some(fps))
     }
@@ -133,7 +132,7 @@ impl<'t> Value<'t> {
 
     pub(super) fn viseme_type(&self, findings: &mut Findings) -> Option<VisemeType> {
         let text = self.text(findings)?;
-        let found = VisemeType::from_name(text);
+        let found = text.parse::<VisemeType>().ok();
         if found.is_none() {
             let help = match nearest(text, VisemeType::ALL.map(VisemeType::name)) {
                 Some(known) => format!("did you mean \"{known}\"?"),
@@ -172,9 +171,9 @@ impl<'t> Value<'t> {
             DeValue::Array(_) => "a list",
             DeValue::Table(_) => "a table",
         };
-        let headline = format!("`{}` is {found}, not {expected}", self.name);
+        let message = format!("`{}` is {found}, not {expected}", self.name);
         findings.push(
-            Diagnostic::at(Code::SettingType, self.span(), headline)
+            Diagnostic::at(Code::SettingType, self.span(), message)
                 .also(span(&self.key), format!("must be {expected}"))
                 .help(help),
         );
@@ -185,9 +184,9 @@ impl<'t> Value<'t> {
     pub(super) fn refuse<T>(&self, what: impl Display, help: &str, findings: &mut Findings) -> Option<T> {
         let shown = match self.node.get_ref() {
             DeValue::String(text) if text.is_empty() => format!("`{}`", self.name),
-            DeValue::String(text) => show::name(text),
-            DeValue::Integer(integer) => show::name(&integer.to_string()),
-            DeValue::Float(float) => show::name(float.as_str()),
+            DeValue::String(text) => escape::quoted(text),
+            DeValue::Integer(integer) => escape::quoted(&integer.to_string()),
+            DeValue::Float(float) => escape::quoted(float.as_str()),
             _ => format!("`{}`", self.name),
         };
         findings.push(Diagnostic::at(Code::SettingValue, self.span(), format!("{shown} {what}")).help(help));
@@ -214,7 +213,7 @@ pub(super) fn canonical_locale(text: &str, extended: bool) -> Result<String, (&'
 /// Whether events can mention `text`: one word of Character Event Syntax, which ends at white space,
 /// at `,`, and where a segment does.
 pub fn is_word(text: &str) -> bool {
-    !text.is_empty() && !text.contains([' ', '\t', '\r', '\n', ',', lipz::text::DELIMITER])
+    !text.is_empty() && !text.contains([' ', '\t', '\r', '\n', ',', lipz_file::text::DELIMITER])
 }
 
 pub(super) fn span(range: &Range<usize>) -> Span {

@@ -3,8 +3,7 @@
 use super::lip::{Lip, Marker, NAME_BYTES};
 use super::{LAST_PHONEME, units};
 use crate::{Format, ImportOptions, Shape, Time, Track};
-use lipz::diagnostic::show;
-use lipz::{Code, Diagnostic};
+use lipz_diagnostics::{Code, Diagnostic, escape};
 
 pub(crate) const FORMAT: Format = Format {
     name: "fallout",
@@ -78,8 +77,8 @@ fn write(track: &Track, findings: &mut Vec<Diagnostic>) -> Vec<u8> {
     let mut is_after_silence = true;
     for shape in &track.shapes {
         let Some(code) = code(&shape.symbol) else {
-            let headline = format!("{} is no phoneme code of Fallout", show::name(&shape.symbol));
-            findings.push(Diagnostic::new(Code::LipPhoneme, headline).help("codes are 0x00 to 0x29"));
+            let message = format!("{} is no phoneme code of Fallout", escape::quoted(&shape.symbol));
+            findings.push(Diagnostic::new(Code::LipPhoneme, message).help("codes are 0x00 to 0x29"));
             continue;
         };
         let starts_segment = track.phrases.iter().any(|segment| segment.start == shape.start);
@@ -112,9 +111,9 @@ fn name_field(name: &str, findings: &mut Vec<Diagnostic>) -> Option<[u8; NAME_BY
             return Some(field);
         }
     };
-    let headline = format!("{} cannot be the name of a LIP file: {why}", show::name(name));
+    let message = format!("{} cannot be the name of a LIP file: {why}", escape::quoted(name));
     findings.push(
-        Diagnostic::new(Code::LipExportName, headline).help("rename the Lipz file as its sound is called in the game"),
+        Diagnostic::new(Code::LipExportName, message).help("rename the Lipz file as its sound is called in the game"),
     );
     None
 }

@@ -10,7 +10,7 @@ pub mod msg;
 pub mod sound;
 pub mod units;
 
-use lipz::{Code, Diagnostic};
+use lipz_diagnostics::{Code, Diagnostic};
 use std::ops::Range;
 
 /// The last phoneme code that stands for a sound.
@@ -20,8 +20,8 @@ pub const LAST_PHONEME: u8 = 0x29;
 const LISTED: usize = 100;
 
 /// A finding about these bytes of a file that is not text.
-fn place(code: Code, range: Range<usize>, headline: impl Into<String>) -> Diagnostic {
-    let finding = Diagnostic::new(code, headline);
+fn place(code: Code, range: Range<usize>, message: impl Into<String>) -> Diagnostic {
+    let finding = Diagnostic::new(code, message);
     match range.end.saturating_sub(1) {
         last if last > range.start => finding.note(format!("bytes {:#04x} to {last:#04x}", range.start)),
         _ => finding.note(format!("byte {:#04x}", range.start)),

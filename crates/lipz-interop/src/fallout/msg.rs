@@ -1,7 +1,6 @@
 //! The game's texts: `.msg` files of entries `{number}{sound}{text}`, read as the game reads them.
 
-use lipz::diagnostic::show;
-use lipz::{Code, Diagnostic, Span};
+use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 use std::collections::HashMap;
 
 /// Characters that the game reads of a field.
@@ -45,8 +44,8 @@ pub fn read(text: &str) -> (Vec<Entry>, Vec<Diagnostic>) {
         };
         match places.get(&entry.number).and_then(|&index| entries.get_mut(index)) {
             Some(first) => {
-                let headline = format!("entry {} is written twice", entry.number);
-                let finding = Diagnostic::at(Code::MsgEntry, entry.span, headline).also(first.span, "the first one");
+                let message = format!("entry {} is written twice", entry.number);
+                let finding = Diagnostic::at(Code::MsgEntry, entry.span, message).also(first.span, "the first one");
                 reading.found.push(finding.note("the game shows the last one; so does lipz"));
                 *first = entry;
             }
@@ -65,8 +64,8 @@ pub fn by_sound(entries: &[Entry]) -> (HashMap<String, &Entry>, Vec<Diagnostic>)
     for entry in entries.iter().filter(|entry| !entry.sound.is_empty()) {
         let first = *texts.entry(entry.sound.to_ascii_lowercase()).or_insert(entry);
         if first.text != entry.text {
-            let headline = format!("{} has another text in entry {}", show::name(&entry.sound), first.number);
-            let finding = Diagnostic::at(Code::MsgEntry, entry.span, headline).also(first.span, "which is used");
+            let message = format!("{} has another text in entry {}", escape::quoted(&entry.sound), first.number);
+            let finding = Diagnostic::at(Code::MsgEntry, entry.span, message).also(first.span, "which is used");
             found.push(finding.help("each sound has one text in the clip that is made of it"));
         }
     }
@@ -108,10 +107,10 @@ impl<'t> Reading<'t> {
         let sound = self.rest_of_entry(number)?;
         let text = self.rest_of_entry(number)?;
         let Some(parsed) = parse_number(&number.joined()) else {
-            let headline = format!("{} is no number", show::name(number.written));
+            let message = format!("{} is no number", escape::quoted(number.written));
             return Err(refusal(
                 number.span(),
-                headline,
+                message,
                 "an entry is {number}{sound}{text}: {104}{hak001}{Greetings.}",
             ));
         };
@@ -143,8 +142,8 @@ impl<'t> Reading<'t> {
         self.at = start + end + 1;
         let length = field.joined().chars().count();
         if length > MOST_CHARACTERS {
-            let headline = format!("the field has {length} characters; the game reads {MOST_CHARACTERS}");
-            return Err(refusal(field.span(), headline, "divide it into several entries"));
+            let message = format!("the field has {length} characters; the game reads {MOST_CHARACTERS}");
+            return Err(refusal(field.span(), message, "divide it into several entries"));
         }
         Ok(Some(field))
     }
@@ -175,8 +174,8 @@ impl<'t> Reading<'t> {
     }
 }
 
-fn refusal(span: Span, headline: String, help: &str) -> Box<Diagnostic> {
-    Box::new(Diagnostic::at(Code::MsgSyntax, span, headline).note("the game refuses the whole file").help(help))
+fn refusal(span: Span, message: String, help: &str) -> Box<Diagnostic> {
+    Box::new(Diagnostic::at(Code::MsgSyntax, span, message).note("the game refuses the whole file").help(help))
 }
 
 /// A number as the game reads it: a sign if there is one, then digits.
@@ -189,7 +188,7 @@ mod tests {
     use super::*;
 
     fn headlines(text: &str) -> Vec<String> {
-        read(text).1.into_iter().map(|finding| finding.headline).collect()
+        read(text).1.into_iter().map(|finding| finding.message).collect()
     }
 
     #[test]
@@ -205,7 +204,7 @@ mod tests {
 
     #[test]
     fn errors_end_the_reading() {
-        for (text, headline) in [
+        for (text, message) in [
             ("{1}{}{a}}{2}{}{b}", "`}` closes no field"),
             ("{1}{}{a}{2}{}{b", "the field has no `}`"),
             ("{1}{}{a}{2}{}", "the entry has fewer than three fields"),
@@ -215,7 +214,7 @@ mod tests {
         ] {
             let (entries, found) = read(text);
             assert_eq!((entries.len(), found.len()), (1, 1), "{text}: {found:?}");
-            assert_eq!(found.first().map(|finding| finding.headline.as_str()), Some(headline));
+            assert_eq!(found.first().map(|finding| finding.message.as_str()), Some(message));
         }
         let long = format!("{{1}}{{}}{{{}}}", "ü".repeat(1025));
         assert_eq!(headlines(&long), ["the field has 1025 characters; the game reads 1024"]);

@@ -2,7 +2,7 @@
 //! the tool that made the file, thought.
 
 use crate::Time;
-use lipz::{Code, Diagnostic};
+use lipz_diagnostics::{Code, Diagnostic};
 
 /// Units in a second of the game's files: the engine plays every sound as one channel of 16 bits at 22,050 Hz.
 pub const USUAL: u32 = 44_100;
@@ -30,8 +30,8 @@ pub fn nearest(last_position: u32, sound: Time) -> (u32, Option<Diagnostic>) {
         return (units, None);
     }
     let end = Time::new(u64::from(last_position), units);
-    let headline = format!("the last marker stands at {end}, but the sound ends at {sound}");
-    let finding = Diagnostic::new(Code::LipTimeBase, headline)
+    let message = format!("the last marker stands at {end}, but the sound ends at {sound}");
+    let finding = Diagnostic::new(Code::LipTimeBase, message)
         .note(format!("at {units} units a second, which comes nearest"))
         .help("is it the sound of this file? name the right unit with --units-per-second");
     (units, Some(finding))
@@ -56,8 +56,8 @@ mod tests {
     fn the_sound_of_another_file_is_told() {
         let (units, warning) = nearest(44_100, Time::new(3, 1));
         assert_eq!(units, 44_100);
-        let headline = "the last marker stands at 1.000 s, but the sound ends at 3.000 s";
-        assert_eq!(warning.map(|finding| finding.headline).as_deref(), Some(headline));
+        let message = "the last marker stands at 1.000 s, but the sound ends at 3.000 s";
+        assert_eq!(warning.map(|finding| finding.message).as_deref(), Some(message));
         assert!(nearest(u32::MAX, Time::ZERO).1.is_some());
     }
 }

@@ -5,7 +5,7 @@
 use super::Format;
 use crate::json::{self, Node};
 use crate::{ImportOptions, Shape, Time, Track, source};
-use lipz::Diagnostic;
+use lipz_diagnostics::Diagnostic;
 
 /// Ticks of a second.
 const TICKS: u32 = 10_000_000;

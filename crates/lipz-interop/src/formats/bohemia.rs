@@ -3,7 +3,7 @@
 
 use super::Format;
 use crate::{ImportOptions, Shape, Time, Track, source};
-use lipz::{Code, Diagnostic};
+use lipz_diagnostics::{Code, Diagnostic};
 
 /// What stands for the shape in the last line.
 const END: &str = "-1";
@@ -31,8 +31,8 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> 
             continue;
         }
         if let Some(end) = track.end.filter(|_| !line.text.trim().is_empty()) {
-            let headline = format!("a line stands behind the end at {end}");
-            findings.push(line.finding(Code::ForeignOddity, headline).note("it is not read"));
+            let message = format!("a line stands behind the end at {end}");
+            findings.push(line.finding(Code::ForeignOddity, message).note("it is not read"));
             break;
         }
         let Some((start, shape)) = line.split_once(',') else {

@@ -3,7 +3,7 @@
 
 use super::Format;
 use crate::{ImportOptions, Shape, Time, Track};
-use lipz::{Code, Diagnostic};
+use lipz_diagnostics::{Code, Diagnostic};
 
 const MAGIC: &[u8; 8] = b"LIP V1.0";
 const HEADER_BYTES: usize = 16;
@@ -52,8 +52,8 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> 
         match Time::from_f32(float(key.get(..4))) {
             None => findings.push(at(Diagnostic::new(Code::ForeignValue, "a key has no time"), place)),
             Some(_) if shape >= SHAPES => {
-                let headline = format!("the shape {shape} does not exist");
-                let finding = at(Diagnostic::new(Code::ForeignValue, headline), place + KEY_BYTES - 1);
+                let message = format!("the shape {shape} does not exist");
+                let finding = at(Diagnostic::new(Code::ForeignValue, message), place + KEY_BYTES - 1);
                 findings.push(finding.help("shapes have numbers from 0 to 15"));
             }
             Some(time) => track.shapes.push(Shape::new(time, shape.to_string())),
@@ -89,8 +89,8 @@ fn write(track: &Track, findings: &mut Vec<Diagnostic>) -> Vec<u8> {
     for shape in &track.shapes {
         // A table of one's own may name anything; the engine has sixteen shapes.
         let Some(number) = shape.symbol.parse::<u8>().ok().filter(|number| *number < SHAPES) else {
-            let headline = format!("{} is no shape of the engine", lipz::diagnostic::show::name(&shape.symbol));
-            findings.push(Diagnostic::new(Code::ExportLoss, headline).note("it is left out; shapes are 0 to 15"));
+            let message = format!("{} is no shape of the engine", lipz_diagnostics::escape::quoted(&shape.symbol));
+            findings.push(Diagnostic::new(Code::ExportLoss, message).note("it is left out; shapes are 0 to 15"));
             continue;
         };
         keys.extend(seconds(shape.start).to_le_bytes());

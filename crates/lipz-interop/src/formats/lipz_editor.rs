@@ -4,10 +4,12 @@
 use super::Format;
 use crate::json::{self, Node};
 use crate::{DEFAULT_RATE, ImportOptions, Shape, Text, Time, Timed, Track, source};
-use lipz::locale::{TextName, text_name};
-use lipz::rate::Rate;
-use lipz::text::DELIMITER;
-use lipz::{Code, Diagnostic, Element, JsonString, Span, Value, VisemeType};
+use lipz_diagnostics::{Code, Diagnostic, Span};
+use lipz_file::locale::{TextName, text_name};
+use lipz_file::rate::Rate;
+use lipz_file::text::DELIMITER;
+use lipz_file::{Element, JsonString, Value};
+use lipz_types::VisemeType;
 use std::borrow::Cow;
 
 pub(super) const FORMAT: Format = Format {
@@ -64,7 +66,7 @@ fn of_clip<'s>(object: Node<'s>, names: &[&str]) -> Option<Node<'s>> {
 
 fn rate(object: Node<'_>, findings: &mut Vec<Diagnostic>) -> Option<Rate> {
     let fps = of_clip(object, &["fps"])?;
-    let rate = fps.number().and_then(|digits| lipz::rate::parse(&digits));
+    let rate = fps.number().and_then(|digits| lipz_file::rate::parse(&digits));
     if rate.is_none() {
         findings.push(fps.not("a frame rate from 1 to 1000"));
     }
@@ -73,7 +75,7 @@ fn rate(object: Node<'_>, findings: &mut Vec<Diagnostic>) -> Option<Rate> {
 
 fn viseme_type(object: Node<'_>, findings: &mut Vec<Diagnostic>) -> Option<VisemeType> {
     let named = of_clip(object, &["viseme_type", "visemeType"])?;
-    let found = named.string().and_then(|name| VisemeType::from_name(&name.to_ascii_lowercase()));
+    let found = named.string().and_then(|name| name.to_ascii_lowercase().parse().ok());
     if found.is_none() {
         findings.push(named.not("a viseme type: blair, toonboom or rms"));
     }
@@ -112,8 +114,8 @@ fn other(name: &str, node: Node<'_>, track: &mut Track, findings: &mut Vec<Diagn
             }
         }
         _ => {
-            let headline = format!("{} is left out", lipz::diagnostic::show::name(name));
-            let finding = Diagnostic::at(Code::ForeignOddity, node.span(), headline);
+            let message = format!("{} is left out", lipz_diagnostics::escape::quoted(name));
+            let finding = Diagnostic::at(Code::ForeignOddity, node.span(), message);
             findings.push(finding.note("it has no place in a Lipz file; frame rate and viseme type in it are used"));
         }
     }

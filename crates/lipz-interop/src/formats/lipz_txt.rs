@@ -4,7 +4,7 @@
 use super::Format;
 use crate::source::{self, Line};
 use crate::{DEFAULT_RATE, ImportOptions, Shape, Time, Track};
-use lipz::Diagnostic;
+use lipz_diagnostics::Diagnostic;
 
 /// What ends a phoneme.
 const END: char = '.';

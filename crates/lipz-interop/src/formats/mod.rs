@@ -18,7 +18,7 @@ mod rhubarb_tsv;
 mod rhubarb_xml;
 
 use crate::{ImportOptions, Track, fallout};
-use lipz::Diagnostic;
+use lipz_diagnostics::Diagnostic;
 
 /// A format of another tool.
 #[derive(Clone, Copy, Debug)]

@@ -4,7 +4,7 @@
 
 use super::Format;
 use crate::{DEFAULT_RATE, ImportOptions, Shape, Time, Track, source};
-use lipz::{Code, Diagnostic};
+use lipz_diagnostics::{Code, Diagnostic};
 use std::fmt::Write;
 
 /// The first line.
@@ -51,8 +51,8 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, findings: &mut Vec<Diagnostic
         };
         let Some(number) = frame.number("the number of a frame", findings) else { continue };
         let Some(frame) = number.checked_sub(options.dat_base) else {
-            let headline = format!("frame {number} comes before the first one, {}", options.dat_base);
-            findings.push(frame.finding(Code::ForeignValue, headline).help("count from 0 with --dat-base 0"));
+            let message = format!("frame {number} comes before the first one, {}", options.dat_base);
+            findings.push(frame.finding(Code::ForeignValue, message).help("count from 0 with --dat-base 0"));
             continue;
         };
         track.shapes.push(Shape::at(symbol.span(), Time::of_frame(frame, rate), symbol.text));

@@ -4,8 +4,8 @@
 use super::Format;
 use crate::source::{self, Line};
 use crate::{ImportOptions, Shape, Time, Track};
-use lipz::rate::Rate;
-use lipz::{Code, Diagnostic};
+use lipz_diagnostics::{Code, Diagnostic};
+use lipz_file::rate::Rate;
 
 /// The visemes in the order of their weights.
 const VISEMES: [&str; 15] = ["sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E", "ih", "oh", "ou"];
@@ -36,8 +36,8 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, findings: &mut Vec<Diagnostic
             continue; // the names of the columns
         }
         if fields.len() != VISEMES.len() {
-            let headline = format!("a frame has {} weights, not {}", fields.len(), VISEMES.len());
-            findings.push(line.finding(Code::ForeignSyntax, headline));
+            let message = format!("a frame has {} weights, not {}", fields.len(), VISEMES.len());
+            findings.push(line.finding(Code::ForeignSyntax, message));
             continue;
         }
         let mut strongest = ("sil", FLOOR, line);

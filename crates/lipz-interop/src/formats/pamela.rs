@@ -3,8 +3,8 @@
 
 use super::Format;
 use crate::{DEFAULT_RATE, ImportOptions, Shape, Time, Track, source};
-use lipz::rate::Rate;
-use lipz::{Code, Diagnostic};
+use lipz_diagnostics::{Code, Diagnostic};
+use lipz_file::rate::Rate;
 use std::fmt::Write;
 
 /// Positions on the time line for each frame.

@@ -1,8 +1,8 @@
 //! What both formats of Papagayo have in common: voices of words of phonemes, on frames counted from 0.
 
 use crate::{Shape, Text, Time, Timed, Track};
-use lipz::rate::Rate;
-use lipz::text::trim;
+use lipz_file::rate::Rate;
+use lipz_file::text::trim;
 
 /// Tables of the phoneme sets that Papagayo ships.
 pub(super) const MAPS: &[&str] = &["papagayo", "fleming-dobbs", "cmu", "rhubarb", "rhubarb-toonboom"];
@@ -51,7 +51,7 @@ impl Voice {
     }
 
     /// Rests between the last word and a frame, if there is anything between them.
-    fn rest_until(&mut self, frame: u64, span: Option<lipz::Span>) {
+    fn rest_until(&mut self, frame: u64, span: Option<lipz_diagnostics::Span>) {
         if let Some(end) = self.word_end.take().filter(|end| *end < frame) {
             self.track.shapes.push(Shape { start: Time::of_frame(end, self.rate), symbol: REST.to_owned(), span });
         }

@@ -4,8 +4,8 @@ use super::Format;
 use super::papagayo::{MAPS, Voice};
 use crate::json::{self, Node};
 use crate::{ImportOptions, Shape, Time, Timed, Track, source};
-use lipz::Diagnostic;
-use lipz::rate::Rate;
+use lipz_diagnostics::Diagnostic;
+use lipz_file::rate::Rate;
 
 pub(super) const FORMAT: Format = Format {
     name: "papagayo-ng",
@@ -27,7 +27,7 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> 
 
 fn project(root: Node<'_>, findings: &mut Vec<Diagnostic>) -> Option<Vec<Track>> {
     let fps = member(root, "fps", findings)?;
-    let Some(rate) = fps.number().and_then(|digits| lipz::rate::parse(&digits)) else {
+    let Some(rate) = fps.number().and_then(|digits| lipz_file::rate::parse(&digits)) else {
         findings.push(fps.not("a frame rate from 1 to 1000"));
         return None;
     };

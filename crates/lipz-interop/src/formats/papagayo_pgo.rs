@@ -5,8 +5,8 @@ use super::Format;
 use super::papagayo::{MAPS, Voice};
 use crate::source::{self, Line};
 use crate::{ImportOptions, Shape, Time, Timed, Track};
-use lipz::Diagnostic;
-use lipz::rate::Rate;
+use lipz_diagnostics::Diagnostic;
+use lipz_file::rate::Rate;
 
 const HEADER: &str = "lipsync version 1";
 
@@ -61,7 +61,7 @@ impl<'s> Lines<'s, '_> {
         }
         self.next("the path of the sound")?;
         let fps = self.next("the frame rate")?;
-        let Some(rate) = lipz::rate::parse(fps.text) else {
+        let Some(rate) = lipz_file::rate::parse(fps.text) else {
             self.findings.push(fps.not("a frame rate from 1 to 1000"));
             return None;
         };

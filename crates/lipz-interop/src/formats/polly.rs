@@ -5,7 +5,7 @@ use super::Format;
 use crate::json::{self, Node};
 use crate::source::{self, Line};
 use crate::{ImportOptions, Shape, Text, Time, Timed, Track};
-use lipz::Diagnostic;
+use lipz_diagnostics::Diagnostic;
 
 pub(super) const FORMAT: Format = Format {
     name: "polly",
@@ -29,7 +29,7 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> 
         if mark.is_none() {
             let is_last = line.at + line.text.len() >= text.trim_end().len();
             findings.push(match found.pop() {
-                Some(finding) if finding.code == lipz::Code::ForeignCutOff && is_last => {
+                Some(finding) if finding.code == lipz_diagnostics::Code::ForeignCutOff && is_last => {
                     source::cut_off(text, "the last speech mark is not complete")
                 }
                 _ => line.not("a speech mark, a JSON object on a line"),

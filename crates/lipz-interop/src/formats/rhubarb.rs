@@ -40,7 +40,7 @@ pub(super) struct Cue {
     pub(super) start: Time,
     pub(super) end: Time,
     pub(super) symbol: String,
-    pub(super) span: lipz::Span,
+    pub(super) span: lipz_diagnostics::Span,
 }
 
 /// The track of shapes with ends: the mouth rests between them.

@@ -5,7 +5,7 @@ use super::Format;
 use super::rhubarb::{self, Cue};
 use crate::json::{self, Node};
 use crate::{ImportOptions, Time, Track, source};
-use lipz::Diagnostic;
+use lipz_diagnostics::Diagnostic;
 use std::fmt::Write;
 
 pub(super) const FORMAT: Format = Format {
@@ -64,7 +64,7 @@ fn write(track: &Track, _: &mut Vec<Diagnostic>) -> Vec<u8> {
     let rows: Vec<String> = rhubarb::spans(track)
         .into_iter()
         .map(|(start, end, symbol)| {
-            let value = lipz::literal(symbol);
+            let value = lipz_file::literal(symbol);
             format!("    {{ \"start\": {start}, \"end\": {end}, \"value\": {value} }}")
         })
         .collect();

@@ -3,7 +3,7 @@
 
 use super::{Format, rhubarb};
 use crate::{ImportOptions, Shape, Time, Track, source};
-use lipz::Diagnostic;
+use lipz_diagnostics::Diagnostic;
 use std::fmt::Write;
 
 pub(super) const FORMAT: Format = Format {

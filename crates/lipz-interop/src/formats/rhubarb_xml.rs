@@ -3,8 +3,7 @@
 use super::Format;
 use super::rhubarb::{self, Cue};
 use crate::{ImportOptions, Time, Track, source, xml};
-use lipz::diagnostic::show;
-use lipz::{Code, Diagnostic, Span};
+use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 use roxmltree::{Document, Node, ParsingOptions};
 
 pub(super) const FORMAT: Format = Format {
@@ -40,8 +39,8 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> 
         .collect();
     if !document.root_element().has_tag_name("rhubarbResult") {
         let span = xml::whole(document.root_element());
-        let headline = "the root is not rhubarbResult".to_owned();
-        findings.push(Diagnostic::at(Code::ForeignSyntax, span, headline).help("is this a file of Rhubarb?"));
+        let message = "the root is not rhubarbResult".to_owned();
+        findings.push(Diagnostic::at(Code::ForeignSyntax, span, message).help("is this a file of Rhubarb?"));
     }
     vec![rhubarb::track(cues, duration)]
 }
@@ -49,8 +48,8 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> 
 fn cue(node: Node<'_, '_>, findings: &mut Vec<Diagnostic>) -> Option<Cue> {
     let mut attribute = |name: &str| {
         let Some(attribute) = node.attribute_node(name) else {
-            let headline = format!("`mouthCue` has no attribute `{name}`");
-            findings.push(Diagnostic::at(Code::ForeignSyntax, xml::whole(node), headline));
+            let message = format!("`mouthCue` has no attribute `{name}`");
+            findings.push(Diagnostic::at(Code::ForeignSyntax, xml::whole(node), message));
             return None;
         };
         time(attribute.value(), attribute.range_value().start, findings)
@@ -64,8 +63,8 @@ fn cue(node: Node<'_, '_>, findings: &mut Vec<Diagnostic>) -> Option<Cue> {
 fn time(text: &str, at: usize, findings: &mut Vec<Diagnostic>) -> Option<Time> {
     let time = Time::parse(text.trim());
     if time.is_none() {
-        let headline = format!("{} is not a time in seconds", show::name(text));
-        findings.push(Diagnostic::at(Code::ForeignSyntax, Span::new(at, at + text.len()), headline));
+        let message = format!("{} is not a time in seconds", escape::quoted(text));
+        findings.push(Diagnostic::at(Code::ForeignSyntax, Span::new(at, at + text.len()), message));
     }
     time
 }

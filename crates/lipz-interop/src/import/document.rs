@@ -3,10 +3,11 @@
 use crate::frames::Run;
 use crate::segments::Division;
 use crate::{ImportOptions, Text, Time, Track};
-use lipz::diagnostic::show;
-use lipz::rate::Rate;
-use lipz::text::{DELIMITER, trim};
-use lipz::{Code, Diagnostic, Document, Element, JsonString, Raw, Value, VisemeType};
+use lipz_diagnostics::{Code, Diagnostic, escape};
+use lipz_file::rate::Rate;
+use lipz_file::text::{DELIMITER, trim};
+use lipz_file::{Document, Element, JsonString, Raw, Value};
+use lipz_types::VisemeType;
 use std::borrow::Cow;
 
 /// The texts of the clip with their locales; reports those that have none.
@@ -29,8 +30,8 @@ pub(super) fn texts(track: &Track, options: &ImportOptions<'_>, findings: &mut V
     for (index, text) in texts.iter().enumerate() {
         let Some(locale) = &text.locale else { continue };
         if texts.iter().take(index).any(|before| before.locale == text.locale) {
-            let headline = format!("two texts are of the locale {}", show::name(locale));
-            findings.push(Diagnostic::new(Code::SameLocaleTwice, headline).help("keep one of them"));
+            let message = format!("two texts are of the locale {}", escape::quoted(locale));
+            findings.push(Diagnostic::new(Code::SameLocaleTwice, message).help("keep one of them"));
         }
     }
     texts

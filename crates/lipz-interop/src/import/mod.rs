@@ -13,9 +13,9 @@ use crate::frames::{Why, resample};
 use crate::segments::{Speech, divide};
 use crate::{Format, Map, Time, Track, map};
 use document::{codes, document, texts};
-use lipz::diagnostic::show;
-use lipz::rate::Rate;
-use lipz::{Code, Diagnostic, Document, Level};
+use lipz_diagnostics::{Code, Diagnostic, Severity, escape};
+use lipz_file::Document;
+use lipz_file::rate::Rate;
 use runs::{in_order, report, runs};
 
 /// What an import gave.
@@ -63,7 +63,7 @@ impl Lost {
     /// The loss as a sentence.
     pub fn describe(&self) -> String {
         let ms = self.end.in_units(1000).saturating_sub(self.start.in_units(1000));
-        format!("{} at {} ({ms} ms): {}", show::name(&self.symbol), self.start, self.why.reason())
+        format!("{} at {} ({ms} ms): {}", escape::quoted(&self.symbol), self.start, self.why.reason())
     }
 }
 
@@ -84,7 +84,7 @@ pub fn import(format: &Format, bytes: &[u8], options: &ImportOptions<'_>) -> Imp
         imported.clips.extend(clip(track, map, options, &mut imported.diagnostics));
     }
     imported.diagnostics.sort_by_key(Diagnostic::start);
-    if imported.diagnostics.iter().any(|finding| finding.level == Level::Error) {
+    if imported.diagnostics.iter().any(|finding| finding.severity == Severity::Error) {
         imported.clips.clear();
         // Shapes that could not be read are not missing.
         imported.diagnostics.retain(|finding| finding.code != Code::NoShapes);

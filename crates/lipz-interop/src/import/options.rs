@@ -2,8 +2,8 @@
 
 use crate::segments::Segments;
 use crate::{Map, Time};
-use lipz::VisemeType;
-use lipz::rate::Rate;
+use lipz_file::rate::Rate;
+use lipz_types::VisemeType;
 
 /// The frame rate of clips if neither the file nor the project tells one: that of Rhubarb, Moho and Pamela.
 pub const DEFAULT_RATE: Rate = Rate { numerator: 24, denominator: 1, is_exact: true };

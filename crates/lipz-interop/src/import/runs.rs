@@ -4,9 +4,8 @@ use super::Lost;
 use super::document::spell;
 use crate::frames::Run;
 use crate::{Map, Shape, Time, Track};
-use lipz::diagnostic::{Label, show};
-use lipz::rate::Rate;
-use lipz::{Code, Diagnostic};
+use lipz_diagnostics::{Code, Diagnostic, Label, escape};
+use lipz_file::rate::Rate;
 
 /// Most frames of a clip: more than a day at 24 frames a second can only be a mistake.
 const MAX_FRAMES: u64 = 1 << 22;
@@ -22,8 +21,8 @@ pub(super) fn in_order(mut track: Track, findings: &mut Vec<Diagnostic>) -> Trac
     let count = backwards.clone().count();
     if let Some((before, after)) = backwards.clone().next() {
         let (earlier, later) = (after.start, before.start);
-        let headline = format!("times run backwards: {earlier} stands behind {later}");
-        let finding = shape_finding(Code::TimesBackwards, after, headline)
+        let message = format!("times run backwards: {earlier} stands behind {later}");
+        let finding = shape_finding(Code::TimesBackwards, after, message)
             .note("the shapes are used in the order of their times")
             .help("was the file edited by hand, or joined of two? look at the clip there");
         findings.push(if count > 1 { finding.note(format!("so do {} more", count - 1)) } else { finding });
@@ -32,10 +31,10 @@ pub(super) fn in_order(mut track: Track, findings: &mut Vec<Diagnostic>) -> Trac
     track
 }
 
-fn shape_finding(code: Code, shape: &Shape, headline: String) -> Diagnostic {
+fn shape_finding(code: Code, shape: &Shape, message: String) -> Diagnostic {
     match shape.span {
-        Some(span) => Diagnostic::at(code, span, headline),
-        None => Diagnostic::new(code, headline).note(format!("at {}", shape.start)),
+        Some(span) => Diagnostic::at(code, span, message),
+        None => Diagnostic::new(code, message).note(format!("at {}", shape.start)),
     }
 }
 
@@ -51,8 +50,8 @@ pub(super) fn runs<'t>(
     let a_frame_later = Time::of_frame(last.nearest_frame(rate).saturating_add(1), rate);
     let end = track.end.unwrap_or(if track.shapes.is_empty() { last } else { a_frame_later }).max(last);
     if end.nearest_frame(rate) > MAX_FRAMES {
-        let headline = format!("the clip would have more than {MAX_FRAMES} frames: it ends at {end}");
-        findings.push(Diagnostic::new(Code::ForeignValue, headline).help("are the times in the unit of the format?"));
+        let message = format!("the clip would have more than {MAX_FRAMES} frames: it ends at {end}");
+        findings.push(Diagnostic::new(Code::ForeignValue, message).help("are the times in the unit of the format?"));
         return None;
     }
     let before = findings.len();
@@ -67,7 +66,7 @@ pub(super) fn runs<'t>(
         let Some(code) = map.code(&shape.symbol) else {
             match unknown.iter_mut().find(|(symbol, _)| *symbol == shape.symbol) {
                 Some((_, finding)) => {
-                    finding.secondary.extend(shape.span.map(|span| Label { span, text: "also here".into() }));
+                    finding.labels.extend(shape.span.map(|span| Label { span, text: "also here".into() }));
                 }
                 None => unknown.push((&shape.symbol, unknown_symbol(shape, map))),
             }
@@ -90,10 +89,11 @@ pub(super) fn runs<'t>(
 pub(crate) const REST: u8 = b'-';
 
 fn unknown_symbol(shape: &Shape, map: &Map) -> Diagnostic {
-    let headline = format!("{} is not in the mapping table `{}`", show::name(&shape.symbol), show::text(&map.name));
-    let finding = shape_finding(Code::UnknownSymbol, shape, headline);
+    let message =
+        format!("{} is not in the mapping table `{}`", escape::quoted(&shape.symbol), escape::text(&map.name));
+    let finding = shape_finding(Code::UnknownSymbol, shape, message);
     match map.nearest(&shape.symbol) {
-        Some(known) => finding.help(format!("did you mean {}?", show::name(known))),
+        Some(known) => finding.help(format!("did you mean {}?", escape::quoted(known))),
         None => finding.help("give a table that has it with --map; lipz maps shows the tables there are"),
     }
 }
@@ -104,8 +104,8 @@ pub(super) fn report(lost: &[Lost], all: usize, rate: Rate, findings: &mut Vec<D
         return;
     }
     let (count, have) = (lost.len(), if lost.len() == 1 { "has" } else { "have" });
-    let headline = format!("{count} of {all} mouth shapes {have} no frame at {} frames a second", spell(rate));
-    let mut finding = Diagnostic::new(Code::ShapesLost, headline);
+    let message = format!("{count} of {all} mouth shapes {have} no frame at {} frames a second", spell(rate));
+    let mut finding = Diagnostic::new(Code::ShapesLost, message);
     for loss in lost.iter().take(LOSSES_SHOWN) {
         finding = finding.note(loss.describe());
     }

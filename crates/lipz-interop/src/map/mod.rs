@@ -8,8 +8,8 @@ mod read;
 
 pub use built_in::{built_in, file, find};
 
-use lipz::VisemeType;
-use lipz::diagnostic::suggest;
+use lipz_diagnostics::suggest;
+use lipz_types::VisemeType;
 
 /// A mapping table.
 #[derive(Clone, PartialEq, Eq, Debug)]

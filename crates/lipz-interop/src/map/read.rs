@@ -1,8 +1,8 @@
 //! Reading a mapping table from TOML.
 
 use super::Map;
-use lipz::diagnostic::{show, suggest};
-use lipz::{Code, Diagnostic, Span, VisemeType};
+use lipz_diagnostics::{Code, Diagnostic, Span, escape, suggest};
+use lipz_types::VisemeType;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -29,9 +29,9 @@ impl Map {
     /// does not have.
     pub fn parse(text: &str) -> Result<Map, Vec<Diagnostic>> {
         let root = DeTable::parse(text).map_err(|error| {
-            let headline = format!("the mapping table is not TOML: {}", show::text(error.message()));
+            let message = format!("the mapping table is not TOML: {}", escape::text(error.message()));
             vec![
-                refusal(error.span().unwrap_or_default(), headline)
+                refusal(error.span().unwrap_or_default(), message)
                     .help("symbols and codes stand in quotes: \"F.V\" = \"F\""),
             ]
         })?;
@@ -90,7 +90,7 @@ impl<'t> Reading<'t> {
         for (key, _) in self.root {
             let written: &str = key.get_ref();
             if known().all(|name| name != written) {
-                let finding = refusal(key.span(), format!("a mapping table has no field {}", show::name(written)));
+                let finding = refusal(key.span(), format!("a mapping table has no field {}", escape::quoted(written)));
                 self.findings.push(match suggest::nearest(written, known()) {
                     Some(name) => finding.help(format!("did you mean `{name}`?")),
                     None => finding.help("its fields are name, version, about, source, viseme-type, ignore-case, guessed, to-lipz and from-lipz"),
@@ -147,10 +147,10 @@ impl<'t> Reading<'t> {
 
     fn viseme_type(&mut self) -> Option<VisemeType> {
         let (name, span) = self.string("viseme-type")?;
-        let found = VisemeType::from_name(name);
+        let found = name.parse::<VisemeType>().ok();
         if found.is_none() {
-            let headline = format!("{} is not a viseme type", show::name(name));
-            self.findings.push(refusal(span, headline).help("the viseme types are blair, toonboom and rms"));
+            let message = format!("{} is not a viseme type", escape::quoted(name));
+            self.findings.push(refusal(span, message).help("the viseme types are blair, toonboom and rms"));
         }
         found
     }
@@ -217,9 +217,9 @@ impl<'t> Reading<'t> {
             _ => None,
         };
         if code.is_none() {
-            let headline = format!("{} is no code of the viseme type {viseme_type}", show::name(text));
+            let message = format!("{} is no code of the viseme type {viseme_type}", escape::quoted(text));
             let help = format!("its codes are {}", viseme_type.codes());
-            self.findings.push(refusal(span, headline).help(help));
+            self.findings.push(refusal(span, message).help(help));
         }
         code
     }
@@ -231,8 +231,8 @@ fn what_to_write(field: &str) -> String {
     format!("`{field}` is {what}")
 }
 
-fn refusal(span: Range<usize>, headline: String) -> Diagnostic {
-    Diagnostic::at(Code::MapRefused, Span::new(span.start, span.end), headline)
+fn refusal(span: Range<usize>, message: String) -> Diagnostic {
+    Diagnostic::at(Code::MapRefused, Span::new(span.start, span.end), message)
 }
 
 #[cfg(test)]
@@ -243,7 +243,7 @@ mod tests {
     const START: &str = "name = \"x\"\nversion = 1\nviseme-type = \"blair\"\n";
 
     fn headlines(text: &str) -> Vec<String> {
-        Map::parse(text).unwrap_err().into_iter().map(|finding| finding.headline).collect()
+        Map::parse(text).unwrap_err().into_iter().map(|finding| finding.message).collect()
     }
 
     #[test]

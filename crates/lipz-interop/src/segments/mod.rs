@@ -6,8 +6,8 @@ mod sentences;
 pub(crate) use pauses::Speech;
 
 use crate::{Text, Time, Track};
-use lipz::text::{DELIMITER, trim};
-use lipz::{Code, Diagnostic};
+use lipz_diagnostics::{Code, Diagnostic};
+use lipz_file::text::{DELIMITER, trim};
 use sentences::{cut, sentences, words};
 
 /// Where an imported clip is divided into segments, if its text has no `|` that say so.

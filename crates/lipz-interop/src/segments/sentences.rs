@@ -1,6 +1,6 @@
 //! Texts in parts: at the ends of sentences, or at shares of the speech.
 
-use lipz::text::trim;
+use lipz_file::text::trim;
 use unicode_segmentation::UnicodeSegmentation;
 
 /// What it costs to cut a text elsewhere than at the end of a sentence, as a share of the whole text: at

@@ -3,9 +3,10 @@
 use super::Cue;
 use crate::Time;
 use crate::export::{rate, refusal};
-use lipz::rate::Rate;
-use lipz::text::{DELIMITER, display, is_white_space, segments};
-use lipz::{Code, Diagnostic, Document, Value};
+use lipz_diagnostics::{Code, Diagnostic};
+use lipz_file::rate::Rate;
+use lipz_file::text::{DELIMITER, display, is_white_space, segments};
+use lipz_file::{Document, Value};
 
 /// What a project decides about subtitles.
 #[derive(Clone, Copy, Debug, Default)]
@@ -22,7 +23,7 @@ pub struct SubtitleOptions<'a> {
 ///
 /// ```
 /// use lipz_interop::subtitles::{SubtitleOptions, cues};
-/// let parsed = lipz::parse(br#"{ "fps": 24, "visemes": "--MA|EO--", "text_en-us": "|Hello." }"#);
+/// let parsed = lipz_file::parse(br#"{ "fps": 24, "visemes": "--MA|EO--", "text_en-us": "|Hello." }"#);
 /// let document = parsed.document.ok_or("a valid file")?;
 /// let cues = cues(&document, "en-us", &SubtitleOptions::default(), &mut Vec::new()).ok_or("a text")?;
 /// assert_eq!((cues[0].start_ms, cues[0].end_ms, cues[0].text.as_str()), (167, 333, "Hello."));

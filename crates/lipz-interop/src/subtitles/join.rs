@@ -5,9 +5,10 @@ use super::clip::bounds;
 use crate::Time;
 use crate::export::rate;
 use crate::import::{REST, element, fps};
-use lipz::rate::Rate;
-use lipz::text::{DELIMITER, display, is_white_space, segments, trim};
-use lipz::{Code, Diagnostic, Document, Value};
+use lipz_diagnostics::{Code, Diagnostic};
+use lipz_file::rate::Rate;
+use lipz_file::text::{DELIMITER, display, is_white_space, segments, trim};
+use lipz_file::{Document, Value};
 use std::cmp::Reverse;
 
 /// A clip of subtitles alone: the mouth rests, and each cue is a segment. Between them are segments without text.
@@ -15,7 +16,7 @@ use std::cmp::Reverse;
 /// ```
 /// use lipz_interop::subtitles::{Cue, clip};
 /// let cue = Cue { start_ms: 125, end_ms: 250, text: "Hello.".into(), ..Cue::default() };
-/// let rate = lipz::rate::parse("24").ok_or("a rate")?;
+/// let rate = lipz_file::rate::parse("24").ok_or("a rate")?;
 /// let document = clip(&[cue], "en-us", rate, &mut Vec::new());
 /// assert_eq!(document.string("visemes"), Some("---|---"));
 /// assert_eq!(document.string("text_en-us"), Some("|Hello."));
@@ -166,8 +167,8 @@ fn in_segments(cues: &[Cue], bounds: &[u64], rate: Rate, findings: &mut Vec<Diag
     texts
 }
 
-fn place(cue: &Cue, headline: &str) -> Diagnostic {
-    Diagnostic::at(Code::SubtitlePlace, cue.span, headline)
+fn place(cue: &Cue, message: &str) -> Diagnostic {
+    Diagnostic::at(Code::SubtitlePlace, cue.span, message)
         .help("give it the times of a segment: lipz inspect shows them, and `|` in the visemes sets them")
 }
 

@@ -1,6 +1,6 @@
 //! Markup in cues: tags, character references, who speaks.
 
-use lipz::text::display;
+use lipz_file::text::display;
 use std::ops::Range;
 
 /// The meta of a Lipz text that says who speaks what follows.

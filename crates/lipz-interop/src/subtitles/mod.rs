@@ -13,8 +13,8 @@ mod vtt;
 pub use clip::{SubtitleOptions, cues};
 pub use join::{clip, join};
 
-use lipz::text::DELIMITER;
-use lipz::{Code, Diagnostic, Span};
+use lipz_diagnostics::{Code, Diagnostic, Span};
+use lipz_file::text::DELIMITER;
 use markup::Plain;
 use timing::Body;
 
@@ -102,9 +102,9 @@ fn read_text(body: &Body<'_>, plain: impl Fn(&str) -> Plain, findings: &mut Vec<
     }
     if text.contains(DELIMITER) {
         let at = marked_up.find(DELIMITER).unwrap_or_default();
-        let headline = format!("`{DELIMITER}` in the subtitle becomes `{BAR_IN_TEXT}`");
+        let message = format!("`{DELIMITER}` in the subtitle becomes `{BAR_IN_TEXT}`");
         findings.push(
-            Diagnostic::at(Code::SubtitleText, body.span(at..at + DELIMITER.len_utf8()), headline)
+            Diagnostic::at(Code::SubtitleText, body.span(at..at + DELIMITER.len_utf8()), message)
                 .note("in Lipz files, `|` divides segments")
                 .help("write the text in another way if the difference matters"),
         );

@@ -1,7 +1,7 @@
 //! SubRip: a number, the times, the lines, an empty line. There is no specification; this is what players read.
 
 use super::{Cue, markup, timing};
-use lipz::{Code, Diagnostic};
+use lipz_diagnostics::{Code, Diagnostic};
 use std::fmt::Write;
 
 /// What stands for an arrow of times in a text: players would take the line for times.
@@ -35,6 +35,6 @@ pub(super) fn write(cues: &[Cue], findings: &mut Vec<Diagnostic>) -> String {
     file
 }
 
-fn loss(cue: &Cue, headline: String) -> Diagnostic {
-    Diagnostic::at(Code::SubtitleLoss, cue.span, headline).help("WebVTT can hold it: lipz subtitles export vtt")
+fn loss(cue: &Cue, message: String) -> Diagnostic {
+    Diagnostic::at(Code::SubtitleLoss, cue.span, message).help("WebVTT can hold it: lipz subtitles export vtt")
 }

@@ -2,7 +2,7 @@
 
 use super::Cue;
 use crate::source::{self, Line};
-use lipz::{Code, Diagnostic, Span};
+use lipz_diagnostics::{Code, Diagnostic, Span};
 use std::ops::Range;
 
 /// What stands between the times of a cue.
@@ -70,8 +70,8 @@ fn times(line: Line<'_>, findings: &mut Vec<Diagnostic>) -> Option<(u64, u64)> {
     let (start_ms, end_ms) = (read(first), read(second));
     let (start_ms, end_ms) = (start_ms?, end_ms?);
     if end_ms < start_ms {
-        let headline = "the subtitle ends before it starts";
-        findings.push(line.finding(Code::SubtitleSyntax, headline).help("exchange the times, or correct them"));
+        let message = "the subtitle ends before it starts";
+        findings.push(line.finding(Code::SubtitleSyntax, message).help("exchange the times, or correct them"));
         return None;
     }
     Some((start_ms, end_ms))
@@ -110,9 +110,9 @@ pub(super) fn sort(cues: &mut [Cue], findings: &mut Vec<Diagnostic>) {
         _ => None,
     });
     if let Some(span) = backwards {
-        let headline = "the subtitle appears before the one above it";
+        let message = "the subtitle appears before the one above it";
         let finding =
-            Diagnostic::at(Code::SubtitleTimes, span, headline).note("all are taken in the order of their times");
+            Diagnostic::at(Code::SubtitleTimes, span, message).note("all are taken in the order of their times");
         findings.push(finding.help("was the file edited by hand, or joined of two? look at it there"));
     }
     cues.sort_by_key(|cue| cue.start_ms);

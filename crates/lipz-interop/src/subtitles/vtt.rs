@@ -1,7 +1,7 @@
 //! WebVTT (W3C Recommendation track): `WEBVTT`, then blocks between empty lines.
 
 use super::{Cue, markup, timing};
-use lipz::{Code, Diagnostic, Span};
+use lipz_diagnostics::{Code, Diagnostic, Span};
 use std::fmt::Write;
 
 const SIGNATURE: &str = "WEBVTT";

@@ -6,8 +6,9 @@ mod near;
 
 use super::texts::nul;
 use crate::Registry;
-use lipz::event;
-use lipz::{Code, Diagnostic, JsonString, text};
+use lipz_diagnostics::{Code, Diagnostic};
+use lipz_file::event;
+use lipz_file::{JsonString, text};
 use std::collections::BTreeMap;
 use std::ops::Range;
 

@@ -1,9 +1,8 @@
 //! Names in events, against those that the project registers.
 
 use crate::Registry;
-use lipz::diagnostic::{show, suggest};
-use lipz::event::{EMOTIONS, Event, Word};
-use lipz::{Code, Diagnostic, Span};
+use lipz_diagnostics::{Code, Diagnostic, Span, escape, suggest};
+use lipz_file::event::{EMOTIONS, Event, Word};
 use std::collections::BTreeSet;
 
 /// Known names that a finding lists.
@@ -69,7 +68,7 @@ impl<'r> Names<'r> {
 
     /// The names for people, or the start of a long list; `None` if there are none.
     fn listed(&self) -> Option<String> {
-        let shown: Vec<_> = self.iter().take(LISTED).map(show::text).collect();
+        let shown: Vec<_> = self.iter().take(LISTED).map(escape::text).collect();
         match self.iter().count() {
             0 => None,
             count if count > LISTED => Some(format!("{} and {} more", shown.join(", "), count - LISTED)),
@@ -126,13 +125,13 @@ impl Unknown<'_> {
             Role::Action => ("not a registered action", "registered actions", ["actions"].as_slice()),
         };
         let names = Names::of(self.role, registry);
-        let headline = format!("{} is {what}", show::name(self.word.text));
-        let finding = Diagnostic::at(self.code(), span, headline).note(match names.listed() {
+        let message = format!("{} is {what}", escape::quoted(self.word.text));
+        let finding = Diagnostic::at(self.code(), span, message).note(match names.listed() {
             Some(listed) => format!("the {known} are {listed}"),
             None => format!("there are no {known}"),
         });
         finding.help(match names.nearest(self.word.text) {
-            Some(name) => format!("did you mean {}?", show::name(name)),
+            Some(name) => format!("did you mean {}?", escape::quoted(name)),
             None => {
                 let (settings, flags) = (lists.join(" or "), lists.join(" or --"));
                 format!("if your game knows it, add it to {settings} in lipz.toml, or to --{flags}")

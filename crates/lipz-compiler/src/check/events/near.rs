@@ -6,9 +6,8 @@
 
 use super::names::{Names, Role};
 use crate::Registry;
-use lipz::diagnostic::{show, suggest};
-use lipz::event::{self, Part, Word};
-use lipz::{Code, Diagnostic, Span};
+use lipz_diagnostics::{Code, Diagnostic, Span, escape, suggest};
+use lipz_file::event::{self, Part, Word};
 use std::ops::Range;
 
 /// Verbs that an object follows.
@@ -157,17 +156,17 @@ fn is_nearly(word: &str, verb: &str) -> bool {
 
 impl Near<'_> {
     pub(super) fn finding(&self, span: Span) -> Diagnostic {
-        let did_you_mean = |meant: &str| format!("did you mean {}?", show::name(meant));
-        let (headline, help) = match &self.slip {
+        let did_you_mean = |meant: &str| format!("did you mean {}?", escape::quoted(meant));
+        let (message, help) = match &self.slip {
             Slip::Verb(words, meant) => {
-                (format!("{} is not a verb of Character Event Syntax", show::name(words)), did_you_mean(meant))
+                (format!("{} is not a verb of Character Event Syntax", escape::quoted(words)), did_you_mean(meant))
             }
             Slip::Extra(words, meant) => {
-                (format!("{} stands between a verb and its object", show::name(words)), did_you_mean(meant))
+                (format!("{} stands between a verb and its object", escape::quoted(words)), did_you_mean(meant))
             }
             Slip::Nothing => ("an event is missing beside this `,`".to_owned(), "remove the `,`".to_owned()),
         };
-        Diagnostic::at(Code::NearEvent, span, headline)
+        Diagnostic::at(Code::NearEvent, span, message)
             .note("all of the segment is kept as text: games see no events in it")
             .help(help)
     }

@@ -3,9 +3,9 @@
 use super::Expected;
 use super::instead::{NINE_OF_THE_AUTHORS_TOOL, instead};
 use super::tally::{Counted, Tally, contains};
-use lipz::diagnostic::show;
-use lipz::{Code, Diagnostic, JsonString};
 use lipz_bank::VisemeType;
+use lipz_diagnostics::{Code, Diagnostic, escape};
+use lipz_file::JsonString;
 
 /// Different foreign codes that one element shows; the rest is counted.
 const SHOWN: usize = 4;
@@ -48,8 +48,8 @@ fn one_of(
     expected: Expected,
 ) -> Option<Diagnostic> {
     let found = *foreign.get(index)?;
-    let shown = show::character(found.character);
-    let headline = match expected {
+    let shown = escape::character(found.character);
+    let message = match expected {
         Expected::Named(known) | Expected::Default(known) => {
             let article = if known == VisemeType::Rms { "an" } else { "a" };
             format!("{shown} is not {article} {known} code")
@@ -60,7 +60,7 @@ fn one_of(
         }
         _ => format!("{shown} is not a code of any viseme type"),
     };
-    let mut finding = repeated(Diagnostic::at(Code::ForeignCode, span(string, found), headline), found);
+    let mut finding = repeated(Diagnostic::at(Code::ForeignCode, span(string, found), message), found);
     if index == 0 {
         finding = with_legal(finding, viseme_type, expected);
     }
@@ -70,16 +70,16 @@ fn one_of(
     finding.help = instead(found.character, viseme_type, foreign);
     let is_named = !matches!(expected, Expected::Any | Expected::Unknown);
     if (found.character, viseme_type, is_named) == (NINE_OF_THE_AUTHORS_TOOL, VisemeType::Rms, true) {
-        finding = finding.fix(string.span(), lipz::literal(&string.text.replace(NINE_OF_THE_AUTHORS_TOOL, "9")));
+        finding = finding.fix(string.span(), lipz_file::literal(&string.text.replace(NINE_OF_THE_AUTHORS_TOOL, "9")));
     }
     Some(finding)
 }
 
 /// Codes of several types, without one that has them all.
 fn mixed(string: &JsonString<'_>, first: &Counted, viseme_type: VisemeType, foreign: &[&Counted]) -> Diagnostic {
-    let shown = show::character(first.character);
-    let headline = format!("{shown} is no {viseme_type} code, and no viseme type has all codes of this file");
-    let finding = repeated(Diagnostic::at(Code::MixedCodes, span(string, first), headline), first);
+    let shown = escape::character(first.character);
+    let message = format!("{shown} is no {viseme_type} code, and no viseme type has all codes of this file");
+    let finding = repeated(Diagnostic::at(Code::MixedCodes, span(string, first), message), first);
     let sets = VisemeType::ALL.map(|known| format!("{known}: {}", spaced(known)));
     let correct = || format!("correct the codes, and name the type: \"viseme_type\": \"{viseme_type}\"");
     let help = instead(first.character, viseme_type, foreign).unwrap_or_else(correct);
@@ -94,8 +94,8 @@ fn other_type(
     fitting: &[&str],
     expected: Expected,
 ) -> Diagnostic {
-    let headline = format!("these are {} codes, not {viseme_type}", fitting.join(" or "));
-    let finding = Diagnostic::at(Code::ForeignCode, span(string, first), headline);
+    let message = format!("these are {} codes, not {viseme_type}", fitting.join(" or "));
+    let finding = Diagnostic::at(Code::ForeignCode, span(string, first), message);
     with_legal(finding, viseme_type, expected).help(match (fitting, expected) {
         ([one], Expected::Default(_)) => {
             format!("write \"viseme_type\": \"{one}\" in the file, or change --default-viseme-type")
@@ -116,7 +116,7 @@ fn lower_case(string: &JsonString<'_>, viseme_type: VisemeType) -> Diagnostic {
     if string.text.contains('l') {
         return finding;
     }
-    finding.fix(string.span(), lipz::literal(&string.text.to_ascii_uppercase()))
+    finding.fix(string.span(), lipz_file::literal(&string.text.to_ascii_uppercase()))
 }
 
 /// Whether the character is a code of any type.
@@ -125,7 +125,7 @@ fn is_of_some_type(found: &Counted) -> bool {
 }
 
 /// Where the character stands first.
-fn span(string: &JsonString<'_>, found: &Counted) -> lipz::Span {
+fn span(string: &JsonString<'_>, found: &Counted) -> lipz_diagnostics::Span {
     string.span_of(found.first_at..found.first_at + found.character.len_utf8())
 }
 

@@ -9,8 +9,9 @@ pub(super) use instead::DELIMITER_LOOKALIKES;
 pub(super) use type_name::viseme_type;
 
 use crate::clip::ClipData;
-use lipz::{Code, Diagnostic, JsonString, text};
 use lipz_bank::VisemeType;
+use lipz_diagnostics::{Code, Diagnostic};
+use lipz_file::{JsonString, text};
 
 /// What the codes are checked against.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -76,7 +77,7 @@ fn white_space(string: &JsonString<'_>, codes_are_legal: bool) -> Option<Diagnos
     .help("remove it; write `-` for a frame at rest");
     // Otherwise it may be something else altogether, a text for example.
     if codes_are_legal {
-        finding = finding.fix(string.span(), lipz::literal(&string.text.replace(is_white_space, "")));
+        finding = finding.fix(string.span(), lipz_file::literal(&string.text.replace(is_white_space, "")));
     }
     Some(if count > length { finding.note(format!("{count} characters of white space in all")) } else { finding })
 }

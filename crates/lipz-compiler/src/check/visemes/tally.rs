@@ -1,7 +1,7 @@
 //! Which characters a viseme string consists of.
 
-use lipz::text::{DELIMITER, is_white_space};
 use lipz_bank::VisemeType;
+use lipz_file::text::{DELIMITER, is_white_space};
 
 /// Different characters that are looked at: a string of more is no viseme string at all.
 const COUNTED: usize = 64;

@@ -1,12 +1,12 @@
 //! The element `viseme_type`.
 
-use lipz::diagnostic::{show, suggest};
-use lipz::{Code, Diagnostic, JsonString};
 use lipz_bank::VisemeType;
+use lipz_diagnostics::{Code, Diagnostic, escape, suggest};
+use lipz_file::JsonString;
 
 /// The type that the element `viseme_type` names.
 pub(in crate::check) fn viseme_type(name: &JsonString<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<VisemeType> {
-    let found = VisemeType::from_name(&name.text);
+    let found = name.text.parse::<VisemeType>().ok();
     if found.is_none() {
         diagnostics.push(unknown(name));
     }
@@ -14,14 +14,14 @@ pub(in crate::check) fn viseme_type(name: &JsonString<'_>, diagnostics: &mut Vec
 }
 
 fn unknown(name: &JsonString<'_>) -> Diagnostic {
-    let finding = |headline| {
-        Diagnostic::at(Code::UnknownVisemeType, name.span(), headline)
+    let finding = |message| {
+        Diagnostic::at(Code::UnknownVisemeType, name.span(), message)
             .note("the viseme types are blair, toonboom and rms")
     };
     if name.text.trim().is_empty() {
         return finding("viseme_type is empty".into()).help("name the viseme type, or leave the element out");
     }
-    let finding = finding(format!("{} is not a viseme type", show::name(&name.text)));
+    let finding = finding(format!("{} is not a viseme type", escape::quoted(&name.text)));
     let known = VisemeType::ALL.map(VisemeType::name);
     // `preston blair`
     let part = || known.into_iter().find(|known| name.text.contains(known));

@@ -78,7 +78,7 @@ mod tests {
 
     #[test]
     fn every_emotion_of_the_specification_has_a_disposition() {
-        for emotion in lipz::event::EMOTIONS {
+        for emotion in lipz_file::event::EMOTIONS {
             let with_it = Disposition::ALL.into_iter().filter(|known| known.emotions().contains(&emotion));
             assert_eq!(with_it.count(), 1, "{emotion}");
         }

@@ -1,7 +1,7 @@
 //! FRM files: frames of a picture. Big-endian, with up to six directions, of which heads have one.
 
 use crate::fallout::place;
-use lipz::{Code, Diagnostic};
+use lipz_diagnostics::{Code, Diagnostic};
 use std::ops::Range;
 
 const VERSION: Range<usize> = 0x00..0x04;
@@ -35,16 +35,16 @@ impl Frm {
     /// [`Code::FrmRefused`] for another version, and for a file that ends before its last frame.
     pub fn read(bytes: &[u8]) -> Result<Frm, Box<Diagnostic>> {
         let cut_off = |range: Range<usize>, what: &str| {
-            let headline = format!("the file ends within {what}, after {} bytes", bytes.len());
-            Box::new(place(Code::FrmRefused, range, headline).help("copy the file again from where it came from"))
+            let message = format!("the file ends within {what}, after {} bytes", bytes.len());
+            Box::new(place(Code::FrmRefused, range, message).help("copy the file again from where it came from"))
         };
         let header =
             |range: Range<usize>| bytes.get(range).ok_or_else(|| cut_off(0..bytes.len(), "the header")).map(number);
         let version = header(VERSION)?;
         if version != KNOWN_VERSION {
-            let headline = format!("this is no FRM file: its version is {version}, not {KNOWN_VERSION}");
+            let message = format!("this is no FRM file: its version is {version}, not {KNOWN_VERSION}");
             let help = "name FRM files only; pictures for FRM files are converted by the tools of modders";
-            return Err(Box::new(place(Code::FrmRefused, VERSION, headline).help(help)));
+            return Err(Box::new(place(Code::FrmRefused, VERSION, message).help(help)));
         }
         let frm = Frm { fps: short(header(FPS)?), frames: short(header(FRAMES)?) };
         let starts = bytes.get(STARTS).ok_or_else(|| cut_off(0..bytes.len(), "the header"))?;
@@ -119,6 +119,6 @@ mod tests {
         }
         let mut little = frm(9);
         little[VERSION].reverse();
-        assert!(Frm::read(&little).unwrap_err().headline.contains("no FRM file"));
+        assert!(Frm::read(&little).unwrap_err().message.contains("no FRM file"));
     }
 }

@@ -1,7 +1,7 @@
 //! `heads.lst`: a line for each head, with its numbers of fidget files.
 
 use super::{Content, Disposition, HeadFile};
-use lipz::{Code, Diagnostic, Span};
+use lipz_diagnostics::{Code, Diagnostic, Span};
 
 /// A line of `heads.lst`.
 #[derive(Clone, PartialEq, Eq, Debug)]

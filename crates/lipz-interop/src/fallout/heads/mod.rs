@@ -10,8 +10,7 @@ pub use frm::Frm;
 pub use list::{Head, read_list};
 pub use name::{Content, HeadFile};
 
-use lipz::diagnostic::show;
-use lipz::{Code, Diagnostic};
+use lipz_diagnostics::{Code, Diagnostic, escape};
 use std::collections::BTreeSet;
 
 /// Mouth shapes that a phoneme file shows; the game does not use frames beyond them.
@@ -22,8 +21,8 @@ pub fn check_file(name: &str, bytes: &[u8]) -> (Option<HeadFile>, Vec<Diagnostic
     let mut found = Vec::new();
     let file = HeadFile::parse(name);
     if file.is_none() {
-        let headline = format!("{} is not named like a file of a head", show::name(name));
-        found.push(Diagnostic::new(Code::HeadName, headline).note(name::FORM).help("files of other art lie elsewhere"));
+        let message = format!("{} is not named like a file of a head", escape::quoted(name));
+        found.push(Diagnostic::new(Code::HeadName, message).note(name::FORM).help("files of other art lie elsewhere"));
     }
     match Frm::read(bytes) {
         Err(finding) => found.push(*finding),
@@ -35,8 +34,8 @@ pub fn check_file(name: &str, bytes: &[u8]) -> (Option<HeadFile>, Vec<Diagnostic
 fn too_few_frames(file: &HeadFile, frm: Frm) -> Option<Diagnostic> {
     let is_short = file.content == Content::Phonemes && frm.frames < MOUTH_SHAPES;
     is_short.then(|| {
-        let headline = format!("the phoneme file has {} frames, not {MOUTH_SHAPES}", frm.frames);
-        super::place(Code::HeadFrames, frm::FRAMES, headline)
+        let message = format!("the phoneme file has {} frames, not {MOUTH_SHAPES}", frm.frames);
+        super::place(Code::HeadFrames, frm::FRAMES, message)
             .note("each frame is a mouth shape: rest, A, S, E, F, L, M, O, W")
             .help("draw the missing frames; a LIP file that names one shows something else")
     })
@@ -51,8 +50,8 @@ pub fn compare(heads: &[Head], files: &[HeadFile]) -> Vec<Diagnostic> {
         let expected: BTreeSet<String> = head.files().map(|file| file.file_name()).collect();
         let missing: Vec<&str> = expected.difference(&there).map(String::as_str).collect();
         if !missing.is_empty() {
-            let headline = format!("{} has no {}", show::name(&head.root), listed(&missing));
-            let finding = Diagnostic::at(Code::HeadFiles, head.span, headline);
+            let message = format!("{} has no {}", escape::quoted(&head.root), listed(&missing));
+            let finding = Diagnostic::at(Code::HeadFiles, head.span, message);
             found.push(finding.help("add the files, or correct the numbers of fidget files"));
         }
         counted.extend(expected);
@@ -65,15 +64,15 @@ pub fn compare(heads: &[Head], files: &[HeadFile]) -> Vec<Diagnostic> {
         let surplus: Vec<String> = own.filter(is_surplus).map(HeadFile::file_name).collect();
         if !surplus.is_empty() {
             let surplus: Vec<&str> = surplus.iter().map(String::as_str).collect();
-            let headline = format!("the numbers of {} leave out {}", show::name(&head.root), listed(&surplus));
-            let finding = Diagnostic::at(Code::HeadFiles, head.span, headline);
+            let message = format!("the numbers of {} leave out {}", escape::quoted(&head.root), listed(&surplus));
+            let finding = Diagnostic::at(Code::HeadFiles, head.span, message);
             found.push(finding.note("the game never shows them").help("correct the numbers of fidget files"));
         }
     }
     let unlisted: BTreeSet<&str> = files.iter().filter(|file| !of_list(file)).map(|file| file.root.as_str()).collect();
     found.extend(unlisted.into_iter().map(|root| {
-        let headline = format!("heads.lst has no line for {}", show::name(root));
-        Diagnostic::new(Code::HeadFiles, headline).help(format!("add `{root},1,1,1` with its numbers of fidget files"))
+        let message = format!("heads.lst has no line for {}", escape::quoted(root));
+        Diagnostic::new(Code::HeadFiles, message).help(format!("add `{root},1,1,1` with its numbers of fidget files"))
     }));
     found
 }
@@ -81,7 +80,7 @@ pub fn compare(heads: &[Head], files: &[HeadFile]) -> Vec<Diagnostic> {
 /// Names of files for a message: the first few, and how many more.
 fn listed(names: &[&str]) -> String {
     const SHOWN: usize = 6;
-    let shown: Vec<String> = names.iter().take(SHOWN).map(|name| show::name(name)).collect();
+    let shown: Vec<String> = names.iter().take(SHOWN).map(|name| escape::quoted(name)).collect();
     match names.len().saturating_sub(SHOWN) {
         0 => shown.join(", "),
         more => format!("{} and {more} more", shown.join(", ")),
@@ -100,7 +99,7 @@ mod tests {
     fn headlines(list: &str, names: &[&str]) -> Vec<String> {
         let (heads, found) = read_list(list);
         assert_eq!(found, []);
-        compare(&heads, &files(names)).into_iter().map(|finding| finding.headline).collect()
+        compare(&heads, &files(names)).into_iter().map(|finding| finding.message).collect()
     }
 
     #[test]

@@ -2,8 +2,7 @@
 
 use super::{ByteOrder, Lip, Marker, offset};
 use crate::fallout::{LAST_PHONEME, list, place};
-use lipz::diagnostic::show;
-use lipz::{Code, Diagnostic};
+use lipz_diagnostics::{Code, Diagnostic, escape};
 
 /// Bits of the flag word, and what they mean while the game runs.
 const FLAGS: [(u32, &str); 2] =
@@ -33,19 +32,19 @@ impl Lip {
         ];
         let unusual = words.into_iter().filter(|(_, value, usual)| value != usual);
         found.extend(unusual.map(|(range, value, usual)| {
-            let headline = format!("the word at {:#04x} is {value:#x}, in other files {usual:#x}", range.start);
-            place(Code::LipHeader, range, headline).note("the game reads it and does not use it")
+            let message = format!("the word at {:#04x} is {value:#x}, in other files {usual:#x}", range.start);
+            place(Code::LipHeader, range, message).note("the game reads it and does not use it")
         }));
         if self.flags != 0 {
-            let headline = format!("the flags are {:#x}, in other files 0", self.flags);
-            let finding = place(Code::LipHeader, offset::FLAGS, headline);
+            let message = format!("the flags are {:#x}, in other files 0", self.flags);
+            let finding = place(Code::LipHeader, offset::FLAGS, message);
             let set = FLAGS.iter().filter(|(bit, _)| self.flags & bit != 0);
             found.push(set.fold(finding, |finding, (_, meaning)| finding.note(*meaning)));
         }
         if self.extension != Lip::EXTENSION {
             let shown = String::from_utf8_lossy(&self.extension);
-            let headline = format!("the extension of the sound is {}, in other files `VOC`", show::name(&shown));
-            found.push(place(Code::LipHeader, offset::EXTENSION, headline).note("the game does not use it"));
+            let message = format!("the extension of the sound is {}, in other files `VOC`", escape::quoted(&shown));
+            found.push(place(Code::LipHeader, offset::EXTENSION, message).note("the game does not use it"));
         }
     }
 
@@ -53,15 +52,15 @@ impl Lip {
         let length = self.length();
         let end = self.markers.last().map_or(0, |marker| marker.position);
         if length.order == ByteOrder::Little {
-            let headline = format!("the length of the sound, {}, is stored little-endian", length.bytes);
+            let message = format!("the length of the sound, {}, is stored little-endian", length.bytes);
             found.push(
-                place(Code::LipLengthOrder, offset::LENGTH, headline)
+                place(Code::LipLengthOrder, offset::LENGTH, message)
                     .note("all other words are big-endian; most files of the game have this, which does not use it"),
             );
         }
         if length.bytes != end {
-            let headline = format!("the sound is {} bytes long, but the last marker stands at {end}", length.bytes);
-            found.push(place(Code::LipLength, offset::LENGTH, headline).note("the markers are used"));
+            let message = format!("the sound is {} bytes long, but the last marker stands at {end}", length.bytes);
+            found.push(place(Code::LipLength, offset::LENGTH, message).note("the markers are used"));
         }
     }
 
@@ -70,8 +69,8 @@ impl Lip {
         if markers == phonemes + 1 {
             return;
         }
-        let headline = format!("{phonemes} phonemes have {markers} markers, not {}", phonemes + 1);
-        let finding = place(Code::LipCounts, offset::PHONEME_COUNT.start..offset::MARKER_COUNT.end, headline);
+        let message = format!("{phonemes} phonemes have {markers} markers, not {}", phonemes + 1);
+        let finding = place(Code::LipCounts, offset::PHONEME_COUNT.start..offset::MARKER_COUNT.end, message);
         found.push(finding.note(if markers <= phonemes {
             "the last marker ends the speech; phonemes without a marker before it are not shown"
         } else {
@@ -81,41 +80,41 @@ impl Lip {
 
     fn names(&self, file_stem: &str, found: &mut Vec<Diagnostic>) {
         let sound = self.sound();
-        let mut add = |headline: String| {
+        let mut add = |message: String| {
             found.push(
-                place(Code::LipName, offset::NAME, headline)
+                place(Code::LipName, offset::NAME, message)
                     .note("the game uses the name of the file, and so does the key"),
             );
         };
         if !self.name.is_ascii() {
-            add(format!("the name of the sound is not ASCII: {}", show::name(&sound)));
+            add(format!("the name of the sound is not ASCII: {}", escape::quoted(&sound)));
         } else if !sound.eq_ignore_ascii_case(file_stem) {
-            let (sound, file) = (show::name(&sound), show::name(file_stem));
+            let (sound, file) = (escape::quoted(&sound), escape::quoted(file_stem));
             add(format!("the name of the sound is {sound}, that of the file {file}"));
         }
         let behind = self.name.iter().skip(sound.chars().count());
         if behind.copied().any(|byte| byte != 0) {
-            add(format!("bytes follow the end of the name of the sound, {}", show::name(&sound)));
+            add(format!("bytes follow the end of the name of the sound, {}", escape::quoted(&sound)));
         }
     }
 
     fn phoneme_codes(&self, found: &mut Vec<Diagnostic>) {
         let unknown = self.phonemes.iter().copied().enumerate().filter(|&(_, code)| code > LAST_PHONEME);
         let findings = unknown.map(|(index, code)| {
-            let headline = format!("phoneme {index} is {code:#04x}, but the codes end at {LAST_PHONEME:#04x}");
-            place(Code::LipPhoneme, Lip::phoneme_place(index), headline).note("it is shown as rest")
+            let message = format!("phoneme {index} is {code:#04x}, but the codes end at {LAST_PHONEME:#04x}");
+            place(Code::LipPhoneme, Lip::phoneme_place(index), message).note("it is shown as rest")
         });
         list(found, findings);
     }
 
     fn marker_types(&self, found: &mut Vec<Diagnostic>) {
         let findings = self.markers.iter().enumerate().filter_map(|(index, marker)| {
-            let headline = match (index, marker.kind) {
+            let message = match (index, marker.kind) {
                 (0, 0) => "the type of the first marker is 0, in other files 1".to_owned(),
                 (_, 0 | 1) => return None,
                 (_, kind) => format!("the type of marker {index} is {kind:#x}, neither 0 nor 1"),
             };
-            let finding = place(Code::LipMarkerType, self.marker_place(index), headline);
+            let finding = place(Code::LipMarkerType, self.marker_place(index), message);
             Some(finding.note("the game does not use the types of markers"))
         });
         list(found, findings);
@@ -123,15 +122,15 @@ impl Lip {
 
     fn marker_order(&self, found: &mut Vec<Diagnostic>) {
         if let Some(first) = self.markers.first().filter(|first| first.position != 0) {
-            let headline = format!("the first marker stands at {}, not at 0", first.position);
-            let finding = place(Code::LipMarkerOrder, self.marker_place(0), headline);
+            let message = format!("the first marker stands at {}, not at 0", first.position);
+            let finding = place(Code::LipMarkerOrder, self.marker_place(0), message);
             found.push(finding.note("the mouth rests before it"));
         }
         let pairs = self.markers.windows(2).enumerate();
         let findings = pairs.filter_map(|(index, pair)| {
             let [Marker { position: before, .. }, Marker { position, .. }] = pair else { return None };
-            let headline = format!("marker {} runs backwards, from {before} to {position}", index + 1);
-            let finding = place(Code::LipMarkerOrder, self.marker_place(index + 1), headline);
+            let message = format!("marker {} runs backwards, from {before} to {position}", index + 1);
+            let finding = place(Code::LipMarkerOrder, self.marker_place(index + 1), message);
             let note =
                 "as in the game, its phoneme starts at the last place before it, and hides the one that starts there";
             (position < before).then(|| finding.note(note))

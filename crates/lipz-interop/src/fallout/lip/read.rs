@@ -2,7 +2,7 @@
 
 use super::{HEADER_BYTES, Lip, MARKER_BYTES, Marker, NAME_BYTES, VERSION, offset};
 use crate::fallout::place;
-use lipz::{Code, Diagnostic};
+use lipz_diagnostics::{Code, Diagnostic};
 use std::ops::Range;
 
 /// Bytes of a file of version 1: the game's structure with its pointers.
@@ -54,8 +54,8 @@ impl Header<'_> {
     fn array<const N: usize>(&self, range: Range<usize>) -> Result<[u8; N], Box<Diagnostic>> {
         let array = self.0.get(range).and_then(|bytes| bytes.try_into().ok());
         array.ok_or_else(|| {
-            let headline = format!("the file ends within the header, after {} of {HEADER_BYTES} bytes", self.0.len());
-            Box::new(whole_again(Diagnostic::new(Code::LipCutOff, headline)))
+            let message = format!("the file ends within the header, after {} of {HEADER_BYTES} bytes", self.0.len());
+            Box::new(whole_again(Diagnostic::new(Code::LipCutOff, message)))
         })
     }
 
@@ -72,10 +72,10 @@ fn split(bytes: &[u8], count: u32, item_bytes: usize) -> Option<(&[u8], &[u8])> 
 
 fn cut_off_body(length_bytes: usize, phonemes: u32, markers: u32) -> Diagnostic {
     let needed = HEADER_BYTES as u64 + u64::from(phonemes) + u64::from(markers) * MARKER_BYTES as u64;
-    let headline = format!("the file ends before its last marker: it has {length_bytes} of {needed} bytes");
+    let message = format!("the file ends before its last marker: it has {length_bytes} of {needed} bytes");
     let counts = format!("the header counts {phonemes} phonemes and {markers} markers");
     let places = offset::PHONEME_COUNT.start..offset::MARKER_COUNT.end;
-    whole_again(place(Code::LipCutOff, places, headline).note(counts))
+    whole_again(place(Code::LipCutOff, places, message).note(counts))
 }
 
 fn whole_again(finding: Diagnostic) -> Diagnostic {
@@ -83,7 +83,7 @@ fn whole_again(finding: Diagnostic) -> Diagnostic {
 }
 
 fn refused_version(version: u32) -> Diagnostic {
-    let at = |headline: String| place(Code::LipVersion, offset::VERSION, headline);
+    let at = |message: String| place(Code::LipVersion, offset::VERSION, message);
     match version {
         1 => at("this is a LIP file of version 1, which has no mouth shapes".into())
             .note(format!(

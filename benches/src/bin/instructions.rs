@@ -1,0 +1,112 @@
+//! `cargo xtask instructions`: what the reader's queries cost in instructions, held to limits.
+//!
+//! Times jitter with the machine, instruction counts do not: they can fail a build. The limits are in
+//! `benches/instructions.txt`; `--bless` writes what is counted now.
+
+use clap::Parser;
+use lipz_benches::{callgrind, temporary_folder};
+use lipz_compiler::{Input, Options, compile};
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Count the instructions of the reader's queries and hold them to their limits.
+#[derive(Parser, Debug)]
+#[command(name = "cargo xtask instructions", max_term_width = 100)]
+struct Settings {
+    /// Make what is counted now the limits
+    #[arg(long)]
+    bless: bool,
+}
+
+/// Why counting failed.
+type Failure = String;
+
+/// The file of limits.
+const LIMITS: &str = "benches/instructions.txt";
+/// Percent above its limit at which a count fails: another patch version of the compiler may move it
+/// so far.
+const TOLERANCE_PERCENT: u64 = 5;
+/// Clips of the bank that is asked: what is counted hardly depends on it.
+const CLIPS: usize = 1000;
+/// Locales of each clip.
+const LOCALES: usize = 5;
+/// Questions about the whole bank, which take millions of instructions, and are asked less often.
+const WHOLE_BANK: [&str; 1] = ["verify"];
+
+fn main() -> Result<(), Failure> {
+    let settings = Settings::parse();
+    let limits_path = Path::new(env!("CARGO_MANIFEST_DIR")).join("instructions.txt");
+    let limits = std::fs::read_to_string(&limits_path).map_err(|error| format!("`{LIMITS}`: {error}"))?;
+    let program = queries()?;
+    let folder = temporary_folder()?;
+    let bank = folder.path().join("counted.lipzbank");
+    std::fs::write(&bank, bank_bytes()?).map_err(|error| error.to_string())?;
+
+    let (mut counted, mut too_many) = (String::new(), Vec::new());
+    println!("{:<20} {:>9} {:>9}", "question", "counted", "limit");
+    for line in limits.lines() {
+        let Some((question, limit)) = limit_of(line) else {
+            counted.push_str(line);
+            counted.push('\n');
+            continue;
+        };
+        let count = count(&program, &bank, question)?;
+        println!("{question:<20} {count:>9} {limit:>9}");
+        let _ = writeln!(counted, "{question}: {count}");
+        if is_too_much(count, limit) {
+            too_many.push(question);
+        }
+    }
+    if settings.bless {
+        return std::fs::write(&limits_path, counted).map_err(|error| format!("`{LIMITS}`: {error}"));
+    }
+    if too_many.is_empty() {
+        return Ok(());
+    }
+    Err(format!("more instructions than `{LIMITS}` allows: {}", too_many.join(", ")))
+}
+
+fn is_too_much(count: u64, limit: u64) -> bool {
+    count * 100 > limit * (100 + TOLERANCE_PERCENT)
+}
+
+/// A line of the file of limits, `question: limit`; other lines are comments.
+fn limit_of(line: &str) -> Option<(&str, u64)> {
+    let (question, limit) = line.split_once(": ")?;
+    Some((question, limit.parse().ok()?))
+}
+
+/// The program that asks, which is built with this one.
+fn queries() -> Result<PathBuf, Failure> {
+    let this = std::env::current_exe().map_err(|error| format!("where is this program? {error}"))?;
+    Ok(this.with_file_name(format!("queries{}", std::env::consts::EXE_SUFFIX)))
+}
+
+fn bank_bytes() -> Result<Vec<u8>, Failure> {
+    let files = lipz_benches::files(CLIPS, LOCALES);
+    let inputs: Vec<Input> = files.iter().map(|(key, json)| Input::from_bytes(key, json.as_bytes())).collect();
+    let options = Options { strip: true, ..Options::default() };
+    compile(&inputs, &options, &|_| {}).bank.ok_or_else(|| "the generated clips have errors".to_owned())
+}
+
+/// Instructions of one answer: what twice as many take more.
+fn count(program: &Path, bank: &Path, question: &str) -> Result<u64, Failure> {
+    let times = if WHOLE_BANK.contains(&question) { 2 } else { 10_000 };
+    let ask =
+        |times: u64| callgrind::instructions(Command::new(program).arg(bank).arg(question).arg(times.to_string()));
+    Ok(ask(2 * times)?.saturating_sub(ask(times)?) / times)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limits_allow_a_little_more() {
+        assert_eq!(limit_of("find by id: 100"), Some(("find by id", 100)));
+        assert_eq!(limit_of("# a comment: not a number"), None);
+        assert!(!is_too_much(105, 100));
+        assert!(is_too_much(106, 100));
+    }
+}

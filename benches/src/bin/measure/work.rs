@@ -1,0 +1,253 @@
+//! The pieces of work that are measured, each in a process of its own.
+
+use crate::Failure;
+use clap::ValueEnum;
+use lipz_compiler::{Compiled, Input, Options, Phases, discover};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use std::fs::File;
+use std::hint::black_box;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// A piece of work.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+pub(super) enum Work {
+    List,
+    Stat,
+    Read,
+    Borrowed,
+    Value,
+    Pack,
+    Strip,
+    Again,
+}
+
+impl Work {
+    pub(super) const ALL: [Work; 8] =
+        [Work::List, Work::Stat, Work::Read, Work::Borrowed, Work::Value, Work::Pack, Work::Strip, Work::Again];
+
+    /// What it is called in the table.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Work::List => "list the tree",
+            Work::Stat => "list, stat of every file",
+            Work::Read => "list, read",
+            Work::Borrowed => "list, read, serde_json into a borrowed struct",
+            Work::Value => "list, read, serde_json into a `Value`",
+            Work::Pack => "**pack**",
+            Work::Strip => "**pack --strip**",
+            Work::Again => "**pack --cache after one file changed**",
+        }
+    }
+
+    /// What it is called on the command line of the child.
+    pub(super) fn argument(self) -> String {
+        self.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
+    }
+}
+
+/// What one run of a piece of work took.
+#[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
+pub(super) struct Measurement {
+    /// On the clock, from the path of the folder to the end of the work.
+    pub(super) seconds: f64,
+    /// Parts of it, by name; those in brackets are sums over threads.
+    pub(super) phases: Vec<(String, f64)>,
+    /// Peak of the process's memory; `None` on systems that do not tell.
+    pub(super) peak_bytes: Option<u64>,
+    /// Size of the bank.
+    pub(super) bank_bytes: Option<u64>,
+}
+
+pub(super) fn run(work: Work, folder: &Path, bank: &Path, threads: usize) -> Result<Measurement, Failure> {
+    let mut measurement = Measurement::default();
+    if work == Work::Again {
+        change_one_file(folder, bank, threads)?;
+    }
+    let start = Instant::now();
+    match work {
+        Work::List => {
+            black_box(lipz_benches::list(folder).map_err(|error| error.to_string())?);
+        }
+        Work::Stat => each_path(folder, threads, |path| {
+            path.metadata()
+                .map(|metadata| usize::try_from(metadata.len()).unwrap_or(usize::MAX))
+                .map_err(|error| failed(path, &error))
+        })?,
+        Work::Read => each_file(folder, threads, |bytes| Ok(bytes.len()))?,
+        Work::Borrowed => each_file(folder, threads, |bytes| {
+            let clip: Borrowed<'_> = serde_json::from_slice(bytes).map_err(|error| error.to_string())?;
+            Ok(black_box(clip).visemes.len())
+        })?,
+        Work::Value => each_file(folder, threads, |bytes| {
+            let value: serde_json::Value = serde_json::from_slice(bytes).map_err(|error| error.to_string())?;
+            Ok(black_box(value).as_object().map_or(0, serde_json::Map::len))
+        })?,
+        Work::Pack => pack(folder, bank, threads, false, &mut measurement)?,
+        Work::Strip => pack(folder, bank, threads, true, &mut measurement)?,
+        Work::Again => pack_again(folder, bank, threads, &mut measurement)?,
+    }
+    measurement.seconds = start.elapsed().as_secs_f64();
+    measurement.peak_bytes = peak_bytes();
+    Ok(measurement)
+}
+
+/// A clip as a program reads it that knows its elements and locales: strings stay in the file.
+#[derive(Deserialize)]
+#[expect(dead_code, reason = "what is measured is filling it")]
+struct Borrowed<'f> {
+    fps: f64,
+    viseme_type: &'f str,
+    visemes: &'f str,
+    events: Option<&'f str>,
+    #[serde(rename = "text_en-us")]
+    text_en: Option<&'f str>,
+    #[serde(rename = "text_de-de")]
+    text_de: Option<&'f str>,
+    #[serde(rename = "text_fr-fr")]
+    text_fr: Option<&'f str>,
+    #[serde(rename = "text_ru-ru")]
+    text_ru: Option<&'f str>,
+    #[serde(rename = "text_ja-jp")]
+    text_ja: Option<&'f str>,
+    #[serde(rename = "text_zh-cn")]
+    text_zh: Option<&'f str>,
+    #[serde(rename = "text_ko-kr")]
+    text_ko: Option<&'f str>,
+    #[serde(rename = "text_ar-sa")]
+    text_ar: Option<&'f str>,
+    #[serde(rename = "text_el-gr")]
+    text_el: Option<&'f str>,
+    #[serde(rename = "text_he-il")]
+    text_he: Option<&'f str>,
+    #[serde(rename = "text_hi-in")]
+    text_hi: Option<&'f str>,
+    #[serde(rename = "text_th-th")]
+    text_th: Option<&'f str>,
+}
+
+/// Lists the files and does something with the bytes of each, on `threads` threads.
+fn each_file(
+    folder: &Path,
+    threads: usize,
+    work: impl Fn(&[u8]) -> Result<usize, Failure> + Sync,
+) -> Result<(), Failure> {
+    each_path(folder, threads, |path| work(&std::fs::read(path).map_err(|error| failed(path, &error))?))
+}
+
+/// Lists the files and does something with the path of each, on `threads` threads.
+fn each_path(
+    folder: &Path,
+    threads: usize,
+    work: impl Fn(&Path) -> Result<usize, Failure> + Sync,
+) -> Result<(), Failure> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(|error| error.to_string())?;
+    let files = lipz_benches::list(folder).map_err(|error| error.to_string())?;
+    let sizes: Result<Vec<usize>, Failure> = pool.install(|| files.par_iter().map(|path| work(path)).collect());
+    black_box(sizes?);
+    Ok(())
+}
+
+fn failed(path: &Path, error: &io::Error) -> Failure {
+    format!("`{}`: {error}", path.display())
+}
+
+fn pack(folder: &Path, bank: &Path, threads: usize, strip: bool, measurement: &mut Measurement) -> Result<(), Failure> {
+    let options = Options { strip, threads: Some(threads), ..Options::default() };
+    packing(folder, measurement, |inputs| lipz_compiler::pack(inputs, &options, bank, &|_| {}))
+}
+
+/// Packs with a cache beside the bank.
+fn pack_again(folder: &Path, bank: &Path, threads: usize, measurement: &mut Measurement) -> Result<(), Failure> {
+    let options = Options { threads: Some(threads), ..Options::default() };
+    let (bank, cache) = remembered(bank);
+    packing(folder, measurement, |inputs| lipz_compiler::pack_cached(inputs, &options, &bank, &cache, &|_| {}))
+}
+
+/// Bank and cache of [`pack_again`]: no other piece of work touches them.
+fn remembered(bank: &Path) -> (PathBuf, PathBuf) {
+    (bank.with_extension("again.lipzbank"), bank.with_extension("cache"))
+}
+
+/// Makes the cache if there is none, then changes a file.
+fn change_one_file(folder: &Path, bank: &Path, threads: usize) -> Result<(), Failure> {
+    if !remembered(bank).1.exists() {
+        pack_again(folder, bank, threads, &mut Measurement::default())?;
+    }
+    let files = lipz_benches::list(folder).map_err(|error| error.to_string())?;
+    let Some(path) = files.first() else { return Ok(()) };
+    let mut file = File::options().append(true).open(path).map_err(|error| failed(path, &error))?;
+    file.write_all(b"\n").map_err(|error| failed(path, &error))
+}
+
+/// Finds the inputs and hands them to `pack`; takes the time of its phases.
+fn packing(
+    folder: &Path,
+    measurement: &mut Measurement,
+    pack: impl FnOnce(&[Input]) -> Compiled,
+) -> Result<(), Failure> {
+    let start = Instant::now();
+    let (inputs, reports) = discover(&[folder.to_owned()], None);
+    let discovered = start.elapsed();
+    let start = Instant::now();
+    let compiled = pack(&inputs);
+    let packing = start.elapsed();
+    let finding = reports.iter().chain(&compiled.reports).flat_map(|report| &report.diagnostics).next();
+    if let Some(finding) = finding {
+        return Err(format!("packing made-up clips: {}", finding.message));
+    }
+    measurement.bank_bytes = compiled.bank.map(|bank| bank.len() as u64);
+    measurement.phases = phases(discovered, packing, &compiled.phases);
+    Ok(())
+}
+
+fn phases(discovered: Duration, packing: Duration, phases: &Phases) -> Vec<(String, f64)> {
+    let accounted = phases.cache + phases.files + phases.localise + phases.lower + phases.finish;
+    let parts = [
+        ("discover", discovered),
+        ("cache", phases.cache),
+        ("files", phases.files),
+        ("(recall, all threads)", phases.recall),
+        ("(read, all threads)", phases.read),
+        ("(parse, all threads)", phases.parse),
+        ("(check, all threads)", phases.check),
+        ("localise", phases.localise),
+        ("lower", phases.lower),
+        ("verify; write and sync", phases.finish),
+        ("in no phase", packing.saturating_sub(accounted)),
+    ];
+    parts.map(|(name, time)| (name.to_owned(), time.as_secs_f64())).into()
+}
+
+/// The high-water mark of this process's memory, where Linux tells it.
+fn peak_bytes() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    let kibibytes: u64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
+    Some(kibibytes * 1024)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_piece_of_work_gets_through() {
+        let temporary = lipz_benches::temporary_folder().unwrap();
+        let folder = temporary.path().join("clips");
+        let bank = temporary.path().join("measured.lipzbank");
+        lipz_benches::write_clips(230, 12, 3, &folder).unwrap();
+        let mut sizes = Vec::new();
+        for work in Work::ALL {
+            let measurement = run(work, &folder, &bank, 2).unwrap();
+            assert!(measurement.seconds > 0.0);
+            assert_eq!(measurement.peak_bytes.is_some(), cfg!(target_os = "linux"));
+            sizes.extend(measurement.bank_bytes);
+            let parts = measurement.phases.iter().filter(|(name, _)| !name.starts_with('('));
+            assert!(parts.map(|(_, seconds)| seconds).sum::<f64>() <= measurement.seconds);
+        }
+        assert!(matches!(sizes[..], [whole, stripped, again] if stripped < whole && again == whole), "{sizes:?}");
+    }
+}

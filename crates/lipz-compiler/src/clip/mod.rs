@@ -1,0 +1,105 @@
+//! A checked clip: what a Lipz file means, free of how it is written.
+
+mod locales;
+mod packed;
+mod store;
+
+pub(crate) use locales::Locales;
+pub(crate) use store::{Clip, Clips};
+
+use crate::hashed::hash;
+use crate::strings::Strings;
+use lipz_bank::{Fps, VisemeType};
+use lipz_layout::U16;
+use std::ops::Range;
+
+/// One clip as the check makes it. A thread fills the same one for all of its files, so that its
+/// buffers are made once, and adds it to its [`Clips`].
+#[derive(Debug, Default)]
+pub(crate) struct ClipData {
+    /// Frame rate, of the file or the project's default.
+    pub(crate) fps: Option<Fps>,
+    /// Viseme type, of the file or the project's default.
+    pub(crate) viseme_type: Option<VisemeType>,
+    /// Whether the file has a `visemes` element.
+    pub(crate) has_visemes: bool,
+    /// Frame codes, without delimiters.
+    pub(crate) frames: Vec<u8>,
+    /// Start frames of all segments; the first is 0.
+    pub(crate) starts: Vec<u32>,
+    /// Texts in the order of their locales' tags.
+    pub(crate) texts: Vec<ClipText>,
+    /// The runs of all texts: where each text of a locale ends, modulo 2¹⁶, then the texts.
+    pub(crate) runs: Vec<u8>,
+    /// Room for the display texts of one locale, before they become a run.
+    pub(crate) displays: Strings,
+    /// Whether the file has an `events` element.
+    pub(crate) has_events: bool,
+    /// Trimmed event strings of all segments, if it has.
+    pub(crate) events: Strings,
+    /// Whether an element has another number of segments than the clip, and was joined to one.
+    pub(crate) has_joined: bool,
+    /// What the above lost of the file; see `source_record`. Empty when stripped.
+    pub(crate) source: Vec<u8>,
+}
+
+/// The display texts of a clip in one locale: one of its runs.
+#[derive(Clone, Debug)]
+pub(crate) struct ClipText {
+    /// Number of the locale in [`Locales`].
+    pub(crate) locale: u32,
+    /// Where the run lies among the clip's. A file, and so its texts, has less than 2²⁸ bytes.
+    place: Range<u32>,
+    /// Whether it is the text of another locale, which is not packed.
+    pub(crate) is_fallback: bool,
+    /// Hash of the texts: made while it is in the cache.
+    pub(crate) hash: u64,
+}
+
+impl ClipData {
+    /// Makes it a clip of nothing, and keeps its buffers.
+    pub(crate) fn clear(&mut self) {
+        self.frames.clear();
+        self.starts.clear();
+        self.texts.clear();
+        self.runs.clear();
+        self.displays.clear();
+        self.events.clear();
+        self.source.clear();
+        (self.has_visemes, self.has_events, self.has_joined) = (false, false, false);
+        (self.fps, self.viseme_type) = (None, None);
+    }
+
+    /// Adds `self.displays` as the texts of a locale.
+    pub(crate) fn add_displays(&mut self, locale: u32) {
+        let start = self.runs.len();
+        self.runs.extend(self.displays.ends().iter().flat_map(|&end| (end as u16).to_le_bytes()));
+        let texts = self.displays.text().as_bytes();
+        self.runs.extend_from_slice(texts);
+        self.add_run(locale, start, hash(texts), false);
+    }
+
+    /// Adds texts that lie in a bank, one per segment, as those of a locale.
+    pub(crate) fn add_texts<'b>(&mut self, locale: u32, texts: impl Iterator<Item = &'b [u8]>, is_fallback: bool) {
+        let start = self.runs.len();
+        let texts_start = start + size_of::<U16>() * self.starts.len();
+        self.runs.resize(texts_start, 0);
+        for (number, text) in texts.enumerate() {
+            self.runs.extend_from_slice(text);
+            let end = (self.runs.len() - texts_start) as u16;
+            self.runs[start + size_of::<U16>() * number..][..size_of::<U16>()].copy_from_slice(&end.to_le_bytes());
+        }
+        self.add_run(locale, start, hash(&self.runs[texts_start..]), is_fallback);
+    }
+
+    /// Adds what stands in `runs` from `start` on as the texts of a locale.
+    fn add_run(&mut self, locale: u32, start: usize, hash: u64, is_fallback: bool) {
+        let place = start as u32..self.runs.len() as u32;
+        self.texts.push(ClipText { locale, place, is_fallback, hash });
+    }
+
+    /// Bytes of the display texts alone, without the table of ends.
+    pub(crate) fn text_bytes(&self, text: &ClipText) -> usize {
+        text.place.len() - size_of::<U16>() * self.starts.len()
+    }
+}

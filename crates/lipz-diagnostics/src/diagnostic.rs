@@ -1,0 +1,139 @@
+//! One diagnostic: what is wrong, where, how bad it is, and what to do about it.
+
+use crate::{Code, Span, escape};
+use std::fmt;
+
+/// How bad a finding is.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Severity {
+    /// The input is used as described; someone should look at it.
+    Warning,
+    /// No bank is written.
+    Error,
+}
+
+impl fmt::Display for Severity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Severity::Warning => "warning",
+            Severity::Error => "error",
+        })
+    }
+}
+
+/// A marked stretch of the source with a remark under it.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Label {
+    /// What is marked.
+    pub span: Span,
+    /// What to say about it; may be empty.
+    pub text: String,
+}
+
+/// A change of the source that certainly keeps what the author meant.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Fix {
+    /// What is replaced.
+    pub span: Span,
+    /// What stands there afterwards.
+    pub replacement: String,
+}
+
+/// One finding in one file.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub struct Diagnostic {
+    /// The rule behind the finding.
+    pub code: Code,
+    /// How bad it is, by default [`Code::default_severity`].
+    pub severity: Severity,
+    /// One sentence that is enough by itself.
+    pub message: String,
+    /// The characters that the finding is about; `None` if it is about the whole file.
+    pub primary: Option<Label>,
+    /// Other places that belong to the finding.
+    pub labels: Vec<Label>,
+    /// Further facts, one line each.
+    pub notes: Vec<String>,
+    /// What to do.
+    pub help: Option<String>,
+    /// The change that does it, if one is certain.
+    pub fix: Option<Fix>,
+}
+
+/// `error[LZ0401]: message`, then notes and help, a line each; without the place, which only a
+/// [`Report`](crate::Report) can tell.
+impl fmt::Display for Diagnostic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{}[{}]: {}", self.severity, self.code, escape::text(&self.message))?;
+        for note in &self.notes {
+            writeln!(f, "  note: {}", escape::text(note))?;
+        }
+        self.help.iter().try_for_each(|help| writeln!(f, "  help: {}", escape::text(help)))
+    }
+}
+
+impl Diagnostic {
+    /// A finding about a whole file.
+    pub fn new(code: Code, message: impl Into<String>) -> Diagnostic {
+        Diagnostic {
+            code,
+            severity: code.default_severity(),
+            message: message.into(),
+            primary: None,
+            labels: Vec::new(),
+            notes: Vec::new(),
+            help: None,
+            fix: None,
+        }
+    }
+
+    /// A finding about the characters of `span`.
+    pub fn at(code: Code, span: Span, message: impl Into<String>) -> Diagnostic {
+        let mut diagnostic = Diagnostic::new(code, message);
+        diagnostic.primary = Some(Label { span, text: String::new() });
+        diagnostic
+    }
+
+    /// Adds a remark under the marked characters.
+    #[must_use]
+    pub fn label(mut self, text: impl Into<String>) -> Self {
+        if let Some(primary) = &mut self.primary {
+            primary.text = text.into();
+        }
+        self
+    }
+
+    /// Marks another place.
+    #[must_use]
+    pub fn also(mut self, span: Span, text: impl Into<String>) -> Self {
+        self.labels.push(Label { span, text: text.into() });
+        self
+    }
+
+    /// Adds a line of further facts.
+    #[must_use]
+    pub fn note(mut self, text: impl Into<String>) -> Self {
+        self.notes.push(text.into());
+        self
+    }
+
+    /// Says what to do.
+    #[must_use]
+    pub fn help(mut self, text: impl Into<String>) -> Self {
+        self.help = Some(text.into());
+        self
+    }
+
+    /// Offers a change that certainly keeps what the author meant.
+    #[must_use]
+    pub fn fix(mut self, span: Span, replacement: impl Into<String>) -> Self {
+        self.fix = Some(Fix { span, replacement: replacement.into() });
+        self
+    }
+
+    /// Where the finding starts, for sorting: whole-file findings come first.
+    pub fn start(&self) -> u32 {
+        self.primary.as_ref().map_or(0, |label| label.span.start)
+    }
+}

@@ -1,0 +1,99 @@
+//! Text from files as messages show it: nothing in it steers the terminal, and nothing hides.
+
+use std::borrow::Cow;
+use std::fmt::Write;
+
+/// Characters of a name that a message shows.
+const NAME_SHOWN: usize = 60;
+
+/// The text with control characters, and those that change the direction of writing, as JSON spells
+/// them.
+///
+/// ```
+/// use lipz_diagnostics::escape;
+/// assert_eq!(escape::text("灯台\u{1b}[31m\n"), "灯台\\u001B[31m\\n");
+/// ```
+pub fn text(text: &str) -> Cow<'_, str> {
+    if !text.contains(steers) {
+        return Cow::Borrowed(text);
+    }
+    let mut shown = String::with_capacity(text.len() + 8);
+    for c in text.chars() {
+        match c {
+            '\n' => shown.push_str("\\n"),
+            '\r' => shown.push_str("\\r"),
+            '\t' => shown.push_str("\\t"),
+            c if steers(c) => {
+                let _ = write!(shown, "\\u{:04X}", u32::from(c));
+            }
+            c => shown.push(c),
+        }
+    }
+    Cow::Owned(shown)
+}
+
+/// A name between backquotes, cut where nobody would want to read the rest.
+pub fn quoted(name: &str) -> String {
+    match name.char_indices().nth(NAME_SHOWN) {
+        Some((end, _)) => format!("`{}…`", text(&name[..end])),
+        None => format!("`{}`", text(name)),
+    }
+}
+
+/// One character between backquotes, or its number if there is nothing to see by itself.
+///
+/// ```
+/// use lipz_diagnostics::escape;
+/// assert_eq!(escape::character('Z'), "`Z`");
+/// assert_eq!(escape::character('\u{a0}'), "U+00A0");
+/// ```
+pub fn character(c: char) -> String {
+    if has_shape(c) { format!("`{c}`") } else { code_point(c) }
+}
+
+/// Whether there is something to see of a character that stands by itself.
+pub fn has_shape(c: char) -> bool {
+    // What Rust escapes without need is to be seen; what else it escapes has no shape of its own:
+    // controls, white space, combining marks, code points without a character.
+    matches!(c, '\'' | '"' | '\\') || c.escape_debug().len() == 1
+}
+
+/// The character by its number: `U+001B`.
+pub fn code_point(c: char) -> String {
+    format!("U+{:04X}", u32::from(c))
+}
+
+/// Whether a terminal acts on the character instead of showing it.
+fn steers(c: char) -> bool {
+    c.is_control()
+        || matches!(c, '\u{61C}' | '\u{200E}' | '\u{200F}' | '\u{2028}'..='\u{202E}' | '\u{2066}'..='\u{2069}')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_steers_the_terminal() {
+        let hostile = "\u{1b}]0;title\u{7} \u{9b}31m \u{202e}cba\u{2028} \u{7f}";
+        assert_eq!(text(hostile), "\\u001B]0;title\\u0007 \\u009B31m \\u202Ecba\\u2028 \\u007F");
+        assert!(matches!(text("née 👩‍🚀 שלום"), Cow::Borrowed(_)), "what people write stays");
+    }
+
+    #[test]
+    fn characters_that_cannot_be_seen_have_numbers() {
+        for c in ['\0', '\u{a0}', '\u{ad}', '\u{308}', '\u{200b}', '\u{feff}'] {
+            assert!(character(c).starts_with("U+"), "{c:?}");
+        }
+        for c in ['Z', '"', '\'', '\\', 'Ä', '｜', '😀'] {
+            assert_eq!(character(c), format!("`{c}`"));
+        }
+    }
+
+    #[test]
+    fn long_names_are_cut() {
+        assert_eq!(quoted("x\n"), "`x\\n`");
+        assert_eq!(quoted(&"ü".repeat(60)), format!("`{}`", "ü".repeat(60)));
+        assert_eq!(quoted(&"ü".repeat(61)), format!("`{}…`", "ü".repeat(60)));
+    }
+}

@@ -1,0 +1,76 @@
+//! Applying fixes: a source text and what to replace in it → the new text.
+
+use crate::Fix;
+
+/// A text after some fixes.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Applied {
+    /// The new text.
+    pub text: String,
+    /// Which of the fixes were applied, by their places in the list.
+    pub applied: Vec<usize>,
+}
+
+/// Applies `fixes` to the text that their spans are places of. Of fixes that overlap, the one that
+/// starts first is applied; a span that is no part of the text is left out.
+///
+/// ```
+/// use lipz_diagnostics::{Fix, Span, apply};
+/// let quotes = Fix { span: Span::new(8, 12), replacement: "24".into() };
+/// let comma = Fix { span: Span::new(12, 13), replacement: String::new() };
+/// assert_eq!(apply(r#"{"fps": "24",}"#, &[&comma]).text, r#"{"fps": "24"}"#);
+/// assert_eq!(apply(r#"{"fps": "24",}"#, &[&comma, &quotes]).text, r#"{"fps": 24}"#);
+/// ```
+pub fn apply(text: &str, fixes: &[&Fix]) -> Applied {
+    let mut order: Vec<usize> = (0..fixes.len()).collect();
+    order.sort_by_key(|&index| fixes.get(index).map(|fix| fix.span));
+    let mut fixed = Applied { text: String::with_capacity(text.len()), applied: Vec::with_capacity(fixes.len()) };
+    let mut done = 0;
+    for index in order {
+        let Some(fix) = fixes.get(index) else { continue };
+        let range = fix.span.range();
+        // `get` is `None` for what overlaps the last fix, too.
+        if let (Some(kept), Some(_)) = (text.get(done..range.start), text.get(range.clone())) {
+            fixed.text.push_str(kept);
+            fixed.text.push_str(&fix.replacement);
+            fixed.applied.push(index);
+            done = range.end;
+        }
+    }
+    fixed.text.push_str(text.get(done..).unwrap_or_default());
+    fixed
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Span;
+
+    fn fixed(text: &str, fixes: &[(usize, usize, &str)]) -> (String, Vec<usize>) {
+        let fixes: Vec<Fix> = fixes
+            .iter()
+            .map(|&(start, end, replacement)| Fix { span: Span::new(start, end), replacement: replacement.into() })
+            .collect();
+        let fixed = apply(text, &fixes.iter().collect::<Vec<_>>());
+        (fixed.text, fixed.applied)
+    }
+
+    #[test]
+    fn fixes_in_any_order() {
+        assert_eq!(fixed("abc", &[]), ("abc".into(), vec![]));
+        assert_eq!(fixed("abcdef", &[(4, 5, "E"), (0, 1, "AA"), (2, 4, "")]), ("AAbEf".into(), vec![1, 2, 0]));
+        assert_eq!(fixed("ab", &[(0, 0, "<"), (2, 2, ">"), (1, 1, "|")]), ("<a|b>".into(), vec![0, 2, 1]));
+    }
+
+    #[test]
+    fn the_first_of_two_that_overlap() {
+        assert_eq!(fixed("abcdef", &[(2, 5, "x"), (1, 3, "y")]), ("aydef".into(), vec![1]));
+        assert_eq!(fixed("abc", &[(0, 3, "x"), (1, 1, "y")]), ("x".into(), vec![0]));
+        assert_eq!(fixed("abc", &[(0, 0, ""), (0, 3, "x")]), ("x".into(), vec![0, 1]));
+    }
+
+    #[test]
+    fn spans_that_are_no_part_of_the_text() {
+        assert_eq!(fixed("aü", &[(2, 3, "x"), (9, 12, "y"), (1, 9, "z")]), ("aü".into(), vec![]));
+    }
+}

@@ -1,0 +1,89 @@
+//! What build scripts print for cargo (The Cargo Book, "Outputs of the Build Script"): one line per
+//! message, nothing of which can be taken for another.
+
+use crate::Report;
+use crate::escape;
+use crate::{Code, Diagnostic, Severity, Source};
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+/// Findings of one code that are told; the others are counted.
+const TOLD_PER_CODE: usize = 100;
+
+/// A line per finding, and one per code that has too many.
+pub fn cargo(reports: &[Report]) -> String {
+    let mut lines = String::new();
+    let mut counts: BTreeMap<(Code, Severity), usize> = BTreeMap::new();
+    for report in reports {
+        for found in &report.diagnostics {
+            let count = counts.entry((found.code, found.severity)).or_default();
+            *count += 1;
+            if *count <= TOLD_PER_CODE {
+                line(&mut lines, found.severity, &message(&report.source, found));
+            }
+        }
+    }
+    for ((code, severity), count) in counts {
+        if count > TOLD_PER_CODE {
+            let more = count - TOLD_PER_CODE;
+            line(&mut lines, severity, &format!("{more} more of {code}: {}", code.summary()));
+        }
+    }
+    lines
+}
+
+fn line(lines: &mut String, severity: Severity, message: &str) {
+    let _ = writeln!(lines, "cargo::{severity}={}", escape::text(message));
+}
+
+/// `voices/mayor.lipz:3:16: what is wrong [LZ0401]; help: what to do`.
+fn message(source: &Source, found: &Diagnostic) -> String {
+    let mut message = String::new();
+    if !source.path.is_empty() {
+        message.push_str(&source.path);
+        if found.primary.is_some() {
+            let place = source.line_column(found.start());
+            let _ = write!(message, ":{}:{}", place.line, place.column);
+        }
+        message.push_str(": ");
+    }
+    let _ = write!(message, "{} [{}]", found.message, found.code);
+    // Notes that start with a blank are rows of a table, which makes no sense on one line.
+    for note in found.notes.iter().filter(|note| !note.starts_with(' ')) {
+        let _ = write!(message, "; note: {note}");
+    }
+    if let Some(help) = &found.help {
+        let _ = write!(message, "; help: {help}");
+    }
+    message
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Span;
+
+    fn report(path: &str, text: &str, diagnostics: Vec<Diagnostic>) -> Report {
+        Report::new(Source::new(path, text), diagnostics)
+    }
+
+    #[test]
+    fn a_finding_is_one_line() {
+        let found = Diagnostic::at(Code::ForeignCode, Span::new(4, 5), "`Z` is foreign").help("use\nanother");
+        let lines = cargo(&[report("a\ncargo::rustc-env=X=1.lipz", "é\nxZ", vec![found])]);
+        assert_eq!(
+            lines,
+            "cargo::error=a\\ncargo::rustc-env=X=1.lipz:2:2: `Z` is foreign [LZ0401]; help: use\\nanother\n"
+        );
+        let lines = cargo(&[report("", "", vec![Diagnostic::new(Code::EmptyDocument, "empty")])]);
+        assert_eq!(lines, "cargo::warning=empty [LZ0204]\n");
+    }
+
+    #[test]
+    fn many_findings_of_one_code_are_counted() {
+        let many = (0..250).map(|_| Diagnostic::new(Code::UnknownElement, "odd")).collect();
+        let lines = cargo(&[report("a.lipz", "", many)]);
+        assert_eq!(lines.lines().count(), TOLD_PER_CODE + 1);
+        assert!(lines.ends_with("cargo::warning=150 more of LZ0203: an element is not one of the format\n"), "{lines}");
+    }
+}

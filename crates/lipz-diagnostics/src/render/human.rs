@@ -1,0 +1,191 @@
+//! Findings as text for people: message, place, caret, notes, help.
+//!
+//! Keys, paths and texts come from anybody: nothing in them reaches the terminal as a control
+//! character.
+
+use crate::escape;
+use crate::{Code, Diagnostic, Severity, Source};
+use crate::{Report, count};
+use annotate_snippets::renderer::DecorStyle;
+use annotate_snippets::{AnnotationKind, Group, Level as Title, Origin, Renderer, Snippet};
+use std::borrow::Cow;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write;
+
+/// Findings of one code that a run shows in full; the others are counted.
+const SHOWN_PER_CODE: usize = 100;
+
+/// Text for people: message, place, caret, notes and help of each diagnostic, 100 columns wide, without
+/// colours. [`Human`] decides otherwise.
+pub fn human(reports: &[Report]) -> String {
+    Human::default().render(reports)
+}
+
+/// How text for people looks.
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub struct Human {
+    width: usize,
+    is_styled: bool,
+}
+
+impl Default for Human {
+    fn default() -> Human {
+        Human { width: 100, is_styled: false }
+    }
+}
+
+impl Human {
+    /// Lines for a terminal of so many columns.
+    #[must_use]
+    pub fn width(mut self, columns: usize) -> Human {
+        self.width = columns;
+        self
+    }
+
+    /// With colours, as ANSI escape sequences.
+    #[must_use]
+    pub fn styled(mut self, is_styled: bool) -> Human {
+        self.is_styled = is_styled;
+        self
+    }
+
+    /// All findings, at most 100 of a code, how many others there are, and a closing count. Empty if there
+    /// are none.
+    pub fn render(self, reports: &[Report]) -> String {
+        let renderer = if self.is_styled { Renderer::styled() } else { Renderer::plain() };
+        let renderer = renderer.decor_style(DecorStyle::Ascii).term_width(self.width);
+        let mut tallies: BTreeMap<Code, Tally<'_>> = BTreeMap::new();
+        let mut text = String::new();
+        for report in reports {
+            let source = &printable(&report.source);
+            for diagnostic in &report.diagnostics {
+                if tallies.entry(diagnostic.code).or_default().is_shown(report) {
+                    text.push_str(&renderer.render(&[group(source, diagnostic)]));
+                    text.push_str("\n\n");
+                }
+            }
+        }
+        for (code, tally) in tallies.iter().filter(|(_, tally)| tally.hidden > 0) {
+            let (hidden, files) = (grouped(tally.hidden), counted(tally.files.len(), "file"));
+            let _ = writeln!(text, "{hidden} more {code} ({}) in {files} are not shown", code.summary());
+        }
+        text + &closing(reports)
+    }
+}
+
+/// How much was found, in how many files; nothing if nothing was.
+fn closing(reports: &[Report]) -> String {
+    let (errors, warnings) = (count(reports, Severity::Error), count(reports, Severity::Warning));
+    let parts: Vec<String> = [(errors, "error"), (warnings, "warning")]
+        .into_iter()
+        .filter(|(number, _)| *number > 0)
+        .map(|(number, what)| counted(number, what))
+        .collect();
+    if parts.is_empty() {
+        return String::new();
+    }
+    let files: BTreeSet<&str> = reports.iter().map(|report| report.source.path.as_str()).collect();
+    match files.iter().filter(|path| !path.is_empty()).count() {
+        0 => format!("{}\n", parts.join(" and ")),
+        files => format!("{} in {}\n", parts.join(" and "), counted(files, "file")),
+    }
+}
+
+/// A number with commas: 1,234,567.
+fn grouped(number: usize) -> String {
+    let digits = number.to_string();
+    let first = digits.len() % 3;
+    let group = |(place, digit)| (place > 0 && place % 3 == first).then_some(',').into_iter().chain([digit]);
+    digits.chars().enumerate().flat_map(group).collect()
+}
+
+/// `1 file`, `2 files`.
+fn counted(number: usize, what: &str) -> String {
+    let plural = if number == 1 { "" } else { "s" };
+    format!("{} {what}{plural}", grouped(number))
+}
+
+/// The findings of one code.
+#[derive(Default)]
+struct Tally<'r> {
+    shown: usize,
+    hidden: usize,
+    /// Paths of the files with hidden findings.
+    files: BTreeSet<&'r str>,
+}
+
+impl<'r> Tally<'r> {
+    /// Counts a finding in the file of `report` and says whether it is one of those that are shown.
+    fn is_shown(&mut self, report: &'r Report) -> bool {
+        let is_shown = self.shown < SHOWN_PER_CODE;
+        if is_shown {
+            self.shown += 1;
+        } else {
+            self.hidden += 1;
+            self.files.insert(&report.source.path);
+        }
+        is_shown
+    }
+}
+
+/// The file without the control characters U+0080 to U+009F, which the renderer does not replace as it
+/// does the others; a terminal may take U+009B for the start of a command. Their stand-in has as many
+/// bytes, so that every place stays where it is.
+fn printable(source: &Source) -> Cow<'_, Source> {
+    let steers = |c: char| matches!(c, '\u{80}'..='\u{9F}');
+    if !source.text.contains(steers) {
+        return Cow::Borrowed(source);
+    }
+    Cow::Owned(Source { path: source.path.clone(), text: source.text.replace(steers, "·") })
+}
+
+/// The finding as the renderer wants it.
+fn group<'r>(source: &'r Source, diagnostic: &'r Diagnostic) -> Group<'r> {
+    let title = match diagnostic.severity {
+        Severity::Error => Title::ERROR,
+        Severity::Warning => Title::WARNING,
+    };
+    let mut group =
+        Group::with_title(title.primary_title(escape::text(&diagnostic.message)).id(diagnostic.code.number()));
+    match &diagnostic.primary {
+        Some(_) => group = group.element(snippet(source, diagnostic)),
+        None if !source.path.is_empty() => group = group.element(Origin::path(escape::text(&source.path))),
+        None => {}
+    }
+    for note in &diagnostic.notes {
+        group = group.element(Title::NOTE.message(escape::text(note)));
+    }
+    if let Some(help) = &diagnostic.help {
+        group = group.element(Title::HELP.message(escape::text(help)));
+    }
+    group
+}
+
+fn snippet<'r>(source: &'r Source, diagnostic: &'r Diagnostic) -> Snippet<'r, annotate_snippets::Annotation<'r>> {
+    let mut snippet = Snippet::source(source.text.as_str()).path(escape::text(&source.path));
+    let labels = diagnostic.primary.iter().map(|label| (AnnotationKind::Primary, label));
+    let others = diagnostic.labels.iter().map(|label| (AnnotationKind::Context, label));
+    for (kind, label) in labels.chain(others) {
+        let end = (label.span.end as usize).min(source.text.len());
+        let start = (label.span.start as usize).min(end);
+        let annotation = kind.span(start..end);
+        snippet = snippet.annotation(if label.text.is_empty() {
+            annotation
+        } else {
+            annotation.label(escape::text(&label.text))
+        });
+    }
+    snippet
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_commas() {
+        let shown = [0, 12, 999, 1_000, 54_321, 123_456, 1_234_567].map(grouped);
+        assert_eq!(shown, ["0", "12", "999", "1,000", "54,321", "123,456", "1,234,567"]);
+    }
+}

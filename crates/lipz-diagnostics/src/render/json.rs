@@ -1,0 +1,122 @@
+//! Findings as one JSON document. Fields are only ever added (docs/VERSIONING.md).
+
+use super::places::Places;
+use crate::Label;
+use crate::{Diagnostic, LineColumn, Severity, escape};
+use crate::{Report, count};
+use serde::Serialize;
+
+/// All findings as one JSON document; also if there are none.
+pub fn json(reports: &[Report]) -> String {
+    to_json(&Document::new(reports))
+}
+
+/// The value as indented JSON, with every control character escaped: serde_json leaves those above U+007E.
+///
+/// For documents of one's own beside [`json`]. A value whose serialisation fails gives `null`.
+pub fn to_json<T: Serialize>(value: &T) -> String {
+    let json = serde_json::to_string_pretty(value).unwrap_or_else(|_| "null".to_owned());
+    json.split('\n').map(escape::text).collect::<Vec<_>>().join("\n") + "\n"
+}
+
+/// Every finding of a run.
+#[derive(Serialize)]
+struct Document<'r> {
+    errors: usize,
+    warnings: usize,
+    diagnostics: Vec<Entry<'r>>,
+}
+
+#[derive(Serialize)]
+struct Entry<'r> {
+    code: &'static str,
+    name: &'static str,
+    severity: String,
+    message: &'r str,
+    path: &'r str,
+    /// The characters that the finding is about; none if it is about the file.
+    span: Option<Span>,
+    label: Option<&'r str>,
+    /// Other places that belong to the finding.
+    labels: Vec<OtherPlace<'r>>,
+    notes: &'r [String],
+    help: Option<&'r str>,
+    fix: Option<Fix<'r>>,
+}
+
+#[derive(Serialize)]
+struct OtherPlace<'r> {
+    span: Span,
+    text: &'r str,
+}
+
+#[derive(Serialize)]
+struct Fix<'r> {
+    span: Span,
+    replacement: &'r str,
+}
+
+/// From the first character to the one after the last.
+#[derive(Serialize)]
+struct Span {
+    start: Place,
+    end: Place,
+}
+
+/// Line and column in characters, both from 1; bytes of the text from 0, not counting a byte order mark.
+#[derive(Serialize)]
+struct Place {
+    line: u32,
+    column: u32,
+    offset_bytes: u32,
+}
+
+impl<'r> Document<'r> {
+    pub(super) fn new(reports: &'r [Report]) -> Self {
+        let entries = |report: &'r Report| {
+            let places = Places::new(report);
+            report.diagnostics.iter().map(move |found| Entry::new(&report.source.path, &places, found))
+        };
+        Document {
+            errors: count(reports, Severity::Error),
+            warnings: count(reports, Severity::Warning),
+            diagnostics: reports.iter().flat_map(entries).collect(),
+        }
+    }
+}
+
+impl<'r> Entry<'r> {
+    fn new(path: &'r str, places: &Places, diagnostic: &'r Diagnostic) -> Self {
+        let primary = diagnostic.primary.as_ref();
+        let other = |label: &'r Label| OtherPlace { span: Span::new(places, label.span), text: &label.text };
+        Entry {
+            code: diagnostic.code.number(),
+            name: diagnostic.code.name(),
+            severity: diagnostic.severity.to_string(),
+            message: &diagnostic.message,
+            path,
+            span: primary.map(|label| Span::new(places, label.span)),
+            label: primary.map(|label| label.text.as_str()).filter(|text| !text.is_empty()),
+            labels: diagnostic.labels.iter().map(other).collect(),
+            notes: &diagnostic.notes,
+            help: diagnostic.help.as_deref(),
+            fix: diagnostic
+                .fix
+                .as_ref()
+                .map(|fix| Fix { span: Span::new(places, fix.span), replacement: &fix.replacement }),
+        }
+    }
+}
+
+impl Span {
+    fn new(places: &Places, span: crate::Span) -> Span {
+        let [start, end] = places.ends(span);
+        Span { start: Place::new(start, span.start), end: Place::new(end, span.end) }
+    }
+}
+
+impl Place {
+    fn new(place: LineColumn, offset_bytes: u32) -> Place {
+        Place { line: place.line, column: place.column, offset_bytes }
+    }
+}

@@ -1,0 +1,23 @@
+//! Reports as text: for people, and for the programs that read them.
+//!
+//! Each renderer takes all reports of a run and returns one string. Nothing in it steers a terminal or
+//! leaves its line, whatever is in keys, paths and texts.
+
+mod cargo;
+mod github;
+#[cfg(feature = "human")]
+mod human;
+#[cfg(feature = "json")]
+mod json;
+mod places;
+#[cfg(feature = "json")]
+mod sarif;
+
+pub use cargo::cargo;
+pub use github::github;
+#[cfg(feature = "human")]
+pub use human::{Human, human};
+#[cfg(feature = "json")]
+pub use json::{json, to_json};
+#[cfg(feature = "json")]
+pub use sarif::sarif;

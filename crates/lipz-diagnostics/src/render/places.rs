@@ -1,0 +1,72 @@
+//! Lines and columns of all findings of a file, found in one pass: a file on a single line may have
+//! many thousands of findings.
+
+use crate::Label;
+use crate::Report;
+use crate::{Diagnostic, LineColumn, Span};
+use std::collections::HashMap;
+
+/// Line and column of each byte offset that the findings of a report name.
+pub(super) struct Places(HashMap<u32, LineColumn>);
+
+impl Places {
+    pub(super) fn new(report: &Report) -> Places {
+        let spans = report.diagnostics.iter().flat_map(spans);
+        let mut offsets: Vec<u32> = spans.flat_map(|span| [span.start, span.end]).collect();
+        offsets.sort_unstable();
+        offsets.dedup();
+
+        let text = report.source.text.as_str();
+        let mut place = LineColumn { line: 1, column: 1 };
+        let mut done = 0;
+        let place_of = |offset: u32| {
+            let end = text.floor_char_boundary(offset as usize);
+            for c in text[done..end].chars() {
+                match c {
+                    '\n' => place = LineColumn { line: place.line + 1, column: 1 },
+                    _ => place.column += 1,
+                }
+            }
+            done = end;
+            (offset, place)
+        };
+        Places(offsets.into_iter().map(place_of).collect())
+    }
+
+    /// Where a span of these findings starts, and the place behind it.
+    pub(super) fn ends(&self, span: Span) -> [LineColumn; 2] {
+        let unnamed = LineColumn { line: 1, column: 1 };
+        [span.start, span.end].map(|offset| self.0.get(&offset).copied().unwrap_or(unnamed))
+    }
+}
+
+/// Every span that a finding names.
+fn spans(diagnostic: &Diagnostic) -> impl Iterator<Item = Span> {
+    let labels = diagnostic.primary.iter().chain(&diagnostic.labels).map(|label: &Label| label.span);
+    labels.chain(diagnostic.fix.iter().map(|fix| fix.span))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Code, Source};
+
+    #[test]
+    fn they_are_those_of_the_source() {
+        let source = Source { path: String::new(), text: "{ \"é\": 1,\n\r\n \"灯台😀\": 2 }".into() };
+        let end = u32::try_from(source.text.len()).unwrap_or_default();
+        let mut report = Report { source, diagnostics: Vec::new() };
+        // Also inside of characters, behind the end, and not in order.
+        for start in (0..end + 3).rev() {
+            let span = Span { start, end: end + 3 - start };
+            report.diagnostics.push(Diagnostic::at(Code::UnknownElement, span, "x"));
+        }
+        let places = Places::new(&report);
+        for diagnostic in &report.diagnostics {
+            for span in spans(diagnostic) {
+                let expected = [span.start, span.end].map(|offset| report.source.line_column(offset));
+                assert_eq!(places.ends(span), expected, "{span:?}");
+            }
+        }
+    }
+}

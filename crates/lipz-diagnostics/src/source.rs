@@ -1,0 +1,80 @@
+//! Places in source files: byte spans, lines and columns.
+
+use std::ops::Range;
+
+/// A stretch of a source file, in bytes of its text (without a byte order mark).
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
+pub struct Span {
+    /// First byte.
+    pub start: u32,
+    /// The byte after the last one.
+    pub end: u32,
+}
+
+impl Span {
+    /// The span from `start` to `end`. Files are shorter than 4 GiB, see
+    /// `lipz_file::MAX_FILE_BYTES`; longer ones saturate.
+    pub fn new(start: usize, end: usize) -> Span {
+        let clamp = |offset| u32::try_from(offset).unwrap_or(u32::MAX);
+        Span { start: clamp(start), end: clamp(end) }
+    }
+
+    /// The span as a range, for slicing.
+    pub fn range(self) -> Range<usize> {
+        self.start as usize..self.end as usize
+    }
+}
+
+/// A line and a column, both from 1. Columns count characters.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct LineColumn {
+    /// Line, from 1.
+    pub line: u32,
+    /// Column in characters (Unicode scalar values), from 1.
+    pub column: u32,
+}
+
+/// A source file: how messages name it, and its text where there is one.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Source {
+    /// Path as the user gave it, with `/`.
+    pub path: String,
+    /// The text, without a byte order mark. Bytes that are not UTF-8 are replaced.
+    pub text: String,
+}
+
+impl Source {
+    /// A file with this name and text.
+    pub fn new(path: impl Into<String>, text: impl Into<String>) -> Source {
+        Source { path: path.into(), text: text.into() }
+    }
+
+    /// Line and column of a byte offset; offsets past the end are the end.
+    pub fn line_column(&self, offset: u32) -> LineColumn {
+        let mut offset = (offset as usize).min(self.text.len());
+        while !self.text.is_char_boundary(offset) {
+            offset -= 1;
+        }
+        let before = &self.text[..offset];
+        let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+        let count = |number: usize| u32::try_from(number + 1).unwrap_or(u32::MAX);
+        LineColumn {
+            line: count(before.bytes().filter(|&byte| byte == b'\n').count()),
+            column: count(before[line_start..].chars().count()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_count_characters() {
+        let source = Source { path: String::new(), text: "a\nüö|x".into() };
+        assert_eq!(source.line_column(0), LineColumn { line: 1, column: 1 });
+        assert_eq!(source.line_column(6), LineColumn { line: 2, column: 3 });
+        assert_eq!(source.line_column(5), LineColumn { line: 2, column: 2 });
+        assert_eq!(source.line_column(99), LineColumn { line: 2, column: 5 });
+    }
+}

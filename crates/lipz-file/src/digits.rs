@@ -1,0 +1,76 @@
+//! Strings of digits: the loops and power transfers of babble.
+
+use lipz_diagnostics::{Code, Diagnostic, Span, escape};
+use std::fmt;
+
+/// Digits that a record of the bank can count.
+const MAX_DIGITS: usize = u16::MAX as usize;
+
+/// A loop or a power transfer: one digit or more.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Digits(String);
+
+/// Why a text is no loop.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum NotDigits {
+    /// There are none.
+    Empty,
+    /// A character that is no digit, and the byte at which it stands.
+    Foreign(char, usize),
+    /// More than a bank holds.
+    TooMany,
+}
+
+impl Digits {
+    /// The digits in `text`.
+    ///
+    /// ```
+    /// use lipz_file::digits::{Digits, NotDigits};
+    /// assert_eq!(Digits::parse("0123").map(|digits| digits.to_string()), Ok("0123".to_owned()));
+    /// assert_eq!(Digits::parse("01x3"), Err(NotDigits::Foreign('x', 2)));
+    /// ```
+    ///
+    /// # Errors
+    /// If they are not digits from 0 to 9, none at all, or more than 65,535.
+    pub fn parse(text: &str) -> Result<Digits, NotDigits> {
+        if let Some((at, foreign)) = text.char_indices().find(|(_, c)| !c.is_ascii_digit()) {
+            return Err(NotDigits::Foreign(foreign, at));
+        }
+        match text.len() {
+            0 => Err(NotDigits::Empty),
+            1..=MAX_DIGITS => Ok(Digits(text.to_owned())),
+            _ => Err(NotDigits::TooMany),
+        }
+    }
+
+    /// The digits.
+    pub fn as_str(&self) -> &str {
+        &self.0
+    }
+}
+
+impl fmt::Display for Digits {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl NotDigits {
+    /// The finding about the setting `name`, whose value is at `value`. `text_start` is the byte at which its text
+    /// starts, if it stands there as it is: then only the foreign character is marked.
+    pub fn finding(self, name: &str, value: Span, text_start: Option<usize>) -> Diagnostic {
+        let (what, help) = match self {
+            NotDigits::Empty => ("is empty".to_owned(), "write at least one digit; 0 alone keeps the morph still"),
+            NotDigits::Foreign(c, _) => {
+                let what = format!("has {}, which is not a digit", escape::character(c));
+                (what, "each digit from 0 to 9 is how far the morph moves")
+            }
+            NotDigits::TooMany => ("has too many digits".to_owned(), "a bank holds loops of up to 65,535 digits"),
+        };
+        let span = match (self, text_start) {
+            (NotDigits::Foreign(c, at), Some(start)) => Span::new(start + at, start + at + c.len_utf8()),
+            _ => value,
+        };
+        Diagnostic::at(Code::BabbleDigits, span, format!("`{}` {what}", escape::text(name))).help(help)
+    }
+}

@@ -1,0 +1,197 @@
+//! The document model: the elements of a Lipz file in file order, with the places of their characters.
+
+use lipz_diagnostics::Span;
+use std::borrow::Cow;
+use std::ops::Range;
+
+/// The elements of a Lipz file, in file order, known and unknown.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Document<'s> {
+    /// The elements.
+    pub elements: Vec<Element<'s>>,
+}
+
+/// One element: `"name": value`.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Element<'s> {
+    /// The name, escapes decoded.
+    pub name: JsonString<'s>,
+    /// The value.
+    pub value: Value<'s>,
+}
+
+/// The value of an element, as far as the format looks into it.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Value<'s> {
+    /// A string, escapes decoded.
+    String(JsonString<'s>),
+    /// A number in its spelling: `24`, `24.0`, `2.4e1`.
+    Number(Raw<'s>),
+    /// Anything else (`true`, `null`, an array, an object) as JSON text.
+    Other(Raw<'s>),
+}
+
+/// JSON text that is kept as it is spelled.
+#[derive(Clone, Debug)]
+pub struct Raw<'s> {
+    /// The text.
+    pub text: Cow<'s, str>,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// A decoded JSON string that can tell where each of its characters stands in the file.
+#[derive(Clone, Debug)]
+pub struct JsonString<'s> {
+    /// The decoded characters.
+    pub text: Cow<'s, str>,
+    /// The literal with its quotes; empty in a document that was not read from a file.
+    literal: &'s str,
+    /// Where the literal starts in the file.
+    start: u32,
+}
+
+/// Values are equal when they say the same, wherever they stand.
+impl PartialEq for Raw<'_> {
+    fn eq(&self, other: &Self) -> bool {
+        self.text == other.text
+    }
+}
+impl Eq for Raw<'_> {}
+
+/// Strings are equal when they say the same, however they are escaped and wherever they stand.
+impl PartialEq for JsonString<'_> {
+    fn eq(&self, other: &Self) -> bool {
+        self.text == other.text
+    }
+}
+impl Eq for JsonString<'_> {}
+
+impl<'s> Document<'s> {
+    /// The element with this name.
+    pub fn get(&self, name: &str) -> Option<&Element<'s>> {
+        self.elements.iter().find(|element| element.name.text == name)
+    }
+
+    /// The text of the string element with this name.
+    pub fn string(&self, name: &str) -> Option<&str> {
+        match &self.get(name)?.value {
+            Value::String(string) => Some(&string.text),
+            _ => None,
+        }
+    }
+}
+
+impl Value<'_> {
+    /// Where the value stands, with the quotes of a string.
+    pub fn span(&self) -> Span {
+        match self {
+            Value::String(string) => string.span(),
+            Value::Number(raw) | Value::Other(raw) => raw.span,
+        }
+    }
+
+    /// What the value is, as a writer would call it.
+    pub fn type_name(&self) -> &'static str {
+        match self {
+            Value::String(_) => "a string",
+            Value::Number(_) => "a number",
+            Value::Other(raw) => match raw.text.as_bytes().first() {
+                Some(b'{') => "an object",
+                Some(b'[') => "an array",
+                Some(b'n') => "null",
+                _ => "a boolean",
+            },
+        }
+    }
+}
+
+impl<'s> Raw<'s> {
+    /// JSON text that stands in no file.
+    pub fn new(text: impl Into<Cow<'s, str>>) -> Raw<'s> {
+        Raw { text: text.into(), span: Span::default() }
+    }
+}
+
+impl<'s> From<Cow<'s, str>> for JsonString<'s> {
+    /// A string that stands in no file.
+    fn from(text: Cow<'s, str>) -> Self {
+        JsonString { text, literal: "", start: 0 }
+    }
+}
+
+impl<'s> JsonString<'s> {
+    /// The string with this literal (quotes included), which starts at byte `start` of the file.
+    pub(crate) fn from_literal(text: Cow<'s, str>, literal: &'s str, start: u32) -> JsonString<'s> {
+        JsonString { text, literal, start }
+    }
+
+    /// Where the literal stands, with its quotes.
+    pub fn span(&self) -> Span {
+        Span::new(self.start as usize, self.start as usize + self.literal.len())
+    }
+
+    /// Where the characters of `range` (bytes of the decoded text) stand in the file, escapes
+    /// included. An empty range gives an empty span.
+    pub fn span_of(&self, range: Range<usize>) -> Span {
+        let start = self.source_offset(range.start);
+        let end = if range.is_empty() { start } else { self.source_offset(range.end) };
+        Span::new(self.start as usize + start, self.start as usize + end)
+    }
+
+    /// The literal as it is spelled in the file, or as [`literal`](crate::literal) spells it.
+    pub(crate) fn spelling(&self) -> Cow<'_, str> {
+        if self.literal.is_empty() { Cow::Owned(crate::literal(&self.text)) } else { Cow::Borrowed(self.literal) }
+    }
+
+    /// The characters, each with its spelling in the file: `é` with `é` or `\u00e9`.
+    pub(crate) fn characters(&self) -> impl Iterator<Item = (char, &str)> {
+        let mut rest = self.literal.get(1..).unwrap_or_default();
+        self.text.char_indices().map(move |(at, character)| {
+            let spelled = match first_character(rest) {
+                _ if rest.is_empty() => &self.text[at..at + character.len_utf8()],
+                (length, _) => rest.get(..length).unwrap_or_default(),
+            };
+            rest = rest.get(spelled.len()..).unwrap_or_default();
+            (character, spelled)
+        })
+    }
+
+    /// Offset in the literal of the character that starts at byte `decoded` of the text.
+    fn source_offset(&self, decoded: usize) -> usize {
+        let Some(inner) = self.literal.get(1..self.literal.len().saturating_sub(1)) else { return 0 };
+        if inner.len() == self.text.len() {
+            return 1 + decoded; // no escapes
+        }
+        let (mut at_source, mut at_decoded) = (0, 0);
+        while at_decoded < decoded && at_source < inner.len() {
+            let (source_bytes, decoded_bytes) = first_character(&inner[at_source..]);
+            at_source += source_bytes;
+            at_decoded += decoded_bytes;
+        }
+        1 + at_source
+    }
+}
+
+/// Lengths of the first character of a valid literal: as it is spelled, and decoded.
+fn first_character(inner: &str) -> (usize, usize) {
+    let mut bytes = inner.bytes();
+    match (bytes.next(), bytes.next()) {
+        (Some(b'\\'), Some(b'u')) => {
+            let unit = |at: usize| {
+                let digits = inner.get(at..at + 4)?;
+                u32::from_str_radix(digits, 16).ok()
+            };
+            match unit(2) {
+                Some(0xD800..=0xDBFF) => (12, 4), // a surrogate pair
+                Some(unit) => (6, char::from_u32(unit).map_or(3, char::len_utf8)),
+                None => (6, 1),
+            }
+        }
+        (Some(b'\\'), _) => (2, 1),
+        _ => {
+            let length = inner.chars().next().map_or(1, char::len_utf8);
+            (length, length)
+        }
+    }
+}

@@ -1,0 +1,229 @@
+//! Character Event Syntax: what the events of a segment say (Lipz specification, last chapter).
+
+use crate::text::{is_white_space, trim};
+pub use lipz_types::Command;
+use std::fmt;
+use std::ops::Range;
+
+/// What separates the events of a segment.
+pub const SEPARATOR: char = ',';
+
+/// The emotions of the specification, table "Emotions".
+pub const EMOTIONS: [&str; 11] =
+    ["neutral", "amused", "happy", "sad", "irritated", "angry", "suspicious", "confused", "afraid", "thinking", "evil"];
+
+/// A word of a segment, and where it stands.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Word<'t> {
+    /// The word.
+    pub text: &'t str,
+    /// Where it starts, in bytes of the segment.
+    pub start: usize,
+}
+
+impl Word<'_> {
+    /// Where the word stands, in bytes of the segment.
+    pub fn range(&self) -> Range<usize> {
+        self.start..self.start + self.text.len()
+    }
+}
+
+/// One event: `[character] verb …`.
+///
+/// It is displayed as it is written, with one blank between the words.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Event<'t> {
+    /// Who; `None` for the speaker of the clip.
+    pub character: Option<Word<'t>>,
+    /// What.
+    pub command: Command<Word<'t>>,
+    /// Where the verb stands, in bytes of the segment; both words of `stops staring`.
+    pub verb: Range<usize>,
+}
+
+/// The command of these two words.
+fn command<'t>(verb: &str, object: Word<'t>) -> Option<Command<Word<'t>>> {
+    Some(match (verb, object.text) {
+        ("feels", _) => Command::Feels(object),
+        ("sees", _) => Command::Sees(object),
+        ("stares", _) => Command::Stares(object),
+        ("points", _) => Command::Points(object),
+        ("does", _) => Command::Does(object),
+        ("stops", "staring") => Command::StopsStaring,
+        ("stops", "pointing") => Command::StopsPointing,
+        _ => return None,
+    })
+}
+
+impl fmt::Display for Event<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(character) = self.character {
+            write!(f, "{} ", character.text)?;
+        }
+        f.write_str(self.command.verb())?;
+        match self.command.object() {
+            Some(object) => write!(f, " {}", object.text),
+            None => Ok(()),
+        }
+    }
+}
+
+/// A stretch of a segment between two `,`: one event, or some other syntax.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Part<'t> {
+    /// The stretch with the white space around it.
+    pub text: &'t str,
+    /// Where it starts, in bytes of the segment.
+    pub start: usize,
+}
+
+impl<'t> Part<'t> {
+    /// The words of the part.
+    pub fn words(self) -> impl Iterator<Item = Word<'t>> {
+        let mut at = 0;
+        std::iter::from_fn(move || {
+            let rest = self.text.get(at..)?.trim_start_matches(is_white_space);
+            let start = self.text.len() - rest.len();
+            let text = rest.split(is_white_space).next().filter(|word| !word.is_empty())?;
+            at = start + text.len();
+            Some(Word { text, start: self.start + start })
+        })
+    }
+
+    /// The event that the part is; `None` if it is some other syntax.
+    pub fn event(self) -> Option<Event<'t>> {
+        let mut words = self.words();
+        let (first, second, third) = (words.next()?, words.next()?, words.next());
+        let (character, verb, object) = match third {
+            None => (None, first, second),
+            Some(third) => (Some(first), second, third),
+        };
+        if words.next().is_some() {
+            return None;
+        }
+        let command = command(verb.text, object)?;
+        let end = if command.object().is_some() { verb } else { object }.range().end;
+        Some(Event { character, command, verb: verb.start..end })
+    }
+}
+
+/// The parts of a segment between `,`; there is always at least one.
+pub fn parts(segment: &str) -> impl Iterator<Item = Part<'_>> {
+    let mut start = 0;
+    segment.split(SEPARATOR).map(move |text| {
+        let part = Part { text, start };
+        start += text.len() + SEPARATOR.len_utf8();
+        part
+    })
+}
+
+/// The events of a segment, separated by `,`; `None` if a part of it is some other syntax, as in
+/// scripts: then the segment is one string that only the game understands.
+///
+/// An empty segment has no events.
+///
+/// ```
+/// use lipz_file::event::parse;
+/// let events: Vec<_> = parse("feels  sad, amy stops staring").ok_or("another syntax")?.collect();
+/// assert_eq!((events[0].character, events[0].command.verb()), (None, "feels"));
+/// assert_eq!(events[0].command.object().map(|word| (word.text, word.start)), Some(("sad", 7)));
+/// assert_eq!(events[1].to_string(), "amy stops staring");
+/// assert!(parse("pointAt(butler, 3)").is_none());
+/// # Ok::<(), &str>(())
+/// ```
+pub fn parse(segment: &str) -> Option<impl Iterator<Item = Event<'_>>> {
+    let is_event = |part: Part<'_>| part.event().is_some();
+    let is_whole = trim(segment).is_empty() || parts(segment).all(is_event);
+    is_whole.then(|| parts(segment).filter_map(Part::event))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn all(segment: &str) -> Option<Vec<Event<'_>>> {
+        parse(segment).map(Iterator::collect)
+    }
+
+    /// Character, verb and object of the one event in `segment`.
+    fn one(segment: &str) -> Option<(Option<&str>, &str, Option<&str>)> {
+        match all(segment)?.as_slice() {
+            [event] => Some((
+                event.character.map(|word| word.text),
+                event.command.verb(),
+                event.command.object().map(|word| word.text),
+            )),
+            _ => None,
+        }
+    }
+
+    #[test]
+    fn every_verb_with_and_without_character() {
+        let commands = [
+            ("feels sad", "feels", Some("sad")),
+            ("sees amy", "sees", Some("amy")),
+            ("stares door", "stares", Some("door")),
+            ("stops staring", "stops staring", None),
+            ("points butler", "points", Some("butler")),
+            ("stops pointing", "stops pointing", None),
+            ("does wave", "does", Some("wave")),
+        ];
+        for (text, verb, object) in commands {
+            assert_eq!(one(text), Some((None, verb, object)));
+            assert_eq!(one(&format!("  amy\t {text} ")), Some((Some("amy"), verb, object)));
+        }
+    }
+
+    #[test]
+    fn other_syntax_is_kept_whole() {
+        for text in [
+            "pointAt(butler)",
+            "feels",
+            "amy feels very sad",
+            "stops crying",
+            "feels sad,",
+            "a,b",
+            "Feels sad",
+            "ringBell(3, \"low\")",
+        ] {
+            assert_eq!(all(text), None, "{text}");
+        }
+        assert_eq!(all(" \t"), Some(vec![]));
+    }
+
+    #[test]
+    fn words_are_where_they_stand() {
+        let text = " 日本 feels angry ,ü stops\t staring, sees 海  ";
+        let events = all(text).unwrap();
+        let at = |range: Range<usize>| &text[range];
+        let verbs: Vec<&str> = events.iter().map(|event| at(event.verb.clone())).collect();
+        assert_eq!(verbs, ["feels", "stops\t staring", "sees"]);
+        let characters: Vec<&str> = events.iter().filter_map(|event| Some(at(event.character?.range()))).collect();
+        assert_eq!(characters, ["日本", "ü"]);
+        let objects: Vec<&str> = events.iter().filter_map(|event| Some(at(event.command.object()?.range()))).collect();
+        assert_eq!(objects, ["angry", "海"]);
+    }
+
+    fn event() -> impl Strategy<Value = String> {
+        let word = "[a-zé日-]{1,5}";
+        let command = prop_oneof![
+            ("feels|sees|stares|points|does", word).prop_map(|(verb, object)| format!("{verb} {object}")),
+            "stops staring|stops pointing",
+        ];
+        (proptest::option::of(word), command).prop_map(|(character, command)| match character {
+            Some(character) => format!("{character} {command}"),
+            None => command,
+        })
+    }
+
+    proptest! {
+        /// Events that are displayed and parsed again are the same.
+        #[test]
+        fn parse_and_display(events in proptest::collection::vec(event(), 1..4)) {
+            let padded = events.join(" \t,\r\n ").replace(' ', "  ");
+            let displayed: Vec<String> = parse(&padded).unwrap().map(|event| event.to_string()).collect();
+            prop_assert_eq!(displayed, events);
+        }
+    }
+}

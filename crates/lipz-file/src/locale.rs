@@ -1,0 +1,116 @@
+//! Locales of texts: the names of `text_ll-cc` elements.
+
+use icu_locale_core::LanguageIdentifier;
+
+/// What the name of an element says about a text's locale.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum TextName {
+    /// `text_ll-cc`: the locale.
+    Canonical(String),
+    /// Another spelling of a locale, `text-en_us`, `text_EN-US`: the locale that is meant.
+    Misspelt(String),
+    /// `text` or `text_` without a locale.
+    NoLocale,
+    /// A text whose locale does not have the form `ll-cc`: the locale as written, and the BCP 47
+    /// tag in lower case if it is one.
+    OtherShape(String, Option<String>),
+}
+
+/// Reads the name of an element; `None` if it is not that of a text.
+///
+/// ```
+/// use lipz_file::locale::{TextName, text_name};
+/// assert_eq!(text_name("text_es-mx"), Some(TextName::Canonical("es-mx".into())));
+/// assert_eq!(text_name("text-en_us"), Some(TextName::Misspelt("en-us".into())));
+/// assert_eq!(text_name("texture"), None);
+/// ```
+pub fn text_name(name: &str) -> Option<TextName> {
+    let rest = name.strip_prefix("text")?;
+    let Some(separator) = rest.chars().next() else { return Some(TextName::NoLocale) };
+    if !matches!(separator, '_' | '-') {
+        return None;
+    }
+    let locale = &rest[1..];
+    if locale.is_empty() {
+        return Some(TextName::NoLocale);
+    }
+    // Nearly every name is spelled as it should be.
+    if separator == '_' && has_lipz_shape(locale) {
+        return Some(TextName::Canonical(locale.to_owned()));
+    }
+    let tag = locale.to_ascii_lowercase().replace('_', "-");
+    if has_lipz_shape(&tag) {
+        return Some(TextName::Misspelt(tag));
+    }
+    let extended = tag.parse::<LanguageIdentifier>().is_ok().then_some(tag);
+    Some(TextName::OtherShape(locale.to_owned(), extended))
+}
+
+/// The canonical form of a locale tag (`en_US` is `en-us`); `None` if it does not have the form
+/// `ll-cc`, or with `extended` is no BCP 47 language tag.
+///
+/// ```
+/// use lipz_file::locale::canonical_tag;
+/// assert_eq!(canonical_tag("en_US", false).as_deref(), Some("en-us"));
+/// assert_eq!(canonical_tag("es-419", false), None);
+/// assert_eq!(canonical_tag("es-419", true).as_deref(), Some("es-419"));
+/// ```
+pub fn canonical_tag(tag: &str, extended: bool) -> Option<String> {
+    match text_name(&format!("text_{tag}"))? {
+        TextName::Canonical(tag) | TextName::Misspelt(tag) => Some(tag),
+        TextName::OtherShape(_, tag) if extended => tag,
+        _ => None,
+    }
+}
+
+/// Whether a tag has the form `ll-cc`: two lower-case letters, a hyphen, two lower-case letters.
+pub fn has_lipz_shape(tag: &str) -> bool {
+    matches!(tag.as_bytes(), [b'a'..=b'z', b'a'..=b'z', b'-', b'a'..=b'z', b'a'..=b'z'])
+}
+
+/// The language part of a tag: `en` of `en-us`.
+pub fn language(tag: &str) -> &str {
+    tag.split('-').next().unwrap_or(tag)
+}
+
+/// Which parts of an `ll-cc` tag are in no ISO list: language (ISO 639-1), country (ISO 3166-1).
+pub fn unknown_parts(tag: &str) -> (bool, bool) {
+    let (language, country) = tag.split_once('-').unwrap_or((tag, ""));
+    let upper: [u8; 2] = match country.as_bytes() {
+        [first, second] => [first.to_ascii_uppercase(), second.to_ascii_uppercase()],
+        _ => *b"  ",
+    };
+    let country = std::str::from_utf8(&upper).ok().and_then(rust_iso3166::from_alpha2);
+    (isolang::Language::from_639_1(language).is_none(), country.is_none())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spellings() {
+        let misspelt = |tag: &str| Some(TextName::Misspelt(tag.to_owned()));
+        for name in ["text-en_us", "text_en_us", "text_EN-US", "text-en-us", "text_En_uS"] {
+            assert_eq!(text_name(name), misspelt("en-us"), "{name}");
+        }
+        for name in ["text", "text_", "text-"] {
+            assert_eq!(text_name(name), Some(TextName::NoLocale), "{name}");
+        }
+        let other = |name: &str, tag: Option<&str>| Some(TextName::OtherShape(name.into(), tag.map(Into::into)));
+        assert_eq!(text_name("text_es-419"), other("es-419", Some("es-419")));
+        assert_eq!(text_name("text_zh-Hant"), other("zh-Hant", Some("zh-hant")));
+        assert_eq!(text_name("text_en"), other("en", Some("en")));
+        assert_eq!(text_name("text_englisch-deutsch"), other("englisch-deutsch", None));
+        for name in ["texture", "Text_en-us", "visemes", "texten-us"] {
+            assert_eq!(text_name(name), None, "{name}");
+        }
+    }
+
+    #[test]
+    fn iso_lists() {
+        assert_eq!(unknown_parts("en-us"), (false, false));
+        assert_eq!(unknown_parts("en-uk"), (false, true));
+        assert_eq!(unknown_parts("xx-us"), (true, false));
+    }
+}

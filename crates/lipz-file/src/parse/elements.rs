@@ -1,0 +1,147 @@
+//! From text to elements: serde_json finds them, their places come from where it points.
+
+use super::syntax;
+use crate::document::Raw;
+use crate::{Document, Element, JsonString, Value};
+use lipz_diagnostics::{Code, Diagnostic, Span, escape};
+use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
+use serde_json::value::RawValue;
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::fmt;
+
+/// The elements of the root object, or `None` and the reason why there are none.
+pub(super) fn elements<'s>(text: &'s str, diagnostics: &mut Vec<Diagnostic>) -> Option<Document<'s>> {
+    let mut deserializer = serde_json::Deserializer::from_str(text);
+    let members = match Members::deserialize(&mut deserializer) {
+        Ok(members) => members,
+        Err(error) => {
+            diagnostics.push(syntax::explain(text, &error));
+            return None;
+        }
+    };
+    if let Err(error) = deserializer.end() {
+        diagnostics.push(syntax::explain_rest(text, &error));
+        return None;
+    }
+    let mut elements = Vec::with_capacity(members.0.len());
+    let mut complete = true;
+    let literals = Literals { text, has_escapes: has_escapes(text) };
+    for (name, value) in members.0 {
+        let element = literals
+            .string(name.get(), diagnostics)
+            .and_then(|name| Some(Element { name, value: literals.value(value.get(), diagnostics)? }));
+        complete &= element.is_some();
+        elements.extend(element);
+    }
+    complete &= unique(&elements, diagnostics);
+    complete.then_some(Document { elements })
+}
+
+/// The members of the root object: name and value as they stand in the text.
+struct Members<'s>(Vec<(&'s RawValue, &'s RawValue)>);
+
+impl<'de> Deserialize<'de> for Members<'de> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct MembersVisitor;
+        impl<'de> Visitor<'de> for MembersVisitor {
+            type Value = Members<'de>;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("an object")
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Members<'de>, A::Error> {
+                let mut members = Vec::with_capacity(16);
+                while let Some(member) = map.next_entry()? {
+                    members.push(member);
+                }
+                Ok(Members(members))
+            }
+        }
+        deserializer.deserialize_map(MembersVisitor)
+    }
+}
+
+fn has_escapes(text: &str) -> bool {
+    memchr::memchr(b'\\', text.as_bytes()).is_some()
+}
+
+/// The literals of a text, whose syntax serde_json has accepted.
+struct Literals<'s> {
+    text: &'s str,
+    /// Whether any literal can have escapes: few files have one.
+    has_escapes: bool,
+}
+
+impl<'s> Literals<'s> {
+    /// Where `literal` stands in the text.
+    fn offset(&self, literal: &str) -> usize {
+        (literal.as_ptr() as usize).wrapping_sub(self.text.as_ptr() as usize)
+    }
+
+    fn value(&self, literal: &'s str, diagnostics: &mut Vec<Diagnostic>) -> Option<Value<'s>> {
+        let start = self.offset(literal);
+        let raw = || Raw { text: Cow::Borrowed(literal), span: Span::new(start, start + literal.len()) };
+        Some(match literal.as_bytes().first() {
+            Some(b'"') => Value::String(self.string(literal, diagnostics)?),
+            Some(b'-' | b'0'..=b'9') => Value::Number(raw()),
+            _ => Value::Other(raw()),
+        })
+    }
+
+    /// The string decoded.
+    fn string(&self, literal: &'s str, diagnostics: &mut Vec<Diagnostic>) -> Option<JsonString<'s>> {
+        let start = self.offset(literal);
+        let inner = literal.get(1..literal.len().saturating_sub(1)).unwrap_or_default();
+        let decoded = if self.has_escapes && has_escapes(inner) {
+            match serde_json::from_str::<String>(literal) {
+                Ok(decoded) => Cow::Owned(decoded),
+                Err(_) => {
+                    diagnostics.push(syntax::half_of_a_pair(literal, start));
+                    return None;
+                }
+            }
+        } else {
+            Cow::Borrowed(inner)
+        };
+        Some(JsonString::from_literal(decoded, literal, Span::new(start, start).start))
+    }
+}
+
+/// Elements that are compared with each other directly.
+const FEW_ELEMENTS: usize = 48;
+
+/// Whether every name stands once; reports the others.
+fn unique(elements: &[Element<'_>], diagnostics: &mut Vec<Diagnostic>) -> bool {
+    // A usual file has a dozen elements: comparing each with each is faster than any table.
+    if elements.len() <= FEW_ELEMENTS {
+        let texts = elements.iter().map(|element| &element.name.text);
+        let is_first =
+            |(index, name): (usize, &Cow<'_, str>)| elements[..index].iter().all(|other| other.name.text != *name);
+        if texts.enumerate().all(is_first) {
+            return true;
+        }
+    }
+    let mut first: HashMap<&str, Span> = HashMap::with_capacity(elements.len());
+    let mut all_unique = true;
+    for element in elements {
+        let span = element.name.span();
+        if let Some(before) = first.get(element.name.text.as_ref()) {
+            all_unique = false;
+            diagnostics.push(
+                Diagnostic::at(
+                    Code::DuplicateElement,
+                    span,
+                    format!("the element {} appears again", escape::quoted(&element.name.text)),
+                )
+                .label("again here")
+                .also(*before, "first here")
+                .help("keep one of them: programs disagree about which one counts"),
+            );
+        } else {
+            first.insert(&element.name.text, span);
+        }
+    }
+    all_unique
+}

@@ -1,0 +1,79 @@
+//! Commas: one too many, one too few, one in a number.
+
+use super::Expected;
+use super::place::{Place, WHITE_SPACE, starts_element};
+use lipz_diagnostics::{Code, Diagnostic, Span};
+
+/// Digits of the longest number that a message repeats.
+const DIGITS_SHOWN: usize = 24;
+
+pub(super) fn explain(at: &Place<'_>, expected: Expected) -> Option<Diagnostic> {
+    trailing(at).or_else(|| too_many(at)).or_else(|| decimal(at, expected)).or_else(|| missing(at, expected))
+}
+
+/// A comma before a closing brace or bracket.
+fn trailing(at: &Place<'_>) -> Option<Diagnostic> {
+    let (comma, ',') = at.before()? else { return None };
+    if !matches!(at.character()?, '}' | ']') {
+        return None;
+    }
+    Some(
+        Diagnostic::at(Code::TrailingComma, comma, "a comma stands after the last element")
+            .help("delete the comma: JSON has commas only between elements")
+            .fix(comma, ""),
+    )
+}
+
+/// A comma after a comma, or before the first element.
+fn too_many(at: &Place<'_>) -> Option<Diagnostic> {
+    let (_, ',' | '{' | '[') = at.before()? else { return None };
+    if at.character()? != ',' {
+        return None;
+    }
+    let span = at.character_span();
+    Some(Diagnostic::at(Code::JsonSyntax, span, "one comma too many").help("delete this comma").fix(span, ""))
+}
+
+/// A number with a comma, `23,976`: what follows the comma is taken for a name.
+fn decimal(at: &Place<'_>, expected: Expected) -> Option<Diagnostic> {
+    let (start, rest) = (at.start().strip_suffix(',')?, at.rest());
+    let is_digit = |c: char| c.is_ascii_digit();
+    let whole = start.get(start.trim_end_matches(is_digit).len()..)?;
+    let fraction = rest.get(..rest.len() - rest.trim_start_matches(is_digit).len())?;
+    if expected != Expected::Name || whole.is_empty() || fraction.is_empty() {
+        return None;
+    }
+    let (comma, _) = at.before()?;
+    let message = match whole.len() + fraction.len() {
+        ..=DIGITS_SHOWN => format!("a decimal number has a point: {whole}.{fraction}"),
+        _ => "a decimal number has a point".to_owned(),
+    };
+    let finding = Diagnostic::at(Code::JsonSyntax, comma, message).help("write a point for this comma");
+    // `1,000` may be a thousand, and other elements may hold anything.
+    let is_fps = start
+        .strip_suffix(whole)?
+        .trim_end_matches(WHITE_SPACE)
+        .strip_suffix(':')
+        .is_some_and(|before| before.trim_end_matches(WHITE_SPACE).ends_with("\"fps\""));
+    Some(if is_fps && (whole != "1" || fraction.len() != 3) { finding.fix(comma, ".") } else { finding })
+}
+
+/// No comma between a value and the next element.
+fn missing(at: &Place<'_>, expected: Expected) -> Option<Diagnostic> {
+    let (value, last) = at.before()?;
+    let value_ended = matches!(last, '"' | '}' | ']' | 'e' | 'l' | '0'..='9');
+    if expected != Expected::Comma || at.character()? != '"' || !value_ended {
+        return None;
+    }
+    let is_next_to_it = value.end == at.character_span().start;
+    if last == '"' && is_next_to_it && !starts_element(at.rest()) {
+        return None; // a quotation mark inside a text
+    }
+    let end = Span { start: value.end, end: value.end };
+    let finding = Diagnostic::at(Code::JsonSyntax, end, "a comma is missing between two elements")
+        .also(at.character_span(), "the next element starts here")
+        .help("write a comma after the value");
+    // In one line, the quotation mark may also be one of a text: "the "Admiral": a parrot".
+    let is_next_line = at.text_of(Span { start: value.end, end: at.character_span().start })?.contains('\n');
+    Some(if is_next_line && starts_element(at.rest()) { finding.fix(end, ",") } else { finding })
+}

@@ -1,0 +1,89 @@
+//! Mistakes inside of strings and at their ends: quotation marks, control characters, escapes.
+
+use super::Expected;
+use super::place::{Place, WHITE_SPACE, starts_element, starts_inside_name};
+use lipz_diagnostics::{Code, Diagnostic, Span, escape};
+
+/// A control character as it is.
+pub(super) fn control_character(at: &Place<'_>) -> Diagnostic {
+    match at.character() {
+        Some('\n' | '\r') => line_break(at),
+        Some('\t') => Diagnostic::at(Code::ControlCharacter, at.character_span(), "a tab stands inside a string")
+            .help("write \\t if it belongs to the string, otherwise delete it"),
+        other => {
+            let character = other.unwrap_or_default();
+            let message = format!("{} stands inside a string", escape::code_point(character));
+            Diagnostic::at(Code::ControlCharacter, at.character_span(), message)
+                .help(format!("delete it, or write \\u{:04X}", u32::from(character)))
+        }
+    }
+}
+
+fn line_break(at: &Place<'_>) -> Diagnostic {
+    // It is marked behind the last character of its line, not across two lines.
+    let finding = Diagnostic::at(Code::ControlCharacter, at.span_of(0), "a line break stands inside a string");
+    let next_line = at.rest().trim_start_matches(WHITE_SPACE);
+    if next_line.is_empty() {
+        return finding.help("the closing `\"` is missing, or the file was cut off while it was copied");
+    }
+    if starts_element(next_line) || next_line.starts_with('}') {
+        return finding
+            .help("write \\n if it belongs to the string, otherwise join the lines; or is the closing `\"` missing?");
+    }
+    finding
+        .note("files copied from a printed page often have lines broken where the page was too narrow")
+        .help("write \\n if it belongs to the string, otherwise join the lines")
+}
+
+/// A quotation mark that ends a text before its author wanted: the text goes on behind it.
+pub(super) fn quotation_mark(at: &Place<'_>, expected: Expected) -> Option<Diagnostic> {
+    let (mark, '"') = at.before()? else { return None };
+    if expected != Expected::Comma || matches!(at.character()?, ':' | ';' | '{' | '[' | ']') {
+        return None;
+    }
+    Some(if starts_inside_name(at.rest()) {
+        Diagnostic::at(Code::JsonSyntax, mark, "the text ends at this quotation mark, and a name follows")
+            .help("is the closing `\"` of the text missing before it?")
+    } else {
+        Diagnostic::at(Code::JsonSyntax, mark, "the text ends at this quotation mark")
+            .help("write \\\" for a quotation mark inside a text, or use “ ”")
+    })
+}
+
+/// An escape that JSON does not have.
+pub(super) fn escape(at: &Place<'_>) -> Option<Diagnostic> {
+    // A wrong letter is one character behind the backslash; for a wrong digit of \u, serde_json points
+    // at the fourth.
+    let (backslash, _) = at.start().char_indices().rev().take(5).find(|&(_, character)| character == '\\')?;
+    let escape = at.text_of(Span::new(backslash, at.character_span().end as usize))?;
+    // An escape that is too short ends where its string does.
+    let escape = escape.strip_suffix('"').filter(|short| short.starts_with("\\u")).unwrap_or(escape);
+    let span = Span::new(backslash, backslash + escape.len());
+    Some(Diagnostic::at(Code::BadEscape, span, format!("`{}` is not an escape that JSON knows", escape::text(escape))).help(
+        "JSON knows \\\" \\\\ \\/ \\b \\f \\n \\r \\t and \\u with four hexadecimal digits; write \\\\ for a backslash",
+    ))
+}
+
+/// The finding for an escape that stands for no character: half of a surrogate pair. The literal's
+/// escapes are well formed.
+pub(in crate::parse) fn half_of_a_pair(literal: &str, start: usize) -> Diagnostic {
+    let mut at = 0;
+    let unit = |at: usize| {
+        let digits = literal.get(at..)?.strip_prefix("\\u")?.get(..4)?;
+        u16::from_str_radix(digits, 16).ok()
+    };
+    while at < literal.len() {
+        at += match unit(at) {
+            Some(0xD800..=0xDBFF) if matches!(unit(at + 6), Some(0xDC00..=0xDFFF)) => 12,
+            Some(0xD800..=0xDFFF) => break,
+            Some(_) => 6,
+            None if literal.as_bytes().get(at) == Some(&b'\\') => 2,
+            None => 1,
+        };
+    }
+    let span = Span::new(start + at, start + at + 6);
+    let spelled = literal.get(at..at + 6).unwrap_or_default();
+    Diagnostic::at(Code::BadEscape, span, format!("the escape `{spelled}` is half of a character"))
+        .note("characters above U+FFFF are written as two \\u escapes, \\uD83D\\uDE00, or as they are")
+        .help("write the character itself: the file is UTF-8")
+}

@@ -1,0 +1,148 @@
+//! Texts as a player sees them: segments, trimming, meta information.
+
+use std::borrow::Cow;
+use std::ops::Range;
+
+/// The segment delimiter.
+pub const DELIMITER: char = '|';
+
+/// The segments of an element: the byte ranges between its delimiters. There is always at least one.
+pub fn segments(text: &str) -> impl Iterator<Item = Range<usize>> + '_ {
+    let mut start = 0;
+    let ends = memchr::memchr_iter(DELIMITER as u8, text.as_bytes()).chain([text.len()]);
+    ends.map(move |end| {
+        let range = start..end;
+        start = end + 1;
+        range
+    })
+}
+
+/// The number of segments of an element.
+pub fn segment_count(text: &str) -> usize {
+    1 + memchr::memchr_iter(DELIMITER as u8, text.as_bytes()).count()
+}
+
+/// A text without the white space at its ends, as JSON has white space: blank, tab, CR, LF.
+/// Everything else (U+00A0, U+200B, …) is content.
+pub fn trim(text: &str) -> &str {
+    let is_blank = |byte: &u8| is_white_space(char::from(*byte));
+    if !text.as_bytes().first().is_some_and(is_blank) && !text.as_bytes().last().is_some_and(is_blank) {
+        return text; // without a look at whole characters
+    }
+    text.trim_matches(is_white_space)
+}
+
+/// White space as JSON has it: blank, tab, CR, LF.
+pub fn is_white_space(c: char) -> bool {
+    matches!(c, ' ' | '\t' | '\r' | '\n')
+}
+
+/// What is displayed of a segment, and what is odd about its braces.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Display<'t> {
+    /// The text without `{meta}`, then trimmed. Blanks around a removed meta stay.
+    pub text: Cow<'t, str>,
+    /// Where braces without a partner stand; they are displayed as they are.
+    pub unbalanced: Vec<usize>,
+    /// Where meta contains braces: the outer opening ones.
+    pub nested: Vec<usize>,
+}
+
+/// The display form of one segment (Lipz specification, element `text_ll-cc` and "Segmenting").
+///
+/// ```
+/// let display = lipz_file::text::display("{smiling} Hello {to: amy} there ");
+/// assert_eq!(display.text, "Hello  there");
+/// ```
+pub fn display(segment: &str) -> Display<'_> {
+    let mut display = Display { text: Cow::Borrowed(trim(segment)), unbalanced: Vec::new(), nested: Vec::new() };
+    if memchr::memchr2(b'{', b'}', segment.as_bytes()).is_none() {
+        return display;
+    }
+    let metas = metas(segment, &mut display.unbalanced, &mut display.nested);
+    let mut kept = String::with_capacity(segment.len());
+    let mut end = 0;
+    for meta in metas {
+        kept.push_str(&segment[end..meta.start]);
+        end = meta.end;
+    }
+    kept.push_str(&segment[end..]);
+    display.text = Cow::Owned(trim(&kept).to_owned());
+    display
+}
+
+/// The outermost balanced pairs of braces, in order.
+fn metas(segment: &str, unbalanced: &mut Vec<usize>, nested: &mut Vec<usize>) -> Vec<Range<usize>> {
+    let mut open: Vec<usize> = Vec::new();
+    let mut pairs: Vec<Range<usize>> = Vec::new();
+    for (at, byte) in segment.bytes().enumerate() {
+        match (byte, open.last()) {
+            (b'{', _) => open.push(at),
+            (b'}', None) => unbalanced.push(at),
+            (b'}', Some(&start)) => {
+                open.pop();
+                // Pairs inside of this one belong to it.
+                let inner = pairs.iter().rposition(|pair| pair.start < start).map_or(0, |outside| outside + 1);
+                if inner < pairs.len() {
+                    pairs.truncate(inner);
+                    nested.retain(|&at| at < start);
+                    nested.push(start);
+                }
+                pairs.push(start..at + 1);
+            }
+            _ => {}
+        }
+    }
+    unbalanced.extend(open);
+    unbalanced.sort_unstable();
+    pairs
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn segments_of_every_shape() {
+        let ranges = |text| segments(text).collect::<Vec<_>>();
+        assert_eq!(ranges("").len(), 1);
+        assert_eq!(ranges("|"), [0..0, 1..1]);
+        assert_eq!(ranges("ü|b"), [0..2, 3..4]);
+        for text in ["", "|", "ü|b", "a||b|"] {
+            assert_eq!(ranges(text).len(), segment_count(text));
+        }
+    }
+
+    #[test]
+    fn only_json_white_space_is_trimmed() {
+        assert_eq!(trim(" \t\r\n a\u{a0}b \n"), "a\u{a0}b");
+        assert_eq!(trim("\u{a0}\u{200b}"), "\u{a0}\u{200b}");
+    }
+
+    #[test]
+    fn meta_is_removed_and_odd_braces_stay() {
+        let cases = [
+            ("a {m} b", "a  b", vec![], vec![]),
+            ("{m}", "", vec![], vec![]),
+            ("{a {b} c} d", "d", vec![], vec![0]),
+            ("{a {b} {c {d}} e}f", "f", vec![], vec![0]),
+            ("{a {b} c", "{a  c", vec![0], vec![]),
+            ("a } b { c", "a } b { c", vec![2, 6], vec![]),
+            ("{{x}", "{", vec![0], vec![]),
+            ("{a}{b{c}}", "", vec![], vec![3]),
+        ];
+        for (segment, text, unbalanced, nested) in cases {
+            assert_eq!(display(segment), Display { text: text.into(), unbalanced, nested }, "{segment}");
+        }
+    }
+
+    #[test]
+    fn a_million_braces_take_linear_time() {
+        let deep = "{".repeat(500_000) + &"}".repeat(500_000);
+        assert_eq!(display(&deep).text, "");
+        let wide = "{x}".repeat(500_000);
+        assert_eq!(display(&wide).text, "");
+        let open = "{x} {".repeat(200_000);
+        assert_eq!(display(&open).unbalanced.len(), 200_000);
+    }
+}

@@ -1,0 +1,43 @@
+//! Files made to hurt: they are read in linear time, without deep recursion.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
+
+use lipz_diagnostics::{Code, Severity};
+use lipz_file::parse;
+
+/// Time and memory are not measured here (a timed test proves nothing on a shared machine): with
+/// anything quadratic, or one stack frame per level, these would not end.
+fn errors(text: &str) -> Vec<Code> {
+    let parsed = parse(text.as_bytes());
+    parsed.diagnostics.iter().filter(|found| found.severity == Severity::Error).map(|found| found.code).collect()
+}
+
+#[test]
+fn deep_nesting() {
+    let levels = 2_000_000;
+    let closed = format!("{{\"x\":{}{}}}", "[".repeat(levels), "]".repeat(levels));
+    assert_eq!(errors(&closed), []);
+    assert_eq!(errors(&format!("{{\"x\":{}", "[{\"a\":".repeat(levels))), [Code::UnfinishedFile]);
+    assert_eq!(errors(&"[".repeat(levels)), [Code::RootNotObject]);
+    assert_eq!(errors(&"{\"a\":".repeat(levels)), [Code::UnfinishedFile]);
+}
+
+#[test]
+fn long_strings() {
+    let plain = "x".repeat(10_000_000);
+    assert_eq!(errors(&format!("{{\"text_en-us\":\"{plain}\"}}")), []);
+    let escaped = "\\u00e9".repeat(2_000_000);
+    assert_eq!(errors(&format!("{{\"text_en-us\":\"{escaped}\"}}")), []);
+    assert_eq!(errors(&format!("{{\"text_en-us\":\"{escaped}\\uD800\"}}")), [Code::BadEscape]);
+    assert_eq!(errors(&format!("{{\"text_en-us\":\"{plain}")), [Code::UnfinishedFile]);
+    assert_eq!(errors(&"\n".repeat(10_000_000)), [Code::EmptyFile]);
+    assert_eq!(errors(&format!("{}{{,}}", "\n".repeat(10_000_000))), [Code::JsonSyntax]);
+}
+
+#[test]
+fn many_elements() {
+    let unknown: Vec<String> = (0..100_000).map(|number| format!("\"key-{number}\": {number}")).collect();
+    let text = format!("{{{}}}", unknown.join(","));
+    assert_eq!(parse(text.as_bytes()).document.unwrap().elements.len(), 100_000);
+    let twice = format!("{{{},{}}}", unknown.join(","), unknown.join(","));
+    assert_eq!(errors(&twice).len(), 100_000);
+}

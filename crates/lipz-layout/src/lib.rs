@@ -1,0 +1,121 @@
+//! The binary layout of a bank, format 1: shared by the reader and the writer.
+//!
+//! This crate is for programs that write banks or look into their bytes. Programs that play dialogue use
+//! `lipz-bank`, none of whose signatures holds a type of this crate: the layout may change without a
+//! change of the reader.
+//!
+//! Every structure has alignment 1 and little-endian fields, so that any `&[u8]` can be read in
+//! place. `docs/FORMAT.md` carries the same tables for people; a test compares the two.
+
+#![no_std]
+#![forbid(unsafe_code)]
+// Numbers are narrowed only where they are known to fit.
+#![allow(clippy::cast_possible_truncation)]
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::indexing_slicing,
+        clippy::arithmetic_side_effects,
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic
+    )
+)]
+
+mod index;
+mod records;
+mod sections;
+
+use lipz_types::hash::{FINISH, STEP, mix};
+
+pub use lipz_types::BANK_MAGIC as MAGIC;
+
+pub use index::{DIRECT_SLOT, bucket_of, slot_of, spread};
+pub use records::{BabbleRecord, ClipRecord, EventNameRecord, EventRecord};
+pub use records::{FLAG_VISEMES, LOCALE_DEFAULT, MAX_INTEGER_FPS, NO_NAME, NO_RATE, stored_fps};
+pub use records::{KeyRecord, LocaleRecord, RateRecord, TypedEventRecord};
+pub use records::{
+    VERB_DOES, VERB_FEELS, VERB_POINTS, VERB_SEES, VERB_STARES, VERB_STOPS_POINTING, VERB_STOPS_STARING,
+};
+pub use sections::{CHECKED_FROM, DirectoryEntry, Header, MAX_SECTIONS, SECTION_ALIGNMENT, SECTION_REQUIRED, Tag};
+
+/// Little-endian, unaligned 16-bit number.
+pub type U16 = zerocopy::little_endian::U16;
+/// Little-endian, unaligned 32-bit number.
+pub type U32 = zerocopy::little_endian::U32;
+/// Little-endian, unaligned 64-bit number.
+pub type U64 = zerocopy::little_endian::U64;
+
+/// Major format version: a reader refuses any other.
+pub const FORMAT_MAJOR: u16 = 1;
+/// Minor format version: a reader accepts newer ones, which only add sections that it may skip.
+pub const FORMAT_MINOR: u16 = 0;
+
+/// Entry of the text starts for "no text, also after fallback".
+pub const NO_TEXT: u32 = u32::MAX;
+/// Bit of a text start: the text is that of another locale.
+pub const TEXT_FALLBACK: u32 = 1 << 31;
+/// Bit of a text start: the text does not end where the next one starts. A count stands in front of it.
+pub const TEXT_HAS_LENGTH: u32 = 1 << 30;
+/// The other bits of a text start: where the text, or its count, starts in the text pool, in bytes.
+pub const TEXT_OFFSET: u32 = TEXT_HAS_LENGTH - 1;
+/// Bytes of a count. Each has six bits of the text's length, the highest first, so that the pool stays UTF-8.
+pub const TEXT_COUNT_BYTES: usize = 3;
+/// The most bytes of a text.
+pub const TEXT_MAX_BYTES: usize = 0xFFFF;
+
+/// The count in front of a text of so many bytes.
+#[inline]
+pub const fn text_count(length_bytes: usize) -> [u8; TEXT_COUNT_BYTES] {
+    [(length_bytes >> 12) as u8 & 0x3F, (length_bytes >> 6) as u8 & 0x3F, length_bytes as u8 & 0x3F]
+}
+
+/// The length in bytes of the text behind a count.
+#[inline]
+pub fn counted_length(count: &[u8]) -> usize {
+    count.iter().fold(0, |length, digit| length << 6 | usize::from(digit & 0x3F))
+}
+
+/// Hash of the ids and segments of the clips, in slot order: what texts in another file must agree with.
+pub fn fingerprint(keys: &[KeyRecord], clips: &[ClipRecord]) -> u64 {
+    keys.iter().zip(clips).fold(keys.len() as u64, |hash, (key, clip)| {
+        let segments = u64::from(clip.segments_first.get()) << 32 | u64::from(key.segment_count.get());
+        mix(mix(hash ^ key.id.get(), STEP) ^ segments, FINISH)
+    })
+}
+
+/// Folds `bytes` into the checksum of format 1.
+///
+/// Fletcher's sums over little-endian 32-bit words, in eight lanes with sums modulo 2⁶⁴: a change of
+/// one word, and of any two words in a lane, always changes the sums (for a file of up to 4 GiB).
+/// The tail is padded with zeros; the length goes in at the end.
+pub fn checksum(bytes: &[u8]) -> u64 {
+    const LANES: usize = 8;
+    const BLOCK: usize = LANES * 4;
+    let mut plain = [0_u64; LANES];
+    let mut weighted = [0_u64; LANES];
+    let mut add = |block: &[u8]| {
+        let lanes = plain.iter_mut().zip(&mut weighted);
+        for (word, (plain, weighted)) in block.chunks_exact(4).zip(lanes) {
+            let mut le = [0; 4];
+            le.copy_from_slice(word);
+            *plain = plain.wrapping_add(u64::from(u32::from_le_bytes(le)));
+            *weighted = weighted.wrapping_add(*plain);
+        }
+    };
+    let mut blocks = bytes.chunks_exact(BLOCK);
+    for block in &mut blocks {
+        add(block);
+    }
+    let mut last = [0; BLOCK];
+    for (to, from) in last.iter_mut().zip(blocks.remainder()) {
+        *to = *from;
+    }
+    add(&last);
+    let mut hash = bytes.len() as u64;
+    for sum in plain.iter().chain(&weighted) {
+        hash = (hash ^ sum).wrapping_mul(FINISH);
+        hash ^= hash >> 32;
+    }
+    hash
+}

@@ -1,0 +1,181 @@
+//! The records of the sections.
+
+use super::{U16, U32, U64};
+use core::mem::size_of;
+use lipz_types::Fps;
+use zerocopy::{FromBytes, Immutable, IntoBytes, KnownLayout, Unaligned};
+
+/// Clip flag: the file has a `visemes` element (possibly of no frames).
+pub const FLAG_VISEMES: u8 = 1;
+/// `rate` of a clip whose frame rate is unspecified.
+pub const NO_RATE: u16 = u16::MAX;
+/// The highest `rate` that is itself the frames of a second. Those above it count the places in the `RATE`
+/// section.
+pub const MAX_INTEGER_FPS: u16 = 1000;
+/// Locale flag: the project's default locale.
+pub const LOCALE_DEFAULT: u16 = 1;
+/// Number of a typed event's character for "the speaker", and of its object for "none".
+pub const NO_NAME: u32 = u32::MAX;
+/// Verb of a typed event: `feels emotion`.
+pub const VERB_FEELS: u8 = 1;
+/// Verb of a typed event: `sees target`.
+pub const VERB_SEES: u8 = 2;
+/// Verb of a typed event: `stares target`.
+pub const VERB_STARES: u8 = 3;
+/// Verb of a typed event: `stops staring`.
+pub const VERB_STOPS_STARING: u8 = 4;
+/// Verb of a typed event: `points target`.
+pub const VERB_POINTS: u8 = 5;
+/// Verb of a typed event: `stops pointing`.
+pub const VERB_STOPS_POINTING: u8 = 6;
+/// Verb of a typed event: `does action`.
+pub const VERB_DOES: u8 = 7;
+
+/// One clip while it plays: what is asked for sixty times a second, apart from how it is found, so that
+/// many fit into a cache.
+#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
+#[repr(C)]
+pub struct ClipRecord {
+    /// Where the clip's frames start in the `FRAM` section.
+    pub frames_offset_bytes: U32,
+    /// Frames of the clip.
+    pub frame_count: U32,
+    /// Number of the first segment among those of all clips: its index in `STRT`, and in `EVRF` if that
+    /// is as long.
+    pub segments_first: U32,
+    /// Frames in a second up to [`MAX_INTEGER_FPS`], and above it their places in `RATE`; or [`NO_RATE`].
+    pub rate: U16,
+    /// Number of the [`VisemeType`](lipz_types::VisemeType), 0 if unspecified.
+    pub viseme_type: u8,
+    /// [`FLAG_VISEMES`] or 0.
+    pub flags: u8,
+}
+
+/// One clip as it is found, and what says which texts in other files are its own.
+#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
+#[repr(C)]
+pub struct KeyRecord {
+    /// [`ClipId`](lipz_types::ClipId) of the key.
+    pub id: U64,
+    /// Where the key starts in the `NAME` section.
+    pub key_offset_bytes: U32,
+    /// Length of the key.
+    pub key_length_bytes: U16,
+    /// Segments of the clip, at least 1.
+    pub segment_count: U16,
+}
+
+/// One distinct frame rate that is no whole number.
+#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
+#[repr(C)]
+pub struct RateRecord {
+    /// ⌈2⁶⁴ · frames per microsecond⌉.
+    pub frames_per_micro_q64: U64,
+    /// Frame rate, in lowest terms.
+    pub fps_numerator: U32,
+    /// Seconds in which that many frames pass.
+    pub fps_denominator: U32,
+}
+
+impl RateRecord {
+    /// The rate of the record, not checked.
+    #[inline]
+    pub fn fps_unchecked(&self) -> Fps {
+        Fps::from_parts_unchecked(self.fps_numerator.get(), self.fps_denominator.get(), self.frames_per_micro_q64.get())
+    }
+}
+
+/// The frame rate that [`ClipRecord::rate`] stands for, not checked; `None` if it stands for none.
+#[inline]
+#[allow(clippy::arithmetic_side_effects)] // constants
+pub fn stored_fps(rate: u16, records: &[RateRecord]) -> Option<Fps> {
+    if rate <= MAX_INTEGER_FPS {
+        return Some(Fps::from_whole_unchecked(rate));
+    }
+    // No bank has so many records that `NO_RATE` leads to one.
+    records.get(usize::from(rate).wrapping_sub(usize::from(MAX_INTEGER_FPS) + 1)).map(RateRecord::fps_unchecked)
+}
+
+/// One locale of the bank.
+#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
+#[repr(C)]
+pub struct LocaleRecord {
+    /// Where the tag (`en-us`) starts in the `NAME` section.
+    pub tag_offset_bytes: U32,
+    /// Length of the tag.
+    pub tag_length_bytes: U16,
+    /// [`LOCALE_DEFAULT`] or 0.
+    pub flags: U16,
+}
+
+/// One distinct event string.
+#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
+#[repr(C)]
+pub struct EventRecord {
+    /// Where the string starts in the `EVST` section.
+    pub offset_bytes: U32,
+    /// Length of the string.
+    pub length_bytes: U32,
+    /// Index in `EVTY` of the first of the events that the string is made of.
+    pub typed_first: U32,
+    /// How many they are; 0 if the string is empty or some other syntax than Character Event Syntax.
+    pub typed_count: U32,
+}
+
+/// One event of Character Event Syntax.
+#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
+#[repr(C)]
+pub struct TypedEventRecord {
+    /// Number of the name of who does it in `EVNM`, or [`NO_NAME`] for the speaker of the clip.
+    pub character: U32,
+    /// Number of the name of the emotion, target or action in `EVNM`; [`NO_NAME`] for the verbs that
+    /// stop something.
+    pub object: U32,
+    /// [`VERB_FEELS`] and so on.
+    pub verb: u8,
+    /// Zero.
+    pub reserved: [u8; 7],
+}
+
+/// One distinct name that typed events mention: a character, emotion, target or action.
+#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
+#[repr(C)]
+pub struct EventNameRecord {
+    /// Where the name starts in the `EVST` section.
+    pub offset_bytes: U32,
+    /// Length of the name.
+    pub length_bytes: U32,
+}
+
+/// One babble profile; its name, loops and power transfers follow it in this order.
+#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
+#[repr(C)]
+pub struct BabbleRecord {
+    /// ⌈2⁶⁴ · digits per microsecond⌉.
+    pub frames_per_micro_q64: U64,
+    /// Digits of the loops in `rate_denominator` seconds, in lowest terms.
+    pub rate_numerator: U32,
+    /// Seconds in which that many digits pass.
+    pub rate_denominator: U32,
+    /// Length of the name.
+    pub name_length_bytes: U16,
+    /// Length of the loop for the lips.
+    pub ooh_length_bytes: U16,
+    /// Length of the loop for the jaw.
+    pub aah_length_bytes: U16,
+    /// Length of the power transfer of the lips.
+    pub ooh_power_transfer_length_bytes: U16,
+    /// Length of the power transfer of the jaw.
+    pub aah_power_transfer_length_bytes: U16,
+    /// Zero.
+    pub reserved: [u8; 6],
+}
+
+const _: () = assert!(size_of::<BabbleRecord>() == 32);
+const _: () = assert!(size_of::<ClipRecord>() == 16);
+const _: () = assert!(size_of::<KeyRecord>() == 16);
+const _: () = assert!(size_of::<RateRecord>() == 16);
+const _: () = assert!(size_of::<LocaleRecord>() == 8);
+const _: () = assert!(size_of::<EventRecord>() == 16);
+const _: () = assert!(size_of::<TypedEventRecord>() == 16);
+const _: () = assert!(size_of::<EventNameRecord>() == 8);

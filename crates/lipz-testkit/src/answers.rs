@@ -1,0 +1,125 @@
+//! The answers of a bank to every query, as text that does not depend on its layout.
+//!
+//! Only `core` is used, because the firmware and the wasm module of `firmware/` include this file:
+//! they give the same answers as the machine that the dumps were written on.
+
+use core::fmt::{self, Debug, Display, Write};
+use lipz_bank::{Bank, Clip, Fps, Micros, Segment, Viseme};
+
+/// Strings longer than this are shown by their length, their hash and their start.
+const LONGEST_BYTES: usize = 400;
+
+/// Characters of a longer string that are shown.
+const START_CHARACTERS: usize = 40;
+
+/// Writes everything that `bank` answers, one fact a line, in the order of keys and tags.
+pub fn write_answers(bank: &Bank<'_>, out: &mut impl Write) -> fmt::Result {
+    let (major, _) = bank.format_version();
+    writeln!(out, "format {major}, {} clips", bank.clip_count())?;
+    for locale in bank.locales() {
+        writeln!(out, "locale {}{}", locale.tag(), if locale.is_default() { " default" } else { "" })?;
+    }
+    bank.clips().try_for_each(|clip| write_clip(out, bank, &clip))
+}
+
+fn write_clip(out: &mut impl Write, bank: &Bank<'_>, clip: &Clip<'_, '_>) -> fmt::Result {
+    writeln!(out, "\nclip {} {}", clip.key(), clip.id())?;
+    writeln!(out, "  rate {}, type {}", OrUnknown(clip.fps()), OrUnknown(clip.viseme_type()))?;
+    writeln!(out, "  visemes {}, events {}", clip.has_visemes(), clip.has_events())?;
+    write!(out, "  {} frames ", clip.frame_count())?;
+    for frame in 0..clip.frame_count() {
+        out.write_char(clip.viseme(frame).to_char())?;
+    }
+    writeln!(out, ", {:?} us", clip.duration_us())?;
+    out.write_str("  at 24 fps, each 50 ms: ")?;
+    write_sampled(out, &clip.or_fps(Fps::whole(24)))?;
+    out.write_str("\n")?;
+    clip.segments().try_for_each(|segment| write_segment(out, bank, &segment))
+}
+
+fn write_segment(out: &mut impl Write, bank: &Bank<'_>, segment: &Segment<'_, '_>) -> fmt::Result {
+    let (start, end) = (segment.start_frame(), segment.end_frame());
+    write!(out, "  segment {} frames {start}..{end}", segment.index())?;
+    writeln!(out, " us {:?}..{:?}", segment.start_us(), segment.end_us())?;
+    if let Some(event) = segment.event() {
+        writeln!(out, "    event {}", Quoted(event))?;
+    }
+    for event in segment.events() {
+        out.write_str("    typed \"")?;
+        write!(Escaping(out), "{event}")?;
+        out.write_str("\"\n")?;
+    }
+    for locale in bank.locales() {
+        if let Some(text) = segment.text(locale) {
+            let origin = if text.is_fallback() { " (fallback)" } else { "" };
+            writeln!(out, "    {} {}{origin}", locale.tag(), Quoted(text.as_str()))?;
+        }
+    }
+    Ok(())
+}
+
+/// The viseme and the segment every 50 ms, for at most 200 of them.
+fn write_sampled(out: &mut impl Write, clip: &Clip<'_, '_>) -> fmt::Result {
+    let mut before = None;
+    for time_us in (0..200).map(|step| step * 50_000) {
+        let segment = clip.segment_at(Micros(time_us)).map(|segment| segment.index());
+        if segment != before {
+            match segment {
+                Some(index) => write!(out, "[{index}]")?,
+                None => out.write_str("[end]")?,
+            }
+            before = segment;
+        }
+        if segment.is_none() {
+            assert_eq!(clip.viseme_at(Micros(time_us)), Viseme::REST);
+            break;
+        }
+        out.write_char(clip.viseme_at(Micros(time_us)).to_char())?;
+    }
+    Ok(())
+}
+
+struct OrUnknown<T>(Option<T>);
+
+impl<T: Debug> Display for OrUnknown<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.0 {
+            Some(value) => write!(f, "{value:?}"),
+            None => f.write_str("unspecified"),
+        }
+    }
+}
+
+struct Quoted<'a>(&'a str);
+
+impl Display for Quoted<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let text = self.0;
+        f.write_str("\"")?;
+        if text.len() <= LONGEST_BYTES {
+            Escaping(&mut *f).write_str(text)?;
+            return f.write_str("\"");
+        }
+        text.chars().take(START_CHARACTERS).try_for_each(|c| Escaping(&mut *f).write_char(c))?;
+        // FNV-1a (draft-eastlake-fnv), spelled out: the dump must not change with a hash of the library.
+        let hash = text
+            .bytes()
+            .fold(0xCBF2_9CE4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3));
+        write!(f, "\"... {} bytes, fnv {hash:016x}", text.len())
+    }
+}
+
+/// Quotes, backslashes, control characters and blanks other than U+0020 as escapes; the rest as it is.
+struct Escaping<'a, W>(&'a mut W);
+
+impl<W: Write> Write for Escaping<'_, W> {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        text.chars().try_for_each(|c| {
+            if c.is_control() || "\"\\\u{A0}\u{200B}\u{202F}".contains(c) {
+                write!(self.0, "{}", c.escape_unicode())
+            } else {
+                self.0.write_char(c)
+            }
+        })
+    }
+}

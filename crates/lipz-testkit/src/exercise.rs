@@ -1,0 +1,207 @@
+//! Every query of the reader, on banks that may be damaged.
+
+use lipz_bank::{
+    Bank, Clip, ClipId, Fps, Hold, Lead, Locale, Micros, Playback, Samples, Seconds, Segment, TextBank, Time,
+    VisemeType,
+};
+use std::hint::black_box;
+use std::time::Duration;
+
+/// How many points in time are tried.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Effort {
+    /// One per unit: for tests that try hundreds of thousands of banks.
+    Few,
+    /// All extremes.
+    All,
+}
+
+/// Opens and asks everything, before verification and, where that passes, after it; whether it passes.
+pub fn provoke(bytes: &[u8], effort: Effort) -> bool {
+    let Ok(bank) = Bank::open(bytes) else { return false };
+    every_query(&bank, effort);
+    match bank.verify() {
+        Ok(bank) => {
+            every_query(&bank, effort);
+            verified_is_whole(&bank);
+            true
+        }
+        Err(error) => {
+            assert!(error.offset_bytes() as usize <= bytes.len(), "{error}");
+            false
+        }
+    }
+}
+
+/// Calls everything that a bank offers. Panics only if an iterator gives more than it can have.
+pub fn every_query(bank: &Bank<'_>, effort: Effort) {
+    // Nothing of which every item stands in the file can have more items than the file has bytes.
+    let limit = bank.length_bytes();
+    black_box((bank.fingerprint(), bank.format_version(), bank.clip_count()));
+    assert!(bank.sections().filter(|section| black_box(section).1.len() <= limit).count() <= limit);
+    let locales: Vec<Locale<'_>> = bank.locales().take(limit + 1).collect();
+    assert!(locales.len() <= limit);
+    assert!(bank.locales().size_hint().1.is_some_and(|most| most >= locales.len()));
+    for locale in &locales {
+        black_box((bank.locale(locale.tag()).is_some(), locale.is_default()));
+    }
+    for name in ["", "amy", "door", "zz"] {
+        black_box(bank.event_name(name).map(|name| (name.id(), name.as_str())));
+    }
+    black_box((bank.default_locale().is_some(), bank.locale("de-de").is_some()));
+    for prefix in ["", "act1/", "zz"] {
+        let clips = bank.clips_under(prefix);
+        let most = clips.size_hint().1.unwrap_or(usize::MAX);
+        assert!(clips.take(limit + 1).count() <= most.min(limit));
+    }
+    for id in [0, 1, u64::MAX, ClipId::from_key("act1/blair").get()] {
+        black_box(bank.clip(ClipId::from_u64(id)).is_some());
+    }
+    let slots = bank.clip_count() as u32;
+    for slot in (0..slots).chain([slots, u32::MAX]) {
+        if let Some(clip) = bank.clip_at(slot) {
+            black_box((bank.clip(clip.id()).is_some(), bank.clip_by_key(clip.key()).is_some()));
+            every_clip_query(&clip, &locales, limit, effort);
+        }
+    }
+    assert!(bank.clip_at(slots).is_none() && bank.clip_at(u32::MAX).is_none());
+}
+
+fn every_clip_query(clip: &Clip<'_, '_>, locales: &[Locale<'_>], limit: usize, effort: Effort) {
+    black_box((clip.id(), clip.key(), clip.slot(), clip.viseme_type(), clip.has_visemes(), clip.has_events()));
+    black_box((clip.fps().map(Fps::to_f64), clip.duration_us(), clip.or_viseme_type(VisemeType::Rms).viseme_type()));
+    assert!(clip.frames().len() <= limit);
+    let frames = clip.frame_count();
+    for frame in [0, frames / 2, frames.wrapping_sub(1), frames, u32::MAX] {
+        black_box((clip.viseme(frame), clip.segment_of_frame(frame).is_some()));
+    }
+    every_time(clip, effort);
+    every_time(&clip.or_fps(Fps::whole(24)), effort);
+    play(clip);
+    let segments = clip.segments();
+    assert_eq!(segments.size_hint().1, Some(clip.segment_count() as usize));
+    let mut count = 0;
+    for segment in segments.take(limit + 1) {
+        every_segment_query(&segment, locales, limit);
+        count += 1;
+    }
+    assert!(count <= limit && count == clip.segment_count() as usize);
+    assert!(clip.segment(clip.segment_count()).is_none() && clip.segment(u32::MAX).is_none());
+}
+
+fn every_segment_query(segment: &Segment<'_, '_>, locales: &[Locale<'_>], limit: usize) {
+    black_box((segment.index(), segment.clip().slot(), segment.start_frame(), segment.end_frame()));
+    black_box((segment.start_us(), segment.end_us(), segment.event()));
+    assert!(segment.frames().len() <= limit);
+    let events = segment.events();
+    let most = events.size_hint().1.unwrap_or(usize::MAX);
+    let strings: Vec<String> = events.take(limit + 1).map(|event| event.to_string()).collect();
+    assert!(strings.len() <= most.min(limit));
+    for locale in locales {
+        let text = segment.text(*locale);
+        let bytes = segment.text_bytes(*locale);
+        // The two differ only where the bytes are not UTF-8.
+        if let Some(text) = text {
+            assert_eq!(Some(text.as_str().as_bytes()), bytes);
+            black_box(text.is_fallback());
+        }
+    }
+}
+
+fn every_time(clip: &Clip<'_, '_>, effort: Effort) {
+    if effort == Effort::Few {
+        at(clip, Micros(41_000));
+        at(clip, Samples { position: 3_969, rate_hz: 44_100 });
+        at(clip, Seconds(0.25_f64));
+        return;
+    }
+    for time in [0, 1, -1, 41_666, 41_667, 3_600_000_000, i64::from(u32::MAX), i64::MAX, i64::MIN] {
+        at(clip, Micros(time));
+        for rate_hz in [0, 1, 8_000, 44_100, u32::MAX] {
+            at(clip, Samples { position: time, rate_hz });
+        }
+        let duration = Duration::from_micros(time.unsigned_abs());
+        at(clip, duration);
+    }
+    at(clip, Duration::MAX);
+    for time in [0.0, -0.0, 1.0, -1.0, 1e300, 5e-324, f64::MIN_POSITIVE, f64::MAX, f64::MIN, f64::EPSILON] {
+        at(clip, Seconds(time));
+        at(clip, Seconds(time as f32));
+    }
+    for time in [f64::NAN, -f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        at(clip, Seconds(time));
+        at(clip, Seconds(time as f32));
+        assert_eq!(clip.frame_at(Seconds(time)), None);
+    }
+    for bits in [1, 0x007F_FFFF, 0x0080_0000, 0x7F7F_FFFF, 0x7F80_0001, 0x8000_0001, u32::MAX] {
+        at(clip, Seconds(f32::from_bits(bits)));
+    }
+}
+
+/// Plays the clip once, in a few leaps.
+fn play(clip: &Clip<'_, '_>) {
+    let Some(playback) = Playback::new(clip.or_fps(Fps::whole(24)).or_viseme_type(VisemeType::Blair)) else { return };
+    let mut playback = playback.with_lead(Lead::two_frames(Fps::whole(24))).with_hold(Hold::frames(3));
+    let segments = clip.segment_count() as usize;
+    let mut fired = 0;
+    for time in [-1, 0, 41_667, 400_000, 0] {
+        fired += playback.advance_to(Micros(time)).count();
+        black_box((playback.viseme(), playback.segment().is_some(), playback.frame()));
+    }
+    fired += playback.finish().count();
+    assert!(fired <= segments && playback.is_over());
+    playback.seek(Micros(100_000));
+    assert!(playback.loop_to(Micros(100_000)).count() <= 2 * segments);
+    black_box((playback.state(None), playback.characters().take(2).count()));
+}
+
+fn at(clip: &Clip<'_, '_>, time: impl Time) {
+    let frame = clip.frame_at(time);
+    assert!(frame.is_none_or(|frame| frame < clip.frame_count()));
+    black_box((clip.viseme_at(time), clip.segment_at(time).is_some()));
+}
+
+/// What holds of every bank that passed `verify`: no query fails for which there is data.
+pub fn verified_is_whole(bank: &Bank<'_>) {
+    assert_eq!(bank.clips().count(), bank.clip_count());
+    let locales: Vec<Locale<'_>> = bank.locales().collect();
+    assert!(locales.iter().all(|locale| bank.locale(locale.tag()).is_some()));
+    for clip in bank.clips() {
+        assert_eq!(bank.clip(clip.id()).map(|found| found.slot()), Some(clip.slot()));
+        assert_eq!(bank.clip_by_key(clip.key()).map(|found| found.slot()), Some(clip.slot()));
+        assert_eq!(clip.frames().len(), clip.frame_count() as usize);
+        let mut end = 0;
+        for segment in clip.segments() {
+            assert_eq!(segment.start_frame(), end);
+            end = segment.end_frame();
+            assert!(end >= segment.start_frame());
+            assert_eq!(segment.frames().len(), (end - segment.start_frame()) as usize);
+            assert_eq!(segment.event().is_some(), clip.has_events());
+            let events = segment.events();
+            assert_eq!(events.size_hint().1, Some(events.clone().count()));
+            for event in events {
+                for name in [event.character, event.command.object()].into_iter().flatten() {
+                    assert_eq!(bank.event_name(name.as_str()), Some(name));
+                }
+            }
+        }
+        assert_eq!(end, clip.frame_count());
+        for &locale in &locales {
+            let texts = || clip.segments().map(|segment| segment.text(locale).is_some());
+            assert!(texts().all(|some| some) || !texts().any(|some| some));
+        }
+    }
+}
+
+/// Asks for all texts of all locales; whether there is one for each segment or for none of a clip.
+pub fn every_text_query(bank: &Bank<'_>, texts: &TextBank<'_>) -> bool {
+    let mut is_whole = true;
+    for locale in texts.locales() {
+        black_box((texts.locale(locale.tag()).is_some(), locale.is_default()));
+        for clip in bank.clips() {
+            let count = clip.segments().filter(|segment| segment.text(locale).is_some()).count();
+            is_whole &= count == 0 || count == clip.segment_count() as usize;
+        }
+    }
+    is_whole
+}

@@ -1,0 +1,48 @@
+//! Files that pretend to be Lipz files.
+
+use lipz_compiler::{Input, Options, compile, fix};
+use lipz_diagnostics::{Diagnostic, Severity, Span};
+use lipz_file::format::{LineEnding, Style, format};
+
+/// Reads and checks any bytes: every finding has its places in the file, and without errors there is a
+/// bank.
+pub fn parse(bytes: &[u8]) {
+    let parsed = lipz_file::parse(bytes);
+    let text = String::from_utf8_lossy(lipz_file::without_byte_order_mark(bytes));
+    parsed.diagnostics.iter().for_each(|found| is_about(found, &text));
+    let has_errors = |found: &[Diagnostic]| found.iter().any(|found| found.severity == Severity::Error);
+    assert!(parsed.document.is_some() || has_errors(&parsed.diagnostics), "no document, and no reason");
+
+    let compiled = compile(&[Input::from_bytes("clip", bytes)], &Options::default(), &|_| {});
+    for report in &compiled.reports {
+        report.diagnostics.iter().for_each(|found| is_about(found, &report.source.text));
+    }
+    assert_eq!(compiled.bank.is_none(), compiled.reports.iter().any(|report| has_errors(&report.diagnostics)));
+}
+
+/// The marked places of a finding are stretches of the text.
+pub(super) fn is_about(found: &Diagnostic, text: &str) {
+    let labels = found.primary.iter().chain(&found.labels).map(|label| label.span);
+    let spans: Vec<Span> = labels.chain(found.fix.as_ref().map(|fix| fix.span)).collect();
+    assert!(spans.iter().all(|span| text.get(span.range()).is_some()), "outside of the text: {found:?}");
+    assert!(!found.message.is_empty());
+}
+
+/// What is written is read as the same document; formatting it again changes nothing, and neither does
+/// fixing what was fixed.
+pub fn rewrite(bytes: &[u8]) {
+    if let Some(fixed) = fix(bytes, &Options::default()) {
+        let again = fix(fixed.text.as_bytes(), &Options::default());
+        // A hundred mistakes are mended in one run.
+        assert!(again.is_none() || fixed.mended.values().sum::<usize>() >= 100, "{}", fixed.text);
+    }
+    let Some(document) = lipz_file::parse(bytes).document else { return };
+    let written = lipz_file::write(&document);
+    assert_eq!(lipz_file::parse(written.as_bytes()).document.as_ref(), Some(&document), "{written}");
+    for line_ending in [LineEnding::Lf, LineEnding::CrLf] {
+        let style = Style { default_locale: Some("en-us"), line_ending };
+        let once = format(&document, style);
+        let reread = lipz_file::parse(once.as_bytes()).document.expect("what was formatted is read");
+        assert_eq!(format(&reread, style), once);
+    }
+}

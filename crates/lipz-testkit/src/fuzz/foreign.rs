@@ -1,0 +1,78 @@
+//! Files that pretend to be of other tools.
+
+use super::file::is_about;
+use lipz_diagnostics::{Diagnostic, Severity};
+use lipz_interop::fallout::heads::{check_file, read_list};
+use lipz_interop::fallout::lip::Lip;
+use lipz_interop::fallout::msg;
+use lipz_interop::subtitles::{SubtitleFormat, clip, join};
+use lipz_interop::{DEFAULT_RATE, Format, ImportOptions, Segments, formats, import};
+
+/// Takes the first byte for the number of a format, and the others for one of its files.
+pub fn foreign(bytes: &[u8]) {
+    let Some((number, file)) = bytes.split_first() else { return };
+    let number = usize::from(*number);
+    match formats::ALL.get(number) {
+        Some(format) => shapes(format, file),
+        None => match number - formats::ALL.len() {
+            0 => subtitles(SubtitleFormat::Srt, file),
+            1 => subtitles(SubtitleFormat::Vtt, file),
+            2 => drop(check_file("eldgf1.frm", file)),
+            3 => texts(&String::from_utf8_lossy(file)),
+            _ => lip(file),
+        },
+    }
+}
+
+pub(super) fn has_errors(found: &[Diagnostic]) -> bool {
+    found.iter().any(|found| found.severity == Severity::Error)
+}
+
+/// What is imported is a Lipz file, and nothing is if there are errors.
+fn shapes(format: &Format, file: &[u8]) {
+    for segments in [Segments::Phrases, Segments::Pauses, Segments::Sentences] {
+        let options = ImportOptions { segments, locale: Some("en-us"), min_hold: 2, ..ImportOptions::default() };
+        let imported = import(format, file, &options);
+        assert!(imported.clips.is_empty() || !has_errors(&imported.diagnostics), "{}", format.name);
+        for clip in imported.clips {
+            let written = lipz_file::write(&clip.document);
+            assert_eq!(lipz_file::parse(written.as_bytes()).document.as_ref(), Some(&clip.document), "{written}");
+        }
+    }
+}
+
+/// Cues are about places in the file, and written and read again they are the same.
+fn subtitles(format: SubtitleFormat, file: &[u8]) {
+    let mut found = Vec::new();
+    let cues = format.read(file, &mut found);
+    if let Ok(text) = std::str::from_utf8(lipz_file::without_byte_order_mark(file)) {
+        found.iter().for_each(|found| is_about(found, text));
+    }
+    let document = clip(&cues, "en-us", DEFAULT_RATE, &mut Vec::new());
+    let joined = join(document.clone(), &cues, "en-us", DEFAULT_RATE, &mut Vec::new());
+    assert_eq!(joined.string("visemes"), document.string("visemes"));
+    let once = format.write(&cues, &mut Vec::new());
+    let mut again = format.read(once.as_bytes(), &mut Vec::new());
+    let times =
+        |cues: &[lipz_interop::subtitles::Cue]| cues.iter().map(|cue| (cue.start_ms, cue.end_ms)).collect::<Vec<_>>();
+    assert_eq!(times(&again), times(&cues), "{once}");
+    again.retain(|cue| cue.text.contains('|'));
+    assert!(again.is_empty(), "a text that would divide segments");
+}
+
+/// A LIP file that is read is written as it was, byte by byte.
+fn lip(file: &[u8]) {
+    if let Ok(lip) = Lip::read(file) {
+        assert_eq!(lip.write(), file);
+        lip.oddities("eld_1");
+    }
+}
+
+/// The scripts of a game, and the list of its heads.
+fn texts(file: &str) {
+    let (entries, found) = msg::read(file);
+    found.iter().for_each(|found| is_about(found, file));
+    msg::by_sound(&entries);
+    let (_, found) = read_list(file);
+    found.iter().for_each(|found| is_about(found, file));
+}

@@ -1,0 +1,178 @@
+//! Banks by someone who knows the format: whole sections, changed fields, right sums.
+
+use crate::exercise::{Effort, provoke};
+use crate::forge;
+use crate::golden::{directory, put, reseal, section, u32_at};
+use crate::tools::is_used;
+use arbitrary::{Arbitrary, Unstructured};
+use lipz_bank::Bank;
+use lipz_compiler::{Input, Options, compile};
+use lipz_layout::{ClipRecord, Header, KeyRecord, Tag, fingerprint};
+use std::mem::offset_of;
+use std::sync::LazyLock;
+use zerocopy::FromBytes;
+
+/// What is done to a bank.
+#[derive(Arbitrary, Debug)]
+struct Forgery {
+    base: u8,
+    contents: Vec<(u8, Edit)>,
+    keeps_fingerprint: bool,
+    places: Vec<Overwrite>,
+}
+
+/// A change of a section that leaves a file whose sections follow each other.
+#[derive(Arbitrary, Debug)]
+enum Edit {
+    Byte { at: u16, value: u8 },
+    Half { at: u16, value: Number },
+    Word { at: u16, value: Number },
+    Copy { from: u16, to: u16 },
+    Swap { one: u16, other: u16 },
+    Insert { at: u16 },
+    Remove { at: u16 },
+}
+
+/// What a number becomes.
+#[derive(Arbitrary, Debug)]
+enum Number {
+    Set(u32),
+    Add(i8),
+    Flip(u8),
+}
+
+/// A change of the header or the directory.
+#[derive(Arbitrary, Debug)]
+struct Overwrite {
+    word: u8,
+    value: Number,
+}
+
+/// Small banks, so that a change soon meets something: all kinds of clips, with and without sources.
+static BASES: LazyLock<Vec<Vec<u8>>> = LazyLock::new(|| {
+    let far = format!(r#"{{ "visemes": "{}", "text_en-us": "{}x" }}"#, "A|".repeat(11) + "B", "a|".repeat(11));
+    let sets: [&[(&str, &str)]; 3] = [
+        &[(
+            "a",
+            r#"{ "fps": 24, "viseme_type": "blair", "visemes": "MA|EO-", "text_en-us": "Mayor!|No", "events": "|amy points door" }"#,
+        )],
+        &[
+            ("act1/far", &far),
+            ("act1/none", r#"{ "text_de-de": "Ja" }"#),
+            ("act2/sad", r#"{ "visemes": "A|-", "text_de-de": "ä|ö", "events": "feels sad, stops staring|else" }"#),
+        ],
+        &[],
+    ];
+    let bank = |set: &&[(&str, &str)], strip| {
+        let inputs: Vec<Input> = set.iter().map(|(key, file)| Input::from_bytes(*key, *file)).collect();
+        let options = Options { strip, default_locale: Some("en-us".into()), ..Options::default() };
+        compile(&inputs, &options, &|_| {}).bank.expect("files without errors")
+    };
+    sets.iter().flat_map(|set| [bank(set, false), bank(set, true)]).collect()
+});
+
+/// Makes the changes that the bytes stand for, and asks everything. What passes `verify` is whole, and
+/// no tool panics on it.
+pub fn forged_bank(bytes: &[u8]) {
+    let Ok(forgery) = Forgery::arbitrary_take_rest(Unstructured::new(bytes)) else { return };
+    let base = &BASES[usize::from(forgery.base) % BASES.len()];
+    let forged = forgery.of(base);
+    if provoke(&forged, Effort::Few) {
+        let original = Bank::open(base).and_then(Bank::verify).expect("what the compiler made");
+        assert!(is_used(&forged, &original));
+    }
+}
+
+impl Forgery {
+    fn of(&self, base: &[u8]) -> Vec<u8> {
+        let mut sections: Vec<(Tag, u16, Vec<u8>)> = directory(base)
+            .iter()
+            .map(|entry| (Tag(entry.tag), entry.entry_bytes.get(), base[section(base, Tag(entry.tag))].to_vec()))
+            .collect();
+        for (section, edit) in &self.contents {
+            let index = usize::from(*section) % sections.len();
+            let (_, entry_bytes, contents) = &mut sections[index];
+            edit.apply(contents, usize::from(*entry_bytes));
+        }
+        let (old, _) = Header::read_from_prefix(base).expect("a header");
+        let contents =
+            |tag| sections.iter().find(|(found, ..)| *found == tag).map_or(&[][..], |(.., contents)| contents);
+        let keys = <[KeyRecord]>::ref_from_bytes(contents(Tag::KEYS));
+        let clips = <[ClipRecord]>::ref_from_bytes(contents(Tag::CLIPS));
+        let sum = match (keys, clips) {
+            (Ok(keys), Ok(clips)) if !self.keeps_fingerprint => fingerprint(keys, clips),
+            _ => old.fingerprint.get(),
+        };
+        let sections: Vec<(Tag, u16, &[u8])> =
+            sections.iter().map(|(tag, entry, contents)| (*tag, *entry, contents.as_slice())).collect();
+        let mut bytes = forge::file(&sections, sum, old.index_seed.get());
+        let words = (size_of::<Header>() + size_of_val(directory(base)) - offset_of!(Header, file_length_bytes)) / 4;
+        for Overwrite { word, value } in &self.places {
+            let at = offset_of!(Header, file_length_bytes) + usize::from(*word) % words * 4;
+            let new = value.of(u32_at(&bytes, at));
+            put(&mut bytes, at, new.to_le_bytes());
+        }
+        reseal(&mut bytes);
+        bytes
+    }
+}
+
+impl Edit {
+    /// Places are taken modulo what there is; what has no place is left undone.
+    fn apply(&self, contents: &mut Vec<u8>, entry_bytes: usize) {
+        let entries = contents.len() / entry_bytes.max(1);
+        let entry = |at: u16| (entries > 0).then(|| usize::from(at) % entries * entry_bytes);
+        let number = |at: u16, bytes: usize| {
+            let numbers = contents.len() / bytes;
+            (numbers > 0).then(|| usize::from(at) % numbers * bytes)
+        };
+        match self {
+            Edit::Byte { at, value } => {
+                if let Some(at) = number(*at, 1) {
+                    contents[at] = *value;
+                }
+            }
+            Edit::Half { at, value } => {
+                if let Some(at) = number(*at, 2) {
+                    let old = u16::from_le_bytes([contents[at], contents[at + 1]]);
+                    put(contents, at, (value.of(old.into()) as u16).to_le_bytes());
+                }
+            }
+            Edit::Word { at, value } => {
+                if let Some(at) = number(*at, 4) {
+                    let new = value.of(u32_at(contents, at));
+                    put(contents, at, new.to_le_bytes());
+                }
+            }
+            Edit::Copy { from, to } => {
+                if let (Some(from), Some(to)) = (entry(*from), entry(*to)) {
+                    contents.copy_within(from..from + entry_bytes, to);
+                }
+            }
+            Edit::Swap { one, other } => {
+                if let (Some(one), Some(other)) = (entry(*one), entry(*other)) {
+                    (0..entry_bytes).for_each(|byte| contents.swap(one + byte, other + byte));
+                }
+            }
+            Edit::Insert { at } => {
+                let at = entry(*at).unwrap_or(0);
+                contents.splice(at..at, std::iter::repeat_n(0, entry_bytes));
+            }
+            Edit::Remove { at } => {
+                if let Some(at) = entry(*at) {
+                    contents.drain(at..at + entry_bytes);
+                }
+            }
+        }
+    }
+}
+
+impl Number {
+    fn of(&self, old: u32) -> u32 {
+        match self {
+            Number::Set(value) => *value,
+            Number::Add(difference) => old.wrapping_add_signed(i32::from(*difference)),
+            Number::Flip(bit) => old ^ (1 << (bit % 32)),
+        }
+    }
+}

@@ -1,0 +1,39 @@
+//! What must hold of lipz for any bytes.
+//!
+//! Each check takes bytes from anywhere and panics if something does not hold that the crates promise.
+//! The fuzz targets in `fuzz/` hand it what libFuzzer makes up, the test `replay` what is in
+//! `fuzz/seeds`, with a fixed number of changes.
+
+mod bank;
+mod file;
+mod foreign;
+mod forged_bank;
+mod round_trip;
+mod second_life;
+
+pub use bank::{bank, text_bank};
+pub use file::{parse, rewrite};
+pub use foreign::foreign;
+pub use forged_bank::forged_bank;
+pub use round_trip::round_trip;
+pub use second_life::second_life;
+
+/// One fuzz target: `fuzz/fuzz_targets/NAME.rs` with the seeds in `fuzz/seeds/NAME`.
+pub struct Target {
+    /// How the target is called.
+    pub name: &'static str,
+    /// What must hold.
+    pub check: fn(&[u8]),
+}
+
+/// All fuzz targets.
+pub const TARGETS: [Target; 8] = [
+    Target { name: "bank", check: bank },
+    Target { name: "text_bank", check: text_bank },
+    Target { name: "forged_bank", check: forged_bank },
+    Target { name: "parse", check: parse },
+    Target { name: "foreign", check: foreign },
+    Target { name: "second_life", check: second_life },
+    Target { name: "rewrite", check: rewrite },
+    Target { name: "round_trip", check: round_trip },
+];

@@ -1,0 +1,35 @@
+//! Files that are packed and unpacked.
+
+use crate::exercise::verified_is_whole;
+use lipz_bank::Bank;
+use lipz_compiler::{Documents, Input, Options, compile};
+use lipz_diagnostics::{Code, Severity};
+
+/// Separates files in the input: no Lipz file has it as a byte.
+const SEPARATOR: u8 = 0;
+
+/// Takes the bytes for up to four files, and packs those that have no errors: they come back element by
+/// element as they were, and packed again they are the same bank.
+pub fn round_trip(bytes: &[u8]) {
+    let joined = [(Code::SegmentCount, Some(Severity::Warning))];
+    let options = Options { default_locale: Some("en-us".into()), levels: joined.into(), ..Options::default() };
+    let files = bytes.split(|byte| *byte == SEPARATOR).take(4);
+    let input = |(number, file): (usize, &[u8])| Input::from_bytes(format!("clip-{number}"), file);
+    let is_good = |file: &&[u8]| compile(&[input((0, file))], &options, &|_| {}).bank.is_some();
+    let good: Vec<&[u8]> = files.filter(is_good).collect();
+
+    let inputs: Vec<Input> = good.iter().copied().enumerate().map(input).collect();
+    let packed = compile(&inputs, &options, &|_| {}).bank.expect("files without errors");
+    let bank = Bank::open(&packed).and_then(Bank::verify).expect("what the compiler made");
+    verified_is_whole(&bank);
+
+    let documents = Documents::of(&bank).expect("the sources are in the bank");
+    let mut unpacked = Vec::new();
+    for (file, document) in good.iter().zip(documents.iter()) {
+        let (key, document) = document.expect("a source record of the compiler");
+        assert_eq!(Some(&document), lipz_file::parse(file).document.as_ref(), "{key}");
+        unpacked.push(Input::from_bytes(key, lipz_file::write(&document)));
+    }
+    assert_eq!(unpacked.len(), good.len());
+    assert_eq!(compile(&unpacked, &options, &|_| {}).bank.as_ref(), Some(&packed), "packed again");
+}

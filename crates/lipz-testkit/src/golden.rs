@@ -1,0 +1,110 @@
+//! Golden banks, and tools to look into them and to damage them.
+
+use crate::answers::write_answers;
+use lipz_bank::{Bank, ClipId, Error};
+use lipz_layout::{CHECKED_FROM, ClipRecord, DirectoryEntry, Header, KeyRecord, Tag, checksum};
+use std::mem::size_of;
+use std::ops::Range;
+use zerocopy::FromBytes;
+
+pub static DRAMA: &[u8] = include_bytes!("../../../fixtures/banks/v1/drama.lipzbank");
+pub static SMALL: &[u8] = include_bytes!("../../../fixtures/banks/v1/small.lipzbank");
+pub static STRIPPED: &[u8] = include_bytes!("../../../fixtures/banks/v1/stripped.lipzbank");
+pub static WIDE: &[u8] = include_bytes!("../../../fixtures/banks/v1/wide.lipzbank");
+
+/// A bank of this repository, verified.
+pub fn verified(bytes: &[u8]) -> Bank<'_> {
+    Bank::open(bytes).and_then(Bank::verify).expect("a golden bank")
+}
+
+/// The first finding of open or verify, if there is one.
+pub fn finding(bytes: &[u8]) -> Option<Error> {
+    Bank::open(bytes).and_then(Bank::verify).err()
+}
+
+/// Makes the checksum right again after a change.
+pub fn reseal(bytes: &mut [u8]) {
+    if let Some(checked) = bytes.get(CHECKED_FROM..) {
+        let sum = checksum(checked);
+        bytes[8..16].copy_from_slice(&sum.to_le_bytes());
+    }
+}
+
+/// A copy of `bytes` that `change` has changed, with the right checksum.
+pub fn changed(bytes: &[u8], change: impl FnOnce(&mut Vec<u8>)) -> Vec<u8> {
+    let mut copy = bytes.to_vec();
+    change(&mut copy);
+    reseal(&mut copy);
+    copy
+}
+
+/// Overwrites the bytes from `at` on.
+pub fn put(bytes: &mut [u8], at: usize, new: impl AsRef<[u8]>) {
+    let new = new.as_ref();
+    bytes[at..at + new.len()].copy_from_slice(new);
+}
+
+/// The number in the four bytes at `at`.
+pub fn u32_at(bytes: &[u8], at: usize) -> u32 {
+    u32::from_le_bytes(bytes[at..at + 4].try_into().expect("four bytes"))
+}
+
+/// The directory of a bank without fault.
+pub fn directory(bytes: &[u8]) -> &[DirectoryEntry] {
+    let (header, rest) = Header::ref_from_prefix(bytes).expect("a header");
+    let count = header.section_count.get() as usize;
+    <[DirectoryEntry]>::ref_from_prefix_with_elems(rest, count).expect("a directory").0
+}
+
+/// Where the directory entry of a section stands.
+pub fn entry_of(bytes: &[u8], tag: Tag) -> usize {
+    let index = directory(bytes).iter().position(|entry| entry.tag == tag.0).expect("a known section");
+    size_of::<Header>() + index * size_of::<DirectoryEntry>()
+}
+
+/// Where the contents of a section stand.
+pub fn section(bytes: &[u8], tag: Tag) -> Range<usize> {
+    let at = entry_of(bytes, tag);
+    let start = u32_at(bytes, at + 4) as usize;
+    start..start + u32_at(bytes, at + 8) as usize
+}
+
+/// The slot of a clip.
+fn slot_of(bytes: &[u8], key: &str) -> usize {
+    let records = <[KeyRecord]>::ref_from_bytes(&bytes[section(bytes, Tag::KEYS)]).expect("key records");
+    records.iter().position(|record| record.id.get() == ClipId::from_key(key).get()).expect("a known key")
+}
+
+/// Where the record of a clip stands.
+pub fn record_of(bytes: &[u8], key: &str) -> usize {
+    section(bytes, Tag::CLIPS).start + slot_of(bytes, key) * size_of::<ClipRecord>()
+}
+
+/// Where the record of a clip's key stands.
+pub fn key_record_of(bytes: &[u8], key: &str) -> usize {
+    section(bytes, Tag::KEYS).start + slot_of(bytes, key) * size_of::<KeyRecord>()
+}
+
+/// Random numbers, always the same ones (SplitMix64; Steele, Lea and Flood, OOPSLA 2014).
+pub struct Random(pub u64);
+
+impl Random {
+    pub fn next_u64(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        mixed ^ (mixed >> 31)
+    }
+
+    /// A number below `bound`.
+    pub fn below(&mut self, bound: usize) -> usize {
+        (self.next_u64() % bound as u64) as usize
+    }
+}
+
+/// Everything that `bank` answers, one fact a line, in the order of keys and tags.
+pub fn dump(bank: &Bank<'_>) -> String {
+    let mut out = String::new();
+    write_answers(bank, &mut out).expect("a string takes everything");
+    out
+}

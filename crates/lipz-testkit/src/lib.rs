@@ -1,0 +1,24 @@
+//! Helpers of lipz's tests, for all crates and for firmware.
+//!
+//! [`answers`] writes what a bank answers; it is all that there is without features, because firmware has
+//! no `std`. With `std` there are the [golden banks](golden), [forged ones](forge) and [every
+//! query](exercise); with `tools`, what must hold of the [compiler's tools](tools) and for [any
+//! bytes](fuzz).
+// A helper fails by panicking: that is what a test and a fuzzer notice.
+#![cfg_attr(not(feature = "std"), no_std)]
+#![allow(missing_docs, reason = "the helpers of tests say in their names what they do")]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::cast_possible_truncation)]
+
+pub mod answers;
+#[cfg(feature = "tools")]
+pub mod documents;
+#[cfg(feature = "std")]
+pub mod exercise;
+#[cfg(feature = "std")]
+pub mod forge;
+#[cfg(feature = "tools")]
+pub mod fuzz;
+#[cfg(feature = "std")]
+pub mod golden;
+#[cfg(feature = "tools")]
+pub mod tools;

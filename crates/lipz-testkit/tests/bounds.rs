@@ -1,0 +1,193 @@
+//! The worst that a query costs on a hostile bank, as docs/FORMAT.md states it: counted in instructions,
+//! because time proves nothing on a shared machine. Needs valgrind, on which it runs itself.
+#![allow(clippy::unwrap_used, clippy::panic, clippy::cast_possible_truncation, reason = "tests")]
+#![allow(clippy::expect_used, clippy::unnecessary_map_or, reason = "helpers of the reader's tests")]
+
+use lipz_bank::{Bank, Fps, Micros, Samples, Seconds};
+use lipz_layout::{EventNameRecord, EventRecord, Tag, TypedEventRecord, U32, VERB_DOES};
+use lipz_testkit::forge::{self, ForgedClip};
+use lipz_testkit::golden::{directory, section};
+use std::hint::black_box;
+use std::process::Command;
+use zerocopy::IntoBytes;
+
+/// Entries of every table of the small bank, and of the large one.
+const ENTRIES: [usize; 2] = [1 << 9, 1 << 15];
+/// What tells this program how many entries to forge.
+const VARIABLE: &str = "LIPZ_BOUNDS_ENTRIES";
+
+/// How the cost of a query grows with the bank.
+#[derive(Clone, Copy, PartialEq)]
+enum Growth {
+    /// Not at all.
+    Constant,
+    /// By a step of a binary search whenever the bank doubles.
+    Logarithmic,
+    /// At most as the bank does.
+    Linear,
+}
+
+/// Instructions that a query of constant cost may differ by: other branches, no loop.
+const NO_LOOP: u64 = 100;
+/// Instructions of a step of a binary search over names.
+const SEARCH_STEP: u64 = 200;
+
+/// The queries, each in a function that callgrind tells from others.
+macro_rules! queries {
+    ($($name:ident: $growth:ident = |$bank:ident| $query:expr;)*) => {
+        mod queries {
+            use super::*;
+            $(#[inline(never)]
+            pub(super) fn $name(bank: &Bank<'_>) {
+                let $bank = black_box(bank);
+                black_box($query);
+            })*
+        }
+        const QUERIES: &[(&str, Growth, fn(&Bank<'_>))] =
+            &[$((stringify!($name), Growth::$growth, queries::$name)),*];
+    };
+}
+
+queries! {
+    clip: Constant = |bank| bank.clip(lipz_bank::ClipId::from_key("k")).is_some();
+    clip_by_key: Constant = |bank| bank.clip_by_key("k").is_some();
+    clips_under: Logarithmic = |bank| bank.clips_under("k").size_hint();
+    all_clips: Linear = |bank| bank.clips().count();
+    locale: Linear = |bank| bank.locale("none").is_some();
+    default_locale: Linear = |bank| bank.default_locale().is_some();
+    event_name: Logarithmic = |bank| bank.event_name("zz").is_some();
+    frame_at_micros: Constant = |bank| the(bank).frame_at(Micros(i64::MAX));
+    frame_at_samples: Constant = |bank| the(bank).frame_at(Samples { position: i64::MAX, rate_hz: 1 });
+    frame_at_seconds: Constant = |bank| the(bank).frame_at(Seconds(f64::MAX));
+    viseme: Constant = |bank| the(bank).viseme_at(Micros(1));
+    frames: Constant = |bank| the(bank).frames().len();
+    segment_count: Constant = |bank| the(bank).segment_count();
+    segment_of_frame: Logarithmic = |bank| the(bank).segment_of_frame(1).is_some();
+    segment_at: Logarithmic = |bank| the(bank).segment_at(Micros(0)).is_some();
+    segment_frames: Constant = |bank| last(bank).frames().len();
+    text: Constant = |bank| last(bank).text(bank.locales().next().unwrap()).is_some();
+    text_bytes: Constant = |bank| last(bank).text_bytes(bank.locales().next().unwrap()).is_some();
+    event: Constant = |bank| last(bank).event().is_some();
+    first_event: Constant = |bank| last(bank).events().next().is_some();
+    events: Linear = |bank| last(bank).events().count();
+    segments: Linear = |bank| the(bank).segments().count();
+    verify: Linear = |bank| bank.verify().is_err();
+}
+
+/// The one clip.
+fn the<'data, 'bank>(bank: &'bank Bank<'data>) -> lipz_bank::Clip<'data, 'bank> {
+    bank.clip_at(0).unwrap().or_fps(Fps::whole(24))
+}
+
+fn last<'data, 'bank>(bank: &'bank Bank<'data>) -> lipz_bank::Segment<'data, 'bank> {
+    let clip = the(bank);
+    clip.segment(clip.segment_count() - 1).unwrap()
+}
+
+/// A bank with so many locales.
+fn many_locales(entries: usize) -> Vec<u8> {
+    let clip = ForgedClip { key: "k", frames: vec![], starts: vec![] };
+    forge::bank(&[clip], entries, &[0], b"")
+}
+
+/// A bank with `entries` of everything that one clip can refer to: segments that are all empty, event
+/// strings that all claim all typed events, names that are all the same.
+fn hostile(entries: usize) -> Vec<u8> {
+    let starts = vec![0; entries - 1];
+    let clip = ForgedClip { key: "k", frames: vec![b'A'; entries], starts };
+    let whole = forge::bank(&[clip], 1, &vec![0; entries], b"");
+    let mut contents: Vec<(Tag, u16, Vec<u8>)> = directory(&whole)
+        .iter()
+        .map(|entry| (Tag(entry.tag), entry.entry_bytes.get(), whole[section(&whole, Tag(entry.tag))].to_vec()))
+        .collect();
+    let number = |number: usize| U32::new(number as u32);
+    let event = EventRecord {
+        offset_bytes: number(0),
+        length_bytes: number(1),
+        typed_first: number(0),
+        typed_count: number(entries),
+    };
+    let typed = TypedEventRecord { character: number(0), object: number(0), verb: VERB_DOES, reserved: [0; 7] };
+    let name = EventNameRecord { offset_bytes: number(0), length_bytes: number(1) };
+    for (tag, _, contents) in &mut contents {
+        match *tag {
+            Tag::KEY_ORDER => *contents = vec![0; 4 * entries],
+            Tag::EVENT_REFS => *contents = vec![0; 4 * entries],
+            Tag::EVENTS => *contents = vec![event; entries].as_bytes().to_vec(),
+            Tag::TYPED_EVENTS => *contents = vec![typed; entries].as_bytes().to_vec(),
+            Tag::EVENT_NAMES => *contents = vec![name; entries].as_bytes().to_vec(),
+            Tag::EVENT_STRINGS => *contents = b"x".to_vec(),
+            _ => {}
+        }
+    }
+    let sections: Vec<_> = contents.iter().map(|(tag, entry, contents)| (*tag, *entry, contents.as_slice())).collect();
+    forge::file(&sections, 0, 0)
+}
+
+/// What runs under callgrind.
+#[test]
+#[ignore = "run by `queries_cost_what_is_stated`"]
+fn every_query_once() {
+    let entries = std::env::var(VARIABLE).unwrap().parse().unwrap();
+    let bytes = hostile(entries);
+    let bank = Bank::open(&bytes).unwrap();
+    let other_bytes = many_locales(entries);
+    let other = Bank::open(&other_bytes).unwrap();
+    assert_eq!((the(&bank).segment_count() as usize, other.locales().count()), (entries, entries));
+    assert_eq!((last(&bank).events().count(), bank.clips().count()), (entries, entries));
+    for (name, _, query) in QUERIES {
+        query(if name.contains("locale") { &other } else { &bank });
+    }
+}
+
+/// Instructions of each query on a bank of so many entries, callees included.
+fn instructions(entries: usize) -> Vec<u64> {
+    let folder = std::env::temp_dir().join(format!("lipz-bounds-{}-{entries}", std::process::id()));
+    let run = |command: &mut Command| {
+        let output = command.output().unwrap();
+        assert!(output.status.success(), "{command:?}: {}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8_lossy(&output.stdout).into_owned()
+    };
+    run(Command::new("valgrind")
+        .args(["--tool=callgrind", &format!("--callgrind-out-file={}", folder.display())])
+        .arg(std::env::current_exe().unwrap())
+        .args(["--exact", "every_query_once", "--ignored", "--test-threads=1"])
+        .env(VARIABLE, entries.to_string()));
+    let annotated = run(Command::new("callgrind_annotate").args(["--inclusive=yes", "--threshold=100"]).arg(&folder));
+    std::fs::remove_file(&folder).unwrap();
+    // `1,234 (0.01%)  file:bounds::queries::name [program]`
+    let count = |name: &str| {
+        let function = format!("bounds::queries::{name}");
+        let line = annotated.lines().find(|line| ends_name(line, &function));
+        let line = line.unwrap_or_else(|| panic!("{name} is not in\n{annotated}"));
+        line.split_whitespace().next().unwrap().replace(',', "").parse().unwrap()
+    };
+    QUERIES.iter().map(|(name, ..)| count(name)).collect()
+}
+
+/// Whether the line is about this function, not about one whose name starts so.
+fn ends_name(line: &str, function: &str) -> bool {
+    line.split_once(function).is_some_and(|(_, rest)| !rest.starts_with(|c: char| c.is_alphanumeric() || c == '_'))
+}
+
+#[test]
+fn queries_cost_what_is_stated() {
+    if !["valgrind", "callgrind_annotate"].iter().all(|tool| Command::new(tool).arg("--version").output().is_ok()) {
+        assert!(std::env::var_os("CI").is_none(), "needs valgrind");
+        eprintln!("skipped: needs valgrind");
+        return;
+    }
+    let [small, large] = ENTRIES.map(instructions);
+    let times = (ENTRIES[1] / ENTRIES[0]) as u64;
+    for ((name, growth, _), (small, large)) in QUERIES.iter().zip(small.into_iter().zip(large)) {
+        println!("{name:<18} {small:>9} {large:>9}");
+        let most = match growth {
+            Growth::Constant => small + NO_LOOP,
+            Growth::Logarithmic => small + SEARCH_STEP * u64::from(times.ilog2()) * 2,
+            Growth::Linear => small * times + NO_LOOP,
+        };
+        assert!(large <= most, "{name}: {small} instructions, with {times} times the entries {large}");
+        // The measure sees loops at all.
+        assert!(*growth != Growth::Linear || *name == "verify" || large > small * 2, "{name}: {small}, {large}");
+    }
+}

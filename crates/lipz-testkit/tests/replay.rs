@@ -1,0 +1,82 @@
+//! What the fuzzers once found interesting, and a fixed number of changes of it: fuzzing in short, the
+//! same in every run.
+#![allow(clippy::unwrap_used, clippy::cast_possible_truncation, reason = "tests")]
+#![allow(clippy::expect_used, clippy::unnecessary_map_or, reason = "helpers of the reader's tests")]
+
+use lipz_testkit::fuzz::TARGETS;
+use lipz_testkit::golden::Random;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Changed copies of each seed.
+const COPIES: u64 = 2_000;
+
+fn fuzz() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz")
+}
+
+/// The seeds of a target, in the order of their names.
+fn seeds(target: &str) -> Vec<PathBuf> {
+    let entries = fs::read_dir(fuzz().join("seeds").join(target)).unwrap();
+    let mut paths: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
+    paths.sort();
+    paths
+}
+
+/// Up to four changes, as fuzzers make them.
+fn changed(seed: &[u8], random: &mut Random) -> Vec<u8> {
+    let mut bytes = seed.to_vec();
+    for _ in 0..=random.below(4) {
+        let at = random.below(bytes.len().max(1));
+        let end = (at + 1 + random.below(16)).min(bytes.len());
+        match random.below(5) {
+            0 => bytes.extend_from_within(at..end),
+            1 => drop(bytes.drain(at..end)),
+            2 => bytes.insert(at, random.next_u64() as u8),
+            3 if at < bytes.len() => bytes[at] ^= 1 << random.below(8),
+            _ => bytes.truncate(end),
+        }
+    }
+    bytes
+}
+
+/// A panic says by itself what does not hold; the target and the seed are in the name of the thread.
+#[test]
+fn the_seeds_and_changes_of_them() {
+    std::thread::scope(|scope| {
+        for target in TARGETS {
+            let replay = move || {
+                let seeds = seeds(target.name);
+                assert!(!seeds.is_empty(), "no seeds");
+                for path in seeds {
+                    let seed = fs::read(&path).unwrap();
+                    (target.check)(&seed);
+                    let mut random = Random(seed.len() as u64);
+                    (0..COPIES).for_each(|_| (target.check)(&changed(&seed, &mut random)));
+                }
+            };
+            std::thread::Builder::new().name(target.name.to_owned()).spawn_scoped(scope, replay).unwrap();
+        }
+    });
+}
+
+/// Every check has its fuzz target, and every fuzz target its check.
+#[test]
+fn the_targets_are_those_of_the_fuzzers() {
+    let mut programs: Vec<String> = fs::read_dir(fuzz().join("fuzz_targets"))
+        .unwrap()
+        .filter(|entry| entry.as_ref().unwrap().path().extension().is_some_and(|extension| extension == "rs"))
+        .map(|entry| entry.unwrap().path().file_stem().unwrap().to_string_lossy().into_owned())
+        .collect();
+    programs.sort();
+    let mut names = TARGETS.map(|target| target.name);
+    names.sort_unstable();
+    assert_eq!(programs, names);
+    let manifest = fs::read_to_string(fuzz().join("Cargo.toml")).unwrap();
+    for name in names {
+        let program = fs::read_to_string(fuzz().join(format!("fuzz_targets/{name}.rs"))).unwrap();
+        assert!(program.contains(&format!("lipz_testkit::fuzz::{name}(bytes)")), "{name}");
+        assert!(fuzz().join(format!("fuzz_targets/{name}.options")).exists(), "{name}");
+        assert!(manifest.contains(&format!("name = \"{name}\"\n")), "{name}");
+    }
+}

@@ -1,0 +1,52 @@
+//! The vocabulary that all crates of lipz share: [`ClipId`], [`VisemeType`], [`Fps`], [`Time`] and the
+//! commands of Character Event Syntax. `no_std`, no allocation, no dependencies.
+//!
+//! `lipz-bank` re-exports what a game needs, so that a game names one crate. Parsers, importers and
+//! other tools use this crate, and so need neither the reader nor the binary layout.
+//!
+//! ```
+//! use lipz_types::{ClipId, Fps, Micros, VisemeType};
+//! const HELLO: ClipId = ClipId::from_key("act1/hello");
+//! assert_eq!(HELLO.to_string().parse(), Ok(HELLO));
+//! assert_eq!(Fps::whole(24).frame_at(Micros(500_000)), Some(12));
+//! assert_eq!("blair".parse(), Ok(VisemeType::Blair));
+//! ```
+
+#![no_std]
+#![forbid(unsafe_code)]
+// Numbers are narrowed only where they are known to fit.
+#![allow(clippy::cast_possible_truncation)]
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::indexing_slicing,
+        clippy::arithmetic_side_effects,
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic
+    )
+)]
+
+#[cfg(any(feature = "std", test))]
+extern crate std;
+
+mod command;
+mod fps;
+pub mod hash;
+mod id;
+mod name;
+mod time;
+mod viseme;
+mod weight;
+
+pub use command::Command;
+pub use fps::Fps;
+pub use id::ClipId;
+pub use name::UnknownName;
+pub use time::{Micros, Samples, Seconds, Time};
+pub use viseme::{Viseme, VisemeType};
+pub use weight::Weight;
+
+/// The first eight bytes of a bank, by which other readers of files know one. As in PNG, a byte above
+/// 127, CR LF, a DOS end-of-file and a lone LF make every usual text-mode damage visible.
+pub const BANK_MAGIC: [u8; 8] = *b"\x89LPZ\r\n\x1a\n";

@@ -1,0 +1,196 @@
+//! Points in time of a clip's audio, in the units that audio engines report.
+
+use crate::Fps;
+use crate::fps::LATEST_US;
+
+/// A point in time since the clip's audio began, in one of the units that audio engines report:
+/// [`Micros`], [`Samples`], [`Seconds`] or [`core::time::Duration`].
+///
+/// Every unit leads to the frame number of exact arithmetic, ⌊time · fps⌋ (Lipz specification,
+/// "Knowing which Viseme to Show"). Times before the start, after the end, infinite or not a number
+/// are no error: they lead to no frame, and so to rest.
+pub trait Time: Copy + sealed::Sealed {
+    /// The frame that shows at this time, if it is one of the first `frame_count`.
+    #[doc(hidden)]
+    fn frame(self, fps: Fps, frame_count: u32) -> Option<u32>;
+
+    /// Whether this is a time from the start on.
+    #[doc(hidden)]
+    fn has_begun(self) -> bool;
+
+    /// The time so much later, rounded up to the unit.
+    #[doc(hidden)]
+    fn later(self, us: u32) -> Self;
+}
+
+/// Microseconds in a second.
+const MICROS_PER_SECOND: u32 = 1_000_000;
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for super::Micros {}
+    impl Sealed for super::Samples {}
+    impl Sealed for super::Seconds<f32> {}
+    impl Sealed for super::Seconds<f64> {}
+    impl Sealed for core::time::Duration {}
+}
+
+/// Microseconds since the clip's audio began. The fastest unit: no division, no loop.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct Micros(pub i64);
+
+impl Time for Micros {
+    #[inline]
+    fn frame(self, fps: Fps, frame_count: u32) -> Option<u32> {
+        // Times before the start are far behind the latest, too.
+        let time_us = self.0 as u64;
+        if time_us >= LATEST_US {
+            return None;
+        }
+        let frame = fps.frame_at_micros(time_us);
+        if frame < u64::from(frame_count) { Some(frame as u32) } else { None }
+    }
+
+    #[inline]
+    fn has_begun(self) -> bool {
+        self.0 >= 0
+    }
+
+    #[inline]
+    fn later(self, us: u32) -> Self {
+        Micros(self.0.saturating_add(i64::from(us)))
+    }
+}
+
+/// A position in samples, at a sample rate.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub struct Samples {
+    /// Samples (per channel) played since the clip's audio began.
+    pub position: i64,
+    /// Samples per second (per channel); at rate 0 no frame shows.
+    pub rate_hz: u32,
+}
+
+impl Time for Samples {
+    #[inline]
+    fn frame(self, fps: Fps, frame_count: u32) -> Option<u32> {
+        if self.position < 0 || self.rate_hz == 0 {
+            return None;
+        }
+        fps.frame_at_units(self.position as u128, self.rate_hz, frame_count)
+    }
+
+    #[inline]
+    fn has_begun(self) -> bool {
+        self.position >= 0 && self.rate_hz > 0
+    }
+
+    #[allow(clippy::arithmetic_side_effects)] // the divisor is not zero
+    fn later(self, us: u32) -> Self {
+        let millionths = u64::from(us).wrapping_mul(u64::from(self.rate_hz));
+        let micros = u64::from(MICROS_PER_SECOND);
+        let samples = (millionths / micros).wrapping_add(u64::from(millionths % micros != 0));
+        Samples { position: self.position.saturating_add(samples as i64), ..self }
+    }
+}
+
+impl Time for core::time::Duration {
+    #[inline]
+    fn frame(self, fps: Fps, frame_count: u32) -> Option<u32> {
+        fps.frame_at_units(self.as_nanos(), 1_000_000_000, frame_count)
+    }
+
+    #[inline]
+    fn has_begun(self) -> bool {
+        true
+    }
+
+    #[inline]
+    fn later(self, us: u32) -> Self {
+        self.saturating_add(core::time::Duration::from_micros(u64::from(us)))
+    }
+}
+
+/// Seconds in floating point, `f32` or `f64`.
+///
+/// A floating-point time is rounded, so a host that computes the start of frame *n* as `n / fps`
+/// often ends a hair before it. The rule: the frame is that of the time **two units in the last
+/// place later** (at most 2⁻²² of an `f32` time, 2⁻⁵¹ of an `f64` one), in exact arithmetic. With
+/// it, `n / fps` leads to frame *n* for every *n* in `f64`, and up to 2²¹ (a day at 24 fps) in
+/// `f32`. Where your engine offers an integer clock, use [`Micros`] or [`Samples`].
+///
+/// ```
+/// # use lipz_types::{Fps, Seconds};
+/// let start_of_frame_123 = 123.0_f64 / 30.0;
+/// assert!(start_of_frame_123 * 30.0 < 123.0); // the naive product shows frame 122
+/// assert_eq!(Fps::whole(30).frame_at(Seconds(start_of_frame_123)), Some(123));
+/// ```
+#[derive(Clone, Copy, PartialEq, PartialOrd, Debug)]
+pub struct Seconds<T>(pub T);
+
+impl Time for Seconds<f32> {
+    #[inline]
+    fn frame(self, fps: Fps, frame_count: u32) -> Option<u32> {
+        let bits = self.0.to_bits();
+        let exponent = bits >> 23; // with the sign above its eight bits
+        let fraction = u64::from(bits & 0x7F_FFFF);
+        match exponent {
+            _ if bits == 1 << 31 => frame_at_float(fps, frame_count, 0, 149), // -0.0
+            255.. => None,                                                    // negative, infinite, NaN
+            0 => frame_at_float(fps, frame_count, fraction, 149),
+            _ => frame_at_float(fps, frame_count, fraction | 1 << 23, 150_i32.wrapping_sub(exponent as i32)),
+        }
+    }
+
+    #[inline]
+    fn has_begun(self) -> bool {
+        self.0 >= 0.0
+    }
+
+    #[inline]
+    fn later(self, us: u32) -> Self {
+        Seconds(self.0 + us as f32 / MICROS_PER_SECOND as f32)
+    }
+}
+
+impl Time for Seconds<f64> {
+    #[inline]
+    fn frame(self, fps: Fps, frame_count: u32) -> Option<u32> {
+        let bits = self.0.to_bits();
+        let exponent = bits >> 52; // with the sign above its eleven bits
+        let fraction = bits & 0xF_FFFF_FFFF_FFFF;
+        match exponent {
+            _ if bits == 1 << 63 => frame_at_float(fps, frame_count, 0, 1074), // -0.0
+            2047.. => None,                                                    // negative, infinite, NaN
+            0 => frame_at_float(fps, frame_count, fraction, 1074),
+            _ => frame_at_float(fps, frame_count, fraction | 1 << 52, 1075_i32.wrapping_sub(exponent as i32)),
+        }
+    }
+
+    #[inline]
+    fn has_begun(self) -> bool {
+        self.0 >= 0.0
+    }
+
+    #[inline]
+    fn later(self, us: u32) -> Self {
+        Seconds(self.0 + f64::from(us) / f64::from(MICROS_PER_SECOND))
+    }
+}
+
+/// The frame at (`mantissa` + 2) · 2^−`shift` seconds.
+///
+/// With whole units (`shift` ≤ 0) the time is at least 2²³ seconds, 97 days; from 2⁷⁵ seconds on
+/// no clip of 2³² frames at one frame per second is that long.
+fn frame_at_float(fps: Fps, frame_count: u32, mantissa: u64, shift: i32) -> Option<u32> {
+    let time = u128::from(mantissa.wrapping_add(2));
+    if shift <= 0 {
+        let shift = shift.unsigned_abs();
+        return if shift > 22 { None } else { fps.frame_at_units(time << shift, 1, frame_count) };
+    }
+    // ⌊⌊t · n / 2^shift⌋ / d⌋ = ⌊t · n / (2^shift · d)⌋, and t · n has fewer than 87 bits.
+    let frames = time.wrapping_mul(u128::from(fps.numerator()));
+    let frames = if shift < 128 { frames >> shift } else { 0 };
+    // The numerator is in already: divide by the denominator alone.
+    Fps::from_parts_unchecked(1, fps.denominator(), 0).frame_at_units(frames, 1, frame_count)
+}

@@ -1,0 +1,104 @@
+//! Bank files on disk, and what to say when they are not banks.
+
+use crate::reporter::Reporter;
+use crate::{Outcome, console, standard};
+use lipz_bank::{Bank, Error, ErrorKind, TextBank};
+use lipz_diagnostics::{Code, Diagnostic, Report};
+use lipz_host::{FileBytes, Hold};
+use lipz_layout::{FORMAT_MAJOR, FORMAT_MINOR, Header, MAGIC};
+use std::io;
+use std::mem::offset_of;
+use std::path::Path;
+
+/// The most bytes that a bank has: its offsets have 32 bits.
+const LONGEST_BANK: u64 = u32::MAX as u64;
+
+const NAME_A_BANK: &str = "name a .lipzbank file; `lipz pack` makes one of Lipz files";
+
+/// The bytes of a bank, and how messages name it.
+pub(crate) struct BankFile {
+    pub(crate) name: String,
+    bytes: FileBytes,
+}
+
+impl BankFile {
+    /// Maps the file at `path`, or reads standard input. Reports why that is not possible.
+    pub(crate) fn open(path: &Path, reporter: &mut Reporter) -> Result<BankFile, Outcome> {
+        let (name, bytes) = if standard::is_meant(path) {
+            (standard::INPUT_NAME.to_owned(), standard::read(LONGEST_BANK + 1).map(FileBytes::from))
+        } else {
+            (console::path(path), FileBytes::open(path, Hold::Mapped))
+        };
+        match bytes {
+            Ok(bytes) => Ok(BankFile { name, bytes }),
+            Err(error) => {
+                let finding = unreadable(&name, &error);
+                Err(reporter.fail(Report::about(name, finding)))
+            }
+        }
+    }
+
+    /// The file as a text bank of `bank`, verified. Reports what is wrong with it.
+    pub(crate) fn texts(&self, bank: &Bank<'_>, reporter: &mut Reporter) -> Result<TextBank<'_>, Outcome> {
+        let opened = bank.open_texts(&self.bytes).map_err(|error| (Code::BankRefused, error));
+        let verified = opened.and_then(|texts| texts.verify(bank).map_err(|error| (Code::BankDamaged, error)));
+        verified.map_err(|(code, error)| {
+            reporter.add(vec![Report::about(self.name.as_str(), refused(code, error, &self.bytes))]);
+            Outcome::Errors
+        })
+    }
+
+    /// A bank that was made in memory.
+    pub(crate) fn made(name: String, bytes: Vec<u8>) -> BankFile {
+        BankFile { name, bytes: bytes.into() }
+    }
+
+    /// The bank, verified. Reports what is wrong with it.
+    pub(crate) fn bank(&self, reporter: &mut Reporter) -> Result<Bank<'_>, Outcome> {
+        let opened = Bank::open(&self.bytes).map_err(|error| (Code::BankRefused, error));
+        let verified = opened.and_then(|bank| bank.verify().map_err(|error| (Code::BankDamaged, error)));
+        verified.map_err(|(code, error)| {
+            reporter.add(vec![Report::about(self.name.as_str(), refused(code, error, &self.bytes))]);
+            Outcome::Errors
+        })
+    }
+}
+
+/// The finding for a file that cannot be mapped.
+fn unreadable(shown: &str, error: &io::Error) -> Diagnostic {
+    let finding = |what: &str| Diagnostic::new(Code::BankRefused, format!("`{shown}` {what}"));
+    match error.kind() {
+        io::ErrorKind::NotFound => finding("does not exist").help("check the spelling of the path"),
+        io::ErrorKind::IsADirectory => finding("is a folder").help("name the bank in it"),
+        _ => finding(&format!("cannot be read: {error}")),
+    }
+}
+
+/// The finding for a file that does not open or verify as a bank.
+fn refused(code: Code, error: Error, bytes: &[u8]) -> Diagnostic {
+    let kind = error.kind();
+    let place = format!("bank error {}, at byte {} of {}", kind as u8, error.offset_bytes(), bytes.len());
+    let finding = Diagnostic::new(code, kind.message()).note(place);
+    let update = "update lipz, or pack the bank again with this one";
+    match kind {
+        ErrorKind::UnsupportedVersion => finding
+            .note(format!("the bank has {}, this lipz reads {FORMAT_MAJOR}.{FORMAT_MINOR}", version(bytes)))
+            .help(update),
+        ErrorKind::SectionUnknown => finding.help(update),
+        ErrorKind::NotABank => finding.help(NAME_A_BANK),
+        ErrorKind::TooShort if !bytes.starts_with(&MAGIC) => finding.help(NAME_A_BANK),
+        ErrorKind::TextsOnly => finding.help("name the bank that it belongs to, and this file with --texts"),
+        ErrorKind::OtherClips => finding.help("take the texts that were packed with this bank, or pack both again"),
+        ErrorKind::TextMode => finding.help("copy it again in binary mode"),
+        _ => finding.help("copy the bank again, or pack it again"),
+    }
+}
+
+/// The format version in the header, `2.0`.
+fn version(bytes: &[u8]) -> String {
+    let number = |at: usize| match bytes.get(at..at + 2) {
+        Some(&[low, high]) => u16::from_le_bytes([low, high]).to_string(),
+        _ => "?".to_owned(),
+    };
+    format!("{}.{}", number(offset_of!(Header, format_major)), number(offset_of!(Header, format_minor)))
+}

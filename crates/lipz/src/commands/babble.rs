@@ -1,0 +1,83 @@
+//! `lipz babble`: the babble profile of a Second Life viewer, as settings of a project.
+
+use super::foreign;
+use crate::reporter::Reporter;
+use crate::{Ended, Outcome, console, standard};
+use clap::Args;
+use lipz_bank::{Babble, Fps};
+use lipz_compiler::settings::is_word;
+use lipz_diagnostics::Report;
+use lipz_interop::second_life::{LipSync, lip_sync};
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+/// Print the babble profile in a viewer's settings, for lipz.toml.
+///
+/// Viewers of Second Life keep what users changed in user_settings/settings.xml. What is not there has the
+/// viewer's default, which is printed, too.
+#[derive(Args, Debug)]
+#[command(after_help = "Examples:
+  lipz babble settings.xml >> lipz.toml
+  lipz babble settings.xml --name robot >> lipz.toml")]
+pub(crate) struct BabbleArguments {
+    /// The viewer's settings; `-` reads them from standard input
+    #[arg(value_name = "SETTINGS")]
+    pub(crate) settings: PathBuf,
+
+    /// Name of the profile; without it, it is the project's own
+    #[arg(long, value_name = "NAME", value_parser = name)]
+    pub(crate) name: Option<String>,
+}
+
+/// A name that stands in a TOML table's head as it is.
+fn name(text: &str) -> Result<String, String> {
+    let is_bare = text.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '-' | '_'));
+    if is_word(text) && is_bare { Ok(text.to_owned()) } else { Err("a name has letters, digits, - and _".to_owned()) }
+}
+
+pub(crate) fn run(arguments: &BabbleArguments, reporter: &mut Reporter) -> Ended {
+    let path = &arguments.settings;
+    let (shown, bytes) = read(path).map_err(|report| reporter.fail(report))?;
+    let mut diagnostics = Vec::new();
+    let settings = lip_sync(&bytes, &shown, &mut diagnostics);
+    let report = Report::from_bytes(&shown, &bytes, diagnostics);
+    let has_errors = report.has_errors();
+    if !report.diagnostics.is_empty() {
+        reporter.add(vec![report]);
+    }
+    match settings {
+        Some(settings) if !has_errors => Ok(console::print(&toml(&settings, arguments.name.as_deref()))),
+        _ => Ok(Outcome::Errors),
+    }
+}
+
+/// The name for messages and the bytes of the file.
+fn read(path: &Path) -> Result<(String, Vec<u8>), Report> {
+    if standard::is_meant(path) {
+        return Ok((standard::INPUT_NAME.to_owned(), standard::lipz_bytes()?));
+    }
+    let bytes = std::fs::read(path).map_err(|error| foreign::unreadable(path, &error))?;
+    Ok((console::path(path), bytes))
+}
+
+/// The settings as a profile in lipz.toml, complete.
+fn toml(settings: &LipSync, name: Option<&str>) -> String {
+    let mut text = match name {
+        Some(name) => format!("[babble.{name}]\n"),
+        None => "[babble]\n".to_owned(),
+    };
+    let built_in = Babble::DEFAULT;
+    for (key, own, default) in [
+        ("ooh", &settings.ooh, built_in.ooh()),
+        ("aah", &settings.aah, built_in.aah()),
+        ("ooh-power-transfer", &settings.ooh_power_transfer, built_in.ooh_power_transfer()),
+        ("aah-power-transfer", &settings.aah_power_transfer, built_in.aah_power_transfer()),
+    ] {
+        let default = || String::from_utf8_lossy(default).into_owned();
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{key} = \"{}\"", own.as_ref().map_or_else(default, ToString::to_string));
+    }
+    let rate = settings.rate.and_then(|rate| Fps::new(rate.numerator, rate.denominator));
+    let _ = writeln!(text, "rate = {}", rate.unwrap_or(built_in.rate()));
+    text
+}

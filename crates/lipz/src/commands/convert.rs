@@ -1,0 +1,168 @@
+//! `lipz convert`: Lipz files with the codes of another viseme type.
+
+use crate::project::hide_of_banks;
+use crate::reporter::Reporter;
+use crate::rewriting::{Rewriting, files, is_standard_input, reads_standard_input};
+use crate::sources::{Sources, usage_error};
+use crate::{Ended, Outcome, console, interrupt, standard};
+use clap::Args;
+use clap::error::ErrorKind;
+use lipz_bank::VisemeType;
+use lipz_compiler::{Input, Options, convert, each_file, key, replace_file};
+use lipz_diagnostics::{Code, Diagnostic, Report, Severity, count};
+use std::path::{Path, PathBuf};
+
+/// Convert Lipz files to another viseme type: blair to toonboom, toonboom to blair.
+///
+/// Only the codes and `viseme_type` change. Blair's L and U have no shape of their own in Toon Boom's
+/// chart; files that lose them are named. There is no way from or to rms. What comes from standard input
+/// goes to standard output.
+#[derive(Args, Debug)]
+#[command(mut_args(hide_of_banks))]
+#[command(after_help = "Examples:
+  lipz convert voices --viseme-type toonboom -o voices-toonboom
+  lipz convert voices --viseme-type blair --in-place
+  lipz convert - --viseme-type blair < mayor.lipz")]
+pub(crate) struct Convert {
+    #[command(flatten)]
+    sources: Sources,
+
+    /// Replace the files
+    #[arg(long)]
+    in_place: bool,
+
+    /// Write all files into this folder, converted or not, under their keys
+    #[arg(short, long, value_name = "FOLDER", conflicts_with = "in_place")]
+    output: Option<PathBuf>,
+}
+
+/// Where converted files go.
+#[derive(Clone, Copy)]
+enum Target<'a> {
+    InPlace,
+    Folder(&'a Path),
+}
+
+pub(crate) fn run(arguments: &Convert, reporter: &mut Reporter) -> Ended {
+    let project = arguments.sources.project(reporter)?;
+    let options = &project.settings.options;
+    let Some(viseme_type) = options.viseme_type else {
+        let tip = "name it with '--viseme-type', or set `viseme-type` in lipz.toml";
+        return Err(usage_error(ErrorKind::MissingRequiredArgument, "no viseme type to convert to is named", tip));
+    };
+    if reads_standard_input(&project.settings.sources)? {
+        return arguments.standard_input(viseme_type, options, reporter);
+    }
+    let target = arguments.target()?;
+    let quiet = arguments.sources.is_quiet();
+    let (inputs, mut reports) = project.settings.discover();
+    if let Target::Folder(folder) = target {
+        key::check(&inputs, &mut reports);
+        reports.extend(inputs.iter().filter_map(|input| in_the_way(folder, input)));
+        if !reports.is_empty() {
+            let outcome = Outcome::of(&reports).max(Outcome::Errors);
+            reporter.add(reports);
+            return Err(outcome);
+        }
+    }
+    let bar = console::progress_bar(inputs.len(), quiet);
+    let results = each_file(&inputs, options, &|count| bar.inc(count), |input, bytes| {
+        let converted = convert(bytes, viseme_type, options);
+        let is_changed = converted.text.is_some();
+        let written = match converted.diagnostics.iter().any(|finding| finding.severity == Severity::Error) {
+            true => Ok(()),
+            false => target.write(input, bytes, converted.text.as_deref()),
+        };
+        let found = !converted.diagnostics.is_empty();
+        let report = found.then(|| Report::from_bytes(input.name(), bytes, converted.diagnostics));
+        (is_changed, report.into_iter().chain(written.err()).collect::<Vec<_>>())
+    });
+    bar.finish_and_clear();
+    let (mut changed, mut unchanged) = (0, 0);
+    for result in results {
+        let (is_changed, of_file) = result.unwrap_or_else(|report| (false, vec![report]));
+        match (count(&of_file, Severity::Error), is_changed) {
+            (0, true) => changed += 1,
+            (0, false) => unchanged += 1,
+            _ => {}
+        }
+        reports.extend(of_file);
+    }
+    let outcome = Outcome::of(&reports);
+    reporter.add(reports);
+    if quiet || inputs.is_empty() {
+        return Ok(outcome);
+    }
+    let (changed, unchanged) = (files(changed), console::grouped(unchanged));
+    Ok(reporter.summary(&format!("{changed} converted to {viseme_type}, {unchanged} unchanged\n")).max(outcome))
+}
+
+impl Convert {
+    /// Whether standard output is for a converted file.
+    pub(crate) fn prints_result(&self) -> bool {
+        is_standard_input(self.sources.paths())
+    }
+
+    fn target(&self) -> Result<Target<'_>, Outcome> {
+        match &self.output {
+            Some(folder) => Ok(Target::Folder(folder)),
+            None if self.in_place => Ok(Target::InPlace),
+            None => {
+                let tip = "replace the files with '--in-place', or name a folder with '--output'";
+                let message = "it is not said where the converted files go";
+                Err(usage_error(ErrorKind::MissingRequiredArgument, message, tip))
+            }
+        }
+    }
+
+    /// Converts what comes from standard input.
+    fn standard_input(&self, viseme_type: VisemeType, options: &Options, reporter: &mut Reporter) -> Ended {
+        if self.in_place || self.output.is_some() {
+            let tip = "leave out '--in-place' and '--output'";
+            let message = "what comes from standard input goes to standard output";
+            return Err(usage_error(ErrorKind::ArgumentConflict, message, tip));
+        }
+        let bytes = standard::lipz_bytes().map_err(|report| reporter.fail(report))?;
+        let converted = convert(&bytes, viseme_type, options);
+        let report = Report::from_bytes(standard::INPUT_NAME, &bytes, converted.diagnostics);
+        let has_errors = report.has_errors();
+        reporter.add(vec![report]);
+        if has_errors {
+            return Err(Outcome::Errors);
+        }
+        Ok(console::print_bytes(converted.text.as_ref().map_or(&bytes, |text| text.as_bytes())))
+    }
+}
+
+impl Target<'_> {
+    /// Writes a file, whose new text is `after` if it has one.
+    fn write(self, input: &Input, before: &[u8], after: Option<&str>) -> Result<(), Report> {
+        match (self, after) {
+            (Target::Folder(folder), after) => {
+                let after = after.map_or(before, str::as_bytes);
+                interrupt::whole(|| replace_file(&output(folder, input), after))
+            }
+            (Target::InPlace, Some(after)) => {
+                interrupt::whole(|| Rewriting::InPlace.rewrite(input, before, after)).map(|_| ())
+            }
+            (Target::InPlace, None) => Ok(()),
+        }
+    }
+}
+
+/// Where the converted file is written.
+fn output(folder: &Path, input: &Input) -> PathBuf {
+    folder.join(format!("{}.{}", input.key, key::EXTENSION))
+}
+
+/// The finding for an output file that exists.
+fn in_the_way(folder: &Path, input: &Input) -> Option<Report> {
+    let path = output(folder, input);
+    path.symlink_metadata().ok()?;
+    let shown = console::path(&path);
+    let finding = Diagnostic::new(Code::WouldOverwrite, format!("`{shown}` is there already"));
+    Some(Report::about(
+        shown,
+        finding.note("nothing was written").help("write into another folder, or replace the sources with --in-place"),
+    ))
+}

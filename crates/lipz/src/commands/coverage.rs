@@ -1,0 +1,149 @@
+//! `lipz coverage`: how much of a dialogue is translated.
+
+use super::either::{names_lipz_files, packed};
+use super::locale_choice::{choose, locale_name};
+use crate::bank_file::BankFile;
+use crate::console::grouped;
+use crate::reporter::Reporter;
+use crate::sources::ProjectArguments;
+use crate::text_banks::{TextBanks, TextFiles};
+use crate::{Ended, Outcome, console};
+use clap::Args;
+use lipz_compiler::{BankWithTexts, Coverage, MinCoverage, coverage, shortfalls};
+use lipz_diagnostics::{Report, escape};
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::path::PathBuf;
+
+/// Show how much of a dialogue is translated into each locale.
+///
+/// Counted are clips that have a text in any locale. A clip without a text of its own shows that of
+/// another locale, or none. A folder is compiled in memory, with the same flags as for `lipz pack`.
+#[derive(Args, Debug)]
+#[command(override_usage = "lipz coverage [BANK] [OPTIONS]")]
+#[command(after_help = "Examples:
+  lipz coverage
+  lipz coverage voices
+  lipz coverage voices --missing de-de
+  lipz coverage dialogue.lipzbank --texts dialogue.*.lipztexts
+  lipz coverage dialogue.lipzbank --min-coverage 95 --min-coverage de-de=100
+
+Exit codes: 0 enough is translated, 1 less than the project asks for, 2 the tool could not run, 130
+interrupted.")]
+pub(crate) struct CoverageArguments {
+    /// A bank, or a folder, file or pattern of Lipz files; `-` is a bank on standard input [default: the
+    /// Lipz files of lipz.toml]
+    #[arg(value_name = "BANK")]
+    bank: Option<PathBuf>,
+
+    #[command(flatten)]
+    texts: TextBanks,
+
+    #[command(flatten)]
+    project: ProjectArguments,
+
+    /// List the keys of clips without a text in LOCALE
+    #[arg(long, value_name = "LOCALE", conflicts_with = "json")]
+    missing: Option<String>,
+
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+pub(crate) fn run(arguments: &CoverageArguments, reporter: &mut Reporter) -> Ended {
+    let mut project = arguments.project.project(arguments.bank.as_slice(), reporter)?;
+    // Here it is the question, not a condition for making the bank.
+    let wanted: MinCoverage = std::mem::take(&mut project.settings.options.min_coverage);
+    let file = match &arguments.bank {
+        Some(bank) if !names_lipz_files(bank) => BankFile::open(bank, reporter)?,
+        _ => packed(&project.settings, arguments.project.quiet, reporter)?,
+    };
+    let bank = file.bank(reporter)?;
+    let text_files = TextFiles::open(&arguments.texts.texts, reporter)?;
+    let found = coverage(BankWithTexts::of(&bank, &text_files.of(&bank, reporter)?));
+    let printed = match &arguments.missing {
+        Some(tag) => console::print(&missing(&found, tag)?),
+        None if arguments.json => console::print_json(&found.iter().map(CoverageJson::of).collect::<Vec<_>>()),
+        None => console::print(&table(&file.name, &found)),
+    };
+    let shortfalls = shortfalls(&found, &wanted);
+    if shortfalls.is_empty() {
+        return Ok(printed);
+    }
+    reporter.add(vec![Report::all_about(file.name.as_str(), shortfalls)]);
+    Ok(Outcome::Errors)
+}
+
+/// The keys of the clips that have no text of their own in a locale, one a line.
+fn missing(found: &[Coverage], tag: &str) -> Result<String, Outcome> {
+    let coverage = choose(tag, found.iter(), |coverage| &coverage.tag)?;
+    let mut keys: Vec<&String> = coverage.fallbacks.values().flatten().chain(&coverage.missing).collect();
+    keys.sort_unstable();
+    Ok(keys.into_iter().flat_map(|key| [escape::text(key), "\n".into()]).collect())
+}
+
+fn table(name: &str, found: &[Coverage]) -> String {
+    let Some(first) = found.first() else {
+        return format!("{name}: no clip has a text; those of a split bank are in its text banks (--texts)\n");
+    };
+    let clips = console::counted(first.clip_count, "clip");
+    let mut text = format!("{name}: {clips} with texts\n\n");
+    let _ = writeln!(
+        text,
+        "  {:<12} {:>9} {:>7} {:>8} {:>9} {:>8}  falls back to",
+        "locale", "covered", "texts", "same", "fallback", "nothing"
+    );
+    for coverage in found {
+        let fallback_count: usize = coverage.fallbacks.values().map(Vec::len).sum();
+        let mut fallbacks: Vec<String> = coverage
+            .fallbacks
+            .iter()
+            .map(|(tag, keys)| format!("{} {}", locale_name(tag), grouped(keys.len())))
+            .collect();
+        if coverage.is_default {
+            fallbacks.insert(0, "(default locale)".to_owned());
+        }
+        let line = format!(
+            "  {:<12} {:>7.1} % {:>7} {:>8} {:>9} {:>8}  {}",
+            escape::text(&coverage.tag),
+            coverage.percent_in_tenths(),
+            grouped(coverage.own_count),
+            grouped(coverage.same_as_default.len()),
+            grouped(fallback_count),
+            grouped(coverage.missing.len()),
+            fallbacks.join(", ")
+        );
+        let _ = writeln!(text, "{}", line.trim_end());
+    }
+    text.push_str("\nsame: the text is that of the default locale, letter by letter\n");
+    text
+}
+
+#[derive(Serialize)]
+struct CoverageJson<'c> {
+    locale: &'c str,
+    is_default: bool,
+    percent: f64,
+    clips: usize,
+    texts: usize,
+    same_as_default: &'c [String],
+    fallbacks: &'c BTreeMap<String, Vec<String>>,
+    missing: &'c [String],
+}
+
+impl<'c> CoverageJson<'c> {
+    fn of(coverage: &'c Coverage) -> Self {
+        CoverageJson {
+            locale: &coverage.tag,
+            is_default: coverage.is_default,
+            percent: coverage.percent(),
+            clips: coverage.clip_count,
+            texts: coverage.own_count,
+            same_as_default: &coverage.same_as_default,
+            fallbacks: &coverage.fallbacks,
+            missing: &coverage.missing,
+        }
+    }
+}

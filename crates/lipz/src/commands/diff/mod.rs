@@ -1,0 +1,84 @@
+//! `lipz diff`: what changes for a program between two banks, or the folders that they are made of.
+
+mod json;
+mod text;
+mod words;
+
+use super::either::bank_or_files;
+use crate::reporter::Reporter;
+use crate::sources::ProjectArguments;
+use crate::text_banks::TextFiles;
+use crate::{Ended, Outcome, console};
+use clap::Args;
+use json::DifferenceJson;
+use lipz_compiler::{BankWithTexts, diff};
+use std::path::PathBuf;
+
+/// Compare banks, or the folders that banks are made of.
+///
+/// Compared is what a program sees: clips, frame rates, frames, segments, display texts, events, locales,
+/// babble profiles. How the files are spelled makes no difference. Folders are compiled in memory, with the
+/// same flags as for `lipz pack`.
+#[derive(Args, Debug)]
+#[command(override_usage = "lipz diff <OLD> <NEW> [OPTIONS]")]
+#[command(after_help = "Examples:
+  lipz diff old.lipzbank new.lipzbank
+  lipz diff dialogue.lipzbank voices --default-locale en-us
+  lipz diff dialogue.lipzbank voices --json
+  lipz diff old/b.lipzbank b.lipzbank --old-texts old/b.*.lipztexts --new-texts b.*.lipztexts
+
+Exit codes: 0 no difference, 1 differences, 2 the tool could not run, 130 interrupted.")]
+pub(crate) struct Diff {
+    /// The old side: a bank, or a folder, file or pattern of Lipz files; `-` is a bank on standard input
+    #[arg(value_name = "OLD")]
+    old: PathBuf,
+
+    /// The new side
+    #[arg(value_name = "NEW")]
+    new: PathBuf,
+
+    /// Text banks of the old bank
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    old_texts: Vec<PathBuf>,
+
+    /// Text banks of the new bank
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    new_texts: Vec<PathBuf>,
+
+    #[command(flatten)]
+    project: ProjectArguments,
+
+    /// Show all differences, however many they are
+    #[arg(long)]
+    all: bool,
+
+    /// Print JSON, always with all differences
+    #[arg(long)]
+    json: bool,
+}
+
+pub(crate) fn run(arguments: &Diff, reporter: &mut Reporter) -> Ended {
+    // A side that is not to be had leaves nothing to compare, for whatever reason.
+    compare(arguments, reporter).map_err(|_| Outcome::Failed)
+}
+
+fn compare(arguments: &Diff, reporter: &mut Reporter) -> Ended {
+    let old = bank_or_files(Some(&arguments.old), &arguments.project, reporter)?;
+    let new = bank_or_files(Some(&arguments.new), &arguments.project, reporter)?;
+    let (old_bank, new_bank) = (old.bank(reporter)?, new.bank(reporter)?);
+    let old_files = TextFiles::open(&arguments.old_texts, reporter)?;
+    let new_files = TextFiles::open(&arguments.new_texts, reporter)?;
+    let (old_texts, new_texts) = (old_files.of(&old_bank, reporter)?, new_files.of(&new_bank, reporter)?);
+    let difference = diff::diff(BankWithTexts::of(&old_bank, &old_texts), BankWithTexts::of(&new_bank, &new_texts));
+    let printed = if arguments.json {
+        console::print_json(&DifferenceJson::of(&difference))
+    } else if arguments.project.quiet && difference.is_empty() {
+        Outcome::Clean
+    } else {
+        console::print(&text::text(&difference, (&old.name, &new.name), arguments.all))
+    };
+    Ok(match printed {
+        Outcome::Clean if !difference.is_empty() => Outcome::Errors,
+        printed => printed,
+    })
+}

@@ -1,0 +1,144 @@
+//! `lipz export`: Lipz files as files of other tools.
+
+use super::{find, foreign};
+use crate::reporter::Reporter;
+use crate::sources::{Sources, usage_error};
+use crate::{Ended, Outcome, console, interrupt, standard};
+use clap::Args;
+use clap::error::ErrorKind;
+use lipz_compiler::{Input, Options, each_file, key, replace_file};
+use lipz_diagnostics::{Diagnostic, Report, Severity};
+use lipz_interop::{ExportOptions, Exported, Format, Map, export};
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+/// Export mouth shapes to files of other tools.
+///
+/// Each Lipz file becomes a file in the folder, under its key. The formats have times and shapes: what else is
+/// in the clips is named at the end.
+#[derive(Args, Debug)]
+#[command(after_help = foreign::examples(|format| format.write.is_some(), 1))]
+pub(crate) struct Export {
+    /// The format to write
+    #[arg(value_name = "FORMAT", value_parser = foreign::names(|format| format.write.is_some()), hide_possible_values = true)]
+    tool_format: String,
+
+    #[command(flatten)]
+    sources: Sources,
+
+    /// The folder to write into; what comes from standard input goes to standard output
+    #[arg(short, long, value_name = "FOLDER")]
+    output: Option<PathBuf>,
+
+    /// Mapping table to use instead of the format's: a name that `lipz maps` lists, or a file
+    #[arg(long, value_name = "NAME|FILE")]
+    map: Option<String>,
+
+    /// Replace files that exist
+    #[arg(long)]
+    force: bool,
+}
+
+impl Export {
+    /// Whether standard output is for an exported file.
+    pub(crate) fn prints_result(&self) -> bool {
+        self.output.is_none()
+    }
+}
+
+/// How one file fared.
+struct Made {
+    exported: Exported,
+    report: Option<Report>,
+}
+
+pub(crate) fn run(arguments: &Export, reporter: &mut Reporter) -> Ended {
+    let format = foreign::format(&arguments.tool_format)?;
+    let project = arguments.sources.project(reporter)?;
+    let options = &project.settings.options;
+    let map = arguments.map.as_deref().map(|map| foreign::map(map, reporter)).transpose()?;
+    let (inputs, mut reports) = find(&project.settings);
+    let is_printed = matches!(project.settings.sources.as_slice(), [only] if standard::is_meant(only));
+    if arguments.output.is_none() && !is_printed {
+        let message = "it is not said where the files go";
+        return Err(usage_error(ErrorKind::MissingRequiredArgument, message, "name a folder with '--output'"));
+    }
+    key::check(&inputs, &mut reports);
+    if let Some(folder) = arguments.output.as_deref().filter(|_| !arguments.force) {
+        let path = |input: &Input| foreign::path(folder, &input.key, format.extension);
+        reports.extend(inputs.iter().filter_map(|input| foreign::in_the_way(&path(input))));
+    }
+    if !foreign::may_write(&reports) {
+        reporter.add(reports);
+        return Err(Outcome::Errors);
+    }
+    let map = map.as_ref().map(foreign::MapChoice::map);
+    let results = each_file(&inputs, options, &|_| {}, |input, bytes| one(format, input, bytes, options, map));
+    let (mut written, mut left_out) = (0, BTreeSet::new());
+    for (input, result) in inputs.iter().zip(results) {
+        let made = match result {
+            Ok(made) => made,
+            Err(report) => {
+                reports.push(report);
+                continue;
+            }
+        };
+        reports.extend(made.report);
+        let Some(bytes) = made.exported.bytes else { continue };
+        left_out.extend(made.exported.left_out);
+        match &arguments.output {
+            None => {
+                reporter.add(reports);
+                return Ok(console::print_bytes(&bytes));
+            }
+            Some(folder) => match write(folder, input, format, &bytes) {
+                Ok(()) => written += 1,
+                Err(report) => reports.push(report),
+            },
+        }
+    }
+    let outcome = Outcome::of(&reports);
+    reporter.add(reports);
+    match arguments.output.as_deref().filter(|_| !arguments.sources.is_quiet() && written > 0) {
+        None => Ok(outcome),
+        Some(folder) => Ok(reporter.summary(&summary(format, written, folder, &left_out)).max(outcome)),
+    }
+}
+
+/// Exports one Lipz file.
+fn one(format: &Format, input: &Input, bytes: &[u8], options: &Options, map: Option<&Map>) -> Made {
+    let parsed = lipz_file::parse(bytes);
+    let mut diagnostics = parsed.diagnostics;
+    let export_options = ExportOptions {
+        map,
+        default_rate: options.default_fps.map(foreign::rate),
+        default_viseme_type: options.default_viseme_type,
+        name: input.key.rsplit('/').next(),
+    };
+    let mut exported = parsed.document.map(|document| export(format, &document, &export_options)).unwrap_or_default();
+    diagnostics.append(&mut exported.diagnostics);
+    lipz_diagnostics::adjust(&options.levels, &mut diagnostics);
+    if has_errors(&diagnostics) {
+        exported.bytes = None;
+    }
+    let report = (!diagnostics.is_empty()).then(|| Report::from_bytes(input.name(), bytes, diagnostics));
+    Made { exported, report }
+}
+
+fn has_errors(diagnostics: &[Diagnostic]) -> bool {
+    diagnostics.iter().any(|finding| finding.severity == Severity::Error)
+}
+
+fn write(folder: &Path, input: &Input, format: &Format, bytes: &[u8]) -> Result<(), Report> {
+    let path = foreign::path(folder, &input.key, format.extension);
+    interrupt::whole(|| replace_file(&path, bytes))
+}
+
+fn summary(format: &Format, written: usize, folder: &Path, left_out: &BTreeSet<&str>) -> String {
+    let files = console::counted(written, "file");
+    let left_out = match left_out.is_empty() {
+        true => String::new(),
+        false => format!("; the format has no place for {}", left_out.iter().copied().collect::<Vec<_>>().join(", ")),
+    };
+    format!("{files} exported to {} in {}{left_out}\n", format.name, console::path(folder))
+}

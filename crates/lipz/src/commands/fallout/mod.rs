@@ -1,0 +1,30 @@
+//! `lipz fallout`: what belongs to the talking heads of Fallout 2, beside their LIP files.
+
+mod heads;
+
+use crate::Ended;
+use crate::reporter::Reporter;
+use clap::{Args, Subcommand};
+
+/// Check files of Fallout 2's talking heads.
+///
+/// LIP files themselves become Lipz files by `lipz import fallout`, and Lipz files LIP files by
+/// `lipz export fallout`.
+#[derive(Args, Debug)]
+#[command(after_help = "Example:
+  lipz fallout heads data/art/heads")]
+pub(crate) struct Fallout {
+    #[command(subcommand)]
+    task: Task,
+}
+
+#[derive(Subcommand, Debug)]
+enum Task {
+    Heads(heads::Heads),
+}
+
+pub(crate) fn run(arguments: &Fallout, reporter: &mut Reporter) -> Ended {
+    match &arguments.task {
+        Task::Heads(heads) => heads::run(heads, reporter),
+    }
+}

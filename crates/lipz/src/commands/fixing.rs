@@ -1,0 +1,72 @@
+//! The certain fixes of `lipz check --fix`, made in the files or only in memory.
+
+use crate::rewriting::Rewriting;
+use crate::{console, interrupt};
+use lipz_compiler::settings::Settings;
+use lipz_compiler::{Content, Fixed, Input, each_file, fix};
+use lipz_diagnostics::{Report, escape};
+use std::borrow::Cow;
+use std::collections::HashMap;
+
+/// What fixing gave.
+#[derive(Default)]
+pub(super) struct Fixing {
+    /// What was fixed in each file, or the differences.
+    pub(super) changes: String,
+    /// Files that are to be checked as if they were fixed.
+    in_memory: HashMap<String, String>,
+    /// Files that could not be written.
+    pub(super) unwritten: Vec<Report>,
+}
+
+impl Fixing {
+    /// The inputs, those that are only fixed in memory with their new texts.
+    pub(super) fn instead_of<'i>(&self, inputs: &'i [Input]) -> Cow<'i, [Input]> {
+        if self.in_memory.is_empty() {
+            return Cow::Borrowed(inputs);
+        }
+        let fixed = |input: &Input| match self.in_memory.get(&input.name()) {
+            Some(text) => {
+                let content = Content::Bytes { name: input.name(), bytes: text.clone().into_bytes() };
+                Input { key: input.key.clone(), content }
+            }
+            None => input.clone(),
+        };
+        inputs.iter().map(fixed).collect()
+    }
+}
+
+/// Fixes all files, or shows what would be fixed.
+pub(super) fn fix_all(settings: &Settings, quiet: bool, rewriting: Rewriting) -> Fixing {
+    let options = &settings.options;
+    // What cannot be found or read is reported by the check that follows.
+    let (inputs, _) = settings.discover();
+    let bar = console::progress_bar(inputs.len(), quiet);
+    let results = each_file(&inputs, options, &|count| bar.inc(count), |input, bytes| {
+        let fixed = fix(bytes, options)?;
+        Some(interrupt::whole(|| rewriting.rewrite(input, bytes, &fixed.text)).map(|difference| (fixed, difference)))
+    });
+    bar.finish_and_clear();
+    let mut fixing = Fixing::default();
+    for (input, result) in std::iter::zip(inputs, results) {
+        match result {
+            Ok(Some(Ok((fixed, difference)))) => {
+                if rewriting == Rewriting::Diff {
+                    fixing.changes.push_str(&difference);
+                    fixing.in_memory.insert(input.name(), fixed.text);
+                } else if !quiet {
+                    fixing.changes.push_str(&format!("{}: {} fixed\n", escape::text(&input.name()), mended(&fixed)));
+                }
+            }
+            Ok(Some(Err(report))) => fixing.unwritten.push(report),
+            Ok(None) | Err(_) => {}
+        }
+    }
+    fixing
+}
+
+/// `3 findings (LZ0402, LZ0501)`.
+fn mended(fixed: &Fixed) -> String {
+    let codes: Vec<&str> = fixed.mended.keys().map(|code| code.number()).collect();
+    format!("{} ({})", console::counted(fixed.mended.values().sum(), "finding"), codes.join(", "))
+}

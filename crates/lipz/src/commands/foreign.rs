@@ -1,0 +1,182 @@
+//! What `lipz import` and `lipz export` have in common: formats, mapping tables, files.
+
+use crate::reporter::Reporter;
+use crate::{Outcome, console, standard};
+use clap::builder::PossibleValuesParser;
+use lipz_bank::Fps;
+use lipz_diagnostics::{Code, Diagnostic, Report, Severity, escape, suggest};
+use lipz_file::rate::Rate;
+use lipz_interop::{Format, Map, find_map, formats, maps};
+use std::path::{Path, PathBuf};
+use std::{fs, io};
+
+/// The names of formats, for the command line.
+pub(super) fn names(is_meant: impl Fn(&Format) -> bool) -> PossibleValuesParser {
+    let names = formats::ALL.iter().filter(|format| is_meant(format)).map(|format| format.name);
+    PossibleValuesParser::new(names.collect::<Vec<_>>())
+}
+
+/// The formats with the example of each that has this index, as help shows them.
+pub(super) fn examples(is_meant: impl Fn(&Format) -> bool, example: usize) -> String {
+    let mut text = String::from("Formats, with Examples:\n");
+    for format in formats::ALL.iter().filter(|format| is_meant(format)) {
+        let line = format.examples.get(example).copied().unwrap_or_default();
+        text += &format!("\n  {}: {}\n  {line}\n", format.name, format.about);
+    }
+    text
+}
+
+/// The format of a name that the command line has accepted.
+pub(super) fn format(name: &str) -> Result<&'static Format, Outcome> {
+    formats::find(name).ok_or(Outcome::Failed)
+}
+
+/// A mapping table that the command line names.
+pub(super) enum MapChoice {
+    BuiltIn(&'static Map),
+    OfFile(Box<Map>),
+}
+
+impl MapChoice {
+    pub(super) fn map(&self) -> &Map {
+        match self {
+            MapChoice::BuiltIn(map) => map,
+            MapChoice::OfFile(map) => map,
+        }
+    }
+}
+
+/// The mapping table of this name, or in this file.
+pub(super) fn map(named: &str, reporter: &mut Reporter) -> Result<MapChoice, Outcome> {
+    let path = Path::new(named);
+    if let Some(map) = find_map(named).filter(|_| !path.is_file()) {
+        return Ok(MapChoice::BuiltIn(map));
+    }
+    if !path.exists() {
+        let message = format!("{} is neither a mapping table nor a file", escape::quoted(named));
+        let known = suggest::nearest(named, maps().iter().map(|map| map.name.as_str()));
+        let help = known.map_or("`lipz maps` lists the tables".to_owned(), |known| format!("did you mean `{known}`?"));
+        return Err(reporter.fail(Report::about("", Diagnostic::new(Code::MapRefused, message).help(help))));
+    }
+    let bytes = fs::read(path).map_err(|error| {
+        let message = format!("the mapping table {} cannot be read: {error}", escape::quoted(named));
+        reporter.fail(Report::about(console::path(path), Diagnostic::new(Code::MapRefused, message)))
+    })?;
+    let mut diagnostics = Vec::new();
+    let read = lipz_file::decode(lipz_file::without_byte_order_mark(&bytes), &mut diagnostics).map(Map::parse);
+    match read {
+        Some(Ok(map)) => Ok(MapChoice::OfFile(Box::new(map))),
+        Some(Err(found)) => Err(reporter.fail(Report::from_bytes(console::path(path), &bytes, found))),
+        None => Err(reporter.fail(Report::from_bytes(console::path(path), &bytes, diagnostics))),
+    }
+}
+
+/// A rate of the command line as Lipz files spell it.
+pub(super) fn rate(fps: Fps) -> Rate {
+    Rate { numerator: fps.numerator(), denominator: fps.denominator(), is_exact: true }
+}
+
+/// A file of another tool.
+pub(super) struct Source {
+    /// The file's name without its extension.
+    pub(super) key: String,
+    pub(super) bytes: Vec<u8>,
+    name: String,
+}
+
+impl Source {
+    /// Reads a file, or standard input.
+    pub(super) fn read(path: &Path, format: &Format) -> Result<Source, Report> {
+        if standard::is_meant(path) {
+            let bytes = standard::lipz_bytes()?;
+            return Ok(Source { key: standard::INPUT_KEY.into(), bytes, name: standard::INPUT_NAME.into() });
+        }
+        let name = console::path(path);
+        let bytes = fs::read(path).map_err(|error| unreadable(path, &error))?;
+        Ok(Source { key: key(path, format.extension), bytes, name })
+    }
+
+    /// What was found in the file, if anything was.
+    pub(super) fn report(&self, format: &Format, diagnostics: Vec<Diagnostic>) -> Option<Report> {
+        if diagnostics.is_empty() {
+            return None;
+        }
+        Some(match format.is_binary {
+            true => Report::all_about(self.name.clone(), diagnostics),
+            false => Report::from_bytes(self.name.clone(), &self.bytes, diagnostics),
+        })
+    }
+}
+
+/// The report that a file cannot be read.
+pub(super) fn unreadable(path: &Path, error: &io::Error) -> Report {
+    let name = console::path(path);
+    let finding = |what: &str| Diagnostic::new(Code::UnreadableFile, format!("`{name}` {what}"));
+    let finding = match error.kind() {
+        io::ErrorKind::NotFound => finding("does not exist").help("check the spelling of the path"),
+        io::ErrorKind::IsADirectory => finding("is a folder").help("name the files in it"),
+        _ => finding(&format!("cannot be read: {error}")),
+    };
+    Report::about(name, finding)
+}
+
+/// The name of a file without the extension of its format, or else without its last one.
+fn key(path: &Path, extension: &str) -> String {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let stem = name.len().checked_sub(extension.len() + 1).filter(|&stem| stem > 0);
+    let of_format = stem.filter(|&stem| {
+        name.get(stem..).is_some_and(|end| end.strip_prefix('.').is_some_and(|end| end.eq_ignore_ascii_case(extension)))
+    });
+    let stem = of_format.or_else(|| name.rfind('.').filter(|&stem| stem > 0)).unwrap_or(name.len());
+    name.get(..stem).unwrap_or(&name).to_owned()
+}
+
+/// A name from a file as a part of a file name: letters and digits of any script, `-` for everything else.
+pub(super) fn file_name(name: &str) -> String {
+    let safe: String = name.trim().chars().map(|c| if c.is_alphanumeric() || c == '_' { c } else { '-' }).collect();
+    if safe.is_empty() { "unnamed".to_owned() } else { safe }
+}
+
+/// Where the clip with this key is written.
+pub(super) fn path(folder: &Path, key: &str, extension: &str) -> PathBuf {
+    folder.join(format!("{key}.{extension}"))
+}
+
+/// The finding for an output file that exists.
+pub(super) fn in_the_way(path: &Path) -> Option<Report> {
+    path.symlink_metadata().ok()?;
+    let shown = console::path(path);
+    let finding = Diagnostic::new(Code::WouldOverwrite, format!("`{shown}` is there already"));
+    let finding = finding.note("nothing was written").help("write into another folder, or replace files with --force");
+    Some(Report::about(shown, finding))
+}
+
+/// Whether nothing is wrong with where files go: otherwise none is written.
+pub(super) fn may_write(reports: &[Report]) -> bool {
+    let mut found = reports.iter().flat_map(|report| &report.diagnostics);
+    found.all(|found| {
+        !matches!(found.code, Code::WouldOverwrite | Code::RefusedKey | Code::DuplicateKey | Code::KeyClash)
+            || found.severity == Severity::Warning
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_are_names_of_files_without_extension() {
+        let keys = [
+            ("in/mayor.tsv", "tsv", "mayor"),
+            ("mayor.lipz.txt", "lipz.txt", "mayor"),
+            ("mayor.take.2.JSON", "json", "mayor.take.2"),
+            ("mayor.json.bak", "json", "mayor.json"),
+            (".tsv", "tsv", ".tsv"),
+            ("灯台", "tsv", "灯台"),
+        ];
+        for (path, extension, expected) in keys {
+            assert_eq!(key(Path::new(path), extension), expected);
+        }
+        assert_eq!(file_name(" Mara / 2 "), "Mara---2");
+    }
+}

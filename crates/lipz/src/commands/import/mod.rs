@@ -1,0 +1,205 @@
+//! `lipz import`: files of other tools as Lipz files.
+
+mod options;
+mod recordings;
+mod report;
+mod text;
+
+use super::foreign;
+use crate::reporter::Reporter;
+use crate::sources::usage_error;
+use crate::{Ended, Outcome, console, interrupt, output_file, patterns, standard};
+use clap::Args;
+use clap::error::ErrorKind;
+use lipz_compiler::{Content, Input, key, replace_file};
+use lipz_diagnostics::{Report, Severity};
+use lipz_file::format::{Style, format};
+use lipz_interop::{Clip, Format, ImportOptions, Imported, Script, import};
+use options::Settings;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// Import mouth shapes from files of other tools.
+///
+/// Each file becomes a Lipz file in the folder, named after it; a file with several speakers becomes several.
+/// Shapes come to frames so that closed lips, F and V stay; what is lost is told. Files of which something is
+/// an error are not written, the others are.
+#[derive(Args, Debug)]
+#[command(after_help = foreign::examples(|format| format.read.is_some(), 0))]
+pub(crate) struct Import {
+    /// The format of the files
+    #[arg(value_name = "FORMAT", value_parser = foreign::names(|format| format.read.is_some()), hide_possible_values = true)]
+    tool_format: String,
+
+    /// The files, or patterns of them; `-` reads one from standard input
+    #[arg(value_name = "FILES", required = true)]
+    files: Vec<PathBuf>,
+
+    /// The folder to write into; `-` writes to standard output, where one file from standard input goes, too
+    #[arg(short, long, value_name = "FOLDER")]
+    output: Option<PathBuf>,
+
+    /// Replace files that exist
+    #[arg(long)]
+    force: bool,
+
+    /// Write what was used and lost, clip by clip, into this file as JSON
+    #[arg(long, value_name = "FILE")]
+    report: Option<PathBuf>,
+
+    #[command(flatten)]
+    options: options::Options,
+
+    /// Show no summary, only findings
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+/// A clip on its way to its file.
+struct Made {
+    input: Input,
+    clip: Clip,
+}
+
+impl Import {
+    /// Whether standard output is for an imported file.
+    pub(crate) fn prints_result(&self) -> bool {
+        match &self.output {
+            Some(output) => standard::is_meant(output),
+            None => matches!(self.files.as_slice(), [file] if standard::is_meant(file)),
+        }
+    }
+}
+
+pub(crate) fn run(arguments: &Import, reporter: &mut Reporter) -> Ended {
+    let format = foreign::format(&arguments.tool_format)?;
+    if let Some(report) = &arguments.report {
+        output_file::refuse_source(report)?;
+    }
+    let is_printed = arguments.prints_result();
+    let files = patterns::files(&arguments.files);
+    let (folder, several) = (arguments.output.as_deref(), files.len() > 1);
+    if (folder.is_none() && !is_printed) || (is_printed && several) {
+        let message = "it is not said where the Lipz files go";
+        return Err(usage_error(ErrorKind::MissingRequiredArgument, message, "name a folder with '--output'"));
+    }
+    let settings = arguments.options.settings(folder.filter(|_| !is_printed), reporter)?;
+    let texts = text::Texts::of(arguments.options.text.as_deref(), several).map_err(|report| reporter.fail(report))?;
+    let script = arguments.options.recordings.script(reporter)?;
+    let (made, mut reports) = read(arguments, &files, format, &settings, &texts, &script)?;
+    let inputs: Vec<Input> = made.iter().map(|made| made.input.clone()).collect();
+    key::check(&inputs, &mut reports);
+    if let Some(folder) = folder.filter(|_| !is_printed && !arguments.force) {
+        reports.extend(
+            made.iter().filter_map(|made| foreign::in_the_way(&foreign::path(folder, &made.input.key, key::EXTENSION))),
+        );
+    }
+    if let [only] = made.as_slice()
+        && is_printed
+    {
+        let outcome = Outcome::of(&reports);
+        reporter.add(reports);
+        return if outcome == Outcome::Clean { Ok(console::print(&layout(only, &settings))) } else { Err(outcome) };
+    }
+    if is_printed && made.len() > 1 {
+        let message = "the file has several speakers, and standard output takes one clip";
+        return Err(usage_error(ErrorKind::ArgumentConflict, message, "name a folder with '--output'"));
+    }
+    let mut written = 0;
+    if foreign::may_write(&reports)
+        && let Some(folder) = folder
+    {
+        for made in &made {
+            let path = foreign::path(folder, &made.input.key, key::EXTENSION);
+            match interrupt::whole(|| replace_file(&path, layout(made, &settings).as_bytes())) {
+                Ok(()) => written += 1,
+                Err(report) => reports.push(report),
+            }
+        }
+    }
+    if let Some(path) = &arguments.report {
+        let report = report::json(format, made.iter().map(|made| (&made.input, &made.clip)));
+        output_file::write(path, report.as_bytes(), reporter)?;
+    }
+    let outcome = Outcome::of(&reports);
+    reporter.add(reports);
+    match folder.filter(|_| !arguments.quiet && written > 0) {
+        None => Ok(outcome),
+        Some(folder) => Ok(reporter.summary(&summary(format, &made, written, folder)).max(outcome)),
+    }
+}
+
+/// Reads every file. Those with errors give no clips.
+fn read(
+    arguments: &Import,
+    files: &[PathBuf],
+    format: &Format,
+    settings: &Settings<'_>,
+    texts: &text::Texts,
+    script: &Script,
+) -> Result<(Vec<Made>, Vec<Report>), Outcome> {
+    let (mut made, mut reports) = (Vec::new(), Vec::new());
+    for file in files {
+        let source = match foreign::Source::read(file, format) {
+            Ok(source) => source,
+            Err(report) => {
+                reports.push(report);
+                continue;
+            }
+        };
+        let text = match texts.of_key(&source.key) {
+            Ok(text) => text,
+            Err(report) => {
+                reports.push(report);
+                continue;
+            }
+        };
+        let mut options = ImportOptions { text: text.as_deref(), ..settings.import_options() };
+        arguments.options.recordings.apply(file, &source.key, script, &mut options);
+        let Imported { clips, mut diagnostics } = import(format, &source.bytes, &options);
+        settings.apply_levels(&mut diagnostics);
+        let is_wrong = diagnostics.iter().any(|finding| finding.severity == Severity::Error);
+        reports.extend(source.report(format, diagnostics));
+        if !is_wrong {
+            made.extend(clips.into_iter().map(|clip| {
+                let key = match &clip.name {
+                    Some(name) => format!("{}-{}", source.key, foreign::file_name(name)),
+                    None => source.key.clone(),
+                };
+                Made { input: Input { key, content: Content::File(file.clone()) }, clip }
+            }));
+        }
+    }
+    Ok((made, reports))
+}
+
+/// The clip as a Lipz file in canonical layout.
+fn layout(made: &Made, settings: &Settings<'_>) -> String {
+    let style = Style { default_locale: settings.default_locale(), ..Style::default() };
+    format(&made.clip.document, style)
+}
+
+fn summary(format: &Format, made: &[Made], written: usize, folder: &Path) -> String {
+    let mut maps: Vec<&str> = made.iter().map(|made| made.clip.map.as_str()).collect();
+    maps.sort_unstable();
+    maps.dedup();
+    let lost: usize = made.iter().map(|made| made.clip.lost.len()).sum();
+    let lost =
+        if lost == 0 { String::new() } else { format!(", {} without a frame", console::counted(lost, "mouth shape")) };
+    let (files, tables) = (console::counted(written, "file"), maps.join(", "));
+    format!(
+        "{files} imported from {} into {}, by the mapping table {tables}{lost}\n{}",
+        format.name,
+        console::path(folder),
+        remarks(made)
+    )
+}
+
+/// How the files were read where there was a choice, one kind a line.
+fn remarks(made: &[Made]) -> String {
+    let mut files = BTreeMap::<&str, usize>::new();
+    for remark in made.iter().flat_map(|made| &made.clip.remarks) {
+        *files.entry(remark).or_default() += 1;
+    }
+    files.into_iter().map(|(remark, count)| format!("{}: {remark}\n", console::counted(count, "file"))).collect()
+}

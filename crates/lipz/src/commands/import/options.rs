@@ -1,0 +1,145 @@
+//! The flags of an import, and the settings of the project below them.
+
+use super::recordings::Recordings;
+use crate::Outcome;
+use crate::commands::foreign::{self, MapChoice};
+use crate::lint_flags::LintFlags;
+use crate::project::{parse_fps, parse_locale, parse_viseme_type};
+use crate::reporter::Reporter;
+use crate::settings_file::SettingsFile;
+use clap::{Args, ValueEnum};
+use lipz_bank::Fps;
+use lipz_diagnostics::Diagnostic;
+use lipz_interop::{DEFAULT_RATE, ImportOptions, Segments, Time};
+use lipz_types::VisemeType;
+use std::path::{Path, PathBuf};
+
+const SHAPES: &str = "Mouth shapes";
+pub(super) const TEXT: &str = "Text and segments";
+
+#[derive(Args, Debug)]
+pub(crate) struct Options {
+    /// Mapping table to use instead of the format's: a name that `lipz maps` lists, or a file
+    #[arg(long, value_name = "NAME|FILE", help_heading = SHAPES)]
+    map: Option<String>,
+
+    /// Viseme type of the clips: blair, toonboom, rms [default: that of lipz.toml, or of the format's first table]
+    #[arg(long, value_name = "TYPE", value_parser = parse_viseme_type, help_heading = SHAPES)]
+    viseme_type: Option<VisemeType>,
+
+    /// Frame rate of the clips [default: that of the file, or of lipz.toml, or 24]
+    #[arg(long, value_name = "FPS", value_parser = parse_fps, help_heading = SHAPES)]
+    fps: Option<Fps>,
+
+    /// Frame rate of files that count frames and do not tell how many are a second [default: 24, ovr: 60]
+    #[arg(long, value_name = "FPS", value_parser = parse_fps, help_heading = SHAPES)]
+    file_fps: Option<Fps>,
+
+    /// Number of the first frame in Moho files: 0 or 1
+    #[arg(long, value_name = "NUMBER", default_value_t = 1, value_parser = clap::value_parser!(u64).range(0..=1), help_heading = SHAPES)]
+    dat_base: u64,
+
+    /// Frames for which a mouth shape shows at least
+    #[arg(long, value_name = "FRAMES", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..), help_heading = SHAPES)]
+    min_hold: u16,
+
+    /// What is said: a text, a file of it, or for several clips a folder with KEY.txt for each
+    #[arg(long, value_name = "TEXT|FILE|FOLDER", help_heading = TEXT)]
+    pub(super) text: Option<String>,
+
+    /// Locale of the text [default: `default-locale` of lipz.toml]
+    #[arg(long, value_name = "LOCALE", value_parser = parse_locale, help_heading = TEXT)]
+    locale: Option<String>,
+
+    /// Where clips are divided into segments, if no `|` in the text says so
+    #[arg(long, value_enum, value_name = "WHERE", default_value_t = Where::Phrases, help_heading = TEXT)]
+    segments: Where,
+
+    /// Seconds of rest that are a pause
+    #[arg(long, value_name = "SECONDS", default_value = "0.3", value_parser = parse_time, help_heading = TEXT)]
+    min_pause: Time,
+
+    #[command(flatten)]
+    pub(super) recordings: Recordings,
+
+    #[command(flatten)]
+    file: SettingsFile,
+
+    #[command(flatten)]
+    lints: LintFlags,
+}
+
+#[derive(ValueEnum, Clone, Copy, Debug)]
+enum Where {
+    /// At the phrases of the file, if it has any
+    Phrases,
+    /// Where the mouth rests
+    Pauses,
+    /// At the ends of the text's sentences
+    Sentences,
+    /// Nowhere
+    None,
+}
+
+impl From<Where> for Segments {
+    fn from(place: Where) -> Segments {
+        match place {
+            Where::Phrases => Segments::Phrases,
+            Where::Pauses => Segments::Pauses,
+            Where::Sentences => Segments::Sentences,
+            Where::None => Segments::None,
+        }
+    }
+}
+
+/// What holds for an import: flags over the settings of the project.
+pub(super) struct Settings<'a> {
+    flags: &'a Options,
+    project: lipz_compiler::Options,
+    map: Option<MapChoice>,
+}
+
+impl Options {
+    /// The settings of the project to which the output belongs, below the flags.
+    pub(super) fn settings(&self, output: Option<&Path>, reporter: &mut Reporter) -> Result<Settings<'_>, Outcome> {
+        // The Lipz files that are made are sources of the project.
+        let sources = [output.map_or_else(|| PathBuf::from("."), Path::to_owned)];
+        let mut project = self.file.project(&sources, reporter)?.settings.options;
+        self.lints.apply(&mut project.levels);
+        let map = self.map.as_deref().map(|map| foreign::map(map, reporter)).transpose()?;
+        Ok(Settings { flags: self, project, map })
+    }
+}
+
+impl Settings<'_> {
+    pub(super) fn import_options(&self) -> ImportOptions<'_> {
+        let flags = self.flags;
+        ImportOptions {
+            map: self.map.as_ref().map(MapChoice::map),
+            viseme_type: flags.viseme_type.or(self.project.viseme_type).or(self.project.default_viseme_type),
+            rate: flags.fps.map(foreign::rate),
+            default_rate: self.project.default_fps.map_or(DEFAULT_RATE, foreign::rate),
+            file_rate: flags.file_fps.map(foreign::rate),
+            dat_base: flags.dat_base,
+            min_hold: usize::from(flags.min_hold),
+            locale: self.default_locale(),
+            segments: flags.segments.into(),
+            min_pause: flags.min_pause,
+            ..ImportOptions::default()
+        }
+    }
+
+    /// The locale of texts that do not tell it.
+    pub(super) fn default_locale(&self) -> Option<&str> {
+        self.flags.locale.as_deref().or(self.project.default_locale.as_deref())
+    }
+
+    /// Gives findings the levels of the project.
+    pub(super) fn apply_levels(&self, diagnostics: &mut Vec<Diagnostic>) {
+        lipz_diagnostics::adjust(&self.project.levels, diagnostics);
+    }
+}
+
+pub(super) fn parse_time(text: &str) -> Result<Time, String> {
+    Time::parse(text).ok_or_else(|| "write seconds, such as 0.3".into())
+}

@@ -1,0 +1,73 @@
+//! What lies beside the files of other tools: texts in a script, sounds with their lengths.
+
+use super::options::{TEXT, parse_time};
+use crate::reporter::Reporter;
+use crate::{Outcome, console, standard};
+use clap::Args;
+use lipz_diagnostics::{Code, Diagnostic, Report};
+use lipz_interop::fallout::sound;
+use lipz_interop::{Encoding, ImportOptions, Script, Time};
+use std::fs::{self, File};
+use std::path::{Path, PathBuf};
+
+const FALLOUT: &str = "Fallout";
+
+/// Extensions of sounds, as they are spelled in folders of games.
+const SOUNDS: [&str; 4] = ["wav", "WAV", "acm", "ACM"];
+
+#[derive(Args, Debug)]
+pub(super) struct Recordings {
+    /// Texts by the names of the files: a .msg file of Fallout, or a CSV with the columns `file` and `text`
+    #[arg(long, value_name = "FILE", conflicts_with = "text", help_heading = TEXT)]
+    script: Option<PathBuf>,
+
+    /// The encoding of a script that is not UTF-8: windows-1251, shift_jis [default: windows-1252]
+    #[arg(long, value_name = "NAME", requires = "script", value_parser = encoding, help_heading = TEXT)]
+    encoding: Option<&'static Encoding>,
+
+    /// Units in a second of Fallout's LIP files: 44100, 88200, 88400 or any other [default: as the length of the
+    /// sound tells, or 44100]
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(1..), help_heading = FALLOUT)]
+    units_per_second: Option<u32>,
+
+    /// How long the sound of a LIP file of Fallout is [default: as the WAV or ACM file beside it says]
+    #[arg(long, value_name = "SECONDS", value_parser = parse_time, conflicts_with = "units_per_second", help_heading = FALLOUT)]
+    audio_length: Option<Time>,
+}
+
+fn encoding(name: &str) -> Result<&'static Encoding, String> {
+    Encoding::for_label(name.as_bytes())
+        .ok_or_else(|| "it is no encoding of the web's standard, as windows-1251".into())
+}
+
+impl Recordings {
+    /// The script, if one is named. Reports what is wrong with it.
+    pub(super) fn script(&self, reporter: &mut Reporter) -> Result<Script, Outcome> {
+        let Some(path) = &self.script else { return Ok(Script::default()) };
+        let shown = console::path(path);
+        let bytes = fs::read(path).map_err(|error| {
+            let finding = Diagnostic::new(Code::UnreadableFile, format!("`{shown}` cannot be read: {error}"));
+            reporter.fail(Report::about(shown.as_str(), finding.help("is the name right, and may you read it?")))
+        })?;
+        let (script, source, diagnostics) = Script::read(&shown, &bytes, self.encoding);
+        let report = Report { source, diagnostics };
+        let has_errors = report.has_errors();
+        if !report.diagnostics.is_empty() {
+            reporter.add(vec![report]);
+        }
+        if has_errors { Err(Outcome::Errors) } else { Ok(script) }
+    }
+
+    /// Adds what is known about the recording of a file with the name `stem` to the options of its import.
+    pub(super) fn apply<'a>(&self, path: &Path, stem: &'a str, script: &'a Script, options: &mut ImportOptions<'a>) {
+        options.name = (!standard::is_meant(path)).then_some(stem);
+        options.text = script.text_of(stem).or(options.text);
+        options.units_per_second = self.units_per_second;
+        options.sound_length = self.audio_length.or_else(|| length_beside(path));
+    }
+}
+
+/// The length of the sound beside a file, under its name.
+fn length_beside(path: &Path) -> Option<Time> {
+    SOUNDS.into_iter().find_map(|extension| sound::length(File::open(path.with_extension(extension)).ok()?))
+}

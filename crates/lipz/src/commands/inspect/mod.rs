@@ -1,0 +1,185 @@
+//! `lipz inspect`: what is in a bank.
+
+mod json;
+
+use super::locale_choice::choose;
+use crate::bank_file::BankFile;
+use crate::reporter::Reporter;
+use crate::text_banks::{TextBanks, TextFiles};
+use crate::timeline::timeline;
+use crate::{Ended, Outcome, console};
+use clap::Args;
+use json::{ClipJson, ListedJson, SummaryJson};
+use lipz_bank::{Bank, Locale};
+use lipz_compiler::BankWithTexts;
+use lipz_diagnostics::{escape, suggest};
+use std::fmt::Write;
+use std::path::PathBuf;
+use unicode_width::UnicodeWidthStr;
+
+/// Show what is in a bank: a summary, the list of clips, or one clip as a timeline.
+#[derive(Args, Debug)]
+#[command(override_usage = "lipz inspect <BANK> [KEY] [OPTIONS]")]
+#[command(after_help = "Examples:
+  lipz inspect dialogue.lipzbank
+  lipz inspect dialogue.lipzbank --list act1/
+  lipz inspect dialogue.lipzbank act1/mara-hello --locale de-de
+  lipz inspect dialogue.lipzbank act1/mara-hello --json
+  lipz inspect dialogue.lipzbank act1/mara-hello --texts dialogue.de-de.lipztexts")]
+pub(crate) struct Inspect {
+    /// The bank to read; `-` reads it from standard input
+    #[arg(value_name = "BANK")]
+    pub(crate) bank: PathBuf,
+
+    /// The clip to show
+    #[arg(value_name = "KEY")]
+    pub(crate) key: Option<String>,
+
+    /// List the clips whose keys start with PREFIX
+    #[arg(long, value_name = "PREFIX", num_args = 0..=1, default_missing_value = "", conflicts_with = "key")]
+    pub(crate) list: Option<String>,
+
+    #[command(flatten)]
+    texts: TextBanks,
+
+    /// Show texts in this locale only; may be given several times
+    #[arg(long, value_name = "LOCALE", requires = "key")]
+    pub(crate) locale: Vec<String>,
+
+    /// Print JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+pub(crate) fn run(arguments: &Inspect, reporter: &mut Reporter) -> Ended {
+    let file = BankFile::open(&arguments.bank, reporter)?;
+    let bank = file.bank(reporter)?;
+    let text_files = TextFiles::open(&arguments.texts.texts, reporter)?;
+    let locales = BankWithTexts::of(&bank, &text_files.of(&bank, reporter)?).locales();
+    Ok(match (&arguments.key, &arguments.list) {
+        (Some(key), _) => clip(&bank, key, &locales, arguments),
+        (None, Some(prefix)) => list(&bank, prefix, arguments.json),
+        (None, None) => summary(&bank, &locales, &file.name, arguments.json),
+    })
+}
+
+fn clip(bank: &Bank<'_>, key: &str, all: &[Locale<'_>], arguments: &Inspect) -> Outcome {
+    let Some(clip) = bank.clip_by_key(key) else {
+        console::remark(&format!("error: no clip `{}` in the bank\n", escape::text(key)));
+        let near = near_keys(bank, key);
+        console::remark(&if near.is_empty() {
+            "help: `--list` lists the clips of the bank\n".to_owned()
+        } else {
+            format!("help: did you mean {}?\n", near.join(", "))
+        });
+        return Outcome::Failed;
+    };
+    let asked = arguments.locale.iter().map(|asked| choose(asked, all.iter().copied(), |locale| locale.tag()));
+    let mut locales: Vec<Locale<'_>> = match asked.collect() {
+        Ok(locales) => locales,
+        Err(outcome) => return outcome,
+    };
+    if locales.is_empty() {
+        locales.extend(all);
+    }
+    if arguments.json {
+        return console::print_json(&ClipJson::of(&clip, &locales));
+    }
+    console::print(&timeline(&clip, &locales, console::width()))
+}
+
+/// Keys that contain the last part of the one asked for, or else are spelled almost like it.
+fn near_keys<'d>(bank: &Bank<'d>, key: &str) -> Vec<String> {
+    let wanted = last_part(key).trim_end_matches(".lipz");
+    let mut near: Vec<&str> =
+        bank.clips().map(|clip| clip.key()).filter(|known| !wanted.is_empty() && known.contains(wanted)).collect();
+    if near.is_empty() {
+        // Who names no folder means the last part.
+        let compared = |known: &'d str| if key.contains('/') { known } else { last_part(known) };
+        let distance = |known: &'d str| suggest::distance(key, compared(known));
+        let mut ranked: Vec<(usize, &str)> =
+            bank.clips().map(|clip| clip.key()).filter_map(|known| Some((distance(known)?, known))).collect();
+        ranked.sort_unstable();
+        near = ranked.into_iter().map(|(_, known)| known).collect();
+    }
+    near.into_iter().take(3).map(|key| format!("`{}`", escape::text(key))).collect()
+}
+
+/// What stands behind the last `/` of a key.
+fn last_part(key: &str) -> &str {
+    key.rsplit('/').next().unwrap_or(key)
+}
+
+fn list(bank: &Bank<'_>, prefix: &str, json: bool) -> Outcome {
+    let clips: Vec<ListedJson<'_>> = bank.clips_under(prefix).map(|clip| ListedJson::of(&clip)).collect();
+    if json {
+        return console::print_json(&clips);
+    }
+    if clips.is_empty() {
+        console::remark(&format!("no key starts with `{}`\n", escape::text(prefix)));
+    }
+    let keys: Vec<_> = clips.iter().map(|clip| escape::text(clip.key)).collect();
+    let width = keys.iter().map(|key| key.width()).max().unwrap_or(0);
+    let mut text = String::new();
+    for (clip, key) in clips.iter().zip(&keys) {
+        let seconds = clip.duration_us.map_or("      ?".into(), |us| format!("{:7.2}", us as f64 / 1e6));
+        let blanks = " ".repeat(width - key.width());
+        let segments = console::counted(clip.segments as usize, "segment");
+        let _ = writeln!(text, "{key}{blanks}  {seconds} s  {:>5} frames  {segments:>11}", clip.frames);
+    }
+    console::print(&text)
+}
+
+fn summary(bank: &Bank<'_>, locales: &[Locale<'_>], path: &str, json: bool) -> Outcome {
+    let summary = SummaryJson::of(bank, locales);
+    if json {
+        return console::print_json(&summary);
+    }
+    let mut text = String::new();
+    let (major, minor) = bank.format_version();
+    let _ = writeln!(
+        text,
+        "{path}: lipz bank, format {major}.{minor}, {} bytes, no fault",
+        console::grouped(summary.bytes)
+    );
+    let _ = writeln!(
+        text,
+        "  {}, {}, {}, {:.1} s of speech{}",
+        console::counted(summary.clips, "clip"),
+        console::counted(summary.frames, "frame"),
+        console::counted(summary.segments, "segment"),
+        summary.seconds,
+        match summary.clips_without_fps {
+            0 => String::new(),
+            count => format!(" (and {} without a frame rate)", console::counted(count, "clip")),
+        }
+    );
+    let _ = writeln!(text, "  fingerprint {}\n", summary.fingerprint);
+    let _ = writeln!(text, "  {:<12} {:>8} {:>9} {:>8}", "locale", "texts", "fallback", "missing");
+    for locale in &summary.locales {
+        let default = if locale.is_default { "  default" } else { "" };
+        let _ = writeln!(
+            text,
+            "  {:<12} {:>8} {:>9} {:>8}{default}",
+            escape::text(locale.tag),
+            locale.texts,
+            locale.fallbacks,
+            locale.missing
+        );
+    }
+    let _ = writeln!(text, "\n  {:<12} {:>12}", "section", "bytes");
+    for section in &summary.sections {
+        let _ = writeln!(text, "  {:<12} {:>12}", escape::text(&section.tag), console::grouped(section.bytes));
+    }
+    for babble in &summary.babble {
+        let name = escape::text(babble.name);
+        let _ = writeln!(
+            text,
+            "\n  babble {name}, {:.3} digits a second",
+            f64::from(babble.rate[0]) / f64::from(babble.rate[1])
+        );
+        let _ = writeln!(text, "  {:<12} {}  power {}", "ooh", babble.ooh, babble.ooh_power_transfer);
+        let _ = writeln!(text, "  {:<12} {}  power {}", "aah", babble.aah, babble.aah_power_transfer);
+    }
+    console::print(&text)
+}

@@ -1,0 +1,48 @@
+//! `lipz maps`: the mapping tables, as a list or one as a file.
+
+use crate::{Outcome, console};
+use clap::Args;
+use lipz_diagnostics::{escape, suggest};
+use lipz_interop::{Map, map_file, maps};
+use std::fmt::Write;
+
+/// List mapping tables, which say what Lipz code shows what a tool calls by a name; or show one.
+///
+/// Tables are data: print one into a file, change its rows, and use it with `--map FILE`.
+#[derive(Args, Debug)]
+#[command(after_help = "Examples:
+  lipz maps
+  lipz maps rhubarb
+  lipz maps papagayo > our-rig.toml")]
+pub(crate) struct Maps {
+    /// The table to show as a file
+    #[arg(value_name = "NAME")]
+    name: Option<String>,
+}
+
+pub(crate) fn run(arguments: &Maps) -> Outcome {
+    let Some(name) = &arguments.name else { return console::print(&list()) };
+    match map_file(name) {
+        Some(text) => console::print(text),
+        None => {
+            let help = match suggest::nearest(name, maps().iter().map(|map| map.name.as_str())) {
+                Some(known) => format!("did you mean `{known}`?"),
+                None => "`lipz maps` lists the tables".to_owned(),
+            };
+            console::remark(&format!("error: {} is not a mapping table\nhelp: {help}\n", escape::quoted(name)));
+            Outcome::Failed
+        }
+    }
+}
+
+/// The tables, one a line.
+fn list() -> String {
+    let width = maps().iter().map(|map| map.name.len()).max().unwrap_or(0);
+    let mut text = String::new();
+    for map in maps() {
+        let Map { name, version, about, viseme_type, .. } = map;
+        let lossless = if map.is_lossless() && map.keeps_codes() { ", lossless" } else { "" };
+        let _ = writeln!(text, "{name:width$}  version {version}  {:8}  {about}{lossless}", viseme_type.name());
+    }
+    text
+}

@@ -1,0 +1,124 @@
+//! `lipz pack`: source files to a bank.
+
+mod destination;
+mod plan;
+
+pub(crate) use plan::{Packed, Plan};
+
+use crate::reporter::Reporter;
+use crate::sources::Sources;
+use crate::{Ended, Outcome, console, standard};
+use clap::Args;
+use lipz_compiler::settings::Settings;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// Check Lipz files and pack them into a bank.
+///
+/// The old bank stays as it is until the new one is complete and verified. Nothing is written if
+/// there are errors, or if the run is interrupted.
+#[derive(Args, Debug)]
+#[command(after_help = "Examples:
+  lipz pack
+  lipz pack voices -o dialogue.lipzbank
+  lipz pack voices/act1 voices/act2 --root voices -o acts.lipzbank --default-locale en-us
+  lipz pack 'voices/**/mara-*.lipz' -o mara.lipzbank --strip")]
+pub(crate) struct Pack {
+    #[command(flatten)]
+    pub(crate) sources: Sources,
+
+    /// The bank to write; `-` writes it to standard output [default: `output` of lipz.toml]
+    #[arg(short, long, value_name = "BANK")]
+    output: Option<PathBuf>,
+
+    /// Leave out the source section: smaller, but unpacking gives display forms only
+    #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    strip: Option<bool>,
+
+    /// Write the texts of each locale into a text bank of its own, BANK with the locale before the
+    /// extension .lipztexts; the bank has all the rest
+    #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    split_locales: Option<bool>,
+
+    /// Also write what the bank depends on, for Make, Ninja and CMake
+    #[arg(long, value_name = "FILE")]
+    depfile: Option<PathBuf>,
+
+    /// Remember the Lipz files in FILE, so that the next run reads only those that changed [default:
+    /// `cache` of lipz.toml]. Safe to delete. Not for text banks and standard output
+    #[arg(long, value_name = "FILE")]
+    cache: Option<PathBuf>,
+
+    /// Read all files, and remember none
+    #[arg(long, conflicts_with = "cache")]
+    no_cache: bool,
+
+    /// Print where the time went
+    #[arg(long)]
+    timings: bool,
+}
+
+impl Pack {
+    /// Whether the bank goes to standard output.
+    pub(crate) fn prints_bank(&self) -> bool {
+        self.output.as_ref().is_some_and(|output| standard::is_meant(output))
+    }
+
+    /// Whether files that did not change may be left unread.
+    pub(crate) fn may_remember(&self) -> bool {
+        !self.no_cache
+    }
+
+    /// The cache to use.
+    fn cache<'a>(&'a self, settings: &'a Settings) -> Option<&'a Path> {
+        let cache = self.cache.as_deref().or(settings.cache.as_deref());
+        cache.filter(|_| self.may_remember())
+    }
+
+    /// What a run works with now. What is wrong with it is printed, and how the run ends is returned.
+    pub(crate) fn plan(&self, reporter: &mut Reporter) -> Result<Plan, Outcome> {
+        Plan::of(self, reporter)
+    }
+
+    /// The time of each phase, in milliseconds, and what a cache spared, if that was asked for.
+    pub(crate) fn timings(&self, packed: &Packed) -> String {
+        if !self.timings {
+            return String::new();
+        }
+        let phases = &packed.phases;
+        let line = |name: &str, time: Duration| format!("  {name:<22} {:>9.1} ms\n", time.as_secs_f64() * 1000.0);
+        [
+            line("discover", packed.discover),
+            line("cache", phases.cache),
+            line("files", phases.files),
+            line("  recall (all threads)", phases.recall),
+            line("  read (all threads)", phases.read),
+            line("  parse (all threads)", phases.parse),
+            line("  check (all threads)", phases.check),
+            line("localise", phases.localise),
+            line("lower", phases.lower),
+            line("verify and write", phases.finish),
+            format!(
+                "  {} of {} recalled from the bank\n",
+                packed.recalled,
+                console::counted(packed.clip_count, "clip")
+            ),
+        ]
+        .concat()
+    }
+}
+
+pub(crate) fn run(arguments: &Pack, reporter: &mut Reporter) -> Ended {
+    let quiet = arguments.sources.is_quiet();
+    let plan = arguments.plan(reporter)?;
+    let packed = plan.run(None, quiet, reporter)?;
+    let mut text = String::new();
+    if !quiet {
+        text = packed.summary();
+        if let Some(file) = plan.project.found() {
+            text.push_str(&format!("with the settings of {}\n", console::path(file)));
+        }
+    }
+    text.push_str(&arguments.timings(&packed));
+    Ok(reporter.summary(&text).max(packed.outcome))
+}

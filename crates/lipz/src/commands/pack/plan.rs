@@ -1,0 +1,127 @@
+//! One run of packing: what it works with, and what it gave.
+
+use super::Pack;
+use super::destination::{self, AllWritten, Destination, Replacing};
+use crate::commands::with_inputs;
+use crate::reporter::Reporter;
+use crate::settings_file::Project;
+use crate::sources::usage_error;
+use crate::{Outcome, output_file, standard};
+use clap::error::ErrorKind;
+use lipz_compiler::{Compiled, Input, Memory, Phases, dependencies, depfile};
+use std::mem;
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// What a run works with: the project as it is now, under the command line's arguments.
+pub(crate) struct Plan {
+    pub(crate) project: Project,
+    pub(crate) output: PathBuf,
+    destination: Destination,
+    depfile: Option<PathBuf>,
+}
+
+/// What a run made.
+pub(crate) struct Packed {
+    pub(super) clip_count: usize,
+    /// Clips that a cache spared.
+    pub(super) recalled: usize,
+    written: AllWritten,
+    /// Failed if the cache or the depfile could not be written: the bank is where it belongs all the same.
+    pub(crate) outcome: Outcome,
+    /// The time it took to find the files.
+    pub(super) discover: Duration,
+    /// The times of all that followed.
+    pub(super) phases: Phases,
+}
+
+impl Plan {
+    /// The plan that the arguments and the settings file give. What is wrong with them is printed, and
+    /// how the run ends is returned.
+    pub(super) fn of(arguments: &Pack, reporter: &mut Reporter) -> Result<Plan, Outcome> {
+        let mut project = arguments.sources.project(reporter)?;
+        let settings = &mut project.settings;
+        settings.options.strip = arguments.strip.unwrap_or(settings.options.strip);
+        let output = match (&arguments.output, &settings.output) {
+            (Some(output), _) => output.clone(),
+            (None, Some(output)) if standard::is_meant(output) => {
+                let tip = "name a file there; only '--output -' stands for standard output";
+                return Err(usage_error(ErrorKind::ArgumentConflict, "`output` in lipz.toml is `-`", tip));
+            }
+            (None, Some(output)) => output.clone(),
+            (None, None) => {
+                let tip = "name a file with '--output', or set `output` in lipz.toml";
+                return Err(usage_error(ErrorKind::MissingRequiredArgument, "no bank to write is named", tip));
+            }
+        };
+        for path in std::iter::once(&output).chain(&arguments.depfile) {
+            output_file::refuse_source(path)?;
+        }
+        let is_split = arguments.split_locales.unwrap_or(settings.split_locales);
+        let cache = arguments.cache(settings);
+        let destination = Destination::of(&output, is_split, arguments.depfile.is_some(), cache)?;
+        Ok(Plan { project, output, destination, depfile: arguments.depfile.clone() })
+    }
+
+    /// Whether standard input is read or standard output has the bank: that works once.
+    pub(crate) fn works_once(&self) -> bool {
+        let mut sources = self.project.settings.sources.iter();
+        matches!(self.destination, Destination::StandardOutput) || sources.any(|path| standard::is_meant(path))
+    }
+
+    /// Packs once. Findings are shown; if there are errors, nothing is written.
+    ///
+    /// With a `memory`, the run is one of many: it reads only the files that changed, and replaces files by
+    /// other bytes only.
+    pub(crate) fn run(
+        &self,
+        mut memory: Option<&mut Memory>,
+        quiet: bool,
+        reporter: &mut Reporter,
+    ) -> Result<Packed, Outcome> {
+        let settings = &self.project.settings;
+        let replacing = if memory.is_some() { Replacing::IfDifferent } else { Replacing::Always };
+        let mut run = with_inputs(settings, quiet, |inputs, options, progress| match &mut memory {
+            Some(memory) => self.destination.make_again(memory, inputs, options, progress),
+            None => self.destination.make(inputs, options, progress),
+        });
+        let outcome = run.outcome();
+        reporter.add(mem::take(&mut run.reports));
+        let bank = match run.compiled.bank.take() {
+            Some(bank) if outcome == Outcome::Clean => bank,
+            _ => return Err(outcome),
+        };
+        let written = self.destination.deliver(&bank, run.compiled.is_unchanged, replacing, reporter)?;
+        let remembered = memory.map_or(Ok(()), |memory| self.destination.remember(memory, reporter));
+        let outcome = remembered.and(self.write_depfile(&run.inputs, replacing, reporter));
+        let Compiled { recalled, phases, .. } = run.compiled;
+        Ok(Packed {
+            clip_count: run.inputs.len(),
+            recalled,
+            written,
+            outcome: outcome.err().unwrap_or(Outcome::Clean),
+            discover: run.discover,
+            phases,
+        })
+    }
+
+    /// Writes what the bank depends on, if that was asked for. Reports why that is not possible.
+    fn write_depfile(&self, inputs: &[Input], replacing: Replacing, reporter: &mut Reporter) -> Result<(), Outcome> {
+        let Some(path) = &self.depfile else { return Ok(()) };
+        let mut dependencies = dependencies(&self.project.settings.sources, inputs);
+        dependencies.extend(self.project.file.clone());
+        destination::write(path, &depfile(&self.output, &dependencies), replacing, reporter).map(|_| ())
+    }
+}
+
+impl Packed {
+    /// A line for each file that was written.
+    pub(super) fn summary(&self) -> String {
+        self.written.summary(self.clip_count)
+    }
+
+    /// One line about all files, and whether any is another than before.
+    pub(crate) fn message(&self) -> String {
+        self.written.message(self.clip_count)
+    }
+}

@@ -1,0 +1,20 @@
+//! `lipz schema`: the JSON Schema of Lipz files.
+
+use crate::{Outcome, console};
+use clap::Args;
+
+/// Print the JSON Schema of Lipz files, for editors.
+///
+/// docs/EDITORS.md shows how to make an editor use it.
+#[derive(Args, Debug)]
+#[command(after_help = "Example:
+  lipz schema > lipz.schema.json")]
+pub(crate) struct Schema {
+    /// Accept any BCP 47 language tag (es-419, zh-hant), not only ll-cc
+    #[arg(long)]
+    pub(crate) extended_locales: bool,
+}
+
+pub(crate) fn run(arguments: &Schema) -> Outcome {
+    console::print(&lipz_file::schema::json_schema(arguments.extended_locales))
+}

@@ -1,0 +1,53 @@
+//! `lipz stats`: how much of what is in a bank.
+
+mod json;
+mod text;
+
+use super::either::bank_or_files;
+use crate::reporter::Reporter;
+use crate::sources::ProjectArguments;
+use crate::text_banks::{TextBanks, TextFiles};
+use crate::{Ended, console};
+use clap::Args;
+use lipz_compiler::BankWithTexts;
+use std::path::PathBuf;
+
+/// Show how much is in a bank: clips, time, text, bytes, mouth shapes.
+///
+/// A folder is compiled in memory, with the same flags as for `lipz pack`.
+#[derive(Args, Debug)]
+#[command(override_usage = "lipz stats [BANK] [OPTIONS]")]
+#[command(after_help = "Examples:
+  lipz stats
+  lipz stats dialogue.lipzbank
+  lipz stats dialogue.lipzbank --texts dialogue.*.lipztexts
+  lipz stats voices --json")]
+pub(crate) struct Stats {
+    /// A bank, or a folder, file or pattern of Lipz files; `-` is a bank on standard input [default: the
+    /// Lipz files of lipz.toml]
+    #[arg(value_name = "BANK")]
+    bank: Option<PathBuf>,
+
+    #[command(flatten)]
+    texts: TextBanks,
+
+    #[command(flatten)]
+    project: ProjectArguments,
+
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+pub(crate) fn run(arguments: &Stats, reporter: &mut Reporter) -> Ended {
+    let file = bank_or_files(arguments.bank.as_deref(), &arguments.project, reporter)?;
+    let bank = file.bank(reporter)?;
+    let text_files = TextFiles::open(&arguments.texts.texts, reporter)?;
+    let texts = text_files.of(&bank, reporter)?;
+    let stats = lipz_compiler::stats::Stats::of(BankWithTexts::of(&bank, &texts));
+    Ok(if arguments.json {
+        console::print_json(&json::StatsJson::of(&stats))
+    } else {
+        console::print(&text::text(&file.name, &stats))
+    })
+}

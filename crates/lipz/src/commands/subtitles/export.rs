@@ -1,0 +1,121 @@
+//! `lipz subtitles export`: a subtitle file per clip and locale.
+
+use super::Format;
+use crate::commands::{find, foreign};
+use crate::project::parse_locale;
+use crate::reporter::Reporter;
+use crate::sources::Sources;
+use crate::{Ended, Outcome, console, interrupt};
+use clap::Args;
+use lipz_compiler::{Input, Options, each_file, key, replace_file};
+use lipz_diagnostics::{Report, Severity};
+use lipz_file::locale::{TextName, text_name};
+use lipz_interop::subtitles::{SubtitleFormat, SubtitleOptions, cues};
+use std::path::PathBuf;
+
+/// Write the texts of clips as subtitles: a file KEY.LOCALE.srt or .vtt for each clip and locale.
+///
+/// Meta is not written, but `{speaker: Mara}` in a text says who speaks from there on: WebVTT has a voice for that.
+#[derive(Args, Debug)]
+pub(super) struct Export {
+    /// The format to write
+    #[arg(value_enum, value_name = "FORMAT")]
+    subtitle_format: Format,
+
+    #[command(flatten)]
+    sources: Sources,
+
+    /// The folder to write into
+    #[arg(short, long, value_name = "FOLDER")]
+    output: PathBuf,
+
+    /// Write this locale only; may be given several times [default: all that the files have]
+    #[arg(long, value_name = "LOCALE", value_parser = parse_locale)]
+    locale: Vec<String>,
+
+    /// Who speaks where the texts do not say so
+    #[arg(long, value_name = "NAME")]
+    speaker: Option<String>,
+
+    /// Replace files that exist
+    #[arg(long)]
+    force: bool,
+}
+
+/// The subtitles of one clip, and what was found.
+struct Made {
+    /// Locales with their files.
+    files: Vec<(String, String)>,
+    report: Option<Report>,
+}
+
+pub(super) fn run(arguments: &Export, reporter: &mut Reporter) -> Ended {
+    let project = arguments.sources.project(reporter)?;
+    let (inputs, mut reports) = find(&project.settings);
+    key::check(&inputs, &mut reports);
+    let options = &project.settings.options;
+    let results = each_file(&inputs, options, &|_| {}, |input, bytes| one(arguments, input, bytes, options));
+    let mut files = Vec::new();
+    for (input, result) in inputs.iter().zip(results) {
+        match result {
+            Ok(made) => {
+                reports.extend(made.report);
+                files.extend(made.files.into_iter().map(|(locale, file)| (arguments.path(input, &locale), file)));
+            }
+            Err(report) => reports.push(report),
+        }
+    }
+    if !arguments.force {
+        reports.extend(files.iter().filter_map(|(path, _)| foreign::in_the_way(path)));
+    }
+    let mut written = 0;
+    if foreign::may_write(&reports) {
+        for (path, file) in &files {
+            match interrupt::whole(|| replace_file(path, file.as_bytes())) {
+                Ok(()) => written += 1,
+                Err(report) => reports.push(report),
+            }
+        }
+    }
+    let outcome = Outcome::of(&reports);
+    reporter.add(reports);
+    if arguments.sources.is_quiet() || written == 0 {
+        return Ok(outcome);
+    }
+    let summary = format!("{} written into {}\n", console::counted(written, "file"), console::path(&arguments.output));
+    Ok(reporter.summary(&summary).max(outcome))
+}
+
+impl Export {
+    fn path(&self, input: &Input, locale: &str) -> PathBuf {
+        let format = SubtitleFormat::from(self.subtitle_format);
+        foreign::path(&self.output, &input.key, &format!("{locale}.{}", format.extension()))
+    }
+}
+
+/// The subtitles of one Lipz file.
+fn one(arguments: &Export, input: &Input, bytes: &[u8], options: &Options) -> Made {
+    let parsed = lipz_file::parse(bytes);
+    let mut diagnostics = parsed.diagnostics;
+    let subtitle_options =
+        SubtitleOptions { default_rate: options.default_fps.map(foreign::rate), speaker: arguments.speaker.as_deref() };
+    let mut files = Vec::new();
+    let document = parsed.document.unwrap_or_default();
+    for element in &document.elements {
+        let Some(TextName::Canonical(locale)) = text_name(&element.name.text) else { continue };
+        if !arguments.locale.is_empty() && !arguments.locale.contains(&locale) {
+            continue;
+        }
+        let Some(cues) = cues(&document, &locale, &subtitle_options, &mut diagnostics) else { break };
+        if !cues.is_empty() {
+            let file = SubtitleFormat::from(arguments.subtitle_format).write(&cues, &mut diagnostics);
+            files.push((locale, file));
+        }
+    }
+    lipz_diagnostics::adjust(&options.levels, &mut diagnostics);
+    if diagnostics.iter().any(|finding| finding.severity == Severity::Error) {
+        files.clear();
+    }
+    let report = (!diagnostics.is_empty()).then(|| Report::from_bytes(input.name(), bytes, diagnostics));
+    Made { files, report }
+}

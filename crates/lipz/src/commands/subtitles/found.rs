@@ -1,0 +1,110 @@
+//! Which subtitle files belong to which clips: by their names.
+
+use crate::commands::foreign;
+use crate::sources::usage_error;
+use crate::{Outcome, console};
+use clap::error::ErrorKind;
+use lipz_compiler::Options;
+use lipz_diagnostics::{Code, Diagnostic, Report};
+use lipz_file::locale::canonical_tag;
+use lipz_interop::subtitles::SubtitleFormat;
+use std::io;
+use std::path::{Path, PathBuf};
+use walkdir::WalkDir;
+
+/// A subtitle file.
+pub(super) struct Found {
+    pub(super) path: PathBuf,
+    /// The clip that it is about.
+    pub(super) key: String,
+    pub(super) locale: String,
+    pub(super) format: SubtitleFormat,
+}
+
+/// The subtitle files that are named, and those in folders that are. Keys count from there.
+pub(super) fn find(named: &[PathBuf], options: &Options, reports: &mut Vec<Report>) -> Result<Vec<Found>, Outcome> {
+    let mut found = Vec::new();
+    for place in named {
+        let (files_before, reports_before) = (found.len(), reports.len());
+        for entry in WalkDir::new(place).sort_by_file_name() {
+            match entry {
+                Ok(entry) if entry.file_type().is_dir() => {}
+                Ok(entry) => match format(entry.path()) {
+                    Some(format) => match file(place, entry.path(), format, options) {
+                        Ok(file) => found.push(file),
+                        Err(report) => reports.push(report),
+                    },
+                    None if entry.depth() == 0 => {
+                        let message = format!("'{}' is not named .srt or .vtt", console::path(place));
+                        return Err(usage_error(
+                            ErrorKind::ValueValidation,
+                            &message,
+                            "the extension tells the format",
+                        ));
+                    }
+                    // Folders may have other files.
+                    None => {}
+                },
+                Err(error) => reports.push(unreadable(place, &error)),
+            }
+        }
+        if found.len() == files_before && reports.len() == reports_before {
+            let shown = console::path(place);
+            let finding = Diagnostic::new(Code::NoSources, format!("no subtitle files in `{shown}`"));
+            reports.push(Report::about(shown, finding.help("subtitle files end in .srt or .vtt")));
+        }
+    }
+    Ok(found)
+}
+
+fn unreadable(place: &Path, error: &walkdir::Error) -> Report {
+    let path = error.path().unwrap_or(place);
+    match error.io_error() {
+        Some(error) => foreign::unreadable(path, error),
+        None => foreign::unreadable(path, &io::Error::other("a link leads back to a folder above it")),
+    }
+}
+
+fn format(path: &Path) -> Option<SubtitleFormat> {
+    SubtitleFormat::of_extension(path.extension()?.to_str()?)
+}
+
+/// What the name of a file tells: `act1/mayor.de-de.vtt` is the clip `act1/mayor` in `de-de`.
+fn file(place: &Path, path: &Path, format: SubtitleFormat, options: &Options) -> Result<Found, Report> {
+    let inside = path.strip_prefix(place).ok().filter(|inside| !inside.as_os_str().is_empty());
+    let inside = inside.or_else(|| path.file_name().map(Path::new)).unwrap_or(path).with_extension("");
+    let parts: Vec<_> = inside.components().map(|part| part.as_os_str().to_string_lossy()).collect();
+    let stem = parts.join("/");
+    let tagged =
+        stem.rsplit_once('.').and_then(|(key, tag)| Some((key, canonical_tag(tag, options.extended_locales)?)));
+    let (key, locale) = match (tagged, &options.default_locale) {
+        (Some((key, locale)), _) => (key.to_owned(), locale),
+        (None, Some(locale)) => (stem, locale.clone()),
+        (None, None) => {
+            let shown = console::path(path);
+            let finding = Diagnostic::new(Code::TextLeftOut, format!("the locale of `{shown}` is not known"));
+            let help = format!("call it KEY.en-us.{}, or name the locale: --locale en-us", format.extension());
+            return Err(Report::about(shown, finding.help(help)));
+        }
+    };
+    Ok(Found { path: path.to_owned(), key, locale, format })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_tell_clip_and_locale() {
+        let options = |default: Option<&str>| Options { default_locale: default.map(Into::into), ..Options::default() };
+        let of = |place: &str, path: &str, default| {
+            let found = file(place.as_ref(), path.as_ref(), SubtitleFormat::Srt, &options(default)).ok()?;
+            Some((found.key, found.locale))
+        };
+        let some = |key: &str, locale: &str| Some((key.to_owned(), locale.to_owned()));
+        assert_eq!(of("in", "in/act1/mayor.de-de.srt", None), some("act1/mayor", "de-de"));
+        assert_eq!(of("in/mayor.de_DE.srt", "in/mayor.de_DE.srt", None), some("mayor", "de-de"));
+        assert_eq!(of("in", "in/mayor.take.2.srt", Some("en-us")), some("mayor.take.2", "en-us"));
+        assert_eq!(of("in", "in/mayor.srt", None), None);
+    }
+}

@@ -1,0 +1,138 @@
+//! `lipz subtitles import`: texts and segments of clips from subtitle files.
+
+use super::found::{self, Found};
+use crate::commands::foreign;
+use crate::lint_flags::LintFlags;
+use crate::project::{parse_fps, parse_locale};
+use crate::reporter::Reporter;
+use crate::settings_file::SettingsFile;
+use crate::{Ended, Outcome, console, interrupt, patterns};
+use clap::Args;
+use lipz_bank::Fps;
+use lipz_compiler::{Content, Input, Options, key, replace_file, rewrite_file};
+use lipz_diagnostics::{Diagnostic, Report, Severity};
+use lipz_file::Document;
+use lipz_file::format::{Style, format};
+use lipz_interop::DEFAULT_RATE;
+use lipz_interop::subtitles::{clip, join};
+use std::path::{Path, PathBuf};
+use std::{fs, io};
+
+/// Read subtitles as texts of clips: KEY.LOCALE.srt or .vtt becomes the text of the clip KEY in that locale.
+///
+/// A clip that is not there yet is made: its mouth rests, and its segments are the subtitles. One that is there and
+/// has no segments gets those of the subtitles; one that has segments keeps them, and each subtitle becomes the text
+/// of the segment that it shows in for longest. Lipz files come out in their canonical layout.
+#[derive(Args, Debug)]
+pub(super) struct Import {
+    /// Subtitle files, and folders of them
+    #[arg(value_name = "FILES", required = true)]
+    files: Vec<PathBuf>,
+
+    /// The folder of the clips
+    #[arg(short, long, value_name = "FOLDER")]
+    output: PathBuf,
+
+    /// Locale of files whose names do not tell it [default: `default-locale` of lipz.toml]
+    #[arg(long, value_name = "LOCALE", value_parser = parse_locale)]
+    locale: Option<String>,
+
+    /// Frame rate of clips that have none [default: that of lipz.toml, or 24]
+    #[arg(long, value_name = "FPS", value_parser = parse_fps)]
+    fps: Option<Fps>,
+
+    #[command(flatten)]
+    file: SettingsFile,
+
+    #[command(flatten)]
+    lints: LintFlags,
+
+    /// Show no summary
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+pub(super) fn run(arguments: &Import, reporter: &mut Reporter) -> Ended {
+    let mut options = arguments.file.project(std::slice::from_ref(&arguments.output), reporter)?.settings.options;
+    arguments.lints.apply(&mut options.levels);
+    options.default_locale = arguments.locale.clone().or(options.default_locale);
+    let mut reports = Vec::new();
+    let mut found = found::find(&patterns::files(&arguments.files), &options, &mut reports)?;
+    found.sort_by(|a, b| a.key.cmp(&b.key));
+    let clips: Vec<&[Found]> = found.chunk_by(|a, b| a.key == b.key).collect();
+    let path = |clip: &[Found]| clip.first().map(|file| foreign::path(&arguments.output, &file.key, key::EXTENSION));
+    let input = |clip: &&[Found]| Some(Input { key: clip.first()?.key.clone(), content: Content::File(path(clip)?) });
+    key::check(&clips.iter().filter_map(input).collect::<Vec<_>>(), &mut reports);
+    let mut written = 0;
+    if foreign::may_write(&reports) {
+        for clip in clips {
+            let Some(path) = path(clip) else { continue };
+            match one(arguments, &options, &path, clip, &mut reports) {
+                Ok(is_written) => written += usize::from(is_written),
+                Err(report) => reports.push(report),
+            }
+        }
+    }
+    let outcome = Outcome::of(&reports);
+    reporter.add(reports);
+    if arguments.quiet || written == 0 {
+        return Ok(outcome);
+    }
+    let clips = console::counted(written, "clip");
+    let summary = format!("texts of {clips} imported into {}\n", console::path(&arguments.output));
+    Ok(reporter.summary(&summary).max(outcome))
+}
+
+/// Brings the subtitles of one clip into its Lipz file; false if there is nothing to be written.
+fn one(
+    arguments: &Import,
+    options: &Options,
+    path: &Path,
+    files: &[Found],
+    reports: &mut Vec<Report>,
+) -> Result<bool, Report> {
+    let before = match fs::read(path) {
+        Ok(bytes) => Some(bytes),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+        Err(error) => return Err(foreign::unreadable(path, &error)),
+    };
+    let mut document = before.as_deref().map(|bytes| parse(path, bytes)).transpose()?;
+    let fps = arguments.fps.or(options.default_fps);
+    let rate = fps.map_or(DEFAULT_RATE, foreign::rate);
+    let mut is_changed = false;
+    for file in files {
+        let bytes = fs::read(&file.path).map_err(|error| foreign::unreadable(&file.path, &error))?;
+        let mut diagnostics = Vec::new();
+        let cues = file.format.read(&bytes, &mut diagnostics);
+        if !has_errors(&diagnostics) {
+            document = Some(match document {
+                Some(document) => join(document, &cues, &file.locale, rate, &mut diagnostics),
+                None => clip(&cues, &file.locale, rate, &mut diagnostics),
+            });
+            is_changed = true;
+        }
+        lipz_diagnostics::adjust(&options.levels, &mut diagnostics);
+        if !diagnostics.is_empty() {
+            reports.push(Report::from_bytes(console::path(&file.path), &bytes, diagnostics));
+        }
+    }
+    let Some(document) = document.filter(|_| is_changed) else { return Ok(false) };
+    let style = Style { default_locale: options.default_locale.as_deref(), ..Style::default() };
+    let after = format(&document, style);
+    interrupt::whole(|| match &before {
+        Some(before) => rewrite_file(path, before, after.as_bytes()),
+        None => replace_file(path, after.as_bytes()),
+    })?;
+    Ok(true)
+}
+
+/// The document in a Lipz file; its errors are reported, warnings are for `lipz check`.
+fn parse<'b>(path: &Path, bytes: &'b [u8]) -> Result<Document<'b>, Report> {
+    let lipz_file::Parsed { document, diagnostics } = lipz_file::parse(bytes);
+    let is_whole = !has_errors(&diagnostics);
+    document.filter(|_| is_whole).ok_or_else(|| Report::from_bytes(console::path(path), bytes, diagnostics))
+}
+
+fn has_errors(diagnostics: &[Diagnostic]) -> bool {
+    diagnostics.iter().any(|finding| finding.severity == Severity::Error)
+}

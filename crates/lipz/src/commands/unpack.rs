@@ -1,0 +1,82 @@
+//! `lipz unpack`: a bank to source files.
+
+use crate::bank_file::BankFile;
+use crate::reporter::Reporter;
+use crate::text_banks::{TextBanks, TextFiles};
+use crate::{Ended, Outcome, console, interrupt};
+use clap::Args;
+use lipz_compiler::{BankWithTexts, unpack};
+use lipz_diagnostics::Code;
+use std::path::PathBuf;
+
+/// Write the clips of a bank as Lipz files.
+///
+/// Nothing is written outside the folder, and nothing at all if a key cannot be a file name. When the
+/// run is interrupted, the files written so far stay, each of them whole.
+#[derive(Args, Debug)]
+#[command(override_usage = "lipz unpack <BANK> --output <FOLDER> [OPTIONS]")]
+#[command(after_help = "Examples:
+  lipz unpack dialogue.lipzbank -o voices
+  lipz unpack dialogue.lipzbank --texts dialogue.*.lipztexts -o voices")]
+pub(crate) struct Unpack {
+    /// The bank to read; `-` reads it from standard input
+    #[arg(value_name = "BANK")]
+    pub(crate) bank: PathBuf,
+
+    #[command(flatten)]
+    texts: TextBanks,
+
+    /// The folder to write into; it is made if it does not exist
+    #[arg(short, long, value_name = "FOLDER")]
+    pub(crate) output: PathBuf,
+
+    /// Replace files that exist
+    #[arg(long)]
+    pub(crate) force: bool,
+
+    /// Show no progress and no summary
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
+
+pub(crate) fn run(arguments: &Unpack, reporter: &mut Reporter) -> Ended {
+    let file = BankFile::open(&arguments.bank, reporter)?;
+    let bank = file.bank(reporter)?;
+    let text_files = TextFiles::open(&arguments.texts.texts, reporter)?;
+    let texts = text_files.of(&bank, reporter)?;
+    let bar = console::progress_bar(bank.clip_count(), arguments.quiet);
+    let progress = |count| {
+        bar.inc(count);
+        interrupt::point();
+    };
+    let whole = BankWithTexts::of(&bank, &texts);
+    let unpacked = interrupt::whole(|| unpack(whole, &arguments.output, arguments.force, &progress));
+    bar.finish_and_clear();
+    match unpacked {
+        Ok(unpacked) => {
+            if arguments.quiet {
+                return Ok(Outcome::Clean);
+            }
+            let form = match unpacked.is_exact {
+                true => "",
+                false if whole.locales().is_empty() => {
+                    " (no texts: those of a split bank are in its text banks, --texts)"
+                }
+                false => " (display forms: the bank has no source section)",
+            };
+            let files = console::counted(unpacked.files, "file");
+            Ok(reporter.summary(&format!("{files} unpacked into {}{form}\n", console::path(&arguments.output))))
+        }
+        Err(mut reports) => {
+            for report in &mut reports {
+                if report.source.path.is_empty() {
+                    file.name.clone_into(&mut report.source.path);
+                }
+            }
+            let failed =
+                reports.iter().flat_map(|report| &report.diagnostics).any(|found| found.code == Code::OutputFailed);
+            reporter.add(reports);
+            Err(if failed { Outcome::Failed } else { Outcome::Errors })
+        }
+    }
+}

@@ -1,0 +1,175 @@
+//! Waiting for changes: events of the file system, gathered until there is quiet.
+
+use super::scope::{Scope, concerns};
+use crate::{Outcome, console};
+use lipz_diagnostics::escape;
+use notify::{ErrorKind, Event, EventKind, RecommendedWatcher, Watcher, recommended_watcher};
+use std::path::PathBuf;
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::time::{Duration, Instant};
+
+/// How long there must be no event: editors write a file in several steps.
+const QUIET: Duration = Duration::from_millis(100);
+/// How long to gather events at most.
+const PATIENCE: Duration = Duration::from_secs(1);
+/// How often to look at folders that cannot be watched, most often because they do not exist.
+const RETRY: Duration = Duration::from_secs(1);
+
+/// What an event says.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(super) enum Change {
+    /// Something happened; the state of the files shows whether it matters.
+    Perhaps,
+    /// A file that matters was changed, added or removed.
+    Certain,
+}
+
+/// Rings when files may have changed.
+///
+/// It is set anew for every run: folders that were replaced by others of the same name are watched then,
+/// and so are those that a watcher missed. What happens between two settings is not lost: all watchers
+/// ring the same bell.
+pub(super) struct Alarm {
+    bell: Sender<Change>,
+    rings: Receiver<Change>,
+    /// How often to look, instead of waiting for events.
+    poll: Option<Duration>,
+    watcher: Option<RecommendedWatcher>,
+    /// Folders that cannot be watched for now.
+    unwatched: Vec<PathBuf>,
+}
+
+impl Alarm {
+    pub(super) fn new(poll: Option<Duration>) -> Alarm {
+        let (bell, rings) = channel();
+        Alarm { bell, rings, poll, watcher: None, unwatched: Vec::new() }
+    }
+
+    /// Watches what is in the scope now. If the system watches nothing, or nothing more, that is printed,
+    /// and how the watch ends is returned.
+    pub(super) fn set(&mut self, scope: &Scope) -> Result<(), Outcome> {
+        if self.poll.is_some() {
+            return Ok(());
+        }
+        self.unwatched.clear();
+        let bell = self.bell.clone();
+        let settings_name = scope.settings_name().map(ToOwned::to_owned);
+        let mut watcher = recommended_watcher(move |event: notify::Result<Event>| {
+            let concerns = |path: &PathBuf| concerns(settings_name.as_deref(), path);
+            // An error is that of one folder; looking at the files tells more about it.
+            let change = event.map_or(Some(Change::Perhaps), |event| weigh(&event, concerns));
+            if let Some(change) = change {
+                // Nobody hears it when the watch has ended.
+                let _ = bell.send(change);
+            }
+        })
+        .map_err(|error| cannot_watch(&error))?;
+        for (folder, mode) in scope.folders() {
+            match watcher.watch(&folder, mode) {
+                Ok(()) => {}
+                Err(error) if matches!(error.kind, ErrorKind::MaxFilesWatch) => return Err(cannot_watch(&error)),
+                Err(_) => self.unwatched.push(folder),
+            }
+        }
+        self.watcher = Some(watcher);
+        Ok(())
+    }
+
+    /// What it watches, and what it waits for, for people.
+    pub(super) fn describe(&self, scope: &Scope) -> String {
+        let (missing, watched): (Vec<_>, Vec<_>) = scope.places().into_iter().partition(|place| !place.exists());
+        let list = |paths: &[PathBuf]| paths.iter().map(|path| console::path(path)).collect::<Vec<_>>().join(", ");
+        let mut text = String::new();
+        if !watched.is_empty() {
+            text += &format!("          watching {}; Ctrl-C ends\n", list(&watched));
+        }
+        if !missing.is_empty() {
+            text += &format!("          waiting for {}\n", list(&missing));
+        }
+        text
+    }
+
+    /// Waits for a change, and until it is over.
+    pub(super) fn wait(&self) -> Change {
+        let retry = (!self.unwatched.is_empty()).then_some(RETRY);
+        let first = match self.poll.or(retry) {
+            Some(period) => self.rings.recv_timeout(period).ok(),
+            None => self.rings.recv().ok(),
+        };
+        let Some(mut change) = first else { return Change::Perhaps };
+        let start = Instant::now();
+        while start.elapsed() < PATIENCE {
+            match self.rings.recv_timeout(QUIET) {
+                Ok(next) => change = change.max(next),
+                Err(_) => break,
+            }
+        }
+        change
+    }
+}
+
+/// Prints why the system does not watch.
+fn cannot_watch(error: &notify::Error) -> Outcome {
+    let help = "look at the files every few seconds with '--poll', or raise the limits of the system";
+    console::remark(&format!("error: files cannot be watched: {}\nhelp: {help}\n", escape::text(&error.to_string())));
+    Outcome::Failed
+}
+
+/// What an event says; `None` if nothing that matters. Packing itself reads files and writes others.
+fn weigh(event: &Event, concerns: impl Fn(&PathBuf) -> bool) -> Option<Change> {
+    match event.kind {
+        // Too many events to be told apart, perhaps those of reading.
+        _ if event.need_rescan() => Some(Change::Perhaps),
+        EventKind::Access(_) => None,
+        _ if event.paths.iter().any(concerns) => Some(Change::Certain),
+        _ if event.paths.iter().all(|path| path.is_file()) => None,
+        // A folder, or what is no longer there and may have been one.
+        _ => Some(Change::Perhaps),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use notify::event::{AccessKind, AccessMode, CreateKind, DataChange, Flag, ModifyKind, RemoveKind, RenameMode};
+
+    #[test]
+    fn events_are_weighed() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = |name: &str| {
+            let path = folder.path().join(name);
+            std::fs::write(&path, "").unwrap();
+            path
+        };
+        let clip = file("a.LIPZ");
+        let settings = file("lipz.toml");
+        let (note, gone) = (file("a.txt"), folder.path().join("gone"));
+        let data = EventKind::Modify(ModifyKind::Data(DataChange::Any));
+        let from = EventKind::Modify(ModifyKind::Name(RenameMode::From));
+        let read = EventKind::Access(AccessKind::Close(AccessMode::Read));
+        let weigh = |kind, path: &PathBuf| weigh(&Event::new(kind).add_path(path.clone()), |path| concerns(None, path));
+        assert_eq!(weigh(data, &clip), Some(Change::Certain));
+        assert_eq!(weigh(data, &settings), Some(Change::Certain));
+        assert_eq!(weigh(EventKind::Remove(RemoveKind::File), &gone.with_extension("lipz")), Some(Change::Certain));
+        assert_eq!(weigh(read, &clip), None, "packing reads it");
+        assert_eq!(weigh(data, &note), None);
+        assert_eq!(weigh(EventKind::Create(CreateKind::Folder), &folder.path().into()), Some(Change::Perhaps));
+        assert_eq!(weigh(from, &gone), Some(Change::Perhaps), "it may have been a folder");
+    }
+
+    #[test]
+    fn lost_events_are_looked_after() {
+        let event = Event::new(EventKind::Other).set_flag(Flag::Rescan);
+        assert_eq!(weigh(&event, |_| false), Some(Change::Perhaps));
+    }
+
+    #[test]
+    fn a_burst_is_one_change() {
+        let alarm = Alarm::new(None);
+        for change in [Change::Perhaps, Change::Certain, Change::Perhaps] {
+            alarm.bell.send(change).unwrap();
+        }
+        assert_eq!(alarm.wait(), Change::Certain);
+        assert!(alarm.rings.try_recv().is_err(), "all of it is over");
+    }
+}

@@ -1,0 +1,144 @@
+//! `lipz watch`: packs, and packs again when something changes.
+
+mod alarm;
+mod scope;
+
+use super::pack::{Pack, Plan};
+use crate::reporter::Reporter;
+use crate::sources::usage_error;
+use crate::{Outcome, console};
+use alarm::{Alarm, Change};
+use clap::Args;
+use clap::error::ErrorKind;
+use jiff::Zoned;
+use lipz_compiler::Memory;
+use scope::Scope;
+use std::convert::Infallible;
+use std::time::{Duration, Instant};
+
+/// Pack, and pack again whenever a Lipz file or lipz.toml changes.
+///
+/// The old bank stays as it is while there are errors, and also when a change leaves its bytes the
+/// same. Only files that changed are read again; with a cache, that begins with the first run. Ends with
+/// Ctrl-C. With a --format for programs, every run prints a document of its own.
+#[derive(Args, Debug)]
+#[command(after_help = "Examples:
+  lipz watch
+  lipz watch voices -o dialogue.lipzbank
+  lipz watch voices -o dialogue.lipzbank --clear
+  lipz watch --poll=5 //server/voices -o dialogue.lipzbank")]
+pub(crate) struct Watch {
+    #[command(flatten)]
+    pack: Pack,
+
+    /// Look at the files every so many seconds (2 if not given), for network folders, which tell
+    /// nothing of changes made elsewhere
+    #[arg(long, value_name = "SECONDS", num_args = 0..=1, require_equals = true, default_missing_value = "2")]
+    #[arg(value_parser = parse_seconds)]
+    poll: Option<Duration>,
+
+    /// Clear the terminal before each run
+    #[arg(long)]
+    clear: bool,
+}
+
+/// Packs and waits, in turns, until the process is interrupted; returns only if it cannot start to watch,
+/// or cannot go on.
+pub(crate) fn run(arguments: &Watch, reporter: &Reporter) -> Outcome {
+    let Err(outcome) = watch(arguments, reporter);
+    outcome
+}
+
+fn watch(arguments: &Watch, reporter: &Reporter) -> Result<Infallible, Outcome> {
+    let sources = &arguments.pack.sources;
+    let mut scope = Scope::named(sources);
+    let mut alarm = Alarm::new(arguments.poll);
+    // Before anything is read, so that no change is missed.
+    alarm.set(&scope)?;
+    let mut told = String::new();
+    let mut memory = Memory::default();
+    loop {
+        if !arguments.pack.may_remember() {
+            memory = Memory::default();
+        }
+        let mut reporter = reporter.for_next_run();
+        if arguments.clear {
+            console::clear();
+        }
+        let start = Instant::now();
+        let plan = arguments.plan(&mut reporter);
+        match &plan {
+            Ok(plan) => scope = Scope::of(&plan.project, sources),
+            Err(Outcome::Failed) if told.is_empty() => return Err(reporter.finish(Outcome::Failed)),
+            // Settings with errors: those of the last run say where to look.
+            Err(_) => {}
+        }
+        alarm.set(&scope)?;
+        let state = scope.state();
+        let outcome = arguments.pack_once(plan, &mut memory, start, &mut reporter);
+        let place = alarm.describe(&scope);
+        if place != told {
+            arguments.tell(&place, &reporter);
+            told = place;
+        }
+        reporter.finish(outcome);
+        while alarm.wait() == Change::Perhaps {
+            alarm.set(&scope)?;
+            if scope.state() != state {
+                break;
+            }
+        }
+    }
+}
+
+impl Watch {
+    /// What the next run works with.
+    fn plan(&self, reporter: &mut Reporter) -> Result<Plan, Outcome> {
+        let plan = self.pack.plan(reporter)?;
+        if plan.works_once() {
+            let tip = "name a folder and a file, or pack once: lipz pack";
+            let message = "standard input and output cannot be watched";
+            return Err(usage_error(ErrorKind::ArgumentConflict, message, tip));
+        }
+        Ok(plan)
+    }
+
+    /// Packs if there is a plan, and tells how it went.
+    fn pack_once(
+        &self,
+        plan: Result<Plan, Outcome>,
+        memory: &mut Memory,
+        start: Instant,
+        reporter: &mut Reporter,
+    ) -> Outcome {
+        let mut old_bank = "the old bank is kept";
+        let packed = plan.and_then(|plan| {
+            if !plan.output.exists() {
+                old_bank = "there is no bank yet";
+            }
+            plan.run(Some(memory), self.pack.sources.is_quiet(), reporter)
+        });
+        let (outcome, message, timings) = match packed {
+            Ok(packed) => {
+                let took_ms = start.elapsed().as_millis();
+                (packed.outcome, format!("{}, {took_ms} ms", packed.message()), self.pack.timings(&packed))
+            }
+            Err(outcome) => (outcome, format!("not packed: {old_bank}"), String::new()),
+        };
+        let time = Zoned::now().strftime("%H:%M:%S");
+        self.tell(&format!("{time}  {message}\n{timings}"), reporter);
+        outcome
+    }
+
+    /// Tells people, if they want to know more than the findings.
+    fn tell(&self, text: &str, reporter: &Reporter) {
+        if !self.pack.sources.is_quiet() {
+            reporter.summary(text);
+        }
+    }
+}
+
+fn parse_seconds(text: &str) -> Result<Duration, String> {
+    let seconds = text.parse().ok().and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
+    seconds.filter(|period| !period.is_zero()).ok_or_else(|| "it must be a number of seconds above 0".into())
+}

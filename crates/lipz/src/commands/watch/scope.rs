@@ -1,0 +1,130 @@
+//! What a watch looks at: the places where Lipz files and settings lie, and the state they are in.
+
+use crate::settings_file::Project;
+use crate::sources::Sources;
+use lipz_compiler::key::EXTENSION;
+use lipz_compiler::settings::{FILE_NAME, Settings};
+use lipz_compiler::{Content, watched};
+use lipz_diagnostics::Report;
+use notify::RecursiveMode;
+use std::collections::BTreeMap;
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+use std::time::SystemTime;
+
+/// The sources and the settings file of a project.
+pub(super) struct Scope {
+    settings: Settings,
+    settings_file: Option<PathBuf>,
+}
+
+/// What can be seen of the files of a scope without reading them. Two states differ if a file was
+/// changed, added, removed or moved between them.
+#[derive(PartialEq, Eq)]
+pub(super) struct State {
+    files: Vec<(PathBuf, Option<Stamp>)>,
+    /// Sources that are missing or cannot be read.
+    problems: Vec<Report>,
+}
+
+/// Length and time of a file.
+type Stamp = (u64, Option<SystemTime>);
+
+impl Scope {
+    /// What the command line names, before the settings are read.
+    pub(super) fn named(arguments: &Sources) -> Scope {
+        let settings = Settings { sources: arguments.paths().to_vec(), ..Settings::default() };
+        Scope { settings, settings_file: arguments.settings_file() }
+    }
+
+    /// What the project names.
+    pub(super) fn of(project: &Project, arguments: &Sources) -> Scope {
+        Scope { settings: project.settings.clone(), settings_file: arguments.settings_file() }
+    }
+
+    /// The folders to watch, and whether with those in them.
+    pub(super) fn folders(&self) -> BTreeMap<PathBuf, RecursiveMode> {
+        let settings_folder = self.settings_file.iter().map(|file| (folder_of(file), RecursiveMode::NonRecursive));
+        let mut folders: BTreeMap<_, _> = settings_folder.collect();
+        for place in watched(&self.settings.sources) {
+            if place.is_file() || is_lipz(&place) && !place.is_dir() {
+                folders.entry(folder_of(&place)).or_insert(RecursiveMode::NonRecursive);
+            } else {
+                folders.insert(place, RecursiveMode::Recursive);
+            }
+        }
+        folders
+    }
+
+    /// The sources and the settings file, for people: of a pattern, where it begins.
+    pub(super) fn places(&self) -> Vec<PathBuf> {
+        let mut places = watched(&self.settings.sources);
+        places.extend(self.settings_file.clone().filter(|file| file.exists()));
+        places
+    }
+
+    /// The name of the settings file.
+    pub(super) fn settings_name(&self) -> Option<&OsStr> {
+        self.settings_file.as_ref()?.file_name()
+    }
+
+    /// The state of all files, now.
+    pub(super) fn state(&self) -> State {
+        let (inputs, problems) = self.settings.discover();
+        let lipz_files = inputs.into_iter().filter_map(|input| match input.content {
+            Content::File(path) => Some(path),
+            Content::Bytes { .. } => None,
+        });
+        let paths = lipz_files.chain(self.settings_file.clone());
+        let stamped = |path: PathBuf| {
+            let stamp = stamp(&path);
+            (path, stamp)
+        };
+        State { files: paths.map(stamped).collect(), problems }
+    }
+}
+
+/// Whether a path is that of a Lipz file or of the settings file, judged by its name: watchers do not
+/// call a file by the path by which the project calls it.
+pub(super) fn concerns(settings_name: Option<&OsStr>, path: &Path) -> bool {
+    is_lipz(path) || path.file_name().is_some_and(|name| name == FILE_NAME || Some(name) == settings_name)
+}
+
+fn stamp(path: &Path) -> Option<Stamp> {
+    let metadata = path.metadata().ok()?;
+    Some((metadata.len(), metadata.modified().ok()))
+}
+
+fn is_lipz(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(EXTENSION))
+}
+
+/// The folder in which a file lies.
+fn folder_of(file: &Path) -> PathBuf {
+    match file.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder.to_owned(),
+        _ => PathBuf::from("."),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn folders_of_files_and_whole_folders() {
+        let sources = ["voices/act?/*.lipz", "clips/a.lipz", "other"].map(PathBuf::from).to_vec();
+        let settings = Settings { sources, ..Settings::default() };
+        let scope = Scope { settings, settings_file: Some("lipz.toml".into()) };
+        let (alone, below) = (RecursiveMode::NonRecursive, RecursiveMode::Recursive);
+        let expected = [(".", alone), ("clips", alone), ("other", below), ("voices", below)];
+        assert_eq!(scope.folders(), BTreeMap::from(expected.map(|(folder, mode)| (PathBuf::from(folder), mode))));
+    }
+
+    #[test]
+    fn a_folder_is_watched_with_those_in_it_if_a_source_asks_for_that() {
+        let settings = Settings { sources: vec!["a.lipz".into(), ".".into()], ..Settings::default() };
+        let scope = Scope { settings, settings_file: Some("lipz.toml".into()) };
+        assert_eq!(scope.folders(), BTreeMap::from([(PathBuf::from("."), RecursiveMode::Recursive)]));
+    }
+}

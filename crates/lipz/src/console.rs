@@ -1,0 +1,91 @@
+//! What goes to standard output and standard error.
+
+use crate::Outcome;
+use indicatif::{ProgressBar, ProgressStyle};
+use lipz_diagnostics::{escape, render::to_json};
+use serde::Serialize;
+use std::io::{self, IsTerminal, Write};
+use std::path::Path;
+use std::time::Duration;
+
+/// Columns when there is no terminal to ask.
+const DEFAULT_WIDTH: usize = 100;
+
+/// Prints a result. A reader that went away (`| head`) is no error; a full disk is.
+pub(crate) fn print(text: &str) -> Outcome {
+    printed(anstream::stdout().lock(), text.as_bytes())
+}
+
+/// Prints a result that is not text.
+pub(crate) fn print_bytes(bytes: &[u8]) -> Outcome {
+    printed(io::stdout().lock(), bytes)
+}
+
+fn printed(mut out: impl Write, bytes: &[u8]) -> Outcome {
+    match out.write_all(bytes).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            remark(&format!("error: the output cannot be written: {error}\n"));
+            Outcome::Failed
+        }
+        _ => Outcome::Clean,
+    }
+}
+
+/// Prints a result as JSON.
+pub(crate) fn print_json<T: Serialize>(value: &T) -> Outcome {
+    print(&to_json(value))
+}
+
+/// Clears the terminal, if standard output is one.
+pub(crate) fn clear() {
+    // Cursor to the first place, then erase all (ECMA-48: CUP, ED). Also without colours.
+    if io::stdout().is_terminal() {
+        let _ = io::stdout().write_all(b"\x1B[H\x1B[2J").and_then(|()| io::stdout().flush());
+    }
+}
+
+/// Prints findings and remarks.
+pub(crate) fn remark(text: &str) {
+    let mut out = anstream::stderr().lock();
+    let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+}
+
+/// Prints a remark when a progress bar may stand at the end of the terminal.
+pub(crate) fn remark_below_progress(text: &str) {
+    let line_break = if io::stderr().is_terminal() { "\n" } else { "" };
+    remark(&format!("{line_break}{text}"));
+}
+
+/// Columns of the terminal, or a width that suits files.
+pub(crate) fn width() -> usize {
+    terminal_size::terminal_size().map_or(DEFAULT_WIDTH, |(width, _)| usize::from(width.0)).clamp(24, 200)
+}
+
+/// A bar that counts to `length`; shown only on a terminal.
+pub(crate) fn progress_bar(length: usize, quiet: bool) -> ProgressBar {
+    if quiet || !io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let bar = ProgressBar::new(length as u64);
+    if let Ok(style) = ProgressStyle::with_template("{bar:30} {human_pos}/{human_len} files, {eta} left") {
+        bar.set_style(style);
+    }
+    bar.enable_steady_tick(Duration::from_millis(200));
+    bar
+}
+
+/// A path as it is printed: nothing in it steers the terminal.
+pub(crate) fn path(path: &Path) -> String {
+    escape::text(&path.to_string_lossy()).into_owned()
+}
+
+/// A number with commas: 1,234,567.
+pub(crate) fn grouped(number: usize) -> String {
+    indicatif::HumanCount(number as u64).to_string()
+}
+
+/// `1 clip`, `2 clips`.
+pub(crate) fn counted(number: usize, what: &str) -> String {
+    let plural = if number == 1 { "" } else { "s" };
+    format!("{} {what}{plural}", grouped(number))
+}

@@ -1,0 +1,200 @@
+//! The flags for what a project decides about its Lipz files: one for every setting of `lipz.toml`.
+
+use clap::{Arg, ArgAction, Args};
+use lipz_bank::{Fps, VisemeType};
+use lipz_compiler::Options;
+use lipz_compiler::settings::is_word;
+use std::collections::BTreeSet;
+
+const DEFAULTS: &str = "What files leave open";
+const LOCALES: &str = "Locales";
+const TEXTS: &str = "Texts";
+const EVENTS: &str = "Events";
+
+/// Flags about a bank as a whole, by their fields below.
+const OF_BANKS: [&str; 4] = ["locales", "fallback", "pseudo", "min_coverage"];
+
+/// Hides flags about a bank as a whole from the help of a command that makes none. They are still accepted there, as
+/// the settings of a project are.
+pub(crate) fn hide_of_banks(flag: Arg) -> Arg {
+    let is_of_bank = OF_BANKS.contains(&flag.get_id().as_str());
+    if is_of_bank { flag.hide(true) } else { flag }
+}
+
+/// Flags that override settings.
+#[derive(Args, Clone, Debug, Default)]
+pub(crate) struct ProjectFlags {
+    /// Frame rate of files without `fps` [default: unspecified, the game supplies it]
+    #[arg(long, value_name = "FPS", value_parser = parse_fps, help_heading = DEFAULTS)]
+    default_fps: Option<Fps>,
+
+    /// Viseme type of files without `viseme_type`: blair, toonboom, rms [default: unspecified]
+    #[arg(long, value_name = "TYPE", value_parser = parse_viseme_type, help_heading = DEFAULTS)]
+    default_viseme_type: Option<VisemeType>,
+
+    /// Locale of `text` without a locale, and the last one that others fall back to
+    #[arg(long, value_name = "LOCALE", value_parser = parse_locale, help_heading = DEFAULTS)]
+    default_locale: Option<String>,
+
+    /// Convert clips of other viseme types to this one
+    #[arg(long, value_name = "TYPE", value_parser = parse_viseme_type)]
+    viseme_type: Option<VisemeType>,
+
+    /// Accept any BCP 47 language tag (es-419, zh-hant), not only ll-cc
+    #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    #[arg(help_heading = LOCALES)]
+    extended_locales: Option<bool>,
+
+    /// Locales to pack, separated by `,` [default: all that the files have]
+    #[arg(long, value_name = "LOCALES", value_delimiter = ',', value_parser = parse_locale)]
+    #[arg(help_heading = LOCALES)]
+    locales: Option<Vec<String>>,
+
+    /// Where a locale's missing texts come from, in order: de-at=de-de,en-us
+    #[arg(long, value_name = "LOCALE=LOCALES", value_parser = parse_fallback, action = ArgAction::Append)]
+    #[arg(help_heading = LOCALES)]
+    fallback: Vec<(String, Vec<String>)>,
+
+    /// Add a pseudo-locale of the default locale's texts, with accents and longer: en-xa of en-us
+    #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    #[arg(help_heading = LOCALES)]
+    pseudo: Option<bool>,
+
+    /// Percent of the clips that must have a text in each locale, or in one: 90, de-de=100
+    #[arg(long, value_name = "[LOCALE=]PERCENT", value_parser = parse_min_coverage, action = ArgAction::Append)]
+    #[arg(help_heading = LOCALES)]
+    min_coverage: Vec<(Option<String>, f64)>,
+
+    /// Display braces as they are: `{0}` is a placeholder of the game, not meta information
+    #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    #[arg(help_heading = TEXTS)]
+    literal_braces: Option<bool>,
+
+    /// Columns that a line of text may have
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(1..), help_heading = TEXTS)]
+    max_line_columns: Option<u32>,
+
+    /// Lines that a segment's text may have
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(1..), help_heading = TEXTS)]
+    max_lines: Option<u32>,
+
+    /// Characters that a player can read in a second
+    #[arg(long, value_name = "NUMBER", value_parser = parse_positive, help_heading = TEXTS)]
+    max_characters_per_second: Option<f64>,
+
+    /// Characters that events may mention, separated by `,` [default: any]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = parse_word, help_heading = EVENTS)]
+    characters: Option<Vec<String>>,
+
+    /// Props that events may mention beside characters [default: any]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = parse_word, help_heading = EVENTS)]
+    props: Option<Vec<String>>,
+
+    /// Emotions beyond those of the specification
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = parse_word, help_heading = EVENTS)]
+    emotions: Option<Vec<String>>,
+
+    /// Actions that characters can do [default: any]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = parse_word, help_heading = EVENTS)]
+    actions: Option<Vec<String>>,
+}
+
+impl ProjectFlags {
+    /// Sets what the flags name over the options of the project.
+    pub(crate) fn apply(&self, options: &mut Options) {
+        override_some(&mut options.default_fps, &self.default_fps);
+        override_some(&mut options.default_viseme_type, &self.default_viseme_type);
+        override_some(&mut options.default_locale, &self.default_locale);
+        override_some(&mut options.viseme_type, &self.viseme_type);
+        options.extended_locales = self.extended_locales.unwrap_or(options.extended_locales);
+        override_some(&mut options.locales, &set(&self.locales));
+        options.fallbacks.extend(self.fallback.iter().cloned());
+        options.pseudo = self.pseudo.unwrap_or(options.pseudo);
+        for (locale, percent) in &self.min_coverage {
+            match locale {
+                None => options.min_coverage.all = Some(*percent),
+                Some(locale) => {
+                    options.min_coverage.locales.insert(locale.clone(), *percent);
+                }
+            }
+        }
+        options.literal_braces = self.literal_braces.unwrap_or(options.literal_braces);
+        let limits = &mut options.text_limits;
+        override_some(&mut limits.line_columns, &self.max_line_columns);
+        override_some(&mut limits.lines, &self.max_lines);
+        override_some(&mut limits.characters_per_second, &self.max_characters_per_second);
+        let registry = &mut options.registry;
+        override_some(&mut registry.characters, &set(&self.characters));
+        override_some(&mut registry.props, &set(&self.props));
+        override_some(&mut registry.actions, &set(&self.actions));
+        if let Some(emotions) = set(&self.emotions) {
+            registry.emotions = emotions;
+        }
+    }
+}
+
+/// The locale of the options that needs `extended-locales`, which is not set.
+pub(crate) fn refused_locale(options: &Options) -> Option<&str> {
+    let fallbacks = options.fallbacks.iter().flat_map(|(locale, chain)| std::iter::once(locale).chain(chain));
+    let locales = options.default_locale.iter().chain(options.locales.iter().flatten()).chain(fallbacks);
+    let mut refused = locales.filter(|tag| !options.extended_locales && !lipz_file::locale::has_lipz_shape(tag));
+    refused.next().map(String::as_str)
+}
+
+fn override_some<T: Clone>(option: &mut Option<T>, flag: &Option<T>) {
+    if flag.is_some() {
+        option.clone_from(flag);
+    }
+}
+
+fn set(names: &Option<Vec<String>>) -> Option<BTreeSet<String>> {
+    names.as_ref().map(|names| names.iter().filter(|name| !name.is_empty()).cloned().collect())
+}
+
+pub(crate) fn parse_fps(text: &str) -> Result<Fps, String> {
+    lipz_file::rate::parse(text)
+        .and_then(|rate| Fps::new(rate.numerator, rate.denominator))
+        .ok_or_else(|| "a frame rate is a number from 1 to 1000, such as 24 or 29.97".into())
+}
+
+pub(crate) fn parse_viseme_type(text: &str) -> Result<VisemeType, String> {
+    text.parse().map_err(|_| "the viseme types are blair, toonboom and rms".into())
+}
+
+pub(crate) fn parse_locale(text: &str) -> Result<String, String> {
+    lipz_file::locale::canonical_tag(text, true)
+        .ok_or_else(|| "a locale is a language and a country, such as en-us".into())
+}
+
+fn parse_fallback(text: &str) -> Result<(String, Vec<String>), String> {
+    let (locale, chain) = text.split_once('=').ok_or("write the locale, `=`, and those it falls back to")?;
+    let chain = chain.split(',').map(parse_locale).collect::<Result<_, _>>()?;
+    Ok((parse_locale(locale)?, chain))
+}
+
+fn parse_min_coverage(text: &str) -> Result<(Option<String>, f64), String> {
+    let (locale, percent) = match text.split_once('=') {
+        Some((locale, percent)) => (Some(parse_locale(locale)?), percent),
+        None => (None, text),
+    };
+    match percent.parse::<f64>() {
+        Ok(percent) if (0.0..=100.0).contains(&percent) => Ok((locale, percent)),
+        _ => Err("write percent from 0 to 100: 90, or de-de=90".into()),
+    }
+}
+
+fn parse_positive(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(number) if number > 0.0 && number.is_finite() => Ok(number),
+        _ => Err("it must be a number above 0".into()),
+    }
+}
+
+/// A word that events mention; nothing between the commas is no word.
+fn parse_word(text: &str) -> Result<String, String> {
+    if text.is_empty() || is_word(text) {
+        Ok(text.to_owned())
+    } else {
+        Err("events mention words without blanks, `,` and `|`".into())
+    }
+}

@@ -1,0 +1,99 @@
+//! The settings file of a project: found, read, and named by messages.
+
+use crate::Outcome;
+use crate::reporter::Reporter;
+use crate::sources::{PROJECT, usage_error};
+use clap::Args;
+use clap::error::ErrorKind;
+use lipz_compiler::settings::{FILE_NAME, Settings};
+use lipz_diagnostics::Code;
+use std::path::{Path, PathBuf};
+
+/// Which settings file holds.
+#[derive(Args, Debug)]
+pub(crate) struct SettingsFile {
+    /// Settings file [default: lipz.toml beside or above the first source, else the current folder]
+    #[arg(long, value_name = "FILE", help_heading = PROJECT)]
+    config: Option<PathBuf>,
+
+    /// Use no settings file
+    #[arg(long, conflicts_with = "config", help_heading = PROJECT)]
+    no_config: bool,
+}
+
+/// What a run works with: the settings file, with the command line's arguments over it.
+pub(crate) struct Project {
+    /// The settings.
+    pub(crate) settings: Settings,
+    /// The file that they come from.
+    pub(crate) file: Option<PathBuf>,
+    /// Whether the command line names the file.
+    is_named: bool,
+}
+
+impl Project {
+    /// The settings file, if it was found in another folder than the current one.
+    pub(crate) fn found(&self) -> Option<&Path> {
+        self.file.as_deref().filter(|file| !self.is_named && *file != Path::new(FILE_NAME))
+    }
+}
+
+impl SettingsFile {
+    /// The project to which these sources belong; those of its settings file if there are none. What is
+    /// wrong with it is printed, and how the run ends is returned.
+    pub(crate) fn project(&self, sources: &[PathBuf], reporter: &mut Reporter) -> Result<Project, Outcome> {
+        let file = self.find(sources);
+        let mut settings = match &file {
+            Some(file) => read(file, reporter)?,
+            None => Settings::default(),
+        };
+        if !sources.is_empty() {
+            settings.sources = sources.to_vec();
+        }
+        if settings.sources.is_empty() {
+            let tip = format!("name a folder of Lipz files, or make a {FILE_NAME} that does: lipz init");
+            return Err(usage_error(
+                ErrorKind::MissingRequiredArgument,
+                &format!("no sources are named, and there is no {FILE_NAME} in this folder or above it"),
+                &tip,
+            ));
+        }
+        Ok(Project { settings, file, is_named: self.config.is_some() })
+    }
+
+    /// The settings file that holds, or would hold if it were made in the current folder; `None` if there
+    /// shall be none.
+    pub(crate) fn place(&self, sources: &[PathBuf]) -> Option<PathBuf> {
+        let file = || self.find(sources).unwrap_or_else(|| FILE_NAME.into());
+        (!self.no_config).then(file)
+    }
+
+    /// The settings file: the one that is named; otherwise that of the first source, wherever the
+    /// command is run; otherwise that of the current folder.
+    fn find(&self, sources: &[PathBuf]) -> Option<PathBuf> {
+        if self.no_config {
+            return None;
+        }
+        let of_first = || {
+            // A pattern or a file lies in the first folder above it.
+            let folder = sources.first()?.ancestors().find(|path| path.is_dir())?;
+            Settings::find(folder)
+        };
+        self.config.clone().or_else(of_first).or_else(|| Settings::find(Path::new(".")))
+    }
+}
+
+/// The settings in `file`; its findings are printed.
+fn read(file: &Path, reporter: &mut Reporter) -> Result<Settings, Outcome> {
+    let (settings, report) = Settings::read(file);
+    let has_errors = report.has_errors();
+    let is_read = report.diagnostics.iter().all(|finding| finding.code != Code::SettingsUnreadable);
+    if !report.diagnostics.is_empty() {
+        reporter.add(vec![report]);
+    }
+    match (has_errors, is_read) {
+        (false, _) => Ok(settings),
+        (true, true) => Err(Outcome::Errors),
+        (true, false) => Err(Outcome::Failed),
+    }
+}

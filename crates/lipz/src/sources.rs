@@ -1,0 +1,103 @@
+//! The arguments of commands that read Lipz files: where they are, and which settings hold for them.
+
+use crate::Outcome;
+use crate::args::Arguments;
+use crate::lint_flags::LintFlags;
+use crate::project::{ProjectFlags, refused_locale};
+use crate::reporter::Reporter;
+use crate::settings_file::{Project, SettingsFile};
+use clap::error::ErrorKind;
+use clap::{Args, CommandFactory};
+use std::path::PathBuf;
+
+pub(crate) const PROJECT: &str = "Project";
+
+/// Where Lipz files come from, and what the project decides about them.
+#[derive(Args, Debug)]
+pub(crate) struct Sources {
+    /// Folders, files or glob patterns; `-` reads one Lipz file from standard input [default: those of
+    /// lipz.toml]
+    #[arg(value_name = "SOURCES")]
+    sources: Vec<PathBuf>,
+
+    /// Keys are paths below this folder [default: each source folder]
+    #[arg(long, value_name = "FOLDER", help_heading = PROJECT)]
+    root: Option<PathBuf>,
+
+    #[command(flatten)]
+    arguments: ProjectArguments,
+}
+
+/// What the project decides about its Lipz files, and how the run goes: also for commands that name
+/// their files in other ways.
+#[derive(Args, Debug)]
+pub(crate) struct ProjectArguments {
+    #[command(flatten)]
+    file: SettingsFile,
+
+    #[command(flatten)]
+    flags: ProjectFlags,
+
+    #[command(flatten)]
+    lints: LintFlags,
+
+    /// Threads to use [default: one per core]
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+
+    /// Show no progress and no summary, only findings
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
+
+impl Sources {
+    /// The project that the arguments name. What is wrong with it is printed, and how the run ends is
+    /// returned.
+    pub(crate) fn project(&self, reporter: &mut Reporter) -> Result<Project, Outcome> {
+        let mut project = self.arguments.project(&self.sources, reporter)?;
+        if self.root.is_some() {
+            project.settings.root.clone_from(&self.root);
+        }
+        Ok(project)
+    }
+
+    /// Where the settings file is, or would be.
+    pub(crate) fn settings_file(&self) -> Option<PathBuf> {
+        self.arguments.file.place(&self.sources)
+    }
+
+    /// The paths that the command line names.
+    pub(crate) fn paths(&self) -> &[PathBuf] {
+        &self.sources
+    }
+
+    /// Whether to show findings only.
+    pub(crate) fn is_quiet(&self) -> bool {
+        self.arguments.quiet
+    }
+}
+
+impl ProjectArguments {
+    /// The project to which these sources belong; those of its settings file if there are none.
+    pub(crate) fn project(&self, sources: &[PathBuf], reporter: &mut Reporter) -> Result<Project, Outcome> {
+        let mut project = self.file.project(sources, reporter)?;
+        let options = &mut project.settings.options;
+        self.flags.apply(options);
+        self.lints.apply(&mut options.levels);
+        options.threads = self.threads.map(usize::from);
+        if let Some(tag) = refused_locale(options) {
+            let tip = "name a country, as in en-us, or accept any BCP 47 tag with '--extended-locales'";
+            let message = format!("the locale '{tag}' does not have the form ll-cc");
+            return Err(usage_error(ErrorKind::ArgumentConflict, &message, tip));
+        }
+        Ok(project)
+    }
+}
+
+/// Prints that the command line is not enough or contradicts itself. It looks as what clap prints, without
+/// the usage: clap would show that of `lipz`, which tells nothing about its commands.
+pub(crate) fn usage_error(kind: ErrorKind, message: &str, tip: &str) -> Outcome {
+    let error = clap::Error::raw(kind, format!("{message}\n\n  tip: {tip}\n"));
+    let _ = error.with_cmd(&Arguments::command()).print();
+    Outcome::Failed
+}

@@ -1,0 +1,173 @@
+//! One clip as a timeline for a terminal. What comes from the bank is shown so that it cannot steer it.
+
+mod bands;
+mod ruler;
+
+use lipz_bank::{Clip, Fps, Locale, Segment};
+use lipz_diagnostics::escape;
+use std::fmt::Write;
+use unicode_width::UnicodeWidthStr;
+
+/// The clip: bands of time ruler, mouth shapes and segments, as wide as the terminal, then the
+/// segments with events and texts.
+pub(crate) fn timeline(clip: &Clip<'_, '_>, locales: &[Locale<'_>], width: usize) -> String {
+    let mut out = heading(clip);
+    bands::bands(&mut out, clip, width);
+    let tag_width = locales.iter().map(|locale| escape::text(locale.tag()).width()).max().unwrap_or(0);
+    let columns = Columns { tag: tag_width.max("event".len()), whole: width };
+    for segment in clip.segments() {
+        details(&mut out, &segment, locales, columns);
+    }
+    out
+}
+
+fn heading(clip: &Clip<'_, '_>) -> String {
+    let fps = clip.fps().map_or("unspecified frame rate".into(), |fps| format!("{} fps", rounded(fps)));
+    let viseme_type = clip.viseme_type().map_or("unspecified viseme type", lipz_bank::VisemeType::name);
+    let frames = match clip.duration_us() {
+        _ if !clip.has_visemes() => "no mouth shapes".into(),
+        Some(us) => format!("{} frames, {:.3} s", clip.frame_count(), us as f64 / 1e6),
+        None => format!("{} frames", clip.frame_count()),
+    };
+    format!("{}\n  {fps}, {viseme_type}, {frames}, id {}\n\n", escape::text(clip.key()), clip.id())
+}
+
+/// The rate with at most three decimals.
+pub(crate) fn rounded(fps: Fps) -> String {
+    let text = format!("{:.3}", fps.to_f64());
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// Widths of the list of texts.
+#[derive(Clone, Copy)]
+struct Columns {
+    /// Of the names in front of texts.
+    tag: usize,
+    /// Of the terminal.
+    whole: usize,
+}
+
+/// The segment with its times, event and texts.
+fn details(out: &mut String, segment: &Segment<'_, '_>, locales: &[Locale<'_>], columns: Columns) {
+    let _ = write!(out, "segment {}", segment.index());
+    let frames = (segment.start_frame(), segment.end_frame());
+    match (segment.start_us(), segment.end_us()) {
+        _ if !segment.clip().has_visemes() => out.push('\n'),
+        (Some(start), Some(end)) if frames.0 < frames.1 => {
+            let (start, end) = (start as f64 / 1e6, end as f64 / 1e6);
+            let _ = writeln!(out, "  {start:.3} s to {end:.3} s  frames {} to {}", frames.0, frames.1 - 1);
+        }
+        _ if frames.0 < frames.1 => {
+            let _ = writeln!(out, "  frames {} to {}", frames.0, frames.1 - 1);
+        }
+        _ => out.push_str("  no frames\n"),
+    }
+    events(out, segment, columns);
+    for locale in locales {
+        if let Some(text) = segment.text(*locale).filter(|text| !text.is_empty()) {
+            let fallback = if text.is_fallback() { "  (fallback)" } else { "" };
+            line(out, &escape::text(locale.tag()), &format!("{}{fallback}", text.as_str()), columns);
+        }
+    }
+}
+
+/// A line for each event of Character Event Syntax, or one for what is some other syntax.
+fn events(out: &mut String, segment: &Segment<'_, '_>, columns: Columns) {
+    let mut events = segment.events().peekable();
+    match segment.event() {
+        Some(text) if !text.is_empty() && events.peek().is_none() => {
+            line(out, "event", &format!("{text}  (other syntax)"), columns);
+        }
+        _ => events.for_each(|event| line(out, "event", &event.to_string(), columns)),
+    }
+}
+
+/// A name and what belongs to it, broken between words where the terminal ends.
+fn line(out: &mut String, name: &str, text: &str, columns: Columns) {
+    if text.is_empty() {
+        return;
+    }
+    let first = format!("  {name}{}  ", " ".repeat(columns.tag.saturating_sub(name.width())));
+    let others = " ".repeat(first.width());
+    let options =
+        textwrap::Options::new(columns.whole.max(first.width() + 8)).initial_indent(&first).subsequent_indent(&others);
+    for line in textwrap::wrap(&escape::text(text), options) {
+        out.push_str(line.trim_end());
+        out.push('\n');
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lipz_bank::Bank;
+    use lipz_compiler::{Input, Options, compile};
+
+    fn bank(json: &str) -> Vec<u8> {
+        let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
+        compile(&[Input::from_bytes("a/clip", json)], &options, &|_| {}).bank.unwrap()
+    }
+
+    fn shown(bytes: &[u8], width: usize) -> String {
+        let bank = Bank::open(bytes).and_then(Bank::verify).unwrap();
+        let locales: Vec<_> = bank.locales().collect();
+        timeline(&bank.clip_by_key("a/clip").unwrap(), &locales, width)
+    }
+
+    #[test]
+    fn a_clip_of_two_bands() {
+        let visemes = format!("{}|{}", "A".repeat(30), "M".repeat(30));
+        let json = format!(
+            r#"{{"fps":24,"viseme_type":"blair","visemes":"{visemes}","events":"feels  sad,amy stops staring|ring(3, x)",
+               "text_en-us":"One two three four five six seven|{{m}} eight","text_ja-jp":"一二三四五六七八九十一二三四五六七八九十|"}}"#
+        );
+        let expected = "\
+a/clip
+  24 fps, blair, 60 frames, 2.500 s, id 8497556c6a2fdffa
+
+  '0.0s       '0.5s       '1.0s
+  AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAMMMMMMMM
+  |0----------------------------|1------
+
+  '1.58s    '2.0s
+  MMMMMMMMMMMMMMMMMMMMMM
+  ----------------------
+
+segment 0  0.000 s to 1.250 s  frames 0 to 29
+  event  feels sad
+  event  amy stops staring
+  en-us  One two three four five six
+         seven
+  ja-jp  一二三四五六七八九十一二三四五
+         六七八九十
+segment 1  1.250 s to 2.500 s  frames 30 to 59
+  event  ring(3, x)  (other syntax)
+  en-us  eight
+";
+        assert_eq!(shown(&bank(&json), 40), expected);
+    }
+
+    #[test]
+    fn no_line_is_wider_than_the_terminal() {
+        for fps in ["1", "12", "23.976", "30", "120", "1000"] {
+            let visemes = "A".repeat(700);
+            let text = "word ".repeat(40);
+            let bank = bank(&format!(r#"{{"fps":{fps},"visemes":"{visemes}","text_en-us":"{text}"}}"#));
+            for width in 24..=140 {
+                let shown = shown(&bank, width);
+                let timeline = shown.lines().skip(3);
+                let widest = timeline.filter(|line| !line.starts_with("segment")).map(UnicodeWidthStr::width).max();
+                assert!(widest <= Some(width), "{fps} fps at {width}: {shown}");
+            }
+        }
+    }
+
+    #[test]
+    fn without_frame_rate_or_frames() {
+        let bands = shown(&bank(r#"{"visemes":"AAAAAAAAAAAA"}"#), 40);
+        assert!(bands.contains("\n  '0        '10\n  AAAAAAAAAAAA\n  |0----------\n"), "{bands}");
+        let textless = shown(&bank(r#"{"events":"a|b"}"#), 40);
+        let segments = "\n\nsegment 0\n  event  a  (other syntax)\nsegment 1\n  event  b  (other syntax)\n";
+        assert!(textless.ends_with(&format!("no mouth shapes, id 8497556c6a2fdffa{segments}")), "{textless}");
+    }
+}

@@ -1,0 +1,174 @@
+//! The command line itself: help, usage errors, exit codes, and that a failed run changes nothing.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use std::fs;
+use support::{Scene, lipz, repository, tree, write};
+
+#[test]
+fn no_output_replaces_a_lipz_file() {
+    let scene = Scene::new();
+    scene.write("voices/a.lipz", "{ \"visemes\": \"MAEO-\" }");
+    let over: [&[&str]; 3] = [
+        &["pack", "voices", "-o", "voices/a.lipz"],
+        &["pack", "voices", "-o", "b.lipzbank", "--depfile", "voices/a.LIPZ"],
+        &["ids", "voices", "--lang", "c", "-o", "voices/a.lipz"],
+    ];
+    for arguments in over {
+        let outcome = lipz(scene.path(), arguments);
+        assert_eq!((outcome.code, outcome.stdout.as_str()), (2, ""), "{outcome:?}");
+        assert!(outcome.stderr.contains("is the name of a Lipz file"), "{outcome:?}");
+    }
+    assert_eq!(tree(scene.path()), ["voices", "voices/a.lipz"]);
+    assert!(fs::read_to_string(scene.path().join("voices/a.lipz")).unwrap().contains("MAEO"));
+}
+
+#[test]
+fn standard_output_is_named_on_the_command_line_only() {
+    let scene = Scene::new();
+    scene.write("voices/a.lipz", "{ \"visemes\": \"MAEO-\" }");
+    scene.write("lipz.toml", "output = \"-\"\n");
+    let outcome = lipz(scene.path(), ["pack"]);
+    assert_eq!((outcome.code, outcome.stdout.as_str()), (2, ""), "{outcome:?}");
+    assert!(outcome.stderr.contains("only '--output -'"), "{outcome:?}");
+}
+
+/// The commands that `lipz --help` lists.
+fn commands() -> Vec<String> {
+    let help = lipz(&repository(), ["--help"]).stdout;
+    let list = help.split("Commands:\n").nth(1).unwrap().split("\n\n").next().unwrap();
+    let names = list.lines().filter(|line| line.starts_with("  ") && !line.starts_with("   "));
+    let names: Vec<String> = names.filter_map(|line| Some(line.split_whitespace().next()?.to_owned())).collect();
+    assert!(names.len() > 20, "{names:?}");
+    names.into_iter().filter(|name| name != "help").collect()
+}
+
+#[test]
+fn help_of_each_command_shows_an_example() {
+    let repository = repository();
+    for command in commands() {
+        let help = lipz(&repository, [command.as_str(), "--help"]);
+        assert_eq!((help.code, help.stderr.as_str()), (0, ""), "{command}");
+        assert!(help.stdout.contains("Example"), "{command}: {}", help.stdout);
+        assert!(help.stdout.contains(&format!("\n  lipz {command} ")), "{command}: {}", help.stdout);
+        assert!(help.stdout.lines().all(|line| line.chars().count() <= 100), "{command}: {}", help.stdout);
+    }
+}
+
+#[test]
+fn help_lists_every_command_and_the_exit_codes() {
+    let help = lipz(&repository(), ["--help"]);
+    assert_eq!(help.code, 0);
+    for command in commands() {
+        assert!(help.stdout.lines().any(|line| line.trim_start().starts_with(&command)), "{command}: {}", help.stdout);
+    }
+    assert!(help.stdout.contains("Exit codes: 0"), "{}", help.stdout);
+    let version = lipz(&repository(), ["--version"]);
+    assert_eq!((version.code, version.stdout), (0, format!("lipz {}\n", env!("CARGO_PKG_VERSION"))));
+}
+
+#[test]
+fn usage_errors_exit_with_2() {
+    let usage_errors: &[&[&str]] = &[
+        &[],
+        &["pakc", "fixtures/drama"],
+        &["check"],
+        &["check", "fixtures/drama", "--fps", "24"],
+        &["check", "fixtures/drama", "--default-fps", "0"],
+        &["check", "fixtures/drama", "--default-fps", "1000.5"],
+        &["check", "fixtures/drama", "--default-viseme-type", "Blair"],
+        &["check", "fixtures/drama", "--default-locale", "english-us"],
+        &["pack", "fixtures/drama", "-o", "drama.lipzbank", "--default-locale", "es-419"],
+        &["check", "fixtures/drama", "--threads", "0"],
+        &["pack", "fixtures/spec/repaired"],
+        &["unpack", "drama.lipzbank"],
+        &["inspect", "drama.lipzbank", "act1/otto-aye", "--list", "act1"],
+        &["diff", "drama.lipzbank"],
+        &["diff", "drama.lipzbank", "fixtures/drama", "--default-locale", "es-419"],
+        &["stats", "fixtures/drama", "--default-locale", "es-419"],
+        &["man"],
+        &["check", "fixtures/drama", "--color", "red"],
+        &["check", "fixtures/drama", "--format", "xml"],
+        &["explain", "LZ0401", "--list"],
+        &["check", "fixtures/drama", "--diff"],
+        &["fmt"],
+        &["convert", "fixtures/drama", "--viseme-type", "toonboom"],
+        &["convert", "fixtures/drama", "-o", "out", "--in-place", "--viseme-type", "toonboom"],
+    ];
+    for &arguments in usage_errors {
+        let outcome = lipz(&repository(), arguments);
+        assert_eq!((outcome.code, outcome.stdout.as_str()), (2, ""), "{arguments:?}: {}", outcome.stderr);
+        assert!(!outcome.stderr.is_empty(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn a_default_locale_of_another_shape_needs_its_flag() {
+    let arguments = ["check", "fixtures/drama", "--default-locale", "es-419"];
+    let refused = lipz(&repository(), arguments);
+    assert_eq!((refused.code, refused.stdout.as_str()), (2, ""));
+    assert!(refused.stderr.contains("'es-419' does not have the form ll-cc"), "{}", refused.stderr);
+    assert!(refused.stderr.contains("--extended-locales"), "{}", refused.stderr);
+    assert_eq!(lipz(&repository(), arguments.iter().chain(&["--extended-locales"])).code, 0);
+}
+
+#[test]
+fn warnings_do_not_stop_a_bank_and_errors_do() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    write(folder, "voices/aye.lipz", r#"{ "text-en_us": "Aye." }"#);
+    let packed = lipz(folder, ["pack", "voices", "-o", "voices.lipzbank"]);
+    assert_eq!(packed.code, 0, "{}", packed.stderr);
+    assert!(packed.stderr.contains("warning[LZ0501]"), "{}", packed.stderr);
+    let before = fs::read(folder.join("voices.lipzbank")).unwrap();
+
+    write(folder, "voices/no.lipz", r#"{ "viseme_type": "blair", "visemes": "N" }"#);
+    let failed = lipz(folder, ["pack", "voices", "-o", "voices.lipzbank"]);
+    assert_eq!((failed.code, failed.stdout.as_str()), (1, ""), "{}", failed.stderr);
+    assert!(failed.stderr.ends_with("1 error and 1 warning in 2 files\n"), "{}", failed.stderr);
+    assert_eq!(fs::read(folder.join("voices.lipzbank")).unwrap(), before, "the old bank is untouched");
+    let files = ["voices", "voices.lipzbank", "voices/aye.lipz", "voices/no.lipz"];
+    assert_eq!(tree(folder), files, "no temporary file is left");
+
+    let none = lipz(folder, ["pack", "voices", "-o", "new.lipzbank"]);
+    assert_eq!(none.code, 1);
+    assert_eq!(tree(folder), files, "no bank is made where there was none");
+}
+
+#[test]
+fn quiet_runs_print_findings_only() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    write(folder, "voices/aye.lipz", r#"{ "text_en-us": "Aye." }"#);
+    for arguments in [
+        &["check", "voices", "--quiet"][..],
+        &["pack", "voices", "-o", "b.lipzbank", "--quiet"],
+        &["verify", "b.lipzbank", "--quiet"],
+        &["unpack", "b.lipzbank", "-o", "out", "--quiet"],
+        &["ids", "b.lipzbank", "--lang", "c", "-o", "ids.h", "--quiet"],
+    ] {
+        let outcome = lipz(folder, arguments);
+        assert_eq!((outcome.code, outcome.stdout.as_str(), outcome.stderr.as_str()), (0, "", ""), "{arguments:?}");
+    }
+    write(folder, "voices/aye.lipz", r#"{ "text_en-us": "" }"#);
+    let outcome = lipz(folder, ["check", "voices", "--quiet"]);
+    assert_eq!((outcome.code, outcome.stdout.as_str()), (0, ""));
+    assert!(outcome.stderr.contains("warning[LZ0507]"), "{}", outcome.stderr);
+}
+
+#[test]
+fn a_misspelt_key_gets_the_one_that_was_meant() {
+    let bank = "fixtures/banks/v1/drama.lipzbank";
+    let asked = [
+        ("nell-helo", "did you mean `act1/nell-hello`?"),
+        ("act1/mara-god-evening", "did you mean `act1/mara-good-evening`?"),
+        ("good-evening.lipz", "did you mean `act1/mara-good-evening`?"),
+        ("quite-another", "`--list` lists the clips of the bank"),
+    ];
+    for (key, help) in asked {
+        let run = lipz(&repository(), ["inspect", bank, key]);
+        assert_eq!((run.code, run.stdout.as_str()), (2, ""));
+        assert!(run.stderr.contains(help), "{key}: {}", run.stderr);
+    }
+}

@@ -1,0 +1,215 @@
+//! Findings in the formats for programs: complete documents that are valid whatever the findings
+//! contain, and alone on standard output.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use lipz_diagnostics::Code;
+use serde_json::Value;
+use std::collections::BTreeSet;
+use std::fs;
+use support::{Scene, lipz, repository};
+
+/// The document that the command prints, and its exit code. Standard error stays empty.
+fn document(scene: &Scene, arguments: &[&str]) -> (Value, i32) {
+    let outcome = lipz(scene.path(), arguments);
+    assert_eq!(outcome.stderr, "", "{arguments:?}");
+    let value = serde_json::from_str(&outcome.stdout).unwrap_or_else(|error| unreachable!("{arguments:?}: {error}"));
+    (value, outcome.code)
+}
+
+/// What `lipz check` says about all bad files of the repository.
+fn bad_files(format: &str) -> String {
+    let outcome = lipz(&repository(), ["check", "fixtures/bad", "fixtures/spec/as-printed", "--format", format]);
+    assert_eq!((outcome.code, outcome.stderr.as_str()), (1, ""), "{format}");
+    outcome.stdout
+}
+
+fn list<'v>(value: &'v Value, pointer: &str) -> &'v Vec<Value> {
+    value.pointer(pointer).and_then(Value::as_array).unwrap()
+}
+
+/// The schema of the standard.
+fn sarif_schema() -> jsonschema::Validator {
+    let schema = include_str!("schemas/sarif-2.1.0.json");
+    jsonschema::validator_for(&serde_json::from_str(schema).unwrap()).unwrap()
+}
+
+fn assert_sarif(document: &Value) {
+    let errors: Vec<String> =
+        sarif_schema().iter_errors(document).map(|error| format!("{}: {error}", error.instance_path())).collect();
+    assert!(errors.is_empty(), "{errors:#?}");
+}
+
+#[test]
+fn all_formats_have_all_findings() {
+    let json: Value = serde_json::from_str(&bad_files("json")).unwrap();
+    let findings = list(&json, "/diagnostics");
+    assert!(findings.len() > 200, "{} findings", findings.len());
+    assert_eq!(json["errors"].as_u64().unwrap() + json["warnings"].as_u64().unwrap(), findings.len() as u64);
+    let codes: BTreeSet<&str> = findings.iter().map(|found| found["code"].as_str().unwrap()).collect();
+    assert!(codes.len() > 30, "{codes:?}");
+
+    let sarif: Value = serde_json::from_str(&bad_files("sarif")).unwrap();
+    assert_sarif(&sarif);
+    let results = list(&sarif, "/runs/0/results");
+    let rules = list(&sarif, "/runs/0/tool/driver/rules");
+    assert_eq!(rules.len(), codes.len());
+    assert_eq!(results.len(), findings.len());
+    for (result, found) in results.iter().zip(findings) {
+        let rule = &rules[usize::try_from(result["ruleIndex"].as_u64().unwrap()).unwrap()];
+        assert_eq!((&rule["id"], &rule["name"]), (&found["code"], &found["name"]));
+        assert_eq!((&result["ruleId"], &result["level"]), (&found["code"], &found["severity"]));
+        let region = &result["locations"][0]["physicalLocation"]["region"];
+        assert_eq!(region.get("startColumn"), found["span"]["start"].get("column"), "{found}");
+        assert_eq!(region.get("endLine"), found["span"]["end"].get("line"), "{found}");
+        assert_eq!(result.get("fixes").is_some(), !found["fix"].is_null(), "{found}");
+    }
+
+    let github = bad_files("github");
+    let (annotations, rest): (Vec<&str>, Vec<&str>) =
+        github.lines().partition(|line| line.starts_with("::error file=") || line.starts_with("::warning file="));
+    assert_eq!((annotations.len(), rest.len()), (findings.len(), 0), "{rest:?}");
+}
+
+#[test]
+fn every_field_of_the_json_is_documented() {
+    let json: Value = serde_json::from_str(&bad_files("json")).unwrap();
+    let page = fs::read_to_string(repository().join("docs/DIAGNOSTICS.md")).unwrap();
+    let fixed =
+        list(&json, "/diagnostics").iter().find(|found| !found["fix"].is_null() && !found["span"].is_null()).unwrap();
+    for object in [&json, fixed, &fixed["fix"], &fixed["span"], &fixed["span"]["start"]] {
+        for field in object.as_object().unwrap().keys() {
+            assert!(page.contains(&format!("`{field}`")), "{field}");
+        }
+    }
+}
+
+#[test]
+fn places_in_json_are_those_of_the_file() {
+    let json: Value = serde_json::from_str(&bad_files("json")).unwrap();
+    let mut compared = 0;
+    for found in list(&json, "/diagnostics") {
+        let Ok(text) = fs::read_to_string(repository().join(found["path"].as_str().unwrap())) else { continue };
+        let text = text.trim_start_matches('\u{feff}');
+        for place in ["/span/start", "/span/end", "/fix/span/start", "/labels/0/span/end"] {
+            let Some(place) = found.pointer(place) else { continue };
+            let before = &text[..usize::try_from(place["offset_bytes"].as_u64().unwrap()).unwrap()];
+            let line = before.split('\n').count();
+            let column = before.rsplit('\n').next().unwrap().chars().count() + 1;
+            assert_eq!((place["line"].as_u64(), place["column"].as_u64()), (Some(line as u64), Some(column as u64)));
+            compared += 1;
+        }
+    }
+    assert!(compared > 300, "{compared} places");
+}
+
+#[test]
+fn a_fix_can_be_applied_by_its_place() {
+    let scene = Scene::new();
+    let text = "{\n  \"text_ja-jp\": \"灯台\", \"text-en_US\": \"Aye.\"\n}";
+    scene.write("aye.lipz", text);
+    let (json, _) = document(&scene, &["check", "aye.lipz", "--format", "json"]);
+    let fix = &json["diagnostics"][0]["fix"];
+    let offset = |end: &str| usize::try_from(fix["span"][end]["offset_bytes"].as_u64().unwrap()).unwrap();
+    let mut mended = text.to_owned();
+    mended.replace_range(offset("start")..offset("end"), fix["replacement"].as_str().unwrap());
+    assert_eq!(mended, text.replace("text-en_US", "text_en-us"));
+    let (sarif, _) = document(&scene, &["check", "aye.lipz", "--format", "sarif"]);
+    let change = &sarif["runs"][0]["results"][0]["fixes"][0]["artifactChanges"][0];
+    assert_eq!(change["artifactLocation"]["uri"], "aye.lipz");
+    assert_eq!(change["replacements"][0]["insertedContent"]["text"], "\"text_en-us\"");
+}
+
+#[test]
+fn every_command_prints_a_document_and_nothing_else() {
+    let scene = Scene::new();
+    scene.write("good/aye.lipz", r#"{ "fps": 24, "viseme_type": "blair", "visemes": "AE-" }"#);
+    scene.write("bad/aye.lipz", r#"{ "viseme_type": "blair", "visemes": "x" }"#);
+    scene.write("bad.lipzbank", "bad");
+    scene.prepare(&["pack", "good", "-o", "good.lipzbank"]);
+    let runs: [(&[&str], i32, &[Code]); 10] = [
+        (&["check", "good"], 0, &[]),
+        (&["check", "good", "--quiet"], 0, &[]),
+        (&["check", "bad"], 1, &[Code::ForeignCode]),
+        (&["check", "nowhere"], 2, &[Code::UnreadableFile]),
+        (&["pack", "good", "-o", "new.lipzbank"], 0, &[]),
+        (&["pack", "good", "-o", "bad.lipzbank/x"], 2, &[Code::OutputFailed]),
+        (&["verify", "good.lipzbank", "--quiet"], 0, &[]),
+        (&["verify", "bad.lipzbank", "good.lipzbank", "nowhere"], 2, &[Code::BankRefused, Code::BankRefused]),
+        (&["unpack", "good.lipzbank", "-o", "out", "--quiet"], 0, &[]),
+        (&["unpack", "good.lipzbank", "-o", "out"], 1, &[Code::WouldOverwrite]),
+    ];
+    let github = lipz(scene.path(), ["check", "good", "--format", "github"]);
+    assert_eq!((github.code, github.stdout.as_str(), github.stderr.as_str()), (0, "", ""));
+    for format in ["json", "sarif"] {
+        // Whatever stands there from the format before.
+        let _ = fs::remove_dir_all(scene.path().join("out"));
+        for (arguments, code, codes) in runs {
+            let arguments = [arguments, &["--format", format]].concat();
+            let (value, exit_code) = document(&scene, &arguments);
+            assert_eq!(exit_code, code, "{arguments:?}");
+            let (pointer, field) =
+                if format == "json" { ("/diagnostics", "code") } else { ("/runs/0/results", "ruleId") };
+            let found: Vec<&str> = list(&value, pointer).iter().map(|found| found[field].as_str().unwrap()).collect();
+            assert_eq!(found, codes.iter().map(|code| code.number()).collect::<Vec<_>>(), "{arguments:?}");
+            if format == "sarif" {
+                assert_sarif(&value);
+                assert_eq!(value["runs"][0]["invocations"][0]["executionSuccessful"], code != 2, "{arguments:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn results_keep_standard_output_for_themselves() {
+    let scene = Scene::new();
+    scene.write("good/aye.lipz", r#"{ "fps": 24, "visemes": "AE-", "text-en_us": "Aye." }"#);
+    scene.write("bad.lipzbank", "bad");
+    scene.prepare(&["pack", "good", "-o", "good.lipzbank"]);
+    let runs: [(&[&str], &str, i32, &[Code]); 2] = [
+        (&["inspect", "good.lipzbank", "--json"], "{", 0, &[]),
+        (&["inspect", "bad.lipzbank"], "", 1, &[Code::BankRefused]),
+    ];
+    for (arguments, starts_with, code, codes) in runs {
+        let outcome = lipz(scene.path(), [arguments, &["--format", "json"]].concat());
+        assert_eq!(outcome.code, code, "{arguments:?}");
+        assert!(outcome.stdout.starts_with(starts_with), "{arguments:?}: {}", outcome.stdout);
+        assert_eq!(outcome.stdout.is_empty(), starts_with.is_empty(), "{arguments:?}");
+        let json: Value = serde_json::from_str(&outcome.stderr).unwrap();
+        let found: Vec<&str> =
+            list(&json, "/diagnostics").iter().map(|found| found["code"].as_str().unwrap()).collect();
+        assert_eq!(found, codes.iter().map(|code| code.number()).collect::<Vec<_>>(), "{arguments:?}");
+    }
+    let explained = lipz(scene.path(), ["explain", "LZ0401", "--format", "json"]);
+    assert!(explained.stdout.starts_with("LZ0401 ") && explained.stderr.is_empty(), "{explained:?}");
+}
+
+#[test]
+fn ten_thousand_equal_findings_are_counted_for_people_only() {
+    const FILES: usize = 10_000;
+    let scene = Scene::new();
+    for number in 0..FILES {
+        scene.write(&format!("voices/{number:05}.lipz"), r#"{ "viseme_type": "blair", "visemes": "x" }"#);
+    }
+    let human = lipz(scene.path(), ["check", "voices"]);
+    assert_eq!(human.stderr.matches("error[LZ0401]").count(), 100);
+    assert!(human.stderr.contains("--> voices/00099.lipz:1:39\n"), "the first of them, in order");
+    let closing: Vec<&str> = human.stderr.lines().rev().take(2).collect();
+    assert_eq!(
+        closing,
+        [
+            "10,000 errors in 10,000 files",
+            "9,900 more LZ0401 (a viseme code is not one of the viseme type) in 9,900 files are not shown",
+        ]
+    );
+    let (json, _) = document(&scene, &["check", "voices", "--format", "json"]);
+    assert_eq!(list(&json, "/diagnostics").len(), FILES);
+}
+
+#[test]
+fn the_schema_rejects_what_is_not_sarif() {
+    let mut sarif: Value = serde_json::from_str(&bad_files("sarif")).unwrap();
+    sarif["runs"][0]["results"][0]["severity"] = "fatal".into();
+    assert!(!sarif_schema().is_valid(&sarif));
+}

@@ -1,0 +1,105 @@
+//! `lipz pack` and `lipz unpack`, interrupted at any moment, leave whole files and nothing else.
+#![cfg(unix)]
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use std::fs;
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+use support::tree;
+
+/// Interrupts per test, spread evenly over the time that a whole run takes.
+const INTERRUPTS: u32 = 20;
+/// The exit code of an interrupted run.
+const INTERRUPTED: i32 = 130;
+
+fn lipz(folder: &Path, arguments: &[&str]) -> Child {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lipz"));
+    command.args(arguments).current_dir(folder).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap()
+}
+
+/// Runs the command once whole and then many times interrupted; `prepare` before each run, `look`
+/// after it.
+fn interrupt(folder: &Path, arguments: &[&str], prepare: impl Fn(), look: impl Fn()) {
+    prepare();
+    let start = Instant::now();
+    assert!(lipz(folder, arguments).wait().unwrap().success());
+    let whole_run = start.elapsed().max(Duration::from_millis(1));
+    let mut interrupted = 0;
+    support::make_interruptible();
+    for number in 0..INTERRUPTS {
+        prepare();
+        let child = lipz(folder, arguments);
+        std::thread::sleep(whole_run * number / INTERRUPTS);
+        let signal = if number % 2 == 0 { "-INT" } else { "-TERM" };
+        // Fails where the run has ended already.
+        let _ = Command::new("kill").args([signal, &child.id().to_string()]).stderr(Stdio::null()).status();
+        let output = child.wait_with_output().unwrap();
+        match output.status.code() {
+            Some(INTERRUPTED) => {
+                interrupted += 1;
+                assert_eq!(String::from_utf8(output.stderr).unwrap(), "interrupted\n");
+            }
+            // Before the program started to listen, the signal itself ended it.
+            ended => assert!(matches!(ended, Some(0) | None), "{ended:?}"),
+        }
+        look();
+    }
+    assert!(interrupted > 0, "no run was interrupted while it worked: the test shows nothing");
+}
+
+#[test]
+fn an_interrupted_pack_leaves_one_bank_with_texts() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    for clip in 0..4 {
+        let frames = "M".repeat(1_000_000);
+        support::write(folder, &format!("voices/clip-{clip}.lipz"), format!("{{\"visemes\":\"{frames}\"}}"));
+    }
+    support::write(folder, "old/aye.lipz", "{ \"text_en-us\": \"Aye.\" }");
+    assert!(lipz(folder, &["pack", "old", "-o", "old.lipzbank"]).wait().unwrap().success());
+    assert!(lipz(folder, &["pack", "voices", "-o", "new.lipzbank"]).wait().unwrap().success());
+    let (old, new) = (fs::read(folder.join("old.lipzbank")).unwrap(), fs::read(folder.join("new.lipzbank")).unwrap());
+    let output = folder.join("out/dialogue.lipzbank");
+    fs::create_dir(folder.join("out")).unwrap();
+    interrupt(
+        folder,
+        &["pack", "voices", "-o", "out/dialogue.lipzbank"],
+        || fs::write(&output, &old).unwrap(),
+        || {
+            let found = fs::read(&output).unwrap();
+            assert!(found == old || found == new, "neither bank");
+            assert_eq!(tree(&folder.join("out")), ["dialogue.lipzbank"], "a temporary file is left");
+        },
+    );
+}
+
+#[test]
+fn an_interrupted_unpack_leaves_whole_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let text = "{\n  \"text_en-us\": \"Aye.\"\n}\n";
+    for clip in 0..1000 {
+        support::write(folder, &format!("voices/{clip}.lipz"), text);
+    }
+    assert!(lipz(folder, &["pack", "voices", "-o", "voices.lipzbank"]).wait().unwrap().success());
+    let output = folder.join("out");
+    interrupt(
+        folder,
+        &["unpack", "voices.lipzbank", "-o", "out"],
+        || {
+            if output.exists() {
+                fs::remove_dir_all(&output).unwrap();
+            }
+        },
+        || {
+            let files = if output.exists() { tree(&output) } else { Vec::new() };
+            for file in files {
+                let whole = fs::read_to_string(folder.join("voices").join(&file)).unwrap();
+                assert_eq!(fs::read_to_string(output.join(&file)).unwrap(), whole, "{file}");
+            }
+        },
+    );
+}

@@ -1,0 +1,141 @@
+//! The pages about codes and the first of the README: `lipz explain`, and that the examples show what they are said
+//! to show.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+
+mod support;
+
+use lipz_diagnostics::Code;
+use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
+use serde_json::Value;
+use support::{Scene, lipz, repository};
+
+/// A fenced block of a page: what stands behind the fence, and its text.
+struct Block {
+    info: String,
+    text: String,
+}
+
+/// The blocks of a page.
+fn blocks(page: &str) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    let mut is_open = false;
+    for event in Parser::new(page) {
+        match event {
+            Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(info))) => {
+                is_open = true;
+                blocks.push(Block { info: info.into_string(), text: String::new() });
+            }
+            Event::Text(text) if is_open => blocks.last_mut().unwrap().text.push_str(&text),
+            Event::End(_) => is_open = false,
+            _ => {}
+        }
+    }
+    blocks
+}
+
+/// The arguments in `json flags="--default-locale en-us"`.
+fn flags(info: &str) -> Vec<&str> {
+    let flags = info.split_once("flags=\"").and_then(|(_, rest)| rest.split_once('"'));
+    flags.map_or("", |(flags, _)| flags).split_whitespace().collect()
+}
+
+/// Whether `lipz check` finds `code` in the file.
+fn finds(code: Code, block: &Block) -> bool {
+    let scene = Scene::new();
+    scene.write("example.lipz", &block.text);
+    let arguments = ["check", "example.lipz", "--format", "json"].into_iter().chain(flags(&block.info));
+    let outcome = lipz(scene.path(), arguments);
+    let document: Value = serde_json::from_str(&outcome.stdout).unwrap_or_else(|_| panic!("{code}: {outcome:?}"));
+    document["diagnostics"].as_array().unwrap().iter().any(|found| found["code"] == code.number())
+}
+
+#[test]
+fn examples_have_the_finding_and_mended_ones_have_not() {
+    let mut wrong = Vec::new();
+    let mut checked = 0;
+    for &code in Code::ALL {
+        let (example, fix) = code.page().split_once("**Fix.**").unwrap();
+        for (part, is_found) in [(example, true), (fix, false)] {
+            for block in blocks(part).iter().filter(|block| block.info.starts_with("json")) {
+                checked += 1;
+                if finds(code, block) != is_found {
+                    wrong.push(format!("{code}: found is {} for\n{}", !is_found, block.text));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(checked > 50, "{checked} examples");
+}
+
+#[test]
+fn every_page_has_an_example_and_transcripts_show_the_code() {
+    for &code in Code::ALL {
+        let (example, _) = code.page().split_once("**Fix.**").unwrap();
+        let blocks = blocks(example);
+        assert!(!blocks.is_empty(), "{code} has no example");
+        for block in blocks.iter().filter(|block| block.info == "text") {
+            let shown = format!("{}[{code}]: ", code.default_severity());
+            assert!(block.text.contains(&shown), "{code}:\n{}", block.text);
+        }
+    }
+}
+
+#[test]
+fn explain_takes_numbers_and_names() {
+    let page = lipz(&repository(), ["explain", "LZ0401"]);
+    assert_eq!((page.code, page.stderr.as_str()), (0, ""));
+    assert!(page.stdout.starts_with("LZ0401 foreign-code (error by default)\n"), "{}", page.stdout);
+    assert!(page.stdout.contains("\n\nWhy. There is no mouth shape"), "{}", page.stdout);
+    assert!(page.stdout.contains("\n      \"visemes\": \"MAXEO-\"\n"), "{}", page.stdout);
+    for same in ["lz0401", "foreign-code", "Foreign-Code", "[LZ0401]", "error[LZ0401]:"] {
+        assert_eq!(lipz(&repository(), ["explain", same]).stdout, page.stdout, "{same}");
+    }
+}
+
+#[test]
+fn explain_shows_every_code_within_the_width() {
+    for code in Code::ALL {
+        let page = lipz(&repository(), ["explain", code.number()]);
+        assert_eq!(page.code, 0);
+        for line in page.stdout.lines() {
+            let is_block = line.starts_with("    ");
+            assert!(is_block || line.chars().count() <= 100, "{code}: {line}");
+            assert!(is_block || !line.contains("**") && !line.contains("```"), "{code}: {line}");
+        }
+    }
+}
+
+#[test]
+fn explain_lists_the_codes() {
+    let list = lipz(&repository(), ["explain"]);
+    assert_eq!((list.code, list.stderr.as_str()), (0, ""));
+    assert_eq!(lipz(&repository(), ["explain", "--list"]).stdout, list.stdout);
+    for code in Code::ALL {
+        let starts = |line: &str| line.starts_with(&format!("  {code}  {} ", code.name()));
+        assert_eq!(list.stdout.lines().filter(|line| starts(line)).count(), 1, "{code}");
+    }
+}
+
+#[test]
+fn explain_says_what_was_probably_meant() {
+    let near = lipz(&repository(), ["explain", "forein_code"]);
+    assert_eq!((near.code, near.stdout.as_str()), (2, ""));
+    assert_eq!(near.stderr, "error: `forein_code` is not a code of lipz\nhelp: did you mean `foreign-code`?\n");
+    let far = lipz(&repository(), ["explain", "LZ9999"]);
+    assert_eq!((far.code, far.stdout.as_str()), (2, ""));
+    assert!(far.stderr.ends_with("help: `lipz explain --list` lists the codes\n"), "{}", far.stderr);
+}
+
+#[test]
+fn the_finding_in_the_readme_is_that_of_its_file() {
+    let readme = std::fs::read_to_string(repository().join("README.md")).unwrap();
+    let blocks = blocks(&readme);
+    let [file, finding, ..] = blocks.as_slice() else { panic!("no examples") };
+    let scene = Scene::new();
+    scene.write("voices/act1/mayor.lipz", &file.text);
+    let outcome = lipz(scene.path(), ["check", "voices"]);
+    assert_eq!((outcome.code, outcome.stderr), (1, format!("{}\n1 error in 1 file\n", finding.text)));
+    let formatted = lipz(scene.path(), ["fmt", "voices", "--check"]);
+    assert_eq!(formatted.code, 0, "it is in its canonical layout");
+}

@@ -1,0 +1,285 @@
+//! `lipz.toml` and the flags over it: which file holds, what it changes, and what `lipz init` writes.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use lipz_compiler::settings::{Content, TABLES, Table};
+use lipz_diagnostics::{Code, Severity};
+use std::fs;
+use support::{Comparison, Scene, lipz, repository, tree};
+
+const CLIP: &str = r#"{ "text": "Aye.", "events": "feels nervous" }"#;
+const UNEVEN: &str = r#"{ "visemes": "A|M", "text_en-us": "Hello,|{softly} dear|Amy.", "events": "feels sad" }"#;
+
+fn project() -> Scene {
+    let scene = Scene::new();
+    scene.write("lipz.toml", "sources = [\"voices\"]\noutput = \"build/game.lipzbank\"\ndefault-locale = \"en-us\"\n");
+    scene.write("voices/act1/aye.lipz", CLIP);
+    scene
+}
+
+/// The codes that a run reports, in order.
+fn codes(stderr: &str) -> Vec<&str> {
+    stderr.lines().filter_map(|line| line.split_once("[LZ")?.1.split_once(']')).map(|(code, _)| code).collect()
+}
+
+#[test]
+fn a_project_needs_no_arguments() {
+    let scene = project();
+    for folder in ["", "voices", "voices/act1"] {
+        let folder = scene.path().join(folder);
+        let checked = lipz(&folder, ["check"]);
+        assert_eq!((checked.code, checked.stdout.as_str()), (0, "1 file checked\n"), "{}", checked.stderr);
+        assert_eq!(codes(&checked.stderr), ["0502", "0702"], "the default locale holds");
+        assert_eq!(lipz(&folder, ["pack"]).code, 0);
+        let list = lipz(&folder, ["inspect".as_ref(), scene.path().join("build/game.lipzbank").as_os_str()]);
+        assert_eq!(list.code, 0, "{}", list.stderr);
+    }
+    let list = lipz(scene.path(), ["inspect", "build/game.lipzbank", "--list"]);
+    assert!(list.stdout.starts_with("act1/aye "), "{}", list.stdout);
+    let inside = lipz(&scene.path().join("voices"), ["check"]);
+    assert!(inside.stderr.contains("--> ../voices/act1/aye.lipz:1:3"), "{}", inside.stderr);
+    let packed = lipz(&scene.path().join("voices"), ["pack"]);
+    let expected = "1 clip packed into ../build/game.lipzbank";
+    assert!(packed.stdout.starts_with(expected), "{}", packed.stdout);
+    assert!(packed.stdout.ends_with("\nwith the settings of ../lipz.toml\n"), "{}", packed.stdout);
+    assert_eq!(lipz(scene.path(), ["pack"]).stdout.lines().count(), 1, "nobody asks which file it was");
+}
+
+#[test]
+fn the_file_of_the_source_holds_wherever_the_command_runs() {
+    let scene = project();
+    scene.write("other/clip.lipz", CLIP);
+    let elsewhere = tempfile::tempdir().unwrap();
+    let voices = scene.path().join("voices");
+    let absolute = lipz(elsewhere.path(), ["check".as_ref(), voices.as_os_str()]);
+    assert_eq!((absolute.code, codes(&absolute.stderr)), (0, vec!["0502", "0702"]), "{}", absolute.stderr);
+    let pattern = lipz(elsewhere.path(), ["check".into(), format!("{}/**/*.lipz", voices.display())]);
+    assert_eq!((pattern.code, codes(&pattern.stderr)), (0, vec!["0502", "0702"]), "{}", pattern.stderr);
+    // Nearer files win, and files elsewhere take the settings of the current folder.
+    scene.write("other/lipz.toml", "default-locale = \"de-de\"\nlints.unknown-emotion = \"allow\"\n");
+    let nearer = lipz(scene.path(), ["check", "other"]);
+    assert!(nearer.stderr.contains("`text_de-de`"), "{}", nearer.stderr);
+    assert_eq!(codes(&nearer.stderr), ["0502"]);
+    fs::write(elsewhere.path().join("delivery.lipz"), CLIP).unwrap();
+    let delivery = elsewhere.path().join("delivery.lipz");
+    let delivered = lipz(scene.path(), ["check".as_ref(), delivery.as_os_str()]);
+    assert_eq!((delivered.code, codes(&delivered.stderr)), (0, vec!["0502", "0702"]), "{}", delivered.stderr);
+}
+
+#[test]
+fn flags_win_over_the_file() {
+    let scene = project();
+    let check = |arguments: &str| {
+        let run = lipz(scene.path(), ["check"].into_iter().chain(arguments.split(' ')));
+        (run.code, codes(&run.stderr).join(" "), run.stderr)
+    };
+    assert!(check("--default-locale de-de").2.contains("`text_de-de`"));
+    assert_eq!(check("--allow text-without-locale,unknown-emotion").1, "");
+    assert_eq!(check("--allow warnings --deny LZ0702").0, 1, "later flags win");
+    assert_eq!(check("--deny LZ0702 --allow warnings").1, "0502", "an error by default is none of the warnings");
+    let without = check("voices --no-config");
+    assert_eq!((without.0, without.1.as_str()), (1, "0502 0702"));
+    fs::write(scene.path().join("release.toml"), "sources = [\"voices\"]\nextended-locales = true\n").unwrap();
+    assert_eq!(check("--config release.toml --default-locale es-419").0, 0);
+    let refused = check("--config release.toml --default-locale es-419 --extended-locales=false");
+    assert_eq!(refused.0, 2);
+    assert!(refused.2.contains("'es-419' does not have the form ll-cc"), "{}", refused.2);
+    let stripped = |flag: &str| {
+        assert_eq!(lipz(scene.path(), ["pack", "-o", "b.lipzbank", flag]).code, 0);
+        fs::read(scene.path().join("b.lipzbank")).unwrap().len()
+    };
+    let (plain, small) = (stripped("--quiet"), stripped("--strip"));
+    fs::write(scene.path().join("lipz.toml"), "strip = true\ndefault-locale = \"en-us\"").unwrap();
+    assert!(small < plain);
+    assert_eq!((stripped("--quiet"), stripped("--strip=false")), (small, plain));
+}
+
+#[test]
+fn levels_in_the_file() {
+    let scene = project();
+    let levels = |lints: &str| {
+        scene.write("lipz.toml", format!("default-locale = \"en-us\"\n[lints]\n{lints}\n"));
+        let run = lipz(scene.path(), ["check"]);
+        (run.code, codes(&run.stderr).join(" "))
+    };
+    assert_eq!(levels("warnings = \"deny\""), (1, "0502 0702".into()));
+    assert_eq!(levels("warnings = \"deny\"\nunknown-emotion = \"allow\""), (0, "0502".into()), "names win over groups");
+    assert_eq!(levels("LZ0502 = \"allow\"\nLZ0702 = \"allow\""), (0, String::new()));
+    fs::create_dir(scene.path().join("empty")).unwrap();
+    scene.write("lipz.toml", "lints.no-sources = \"allow\"");
+    let run = lipz(scene.path(), ["check", "empty"]);
+    assert_eq!((run.code, run.stdout.as_str(), run.stderr.as_str()), (0, "0 files checked\n", ""));
+}
+
+#[test]
+fn elements_that_differ_in_segments_are_joined() {
+    let mut scene = Scene::new();
+    scene.write("voices/uneven.lipz", UNEVEN);
+    scene.expect("LZ0601-segment-count-warned", &["check", "voices", "--quiet", "--warn", "segment-count"]);
+    scene.prepare(&["pack", "voices", "-o", "b.lipzbank", "--allow", "LZ0601"]);
+    let json = lipz(scene.path(), ["inspect", "b.lipzbank", "uneven", "--json"]);
+    assert!(json.stdout.contains("\"Hello, dear Amy.\""), "{}", json.stdout);
+    scene.prepare(&["unpack", "b.lipzbank", "-o", "out"]);
+    let unpacked = fs::read_to_string(scene.path().join("out/uneven.lipz")).unwrap();
+    assert!(unpacked.contains("\"Hello,|{softly} dear|Amy.\""), "{unpacked}");
+    scene.prepare(&["pack", "out", "-o", "again.lipzbank", "--allow", "LZ0601"]);
+    let bytes = |name| fs::read(scene.path().join(name)).unwrap();
+    assert_eq!(bytes("b.lipzbank"), bytes("again.lipzbank"));
+
+    scene.write("voices/uneven.lipz", r#"{ "text": "Aye." }"#);
+    let warned = ["check", "voices", "--quiet", "--warn", "text-without-locale"];
+    scene.expect("LZ0502-text-without-locale-warned", &warned);
+    scene.finish(2);
+}
+
+#[test]
+fn keys_count_from_the_root_wherever_the_command_runs() {
+    let scene = project();
+    scene.write("lipz.toml", "root = \"voices\"\noutput = \"b.lipzbank\"\ndefault-locale = \"en-us\"\n");
+    for (folder, source) in [("", "voices/act1"), ("voices", "act1"), ("voices/act1", "."), ("voices/act1", "aye.lipz")]
+    {
+        let run = lipz(&scene.path().join(folder), ["pack", source]);
+        assert_eq!(run.code, 0, "{folder}: {}", run.stderr);
+        let list = lipz(scene.path(), ["inspect", "b.lipzbank", "--list"]);
+        assert!(list.stdout.starts_with("act1/aye "), "{folder} {source}: {}", list.stdout);
+    }
+}
+
+#[test]
+fn without_sources_and_settings() {
+    let mut scene = Scene::new();
+    let none = lipz(scene.path(), ["check"]);
+    assert_eq!((none.code, none.stdout.as_str()), (2, ""));
+    assert!(none.stderr.contains("no sources are named") && none.stderr.contains("lipz init"), "{}", none.stderr);
+    scene.write("voices/aye.lipz", "{ \"text_en-us\": \"Aye.\" }");
+    let no_bank = lipz(scene.path(), ["pack", "voices"]);
+    assert_eq!(no_bank.code, 2);
+    assert!(no_bank.stderr.contains("--output"), "{}", no_bank.stderr);
+    scene.expect("LZ1007-settings-unreadable-missing", &["check", "voices", "--config", "lipz.tmol"]);
+    scene.expect("LZ1007-settings-unreadable-folder", &["check", "--config", "voices"]);
+    scene.finish(2);
+    for lint in ["unkown-emotion", "foreign-code"] {
+        let run = lipz(".".as_ref(), ["check", "x", "--allow", lint]);
+        assert_eq!(run.code, 2);
+        let help = if lint == "foreign-code" { "cannot be lowered" } else { "did you mean `unknown-emotion`?" };
+        assert!(run.stderr.contains(help), "{}", run.stderr);
+    }
+}
+
+#[test]
+fn init_writes_a_file_that_works_and_replaces_none() {
+    let mut scene = Scene::new();
+    scene.write("act1/aye.lipz", "{ \"text_en-us\": \"Aye.\" }");
+    scene.prepare(&["init"]);
+    assert_eq!(lipz(scene.path(), ["check"]).stdout, "1 file checked\n");
+    let written = fs::read_to_string(scene.path().join("lipz.toml")).unwrap();
+    scene.write("lipz.toml", "strip = true");
+    scene.expect("LZ0906-would-overwrite-init", &["init"]);
+    assert_eq!(fs::read_to_string(scene.path().join("lipz.toml")).unwrap(), "strip = true");
+    scene.prepare(&["init", "--force"]);
+    assert_eq!(fs::read_to_string(scene.path().join("lipz.toml")).unwrap(), written);
+    scene.prepare(&["init", "new/project", "--quiet"]);
+    let files = ["act1", "act1/aye.lipz", "lipz.toml", "new", "new/project", "new/project/lipz.toml"];
+    assert_eq!(tree(scene.path()), files);
+    scene.finish(1);
+}
+
+/// The settings of a table as rows: name, flags, default, what it decides.
+fn rows(table: &Table) -> Vec<[String; 4]> {
+    match &table.content {
+        Content::Settings(settings) => settings
+            .iter()
+            .map(|setting| [setting.name, setting.flag, setting.default, setting.about].map(str::to_owned))
+            .collect(),
+        Content::Map(map) => {
+            let examples = map.examples.iter().map(|example| format!("`{example}`")).collect::<Vec<_>>();
+            let about = format!("for example {}", examples.join(", "));
+            vec![[map.name.into(), map.flag.into(), map.default.into(), about]]
+        }
+    }
+}
+
+#[test]
+fn every_setting_has_a_flag_and_every_flag_a_setting() {
+    let help = lipz(".".as_ref(), ["pack", "--help"]).stdout;
+    let lines = help.lines().map(str::trim_start).filter(|line| line.starts_with('-'));
+    let shown = lines.filter_map(|line| line.split([' ', '[', ',']).find(|word| word.starts_with("--")));
+    let of_the_run = [
+        "--color",
+        "--config",
+        "--depfile",
+        "--format",
+        "--help",
+        "--no-cache",
+        "--no-config",
+        "--quiet",
+        "--threads",
+        "--timings",
+    ];
+    let mut shown: Vec<&str> = shown.filter(|flag| !of_the_run.contains(flag)).collect();
+    let flags: Vec<String> = TABLES.iter().flat_map(rows).map(|[_, flag, ..]| flag).collect();
+    let mut flags: Vec<&str> =
+        flags.iter().flat_map(|flags| flags.split(", ")).filter(|flag| !matches!(*flag, "SOURCES" | "")).collect();
+    shown.sort_unstable();
+    flags.sort_unstable();
+    assert_eq!(shown, flags);
+}
+
+#[test]
+fn the_page_shows_every_setting_and_lint() {
+    let mut made = String::new();
+    for table in TABLES {
+        let title = if table.name.is_empty() { "Above the first table".into() } else { format!("`[{}]`", table.name) };
+        made += &format!(
+            "\n### {title}\n\n{}\n\n| setting | flag | without it | decides |\n| --- | --- | --- | --- |\n",
+            table.about
+        );
+        for [name, flag, default, about] in rows(table) {
+            let flags = flag.split(", ").filter(|flag| !flag.is_empty()).map(|flag| format!("`{flag}`"));
+            let flags = flags.collect::<Vec<_>>().join(", ");
+            made += &format!("| `{name}` | {flags} | {default} | {about} |\n");
+        }
+    }
+    made += "\n### Lints\n\nThose whose level can be lowered; all others are errors, whatever the settings say.\n\n";
+    made += "| code | name | own level | reports that |\n| --- | --- | --- | --- |\n";
+    for code in Code::ALL.iter().filter(|code| code.can_be_lowered()) {
+        let level = if code.default_severity() == Severity::Error { "deny" } else { "warn" };
+        made += &format!("| {code} | `{}` | {level} | {} |\n", code.name(), code.summary());
+    }
+    let page = fs::read_to_string(repository().join("docs/SETTINGS.md")).unwrap();
+    let (before, rest) = page.split_once("cargo test -p lipz -->\n").unwrap();
+    let (_, after) = rest.split_once("<!-- end -->").unwrap();
+    let mut comparison = Comparison::default();
+    comparison.compare("docs/SETTINGS.md", &format!("{before}cargo test -p lipz -->\n{made}\n<!-- end -->{after}"));
+    comparison.finish(1);
+}
+
+#[test]
+fn packing_again_with_a_cache() {
+    let scene = project();
+    scene.write("lipz.toml", "sources = [\"voices\"]\noutput = \"b.lipzbank\"\ncache = \"build/b.cache\"\n");
+    scene.write("voices/act1/aye.lipz", r#"{ "text_en-us": "Aye." }"#);
+    let pack = |arguments: &[&str]| {
+        let run = lipz(scene.path(), ["pack", "--timings"].iter().chain(arguments));
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        let mut lines = run.stdout.lines();
+        (lines.next().unwrap().to_owned(), lines.next_back().unwrap().trim().to_owned())
+    };
+    let spared = |count| format!("{count} of 1 clip recalled from the bank");
+    let first = pack(&[]);
+    assert!(first.0.starts_with("1 clip packed into b.lipzbank ("), "{}", first.0);
+    assert_eq!(first.1, spared(0));
+    let again = pack(&[]);
+    assert!(again.0.starts_with("1 clip unchanged in b.lipzbank ("), "{}", again.0);
+    assert_eq!(again.1, spared(1));
+    assert_eq!(pack(&["--no-cache"]), first);
+    assert_eq!(pack(&["--cache", "other.cache"]), first);
+    assert_eq!(pack(&["--split-locales"]).1, spared(0));
+    assert_eq!(pack(&[]), first, "the bank has become another one");
+    assert_eq!(pack(&[]), again);
+
+    let refused = lipz(scene.path(), ["pack", "--cache", "lipz.toml"]);
+    assert_eq!((refused.code, codes(&refused.stderr)), (2, vec!["0904"]), "{}", refused.stderr);
+    assert!(refused.stderr.contains("`lipz.toml` is not a cache of lipz, and is left alone"), "{}", refused.stderr);
+}

@@ -1,0 +1,58 @@
+//! `cargo xtask bless`: writes every file of the repository that a program makes.
+//!
+//! First what the rules are made into: the table of codes and the page about them. Then the tests whose
+//! expected outputs are committed run once more, and write them. Read the difference before you commit it.
+
+mod diagnostics_page;
+mod rules;
+
+use crate::ci::cargo_command;
+use crate::paths::workspace_root;
+use crate::{Failure, tools};
+use rules::Rule;
+
+/// The tests that write what they expect.
+const TESTS: [&[&str]; 5] = [
+    &["--package", "lipz-bank", "--test", "golden"],
+    &["--package", "lipz-capi", "--test", "header"],
+    &["--package", "lipz-compiler", "--test", "ids"],
+    &["--package", "lipz-interop", "--test", "fallout_lip", "--test", "fixtures"],
+    &["--package", "lipz"],
+];
+
+pub(crate) fn run() -> Result<(), Failure> {
+    for (path, contents) in made_from_rules()? {
+        std::fs::write(workspace_root().join(path), contents).map_err(|error| format!("`{path}`: {error}"))?;
+    }
+    for test in TESTS {
+        let mut cargo = cargo_command();
+        cargo.args(["test", "--quiet"]).args(test).env("LIPZ_BLESS", "1").current_dir(workspace_root());
+        tools::succeed(&mut cargo, &format!("cargo test {}", test.join(" ")))?;
+    }
+    Ok(())
+}
+
+/// The files that are made from the rules, with their contents.
+fn made_from_rules() -> Result<[(&'static str, String); 2], Failure> {
+    let rules = Rule::all(&workspace_root().join(rules::FOLDER))?;
+    Ok([(rules::TABLE, rules::table(&rules)?), (diagnostics_page::PATH, diagnostics_page::page(&rules)?)])
+}
+
+/// What keeps a committed file from being current.
+#[cfg(test)]
+fn is_current(path: &str, contents: &str) -> bool {
+    std::fs::read_to_string(workspace_root().join(path)).is_ok_and(|committed| committed == contents)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_made_from_rules_is_current() {
+        for (path, contents) in made_from_rules().unwrap() {
+            assert!(is_current(path, &contents), "{path} is not what the rules say: run `cargo xtask bless`");
+        }
+    }
+}

@@ -1,0 +1,43 @@
+//! `cargo xtask capi`: builds the libraries for C, installs them below `target/capi`, and runs
+//! the programs in C and C++ with them: plain, under valgrind, and with sanitizers.
+//!
+//! The libraries do not link if a panic can be reached (see `crates/lipz-capi/src/panic.rs`).
+
+mod install;
+mod programs;
+
+use crate::ci::cargo_command;
+use crate::tools::{has_program, skip, succeed};
+use crate::{Failure, paths};
+use std::path::Path;
+
+/// What the programs need; the libraries need Rust only.
+const TOOLS: [&str; 6] = ["cc", "c++", "cmake", "make", "pkg-config", "valgrind"];
+
+pub(crate) fn run() -> Result<(), Failure> {
+    if !cfg!(target_os = "linux") {
+        return skip("Linux, for the names of the libraries");
+    }
+    let target = std::path::absolute(paths::target_folder()).map_err(|error| error.to_string())?;
+    build(&target)?;
+    let prefix = target.join("capi");
+    install::install(&target.join("library"), &prefix)?;
+    println!("installed below {}", prefix.display());
+    match TOOLS.iter().find(|tool| !has_program(tool)) {
+        Some(tool) => skip(tool),
+        None => programs::run(&prefix),
+    }
+}
+
+/// Builds the static and the shared library.
+fn build(target: &Path) -> Result<(), Failure> {
+    let soname = format!("link-arg=-Wl,-soname,{}", install::soname());
+    succeed(
+        cargo_command()
+            .args(["rustc", "--package", "lipz-capi", "--lib", "--profile", "library", "--locked", "--quiet"])
+            .args(["--features", "panic-handler", "--crate-type", "staticlib,cdylib", "--target-dir"])
+            .arg(target)
+            .args(["--", "-C", &soname]),
+        "the build of the libraries",
+    )
+}

@@ -1,0 +1,70 @@
+//! Tasks that are programs of their own: the command `lipz`, and the measurements of `benches`.
+//!
+//! They are run, not linked: the tasks of the workspace build in seconds.
+
+use crate::ci::cargo_command;
+use crate::paths::workspace_root;
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+/// The commands of `lipz` that the project is driven by.
+const LIPZ: [&str; 4] = ["pack", "unpack", "verify", "inspect"];
+
+/// Programs of `lipz-benches`, with what they do.
+const BENCHES: [(&str, &str); 4] = [
+    ("generate", "Write a folder of made-up clips of realistic size and shape"),
+    ("measure", "Measure packing against reading the same files"),
+    ("compare", "Compare the reader with other ways to keep clips in a file, as a Markdown table"),
+    ("instructions", "Count the instructions of the reader's queries and hold them to their limits"),
+];
+
+/// What the help says about them.
+pub(crate) fn help() -> String {
+    let mut help =
+        format!("Commands of lipz: {}; all others with `cargo run -p lipz --`\n\nMeasurements:\n", LIPZ.join(", "));
+    for (name, about) in BENCHES {
+        help.push_str(&format!("  {name:<12}  {about}\n"));
+    }
+    help
+}
+
+/// Runs the program that the first argument names, if it names one.
+pub(crate) fn command(arguments: &[OsString]) -> Option<ExitCode> {
+    let (task, rest) = arguments.split_first()?;
+    let mut cargo = cargo_command();
+    if LIPZ.iter().any(|name| task == name) {
+        let manifest = workspace_root().join("Cargo.toml");
+        cargo.args(["run", "--quiet", "--package", "lipz", "--manifest-path"]).arg(manifest).arg("--").args(arguments);
+    } else {
+        let (name, _) = BENCHES.iter().find(|(name, _)| task == name)?;
+        // All programs, because one runs another; from the root, from which their files are named.
+        let features = if *name == "compare" { "compare" } else { "" };
+        let mut build = cargo_command();
+        build.args(["build", "--release", "--quiet", "--package", "lipz-benches", "--bins", "--features", features]);
+        if !build.current_dir(workspace_root()).status().is_ok_and(|status| status.success()) {
+            return Some(ExitCode::FAILURE);
+        }
+        cargo.args(["run", "--release", "--quiet", "--package", "lipz-benches", "--features", features, "--bin", name]);
+        cargo.arg("--").args(rest).current_dir(workspace_root());
+    }
+    let code = match cargo.status() {
+        Ok(status) => status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(1),
+        Err(error) => {
+            eprintln!("xtask: cargo cannot be run: {error}");
+            2
+        }
+    };
+    Some(ExitCode::from(code))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn other_tasks_are_not_forwarded() {
+        assert!(command(&[]).is_none());
+        assert!(command(&["ci".into()]).is_none());
+        assert!(help().contains("pack, unpack, verify, inspect"));
+    }
+}

@@ -1,0 +1,68 @@
+//! `cargo xtask size`: what the reader costs in a firmware, and proofs that it can neither panic nor
+//! allocate.
+//!
+//! firmware/size has an entry point for each query. A linker that drops what nobody calls leaves of
+//! the reader what a program needs that uses these queries (`groups`); sections of the result are
+//! counted (`elf`).
+
+mod elf;
+mod groups;
+mod link;
+
+use crate::Failure;
+use crate::toolchain::{Library, Toolchain, rust_lld};
+use crate::tools::{skip, succeed};
+use elf::Sizes;
+use groups::{Group, PROGRAMS, SINGLE};
+use link::Linker;
+
+/// The processors: with the budgets, and without.
+const M4: &str = "thumbv7em-none-eabi";
+const M0: &str = "thumbv6m-none-eabi";
+
+pub(crate) fn run() -> Result<(), Failure> {
+    let toolchains = [M4, M0].map(|target| Toolchain::with_sources(target, Library::Core));
+    let ([Some(m4), Some(m0)], Some(linker)) = (&toolchains, rust_lld()) else {
+        return skip("the sources of Rust (`rustup component add rust-src`, or Debian's rust-web-src), and rust-lld");
+    };
+    // One command for both: one unit of code keeps one core busy.
+    let mut build = m4.firmware("build");
+    build.args(["--target", M0, "--quiet", "--release", "--package", "firmware-size"]);
+    succeed(&mut build, "the build of the entry points")?;
+    let mut linkers = Vec::new();
+    for toolchain in [m4, m0] {
+        linkers.push(Linker::new(&linker, &toolchain.release_folder().join("libfirmware_size.a"))?);
+    }
+    println!("| {}, opt-level s | M4 code | M4 constants | M0 code | M4 budget |", m4.version());
+    println!("|---|--:|--:|--:|--:|");
+    let mut above = Vec::new();
+    for group in PROGRAMS.iter().chain(&SINGLE) {
+        row(group, &linkers, &mut above)?;
+    }
+    for linker in &linkers {
+        linker.must_not_link("control_panic", "panic_is_reachable")?;
+        linker.must_not_link("control_allocator", "allocator_is_reachable")?;
+    }
+    println!("\nno static memory; no panic and no allocator can be reached: the two that can do not link");
+    if above.is_empty() { Ok(()) } else { Err(format!("above the budget: {}", above.join(", "))) }
+}
+
+/// Prints what a group needs on each processor.
+fn row(group: &Group, linkers: &[Linker], above: &mut Vec<&'static str>) -> Result<(), Failure> {
+    let mut sizes = Vec::new();
+    for linker in linkers {
+        let of: Sizes = linker.link(&group.entries())?;
+        if of.memory_bytes != 0 {
+            return Err(format!("`{}` needs {} bytes of static memory", group.name, of.memory_bytes));
+        }
+        sizes.push(of);
+    }
+    if let [m4, m0] = sizes.as_slice() {
+        let budget = group.budget_bytes.map_or_else(String::new, |bytes| bytes.to_string());
+        println!("| {} | {} | {} | {} | {budget} |", group.name, m4.code_bytes, m4.constant_bytes, m0.code_bytes);
+        if group.budget_bytes.is_some_and(|bytes| m4.code_bytes > bytes) {
+            above.push(group.name);
+        }
+    }
+    Ok(())
+}
