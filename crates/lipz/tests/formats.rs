@@ -200,7 +200,7 @@ fn ten_thousand_equal_findings_are_counted_for_people_only() {
         closing,
         [
             "10,000 errors in 10,000 files",
-            "9,900 more LZ0401 (a viseme code is not one of the viseme type) in 9,900 files are not shown",
+            "9,900 more LZ0401 (a viseme code is not valid in the clip's viseme type) in 9,900 files are not shown",
         ]
     );
     let (json, _) = document(&scene, &["check", "voices", "--format", "json"]);

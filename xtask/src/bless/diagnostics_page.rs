@@ -10,35 +10,36 @@ const INTRODUCTION: &str = r#"<!-- Written by `cargo xtask bless` from crates/li
 
 # Diagnostics
 
-Every diagnostic of lipz has a code. `lipz explain LZ0401` shows what this page says about it. Numbers are
-never given a new meaning. While there are errors no bank is written; warnings do not prevent it.
+Every diagnostic of lipz has a code, and every code has a rule that reports it. `lipz explain LZ0401` prints
+the section of this page about a code. A code never gets a new meaning. lipz writes no bank while there are
+errors; warnings do not prevent it.
 "#;
 
 const FOR_PROGRAMS: &str = r#"
 ## For programs
 
 `--format json` prints one object: the numbers of `errors` and `warnings`, and `diagnostics`, sorted by
-file and place. A diagnostic has
+file and place. The fields of a diagnostic:
 
-| field | is |
+| field | contents |
 | --- | --- |
 | `code`, `name` | `"LZ0401"`, `"foreign-code"` |
 | `severity` | `"error"` or `"warning"` |
-| `message` | one sentence that is enough by itself |
-| `path` | the file as it was named or found; empty if the finding is about none |
-| `span` | the characters that it is about; `null` if it is about the whole file |
-| `label` | a remark about them, or `null` |
-| `labels` | other places that belong to it: `span` and `text` |
-| `notes` | further facts, one line each |
+| `message` | one sentence, complete by itself |
+| `path` | the path of the file, as named or found; empty if the diagnostic is about no file |
+| `span` | the characters it is about; `null` if it is about the whole file |
+| `label` | a remark about the span, or `null` |
+| `labels` | related places, each with `span` and `text` |
+| `notes` | more facts, one line each |
 | `help` | what to do, or `null` |
-| `fix` | the change that does it, if one is certain: `span` and `replacement`; otherwise `null` |
+| `fix` | a safe fix, `span` and `replacement`, or `null` |
 
-A span goes from `start` to `end`, the place behind its last character. Both have `line` and `column`,
-counted from 1 in characters (Unicode scalar values), and `offset_bytes` in the text, from 0. A byte
-order mark is not part of the text.
+A span goes from `start` to `end`, the place after its last character. Each has a `line` and a `column`,
+counted from 1 in characters (Unicode scalar values), and an `offset_bytes` into the text, counted from 0. A
+byte order mark is not part of the text.
 
-`--format sarif` has the same findings with the property names of SARIF 2.1.0, and the pages below as
-the help of its rules. `--format github` prints workflow commands of GitHub Actions.
+`--format sarif` prints the same diagnostics under the property names of SARIF 2.1.0, with the sections below
+as the help of its rules. `--format github` prints workflow commands of GitHub Actions.
 "#;
 
 /// The whole page: the codes by group, then what there is to know about each.

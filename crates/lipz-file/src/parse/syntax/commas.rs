@@ -18,7 +18,7 @@ fn trailing(at: &Place<'_>) -> Option<Diagnostic> {
         return None;
     }
     Some(
-        Diagnostic::at(Code::TrailingComma, comma, "a comma stands after the last element")
+        Diagnostic::at(Code::TrailingComma, comma, "a comma follows the last element")
             .help("delete the comma: JSON has commas only between elements")
             .fix(comma, ""),
     )
