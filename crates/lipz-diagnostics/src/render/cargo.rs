@@ -84,6 +84,9 @@ mod tests {
         let many = (0..250).map(|_| Diagnostic::new(Code::UnknownElement, "odd")).collect();
         let lines = cargo(&[report("a.lipz", "", many)]);
         assert_eq!(lines.lines().count(), TOLD_PER_CODE + 1);
-        assert!(lines.ends_with("cargo::warning=150 more of LZ0203: an element is not part of the format\n"), "{lines}");
+        assert!(
+            lines.ends_with("cargo::warning=150 more of LZ0203: an element is not part of the format\n"),
+            "{lines}"
+        );
     }
 }
