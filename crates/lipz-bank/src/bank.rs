@@ -2,6 +2,7 @@
 
 use crate::file::{ALL_SECTIONS, File, Sections, entries, place};
 use crate::locale::LocaleTable;
+use crate::origin::Origin;
 use crate::pool::Pool;
 use crate::{Clip, ClipId, Clips, Error, ErrorKind, EventName, Locale, Locales};
 use core::fmt;
@@ -170,7 +171,13 @@ impl<'data> Bank<'data> {
     ///
     /// Look names up once and compare their [ids](EventName::id) per event.
     pub fn event_name(&self, name: &str) -> Option<EventName<'data>> {
-        EventName::find(self, name)
+        self.event_names().find(name)
+    }
+
+    /// The bank that handles came from, if they came from this one.
+    #[inline]
+    pub(crate) fn origin(&self) -> Origin {
+        Origin::new(self.file.header)
     }
 
     /// Hash of what the clips of this bank are: files that belong together share it.

@@ -5,6 +5,7 @@ use core::fmt;
 use core::hash::{Hash, Hasher};
 use core::iter::FusedIterator;
 
+use crate::origin::Origin;
 use crate::pool::Pool;
 use crate::{Bank, Command};
 use lipz_layout::{EventNameRecord, EventRecord, NO_NAME, TypedEventRecord};
@@ -13,47 +14,44 @@ use lipz_layout::{VERB_STOPS_POINTING, VERB_STOPS_STARING};
 
 /// A name that events mention: a character, an emotion, a target or an action.
 ///
-/// Equal names of a bank have equal ids. Two names compare as their ids do, and those are in the order
-/// of the names: compare names of one bank only.
+/// Names know their bank. Equal are names of one bank that are spelled alike; names of two banks are never
+/// equal, however they are spelled: compare [`EventName::as_str`] there. Names of one bank are in the order of
+/// their strings.
 #[derive(Clone, Copy)]
 pub struct EventName<'data> {
-    id: u32,
+    key: NameKey,
     record: &'data EventNameRecord,
     strings: Pool<'data>,
 }
 
+/// What identifies a name, and borrows nothing: its bank, and its number there.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub(crate) struct NameKey {
+    bank: Origin,
+    id: u32,
+}
+
 impl<'data> EventName<'data> {
-    /// The name with this number, if there is one.
-    fn at(names: &'data [EventNameRecord], strings: Pool<'data>, id: u32) -> Option<Self> {
-        Some(EventName { id, record: names.get(id as usize)?, strings })
-    }
-
-    /// The name that is spelled so.
-    pub(crate) fn find(bank: &Bank<'data>, name: &str) -> Option<Self> {
-        let bytes = |record: &EventNameRecord| {
-            let start = record.offset_bytes.get() as usize;
-            bank.event_strings.slice(start, start.checked_add(record.length_bytes.get() as usize)?)
-        };
-        let id = bank.event_names.partition_point(|record| bytes(record) < Some(name.as_bytes()));
-        let found = EventName::at(bank.event_names, bank.event_strings, id as u32)?;
-        if bytes(found.record) == Some(name.as_bytes()) { Some(found) } else { None }
-    }
-
     /// The number of the name in this bank. It is the same as long as the bank is, and another one
     /// when the bank is packed again.
     pub const fn id(self) -> u32 {
-        self.id
+        self.key.id
     }
 
     /// The name as it is spelled in the Lipz file. Empty only in a damaged bank.
     pub fn as_str(self) -> &'data str {
         self.strings.text_at(self.record.offset_bytes.get(), self.record.length_bytes.get()).unwrap_or("")
     }
+
+    /// What identifies the name.
+    pub(crate) fn key(self) -> NameKey {
+        self.key
+    }
 }
 
 impl PartialEq for EventName<'_> {
     fn eq(&self, other: &Self) -> bool {
-        self.id == other.id
+        self.key == other.key
     }
 }
 impl Eq for EventName<'_> {}
@@ -65,13 +63,13 @@ impl PartialOrd for EventName<'_> {
 }
 impl Ord for EventName<'_> {
     fn cmp(&self, other: &Self) -> Ordering {
-        self.id.cmp(&other.id)
+        self.key.cmp(&other.key)
     }
 }
 
 impl Hash for EventName<'_> {
     fn hash<H: Hasher>(&self, state: &mut H) {
-        self.id.hash(state);
+        self.key.hash(state);
     }
 }
 
@@ -84,7 +82,47 @@ impl fmt::Display for EventName<'_> {
 /// The id and the name.
 impl fmt::Debug for EventName<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "EventName({}, {:?})", self.id, self.as_str())
+        write!(f, "EventName({}, {:?})", self.id(), self.as_str())
+    }
+}
+
+/// The names in the events of a bank.
+#[derive(Clone, Copy)]
+pub(crate) struct EventNames<'data> {
+    bank: Origin,
+    records: &'data [EventNameRecord],
+    strings: Pool<'data>,
+}
+
+impl<'data> Bank<'data> {
+    /// The names in events.
+    #[inline]
+    pub(crate) fn event_names(&self) -> EventNames<'data> {
+        EventNames { bank: self.origin(), records: self.event_names, strings: self.event_strings }
+    }
+}
+
+impl<'data> EventNames<'data> {
+    /// The name with this number, if there is one.
+    fn numbered(&self, id: u32) -> Option<EventName<'data>> {
+        let record = self.records.get(id as usize)?;
+        Some(EventName { key: NameKey { bank: self.bank, id }, record, strings: self.strings })
+    }
+
+    /// The name that `key` identifies; `None` if it is one of another bank.
+    pub(crate) fn named(&self, key: NameKey) -> Option<EventName<'data>> {
+        if key.bank == self.bank { self.numbered(key.id) } else { None }
+    }
+
+    /// The name that is spelled so.
+    pub(crate) fn find(&self, name: &str) -> Option<EventName<'data>> {
+        let bytes = |record: &EventNameRecord| {
+            let start = record.offset_bytes.get() as usize;
+            self.strings.slice(start, start.checked_add(record.length_bytes.get() as usize)?)
+        };
+        let id = self.records.partition_point(|record| bytes(record) < Some(name.as_bytes()));
+        let found = self.numbered(id as u32)?;
+        if bytes(found.record) == Some(name.as_bytes()) { Some(found) } else { None }
     }
 }
 
@@ -99,8 +137,8 @@ pub struct Event<'data> {
 
 impl<'data> Event<'data> {
     /// The event of a record, unless that is damaged.
-    pub(crate) fn of(names: &'data [EventNameRecord], strings: Pool<'data>, record: &TypedEventRecord) -> Option<Self> {
-        let name = |id| EventName::at(names, strings, id);
+    pub(crate) fn new(names: &EventNames<'data>, record: &TypedEventRecord) -> Option<Self> {
+        let name = |id| names.numbered(id);
         let object = name(record.object.get());
         let command = match record.verb {
             VERB_FEELS => Command::Feels(object?),
@@ -142,15 +180,14 @@ impl fmt::Display for Event<'_> {
 #[derive(Clone)]
 pub struct Events<'data> {
     records: &'data [TypedEventRecord],
-    names: &'data [EventNameRecord],
-    strings: Pool<'data>,
+    names: EventNames<'data>,
 }
 
 impl<'data> Events<'data> {
     /// The events of an event string; none if that is damaged.
     pub(crate) fn new(bank: &Bank<'data>, of: Option<&EventRecord>) -> Self {
         let records = of.and_then(|record| typed_events(bank, record)).unwrap_or(&[]);
-        Events { records, names: bank.event_names, strings: bank.event_strings }
+        Events { records, names: bank.event_names() }
     }
 }
 
@@ -165,7 +202,7 @@ impl<'data> Iterator for Events<'data> {
 
     fn next(&mut self) -> Option<Event<'data>> {
         let (record, rest) = self.records.split_first()?;
-        let event = Event::of(self.names, self.strings, record);
+        let event = Event::new(&self.names, record);
         // A damaged record ends the iteration.
         self.records = if event.is_some() { rest } else { &[] };
         event

@@ -1,7 +1,7 @@
 //! Every query of the reader, on banks that may be damaged.
 
 use lipz_bank::{
-    Bank, Clip, ClipId, Fps, Hold, Lead, Locale, Micros, Playback, Samples, Seconds, Segment, TextBank, Time,
+    Bank, Clip, ClipId, ConsonantHold, Cursor, Fps, Lead, Locale, Micros, Samples, Seconds, Segment, TextBank, Time,
     VisemeType,
 };
 use std::hint::black_box;
@@ -140,19 +140,20 @@ fn every_time(clip: &Clip<'_, '_>, effort: Effort) {
 
 /// Plays the clip once, in a few leaps.
 fn play(clip: &Clip<'_, '_>) {
-    let Some(playback) = Playback::new(clip.or_fps(Fps::whole(24)).or_viseme_type(VisemeType::Blair)) else { return };
-    let mut playback = playback.with_lead(Lead::two_frames(Fps::whole(24))).with_hold(Hold::frames(3));
+    let given = clip.or_fps(Fps::whole(24)).or_viseme_type(VisemeType::Blair);
+    let Some(cursor) = Cursor::new(&given) else { return };
+    let mut cursor = cursor.with_lead(Lead::two_frames(Fps::whole(24))).with_hold(ConsonantHold::frames(3));
     let segments = clip.segment_count() as usize;
     let mut fired = 0;
     for time in [-1, 0, 41_667, 400_000, 0] {
-        fired += playback.advance_to(Micros(time)).count();
-        black_box((playback.viseme(), playback.segment().is_some(), playback.frame()));
+        fired += cursor.advance_to(clip, Micros(time)).count();
+        black_box((cursor.viseme(clip), cursor.segment(clip).is_some(), cursor.frame()));
     }
-    fired += playback.finish().count();
-    assert!(fired <= segments && playback.is_over());
-    playback.seek(Micros(100_000));
-    assert!(playback.loop_to(Micros(100_000)).count() <= 2 * segments);
-    black_box((playback.state(None), playback.characters().take(2).count()));
+    fired += cursor.finish(clip).count();
+    assert!(fired <= segments && cursor.is_over());
+    cursor.seek(clip, Micros(100_000));
+    assert!(cursor.loop_to(clip, Micros(100_000)).count() <= 2 * segments);
+    black_box((cursor.state(clip, None), cursor.characters(clip).take(2).count()));
 }
 
 fn at(clip: &Clip<'_, '_>, time: impl Time) {

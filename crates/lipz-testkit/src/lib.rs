@@ -22,3 +22,8 @@ pub mod fuzz;
 pub mod golden;
 #[cfg(feature = "tools")]
 pub mod tools;
+
+/// The programs on pages of `docs/` compile.
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/PLAYBACK.md")]
+struct Pages;

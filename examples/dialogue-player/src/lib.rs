@@ -5,9 +5,9 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
-use lipz_bank::{Bank, ClipId, Event, Lead, Locale, Micros, Playback, Viseme};
+use lipz_bank::{Bank, ClipId, Cursor, Event, Lead, Locale, Micros, Viseme};
 
-/// The bank: here part of the program, elsewhere a mapped file or a piece of ROM.
+/// The bank: here part of the program, elsewhere a file in memory or a piece of ROM.
 pub static BANK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/dialogue.lipzbank"));
 
 /// The clips and locales of [`BANK`]. A misspelt one does not compile:
@@ -19,44 +19,58 @@ pub mod dialogue {
     include!(concat!(env!("OUT_DIR"), "/dialogue.rs"));
 }
 
-/// One clip while it is played.
+/// A bank and the clip that is playing: what a game keeps from one picture to the next.
 #[derive(Debug)]
-pub struct Player<'data, 'bank> {
-    playback: Playback<'data, 'bank>,
+pub struct Player<'data> {
+    bank: Bank<'data>,
     locale: Locale<'data>,
+    playing: Option<(ClipId, Cursor)>,
 }
 
-impl<'data, 'bank> Player<'data, 'bank> {
-    /// Starts the clip with subtitles in `locale`, one of [`dialogue::locales`]; `None` if the bank
-    /// has no such clip or locale, or the clip has no frame rate.
+impl<'data> Player<'data> {
+    /// A player of the clips of `bank`, with subtitles in `locale`, one of [`dialogue::locales`]; `None` if the
+    /// bank has no such locale.
+    pub fn new(bank: Bank<'data>, locale: &str) -> Option<Self> {
+        Some(Player { bank, locale: bank.locale(locale)?, playing: None })
+    }
+
+    /// Starts a clip: whether the bank has it, with a frame rate.
     ///
     /// Mouths are a frame ahead of the sound: a sound is made with the mouth in its shape already.
-    pub fn start(bank: &'bank Bank<'data>, clip: ClipId, locale: &str) -> Option<Self> {
-        let clip = bank.clip(clip)?;
-        let lead = Lead::one_frame(clip.fps()?);
-        Some(Player { playback: Playback::new(clip)?.with_lead(lead), locale: bank.locale(locale)? })
+    pub fn start(&mut self, id: ClipId) -> bool {
+        let cursor = self.bank.clip(id).and_then(|clip| {
+            let lead = Lead::one_frame(clip.fps()?);
+            Some(Cursor::new(&clip)?.with_lead(lead))
+        });
+        self.playing = cursor.map(|cursor| (id, cursor));
+        self.playing.is_some()
     }
 
-    /// The audio engine has played the clip up to `sound`: gives the events that have become due, each
+    /// The audio engine has played the clip up to `sound`: returns the events that have become due, each
     /// once, however long a picture took. They do not come again.
     #[must_use = "the events do not come again"]
-    pub fn advance_to(&mut self, sound: Micros) -> impl Iterator<Item = Event<'data>> + use<'data, 'bank> {
-        self.playback.advance_to(sound).events()
+    pub fn advance_to(&mut self, sound: Micros) -> impl Iterator<Item = Event<'data>> {
+        let due = self.playing.as_mut().and_then(|(id, cursor)| {
+            let clip = self.bank.clip(*id)?;
+            Some(cursor.advance_to(&clip, sound))
+        });
+        due.into_iter().flat_map(|segments| segments.events())
     }
 
-    /// The mouth shape to draw now; rest when the clip is over.
+    /// The mouth shape to draw now; rest when nobody speaks.
     pub fn mouth(&self) -> Viseme {
-        self.playback.viseme()
+        let shape = self.playing.and_then(|(id, cursor)| Some(cursor.viseme(&self.bank.clip(id)?)));
+        shape.unwrap_or(Viseme::REST)
     }
 
     /// The subtitle to show now; empty when nobody speaks.
     pub fn subtitle(&self) -> &'data str {
-        let text = self.playback.segment().and_then(|segment| segment.text(self.locale));
-        text.map_or("", |text| text.as_str())
+        let segment = self.playing.and_then(|(id, cursor)| cursor.segment(&self.bank.clip(id)?));
+        segment.and_then(|segment| segment.text(self.locale)).map_or("", |text| text.as_str())
     }
 
-    /// Whether the sound is past the last frame.
+    /// Whether nothing is playing: no clip was started, or the sound is past its last frame.
     pub fn is_over(&self) -> bool {
-        self.playback.is_over()
+        self.playing.is_none_or(|(_, cursor)| cursor.is_over())
     }
 }

@@ -11,7 +11,8 @@ const PICTURE: Duration = Duration::from_millis(42);
 fn main() -> Result<(), String> {
     let locale = std::env::args().nth(1).unwrap_or_else(|| dialogue::locales::EN_US.into());
     let bank = Bank::open(BANK).and_then(Bank::verify).map_err(|error| error.to_string())?;
-    let mut player = Player::start(&bank, dialogue::act1::MARA_GOOD_EVENING, &locale).ok_or("no such locale")?;
+    let mut player = Player::new(bank, &locale).ok_or("no such locale")?;
+    player.start(dialogue::act1::MARA_GOOD_EVENING);
     // A game asks its audio engine how much it has played.
     let start = Instant::now();
     while !player.is_over() {

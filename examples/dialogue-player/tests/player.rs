@@ -10,7 +10,9 @@ const FRAME_US: i64 = 41_667;
 #[test]
 fn a_clip_is_played_frame_by_frame() {
     let bank = Bank::open(BANK).unwrap().verify().unwrap();
-    let mut player = Player::start(&bank, dialogue::act1::MARA_GOOD_EVENING, dialogue::locales::DE_DE).unwrap();
+    let mut player = Player::new(bank, dialogue::locales::DE_DE).unwrap();
+    assert!(player.is_over() && player.subtitle().is_empty(), "nothing was started");
+    assert!(player.start(dialogue::act1::MARA_GOOD_EVENING) && !player.is_over());
     let (mut mouths, mut subtitles, mut events) = (String::new(), Vec::new(), Vec::new());
     for frame in 0.. {
         events.extend(player.advance_to(Micros(frame * FRAME_US)).map(|event| (frame, event.to_string())));
@@ -33,7 +35,8 @@ fn a_clip_is_played_frame_by_frame() {
 #[test]
 fn no_event_is_lost_when_a_picture_takes_long() {
     let bank = Bank::open(BANK).unwrap();
-    let mut player = Player::start(&bank, dialogue::act1::MARA_GOOD_EVENING, "en-us").unwrap();
+    let mut player = Player::new(bank, "en-us").unwrap();
+    assert!(player.start(dialogue::act1::MARA_GOOD_EVENING));
     let mut events_at = |time_us| player.advance_to(Micros(time_us)).map(|event| event.to_string()).collect::<Vec<_>>();
     assert_eq!(events_at(60_000_000), ["mara feels neutral", "mara sees otto", "mara points fog"]);
     assert_eq!(events_at(60_000_000), [""; 0], "each comes once");
@@ -43,8 +46,10 @@ fn no_event_is_lost_when_a_picture_takes_long() {
 fn every_constant_is_a_clip_of_the_bank() {
     let bank = Bank::open(BANK).unwrap();
     assert_eq!(dialogue::act1::OTTO_AYE, ClipId::from_key("act1/otto-aye"));
+    let mut player = Player::new(bank, dialogue::locales::JA_JP).unwrap();
     for id in [dialogue::act1::OTTO_AYE, dialogue::act1::MARA_GOOD_EVENING] {
-        assert!(Player::start(&bank, id, dialogue::locales::JA_JP).is_some());
+        assert!(player.start(id));
     }
-    assert!(Player::start(&bank, ClipId::from_key("act1/otto-ay"), "en-us").is_none());
+    assert!(!player.start(ClipId::from_key("act1/otto-ay")) && player.is_over());
+    assert!(Player::new(bank, "fr-fr").is_none());
 }

@@ -10,7 +10,9 @@ mod controls;
 
 use core::mem::MaybeUninit;
 use core::panic::PanicInfo;
-use lipz_bank::{Babble, Bank, ClipId, Error, Event, EventName, Hold, Lead, VoiceLevel, Locale, Micros, Playback, TextBank};
+use lipz_bank::{
+    Babble, Bank, ClipId, ConsonantHold, Cursor, Error, Event, EventName, Lead, Locale, Micros, TextBank, VoiceLevel,
+};
 
 /// A bank, as an entry point returns it: in memory of its caller.
 type Place<T> = MaybeUninit<T>;
@@ -117,25 +119,30 @@ fn size_text_bank_locale<'a>(texts: &TextBank<'a>, tag: &str, place: &mut Place<
 }
 
 #[no_mangle]
-fn size_play<'a, 'b>(bank: &'b Bank<'a>, slot: u32, place: &mut Place<Playback<'a, 'b>>) -> bool {
-    let playback = bank.clip_at(slot).and_then(Playback::new);
-    answer(playback.map(|playback| playback.with_lead(Lead::micros(40_000)).with_hold(Hold::frames(2))), place)
+fn size_play(bank: &Bank<'_>, slot: u32, place: &mut Place<Cursor>) -> bool {
+    let cursor = bank.clip_at(slot).and_then(|clip| Cursor::new(&clip));
+    answer(cursor.map(|cursor| cursor.with_lead(Lead::micros(40_000)).with_hold(ConsonantHold::frames(2))), place)
 }
 
 #[no_mangle]
-fn size_advance(playback: &mut Playback<'_, '_>, time_us: i64, each: fn(Event<'_>)) -> u8 {
-    playback.advance_to(Micros(time_us)).events().for_each(each);
-    playback.viseme().code()
+fn size_advance(bank: &Bank<'_>, slot: u32, cursor: &mut Cursor, time_us: i64, each: fn(Event<'_>)) -> u8 {
+    bank.clip_at(slot).map_or(0, |clip| {
+        cursor.advance_to(&clip, Micros(time_us)).events().for_each(each);
+        cursor.viseme(&clip).code()
+    })
 }
 
 #[no_mangle]
-fn size_seek(playback: &mut Playback<'_, '_>, time_us: i64) {
-    playback.seek(Micros(time_us));
+fn size_seek(bank: &Bank<'_>, slot: u32, cursor: &mut Cursor, time_us: i64) {
+    if let Some(clip) = bank.clip_at(slot) {
+        cursor.seek(&clip, Micros(time_us));
+    }
 }
 
 #[no_mangle]
-fn size_state<'a>(playback: &Playback<'a, '_>, of: &EventName<'a>) -> u32 {
-    playback.state(Some(*of)).emotion.map_or(u32::MAX, EventName::id)
+fn size_state(bank: &Bank<'_>, slot: u32, cursor: &Cursor, of: &EventName<'_>) -> u32 {
+    let state = bank.clip_at(slot).map(|clip| cursor.state(&clip, Some(*of)));
+    state.and_then(|state| state.emotion).map_or(u32::MAX, EventName::id)
 }
 
 #[no_mangle]

@@ -1,4 +1,4 @@
-//! Minimum hold: consonants that last long enough to be read.
+//! Consonant hold: consonants that last long enough to be read.
 
 use crate::{Clip, Fps, VisemeType};
 
@@ -13,47 +13,47 @@ use crate::{Clip, Fps, VisemeType};
 /// vowels and rests between two consonants, one frame is always left.
 /// The shapes of loudness (`rms`) are no consonants: nothing is held there, nor if the viseme type is unspecified.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
-pub struct Hold {
+pub struct ConsonantHold {
     frames: u8,
 }
 
-impl Hold {
+impl ConsonantHold {
     /// Every frame as it is in the clip.
-    pub const NONE: Hold = Hold { frames: 0 };
+    pub const NONE: ConsonantHold = ConsonantHold { frames: 0 };
 
     /// So many frames of the clip.
-    pub const fn frames(count: u8) -> Hold {
-        Hold { frames: count }
+    pub const fn frames(count: u8) -> ConsonantHold {
+        ConsonantHold { frames: count }
     }
 
     /// Two frames at 24 fps, the least that is read, in frames of `fps`: the nearest number.
     ///
     /// ```
-    /// use lipz_bank::{Fps, Hold};
-    /// assert_eq!(Hold::readable(Fps::whole(24)), Hold::frames(2));
-    /// assert_eq!(Hold::readable(Fps::whole(60)), Hold::frames(5));
+    /// use lipz_bank::{Fps, ConsonantHold};
+    /// assert_eq!(ConsonantHold::readable(Fps::whole(24)), ConsonantHold::frames(2));
+    /// assert_eq!(ConsonantHold::readable(Fps::whole(60)), ConsonantHold::frames(5));
     /// ```
     #[allow(clippy::arithmetic_side_effects)] // 64 bits hold the sum; the divisor is not zero
-    pub const fn readable(fps: Fps) -> Hold {
+    pub const fn readable(fps: Fps) -> ConsonantHold {
         let twelfths = 12 * fps.denominator() as u64;
-        Hold::at_most((fps.numerator() as u64 + twelfths / 2) / twelfths)
+        ConsonantHold::at_most((fps.numerator() as u64 + twelfths / 2) / twelfths)
     }
 
     /// As long as a display shows one picture, in frames of `fps`: every consonant that has the room
     /// is on at least one picture.
     #[allow(clippy::arithmetic_side_effects)] // 64 bits hold the products; the divisor is not zero
-    pub const fn for_display(picture_us: u32, fps: Fps) -> Hold {
+    pub const fn for_display(picture_us: u32, fps: Fps) -> ConsonantHold {
         let (frames, second) = (picture_us as u64 * fps.numerator() as u64, fps.denominator() as u64 * 1_000_000);
-        Hold::at_most(frames / second + (frames % second != 0) as u64)
+        ConsonantHold::at_most(frames / second + (frames % second != 0) as u64)
     }
 
-    const fn at_most(frames: u64) -> Hold {
-        Hold { frames: if frames < u8::MAX as u64 { frames as u8 } else { u8::MAX } }
+    const fn at_most(frames: u64) -> ConsonantHold {
+        ConsonantHold { frames: if frames < u8::MAX as u64 { frames as u8 } else { u8::MAX } }
     }
 
-    /// The frame whose shape shows at `frame`.
-    pub(super) fn frame(self, clip: &Clip<'_, '_>, frame: u32) -> u32 {
-        match clip.viseme_type() {
+    /// The frame whose shape shows at `frame`. A clip without a viseme type is of type `or`.
+    pub(super) fn frame(self, clip: &Clip<'_, '_>, or: Option<VisemeType>, frame: u32) -> u32 {
+        match clip.viseme_type().or(or) {
             Some(kind) if self.frames > 1 => self.shown(kind, clip.frames(), frame as usize) as u32,
             _ => frame,
         }
@@ -120,7 +120,7 @@ mod tests {
 
     fn held(kind: VisemeType, codes: &str, frames: u8) -> String {
         let codes = codes.as_bytes();
-        (0..codes.len()).map(|at| codes[Hold { frames }.shown(kind, codes, at)] as char).collect()
+        (0..codes.len()).map(|at| codes[ConsonantHold { frames }.shown(kind, codes, at)] as char).collect()
     }
 
     #[test]
@@ -154,9 +154,9 @@ mod tests {
 
     #[test]
     fn times_become_frames() {
-        let frames = |fps| Hold::readable(Fps::whole(fps)).frames;
+        let frames = |fps| ConsonantHold::readable(Fps::whole(fps)).frames;
         assert_eq!([1, 12, 24, 25, 30, 60, 1000].map(frames), [0, 1, 2, 2, 3, 5, 83]);
-        let frames = |us| Hold::for_display(us, Fps::whole(24)).frames;
+        let frames = |us| ConsonantHold::for_display(us, Fps::whole(24)).frames;
         assert_eq!([0, 1, 41_666, 41_667, 83_333, 100_000, u32::MAX].map(frames), [0, 1, 1, 2, 2, 3, 255]);
     }
 

@@ -1,6 +1,6 @@
 //! What outlasts an event: what characters feel, stare and point at.
 
-use super::{Crossed, Playback, crossed};
+use super::{DueSegments, due};
 use crate::{Command, Event, EventName};
 use core::iter::FusedIterator;
 
@@ -35,11 +35,15 @@ impl<'data> CharacterState<'data> {
     }
 }
 
-/// The state of `character` after the events of `segments`.
-pub(super) fn after<'data>(segments: Crossed<'data, '_>, character: Option<EventName<'data>>) -> CharacterState<'data> {
+/// The state of `character` after the events of `segments`; `None` stands for the speaker.
+pub(super) fn after<'data>(
+    segments: DueSegments<'data, '_>,
+    character: Option<EventName<'_>>,
+) -> CharacterState<'data> {
+    let character = character.or(segments.speaker()).map(EventName::key);
     let mut state = CharacterState::default();
     each_event(segments, &mut { MAX_STEPS }, |event| {
-        if event.character == character {
+        if event.character.map(EventName::key) == character {
             state.apply(event.command);
         }
     });
@@ -47,10 +51,10 @@ pub(super) fn after<'data>(segments: Crossed<'data, '_>, character: Option<Event
 }
 
 /// Calls `see` with the events of `segments`, as long as there are `steps` left.
-fn each_event<'data>(segments: Crossed<'data, '_>, steps: &mut u32, mut see: impl FnMut(Event<'data>)) {
+fn each_event<'data>(segments: DueSegments<'data, '_>, steps: &mut u32, mut see: impl FnMut(Event<'data>)) {
     let speaker = segments.speaker();
     for segment in segments {
-        for event in crossed::events(&segment, speaker).map(Some).chain([None]) {
+        for event in due::events(&segment, speaker).map(Some).chain([None]) {
             match steps.checked_sub(1) {
                 Some(left) => *steps = left,
                 None => return,
@@ -62,18 +66,22 @@ fn each_event<'data>(segments: Crossed<'data, '_>, steps: &mut u32, mut see: imp
     }
 }
 
-/// The characters of a clip with their states, in the order of their names; see [`Playback::characters`].
+/// The characters of a clip with their states, in the order of their names; see
+/// [`Cursor::characters`](crate::Cursor::characters).
 #[derive(Clone, Debug)]
 pub struct Characters<'data, 'bank> {
-    playback: Playback<'data, 'bank>,
+    /// All segments, whose events have the characters.
+    all: DueSegments<'data, 'bank>,
+    /// Those whose events make the states.
+    past: DueSegments<'data, 'bank>,
     /// The last one given: first the speaker without a name, then by name.
     last: Option<Option<EventName<'data>>>,
     steps: u32,
 }
 
 impl<'data, 'bank> Characters<'data, 'bank> {
-    pub(super) fn new(playback: &Playback<'data, 'bank>) -> Self {
-        Characters { playback: *playback, last: None, steps: MAX_STEPS }
+    pub(super) fn new(all: DueSegments<'data, 'bank>, past: DueSegments<'data, 'bank>) -> Self {
+        Characters { all, past, last: None, steps: MAX_STEPS }
     }
 }
 
@@ -83,8 +91,7 @@ impl<'data> Iterator for Characters<'data, '_> {
     fn next(&mut self) -> Option<Self::Item> {
         let last = self.last;
         let mut next: Option<Option<EventName<'data>>> = None;
-        let all = Crossed::around(&self.playback, 0, 0);
-        each_event(all, &mut self.steps, |event| {
+        each_event(self.all.clone(), &mut self.steps, |event| {
             let is_new = last.map_or(true, |last| event.character > last);
             if is_new && next.map_or(true, |next| event.character < next) {
                 next = Some(event.character);
@@ -92,7 +99,7 @@ impl<'data> Iterator for Characters<'data, '_> {
         });
         let character = next?;
         self.last = next;
-        Some((character, self.playback.state(character)))
+        Some((character, after(self.past.clone(), character)))
     }
 }
 

@@ -1,15 +1,15 @@
-//! The segments that playback has crossed.
+//! The segments that have become due.
 
-use super::Playback;
+use super::Cursor;
 use crate::{Clip, Event, EventName, Segment};
 use core::iter::FusedIterator;
 
 /// Segments whose events are due, in order.
 ///
-/// [`Segment::event`] is the event string of one, in whatever syntax. [`Crossed::events`] gives the events of all, if
-/// they are Character Event Syntax.
+/// [`Segment::event`] is the event string of one, in whatever syntax. [`DueSegments::events`] gives the events of
+/// all, if they are Character Event Syntax.
 #[derive(Clone, Debug)]
-pub struct Crossed<'data, 'bank> {
+pub struct DueSegments<'data, 'bank> {
     clip: Clip<'data, 'bank>,
     speaker: Option<EventName<'data>>,
     next: u32,
@@ -18,19 +18,23 @@ pub struct Crossed<'data, 'bank> {
     around_to: u32,
 }
 
-impl<'data, 'bank> Crossed<'data, 'bank> {
-    /// The segments from `first` up to and without `end`.
-    pub(super) fn new(playback: &Playback<'data, 'bank>, first: u32, end: u32) -> Self {
-        Crossed { clip: playback.clip, speaker: playback.speaker, next: first, end, around_to: 0 }
+impl<'data, 'bank> DueSegments<'data, 'bank> {
+    /// The segments from `first` up to and without `end`, as far as the clip has them: the numbers may be those of
+    /// another clip.
+    pub(super) fn new(cursor: &Cursor, clip: &Clip<'data, 'bank>, first: u32, end: u32) -> Self {
+        let speaker = cursor.speaker().and_then(|key| clip.bank.event_names().named(key));
+        DueSegments { clip: *clip, speaker, next: first, end: end.min(clip.segment_count()), around_to: 0 }
     }
 
     /// The segments from `first` to the last, then those from 0 up to and without `end`.
-    pub(super) fn around(playback: &Playback<'data, 'bank>, first: u32, end: u32) -> Self {
-        Crossed { around_to: end, ..Crossed::new(playback, first, playback.clip.segment_count()) }
+    pub(super) fn around(cursor: &Cursor, clip: &Clip<'data, 'bank>, first: u32, end: u32) -> Self {
+        let mut due = DueSegments::new(cursor, clip, first, u32::MAX);
+        due.around_to = end.min(due.end);
+        due
     }
 
     /// The events of the segments. Those without a character are the
-    /// [speaker](Playback::with_speaker)'s.
+    /// [speaker](Cursor::with_speaker)'s.
     pub fn events(self) -> impl Iterator<Item = Event<'data>> + 'bank {
         let speaker = self.speaker;
         self.flat_map(move |segment| events(&segment, speaker))
@@ -50,7 +54,7 @@ pub(super) fn events<'data>(
     segment.events().map(move |event| Event { character: event.character.or(speaker), ..event })
 }
 
-impl<'data, 'bank> Iterator for Crossed<'data, 'bank> {
+impl<'data, 'bank> Iterator for DueSegments<'data, 'bank> {
     type Item = Segment<'data, 'bank>;
 
     fn next(&mut self) -> Option<Self::Item> {
@@ -72,5 +76,5 @@ impl<'data, 'bank> Iterator for Crossed<'data, 'bank> {
     }
 }
 
-impl ExactSizeIterator for Crossed<'_, '_> {}
-impl FusedIterator for Crossed<'_, '_> {}
+impl ExactSizeIterator for DueSegments<'_, '_> {}
+impl FusedIterator for DueSegments<'_, '_> {}

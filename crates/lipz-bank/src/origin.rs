@@ -1,0 +1,18 @@
+//! Which bank a handle came from.
+
+use lipz_layout::Header;
+
+/// The bank that a handle came from: 32 bits of the checksum, which differ between banks of different contents.
+///
+/// The checksum folds all of its bits into the low half. Whoever forges a bank can choose them: a handle then
+/// leads to other contents, but never out of the bank.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub(crate) struct Origin(u32);
+
+impl Origin {
+    /// The bank with this header.
+    #[inline]
+    pub(crate) fn new(header: &Header) -> Origin {
+        Origin(header.checksum.get() as u32)
+    }
+}
