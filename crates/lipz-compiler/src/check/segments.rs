@@ -59,13 +59,15 @@ fn report(reference: Segmented<'_>, others: &[Segmented<'_>], is_visemes: bool, 
     {
         // All the others agree: one finding, about `visemes`.
         if !is_explained(first) {
-            let message = format!("`visemes` has {}, all other elements {}", plural(reference.count), first.count);
+            let message =
+                format!("`visemes` has {}, but all other elements have {}", plural(reference.count), first.count);
             diagnostics.push(mismatch(message, reference, *first));
         }
         return;
     }
     for other in differing().filter(|other| !is_explained(other)) {
-        let message = format!("`{}` has {}, `{}` {}", other.name, plural(other.count), reference.name, reference.count);
+        let message =
+            format!("`{}` has {}, but `{}` has {}", other.name, plural(other.count), reference.name, reference.count);
         let finding = mismatch(message, *other, reference);
         diagnostics.push(match damage(other, reference) {
             Some(help) => finding.help(help),
