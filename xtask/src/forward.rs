@@ -2,7 +2,7 @@
 //!
 //! They are run, not linked: the tasks of the workspace build in seconds.
 
-use crate::ci::cargo_command;
+use crate::cargo;
 use crate::paths::workspace_root;
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -31,23 +31,23 @@ pub(crate) fn help() -> String {
 /// Runs the program that the first argument names, if it names one.
 pub(crate) fn command(arguments: &[OsString]) -> Option<ExitCode> {
     let (task, rest) = arguments.split_first()?;
-    let mut cargo = cargo_command();
+    let mut run = cargo::command();
     if LIPZ.iter().any(|name| task == name) {
         let manifest = workspace_root().join("Cargo.toml");
-        cargo.args(["run", "--quiet", "--package", "lipz", "--manifest-path"]).arg(manifest).arg("--").args(arguments);
+        run.args(["run", "--quiet", "--package", "lipz", "--manifest-path"]).arg(manifest).arg("--").args(arguments);
     } else {
         let (name, _) = BENCHES.iter().find(|(name, _)| task == name)?;
         // All programs, because one runs another; from the root, from which their files are named.
         let features = if *name == "compare" { "compare" } else { "" };
-        let mut build = cargo_command();
+        let mut build = cargo::command();
         build.args(["build", "--release", "--quiet", "--package", "lipz-benches", "--bins", "--features", features]);
         if !build.current_dir(workspace_root()).status().is_ok_and(|status| status.success()) {
             return Some(ExitCode::FAILURE);
         }
-        cargo.args(["run", "--release", "--quiet", "--package", "lipz-benches", "--features", features, "--bin", name]);
-        cargo.arg("--").args(rest).current_dir(workspace_root());
+        run.args(["run", "--release", "--quiet", "--package", "lipz-benches", "--features", features, "--bin", name]);
+        run.arg("--").args(rest).current_dir(workspace_root());
     }
-    let code = match cargo.status() {
+    let code = match run.status() {
         Ok(status) => status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(1),
         Err(error) => {
             eprintln!("xtask: cargo cannot be run: {error}");

@@ -3,7 +3,7 @@
 //! It needs nothing but Rust and a C++ compiler (libFuzzer comes with the crate libfuzzer-sys): the
 //! compiler of this repository measures coverage with flags that are stable.
 
-use crate::ci::cargo_command;
+use crate::cargo;
 use crate::{Failure, paths};
 use clap::Args;
 use std::fs;
@@ -84,7 +84,7 @@ fn targets(folder: &Path) -> Result<Vec<Target>, Failure> {
 fn build(folder: &Path) -> Result<PathBuf, Failure> {
     let host = host()?;
     // With a target, the flags are not for build scripts, which could not be linked with them.
-    let status = cargo_command()
+    let status = cargo::command()
         .args(["build", "--release", "--target", &host])
         .current_dir(folder)
         .env("CARGO_ENCODED_RUSTFLAGS", COVERAGE.join("\u{1f}"))

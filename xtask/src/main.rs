@@ -2,11 +2,13 @@
 
 mod bless;
 mod capi;
+mod cargo;
 mod ci;
 mod edges;
 mod forward;
 mod fuzz;
 mod msrv;
+mod packages;
 mod paths;
 mod size;
 mod targets;
@@ -43,7 +45,9 @@ enum Task {
     Targets(targets::Settings),
     /// Count the reader's code on a Cortex-M, and prove that it cannot panic or allocate
     Size,
-    /// Build the reader with the oldest compiler that it promises
+    /// Make every crate as it would be published, and check what is in it
+    Packages,
+    /// Build and run the published reader with the oldest compiler that it promises
     Msrv,
     /// Write all files that programs make: rules, docs, headers, expected outputs
     Bless,
@@ -72,6 +76,7 @@ fn main() -> ExitCode {
         Task::Edges => edges::run(),
         Task::Targets(settings) => targets::run(&settings),
         Task::Size => size::run(),
+        Task::Packages => packages::run(),
         Task::Msrv => msrv::run(),
         Task::Fuzz(settings) => fuzz::run(&settings),
     };

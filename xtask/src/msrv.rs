@@ -1,37 +1,87 @@
-//! `cargo xtask msrv`: the reader with the oldest compiler that it promises.
+//! `cargo xtask msrv`: the packages for old compilers, built and run as a game with such a compiler does.
+//!
+//! What is tested is what would be published: each package as cargo makes it, with the manifest that cargo
+//! writes. A program of a few lines depends on all of them, plays a clip, and is built from a lock file that
+//! cargo resolves for that compiler.
 
 use crate::Failure;
-use crate::ci::cargo_command;
-use crate::paths::workspace_root;
+use crate::cargo::{self, Package};
+use crate::packages;
+use crate::paths::{target_folder, workspace_root};
 use crate::tools::{skip, succeed};
+use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
 
-/// `rust-version` of lipz-bank.
+/// The `rust-version` of the packages that this task tests.
 const OLDEST: &str = "1.63";
 
 /// Where `.ci/install` unpacks Debian's packages of that compiler, below the workspace.
 const UNPACKED: &str = "target/msrv/usr";
 
+/// What the program does: it reads the bank that comes with the reader.
+const PROGRAM: &str = r#"fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let bytes = std::fs::read(std::env::args().nth(1).ok_or("no path")?)?;
+    let bank = lipz_bank::Bank::open(&bytes)?.verify()?;
+    let clip = bank.clip_by_key("act1/mara-good-evening").ok_or("no such clip")?;
+    let english = bank.locale("en-us").ok_or("no English")?;
+    let segment = clip.segment_at(lipz_bank::Micros(1_500_000)).ok_or("nobody speaks")?;
+    let text = segment.text(english).map(|text| text.as_str());
+    if text != Some("You are late,") {
+        return Err(format!("another text: {:?}", text).into());
+    }
+    Ok(())
+}
+"#;
+
 pub(crate) fn run() -> Result<(), Failure> {
-    let root = workspace_root();
-    let Some(oldest) = Oldest::find(&root.join(UNPACKED)) else {
+    let Some(oldest) = Oldest::find(&workspace_root().join(UNPACKED)) else {
         return skip("`rustup toolchain install 1.63`, or Debian's rustc and cargo as .ci/install unpacks them");
     };
-    let manifest = root.join("xtask/msrv/Cargo.toml");
-    let vendored = root.join("target/msrv/vendor");
-    // That cargo can read neither our workspace nor today's index: it gets the crates as a folder.
-    let mut vendor = cargo_command();
-    vendor.args(["vendor", "--quiet", "--locked", "--manifest-path"]).args([&manifest, &vendored]);
-    succeed(vendor.stdout(std::process::Stdio::null()), "cargo vendor")?;
+    let mut packages = cargo::workspace()?;
+    packages.retain(|package| package.is_published() && package.rust_version.as_deref() == Some(OLDEST));
+    let folder = target_folder().join("msrv");
+    let unpacked = packages::unpack(&packages, &folder.join("packages-of-lipz"))?;
+    let program = folder.join("program");
+    write_program(&program, &packages, &unpacked).map_err(|error| format!("`{}`: {error}", program.display()))?;
+
+    let vendored = folder.join("vendor");
+    let mut lock = cargo::command();
+    lock.args(["generate-lockfile", "--quiet"]).env("CARGO_RESOLVER_INCOMPATIBLE_RUST_VERSIONS", "fallback");
+    succeed(lock.current_dir(&program), "cargo generate-lockfile")?;
+    // The old cargo cannot read the index of today: it gets the crates as a folder.
+    let mut vendor = cargo::command();
+    vendor.args(["vendor", "--quiet", "--locked"]).arg(&vendored).stdout(Stdio::null());
+    succeed(vendor.current_dir(&program), "cargo vendor")?;
+
     let mut build = oldest.cargo();
-    build.args(["build", "--offline", "--locked", "--features", "std", "--manifest-path"]).arg(&manifest);
+    build.args(["run", "--quiet", "--offline", "--locked"]);
     build.args(["--config", "source.crates-io.replace-with=\"vendored\""]);
     build.args(["--config", &format!("source.vendored.directory={:?}", vendored.display().to_string())]);
-    build.env("CARGO_TARGET_DIR", root.join("target/msrv/build"));
-    succeed(&mut build, "the build with the oldest compiler")?;
-    println!("the reader builds with Rust {OLDEST}");
+    let reader = packages.iter().position(|package| package.name == "lipz-bank").and_then(|index| unpacked.get(index));
+    let bank = reader.ok_or("lipz-bank does not promise that compiler")?.join("examples/act1.lipzbank");
+    build.arg("--").arg(bank).env("CARGO_TARGET_DIR", folder.join("build")).current_dir(&program);
+    succeed(&mut build, "the program of the oldest compiler")?;
+    let names: Vec<&str> = packages.iter().map(|package| package.name.as_str()).collect();
+    println!("with Rust {OLDEST}, these packages build and play a clip: {}", names.join(", "));
     Ok(())
+}
+
+/// A workspace of one program that depends on the packages as they were unpacked.
+fn write_program(folder: &Path, packages: &[Package], unpacked: &[PathBuf]) -> std::io::Result<()> {
+    let mut dependencies = String::new();
+    let mut patches = String::new();
+    for (Package { name, version, .. }, path) in packages.iter().zip(unpacked) {
+        dependencies += &format!("{name} = \"{version}\"\n");
+        patches += &format!("{name} = {{ path = {:?} }}\n", path.display().to_string());
+    }
+    let manifest = format!(
+        "[package]\nname = \"program\"\nversion = \"0.0.0\"\nedition = \"2021\"\nrust-version = \"{OLDEST}\"\n\n\
+         [workspace]\n\n[dependencies]\n{dependencies}\n[patch.crates-io]\n{patches}"
+    );
+    fs::create_dir_all(folder.join("src"))?;
+    fs::write(folder.join("Cargo.toml"), manifest)?;
+    fs::write(folder.join("src/main.rs"), PROGRAM)
 }
 
 /// The oldest compiler.

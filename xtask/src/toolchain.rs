@@ -1,7 +1,7 @@
 //! Compilers for other machines than this one: with an installed target, or with the sources of the
 //! standard library, of which cargo then builds what the target needs.
 
-use crate::ci::cargo_command;
+use crate::cargo;
 use crate::paths::workspace_root;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -70,7 +70,7 @@ impl Toolchain {
     /// `cargo <task>` for the target.
     pub(crate) fn cargo(&self, task: &str) -> Command {
         let mut command = match self.folder {
-            None => cargo_command(),
+            None => cargo::command(),
             // Rustup and `cargo run` have set these for the project's own compiler.
             Some(_) => {
                 let mut command = Command::new(self.program("cargo"));

@@ -11,7 +11,7 @@
 //! const GOOD_EVENING: ClipId = ClipId::from_key("act1/mara-good-evening");
 //!
 //! # fn main() -> Result<(), lipz_bank::Error> {
-//! # let bytes: &[u8] = include_bytes!("../../../fixtures/banks/v1/drama.lipzbank");
+//! # let bytes: &[u8] = include_bytes!("../examples/act1.lipzbank");
 //! let bank = Bank::open(bytes)?.verify()?;
 //! let now = Micros(1_500_000);
 //! if let (Some(clip), Some(german)) = (bank.clip(GOOD_EVENING), bank.locale("de-de")) {
@@ -79,3 +79,8 @@ pub use text::Text;
 pub use text_bank::TextBank;
 
 pub use lipz_types::{ClipId, Command, Fps, Micros, Samples, Seconds, Time, Viseme, VisemeType, Weight};
+
+/// The example of the README, run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

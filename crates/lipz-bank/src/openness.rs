@@ -16,7 +16,7 @@ impl Clip<'_, '_> {
     ///
     /// ```
     /// use lipz_bank::{Babble, Bank, VoiceLevel, Micros};
-    /// # let bytes: &[u8] = include_bytes!("../../../fixtures/banks/v1/small.lipzbank");
+    /// # let bytes: &[u8] = include_bytes!("../examples/act1.lipzbank");
     /// let bank = Bank::open(bytes)?.verify()?;
     /// let babble = bank.default_babble();
     /// for clip in bank.clips() {

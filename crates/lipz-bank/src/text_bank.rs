@@ -23,9 +23,9 @@ use lipz_layout::Tag;
 ///     let text = segment.zip(texts.locale("de-de")).and_then(|(segment, german)| segment.text(german));
 ///     Ok(text.map(|text| text.as_str()))
 /// }
-/// # let base = include_bytes!("../../../fixtures/banks/v1/split.lipzbank");
-/// # let texts = include_bytes!("../../../fixtures/banks/v1/split.de-de.lipztexts");
-/// assert_eq!(german_text(base, texts, "act1/toonboom")?, Some("Nur"));
+/// # let base = include_bytes!("../examples/act1.lipzbank");
+/// # let texts = base; // a whole bank serves, too
+/// assert_eq!(german_text(base, texts, "act1/mara-good-evening")?, Some("Guten Abend, Otto."));
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy)]

@@ -75,5 +75,5 @@ pub use unpack::{Unpacked, unpack};
 
 /// The example of the README, run as a test.
 #[cfg(doctest)]
-#[doc = include_str!("../../../README.md")]
+#[doc = include_str!("../README.md")]
 struct Readme;

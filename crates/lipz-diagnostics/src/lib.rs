@@ -37,3 +37,8 @@ pub use fix::{Applied, apply};
 pub use levels::{Levels, adjust, is_lowered};
 pub use report::{Report, count, has_errors, sort};
 pub use source::{LineColumn, Source, Span};
+
+/// The example of the README, run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -33,3 +33,8 @@ mod write;
 pub use document::{Document, Element, JsonString, Raw, Value};
 pub use parse::{MAX_FILE_BYTES, Parsed, decode, parse, too_large, without_byte_order_mark};
 pub use write::{literal, write};
+
+/// The example of the README, run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

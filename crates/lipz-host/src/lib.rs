@@ -5,14 +5,11 @@
 //! [`LiveBank`] takes in a new version of the file while the program runs, with `lipz watch` on the
 //! other side:
 //!
-//! ```
+//! ```no_run
 //! use lipz_host::{Hold, LiveBank};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! # let folder = tempfile::tempdir()?;
-//! # let path = folder.path().join("dialogue.lipzbank");
-//! # std::fs::write(&path, include_bytes!("../../../fixtures/banks/v1/small.lipzbank"))?;
-//! let live = LiveBank::open(&path, Hold::Mapped)?;
+//! let live = LiveBank::open("dialogue.lipzbank", Hold::Mapped)?;
 //! // Now and then, between frames:
 //! match live.refresh() {
 //!     Ok(true) => println!("the new dialogue is in use"),
@@ -53,3 +50,8 @@ pub use bytes::{FileBytes, Hold};
 pub use error::Error;
 pub use live::LiveBank;
 pub use owned::OwnedBank;
+
+/// The example of the README, run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -42,3 +42,8 @@ pub use script::Script;
 pub use segments::Segments;
 pub use time::Time;
 pub use track::{Shape, Text, Timed, Track};
+
+/// The example of the README, run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -119,3 +119,8 @@ pub fn checksum(bytes: &[u8]) -> u64 {
     }
     hash
 }
+
+/// The example of the README, run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

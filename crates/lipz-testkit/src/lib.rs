@@ -27,3 +27,8 @@ pub mod tools;
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/PLAYBACK.md")]
 struct Pages;
+
+/// The example of the project's README, run as a test.
+#[cfg(all(doctest, feature = "tools"))]
+#[doc = include_str!("../../../README.md")]
+struct Readme;

@@ -50,3 +50,8 @@ pub use weight::Weight;
 /// The first eight bytes of a bank, by which other readers of files know one. As in PNG, a byte above
 /// 127, CR LF, a DOS end-of-file and a lone LF make every usual text-mode damage visible.
 pub const BANK_MAGIC: [u8; 8] = *b"\x89LPZ\r\n\x1a\n";
+
+/// The example of the README, run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -6,7 +6,7 @@
 mod diagnostics_page;
 mod rules;
 
-use crate::ci::cargo_command;
+use crate::cargo;
 use crate::paths::workspace_root;
 use crate::{Failure, tools};
 use rules::Rule;
@@ -25,9 +25,9 @@ pub(crate) fn run() -> Result<(), Failure> {
         std::fs::write(workspace_root().join(path), contents).map_err(|error| format!("`{path}`: {error}"))?;
     }
     for test in TESTS {
-        let mut cargo = cargo_command();
-        cargo.args(["test", "--quiet"]).args(test).env("LIPZ_BLESS", "1").current_dir(workspace_root());
-        tools::succeed(&mut cargo, &format!("cargo test {}", test.join(" ")))?;
+        let mut run = cargo::command();
+        run.args(["test", "--quiet"]).args(test).env("LIPZ_BLESS", "1").current_dir(workspace_root());
+        tools::succeed(&mut run, &format!("cargo test {}", test.join(" ")))?;
     }
     Ok(())
 }

@@ -6,7 +6,7 @@
 mod install;
 mod programs;
 
-use crate::ci::cargo_command;
+use crate::cargo;
 use crate::tools::{has_program, skip, succeed};
 use crate::{Failure, paths};
 use std::path::Path;
@@ -33,7 +33,7 @@ pub(crate) fn run() -> Result<(), Failure> {
 fn build(target: &Path) -> Result<(), Failure> {
     let soname = format!("link-arg=-Wl,-soname,{}", install::soname());
     succeed(
-        cargo_command()
+        cargo::command()
             .args(["rustc", "--package", "lipz-capi", "--lib", "--profile", "library", "--locked", "--quiet"])
             .args(["--features", "panic-handler", "--crate-type", "staticlib,cdylib", "--target-dir"])
             .arg(target)

@@ -6,13 +6,12 @@
 mod step;
 
 use crate::Failure;
-use std::process::Command;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 use step::{Program, Step};
 
 /// What this machine builds and runs.
-const HERE: [Step; 9] = [
+const HERE: [Step; 10] = [
     Step { name: "format", program: Program::Cargo, arguments: &["fmt", "--all", "--check"] },
     Step {
         name: "lints",
@@ -29,6 +28,7 @@ const HERE: [Step; 9] = [
     // A workspace of its own, which no other step builds: its lock file names what this one depends on now.
     Step { name: "lock file of fuzz", program: Program::Cargo, arguments: &lock_file("fuzz/Cargo.toml") },
     Step { name: "oldest compiler", program: Program::Task, arguments: &["msrv"] },
+    Step { name: "packages", program: Program::Task, arguments: &["packages"] },
     Step { name: "C and C++", program: Program::Task, arguments: &["capi"] },
     Step { name: "instructions", program: Program::Task, arguments: &["instructions"] },
 ];
@@ -78,9 +78,4 @@ fn in_order(
         times.push((step.name, time));
     }
     Ok(times)
-}
-
-/// The cargo that runs this task, or else the one on the path.
-pub(crate) fn cargo_command() -> Command {
-    Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
 }

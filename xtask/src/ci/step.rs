@@ -1,7 +1,7 @@
 //! A step of `cargo xtask ci`: a command that must succeed.
 
-use super::cargo_command;
 use crate::Failure;
+use crate::cargo;
 use crate::paths::workspace_root;
 use crate::tools::succeed;
 use std::process::Command;
@@ -50,7 +50,7 @@ impl Step {
 
     fn command(&self) -> Result<Command, Failure> {
         let mut command = match self.program {
-            Program::Cargo | Program::CargoWith(..) => cargo_command(),
+            Program::Cargo | Program::CargoWith(..) => cargo::command(),
             Program::Task => {
                 Command::new(std::env::current_exe().map_err(|error| format!("where is this program? {error}"))?)
             }

@@ -39,7 +39,7 @@ use crate::{Clip, EventName, Fps, Segment, Time, Viseme, VisemeType, segment};
 ///     }
 /// }
 ///
-/// # let bytes: &'static [u8] = include_bytes!("../../../../fixtures/banks/v1/drama.lipzbank");
+/// # let bytes: &'static [u8] = include_bytes!("../../examples/act1.lipzbank");
 /// let mut game = Game { bank: Bank::open(bytes)?.verify()?, playing: None };
 /// game.start(ClipId::from_key("act1/mara-good-evening"));
 /// # assert!(game.playing.is_some());

@@ -1,0 +1,65 @@
+//! Cargo, as a program: commands, what they print, and what it says about the workspace.
+
+use crate::Failure;
+use crate::paths::workspace_root;
+use serde::Deserialize;
+use std::process::Command;
+
+/// A package of the workspace: as much as is needed of what `cargo metadata` prints.
+#[derive(Deserialize, Debug)]
+pub(crate) struct Package {
+    pub(crate) name: String,
+    pub(crate) version: String,
+    /// The oldest compiler that it promises.
+    pub(crate) rust_version: Option<String>,
+    /// The registries that it may go to; none if the list is empty, any if there is no list.
+    publish: Option<Vec<String>>,
+    pub(crate) dependencies: Vec<Dependency>,
+}
+
+#[derive(Deserialize, Debug)]
+pub(crate) struct Dependency {
+    pub(crate) name: String,
+    kind: Option<String>,
+}
+
+impl Package {
+    pub(crate) fn is_published(&self) -> bool {
+        self.publish.is_none()
+    }
+}
+
+impl Dependency {
+    pub(crate) fn is_for_tests(&self) -> bool {
+        self.kind.as_deref() == Some("dev")
+    }
+}
+
+/// The cargo that runs this task, or else the one on the path.
+pub(crate) fn command() -> Command {
+    Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
+}
+
+/// What cargo prints, at the root of the workspace.
+pub(crate) fn output(arguments: &[&str]) -> Result<String, Failure> {
+    let shown = format!("cargo {}", arguments.join(" "));
+    let output = command().args(arguments).current_dir(workspace_root()).output();
+    let output = output.map_err(|error| format!("`{shown}` cannot be run: {error}"))?;
+    if !output.status.success() {
+        let error = String::from_utf8_lossy(&output.stderr);
+        return Err(format!("`{shown}` ended with {}: {}", output.status, error.trim()));
+    }
+    String::from_utf8(output.stdout).map_err(|_| format!("`{shown}` printed something that is not UTF-8"))
+}
+
+/// The packages of the workspace.
+pub(crate) fn workspace() -> Result<Vec<Package>, Failure> {
+    #[derive(Deserialize)]
+    struct Metadata {
+        packages: Vec<Package>,
+    }
+    let printed = output(&["metadata", "--no-deps", "--format-version", "1", "--locked"])?;
+    let metadata: Metadata =
+        serde_json::from_str(&printed).map_err(|error| format!("`cargo metadata` printed something else: {error}"))?;
+    Ok(metadata.packages)
+}

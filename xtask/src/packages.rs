@@ -1,0 +1,135 @@
+//! `cargo xtask packages`: every crate as it would be published.
+
+use crate::Failure;
+use crate::cargo::{self, Package};
+use crate::paths::{target_folder, workspace_root};
+use crate::tools::succeed;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// The licences, which every package has a copy of.
+const LICENCES: [&str; 2] = ["LICENSE-APACHE", "LICENSE-MIT"];
+
+pub(crate) fn run() -> Result<(), Failure> {
+    let mut packages = cargo::workspace()?;
+    packages.retain(Package::is_published);
+    let mut faults = Vec::new();
+    for (package, folder) in packages.iter().zip(unpack(&packages, &target_folder().join("packages"))?) {
+        let found = faults_in(&folder)?;
+        faults.extend(found.into_iter().map(|fault| format!("{}: {fault}", package.name)));
+    }
+    if !faults.is_empty() {
+        return Err(faults.join("\n"));
+    }
+    // Builds each package from what is in it, on those before it.
+    let mut publish = cargo::command();
+    publish.args(["publish", "--workspace", "--dry-run", "--allow-dirty", "--locked", "--quiet"]);
+    succeed(publish.current_dir(workspace_root()), "cargo publish --dry-run")?;
+    println!("{} crates could be published", packages.len());
+    Ok(())
+}
+
+/// Makes the packages and unpacks them into `folder`; returns the folder of each.
+pub(crate) fn unpack(packages: &[Package], folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let mut make = cargo::command();
+    make.args(["package", "--no-verify", "--allow-dirty", "--locked", "--quiet"]);
+    for package in packages {
+        make.args(["--package", &package.name]);
+    }
+    // Apart from what others build at the same time.
+    make.arg("--target-dir").arg(folder);
+    succeed(make.current_dir(workspace_root()), "cargo package")?;
+    let unpack = |package: &Package| {
+        let name = format!("{}-{}", package.name, package.version);
+        let unpacked = folder.join(&name);
+        if unpacked.exists() {
+            fs::remove_dir_all(&unpacked).map_err(|error| format!("`{}`: {error}", unpacked.display()))?;
+        }
+        let mut tar = Command::new("tar");
+        tar.arg("-xzf").arg(folder.join("package").join(format!("{name}.crate"))).arg("-C").arg(folder);
+        succeed(&mut tar, "tar").map(|()| unpacked)
+    };
+    packages.iter().map(unpack).collect()
+}
+
+/// What a package lacks, or has too much.
+fn faults_in(folder: &Path) -> Result<Vec<String>, Failure> {
+    let read = |name: &str| fs::read_to_string(folder.join(name)).unwrap_or_default();
+    let mut faults = Vec::new();
+    for name in LICENCES {
+        let ours = fs::read_to_string(workspace_root().join(name)).map_err(|error| format!("`{name}`: {error}"))?;
+        if read(name) != ours {
+            faults.push(format!("no copy of `{name}`"));
+        }
+    }
+    let readme = read("README.md");
+    if readme.is_empty() {
+        faults.push("no README.md".into());
+    }
+    faults.extend(
+        links(&readme)
+            .filter(|link| !link.starts_with("https://"))
+            .map(|link| format!("the link `{link}` of README.md leads nowhere on crates.io: it needs a whole address")),
+    );
+    if folder.join("tests").exists() {
+        faults.push("has tests, which need files of the repository: leave them out with `include`".into());
+    }
+    let manifest = read("Cargo.toml");
+    for key in ["categories", "description", "keywords", "license", "readme", "repository", "rust-version"] {
+        if !manifest.lines().any(|line| line.starts_with(&format!("{key} = "))) {
+            faults.push(format!("Cargo.toml has no `{key}`"));
+        }
+    }
+    faults.extend(missing_includes(&folder.join("src")).map_err(|error| format!("`{}`: {error}", folder.display()))?);
+    Ok(faults)
+}
+
+/// Files that sources or the examples in their documentation include, and which are not in the package.
+fn missing_includes(folder: &Path) -> std::io::Result<Vec<String>> {
+    let mut faults = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            faults.extend(missing_includes(&path)?);
+            continue;
+        }
+        let text = fs::read_to_string(&path)?;
+        let included = text.split("include_").skip(1).filter_map(|rest| rest.split_once("!(\"")?.1.split('"').next());
+        let missing = included.filter(|file| !folder.join(file).exists());
+        faults.extend(missing.map(|file| format!("{} includes `{file}`, not in the package", path.display())));
+    }
+    Ok(faults)
+}
+
+/// Where the links of a text in Markdown lead.
+fn links(text: &str) -> impl Iterator<Item = &str> {
+    text.split("](").skip(1).filter_map(|rest| rest.split(')').next())
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_missing_is_named() {
+        let folder = crate::paths::temporary_folder().unwrap();
+        let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+        for name in LICENCES {
+            write(name, &fs::read_to_string(workspace_root().join(name)).unwrap());
+        }
+        write("README.md", "# a\n[b](https://b.example/c.md), [d](../d.md)\n");
+        write("Cargo.toml", "[package]\ncategories = []\ndescription = \"\"\nkeywords = []\nlicense = \"\"\n");
+        fs::create_dir(folder.path().join("src")).unwrap();
+        let faults = faults_in(folder.path()).unwrap();
+        assert_eq!(faults.len(), 4, "{faults:?}");
+        assert!(faults[0].contains("`../d.md`"), "{faults:?}");
+        write("LICENSE-MIT", "../../LICENSE-MIT");
+        fs::create_dir(folder.path().join("tests")).unwrap();
+        fs::create_dir_all(folder.path().join("src/a")).unwrap();
+        write("src/lib.rs", "//! # include_bytes!(\"../LICENSE-MIT\");\n");
+        write("src/a/mod.rs", "include_str!(\"../../../README.md\")\n");
+        assert_eq!(faults_in(folder.path()).unwrap().len(), 7);
+    }
+}
