@@ -94,7 +94,8 @@ fn track<'m>(
     report_merged(&codes, map, findings);
     let end = Some(Time::of_frame(codes.len() as u64, rate));
     let (name, phrases) = (options.name.map(str::to_owned), segments(visemes, rate));
-    Some((Track { name, shapes, end, rate: Some(rate), phrases, ..Track::default() }, map))
+    let rest = map.symbol(REST).map(str::to_owned);
+    Some((Track { name, shapes, end, rate: Some(rate), rest, phrases, ..Track::default() }, map))
 }
 
 /// Where the segments start. What is said in them has no place in formats of shapes.

@@ -84,6 +84,11 @@ impl Time {
         self.units as f64 / f64::from(self.per_second)
     }
 
+    /// The time halfway between this one and another, to a part in 2³⁰ of a second.
+    pub fn midpoint(self, other: Time) -> Time {
+        Time::new(u64::midpoint(self.in_units(FLOAT_UNITS), other.in_units(FLOAT_UNITS)), FLOAT_UNITS)
+    }
+
     /// The time in units of which a second has `per_second`, rounded to the nearest one.
     pub fn in_units(self, per_second: u32) -> u64 {
         nearest(u128::from(self.units) * u128::from(per_second), u128::from(self.per_second))
@@ -185,6 +190,13 @@ mod tests {
         }
         let late = Time::parse("0.06").unwrap();
         assert_eq!((late.frame(NTSC), late.nearest_frame(NTSC), late.frames_begun(NTSC)), (1, 1, 2));
+    }
+
+    #[test]
+    fn midpoints_lie_between() {
+        let half = Time::new(1, 4).midpoint(Time::new(750, 1000));
+        assert_eq!(half, Time::new(1, 2));
+        assert_eq!(Time::ZERO.midpoint(Time::ZERO), Time::ZERO);
     }
 
     #[test]

@@ -21,6 +21,8 @@ pub struct Track {
     pub end: Option<Time>,
     /// The frame rate that the file was made for.
     pub rate: Option<Rate>,
+    /// What the tool calls the resting mouth, for formats that end with it.
+    pub rest: Option<String>,
     /// Stretches of text that belong together, as the file divides it.
     pub phrases: Vec<Timed>,
     /// The spoken words.

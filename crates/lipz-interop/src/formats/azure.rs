@@ -1,19 +1,31 @@
-//! Azure visemes: events with an audio offset in ticks of 100 ns and a viseme id from 0 to 21 (those of
-//! Microsoft's SAPI). Programs store them as they like: the spellings of their SDKs are read, as a bare array
-//! or below `visemes` or `events`.
+//! Azure visemes: events with an audio offset and a viseme id from 0 to 21 (those of Microsoft's SAPI).
+//!
+//! The service counts ticks of 100 ns; most programs store milliseconds, as Microsoft's samples print them.
+//! Both are read, in the spellings of the SDKs and of the service's own messages, as a bare array or below
+//! `visemes`, `events` or `Metadata`.
 
 use super::Format;
 use crate::json::{self, Node};
 use crate::{ImportOptions, Shape, Time, Track, source};
 use lipz_diagnostics::Diagnostic;
 
-/// Ticks of a second.
+/// Ticks in a second: the unit of the service.
 const TICKS: u32 = 10_000_000;
-/// How the SDKs spell the two members; the case of letters makes no difference.
-const OFFSET: &[&str] = &["audio_offset", "audioOffset", "offset"];
-const ID: &[&str] = &["viseme_id", "visemeId", "id"];
-/// Where events stand below an object.
-const LISTS: &[&str] = &["visemes", "events"];
+/// Milliseconds in a second: the unit of programs that divide the ticks, as Microsoft's samples do.
+const MILLISECONDS: u32 = 1_000;
+/// Nobody speaks a thousand visemes a second: offsets that are closer than these ticks on average are
+/// milliseconds.
+const FEWEST_TICKS: u64 = 10_000;
+
+/// How SDKs and programs spell the offset; the case of letters makes no difference.
+const OFFSET: &[&str] = &["audio_offset", "audioOffset", "offset", "privAudioOffset"];
+/// The same, where the name says that these are milliseconds.
+const OFFSET_MS: &[&str] = &["offset_ms", "offsetMs", "audio_offset_ms", "audioOffsetMs"];
+const ID: &[&str] = &["viseme_id", "visemeId", "id", "viseme", "privVisemeId"];
+/// Where events stand below an object; `Metadata` in the messages of the service.
+const LISTS: &[&str] = &["visemes", "events", "Metadata"];
+/// Where the message of the service has the members of an event.
+const DATA: &[&str] = &["Data"];
 
 pub(super) const FORMAT: Format = Format {
     name: "azure",
@@ -41,22 +53,57 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> 
         return Vec::new();
     };
     let mut track = Track::default();
-    for event in events {
-        let (Some(offset), Some(id)) = (event.get(OFFSET), event.get(ID)) else {
-            findings.push(event.lacks("an audio offset or a viseme id"));
-            continue;
-        };
-        let Some(start) = offset.number().and_then(|ticks| ticks.parse().ok()) else {
-            findings.push(offset.not("a number of ticks of 100 ns"));
-            continue;
-        };
-        match id.number() {
-            Some(symbol) => track.shapes.push(Shape::at(id.span(), Time::new(start, TICKS), symbol)),
-            None => findings.push(id.not("a viseme id, a number from 0 to 21")),
+    let read: Vec<Offset<'_>> = events.into_iter().filter_map(|event| offset(event, findings)).collect();
+    let per_second = if are_milliseconds(&read) { MILLISECONDS } else { TICKS };
+    for Offset { text, symbol, id, .. } in &read {
+        // A fraction of a millisecond stays: it is a time in thousandths of a second.
+        let time = Time::parse(&format!("{text}{}", if per_second == TICKS { "e-7" } else { "e-3" }));
+        if let Some(start) = time {
+            track.shapes.push(Shape::at(id.span(), start, symbol.clone()));
         }
+    }
+    if per_second == MILLISECONDS && !read.iter().all(|offset| offset.is_ms) {
+        track.remarks.push("the offsets are read as milliseconds, not as ticks of 100 ns".to_owned());
     }
     if track.shapes.len() > 1 && track.shapes.last().is_some_and(|last| last.symbol == "0") {
         track.end = track.shapes.pop().map(|last| last.start);
     }
     vec![track]
+}
+
+/// A viseme event, before the unit of its offset is known.
+struct Offset<'s> {
+    /// The digits of the offset.
+    text: String,
+    /// Whether its name says that it is in milliseconds.
+    is_ms: bool,
+    symbol: String,
+    id: Node<'s>,
+}
+
+/// The event, or what it lacks.
+fn offset<'s>(event: Node<'s>, findings: &mut Vec<Diagnostic>) -> Option<Offset<'s>> {
+    let event = event.get(DATA).unwrap_or(event);
+    let in_ms = event.get(OFFSET_MS);
+    let (Some(offset), Some(id)) = (in_ms.or_else(|| event.get(OFFSET)), event.get(ID)) else {
+        findings.push(event.lacks("an audio offset or a viseme id"));
+        return None;
+    };
+    let Some(text) = offset.number().filter(|text| !text.contains(['e', 'E']) && Time::parse(text).is_some()) else {
+        findings.push(offset.not("an audio offset, a number of ticks of 100 ns or of milliseconds"));
+        return None;
+    };
+    let Some(symbol) = id.number() else {
+        findings.push(id.not("a viseme id, a number from 0 to 21"));
+        return None;
+    };
+    Some(Offset { text, is_ms: in_ms.is_some(), symbol, id })
+}
+
+/// Whether the offsets are milliseconds: a name says so, one has a fraction, or as ticks they would be
+/// closer together than anybody speaks.
+fn are_milliseconds(offsets: &[Offset<'_>]) -> bool {
+    let last = offsets.iter().filter_map(|offset| offset.text.parse::<u64>().ok()).max().unwrap_or(0);
+    let gaps = u64::try_from(offsets.len()).unwrap_or(u64::MAX).saturating_sub(1);
+    offsets.iter().any(|offset| offset.is_ms || offset.text.contains('.')) || last < gaps.saturating_mul(FEWEST_TICKS)
 }

@@ -1,8 +1,12 @@
 //! Star Wars: Knights of the Old Republic, LIP V1.0: little-endian, a header of 16 bytes, then keys of five
 //! bytes: the time in seconds as a 32-bit float, and the shape from 0 to 15.
+//!
+//! The engine blends linearly from key to key (reone, a reimplementation, does the same). So the shape of a key is
+//! the dominant one from halfway behind the key before to halfway before the next; two keys of one shape hold
+//! it; and the last key stands at the length, because behind it there is nothing to blend to.
 
 use super::Format;
-use crate::{ImportOptions, Shape, Time, Track};
+use crate::{DEFAULT_RATE, ImportOptions, Shape, Time, Track};
 use lipz_diagnostics::{Code, Diagnostic};
 
 const MAGIC: &[u8; 8] = b"LIP V1.0";
@@ -36,6 +40,7 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> 
     let length = float(header.get(8..12));
     let count = word(header.get(12..16)) as usize;
     let mut track = Track::default();
+    let mut keys_read = Vec::new();
     if keys.len() / KEY_BYTES < count {
         let missing = format!("its header tells of {count} keys, and there are {}", keys.len() / KEY_BYTES);
         findings.push(cut_off(bytes.len(), &missing));
@@ -56,9 +61,10 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> 
                 let finding = at(Diagnostic::new(Code::ForeignValue, message), place + KEY_BYTES - 1);
                 findings.push(finding.help("shapes have numbers from 0 to 15"));
             }
-            Some(time) => track.shapes.push(Shape::new(time, shape.to_string())),
+            Some(time) => keys_read.push((time, shape)),
         }
     }
+    track.shapes = dominant(&keys_read);
     track.end = Time::from_f32(length);
     if track.end.is_none() {
         findings.push(at(Diagnostic::new(Code::ForeignValue, "the length is no time"), 8));
@@ -83,25 +89,88 @@ fn float(bytes: Option<&[u8]>) -> f32 {
     f32::from_bits(word(bytes))
 }
 
+/// Each shape from the time at which it is the dominant one. Keys whose times run backwards stay where they
+/// are, so that it is noticed.
+fn dominant(keys: &[(Time, u8)]) -> Vec<Shape> {
+    let mut before: Option<Time> = None;
+    let shape = |&(time, shape): &(Time, u8)| {
+        let start = before.map_or(time, |before| if before < time { before.midpoint(time) } else { time });
+        before = Some(time);
+        Shape::new(start, shape.to_string())
+    };
+    keys.iter().map(shape).collect()
+}
+
+/// Keys between which the engine blends in the time of a frame, around the moment at which shapes change.
 fn write(track: &Track, findings: &mut Vec<Diagnostic>) -> Vec<u8> {
-    let mut keys = Vec::new();
-    let mut count: u32 = 0;
-    for shape in &track.shapes {
+    let rate = track.rate.unwrap_or(DEFAULT_RATE);
+    let half_a_frame = Time::of_frame(1, rate).as_f64() / 2.0;
+    let length = track.end.unwrap_or(Time::ZERO).as_f64();
+    let mut keys: Vec<(f64, u8)> = Vec::new();
+    let mut shapes = track.shapes.iter().peekable();
+    while let Some(shape) = shapes.next() {
         // A table of one's own may name anything; the engine has sixteen shapes.
         let Some(number) = shape.symbol.parse::<u8>().ok().filter(|number| *number < SHAPES) else {
             let message = format!("{} is no shape of the engine", lipz_diagnostics::escape::quoted(&shape.symbol));
             findings.push(Diagnostic::new(Code::ExportLoss, message).note("it is left out; shapes are 0 to 15"));
             continue;
         };
-        keys.extend(seconds(shape.start).to_le_bytes());
-        keys.push(number);
-        count = count.saturating_add(1);
+        let end = shapes.peek().map(|next| next.start.as_f64());
+        let first = if keys.is_empty() { 0.0 } else { shape.start.as_f64() + half_a_frame };
+        let last = end.map_or(length, |end| end - half_a_frame);
+        keys.push((first.min(last), number));
+        // Of a shape that lasts for a frame, both are the same moment.
+        if last - first > half_a_frame {
+            keys.push((last, number));
+        }
     }
-    let length = seconds(track.end.unwrap_or(Time::ZERO));
-    [MAGIC.as_slice(), &length.to_le_bytes(), &count.to_le_bytes(), &keys].concat()
+    let count = u32::try_from(keys.len()).unwrap_or(u32::MAX);
+    let keys = keys.iter().flat_map(|(time, number)| seconds(*time).to_le_bytes().into_iter().chain([*number]));
+    [MAGIC.as_slice(), &seconds(length).to_le_bytes(), &count.to_le_bytes(), &keys.collect::<Vec<u8>>()].concat()
 }
 
 #[allow(clippy::cast_possible_truncation, reason = "the nearest one is meant")]
-fn seconds(time: Time) -> f32 {
-    time.as_f64() as f32
+fn seconds(time: f64) -> f32 {
+    time as f32
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    fn track(starts: &[(u64, &str)], end: u64) -> Track {
+        let at = |frame| Time::of_frame(frame, DEFAULT_RATE);
+        let shapes = starts.iter().map(|&(frame, symbol)| Shape::new(at(frame), symbol)).collect();
+        Track { shapes, end: Some(at(end)), rate: Some(DEFAULT_RATE), ..Track::default() }
+    }
+
+    #[test]
+    fn shapes_are_held_and_the_last_key_is_at_the_length() {
+        let bytes = write(&track(&[(0, "0"), (4, "2"), (5, "7")], 12), &mut Vec::new());
+        let keys: Vec<(f32, u8)> =
+            bytes[HEADER_BYTES..].chunks_exact(KEY_BYTES).map(|key| (float(key.get(..4)), key[4])).collect();
+        let frame = |time: f32| time * 24.0;
+        let expected = [(0.0, 0), (3.5, 0), (4.5, 2), (5.5, 7), (12.0, 7)];
+        assert_eq!(keys.len(), expected.len(), "{keys:?}");
+        for ((time, shape), (expected_frame, expected_shape)) in keys.into_iter().zip(expected) {
+            assert!((frame(time) - expected_frame).abs() < 1e-4, "{time} is not frame {expected_frame}");
+            assert_eq!(shape, expected_shape);
+        }
+    }
+
+    #[test]
+    fn what_is_written_is_read_at_the_same_frames() {
+        for starts in [&[(0, "0")][..], &[(0, "0"), (1, "2"), (2, "3"), (9, "0")], &[(0, "4"), (30, "0")]] {
+            let written = write(&track(starts, 40), &mut Vec::new());
+            let read = read(&written, &ImportOptions::default(), &mut Vec::new()).pop().unwrap();
+            let mut frames: Vec<(u64, &str)> = read
+                .shapes
+                .iter()
+                .map(|shape| (shape.start.nearest_frame(DEFAULT_RATE), shape.symbol.as_str()))
+                .collect();
+            frames.dedup_by_key(|(_, symbol)| *symbol);
+            assert_eq!(frames, starts);
+        }
+    }
 }

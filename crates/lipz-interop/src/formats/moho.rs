@@ -12,6 +12,8 @@ const HEADER: &str = "MohoSwitch1";
 /// Frames that are written count from here.
 const FIRST_FRAME: u64 = 1;
 const REST: &str = "rest";
+/// What the sets of mouth shapes call the resting mouth.
+const RESTS: [&str; 3] = [REST, "X", "None"];
 
 pub(super) const FORMAT: Format = Format {
     name: "moho",
@@ -64,7 +66,7 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, findings: &mut Vec<Diagnostic
 /// The rest that writers put at the end says when the recording ends.
 fn end_at_rest(track: &mut Track) {
     if let [.., _, last] = track.shapes.as_slice()
-        && matches!(last.symbol.as_str(), REST | "X")
+        && RESTS.contains(&last.symbol.as_str())
     {
         track.end = Some(last.start);
         track.shapes.pop();
@@ -78,6 +80,8 @@ fn write(track: &Track, _: &mut Vec<Diagnostic>) -> Vec<u8> {
         let _ = writeln!(text, "{} {}", shape.start.nearest_frame(rate) + FIRST_FRAME, shape.symbol);
     }
     let end = track.end.unwrap_or(Time::ZERO);
-    let _ = writeln!(text, "{} {REST}", end.nearest_frame(rate) + FIRST_FRAME);
+    // A rig has a layer for the rest of its own set, and none for that of another.
+    let rest = track.rest.as_deref().unwrap_or(REST);
+    let _ = writeln!(text, "{} {rest}", end.nearest_frame(rate) + FIRST_FRAME);
     text.into_bytes()
 }

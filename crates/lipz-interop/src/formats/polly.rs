@@ -5,7 +5,10 @@ use super::Format;
 use crate::json::{self, Node};
 use crate::source::{self, Line};
 use crate::{ImportOptions, Shape, Text, Time, Timed, Track};
-use lipz_diagnostics::Diagnostic;
+use lipz_diagnostics::{Diagnostic, escape};
+
+/// What SSML spells, `&amp;` last.
+const ENTITIES: [(&str, &str); 5] = [("&lt;", "<"), ("&gt;", ">"), ("&quot;", "\""), ("&apos;", "'"), ("&amp;", "&")];
 
 pub(super) const FORMAT: Format = Format {
     name: "polly",
@@ -21,6 +24,12 @@ pub(super) const FORMAT: Format = Format {
 fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Track> {
     let Some(text) = source::text(bytes, findings) else { return Vec::new() };
     let mut track = Track::default();
+    // Some programs store the marks as one array.
+    let array = text.trim_start().starts_with('[').then(|| json::root(text, findings).and_then(Node::items)).flatten();
+    if let Some(marks) = array {
+        marks.into_iter().for_each(|mark| add(mark, &mut track, findings));
+        return vec![finished(track)];
+    }
     for line in source::lines(text).filter(|line| !line.text.trim().is_empty()) {
         // Each line is JSON of its own, whose places count in the file.
         let mut found = Vec::new();
@@ -40,6 +49,11 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> 
             add(mark, &mut track, findings);
         }
     }
+    vec![finished(track)]
+}
+
+/// The track with the text of its sentences, up to the silence at its end.
+fn finished(mut track: Track) -> Track {
     let sentences: Vec<&str> = track.phrases.iter().map(|phrase| phrase.text.as_str()).collect();
     if !sentences.is_empty() {
         track.texts.push(Text { locale: None, text: sentences.join(" ") });
@@ -48,7 +62,21 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> 
     if track.shapes.len() > 1 && track.shapes.last().is_some_and(|last| last.symbol == "sil") {
         track.end = track.shapes.pop().map(|last| last.start);
     }
-    vec![track]
+    track
+}
+
+/// The sentence as it is spoken: without the tags of SSML, and with the characters that it spells.
+fn spoken(sentence: &str) -> String {
+    let mut text = String::with_capacity(sentence.len());
+    let mut rest = sentence;
+    while let Some((before, tag)) = rest.split_once('<') {
+        let Some((_, after)) = tag.split_once('>') else { break };
+        text.push_str(before);
+        rest = after;
+    }
+    text.push_str(rest);
+    let text = ENTITIES.iter().fold(text, |text, (entity, character)| text.replace(entity, character));
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 fn add(mark: Node<'_>, track: &mut Track, findings: &mut Vec<Diagnostic>) {
@@ -71,8 +99,9 @@ fn add(mark: Node<'_>, track: &mut Track, findings: &mut Vec<Diagnostic>) {
     match kind.string().as_deref() {
         Some("viseme") => track.shapes.push(Shape::at(value.span(), start, text)),
         Some("word") => track.words.push(Timed { start, text }),
-        Some("sentence") => track.phrases.push(Timed { start, text }),
-        Some("ssml") => {}
+        Some("sentence") => track.phrases.push(Timed { start, text: spoken(&text) }),
+        // Its name is for the program that asked for it: `<mark name="wave"/>`.
+        Some("ssml") => track.remarks.push(format!("the mark {} at {start} is left out", escape::quoted(&text))),
         _ => findings.push(kind.not("a type of speech mark: viseme, word, sentence or ssml")),
     }
 }

@@ -76,7 +76,12 @@ pub fn import(format: &Format, bytes: &[u8], options: &ImportOptions<'_>) -> Imp
     let Some(read) = format.read else { return imported };
     let tracks = read(bytes, options, &mut imported.diagnostics);
     let several = tracks.len() > 1;
+    let somebody_speaks = tracks.iter().any(|track| !track.shapes.is_empty());
     for mut track in tracks {
+        if somebody_speaks && track.shapes.is_empty() {
+            imported.diagnostics.push(silent_voice(&track));
+            continue;
+        }
         if !several {
             track.name = None;
         }
@@ -84,12 +89,24 @@ pub fn import(format: &Format, bytes: &[u8], options: &ImportOptions<'_>) -> Imp
         imported.clips.extend(clip(track, map, options, &mut imported.diagnostics));
     }
     imported.diagnostics.sort_by_key(Diagnostic::start);
-    if imported.diagnostics.iter().any(|finding| finding.severity == Severity::Error) {
+    let is_error = |finding: &Diagnostic| finding.severity == Severity::Error;
+    if imported.diagnostics.iter().any(is_error) {
         imported.clips.clear();
+    }
+    if imported.diagnostics.iter().any(|finding| is_error(finding) && finding.code != Code::NoShapes) {
         // Shapes that could not be read are not missing.
         imported.diagnostics.retain(|finding| finding.code != Code::NoShapes);
     }
     imported
+}
+
+/// The voice of a file is left out: it has no mouth shapes, but another has.
+fn silent_voice(track: &Track) -> Diagnostic {
+    let name = track.name.as_deref().unwrap_or_default();
+    let message = format!("the voice {} has no mouth shapes", escape::quoted(name));
+    let mut diagnostic = Diagnostic::new(Code::NoShapes, message).note("no clip is made of it");
+    diagnostic.severity = Severity::Warning;
+    diagnostic
 }
 
 /// The table for a track: the one that is asked for, that of the file, or one of the format.
@@ -110,10 +127,10 @@ fn clip(track: Track, map: &Map, options: &ImportOptions<'_>, findings: &mut Vec
     let track = in_order(track, findings);
     let rate = options.rate.or(track.rate).unwrap_or(options.default_rate);
     let (symbols, runs) = runs(&track, map, rate, findings)?;
-    if track.shapes.is_empty() && track.phrases.is_empty() {
+    if track.shapes.is_empty() {
         findings.push(
             Diagnostic::new(Code::NoShapes, "the file has no mouth shapes")
-                .help("the clip rests all the time; was the recording silent, or the tool interrupted?"),
+                .help("was the tool interrupted, or not asked for visemes? let it analyse the recording again"),
         );
     }
     let resampled = resample(&runs, map.viseme_type, rate, options.min_hold);
@@ -127,6 +144,13 @@ fn clip(track: Track, map: &Map, options: &ImportOptions<'_>, findings: &mut Vec
         })
         .collect();
     report(&lost, symbols.len(), rate, findings);
+    if !track.shapes.is_empty() && resampled.lengths.iter().sum::<usize>() == 0 {
+        let end = runs.last().map_or(Time::ZERO, |run| run.end);
+        findings.push(
+            Diagnostic::new(Code::NoShapes, format!("the clip would have no frames: its shapes end at {end}"))
+                .help("are the times of the file in the unit of its format?"),
+        );
+    }
     let texts = texts(&track, options, findings);
     let speech = Speech::of(&runs, options.min_pause);
     let division = divide(&track, &speech, &texts, options.segments, findings);

@@ -6,6 +6,7 @@ use crate::frames::Run;
 use crate::{Map, Shape, Time, Track};
 use lipz_diagnostics::{Code, Diagnostic, Label, escape};
 use lipz_file::rate::Rate;
+use std::collections::HashMap;
 
 /// Most frames of a clip: more than a day at 24 frames a second can only be a mistake.
 const MAX_FRAMES: u64 = 1 << 22;
@@ -55,7 +56,8 @@ pub(super) fn runs<'t>(
         return None;
     }
     let before = findings.len();
-    let mut unknown: Vec<(&str, Diagnostic)> = Vec::new();
+    let mut unknown: Vec<Diagnostic> = Vec::new();
+    let mut place_of: HashMap<&str, usize> = HashMap::new();
     let (mut symbols, mut runs): (Vec<&str>, Vec<Run>) = (Vec::new(), Vec::new());
     let first = track.shapes.first().map_or(end, |shape| shape.start);
     if first > Time::ZERO {
@@ -64,11 +66,10 @@ pub(super) fn runs<'t>(
     }
     for (index, shape) in track.shapes.iter().enumerate() {
         let Some(code) = map.code(&shape.symbol) else {
-            match unknown.iter_mut().find(|(symbol, _)| *symbol == shape.symbol) {
-                Some((_, finding)) => {
-                    finding.labels.extend(shape.span.map(|span| Label { span, text: "also here".into() }));
-                }
-                None => unknown.push((&shape.symbol, unknown_symbol(shape, map))),
+            let place = *place_of.entry(&shape.symbol).or_insert(unknown.len());
+            match unknown.get_mut(place) {
+                Some(known) => known.labels.extend(shape.span.map(|span| Label { span, text: "also here".into() })),
+                None => unknown.push(unknown_symbol(shape, map)),
             }
             continue;
         };
@@ -81,7 +82,7 @@ pub(super) fn runs<'t>(
             }
         }
     }
-    findings.extend(unknown.into_iter().map(|(_, finding)| finding));
+    findings.append(&mut unknown);
     (findings.len() == before).then_some((symbols, runs))
 }
 

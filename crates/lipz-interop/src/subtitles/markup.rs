@@ -7,8 +7,19 @@ use std::ops::Range;
 const SPEAKER: &str = "{speaker:";
 
 /// Character references of WebVTT, with their characters (W3C, "WebVTT cue text parsing rules").
-const REFERENCES: [(&str, &str); 6] =
-    [("&lt;", "<"), ("&gt;", ">"), ("&lrm;", "\u{200e}"), ("&rlm;", "\u{200f}"), ("&nbsp;", "\u{a0}"), ("&amp;", "&")];
+const REFERENCES: [(&str, char); 8] = [
+    ("lt", '<'),
+    ("gt", '>'),
+    ("lrm", '\u{200e}'),
+    ("rlm", '\u{200f}'),
+    ("nbsp", '\u{a0}'),
+    ("amp", '&'),
+    ("quot", '"'),
+    ("apos", '\''),
+];
+
+/// Bytes of the longest reference that is looked for.
+const LONGEST_REFERENCE: usize = 10;
 
 /// Tags that players of SubRip know; all else between `<` and `>` is text.
 const SRT_TAGS: [&str; 5] = ["i", "b", "u", "s", "font"];
@@ -79,8 +90,38 @@ fn without_tags(text: &str, tag: impl Fn(&str) -> Tag, plain: impl Fn(&str) -> S
     result
 }
 
+/// The text with the characters that references stand for, by name or by number. What is no reference stays.
 fn referenced(text: &str) -> String {
-    REFERENCES.iter().fold(text.to_owned(), |text, (reference, character)| text.replace(reference, character))
+    let mut shown = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some((before, after)) = rest.split_once('&') {
+        shown.push_str(before);
+        let end = after.bytes().take(LONGEST_REFERENCE).position(|byte| byte == b';');
+        match end.and_then(|end| Some((character(after.get(..end)?)?, after.get(end + 1..)?))) {
+            Some((character, behind)) => {
+                shown.push(character);
+                rest = behind;
+            }
+            None => {
+                shown.push('&');
+                rest = after;
+            }
+        }
+    }
+    shown + rest
+}
+
+/// The character of a reference without `&` and `;`.
+fn character(reference: &str) -> Option<char> {
+    let by_name = REFERENCES.iter().find(|(name, _)| *name == reference).map(|(_, character)| *character);
+    by_name.or_else(|| {
+        let digits = reference.strip_prefix('#')?;
+        let number = match digits.strip_prefix(['x', 'X']) {
+            Some(digits) => u32::from_str_radix(digits, 16).ok()?,
+            None => digits.parse().ok()?,
+        };
+        char::from_u32(number).filter(|character| *character != '\0')
+    })
 }
 
 /// The meta that says who speaks; nothing for a voice without a name.
@@ -142,6 +183,7 @@ mod tests {
             ("<v>Who?", "Who?", None),
             ("<i>So</i> <00:00:01.500>late", "So late", Some("<i>")),
             ("1 < 2", "1 < 2", None),
+            ("&quot;It&#39;s&#x20;me&quot; &unknown; &#0; R&D", "\"It's me\" &unknown; &#0; R&D", None),
         ] {
             let plain = from_vtt(vtt);
             assert_eq!((plain.text.as_str(), plain.lost_tag.map(|tag| &vtt[tag])), (text, lost_tag));

@@ -8,11 +8,25 @@ use std::ops::Range;
 /// What stands between the times of a cue.
 pub(super) const ARROW: &str = "-->";
 
-/// The lines of a file between empty ones.
+/// The lines of a SubRip file between lines of nothing but white space.
 pub(super) fn blocks(text: &str) -> Vec<Vec<Line<'_>>> {
+    blocks_between(text, |line| line.text.trim().is_empty())
+}
+
+/// The lines of a WebVTT file between empty ones. A line of blanks does not end a cue there (automatic captions
+/// have them), and shows nothing.
+pub(super) fn vtt_blocks(text: &str) -> Vec<Vec<Line<'_>>> {
+    let mut blocks = blocks_between(text, |line| line.text.is_empty());
+    for block in &mut blocks {
+        block.retain(|line| !line.text.trim().is_empty());
+    }
+    blocks.retain(|block| !block.is_empty());
+    blocks
+}
+
+fn blocks_between<'t>(text: &'t str, is_end: impl Fn(&Line<'t>) -> bool) -> Vec<Vec<Line<'t>>> {
     let lines: Vec<Line<'_>> = source::lines(text).collect();
-    let is_empty = |line: &Line<'_>| line.text.trim().is_empty();
-    lines.split(is_empty).filter(|block| !block.is_empty()).map(<[_]>::to_vec).collect()
+    lines.split(is_end).filter(|block| !block.is_empty()).map(<[_]>::to_vec).collect()
 }
 
 /// The lines of a cue below its times.

@@ -22,7 +22,7 @@ pub(super) fn read(text: &str, findings: &mut Vec<Diagnostic>) -> Vec<Cue> {
     }
     let mut cues = Vec::new();
     // What stands right below the signature belongs to the header.
-    for block in timing::blocks(text).iter().skip(1) {
+    for block in timing::vtt_blocks(text).iter().skip(1) {
         let is_other = |line: &&str| OTHER_BLOCKS.iter().any(|word| starts_with(line, word));
         if block.first().map(|line| line.text).filter(is_other).is_some() {
             continue;

@@ -57,17 +57,27 @@ pub fn read_list(text: &str) -> (Vec<Head>, Vec<Diagnostic>) {
     (heads, found)
 }
 
-/// Root and numbers of a line.
+/// Root and numbers of a line. A root alone is a number without a face, as `reser` in the game's own file: the
+/// engine counts 0 files of it.
 fn parse_line(line: &str) -> Option<(String, [u32; 3])> {
     let is_separator = |c: char| c == ',' || c == ';' || c.is_ascii_whitespace();
     let mut words = line.split(is_separator).filter(|word| !word.is_empty());
     let root = words.next().filter(|root| root.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_'))?;
+    let mut words = words.peekable();
+    if words.peek().is_none() {
+        return Some((root.to_ascii_lowercase(), [0; 3]));
+    }
     let mut number = || words.next()?.parse().ok().filter(|&number| number <= MOST_FIDGETS);
     Some((root.to_ascii_lowercase(), [number()?, number()?, number()?]))
 }
 
 impl Head {
-    /// The files that the game looks for: mouth shapes, transitions and fidgets.
+    /// Whether the line only keeps a number: it names no fidget files.
+    pub fn is_reserved(&self) -> bool {
+        self.fidgets == [0; 3]
+    }
+
+    /// The files that the game looks for: mouth shapes, transitions and fidgets; none of a reserved number.
     pub fn files(&self) -> impl Iterator<Item = HeadFile> {
         use Disposition::{Bad, Good, Neutral};
         let file = |disposition, content| HeadFile { root: self.root.clone(), disposition, content };
@@ -78,7 +88,8 @@ impl Head {
         let fidgets = numbers.flat_map(move |(disposition, count)| {
             (1..=count).map(move |number| file(disposition, Content::Fidget(number)))
         });
-        phonemes.into_iter().chain(transitions).chain(fidgets)
+        let is_face = !self.is_reserved();
+        phonemes.into_iter().chain(transitions).chain(fidgets).filter(move |_| is_face)
     }
 }
 
@@ -95,6 +106,13 @@ mod tests {
         let expected = vec![("elder".to_owned(), [1, 2, 3]), ("myron".to_owned(), [0, 10, 1])];
         assert_eq!(read("ELDER,1,2,3\r\nmyron,0,10,1 ; the chemist\r\n"), expected);
         assert_eq!(read("elder 1, 2, 3\n\nmyron\t0, 10,1"), expected);
+    }
+
+    #[test]
+    fn a_root_alone_keeps_a_number() {
+        let (heads, found) = read_list("reser\nelder,1,1,1\n");
+        assert!(found.is_empty(), "{found:?}");
+        assert_eq!(heads.iter().map(|head| head.files().count()).collect::<Vec<_>>(), [0, 10]);
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! What is unusual in a LIP file: what the game's own loader logs, and what its tools got wrong.
 
-use super::{ByteOrder, Lip, Marker, offset};
+use super::{Lip, Marker, offset};
 use crate::fallout::{LAST_PHONEME, list, place};
 use lipz_diagnostics::{Code, Diagnostic, escape};
 
@@ -51,13 +51,6 @@ impl Lip {
     fn length_word(&self, found: &mut Vec<Diagnostic>) {
         let length = self.length();
         let end = self.markers.last().map_or(0, |marker| marker.position);
-        if length.order == ByteOrder::Little {
-            let message = format!("the length of the sound, {}, is stored little-endian", length.bytes);
-            found.push(
-                place(Code::LipLengthOrder, offset::LENGTH, message)
-                    .note("all other words are big-endian; most files of the game have this, which does not use it"),
-            );
-        }
         if length.bytes != end {
             let message = format!("the sound is {} bytes long, but the last marker stands at {end}", length.bytes);
             found.push(place(Code::LipLength, offset::LENGTH, message).note("the markers are used"));
@@ -83,7 +76,7 @@ impl Lip {
         let mut add = |message: String| {
             found.push(
                 place(Code::LipName, offset::NAME, message)
-                    .note("the game uses the name of the file, and so does the key"),
+                    .note("the game plays the sound of this name; the key is that of the file"),
             );
         };
         if !self.name.is_ascii() {

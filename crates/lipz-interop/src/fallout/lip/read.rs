@@ -85,12 +85,9 @@ fn whole_again(finding: Diagnostic) -> Diagnostic {
 fn refused_version(version: u32) -> Diagnostic {
     let at = |message: String| place(Code::LipVersion, offset::VERSION, message);
     match version {
-        1 => at("this is a LIP file of version 1, which has no mouth shapes".into())
-            .note(format!(
-                "version 1 is the game's structure as it lay in memory, {VERSION_1_BYTES} bytes: it has pointers where \
-                 version 2 has phonemes and markers"
-            ))
-            .help("look for the file of version 2; the game plays this one without moving the mouth"),
+        1 => at("this is a LIP file of version 1, which lipz does not read".into())
+            .note(format!("version 1 starts with the game's structure as it lay in memory, {VERSION_1_BYTES} bytes"))
+            .help("look for the file of version 2, and report this one: it would be the first"),
         _ if version.swap_bytes() == VERSION => at("the words of this LIP file are little-endian".into())
             .help("write them big-endian: only the length at 0x10 is little-endian in files of the game"),
         _ if version.to_be_bytes() == *b"LIP " => {
