@@ -7,7 +7,7 @@
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use lipz_benches::files;
-use lipz_compiler::{Input, Options, check_all, compile};
+use lipz_compiler::{Compiler, Input, Options};
 use std::hint::black_box;
 
 const CLIPS: usize = 2000;
@@ -16,7 +16,7 @@ const LOCALES: usize = 5;
 fn packing(criterion: &mut Criterion) {
     let files = files(CLIPS, LOCALES);
     let inputs: Vec<Input> = files.iter().map(|(key, json)| Input::from_bytes(key, json.as_bytes())).collect();
-    let options = Options { threads: Some(1), ..Options::default() };
+    let options = Options::new().threads(1);
     let mut group = criterion.benchmark_group("one thread");
     group.throughput(Throughput::Bytes(files.iter().map(|(_, json)| json.len() as u64).sum())).sample_size(20);
     group.bench_function("parse (serde_json::Value)", |bencher| {
@@ -27,10 +27,10 @@ fn packing(criterion: &mut Criterion) {
         bencher.iter(|| files.iter().filter(|(_, json)| lipz_file::parse(json.as_bytes()).document.is_some()).count());
     });
     group.bench_function("check", |bencher| {
-        bencher.iter(|| check_all(black_box(&inputs), &options, &|_| {}).reports.len());
+        bencher.iter(|| Compiler::new(options.clone()).check(black_box(&inputs)).reports.len());
     });
     group.bench_function("compile", |bencher| {
-        bencher.iter(|| compile(black_box(&inputs), &options, &|_| {}).bank.expect("a bank").len());
+        bencher.iter(|| Compiler::new(options.clone()).compile(black_box(&inputs)).bank.expect("a bank").len());
     });
     group.finish();
 }

@@ -10,7 +10,7 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use foldhash::fast::FixedState;
 use lipz_bank::{Bank, ClipId};
 use lipz_benches::{DEFAULT_SEED, Random, clip_key};
-use lipz_compiler::{Input, Options, compile};
+use lipz_compiler::{Compiler, Input};
 use lipz_layout::{KeyRecord, Tag, U32, bucket_of, slot_of, spread};
 use std::hash::{BuildHasher, DefaultHasher, Hasher};
 use std::hint::black_box;
@@ -209,7 +209,7 @@ fn indexes(criterion: &mut Criterion) {
     for count in [1_000, 10_000, 100_000] {
         let inputs: Vec<Input> =
             (0..count).map(|index| Input::from_bytes(clip_key(index), br#"{ "visemes": "A" }"#)).collect();
-        let bytes = compile(&inputs, &Options::default(), &|_| {}).bank.expect("clips without errors");
+        let bytes = Compiler::default().compile(&inputs).bank.expect("clips without errors");
         let bank = Bank::open(&bytes).expect("a bank");
         let ids: Vec<u64> = (0..count).map(|index| ClipId::from_key(&clip_key(index)).get()).collect();
         let mut sorted: Vec<Record> = ids.iter().copied().map(Record::of).collect();

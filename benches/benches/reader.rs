@@ -8,7 +8,7 @@
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use lipz_bank::{Bank, ClipId, Micros};
 use lipz_benches::{DEFAULT_SEED, Random, files, naive};
-use lipz_compiler::{Input, Options, compile};
+use lipz_compiler::{Compiler, Input, Options};
 use std::hint::black_box;
 
 const CLIPS: usize = 10_000;
@@ -18,8 +18,8 @@ const TICK_US: i64 = 16_667;
 
 fn bank(files: &[(String, String)]) -> Vec<u8> {
     let inputs: Vec<Input> = files.iter().map(|(key, json)| Input::from_bytes(key, json.as_bytes())).collect();
-    let options = Options { strip: true, ..Options::default() };
-    compile(&inputs, &options, &|_| {}).bank.expect("clips without errors")
+    let options = Options::new().strip(true);
+    Compiler::new(options.clone()).compile(&inputs).bank.expect("clips without errors")
 }
 
 fn queries(criterion: &mut Criterion) {

@@ -74,7 +74,7 @@ pub fn temporary_folder() -> Result<TempDir, String> {
 mod tests {
     use super::*;
     use crate::{DEFAULT_SEED, MAX_LOCALES};
-    use lipz_compiler::{Input, Options, check_all};
+    use lipz_compiler::{Compiler, Input};
 
     fn clips(count: usize, locales: usize) -> Vec<String> {
         (0..count).map(|index| clip_json(DEFAULT_SEED, index, locales)).collect()
@@ -88,7 +88,7 @@ mod tests {
                 .enumerate()
                 .map(|(index, json)| Input::from_bytes(format!("line-{index}"), json))
                 .collect();
-            let checked = check_all(&inputs, &Options::default(), &|_| {});
+            let checked = Compiler::default().check(&inputs);
             let findings: Vec<_> = checked.reports.iter().flat_map(|report| &report.diagnostics).take(3).collect();
             assert!(findings.is_empty(), "{findings:#?}");
         }

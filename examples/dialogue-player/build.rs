@@ -3,6 +3,6 @@
 use lipz_compiler::{Build, BuildError, Options};
 
 fn main() -> Result<(), BuildError> {
-    let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
+    let options = Options::new().default_locale("en-us");
     Build::new("voices").options(options).run()
 }

@@ -5,7 +5,7 @@
 
 use clap::Parser;
 use lipz_benches::{callgrind, temporary_folder};
-use lipz_compiler::{Input, Options, compile};
+use lipz_compiler::{Compiler, Input, Options};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -86,8 +86,8 @@ fn queries() -> Result<PathBuf, Failure> {
 fn bank_bytes() -> Result<Vec<u8>, Failure> {
     let files = lipz_benches::files(CLIPS, LOCALES);
     let inputs: Vec<Input> = files.iter().map(|(key, json)| Input::from_bytes(key, json.as_bytes())).collect();
-    let options = Options { strip: true, ..Options::default() };
-    compile(&inputs, &options, &|_| {}).bank.ok_or_else(|| "the generated clips have errors".to_owned())
+    let options = Options::new().strip(true);
+    Compiler::new(options.clone()).compile(&inputs).bank.ok_or_else(|| "the generated clips have errors".to_owned())
 }
 
 /// Instructions of one answer: what twice as many take more.

@@ -2,7 +2,7 @@
 
 use lipz_bank::{Bank, Locale, TextBank};
 
-/// A bank, and the text banks that hold its texts if it was [split](crate::split()).
+/// A bank, and the text banks that hold its texts if it was [split](crate::SplitBank).
 ///
 /// Functions about a whole dialogue take it; for a bank that was not split, a `&Bank` will do.
 ///
@@ -10,12 +10,12 @@ use lipz_bank::{Bank, Locale, TextBank};
 /// use lipz_bank::Bank;
 /// use lipz_compiler::{Input, Options, BankWithTexts, compile, coverage, split};
 /// let file = br#"{ "text_en-us": "Aye.", "text_de-de": "Ja." }"#;
-/// let bank = compile(&[Input::from_bytes("aye", file)], &Options::default(), &|_| {}).bank.ok_or("no bank")?;
-/// let split = split(&bank).map_err(|_| "the bank is damaged")?;
+/// let bank = Compiler::default().compile(&[Input::from_bytes("aye", file)]).bank.ok_or("no bank")?;
+/// let split = SplitBank::from_bytes(&bank).map_err(|_| "the bank is damaged")?;
 /// let base = Bank::open(&split.base)?.verify()?;
 /// let texts = [base.open_texts(&split.texts[0].1)?.verify(&base)?];
 /// assert_eq!(coverage(&base).len(), 0);
-/// assert_eq!(coverage(BankWithTexts::of(&base, &texts))[0].tag, "de-de");
+/// assert_eq!(coverage(BankWithTexts::new(&base, &texts))[0].tag, "de-de");
 /// assert_eq!(coverage(&Bank::open(&bank)?.verify()?).len(), 2);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -33,7 +33,7 @@ impl<'data, 'bank> From<&'bank Bank<'data>> for BankWithTexts<'data, 'bank> {
 
 impl<'data, 'bank> BankWithTexts<'data, 'bank> {
     /// A bank with text banks that it opened.
-    pub fn of(bank: &'bank Bank<'data>, texts: &'bank [TextBank<'data>]) -> Self {
+    pub fn new(bank: &'bank Bank<'data>, texts: &'bank [TextBank<'data>]) -> Self {
         BankWithTexts { bank, texts }
     }
 

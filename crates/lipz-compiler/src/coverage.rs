@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 
 /// How the clips of a bank are covered by the texts of one locale.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
+#[non_exhaustive]
 pub struct Coverage {
     /// The locale, `de-de`.
     pub tag: String,
@@ -51,8 +52,8 @@ impl Coverage {
 ///     Input::from_bytes("aye", r#"{ "text_en-us": "Aye.", "text_de-de": "Ja." }"#),
 ///     Input::from_bytes("no", r#"{ "text_en-us": "No." }"#),
 /// ];
-/// let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
-/// let bytes = compile(&inputs, &options, &|_| {}).bank.ok_or("no bank")?;
+/// let options = Options::new().default_locale("en-us");
+/// let bytes = Compiler::new(options.clone()).compile(&inputs).bank.ok_or("no bank")?;
 /// let bank = lipz_bank::Bank::open(&bytes)?.verify()?;
 /// let german = &coverage(&bank)[0];
 /// assert_eq!((german.tag.as_str(), german.percent()), ("de-de", 50.0));
@@ -74,8 +75,8 @@ where
     let mut found: Vec<Coverage> = locales.iter().map(empty).collect();
     let chains = if bank.texts().is_empty() { Vec::new() } else { chains(&locales) };
     for clip in bank.bank().clips() {
-        let shown: Vec<Shown<'_>> = locales.iter().map(|locale| shown(&clip, *locale)).collect();
-        if shown.iter().all(|shown| matches!(shown, Shown::Nothing)) {
+        let shown: Vec<DisplayedText<'_>> = locales.iter().map(|locale| shown(&clip, *locale)).collect();
+        if shown.iter().all(|shown| matches!(shown, DisplayedText::Nothing)) {
             continue;
         }
         let default = default.and_then(|default| shown.get(default));
@@ -83,21 +84,23 @@ where
             coverage.clip_count += 1;
             let key = clip.key().to_owned();
             match text {
-                Shown::Own(text) => {
+                DisplayedText::Own(text) => {
                     coverage.own_count += 1;
-                    if !coverage.is_default && matches!(default, Some(Shown::Own(default)) if default == text) {
+                    if !coverage.is_default && matches!(default, Some(DisplayedText::Own(default)) if default == text) {
                         coverage.same_as_default.push(key);
                     }
                 }
-                Shown::Fallback(text) => {
-                    let is_origin = |other: &Shown<'_>| matches!(other, Shown::Own(own) if own.is(text));
-                    let is_equal = |other: &usize| matches!(shown.get(*other), Some(Shown::Own(own)) if own == text);
+                DisplayedText::Fallback(text) => {
+                    let is_origin =
+                        |other: &DisplayedText<'_>| matches!(other, DisplayedText::Own(own) if own.is(text));
+                    let is_equal =
+                        |other: &usize| matches!(shown.get(*other), Some(DisplayedText::Own(own)) if own == text);
                     let equal = || chains.get(number)?.iter().copied().find(is_equal);
                     let origin = shown.iter().position(is_origin).or_else(equal);
                     let tag = origin.and_then(|origin| locales.get(origin)).map_or("", Locale::tag);
                     coverage.fallbacks.entry(tag.to_owned()).or_default().push(key);
                 }
-                Shown::Nothing => coverage.missing.push(key),
+                DisplayedText::Nothing => coverage.missing.push(key),
             }
         }
     }
@@ -139,7 +142,7 @@ fn shortfall(coverage: &Coverage, wanted_percent: f64) -> Diagnostic {
 }
 
 /// What a player of a locale reads of a clip.
-enum Shown<'data> {
+enum DisplayedText<'data> {
     Own(ClipText<'data>),
     Fallback(ClipText<'data>),
     Nothing,
@@ -157,20 +160,20 @@ impl ClipText<'_> {
     }
 }
 
-fn shown<'data>(clip: &Clip<'data, '_>, locale: Locale<'data>) -> Shown<'data> {
+fn shown<'data>(clip: &Clip<'data, '_>, locale: Locale<'data>) -> DisplayedText<'data> {
     let is_fallback = clip.segment(0).and_then(|segment| segment.text(locale)).map(Text::is_fallback);
     let texts = clip.segments().filter_map(|segment| segment.text(locale)).map(Text::as_str);
     match is_fallback {
-        None => Shown::Nothing,
-        Some(false) => Shown::Own(ClipText(texts.collect())),
-        Some(true) => Shown::Fallback(ClipText(texts.collect())),
+        None => DisplayedText::Nothing,
+        Some(false) => DisplayedText::Own(ClipText(texts.collect())),
+        Some(true) => DisplayedText::Fallback(ClipText(texts.collect())),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Input, compile, split};
+    use crate::{Compiler, Input, SplitBank};
     use lipz_bank::Bank;
 
     #[test]
@@ -182,8 +185,8 @@ mod tests {
             Input::from_bytes("d", r#"{ "text_en-us": "No." }"#),
             Input::from_bytes("e", r#"{ "visemes": "-A-" }"#),
         ];
-        let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
-        let bytes = compile(&inputs, &options, &|_| {}).bank.unwrap();
+        let options = Options::new().default_locale("en-us");
+        let bytes = Compiler::new(options.clone()).compile(&inputs).bank.unwrap();
         let found = coverage(&Bank::open(&bytes).unwrap().verify().unwrap());
         let of = |tag: &str| found.iter().find(|coverage| coverage.tag == tag).unwrap();
         let keys = |keys: &[&str]| keys.iter().map(|key| (*key).to_owned()).collect::<Vec<_>>();
@@ -207,16 +210,16 @@ mod tests {
             Input::from_bytes("b", r#"{ "text_en-us": "OK", "text_de-de": "OK" }"#),
             Input::from_bytes("c", r#"{ "text_en-us": "No.|No!" }"#),
         ];
-        let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
-        let bytes = compile(&inputs, &options, &|_| {}).bank.unwrap();
-        let split = split(&bytes).unwrap();
+        let options = Options::new().default_locale("en-us");
+        let bytes = Compiler::new(options.clone()).compile(&inputs).bank.unwrap();
+        let split = SplitBank::from_bytes(&bytes).unwrap();
         let base = Bank::open(&split.base).unwrap().verify().unwrap();
         let mut texts: Vec<_> = split.texts.iter().map(|(_, texts)| base.open_texts(texts).unwrap()).collect();
         let whole = coverage(&Bank::open(&bytes).unwrap());
         assert_eq!(whole[0].fallbacks["de-de"], ["b"], "the nearest of two with the same text");
-        assert_eq!(coverage(BankWithTexts::of(&base, &texts)), whole);
+        assert_eq!(coverage(BankWithTexts::new(&base, &texts)), whole);
         texts.rotate_left(1);
-        assert_eq!(coverage(BankWithTexts::of(&base, &texts)), whole, "in any order");
+        assert_eq!(coverage(BankWithTexts::new(&base, &texts)), whole, "in any order");
     }
 
     #[test]
@@ -238,7 +241,7 @@ mod tests {
 
     #[test]
     fn nothing_to_translate_is_complete() {
-        let bytes = compile(&[], &Options::default(), &|_| {}).bank.unwrap();
+        let bytes = Compiler::default().compile(&[]).bank.unwrap();
         assert!(coverage(&Bank::open(&bytes).unwrap()).is_empty());
         assert_eq!(Coverage::default().percent(), 100.0);
     }

@@ -62,7 +62,7 @@ mod tests {
     }
 
     fn default(tag: &str) -> Options {
-        Options { default_locale: Some(tag.into()), ..Options::default() }
+        Options::new().default_locale(tag)
     }
 
     #[test]

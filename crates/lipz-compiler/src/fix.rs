@@ -1,7 +1,7 @@
 //! Applying the certain fixes of a file's findings, until there are none left.
 
 use crate::clip::{ClipData, Locales};
-use crate::{Options, check};
+use crate::{Compiler, Options, check};
 use lipz_diagnostics::{Code, Diagnostic, Fix};
 use std::collections::BTreeMap;
 
@@ -14,41 +14,43 @@ const ROUNDS: usize = 100;
 pub struct Fixed {
     /// The new text, without byte order mark.
     pub text: String,
-    /// How many findings of each code were mended.
-    pub mended: BTreeMap<Code, usize>,
+    /// How many diagnostics of each code were fixed.
+    pub counts: BTreeMap<Code, usize>,
 }
 
-/// Applies the certain fixes of a file's findings; `None` if it has none.
-///
-/// A fix is certain if the bank that is made of the file is the same before and after, or, where
-/// there is an error and so no bank, if what was meant is beyond doubt. Everything else in the file
-/// stays as it is spelled. Findings of lints that the project allows are left alone.
-///
-/// ```
-/// use lipz_compiler::{Options, fix};
-/// let file = br#"{ "fps": "24", "visemes": "MA EO-", }"#;
-/// let fixed = fix(file, &Options::default()).ok_or("nothing to fix")?;
-/// assert_eq!(fixed.text, r#"{ "fps": 24, "visemes": "MAEO-" }"#);
-/// assert_eq!(fixed.mended.len(), 3);
-/// # Ok::<(), &str>(())
-/// ```
-pub fn fix(bytes: &[u8], options: &Options) -> Option<Fixed> {
-    let mut fixed: Option<Fixed> = None;
-    for _ in 0..ROUNDS {
-        let bytes = fixed.as_ref().map_or(bytes, |fixed| fixed.text.as_bytes());
-        let Some((text, findings)) = findings(bytes, options) else { break };
-        let fixes: Vec<&Fix> = findings.iter().filter_map(|finding| finding.fix.as_ref()).collect();
-        let round = lipz_diagnostics::apply(text, &fixes);
-        if round.applied.is_empty() {
-            break;
+impl Compiler<'_> {
+    /// Applies the certain fixes of a file's findings; `None` if it has none.
+    ///
+    /// A fix is certain if the bank that is made of the file is the same before and after, or, where
+    /// there is an error and so no bank, if what was meant is beyond doubt. Everything else in the file
+    /// stays as it is spelled. Findings of lints that the project allows are left alone.
+    ///
+    /// ```
+    /// use lipz_compiler::Compiler;
+    /// let file = br#"{ "fps": "24", "visemes": "MA EO-", }"#;
+    /// let fixed = Compiler::default().fix(file).ok_or("nothing to fix")?;
+    /// assert_eq!(fixed.text, r#"{ "fps": 24, "visemes": "MAEO-" }"#);
+    /// assert_eq!(fixed.counts.len(), 3);
+    /// # Ok::<(), &str>(())
+    /// ```
+    pub fn fix(&self, bytes: &[u8]) -> Option<Fixed> {
+        let mut fixed: Option<Fixed> = None;
+        for _ in 0..ROUNDS {
+            let bytes = fixed.as_ref().map_or(bytes, |fixed| fixed.text.as_bytes());
+            let Some((text, findings)) = findings(bytes, &self.options) else { break };
+            let fixes: Vec<&Fix> = findings.iter().filter_map(|finding| finding.fix.as_ref()).collect();
+            let round = lipz_diagnostics::apply(text, &fixes);
+            if round.applied.is_empty() {
+                break;
+            }
+            let mut counts = fixed.map(|fixed| fixed.counts).unwrap_or_default();
+            for finding in round.applied.iter().filter_map(|&index| findings.get(index)) {
+                *counts.entry(finding.code).or_default() += 1;
+            }
+            fixed = Some(Fixed { text: round.text, counts });
         }
-        let mut mended = fixed.map(|fixed| fixed.mended).unwrap_or_default();
-        for finding in round.applied.iter().filter_map(|&index| findings.get(index)) {
-            *mended.entry(finding.code).or_default() += 1;
-        }
-        fixed = Some(Fixed { text: round.text, mended });
+        fixed
     }
-    fixed
 }
 
 /// The text of a file without byte order mark, and its findings that have a fix; `None` if it is not
@@ -69,9 +71,9 @@ mod tests {
     use super::*;
 
     fn fixed(file: &str) -> Option<String> {
-        let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
-        let fixed = fix(file.as_bytes(), &options)?;
-        assert_eq!(fix(fixed.text.as_bytes(), &options), None, "fixed again: {}", fixed.text);
+        let options = Options::new().default_locale("en-us");
+        let fixed = Compiler::new(options.clone()).fix(file.as_bytes())?;
+        assert_eq!(Compiler::new(options).fix(fixed.text.as_bytes()), None, "fixed again: {}", fixed.text);
         Some(fixed.text)
     }
 
@@ -127,17 +129,17 @@ mod tests {
     #[test]
     fn the_default_locale_is_written_as_the_format_spells_it() {
         let fixed = |default: &str| {
-            let options = Options { default_locale: Some(default.into()), ..Options::default() };
-            fix(br#"{"text": "a"}"#, &options)
+            let options = Options::new().default_locale(default);
+            Compiler::new(options).fix(br#"{"text": "a"}"#)
         };
         let once = [(Code::TextWithoutLocale, 1)].into();
-        assert_eq!(fixed("EN_us"), Some(Fixed { text: r#"{"text_en-us": "a"}"#.into(), mended: once }));
+        assert_eq!(fixed("EN_us"), Some(Fixed { text: r#"{"text_en-us": "a"}"#.into(), counts: once }));
         assert_eq!(fixed("english"), None);
     }
 
     #[test]
     fn findings_of_an_allowed_lint_are_left_alone() {
-        let options = Options { levels: [(Code::LocaleSpelling, None)].into(), ..Options::default() };
-        assert_eq!(fix(br#"{"text-en_us": "a"}"#, &options), None);
+        let options = Options::new().levels([(Code::LocaleSpelling, None)]);
+        assert_eq!(Compiler::new(options).fix(br#"{"text-en_us": "a"}"#), None);
     }
 }

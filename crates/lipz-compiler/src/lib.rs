@@ -2,8 +2,8 @@
 //!
 //! Data flows one way: [`discover`] → parse → check → localise → lower → write. Every phase reports
 //! what it finds and goes on, so that one run shows all problems of all files; a bank is made only if
-//! none of them is an error. [`compile`] gives the bank, [`pack`] writes it, [`pack_cached`] and
-//! [`Memory`] look only at what changed since. [`unpack`] goes the other
+//! none of them is an error. [`Compiler::compile`] makes the bank, [`Compiler::pack`] writes it,
+//! [`Compiler::pack_cached`] and [`Memory`] look only at what changed since. [`unpack`] goes the other
 //! way, [`diff`](mod@diff) compares two banks.
 //!
 //! A build script packs a folder with [`Build`], which puts the bank and a constant for each clip
@@ -32,6 +32,7 @@ mod clip;
 mod compile;
 mod convert;
 mod coverage;
+mod decompile;
 mod depend;
 pub mod diff;
 mod discover;
@@ -46,7 +47,6 @@ mod lower;
 mod options;
 mod output;
 mod pseudo;
-mod raise;
 mod rewrite;
 pub mod settings;
 mod source_record;
@@ -57,20 +57,20 @@ mod unpack;
 
 pub use bank_with_texts::BankWithTexts;
 pub use build::{Build, BuildError};
-pub use cache::{Memory, pack_cached};
-pub use compile::{Compiled, Phases, Progress, check_all, compile, pack};
-pub use convert::{Converted, convert};
+pub use cache::Memory;
+pub use compile::{CompileError, Compiled, Compiler, Phases};
+pub use convert::Converted;
 pub use coverage::{Coverage, coverage, shortfalls};
+pub use decompile::Documents;
 pub use depend::{dependencies, depfile, watched};
 pub use discover::{discover, is_pattern};
-pub use fix::{Fixed, fix};
+pub use fix::Fixed;
 pub use input::{Content, Input};
 pub use lipz_diagnostics as diagnostics;
-pub use options::{MinCoverage, Options, Registry, TextLimits};
+pub use options::{KnownNames, MinCoverage, Options, TextLimits};
 pub use output::replace_file;
-pub use raise::Documents;
-pub use rewrite::{each_file, rewrite_file};
-pub use split::{Split, split};
+pub use rewrite::rewrite_file;
+pub use split::SplitBank;
 pub use unpack::{Unpacked, unpack};
 
 /// The example of the README, run as a test.

@@ -16,7 +16,7 @@ use tempfile::NamedTempFile;
 /// Whatever the file system refuses, and a `path` that is a folder, a pipe or a device; it is
 /// unchanged then.
 pub fn replace_file(path: &Path, bytes: &[u8]) -> Result<(), Report> {
-    Written::beside(path, bytes).and_then(Written::replace).map_err(|error| failed(path, &error))
+    TemporaryFile::beside(path, bytes).and_then(TemporaryFile::replace).map_err(|error| failed(path, &error))
 }
 
 /// The same, if `check` finds nothing: it runs while the temporary file is written and synced, and
@@ -26,9 +26,9 @@ pub(crate) fn replace_file_if(
     bytes: &[u8],
     check: impl FnOnce() -> Result<(), Report> + Send,
 ) -> Result<(), Report> {
-    let (written, checked) = rayon::join(|| Written::beside(path, bytes), check);
+    let (written, checked) = rayon::join(|| TemporaryFile::beside(path, bytes), check);
     checked?;
-    written.and_then(Written::replace).map_err(|error| failed(path, &error))
+    written.and_then(TemporaryFile::replace).map_err(|error| failed(path, &error))
 }
 
 fn failed(path: &Path, error: &io::Error) -> Report {
@@ -90,13 +90,13 @@ fn target(path: &Path) -> io::Result<PathBuf> {
 }
 
 /// A new file, written and synced, beside the one that it will replace.
-struct Written {
+struct TemporaryFile {
     temporary: NamedTempFile,
     target: PathBuf,
 }
 
-impl Written {
-    fn beside(path: &Path, bytes: &[u8]) -> io::Result<Written> {
+impl TemporaryFile {
+    fn beside(path: &Path, bytes: &[u8]) -> io::Result<TemporaryFile> {
         let target = target(path)?;
         let folder = folder_of(&target);
         std::fs::create_dir_all(folder)?;
@@ -115,7 +115,7 @@ impl Written {
             temporary.as_file().set_permissions(metadata.permissions())?;
         }
         temporary.as_file().sync_all()?;
-        Ok(Written { temporary, target })
+        Ok(TemporaryFile { temporary, target })
     }
 
     fn replace(self) -> io::Result<()> {

@@ -1,28 +1,29 @@
 //! Rewriting source files: each is read, handed to a tool, and replaced as a whole.
 
 use crate::compile::{FileReader, in_pool};
-use crate::{Content, Input, Options, Progress, discover, replace_file};
+use crate::{Compiler, Content, Input, discover, replace_file};
 use lipz_diagnostics::{Code, Diagnostic, Report};
 use rayon::prelude::*;
 use std::path::Path;
 
-/// Reads every input and hands its bytes to `work`, on as many threads as `options` say. The results
-/// are in the order of the inputs; files that cannot be read have a report instead.
-pub fn each_file<R: Send>(
-    inputs: &[Input],
-    options: &Options,
-    progress: &Progress<'_>,
-    work: impl Fn(&Input, &[u8]) -> R + Send + Sync,
-) -> Vec<Result<R, Report>> {
-    let one = |reader: &mut FileReader, input: &Input| {
-        let result = match &input.content {
-            Content::Bytes { bytes, .. } => Ok(work(input, bytes)),
-            Content::File(path) => reader.read(path).map(|bytes| work(input, bytes)),
+impl Compiler<'_> {
+    /// Reads every input and hands its bytes to `work`, on the threads of the compiler. The results are in the
+    /// order of the inputs; files that cannot be read have a report instead.
+    pub fn each_file<R: Send>(
+        &self,
+        inputs: &[Input],
+        work: impl Fn(&Input, &[u8]) -> R + Send + Sync,
+    ) -> Vec<Result<R, Report>> {
+        let one = |reader: &mut FileReader, input: &Input| {
+            let result = match &input.content {
+                Content::Bytes { bytes, .. } => Ok(work(input, bytes)),
+                Content::File(path) => reader.read(path).map(|bytes| work(input, bytes)),
+            };
+            (self.progress)(1);
+            result
         };
-        progress(1);
-        result
-    };
-    in_pool(options, || inputs.par_iter().map_init(FileReader::default, one).collect())
+        in_pool(&self.options, || inputs.par_iter().map_init(FileReader::default, one).collect())
+    }
 }
 
 /// Replaces the file at `path`, which was read as `before`, by `after`, as [`replace_file`] does.

@@ -39,7 +39,7 @@ pub(crate) enum Name<'r> {
 
 /// The value of an element of a decoded record.
 #[derive(Debug, PartialEq, Eq)]
-pub(crate) enum Recorded<'r> {
+pub(crate) enum RecordedValue<'r> {
     /// The segments that the bank holds, joined with `|`.
     AsInBank,
     /// The same, with as many blanks before and after each segment.
@@ -139,10 +139,10 @@ fn push_string(record: &mut Vec<u8>, text: &str) {
 
 /// The elements of the record that starts at `bytes`, of a clip with so many segments; `None` where
 /// it is damaged.
-pub(crate) fn decode(bytes: &[u8], segment_count: u32) -> Option<Vec<(Name<'_>, Recorded<'_>)>> {
+pub(crate) fn decode(bytes: &[u8], segment_count: u32) -> Option<Vec<(Name<'_>, RecordedValue<'_>)>> {
     let mut reader = Reader { rest: bytes, blanks_left: lipz_file::MAX_FILE_BYTES };
     let count = reader.number()?;
-    let mut elements: Vec<(Name<'_>, Recorded<'_>)> = Vec::new();
+    let mut elements: Vec<(Name<'_>, RecordedValue<'_>)> = Vec::new();
     let mut named = HashSet::new();
     for _ in 0..count {
         let number = reader.number()?;
@@ -156,11 +156,11 @@ pub(crate) fn decode(bytes: &[u8], segment_count: u32) -> Option<Vec<(Name<'_>, 
             number => Name::OwnText(usize::try_from(number - FIRST_TEXT).ok()?),
         };
         let value = match reader.byte()? {
-            kind if kind == Kind::AsInBank as u8 => Recorded::AsInBank,
-            kind if kind == Kind::Padded as u8 => Recorded::Padded(reader.padding(segment_count)?),
-            kind if kind == Kind::String as u8 => Recorded::String(reader.string()?),
-            kind if kind == Kind::Number as u8 => Recorded::Number(reader.string()?),
-            kind if kind == Kind::Other as u8 => Recorded::Other(reader.string()?),
+            kind if kind == Kind::AsInBank as u8 => RecordedValue::AsInBank,
+            kind if kind == Kind::Padded as u8 => RecordedValue::Padded(reader.padding(segment_count)?),
+            kind if kind == Kind::String as u8 => RecordedValue::String(reader.string()?),
+            kind if kind == Kind::Number as u8 => RecordedValue::Number(reader.string()?),
+            kind if kind == Kind::Other as u8 => RecordedValue::Other(reader.string()?),
             _ => return None,
         };
         elements.push((name, value));
@@ -228,11 +228,11 @@ mod tests {
         encode(&document, &options, &locales, &mut clip);
         let record = clip.source;
         let elements = decode(&record, 2).unwrap();
-        assert_eq!(elements[0], (Name::Known("visemes"), Recorded::AsInBank));
-        assert_eq!(elements[1], (Name::OwnText(1), Recorded::String(" {x} Hi | ")));
-        assert_eq!(elements[2], (Name::Known("fps"), Recorded::Number("24.0")));
-        assert_eq!(elements[3], (Name::Spelled("q"), Recorded::Other("[1]")));
-        assert_eq!(elements[4], (Name::OwnText(0), Recorded::Padded(vec![(1, 2), (0, 0)])));
+        assert_eq!(elements[0], (Name::Known("visemes"), RecordedValue::AsInBank));
+        assert_eq!(elements[1], (Name::OwnText(1), RecordedValue::String(" {x} Hi | ")));
+        assert_eq!(elements[2], (Name::Known("fps"), RecordedValue::Number("24.0")));
+        assert_eq!(elements[3], (Name::Spelled("q"), RecordedValue::Other("[1]")));
+        assert_eq!(elements[4], (Name::OwnText(0), RecordedValue::Padded(vec![(1, 2), (0, 0)])));
         for length in 0..record.len() {
             assert!(decode(&record[..length], 2).is_none(), "{length}");
         }

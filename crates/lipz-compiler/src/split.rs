@@ -8,45 +8,48 @@ use lipz_diagnostics::{Code, Report};
 use lipz_layout::{Header, LOCALE_DEFAULT, LocaleRecord, Tag, U32};
 use zerocopy::{FromBytes, IntoBytes};
 
-/// A bank, split by [`split`].
+/// A bank, split by locale.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Split {
+#[non_exhaustive]
+pub struct SplitBank {
     /// The bank without texts, locales and sources.
     pub base: Vec<u8>,
     /// Tag and text bank of each locale.
     pub texts: Vec<(String, Vec<u8>)>,
 }
 
-/// Splits a bank that [`compile`](crate::compile) made. The text bank of a locale holds all that a
-/// player of that locale reads: where the locale falls back, the text of the other one, marked as a
-/// fallback. Source records refer to texts of all locales and are left out.
-///
-/// ```
-/// use lipz_compiler::{Input, Options, compile, split};
-/// let file = br#"{ "visemes": "MA|EO", "text_en-us": "Mayor| !", "text_de-de": "Herr|Mayor!" }"#;
-/// let bank = compile(&[Input::from_bytes("mayor", file)], &Options::default(), &|_| {}).bank.ok_or("no bank")?;
-/// let split = split(&bank).map_err(|_| "the bank is damaged")?;
-/// let (tag, german) = &split.texts[0];
-/// let base = lipz_bank::Bank::open(&split.base)?.verify()?;
-/// let texts = base.open_texts(german)?.verify(&base)?;
-/// let segment = base.clip_by_key("mayor").and_then(|clip| clip.segment(1)).ok_or("no clip")?;
-/// let text = texts.locale(tag).and_then(|locale| segment.text(locale));
-/// assert_eq!(text.map(|text| text.as_str()), Some("Mayor!"));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-///
-/// # Errors
-/// A finding if `bytes` are not a bank.
-pub fn split(bytes: &[u8]) -> Result<Split, Report> {
-    let bank = Bank::open(bytes).and_then(Bank::verify);
-    let (Ok(bank), Ok((header, _))) = (bank, Header::ref_from_prefix(bytes)) else {
-        return Err(damaged());
-    };
-    let whole = Whole { bank, index_seed: header.index_seed.get() };
-    let texts = (whole.bank.locales())
-        .map(|locale| Ok((locale.tag().to_owned(), whole.text_bank(locale)?)))
-        .collect::<Result<_, Report>>()?;
-    Ok(Split { base: whole.base()?, texts })
+impl SplitBank {
+    /// Splits a bank of the [`Compiler`](crate::Compiler). The text bank of a locale holds all that a
+    /// player of that locale reads: where the locale falls back, the text of the other one, marked as a
+    /// fallback. Source records refer to texts of all locales and are left out.
+    ///
+    /// ```
+    /// use lipz_compiler::{Compiler, Input, SplitBank};
+    /// let file = br#"{ "visemes": "MA|EO", "text_en-us": "Mayor| !", "text_de-de": "Herr|Mayor!" }"#;
+    /// let bank = Compiler::default().compile(&[Input::from_bytes("mayor", file)]).bank.ok_or("no bank")?;
+    /// let split = SplitBank::from_bytes(&bank).map_err(|report| report.to_string())?;
+    /// let (tag, german) = &split.texts[0];
+    /// let base = lipz_bank::Bank::open(&split.base)?.verify()?;
+    /// let texts = base.open_texts(german)?.verify(&base)?;
+    /// let segment = base.clip_by_key("mayor").and_then(|clip| clip.segment(1)).ok_or("no clip")?;
+    /// let text = texts.locale(tag).and_then(|locale| segment.text(locale));
+    /// assert_eq!(text.map(|text| text.as_str()), Some("Mayor!"));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If `bytes` are not a bank.
+    pub fn from_bytes(bytes: &[u8]) -> Result<SplitBank, Report> {
+        let bank = Bank::open(bytes).and_then(Bank::verify);
+        let (Ok(bank), Ok((header, _))) = (bank, Header::ref_from_prefix(bytes)) else {
+            return Err(damaged());
+        };
+        let whole = WholeBank { bank, index_seed: header.index_seed.get() };
+        let texts = (whole.bank.locales())
+            .map(|locale| Ok((locale.tag().to_owned(), whole.text_bank(locale)?)))
+            .collect::<Result<_, Report>>()?;
+        Ok(SplitBank { base: whole.base()?, texts })
+    }
 }
 
 fn damaged() -> Report {
@@ -54,12 +57,12 @@ fn damaged() -> Report {
 }
 
 /// The bank that is split.
-struct Whole<'data> {
+struct WholeBank<'data> {
     bank: Bank<'data>,
     index_seed: u64,
 }
 
-impl<'data> Whole<'data> {
+impl<'data> WholeBank<'data> {
     /// The contents of a section; empty if the bank does not have it.
     fn section(&self, tag: Tag) -> &'data [u8] {
         self.bank.sections().find(|(found, _)| *found == tag).map_or(&[], |(_, contents)| contents)

@@ -10,6 +10,7 @@ const EXTREMES: usize = 3;
 
 /// Counts over a whole bank.
 #[derive(Clone, PartialEq, Debug, Default)]
+#[non_exhaustive]
 pub struct Stats<'d> {
     /// Clips.
     pub clips: usize,
@@ -93,7 +94,7 @@ pub struct ClipDuration<'d> {
 
 impl<'d> Stats<'d> {
     /// Counts what is in a verified bank.
-    pub fn of<'b>(bank: impl Into<BankWithTexts<'d, 'b>>) -> Stats<'d>
+    pub fn from_bank<'b>(bank: impl Into<BankWithTexts<'d, 'b>>) -> Stats<'d>
     where
         'd: 'b,
     {
@@ -106,7 +107,7 @@ impl<'d> Stats<'d> {
             rates: rates(bank),
             visemes: visemes(bank),
             texts_bytes: whole.texts().iter().map(TextBank::length_bytes).sum(),
-            locales: whole.locales().into_iter().map(|locale| LocaleStats::of(bank, locale)).collect(),
+            locales: whole.locales().into_iter().map(|locale| LocaleStats::new(bank, locale)).collect(),
             ..Stats::default()
         };
         let mut events = BTreeSet::new();
@@ -158,7 +159,7 @@ fn visemes(bank: &Bank<'_>) -> Vec<VisemeCounts> {
 }
 
 impl<'d> LocaleStats<'d> {
-    fn of(bank: &Bank<'d>, locale: Locale<'d>) -> LocaleStats<'d> {
+    fn new(bank: &Bank<'d>, locale: Locale<'d>) -> LocaleStats<'d> {
         let mut stats = LocaleStats {
             tag: locale.tag(),
             is_default: locale.is_default(),
@@ -201,7 +202,7 @@ fn extremes<'d>(bank: &Bank<'d>) -> (Vec<ClipDuration<'d>>, Vec<ClipDuration<'d>
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Input, Options, compile, split};
+    use crate::{Compiler, Input, Options, SplitBank};
 
     #[test]
     fn everything_is_counted() {
@@ -214,10 +215,10 @@ mod tests {
             Input::from_bytes("b", r#"{ "fps": 10, "viseme_type": "rms", "visemes": "09", "text_de-de": "Nö" }"#),
             Input::from_bytes("d", r#"{ "text_en-us": "" }"#),
         ];
-        let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
-        let bytes = compile(&inputs, &options, &|_| {}).bank.unwrap();
+        let options = Options::new().default_locale("en-us");
+        let bytes = Compiler::new(options.clone()).compile(&inputs).bank.unwrap();
         let bank = Bank::open(&bytes).unwrap().verify().unwrap();
-        let stats = Stats::of(&bank);
+        let stats = Stats::from_bank(&bank);
         assert_eq!((stats.clips, stats.frames, stats.segments, stats.duration_us), (3, 7, 4, 700_000));
         let rates: Vec<_> = stats.rates.iter().map(|rate| (rate.fps.map(Fps::numerator), rate.clips)).collect();
         assert_eq!(rates, [(None, 1), (Some(10), 2)]);
@@ -251,10 +252,10 @@ mod tests {
         let durations =
             [ClipDuration { key: "a", duration_us: 500_000 }, ClipDuration { key: "b", duration_us: 200_000 }];
         assert_eq!((&stats.longest[..], &stats.shortest[..]), (&durations[..], &[][..]));
-        let split = split(&bytes).unwrap();
+        let split = SplitBank::from_bytes(&bytes).unwrap();
         let base = Bank::open(&split.base).unwrap();
         let texts: Vec<_> = split.texts.iter().map(|(_, texts)| base.open_texts(texts).unwrap()).collect();
-        let of_split = Stats::of(BankWithTexts::of(&base, &texts));
+        let of_split = Stats::from_bank(BankWithTexts::new(&base, &texts));
         assert_eq!((of_split.texts_bytes > 0, stats.texts_bytes, &of_split.locales), (true, 0, &stats.locales));
         assert!(stats.sections.iter().map(|(_, bytes)| bytes).sum::<usize>() < stats.length_bytes);
     }

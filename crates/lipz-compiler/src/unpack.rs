@@ -1,8 +1,8 @@
 //! Unpacking a bank into a folder of Lipz files.
 
+use crate::decompile::Documents;
 use crate::key::{EXTENSION, clash, folded, refusal};
 use crate::output::file_in_the_way;
-use crate::raise::Documents;
 use crate::{BankWithTexts, discover};
 use cap_std::ambient_authority;
 use cap_std::fs::Dir;
@@ -43,7 +43,7 @@ where
 {
     let whole: BankWithTexts<'data, 'bank> = bank.into();
     let bank = whole.bank();
-    let documents = Documents::of(whole).map_err(|report| vec![report])?;
+    let documents = Documents::from_bank(whole).map_err(|report| vec![report])?;
     let mut refused = refused_keys(bank);
     if documents.is_exact() {
         // Decoded twice rather than kept: a bank can hold more than fits the memory.

@@ -3,7 +3,7 @@
 
 use lipz_bank::{Babble, Bank, ErrorKind, Micros, VoiceLevel};
 use lipz_compiler::settings::Settings;
-use lipz_compiler::{Input, Options, compile};
+use lipz_compiler::{Compiler, Input};
 use lipz_layout::{CHECKED_FROM, Tag, checksum};
 
 const FILE: &str = r#"{ "text_en-us": "Hello." }"#;
@@ -12,7 +12,7 @@ const FILE: &str = r#"{ "text_en-us": "Hello." }"#;
 fn bank(settings: &str) -> Vec<u8> {
     let (settings, report) = Settings::parse(settings.as_bytes(), "lipz.toml", "".as_ref());
     assert_eq!(report.diagnostics, [], "{settings:?}");
-    compile(&[Input::from_bytes("hello", FILE)], &settings.options, &|_| {}).bank.unwrap()
+    Compiler::new(settings.options.clone()).compile(&[Input::from_bytes("hello", FILE)]).bank.unwrap()
 }
 
 #[test]
@@ -29,7 +29,7 @@ fn a_named_profile_takes_from_the_projects_own_and_that_from_the_viewers() {
 
 #[test]
 fn without_profiles_a_bank_is_as_it_was() {
-    let plain = compile(&[Input::from_bytes("hello", FILE)], &Options::default(), &|_| {}).bank.unwrap();
+    let plain = Compiler::default().compile(&[Input::from_bytes("hello", FILE)]).bank.unwrap();
     assert_eq!(bank("[babble]\n"), plain);
     let bank = Bank::open(&plain).unwrap();
     assert!(bank.sections().all(|(tag, _)| tag != Tag::BABBLE));

@@ -4,8 +4,8 @@
 
 mod support;
 
-use lipz_compiler::{Compiled, Input, Memory, Options, compile, discover, pack_cached};
-use lipz_diagnostics::Code;
+use lipz_compiler::{Compiled, Compiler, Input, Memory, Options, discover};
+use lipz_diagnostics::{Code, Levels};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
@@ -67,18 +67,18 @@ impl Scene {
     }
 
     fn pack_unchecked(&self) -> Compiled {
-        pack_cached(&self.inputs(), &self.options, &self.bank(), &self.cache(), &|_| {})
+        Compiler::new(self.options.clone()).pack_cached(&self.inputs(), &self.bank(), &self.cache())
     }
 
     fn remember(&self) -> Compiled {
-        self.memory.borrow_mut().compile(&self.inputs(), &self.options, &|_| {})
+        Compiler::new(self.options.clone()).compile_again(&self.inputs(), &mut self.memory.borrow_mut())
     }
 
     /// Packs with the cache and with a memory, and compares everything with a run without them.
     fn pack(&self) -> Compiled {
         let with_cache = self.pack_unchecked();
         let with_memory = self.remember();
-        let without = compile(&self.inputs(), &self.options, &|_| {});
+        let without = Compiler::new(self.options.clone()).compile(&self.inputs());
         assert_eq!(with_memory.reports, without.reports);
         assert!(with_memory.bank == without.bank, "the bank of the memory differs");
         assert_eq!(with_cache.reports, without.reports);
@@ -240,7 +240,7 @@ fn files_that_are_no_caches_are_left_alone() {
     fs::write(&source, r#"{"visemes":"A-","viseme_type":"blair"}"#).unwrap();
     let inputs = scene.inputs();
     for (cache, bank_is_written) in [(&source, false), (&scene.path("voices"), false), (&scene.bank(), true)] {
-        let compiled = pack_cached(&inputs, &scene.options, &scene.bank(), cache, &|_| {});
+        let compiled = Compiler::new(scene.options.clone()).pack_cached(&inputs, &scene.bank(), cache);
         assert!(compiled.bank.is_none());
         assert_eq!(compiled.reports.len(), 1);
         assert_eq!(compiled.reports[0].diagnostics[0].code, Code::OutputFailed);
@@ -281,16 +281,13 @@ fn edit() -> impl Strategy<Value = Edit> {
 
 /// Options under which the findings of the generated documents are allowed, so that they are stamped.
 fn options(number: usize) -> Options {
-    let plain = Options {
-        default_locale: Some("en-us".into()),
-        levels: Code::ALL.iter().map(|code| (*code, None)).collect(),
-        ..Options::default()
-    };
+    let plain =
+        Options::new().default_locale("en-us").levels(Code::ALL.iter().map(|code| (*code, None)).collect::<Levels>());
     match number % 5 {
-        0 => Options { strip: true, ..plain },
-        1 => Options { pseudo: true, ..plain },
-        2 => Options { locales: Some(["de-at", "en-us", "fr-ca"].map(String::from).into()), ..plain },
-        3 => Options { default_locale: Some("de-de".into()), literal_braces: true, ..plain },
+        0 => plain.strip(true),
+        1 => plain.pseudo(true),
+        2 => plain.locales(["de-at", "en-us", "fr-ca"]),
+        3 => plain.default_locale("de-de").literal_braces(true),
         _ => plain,
     }
 }

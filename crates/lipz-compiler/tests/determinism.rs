@@ -3,12 +3,12 @@
 
 mod support;
 
-use lipz_compiler::{Input, Options, compile, discover};
+use lipz_compiler::{Compiler, Input, Options, discover};
 use std::path::Path;
 
 fn bank(inputs: &[Input], threads: usize) -> Vec<u8> {
-    let options = Options { threads: Some(threads), default_locale: Some("en-us".into()), ..Options::default() };
-    compile(inputs, &options, &|_| {}).bank.unwrap()
+    let options = Options::new().threads(threads).default_locale("en-us");
+    Compiler::new(options.clone()).compile(inputs).bank.unwrap()
 }
 
 #[test]

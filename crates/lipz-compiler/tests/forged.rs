@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use lipz_bank::Bank;
-use lipz_compiler::{Input, Options, compile};
+use lipz_compiler::{Compiler, Input, Options};
 use lipz_layout::{CHECKED_FROM, checksum};
 use lipz_testkit::tools::is_used;
 
@@ -16,8 +16,8 @@ fn bank() -> Vec<u8> {
         ),
         Input::from_bytes("b", r#"{ "visemes": "MA", "text_en-us": " No. ", "Text_en_us": null }"#),
     ];
-    let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
-    compile(&inputs, &options, &|_| {}).bank.unwrap()
+    let options = Options::new().default_locale("en-us");
+    Compiler::new(options.clone()).compile(&inputs).bank.unwrap()
 }
 
 #[test]

@@ -7,7 +7,7 @@
 
 use lipz_bank::{Bank, ClipId};
 use lipz_compiler::ids::{Language, generate};
-use lipz_compiler::{Input, Options, compile};
+use lipz_compiler::{Compiler, Input, Options};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -52,8 +52,8 @@ fn bank(files: &[(&str, &str)]) -> Vec<u8> {
         format!(r#"{{ "text_en-us": "{text}", "text_de-de": "{german}" }}"#)
     };
     let inputs: Vec<Input> = files.iter().map(|(key, text)| Input::from_bytes(*key, json(text))).collect();
-    let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
-    let compiled = compile(&inputs, &options, &|_| {});
+    let options = Options::new().default_locale("en-us");
+    let compiled = Compiler::new(options.clone()).compile(&inputs);
     compiled.bank.unwrap_or_else(|| panic!("{:?}", compiled.reports))
 }
 

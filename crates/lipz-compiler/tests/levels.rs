@@ -2,14 +2,14 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use lipz_bank::Bank;
-use lipz_compiler::{Compiled, Input, Options, compile};
-use lipz_diagnostics::{Code, Severity};
+use lipz_compiler::{Compiled, Compiler, Input, Options};
+use lipz_diagnostics::{Code, Levels, Severity};
 
 const CLIP: &[u8] = br#"{ "text_en-us": "Aye." }"#;
 
 fn run(files: &[(&str, &[u8])], levels: &[(Code, Option<Severity>)]) -> Compiled {
     let inputs: Vec<Input> = files.iter().map(|(key, bytes)| Input::from_bytes(*key, *bytes)).collect();
-    compile(&inputs, &Options { levels: levels.iter().copied().collect(), ..Options::default() }, &|_| {})
+    Compiler::new(Options::new().levels(levels.iter().copied().collect::<Levels>())).compile(&inputs)
 }
 
 fn found(compiled: &Compiled) -> Vec<(Code, Severity)> {

@@ -4,7 +4,7 @@
 mod support;
 
 use lipz_bank::Bank;
-use lipz_compiler::{Documents, Input, MinCoverage, Options, compile, discover};
+use lipz_compiler::{Compiler, Documents, Input, MinCoverage, Options, discover};
 use lipz_diagnostics::Code;
 
 const FILES: [(&str, &str); 3] = [
@@ -18,14 +18,13 @@ fn inputs(files: &[(&str, &str)]) -> Vec<Input> {
 }
 
 fn packed(options: &Options) -> Vec<u8> {
-    let compiled = compile(&inputs(&FILES), options, &|_| {});
+    let compiled = Compiler::new(options.clone()).compile(&inputs(&FILES));
     assert!(compiled.reports.is_empty(), "{:?}", compiled.reports);
     compiled.bank.unwrap()
 }
 
 fn only(tags: &[&str]) -> Options {
-    let locales = Some(tags.iter().map(|tag| (*tag).to_owned()).collect());
-    Options { default_locale: Some("en-us".into()), locales, ..Options::default() }
+    Options::new().default_locale("en-us").locales(tags.iter().copied())
 }
 
 /// Each locale with what a player reads in it, clip by clip; `*` before fallbacks.
@@ -60,7 +59,7 @@ fn texts_that_are_not_packed_are_nowhere_in_the_bank() {
     let has = |text: &str| bytes.windows(text.len()).any(|window| window == text.as_bytes());
     assert!(has("Hallo.") && !has("Servus.") && !has("Hello.") && !has("en-gb") && !has("{x}"));
     let bank = Bank::open(&bytes).unwrap().verify().unwrap();
-    let documents = Documents::of(&bank).unwrap();
+    let documents = Documents::from_bank(&bank).unwrap();
     let names: Vec<Vec<String>> = documents
         .iter()
         .map(|document| document.unwrap().1.elements.iter().map(|element| element.name.text.to_string()).collect())
@@ -71,36 +70,34 @@ fn texts_that_are_not_packed_are_nowhere_in_the_bank() {
 #[test]
 fn choosing_all_locales_changes_nothing() {
     let (inputs, _) = discover(&[support::folder("drama")], None);
-    let default_locale = Some("en-us".to_owned());
-    let all = compile(&inputs, &Options { default_locale: default_locale.clone(), ..Options::default() }, &|_| {});
-    let all = all.bank.unwrap();
-    let tags = Bank::open(&all).unwrap().locales().map(|locale| locale.tag().to_owned()).collect();
-    let chosen = Options { default_locale, locales: Some(tags), ..Options::default() };
-    assert_eq!(compile(&inputs, &chosen, &|_| {}).bank.unwrap(), all);
+    let options = Options::new().default_locale("en-us");
+    let all = Compiler::new(options.clone()).compile(&inputs).bank.unwrap();
+    let bank = Bank::open(&all).unwrap();
+    let chosen = options.locales(bank.locales().map(|locale| locale.tag()));
+    assert_eq!(Compiler::new(chosen).compile(&inputs).bank.unwrap(), all);
 }
 
 #[test]
 fn named_fallbacks_come_first() {
-    let fallbacks = [("en-gb".to_owned(), vec!["de-de".to_owned()])].into();
-    let options = Options { fallbacks, default_locale: Some("en-us".into()), ..Options::default() };
+    let options = Options::new().fallback("en-gb", ["de-de"]).default_locale("en-us");
     let british = shown(&packed(&options)).into_iter().find(|(tag, _)| tag == "en-gb").unwrap();
     assert_eq!(british.1, ["Aye, sir.", "*Hallo.", "-"]);
 }
 
 #[test]
 fn a_pseudo_locale_is_made_of_the_default_locale() {
-    let options = Options { pseudo: true, default_locale: Some("en-us".into()), ..Options::default() };
+    let options = Options::new().pseudo(true).default_locale("en-us");
     let all = shown(&packed(&options));
     let of = |wanted: &str| all.iter().find(|(tag, _)| tag == wanted).unwrap().1.clone();
     assert_eq!(of("en-xa"), ["[Åýé. one]", "[Ĥéļļö. one]", "[Ñö. one]"]);
     assert_eq!(of("en-gb"), ["Aye, sir.", "*Hello.", "*No."], "nobody falls back to it");
-    let without = compile(&inputs(&FILES), &Options { pseudo: true, ..Options::default() }, &|_| {});
+    let without = Compiler::new(Options::new().pseudo(true)).compile(&inputs(&FILES));
     assert!(without.bank.is_none() && without.reports[0].diagnostics[0].code == Code::SettingValue);
 }
 
 #[test]
 fn a_pseudo_locale_is_packed_beside_chosen_ones() {
-    let options = Options { pseudo: true, ..only(&["de-de"]) };
+    let options = only(&["de-de"]).pseudo(true);
     let tags: Vec<String> = shown(&packed(&options)).into_iter().map(|(tag, _)| tag).collect();
     assert_eq!(tags, ["de-de", "en-xa"]);
 }
@@ -108,12 +105,12 @@ fn a_pseudo_locale_is_packed_beside_chosen_ones() {
 #[test]
 fn a_file_keeps_its_own_text_of_the_pseudo_locale() {
     let file = r#"{ "text_en-us": "Aye.", "text_en-xa": "Mine.", "text_fr-fr": " Oui." }"#;
-    let options = Options { pseudo: true, default_locale: Some("en-us".into()), ..Options::default() };
-    let bytes = compile(&inputs(&[("aye", file)]), &options, &|_| {}).bank.unwrap();
+    let options = Options::new().pseudo(true).default_locale("en-us");
+    let bytes = Compiler::new(options.clone()).compile(&inputs(&[("aye", file)])).bank.unwrap();
     let texts: Vec<Vec<String>> = shown(&bytes).into_iter().map(|(_, texts)| texts).collect();
     assert_eq!(texts, [["Aye."], ["Mine."], ["Oui."]]);
     let bank = Bank::open(&bytes).unwrap().verify().unwrap();
-    let documents = Documents::of(&bank).unwrap();
+    let documents = Documents::from_bank(&bank).unwrap();
     let (_, document) = documents.iter().next().unwrap().unwrap();
     assert_eq!(document, lipz_file::parse(file.as_bytes()).document.unwrap());
 }
@@ -121,9 +118,10 @@ fn a_file_keeps_its_own_text_of_the_pseudo_locale() {
 #[test]
 fn too_little_coverage_makes_no_bank() {
     let wanted = |all, locale: Option<(&str, f64)>| {
-        let locales = locale.into_iter().map(|(tag, percent)| (tag.to_owned(), percent)).collect();
-        let options = Options { min_coverage: MinCoverage { all, locales }, ..Options::default() };
-        let compiled = compile(&inputs(&FILES), &options, &|_| {});
+        let mut share = MinCoverage::new();
+        share.all = all;
+        let share = locale.into_iter().fold(share, |share, (tag, percent)| share.locale(tag, percent));
+        let compiled = Compiler::new(Options::new().min_coverage(share)).compile(&inputs(&FILES));
         let codes: Vec<Code> =
             compiled.reports.iter().flat_map(|report| &report.diagnostics).map(|found| found.code).collect();
         assert_eq!(compiled.bank.is_none(), !codes.is_empty());
@@ -138,13 +136,10 @@ fn too_little_coverage_makes_no_bank() {
 
 #[test]
 fn locales_of_another_shape_are_refused() {
-    let broken = [
-        Options { default_locale: Some("english".into()), ..Options::default() },
-        only(&["es-419"]),
-        Options { fallbacks: [("de".to_owned(), vec![])].into(), ..Options::default() },
-    ];
+    let broken =
+        [Options::new().default_locale("english"), only(&["es-419"]), Options::new().fallback::<String>("de", [])];
     for options in broken {
-        let compiled = compile(&inputs(&FILES), &options, &|_| {});
+        let compiled = Compiler::new(options.clone()).compile(&inputs(&FILES));
         assert_eq!(compiled.reports[0].diagnostics[0].code, Code::LocaleShape);
     }
 }

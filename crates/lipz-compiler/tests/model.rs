@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
 
 use lipz_bank::{Bank, Clip, EventName, Micros, Segment};
-use lipz_compiler::{Input, Options, compile};
+use lipz_compiler::{Compiler, Input, Options};
 use lipz_file::locale::{TextName, text_name};
 use lipz_file::{Document, Value, event, text};
 use lipz_testkit::documents::document;
@@ -128,13 +128,9 @@ fn options() -> impl Strategy<Value = Options> {
     let chain = sample::subsequence(TAGS.to_vec(), 0..4).prop_shuffle();
     let fallbacks = collection::btree_map(sample::select(&TAGS[..]), chain, 0..4);
     (option::of(sample::select(&TAGS[..])), fallbacks, any::<bool>()).prop_map(|(default_locale, fallbacks, strip)| {
-        let owned = |tags: Vec<&str>| tags.into_iter().map(str::to_owned).collect();
-        Options {
-            default_locale: default_locale.map(str::to_owned),
-            fallbacks: fallbacks.into_iter().map(|(tag, chain)| (tag.to_owned(), owned(chain))).collect(),
-            strip,
-            ..Options::default()
-        }
+        let mut options = Options::new().strip(strip);
+        options.default_locale = default_locale.map(str::to_owned);
+        fallbacks.into_iter().fold(options, |options, (tag, chain)| options.fallback(tag, chain))
     })
 }
 
@@ -149,7 +145,7 @@ proptest! {
         let key = |number: usize| format!("clip-{number}");
         let input = |(number, document)| Input::from_bytes(key(number), lipz_file::write(document));
         let inputs: Vec<Input> = documents.iter().enumerate().map(input).collect();
-        let compiled = compile(&inputs, &options, &|_| {});
+        let compiled = Compiler::new(options.clone()).compile(&inputs);
         let bytes = compiled.bank.unwrap_or_else(|| panic!("{:#?}", compiled.reports));
         let opened = Bank::open(&bytes).unwrap();
         for bank in [opened, opened.verify().unwrap()] {

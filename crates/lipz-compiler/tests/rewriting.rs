@@ -5,7 +5,7 @@ mod support;
 
 use lipz_bank::VisemeType::{self, Blair, ToonBoom};
 use lipz_bank::{Bank, Clip};
-use lipz_compiler::{Documents, Input, Options, compile, convert, fix};
+use lipz_compiler::{Compiler, Documents, Input, Options};
 use lipz_diagnostics::{Code, Severity};
 use lipz_file::format::{LineEnding, Style, format};
 use lipz_file::{Document, Value, text};
@@ -16,8 +16,8 @@ use unicode_width::UnicodeWidthStr;
 
 /// The bank of one file, without its source record.
 fn bank(file: &str, options: &Options) -> Vec<u8> {
-    let options = Options { strip: true, ..options.clone() };
-    let compiled = compile(&[Input::from_bytes("clip", file)], &options, &|_| {});
+    let options = options.clone().strip(true);
+    let compiled = Compiler::new(options.clone()).compile(&[Input::from_bytes("clip", file)]);
     compiled.bank.unwrap_or_else(|| panic!("{file}\n{:#?}", compiled.reports))
 }
 
@@ -26,7 +26,7 @@ fn parsed(file: &str) -> Document<'_> {
 }
 
 fn formatted(file: &str, default_locale: Option<&str>) -> String {
-    format(&parsed(file), Style { default_locale, line_ending: LineEnding::of(file) })
+    format(&parsed(file), Style { default_locale, line_ending: LineEnding::detect(file) })
 }
 
 /// The document as a file with escapes where `escaped` says so, for one character after the other.
@@ -113,15 +113,15 @@ proptest! {
 
     #[test]
     fn fixing_keeps_the_meaning(document in document(), has_mark: bool, has_comma: bool) {
-        let options = Options { default_locale: Some("de-de".into()), ..Options::default() };
+        let options = Options::new().default_locale("de-de");
         let valid = lipz_file::write(&document);
         let mut file = if has_mark { format!("\u{FEFF}{valid}") } else { valid.clone() };
         if has_comma && !document.elements.is_empty() {
             file.insert(file.rfind('}').unwrap(), ',');
         }
-        let fixed = fix(file.as_bytes(), &options);
+        let fixed = Compiler::new(options.clone()).fix(file.as_bytes());
         let text = fixed.map_or(file, |fixed| fixed.text);
-        prop_assert_eq!(fix(text.as_bytes(), &options), None);
+        prop_assert_eq!(Compiler::new(options.clone()).fix(text.as_bytes()), None);
         prop_assert_eq!(bank(&valid, &options), bank(&text, &options));
         let left = lipz_file::parse(text.as_bytes()).diagnostics;
         prop_assert!(left.iter().all(|finding| finding.fix.is_none()), "{left:?}");
@@ -130,9 +130,9 @@ proptest! {
     #[test]
     fn packing_converts_as_the_file_is_converted(document in document(), to in prop_oneof![Just(Blair), Just(ToonBoom)]) {
         let file = lipz_file::write(&document);
-        let converted = convert(file.as_bytes(), to, &Options::default());
-        let packing = Options { viseme_type: Some(to), ..Options::default() };
-        let packed = compile(&[Input::from_bytes("clip", file.as_str())], &packing, &|_| {});
+        let converted = Compiler::default().convert(file.as_bytes(), to);
+        let packing = Options::new().viseme_type(to);
+        let packed = Compiler::new(packing.clone()).compile(&[Input::from_bytes("clip", file.as_str())]);
         let of_packing = packed.reports.into_iter().flat_map(|report| report.diagnostics);
         let is_about_it = |finding: &lipz_diagnostics::Diagnostic| ["LZ0404", "LZ0405"].contains(&finding.code.number());
         prop_assert_eq!(of_packing.filter(is_about_it).collect::<Vec<_>>(), converted.diagnostics);
@@ -141,19 +141,19 @@ proptest! {
         prop_assert_eq!(bank(&text, &Options::default()), bank(&text, &packing));
         // What is unpacked is the converted file, and packs to the same bank without converting.
         let bank = Bank::open(&bytes).and_then(Bank::verify).unwrap();
-        let documents = Documents::of(&bank).unwrap();
+        let documents = Documents::from_bank(&bank).unwrap();
         let (_, unpacked) = documents.iter().next().unwrap().unwrap();
         prop_assert_eq!(&unpacked, &parsed(&text));
-        let again = compile(&[Input::from_bytes("clip", lipz_file::write(&unpacked))], &Options::default(), &|_| {});
+        let again = Compiler::default().compile(&[Input::from_bytes("clip", lipz_file::write(&unpacked))]);
         prop_assert_eq!(again.bank.unwrap(), bytes);
     }
 
     #[test]
     fn toonboom_comes_back_from_blair(visemes in "[-ABCDEFG|]{0,40}") {
         let file = format!(r#"{{ "viseme_type": "toonboom", "visemes": "{visemes}" }}"#);
-        let there = convert(file.as_bytes(), Blair, &Options::default());
+        let there = Compiler::default().convert(file.as_bytes(), Blair);
         prop_assert_eq!(&there.diagnostics, &[]);
-        let back = convert(there.text.unwrap().as_bytes(), ToonBoom, &Options::default());
+        let back = Compiler::default().convert(there.text.unwrap().as_bytes(), ToonBoom);
         prop_assert_eq!(&back.diagnostics, &[]);
         prop_assert_eq!(back.text.unwrap(), file);
     }
@@ -161,31 +161,31 @@ proptest! {
 
 #[test]
 fn fixing_bad_files_makes_nothing_worse() {
-    let options = Options { default_locale: Some("ja-jp".into()), ..Options::default() };
+    let options = Options::new().default_locale("ja-jp");
     let mut mended = 0;
     for (name, bytes) in support::files("bad").into_iter().chain(support::files("spec/as-printed")) {
-        let Some(fixed) = fix(&bytes, &options) else { continue };
+        let Some(fixed) = Compiler::new(options.clone()).fix(&bytes) else { continue };
         mended += 1;
         let packed = |bytes: &[u8]| {
-            let options = Options { strip: true, ..options.clone() };
-            compile(&[Input::from_bytes("clip", bytes)], &options, &|_| {}).bank
+            let options = options.clone().strip(true);
+            Compiler::new(options.clone()).compile(&[Input::from_bytes("clip", bytes)]).bank
         };
         let (before, after) = (lipz_file::parse(&bytes).document, lipz_file::parse(fixed.text.as_bytes()).document);
         assert!(before.is_none() || after.is_some(), "{name}");
         assert!(packed(&bytes).is_none_or(|bank| Some(bank) == packed(fixed.text.as_bytes())), "{name}");
-        assert_eq!(fix(fixed.text.as_bytes(), &options), None, "{name}");
+        assert_eq!(Compiler::new(options.clone()).fix(fixed.text.as_bytes()), None, "{name}");
     }
     assert!(mended > 20, "{mended}");
 }
 
 fn converted(file: &str, to: VisemeType, options: &Options) -> (Option<String>, Vec<String>) {
-    let converted = convert(file.as_bytes(), to, options);
+    let converted = Compiler::new(options.clone()).convert(file.as_bytes(), to);
     (converted.text, converted.diagnostics.iter().map(|found| format!("{}: {}", found.code, found.message)).collect())
 }
 
 #[test]
 fn only_codes_and_type_are_edited() {
-    let default = Options { default_viseme_type: Some(Blair), ..Options::default() };
+    let default = Options::new().default_viseme_type(Blair);
     let cases = [
         // The byte order mark, line endings, escapes and odd blanks of the rest stay.
         (
@@ -236,8 +236,8 @@ fn loudness_is_refused_and_rest_is_not() {
 fn what_is_lost_has_the_level_of_the_project() {
     let file = br#"{"viseme_type":"blair","visemes":"LUL"}"#;
     let with = |level| {
-        let options = Options { levels: [(Code::ConversionLoss, level)].into(), ..Options::default() };
-        let converted = convert(file, ToonBoom, &options);
+        let options = Options::new().levels([(Code::ConversionLoss, level)]);
+        let converted = Compiler::new(options.clone()).convert(file, ToonBoom);
         (converted.text.is_some(), converted.diagnostics.iter().map(|found| found.severity).collect::<Vec<_>>())
     };
     assert_eq!(with(Some(Severity::Warning)), (true, vec![Severity::Warning]));
@@ -248,8 +248,8 @@ fn what_is_lost_has_the_level_of_the_project() {
 #[test]
 fn packing_converts_and_reports_what_is_lost() {
     let file = r#"{"viseme_type":"blair","visemes":"MASOWEF-|LUL"}"#;
-    let options = Options { viseme_type: Some(ToonBoom), ..Options::default() };
-    let compiled = compile(&[Input::from_bytes("clip", file)], &options, &|_| {});
+    let options = Options::new().viseme_type(ToonBoom);
+    let compiled = Compiler::new(options.clone()).compile(&[Input::from_bytes("clip", file)]);
     let [finding] = &compiled.reports[0].diagnostics[..] else { panic!("{:?}", compiled.reports) };
     assert_eq!(finding.message, "3 frames lose their own mouth shape: toonboom has no `L` and no `U`");
     assert_eq!(finding.notes, ["`L` becomes `B` in 2 frames", "`U` becomes `F` in 1 frame"]);

@@ -4,7 +4,7 @@
 mod support;
 
 use lipz_bank::{Bank, VisemeType};
-use lipz_compiler::{Documents, Input, Options, compile, convert};
+use lipz_compiler::{Compiler, Documents, Input, Options};
 use lipz_diagnostics::{Code, Severity};
 use lipz_file::locale::{TextName, text_name};
 use lipz_file::{Document, Element};
@@ -17,13 +17,13 @@ type Files = Vec<(String, Vec<u8>)>;
 
 fn packed(files: &Files, options: &Options) -> Vec<u8> {
     let inputs: Vec<Input> = files.iter().map(|(key, bytes)| Input::from_bytes(key, bytes.clone())).collect();
-    let compiled = compile(&inputs, options, &|_| {});
+    let compiled = Compiler::new(options.clone()).compile(&inputs);
     compiled.bank.unwrap_or_else(|| panic!("{:#?}", compiled.reports))
 }
 
 fn unpacked(bytes: &[u8]) -> Files {
     let bank = Bank::open(bytes).and_then(Bank::verify).unwrap();
-    let documents = Documents::of(&bank).unwrap();
+    let documents = Documents::from_bank(&bank).unwrap();
     assert!(documents.is_exact());
     let file = |(key, document): (&str, Document<'_>)| (key.to_owned(), lipz_file::write(&document).into_bytes());
     documents.iter().map(|document| file(document.unwrap())).collect()
@@ -31,7 +31,7 @@ fn unpacked(bytes: &[u8]) -> Files {
 
 /// What a bank keeps of a file: converted codes, and no texts but those of the chosen locales.
 fn kept(file: &[u8], options: &Options) -> Vec<u8> {
-    let converted = options.viseme_type.and_then(|to| convert(file, to, options).text);
+    let converted = options.viseme_type.and_then(|to| Compiler::new(options.clone()).convert(file, to).text);
     let file = converted.map_or(file.to_vec(), String::into_bytes);
     let mut document = lipz_file::parse(&file).document.unwrap();
     document.elements.retain(|element| match (&options.locales, text_name(&element.name.text)) {
@@ -67,10 +67,7 @@ fn every_good_fixture_comes_back() {
         let files = support::files(folder);
         assert!(!files.is_empty(), "{folder}");
         assert_round_trip(&files, &Options::default());
-        assert_round_trip(
-            &files,
-            &Options { default_locale: Some("de-de".into()), threads: Some(2), ..Options::default() },
-        );
+        assert_round_trip(&files, &Options::new().default_locale("de-de").threads(2));
     }
 }
 
@@ -95,21 +92,21 @@ fn odd_spellings_come_back() {
 #[test]
 fn a_stripped_bank_gives_display_forms() {
     let file = br#"{"text_en-us":" {loud} Hi | you","viseme_type":"blair","visemes":"MA|O-","fps":29.97,"x":1}"#;
-    let options = Options { strip: true, ..Options::default() };
-    let bytes = compile(&[Input::from_bytes("a", file)], &options, &|_| {}).bank.unwrap();
+    let options = Options::new().strip(true);
+    let bytes = Compiler::new(options.clone()).compile(&[Input::from_bytes("a", file)]).bank.unwrap();
     let bank = Bank::open(&bytes).and_then(Bank::verify).unwrap();
-    let documents = Documents::of(&bank).unwrap();
+    let documents = Documents::from_bank(&bank).unwrap();
     assert!(!documents.is_exact());
     let (_, document) = documents.iter().next().unwrap().unwrap();
     let expected = "{\n  \"fps\": 29.97,\n  \"viseme_type\": \"blair\",\n  \"visemes\": \"MA|O-\",\n  \"text_en-us\": \"Hi|you\"\n}\n";
     assert_eq!(lipz_file::write(&document), expected);
-    let again = compile(&[Input::from_bytes("a", expected)], &options, &|_| {}).bank.unwrap();
+    let again = Compiler::new(options.clone()).compile(&[Input::from_bytes("a", expected)]).bank.unwrap();
     assert_eq!(again, bytes);
 }
 
 /// Options under which elements may differ in segments.
 fn joining() -> Options {
-    Options { levels: [(Code::SegmentCount, Some(Severity::Warning))].into(), ..Options::default() }
+    Options::new().levels([(Code::SegmentCount, Some(Severity::Warning))])
 }
 
 /// The texts and events of one document with the other elements of another: segments that differ.
@@ -142,14 +139,13 @@ fn options() -> impl Strategy<Value = Options> {
     let default_locale = option::of(sample::select(&["de-de", "en-us", "it-it"][..]));
     let viseme_type = || option::of(sample::select(&VisemeType::ALL[..]));
     (locales, default_locale, viseme_type(), viseme_type(), any::<[bool; 2]>()).prop_map(
-        |(locales, default_locale, viseme_type, default_viseme_type, [literal_braces, pseudo])| Options {
-            locales: locales.map(|tags| tags.into_iter().map(str::to_owned).collect::<BTreeSet<_>>()),
-            pseudo: pseudo && default_locale.is_some(),
-            default_locale: default_locale.map(str::to_owned),
-            viseme_type,
-            default_viseme_type,
-            literal_braces,
-            ..joining()
+        |(locales, default_locale, viseme_type, default_viseme_type, [literal_braces, pseudo])| {
+            let mut options = joining().literal_braces(literal_braces).pseudo(pseudo && default_locale.is_some());
+            options.locales = locales.map(|tags| tags.into_iter().map(str::to_owned).collect::<BTreeSet<_>>());
+            options.default_locale = default_locale.map(str::to_owned);
+            options.viseme_type = viseme_type;
+            options.default_viseme_type = default_viseme_type;
+            options
         },
     )
 }
@@ -163,7 +159,7 @@ proptest! {
         options in options(),
     ) {
         // Some codes are not of the default type, or cannot be converted.
-        let is_good = |file: &Vec<u8>| compile(&[Input::from_bytes("clip", file.clone())], &options, &|_| {}).bank.is_some();
+        let is_good = |file: &Vec<u8>| Compiler::new(options.clone()).compile(&[Input::from_bytes("clip", file.clone())]).bank.is_some();
         let files = documents.iter().map(|document| lipz_file::write(document).into_bytes()).filter(is_good);
         let files = files.enumerate().map(|(number, file)| (format!("clip-{number}"), file)).collect();
         assert_round_trip(&files, &options);

@@ -41,7 +41,7 @@ fn every_setting_is_read() {
     assert!(settings.split_locales);
     let options = settings.options;
     assert!(options.pseudo);
-    assert_eq!(options.min_coverage, MinCoverage { all: Some(90.0), locales: [("de-de".to_owned(), 99.5)].into() });
+    assert_eq!(options.min_coverage, MinCoverage::new().all(90.0).locale("de-de", 99.5));
     assert_eq!(options.default_fps, Fps::new(2997, 125));
     assert_eq!((options.default_viseme_type, options.viseme_type), (Some(VisemeType::Rms), Some(VisemeType::Blair)));
     assert!(options.extended_locales && options.strip && options.literal_braces);
@@ -53,9 +53,9 @@ fn every_setting_is_read() {
     assert_eq!(options.levels[&Code::UnknownEmotion], None, "a lint by itself wins over its group");
     assert_eq!(options.levels[&Code::UnknownLocale], Some(Severity::Error));
     assert_eq!(options.levels[&Code::SegmentCount], Some(Severity::Warning));
-    assert_eq!(options.registry.characters, Some(["mara".to_owned()].into()));
-    assert_eq!(options.registry.actions, Some([].into()), "no actions at all");
-    assert_eq!(options.registry.emotions, ["nervous".to_owned()].into());
+    assert_eq!(options.known_names.characters, Some(["mara".to_owned()].into()));
+    assert_eq!(options.known_names.actions, Some([].into()), "no actions at all");
+    assert_eq!(options.known_names.emotions, ["nervous".to_owned()].into());
 }
 
 #[test]

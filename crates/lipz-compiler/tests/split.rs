@@ -4,15 +4,15 @@
 mod support;
 
 use lipz_bank::Bank;
-use lipz_compiler::{Options, compile, discover, split};
+use lipz_compiler::{Compiler, Options, SplitBank, discover};
 
 #[test]
 fn text_banks_answer_as_the_whole() {
-    let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
+    let options = Options::new().default_locale("en-us");
     let (inputs, _) = discover(&[support::folder("drama")], None);
-    let whole = compile(&inputs, &options, &|_| {}).bank.unwrap();
+    let whole = Compiler::new(options.clone()).compile(&inputs).bank.unwrap();
     let bank = Bank::open(&whole).unwrap().verify().unwrap();
-    let split = split(&whole).unwrap();
+    let split = SplitBank::from_bytes(&whole).unwrap();
     let base = Bank::open(&split.base).unwrap().verify().unwrap();
     assert!(base.locales().next().is_none() && base.sections().all(|(tag, _)| tag.0 != *b"SRCE"));
     assert_eq!(split.texts.len(), bank.locales().count());
@@ -37,12 +37,12 @@ fn text_banks_answer_as_the_whole() {
 
 #[test]
 fn a_bank_without_clips() {
-    let whole = compile(&[], &Options::default(), &|_| {}).bank.unwrap();
-    let split = split(&whole).unwrap();
+    let whole = Compiler::default().compile(&[]).bank.unwrap();
+    let split = SplitBank::from_bytes(&whole).unwrap();
     assert!(Bank::open(&split.base).unwrap().verify().is_ok() && split.texts.is_empty());
 }
 
 #[test]
 fn what_is_no_bank_is_refused() {
-    assert!(split(b"not a bank").is_err());
+    assert!(SplitBank::from_bytes(b"not a bank").is_err());
 }

@@ -2,12 +2,12 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use lipz_bank::Bank;
-use lipz_compiler::{Input, Options, TextLimits, compile};
+use lipz_compiler::{Compiler, Input, Options, TextLimits};
 use lipz_diagnostics::Code;
 
 /// Codes and marked characters of the findings in one file.
 fn findings(file: &str, options: &Options) -> Vec<(Code, String, String)> {
-    let compiled = compile(&[Input::from_bytes("clip", file)], options, &|_| {});
+    let compiled = Compiler::new(options.clone()).compile(&[Input::from_bytes("clip", file)]);
     let found = compiled.reports.iter().flat_map(|report| report.diagnostics.iter().map(move |found| (report, found)));
     found
         .map(|(report, found)| {
@@ -18,12 +18,12 @@ fn findings(file: &str, options: &Options) -> Vec<(Code, String, String)> {
 }
 
 fn limits(text_limits: TextLimits) -> Options {
-    Options { text_limits, ..Options::default() }
+    Options::new().text_limits(text_limits)
 }
 
 #[test]
 fn lines_are_measured_in_columns() {
-    let options = limits(TextLimits { line_columns: Some(8), ..TextLimits::default() });
+    let options = limits(TextLimits::new().line_columns(8));
     let file = r#"{ "text_en-us": "{aside} 12345678\nabc | 123456789 |x", "text_ja-jp": "いいえ。|いいえいえ|e\u0301e\u0301e\u0301e\u0301e\u0301" }"#;
     let found = findings(file, &options);
     let marked: Vec<_> = found.iter().map(|(code, marked, _)| (*code, marked.as_str())).collect();
@@ -33,7 +33,7 @@ fn lines_are_measured_in_columns() {
 
 #[test]
 fn lines_are_counted() {
-    let options = limits(TextLimits { lines: Some(2), ..TextLimits::default() });
+    let options = limits(TextLimits::new().lines(2));
     let found = findings(r#"{ "text_en-us": " a\nb | a\nb\nc " }"#, &options);
     assert_eq!(found.len(), 1);
     assert_eq!((found[0].0, found[0].1.as_str()), (Code::TooManyLines, r"a\nb\nc"));
@@ -41,7 +41,7 @@ fn lines_are_counted() {
 
 #[test]
 fn reading_takes_the_time_of_the_segment() {
-    let options = limits(TextLimits { characters_per_second: Some(10.0), ..TextLimits::default() });
+    let options = limits(TextLimits::new().characters_per_second(10.0));
     // Half a second, one second, no time; five characters are read in half a second.
     let file = r#"{ "fps": 4, "visemes": "AA|AAAA||", "text_en-us": "12345|1234567890!|in no time|" }"#;
     let found = findings(file, &options);
@@ -55,16 +55,16 @@ fn reading_takes_the_time_of_the_segment() {
 
 #[test]
 fn many_findings_are_counted() {
-    let options = limits(TextLimits { line_columns: Some(1), ..TextLimits::default() });
+    let options = limits(TextLimits::new().line_columns(1));
     assert_eq!(findings(r#"{ "text_en-us": "aa|aa|aa|aa|aa" }"#, &options).len(), 3);
 }
 
 #[test]
 fn literal_braces_are_displayed() {
     let file = r#"{ "text_en-us": " Take {0} of {max} | } odd { " }"#;
-    let options = Options { literal_braces: true, ..Options::default() };
+    let options = Options::new().literal_braces(true);
     assert!(findings(file, &options).is_empty());
-    let bytes = compile(&[Input::from_bytes("clip", file)], &options, &|_| {}).bank.unwrap();
+    let bytes = Compiler::new(options.clone()).compile(&[Input::from_bytes("clip", file)]).bank.unwrap();
     let bank = Bank::open(&bytes).unwrap();
     let clip = bank.clip_by_key("clip").unwrap();
     let english = bank.locale("en-us").unwrap();
@@ -79,7 +79,7 @@ fn what_belongs_to_one_clip_has_limits() {
     let texts = |parts: &[usize]| parts.iter().map(|&length| "x".repeat(length)).collect::<Vec<_>>().join("|");
     let compiled = |text: &str| {
         let file = format!(r#"{{ "text_en-us": "{text}" }}"#);
-        compile(&[Input::from_bytes("clip", file)], &Options::default(), &|_| {})
+        Compiler::default().compile(&[Input::from_bytes("clip", file)])
     };
     let bank = compiled(&texts(&[0, 0xFFFF, 0, 0xFFFF, 3])).bank.unwrap();
     let bank = Bank::open(&bank).and_then(Bank::verify).unwrap();

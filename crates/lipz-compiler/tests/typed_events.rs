@@ -4,7 +4,7 @@
 mod support;
 
 use lipz_bank::{Bank, EventName, Segment};
-use lipz_compiler::{Input, Options, Registry, compile};
+use lipz_compiler::{Compiler, Input, KnownNames, Options};
 use lipz_file::event;
 use proptest::prelude::*;
 use std::collections::BTreeSet;
@@ -52,7 +52,7 @@ fn compare(bytes: &[u8]) -> usize {
 fn the_drama() {
     let inputs: Vec<_> =
         support::files("drama").into_iter().map(|(key, bytes)| Input::from_bytes(&key, bytes)).collect();
-    let bank = compile(&inputs, &Options::default(), &|_| {}).bank.unwrap();
+    let bank = Compiler::default().compile(&inputs).bank.unwrap();
     assert!(compare(&bank) > 100);
 }
 
@@ -74,9 +74,10 @@ proptest! {
         // What the checks say about the events makes no difference to them.
         let names = |names: &[&str]| Some(names.iter().copied().map(str::to_owned).collect());
         let (characters, props) = (names(&["amy"]), names(&["door"]));
-        let registry = Registry { characters, props, ..Registry::default() };
-        let banks = [Registry::default(), registry].map(|registry| {
-            compile(&inputs, &Options { registry, ..Options::default() }, &|_| {}).bank.unwrap()
+        let mut names = KnownNames::new();
+        (names.characters, names.props) = (characters, props);
+        let banks = [KnownNames::new(), names].map(|names| {
+            Compiler::new(Options::new().known_names(names)).compile(&inputs).bank.unwrap()
         });
         prop_assert!(banks[0] == banks[1]);
         compare(&banks[0]);

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 use lipz_bank::{Bank, ErrorKind};
-use lipz_compiler::{Input, Options, compile};
+use lipz_compiler::{Compiler, Input};
 use lipz_host::{Error, FileBytes, Hold, LiveBank, OwnedBank};
 use std::fs::{self, File};
 use std::path::Path;
@@ -24,7 +24,7 @@ fn version(number: usize) -> Vec<u8> {
         "A".repeat(number)
     );
     let inputs: Vec<Input> = (0..30).map(|clip| Input::from_bytes(format!("clip-{clip}"), file.clone())).collect();
-    compile(&inputs, &Options::default(), &|_| {}).bank.unwrap()
+    Compiler::default().compile(&inputs).bank.unwrap()
 }
 
 /// The number that all of a bank says.

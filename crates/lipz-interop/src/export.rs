@@ -10,6 +10,7 @@ use lipz_types::VisemeType;
 
 /// What a project and a person decide about an export.
 #[derive(Clone, Copy, Debug, Default)]
+#[non_exhaustive]
 pub struct ExportOptions<'a> {
     /// The table to use instead of the one of the format.
     pub map: Option<&'a Map>,
@@ -22,8 +23,42 @@ pub struct ExportOptions<'a> {
     pub name: Option<&'a str>,
 }
 
-/// What an export gave.
+/// Setters; each takes a value or an `Option`.
+impl<'a> ExportOptions<'a> {
+    /// The usual decisions.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Sets the table to use instead of the one of the format.
+    #[must_use]
+    pub fn map(self, map: impl Into<Option<&'a Map>>) -> Self {
+        ExportOptions { map: map.into(), ..self }
+    }
+
+    /// Sets the frame rate of files without `fps`.
+    #[must_use]
+    pub fn default_rate(self, default_rate: impl Into<Option<Rate>>) -> Self {
+        ExportOptions { default_rate: default_rate.into(), ..self }
+    }
+
+    /// Sets the viseme type of files without `viseme_type`.
+    #[must_use]
+    pub fn default_viseme_type(self, default_viseme_type: impl Into<Option<VisemeType>>) -> Self {
+        ExportOptions { default_viseme_type: default_viseme_type.into(), ..self }
+    }
+
+    /// Sets the name of the file to be written, without folders and extension.
+    #[must_use]
+    pub fn name(self, name: impl Into<Option<&'a str>>) -> Self {
+        ExportOptions { name: name.into(), ..self }
+    }
+}
+
+/// The result of an export.
 #[derive(Debug, Default)]
+#[non_exhaustive]
 pub struct Exported {
     /// The file; `None` if a finding is an error.
     pub bytes: Option<Vec<u8>>,

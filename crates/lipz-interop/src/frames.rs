@@ -19,7 +19,7 @@ pub(crate) struct Run {
 
 /// Why a shape has no frame.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub enum Why {
+pub enum LossReason {
     /// It is shorter than a frame, and its neighbours cover more of the frames that it touches.
     TooShort,
     /// Its only frame was given to closed lips, or to F and V.
@@ -28,13 +28,13 @@ pub enum Why {
     BelowMinimum,
 }
 
-impl Why {
+impl LossReason {
     /// The reason in a few words.
-    pub const fn reason(self) -> &'static str {
+    pub const fn describe(self) -> &'static str {
         match self {
-            Why::TooShort => "shorter than a frame",
-            Why::GaveWay => "its frame shows closed lips or F and V",
-            Why::BelowMinimum => "shorter than the minimum hold",
+            LossReason::TooShort => "shorter than a frame",
+            LossReason::GaveWay => "its frame shows closed lips or F and V",
+            LossReason::BelowMinimum => "shorter than the minimum hold",
         }
     }
 }
@@ -45,7 +45,7 @@ pub(crate) struct Frames {
     /// How many frames each run shows, in the order of the runs.
     pub(crate) lengths: Vec<usize>,
     /// The runs that have no frame, and why.
-    pub(crate) lost: Vec<(usize, Why)>,
+    pub(crate) lost: Vec<(usize, LossReason)>,
 }
 
 /// Whether a code is one of the shapes that must not vanish: closed lips, F and V.
@@ -61,7 +61,7 @@ pub(crate) fn must_show(viseme_type: VisemeType, code: u8) -> bool {
 /// `min_hold` frames, if it can be.
 pub(crate) fn resample(runs: &[Run], viseme_type: VisemeType, rate: Rate, min_hold: usize) -> Frames {
     let mut owners = nearest_boundaries(runs, rate);
-    let mut why = vec![Why::TooShort; runs.len()];
+    let mut why = vec![LossReason::TooShort; runs.len()];
     let had_frames = counts(&owners, runs.len());
     for (run, frame) in reserved(runs, viseme_type, rate, owners.len()) {
         if let Some(owner) = owners.get_mut(frame) {
@@ -71,12 +71,12 @@ pub(crate) fn resample(runs: &[Run], viseme_type: VisemeType, rate: Rate, min_ho
     let mut lengths = counts(&owners, runs.len());
     for ((why, had), has) in why.iter_mut().zip(had_frames).zip(&lengths) {
         if had > 0 && *has == 0 {
-            *why = Why::GaveWay;
+            *why = LossReason::GaveWay;
         }
     }
     let show = |run: usize| runs.get(run).is_some_and(|run| must_show(viseme_type, run.code));
     hold(&mut lengths, &mut why, min_hold, show);
-    let lost = |(run, (&frames, why)): (usize, (&usize, Why))| (frames == 0).then_some((run, why));
+    let lost = |(run, (&frames, why)): (usize, (&usize, LossReason))| (frames == 0).then_some((run, why));
     let lost = lengths.iter().zip(why).enumerate().filter_map(lost).collect();
     Frames { lengths, lost }
 }
@@ -136,7 +136,7 @@ fn reserved(runs: &[Run], viseme_type: VisemeType, rate: Rate, frames: usize) ->
 /// Brings every run that shows to `minimum` frames. What it lacks comes from the run before, then from the
 /// run after, of what those have beyond the minimum. A run that lacks frames all the same gives way, unless it
 /// must show: then its neighbours do.
-fn hold(lengths: &mut [usize], why: &mut [Why], minimum: usize, must_show: impl Fn(usize) -> bool) {
+fn hold(lengths: &mut [usize], why: &mut [LossReason], minimum: usize, must_show: impl Fn(usize) -> bool) {
     if minimum < 2 {
         return;
     }
@@ -171,7 +171,7 @@ fn hold(lengths: &mut [usize], why: &mut [Why], minimum: usize, must_show: impl 
             done.push(run);
         } else if let Some(heir) = done.last().or(rest.first()) {
             move_frames(lengths, Some(run), *heir, has, usize::MAX);
-            mark(why, run, Why::BelowMinimum);
+            mark(why, run, LossReason::BelowMinimum);
         } else {
             done.push(run); // the only one
         }
@@ -192,15 +192,15 @@ fn move_frames(lengths: &mut [usize], from: Option<usize>, to: usize, spare: usi
 }
 
 /// Moves what `to` lacks from a run that may vanish by it.
-fn take_from(lengths: &mut [usize], why: &mut [Why], from: usize, to: usize, minimum: usize) {
+fn take_from(lengths: &mut [usize], why: &mut [LossReason], from: usize, to: usize, minimum: usize) {
     let all = lengths.get(from).copied().unwrap_or(0);
     move_frames(lengths, Some(from), to, all, minimum);
     if lengths.get(from) == Some(&0) {
-        mark(why, from, Why::GaveWay);
+        mark(why, from, LossReason::GaveWay);
     }
 }
 
-fn mark(why: &mut [Why], run: usize, reason: Why) {
+fn mark(why: &mut [LossReason], run: usize, reason: LossReason) {
     if let Some(why) = why.get_mut(run) {
         *why = reason;
     }
@@ -253,7 +253,7 @@ mod tests {
     fn what_gives_way_is_told() {
         let frames = resample(&runs(&[(b'A', 42), (b'M', 20), (b'F', 28), (b'E', 40)]), VisemeType::Blair, FILM, 1);
         assert_eq!(frames.lengths, [1, 1, 1, 0]);
-        assert_eq!(frames.lost, [(3, Why::GaveWay)]);
+        assert_eq!(frames.lost, [(3, LossReason::GaveWay)]);
     }
 
     #[test]

@@ -17,7 +17,7 @@ pub(crate) struct Node<'s> {
 /// The root of a JSON text; reports why it is none.
 pub(crate) fn root<'s>(text: &'s str, findings: &mut Vec<Diagnostic>) -> Option<Node<'s>> {
     match serde_json::from_str::<&RawValue>(text) {
-        Ok(raw) => Some(Node::of(raw, text, 0)),
+        Ok(raw) => Some(Node::new(raw, text, 0)),
         Err(error) => {
             findings.push(syntax(text, 0, &error));
             None
@@ -39,7 +39,7 @@ pub(crate) fn joined<'s>(text: &'s str, findings: &mut Vec<Diagnostic>) -> Vec<N
         match values.next() {
             None => return nodes,
             Some(Ok(raw)) => {
-                nodes.push(Node::of(raw, rest, at));
+                nodes.push(Node::new(raw, rest, at));
                 at += values.byte_offset();
             }
             Some(Err(error)) => {
@@ -66,13 +66,13 @@ fn syntax(text: &str, at: usize, error: &serde_json::Error) -> Diagnostic {
 }
 
 impl<'s> Node<'s> {
-    fn of(raw: &'s RawValue, text: &'s str, text_at: usize) -> Node<'s> {
+    fn new(raw: &'s RawValue, text: &'s str, text_at: usize) -> Node<'s> {
         let offset = (raw.get().as_ptr() as usize).wrapping_sub(text.as_ptr() as usize);
         Node { line: Line { text: raw.get(), at: text_at + offset } }
     }
 
     fn child(self, raw: &'s RawValue) -> Node<'s> {
-        Node::of(raw, self.line.text, self.line.at)
+        Node::new(raw, self.line.text, self.line.at)
     }
 
     pub(crate) fn span(self) -> Span {

@@ -10,6 +10,7 @@ use lipz_file::rate::Rate;
 /// Times are exact, shapes have the names that the tool gives them. Which Lipz code a name stands for is the
 /// business of a [`Map`](crate::Map); to which frames it comes, that of [`import`](crate::import()).
 #[derive(Clone, PartialEq, Debug, Default)]
+#[non_exhaustive]
 pub struct Track {
     /// What the file calls the speaker, if it can have several.
     pub name: Option<String>,

@@ -33,7 +33,7 @@ fn codes(findings: &[Diagnostic]) -> Vec<Code> {
 
 #[test]
 fn phonemes_become_the_mouths_of_the_heads() {
-    let options = ImportOptions { name: Some("eld_1"), ..ImportOptions::default() };
+    let options = ImportOptions::new().name("eld_1");
     let imported = import(format(), &fixture("eld_1.lip"), &options);
     assert_eq!(visemes(&imported), "--SSEELLOOOOMMEEEEE");
     assert_eq!(codes(&imported.diagnostics), []);
@@ -54,7 +54,7 @@ fn the_table_has_all_phonemes() {
 
 #[test]
 fn phonemes_between_frames_are_told() {
-    let options = ImportOptions { rate: rate("5"), ..ImportOptions::default() };
+    let options = ImportOptions::new().rate(rate("5"));
     let imported = import(format(), &fixture("eld_2.lip"), &options);
     assert_eq!(visemes(&imported), "-LME");
     assert_eq!(codes(&imported.diagnostics), [Code::ShapesLost]);
@@ -66,8 +66,11 @@ fn phonemes_between_frames_are_told() {
 fn the_unit_is_named_or_told_by_the_sound() {
     let bytes = fixture("eld_2.lip");
     let frames = |units_per_second: Option<u32>, sound_length: Option<Time>| {
-        let imported =
-            import(format(), &bytes, &ImportOptions { units_per_second, sound_length, ..ImportOptions::default() });
+        let imported = import(
+            format(),
+            &bytes,
+            &ImportOptions::new().units_per_second(units_per_second).sound_length(sound_length),
+        );
         (imported.clips[0].frames, codes(&imported.diagnostics))
     };
     assert_eq!(frames(None, None), (19, vec![]));
@@ -111,7 +114,7 @@ fn a_file_cut_anywhere_gives_no_clip() {
 fn exported(visemes: &str, fps: &str) -> Vec<u8> {
     let file = format!("{{ \"viseme_type\": \"blair\", \"visemes\": \"{visemes}\", \"fps\": {fps} }}");
     let document = lipz_file::parse(file.as_bytes()).document.unwrap();
-    let exported = export(format(), &document, &ExportOptions { name: Some("mayor"), ..ExportOptions::default() });
+    let exported = export(format(), &document, &ExportOptions::new().name("mayor"));
     assert_eq!(exported.diagnostics, []);
     exported.bytes.unwrap()
 }
@@ -129,7 +132,8 @@ fn exported_files_are_as_the_games() {
 fn names_that_do_not_fit_are_refused() {
     for name in ["", "mara-good-evening", "él", "a.b", "a/b", "a b"] {
         let mut findings = Vec::new();
-        let track = Track { name: Some(name.into()), ..Track::default() };
+        let mut track = Track::default();
+        track.name = Some(name.into());
         assert!(format().write.unwrap()(&track, &mut findings).is_empty());
         assert_eq!(codes(&findings), [Code::LipExportName], "{name}");
     }
@@ -138,7 +142,7 @@ fn names_that_do_not_fit_are_refused() {
 proptest! {
     #[test]
     fn frames_come_back(visemes in "[-ASEFLMOW]{1,80}", fps in prop::sample::select(vec!["1", "12", "23.976", "24", "29.97", "60", "1000"])) {
-        let options = ImportOptions { rate: rate(fps), name: Some("mayor"), ..ImportOptions::default() };
+        let options = ImportOptions::new().rate(rate(fps)).name("mayor");
         let imported = import(format(), &exported(&visemes, fps), &options);
         prop_assert_eq!(&imported.diagnostics, &[]);
         prop_assert_eq!(imported.clips[0].document.string("visemes"), Some(visemes.as_str()));

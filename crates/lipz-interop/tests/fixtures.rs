@@ -15,7 +15,7 @@ fn every_fixture_becomes_what_is_expected() {
     let blessing = std::env::var_os("LIPZ_BLESS").is_some();
     let mut differences = Vec::new();
     for (of, file, bytes) in every_fixture() {
-        let options = ImportOptions { locale: Some("en-us"), ..ImportOptions::default() };
+        let options = ImportOptions::new().locale("en-us");
         let imported = import(of, &bytes, &options);
         let mut text = String::new();
         for finding in &imported.diagnostics {
@@ -57,7 +57,7 @@ fn text_and_shapes_have_the_same_segments() {
     let tsv = b"0.00\tX\n0.20\tB\n1.00\tX\n1.50\tD\n2.60\tX\n3.00\tX\n";
     let of = formats::find("rhubarb-tsv").unwrap();
     let segments = |text, segments| {
-        let options = ImportOptions { text: Some(text), locale: Some("en-us"), segments, ..ImportOptions::default() };
+        let options = ImportOptions::new().text(text).locale("en-us").segments(segments);
         let document = import(of, tsv, &options).clips.remove(0).document;
         (document.string("visemes").unwrap().find('|'), document.string("text_en-us").unwrap().to_owned())
     };

@@ -17,7 +17,7 @@ const ONE_IN: u64 = 9;
 const SHORT_UNITS_PER_SECOND: u32 = 1_000_000;
 
 fn options(segments: Segments) -> ImportOptions<'static> {
-    ImportOptions { segments, locale: Some("en-us"), min_hold: 2, ..ImportOptions::default() }
+    ImportOptions::new().segments(segments).locale("en-us").min_hold(2)
 }
 
 /// Imports the bytes and checks what comes of them.
@@ -81,7 +81,7 @@ fn random_changes() {
             let segments = [Segments::Phrases, Segments::Pauses, Segments::Sentences, Segments::None];
             let options = options(segments[usize::try_from(round % 4).unwrap()]);
             let units_per_second = (round % ONE_IN != 0).then_some(SHORT_UNITS_PER_SECOND);
-            check(format, &changed, &ImportOptions { units_per_second, ..options });
+            check(format, &changed, &options.units_per_second(units_per_second));
         }
     }
 }

@@ -20,9 +20,9 @@ fn clip(viseme_type: VisemeType, fps: &str, visemes: &str) -> String {
 fn there_and_back(format: &Format, map: &Map, fps: &str, visemes: &str) -> String {
     let text = clip(map.viseme_type, fps, visemes);
     let document: Document<'_> = lipz_file::parse(text.as_bytes()).document.unwrap();
-    let exported = export(format, &document, &ExportOptions { map: Some(map), ..ExportOptions::default() });
+    let exported = export(format, &document, &ExportOptions::new().map(map));
     let rate: Option<Rate> = lipz_file::rate::parse(fps);
-    let options = ImportOptions { map: Some(map), rate, file_rate: rate, ..ImportOptions::default() };
+    let options = ImportOptions::new().map(map).rate(rate).file_rate(rate);
     let imported = import(format, &exported.bytes.unwrap(), &options);
     assert!(imported.diagnostics.is_empty(), "{:?}", imported.diagnostics);
     imported.clips.first().unwrap().document.string("visemes").unwrap().to_owned()
@@ -57,7 +57,7 @@ fn file_again(format: &str, fps: &str) -> (Vec<u8>, Vec<u8>) {
     let format = formats::find(format).unwrap();
     let bytes = std::fs::read(fixtures(format).first().unwrap()).unwrap();
     let rate = lipz_file::rate::parse(fps);
-    let imported = import(format, &bytes, &ImportOptions { rate, ..ImportOptions::default() });
+    let imported = import(format, &bytes, &ImportOptions::new().rate(rate));
     let document = &imported.clips.first().unwrap().document;
     (export(format, document, &ExportOptions::default()).bytes.unwrap(), bytes)
 }

@@ -123,12 +123,12 @@ impl ProjectFlags {
         override_some(&mut limits.line_columns, &self.max_line_columns);
         override_some(&mut limits.lines, &self.max_lines);
         override_some(&mut limits.characters_per_second, &self.max_characters_per_second);
-        let registry = &mut options.registry;
-        override_some(&mut registry.characters, &set(&self.characters));
-        override_some(&mut registry.props, &set(&self.props));
-        override_some(&mut registry.actions, &set(&self.actions));
+        let names = &mut options.known_names;
+        override_some(&mut names.characters, &set(&self.characters));
+        override_some(&mut names.props, &set(&self.props));
+        override_some(&mut names.actions, &set(&self.actions));
         if let Some(emotions) = set(&self.emotions) {
-            registry.emotions = emotions;
+            names.emotions = emotions;
         }
     }
 }

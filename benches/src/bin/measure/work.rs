@@ -2,7 +2,7 @@
 
 use crate::Failure;
 use clap::ValueEnum;
-use lipz_compiler::{Compiled, Input, Options, Phases, discover};
+use lipz_compiler::{Compiled, Compiler, Input, Options, Phases, discover};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::fs::File;
@@ -155,15 +155,15 @@ fn failed(path: &Path, error: &io::Error) -> Failure {
 }
 
 fn pack(folder: &Path, bank: &Path, threads: usize, strip: bool, measurement: &mut Measurement) -> Result<(), Failure> {
-    let options = Options { strip, threads: Some(threads), ..Options::default() };
-    packing(folder, measurement, |inputs| lipz_compiler::pack(inputs, &options, bank, &|_| {}))
+    let options = Options::new().strip(strip).threads(threads);
+    packing(folder, measurement, |inputs| Compiler::new(options.clone()).pack(inputs, bank))
 }
 
 /// Packs with a cache beside the bank.
 fn pack_again(folder: &Path, bank: &Path, threads: usize, measurement: &mut Measurement) -> Result<(), Failure> {
-    let options = Options { threads: Some(threads), ..Options::default() };
+    let options = Options::new().threads(threads);
     let (bank, cache) = remembered(bank);
-    packing(folder, measurement, |inputs| lipz_compiler::pack_cached(inputs, &options, &bank, &cache, &|_| {}))
+    packing(folder, measurement, |inputs| Compiler::new(options.clone()).pack_cached(inputs, &bank, &cache))
 }
 
 /// Bank and cache of [`pack_again`]: no other piece of work touches them.

@@ -1,42 +1,43 @@
 //! What a program that packs again and again remembers from one run to the next.
 
-use super::{Before, again, file};
-use crate::compile::{Compiled, Progress, in_pool, verify};
-use crate::{Input, Options};
+use super::{PreviousRun, again, file};
+use crate::compile::verify;
+use crate::{Compiled, Compiler, Input};
 use lipz_diagnostics::Report;
 use std::path::Path;
 use std::sync::Arc;
 
 /// What a run leaves to the next one: its bank, and what its files looked like. So the next one reads only the
-/// files that changed, as with [`pack_cached`](crate::pack_cached), but without a file for it.
+/// files that changed, as with [`pack_cached`](Compiler::pack_cached), but without a file for it.
 ///
 /// ```
-/// use lipz_compiler::{Memory, Options, discover};
+/// use lipz_compiler::{Compiler, Memory, discover};
 /// let mut memory = Memory::default();
 /// # let folder = tempfile::tempdir()?;
 /// # let voices = folder.path();
 /// # std::fs::write(voices.join("mayor.lipz"), r#"{ "fps": 24, "visemes": "MAEO-", "viseme_type": "blair" }"#)?;
 /// let (inputs, _) = discover(&[voices.into()], None);
-/// let first = memory.compile(&inputs, &Options::default(), &|_| {});
-/// let second = memory.compile(&inputs, &Options::default(), &|_| {});
+/// let compiler = Compiler::default();
+/// let first = compiler.compile_again(&inputs, &mut memory);
+/// let second = compiler.compile_again(&inputs, &mut memory);
 /// assert_eq!((first.recalled, second.recalled, second.is_unchanged), (0, 1, true));
 /// assert_eq!(first.bank, second.bank);
 /// # Ok::<(), std::io::Error>(())
 /// ```
 #[derive(Clone, Default)]
-pub struct Memory(Option<Before>);
+pub struct Memory(Option<PreviousRun>);
 
 impl Memory {
-    /// What [`pack_cached`](crate::pack_cached) left in the file `cache` about the bank at `path`. Nothing, if either
+    /// What [`pack_cached`](Compiler::pack_cached) left in the file `cache` about the bank at `path`. Nothing, if either
     /// is missing or damaged or was made by another version of this library.
     ///
     /// # Errors
     /// If there is something else than a cache at `cache`, or it cannot be read.
     pub fn read(cache: &Path, path: &Path) -> Result<Memory, Report> {
-        Before::read(cache, path).map(Memory)
+        PreviousRun::read(cache, path).map(Memory)
     }
 
-    /// Writes it into the file `cache`, for a later [`Memory::read`] or [`pack_cached`](crate::pack_cached). The bank
+    /// Writes it into the file `cache`, for a later [`Memory::read`] or [`pack_cached`](Compiler::pack_cached). The bank
     /// is not written: it must be the one that the last successful run gave.
     ///
     /// # Errors
@@ -49,22 +50,20 @@ impl Memory {
     pub fn is_empty(&self) -> bool {
         self.0.is_none()
     }
+}
 
-    /// Does what [`compile`](crate::compile) does, and remembers it. A run without a bank leaves the memory as it is.
-    pub fn compile(&mut self, inputs: &[Input], options: &Options, progress: &Progress<'_>) -> Compiled {
-        match options.canonical() {
-            Ok(options) => in_pool(&options, || self.again(inputs, &options, progress)),
-            Err(report) => Compiled::refused(report),
-        }
-    }
-
-    fn again(&mut self, inputs: &[Input], options: &Options, progress: &Progress<'_>) -> Compiled {
+impl Compiler<'_> {
+    /// Does what [`compile`](Compiler::compile) does with what `memory` has of the previous run, and remembers
+    /// this one. A run without a bank leaves the memory as it is.
+    pub fn compile_again(&self, inputs: &[Input], memory: &mut Memory) -> Compiled {
         // The old bank was verified when it was made.
         let finish = |bank: &[u8], is_unchanged: bool| if is_unchanged { Ok(()) } else { verify(bank) };
-        let (compiled, stamps) = again(inputs, options, self.0.clone(), progress, finish);
-        if let (Some(bank), Some(stamps)) = (&compiled.bank, stamps) {
-            self.0 = Some(Before { stamps: stamps.into(), bank: Arc::new(bank.clone()) });
-        }
-        compiled
+        self.run(|options| {
+            let (compiled, stamps) = again(inputs, options, memory.0.clone(), &self.progress, finish);
+            if let (Some(bank), Some(stamps)) = (&compiled.bank, stamps) {
+                memory.0 = Some(PreviousRun { stamps: stamps.into(), bank: Arc::new(bank.clone()) });
+            }
+            compiled
+        })
     }
 }

@@ -6,7 +6,7 @@
 //! makes. `docs/ARCHITECTURE.md` says what is trusted when.
 
 mod file;
-mod look;
+mod file_meta;
 mod memory;
 mod recall;
 mod stamps;
@@ -15,10 +15,10 @@ pub use memory::Memory;
 pub(crate) use stamps::{Name, Stamp};
 
 use crate::clip::{ClipData, Locales};
-use crate::compile::{Compiled, Progress, Run, in_pool, write_verified};
-use crate::{Content, Input, Options};
+use crate::compile::{Progress, Run, write_verified};
+use crate::{Compiled, Compiler, Content, Input, Options};
+use file_meta::FileMeta;
 use lipz_diagnostics::Report;
-use look::Look;
 use recall::Recall;
 use stamps::{Lookup, Stamps, hash};
 use std::fs::File;
@@ -27,42 +27,34 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::{Instant, SystemTime};
 
-/// Does what [`pack`](crate::pack) does, and remembers the files in the file `cache`, so that the next run reads only
-/// those that changed: the clips of all others are recalled from the bank at `path`. The bank is the
-/// same, byte by byte, as that of [`pack`](crate::pack).
-///
-/// Files with findings are read in every run, so that the findings are reported again. If no clip
-/// changed, the bank stays and gets the current time as that of its modification.
-///
-/// The cache is safe to delete. One that is damaged, that another version of this library wrote, or that
-/// belongs to another bank or to other options is ignored and replaced. A file that is no cache is left alone
-/// and reported, as is one that cannot be written.
-pub fn pack_cached(
-    inputs: &[Input],
-    options: &Options,
-    path: &Path,
-    cache: &Path,
-    progress: &Progress<'_>,
-) -> Compiled {
-    pack_cached_if(inputs, options, path, cache, progress, |_| Ok(()))
-}
+impl Compiler<'_> {
+    /// Does what [`pack`](Compiler::pack) does, and remembers the files in the file `cache`, so that the next
+    /// run reads only those that changed: the clips of all others are recalled from the bank at `path`. The
+    /// bank is the same, byte by byte, as that of [`pack`](Compiler::pack).
+    ///
+    /// Files with diagnostics are read in every run, so that the diagnostics are reported again. If no clip
+    /// changed, the bank stays and gets the current time as that of its modification.
+    ///
+    /// The cache is safe to delete. One that is damaged, that another version of this library wrote, or that
+    /// belongs to another bank or to other options is ignored and replaced. A file that is no cache is left
+    /// alone and reported, as is one that cannot be written.
+    pub fn pack_cached(&self, inputs: &[Input], path: &Path, cache: &Path) -> Compiled {
+        self.pack_cached_if(inputs, path, cache, |_| Ok(()))
+    }
 
-/// The same, if `accept` finds nothing in the bank: without its consent nothing is written.
-pub(crate) fn pack_cached_if(
-    inputs: &[Input],
-    options: &Options,
-    path: &Path,
-    cache: &Path,
-    progress: &Progress<'_>,
-    accept: impl FnOnce(&[u8]) -> Result<(), Report> + Send,
-) -> Compiled {
-    let finish = |bank: &[u8], is_unchanged: bool| {
-        accept(bank)?;
-        if is_unchanged && touch(path).is_ok() { Ok(()) } else { write_verified(path, bank) }
-    };
-    match options.canonical() {
-        Ok(options) => in_pool(&options, || pack(inputs, &options, path, cache, progress, finish)),
-        Err(report) => Compiled::refused(report),
+    /// The same, if `accept` finds nothing in the bank: without its consent nothing is written.
+    pub(crate) fn pack_cached_if(
+        &self,
+        inputs: &[Input],
+        path: &Path,
+        cache: &Path,
+        accept: impl FnOnce(&[u8]) -> Result<(), Report> + Send,
+    ) -> Compiled {
+        let finish = |bank: &[u8], is_unchanged: bool| {
+            accept(bank)?;
+            if is_unchanged && touch(path).is_ok() { Ok(()) } else { write_verified(path, bank) }
+        };
+        self.run(|options| pack(inputs, options, path, cache, &self.progress, finish))
     }
 }
 
@@ -75,7 +67,7 @@ fn pack(
     finish: impl FnOnce(&[u8], bool) -> Result<(), Report> + Send,
 ) -> Compiled {
     let start = Instant::now();
-    let before = match Before::read(cache, path) {
+    let before = match PreviousRun::read(cache, path) {
         Ok(before) => before,
         Err(report) => return Compiled::refused(report),
     };
@@ -97,13 +89,13 @@ fn pack(
 fn again(
     inputs: &[Input],
     options: &Options,
-    before: Option<Before>,
+    before: Option<PreviousRun>,
     progress: &Progress<'_>,
     finish: impl FnOnce(&[u8], bool) -> Result<(), Report> + Send,
 ) -> (Compiled, Option<Stamps>) {
     let start = Instant::now();
     let before = before.filter(|before| before.stamps.are_of(options));
-    let cached = Cache::of(before.as_ref());
+    let cached = Cache::new(before.as_ref());
     let recalling = start.elapsed();
     let mut run = Run::read(inputs, options, Some(&cached), progress);
     run.phases.cache = recalling;
@@ -137,21 +129,21 @@ fn touch(path: &Path) -> io::Result<()> {
 
 /// What the run before this one left: stamps, and the bank that they are about. A clone shares both.
 #[derive(Clone)]
-struct Before {
+struct PreviousRun {
     stamps: Arc<Stamps>,
     bank: Arc<Vec<u8>>,
 }
 
-impl Before {
+impl PreviousRun {
     /// What the file `cache` and the bank at `path` tell; `None` if they tell nothing, for whatever reason.
     ///
     /// # Errors
     /// If there is something else than a cache at `cache`.
-    fn read(cache: &Path, path: &Path) -> Result<Option<Before>, Report> {
+    fn read(cache: &Path, path: &Path) -> Result<Option<PreviousRun>, Report> {
         let Some(stamps) = file::read(cache)? else { return Ok(None) };
         let is_file = path.metadata().is_ok_and(|metadata| metadata.is_file());
         let bank = is_file.then(|| std::fs::read(path).ok()).flatten();
-        Ok(bank.map(|bank| Before { stamps: stamps.into(), bank: bank.into() }))
+        Ok(bank.map(|bank| PreviousRun { stamps: stamps.into(), bank: bank.into() }))
     }
 }
 
@@ -163,7 +155,7 @@ pub(crate) struct Cache<'b> {
 
 /// What a run has stamped and recalled.
 #[derive(Default)]
-pub(crate) struct Stamped {
+pub(crate) struct FileStamps {
     /// The stamps of all files without findings.
     pub(crate) files: Vec<(Name, Stamp)>,
     /// Clips that were recalled.
@@ -172,9 +164,9 @@ pub(crate) struct Stamped {
     pub(crate) unread: usize,
 }
 
-impl Stamped {
+impl FileStamps {
     /// Adds what another thread has.
-    pub(crate) fn append(&mut self, mut other: Stamped) {
+    pub(crate) fn append(&mut self, mut other: FileStamps) {
         self.files.append(&mut other.files);
         self.recalled += other.recalled;
         self.unread += other.unread;
@@ -182,19 +174,19 @@ impl Stamped {
 }
 
 /// A file that was looked at.
-pub(crate) struct Seen<'c> {
+pub(crate) struct CachedFile<'c> {
     cache: &'c Cache<'c>,
     key: &'c str,
     name: Name,
-    look: Look,
+    meta: FileMeta,
     /// Its stamp of the run before.
     known: Option<&'c Stamp>,
 }
 
 impl<'b> Cache<'b> {
-    fn of(before: Option<&'b Before>) -> Cache<'b> {
-        let recalling = |before: &'b Before| {
-            let recall = Recall::of(&before.bank, before.stamps.bank_checksum)?;
+    fn new(before: Option<&'b PreviousRun>) -> Cache<'b> {
+        let recalling = |before: &'b PreviousRun| {
+            let recall = Recall::new(&before.bank, before.stamps.bank_checksum)?;
             Some((before.stamps.lookup(), recall))
         };
         Cache { before: before.and_then(recalling), start: SystemTime::now() }
@@ -210,26 +202,26 @@ impl<'b> Cache<'b> {
 
     /// Looks at the file of an input; `None` if it has none, or cannot be looked at. Its stamp is probably number
     /// `next`, which is then counted on.
-    pub(crate) fn look_at<'c>(&'c self, input: &'c Input, next: &mut usize) -> Option<Seen<'c>> {
+    pub(crate) fn file<'c>(&'c self, input: &'c Input, next: &mut usize) -> Option<CachedFile<'c>> {
         let Content::File(path) = &input.content else { return None };
-        let look = Look::of(&path.metadata().ok()?)?;
-        let name = Name::of(path.as_os_str().as_encoded_bytes(), &input.key);
+        let meta = FileMeta::new(&path.metadata().ok()?)?;
+        let name = Name::new(path.as_os_str().as_encoded_bytes(), &input.key);
         let known = self.before.as_ref().and_then(|(stamps, _)| stamps.get(name, next));
-        Some(Seen { cache: self, key: &input.key, name, look, known })
+        Some(CachedFile { cache: self, key: &input.key, name, meta, known })
     }
 }
 
-impl Seen<'_> {
-    /// The stamp of the file, if its look proves that it did not change.
+impl CachedFile<'_> {
+    /// The stamp of the file, if its meta proves that it did not change.
     pub(crate) fn unread(&self) -> Option<Stamp> {
-        self.known.filter(|known| known.proves(&self.look)).copied()
+        self.known.filter(|known| known.proves(&self.meta)).copied()
     }
 
     /// The stamp of the file, which has these contents, and whether it had them before.
     pub(crate) fn read(&self, bytes: &[u8]) -> (Stamp, bool) {
         let contents = hash(bytes);
         let is_same = self.known.is_some_and(|known| known.has_contents(contents));
-        (Stamp::of(self.look, contents, self.cache.start), is_same)
+        (Stamp::new(self.meta, contents, self.cache.start), is_same)
     }
 
     /// The key of the file's clip.
@@ -261,18 +253,18 @@ mod tests {
         let (bank, options) = (path("bank"), Options::default());
         std::fs::write(path("a.lipz"), r#"{"visemes":"A-","viseme_type":"blair"}"#).unwrap();
         let (inputs, _) = crate::discover(&[path("a.lipz")], None);
-        let packed = Arc::new(crate::pack(&inputs, &options, &bank, &|_| {}).bank.unwrap());
-        let run = |before: Option<&Before>, later: Duration| {
-            let cache = Cache { start: SystemTime::now() + later, ..Cache::of(before) };
+        let packed = Arc::new(Compiler::new(options.clone()).pack(&inputs, &bank).bank.unwrap());
+        let run = |before: Option<&PreviousRun>, later: Duration| {
+            let cache = Cache { start: SystemTime::now() + later, ..Cache::new(before) };
             Run::read(&inputs, &options, Some(&cache), &|_| {}).stamped
         };
-        let counts = |before: Option<&Before>, later| {
+        let counts = |before: Option<&PreviousRun>, later| {
             let stamped = run(before, later);
             (stamped.files.len(), stamped.recalled, stamped.unread)
         };
         for (later, unread) in [(Duration::ZERO, 0), (Duration::from_secs(60), 1)] {
             let stamps = Stamps::new(&options, recall::checksum_of(&packed).unwrap(), run(None, later).files);
-            let mut before = Before { stamps: stamps.into(), bank: Arc::clone(&packed) };
+            let mut before = PreviousRun { stamps: stamps.into(), bank: Arc::clone(&packed) };
             assert_eq!(counts(None, later), (1, 0, 0));
             assert_eq!(counts(Some(&before), later), (1, 1, unread));
             Arc::get_mut(&mut before.stamps).unwrap().bank_checksum = 0;

@@ -33,7 +33,7 @@ pub(super) fn checksum_of(bank: &[u8]) -> Option<u64> {
 impl<'b> Recall<'b> {
     /// Recalls from the bank with this checksum; `None` if these bytes are not that bank, which was
     /// verified before it was written.
-    pub(super) fn of(bank: &'b [u8], expected_checksum: u64) -> Option<Recall<'b>> {
+    pub(super) fn new(bank: &'b [u8], expected_checksum: u64) -> Option<Recall<'b>> {
         let checked = bank.get(CHECKED_FROM..)?;
         if checksum_of(bank) != Some(expected_checksum) || checksum(checked) != expected_checksum {
             return None;
@@ -41,7 +41,7 @@ impl<'b> Recall<'b> {
         let bank = Bank::open(bank).ok()?;
         let section = |tag| bank.sections().find(|(found, _)| *found == tag).map(|(_, bytes)| bytes);
         let sources = match (section(Tag::SOURCE_INDEX), section(Tag::SOURCES)) {
-            (Some(index), Some(records)) => Some(Sources::of(<[U32]>::ref_from_bytes(index).ok()?, records)),
+            (Some(index), Some(records)) => Some(Sources::new(<[U32]>::ref_from_bytes(index).ok()?, records)),
             _ => None,
         };
         Some(Recall {
@@ -105,7 +105,7 @@ impl<'b> Recall<'b> {
 
 impl<'b> Sources<'b> {
     /// A record ends where the next one starts.
-    fn of(index: &'b [U32], records: &'b [u8]) -> Sources<'b> {
+    fn new(index: &'b [U32], records: &'b [u8]) -> Sources<'b> {
         let mut starts: Vec<(u32, usize)> = std::iter::zip(index.iter().map(|start| start.get()), 0..).collect();
         starts.sort_unstable();
         let mut ends = vec![0; index.len()];

@@ -1,6 +1,6 @@
 //! The file of a cache: what the sources of a bank looked like when it was packed.
 
-use super::look::Look;
+use super::file_meta::FileMeta;
 use crate::Options;
 use bincode::config::{Configuration, Fixint, LittleEndian};
 use bincode::{Decode, Encode};
@@ -30,9 +30,9 @@ pub(super) fn hash(bytes: &[u8]) -> u128 {
 /// What a source file without findings was when it was packed.
 #[derive(Encode, Decode, Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Stamp {
-    look: Look,
+    meta: FileMeta,
     contents: u128,
-    /// Whether the file was old enough when it was looked at for the same look to prove the same
+    /// Whether the file was old enough when it was looked at for the same meta to prove the same
     /// contents.
     is_settled: bool,
 }
@@ -40,13 +40,13 @@ pub(crate) struct Stamp {
 impl Stamp {
     /// The stamp of a file with these contents that looked like this before it was read, in a run that
     /// started at `start`.
-    pub(super) fn of(look: Look, contents: u128, start: SystemTime) -> Stamp {
-        Stamp { look, contents, is_settled: look.is_settled_at(start) }
+    pub(super) fn new(meta: FileMeta, contents: u128, start: SystemTime) -> Stamp {
+        Stamp { meta, contents, is_settled: meta.is_settled_at(start) }
     }
 
     /// Whether a file that looks like this is certainly the one of the stamp.
-    pub(super) fn proves(&self, look: &Look) -> bool {
-        self.is_settled && self.look == *look
+    pub(super) fn proves(&self, meta: &FileMeta) -> bool {
+        self.is_settled && self.meta == *meta
     }
 
     /// Whether the file of the stamp had these contents.
@@ -61,7 +61,7 @@ pub(crate) struct Name(u128);
 
 impl Name {
     /// The name of the file at `path`, whose clip has this key.
-    pub(super) fn of(path: &[u8], key: &str) -> Name {
+    pub(super) fn new(path: &[u8], key: &str) -> Name {
         // No path contains the separator.
         Name(hash(&[path, b"\0", key.as_bytes()].concat()))
     }
@@ -156,8 +156,8 @@ mod tests {
     use super::*;
 
     fn stamps(options: &Options) -> Stamps {
-        let look = Look::of(&std::fs::metadata(env!("CARGO_MANIFEST_DIR")).unwrap()).unwrap();
-        let file = |path: &[u8]| (Name::of(path, "a"), Stamp::of(look, hash(path), SystemTime::now()));
+        let meta = FileMeta::new(&std::fs::metadata(env!("CARGO_MANIFEST_DIR")).unwrap()).unwrap();
+        let file = |path: &[u8]| (Name::new(path, "a"), Stamp::new(meta, hash(path), SystemTime::now()));
         Stamps::new(options, 7, vec![file(b"x"), file(b"y"), file(b"z")])
     }
 
@@ -183,21 +183,21 @@ mod tests {
         let lookup = stamps.lookup();
         let mut next = 0;
         let mut has = |path: &[u8]| {
-            let name = Name::of(path, "a");
+            let name = Name::new(path, "a");
             lookup.get(name, &mut next).is_some_and(|stamp| stamp.has_contents(hash(path)))
         };
         assert!([b"x", b"y", b"z"].into_iter().all(|path| has(path)), "in order");
         assert!(lookup.by_name.get().is_none(), "nothing had to be searched");
         assert!(!has(b"w"), "not known");
         assert!([b"z", b"x", b"y", b"y"].into_iter().all(|path| has(path)), "out of order");
-        assert_eq!(lookup.get(Name::of(b"y", "b"), &mut 1), None, "the path with another key");
+        assert_eq!(lookup.get(Name::new(b"y", "b"), &mut 1), None, "the path with another key");
     }
 
     #[test]
     fn other_options_and_versions_are_not_meant() {
         let stamps = stamps(&Options::default());
-        assert!(stamps.are_of(&Options { threads: Some(3), ..Options::default() }));
-        assert!(!stamps.are_of(&Options { strip: true, ..Options::default() }));
+        assert!(stamps.are_of(&Options::new().threads(3)));
+        assert!(!stamps.are_of(&Options::new().strip(true)));
         let of_another = Stamps { maker: 0, ..stamps };
         assert_eq!(Stamps::decode(&of_another.encode().unwrap()), None);
     }

@@ -1,13 +1,13 @@
 //! Checking one file: from elements to a clip, with every finding on the way.
 
+mod bank_limits;
 mod elements;
 mod events;
 mod fps;
 mod join;
-mod limits;
 pub(crate) mod locales;
 mod names;
-mod room;
+mod readability;
 mod segments;
 mod texts;
 mod types;
@@ -16,9 +16,9 @@ mod visemes;
 use crate::clip::{ClipData, Locales};
 use crate::{Options, TextLimits, pseudo};
 use elements::Roles;
-use limits::Times;
 use lipz_diagnostics::Diagnostic;
 use lipz_file::Document;
+use readability::Times;
 use visemes::Expected;
 
 /// Makes `clip` the one that `document` describes; its texts refer to `locales`. All findings are
@@ -61,23 +61,25 @@ pub(crate) fn check(
         texts::display_texts(text.string, options, &mut clip.displays, diagnostics);
         let count = expected_count(clip.displays.count());
         if let Some(limits) = limits.filter(|_| clip.displays.count() == count) {
-            limits::check(text.string, clip.displays.iter(), Times::of(clip).as_ref(), limits, diagnostics);
+            readability::check(text.string, clip.displays.iter(), Times::new(clip).as_ref(), limits, diagnostics);
         }
         join::texts(&mut clip.displays, count);
-        room::for_texts(text.string, &clip.displays, diagnostics);
+        bank_limits::for_texts(text.string, &clip.displays, diagnostics);
         clip.add_displays(text.locale);
         let pseudo = options.pseudo_locale_of(locales.tag(text.locale)).map(|tag| locales.number(&tag, false));
         // A text that the file itself has in that locale stays the only one.
         if let Some(pseudo) = pseudo.filter(|pseudo| roles.texts.iter().all(|text| text.locale != *pseudo)) {
             pseudo::translate(&mut clip.displays);
-            room::for_texts(text.string, &clip.displays, diagnostics);
+            bank_limits::for_texts(text.string, &clip.displays, diagnostics);
             clip.add_displays(pseudo);
         }
     }
     clip.texts.sort_by(|a, b| locales.tag(a.locale).cmp(locales.tag(b.locale)));
     if let Some(string) = roles.events {
         clip.has_events = true;
-        events::trimmed(string, &options.registry, diagnostics).into_iter().for_each(|event| clip.events.push(event));
+        events::trimmed(string, &options.known_names, diagnostics)
+            .into_iter()
+            .for_each(|event| clip.events.push(event));
         let count = expected_count(clip.events.count());
         join::events(&mut clip.events, count);
     }
@@ -88,5 +90,5 @@ pub(crate) fn check(
     if !clip.has_visemes {
         clip.starts.resize(segment_count.unwrap_or(1), 0);
     }
-    room::for_segments(&roles, clip.starts.len(), diagnostics);
+    bank_limits::for_segments(&roles, clip.starts.len(), diagnostics);
 }

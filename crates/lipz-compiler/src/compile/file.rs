@@ -2,7 +2,7 @@
 
 use super::Phases;
 use super::read::FileReader;
-use crate::cache::{Cache, Seen, Stamp, Stamped};
+use crate::cache::{Cache, CachedFile, FileStamps, Stamp};
 use crate::clip::{ClipData, Clips, Locales};
 use crate::{Content, Input, Options, check, convert, source_record};
 use lipz_diagnostics::{Diagnostic, Report, Severity};
@@ -13,21 +13,21 @@ use std::time::{Duration, Instant};
 #[derive(Default)]
 pub(super) struct Worker {
     reader: FileReader,
-    pub(super) made: Made,
+    pub(super) batch: Batch,
     pub(super) reports: Vec<Report>,
     /// The time of recalling, reading, parsing and checking.
     pub(super) phases: Phases,
-    lap: Lap,
+    stopwatch: Stopwatch,
 }
 
-/// The clips that a thread has made.
+/// The clips that a thread has batch.
 #[derive(Default)]
-pub(super) struct Made {
+pub(super) struct Batch {
     /// Room for the next one.
     clip: ClipData,
     pub(super) clips: Clips,
     /// What a cache should know of their files.
-    pub(super) stamped: Stamped,
+    pub(super) stamped: FileStamps,
     /// Number of the stamp that the next file probably has in the cache; `None` before the first one.
     next_stamp: Option<usize>,
 }
@@ -35,17 +35,17 @@ pub(super) struct Made {
 impl Worker {
     /// Recalls the clip of file number `index` from the cache, or reads, parses and checks it.
     pub(super) fn file(&mut self, index: usize, input: &Input, options: &Options, cache: Option<&Cache<'_>>) {
-        let made = &mut self.made;
-        let seen = cache.and_then(|cache| cache.look_at(input, made.next_stamp.get_or_insert(index)));
+        let batch = &mut self.batch;
+        let seen = cache.and_then(|cache| cache.file(input, batch.next_stamp.get_or_insert(index)));
         if let Some(seen) = &seen
             && let Some(stamp) = seen.unread()
-            && made.recall(seen, stamp)
+            && batch.recall(seen, stamp)
         {
-            made.stamped.unread += 1;
-            self.phases.recall += self.lap.time();
+            batch.stamped.unread += 1;
+            self.phases.recall += self.stopwatch.time();
             return;
         }
-        self.phases.recall += self.lap.time();
+        self.phases.recall += self.stopwatch.time();
         let bytes = match &input.content {
             Content::Bytes { bytes, .. } => bytes.as_slice(),
             Content::File(path) => match self.reader.read(path) {
@@ -53,29 +53,31 @@ impl Worker {
                 Err(report) => return self.reports.push(report),
             },
         };
-        self.phases.read += self.lap.time();
+        self.phases.read += self.stopwatch.time();
         let stamped = seen.map(|seen| (seen.read(bytes), seen));
         if let Some(((stamp, true), seen)) = &stamped
-            && made.recall(seen, *stamp)
+            && batch.recall(seen, *stamp)
         {
-            self.phases.recall += self.lap.time();
+            self.phases.recall += self.stopwatch.time();
             return;
         }
         let lipz_file::Parsed { document, mut diagnostics } = lipz_file::parse(bytes);
-        self.phases.parse += self.lap.time();
+        self.phases.parse += self.stopwatch.time();
         let is_made = match document {
-            Some(document) => make_clip(&document, options, &mut made.clips.locales, &mut made.clip, &mut diagnostics),
+            Some(document) => {
+                make_clip(&document, options, &mut batch.clips.locales, &mut batch.clip, &mut diagnostics)
+            }
             None => {
                 lipz_diagnostics::adjust(&options.levels, &mut diagnostics);
                 false
             }
         };
         if is_made {
-            made.clips.push(&input.key, &made.clip);
+            batch.clips.push(&input.key, &batch.clip);
         }
-        self.phases.check += self.lap.time();
+        self.phases.check += self.stopwatch.time();
         if is_made && diagnostics.is_empty() {
-            made.stamped.files.extend(stamped.map(|((stamp, _), seen)| (seen.name(), stamp)));
+            batch.stamped.files.extend(stamped.map(|((stamp, _), seen)| (seen.name(), stamp)));
         }
         if !diagnostics.is_empty() {
             diagnostics.sort_by_key(Diagnostic::start);
@@ -84,9 +86,9 @@ impl Worker {
     }
 }
 
-impl Made {
+impl Batch {
     /// Adds the clip of an unchanged file from the old bank; false if that does not have it.
-    fn recall(&mut self, seen: &Seen<'_>, stamp: Stamp) -> bool {
+    fn recall(&mut self, seen: &CachedFile<'_>, stamp: Stamp) -> bool {
         let is_recalled = seen.recall(&mut self.clips.locales, &mut self.clip);
         if is_recalled {
             self.clips.push(seen.key(), &self.clip);
@@ -130,17 +132,17 @@ fn has_errors(options: &Options, diagnostics: &mut Vec<Diagnostic>) -> bool {
 }
 
 /// A stopwatch that starts again at each reading.
-struct Lap {
+struct Stopwatch {
     last: Instant,
 }
 
-impl Default for Lap {
-    fn default() -> Lap {
-        Lap { last: Instant::now() }
+impl Default for Stopwatch {
+    fn default() -> Stopwatch {
+        Stopwatch { last: Instant::now() }
     }
 }
 
-impl Lap {
+impl Stopwatch {
     fn time(&mut self) -> Duration {
         let now = Instant::now();
         let time = now - self.last;

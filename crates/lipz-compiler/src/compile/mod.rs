@@ -1,10 +1,12 @@
-//! The run: read, parse and check every file in parallel, then localise, lower and verify.
+//! The compiler: reads, parses and checks every file in parallel, then localises, lowers and verifies.
 
-mod demands;
+mod compiled;
 mod file;
 mod read;
+mod requirements;
 mod run;
 
+pub use compiled::{CompileError, Compiled, Phases};
 pub(crate) use read::FileReader;
 pub(crate) use run::Run;
 
@@ -12,96 +14,96 @@ use crate::output::replace_file_if;
 use crate::{Input, Options};
 use lipz_bank::Bank;
 use lipz_diagnostics::{Code, Report};
+use std::fmt;
 use std::path::Path;
-use std::time::Duration;
 
-/// What a run gave.
-#[derive(Debug, Default)]
-pub struct Compiled {
-    /// The bank, verified; `None` if there are errors, or only a check was asked for.
-    pub bank: Option<Vec<u8>>,
-    /// All findings, sorted by file and place.
-    pub reports: Vec<Report>,
-    /// Clips that were not made anew: see [`pack_cached`](crate::pack_cached) and [`Memory`](crate::Memory).
-    pub recalled: usize,
-    /// Whether the bank was left as it is, because no clip changed.
-    pub is_unchanged: bool,
-    /// Where the time went.
-    pub phases: Phases,
-}
-
-impl Compiled {
-    /// A run that this finding keeps from starting.
-    pub(crate) fn refused(report: Report) -> Compiled {
-        Compiled { reports: vec![report], ..Compiled::default() }
-    }
-}
-
-/// Time spent per phase. Recalling, reading, parsing and checking run on several threads: their
-/// times are sums over the threads.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Phases {
-    /// Reading the cache and the bank that it is about, and writing the cache.
-    pub cache: Duration,
-    /// Looking at files and recalling their clips, all threads.
-    pub recall: Duration,
-    /// Reading files, all threads.
-    pub read: Duration,
-    /// Parsing, all threads.
-    pub parse: Duration,
-    /// Checking, all threads.
-    pub check: Duration,
-    /// The four above, on the clock.
-    pub files: Duration,
-    /// Resolving locales.
-    pub localise: Duration,
-    /// Laying out and filling the bank, and giving back what it was made from.
-    pub lower: Duration,
-    /// Verifying the bank and, in [`pack`], writing it at the same time.
-    pub finish: Duration,
-}
-
-/// Is told how many more files are done, from several threads.
-pub type Progress<'a> = dyn Fn(u64) + Sync + 'a;
-
-/// Checks `inputs` and, if they have no errors, packs them into a bank.
+/// Checks Lipz files and packs them into banks, as the options of a project say.
 ///
-/// The bytes of the bank depend only on keys, contents and options: not on the order of the inputs,
+/// The bytes of a bank depend only on keys, contents and options: not on the order of the inputs,
 /// their folder, or the number of threads.
 ///
 /// ```
-/// use lipz_compiler::{Input, Options, compile};
-/// let file = br#"{ "fps": 24, "visemes": "MAEO-", "viseme_type": "blair", "text_en-us": "Mayor!" }"#;
-/// let compiled = compile(&[Input::from_bytes("act1/mayor", file)], &Options::default(), &|_| {});
-/// assert!(compiled.reports.is_empty());
-/// let bytes = compiled.bank.ok_or("no bank")?;
+/// use lipz_compiler::{Compiler, Input, Options};
+/// let file = br#"{ "fps": 24, "visemes": "MAEO-", "viseme_type": "blair", "text": "Mayor!" }"#;
+/// let compiler = Compiler::new(Options::new().default_locale("en-us"));
+/// let bytes = compiler.compile(&[Input::from_bytes("act1/mayor", file)]).into_bank()?;
 /// let bank = lipz_bank::Bank::open(&bytes)?.verify()?;
 /// assert_eq!(bank.clip_by_key("act1/mayor").map(|clip| clip.frame_count()), Some(5));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn compile(inputs: &[Input], options: &Options, progress: &Progress<'_>) -> Compiled {
-    make(inputs, options, progress, verify)
+pub struct Compiler<'p> {
+    pub(crate) options: Options,
+    pub(crate) progress: Box<Progress<'p>>,
 }
 
-/// Does what [`compile`] does, and replaces the file at `path` by the bank as [`replace_file`](crate::replace_file) does. It is
-/// verified while it is written to a temporary file, which takes the name `path` only after both: that is
-/// faster than one after the other.
-///
-/// If the file cannot be written, a report says so, and there is no bank.
-pub fn pack(inputs: &[Input], options: &Options, path: &Path, progress: &Progress<'_>) -> Compiled {
-    make(inputs, options, progress, |bank| write_verified(path, bank))
+/// Is called with the number of files that were done since the last call, from several threads.
+pub(crate) type Progress<'p> = dyn Fn(u64) + Send + Sync + 'p;
+
+impl Compiler<'_> {
+    /// A compiler with these options.
+    pub fn new(options: Options) -> Compiler<'static> {
+        Compiler { options, progress: Box::new(|_| {}) }
+    }
+
+    /// Calls `progress` with the number of files that were done since its last call, from several threads.
+    #[must_use]
+    pub fn progress<'p>(self, progress: impl Fn(u64) + Send + Sync + 'p) -> Compiler<'p> {
+        Compiler { options: self.options, progress: Box::new(progress) }
+    }
+
+    /// The options of the compiler.
+    pub fn options(&self) -> &Options {
+        &self.options
+    }
+
+    /// Checks `inputs` and, if they have no errors, packs them into a bank.
+    pub fn compile(&self, inputs: &[Input]) -> Compiled {
+        self.make(inputs, verify)
+    }
+
+    /// Checks `inputs` as [`compile`](Self::compile) does, without making a bank.
+    pub fn check(&self, inputs: &[Input]) -> Compiled {
+        self.run(|options| Run::read(inputs, options, None, &self.progress).finish(None))
+    }
+
+    /// Does what [`compile`](Self::compile) does, and replaces the file at `path` by the bank as
+    /// [`replace_file`](crate::replace_file) does. The bank is verified while it is written to a temporary
+    /// file, which takes the name `path` only after both: that is faster than one after the other.
+    ///
+    /// If the file cannot be written, a report says so, and there is no bank.
+    pub fn pack(&self, inputs: &[Input], path: &Path) -> Compiled {
+        self.make(inputs, |bank| write_verified(path, bank))
+    }
+
+    /// Checks `inputs` and makes a bank of them; there is one only if `finish` accepts it.
+    fn make(&self, inputs: &[Input], finish: impl FnOnce(&[u8]) -> Result<(), Report> + Send) -> Compiled {
+        self.run(|options| Run::read(inputs, options, None, &self.progress).make(inputs, options, finish))
+    }
+
+    /// Does `work` with the canonical options on the threads of the compiler.
+    pub(crate) fn run(&self, work: impl FnOnce(&Options) -> Compiled + Send) -> Compiled {
+        match self.options.canonical() {
+            Ok(options) => in_pool(&options, || work(&options)),
+            Err(report) => Compiled::refused(report),
+        }
+    }
 }
 
-/// Checks `inputs`, makes a bank of them and hands it to `finish`, without whose consent there is none.
-fn make(
-    inputs: &[Input],
-    options: &Options,
-    progress: &Progress<'_>,
-    finish: impl FnOnce(&[u8]) -> Result<(), Report> + Send,
-) -> Compiled {
-    match options.canonical() {
-        Ok(options) => in_pool(&options, || Run::read(inputs, &options, None, progress).make(inputs, &options, finish)),
-        Err(report) => Compiled::refused(report),
+impl Default for Compiler<'_> {
+    fn default() -> Self {
+        Compiler::new(Options::default())
+    }
+}
+
+impl From<Options> for Compiler<'static> {
+    fn from(options: Options) -> Self {
+        Compiler::new(options)
+    }
+}
+
+impl fmt::Debug for Compiler<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Compiler").field("options", &self.options).finish_non_exhaustive()
     }
 }
 
@@ -110,16 +112,8 @@ pub(crate) fn write_verified(path: &Path, bank: &[u8]) -> Result<(), Report> {
     replace_file_if(path, bank, || verify(bank))
 }
 
-/// Checks `inputs` as [`compile`] does, without making a bank.
-pub fn check_all(inputs: &[Input], options: &Options, progress: &Progress<'_>) -> Compiled {
-    match options.canonical() {
-        Ok(options) => in_pool(&options, || Run::read(inputs, &options, None, progress).finish(None)),
-        Err(report) => Compiled::refused(report),
-    }
-}
-
-/// Runs `work` with the number of threads that was asked for; on the current ones if there is no
-/// starting others.
+/// Runs `work` with the number of threads that was asked for; on the current ones if no others can be
+/// started.
 pub(crate) fn in_pool<R: Send>(options: &Options, work: impl FnOnce() -> R + Send) -> R {
     match options.threads {
         Some(count) => match rayon::ThreadPoolBuilder::new().num_threads(count).build() {

@@ -1,8 +1,8 @@
 //! One run: files are read on all threads, then a bank is made of their clips.
 
 use super::file::Worker;
-use super::{Compiled, Phases, Progress, demands};
-use crate::cache::{Cache, Stamped};
+use super::{Compiled, Phases, Progress, requirements};
+use crate::cache::{Cache, FileStamps};
 use crate::clip::Clips;
 use crate::lower::Layout;
 use crate::{Input, Options, key, localise};
@@ -22,7 +22,7 @@ pub(crate) struct Run {
     reports: Vec<Report>,
     pub(crate) phases: Phases,
     /// What a cache should know of the files, if there is one.
-    pub(crate) stamped: Stamped,
+    pub(crate) stamped: FileStamps,
 }
 
 impl Run {
@@ -49,9 +49,9 @@ impl Run {
             }
         });
         for worker in work.collect::<Vec<_>>() {
-            run.clips.push(worker.made.clips);
+            run.clips.push(worker.batch.clips);
             run.reports.extend(worker.reports);
-            run.stamped.append(worker.made.stamped);
+            run.stamped.append(worker.batch.stamped);
             run.phases.recall += worker.phases.recall;
             run.phases.read += worker.phases.read;
             run.phases.parse += worker.phases.parse;
@@ -81,14 +81,14 @@ impl Run {
         let localised = localise::localise(&clips, &tags, options);
         self.phases.localise = start.elapsed();
         let start = Instant::now();
-        let layout = Layout::of(&clips, &localised, options);
+        let layout = Layout::new(&clips, &localised, options);
         drop((clips, localised));
         let batches = std::mem::take(&mut self.clips);
         let bank = layout.and_then(|layout| layout.fill(batches)).map_err(|report| in_file(report, inputs));
         self.phases.lower = start.elapsed();
         let start = Instant::now();
         let finished = bank.and_then(|bank| {
-            demands::enough_texts(&bank, options)?;
+            requirements::enough_texts(&bank, options)?;
             self.expect_locales(&bank, options)?;
             finish(&bank).map(|()| bank)
         });
@@ -104,7 +104,7 @@ impl Run {
     /// # Errors
     /// If they are errors in the project.
     pub(crate) fn expect_locales(&mut self, bank: &[u8], options: &Options) -> Result<(), Report> {
-        let report = demands::locales_without_texts(bank, options);
+        let report = requirements::locales_without_texts(bank, options);
         if report.has_errors() {
             return Err(report);
         }

@@ -8,7 +8,7 @@ mod edits;
 mod findings;
 
 use crate::clip::{ClipData, Locales};
-use crate::{Options, check};
+use crate::{Compiler, check};
 use chart::counterpart;
 use lipz_bank::VisemeType;
 use lipz_diagnostics::{Diagnostic, Severity};
@@ -24,40 +24,44 @@ pub struct Converted {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Converts the codes of a Lipz file to the viseme type `to`, and names the type. Everything else
-/// in the file stays as it is spelled.
-///
-/// Files without `viseme_type` have the default of `options`; without one, the type that is the only
-/// one to have their codes.
-///
-/// ```
-/// use lipz_bank::VisemeType;
-/// use lipz_compiler::{Options, convert};
-/// let file = br#"{ "viseme_type": "blair", "visemes": "MA-|SO" }"#;
-/// let converted = convert(file, VisemeType::ToonBoom, &Options::default());
-/// assert_eq!(converted.text.as_deref(), Some(r#"{ "viseme_type": "toonboom", "visemes": "AD-|BE" }"#));
-/// ```
-pub fn convert(bytes: &[u8], to: VisemeType, options: &Options) -> Converted {
-    let mut parsed = lipz_file::parse(bytes);
-    let mut clip = ClipData::default();
-    if let Some(document) = &parsed.document {
-        check::check(document, options, &mut Locales::default(), &mut clip, &mut parsed.diagnostics);
-    }
-    lipz_diagnostics::adjust(&options.levels, &mut parsed.diagnostics);
-    parsed.diagnostics.retain(is_error);
-    let (Some(document), true) = (&parsed.document, parsed.diagnostics.is_empty()) else {
-        return Converted { text: None, diagnostics: parsed.diagnostics };
-    };
-    let (text, mut diagnostics) = match Conversion::of(document, &clip, to) {
-        Err(finding) => (None, vec![*finding]),
-        Ok(None) => (None, Vec::new()),
-        Ok(Some(conversion)) => {
-            (edits::apply(bytes, document, &conversion), findings::loss(document, &conversion).into_iter().collect())
+impl Compiler<'_> {
+    /// Converts the codes of a Lipz file to the viseme type `to`, and names the type. Everything else
+    /// in the file stays as it is spelled.
+    ///
+    /// Files without `viseme_type` have the default of the options; without one, the type that is the only
+    /// one to have their codes.
+    ///
+    /// ```
+    /// use lipz_bank::VisemeType;
+    /// use lipz_compiler::Compiler;
+    /// let file = br#"{ "viseme_type": "blair", "visemes": "MA-|SO" }"#;
+    /// let converted = Compiler::default().convert(file, VisemeType::ToonBoom);
+    /// assert_eq!(converted.text.as_deref(), Some(r#"{ "viseme_type": "toonboom", "visemes": "AD-|BE" }"#));
+    /// ```
+    pub fn convert(&self, bytes: &[u8], to: VisemeType) -> Converted {
+        let options = &self.options;
+        let mut parsed = lipz_file::parse(bytes);
+        let mut clip = ClipData::default();
+        if let Some(document) = &parsed.document {
+            check::check(document, options, &mut Locales::default(), &mut clip, &mut parsed.diagnostics);
         }
-    };
-    lipz_diagnostics::adjust(&options.levels, &mut diagnostics);
-    let text = text.filter(|_| !diagnostics.iter().any(is_error));
-    Converted { text, diagnostics }
+        lipz_diagnostics::adjust(&options.levels, &mut parsed.diagnostics);
+        parsed.diagnostics.retain(is_error);
+        let (Some(document), true) = (&parsed.document, parsed.diagnostics.is_empty()) else {
+            return Converted { text: None, diagnostics: parsed.diagnostics };
+        };
+        let (text, mut diagnostics) = match Conversion::new(document, &clip, to) {
+            Err(finding) => (None, vec![*finding]),
+            Ok(None) => (None, Vec::new()),
+            Ok(Some(conversion)) => (
+                edits::apply(bytes, document, &conversion),
+                findings::loss(document, &conversion).into_iter().collect(),
+            ),
+        };
+        lipz_diagnostics::adjust(&options.levels, &mut diagnostics);
+        let text = text.filter(|_| !diagnostics.iter().any(is_error));
+        Converted { text, diagnostics }
+    }
 }
 
 fn is_error(finding: &Diagnostic) -> bool {
@@ -72,7 +76,7 @@ pub(crate) fn convert_clip<'d>(
     to: VisemeType,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Option<Document<'d>> {
-    let conversion = match Conversion::of(document, clip, to) {
+    let conversion = match Conversion::new(document, clip, to) {
         Ok(conversion) => conversion?,
         Err(finding) => {
             diagnostics.push(*finding);
@@ -95,7 +99,7 @@ struct Conversion {
 
 impl Conversion {
     /// How the clip that `document` describes is converted; `None` if it need not be.
-    fn of(document: &Document<'_>, clip: &ClipData, to: VisemeType) -> Result<Option<Conversion>, Box<Diagnostic>> {
+    fn new(document: &Document<'_>, clip: &ClipData, to: VisemeType) -> Result<Option<Conversion>, Box<Diagnostic>> {
         let candidates: Vec<VisemeType> = match clip.viseme_type {
             Some(known) if known == to => return Ok(None),
             Some(known) => vec![known],

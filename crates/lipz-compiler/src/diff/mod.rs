@@ -33,6 +33,7 @@ impl<T: PartialEq> Change<T> {
 
 /// The differences of two banks. Keys and locale tags are sorted.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
+#[non_exhaustive]
 pub struct Difference<'d> {
     /// Locales that only the new bank has.
     pub added_locales: Vec<&'d str>,
@@ -70,7 +71,7 @@ impl Difference<'_> {
 /// ```
 /// use lipz_bank::Bank;
 /// use lipz_compiler::{Input, Options, compile, diff};
-/// let pack = |text| compile(&[Input::from_bytes("aye", text)], &Options::default(), &|_| {}).bank;
+/// let pack = |text| Compiler::default().compile(&[Input::from_bytes("aye", text)]).bank;
 /// let old = pack(r#"{ "text_en-us": "Aye." }"#).ok_or("no bank")?;
 /// let new = pack(r#"{ "text_en-us": "Aye, aye." }"#).ok_or("no bank")?;
 /// let (old, new) = (Bank::open(&old)?.verify()?, Bank::open(&new)?.verify()?);
@@ -88,7 +89,7 @@ where
 {
     let (old_whole, new_whole): (BankWithTexts<'d, 'old>, BankWithTexts<'d, 'new>) = (old.into(), new.into());
     let (old, new) = (old_whole.bank(), new_whole.bank());
-    let locales = LocalePair::of(old_whole, new_whole);
+    let locales = LocalePair::all(old_whole, new_whole);
     let only_in = |other: fn(&LocalePair<'d>) -> bool| {
         let tags = locales.iter().filter(|pair| other(pair)).map(|pair| pair.tag);
         tags.collect::<Vec<_>>()
@@ -128,7 +129,7 @@ struct LocalePair<'d> {
 
 impl<'d> LocalePair<'d> {
     /// The locales of either bank, sorted.
-    fn of(old: BankWithTexts<'d, '_>, new: BankWithTexts<'d, '_>) -> Vec<LocalePair<'d>> {
+    fn all(old: BankWithTexts<'d, '_>, new: BankWithTexts<'d, '_>) -> Vec<LocalePair<'d>> {
         let mut pairs: BTreeMap<&str, LocalePair<'d>> = BTreeMap::new();
         let absent = |tag| LocalePair { tag, old: None, new: None };
         for locale in old.locales() {
@@ -145,15 +146,15 @@ impl<'d> LocalePair<'d> {
 mod tests {
     use super::*;
     use crate::settings::Settings;
-    use crate::{Input, Options, compile, split};
+    use crate::{Compiler, Input, Options, SplitBank};
     use lipz_bank::{Babble, Bank};
     use std::path::Path;
 
     /// A bank of these files, by key and text.
     pub(super) fn bank(files: &[(&str, &str)]) -> Vec<u8> {
         let inputs: Vec<_> = files.iter().map(|(key, text)| Input::from_bytes(*key, *text)).collect();
-        let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
-        compile(&inputs, &options, &|_| {}).bank.unwrap()
+        let options = Options::new().default_locale("en-us");
+        Compiler::new(options.clone()).compile(&inputs).bank.unwrap()
     }
 
     fn compare<R>(old: &[(&str, &str)], new: &[(&str, &str)], look: impl FnOnce(&Difference<'_>) -> R) -> R {
@@ -221,8 +222,8 @@ mod tests {
         let clips = [("a", r#"{ "text_en-us": "Aye.", "text_de-de": "Ja." }"#), ("b", r#"{ "text_ja-jp": "はい" }"#)];
         let pack = |default: &str| {
             let inputs = clips.map(|(key, text)| Input::from_bytes(key, text));
-            let options = Options { default_locale: Some(default.into()), ..Options::default() };
-            compile(&inputs, &options, &|_| {}).bank.unwrap()
+            let options = Options::new().default_locale(default);
+            Compiler::new(options.clone()).compile(&inputs).bank.unwrap()
         };
         let (old, new) = (pack("en-us"), pack("de-de"));
         let (old, new) = (Bank::open(&old).unwrap(), Bank::open(&new).unwrap());
@@ -237,7 +238,8 @@ mod tests {
     fn fallbacks_and_babble_of_the_bank_are_compared() {
         let clip = Input::from_bytes("a", r#"{ "text_en-us": "Aye.", "text_de-de": "Ja.", "text_de-at": "Ja." }"#);
         let other = Input::from_bytes("b", r#"{ "text_en-us": "No.", "text_de-de": "No." }"#);
-        let pack = |options: Options| compile(&[clip.clone(), other.clone()], &options, &|_| {}).bank.unwrap();
+        let pack =
+            |options: Options| Compiler::new(options.clone()).compile(&[clip.clone(), other.clone()]).bank.unwrap();
         let project = |toml: &str| pack(Settings::parse(toml.as_bytes(), "", Path::new("")).0.options);
         let old = project("[fallbacks]\nde-at = [\"de-de\"]\n[babble.robot]\nrate = 12\n[babble.ghost]\n");
         let new = project("[fallbacks]\nde-at = [\"en-us\"]\n[babble.robot]\nrate = 30\n");
@@ -258,12 +260,12 @@ mod tests {
     #[test]
     fn a_split_bank_is_the_whole() {
         let whole = bank(&[("a", AYE), ("b", r#"{ "text_en-us": "No." }"#)]);
-        let split = split(&whole).unwrap();
+        let split = SplitBank::from_bytes(&whole).unwrap();
         let (whole, base) = (Bank::open(&whole).unwrap(), Bank::open(&split.base).unwrap());
         let texts: Vec<_> = split.texts.iter().map(|(_, texts)| base.open_texts(texts).unwrap()).collect();
-        let difference = diff(&whole, BankWithTexts::of(&base, &texts));
+        let difference = diff(&whole, BankWithTexts::new(&base, &texts));
         assert!(difference.is_empty(), "{difference:?}");
-        assert_eq!(diff(&whole, BankWithTexts::of(&base, &texts[1..])).removed_locales, ["de-de"]);
+        assert_eq!(diff(&whole, BankWithTexts::new(&base, &texts[1..])).removed_locales, ["de-de"]);
     }
 
     #[test]

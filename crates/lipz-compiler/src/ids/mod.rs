@@ -97,7 +97,7 @@ impl Language {
 /// use lipz_compiler::{Input, Options, compile};
 ///
 /// let file = Input::from_bytes("act1/mara-hello", r#"{ "text_en-us": "Hello, Otto." }"#);
-/// let bytes = compile(&[file], &Options::default(), &|_| {}).bank.ok_or("errors")?;
+/// let bytes = Compiler::default().compile(&[file]).bank.ok_or("errors")?;
 /// let header = generate(&lipz_bank::Bank::open(&bytes)?, Language::C, None).map_err(|_| "clashes")?;
 /// assert!(header.contains("#define LIPZ_ID_ACT1_MARA_HELLO UINT64_C(0x"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -109,7 +109,7 @@ pub fn generate(bank: &Bank<'_>, language: Language, prefix: Option<&str>) -> Re
     let prefix =
         prefix.filter(|prefix| language.accepts_prefix(prefix)).or(language.default_prefix()).unwrap_or_default();
     let locales: Vec<&str> = bank.locales().map(|locale| locale.tag()).collect();
-    let tree = |naming| Folder::of(bank, naming, language.name());
+    let tree = |naming| Folder::from_bank(bank, naming, language.name());
     Ok(match language {
         Language::Rust => rust::module(&tree(rust::identifiers)?, &locales),
         Language::C => c::header(&tree(c::identifiers)?, &locales, prefix),

@@ -37,7 +37,11 @@ impl Leaf<'_> {
 
 impl<'data> Folder<'data> {
     /// The tree of a bank's clips; a finding for each clip whose identifier another one has.
-    pub(super) fn of(bank: &Bank<'data>, naming: Naming, language: &str) -> Result<Folder<'data>, Vec<Diagnostic>> {
+    pub(super) fn from_bank(
+        bank: &Bank<'data>,
+        naming: Naming,
+        language: &str,
+    ) -> Result<Folder<'data>, Vec<Diagnostic>> {
         let mut root = Folder::default();
         let mut clashes = Vec::new();
         let locales = locales_for_comments(bank);

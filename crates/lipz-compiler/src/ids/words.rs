@@ -115,7 +115,7 @@ fn spelled(word: &str, of: impl Fn(char) -> String) -> String {
 mod tests {
     use super::*;
 
-    fn of(part: &str) -> String {
+    fn joined(part: &str) -> String {
         words(part).join(" ")
     }
 
@@ -134,7 +134,7 @@ mod tests {
             ("A\u{308}rger", "\u{c4}rger"),
             ("🎉!", "U1F389U0021"),
         ] {
-            assert_eq!(of(part), expected, "{part:?}");
+            assert_eq!(joined(part), expected, "{part:?}");
         }
     }
 

@@ -44,7 +44,7 @@ pub(super) fn build(ids: &[u64]) -> Index {
 fn try_seed(ids: &[u64], seed: u64) -> Option<(Vec<u32>, Vec<u32>)> {
     let bucket_count = ids.len().div_ceil(IDS_PER_BUCKET);
     let (slot_count, buckets_u32) = (u32::try_from(ids.len()).ok()?, u32::try_from(bucket_count).ok()?);
-    let buckets = Buckets::of(ids, seed, buckets_u32);
+    let buckets = Buckets::new(ids, seed, buckets_u32);
     if (0..bucket_count).any(|bucket| buckets.members(bucket).len() > MAX_BUCKET) {
         return None;
     }
@@ -77,7 +77,7 @@ struct Buckets {
 }
 
 impl Buckets {
-    fn of(ids: &[u64], seed: u64, count: u32) -> Buckets {
+    fn new(ids: &[u64], seed: u64, count: u32) -> Buckets {
         let bucket_of = |hash: u64| bucket_of(hash, count) as usize;
         let mut starts = vec![0; count as usize + 1];
         for &id in ids {

@@ -43,8 +43,8 @@ pub(crate) struct Layout {
 
 impl Layout {
     /// Lays out the bank of `clips`, which are in the order of their keys.
-    pub(crate) fn of(clips: &[Clip<'_>], localised: &Localised, options: &Options) -> Result<Layout, Report> {
-        let numbering = Numbering::of(clips);
+    pub(crate) fn new(clips: &[Clip<'_>], localised: &Localised, options: &Options) -> Result<Layout, Report> {
+        let numbering = Numbering::new(clips);
         let index_of_ids = || unique_ids(clips).map(|ids| (index::build(&ids), ids));
         let small_parts = || (events::events(clips), strings::names(clips, localised));
         let ((index, (events, names)), (texts, sources)) = rayon::join(

@@ -15,7 +15,7 @@ pub(super) struct Numbering {
 }
 
 impl Numbering {
-    pub(super) fn of(clips: &[Clip<'_>]) -> Numbering {
+    pub(super) fn new(clips: &[Clip<'_>]) -> Numbering {
         let (with_events, others): (Vec<_>, Vec<_>) = (0..clips.len()).partition(|&at| clips[at].events().is_some());
         let order = [with_events, others].concat();
         let (mut firsts, mut segment_count) = (vec![0; clips.len()], 0);

@@ -30,7 +30,9 @@ pub(super) fn texts(clips: &[Clip<'_>], localised: &Localised, numbering: &Numbe
     let parts = starts.par_chunks_mut(table_length).zip(&mut lengths).zip(columns);
     parts.for_each(|((table, length), (column, is_shown_elsewhere))| {
         let run = |at: usize| match column.texts[at] {
-            Choice::Own(index) => Some(Run::of(&clips[at], &clips[at].texts()[index as usize], is_shown_elsewhere[at])),
+            Choice::Own(index) => {
+                Some(Run::new(&clips[at], &clips[at].texts()[index as usize], is_shown_elsewhere[at]))
+            }
             _ => None,
         };
         *length = own_texts(clips, numbering, run, table);
@@ -94,9 +96,9 @@ pub(crate) fn pool_of(
     clips: &[Clip<'_>],
     is_shown_elsewhere: impl Fn(usize) -> bool,
 ) -> Result<(Vec<U32>, Vec<u8>), Report> {
-    let numbering = Numbering::of(clips);
+    let numbering = Numbering::new(clips);
     let mut starts = vec![U32::new(NO_TEXT); numbering.segment_count];
-    let run = |at: usize| clips[at].texts().first().map(|text| Run::of(&clips[at], text, is_shown_elsewhere(at)));
+    let run = |at: usize| clips[at].texts().first().map(|text| Run::new(&clips[at], text, is_shown_elsewhere(at)));
     let length = pool_length(&[own_texts(clips, &numbering, run, &mut starts)])?;
     let mut pool = vec![0; length as usize];
     for (at, clip) in clips.iter().enumerate() {
@@ -118,7 +120,7 @@ struct Run<'c> {
 
 impl<'c> Run<'c> {
     /// The run of a clip's text, which another locale shows, too, or does not.
-    fn of(clip: &Clip<'c>, text: &ClipText, is_shown_elsewhere: bool) -> Run<'c> {
+    fn new(clip: &Clip<'c>, text: &ClipText, is_shown_elsewhere: bool) -> Run<'c> {
         let (_, texts) = clip.run(text);
         Run {
             whole: Hashed { hash: text.hash, bytes: clip.whole_run(text) },

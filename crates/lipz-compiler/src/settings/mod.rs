@@ -27,6 +27,7 @@ const MAX_BYTES: u64 = 1 << 20;
 
 /// What a project decides: where its Lipz files are, where its bank goes, and how it is made.
 #[derive(Clone, Debug, Default)]
+#[non_exhaustive]
 pub struct Settings {
     /// Folders, files and glob patterns, as [`discover`] takes them.
     pub sources: Vec<PathBuf>,
@@ -43,6 +44,11 @@ pub struct Settings {
 }
 
 impl Settings {
+    /// The settings of a project with these sources that decides nothing else.
+    pub fn from_sources(sources: Vec<PathBuf>) -> Settings {
+        Settings { sources, ..Settings::default() }
+    }
+
     /// The `lipz.toml` of `folder` or of the nearest folder above it that has one. A relative folder
     /// gives a relative path: `../lipz.toml`.
     pub fn find(folder: &Path) -> Option<PathBuf> {

@@ -303,7 +303,7 @@ const REGISTRY: &[Setting] = &[
         about: "Characters of the scenes.",
         default: "any",
         example: "[\"samson\", \"amy\"]",
-        read: |value, to| to.settings.options.registry.characters = to.words(value),
+        read: |value, to| to.settings.options.known_names.characters = to.words(value),
     },
     Setting {
         name: "props",
@@ -311,7 +311,7 @@ const REGISTRY: &[Setting] = &[
         about: "Things that characters look and point at, other than characters.",
         default: "any",
         example: "[\"door\", \"lamp\"]",
-        read: |value, to| to.settings.options.registry.props = to.words(value),
+        read: |value, to| to.settings.options.known_names.props = to.words(value),
     },
     Setting {
         name: "emotions",
@@ -319,7 +319,7 @@ const REGISTRY: &[Setting] = &[
         about: "Emotions beyond those of the specification.",
         default: "none",
         example: "[\"nervous\"]",
-        read: |value, to| to.settings.options.registry.emotions = to.words(value).unwrap_or_default(),
+        read: |value, to| to.settings.options.known_names.emotions = to.words(value).unwrap_or_default(),
     },
     Setting {
         name: "actions",
@@ -327,6 +327,6 @@ const REGISTRY: &[Setting] = &[
         about: "Actions of `does`.",
         default: "any",
         example: "[\"wave\", \"nod\"]",
-        read: |value, to| to.settings.options.registry.actions = to.words(value),
+        read: |value, to| to.settings.options.known_names.actions = to.words(value),
     },
 ];

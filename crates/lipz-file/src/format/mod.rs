@@ -26,7 +26,7 @@ pub enum LineEnding {
 
 impl LineEnding {
     /// How the first line of a text ends.
-    pub fn of(text: &str) -> LineEnding {
+    pub fn detect(text: &str) -> LineEnding {
         match text.split_once('\n') {
             Some((line, _)) if line.ends_with('\r') => LineEnding::CrLf,
             _ => LineEnding::Lf,
@@ -72,7 +72,7 @@ pub fn format(document: &Document<'_>, style: Style<'_>) -> String {
         return format!("{{}}{line_ending}");
     }
     let mut elements: Vec<(Role, &Element<'_>)> =
-        document.elements.iter().map(|element| (Role::of(&element.name.text), element)).collect();
+        document.elements.iter().map(|element| (Role::from_name(&element.name.text), element)).collect();
     let first = first_text(&elements, style.default_locale);
     if let Some((role, _)) = first.and_then(|index| elements.get_mut(index)) {
         *role = Role::FirstText;
@@ -106,7 +106,7 @@ enum Role {
 }
 
 impl Role {
-    fn of(name: &str) -> Role {
+    fn from_name(name: &str) -> Role {
         match name {
             "visemes" => Role::Visemes,
             "events" => Role::Events,

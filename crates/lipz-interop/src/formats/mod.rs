@@ -22,6 +22,7 @@ use lipz_diagnostics::Diagnostic;
 
 /// A format of another tool.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct Format {
     /// What commands call it, `rhubarb-tsv`.
     pub name: &'static str,

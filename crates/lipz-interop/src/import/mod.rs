@@ -9,7 +9,7 @@ pub use options::{DEFAULT_RATE, ImportOptions};
 pub(crate) use document::{element, fps};
 pub(crate) use runs::REST;
 
-use crate::frames::{Why, resample};
+use crate::frames::{LossReason, resample};
 use crate::segments::{Speech, divide};
 use crate::{Format, Map, Time, Track, map};
 use document::{codes, document, texts};
@@ -18,8 +18,9 @@ use lipz_file::Document;
 use lipz_file::rate::Rate;
 use runs::{in_order, report, runs};
 
-/// What an import gave.
+/// The result of an import.
 #[derive(Debug, Default)]
+#[non_exhaustive]
 pub struct Imported {
     /// The clips, one for each speaker of the file; none if a finding is an error.
     pub clips: Vec<Clip>,
@@ -27,8 +28,9 @@ pub struct Imported {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// An imported clip.
+/// An imported clip: the Lipz file of one speaker, and how it came about.
 #[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
 pub struct Clip {
     /// What the file calls the speaker, if it has several.
     pub name: Option<String>,
@@ -41,14 +43,14 @@ pub struct Clip {
     /// Frames of the clip.
     pub frames: usize,
     /// The shapes that have no frame.
-    pub lost: Vec<Lost>,
+    pub lost: Vec<LostShape>,
     /// How the file was read where there was a choice, a sentence each.
     pub remarks: Vec<String>,
 }
 
 /// A shape without a frame.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Lost {
+pub struct LostShape {
     /// What the file calls it.
     pub symbol: String,
     /// When it starts.
@@ -56,14 +58,14 @@ pub struct Lost {
     /// When it ends.
     pub end: Time,
     /// Why it has no frame.
-    pub why: Why,
+    pub reason: LossReason,
 }
 
-impl Lost {
+impl LostShape {
     /// The loss as a sentence.
     pub fn describe(&self) -> String {
         let ms = self.end.in_units(1000).saturating_sub(self.start.in_units(1000));
-        format!("{} at {} ({ms} ms): {}", escape::quoted(&self.symbol), self.start, self.why.reason())
+        format!("{} at {} ({ms} ms): {}", escape::quoted(&self.symbol), self.start, self.reason.describe())
     }
 }
 
@@ -134,13 +136,13 @@ fn clip(track: Track, map: &Map, options: &ImportOptions<'_>, findings: &mut Vec
         );
     }
     let resampled = resample(&runs, map.viseme_type, rate, options.min_hold);
-    let lost: Vec<Lost> = resampled
+    let lost: Vec<LostShape> = resampled
         .lost
         .iter()
-        .filter_map(|&(index, why)| {
+        .filter_map(|&(index, reason)| {
             // The rest before the first shape is ours: nobody misses it.
             let run = runs.get(index).filter(|run| run.code != REST || run.start > Time::ZERO)?;
-            Some(Lost { symbol: (*symbols.get(index)?).to_owned(), start: run.start, end: run.end, why })
+            Some(LostShape { symbol: (*symbols.get(index)?).to_owned(), start: run.start, end: run.end, reason })
         })
         .collect();
     report(&lost, symbols.len(), rate, findings);
@@ -152,7 +154,7 @@ fn clip(track: Track, map: &Map, options: &ImportOptions<'_>, findings: &mut Vec
         );
     }
     let texts = texts(&track, options, findings);
-    let speech = Speech::of(&runs, options.min_pause);
+    let speech = Speech::from_runs(&runs, options.min_pause);
     let division = divide(&track, &speech, &texts, options.segments, findings);
     let codes = codes(&runs, &resampled.lengths, &division, rate);
     let document = document(&track, codes, texts, &division, map.viseme_type, rate);

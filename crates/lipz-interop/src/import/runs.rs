@@ -1,6 +1,6 @@
 //! From the shapes of a track to runs of codes, and what is lost between them.
 
-use super::Lost;
+use super::LostShape;
 use super::document::spell;
 use crate::frames::Run;
 use crate::{Map, Shape, Time, Track};
@@ -100,7 +100,7 @@ fn unknown_symbol(shape: &Shape, map: &Map) -> Diagnostic {
 }
 
 /// Reports the shapes that have no frame.
-pub(super) fn report(lost: &[Lost], all: usize, rate: Rate, findings: &mut Vec<Diagnostic>) {
+pub(super) fn report(lost: &[LostShape], all: usize, rate: Rate, findings: &mut Vec<Diagnostic>) {
     if lost.is_empty() {
         return;
     }

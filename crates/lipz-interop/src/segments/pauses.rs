@@ -14,7 +14,7 @@ pub(crate) struct Speech {
 
 impl Speech {
     /// The speech in `runs`, in which `is_rest` says which codes rest. Rests shorter than `min_pause` are part of speaking.
-    pub(crate) fn of(runs: &[Run], min_pause: Time) -> Speech {
+    pub(crate) fn from_runs(runs: &[Run], min_pause: Time) -> Speech {
         let mut speech = Speech { spoken: Vec::new(), pauses: Vec::new() };
         for run in runs.iter().filter(|run| run.code != b'-' && run.start < run.end) {
             let (start, end) = (run.start.as_f64(), run.end.as_f64());
@@ -121,7 +121,7 @@ mod tests {
             end += ms;
             Run { code, start: Time::new(start, 1000), end: Time::new(end, 1000) }
         };
-        Speech::of(&shapes.iter().map(run).collect::<Vec<_>>(), Time::new(300, 1000))
+        Speech::from_runs(&shapes.iter().map(run).collect::<Vec<_>>(), Time::new(300, 1000))
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Files that pretend to be Lipz files.
 
-use lipz_compiler::{Input, Options, compile, fix};
+use lipz_compiler::{Compiler, Input};
 use lipz_diagnostics::{Diagnostic, Severity, Span};
 use lipz_file::format::{LineEnding, Style, format};
 
@@ -13,7 +13,7 @@ pub fn parse(bytes: &[u8]) {
     let has_errors = |found: &[Diagnostic]| found.iter().any(|found| found.severity == Severity::Error);
     assert!(parsed.document.is_some() || has_errors(&parsed.diagnostics), "no document, and no reason");
 
-    let compiled = compile(&[Input::from_bytes("clip", bytes)], &Options::default(), &|_| {});
+    let compiled = Compiler::default().compile(&[Input::from_bytes("clip", bytes)]);
     for report in &compiled.reports {
         report.diagnostics.iter().for_each(|found| is_about(found, &report.source.text));
     }
@@ -31,10 +31,10 @@ pub(super) fn is_about(found: &Diagnostic, text: &str) {
 /// What is written is read as the same document; formatting it again changes nothing, and neither does
 /// fixing what was fixed.
 pub fn rewrite(bytes: &[u8]) {
-    if let Some(fixed) = fix(bytes, &Options::default()) {
-        let again = fix(fixed.text.as_bytes(), &Options::default());
+    if let Some(fixed) = Compiler::default().fix(bytes) {
+        let again = Compiler::default().fix(fixed.text.as_bytes());
         // A hundred mistakes are mended in one run.
-        assert!(again.is_none() || fixed.mended.values().sum::<usize>() >= 100, "{}", fixed.text);
+        assert!(again.is_none() || fixed.counts.values().sum::<usize>() >= 100, "{}", fixed.text);
     }
     let Some(document) = lipz_file::parse(bytes).document else { return };
     let written = lipz_file::write(&document);

@@ -31,7 +31,7 @@ pub(super) fn has_errors(found: &[Diagnostic]) -> bool {
 /// What is imported is a Lipz file, and nothing is if there are errors.
 fn shapes(format: &Format, file: &[u8]) {
     for segments in [Segments::Phrases, Segments::Pauses, Segments::Sentences] {
-        let options = ImportOptions { segments, locale: Some("en-us"), min_hold: 2, ..ImportOptions::default() };
+        let options = ImportOptions::new().segments(segments).locale("en-us").min_hold(2);
         let imported = import(format, file, &options);
         assert!(imported.clips.is_empty() || !has_errors(&imported.diagnostics), "{}", format.name);
         for clip in imported.clips {

@@ -6,7 +6,7 @@ use crate::golden::{directory, put, reseal, section, u32_at};
 use crate::tools::is_used;
 use arbitrary::{Arbitrary, Unstructured};
 use lipz_bank::Bank;
-use lipz_compiler::{Input, Options, compile};
+use lipz_compiler::{Compiler, Input, Options};
 use lipz_layout::{ClipRecord, Header, KeyRecord, Tag, fingerprint};
 use std::mem::offset_of;
 use std::sync::LazyLock;
@@ -65,8 +65,8 @@ static BASES: LazyLock<Vec<Vec<u8>>> = LazyLock::new(|| {
     ];
     let bank = |set: &&[(&str, &str)], strip| {
         let inputs: Vec<Input> = set.iter().map(|(key, file)| Input::from_bytes(*key, *file)).collect();
-        let options = Options { strip, default_locale: Some("en-us".into()), ..Options::default() };
-        compile(&inputs, &options, &|_| {}).bank.expect("files without errors")
+        let options = Options::new().strip(strip).default_locale("en-us");
+        Compiler::new(options.clone()).compile(&inputs).bank.expect("files without errors")
     };
     sets.iter().flat_map(|set| [bank(set, false), bank(set, true)]).collect()
 });

@@ -2,7 +2,7 @@
 
 use crate::exercise::verified_is_whole;
 use lipz_bank::Bank;
-use lipz_compiler::{Documents, Input, Options, compile};
+use lipz_compiler::{Compiler, Documents, Input, Options};
 use lipz_diagnostics::{Code, Severity};
 
 /// Separates files in the input: no Lipz file has it as a byte.
@@ -12,18 +12,18 @@ const SEPARATOR: u8 = 0;
 /// element as they were, and packed again they are the same bank.
 pub fn round_trip(bytes: &[u8]) {
     let joined = [(Code::SegmentCount, Some(Severity::Warning))];
-    let options = Options { default_locale: Some("en-us".into()), levels: joined.into(), ..Options::default() };
+    let options = Options::new().default_locale("en-us").levels(joined);
     let files = bytes.split(|byte| *byte == SEPARATOR).take(4);
     let input = |(number, file): (usize, &[u8])| Input::from_bytes(format!("clip-{number}"), file);
-    let is_good = |file: &&[u8]| compile(&[input((0, file))], &options, &|_| {}).bank.is_some();
+    let is_good = |file: &&[u8]| Compiler::new(options.clone()).compile(&[input((0, file))]).bank.is_some();
     let good: Vec<&[u8]> = files.filter(is_good).collect();
 
     let inputs: Vec<Input> = good.iter().copied().enumerate().map(input).collect();
-    let packed = compile(&inputs, &options, &|_| {}).bank.expect("files without errors");
+    let packed = Compiler::new(options.clone()).compile(&inputs).bank.expect("files without errors");
     let bank = Bank::open(&packed).and_then(Bank::verify).expect("what the compiler made");
     verified_is_whole(&bank);
 
-    let documents = Documents::of(&bank).expect("the sources are in the bank");
+    let documents = Documents::from_bank(&bank).expect("the sources are in the bank");
     let mut unpacked = Vec::new();
     for (file, document) in good.iter().zip(documents.iter()) {
         let (key, document) = document.expect("a source record of the compiler");
@@ -31,5 +31,5 @@ pub fn round_trip(bytes: &[u8]) {
         unpacked.push(Input::from_bytes(key, lipz_file::write(&document)));
     }
     assert_eq!(unpacked.len(), good.len());
-    assert_eq!(compile(&unpacked, &options, &|_| {}).bank.as_ref(), Some(&packed), "packed again");
+    assert_eq!(Compiler::new(options.clone()).compile(&unpacked).bank.as_ref(), Some(&packed), "packed again");
 }

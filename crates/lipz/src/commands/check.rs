@@ -9,7 +9,6 @@ use crate::sources::{Sources, usage_error};
 use crate::{Ended, Outcome, console, standard};
 use clap::Args;
 use clap::error::ErrorKind;
-use lipz_compiler::check_all;
 
 /// Check Lipz files without packing them.
 ///
@@ -48,9 +47,7 @@ pub(crate) fn run(arguments: &Check, reporter: &mut Reporter) -> Ended {
         (true, false) => fix_all(settings, quiet, Rewriting::InPlace),
         (true, true) => fix_all(settings, quiet, Rewriting::Diff),
     };
-    let mut run = with_inputs(settings, quiet, |inputs, options, progress| {
-        check_all(&fixing.instead_of(inputs), options, progress)
-    });
+    let mut run = with_inputs(settings, quiet, |compiler, inputs| compiler.check(&fixing.instead_of(inputs)));
     let unwritten = !fixing.unwritten.is_empty();
     run.reports.extend(fixing.unwritten);
     let outcome = run.outcome();

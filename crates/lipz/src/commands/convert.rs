@@ -8,7 +8,7 @@ use crate::{Ended, Outcome, console, interrupt, standard};
 use clap::Args;
 use clap::error::ErrorKind;
 use lipz_bank::VisemeType;
-use lipz_compiler::{Input, Options, convert, each_file, key, replace_file};
+use lipz_compiler::{Compiler, Input, Options, key, replace_file};
 use lipz_diagnostics::{Code, Diagnostic, Report, Severity, count};
 use std::path::{Path, PathBuf};
 
@@ -66,8 +66,9 @@ pub(crate) fn run(arguments: &Convert, reporter: &mut Reporter) -> Ended {
         }
     }
     let bar = console::progress_bar(inputs.len(), quiet);
-    let results = each_file(&inputs, options, &|count| bar.inc(count), |input, bytes| {
-        let converted = convert(bytes, viseme_type, options);
+    let compiler = Compiler::new(options.clone()).progress(|count| bar.inc(count));
+    let results = compiler.each_file(&inputs, |input, bytes| {
+        let converted = compiler.convert(bytes, viseme_type);
         let is_changed = converted.text.is_some();
         let written = match converted.diagnostics.iter().any(|finding| finding.severity == Severity::Error) {
             true => Ok(()),
@@ -123,7 +124,7 @@ impl Convert {
             return Err(usage_error(ErrorKind::ArgumentConflict, message, tip));
         }
         let bytes = standard::lipz_bytes().map_err(|report| reporter.fail(report))?;
-        let converted = convert(&bytes, viseme_type, options);
+        let converted = Compiler::new(options.clone()).convert(&bytes, viseme_type);
         let report = Report::from_bytes(standard::INPUT_NAME, &bytes, converted.diagnostics);
         let has_errors = report.has_errors();
         reporter.add(vec![report]);

@@ -62,7 +62,7 @@ pub(crate) fn run(arguments: &CoverageArguments, reporter: &mut Reporter) -> End
     };
     let bank = file.bank(reporter)?;
     let text_files = TextFiles::open(&arguments.texts.texts, reporter)?;
-    let found = coverage(BankWithTexts::of(&bank, &text_files.of(&bank, reporter)?));
+    let found = coverage(BankWithTexts::new(&bank, &text_files.of(&bank, reporter)?));
     let printed = match &arguments.missing {
         Some(tag) => console::print(&missing(&found, tag)?),
         None if arguments.json => console::print_json(&found.iter().map(CoverageJson::of).collect::<Vec<_>>()),

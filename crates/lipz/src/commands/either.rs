@@ -5,9 +5,9 @@ use crate::bank_file::BankFile;
 use crate::reporter::Reporter;
 use crate::sources::ProjectArguments;
 use crate::{Outcome, console};
+use lipz_compiler::is_pattern;
 use lipz_compiler::key::EXTENSION;
 use lipz_compiler::settings::Settings;
-use lipz_compiler::{compile, is_pattern};
 use std::ffi::OsStr;
 use std::path::Path;
 
@@ -31,7 +31,7 @@ pub(super) fn bank_or_files(
 /// The bank of a project's Lipz files, packed in memory. Reports what is wrong with them.
 pub(super) fn packed(settings: &Settings, quiet: bool, reporter: &mut Reporter) -> Result<BankFile, Outcome> {
     let sources: Vec<_> = settings.sources.iter().map(|path| console::path(path)).collect();
-    let mut run = with_inputs(settings, quiet, compile);
+    let mut run = with_inputs(settings, quiet, |compiler, inputs| compiler.compile(inputs));
     let outcome = run.outcome();
     reporter.add(run.reports);
     match run.compiled.bank.take() {

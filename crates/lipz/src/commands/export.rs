@@ -6,7 +6,7 @@ use crate::sources::{Sources, usage_error};
 use crate::{Ended, Outcome, console, interrupt, standard};
 use clap::Args;
 use clap::error::ErrorKind;
-use lipz_compiler::{Input, Options, each_file, key, replace_file};
+use lipz_compiler::{Compiler, Input, Options, key, replace_file};
 use lipz_diagnostics::{Diagnostic, Report, Severity};
 use lipz_interop::{ExportOptions, Exported, Format, Map, export};
 use std::collections::BTreeSet;
@@ -73,7 +73,8 @@ pub(crate) fn run(arguments: &Export, reporter: &mut Reporter) -> Ended {
         return Err(Outcome::Errors);
     }
     let map = map.as_ref().map(foreign::MapChoice::map);
-    let results = each_file(&inputs, options, &|_| {}, |input, bytes| one(format, input, bytes, options, map));
+    let results =
+        Compiler::new(options.clone()).each_file(&inputs, |input, bytes| one(format, input, bytes, options, map));
     let (mut written, mut left_out) = (0, BTreeSet::new());
     for (input, result) in inputs.iter().zip(results) {
         let made = match result {
@@ -109,12 +110,11 @@ pub(crate) fn run(arguments: &Export, reporter: &mut Reporter) -> Ended {
 fn one(format: &Format, input: &Input, bytes: &[u8], options: &Options, map: Option<&Map>) -> Made {
     let parsed = lipz_file::parse(bytes);
     let mut diagnostics = parsed.diagnostics;
-    let export_options = ExportOptions {
-        map,
-        default_rate: options.default_fps.map(foreign::rate),
-        default_viseme_type: options.default_viseme_type,
-        name: input.key.rsplit('/').next(),
-    };
+    let export_options = ExportOptions::new()
+        .map(map)
+        .default_rate(options.default_fps.map(foreign::rate))
+        .default_viseme_type(options.default_viseme_type)
+        .name(input.key.rsplit('/').next());
     let mut exported = parsed.document.map(|document| export(format, &document, &export_options)).unwrap_or_default();
     diagnostics.append(&mut exported.diagnostics);
     lipz_diagnostics::adjust(&options.levels, &mut diagnostics);

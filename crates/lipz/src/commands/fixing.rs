@@ -3,7 +3,7 @@
 use crate::rewriting::Rewriting;
 use crate::{console, interrupt};
 use lipz_compiler::settings::Settings;
-use lipz_compiler::{Content, Fixed, Input, each_file, fix};
+use lipz_compiler::{Compiler, Content, Fixed, Input};
 use lipz_diagnostics::{Report, escape};
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -38,12 +38,12 @@ impl Fixing {
 
 /// Fixes all files, or shows what would be fixed.
 pub(super) fn fix_all(settings: &Settings, quiet: bool, rewriting: Rewriting) -> Fixing {
-    let options = &settings.options;
     // What cannot be found or read is reported by the check that follows.
     let (inputs, _) = settings.discover();
     let bar = console::progress_bar(inputs.len(), quiet);
-    let results = each_file(&inputs, options, &|count| bar.inc(count), |input, bytes| {
-        let fixed = fix(bytes, options)?;
+    let compiler = Compiler::new(settings.options.clone()).progress(|count| bar.inc(count));
+    let results = compiler.each_file(&inputs, |input, bytes| {
+        let fixed = compiler.fix(bytes)?;
         Some(interrupt::whole(|| rewriting.rewrite(input, bytes, &fixed.text)).map(|difference| (fixed, difference)))
     });
     bar.finish_and_clear();
@@ -55,7 +55,7 @@ pub(super) fn fix_all(settings: &Settings, quiet: bool, rewriting: Rewriting) ->
                     fixing.changes.push_str(&difference);
                     fixing.in_memory.insert(input.name(), fixed.text);
                 } else if !quiet {
-                    fixing.changes.push_str(&format!("{}: {} fixed\n", escape::text(&input.name()), mended(&fixed)));
+                    fixing.changes.push_str(&format!("{}: {} fixed\n", escape::text(&input.name()), counts(&fixed)));
                 }
             }
             Ok(Some(Err(report))) => fixing.unwritten.push(report),
@@ -66,7 +66,7 @@ pub(super) fn fix_all(settings: &Settings, quiet: bool, rewriting: Rewriting) ->
 }
 
 /// `3 findings (LZ0402, LZ0501)`.
-fn mended(fixed: &Fixed) -> String {
-    let codes: Vec<&str> = fixed.mended.keys().map(|code| code.number()).collect();
-    format!("{} ({})", console::counted(fixed.mended.values().sum(), "finding"), codes.join(", "))
+fn counts(fixed: &Fixed) -> String {
+    let codes: Vec<&str> = fixed.counts.keys().map(|code| code.number()).collect();
+    format!("{} ({})", console::counted(fixed.counts.values().sum(), "finding"), codes.join(", "))
 }

@@ -7,7 +7,7 @@ use crate::settings_file::{Project, SettingsFile};
 use crate::sources::PROJECT;
 use crate::{Ended, Outcome, console, interrupt, standard};
 use clap::Args;
-use lipz_compiler::each_file;
+use lipz_compiler::Compiler;
 use lipz_diagnostics::{Report, escape};
 use lipz_file::format::{LineEnding, Style, format};
 use std::path::PathBuf;
@@ -61,7 +61,8 @@ pub(crate) fn run(arguments: &Fmt, reporter: &mut Reporter) -> Ended {
     }
     let (inputs, mut reports) = settings.discover();
     let bar = console::progress_bar(inputs.len(), arguments.quiet);
-    let results = each_file(&inputs, &settings.options, &|count| bar.inc(count), |input, bytes| {
+    let compiler = Compiler::new(settings.options.clone()).progress(|count| bar.inc(count));
+    let results = compiler.each_file(&inputs, |input, bytes| {
         let after = formatted(&input.name(), bytes, default_locale)?;
         if after.as_bytes() == bytes {
             return Ok(None);
@@ -138,6 +139,6 @@ fn standard_input(arguments: &Fmt, default_locale: Option<&str>, reporter: &mut 
 fn formatted(name: &str, bytes: &[u8], default_locale: Option<&str>) -> Result<String, Report> {
     let parsed = lipz_file::parse(bytes);
     let Some(document) = parsed.document else { return Err(Report::from_bytes(name, bytes, parsed.diagnostics)) };
-    let line_ending = LineEnding::of(&String::from_utf8_lossy(bytes));
+    let line_ending = LineEnding::detect(&String::from_utf8_lossy(bytes));
     Ok(format(&document, Style { default_locale, line_ending }))
 }

@@ -8,7 +8,6 @@ use crate::{Ended, Outcome, console, output_file};
 use clap::error::ErrorKind;
 use clap::{Args, ValueEnum};
 use lipz_bank::Bank;
-use lipz_compiler::compile;
 use lipz_compiler::ids::{Language, generate};
 use lipz_diagnostics::Report;
 use std::mem;
@@ -100,7 +99,8 @@ fn is_bank(path: &Path) -> bool {
 /// The ids of the bank that would be packed.
 fn of_sources(sources: &[PathBuf], arguments: &Ids, reporter: &mut Reporter) -> Ended {
     let project = arguments.sources.project(reporter)?;
-    let mut run = with_inputs(&project.settings, arguments.sources.is_quiet(), compile);
+    let mut run =
+        with_inputs(&project.settings, arguments.sources.is_quiet(), |compiler, inputs| compiler.compile(inputs));
     let outcome = run.outcome();
     reporter.add(mem::take(&mut run.reports));
     match &run.compiled.bank {

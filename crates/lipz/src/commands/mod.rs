@@ -29,28 +29,27 @@ pub(crate) mod unpack;
 pub(crate) mod verify;
 pub(crate) mod watch;
 
-use crate::{Outcome, console, standard};
+use crate::{Outcome, console, interrupt, standard};
 use lipz_compiler::settings::Settings;
-use lipz_compiler::{Compiled, Input, Options, Progress, check_all};
+use lipz_compiler::{Compiled, Compiler, Input};
 use lipz_diagnostics::{Code, Report, Severity, count};
 use std::time::{Duration, Instant};
 
 /// Finds the inputs of a project and hands them to `work`, with a progress bar; if some cannot be found,
 /// they are only checked. What discovery found is added to the reports; a run without inputs has none of
 /// its own.
-fn with_inputs(
-    settings: &Settings,
-    quiet: bool,
-    work: impl FnOnce(&[Input], &Options, &Progress<'_>) -> Compiled,
-) -> Run {
+fn with_inputs(settings: &Settings, quiet: bool, work: impl FnOnce(&Compiler<'_>, &[Input]) -> Compiled) -> Run {
     let start = Instant::now();
     let (inputs, mut reports) = find(settings);
     let discover = start.elapsed();
     let bar = console::progress_bar(inputs.len(), quiet);
-    let progress = |files| bar.inc(files);
+    let compiler = Compiler::new(settings.options.clone()).progress(|files| {
+        bar.inc(files);
+        interrupt::point();
+    });
     let mut compiled = match count(&reports, Severity::Error) {
-        0 => work(&inputs, &settings.options, &progress),
-        _ => check_all(&inputs, &settings.options, &progress),
+        0 => work(&compiler, &inputs),
+        _ => compiler.check(&inputs),
     };
     bar.finish_and_clear();
     reports.append(&mut compiled.reports);
@@ -61,7 +60,9 @@ fn with_inputs(
 /// The inputs of a project, one of which may be standard input, and what is wrong with the others.
 fn find(settings: &Settings) -> (Vec<Input>, Vec<Report>) {
     let (standard, paths) = settings.sources.iter().cloned().partition::<Vec<_>, _>(|path| standard::is_meant(path));
-    let (mut inputs, mut reports) = Settings { sources: paths, ..settings.clone() }.discover();
+    let mut on_disk = settings.clone();
+    on_disk.sources = paths;
+    let (mut inputs, mut reports) = on_disk.discover();
     if !standard.is_empty() {
         match standard::lipz_file() {
             Ok(input) => inputs.push(input),

@@ -49,7 +49,7 @@ pub(crate) fn run(arguments: &Unpack, reporter: &mut Reporter) -> Ended {
         bar.inc(count);
         interrupt::point();
     };
-    let whole = BankWithTexts::of(&bank, &texts);
+    let whole = BankWithTexts::new(&bank, &texts);
     let unpacked = interrupt::whole(|| unpack(whole, &arguments.output, arguments.force, &progress));
     bar.finish_and_clear();
     match unpacked {

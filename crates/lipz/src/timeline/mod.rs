@@ -101,11 +101,11 @@ fn line(out: &mut String, name: &str, text: &str, columns: Columns) {
 mod tests {
     use super::*;
     use lipz_bank::Bank;
-    use lipz_compiler::{Input, Options, compile};
+    use lipz_compiler::{Compiler, Input, Options};
 
     fn bank(json: &str) -> Vec<u8> {
-        let options = Options { default_locale: Some("en-us".into()), ..Options::default() };
-        compile(&[Input::from_bytes("a/clip", json)], &options, &|_| {}).bank.unwrap()
+        let options = Options::new().default_locale("en-us");
+        Compiler::new(options.clone()).compile(&[Input::from_bytes("a/clip", json)]).bank.unwrap()
     }
 
     fn shown(bytes: &[u8], width: usize) -> String {

@@ -4,7 +4,7 @@ use crate::Failure;
 use crate::corpus::Corpus;
 use crate::rival::{File, Reader, Rival};
 use lipz_bank::{Bank, Clip, Locale, Micros};
-use lipz_compiler::{Input, Options, compile};
+use lipz_compiler::{Compiler, Input, Options};
 use std::path::Path;
 
 /// A bank without source records, as a game ships it.
@@ -17,8 +17,8 @@ impl Rival for Lipz {
     fn build(corpus: &Corpus, path: &Path) -> Result<(), Failure> {
         let inputs: Vec<Input> =
             corpus.files.iter().map(|(key, json)| Input::from_bytes(key, json.as_bytes())).collect();
-        let options = Options { strip: true, ..Options::default() };
-        let bank = compile(&inputs, &options, &|_| {}).bank.ok_or("the clips have errors")?;
+        let options = Options::new().strip(true);
+        let bank = Compiler::new(options.clone()).compile(&inputs).bank.ok_or("the clips have errors")?;
         Ok(std::fs::write(path, bank)?)
     }
 

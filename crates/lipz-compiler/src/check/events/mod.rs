@@ -2,10 +2,10 @@
 //! Event Syntax or nearly so.
 
 mod names;
-mod near;
+mod near_miss;
 
 use super::texts::nul;
-use crate::Registry;
+use crate::KnownNames;
 use lipz_diagnostics::{Code, Diagnostic};
 use lipz_file::event;
 use lipz_file::{JsonString, text};
@@ -18,11 +18,11 @@ const SHOWN: usize = 3;
 /// The trimmed event string of each segment.
 pub(super) fn trimmed<'t>(
     string: &'t JsonString<'_>,
-    registry: &Registry,
+    known_names: &KnownNames,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Vec<&'t str> {
     nul(string, Code::NulInEvents, "the events contain", diagnostics);
-    let mut findings = Findings { string, registry, by_code: BTreeMap::new() };
+    let mut findings = Findings { string, known_names, by_code: BTreeMap::new() };
     let trimmed = text::segments(&string.text)
         .map(|range| {
             let segment = &string.text[range.clone()];
@@ -37,7 +37,7 @@ pub(super) fn trimmed<'t>(
 /// What is wrong with the events of an element.
 struct Findings<'e> {
     string: &'e JsonString<'e>,
-    registry: &'e Registry,
+    known_names: &'e KnownNames,
     by_code: BTreeMap<Code, OfCode>,
 }
 
@@ -51,17 +51,17 @@ struct OfCode {
 impl Findings<'_> {
     /// Adds what is wrong in a segment, which starts at byte `start` of the element's text.
     fn of_segment(&mut self, segment: &str, start: usize) {
-        let (string, registry) = (self.string, self.registry);
+        let (string, known_names) = (self.string, self.known_names);
         let span = |at: Range<usize>| string.span_of(start + at.start..start + at.end);
         match event::parse(segment) {
             Some(events) => {
-                for unknown in events.flat_map(|event| names::unknown(&event, registry)) {
-                    self.add(unknown.code(), || unknown.finding(span(unknown.word.range()), registry));
+                for unknown in events.flat_map(|event| names::unknown(&event, known_names)) {
+                    self.add(unknown.code(), || unknown.finding(span(unknown.word.range()), known_names));
                 }
             }
             None => {
-                for near in near::near(segment, registry) {
-                    self.add(Code::NearEvent, || near.finding(span(near.at.clone())));
+                for near_miss in near_miss::near_misses(segment, known_names) {
+                    self.add(Code::NearEvent, || near_miss.finding(span(near_miss.at.clone())));
                 }
             }
         }

@@ -1,6 +1,6 @@
 //! Names in events, against those that the project registers.
 
-use crate::Registry;
+use crate::KnownNames;
 use lipz_diagnostics::{Code, Diagnostic, Span, escape, suggest};
 use lipz_file::event::{EMOTIONS, Event, Word};
 use std::collections::BTreeSet;
@@ -39,12 +39,12 @@ pub(super) struct Names<'r> {
 }
 
 impl<'r> Names<'r> {
-    pub(super) fn of(role: Role, registry: &'r Registry) -> Names<'r> {
-        let (characters, props) = (registry.characters.as_ref(), registry.props.as_ref());
-        let actions = registry.actions.as_ref();
+    pub(super) fn new(role: Role, known_names: &'r KnownNames) -> Names<'r> {
+        let (characters, props) = (known_names.characters.as_ref(), known_names.props.as_ref());
+        let actions = known_names.actions.as_ref();
         let (specified, registered, is_complete): (&[_], _, _) = match role {
             Role::Character => (&[], [characters, None], characters.is_some()),
-            Role::Emotion => (&EMOTIONS, [Some(&registry.emotions), None], true),
+            Role::Emotion => (&EMOTIONS, [Some(&known_names.emotions), None], true),
             Role::Target => (&[], [characters, props], characters.is_some() && props.is_some()),
             Role::Action => (&[], [actions, None], actions.is_some()),
         };
@@ -84,11 +84,11 @@ pub(super) struct Unknown<'t> {
 }
 
 /// The names of an event that are not known although all names of their role are.
-pub(super) fn unknown<'t>(event: &Event<'t>, registry: &Registry) -> impl Iterator<Item = Unknown<'t>> + use<'t> {
+pub(super) fn unknown<'t>(event: &Event<'t>, known_names: &KnownNames) -> impl Iterator<Item = Unknown<'t>> + use<'t> {
     let character = event.character.map(|word| (Role::Character, word));
     let object = Role::of_object(event.command.verb()).zip(event.command.object());
     let is_unknown = |(role, word): &(Role, Word<'_>)| {
-        let names = Names::of(*role, registry);
+        let names = Names::new(*role, known_names);
         names.is_complete && !names.contains(word.text)
     };
     [character, object]
@@ -108,10 +108,10 @@ impl Unknown<'_> {
         }
     }
 
-    pub(super) fn finding(&self, span: Span, registry: &Registry) -> Diagnostic {
+    pub(super) fn finding(&self, span: Span, known_names: &KnownNames) -> Diagnostic {
         let (what, known, lists) = match self.role {
             Role::Character => ("not a registered character", "registered characters", ["characters"].as_slice()),
-            Role::Emotion if registry.emotions.is_empty() => {
+            Role::Emotion if known_names.emotions.is_empty() => {
                 ("not an emotion of the specification", "emotions", ["emotions"].as_slice())
             }
             Role::Emotion => {
@@ -124,7 +124,7 @@ impl Unknown<'_> {
             ),
             Role::Action => ("not a registered action", "registered actions", ["actions"].as_slice()),
         };
-        let names = Names::of(self.role, registry);
+        let names = Names::new(self.role, known_names);
         let message = format!("{} is {what}", escape::quoted(self.word.text));
         let finding = Diagnostic::at(self.code(), span, message).note(match names.listed() {
             Some(listed) => format!("the {known} are {listed}"),

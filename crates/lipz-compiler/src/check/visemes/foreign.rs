@@ -13,7 +13,7 @@ const SHOWN: usize = 4;
 /// Reports codes that do not fit: one finding if one reason explains them all, otherwise one for each
 /// different character.
 pub(super) fn report(string: &JsonString<'_>, expected: Expected, diagnostics: &mut Vec<Diagnostic>) {
-    let tally = Tally::of(&string.text);
+    let tally = Tally::new(&string.text);
     let given = match expected {
         Expected::Named(viseme_type) | Expected::Default(viseme_type) => Some(viseme_type),
         Expected::Any | Expected::Unknown => None,

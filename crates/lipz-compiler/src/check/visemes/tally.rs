@@ -17,7 +17,7 @@ pub(super) struct Counted {
 pub(super) struct Tally(Vec<Counted>);
 
 impl Tally {
-    pub(super) fn of(text: &str) -> Tally {
+    pub(super) fn new(text: &str) -> Tally {
         let mut found: Vec<Counted> = Vec::new();
         for (at, character) in text.char_indices() {
             if character == DELIMITER || is_white_space(character) {

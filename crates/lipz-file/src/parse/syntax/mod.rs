@@ -35,7 +35,7 @@ enum Expected {
 
 /// Explains why the root object could not be read.
 pub(super) fn explain(text: &str, error: &serde_json::Error) -> Diagnostic {
-    let at = Place::of(text, error);
+    let at = Place::new(text, error);
     if !root::is_object(text) {
         return comment(&at).unwrap_or_else(|| root::not_object(text));
     }

@@ -18,7 +18,7 @@ pub(super) struct Place<'s> {
 
 impl<'s> Place<'s> {
     /// serde_json tells line and column (in bytes) just behind the byte that it did not expect.
-    pub(super) fn of(text: &'s str, error: &serde_json::Error) -> Place<'s> {
+    pub(super) fn new(text: &'s str, error: &serde_json::Error) -> Place<'s> {
         let line_start = match error.line() {
             0 | 1 => 0,
             line => text.match_indices('\n').nth(line - 2).map_or(text.len(), |(at, _)| at + 1),

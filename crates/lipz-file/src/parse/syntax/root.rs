@@ -38,7 +38,7 @@ pub(super) fn unfinished(text: &str) -> Diagnostic {
 
 /// Explains what follows the root object.
 pub(in crate::parse) fn explain_rest(text: &str, error: &serde_json::Error) -> Diagnostic {
-    let at = Place::of(text, error);
+    let at = Place::new(text, error);
     if let Some(comment) = super::comment(&at) {
         return comment;
     }

@@ -58,7 +58,7 @@ impl HeadFile {
         }
         let content = match (content, number) {
             ('f', number) => Content::Fidget(fidget(number)?),
-            (_, "") => Content::of(content, disposition)?,
+            (_, "") => Content::from_letter(content, disposition)?,
             _ => return None,
         };
         Some(HeadFile { root: root.to_owned(), disposition, content })
@@ -85,7 +85,7 @@ fn fidget(number: &str) -> Option<u32> {
 
 impl Content {
     /// The content with this letter. Nobody goes from good to bad at once.
-    fn of(letter: char, disposition: Disposition) -> Option<Content> {
+    fn from_letter(letter: char, disposition: Disposition) -> Option<Content> {
         match (letter, disposition) {
             ('p', _) => Some(Content::Phonemes),
             ('v', Disposition::Good | Disposition::Bad) => Some(Content::Unused),

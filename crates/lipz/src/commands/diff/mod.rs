@@ -69,7 +69,7 @@ fn compare(arguments: &Diff, reporter: &mut Reporter) -> Ended {
     let old_files = TextFiles::open(&arguments.old_texts, reporter)?;
     let new_files = TextFiles::open(&arguments.new_texts, reporter)?;
     let (old_texts, new_texts) = (old_files.of(&old_bank, reporter)?, new_files.of(&new_bank, reporter)?);
-    let difference = diff::diff(BankWithTexts::of(&old_bank, &old_texts), BankWithTexts::of(&new_bank, &new_texts));
+    let difference = diff::diff(BankWithTexts::new(&old_bank, &old_texts), BankWithTexts::new(&new_bank, &new_texts));
     let printed = if arguments.json {
         console::print_json(&DifferenceJson::of(&difference))
     } else if arguments.project.quiet && difference.is_empty() {

@@ -154,7 +154,7 @@ fn read(
                 continue;
             }
         };
-        let mut options = ImportOptions { text: text.as_deref(), ..settings.import_options() };
+        let mut options = settings.import_options().text(text.as_deref());
         arguments.options.recordings.apply(file, &source.key, script, &mut options);
         let Imported { clips, mut diagnostics } = import(format, &source.bytes, &options);
         settings.apply_levels(&mut diagnostics);

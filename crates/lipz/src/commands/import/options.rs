@@ -114,19 +114,17 @@ impl Options {
 impl Settings<'_> {
     pub(super) fn import_options(&self) -> ImportOptions<'_> {
         let flags = self.flags;
-        ImportOptions {
-            map: self.map.as_ref().map(MapChoice::map),
-            viseme_type: flags.viseme_type.or(self.project.viseme_type).or(self.project.default_viseme_type),
-            rate: flags.fps.map(foreign::rate),
-            default_rate: self.project.default_fps.map_or(DEFAULT_RATE, foreign::rate),
-            file_rate: flags.file_fps.map(foreign::rate),
-            dat_base: flags.dat_base,
-            min_hold: usize::from(flags.min_hold),
-            locale: self.default_locale(),
-            segments: flags.segments.into(),
-            min_pause: flags.min_pause,
-            ..ImportOptions::default()
-        }
+        ImportOptions::new()
+            .map(self.map.as_ref().map(MapChoice::map))
+            .viseme_type(flags.viseme_type.or(self.project.viseme_type).or(self.project.default_viseme_type))
+            .rate(flags.fps.map(foreign::rate))
+            .default_rate(self.project.default_fps.map_or(DEFAULT_RATE, foreign::rate))
+            .file_rate(flags.file_fps.map(foreign::rate))
+            .dat_base(flags.dat_base)
+            .min_hold(usize::from(flags.min_hold))
+            .locale(self.default_locale())
+            .segments(flags.segments.into())
+            .min_pause(flags.min_pause)
     }
 
     /// The locale of texts that do not tell it.

@@ -45,11 +45,11 @@ pub(super) fn json<'a>(format: &Format, clips: impl Iterator<Item = (&'a Input, 
     to_json(&Document { format: format.name, clips: clips.collect() })
 }
 
-fn loss(lost: &lipz_interop::Lost) -> Loss<'_> {
+fn loss(lost: &lipz_interop::LostShape) -> Loss<'_> {
     Loss {
         symbol: &lost.symbol,
         start_ms: lost.start.in_units(1000),
         end_ms: lost.end.in_units(1000),
-        why: lost.why.reason(),
+        why: lost.reason.describe(),
     }
 }

@@ -55,7 +55,7 @@ pub(crate) fn run(arguments: &Inspect, reporter: &mut Reporter) -> Ended {
     let file = BankFile::open(&arguments.bank, reporter)?;
     let bank = file.bank(reporter)?;
     let text_files = TextFiles::open(&arguments.texts.texts, reporter)?;
-    let locales = BankWithTexts::of(&bank, &text_files.of(&bank, reporter)?).locales();
+    let locales = BankWithTexts::new(&bank, &text_files.of(&bank, reporter)?).locales();
     Ok(match (&arguments.key, &arguments.list) {
         (Some(key), _) => clip(&bank, key, &locales, arguments),
         (None, Some(prefix)) => list(&bank, prefix, arguments.json),

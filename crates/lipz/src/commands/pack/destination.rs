@@ -4,7 +4,7 @@ use crate::reporter::Reporter;
 use crate::sources::usage_error;
 use crate::{Outcome, console, interrupt, output_file, standard};
 use clap::error::ErrorKind;
-use lipz_compiler::{Compiled, Input, Memory, Options, Progress, compile, pack, pack_cached, split};
+use lipz_compiler::{Compiled, Compiler, Input, Memory, SplitBank};
 use std::ffi::OsStr;
 use std::fs;
 use std::io::{self, IsTerminal};
@@ -88,33 +88,27 @@ impl Destination {
     }
 
     /// Makes the bank. One that replaces a file in any case is written while it is verified.
-    pub(super) fn make(&self, inputs: &[Input], options: &Options, progress: &Progress<'_>) -> Compiled {
-        let Destination::File { bank, cache } = self else { return compile(inputs, options, progress) };
-        let progress = |files| {
-            progress(files);
-            interrupt::point();
-        };
+    pub(super) fn make(&self, compiler: &Compiler<'_>, inputs: &[Input]) -> Compiled {
+        let Destination::File { bank, cache } = self else { return compiler.compile(inputs) };
         interrupt::whole(|| match cache {
-            Some(cache) => pack_cached(inputs, options, bank, cache, &progress),
-            None => pack(inputs, options, bank, &progress),
+            Some(cache) => compiler.pack_cached(inputs, bank, cache),
+            None => compiler.pack(inputs, bank),
         })
     }
 
     /// Makes the bank with what is remembered of the run before, first of all that of the cache.
-    pub(super) fn make_again(
-        &self,
-        memory: &mut Memory,
-        inputs: &[Input],
-        options: &Options,
-        progress: &Progress<'_>,
-    ) -> Compiled {
+    pub(super) fn make_again(&self, memory: &mut Memory, compiler: &Compiler<'_>, inputs: &[Input]) -> Compiled {
         if let (Destination::File { bank, cache: Some(cache) }, true) = (self, memory.is_empty()) {
             match Memory::read(cache, bank) {
                 Ok(read) => *memory = read,
-                Err(report) => return Compiled { reports: vec![report], ..Compiled::default() },
+                Err(report) => {
+                    let mut refused = Compiled::default();
+                    refused.reports.push(report);
+                    return refused;
+                }
             }
         }
-        memory.compile(inputs, options, progress)
+        compiler.compile_again(inputs, memory)
     }
 
     /// Writes what is remembered into the cache, if there is one.
@@ -142,7 +136,7 @@ impl Destination {
                 failed => Err(failed),
             },
             Destination::Split(path) => {
-                let split = split(bank).map_err(|report| reporter.fail(report))?;
+                let split = SplitBank::from_bytes(bank).map_err(|report| reporter.fail(report))?;
                 let mut files = Vec::new();
                 let mut paths = Vec::new();
                 for (tag, texts) in &split.texts {

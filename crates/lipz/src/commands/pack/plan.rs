@@ -81,9 +81,9 @@ impl Plan {
     ) -> Result<Packed, Outcome> {
         let settings = &self.project.settings;
         let replacing = if memory.is_some() { Replacing::IfDifferent } else { Replacing::Always };
-        let mut run = with_inputs(settings, quiet, |inputs, options, progress| match &mut memory {
-            Some(memory) => self.destination.make_again(memory, inputs, options, progress),
-            None => self.destination.make(inputs, options, progress),
+        let mut run = with_inputs(settings, quiet, |compiler, inputs| match &mut memory {
+            Some(memory) => self.destination.make_again(memory, compiler, inputs),
+            None => self.destination.make(compiler, inputs),
         });
         let outcome = run.outcome();
         reporter.add(mem::take(&mut run.reports));

@@ -44,7 +44,7 @@ pub(crate) fn run(arguments: &Stats, reporter: &mut Reporter) -> Ended {
     let bank = file.bank(reporter)?;
     let text_files = TextFiles::open(&arguments.texts.texts, reporter)?;
     let texts = text_files.of(&bank, reporter)?;
-    let stats = lipz_compiler::stats::Stats::of(BankWithTexts::of(&bank, &texts));
+    let stats = lipz_compiler::stats::Stats::from_bank(BankWithTexts::new(&bank, &texts));
     Ok(if arguments.json {
         console::print_json(&json::StatsJson::of(&stats))
     } else {

@@ -7,7 +7,7 @@ use crate::reporter::Reporter;
 use crate::sources::Sources;
 use crate::{Ended, Outcome, console, interrupt};
 use clap::Args;
-use lipz_compiler::{Input, Options, each_file, key, replace_file};
+use lipz_compiler::{Compiler, Input, Options, key, replace_file};
 use lipz_diagnostics::{Report, Severity};
 use lipz_file::locale::{TextName, text_name};
 use lipz_interop::subtitles::{SubtitleFormat, SubtitleOptions, cues};
@@ -54,7 +54,8 @@ pub(super) fn run(arguments: &Export, reporter: &mut Reporter) -> Ended {
     let (inputs, mut reports) = find(&project.settings);
     key::check(&inputs, &mut reports);
     let options = &project.settings.options;
-    let results = each_file(&inputs, options, &|_| {}, |input, bytes| one(arguments, input, bytes, options));
+    let results =
+        Compiler::new(options.clone()).each_file(&inputs, |input, bytes| one(arguments, input, bytes, options));
     let mut files = Vec::new();
     for (input, result) in inputs.iter().zip(results) {
         match result {

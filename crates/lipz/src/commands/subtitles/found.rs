@@ -96,7 +96,11 @@ mod tests {
 
     #[test]
     fn names_tell_clip_and_locale() {
-        let options = |default: Option<&str>| Options { default_locale: default.map(Into::into), ..Options::default() };
+        let options = |default: Option<&str>| {
+            let mut options = Options::new();
+            options.default_locale = default.map(Into::into);
+            options
+        };
         let of = |place: &str, path: &str, default| {
             let found = file(place.as_ref(), path.as_ref(), SubtitleFormat::Srt, &options(default)).ok()?;
             Some((found.key, found.locale))

@@ -33,7 +33,7 @@ type Stamp = (u64, Option<SystemTime>);
 impl Scope {
     /// What the command line names, before the settings are read.
     pub(super) fn named(arguments: &Sources) -> Scope {
-        let settings = Settings { sources: arguments.paths().to_vec(), ..Settings::default() };
+        let settings = Settings::from_sources(arguments.paths().to_vec());
         Scope { settings, settings_file: arguments.settings_file() }
     }
 
@@ -114,7 +114,7 @@ mod tests {
     #[test]
     fn folders_of_files_and_whole_folders() {
         let sources = ["voices/act?/*.lipz", "clips/a.lipz", "other"].map(PathBuf::from).to_vec();
-        let settings = Settings { sources, ..Settings::default() };
+        let settings = Settings::from_sources(sources);
         let scope = Scope { settings, settings_file: Some("lipz.toml".into()) };
         let (alone, below) = (RecursiveMode::NonRecursive, RecursiveMode::Recursive);
         let expected = [(".", alone), ("clips", alone), ("other", below), ("voices", below)];
@@ -123,7 +123,7 @@ mod tests {
 
     #[test]
     fn a_folder_is_watched_with_those_in_it_if_a_source_asks_for_that() {
-        let settings = Settings { sources: vec!["a.lipz".into(), ".".into()], ..Settings::default() };
+        let settings = Settings::from_sources(vec!["a.lipz".into(), ".".into()]);
         let scope = Scope { settings, settings_file: Some("lipz.toml".into()) };
         assert_eq!(scope.folders(), BTreeMap::from([(PathBuf::from("."), RecursiveMode::Recursive)]));
     }

@@ -5,7 +5,7 @@
 //! follows confirms it: a known emotion, target or action.
 
 use super::names::{Names, Role};
-use crate::Registry;
+use crate::KnownNames;
 use lipz_diagnostics::{Code, Diagnostic, Span, escape, suggest};
 use lipz_file::event::{self, Part, Word};
 use std::ops::Range;
@@ -31,13 +31,13 @@ const PREPOSITIONS: [&str; 2] = ["at", "to"];
 const MOST_WORDS: usize = 5;
 
 /// What keeps a part from being an event.
-pub(super) struct Near<'t> {
+pub(super) struct NearMiss<'t> {
     /// Where it stands, in bytes of the segment.
     pub(super) at: Range<usize>,
-    slip: Slip<'t>,
+    fault: Fault<'t>,
 }
 
-enum Slip<'t> {
+enum Fault<'t> {
     /// These words are no verb; the event that was probably meant.
     Verb(&'t str, String),
     /// These words are too many; the event that was probably meant.
@@ -47,30 +47,30 @@ enum Slip<'t> {
 }
 
 /// The faults of a segment that is not Character Event Syntax, if it certainly was to be.
-pub(super) fn near<'t>(segment: &'t str, registry: &Registry) -> impl Iterator<Item = Near<'t>> {
-    let fault = |part: Part<'t>| if part.event().is_some() { None } else { near_part(part, registry) };
+pub(super) fn near_misses<'t>(segment: &'t str, known_names: &KnownNames) -> impl Iterator<Item = NearMiss<'t>> {
+    let fault = |part: Part<'t>| if part.event().is_some() { None } else { near_miss(part, known_names) };
     let mut has_event = false;
-    let is_near = event::parts(segment).all(|part| {
+    let is_near_miss = event::parts(segment).all(|part| {
         let (is_event, fault) = (part.event().is_some(), fault(part));
-        has_event |= is_event || fault.as_ref().is_some_and(|fault| !matches!(fault.slip, Slip::Nothing));
+        has_event |= is_event || fault.as_ref().is_some_and(|fault| !matches!(fault.fault, Fault::Nothing));
         is_event || fault.is_some()
     });
-    let faults = (is_near && has_event).then(|| event::parts(segment).filter_map(fault));
+    let faults = (is_near_miss && has_event).then(|| event::parts(segment).filter_map(fault));
     faults.into_iter().flatten()
 }
 
 /// The fault of a part that is no event.
-fn near_part<'t>(part: Part<'t>, registry: &Registry) -> Option<Near<'t>> {
+fn near_miss<'t>(part: Part<'t>, known_names: &KnownNames) -> Option<NearMiss<'t>> {
     let words: Vec<Word<'t>> = part.words().take(MOST_WORDS + 1).collect();
     if words.is_empty() {
         let separator = part.start.checked_sub(1).unwrap_or(part.text.len());
-        return Some(Near { at: separator..separator + 1, slip: Slip::Nothing });
+        return Some(NearMiss { at: separator..separator + 1, fault: Fault::Nothing });
     }
     if words.len() > MOST_WORDS || !words.iter().all(|word| is_plain(word.text)) {
         return None;
     }
     // The verb is the first word or, behind a character, the second.
-    let speaker = Reading { part, character: None, registry };
+    let speaker = Reading { part, character: None, known_names };
     speaker.near(&words).or_else(|| {
         let (character, rest) = words.split_first()?;
         Reading { character: Some(*character), ..speaker }.near(rest)
@@ -87,12 +87,12 @@ fn is_plain(word: &str) -> bool {
 struct Reading<'t, 'r> {
     part: Part<'t>,
     character: Option<Word<'t>>,
-    registry: &'r Registry,
+    known_names: &'r KnownNames,
 }
 
 impl<'t> Reading<'t, '_> {
     /// The fault if `words` are nearly a verb and what belongs to it.
-    fn near(self, words: &[Word<'t>]) -> Option<Near<'t>> {
+    fn near(self, words: &[Word<'t>]) -> Option<NearMiss<'t>> {
         match words {
             [verb, object] if is_nearly(verb.text, STOPS) => self.stops(*verb, *object),
             [verb, object] => self.misspelt(*verb, *object),
@@ -102,41 +102,47 @@ impl<'t> Reading<'t, '_> {
     }
 
     /// `stop staring`
-    fn stops(self, written: Word<'t>, object: Word<'t>) -> Option<Near<'t>> {
+    fn stops(self, written: Word<'t>, object: Word<'t>) -> Option<NearMiss<'t>> {
         let stopped = STOPPED.into_iter().find(|stopped| is_nearly(object.text, stopped))?;
-        Some(self.fault(written.start..object.range().end, Slip::Verb, STOPS, stopped))
+        Some(self.fault(written.start..object.range().end, Fault::Verb, STOPS, stopped))
     }
 
     /// `feel sad`
-    fn misspelt(self, written: Word<'t>, object: Word<'t>) -> Option<Near<'t>> {
+    fn misspelt(self, written: Word<'t>, object: Word<'t>) -> Option<NearMiss<'t>> {
         let verb = verb(written.text)?;
-        let names = Names::of(Role::of_object(verb)?, self.registry);
+        let names = Names::new(Role::of_object(verb)?, self.known_names);
         let is_certain = written.text.eq_ignore_ascii_case(verb) || names.contains(object.text);
         let object = if is_certain { object.text } else { names.nearest(object.text)? };
-        Some(self.fault(written.range(), Slip::Verb, verb, object))
+        Some(self.fault(written.range(), Fault::Verb, verb, object))
     }
 
     /// `points at door`, `feels very sad`
-    fn too_many_words(self, written: Word<'t>, between: &[Word<'t>], object: Word<'t>) -> Option<Near<'t>> {
+    fn too_many_words(self, written: Word<'t>, between: &[Word<'t>], object: Word<'t>) -> Option<NearMiss<'t>> {
         let (first, last) = (between.first()?, between.last()?);
         let verb = verb(written.text)?;
         let is_verb = written.text == verb;
-        let is_known = Names::of(Role::of_object(verb)?, self.registry).contains(object.text);
+        let is_known = Names::new(Role::of_object(verb)?, self.known_names).contains(object.text);
         // Without names that confirm it, only what nobody would say about someone: `points at door`.
         let is_english = is_verb && between.len() == 1 && PREPOSITIONS.contains(&first.text);
         let is_certain = is_known || (is_english && self.character.is_none());
-        let (start, slip): (_, fn(_, _) -> _) =
-            if is_verb { (first.start, Slip::Extra) } else { (written.start, Slip::Verb) };
-        is_certain.then(|| self.fault(start..last.range().end, slip, verb, object.text))
+        let (start, fault): (_, fn(_, _) -> _) =
+            if is_verb { (first.start, Fault::Extra) } else { (written.start, Fault::Verb) };
+        is_certain.then(|| self.fault(start..last.range().end, fault, verb, object.text))
     }
 
-    fn fault(self, at: Range<usize>, slip: fn(&'t str, String) -> Slip<'t>, verb: &str, object: &str) -> Near<'t> {
+    fn fault(
+        self,
+        at: Range<usize>,
+        fault: fn(&'t str, String) -> Fault<'t>,
+        verb: &str,
+        object: &str,
+    ) -> NearMiss<'t> {
         let words = &self.part.text[at.start - self.part.start..at.end - self.part.start];
         let meant = match self.character {
             Some(character) => format!("{} {verb} {object}", character.text),
             None => format!("{verb} {object}"),
         };
-        Near { at, slip: slip(words, meant) }
+        NearMiss { at, fault: fault(words, meant) }
     }
 }
 
@@ -154,17 +160,17 @@ fn is_nearly(word: &str, verb: &str) -> bool {
     suggest::distance(word, verb).is_some_and(|distance| distance <= 1) && is_meant()
 }
 
-impl Near<'_> {
+impl NearMiss<'_> {
     pub(super) fn finding(&self, span: Span) -> Diagnostic {
         let did_you_mean = |meant: &str| format!("did you mean {}?", escape::quoted(meant));
-        let (message, help) = match &self.slip {
-            Slip::Verb(words, meant) => {
+        let (message, help) = match &self.fault {
+            Fault::Verb(words, meant) => {
                 (format!("{} is not a verb of Character Event Syntax", escape::quoted(words)), did_you_mean(meant))
             }
-            Slip::Extra(words, meant) => {
+            Fault::Extra(words, meant) => {
                 (format!("{} stands between a verb and its object", escape::quoted(words)), did_you_mean(meant))
             }
-            Slip::Nothing => ("an event is missing beside this `,`".to_owned(), "remove the `,`".to_owned()),
+            Fault::Nothing => ("an event is missing beside this `,`".to_owned(), "remove the `,`".to_owned()),
         };
         Diagnostic::at(Code::NearEvent, span, message)
             .note("all of the segment is kept as text: games see no events in it")
@@ -177,23 +183,23 @@ mod tests {
     use super::*;
     use std::collections::BTreeSet;
 
-    fn registry() -> Registry {
+    fn known_names() -> KnownNames {
         let names = |names: &str| Some(names.split(' ').map(str::to_owned).collect::<BTreeSet<_>>());
-        Registry {
+        KnownNames {
             characters: names("amy rob"),
             props: names("door lamp"),
             actions: names("wave"),
-            ..Registry::default()
+            ..KnownNames::default()
         }
     }
 
     /// What is marked in a segment, and what was meant by it.
-    fn faults<'t>(segment: &'t str, registry: &Registry) -> Vec<(&'t str, String)> {
-        let meant = |slip| match slip {
-            Slip::Verb(_, meant) | Slip::Extra(_, meant) => meant,
-            Slip::Nothing => String::new(),
+    fn faults<'t>(segment: &'t str, known_names: &KnownNames) -> Vec<(&'t str, String)> {
+        let meant = |fault| match fault {
+            Fault::Verb(_, meant) | Fault::Extra(_, meant) => meant,
+            Fault::Nothing => String::new(),
         };
-        near(segment, registry).map(|near| (&segment[near.at], meant(near.slip))).collect()
+        near_misses(segment, known_names).map(|miss| (&segment[miss.at], meant(miss.fault))).collect()
     }
 
     #[test]
@@ -217,10 +223,10 @@ mod tests {
             ("amy points at the door", "at the", "amy points door"),
         ];
         for (segment, at, meant) in cases {
-            assert_eq!(faults(segment, &Registry::default()), [(at, meant.to_owned())], "{segment}");
+            assert_eq!(faults(segment, &KnownNames::default()), [(at, meant.to_owned())], "{segment}");
         }
         for (segment, at, meant) in cases.into_iter().chain(with_names) {
-            assert_eq!(faults(segment, &registry()), [(at, meant.to_owned())], "{segment}");
+            assert_eq!(faults(segment, &known_names()), [(at, meant.to_owned())], "{segment}");
         }
     }
 
@@ -251,15 +257,15 @@ mod tests {
             "",
         ];
         for segment in segments {
-            assert_eq!(faults(segment, &Registry::default()), [], "{segment}");
-            assert_eq!(faults(segment, &registry()), [], "{segment}");
+            assert_eq!(faults(segment, &KnownNames::default()), [], "{segment}");
+            assert_eq!(faults(segment, &known_names()), [], "{segment}");
         }
     }
 
     #[test]
     fn one_part_of_several() {
         let fault = |at, meant: &str| (at, meant.to_owned());
-        let of = |segment| faults(segment, &Registry::default());
+        let of = |segment| faults(segment, &KnownNames::default());
         assert_eq!(of("feels sad, amy feel happy"), [fault("feel", "amy feels happy")]);
         assert_eq!(of("feel sad,Feels happy"), [fault("feel", "feels sad"), fault("Feels", "feels happy")]);
         assert_eq!(of("feels sad, "), [fault(",", "")]);

@@ -5,12 +5,12 @@ use std::fs::Metadata;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 /// Some file systems tell times to two seconds (FAT). A file that changed so shortly before it was
-/// looked at may change once more within the same tick, and look the same.
+/// looked at may change once more within the same tick, and meta the same.
 const COARSEST_TICK: Duration = Duration::from_secs(2);
 
 /// How a file looks from outside.
 #[derive(Encode, Decode, Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) struct Look {
+pub(super) struct FileMeta {
     length_bytes: u64,
     modified_ns: u64,
     /// When anything about the file changed last. Programs can set the time of modification, but on
@@ -21,9 +21,9 @@ pub(super) struct Look {
     number: u64,
 }
 
-impl Look {
-    /// The look of a file with this metadata; `None` if it has times before 1970 or after 2500.
-    pub(super) fn of(metadata: &Metadata) -> Option<Look> {
+impl FileMeta {
+    /// The meta of a file with this metadata; `None` if it has times before 1970 or after 2500.
+    pub(super) fn new(metadata: &Metadata) -> Option<FileMeta> {
         let modified_ns = since_epoch_ns(metadata.modified().ok()?)?;
         #[cfg(unix)]
         let (changed_ns, number) = {
@@ -33,7 +33,7 @@ impl Look {
         };
         #[cfg(not(unix))]
         let (changed_ns, number) = (modified_ns, 0);
-        Some(Look { length_bytes: metadata.len(), modified_ns, changed_ns, number })
+        Some(FileMeta { length_bytes: metadata.len(), modified_ns, changed_ns, number })
     }
 
     /// Whether a file that looks like this at `time` looks different if it changes from then on.
@@ -55,11 +55,11 @@ mod tests {
     #[test]
     fn a_file_settles_after_the_coarsest_tick() {
         let file = tempfile::NamedTempFile::new().unwrap();
-        let look = Look::of(&file.as_file().metadata().unwrap()).unwrap();
-        let changed = UNIX_EPOCH + Duration::from_nanos(look.changed_ns);
-        assert!(!look.is_settled_at(changed) && !look.is_settled_at(changed + COARSEST_TICK));
-        assert!(look.is_settled_at(changed + COARSEST_TICK + Duration::from_millis(1)));
-        assert!(!look.is_settled_at(changed - COARSEST_TICK), "a file from the future");
+        let meta = FileMeta::new(&file.as_file().metadata().unwrap()).unwrap();
+        let changed = UNIX_EPOCH + Duration::from_nanos(meta.changed_ns);
+        assert!(!meta.is_settled_at(changed) && !meta.is_settled_at(changed + COARSEST_TICK));
+        assert!(meta.is_settled_at(changed + COARSEST_TICK + Duration::from_millis(1)));
+        assert!(!meta.is_settled_at(changed - COARSEST_TICK), "a file from the future");
     }
 
     #[test]
@@ -72,7 +72,7 @@ mod tests {
         fs::write(&other, "new").unwrap();
         File::options().append(true).open(&other).unwrap().set_modified(metadata.modified().unwrap()).unwrap();
         fs::rename(&other, &path).unwrap();
-        let (old, new) = (Look::of(&metadata).unwrap(), Look::of(&path.metadata().unwrap()).unwrap());
+        let (old, new) = (FileMeta::new(&metadata).unwrap(), FileMeta::new(&path.metadata().unwrap()).unwrap());
         assert_eq!((old.length_bytes, old.modified_ns), (new.length_bytes, new.modified_ns));
         assert_ne!(old, new);
     }

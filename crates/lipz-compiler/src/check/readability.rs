@@ -18,7 +18,7 @@ pub(super) struct Times<'c> {
 
 impl<'c> Times<'c> {
     /// The times of a clip; `None` if it has no mouth shapes or no frame rate.
-    pub(super) fn of(clip: &'c ClipData) -> Option<Times<'c>> {
+    pub(super) fn new(clip: &'c ClipData) -> Option<Times<'c>> {
         let fps = clip.fps.filter(|_| clip.has_visemes)?;
         Some(Times { starts: &clip.starts, frame_count: clip.frames.len() as u32, fps })
     }

@@ -1,9 +1,8 @@
 //! Banks from `build.rs`: the one part of this library that prints, and that reads the environment.
 
-use crate::cache::pack_cached_if;
 use crate::ids::{self, Language};
 use crate::settings::Settings;
-use crate::{Options, check_all, depend, discover, replace_file};
+use crate::{Compiler, Options, depend, discover, replace_file};
 use lipz_bank::Bank;
 use lipz_diagnostics::{Code, Diagnostic, Report, Severity, count, escape, render};
 use std::ffi::OsStr;
@@ -114,7 +113,7 @@ impl Build {
         cargo.write_all(lines.as_bytes()).and_then(|()| cargo.flush()).map_err(BuildError::Unheard)?;
         match count(&reports, Severity::Error) {
             0 => Ok(()),
-            errors => Err(BuildError::Findings { errors }),
+            errors => Err(BuildError::Diagnostics { errors }),
         }
     }
 
@@ -147,9 +146,10 @@ impl Build {
             ids = rust_ids(bank, settings)?;
             Ok(())
         };
+        let compiler = Compiler::new(settings.options.clone());
         let mut compiled = match lipz_diagnostics::has_errors(&reports) {
-            true => check_all(&inputs, &settings.options, &|_| {}),
-            false => pack_cached_if(&inputs, &settings.options, &bank, &cache, &|_| {}, accept),
+            true => compiler.check(&inputs),
+            false => compiler.pack_cached_if(&inputs, &bank, &cache, accept),
         };
         reports.append(&mut compiled.reports);
         if compiled.bank.is_some() {
@@ -180,7 +180,7 @@ fn rerun_lines(paths: &[PathBuf]) -> String {
 /// Why a build script failed, for `main` to return.
 pub enum BuildError {
     /// Findings at error level. Cargo shows each.
-    Findings {
+    Diagnostics {
         /// How many.
         errors: usize,
     },
@@ -193,8 +193,8 @@ pub enum BuildError {
 impl fmt::Display for BuildError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            BuildError::Findings { errors: 1 } => f.write_str("1 error in Lipz files; no bank was written"),
-            BuildError::Findings { errors } => write!(f, "{errors} errors in Lipz files; no bank was written"),
+            BuildError::Diagnostics { errors: 1 } => f.write_str("1 error in Lipz files; no bank was written"),
+            BuildError::Diagnostics { errors } => write!(f, "{errors} errors in Lipz files; no bank was written"),
             BuildError::NoOutputFolder => {
                 f.write_str("OUT_DIR is not set: `lipz_compiler::Build` runs in build scripts of cargo only")
             }
@@ -262,7 +262,7 @@ mod tests {
         assert_eq!([outputs()[0].as_slice(), &outputs()[2]], [&bank, &ids], "also if a file was lost");
         let (path, cache) = (scene.path().join("out/dialogue.lipzbank"), scene.path().join("out/dialogue.lipzcache"));
         let (inputs, _) = discover(&[scene.path().join("voices")], None);
-        let next = crate::pack_cached(&inputs, &Options::default(), &path, &cache, &|_| {});
+        let next = Compiler::default().pack_cached(&inputs, &path, &cache);
         assert_eq!((next.recalled, next.is_unchanged), (1, true));
         run(scene.path(), |build| build, &[("no.lipz", CLIP)]);
         assert!(String::from_utf8(outputs()[2].clone()).unwrap().contains("pub const NO:"), "a new clip has an id");

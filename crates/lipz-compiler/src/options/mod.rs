@@ -1,5 +1,10 @@
 //! What a project decides about its Lipz files.
 
+mod requirements;
+mod setters;
+
+pub use requirements::{KnownNames, MinCoverage, TextLimits};
+
 use crate::babble::BabbleProfiles;
 use crate::pseudo;
 use lipz_bank::{Fps, VisemeType};
@@ -7,15 +12,26 @@ use lipz_diagnostics::{Code, Levels, Report, escape};
 use lipz_file::locale::TextName;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Settings of a pack or check run.
+/// What a project decides about its Lipz files. New options appear with new versions: start from
+/// [`Options::new`] and set what differs.
+///
+/// ```
+/// use lipz_compiler::{Options, TextLimits};
+/// let options = Options::new()
+///     .default_locale("en-us")
+///     .fallback("de-at", ["de-de", "en-us"])
+///     .text_limits(TextLimits::new().line_columns(42).lines(2));
+/// assert_eq!(options.text_limits.lines, Some(2));
+/// ```
 #[derive(Clone, Debug, Default)]
+#[non_exhaustive]
 pub struct Options {
     /// Frame rate of files without `fps`. Without it their clips' rate is "unspecified".
     pub default_fps: Option<Fps>,
     /// Viseme type of files without `viseme_type`. Without it their clips' type is "unspecified".
     pub default_viseme_type: Option<VisemeType>,
     /// Locale of `text` elements without one, and the last resort of every locale's fallback. Any
-    /// spelling that [`lipz::locale::canonical_tag`] accepts.
+    /// spelling that [`lipz_file::locale::canonical_tag`] accepts.
     pub default_locale: Option<String>,
     /// Accept any BCP 47 language tag (`es-419`, `zh-hant`), not only `ll-cc`.
     pub extended_locales: bool,
@@ -35,7 +51,7 @@ pub struct Options {
     /// How much text a screen holds and a player reads.
     pub text_limits: TextLimits,
     /// The names that events may mention.
-    pub registry: Registry,
+    pub known_names: KnownNames,
     /// Viseme type that clips of other types are converted to.
     pub viseme_type: Option<VisemeType>,
     /// How much of the dialogue must be translated for a bank to be made.
@@ -104,37 +120,4 @@ impl Options {
         let is_source = self.pseudo && self.default_locale.as_deref() == Some(tag);
         is_source.then(|| pseudo::locale_for(tag))
     }
-}
-
-/// Limits of display texts; those that are `None` are not checked.
-#[derive(Clone, Copy, PartialEq, Debug, Default)]
-pub struct TextLimits {
-    /// Columns of a line; East Asian wide characters count two.
-    pub line_columns: Option<u32>,
-    /// Lines of a segment.
-    pub lines: Option<u32>,
-    /// Characters that a player reads in a second, over the time of the segment.
-    pub characters_per_second: Option<f64>,
-}
-
-/// Shares of the clips that must have a text of their own, in percent from 0 to 100.
-#[derive(Clone, PartialEq, Debug, Default)]
-pub struct MinCoverage {
-    /// In every locale that is not named below.
-    pub all: Option<f64>,
-    /// In these locales.
-    pub locales: BTreeMap<String, f64>,
-}
-
-/// Names that Character Event Syntax may mention; a list that is `None` is not checked.
-#[derive(Clone, PartialEq, Eq, Debug, Default)]
-pub struct Registry {
-    /// Characters of the scenes.
-    pub characters: Option<BTreeSet<String>>,
-    /// Things that characters look and point at.
-    pub props: Option<BTreeSet<String>>,
-    /// Emotions beyond those of the specification.
-    pub emotions: BTreeSet<String>,
-    /// Actions of `does`.
-    pub actions: Option<BTreeSet<String>>,
 }

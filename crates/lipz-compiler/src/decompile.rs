@@ -1,7 +1,7 @@
 //! From a bank back to documents: the reverse of lowering.
 
 use crate::BankWithTexts;
-use crate::source_record::{self, Name, Recorded};
+use crate::source_record::{self, Name, RecordedValue};
 use lipz_bank::{Bank, Clip, Fps, Locale, Segment};
 use lipz_diagnostics::{Code, Report};
 use lipz_file::{Document, Element, JsonString, Raw, Value};
@@ -28,7 +28,7 @@ impl<'data, 'bank> Documents<'data, 'bank> {
     ///
     /// # Errors
     /// If one of the two source sections is missing or has another shape.
-    pub fn of(bank: impl Into<BankWithTexts<'data, 'bank>>) -> Result<Self, Report> {
+    pub fn from_bank(bank: impl Into<BankWithTexts<'data, 'bank>>) -> Result<Self, Report> {
         let whole: BankWithTexts<'data, 'bank> = bank.into();
         let bank = whole.bank();
         let section = |tag| bank.sections().find(|(found, _)| *found == tag).map(|(_, bytes)| bytes);
@@ -89,11 +89,11 @@ fn exact<'data>(clip: &Clip<'data, '_>, own: &[Locale<'data>], record: &'data [u
             _ => None,
         };
         let value = match value {
-            Recorded::AsInBank => Value::String(Cow::<str>::Owned(held(&[])?).into()),
-            Recorded::Padded(padding) => Value::String(Cow::<str>::Owned(held(&padding)?).into()),
-            Recorded::String(string) => Value::String(Cow::Borrowed(string).into()),
-            Recorded::Number(number) => Value::Number(Raw::new(number)),
-            Recorded::Other(json) => Value::Other(Raw::new(json)),
+            RecordedValue::AsInBank => Value::String(Cow::<str>::Owned(held(&[])?).into()),
+            RecordedValue::Padded(padding) => Value::String(Cow::<str>::Owned(held(&padding)?).into()),
+            RecordedValue::String(string) => Value::String(Cow::Borrowed(string).into()),
+            RecordedValue::Number(number) => Value::Number(Raw::new(number)),
+            RecordedValue::Other(json) => Value::Other(Raw::new(json)),
         };
         let name = match name {
             Name::Spelled(name) => Cow::Borrowed(name),

@@ -1,0 +1,128 @@
+//! The result of a run: a bank, or the reasons why there is none.
+
+use lipz_diagnostics::{Report, Severity};
+use std::fmt;
+use std::time::Duration;
+
+/// The result of a run of the [`Compiler`](crate::Compiler).
+#[derive(Clone, Debug, Default)]
+#[non_exhaustive]
+pub struct Compiled {
+    /// The bank, verified; `None` if there are errors, or only a check was asked for.
+    pub bank: Option<Vec<u8>>,
+    /// All diagnostics, sorted by file and place.
+    pub reports: Vec<Report>,
+    /// Clips that were recalled from the bank of the previous run: see [`Compiler::pack_cached`](crate::Compiler::pack_cached)
+    /// and [`Memory`](crate::Memory).
+    pub recalled: usize,
+    /// Whether the bank was left as it is, because no clip changed.
+    pub is_unchanged: bool,
+    /// Where the time went.
+    pub phases: Phases,
+}
+
+impl Compiled {
+    /// A run that this report keeps from starting.
+    pub(crate) fn refused(report: Report) -> Compiled {
+        Compiled { reports: vec![report], ..Compiled::default() }
+    }
+
+    /// The bank. Warnings are dropped; read `reports` before to show them.
+    ///
+    /// # Errors
+    /// If there is no bank. The error displays every diagnostic of the run.
+    pub fn into_bank(self) -> Result<Vec<u8>, CompileError> {
+        self.bank.ok_or(CompileError { reports: self.reports })
+    }
+
+    /// The number of diagnostics at this level.
+    pub fn count(&self, severity: Severity) -> usize {
+        lipz_diagnostics::count(&self.reports, severity)
+    }
+}
+
+/// The reason why there is no bank. `Display` and `Debug` list all diagnostics, one or more lines each, so
+/// that a `main` that returns the error prints them.
+#[derive(Clone, PartialEq, Eq)]
+pub struct CompileError {
+    reports: Vec<Report>,
+}
+
+impl CompileError {
+    /// All diagnostics of the run, sorted by file and place.
+    pub fn reports(&self) -> &[Report] {
+        &self.reports
+    }
+}
+
+impl fmt::Display for CompileError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match lipz_diagnostics::count(&self.reports, Severity::Error) {
+            // Of a check.
+            0 => return f.write_str("no bank was asked for"),
+            1 => f.write_str("1 error in Lipz files")?,
+            errors => write!(f, "{errors} errors in Lipz files")?,
+        }
+        for report in &self.reports {
+            write!(f, "\n{}", report.to_string().trim_end())?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Debug for CompileError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl std::error::Error for CompileError {}
+
+/// Time spent per phase. Recalling, reading, parsing and checking run on several threads: their
+/// times are sums over the threads.
+#[derive(Clone, Copy, Debug, Default)]
+#[non_exhaustive]
+pub struct Phases {
+    /// Reading the cache and its bank, and writing the cache.
+    pub cache: Duration,
+    /// Looking at files and recalling their clips, all threads.
+    pub recall: Duration,
+    /// Reading files, all threads.
+    pub read: Duration,
+    /// Parsing, all threads.
+    pub parse: Duration,
+    /// Checking, all threads.
+    pub check: Duration,
+    /// The four above, on the clock.
+    pub files: Duration,
+    /// Resolving locales.
+    pub localise: Duration,
+    /// Laying out and filling the bank, and freeing the clips.
+    pub lower: Duration,
+    /// Verifying the bank and, when packing, writing it at the same time.
+    pub finish: Duration,
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Compiler, Input};
+
+    #[test]
+    fn the_error_lists_what_was_found() {
+        let inputs = [
+            Input::from_bytes("a", r#"{ "viseme_type": "blair", "visemes": "MAZ-" }"#),
+            Input::from_bytes("b", r#"{ "fps": "24", "text_en-us": "" "#),
+        ];
+        let error = Compiler::default().compile(&inputs).into_bank().unwrap_err();
+        assert_eq!(error.reports().len(), 2);
+        let text = error.to_string();
+        assert!(
+            text.starts_with("2 errors in Lipz files\na.lipz:1:39: error[LZ0401]: `Z` is not a blair code\n"),
+            "{text}"
+        );
+        assert!(text.contains("\nb.lipz:1:"), "{text}");
+        assert_eq!(format!("{error:?}"), text);
+        let checked = Compiler::default().check(&[]);
+        assert_eq!(checked.into_bank().unwrap_err().to_string(), "no bank was asked for");
+    }
+}

@@ -1,0 +1,123 @@
+//! What a project requires of texts and of names.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Limits of display texts; those that are `None` are not checked.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+#[non_exhaustive]
+pub struct TextLimits {
+    /// Columns of a line; East Asian wide characters count two.
+    pub line_columns: Option<u32>,
+    /// Lines of a segment.
+    pub lines: Option<u32>,
+    /// Characters that a player reads in a second, over the time of the segment.
+    pub characters_per_second: Option<f64>,
+}
+
+/// Shares of the clips that must have a text of their own, in percent from 0 to 100.
+#[derive(Clone, PartialEq, Debug, Default)]
+#[non_exhaustive]
+pub struct MinCoverage {
+    /// In every locale that is not named below.
+    pub all: Option<f64>,
+    /// In these locales.
+    pub locales: BTreeMap<String, f64>,
+}
+
+/// Names that Character Event Syntax may mention; a list that is `None` is not checked.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+#[non_exhaustive]
+pub struct KnownNames {
+    /// Characters of the scenes.
+    pub characters: Option<BTreeSet<String>>,
+    /// Things that characters look and point at.
+    pub props: Option<BTreeSet<String>>,
+    /// Emotions beyond those of the specification.
+    pub emotions: BTreeSet<String>,
+    /// Actions of `does`.
+    pub actions: Option<BTreeSet<String>>,
+}
+
+impl TextLimits {
+    /// No limits.
+    #[must_use]
+    pub fn new() -> TextLimits {
+        TextLimits::default()
+    }
+
+    /// Sets the columns of a line; East Asian wide characters count two.
+    #[must_use]
+    pub fn line_columns(self, count: u32) -> TextLimits {
+        TextLimits { line_columns: Some(count), ..self }
+    }
+
+    /// Sets the lines of a segment.
+    #[must_use]
+    pub fn lines(self, count: u32) -> TextLimits {
+        TextLimits { lines: Some(count), ..self }
+    }
+
+    /// Sets the characters that a player reads in a second.
+    #[must_use]
+    pub fn characters_per_second(self, count: f64) -> TextLimits {
+        TextLimits { characters_per_second: Some(count), ..self }
+    }
+}
+
+impl MinCoverage {
+    /// No required coverage.
+    #[must_use]
+    pub fn new() -> MinCoverage {
+        MinCoverage::default()
+    }
+
+    /// Requires this share of every locale that is not named, in percent.
+    #[must_use]
+    pub fn all(self, percent: f64) -> MinCoverage {
+        MinCoverage { all: Some(percent), ..self }
+    }
+
+    /// Requires this share of one locale, in percent.
+    #[must_use]
+    pub fn locale(mut self, tag: impl Into<String>, percent: f64) -> MinCoverage {
+        self.locales.insert(tag.into(), percent);
+        self
+    }
+}
+
+impl KnownNames {
+    /// No lists: any name is accepted, but for emotions, which are those of the specification.
+    #[must_use]
+    pub fn new() -> KnownNames {
+        KnownNames::default()
+    }
+
+    /// Sets the characters of the scenes.
+    #[must_use]
+    pub fn characters<T: Into<String>>(self, names: impl IntoIterator<Item = T>) -> KnownNames {
+        KnownNames { characters: Some(strings(names)), ..self }
+    }
+
+    /// Sets the things that characters look and point at.
+    #[must_use]
+    pub fn props<T: Into<String>>(self, names: impl IntoIterator<Item = T>) -> KnownNames {
+        KnownNames { props: Some(strings(names)), ..self }
+    }
+
+    /// Sets the emotions beyond those of the specification.
+    #[must_use]
+    pub fn emotions<T: Into<String>>(self, names: impl IntoIterator<Item = T>) -> KnownNames {
+        KnownNames { emotions: strings(names), ..self }
+    }
+
+    /// Sets the actions of `does`.
+    #[must_use]
+    pub fn actions<T: Into<String>>(self, names: impl IntoIterator<Item = T>) -> KnownNames {
+        KnownNames { actions: Some(strings(names)), ..self }
+    }
+}
+
+/// The items as a set of strings.
+pub(super) fn strings<T: Into<String>>(items: impl IntoIterator<Item = T>) -> BTreeSet<String> {
+    items.into_iter().map(Into::into).collect()
+}

@@ -1,0 +1,112 @@
+//! The setters of [`Options`].
+
+use super::requirements::strings;
+use super::{KnownNames, MinCoverage, Options, TextLimits};
+use crate::babble::BabbleProfiles;
+use lipz_bank::{Fps, VisemeType};
+use lipz_diagnostics::Levels;
+
+impl Options {
+    /// The options of a project that decides nothing.
+    #[must_use]
+    pub fn new() -> Options {
+        Options::default()
+    }
+
+    /// Sets the frame rate of files without `fps`.
+    #[must_use]
+    pub fn default_fps(self, fps: Fps) -> Options {
+        Options { default_fps: Some(fps), ..self }
+    }
+
+    /// Sets the viseme type of files without `viseme_type`.
+    #[must_use]
+    pub fn default_viseme_type(self, viseme_type: VisemeType) -> Options {
+        Options { default_viseme_type: Some(viseme_type), ..self }
+    }
+
+    /// Sets the locale of `text` elements without one, and the last resort of every locale's fallback.
+    #[must_use]
+    pub fn default_locale(self, tag: impl Into<String>) -> Options {
+        Options { default_locale: Some(tag.into()), ..self }
+    }
+
+    /// Accepts any BCP 47 language tag, or only `ll-cc`.
+    #[must_use]
+    pub fn extended_locales(self, extended_locales: bool) -> Options {
+        Options { extended_locales, ..self }
+    }
+
+    /// Leaves out the source section, or includes it.
+    #[must_use]
+    pub fn strip(self, strip: bool) -> Options {
+        Options { strip, ..self }
+    }
+
+    /// Sets the number of threads.
+    #[must_use]
+    pub fn threads(self, count: usize) -> Options {
+        Options { threads: Some(count), ..self }
+    }
+
+    /// Sets the levels of lints that differ from their defaults.
+    #[must_use]
+    pub fn levels(self, levels: impl Into<Levels>) -> Options {
+        Options { levels: levels.into(), ..self }
+    }
+
+    /// Packs these locales only.
+    #[must_use]
+    pub fn locales<T: Into<String>>(self, tags: impl IntoIterator<Item = T>) -> Options {
+        Options { locales: Some(strings(tags)), ..self }
+    }
+
+    /// Takes missing texts of one locale from others, in this order.
+    #[must_use]
+    pub fn fallback<T: Into<String>>(mut self, tag: impl Into<String>, chain: impl IntoIterator<Item = T>) -> Options {
+        self.fallbacks.insert(tag.into(), chain.into_iter().map(Into::into).collect());
+        self
+    }
+
+    /// Displays braces as they are, or reads them as meta information.
+    #[must_use]
+    pub fn literal_braces(self, literal_braces: bool) -> Options {
+        Options { literal_braces, ..self }
+    }
+
+    /// Sets how much text a screen holds and a player reads.
+    #[must_use]
+    pub fn text_limits(self, text_limits: TextLimits) -> Options {
+        Options { text_limits, ..self }
+    }
+
+    /// Sets the names that events may mention.
+    #[must_use]
+    pub fn known_names(self, known_names: KnownNames) -> Options {
+        Options { known_names, ..self }
+    }
+
+    /// Converts clips of other viseme types to this one.
+    #[must_use]
+    pub fn viseme_type(self, viseme_type: VisemeType) -> Options {
+        Options { viseme_type: Some(viseme_type), ..self }
+    }
+
+    /// Sets how much of the dialogue must be translated for a bank to be made.
+    #[must_use]
+    pub fn min_coverage(self, min_coverage: MinCoverage) -> Options {
+        Options { min_coverage, ..self }
+    }
+
+    /// Adds a pseudo-locale, or does not.
+    #[must_use]
+    pub fn pseudo(self, pseudo: bool) -> Options {
+        Options { pseudo, ..self }
+    }
+
+    /// Sets how mouths move when there is no viseme data.
+    #[must_use]
+    pub fn babble(self, babble: BabbleProfiles) -> Options {
+        Options { babble, ..self }
+    }
+}
