@@ -8,10 +8,10 @@ use lipz_bank::{Bank, Locale, TextBank};
 ///
 /// ```
 /// use lipz_bank::Bank;
-/// use lipz_compiler::{Input, Options, BankWithTexts, compile, coverage, split};
+/// use lipz_compiler::{BankWithTexts, Compiler, Input, SplitBank, coverage};
 /// let file = br#"{ "text_en-us": "Aye.", "text_de-de": "Ja." }"#;
 /// let bank = Compiler::default().compile(&[Input::from_bytes("aye", file)]).bank.ok_or("no bank")?;
-/// let split = SplitBank::from_bytes(&bank).map_err(|_| "the bank is damaged")?;
+/// let split = SplitBank::from_bytes(&bank).map_err(|report| report.to_string())?;
 /// let base = Bank::open(&split.base)?.verify()?;
 /// let texts = [base.open_texts(&split.texts[0].1)?.verify(&base)?];
 /// assert_eq!(coverage(&base).len(), 0);

@@ -47,7 +47,7 @@ impl Coverage {
 /// text, in the order in which locales [fall back](Options::fallbacks) unless a project says otherwise.
 ///
 /// ```
-/// use lipz_compiler::{Input, Options, compile, coverage};
+/// use lipz_compiler::{Compiler, Input, Options, coverage};
 /// let inputs = [
 ///     Input::from_bytes("aye", r#"{ "text_en-us": "Aye.", "text_de-de": "Ja." }"#),
 ///     Input::from_bytes("no", r#"{ "text_en-us": "No." }"#),

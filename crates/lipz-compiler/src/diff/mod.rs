@@ -70,7 +70,7 @@ impl Difference<'_> {
 ///
 /// ```
 /// use lipz_bank::Bank;
-/// use lipz_compiler::{Input, Options, compile, diff};
+/// use lipz_compiler::{Compiler, Input, diff};
 /// let pack = |text| Compiler::default().compile(&[Input::from_bytes("aye", text)]).bank;
 /// let old = pack(r#"{ "text_en-us": "Aye." }"#).ok_or("no bank")?;
 /// let new = pack(r#"{ "text_en-us": "Aye, aye." }"#).ok_or("no bank")?;

@@ -94,7 +94,7 @@ impl Language {
 ///
 /// ```
 /// use lipz_compiler::ids::{Language, generate};
-/// use lipz_compiler::{Input, Options, compile};
+/// use lipz_compiler::{Compiler, Input};
 ///
 /// let file = Input::from_bytes("act1/mara-hello", r#"{ "text_en-us": "Hello, Otto." }"#);
 /// let bytes = Compiler::default().compile(&[file]).bank.ok_or("errors")?;

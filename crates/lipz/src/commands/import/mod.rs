@@ -14,7 +14,7 @@ use clap::error::ErrorKind;
 use lipz_compiler::{Content, Input, key, replace_file};
 use lipz_diagnostics::{Report, Severity};
 use lipz_file::format::{Style, format};
-use lipz_interop::{Clip, Format, ImportOptions, Imported, Script, import};
+use lipz_interop::{Clip, Format, Imported, Script, import};
 use options::Settings;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -156,7 +156,7 @@ fn read(
         };
         let mut options = settings.import_options().text(text.as_deref());
         arguments.options.recordings.apply(file, &source.key, script, &mut options);
-        let Imported { clips, mut diagnostics } = import(format, &source.bytes, &options);
+        let Imported { clips, mut diagnostics, .. } = import(format, &source.bytes, &options);
         settings.apply_levels(&mut diagnostics);
         let is_wrong = diagnostics.iter().any(|finding| finding.severity == Severity::Error);
         reports.extend(source.report(format, diagnostics));
