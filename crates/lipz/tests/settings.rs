@@ -232,7 +232,7 @@ fn the_page_shows_every_setting_and_lint() {
     for table in TABLES {
         let title = if table.name.is_empty() { "Above the first table".into() } else { format!("`[{}]`", table.name) };
         made += &format!(
-            "\n### {title}\n\n{}\n\n| setting | flag | without it | decides |\n| --- | --- | --- | --- |\n",
+            "\n### {title}\n\n{}\n\n| setting | flag | default | meaning |\n| --- | --- | --- | --- |\n",
             table.about
         );
         for [name, flag, default, about] in rows(table) {
@@ -241,8 +241,8 @@ fn the_page_shows_every_setting_and_lint() {
             made += &format!("| `{name}` | {flags} | {default} | {about} |\n");
         }
     }
-    made += "\n### Lints\n\nThose whose level can be lowered; all others are errors, whatever the settings say.\n\n";
-    made += "| code | name | own level | reports that |\n| --- | --- | --- | --- |\n";
+    made += "\n### Lints\n\nThe lints whose level you can set. All other diagnostics are errors, whatever the settings say.\n\n";
+    made += "| code | name | default | reports that |\n| --- | --- | --- | --- |\n";
     for code in Code::ALL.iter().filter(|code| code.can_be_lowered()) {
         let level = if code.default_severity() == Severity::Error { "deny" } else { "warn" };
         made += &format!("| {code} | `{}` | {level} | {} |\n", code.name(), code.summary());

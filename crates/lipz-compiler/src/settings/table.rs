@@ -55,39 +55,39 @@ pub struct Map {
 pub const TABLES: &[Table] = &[
     Table {
         name: "",
-        about: "Where the Lipz files are, where the bank goes, and what holds for all of them.",
+        about: "Where the Lipz files are, where the bank goes, and what applies to all of them.",
         content: Content::Settings(GENERAL),
     },
     Table {
         name: "fallbacks",
-        about: "Where texts that a locale misses come from: other locales, in order.",
+        about: "Where missing texts of a locale come from: other locales, in order.",
         content: Content::Map(FALLBACKS),
     },
     Table {
         name: "coverage",
-        about: "Percent of the clips that must have a text of their own in a locale, or in `all`, for a bank to be made.",
+        about: "Percentage of the clips that must have their own text in a locale, or in `all`, before a bank is made.",
         content: Content::Map(COVERAGE),
     },
     Table {
         name: "text",
-        about: "How texts are displayed, and how much of them a screen holds and a player reads.",
+        about: "How texts are displayed, how much text fits on the screen, and how fast players read.",
         content: Content::Settings(TEXT),
     },
     Table {
         name: "lints",
-        about: "Levels of findings: \"allow\" (not reported), \"warn\" or \"deny\" (no bank is written).",
+        about: "Levels of lints: \"allow\" (not reported), \"warn\" or \"deny\" (no bank is written).",
         content: Content::Map(LINTS),
     },
     Table {
         name: "registry",
-        about: "Names that events may mention; others are reported.",
+        about: "Names that events may use; others are reported.",
         content: Content::Settings(REGISTRY),
     },
     Table {
         name: "babble",
-        about: "How mouths move that no clip describes: the project's own babble profile, and others in [babble.NAME]. \
-                Digits are how far lips (ooh) and jaw (aah) move; power transfers, what the loudness of the voice makes \
-                of that; rate, digits per second. What a named profile leaves out is that of the project's own.",
+        about: "How mouths move when there is no viseme data: the project's own babble profile, and others in [babble.NAME]. \
+                Digits say how far lips (ooh) and jaw (aah) move; power transfers scale that by the loudness of the \
+                voice; rate is digits per second. A named profile takes what it leaves out from the project's own.",
         content: Content::Map(BABBLE),
     },
 ];
@@ -122,16 +122,16 @@ const GENERAL: &[Setting] = &[
         name: "output",
         flag: "--output",
         about: "The bank that `lipz pack` writes.",
-        default: "to be named on the command line",
+        default: "named on the command line",
         example: "\"dialogue.lipzbank\"",
         read: |value, to| to.settings.output = value.text(&mut to.findings).map(|path| inside(to.folder, path)),
     },
     Setting {
         name: "cache",
         flag: "--cache",
-        about: "File in which `lipz pack` remembers the Lipz files, so that the next run reads only those that changed. \
-                Safe to delete; `--no-cache` does without for once. \
-                `lipz watch` remembers them anyway, and with the file also from one watch to the next.",
+        about: "File in which `lipz pack` remembers the Lipz files, so that the next run reads only the changed ones. \
+                Safe to delete; `--no-cache` ignores it for one run. \
+                `lipz watch` remembers them anyway; with this file, also between runs.",
         default: "every run reads all files",
         example: "\"dialogue.cache\"",
         read: |value, to| to.settings.cache = value.text(&mut to.findings).map(|path| inside(to.folder, path)),
@@ -174,7 +174,7 @@ const GENERAL: &[Setting] = &[
     Setting {
         name: "default-locale",
         flag: "--default-locale",
-        about: "Locale of `text` without a locale, and the last one that others fall back to.",
+        about: "Locale of `text` without a locale, and the last fallback of all others.",
         default: "none",
         example: "\"en-us\"",
         read: |value, to| to.settings.options.default_locale = value.locale(to.extended(), &mut to.findings),
@@ -183,7 +183,7 @@ const GENERAL: &[Setting] = &[
         name: "locales",
         flag: "--locales",
         about: "Locales to pack.",
-        default: "all that the files have",
+        default: "every locale of the files",
         example: "[\"en-us\", \"de-de\"]",
         read: |value, to| {
             let extended = to.extended();
@@ -207,7 +207,7 @@ const GENERAL: &[Setting] = &[
     Setting {
         name: "pseudo",
         flag: "--pseudo",
-        about: "Add a pseudo-locale of the default locale's texts, with accents and longer: `en-xa` of `en-us`.",
+        about: "Add a pseudo-locale with the default locale's texts, accented and longer: `en-xa` for `en-us`.",
         default: "false",
         example: "false",
         read: |value, to| to.settings.options.pseudo = value.boolean(&mut to.findings).unwrap_or_default(),
@@ -215,7 +215,7 @@ const GENERAL: &[Setting] = &[
     Setting {
         name: "strip",
         flag: "--strip",
-        about: "Leave out what only unpacking needs: a smaller bank, which unpacks to display forms.",
+        about: "Leave out what only unpacking needs. The bank is smaller, and unpacks to display texts.",
         default: "false",
         example: "false",
         read: |value, to| to.settings.options.strip = value.boolean(&mut to.findings).unwrap_or_default(),
@@ -233,7 +233,7 @@ const FALLBACKS: Map = Map {
 const COVERAGE: Map = Map {
     name: "LOCALE",
     flag: "--min-coverage",
-    default: "not asked for",
+    default: "no minimum",
     examples: &["all = 90", "de-de = 100"],
     read: |name, value, to| to.min_coverage(name, value),
 };
@@ -266,7 +266,7 @@ const TEXT: &[Setting] = &[
     Setting {
         name: "characters-per-second",
         flag: "--max-characters-per-second",
-        about: "Characters that a player reads in a second, over the time of a segment.",
+        about: "Characters of a segment per second of its time, which a player has to read.",
         default: "no limit",
         example: "17",
         read: |value, to| to.settings.options.text_limits.characters_per_second = value.positive(&mut to.findings),
@@ -308,7 +308,7 @@ const REGISTRY: &[Setting] = &[
     Setting {
         name: "props",
         flag: "--props",
-        about: "Things that characters look and point at, other than characters.",
+        about: "Things that characters look or point at, other than characters.",
         default: "any",
         example: "[\"door\", \"lamp\"]",
         read: |value, to| to.settings.options.known_names.props = to.words(value),
