@@ -1,9 +1,7 @@
 //! What goes to standard output and standard error.
 
-use crate::Outcome;
 use indicatif::{ProgressBar, ProgressStyle};
-use lipz_diagnostics::{escape, render::to_json};
-use serde::Serialize;
+use lipz_diagnostics::escape;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 use std::time::Duration;
@@ -11,29 +9,21 @@ use std::time::Duration;
 /// Columns when there is no terminal to ask.
 const DEFAULT_WIDTH: usize = 100;
 
-/// Prints a result. A reader that went away (`| head`) is no error; a full disk is.
-pub(crate) fn print(text: &str) -> Outcome {
+/// Prints text. A reader that went away (`| head`) is no error; a full disk is.
+pub(crate) fn print(text: &str) -> io::Result<()> {
     printed(anstream::stdout().lock(), text.as_bytes())
 }
 
-/// Prints a result that is not text.
-pub(crate) fn print_bytes(bytes: &[u8]) -> Outcome {
+/// Prints what is not text.
+pub(crate) fn print_bytes(bytes: &[u8]) -> io::Result<()> {
     printed(io::stdout().lock(), bytes)
 }
 
-fn printed(mut out: impl Write, bytes: &[u8]) -> Outcome {
+fn printed(mut out: impl Write, bytes: &[u8]) -> io::Result<()> {
     match out.write_all(bytes).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-            remark(&format!("error: the output cannot be written: {error}\n"));
-            Outcome::Failed
-        }
-        _ => Outcome::Clean,
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+        result => result,
     }
-}
-
-/// Prints a result as JSON.
-pub(crate) fn print_json<T: Serialize>(value: &T) -> Outcome {
-    print(&to_json(value))
 }
 
 /// Clears the terminal, if standard output is one.
@@ -44,7 +34,7 @@ pub(crate) fn clear() {
     }
 }
 
-/// Prints findings and remarks.
+/// Prints diagnostics and remarks.
 pub(crate) fn remark(text: &str) {
     let mut out = anstream::stderr().lock();
     let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());

@@ -8,25 +8,22 @@ use std::process::ExitCode;
 pub(crate) enum Outcome {
     /// 0: nothing at error level.
     Clean,
-    /// 1: findings at error level.
+    /// 1: diagnostics at error level.
     Errors,
     /// 2: the tool could not run.
     Failed,
 }
 
-/// How a command ended, early or at its end: `?` leaves it where it cannot go on.
-pub(crate) type Ended = Result<Outcome, Outcome>;
-
 impl Outcome {
-    /// How a run with these findings ends: it failed if a file was not found, read or written.
+    /// How a run with these diagnostics ends: it failed if a file was not found, read or written.
     pub(crate) fn of(reports: &[Report]) -> Outcome {
         let diagnostics = reports.iter().flat_map(|report| &report.diagnostics);
-        let errors = diagnostics.filter(|finding| finding.severity == Severity::Error);
+        let errors = diagnostics.filter(|diagnostic| diagnostic.severity == Severity::Error);
         let of_code = |code| match code {
             Code::OutputFailed | Code::UnreadableFile | Code::NoSources => Outcome::Failed,
             _ => Outcome::Errors,
         };
-        errors.map(|finding| of_code(finding.code)).max().unwrap_or(Outcome::Clean)
+        errors.map(|diagnostic| of_code(diagnostic.code)).max().unwrap_or(Outcome::Clean)
     }
 }
 

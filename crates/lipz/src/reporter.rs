@@ -1,11 +1,10 @@
-//! The one channel on which a command tells what it found, in the form that `--format` names.
+//! The one channel on which a command reports diagnostics, in the form that `--format` names, and prints results.
 
 use crate::{Outcome, console};
 use clap::ValueEnum;
-use lipz_diagnostics::{
-    Code, Report,
-    render::{self, Human},
-};
+use lipz_diagnostics::render::{self, Human, to_json};
+use lipz_diagnostics::{Code, Diagnostic, Report};
+use serde::Serialize;
 use std::io::{self, IsTerminal};
 
 /// How diagnostics are shown.
@@ -21,10 +20,29 @@ pub(crate) enum Format {
     Github,
 }
 
+/// The end of a command that cannot go on. Only a [`Reporter`] makes one, from the diagnostics that say why.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Abort(Outcome);
+
+/// How a command ended, at its end or early: `?` leaves it where it cannot go on.
+pub(crate) type Ended = Result<Outcome, Abort>;
+
+impl Abort {
+    /// How the command ends.
+    pub(crate) fn outcome(self) -> Outcome {
+        self.0
+    }
+
+    /// The same for a command that then fails, whatever the reason.
+    pub(crate) fn as_failure(self) -> Abort {
+        Abort(Outcome::Failed)
+    }
+}
+
 /// The diagnostics of one run of a command.
 ///
 /// People see them as they come, on standard error. A document for programs is printed at the end,
-/// also if nothing was found. It is then all that standard output has; only if that is for another
+/// also if there are none. It is then all that standard output has; only if that is for another
 /// result, such as a bank, the document goes to standard error.
 pub(crate) struct Reporter {
     format: Format,
@@ -41,35 +59,79 @@ impl Reporter {
         Reporter { format, is_output_taken, reports: Vec::new(), first: None }
     }
 
-    /// A reporter for another run, which shows diagnostics in the same way.
-    pub(crate) fn for_next_run(&self) -> Reporter {
-        Reporter::new(self.format, self.is_output_taken)
-    }
-
     /// Shows these diagnostics, or keeps them for the document.
     pub(crate) fn add(&mut self, reports: Vec<Report>) {
         if self.format != Format::Human {
             self.reports.extend(reports);
             return;
         }
-        console::remark(&Human::default().width(console::width()).styled(true).render(&reports));
+        console::remark(&human(&reports));
         let mut codes = reports.iter().flat_map(|report| &report.diagnostics).map(|diagnostic| diagnostic.code);
         self.first = self.first.or_else(|| codes.next());
     }
 
-    /// Shows why the command cannot go on.
-    pub(crate) fn fail(&mut self, report: Report) -> Outcome {
-        self.add(vec![report]);
-        Outcome::Failed
+    /// Reports why the tool could not run.
+    pub(crate) fn fail(&mut self, report: Report) -> Abort {
+        self.abort(vec![report], Outcome::Failed)
     }
 
-    /// Tells people what the command did.
-    pub(crate) fn summary(&self, text: &str) -> Outcome {
-        if self.format == Format::Human { self.print(text) } else { Outcome::Clean }
+    /// Reports errors in what the command was given.
+    pub(crate) fn refuse(&mut self, reports: Vec<Report>) -> Abort {
+        self.abort(reports, Outcome::Errors)
     }
 
-    /// Ends the run: prints the document, or where people find more. Gives the outcome of both.
-    pub(crate) fn finish(self, outcome: Outcome) -> Outcome {
+    /// Reports why the command cannot go on, and how it ends.
+    pub(crate) fn abort(&mut self, reports: Vec<Report>, outcome: Outcome) -> Abort {
+        self.add(reports);
+        Abort(outcome)
+    }
+
+    /// Reports that the command line is not enough or contradicts itself.
+    pub(crate) fn usage(&mut self, message: impl Into<String>, help: &str) -> Abort {
+        self.fail(Report::failure("", Code::Usage, message, help))
+    }
+
+    /// Prints a line for people that is no diagnostic, on standard error.
+    pub(crate) fn remark(&self, text: &str) {
+        if self.format == Format::Human {
+            console::remark(text);
+        }
+    }
+
+    /// Prints for people what the command did: on standard output, unless that is for a result.
+    pub(crate) fn summary(&mut self, text: &str) -> Result<(), Abort> {
+        match (self.format, self.is_output_taken) {
+            (Format::Human, true) => console::remark(text),
+            (Format::Human, false) => return self.print(text),
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// Prints a result on standard output, which is for that.
+    pub(crate) fn print(&mut self, text: &str) -> Result<(), Abort> {
+        console::print(text).map_err(|error| self.fail(unprintable(&error)))
+    }
+
+    /// Prints a result that is not text.
+    pub(crate) fn print_bytes(&mut self, bytes: &[u8]) -> Result<(), Abort> {
+        console::print_bytes(bytes).map_err(|error| self.fail(unprintable(&error)))
+    }
+
+    /// Prints a result as JSON.
+    pub(crate) fn print_json<T: Serialize>(&mut self, value: &T) -> Result<(), Abort> {
+        self.print(&to_json(value))
+    }
+
+    /// Ends one of several runs. What follows belongs to the next one.
+    pub(crate) fn finish_run(&mut self, ended: Ended) -> Outcome {
+        let next = Reporter::new(self.format, self.is_output_taken);
+        std::mem::replace(self, next).finish(ended)
+    }
+
+    /// Ends the run: prints the document, or where people find more. Returns the outcome of both.
+    pub(crate) fn finish(self, ended: Ended) -> Outcome {
+        let outcome = ended.unwrap_or_else(Abort::outcome);
         let document = match self.format {
             Format::Human => {
                 self.first.inspect(|code| hint(*code));
@@ -79,16 +141,29 @@ impl Reporter {
             Format::Sarif => render::sarif(&self.reports, outcome != Outcome::Failed),
             Format::Github => render::github(&self.reports),
         };
-        self.print(&document).max(outcome)
-    }
-
-    fn print(&self, text: &str) -> Outcome {
         if self.is_output_taken {
-            console::remark(text);
-            return Outcome::Clean;
+            console::remark(&document);
+            return outcome;
         }
-        console::print(text)
+        match console::print(&document) {
+            Ok(()) => outcome,
+            Err(error) => {
+                // The document has no other way out: this is for whoever looks for it.
+                console::remark(&human(&[unprintable(&error)]));
+                Outcome::Failed
+            }
+        }
     }
+}
+
+/// Diagnostics for people, as wide as the terminal.
+fn human(reports: &[Report]) -> String {
+    Human::default().width(console::width()).styled(true).render(reports)
+}
+
+/// Why standard output takes nothing.
+fn unprintable(error: &io::Error) -> Report {
+    Report::about("", Diagnostic::new(Code::OutputFailed, format!("standard output cannot be written: {error}")))
 }
 
 /// Tells people at a terminal where more about a code is. Logs of builds go without.

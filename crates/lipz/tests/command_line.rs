@@ -4,7 +4,7 @@
 mod support;
 
 use std::fs;
-use support::{Scene, lipz, repository, tree, write};
+use support::{Scene, commands, lipz, repository, tree, write};
 
 #[test]
 fn no_output_replaces_a_lipz_file() {
@@ -31,17 +31,23 @@ fn standard_output_is_named_on_the_command_line_only() {
     scene.write("lipz.toml", "output = \"-\"\n");
     let outcome = lipz(scene.path(), ["pack"]);
     assert_eq!((outcome.code, outcome.stdout.as_str()), (2, ""), "{outcome:?}");
-    assert!(outcome.stderr.contains("only '--output -'"), "{outcome:?}");
+    assert!(outcome.stderr.contains("only `--output -`"), "{outcome:?}");
 }
 
-/// The commands that `lipz --help` lists.
-fn commands() -> Vec<String> {
-    let help = lipz(&repository(), ["--help"]).stdout;
-    let list = help.split("Commands:\n").nth(1).unwrap().split("\n\n").next().unwrap();
-    let names = list.lines().filter(|line| line.starts_with("  ") && !line.starts_with("   "));
-    let names: Vec<String> = names.filter_map(|line| Some(line.split_whitespace().next()?.to_owned())).collect();
-    assert!(names.len() > 20, "{names:?}");
-    names.into_iter().filter(|name| name != "help").collect()
+#[test]
+fn every_file_of_commands_is_a_command() {
+    let folder = repository().join("crates/lipz/src/commands");
+    let names = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let mut files: Vec<String> = names.map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned()).collect();
+    files.retain(|name| name != "mod");
+    files.sort();
+    let mut listed = commands();
+    listed.sort();
+    assert_eq!(
+        files, listed,
+        "a new command is a file or folder in `commands`, a `mod` and a line of `commands!` in commands/mod.rs; what \
+         is no command belongs to `shared`, or into the folder of the command that uses it"
+    );
 }
 
 #[test]
@@ -108,7 +114,7 @@ fn a_default_locale_of_another_shape_needs_its_flag() {
     let arguments = ["check", "fixtures/drama", "--default-locale", "es-419"];
     let refused = lipz(&repository(), arguments);
     assert_eq!((refused.code, refused.stdout.as_str()), (2, ""));
-    assert!(refused.stderr.contains("'es-419' does not have the form ll-cc"), "{}", refused.stderr);
+    assert!(refused.stderr.contains("`es-419` does not have the form ll-cc"), "{}", refused.stderr);
     assert!(refused.stderr.contains("--extended-locales"), "{}", refused.stderr);
     assert_eq!(lipz(&repository(), arguments.iter().chain(&["--extended-locales"])).code, 0);
 }

@@ -6,16 +6,7 @@ mod support;
 use std::collections::BTreeSet;
 use std::fs;
 use std::process::{Command, Stdio};
-use support::{lipz, repository, tree};
-
-/// The commands that `lipz --help` lists.
-fn commands() -> Vec<String> {
-    let help = lipz(&repository(), ["--help"]).stdout;
-    let list = help.split("Commands:\n").nth(1).unwrap().split("\n\n").next().unwrap();
-    let names = list.lines().filter(|line| line.starts_with("  ") && !line.starts_with("   "));
-    let names = names.filter_map(|line| line.split_whitespace().next()).filter(|name| *name != "help");
-    names.map(str::to_owned).collect()
-}
+use support::{commands, lipz, repository, tree};
 
 /// The long options that `lipz COMMAND --help` lists.
 fn options(command: &str) -> BTreeSet<String> {

@@ -121,10 +121,13 @@ fn explain_lists_the_codes() {
 fn explain_says_what_was_probably_meant() {
     let near = lipz(&repository(), ["explain", "forein_code"]);
     assert_eq!((near.code, near.stdout.as_str()), (2, ""));
-    assert_eq!(near.stderr, "error: `forein_code` is not a code of lipz\nhelp: did you mean `foreign-code`?\n");
+    assert_eq!(
+        near.stderr,
+        "error[LZ1604]: no rule is called `forein_code`\n |\n = help: did you mean `foreign-code`?\n\n1 error\n"
+    );
     let far = lipz(&repository(), ["explain", "LZ9999"]);
     assert_eq!((far.code, far.stdout.as_str()), (2, ""));
-    assert!(far.stderr.ends_with("help: `lipz explain --list` lists the codes\n"), "{}", far.stderr);
+    assert!(far.stderr.contains(" = help: `lipz explain --list` lists the rules\n"), "{}", far.stderr);
 }
 
 #[test]

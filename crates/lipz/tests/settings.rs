@@ -84,7 +84,7 @@ fn flags_win_over_the_file() {
     assert_eq!(check("--config release.toml --default-locale es-419").0, 0);
     let refused = check("--config release.toml --default-locale es-419 --extended-locales=false");
     assert_eq!(refused.0, 2);
-    assert!(refused.2.contains("'es-419' does not have the form ll-cc"), "{}", refused.2);
+    assert!(refused.2.contains("`es-419` does not have the form ll-cc"), "{}", refused.2);
     let stripped = |flag: &str| {
         assert_eq!(lipz(scene.path(), ["pack", "-o", "b.lipzbank", flag]).code, 0);
         fs::read(scene.path().join("b.lipzbank")).unwrap().len()

@@ -90,7 +90,7 @@ fn findings_about_hostile_files() {
     assert_harmless(&scene, &["inspect", &output, HOSTILE], "no clip");
     assert_harmless(&scene, &["unpack", &output, "-o", HOSTILE], "1 file unpacked");
     assert_harmless(&scene, &["unpack", &output, "-o", HOSTILE], "LZ0906");
-    assert_harmless(&scene, &["explain", HOSTILE], "not a code");
+    assert_harmless(&scene, &["explain", HOSTILE], "no rule");
 }
 
 #[test]

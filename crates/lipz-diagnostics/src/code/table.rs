@@ -142,4 +142,11 @@ codes! {
     HeadsList "LZ1533" "heads-list" Error "a line of heads.lst does not name a head"
     HeadName "LZ1534" "head-name" Warning "the name of an FRM file is not that of a head's file"
     HeadFiles "LZ1535" "head-files" Warning "the files of a head do not match heads.lst"
+
+    "Command line"
+    Usage "LZ1601" "usage" Error "the command line is incomplete or contradicts itself"
+    NoSuchClip "LZ1602" "no-such-clip" Error "a bank has no clip with this key"
+    NoSuchLocale "LZ1603" "no-such-locale" Error "a bank has no such locale"
+    NoSuchRule "LZ1604" "no-such-rule" Error "no rule has this code or name"
+    WatchFailed "LZ1605" "watch-failed" Error "the system cannot watch files for changes"
 }

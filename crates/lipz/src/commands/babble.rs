@@ -1,8 +1,11 @@
 //! `lipz babble`: the babble profile of a Second Life viewer, as settings of a project.
 
-use super::foreign;
+use crate::Ended;
+use crate::commands::Run;
 use crate::reporter::Reporter;
-use crate::{Ended, Outcome, console, standard};
+use crate::shared::formats;
+use crate::shared::stdio;
+use crate::{Outcome, console};
 use clap::Args;
 use lipz_bank::{Babble, Fps};
 use lipz_compiler::settings::is_word;
@@ -35,28 +38,36 @@ fn name(text: &str) -> Result<String, String> {
     if is_word(text) && is_bare { Ok(text.to_owned()) } else { Err("a name has letters, digits, - and _".to_owned()) }
 }
 
-pub(crate) fn run(arguments: &BabbleArguments, reporter: &mut Reporter) -> Ended {
-    let path = &arguments.settings;
-    let (shown, bytes) = read(path).map_err(|report| reporter.fail(report))?;
-    let mut diagnostics = Vec::new();
-    let settings = lip_sync(&bytes, &shown, &mut diagnostics);
-    let report = Report::from_bytes(&shown, &bytes, diagnostics);
-    let has_errors = report.has_errors();
-    if !report.diagnostics.is_empty() {
-        reporter.add(vec![report]);
+impl Run for BabbleArguments {
+    fn prints_result(&self) -> bool {
+        true
     }
-    match settings {
-        Some(settings) if !has_errors => Ok(console::print(&toml(&settings, arguments.name.as_deref()))),
-        _ => Ok(Outcome::Errors),
+
+    fn run(&self, reporter: &mut Reporter) -> Ended {
+        let path = &self.settings;
+        let (shown, bytes) = read(path).map_err(|report| reporter.fail(report))?;
+        let mut diagnostics = Vec::new();
+        let settings = lip_sync(&bytes, &shown, &mut diagnostics);
+        let report = Report::from_bytes(&shown, &bytes, diagnostics);
+        let has_errors = report.has_errors();
+        let found = if report.diagnostics.is_empty() { Vec::new() } else { vec![report] };
+        match settings {
+            Some(settings) if !has_errors => {
+                reporter.add(found);
+                reporter.print(&toml(&settings, self.name.as_deref()))?;
+                Ok(Outcome::Clean)
+            }
+            _ => Err(reporter.refuse(found)),
+        }
     }
 }
 
 /// The name for messages and the bytes of the file.
 fn read(path: &Path) -> Result<(String, Vec<u8>), Report> {
-    if standard::is_meant(path) {
-        return Ok((standard::INPUT_NAME.to_owned(), standard::lipz_bytes()?));
+    if stdio::is_meant(path) {
+        return Ok((stdio::INPUT_NAME.to_owned(), stdio::lipz_bytes()?));
     }
-    let bytes = std::fs::read(path).map_err(|error| foreign::unreadable(path, &error))?;
+    let bytes = std::fs::read(path).map_err(|error| formats::unreadable(path, &error))?;
     Ok((console::path(path), bytes))
 }
 

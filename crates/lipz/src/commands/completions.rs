@@ -1,7 +1,10 @@
 //! `lipz completions`: what shells need to complete the command line.
 
+use crate::Ended;
+use crate::Outcome;
 use crate::args::Arguments;
-use crate::{Outcome, console};
+use crate::commands::Run;
+use crate::reporter::Reporter;
 use clap::{Args, CommandFactory};
 use clap_complete::Shell;
 
@@ -18,8 +21,14 @@ pub(crate) struct Completions {
     pub(crate) shell: Shell,
 }
 
-pub(crate) fn run(arguments: &Completions) -> Outcome {
-    let mut script = Vec::new();
-    clap_complete::generate(arguments.shell, &mut Arguments::command(), "lipz", &mut script);
-    console::print_bytes(&script)
+impl Run for Completions {
+    fn prints_result(&self) -> bool {
+        true
+    }
+
+    fn run(&self, reporter: &mut Reporter) -> Ended {
+        let mut script = Vec::new();
+        clap_complete::generate(self.shell, &mut Arguments::command(), "lipz", &mut script);
+        reporter.print_bytes(&script).map(|()| Outcome::Clean)
+    }
 }

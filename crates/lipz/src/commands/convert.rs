@@ -1,12 +1,15 @@
 //! `lipz convert`: Lipz files with the codes of another viseme type.
 
-use crate::project::hide_of_banks;
+use crate::Abort;
+use crate::Ended;
+use crate::commands::Run;
 use crate::reporter::Reporter;
-use crate::rewriting::{Rewriting, files, is_standard_input, reads_standard_input};
-use crate::sources::{Sources, usage_error};
-use crate::{Ended, Outcome, console, interrupt, standard};
+use crate::shared::project_flags::hide_of_banks;
+use crate::shared::rewriting::{Rewriting, files, is_standard_input, reads_standard_input};
+use crate::shared::sources::Sources;
+use crate::shared::stdio;
+use crate::{Outcome, console, interrupt};
 use clap::Args;
-use clap::error::ErrorKind;
 use lipz_bank::VisemeType;
 use lipz_compiler::{Compiler, Input, Options, key, replace_file};
 use lipz_diagnostics::{Code, Diagnostic, Report, Severity, count};
@@ -43,75 +46,76 @@ enum Target<'a> {
     Folder(&'a Path),
 }
 
-pub(crate) fn run(arguments: &Convert, reporter: &mut Reporter) -> Ended {
-    let project = arguments.sources.project(reporter)?;
-    let options = &project.settings.options;
-    let Some(viseme_type) = options.viseme_type else {
-        let tip = "name it with '--viseme-type', or set `viseme-type` in lipz.toml";
-        return Err(usage_error(ErrorKind::MissingRequiredArgument, "no viseme type to convert to is named", tip));
-    };
-    if reads_standard_input(&project.settings.sources)? {
-        return arguments.standard_input(viseme_type, options, reporter);
-    }
-    let target = arguments.target()?;
-    let quiet = arguments.sources.is_quiet();
-    let (inputs, mut reports) = project.settings.discover();
-    if let Target::Folder(folder) = target {
-        key::check(&inputs, &mut reports);
-        reports.extend(inputs.iter().filter_map(|input| in_the_way(folder, input)));
-        if !reports.is_empty() {
-            let outcome = Outcome::of(&reports).max(Outcome::Errors);
-            reporter.add(reports);
-            return Err(outcome);
-        }
-    }
-    let bar = console::progress_bar(inputs.len(), quiet);
-    let compiler = Compiler::new(options.clone()).progress(|count| bar.inc(count));
-    let results = compiler.each_file(&inputs, |input, bytes| {
-        let converted = compiler.convert(bytes, viseme_type);
-        let is_changed = converted.text.is_some();
-        let written = match converted.diagnostics.iter().any(|finding| finding.severity == Severity::Error) {
-            true => Ok(()),
-            false => target.write(input, bytes, converted.text.as_deref()),
-        };
-        let found = !converted.diagnostics.is_empty();
-        let report = found.then(|| Report::from_bytes(input.name(), bytes, converted.diagnostics));
-        (is_changed, report.into_iter().chain(written.err()).collect::<Vec<_>>())
-    });
-    bar.finish_and_clear();
-    let (mut changed, mut unchanged) = (0, 0);
-    for result in results {
-        let (is_changed, of_file) = result.unwrap_or_else(|report| (false, vec![report]));
-        match (count(&of_file, Severity::Error), is_changed) {
-            (0, true) => changed += 1,
-            (0, false) => unchanged += 1,
-            _ => {}
-        }
-        reports.extend(of_file);
-    }
-    let outcome = Outcome::of(&reports);
-    reporter.add(reports);
-    if quiet || inputs.is_empty() {
-        return Ok(outcome);
-    }
-    let (changed, unchanged) = (files(changed), console::grouped(unchanged));
-    Ok(reporter.summary(&format!("{changed} converted to {viseme_type}, {unchanged} unchanged\n")).max(outcome))
-}
-
-impl Convert {
-    /// Whether standard output is for a converted file.
-    pub(crate) fn prints_result(&self) -> bool {
+impl Run for Convert {
+    fn prints_result(&self) -> bool {
         is_standard_input(self.sources.paths())
     }
 
-    fn target(&self) -> Result<Target<'_>, Outcome> {
+    fn run(&self, reporter: &mut Reporter) -> Ended {
+        let project = self.sources.project(reporter)?;
+        let options = &project.settings.options;
+        let Some(viseme_type) = options.viseme_type else {
+            let tip = "name it with `--viseme-type`, or set `viseme-type` in lipz.toml";
+            return Err(reporter.usage("no viseme type to convert to is named", tip));
+        };
+        if reads_standard_input(&project.settings.sources, reporter)? {
+            return self.standard_input(viseme_type, options, reporter);
+        }
+        let target = self.target(reporter)?;
+        let quiet = self.sources.is_quiet();
+        let (inputs, mut reports) = project.settings.discover();
+        if let Target::Folder(folder) = target {
+            key::check(&inputs, &mut reports);
+            reports.extend(inputs.iter().filter_map(|input| in_the_way(folder, input)));
+            if !reports.is_empty() {
+                let outcome = Outcome::of(&reports).max(Outcome::Errors);
+                return Err(reporter.abort(reports, outcome));
+            }
+        }
+        let bar = console::progress_bar(inputs.len(), quiet);
+        let compiler = Compiler::new(options.clone()).progress(|count| bar.inc(count));
+        let results = compiler.each_file(&inputs, |input, bytes| {
+            let converted = compiler.convert(bytes, viseme_type);
+            let is_changed = converted.text.is_some();
+            let written = match converted.diagnostics.iter().any(|finding| finding.severity == Severity::Error) {
+                true => Ok(()),
+                false => target.write(input, bytes, converted.text.as_deref()),
+            };
+            let found = !converted.diagnostics.is_empty();
+            let report = found.then(|| Report::from_bytes(input.name(), bytes, converted.diagnostics));
+            (is_changed, report.into_iter().chain(written.err()).collect::<Vec<_>>())
+        });
+        bar.finish_and_clear();
+        let (mut changed, mut unchanged) = (0, 0);
+        for result in results {
+            let (is_changed, of_file) = result.unwrap_or_else(|report| (false, vec![report]));
+            match (count(&of_file, Severity::Error), is_changed) {
+                (0, true) => changed += 1,
+                (0, false) => unchanged += 1,
+                _ => {}
+            }
+            reports.extend(of_file);
+        }
+        let outcome = Outcome::of(&reports);
+        reporter.add(reports);
+        if quiet || inputs.is_empty() {
+            return Ok(outcome);
+        }
+        let (changed, unchanged) = (files(changed), console::grouped(unchanged));
+        reporter.summary(&format!("{changed} converted to {viseme_type}, {unchanged} unchanged\n"))?;
+        Ok(outcome)
+    }
+}
+
+impl Convert {
+    fn target(&self, reporter: &mut Reporter) -> Result<Target<'_>, Abort> {
         match &self.output {
             Some(folder) => Ok(Target::Folder(folder)),
             None if self.in_place => Ok(Target::InPlace),
             None => {
-                let tip = "replace the files with '--in-place', or name a folder with '--output'";
-                let message = "it is not said where the converted files go";
-                Err(usage_error(ErrorKind::MissingRequiredArgument, message, tip))
+                let tip = "replace the files with `--in-place`, or name a folder with `--output`";
+                let message = "no output is named for the converted files";
+                Err(reporter.usage(message, tip))
             }
         }
     }
@@ -119,19 +123,20 @@ impl Convert {
     /// Converts what comes from standard input.
     fn standard_input(&self, viseme_type: VisemeType, options: &Options, reporter: &mut Reporter) -> Ended {
         if self.in_place || self.output.is_some() {
-            let tip = "leave out '--in-place' and '--output'";
-            let message = "what comes from standard input goes to standard output";
-            return Err(usage_error(ErrorKind::ArgumentConflict, message, tip));
+            let tip = "leave out `--in-place` and `--output`";
+            let message = "a file from standard input is converted to standard output";
+            return Err(reporter.usage(message, tip));
         }
-        let bytes = standard::lipz_bytes().map_err(|report| reporter.fail(report))?;
+        let bytes = stdio::lipz_bytes().map_err(|report| reporter.fail(report))?;
         let converted = Compiler::new(options.clone()).convert(&bytes, viseme_type);
-        let report = Report::from_bytes(standard::INPUT_NAME, &bytes, converted.diagnostics);
+        let report = Report::from_bytes(stdio::INPUT_NAME, &bytes, converted.diagnostics);
         let has_errors = report.has_errors();
-        reporter.add(vec![report]);
         if has_errors {
-            return Err(Outcome::Errors);
+            return Err(reporter.refuse(vec![report]));
         }
-        Ok(console::print_bytes(converted.text.as_ref().map_or(&bytes, |text| text.as_bytes())))
+        reporter.add(vec![report]);
+        reporter.print_bytes(converted.text.as_ref().map_or(&bytes, |text| text.as_bytes()))?;
+        Ok(Outcome::Clean)
     }
 }
 

@@ -1,13 +1,15 @@
 //! `lipz coverage`: how much of a dialogue is translated.
 
-use super::either::{names_lipz_files, packed};
-use super::locale_choice::{choose, locale_name};
-use crate::bank_file::BankFile;
+use crate::Ended;
+use crate::commands::Run;
 use crate::console::grouped;
 use crate::reporter::Reporter;
-use crate::sources::ProjectArguments;
-use crate::text_banks::{TextBanks, TextFiles};
-use crate::{Ended, Outcome, console};
+use crate::shared::bank_file::BankFile;
+use crate::shared::bank_or_sources::{names_lipz_files, packed};
+use crate::shared::locales::{choose, locale_name};
+use crate::shared::sources::ProjectArguments;
+use crate::shared::text_banks::{TextBanks, TextFiles};
+use crate::{Outcome, console};
 use clap::Args;
 use lipz_compiler::{BankWithTexts, Coverage, MinCoverage, coverage, shortfalls};
 use lipz_diagnostics::{Report, escape};
@@ -52,33 +54,42 @@ pub(crate) struct CoverageArguments {
     json: bool,
 }
 
-pub(crate) fn run(arguments: &CoverageArguments, reporter: &mut Reporter) -> Ended {
-    let mut project = arguments.project.project(arguments.bank.as_slice(), reporter)?;
-    // Here it is the question, not a condition for making the bank.
-    let wanted: MinCoverage = std::mem::take(&mut project.settings.options.min_coverage);
-    let file = match &arguments.bank {
-        Some(bank) if !names_lipz_files(bank) => BankFile::open(bank, reporter)?,
-        _ => packed(&project.settings, arguments.project.quiet, reporter)?,
-    };
-    let bank = file.bank(reporter)?;
-    let text_files = TextFiles::open(&arguments.texts.texts, reporter)?;
-    let found = coverage(BankWithTexts::new(&bank, &text_files.of(&bank, reporter)?));
-    let printed = match &arguments.missing {
-        Some(tag) => console::print(&missing(&found, tag)?),
-        None if arguments.json => console::print_json(&found.iter().map(CoverageJson::of).collect::<Vec<_>>()),
-        None => console::print(&table(&file.name, &found)),
-    };
-    let shortfalls = shortfalls(&found, &wanted);
-    if shortfalls.is_empty() {
-        return Ok(printed);
+impl Run for CoverageArguments {
+    fn prints_result(&self) -> bool {
+        true
     }
-    reporter.add(vec![Report::all_about(file.name.as_str(), shortfalls)]);
-    Ok(Outcome::Errors)
+
+    fn run(&self, reporter: &mut Reporter) -> Ended {
+        let mut project = self.project.project(self.bank.as_slice(), reporter)?;
+        // Here it is the question, not a condition for making the bank.
+        let wanted: MinCoverage = std::mem::take(&mut project.settings.options.min_coverage);
+        let file = match &self.bank {
+            Some(bank) if !names_lipz_files(bank) => BankFile::open(bank, reporter)?,
+            _ => packed(&project.settings, self.project.quiet, reporter)?,
+        };
+        let bank = file.bank(reporter)?;
+        let text_files = TextFiles::open(&self.texts.texts, reporter)?;
+        let found = coverage(BankWithTexts::new(&bank, &text_files.of(&bank, reporter)?));
+        match &self.missing {
+            Some(tag) => {
+                let keys = missing(&found, tag, &file.name).map_err(|report| reporter.fail(report))?;
+                reporter.print(&keys)?;
+            }
+            None if self.json => reporter.print_json(&found.iter().map(CoverageJson::of).collect::<Vec<_>>())?,
+            None => reporter.print(&table(&file.name, &found))?,
+        };
+        let shortfalls = shortfalls(&found, &wanted);
+        if shortfalls.is_empty() {
+            return Ok(Outcome::Clean);
+        }
+        reporter.add(vec![Report::all_about(file.name.as_str(), shortfalls)]);
+        Ok(Outcome::Errors)
+    }
 }
 
 /// The keys of the clips that have no text of their own in a locale, one a line.
-fn missing(found: &[Coverage], tag: &str) -> Result<String, Outcome> {
-    let coverage = choose(tag, found.iter(), |coverage| &coverage.tag)?;
+fn missing(found: &[Coverage], tag: &str, bank: &str) -> Result<String, Report> {
+    let coverage = choose(tag, bank, found.iter(), |coverage| &coverage.tag)?;
     let mut keys: Vec<&String> = coverage.fallbacks.values().flatten().chain(&coverage.missing).collect();
     keys.sort_unstable();
     Ok(keys.into_iter().flat_map(|key| [escape::text(key), "\n".into()]).collect())

@@ -1,11 +1,14 @@
 //! `lipz export`: Lipz files as files of other tools.
 
-use super::{find, foreign};
+use crate::Ended;
+use crate::commands::Run;
 use crate::reporter::Reporter;
-use crate::sources::{Sources, usage_error};
-use crate::{Ended, Outcome, console, interrupt, standard};
+use crate::shared::formats;
+use crate::shared::inputs::find;
+use crate::shared::sources::Sources;
+use crate::shared::stdio;
+use crate::{Outcome, console, interrupt};
 use clap::Args;
-use clap::error::ErrorKind;
 use lipz_compiler::{Compiler, Input, Options, key, replace_file};
 use lipz_diagnostics::{Diagnostic, Report, Severity};
 use lipz_interop::{ExportOptions, Exported, Format, Map, export};
@@ -17,11 +20,11 @@ use std::path::{Path, PathBuf};
 /// Each Lipz file becomes a file in the folder, under its key. The formats have times and shapes: what else is
 /// in the clips is named at the end.
 #[derive(Args, Debug)]
-#[command(after_help = foreign::examples(|format| format.write.is_some(), 1))]
+#[command(after_help = formats::examples(|format| format.write.is_some(), 1))]
 pub(crate) struct Export {
     /// The format to write
-    #[arg(value_name = "FORMAT", value_parser = foreign::names(|format| format.write.is_some()), hide_possible_values = true)]
-    tool_format: String,
+    #[arg(value_name = "FORMAT", value_parser = formats::parser(|format| format.write.is_some()), hide_possible_values = true)]
+    tool_format: &'static Format,
 
     #[command(flatten)]
     sources: Sources,
@@ -39,70 +42,69 @@ pub(crate) struct Export {
     force: bool,
 }
 
-impl Export {
-    /// Whether standard output is for an exported file.
-    pub(crate) fn prints_result(&self) -> bool {
-        self.output.is_none()
-    }
-}
-
 /// How one file fared.
 struct Made {
     exported: Exported,
     report: Option<Report>,
 }
 
-pub(crate) fn run(arguments: &Export, reporter: &mut Reporter) -> Ended {
-    let format = foreign::format(&arguments.tool_format)?;
-    let project = arguments.sources.project(reporter)?;
-    let options = &project.settings.options;
-    let map = arguments.map.as_deref().map(|map| foreign::map(map, reporter)).transpose()?;
-    let (inputs, mut reports) = find(&project.settings);
-    let is_printed = matches!(project.settings.sources.as_slice(), [only] if standard::is_meant(only));
-    if arguments.output.is_none() && !is_printed {
-        let message = "it is not said where the files go";
-        return Err(usage_error(ErrorKind::MissingRequiredArgument, message, "name a folder with '--output'"));
+impl Run for Export {
+    fn prints_result(&self) -> bool {
+        self.output.is_none()
     }
-    key::check(&inputs, &mut reports);
-    if let Some(folder) = arguments.output.as_deref().filter(|_| !arguments.force) {
-        let path = |input: &Input| foreign::path(folder, &input.key, format.extension);
-        reports.extend(inputs.iter().filter_map(|input| foreign::in_the_way(&path(input))));
-    }
-    if !foreign::may_write(&reports) {
-        reporter.add(reports);
-        return Err(Outcome::Errors);
-    }
-    let map = map.as_ref().map(foreign::MapChoice::map);
-    let results =
-        Compiler::new(options.clone()).each_file(&inputs, |input, bytes| one(format, input, bytes, options, map));
-    let (mut written, mut left_out) = (0, BTreeSet::new());
-    for (input, result) in inputs.iter().zip(results) {
-        let made = match result {
-            Ok(made) => made,
-            Err(report) => {
-                reports.push(report);
-                continue;
-            }
-        };
-        reports.extend(made.report);
-        let Some(bytes) = made.exported.bytes else { continue };
-        left_out.extend(made.exported.left_out);
-        match &arguments.output {
-            None => {
-                reporter.add(reports);
-                return Ok(console::print_bytes(&bytes));
-            }
-            Some(folder) => match write(folder, input, format, &bytes) {
-                Ok(()) => written += 1,
-                Err(report) => reports.push(report),
-            },
+
+    fn run(&self, reporter: &mut Reporter) -> Ended {
+        let format = self.tool_format;
+        let project = self.sources.project(reporter)?;
+        let options = &project.settings.options;
+        let map = self.map.as_deref().map(|map| formats::map(map, reporter)).transpose()?;
+        let (inputs, mut reports) = find(&project.settings);
+        let is_printed = matches!(project.settings.sources.as_slice(), [only] if stdio::is_meant(only));
+        if self.output.is_none() && !is_printed {
+            let message = "no output is named";
+            return Err(reporter.usage(message, "name a folder with `--output`"));
         }
-    }
-    let outcome = Outcome::of(&reports);
-    reporter.add(reports);
-    match arguments.output.as_deref().filter(|_| !arguments.sources.is_quiet() && written > 0) {
-        None => Ok(outcome),
-        Some(folder) => Ok(reporter.summary(&summary(format, written, folder, &left_out)).max(outcome)),
+        key::check(&inputs, &mut reports);
+        if let Some(folder) = self.output.as_deref().filter(|_| !self.force) {
+            let path = |input: &Input| formats::path(folder, &input.key, format.extension);
+            reports.extend(inputs.iter().filter_map(|input| formats::in_the_way(&path(input))));
+        }
+        if !formats::may_write(&reports) {
+            return Err(reporter.refuse(reports));
+        }
+        let map = map.as_ref().map(formats::MapChoice::map);
+        let results =
+            Compiler::new(options.clone()).each_file(&inputs, |input, bytes| one(format, input, bytes, options, map));
+        let (mut written, mut left_out) = (0, BTreeSet::new());
+        for (input, result) in inputs.iter().zip(results) {
+            let made = match result {
+                Ok(made) => made,
+                Err(report) => {
+                    reports.push(report);
+                    continue;
+                }
+            };
+            reports.extend(made.report);
+            let Some(bytes) = made.exported.bytes else { continue };
+            left_out.extend(made.exported.left_out);
+            match &self.output {
+                None => {
+                    reporter.add(reports);
+                    reporter.print_bytes(&bytes)?;
+                    return Ok(Outcome::Clean);
+                }
+                Some(folder) => match write(folder, input, format, &bytes) {
+                    Ok(()) => written += 1,
+                    Err(report) => reports.push(report),
+                },
+            }
+        }
+        let outcome = Outcome::of(&reports);
+        reporter.add(reports);
+        match self.output.as_deref().filter(|_| !self.sources.is_quiet() && written > 0) {
+            None => Ok(outcome),
+            Some(folder) => reporter.summary(&summary(format, written, folder, &left_out)).map(|()| outcome),
+        }
     }
 }
 
@@ -112,7 +114,7 @@ fn one(format: &Format, input: &Input, bytes: &[u8], options: &Options, map: Opt
     let mut diagnostics = parsed.diagnostics;
     let export_options = ExportOptions::new()
         .map(map)
-        .default_rate(options.default_fps.map(foreign::rate))
+        .default_rate(options.default_fps.map(formats::rate))
         .default_viseme_type(options.default_viseme_type)
         .name(input.key.rsplit('/').next());
     let mut exported = parsed.document.map(|document| export(format, &document, &export_options)).unwrap_or_default();
@@ -130,7 +132,7 @@ fn has_errors(diagnostics: &[Diagnostic]) -> bool {
 }
 
 fn write(folder: &Path, input: &Input, format: &Format, bytes: &[u8]) -> Result<(), Report> {
-    let path = foreign::path(folder, &input.key, format.extension);
+    let path = formats::path(folder, &input.key, format.extension);
     interrupt::whole(|| replace_file(&path, bytes))
 }
 

@@ -1,11 +1,14 @@
 //! `lipz fmt`: Lipz files in their canonical layout.
 
-use crate::project::parse_locale;
+use crate::Ended;
+use crate::commands::Run;
 use crate::reporter::Reporter;
-use crate::rewriting::{Rewriting, diff, files, is_standard_input, reads_standard_input};
-use crate::settings_file::{Project, SettingsFile};
-use crate::sources::PROJECT;
-use crate::{Ended, Outcome, console, interrupt, standard};
+use crate::shared::project_flags::parse_locale;
+use crate::shared::rewriting::{Rewriting, diff, files, is_standard_input, reads_standard_input};
+use crate::shared::settings_file::{Project, SettingsFile};
+use crate::shared::sources::PROJECT;
+use crate::shared::stdio;
+use crate::{Outcome, console, interrupt};
 use clap::Args;
 use lipz_compiler::Compiler;
 use lipz_diagnostics::{Report, escape};
@@ -52,58 +55,63 @@ pub(crate) struct Fmt {
     quiet: bool,
 }
 
-pub(crate) fn run(arguments: &Fmt, reporter: &mut Reporter) -> Ended {
-    let Project { mut settings, .. } = arguments.file.project(&arguments.sources, reporter)?;
-    settings.options.threads = arguments.threads.map(usize::from);
-    let default_locale = arguments.default_locale.as_deref().or(settings.options.default_locale.as_deref());
-    if reads_standard_input(&settings.sources)? {
-        return Ok(standard_input(arguments, default_locale, reporter));
-    }
-    let (inputs, mut reports) = settings.discover();
-    let bar = console::progress_bar(inputs.len(), arguments.quiet);
-    let compiler = Compiler::new(settings.options.clone()).progress(|count| bar.inc(count));
-    let results = compiler.each_file(&inputs, |input, bytes| {
-        let after = formatted(&input.name(), bytes, default_locale)?;
-        if after.as_bytes() == bytes {
-            return Ok(None);
-        }
-        interrupt::whole(|| arguments.rewriting().rewrite(input, bytes, &after)).map(Some)
-    });
-    bar.finish_and_clear();
-    let (mut changed, mut unchanged, mut shown) = (0, 0, String::new());
-    for (input, result) in std::iter::zip(&inputs, results) {
-        match result.and_then(|result| result) {
-            Ok(None) => unchanged += 1,
-            Ok(Some(difference)) => {
-                changed += 1;
-                if arguments.check {
-                    shown.push_str(&escape::text(&input.name()));
-                    shown.push('\n');
-                }
-                shown.push_str(&difference);
-            }
-            Err(report) => reports.push(report),
-        }
-    }
-    let outcome = Outcome::of(&reports);
-    reporter.add(reports);
-    let summary = |what| format!("{} {what}, {} unchanged\n", files(changed), console::grouped(unchanged));
-    match arguments.rewriting() {
-        _ if arguments.quiet || inputs.is_empty() => {}
-        Rewriting::InPlace => shown.push_str(&summary("formatted")),
-        Rewriting::Nothing | Rewriting::Diff => console::remark(&summary("would change")),
-    }
-    let printed = if arguments.prints_result() { console::print(&shown) } else { reporter.summary(&shown) };
-    let checked = if arguments.check && changed > 0 { Outcome::Errors } else { Outcome::Clean };
-    Ok(outcome.max(printed).max(checked))
-}
-
-impl Fmt {
-    /// Whether standard output is for files, differences or the names of files.
-    pub(crate) fn prints_result(&self) -> bool {
+impl Run for Fmt {
+    fn prints_result(&self) -> bool {
         self.rewriting() != Rewriting::InPlace || is_standard_input(&self.sources)
     }
 
+    fn run(&self, reporter: &mut Reporter) -> Ended {
+        let Project { mut settings, .. } = self.file.project(&self.sources, reporter)?;
+        settings.options.threads = self.threads.map(usize::from);
+        let default_locale = self.default_locale.as_deref().or(settings.options.default_locale.as_deref());
+        if reads_standard_input(&settings.sources, reporter)? {
+            return standard_input(self, default_locale, reporter);
+        }
+        let (inputs, mut reports) = settings.discover();
+        let bar = console::progress_bar(inputs.len(), self.quiet);
+        let compiler = Compiler::new(settings.options.clone()).progress(|count| bar.inc(count));
+        let results = compiler.each_file(&inputs, |input, bytes| {
+            let after = formatted(&input.name(), bytes, default_locale)?;
+            if after.as_bytes() == bytes {
+                return Ok(None);
+            }
+            interrupt::whole(|| self.rewriting().rewrite(input, bytes, &after)).map(Some)
+        });
+        bar.finish_and_clear();
+        let (mut changed, mut unchanged, mut shown) = (0, 0, String::new());
+        for (input, result) in std::iter::zip(&inputs, results) {
+            match result.and_then(|result| result) {
+                Ok(None) => unchanged += 1,
+                Ok(Some(difference)) => {
+                    changed += 1;
+                    if self.check {
+                        shown.push_str(&escape::text(&input.name()));
+                        shown.push('\n');
+                    }
+                    shown.push_str(&difference);
+                }
+                Err(report) => reports.push(report),
+            }
+        }
+        let outcome = Outcome::of(&reports);
+        reporter.add(reports);
+        let summary = |what| format!("{} {what}, {} unchanged\n", files(changed), console::grouped(unchanged));
+        match self.rewriting() {
+            _ if self.quiet || inputs.is_empty() => {}
+            Rewriting::InPlace => shown.push_str(&summary("formatted")),
+            Rewriting::Nothing | Rewriting::Diff => reporter.remark(&summary("would change")),
+        }
+        if self.prints_result() {
+            reporter.print(&shown)?;
+        } else {
+            reporter.summary(&shown)?;
+        }
+        let checked = if self.check && changed > 0 { Outcome::Errors } else { Outcome::Clean };
+        Ok(outcome.max(checked))
+    }
+}
+
+impl Fmt {
     fn rewriting(&self) -> Rewriting {
         match (self.diff, self.check) {
             (true, _) => Rewriting::Diff,
@@ -114,23 +122,22 @@ impl Fmt {
 }
 
 /// Formats what comes from standard input.
-fn standard_input(arguments: &Fmt, default_locale: Option<&str>, reporter: &mut Reporter) -> Outcome {
-    let formatted = standard::lipz_bytes()
-        .and_then(|before| formatted(standard::INPUT_NAME, &before, default_locale).map(|after| (before, after)));
+fn standard_input(arguments: &Fmt, default_locale: Option<&str>, reporter: &mut Reporter) -> Ended {
+    let formatted = stdio::lipz_bytes()
+        .and_then(|before| formatted(stdio::INPUT_NAME, &before, default_locale).map(|after| (before, after)));
     match formatted {
         Ok((before, after)) => {
-            let printed = match arguments.rewriting() {
-                Rewriting::InPlace => console::print(&after),
-                Rewriting::Diff => console::print(&diff(standard::INPUT_NAME, &before, &after)),
-                Rewriting::Nothing => Outcome::Clean,
-            };
+            match arguments.rewriting() {
+                Rewriting::InPlace => reporter.print(&after)?,
+                Rewriting::Diff => reporter.print(&diff(stdio::INPUT_NAME, &before, &after))?,
+                Rewriting::Nothing => {}
+            }
             let differs = arguments.check && after.as_bytes() != before;
-            if differs && printed == Outcome::Clean { Outcome::Errors } else { printed }
+            Ok(if differs { Outcome::Errors } else { Outcome::Clean })
         }
         Err(report) => {
             let outcome = Outcome::of(std::slice::from_ref(&report));
-            reporter.add(vec![report]);
-            outcome
+            Err(reporter.abort(vec![report], outcome))
         }
     }
 }

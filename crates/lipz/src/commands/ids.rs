@@ -1,16 +1,17 @@
 //! `lipz ids`: clip ids and locales as source code for programs.
 
-use super::with_inputs;
-use crate::bank_file::BankFile;
+use crate::Ended;
+use crate::commands::Run;
 use crate::reporter::Reporter;
-use crate::sources::{Sources, usage_error};
-use crate::{Ended, Outcome, console, output_file};
-use clap::error::ErrorKind;
+use crate::shared::bank_file::BankFile;
+use crate::shared::bank_or_sources::packed;
+use crate::shared::output_file;
+use crate::shared::sources::Sources;
+use crate::{Outcome, console};
 use clap::{Args, ValueEnum};
 use lipz_bank::Bank;
 use lipz_compiler::ids::{Language, generate};
 use lipz_diagnostics::Report;
-use std::mem;
 use std::path::{Path, PathBuf};
 
 /// Write the ids of clips as constants for programs, so that a misspelt key does not compile.
@@ -59,36 +60,37 @@ impl From<LanguageName> for Language {
     }
 }
 
-impl Ids {
-    /// Whether the ids go to standard output.
-    pub(crate) fn prints_ids(&self) -> bool {
+impl Run for Ids {
+    fn prints_result(&self) -> bool {
         self.output.is_none()
     }
-}
 
-pub(crate) fn run(arguments: &Ids, reporter: &mut Reporter) -> Ended {
-    let language = Language::from(arguments.lang);
-    if let Some(prefix) = arguments.prefix.as_ref().filter(|prefix| !language.accepts_prefix(prefix)) {
-        let name = language.name();
-        let (message, tip) = match language.default_prefix() {
-            Some(default) if language == Language::C => (
-                format!("'{prefix}' is not a prefix for C"),
-                format!("take letters, digits and _ that lead to no name of lipz.h or of C; the default is {default}"),
-            ),
-            Some(default) => (format!("'{prefix}' is not a prefix for {name}"), format!("the default is {default}")),
-            None => ("'--prefix' is for C and C#".to_owned(), format!("{name} has names of its own")),
-        };
-        return Err(usage_error(ErrorKind::ArgumentConflict, &message, &tip));
-    }
-    if let Some(output) = &arguments.output {
-        output_file::refuse_source(output)?;
-    }
-    match arguments.sources.paths() {
-        [bank] if is_bank(bank) => {
-            let file = BankFile::open(bank, reporter)?;
-            write(&file.name, &file.bank(reporter)?, arguments, reporter)
+    fn run(&self, reporter: &mut Reporter) -> Ended {
+        let language = Language::from(self.lang);
+        if let Some(prefix) = self.prefix.as_ref().filter(|prefix| !language.accepts_prefix(prefix)) {
+            let name = language.name();
+            let (message, tip) = match language.default_prefix() {
+                Some(default) if language == Language::C => (
+                    format!("`{prefix}` is not a prefix for C"),
+                    format!("use letters, digits and _ that make no name of lipz.h or of C; the default is {default}"),
+                ),
+                Some(default) => {
+                    (format!("`{prefix}` is not a prefix for {name}"), format!("the default is {default}"))
+                }
+                None => ("`--prefix` is for C and C#".to_owned(), format!("{name} has names of its own")),
+            };
+            return Err(reporter.usage(message, &tip));
         }
-        sources => of_sources(sources, arguments, reporter),
+        if let Some(output) = &self.output {
+            output_file::refuse_source(output, reporter)?;
+        }
+        match self.sources.paths() {
+            [bank] if is_bank(bank) => {
+                let file = BankFile::open(bank, reporter)?;
+                write(&file.name, &file.bank(reporter)?, self, reporter)
+            }
+            sources => of_sources(sources, self, reporter),
+        }
     }
 }
 
@@ -99,31 +101,23 @@ fn is_bank(path: &Path) -> bool {
 /// The ids of the bank that would be packed.
 fn of_sources(sources: &[PathBuf], arguments: &Ids, reporter: &mut Reporter) -> Ended {
     let project = arguments.sources.project(reporter)?;
-    let mut run =
-        with_inputs(&project.settings, arguments.sources.is_quiet(), |compiler, inputs| compiler.compile(inputs));
-    let outcome = run.outcome();
-    reporter.add(mem::take(&mut run.reports));
-    match &run.compiled.bank {
-        Some(bytes) if outcome == Outcome::Clean => match Bank::open(bytes) {
-            Ok(bank) => {
-                write(&sources.first().map(|path| console::path(path)).unwrap_or_default(), &bank, arguments, reporter)
-            }
-            Err(_) => Err(Outcome::Failed),
-        },
-        _ => Err(outcome),
-    }
+    let file = packed(&project.settings, arguments.sources.is_quiet(), reporter)?;
+    let source = sources.first().map(|path| console::path(path)).unwrap_or_default();
+    write(&source, &file.bank(reporter)?, arguments, reporter)
 }
 
 fn write(source: &str, bank: &Bank<'_>, arguments: &Ids, reporter: &mut Reporter) -> Ended {
-    let text = generate(bank, arguments.lang.into(), arguments.prefix.as_deref()).map_err(|clashes| {
-        reporter.add(vec![Report::all_about(source, clashes)]);
-        Outcome::Errors
-    })?;
-    let Some(output) = &arguments.output else { return Ok(console::print(&text)) };
+    let text = generate(bank, arguments.lang.into(), arguments.prefix.as_deref())
+        .map_err(|clashes| reporter.refuse(vec![Report::all_about(source, clashes)]))?;
+    let Some(output) = &arguments.output else {
+        reporter.print(&text)?;
+        return Ok(Outcome::Clean);
+    };
     output_file::write(output, text.as_bytes(), reporter)?;
     if arguments.sources.is_quiet() {
         return Ok(Outcome::Clean);
     }
     let ids = console::counted(bank.clip_count(), "id");
-    Ok(reporter.summary(&format!("{ids} written to {}\n", console::path(output))))
+    reporter.summary(&format!("{ids} written to {}\n", console::path(output)))?;
+    Ok(Outcome::Clean)
 }

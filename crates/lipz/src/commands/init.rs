@@ -1,7 +1,10 @@
 //! `lipz init`: a settings file that explains itself.
 
+use crate::Ended;
+use crate::commands::Run;
 use crate::reporter::Reporter;
-use crate::{Ended, Outcome, console, output_file};
+use crate::shared::output_file;
+use crate::{Outcome, console};
 use clap::Args;
 use lipz_compiler::settings::{FILE_NAME, template};
 use lipz_diagnostics::{Code, Diagnostic, Report};
@@ -26,20 +29,27 @@ pub(crate) struct Init {
     quiet: bool,
 }
 
-pub(crate) fn run(arguments: &Init, reporter: &mut Reporter) -> Ended {
-    let is_here = arguments.folder.as_os_str() == ".";
-    let file = if is_here { PathBuf::from(FILE_NAME) } else { arguments.folder.join(FILE_NAME) };
-    let shown = console::path(&file);
-    if !arguments.force && file.symlink_metadata().is_ok() {
-        let finding = Diagnostic::new(Code::WouldOverwrite, format!("`{shown}` is there already"));
-        let finding = finding.note("nothing was written").help("edit it, or replace it by a fresh one with --force");
-        reporter.add(vec![Report::about(shown, finding)]);
-        return Err(Outcome::Errors);
+impl Run for Init {
+    fn prints_result(&self) -> bool {
+        false
     }
-    output_file::write(&file, template().as_bytes(), reporter)?;
-    if arguments.quiet {
-        return Ok(Outcome::Clean);
+
+    fn run(&self, reporter: &mut Reporter) -> Ended {
+        let is_here = self.folder.as_os_str() == ".";
+        let file = if is_here { PathBuf::from(FILE_NAME) } else { self.folder.join(FILE_NAME) };
+        let shown = console::path(&file);
+        if !self.force && file.symlink_metadata().is_ok() {
+            let finding = Diagnostic::new(Code::WouldOverwrite, format!("`{shown}` is there already"));
+            let finding =
+                finding.note("nothing was written").help("edit it, or replace it by a fresh one with --force");
+            return Err(reporter.refuse(vec![Report::about(shown, finding)]));
+        }
+        output_file::write(&file, template().as_bytes(), reporter)?;
+        if self.quiet {
+            return Ok(Outcome::Clean);
+        }
+        let next = "`lipz check` in its folder checks all Lipz files there and below";
+        reporter.summary(&format!("{shown} written: {next}\n"))?;
+        Ok(Outcome::Clean)
     }
-    let next = "`lipz check` in its folder checks all Lipz files there and below";
-    Ok(reporter.summary(&format!("{shown} written: {next}\n")))
 }

@@ -1,10 +1,14 @@
 //! `lipz man`: manual pages.
 
+use crate::Ended;
 use crate::args::Arguments;
+use crate::commands::Run;
 use crate::reporter::Reporter;
-use crate::{Ended, Outcome, console, output_file};
+use crate::shared::output_file;
+use crate::{Outcome, console};
 use clap::{Args, Command, CommandFactory};
 use clap_mangen::Man;
+use lipz_diagnostics::{Code, Diagnostic, Report};
 use std::io;
 use std::path::PathBuf;
 
@@ -22,19 +26,26 @@ pub(crate) struct ManPages {
     quiet: bool,
 }
 
-pub(crate) fn run(arguments: &ManPages, reporter: &mut Reporter) -> Ended {
-    let pages = pages().map_err(|error| {
-        console::remark(&format!("error: {error}\n"));
-        Outcome::Failed
-    })?;
-    for (name, page) in &pages {
-        output_file::write(&arguments.output.join(name), page, reporter)?;
+impl Run for ManPages {
+    fn prints_result(&self) -> bool {
+        false
     }
-    if arguments.quiet {
-        return Ok(Outcome::Clean);
+
+    fn run(&self, reporter: &mut Reporter) -> Ended {
+        let pages = pages().map_err(|error| {
+            let message = format!("the pages cannot be made: {error}");
+            reporter.fail(Report::about("", Diagnostic::new(Code::OutputFailed, message)))
+        })?;
+        for (name, page) in &pages {
+            output_file::write(&self.output.join(name), page, reporter)?;
+        }
+        if self.quiet {
+            return Ok(Outcome::Clean);
+        }
+        let count = console::counted(pages.len(), "page");
+        reporter.summary(&format!("{count} written into {}\n", console::path(&self.output)))?;
+        Ok(Outcome::Clean)
     }
-    let count = console::counted(pages.len(), "page");
-    Ok(reporter.summary(&format!("{count} written into {}\n", console::path(&arguments.output))))
 }
 
 /// The pages with the names of their files.

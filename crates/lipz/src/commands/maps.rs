@@ -1,8 +1,11 @@
 //! `lipz maps`: the mapping tables, as a list or one as a file.
 
-use crate::{Outcome, console};
+use crate::Ended;
+use crate::Outcome;
+use crate::commands::Run;
+use crate::reporter::Reporter;
 use clap::Args;
-use lipz_diagnostics::{escape, suggest};
+use lipz_diagnostics::{Code, Report, escape, suggest};
 use lipz_interop::{Map, map_file, maps};
 use std::fmt::Write;
 
@@ -20,17 +23,26 @@ pub(crate) struct Maps {
     name: Option<String>,
 }
 
-pub(crate) fn run(arguments: &Maps) -> Outcome {
-    let Some(name) = &arguments.name else { return console::print(&list()) };
-    match map_file(name) {
-        Some(text) => console::print(text),
-        None => {
-            let help = match suggest::nearest(name, maps().iter().map(|map| map.name.as_str())) {
-                Some(known) => format!("did you mean `{known}`?"),
-                None => "`lipz maps` lists the tables".to_owned(),
-            };
-            console::remark(&format!("error: {} is not a mapping table\nhelp: {help}\n", escape::quoted(name)));
-            Outcome::Failed
+impl Run for Maps {
+    fn prints_result(&self) -> bool {
+        true
+    }
+
+    fn run(&self, reporter: &mut Reporter) -> Ended {
+        let Some(name) = &self.name else {
+            reporter.print(&list())?;
+            return Ok(Outcome::Clean);
+        };
+        match map_file(name) {
+            Some(text) => reporter.print(text).map(|()| Outcome::Clean),
+            None => {
+                let help = match suggest::nearest(name, maps().iter().map(|map| map.name.as_str())) {
+                    Some(known) => format!("did you mean `{known}`?"),
+                    None => "`lipz maps` lists the tables".to_owned(),
+                };
+                let message = format!("{} is not a mapping table", escape::quoted(name));
+                Err(reporter.fail(Report::failure("", Code::MapRefused, message, &help)))
+            }
         }
     }
 }

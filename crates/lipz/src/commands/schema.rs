@@ -1,6 +1,9 @@
 //! `lipz schema`: the JSON Schema of Lipz files.
 
-use crate::{Outcome, console};
+use crate::Ended;
+use crate::Outcome;
+use crate::commands::Run;
+use crate::reporter::Reporter;
 use clap::Args;
 
 /// Print the JSON Schema of Lipz files, for editors.
@@ -15,6 +18,13 @@ pub(crate) struct Schema {
     pub(crate) extended_locales: bool,
 }
 
-pub(crate) fn run(arguments: &Schema) -> Outcome {
-    console::print(&lipz_file::schema::json_schema(arguments.extended_locales))
+impl Run for Schema {
+    fn prints_result(&self) -> bool {
+        true
+    }
+
+    fn run(&self, reporter: &mut Reporter) -> Ended {
+        reporter.print(&lipz_file::schema::json_schema(self.extended_locales))?;
+        Ok(Outcome::Clean)
+    }
 }

@@ -1,9 +1,11 @@
 //! `lipz unpack`: a bank to source files.
 
-use crate::bank_file::BankFile;
+use crate::Ended;
+use crate::commands::Run;
 use crate::reporter::Reporter;
-use crate::text_banks::{TextBanks, TextFiles};
-use crate::{Ended, Outcome, console, interrupt};
+use crate::shared::bank_file::BankFile;
+use crate::shared::text_banks::{TextBanks, TextFiles};
+use crate::{Outcome, console, interrupt};
 use clap::Args;
 use lipz_compiler::{BankWithTexts, unpack};
 use lipz_diagnostics::Code;
@@ -39,44 +41,50 @@ pub(crate) struct Unpack {
     pub(crate) quiet: bool,
 }
 
-pub(crate) fn run(arguments: &Unpack, reporter: &mut Reporter) -> Ended {
-    let file = BankFile::open(&arguments.bank, reporter)?;
-    let bank = file.bank(reporter)?;
-    let text_files = TextFiles::open(&arguments.texts.texts, reporter)?;
-    let texts = text_files.of(&bank, reporter)?;
-    let bar = console::progress_bar(bank.clip_count(), arguments.quiet);
-    let progress = |count| {
-        bar.inc(count);
-        interrupt::point();
-    };
-    let whole = BankWithTexts::new(&bank, &texts);
-    let unpacked = interrupt::whole(|| unpack(whole, &arguments.output, arguments.force, &progress));
-    bar.finish_and_clear();
-    match unpacked {
-        Ok(unpacked) => {
-            if arguments.quiet {
-                return Ok(Outcome::Clean);
-            }
-            let form = match unpacked.is_exact {
-                true => "",
-                false if whole.locales().is_empty() => {
-                    " (no texts: those of a split bank are in its text banks, --texts)"
+impl Run for Unpack {
+    fn prints_result(&self) -> bool {
+        false
+    }
+
+    fn run(&self, reporter: &mut Reporter) -> Ended {
+        let file = BankFile::open(&self.bank, reporter)?;
+        let bank = file.bank(reporter)?;
+        let text_files = TextFiles::open(&self.texts.texts, reporter)?;
+        let texts = text_files.of(&bank, reporter)?;
+        let bar = console::progress_bar(bank.clip_count(), self.quiet);
+        let progress = |count| {
+            bar.inc(count);
+            interrupt::point();
+        };
+        let whole = BankWithTexts::new(&bank, &texts);
+        let unpacked = interrupt::whole(|| unpack(whole, &self.output, self.force, &progress));
+        bar.finish_and_clear();
+        match unpacked {
+            Ok(unpacked) => {
+                if self.quiet {
+                    return Ok(Outcome::Clean);
                 }
-                false => " (display forms: the bank has no source section)",
-            };
-            let files = console::counted(unpacked.files, "file");
-            Ok(reporter.summary(&format!("{files} unpacked into {}{form}\n", console::path(&arguments.output))))
-        }
-        Err(mut reports) => {
-            for report in &mut reports {
-                if report.source.path.is_empty() {
-                    file.name.clone_into(&mut report.source.path);
-                }
+                let form = match unpacked.is_exact {
+                    true => "",
+                    false if whole.locales().is_empty() => {
+                        " (no texts: those of a split bank are in its text banks, --texts)"
+                    }
+                    false => " (display forms: the bank has no source section)",
+                };
+                let files = console::counted(unpacked.files, "file");
+                reporter.summary(&format!("{files} unpacked into {}{form}\n", console::path(&self.output)))?;
+                Ok(Outcome::Clean)
             }
-            let failed =
-                reports.iter().flat_map(|report| &report.diagnostics).any(|found| found.code == Code::OutputFailed);
-            reporter.add(reports);
-            Err(if failed { Outcome::Failed } else { Outcome::Errors })
+            Err(mut reports) => {
+                for report in &mut reports {
+                    if report.source.path.is_empty() {
+                        file.name.clone_into(&mut report.source.path);
+                    }
+                }
+                let failed =
+                    reports.iter().flat_map(|report| &report.diagnostics).any(|found| found.code == Code::OutputFailed);
+                Err(reporter.abort(reports, if failed { Outcome::Failed } else { Outcome::Errors }))
+            }
         }
     }
 }

@@ -1,12 +1,14 @@
 //! `lipz verify`: the full check of banks.
 
-use crate::bank_file::BankFile;
+use crate::Abort;
+use crate::Ended;
+use crate::commands::Run;
 use crate::reporter::Reporter;
-use crate::sources::usage_error;
-use crate::text_banks::TextBanks;
-use crate::{Ended, Outcome, console, patterns};
+use crate::shared::bank_file::BankFile;
+use crate::shared::patterns;
+use crate::shared::text_banks::TextBanks;
+use crate::{Outcome, console};
 use clap::Args;
-use clap::error::ErrorKind;
 use lipz_bank::Bank;
 use lipz_diagnostics::escape;
 use std::path::{Path, PathBuf};
@@ -32,42 +34,49 @@ pub(crate) struct Verify {
     pub(crate) quiet: bool,
 }
 
-pub(crate) fn run(arguments: &Verify, reporter: &mut Reporter) -> Ended {
-    let banks = patterns::files(&arguments.banks);
-    if !arguments.texts.texts.is_empty() && banks.len() > 1 {
-        let tip = "name the one bank that they belong to";
-        return Err(usage_error(ErrorKind::ArgumentConflict, "text banks belong to one bank", tip));
+impl Run for Verify {
+    fn prints_result(&self) -> bool {
+        false
     }
-    // One that is damaged keeps none of the others from being checked.
-    let outcomes = banks.iter().map(|path| verify(path, arguments, reporter));
-    Ok(worst(outcomes))
+
+    fn run(&self, reporter: &mut Reporter) -> Ended {
+        let banks = patterns::files(&self.banks);
+        if !self.texts.texts.is_empty() && banks.len() > 1 {
+            let tip = "name the one bank that they belong to";
+            return Err(reporter.usage("text banks belong to one bank", tip));
+        }
+        // One that is damaged keeps none of the others from being checked.
+        let outcomes = banks.iter().map(|path| verify(path, self, reporter));
+        Ok(worst(outcomes))
+    }
 }
 
 fn verify(path: &Path, arguments: &Verify, reporter: &mut Reporter) -> Ended {
     let file = BankFile::open(path, reporter)?;
     let bank = file.bank(reporter)?;
     let clips = console::counted(bank.clip_count(), "clip");
-    let told = tell(&file.name, &clips, bank.length_bytes(), arguments, reporter);
+    tell(&file.name, &clips, bank.length_bytes(), arguments, reporter)?;
     let texts = patterns::files(&arguments.texts.texts);
     let texts = texts.iter().map(|path| verify_texts(path, &bank, arguments, reporter));
-    Ok(worst(std::iter::once(Ok(told)).chain(texts)))
+    Ok(worst(texts))
 }
 
 fn verify_texts(path: &Path, bank: &Bank<'_>, arguments: &Verify, reporter: &mut Reporter) -> Ended {
     let file = BankFile::open(path, reporter)?;
     let texts = file.texts(bank, reporter)?;
     let tags: Vec<_> = texts.locales().map(|locale| escape::text(locale.tag())).collect();
-    Ok(tell(&file.name, &format!("texts in {}", tags.join(", ")), texts.length_bytes(), arguments, reporter))
+    tell(&file.name, &format!("texts in {}", tags.join(", ")), texts.length_bytes(), arguments, reporter)?;
+    Ok(Outcome::Clean)
 }
 
 /// Says that a file has no fault.
-fn tell(name: &str, what: &str, length_bytes: usize, arguments: &Verify, reporter: &Reporter) -> Outcome {
+fn tell(name: &str, what: &str, length_bytes: usize, arguments: &Verify, reporter: &mut Reporter) -> Result<(), Abort> {
     if arguments.quiet {
-        return Outcome::Clean;
+        return Ok(());
     }
     reporter.summary(&format!("{name}: no fault ({what}, {} bytes)\n", console::grouped(length_bytes)))
 }
 
 fn worst(outcomes: impl Iterator<Item = Ended>) -> Outcome {
-    outcomes.map(|ended| ended.unwrap_or_else(|outcome| outcome)).max().unwrap_or(Outcome::Clean)
+    outcomes.map(|ended| ended.unwrap_or_else(Abort::outcome)).max().unwrap_or(Outcome::Clean)
 }

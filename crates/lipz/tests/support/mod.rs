@@ -30,6 +30,38 @@ impl Outcome {
     }
 }
 
+impl From<Output> for Outcome {
+    fn from(output: Output) -> Outcome {
+        Outcome {
+            stdout: String::from_utf8(output.stdout).unwrap(),
+            stderr: String::from_utf8(output.stderr).unwrap(),
+            code: output.status.code().expect("ended by a signal"),
+        }
+    }
+}
+
+/// The schema of SARIF 2.1.0, as the standard has it.
+pub(crate) fn sarif_schema() -> jsonschema::Validator {
+    let schema = include_str!("../schemas/sarif-2.1.0.json");
+    jsonschema::validator_for(&serde_json::from_str(schema).unwrap()).unwrap()
+}
+
+/// Fails unless the document is SARIF.
+pub(crate) fn assert_sarif(document: &serde_json::Value) {
+    let errors: Vec<String> =
+        sarif_schema().iter_errors(document).map(|error| format!("{}: {error}", error.instance_path())).collect();
+    assert!(errors.is_empty(), "{errors:#?}");
+}
+
+/// The commands that `lipz --help` lists.
+pub(crate) fn commands() -> Vec<String> {
+    let help = lipz(&repository(), ["--help"]).stdout;
+    let list = help.split("Commands:\n").nth(1).unwrap().split("\n\n").next().unwrap();
+    let names = list.lines().filter(|line| line.starts_with("  ") && !line.starts_with("   "));
+    let names = names.filter_map(|line| line.split_whitespace().next()).filter(|name| *name != "help");
+    names.map(str::to_owned).collect()
+}
+
 /// Runs `lipz` in `folder`, without a terminal: plain text, 100 columns.
 pub(crate) fn lipz<S: AsRef<std::ffi::OsStr>>(folder: &Path, arguments: impl IntoIterator<Item = S>) -> Outcome {
     let output = Command::new(env!("CARGO_BIN_EXE_lipz"))
@@ -37,13 +69,8 @@ pub(crate) fn lipz<S: AsRef<std::ffi::OsStr>>(folder: &Path, arguments: impl Int
         .current_dir(folder)
         .env_remove("CLICOLOR_FORCE")
         .env("NO_COLOR", "1")
-        .output()
-        .unwrap();
-    Outcome {
-        stdout: String::from_utf8(output.stdout).unwrap(),
-        stderr: String::from_utf8(output.stderr).unwrap(),
-        code: output.status.code().expect("ended by a signal"),
-    }
+        .output();
+    Outcome::from(output.unwrap())
 }
 
 /// From now on, runs of `lipz` can be interrupted. A process that was started in the background ignores
@@ -187,6 +214,11 @@ impl Scene {
     /// that shows it, or the random name of a temporary file, differs.
     pub(crate) fn expect(&mut self, name: &str, arguments: &[&str]) {
         let outcome = lipz(self.path(), arguments);
+        self.expect_outcome(name, &outcome);
+    }
+
+    /// The same for a run that was started in another way.
+    pub(crate) fn expect_outcome(&mut self, name: &str, outcome: &Outcome) {
         assert_eq!(outcome.stdout, "", "{name}");
         self.comparison.compare(&format!("fixtures/bad/generated/{name}.expected"), &outcome.expectation());
     }

@@ -1,6 +1,6 @@
 //! What `lipz diff --json` prints. Fields are only ever added (docs/VERSIONING.md).
 
-use crate::commands::babble_json::BabbleJson;
+use crate::shared::babble_json::BabbleJson;
 use lipz_bank::{Fps, VisemeType};
 use lipz_compiler::diff::{BabbleChange, Change, ClipChange, Difference, FallbackChange, FramesChange};
 use serde::Serialize;

@@ -4,11 +4,14 @@ mod json;
 mod text;
 mod words;
 
-use super::either::bank_or_files;
+use crate::Abort;
+use crate::Ended;
+use crate::Outcome;
+use crate::commands::Run;
 use crate::reporter::Reporter;
-use crate::sources::ProjectArguments;
-use crate::text_banks::TextFiles;
-use crate::{Ended, Outcome, console};
+use crate::shared::bank_or_sources::bank_or_sources;
+use crate::shared::sources::ProjectArguments;
+use crate::shared::text_banks::TextFiles;
 use clap::Args;
 use json::DifferenceJson;
 use lipz_compiler::{BankWithTexts, diff};
@@ -57,28 +60,29 @@ pub(crate) struct Diff {
     json: bool,
 }
 
-pub(crate) fn run(arguments: &Diff, reporter: &mut Reporter) -> Ended {
-    // A side that is not to be had leaves nothing to compare, for whatever reason.
-    compare(arguments, reporter).map_err(|_| Outcome::Failed)
+impl Run for Diff {
+    fn prints_result(&self) -> bool {
+        true
+    }
+
+    fn run(&self, reporter: &mut Reporter) -> Ended {
+        // Without one of the sides there is nothing to compare, whatever the reason.
+        compare(self, reporter).map_err(Abort::as_failure)
+    }
 }
 
 fn compare(arguments: &Diff, reporter: &mut Reporter) -> Ended {
-    let old = bank_or_files(Some(&arguments.old), &arguments.project, reporter)?;
-    let new = bank_or_files(Some(&arguments.new), &arguments.project, reporter)?;
+    let old = bank_or_sources(Some(&arguments.old), &arguments.project, reporter)?;
+    let new = bank_or_sources(Some(&arguments.new), &arguments.project, reporter)?;
     let (old_bank, new_bank) = (old.bank(reporter)?, new.bank(reporter)?);
     let old_files = TextFiles::open(&arguments.old_texts, reporter)?;
     let new_files = TextFiles::open(&arguments.new_texts, reporter)?;
     let (old_texts, new_texts) = (old_files.of(&old_bank, reporter)?, new_files.of(&new_bank, reporter)?);
     let difference = diff::diff(BankWithTexts::new(&old_bank, &old_texts), BankWithTexts::new(&new_bank, &new_texts));
-    let printed = if arguments.json {
-        console::print_json(&DifferenceJson::of(&difference))
-    } else if arguments.project.quiet && difference.is_empty() {
-        Outcome::Clean
-    } else {
-        console::print(&text::text(&difference, (&old.name, &new.name), arguments.all))
-    };
-    Ok(match printed {
-        Outcome::Clean if !difference.is_empty() => Outcome::Errors,
-        printed => printed,
-    })
+    if arguments.json {
+        reporter.print_json(&DifferenceJson::of(&difference))?;
+    } else if !(arguments.project.quiet && difference.is_empty()) {
+        reporter.print(&text::text(&difference, (&old.name, &new.name), arguments.all))?;
+    }
+    Ok(if difference.is_empty() { Outcome::Clean } else { Outcome::Errors })
 }

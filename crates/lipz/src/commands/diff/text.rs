@@ -1,9 +1,9 @@
 //! A comparison as text for people.
 
 use super::words::{marked, only_new, only_old};
-use crate::commands::locale_choice::locale_name;
 use crate::console::{counted, grouped};
-use crate::timeline::rounded;
+use crate::shared::locales::locale_name;
+use crate::shared::timeline::rounded;
 use lipz_bank::{Fps, VisemeType};
 use lipz_compiler::diff::{BabbleChange, Change, ClipChange, Difference};
 use lipz_diagnostics::escape;

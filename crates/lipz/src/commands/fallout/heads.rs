@@ -1,8 +1,9 @@
 //! `lipz fallout heads`: the pictures of talking heads and `heads.lst`.
 
-use crate::commands::foreign;
+use crate::Ended;
 use crate::reporter::Reporter;
-use crate::{Ended, Outcome, console};
+use crate::shared::formats;
+use crate::{Outcome, console};
 use clap::Args;
 use lipz_diagnostics::{Code, Diagnostic, Report, Source};
 use lipz_interop::fallout::heads::{Content, Disposition, Head, HeadFile, check_file, compare, read_list};
@@ -46,7 +47,8 @@ pub(crate) fn run(arguments: &Heads, reporter: &mut Reporter) -> Ended {
     if arguments.quiet || files.is_empty() {
         return Ok(outcome);
     }
-    Ok(console::print(&table(&files)).max(outcome))
+    reporter.print(&table(&files))?;
+    Ok(outcome)
 }
 
 #[derive(Default)]
@@ -118,7 +120,7 @@ impl Checked {
 
     /// What `read` gives; reports why it gives nothing.
     fn read<T>(&mut self, path: &Path, read: impl FnOnce(&Path) -> io::Result<T>) -> Option<T> {
-        read(path).map_err(|error| self.reports.push(foreign::unreadable(path, &error))).ok()
+        read(path).map_err(|error| self.reports.push(formats::unreadable(path, &error))).ok()
     }
 }
 

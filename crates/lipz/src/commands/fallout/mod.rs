@@ -3,6 +3,7 @@
 mod heads;
 
 use crate::Ended;
+use crate::commands::Run;
 use crate::reporter::Reporter;
 use clap::{Args, Subcommand};
 
@@ -23,8 +24,14 @@ enum Task {
     Heads(heads::Heads),
 }
 
-pub(crate) fn run(arguments: &Fallout, reporter: &mut Reporter) -> Ended {
-    match &arguments.task {
-        Task::Heads(heads) => heads::run(heads, reporter),
+impl Run for Fallout {
+    fn prints_result(&self) -> bool {
+        true
+    }
+
+    fn run(&self, reporter: &mut Reporter) -> Ended {
+        match &self.task {
+            Task::Heads(heads) => heads::run(heads, reporter),
+        }
     }
 }

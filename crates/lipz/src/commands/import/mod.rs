@@ -5,12 +5,13 @@ mod recordings;
 mod report;
 mod text;
 
-use super::foreign;
+use crate::Ended;
+use crate::commands::Run;
 use crate::reporter::Reporter;
-use crate::sources::usage_error;
-use crate::{Ended, Outcome, console, interrupt, output_file, patterns, standard};
+use crate::shared::formats;
+use crate::shared::{output_file, patterns, stdio};
+use crate::{Outcome, console, interrupt};
 use clap::Args;
-use clap::error::ErrorKind;
 use lipz_compiler::{Content, Input, key, replace_file};
 use lipz_diagnostics::{Report, Severity};
 use lipz_file::format::{Style, format};
@@ -25,11 +26,11 @@ use std::path::{Path, PathBuf};
 /// Shapes come to frames so that closed lips, F and V stay; what is lost is told. Files of which something is
 /// an error are not written, the others are.
 #[derive(Args, Debug)]
-#[command(after_help = foreign::examples(|format| format.read.is_some(), 0))]
+#[command(after_help = formats::examples(|format| format.read.is_some(), 0))]
 pub(crate) struct Import {
     /// The format of the files
-    #[arg(value_name = "FORMAT", value_parser = foreign::names(|format| format.read.is_some()), hide_possible_values = true)]
-    tool_format: String,
+    #[arg(value_name = "FORMAT", value_parser = formats::parser(|format| format.read.is_some()), hide_possible_values = true)]
+    tool_format: &'static Format,
 
     /// The files, or patterns of them; `-` reads one from standard input
     #[arg(value_name = "FILES", required = true)]
@@ -61,71 +62,75 @@ struct Made {
     clip: Clip,
 }
 
-impl Import {
-    /// Whether standard output is for an imported file.
-    pub(crate) fn prints_result(&self) -> bool {
+impl Run for Import {
+    fn prints_result(&self) -> bool {
         match &self.output {
-            Some(output) => standard::is_meant(output),
-            None => matches!(self.files.as_slice(), [file] if standard::is_meant(file)),
+            Some(output) => stdio::is_meant(output),
+            None => matches!(self.files.as_slice(), [file] if stdio::is_meant(file)),
         }
     }
-}
 
-pub(crate) fn run(arguments: &Import, reporter: &mut Reporter) -> Ended {
-    let format = foreign::format(&arguments.tool_format)?;
-    if let Some(report) = &arguments.report {
-        output_file::refuse_source(report)?;
-    }
-    let is_printed = arguments.prints_result();
-    let files = patterns::files(&arguments.files);
-    let (folder, several) = (arguments.output.as_deref(), files.len() > 1);
-    if (folder.is_none() && !is_printed) || (is_printed && several) {
-        let message = "it is not said where the Lipz files go";
-        return Err(usage_error(ErrorKind::MissingRequiredArgument, message, "name a folder with '--output'"));
-    }
-    let settings = arguments.options.settings(folder.filter(|_| !is_printed), reporter)?;
-    let texts = text::Texts::of(arguments.options.text.as_deref(), several).map_err(|report| reporter.fail(report))?;
-    let script = arguments.options.recordings.script(reporter)?;
-    let (made, mut reports) = read(arguments, &files, format, &settings, &texts, &script)?;
-    let inputs: Vec<Input> = made.iter().map(|made| made.input.clone()).collect();
-    key::check(&inputs, &mut reports);
-    if let Some(folder) = folder.filter(|_| !is_printed && !arguments.force) {
-        reports.extend(
-            made.iter().filter_map(|made| foreign::in_the_way(&foreign::path(folder, &made.input.key, key::EXTENSION))),
-        );
-    }
-    if let [only] = made.as_slice()
-        && is_printed
-    {
-        let outcome = Outcome::of(&reports);
-        reporter.add(reports);
-        return if outcome == Outcome::Clean { Ok(console::print(&layout(only, &settings))) } else { Err(outcome) };
-    }
-    if is_printed && made.len() > 1 {
-        let message = "the file has several speakers, and standard output takes one clip";
-        return Err(usage_error(ErrorKind::ArgumentConflict, message, "name a folder with '--output'"));
-    }
-    let mut written = 0;
-    if foreign::may_write(&reports)
-        && let Some(folder) = folder
-    {
-        for made in &made {
-            let path = foreign::path(folder, &made.input.key, key::EXTENSION);
-            match interrupt::whole(|| replace_file(&path, layout(made, &settings).as_bytes())) {
-                Ok(()) => written += 1,
-                Err(report) => reports.push(report),
+    fn run(&self, reporter: &mut Reporter) -> Ended {
+        let format = self.tool_format;
+        if let Some(report) = &self.report {
+            output_file::refuse_source(report, reporter)?;
+        }
+        let is_printed = self.prints_result();
+        let files = patterns::files(&self.files);
+        let (folder, several) = (self.output.as_deref(), files.len() > 1);
+        if (folder.is_none() && !is_printed) || (is_printed && several) {
+            let message = "no output is named for the Lipz files";
+            return Err(reporter.usage(message, "name a folder with `--output`"));
+        }
+        let settings = self.options.settings(folder.filter(|_| !is_printed), reporter)?;
+        let texts = text::Texts::of(self.options.text.as_deref(), several).map_err(|report| reporter.fail(report))?;
+        let script = self.options.recordings.script(reporter)?;
+        let (made, mut reports) = read(self, &files, &settings, &texts, &script);
+        let inputs: Vec<Input> = made.iter().map(|made| made.input.clone()).collect();
+        key::check(&inputs, &mut reports);
+        if let Some(folder) = folder.filter(|_| !is_printed && !self.force) {
+            reports.extend(
+                made.iter()
+                    .filter_map(|made| formats::in_the_way(&formats::path(folder, &made.input.key, key::EXTENSION))),
+            );
+        }
+        if let [only] = made.as_slice()
+            && is_printed
+        {
+            let outcome = Outcome::of(&reports);
+            if outcome != Outcome::Clean {
+                return Err(reporter.abort(reports, outcome));
+            }
+            reporter.add(reports);
+            reporter.print(&layout(only, &settings))?;
+            return Ok(outcome);
+        }
+        if is_printed && made.len() > 1 {
+            let message = "the file has several speakers, and standard output takes one clip";
+            return Err(reporter.usage(message, "name a folder with `--output`"));
+        }
+        let mut written = 0;
+        if formats::may_write(&reports)
+            && let Some(folder) = folder
+        {
+            for made in &made {
+                let path = formats::path(folder, &made.input.key, key::EXTENSION);
+                match interrupt::whole(|| replace_file(&path, layout(made, &settings).as_bytes())) {
+                    Ok(()) => written += 1,
+                    Err(report) => reports.push(report),
+                }
             }
         }
-    }
-    if let Some(path) = &arguments.report {
-        let report = report::json(format, made.iter().map(|made| (&made.input, &made.clip)));
-        output_file::write(path, report.as_bytes(), reporter)?;
-    }
-    let outcome = Outcome::of(&reports);
-    reporter.add(reports);
-    match folder.filter(|_| !arguments.quiet && written > 0) {
-        None => Ok(outcome),
-        Some(folder) => Ok(reporter.summary(&summary(format, &made, written, folder)).max(outcome)),
+        if let Some(path) = &self.report {
+            let report = report::json(format, made.iter().map(|made| (&made.input, &made.clip)));
+            output_file::write(path, report.as_bytes(), reporter)?;
+        }
+        let outcome = Outcome::of(&reports);
+        reporter.add(reports);
+        match folder.filter(|_| !self.quiet && written > 0) {
+            None => Ok(outcome),
+            Some(folder) => reporter.summary(&summary(format, &made, written, folder)).map(|()| outcome),
+        }
     }
 }
 
@@ -133,14 +138,14 @@ pub(crate) fn run(arguments: &Import, reporter: &mut Reporter) -> Ended {
 fn read(
     arguments: &Import,
     files: &[PathBuf],
-    format: &Format,
     settings: &Settings<'_>,
     texts: &text::Texts,
     script: &Script,
-) -> Result<(Vec<Made>, Vec<Report>), Outcome> {
+) -> (Vec<Made>, Vec<Report>) {
+    let format = arguments.tool_format;
     let (mut made, mut reports) = (Vec::new(), Vec::new());
     for file in files {
-        let source = match foreign::Source::read(file, format) {
+        let source = match formats::Source::read(file, format) {
             Ok(source) => source,
             Err(report) => {
                 reports.push(report);
@@ -163,14 +168,14 @@ fn read(
         if !is_wrong {
             made.extend(clips.into_iter().map(|clip| {
                 let key = match &clip.name {
-                    Some(name) => format!("{}-{}", source.key, foreign::file_name(name)),
+                    Some(name) => format!("{}-{}", source.key, formats::file_name(name)),
                     None => source.key.clone(),
                 };
                 Made { input: Input { key, content: Content::File(file.clone()) }, clip }
             }));
         }
     }
-    Ok((made, reports))
+    (made, reports)
 }
 
 /// The clip as a Lipz file in canonical layout.

@@ -1,12 +1,12 @@
 //! The flags of an import, and the settings of the project below them.
 
 use super::recordings::Recordings;
-use crate::Outcome;
-use crate::commands::foreign::{self, MapChoice};
-use crate::lint_flags::LintFlags;
-use crate::project::{parse_fps, parse_locale, parse_viseme_type};
+use crate::Abort;
 use crate::reporter::Reporter;
-use crate::settings_file::SettingsFile;
+use crate::shared::formats::{self, MapChoice};
+use crate::shared::lint_flags::LintFlags;
+use crate::shared::project_flags::{parse_fps, parse_locale, parse_viseme_type};
+use crate::shared::settings_file::SettingsFile;
 use clap::{Args, ValueEnum};
 use lipz_bank::Fps;
 use lipz_diagnostics::Diagnostic;
@@ -101,12 +101,12 @@ pub(super) struct Settings<'a> {
 
 impl Options {
     /// The settings of the project to which the output belongs, below the flags.
-    pub(super) fn settings(&self, output: Option<&Path>, reporter: &mut Reporter) -> Result<Settings<'_>, Outcome> {
+    pub(super) fn settings(&self, output: Option<&Path>, reporter: &mut Reporter) -> Result<Settings<'_>, Abort> {
         // The Lipz files that are made are sources of the project.
         let sources = [output.map_or_else(|| PathBuf::from("."), Path::to_owned)];
         let mut project = self.file.project(&sources, reporter)?.settings.options;
         self.lints.apply(&mut project.levels);
-        let map = self.map.as_deref().map(|map| foreign::map(map, reporter)).transpose()?;
+        let map = self.map.as_deref().map(|map| formats::map(map, reporter)).transpose()?;
         Ok(Settings { flags: self, project, map })
     }
 }
@@ -117,9 +117,9 @@ impl Settings<'_> {
         ImportOptions::new()
             .map(self.map.as_ref().map(MapChoice::map))
             .viseme_type(flags.viseme_type.or(self.project.viseme_type).or(self.project.default_viseme_type))
-            .rate(flags.fps.map(foreign::rate))
-            .default_rate(self.project.default_fps.map_or(DEFAULT_RATE, foreign::rate))
-            .file_rate(flags.file_fps.map(foreign::rate))
+            .rate(flags.fps.map(formats::rate))
+            .default_rate(self.project.default_fps.map_or(DEFAULT_RATE, formats::rate))
+            .file_rate(flags.file_fps.map(formats::rate))
             .dat_base(flags.dat_base)
             .min_hold(usize::from(flags.min_hold))
             .locale(self.default_locale())

@@ -1,8 +1,10 @@
 //! What lies beside the files of other tools: texts in a script, sounds with their lengths.
 
 use super::options::{TEXT, parse_time};
+use crate::Abort;
+use crate::console;
 use crate::reporter::Reporter;
-use crate::{Outcome, console, standard};
+use crate::shared::stdio;
 use clap::Args;
 use lipz_diagnostics::{Code, Diagnostic, Report};
 use lipz_interop::fallout::sound;
@@ -42,7 +44,7 @@ fn encoding(name: &str) -> Result<&'static Encoding, String> {
 
 impl Recordings {
     /// The script, if one is named. Reports what is wrong with it.
-    pub(super) fn script(&self, reporter: &mut Reporter) -> Result<Script, Outcome> {
+    pub(super) fn script(&self, reporter: &mut Reporter) -> Result<Script, Abort> {
         let Some(path) = &self.script else { return Ok(Script::default()) };
         let shown = console::path(path);
         let bytes = fs::read(path).map_err(|error| {
@@ -52,15 +54,17 @@ impl Recordings {
         let (script, source, diagnostics) = Script::read(&shown, &bytes, self.encoding);
         let report = Report { source, diagnostics };
         let has_errors = report.has_errors();
-        if !report.diagnostics.is_empty() {
-            reporter.add(vec![report]);
+        let found = if report.diagnostics.is_empty() { Vec::new() } else { vec![report] };
+        if has_errors {
+            return Err(reporter.refuse(found));
         }
-        if has_errors { Err(Outcome::Errors) } else { Ok(script) }
+        reporter.add(found);
+        Ok(script)
     }
 
     /// Adds what is known about the recording of a file with the name `stem` to the options of its import.
     pub(super) fn apply<'a>(&self, path: &Path, stem: &'a str, script: &'a Script, options: &mut ImportOptions<'a>) {
-        options.name = (!standard::is_meant(path)).then_some(stem);
+        options.name = (!stdio::is_meant(path)).then_some(stem);
         options.text = script.text_of(stem).or(options.text);
         options.units_per_second = self.units_per_second;
         options.sound_length = self.audio_length.or_else(|| length_beside(path));

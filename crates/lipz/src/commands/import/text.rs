@@ -25,9 +25,8 @@ impl Texts {
             return Ok(Texts::Folder(path.to_owned()));
         }
         if several {
-            let message = "several files cannot have the same text";
-            let finding = Diagnostic::new(Code::UnreadableFile, message);
-            return Err(Report::about("", finding.help("name a folder that has a file KEY.txt for each of them")));
+            let help = "name a folder that has a file KEY.txt for each of them";
+            return Err(Report::failure("", Code::Usage, "several files cannot have the same text", help));
         }
         if path.is_file() { text(path).map(Texts::One) } else { Ok(Texts::One(named.to_owned())) }
     }

@@ -1,6 +1,6 @@
 //! What `lipz inspect --json` prints. Fields are only ever added (docs/VERSIONING.md).
 
-use crate::commands::babble_json::BabbleJson;
+use crate::shared::babble_json::BabbleJson;
 use lipz_bank::{Bank, Clip, Event, EventName, Locale};
 use lipz_layout::Tag;
 use serde::Serialize;

@@ -2,17 +2,20 @@
 
 mod json;
 
-use super::locale_choice::choose;
-use crate::bank_file::BankFile;
+use crate::Abort;
+use crate::Ended;
+use crate::commands::Run;
 use crate::reporter::Reporter;
-use crate::text_banks::{TextBanks, TextFiles};
-use crate::timeline::timeline;
-use crate::{Ended, Outcome, console};
+use crate::shared::bank_file::BankFile;
+use crate::shared::locales::choose;
+use crate::shared::text_banks::{TextBanks, TextFiles};
+use crate::shared::timeline::timeline;
+use crate::{Outcome, console};
 use clap::Args;
 use json::{ClipJson, ListedJson, SummaryJson};
 use lipz_bank::{Bank, Locale};
 use lipz_compiler::BankWithTexts;
-use lipz_diagnostics::{escape, suggest};
+use lipz_diagnostics::{Code, Report, escape, suggest};
 use std::fmt::Write;
 use std::path::PathBuf;
 use unicode_width::UnicodeWidthStr;
@@ -51,41 +54,51 @@ pub(crate) struct Inspect {
     pub(crate) json: bool,
 }
 
-pub(crate) fn run(arguments: &Inspect, reporter: &mut Reporter) -> Ended {
-    let file = BankFile::open(&arguments.bank, reporter)?;
-    let bank = file.bank(reporter)?;
-    let text_files = TextFiles::open(&arguments.texts.texts, reporter)?;
-    let locales = BankWithTexts::new(&bank, &text_files.of(&bank, reporter)?).locales();
-    Ok(match (&arguments.key, &arguments.list) {
-        (Some(key), _) => clip(&bank, key, &locales, arguments),
-        (None, Some(prefix)) => list(&bank, prefix, arguments.json),
-        (None, None) => summary(&bank, &locales, &file.name, arguments.json),
-    })
+impl Run for Inspect {
+    fn prints_result(&self) -> bool {
+        true
+    }
+
+    fn run(&self, reporter: &mut Reporter) -> Ended {
+        let file = BankFile::open(&self.bank, reporter)?;
+        let bank = file.bank(reporter)?;
+        let text_files = TextFiles::open(&self.texts.texts, reporter)?;
+        let locales = BankWithTexts::new(&bank, &text_files.of(&bank, reporter)?).locales();
+        match (&self.key, &self.list) {
+            (Some(key), _) => clip(&bank, key, &locales, &file.name, self, reporter)?,
+            (None, Some(prefix)) => list(&bank, prefix, self.json, reporter)?,
+            (None, None) => summary(&bank, &locales, &file.name, self.json, reporter)?,
+        }
+        Ok(Outcome::Clean)
+    }
 }
 
-fn clip(bank: &Bank<'_>, key: &str, all: &[Locale<'_>], arguments: &Inspect) -> Outcome {
-    let Some(clip) = bank.clip_by_key(key) else {
-        console::remark(&format!("error: no clip `{}` in the bank\n", escape::text(key)));
+fn clip(
+    bank: &Bank<'_>,
+    key: &str,
+    all: &[Locale<'_>],
+    path: &str,
+    arguments: &Inspect,
+    reporter: &mut Reporter,
+) -> Result<(), Abort> {
+    let clip = bank.clip_by_key(key).ok_or_else(|| {
         let near = near_keys(bank, key);
-        console::remark(&if near.is_empty() {
-            "help: `--list` lists the clips of the bank\n".to_owned()
-        } else {
-            format!("help: did you mean {}?\n", near.join(", "))
-        });
-        return Outcome::Failed;
-    };
-    let asked = arguments.locale.iter().map(|asked| choose(asked, all.iter().copied(), |locale| locale.tag()));
-    let mut locales: Vec<Locale<'_>> = match asked.collect() {
-        Ok(locales) => locales,
-        Err(outcome) => return outcome,
-    };
+        let help = match near.is_empty() {
+            true => "`--list` lists the clips of the bank".to_owned(),
+            false => format!("did you mean {}?", near.join(", ")),
+        };
+        let message = format!("the bank has no clip {}", escape::quoted(key));
+        reporter.fail(Report::failure(path, Code::NoSuchClip, message, &help))
+    })?;
+    let asked = arguments.locale.iter().map(|asked| choose(asked, path, all.iter().copied(), |locale| locale.tag()));
+    let mut locales: Vec<Locale<'_>> = asked.collect::<Result<_, _>>().map_err(|report| reporter.fail(report))?;
     if locales.is_empty() {
         locales.extend(all);
     }
     if arguments.json {
-        return console::print_json(&ClipJson::of(&clip, &locales));
+        return reporter.print_json(&ClipJson::of(&clip, &locales));
     }
-    console::print(&timeline(&clip, &locales, console::width()))
+    reporter.print(&timeline(&clip, &locales, console::width()))
 }
 
 /// Keys that contain the last part of the one asked for, or else are spelled almost like it.
@@ -110,13 +123,13 @@ fn last_part(key: &str) -> &str {
     key.rsplit('/').next().unwrap_or(key)
 }
 
-fn list(bank: &Bank<'_>, prefix: &str, json: bool) -> Outcome {
+fn list(bank: &Bank<'_>, prefix: &str, json: bool, reporter: &mut Reporter) -> Result<(), Abort> {
     let clips: Vec<ListedJson<'_>> = bank.clips_under(prefix).map(|clip| ListedJson::of(&clip)).collect();
     if json {
-        return console::print_json(&clips);
+        return reporter.print_json(&clips);
     }
     if clips.is_empty() {
-        console::remark(&format!("no key starts with `{}`\n", escape::text(prefix)));
+        reporter.remark(&format!("no key starts with `{}`\n", escape::text(prefix)));
     }
     let keys: Vec<_> = clips.iter().map(|clip| escape::text(clip.key)).collect();
     let width = keys.iter().map(|key| key.width()).max().unwrap_or(0);
@@ -127,13 +140,19 @@ fn list(bank: &Bank<'_>, prefix: &str, json: bool) -> Outcome {
         let segments = console::counted(clip.segments as usize, "segment");
         let _ = writeln!(text, "{key}{blanks}  {seconds} s  {:>5} frames  {segments:>11}", clip.frames);
     }
-    console::print(&text)
+    reporter.print(&text)
 }
 
-fn summary(bank: &Bank<'_>, locales: &[Locale<'_>], path: &str, json: bool) -> Outcome {
+fn summary(
+    bank: &Bank<'_>,
+    locales: &[Locale<'_>],
+    path: &str,
+    json: bool,
+    reporter: &mut Reporter,
+) -> Result<(), Abort> {
     let summary = SummaryJson::of(bank, locales);
     if json {
-        return console::print_json(&summary);
+        return reporter.print_json(&summary);
     }
     let mut text = String::new();
     let (major, minor) = bank.format_version();
@@ -181,5 +200,5 @@ fn summary(bank: &Bank<'_>, locales: &[Locale<'_>], path: &str, json: bool) -> O
         let _ = writeln!(text, "  {:<12} {}  power {}", "ooh", babble.ooh, babble.ooh_power_transfer);
         let _ = writeln!(text, "  {:<12} {}  power {}", "aah", babble.aah, babble.aah_power_transfer);
     }
-    console::print(&text)
+    reporter.print(&text)
 }

@@ -1,9 +1,9 @@
 //! Where a bank goes: to a file, to several, or to standard output.
 
+use crate::Abort;
 use crate::reporter::Reporter;
-use crate::sources::usage_error;
-use crate::{Outcome, console, interrupt, output_file, standard};
-use clap::error::ErrorKind;
+use crate::shared::{output_file, stdio};
+use crate::{console, interrupt};
 use lipz_compiler::{Compiled, Compiler, Input, Memory, SplitBank};
 use std::ffi::OsStr;
 use std::fs;
@@ -69,20 +69,20 @@ impl Destination {
         is_split: bool,
         has_depfile: bool,
         cache: Option<&Path>,
-    ) -> Result<Destination, Outcome> {
-        if !standard::is_meant(output) {
+        reporter: &mut Reporter,
+    ) -> Result<Destination, Abort> {
+        if !stdio::is_meant(output) {
             let path = output.to_owned();
             let whole = |bank| Destination::File { bank, cache: cache.map(Path::to_owned) };
             return Ok(if is_split { Destination::Split(path) } else { whole(path) });
         }
         if is_split || has_depfile {
-            let tip = "name a file with '--output': text banks are written beside it, and a depfile is about it";
-            let message = "standard output holds one bank and has no name";
-            return Err(usage_error(ErrorKind::ArgumentConflict, message, tip));
+            let tip = "name a file with `--output`: text banks are written beside it, and a depfile is about it";
+            let message = "standard output takes one bank and has no name";
+            return Err(reporter.usage(message, tip));
         }
         if io::stdout().is_terminal() {
-            console::remark("error: a bank is not for a terminal\nhelp: name a file, or send standard output to one\n");
-            return Err(Outcome::Failed);
+            return Err(reporter.usage("a bank is not for a terminal", "name a file, or send standard output to one"));
         }
         Ok(Destination::StandardOutput)
     }
@@ -112,7 +112,7 @@ impl Destination {
     }
 
     /// Writes what is remembered into the cache, if there is one.
-    pub(super) fn remember(&self, memory: &Memory, reporter: &mut Reporter) -> Result<(), Outcome> {
+    pub(super) fn remember(&self, memory: &Memory, reporter: &mut Reporter) -> Result<(), Abort> {
         let Destination::File { cache: Some(cache), .. } = self else { return Ok(()) };
         interrupt::whole(|| memory.write(cache)).map_err(|report| reporter.fail(report))
     }
@@ -124,17 +124,17 @@ impl Destination {
         is_unchanged: bool,
         replacing: Replacing,
         reporter: &mut Reporter,
-    ) -> Result<AllWritten, Outcome> {
+    ) -> Result<AllWritten, Abort> {
         match self {
             // Written by `make`.
             Destination::File { bank: path, .. } if replacing == Replacing::Always => {
                 Ok(AllWritten::one(Written { is_new: !is_unchanged, ..Written::new(console::path(path), bank) }))
             }
             Destination::File { bank: path, .. } => Ok(AllWritten::one(write(path, bank, replacing, reporter)?)),
-            Destination::StandardOutput => match console::print_bytes(bank) {
-                Outcome::Clean => Ok(AllWritten::one(Written::new("standard output".to_owned(), bank))),
-                failed => Err(failed),
-            },
+            Destination::StandardOutput => {
+                reporter.print_bytes(bank)?;
+                Ok(AllWritten::one(Written::new("standard output".to_owned(), bank)))
+            }
             Destination::Split(path) => {
                 let split = SplitBank::from_bytes(bank).map_err(|report| reporter.fail(report))?;
                 let mut files = Vec::new();
@@ -174,7 +174,7 @@ pub(super) fn write(
     bytes: &[u8],
     replacing: Replacing,
     reporter: &mut Reporter,
-) -> Result<Written, Outcome> {
+) -> Result<Written, Abort> {
     let is_new = replacing == Replacing::Always || !has(path, bytes);
     if is_new {
         output_file::write(path, bytes, reporter)?;

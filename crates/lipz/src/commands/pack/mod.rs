@@ -5,9 +5,13 @@ mod plan;
 
 pub(crate) use plan::{Packed, Plan};
 
+use crate::Abort;
+use crate::Ended;
+use crate::commands::Run;
+use crate::console;
 use crate::reporter::Reporter;
-use crate::sources::Sources;
-use crate::{Ended, Outcome, console, standard};
+use crate::shared::sources::Sources;
+use crate::shared::stdio;
 use clap::Args;
 use lipz_compiler::settings::Settings;
 use std::path::{Path, PathBuf};
@@ -59,11 +63,6 @@ pub(crate) struct Pack {
 }
 
 impl Pack {
-    /// Whether the bank goes to standard output.
-    pub(crate) fn prints_bank(&self) -> bool {
-        self.output.as_ref().is_some_and(|output| standard::is_meant(output))
-    }
-
     /// Whether files that did not change may be left unread.
     pub(crate) fn may_remember(&self) -> bool {
         !self.no_cache
@@ -76,7 +75,7 @@ impl Pack {
     }
 
     /// What a run works with now. What is wrong with it is printed, and how the run ends is returned.
-    pub(crate) fn plan(&self, reporter: &mut Reporter) -> Result<Plan, Outcome> {
+    pub(crate) fn plan(&self, reporter: &mut Reporter) -> Result<Plan, Abort> {
         Plan::of(self, reporter)
     }
 
@@ -108,17 +107,24 @@ impl Pack {
     }
 }
 
-pub(crate) fn run(arguments: &Pack, reporter: &mut Reporter) -> Ended {
-    let quiet = arguments.sources.is_quiet();
-    let plan = arguments.plan(reporter)?;
-    let packed = plan.run(None, quiet, reporter)?;
-    let mut text = String::new();
-    if !quiet {
-        text = packed.summary();
-        if let Some(file) = plan.project.found() {
-            text.push_str(&format!("with the settings of {}\n", console::path(file)));
-        }
+impl Run for Pack {
+    fn prints_result(&self) -> bool {
+        self.output.as_ref().is_some_and(|output| stdio::is_meant(output))
     }
-    text.push_str(&arguments.timings(&packed));
-    Ok(reporter.summary(&text).max(packed.outcome))
+
+    fn run(&self, reporter: &mut Reporter) -> Ended {
+        let quiet = self.sources.is_quiet();
+        let plan = self.plan(reporter)?;
+        let packed = plan.run(None, quiet, reporter)?;
+        let mut text = String::new();
+        if !quiet {
+            text = packed.summary();
+            if let Some(file) = plan.project.found() {
+                text.push_str(&format!("with the settings of {}\n", console::path(file)));
+            }
+        }
+        text.push_str(&self.timings(&packed));
+        reporter.summary(&text)?;
+        Ok(packed.outcome)
+    }
 }

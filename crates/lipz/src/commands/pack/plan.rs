@@ -2,12 +2,12 @@
 
 use super::Pack;
 use super::destination::{self, AllWritten, Destination, Replacing};
-use crate::commands::with_inputs;
+use crate::Abort;
+use crate::Outcome;
 use crate::reporter::Reporter;
-use crate::settings_file::Project;
-use crate::sources::usage_error;
-use crate::{Outcome, output_file, standard};
-use clap::error::ErrorKind;
+use crate::shared::inputs::with_inputs;
+use crate::shared::settings_file::Project;
+use crate::shared::{output_file, stdio};
 use lipz_compiler::{Compiled, Input, Memory, Phases, dependencies, depfile};
 use std::mem;
 use std::path::PathBuf;
@@ -38,35 +38,35 @@ pub(crate) struct Packed {
 impl Plan {
     /// The plan that the arguments and the settings file give. What is wrong with them is printed, and
     /// how the run ends is returned.
-    pub(super) fn of(arguments: &Pack, reporter: &mut Reporter) -> Result<Plan, Outcome> {
+    pub(super) fn of(arguments: &Pack, reporter: &mut Reporter) -> Result<Plan, Abort> {
         let mut project = arguments.sources.project(reporter)?;
         let settings = &mut project.settings;
         settings.options.strip = arguments.strip.unwrap_or(settings.options.strip);
         let output = match (&arguments.output, &settings.output) {
             (Some(output), _) => output.clone(),
-            (None, Some(output)) if standard::is_meant(output) => {
-                let tip = "name a file there; only '--output -' stands for standard output";
-                return Err(usage_error(ErrorKind::ArgumentConflict, "`output` in lipz.toml is `-`", tip));
+            (None, Some(output)) if stdio::is_meant(output) => {
+                let tip = "name a file there; only `--output -` means standard output";
+                return Err(reporter.usage("`output` in lipz.toml is `-`", tip));
             }
             (None, Some(output)) => output.clone(),
             (None, None) => {
-                let tip = "name a file with '--output', or set `output` in lipz.toml";
-                return Err(usage_error(ErrorKind::MissingRequiredArgument, "no bank to write is named", tip));
+                let tip = "name a file with `--output`, or set `output` in lipz.toml";
+                return Err(reporter.usage("no bank to write is named", tip));
             }
         };
         for path in std::iter::once(&output).chain(&arguments.depfile) {
-            output_file::refuse_source(path)?;
+            output_file::refuse_source(path, reporter)?;
         }
         let is_split = arguments.split_locales.unwrap_or(settings.split_locales);
         let cache = arguments.cache(settings);
-        let destination = Destination::of(&output, is_split, arguments.depfile.is_some(), cache)?;
+        let destination = Destination::of(&output, is_split, arguments.depfile.is_some(), cache, reporter)?;
         Ok(Plan { project, output, destination, depfile: arguments.depfile.clone() })
     }
 
     /// Whether standard input is read or standard output has the bank: that works once.
     pub(crate) fn works_once(&self) -> bool {
         let mut sources = self.project.settings.sources.iter();
-        matches!(self.destination, Destination::StandardOutput) || sources.any(|path| standard::is_meant(path))
+        matches!(self.destination, Destination::StandardOutput) || sources.any(|path| stdio::is_meant(path))
     }
 
     /// Packs once. Findings are shown; if there are errors, nothing is written.
@@ -78,7 +78,7 @@ impl Plan {
         mut memory: Option<&mut Memory>,
         quiet: bool,
         reporter: &mut Reporter,
-    ) -> Result<Packed, Outcome> {
+    ) -> Result<Packed, Abort> {
         let settings = &self.project.settings;
         let replacing = if memory.is_some() { Replacing::IfDifferent } else { Replacing::Always };
         let mut run = with_inputs(settings, quiet, |compiler, inputs| match &mut memory {
@@ -86,11 +86,12 @@ impl Plan {
             None => self.destination.make(compiler, inputs),
         });
         let outcome = run.outcome();
-        reporter.add(mem::take(&mut run.reports));
+        let reports = mem::take(&mut run.reports);
         let bank = match run.compiled.bank.take() {
             Some(bank) if outcome == Outcome::Clean => bank,
-            _ => return Err(outcome),
+            _ => return Err(reporter.abort(reports, outcome)),
         };
+        reporter.add(reports);
         let written = self.destination.deliver(&bank, run.compiled.is_unchanged, replacing, reporter)?;
         let remembered = memory.map_or(Ok(()), |memory| self.destination.remember(memory, reporter));
         let outcome = remembered.and(self.write_depfile(&run.inputs, replacing, reporter));
@@ -99,14 +100,14 @@ impl Plan {
             clip_count: run.inputs.len(),
             recalled,
             written,
-            outcome: outcome.err().unwrap_or(Outcome::Clean),
+            outcome: outcome.err().map_or(Outcome::Clean, Abort::outcome),
             discover: run.discover,
             phases,
         })
     }
 
     /// Writes what the bank depends on, if that was asked for. Reports why that is not possible.
-    fn write_depfile(&self, inputs: &[Input], replacing: Replacing, reporter: &mut Reporter) -> Result<(), Outcome> {
+    fn write_depfile(&self, inputs: &[Input], replacing: Replacing, reporter: &mut Reporter) -> Result<(), Abort> {
         let Some(path) = &self.depfile else { return Ok(()) };
         let mut dependencies = dependencies(&self.project.settings.sources, inputs);
         dependencies.extend(self.project.file.clone());

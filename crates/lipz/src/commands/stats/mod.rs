@@ -3,11 +3,13 @@
 mod json;
 mod text;
 
-use super::either::bank_or_files;
+use crate::Ended;
+use crate::Outcome;
+use crate::commands::Run;
 use crate::reporter::Reporter;
-use crate::sources::ProjectArguments;
-use crate::text_banks::{TextBanks, TextFiles};
-use crate::{Ended, console};
+use crate::shared::bank_or_sources::bank_or_sources;
+use crate::shared::sources::ProjectArguments;
+use crate::shared::text_banks::{TextBanks, TextFiles};
 use clap::Args;
 use lipz_compiler::BankWithTexts;
 use std::path::PathBuf;
@@ -39,15 +41,22 @@ pub(crate) struct Stats {
     json: bool,
 }
 
-pub(crate) fn run(arguments: &Stats, reporter: &mut Reporter) -> Ended {
-    let file = bank_or_files(arguments.bank.as_deref(), &arguments.project, reporter)?;
-    let bank = file.bank(reporter)?;
-    let text_files = TextFiles::open(&arguments.texts.texts, reporter)?;
-    let texts = text_files.of(&bank, reporter)?;
-    let stats = lipz_compiler::stats::Stats::from_bank(BankWithTexts::new(&bank, &texts));
-    Ok(if arguments.json {
-        console::print_json(&json::StatsJson::of(&stats))
-    } else {
-        console::print(&text::text(&file.name, &stats))
-    })
+impl Run for Stats {
+    fn prints_result(&self) -> bool {
+        true
+    }
+
+    fn run(&self, reporter: &mut Reporter) -> Ended {
+        let file = bank_or_sources(self.bank.as_deref(), &self.project, reporter)?;
+        let bank = file.bank(reporter)?;
+        let text_files = TextFiles::open(&self.texts.texts, reporter)?;
+        let texts = text_files.of(&bank, reporter)?;
+        let stats = lipz_compiler::stats::Stats::from_bank(BankWithTexts::new(&bank, &texts));
+        if self.json {
+            reporter.print_json(&json::StatsJson::of(&stats))?;
+        } else {
+            reporter.print(&text::text(&file.name, &stats))?;
+        }
+        Ok(Outcome::Clean)
+    }
 }

@@ -1,7 +1,7 @@
 //! Statistics as tables for people, at most 80 columns wide but for long keys.
 
 use crate::console::{counted, grouped};
-use crate::timeline::rounded;
+use crate::shared::timeline::rounded;
 use lipz_bank::VisemeType;
 use lipz_compiler::stats::{ClipDuration, LocaleStats, Stats, VisemeCounts};
 use lipz_diagnostics::escape;

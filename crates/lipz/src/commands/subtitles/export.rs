@@ -1,11 +1,13 @@
 //! `lipz subtitles export`: a subtitle file per clip and locale.
 
 use super::Format;
-use crate::commands::{find, foreign};
-use crate::project::parse_locale;
+use crate::Ended;
 use crate::reporter::Reporter;
-use crate::sources::Sources;
-use crate::{Ended, Outcome, console, interrupt};
+use crate::shared::formats;
+use crate::shared::inputs::find;
+use crate::shared::project_flags::parse_locale;
+use crate::shared::sources::Sources;
+use crate::{Outcome, console, interrupt};
 use clap::Args;
 use lipz_compiler::{Compiler, Input, Options, key, replace_file};
 use lipz_diagnostics::{Report, Severity};
@@ -67,10 +69,10 @@ pub(super) fn run(arguments: &Export, reporter: &mut Reporter) -> Ended {
         }
     }
     if !arguments.force {
-        reports.extend(files.iter().filter_map(|(path, _)| foreign::in_the_way(path)));
+        reports.extend(files.iter().filter_map(|(path, _)| formats::in_the_way(path)));
     }
     let mut written = 0;
-    if foreign::may_write(&reports) {
+    if formats::may_write(&reports) {
         for (path, file) in &files {
             match interrupt::whole(|| replace_file(path, file.as_bytes())) {
                 Ok(()) => written += 1,
@@ -84,13 +86,14 @@ pub(super) fn run(arguments: &Export, reporter: &mut Reporter) -> Ended {
         return Ok(outcome);
     }
     let summary = format!("{} written into {}\n", console::counted(written, "file"), console::path(&arguments.output));
-    Ok(reporter.summary(&summary).max(outcome))
+    reporter.summary(&summary)?;
+    Ok(outcome)
 }
 
 impl Export {
     fn path(&self, input: &Input, locale: &str) -> PathBuf {
         let format = SubtitleFormat::from(self.subtitle_format);
-        foreign::path(&self.output, &input.key, &format!("{locale}.{}", format.extension()))
+        formats::path(&self.output, &input.key, &format!("{locale}.{}", format.extension()))
     }
 }
 
@@ -99,7 +102,7 @@ fn one(arguments: &Export, input: &Input, bytes: &[u8], options: &Options) -> Ma
     let parsed = lipz_file::parse(bytes);
     let mut diagnostics = parsed.diagnostics;
     let subtitle_options =
-        SubtitleOptions { default_rate: options.default_fps.map(foreign::rate), speaker: arguments.speaker.as_deref() };
+        SubtitleOptions { default_rate: options.default_fps.map(formats::rate), speaker: arguments.speaker.as_deref() };
     let mut files = Vec::new();
     let document = parsed.document.unwrap_or_default();
     for element in &document.elements {

@@ -1,9 +1,9 @@
 //! Which subtitle files belong to which clips: by their names.
 
-use crate::commands::foreign;
-use crate::sources::usage_error;
-use crate::{Outcome, console};
-use clap::error::ErrorKind;
+use crate::Abort;
+use crate::console;
+use crate::reporter::Reporter;
+use crate::shared::formats;
 use lipz_compiler::Options;
 use lipz_diagnostics::{Code, Diagnostic, Report};
 use lipz_file::locale::canonical_tag;
@@ -22,7 +22,12 @@ pub(super) struct Found {
 }
 
 /// The subtitle files that are named, and those in folders that are. Keys count from there.
-pub(super) fn find(named: &[PathBuf], options: &Options, reports: &mut Vec<Report>) -> Result<Vec<Found>, Outcome> {
+pub(super) fn find(
+    named: &[PathBuf],
+    options: &Options,
+    reports: &mut Vec<Report>,
+    reporter: &mut Reporter,
+) -> Result<Vec<Found>, Abort> {
     let mut found = Vec::new();
     for place in named {
         let (files_before, reports_before) = (found.len(), reports.len());
@@ -35,12 +40,8 @@ pub(super) fn find(named: &[PathBuf], options: &Options, reports: &mut Vec<Repor
                         Err(report) => reports.push(report),
                     },
                     None if entry.depth() == 0 => {
-                        let message = format!("'{}' is not named .srt or .vtt", console::path(place));
-                        return Err(usage_error(
-                            ErrorKind::ValueValidation,
-                            &message,
-                            "the extension tells the format",
-                        ));
+                        let message = format!("`{}` is not named .srt or .vtt", console::path(place));
+                        return Err(reporter.usage(&message, "the extension names the format"));
                     }
                     // Folders may have other files.
                     None => {}
@@ -60,8 +61,8 @@ pub(super) fn find(named: &[PathBuf], options: &Options, reports: &mut Vec<Repor
 fn unreadable(place: &Path, error: &walkdir::Error) -> Report {
     let path = error.path().unwrap_or(place);
     match error.io_error() {
-        Some(error) => foreign::unreadable(path, error),
-        None => foreign::unreadable(path, &io::Error::other("a link leads back to a folder above it")),
+        Some(error) => formats::unreadable(path, error),
+        None => formats::unreadable(path, &io::Error::other("a link leads back to a folder above it")),
     }
 }
 

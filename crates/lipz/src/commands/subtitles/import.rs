@@ -1,12 +1,14 @@
 //! `lipz subtitles import`: texts and segments of clips from subtitle files.
 
 use super::found::{self, Found};
-use crate::commands::foreign;
-use crate::lint_flags::LintFlags;
-use crate::project::{parse_fps, parse_locale};
+use crate::Ended;
 use crate::reporter::Reporter;
-use crate::settings_file::SettingsFile;
-use crate::{Ended, Outcome, console, interrupt, patterns};
+use crate::shared::formats;
+use crate::shared::lint_flags::LintFlags;
+use crate::shared::patterns;
+use crate::shared::project_flags::{parse_fps, parse_locale};
+use crate::shared::settings_file::SettingsFile;
+use crate::{Outcome, console, interrupt};
 use clap::Args;
 use lipz_bank::Fps;
 use lipz_compiler::{Content, Input, Options, key, replace_file, rewrite_file};
@@ -57,14 +59,14 @@ pub(super) fn run(arguments: &Import, reporter: &mut Reporter) -> Ended {
     arguments.lints.apply(&mut options.levels);
     options.default_locale = arguments.locale.clone().or(options.default_locale);
     let mut reports = Vec::new();
-    let mut found = found::find(&patterns::files(&arguments.files), &options, &mut reports)?;
+    let mut found = found::find(&patterns::files(&arguments.files), &options, &mut reports, reporter)?;
     found.sort_by(|a, b| a.key.cmp(&b.key));
     let clips: Vec<&[Found]> = found.chunk_by(|a, b| a.key == b.key).collect();
-    let path = |clip: &[Found]| clip.first().map(|file| foreign::path(&arguments.output, &file.key, key::EXTENSION));
+    let path = |clip: &[Found]| clip.first().map(|file| formats::path(&arguments.output, &file.key, key::EXTENSION));
     let input = |clip: &&[Found]| Some(Input { key: clip.first()?.key.clone(), content: Content::File(path(clip)?) });
     key::check(&clips.iter().filter_map(input).collect::<Vec<_>>(), &mut reports);
     let mut written = 0;
-    if foreign::may_write(&reports) {
+    if formats::may_write(&reports) {
         for clip in clips {
             let Some(path) = path(clip) else { continue };
             match one(arguments, &options, &path, clip, &mut reports) {
@@ -80,7 +82,8 @@ pub(super) fn run(arguments: &Import, reporter: &mut Reporter) -> Ended {
     }
     let clips = console::counted(written, "clip");
     let summary = format!("texts of {clips} imported into {}\n", console::path(&arguments.output));
-    Ok(reporter.summary(&summary).max(outcome))
+    reporter.summary(&summary)?;
+    Ok(outcome)
 }
 
 /// Brings the subtitles of one clip into its Lipz file; false if there is nothing to be written.
@@ -94,14 +97,14 @@ fn one(
     let before = match fs::read(path) {
         Ok(bytes) => Some(bytes),
         Err(error) if error.kind() == io::ErrorKind::NotFound => None,
-        Err(error) => return Err(foreign::unreadable(path, &error)),
+        Err(error) => return Err(formats::unreadable(path, &error)),
     };
     let mut document = before.as_deref().map(|bytes| parse(path, bytes)).transpose()?;
     let fps = arguments.fps.or(options.default_fps);
-    let rate = fps.map_or(DEFAULT_RATE, foreign::rate);
+    let rate = fps.map_or(DEFAULT_RATE, formats::rate);
     let mut is_changed = false;
     for file in files {
-        let bytes = fs::read(&file.path).map_err(|error| foreign::unreadable(&file.path, &error))?;
+        let bytes = fs::read(&file.path).map_err(|error| formats::unreadable(&file.path, &error))?;
         let mut diagnostics = Vec::new();
         let cues = file.format.read(&bytes, &mut diagnostics);
         if !has_errors(&diagnostics) {

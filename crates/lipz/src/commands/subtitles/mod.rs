@@ -5,6 +5,7 @@ mod found;
 mod import;
 
 use crate::Ended;
+use crate::commands::Run;
 use crate::reporter::Reporter;
 use clap::{Args, Subcommand, ValueEnum};
 use lipz_interop::subtitles::SubtitleFormat;
@@ -47,9 +48,15 @@ impl From<Format> for SubtitleFormat {
     }
 }
 
-pub(crate) fn run(arguments: &Subtitles, reporter: &mut Reporter) -> Ended {
-    match &arguments.direction {
-        Direction::Export(export) => export::run(export, reporter),
-        Direction::Import(import) => import::run(import, reporter),
+impl Run for Subtitles {
+    fn prints_result(&self) -> bool {
+        false
+    }
+
+    fn run(&self, reporter: &mut Reporter) -> Ended {
+        match &self.direction {
+            Direction::Export(export) => export::run(export, reporter),
+            Direction::Import(import) => import::run(import, reporter),
+        }
     }
 }

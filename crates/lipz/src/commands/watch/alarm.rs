@@ -1,8 +1,8 @@
 //! Waiting for changes: events of the file system, gathered until there is quiet.
 
 use super::scope::{Scope, concerns};
-use crate::{Outcome, console};
-use lipz_diagnostics::escape;
+use crate::console;
+use lipz_diagnostics::{Code, Report};
 use notify::{ErrorKind, Event, EventKind, RecommendedWatcher, Watcher, recommended_watcher};
 use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -45,9 +45,12 @@ impl Alarm {
         Alarm { bell, rings, poll, watcher: None, unwatched: Vec::new() }
     }
 
-    /// Watches what is in the scope now. If the system watches nothing, or nothing more, that is printed,
-    /// and how the watch ends is returned.
-    pub(super) fn set(&mut self, scope: &Scope) -> Result<(), Outcome> {
+    /// Watches what is in the scope now.
+    ///
+    /// # Errors
+    ///
+    /// The system watches nothing, or nothing more.
+    pub(super) fn set(&mut self, scope: &Scope) -> Result<(), Report> {
         if self.poll.is_some() {
             return Ok(());
         }
@@ -108,11 +111,10 @@ impl Alarm {
     }
 }
 
-/// Prints why the system does not watch.
-fn cannot_watch(error: &notify::Error) -> Outcome {
-    let help = "look at the files every few seconds with '--poll', or raise the limits of the system";
-    console::remark(&format!("error: files cannot be watched: {}\nhelp: {help}\n", escape::text(&error.to_string())));
-    Outcome::Failed
+/// The report that the system does not watch.
+fn cannot_watch(error: &notify::Error) -> Report {
+    let help = "look at the files every few seconds with `--poll`, or raise the limits of the system";
+    Report::failure("", Code::WatchFailed, format!("files cannot be watched: {error}"), help)
 }
 
 /// What an event says; `None` if nothing that matters. Packing itself reads files and writes others.

@@ -4,12 +4,13 @@ mod alarm;
 mod scope;
 
 use super::pack::{Pack, Plan};
+use crate::Abort;
+use crate::Ended;
+use crate::commands::Run;
 use crate::reporter::Reporter;
-use crate::sources::usage_error;
 use crate::{Outcome, console};
 use alarm::{Alarm, Change};
 use clap::Args;
-use clap::error::ErrorKind;
 use jiff::Zoned;
 use lipz_compiler::Memory;
 use scope::Scope;
@@ -42,48 +43,53 @@ pub(crate) struct Watch {
     clear: bool,
 }
 
-/// Packs and waits, in turns, until the process is interrupted; returns only if it cannot start to watch,
-/// or cannot go on.
-pub(crate) fn run(arguments: &Watch, reporter: &Reporter) -> Outcome {
-    let Err(outcome) = watch(arguments, reporter);
-    outcome
+impl Run for Watch {
+    fn prints_result(&self) -> bool {
+        false
+    }
+
+    fn run(&self, reporter: &mut Reporter) -> Ended {
+        let Err(abort) = watch(self, reporter);
+        Err(abort)
+    }
 }
 
-fn watch(arguments: &Watch, reporter: &Reporter) -> Result<Infallible, Outcome> {
+/// Packs and waits, in turns, until the process is interrupted; returns only if it cannot start to watch,
+/// or cannot go on.
+fn watch(arguments: &Watch, reporter: &mut Reporter) -> Result<Infallible, Abort> {
     let sources = &arguments.pack.sources;
     let mut scope = Scope::named(sources);
     let mut alarm = Alarm::new(arguments.poll);
     // Before anything is read, so that no change is missed.
-    alarm.set(&scope)?;
+    alarm.set(&scope).map_err(|report| reporter.fail(report))?;
     let mut told = String::new();
     let mut memory = Memory::default();
     loop {
         if !arguments.pack.may_remember() {
             memory = Memory::default();
         }
-        let mut reporter = reporter.for_next_run();
         if arguments.clear {
             console::clear();
         }
         let start = Instant::now();
-        let plan = arguments.plan(&mut reporter);
+        let plan = arguments.plan(reporter);
         match &plan {
             Ok(plan) => scope = Scope::of(&plan.project, sources),
-            Err(Outcome::Failed) if told.is_empty() => return Err(reporter.finish(Outcome::Failed)),
+            Err(abort) if told.is_empty() && abort.outcome() == Outcome::Failed => return Err(*abort),
             // Settings with errors: those of the last run say where to look.
             Err(_) => {}
         }
-        alarm.set(&scope)?;
+        alarm.set(&scope).map_err(|report| reporter.fail(report))?;
         let state = scope.state();
-        let outcome = arguments.pack_once(plan, &mut memory, start, &mut reporter);
+        let mut outcome = arguments.pack_once(plan, &mut memory, start, reporter);
         let place = alarm.describe(&scope);
         if place != told {
-            arguments.tell(&place, &reporter);
+            outcome = outcome.max(arguments.say(&place, reporter));
             told = place;
         }
-        reporter.finish(outcome);
+        reporter.finish_run(Ok(outcome));
         while alarm.wait() == Change::Perhaps {
-            alarm.set(&scope)?;
+            alarm.set(&scope).map_err(|report| reporter.fail(report))?;
             if scope.state() != state {
                 break;
             }
@@ -93,20 +99,20 @@ fn watch(arguments: &Watch, reporter: &Reporter) -> Result<Infallible, Outcome> 
 
 impl Watch {
     /// What the next run works with.
-    fn plan(&self, reporter: &mut Reporter) -> Result<Plan, Outcome> {
+    fn plan(&self, reporter: &mut Reporter) -> Result<Plan, Abort> {
         let plan = self.pack.plan(reporter)?;
         if plan.works_once() {
             let tip = "name a folder and a file, or pack once: lipz pack";
             let message = "standard input and output cannot be watched";
-            return Err(usage_error(ErrorKind::ArgumentConflict, message, tip));
+            return Err(reporter.usage(message, tip));
         }
         Ok(plan)
     }
 
-    /// Packs if there is a plan, and tells how it went.
+    /// Packs if there is a plan, and says how it went.
     fn pack_once(
         &self,
-        plan: Result<Plan, Outcome>,
+        plan: Result<Plan, Abort>,
         memory: &mut Memory,
         start: Instant,
         reporter: &mut Reporter,
@@ -123,18 +129,18 @@ impl Watch {
                 let took_ms = start.elapsed().as_millis();
                 (packed.outcome, format!("{}, {took_ms} ms", packed.message()), self.pack.timings(&packed))
             }
-            Err(outcome) => (outcome, format!("not packed: {old_bank}"), String::new()),
+            Err(abort) => (abort.outcome(), format!("not packed: {old_bank}"), String::new()),
         };
         let time = Zoned::now().strftime("%H:%M:%S");
-        self.tell(&format!("{time}  {message}\n{timings}"), reporter);
-        outcome
+        outcome.max(self.say(&format!("{time}  {message}\n{timings}"), reporter))
     }
 
-    /// Tells people, if they want to know more than the findings.
-    fn tell(&self, text: &str, reporter: &Reporter) {
-        if !self.pack.sources.is_quiet() {
-            reporter.summary(text);
+    /// Prints a summary, unless only diagnostics are wanted. A full disk does not end the watch.
+    fn say(&self, text: &str, reporter: &mut Reporter) -> Outcome {
+        if self.pack.sources.is_quiet() {
+            return Outcome::Clean;
         }
+        reporter.summary(text).map_or_else(Abort::outcome, |()| Outcome::Clean)
     }
 }
 

@@ -1,7 +1,7 @@
 //! What a watch looks at: the places where Lipz files and settings lie, and the state they are in.
 
-use crate::settings_file::Project;
-use crate::sources::Sources;
+use crate::shared::settings_file::Project;
+use crate::shared::sources::Sources;
 use lipz_compiler::key::EXTENSION;
 use lipz_compiler::settings::{FILE_NAME, Settings};
 use lipz_compiler::{Content, watched};

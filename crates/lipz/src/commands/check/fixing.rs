@@ -1,6 +1,6 @@
 //! The certain fixes of `lipz check --fix`, made in the files or only in memory.
 
-use crate::rewriting::Rewriting;
+use crate::shared::rewriting::Rewriting;
 use crate::{console, interrupt};
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiler, Content, Fixed, Input};

@@ -1,8 +1,13 @@
 //! `lipz explain`: the pages about codes.
 
-use crate::{Outcome, console, page};
+mod markdown;
+
+use crate::Ended;
+use crate::commands::Run;
+use crate::reporter::Reporter;
+use crate::{Outcome, console};
 use clap::Args;
-use lipz_diagnostics::{Code, escape, suggest};
+use lipz_diagnostics::{Code, Report, escape, suggest};
 use std::fmt::Write;
 
 /// Explain a code of a finding: what it is about, why, an example, what to do.
@@ -21,19 +26,24 @@ pub(crate) struct Explain {
     list: bool,
 }
 
-pub(crate) fn run(arguments: &Explain) -> Outcome {
-    let Some(text) = &arguments.code else { return console::print(&list()) };
-    // As findings show it, `error[LZ0401]:`, it can be copied here.
-    let copied = text.rsplit('[').next().unwrap_or(text).trim_end_matches([':', ']']);
-    match copied.parse() {
-        Ok(code) => console::print(&page::terminal(code, console::width())),
-        Err(_) => {
-            console::remark(&format!(
-                "error: {} is not a code of lipz\nhelp: {}\n",
-                escape::quoted(text),
-                instead(text)
-            ));
-            Outcome::Failed
+impl Run for Explain {
+    fn prints_result(&self) -> bool {
+        true
+    }
+
+    fn run(&self, reporter: &mut Reporter) -> Ended {
+        let Some(text) = &self.code else {
+            reporter.print(&list())?;
+            return Ok(Outcome::Clean);
+        };
+        // As findings show it, `error[LZ0401]:`, it can be copied here.
+        let copied = text.rsplit('[').next().unwrap_or(text).trim_end_matches([':', ']']);
+        match copied.parse() {
+            Ok(code) => reporter.print(&markdown::terminal(code, console::width())).map(|()| Outcome::Clean),
+            Err(_) => {
+                let message = format!("no rule is called {}", escape::quoted(text));
+                Err(reporter.fail(Report::failure("", Code::NoSuchRule, message, &instead(text))))
+            }
         }
     }
 }
@@ -44,7 +54,7 @@ fn list() -> String {
     let mut text = String::new();
     for group in Code::ALL.chunk_by(|a, b| a.group() == b.group()) {
         let title = group.first().map_or("", |code| code.group());
-        let _ = writeln!(text, "{}{}", if text.is_empty() { "" } else { "\n" }, page::heading(title));
+        let _ = writeln!(text, "{}{}", if text.is_empty() { "" } else { "\n" }, markdown::heading(title));
         for code in group {
             let (name, level) = (code.name(), code.default_severity().to_string());
             let _ = writeln!(text, "  {code}  {name:width$}  {level:7}  {}", code.summary());
@@ -57,6 +67,6 @@ fn list() -> String {
 fn instead(text: &str) -> String {
     match suggest::nearest(text, Code::ALL.iter().map(|code| code.name())) {
         Some(name) => format!("did you mean `{name}`?"),
-        None => "`lipz explain --list` lists the codes".to_owned(),
+        None => "`lipz explain --list` lists the rules".to_owned(),
     }
 }

@@ -1,8 +1,9 @@
 //! Commands that change source files: replacing them, or only showing what would change.
 
-use crate::sources::usage_error;
-use crate::{Outcome, console, standard};
-use clap::error::ErrorKind;
+use crate::Abort;
+use crate::console;
+use crate::reporter::Reporter;
+use crate::shared::stdio;
 use lipz_compiler::{Content, Input, rewrite_file};
 use lipz_diagnostics::{Report, escape};
 use similar::TextDiff;
@@ -36,21 +37,17 @@ impl Rewriting {
 
 /// Whether standard input is what changes; it goes to standard output then. Beside files, which stay where
 /// they are, it cannot.
-pub(crate) fn reads_standard_input(sources: &[PathBuf]) -> Result<bool, Outcome> {
-    if sources.len() > 1 && sources.iter().any(|source| standard::is_meant(source)) {
-        let tip = "name '-' alone, or files and folders only";
-        return Err(usage_error(
-            ErrorKind::ArgumentConflict,
-            "standard input cannot be changed together with files",
-            tip,
-        ));
+pub(crate) fn reads_standard_input(sources: &[PathBuf], reporter: &mut Reporter) -> Result<bool, Abort> {
+    if sources.len() > 1 && sources.iter().any(|source| stdio::is_meant(source)) {
+        let tip = "name `-` alone, or files and folders only";
+        return Err(reporter.usage("standard input cannot be rewritten together with files", tip));
     }
     Ok(is_standard_input(sources))
 }
 
 /// Whether standard input is the only source.
 pub(crate) fn is_standard_input(sources: &[PathBuf]) -> bool {
-    matches!(sources, [source] if standard::is_meant(source))
+    matches!(sources, [source] if stdio::is_meant(source))
 }
 
 /// The difference between two texts of a file, as `diff -u` and `patch` know it. Bytes that steer a

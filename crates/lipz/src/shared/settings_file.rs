@@ -1,10 +1,10 @@
 //! The settings file of a project: found, read, and named by messages.
 
+use crate::Abort;
 use crate::Outcome;
 use crate::reporter::Reporter;
-use crate::sources::{PROJECT, usage_error};
+use crate::shared::sources::PROJECT;
 use clap::Args;
-use clap::error::ErrorKind;
 use lipz_compiler::settings::{FILE_NAME, Settings};
 use lipz_diagnostics::Code;
 use std::path::{Path, PathBuf};
@@ -41,7 +41,7 @@ impl Project {
 impl SettingsFile {
     /// The project to which these sources belong; those of its settings file if there are none. What is
     /// wrong with it is printed, and how the run ends is returned.
-    pub(crate) fn project(&self, sources: &[PathBuf], reporter: &mut Reporter) -> Result<Project, Outcome> {
+    pub(crate) fn project(&self, sources: &[PathBuf], reporter: &mut Reporter) -> Result<Project, Abort> {
         let file = self.find(sources);
         let mut settings = match &file {
             Some(file) => read(file, reporter)?,
@@ -52,11 +52,8 @@ impl SettingsFile {
         }
         if settings.sources.is_empty() {
             let tip = format!("name a folder of Lipz files, or make a {FILE_NAME} that does: lipz init");
-            return Err(usage_error(
-                ErrorKind::MissingRequiredArgument,
-                &format!("no sources are named, and there is no {FILE_NAME} in this folder or above it"),
-                &tip,
-            ));
+            return Err(reporter
+                .usage(format!("no sources are named, and there is no {FILE_NAME} in this folder or above it"), &tip));
         }
         Ok(Project { settings, file, is_named: self.config.is_some() })
     }
@@ -84,16 +81,14 @@ impl SettingsFile {
 }
 
 /// The settings in `file`; its findings are printed.
-fn read(file: &Path, reporter: &mut Reporter) -> Result<Settings, Outcome> {
+fn read(file: &Path, reporter: &mut Reporter) -> Result<Settings, Abort> {
     let (settings, report) = Settings::read(file);
     let has_errors = report.has_errors();
     let is_read = report.diagnostics.iter().all(|finding| finding.code != Code::SettingsUnreadable);
-    if !report.diagnostics.is_empty() {
-        reporter.add(vec![report]);
+    let found = if report.diagnostics.is_empty() { Vec::new() } else { vec![report] };
+    if has_errors {
+        return Err(reporter.abort(found, if is_read { Outcome::Errors } else { Outcome::Failed }));
     }
-    match (has_errors, is_read) {
-        (false, _) => Ok(settings),
-        (true, true) => Err(Outcome::Errors),
-        (true, false) => Err(Outcome::Failed),
-    }
+    reporter.add(found);
+    Ok(settings)
 }

@@ -1,13 +1,11 @@
 //! The arguments of commands that read Lipz files: where they are, and which settings hold for them.
 
-use crate::Outcome;
-use crate::args::Arguments;
-use crate::lint_flags::LintFlags;
-use crate::project::{ProjectFlags, refused_locale};
+use crate::Abort;
 use crate::reporter::Reporter;
-use crate::settings_file::{Project, SettingsFile};
-use clap::error::ErrorKind;
-use clap::{Args, CommandFactory};
+use crate::shared::lint_flags::LintFlags;
+use crate::shared::project_flags::{ProjectFlags, refused_locale};
+use crate::shared::settings_file::{Project, SettingsFile};
+use clap::Args;
 use std::path::PathBuf;
 
 pub(crate) const PROJECT: &str = "Project";
@@ -53,7 +51,7 @@ pub(crate) struct ProjectArguments {
 impl Sources {
     /// The project that the arguments name. What is wrong with it is printed, and how the run ends is
     /// returned.
-    pub(crate) fn project(&self, reporter: &mut Reporter) -> Result<Project, Outcome> {
+    pub(crate) fn project(&self, reporter: &mut Reporter) -> Result<Project, Abort> {
         let mut project = self.arguments.project(&self.sources, reporter)?;
         if self.root.is_some() {
             project.settings.root.clone_from(&self.root);
@@ -79,25 +77,17 @@ impl Sources {
 
 impl ProjectArguments {
     /// The project to which these sources belong; those of its settings file if there are none.
-    pub(crate) fn project(&self, sources: &[PathBuf], reporter: &mut Reporter) -> Result<Project, Outcome> {
+    pub(crate) fn project(&self, sources: &[PathBuf], reporter: &mut Reporter) -> Result<Project, Abort> {
         let mut project = self.file.project(sources, reporter)?;
         let options = &mut project.settings.options;
         self.flags.apply(options);
         self.lints.apply(&mut options.levels);
         options.threads = self.threads.map(usize::from);
         if let Some(tag) = refused_locale(options) {
-            let tip = "name a country, as in en-us, or accept any BCP 47 tag with '--extended-locales'";
-            let message = format!("the locale '{tag}' does not have the form ll-cc");
-            return Err(usage_error(ErrorKind::ArgumentConflict, &message, tip));
+            let tip = "name a country, as in en-us, or accept any BCP 47 tag with `--extended-locales`";
+            let message = format!("the locale `{tag}` does not have the form ll-cc");
+            return Err(reporter.usage(message, tip));
         }
         Ok(project)
     }
-}
-
-/// Prints that the command line is not enough or contradicts itself. It looks as what clap prints, without
-/// the usage: clap would show that of `lipz`, which tells nothing about its commands.
-pub(crate) fn usage_error(kind: ErrorKind, message: &str, tip: &str) -> Outcome {
-    let error = clap::Error::raw(kind, format!("{message}\n\n  tip: {tip}\n"));
-    let _ = error.with_cmd(&Arguments::command()).print();
-    Outcome::Failed
 }

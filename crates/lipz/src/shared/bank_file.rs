@@ -1,7 +1,9 @@
 //! Bank files on disk, and what to say when they are not banks.
 
+use crate::Abort;
+use crate::console;
 use crate::reporter::Reporter;
-use crate::{Outcome, console, standard};
+use crate::shared::stdio;
 use lipz_bank::{Bank, Error, ErrorKind, TextBank};
 use lipz_diagnostics::{Code, Diagnostic, Report};
 use lipz_host::{FileBytes, Hold};
@@ -23,9 +25,9 @@ pub(crate) struct BankFile {
 
 impl BankFile {
     /// Maps the file at `path`, or reads standard input. Reports why that is not possible.
-    pub(crate) fn open(path: &Path, reporter: &mut Reporter) -> Result<BankFile, Outcome> {
-        let (name, bytes) = if standard::is_meant(path) {
-            (standard::INPUT_NAME.to_owned(), standard::read(LONGEST_BANK + 1).map(FileBytes::from))
+    pub(crate) fn open(path: &Path, reporter: &mut Reporter) -> Result<BankFile, Abort> {
+        let (name, bytes) = if stdio::is_meant(path) {
+            (stdio::INPUT_NAME.to_owned(), stdio::read(LONGEST_BANK + 1).map(FileBytes::from))
         } else {
             (console::path(path), FileBytes::open(path, Hold::Mapped))
         };
@@ -39,12 +41,11 @@ impl BankFile {
     }
 
     /// The file as a text bank of `bank`, verified. Reports what is wrong with it.
-    pub(crate) fn texts(&self, bank: &Bank<'_>, reporter: &mut Reporter) -> Result<TextBank<'_>, Outcome> {
+    pub(crate) fn texts(&self, bank: &Bank<'_>, reporter: &mut Reporter) -> Result<TextBank<'_>, Abort> {
         let opened = bank.open_texts(&self.bytes).map_err(|error| (Code::BankRefused, error));
         let verified = opened.and_then(|texts| texts.verify(bank).map_err(|error| (Code::BankDamaged, error)));
         verified.map_err(|(code, error)| {
-            reporter.add(vec![Report::about(self.name.as_str(), refused(code, error, &self.bytes))]);
-            Outcome::Errors
+            reporter.refuse(vec![Report::about(self.name.as_str(), refused(code, error, &self.bytes))])
         })
     }
 
@@ -54,12 +55,11 @@ impl BankFile {
     }
 
     /// The bank, verified. Reports what is wrong with it.
-    pub(crate) fn bank(&self, reporter: &mut Reporter) -> Result<Bank<'_>, Outcome> {
+    pub(crate) fn bank(&self, reporter: &mut Reporter) -> Result<Bank<'_>, Abort> {
         let opened = Bank::open(&self.bytes).map_err(|error| (Code::BankRefused, error));
         let verified = opened.and_then(|bank| bank.verify().map_err(|error| (Code::BankDamaged, error)));
         verified.map_err(|(code, error)| {
-            reporter.add(vec![Report::about(self.name.as_str(), refused(code, error, &self.bytes))]);
-            Outcome::Errors
+            reporter.refuse(vec![Report::about(self.name.as_str(), refused(code, error, &self.bytes))])
         })
     }
 }

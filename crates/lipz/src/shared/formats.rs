@@ -1,8 +1,10 @@
-//! What `lipz import` and `lipz export` have in common: formats, mapping tables, files.
+//! Formats of other tools: their names on the command line, mapping tables, files.
 
+use crate::Abort;
+use crate::console;
 use crate::reporter::Reporter;
-use crate::{Outcome, console, standard};
-use clap::builder::PossibleValuesParser;
+use crate::shared::stdio;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use lipz_bank::Fps;
 use lipz_diagnostics::{Code, Diagnostic, Report, Severity, escape, suggest};
 use lipz_file::rate::Rate;
@@ -10,14 +12,15 @@ use lipz_interop::{Format, Map, find_map, formats, maps};
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-/// The names of formats, for the command line.
-pub(super) fn names(is_meant: impl Fn(&Format) -> bool) -> PossibleValuesParser {
+/// Reads the name of a format on the command line.
+pub(crate) fn parser(is_meant: fn(&Format) -> bool) -> impl TypedValueParser<Value = &'static Format> {
     let names = formats::ALL.iter().filter(|format| is_meant(format)).map(|format| format.name);
     PossibleValuesParser::new(names.collect::<Vec<_>>())
+        .try_map(|name| formats::find(&name).ok_or("there is no such format"))
 }
 
 /// The formats with the example of each that has this index, as help shows them.
-pub(super) fn examples(is_meant: impl Fn(&Format) -> bool, example: usize) -> String {
+pub(crate) fn examples(is_meant: impl Fn(&Format) -> bool, example: usize) -> String {
     let mut text = String::from("Formats, with Examples:\n");
     for format in formats::ALL.iter().filter(|format| is_meant(format)) {
         let line = format.examples.get(example).copied().unwrap_or_default();
@@ -26,19 +29,14 @@ pub(super) fn examples(is_meant: impl Fn(&Format) -> bool, example: usize) -> St
     text
 }
 
-/// The format of a name that the command line has accepted.
-pub(super) fn format(name: &str) -> Result<&'static Format, Outcome> {
-    formats::find(name).ok_or(Outcome::Failed)
-}
-
 /// A mapping table that the command line names.
-pub(super) enum MapChoice {
+pub(crate) enum MapChoice {
     BuiltIn(&'static Map),
     OfFile(Box<Map>),
 }
 
 impl MapChoice {
-    pub(super) fn map(&self) -> &Map {
+    pub(crate) fn map(&self) -> &Map {
         match self {
             MapChoice::BuiltIn(map) => map,
             MapChoice::OfFile(map) => map,
@@ -47,7 +45,7 @@ impl MapChoice {
 }
 
 /// The mapping table of this name, or in this file.
-pub(super) fn map(named: &str, reporter: &mut Reporter) -> Result<MapChoice, Outcome> {
+pub(crate) fn map(named: &str, reporter: &mut Reporter) -> Result<MapChoice, Abort> {
     let path = Path::new(named);
     if let Some(map) = find_map(named).filter(|_| !path.is_file()) {
         return Ok(MapChoice::BuiltIn(map));
@@ -72,24 +70,24 @@ pub(super) fn map(named: &str, reporter: &mut Reporter) -> Result<MapChoice, Out
 }
 
 /// A rate of the command line as Lipz files spell it.
-pub(super) fn rate(fps: Fps) -> Rate {
+pub(crate) fn rate(fps: Fps) -> Rate {
     Rate { numerator: fps.numerator(), denominator: fps.denominator(), is_exact: true }
 }
 
 /// A file of another tool.
-pub(super) struct Source {
+pub(crate) struct Source {
     /// The file's name without its extension.
-    pub(super) key: String,
-    pub(super) bytes: Vec<u8>,
+    pub(crate) key: String,
+    pub(crate) bytes: Vec<u8>,
     name: String,
 }
 
 impl Source {
     /// Reads a file, or standard input.
-    pub(super) fn read(path: &Path, format: &Format) -> Result<Source, Report> {
-        if standard::is_meant(path) {
-            let bytes = standard::lipz_bytes()?;
-            return Ok(Source { key: standard::INPUT_KEY.into(), bytes, name: standard::INPUT_NAME.into() });
+    pub(crate) fn read(path: &Path, format: &Format) -> Result<Source, Report> {
+        if stdio::is_meant(path) {
+            let bytes = stdio::lipz_bytes()?;
+            return Ok(Source { key: stdio::INPUT_KEY.into(), bytes, name: stdio::INPUT_NAME.into() });
         }
         let name = console::path(path);
         let bytes = fs::read(path).map_err(|error| unreadable(path, &error))?;
@@ -97,7 +95,7 @@ impl Source {
     }
 
     /// What was found in the file, if anything was.
-    pub(super) fn report(&self, format: &Format, diagnostics: Vec<Diagnostic>) -> Option<Report> {
+    pub(crate) fn report(&self, format: &Format, diagnostics: Vec<Diagnostic>) -> Option<Report> {
         if diagnostics.is_empty() {
             return None;
         }
@@ -109,7 +107,7 @@ impl Source {
 }
 
 /// The report that a file cannot be read.
-pub(super) fn unreadable(path: &Path, error: &io::Error) -> Report {
+pub(crate) fn unreadable(path: &Path, error: &io::Error) -> Report {
     let name = console::path(path);
     let finding = |what: &str| Diagnostic::new(Code::UnreadableFile, format!("`{name}` {what}"));
     let finding = match error.kind() {
@@ -132,18 +130,18 @@ fn key(path: &Path, extension: &str) -> String {
 }
 
 /// A name from a file as a part of a file name: letters and digits of any script, `-` for everything else.
-pub(super) fn file_name(name: &str) -> String {
+pub(crate) fn file_name(name: &str) -> String {
     let safe: String = name.trim().chars().map(|c| if c.is_alphanumeric() || c == '_' { c } else { '-' }).collect();
     if safe.is_empty() { "unnamed".to_owned() } else { safe }
 }
 
 /// Where the clip with this key is written.
-pub(super) fn path(folder: &Path, key: &str, extension: &str) -> PathBuf {
+pub(crate) fn path(folder: &Path, key: &str, extension: &str) -> PathBuf {
     folder.join(format!("{key}.{extension}"))
 }
 
 /// The finding for an output file that exists.
-pub(super) fn in_the_way(path: &Path) -> Option<Report> {
+pub(crate) fn in_the_way(path: &Path) -> Option<Report> {
     path.symlink_metadata().ok()?;
     let shown = console::path(path);
     let finding = Diagnostic::new(Code::WouldOverwrite, format!("`{shown}` is there already"));
@@ -152,7 +150,7 @@ pub(super) fn in_the_way(path: &Path) -> Option<Report> {
 }
 
 /// Whether nothing is wrong with where files go: otherwise none is written.
-pub(super) fn may_write(reports: &[Report]) -> bool {
+pub(crate) fn may_write(reports: &[Report]) -> bool {
     let mut found = reports.iter().flat_map(|report| &report.diagnostics);
     found.all(|found| {
         !matches!(found.code, Code::WouldOverwrite | Code::RefusedKey | Code::DuplicateKey | Code::KeyClash)

@@ -1,11 +1,10 @@
 //! The text banks of a bank that was split by locale: one argument for all commands that read banks.
 
-use crate::bank_file::BankFile;
+use crate::Abort;
 use crate::reporter::Reporter;
-use crate::sources::usage_error;
-use crate::{Outcome, patterns};
+use crate::shared::bank_file::BankFile;
+use crate::shared::patterns;
 use clap::Args;
-use clap::error::ErrorKind;
 use lipz_bank::{Bank, TextBank};
 use lipz_diagnostics::escape;
 use std::collections::BTreeSet;
@@ -24,7 +23,7 @@ pub(crate) struct TextFiles(Vec<BankFile>);
 
 impl TextFiles {
     /// Maps the files. Reports which one cannot be.
-    pub(crate) fn open(paths: &[PathBuf], reporter: &mut Reporter) -> Result<TextFiles, Outcome> {
+    pub(crate) fn open(paths: &[PathBuf], reporter: &mut Reporter) -> Result<TextFiles, Abort> {
         patterns::files(paths)
             .iter()
             .map(|path| BankFile::open(path, reporter))
@@ -33,14 +32,14 @@ impl TextFiles {
     }
 
     /// The text banks of `bank`, verified. Reports what is wrong with one of them.
-    pub(crate) fn of<'f>(&'f self, bank: &Bank<'_>, reporter: &mut Reporter) -> Result<Vec<TextBank<'f>>, Outcome> {
+    pub(crate) fn of<'f>(&'f self, bank: &Bank<'_>, reporter: &mut Reporter) -> Result<Vec<TextBank<'f>>, Abort> {
         let texts = self.0.iter().map(|file| file.texts(bank, reporter)).collect::<Result<Vec<_>, _>>()?;
         let mut seen = BTreeSet::new();
         for locale in bank.locales().chain(texts.iter().flat_map(TextBank::locales)) {
             if !seen.insert(locale.tag().to_owned()) {
                 let message = format!("the texts in `{}` are named twice", escape::text(locale.tag()));
                 let tip = "name one text bank for each locale that the bank itself does not have";
-                return Err(usage_error(ErrorKind::ArgumentConflict, &message, tip));
+                return Err(reporter.usage(message, tip));
             }
         }
         Ok(texts)

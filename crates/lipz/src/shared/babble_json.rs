@@ -6,17 +6,17 @@ use std::borrow::Cow;
 
 /// A babble profile.
 #[derive(Serialize)]
-pub(super) struct BabbleJson<'d> {
-    pub(super) name: &'d str,
-    pub(super) ooh: Cow<'d, str>,
-    pub(super) aah: Cow<'d, str>,
-    pub(super) ooh_power_transfer: Cow<'d, str>,
-    pub(super) aah_power_transfer: Cow<'d, str>,
-    pub(super) rate: [u32; 2],
+pub(crate) struct BabbleJson<'d> {
+    pub(crate) name: &'d str,
+    pub(crate) ooh: Cow<'d, str>,
+    pub(crate) aah: Cow<'d, str>,
+    pub(crate) ooh_power_transfer: Cow<'d, str>,
+    pub(crate) aah_power_transfer: Cow<'d, str>,
+    pub(crate) rate: [u32; 2],
 }
 
 impl<'d> BabbleJson<'d> {
-    pub(super) fn of(babble: Babble<'d>) -> Self {
+    pub(crate) fn of(babble: Babble<'d>) -> Self {
         let rate = babble.rate();
         BabbleJson {
             name: babble.name(),

@@ -1,0 +1,74 @@
+//! `lipz check`: the diagnostics of source files, and their certain fixes.
+
+mod fixing;
+
+use crate::Ended;
+use crate::Outcome;
+use crate::commands::Run;
+use crate::reporter::Reporter;
+use crate::shared::inputs::with_inputs;
+use crate::shared::project_flags::hide_of_banks;
+use crate::shared::rewriting::{Rewriting, files};
+use crate::shared::sources::Sources;
+use crate::shared::stdio;
+use clap::Args;
+use fixing::{Fixing, fix_all};
+
+/// Check Lipz files without packing them.
+///
+/// With --fix, certain fixes are made in the files: those that leave the bank as it is, and those of
+/// errors where what was meant is beyond doubt. What remains is reported, and decides the exit code.
+#[derive(Args, Debug)]
+#[command(mut_args(hide_of_banks))]
+#[command(after_help = "Examples:
+  lipz check
+  lipz check voices
+  lipz check voices/act1/mara-hello.lipz
+  lipz check - < draft.lipz
+  lipz check --fix --diff voices")]
+pub(crate) struct Check {
+    #[command(flatten)]
+    sources: Sources,
+
+    /// Make the fixes that are certain
+    #[arg(long)]
+    fix: bool,
+
+    /// Show the fixes as a unified diff, and write nothing
+    #[arg(long, visible_alias = "dry-run", requires = "fix")]
+    diff: bool,
+}
+
+impl Run for Check {
+    fn prints_result(&self) -> bool {
+        self.diff
+    }
+
+    fn run(&self, reporter: &mut Reporter) -> Ended {
+        let project = self.sources.project(reporter)?;
+        let (settings, quiet) = (&project.settings, self.sources.is_quiet());
+        if self.fix && settings.sources.iter().any(|source| stdio::is_meant(source)) {
+            let tip = "save it in a file, or leave out `--fix`";
+            return Err(reporter.usage("standard input cannot be fixed in place", tip));
+        }
+        let fixing = match (self.fix, self.diff) {
+            (false, _) => Fixing::default(),
+            (true, false) => fix_all(settings, quiet, Rewriting::InPlace),
+            (true, true) => fix_all(settings, quiet, Rewriting::Diff),
+        };
+        let mut run = with_inputs(settings, quiet, |compiler, inputs| compiler.check(&fixing.instead_of(inputs)));
+        let unwritten = !fixing.unwritten.is_empty();
+        run.reports.extend(fixing.unwritten);
+        let outcome = run.outcome();
+        reporter.add(run.reports);
+        if self.diff {
+            reporter.print(&fixing.changes)?;
+        } else {
+            reporter.summary(&fixing.changes)?;
+        }
+        if outcome == Outcome::Clean && !quiet && !self.diff {
+            reporter.summary(&format!("{} checked\n", files(run.inputs.len())))?;
+        }
+        Ok(if unwritten { Outcome::Failed } else { outcome })
+    }
+}

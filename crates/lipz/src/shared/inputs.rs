@@ -1,0 +1,70 @@
+//! The Lipz files of a project, found and worked on.
+
+use crate::shared::stdio;
+use crate::{Outcome, console, interrupt};
+use lipz_compiler::settings::Settings;
+use lipz_compiler::{Compiled, Compiler, Input};
+use lipz_diagnostics::{Code, Report, Severity, count};
+use std::time::{Duration, Instant};
+
+/// Finds the inputs of a project and hands them to `work`, with a progress bar; if some cannot be found,
+/// they are only checked. What discovery found is added to the reports; a run without inputs has none of
+/// its own.
+pub(crate) fn with_inputs(
+    settings: &Settings,
+    quiet: bool,
+    work: impl FnOnce(&Compiler<'_>, &[Input]) -> Compiled,
+) -> Worked {
+    let start = Instant::now();
+    let (inputs, mut reports) = find(settings);
+    let discover = start.elapsed();
+    let bar = console::progress_bar(inputs.len(), quiet);
+    let compiler = Compiler::new(settings.options.clone()).progress(|files| {
+        bar.inc(files);
+        interrupt::point();
+    });
+    let mut compiled = match count(&reports, Severity::Error) {
+        0 => work(&compiler, &inputs),
+        _ => compiler.check(&inputs),
+    };
+    bar.finish_and_clear();
+    reports.append(&mut compiled.reports);
+    reports.sort_by(|a, b| a.source.path.cmp(&b.source.path));
+    Worked { inputs, reports, compiled, discover }
+}
+
+/// The inputs of a project, one of which may be standard input, and what is wrong with the others.
+pub(crate) fn find(settings: &Settings) -> (Vec<Input>, Vec<Report>) {
+    let (standard, paths) = settings.sources.iter().cloned().partition::<Vec<_>, _>(|path| stdio::is_meant(path));
+    let mut on_disk = settings.clone();
+    on_disk.sources = paths;
+    let (mut inputs, mut reports) = on_disk.discover();
+    if !standard.is_empty() {
+        match stdio::lipz_file() {
+            Ok(input) => inputs.push(input),
+            Err(report) => reports.push(report),
+        }
+    }
+    (inputs, reports)
+}
+
+/// The result of a run over source files.
+pub(crate) struct Worked {
+    pub(crate) inputs: Vec<Input>,
+    pub(crate) reports: Vec<Report>,
+    pub(crate) compiled: Compiled,
+    pub(crate) discover: Duration,
+}
+
+impl Worked {
+    /// How the run ends, by its findings: with errors and without a single input, or a way to write the
+    /// bank, the tool could not run.
+    pub(crate) fn outcome(&self) -> Outcome {
+        let mut found = self.reports.iter().flat_map(|report| &report.diagnostics);
+        match count(&self.reports, Severity::Error) {
+            0 => Outcome::Clean,
+            _ if self.inputs.is_empty() || found.any(|found| found.code == Code::OutputFailed) => Outcome::Failed,
+            _ => Outcome::Errors,
+        }
+    }
+}

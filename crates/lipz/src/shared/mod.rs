@@ -1,0 +1,18 @@
+//! What several commands use: arguments in common, and the files that they are about.
+
+pub(crate) mod babble_json;
+pub(crate) mod bank_file;
+pub(crate) mod bank_or_sources;
+pub(crate) mod formats;
+pub(crate) mod inputs;
+pub(crate) mod lint_flags;
+pub(crate) mod locales;
+pub(crate) mod output_file;
+pub(crate) mod patterns;
+pub(crate) mod project_flags;
+pub(crate) mod rewriting;
+pub(crate) mod settings_file;
+pub(crate) mod sources;
+pub(crate) mod stdio;
+pub(crate) mod text_banks;
+pub(crate) mod timeline;
