@@ -49,7 +49,7 @@ struct Perfect<'b> {
 
 impl<'b> Perfect<'b> {
     fn of(bank: &Bank<'b>) -> Perfect<'b> {
-        let section = |tag| bank.sections().find(|(found, _)| *found == tag).map_or(&[][..], |(_, bytes)| bytes);
+        let section = |tag: Tag| bank.sections().find(|(found, _)| *found == tag.0).map_or(&[][..], |(_, bytes)| bytes);
         Perfect {
             seed: 0, // unless keys were chosen to meet it
             pilots: <[U32]>::ref_from_bytes(section(Tag::PILOTS)).expect("pilots"),

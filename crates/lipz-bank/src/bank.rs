@@ -55,7 +55,7 @@ impl<'data> Bank<'data> {
             key_order: entries(found[place::KEY_ORDER]),
             frames: found[place::FRAMES],
             starts,
-            texts: LocaleTable::of(&found, starts.len().saturating_sub(1)),
+            texts: LocaleTable::new(&found, Origin::new(file.header), starts.len().saturating_sub(1)),
             event_refs: entries(found[place::EVENT_REFS]),
             events: entries(found[place::EVENTS]),
             typed_events: entries(found[place::TYPED_EVENTS]),
@@ -87,6 +87,11 @@ impl<'data> Bank<'data> {
     pub fn verify_with(mut self, utf8: fn(&'data [u8]) -> Option<&'data str>) -> Result<Bank<'data>, Error> {
         crate::verify::verify(&mut self, utf8)?;
         Ok(self)
+    }
+
+    /// Whether the bank came from [`Bank::verify`] or [`Bank::verify_with`].
+    pub const fn is_verified(&self) -> bool {
+        self.event_strings.is_checked()
     }
 
     /// The number of clips.
@@ -177,7 +182,7 @@ impl<'data> Bank<'data> {
     /// The bank that handles came from, if they came from this one.
     #[inline]
     pub(crate) fn origin(&self) -> Origin {
-        Origin::new(self.file.header)
+        self.texts.bank
     }
 
     /// Hash of what the clips of this bank are: files that belong together share it.
@@ -195,8 +200,9 @@ impl<'data> Bank<'data> {
         self.file.bytes.len()
     }
 
-    /// The sections of the bank in the order of its directory, known or not: tag and contents.
-    pub fn sections(&self) -> impl Iterator<Item = (Tag, &'data [u8])> + '_ {
+    /// The sections of the bank in the order of its directory, known or not: tag, such as `*b"CLIP"`, and
+    /// contents. For tools; `docs/FORMAT.md` says what is in them.
+    pub fn sections(&self) -> impl Iterator<Item = ([u8; 4], &'data [u8])> + '_ {
         self.file.sections()
     }
 }

@@ -177,6 +177,15 @@ pub(crate) fn key<'data>(bank: &Bank<'data>, record: &KeyRecord) -> Option<&'dat
     bank.texts.names.text_at(record.key_offset_bytes.get(), u32::from(record.key_length_bytes.get()))
 }
 
+/// Equal are the same clips of one bank, if they were given the same frame rate and viseme type.
+impl PartialEq for Clip<'_, '_> {
+    fn eq(&self, other: &Self) -> bool {
+        let place = |clip: &Self| (clip.bank.origin(), clip.slot, clip.fps, clip.viseme_type);
+        place(self) == place(other)
+    }
+}
+impl Eq for Clip<'_, '_> {}
+
 /// The key and the slot, not the frames.
 impl fmt::Debug for Clip<'_, '_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

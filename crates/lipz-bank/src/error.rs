@@ -36,7 +36,7 @@ impl std::error::Error for Error {}
 
 macro_rules! error_kinds {
     ($($(#[doc = $doc:literal])+ $name:ident = $number:literal, $message:literal;)+) => {
-        /// The kinds of damage, by stable number: numbers are never given a new meaning. Nothing has the number 28.
+        /// The kinds of damage, by stable number: numbers are never given a new meaning. There are no gaps.
         #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
         #[non_exhaustive]
         #[repr(u8)]
@@ -119,13 +119,15 @@ error_kinds! {
     /// The fingerprint is not that of the clips.
     Fingerprint = 27, "the fingerprint does not match the clips";
     /// The fingerprint of a text bank is not that of the bank.
-    OtherClips = 29, "the texts belong to a bank with other clips";
+    OtherClips = 28, "the texts belong to a bank with other clips";
     /// A text bank where a bank is asked for.
-    TextsOnly = 30, "the file has texts only, for the clips of another bank";
+    TextsOnly = 29, "the file has texts only, for the clips of another bank";
     /// A typed event has an unknown verb, refers to no name, or does not lie behind the one before it.
-    TypedEvent = 31, "a typed event is not valid";
+    TypedEvent = 30, "a typed event is not valid";
     /// The names of typed events are not listed in their order, or one lies outside its pool.
-    EventName = 32, "the names in events are not listed in their order";
+    EventName = 31, "the names in events are not listed in their order";
     /// A babble profile is cut off, not in the order of the names, or has a string that is not digits.
-    Babble = 33, "a babble profile is not valid";
+    Babble = 32, "a babble profile is not valid";
+    /// Texts are to be verified against a bank that was not verified itself.
+    BankNotVerified = 33, "the bank of the texts was not verified";
 }

@@ -43,6 +43,17 @@ impl<'data> EventName<'data> {
         self.strings.text_at(self.record.offset_bytes.get(), self.record.length_bytes.get()).unwrap_or("")
     }
 
+    /// Whether the name is one of `bank`.
+    pub fn is_of(self, bank: &Bank<'_>) -> bool {
+        self.key.bank == bank.origin()
+    }
+
+    /// A debug assertion that the name is one of `bank`.
+    #[inline(always)]
+    pub(crate) fn assert_is_of(self, bank: &Bank<'_>) {
+        self.key.bank.assert_is(bank.origin());
+    }
+
     /// What identifies the name.
     pub(crate) fn key(self) -> NameKey {
         self.key

@@ -69,11 +69,11 @@ impl<'data> File<'data> {
     #[inline(always)] // a result of several words otherwise takes code that copies it
     pub(crate) fn open(bytes: &'data [u8]) -> Result<File<'data>, Error> {
         check_header(bytes)?;
-        File::of(bytes).ok_or(DIRECTORY_OUT_OF_BOUNDS)
+        File::read(bytes).ok_or(DIRECTORY_OUT_OF_BOUNDS)
     }
 
     #[inline(always)]
-    fn of(bytes: &'data [u8]) -> Option<File<'data>> {
+    fn read(bytes: &'data [u8]) -> Option<File<'data>> {
         let (header, rest) = Header::ref_from_prefix(bytes).ok()?;
         let count = header.section_count.get() as usize;
         let (directory, _) = <[DirectoryEntry]>::ref_from_prefix_with_elems(rest, count).ok()?;
@@ -134,8 +134,8 @@ impl<'data> File<'data> {
     }
 
     /// The sections in the order of the directory, known or not.
-    pub(crate) fn sections(&self) -> impl Iterator<Item = (Tag, &'data [u8])> + '_ {
-        self.directory.iter().filter_map(move |entry| Some((Tag(entry.tag), self.contents(entry)?)))
+    pub(crate) fn sections(&self) -> impl Iterator<Item = ([u8; 4], &'data [u8])> + '_ {
+        self.directory.iter().filter_map(move |entry| Some((entry.tag, self.contents(entry)?)))
     }
 }
 

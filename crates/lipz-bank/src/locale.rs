@@ -3,7 +3,9 @@
 use core::fmt;
 use core::iter::FusedIterator;
 
+use crate::Bank;
 use crate::file::{Sections, entries, place};
+use crate::origin::Origin;
 use crate::pool::Pool;
 use lipz_layout::{LOCALE_DEFAULT, LocaleRecord, U32};
 
@@ -11,6 +13,8 @@ use lipz_layout::{LOCALE_DEFAULT, LocaleRecord, U32};
 /// has.
 #[derive(Clone, Copy)]
 pub(crate) struct LocaleTable<'data> {
+    /// The bank of the clips.
+    pub(crate) bank: Origin,
     pub(crate) records: &'data [LocaleRecord],
     pub(crate) names: Pool<'data>,
     /// For each locale in turn, one entry per segment, and one behind them.
@@ -20,9 +24,10 @@ pub(crate) struct LocaleTable<'data> {
 }
 
 impl<'data> LocaleTable<'data> {
-    /// The table of a file about clips with so many segments.
-    pub(crate) fn of(sections: &Sections<'data>, segment_count: usize) -> LocaleTable<'data> {
+    /// The table of a file about the clips of `bank`, with so many segments.
+    pub(crate) fn new(sections: &Sections<'data>, bank: Origin, segment_count: usize) -> LocaleTable<'data> {
         LocaleTable {
+            bank,
             records: entries(sections[place::LOCALES]),
             names: Pool::Bytes(sections[place::NAMES]),
             starts: entries(sections[place::TEXT_STARTS]),
@@ -43,9 +48,15 @@ impl<'data> LocaleTable<'data> {
 
 /// A locale of a bank: where its texts are.
 ///
-/// Look it up once, with [`Bank::locale`](crate::Bank::locale), and pass it to every text query.
+/// Look it up once, with [`Bank::locale`], and pass it to every text query.
+///
+/// A locale knows its bank. With a segment of another bank, or of another version of its bank, there is no text
+/// (and debug builds stop with an assertion): look it up again when a bank is replaced.
+///
+/// Equal are locales of one bank with equal tags.
 #[derive(Clone, Copy)]
 pub struct Locale<'data> {
+    pub(crate) bank: Origin,
     record: &'data LocaleRecord,
     names: Pool<'data>,
     /// This locale's text starts: one per segment, and the entry behind them.
@@ -65,11 +76,23 @@ impl<'data> Locale<'data> {
         self.record.flags.get() & LOCALE_DEFAULT != 0
     }
 
+    /// Whether the locale is one of `bank`, or of a text bank beside it.
+    pub fn is_of(&self, bank: &Bank<'_>) -> bool {
+        self.bank == bank.origin()
+    }
+
     fn tag_bytes(&self) -> Option<&'data [u8]> {
         let start = self.record.tag_offset_bytes.get() as usize;
         self.names.slice(start, start.checked_add(usize::from(self.record.tag_length_bytes.get()))?)
     }
 }
+
+impl PartialEq for Locale<'_> {
+    fn eq(&self, other: &Self) -> bool {
+        self.bank == other.bank && self.tag_bytes() == other.tag_bytes()
+    }
+}
+impl Eq for Locale<'_> {}
 
 /// The tag, not the texts.
 impl fmt::Debug for Locale<'_> {
@@ -94,7 +117,7 @@ impl<'data> Iterator for Locales<'data> {
         let start = self.next.checked_mul(table.segment_count)?;
         let starts = table.starts.get(start..=start.checked_add(table.segment_count)?)?;
         self.next = self.next.saturating_add(1);
-        Some(Locale { record, names: table.names, starts, texts: table.texts })
+        Some(Locale { bank: table.bank, record, names: table.names, starts, texts: table.texts })
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {

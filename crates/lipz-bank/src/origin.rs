@@ -15,4 +15,13 @@ impl Origin {
     pub(crate) fn new(header: &Header) -> Origin {
         Origin(header.checksum.get() as u32)
     }
+
+    /// A debug assertion that a handle from here is used with its own bank.
+    #[inline(always)]
+    pub(crate) fn assert_is(self, bank: Origin) {
+        debug_assert!(
+            self == bank,
+            "a handle of another bank: look locales and names up again when a bank is replaced"
+        );
+    }
 }

@@ -10,6 +10,11 @@ pub(crate) enum Pool<'data> {
 }
 
 impl<'data> Pool<'data> {
+    /// Whether `verify` has marked it.
+    pub(crate) const fn is_checked(&self) -> bool {
+        matches!(self, Pool::Checked(_))
+    }
+
     pub(crate) fn bytes(self) -> &'data [u8] {
         match self {
             Pool::Bytes(bytes) => bytes,

@@ -79,18 +79,30 @@ impl<'data, 'bank> Segment<'data, 'bank> {
     /// The display text in `locale`, or in the locale that it falls back to; `None` if neither has
     /// a text for this clip.
     ///
-    /// A segment of an existing text may be empty. `locale` comes from the same
-    /// bank, or from a [`TextBank`](crate::TextBank) that it opened.
+    /// A segment of an existing text may be empty. `locale` comes from the same bank, or from a
+    /// [`TextBank`](crate::TextBank) beside it. With a locale of [another bank](Locale::is_of) there is no text, and
+    /// debug builds panic.
     #[inline(always)] // otherwise the whole segment is copied for the call
     pub fn text<'texts>(&self, locale: Locale<'texts>) -> Option<Text<'texts>> {
-        TextPlace::of(locale, self.first_number(), self.number())?.text(locale)
+        locale.bank.assert_is(self.clip.bank.origin());
+        self.text_place(locale)?.text(locale)
     }
 
     /// Like [`Segment::text`], as bytes that are not checked to be UTF-8: for programs that cannot
     /// afford the checker's code.
     #[inline]
     pub fn text_bytes<'texts>(&self, locale: Locale<'texts>) -> Option<&'texts [u8]> {
-        TextPlace::of(locale, self.first_number(), self.number())?.bytes(locale)
+        locale.bank.assert_is(self.clip.bank.origin());
+        self.text_place(locale)?.bytes(locale)
+    }
+
+    /// Where the text in `locale` stands; nowhere if that is a locale of another bank.
+    #[inline(always)]
+    fn text_place(&self, locale: Locale<'_>) -> Option<TextPlace> {
+        if locale.bank != self.clip.bank.origin() {
+            return None;
+        }
+        TextPlace::new(locale, self.first_number(), self.number())
     }
 
     /// The event string, trimmed; empty if nothing happens at this segment, `None` if the file has
@@ -128,6 +140,14 @@ impl<'data, 'bank> Segment<'data, 'bank> {
         bank.events.get(bank.event_refs.get(self.number())?.get() as usize)
     }
 }
+
+/// Equal are segments of one clip with equal indices.
+impl PartialEq for Segment<'_, '_> {
+    fn eq(&self, other: &Self) -> bool {
+        self.clip == other.clip && self.index == other.index
+    }
+}
+impl Eq for Segment<'_, '_> {}
 
 /// The clip and the index, not the texts.
 impl fmt::Debug for Segment<'_, '_> {
@@ -199,3 +219,21 @@ impl<'data, 'bank> Iterator for Segments<'data, 'bank> {
 
 impl ExactSizeIterator for Segments<'_, '_> {}
 impl FusedIterator for Segments<'_, '_> {}
+
+#[cfg(test)]
+mod tests {
+    use crate::Bank;
+    use lipz_testkit::golden::{DRAMA, changed, put};
+
+    /// What [`Segment::text`] returns where debug assertions are off.
+    #[test]
+    fn a_locale_of_another_bank_leads_to_no_text() {
+        let newer = changed(DRAMA, |bank| put(bank, 22, [9, 0]));
+        let banks = [Bank::open(DRAMA), Bank::open(&newer)].map(|bank| bank.expect("a bank"));
+        for (own, other) in [(0, 1), (1, 0)] {
+            let segment = banks[own].clips().next().and_then(|clip| clip.segment(0)).expect("a segment");
+            let [own, other] = [own, other].map(|at: usize| banks[at].locale("de-de").expect("German"));
+            assert!(segment.text_place(own).is_some() && segment.text_place(other).is_none());
+        }
+    }
+}

@@ -35,6 +35,12 @@ impl Deref for Text<'_> {
     }
 }
 
+impl AsRef<str> for Text<'_> {
+    fn as_ref(&self) -> &str {
+        self.text
+    }
+}
+
 impl fmt::Display for Text<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.text)
@@ -51,7 +57,7 @@ pub(crate) struct TextPlace {
 impl TextPlace {
     /// The place of the text of a segment in `locale`, given the number of the clip's first segment and its own.
     #[inline(always)]
-    pub(crate) fn of(locale: Locale<'_>, first: usize, number: usize) -> Option<TextPlace> {
+    pub(crate) fn new(locale: Locale<'_>, first: usize, number: usize) -> Option<TextPlace> {
         // A clip has texts in all of its segments or in none. Its first entry is mostly in one line of the cache with
         // that of the segment: the processor fetches it while it still looks for the segment.
         if locale.starts.get(first)?.get() == NO_TEXT {

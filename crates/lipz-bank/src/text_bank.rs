@@ -48,16 +48,17 @@ impl Bank<'_> {
         if file.header.fingerprint.get() != self.fingerprint() {
             return Err(Error::new(ErrorKind::OtherClips, 24));
         }
-        Ok(TextBank { file, table: LocaleTable::of(&found, self.texts.segment_count) })
+        Ok(TextBank { file, table: LocaleTable::new(&found, self.origin(), self.texts.segment_count) })
     }
 }
 
 impl<'data> TextBank<'data> {
-    /// Checks every byte and every reference against `bank`, which was verified and is the one that
-    /// opened the texts; afterwards texts cost no UTF-8 check.
+    /// Checks every byte and every reference against `bank`; afterwards texts cost no UTF-8 check. The locales are
+    /// for segments of that bank from then on.
     ///
     /// # Errors
-    /// The first damage found.
+    /// The first damage found; before that, [`ErrorKind::BankNotVerified`] if `bank` itself was not
+    /// [verified](Bank::verify).
     pub fn verify(self, bank: &Bank<'_>) -> Result<TextBank<'data>, Error> {
         self.verify_with(bank, crate::verify::core_utf8)
     }
@@ -65,7 +66,7 @@ impl<'data> TextBank<'data> {
     /// Like [`TextBank::verify`], with a UTF-8 check of the program's own: see [`Bank::verify_with`].
     ///
     /// # Errors
-    /// The first damage found.
+    /// As [`TextBank::verify`].
     pub fn verify_with(
         mut self,
         bank: &Bank<'_>,
@@ -91,7 +92,7 @@ impl<'data> TextBank<'data> {
     }
 
     /// The sections of the file in the order of its directory, known or not: tag and contents.
-    pub fn sections(&self) -> impl Iterator<Item = (Tag, &'data [u8])> + '_ {
+    pub fn sections(&self) -> impl Iterator<Item = ([u8; 4], &'data [u8])> + '_ {
         self.file.sections()
     }
 }

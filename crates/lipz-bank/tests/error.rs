@@ -51,11 +51,12 @@ fn numbers_are_stable() {
         (25, SectionPlace),
         (26, DirectoryTooLong),
         (27, Fingerprint),
-        (29, OtherClips),
-        (30, TextsOnly),
-        (31, TypedEvent),
-        (32, EventName),
-        (33, Babble),
+        (28, OtherClips),
+        (29, TextsOnly),
+        (30, TypedEvent),
+        (31, EventName),
+        (32, Babble),
+        (33, BankNotVerified),
     ];
     assert!(
         table.iter().map(|(number, kind)| (*number, *kind)).eq(ErrorKind::ALL.iter().map(|&kind| (kind as u8, kind)))

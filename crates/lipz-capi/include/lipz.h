@@ -102,19 +102,22 @@
 #define LIPZ_FINGERPRINT 27
 
 // Damage: the texts belong to a bank with other clips.
-#define LIPZ_OTHER_CLIPS 29
+#define LIPZ_OTHER_CLIPS 28
 
 // Damage: the file has texts only, for the clips of another bank.
-#define LIPZ_TEXTS_ONLY 30
+#define LIPZ_TEXTS_ONLY 29
 
 // Damage: a typed event is not valid.
-#define LIPZ_TYPED_EVENT 31
+#define LIPZ_TYPED_EVENT 30
 
 // Damage: the names in events are not listed in their order.
-#define LIPZ_EVENT_NAME 32
+#define LIPZ_EVENT_NAME 31
 
 // Damage: a babble profile is not valid.
-#define LIPZ_BABBLE 33
+#define LIPZ_BABBLE 32
+
+// Damage: the bank of the texts was not verified.
+#define LIPZ_BANK_NOT_VERIFIED 33
 
 
 

@@ -31,7 +31,7 @@ impl<'data, 'bank> Documents<'data, 'bank> {
     pub fn from_bank(bank: impl Into<BankWithTexts<'data, 'bank>>) -> Result<Self, Report> {
         let whole: BankWithTexts<'data, 'bank> = bank.into();
         let bank = whole.bank();
-        let section = |tag| bank.sections().find(|(found, _)| *found == tag).map(|(_, bytes)| bytes);
+        let section = |tag: Tag| bank.sections().find(|(found, _)| *found == tag.0).map(|(_, bytes)| bytes);
         let sources = match (section(Tag::SOURCE_INDEX), section(Tag::SOURCES)) {
             (None, None) => None,
             (Some(index), Some(records)) => {

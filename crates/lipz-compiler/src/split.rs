@@ -65,7 +65,7 @@ struct WholeBank<'data> {
 impl<'data> WholeBank<'data> {
     /// The contents of a section; empty if the bank does not have it.
     fn section(&self, tag: Tag) -> &'data [u8] {
-        self.bank.sections().find(|(found, _)| *found == tag).map_or(&[], |(_, contents)| contents)
+        self.bank.sections().find(|(found, _)| *found == tag.0).map_or(&[], |(_, contents)| contents)
     }
 
     /// The bank without locales: all other required sections and babble as they are.

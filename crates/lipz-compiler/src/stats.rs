@@ -103,7 +103,7 @@ impl<'d> Stats<'d> {
         let mut stats = Stats {
             clips: bank.clip_count(),
             length_bytes: bank.length_bytes(),
-            sections: bank.sections().map(|(tag, bytes)| (tag, bytes.len())).collect(),
+            sections: bank.sections().map(|(tag, bytes)| (Tag(tag), bytes.len())).collect(),
             rates: rates(bank),
             visemes: visemes(bank),
             texts_bytes: whole.texts().iter().map(TextBank::length_bytes).sum(),

@@ -32,7 +32,7 @@ fn without_profiles_a_bank_is_as_it_was() {
     let plain = Compiler::default().compile(&[Input::from_bytes("hello", FILE)]).bank.unwrap();
     assert_eq!(bank("[babble]\n"), plain);
     let bank = Bank::open(&plain).unwrap();
-    assert!(bank.sections().all(|(tag, _)| tag != Tag::BABBLE));
+    assert!(bank.sections().all(|(tag, _)| tag != Tag::BABBLE.0));
     assert_eq!(bank.default_babble(), Babble::DEFAULT);
 }
 
@@ -47,7 +47,7 @@ fn a_project_that_repeats_the_viewer_has_its_profile() {
 #[test]
 fn every_change_is_found_or_valid() {
     let whole = bank("babble.a = { ooh = \"12\", aah = \"3\", rate = 12.5 }\nbabble.b.aah = \"45\"\n");
-    let contents = Bank::open(&whole).unwrap().sections().find(|(tag, _)| *tag == Tag::BABBLE).unwrap().1;
+    let contents = Bank::open(&whole).unwrap().sections().find(|(tag, _)| *tag == Tag::BABBLE.0).unwrap().1;
     let start = contents.as_ptr() as usize - whole.as_ptr() as usize;
     let mut refused = 0;
     for at in start..start + contents.len() {

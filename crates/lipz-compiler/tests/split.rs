@@ -14,7 +14,7 @@ fn text_banks_answer_as_the_whole() {
     let bank = Bank::open(&whole).unwrap().verify().unwrap();
     let split = SplitBank::from_bytes(&whole).unwrap();
     let base = Bank::open(&split.base).unwrap().verify().unwrap();
-    assert!(base.locales().next().is_none() && base.sections().all(|(tag, _)| tag.0 != *b"SRCE"));
+    assert!(base.locales().next().is_none() && base.sections().all(|(tag, _)| tag != *b"SRCE"));
     assert_eq!(split.texts.len(), bank.locales().count());
     let mut text_count = 0;
     for ((tag, bytes), locale) in split.texts.iter().zip(bank.locales()) {

@@ -43,7 +43,7 @@ fn compare(bytes: &[u8]) -> usize {
     for (name, number) in names.iter().zip(0..) {
         assert_eq!(bank.event_name(name).map(EventName::id), Some(number), "{names:?}");
     }
-    let sections: Vec<_> = bank.sections().filter(|(tag, _)| *tag == lipz_layout::Tag::EVENT_NAMES).collect();
+    let sections: Vec<_> = bank.sections().filter(|(tag, _)| *tag == lipz_layout::Tag::EVENT_NAMES.0).collect();
     assert_eq!(sections[0].1.len(), names.len() * size_of::<lipz_layout::EventNameRecord>());
     count
 }

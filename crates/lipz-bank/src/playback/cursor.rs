@@ -202,6 +202,9 @@ impl Cursor {
     ///
     /// Read from the events anew with each call, in a time that grows with their number.
     pub fn state<'data>(&self, clip: &Clip<'data, '_>, character: Option<EventName<'_>>) -> CharacterState<'data> {
+        if let Some(character) = character {
+            character.assert_is_of(clip.bank);
+        }
         state::after(self.past(clip), character)
     }
 

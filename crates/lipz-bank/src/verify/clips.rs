@@ -19,8 +19,8 @@ struct Segments {
 /// are clips, names every clip once.
 pub(super) fn clips(bank: &Bank<'_>) -> Result<u32, Error> {
     let mut segments = Segments { with_events: 0, others: bank.event_refs.len() };
-    let texts = TextCheck::of(&bank.file, &bank.texts);
-    let mut keys = Strings::of(bank.texts.names, 0);
+    let texts = TextCheck::new(&bank.file, &bank.texts);
+    let mut keys = Strings::new(bank.texts.names, 0);
     for entry in bank.key_order {
         let slot = entry.get();
         let records = (bank.clips.get(slot as usize), bank.keys.get(slot as usize));

@@ -26,7 +26,7 @@ pub(super) fn events(bank: &Bank<'_>) -> Result<(), Error> {
 /// Event strings follow each other in their pool, and so do their typed events, which are all of the
 /// table; returns where the strings end.
 fn strings(bank: &Bank<'_>) -> Result<u32, Error> {
-    let mut strings = Strings::of(bank.event_strings, 0);
+    let mut strings = Strings::new(bank.event_strings, 0);
     let mut typed_end = 0_u32;
     for record in bank.events {
         let (offset, length) = (record.offset_bytes.get(), record.length_bytes.get());
@@ -46,7 +46,7 @@ fn strings(bank: &Bank<'_>) -> Result<u32, Error> {
 
 /// Names ascend strictly and fill the pool from `start` on.
 fn names(bank: &Bank<'_>, start: u32) -> Result<(), Error> {
-    let mut names = Strings::of(bank.event_strings, start);
+    let mut names = Strings::new(bank.event_strings, start);
     for record in bank.event_names {
         if names.next_ascending(record.offset_bytes.get(), record.length_bytes.get()).is_none() {
             return Err(error_at(bank, ErrorKind::EventName, record));

@@ -46,12 +46,15 @@ pub(crate) fn verify<'data>(bank: &mut Bank<'data>, utf8: Utf8<'data>) -> Result
     Ok(())
 }
 
-/// Checks a text bank against the bank of its clips, and marks its pools as checked.
+/// Checks a text bank against the bank of its clips, which must be verified, and marks its pools as checked.
 pub(crate) fn verify_texts<'data>(
     texts: &mut TextBank<'data>,
     bank: &Bank<'_>,
     utf8: Utf8<'data>,
 ) -> Result<(), Error> {
+    if !bank.is_verified() {
+        return Err(Error::new(ErrorKind::BankNotVerified, 0));
+    }
     let file = texts.file;
     checksum(&file)?;
     sections::sections(&file)?;
@@ -66,7 +69,8 @@ pub(crate) fn verify_texts<'data>(
     if file.header.fingerprint.get() != bank.fingerprint() || !is_about_bank {
         return Err(Error::new(ErrorKind::OtherClips, 24));
     }
-    let check = TextCheck::of(&file, &texts.table);
+    texts.table.bank = bank.origin();
+    let check = TextCheck::new(&file, &texts.table);
     for (clip, record) in bank.clips.iter().zip(bank.keys) {
         check.clip(clip, record)?;
     }
@@ -111,7 +115,7 @@ fn check_pool<'data>(file: &File<'data>, pool: &mut Pool<'data>, utf8: Utf8<'dat
 
 /// Tags ascend strictly and fill the pool of names from `start` on; one locale at most is the default.
 fn locales(file: &File<'_>, table: &LocaleTable<'_>, start: u32) -> Result<(), Error> {
-    let mut tags = Strings::of(table.names, start);
+    let mut tags = Strings::new(table.names, start);
     let mut known_flags = lipz_layout::LOCALE_DEFAULT;
     for record in table.records {
         let (offset, length) = (record.tag_offset_bytes.get(), record.tag_length_bytes.get());

@@ -11,7 +11,7 @@ pub(super) struct Strings<'data> {
 
 impl<'data> Strings<'data> {
     /// The check of the strings from `start` on.
-    pub(super) fn of(pool: Pool<'data>, start: u32) -> Self {
+    pub(super) fn new(pool: Pool<'data>, start: u32) -> Self {
         Strings { pool, before: "", end: start }
     }
 

@@ -15,7 +15,7 @@ pub(super) struct TextCheck<'a, 'data> {
 
 impl<'a, 'data> TextCheck<'a, 'data> {
     /// The check of the texts of `table`, which is that of `file`.
-    pub(super) fn of(file: &'a File<'data>, table: &'a LocaleTable<'data>) -> Self {
+    pub(super) fn new(file: &'a File<'data>, table: &'a LocaleTable<'data>) -> Self {
         TextCheck { file, table }
     }
 

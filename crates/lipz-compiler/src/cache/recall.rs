@@ -39,7 +39,7 @@ impl<'b> Recall<'b> {
             return None;
         }
         let bank = Bank::open(bank).ok()?;
-        let section = |tag| bank.sections().find(|(found, _)| *found == tag).map(|(_, bytes)| bytes);
+        let section = |tag: Tag| bank.sections().find(|(found, _)| *found == tag.0).map(|(_, bytes)| bytes);
         let sources = match (section(Tag::SOURCE_INDEX), section(Tag::SOURCES)) {
             (Some(index), Some(records)) => Some(Sources::new(<[U32]>::ref_from_bytes(index).ok()?, records)),
             _ => None,

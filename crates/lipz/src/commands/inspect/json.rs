@@ -42,7 +42,7 @@ impl<'d> SummaryJson<'d> {
         let (major, minor) = bank.format_version();
         let sections = bank
             .sections()
-            .map(|(tag, bytes)| SectionJson { tag: String::from_utf8_lossy(&tag.0).into_owned(), bytes: bytes.len() });
+            .map(|(tag, bytes)| SectionJson { tag: String::from_utf8_lossy(&tag).into_owned(), bytes: bytes.len() });
         SummaryJson {
             format: format!("{major}.{minor}"),
             bytes: bank.length_bytes(),
@@ -52,7 +52,7 @@ impl<'d> SummaryJson<'d> {
             frames: bank.clips().map(|clip| clip.frame_count() as usize).sum(),
             segments: bank.clips().map(|clip| clip.segment_count() as usize).sum(),
             seconds: bank.clips().filter_map(|clip| clip.duration_us()).fold(0.0, |sum, us| sum + us as f64 / 1e6),
-            has_sources: bank.sections().any(|(tag, _)| tag == Tag::SOURCES),
+            has_sources: bank.sections().any(|(tag, _)| tag == Tag::SOURCES.0),
             locales: locales.iter().map(|locale| LocaleJson::of(bank, *locale)).collect(),
             sections: sections.collect(),
             babble: bank.babbles().map(BabbleJson::of).collect(),
