@@ -19,13 +19,27 @@
 //! [`settings::Settings`] reads what a project decides from its `lipz.toml`. Everything but [`Build`]
 //! returns values and [`Report`](diagnostics::Report)s, and leaves it to the caller what to do with them.
 //!
+//! # Features
+//!
+//! * `build` (default): [`Build`] for build scripts, and `ids`: constants for programs.
+//! * `cache`: recalling what did not change, `Compiler::pack_cached` and `Memory`.
+//! * `settings`: reading `lipz.toml`.
+//! * `unpack`: from a bank to a folder of Lipz files.
+//! * `diff`, `stats`: comparing banks, counting what is in them.
+//! * `parallel`: all cores, also after the files are read.
+//! * `full`: all of them.
+//!
+//! No feature changes a byte of a bank.
+//!
 //! What is not here: printing (but for [`Build`]) and exit codes (`lipz`); other tools' formats.
 // Sizes are checked where they enter (`fit`); casts below are of numbers known to be small.
 #![allow(clippy::cast_possible_truncation)]
 
 pub mod babble;
 mod bank_with_texts;
+#[cfg(feature = "build")]
 mod build;
+#[cfg(feature = "cache")]
 mod cache;
 mod check;
 mod clip;
@@ -34,29 +48,38 @@ mod convert;
 mod coverage;
 mod decompile;
 mod depend;
+#[cfg(feature = "diff")]
 pub mod diff;
 mod discover;
 mod fallback;
 mod fix;
 mod hashed;
+#[cfg(feature = "ids")]
 pub mod ids;
 mod input;
 pub mod key;
 mod localise;
 mod lower;
+#[cfg(not(feature = "cache"))]
+mod no_cache;
 mod options;
 mod output;
+mod parallel;
 mod pseudo;
 mod rewrite;
 pub mod settings;
 mod source_record;
 mod split;
+#[cfg(feature = "stats")]
 pub mod stats;
 mod strings;
+#[cfg(feature = "unpack")]
 mod unpack;
 
 pub use bank_with_texts::BankWithTexts;
+#[cfg(feature = "build")]
 pub use build::{Build, BuildError};
+#[cfg(feature = "cache")]
 pub use cache::Memory;
 pub use compile::{CompileError, Compiled, Compiler, Phases};
 pub use convert::Converted;
@@ -71,7 +94,11 @@ pub use options::{KnownNames, MinCoverage, Options, TextLimits};
 pub use output::replace_file;
 pub use rewrite::rewrite_file;
 pub use split::SplitBank;
+#[cfg(feature = "unpack")]
 pub use unpack::{Unpacked, unpack};
+
+#[cfg(not(feature = "cache"))]
+use no_cache as cache;
 
 /// The example of the README, run as a test.
 #[cfg(doctest)]

@@ -1,6 +1,6 @@
 //! Writing a bank so that the old one stays whole until the new one is.
 
-use crate::discover;
+use crate::{discover, parallel};
 use lipz_diagnostics::{Code, Diagnostic, Report};
 use std::fs::File;
 use std::io::{self, Write};
@@ -26,7 +26,7 @@ pub(crate) fn replace_file_if(
     bytes: &[u8],
     check: impl FnOnce() -> Result<(), Report> + Send,
 ) -> Result<(), Report> {
-    let (written, checked) = rayon::join(|| TemporaryFile::beside(path, bytes), check);
+    let (written, checked) = parallel::join(|| TemporaryFile::beside(path, bytes), check);
     checked?;
     written.and_then(TemporaryFile::replace).map_err(|error| failed(path, &error))
 }

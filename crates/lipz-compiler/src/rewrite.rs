@@ -1,9 +1,8 @@
 //! Rewriting source files: each is read, handed to a tool, and replaced as a whole.
 
-use crate::compile::{FileReader, in_pool};
-use crate::{Compiler, Content, Input, discover, replace_file};
+use crate::compile::FileReader;
+use crate::{Compiler, Content, Input, discover, parallel, replace_file};
 use lipz_diagnostics::{Code, Diagnostic, Report};
-use rayon::prelude::*;
 use std::path::Path;
 
 impl Compiler<'_> {
@@ -22,7 +21,7 @@ impl Compiler<'_> {
             (self.progress)(1);
             result
         };
-        in_pool(&self.options, || inputs.par_iter().map_init(FileReader::default, one).collect())
+        parallel::in_pool(self.options.threads, || parallel::map_init(inputs, FileReader::default, one))
     }
 }
 

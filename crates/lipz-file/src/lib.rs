@@ -22,6 +22,7 @@
 pub mod digits;
 mod document;
 pub mod event;
+#[cfg(feature = "format")]
 pub mod format;
 pub mod locale;
 mod parse;

@@ -1,4 +1,4 @@
-//! The error for a name that means nothing.
+//! What is said of a name that stands for nothing.
 
 use core::fmt;
 

@@ -32,8 +32,8 @@ use std::{env, fmt};
 /// let clip = bank.clip(dialogue::act1::MARA_GOOD_EVENING); // misspelt, it does not compile
 /// ```
 ///
-/// A third file, `dialogue.lipzcache`, remembers the Lipz files, so that the next run reads only those that
-/// changed (see [`pack_cached`](crate::pack_cached)).
+/// With the feature `cache`, a third file, `dialogue.lipzcache`, remembers the Lipz files, so that the next run
+/// reads only those that changed.
 ///
 /// Findings appear as warnings and errors of cargo (1.84 or later), one line each. The script runs
 /// again when a file of the sources changes, is added or removed.
@@ -58,6 +58,7 @@ impl Build {
 
     /// A build by the settings of a project, `lipz.toml`. What the methods below set goes before them. Its
     /// `output` and `split-locales` are left alone: the outputs are those of a build script.
+    #[cfg(feature = "settings")]
     pub fn from_settings(file: impl Into<PathBuf>) -> Build {
         Build { settings_file: Some(file.into()), ..Build::default() }
     }
@@ -119,16 +120,25 @@ impl Build {
 
     /// The settings of the project, with what the build sets over them, and what is wrong with them.
     fn settings(&self) -> (Settings, Vec<Report>) {
-        let (mut settings, report) = match &self.settings_file {
-            Some(file) => Settings::read(file),
-            None => Default::default(),
-        };
+        let (mut settings, report) = self.file_settings();
         if !self.sources.is_empty() {
             settings.sources.clone_from(&self.sources);
         }
         settings.root = self.root.clone().or(settings.root);
         settings.options = self.options.clone().unwrap_or(settings.options);
         (settings, vec![report])
+    }
+
+    /// The settings in the file of the project, if the build has one.
+    #[cfg(feature = "settings")]
+    fn file_settings(&self) -> (Settings, Report) {
+        self.settings_file.as_deref().map(Settings::read).unwrap_or_default()
+    }
+
+    /// No settings: without the feature `settings`, nothing names a file.
+    #[cfg(not(feature = "settings"))]
+    fn file_settings(&self) -> (Settings, Report) {
+        Default::default()
     }
 
     /// Writes the outputs if nothing that was found is an error.
@@ -139,7 +149,7 @@ impl Build {
             return vec![Report::failure("", Code::OutputFailed, message, "name the outputs without folders")];
         }
         let path = |extension: &str| folder.join(format!("{name}.{extension}"));
-        let (bank, cache) = (path("lipzbank"), path("lipzcache"));
+        let bank = path("lipzbank");
         let (inputs, mut reports) = settings.discover();
         let mut ids = String::new();
         let accept = |bank: &[u8]| {
@@ -149,7 +159,10 @@ impl Build {
         let compiler = Compiler::new(settings.options.clone());
         let mut compiled = match lipz_diagnostics::has_errors(&reports) {
             true => compiler.check(&inputs),
-            false => compiler.pack_cached_if(&inputs, &bank, &cache, accept),
+            #[cfg(feature = "cache")]
+            false => compiler.pack_cached_if(&inputs, &bank, &path("lipzcache"), accept),
+            #[cfg(not(feature = "cache"))]
+            false => compiler.pack_if(&inputs, &bank, accept),
         };
         reports.append(&mut compiled.reports);
         if compiled.bank.is_some() {

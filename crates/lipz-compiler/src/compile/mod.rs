@@ -11,7 +11,7 @@ pub(crate) use read::FileReader;
 pub(crate) use run::Run;
 
 use crate::output::replace_file_if;
-use crate::{Input, Options};
+use crate::{Input, Options, parallel};
 use lipz_bank::Bank;
 use lipz_diagnostics::{Code, Report};
 use std::fmt;
@@ -72,7 +72,17 @@ impl Compiler<'_> {
     ///
     /// If the file cannot be written, a report says so, and there is no bank.
     pub fn pack(&self, inputs: &[Input], path: &Path) -> Compiled {
-        self.make(inputs, |bank| write_verified(path, bank))
+        self.pack_if(inputs, path, |_| Ok(()))
+    }
+
+    /// The same, if `accept` finds nothing in the bank: without its consent nothing is written.
+    pub(crate) fn pack_if(
+        &self,
+        inputs: &[Input],
+        path: &Path,
+        accept: impl FnOnce(&[u8]) -> Result<(), Report> + Send,
+    ) -> Compiled {
+        self.make(inputs, |bank| accept(bank).and_then(|()| write_verified(path, bank)))
     }
 
     /// Checks `inputs` and makes a bank of them; there is one only if `finish` accepts it.
@@ -83,7 +93,7 @@ impl Compiler<'_> {
     /// Does `work` with the canonical options on the threads of the compiler.
     pub(crate) fn run(&self, work: impl FnOnce(&Options) -> Compiled + Send) -> Compiled {
         match self.options.canonical() {
-            Ok(options) => in_pool(&options, || work(&options)),
+            Ok(options) => parallel::in_pool(options.threads, || work(&options)),
             Err(report) => Compiled::refused(report),
         }
     }
@@ -110,18 +120,6 @@ impl fmt::Debug for Compiler<'_> {
 /// Replaces the file at `path` by a bank, which is verified meanwhile.
 pub(crate) fn write_verified(path: &Path, bank: &[u8]) -> Result<(), Report> {
     replace_file_if(path, bank, || verify(bank))
-}
-
-/// Runs `work` with the number of threads that was asked for; on the current ones if no others can be
-/// started.
-pub(crate) fn in_pool<R: Send>(options: &Options, work: impl FnOnce() -> R + Send) -> R {
-    match options.threads {
-        Some(count) => match rayon::ThreadPoolBuilder::new().num_threads(count).build() {
-            Ok(pool) => pool.install(work),
-            Err(_) => work(),
-        },
-        None => work(),
-    }
 }
 
 /// What the reader finds at fault with the bank: a defect of this compiler, and better found now than in

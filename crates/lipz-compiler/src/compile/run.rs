@@ -5,9 +5,8 @@ use super::{Compiled, Phases, Progress, requirements};
 use crate::cache::{Cache, FileStamps};
 use crate::clip::Clips;
 use crate::lower::Layout;
-use crate::{Input, Options, key, localise};
+use crate::{Input, Options, key, localise, parallel};
 use lipz_diagnostics::Report;
-use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
@@ -36,8 +35,7 @@ impl Run {
             lipz_diagnostics::adjust(&options.levels, &mut report.diagnostics);
         }
         let next = AtomicUsize::new(0);
-        let threads = (0..rayon::current_num_threads()).into_par_iter().with_max_len(1);
-        let work = threads.map(|_| {
+        let workers = parallel::workers(options.threads, || {
             let mut worker = Worker::default();
             loop {
                 let first = next.fetch_add(FILES_AT_ONCE, Ordering::Relaxed);
@@ -48,7 +46,7 @@ impl Run {
                 }
             }
         });
-        for worker in work.collect::<Vec<_>>() {
+        for worker in workers {
             run.clips.push(worker.batch.clips);
             run.reports.extend(worker.reports);
             run.stamped.append(worker.batch.stamped);

@@ -1,13 +1,12 @@
 //! Keys that are the same, or one file on some systems.
 
 use super::refusal;
-use crate::Input;
+use crate::{Input, parallel};
 use foldhash::fast::RandomState;
 use foldhash::{HashMap, HashMapExt};
-use icu_casemap::CaseMapper;
 use lipz_diagnostics::{Code, Diagnostic, Report, escape};
-use rayon::prelude::*;
 use std::hash::BuildHasher;
+use unicase::UniCase;
 use unicode_normalization::UnicodeNormalization;
 
 /// Code points of a character that is spelled in two ways.
@@ -20,7 +19,7 @@ pub fn folded(key: &str) -> String {
         return key.to_ascii_lowercase();
     }
     let decomposed: String = key.nfd().collect();
-    CaseMapper::new().fold_string(&decomposed).nfd().collect()
+    UniCase::unicode(decomposed).to_folded_case().nfd().collect()
 }
 
 /// Whether no key is refused and no two are equal when folded, as nearly always: found out on all
@@ -36,11 +35,10 @@ fn are_fine(inputs: &[Input]) -> bool {
         lower.make_ascii_lowercase();
         state.hash_one(lower.as_str())
     };
-    let judged = inputs
-        .par_iter()
-        .map_init(String::new, |lower, input| refusal(&input.key).is_none().then(|| hash(lower, &input.key)));
-    let Some(mut hashes) = judged.collect::<Option<Vec<u64>>>() else { return false };
-    hashes.par_sort_unstable();
+    let judged = |lower: &mut String, input: &Input| refusal(&input.key).is_none().then(|| hash(lower, &input.key));
+    let hashes: Option<Vec<u64>> = parallel::map_init(inputs, String::new, judged);
+    let Some(mut hashes) = hashes else { return false };
+    parallel::sort(&mut hashes);
     hashes.array_windows().all(|[one, next]| one != next)
 }
 
@@ -121,6 +119,16 @@ mod tests {
         assert_eq!(folded("\u{e9}t\u{e9}"), folded("E\u{301}TE\u{301}"));
         assert_eq!(folded("STRASSE/é"), folded("straße/É"));
         assert_ne!(folded("a"), folded("b"));
+    }
+
+    #[test]
+    fn every_character_folds_as_in_icu() {
+        let icu = icu_casemap::CaseMapper::new();
+        for character in '\0'..=char::MAX {
+            let decomposed: String = std::iter::once(character).nfd().collect();
+            let expected: String = icu.fold_string(&decomposed).nfd().collect();
+            assert_eq!(folded(&character.to_string()), expected, "{character:?}");
+        }
     }
 
     #[test]

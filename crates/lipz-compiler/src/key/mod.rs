@@ -2,6 +2,7 @@
 
 mod clash;
 
+#[cfg(feature = "unpack")]
 pub(crate) use clash::clash;
 pub use clash::{check, folded};
 

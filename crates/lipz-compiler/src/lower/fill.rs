@@ -2,7 +2,7 @@
 
 use super::{Layout, texts};
 use crate::clip::{Clip, Clips};
-use rayon::prelude::*;
+use crate::parallel;
 
 /// A part of a section, which one thread at a time copies.
 struct Lane<'b> {
@@ -47,7 +47,7 @@ pub(super) fn fill(layout: &Layout, batches: Vec<Clips>, places: Vec<&mut [u8]>)
         batches.iter_mut().filter(|(clips, _)| clips.count() > 0).max_by_key(|(clips, _)| clips.count())
     {
         let rest = clips.count().saturating_sub(CLIPS_AT_ONCE);
-        lanes.par_iter_mut().for_each(|lane| {
+        parallel::for_each(lanes.iter_mut().collect(), |lane: &mut Lane<'_>| {
             let last = std::iter::zip(clips.iter(), *slots).skip(rest);
             last.for_each(|(clip, &slot)| lane.copy(layout, &clip, slot as usize));
         });

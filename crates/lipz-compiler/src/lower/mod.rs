@@ -9,9 +9,9 @@ mod records;
 mod strings;
 pub(crate) mod texts;
 
-use crate::Options;
 use crate::clip::{Clip, Clips};
 use crate::localise::Localised;
+use crate::{Options, parallel};
 use assemble::Section;
 use events::Events;
 use index::Index;
@@ -47,9 +47,9 @@ impl Layout {
         let numbering = Numbering::new(clips);
         let index_of_ids = || unique_ids(clips).map(|ids| (index::build(&ids), ids));
         let small_parts = || (events::events(clips), strings::names(clips, localised));
-        let ((index, (events, names)), (texts, sources)) = rayon::join(
-            || rayon::join(index_of_ids, small_parts),
-            || rayon::join(|| texts::texts(clips, localised, &numbering), || strings::own_sources(clips)),
+        let ((index, (events, names)), (texts, sources)) = parallel::join(
+            || parallel::join(index_of_ids, small_parts),
+            || parallel::join(|| texts::texts(clips, localised, &numbering), || strings::own_sources(clips)),
         );
         let (index, ids) = index?;
         let (slots, events, names) = (&index.slots, events?, names?);

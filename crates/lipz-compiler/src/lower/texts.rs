@@ -5,10 +5,11 @@ use super::too_large;
 use crate::clip::{Clip, ClipText};
 use crate::hashed::Hashed;
 use crate::localise::{Choice, Localised};
+use crate::parallel;
 use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order of entries is never used
 use lipz_diagnostics::Report;
 use lipz_layout::{NO_TEXT, TEXT_COUNT_BYTES, TEXT_FALLBACK, TEXT_HAS_LENGTH, TEXT_OFFSET, U16, U32, text_count};
-use rayon::prelude::*;
+use std::iter::zip;
 use zerocopy::FromBytes;
 
 /// Where the texts are.
@@ -26,9 +27,9 @@ pub(super) fn texts(clips: &[Clip<'_>], localised: &Localised, numbering: &Numbe
     let mut lengths = vec![0; count];
     let table_length = segment_count.max(1);
     let shown_elsewhere = shown_elsewhere(clips, localised);
-    let columns = localised.locales.par_iter().zip(&shown_elsewhere);
-    let parts = starts.par_chunks_mut(table_length).zip(&mut lengths).zip(columns);
-    parts.for_each(|((table, length), (column, is_shown_elsewhere))| {
+    let columns = zip(&localised.locales, &shown_elsewhere);
+    let parts = zip(zip(starts.chunks_mut(table_length), &mut lengths), columns);
+    parallel::for_each(parts.collect(), |((table, length), (column, is_shown_elsewhere))| {
         let run = |at: usize| match column.texts[at] {
             Choice::Own(index) => {
                 Some(Run::new(&clips[at], &clips[at].texts()[index as usize], is_shown_elsewhere[at]))
@@ -39,7 +40,7 @@ pub(super) fn texts(clips: &[Clip<'_>], localised: &Localised, numbering: &Numbe
     });
     let pool_length = pool_length(&lengths)?;
     let bases = lengths.iter().scan(0, |end, length| Some(std::mem::replace(end, *end + *length as u32)));
-    starts.par_chunks_mut(table_length).zip(bases.collect::<Vec<_>>()).for_each(|(table, base)| {
+    parallel::for_each(zip(starts.chunks_mut(table_length), bases).collect(), |(table, base): (&mut [U32], u32)| {
         table.iter_mut().filter(|start| start.get() != NO_TEXT).for_each(|start| *start += base);
     });
     fall_back(clips, localised, numbering, &mut starts);
@@ -138,7 +139,7 @@ impl<'c> Run<'c> {
     fn put_entries(&self, start: usize, is_counted: bool, entries: &mut [U32]) -> usize {
         let (ends, _) = <[U16]>::ref_from_prefix_with_elems(self.whole.bytes, entries.len()).unwrap_or_default();
         let mut end = start;
-        for (entry, low) in std::iter::zip(&mut *entries, ends) {
+        for (entry, low) in zip(&mut *entries, ends) {
             *entry = self.entry(end as u32); // too much is found by the length
             end += usize::from(low.get().wrapping_sub((end - start) as u16));
         }

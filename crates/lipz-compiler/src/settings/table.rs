@@ -1,6 +1,6 @@
 //! Every setting, once: its name, flag, default, what it decides, and how its value is read.
 
-use super::inside;
+use super::file::inside;
 use super::reading::Reading;
 use super::value::Value;
 

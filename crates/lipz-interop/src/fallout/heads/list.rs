@@ -10,7 +10,7 @@ pub struct Head {
     pub root: String,
     /// Fidget files for a good, a neutral and a bad disposition.
     pub fidgets: [u32; 3],
-    /// Where the line is.
+    /// Where the line stands.
     pub span: Span,
 }
 

@@ -1,8 +1,10 @@
 //! Which locales a locale falls back to.
 
-use crate::Options;
-use crate::pseudo;
-use icu_locale::fallback::LocaleFallbacker;
+mod cldr;
+mod table;
+
+use crate::{Options, pseudo};
+use cldr::ancestors;
 use lipz_file::locale::language;
 
 /// The places in `tags` of the locales that `tags[locale]` falls back to, in order.
@@ -37,19 +39,6 @@ pub(crate) fn chain<T: AsRef<str>>(tags: &[T], locale: usize, options: &Options)
 /// other; `None` if they share none.
 fn distance(wanted: &[String], other: &[String]) -> Option<(usize, usize)> {
     wanted.iter().enumerate().find_map(|(up, tag)| Some((up, other.iter().position(|known| known == tag)?)))
-}
-
-/// A locale and those that it inherits from in CLDR: es-AR, es-419, es.
-fn ancestors(tag: &str) -> Vec<String> {
-    let Ok(locale) = tag.parse::<icu_locale::Locale>() else { return vec![tag.to_owned()] };
-    let fallbacker = LocaleFallbacker::new();
-    let mut steps = fallbacker.for_config(Default::default()).fallback_for(locale.into());
-    let mut ancestors = Vec::new();
-    while !steps.get().is_unknown() {
-        ancestors.push(steps.get().to_string());
-        steps.step();
-    }
-    ancestors
 }
 
 #[cfg(test)]

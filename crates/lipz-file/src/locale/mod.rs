@@ -1,6 +1,9 @@
 //! Locales of texts: the names of `text_ll-cc` elements.
 
-use icu_locale_core::LanguageIdentifier;
+mod iso;
+mod tag;
+
+pub use tag::LanguageTag;
 
 /// What the name of an element says about a text's locale.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -42,12 +45,12 @@ pub fn text_name(name: &str) -> Option<TextName> {
     if has_lipz_shape(&tag) {
         return Some(TextName::Misspelt(tag));
     }
-    let extended = tag.parse::<LanguageIdentifier>().is_ok().then_some(tag);
+    let extended = LanguageTag::parse(&tag).is_some().then_some(tag);
     Some(TextName::OtherShape(locale.to_owned(), extended))
 }
 
 /// The canonical form of a locale tag (`en_US` is `en-us`); `None` if it does not have the form
-/// `ll-cc`, or with `extended` is not a BCP 47 language tag.
+/// `ll-cc`, or with `extended` is no BCP 47 language tag.
 ///
 /// ```
 /// use lipz_file::locale::canonical_tag;
@@ -76,12 +79,7 @@ pub fn language(tag: &str) -> &str {
 /// Which parts of an `ll-cc` tag are in no ISO list: language (ISO 639-1), country (ISO 3166-1).
 pub fn unknown_parts(tag: &str) -> (bool, bool) {
     let (language, country) = tag.split_once('-').unwrap_or((tag, ""));
-    let upper: [u8; 2] = match country.as_bytes() {
-        [first, second] => [first.to_ascii_uppercase(), second.to_ascii_uppercase()],
-        _ => *b"  ",
-    };
-    let country = std::str::from_utf8(&upper).ok().and_then(rust_iso3166::from_alpha2);
-    (isolang::Language::from_639_1(language).is_none(), country.is_none())
+    (!iso::is_language(language), !iso::is_country(&country.to_ascii_lowercase()))
 }
 
 #[cfg(test)]

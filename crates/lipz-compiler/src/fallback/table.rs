@@ -1,0 +1,85 @@
+//! Tables of CLDR, made by `LIPZ_BLESS=1 cargo test -p lipz-compiler --lib cldr`; sorted by key.
+
+/// Parents of locales that are not what is left without the last part.
+#[rustfmt::skip]
+pub(super) const PARENTS: &[(&str, &str)] = &[
+    ("en-150", "en-001"), ("en-ag", "en-001"), ("en-ai", "en-001"), ("en-at", "en-150"), ("en-au", "en-001"),
+    ("en-bb", "en-001"), ("en-be", "en-150"), ("en-bm", "en-001"), ("en-bs", "en-001"), ("en-bw", "en-001"),
+    ("en-bz", "en-001"), ("en-cc", "en-001"), ("en-ch", "en-150"), ("en-ck", "en-001"), ("en-cm", "en-001"),
+    ("en-cx", "en-001"), ("en-cy", "en-001"), ("en-cz", "en-150"), ("en-de", "en-150"), ("en-dg", "en-001"),
+    ("en-dk", "en-150"), ("en-dm", "en-001"), ("en-ee", "en-150"), ("en-er", "en-001"), ("en-es", "en-150"),
+    ("en-fi", "en-150"), ("en-fj", "en-001"), ("en-fk", "en-001"), ("en-fm", "en-001"), ("en-fr", "en-150"),
+    ("en-gb", "en-001"), ("en-gd", "en-001"), ("en-ge", "en-150"), ("en-gg", "en-001"), ("en-gh", "en-001"),
+    ("en-gi", "en-001"), ("en-gm", "en-001"), ("en-gs", "en-001"), ("en-gy", "en-001"), ("en-hk", "en-001"),
+    ("en-hu", "en-150"), ("en-id", "en-001"), ("en-ie", "en-001"), ("en-il", "en-001"), ("en-im", "en-001"),
+    ("en-in", "en-001"), ("en-io", "en-001"), ("en-it", "en-150"), ("en-je", "en-001"), ("en-jm", "en-001"),
+    ("en-ke", "en-001"), ("en-ki", "en-001"), ("en-kn", "en-001"), ("en-ky", "en-001"), ("en-lc", "en-001"),
+    ("en-lr", "en-001"), ("en-ls", "en-001"), ("en-lt", "en-150"), ("en-lv", "en-150"), ("en-mg", "en-001"),
+    ("en-mo", "en-001"), ("en-ms", "en-001"), ("en-mt", "en-001"), ("en-mu", "en-001"), ("en-mv", "en-001"),
+    ("en-mw", "en-001"), ("en-my", "en-001"), ("en-na", "en-001"), ("en-nf", "en-001"), ("en-ng", "en-001"),
+    ("en-nl", "en-150"), ("en-no", "en-150"), ("en-nr", "en-001"), ("en-nu", "en-001"), ("en-nz", "en-001"),
+    ("en-pg", "en-001"), ("en-pk", "en-001"), ("en-pl", "en-150"), ("en-pn", "en-001"), ("en-pt", "en-150"),
+    ("en-pw", "en-001"), ("en-ro", "en-150"), ("en-rw", "en-001"), ("en-sb", "en-001"), ("en-sc", "en-001"),
+    ("en-sd", "en-001"), ("en-se", "en-150"), ("en-sg", "en-001"), ("en-sh", "en-001"), ("en-si", "en-150"),
+    ("en-sk", "en-150"), ("en-sl", "en-001"), ("en-ss", "en-001"), ("en-sx", "en-001"), ("en-sz", "en-001"),
+    ("en-tc", "en-001"), ("en-tk", "en-001"), ("en-to", "en-001"), ("en-tt", "en-001"), ("en-tv", "en-001"),
+    ("en-tz", "en-001"), ("en-ua", "en-150"), ("en-ug", "en-001"), ("en-vc", "en-001"), ("en-vg", "en-001"),
+    ("en-vu", "en-001"), ("en-ws", "en-001"), ("en-za", "en-001"), ("en-zm", "en-001"), ("en-zw", "en-001"),
+    ("es-ar", "es-419"), ("es-bo", "es-419"), ("es-br", "es-419"), ("es-bz", "es-419"), ("es-cl", "es-419"),
+    ("es-co", "es-419"), ("es-cr", "es-419"), ("es-cu", "es-419"), ("es-do", "es-419"), ("es-ec", "es-419"),
+    ("es-gt", "es-419"), ("es-hn", "es-419"), ("es-jp", "es-419"), ("es-mx", "es-419"), ("es-ni", "es-419"),
+    ("es-pa", "es-419"), ("es-pe", "es-419"), ("es-pr", "es-419"), ("es-py", "es-419"), ("es-sv", "es-419"),
+    ("es-us", "es-419"), ("es-uy", "es-419"), ("es-ve", "es-419"), ("hi-latn", "en-in"), ("nb", "no"), ("nn", "no"),
+    ("no-no", "no"), ("pt-ao", "pt-pt"), ("pt-ch", "pt-pt"), ("pt-cv", "pt-pt"), ("pt-fr", "pt-pt"),
+    ("pt-gq", "pt-pt"), ("pt-gw", "pt-pt"), ("pt-lu", "pt-pt"), ("pt-mo", "pt-pt"), ("pt-mz", "pt-pt"),
+    ("pt-st", "pt-pt"), ("pt-tl", "pt-pt"), ("und-hans", "und-hani"), ("und-hant", "und-hani"),
+    ("zh-hant-mo", "zh-hant-hk"),
+];
+
+/// The usual script of a language.
+#[rustfmt::skip]
+pub(super) const LANGUAGE_SCRIPTS: &[(&str, &str)] = &[
+    ("ady", "cyrl"), ("af", "latn"), ("ak", "latn"), ("am", "ethi"), ("ar", "arab"), ("as", "beng"),
+    ("ast", "latn"), ("az", "latn"), ("ba", "cyrl"), ("bal", "arab"), ("be", "cyrl"), ("bg", "cyrl"),
+    ("bgc", "deva"), ("bho", "deva"), ("blo", "latn"), ("bn", "beng"), ("br", "latn"), ("brx", "deva"),
+    ("bs", "latn"), ("bua", "cyrl"), ("ca", "latn"), ("ceb", "latn"), ("chr", "cher"), ("ckb", "arab"),
+    ("cop", "copt"), ("cs", "latn"), ("csw", "cans"), ("cv", "cyrl"), ("cy", "latn"), ("da", "latn"),
+    ("de", "latn"), ("doi", "deva"), ("dsb", "latn"), ("ee", "latn"), ("el", "grek"), ("en", "latn"),
+    ("eo", "latn"), ("es", "latn"), ("et", "latn"), ("eu", "latn"), ("fa", "arab"), ("ff", "latn"), ("fi", "latn"),
+    ("fil", "latn"), ("fo", "latn"), ("fr", "latn"), ("fy", "latn"), ("ga", "latn"), ("gaa", "latn"),
+    ("gd", "latn"), ("gl", "latn"), ("gu", "gujr"), ("ha", "latn"), ("he", "hebr"), ("hi", "deva"), ("hr", "latn"),
+    ("hsb", "latn"), ("hu", "latn"), ("hy", "armn"), ("ia", "latn"), ("id", "latn"), ("ie", "latn"), ("ig", "latn"),
+    ("ii", "yiii"), ("is", "latn"), ("it", "latn"), ("ja", "jpan"), ("jv", "latn"), ("ka", "geor"), ("kbd", "cyrl"),
+    ("kea", "latn"), ("kek", "latn"), ("kgp", "latn"), ("ki", "latn"), ("kk", "cyrl"), ("km", "khmr"),
+    ("kn", "knda"), ("ko", "kore"), ("kok", "deva"), ("ks", "arab"), ("ksh", "latn"), ("ku", "latn"),
+    ("kxv", "latn"), ("ky", "cyrl"), ("lb", "latn"), ("lij", "latn"), ("lld", "latn"), ("lmo", "latn"),
+    ("lo", "laoo"), ("lt", "latn"), ("lv", "latn"), ("mai", "deva"), ("mi", "latn"), ("mk", "cyrl"), ("ml", "mlym"),
+    ("mn", "cyrl"), ("mni", "beng"), ("mr", "deva"), ("ms", "latn"), ("mt", "latn"), ("my", "mymr"),
+    ("nds", "latn"), ("ne", "deva"), ("nl", "latn"), ("nn", "latn"), ("no", "latn"), ("nqo", "nkoo"),
+    ("nso", "latn"), ("oc", "latn"), ("om", "latn"), ("or", "orya"), ("pa", "guru"), ("pcm", "latn"),
+    ("pl", "latn"), ("pms", "latn"), ("prg", "latn"), ("ps", "arab"), ("pt", "latn"), ("qu", "latn"),
+    ("quc", "latn"), ("raj", "deva"), ("rm", "latn"), ("ro", "latn"), ("ru", "cyrl"), ("rw", "latn"),
+    ("sa", "deva"), ("sah", "cyrl"), ("sat", "olck"), ("sc", "latn"), ("scn", "latn"), ("sd", "arab"),
+    ("shn", "mymr"), ("si", "sinh"), ("sk", "latn"), ("sl", "latn"), ("so", "latn"), ("sq", "latn"), ("sr", "cyrl"),
+    ("st", "latn"), ("su", "latn"), ("suz", "deva"), ("sv", "latn"), ("sw", "latn"), ("syr", "syrc"),
+    ("szl", "latn"), ("ta", "taml"), ("te", "telu"), ("tg", "cyrl"), ("th", "thai"), ("ti", "ethi"), ("tk", "latn"),
+    ("tn", "latn"), ("to", "latn"), ("tr", "latn"), ("tt", "cyrl"), ("tyv", "cyrl"), ("ug", "arab"), ("uk", "cyrl"),
+    ("ur", "arab"), ("uz", "latn"), ("vec", "latn"), ("vi", "latn"), ("vmw", "latn"), ("wo", "latn"),
+    ("xh", "latn"), ("xnr", "deva"), ("yo", "latn"), ("yrl", "latn"), ("yue", "hant"), ("za", "latn"),
+    ("zh", "hans"), ("zu", "latn"),
+];
+
+/// The usual script of a language in a region, where it is not that of the language.
+#[rustfmt::skip]
+pub(super) const REGION_SCRIPTS: &[(&str, &str)] = &[
+    ("az-iq", "arab"), ("az-ir", "arab"), ("az-ru", "cyrl"), ("ha-cm", "arab"), ("ha-sd", "arab"),
+    ("kk-af", "arab"), ("kk-cn", "arab"), ("kk-ir", "arab"), ("kk-mn", "arab"), ("ku-am", "cyrl"),
+    ("ku-az", "cyrl"), ("ku-ge", "cyrl"), ("ku-iq", "arab"), ("ku-ir", "arab"), ("ku-lb", "arab"),
+    ("ku-tm", "cyrl"), ("ky-cn", "arab"), ("ky-tr", "latn"), ("mn-cn", "mong"), ("ms-cc", "arab"),
+    ("pa-pk", "arab"), ("sd-in", "deva"), ("sr-me", "latn"), ("sr-ro", "latn"), ("sr-tr", "latn"),
+    ("tg-pk", "arab"), ("ug-kz", "cyrl"), ("ug-mn", "cyrl"), ("uz-af", "arab"), ("uz-cn", "cyrl"),
+    ("yue-cn", "hans"), ("zh-au", "hant"), ("zh-bn", "hant"), ("zh-gb", "hant"), ("zh-gf", "hant"),
+    ("zh-hk", "hant"), ("zh-id", "hant"), ("zh-mo", "hant"), ("zh-pa", "hant"), ("zh-pf", "hant"),
+    ("zh-ph", "hant"), ("zh-sr", "hant"), ("zh-th", "hant"), ("zh-tw", "hant"), ("zh-us", "hant"),
+    ("zh-vn", "hant"),
+];
