@@ -4,6 +4,7 @@ mod bless;
 mod capi;
 mod cargo;
 mod ci;
+mod deny;
 mod edges;
 mod features;
 mod forward;
@@ -16,6 +17,7 @@ mod targets;
 mod toolchain;
 mod tools;
 mod web;
+mod windows;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::ffi::OsString;
@@ -34,18 +36,22 @@ struct Arguments {
 
 #[derive(Subcommand, Debug)]
 enum Task {
-    /// Run everything that a change must pass: format, lints, documentation, tests, edges
-    Ci,
+    /// Run all checks of CI besides `cargo test --workspace`, or those that you name
+    Ci(ci::Settings),
     /// Build the libraries for C in target/capi, and run programs in C and C++ with them
     Capi,
     /// Build the npm package for browsers and node in target/web, and test it in both
     Web,
     /// Check which crates depend on which
     Edges,
+    /// Check the licences and sources of all dependencies
+    Deny,
     /// Compile the compiler with each of its features alone, and count the crates of a build script
     Features,
     /// Run the reader on other machines: bare metal, big-endian, 32-bit, wasm
     Targets(targets::Settings),
+    /// Compile all crates for Windows
+    Windows,
     /// Count the reader's code on a Cortex-M, and prove that it cannot panic or allocate
     Size,
     /// Make every crate as it would be published, and check what is in it
@@ -73,12 +79,14 @@ fn main() -> ExitCode {
     };
     let result = match task {
         Task::Bless => bless::run(),
-        Task::Ci => ci::run(),
+        Task::Ci(settings) => ci::run(&settings),
         Task::Capi => capi::run(),
         Task::Web => web::run(),
         Task::Edges => edges::run(),
+        Task::Deny => deny::run(),
         Task::Features => features::run(),
         Task::Targets(settings) => targets::run(&settings),
+        Task::Windows => windows::run(),
         Task::Size => size::run(),
         Task::Packages => packages::run(),
         Task::Msrv => msrv::run(),

@@ -134,11 +134,11 @@ pub fn shortfalls(found: &[Coverage], wanted: &MinCoverage) -> Vec<Diagnostic> {
 
 fn shortfall(coverage: &Coverage, wanted_percent: f64) -> Diagnostic {
     let (tag, percent) = (&coverage.tag, coverage.percent_in_tenths());
-    let message = format!("{percent} % of the clips have a text in `{tag}`, {wanted_percent} % are asked for");
+    let message = format!("{percent} % of the clips have a text in `{tag}`, {wanted_percent} % are required");
     let missing = coverage.clip_count - coverage.own_count;
     Diagnostic::new(Code::LowCoverage, message)
         .note(format!("{missing} of {} clips have none", coverage.clip_count))
-        .help(format!("translate them (`lipz coverage --missing {tag}` lists them), or ask for less"))
+        .help(format!("translate them (`lipz coverage --missing {tag}` lists them), or lower the minimum"))
 }
 
 /// What a player of a locale reads of a clip.
@@ -233,9 +233,9 @@ mod tests {
         };
         assert_eq!(headlines(None, &[]), [""; 0]);
         assert_eq!(headlines(Some(66.6), &[]), [""; 0]);
-        let german = "66.6 % of the clips have a text in `de-de`, 100 % are asked for";
+        let german = "66.6 % of the clips have a text in `de-de`, 100 % are required";
         assert_eq!(headlines(Some(100.0), &[]), [german]);
-        let french = "0 % of the clips have a text in `fr-fr`, 50 % are asked for";
+        let french = "0 % of the clips have a text in `fr-fr`, 50 % are required";
         assert_eq!(headlines(Some(100.0), &[("de-de", 10.0), ("fr-fr", 50.0)]), [french]);
     }
 

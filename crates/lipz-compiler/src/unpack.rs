@@ -117,7 +117,7 @@ fn existing_files(bank: &Bank<'_>, output: &Dir, shown: &str) -> Vec<Report> {
         .filter(|name| output.symlink_metadata(name).is_ok())
         .map(|name| {
             let path = format!("{shown}/{name}");
-            let finding = Diagnostic::new(Code::WouldOverwrite, format!("`{path}` is there already"));
+            let finding = Diagnostic::new(Code::WouldOverwrite, format!("`{path}` exists already"));
             Report::about(
                 path,
                 finding.note("nothing was written").help("unpack into another folder, or replace files with --force"),

@@ -10,14 +10,14 @@ const MAX_DIGITS: usize = u16::MAX as usize;
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Digits(String);
 
-/// Why a text is no loop.
+/// Why a text is not a loop.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum NotDigits {
     /// There are none.
     Empty,
-    /// A character that is no digit, and the byte at which it stands.
+    /// A character other than a digit, and the byte at which it is.
     Foreign(char, usize),
-    /// More than a bank holds.
+    /// More than a bank can store.
     TooMany,
 }
 
@@ -57,7 +57,7 @@ impl fmt::Display for Digits {
 
 impl NotDigits {
     /// The finding about the setting `name`, whose value is at `value`. `text_start` is the byte at which its text
-    /// starts, if it stands there as it is: then only the foreign character is marked.
+    /// starts, if it is there unescaped: then only the foreign character is marked.
     pub fn finding(self, name: &str, value: Span, text_start: Option<usize>) -> Diagnostic {
         let (what, help) = match self {
             NotDigits::Empty => ("is empty".to_owned(), "write at least one digit; 0 alone keeps the morph still"),
@@ -65,7 +65,7 @@ impl NotDigits {
                 let what = format!("has {}, which is not a digit", escape::character(c));
                 (what, "each digit from 0 to 9 is how far the morph moves")
             }
-            NotDigits::TooMany => ("has too many digits".to_owned(), "a bank holds loops of up to 65,535 digits"),
+            NotDigits::TooMany => ("has too many digits".to_owned(), "a bank stores loops of up to 65,535 digits"),
         };
         let span = match (self, text_start) {
             (NotDigits::Foreign(c, at), Some(start)) => Span::new(start + at, start + at + c.len_utf8()),

@@ -36,11 +36,11 @@ pub enum Value<'s> {
 pub struct Raw<'s> {
     /// The text.
     pub text: Cow<'s, str>,
-    /// Where it stands.
+    /// Where it is.
     pub span: Span,
 }
 
-/// A decoded JSON string that can tell where each of its characters stands in the file.
+/// A decoded JSON string that knows where each of its characters is in the file.
 #[derive(Clone, Debug)]
 pub struct JsonString<'s> {
     /// The decoded characters.
@@ -51,7 +51,7 @@ pub struct JsonString<'s> {
     start: u32,
 }
 
-/// Values are equal when they say the same, wherever they stand.
+/// Values are equal when they say the same, wherever they are.
 impl PartialEq for Raw<'_> {
     fn eq(&self, other: &Self) -> bool {
         self.text == other.text
@@ -59,7 +59,7 @@ impl PartialEq for Raw<'_> {
 }
 impl Eq for Raw<'_> {}
 
-/// Strings are equal when they say the same, however they are escaped and wherever they stand.
+/// Strings are equal when they say the same, however they are escaped and wherever they are.
 impl PartialEq for JsonString<'_> {
     fn eq(&self, other: &Self) -> bool {
         self.text == other.text
@@ -83,7 +83,7 @@ impl<'s> Document<'s> {
 }
 
 impl Value<'_> {
-    /// Where the value stands, with the quotes of a string.
+    /// Where the value is, with the quotes of a string.
     pub fn span(&self) -> Span {
         match self {
             Value::String(string) => string.span(),
@@ -107,14 +107,14 @@ impl Value<'_> {
 }
 
 impl<'s> Raw<'s> {
-    /// JSON text that stands in no file.
+    /// JSON text that is in no file.
     pub fn new(text: impl Into<Cow<'s, str>>) -> Raw<'s> {
         Raw { text: text.into(), span: Span::default() }
     }
 }
 
 impl<'s> From<Cow<'s, str>> for JsonString<'s> {
-    /// A string that stands in no file.
+    /// A string that is in no file.
     fn from(text: Cow<'s, str>) -> Self {
         JsonString { text, literal: "", start: 0 }
     }
@@ -126,12 +126,12 @@ impl<'s> JsonString<'s> {
         JsonString { text, literal, start }
     }
 
-    /// Where the literal stands, with its quotes.
+    /// Where the literal is, with its quotes.
     pub fn span(&self) -> Span {
         Span::new(self.start as usize, self.start as usize + self.literal.len())
     }
 
-    /// Where the characters of `range` (bytes of the decoded text) stand in the file, escapes
+    /// Where the characters of `range` (bytes of the decoded text) are in the file, escapes
     /// included. An empty range gives an empty span.
     pub fn span_of(&self, range: Range<usize>) -> Span {
         let start = self.source_offset(range.start);

@@ -22,7 +22,7 @@ pub struct Word<'t> {
 }
 
 impl Word<'_> {
-    /// Where the word stands, in bytes of the segment.
+    /// Where the word is, in bytes of the segment.
     pub fn range(&self) -> Range<usize> {
         self.start..self.start + self.text.len()
     }
@@ -37,7 +37,7 @@ pub struct Event<'t> {
     pub character: Option<Word<'t>>,
     /// What.
     pub command: Command<Word<'t>>,
-    /// Where the verb stands, in bytes of the segment; both words of `stops staring`.
+    /// Where the verb is, in bytes of the segment; both words of `stops staring`.
     pub verb: Range<usize>,
 }
 

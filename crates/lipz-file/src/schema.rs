@@ -37,7 +37,7 @@ pub fn json_schema(extended_locales: bool) -> String {
             "viseme_type": viseme_type(),
             "visemes": {
                 "title": "Mouth shapes",
-                "description": "One code is one frame. `|` starts a new segment and is no frame. `-` is rest.",
+                "description": "One code is one frame. `|` starts a new segment and is not a frame. `-` is rest.",
                 "type": "string",
                 "examples": ["MAAAEO----|MAAAAEEO--"],
             },

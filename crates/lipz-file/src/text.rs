@@ -42,7 +42,7 @@ pub fn is_white_space(c: char) -> bool {
 pub struct Display<'t> {
     /// The text without `{meta}`, then trimmed. Blanks around a removed meta stay.
     pub text: Cow<'t, str>,
-    /// Where braces without a partner stand; they are displayed as they are.
+    /// Where braces without a partner are; they are displayed as they are.
     pub unbalanced: Vec<usize>,
     /// Where meta contains braces: the outer opening ones.
     pub nested: Vec<usize>,

@@ -112,7 +112,9 @@ fn track<'m>(
         let name = viseme_type.map_or("of no known viseme type", VisemeType::name);
         let message = format!("`{}` has no mapping table for the codes of the clip, which are {name}", format.name);
         findings.push(refusal(message).help(match viseme_type {
-            Some(VisemeType::Rms) => "loudness (rms) is no mouth shape; export clips of the types blair and toonboom",
+            Some(VisemeType::Rms) => {
+                "loudness (rms) is not a mouth shape; export clips of the types blair and toonboom"
+            }
             _ => "convert the clip first: lipz convert --viseme-type blair",
         }));
         return None;
@@ -144,7 +146,7 @@ fn segments(visemes: &str, rate: Rate) -> Vec<Timed> {
     visemes.split(DELIMITER).map(of_segment).collect()
 }
 
-/// The finding for a clip that cannot be exported.
+/// The diagnostic for a clip that cannot be exported.
 pub(crate) fn refusal(message: impl Into<String>) -> Diagnostic {
     Diagnostic::new(Code::NotExportable, message)
 }

@@ -25,7 +25,7 @@ pub(crate) fn root<'s>(text: &'s str, findings: &mut Vec<Diagnostic>) -> Option<
     }
 }
 
-/// The values that stand one after the other in a text, whatever commas are between them; reports where it
+/// The values that follow each other in a text, whatever commas are between them; reports where it
 /// is not JSON, and gives those before.
 pub(crate) fn joined<'s>(text: &'s str, findings: &mut Vec<Diagnostic>) -> Vec<Node<'s>> {
     let mut nodes = Vec::new();
@@ -50,7 +50,7 @@ pub(crate) fn joined<'s>(text: &'s str, findings: &mut Vec<Diagnostic>) -> Vec<N
     }
 }
 
-/// The finding for a text that is not JSON behind byte `at`.
+/// The diagnostic for a text that is not JSON behind byte `at`.
 fn syntax(text: &str, at: usize, error: &serde_json::Error) -> Diagnostic {
     if error.is_eof() {
         return crate::source::cut_off(text, "its JSON is not complete");
@@ -79,7 +79,7 @@ impl<'s> Node<'s> {
         self.line.span()
     }
 
-    /// The members of an object, names decoded; none if it is no object.
+    /// The members of an object, names decoded; none if it is not an object.
     pub(crate) fn members(self) -> Vec<(String, Node<'s>)> {
         struct Members;
         impl<'de> Visitor<'de> for Members {

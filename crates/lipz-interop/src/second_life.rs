@@ -24,7 +24,7 @@ pub struct LipSync {
     pub rate: Option<Rate>,
 }
 
-/// The lip sync settings in the `settings.xml` of a viewer, which messages call `name`; `None` if it is no LLSD.
+/// The lip sync settings in the `settings.xml` of a viewer, which messages call `name`; `None` if it is not LLSD.
 /// Settings that are wrong are reported and left open.
 ///
 /// ```

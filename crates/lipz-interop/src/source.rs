@@ -19,7 +19,7 @@ pub(crate) fn lines(text: &str) -> impl Iterator<Item = Line<'_>> {
     })
 }
 
-/// A part of a text that knows where it stands: a line, a field of a line.
+/// A part of a text that knows where it is: a line, a field of a line.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Line<'s> {
     pub(crate) text: &'s str,
@@ -28,7 +28,7 @@ pub(crate) struct Line<'s> {
 }
 
 impl<'s> Line<'s> {
-    /// Where it stands.
+    /// Where it is.
     pub(crate) fn span(self) -> Span {
         Span::new(self.at, self.at + self.text.len())
     }
@@ -39,7 +39,7 @@ impl<'s> Line<'s> {
         Line { text: self.text.trim(), at: self.at + start }
     }
 
-    /// What stands before and behind the first `separator`, trimmed.
+    /// What is before and after the first `separator`, trimmed.
     pub(crate) fn split_once(self, separator: char) -> Option<(Line<'s>, Line<'s>)> {
         let (before, after) = self.text.split_once(separator)?;
         let behind = self.at + before.len() + separator.len_utf8();
@@ -52,7 +52,7 @@ impl<'s> Line<'s> {
         self.text.split_whitespace().map(move |text| Line { text, at: self.at + (text.as_ptr() as usize - start) })
     }
 
-    /// A finding about it.
+    /// A diagnostic about it.
     pub(crate) fn finding(self, code: Code, message: impl Into<String>) -> Diagnostic {
         Diagnostic::at(code, self.span(), message)
     }
@@ -76,7 +76,7 @@ impl<'s> Line<'s> {
     }
 }
 
-/// The finding for a file that ends too early.
+/// The diagnostic for a file that ends too early.
 pub(crate) fn cut_off(text: &str, missing: &str) -> Diagnostic {
     let end = text.trim_end().len();
     Diagnostic::at(Code::ForeignCutOff, Span::new(end, end), format!("the file ends too early: {missing}"))

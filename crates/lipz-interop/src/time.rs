@@ -69,7 +69,7 @@ impl Time {
         Some(Time::new(u64::try_from(value).ok()?, 10_u32.pow(places)))
     }
 
-    /// Seconds as a binary floating-point number; `None` if it is no number, less than 0 or too large.
+    /// Seconds as a binary floating-point number; `None` if it is not a number, less than 0 or too large.
     pub fn from_f32(seconds: f32) -> Option<Time> {
         let units = f64::from(seconds) * f64::from(FLOAT_UNITS);
         let is_time = units.is_finite() && units > -0.5 && units < 2_f64.powi(63);

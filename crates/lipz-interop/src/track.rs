@@ -14,7 +14,7 @@ use lipz_file::rate::Rate;
 pub struct Track {
     /// What the file calls the speaker, if it can have several.
     pub name: Option<String>,
-    /// The [mapping table](crate::Map) of its symbols, if the file tells it and not the format.
+    /// The [mapping table](crate::Map) of its symbols, if the file names it and not the format.
     pub map: Option<&'static str>,
     /// The shapes. Each lasts until the next one starts.
     pub shapes: Vec<Shape>,
@@ -28,7 +28,7 @@ pub struct Track {
     pub phrases: Vec<Timed>,
     /// The spoken words.
     pub words: Vec<Timed>,
-    /// What is said, in the locale if the file tells it. `|` in it divides segments.
+    /// What is said, in the locale if the file names it. `|` in it divides segments.
     pub texts: Vec<Text>,
     /// Elements of Lipz files that are taken as they are, such as events.
     pub elements: Vec<Element<'static>>,
@@ -59,7 +59,7 @@ pub struct Timed {
 /// What is said in a recording.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Text {
-    /// The tag of the locale, `en-us`; `None` if the file does not tell it.
+    /// The tag of the locale, `en-us`; `None` if the file does not name it.
     pub locale: Option<String>,
     /// The text.
     pub text: String,

@@ -55,7 +55,7 @@ pub const FORMAT_MINOR: u16 = 0;
 pub const NO_TEXT: u32 = u32::MAX;
 /// Bit of a text start: the text is that of another locale.
 pub const TEXT_FALLBACK: u32 = 1 << 31;
-/// Bit of a text start: the text does not end where the next one starts. A count stands in front of it.
+/// Bit of a text start: the text does not end where the next one starts. A count comes before it.
 pub const TEXT_HAS_LENGTH: u32 = 1 << 30;
 /// The other bits of a text start: where the text, or its count, starts in the text pool, in bytes.
 pub const TEXT_OFFSET: u32 = TEXT_HAS_LENGTH - 1;

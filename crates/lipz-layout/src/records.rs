@@ -65,7 +65,7 @@ pub struct KeyRecord {
     pub segment_count: U16,
 }
 
-/// One distinct frame rate that is no whole number.
+/// One distinct non-integer frame rate.
 #[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
 #[repr(C)]
 pub struct RateRecord {

@@ -66,7 +66,7 @@ impl Tag {
     pub const CLIPS: Tag = Tag(*b"CLIP");
     /// [`KeyRecord`](super::KeyRecord)s in slot order.
     pub const KEYS: Tag = Tag(*b"KEYS");
-    /// [`RateRecord`](super::RateRecord)s: the distinct frame rates that are no whole numbers.
+    /// [`RateRecord`](super::RateRecord)s: the distinct non-integer frame rates.
     pub const RATES: Tag = Tag(*b"RATE");
     /// Pilots of the clip index, one `u32` per bucket.
     pub const PILOTS: Tag = Tag(*b"PILT");

@@ -126,7 +126,7 @@ impl Fps {
     /// The frame that shows at `time_us` microseconds, before [`LATEST_US`]: ⌊time · rate⌋ in exact arithmetic.
     ///
     /// The rounded-up reciprocal gives that number or one more (its error is below one for any
-    /// 64-bit time); the sign of the remainder tells which. The remainder is less than 2⁵² in
+    /// 64-bit time); the sign of the remainder says which. The remainder is less than 2⁵² in
     /// size, so arithmetic modulo 2⁶⁴ suffices for it.
     #[inline]
     pub(crate) fn frame_at_micros(self, time_us: u64) -> u64 {
@@ -171,7 +171,7 @@ impl Fps {
 
     /// The first microsecond at which `frame` shows: ⌈frame / rate⌉ in exact arithmetic.
     ///
-    /// Saturates at `u64::MAX` only for rates that no valid bank holds.
+    /// Saturates at `u64::MAX` only for rates that no valid bank has.
     #[allow(clippy::arithmetic_side_effects)] // the divisor is not zero: `max(1)`
     pub fn start_of_frame_us(self, frame: u32) -> u64 {
         let numerator = u128::from(self.numerator.max(1));

@@ -63,7 +63,7 @@ impl fmt::Display for ClipId {
     }
 }
 
-/// Sixteen hexadecimal digits, as [`Display`](fmt::Display) writes them; `0x` may stand in front.
+/// Sixteen hexadecimal digits, as [`Display`](fmt::Display) writes them; a leading `0x` is allowed.
 impl FromStr for ClipId {
     type Err = UnknownName;
 

@@ -1,4 +1,4 @@
-//! What is said of a name that stands for nothing.
+//! The error for a name that means nothing.
 
 use core::fmt;
 

@@ -49,7 +49,7 @@ fn files_have_key_and_locale_in_their_names() {
     let srt = fs::read_to_string(scene.path().join("out/act1/mayor.en-us.srt")).unwrap();
     assert_eq!(srt, "1\n00:00:00,167 --> 00:00:00,333\nHello & bye.\n\n");
     let again = lipz(scene.path(), ["subtitles", "export", "srt", "voices", "-o", "out"]);
-    assert!(again.code == 1 && again.stderr.contains("is there already"), "{again:?}");
+    assert!(again.code == 1 && again.stderr.contains("exists already"), "{again:?}");
     let other = lipz(scene.path(), ["subtitles", "export", "srt", "voices", "-o", "other", "--locale", "de_DE"]);
     assert_eq!((other.code, scene.path().join("other").exists()), (0, false));
 }

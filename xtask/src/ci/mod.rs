@@ -1,4 +1,4 @@
-//! `cargo xtask ci`: everything that a change must pass.
+//! `cargo xtask ci`: all that a change must pass besides `cargo test --workspace`.
 //!
 //! There are two lists of steps, each done in order, and both at the same time: what is built for other
 //! machines has a folder of its own, and often keeps but one core busy. A failure ends both.
@@ -6,54 +6,59 @@
 mod step;
 
 use crate::Failure;
+use clap::Args;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 use step::{Program, Step};
 
+/// Which steps.
+#[derive(Args, Debug)]
+pub(crate) struct Settings {
+    /// The steps to run; all of them, if none is named
+    #[arg(value_parser = names())]
+    steps: Vec<String>,
+}
+
 /// What this machine builds and runs.
 const HERE: [Step; 11] = [
-    Step { name: "format", program: Program::Cargo, arguments: &["fmt", "--all", "--check"] },
+    Step::cargo("format", &["fmt", "--all", "--check"]),
+    Step::cargo("lints", &["clippy", "--workspace", "--all-targets", "--locked", "--", "-D", "warnings"]),
     Step {
-        name: "lints",
-        program: Program::Cargo,
-        arguments: &["clippy", "--workspace", "--all-targets", "--locked", "--", "-D", "warnings"],
-    },
-    Step {
-        name: "documentation",
+        name: "docs",
         program: Program::CargoWith("RUSTDOCFLAGS", "-D warnings"),
         arguments: &["doc", "--workspace", "--no-deps", "--locked"],
     },
-    Step { name: "tests", program: Program::Cargo, arguments: &["test", "--workspace", "--locked"] },
-    Step { name: "edges", program: Program::Task, arguments: &["edges"] },
-    Step { name: "features", program: Program::Task, arguments: &["features"] },
+    Step::task(&["edges"]),
+    Step::task(&["features"]),
     // A workspace of its own, which no other step builds: its lock file names what this one depends on now.
-    Step { name: "lock file of fuzz", program: Program::Cargo, arguments: &lock_file("fuzz/Cargo.toml") },
-    Step { name: "oldest compiler", program: Program::Task, arguments: &["msrv"] },
-    Step { name: "packages", program: Program::Task, arguments: &["packages"] },
-    Step { name: "C and C++", program: Program::Task, arguments: &["capi"] },
-    Step { name: "instructions", program: Program::Task, arguments: &["instructions"] },
+    Step::cargo("fuzz-lock", &["tree", "--locked", "--depth", "0", "--manifest-path", "fuzz/Cargo.toml"]),
+    Step::task(&["deny"]),
+    Step::task(&["msrv"]),
+    Step::task(&["packages"]),
+    Step::task(&["capi"]),
+    Step::task(&["instructions"]),
 ];
 
 /// What is built for other machines, in `target/machines`.
-const ELSEWHERE: [Step; 3] = [
-    Step { name: "size", program: Program::Task, arguments: &["size"] },
-    Step { name: "targets", program: Program::Task, arguments: &["targets"] },
-    Step { name: "web", program: Program::Task, arguments: &["web"] },
-];
+const ELSEWHERE: [Step; 4] =
+    [Step::task(&["size"]), Step::task(&["targets"]), Step::task(&["web"]), Step::task(&["windows"])];
 
-const fn lock_file(manifest: &str) -> [&str; 6] {
-    ["tree", "--locked", "--depth", "0", "--manifest-path", manifest]
+/// The names of all steps.
+fn names() -> Vec<&'static str> {
+    HERE.iter().chain(&ELSEWHERE).map(|step| step.name).collect()
 }
 
 /// What steps took.
 type Times = Vec<(&'static str, Duration)>;
 
-pub(crate) fn run() -> Result<(), Failure> {
+pub(crate) fn run(settings: &Settings) -> Result<(), Failure> {
+    let is_chosen = |step: &&Step| settings.steps.is_empty() || settings.steps.iter().any(|chosen| chosen == step.name);
     let has_failed = AtomicBool::new(false);
     let mut printed = String::new();
     let (here, elsewhere) = std::thread::scope(|scope| {
-        let elsewhere = scope.spawn(|| in_order(&ELSEWHERE, &has_failed, |step| step.run_into(&mut printed)));
-        (in_order(&HERE, &has_failed, Step::run), elsewhere.join())
+        let steps = ELSEWHERE.iter().filter(is_chosen);
+        let elsewhere = scope.spawn(|| in_order(steps, &has_failed, |step| step.run_into(&mut printed)));
+        (in_order(HERE.iter().filter(is_chosen), &has_failed, Step::run), elsewhere.join())
     });
     print!("{printed}");
     let times = [here?, elsewhere.map_err(|_| "the steps for other machines panicked")??].concat();
@@ -65,8 +70,8 @@ pub(crate) fn run() -> Result<(), Failure> {
 }
 
 /// Does the steps until one fails, here or in the other list.
-fn in_order(
-    steps: &[Step],
+fn in_order<'a>(
+    steps: impl Iterator<Item = &'a Step>,
     has_failed: &AtomicBool,
     mut run: impl FnMut(&Step) -> Result<Duration, Failure>,
 ) -> Result<Times, Failure> {

@@ -24,6 +24,15 @@ pub(super) struct Step {
 }
 
 impl Step {
+    pub(super) const fn cargo(name: &'static str, arguments: &'static [&'static str]) -> Step {
+        Step { name, program: Program::Cargo, arguments }
+    }
+
+    /// Another task, which gives the step its name.
+    pub(super) const fn task(arguments: &'static [&'static str; 1]) -> Step {
+        Step { name: arguments[0], program: Program::Task, arguments }
+    }
+
     /// Runs the step and says how long it took; what it prints is seen at once.
     pub(super) fn run(&self) -> Result<Duration, Failure> {
         let start = Instant::now();

@@ -22,7 +22,7 @@ pub(super) fn rate(number: &Raw<'_>, diagnostics: &mut Vec<Diagnostic>) -> Optio
         let message = format!("fps is stored as {numerator}/{denominator}, the nearest exact ratio");
         diagnostics.push(
             Diagnostic::at(Code::FpsInexact, number.span, message)
-                .note("a bank holds frame rates as ratios of 32-bit numbers")
+                .note("a bank stores frame rates as ratios of 32-bit numbers")
                 .help("write fewer digits, 23.976 or 29.97, if that is what was meant"),
         );
     }

@@ -131,7 +131,7 @@ fn other_shape(element: &Element<'_>, locale: &str, is_tag: bool, options: &Opti
     match locale::text_name(without_blanks) {
         Some(TextName::Canonical(tag)) if without_blanks.len() < element.name.text.len() => {
             let name = format!("\"text_{tag}\"");
-            finding.help(format!("remove the blank: {name}")).fix(element.name.span(), name)
+            finding.help(format!("remove the space: {name}")).fix(element.name.span(), name)
         }
         _ if is_tag => finding.help(
             "name a country, or accept any BCP 47 tag: extended-locales = true in lipz.toml, or --extended-locales",
@@ -154,9 +154,9 @@ pub(crate) fn in_no_list(tag: &str) -> Option<String> {
     let (language, country) = tag.split_once('-').unwrap_or((tag, ""));
     let what = match locale::unknown_parts(tag) {
         (false, false) => return None,
-        (true, true) => format!("`{language}` is no language and `{country}` no country"),
-        (true, false) => format!("`{language}` is no language"),
-        (false, true) => format!("`{country}` is no country"),
+        (true, true) => format!("`{language}` is not a language and `{country}` not a country"),
+        (true, false) => format!("`{language}` is not a language"),
+        (false, true) => format!("`{country}` is not a country"),
     };
     Some(format!("{what} of the ISO lists"))
 }

@@ -86,7 +86,7 @@ fn too_fast(display: &str, seconds: f64, limits: &TextLimits) -> Option<String> 
         return None;
     }
     if seconds == 0.0 {
-        return Some("this text stands at a segment of no frames: nobody has time to read it".to_owned());
+        return Some("this text is in a segment without frames: nobody has time to read it".to_owned());
     }
     let speed = characters as f64 / seconds;
     (speed > limit)

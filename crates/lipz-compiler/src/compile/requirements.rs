@@ -28,7 +28,7 @@ pub(super) fn locales_without_texts(bank: &[u8], options: &Options) -> Report {
 
 fn without_texts(tag: &str) -> Diagnostic {
     let finding =
-        Diagnostic::new(Code::LocaleWithoutTexts, format!("`{tag}` is to be packed, and no clip has a text in it"));
+        Diagnostic::new(Code::LocaleWithoutTexts, format!("`{tag}` is to be packed, but no clip has a text in it"));
     match Some(tag).filter(|tag| locale::has_lipz_shape(tag)).and_then(in_no_list) {
         Some(what) => finding.note(what).help("is it misspelt?"),
         None => finding.help("is it misspelt? if not, leave it out until there are texts"),

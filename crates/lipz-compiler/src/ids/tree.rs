@@ -71,7 +71,7 @@ fn clash(first: &str, second: &str, name: &str, language: &str) -> Diagnostic {
         Code::IdentifierClash,
         format!("the keys `{first}` and `{second}` have the same identifier `{name}` in {language}"),
     )
-    .help("rename one of the two files; identifiers have letters and digits, other characters only divide words")
+    .help("rename one of the two files; identifiers have letters and digits, other characters only separate words")
 }
 
 /// The locales whose texts comments show, the first that a clip has: the default locale, then the

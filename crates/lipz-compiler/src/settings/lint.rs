@@ -59,12 +59,12 @@ pub fn refusal(code: Code, level: Option<Severity>) -> Option<&'static str> {
     let is_lowered = level < Some(code.default_severity());
     (is_lowered && !code.can_be_lowered()).then_some(match code {
         Code::RefusedKey | Code::DuplicateKey | Code::IdCollision => {
-            "a bank cannot hold such keys: rename the files, or name a root above them"
+            "a bank cannot store such keys: rename the files, or name a root above them"
         }
-        Code::LowCoverage => "it is what the project asks for: ask for less, or translate more",
+        Code::LowCoverage => "the project requires it: translate more, or lower the minimum",
         // The codes of banks, outputs and settings follow those of sources.
         _ if code > Code::NoSources => "it is about what lipz does, not about Lipz files",
-        _ => "such a file has no certain meaning, and lipz does not guess: mend the file",
+        _ => "such a file has no certain meaning, and lipz does not guess: fix the file",
     })
 }
 

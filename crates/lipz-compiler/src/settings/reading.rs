@@ -177,7 +177,7 @@ impl<'t> Reading<'t> {
             let message = format!("{} is not a lint", escape::quoted(name));
             let help = match lint::suggestion(name) {
                 Some(known) => format!("did you mean `{known}`?"),
-                None => "findings show their code in brackets: write that, or the name of the lint".to_owned(),
+                None => "diagnostics show their code in brackets: write that, or the name of the lint".to_owned(),
             };
             self.findings.push(Diagnostic::at(Code::UnknownLint, span(&value.key), message).help(help));
         }

@@ -58,7 +58,7 @@ fn finding(text: &str, root: &DeTable<'_>, error: &Error) -> Diagnostic {
     let at = |message: String| Diagnostic::at(Code::SettingsSyntax, Span::new(place.start, place.end), message);
     match what {
         "string values must be quoted" if written.is_empty() => {
-            at("a value is missing".to_owned()).help("write a value behind the `=`, or remove the line")
+            at("a value is missing".to_owned()).help("write a value after the `=`, or remove the line")
         }
         "string values must be quoted" => at(format!("{} is a text without quotes", escape::quoted(written)))
             .help(format!("write \"{}\"", escape::text(written))),
@@ -70,11 +70,9 @@ fn finding(text: &str, root: &DeTable<'_>, error: &Error) -> Diagnostic {
             at(format!("{} is neither true nor false", escape::quoted(written))).help("write true or false")
         }
         "key with no value" => at("a name has no value".to_owned()).help("write name = value, as in default-fps = 24"),
-        "invalid basic string" => {
-            at("a text does not end".to_owned()).help("texts stand between \" and \" on one line")
-        }
-        "unexpected key or value" => at("the line goes on behind a value".to_owned())
-            .help("lists stand in […], and each setting on a line of its own"),
+        "invalid basic string" => at("a text does not end".to_owned()).help("put texts between \" and \" on one line"),
+        "unexpected key or value" => at("the line continues after a value".to_owned())
+            .help("put lists in […], and each setting on a line of its own"),
         "unclosed array" => match opening(root, place.start) {
             Some(start) => Diagnostic::at(Code::SettingsSyntax, Span::new(start, start + 1), "this `[` has no `]`")
                 .help("close the list: [\"…\", \"…\"]"),
@@ -84,9 +82,9 @@ fn finding(text: &str, root: &DeTable<'_>, error: &Error) -> Diagnostic {
             at("a `,` is missing before this item of the list".to_owned()).help("write [\"…\", \"…\"]")
         }
         "unclosed table" => at("the name of a table has no `]`".to_owned())
-            .help("write [text], for example, and quotes round a name with blanks: [babble.\"old robot\"]"),
+            .help("write [text], for example, and quotes around a name with spaces: [babble.\"old robot\"]"),
         _ => at(format!("this is not TOML: {}", escape::text(message)))
-            .help("texts stand in \"…\", lists in […], and each setting on a line of its own"),
+            .help("put texts in \"…\", lists in […], and each setting on a line of its own"),
     }
 }
 

@@ -156,7 +156,7 @@ impl<'t> Value<'t> {
     pub(super) fn word(&self, findings: &mut Findings) -> Option<String> {
         let text = self.text(findings)?;
         if !is_word(text) {
-            return self.refuse("is not one word", "events mention words without blanks, `,` and `|`", findings);
+            return self.refuse("is not one word", "names in events are words without spaces, `,` and `|`", findings);
         }
         Some(text.to_owned())
     }

@@ -20,7 +20,7 @@ impl Row {
         Row { segments, is_padded: true }
     }
 
-    /// A row in which no blank may stand: visemes.
+    /// A row without spaces: visemes.
     pub(super) fn fixed(segments: Vec<String>) -> Row {
         Row { segments, is_padded: false }
     }
@@ -32,7 +32,7 @@ impl Row {
     }
 }
 
-/// Adds blanks to the ends of segments. The first `|` of all rows stand in the leftmost column that
+/// Adds spaces to the ends of segments. The first `|` of all rows stand in the leftmost column that
 /// all of them reach, so do the second ones, and so on. Those of a fixed row stand there, too,
 /// unless another row needs more columns; they meet again where the fixed row has caught up.
 pub(super) fn align(rows: &mut [Row]) {

@@ -44,7 +44,7 @@ impl LineEnding {
 /// What a project and a file decide about the layout.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Style<'a> {
-    /// The locale whose text stands first. Without one, or in a file without a text in it, the
+    /// The locale whose text comes first. Without one, or in a file without a text in it, the
     /// first text stays the first: it is the one that the clip was written in.
     pub default_locale: Option<&'a str>,
     /// How lines end.
@@ -124,7 +124,7 @@ impl Role {
     }
 }
 
-/// The index of the text that stands first.
+/// The index of the text that comes first.
 fn first_text(elements: &[(Role, &Element<'_>)], default_locale: Option<&str>) -> Option<usize> {
     // A text without locale is read as that of the default locale.
     let is_default = |tag: &str| tag.is_empty() || Some(tag) == default_locale;

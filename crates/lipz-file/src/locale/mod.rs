@@ -50,7 +50,7 @@ pub fn text_name(name: &str) -> Option<TextName> {
 }
 
 /// The canonical form of a locale tag (`en_US` is `en-us`); `None` if it does not have the form
-/// `ll-cc`, or with `extended` is no BCP 47 language tag.
+/// `ll-cc`, or with `extended` is not a BCP 47 language tag.
 ///
 /// ```
 /// use lipz_file::locale::canonical_tag;

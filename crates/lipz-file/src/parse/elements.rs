@@ -38,7 +38,7 @@ pub(super) fn elements<'s>(text: &'s str, diagnostics: &mut Vec<Diagnostic>) -> 
     complete.then_some(Document { elements })
 }
 
-/// The members of the root object: name and value as they stand in the text.
+/// The members of the root object: name and value as they are in the text.
 struct Members<'s>(Vec<(&'s RawValue, &'s RawValue)>);
 
 impl<'de> Deserialize<'de> for Members<'de> {
@@ -75,7 +75,7 @@ struct Literals<'s> {
 }
 
 impl<'s> Literals<'s> {
-    /// Where `literal` stands in the text.
+    /// Where `literal` is in the text.
     fn offset(&self, literal: &str) -> usize {
         (literal.as_ptr() as usize).wrapping_sub(self.text.as_ptr() as usize)
     }
@@ -112,7 +112,7 @@ impl<'s> Literals<'s> {
 /// Elements that are compared with each other directly.
 const FEW_ELEMENTS: usize = 48;
 
-/// Whether every name stands once; reports the others.
+/// Whether every name appears once; reports the others.
 fn unique(elements: &[Element<'_>], diagnostics: &mut Vec<Diagnostic>) -> bool {
     // A usual file has a dozen elements: comparing each with each is faster than any table.
     if elements.len() <= FEW_ELEMENTS {

@@ -40,7 +40,7 @@ pub fn without_byte_order_mark(bytes: &[u8]) -> &[u8] {
     bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)
 }
 
-/// The finding for a file longer than [`MAX_FILE_BYTES`], for callers who know its length before
+/// The diagnostic for a file longer than [`MAX_FILE_BYTES`], for callers who know its length before
 /// they read it.
 pub fn too_large() -> Diagnostic {
     Diagnostic::new(Code::FileTooLarge, Code::FileTooLarge.summary())
@@ -58,7 +58,7 @@ fn utf16_byte_order(bytes: &[u8]) -> Option<&'static str> {
     }
 }
 
-/// The finding for the first byte that is not UTF-8, or for a bank, which is named by mistake. Its span counts in
+/// The diagnostic for the first byte that is not UTF-8, or for a bank, which is named by mistake. Its span counts in
 /// the text that `String::from_utf8_lossy` makes of the file, in which bad bytes have a replacement character.
 fn not_utf8(bytes: &[u8], error: std::str::Utf8Error) -> Diagnostic {
     if bytes.starts_with(&BANK_MAGIC) {

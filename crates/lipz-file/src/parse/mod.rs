@@ -17,7 +17,7 @@ pub const MAX_FILE_BYTES: usize = 1 << 28;
 /// What reading a file gave.
 #[derive(Debug)]
 pub struct Parsed<'s> {
-    /// The elements; `None` if there is no telling them.
+    /// The elements; `None` if they cannot be found.
     pub document: Option<Document<'s>>,
     /// What is wrong, in the order of the places.
     pub diagnostics: Vec<Diagnostic>,
@@ -31,7 +31,7 @@ pub fn parse(bytes: &[u8]) -> Parsed<'_> {
     let mut diagnostics = Vec::new();
     let document = match decode(bytes, &mut diagnostics) {
         Some(text) if trim(text).is_empty() => {
-            let message = if text.is_empty() { "the file is empty" } else { "the file holds nothing but white space" };
+            let message = if text.is_empty() { "the file is empty" } else { "the file contains only white space" };
             diagnostics.push(
                 Diagnostic::new(Code::EmptyFile, message)
                     .help("write at least {} for a clip without mouth shapes, texts and events"),

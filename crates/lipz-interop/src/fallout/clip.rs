@@ -77,7 +77,7 @@ fn write(track: &Track, findings: &mut Vec<Diagnostic>) -> Vec<u8> {
     let mut is_after_silence = true;
     for shape in &track.shapes {
         let Some(code) = code(&shape.symbol) else {
-            let message = format!("{} is no phoneme code of Fallout", escape::quoted(&shape.symbol));
+            let message = format!("{} is not a phoneme code of Fallout", escape::quoted(&shape.symbol));
             findings.push(Diagnostic::new(Code::LipPhoneme, message).help("codes are 0x00 to 0x29"));
             continue;
         };
@@ -98,7 +98,7 @@ fn position(time: Time) -> u32 {
     u32::try_from(samples).unwrap_or(u32::MAX).saturating_mul(SAMPLE_BYTES)
 }
 
-/// The name of a sound as the header holds it; reports why it cannot.
+/// The name of a sound as the header stores it; reports why it cannot.
 fn name_field(name: &str, findings: &mut Vec<Diagnostic>) -> Option<[u8; NAME_BYTES]> {
     let is_allowed = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b'-');
     let why = match name.len() {

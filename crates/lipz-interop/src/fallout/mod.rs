@@ -19,7 +19,7 @@ pub const LAST_PHONEME: u8 = 0x29;
 /// Findings of one kind that are listed of a file; the others are counted.
 const LISTED: usize = 100;
 
-/// A finding about these bytes of a file that is not text.
+/// A diagnostic about these bytes of a file that is not text.
 fn place(code: Code, range: Range<usize>, message: impl Into<String>) -> Diagnostic {
     let finding = Diagnostic::new(code, message);
     match range.end.saturating_sub(1) {

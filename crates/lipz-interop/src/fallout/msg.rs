@@ -15,11 +15,11 @@ pub struct Entry {
     pub sound: String,
     /// What is displayed, without line breaks.
     pub text: String,
-    /// Where the text stands.
+    /// Where the text is.
     pub span: Span,
 }
 
-/// Reads the entries of a `.msg` file. What stands outside of braces is a remark.
+/// Reads the entries of a `.msg` file. Text outside braces is a comment.
 ///
 /// As in the game, line breaks in fields vanish, and the last of several entries with a number counts. An
 /// error ends the reading: the game refuses the whole file then.
@@ -166,7 +166,7 @@ impl<'t> Reading<'t> {
                 self.found.push(
                     finding
                         .note("the game reads line breaks as nothing; so does lipz")
-                        .help("write a blank before the line break"),
+                        .help("write a space before the line break"),
                 );
             }
             before = end;

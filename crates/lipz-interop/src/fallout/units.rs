@@ -11,7 +11,7 @@ pub const USUAL: u32 = 44_100;
 /// with a slip; the one before it is the rate that it probably means.
 pub const KNOWN: [u32; 3] = [USUAL, 88_200, 88_400];
 
-/// How far the last marker may stand from the end of the sound, as a part of its length.
+/// How far the last marker may be from the end of the sound, as a part of its length.
 const TOLERANCE: u64 = 100;
 
 /// The known units by which `last_position` is nearest to the end of a sound of this length, and a warning
@@ -30,7 +30,7 @@ pub fn nearest(last_position: u32, sound: Time) -> (u32, Option<Diagnostic>) {
         return (units, None);
     }
     let end = Time::new(u64::from(last_position), units);
-    let message = format!("the last marker stands at {end}, but the sound ends at {sound}");
+    let message = format!("the last marker is at {end}, but the sound ends at {sound}");
     let finding = Diagnostic::new(Code::LipTimeBase, message)
         .note(format!("at {units} units a second, which comes nearest"))
         .help("is it the sound of this file? name the right unit with --units-per-second");
@@ -56,7 +56,7 @@ mod tests {
     fn the_sound_of_another_file_is_told() {
         let (units, warning) = nearest(44_100, Time::new(3, 1));
         assert_eq!(units, 44_100);
-        let message = "the last marker stands at 1.000 s, but the sound ends at 3.000 s";
+        let message = "the last marker is at 1.000 s, but the sound ends at 3.000 s";
         assert_eq!(warning.map(|finding| finding.message).as_deref(), Some(message));
         assert!(nearest(u32::MAX, Time::ZERO).1.is_some());
     }

@@ -22,7 +22,7 @@ const OFFSET: &[&str] = &["audio_offset", "audioOffset", "offset", "privAudioOff
 /// The same, where the name says that these are milliseconds.
 const OFFSET_MS: &[&str] = &["offset_ms", "offsetMs", "audio_offset_ms", "audioOffsetMs"];
 const ID: &[&str] = &["viseme_id", "visemeId", "id", "viseme", "privVisemeId"];
-/// Where events stand below an object; `Metadata` in the messages of the service.
+/// Where events are below an object; `Metadata` in the messages of the service.
 const LISTS: &[&str] = &["visemes", "events", "Metadata"];
 /// Where the message of the service has the members of an event.
 const DATA: &[&str] = &["Data"];

@@ -31,7 +31,7 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> 
             continue;
         }
         if let Some(end) = track.end.filter(|_| !line.text.trim().is_empty()) {
-            let message = format!("a line stands behind the end at {end}");
+            let message = format!("a line follows the end at {end}");
             findings.push(line.finding(Code::ForeignOddity, message).note("it is not read"));
             break;
         }

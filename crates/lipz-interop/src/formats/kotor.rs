@@ -42,13 +42,13 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> 
     let mut track = Track::default();
     let mut keys_read = Vec::new();
     if keys.len() / KEY_BYTES < count {
-        let missing = format!("its header tells of {count} keys, and there are {}", keys.len() / KEY_BYTES);
+        let missing = format!("its header counts {count} keys, but there are {}", keys.len() / KEY_BYTES);
         findings.push(cut_off(bytes.len(), &missing));
         return Vec::new();
     }
     if keys.len() > count * KEY_BYTES {
         let rest = keys.len() - count * KEY_BYTES;
-        let finding = Diagnostic::new(Code::ForeignOddity, format!("{rest} bytes stand behind the last key"));
+        let finding = Diagnostic::new(Code::ForeignOddity, format!("{rest} bytes follow the last key"));
         findings.push(at(finding, HEADER_BYTES + count * KEY_BYTES).note("they are not read"));
     }
     for (index, key) in keys.chunks_exact(KEY_BYTES).take(count).enumerate() {
@@ -67,7 +67,7 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> 
     track.shapes = dominant(&keys_read);
     track.end = Time::from_f32(length);
     if track.end.is_none() {
-        findings.push(at(Diagnostic::new(Code::ForeignValue, "the length is no time"), 8));
+        findings.push(at(Diagnostic::new(Code::ForeignValue, "the length is not a time"), 8));
     }
     vec![track]
 }
@@ -111,7 +111,7 @@ fn write(track: &Track, findings: &mut Vec<Diagnostic>) -> Vec<u8> {
     while let Some(shape) = shapes.next() {
         // A table of one's own may name anything; the engine has sixteen shapes.
         let Some(number) = shape.symbol.parse::<u8>().ok().filter(|number| *number < SHAPES) else {
-            let message = format!("{} is no shape of the engine", lipz_diagnostics::escape::quoted(&shape.symbol));
+            let message = format!("{} is not a shape of the engine", lipz_diagnostics::escape::quoted(&shape.symbol));
             findings.push(Diagnostic::new(Code::ExportLoss, message).note("it is left out; shapes are 0 to 15"));
             continue;
         };

@@ -44,7 +44,7 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> 
                 let from = start.take().unwrap_or(at);
                 let place = Line { text: text.get(from..at + c.len_utf8()).unwrap_or_default(), at: from };
                 findings.push(
-                    place.not("a phoneme and its dot").help("blanks hold a frame, nothing else divides phonemes"),
+                    place.not("a phoneme and its dot").help("spaces hold a frame, and nothing else separates phonemes"),
                 );
             }
             _ => start = start.or(Some(at)),

@@ -45,7 +45,7 @@ pub struct Format {
 /// Reads a file: a track for each speaker, as far as the file can be read, and findings.
 pub type Read = fn(&[u8], &ImportOptions<'_>, &mut Vec<Diagnostic>) -> Vec<Track>;
 
-/// Writes a track whose symbols are those of the format. Findings tell what the format cannot hold.
+/// Writes a track whose symbols are those of the format. Diagnostics say what the format cannot hold.
 pub type Write = fn(&Track, &mut Vec<Diagnostic>) -> Vec<u8>;
 
 /// Every format, in the order in which lists show them.

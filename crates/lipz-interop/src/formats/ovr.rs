@@ -13,13 +13,13 @@ const VISEMES: [&str; 15] = ["sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "n
 /// Other names of some visemes, as HeadAudio and avatars' blend shapes have them.
 const ALIASES: [(&str, &str); 6] =
     [("sil", "silence"), ("kk", "k"), ("nn", "n"), ("ih", "I"), ("oh", "O"), ("ou", "U")];
-/// What stands in front of the names in some tools.
+/// What comes before the names in some tools.
 const PREFIX: &str = "viseme_";
 /// The column with the time of the frame in milliseconds.
 const TIME: [&str; 3] = ["time_ms", "timestamp_ms", "ms"];
 /// No viseme weaker than this is shown, as in OpenFaceFX.
 const FLOOR: f64 = 0.1;
-/// Frames a second of a dump, if it is not told.
+/// Frames a second of a dump that does not say.
 const RATE: Rate = Rate { numerator: 60, denominator: 1, is_exact: true };
 
 pub(super) const FORMAT: Format = Format {

@@ -72,7 +72,7 @@ impl LostShape {
 /// Reads a file of another tool as Lipz documents.
 ///
 /// Nothing in the file makes this panic; what is wrong with it is in the diagnostics. Spans count from the
-/// first byte after a byte order mark; in binary files, notes tell the byte.
+/// first byte after a byte order mark; in binary files, notes name the byte.
 pub fn import(format: &Format, bytes: &[u8], options: &ImportOptions<'_>) -> Imported {
     let mut imported = Imported::default();
     let Some(read) = format.read else { return imported };

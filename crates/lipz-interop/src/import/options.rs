@@ -5,7 +5,7 @@ use crate::{Map, Time};
 use lipz_file::rate::Rate;
 use lipz_types::VisemeType;
 
-/// The frame rate of clips if neither the file nor the project tells one: that of Rhubarb, Moho and Pamela.
+/// The frame rate of clips if neither the file nor the project sets one: that of Rhubarb, Moho and Pamela.
 pub const DEFAULT_RATE: Rate = Rate { numerator: 24, denominator: 1, is_exact: true };
 
 /// What a project and a person decide about an import.
@@ -18,7 +18,7 @@ pub struct ImportOptions<'a> {
     pub viseme_type: Option<VisemeType>,
     /// The frame rate of the clips; without it, that of the file.
     pub rate: Option<Rate>,
-    /// The frame rate of clips if neither is told.
+    /// The frame rate of clips if neither is set.
     pub default_rate: Rate,
     /// Frames a second of files that count frames and do not say how many are a second.
     pub file_rate: Option<Rate>,

@@ -22,10 +22,10 @@ pub(super) fn in_order(mut track: Track, findings: &mut Vec<Diagnostic>) -> Trac
     let count = backwards.clone().count();
     if let Some((before, after)) = backwards.clone().next() {
         let (earlier, later) = (after.start, before.start);
-        let message = format!("times run backwards: {earlier} stands behind {later}");
+        let message = format!("times run backwards: {earlier} comes after {later}");
         let finding = shape_finding(Code::TimesBackwards, after, message)
             .note("the shapes are used in the order of their times")
-            .help("was the file edited by hand, or joined of two? look at the clip there");
+            .help("was the file edited by hand, or joined from two? look at the clip there");
         findings.push(if count > 1 { finding.note(format!("so do {} more", count - 1)) } else { finding });
         track.shapes.sort_by_key(|shape| shape.start);
     }

@@ -32,7 +32,7 @@ impl Map {
             let message = format!("the mapping table is not TOML: {}", escape::text(error.message()));
             vec![
                 refusal(error.span().unwrap_or_default(), message)
-                    .help("symbols and codes stand in quotes: \"F.V\" = \"F\""),
+                    .help("put symbols and codes in quotes: \"F.V\" = \"F\""),
             ]
         })?;
         let mut reading = Reading { root: root.get_ref(), findings: Vec::new() };
@@ -217,7 +217,7 @@ impl<'t> Reading<'t> {
             _ => None,
         };
         if code.is_none() {
-            let message = format!("{} is no code of the viseme type {viseme_type}", escape::quoted(text));
+            let message = format!("{} is not a code of the viseme type {viseme_type}", escape::quoted(text));
             let help = format!("its codes are {}", viseme_type.codes());
             self.findings.push(refusal(span, message).help(help));
         }
@@ -260,7 +260,10 @@ mod tests {
         assert_eq!(headlines("name = x").len(), 1);
         assert_eq!(headlines("version = 1\n"), ["the mapping table has no `name`"]);
         assert_eq!(headlines(&format!("{START}to-lips = 1\n[to-lipz]\n")), ["a mapping table has no field `to-lips`"]);
-        assert_eq!(headlines(&format!("{START}[to-lipz]\nA = \"Z\"\n")), ["`Z` is no code of the viseme type blair"]);
+        assert_eq!(
+            headlines(&format!("{START}[to-lipz]\nA = \"Z\"\n")),
+            ["`Z` is not a code of the viseme type blair"]
+        );
         assert_eq!(headlines(&format!("{START}[to-lipz]\nA = 1\n")), ["`to-lipz` has a value of another type"]);
     }
 }

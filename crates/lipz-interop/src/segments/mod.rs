@@ -101,7 +101,7 @@ fn parts_at(text: &str, starts: &[Time], track: &Track, speech: &Speech) -> Vec<
     cut(text, &shares)
 }
 
-/// When each of these parts but the first starts: as the file tells it, or else at the pause that is
+/// When each of these parts but the first starts: as the file says, or else at the pause that is
 /// nearest to where the part would start if every letter took the same time.
 fn starts_of(parts: &[String], track: &Track, speech: &Speech, findings: &mut Vec<Diagnostic>) -> Vec<Time> {
     if track.phrases.len() == parts.len() {
@@ -122,11 +122,11 @@ fn starts_of(parts: &[String], track: &Track, speech: &Speech, findings: &mut Ve
     let lengths: Vec<usize> = parts.iter().map(|part| part.chars().filter(|c| c.is_alphanumeric()).count()).collect();
     let (starts, guessed) = speech.starts(&lengths);
     if guessed > 0 {
-        let (all, what) = (starts.len(), if guessed == 1 { "boundary lies" } else { "boundaries lie" });
+        let (all, what) = (starts.len(), if guessed == 1 { "boundaries is" } else { "boundaries are" });
         findings.push(
             Diagnostic::new(
                 Code::SegmentGuessed,
-                format!("{guessed} of {all} segment {what} in no pause of the mouth"),
+                format!("{guessed} of {all} segment {what} not in a pause of the mouth"),
             )
             .note("guessed as if every letter took the same time")
             .help("move the `|` of the visemes to where the voice is, or divide the text at its pauses"),

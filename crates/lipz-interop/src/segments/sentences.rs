@@ -8,7 +8,7 @@ use unicode_segmentation::UnicodeSegmentation;
 const COST_AT_MARK: f64 = 0.04;
 const COST_AT_BLANK: f64 = 0.10;
 
-/// The words of a text as tools count them: what stands between white space.
+/// The words of a text as tools count them: separated by white space.
 pub(super) fn words(text: &str) -> impl Iterator<Item = &str> {
     text.split_whitespace()
 }
@@ -44,7 +44,7 @@ pub(super) fn cut(text: &str, shares: &[f64]) -> Vec<String> {
 struct Place {
     /// The byte before which it is cut.
     at: usize,
-    /// How much of the letters stands before it.
+    /// How much of the letters comes before it.
     share: f64,
     cost: f64,
 }

@@ -18,7 +18,7 @@ pub struct SubtitleOptions<'a> {
 }
 
 /// The cues of a clip in a locale, with times to the millisecond: the nearest one to the start of a frame. Segments
-/// without a text have none; findings tell what has no time. `None` if the clip has no text in the locale, or a
+/// without a text have none; diagnostics say what has no time. `None` if the clip has no text in the locale, or a
 /// finding is an error.
 ///
 /// ```
@@ -44,7 +44,7 @@ pub fn cues(
         return None;
     };
     let Some(bounds) = document.string("visemes").map(bounds) else {
-        findings.push(refusal("the clip has no mouth shapes, which tell when its segments show"));
+        findings.push(refusal("the clip has no mouth shapes, which time its segments"));
         return None;
     };
     let mut cues = Vec::new();
@@ -56,7 +56,7 @@ pub fn cues(
         let &[start, end] = frames else { continue };
         let span = string.span_of(range);
         if start == end {
-            let finding = Diagnostic::at(Code::SubtitleLoss, span, "the segment has no frames, and is no subtitle");
+            let finding = Diagnostic::at(Code::SubtitleLoss, span, "the segment has no frames, so it becomes no cue");
             findings.push(finding.help("give it frames, or move its text to a segment that has some"));
             continue;
         }

@@ -154,7 +154,7 @@ fn in_segments(cues: &[Cue], bounds: &[u64], rate: Rate, findings: &mut Vec<Diag
         } else if let Some((other, frames)) = shows().find(|&(other, frames)| other != at && frames > 1) {
             let (own, other) = (at + 1, other + 1);
             let finding =
-                place(cue, &format!("the subtitle is that of segment {own}, and shows in segment {other}, too"));
+                place(cue, &format!("the cue is the text of segment {own}, but also shows in segment {other}"));
             findings.push(finding.note(format!("for {longest} frames in the one, and {frames} in the other")));
         }
         if let Some(text) = texts.get_mut(at) {

@@ -90,7 +90,7 @@ fn without_tags(text: &str, tag: impl Fn(&str) -> Tag, plain: impl Fn(&str) -> S
     result
 }
 
-/// The text with the characters that references stand for, by name or by number. What is no reference stays.
+/// The text with the characters that references stand for, by name or by number. Anything else stays.
 fn referenced(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     let mut rest = text;

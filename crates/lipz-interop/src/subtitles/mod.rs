@@ -78,7 +78,7 @@ impl SubtitleFormat {
         cues
     }
 
-    /// The file with these cues. Findings tell what the format cannot hold.
+    /// The file with these cues. Diagnostics say what the format cannot hold.
     pub fn write(self, cues: &[Cue], findings: &mut Vec<Diagnostic>) -> String {
         match self {
             SubtitleFormat::Srt => srt::write(cues, findings),
@@ -105,7 +105,7 @@ fn read_text(body: &Body<'_>, plain: impl Fn(&str) -> Plain, findings: &mut Vec<
         let message = format!("`{DELIMITER}` in the subtitle becomes `{BAR_IN_TEXT}`");
         findings.push(
             Diagnostic::at(Code::SubtitleText, body.span(at..at + DELIMITER.len_utf8()), message)
-                .note("in Lipz files, `|` divides segments")
+                .note("in Lipz files, `|` separates segments")
                 .help("write the text in another way if the difference matters"),
         );
     }

@@ -5,7 +5,7 @@ use crate::source::{self, Line};
 use lipz_diagnostics::{Code, Diagnostic, Span};
 use std::ops::Range;
 
-/// What stands between the times of a cue.
+/// What separates the times of a cue.
 pub(super) const ARROW: &str = "-->";
 
 /// The lines of a SubRip file between lines of nothing but white space.
@@ -38,7 +38,7 @@ impl Body<'_> {
         self.0.iter().map(|line| line.text).collect::<Vec<_>>().join("\n")
     }
 
-    /// Where a part of the text stands in the file: as far as it is in the line where it starts.
+    /// Where a part of the text is in the file: as far as it is in the line where it starts.
     pub(super) fn span(&self, part: Range<usize>) -> Span {
         let mut start = 0;
         for line in self.0 {
@@ -57,7 +57,7 @@ pub(super) fn cue<'t>(block: &'t [Line<'t>], findings: &mut Vec<Diagnostic>) -> 
     let Some((at, line)) = block.iter().enumerate().take(2).find(|(_, line)| line.text.contains(ARROW)) else {
         let line = block.first()?;
         findings.push(
-            line.finding(Code::SubtitleSyntax, "a line belongs to no subtitle: there are no times above it")
+            line.finding(Code::SubtitleSyntax, "a line belongs to no cue: there are no times above it")
                 .help("a subtitle is its times, 00:00:01,000 --> 00:00:02,500, and its lines; an empty line ends it"),
         );
         return None;
@@ -67,7 +67,7 @@ pub(super) fn cue<'t>(block: &'t [Line<'t>], findings: &mut Vec<Diagnostic>) -> 
     Some((Cue { start_ms, end_ms, text: String::new(), span: line.span() }, body))
 }
 
-/// The times of a line, `00:00:01,000 --> 00:00:02,500`. What stands behind them is about places on the screen.
+/// The times of a line, `00:00:01,000 --> 00:00:02,500`. What follows them is about places on the screen.
 fn times(line: Line<'_>, findings: &mut Vec<Diagnostic>) -> Option<(u64, u64)> {
     let (before, after) = line.text.split_once(ARROW)?;
     let behind = Line { text: after, at: line.at + before.len() + ARROW.len() };
@@ -76,7 +76,7 @@ fn times(line: Line<'_>, findings: &mut Vec<Diagnostic>) -> Option<(u64, u64)> {
     let mut read = |field: Line<'_>| {
         let time = milliseconds(field.text);
         if time.is_none() {
-            let finding = field.finding(Code::SubtitleSyntax, "this is no time of a subtitle");
+            let finding = field.finding(Code::SubtitleSyntax, "this is not the time of a cue");
             findings.push(finding.help("times are hours, minutes, seconds and milliseconds: 00:00:02,500"));
         }
         time
@@ -117,7 +117,7 @@ pub(super) fn timestamp(ms: u64, separator: char) -> String {
     format!("{:02}:{:02}:{:02}{separator}{ms:03}", seconds / 3600, seconds / 60 % 60, seconds % 60)
 }
 
-/// Brings cues into the order of their times; reports those that are not, and those that overlap.
+/// Brings cues into the order of their times; reports cues that are out of order or overlap.
 pub(super) fn sort(cues: &mut [Cue], findings: &mut Vec<Diagnostic>) {
     let backwards = cues.windows(2).find_map(|pair| match pair {
         [before, after] if after.start_ms < before.start_ms => Some(after.span),
@@ -127,7 +127,7 @@ pub(super) fn sort(cues: &mut [Cue], findings: &mut Vec<Diagnostic>) {
         let message = "the subtitle appears before the one above it";
         let finding =
             Diagnostic::at(Code::SubtitleTimes, span, message).note("all are taken in the order of their times");
-        findings.push(finding.help("was the file edited by hand, or joined of two? look at it there"));
+        findings.push(finding.help("was the file edited by hand, or joined from two? look at it there"));
     }
     cues.sort_by_key(|cue| cue.start_ms);
     let overlap = cues.windows(2).find_map(|pair| match pair {

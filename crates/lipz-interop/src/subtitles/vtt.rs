@@ -5,7 +5,7 @@ use lipz_diagnostics::{Code, Diagnostic, Span};
 use std::fmt::Write;
 
 const SIGNATURE: &str = "WEBVTT";
-/// Blocks that are no cues start with one of these.
+/// Blocks other than cues start with one of these.
 const OTHER_BLOCKS: [&str; 3] = ["NOTE", "STYLE", "REGION"];
 
 pub(super) fn read(text: &str, findings: &mut Vec<Diagnostic>) -> Vec<Cue> {

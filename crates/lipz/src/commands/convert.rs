@@ -166,7 +166,7 @@ fn in_the_way(folder: &Path, input: &Input) -> Option<Report> {
     let path = output(folder, input);
     path.symlink_metadata().ok()?;
     let shown = console::path(&path);
-    let finding = Diagnostic::new(Code::WouldOverwrite, format!("`{shown}` is there already"));
+    let finding = Diagnostic::new(Code::WouldOverwrite, format!("`{shown}` exists already"));
     Some(Report::about(
         shown,
         finding.note("nothing was written").help("write into another folder, or replace the sources with --in-place"),

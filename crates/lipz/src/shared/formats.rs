@@ -144,7 +144,7 @@ pub(crate) fn path(folder: &Path, key: &str, extension: &str) -> PathBuf {
 pub(crate) fn in_the_way(path: &Path) -> Option<Report> {
     path.symlink_metadata().ok()?;
     let shown = console::path(path);
-    let finding = Diagnostic::new(Code::WouldOverwrite, format!("`{shown}` is there already"));
+    let finding = Diagnostic::new(Code::WouldOverwrite, format!("`{shown}` exists already"));
     let finding = finding.note("nothing was written").help("write into another folder, or replace files with --force");
     Some(Report::about(shown, finding))
 }

@@ -60,7 +60,7 @@ impl Args for LintFlags {
 fn parse(text: &str, level: Option<Severity>) -> Result<Selection, String> {
     let selection = Selection::named(text).ok_or_else(|| match suggestion(text) {
         Some(known) => format!("there is no such lint; did you mean `{known}`?"),
-        None => "there is no such lint; findings show their code in brackets: LZ0702".to_owned(),
+        None => "there is no such lint; diagnostics show their code in brackets: LZ0702".to_owned(),
     })?;
     match &selection {
         Selection::One(code) => match refusal(*code, level) {

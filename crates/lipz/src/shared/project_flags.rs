@@ -195,6 +195,6 @@ fn parse_word(text: &str) -> Result<String, String> {
     if text.is_empty() || is_word(text) {
         Ok(text.to_owned())
     } else {
-        Err("events mention words without blanks, `,` and `|`".into())
+        Err("names in events are words without spaces, `,` and `|`".into())
     }
 }

@@ -168,7 +168,7 @@ impl NearMiss<'_> {
                 (format!("{} is not a verb of Character Event Syntax", escape::quoted(words)), did_you_mean(meant))
             }
             Fault::Extra(words, meant) => {
-                (format!("{} stands between a verb and its object", escape::quoted(words)), did_you_mean(meant))
+                (format!("{} is between a verb and its object", escape::quoted(words)), did_you_mean(meant))
             }
             Fault::Nothing => ("an event is missing beside this `,`".to_owned(), "remove the `,`".to_owned()),
         };

@@ -78,7 +78,8 @@ fn one_of(
 /// Codes of several types, without one that has them all.
 fn mixed(string: &JsonString<'_>, first: &Counted, viseme_type: VisemeType, foreign: &[&Counted]) -> Diagnostic {
     let shown = escape::character(first.character);
-    let message = format!("{shown} is no {viseme_type} code, and no viseme type has all codes of this file");
+    let message =
+        format!("{shown} is not one of the {viseme_type} codes, and no viseme type has all codes of this file");
     let finding = repeated(Diagnostic::at(Code::MixedCodes, span(string, first), message), first);
     let sets = VisemeType::ALL.map(|known| format!("{known}: {}", spaced(known)));
     let correct = || format!("correct the codes, and name the type: \"viseme_type\": \"{viseme_type}\"");
@@ -110,7 +111,7 @@ fn lower_case(string: &JsonString<'_>, viseme_type: VisemeType) -> Diagnostic {
     let first = string.text.find(|c: char| c.is_ascii_lowercase()).unwrap_or_default();
     let finding =
         Diagnostic::at(Code::ForeignCode, string.span_of(first..first + 1), "the viseme codes are in lower case")
-            .note(format!("legal are {}, and `|` between segments", spaced(viseme_type)))
+            .note(format!("valid codes are {}; `|` separates segments", spaced(viseme_type)))
             .help("write them in upper case");
     // An `l` may be a damaged `|`.
     if string.text.contains('l') {
@@ -138,7 +139,7 @@ fn repeated(finding: Diagnostic, found: &Counted) -> Diagnostic {
 
 /// Adds the legal codes, and where the type comes from if that is not the file.
 fn with_legal(finding: Diagnostic, viseme_type: VisemeType, expected: Expected) -> Diagnostic {
-    let finding = finding.note(format!("legal are {}, and `|` between segments", spaced(viseme_type)));
+    let finding = finding.note(format!("valid codes are {}; `|` separates segments", spaced(viseme_type)));
     match expected {
         Expected::Default(_) => finding.note("the viseme type is that of --default-viseme-type"),
         _ => finding,

@@ -72,7 +72,7 @@ fn white_space(string: &JsonString<'_>, codes_are_legal: bool) -> Option<Diagnos
     let mut finding = Diagnostic::at(
         Code::WhiteSpaceInVisemes,
         string.span_of(start..start + length),
-        "white space between viseme codes is no frame and is ignored",
+        "white space between viseme codes is not a frame and is ignored",
     )
     .help("remove it; write `-` for a frame at rest");
     // Otherwise it may be something else altogether, a text for example.

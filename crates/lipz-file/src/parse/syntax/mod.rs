@@ -16,7 +16,7 @@ use lipz_diagnostics::{Code, Diagnostic};
 use place::Place;
 use serde_json::error::Category;
 
-/// What serde_json would have read instead of what stands there.
+/// What serde_json would have read instead of what is there.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Expected {
     /// The name of an element.
@@ -81,7 +81,7 @@ fn comment(at: &Place<'_>) -> Option<Diagnostic> {
     Some(Diagnostic::at(Code::Comment, at.span_of(length), "JSON has no comments").help("delete the comment"))
 }
 
-/// A mistake that is none of the usual ones.
+/// An unusual mistake.
 fn other(at: &Place<'_>, expected: Expected) -> Diagnostic {
     let example = "a Lipz file looks like { \"visemes\": \"MAEO-\", \"text_en-us\": \"Hello\" }";
     let (message, help) = match expected {

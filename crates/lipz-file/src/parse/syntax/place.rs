@@ -17,7 +17,7 @@ pub(super) struct Place<'s> {
 }
 
 impl<'s> Place<'s> {
-    /// serde_json tells line and column (in bytes) just behind the byte that it did not expect.
+    /// serde_json reports line and column (in bytes) just after the byte that it did not expect.
     pub(super) fn new(text: &'s str, error: &serde_json::Error) -> Place<'s> {
         let line_start = match error.line() {
             0 | 1 => 0,
@@ -59,19 +59,19 @@ impl<'s> Place<'s> {
         Span::new(self.offset, self.offset + length)
     }
 
-    /// What stands there.
+    /// What is there.
     pub(super) fn text_of(&self, span: Span) -> Option<&'s str> {
         self.text.get(span.range())
     }
 
-    /// Where the last character before the place that is not white space stands, and what it is.
+    /// Where the last character before the place that is not white space is, and what it is.
     pub(super) fn before(&self) -> Option<(Span, char)> {
         let before = self.start().trim_end_matches(WHITE_SPACE);
         let (at, character) = before.char_indices().next_back()?;
         Some((Span::new(at, before.len()), character))
     }
 
-    /// The word of such characters that the place stands in or before, and where it stands.
+    /// The word of such characters at or after the place, and where it is.
     pub(super) fn word(&self, belongs: impl Fn(char) -> bool) -> Option<(Span, &'s str)> {
         let before: usize =
             self.start().chars().rev().take(WORD_LIMIT).take_while(|&c| belongs(c)).map(char::len_utf8).sum();

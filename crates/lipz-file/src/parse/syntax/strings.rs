@@ -8,11 +8,11 @@ use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 pub(super) fn control_character(at: &Place<'_>) -> Diagnostic {
     match at.character() {
         Some('\n' | '\r') => line_break(at),
-        Some('\t') => Diagnostic::at(Code::ControlCharacter, at.character_span(), "a tab stands inside a string")
+        Some('\t') => Diagnostic::at(Code::ControlCharacter, at.character_span(), "a tab inside a string")
             .help("write \\t if it belongs to the string, otherwise delete it"),
         other => {
             let character = other.unwrap_or_default();
-            let message = format!("{} stands inside a string", escape::code_point(character));
+            let message = format!("{} inside a string", escape::code_point(character));
             Diagnostic::at(Code::ControlCharacter, at.character_span(), message)
                 .help(format!("delete it, or write \\u{:04X}", u32::from(character)))
         }
@@ -21,7 +21,7 @@ pub(super) fn control_character(at: &Place<'_>) -> Diagnostic {
 
 fn line_break(at: &Place<'_>) -> Diagnostic {
     // It is marked behind the last character of its line, not across two lines.
-    let finding = Diagnostic::at(Code::ControlCharacter, at.span_of(0), "a line break stands inside a string");
+    let finding = Diagnostic::at(Code::ControlCharacter, at.span_of(0), "a line break inside a string");
     let next_line = at.rest().trim_start_matches(WHITE_SPACE);
     if next_line.is_empty() {
         return finding.help("the closing `\"` is missing, or the file was cut off while it was copied");
@@ -64,7 +64,7 @@ pub(super) fn escape(at: &Place<'_>) -> Option<Diagnostic> {
     ))
 }
 
-/// The finding for an escape that stands for no character: half of a surrogate pair. The literal's
+/// The diagnostic for an escape that stands for no character: half of a surrogate pair. The literal's
 /// escapes are well formed.
 pub(in crate::parse) fn half_of_a_pair(literal: &str, start: usize) -> Diagnostic {
     let mut at = 0;

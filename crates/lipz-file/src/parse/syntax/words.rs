@@ -10,9 +10,7 @@ pub(super) fn explain(at: &Place<'_>, expected: Expected) -> Option<Diagnostic> 
             finding(at, "names and strings need straight double quotes").help("write \" before and after the string"),
         ),
         (Expected::Colon, '=') => Some(
-            finding(at, "a colon stands between name and value")
-                .help("write `:` for `=`")
-                .fix(at.character_span(), ":"),
+            finding(at, "a colon separates name and value").help("write `:` for `=`").fix(at.character_span(), ":"),
         ),
         (Expected::Colon, _) => {
             let (name, _) = at.before()?;

@@ -16,7 +16,7 @@ const KNOWN_VERSION: u32 = 4;
 
 /// Width, height, length of the pixels, and two offsets on the screen.
 const FRAME_HEADER_BYTES: usize = 12;
-/// Where the length of the pixels stands in the header of a frame.
+/// Where the length of the pixels is in the header of a frame.
 const PIXEL_BYTES: Range<usize> = 4..8;
 
 /// What matters of an FRM file for a head.
@@ -42,7 +42,7 @@ impl Frm {
             |range: Range<usize>| bytes.get(range).ok_or_else(|| cut_off(0..bytes.len(), "the header")).map(number);
         let version = header(VERSION)?;
         if version != KNOWN_VERSION {
-            let message = format!("this is no FRM file: its version is {version}, not {KNOWN_VERSION}");
+            let message = format!("this is not an FRM file: its version is {version}, not {KNOWN_VERSION}");
             let help = "name FRM files only; pictures for FRM files are converted by the tools of modders";
             return Err(Box::new(place(Code::FrmRefused, VERSION, message).help(help)));
         }
@@ -119,6 +119,6 @@ mod tests {
         }
         let mut little = frm(9);
         little[VERSION].reverse();
-        assert!(Frm::read(&little).unwrap_err().message.contains("no FRM file"));
+        assert!(Frm::read(&little).unwrap_err().message.contains("not an FRM file"));
     }
 }

@@ -10,7 +10,7 @@ pub struct Head {
     pub root: String,
     /// Fidget files for a good, a neutral and a bad disposition.
     pub fidgets: [u32; 3],
-    /// Where the line stands.
+    /// Where the line is.
     pub span: Span,
 }
 

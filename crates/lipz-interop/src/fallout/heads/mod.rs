@@ -22,7 +22,9 @@ pub fn check_file(name: &str, bytes: &[u8]) -> (Option<HeadFile>, Vec<Diagnostic
     let file = HeadFile::parse(name);
     if file.is_none() {
         let message = format!("{} is not named like a file of a head", escape::quoted(name));
-        found.push(Diagnostic::new(Code::HeadName, message).note(name::FORM).help("files of other art lie elsewhere"));
+        found.push(
+            Diagnostic::new(Code::HeadName, message).note(name::FORM).help("files of other art belong elsewhere"),
+        );
     }
     match Frm::read(bytes) {
         Err(finding) => found.push(*finding),

@@ -54,7 +54,7 @@ pub struct Lip {
     pub flags: u32,
     /// The word at 0x0C, without a known meaning.
     pub unknown_0c: u32,
-    /// The word at 0x10 as it is stored; [`Lip::length`] tells what it says.
+    /// The word at 0x10 as it is stored; [`Lip::length`] interprets it.
     pub length_word: [u8; 4],
     /// The word at 0x18, without a known meaning.
     pub unknown_18: u32,
@@ -143,12 +143,12 @@ impl Lip {
         name.iter().map(|&byte| if byte.is_ascii() { char::from(byte) } else { char::REPLACEMENT_CHARACTER }).collect()
     }
 
-    /// Where the phoneme with this number stands in the file, in bytes.
+    /// Where the phoneme with this number is in the file, in bytes.
     fn phoneme_place(index: usize) -> Range<usize> {
         HEADER_BYTES + index..HEADER_BYTES + index + 1
     }
 
-    /// Where the marker with this number stands in the file, in bytes.
+    /// Where the marker with this number is in the file, in bytes.
     fn marker_place(&self, index: usize) -> Range<usize> {
         let start = HEADER_BYTES + self.phonemes.len() + index * MARKER_BYTES;
         start..start + MARKER_BYTES

@@ -52,7 +52,7 @@ impl Lip {
         let length = self.length();
         let end = self.markers.last().map_or(0, |marker| marker.position);
         if length.bytes != end {
-            let message = format!("the sound is {} bytes long, but the last marker stands at {end}", length.bytes);
+            let message = format!("the sound is {} bytes long, but the last marker is at {end}", length.bytes);
             found.push(place(Code::LipLength, offset::LENGTH, message).note("the markers are used"));
         }
     }
@@ -115,7 +115,7 @@ impl Lip {
 
     fn marker_order(&self, found: &mut Vec<Diagnostic>) {
         if let Some(first) = self.markers.first().filter(|first| first.position != 0) {
-            let message = format!("the first marker stands at {}, not at 0", first.position);
+            let message = format!("the first marker is at {}, not at 0", first.position);
             let finding = place(Code::LipMarkerOrder, self.marker_place(0), message);
             found.push(finding.note("the mouth rests before it"));
         }

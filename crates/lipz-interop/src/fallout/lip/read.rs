@@ -9,10 +9,10 @@ use std::ops::Range;
 const VERSION_1_BYTES: usize = 360;
 
 impl Lip {
-    /// Reads a file. Whatever is unusual in it is kept; [`Lip::oddities`] tells about it.
+    /// Reads a file. Whatever is unusual in it is kept; [`Lip::oddities`] reports it.
     ///
     /// # Errors
-    /// [`Code::LipVersion`] for another version, and for what is no LIP file at all;
+    /// [`Code::LipVersion`] for another version, and for anything that is not a LIP file;
     /// [`Code::LipCutOff`] for a file that ends before its last marker.
     pub fn read(bytes: &[u8]) -> Result<Lip, Box<Diagnostic>> {
         let header = Header(bytes);
@@ -93,7 +93,7 @@ fn refused_version(version: u32) -> Diagnostic {
         _ if version.to_be_bytes() == *b"LIP " => {
             at("this is a LIP file of Knights of the Old Republic".into()).help("import it with `lipz import kotor`")
         }
-        _ => at(format!("this is no LIP file of Fallout 2: its version is {version}, not {VERSION}"))
+        _ => at(format!("this is not a LIP file of Fallout 2: its version is {version}, not {VERSION}"))
             .help("LIP files of the game lie in its data below sound/speech"),
     }
 }

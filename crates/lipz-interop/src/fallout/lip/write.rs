@@ -28,7 +28,7 @@ impl Lip {
     }
 }
 
-/// A count as a word. Files are far smaller than what it can hold.
+/// A count as a word. Files are far smaller than it can store.
 fn count(number: usize) -> [u8; 4] {
     u32::try_from(number).unwrap_or(u32::MAX).to_be_bytes()
 }

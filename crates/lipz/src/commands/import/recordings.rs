@@ -39,7 +39,7 @@ pub(super) struct Recordings {
 
 fn encoding(name: &str) -> Result<&'static Encoding, String> {
     Encoding::for_label(name.as_bytes())
-        .ok_or_else(|| "it is no encoding of the web's standard, as windows-1251".into())
+        .ok_or_else(|| "it is not an encoding of the web's standard, such as windows-1251".into())
 }
 
 impl Recordings {

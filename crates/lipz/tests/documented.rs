@@ -1,0 +1,53 @@
+//! What a new rule, format or command needs beside its code: a row on the page where people look for it.
+//!
+//! CONTRIBUTING.md has the recipes. What is missing is named here.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use lipz_diagnostics::Code;
+use lipz_interop::formats;
+use std::fs;
+use support::{commands, repository};
+
+fn read(page: &str) -> String {
+    fs::read_to_string(repository().join(page)).unwrap()
+}
+
+/// The first cells of all table rows of a page.
+fn first_cells(page: &str) -> Vec<&str> {
+    page.lines().filter_map(|line| line.strip_prefix("| ")?.split(" | ").next()).collect()
+}
+
+#[test]
+fn rules_about_lipz_files_are_in_lipz_files_md() {
+    let page = read("docs/LIPZ-FILES.md");
+    // Elements, rates and types, visemes, texts, segments, events. The others are about reading and writing.
+    let is_about_files = |code: &&Code| ("LZ0200".."LZ0800").contains(&code.number());
+    let missing: Vec<&Code> =
+        Code::ALL.iter().filter(is_about_files).filter(|code| !page.contains(code.number())).collect();
+    assert!(missing.is_empty(), "docs/LIPZ-FILES.md does not mention {missing:?}: add a row");
+}
+
+#[test]
+fn formats_of_other_tools_are_in_interop_md() {
+    let page = read("docs/INTEROP.md");
+    let cells = first_cells(&page);
+    let is_missing = |name: &&str| !cells.iter().any(|cell| cell.contains(&format!("`{name}`")));
+    let missing: Vec<&str> = formats::ALL.iter().map(|format| format.name).filter(is_missing).collect();
+    assert!(missing.is_empty(), "docs/INTEROP.md has no row for {missing:?}: add one to its first table");
+}
+
+#[test]
+fn commands_are_in_the_readme() {
+    let readme = read("README.md");
+    let cells = first_cells(&readme);
+    let is_shown = |name: &String| {
+        let starts = [format!("`lipz {name} "), format!("`lipz {name}`")];
+        cells.iter().any(|cell| starts.iter().any(|start| cell.starts_with(start)))
+    };
+    let mut missing = commands();
+    assert!(missing.len() > 20, "{missing:?}");
+    missing.retain(|name| !is_shown(name));
+    assert!(missing.is_empty(), "README.md has no row for {missing:?}: add one to the table of commands");
+}
