@@ -55,7 +55,7 @@ impl<'data> Bank<'data> {
             key_order: entries(found[place::KEY_ORDER]),
             frames: found[place::FRAMES],
             starts,
-            texts: LocaleTable::new(&found, Origin::new(file.header), starts.len().saturating_sub(1)),
+            texts: LocaleTable::new(&found, starts.len().saturating_sub(1)),
             event_refs: entries(found[place::EVENT_REFS]),
             events: entries(found[place::EVENTS]),
             typed_events: entries(found[place::TYPED_EVENTS]),
@@ -159,7 +159,7 @@ impl<'data> Bank<'data> {
 
     /// The locale with this tag, spelled as in the bank (`en-us`). Keep it: queries take it.
     pub fn locale(&self, tag: &str) -> Option<Locale<'data>> {
-        self.texts.locale(tag)
+        self.texts.locale(self.origin(), tag)
     }
 
     /// The default locale, if one was set when the bank was packed.
@@ -169,7 +169,7 @@ impl<'data> Bank<'data> {
 
     /// All locales of the bank, in the order of their tags.
     pub fn locales(&self) -> Locales<'data> {
-        self.texts.locales()
+        self.texts.locales(self.origin())
     }
 
     /// The name that events mention, spelled as there (`amy`); `None` if no event does.
@@ -182,7 +182,7 @@ impl<'data> Bank<'data> {
     /// The bank that handles came from, if they came from this one.
     #[inline]
     pub(crate) fn origin(&self) -> Origin {
-        self.texts.bank
+        Origin::new(self.file.header)
     }
 
     /// Hash of what the clips of this bank are: files that belong together share it.

@@ -13,8 +13,6 @@ use lipz_layout::{LOCALE_DEFAULT, LocaleRecord, U32};
 /// has.
 #[derive(Clone, Copy)]
 pub(crate) struct LocaleTable<'data> {
-    /// The bank of the clips.
-    pub(crate) bank: Origin,
     pub(crate) records: &'data [LocaleRecord],
     pub(crate) names: Pool<'data>,
     /// For each locale in turn, one entry per segment, and one behind them.
@@ -24,10 +22,9 @@ pub(crate) struct LocaleTable<'data> {
 }
 
 impl<'data> LocaleTable<'data> {
-    /// The table of a file about the clips of `bank`, with so many segments.
-    pub(crate) fn new(sections: &Sections<'data>, bank: Origin, segment_count: usize) -> LocaleTable<'data> {
+    /// The table of a file about clips with so many segments.
+    pub(crate) fn new(sections: &Sections<'data>, segment_count: usize) -> LocaleTable<'data> {
         LocaleTable {
-            bank,
             records: entries(sections[place::LOCALES]),
             names: Pool::Bytes(sections[place::NAMES]),
             starts: entries(sections[place::TEXT_STARTS]),
@@ -36,13 +33,14 @@ impl<'data> LocaleTable<'data> {
         }
     }
 
-    /// The locale with this tag.
-    pub(crate) fn locale(&self, tag: &str) -> Option<Locale<'data>> {
-        self.locales().find(|locale| locale.tag_bytes() == Some(tag.as_bytes()))
+    /// The locale of `bank` with this tag.
+    pub(crate) fn locale(&self, bank: Origin, tag: &str) -> Option<Locale<'data>> {
+        self.locales(bank).find(|locale| locale.tag_bytes() == Some(tag.as_bytes()))
     }
 
-    pub(crate) fn locales(&self) -> Locales<'data> {
-        Locales { table: *self, next: 0 }
+    /// The locales, as those of `bank`.
+    pub(crate) fn locales(&self, bank: Origin) -> Locales<'data> {
+        Locales { bank, table: *self, next: 0 }
     }
 }
 
@@ -104,6 +102,7 @@ impl fmt::Debug for Locale<'_> {
 /// The locales of a file in the order of their tags.
 #[derive(Clone)]
 pub struct Locales<'data> {
+    bank: Origin,
     table: LocaleTable<'data>,
     next: usize,
 }
@@ -117,7 +116,7 @@ impl<'data> Iterator for Locales<'data> {
         let start = self.next.checked_mul(table.segment_count)?;
         let starts = table.starts.get(start..=start.checked_add(table.segment_count)?)?;
         self.next = self.next.saturating_add(1);
-        Some(Locale { bank: table.bank, record, names: table.names, starts, texts: table.texts })
+        Some(Locale { bank: self.bank, record, names: table.names, starts, texts: table.texts })
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {

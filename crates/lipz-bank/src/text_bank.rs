@@ -4,6 +4,7 @@ use core::fmt;
 
 use crate::file::{ALL_SECTIONS, File, Sections, TEXT_SECTIONS};
 use crate::locale::LocaleTable;
+use crate::origin::Origin;
 use crate::{Bank, Error, ErrorKind, Locale, Locales};
 use lipz_layout::Tag;
 
@@ -30,6 +31,8 @@ use lipz_layout::Tag;
 /// ```
 #[derive(Clone, Copy)]
 pub struct TextBank<'data> {
+    /// The bank of the clips.
+    pub(crate) bank: Origin,
     pub(crate) file: File<'data>,
     pub(crate) table: LocaleTable<'data>,
 }
@@ -48,7 +51,7 @@ impl Bank<'_> {
         if file.header.fingerprint.get() != self.fingerprint() {
             return Err(Error::new(ErrorKind::OtherClips, 24));
         }
-        Ok(TextBank { file, table: LocaleTable::new(&found, self.origin(), self.texts.segment_count) })
+        Ok(TextBank { bank: self.origin(), file, table: LocaleTable::new(&found, self.texts.segment_count) })
     }
 }
 
@@ -78,12 +81,12 @@ impl<'data> TextBank<'data> {
 
     /// The locale with this tag, spelled as in the file (`de-de`). Keep it: queries take it.
     pub fn locale(&self, tag: &str) -> Option<Locale<'data>> {
-        self.table.locale(tag)
+        self.table.locale(self.bank, tag)
     }
 
     /// The locales of the file, in the order of their tags.
     pub fn locales(&self) -> Locales<'data> {
-        self.table.locales()
+        self.table.locales(self.bank)
     }
 
     /// Length of the file.

@@ -47,7 +47,7 @@ pub struct BankInfo {
 /// that does not depend on the number of clips.
 ///
 /// `damage_offset_bytes` may be null; otherwise it gets the place of what is wrong, and 0 if nothing is.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_bank_open(
     data: *const u8,
     length_bytes: usize,
@@ -67,7 +67,7 @@ pub unsafe extern "C" fn lipz_bank_open(
 /// Unless that succeeds, `bank` stays as it was.
 ///
 /// `damage_offset_bytes` as for `lipz_bank_open`; the place is one in the text bank.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_bank_use_texts(
     bank: Option<&mut Bank>,
     texts: *const u8,
@@ -75,7 +75,10 @@ pub unsafe extern "C" fn lipz_bank_use_texts(
     damage_offset_bytes: Option<&mut MaybeUninit<u32>>,
 ) -> Status {
     let place = damage_offset_bytes.map(|offset| offset.write(0));
-    let Some(bank) = bank else { return LIPZ_NULL_POINTER };
+    let bank = match bank {
+        Some(bank) => bank,
+        None => return LIPZ_NULL_POINTER,
+    };
     let with_texts = Bank { texts, texts_length_bytes, ..*bank };
     // SAFETY: the contract of the crate, which the caller keeps.
     let opened = unsafe { opened(Some(bank)).and_then(|opened| Ok((opened, bytes(texts, texts_length_bytes)?))) };
@@ -94,7 +97,7 @@ pub unsafe extern "C" fn lipz_bank_use_texts(
 ///
 /// `damage_offset_bytes` as for `lipz_bank_open`; the place is one in the text bank if the bank is
 /// whole.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_bank_verify(
     bank: Option<&Bank>,
     damage_offset_bytes: Option<&mut MaybeUninit<u32>>,
@@ -110,7 +113,7 @@ pub unsafe extern "C" fn lipz_bank_verify(
 }
 
 /// What a bank has.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_bank_info(bank: Option<&Bank>, info: Option<&mut MaybeUninit<BankInfo>>) -> Status {
     answer(info, || {
         // SAFETY: the contract of the crate, which the caller keeps.

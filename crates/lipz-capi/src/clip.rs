@@ -4,7 +4,7 @@ use crate::bank::{Bank, opened};
 use crate::pointer::{answer, text};
 use crate::status::{LIPZ_NONE, LIPZ_NULL_POINTER, Status};
 use crate::string::String;
-use core::ffi::c_char;
+use crate::string::c_char;
 use core::mem::MaybeUninit;
 use lipz_bank::{ClipId, Fps};
 
@@ -79,7 +79,7 @@ impl Default for Viseme {
 
 /// The id of the clip with this key. It never changes: `lipz ids --lang c` writes the ids of all
 /// clips as constants.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_clip_id_of_key(
     key: *const c_char,
     key_length_bytes: usize,
@@ -92,7 +92,7 @@ pub unsafe extern "C" fn lipz_clip_id_of_key(
 }
 
 /// The clip with this id.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_clip_by_id(bank: Option<&Bank>, id: u64, clip: Option<&mut MaybeUninit<Clip>>) -> Status {
     answer(clip, || {
         // SAFETY: the contract of the crate, which the caller keeps.
@@ -101,7 +101,7 @@ pub unsafe extern "C" fn lipz_clip_by_id(bank: Option<&Bank>, id: u64, clip: Opt
 }
 
 /// The clip with this key, compared whole.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_clip_by_key(
     bank: Option<&Bank>,
     key: *const c_char,
@@ -117,7 +117,7 @@ pub unsafe extern "C" fn lipz_clip_by_key(
 
 /// The clip in this slot, a number below `clip_count` of the bank. Slots are in no order that means
 /// anything.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_clip_at(bank: Option<&Bank>, slot: u32, clip: Option<&mut MaybeUninit<Clip>>) -> Status {
     answer(clip, || {
         // SAFETY: the contract of the crate, which the caller keeps.
@@ -126,7 +126,7 @@ pub unsafe extern "C" fn lipz_clip_at(bank: Option<&Bank>, slot: u32, clip: Opti
 }
 
 /// The key of a clip: the path of its Lipz file below the source root, without extension.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_clip_key(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
@@ -137,7 +137,7 @@ pub unsafe extern "C" fn lipz_clip_key(
 }
 
 /// The frame codes of a clip, one byte per frame.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_clip_frames(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
@@ -148,7 +148,7 @@ pub unsafe extern "C" fn lipz_clip_frames(
 }
 
 /// The viseme of a frame; rest outside the clip.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_clip_viseme(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
@@ -161,7 +161,7 @@ pub unsafe extern "C" fn lipz_clip_viseme(
 
 /// The first microsecond at which a frame shows; that of frame `frame_count` is the length of the
 /// clip. `LIPZ_NONE` without a frame rate.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_clip_start_of_frame_us(
     bank: Option<&Bank>,
     clip: Option<&Clip>,

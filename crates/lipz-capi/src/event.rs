@@ -5,7 +5,7 @@ use crate::pointer::{answer, text};
 use crate::segment::{Segment, of_segment};
 use crate::status::{LIPZ_NONE, Status};
 use crate::string::String;
-use core::ffi::c_char;
+use crate::string::c_char;
 use core::mem::MaybeUninit;
 use lipz_bank::{Command, EventName as Name};
 
@@ -78,7 +78,7 @@ impl Event {
 
 /// The event string of a segment, trimmed and otherwise as in the Lipz file. Empty if nothing happens;
 /// `LIPZ_NONE` if the file has no events.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_segment_event_string(
     bank: Option<&Bank>,
     segment: Option<&Segment>,
@@ -90,7 +90,7 @@ pub unsafe extern "C" fn lipz_segment_event_string(
 
 /// The typed event of a segment with this index: ask from 0 on until `LIPZ_NONE`. There are none where the
 /// event string is some other syntax, such as a script.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_segment_event(
     bank: Option<&Bank>,
     segment: Option<&Segment>,
@@ -106,7 +106,7 @@ pub unsafe extern "C" fn lipz_segment_event(
 }
 
 /// The name that events mention, spelled as there. Look names up once and compare numbers per event.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_event_name(
     bank: Option<&Bank>,
     name: *const c_char,

@@ -18,8 +18,9 @@
 //! no more than bytes and lengths, and each query looks at header and directory again.
 
 #![no_std]
-#![allow(unsafe_code, reason = "the pointers of C; see `pointer`")]
-#![allow(clippy::missing_safety_doc, reason = "all functions have one contract: the one above")]
+#![deny(unsafe_op_in_unsafe_fn)]
+#![allow(unsafe_code)] // the pointers of C; see `pointer`
+#![allow(clippy::missing_safety_doc)] // all functions have one contract: the one above
 #![cfg_attr(not(test), deny(clippy::indexing_slicing, clippy::arithmetic_side_effects))]
 
 mod bank;
@@ -47,7 +48,7 @@ pub use event::{
 pub use locale::{Locale, lipz_locale_at, lipz_locale_by_tag, lipz_locale_default};
 pub use segment::{Segment, Text, lipz_segment_at, lipz_segment_of_frame, lipz_segment_text};
 pub use status::{LIPZ_NONE, LIPZ_NOT_UTF8, LIPZ_NULL_POINTER, LIPZ_OK, Status, lipz_status_message};
-pub use string::String;
+pub use string::{String, c_char};
 pub use time::{
     lipz_frame_at_samples, lipz_frame_at_seconds, lipz_frame_at_seconds_f32, lipz_frame_at_us, lipz_segment_at_samples,
     lipz_segment_at_seconds, lipz_segment_at_seconds_f32, lipz_segment_at_us, lipz_viseme_at_samples,

@@ -4,7 +4,7 @@ use crate::bank::{Bank, opened, texts};
 use crate::pointer::{answer, text};
 use crate::status::{LIPZ_NONE, Status};
 use crate::string::String;
-use core::ffi::c_char;
+use crate::string::c_char;
 use core::mem::MaybeUninit;
 use lipz_bank::{Locales, TextBank};
 
@@ -32,7 +32,7 @@ impl Locale {
 }
 
 /// The locale with this tag, spelled as in the bank.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_locale_by_tag(
     bank: Option<&Bank>,
     tag: *const c_char,
@@ -49,7 +49,7 @@ pub unsafe extern "C" fn lipz_locale_by_tag(
 }
 
 /// The locale with this index, a number below `locale_count` of the bank.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_locale_at(
     bank: Option<&Bank>,
     index: u32,
@@ -60,7 +60,7 @@ pub unsafe extern "C" fn lipz_locale_at(
 }
 
 /// The default locale; `LIPZ_NONE` if none was set when the bank was packed.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_locale_default(bank: Option<&Bank>, locale: Option<&mut MaybeUninit<Locale>>) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
     unsafe { of_locales(bank, locale, || Ok(|_, locale: &lipz_bank::Locale<'_>| locale.is_default())) }

@@ -1,13 +1,16 @@
 //! Every pointer of C becomes a Rust value here, or is refused.
 
 use crate::status::{LIPZ_NOT_UTF8, LIPZ_NULL_POINTER, LIPZ_OK, Status};
-use core::ffi::c_char;
+use crate::string::c_char;
 use core::mem::MaybeUninit;
 use core::slice;
 
 /// Writes the answer of `find` to `out`, or the empty one if there is none.
 pub(crate) fn answer<T: Default>(out: Option<&mut MaybeUninit<T>>, find: impl FnOnce() -> Result<T, Status>) -> Status {
-    let Some(out) = out else { return LIPZ_NULL_POINTER };
+    let out = match out {
+        Some(out) => out,
+        None => return LIPZ_NULL_POINTER,
+    };
     let (value, status) = match find() {
         Ok(value) => (value, LIPZ_OK),
         Err(status) => (T::default(), status),

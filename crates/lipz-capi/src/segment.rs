@@ -5,7 +5,7 @@ use crate::clip::{Clip, of_clip};
 use crate::locale::Locale;
 use crate::pointer::answer;
 use crate::status::{LIPZ_NONE, LIPZ_NULL_POINTER, Status};
-use core::ffi::c_char;
+use crate::string::c_char;
 use core::mem::MaybeUninit;
 use core::ptr;
 use lipz_bank::ClipId;
@@ -58,7 +58,7 @@ impl Default for Text {
 }
 
 /// The segment of a clip with this index, a number below its `segment_count`.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_segment_at(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
@@ -70,7 +70,7 @@ pub unsafe extern "C" fn lipz_segment_at(
 }
 
 /// The segment that a frame belongs to. Segments of no frames are never found by frame.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_segment_of_frame(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
@@ -83,7 +83,7 @@ pub unsafe extern "C" fn lipz_segment_of_frame(
 
 /// The text of a segment in a locale of the same bank. `LIPZ_NONE` if the clip has none, also by
 /// fallback.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_segment_text(
     bank: Option<&Bank>,
     segment: Option<&Segment>,

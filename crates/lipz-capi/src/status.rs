@@ -25,7 +25,7 @@ pub(crate) fn of_damage(error: Error) -> Status {
 }
 
 /// A status in one English sentence, without full stop; `LIPZ_NONE` for numbers that are no status.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub extern "C" fn lipz_status_message(status: Status, message: Option<&mut MaybeUninit<String>>) -> Status {
     answer(message, || {
         let text = match status {

@@ -1,7 +1,10 @@
 //! Strings that are cut out of a bank.
 
-use core::ffi::c_char;
 use core::ptr;
+
+/// `char` of C, behind a pointer. `core::ffi` has it from Rust 1.64 on.
+#[allow(non_camel_case_types)]
+pub type c_char = i8;
 
 /// A string in UTF-8, without terminator: it stands in the bytes of the bank and lives as long as
 /// they do. It may contain U+0000.

@@ -11,7 +11,7 @@ use core::mem::MaybeUninit;
 use lipz_bank::{Micros, Samples, Seconds};
 
 /// The frame that shows `time_us` microseconds after the audio began: the fastest unit.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_frame_at_us(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
@@ -23,7 +23,7 @@ pub unsafe extern "C" fn lipz_frame_at_us(
 }
 
 /// The frame that shows after `position` samples (per channel) at `rate_hz` samples per second.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_frame_at_samples(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
@@ -37,7 +37,7 @@ pub unsafe extern "C" fn lipz_frame_at_samples(
 
 /// The frame that shows after `seconds`, taken two units in the last place later, so that `n / fps`
 /// leads to frame `n`. Where your engine offers an integer clock, use the other units.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_frame_at_seconds(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
@@ -50,7 +50,7 @@ pub unsafe extern "C" fn lipz_frame_at_seconds(
 
 /// `lipz_frame_at_seconds` for clocks that have no `double`. The last place of a `float` is coarse: `n / fps`
 /// leads to frame `n` up to 2^21 only, a day at 24 fps.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_frame_at_seconds_f32(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
@@ -62,7 +62,7 @@ pub unsafe extern "C" fn lipz_frame_at_seconds_f32(
 }
 
 /// The viseme that shows `time_us` microseconds after the audio began; rest when nobody speaks.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_viseme_at_us(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
@@ -74,7 +74,7 @@ pub unsafe extern "C" fn lipz_viseme_at_us(
 }
 
 /// The viseme that shows after `position` samples at `rate_hz`; rest when nobody speaks.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_viseme_at_samples(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
@@ -88,7 +88,7 @@ pub unsafe extern "C" fn lipz_viseme_at_samples(
 
 /// The viseme that shows after `seconds`, with the rule of `lipz_frame_at_seconds`; rest when nobody
 /// speaks.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_viseme_at_seconds(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
@@ -100,7 +100,7 @@ pub unsafe extern "C" fn lipz_viseme_at_seconds(
 }
 
 /// `lipz_viseme_at_seconds` for clocks that have no `double`.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_viseme_at_seconds_f32(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
@@ -112,7 +112,7 @@ pub unsafe extern "C" fn lipz_viseme_at_seconds_f32(
 }
 
 /// The segment `time_us` microseconds after the audio began.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_segment_at_us(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
@@ -124,7 +124,7 @@ pub unsafe extern "C" fn lipz_segment_at_us(
 }
 
 /// The segment after `position` samples at `rate_hz`.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_segment_at_samples(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
@@ -137,7 +137,7 @@ pub unsafe extern "C" fn lipz_segment_at_samples(
 }
 
 /// The segment after `seconds`, with the rule of `lipz_frame_at_seconds`.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_segment_at_seconds(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
@@ -149,7 +149,7 @@ pub unsafe extern "C" fn lipz_segment_at_seconds(
 }
 
 /// `lipz_segment_at_seconds` for clocks that have no `double`.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub unsafe extern "C" fn lipz_segment_at_seconds_f32(
     bank: Option<&Bank>,
     clip: Option<&Clip>,

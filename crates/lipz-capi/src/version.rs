@@ -9,9 +9,10 @@ pub const LIPZ_VERSION_MINOR: u32 = 1;
 pub const LIPZ_VERSION_PATCH: u32 = 0;
 
 /// The version of the library that runs, as `major * 1000000 + minor * 1000 + patch`.
-#[unsafe(no_mangle)]
+#[no_mangle]
 pub extern "C" fn lipz_version() -> u32 {
-    const { LIPZ_VERSION_MAJOR * 1_000_000 + LIPZ_VERSION_MINOR * 1000 + LIPZ_VERSION_PATCH }
+    const VERSION: u32 = LIPZ_VERSION_MAJOR * 1_000_000 + LIPZ_VERSION_MINOR * 1000 + LIPZ_VERSION_PATCH;
+    VERSION
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The bytes of a file, mapped or in memory.
+//! The bytes of a file, in memory or mapped.
 
 use memmap2::Mmap;
 use std::fmt;
@@ -10,58 +10,77 @@ use std::path::Path;
 /// The most bytes that a bank has: its offsets have 32 bits.
 const LONGEST_BANK: u64 = u32::MAX as u64;
 
-/// How the bytes of a file are held.
+/// Where the bytes of a file are.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Hold {
-    /// Mapped into the address space: opening costs next to nothing, only the pages that are touched are
-    /// read, and all programs that map the file share them. For files that nobody changes in place.
-    Mapped,
-    /// Read into memory: nobody can change the bytes any more.
-    InMemory,
+pub(crate) enum Backing {
+    /// In memory of this process: nobody can change the bytes any more.
+    Memory,
+    /// In the file, which is mapped into the address space.
+    Map,
 }
 
 /// The bytes of a file, which can be used as `&[u8]`.
 pub struct FileBytes(Bytes);
 
 enum Bytes {
-    Mapped(Mmap),
     InMemory(Vec<u8>),
+    Mapped(Mmap),
 }
 
 impl FileBytes {
-    /// Maps or reads the file at `path`.
+    /// Reads the file at `path` into memory. What happens to the file afterwards does not change the bytes.
     ///
     /// # Errors
-    /// What the system refuses; `IsADirectory` for a folder. Of a file that is longer than any bank, only
-    /// so much is read into memory that `Bank::open` refuses it.
-    pub fn open(path: impl AsRef<Path>, hold: Hold) -> io::Result<FileBytes> {
-        FileBytes::of(&File::open(path)?, hold)
+    /// When the system cannot open or read the file; `IsADirectory` for a folder. Of a file that is longer than any
+    /// bank, only as much is read as `Bank::open` needs to refuse it.
+    pub fn read(path: impl AsRef<Path>) -> io::Result<FileBytes> {
+        FileBytes::read_from(&File::open(path)?)
     }
 
-    pub(crate) fn of(mut file: &File, hold: Hold) -> io::Result<FileBytes> {
-        let metadata = file.metadata()?;
-        if metadata.is_dir() {
-            return Err(io::ErrorKind::IsADirectory.into());
-        }
-        Ok(FileBytes(match hold {
-            Hold::Mapped => Bytes::Mapped(map(file)?),
-            Hold::InMemory => {
-                let mut bytes = Vec::new();
-                let expected_bytes = metadata.len().min(LONGEST_BANK + 1);
-                bytes.try_reserve_exact(usize::try_from(expected_bytes).unwrap_or(usize::MAX))?;
-                Read::by_ref(&mut file).take(LONGEST_BANK + 1).read_to_end(&mut bytes)?;
-                Bytes::InMemory(bytes)
-            }
-        }))
+    /// Maps the file at `path` into the address space: this takes microseconds however long the file is, only the
+    /// pages that are touched are read, and all programs that map the file share them.
+    ///
+    /// # Safety
+    /// As long as these bytes exist, no process changes or truncates the file. To replace it, rename a new file
+    /// over it, as `lipz pack` does. Otherwise the bytes change under a reader that has checked them, which is
+    /// undefined behaviour, and access to pages that are gone ends the program.
+    ///
+    /// # Errors
+    /// When the system cannot open or map the file; `IsADirectory` for a folder.
+    #[allow(unsafe_code)] // the caller keeps the contract
+    pub unsafe fn map(path: impl AsRef<Path>) -> io::Result<FileBytes> {
+        let file = File::open(path)?;
+        // SAFETY: the same contract.
+        unsafe { FileBytes::map_from(&file) }
     }
 
-    /// Tells the system that all of a mapped file is about to be read, in order.
+    pub(crate) fn read_from(mut file: &File) -> io::Result<FileBytes> {
+        let expected_bytes = file.metadata()?.len().min(LONGEST_BANK + 1);
+        let mut bytes = Vec::new();
+        let is_reserved = bytes.try_reserve_exact(usize::try_from(expected_bytes).unwrap_or(usize::MAX));
+        is_reserved.map_err(|_| io::Error::from(io::ErrorKind::OutOfMemory))?;
+        Read::by_ref(&mut file).take(LONGEST_BANK + 1).read_to_end(&mut bytes)?;
+        Ok(FileBytes(Bytes::InMemory(bytes)))
+    }
+
+    /// # Safety
+    /// That of [`FileBytes::map`].
+    #[allow(unsafe_code)] // the caller keeps the contract
+    pub(crate) unsafe fn map_from(mut file: &File) -> io::Result<FileBytes> {
+        // A folder refuses to be read with a better reason than to be mapped.
+        let _ = file.read(&mut [0])?;
+        // SAFETY: nobody changes or truncates the file while it is mapped: the contract.
+        let map = unsafe { Mmap::map(file) }?;
+        Ok(FileBytes(Bytes::Mapped(map)))
+    }
+
+    /// Announces that all of a mapped file is about to be read, in order.
     pub(crate) fn expect_all(&self) {
         #[cfg(unix)]
         self.advise(memmap2::Advice::Sequential);
     }
 
-    /// Tells the system that pages of a mapped file will be touched here and there: without this it reads
+    /// Announces that pages of a mapped file will be touched here and there: without this the system reads
     /// many pages around each, and the first line of a cold bank takes twenty times as long.
     pub(crate) fn expect_queries(&self) {
         #[cfg(unix)]
@@ -77,22 +96,13 @@ impl FileBytes {
     }
 }
 
-fn map(file: &File) -> io::Result<Mmap> {
-    // SAFETY: the map is only read. Banks are replaced by renaming, never changed in place; should
-    // someone else truncate the file while it is read, this process may be stopped by a signal.
-    #[expect(unsafe_code, reason = "mapping a file is unsafe by its nature")]
-    unsafe {
-        Mmap::map(file)
-    }
-}
-
 impl Deref for FileBytes {
     type Target = [u8];
 
     fn deref(&self) -> &[u8] {
         match &self.0 {
-            Bytes::Mapped(map) => map,
             Bytes::InMemory(bytes) => bytes,
+            Bytes::Mapped(map) => map,
         }
     }
 }
@@ -104,13 +114,13 @@ impl From<Vec<u8>> for FileBytes {
     }
 }
 
-/// How many bytes, and how they are held.
+/// How many bytes, and where they are.
 impl fmt::Debug for FileBytes {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let hold = match &self.0 {
-            Bytes::Mapped(_) => Hold::Mapped,
-            Bytes::InMemory(_) => Hold::InMemory,
+        let backing = match &self.0 {
+            Bytes::InMemory(_) => Backing::Memory,
+            Bytes::Mapped(_) => Backing::Map,
         };
-        f.debug_struct("FileBytes").field("length_bytes", &self.len()).field("hold", &hold).finish()
+        f.debug_struct("FileBytes").field("length_bytes", &self.len()).field("backing", &backing).finish()
     }
 }

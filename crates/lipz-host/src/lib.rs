@@ -1,44 +1,69 @@
 //! Dialogue banks as files, for programs with an operating system.
 //!
-//! `lipz-bank` reads a bank from any bytes and knows no files. This crate gets it the bytes:
-//! [`FileBytes`] maps a file or reads it, [`OwnedBank`] is a bank together with its bytes, and
-//! [`LiveBank`] takes in a new version of the file while the program runs, with `lipz watch` on the
-//! other side:
+//! `lipz-bank` reads a bank from any bytes and knows no files. This crate supplies the bytes:
+//! [`FileBytes`] reads or maps a file, [`OwnedBank`] is a bank together with its bytes, and
+//! [`LiveBank`] switches to a new version of the file while the program runs, for instance when
+//! `lipz watch` has written one.
+//!
+//! A game keeps a version of the bank and what is playing in one struct:
 //!
 //! ```no_run
-//! use lipz_host::{Hold, LiveBank};
+//! use lipz_bank::{ClipId, Cursor, Micros};
+//! use lipz_host::{LiveBank, OpenError, OwnedBank};
+//! use std::sync::Arc;
 //!
-//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! let live = LiveBank::open("dialogue.lipzbank", Hold::Mapped)?;
-//! // Now and then, between frames:
+//! struct Game {
+//!     bank: Arc<OwnedBank>,
+//!     playing: Option<(ClipId, Cursor)>,
+//! }
+//!
+//! impl Game {
+//!     fn start(&mut self, id: ClipId) {
+//!         let cursor = self.bank.bank().clip(id).and_then(|clip| Cursor::new(&clip));
+//!         self.playing = cursor.map(|cursor| (id, cursor));
+//!     }
+//!
+//!     fn draw(&mut self, sound: Micros) {
+//!         let Some((id, cursor)) = &mut self.playing else { return };
+//!         let Some(clip) = self.bank.bank().clip(*id) else { return };
+//!         for event in cursor.advance_to(&clip, sound).events() {
+//!             println!("{event}");
+//!         }
+//!         println!("{}", cursor.viseme(&clip));
+//!     }
+//! }
+//!
+//! # fn main() -> Result<(), OpenError> {
+//! let live = LiveBank::open("dialogue.lipzbank")?;
+//! let mut game = Game { bank: live.current(), playing: None };
+//! game.start(ClipId::from_key("act1/mara-good-evening"));
+//! // Now and then, between pictures:
 //! match live.refresh() {
-//!     Ok(true) => println!("the new dialogue is in use"),
-//!     Ok(false) => {} // the file is the same
+//!     Ok(true) => game.bank = live.current(), // the cursor goes on with the new version of its clip
+//!     Ok(false) => {}                         // the file is the same
 //!     Err(why) => eprintln!("the old dialogue stays in use: {why}"),
 //! }
-//! // Per conversation: what is playing keeps its version of the bank.
-//! let version = live.current();
-//! let bank = version.bank();
-//! assert!(bank.clip_by_key("act1/blair").is_some());
+//! game.draw(Micros(1_500_000));
 //! # Ok(())
 //! # }
 //! ```
 //!
-//! # Living files
+//! # Memory or map
 //!
-//! *Replace a bank, never write into it.* `lipz pack` and `lipz watch` write a new file and rename it over
-//! the old one. A map of the old file stays whole for as long as somebody holds it.
+//! `open` reads the file into memory. What happens to the file afterwards does not matter: what was verified
+//! stays verified.
 //!
-//! A *mapped* file stays the file of the system. If another process truncates it, touching the missing
-//! pages ends the program (`SIGBUS` on Unix); if another writes into it, the bytes change under the
-//! reader, also after they were verified. So map files that only your own tools write, and hold all others
-//! [in memory](Hold::InMemory): then what was verified stays verified.
+//! `open_mapped` maps the file. That is faster and shares memory between programs, but the bytes are still those
+//! of the file, so it is `unsafe`: the caller guarantees that nobody changes or truncates the file while it is
+//! mapped. Replacing it is fine on Unix: `lipz pack` and `lipz watch` write a new file and rename it over the old
+//! one, and a map of the old file stays whole until it is dropped. *Windows* refuses to replace a file that is
+//! mapped, and the program that writes the new one gets an error. There, do not map banks that change.
 //!
-//! *On Windows* the system refuses to replace a file as long as it is mapped, and whoever writes the new one
-//! gets an error. Hold a bank that is to be replaced in memory there.
+//! `docs/HOST.md` says more about both, and about text banks.
 //!
-//! What is not here: threads, watching (the program calls [`LiveBank::refresh`] when it suits it), text
-//! banks of a live bank (hold their files as [`FileBytes`] and open them beside each new version).
+//! What is not here: threads, and watching (the program calls [`LiveBank::refresh`] when it suits it).
+
+#![deny(unsafe_op_in_unsafe_fn)]
 
 mod bytes;
 mod error;
@@ -46,8 +71,8 @@ mod live;
 mod owned;
 mod stamp;
 
-pub use bytes::{FileBytes, Hold};
-pub use error::Error;
+pub use bytes::FileBytes;
+pub use error::OpenError;
 pub use live::LiveBank;
 pub use owned::OwnedBank;
 

@@ -1,7 +1,8 @@
 //! A bank whose file is replaced while the program runs.
 
+use crate::bytes::Backing;
 use crate::stamp::Stamp;
-use crate::{Error, FileBytes, Hold, OwnedBank};
+use crate::{FileBytes, OpenError, OwnedBank};
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError, RwLock};
@@ -14,23 +15,40 @@ use std::sync::{Arc, Mutex, PoisonError, RwLock};
 #[derive(Debug)]
 pub struct LiveBank {
     path: PathBuf,
-    hold: Hold,
+    /// `Map` only where somebody has promised what `open_mapped` asks for.
+    backing: Backing,
     current: RwLock<Arc<OwnedBank>>,
     /// What the file looked like that needs no second look, used or refused.
     seen: Mutex<Option<Stamp>>,
 }
 
 impl LiveBank {
-    /// Opens and verifies the bank at `path`.
+    /// Reads the bank at `path` into memory and verifies it. New versions are read, too.
     ///
     /// # Errors
-    /// When the file cannot be opened, is no bank, or a damaged one.
-    pub fn open(path: impl Into<PathBuf>, hold: Hold) -> Result<LiveBank, Error> {
-        let path = path.into();
+    /// When the file cannot be read, is no bank, or a damaged one.
+    pub fn open(path: impl Into<PathBuf>) -> Result<LiveBank, OpenError> {
+        LiveBank::open_as(path.into(), Backing::Memory)
+    }
+
+    /// Maps the bank at `path` and verifies it. New versions are mapped, too.
+    ///
+    /// # Safety
+    /// As for [`FileBytes::map`], for this file and for every file that takes its place: nobody changes or
+    /// truncates it as long as a version of this bank exists. New versions are renamed over it.
+    ///
+    /// # Errors
+    /// When the file cannot be mapped, is no bank, or a damaged one.
+    #[allow(unsafe_code)] // the caller keeps the contract
+    pub unsafe fn open_mapped(path: impl Into<PathBuf>) -> Result<LiveBank, OpenError> {
+        LiveBank::open_as(path.into(), Backing::Map)
+    }
+
+    fn open_as(path: PathBuf, backing: Backing) -> Result<LiveBank, OpenError> {
         let file = File::open(&path)?;
-        let stamp = Stamp::of(&file.metadata()?);
-        let current = RwLock::new(Arc::new(verified(&file, hold)?));
-        Ok(LiveBank { path, hold, current, seen: Mutex::new(Some(stamp)) })
+        let stamp = Stamp::new(&file.metadata()?);
+        let current = RwLock::new(Arc::new(verified(&file, backing)?));
+        Ok(LiveBank { path, backing, current, seen: Mutex::new(Some(stamp)) })
     }
 
     /// The current version. Keep it for as long as what you do with it should not change: a
@@ -49,16 +67,16 @@ impl LiveBank {
     /// Why the file cannot be used; the old version stays the current one. A damaged file is refused once
     /// more with every call while it is younger than two seconds, for it may still be written, and then not
     /// again until it changes. A missing one is refused every time.
-    pub fn refresh(&self) -> Result<bool, Error> {
+    pub fn refresh(&self) -> Result<bool, OpenError> {
         // Held until the end: one version after the other.
         let mut seen = self.seen.lock().unwrap_or_else(PoisonError::into_inner);
-        if *seen == Some(Stamp::of(&fs::metadata(&self.path)?)) {
+        if *seen == Some(Stamp::new(&fs::metadata(&self.path)?)) {
             return Ok(false);
         }
         let file = File::open(&self.path)?;
         // Of the very file that is read: the path may lead to the next one by now.
-        let stamp = Stamp::of(&file.metadata()?);
-        match verified(&file, self.hold) {
+        let stamp = Stamp::new(&file.metadata()?);
+        match verified(&file, self.backing) {
             Ok(bank) => {
                 *self.current.write().unwrap_or_else(PoisonError::into_inner) = Arc::new(bank);
                 *seen = Some(stamp);
@@ -77,6 +95,12 @@ impl LiveBank {
     }
 }
 
-fn verified(file: &File, hold: Hold) -> Result<OwnedBank, Error> {
-    OwnedBank::of(FileBytes::of(file, hold)?)?.verify()
+#[allow(unsafe_code)] // the contract of `LiveBank::open_mapped`, through which alone a bank is mapped
+fn verified(file: &File, backing: Backing) -> Result<OwnedBank, OpenError> {
+    let bytes = match backing {
+        Backing::Memory => FileBytes::read_from(file)?,
+        // SAFETY: whoever called `open_mapped` has promised it for the file and its successors.
+        Backing::Map => unsafe { FileBytes::map_from(file) }?,
+    };
+    OwnedBank::from_bytes(bytes)?.verify()
 }

@@ -1,6 +1,6 @@
 //! A bank together with its bytes.
 
-use crate::{Error, FileBytes, Hold};
+use crate::{FileBytes, OpenError};
 use lipz_bank::Bank;
 use self_cell::self_cell;
 use std::fmt;
@@ -19,29 +19,42 @@ self_cell!(
 pub struct OwnedBank(Cell);
 
 impl OwnedBank {
-    /// Opens the bank at `path`, without verifying it.
+    /// Reads the bank at `path` into memory and opens it, without verifying it.
     ///
     /// ```no_run
-    /// use lipz_host::{Hold, OwnedBank};
+    /// use lipz_host::OwnedBank;
     ///
-    /// # fn main() -> Result<(), lipz_host::Error> {
-    /// let owned = OwnedBank::open("dialogue.lipzbank", Hold::Mapped)?.verify()?;
+    /// # fn main() -> Result<(), lipz_host::OpenError> {
+    /// let owned = OwnedBank::open("dialogue.lipzbank")?.verify()?;
     /// println!("{} clips", owned.bank().clip_count());
     /// # Ok(())
     /// # }
     /// ```
     ///
     /// # Errors
-    /// When the file cannot be opened, or [`Bank::open`] refuses it.
-    pub fn open(path: impl AsRef<Path>, hold: Hold) -> Result<OwnedBank, Error> {
-        OwnedBank::of(FileBytes::open(path, hold)?)
+    /// When the file cannot be read, or [`Bank::open`] refuses it.
+    pub fn open(path: impl AsRef<Path>) -> Result<OwnedBank, OpenError> {
+        OwnedBank::from_bytes(FileBytes::read(path)?)
+    }
+
+    /// Maps the bank at `path` and opens it, without verifying it.
+    ///
+    /// # Safety
+    /// As for [`FileBytes::map`]: nobody changes or truncates the file as long as this bank exists.
+    ///
+    /// # Errors
+    /// When the file cannot be mapped, or [`Bank::open`] refuses it.
+    #[allow(unsafe_code)] // the caller keeps the contract
+    pub unsafe fn open_mapped(path: impl AsRef<Path>) -> Result<OwnedBank, OpenError> {
+        // SAFETY: the same contract.
+        OwnedBank::from_bytes(unsafe { FileBytes::map(path) }?)
     }
 
     /// Opens the bank that these bytes are, without verifying it.
     ///
     /// # Errors
     /// When [`Bank::open`] refuses it.
-    pub fn of(bytes: FileBytes) -> Result<OwnedBank, Error> {
+    pub fn from_bytes(bytes: FileBytes) -> Result<OwnedBank, OpenError> {
         bytes.expect_queries();
         Ok(OwnedBank(Cell::try_new(bytes, |bytes| Bank::open(bytes))?))
     }
@@ -50,7 +63,7 @@ impl OwnedBank {
     ///
     /// # Errors
     /// The first damage found.
-    pub fn verify(self) -> Result<OwnedBank, Error> {
+    pub fn verify(self) -> Result<OwnedBank, OpenError> {
         let bytes = self.0.into_owner();
         bytes.expect_all();
         let verified = Cell::try_new(bytes, |bytes| Bank::open(bytes)?.verify())?;
@@ -69,7 +82,7 @@ impl OwnedBank {
     }
 }
 
-/// What the bank has and how its bytes are held.
+/// What the bank has and where its bytes are.
 impl fmt::Debug for OwnedBank {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_tuple("OwnedBank").field(self.bank()).field(self.bytes()).finish()

@@ -25,14 +25,14 @@ type Identity = (u64, u64, i64, i64);
 type Identity = Option<SystemTime>;
 
 impl Stamp {
-    pub(crate) fn of(metadata: &Metadata) -> Stamp {
+    pub(crate) fn new(metadata: &Metadata) -> Stamp {
         Stamp { length_bytes: metadata.len(), modified: metadata.modified().ok(), identity: identity(metadata) }
     }
 
     /// Whether a change from now on gives the file another stamp.
     pub(crate) fn is_settled(&self) -> bool {
         let age = self.modified.and_then(|modified| SystemTime::now().duration_since(modified).ok());
-        age.is_some_and(|age| age > SETTLED_AFTER)
+        age.map_or(false, |age| age > SETTLED_AFTER)
     }
 }
 

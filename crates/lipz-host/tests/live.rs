@@ -1,10 +1,11 @@
 //! A bank that is replaced while programs read it: nobody ever sees half of one.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
-use lipz_bank::{Bank, ErrorKind};
+use lipz_bank::{Bank, ClipId, Cursor, ErrorKind, Fps, Micros};
 use lipz_compiler::{Compiler, Input};
-use lipz_host::{Error, FileBytes, Hold, LiveBank, OwnedBank};
+use lipz_host::{FileBytes, LiveBank, OpenError, OwnedBank};
 use std::fs::{self, File};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
 use std::thread;
@@ -14,8 +15,21 @@ use tempfile::TempDir;
 /// How long a step may take on a machine that is busy with other things.
 const DEADLINE: Duration = Duration::from_secs(60);
 
-/// On Windows no file is replaced while it is mapped.
-const HOLDS: &[Hold] = if cfg!(windows) { &[Hold::InMemory] } else { &[Hold::Mapped, Hold::InMemory] };
+/// A way to open a live bank.
+type Open = fn(&Path) -> Result<LiveBank, OpenError>;
+
+/// In memory and mapped. On Windows no file is replaced while it is mapped.
+const WAYS: &[Open] = if cfg!(windows) { &[in_memory] } else { &[in_memory, mapped] };
+
+fn in_memory(path: &Path) -> Result<LiveBank, OpenError> {
+    LiveBank::open(path)
+}
+
+#[allow(unsafe_code, reason = "tests rename new files over old ones")]
+fn mapped(path: &Path) -> Result<LiveBank, OpenError> {
+    // SAFETY: no test changes or truncates a file that it has mapped.
+    unsafe { LiveBank::open_mapped(path) }
+}
 
 /// A bank that says the same number everywhere: in texts, events, and the length of its clips.
 fn version(number: usize) -> Vec<u8> {
@@ -79,11 +93,11 @@ fn until(what: &str, holds: impl Fn() -> bool) {
 }
 
 #[test]
-fn readers_see_bank_with_textss_while_a_writer_replaces_them() {
+fn readers_see_whole_banks_while_a_writer_replaces_them() {
     let banks: Vec<Vec<u8>> = (1..=8).map(version).collect();
-    for &hold in HOLDS {
+    for (way, open) in WAYS.iter().enumerate() {
         let (_folder, path) = scene();
-        let live = LiveBank::open(&path, hold).unwrap();
+        let live = open(&path).unwrap();
         let first = live.current();
         let is_over = AtomicBool::new(false);
         let [swapped, refused, read] = [(); 3].map(|()| AtomicUsize::new(0));
@@ -104,8 +118,8 @@ fn readers_see_bank_with_textss_while_a_writer_replaces_them() {
                     match live.refresh() {
                         Ok(true) => swapped.fetch_add(1, Relaxed),
                         Ok(false) => 0,
-                        Err(Error::Bank(_)) => refused.fetch_add(1, Relaxed),
-                        Err(Error::File(error)) => panic!("{error}"),
+                        Err(OpenError::Bank(_)) => refused.fetch_add(1, Relaxed),
+                        Err(error) => panic!("{error}"),
                     };
                 }
             });
@@ -126,7 +140,7 @@ fn readers_see_bank_with_textss_while_a_writer_replaces_them() {
         });
         // The last word of the writer is round 399.
         let _ = live.refresh().unwrap();
-        assert_eq!(number(live.current().bank()), 8, "{hold:?}");
+        assert_eq!(number(live.current().bank()), 8, "way {way}");
         assert_eq!(number(first.bank()), 1, "who holds a version reads on from it");
         assert!(read.load(Relaxed) > 0 && swapped.load(Relaxed) >= 20 && refused.load(Relaxed) >= 20);
     }
@@ -135,7 +149,7 @@ fn readers_see_bank_with_textss_while_a_writer_replaces_them() {
 #[test]
 fn the_same_file_is_not_read_again() {
     let (_folder, path) = scene();
-    let live = LiveBank::open(&path, HOLDS[0]).unwrap();
+    let live = LiveBank::open(&path).unwrap();
     assert!(!live.refresh().unwrap());
     replace(&path, &version(2));
     assert!(live.refresh().unwrap());
@@ -147,10 +161,10 @@ fn the_same_file_is_not_read_again() {
 #[test]
 fn a_damaged_file_is_refused_until_it_changes() {
     let (_folder, path) = scene();
-    let live = LiveBank::open(&path, HOLDS[0]).unwrap();
+    let live = LiveBank::open(&path).unwrap();
     replace(&path, &damaged(&version(2), 1));
     let refusal = || match live.refresh() {
-        Err(Error::Bank(error)) => error.kind(),
+        Err(OpenError::Bank(error)) => error.kind(),
         other => panic!("{other:?}"),
     };
     // Just written: there may be more to come.
@@ -168,10 +182,10 @@ fn a_damaged_file_is_refused_until_it_changes() {
 #[test]
 fn a_missing_file_keeps_the_old_bank() {
     let (folder, path) = scene();
-    let live = LiveBank::open(&path, HOLDS[0]).unwrap();
+    let live = LiveBank::open(&path).unwrap();
     fs::rename(&path, folder.path().join("away")).unwrap();
     for _ in 0..2 {
-        assert!(matches!(live.refresh(), Err(Error::File(error)) if error.kind() == std::io::ErrorKind::NotFound));
+        assert!(matches!(live.refresh(), Err(OpenError::File(error)) if error.kind() == std::io::ErrorKind::NotFound));
     }
     assert_eq!(number(live.current().bank()), 1);
     fs::rename(folder.path().join("away"), &path).unwrap();
@@ -183,23 +197,59 @@ fn a_missing_file_keeps_the_old_bank() {
 #[test]
 fn memory_does_not_change_with_the_file() {
     let (_folder, path) = scene();
-    let live = LiveBank::open(&path, Hold::InMemory).unwrap();
+    let live = LiveBank::open(&path).unwrap();
     let bank = live.current();
     File::options().write(true).open(&path).unwrap().set_len(10).unwrap();
     assert_eq!(number(bank.bank()), 1);
-    assert!(matches!(live.refresh(), Err(Error::Bank(_))));
+    assert!(matches!(live.refresh(), Err(OpenError::Bank(_))));
 }
 
 #[test]
 fn what_cannot_be_opened_says_why() {
     let (folder, path) = scene();
-    for &hold in HOLDS {
-        let missing = OwnedBank::open(folder.path().join("none"), hold).unwrap_err();
-        assert!(matches!(missing, Error::File(_)), "{missing}");
-        assert!(FileBytes::open(folder.path(), hold).is_err(), "a folder");
+    for open in WAYS {
+        let missing = open(&folder.path().join("none")).unwrap_err();
+        assert!(matches!(missing, OpenError::File(_)), "{missing}");
+        let directory = open(folder.path()).unwrap_err();
+        let OpenError::File(error) = &directory else { panic!("{directory}") };
+        assert!(cfg!(windows) || error.kind() == std::io::ErrorKind::IsADirectory, "{error}");
         fs::write(&path, b"").unwrap();
-        let empty = OwnedBank::open(&path, hold).unwrap_err();
-        assert!(matches!(&empty, Error::Bank(error) if error.kind() == ErrorKind::TooShort), "{empty}");
+        let empty = open(&path).unwrap_err();
+        assert!(matches!(&empty, OpenError::Bank(error) if error.kind() == ErrorKind::TooShort), "{empty}");
     }
-    assert!(OwnedBank::of(version(3).into()).unwrap().verify().is_ok());
+    assert!(FileBytes::read(folder.path()).is_err() && OwnedBank::open(folder.path()).is_err(), "a folder");
+    assert!(OwnedBank::from_bytes(version(3).into()).unwrap().verify().is_ok());
+}
+
+#[test]
+#[allow(unsafe_code, reason = "nobody changes the file")]
+fn a_map_has_the_bytes_of_the_file() {
+    let (_folder, path) = scene();
+    // SAFETY: nobody changes the file.
+    let (bytes, bank) = unsafe { (FileBytes::map(&path).unwrap(), OwnedBank::open_mapped(&path).unwrap()) };
+    assert_eq!(*bytes, *FileBytes::read(&path).unwrap());
+    assert_eq!(number(bank.verify().unwrap().bank()), 1);
+}
+
+/// What is playing goes on in the new version; a handle of the old one leads to nothing there.
+#[test]
+fn a_cursor_outlives_its_bank_and_a_locale_does_not() {
+    let (_folder, path) = scene();
+    let live = LiveBank::open(&path).unwrap();
+    let old = live.current();
+    let id = ClipId::from_key("clip-7");
+    let mut cursor = Cursor::new(&old.bank().clip(id).unwrap().or_fps(Fps::whole(24))).unwrap();
+    assert_eq!(cursor.advance_to(&old.bank().clip(id).unwrap(), Micros(0)).count(), 1);
+    replace(&path, &version(5));
+    assert!(live.refresh().unwrap());
+    let new = live.current();
+    let clip = new.bank().clip(id).unwrap();
+    assert_eq!(cursor.advance_to(&clip, Micros(83_334)).count(), 0, "its one segment has fired");
+    assert_eq!((cursor.frame(), cursor.viseme(&clip).to_char(), cursor.is_over()), (Some(2), 'A', false));
+    let (german, segment) = (old.bank().locale("de-de").unwrap(), cursor.segment(&clip).unwrap());
+    assert!(german.is_of(old.bank()) && !german.is_of(new.bank()));
+    let stale = catch_unwind(AssertUnwindSafe(|| segment.text(german)));
+    assert!(if cfg!(debug_assertions) { stale.is_err() } else { matches!(stale, Ok(None)) });
+    let german = new.bank().locale("de-de").unwrap();
+    assert_eq!(segment.text(german).unwrap().as_str(), "5");
 }

@@ -26,6 +26,7 @@ pub mod tools;
 /// The programs on pages of `docs/` compile.
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/PLAYBACK.md")]
+#[doc = include_str!("../../../docs/HOST.md")]
 struct Pages;
 
 /// The example of the project's README, run as a test.

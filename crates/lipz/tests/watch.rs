@@ -4,7 +4,7 @@
 mod support;
 
 #[cfg(unix)]
-use lipz_host::{Hold, LiveBank, OwnedBank};
+use lipz_host::{LiveBank, OwnedBank};
 use std::fs;
 use std::io::Read;
 use std::path::Path;
@@ -377,7 +377,7 @@ fn a_running_program_follows_the_bank() {
     scene.write("voices/a.lipz", AYE);
     let watch = Watch::started(&scene, &["voices", "-o", BANK]);
     let path = scene.path().join(BANK);
-    let live = LiveBank::open(&path, Hold::Mapped).unwrap();
+    let live = LiveBank::open(&path).unwrap();
     let says = |version: &OwnedBank| {
         let bank = version.bank();
         let segment = bank.clip_by_key("a").unwrap().segment(0).unwrap();
@@ -392,7 +392,7 @@ fn a_running_program_follows_the_bank() {
     // Somebody else puts a damaged copy there.
     fs::write(path.with_extension("copy"), &watch.bank()[..100]).unwrap();
     fs::rename(path.with_extension("copy"), &path).unwrap();
-    assert!(matches!(live.refresh(), Err(lipz_host::Error::Bank(_))));
+    assert!(matches!(live.refresh(), Err(lipz_host::OpenError::Bank(_))));
     assert_eq!(says(&live.current()), "No.");
     scene.write("voices/a.lipz", AYE);
     watch.until("the bank that was packed again", |_| live.refresh().is_ok() && says(&live.current()) == "Aye.");

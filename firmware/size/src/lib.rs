@@ -11,7 +11,7 @@ mod controls;
 use core::mem::MaybeUninit;
 use core::panic::PanicInfo;
 use lipz_bank::{
-    Babble, Bank, ClipId, ConsonantHold, Cursor, Error, Event, EventName, Lead, Locale, Micros, TextBank, VoiceLevel,
+    Babble, Bank, Clip, ClipId, ConsonantHold, Cursor, Error, Event, EventName, Lead, Locale, Micros, TextBank, VoiceLevel,
 };
 
 /// A bank, as an entry point returns it: in memory of its caller.
@@ -125,24 +125,19 @@ fn size_play(bank: &Bank<'_>, slot: u32, place: &mut Place<Cursor>) -> bool {
 }
 
 #[no_mangle]
-fn size_advance(bank: &Bank<'_>, slot: u32, cursor: &mut Cursor, time_us: i64, each: fn(Event<'_>)) -> u8 {
-    bank.clip_at(slot).map_or(0, |clip| {
-        cursor.advance_to(&clip, Micros(time_us)).events().for_each(each);
-        cursor.viseme(&clip).code()
-    })
+fn size_advance(clip: &Clip<'_, '_>, cursor: &mut Cursor, time_us: i64, each: fn(Event<'_>)) -> u8 {
+    cursor.advance_to(clip, Micros(time_us)).events().for_each(each);
+    cursor.viseme(clip).code()
 }
 
 #[no_mangle]
-fn size_seek(bank: &Bank<'_>, slot: u32, cursor: &mut Cursor, time_us: i64) {
-    if let Some(clip) = bank.clip_at(slot) {
-        cursor.seek(&clip, Micros(time_us));
-    }
+fn size_seek(clip: &Clip<'_, '_>, cursor: &mut Cursor, time_us: i64) {
+    cursor.seek(clip, Micros(time_us));
 }
 
 #[no_mangle]
-fn size_state(bank: &Bank<'_>, slot: u32, cursor: &Cursor, of: &EventName<'_>) -> u32 {
-    let state = bank.clip_at(slot).map(|clip| cursor.state(&clip, Some(*of)));
-    state.and_then(|state| state.emotion).map_or(u32::MAX, EventName::id)
+fn size_state(clip: &Clip<'_, '_>, cursor: &Cursor, of: &EventName<'_>) -> u32 {
+    cursor.state(clip, Some(*of)).emotion.map_or(u32::MAX, EventName::id)
 }
 
 #[no_mangle]

@@ -69,7 +69,7 @@ pub(crate) fn verify_texts<'data>(
     if file.header.fingerprint.get() != bank.fingerprint() || !is_about_bank {
         return Err(Error::new(ErrorKind::OtherClips, 24));
     }
-    texts.table.bank = bank.origin();
+    texts.bank = bank.origin();
     let check = TextCheck::new(&file, &texts.table);
     for (clip, record) in bank.clips.iter().zip(bank.keys) {
         check.clip(clip, record)?;

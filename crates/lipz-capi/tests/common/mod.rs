@@ -2,7 +2,7 @@
 #![allow(dead_code, reason = "each test uses some of it")]
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use core::ffi::c_char;
+use lipz_capi::c_char;
 use lipz_capi::*;
 use std::mem::MaybeUninit;
 

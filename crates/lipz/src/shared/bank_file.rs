@@ -6,7 +6,7 @@ use crate::reporter::Reporter;
 use crate::shared::stdio;
 use lipz_bank::{Bank, Error, ErrorKind, TextBank};
 use lipz_diagnostics::{Code, Diagnostic, Report};
-use lipz_host::{FileBytes, Hold};
+use lipz_host::FileBytes;
 use lipz_layout::{FORMAT_MAJOR, FORMAT_MINOR, Header, MAGIC};
 use std::io;
 use std::mem::offset_of;
@@ -24,12 +24,12 @@ pub(crate) struct BankFile {
 }
 
 impl BankFile {
-    /// Maps the file at `path`, or reads standard input. Reports why that is not possible.
+    /// Reads the file at `path`, or standard input. Reports why that is not possible.
     pub(crate) fn open(path: &Path, reporter: &mut Reporter) -> Result<BankFile, Abort> {
         let (name, bytes) = if stdio::is_meant(path) {
             (stdio::INPUT_NAME.to_owned(), stdio::read(LONGEST_BANK + 1).map(FileBytes::from))
         } else {
-            (console::path(path), FileBytes::open(path, Hold::Mapped))
+            (console::path(path), FileBytes::read(path))
         };
         match bytes {
             Ok(bytes) => Ok(BankFile { name, bytes }),
@@ -64,7 +64,7 @@ impl BankFile {
     }
 }
 
-/// The finding for a file that cannot be mapped.
+/// The finding for a file that cannot be read.
 fn unreadable(shown: &str, error: &io::Error) -> Diagnostic {
     let finding = |what: &str| Diagnostic::new(Code::BankRefused, format!("`{shown}` {what}"));
     match error.kind() {

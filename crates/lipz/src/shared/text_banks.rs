@@ -22,7 +22,7 @@ pub(crate) struct TextBanks {
 pub(crate) struct TextFiles(Vec<BankFile>);
 
 impl TextFiles {
-    /// Maps the files. Reports which one cannot be.
+    /// Reads the files. Reports which one cannot be read.
     pub(crate) fn open(paths: &[PathBuf], reporter: &mut Reporter) -> Result<TextFiles, Abort> {
         patterns::files(paths)
             .iter()
