@@ -59,7 +59,7 @@ enum Task {
     /// Build and run the published reader with the oldest compiler that it promises
     Msrv,
     /// Write all files that programs make: rules, docs, headers, expected outputs
-    Bless,
+    Bless(bless::Settings),
     /// Look for inputs on which something does not hold that must hold for any bytes
     Fuzz(fuzz::Settings),
 }
@@ -78,7 +78,7 @@ fn main() -> ExitCode {
         };
     };
     let result = match task {
-        Task::Bless => bless::run(),
+        Task::Bless(settings) => bless::run(&settings),
         Task::Ci(settings) => ci::run(&settings),
         Task::Capi => capi::run(),
         Task::Web => web::run(),

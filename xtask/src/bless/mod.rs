@@ -2,6 +2,7 @@
 //!
 //! First what the rules are made into: the table of codes and the page about them. Then the tests whose
 //! expected outputs are committed run once more, and write them. Read the difference before you commit it.
+//! `cargo xtask bless lipz` runs the tests of one crate only, `cargo xtask bless rules` none.
 
 mod diagnostics_page;
 mod rules;
@@ -9,7 +10,16 @@ mod rules;
 use crate::cargo;
 use crate::paths::workspace_root;
 use crate::{Failure, tools};
+use clap::Args;
 use rules::Rule;
+
+/// What to write.
+#[derive(Args, Debug)]
+pub(crate) struct Settings {
+    /// `rules`, or a crate: only what is made from the rules, or also what the tests of the crate expect
+    #[arg(value_parser = names())]
+    only: Option<String>,
+}
 
 /// The tests that write what they expect.
 const TESTS: [&[&str]; 5] = [
@@ -20,13 +30,17 @@ const TESTS: [&[&str]; 5] = [
     &["--package", "lipz"],
 ];
 
-pub(crate) fn run() -> Result<(), Failure> {
+fn names() -> Vec<&'static str> {
+    TESTS.iter().map(|test| test[1]).chain(["rules"]).collect()
+}
+
+pub(crate) fn run(settings: &Settings) -> Result<(), Failure> {
     for (path, contents) in made_from_rules()? {
         std::fs::write(workspace_root().join(path), contents).map_err(|error| format!("`{path}`: {error}"))?;
     }
-    for test in TESTS {
+    for test in TESTS.iter().filter(|test| settings.only.as_deref().is_none_or(|only| test[1] == only)) {
         let mut run = cargo::command();
-        run.args(["test", "--quiet"]).args(test).env("LIPZ_BLESS", "1").current_dir(workspace_root());
+        run.args(["test", "--quiet"]).args(*test).env("LIPZ_BLESS", "1").current_dir(workspace_root());
         tools::succeed(&mut run, &format!("cargo test {}", test.join(" ")))?;
     }
     Ok(())
