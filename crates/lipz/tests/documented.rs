@@ -23,9 +23,8 @@ fn first_cells(page: &str) -> Vec<&str> {
 fn rules_about_lipz_files_are_in_lipz_files_md() {
     let page = read("docs/LIPZ-FILES.md");
     // Elements, rates and types, visemes, texts, segments, events. The others are about reading and writing.
-    let is_about_files = |code: &&Code| ("LZ0200".."LZ0800").contains(&code.number());
-    let missing: Vec<&Code> =
-        Code::ALL.iter().filter(is_about_files).filter(|code| !page.contains(code.number())).collect();
+    let codes = Code::ALL.iter().filter(|code| ("LZ0200".."LZ0800").contains(&code.number()));
+    let missing: Vec<&str> = codes.map(|code| code.number()).filter(|number| !page.contains(number)).collect();
     assert!(missing.is_empty(), "docs/LIPZ-FILES.md does not mention {missing:?}: add a row");
 }
 

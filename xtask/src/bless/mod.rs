@@ -40,7 +40,10 @@ pub(crate) fn run(settings: &Settings) -> Result<(), Failure> {
     }
     for test in TESTS.iter().filter(|test| settings.only.as_deref().is_none_or(|only| test[1] == only)) {
         let mut run = cargo::command();
-        run.args(["test", "--quiet"]).args(*test).env("LIPZ_BLESS", "1").current_dir(workspace_root());
+        run.args(["test", "--quiet", "--no-fail-fast"])
+            .args(*test)
+            .env("LIPZ_BLESS", "1")
+            .current_dir(workspace_root());
         tools::succeed(&mut run, &format!("cargo test {}", test.join(" ")))?;
     }
     Ok(())

@@ -24,6 +24,6 @@ pub(super) fn run() -> Result<(), Failure> {
 
 fn reader(toolchain: &Toolchain) -> Command {
     let mut command = toolchain.cargo("build");
-    command.args(["--quiet", "--package", "lipz-bank"]);
+    command.args(["--quiet", "--package", "lipz-bank", "--no-default-features"]);
     command
 }
