@@ -46,7 +46,7 @@ enum Task {
     Edges,
     /// Check the licences and sources of all dependencies
     Deny,
-    /// Compile the compiler with each of its features alone, and count the crates of a build script
+    /// Compile each feature of the compiler alone, and count the crates of a build script
     Features,
     /// Run the reader on other machines: bare metal, big-endian, 32-bit, wasm
     Targets(targets::Settings),
