@@ -138,7 +138,7 @@ fn shortfall(coverage: &Coverage, wanted_percent: f64) -> Diagnostic {
     let missing = coverage.clip_count - coverage.own_count;
     Diagnostic::new(Code::LowCoverage, message)
         .note(format!("{missing} of {} clips have none", coverage.clip_count))
-        .help(format!("translate them (`lipz coverage --missing {tag}` lists them), or lower the minimum"))
+        .help("translate them, or lower the minimum")
 }
 
 /// What a player of a locale reads of a clip.

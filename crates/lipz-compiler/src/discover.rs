@@ -178,7 +178,7 @@ fn is_lipz(path: &Path) -> bool {
 /// do about it.
 fn key_of(path: &Path, root: &Path) -> Result<String, (String, &'static str)> {
     let not_below =
-        || (format!("it is not below the root `{}`", display(root)), "give a folder above the file with --root");
+        || (format!("it is not below the root `{}`", display(root)), "set `root` to a folder above the file");
     let root = if root == Path::new(".") { Path::new("") } else { root };
     let path = path.strip_prefix(".").unwrap_or(path);
     let resolved;

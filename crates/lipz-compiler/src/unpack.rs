@@ -120,7 +120,7 @@ fn existing_files(bank: &Bank<'_>, output: &Dir, shown: &str) -> Vec<Report> {
             let finding = Diagnostic::new(Code::WouldOverwrite, format!("`{path}` exists already"));
             Report::about(
                 path,
-                finding.note("nothing was written").help("unpack into another folder, or replace files with --force"),
+                finding.note("nothing was written").help("unpack into another folder, or allow files to be replaced"),
             )
         })
         .collect()

@@ -115,7 +115,7 @@ fn track<'m>(
             Some(VisemeType::Rms) => {
                 "loudness (rms) is not a mouth shape; export clips of the types blair and toonboom"
             }
-            _ => "convert the clip first: lipz convert --viseme-type blair",
+            _ => "convert the clip to blair or toonboom first",
         }));
         return None;
     };
@@ -123,7 +123,7 @@ fn track<'m>(
     for (frame, run) in runs(&codes) {
         let Some(symbol) = map.symbol(run) else {
             let message = format!("`{}` has no symbol for the code `{}`", map.name, char::from(run));
-            findings.push(refusal(message).help("give a table that has it with --map"));
+            findings.push(refusal(message).help("use a mapping table that has it"));
             return None;
         };
         shapes.push(Shape::new(Time::of_frame(frame, rate), symbol));

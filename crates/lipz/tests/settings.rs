@@ -185,17 +185,30 @@ fn init_writes_a_file_that_works_and_replaces_none() {
     scene.finish(1);
 }
 
+/// The flags of the command for names without tables; sources are arguments.
+fn flags(names: &str) -> String {
+    let flag = |name: &str| match name {
+        "" => String::new(),
+        "sources" => "SOURCES".to_owned(),
+        name => format!("--{name}"),
+    };
+    names.split(", ").map(flag).collect::<Vec<_>>().join(", ")
+}
+
 /// The settings of a table as rows: name, flags, default, what it decides.
 fn rows(table: &Table) -> Vec<[String; 4]> {
     match &table.content {
         Content::Settings(settings) => settings
             .iter()
-            .map(|setting| [setting.name, setting.flag, setting.default, setting.about].map(str::to_owned))
+            .map(|setting| {
+                let [name, default, about] = [setting.name, setting.default, setting.about].map(str::to_owned);
+                [name, flags(setting.flat_name), default, about]
+            })
             .collect(),
         Content::Map(map) => {
             let examples = map.examples.iter().map(|example| format!("`{example}`")).collect::<Vec<_>>();
             let about = format!("for example {}", examples.join(", "));
-            vec![[map.name.into(), map.flag.into(), map.default.into(), about]]
+            vec![[map.name.into(), flags(map.flat_name), map.default.into(), about]]
         }
     }
 }

@@ -79,7 +79,7 @@ fn no_locale(element: &Element<'_>, default: Option<&str>, options: &Options) ->
     let Some(default) = default else {
         let finding = finding(format!("`{name}` has no locale")).help(
             "write the locale, \"text_en-us\", or set the project's default locale: default-locale = \"en-us\" in \
-             lipz.toml, or --default-locale en-us",
+             lipz.toml",
         );
         let is_lowered = lipz_diagnostics::is_lowered(&options.levels, Code::TextWithoutLocale);
         return if is_lowered { finding.note("it is kept for unpacking; games do not see it") } else { finding };
@@ -133,9 +133,7 @@ fn other_shape(element: &Element<'_>, locale: &str, is_tag: bool, options: &Opti
             let name = format!("\"text_{tag}\"");
             finding.help(format!("remove the space: {name}")).fix(element.name.span(), name)
         }
-        _ if is_tag => finding.help(
-            "name a country, or accept any BCP 47 tag: extended-locales = true in lipz.toml, or --extended-locales",
-        ),
+        _ if is_tag => finding.help("name a country, or accept any BCP 47 tag: extended-locales = true in lipz.toml"),
         _ => finding.help("write \"text_ll-cc\", for example \"text_en-us\""),
     }
 }

@@ -43,7 +43,7 @@ pub(super) fn ambiguous(document: &Document<'_>, candidates: &[VisemeType]) -> D
     let message = format!("these codes cannot be converted: they may be {}", names.join(" or "));
     let example = names.first().copied().unwrap_or_default();
     about_type(document, message).help(format!(
-        "name their type: \"viseme_type\": \"{example}\" in the file, or --default-viseme-type {example}"
+        "name their type: \"viseme_type\": \"{example}\" in the file, or default-viseme-type = \"{example}\" in lipz.toml"
     ))
 }
 

@@ -62,7 +62,7 @@ pub fn check(inputs: &[Input], reports: &mut Vec<Report>) {
         let Some(before) = seen.insert(folded(key), input) else { continue };
         let finding = if before.key == *key {
             Diagnostic::new(Code::DuplicateKey, format!("the key `{}` appears twice", escape::text(key)))
-                .help("pack one of the two, or give the sources a common root with --root")
+                .help("pack one of the two, or give the sources a common `root`")
         } else {
             clash(&before.key, key).help("rename one of the two")
         };

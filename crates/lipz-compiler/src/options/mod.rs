@@ -78,7 +78,7 @@ impl Options {
                 "",
                 Code::SettingValue,
                 message,
-                "set the default locale: --default-locale en-us",
+                "set the default locale: default-locale = \"en-us\"",
             ));
         }
         let chain = |(tag, chain): (&String, &Vec<String>)| {

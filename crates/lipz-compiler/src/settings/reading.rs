@@ -244,7 +244,7 @@ fn unknown_name(table: &str, key: &Spanned<DeString<'_>>, known: &[&'static str]
         };
     }
     let place = if table.is_empty() { "is not a setting".to_owned() } else { format!("is not a setting of [{table}]") };
-    if let Some(help) = of_flag(name) {
+    if let Some(help) = of_flat_name(name) {
         return finding(&place).help(help);
     }
     let everywhere = || TABLES.iter().flat_map(setting_names);
@@ -257,18 +257,17 @@ fn unknown_name(table: &str, key: &Spanned<DeString<'_>>, known: &[&'static str]
     }
 }
 
-/// What stands in the file for the flag `--name` of the command line.
-fn of_flag(name: &str) -> Option<String> {
-    let is_meant = |flags: &str| flags.split(", ").any(|flag| flag.strip_prefix("--") == Some(name));
+/// Where the file has the setting with this name, which holds where there are no tables.
+fn of_flat_name(name: &str) -> Option<String> {
+    let is_meant = |names: &str| names.split(", ").any(|flat| flat == name);
     TABLES.iter().find_map(|table| match &table.content {
         Content::Settings(settings) => settings
             .iter()
-            .find(|setting| is_meant(setting.flag))
-            .map(|setting| format!("the flag --{name} is `{}` in [{}]", setting.name, table.name)),
+            .find(|setting| is_meant(setting.flat_name))
+            .map(|setting| format!("`{name}` is `{}` in [{}]", setting.name, table.name)),
         Content::Map(map) => {
-            let entry =
-                || Some(format!("the flag --{name} is an entry of [{}]: {}", table.name, map.examples.first()?));
-            is_meant(map.flag).then(entry).flatten()
+            let entry = || Some(format!("`{name}` is an entry of [{}]: {}", table.name, map.examples.first()?));
+            is_meant(map.flat_name).then(entry).flatten()
         }
     })
 }

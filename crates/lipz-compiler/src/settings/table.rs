@@ -1,4 +1,4 @@
-//! Every setting, once: its name, flag, default, what it decides, and how its value is read.
+//! Every setting, once: its name, default, what it decides, and how its value is read.
 
 use super::file::inside;
 use super::reading::Reading;
@@ -26,8 +26,8 @@ pub enum Content {
 pub struct Setting {
     /// Its name in the table.
     pub name: &'static str,
-    /// The flag of the command line that overrides it.
-    pub flag: &'static str,
+    /// Its name where there are no tables, such as flags of a command: `max-lines`.
+    pub flat_name: &'static str,
     /// What it decides, in one or two sentences.
     pub about: &'static str,
     /// What holds without it.
@@ -41,8 +41,8 @@ pub struct Setting {
 pub struct Map {
     /// What the names stand for.
     pub name: &'static str,
-    /// The flag of the command line that overrides an entry; empty if there is none.
-    pub flag: &'static str,
+    /// Names of entries where there are no tables, separated by `, `; empty if there are none.
+    pub flat_name: &'static str,
     /// What holds for names that are not mentioned.
     pub default: &'static str,
     /// Some entries.
@@ -95,7 +95,7 @@ pub const TABLES: &[Table] = &[
 const GENERAL: &[Setting] = &[
     Setting {
         name: "sources",
-        flag: "SOURCES",
+        flat_name: "sources",
         about: "Lipz files: folders, files and glob patterns.",
         default: "the folder of lipz.toml",
         example: "[\".\"]",
@@ -112,7 +112,7 @@ const GENERAL: &[Setting] = &[
     },
     Setting {
         name: "root",
-        flag: "--root",
+        flat_name: "root",
         about: "Keys of clips are paths below this folder, without `.lipz`.",
         default: "each source folder",
         example: "\".\"",
@@ -120,7 +120,7 @@ const GENERAL: &[Setting] = &[
     },
     Setting {
         name: "output",
-        flag: "--output",
+        flat_name: "output",
         about: "The bank that `lipz pack` writes.",
         default: "named on the command line",
         example: "\"dialogue.lipzbank\"",
@@ -128,9 +128,9 @@ const GENERAL: &[Setting] = &[
     },
     Setting {
         name: "cache",
-        flag: "--cache",
+        flat_name: "cache",
         about: "File in which `lipz pack` remembers the Lipz files, so that the next run reads only the changed ones. \
-                Safe to delete; `--no-cache` ignores it for one run. \
+                Safe to delete. \
                 `lipz watch` remembers them anyway; with this file, also between runs.",
         default: "every run reads all files",
         example: "\"dialogue.cache\"",
@@ -138,7 +138,7 @@ const GENERAL: &[Setting] = &[
     },
     Setting {
         name: "default-fps",
-        flag: "--default-fps",
+        flat_name: "default-fps",
         about: "Frame rate of files without `fps`, from 1 to 1000.",
         default: "unspecified, the game supplies it",
         example: "24",
@@ -146,7 +146,7 @@ const GENERAL: &[Setting] = &[
     },
     Setting {
         name: "default-viseme-type",
-        flag: "--default-viseme-type",
+        flat_name: "default-viseme-type",
         about: "Viseme type of files without `viseme_type`: blair, toonboom or rms.",
         default: "unspecified, the game supplies it",
         example: "\"blair\"",
@@ -154,7 +154,7 @@ const GENERAL: &[Setting] = &[
     },
     Setting {
         name: "viseme-type",
-        flag: "--viseme-type",
+        flat_name: "viseme-type",
         about: "Viseme type that clips of other types are converted to.",
         default: "each clip keeps its own",
         example: "\"toonboom\"",
@@ -163,7 +163,7 @@ const GENERAL: &[Setting] = &[
     // Before the settings that contain locales.
     Setting {
         name: "extended-locales",
-        flag: "--extended-locales",
+        flat_name: "extended-locales",
         about: "Accept any BCP 47 language tag (es-419, zh-hant), not only ll-cc.",
         default: "false",
         example: "false",
@@ -173,7 +173,7 @@ const GENERAL: &[Setting] = &[
     },
     Setting {
         name: "default-locale",
-        flag: "--default-locale",
+        flat_name: "default-locale",
         about: "Locale of `text` without a locale, and the last fallback of all others.",
         default: "none",
         example: "\"en-us\"",
@@ -181,7 +181,7 @@ const GENERAL: &[Setting] = &[
     },
     Setting {
         name: "locales",
-        flag: "--locales",
+        flat_name: "locales",
         about: "Locales to pack.",
         default: "every locale of the files",
         example: "[\"en-us\", \"de-de\"]",
@@ -198,7 +198,7 @@ const GENERAL: &[Setting] = &[
     },
     Setting {
         name: "split-locales",
-        flag: "--split-locales",
+        flat_name: "split-locales",
         about: "Write the texts of each locale into a text bank beside the bank: `dialogue.de-de.lipztexts`.",
         default: "false",
         example: "false",
@@ -206,7 +206,7 @@ const GENERAL: &[Setting] = &[
     },
     Setting {
         name: "pseudo",
-        flag: "--pseudo",
+        flat_name: "pseudo",
         about: "Add a pseudo-locale with the default locale's texts, accented and longer: `en-xa` for `en-us`.",
         default: "false",
         example: "false",
@@ -214,7 +214,7 @@ const GENERAL: &[Setting] = &[
     },
     Setting {
         name: "strip",
-        flag: "--strip",
+        flat_name: "strip",
         about: "Leave out what only unpacking needs. The bank is smaller, and unpacks to display texts.",
         default: "false",
         example: "false",
@@ -224,7 +224,7 @@ const GENERAL: &[Setting] = &[
 
 const FALLBACKS: Map = Map {
     name: "LOCALE",
-    flag: "--fallback",
+    flat_name: "fallback",
     default: "locales of the same language, then the default locale",
     examples: &["de-at = [\"de-de\", \"en-us\"]", "es-mx = [\"es-es\"]"],
     read: |name, value, to| to.fallback(name, value),
@@ -232,7 +232,7 @@ const FALLBACKS: Map = Map {
 
 const COVERAGE: Map = Map {
     name: "LOCALE",
-    flag: "--min-coverage",
+    flat_name: "min-coverage",
     default: "no minimum",
     examples: &["all = 90", "de-de = 100"],
     read: |name, value, to| to.min_coverage(name, value),
@@ -241,7 +241,7 @@ const COVERAGE: Map = Map {
 const TEXT: &[Setting] = &[
     Setting {
         name: "literal-braces",
-        flag: "--literal-braces",
+        flat_name: "literal-braces",
         about: "Display braces as they are: `{0}` is a placeholder of the game, not meta information.",
         default: "false",
         example: "false",
@@ -249,7 +249,7 @@ const TEXT: &[Setting] = &[
     },
     Setting {
         name: "line-columns",
-        flag: "--max-line-columns",
+        flat_name: "max-line-columns",
         about: "Columns of a line; East Asian wide characters count two.",
         default: "no limit",
         example: "42",
@@ -257,7 +257,7 @@ const TEXT: &[Setting] = &[
     },
     Setting {
         name: "lines",
-        flag: "--max-lines",
+        flat_name: "max-lines",
         about: "Lines of a segment.",
         default: "no limit",
         example: "2",
@@ -265,7 +265,7 @@ const TEXT: &[Setting] = &[
     },
     Setting {
         name: "characters-per-second",
-        flag: "--max-characters-per-second",
+        flat_name: "max-characters-per-second",
         about: "Characters of a segment per second of its time, which a player has to read.",
         default: "no limit",
         example: "17",
@@ -275,7 +275,7 @@ const TEXT: &[Setting] = &[
 
 const LINTS: Map = Map {
     name: "LINT",
-    flag: "--allow, --warn, --deny",
+    flat_name: "allow, warn, deny",
     default: "each lint's own level",
     examples: &["warnings = \"deny\"", "unknown-emotion = \"allow\"", "segment-count = \"warn\""],
     read: |name, value, to| to.level(name, value),
@@ -283,7 +283,7 @@ const LINTS: Map = Map {
 
 const BABBLE: Map = Map {
     name: "SETTING",
-    flag: "",
+    flat_name: "",
     default: "the profile of Second Life's viewer",
     examples: &[
         "ooh = \"1247898743223344444443200000\"",
@@ -299,7 +299,7 @@ const BABBLE: Map = Map {
 const REGISTRY: &[Setting] = &[
     Setting {
         name: "characters",
-        flag: "--characters",
+        flat_name: "characters",
         about: "Characters of the scenes.",
         default: "any",
         example: "[\"samson\", \"amy\"]",
@@ -307,7 +307,7 @@ const REGISTRY: &[Setting] = &[
     },
     Setting {
         name: "props",
-        flag: "--props",
+        flat_name: "props",
         about: "Things that characters look or point at, other than characters.",
         default: "any",
         example: "[\"door\", \"lamp\"]",
@@ -315,7 +315,7 @@ const REGISTRY: &[Setting] = &[
     },
     Setting {
         name: "emotions",
-        flag: "--emotions",
+        flat_name: "emotions",
         about: "Emotions beyond those of the specification.",
         default: "none",
         example: "[\"nervous\"]",
@@ -323,7 +323,7 @@ const REGISTRY: &[Setting] = &[
     },
     Setting {
         name: "actions",
-        flag: "--actions",
+        flat_name: "actions",
         about: "Actions of `does`.",
         default: "any",
         example: "[\"wave\", \"nod\"]",

@@ -9,7 +9,6 @@ pub(crate) const FORMAT: Format = Format {
     name: "fallout",
     about: "Fallout 2 talking heads (LIP version 2)",
     extension: "lip",
-    examples: &["lipz import fallout speech/*.lip -o voices", "lipz export fallout voices -o speech"],
     maps: &["fallout"],
     is_binary: true,
     read: Some(read),

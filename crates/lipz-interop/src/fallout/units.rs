@@ -33,7 +33,7 @@ pub fn nearest(last_position: u32, sound: Time) -> (u32, Option<Diagnostic>) {
     let message = format!("the last marker is at {end}, but the sound ends at {sound}");
     let finding = Diagnostic::new(Code::LipTimeBase, message)
         .note(format!("at {units} units a second, which comes nearest"))
-        .help("is it the sound of this file? name the right unit with --units-per-second");
+        .help("is it the sound of this file? set the right `units-per-second`");
     (units, Some(finding))
 }
 

@@ -31,7 +31,6 @@ pub(super) const FORMAT: Format = Format {
     name: "azure",
     about: "Azure (and SAPI) viseme events, JSON",
     extension: "json",
-    examples: &["lipz import azure speech/*.json -o voices"],
     maps: &["azure"],
     is_binary: false,
     read: Some(read),

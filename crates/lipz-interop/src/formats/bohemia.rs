@@ -12,7 +12,6 @@ pub(super) const FORMAT: Format = Format {
     name: "bohemia",
     about: "Bohemia Interactive (Arma, DayZ) .lip",
     extension: "lip",
-    examples: &["lipz import bohemia sounds/*.lip -o voices"],
     maps: &["bohemia"],
     is_binary: false,
     read: Some(read),

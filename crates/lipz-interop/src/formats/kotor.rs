@@ -19,7 +19,6 @@ pub(super) const FORMAT: Format = Format {
     name: "kotor",
     about: "Knights of the Old Republic, LIP V1.0",
     extension: "lip",
-    examples: &["lipz import kotor lips/*.lip -o voices", "lipz export kotor voices -o lips"],
     maps: &["kotor"],
     is_binary: true,
     read: Some(read),
@@ -33,7 +32,7 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> 
     }
     if !bytes.starts_with(MAGIC) {
         let finding = Diagnostic::new(Code::ForeignSyntax, "the file does not start with `LIP V1.0`");
-        findings.push(at(finding, 0).help("is it a LIP file of another game? lipz import --help lists the formats"));
+        findings.push(at(finding, 0).help("is it a LIP file of another game?"));
         return Vec::new();
     }
     let (header, keys) = bytes.split_at(HEADER_BYTES);

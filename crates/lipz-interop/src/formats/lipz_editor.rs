@@ -16,7 +16,6 @@ pub(super) const FORMAT: Format = Format {
     name: "lipz-editor",
     about: "the Lipz author's first editor, JSON",
     extension: "json",
-    examples: &["lipz import lipz-editor old/*.json --locale en-us -o voices"],
     maps: &["blair", "toonboom", "rms"],
     is_binary: false,
     read: Some(read),

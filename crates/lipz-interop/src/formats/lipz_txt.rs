@@ -13,7 +13,6 @@ pub(super) const FORMAT: Format = Format {
     name: "lipz-txt",
     about: "the Lipz author's phonemes, .lipz.txt",
     extension: "lipz.txt",
-    examples: &["lipz import lipz-txt audio/*.lipz.txt -o voices"],
     maps: &["arpabet-blair"],
     is_binary: false,
     read: Some(read),

@@ -30,8 +30,6 @@ pub struct Format {
     pub about: &'static str,
     /// The extension that its files have, without the dot.
     pub extension: &'static str,
-    /// Command lines that show how it is used, import first.
-    pub examples: &'static [&'static str],
     /// The mapping tables of its symbols; the first one is used unless another viseme type is asked for.
     pub maps: &'static [&'static str],
     /// Whether its files are not text: then findings have no spans, and notes name bytes.

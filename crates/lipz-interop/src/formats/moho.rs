@@ -19,7 +19,6 @@ pub(super) const FORMAT: Format = Format {
     name: "moho",
     about: "Moho switch layer, of Moho, Papagayo or Rhubarb (-f dat)",
     extension: "dat",
-    examples: &["lipz import moho recorded/*.dat --file-fps 24 -o voices", "lipz export moho voices -o switches"],
     maps: &["papagayo", "rhubarb", "rhubarb-toonboom", "fleming-dobbs", "cmu"],
     is_binary: false,
     read: Some(read),
@@ -54,7 +53,9 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, findings: &mut Vec<Diagnostic
         let Some(number) = frame.number("the number of a frame", findings) else { continue };
         let Some(frame) = number.checked_sub(options.dat_base) else {
             let message = format!("frame {number} comes before the first one, {}", options.dat_base);
-            findings.push(frame.finding(Code::ForeignValue, message).help("count from 0 with --dat-base 0"));
+            findings.push(
+                frame.finding(Code::ForeignValue, message).help("if the file counts from 0, set `dat-base` to 0"),
+            );
             continue;
         };
         track.shapes.push(Shape::at(symbol.span(), Time::of_frame(frame, rate), symbol.text));

@@ -26,7 +26,6 @@ pub(super) const FORMAT: Format = Format {
     name: "ovr",
     about: "OVRLipSync frames, CSV with 15 weights a line",
     extension: "csv",
-    examples: &["lipz import ovr dumps/*.csv --file-fps 60 --fps 30 -o voices"],
     maps: &["ovr"],
     is_binary: false,
     read: Some(read),

@@ -16,7 +16,6 @@ pub(super) const FORMAT: Format = Format {
     name: "pamela",
     about: "Pamela lip sync",
     extension: "pam",
-    examples: &["lipz import pamela recorded/*.pam -o voices", "lipz export pamela voices -o recorded"],
     maps: &["cmu"],
     is_binary: false,
     read: Some(read),

@@ -11,7 +11,6 @@ pub(super) const FORMAT: Format = Format {
     name: "papagayo-ng",
     about: "Papagayo-NG project, .pg2",
     extension: "pg2",
-    examples: &["lipz import papagayo-ng projects/*.pg2 --locale en-us -o voices"],
     maps: MAPS,
     is_binary: false,
     read: Some(read),

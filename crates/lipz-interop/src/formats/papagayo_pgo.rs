@@ -14,7 +14,6 @@ pub(super) const FORMAT: Format = Format {
     name: "papagayo",
     about: "Papagayo project, .pgo",
     extension: "pgo",
-    examples: &["lipz import papagayo projects/*.pgo --locale en-us -o voices"],
     maps: MAPS,
     is_binary: false,
     read: Some(read),

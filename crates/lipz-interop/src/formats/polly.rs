@@ -14,7 +14,6 @@ pub(super) const FORMAT: Format = Format {
     name: "polly",
     about: "Amazon Polly speech marks",
     extension: "marks",
-    examples: &["lipz import polly speech/*.marks --locale en-us -o voices"],
     maps: &["polly"],
     is_binary: false,
     read: Some(read),

@@ -12,7 +12,6 @@ pub(super) const FORMAT: Format = Format {
     name: "rhubarb-json",
     about: "Rhubarb Lip Sync, JSON (-f json)",
     extension: "json",
-    examples: &["lipz import rhubarb-json recorded/*.json -o voices", "lipz export rhubarb-json voices -o recorded"],
     maps: rhubarb::MAPS,
     is_binary: false,
     read: Some(read),

@@ -10,7 +10,6 @@ pub(super) const FORMAT: Format = Format {
     name: "rhubarb-tsv",
     about: "Rhubarb Lip Sync, tab-separated (-f tsv)",
     extension: "tsv",
-    examples: &["lipz import rhubarb-tsv recorded/*.tsv -o voices", "lipz export rhubarb-tsv voices -o recorded"],
     maps: rhubarb::MAPS,
     is_binary: false,
     read: Some(read),

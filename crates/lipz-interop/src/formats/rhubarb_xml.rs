@@ -10,7 +10,6 @@ pub(super) const FORMAT: Format = Format {
     name: "rhubarb-xml",
     about: "Rhubarb Lip Sync, XML (-f xml)",
     extension: "xml",
-    examples: &["lipz import rhubarb-xml recorded/*.xml -o voices"],
     maps: rhubarb::MAPS,
     is_binary: false,
     read: Some(read),

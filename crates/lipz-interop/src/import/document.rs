@@ -24,7 +24,7 @@ pub(super) fn texts(track: &Track, options: &ImportOptions<'_>, findings: &mut V
     if texts.len() < before {
         findings.push(
             Diagnostic::new(Code::TextLeftOut, "the text is left out: its locale is not known")
-                .help("name the locale: --locale en-us, or `default-locale` in lipz.toml"),
+                .help("name the locale of the text, or set default-locale = \"en-us\" in lipz.toml"),
         );
     }
     for (index, text) in texts.iter().enumerate() {

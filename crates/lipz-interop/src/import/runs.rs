@@ -95,7 +95,7 @@ fn unknown_symbol(shape: &Shape, map: &Map) -> Diagnostic {
     let finding = shape_finding(Code::UnknownSymbol, shape, message);
     match map.nearest(&shape.symbol) {
         Some(known) => finding.help(format!("did you mean {}?", escape::quoted(known))),
-        None => finding.help("give a table that has it with --map; lipz maps shows the tables there are"),
+        None => finding.help("use a mapping table that has it"),
     }
 }
 
@@ -111,7 +111,7 @@ pub(super) fn report(lost: &[LostShape], all: usize, rate: Rate, findings: &mut 
         finding = finding.note(loss.describe());
     }
     if count > LOSSES_SHOWN {
-        finding = finding.note(format!("and {} more, which --report lists", count - LOSSES_SHOWN));
+        finding = finding.note(format!("and {} more", count - LOSSES_SHOWN));
     }
-    findings.push(finding.help("choose a higher rate with --fps if the game can show it"));
+    findings.push(finding.help("choose a higher `fps` if the game can show it"));
 }

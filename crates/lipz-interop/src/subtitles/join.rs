@@ -169,7 +169,7 @@ fn in_segments(cues: &[Cue], bounds: &[u64], rate: Rate, findings: &mut Vec<Diag
 
 fn place(cue: &Cue, message: &str) -> Diagnostic {
     Diagnostic::at(Code::SubtitlePlace, cue.span, message)
-        .help("give it the times of a segment: lipz inspect shows them, and `|` in the visemes sets them")
+        .help("give it the times of a segment, which `|` in the visemes sets")
 }
 
 /// Which segment of each text is as it was in `old`, as far as a player sees: that keeps its spelling.

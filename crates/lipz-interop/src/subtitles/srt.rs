@@ -36,5 +36,5 @@ pub(super) fn write(cues: &[Cue], findings: &mut Vec<Diagnostic>) -> String {
 }
 
 fn loss(cue: &Cue, message: String) -> Diagnostic {
-    Diagnostic::at(Code::SubtitleLoss, cue.span, message).help("WebVTT can store it: lipz subtitles export vtt")
+    Diagnostic::at(Code::SubtitleLoss, cue.span, message).help("WebVTT can store it")
 }

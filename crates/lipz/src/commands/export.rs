@@ -3,6 +3,7 @@
 use crate::Ended;
 use crate::commands::Run;
 use crate::reporter::Reporter;
+use crate::shared::format_examples::Direction;
 use crate::shared::formats;
 use crate::shared::inputs::find;
 use crate::shared::sources::Sources;
@@ -20,7 +21,7 @@ use std::path::{Path, PathBuf};
 /// Each Lipz file becomes a file in the folder, under its key. The formats have times and shapes: what else is
 /// in the clips is named at the end.
 #[derive(Args, Debug)]
-#[command(after_help = formats::examples(|format| format.write.is_some(), 1))]
+#[command(after_help = formats::examples(Direction::Export, |format| format.write.is_some()))]
 pub(crate) struct Export {
     /// The format to write
     #[arg(value_name = "FORMAT", value_parser = formats::parser(|format| format.write.is_some()), hide_possible_values = true)]

@@ -3,6 +3,7 @@
 use crate::Abort;
 use crate::console;
 use crate::reporter::Reporter;
+use crate::shared::format_examples::{Direction, example};
 use crate::shared::stdio;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use lipz_bank::Fps;
@@ -19,11 +20,11 @@ pub(crate) fn parser(is_meant: fn(&Format) -> bool) -> impl TypedValueParser<Val
         .try_map(|name| formats::find(&name).ok_or("there is no such format"))
 }
 
-/// The formats with the example of each that has this index, as help shows them.
-pub(crate) fn examples(is_meant: impl Fn(&Format) -> bool, example: usize) -> String {
+/// The formats with an example for each, as help shows them.
+pub(crate) fn examples(direction: Direction, is_meant: impl Fn(&Format) -> bool) -> String {
     let mut text = String::from("Formats, with Examples:\n");
     for format in formats::ALL.iter().filter(|format| is_meant(format)) {
-        let line = format.examples.get(example).copied().unwrap_or_default();
+        let line = example(format.name, direction).unwrap_or_default();
         text += &format!("\n  {}: {}\n  {line}\n", format.name, format.about);
     }
     text

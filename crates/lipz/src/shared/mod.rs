@@ -3,6 +3,7 @@
 pub(crate) mod babble_json;
 pub(crate) mod bank_file;
 pub(crate) mod bank_or_sources;
+pub(crate) mod format_examples;
 pub(crate) mod formats;
 pub(crate) mod inputs;
 pub(crate) mod lint_flags;

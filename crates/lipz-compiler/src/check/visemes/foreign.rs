@@ -99,7 +99,7 @@ fn other_type(
     let finding = Diagnostic::at(Code::ForeignCode, span(string, first), message);
     with_legal(finding, viseme_type, expected).help(match (fitting, expected) {
         ([one], Expected::Default(_)) => {
-            format!("write \"viseme_type\": \"{one}\" in the file, or change --default-viseme-type")
+            format!("write \"viseme_type\": \"{one}\" in the file, or change `default-viseme-type`")
         }
         ([one], _) => format!("write \"viseme_type\": \"{one}\", or correct the codes"),
         _ => "write the viseme type of these codes, or correct them".into(),
@@ -141,7 +141,7 @@ fn repeated(finding: Diagnostic, found: &Counted) -> Diagnostic {
 fn with_legal(finding: Diagnostic, viseme_type: VisemeType, expected: Expected) -> Diagnostic {
     let finding = finding.note(format!("valid codes are {}; `|` separates segments", spaced(viseme_type)));
     match expected {
-        Expected::Default(_) => finding.note("the viseme type is that of --default-viseme-type"),
+        Expected::Default(_) => finding.note("the viseme type is that of `default-viseme-type`"),
         _ => finding,
     }
 }

@@ -91,7 +91,7 @@ fn refused_version(version: u32) -> Diagnostic {
         _ if version.swap_bytes() == VERSION => at("the words of this LIP file are little-endian".into())
             .help("write them big-endian: only the length at 0x10 is little-endian in files of the game"),
         _ if version.to_be_bytes() == *b"LIP " => {
-            at("this is a LIP file of Knights of the Old Republic".into()).help("import it with `lipz import kotor`")
+            at("this is a LIP file of Knights of the Old Republic".into()).help("import it as the format `kotor`")
         }
         _ => at(format!("this is not a LIP file of Fallout 2: its version is {version}, not {VERSION}"))
             .help("LIP files of the game lie in its data below sound/speech"),

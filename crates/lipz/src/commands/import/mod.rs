@@ -8,6 +8,7 @@ mod text;
 use crate::Ended;
 use crate::commands::Run;
 use crate::reporter::Reporter;
+use crate::shared::format_examples::Direction;
 use crate::shared::formats;
 use crate::shared::{output_file, patterns, stdio};
 use crate::{Outcome, console, interrupt};
@@ -26,7 +27,7 @@ use std::path::{Path, PathBuf};
 /// Shapes come to frames so that closed lips, F and V stay; what is lost is told. Files of which something is
 /// an error are not written, the others are.
 #[derive(Args, Debug)]
-#[command(after_help = formats::examples(|format| format.read.is_some(), 0))]
+#[command(after_help = formats::examples(Direction::Import, |format| format.read.is_some()))]
 pub(crate) struct Import {
     /// The format of the files
     #[arg(value_name = "FORMAT", value_parser = formats::parser(|format| format.read.is_some()), hide_possible_values = true)]

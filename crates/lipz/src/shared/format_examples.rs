@@ -1,0 +1,51 @@
+//! A command line for each format of another tool, as help shows it.
+
+/// Which way files go.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Direction {
+    Import,
+    Export,
+}
+
+/// The arguments behind `lipz import FORMAT` and `lipz export FORMAT`.
+const EXAMPLES: &[(&str, &str, Option<&str>)] = &[
+    ("rhubarb-tsv", "recorded/*.tsv -o voices", Some("voices -o recorded")),
+    ("rhubarb-json", "recorded/*.json -o voices", Some("voices -o recorded")),
+    ("rhubarb-xml", "recorded/*.xml -o voices", None),
+    ("moho", "recorded/*.dat --file-fps 24 -o voices", Some("voices -o switches")),
+    ("papagayo", "projects/*.pgo --locale en-us -o voices", None),
+    ("papagayo-ng", "projects/*.pg2 --locale en-us -o voices", None),
+    ("pamela", "recorded/*.pam -o voices", Some("voices -o recorded")),
+    ("kotor", "lips/*.lip -o voices", Some("voices -o lips")),
+    ("bohemia", "sounds/*.lip -o voices", None),
+    ("fallout", "speech/*.lip -o voices", Some("voices -o speech")),
+    ("polly", "speech/*.marks --locale en-us -o voices", None),
+    ("azure", "speech/*.json -o voices", None),
+    ("ovr", "dumps/*.csv --file-fps 60 --fps 30 -o voices", None),
+    ("lipz-txt", "audio/*.lipz.txt -o voices", None),
+    ("lipz-editor", "old/*.json --locale en-us -o voices", None),
+];
+
+/// The example of the format with this name.
+pub(super) fn example(format: &str, direction: Direction) -> Option<String> {
+    let (_, import, export) = EXAMPLES.iter().find(|(name, ..)| *name == format)?;
+    Some(match direction {
+        Direction::Import => format!("lipz import {format} {import}"),
+        Direction::Export => format!("lipz export {format} {}", (*export)?),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lipz_interop::formats;
+
+    #[test]
+    fn every_format_has_its_examples() {
+        for format in formats::ALL {
+            assert_eq!(example(format.name, Direction::Import).is_some(), format.read.is_some(), "{}", format.name);
+            assert_eq!(example(format.name, Direction::Export).is_some(), format.write.is_some(), "{}", format.name);
+        }
+        assert_eq!(EXAMPLES.len(), formats::ALL.len());
+    }
+}
