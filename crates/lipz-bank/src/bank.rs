@@ -157,7 +157,7 @@ impl<'data> Bank<'data> {
         self.texts.names.slice(start, start.checked_add(usize::from(record.key_length_bytes.get()))?)
     }
 
-    /// The locale with this tag, spelled as in the bank (`en-us`). Keep it: queries take it.
+    /// The locale with this tag, spelled as in the bank (`en-us`). Look it up once and pass it to text queries.
     pub fn locale(&self, tag: &str) -> Option<Locale<'data>> {
         self.texts.locale(self.origin(), tag)
     }

@@ -79,7 +79,7 @@ impl<'data> TextBank<'data> {
         Ok(self)
     }
 
-    /// The locale with this tag, spelled as in the file (`de-de`). Keep it: queries take it.
+    /// The locale with this tag, spelled as in the file (`de-de`). Look it up once and pass it to text queries.
     pub fn locale(&self, tag: &str) -> Option<Locale<'data>> {
         self.table.locale(self.bank, tag)
     }

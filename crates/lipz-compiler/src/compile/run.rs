@@ -63,7 +63,7 @@ impl Run {
         lipz_diagnostics::has_errors(&self.reports)
     }
 
-    /// Makes a bank of the clips and hands it to `finish`, without whose consent there is none.
+    /// Makes a bank of the clips; returns it only if `finish` accepts it.
     pub(crate) fn make(
         mut self,
         inputs: &[Input],

@@ -15,7 +15,7 @@ use lipz_diagnostics::{Diagnostic, Severity};
 use lipz_file::{Document, Element, Value};
 use std::borrow::Cow;
 
-/// What converting a file gave.
+/// The result of converting a file.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Converted {
     /// The new text; `None` if the file stays as it is.

@@ -20,7 +20,7 @@ use std::path::PathBuf;
 
 /// Show how much of a dialogue is translated into each locale.
 ///
-/// Counted are clips that have a text in any locale. A clip without a text of its own shows that of
+/// Counts clips that have text in at least one locale. A clip without a text of its own shows that of
 /// another locale, or none. A folder is compiled in memory, with the same flags as for `lipz pack`.
 #[derive(Args, Debug)]
 #[command(override_usage = "lipz coverage [BANK] [OPTIONS]")]

@@ -9,7 +9,7 @@ use lipz_diagnostics::{Code, Report, escape, suggest};
 use lipz_interop::{Map, map_file, maps};
 use std::fmt::Write;
 
-/// List mapping tables, which say what Lipz code shows what a tool calls by a name; or show one.
+/// List the tables that map other tools' mouth shapes to Lipz codes, or print one.
 ///
 /// Tables are data: print one into a file, change its rows, and use it with `--map FILE`.
 #[derive(Args, Debug)]

@@ -29,7 +29,7 @@ pub(crate) struct Verify {
     #[command(flatten)]
     texts: TextBanks,
 
-    /// Print nothing about banks without fault
+    /// Report only damaged banks
     #[arg(short, long)]
     pub(crate) quiet: bool,
 }

@@ -24,8 +24,8 @@ use std::path::{Path, PathBuf};
 /// Import mouth shapes from files of other tools.
 ///
 /// Each file becomes a Lipz file in the folder, named after it; a file with several speakers becomes several.
-/// Shapes come to frames so that closed lips, F and V stay; what is lost is told. Files of which something is
-/// an error are not written, the others are.
+/// Closed lips, F and V keep a frame whenever there is one; lost shapes are reported. Nothing is written for files
+/// with errors.
 #[derive(Args, Debug)]
 #[command(after_help = formats::examples(Direction::Import, |format| format.read.is_some()))]
 pub(crate) struct Import {

@@ -32,8 +32,8 @@ pub(crate) struct Watch {
     #[command(flatten)]
     pack: Pack,
 
-    /// Look at the files every so many seconds (2 if not given), for network folders, which tell
-    /// nothing of changes made elsewhere
+    /// Look at the files every so many seconds (2 if not given), for network folders, which do
+    /// not report changes made elsewhere
     #[arg(long, value_name = "SECONDS", num_args = 0..=1, require_equals = true, default_missing_value = "2")]
     #[arg(value_parser = parse_seconds)]
     poll: Option<Duration>,
