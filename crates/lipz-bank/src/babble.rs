@@ -8,6 +8,7 @@ use zerocopy::FromBytes;
 
 /// What moves the mouth while somebody babbles.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
+#[non_exhaustive]
 pub struct Weights {
     /// How far the lips are pursed.
     pub ooh: Weight,

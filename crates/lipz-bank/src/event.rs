@@ -31,6 +31,13 @@ pub(crate) struct NameKey {
     id: u32,
 }
 
+impl NameKey {
+    /// Whether the name is one of `bank`.
+    pub(crate) fn is_of(&self, bank: &Bank<'_>) -> bool {
+        self.bank == bank.origin()
+    }
+}
+
 impl<'data> EventName<'data> {
     /// The number of the name in this bank. It is the same as long as the bank is, and another one
     /// when the bank is packed again.
@@ -45,7 +52,7 @@ impl<'data> EventName<'data> {
 
     /// Whether the name is one of `bank`.
     pub fn is_of(self, bank: &Bank<'_>) -> bool {
-        self.key.bank == bank.origin()
+        self.key.is_of(bank)
     }
 
     /// A debug assertion that the name is one of `bank`.
@@ -120,9 +127,9 @@ impl<'data> EventNames<'data> {
         Some(EventName { key: NameKey { bank: self.bank, id }, record, strings: self.strings })
     }
 
-    /// The name that `key` identifies; `None` if it is one of another bank.
+    /// The name of this bank that `key` identifies.
     pub(crate) fn named(&self, key: NameKey) -> Option<EventName<'data>> {
-        if key.bank == self.bank { self.numbered(key.id) } else { None }
+        self.numbered(key.id)
     }
 
     /// The name that is spelled so.
@@ -139,6 +146,7 @@ impl<'data> EventNames<'data> {
 
 /// One event: `[character] verb …`. It is displayed as it is written in Lipz files.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[non_exhaustive]
 pub struct Event<'data> {
     /// Who; `None` for the speaker of the clip.
     pub character: Option<EventName<'data>>,

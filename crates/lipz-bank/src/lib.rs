@@ -2,7 +2,15 @@
 //!
 //! A *bank* is one packed file that holds the mouth shapes, subtitles and events of many spoken
 //! lines. It is used in place: from a memory map, from ROM, from any `&[u8]`. The data flows one
-//! way, bytes → [`Bank`] → [`Clip`] → [`Segment`]:
+//! way, bytes → [`Bank`] → [`Clip`] → [`Segment`].
+//!
+//! Four types are the ones to read first:
+//!
+//! * [`Bank`] opens the bytes, and finds clips, locales and names.
+//! * [`Clip`] is one spoken line: mouth shapes and segments by time.
+//! * [`Segment`] is a stretch of it: subtitles and events.
+//! * [`Cursor`] follows the sound through a clip and fires each event once. A game keeps it from picture to picture,
+//!   beside its bank.
 //!
 //! ```
 //! use lipz_bank::{Bank, ClipId, Micros};
@@ -23,12 +31,20 @@
 //! # }
 //! ```
 //!
+//! # Features
+//!
+//! `std`, on by default, implements `std::error::Error` for [`Error`]. The reader itself never needs it: for
+//! firmware, depend on `lipz-bank` with `default-features = false`.
+//!
 //! # Trust
 //!
 //! [`Bank::open`] looks at the header and the directory only. After it, no call panics, reads out
 //! of bounds or loops without bound, whatever the bytes are: on damage a query returns `None` or
 //! rest. [`Bank::verify`] checks every byte and every reference; after it has passed, no query fails for which the
 //! compiler stored data, and texts are returned without being checked again.
+//!
+//! A [`Locale`] or an [`EventName`] of another bank leads to nothing. That is a mistake of the program, so debug
+//! builds stop there with an assertion.
 //!
 //! The checksum finds damage. It does not prove who wrote a file: sign banks that come from
 //! strangers, as any other code or asset.

@@ -134,7 +134,7 @@ impl Cursor {
         self.show(clip, time);
         let first = self.next_segment;
         self.next_segment = first.max(self.segments_begun(clip));
-        DueSegments::new(self, clip, first, self.next_segment)
+        DueSegments::new(self, clip, first..self.next_segment, 0)
     }
 
     /// The sound has jumped from its end to its start, and has reached `time` since: returns the segments
@@ -147,7 +147,7 @@ impl Cursor {
         let first = self.next_segment;
         self.next_segment = self.segments_begun(clip);
         self.has_looped = true;
-        DueSegments::around(self, clip, first, self.next_segment)
+        DueSegments::new(self, clip, first..u32::MAX, self.next_segment)
     }
 
     /// Jumps to `time`, forward or back. Nothing fires; the next [`advance_to`](Cursor::advance_to) starts with the
@@ -171,7 +171,7 @@ impl Cursor {
         self.mouth_frame = self.frame;
         let first = self.next_segment;
         self.next_segment = clip.segment_count();
-        DueSegments::new(self, clip, first, self.next_segment)
+        DueSegments::new(self, clip, first..self.next_segment, 0)
     }
 
     /// The mouth shape to draw, with lead and hold; rest before the start and from the end on.
@@ -211,7 +211,7 @@ impl Cursor {
     /// Every character that an event of the clip is about, also one to come, with its
     /// [state](Cursor::state): what to set after a jump. The speaker without a name comes first as `None`.
     pub fn characters<'data, 'bank>(&self, clip: &Clip<'data, 'bank>) -> Characters<'data, 'bank> {
-        Characters::new(DueSegments::new(self, clip, 0, clip.segment_count()), self.past(clip))
+        Characters::new(DueSegments::new(self, clip, 0..u32::MAX, 0), self.past(clip))
     }
 
     /// Whose events name no character.
@@ -221,22 +221,22 @@ impl Cursor {
 
     /// All segments whose events have fired or were jumped over, from the start of the last round but one.
     fn past<'data, 'bank>(&self, clip: &Clip<'data, 'bank>) -> DueSegments<'data, 'bank> {
-        if self.has_looped {
-            DueSegments::around(self, clip, 0, self.next_segment)
-        } else {
-            DueSegments::new(self, clip, 0, self.next_segment)
-        }
+        let last_round = if self.has_looped { u32::MAX } else { 0 };
+        DueSegments::new(self, clip, 0..last_round, self.next_segment)
     }
 
     /// Moves sound and mouth to `time`.
     fn show<T: Time>(&mut self, clip: &Clip<'_, '_>, time: T) {
-        let (fps, frame_count) = (clip.fps().unwrap_or(self.fps), clip.frame_count());
-        let frame_at = |time: T| match time.frame(fps, frame_count) {
+        self.frame = self.frame_at(clip, time);
+        self.mouth_frame = self.frame_at(clip, time.later(self.lead.us()));
+    }
+
+    #[inline(never)] // long code, needed twice
+    fn frame_at<T: Time>(&self, clip: &Clip<'_, '_>, time: T) -> Option<u32> {
+        match time.frame(clip.fps().unwrap_or(self.fps), clip.frame_count()) {
             None if time.has_begun() => Some(OVER),
             frame => frame,
-        };
-        self.frame = frame_at(time);
-        self.mouth_frame = frame_at(time.later(self.lead.us()));
+        }
     }
 
     /// How many segments have begun at the position of the sound.

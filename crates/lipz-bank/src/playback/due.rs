@@ -1,8 +1,10 @@
 //! The segments that have become due.
 
 use super::Cursor;
+use crate::event::NameKey;
 use crate::{Clip, Event, EventName, Segment};
 use core::iter::FusedIterator;
+use core::ops::Range;
 
 /// Segments whose events are due, in order.
 ///
@@ -11,7 +13,8 @@ use core::iter::FusedIterator;
 #[derive(Clone, Debug)]
 pub struct DueSegments<'data, 'bank> {
     clip: Clip<'data, 'bank>,
-    speaker: Option<EventName<'data>>,
+    /// A name of the clip's bank.
+    speaker: Option<NameKey>,
     next: u32,
     end: u32,
     /// After `end`, it goes on from segment 0 up to this one.
@@ -19,30 +22,32 @@ pub struct DueSegments<'data, 'bank> {
 }
 
 impl<'data, 'bank> DueSegments<'data, 'bank> {
-    /// The segments from `first` up to and without `end`, as far as the clip has them: the numbers may be those of
-    /// another clip.
-    pub(super) fn new(cursor: &Cursor, clip: &Clip<'data, 'bank>, first: u32, end: u32) -> Self {
-        let speaker = cursor.speaker().and_then(|key| clip.bank.event_names().named(key));
-        DueSegments { clip: *clip, speaker, next: first, end: end.min(clip.segment_count()), around_to: 0 }
-    }
-
-    /// The segments from `first` to the last, then those from 0 up to and without `end`.
-    pub(super) fn around(cursor: &Cursor, clip: &Clip<'data, 'bank>, first: u32, end: u32) -> Self {
-        let mut due = DueSegments::new(cursor, clip, first, u32::MAX);
-        due.around_to = end.min(due.end);
-        due
+    /// The segments of `range`, then those from 0 up to and without `around_to`, as far as the clip has them: the
+    /// numbers may be those of another clip.
+    #[inline(never)] // a clip is many words, and several calls of a cursor need this
+    pub(super) fn new(cursor: &Cursor, clip: &Clip<'data, 'bank>, range: Range<u32>, around_to: u32) -> Self {
+        let speaker = cursor.speaker().filter(|key| key.is_of(clip.bank));
+        let count = clip.segment_count();
+        let (next, end) = (range.start, range.end.min(count));
+        DueSegments { clip: *clip, speaker, next, end, around_to: around_to.min(count) }
     }
 
     /// The events of the segments. Those without a character are the
     /// [speaker](Cursor::with_speaker)'s.
     pub fn events(self) -> impl Iterator<Item = Event<'data>> + 'bank {
-        let speaker = self.speaker;
+        let speaker = self.speaker_name();
         self.flat_map(move |segment| events(&segment, speaker))
     }
 
     /// Whose events name no character.
-    pub(super) fn speaker(&self) -> Option<EventName<'data>> {
+    pub(super) fn speaker(&self) -> Option<NameKey> {
         self.speaker
+    }
+
+    /// The name of the speaker.
+    #[inline(never)] // once per call of the cursor
+    pub(super) fn speaker_name(&self) -> Option<EventName<'data>> {
+        self.clip.bank.event_names().named(self.speaker?)
     }
 }
 

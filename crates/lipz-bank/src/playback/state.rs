@@ -12,6 +12,7 @@ const MAX_STEPS: u32 = 1 << 20;
 ///
 /// `sees` and `does` are for a moment and leave no state.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
+#[non_exhaustive]
 pub struct CharacterState<'data> {
     /// What the character feels, until changed; `None` if no event has said.
     pub emotion: Option<EventName<'data>>,
@@ -40,7 +41,7 @@ pub(super) fn after<'data>(
     segments: DueSegments<'data, '_>,
     character: Option<EventName<'_>>,
 ) -> CharacterState<'data> {
-    let character = character.or(segments.speaker()).map(EventName::key);
+    let character = character.map(EventName::key).or(segments.speaker());
     let mut state = CharacterState::default();
     each_event(segments, &mut { MAX_STEPS }, |event| {
         if event.character.map(EventName::key) == character {
@@ -52,7 +53,7 @@ pub(super) fn after<'data>(
 
 /// Calls `see` with the events of `segments`, as long as there are `steps` left.
 fn each_event<'data>(segments: DueSegments<'data, '_>, steps: &mut u32, mut see: impl FnMut(Event<'data>)) {
-    let speaker = segments.speaker();
+    let speaker = segments.speaker_name();
     for segment in segments {
         for event in due::events(&segment, speaker).map(Some).chain([None]) {
             match steps.checked_sub(1) {
