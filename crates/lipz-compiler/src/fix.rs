@@ -39,7 +39,7 @@ impl Compiler<'_> {
             let bytes = fixed.as_ref().map_or(bytes, |fixed| fixed.text.as_bytes());
             let Some((text, findings)) = findings(bytes, &self.options) else { break };
             let fixes: Vec<&Fix> = findings.iter().filter_map(|finding| finding.fix.as_ref()).collect();
-            let round = lipz_diagnostics::apply(text, &fixes);
+            let round = Fix::apply_all(text, &fixes);
             if round.applied.is_empty() {
                 break;
             }
@@ -61,7 +61,7 @@ fn findings<'f>(bytes: &'f [u8], options: &Options) -> Option<(&'f str, Vec<Diag
     if let Some(document) = &parsed.document {
         check::check(document, options, &mut Locales::default(), &mut ClipData::default(), &mut parsed.diagnostics);
     }
-    lipz_diagnostics::adjust(&options.levels, &mut parsed.diagnostics);
+    options.levels.apply(&mut parsed.diagnostics);
     parsed.diagnostics.retain(|finding| finding.fix.is_some());
     Some((text, parsed.diagnostics))
 }

@@ -50,9 +50,9 @@ fn every_setting_is_read() {
     assert_eq!(options.fallbacks["es-419"], ["es-es", "en-us"]);
     let limits = options.text_limits;
     assert_eq!((limits.line_columns, limits.lines, limits.characters_per_second), (Some(42), Some(2), Some(17.5)));
-    assert_eq!(options.levels[&Code::UnknownEmotion], None, "a lint by itself wins over its group");
-    assert_eq!(options.levels[&Code::UnknownLocale], Some(Severity::Error));
-    assert_eq!(options.levels[&Code::SegmentCount], Some(Severity::Warning));
+    assert_eq!(options.levels.severity(Code::UnknownEmotion), None, "a lint by itself wins over its group");
+    assert_eq!(options.levels.severity(Code::UnknownLocale), Some(Severity::Error));
+    assert_eq!(options.levels.severity(Code::SegmentCount), Some(Severity::Warning));
     assert_eq!(options.known_names.characters, Some(["mara".to_owned()].into()));
     assert_eq!(options.known_names.actions, Some([].into()), "no actions at all");
     assert_eq!(options.known_names.emotions, ["nervous".to_owned()].into());

@@ -3,7 +3,7 @@
 use crate::{Code, Span, escape};
 use std::fmt;
 
-/// How bad a finding is.
+/// How bad a diagnostic is.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Severity {
     /// The input is used as described; someone should look at it.
@@ -23,6 +23,7 @@ impl fmt::Display for Severity {
 
 /// A marked stretch of the source with a remark under it.
 #[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
 pub struct Label {
     /// What is marked.
     pub span: Span,
@@ -32,26 +33,27 @@ pub struct Label {
 
 /// A change of the source that certainly keeps what the author meant.
 #[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
 pub struct Fix {
     /// What is replaced.
     pub span: Span,
-    /// What stands there afterwards.
+    /// What is there afterwards.
     pub replacement: String,
 }
 
-/// One finding in one file.
+/// One diagnostic in one file.
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub struct Diagnostic {
-    /// The rule behind the finding.
+    /// The rule behind the diagnostic.
     pub code: Code,
     /// How bad it is, by default [`Code::default_severity`].
     pub severity: Severity,
     /// One sentence that is enough by itself.
     pub message: String,
-    /// The characters that the finding is about; `None` if it is about the whole file.
+    /// The characters that the diagnostic is about; `None` if it is about the whole file.
     pub primary: Option<Label>,
-    /// Other places that belong to the finding.
+    /// Other places that belong to the diagnostic.
     pub labels: Vec<Label>,
     /// Further facts, one line each.
     pub notes: Vec<String>,
@@ -62,7 +64,7 @@ pub struct Diagnostic {
 }
 
 /// `error[LZ0401]: message`, then notes and help, a line each; without the place, which only a
-/// [`Report`](crate::Report) can tell.
+/// [`Report`](crate::Report) knows.
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{}[{}]: {}", self.severity, self.code, escape::text(&self.message))?;
@@ -73,8 +75,26 @@ impl fmt::Display for Diagnostic {
     }
 }
 
+impl Label {
+    /// Marks the characters of `span`; the text may be empty.
+    pub fn new(span: Span, text: impl Into<String>) -> Label {
+        Label { span, text: text.into() }
+    }
+}
+
+/// ```
+/// use lipz_diagnostics::{Code, Diagnostic, Span};
+/// let diagnostic = Diagnostic::at(Code::TrailingComma, Span::new(11, 12), "a comma follows the last element")
+///     .help("delete the comma")
+///     .fix(Span::new(11, 12), "");
+/// assert!(diagnostic.is_error());
+/// assert_eq!(
+///     diagnostic.to_string(),
+///     "error[LZ0102]: a comma follows the last element\n  help: delete the comma\n"
+/// );
+/// ```
 impl Diagnostic {
-    /// A finding about a whole file.
+    /// A diagnostic about a whole file.
     pub fn new(code: Code, message: impl Into<String>) -> Diagnostic {
         Diagnostic {
             code,
@@ -88,14 +108,14 @@ impl Diagnostic {
         }
     }
 
-    /// A finding about the characters of `span`.
+    /// A diagnostic about the characters of `span`.
     pub fn at(code: Code, span: Span, message: impl Into<String>) -> Diagnostic {
         let mut diagnostic = Diagnostic::new(code, message);
-        diagnostic.primary = Some(Label { span, text: String::new() });
+        diagnostic.primary = Some(Label::new(span, ""));
         diagnostic
     }
 
-    /// Adds a remark under the marked characters.
+    /// Adds a remark under the characters that the diagnostic is about; none if it is about the whole file.
     #[must_use]
     pub fn label(mut self, text: impl Into<String>) -> Self {
         if let Some(primary) = &mut self.primary {
@@ -107,7 +127,7 @@ impl Diagnostic {
     /// Marks another place.
     #[must_use]
     pub fn also(mut self, span: Span, text: impl Into<String>) -> Self {
-        self.labels.push(Label { span, text: text.into() });
+        self.labels.push(Label::new(span, text));
         self
     }
 
@@ -128,11 +148,16 @@ impl Diagnostic {
     /// Offers a change that certainly keeps what the author meant.
     #[must_use]
     pub fn fix(mut self, span: Span, replacement: impl Into<String>) -> Self {
-        self.fix = Some(Fix { span, replacement: replacement.into() });
+        self.fix = Some(Fix::new(span, replacement));
         self
     }
 
-    /// Where the finding starts, for sorting: whole-file findings come first.
+    /// Whether it is an error, so that no bank is written.
+    pub fn is_error(&self) -> bool {
+        self.severity == Severity::Error
+    }
+
+    /// Where the diagnostic starts, for sorting: whole-file diagnostics come first.
     pub fn start(&self) -> u32 {
         self.primary.as_ref().map_or(0, |label| label.span.start)
     }

@@ -1,9 +1,10 @@
 //! Applying fixes: a source text and what to replace in it → the new text.
 
-use crate::Fix;
+use crate::{Fix, Span};
 
-/// A text after some fixes.
+/// A text after some fixes, by [`Fix::apply_all`].
 #[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
 pub struct Applied {
     /// The new text.
     pub text: String,
@@ -11,47 +12,51 @@ pub struct Applied {
     pub applied: Vec<usize>,
 }
 
-/// Applies `fixes` to the text that their spans are places of. Of fixes that overlap, the one that
-/// starts first is applied; a span that is no part of the text is left out.
-///
-/// ```
-/// use lipz_diagnostics::{Fix, Span, apply};
-/// let quotes = Fix { span: Span::new(8, 12), replacement: "24".into() };
-/// let comma = Fix { span: Span::new(12, 13), replacement: String::new() };
-/// assert_eq!(apply(r#"{"fps": "24",}"#, &[&comma]).text, r#"{"fps": "24"}"#);
-/// assert_eq!(apply(r#"{"fps": "24",}"#, &[&comma, &quotes]).text, r#"{"fps": 24}"#);
-/// ```
-pub fn apply(text: &str, fixes: &[&Fix]) -> Applied {
-    let mut order: Vec<usize> = (0..fixes.len()).collect();
-    order.sort_by_key(|&index| fixes.get(index).map(|fix| fix.span));
-    let mut fixed = Applied { text: String::with_capacity(text.len()), applied: Vec::with_capacity(fixes.len()) };
-    let mut done = 0;
-    for index in order {
-        let Some(fix) = fixes.get(index) else { continue };
-        let range = fix.span.range();
-        // `get` is `None` for what overlaps the last fix, too.
-        if let (Some(kept), Some(_)) = (text.get(done..range.start), text.get(range.clone())) {
-            fixed.text.push_str(kept);
-            fixed.text.push_str(&fix.replacement);
-            fixed.applied.push(index);
-            done = range.end;
-        }
+impl Fix {
+    /// A change that puts `replacement` where `span` is.
+    pub fn new(span: Span, replacement: impl Into<String>) -> Fix {
+        Fix { span, replacement: replacement.into() }
     }
-    fixed.text.push_str(text.get(done..).unwrap_or_default());
-    fixed
+
+    /// Applies `fixes` to the text in which their spans are. Of fixes that overlap, only the one that starts
+    /// first is applied; one that leads out of the text, or into the middle of a character, is not.
+    ///
+    /// ```
+    /// use lipz_diagnostics::{Fix, Span};
+    /// let quotes = Fix::new(Span::new(8, 12), "24");
+    /// let comma = Fix::new(Span::new(12, 13), "");
+    /// assert_eq!(Fix::apply_all(r#"{"fps": "24",}"#, &[&comma]).text, r#"{"fps": "24"}"#);
+    /// assert_eq!(Fix::apply_all(r#"{"fps": "24",}"#, &[&comma, &quotes]).text, r#"{"fps": 24}"#);
+    /// ```
+    pub fn apply_all(text: &str, fixes: &[&Fix]) -> Applied {
+        let mut order: Vec<usize> = (0..fixes.len()).collect();
+        order.sort_by_key(|&index| fixes.get(index).map(|fix| fix.span));
+        let mut fixed = Applied { text: String::with_capacity(text.len()), applied: Vec::with_capacity(fixes.len()) };
+        let mut done = 0;
+        for index in order {
+            let Some(fix) = fixes.get(index) else { continue };
+            let range = fix.span.range();
+            // `get` is `None` for what overlaps the last fix, too.
+            if let (Some(kept), Some(_)) = (text.get(done..range.start), text.get(range.clone())) {
+                fixed.text.push_str(kept);
+                fixed.text.push_str(&fix.replacement);
+                fixed.applied.push(index);
+                done = range.end;
+            }
+        }
+        fixed.text.push_str(text.get(done..).unwrap_or_default());
+        fixed
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Span;
 
     fn fixed(text: &str, fixes: &[(usize, usize, &str)]) -> (String, Vec<usize>) {
-        let fixes: Vec<Fix> = fixes
-            .iter()
-            .map(|&(start, end, replacement)| Fix { span: Span::new(start, end), replacement: replacement.into() })
-            .collect();
-        let fixed = apply(text, &fixes.iter().collect::<Vec<_>>());
+        let fixes: Vec<Fix> =
+            fixes.iter().map(|&(start, end, replacement)| Fix::new(Span::new(start, end), replacement)).collect();
+        let fixed = Fix::apply_all(text, &fixes.iter().collect::<Vec<_>>());
         (fixed.text, fixed.applied)
     }
 

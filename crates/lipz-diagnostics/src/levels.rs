@@ -1,29 +1,97 @@
 //! The levels that a project gives to rules, and diagnostics at these levels.
 
 use crate::{Code, Diagnostic, Severity};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, btree_map};
 
-/// The levels that a project gives to rules: `None` allows what the rule reports.
-pub type Levels = BTreeMap<Code, Option<Severity>>;
+/// The levels that a project gives to rules; all other rules have their own.
+///
+/// A level is a severity, or `None` to allow what the rule reports. Errors that cannot be lowered
+/// ([`Code::can_be_lowered`]) stay errors, whatever level they are given.
+///
+/// ```
+/// use lipz_diagnostics::{Code, Diagnostic, Levels, Severity};
+/// let levels = Levels::from([(Code::UnknownEmotion, Some(Severity::Error)), (Code::ByteOrderMark, None)]);
+/// assert_eq!(levels.severity(Code::UnknownEmotion), Some(Severity::Error));
+///
+/// let mut diagnostics = vec![
+///     Diagnostic::new(Code::UnknownEmotion, "`smug` is no emotion"),
+///     Diagnostic::new(Code::ByteOrderMark, "the file starts with a byte order mark"),
+/// ];
+/// levels.apply(&mut diagnostics);
+/// assert_eq!(diagnostics.len(), 1);
+/// assert!(diagnostics[0].is_error());
+/// ```
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Levels(BTreeMap<Code, Option<Severity>>);
 
-/// Gives the findings the levels of the project and drops those that it allows. Errors that cannot be
-/// lowered stay errors ([`Code::can_be_lowered`]).
-pub fn adjust(levels: &Levels, diagnostics: &mut Vec<Diagnostic>) {
-    if levels.is_empty() {
-        return;
+impl Levels {
+    /// Every rule has its own level.
+    pub fn new() -> Levels {
+        Levels::default()
     }
-    diagnostics.retain_mut(|finding| match levels.get(&finding.code) {
-        Some(&level) if level >= Some(finding.severity) || finding.code.can_be_lowered() => {
-            finding.severity = level.unwrap_or(finding.severity);
-            level.is_some()
+
+    /// Gives a rule a level; `None` allows what it reports. The last one counts.
+    pub fn set(&mut self, code: Code, level: Option<Severity>) {
+        self.0.insert(code, level);
+    }
+
+    /// The severity with which the rule reports in this project; `None` if that is allowed.
+    pub fn severity(&self, code: Code) -> Option<Severity> {
+        self.at(code, code.default_severity())
+    }
+
+    /// Whether the rule reports with a lower severity than its own, or not at all.
+    pub fn lowers(&self, code: Code) -> bool {
+        self.severity(code) < Some(code.default_severity())
+    }
+
+    /// Gives the diagnostics their levels in this project, and drops those that it allows.
+    pub fn apply(&self, diagnostics: &mut Vec<Diagnostic>) {
+        if self.0.is_empty() {
+            return;
         }
-        _ => true,
-    });
+        diagnostics.retain_mut(|diagnostic| {
+            let severity = self.at(diagnostic.code, diagnostic.severity);
+            diagnostic.severity = severity.unwrap_or(diagnostic.severity);
+            severity.is_some()
+        });
+    }
+
+    /// What becomes of a severity.
+    fn at(&self, code: Code, severity: Severity) -> Option<Severity> {
+        match self.0.get(&code) {
+            Some(&level) if level >= Some(severity) || code.can_be_lowered() => level,
+            _ => Some(severity),
+        }
+    }
 }
 
-/// Whether the project gives the rule a lower level than its own.
-pub fn is_lowered(levels: &Levels, code: Code) -> bool {
-    levels.get(&code).is_some_and(|&level| level < Some(code.default_severity()))
+impl Extend<(Code, Option<Severity>)> for Levels {
+    fn extend<I: IntoIterator<Item = (Code, Option<Severity>)>>(&mut self, levels: I) {
+        self.0.extend(levels);
+    }
+}
+
+impl FromIterator<(Code, Option<Severity>)> for Levels {
+    fn from_iter<I: IntoIterator<Item = (Code, Option<Severity>)>>(levels: I) -> Levels {
+        Levels(levels.into_iter().collect())
+    }
+}
+
+impl<const N: usize> From<[(Code, Option<Severity>); N]> for Levels {
+    fn from(levels: [(Code, Option<Severity>); N]) -> Levels {
+        levels.into_iter().collect()
+    }
+}
+
+/// The levels that were set, in the order of the codes.
+impl IntoIterator for Levels {
+    type Item = (Code, Option<Severity>);
+    type IntoIter = btree_map::IntoIter<Code, Option<Severity>>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.into_iter()
+    }
 }
 
 #[cfg(test)]
@@ -31,20 +99,20 @@ mod tests {
     use super::*;
 
     #[test]
-    fn findings_are_raised_lowered_and_dropped() {
+    fn diagnostics_are_raised_lowered_and_dropped() {
         let levels = Levels::from([
             (Code::UnknownEmotion, Some(Severity::Error)),
             (Code::SegmentCount, Some(Severity::Warning)),
             (Code::ByteOrderMark, None),
             (Code::ForeignCode, None),
         ]);
-        let mut findings: Vec<Diagnostic> =
+        let mut diagnostics: Vec<Diagnostic> =
             [Code::UnknownEmotion, Code::SegmentCount, Code::ByteOrderMark, Code::ForeignCode, Code::NulInText]
                 .map(|code| Diagnostic::new(code, ""))
                 .into();
         for _ in 0..2 {
-            adjust(&levels, &mut findings);
-            let left: Vec<_> = findings.iter().map(|finding| (finding.code, finding.severity)).collect();
+            levels.apply(&mut diagnostics);
+            let left: Vec<_> = diagnostics.iter().map(|diagnostic| (diagnostic.code, diagnostic.severity)).collect();
             let expected = [
                 (Code::UnknownEmotion, Severity::Error),
                 (Code::SegmentCount, Severity::Warning),
@@ -53,5 +121,17 @@ mod tests {
             ];
             assert_eq!(left, expected, "errors that are fixed stay; a second time changes nothing");
         }
+        assert_eq!(levels.severity(Code::ByteOrderMark), None);
+        assert_eq!(levels.severity(Code::ForeignCode), Some(Severity::Error));
+        let lowered: Vec<Code> = Code::ALL.iter().copied().filter(|code| levels.lowers(*code)).collect();
+        assert_eq!(lowered, [Code::ByteOrderMark, Code::SegmentCount]);
+    }
+
+    #[test]
+    fn the_last_level_counts() {
+        let mut levels = Levels::new();
+        levels.set(Code::UnknownEmotion, None);
+        levels.extend([(Code::UnknownEmotion, Some(Severity::Error))]);
+        assert_eq!(levels.into_iter().collect::<Vec<_>>(), [(Code::UnknownEmotion, Some(Severity::Error))]);
     }
 }

@@ -1,8 +1,9 @@
-//! What lipz finds in dialogue: what is wrong, where, how bad it is, and what to do about it.
+//! Diagnostics of lipz: what is wrong in dialogue, where, how bad it is, and what to do about it.
 //!
 //! A [`Diagnostic`] is about one place in one file; a [`Report`] has all diagnostics about a file,
-//! with its text. Each comes from a rule with a stable [`Code`], which has a [page](Code::page).
-//! [`render`] shows reports to people, editors, code scanning and build systems:
+//! with its text. Each comes from a rule with a stable [`Code`], which has a [page](Code::page). A
+//! project may give rules other [`Levels`]. `Display` is for logs; [`render`] shows reports to people,
+//! editors, code scanning and build systems:
 //!
 //! ```
 //! use lipz_diagnostics::{Code, Diagnostic, Report, Source, Span};
@@ -18,8 +19,16 @@
 //! );
 //! ```
 //!
-//! What is not here: the rules themselves (they are where the data is that they look at: `lipz-file`,
-//! `lipz-compiler`, `lipz-interop`), printing and exit codes (`lipz`).
+//! An editor finds all it needs in the fields: [`Source::line_column`] turns offsets into places, and
+//! [`Fix::apply_all`] applies what is certain.
+//!
+//! The crate does no I/O and runs everywhere. The rules themselves are where the data is that they look
+//! at: `lipz-file`, `lipz-compiler`, `lipz-interop`. The command `lipz` prints, and chooses exit codes.
+//!
+//! # Features
+//!
+//! * `human` (on by default): [`render::human`] and [`render::Human`], text with the marked source.
+//! * `json`: [`render::json`] and [`render::sarif`], documents for programs.
 
 mod code;
 mod diagnostic;
@@ -28,14 +37,15 @@ mod fix;
 mod levels;
 pub mod render;
 mod report;
+pub mod reports;
 mod source;
 pub mod suggest;
 
 pub use code::{Code, UnknownCode};
 pub use diagnostic::{Diagnostic, Fix, Label, Severity};
-pub use fix::{Applied, apply};
-pub use levels::{Levels, adjust, is_lowered};
-pub use report::{Report, count, has_errors, sort};
+pub use fix::Applied;
+pub use levels::Levels;
+pub use report::Report;
 pub use source::{LineColumn, Source, Span};
 
 /// The example of the README, run as a test.

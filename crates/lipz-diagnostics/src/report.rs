@@ -1,4 +1,4 @@
-//! Findings grouped by the file that they are about.
+//! Diagnostics grouped by the file that they are about.
 
 use crate::{Code, Diagnostic, Severity, Source, escape};
 use std::fmt;
@@ -6,46 +6,52 @@ use std::fmt;
 /// U+FEFF in UTF-8.
 const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
 
-/// The findings in one file, with its text for showing them.
+/// The diagnostics in one file, with its text for showing them.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
+#[non_exhaustive]
 pub struct Report {
     /// The file.
     pub source: Source,
-    /// What was found, in the order of the places.
+    /// The diagnostics, in the order of their places.
     pub diagnostics: Vec<Diagnostic>,
 }
 
 impl Report {
-    /// Findings in a file, in the order of their places.
+    /// Diagnostics in a file, in the order of their places. Their spans are places in the text of `source`.
     pub fn new(source: Source, diagnostics: Vec<Diagnostic>) -> Report {
         Report { source, diagnostics }
     }
 
-    /// One finding about a file as a whole.
+    /// One diagnostic about a file as a whole, or about no file if `path` is empty.
     pub fn about(path: impl Into<String>, diagnostic: Diagnostic) -> Report {
         Report::all_about(path, vec![diagnostic])
     }
 
-    /// Findings about a file as a whole.
+    /// Diagnostics about a file as a whole.
     pub fn all_about(path: impl Into<String>, diagnostics: Vec<Diagnostic>) -> Report {
-        Report { source: Source { path: path.into(), text: String::new() }, diagnostics }
+        Report::new(Source::new(path, ""), diagnostics)
     }
 
-    /// Findings in a file with these bytes: a byte order mark is no part of the text, and what is not UTF-8
+    /// Diagnostics in a file with these bytes: a byte order mark is no part of the text, and what is not UTF-8
     /// is replaced.
     pub fn from_bytes(path: impl Into<String>, bytes: &[u8], diagnostics: Vec<Diagnostic>) -> Report {
         let text = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
         Report::new(Source::new(path, String::from_utf8_lossy(text)), diagnostics)
     }
 
-    /// Whether a finding is at error level.
-    pub fn has_errors(&self) -> bool {
-        self.diagnostics.iter().any(|finding| finding.severity == Severity::Error)
-    }
-
-    /// A finding with a whole-file message and a help line.
+    /// A diagnostic with a help line about a file as a whole, or about no file if `path` is empty.
     pub fn failure(path: impl Into<String>, code: Code, message: impl Into<String>, help: &str) -> Report {
         Report::about(path, Diagnostic::new(code, message).help(help))
+    }
+
+    /// The number of diagnostics with this severity.
+    pub fn count(&self, severity: Severity) -> usize {
+        self.diagnostics.iter().filter(|diagnostic| diagnostic.severity == severity).count()
+    }
+
+    /// Whether a diagnostic is an error.
+    pub fn has_errors(&self) -> bool {
+        self.diagnostics.iter().any(Diagnostic::is_error)
     }
 }
 
@@ -68,29 +74,31 @@ impl fmt::Display for Report {
     }
 }
 
-/// The number of findings at this level.
-pub fn count(reports: &[Report], severity: Severity) -> usize {
-    reports.iter().flat_map(|report| &report.diagnostics).filter(|diagnostic| diagnostic.severity == severity).count()
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Span;
 
-/// Whether a finding forbids to write the bank.
-pub fn has_errors(reports: &[Report]) -> bool {
-    reports.iter().any(Report::has_errors)
-}
-
-/// Sorts reports by path and merges those about the same file.
-pub fn sort(reports: &mut Vec<Report>) {
-    reports.retain(|report| !report.diagnostics.is_empty());
-    reports.sort_by(|a, b| a.source.path.cmp(&b.source.path));
-    reports.dedup_by(|next, kept| {
-        let same = next.source.path == kept.source.path;
-        if same {
-            kept.diagnostics.append(&mut next.diagnostics);
-            if kept.source.text.is_empty() {
-                kept.source.text = std::mem::take(&mut next.source.text);
-            }
-            kept.diagnostics.sort_by_key(Diagnostic::start);
-        }
-        same
-    });
+    #[test]
+    fn reports_are_shown_with_places() {
+        let mut report = Report::from_bytes(
+            "a\u{1b}.lipz",
+            b"\xEF\xBB\xBF{\n\xFF \"fps\": 0 }",
+            vec![
+                Diagnostic::new(Code::ByteOrderMark, "a mark"),
+                Diagnostic::at(Code::FpsOutOfRange, Span::new(13, 14), "0 is no\nrate").note("a note").help("a help"),
+            ],
+        );
+        assert_eq!(
+            report.to_string(),
+            "a\\u001B.lipz: warning[LZ0005]: a mark\n\
+             a\\u001B.lipz:2:10: error[LZ0301]: 0 is no\\nrate\n  note: a note\n  help: a help\n"
+        );
+        assert_eq!([Severity::Error, Severity::Warning].map(|severity| report.count(severity)), [1, 1]);
+        assert!(report.has_errors());
+        report.diagnostics.truncate(1);
+        assert!(!report.has_errors());
+        let nowhere = Report::failure("", Code::Usage, "no", "yes");
+        assert_eq!(nowhere.to_string(), "error[LZ1601]: no\n  help: yes\n");
+    }
 }

@@ -3,6 +3,11 @@
 use std::ops::Range;
 
 /// A stretch of a source file, in bytes of its text (without a byte order mark).
+///
+/// ```
+/// use lipz_diagnostics::Span;
+/// assert_eq!(&"{ \"fps\": 24 }"[Span::new(2, 7).range()], "\"fps\"");
+/// ```
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
 pub struct Span {
     /// First byte.
@@ -36,6 +41,7 @@ pub struct LineColumn {
 
 /// A source file: how messages name it, and its text where there is one.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
+#[non_exhaustive]
 pub struct Source {
     /// Path as the user gave it, with `/`.
     pub path: String,

@@ -56,9 +56,9 @@ impl fmt::Display for Digits {
 }
 
 impl NotDigits {
-    /// The finding about the setting `name`, whose value is at `value`. `text_start` is the byte at which its text
+    /// The diagnostic about the setting `name`, whose value is at `value`. `text_start` is the byte at which its text
     /// starts, if it is there unescaped: then only the foreign character is marked.
-    pub fn finding(self, name: &str, value: Span, text_start: Option<usize>) -> Diagnostic {
+    pub fn diagnostic(self, name: &str, value: Span, text_start: Option<usize>) -> Diagnostic {
         let (what, help) = match self {
             NotDigits::Empty => ("is empty".to_owned(), "write at least one digit; 0 alone keeps the morph still"),
             NotDigits::Foreign(c, _) => {

@@ -72,13 +72,13 @@ proptest! {
     }
 
     #[test]
-    fn any_bytes_give_findings_and_no_panic(bytes in proptest::collection::vec(any::<u8>(), 0..200)) {
+    fn any_bytes_give_diagnostics_and_no_panic(bytes in proptest::collection::vec(any::<u8>(), 0..200)) {
         let parsed = lipz_file::parse(&bytes);
         prop_assert!(parsed.document.is_some() || !parsed.diagnostics.is_empty());
     }
 
     #[test]
-    fn damaged_files_give_findings_inside_the_text(at in 0..200_usize, with in "[\\x00-\\x7F]{0,3}", delete in 0..4_usize) {
+    fn damaged_files_give_diagnostics_inside_the_text(at in 0..200_usize, with in "[\\x00-\\x7F]{0,3}", delete in 0..4_usize) {
         let mut text = include_str!("../../../fixtures/drama/act1/mara-good-evening.lipz").to_owned();
         let start = text.char_indices().map(|(at, _)| at).nth(at).unwrap();
         let end = text[start..].char_indices().map(|(length, _)| start + length).nth(delete).unwrap();

@@ -26,7 +26,7 @@ impl Script {
         let text = decode(bytes, encoding);
         let is_msg = path.rsplit_once('.').is_some_and(|(_, extension)| extension.eq_ignore_ascii_case("msg"));
         let (script, found) = if is_msg { of_entries(&text) } else { of_rows(&text) };
-        (script, Source { path: path.to_owned(), text }, found)
+        (script, Source::new(path, text), found)
     }
 
     /// The text of the recording in the file `stem`, a name without folders and extension. The case of letters

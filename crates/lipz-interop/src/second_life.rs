@@ -126,7 +126,7 @@ impl<'d> Value<'d> {
         };
         // Without entities and the like, the text stands in the file as it is.
         let plain = node.first_child().filter(|child| child.range().len() == text.len());
-        findings.push(why.finding(self.name, xml::whole(node), plain.map(|child| child.range().start)));
+        findings.push(why.diagnostic(self.name, xml::whole(node), plain.map(|child| child.range().start)));
         None
     }
 

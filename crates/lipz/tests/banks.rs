@@ -1,4 +1,4 @@
-//! Findings about banks and outputs: damaged banks, keys that lead out of a folder, files that are
+//! Diagnostics about banks and outputs: damaged banks, keys that lead out of a folder, files that are
 //! there already. Whatever fails leaves the file system as it was.
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, reason = "tests")]

@@ -41,7 +41,7 @@ fn behind_margin(line: &str) -> &str {
     line.split_once("| ").map_or("", |(_, rest)| rest)
 }
 
-/// Checks the findings of one expected output; returns how many carets it looked at.
+/// Checks the diagnostics of one expected output; returns how many carets it looked at.
 fn check_carets(expected: &str, source: &str, path: &str) -> usize {
     let lines: Vec<&str> = expected.lines().collect();
     let mut count = 0;
@@ -57,7 +57,7 @@ fn check_carets(expected: &str, source: &str, path: &str) -> usize {
         let at = index + lines[index..].iter().position(|line| line.trim_start().starts_with(&margin)).unwrap();
         let (text, carets) = (behind_margin(lines[at]), behind_margin(lines[at + 1]));
         if text.starts_with("...") || carets.starts_with("|_") || text.starts_with('/') {
-            continue; // the line is cut at its start, or the finding has several lines
+            continue; // the line is cut at its start, or the diagnostic has several lines
         }
         let caret_column = carets.find('^').unwrap_or_else(|| panic!("{path}:{number}: no caret"));
         let source = source.split('\n').nth(number - 1).unwrap();

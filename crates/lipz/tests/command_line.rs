@@ -143,7 +143,7 @@ fn warnings_do_not_stop_a_bank_and_errors_do() {
 }
 
 #[test]
-fn quiet_runs_print_findings_only() {
+fn quiet_runs_print_diagnostics_only() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
     write(folder, "voices/aye.lipz", r#"{ "text_en-us": "Aye." }"#);

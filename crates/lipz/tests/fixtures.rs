@@ -68,23 +68,23 @@ fn examples_of_the_specification_as_printed() {
 }
 
 #[test]
-fn good_files_have_no_findings_but_one() {
+fn good_files_have_no_diagnostics_but_one() {
     let repository = repository();
     let acts = ["act1", "act2", "act3"].map(|act| format!("fixtures/drama/{act}"));
     let count: usize = acts.iter().map(|act| files(act, "lipz").len()).sum();
     assert_eq!(count, 48, "fixtures/drama/README.md says how many there are");
     let drama = lipz(&repository, ["check", "fixtures/drama"]);
     assert_eq!((drama.code, drama.stdout.as_str()), (0, "48 files checked\n"), "{}", drama.stderr);
-    let findings: Vec<&str> = drama.stderr.lines().filter(|line| line.contains("[LZ")).collect();
-    assert_eq!(findings.len(), 1, "{}", drama.stderr);
-    assert!(findings[0].starts_with("warning[LZ0203]"), "{}", drama.stderr);
+    let diagnostics: Vec<&str> = drama.stderr.lines().filter(|line| line.contains("[LZ")).collect();
+    assert_eq!(diagnostics.len(), 1, "{}", drama.stderr);
+    assert!(diagnostics[0].starts_with("warning[LZ0203]"), "{}", drama.stderr);
     assert!(drama.stderr.contains("--> fixtures/drama/act2/otto-confession.lipz:"), "{}", drama.stderr);
 
     assert_eq!(files("fixtures/spec/repaired", "lipz").len(), 8);
     let examples = lipz(&repository, ["check", "fixtures/spec/repaired"]);
     // `nervous` is in two of the specification's own examples, and not in its list.
-    let findings: Vec<&str> = examples.stderr.lines().filter(|line| line.contains("[LZ")).collect();
-    assert_eq!(findings, ["warning[LZ0702]: `nervous` is not an emotion of the specification"; 3]);
+    let diagnostics: Vec<&str> = examples.stderr.lines().filter(|line| line.contains("[LZ")).collect();
+    assert_eq!(diagnostics, ["warning[LZ0702]: `nervous` is not an emotion of the specification"; 3]);
     assert_eq!((examples.code, examples.stdout.as_str()), (0, "8 files checked\n"));
 }
 

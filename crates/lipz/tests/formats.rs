@@ -1,4 +1,4 @@
-//! Findings in the formats for programs: complete documents that are valid whatever the findings
+//! Diagnostics in the formats for programs: complete documents that are valid whatever the diagnostics
 //! contain, and alone on standard output.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
@@ -30,12 +30,12 @@ fn list<'v>(value: &'v Value, pointer: &str) -> &'v Vec<Value> {
 }
 
 #[test]
-fn all_formats_have_all_findings() {
+fn all_formats_have_all_diagnostics() {
     let json: Value = serde_json::from_str(&bad_files("json")).unwrap();
-    let findings = list(&json, "/diagnostics");
-    assert!(findings.len() > 200, "{} findings", findings.len());
-    assert_eq!(json["errors"].as_u64().unwrap() + json["warnings"].as_u64().unwrap(), findings.len() as u64);
-    let codes: BTreeSet<&str> = findings.iter().map(|found| found["code"].as_str().unwrap()).collect();
+    let diagnostics = list(&json, "/diagnostics");
+    assert!(diagnostics.len() > 200, "{} diagnostics", diagnostics.len());
+    assert_eq!(json["errors"].as_u64().unwrap() + json["warnings"].as_u64().unwrap(), diagnostics.len() as u64);
+    let codes: BTreeSet<&str> = diagnostics.iter().map(|found| found["code"].as_str().unwrap()).collect();
     assert!(codes.len() > 30, "{codes:?}");
 
     let sarif: Value = serde_json::from_str(&bad_files("sarif")).unwrap();
@@ -43,8 +43,8 @@ fn all_formats_have_all_findings() {
     let results = list(&sarif, "/runs/0/results");
     let rules = list(&sarif, "/runs/0/tool/driver/rules");
     assert_eq!(rules.len(), codes.len());
-    assert_eq!(results.len(), findings.len());
-    for (result, found) in results.iter().zip(findings) {
+    assert_eq!(results.len(), diagnostics.len());
+    for (result, found) in results.iter().zip(diagnostics) {
         let rule = &rules[usize::try_from(result["ruleIndex"].as_u64().unwrap()).unwrap()];
         assert_eq!((&rule["id"], &rule["name"]), (&found["code"], &found["name"]));
         assert_eq!((&result["ruleId"], &result["level"]), (&found["code"], &found["severity"]));
@@ -57,7 +57,7 @@ fn all_formats_have_all_findings() {
     let github = bad_files("github");
     let (annotations, rest): (Vec<&str>, Vec<&str>) =
         github.lines().partition(|line| line.starts_with("::error file=") || line.starts_with("::warning file="));
-    assert_eq!((annotations.len(), rest.len()), (findings.len(), 0), "{rest:?}");
+    assert_eq!((annotations.len(), rest.len()), (diagnostics.len(), 0), "{rest:?}");
 }
 
 #[test]
@@ -100,9 +100,9 @@ fn a_fix_can_be_applied_by_its_place() {
     let (json, _) = document(&scene, &["check", "aye.lipz", "--format", "json"]);
     let fix = &json["diagnostics"][0]["fix"];
     let offset = |end: &str| usize::try_from(fix["span"][end]["offset_bytes"].as_u64().unwrap()).unwrap();
-    let mut mended = text.to_owned();
-    mended.replace_range(offset("start")..offset("end"), fix["replacement"].as_str().unwrap());
-    assert_eq!(mended, text.replace("text-en_US", "text_en-us"));
+    let mut fixed = text.to_owned();
+    fixed.replace_range(offset("start")..offset("end"), fix["replacement"].as_str().unwrap());
+    assert_eq!(fixed, text.replace("text-en_US", "text_en-us"));
     let (sarif, _) = document(&scene, &["check", "aye.lipz", "--format", "sarif"]);
     let change = &sarif["runs"][0]["results"][0]["fixes"][0]["artifactChanges"][0];
     assert_eq!(change["artifactLocation"]["uri"], "aye.lipz");
@@ -176,7 +176,7 @@ fn results_keep_standard_output_for_themselves() {
 }
 
 #[test]
-fn ten_thousand_equal_findings_are_counted_for_people_only() {
+fn ten_thousand_equal_diagnostics_are_counted_for_people_only() {
     const FILES: usize = 10_000;
     let scene = Scene::new();
     for number in 0..FILES {

@@ -54,7 +54,7 @@ fn in_a_project_coverage_and_stats_need_no_bank() {
 }
 
 #[test]
-fn the_table_and_the_finding_show_the_same_percent() {
+fn the_table_and_the_diagnostic_show_the_same_percent() {
     let scene = scene();
     scene.write("voices/yes.lipz", r#"{ "text_en-us": "Yes.", "text_de-de": "Doch." }"#);
     let shown = lipz(scene.path(), ["coverage", "voices", "--min-coverage", "66.7"]);

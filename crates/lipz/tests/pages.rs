@@ -50,7 +50,7 @@ fn finds(code: Code, block: &Block) -> bool {
 }
 
 #[test]
-fn examples_have_the_finding_and_mended_ones_have_not() {
+fn examples_have_the_diagnostic_and_fixed_ones_have_not() {
     let mut wrong = Vec::new();
     let mut checked = 0;
     for &code in Code::ALL {
@@ -131,14 +131,14 @@ fn explain_says_what_was_probably_meant() {
 }
 
 #[test]
-fn the_finding_in_the_readme_is_that_of_its_file() {
+fn the_diagnostic_in_the_readme_is_that_of_its_file() {
     let readme = std::fs::read_to_string(repository().join("README.md")).unwrap();
     let blocks = blocks(&readme);
-    let [file, finding, ..] = blocks.as_slice() else { panic!("no examples") };
+    let [file, diagnostic, ..] = blocks.as_slice() else { panic!("no examples") };
     let scene = Scene::new();
     scene.write("voices/act1/mayor.lipz", &file.text);
     let outcome = lipz(scene.path(), ["check", "voices"]);
-    assert_eq!((outcome.code, outcome.stderr), (1, format!("{}\n1 error in 1 file\n", finding.text)));
+    assert_eq!((outcome.code, outcome.stderr), (1, format!("{}\n1 error in 1 file\n", diagnostic.text)));
     let formatted = lipz(scene.path(), ["fmt", "voices", "--check"]);
     assert_eq!(formatted.code, 0, "it is in its canonical layout");
 }

@@ -131,7 +131,7 @@ fn fixes_are_made_and_the_rest_is_reported() {
 
     let fix = lipz(scene.path(), ["check", "--fix", "a.lipz"]);
     assert_eq!(fix.stderr, diff.stderr, "what remains is the same");
-    assert_eq!((fix.code, fix.stdout.as_str()), (1, "a.lipz: 4 findings (LZ0005, LZ0102, LZ0202, LZ0501) fixed\n"));
+    assert_eq!((fix.code, fix.stdout.as_str()), (1, "a.lipz: 4 diagnostics (LZ0005, LZ0102, LZ0202, LZ0501) fixed\n"));
     let expected = "{\r\n\t\"text_en-us\": \"Aye|No\",\r\n\t\"visemes\": \"MA EO-|l\",\r\n\t\"fps\": 24\r\n}\r\n";
     assert_eq!(read(), expected);
     let remaining: Vec<&str> = fix.stderr.lines().filter(|line| line.contains("[LZ")).map(|line| &line[..15]).collect();
@@ -140,7 +140,7 @@ fn fixes_are_made_and_the_rest_is_reported() {
     scene.write("a.lipz", bad.replace("|l", "|L"));
     let fix = lipz(scene.path(), ["check", "--fix", "a.lipz"]);
     assert_eq!((fix.code, fix.stderr.as_str()), (0, ""));
-    assert_eq!(fix.stdout, "a.lipz: 5 findings (LZ0005, LZ0102, LZ0202, LZ0402, LZ0501) fixed\n1 file checked\n");
+    assert_eq!(fix.stdout, "a.lipz: 5 diagnostics (LZ0005, LZ0102, LZ0202, LZ0402, LZ0501) fixed\n1 file checked\n");
     assert_eq!(read(), expected.replace("MA EO-|l", "MAEO-|L"));
     assert_eq!(lipz(scene.path(), ["check", "--fix", "a.lipz"]).stdout, "1 file checked\n");
 }

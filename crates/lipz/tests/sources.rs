@@ -1,4 +1,4 @@
-//! Findings about sources and keys, with inputs that cannot lie in the repository: names that some
+//! Diagnostics about sources and keys, with inputs that cannot lie in the repository: names that some
 //! systems refuse, links, files that cannot be read.
 //!
 //! The systems word their own errors and refuse different names, so most of this runs on Unix and

@@ -80,7 +80,7 @@ fn folders_without_subtitles_and_files_that_are_missing() {
 }
 
 #[test]
-fn findings() {
+fn diagnostics() {
     let mut scene = Scene::new();
     scene.write("voices/mayor.lipz", r#"{ "fps": 24, "visemes": "MAAA|EEOO|", "text_en-us": "Yes.|a --> b|Gone." }"#);
     let import = |file| ["subtitles", "import", file, "-o", "voices", "--quiet"];

@@ -1,5 +1,5 @@
 //! Nothing of a file, a file name or a bank reaches the terminal as a control character: it could
-//! move the cursor, hide findings or start commands of the terminal.
+//! move the cursor, hide diagnostics or start commands of the terminal.
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, reason = "tests")]
 
@@ -13,7 +13,7 @@ use support::forge::bank_with_key;
 /// direction round.
 const HOSTILE: &str = "\u{1b}]0;x\u{7}\u{1b}[2J\u{9b}2J\u{8}\u{202e}\u{7f}";
 
-/// Every way to show findings.
+/// Every way to show diagnostics.
 const FORMATS: [&str; 4] = ["human", "json", "sarif", "github"];
 
 /// What a terminal would get, without the colours that are lipz' own.
@@ -46,7 +46,7 @@ fn assert_harmless(scene: &Scene, arguments: &[&str], seen: &str) {
 }
 
 #[test]
-fn findings_about_hostile_files() {
+fn diagnostics_about_hostile_files() {
     let scene = Scene::new();
     let escaped: String = HOSTILE.chars().map(|c| format!("\\u{:04x}", u32::from(c))).collect();
     // As they are, JSON strings have the controls above U+007E only.

@@ -115,12 +115,12 @@ impl<'a> Watch<'a> {
         self.until(what, |watch| fs::read(watch.scene.path().join(BANK)).is_ok_and(|bank| bank == expected));
     }
 
-    /// Makes a change that ends in errors, and waits for the finding; the bank stays.
-    fn refuses(&self, change: impl FnOnce(), finding: &str) {
+    /// Makes a change that ends in errors, and waits for the diagnostic; the bank stays.
+    fn refuses(&self, change: impl FnOnce(), diagnostic: &str) {
         let (before, runs) = (self.bank(), self.count("not packed: the old bank is kept"));
         change();
-        self.until(finding, |watch| {
-            watch.stderr().contains(finding) && watch.count("not packed: the old bank is kept") > runs
+        self.until(diagnostic, |watch| {
+            watch.stderr().contains(diagnostic) && watch.count("not packed: the old bank is kept") > runs
         });
         assert_eq!(self.bank(), before);
     }
@@ -208,7 +208,7 @@ fn a_cache_is_taken_over_and_left() {
     let packed = lipz(scene.path(), [&["pack"], &arguments[..]].concat());
     assert!(packed.stdout.contains(&recalled(2, "2 clips")), "{}", packed.stdout);
     let refused = Watch::start(&scene, &["voices", "-o", BANK, "--cache", "voices/a.lipz"]);
-    refused.until("the finding", |watch| watch.stderr().contains("is not a cache of lipz, and is left alone"));
+    refused.until("the diagnostic", |watch| watch.stderr().contains("is not a cache of lipz, and is left alone"));
 }
 
 /// The bank is packed, and said to be, where only what is written beside it fails.
@@ -224,11 +224,11 @@ fn a_cache_or_depfile_that_cannot_be_written_is_no_failure_of_the_bank() {
     cannot_be_written("cache");
     scene.write("voices/a.lipz", NO);
     watch.until_packed("a run without its cache", "voices");
-    watch.until("the finding", |watch| watch.stderr().contains("error[LZ0904]: `cache` "));
+    watch.until("the diagnostic", |watch| watch.stderr().contains("error[LZ0904]: `cache` "));
     cannot_be_written("b.d");
     scene.write("voices/b.lipz", NO);
     watch.until_packed("a run without its depfile", "voices");
-    watch.until("the finding", |watch| watch.stderr().contains("error[LZ0904]: `b.d` "));
+    watch.until("the diagnostic", |watch| watch.stderr().contains("error[LZ0904]: `b.d` "));
     watch.until("that it is packed", |watch| watch.count("2 clips packed into out/b.lipzbank") > 0);
     assert_eq!(watch.count("not packed"), 0, "{}", watch.stdout());
 }
@@ -307,7 +307,7 @@ fn every_run_prints_a_document_for_programs() {
     };
     watch.until("a document", |watch| documents(watch).len() == 1);
     scene.write("voices/a.lipz", BROKEN);
-    watch.until("a document with a finding", |watch| {
+    watch.until("a document with a diagnostic", |watch| {
         documents(watch).last().unwrap().to_string().contains("\"LZ0108\"")
     });
 }

@@ -4,7 +4,8 @@ use crate::ids::{self, Language};
 use crate::settings::Settings;
 use crate::{Compiler, Options, depend, discover, replace_file};
 use lipz_bank::Bank;
-use lipz_diagnostics::{Code, Diagnostic, Report, Severity, count, escape, render};
+use lipz_diagnostics::reports::count;
+use lipz_diagnostics::{Code, Diagnostic, Report, Severity, escape, render};
 use std::ffi::OsStr;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -105,7 +106,7 @@ impl Build {
     /// Does it with the outputs in `folder`; `cargo` is where cargo reads.
     fn run_in(&self, folder: &Path, cargo: &mut dyn Write) -> Result<(), BuildError> {
         let (settings, mut reports) = self.settings();
-        if !lipz_diagnostics::has_errors(&reports) {
+        if !lipz_diagnostics::reports::have_errors(&reports) {
             reports.extend(self.pack(&settings, folder));
         }
         let mut watched = depend::watched(&settings.sources);
@@ -157,7 +158,7 @@ impl Build {
             Ok(())
         };
         let compiler = Compiler::new(settings.options.clone());
-        let mut compiled = match lipz_diagnostics::has_errors(&reports) {
+        let mut compiled = match lipz_diagnostics::reports::have_errors(&reports) {
             true => compiler.check(&inputs),
             #[cfg(feature = "cache")]
             false => compiler.pack_cached_if(&inputs, &bank, &path("lipzcache"), accept),
@@ -168,7 +169,7 @@ impl Build {
         if compiled.bank.is_some() {
             reports.extend(replace_file(&path("rs"), ids.as_bytes()).err());
         }
-        lipz_diagnostics::sort(&mut reports);
+        lipz_diagnostics::reports::sort(&mut reports);
         reports
     }
 }

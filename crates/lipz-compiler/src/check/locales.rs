@@ -81,7 +81,7 @@ fn no_locale(element: &Element<'_>, default: Option<&str>, options: &Options) ->
             "write the locale, \"text_en-us\", or set the project's default locale: default-locale = \"en-us\" in \
              lipz.toml",
         );
-        let is_lowered = lipz_diagnostics::is_lowered(&options.levels, Code::TextWithoutLocale);
+        let is_lowered = options.levels.lowers(Code::TextWithoutLocale);
         return if is_lowered { finding.note("it is kept for unpacking; games do not see it") } else { finding };
     };
     let mut finding = finding(format!("`{name}` has no locale and is read as the default, `text_{default}`"));

@@ -42,7 +42,7 @@ pub(super) fn report_differing(roles: &Roles<'_>, options: &Options, diagnostics
     let Some(reference) = visemes.or_else(|| others.next()) else { return };
     let first = diagnostics.len();
     report(reference, &others.collect::<Vec<_>>(), visemes.is_some(), diagnostics);
-    if lipz_diagnostics::is_lowered(&options.levels, Code::SegmentCount) {
+    if options.levels.lowers(Code::SegmentCount) {
         for finding in &mut diagnostics[first..] {
             finding.notes.push(JOINED.to_owned());
         }

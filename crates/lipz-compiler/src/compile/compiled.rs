@@ -37,7 +37,7 @@ impl Compiled {
 
     /// The number of diagnostics at this level.
     pub fn count(&self, severity: Severity) -> usize {
-        lipz_diagnostics::count(&self.reports, severity)
+        lipz_diagnostics::reports::count(&self.reports, severity)
     }
 }
 
@@ -57,7 +57,7 @@ impl CompileError {
 
 impl fmt::Display for CompileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match lipz_diagnostics::count(&self.reports, Severity::Error) {
+        match lipz_diagnostics::reports::count(&self.reports, Severity::Error) {
             // Of a check.
             0 => return f.write_str("no bank was asked for"),
             1 => f.write_str("1 error in Lipz files")?,

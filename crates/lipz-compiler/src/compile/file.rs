@@ -68,7 +68,7 @@ impl Worker {
                 make_clip(&document, options, &mut batch.clips.locales, &mut batch.clip, &mut diagnostics)
             }
             None => {
-                lipz_diagnostics::adjust(&options.levels, &mut diagnostics);
+                options.levels.apply(&mut diagnostics);
                 false
             }
         };
@@ -127,7 +127,7 @@ fn make_clip(
 
 /// Whether a finding is an error at the project's levels, which the findings get.
 fn has_errors(options: &Options, diagnostics: &mut Vec<Diagnostic>) -> bool {
-    lipz_diagnostics::adjust(&options.levels, diagnostics);
+    options.levels.apply(diagnostics);
     diagnostics.iter().any(|finding| finding.severity == Severity::Error)
 }
 

@@ -22,7 +22,7 @@ pub(super) fn locales_without_texts(bank: &[u8], options: &Options) -> Report {
     let (Some(packed), Ok(bank)) = (&options.locales, Bank::open(bank)) else { return Report::default() };
     let is_absent = |tag: &&String| bank.locale(tag).is_none() && !pseudo::is_pseudo(tag);
     let mut findings = packed.iter().filter(is_absent).map(|tag| without_texts(tag)).collect();
-    lipz_diagnostics::adjust(&options.levels, &mut findings);
+    options.levels.apply(&mut findings);
     Report::all_about("", findings)
 }
 

@@ -32,7 +32,7 @@ impl Run {
         let mut run = Run::default();
         key::check(inputs, &mut run.reports);
         for report in &mut run.reports {
-            lipz_diagnostics::adjust(&options.levels, &mut report.diagnostics);
+            options.levels.apply(&mut report.diagnostics);
         }
         let next = AtomicUsize::new(0);
         let workers = parallel::workers(options.threads, || {
@@ -60,7 +60,7 @@ impl Run {
     }
 
     pub(crate) fn has_errors(&self) -> bool {
-        lipz_diagnostics::has_errors(&self.reports)
+        lipz_diagnostics::reports::have_errors(&self.reports)
     }
 
     /// Makes a bank of the clips; returns it only if `finish` accepts it.
@@ -118,7 +118,7 @@ impl Run {
 
     /// Ends the run with this bank.
     pub(crate) fn finish(mut self, bank: Option<Vec<u8>>) -> Compiled {
-        lipz_diagnostics::sort(&mut self.reports);
+        lipz_diagnostics::reports::sort(&mut self.reports);
         let recalled = self.stamped.recalled;
         Compiled { bank, reports: self.reports, recalled, phases: self.phases, ..Compiled::default() }
     }

@@ -18,16 +18,16 @@ pub(super) fn apply(bytes: &[u8], document: &Document<'_>, conversion: &Conversi
     let mut edits = Vec::new();
     let visemes = document.get("visemes");
     if let Some(Element { value: Value::String(string), .. }) = visemes {
-        edits.push(Fix { span: string.span(), replacement: literal(&conversion.visemes(&string.text)) });
+        edits.push(Fix::new(string.span(), literal(&conversion.visemes(&string.text))));
     }
     match (document.get("viseme_type"), visemes) {
-        (Some(element), _) => edits.push(Fix { span: element.value.span(), replacement: viseme_type }),
+        (Some(element), _) => edits.push(Fix::new(element.value.span(), viseme_type)),
         // A project's default would be that of the old codes.
         (None, Some(visemes)) => edits.push(insertion(text, visemes, &viseme_type)?),
         (None, None) => {}
     }
     let edits: Vec<&Fix> = edits.iter().collect();
-    Some(mark.to_owned() + &lipz_diagnostics::apply(text, &edits).text)
+    Some(mark.to_owned() + &Fix::apply_all(text, &edits).text)
 }
 
 /// A new element `viseme_type` behind the element `visemes`, set apart from it as that is from what
@@ -38,5 +38,5 @@ fn insertion(text: &str, visemes: &Element<'_>, viseme_type: &str) -> Option<Fix
     let white_space = before.get(before.trim_end_matches(is_white_space).len()..)?;
     let colon = text.get(name.end..value.start)?;
     let replacement = format!(",{white_space}\"viseme_type\"{colon}{viseme_type}");
-    Some(Fix { span: Span::new(value.end, value.end), replacement })
+    Some(Fix::new(Span::new(value.end, value.end), replacement))
 }

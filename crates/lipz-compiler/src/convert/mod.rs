@@ -45,7 +45,7 @@ impl Compiler<'_> {
         if let Some(document) = &parsed.document {
             check::check(document, options, &mut Locales::default(), &mut clip, &mut parsed.diagnostics);
         }
-        lipz_diagnostics::adjust(&options.levels, &mut parsed.diagnostics);
+        options.levels.apply(&mut parsed.diagnostics);
         parsed.diagnostics.retain(is_error);
         let (Some(document), true) = (&parsed.document, parsed.diagnostics.is_empty()) else {
             return Converted { text: None, diagnostics: parsed.diagnostics };
@@ -58,7 +58,7 @@ impl Compiler<'_> {
                 findings::loss(document, &conversion).into_iter().collect(),
             ),
         };
-        lipz_diagnostics::adjust(&options.levels, &mut diagnostics);
+        options.levels.apply(&mut diagnostics);
         let text = text.filter(|_| !diagnostics.iter().any(is_error));
         Converted { text, diagnostics }
     }

@@ -77,7 +77,7 @@ impl Reading<'_> {
         // In a plain string, the characters stand behind the quote as they are.
         let is_plain = value.node.span().len() == text.len() + 2;
         let text_start = is_plain.then_some(value.span().start as usize + 1);
-        self.findings.push(why.finding(&value.name, value.span(), text_start));
+        self.findings.push(why.diagnostic(&value.name, value.span(), text_start));
         None
     }
 

@@ -49,10 +49,10 @@ impl Settings {
             Some(text) => reading::read(text, folder, &mut diagnostics),
             None => Settings::default(),
         };
-        lipz_diagnostics::adjust(&settings.options.levels, &mut diagnostics);
+        settings.options.levels.apply(&mut diagnostics);
         diagnostics.sort_by_key(Diagnostic::start);
-        let source = Source { path: name.into(), text: String::from_utf8_lossy(bytes).into_owned() };
-        (settings, Report { source, diagnostics })
+        let source = Source::new(name, String::from_utf8_lossy(bytes));
+        (settings, Report::new(source, diagnostics))
     }
 }
 

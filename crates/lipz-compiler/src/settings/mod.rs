@@ -59,7 +59,7 @@ impl Settings {
     pub fn discover(&self) -> (Vec<Input>, Vec<Report>) {
         let (inputs, mut reports) = discover(&self.sources, self.root.as_deref());
         for report in &mut reports {
-            lipz_diagnostics::adjust(&self.options.levels, &mut report.diagnostics);
+            self.options.levels.apply(&mut report.diagnostics);
         }
         reports.retain(|report| !report.diagnostics.is_empty());
         (inputs, reports)

@@ -40,9 +40,8 @@ pub(super) fn read(text: &str, folder: &Path, findings: &mut Findings) -> Settin
     }
     reading.unknown_names("", root.get_ref());
     let Reading { mut settings, groups, findings: mut found, .. } = reading;
-    for (code, level) in groups {
-        settings.options.levels.entry(code).or_insert(level);
-    }
+    let named = std::mem::replace(&mut settings.options.levels, groups);
+    settings.options.levels.extend(named);
     if settings.sources.is_empty() {
         settings.sources.push(plain(folder));
     }
@@ -211,7 +210,7 @@ impl<'t> Reading<'t> {
             let finding = Diagnostic::at(Code::SettingValue, span(&value.key), message).also(before, "the first one");
             self.findings.push(finding.help("remove one of the two"));
         } else {
-            self.settings.options.levels.insert(code, level);
+            self.settings.options.levels.set(code, level);
         }
     }
 }

@@ -7,10 +7,16 @@ use crate::{Code, Diagnostic, Severity, Source};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// Findings of one code that are told; the others are counted.
-const TOLD_PER_CODE: usize = 100;
+/// Diagnostics of one code that are printed; the others are counted.
+const PRINTED_PER_CODE: usize = 100;
 
-/// A line per finding, and one per code that has too many.
+/// Lines that a build script prints for cargo: one per diagnostic, and one per code that has more than 100.
+///
+/// ```
+/// use lipz_diagnostics::{Code, Diagnostic, Report, render};
+/// let report = Report::about("voices/aye.lipz", Diagnostic::new(Code::EmptyFile, "the file is empty"));
+/// assert_eq!(render::cargo(&[report]), "cargo::error=voices/aye.lipz: the file is empty [LZ0002]\n");
+/// ```
 pub fn cargo(reports: &[Report]) -> String {
     let mut lines = String::new();
     let mut counts: BTreeMap<(Code, Severity), usize> = BTreeMap::new();
@@ -18,14 +24,14 @@ pub fn cargo(reports: &[Report]) -> String {
         for found in &report.diagnostics {
             let count = counts.entry((found.code, found.severity)).or_default();
             *count += 1;
-            if *count <= TOLD_PER_CODE {
+            if *count <= PRINTED_PER_CODE {
                 line(&mut lines, found.severity, &message(&report.source, found));
             }
         }
     }
     for ((code, severity), count) in counts {
-        if count > TOLD_PER_CODE {
-            let more = count - TOLD_PER_CODE;
+        if count > PRINTED_PER_CODE {
+            let more = count - PRINTED_PER_CODE;
             line(&mut lines, severity, &format!("{more} more of {code}: {}", code.summary()));
         }
     }
@@ -68,7 +74,7 @@ mod tests {
     }
 
     #[test]
-    fn a_finding_is_one_line() {
+    fn a_diagnostic_is_one_line() {
         let found = Diagnostic::at(Code::ForeignCode, Span::new(4, 5), "`Z` is foreign").help("use\nanother");
         let lines = cargo(&[report("a\ncargo::rustc-env=X=1.lipz", "é\nxZ", vec![found])]);
         assert_eq!(
@@ -80,10 +86,10 @@ mod tests {
     }
 
     #[test]
-    fn many_findings_of_one_code_are_counted() {
+    fn many_diagnostics_of_one_code_are_counted() {
         let many = (0..250).map(|_| Diagnostic::new(Code::UnknownElement, "odd")).collect();
         let lines = cargo(&[report("a.lipz", "", many)]);
-        assert_eq!(lines.lines().count(), TOLD_PER_CODE + 1);
+        assert_eq!(lines.lines().count(), PRINTED_PER_CODE + 1);
         assert!(
             lines.ends_with("cargo::warning=150 more of LZ0203: an element is not part of the format\n"),
             "{lines}"

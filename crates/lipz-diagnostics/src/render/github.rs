@@ -1,4 +1,4 @@
-//! Findings as workflow commands of GitHub Actions, which shows them beside the changed lines.
+//! Diagnostics as workflow commands of GitHub Actions, which shows them beside the changed lines.
 
 use super::places::Places;
 use crate::Diagnostic;
@@ -6,7 +6,16 @@ use crate::Report;
 use crate::escape;
 use std::fmt::Write;
 
-/// Workflow commands of GitHub Actions, which shows them beside the changed lines: one a line for each finding.
+/// Workflow commands of GitHub Actions, which shows them beside the changed lines: a line per diagnostic.
+///
+/// ```
+/// use lipz_diagnostics::{Code, Diagnostic, Report, render};
+/// let report = Report::about("voices/aye.lipz", Diagnostic::new(Code::EmptyFile, "the file is empty"));
+/// assert_eq!(
+///     render::github(&[report]),
+///     "::error file=voices/aye.lipz,title=LZ0002 empty-file::the file is empty\n"
+/// );
+/// ```
 pub fn github(reports: &[Report]) -> String {
     let mut text = String::new();
     for report in reports {
@@ -90,7 +99,7 @@ mod tests {
     }
 
     #[test]
-    fn findings_without_a_file_have_a_title() {
+    fn diagnostics_without_a_file_have_a_title() {
         assert_eq!(
             github(&[Report::about("", Diagnostic::new(Code::NoSources, "none"))]),
             "::error title=LZ0805 no-sources::none\n"

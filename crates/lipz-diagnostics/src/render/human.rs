@@ -1,27 +1,52 @@
-//! Findings as text for people: message, place, caret, notes, help.
+//! Diagnostics as text for people: message, place, caret, notes, help.
 //!
 //! Keys, paths and texts come from anybody: nothing in them reaches the terminal as a control
 //! character.
 
+use crate::Report;
 use crate::escape;
+use crate::reports::count;
 use crate::{Code, Diagnostic, Severity, Source};
-use crate::{Report, count};
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Group, Level as Title, Origin, Renderer, Snippet};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
-/// Findings of one code that a run shows in full; the others are counted.
+/// Diagnostics of one code that a run shows in full; the others are counted.
 const SHOWN_PER_CODE: usize = 100;
 
 /// Text for people: message, place, caret, notes and help of each diagnostic, 100 columns wide, without
-/// colours. [`Human`] decides otherwise.
+/// colours. [`Human`] has other widths, and colours.
+///
+/// ```
+/// use lipz_diagnostics::{Code, Diagnostic, Report, Source, Span, render};
+/// let diagnostic = Diagnostic::at(Code::ForeignCode, Span::new(15, 16), "`Z` is not a blair code");
+/// let report = Report::new(Source::new("mayor.lipz", r#"{ "visemes": "MZ" }"#), vec![diagnostic]);
+/// assert_eq!(
+///     render::human(&[report]),
+///     "error[LZ0401]: `Z` is not a blair code
+///  --> mayor.lipz:1:16
+///   |
+/// 1 | { \"visemes\": \"MZ\" }
+///   |                ^
+///
+/// 1 error in 1 file
+/// "
+/// );
+/// ```
 pub fn human(reports: &[Report]) -> String {
     Human::default().render(reports)
 }
 
 /// How text for people looks.
+///
+/// ```
+/// use lipz_diagnostics::{Code, Diagnostic, Report, render::Human};
+/// let report = Report::about("aye.lipz", Diagnostic::new(Code::EmptyFile, "the file is empty"));
+/// let coloured = Human::default().width(80).styled(true).render(&[report]);
+/// assert!(coloured.contains("\u{1b}["));
+/// ```
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub struct Human {
@@ -36,7 +61,7 @@ impl Default for Human {
 }
 
 impl Human {
-    /// Lines for a terminal of so many columns.
+    /// For a terminal with this number of columns.
     #[must_use]
     pub fn width(mut self, columns: usize) -> Human {
         self.width = columns;
@@ -50,7 +75,7 @@ impl Human {
         self
     }
 
-    /// All findings, at most 100 of a code, how many others there are, and a closing count. Empty if there
+    /// All diagnostics, at most 100 of a code, how many others there are, and a closing count. Empty if there
     /// are none.
     pub fn render(self, reports: &[Report]) -> String {
         let renderer = if self.is_styled { Renderer::styled() } else { Renderer::plain() };
@@ -106,17 +131,17 @@ fn counted(number: usize, what: &str) -> String {
     format!("{} {what}{plural}", grouped(number))
 }
 
-/// The findings of one code.
+/// The diagnostics of one code.
 #[derive(Default)]
 struct Tally<'r> {
     shown: usize,
     hidden: usize,
-    /// Paths of the files with hidden findings.
+    /// Paths of the files with hidden diagnostics.
     files: BTreeSet<&'r str>,
 }
 
 impl<'r> Tally<'r> {
-    /// Counts a finding in the file of `report` and says whether it is one of those that are shown.
+    /// Counts a diagnostic in the file of `report` and says whether it is one of those that are shown.
     fn is_shown(&mut self, report: &'r Report) -> bool {
         let is_shown = self.shown < SHOWN_PER_CODE;
         if is_shown {
@@ -137,10 +162,10 @@ fn printable(source: &Source) -> Cow<'_, Source> {
     if !source.text.contains(steers) {
         return Cow::Borrowed(source);
     }
-    Cow::Owned(Source { path: source.path.clone(), text: source.text.replace(steers, "·") })
+    Cow::Owned(Source::new(source.path.as_str(), source.text.replace(steers, "·")))
 }
 
-/// The finding as the renderer wants it.
+/// The diagnostic as the renderer wants it.
 fn group<'r>(source: &'r Source, diagnostic: &'r Diagnostic) -> Group<'r> {
     let title = match diagnostic.severity {
         Severity::Error => Title::ERROR,

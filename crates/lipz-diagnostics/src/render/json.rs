@@ -1,25 +1,39 @@
-//! Findings as one JSON document. Fields are only ever added (docs/VERSIONING.md).
+//! Diagnostics as one JSON document. Fields are only ever added (docs/VERSIONING.md).
 
 use super::places::Places;
 use crate::Label;
+use crate::Report;
+use crate::reports::count;
 use crate::{Diagnostic, LineColumn, Severity, escape};
-use crate::{Report, count};
 use serde::Serialize;
 
-/// All findings as one JSON document; also if there are none.
+/// All diagnostics as one JSON document; also if there are none.
+///
+/// ```
+/// use lipz_diagnostics::{Code, Diagnostic, Report, render};
+/// let report = Report::about("voices/aye.lipz", Diagnostic::new(Code::EmptyFile, "the file is empty"));
+/// let document: serde_json::Value = serde_json::from_str(&render::json(&[report])).unwrap();
+/// assert_eq!(document["errors"], 1);
+/// assert_eq!(document["diagnostics"][0]["code"], "LZ0002");
+/// ```
 pub fn json(reports: &[Report]) -> String {
     to_json(&Document::new(reports))
 }
 
 /// The value as indented JSON, with every control character escaped: serde_json leaves those above U+007E.
 ///
-/// For documents of one's own beside [`json`]. A value whose serialisation fails gives `null`.
+/// For other documents beside [`json`]. A value that cannot be serialised becomes `null`.
+///
+/// ```
+/// use lipz_diagnostics::render::to_json;
+/// assert_eq!(to_json(&["灯台\u{9b}"]), "[\n  \"灯台\\u009B\"\n]\n");
+/// ```
 pub fn to_json<T: Serialize>(value: &T) -> String {
     let json = serde_json::to_string_pretty(value).unwrap_or_else(|_| "null".to_owned());
     json.split('\n').map(escape::text).collect::<Vec<_>>().join("\n") + "\n"
 }
 
-/// Every finding of a run.
+/// Every diagnostic of a run.
 #[derive(Serialize)]
 struct Document<'r> {
     errors: usize,
@@ -34,10 +48,10 @@ struct Entry<'r> {
     severity: String,
     message: &'r str,
     path: &'r str,
-    /// The characters that the finding is about; none if it is about the file.
+    /// The characters that the diagnostic is about; none if it is about the file.
     span: Option<Span>,
     label: Option<&'r str>,
-    /// Other places that belong to the finding.
+    /// Other places that belong to the diagnostic.
     labels: Vec<OtherPlace<'r>>,
     notes: &'r [String],
     help: Option<&'r str>,

@@ -1,12 +1,12 @@
-//! Lines and columns of all findings of a file, found in one pass: a file on a single line may have
-//! many thousands of findings.
+//! Lines and columns of all diagnostics of a file, found in one pass: a file on a single line may have
+//! many thousands of diagnostics.
 
 use crate::Label;
 use crate::Report;
 use crate::{Diagnostic, LineColumn, Span};
 use std::collections::HashMap;
 
-/// Line and column of each byte offset that the findings of a report name.
+/// Line and column of each byte offset that the diagnostics of a report name.
 pub(super) struct Places(HashMap<u32, LineColumn>);
 
 impl Places {
@@ -33,14 +33,14 @@ impl Places {
         Places(offsets.into_iter().map(place_of).collect())
     }
 
-    /// Where a span of these findings starts, and the place behind it.
+    /// Where a span of these diagnostics starts, and the place behind it.
     pub(super) fn ends(&self, span: Span) -> [LineColumn; 2] {
         let unnamed = LineColumn { line: 1, column: 1 };
         [span.start, span.end].map(|offset| self.0.get(&offset).copied().unwrap_or(unnamed))
     }
 }
 
-/// Every span that a finding names.
+/// Every span that a diagnostic names.
 fn spans(diagnostic: &Diagnostic) -> impl Iterator<Item = Span> {
     let labels = diagnostic.primary.iter().chain(&diagnostic.labels).map(|label: &Label| label.span);
     labels.chain(diagnostic.fix.iter().map(|fix| fix.span))
@@ -56,7 +56,7 @@ mod tests {
         let source = Source { path: String::new(), text: "{ \"é\": 1,\n\r\n \"灯台😀\": 2 }".into() };
         let end = u32::try_from(source.text.len()).unwrap_or_default();
         let mut report = Report { source, diagnostics: Vec::new() };
-        // Also inside of characters, behind the end, and not in order.
+        // Also inside characters, behind the end, and not in order.
         for start in (0..end + 3).rev() {
             let span = Span { start, end: end + 3 - start };
             report.diagnostics.push(Diagnostic::at(Code::UnknownElement, span, "x"));

@@ -72,14 +72,14 @@ fn not_utf8(bytes: &[u8], error: std::str::Utf8Error) -> Diagnostic {
         return Diagnostic::at(Code::NotUtf8, span, "the file ends in the middle of a character")
             .help("was the file cut off while it was copied? copy it again");
     }
-    let finding = Diagnostic::at(Code::NotUtf8, span, format!("the file is not UTF-8 (byte 0x{byte:02X})"))
+    let diagnostic = Diagnostic::at(Code::NotUtf8, span, format!("the file is not UTF-8 (byte 0x{byte:02X})"))
         .help("save the file as UTF-8");
     match in_windows_1252(byte) {
-        Some(character) if byte < 0xA0 => finding.note(format!("in Windows-1252 this byte is `{character}`")),
+        Some(character) if byte < 0xA0 => diagnostic.note(format!("in Windows-1252 this byte is `{character}`")),
         Some(character) => {
-            finding.note(format!("in Latin-1 and Windows-1252 this byte is {}", escape::character(character)))
+            diagnostic.note(format!("in Latin-1 and Windows-1252 this byte is {}", escape::character(character)))
         }
-        None => finding,
+        None => diagnostic,
     }
 }
 

@@ -68,7 +68,7 @@ pub(super) fn runs<'t>(
         let Some(code) = map.code(&shape.symbol) else {
             let place = *place_of.entry(&shape.symbol).or_insert(unknown.len());
             match unknown.get_mut(place) {
-                Some(known) => known.labels.extend(shape.span.map(|span| Label { span, text: "also here".into() })),
+                Some(known) => known.labels.extend(shape.span.map(|span| Label::new(span, "also here"))),
                 None => unknown.push(unknown_symbol(shape, map)),
             }
             continue;

@@ -12,7 +12,8 @@ use crate::{Outcome, console, interrupt};
 use clap::Args;
 use lipz_bank::VisemeType;
 use lipz_compiler::{Compiler, Input, Options, key, replace_file};
-use lipz_diagnostics::{Code, Diagnostic, Report, Severity, count};
+use lipz_diagnostics::reports::count;
+use lipz_diagnostics::{Code, Diagnostic, Report, Severity};
 use std::path::{Path, PathBuf};
 
 /// Convert Lipz files to another viseme type: blair to toonboom, toonboom to blair.
@@ -77,7 +78,7 @@ impl Run for Convert {
         let results = compiler.each_file(&inputs, |input, bytes| {
             let converted = compiler.convert(bytes, viseme_type);
             let is_changed = converted.text.is_some();
-            let written = match converted.diagnostics.iter().any(|finding| finding.severity == Severity::Error) {
+            let written = match converted.diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error) {
                 true => Ok(()),
                 false => target.write(input, bytes, converted.text.as_deref()),
             };
@@ -161,14 +162,16 @@ fn output(folder: &Path, input: &Input) -> PathBuf {
     folder.join(format!("{}.{}", input.key, key::EXTENSION))
 }
 
-/// The finding for an output file that exists.
+/// The diagnostic for an output file that exists.
 fn in_the_way(folder: &Path, input: &Input) -> Option<Report> {
     let path = output(folder, input);
     path.symlink_metadata().ok()?;
     let shown = console::path(&path);
-    let finding = Diagnostic::new(Code::WouldOverwrite, format!("`{shown}` exists already"));
+    let diagnostic = Diagnostic::new(Code::WouldOverwrite, format!("`{shown}` exists already"));
     Some(Report::about(
         shown,
-        finding.note("nothing was written").help("write into another folder, or replace the sources with --in-place"),
+        diagnostic
+            .note("nothing was written")
+            .help("write into another folder, or replace the sources with --in-place"),
     ))
 }

@@ -120,7 +120,7 @@ fn one(format: &Format, input: &Input, bytes: &[u8], options: &Options, map: Opt
         .name(input.key.rsplit('/').next());
     let mut exported = parsed.document.map(|document| export(format, &document, &export_options)).unwrap_or_default();
     diagnostics.append(&mut exported.diagnostics);
-    lipz_diagnostics::adjust(&options.levels, &mut diagnostics);
+    options.levels.apply(&mut diagnostics);
     if has_errors(&diagnostics) {
         exported.bytes = None;
     }
@@ -129,7 +129,7 @@ fn one(format: &Format, input: &Input, bytes: &[u8], options: &Options, map: Opt
 }
 
 fn has_errors(diagnostics: &[Diagnostic]) -> bool {
-    diagnostics.iter().any(|finding| finding.severity == Severity::Error)
+    diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error)
 }
 
 fn write(folder: &Path, input: &Input, format: &Format, bytes: &[u8]) -> Result<(), Report> {

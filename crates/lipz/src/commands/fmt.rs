@@ -50,7 +50,7 @@ pub(crate) struct Fmt {
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
 
-    /// Show no progress and no summary, only findings, files and differences
+    /// Show no progress and no summary, only diagnostics, files and differences
     #[arg(short, long)]
     quiet: bool,
 }

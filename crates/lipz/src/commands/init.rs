@@ -39,10 +39,10 @@ impl Run for Init {
         let file = if is_here { PathBuf::from(FILE_NAME) } else { self.folder.join(FILE_NAME) };
         let shown = console::path(&file);
         if !self.force && file.symlink_metadata().is_ok() {
-            let finding = Diagnostic::new(Code::WouldOverwrite, format!("`{shown}` exists already"));
-            let finding =
-                finding.note("nothing was written").help("edit it, or replace it by a fresh one with --force");
-            return Err(reporter.refuse(vec![Report::about(shown, finding)]));
+            let diagnostic = Diagnostic::new(Code::WouldOverwrite, format!("`{shown}` exists already"));
+            let diagnostic =
+                diagnostic.note("nothing was written").help("edit it, or replace it by a fresh one with --force");
+            return Err(reporter.refuse(vec![Report::about(shown, diagnostic)]));
         }
         output_file::write(&file, template().as_bytes(), reporter)?;
         if self.quiet {

@@ -34,8 +34,8 @@ impl BankFile {
         match bytes {
             Ok(bytes) => Ok(BankFile { name, bytes }),
             Err(error) => {
-                let finding = unreadable(&name, &error);
-                Err(reporter.fail(Report::about(name, finding)))
+                let diagnostic = unreadable(&name, &error);
+                Err(reporter.fail(Report::about(name, diagnostic)))
             }
         }
     }
@@ -64,33 +64,33 @@ impl BankFile {
     }
 }
 
-/// The finding for a file that cannot be read.
+/// The diagnostic for a file that cannot be read.
 fn unreadable(shown: &str, error: &io::Error) -> Diagnostic {
-    let finding = |what: &str| Diagnostic::new(Code::BankRefused, format!("`{shown}` {what}"));
+    let diagnostic = |what: &str| Diagnostic::new(Code::BankRefused, format!("`{shown}` {what}"));
     match error.kind() {
-        io::ErrorKind::NotFound => finding("does not exist").help("check the spelling of the path"),
-        io::ErrorKind::IsADirectory => finding("is a folder").help("name the bank in it"),
-        _ => finding(&format!("cannot be read: {error}")),
+        io::ErrorKind::NotFound => diagnostic("does not exist").help("check the spelling of the path"),
+        io::ErrorKind::IsADirectory => diagnostic("is a folder").help("name the bank in it"),
+        _ => diagnostic(&format!("cannot be read: {error}")),
     }
 }
 
-/// The finding for a file that does not open or verify as a bank.
+/// The diagnostic for a file that does not open or verify as a bank.
 fn refused(code: Code, error: Error, bytes: &[u8]) -> Diagnostic {
     let kind = error.kind();
     let place = format!("bank error {}, at byte {} of {}", kind as u8, error.offset_bytes(), bytes.len());
-    let finding = Diagnostic::new(code, kind.message()).note(place);
+    let diagnostic = Diagnostic::new(code, kind.message()).note(place);
     let update = "update lipz, or pack the bank again with this one";
     match kind {
-        ErrorKind::UnsupportedVersion => finding
+        ErrorKind::UnsupportedVersion => diagnostic
             .note(format!("the bank has {}, this lipz reads {FORMAT_MAJOR}.{FORMAT_MINOR}", version(bytes)))
             .help(update),
-        ErrorKind::SectionUnknown => finding.help(update),
-        ErrorKind::NotABank => finding.help(NAME_A_BANK),
-        ErrorKind::TooShort if !bytes.starts_with(&MAGIC) => finding.help(NAME_A_BANK),
-        ErrorKind::TextsOnly => finding.help("name the bank that it belongs to, and this file with --texts"),
-        ErrorKind::OtherClips => finding.help("take the texts that were packed with this bank, or pack both again"),
-        ErrorKind::TextMode => finding.help("copy it again in binary mode"),
-        _ => finding.help("copy the bank again, or pack it again"),
+        ErrorKind::SectionUnknown => diagnostic.help(update),
+        ErrorKind::NotABank => diagnostic.help(NAME_A_BANK),
+        ErrorKind::TooShort if !bytes.starts_with(&MAGIC) => diagnostic.help(NAME_A_BANK),
+        ErrorKind::TextsOnly => diagnostic.help("name the bank that it belongs to, and this file with --texts"),
+        ErrorKind::OtherClips => diagnostic.help("take the texts that were packed with this bank, or pack both again"),
+        ErrorKind::TextMode => diagnostic.help("copy it again in binary mode"),
+        _ => diagnostic.help("copy the bank again, or pack it again"),
     }
 }
 

@@ -110,13 +110,13 @@ impl Source {
 /// The report that a file cannot be read.
 pub(crate) fn unreadable(path: &Path, error: &io::Error) -> Report {
     let name = console::path(path);
-    let finding = |what: &str| Diagnostic::new(Code::UnreadableFile, format!("`{name}` {what}"));
-    let finding = match error.kind() {
-        io::ErrorKind::NotFound => finding("does not exist").help("check the spelling of the path"),
-        io::ErrorKind::IsADirectory => finding("is a folder").help("name the files in it"),
-        _ => finding(&format!("cannot be read: {error}")),
+    let diagnostic = |what: &str| Diagnostic::new(Code::UnreadableFile, format!("`{name}` {what}"));
+    let diagnostic = match error.kind() {
+        io::ErrorKind::NotFound => diagnostic("does not exist").help("check the spelling of the path"),
+        io::ErrorKind::IsADirectory => diagnostic("is a folder").help("name the files in it"),
+        _ => diagnostic(&format!("cannot be read: {error}")),
     };
-    Report::about(name, finding)
+    Report::about(name, diagnostic)
 }
 
 /// The name of a file without the extension of its format, or else without its last one.
@@ -141,13 +141,14 @@ pub(crate) fn path(folder: &Path, key: &str, extension: &str) -> PathBuf {
     folder.join(format!("{key}.{extension}"))
 }
 
-/// The finding for an output file that exists.
+/// The diagnostic for an output file that exists.
 pub(crate) fn in_the_way(path: &Path) -> Option<Report> {
     path.symlink_metadata().ok()?;
     let shown = console::path(path);
-    let finding = Diagnostic::new(Code::WouldOverwrite, format!("`{shown}` exists already"));
-    let finding = finding.note("nothing was written").help("write into another folder, or replace files with --force");
-    Some(Report::about(shown, finding))
+    let diagnostic = Diagnostic::new(Code::WouldOverwrite, format!("`{shown}` exists already"));
+    let diagnostic =
+        diagnostic.note("nothing was written").help("write into another folder, or replace files with --force");
+    Some(Report::about(shown, diagnostic))
 }
 
 /// Whether nothing is wrong with where files go: otherwise none is written.

@@ -4,7 +4,8 @@ use crate::shared::stdio;
 use crate::{Outcome, console, interrupt};
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiled, Compiler, Input};
-use lipz_diagnostics::{Code, Report, Severity, count};
+use lipz_diagnostics::reports::count;
+use lipz_diagnostics::{Code, Report, Severity};
 use std::time::{Duration, Instant};
 
 /// Finds the inputs of a project and hands them to `work`, with a progress bar; if some cannot be found,
@@ -57,7 +58,7 @@ pub(crate) struct Worked {
 }
 
 impl Worked {
-    /// How the run ends, by its findings: with errors and without a single input, or a way to write the
+    /// How the run ends, by its diagnostics: with errors and without a single input, or a way to write the
     /// bank, the tool could not run.
     pub(crate) fn outcome(&self) -> Outcome {
         let mut found = self.reports.iter().flat_map(|report| &report.diagnostics);

@@ -83,8 +83,8 @@ mod tests {
         let matches = command.try_get_matches_from(words.split(' ')).unwrap();
         let mut levels = Levels::new();
         LintFlags::from_arg_matches(&matches).unwrap().apply(&mut levels);
-        assert_eq!(levels[&Code::UnknownEmotion], Some(Severity::Error));
-        assert_eq!(levels[&Code::SegmentCount], Some(Severity::Warning));
-        assert_eq!(levels[&Code::UnknownLocale], None);
+        assert_eq!(levels.severity(Code::UnknownEmotion), Some(Severity::Error));
+        assert_eq!(levels.severity(Code::SegmentCount), Some(Severity::Warning));
+        assert_eq!(levels.severity(Code::UnknownLocale), None);
     }
 }

@@ -80,11 +80,11 @@ impl SettingsFile {
     }
 }
 
-/// The settings in `file`; its findings are printed.
+/// The settings in `file`; its diagnostics are printed.
 fn read(file: &Path, reporter: &mut Reporter) -> Result<Settings, Abort> {
     let (settings, report) = Settings::read(file);
     let has_errors = report.has_errors();
-    let is_read = report.diagnostics.iter().all(|finding| finding.code != Code::SettingsUnreadable);
+    let is_read = report.diagnostics.iter().all(|diagnostic| diagnostic.code != Code::SettingsUnreadable);
     let found = if report.diagnostics.is_empty() { Vec::new() } else { vec![report] };
     if has_errors {
         return Err(reporter.abort(found, if is_read { Outcome::Errors } else { Outcome::Failed }));

@@ -43,7 +43,7 @@ pub(crate) struct ProjectArguments {
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
 
-    /// Show no progress and no summary, only findings
+    /// Show no progress and no summary, only diagnostics
     #[arg(short, long)]
     pub(crate) quiet: bool,
 }
@@ -69,7 +69,7 @@ impl Sources {
         &self.sources
     }
 
-    /// Whether to show findings only.
+    /// Whether to show diagnostics only.
     pub(crate) fn is_quiet(&self) -> bool {
         self.arguments.quiet
     }

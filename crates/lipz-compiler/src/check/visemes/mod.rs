@@ -1,9 +1,9 @@
 //! Frame codes: white space and delimiters taken out, the rest checked against the viseme type.
 
-mod foreign;
 mod instead;
 mod tally;
 mod type_name;
+mod wrong_code;
 
 pub(super) use instead::DELIMITER_LOOKALIKES;
 pub(super) use type_name::viseme_type;
@@ -56,7 +56,7 @@ pub(super) fn frames(
         diagnostics.extend(white_space(string, legal));
     }
     if !legal {
-        foreign::report(string, expected, diagnostics);
+        wrong_code::report(string, expected, diagnostics);
     }
 }
 

@@ -66,7 +66,7 @@ impl Message {
     }
 }
 
-/// A file with findings.
+/// A file with diagnostics.
 pub(super) struct File {
     uri: String,
     places: Places,
@@ -77,7 +77,7 @@ impl File {
         File { uri: uri(&report.source.path), places: Places::new(report) }
     }
 
-    /// The marked place, or the whole file; none if the finding is about no file.
+    /// The marked place, or the whole file; none if the diagnostic is about no file.
     pub(super) fn location(&self, label: Option<&Label>) -> Option<Location> {
         if self.uri.is_empty() {
             return None;

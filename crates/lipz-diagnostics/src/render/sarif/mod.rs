@@ -1,4 +1,4 @@
-//! Findings as SARIF 2.1.0 (OASIS), which code scanning of several hosts and editors read.
+//! Diagnostics as SARIF 2.1.0 (OASIS), which code scanning of several hosts and editors read.
 //!
 //! Property names are those of the standard; what it leaves optional is here only if somebody reads
 //! it.
@@ -50,11 +50,11 @@ struct Driver {
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
 struct Invocation {
-    /// Whether the tool could run; findings do not count.
+    /// Whether the tool could run; diagnostics do not count.
     execution_successful: bool,
 }
 
-/// A finding: the standard's `result`.
+/// A diagnostic: the standard's `result`.
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
 struct ResultEntry {
@@ -78,8 +78,15 @@ struct Fix {
     artifact_changes: [ArtifactChange; 1],
 }
 
-/// One SARIF 2.1.0 document with all findings, also if there are none. `is_successful` tells whether the
-/// tool could run, whatever it found.
+/// One SARIF 2.1.0 document with all diagnostics, also if there are none. `is_successful` says whether the
+/// tool could run, whatever the diagnostics are.
+///
+/// ```
+/// use lipz_diagnostics::{Code, Diagnostic, Report, render};
+/// let report = Report::about("voices/aye.lipz", Diagnostic::new(Code::EmptyFile, "the file is empty"));
+/// let log: serde_json::Value = serde_json::from_str(&render::sarif(&[report], true)).unwrap();
+/// assert_eq!(log["runs"][0]["results"][0]["ruleId"], "LZ0002");
+/// ```
 pub fn sarif(reports: &[Report], is_successful: bool) -> String {
     to_json(&log(reports, is_successful))
 }
@@ -106,7 +113,7 @@ fn log(reports: &[Report], is_successful: bool) -> Log {
     }
 }
 
-/// The findings in one file.
+/// The diagnostics in one file.
 fn entries(report: &Report, codes: &[Code]) -> Vec<ResultEntry> {
     let file = File::new(report);
     report.diagnostics.iter().map(|diagnostic| entry(&file, diagnostic, codes)).collect()

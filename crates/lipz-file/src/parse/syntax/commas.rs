@@ -48,14 +48,14 @@ fn decimal(at: &Place<'_>, expected: Expected) -> Option<Diagnostic> {
         ..=DIGITS_SHOWN => format!("a decimal number has a point: {whole}.{fraction}"),
         _ => "a decimal number has a point".to_owned(),
     };
-    let finding = Diagnostic::at(Code::JsonSyntax, comma, message).help("write a point for this comma");
+    let diagnostic = Diagnostic::at(Code::JsonSyntax, comma, message).help("write a point for this comma");
     // `1,000` may be a thousand, and other elements may hold anything.
     let is_fps = start
         .strip_suffix(whole)?
         .trim_end_matches(WHITE_SPACE)
         .strip_suffix(':')
         .is_some_and(|before| before.trim_end_matches(WHITE_SPACE).ends_with("\"fps\""));
-    Some(if is_fps && (whole != "1" || fraction.len() != 3) { finding.fix(comma, ".") } else { finding })
+    Some(if is_fps && (whole != "1" || fraction.len() != 3) { diagnostic.fix(comma, ".") } else { diagnostic })
 }
 
 /// No comma between a value and the next element.
@@ -70,10 +70,10 @@ fn missing(at: &Place<'_>, expected: Expected) -> Option<Diagnostic> {
         return None; // a quotation mark inside a text
     }
     let end = Span { start: value.end, end: value.end };
-    let finding = Diagnostic::at(Code::JsonSyntax, end, "a comma is missing between two elements")
+    let diagnostic = Diagnostic::at(Code::JsonSyntax, end, "a comma is missing between two elements")
         .also(at.character_span(), "the next element starts here")
         .help("write a comma after the value");
     // In one line, the quotation mark may also be one of a text: "the "Admiral": a parrot".
     let is_next_line = at.text_of(Span { start: value.end, end: at.character_span().start })?.contains('\n');
-    Some(if is_next_line && starts_element(at.rest()) { finding.fix(end, ",") } else { finding })
+    Some(if is_next_line && starts_element(at.rest()) { diagnostic.fix(end, ",") } else { diagnostic })
 }

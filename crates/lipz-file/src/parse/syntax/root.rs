@@ -42,24 +42,24 @@ pub(in crate::parse) fn explain_rest(text: &str, error: &serde_json::Error) -> D
     if let Some(comment) = super::comment(&at) {
         return comment;
     }
-    let finding = |message| Diagnostic::at(Code::JoinedObjects, at.character_span(), message);
+    let diagnostic = |message| Diagnostic::at(Code::JoinedObjects, at.character_span(), message);
     let after_comma = at.rest().trim_start_matches([',', ' ', '\t', '\r', '\n']);
     match (at.character(), after_comma.chars().next(), at.before()) {
-        (_, Some('{'), _) => finding("a second object follows the first")
+        (_, Some('{'), _) => diagnostic("a second object follows the first")
             .label("the clip's object has ended before this")
             .note("one Lipz file describes one audio file")
             .help("put each object into a file of its own"),
         (Some('}'), ..) => {
-            let finding = finding("one closing brace too many").help("delete this `}`");
+            let diagnostic = diagnostic("one closing brace too many").help("delete this `}`");
             let is_last = at.rest().trim_end_matches(WHITE_SPACE).len() == 1;
-            if is_last { finding.fix(at.character_span(), "") } else { finding }
+            if is_last { diagnostic.fix(at.character_span(), "") } else { diagnostic }
         }
         (Some(','), Some('"'), Some((brace, _))) => {
             Diagnostic::at(Code::JoinedObjects, brace, "the object is closed too early")
                 .also(at.character_span(), "more elements follow")
                 .help("delete this `}`")
         }
-        _ => finding("text follows the closing brace of the root object")
+        _ => diagnostic("text follows the closing brace of the root object")
             .help("delete everything after the last `}`; if it belongs to the clip, move it inside"),
     }
 }

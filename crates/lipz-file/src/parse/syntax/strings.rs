@@ -21,16 +21,16 @@ pub(super) fn control_character(at: &Place<'_>) -> Diagnostic {
 
 fn line_break(at: &Place<'_>) -> Diagnostic {
     // It is marked behind the last character of its line, not across two lines.
-    let finding = Diagnostic::at(Code::ControlCharacter, at.span_of(0), "a line break inside a string");
+    let diagnostic = Diagnostic::at(Code::ControlCharacter, at.span_of(0), "a line break inside a string");
     let next_line = at.rest().trim_start_matches(WHITE_SPACE);
     if next_line.is_empty() {
-        return finding.help("the closing `\"` is missing, or the file was cut off while it was copied");
+        return diagnostic.help("the closing `\"` is missing, or the file was cut off while it was copied");
     }
     if starts_element(next_line) || next_line.starts_with('}') {
-        return finding
+        return diagnostic
             .help("write \\n if it belongs to the string, otherwise join the lines; or is the closing `\"` missing?");
     }
-    finding
+    diagnostic
         .note("files copied from a printed page often have lines broken where the page was too narrow")
         .help("write \\n if it belongs to the string, otherwise join the lines")
 }

@@ -7,10 +7,11 @@ use lipz_diagnostics::{Code, Diagnostic, Span};
 pub(super) fn explain(at: &Place<'_>, expected: Expected) -> Option<Diagnostic> {
     match (expected, at.character()?) {
         (Expected::Name | Expected::Value, '\'' | '‘' | '’' | '“' | '”' | '„' | '«' | '»' | '`') => Some(
-            finding(at, "names and strings need straight double quotes").help("write \" before and after the string"),
+            diagnostic(at, "names and strings need straight double quotes")
+                .help("write \" before and after the string"),
         ),
         (Expected::Colon, '=') => Some(
-            finding(at, "a colon separates name and value").help("write `:` for `=`").fix(at.character_span(), ":"),
+            diagnostic(at, "a colon separates name and value").help("write `:` for `=`").fix(at.character_span(), ":"),
         ),
         (Expected::Colon, _) => {
             let (name, _) = at.before()?;
@@ -27,7 +28,7 @@ pub(super) fn explain(at: &Place<'_>, expected: Expected) -> Option<Diagnostic> 
     }
 }
 
-fn finding(at: &Place<'_>, message: &str) -> Diagnostic {
+fn diagnostic(at: &Place<'_>, message: &str) -> Diagnostic {
     Diagnostic::at(Code::JsonSyntax, at.character_span(), message)
 }
 

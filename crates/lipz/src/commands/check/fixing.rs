@@ -65,8 +65,8 @@ pub(super) fn fix_all(settings: &Settings, quiet: bool, rewriting: Rewriting) ->
     fixing
 }
 
-/// `3 findings (LZ0402, LZ0501)`.
+/// `3 diagnostics (LZ0402, LZ0501)`.
 fn counts(fixed: &Fixed) -> String {
     let codes: Vec<&str> = fixed.counts.keys().map(|code| code.number()).collect();
-    format!("{} ({})", console::counted(fixed.counts.values().sum(), "finding"), codes.join(", "))
+    format!("{} ({})", console::counted(fixed.counts.values().sum(), "diagnostic"), codes.join(", "))
 }

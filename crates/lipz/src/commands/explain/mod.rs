@@ -10,7 +10,7 @@ use clap::Args;
 use lipz_diagnostics::{Code, Report, escape, suggest};
 use std::fmt::Write;
 
-/// Explain a code of a finding: what it is about, why, an example, what to do.
+/// Explain a code of a diagnostic: what it is about, why, an example, what to do.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz explain LZ0401
@@ -36,7 +36,7 @@ impl Run for Explain {
             reporter.print(&list())?;
             return Ok(Outcome::Clean);
         };
-        // As findings show it, `error[LZ0401]:`, it can be copied here.
+        // As diagnostics show it, `error[LZ0401]:`, it can be copied here.
         let copied = text.rsplit('[').next().unwrap_or(text).trim_end_matches([':', ']']);
         match copied.parse() {
             Ok(code) => reporter.print(&markdown::terminal(code, console::width())).map(|()| Outcome::Clean),

@@ -31,7 +31,7 @@ pub(crate) struct Heads {
     #[arg(value_name = "FILES", required = true)]
     paths: Vec<PathBuf>,
 
-    /// Show findings only
+    /// Show diagnostics only
     #[arg(short, long)]
     quiet: bool,
 }
@@ -77,9 +77,9 @@ impl Checked {
             self.pictures(&paths);
         } else {
             let shown = console::path(folder);
-            let finding = Diagnostic::new(Code::NoSources, format!("no FRM files in `{shown}`"));
+            let diagnostic = Diagnostic::new(Code::NoSources, format!("no FRM files in `{shown}`"));
             let help = "heads lie below art/heads in the data of the game; its archives must be unpacked first";
-            self.reports.push(Report::about(shown, finding.help(help)));
+            self.reports.push(Report::about(shown, diagnostic.help(help)));
         }
     }
 
@@ -92,7 +92,7 @@ impl Checked {
         let (heads, mut found): (Vec<Head>, _) = read_list(&text);
         let files = self.pictures(&paths);
         found.extend(compare(&heads, &files));
-        self.add(Source { path: console::path(path), text }, found);
+        self.add(Source::new(console::path(path), text), found);
     }
 
     /// Checks those of `paths` that are pictures, and gives them.
@@ -109,12 +109,12 @@ impl Checked {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let (file, found) = check_file(&name, &bytes);
         self.files.extend(file);
-        self.add(Source { path: console::path(path), text: String::new() }, found);
+        self.add(Source::new(console::path(path), ""), found);
     }
 
     fn add(&mut self, source: Source, diagnostics: Vec<Diagnostic>) {
         if !diagnostics.is_empty() {
-            self.reports.push(Report { source, diagnostics });
+            self.reports.push(Report::new(source, diagnostics));
         }
     }
 

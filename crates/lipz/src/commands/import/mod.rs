@@ -52,7 +52,7 @@ pub(crate) struct Import {
     #[command(flatten)]
     options: options::Options,
 
-    /// Show no summary, only findings
+    /// Show no summary, only diagnostics
     #[arg(short, long)]
     quiet: bool,
 }
@@ -164,7 +164,7 @@ fn read(
         arguments.options.recordings.apply(file, &source.key, script, &mut options);
         let Imported { clips, mut diagnostics, .. } = import(format, &source.bytes, &options);
         settings.apply_levels(&mut diagnostics);
-        let is_wrong = diagnostics.iter().any(|finding| finding.severity == Severity::Error);
+        let is_wrong = diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error);
         reports.extend(source.report(format, diagnostics));
         if !is_wrong {
             made.extend(clips.into_iter().map(|clip| {

@@ -132,9 +132,9 @@ impl Settings<'_> {
         self.flags.locale.as_deref().or(self.project.default_locale.as_deref())
     }
 
-    /// Gives findings the levels of the project.
+    /// Gives diagnostics the levels of the project.
     pub(super) fn apply_levels(&self, diagnostics: &mut Vec<Diagnostic>) {
-        lipz_diagnostics::adjust(&self.project.levels, diagnostics);
+        self.project.levels.apply(diagnostics);
     }
 }
 

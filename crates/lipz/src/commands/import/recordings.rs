@@ -48,11 +48,11 @@ impl Recordings {
         let Some(path) = &self.script else { return Ok(Script::default()) };
         let shown = console::path(path);
         let bytes = fs::read(path).map_err(|error| {
-            let finding = Diagnostic::new(Code::UnreadableFile, format!("`{shown}` cannot be read: {error}"));
-            reporter.fail(Report::about(shown.as_str(), finding.help("is the name right, and may you read it?")))
+            let diagnostic = Diagnostic::new(Code::UnreadableFile, format!("`{shown}` cannot be read: {error}"));
+            reporter.fail(Report::about(shown.as_str(), diagnostic.help("is the name right, and may you read it?")))
         })?;
         let (script, source, diagnostics) = Script::read(&shown, &bytes, self.encoding);
-        let report = Report { source, diagnostics };
+        let report = Report::new(source, diagnostics);
         let has_errors = report.has_errors();
         let found = if report.diagnostics.is_empty() { Vec::new() } else { vec![report] };
         if has_errors {

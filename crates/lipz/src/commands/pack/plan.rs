@@ -69,7 +69,7 @@ impl Plan {
         matches!(self.destination, Destination::StandardOutput) || sources.any(|path| stdio::is_meant(path))
     }
 
-    /// Packs once. Findings are shown; if there are errors, nothing is written.
+    /// Packs once. Diagnostics are shown; if there are errors, nothing is written.
     ///
     /// With a `memory`, the run is one of many: it reads only the files that changed, and replaces files by
     /// other bytes only.

@@ -116,8 +116,8 @@ fn one(arguments: &Export, input: &Input, bytes: &[u8], options: &Options) -> Ma
             files.push((locale, file));
         }
     }
-    lipz_diagnostics::adjust(&options.levels, &mut diagnostics);
-    if diagnostics.iter().any(|finding| finding.severity == Severity::Error) {
+    options.levels.apply(&mut diagnostics);
+    if diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error) {
         files.clear();
     }
     let report = (!diagnostics.is_empty()).then(|| Report::from_bytes(input.name(), bytes, diagnostics));

@@ -51,8 +51,8 @@ pub(super) fn find(
         }
         if found.len() == files_before && reports.len() == reports_before {
             let shown = console::path(place);
-            let finding = Diagnostic::new(Code::NoSources, format!("no subtitle files in `{shown}`"));
-            reports.push(Report::about(shown, finding.help("subtitle files end in .srt or .vtt")));
+            let diagnostic = Diagnostic::new(Code::NoSources, format!("no subtitle files in `{shown}`"));
+            reports.push(Report::about(shown, diagnostic.help("subtitle files end in .srt or .vtt")));
         }
     }
     Ok(found)
@@ -83,9 +83,9 @@ fn file(place: &Path, path: &Path, format: SubtitleFormat, options: &Options) ->
         (None, Some(locale)) => (stem, locale.clone()),
         (None, None) => {
             let shown = console::path(path);
-            let finding = Diagnostic::new(Code::TextLeftOut, format!("the locale of `{shown}` is not known"));
+            let diagnostic = Diagnostic::new(Code::TextLeftOut, format!("the locale of `{shown}` is not known"));
             let help = format!("call it KEY.en-us.{}, or name the locale: --locale en-us", format.extension());
-            return Err(Report::about(shown, finding.help(help)));
+            return Err(Report::about(shown, diagnostic.help(help)));
         }
     };
     Ok(Found { path: path.to_owned(), key, locale, format })

@@ -114,7 +114,7 @@ fn one(
             });
             is_changed = true;
         }
-        lipz_diagnostics::adjust(&options.levels, &mut diagnostics);
+        options.levels.apply(&mut diagnostics);
         if !diagnostics.is_empty() {
             reports.push(Report::from_bytes(console::path(&file.path), &bytes, diagnostics));
         }
@@ -137,5 +137,5 @@ fn parse<'b>(path: &Path, bytes: &'b [u8]) -> Result<Document<'b>, Report> {
 }
 
 fn has_errors(diagnostics: &[Diagnostic]) -> bool {
-    diagnostics.iter().any(|finding| finding.severity == Severity::Error)
+    diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error)
 }
