@@ -125,7 +125,7 @@ impl Discovery<'_> {
                     pattern,
                     Code::NoSources,
                     format!("`{pattern}` is not a pattern: {}", error.msg),
-                    "`*` stands for a part of a name, `**` for folders, `?` for a character, `[…]` for a set",
+                    "`*` matches a part of a name, `**` folders, `?` a character, `[…]` one of a set",
                 ));
                 return;
             }

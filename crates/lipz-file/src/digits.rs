@@ -63,7 +63,7 @@ impl NotDigits {
             NotDigits::Empty => ("is empty".to_owned(), "write at least one digit; 0 alone keeps the morph still"),
             NotDigits::Foreign(c, _) => {
                 let what = format!("has {}, which is not a digit", escape::character(c));
-                (what, "each digit from 0 to 9 is how far the morph moves")
+                (what, "each digit, 0 to 9, says how far the morph moves")
             }
             NotDigits::TooMany => ("has too many digits".to_owned(), "a bank stores loops of up to 65,535 digits"),
         };

@@ -156,5 +156,5 @@ pub(crate) fn in_no_list(tag: &str) -> Option<String> {
         (true, false) => format!("`{language}` is not a language"),
         (false, true) => format!("`{country}` is not a country"),
     };
-    Some(format!("{what} of the ISO lists"))
+    Some(format!("{what} in the ISO lists"))
 }

@@ -16,8 +16,8 @@ use std::path::{Path, PathBuf};
 
 /// Print the babble profile in a viewer's settings, for lipz.toml.
 ///
-/// Viewers of Second Life keep what users changed in user_settings/settings.xml. What is not there has the
-/// viewer's default, which is printed, too.
+/// Viewers of Second Life store changed settings in user_settings/settings.xml. The others have the viewer's
+/// defaults, which are printed, too.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz babble settings.xml >> lipz.toml
@@ -32,7 +32,7 @@ pub(crate) struct BabbleArguments {
     pub(crate) name: Option<String>,
 }
 
-/// A name that stands in a TOML table's head as it is.
+/// A name that needs no quotes in the head of a TOML table.
 fn name(text: &str) -> Result<String, String> {
     let is_bare = text.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '-' | '_'));
     if is_word(text) && is_bare { Ok(text.to_owned()) } else { Err("a name has letters, digits, - and _".to_owned()) }

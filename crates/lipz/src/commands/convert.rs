@@ -18,9 +18,9 @@ use std::path::{Path, PathBuf};
 
 /// Convert Lipz files to another viseme type: blair to toonboom, toonboom to blair.
 ///
-/// Only the codes and `viseme_type` change. Blair's L and U have no shape of their own in Toon Boom's
-/// chart; files that lose them are named. There is no way from or to rms. What comes from standard input
-/// goes to standard output.
+/// Only the codes and `viseme_type` change. Toon Boom's chart has no shapes for Blair's L and U; files that
+/// lose them are reported. rms cannot be converted. A file from standard input is written to standard
+/// output.
 #[derive(Args, Debug)]
 #[command(mut_args(hide_of_banks))]
 #[command(after_help = "Examples:

@@ -31,7 +31,7 @@ use std::path::PathBuf;
   lipz coverage dialogue.lipzbank --texts dialogue.*.lipztexts
   lipz coverage dialogue.lipzbank --min-coverage 95 --min-coverage de-de=100
 
-Exit codes: 0 enough is translated, 1 less than the project asks for, 2 the tool could not run, 130
+Exit codes: 0 enough is translated, 1 less than the project requires, 2 the tool could not run, 130
 interrupted.")]
 pub(crate) struct CoverageArguments {
     /// A bank, or a folder, file or pattern of Lipz files; `-` is a bank on standard input [default: the
@@ -61,7 +61,7 @@ impl Run for CoverageArguments {
 
     fn run(&self, reporter: &mut Reporter) -> Ended {
         let mut project = self.project.project(self.bank.as_slice(), reporter)?;
-        // Here it is the question, not a condition for making the bank.
+        // Here it is the question, not a condition for packing.
         let wanted: MinCoverage = std::mem::take(&mut project.settings.options.min_coverage);
         let file = match &self.bank {
             Some(bank) if !names_lipz_files(bank) => BankFile::open(bank, reporter)?,

@@ -18,8 +18,8 @@ use std::path::{Path, PathBuf};
 
 /// Export mouth shapes to files of other tools.
 ///
-/// Each Lipz file becomes a file in the folder, under its key. The formats have times and shapes: what else is
-/// in the clips is named at the end.
+/// Each Lipz file becomes a file in the folder, named by its key. The formats have times and shapes; the
+/// summary names what they leave out.
 #[derive(Args, Debug)]
 #[command(after_help = formats::examples(Direction::Export, |format| format.write.is_some()))]
 pub(crate) struct Export {
@@ -30,7 +30,7 @@ pub(crate) struct Export {
     #[command(flatten)]
     sources: Sources,
 
-    /// The folder to write into; what comes from standard input goes to standard output
+    /// The folder to write into; a file from standard input is written to standard output
     #[arg(short, long, value_name = "FOLDER")]
     output: Option<PathBuf>,
 

@@ -15,11 +15,11 @@ use lipz_diagnostics::{Report, escape};
 use lipz_file::format::{LineEnding, Style, format};
 use std::path::PathBuf;
 
-/// Bring Lipz files into their canonical layout; what they mean stays the same.
+/// Format Lipz files in their canonical layout, without changing their meaning.
 ///
-/// One element a line: visemes, texts, events, viseme_type, fps, then elements that are not of the
-/// format. Blanks at the ends of segments bring the `|` of all elements under each other. Files that
-/// cannot be read as JSON are reported and left alone.
+/// One element per line: visemes, texts, events, viseme_type, fps, then elements unknown to the format.
+/// Spaces at the ends of segments align the `|` of all elements. Files that are not JSON are reported and
+/// left unchanged.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz fmt voices
@@ -42,7 +42,7 @@ pub(crate) struct Fmt {
     #[arg(long)]
     diff: bool,
 
-    /// The locale whose text stands first [default: the project's, else that of the first text]
+    /// The locale whose text comes first [default: the project's, else that of the first text]
     #[arg(long, value_name = "LOCALE", value_parser = parse_locale, help_heading = PROJECT)]
     default_locale: Option<String>,
 

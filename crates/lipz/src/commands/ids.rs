@@ -14,7 +14,7 @@ use lipz_compiler::ids::{Language, generate};
 use lipz_diagnostics::Report;
 use std::path::{Path, PathBuf};
 
-/// Write the ids of clips as constants for programs, so that a misspelt key does not compile.
+/// Write the ids of clips as constants, so that a misspelt key does not compile.
 ///
 /// SOURCES are Lipz files, which are checked and packed in memory, or one bank (.lipzbank).
 #[derive(Args, Debug)]

@@ -16,7 +16,7 @@ use std::path::PathBuf;
   lipz init
   lipz init game/dialogue")]
 pub(crate) struct Init {
-    /// The folder of the project; it is made if it does not exist
+    /// The folder of the project; it is created if needed
     #[arg(value_name = "FOLDER", default_value = ".")]
     folder: PathBuf,
 

@@ -17,7 +17,7 @@ use std::path::PathBuf;
 #[command(after_help = "Example:
   lipz man -o ~/.local/share/man/man1")]
 pub(crate) struct ManPages {
-    /// The folder to write into; it is made if it does not exist
+    /// The folder to write into; it is created if needed
     #[arg(short, long, value_name = "FOLDER")]
     pub(crate) output: PathBuf,
 

@@ -11,14 +11,14 @@ use std::fmt::Write;
 
 /// List the tables that map other tools' mouth shapes to Lipz codes, or print one.
 ///
-/// Tables are data: print one into a file, change its rows, and use it with `--map FILE`.
+/// To make your own, print one to a file, change its rows, and use it with `--map FILE`.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz maps
   lipz maps rhubarb
   lipz maps papagayo > our-rig.toml")]
 pub(crate) struct Maps {
-    /// The table to show as a file
+    /// The table to print
     #[arg(value_name = "NAME")]
     name: Option<String>,
 }

@@ -13,8 +13,8 @@ use std::path::PathBuf;
 
 /// Write the clips of a bank as Lipz files.
 ///
-/// Nothing is written outside the folder, and nothing at all if a key cannot be a file name. When the
-/// run is interrupted, the files written so far stay, each of them whole.
+/// Nothing is written outside the folder, and nothing at all if a key cannot be a file name. If the run
+/// is interrupted, the files written so far remain, and all of them are complete.
 #[derive(Args, Debug)]
 #[command(override_usage = "lipz unpack <BANK> --output <FOLDER> [OPTIONS]")]
 #[command(after_help = "Examples:
@@ -28,7 +28,7 @@ pub(crate) struct Unpack {
     #[command(flatten)]
     texts: TextBanks,
 
-    /// The folder to write into; it is made if it does not exist
+    /// The folder to write into; it is created if needed
     #[arg(short, long, value_name = "FOLDER")]
     pub(crate) output: PathBuf,
 

@@ -55,7 +55,7 @@ fn verify(path: &Path, arguments: &Verify, reporter: &mut Reporter) -> Ended {
     let file = BankFile::open(path, reporter)?;
     let bank = file.bank(reporter)?;
     let clips = console::counted(bank.clip_count(), "clip");
-    tell(&file.name, &clips, bank.length_bytes(), arguments, reporter)?;
+    print_verified(&file.name, &clips, bank.length_bytes(), arguments, reporter)?;
     let texts = patterns::files(&arguments.texts.texts);
     let texts = texts.iter().map(|path| verify_texts(path, &bank, arguments, reporter));
     Ok(worst(texts))
@@ -65,12 +65,18 @@ fn verify_texts(path: &Path, bank: &Bank<'_>, arguments: &Verify, reporter: &mut
     let file = BankFile::open(path, reporter)?;
     let texts = file.texts(bank, reporter)?;
     let tags: Vec<_> = texts.locales().map(|locale| escape::text(locale.tag())).collect();
-    tell(&file.name, &format!("texts in {}", tags.join(", ")), texts.length_bytes(), arguments, reporter)?;
+    print_verified(&file.name, &format!("texts in {}", tags.join(", ")), texts.length_bytes(), arguments, reporter)?;
     Ok(Outcome::Clean)
 }
 
-/// Says that a file has no fault.
-fn tell(name: &str, what: &str, length_bytes: usize, arguments: &Verify, reporter: &mut Reporter) -> Result<(), Abort> {
+/// Prints that a file is not damaged.
+fn print_verified(
+    name: &str,
+    what: &str,
+    length_bytes: usize,
+    arguments: &Verify,
+    reporter: &mut Reporter,
+) -> Result<(), Abort> {
     if arguments.quiet {
         return Ok(());
     }

@@ -15,7 +15,7 @@ use std::path::Path;
 /// The most bytes that a bank has: its offsets have 32 bits.
 const LONGEST_BANK: u64 = u32::MAX as u64;
 
-const NAME_A_BANK: &str = "name a .lipzbank file; `lipz pack` makes one of Lipz files";
+const NAME_A_BANK: &str = "name a .lipzbank file; `lipz pack` packs one from Lipz files";
 
 /// The bytes of a bank, and how messages name it.
 pub(crate) struct BankFile {
@@ -88,7 +88,7 @@ fn refused(code: Code, error: Error, bytes: &[u8]) -> Diagnostic {
         ErrorKind::NotABank => diagnostic.help(NAME_A_BANK),
         ErrorKind::TooShort if !bytes.starts_with(&MAGIC) => diagnostic.help(NAME_A_BANK),
         ErrorKind::TextsOnly => diagnostic.help("name the bank that it belongs to, and this file with --texts"),
-        ErrorKind::OtherClips => diagnostic.help("take the texts that were packed with this bank, or pack both again"),
+        ErrorKind::OtherClips => diagnostic.help("use the texts that were packed with this bank, or pack both again"),
         ErrorKind::TextMode => diagnostic.help("copy it again in binary mode"),
         _ => diagnostic.help("copy the bank again, or pack it again"),
     }

@@ -6,9 +6,9 @@ use crate::shared::bank_file::BankFile;
 use crate::shared::inputs::with_inputs;
 use crate::shared::sources::ProjectArguments;
 use crate::{Outcome, console};
+use lipz_compiler::is_pattern;
 use lipz_compiler::key::EXTENSION;
 use lipz_compiler::settings::Settings;
-use lipz_compiler::{Compiler, is_pattern};
 use std::ffi::OsStr;
 use std::path::Path;
 
@@ -32,7 +32,8 @@ pub(crate) fn bank_or_sources(
 /// The bank of a project's Lipz files, packed in memory. Reports what is wrong with them.
 pub(crate) fn packed(settings: &Settings, quiet: bool, reporter: &mut Reporter) -> Result<BankFile, Abort> {
     let sources: Vec<_> = settings.sources.iter().map(|path| console::path(path)).collect();
-    let mut run = with_inputs(settings, quiet, Compiler::compile);
+    #[allow(clippy::redundant_closure_for_method_calls, reason = "the method is of one lifetime only")]
+    let mut run = with_inputs(settings, quiet, |compiler, inputs| compiler.compile(inputs));
     let outcome = run.outcome();
     match run.compiled.bank.take() {
         Some(bank) if outcome == Outcome::Clean => {

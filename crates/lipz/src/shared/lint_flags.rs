@@ -44,7 +44,7 @@ impl Args for LintFlags {
             let help = match level {
                 None => "Do not report a lint, by name or code: unknown-emotion, LZ0702",
                 Some(Severity::Warning) => "Report a lint as a warning",
-                Some(Severity::Error) => "Report a lint as an error; `warnings` names all that are warnings",
+                Some(Severity::Error) => "Report a lint as an error; `warnings` means all warnings",
             };
             let flag = Arg::new(name).long(name).value_name("LINT").action(ArgAction::Append).help(help);
             let parse = move |text: &str| parse(text, level);

@@ -32,7 +32,7 @@ pub(crate) struct ProjectFlags {
     #[arg(long, value_name = "TYPE", value_parser = parse_viseme_type, help_heading = DEFAULTS)]
     default_viseme_type: Option<VisemeType>,
 
-    /// Locale of `text` without a locale, and the last one that others fall back to
+    /// Locale of `text` without a locale, and the last fallback of the others
     #[arg(long, value_name = "LOCALE", value_parser = parse_locale, help_heading = DEFAULTS)]
     default_locale: Option<String>,
 
@@ -50,7 +50,7 @@ pub(crate) struct ProjectFlags {
     #[arg(help_heading = LOCALES)]
     locales: Option<Vec<String>>,
 
-    /// Where a locale's missing texts come from, in order: de-at=de-de,en-us
+    /// Fallbacks for missing texts of a locale, in order: de-at=de-de,en-us
     #[arg(long, value_name = "LOCALE=LOCALES", value_parser = parse_fallback, action = ArgAction::Append)]
     #[arg(help_heading = LOCALES)]
     fallback: Vec<(String, Vec<String>)>,
@@ -60,7 +60,7 @@ pub(crate) struct ProjectFlags {
     #[arg(help_heading = LOCALES)]
     pseudo: Option<bool>,
 
-    /// Percent of the clips that must have a text in each locale, or in one: 90, de-de=100
+    /// Minimum percentage of clips with text in each locale, or in one: 90, de-de=100
     #[arg(long, value_name = "[LOCALE=]PERCENT", value_parser = parse_min_coverage, action = ArgAction::Append)]
     #[arg(help_heading = LOCALES)]
     min_coverage: Vec<(Option<String>, f64)>,
@@ -70,15 +70,15 @@ pub(crate) struct ProjectFlags {
     #[arg(help_heading = TEXTS)]
     literal_braces: Option<bool>,
 
-    /// Columns that a line of text may have
+    /// Maximum columns in a line of text
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(1..), help_heading = TEXTS)]
     max_line_columns: Option<u32>,
 
-    /// Lines that a segment's text may have
+    /// Maximum lines in the text of a segment
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(1..), help_heading = TEXTS)]
     max_lines: Option<u32>,
 
-    /// Characters that a player can read in a second
+    /// Maximum reading speed, in characters per second
     #[arg(long, value_name = "NUMBER", value_parser = parse_positive, help_heading = TEXTS)]
     max_characters_per_second: Option<f64>,
 
@@ -86,11 +86,11 @@ pub(crate) struct ProjectFlags {
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = parse_word, help_heading = EVENTS)]
     characters: Option<Vec<String>>,
 
-    /// Props that events may mention beside characters [default: any]
+    /// Props that events may mention in addition to characters [default: any]
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = parse_word, help_heading = EVENTS)]
     props: Option<Vec<String>>,
 
-    /// Emotions beyond those of the specification
+    /// Emotions in addition to those of the specification
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = parse_word, help_heading = EVENTS)]
     emotions: Option<Vec<String>>,
 

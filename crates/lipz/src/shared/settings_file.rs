@@ -9,7 +9,7 @@ use lipz_compiler::settings::{FILE_NAME, Settings};
 use lipz_diagnostics::Code;
 use std::path::{Path, PathBuf};
 
-/// Which settings file holds.
+/// Which settings file applies.
 #[derive(Args, Debug)]
 pub(crate) struct SettingsFile {
     /// Settings file [default: lipz.toml beside or above the first source, else the current folder]
@@ -51,15 +51,15 @@ impl SettingsFile {
             settings.sources = sources.to_vec();
         }
         if settings.sources.is_empty() {
-            let tip = format!("name a folder of Lipz files, or make a {FILE_NAME} that does: lipz init");
+            let tip = format!("name a folder of Lipz files, or create a {FILE_NAME} that does: lipz init");
             return Err(reporter
                 .usage(format!("no sources are named, and there is no {FILE_NAME} in this folder or above it"), &tip));
         }
         Ok(Project { settings, file, is_named: self.config.is_some() })
     }
 
-    /// The settings file that holds, or would hold if it were made in the current folder; `None` if there
-    /// shall be none.
+    /// The settings file that applies, or would apply if it were created in the current folder; `None` if
+    /// none is wanted.
     pub(crate) fn place(&self, sources: &[PathBuf]) -> Option<PathBuf> {
         let file = || self.find(sources).unwrap_or_else(|| FILE_NAME.into());
         (!self.no_config).then(file)

@@ -13,7 +13,7 @@ use std::path::PathBuf;
 /// The text banks of the bank that a command reads.
 #[derive(Args, Debug)]
 pub(crate) struct TextBanks {
-    /// Text banks of the bank, which is named before them: their locales count as its own
+    /// Text banks of the bank, which comes before them: their locales are added to its own
     #[arg(long, value_name = "FILE", num_args = 1..)]
     pub(crate) texts: Vec<PathBuf>,
 }

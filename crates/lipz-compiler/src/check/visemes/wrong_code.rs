@@ -62,7 +62,7 @@ fn one_of(
     };
     let mut finding = repeated(Diagnostic::at(Code::ForeignCode, span(string, found), message), found);
     if index == 0 {
-        finding = with_legal(finding, viseme_type, expected);
+        finding = with_valid_codes(finding, viseme_type, expected);
     }
     if index + 1 == SHOWN && foreign.len() > SHOWN {
         finding = finding.note(format!("{} more different characters are not shown", foreign.len() - SHOWN));
@@ -97,7 +97,7 @@ fn other_type(
 ) -> Diagnostic {
     let message = format!("these are {} codes, not {viseme_type}", fitting.join(" or "));
     let finding = Diagnostic::at(Code::ForeignCode, span(string, first), message);
-    with_legal(finding, viseme_type, expected).help(match (fitting, expected) {
+    with_valid_codes(finding, viseme_type, expected).help(match (fitting, expected) {
         ([one], Expected::Default(_)) => {
             format!("write \"viseme_type\": \"{one}\" in the file, or change `default-viseme-type`")
         }
@@ -138,7 +138,7 @@ fn repeated(finding: Diagnostic, found: &Counted) -> Diagnostic {
 }
 
 /// Adds the legal codes, and where the type comes from if that is not the file.
-fn with_legal(finding: Diagnostic, viseme_type: VisemeType, expected: Expected) -> Diagnostic {
+fn with_valid_codes(finding: Diagnostic, viseme_type: VisemeType, expected: Expected) -> Diagnostic {
     let finding = finding.note(format!("valid codes are {}; `|` separates segments", spaced(viseme_type)));
     match expected {
         Expected::Default(_) => finding.note("the viseme type is that of `default-viseme-type`"),

@@ -48,7 +48,7 @@ fn decimal(at: &Place<'_>, expected: Expected) -> Option<Diagnostic> {
         ..=DIGITS_SHOWN => format!("a decimal number has a point: {whole}.{fraction}"),
         _ => "a decimal number has a point".to_owned(),
     };
-    let diagnostic = Diagnostic::at(Code::JsonSyntax, comma, message).help("write a point for this comma");
+    let diagnostic = Diagnostic::at(Code::JsonSyntax, comma, message).help("write a point instead of this comma");
     // `1,000` may be a thousand, and other elements may hold anything.
     let is_fps = start
         .strip_suffix(whole)?

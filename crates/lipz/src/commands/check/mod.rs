@@ -16,8 +16,8 @@ use fixing::{Fixing, fix_all};
 
 /// Check Lipz files without packing them.
 ///
-/// With --fix, certain fixes are made in the files: those that leave the bank as it is, and those of
-/// errors where what was meant is beyond doubt. What remains is reported, and decides the exit code.
+/// --fix applies the fixes that are certain: those that do not change the bank, and those of errors whose
+/// intent is beyond doubt. The remaining diagnostics are reported and decide the exit code.
 #[derive(Args, Debug)]
 #[command(mut_args(hide_of_banks))]
 #[command(after_help = "Examples:
@@ -30,7 +30,7 @@ pub(crate) struct Check {
     #[command(flatten)]
     sources: Sources,
 
-    /// Make the fixes that are certain
+    /// Apply the fixes that are certain
     #[arg(long)]
     fix: bool,
 

@@ -19,9 +19,9 @@ use std::path::PathBuf;
 
 /// Compare banks, or the folders that banks are made of.
 ///
-/// Compared is what a program sees: clips, frame rates, frames, segments, display texts, events, locales,
-/// babble profiles. How the files are spelled makes no difference. Folders are compiled in memory, with the
-/// same flags as for `lipz pack`.
+/// Compares what a program sees: clips, frame rates, frames, segments, display texts, events, locales,
+/// babble profiles. The layout of the files makes no difference. Folders are compiled in memory, with the
+/// flags of `lipz pack`.
 #[derive(Args, Debug)]
 #[command(override_usage = "lipz diff <OLD> <NEW> [OPTIONS]")]
 #[command(after_help = "Examples:
@@ -51,7 +51,7 @@ pub(crate) struct Diff {
     #[command(flatten)]
     project: ProjectArguments,
 
-    /// Show all differences, however many they are
+    /// Show all differences, however many
     #[arg(long)]
     all: bool,
 

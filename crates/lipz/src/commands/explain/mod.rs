@@ -10,18 +10,18 @@ use clap::Args;
 use lipz_diagnostics::{Code, Report, escape, suggest};
 use std::fmt::Write;
 
-/// Explain a code of a diagnostic: what it is about, why, an example, what to do.
+/// Explain a rule by its code: what it reports, why, an example, and the fix.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz explain LZ0401
   lipz explain foreign-code
   lipz explain --list")]
 pub(crate) struct Explain {
-    /// The code by number or name; without it, all are listed
+    /// The code or name of a rule; without it, all are listed
     #[arg(value_name = "CODE")]
     code: Option<String>,
 
-    /// List all codes
+    /// List all rules
     #[arg(long, conflicts_with = "code")]
     list: bool,
 }

@@ -19,8 +19,8 @@ const PICTURE: &str = "frm";
 /// Check the FRM files of talking heads: their names, that phoneme files have a frame for each of the nine
 /// mouth shapes, and that the files are those that heads.lst counts.
 ///
-/// Prints what each head has. Names are those of "A Description of the LIP File Format v2 Used in
-/// Fallout 2"; the case of letters makes no difference.
+/// Lists what each head has. Names follow "A Description of the LIP File Format v2 Used in
+/// Fallout 2"; case does not matter.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz fallout heads data/art/heads
@@ -31,7 +31,7 @@ pub(crate) struct Heads {
     #[arg(value_name = "FILES", required = true)]
     paths: Vec<PathBuf>,
 
-    /// Show diagnostics only
+    /// Show only diagnostics
     #[arg(short, long)]
     quiet: bool,
 }
@@ -78,7 +78,7 @@ impl Checked {
         } else {
             let shown = console::path(folder);
             let diagnostic = Diagnostic::new(Code::NoSources, format!("no FRM files in `{shown}`"));
-            let help = "heads lie below art/heads in the data of the game; its archives must be unpacked first";
+            let help = "heads are below art/heads in the data of the game; its archives must be unpacked first";
             self.reports.push(Report::about(shown, diagnostic.help(help)));
         }
     }

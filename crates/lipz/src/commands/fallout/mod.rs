@@ -9,8 +9,7 @@ use clap::{Args, Subcommand};
 
 /// Check files of Fallout 2's talking heads.
 ///
-/// LIP files themselves become Lipz files by `lipz import fallout`, and Lipz files LIP files by
-/// `lipz export fallout`.
+/// `lipz import fallout` converts LIP files to Lipz files, `lipz export fallout` the other way.
 #[derive(Args, Debug)]
 #[command(after_help = "Example:
   lipz fallout heads data/art/heads")]

@@ -37,7 +37,7 @@ pub(crate) struct Import {
     #[arg(value_name = "FILES", required = true)]
     files: Vec<PathBuf>,
 
-    /// The folder to write into; `-` writes to standard output, where one file from standard input goes, too
+    /// The folder to write into; `-` is standard output, the default for standard input
     #[arg(short, long, value_name = "FOLDER")]
     output: Option<PathBuf>,
 
@@ -45,7 +45,7 @@ pub(crate) struct Import {
     #[arg(long)]
     force: bool,
 
-    /// Write what was used and lost, clip by clip, into this file as JSON
+    /// Write a JSON report to FILE: tables used and shapes lost, clip by clip
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
 

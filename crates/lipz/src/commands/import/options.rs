@@ -31,7 +31,7 @@ pub(crate) struct Options {
     #[arg(long, value_name = "FPS", value_parser = parse_fps, help_heading = SHAPES)]
     fps: Option<Fps>,
 
-    /// Frame rate of files that count frames and do not tell how many are a second [default: 24, ovr: 60]
+    /// Frame rate of files that count frames but do not name their rate [default: 24, ovr: 60]
     #[arg(long, value_name = "FPS", value_parser = parse_fps, help_heading = SHAPES)]
     file_fps: Option<Fps>,
 
@@ -39,11 +39,11 @@ pub(crate) struct Options {
     #[arg(long, value_name = "NUMBER", default_value_t = 1, value_parser = clap::value_parser!(u64).range(0..=1), help_heading = SHAPES)]
     dat_base: u64,
 
-    /// Frames for which a mouth shape shows at least
+    /// Minimum frames per mouth shape
     #[arg(long, value_name = "FRAMES", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..), help_heading = SHAPES)]
     min_hold: u16,
 
-    /// What is said: a text, a file of it, or for several clips a folder with KEY.txt for each
+    /// The spoken line: a text, a file, or for several clips a folder with KEY.txt for each
     #[arg(long, value_name = "TEXT|FILE|FOLDER", help_heading = TEXT)]
     pub(super) text: Option<String>,
 
@@ -51,11 +51,11 @@ pub(crate) struct Options {
     #[arg(long, value_name = "LOCALE", value_parser = parse_locale, help_heading = TEXT)]
     locale: Option<String>,
 
-    /// Where clips are divided into segments, if no `|` in the text says so
+    /// Where to divide clips into segments, unless `|` in the text does
     #[arg(long, value_enum, value_name = "WHERE", default_value_t = Where::Phrases, help_heading = TEXT)]
     segments: Where,
 
-    /// Seconds of rest that are a pause
+    /// Seconds of rest that count as a pause
     #[arg(long, value_name = "SECONDS", default_value = "0.3", value_parser = parse_time, help_heading = TEXT)]
     min_pause: Time,
 
@@ -92,7 +92,7 @@ impl From<Where> for Segments {
     }
 }
 
-/// What holds for an import: flags over the settings of the project.
+/// The settings of an import: flags over the settings of the project.
 pub(super) struct Settings<'a> {
     flags: &'a Options,
     project: lipz_compiler::Options,
@@ -127,7 +127,7 @@ impl Settings<'_> {
             .min_pause(flags.min_pause)
     }
 
-    /// The locale of texts that do not tell it.
+    /// The locale of texts that do not name it.
     pub(super) fn default_locale(&self) -> Option<&str> {
         self.flags.locale.as_deref().or(self.project.default_locale.as_deref())
     }

@@ -19,7 +19,7 @@ const SOUNDS: [&str; 4] = ["wav", "WAV", "acm", "ACM"];
 
 #[derive(Args, Debug)]
 pub(super) struct Recordings {
-    /// Texts by the names of the files: a .msg file of Fallout, or a CSV with the columns `file` and `text`
+    /// Texts (lines) by file name: a .msg file of Fallout, or a CSV string table with the columns `file` and `text`
     #[arg(long, value_name = "FILE", conflicts_with = "text", help_heading = TEXT)]
     script: Option<PathBuf>,
 
@@ -27,12 +27,12 @@ pub(super) struct Recordings {
     #[arg(long, value_name = "NAME", requires = "script", value_parser = encoding, help_heading = TEXT)]
     encoding: Option<&'static Encoding>,
 
-    /// Units in a second of Fallout's LIP files: 44100, 88200, 88400 or any other [default: as the length of the
-    /// sound tells, or 44100]
+    /// Units in a second of Fallout's LIP files: 44100, 88200, 88400 or any other [default: derived from the
+    /// length of the sound, or 44100]
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(1..), help_heading = FALLOUT)]
     units_per_second: Option<u32>,
 
-    /// How long the sound of a LIP file of Fallout is [default: as the WAV or ACM file beside it says]
+    /// Length of the sound of a Fallout LIP file [default: that of the WAV or ACM file beside it]
     #[arg(long, value_name = "SECONDS", value_parser = parse_time, conflicts_with = "units_per_second", help_heading = FALLOUT)]
     audio_length: Option<Time>,
 }
@@ -49,7 +49,10 @@ impl Recordings {
         let shown = console::path(path);
         let bytes = fs::read(path).map_err(|error| {
             let diagnostic = Diagnostic::new(Code::UnreadableFile, format!("`{shown}` cannot be read: {error}"));
-            reporter.fail(Report::about(shown.as_str(), diagnostic.help("is the name right, and may you read it?")))
+            reporter.fail(Report::about(
+                shown.as_str(),
+                diagnostic.help("check the spelling of the path, and that you may read it"),
+            ))
         })?;
         let (script, source, diagnostics) = Script::read(&shown, &bytes, self.encoding);
         let report = Report::new(source, diagnostics);

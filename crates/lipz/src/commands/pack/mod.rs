@@ -19,8 +19,8 @@ use std::time::Duration;
 
 /// Check Lipz files and pack them into a bank.
 ///
-/// The old bank stays as it is until the new one is complete and verified. Nothing is written if
-/// there are errors, or if the run is interrupted.
+/// The old bank stays as it is until the new one is complete and verified. Nothing is written if there
+/// are errors, or if the run is interrupted.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz pack
@@ -35,25 +35,25 @@ pub(crate) struct Pack {
     #[arg(short, long, value_name = "BANK")]
     output: Option<PathBuf>,
 
-    /// Leave out the source section: smaller, but unpacking gives display forms only
+    /// Leave out the source section: the bank is smaller, but unpacking recovers only the displayed text
     #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
     strip: Option<bool>,
 
-    /// Write the texts of each locale into a text bank of its own, BANK with the locale before the
-    /// extension .lipztexts; the bank has all the rest
+    /// Write the texts of each locale to a text bank: BANK with the extension .LOCALE.lipztexts. The
+    /// bank itself has everything else
     #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
     split_locales: Option<bool>,
 
-    /// Also write what the bank depends on, for Make, Ninja and CMake
+    /// Also write the dependencies of the bank, for Make, Ninja and CMake
     #[arg(long, value_name = "FILE")]
     depfile: Option<PathBuf>,
 
-    /// Remember the Lipz files in FILE, so that the next run reads only those that changed [default:
-    /// `cache` of lipz.toml]. Safe to delete. Not for text banks and standard output
+    /// Cache what is known of the Lipz files in FILE, so that the next run reads only those that changed
+    /// [default: `cache` of lipz.toml]. It is safe to delete. Text banks and standard output have none
     #[arg(long, value_name = "FILE")]
     cache: Option<PathBuf>,
 
-    /// Read all files, and remember none
+    /// Use no cache: read all files
     #[arg(long, conflicts_with = "cache")]
     no_cache: bool,
 

@@ -14,9 +14,9 @@ use clap::Args;
 use lipz_compiler::BankWithTexts;
 use std::path::PathBuf;
 
-/// Show how much is in a bank: clips, time, text, bytes, mouth shapes.
+/// Show the size of a bank: clips, duration, text, bytes, mouth shapes.
 ///
-/// A folder is compiled in memory, with the same flags as for `lipz pack`.
+/// A folder is compiled in memory, with the flags of `lipz pack`.
 #[derive(Args, Debug)]
 #[command(override_usage = "lipz stats [BANK] [OPTIONS]")]
 #[command(after_help = "Examples:

@@ -17,7 +17,8 @@ use std::path::PathBuf;
 
 /// Write the texts of clips as subtitles: a file KEY.LOCALE.srt or .vtt for each clip and locale.
 ///
-/// Meta is not written, but `{speaker: Mara}` in a text says who speaks from there on: WebVTT has a voice for that.
+/// Meta information is not written, but `{speaker: Mara}` in a text names the speaker from there on, who becomes a
+/// WebVTT voice.
 #[derive(Args, Debug)]
 pub(super) struct Export {
     /// The format to write
@@ -35,7 +36,7 @@ pub(super) struct Export {
     #[arg(long, value_name = "LOCALE", value_parser = parse_locale)]
     locale: Vec<String>,
 
-    /// Who speaks where the texts do not say so
+    /// The speaker where the texts name none
     #[arg(long, value_name = "NAME")]
     speaker: Option<String>,
 

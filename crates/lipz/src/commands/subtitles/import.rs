@@ -22,9 +22,9 @@ use std::{fs, io};
 
 /// Read subtitles as texts of clips: KEY.LOCALE.srt or .vtt becomes the text of the clip KEY in that locale.
 ///
-/// A clip that is not there yet is made: its mouth rests, and its segments are the subtitles. One that is there and
-/// has no segments gets those of the subtitles; one that has segments keeps them, and each subtitle becomes the text
-/// of the segment that it shows in for longest. Lipz files come out in their canonical layout.
+/// A missing clip is created: its mouth rests, and each cue is a segment. A clip without segments gets those of the
+/// cues. A clip with segments keeps them, and each cue becomes the text of the segment that it overlaps most. Lipz
+/// files are written in their canonical layout.
 #[derive(Args, Debug)]
 pub(super) struct Import {
     /// Subtitle files, and folders of them
@@ -35,7 +35,7 @@ pub(super) struct Import {
     #[arg(short, long, value_name = "FOLDER")]
     output: PathBuf,
 
-    /// Locale of files whose names do not tell it [default: `default-locale` of lipz.toml]
+    /// Locale of files whose names have none [default: `default-locale` of lipz.toml]
     #[arg(long, value_name = "LOCALE", value_parser = parse_locale)]
     locale: Option<String>,
 

@@ -12,7 +12,7 @@ use lipz_interop::subtitles::SubtitleFormat;
 
 /// Write the texts of clips as subtitles, or read them from there: SubRip (.srt) and WebVTT (.vtt).
 ///
-/// Segments are subtitles: each shows from its first frame to that of the next one.
+/// Each segment is a cue, from its first frame to that of the next segment.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz subtitles export vtt voices -o subtitles
@@ -35,7 +35,7 @@ enum Direction {
 enum Format {
     /// SubRip
     Srt,
-    /// WebVTT, with who speaks
+    /// WebVTT, with speakers
     Vtt,
 }
 

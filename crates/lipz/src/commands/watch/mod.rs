@@ -20,8 +20,8 @@ use std::time::{Duration, Instant};
 /// Pack, and pack again whenever a Lipz file or lipz.toml changes.
 ///
 /// The old bank stays as it is while there are errors, and also when a change leaves its bytes the
-/// same. Only files that changed are read again; with a cache, that begins with the first run. Ends with
-/// Ctrl-C. With a --format for programs, every run prints a document of its own.
+/// same. Only files that changed are read again; with a cache, this applies to the first run, too. Ctrl-C ends
+/// it. With a --format for programs, each run prints its own document.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz watch
