@@ -20,9 +20,25 @@ pub(crate) struct Settings {
 }
 
 /// What this machine builds and runs.
-const HERE: [Step; 11] = [
+const HERE: [Step; 12] = [
     Step::cargo("format", &["fmt", "--all", "--check"]),
     Step::cargo("lints", &["clippy", "--workspace", "--all-targets", "--locked", "--", "-D", "warnings"]),
+    // With the rivals, which are not built otherwise.
+    Step::cargo(
+        "benches",
+        &[
+            "clippy",
+            "--package",
+            "lipz-benches",
+            "--all-targets",
+            "--features",
+            "compare",
+            "--locked",
+            "--",
+            "-D",
+            "warnings",
+        ],
+    ),
     Step {
         name: "docs",
         program: Program::CargoWith("RUSTDOCFLAGS", "-D warnings"),

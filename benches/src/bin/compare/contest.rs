@@ -23,7 +23,7 @@ const OPENINGS: u32 = 1000;
 
 /// What is asked.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Ask {
+pub(crate) enum Ask {
     Open,
     Validate,
     Find,
@@ -34,11 +34,11 @@ pub enum Ask {
 }
 
 impl Ask {
-    pub const ALL: [Ask; 7] = [Ask::Open, Ask::Validate, Ask::Find, Ask::Miss, Ask::Frame, Ask::Text, Ask::Tick];
+    pub(crate) const ALL: [Ask; 7] = [Ask::Open, Ask::Validate, Ask::Find, Ask::Miss, Ask::Frame, Ask::Text, Ask::Tick];
 }
 
 /// A rival that takes part.
-pub trait Contestant {
+pub(crate) trait Contestant {
     fn name(&self) -> &'static str;
 
     /// Length of its file.
@@ -80,7 +80,7 @@ pub trait Contestant {
 }
 
 /// A rival, its file, and the questions in its own numbers.
-pub struct Entry<R: Rival> {
+pub(crate) struct Entry<R: Rival> {
     file: &'static File,
     reader: R::Reader,
     questions: Questions,
@@ -90,12 +90,12 @@ pub struct Entry<R: Rival> {
 
 impl<R: Rival> Entry<R> {
     /// Writes the file into `folder` and opens it.
-    pub fn build(corpus: &Corpus, folder: &Path) -> Result<(), Failure> {
+    pub(crate) fn build(corpus: &Corpus, folder: &Path) -> Result<(), Failure> {
         R::build(corpus, &path(folder, R::NAME))
     }
 
     /// Opens the file in `folder`.
-    pub fn open(folder: &Path, mut questions: Questions, locale: &str) -> Result<Box<dyn Contestant>, Failure> {
+    pub(crate) fn open(folder: &Path, mut questions: Questions, locale: &str) -> Result<Box<dyn Contestant>, Failure> {
         let file = File::map(&path(folder, R::NAME))?;
         let reader = R::open_validated(file)?;
         for index in 0..questions.len() {

@@ -6,42 +6,42 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// Questions of each kind: enough that no cache holds what they touch of a large bank.
-pub const QUESTIONS: usize = 1 << 16;
+pub(crate) const QUESTIONS: usize = 1 << 16;
 
 /// All clips, in the order of their keys.
-pub struct Corpus {
+pub(crate) struct Corpus {
     /// Keys and Lipz files.
-    pub files: Vec<(String, String)>,
+    pub(crate) files: Vec<(String, String)>,
     /// What the files say.
-    pub bank: Clips,
+    pub(crate) bank: Clips,
 }
 
 /// What a program wants to keep of the files.
 #[derive(Serialize, Deserialize, bincode::Encode, bincode::Decode, rkyv::Archive, rkyv::Serialize)]
-pub struct Clips {
-    pub locales: Vec<String>,
-    pub clips: Vec<Clip>,
+pub(crate) struct Clips {
+    pub(crate) locales: Vec<String>,
+    pub(crate) clips: Vec<Clip>,
 }
 
 /// What a program wants to know of a clip.
 #[derive(Serialize, Deserialize, bincode::Encode, bincode::Decode, rkyv::Archive, rkyv::Serialize)]
-pub struct Clip {
-    pub key: String,
-    pub fps: u32,
-    pub viseme_type: u8,
+pub(crate) struct Clip {
+    pub(crate) key: String,
+    pub(crate) fps: u32,
+    pub(crate) viseme_type: u8,
     /// Frame codes, without delimiters.
-    pub visemes: String,
+    pub(crate) visemes: String,
     /// The first frame of each segment.
-    pub starts: Vec<u32>,
+    pub(crate) starts: Vec<u32>,
     /// For each locale, the display text of each segment.
-    pub texts: Vec<Vec<String>>,
+    pub(crate) texts: Vec<Vec<String>>,
     /// For each segment, its event string; empty if there are none.
-    pub events: Vec<String>,
+    pub(crate) events: Vec<String>,
 }
 
 /// A Lipz file, as serde reads it.
 #[derive(Deserialize)]
-pub struct LipzFile {
+pub(crate) struct LipzFile {
     fps: u32,
     viseme_type: String,
     visemes: String,
@@ -54,7 +54,7 @@ pub struct LipzFile {
 
 impl Corpus {
     /// The first `count` clips of the published measurements.
-    pub fn new(count: usize, locales: usize) -> Result<Corpus, Failure> {
+    pub(crate) fn new(count: usize, locales: usize) -> Result<Corpus, Failure> {
         let files = lipz_benches::files(count, locales);
         let parsed = files.iter().map(|(key, json)| Ok((key.clone(), serde_json::from_str(json)?)));
         let bank = Clips::of(parsed.collect::<Result<_, serde_json::Error>>()?);
@@ -64,7 +64,7 @@ impl Corpus {
 
 impl Clips {
     /// The clips of these files. All of them have the same locales.
-    pub fn of(files: Vec<(String, LipzFile)>) -> Clips {
+    pub(crate) fn of(files: Vec<(String, LipzFile)>) -> Clips {
         let tags = files.iter().flat_map(|(_, file)| file.texts.keys().map(|name| name.replace("text_", "")));
         let mut locales: Vec<String> = tags.collect();
         locales.sort_unstable();
@@ -101,7 +101,7 @@ impl Clip {
 }
 
 /// A text as players see it. In the generated clips, meta stands only at the start.
-pub fn display(text: &str) -> &str {
+pub(crate) fn display(text: &str) -> &str {
     match text.split_once('}') {
         Some((_, text)) => text.trim(),
         None => text.trim(),
@@ -110,26 +110,26 @@ pub fn display(text: &str) -> &str {
 
 /// The frame that shows at a time. The rates of the generated clips are whole numbers.
 #[inline]
-pub fn frame_at(fps: u32, time_us: u32) -> usize {
+pub(crate) fn frame_at(fps: u32, time_us: u32) -> usize {
     (u64::from(time_us) * u64::from(fps) / 1_000_000) as usize
 }
 
 /// What the rivals are asked: random clips, none twice in a row but by chance.
 #[derive(bincode::Encode, bincode::Decode)]
-pub struct Questions {
+pub(crate) struct Questions {
     /// Keys, one behind the other: reading the questions must not be what takes the time.
     pool: String,
     /// Where each key ends.
     ends: Vec<u32>,
     /// The clip of each key.
-    pub clips: Vec<u32>,
+    pub(crate) clips: Vec<u32>,
     /// A time in that clip, in microseconds.
-    pub times_us: Vec<u32>,
+    pub(crate) times_us: Vec<u32>,
 }
 
 impl Questions {
     /// The first `count` questions about `clips`.
-    pub fn about(clips: &[Clip], count: usize) -> Questions {
+    pub(crate) fn about(clips: &[Clip], count: usize) -> Questions {
         let mut random = Random::new(DEFAULT_SEED, 0);
         let mut questions =
             Questions { pool: String::new(), ends: Vec::new(), clips: Vec::new(), times_us: Vec::new() };
@@ -148,19 +148,19 @@ impl Questions {
     }
 
     /// The number of questions.
-    pub fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.ends.len()
     }
 
     /// Key number `index`.
     #[inline]
-    pub fn key(&self, index: usize) -> &str {
+    pub(crate) fn key(&self, index: usize) -> &str {
         let start = if index == 0 { 0 } else { self.ends[index - 1] };
         &self.pool[start as usize..self.ends[index] as usize]
     }
 
     /// The questions with keys that no clip has: the last letter is another one.
-    pub fn misses(&self) -> Questions {
+    pub(crate) fn misses(&self) -> Questions {
         let mut pool = self.pool.clone().into_bytes();
         for &end in &self.ends {
             pool[end as usize - 1] = b'x';

@@ -23,14 +23,14 @@ const QUESTIONS: &str = "questions";
 
 /// The hidden command.
 #[derive(Subcommand, Debug)]
-pub enum Piece {
+pub(crate) enum Piece {
     /// Ask a rival whose file is there
     #[command(hide = true)]
     Count { rival: String, folder: PathBuf, locale: String },
 }
 
 /// Does the work: asks questions of each kind in turn.
-pub fn run(piece: &Piece) -> Result<(), Failure> {
+pub(crate) fn run(piece: &Piece) -> Result<(), Failure> {
     let Piece::Count { rival, folder, locale } = piece;
     let kind = KINDS.iter().find(|kind| kind.name == rival).ok_or("no such rival")?;
     let questions = std::fs::read(folder.join(QUESTIONS))?;
@@ -52,13 +52,13 @@ fn asked(contestant: &dyn Contestant, ask: Ask) -> Result<usize, Failure> {
 }
 
 /// Writes the questions about `clips` into `folder`, where the files of the rivals are.
-pub fn prepare(clips: &[Clip], folder: &Path) -> Result<(), Failure> {
+pub(crate) fn prepare(clips: &[Clip], folder: &Path) -> Result<(), Failure> {
     let questions = bincode::encode_to_vec(Questions::about(clips, COUNTED), bincode::config::standard())?;
     Ok(std::fs::write(folder.join(QUESTIONS), questions)?)
 }
 
 /// Counts for all kinds of questions.
-pub fn row(contestant: &dyn Contestant, folder: &Path, locale: &str) -> Result<Row, Failure> {
+pub(crate) fn row(contestant: &dyn Contestant, folder: &Path, locale: &str) -> Result<Row, Failure> {
     let mut program = Command::new(std::env::current_exe()?);
     program.arg("count").arg(contestant.name()).arg(folder).arg(locale);
     let counts = callgrind::instructions_of_calls(&program, COUNTED_FUNCTION, Ask::ALL.len(), folder)?;

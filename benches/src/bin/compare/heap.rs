@@ -13,12 +13,12 @@ static HELD_BYTES: AtomicUsize = AtomicUsize::new(0);
 static ALLOCATIONS: AtomicUsize = AtomicUsize::new(0);
 
 /// Bytes on the heap that are not freed yet.
-pub fn held_bytes() -> usize {
+pub(crate) fn held_bytes() -> usize {
     HELD_BYTES.load(Relaxed)
 }
 
 /// Allocations since the start of the program.
-pub fn allocations() -> usize {
+pub(crate) fn allocations() -> usize {
     ALLOCATIONS.load(Relaxed)
 }
 

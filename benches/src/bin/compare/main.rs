@@ -3,6 +3,14 @@
 //! Every rival writes a file of the same clips, is checked to give the same answers, and is then
 //! asked the same questions, in turn with the others; medians are printed.
 
+#![allow(unsafe_code, reason = "rivals that are fast without checks, and an allocator that counts")]
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::panic,
+    clippy::expect_used,
+    reason = "a measurement ends where it cannot go on"
+)]
+
 mod contest;
 mod corpus;
 mod count;

@@ -4,7 +4,7 @@ use crate::Failure;
 use std::path::Path;
 
 /// Replaces what stands between `<!-- table: NAME -->` and `<!-- end -->` in `file`.
-pub fn write(file: &Path, name: &str, table: &str) -> Result<(), Failure> {
+pub(crate) fn write(file: &Path, name: &str, table: &str) -> Result<(), Failure> {
     let text = std::fs::read_to_string(file)?;
     let start = format!("<!-- table: {name} -->\n");
     let missing = || format!("`{}` has no place for the table `{name}`", file.display());

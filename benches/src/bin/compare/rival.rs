@@ -6,14 +6,14 @@ use memmap2::Mmap;
 use std::path::{Path, PathBuf};
 
 /// A file on disk, mapped. It stays mapped until the program ends, so that readers can borrow it.
-pub struct File {
-    pub path: PathBuf,
-    pub map: Mmap,
+pub(crate) struct File {
+    pub(crate) path: PathBuf,
+    pub(crate) map: Mmap,
 }
 
 impl File {
     /// Maps the file at `path`.
-    pub fn map(path: &Path) -> Result<&'static File, Failure> {
+    pub(crate) fn map(path: &Path) -> Result<&'static File, Failure> {
         let file = std::fs::File::open(path)?;
         // SAFETY: the file is in a temporary folder of this program, which does not change it.
         let map = unsafe { Mmap::map(&file)? };
@@ -22,7 +22,7 @@ impl File {
 }
 
 /// A way to keep clips in a file.
-pub trait Rival: 'static {
+pub(crate) trait Rival: 'static {
     /// Its name in the table.
     const NAME: &'static str;
     /// What answers questions.
@@ -44,7 +44,7 @@ pub trait Rival: 'static {
 }
 
 /// What answers questions about the clips of a file.
-pub trait Reader: Sized {
+pub(crate) trait Reader: Sized {
     /// A clip, as a program holds it while it plays.
     type Clip<'r>: Copy
     where

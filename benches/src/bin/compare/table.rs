@@ -4,18 +4,18 @@ use crate::contest::Ask;
 use std::fmt::Write;
 
 /// What was measured of a rival.
-pub struct Row {
-    pub name: &'static str,
-    pub file_bytes: usize,
-    pub heap_bytes: usize,
+pub(crate) struct Row {
+    pub(crate) name: &'static str,
+    pub(crate) file_bytes: usize,
+    pub(crate) heap_bytes: usize,
     /// Nanoseconds or instructions for each of [`Ask::ALL`].
-    pub costs: Vec<f64>,
+    pub(crate) costs: Vec<f64>,
     /// Allocations per question, the most of any kind.
-    pub allocations: f64,
+    pub(crate) allocations: f64,
 }
 
 /// The table of times.
-pub fn times(rows: &[Row]) -> String {
+pub(crate) fn times(rows: &[Row]) -> String {
     let mut table = String::from(
         "| | file MB | open | validate | heap MB | find ns | miss ns | frame ns | segment + text ns | tick ns | allocations |\n\
          |---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n",
@@ -43,7 +43,7 @@ pub fn times(rows: &[Row]) -> String {
 }
 
 /// The table of instructions.
-pub fn instructions(rows: &[Row]) -> String {
+pub(crate) fn instructions(rows: &[Row]) -> String {
     let mut table = String::from(
         "| | open | validate | find | miss | frame | segment + text | tick |\n|---|--:|--:|--:|--:|--:|--:|--:|\n",
     );

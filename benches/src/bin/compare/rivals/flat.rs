@@ -10,7 +10,7 @@ use flatbuffers::{
 use std::path::Path;
 
 /// A table of clips, in the order of their keys.
-pub struct Flatbuffers;
+pub(crate) struct Flatbuffers;
 
 /// The place of field number `index` in a table's list of fields.
 const fn field(index: VOffsetT) -> VOffsetT {
@@ -23,7 +23,7 @@ type Strings<'f> = Vector<'f, ForwardsUOffset<&'f str>>;
 macro_rules! table {
     ($name:ident { $($getter:ident: $type:ty = $field:literal),* $(,)? }) => {
         #[derive(Clone, Copy)]
-        pub struct $name<'f>(Table<'f>);
+        pub(crate) struct $name<'f>(Table<'f>);
 
         impl<'f> Follow<'f> for $name<'f> {
             type Inner = $name<'f>;

@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Parsed into structures when opened.
-pub struct ParsedOnce;
+pub(crate) struct ParsedOnce;
 
 impl Rival for ParsedOnce {
     const NAME: &'static str = "serde_json, parsed once";
@@ -38,7 +38,7 @@ fn build(corpus: &Corpus, path: &Path) -> Result<(), Failure> {
 }
 
 /// Kept as JSON values, with the function of the specification.
-pub struct AsSpecified {
+pub(crate) struct AsSpecified {
     clips: Vec<Value>,
     numbers: HashMap<String, u32>,
 }

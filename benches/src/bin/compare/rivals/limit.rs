@@ -9,7 +9,7 @@ use zerocopy::little_endian::{U16, U32};
 use zerocopy::{FromBytes, Immutable, IntoBytes, KnownLayout, Unaligned};
 
 /// Flat arrays.
-pub struct Limit;
+pub(crate) struct Limit;
 
 /// Place of the hash table that no clip has.
 const FREE: u32 = u32::MAX;
@@ -25,7 +25,7 @@ struct Place {
 
 #[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy)]
 #[repr(C)]
-pub struct Record {
+pub(crate) struct Record {
     key_offset: U32,
     key_length: U16,
     fps: u8,
@@ -39,7 +39,7 @@ pub struct Record {
 
 /// The arrays of the file. Before each array stands its length in bytes.
 #[derive(Clone, Copy)]
-pub struct Arrays {
+pub(crate) struct Arrays {
     places: &'static [Place],
     records: &'static [Record],
     /// First frames of all segments.

@@ -8,7 +8,7 @@ use lipz_compiler::{Compiler, Input, Options};
 use std::path::Path;
 
 /// A bank without source records, as a game ships it.
-pub struct Lipz;
+pub(crate) struct Lipz;
 
 impl Rival for Lipz {
     const NAME: &'static str = "**lipz**";
@@ -32,7 +32,7 @@ impl Rival for Lipz {
 }
 
 /// The same, with a faster UTF-8 check handed to `verify_with`.
-pub struct LipzSimd;
+pub(crate) struct LipzSimd;
 
 impl Rival for LipzSimd {
     const NAME: &'static str = "**lipz**, verified with simdutf8";

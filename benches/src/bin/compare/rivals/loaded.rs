@@ -5,14 +5,14 @@ use crate::rival::Reader;
 use foldhash::{HashMap, HashMapExt};
 
 /// All clips, and their numbers by key.
-pub struct Loaded {
+pub(crate) struct Loaded {
     clips: Clips,
     numbers: HashMap<String, u32>,
 }
 
 impl Loaded {
     /// Takes in what was parsed.
-    pub fn new(clips: Clips) -> Loaded {
+    pub(crate) fn new(clips: Clips) -> Loaded {
         let mut numbers = HashMap::with_capacity(clips.clips.len());
         numbers.extend(clips.clips.iter().zip(0..).map(|(clip, number)| (clip.key.clone(), number)));
         Loaded { clips, numbers }

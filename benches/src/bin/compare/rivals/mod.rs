@@ -1,12 +1,12 @@
 //! One file per rival.
 
-pub mod flat;
-pub mod json;
-pub mod limit;
-pub mod lipz;
-pub mod loaded;
-pub mod none;
-pub mod rkyv;
-pub mod serde;
-pub mod sqlite;
-pub mod zerovec;
+pub(crate) mod flat;
+pub(crate) mod json;
+pub(crate) mod limit;
+pub(crate) mod lipz;
+pub(crate) mod loaded;
+pub(crate) mod none;
+pub(crate) mod rkyv;
+pub(crate) mod serde;
+pub(crate) mod sqlite;
+pub(crate) mod zerovec;

@@ -6,7 +6,7 @@ use crate::rival::{File, Reader, Rival};
 use std::path::Path;
 
 /// Answers without looking.
-pub struct Nothing;
+pub(crate) struct Nothing;
 
 impl Rival for Nothing {
     const NAME: &'static str = "(harness)";

@@ -9,11 +9,11 @@ use std::collections::HashMap;
 use std::path::Path;
 
 /// The clips and a map from keys to their numbers.
-pub struct Rkyv;
+pub(crate) struct Rkyv;
 
 /// The file.
 #[derive(rkyv::Archive, rkyv::Serialize)]
-pub struct Bank<'c> {
+pub(crate) struct Bank<'c> {
     #[rkyv(with = rkyv::with::Inline)]
     clips: &'c Clips,
     numbers: HashMap<String, u32>,

@@ -7,7 +7,7 @@ use crate::rivals::loaded::Loaded;
 use std::path::Path;
 
 /// postcard, through serde.
-pub struct Postcard;
+pub(crate) struct Postcard;
 
 impl Rival for Postcard {
     const NAME: &'static str = "postcard 1";
@@ -28,7 +28,7 @@ impl Rival for Postcard {
 }
 
 /// bincode, with its own derive.
-pub struct Bincode;
+pub(crate) struct Bincode;
 
 impl Rival for Bincode {
     const NAME: &'static str = "bincode 2.0.1";

@@ -7,7 +7,7 @@ use rusqlite::{Connection, OpenFlags, OptionalExtension, params};
 use std::path::Path;
 
 /// A database with a row per clip and a row per text.
-pub struct Sqlite;
+pub(crate) struct Sqlite;
 
 const SCHEMA: &str = "
     CREATE TABLE locale (id INTEGER PRIMARY KEY, tag TEXT NOT NULL UNIQUE);

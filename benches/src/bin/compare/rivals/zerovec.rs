@@ -9,11 +9,11 @@ use zerovec::vecs::Index32;
 use zerovec::{VarZeroVec, ZeroVec};
 
 /// The vectors, in postcard's bytes.
-pub struct ZeroVectors;
+pub(crate) struct ZeroVectors;
 
 /// A vector per element. What segments have stands in the order of the segments of all clips.
 #[derive(Serialize, Deserialize)]
-pub struct Vectors<'d> {
+pub(crate) struct Vectors<'d> {
     #[serde(borrow)]
     locales: VarZeroVec<'d, str>,
     /// In ascending order: found by binary search.
@@ -117,7 +117,7 @@ impl Reader for Vectors<'static> {
 
 /// A clip, as a program holds it.
 #[derive(Clone, Copy)]
-pub struct Clip<'v> {
+pub(crate) struct Clip<'v> {
     fps: u32,
     visemes: &'v [u8],
     number: usize,
