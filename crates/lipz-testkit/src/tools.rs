@@ -19,7 +19,7 @@ pub fn is_used(bytes: &[u8], original: &Bank<'_>) -> bool {
     for language in Language::ALL {
         let _ = generate(&bank, language, None);
     }
-    let split = SplitBank::from_bytes(&bytes).unwrap();
+    let split = SplitBank::from_bytes(bytes).unwrap();
     let base = Bank::open(&split.base).unwrap().verify().unwrap();
     for (_, texts) in &split.texts {
         base.open_texts(texts).unwrap().verify(&base).unwrap();

@@ -80,7 +80,7 @@ fn bad_files_fail_as_far_as_a_schema_can_tell() {
         let exempt = exempt.filter(|_| !FOUND_ALL_THE_SAME.contains(&name.as_str()));
         match (fault(&validator, &repository().join(path)), exempt) {
             (None, None) => {
-                surprises.push(format!("{name} passes: if no schema can see why it is bad, BEYOND_A_SCHEMA says so"))
+                surprises.push(format!("{name} passes: if no schema can see why it is bad, BEYOND_A_SCHEMA says so"));
             }
             (Some(fault), Some((_, why))) => surprises.push(format!("{name} fails, although {why}: {fault}")),
             _ => {}
