@@ -115,7 +115,7 @@ fn chains(locales: &[Locale<'_>]) -> Vec<Vec<usize>> {
     (0..tags.len()).map(|locale| fallback::chain(&tags, locale, &options)).collect()
 }
 
-/// A finding for each locale that is covered less than it must be, also for those that no clip has.
+/// A diagnostic for each locale that is covered less than it must be, also for those that no clip has.
 ///
 /// Pseudo-locales are not judged.
 pub fn shortfalls(found: &[Coverage], wanted: &MinCoverage) -> Vec<Diagnostic> {

@@ -156,7 +156,7 @@ impl Discovery<'_> {
     }
 }
 
-/// The finding for a source or a file in it that cannot be read.
+/// The diagnostic for a source or a file in it that cannot be read.
 fn unreadable(path: &Path, error: &io::Error) -> Report {
     let shown = display(path);
     let (message, help) = if error.kind() != io::ErrorKind::NotFound {

@@ -1,11 +1,11 @@
-//! Applying the certain fixes of a file's findings, until there are none left.
+//! Applying the certain fixes of a file's diagnostics, until there are none left.
 
 use crate::clip::{ClipData, Locales};
 use crate::{Compiler, Options, check};
 use lipz_diagnostics::{Code, Diagnostic, Fix};
 use std::collections::BTreeMap;
 
-/// Rounds of reading and fixing. A file that is not JSON shows one finding a round; who makes more
+/// Rounds of reading and fixing. A file that is not JSON shows one diagnostic a round; who makes more
 /// mistakes than this mends the rest in another run.
 const ROUNDS: usize = 100;
 
@@ -19,11 +19,11 @@ pub struct Fixed {
 }
 
 impl Compiler<'_> {
-    /// Applies the certain fixes of a file's findings; `None` if it has none.
+    /// Applies the certain fixes of a file's diagnostics; `None` if it has none.
     ///
     /// A fix is certain if the bank that is made of the file is the same before and after, or, where
     /// there is an error and so no bank, if what was meant is beyond doubt. Everything else in the file
-    /// stays as it is spelled. Findings of lints that the project allows are left alone.
+    /// stays as it is spelled. Diagnostics of lints that the project allows are left alone.
     ///
     /// ```
     /// use lipz_compiler::Compiler;
@@ -37,15 +37,15 @@ impl Compiler<'_> {
         let mut fixed: Option<Fixed> = None;
         for _ in 0..ROUNDS {
             let bytes = fixed.as_ref().map_or(bytes, |fixed| fixed.text.as_bytes());
-            let Some((text, findings)) = findings(bytes, &self.options) else { break };
-            let fixes: Vec<&Fix> = findings.iter().filter_map(|finding| finding.fix.as_ref()).collect();
+            let Some((text, diagnostics)) = diagnostics(bytes, &self.options) else { break };
+            let fixes: Vec<&Fix> = diagnostics.iter().filter_map(|diagnostic| diagnostic.fix.as_ref()).collect();
             let round = Fix::apply_all(text, &fixes);
             if round.applied.is_empty() {
                 break;
             }
             let mut counts = fixed.map(|fixed| fixed.counts).unwrap_or_default();
-            for finding in round.applied.iter().filter_map(|&index| findings.get(index)) {
-                *counts.entry(finding.code).or_default() += 1;
+            for diagnostic in round.applied.iter().filter_map(|&index| diagnostics.get(index)) {
+                *counts.entry(diagnostic.code).or_default() += 1;
             }
             fixed = Some(Fixed { text: round.text, counts });
         }
@@ -53,16 +53,16 @@ impl Compiler<'_> {
     }
 }
 
-/// The text of a file without byte order mark, and its findings that have a fix; `None` if it is not
+/// The text of a file without byte order mark, and its diagnostics that have a fix; `None` if it is not
 /// UTF-8.
-fn findings<'f>(bytes: &'f [u8], options: &Options) -> Option<(&'f str, Vec<Diagnostic>)> {
+fn diagnostics<'f>(bytes: &'f [u8], options: &Options) -> Option<(&'f str, Vec<Diagnostic>)> {
     let text = std::str::from_utf8(lipz_file::without_byte_order_mark(bytes)).ok()?;
     let mut parsed = lipz_file::parse(bytes);
     if let Some(document) = &parsed.document {
         check::check(document, options, &mut Locales::default(), &mut ClipData::default(), &mut parsed.diagnostics);
     }
     options.levels.apply(&mut parsed.diagnostics);
-    parsed.diagnostics.retain(|finding| finding.fix.is_some());
+    parsed.diagnostics.retain(|diagnostic| diagnostic.fix.is_some());
     Some((text, parsed.diagnostics))
 }
 

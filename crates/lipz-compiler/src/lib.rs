@@ -64,6 +64,7 @@ mod lower;
 mod no_cache;
 mod options;
 mod output;
+mod outputs;
 mod parallel;
 mod pseudo;
 mod rewrite;
@@ -92,6 +93,7 @@ pub use input::{Content, Input};
 pub use lipz_diagnostics as diagnostics;
 pub use options::{KnownNames, MinCoverage, Options, TextLimits};
 pub use output::replace_file;
+pub use outputs::{Delivered, OutputFile, Outputs, Replace};
 pub use rewrite::rewrite_file;
 pub use split::SplitBank;
 #[cfg(feature = "unpack")]

@@ -34,12 +34,12 @@ pub(crate) fn replace_file_if(
 fn failed(path: &Path, error: &io::Error) -> Report {
     let shown = discover::display(path);
     let message = format!("`{shown}` cannot be written: {}", why(path, error));
-    let finding = Diagnostic::new(Code::OutputFailed, message).note("whatever was there before is unchanged");
+    let diagnostic = Diagnostic::new(Code::OutputFailed, message).note("whatever was there before is unchanged");
     Report::about(
         shown,
         match help(error) {
-            Some(help) => finding.help(help),
-            None => finding,
+            Some(help) => diagnostic.help(help),
+            None => diagnostic,
         },
     )
 }

@@ -33,8 +33,8 @@ impl Compiler<'_> {
 pub fn rewrite_file(path: &Path, before: &[u8], after: &[u8]) -> Result<(), Report> {
     let refused = |why: &str, help: &str| {
         let shown = discover::display(path);
-        let finding = Diagnostic::new(Code::OutputFailed, format!("`{shown}` cannot be written: {why}"));
-        Err(Report::about(shown, finding.note("it is unchanged").help(help)))
+        let diagnostic = Diagnostic::new(Code::OutputFailed, format!("`{shown}` cannot be written: {why}"));
+        Err(Report::about(shown, diagnostic.note("it is unchanged").help(help)))
     };
     if path.metadata().is_ok_and(|metadata| metadata.permissions().readonly()) {
         return refused("it is read-only", "make it writable, or check it out if your version control locks files");

@@ -98,7 +98,7 @@ fn refused_keys(bank: &Bank<'_>) -> Vec<Report> {
     let mut seen: HashMap<String, &str> = HashMap::with_capacity(bank.clip_count());
     for clip in bank.clips() {
         let key = clip.key();
-        let finding = if let Some(why) = refusal(key) {
+        let diagnostic = if let Some(why) = refusal(key) {
             let message = format!("the key `{}` cannot be unpacked: {why}", escape::text(key));
             Diagnostic::new(Code::RefusedKey, message).help("this bank was changed or not made by lipz")
         } else if let Some(other) = seen.insert(folded(key), key) {
@@ -106,7 +106,7 @@ fn refused_keys(bank: &Bank<'_>) -> Vec<Report> {
         } else {
             continue;
         };
-        reports.push(Report::about("", finding.note("nothing was written")));
+        reports.push(Report::about("", diagnostic.note("nothing was written")));
     }
     reports
 }
@@ -117,10 +117,12 @@ fn existing_files(bank: &Bank<'_>, output: &Dir, shown: &str) -> Vec<Report> {
         .filter(|name| output.symlink_metadata(name).is_ok())
         .map(|name| {
             let path = format!("{shown}/{name}");
-            let finding = Diagnostic::new(Code::WouldOverwrite, format!("`{path}` exists already"));
+            let diagnostic = Diagnostic::new(Code::WouldOverwrite, format!("`{path}` exists already"));
             Report::about(
                 path,
-                finding.note("nothing was written").help("unpack into another folder, or allow files to be replaced"),
+                diagnostic
+                    .note("nothing was written")
+                    .help("unpack into another folder, or allow files to be replaced"),
             )
         })
         .collect()

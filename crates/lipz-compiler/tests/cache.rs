@@ -1,4 +1,4 @@
-//! Packing with a cache or a memory gives the bank, and the findings, of packing without one: whatever happened to the
+//! Packing with a cache or a memory gives the bank, and the diagnostics, of packing without one: whatever happened to the
 //! files, the bank and the cache meanwhile.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
 
@@ -279,7 +279,7 @@ fn edit() -> impl Strategy<Value = Edit> {
     ]
 }
 
-/// Options under which the findings of the generated documents are allowed, so that they are stamped.
+/// Options under which the diagnostics of the generated documents are allowed, so that they are stamped.
 fn options(number: usize) -> Options {
     let plain =
         Options::new().default_locale("en-us").levels(Code::ALL.iter().map(|code| (*code, None)).collect::<Levels>());

@@ -13,8 +13,8 @@ fn run(files: &[(&str, &[u8])], levels: &[(Code, Option<Severity>)]) -> Compiled
 }
 
 fn found(compiled: &Compiled) -> Vec<(Code, Severity)> {
-    let findings = compiled.reports.iter().flat_map(|report| &report.diagnostics);
-    findings.map(|finding| (finding.code, finding.severity)).collect()
+    let diagnostics = compiled.reports.iter().flat_map(|report| &report.diagnostics);
+    diagnostics.map(|diagnostic| (diagnostic.code, diagnostic.severity)).collect()
 }
 
 #[test]

@@ -124,7 +124,7 @@ proptest! {
         prop_assert_eq!(Compiler::new(options.clone()).fix(text.as_bytes()), None);
         prop_assert_eq!(bank(&valid, &options), bank(&text, &options));
         let left = lipz_file::parse(text.as_bytes()).diagnostics;
-        prop_assert!(left.iter().all(|finding| finding.fix.is_none()), "{left:?}");
+        prop_assert!(left.iter().all(|diagnostic| diagnostic.fix.is_none()), "{left:?}");
     }
 
     #[test]
@@ -134,7 +134,7 @@ proptest! {
         let packing = Options::new().viseme_type(to);
         let packed = Compiler::new(packing.clone()).compile(&[Input::from_bytes("clip", file.as_str())]);
         let of_packing = packed.reports.into_iter().flat_map(|report| report.diagnostics);
-        let is_about_it = |finding: &lipz_diagnostics::Diagnostic| ["LZ0404", "LZ0405"].contains(&finding.code.number());
+        let is_about_it = |diagnostic: &lipz_diagnostics::Diagnostic| ["LZ0404", "LZ0405"].contains(&diagnostic.code.number());
         prop_assert_eq!(of_packing.filter(is_about_it).collect::<Vec<_>>(), converted.diagnostics);
         let Some(bytes) = packed.bank else { return Ok(()) };
         let text = converted.text.unwrap_or(file);
@@ -250,9 +250,9 @@ fn packing_converts_and_reports_what_is_lost() {
     let file = r#"{"viseme_type":"blair","visemes":"MASOWEF-|LUL"}"#;
     let options = Options::new().viseme_type(ToonBoom);
     let compiled = Compiler::new(options.clone()).compile(&[Input::from_bytes("clip", file)]);
-    let [finding] = &compiled.reports[0].diagnostics[..] else { panic!("{:?}", compiled.reports) };
-    assert_eq!(finding.message, "3 frames lose their own mouth shape: toonboom has no `L` and no `U`");
-    assert_eq!(finding.notes, ["`L` becomes `B` in 2 frames", "`U` becomes `F` in 1 frame"]);
+    let [diagnostic] = &compiled.reports[0].diagnostics[..] else { panic!("{:?}", compiled.reports) };
+    assert_eq!(diagnostic.message, "3 frames lose their own mouth shape: toonboom has no `L` and no `U`");
+    assert_eq!(diagnostic.notes, ["`L` becomes `B` in 2 frames", "`U` becomes `F` in 1 frame"]);
     let bytes = compiled.bank.unwrap();
     assert_eq!(codes(&bytes), ["ADBEFCG-", "BFB"]);
     let bank = Bank::open(&bytes).and_then(Bank::verify).unwrap();

@@ -1,4 +1,4 @@
-//! `lipz.toml` with anything in it: findings with places in the file, and no panic.
+//! `lipz.toml` with anything in it: diagnostics with places in the file, and no panic.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use lipz_bank::{Fps, VisemeType};

@@ -5,8 +5,8 @@ use lipz_bank::Bank;
 use lipz_compiler::{Compiler, Input, Options, TextLimits};
 use lipz_diagnostics::Code;
 
-/// Codes and marked characters of the findings in one file.
-fn findings(file: &str, options: &Options) -> Vec<(Code, String, String)> {
+/// Codes and marked characters of the diagnostics in one file.
+fn diagnostics(file: &str, options: &Options) -> Vec<(Code, String, String)> {
     let compiled = Compiler::new(options.clone()).compile(&[Input::from_bytes("clip", file)]);
     let found = compiled.reports.iter().flat_map(|report| report.diagnostics.iter().map(move |found| (report, found)));
     found
@@ -25,7 +25,7 @@ fn limits(text_limits: TextLimits) -> Options {
 fn lines_are_measured_in_columns() {
     let options = limits(TextLimits::new().line_columns(8));
     let file = r#"{ "text_en-us": "{aside} 12345678\nabc | 123456789 |x", "text_ja-jp": "いいえ。|いいえいえ|e\u0301e\u0301e\u0301e\u0301e\u0301" }"#;
-    let found = findings(file, &options);
+    let found = diagnostics(file, &options);
     let marked: Vec<_> = found.iter().map(|(code, marked, _)| (*code, marked.as_str())).collect();
     assert_eq!(marked, [(Code::TextTooWide, "123456789"), (Code::TextTooWide, "いいえいえ")]);
     assert_eq!(found[1].2, "a line of this text has 10 columns, the limit is 8");
@@ -34,7 +34,7 @@ fn lines_are_measured_in_columns() {
 #[test]
 fn lines_are_counted() {
     let options = limits(TextLimits::new().lines(2));
-    let found = findings(r#"{ "text_en-us": " a\nb | a\nb\nc " }"#, &options);
+    let found = diagnostics(r#"{ "text_en-us": " a\nb | a\nb\nc " }"#, &options);
     assert_eq!(found.len(), 1);
     assert_eq!((found[0].0, found[0].1.as_str()), (Code::TooManyLines, r"a\nb\nc"));
 }
@@ -44,33 +44,33 @@ fn reading_takes_the_time_of_the_segment() {
     let options = limits(TextLimits::new().characters_per_second(10.0));
     // Half a second, one second, no time; five characters are read in half a second.
     let file = r#"{ "fps": 4, "visemes": "AA|AAAA||", "text_en-us": "12345|1234567890!|in no time|" }"#;
-    let found = findings(file, &options);
+    let found = diagnostics(file, &options);
     let marked: Vec<_> = found.iter().map(|(code, marked, _)| (*code, marked.as_str())).collect();
     assert_eq!(marked, [(Code::ReadsTooFast, "1234567890!"), (Code::ReadsTooFast, "in no time")]);
     assert_eq!(found[0].2, "11 characters in 1.00 s are 11.0 a second, the limit is 10");
     // Without a frame rate or mouth shapes nobody knows the time.
-    assert!(findings(r#"{ "visemes": "A", "text_en-us": "1234567890!" }"#, &options).is_empty());
-    assert!(findings(r#"{ "fps": 4, "text_en-us": "1234567890!" }"#, &options).is_empty());
+    assert!(diagnostics(r#"{ "visemes": "A", "text_en-us": "1234567890!" }"#, &options).is_empty());
+    assert!(diagnostics(r#"{ "fps": 4, "text_en-us": "1234567890!" }"#, &options).is_empty());
 }
 
 #[test]
 fn many_findings_are_counted() {
     let options = limits(TextLimits::new().line_columns(1));
-    assert_eq!(findings(r#"{ "text_en-us": "aa|aa|aa|aa|aa" }"#, &options).len(), 3);
+    assert_eq!(diagnostics(r#"{ "text_en-us": "aa|aa|aa|aa|aa" }"#, &options).len(), 3);
 }
 
 #[test]
 fn literal_braces_are_displayed() {
     let file = r#"{ "text_en-us": " Take {0} of {max} | } odd { " }"#;
     let options = Options::new().literal_braces(true);
-    assert!(findings(file, &options).is_empty());
+    assert!(diagnostics(file, &options).is_empty());
     let bytes = Compiler::new(options.clone()).compile(&[Input::from_bytes("clip", file)]).bank.unwrap();
     let bank = Bank::open(&bytes).unwrap();
     let clip = bank.clip_by_key("clip").unwrap();
     let english = bank.locale("en-us").unwrap();
     let texts: Vec<_> = clip.segments().map(|segment| segment.text(english).unwrap().as_str()).collect();
     assert_eq!(texts, ["Take {0} of {max}", "} odd {"]);
-    assert_eq!(findings(file, &Options::default()).len(), 2);
+    assert_eq!(diagnostics(file, &Options::default()).len(), 2);
 }
 
 /// A clip has at most 65,535 segments, and each a text of as many bytes; all texts of a clip can have more.

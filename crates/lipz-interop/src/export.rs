@@ -60,7 +60,7 @@ impl<'a> ExportOptions<'a> {
 #[derive(Debug, Default)]
 #[non_exhaustive]
 pub struct Exported {
-    /// The file; `None` if a finding is an error.
+    /// The file; `None` if a diagnostic is an error.
     pub bytes: Option<Vec<u8>>,
     /// The table that was used: `rhubarb 1`.
     pub map: String,
@@ -73,9 +73,9 @@ pub struct Exported {
 /// Writes a Lipz document in a format of another tool.
 pub fn export(format: &Format, document: &Document<'_>, options: &ExportOptions<'_>) -> Exported {
     let mut exported = Exported::default();
-    let findings = &mut exported.diagnostics;
+    let diagnostics = &mut exported.diagnostics;
     let Some(write) = format.write else { return exported };
-    let Some((track, map)) = track(format, document, options, findings) else { return exported };
+    let Some((track, map)) = track(format, document, options, diagnostics) else { return exported };
     exported.left_out = left_out(document);
     exported.map = map.label();
     exported.bytes = Some(write(&track, &mut exported.diagnostics));
@@ -87,10 +87,10 @@ fn track<'m>(
     format: &Format,
     document: &Document<'_>,
     options: &ExportOptions<'m>,
-    findings: &mut Vec<Diagnostic>,
+    diagnostics: &mut Vec<Diagnostic>,
 ) -> Option<(Track, &'m Map)> {
     let Some(visemes) = document.string("visemes") else {
-        findings.push(refusal("the clip has no mouth shapes").help("only clips with \"visemes\" can be exported"));
+        diagnostics.push(refusal("the clip has no mouth shapes").help("only clips with \"visemes\" can be exported"));
         return None;
     };
     let codes: Vec<u8> = visemes
@@ -99,7 +99,7 @@ fn track<'m>(
         .map(|c| u8::try_from(c).unwrap_or(0))
         .collect();
     let Some(rate) = rate(document).or(options.default_rate) else {
-        findings.push(
+        diagnostics.push(
             refusal("the clip has no frame rate").help("add \"fps\" to the file, or set `default-fps` in lipz.toml"),
         );
         return None;
@@ -111,7 +111,7 @@ fn track<'m>(
     else {
         let name = viseme_type.map_or("of no known viseme type", VisemeType::name);
         let message = format!("`{}` has no mapping table for the codes of the clip, which are {name}", format.name);
-        findings.push(refusal(message).help(match viseme_type {
+        diagnostics.push(refusal(message).help(match viseme_type {
             Some(VisemeType::Rms) => {
                 "loudness (rms) is not a mouth shape; export clips of the types blair and toonboom"
             }
@@ -123,12 +123,12 @@ fn track<'m>(
     for (frame, run) in runs(&codes) {
         let Some(symbol) = map.symbol(run) else {
             let message = format!("`{}` has no symbol for the code `{}`", map.name, char::from(run));
-            findings.push(refusal(message).help("use a mapping table that has it"));
+            diagnostics.push(refusal(message).help("use a mapping table that has it"));
             return None;
         };
         shapes.push(Shape::new(Time::of_frame(frame, rate), symbol));
     }
-    report_merged(&codes, map, findings);
+    report_merged(&codes, map, diagnostics);
     let end = Some(Time::of_frame(codes.len() as u64, rate));
     let (name, phrases) = (options.name.map(str::to_owned), segments(visemes, rate));
     let rest = map.symbol(REST).map(str::to_owned);
@@ -180,14 +180,14 @@ fn runs(codes: &[u8]) -> impl Iterator<Item = (u64, u8)> {
 }
 
 /// Reports codes that come back as others, because they share a symbol.
-fn report_merged(codes: &[u8], map: &Map, findings: &mut Vec<Diagnostic>) {
+fn report_merged(codes: &[u8], map: &Map, diagnostics: &mut Vec<Diagnostic>) {
     for code in map.viseme_type.codes().bytes() {
         let frames = codes.iter().filter(|&&other| other == code).count();
         let Some(symbol) = map.symbol(code).filter(|_| frames > 0) else { continue };
         if let Some(back) = map.code(symbol).filter(|&back| back != code) {
             let (code, back) = (char::from(code), char::from(back));
             let message = format!("{frames} frames of `{code}` are written as `{symbol}`, which is read as `{back}`");
-            findings.push(
+            diagnostics.push(
                 Diagnostic::new(Code::ExportLoss, message)
                     .note(format!("the mapping table `{}` has no other symbol for `{code}`", map.name)),
             );

@@ -15,11 +15,11 @@ pub(crate) struct Node<'s> {
 }
 
 /// The root of a JSON text; reports why it is none.
-pub(crate) fn root<'s>(text: &'s str, findings: &mut Vec<Diagnostic>) -> Option<Node<'s>> {
+pub(crate) fn root<'s>(text: &'s str, diagnostics: &mut Vec<Diagnostic>) -> Option<Node<'s>> {
     match serde_json::from_str::<&RawValue>(text) {
         Ok(raw) => Some(Node::new(raw, text, 0)),
         Err(error) => {
-            findings.push(syntax(text, 0, &error));
+            diagnostics.push(syntax(text, 0, &error));
             None
         }
     }
@@ -27,7 +27,7 @@ pub(crate) fn root<'s>(text: &'s str, findings: &mut Vec<Diagnostic>) -> Option<
 
 /// The values that follow each other in a text, whatever commas are between them; reports where it
 /// is not JSON, and gives those before.
-pub(crate) fn joined<'s>(text: &'s str, findings: &mut Vec<Diagnostic>) -> Vec<Node<'s>> {
+pub(crate) fn joined<'s>(text: &'s str, diagnostics: &mut Vec<Diagnostic>) -> Vec<Node<'s>> {
     let mut nodes = Vec::new();
     let mut at = 0;
     loop {
@@ -43,7 +43,7 @@ pub(crate) fn joined<'s>(text: &'s str, findings: &mut Vec<Diagnostic>) -> Vec<N
                 at += values.byte_offset();
             }
             Some(Err(error)) => {
-                findings.push(syntax(text, at, &error));
+                diagnostics.push(syntax(text, at, &error));
                 return nodes;
             }
         }
@@ -143,13 +143,13 @@ impl<'s> Node<'s> {
         self.line.text.starts_with('{')
     }
 
-    /// The finding that it lacks a member, or has another one there.
+    /// The diagnostic that it lacks a member, or has another one there.
     pub(crate) fn lacks(self, what: &str) -> Diagnostic {
         let start = self.line.at;
         Diagnostic::at(Code::ForeignSyntax, Span::new(start, start + 1), format!("{what} is missing here"))
     }
 
-    /// The finding that it is not what the format has there.
+    /// The diagnostic that it is not what the format has there.
     pub(crate) fn not(self, what: &str) -> Diagnostic {
         self.line.not(what)
     }

@@ -21,7 +21,7 @@ impl Script {
     /// names its columns, of which `file` and `text` are used.
     ///
     /// Files that are not UTF-8 are read in `encoding`, or as Windows-1252, in which the tools of the
-    /// time wrote. The source that is returned has the text to which the findings refer.
+    /// time wrote. The source that is returned has the text to which the diagnostics refer.
     pub fn read(path: &str, bytes: &[u8], encoding: Option<&'static Encoding>) -> (Script, Source, Vec<Diagnostic>) {
         let text = decode(bytes, encoding);
         let is_msg = path.rsplit_once('.').is_some_and(|(_, extension)| extension.eq_ignore_ascii_case("msg"));
@@ -61,9 +61,9 @@ fn of_rows(text: &str) -> (Script, Vec<Diagnostic>) {
     };
     let (Some(file), Some(line)) = (column(FILE, rows.peek()), column(TEXT, rows.peek())) else {
         let end = text.find('\n').unwrap_or(text.len());
-        let finding =
+        let diagnostic =
             Diagnostic::at(Code::ForeignSyntax, Span::new(0, end), "the first line does not name the columns");
-        found.push(finding.help("a script starts with `file,text`; other columns are not used"));
+        found.push(diagnostic.help("a script starts with `file,text`; other columns are not used"));
         return (script, found);
     };
     for row in rows.skip(1) {

@@ -6,7 +6,7 @@ use lipz_file::digits::Digits;
 use lipz_file::rate::{self, Rate};
 use roxmltree::{Document, Node};
 
-/// Where findings go.
+/// Where diagnostics go.
 type Findings = Vec<Diagnostic>;
 
 /// The lip sync settings that a user of a viewer changed; the others have the viewer's defaults.
@@ -31,25 +31,25 @@ pub struct LipSync {
 /// let file = br#"<llsd><map>
 ///     <key>LipSyncOoh</key><map><key>Value</key><string>0123</string></map>
 /// </map></llsd>"#;
-/// let mut findings = Vec::new();
-/// let settings = lipz_interop::second_life::lip_sync(file, "settings.xml", &mut findings).ok_or("no settings")?;
+/// let mut diagnostics = Vec::new();
+/// let settings = lipz_interop::second_life::lip_sync(file, "settings.xml", &mut diagnostics).ok_or("no settings")?;
 /// assert_eq!(settings.ooh.map(|digits| digits.to_string()), Some("0123".to_owned()));
-/// assert!(settings.aah.is_none() && findings.is_empty());
+/// assert!(settings.aah.is_none() && diagnostics.is_empty());
 /// # Ok::<(), &str>(())
 /// ```
-pub fn lip_sync(bytes: &[u8], name: &str, findings: &mut Vec<Diagnostic>) -> Option<LipSync> {
-    let text = source::text(bytes, findings)?;
+pub fn lip_sync(bytes: &[u8], name: &str, diagnostics: &mut Vec<Diagnostic>) -> Option<LipSync> {
+    let text = source::text(bytes, diagnostics)?;
     let document = match Document::parse(text) {
         Ok(document) => document,
         Err(error) => {
             let (what, span) = xml::mistake(text, &error);
             let message = format!("{} is not XML: {what}", escape::quoted(name));
-            findings.push(Diagnostic::at(Code::ViewerSettingsSyntax, span, message).help(WHICH_FILE));
+            diagnostics.push(Diagnostic::at(Code::ViewerSettingsSyntax, span, message).help(WHICH_FILE));
             return None;
         }
     };
-    let settings = settings(&document, name, findings)?;
-    let mut digits = |key| settings.value(key).and_then(|value| value.digits(findings));
+    let settings = settings(&document, name, diagnostics)?;
+    let mut digits = |key| settings.value(key).and_then(|value| value.digits(diagnostics));
     let mut lip_sync = LipSync {
         ooh: digits("LipSyncOoh"),
         aah: digits("LipSyncAah"),
@@ -57,24 +57,24 @@ pub fn lip_sync(bytes: &[u8], name: &str, findings: &mut Vec<Diagnostic>) -> Opt
         aah_power_transfer: digits("LipSyncAahPowerTransfer"),
         rate: None,
     };
-    lip_sync.rate = settings.value("LipSyncOohAahRate").and_then(|value| value.rate(findings));
+    lip_sync.rate = settings.value("LipSyncOohAahRate").and_then(|value| value.rate(diagnostics));
     if let Some(enabled) = settings.value("LipSyncEnabled") {
-        enabled.check_enabled(findings);
+        enabled.check_enabled(diagnostics);
     }
-    findings.sort_by_key(Diagnostic::start);
+    diagnostics.sort_by_key(Diagnostic::start);
     Some(lip_sync)
 }
 
 const WHICH_FILE: &str = "name the settings.xml in the folder user_settings of the viewer";
 
 /// The map of settings in an LLSD document.
-fn settings<'d>(document: &'d Document<'d>, name: &str, findings: &mut Findings) -> Option<Map<'d>> {
+fn settings<'d>(document: &'d Document<'d>, name: &str, diagnostics: &mut Findings) -> Option<Map<'d>> {
     let root = document.root_element();
     let mut refuse = |node: Node<'_, '_>, what: &str| {
         let message =
             format!("{} is not LLSD: {what} <{}>", escape::quoted(name), escape::text(node.tag_name().name()));
-        let finding = Diagnostic::at(Code::ViewerSettingsSyntax, start_tag(node), message);
-        findings.push(finding.help(WHICH_FILE));
+        let diagnostic = Diagnostic::at(Code::ViewerSettingsSyntax, start_tag(node), message);
+        diagnostics.push(diagnostic.help(WHICH_FILE));
     };
     if !root.has_tag_name("llsd") {
         refuse(root, "it starts with");
@@ -117,8 +117,8 @@ struct Value<'d> {
 }
 
 impl<'d> Value<'d> {
-    fn digits(&self, findings: &mut Findings) -> Option<Digits> {
-        let node = self.of_type(&["string"], "a text of digits", findings)?;
+    fn digits(&self, diagnostics: &mut Findings) -> Option<Digits> {
+        let node = self.of_type(&["string"], "a text of digits", diagnostics)?;
         let text = node.text().unwrap_or("");
         let why = match Digits::parse(text) {
             Ok(digits) => return Some(digits),
@@ -126,47 +126,47 @@ impl<'d> Value<'d> {
         };
         // Without entities and the like, the text stands in the file as it is.
         let plain = node.first_child().filter(|child| child.range().len() == text.len());
-        findings.push(why.diagnostic(self.name, xml::whole(node), plain.map(|child| child.range().start)));
+        diagnostics.push(why.diagnostic(self.name, xml::whole(node), plain.map(|child| child.range().start)));
         None
     }
 
-    fn rate(&self, findings: &mut Findings) -> Option<Rate> {
-        let node = self.of_type(&["real", "integer"], "a number", findings)?;
+    fn rate(&self, diagnostics: &mut Findings) -> Option<Rate> {
+        let node = self.of_type(&["real", "integer"], "a number", diagnostics)?;
         let text = node.text().unwrap_or("0").trim();
         let rate = rate::parse(text);
         if rate.is_none() {
             let message = format!("`{}` is outside 1 to 1000", self.name);
-            let finding = Diagnostic::at(Code::BabbleRate, xml::whole(node), message);
-            findings.push(finding.help("write digits per second; the viewer's own rate is 24"));
+            let diagnostic = Diagnostic::at(Code::BabbleRate, xml::whole(node), message);
+            diagnostics.push(diagnostic.help("write digits per second; the viewer's own rate is 24"));
         }
         rate
     }
 
     /// Warns if lip sync is off.
-    fn check_enabled(&self, findings: &mut Findings) {
-        let Some(node) = self.of_type(&["integer", "boolean"], "0 or 1", findings) else { return };
+    fn check_enabled(&self, diagnostics: &mut Findings) {
+        let Some(node) = self.of_type(&["integer", "boolean"], "0 or 1", diagnostics) else { return };
         if matches!(node.text().unwrap_or("0").trim(), "0" | "false" | "") {
             let message = "lip sync is switched off in these settings";
-            let finding = Diagnostic::at(Code::LipSyncDisabled, xml::whole(node), message);
-            findings.push(finding.help("look at the profile before you use it: LipSyncEnabled is 0"));
+            let diagnostic = Diagnostic::at(Code::LipSyncDisabled, xml::whole(node), message);
+            diagnostics.push(diagnostic.help("look at the profile before you use it: LipSyncEnabled is 0"));
         }
     }
 
     /// The value, if it has one of these types.
-    fn of_type(&self, types: &[&str], expected: &str, findings: &mut Findings) -> Option<Node<'d, 'd>> {
+    fn of_type(&self, types: &[&str], expected: &str, diagnostics: &mut Findings) -> Option<Node<'d, 'd>> {
         match self.node {
             Some(node) if types.iter().any(|name| node.has_tag_name(*name)) => return Some(node),
             Some(node) => {
                 let found = escape::text(node.tag_name().name()).into_owned();
                 let message = format!("`{}` is not {expected}, but of type {found}", self.name);
-                let finding = Diagnostic::at(Code::ViewerSettingType, start_tag(node), message);
-                findings.push(finding.help(format!("the viewer writes <{}>", types.join("> or <"))));
+                let diagnostic = Diagnostic::at(Code::ViewerSettingType, start_tag(node), message);
+                diagnostics.push(diagnostic.help(format!("the viewer writes <{}>", types.join("> or <"))));
             }
             None => {
                 let message = format!("`{}` has no value", self.name);
-                let finding = Diagnostic::at(Code::ViewerSettingType, xml::whole(self.key), message);
-                findings
-                    .push(finding.help("a setting is a <map> with the <key>Value</key>; remove it for the default"));
+                let diagnostic = Diagnostic::at(Code::ViewerSettingType, xml::whole(self.key), message);
+                diagnostics
+                    .push(diagnostic.help("a setting is a <map> with the <key>Value</key>; remove it for the default"));
             }
         }
         None

@@ -4,8 +4,8 @@ use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 use lipz_file::without_byte_order_mark;
 
 /// The text of a file. Tools on Windows write a byte order mark; it is skipped.
-pub(crate) fn text<'s>(bytes: &'s [u8], findings: &mut Vec<Diagnostic>) -> Option<&'s str> {
-    lipz_file::decode(without_byte_order_mark(bytes), findings)
+pub(crate) fn text<'s>(bytes: &'s [u8], diagnostics: &mut Vec<Diagnostic>) -> Option<&'s str> {
+    lipz_file::decode(without_byte_order_mark(bytes), diagnostics)
 }
 
 /// The lines of a text without their ends, each with the byte at which it starts.
@@ -53,24 +53,24 @@ impl<'s> Line<'s> {
     }
 
     /// A diagnostic about it.
-    pub(crate) fn finding(self, code: Code, message: impl Into<String>) -> Diagnostic {
+    pub(crate) fn diagnostic(self, code: Code, message: impl Into<String>) -> Diagnostic {
         Diagnostic::at(code, self.span(), message)
     }
 
-    /// The finding that it is not what the format has there.
+    /// The diagnostic that it is not what the format has there.
     pub(crate) fn not(self, what: &str) -> Diagnostic {
         let message = match self.text.is_empty() {
             true => format!("{what} is missing"),
             false => format!("{} is not {what}", escape::quoted(self.text)),
         };
-        self.finding(Code::ForeignSyntax, message)
+        self.diagnostic(Code::ForeignSyntax, message)
     }
 
     /// The number of frames or units that it spells.
-    pub(crate) fn number(self, what: &str, findings: &mut Vec<Diagnostic>) -> Option<u64> {
+    pub(crate) fn number(self, what: &str, diagnostics: &mut Vec<Diagnostic>) -> Option<u64> {
         let number = self.text.parse().ok();
         if number.is_none() {
-            findings.push(self.not(what));
+            diagnostics.push(self.not(what));
         }
         number
     }

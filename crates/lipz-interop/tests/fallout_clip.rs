@@ -27,8 +27,8 @@ fn visemes(imported: &Imported) -> &str {
     imported.clips.first().unwrap().document.string("visemes").unwrap()
 }
 
-fn codes(findings: &[Diagnostic]) -> Vec<Code> {
-    findings.iter().map(|finding| finding.code).collect()
+fn codes(diagnostics: &[Diagnostic]) -> Vec<Code> {
+    diagnostics.iter().map(|diagnostic| diagnostic.code).collect()
 }
 
 #[test]
@@ -131,11 +131,11 @@ fn exported_files_are_as_the_games() {
 #[test]
 fn names_that_do_not_fit_are_refused() {
     for name in ["", "mara-good-evening", "él", "a.b", "a/b", "a b"] {
-        let mut findings = Vec::new();
+        let mut diagnostics = Vec::new();
         let mut track = Track::default();
         track.name = Some(name.into());
-        assert!(format().write.unwrap()(&track, &mut findings).is_empty());
-        assert_eq!(codes(&findings), [Code::LipExportName], "{name}");
+        assert!(format().write.unwrap()(&track, &mut diagnostics).is_empty());
+        assert_eq!(codes(&diagnostics), [Code::LipExportName], "{name}");
     }
 }
 

@@ -23,8 +23,8 @@ fn hello() -> Lip {
     Lip::new(*b"ELD_1\0\0\0", vec![0x00, 0x1F, 0x04, 0x23, 0x08, 0x12, 0x01], markers.collect())
 }
 
-fn codes(findings: &[Diagnostic]) -> Vec<Code> {
-    findings.iter().map(|finding| finding.code).collect()
+fn codes(diagnostics: &[Diagnostic]) -> Vec<Code> {
+    diagnostics.iter().map(|diagnostic| diagnostic.code).collect()
 }
 
 #[test]
@@ -149,7 +149,7 @@ fn a_file_full_of_oddities_lists_some_and_counts_the_rest() {
     let markers = (0..5000).rev().map(|position| Marker { kind: 9, position }).collect();
     let found = Lip::new(*b"ELD_1\0\0\0", vec![0xFF; 4999], markers).oddities("eld_1");
     assert!(found.len() < 400, "{}", found.len());
-    assert!(found.iter().any(|finding| finding.notes.contains(&"4899 more like this are not listed".into())));
+    assert!(found.iter().any(|diagnostic| diagnostic.notes.contains(&"4899 more like this are not listed".into())));
 }
 
 /// The fixtures: as most files of the game, with a little-endian length; without anything unusual; with a name of

@@ -1,4 +1,4 @@
-//! What becomes of the fixtures: `NAME.expected` beside each holds its clips and findings. `LIPZ_BLESS=1`
+//! What becomes of the fixtures: `NAME.expected` beside each holds its clips and diagnostics. `LIPZ_BLESS=1`
 //! writes these files anew.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
@@ -18,8 +18,8 @@ fn every_fixture_becomes_what_is_expected() {
         let options = ImportOptions::new().locale("en-us");
         let imported = import(of, &bytes, &options);
         let mut text = String::new();
-        for finding in &imported.diagnostics {
-            writeln!(text, "{}[{}]: {}", finding.severity, finding.code, finding.message).unwrap();
+        for diagnostic in &imported.diagnostics {
+            writeln!(text, "{}[{}]: {}", diagnostic.severity, diagnostic.code, diagnostic.message).unwrap();
         }
         for clip in &imported.clips {
             writeln!(text, "{} by {}, {} frames", clip.name.as_deref().unwrap_or("clip"), clip.map, clip.frames)
@@ -69,7 +69,7 @@ fn text_and_shapes_have_the_same_segments() {
 fn a_file_of_another_format_is_only_told_so() {
     for (name, bytes) in [("rhubarb-tsv", "{ \"mouthCues\": [] }"), ("moho", "// Pamela"), ("polly", "0.00\tX\n")] {
         let imported = import(formats::find(name).unwrap(), bytes.as_bytes(), &ImportOptions::default());
-        let codes: Vec<_> = imported.diagnostics.iter().map(|finding| finding.code).collect();
+        let codes: Vec<_> = imported.diagnostics.iter().map(|diagnostic| diagnostic.code).collect();
         assert_eq!((codes, imported.clips.len()), (vec![lipz_diagnostics::Code::ForeignSyntax], 0), "{name}");
     }
 }

@@ -100,7 +100,7 @@ proptest! {
         prop_assert_eq!(read_vtt(&vtt), written(&escaped));
     }
 
-    /// Nothing in a file stops the reader, and every finding is about a place in it.
+    /// Nothing in a file stops the reader, and every diagnostic is about a place in it.
     #[test]
     fn any_file_is_read(bytes in prop::collection::vec(any::<u8>(), 0..200), cut in 0_usize..100, change in any::<u8>()) {
         let vtt = b"WEBVTT\n\n00:01.500 --> 00:02.000 line:0\n<v Mara>Good &amp; <i>late</i>\n\n1\n00:02,0 --> 3";

@@ -54,7 +54,7 @@ impl<'data> Player<'data> {
             let clip = self.bank.clip(*id)?;
             Some(cursor.advance_to(&clip, sound))
         });
-        due.into_iter().flat_map(|segments| segments.events())
+        due.into_iter().flat_map(lipz_bank::DueSegments::events)
     }
 
     /// The mouth shape to draw now; rest when nobody speaks.

@@ -2,7 +2,7 @@
 
 use crate::ids::{self, Language};
 use crate::settings::Settings;
-use crate::{Compiler, Options, depend, discover, replace_file};
+use crate::{Compiled, Compiler, Input, Options, Outputs, Replace, depend, discover, replace_file};
 use lipz_bank::Bank;
 use lipz_diagnostics::reports::count;
 use lipz_diagnostics::{Code, Diagnostic, Report, Severity, escape, render};
@@ -36,7 +36,7 @@ use std::{env, fmt};
 /// With the feature `cache`, a third file, `dialogue.lipzcache`, remembers the Lipz files, so that the next run
 /// reads only those that changed.
 ///
-/// Findings appear as warnings and errors of cargo (1.84 or later), one line each. The script runs
+/// Diagnostics appear as warnings and errors of cargo (1.84 or later), one line each. The script runs
 /// again when a file of the sources changes, is added or removed.
 #[derive(Clone, Debug, Default)]
 pub struct Build {
@@ -45,6 +45,7 @@ pub struct Build {
     root: Option<PathBuf>,
     options: Option<Options>,
     name: Option<String>,
+    is_split: bool,
 }
 
 /// What the outputs are called unless the build names them.
@@ -92,10 +93,18 @@ impl Build {
         self
     }
 
+    /// Packs the texts of each locale into a text bank, `NAME.LOCALE.lipztexts`; `NAME.lipzbank` has everything
+    /// else. For programs that ship or load one language at a time.
+    #[must_use]
+    pub fn split_locales(mut self, is_split: bool) -> Build {
+        self.is_split = is_split;
+        self
+    }
+
     /// Packs the bank, writes it and its ids, and tells cargo what was found.
     ///
     /// # Errors
-    /// Findings at error level, all of which were printed; and whatever keeps the script from
+    /// Diagnostics at error level, all of which were printed; and whatever keeps the script from
     /// running. The outputs of the run before are unchanged then. Return the error from `main`: that
     /// fails the build.
     pub fn run(self) -> Result<(), BuildError> {
@@ -160,6 +169,7 @@ impl Build {
         let compiler = Compiler::new(settings.options.clone());
         let mut compiled = match lipz_diagnostics::reports::have_errors(&reports) {
             true => compiler.check(&inputs),
+            false if self.is_split => split(&compiler, &inputs, &bank, accept),
             #[cfg(feature = "cache")]
             false => compiler.pack_cached_if(&inputs, &bank, &path("lipzcache"), accept),
             #[cfg(not(feature = "cache"))]
@@ -172,6 +182,23 @@ impl Build {
         lipz_diagnostics::reports::sort(&mut reports);
         reports
     }
+}
+
+/// Packs `inputs` into a bank at `path` and text banks beside it, if `accept` finds nothing in the whole.
+fn split(
+    compiler: &Compiler<'_>,
+    inputs: &[Input],
+    path: &Path,
+    accept: impl FnOnce(&[u8]) -> Result<(), Report>,
+) -> Compiled {
+    let mut compiled = compiler.compile(inputs);
+    let Some(bank) = &compiled.bank else { return compiled };
+    let outputs = Outputs::new(path).split_locales(true);
+    if let Err(report) = accept(bank).and_then(|()| outputs.deliver(bank, Replace::IfDifferent)) {
+        compiled.reports.push(report);
+        compiled.bank = None;
+    }
+    compiled
 }
 
 /// The ids of a bank's clips, or which ones are the same.
@@ -193,7 +220,7 @@ fn rerun_lines(paths: &[PathBuf]) -> String {
 
 /// Why a build script failed, for `main` to return.
 pub enum BuildError {
-    /// Findings at error level. Cargo shows each.
+    /// Diagnostics at error level. Cargo shows each.
     Diagnostics {
         /// How many.
         errors: usize,
@@ -312,6 +339,23 @@ mod tests {
             assert!(lines.contains("[LZ0904]"), "{lines}");
             assert_eq!(names, [""; 0], "{name}");
         }
+    }
+
+    #[test]
+    fn split_locales_are_files_of_their_own() {
+        let scene = tempfile::tempdir().unwrap();
+        let clip = r#"{ "text_en-us": "Mayor!", "text_de-de": "Meister!" }"#;
+        let (_, names) = run(scene.path(), |build| build.split_locales(true), &[("mayor.lipz", clip)]);
+        let expected = ["dialogue.de-de.lipztexts", "dialogue.en-us.lipztexts", "dialogue.lipzbank", "dialogue.rs"];
+        assert_eq!(names, expected);
+        let read = |name: &str| fs::read(scene.path().join("out").join(name)).unwrap();
+        let (base, german) = (read("dialogue.lipzbank"), read("dialogue.de-de.lipztexts"));
+        let bank = Bank::open(&base).unwrap().verify().unwrap();
+        assert!(bank.locale("de-de").is_none());
+        assert!(bank.open_texts(&german).unwrap().verify(&bank).is_ok());
+        let (lines, names) = run(scene.path(), |build| build.split_locales(true), &[("no.lipz", "")]);
+        assert!(lines.contains("cargo::error="), "{lines}");
+        assert_eq!(names, expected, "what was there stays");
     }
 
     #[test]

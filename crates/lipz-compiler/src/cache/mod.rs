@@ -156,7 +156,7 @@ pub(crate) struct Cache<'b> {
 /// What a run has stamped and recalled.
 #[derive(Default)]
 pub(crate) struct FileStamps {
-    /// The stamps of all files without findings.
+    /// The stamps of all files without diagnostics.
     pub(crate) files: Vec<(Name, Stamp)>,
     /// Clips that were recalled.
     pub(crate) recalled: usize,

@@ -27,7 +27,7 @@ pub(super) fn hash(bytes: &[u8]) -> u128 {
     XxHash3_128::oneshot(bytes)
 }
 
-/// What a source file without findings was when it was packed.
+/// What a source file without diagnostics was when it was packed.
 #[derive(Encode, Decode, Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Stamp {
     meta: FileMeta,
@@ -112,7 +112,7 @@ impl Stamps {
 }
 
 /// Stamps by name. Files come in the order in which the run before this one stamped them, but for those
-/// that were added or had findings: nearly always the next stamp is the one that is looked for.
+/// that were added or had diagnostics: nearly always the next stamp is the one that is looked for.
 pub(super) struct Lookup<'s> {
     files: &'s [(Name, Stamp)],
     /// The places of the stamps in the order of their names; made when a file is out of order.

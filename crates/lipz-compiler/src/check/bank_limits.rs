@@ -29,6 +29,6 @@ pub(super) fn for_segments(roles: &Roles<'_>, count: usize, diagnostics: &mut Ve
     let Some(string) = roles.visemes.or_else(first_text).or(roles.events) else { return };
     let span = string.text.match_indices(text::DELIMITER).nth(MOST_SEGMENTS - 1).map(|(at, bar)| at..at + bar.len());
     let message = format!("the clip has {count} segments; a bank has room for {MOST_SEGMENTS}");
-    let finding = Diagnostic::at(Code::BankTooLarge, span.map_or(string.span(), |bar| string.span_of(bar)), message);
-    diagnostics.push(finding.help("divide it into several clips"));
+    let diagnostic = Diagnostic::at(Code::BankTooLarge, span.map_or(string.span(), |bar| string.span_of(bar)), message);
+    diagnostics.push(diagnostic.help("divide it into several clips"));
 }

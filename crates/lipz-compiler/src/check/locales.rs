@@ -63,9 +63,9 @@ fn tag_of(
 
 fn misspelt(element: &Element<'_>, locale: &str) -> Diagnostic {
     let message = format!("{} is read as `text_{locale}`", escape::quoted(&element.name.text));
-    let finding = Diagnostic::at(Code::LocaleSpelling, element.name.span(), message)
+    let diagnostic = Diagnostic::at(Code::LocaleSpelling, element.name.span(), message)
         .note("the format spells locales in lower case, with a hyphen, after text_");
-    renamed(finding, element, locale)
+    renamed(diagnostic, element, locale)
 }
 
 /// The project's default locale in its canonical form; those who fix a single file may spell it as they like.
@@ -75,31 +75,31 @@ fn default_locale(options: &Options) -> Option<String> {
 
 fn no_locale(element: &Element<'_>, default: Option<&str>, options: &Options) -> Diagnostic {
     let name = &element.name.text;
-    let finding = |message| Diagnostic::at(Code::TextWithoutLocale, element.name.span(), message);
+    let diagnostic = |message| Diagnostic::at(Code::TextWithoutLocale, element.name.span(), message);
     let Some(default) = default else {
-        let finding = finding(format!("`{name}` has no locale")).help(
+        let diagnostic = diagnostic(format!("`{name}` has no locale")).help(
             "write the locale, \"text_en-us\", or set the project's default locale: default-locale = \"en-us\" in \
              lipz.toml",
         );
         let is_lowered = options.levels.lowers(Code::TextWithoutLocale);
-        return if is_lowered { finding.note("it is kept for unpacking; games do not see it") } else { finding };
+        return if is_lowered { diagnostic.note("it is kept for unpacking; games do not see it") } else { diagnostic };
     };
-    let mut finding = finding(format!("`{name}` has no locale and is read as the default, `text_{default}`"));
-    finding.severity = Severity::Warning;
-    renamed(finding, element, default)
+    let mut diagnostic = diagnostic(format!("`{name}` has no locale and is read as the default, `text_{default}`"));
+    diagnostic.severity = Severity::Warning;
+    renamed(diagnostic, element, default)
 }
 
 /// The help and the fix to name the element `text_` and the locale.
-fn renamed(finding: Diagnostic, element: &Element<'_>, locale: &str) -> Diagnostic {
+fn renamed(diagnostic: Diagnostic, element: &Element<'_>, locale: &str) -> Diagnostic {
     let name = format!("\"text_{locale}\"");
-    finding.help(format!("write {name}")).fix(element.name.span(), name)
+    diagnostic.help(format!("write {name}")).fix(element.name.span(), name)
 }
 
 /// Takes back fixes that would give two elements one name.
 pub(super) fn keep_names_apart(document: &Document<'_>, diagnostics: &mut [Diagnostic]) {
-    let renames = |finding: &Diagnostic| {
-        matches!(finding.code, Code::LocaleSpelling | Code::TextWithoutLocale | Code::LocaleShape)
-            && finding.fix.is_some()
+    let renames = |diagnostic: &Diagnostic| {
+        matches!(diagnostic.code, Code::LocaleSpelling | Code::TextWithoutLocale | Code::LocaleShape)
+            && diagnostic.fix.is_some()
     };
     if !diagnostics.iter().any(renames) {
         return;
@@ -108,19 +108,20 @@ pub(super) fn keep_names_apart(document: &Document<'_>, diagnostics: &mut [Diagn
     for name in document.elements.iter().map(|element| lipz_file::literal(&element.name.text)) {
         *count_of.entry(name).or_default() += 1;
     }
-    let renaming = || diagnostics.iter().filter(|finding| renames(finding)).filter_map(|finding| finding.fix.as_ref());
+    let renaming =
+        || diagnostics.iter().filter(|diagnostic| renames(diagnostic)).filter_map(|diagnostic| diagnostic.fix.as_ref());
     for fix in renaming() {
         *count_of.entry(fix.replacement.clone()).or_default() += 1;
     }
-    for finding in diagnostics.iter_mut().filter(|finding| renames(finding)) {
-        finding.fix = finding.fix.take().filter(|fix| count_of.get(&fix.replacement) == Some(&1));
+    for diagnostic in diagnostics.iter_mut().filter(|diagnostic| renames(diagnostic)) {
+        diagnostic.fix = diagnostic.fix.take().filter(|fix| count_of.get(&fix.replacement) == Some(&1));
     }
 }
 
-/// The finding for a locale that the run does not accept; `is_tag` if it is one of BCP 47.
+/// The diagnostic for a locale that the run does not accept; `is_tag` if it is one of BCP 47.
 fn other_shape(element: &Element<'_>, locale: &str, is_tag: bool, options: &Options) -> Diagnostic {
     let shown = escape::quoted(locale);
-    let finding = if options.extended_locales {
+    let diagnostic = if options.extended_locales {
         Diagnostic::at(Code::LocaleShape, element.name.span(), format!("{shown} is not a BCP 47 language tag"))
             .note("a tag is a language, with a script or a region: en-us, es-419, zh-hant")
     } else {
@@ -131,17 +132,19 @@ fn other_shape(element: &Element<'_>, locale: &str, is_tag: bool, options: &Opti
     match locale::text_name(without_blanks) {
         Some(TextName::Canonical(tag)) if without_blanks.len() < element.name.text.len() => {
             let name = format!("\"text_{tag}\"");
-            finding.help(format!("remove the space: {name}")).fix(element.name.span(), name)
+            diagnostic.help(format!("remove the space: {name}")).fix(element.name.span(), name)
         }
-        _ if is_tag => finding.help("name a country, or accept any BCP 47 tag: extended-locales = true in lipz.toml"),
-        _ => finding.help("write \"text_ll-cc\", for example \"text_en-us\""),
+        _ if is_tag => {
+            diagnostic.help("name a country, or accept any BCP 47 tag: extended-locales = true in lipz.toml")
+        }
+        _ => diagnostic.help("write \"text_ll-cc\", for example \"text_en-us\""),
     }
 }
 
 /// The warning for a language or a country that is in no ISO list.
 fn unknown_parts(element: &Element<'_>, tag: &str) -> Option<Diagnostic> {
-    let finding = Diagnostic::at(Code::UnknownLocale, element.name.span(), in_no_list(tag)?);
-    Some(finding.help(match tag {
+    let diagnostic = Diagnostic::at(Code::UnknownLocale, element.name.span(), in_no_list(tag)?);
+    Some(diagnostic.help(match tag {
         "en-uk" => "the United Kingdom is gb: \"text_en-gb\"",
         _ => "languages are ISO 639-1 codes, countries ISO 3166-1 alpha-2 codes",
     }))

@@ -1,4 +1,4 @@
-//! Checking one file: from elements to a clip, with every finding on the way.
+//! Checking one file: from elements to a clip, with every diagnostic on the way.
 
 mod bank_limits;
 mod elements;
@@ -21,7 +21,7 @@ use lipz_file::Document;
 use readability::Times;
 use visemes::Expected;
 
-/// Makes `clip` the one that `document` describes; its texts refer to `locales`. All findings are
+/// Makes `clip` the one that `document` describes; its texts refer to `locales`. All diagnostics are
 /// reported; if one of them is an error at the project's levels, the clip is of no use.
 ///
 /// The source record of the clip is left empty.

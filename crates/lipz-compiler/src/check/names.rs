@@ -7,7 +7,7 @@ use lipz_file::locale::{self, TextName};
 /// Names of the elements of the format that are not texts.
 const NAMES: [&str; 4] = ["fps", "visemes", "viseme_type", "events"];
 
-/// The finding for a name that is not of the format.
+/// The diagnostic for a name that is not of the format.
 pub(super) fn unknown(element: &Element<'_>) -> Diagnostic {
     let name = element.name.text.as_ref();
     let message = if name.is_empty() {

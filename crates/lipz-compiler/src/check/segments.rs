@@ -15,7 +15,7 @@ const SHOWN_ALONE: usize = 2;
 /// Columns of a segment that are shown.
 const WIDTH: usize = 36;
 
-/// What happens to elements that differ if the project lowers the finding.
+/// What happens to elements that differ if the project lowers the diagnostic.
 const JOINED: &str = "all segments of an element that differs from `visemes` are joined to its first one";
 
 /// An element with its number of segments.
@@ -43,8 +43,8 @@ pub(super) fn report_differing(roles: &Roles<'_>, options: &Options, diagnostics
     let first = diagnostics.len();
     report(reference, &others.collect::<Vec<_>>(), visemes.is_some(), diagnostics);
     if options.levels.lowers(Code::SegmentCount) {
-        for finding in &mut diagnostics[first..] {
-            finding.notes.push(JOINED.to_owned());
+        for diagnostic in &mut diagnostics[first..] {
+            diagnostic.notes.push(JOINED.to_owned());
         }
     }
 }
@@ -57,7 +57,7 @@ fn report(reference: Segmented<'_>, others: &[Segmented<'_>], is_visemes: bool, 
     if let ([first, _, ..], true) = (others, is_visemes)
         && others.iter().all(|other| other.count == first.count && damage(other, reference).is_none())
     {
-        // All the others agree: one finding, about `visemes`.
+        // All the others agree: one diagnostic, about `visemes`.
         if !is_explained(first) {
             let message =
                 format!("`visemes` has {}, but all other elements have {}", plural(reference.count), first.count);
@@ -68,17 +68,17 @@ fn report(reference: Segmented<'_>, others: &[Segmented<'_>], is_visemes: bool, 
     for other in differing().filter(|other| !is_explained(other)) {
         let message =
             format!("`{}` has {}, but `{}` has {}", other.name, plural(other.count), reference.name, reference.count);
-        let finding = mismatch(message, *other, reference);
+        let diagnostic = mismatch(message, *other, reference);
         diagnostics.push(match damage(other, reference) {
-            Some(help) => finding.help(help),
-            None => finding,
+            Some(help) => diagnostic.help(help),
+            None => diagnostic,
         });
     }
 }
 
 /// Two elements that differ, with their segments side by side.
 fn mismatch(message: String, blamed: Segmented<'_>, reference: Segmented<'_>) -> Diagnostic {
-    let mut finding = Diagnostic::at(Code::SegmentCount, blamed.string.span(), message)
+    let mut diagnostic = Diagnostic::at(Code::SegmentCount, blamed.string.span(), message)
         .label(plural(blamed.count))
         .also(reference.string.span(), plural(reference.count))
         .help("put a `|` into each element where the segments meet");
@@ -92,12 +92,12 @@ fn mismatch(message: String, blamed: Segmented<'_>, reference: Segmented<'_>) ->
         let missing = "(none)".to_owned();
         let (a, b) = (left.get(row).unwrap_or(&missing), right.get(row).unwrap_or(&missing));
         let blanks = " ".repeat(width.saturating_sub(a.width()));
-        finding = finding.note(format!("{number:>2}  {a}{blanks}  {b}"));
+        diagnostic = diagnostic.note(format!("{number:>2}  {a}{blanks}  {b}"));
     }
     match longest - rows {
-        0 => finding,
-        1 => finding.note("1 more segment is not shown"),
-        hidden => finding.note(format!("{hidden} more segments are not shown")),
+        0 => diagnostic,
+        1 => diagnostic.note("1 more segment is not shown"),
+        hidden => diagnostic.note(format!("{hidden} more segments are not shown")),
     }
 }
 

@@ -7,7 +7,7 @@ use lipz_file::JsonString;
 use lipz_file::text;
 use std::borrow::Cow;
 
-/// Findings of one kind that one text shows in full; the rest is counted.
+/// Diagnostics of one kind that one text shows in full; the rest is counted.
 pub(super) const SHOWN: usize = 3;
 
 /// Makes `displays` the display texts of all segments.
@@ -33,39 +33,39 @@ pub(super) fn display_texts(
     }
     for (index, &at) in unbalanced.iter().take(SHOWN).enumerate() {
         let (brace, partner) = if string.text.as_bytes().get(at) == Some(&b'{') { ('{', '}') } else { ('}', '{') };
-        let finding = Diagnostic::at(
+        let diagnostic = Diagnostic::at(
             Code::UnbalancedBrace,
             string.span_of(at..at + 1),
             format!("this `{brace}` has no `{partner}` in its segment and is displayed"),
         )
         .help("braces enclose meta information that is not displayed, and end in the segment where they begin");
-        diagnostics.push(more(finding, index, unbalanced.len()));
+        diagnostics.push(more(diagnostic, index, unbalanced.len()));
     }
     for (index, &at) in nested.iter().take(SHOWN).enumerate() {
-        let finding = Diagnostic::at(
+        let diagnostic = Diagnostic::at(
             Code::NestedBraces,
             string.span_of(at..at + 1),
             "the meta information that starts here contains braces",
         )
         .help("everything up to its own `}` is left out of the display");
-        diagnostics.push(more(finding, index, nested.len()));
+        diagnostics.push(more(diagnostic, index, nested.len()));
     }
     nul(string, Code::NulInText, "the text contains", diagnostics);
     if displays.text().is_empty() {
-        let finding = Diagnostic::at(Code::EmptyDisplayText, string.span(), "nothing of this text is displayed");
+        let diagnostic = Diagnostic::at(Code::EmptyDisplayText, string.span(), "nothing of this text is displayed");
         diagnostics.push(if options.literal_braces || !string.text.contains('{') {
-            finding.help("leave the element out, so that players see the text of the fallback locale")
+            diagnostic.help("leave the element out, so that players see the text of the fallback locale")
         } else {
-            finding.note("all of it is {meta}, which the format does not display")
+            diagnostic.note("all of it is {meta}, which the format does not display")
         });
     }
 }
 
 /// Says behind the last finding that is shown how many of the kind are not.
-pub(super) fn more(finding: Diagnostic, index: usize, count: usize) -> Diagnostic {
+pub(super) fn more(diagnostic: Diagnostic, index: usize, count: usize) -> Diagnostic {
     match count.saturating_sub(SHOWN) {
-        rest if rest > 0 && index + 1 == SHOWN => finding.note(format!("{rest} more in this text are not shown")),
-        _ => finding,
+        rest if rest > 0 && index + 1 == SHOWN => diagnostic.note(format!("{rest} more in this text are not shown")),
+        _ => diagnostic,
     }
 }
 

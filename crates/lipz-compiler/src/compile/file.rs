@@ -125,10 +125,10 @@ fn make_clip(
     true
 }
 
-/// Whether a finding is an error at the project's levels, which the findings get.
+/// Whether a diagnostic is an error at the project's levels, which the diagnostics get.
 fn has_errors(options: &Options, diagnostics: &mut Vec<Diagnostic>) -> bool {
     options.levels.apply(diagnostics);
-    diagnostics.iter().any(|finding| finding.severity == Severity::Error)
+    diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error)
 }
 
 /// A stopwatch that starts again at each reading.

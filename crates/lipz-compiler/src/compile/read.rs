@@ -32,12 +32,12 @@ impl FileReader {
             // Some files do not tell their length: one byte too many shows that they are too large.
             file.take(limit + 1 - SMALL_FILE).read_to_end(&mut self.bytes).map(|_| true)
         });
-        let finding = match read {
+        let diagnostic = match read {
             Ok(true) => return Ok(&self.bytes),
             Ok(false) => lipz_file::too_large(),
             Err(error) => Diagnostic::new(Code::UnreadableFile, format!("the file cannot be read: {error}")),
         };
-        Err(Report::about(display(path), finding))
+        Err(Report::about(display(path), diagnostic))
     }
 
     /// Elsewhere, the standard library has no other way than the path.

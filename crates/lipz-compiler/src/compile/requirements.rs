@@ -17,20 +17,20 @@ pub(super) fn enough_texts(bank: &[u8], options: &Options) -> Result<(), Report>
     if shortfalls.is_empty() { Ok(()) } else { Err(Report::all_about("", shortfalls)) }
 }
 
-/// A finding for each locale that the project packs and the bank does not have, at the project's level.
+/// A diagnostic for each locale that the project packs and the bank does not have, at the project's level.
 pub(super) fn locales_without_texts(bank: &[u8], options: &Options) -> Report {
     let (Some(packed), Ok(bank)) = (&options.locales, Bank::open(bank)) else { return Report::default() };
     let is_absent = |tag: &&String| bank.locale(tag).is_none() && !pseudo::is_pseudo(tag);
-    let mut findings = packed.iter().filter(is_absent).map(|tag| without_texts(tag)).collect();
-    options.levels.apply(&mut findings);
-    Report::all_about("", findings)
+    let mut diagnostics = packed.iter().filter(is_absent).map(|tag| without_texts(tag)).collect();
+    options.levels.apply(&mut diagnostics);
+    Report::all_about("", diagnostics)
 }
 
 fn without_texts(tag: &str) -> Diagnostic {
-    let finding =
+    let diagnostic =
         Diagnostic::new(Code::LocaleWithoutTexts, format!("`{tag}` is to be packed, but no clip has a text in it"));
     match Some(tag).filter(|tag| locale::has_lipz_shape(tag)).and_then(in_no_list) {
-        Some(what) => finding.note(what).help("is it misspelt?"),
-        None => finding.help("is it misspelt? if not, leave it out until there are texts"),
+        Some(what) => diagnostic.note(what).help("is it misspelt?"),
+        None => diagnostic.help("is it misspelt? if not, leave it out until there are texts"),
     }
 }

@@ -110,7 +110,7 @@ impl Run {
         Ok(())
     }
 
-    /// Ends the run with this finding.
+    /// Ends the run with this diagnostic.
     pub(crate) fn fail(mut self, report: Report) -> Compiled {
         self.reports.push(report);
         self.finish(None)

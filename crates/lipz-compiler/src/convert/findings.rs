@@ -16,24 +16,24 @@ pub(super) fn loss(document: &Document<'_>, conversion: &Conversion) -> Option<D
     let frames = |count: usize| if count == 1 { "1 frame".to_owned() } else { format!("{count} frames") };
     let loses = if count == 1 { "loses its" } else { "lose their" };
     let message = format!("{} {loses} own mouth shape: toonboom has no `L` and no `U`", frames(count));
-    let finding = Diagnostic::at(Code::ConversionLoss, visemes.span_of(first..first + 1), message);
-    let finding = MERGED.iter().fold(finding, |finding, &(blair, toonboom)| {
+    let diagnostic = Diagnostic::at(Code::ConversionLoss, visemes.span_of(first..first + 1), message);
+    let diagnostic = MERGED.iter().fold(diagnostic, |diagnostic, &(blair, toonboom)| {
         let (blair, toonboom) = (char::from(blair), char::from(toonboom));
         match visemes.text.matches(blair).count() {
-            0 => finding,
-            count => finding.note(format!("`{blair}` becomes `{toonboom}` in {}", frames(count))),
+            0 => diagnostic,
+            count => diagnostic.note(format!("`{blair}` becomes `{toonboom}` in {}", frames(count))),
         }
     });
-    Some(finding.help("keep the blair file: converting back gives `S` and `W` for them"))
+    Some(diagnostic.help("keep the blair file: converting back gives `S` and `W` for them"))
 }
 
 /// The error for codes that have no counterparts.
 pub(super) fn refused(document: &Document<'_>, from: VisemeType, to: VisemeType) -> Diagnostic {
-    let finding = about_type(document, format!("{from} codes cannot be converted to {to}"))
+    let diagnostic = about_type(document, format!("{from} codes cannot be converted to {to}"))
         .note("rms codes say how loud a frame is, blair and toonboom codes which shape the mouth has");
     match to {
-        VisemeType::Rms => finding.help("make the rms codes from the audio file"),
-        _ => finding.help(format!("make the {to} codes from the audio file, or animate them by hand")),
+        VisemeType::Rms => diagnostic.help("make the rms codes from the audio file"),
+        _ => diagnostic.help(format!("make the {to} codes from the audio file, or animate them by hand")),
     }
 }
 
@@ -47,7 +47,7 @@ pub(super) fn ambiguous(document: &Document<'_>, candidates: &[VisemeType]) -> D
     ))
 }
 
-/// A finding about the viseme type, or the codes of a file that does not name it.
+/// A diagnostic about the viseme type, or the codes of a file that does not name it.
 fn about_type(document: &Document<'_>, message: String) -> Diagnostic {
     let element = document.get("viseme_type").or_else(|| document.get("visemes"));
     match element {

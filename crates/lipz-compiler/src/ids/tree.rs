@@ -36,7 +36,7 @@ impl Leaf<'_> {
 }
 
 impl<'data> Folder<'data> {
-    /// The tree of a bank's clips; a finding for each clip whose identifier another one has.
+    /// The tree of a bank's clips; a diagnostic for each clip whose identifier another one has.
     pub(super) fn from_bank(
         bank: &Bank<'data>,
         naming: Naming,

@@ -60,18 +60,18 @@ pub fn check(inputs: &[Input], reports: &mut Vec<Report>) {
             continue;
         }
         let Some(before) = seen.insert(folded(key), input) else { continue };
-        let finding = if before.key == *key {
+        let diagnostic = if before.key == *key {
             Diagnostic::new(Code::DuplicateKey, format!("the key `{}` appears twice", escape::text(key)))
                 .help("pack one of the two, or give the sources a common `root`")
         } else {
             clash(&before.key, key).help("rename one of the two")
         };
-        let finding = finding.note(format!("the other file is {}", before.name()));
-        reports.push(Report::about(input.name(), finding));
+        let diagnostic = diagnostic.note(format!("the other file is {}", before.name()));
+        reports.push(Report::about(input.name(), diagnostic));
     }
 }
 
-/// The finding for two different keys that are equal when [`folded`].
+/// The diagnostic for two different keys that are equal when [`folded`].
 pub(crate) fn clash(first: &str, second: &str) -> Diagnostic {
     let keys = format!("the keys `{}` and `{}`", escape::text(first), escape::text(second));
     match two_spellings(first, second) {

@@ -133,7 +133,7 @@ fn unique_ids(clips: &[Clip<'_>]) -> Result<Vec<u64>, Report> {
     ))
 }
 
-/// A number that a 32-bit field of the bank holds, or the finding that it does not.
+/// A number that a 32-bit field of the bank holds, or the diagnostic that it does not.
 pub(crate) fn fit(number: usize, what: &str) -> Result<u32, Report> {
     u32::try_from(number).map_err(|_| too_large(what))
 }

@@ -28,10 +28,10 @@ impl Reading<'_> {
         };
         if name.is_empty() || name.len() > MAX_NAME_BYTES {
             let message = "a babble profile has a name that is empty or too long";
-            let finding = Diagnostic::at(Code::SettingValue, span(&value.key), message);
+            let diagnostic = Diagnostic::at(Code::SettingValue, span(&value.key), message);
             return self
-                .findings
-                .push(finding.help("programs ask for it by its name: write one, as in [babble.robot]"));
+                .diagnostics
+                .push(diagnostic.help("programs ask for it by its name: write one, as in [babble.robot]"));
         }
         let mut profile = BabbleProfile::default();
         for (key, node) in entries {
@@ -66,9 +66,11 @@ impl Reading<'_> {
             DeValue::String(text) => text,
             DeValue::Integer(number) => {
                 let help = format!("put the digits into quotes: \"{number}\"");
-                return value.wrong_type("a text of digits", &help, &mut self.findings);
+                return value.wrong_type("a text of digits", &help, &mut self.diagnostics);
             }
-            _ => return value.wrong_type("a text of digits", "write digits in quotes: \"0123\"", &mut self.findings),
+            _ => {
+                return value.wrong_type("a text of digits", "write digits in quotes: \"0123\"", &mut self.diagnostics);
+            }
         };
         let why = match Digits::parse(text) {
             Ok(digits) => return Some(digits),
@@ -77,16 +79,16 @@ impl Reading<'_> {
         // In a plain string, the characters stand behind the quote as they are.
         let is_plain = value.node.span().len() == text.len() + 2;
         let text_start = is_plain.then_some(value.span().start as usize + 1);
-        self.findings.push(why.diagnostic(&value.name, value.span(), text_start));
+        self.diagnostics.push(why.diagnostic(&value.name, value.span(), text_start));
         None
     }
 
     fn rate(&mut self, value: &Value<'_>) -> Option<Fps> {
-        let rate = value.ratio(&mut self.findings)?;
+        let rate = value.ratio(&mut self.diagnostics)?;
         if rate.is_none() {
             let message = format!("`{}` is outside 1 to 1000", escape::text(&value.name));
-            let finding = Diagnostic::at(Code::BabbleRate, value.span(), message);
-            self.findings.push(finding.help("write digits per second; the viewer's own rate is 24"));
+            let diagnostic = Diagnostic::at(Code::BabbleRate, value.span(), message);
+            self.diagnostics.push(diagnostic.help("write digits per second; the viewer's own rate is 24"));
         }
         rate
     }
@@ -97,6 +99,6 @@ impl Reading<'_> {
             Some(known) => format!("did you mean `{known}`?"),
             None => format!("they are {}; a profile with a name is a table, [babble.NAME]", SETTINGS.join(", ")),
         };
-        self.findings.push(Diagnostic::at(Code::UnknownSetting, span(&value.key), message).help(help));
+        self.diagnostics.push(Diagnostic::at(Code::UnknownSetting, span(&value.key), message).help(help));
     }
 }

@@ -23,7 +23,7 @@ impl Settings {
 
     /// Reads the settings file at `path`.
     ///
-    /// Paths in the file count from its folder. Settings with findings at error level keep their
+    /// Paths in the file count from its folder. Settings with diagnostics at error level keep their
     /// defaults; the report says whether there are any.
     pub fn read(path: &Path) -> (Settings, Report) {
         let name = display(path);

@@ -5,7 +5,7 @@ use lipz_diagnostics::{Code, Severity, suggest::nearest};
 /// The group of all lints that are warnings by default.
 const WARNINGS: &str = "warnings";
 
-/// Levels by name; "allow" drops the finding.
+/// Levels by name; "allow" drops the diagnostic.
 pub const LEVELS: [(&str, Option<Severity>); 3] =
     [("allow", None), ("warn", Some(Severity::Warning)), ("deny", Some(Severity::Error))];
 

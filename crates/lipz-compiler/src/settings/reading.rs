@@ -18,7 +18,7 @@ const ALL_LOCALES: &str = "all";
 pub(super) struct Reading<'t> {
     pub(super) settings: Settings,
     pub(super) folder: &'t Path,
-    pub(super) findings: Findings,
+    pub(super) diagnostics: Findings,
     /// Levels of groups of lints: they hold where no lint is named by itself.
     groups: Levels,
     /// Where each level was set.
@@ -26,12 +26,12 @@ pub(super) struct Reading<'t> {
 }
 
 /// The settings in `text`, with paths that count from `folder`.
-pub(super) fn read(text: &str, folder: &Path, findings: &mut Findings) -> Settings {
+pub(super) fn read(text: &str, folder: &Path, diagnostics: &mut Findings) -> Settings {
     let (root, errors) = DeTable::parse_recoverable(text);
     let mut reading = Reading {
         settings: Settings::default(),
         folder,
-        findings: Vec::new(),
+        diagnostics: Vec::new(),
         groups: Levels::new(),
         levels: BTreeMap::new(),
     };
@@ -39,19 +39,19 @@ pub(super) fn read(text: &str, folder: &Path, findings: &mut Findings) -> Settin
         reading.table(table, root.get_ref());
     }
     reading.unknown_names("", root.get_ref());
-    let Reading { mut settings, groups, findings: mut found, .. } = reading;
+    let Reading { mut settings, groups, diagnostics: mut found, .. } = reading;
     let named = std::mem::replace(&mut settings.options.levels, groups);
     settings.options.levels.extend(named);
     if settings.sources.is_empty() {
         settings.sources.push(plain(folder));
     }
     let faults = Faults::new(text, &errors);
-    found.retain(|finding| {
-        let places = finding.primary.iter().chain(&finding.labels);
+    found.retain(|diagnostic| {
+        let places = diagnostic.primary.iter().chain(&diagnostic.labels);
         !places.into_iter().any(|label| faults.may_have_made_up(label.span))
     });
-    findings.extend(faults.findings(root.get_ref()));
-    findings.append(&mut found);
+    diagnostics.extend(faults.diagnostics(root.get_ref()));
+    diagnostics.append(&mut found);
     settings
 }
 
@@ -67,7 +67,7 @@ impl<'t> Reading<'t> {
                     _ => {
                         let value = Value { name: name.to_owned(), key: key.span(), node };
                         let help = format!("write [{name}] on a line of its own, and its settings below");
-                        value.wrong_type::<()>("a table", &help, &mut self.findings);
+                        value.wrong_type::<()>("a table", &help, &mut self.diagnostics);
                         return;
                     }
                 },
@@ -98,7 +98,7 @@ impl<'t> Reading<'t> {
     fn unknown_names(&mut self, table: &str, entries: &DeTable<'_>) {
         let known = names(table);
         for (key, _) in entries.iter().filter(|(key, _)| !known.contains(&key.get_ref().as_ref())) {
-            self.findings.push(unknown_name(table, key, &known));
+            self.diagnostics.push(unknown_name(table, key, &known));
         }
     }
 
@@ -108,12 +108,12 @@ impl<'t> Reading<'t> {
     }
 
     pub(super) fn refuse(&mut self, value: &Value<'_>, what: &str, help: &str) {
-        value.refuse::<()>(what, help, &mut self.findings);
+        value.refuse::<()>(what, help, &mut self.diagnostics);
     }
 
     /// A list of words that events mention.
     pub(super) fn words(&mut self, value: &Value<'_>) -> Option<BTreeSet<String>> {
-        value.list(&mut self.findings, Value::word).map(FromIterator::from_iter)
+        value.list(&mut self.diagnostics, Value::word).map(FromIterator::from_iter)
     }
 
     /// The locale that a key names.
@@ -122,7 +122,7 @@ impl<'t> Reading<'t> {
             Ok(locale) => Some(locale),
             Err((what, help)) => {
                 let message = format!("{} {what}", escape::quoted(name));
-                self.findings.push(Diagnostic::at(Code::SettingValue, span(&value.key), message).help(help));
+                self.diagnostics.push(Diagnostic::at(Code::SettingValue, span(&value.key), message).help(help));
                 None
             }
         }
@@ -131,14 +131,14 @@ impl<'t> Reading<'t> {
     /// Reports the second entry of a locale, whose key spells it in another way than the first.
     fn locale_twice(&mut self, locale: &str, value: &Value<'_>) {
         let message = format!("a second entry for the locale `{locale}`");
-        let finding = Diagnostic::at(Code::SettingValue, span(&value.key), message);
-        self.findings.push(finding.help("remove one of the two"));
+        let diagnostic = Diagnostic::at(Code::SettingValue, span(&value.key), message);
+        self.diagnostics.push(diagnostic.help("remove one of the two"));
     }
 
     /// The share of the clips that must have a text in the locale `name`, or in all.
     pub(super) fn min_coverage(&mut self, name: &str, value: &Value<'_>) {
         let locale = if name == ALL_LOCALES { None } else { Some(self.locale_of_key(name, value)) };
-        let Some(percent) = value.percent(&mut self.findings) else { return };
+        let Some(percent) = value.percent(&mut self.diagnostics) else { return };
         let wanted = &mut self.settings.options.min_coverage;
         match locale {
             None => wanted.all = Some(percent),
@@ -155,10 +155,12 @@ impl<'t> Reading<'t> {
     pub(super) fn fallback(&mut self, name: &str, value: &Value<'_>) {
         let extended = self.extended();
         let locale = self.locale_of_key(name, value);
-        let chain = value.list(&mut self.findings, |item, findings| {
-            let other = item.locale(extended, findings)?;
+        let chain = value.list(&mut self.diagnostics, |item, diagnostics| {
+            let other = item.locale(extended, diagnostics)?;
             match &locale {
-                Some(locale) if *locale == other => item.refuse("falls back to itself", "name other locales", findings),
+                Some(locale) if *locale == other => {
+                    item.refuse("falls back to itself", "name other locales", diagnostics)
+                }
                 _ => Some(other),
             }
         });
@@ -178,9 +180,9 @@ impl<'t> Reading<'t> {
                 Some(known) => format!("did you mean `{known}`?"),
                 None => "diagnostics show their code in brackets: write that, or the name of the lint".to_owned(),
             };
-            self.findings.push(Diagnostic::at(Code::UnknownLint, span(&value.key), message).help(help));
+            self.diagnostics.push(Diagnostic::at(Code::UnknownLint, span(&value.key), message).help(help));
         }
-        let Some(text) = value.text(&mut self.findings) else { return };
+        let Some(text) = value.text(&mut self.diagnostics) else { return };
         let level = match lint::level(text) {
             Ok(level) => level,
             Err(meant) => {
@@ -202,13 +204,14 @@ impl<'t> Reading<'t> {
         let name = code.name();
         if let Some(why) = lint::refusal(code, level) {
             let message = format!("`{name}` is an error that cannot be lowered");
-            let finding =
+            let diagnostic =
                 Diagnostic::at(Code::FixedLevel, value.span(), message).also(span(&value.key), code.summary());
-            self.findings.push(finding.help(why));
+            self.diagnostics.push(diagnostic.help(why));
         } else if let Some(before) = self.levels.insert(code, span(&value.key)) {
             let message = format!("`{name}` and `{code}` are one lint, whose level is set twice");
-            let finding = Diagnostic::at(Code::SettingValue, span(&value.key), message).also(before, "the first one");
-            self.findings.push(finding.help("remove one of the two"));
+            let diagnostic =
+                Diagnostic::at(Code::SettingValue, span(&value.key), message).also(before, "the first one");
+            self.diagnostics.push(diagnostic.help("remove one of the two"));
         } else {
             self.settings.options.levels.set(code, level);
         }
@@ -232,24 +235,24 @@ fn setting_names(table: &Table) -> impl Iterator<Item = &'static str> {
 
 fn unknown_name(table: &str, key: &Spanned<DeString<'_>>, known: &[&'static str]) -> Diagnostic {
     let name = key.get_ref().as_ref();
-    let finding = |what: &str| {
+    let diagnostic = |what: &str| {
         Diagnostic::at(Code::UnknownSetting, span(&key.span()), format!("{} {what}", escape::quoted(name)))
     };
     // A setting below a table's name belongs to the table: the usual slip.
     if let Some(other) = TABLES.iter().find(|other| setting_names(other).any(|setting| setting == name)) {
         return match (other.name, table) {
-            ("", table) => finding(&format!("is not a setting of [{table}]")).help("write it above the first table"),
-            (other, _) => finding(&format!("is a setting of [{other}]")).help(format!("write it below [{other}]")),
+            ("", table) => diagnostic(&format!("is not a setting of [{table}]")).help("write it above the first table"),
+            (other, _) => diagnostic(&format!("is a setting of [{other}]")).help(format!("write it below [{other}]")),
         };
     }
     let place = if table.is_empty() { "is not a setting".to_owned() } else { format!("is not a setting of [{table}]") };
     if let Some(help) = of_flat_name(name) {
-        return finding(&place).help(help);
+        return diagnostic(&place).help(help);
     }
     let everywhere = || TABLES.iter().flat_map(setting_names);
     match nearest(name, known.iter().copied()).or_else(|| nearest(name, everywhere())) {
-        Some(known) => finding(&place).help(format!("did you mean `{known}`?")),
-        None => finding(&place).help(match table {
+        Some(known) => diagnostic(&place).help(format!("did you mean `{known}`?")),
+        None => diagnostic(&place).help(match table {
             "" => "`lipz init` writes a file that shows all settings".to_owned(),
             table => format!("the settings of [{table}] are {}", known.join(", ")),
         }),

@@ -30,11 +30,11 @@ impl<'t> Faults<'t> {
         faults
     }
 
-    /// The findings; `root` is what the parser made of the text.
-    pub(super) fn findings(&self, root: &DeTable<'_>) -> Vec<Diagnostic> {
+    /// The diagnostics; `root` is what the parser made of the text.
+    pub(super) fn diagnostics(&self, root: &DeTable<'_>) -> Vec<Diagnostic> {
         match self.unclosed {
-            Some(error) => vec![finding(self.text, root, error)],
-            None => self.by_line.values().map(|error| finding(self.text, root, error)).collect(),
+            Some(error) => vec![diagnostic(self.text, root, error)],
+            None => self.by_line.values().map(|error| diagnostic(self.text, root, error)).collect(),
         }
     }
 
@@ -50,7 +50,7 @@ impl<'t> Faults<'t> {
     }
 }
 
-fn finding(text: &str, root: &DeTable<'_>, error: &Error) -> Diagnostic {
+fn diagnostic(text: &str, root: &DeTable<'_>, error: &Error) -> Diagnostic {
     let place = error.span().unwrap_or_default();
     let written = text.get(place.clone()).unwrap_or_default();
     let message = error.message();

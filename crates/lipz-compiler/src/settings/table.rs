@@ -101,7 +101,8 @@ const GENERAL: &[Setting] = &[
         example: "[\".\"]",
         read: |value, to| {
             let folder = to.folder;
-            let sources = value.list(&mut to.findings, |item, findings| Some(inside(folder, item.text(findings)?)));
+            let sources =
+                value.list(&mut to.diagnostics, |item, diagnostics| Some(inside(folder, item.text(diagnostics)?)));
             match sources {
                 Some(sources) if sources.is_empty() => {
                     to.refuse(value, "names no sources", "name folders, files or patterns, or remove the line");
@@ -116,7 +117,7 @@ const GENERAL: &[Setting] = &[
         about: "Keys of clips are paths below this folder, without `.lipz`.",
         default: "each source folder",
         example: "\".\"",
-        read: |value, to| to.settings.root = value.text(&mut to.findings).map(|path| inside(to.folder, path)),
+        read: |value, to| to.settings.root = value.text(&mut to.diagnostics).map(|path| inside(to.folder, path)),
     },
     Setting {
         name: "output",
@@ -124,7 +125,7 @@ const GENERAL: &[Setting] = &[
         about: "The bank that `lipz pack` writes.",
         default: "named on the command line",
         example: "\"dialogue.lipzbank\"",
-        read: |value, to| to.settings.output = value.text(&mut to.findings).map(|path| inside(to.folder, path)),
+        read: |value, to| to.settings.output = value.text(&mut to.diagnostics).map(|path| inside(to.folder, path)),
     },
     Setting {
         name: "cache",
@@ -134,7 +135,7 @@ const GENERAL: &[Setting] = &[
                 `lipz watch` remembers them anyway; with this file, also between runs.",
         default: "every run reads all files",
         example: "\"dialogue.cache\"",
-        read: |value, to| to.settings.cache = value.text(&mut to.findings).map(|path| inside(to.folder, path)),
+        read: |value, to| to.settings.cache = value.text(&mut to.diagnostics).map(|path| inside(to.folder, path)),
     },
     Setting {
         name: "default-fps",
@@ -142,7 +143,7 @@ const GENERAL: &[Setting] = &[
         about: "Frame rate of files without `fps`, from 1 to 1000.",
         default: "unspecified, the game supplies it",
         example: "24",
-        read: |value, to| to.settings.options.default_fps = value.fps(&mut to.findings),
+        read: |value, to| to.settings.options.default_fps = value.fps(&mut to.diagnostics),
     },
     Setting {
         name: "default-viseme-type",
@@ -150,7 +151,7 @@ const GENERAL: &[Setting] = &[
         about: "Viseme type of files without `viseme_type`: blair, toonboom or rms.",
         default: "unspecified, the game supplies it",
         example: "\"blair\"",
-        read: |value, to| to.settings.options.default_viseme_type = value.viseme_type(&mut to.findings),
+        read: |value, to| to.settings.options.default_viseme_type = value.viseme_type(&mut to.diagnostics),
     },
     Setting {
         name: "viseme-type",
@@ -158,7 +159,7 @@ const GENERAL: &[Setting] = &[
         about: "Viseme type that clips of other types are converted to.",
         default: "each clip keeps its own",
         example: "\"toonboom\"",
-        read: |value, to| to.settings.options.viseme_type = value.viseme_type(&mut to.findings),
+        read: |value, to| to.settings.options.viseme_type = value.viseme_type(&mut to.diagnostics),
     },
     // Before the settings that contain locales.
     Setting {
@@ -168,7 +169,7 @@ const GENERAL: &[Setting] = &[
         default: "false",
         example: "false",
         read: |value, to| {
-            to.settings.options.extended_locales = value.boolean(&mut to.findings).unwrap_or_default();
+            to.settings.options.extended_locales = value.boolean(&mut to.diagnostics).unwrap_or_default();
         },
     },
     Setting {
@@ -177,7 +178,7 @@ const GENERAL: &[Setting] = &[
         about: "Locale of `text` without a locale, and the last fallback of all others.",
         default: "none",
         example: "\"en-us\"",
-        read: |value, to| to.settings.options.default_locale = value.locale(to.extended(), &mut to.findings),
+        read: |value, to| to.settings.options.default_locale = value.locale(to.extended(), &mut to.diagnostics),
     },
     Setting {
         name: "locales",
@@ -187,7 +188,7 @@ const GENERAL: &[Setting] = &[
         example: "[\"en-us\", \"de-de\"]",
         read: |value, to| {
             let extended = to.extended();
-            let locales = value.list(&mut to.findings, |item, findings| item.locale(extended, findings));
+            let locales = value.list(&mut to.diagnostics, |item, diagnostics| item.locale(extended, diagnostics));
             match locales {
                 Some(locales) if locales.is_empty() => {
                     to.refuse(value, "names no locales", "name at least one, or remove the line for all");
@@ -202,7 +203,7 @@ const GENERAL: &[Setting] = &[
         about: "Write the texts of each locale into a text bank beside the bank: `dialogue.de-de.lipztexts`.",
         default: "false",
         example: "false",
-        read: |value, to| to.settings.split_locales = value.boolean(&mut to.findings).unwrap_or_default(),
+        read: |value, to| to.settings.split_locales = value.boolean(&mut to.diagnostics).unwrap_or_default(),
     },
     Setting {
         name: "pseudo",
@@ -210,7 +211,7 @@ const GENERAL: &[Setting] = &[
         about: "Add a pseudo-locale with the default locale's texts, accented and longer: `en-xa` for `en-us`.",
         default: "false",
         example: "false",
-        read: |value, to| to.settings.options.pseudo = value.boolean(&mut to.findings).unwrap_or_default(),
+        read: |value, to| to.settings.options.pseudo = value.boolean(&mut to.diagnostics).unwrap_or_default(),
     },
     Setting {
         name: "strip",
@@ -218,7 +219,7 @@ const GENERAL: &[Setting] = &[
         about: "Leave out what only unpacking needs. The bank is smaller, and unpacks to display texts.",
         default: "false",
         example: "false",
-        read: |value, to| to.settings.options.strip = value.boolean(&mut to.findings).unwrap_or_default(),
+        read: |value, to| to.settings.options.strip = value.boolean(&mut to.diagnostics).unwrap_or_default(),
     },
 ];
 
@@ -245,7 +246,7 @@ const TEXT: &[Setting] = &[
         about: "Display braces as they are: `{0}` is a placeholder of the game, not meta information.",
         default: "false",
         example: "false",
-        read: |value, to| to.settings.options.literal_braces = value.boolean(&mut to.findings).unwrap_or_default(),
+        read: |value, to| to.settings.options.literal_braces = value.boolean(&mut to.diagnostics).unwrap_or_default(),
     },
     Setting {
         name: "line-columns",
@@ -253,7 +254,7 @@ const TEXT: &[Setting] = &[
         about: "Columns of a line; East Asian wide characters count two.",
         default: "no limit",
         example: "42",
-        read: |value, to| to.settings.options.text_limits.line_columns = value.count(&mut to.findings),
+        read: |value, to| to.settings.options.text_limits.line_columns = value.count(&mut to.diagnostics),
     },
     Setting {
         name: "lines",
@@ -261,7 +262,7 @@ const TEXT: &[Setting] = &[
         about: "Lines of a segment.",
         default: "no limit",
         example: "2",
-        read: |value, to| to.settings.options.text_limits.lines = value.count(&mut to.findings),
+        read: |value, to| to.settings.options.text_limits.lines = value.count(&mut to.diagnostics),
     },
     Setting {
         name: "characters-per-second",
@@ -269,7 +270,7 @@ const TEXT: &[Setting] = &[
         about: "Characters of a segment per second of its time, which a player has to read.",
         default: "no limit",
         example: "17",
-        read: |value, to| to.settings.options.text_limits.characters_per_second = value.positive(&mut to.findings),
+        read: |value, to| to.settings.options.text_limits.characters_per_second = value.positive(&mut to.diagnostics),
     },
 ];
 

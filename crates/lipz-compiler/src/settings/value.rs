@@ -18,35 +18,35 @@ pub(super) struct Value<'t> {
     pub(super) node: &'t Spanned<DeValue<'t>>,
 }
 
-/// Where findings go.
+/// Where diagnostics go.
 pub(super) type Findings = Vec<Diagnostic>;
 
 impl<'t> Value<'t> {
-    pub(super) fn boolean(&self, findings: &mut Findings) -> Option<bool> {
+    pub(super) fn boolean(&self, diagnostics: &mut Findings) -> Option<bool> {
         match self.node.get_ref() {
             DeValue::Boolean(value) => Some(*value),
             DeValue::String(text) if matches!(text.as_ref(), "true" | "false") => {
-                self.wrong_type("true or false", &format!("remove the quotes: {text}"), findings)
+                self.wrong_type("true or false", &format!("remove the quotes: {text}"), diagnostics)
             }
-            _ => self.wrong_type("true or false", "write true or false", findings),
+            _ => self.wrong_type("true or false", "write true or false", diagnostics),
         }
     }
 
-    pub(super) fn text(&self, findings: &mut Findings) -> Option<&'t str> {
+    pub(super) fn text(&self, diagnostics: &mut Findings) -> Option<&'t str> {
         match self.node.get_ref() {
             DeValue::String(text) if text.is_empty() => {
-                self.refuse("is empty", "write a value, or remove the line", findings)
+                self.refuse("is empty", "write a value, or remove the line", diagnostics)
             }
             DeValue::String(text) => Some(text.as_ref()),
-            DeValue::Array(_) => self.wrong_type("a text", "write one text, without brackets: \"…\"", findings),
-            _ => self.wrong_type("a text", "put the value into double quotes", findings),
+            DeValue::Array(_) => self.wrong_type("a text", "write one text, without brackets: \"…\"", diagnostics),
+            _ => self.wrong_type("a text", "put the value into double quotes", diagnostics),
         }
     }
 
-    /// The items of a list, each as a value by itself. Items with findings are left out.
+    /// The items of a list, each as a value by itself. Items with diagnostics are left out.
     pub(super) fn list<T>(
         &self,
-        findings: &mut Findings,
+        diagnostics: &mut Findings,
         mut item: impl FnMut(&Value<'t>, &mut Findings) -> Option<T>,
     ) -> Option<Vec<T>> {
         let DeValue::Array(array) = self.node.get_ref() else {
@@ -54,55 +54,55 @@ impl<'t> Value<'t> {
                 DeValue::String(text) => format!("write [\"{}\"]", escape::text(text)),
                 _ => "write texts in brackets: [\"…\", \"…\"]".to_owned(),
             };
-            return self.wrong_type("a list", &help, findings);
+            return self.wrong_type("a list", &help, diagnostics);
         };
         let items = array.iter().map(|node| Value { name: self.name.clone(), key: self.key.clone(), node });
-        Some(items.filter_map(|value| item(&value, findings)).collect())
+        Some(items.filter_map(|value| item(&value, diagnostics)).collect())
     }
 
     /// A number of at least 1 without fraction.
-    pub(super) fn count(&self, findings: &mut Findings) -> Option<u32> {
+    pub(super) fn count(&self, diagnostics: &mut Findings) -> Option<u32> {
         let DeValue::Integer(integer) = self.node.get_ref() else {
-            return self.wrong_type("a whole number", "write a number without fraction and quotes", findings);
+            return self.wrong_type("a whole number", "write a number without fraction and quotes", diagnostics);
         };
         let number = i64::from_str_radix(integer.as_str(), integer.radix()).unwrap_or(i64::MAX);
         match u32::try_from(number) {
             Ok(count) if count > 0 => Some(count),
-            _ if number < 1 => self.refuse("is less than 1", "remove the line for no limit", findings),
-            _ => self.refuse("is too large", "remove the line for no limit", findings),
+            _ if number < 1 => self.refuse("is less than 1", "remove the line for no limit", diagnostics),
+            _ => self.refuse("is too large", "remove the line for no limit", diagnostics),
         }
     }
 
     /// A number above 0.
-    pub(super) fn positive(&self, findings: &mut Findings) -> Option<f64> {
-        let number = self.decimal(findings)?;
+    pub(super) fn positive(&self, diagnostics: &mut Findings) -> Option<f64> {
+        let number = self.decimal(diagnostics)?;
         match f64::from_str(&number) {
             Ok(number) if number > 0.0 && number.is_finite() => Some(number),
-            _ => self.refuse("is not a number above 0", "remove the line for no limit", findings),
+            _ => self.refuse("is not a number above 0", "remove the line for no limit", diagnostics),
         }
     }
 
     /// A number from 0 to 100.
-    pub(super) fn percent(&self, findings: &mut Findings) -> Option<f64> {
-        let number = self.decimal(findings)?;
+    pub(super) fn percent(&self, diagnostics: &mut Findings) -> Option<f64> {
+        let number = self.decimal(diagnostics)?;
         match f64::from_str(&number) {
             Ok(number) if (0.0..=100.0).contains(&number) => Some(number),
-            _ => self.refuse("is not a number from 0 to 100", "write percent: 90", findings),
+            _ => self.refuse("is not a number from 0 to 100", "write percent: 90", diagnostics),
         }
     }
 
     /// A frame rate; a warning if it is not exactly what is written.
-    pub(super) fn fps(&self, findings: &mut Findings) -> Option<Fps> {
-        match self.ratio(findings)? {
+    pub(super) fn fps(&self, diagnostics: &mut Findings) -> Option<Fps> {
+        match self.ratio(diagnostics)? {
             Some(fps) => Some(fps),
-            None => self.refuse("is outside 1 to 1000", "write frames per second, usually 24, 25 or 30", findings),
+            None => self.refuse("is outside 1 to 1000", "write frames per second, usually 24, 25 or 30", diagnostics),
         }
     }
 
     /// A rate, if the value is a number: `Some(None)` if that is outside 1 to 1000. A warning if the rate
     /// is not exactly what is written.
-    pub(super) fn ratio(&self, findings: &mut Findings) -> Option<Option<Fps>> {
-        let number = self.decimal(findings)?;
+    pub(super) fn ratio(&self, diagnostics: &mut Findings) -> Option<Option<Fps>> {
+        let number = self.decimal(diagnostics)?;
         let rate = rate::parse(number.trim_start_matches('+'));
         let Some((rate, fps)) = rate.and_then(|rate| Some((rate, Fps::new(rate.numerator, rate.denominator)?))) else {
             return Some(None);
@@ -110,13 +110,13 @@ impl<'t> Value<'t> {
         if !rate.is_exact {
             let (numerator, denominator) = (rate.numerator, rate.denominator);
             let message = format!("`{}` is stored as {numerator}/{denominator}, the nearest exact ratio", self.name);
-            findings.push(Diagnostic::at(Code::FpsInexact, self.span(), message).help("write fewer digits"));
+            diagnostics.push(Diagnostic::at(Code::FpsInexact, self.span(), message).help("write fewer digits"));
         }
         Some(Some(fps))
     }
 
     /// The decimal digits of a number.
-    fn decimal(&self, findings: &mut Findings) -> Option<String> {
+    fn decimal(&self, diagnostics: &mut Findings) -> Option<String> {
         match self.node.get_ref() {
             DeValue::Float(float) => Some(float.as_str().to_owned()),
             DeValue::Integer(integer) => match i64::from_str_radix(integer.as_str(), integer.radix()) {
@@ -124,45 +124,49 @@ impl<'t> Value<'t> {
                 Err(_) => Some(integer.as_str().to_owned()),
             },
             DeValue::String(text) if text.parse::<f64>().is_ok() => {
-                self.wrong_type("a number", &format!("remove the quotes: {text}"), findings)
+                self.wrong_type("a number", &format!("remove the quotes: {text}"), diagnostics)
             }
-            _ => self.wrong_type("a number", "write a number: 24, 29.97", findings),
+            _ => self.wrong_type("a number", "write a number: 24, 29.97", diagnostics),
         }
     }
 
-    pub(super) fn viseme_type(&self, findings: &mut Findings) -> Option<VisemeType> {
-        let text = self.text(findings)?;
+    pub(super) fn viseme_type(&self, diagnostics: &mut Findings) -> Option<VisemeType> {
+        let text = self.text(diagnostics)?;
         let found = text.parse::<VisemeType>().ok();
         if found.is_none() {
             let help = match nearest(text, VisemeType::ALL.map(VisemeType::name)) {
                 Some(known) => format!("did you mean \"{known}\"?"),
                 None => "the viseme types are blair, toonboom and rms".to_owned(),
             };
-            return self.refuse("is not a viseme type", &help, findings);
+            return self.refuse("is not a viseme type", &help, diagnostics);
         }
         found
     }
 
     /// A locale in its canonical form; of any BCP 47 tag if `extended`.
-    pub(super) fn locale(&self, extended: bool, findings: &mut Findings) -> Option<String> {
-        let text = self.text(findings)?;
+    pub(super) fn locale(&self, extended: bool, diagnostics: &mut Findings) -> Option<String> {
+        let text = self.text(diagnostics)?;
         match canonical_locale(text, extended) {
             Ok(tag) => Some(tag),
-            Err((what, help)) => self.refuse(what, help, findings),
+            Err((what, help)) => self.refuse(what, help, diagnostics),
         }
     }
 
     /// A word that Character Event Syntax can mention.
-    pub(super) fn word(&self, findings: &mut Findings) -> Option<String> {
-        let text = self.text(findings)?;
+    pub(super) fn word(&self, diagnostics: &mut Findings) -> Option<String> {
+        let text = self.text(diagnostics)?;
         if !is_word(text) {
-            return self.refuse("is not one word", "names in events are words without spaces, `,` and `|`", findings);
+            return self.refuse(
+                "is not one word",
+                "names in events are words without spaces, `,` and `|`",
+                diagnostics,
+            );
         }
         Some(text.to_owned())
     }
 
     /// Reports that the value has another type; there is no value then.
-    pub(super) fn wrong_type<T>(&self, expected: &str, help: &str, findings: &mut Findings) -> Option<T> {
+    pub(super) fn wrong_type<T>(&self, expected: &str, help: &str, diagnostics: &mut Findings) -> Option<T> {
         let found = match self.node.get_ref() {
             DeValue::String(_) => "a text",
             DeValue::Integer(_) | DeValue::Float(_) => "a number",
@@ -172,7 +176,7 @@ impl<'t> Value<'t> {
             DeValue::Table(_) => "a table",
         };
         let message = format!("`{}` is {found}, not {expected}", self.name);
-        findings.push(
+        diagnostics.push(
             Diagnostic::at(Code::SettingType, self.span(), message)
                 .also(span(&self.key), format!("must be {expected}"))
                 .help(help),
@@ -181,7 +185,7 @@ impl<'t> Value<'t> {
     }
 
     /// Reports that the setting cannot have the value; there is none then.
-    pub(super) fn refuse<T>(&self, what: impl Display, help: &str, findings: &mut Findings) -> Option<T> {
+    pub(super) fn refuse<T>(&self, what: impl Display, help: &str, diagnostics: &mut Findings) -> Option<T> {
         let shown = match self.node.get_ref() {
             DeValue::String(text) if text.is_empty() => format!("`{}`", self.name),
             DeValue::String(text) => escape::quoted(text),
@@ -189,7 +193,7 @@ impl<'t> Value<'t> {
             DeValue::Float(float) => escape::quoted(float.as_str()),
             _ => format!("`{}`", self.name),
         };
-        findings.push(Diagnostic::at(Code::SettingValue, self.span(), format!("{shown} {what}")).help(help));
+        diagnostics.push(Diagnostic::at(Code::SettingValue, self.span(), format!("{shown} {what}")).help(help));
         None
     }
 

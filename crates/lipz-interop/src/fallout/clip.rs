@@ -21,20 +21,20 @@ const SILENCE: u8 = 0x00;
 /// Bytes of a sample of decoded sound.
 const SAMPLE_BYTES: u32 = 2;
 
-fn read(bytes: &[u8], options: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Track> {
+fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Track> {
     let lip = match Lip::read(bytes) {
         Ok(lip) => lip,
         Err(refused) => {
-            findings.push(*refused);
+            diagnostics.push(*refused);
             return Vec::new();
         }
     };
-    findings.extend(lip.oddities(options.name.unwrap_or(&lip.sound())));
+    diagnostics.extend(lip.oddities(options.name.unwrap_or(&lip.sound())));
     let (units_per_second, why) = match (options.units_per_second, options.sound_length) {
         (Some(named), _) => (named, "as named"),
         (None, Some(length)) => {
             let (nearest, warning) = units::nearest(lip.end(), length);
-            findings.extend(warning);
+            diagnostics.extend(warning);
             (nearest, "which comes nearest to the end of the sound")
         }
         (None, None) => (units::USUAL, "as the game plays it"),
@@ -69,15 +69,15 @@ fn code(symbol: &str) -> Option<u8> {
 }
 
 /// Writes a track whose name is that of the sound; without one, the name in the file is empty.
-fn write(track: &Track, findings: &mut Vec<Diagnostic>) -> Vec<u8> {
-    let name = track.name.as_deref().map_or(Some([0; NAME_BYTES]), |name| name_field(name, findings));
+fn write(track: &Track, diagnostics: &mut Vec<Diagnostic>) -> Vec<u8> {
+    let name = track.name.as_deref().map_or(Some([0; NAME_BYTES]), |name| name_field(name, diagnostics));
     let Some(name) = name else { return Vec::new() };
     let (mut phonemes, mut markers) = (Vec::new(), Vec::new());
     let mut is_after_silence = true;
     for shape in &track.shapes {
         let Some(code) = code(&shape.symbol) else {
             let message = format!("{} is not a phoneme code of Fallout", escape::quoted(&shape.symbol));
-            findings.push(Diagnostic::new(Code::LipPhoneme, message).help("codes are 0x00 to 0x29"));
+            diagnostics.push(Diagnostic::new(Code::LipPhoneme, message).help("codes are 0x00 to 0x29"));
             continue;
         };
         let starts_segment = track.phrases.iter().any(|segment| segment.start == shape.start);
@@ -98,7 +98,7 @@ fn position(time: Time) -> u32 {
 }
 
 /// The name of a sound as the header stores it; reports why it cannot.
-fn name_field(name: &str, findings: &mut Vec<Diagnostic>) -> Option<[u8; NAME_BYTES]> {
+fn name_field(name: &str, diagnostics: &mut Vec<Diagnostic>) -> Option<[u8; NAME_BYTES]> {
     let is_allowed = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b'-');
     let why = match name.len() {
         0 => "it is empty".to_owned(),
@@ -111,7 +111,7 @@ fn name_field(name: &str, findings: &mut Vec<Diagnostic>) -> Option<[u8; NAME_BY
         }
     };
     let message = format!("{} cannot be the name of a LIP file: {why}", escape::quoted(name));
-    findings.push(
+    diagnostics.push(
         Diagnostic::new(Code::LipExportName, message).help("rename the Lipz file as its sound is called in the game"),
     );
     None

@@ -16,23 +16,23 @@ use std::ops::Range;
 /// The last phoneme code that stands for a sound.
 pub const LAST_PHONEME: u8 = 0x29;
 
-/// Findings of one kind that are listed of a file; the others are counted.
+/// Diagnostics of one kind that are listed of a file; the others are counted.
 const LISTED: usize = 100;
 
 /// A diagnostic about these bytes of a file that is not text.
 fn place(code: Code, range: Range<usize>, message: impl Into<String>) -> Diagnostic {
-    let finding = Diagnostic::new(code, message);
+    let diagnostic = Diagnostic::new(code, message);
     match range.end.saturating_sub(1) {
-        last if last > range.start => finding.note(format!("bytes {:#04x} to {last:#04x}", range.start)),
-        _ => finding.note(format!("byte {:#04x}", range.start)),
+        last if last > range.start => diagnostic.note(format!("bytes {:#04x} to {last:#04x}", range.start)),
+        _ => diagnostic.note(format!("byte {:#04x}", range.start)),
     }
 }
 
-/// Adds the first findings of one kind, and counts the others in a note of the last: a damaged file
+/// Adds the first diagnostics of one kind, and counts the others in a note of the last: a damaged file
 /// can have millions.
-fn list(found: &mut Vec<Diagnostic>, mut findings: impl Iterator<Item = Diagnostic>) {
-    found.extend(findings.by_ref().take(LISTED));
-    let more = findings.count();
+fn list(found: &mut Vec<Diagnostic>, mut diagnostics: impl Iterator<Item = Diagnostic>) {
+    found.extend(diagnostics.by_ref().take(LISTED));
+    let more = diagnostics.count();
     if let Some(last) = found.last_mut().filter(|_| more > 0) {
         last.notes.push(format!("{more} more like this are not listed"));
     }

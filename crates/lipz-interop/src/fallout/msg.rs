@@ -25,9 +25,9 @@ pub struct Entry {
 /// error ends the reading: the game refuses the whole file then.
 ///
 /// ```
-/// let (entries, findings) = lipz_interop::fallout::msg::read("# Hakunin\n{104}{hak001}{Greetings, Chosen.}\n");
+/// let (entries, diagnostics) = lipz_interop::fallout::msg::read("# Hakunin\n{104}{hak001}{Greetings, Chosen.}\n");
 /// assert_eq!((entries[0].sound.as_str(), entries[0].text.as_str()), ("hak001", "Greetings, Chosen."));
-/// assert!(findings.is_empty());
+/// assert!(diagnostics.is_empty());
 /// ```
 pub fn read(text: &str) -> (Vec<Entry>, Vec<Diagnostic>) {
     let mut reading = Reading { text, at: 0, found: Vec::new() };
@@ -45,8 +45,8 @@ pub fn read(text: &str) -> (Vec<Entry>, Vec<Diagnostic>) {
         match places.get(&entry.number).and_then(|&index| entries.get_mut(index)) {
             Some(first) => {
                 let message = format!("entry {} is written twice", entry.number);
-                let finding = Diagnostic::at(Code::MsgEntry, entry.span, message).also(first.span, "the first one");
-                reading.found.push(finding.note("the game shows the last one; so does lipz"));
+                let diagnostic = Diagnostic::at(Code::MsgEntry, entry.span, message).also(first.span, "the first one");
+                reading.found.push(diagnostic.note("the game shows the last one; so does lipz"));
                 *first = entry;
             }
             None => {
@@ -65,8 +65,8 @@ pub fn by_sound(entries: &[Entry]) -> (HashMap<String, &Entry>, Vec<Diagnostic>)
         let first = *texts.entry(entry.sound.to_ascii_lowercase()).or_insert(entry);
         if first.text != entry.text {
             let message = format!("{} has another text in entry {}", escape::quoted(&entry.sound), first.number);
-            let finding = Diagnostic::at(Code::MsgEntry, entry.span, message).also(first.span, "which is used");
-            found.push(finding.help("each sound has one text in the clip that is made of it"));
+            let diagnostic = Diagnostic::at(Code::MsgEntry, entry.span, message).also(first.span, "which is used");
+            found.push(diagnostic.help("each sound has one text in the clip that is made of it"));
         }
     }
     (texts, found)
@@ -152,8 +152,8 @@ impl<'t> Reading<'t> {
     fn look_at(&mut self, field: Field<'_>) {
         if let Some(at) = field.written.find('{') {
             let span = Span::new(field.start + at, field.start + at + 1);
-            let finding = Diagnostic::at(Code::MsgEntry, span, "a field starts within a text");
-            self.found.push(finding.note("the game displays `{`").help("write the `}` that is missing before it"));
+            let diagnostic = Diagnostic::at(Code::MsgEntry, span, "a field starts within a text");
+            self.found.push(diagnostic.note("the game displays `{`").help("write the `}` that is missing before it"));
         }
         let mut before = 0;
         for line in field.written.split_inclusive('\n') {
@@ -162,9 +162,9 @@ impl<'t> Reading<'t> {
             let ends_in_word = line.trim_end_matches(['\r', '\n']).ends_with(|c: char| !c.is_whitespace());
             if line.ends_with('\n') && ends_in_word && next.starts_with(|c: char| !c.is_whitespace()) {
                 let span = Span::new(field.start + end, field.start + end);
-                let finding = Diagnostic::at(Code::MsgEntry, span, "words run together at a line break");
+                let diagnostic = Diagnostic::at(Code::MsgEntry, span, "words run together at a line break");
                 self.found.push(
-                    finding
+                    diagnostic
                         .note("the game reads line breaks as nothing; so does lipz")
                         .help("write a space before the line break"),
                 );
@@ -188,7 +188,7 @@ mod tests {
     use super::*;
 
     fn headlines(text: &str) -> Vec<String> {
-        read(text).1.into_iter().map(|finding| finding.message).collect()
+        read(text).1.into_iter().map(|diagnostic| diagnostic.message).collect()
     }
 
     #[test]
@@ -214,7 +214,7 @@ mod tests {
         ] {
             let (entries, found) = read(text);
             assert_eq!((entries.len(), found.len()), (1, 1), "{text}: {found:?}");
-            assert_eq!(found.first().map(|finding| finding.message.as_str()), Some(message));
+            assert_eq!(found.first().map(|diagnostic| diagnostic.message.as_str()), Some(message));
         }
         let long = format!("{{1}}{{}}{{{}}}", "ü".repeat(1025));
         assert_eq!(headlines(&long), ["the field has 1025 characters; the game reads 1024"]);

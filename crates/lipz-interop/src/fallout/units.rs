@@ -31,10 +31,10 @@ pub fn nearest(last_position: u32, sound: Time) -> (u32, Option<Diagnostic>) {
     }
     let end = Time::new(u64::from(last_position), units);
     let message = format!("the last marker is at {end}, but the sound ends at {sound}");
-    let finding = Diagnostic::new(Code::LipTimeBase, message)
+    let diagnostic = Diagnostic::new(Code::LipTimeBase, message)
         .note(format!("at {units} units a second, which comes nearest"))
         .help("is it the sound of this file? set the right `units-per-second`");
-    (units, Some(finding))
+    (units, Some(diagnostic))
 }
 
 const MICROSECONDS: u32 = 1_000_000;
@@ -57,7 +57,7 @@ mod tests {
         let (units, warning) = nearest(44_100, Time::new(3, 1));
         assert_eq!(units, 44_100);
         let message = "the last marker is at 1.000 s, but the sound ends at 3.000 s";
-        assert_eq!(warning.map(|finding| finding.message).as_deref(), Some(message));
+        assert_eq!(warning.map(|diagnostic| diagnostic.message).as_deref(), Some(message));
         assert!(nearest(u32::MAX, Time::ZERO).1.is_some());
     }
 }

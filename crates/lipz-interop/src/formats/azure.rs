@@ -37,14 +37,14 @@ pub(super) const FORMAT: Format = Format {
     write: None,
 };
 
-fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Track> {
-    let Some(root) = source::text(bytes, findings).and_then(|text| json::root(text, findings)) else {
+fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Track> {
+    let Some(root) = source::text(bytes, diagnostics).and_then(|text| json::root(text, diagnostics)) else {
         return Vec::new();
     };
     let list = if root.is_object() { root.get(LISTS) } else { Some(root) };
     let Some(events) = list.and_then(Node::items) else {
         let what = "a list of viseme events, \"visemes\" or \"events\",";
-        findings.push(if root.get(&["BlendShapes"]).is_some() {
+        diagnostics.push(if root.get(&["BlendShapes"]).is_some() {
             root.lacks(what).help("these are blend shapes, which have no mouth shapes: ask the service for viseme ids")
         } else {
             root.lacks(what)
@@ -52,7 +52,7 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> 
         return Vec::new();
     };
     let mut track = Track::default();
-    let read: Vec<Offset<'_>> = events.into_iter().filter_map(|event| offset(event, findings)).collect();
+    let read: Vec<Offset<'_>> = events.into_iter().filter_map(|event| offset(event, diagnostics)).collect();
     let per_second = if are_milliseconds(&read) { MILLISECONDS } else { TICKS };
     for Offset { text, symbol, id, .. } in &read {
         // A fraction of a millisecond stays: it is a time in thousandths of a second.
@@ -81,19 +81,19 @@ struct Offset<'s> {
 }
 
 /// The event, or what it lacks.
-fn offset<'s>(event: Node<'s>, findings: &mut Vec<Diagnostic>) -> Option<Offset<'s>> {
+fn offset<'s>(event: Node<'s>, diagnostics: &mut Vec<Diagnostic>) -> Option<Offset<'s>> {
     let event = event.get(DATA).unwrap_or(event);
     let in_ms = event.get(OFFSET_MS);
     let (Some(offset), Some(id)) = (in_ms.or_else(|| event.get(OFFSET)), event.get(ID)) else {
-        findings.push(event.lacks("an audio offset or a viseme id"));
+        diagnostics.push(event.lacks("an audio offset or a viseme id"));
         return None;
     };
     let Some(text) = offset.number().filter(|text| !text.contains(['e', 'E']) && Time::parse(text).is_some()) else {
-        findings.push(offset.not("an audio offset, a number of ticks of 100 ns or of milliseconds"));
+        diagnostics.push(offset.not("an audio offset, a number of ticks of 100 ns or of milliseconds"));
         return None;
     };
     let Some(symbol) = id.number() else {
-        findings.push(id.not("a viseme id, a number from 0 to 21"));
+        diagnostics.push(id.not("a viseme id, a number from 0 to 21"));
         return None;
     };
     Some(Offset { text, is_ms: in_ms.is_some(), symbol, id })

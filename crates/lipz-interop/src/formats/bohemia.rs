@@ -18,34 +18,34 @@ pub(super) const FORMAT: Format = Format {
     write: None,
 };
 
-fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Track> {
-    let Some(text) = source::text(bytes, findings) else { return Vec::new() };
+fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Track> {
+    let Some(text) = source::text(bytes, diagnostics) else { return Vec::new() };
     let mut track = Track::default();
     for (index, line) in source::lines(text).filter(|line| !line.text.trim().is_empty()).enumerate() {
         if index == 0 && line.text.trim_start().starts_with("frame") {
             let step = line.split_once('=').and_then(|(_, step)| Time::parse(step.text));
             if step.is_none() {
-                findings.push(line.not("`frame = ` and seconds"));
+                diagnostics.push(line.not("`frame = ` and seconds"));
             }
             continue;
         }
         if let Some(end) = track.end.filter(|_| !line.text.trim().is_empty()) {
             let message = format!("a line follows the end at {end}");
-            findings.push(line.finding(Code::ForeignOddity, message).note("it is not read"));
+            diagnostics.push(line.diagnostic(Code::ForeignOddity, message).note("it is not read"));
             break;
         }
         let Some((start, shape)) = line.split_once(',') else {
-            findings.push(line.not("a time, a comma and a shape"));
+            diagnostics.push(line.not("a time, a comma and a shape"));
             continue;
         };
         match Time::parse(start.text) {
-            None => findings.push(start.not("a time in seconds")),
+            None => diagnostics.push(start.not("a time in seconds")),
             Some(end) if shape.text == END => track.end = Some(end),
             Some(time) => track.shapes.push(Shape::at(shape.span(), time, shape.text)),
         }
     }
-    if track.end.is_none() && findings.is_empty() && !track.shapes.is_empty() {
-        findings.push(source::cut_off(text, "it has no line with -1 that says when the recording ends"));
+    if track.end.is_none() && diagnostics.is_empty() && !track.shapes.is_empty() {
+        diagnostics.push(source::cut_off(text, "it has no line with -1 that says when the recording ends"));
     }
     vec![track]
 }

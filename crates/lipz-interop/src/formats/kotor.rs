@@ -25,14 +25,14 @@ pub(super) const FORMAT: Format = Format {
     write: Some(write),
 };
 
-fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Track> {
+fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Track> {
     if bytes.len() < HEADER_BYTES && MAGIC.starts_with(bytes.get(..MAGIC.len().min(bytes.len())).unwrap_or_default()) {
-        findings.push(cut_off(bytes.len(), "the header has 16 bytes"));
+        diagnostics.push(cut_off(bytes.len(), "the header has 16 bytes"));
         return Vec::new();
     }
     if !bytes.starts_with(MAGIC) {
-        let finding = Diagnostic::new(Code::ForeignSyntax, "the file does not start with `LIP V1.0`");
-        findings.push(at(finding, 0).help("is it a LIP file of another game?"));
+        let diagnostic = Diagnostic::new(Code::ForeignSyntax, "the file does not start with `LIP V1.0`");
+        diagnostics.push(at(diagnostic, 0).help("is it a LIP file of another game?"));
         return Vec::new();
     }
     let (header, keys) = bytes.split_at(HEADER_BYTES);
@@ -42,23 +42,23 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> 
     let mut keys_read = Vec::new();
     if keys.len() / KEY_BYTES < count {
         let missing = format!("its header counts {count} keys, but there are {}", keys.len() / KEY_BYTES);
-        findings.push(cut_off(bytes.len(), &missing));
+        diagnostics.push(cut_off(bytes.len(), &missing));
         return Vec::new();
     }
     if keys.len() > count * KEY_BYTES {
         let rest = keys.len() - count * KEY_BYTES;
-        let finding = Diagnostic::new(Code::ForeignOddity, format!("{rest} bytes follow the last key"));
-        findings.push(at(finding, HEADER_BYTES + count * KEY_BYTES).note("they are not read"));
+        let diagnostic = Diagnostic::new(Code::ForeignOddity, format!("{rest} bytes follow the last key"));
+        diagnostics.push(at(diagnostic, HEADER_BYTES + count * KEY_BYTES).note("they are not read"));
     }
     for (index, key) in keys.chunks_exact(KEY_BYTES).take(count).enumerate() {
         let place = HEADER_BYTES + index * KEY_BYTES;
         let shape = key.last().copied().unwrap_or_default();
         match Time::from_f32(float(key.get(..4))) {
-            None => findings.push(at(Diagnostic::new(Code::ForeignValue, "a key has no time"), place)),
+            None => diagnostics.push(at(Diagnostic::new(Code::ForeignValue, "a key has no time"), place)),
             Some(_) if shape >= SHAPES => {
                 let message = format!("the shape {shape} does not exist");
-                let finding = at(Diagnostic::new(Code::ForeignValue, message), place + KEY_BYTES - 1);
-                findings.push(finding.help("shapes have numbers from 0 to 15"));
+                let diagnostic = at(Diagnostic::new(Code::ForeignValue, message), place + KEY_BYTES - 1);
+                diagnostics.push(diagnostic.help("shapes have numbers from 0 to 15"));
             }
             Some(time) => keys_read.push((time, shape)),
         }
@@ -66,18 +66,18 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> 
     track.shapes = dominant(&keys_read);
     track.end = Time::from_f32(length);
     if track.end.is_none() {
-        findings.push(at(Diagnostic::new(Code::ForeignValue, "the length is not a time"), 8));
+        diagnostics.push(at(Diagnostic::new(Code::ForeignValue, "the length is not a time"), 8));
     }
     vec![track]
 }
 
-fn at(finding: Diagnostic, byte: usize) -> Diagnostic {
-    finding.note(format!("at byte 0x{byte:X}"))
+fn at(diagnostic: Diagnostic, byte: usize) -> Diagnostic {
+    diagnostic.note(format!("at byte 0x{byte:X}"))
 }
 
 fn cut_off(length: usize, missing: &str) -> Diagnostic {
-    let finding = Diagnostic::new(Code::ForeignCutOff, format!("the file ends too early: {missing}"));
-    at(finding, length).help("copy it again")
+    let diagnostic = Diagnostic::new(Code::ForeignCutOff, format!("the file ends too early: {missing}"));
+    at(diagnostic, length).help("copy it again")
 }
 
 fn word(bytes: Option<&[u8]>) -> u32 {
@@ -101,7 +101,7 @@ fn dominant(keys: &[(Time, u8)]) -> Vec<Shape> {
 }
 
 /// Keys between which the engine blends in the time of a frame, around the moment at which shapes change.
-fn write(track: &Track, findings: &mut Vec<Diagnostic>) -> Vec<u8> {
+fn write(track: &Track, diagnostics: &mut Vec<Diagnostic>) -> Vec<u8> {
     let rate = track.rate.unwrap_or(DEFAULT_RATE);
     let half_a_frame = Time::of_frame(1, rate).as_f64() / 2.0;
     let length = track.end.unwrap_or(Time::ZERO).as_f64();
@@ -111,7 +111,7 @@ fn write(track: &Track, findings: &mut Vec<Diagnostic>) -> Vec<u8> {
         // A table of one's own may name anything; the engine has sixteen shapes.
         let Some(number) = shape.symbol.parse::<u8>().ok().filter(|number| *number < SHAPES) else {
             let message = format!("{} is not a shape of the engine", lipz_diagnostics::escape::quoted(&shape.symbol));
-            findings.push(Diagnostic::new(Code::ExportLoss, message).note("it is left out; shapes are 0 to 15"));
+            diagnostics.push(Diagnostic::new(Code::ExportLoss, message).note("it is left out; shapes are 0 to 15"));
             continue;
         };
         let end = shapes.peek().map(|next| next.start.as_f64());

@@ -22,21 +22,21 @@ pub(super) const FORMAT: Format = Format {
     write: None,
 };
 
-fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Track> {
-    let Some(text) = source::text(bytes, findings) else { return Vec::new() };
-    let objects = json::joined(text, findings);
+fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Track> {
+    let Some(text) = source::text(bytes, diagnostics) else { return Vec::new() };
+    let objects = json::joined(text, diagnostics);
     let numbered = objects.into_iter().zip(1_usize..);
-    numbered.filter_map(|(object, number)| track(object, number, findings)).collect()
+    numbered.filter_map(|(object, number)| track(object, number, diagnostics)).collect()
 }
 
-fn track(object: Node<'_>, number: usize, findings: &mut Vec<Diagnostic>) -> Option<Track> {
+fn track(object: Node<'_>, number: usize, diagnostics: &mut Vec<Diagnostic>) -> Option<Track> {
     if !object.is_object() {
-        findings.push(object.not("an object with \"visemes\" and texts"));
+        diagnostics.push(object.not("an object with \"visemes\" and texts"));
         return None;
     }
-    let rate = rate(object, findings).unwrap_or(DEFAULT_RATE);
+    let rate = rate(object, diagnostics).unwrap_or(DEFAULT_RATE);
     let mut track = Track { name: Some(number.to_string()), rate: Some(rate), ..Track::default() };
-    track.map = viseme_type(object, findings).map(VisemeType::name);
+    track.map = viseme_type(object, diagnostics).map(VisemeType::name);
     let visemes = object.get(&["visemes"]).and_then(|node| Some((node, node.string()?)));
     if let Some((node, visemes)) = visemes {
         shapes(node.span(), &visemes, rate, &mut track);
@@ -46,13 +46,13 @@ fn track(object: Node<'_>, number: usize, findings: &mut Vec<Diagnostic>) -> Opt
             Some(TextName::Canonical(tag) | TextName::Misspelt(tag) | TextName::OtherShape(_, Some(tag))) => Some(tag),
             Some(_) => None,
             None => {
-                other(&name, node, &mut track, findings);
+                other(&name, node, &mut track, diagnostics);
                 continue;
             }
         };
         match node.string() {
             Some(text) => track.texts.push(Text { locale, text }),
-            None => findings.push(node.not("a text")),
+            None => diagnostics.push(node.not("a text")),
         }
     }
     Some(track)
@@ -63,20 +63,20 @@ fn of_clip<'s>(object: Node<'s>, names: &[&str]) -> Option<Node<'s>> {
     object.get(names).or_else(|| object.get(&["source"])?.get(names))
 }
 
-fn rate(object: Node<'_>, findings: &mut Vec<Diagnostic>) -> Option<Rate> {
+fn rate(object: Node<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<Rate> {
     let fps = of_clip(object, &["fps"])?;
     let rate = fps.number().and_then(|digits| lipz_file::rate::parse(&digits));
     if rate.is_none() {
-        findings.push(fps.not("a frame rate from 1 to 1000"));
+        diagnostics.push(fps.not("a frame rate from 1 to 1000"));
     }
     rate
 }
 
-fn viseme_type(object: Node<'_>, findings: &mut Vec<Diagnostic>) -> Option<VisemeType> {
+fn viseme_type(object: Node<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<VisemeType> {
     let named = of_clip(object, &["viseme_type", "visemeType"])?;
     let found = named.string().and_then(|name| name.to_ascii_lowercase().parse().ok());
     if found.is_none() {
-        findings.push(named.not("a viseme type: blair, toonboom or rms"));
+        diagnostics.push(named.not("a viseme type: blair, toonboom or rms"));
     }
     found
 }
@@ -101,21 +101,22 @@ fn shapes(place: Span, visemes: &str, rate: Rate, track: &mut Track) {
 }
 
 /// Events are kept; what else the editor noted has no place in a Lipz file.
-fn other(name: &str, node: Node<'_>, track: &mut Track, findings: &mut Vec<Diagnostic>) {
+fn other(name: &str, node: Node<'_>, track: &mut Track, diagnostics: &mut Vec<Diagnostic>) {
     let string = |text: String| JsonString::from(Cow::<'static, str>::Owned(text));
     match name {
         "visemes" | "fps" | "viseme_type" | "visemeType" => {}
         "events" => {
             if track.elements.iter().any(|element| element.name.text == name) {
-                findings.push(Diagnostic::at(Code::DuplicateElement, node.span(), "the events appear again"));
+                diagnostics.push(Diagnostic::at(Code::DuplicateElement, node.span(), "the events appear again"));
             } else if let Some(events) = node.string() {
                 track.elements.push(Element { name: string(name.to_owned()), value: Value::String(string(events)) });
             }
         }
         _ => {
             let message = format!("{} is left out", lipz_diagnostics::escape::quoted(name));
-            let finding = Diagnostic::at(Code::ForeignOddity, node.span(), message);
-            findings.push(finding.note("it has no place in a Lipz file; frame rate and viseme type in it are used"));
+            let diagnostic = Diagnostic::at(Code::ForeignOddity, node.span(), message);
+            diagnostics
+                .push(diagnostic.note("it has no place in a Lipz file; frame rate and viseme type in it are used"));
         }
     }
 }

@@ -19,8 +19,8 @@ pub(super) const FORMAT: Format = Format {
     write: None,
 };
 
-fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Track> {
-    let Some(text) = source::text(bytes, findings) else { return Vec::new() };
+fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Track> {
+    let Some(text) = source::text(bytes, diagnostics) else { return Vec::new() };
     let mut track = Track { rate: Some(DEFAULT_RATE), ..Track::default() };
     let mut frame = 0;
     let mut start = None;
@@ -32,7 +32,7 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> 
                 let from = start.take().unwrap_or(at);
                 let phoneme = Line { text: text.get(from..at).unwrap_or_default(), at: from };
                 if phoneme.text.is_empty() {
-                    findings.push(Line { text: ".", at }.not("a phoneme and its dot"));
+                    diagnostics.push(Line { text: ".", at }.not("a phoneme and its dot"));
                 }
                 track.shapes.push(Shape::at(phoneme.span(), Time::of_frame(frame, DEFAULT_RATE), phoneme.text));
                 frame += 1;
@@ -42,7 +42,7 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> 
             c if c.is_whitespace() => {
                 let from = start.take().unwrap_or(at);
                 let place = Line { text: text.get(from..at + c.len_utf8()).unwrap_or_default(), at: from };
-                findings.push(
+                diagnostics.push(
                     place.not("a phoneme and its dot").help("spaces hold a frame, and nothing else separates phonemes"),
                 );
             }
@@ -50,7 +50,7 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> 
         }
     }
     if start.is_some() {
-        findings.push(source::cut_off(text, "the last phoneme has no dot"));
+        diagnostics.push(source::cut_off(text, "the last phoneme has no dot"));
     }
     track.end = Some(Time::of_frame(frame, DEFAULT_RATE));
     vec![track]

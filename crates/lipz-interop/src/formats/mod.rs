@@ -32,7 +32,7 @@ pub struct Format {
     pub extension: &'static str,
     /// The mapping tables of its symbols; the first one is used unless another viseme type is asked for.
     pub maps: &'static [&'static str],
-    /// Whether its files are not text: then findings have no spans, and notes name bytes.
+    /// Whether its files are not text: then diagnostics have no spans, and notes name bytes.
     pub is_binary: bool,
     /// Reads a file, if lipz imports the format.
     pub read: Option<Read>,
@@ -40,7 +40,7 @@ pub struct Format {
     pub write: Option<Write>,
 }
 
-/// Reads a file: a track for each speaker, as far as the file can be read, and findings.
+/// Reads a file: a track for each speaker, as far as the file can be read, and diagnostics.
 pub type Read = fn(&[u8], &ImportOptions<'_>, &mut Vec<Diagnostic>) -> Vec<Track>;
 
 /// Writes a track whose symbols are those of the format. Diagnostics say what the format cannot hold.

@@ -25,8 +25,8 @@ pub(super) const FORMAT: Format = Format {
     write: Some(write),
 };
 
-fn read(bytes: &[u8], options: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Track> {
-    let Some(text) = source::text(bytes, findings) else { return Vec::new() };
+fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Track> {
+    let Some(text) = source::text(bytes, diagnostics) else { return Vec::new() };
     let rate = options.file_rate.unwrap_or(DEFAULT_RATE);
     let mut track = Track { rate: Some(rate), ..Track::default() };
     let mut lines = source::lines(text).filter(|line| !line.text.trim().is_empty()).peekable();
@@ -34,27 +34,27 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, findings: &mut Vec<Diagnostic
         Some(first) if first.text.trim() == HEADER => {
             lines.next();
         }
-        Some(first) if first.text.trim_start().starts_with(|c: char| c.is_ascii_digit()) => findings.push(
+        Some(first) if first.text.trim_start().starts_with(|c: char| c.is_ascii_digit()) => diagnostics.push(
             first
-                .finding(Code::ForeignOddity, format!("the first line is not `{HEADER}`"))
+                .diagnostic(Code::ForeignOddity, format!("the first line is not `{HEADER}`"))
                 .note("the file is read as if it were"),
         ),
         Some(first) => {
-            findings.push(first.not("`MohoSwitch1`, the first line").help("is this a file of Moho?"));
+            diagnostics.push(first.not("`MohoSwitch1`, the first line").help("is this a file of Moho?"));
             return Vec::new();
         }
         None => {}
     }
     for line in lines {
         let Some((frame, symbol)) = line.trimmed().split_once(' ') else {
-            findings.push(line.not("a frame and the name of a layer"));
+            diagnostics.push(line.not("a frame and the name of a layer"));
             continue;
         };
-        let Some(number) = frame.number("the number of a frame", findings) else { continue };
+        let Some(number) = frame.number("the number of a frame", diagnostics) else { continue };
         let Some(frame) = number.checked_sub(options.dat_base) else {
             let message = format!("frame {number} comes before the first one, {}", options.dat_base);
-            findings.push(
-                frame.finding(Code::ForeignValue, message).help("if the file counts from 0, set `dat-base` to 0"),
+            diagnostics.push(
+                frame.diagnostic(Code::ForeignValue, message).help("if the file counts from 0, set `dat-base` to 0"),
             );
             continue;
         };

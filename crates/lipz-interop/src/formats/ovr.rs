@@ -43,14 +43,14 @@ enum Column {
     Other,
 }
 
-fn read(bytes: &[u8], options: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Track> {
-    let Some(text) = source::text(bytes, findings) else { return Vec::new() };
+fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Track> {
+    let Some(text) = source::text(bytes, diagnostics) else { return Vec::new() };
     let rate = options.file_rate.unwrap_or(RATE);
     let mut track = Track { rate: Some(rate), ..Track::default() };
     let mut lines = source::lines(text).filter(|line| !line.text.trim().is_empty()).peekable();
     let mut columns: Vec<Column> = VISEMES.map(Column::Weight).into();
     if let Some(line) = lines.next_if(|line| fields(*line).iter().any(|field| field.text.parse::<f64>().is_err())) {
-        let Some(named) = header(line, findings) else { return Vec::new() };
+        let Some(named) = header(line, diagnostics) else { return Vec::new() };
         columns = named;
     }
     let mut end = Time::ZERO;
@@ -58,7 +58,7 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, findings: &mut Vec<Diagnostic
         let fields = fields(line);
         if fields.len() != columns.len() {
             let message = format!("a frame has {} columns, not {}", fields.len(), columns.len());
-            findings.push(line.finding(Code::ForeignSyntax, message));
+            diagnostics.push(line.diagnostic(Code::ForeignSyntax, message));
             continue;
         }
         let mut start = Time::of_frame(frame, rate);
@@ -68,14 +68,14 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, findings: &mut Vec<Diagnostic
                 (Column::Other, _) => {}
                 (Column::Time, _) => match Time::parse(&format!("{}e-3", field.text)) {
                     Some(time) => start = time,
-                    None => findings.push(field.not("a time in milliseconds")),
+                    None => diagnostics.push(field.not("a time in milliseconds")),
                 },
                 (Column::Weight(viseme), Ok(weight)) if weight.is_finite() => {
                     if weight > strongest.1 {
                         strongest = (viseme, weight, field);
                     }
                 }
-                (Column::Weight(_), _) => findings.push(field.not("a weight from 0 to 1")),
+                (Column::Weight(_), _) => diagnostics.push(field.not("a weight from 0 to 1")),
             }
         }
         track.shapes.push(Shape::at(strongest.2.span(), start, strongest.0));
@@ -86,7 +86,7 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, findings: &mut Vec<Diagnostic
 }
 
 /// The columns that the first line names; reports visemes that it lacks, and columns that are not read.
-fn header(line: Line<'_>, findings: &mut Vec<Diagnostic>) -> Option<Vec<Column>> {
+fn header(line: Line<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<Vec<Column>> {
     let names = fields(line);
     let columns: Vec<Column> = names.iter().map(|name| column(name.text)).collect();
     let is_missing =
@@ -94,13 +94,13 @@ fn header(line: Line<'_>, findings: &mut Vec<Diagnostic>) -> Option<Vec<Column>>
     let missing: Vec<&str> = VISEMES.into_iter().filter(|viseme| is_missing(viseme)).collect();
     if !missing.is_empty() {
         let message = format!("the columns lack the visemes {}", missing.join(", "));
-        let found = line.finding(Code::ForeignSyntax, message);
-        findings.push(found.help(format!("name all of them, in any order: {}", VISEMES.join(","))));
+        let found = line.diagnostic(Code::ForeignSyntax, message);
+        diagnostics.push(found.help(format!("name all of them, in any order: {}", VISEMES.join(","))));
         return None;
     }
     for (index, (column, name)) in columns.iter().zip(&names).enumerate() {
         if *column != Column::Other && columns.iter().take(index).any(|before| before == column) {
-            findings.push(name.finding(Code::ForeignSyntax, "two columns have this name"));
+            diagnostics.push(name.diagnostic(Code::ForeignSyntax, "two columns have this name"));
             return None;
         }
     }
@@ -112,7 +112,7 @@ fn header(line: Line<'_>, findings: &mut Vec<Diagnostic>) -> Option<Vec<Column>>
         .collect();
     if !others.is_empty() {
         let message = format!("columns that name no viseme are not read: {}", others.join(", "));
-        findings.push(line.finding(Code::ForeignOddity, message));
+        diagnostics.push(line.diagnostic(Code::ForeignOddity, message));
     }
     Some(columns)
 }

@@ -22,8 +22,8 @@ pub(super) const FORMAT: Format = Format {
     write: Some(write),
 };
 
-fn read(bytes: &[u8], options: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Track> {
-    let Some(text) = source::text(bytes, findings) else { return Vec::new() };
+fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Track> {
+    let Some(text) = source::text(bytes, diagnostics) else { return Vec::new() };
     let rate = options.file_rate.unwrap_or(DEFAULT_RATE);
     let mut track = Track { rate: Some(rate), ..Track::default() };
     let (mut in_speech, mut has_speech) = (false, false);
@@ -41,12 +41,12 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, findings: &mut Vec<Diagnostic
             continue;
         }
         let Some((position, phoneme)) = line.split_once(':') else {
-            findings.push(line.not("a position, `:` and a phoneme"));
+            diagnostics.push(line.not("a position, `:` and a phoneme"));
             continue;
         };
-        let Some(position) = position.number("a position", findings) else { continue };
+        let Some(position) = position.number("a position", diagnostics) else { continue };
         if phoneme.text.is_empty() {
-            findings.push(phoneme.not("a phoneme"));
+            diagnostics.push(phoneme.not("a phoneme"));
             continue;
         }
         let symbol = phoneme.text.trim_end_matches(['0', '1', '2']);
@@ -54,7 +54,7 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, findings: &mut Vec<Diagnostic
     }
     if !has_speech {
         let missing = format!("it has no section {SECTION}");
-        findings.push(source::cut_off(text, &missing));
+        diagnostics.push(source::cut_off(text, &missing));
     }
     // Writers of Pamela sort by name as often as by time: that is no fault.
     track.shapes.sort_by_key(|shape| shape.start);
@@ -69,10 +69,10 @@ fn time(position: u64, rate: Rate) -> Time {
     Time::new(position.saturating_mul(u64::from(rate.denominator)), positions)
 }
 
-fn write(track: &Track, findings: &mut Vec<Diagnostic>) -> Vec<u8> {
+fn write(track: &Track, diagnostics: &mut Vec<Diagnostic>) -> Vec<u8> {
     let rate = track.rate.unwrap_or(DEFAULT_RATE);
     if rate != DEFAULT_RATE {
-        findings.push(
+        diagnostics.push(
             Diagnostic::new(Code::ExportLoss, "Pamela counts 24 frames a second, and the clip has another rate").note(
                 "positions are counted for 24; a frame that starts between two of them starts at the nearest one",
             ),

@@ -17,83 +17,83 @@ pub(super) const FORMAT: Format = Format {
     write: None,
 };
 
-fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Track> {
-    let Some(root) = source::text(bytes, findings).and_then(|text| json::root(text, findings)) else {
+fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Track> {
+    let Some(root) = source::text(bytes, diagnostics).and_then(|text| json::root(text, diagnostics)) else {
         return Vec::new();
     };
-    project(root, findings).unwrap_or_default()
+    project(root, diagnostics).unwrap_or_default()
 }
 
-fn project(root: Node<'_>, findings: &mut Vec<Diagnostic>) -> Option<Vec<Track>> {
-    let fps = member(root, "fps", findings)?;
+fn project(root: Node<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<Vec<Track>> {
+    let fps = member(root, "fps", diagnostics)?;
     let Some(rate) = fps.number().and_then(|digits| lipz_file::rate::parse(&digits)) else {
-        findings.push(fps.not("a frame rate from 1 to 1000"));
+        diagnostics.push(fps.not("a frame rate from 1 to 1000"));
         return None;
     };
-    let duration = frame(root, "sound_duration", findings)?;
+    let duration = frame(root, "sound_duration", diagnostics)?;
     let mut tracks = Vec::new();
-    for voice in list(root, "voices", findings)? {
-        let mut voice = self::voice(voice, rate, findings)?;
+    for voice in list(root, "voices", diagnostics)? {
+        let mut voice = self::voice(voice, rate, diagnostics)?;
         voice.end(duration);
         tracks.push(voice.track);
     }
     Some(tracks)
 }
 
-fn voice(node: Node<'_>, rate: Rate, findings: &mut Vec<Diagnostic>) -> Option<Voice> {
-    let name = text(node, "name", findings)?;
+fn voice(node: Node<'_>, rate: Rate, diagnostics: &mut Vec<Diagnostic>) -> Option<Voice> {
+    let name = text(node, "name", diagnostics)?;
     // JSON keeps the line breaks that .pgo writes as `|`.
-    let said = text(node, "text", findings)?.trim_end().replace('\n', "|");
+    let said = text(node, "text", diagnostics)?.trim_end().replace('\n', "|");
     let mut voice = Voice::new(name, &said, rate);
-    for phrase in list(node, "phrases", findings)? {
-        let start = Time::of_frame(frame(phrase, "start_frame", findings)?, rate);
-        voice.track.phrases.push(Timed { start, text: text(phrase, "text", findings)? });
-        for word in list(phrase, "words", findings)? {
-            voice.word(&text(word, "text", findings)?, frame(word, "start_frame", findings)?);
-            for phoneme in list(word, "phonemes", findings)? {
-                let at = frame(phoneme, "frame", findings)?;
-                let place = member(phoneme, "text", findings)?.span();
-                let symbol = text(phoneme, "text", findings)?;
+    for phrase in list(node, "phrases", diagnostics)? {
+        let start = Time::of_frame(frame(phrase, "start_frame", diagnostics)?, rate);
+        voice.track.phrases.push(Timed { start, text: text(phrase, "text", diagnostics)? });
+        for word in list(phrase, "words", diagnostics)? {
+            voice.word(&text(word, "text", diagnostics)?, frame(word, "start_frame", diagnostics)?);
+            for phoneme in list(word, "phonemes", diagnostics)? {
+                let at = frame(phoneme, "frame", diagnostics)?;
+                let place = member(phoneme, "text", diagnostics)?.span();
+                let symbol = text(phoneme, "text", diagnostics)?;
                 voice.phoneme(at, |start| Shape::at(place, start, symbol));
             }
-            voice.end_word(frame(word, "end_frame", findings)?);
+            voice.end_word(frame(word, "end_frame", diagnostics)?);
         }
     }
     Some(voice)
 }
 
-fn member<'s>(node: Node<'s>, name: &str, findings: &mut Vec<Diagnostic>) -> Option<Node<'s>> {
+fn member<'s>(node: Node<'s>, name: &str, diagnostics: &mut Vec<Diagnostic>) -> Option<Node<'s>> {
     let found = node.get(&[name]);
     if found.is_none() {
-        findings.push(node.lacks(&format!("\"{name}\"")));
+        diagnostics.push(node.lacks(&format!("\"{name}\"")));
     }
     found
 }
 
-fn text(node: Node<'_>, name: &str, findings: &mut Vec<Diagnostic>) -> Option<String> {
-    let member = member(node, name, findings)?;
+fn text(node: Node<'_>, name: &str, diagnostics: &mut Vec<Diagnostic>) -> Option<String> {
+    let member = member(node, name, diagnostics)?;
     let text = member.string();
     if text.is_none() {
-        findings.push(member.not("a text"));
+        diagnostics.push(member.not("a text"));
     }
     text
 }
 
-fn list<'s>(node: Node<'s>, name: &str, findings: &mut Vec<Diagnostic>) -> Option<Vec<Node<'s>>> {
-    let member = member(node, name, findings)?;
+fn list<'s>(node: Node<'s>, name: &str, diagnostics: &mut Vec<Diagnostic>) -> Option<Vec<Node<'s>>> {
+    let member = member(node, name, diagnostics)?;
     let items = member.items();
     if items.is_none() {
-        findings.push(member.not("a list"));
+        diagnostics.push(member.not("a list"));
     }
     items
 }
 
 /// The number of a frame; old versions write it with a point.
-fn frame(node: Node<'_>, name: &str, findings: &mut Vec<Diagnostic>) -> Option<u64> {
-    let member = member(node, name, findings)?;
+fn frame(node: Node<'_>, name: &str, diagnostics: &mut Vec<Diagnostic>) -> Option<u64> {
+    let member = member(node, name, diagnostics)?;
     let frame = member.number().and_then(|digits| Some(Time::parse(&digits)?.in_units(1)));
     if frame.is_none() {
-        findings.push(member.not("the number of a frame"));
+        diagnostics.push(member.not("the number of a frame"));
     }
     frame
 }

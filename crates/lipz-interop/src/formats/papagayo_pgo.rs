@@ -20,16 +20,16 @@ pub(super) const FORMAT: Format = Format {
     write: None,
 };
 
-fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Track> {
-    let Some(text) = source::text(bytes, findings) else { return Vec::new() };
-    let mut lines = Lines { text, lines: source::lines(text).collect::<Vec<_>>().into_iter(), findings };
+fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Track> {
+    let Some(text) = source::text(bytes, diagnostics) else { return Vec::new() };
+    let mut lines = Lines { text, lines: source::lines(text).collect::<Vec<_>>().into_iter(), diagnostics };
     lines.project().unwrap_or_default()
 }
 
 struct Lines<'s, 'f> {
     text: &'s str,
     lines: std::vec::IntoIter<Line<'s>>,
-    findings: &'f mut Vec<Diagnostic>,
+    diagnostics: &'f mut Vec<Diagnostic>,
 }
 
 impl<'s> Lines<'s, '_> {
@@ -37,20 +37,20 @@ impl<'s> Lines<'s, '_> {
     fn next(&mut self, what: &str) -> Option<Line<'s>> {
         let line = self.lines.next().map(Line::trimmed);
         if line.is_none() {
-            self.findings.push(source::cut_off(self.text, &format!("{what} is missing")));
+            self.diagnostics.push(source::cut_off(self.text, &format!("{what} is missing")));
         }
         line
     }
 
     fn number(&mut self, what: &str) -> Option<u64> {
-        self.next(what)?.number(what, self.findings)
+        self.next(what)?.number(what, self.diagnostics)
     }
 
     fn project(&mut self) -> Option<Vec<Track>> {
         let header = self.next("the first line")?;
         if header.text != HEADER {
             let is_start = HEADER.starts_with(header.text) && self.lines.len() == 0;
-            self.findings.push(match is_start {
+            self.diagnostics.push(match is_start {
                 true => source::cut_off(self.text, "the first line is not complete"),
                 false => {
                     header.not("`lipsync version 1`").help("is this a project of Papagayo? .pg2 is another format")
@@ -61,7 +61,7 @@ impl<'s> Lines<'s, '_> {
         self.next("the path of the sound")?;
         let fps = self.next("the frame rate")?;
         let Some(rate) = lipz_file::rate::parse(fps.text) else {
-            self.findings.push(fps.not("a frame rate from 1 to 1000"));
+            self.diagnostics.push(fps.not("a frame rate from 1 to 1000"));
             return None;
         };
         let duration = self.number("the duration in frames")?;
@@ -94,20 +94,20 @@ impl<'s> Lines<'s, '_> {
         let line = self.next("a word")?;
         let fields: Vec<Line<'s>> = line.fields().collect();
         let [word, start, end, phonemes] = fields.as_slice() else {
-            self.findings.push(line.not("a word, its start, its end and the number of its phonemes"));
+            self.diagnostics.push(line.not("a word, its start, its end and the number of its phonemes"));
             return None;
         };
-        let start = start.number("the start of a word", self.findings)?;
-        let end = end.number("the end of a word", self.findings)?;
-        let phonemes = phonemes.number("the number of phonemes", self.findings)?;
+        let start = start.number("the start of a word", self.diagnostics)?;
+        let end = end.number("the end of a word", self.diagnostics)?;
+        let phonemes = phonemes.number("the number of phonemes", self.diagnostics)?;
         voice.word(word.text, start);
         for _ in 0..phonemes {
             let line = self.next("a phoneme")?;
             let Some((frame, name)) = line.split_once(' ') else {
-                self.findings.push(line.not("a frame and a phoneme"));
+                self.diagnostics.push(line.not("a frame and a phoneme"));
                 return None;
             };
-            let frame = frame.number("the frame of a phoneme", self.findings)?;
+            let frame = frame.number("the frame of a phoneme", self.diagnostics)?;
             voice.phoneme(frame, |start| Shape::at(name.span(), start, name.text));
         }
         voice.end_word(end);

@@ -20,13 +20,14 @@ pub(super) const FORMAT: Format = Format {
     write: None,
 };
 
-fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Track> {
-    let Some(text) = source::text(bytes, findings) else { return Vec::new() };
+fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Track> {
+    let Some(text) = source::text(bytes, diagnostics) else { return Vec::new() };
     let mut track = Track::default();
     // Some programs store the marks as one array.
-    let array = text.trim_start().starts_with('[').then(|| json::root(text, findings).and_then(Node::items)).flatten();
+    let array =
+        text.trim_start().starts_with('[').then(|| json::root(text, diagnostics).and_then(Node::items)).flatten();
     if let Some(marks) = array {
-        marks.into_iter().for_each(|mark| add(mark, &mut track, findings));
+        marks.into_iter().for_each(|mark| add(mark, &mut track, diagnostics));
         return vec![finished(track)];
     }
     for line in source::lines(text).filter(|line| !line.text.trim().is_empty()) {
@@ -36,8 +37,8 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> 
             .map(|root| Node { line: Line { at: line.at + root.line.at, ..root.line } });
         if mark.is_none() {
             let is_last = line.at + line.text.len() >= text.trim_end().len();
-            findings.push(match found.pop() {
-                Some(finding) if finding.code == lipz_diagnostics::Code::ForeignCutOff && is_last => {
+            diagnostics.push(match found.pop() {
+                Some(diagnostic) if diagnostic.code == lipz_diagnostics::Code::ForeignCutOff && is_last => {
                     source::cut_off(text, "the last speech mark is not complete")
                 }
                 _ => line.not("a speech mark, a JSON object on a line"),
@@ -45,7 +46,7 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> 
             continue;
         }
         if let Some(mark) = mark {
-            add(mark, &mut track, findings);
+            add(mark, &mut track, diagnostics);
         }
     }
     vec![finished(track)]
@@ -78,21 +79,21 @@ fn spoken(sentence: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-fn add(mark: Node<'_>, track: &mut Track, findings: &mut Vec<Diagnostic>) {
+fn add(mark: Node<'_>, track: &mut Track, diagnostics: &mut Vec<Diagnostic>) {
     let mut member = |name: &str| {
         let found = mark.get(&[name]);
         if found.is_none() {
-            findings.push(mark.lacks(&format!("\"{name}\"")));
+            diagnostics.push(mark.lacks(&format!("\"{name}\"")));
         }
         found
     };
     let (Some(time), Some(kind), Some(value)) = (member("time"), member("type"), member("value")) else { return };
     let Some(start) = time.number().and_then(|ms| ms.parse().ok()).map(|ms| Time::new(ms, 1000)) else {
-        findings.push(time.not("a time in milliseconds"));
+        diagnostics.push(time.not("a time in milliseconds"));
         return;
     };
     let Some(text) = value.string() else {
-        findings.push(value.not("a text"));
+        diagnostics.push(value.not("a text"));
         return;
     };
     match kind.string().as_deref() {
@@ -101,6 +102,6 @@ fn add(mark: Node<'_>, track: &mut Track, findings: &mut Vec<Diagnostic>) {
         Some("sentence") => track.phrases.push(Timed { start, text: spoken(&text) }),
         // Its name is for the program that asked for it: `<mark name="wave"/>`.
         Some("ssml") => track.remarks.push(format!("the mark {} at {start} is left out", escape::quoted(&text))),
-        _ => findings.push(kind.not("a type of speech mark: viseme, word, sentence or ssml")),
+        _ => diagnostics.push(kind.not("a type of speech mark: viseme, word, sentence or ssml")),
     }
 }

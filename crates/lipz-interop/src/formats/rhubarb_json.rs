@@ -18,41 +18,41 @@ pub(super) const FORMAT: Format = Format {
     write: Some(write),
 };
 
-fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Track> {
-    let Some(root) = source::text(bytes, findings).and_then(|text| json::root(text, findings)) else {
+fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Track> {
+    let Some(root) = source::text(bytes, diagnostics).and_then(|text| json::root(text, diagnostics)) else {
         return Vec::new();
     };
     let list = if root.is_object() { root.get(&["mouthCues"]) } else { Some(root) };
     let Some(items) = list.and_then(Node::items) else {
-        findings.push(root.lacks("\"mouthCues\", a list of mouth shapes,"));
+        diagnostics.push(root.lacks("\"mouthCues\", a list of mouth shapes,"));
         return Vec::new();
     };
     let duration = root.get(&["metadata"]).and_then(|metadata| metadata.get(&["duration"]));
-    let duration = duration.and_then(|node| time(node, findings));
-    let cues = items.into_iter().filter_map(|item| cue(item, findings)).collect();
+    let duration = duration.and_then(|node| time(node, diagnostics));
+    let cues = items.into_iter().filter_map(|item| cue(item, diagnostics)).collect();
     vec![rhubarb::track(cues, duration)]
 }
 
-fn cue(item: Node<'_>, findings: &mut Vec<Diagnostic>) -> Option<Cue> {
+fn cue(item: Node<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<Cue> {
     let mut member = |name: &str| {
         let found = item.get(&[name]);
         if found.is_none() {
-            findings.push(item.lacks(&format!("\"{name}\"")));
+            diagnostics.push(item.lacks(&format!("\"{name}\"")));
         }
         found
     };
     let (start, end, value) = (member("start")?, member("end")?, member("value")?);
     let Some(symbol) = value.string() else {
-        findings.push(value.not("a mouth shape, such as \"A\""));
+        diagnostics.push(value.not("a mouth shape, such as \"A\""));
         return None;
     };
-    Some(Cue { start: time(start, findings)?, end: time(end, findings)?, symbol, span: value.span() })
+    Some(Cue { start: time(start, diagnostics)?, end: time(end, diagnostics)?, symbol, span: value.span() })
 }
 
-fn time(node: Node<'_>, findings: &mut Vec<Diagnostic>) -> Option<Time> {
+fn time(node: Node<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<Time> {
     let time = node.number().and_then(|digits| Time::parse(&digits));
     if time.is_none() {
-        findings.push(node.not("a time in seconds"));
+        diagnostics.push(node.not("a time in seconds"));
     }
     time
 }

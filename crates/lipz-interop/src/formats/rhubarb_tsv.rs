@@ -16,25 +16,25 @@ pub(super) const FORMAT: Format = Format {
     write: Some(write),
 };
 
-fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Track> {
-    let Some(text) = source::text(bytes, findings) else { return Vec::new() };
+fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Track> {
+    let Some(text) = source::text(bytes, diagnostics) else { return Vec::new() };
     let mut track = Track::default();
     for line in source::lines(text).filter(|line| !line.text.trim().is_empty()) {
         let Some((start, symbol)) = line.split_once('\t') else {
-            findings.push(line.not("a time, a tab and a mouth shape").help("a line is, for example, 0.25 and A"));
+            diagnostics.push(line.not("a time, a tab and a mouth shape").help("a line is, for example, 0.25 and A"));
             continue;
         };
         match Time::parse(start.text) {
             Some(time) if !symbol.text.is_empty() => track.shapes.push(Shape::at(symbol.span(), time, symbol.text)),
-            Some(_) => findings.push(source::cut_off(text, "a mouth shape is missing")),
-            None => findings.push(start.not("a time in seconds").help("times are seconds with a dot: 0.25")),
+            Some(_) => diagnostics.push(source::cut_off(text, "a mouth shape is missing")),
+            None => diagnostics.push(start.not("a time in seconds").help("times are seconds with a dot: 0.25")),
         }
     }
     // The last line is no shape: it says when the one before it ends.
     if track.shapes.len() > 1 {
         track.end = track.shapes.pop().map(|end| end.start);
     } else if track.shapes.len() == 1 {
-        findings.push(source::cut_off(text, "it has no line that says when the recording ends"));
+        diagnostics.push(source::cut_off(text, "it has no line that says when the recording ends"));
     }
     vec![track]
 }

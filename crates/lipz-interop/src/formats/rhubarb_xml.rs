@@ -16,42 +16,42 @@ pub(super) const FORMAT: Format = Format {
     write: None,
 };
 
-fn read(bytes: &[u8], _: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Track> {
-    let Some(text) = source::text(bytes, findings) else { return Vec::new() };
+fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Track> {
+    let Some(text) = source::text(bytes, diagnostics) else { return Vec::new() };
     // Entities of a document type can grow without bound; Rhubarb writes none, and by default none is read.
     let document = match Document::parse_with_options(text, ParsingOptions::default()) {
         Ok(document) => document,
         Err(error) => {
-            findings.push(syntax(text, &error));
+            diagnostics.push(syntax(text, &error));
             return Vec::new();
         }
     };
     let duration = document.descendants().find(|node| node.has_tag_name("duration"));
     let duration = duration.and_then(|node| {
         let start = node.first_child().map_or(node.range().start, |text| text.range().start);
-        time(node.text().unwrap_or_default(), start, findings)
+        time(node.text().unwrap_or_default(), start, diagnostics)
     });
     let cues: Vec<Cue> = document
         .descendants()
         .filter(|node| node.has_tag_name("mouthCue"))
-        .filter_map(|node| cue(node, findings))
+        .filter_map(|node| cue(node, diagnostics))
         .collect();
     if !document.root_element().has_tag_name("rhubarbResult") {
         let span = xml::whole(document.root_element());
         let message = "the root is not rhubarbResult".to_owned();
-        findings.push(Diagnostic::at(Code::ForeignSyntax, span, message).help("is this a file of Rhubarb?"));
+        diagnostics.push(Diagnostic::at(Code::ForeignSyntax, span, message).help("is this a file of Rhubarb?"));
     }
     vec![rhubarb::track(cues, duration)]
 }
 
-fn cue(node: Node<'_, '_>, findings: &mut Vec<Diagnostic>) -> Option<Cue> {
+fn cue(node: Node<'_, '_>, diagnostics: &mut Vec<Diagnostic>) -> Option<Cue> {
     let mut attribute = |name: &str| {
         let Some(attribute) = node.attribute_node(name) else {
             let message = format!("`mouthCue` has no attribute `{name}`");
-            findings.push(Diagnostic::at(Code::ForeignSyntax, xml::whole(node), message));
+            diagnostics.push(Diagnostic::at(Code::ForeignSyntax, xml::whole(node), message));
             return None;
         };
-        time(attribute.value(), attribute.range_value().start, findings)
+        time(attribute.value(), attribute.range_value().start, diagnostics)
     };
     let (start, end) = (attribute("start")?, attribute("end")?);
     let text = node.first_child().filter(Node::is_text);
@@ -59,11 +59,11 @@ fn cue(node: Node<'_, '_>, findings: &mut Vec<Diagnostic>) -> Option<Cue> {
     Some(Cue { start, end, symbol, span: xml::whole(text.unwrap_or(node)) })
 }
 
-fn time(text: &str, at: usize, findings: &mut Vec<Diagnostic>) -> Option<Time> {
+fn time(text: &str, at: usize, diagnostics: &mut Vec<Diagnostic>) -> Option<Time> {
     let time = Time::parse(text.trim());
     if time.is_none() {
         let message = format!("{} is not a time in seconds", escape::quoted(text));
-        findings.push(Diagnostic::at(Code::ForeignSyntax, Span::new(at, at + text.len()), message));
+        diagnostics.push(Diagnostic::at(Code::ForeignSyntax, Span::new(at, at + text.len()), message));
     }
     time
 }

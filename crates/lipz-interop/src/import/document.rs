@@ -11,7 +11,7 @@ use lipz_types::VisemeType;
 use std::borrow::Cow;
 
 /// The texts of the clip with their locales; reports those that have none.
-pub(super) fn texts(track: &Track, options: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Text> {
+pub(super) fn texts(track: &Track, options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Text> {
     let given = options.text.map(|text| vec![Text { locale: None, text: text.to_owned() }]);
     let mut texts = given.unwrap_or_else(|| track.texts.clone());
     for text in &mut texts {
@@ -22,7 +22,7 @@ pub(super) fn texts(track: &Track, options: &ImportOptions<'_>, findings: &mut V
     let before = texts.len();
     texts.retain(|text| text.locale.is_some());
     if texts.len() < before {
-        findings.push(
+        diagnostics.push(
             Diagnostic::new(Code::TextLeftOut, "the text is left out: its locale is not known")
                 .help("name the locale of the text, or set default-locale = \"en-us\" in lipz.toml"),
         );
@@ -31,7 +31,7 @@ pub(super) fn texts(track: &Track, options: &ImportOptions<'_>, findings: &mut V
         let Some(locale) = &text.locale else { continue };
         if texts.iter().take(index).any(|before| before.locale == text.locale) {
             let message = format!("two texts are of the locale {}", escape::quoted(locale));
-            findings.push(Diagnostic::new(Code::SameLocaleTwice, message).help("keep one of them"));
+            diagnostics.push(Diagnostic::new(Code::SameLocaleTwice, message).help("keep one of them"));
         }
     }
     texts

@@ -22,7 +22,7 @@ use runs::{in_order, report, runs};
 #[derive(Debug, Default)]
 #[non_exhaustive]
 pub struct Imported {
-    /// The clips, one for each speaker of the file; none if a finding is an error.
+    /// The clips, one for each speaker of the file; none if a diagnostic is an error.
     pub clips: Vec<Clip>,
     /// What is wrong or lost.
     pub diagnostics: Vec<Diagnostic>,

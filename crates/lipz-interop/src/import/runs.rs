@@ -10,11 +10,11 @@ use std::collections::HashMap;
 
 /// Most frames of a clip: more than a day at 24 frames a second can only be a mistake.
 const MAX_FRAMES: u64 = 1 << 22;
-/// Losses that a finding names; [`Clip::lost`] has all.
+/// Losses that a diagnostic names; [`Clip::lost`] has all.
 const LOSSES_SHOWN: usize = 8;
 
 /// The track with its shapes in the order of their times; reports where they run backwards.
-pub(super) fn in_order(mut track: Track, findings: &mut Vec<Diagnostic>) -> Track {
+pub(super) fn in_order(mut track: Track, diagnostics: &mut Vec<Diagnostic>) -> Track {
     let backwards = track.shapes.windows(2).filter_map(|pair| match pair {
         [before, after] if after.start < before.start => Some((before, after)),
         _ => None,
@@ -23,16 +23,16 @@ pub(super) fn in_order(mut track: Track, findings: &mut Vec<Diagnostic>) -> Trac
     if let Some((before, after)) = backwards.clone().next() {
         let (earlier, later) = (after.start, before.start);
         let message = format!("times run backwards: {earlier} comes after {later}");
-        let finding = shape_finding(Code::TimesBackwards, after, message)
+        let diagnostic = shape_diagnostic(Code::TimesBackwards, after, message)
             .note("the shapes are used in the order of their times")
             .help("was the file edited by hand, or joined from two? look at the clip there");
-        findings.push(if count > 1 { finding.note(format!("so do {} more", count - 1)) } else { finding });
+        diagnostics.push(if count > 1 { diagnostic.note(format!("so do {} more", count - 1)) } else { diagnostic });
         track.shapes.sort_by_key(|shape| shape.start);
     }
     track
 }
 
-fn shape_finding(code: Code, shape: &Shape, message: String) -> Diagnostic {
+fn shape_diagnostic(code: Code, shape: &Shape, message: String) -> Diagnostic {
     match shape.span {
         Some(span) => Diagnostic::at(code, span, message),
         None => Diagnostic::new(code, message).note(format!("at {}", shape.start)),
@@ -45,17 +45,17 @@ pub(super) fn runs<'t>(
     track: &'t Track,
     map: &Map,
     rate: Rate,
-    findings: &mut Vec<Diagnostic>,
+    diagnostics: &mut Vec<Diagnostic>,
 ) -> Option<(Vec<&'t str>, Vec<Run>)> {
     let last = track.shapes.last().map_or(Time::ZERO, |shape| shape.start);
     let a_frame_later = Time::of_frame(last.nearest_frame(rate).saturating_add(1), rate);
     let end = track.end.unwrap_or(if track.shapes.is_empty() { last } else { a_frame_later }).max(last);
     if end.nearest_frame(rate) > MAX_FRAMES {
         let message = format!("the clip would have more than {MAX_FRAMES} frames: it ends at {end}");
-        findings.push(Diagnostic::new(Code::ForeignValue, message).help("are the times in the unit of the format?"));
+        diagnostics.push(Diagnostic::new(Code::ForeignValue, message).help("are the times in the unit of the format?"));
         return None;
     }
-    let before = findings.len();
+    let before = diagnostics.len();
     let mut unknown: Vec<Diagnostic> = Vec::new();
     let mut place_of: HashMap<&str, usize> = HashMap::new();
     let (mut symbols, mut runs): (Vec<&str>, Vec<Run>) = (Vec::new(), Vec::new());
@@ -82,8 +82,8 @@ pub(super) fn runs<'t>(
             }
         }
     }
-    findings.append(&mut unknown);
-    (findings.len() == before).then_some((symbols, runs))
+    diagnostics.append(&mut unknown);
+    (diagnostics.len() == before).then_some((symbols, runs))
 }
 
 /// The resting mouth in every viseme type.
@@ -92,26 +92,26 @@ pub(crate) const REST: u8 = b'-';
 fn unknown_symbol(shape: &Shape, map: &Map) -> Diagnostic {
     let message =
         format!("{} is not in the mapping table `{}`", escape::quoted(&shape.symbol), escape::text(&map.name));
-    let finding = shape_finding(Code::UnknownSymbol, shape, message);
+    let diagnostic = shape_diagnostic(Code::UnknownSymbol, shape, message);
     match map.nearest(&shape.symbol) {
-        Some(known) => finding.help(format!("did you mean {}?", escape::quoted(known))),
-        None => finding.help("use a mapping table that has it"),
+        Some(known) => diagnostic.help(format!("did you mean {}?", escape::quoted(known))),
+        None => diagnostic.help("use a mapping table that has it"),
     }
 }
 
 /// Reports the shapes that have no frame.
-pub(super) fn report(lost: &[LostShape], all: usize, rate: Rate, findings: &mut Vec<Diagnostic>) {
+pub(super) fn report(lost: &[LostShape], all: usize, rate: Rate, diagnostics: &mut Vec<Diagnostic>) {
     if lost.is_empty() {
         return;
     }
     let (count, have) = (lost.len(), if lost.len() == 1 { "has" } else { "have" });
     let message = format!("{count} of {all} mouth shapes {have} no frame at {} frames a second", spell(rate));
-    let mut finding = Diagnostic::new(Code::ShapesLost, message);
+    let mut diagnostic = Diagnostic::new(Code::ShapesLost, message);
     for loss in lost.iter().take(LOSSES_SHOWN) {
-        finding = finding.note(loss.describe());
+        diagnostic = diagnostic.note(loss.describe());
     }
     if count > LOSSES_SHOWN {
-        finding = finding.note(format!("and {} more", count - LOSSES_SHOWN));
+        diagnostic = diagnostic.note(format!("and {} more", count - LOSSES_SHOWN));
     }
-    findings.push(finding.help("choose a higher `fps` if the game can show it"));
+    diagnostics.push(diagnostic.help("choose a higher `fps` if the game can show it"));
 }

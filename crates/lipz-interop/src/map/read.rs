@@ -35,18 +35,18 @@ impl Map {
                     .help("put symbols and codes in quotes: \"F.V\" = \"F\""),
             ]
         })?;
-        let mut reading = Reading { root: root.get_ref(), findings: Vec::new() };
+        let mut reading = Reading { root: root.get_ref(), diagnostics: Vec::new() };
         let map = reading.map();
-        match map.filter(|_| reading.findings.is_empty()) {
+        match map.filter(|_| reading.diagnostics.is_empty()) {
             Some(map) => Ok(map),
-            None => Err(reading.findings),
+            None => Err(reading.diagnostics),
         }
     }
 }
 
 struct Reading<'t> {
     root: &'t DeTable<'t>,
-    findings: Vec<Diagnostic>,
+    diagnostics: Vec<Diagnostic>,
 }
 
 impl<'t> Reading<'t> {
@@ -90,10 +90,11 @@ impl<'t> Reading<'t> {
         for (key, _) in self.root {
             let written: &str = key.get_ref();
             if known().all(|name| name != written) {
-                let finding = refusal(key.span(), format!("a mapping table has no field {}", escape::quoted(written)));
-                self.findings.push(match suggest::nearest(written, known()) {
-                    Some(name) => finding.help(format!("did you mean `{name}`?")),
-                    None => finding.help("its fields are name, version, about, source, viseme-type, ignore-case, guessed, to-lipz and from-lipz"),
+                let diagnostic =
+                    refusal(key.span(), format!("a mapping table has no field {}", escape::quoted(written)));
+                self.diagnostics.push(match suggest::nearest(written, known()) {
+                    Some(name) => diagnostic.help(format!("did you mean `{name}`?")),
+                    None => diagnostic.help("its fields are name, version, about, source, viseme-type, ignore-case, guessed, to-lipz and from-lipz"),
                 });
             }
         }
@@ -103,14 +104,15 @@ impl<'t> Reading<'t> {
     fn required(&mut self, field: &str) -> Option<&'t Spanned<DeValue<'t>>> {
         let found = self.root.get(field);
         if found.is_none() {
-            let finding = Diagnostic::new(Code::MapRefused, format!("the mapping table has no `{field}`"));
-            self.findings.push(finding.help(what_to_write(field)));
+            let diagnostic = Diagnostic::new(Code::MapRefused, format!("the mapping table has no `{field}`"));
+            self.diagnostics.push(diagnostic.help(what_to_write(field)));
         }
         found
     }
 
     fn wrong_type(&mut self, field: &str, span: Range<usize>) {
-        self.findings.push(refusal(span, format!("`{field}` has a value of another type")).help(what_to_write(field)));
+        self.diagnostics
+            .push(refusal(span, format!("`{field}` has a value of another type")).help(what_to_write(field)));
     }
 
     /// A text that must be there, with its place.
@@ -150,7 +152,7 @@ impl<'t> Reading<'t> {
         let found = name.parse::<VisemeType>().ok();
         if found.is_none() {
             let message = format!("{} is not a viseme type", escape::quoted(name));
-            self.findings.push(refusal(span, message).help("the viseme types are blair, toonboom and rms"));
+            self.diagnostics.push(refusal(span, message).help("the viseme types are blair, toonboom and rms"));
         }
         found
     }
@@ -219,7 +221,7 @@ impl<'t> Reading<'t> {
         if code.is_none() {
             let message = format!("{} is not a code of the viseme type {viseme_type}", escape::quoted(text));
             let help = format!("its codes are {}", viseme_type.codes());
-            self.findings.push(refusal(span, message).help(help));
+            self.diagnostics.push(refusal(span, message).help(help));
         }
         code
     }
@@ -243,7 +245,7 @@ mod tests {
     const START: &str = "name = \"x\"\nversion = 1\nviseme-type = \"blair\"\n";
 
     fn headlines(text: &str) -> Vec<String> {
-        Map::parse(text).unwrap_err().into_iter().map(|finding| finding.message).collect()
+        Map::parse(text).unwrap_err().into_iter().map(|diagnostic| diagnostic.message).collect()
     }
 
     #[test]

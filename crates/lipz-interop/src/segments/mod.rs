@@ -39,11 +39,11 @@ pub(crate) fn divide(
     speech: &Speech,
     texts: &[Text],
     segments: Segments,
-    findings: &mut Vec<Diagnostic>,
+    diagnostics: &mut Vec<Diagnostic>,
 ) -> Division {
     // `|` in a text say how many segments there are, whatever divides the others.
     if let Some(marked) = texts.iter().find(|text| text.text.contains(DELIMITER)) {
-        let starts = starts_of(&parts(&marked.text), track, speech, findings);
+        let starts = starts_of(&parts(&marked.text), track, speech, diagnostics);
         let divided = |text: &Text| match parts(&text.text) {
             parts if parts.len() == starts.len() + 1 => parts,
             _ => parts_at(&text.text.replace(DELIMITER, " "), &starts, track, speech),
@@ -68,7 +68,7 @@ pub(crate) fn divide(
         (Segments::Pauses, _) => by_times(speech.pauses().map(|pause| pause.end).collect()),
         (Segments::Sentences, Some(first)) => {
             let parts = sentences(&first.text);
-            let starts = starts_of(&parts, track, speech, findings);
+            let starts = starts_of(&parts, track, speech, diagnostics);
             let others = texts.iter().skip(1).map(|text| parts_at(&text.text, &starts, track, speech));
             Division { texts: std::iter::once(parts).chain(others.collect::<Vec<_>>()).collect(), starts }
         }
@@ -103,7 +103,7 @@ fn parts_at(text: &str, starts: &[Time], track: &Track, speech: &Speech) -> Vec<
 
 /// When each of these parts but the first starts: as the file says, or else at the pause that is
 /// nearest to where the part would start if every letter took the same time.
-fn starts_of(parts: &[String], track: &Track, speech: &Speech, findings: &mut Vec<Diagnostic>) -> Vec<Time> {
+fn starts_of(parts: &[String], track: &Track, speech: &Speech, diagnostics: &mut Vec<Diagnostic>) -> Vec<Time> {
     if track.phrases.len() == parts.len() {
         return track.phrases.iter().skip(1).map(|phrase| phrase.start).collect();
     }
@@ -123,7 +123,7 @@ fn starts_of(parts: &[String], track: &Track, speech: &Speech, findings: &mut Ve
     let (starts, guessed) = speech.starts(&lengths);
     if guessed > 0 {
         let (all, what) = (starts.len(), if guessed == 1 { "boundaries is" } else { "boundaries are" });
-        findings.push(
+        diagnostics.push(
             Diagnostic::new(
                 Code::SegmentGuessed,
                 format!("{guessed} of {all} segment {what} not in a pause of the mouth"),

@@ -33,18 +33,18 @@ pub fn cues(
     document: &Document<'_>,
     locale: &str,
     options: &SubtitleOptions<'_>,
-    findings: &mut Vec<Diagnostic>,
+    diagnostics: &mut Vec<Diagnostic>,
 ) -> Option<Vec<Cue>> {
     let element = document.get(&format!("text_{locale}"))?;
     let Value::String(string) = &element.value else { return None };
     let Some(rate) = rate(document).or(options.default_rate) else {
-        findings.push(
+        diagnostics.push(
             refusal("the clip has no frame rate").help("add \"fps\" to the file, or set `default-fps` in lipz.toml"),
         );
         return None;
     };
     let Some(bounds) = document.string("visemes").map(bounds) else {
-        findings.push(refusal("the clip has no mouth shapes, which time its segments"));
+        diagnostics.push(refusal("the clip has no mouth shapes, which time its segments"));
         return None;
     };
     let mut cues = Vec::new();
@@ -56,8 +56,9 @@ pub fn cues(
         let &[start, end] = frames else { continue };
         let span = string.span_of(range);
         if start == end {
-            let finding = Diagnostic::at(Code::SubtitleLoss, span, "the segment has no frames, so it becomes no cue");
-            findings.push(finding.help("give it frames, or move its text to a segment that has some"));
+            let diagnostic =
+                Diagnostic::at(Code::SubtitleLoss, span, "the segment has no frames, so it becomes no cue");
+            diagnostics.push(diagnostic.help("give it frames, or move its text to a segment that has some"));
             continue;
         }
         let ms = |frame| Time::of_frame(frame, rate).in_units(1000);

@@ -22,11 +22,11 @@ use std::cmp::Reverse;
 /// assert_eq!(document.string("text_en-us"), Some("|Hello."));
 /// # Ok::<(), &str>(())
 /// ```
-pub fn clip(cues: &[Cue], locale: &str, rate: Rate, findings: &mut Vec<Diagnostic>) -> Document<'static> {
+pub fn clip(cues: &[Cue], locale: &str, rate: Rate, diagnostics: &mut Vec<Diagnostic>) -> Document<'static> {
     let end_ms = cues.iter().map(|cue| cue.end_ms).max().unwrap_or(0);
     let frames = usize::try_from(Time::new(end_ms, 1000).nearest_frame(rate)).unwrap_or(usize::MAX);
     let codes = vec![REST; frames.min(MAX_FRAMES)];
-    let division = divide(cues, codes.len() as u64, rate, findings);
+    let division = divide(cues, codes.len() as u64, rate, diagnostics);
     Document {
         elements: vec![
             element("visemes", division.visemes(&codes)),
@@ -49,7 +49,7 @@ pub fn join<'s>(
     cues: &[Cue],
     locale: &str,
     default_rate: Rate,
-    findings: &mut Vec<Diagnostic>,
+    diagnostics: &mut Vec<Diagnostic>,
 ) -> Document<'s> {
     let name = format!("text_{locale}");
     let rate = rate(&document).unwrap_or(default_rate);
@@ -57,11 +57,11 @@ pub fn join<'s>(
     let text = match &visemes {
         Some(visemes) if is_undivided(&document, &name) => {
             let codes: Vec<u8> = visemes.bytes().filter(|byte| !is_white_space(char::from(*byte))).collect();
-            let division = divide(cues, codes.len() as u64, rate, findings);
+            let division = divide(cues, codes.len() as u64, rate, diagnostics);
             set(&mut document, "visemes", division.visemes(&codes));
             division.text()
         }
-        Some(visemes) => in_segments(cues, &bounds(visemes), rate, findings).join(BAR),
+        Some(visemes) => in_segments(cues, &bounds(visemes), rate, diagnostics).join(BAR),
         None => cues.iter().map(|cue| trim(&cue.text)).collect::<Vec<_>>().join(BAR),
     };
     let text = match document.string(&name) {
@@ -112,14 +112,14 @@ impl Division {
 }
 
 /// A segment for each cue, and one without text for each time without a cue.
-fn divide(cues: &[Cue], frames: u64, rate: Rate, findings: &mut Vec<Diagnostic>) -> Division {
+fn divide(cues: &[Cue], frames: u64, rate: Rate, diagnostics: &mut Vec<Diagnostic>) -> Division {
     let mut division = Division::default();
     let mut end = 0;
     for cue in cues {
         let frame = |ms| Time::new(ms, 1000).nearest_frame(rate).min(frames);
         let (start, until) = (frame(cue.start_ms).max(end), frame(cue.end_ms));
         if until <= start {
-            findings.push(place(cue, "the subtitle shows in no frame of the clip"));
+            diagnostics.push(place(cue, "the subtitle shows in no frame of the clip"));
         }
         if start > end {
             division.segments.push((end, String::new()));
@@ -134,7 +134,7 @@ fn divide(cues: &[Cue], frames: u64, rate: Rate, findings: &mut Vec<Diagnostic>)
 }
 
 /// The texts of segments with these bounds: of each cue in the one that it shows in for longest.
-fn in_segments(cues: &[Cue], bounds: &[u64], rate: Rate, findings: &mut Vec<Diagnostic>) -> Vec<String> {
+fn in_segments(cues: &[Cue], bounds: &[u64], rate: Rate, diagnostics: &mut Vec<Diagnostic>) -> Vec<String> {
     let mut texts = vec![String::new(); bounds.len().saturating_sub(1)];
     for cue in cues {
         let frame = |ms| Time::new(ms, 1000).nearest_frame(rate);
@@ -150,12 +150,12 @@ fn in_segments(cues: &[Cue], bounds: &[u64], rate: Rate, findings: &mut Vec<Diag
         let longest = shows().max_by_key(|&(at, frames)| (frames, Reverse(at))).filter(|(_, frames)| *frames > 0);
         let (at, longest) = longest.unwrap_or((last_begun, 0));
         if longest == 0 {
-            findings.push(place(cue, "the subtitle shows in no frame of the clip"));
+            diagnostics.push(place(cue, "the subtitle shows in no frame of the clip"));
         } else if let Some((other, frames)) = shows().find(|&(other, frames)| other != at && frames > 1) {
             let (own, other) = (at + 1, other + 1);
-            let finding =
+            let diagnostic =
                 place(cue, &format!("the cue is the text of segment {own}, but also shows in segment {other}"));
-            findings.push(finding.note(format!("for {longest} frames in the one, and {frames} in the other")));
+            diagnostics.push(diagnostic.note(format!("for {longest} frames in the one, and {frames} in the other")));
         }
         if let Some(text) = texts.get_mut(at) {
             if !text.is_empty() {

@@ -63,25 +63,25 @@ impl SubtitleFormat {
     /// ```
     /// use lipz_interop::subtitles::SubtitleFormat;
     /// let file = "WEBVTT\n\n00:01.500 --> 00:02.000\n<v Mara>Good evening &amp; welcome.\n";
-    /// let mut findings = Vec::new();
-    /// let cues = SubtitleFormat::Vtt.read(file.as_bytes(), &mut findings);
-    /// assert!(findings.is_empty());
+    /// let mut diagnostics = Vec::new();
+    /// let cues = SubtitleFormat::Vtt.read(file.as_bytes(), &mut diagnostics);
+    /// assert!(diagnostics.is_empty());
     /// assert_eq!((cues[0].start_ms, cues[0].text.as_str()), (1500, "{speaker: Mara} Good evening & welcome."));
     /// ```
-    pub fn read(self, bytes: &[u8], findings: &mut Vec<Diagnostic>) -> Vec<Cue> {
-        let Some(text) = crate::source::text(bytes, findings) else { return Vec::new() };
+    pub fn read(self, bytes: &[u8], diagnostics: &mut Vec<Diagnostic>) -> Vec<Cue> {
+        let Some(text) = crate::source::text(bytes, diagnostics) else { return Vec::new() };
         let mut cues = match self {
-            SubtitleFormat::Srt => srt::read(text, findings),
-            SubtitleFormat::Vtt => vtt::read(text, findings),
+            SubtitleFormat::Srt => srt::read(text, diagnostics),
+            SubtitleFormat::Vtt => vtt::read(text, diagnostics),
         };
-        timing::sort(&mut cues, findings);
+        timing::sort(&mut cues, diagnostics);
         cues
     }
 
     /// The file with these cues. Diagnostics say what the format cannot hold.
-    pub fn write(self, cues: &[Cue], findings: &mut Vec<Diagnostic>) -> String {
+    pub fn write(self, cues: &[Cue], diagnostics: &mut Vec<Diagnostic>) -> String {
         match self {
-            SubtitleFormat::Srt => srt::write(cues, findings),
+            SubtitleFormat::Srt => srt::write(cues, diagnostics),
             SubtitleFormat::Vtt => vtt::write(cues),
         }
     }
@@ -91,11 +91,11 @@ impl SubtitleFormat {
 const BAR_IN_TEXT: &str = "\u{a6}";
 
 /// The text of a cue, which `plain` frees of markup; reports what a Lipz text cannot hold.
-fn read_text(body: &Body<'_>, plain: impl Fn(&str) -> Plain, findings: &mut Vec<Diagnostic>) -> String {
+fn read_text(body: &Body<'_>, plain: impl Fn(&str) -> Plain, diagnostics: &mut Vec<Diagnostic>) -> String {
     let marked_up = body.text();
     let Plain { text, lost_tag } = plain(&marked_up);
     if let Some(tag) = lost_tag {
-        findings.push(
+        diagnostics.push(
             Diagnostic::at(Code::SubtitleText, body.span(tag), "the subtitle has tags, which are left out")
                 .note("texts of Lipz files have no markup; a game may have its own, as {meta}"),
         );
@@ -103,7 +103,7 @@ fn read_text(body: &Body<'_>, plain: impl Fn(&str) -> Plain, findings: &mut Vec<
     if text.contains(DELIMITER) {
         let at = marked_up.find(DELIMITER).unwrap_or_default();
         let message = format!("`{DELIMITER}` in the subtitle becomes `{BAR_IN_TEXT}`");
-        findings.push(
+        diagnostics.push(
             Diagnostic::at(Code::SubtitleText, body.span(at..at + DELIMITER.len_utf8()), message)
                 .note("in Lipz files, `|` separates segments")
                 .help("write the text in another way if the difference matters"),

@@ -7,27 +7,27 @@ use std::fmt::Write;
 /// What stands for an arrow of times in a text: players would take the line for times.
 const ARROW_IN_TEXT: &str = "\u{2192}";
 
-pub(super) fn read(text: &str, findings: &mut Vec<Diagnostic>) -> Vec<Cue> {
+pub(super) fn read(text: &str, diagnostics: &mut Vec<Diagnostic>) -> Vec<Cue> {
     let mut cues = Vec::new();
     for block in timing::blocks(text) {
-        let Some((cue, body)) = timing::cue(&block, findings) else { continue };
-        let text = super::read_text(&body, markup::from_srt, findings);
+        let Some((cue, body)) = timing::cue(&block, diagnostics) else { continue };
+        let text = super::read_text(&body, markup::from_srt, diagnostics);
         cues.push(Cue { text, ..cue });
     }
     cues
 }
 
-pub(super) fn write(cues: &[Cue], findings: &mut Vec<Diagnostic>) -> String {
+pub(super) fn write(cues: &[Cue], diagnostics: &mut Vec<Diagnostic>) -> String {
     let mut file = String::new();
     for (number, cue) in (1..).zip(cues) {
         let mut text = markup::to_plain(&cue.text);
         if text.contains(timing::ARROW) {
             text = text.replace(timing::ARROW, ARROW_IN_TEXT);
             let arrow = timing::ARROW;
-            findings.push(loss(cue, format!("`{arrow}` in the text is written as `{ARROW_IN_TEXT}`")));
+            diagnostics.push(loss(cue, format!("`{arrow}` in the text is written as `{ARROW_IN_TEXT}`")));
         }
         if markup::from_srt(&text).lost_tag.is_some() {
-            findings.push(loss(cue, "players take a part of the text for a tag".to_owned()));
+            diagnostics.push(loss(cue, "players take a part of the text for a tag".to_owned()));
         }
         let (start, end) = (timing::timestamp(cue.start_ms, ','), timing::timestamp(cue.end_ms, ','));
         let _ = writeln!(file, "{number}\n{start} {} {end}\n{text}\n", timing::ARROW);

@@ -53,22 +53,22 @@ impl Body<'_> {
 }
 
 /// The cue of a block: perhaps a name or number, the times, then the text.
-pub(super) fn cue<'t>(block: &'t [Line<'t>], findings: &mut Vec<Diagnostic>) -> Option<(Cue, Body<'t>)> {
+pub(super) fn cue<'t>(block: &'t [Line<'t>], diagnostics: &mut Vec<Diagnostic>) -> Option<(Cue, Body<'t>)> {
     let Some((at, line)) = block.iter().enumerate().take(2).find(|(_, line)| line.text.contains(ARROW)) else {
         let line = block.first()?;
-        findings.push(
-            line.finding(Code::SubtitleSyntax, "a line belongs to no cue: there are no times above it")
+        diagnostics.push(
+            line.diagnostic(Code::SubtitleSyntax, "a line belongs to no cue: there are no times above it")
                 .help("a subtitle is its times, 00:00:01,000 --> 00:00:02,500, and its lines; an empty line ends it"),
         );
         return None;
     };
-    let (start_ms, end_ms) = times(*line, findings)?;
+    let (start_ms, end_ms) = times(*line, diagnostics)?;
     let body = Body(block.get(at + 1..).unwrap_or_default());
     Some((Cue { start_ms, end_ms, text: String::new(), span: line.span() }, body))
 }
 
 /// The times of a line, `00:00:01,000 --> 00:00:02,500`. What follows them is about places on the screen.
-fn times(line: Line<'_>, findings: &mut Vec<Diagnostic>) -> Option<(u64, u64)> {
+fn times(line: Line<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<(u64, u64)> {
     let (before, after) = line.text.split_once(ARROW)?;
     let behind = Line { text: after, at: line.at + before.len() + ARROW.len() };
     let first = Line { text: before, at: line.at }.trimmed();
@@ -76,8 +76,8 @@ fn times(line: Line<'_>, findings: &mut Vec<Diagnostic>) -> Option<(u64, u64)> {
     let mut read = |field: Line<'_>| {
         let time = milliseconds(field.text);
         if time.is_none() {
-            let finding = field.finding(Code::SubtitleSyntax, "this is not the time of a cue");
-            findings.push(finding.help("times are hours, minutes, seconds and milliseconds: 00:00:02,500"));
+            let diagnostic = field.diagnostic(Code::SubtitleSyntax, "this is not the time of a cue");
+            diagnostics.push(diagnostic.help("times are hours, minutes, seconds and milliseconds: 00:00:02,500"));
         }
         time
     };
@@ -85,7 +85,7 @@ fn times(line: Line<'_>, findings: &mut Vec<Diagnostic>) -> Option<(u64, u64)> {
     let (start_ms, end_ms) = (start_ms?, end_ms?);
     if end_ms < start_ms {
         let message = "the subtitle ends before it starts";
-        findings.push(line.finding(Code::SubtitleSyntax, message).help("exchange the times, or correct them"));
+        diagnostics.push(line.diagnostic(Code::SubtitleSyntax, message).help("exchange the times, or correct them"));
         return None;
     }
     Some((start_ms, end_ms))
@@ -118,16 +118,16 @@ pub(super) fn timestamp(ms: u64, separator: char) -> String {
 }
 
 /// Brings cues into the order of their times; reports cues that are out of order or overlap.
-pub(super) fn sort(cues: &mut [Cue], findings: &mut Vec<Diagnostic>) {
+pub(super) fn sort(cues: &mut [Cue], diagnostics: &mut Vec<Diagnostic>) {
     let backwards = cues.windows(2).find_map(|pair| match pair {
         [before, after] if after.start_ms < before.start_ms => Some(after.span),
         _ => None,
     });
     if let Some(span) = backwards {
         let message = "the subtitle appears before the one above it";
-        let finding =
+        let diagnostic =
             Diagnostic::at(Code::SubtitleTimes, span, message).note("all are taken in the order of their times");
-        findings.push(finding.help("was the file edited by hand, or joined from two? look at it there"));
+        diagnostics.push(diagnostic.help("was the file edited by hand, or joined from two? look at it there"));
     }
     cues.sort_by_key(|cue| cue.start_ms);
     let overlap = cues.windows(2).find_map(|pair| match pair {
@@ -135,10 +135,10 @@ pub(super) fn sort(cues: &mut [Cue], findings: &mut Vec<Diagnostic>) {
         _ => None,
     });
     if let Some((before, after)) = overlap {
-        let finding = Diagnostic::at(Code::SubtitleTimes, after, "the subtitle appears while another one shows")
+        let diagnostic = Diagnostic::at(Code::SubtitleTimes, after, "the subtitle appears while another one shows")
             .also(before, "this one")
             .note("a segment has one text: each subtitle starts when the one before it ends");
-        findings.push(finding.help("join the two, or let the first one end earlier"));
+        diagnostics.push(diagnostic.help("join the two, or let the first one end earlier"));
     }
 }
 
@@ -181,9 +181,9 @@ mod tests {
     fn cues_come_in_order() {
         let cue = |start_ms, end_ms| Cue { start_ms, end_ms, ..Cue::default() };
         let sorted = |mut cues: Vec<Cue>| {
-            let mut findings = Vec::new();
-            sort(&mut cues, &mut findings);
-            (cues.iter().map(|cue| cue.start_ms).collect::<Vec<_>>(), findings.len())
+            let mut diagnostics = Vec::new();
+            sort(&mut cues, &mut diagnostics);
+            (cues.iter().map(|cue| cue.start_ms).collect::<Vec<_>>(), diagnostics.len())
         };
         assert_eq!(sorted(vec![cue(0, 5), cue(5, 9)]), (vec![0, 5], 0));
         assert_eq!(sorted(vec![cue(5, 9), cue(0, 5)]), (vec![0, 5], 1));

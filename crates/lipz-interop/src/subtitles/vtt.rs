@@ -8,13 +8,13 @@ const SIGNATURE: &str = "WEBVTT";
 /// Blocks other than cues start with one of these.
 const OTHER_BLOCKS: [&str; 3] = ["NOTE", "STYLE", "REGION"];
 
-pub(super) fn read(text: &str, findings: &mut Vec<Diagnostic>) -> Vec<Cue> {
+pub(super) fn read(text: &str, diagnostics: &mut Vec<Diagnostic>) -> Vec<Cue> {
     let starts_with = |line: &str, word: &str| {
         line.strip_prefix(word).is_some_and(|rest| rest.is_empty() || rest.starts_with([' ', '\t']))
     };
     let first = text.lines().next().unwrap_or_default();
     if !starts_with(first, SIGNATURE) {
-        findings.push(
+        diagnostics.push(
             Diagnostic::at(Code::SubtitleSyntax, Span::new(0, first.len()), "the file does not start with `WEBVTT`")
                 .help("is it of another format? those of SubRip are read as srt"),
         );
@@ -27,8 +27,8 @@ pub(super) fn read(text: &str, findings: &mut Vec<Diagnostic>) -> Vec<Cue> {
         if block.first().map(|line| line.text).filter(is_other).is_some() {
             continue;
         }
-        let Some((cue, body)) = timing::cue(block, findings) else { continue };
-        let text = super::read_text(&body, markup::from_vtt, findings);
+        let Some((cue, body)) = timing::cue(block, diagnostics) else { continue };
+        let text = super::read_text(&body, markup::from_vtt, diagnostics);
         cues.push(Cue { text, ..cue });
     }
     cues

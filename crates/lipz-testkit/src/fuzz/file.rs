@@ -4,7 +4,7 @@ use lipz_compiler::{Compiler, Input};
 use lipz_diagnostics::{Diagnostic, Severity, Span};
 use lipz_file::format::{LineEnding, Style, format};
 
-/// Reads and checks any bytes: every finding has its places in the file, and without errors there is a
+/// Reads and checks any bytes: every diagnostic has its places in the file, and without errors there is a
 /// bank.
 pub fn parse(bytes: &[u8]) {
     let parsed = lipz_file::parse(bytes);
@@ -20,7 +20,7 @@ pub fn parse(bytes: &[u8]) {
     assert_eq!(compiled.bank.is_none(), compiled.reports.iter().any(|report| has_errors(&report.diagnostics)));
 }
 
-/// The marked places of a finding are stretches of the text.
+/// The marked places of a diagnostic are stretches of the text.
 pub(super) fn is_about(found: &Diagnostic, text: &str) {
     let labels = found.primary.iter().chain(&found.labels).map(|label| label.span);
     let spans: Vec<Span> = labels.chain(found.fix.as_ref().map(|fix| fix.span)).collect();

@@ -5,7 +5,7 @@ use super::foreign::has_errors;
 use lipz_bank::Fps;
 use lipz_interop::second_life::lip_sync;
 
-/// Findings are about places in the file; without settings there is a reason; what is read is a babble profile.
+/// Diagnostics are about places in the file; without settings there is a reason; what is read is a babble profile.
 pub fn second_life(bytes: &[u8]) {
     let mut found = Vec::new();
     let settings = lip_sync(bytes, "settings.xml", &mut found);

@@ -12,7 +12,7 @@ use lipz_file::{JsonString, text};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// Findings of one kind that one element shows in full; the rest is counted.
+/// Diagnostics of one kind that one element shows in full; the rest is counted.
 const SHOWN: usize = 3;
 
 /// The trimmed event string of each segment.
@@ -41,7 +41,7 @@ struct Findings<'e> {
     by_code: BTreeMap<Code, OfCode>,
 }
 
-/// The findings of one code: the first few, and how many there are.
+/// The diagnostics of one code: the first few, and how many there are.
 #[derive(Default)]
 struct OfCode {
     first: Vec<Diagnostic>,
@@ -56,12 +56,12 @@ impl Findings<'_> {
         match event::parse(segment) {
             Some(events) => {
                 for unknown in events.flat_map(|event| names::unknown(&event, known_names)) {
-                    self.add(unknown.code(), || unknown.finding(span(unknown.word.range()), known_names));
+                    self.add(unknown.code(), || unknown.diagnostic(span(unknown.word.range()), known_names));
                 }
             }
             None => {
                 for near_miss in near_miss::near_misses(segment, known_names) {
-                    self.add(Code::NearEvent, || near_miss.finding(span(near_miss.at.clone())));
+                    self.add(Code::NearEvent, || near_miss.diagnostic(span(near_miss.at.clone())));
                 }
             }
         }
@@ -77,7 +77,7 @@ impl Findings<'_> {
 }
 
 impl OfCode {
-    /// The findings that are shown; the last one says how many are not.
+    /// The diagnostics that are shown; the last one says how many are not.
     fn shown(mut self) -> Vec<Diagnostic> {
         let hidden = self.count - self.first.len();
         if hidden > 0

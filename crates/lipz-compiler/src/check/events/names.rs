@@ -5,7 +5,7 @@ use lipz_diagnostics::{Code, Diagnostic, Span, escape, suggest};
 use lipz_file::event::{EMOTIONS, Event, Word};
 use std::collections::BTreeSet;
 
-/// Known names that a finding lists.
+/// Known names that a diagnostic lists.
 const LISTED: usize = 20;
 
 /// What a word of an event is the name of.
@@ -108,7 +108,7 @@ impl Unknown<'_> {
         }
     }
 
-    pub(super) fn finding(&self, span: Span, known_names: &KnownNames) -> Diagnostic {
+    pub(super) fn diagnostic(&self, span: Span, known_names: &KnownNames) -> Diagnostic {
         let (what, known, lists) = match self.role {
             Role::Character => ("not a registered character", "registered characters", ["characters"].as_slice()),
             Role::Emotion if known_names.emotions.is_empty() => {
@@ -126,11 +126,11 @@ impl Unknown<'_> {
         };
         let names = Names::new(self.role, known_names);
         let message = format!("{} is {what}", escape::quoted(self.word.text));
-        let finding = Diagnostic::at(self.code(), span, message).note(match names.listed() {
+        let diagnostic = Diagnostic::at(self.code(), span, message).note(match names.listed() {
             Some(listed) => format!("the {known} are {listed}"),
             None => format!("there are no {known}"),
         });
-        finding.help(match names.nearest(self.word.text) {
+        diagnostic.help(match names.nearest(self.word.text) {
             Some(name) => format!("did you mean {}?", escape::quoted(name)),
             None => {
                 let (settings, flags) = (lists.join(" or "), lists.join(" or --"));

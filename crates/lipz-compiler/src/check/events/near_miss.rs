@@ -161,7 +161,7 @@ fn is_nearly(word: &str, verb: &str) -> bool {
 }
 
 impl NearMiss<'_> {
-    pub(super) fn finding(&self, span: Span) -> Diagnostic {
+    pub(super) fn diagnostic(&self, span: Span) -> Diagnostic {
         let did_you_mean = |meant: &str| format!("did you mean {}?", escape::quoted(meant));
         let (message, help) = match &self.fault {
             Fault::Verb(words, meant) => {

@@ -69,7 +69,7 @@ fn white_space(string: &JsonString<'_>, codes_are_legal: bool) -> Option<Diagnos
     let start = string.text.find(is_white_space)?;
     let length = string.text[start..].find(|c| !is_white_space(c)).unwrap_or(string.text.len() - start);
     let count = string.text.chars().filter(|&c| is_white_space(c)).count();
-    let mut finding = Diagnostic::at(
+    let mut diagnostic = Diagnostic::at(
         Code::WhiteSpaceInVisemes,
         string.span_of(start..start + length),
         "white space between viseme codes is not a frame and is ignored",
@@ -77,7 +77,7 @@ fn white_space(string: &JsonString<'_>, codes_are_legal: bool) -> Option<Diagnos
     .help("remove it; write `-` for a frame at rest");
     // Otherwise it may be something else altogether, a text for example.
     if codes_are_legal {
-        finding = finding.fix(string.span(), lipz_file::literal(&string.text.replace(is_white_space, "")));
+        diagnostic = diagnostic.fix(string.span(), lipz_file::literal(&string.text.replace(is_white_space, "")));
     }
-    Some(if count > length { finding.note(format!("{count} characters of white space in all")) } else { finding })
+    Some(if count > length { diagnostic.note(format!("{count} characters of white space in all")) } else { diagnostic })
 }

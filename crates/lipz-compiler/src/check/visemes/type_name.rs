@@ -14,22 +14,22 @@ pub(in crate::check) fn viseme_type(name: &JsonString<'_>, diagnostics: &mut Vec
 }
 
 fn unknown(name: &JsonString<'_>) -> Diagnostic {
-    let finding = |message| {
+    let diagnostic = |message| {
         Diagnostic::at(Code::UnknownVisemeType, name.span(), message)
             .note("the viseme types are blair, toonboom and rms")
     };
     if name.text.trim().is_empty() {
-        return finding("viseme_type is empty".into()).help("name the viseme type, or leave the element out");
+        return diagnostic("viseme_type is empty".into()).help("name the viseme type, or leave the element out");
     }
-    let finding = finding(format!("{} is not a viseme type", escape::quoted(&name.text)));
+    let diagnostic = diagnostic(format!("{} is not a viseme type", escape::quoted(&name.text)));
     let known = VisemeType::ALL.map(VisemeType::name);
     // `preston blair`
     let part = || known.into_iter().find(|known| name.text.contains(known));
     match suggest::nearest(&name.text, known).or_else(part) {
         Some(known) if suggest::distance(&name.text, known) == Some(0) => {
-            finding.help(format!("write \"{known}\"")).fix(name.span(), format!("\"{known}\""))
+            diagnostic.help(format!("write \"{known}\"")).fix(name.span(), format!("\"{known}\""))
         }
-        Some(known) => finding.help(format!("did you mean \"{known}\"?")),
-        None => finding,
+        Some(known) => diagnostic.help(format!("did you mean \"{known}\"?")),
+        None => diagnostic,
     }
 }

@@ -10,7 +10,7 @@ use lipz_file::JsonString;
 /// Different foreign codes that one element shows; the rest is counted.
 const SHOWN: usize = 4;
 
-/// Reports codes that do not fit: one finding if one reason explains them all, otherwise one for each
+/// Reports codes that do not fit: one diagnostic if one reason explains them all, otherwise one for each
 /// different character.
 pub(super) fn report(string: &JsonString<'_>, expected: Expected, diagnostics: &mut Vec<Diagnostic>) {
     let tally = Tally::new(&string.text);
@@ -60,19 +60,20 @@ fn one_of(
         }
         _ => format!("{shown} is not a code of any viseme type"),
     };
-    let mut finding = repeated(Diagnostic::at(Code::ForeignCode, span(string, found), message), found);
+    let mut diagnostic = repeated(Diagnostic::at(Code::ForeignCode, span(string, found), message), found);
     if index == 0 {
-        finding = with_valid_codes(finding, viseme_type, expected);
+        diagnostic = with_valid_codes(diagnostic, viseme_type, expected);
     }
     if index + 1 == SHOWN && foreign.len() > SHOWN {
-        finding = finding.note(format!("{} more different characters are not shown", foreign.len() - SHOWN));
+        diagnostic = diagnostic.note(format!("{} more different characters are not shown", foreign.len() - SHOWN));
     }
-    finding.help = instead(found.character, viseme_type, foreign);
+    diagnostic.help = instead(found.character, viseme_type, foreign);
     let is_named = !matches!(expected, Expected::Any | Expected::Unknown);
     if (found.character, viseme_type, is_named) == (NINE_OF_THE_AUTHORS_TOOL, VisemeType::Rms, true) {
-        finding = finding.fix(string.span(), lipz_file::literal(&string.text.replace(NINE_OF_THE_AUTHORS_TOOL, "9")));
+        diagnostic =
+            diagnostic.fix(string.span(), lipz_file::literal(&string.text.replace(NINE_OF_THE_AUTHORS_TOOL, "9")));
     }
-    Some(finding)
+    Some(diagnostic)
 }
 
 /// Codes of several types, without one that has them all.
@@ -80,11 +81,11 @@ fn mixed(string: &JsonString<'_>, first: &Counted, viseme_type: VisemeType, fore
     let shown = escape::character(first.character);
     let message =
         format!("{shown} is not one of the {viseme_type} codes, and no viseme type has all codes of this file");
-    let finding = repeated(Diagnostic::at(Code::MixedCodes, span(string, first), message), first);
+    let diagnostic = repeated(Diagnostic::at(Code::MixedCodes, span(string, first), message), first);
     let sets = VisemeType::ALL.map(|known| format!("{known}: {}", spaced(known)));
     let correct = || format!("correct the codes, and name the type: \"viseme_type\": \"{viseme_type}\"");
     let help = instead(first.character, viseme_type, foreign).unwrap_or_else(correct);
-    sets.into_iter().fold(finding, Diagnostic::note).help(help)
+    sets.into_iter().fold(diagnostic, Diagnostic::note).help(help)
 }
 
 /// Codes that are all of another type than the given one.
@@ -96,8 +97,8 @@ fn other_type(
     expected: Expected,
 ) -> Diagnostic {
     let message = format!("these are {} codes, not {viseme_type}", fitting.join(" or "));
-    let finding = Diagnostic::at(Code::ForeignCode, span(string, first), message);
-    with_valid_codes(finding, viseme_type, expected).help(match (fitting, expected) {
+    let diagnostic = Diagnostic::at(Code::ForeignCode, span(string, first), message);
+    with_valid_codes(diagnostic, viseme_type, expected).help(match (fitting, expected) {
         ([one], Expected::Default(_)) => {
             format!("write \"viseme_type\": \"{one}\" in the file, or change `default-viseme-type`")
         }
@@ -109,15 +110,15 @@ fn other_type(
 /// Codes of the type, but all in lower case.
 fn lower_case(string: &JsonString<'_>, viseme_type: VisemeType) -> Diagnostic {
     let first = string.text.find(|c: char| c.is_ascii_lowercase()).unwrap_or_default();
-    let finding =
+    let diagnostic =
         Diagnostic::at(Code::ForeignCode, string.span_of(first..first + 1), "the viseme codes are in lower case")
             .note(format!("valid codes are {}; `|` separates segments", spaced(viseme_type)))
             .help("write them in upper case");
     // An `l` may be a damaged `|`.
     if string.text.contains('l') {
-        return finding;
+        return diagnostic;
     }
-    finding.fix(string.span(), lipz_file::literal(&string.text.to_ascii_uppercase()))
+    diagnostic.fix(string.span(), lipz_file::literal(&string.text.to_ascii_uppercase()))
 }
 
 /// Whether the character is a code of any type.
@@ -130,19 +131,19 @@ fn span(string: &JsonString<'_>, found: &Counted) -> lipz_diagnostics::Span {
     string.span_of(found.first_at..found.first_at + found.character.len_utf8())
 }
 
-fn repeated(finding: Diagnostic, found: &Counted) -> Diagnostic {
+fn repeated(diagnostic: Diagnostic, found: &Counted) -> Diagnostic {
     match found.count {
-        1 => finding,
-        count => finding.note(format!("it appears {count} times; this is the first")),
+        1 => diagnostic,
+        count => diagnostic.note(format!("it appears {count} times; this is the first")),
     }
 }
 
 /// Adds the legal codes, and where the type comes from if that is not the file.
-fn with_valid_codes(finding: Diagnostic, viseme_type: VisemeType, expected: Expected) -> Diagnostic {
-    let finding = finding.note(format!("valid codes are {}; `|` separates segments", spaced(viseme_type)));
+fn with_valid_codes(diagnostic: Diagnostic, viseme_type: VisemeType, expected: Expected) -> Diagnostic {
+    let diagnostic = diagnostic.note(format!("valid codes are {}; `|` separates segments", spaced(viseme_type)));
     match expected {
-        Expected::Default(_) => finding.note("the viseme type is that of `default-viseme-type`"),
-        _ => finding,
+        Expected::Default(_) => diagnostic.note("the viseme type is that of `default-viseme-type`"),
+        _ => diagnostic,
     }
 }
 

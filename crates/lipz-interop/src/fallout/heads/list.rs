@@ -23,9 +23,9 @@ const MOST_FIDGETS: u32 = 1000;
 /// Lines of another form, and roots that came before, are reported and left out.
 ///
 /// ```
-/// let (heads, findings) = lipz_interop::fallout::heads::read_list("myron,2,3,1\n");
+/// let (heads, diagnostics) = lipz_interop::fallout::heads::read_list("myron,2,3,1\n");
 /// assert_eq!((heads[0].root.as_str(), heads[0].fidgets), ("myron", [2, 3, 1]));
-/// assert!(findings.is_empty());
+/// assert!(diagnostics.is_empty());
 /// ```
 pub fn read_list(text: &str) -> (Vec<Head>, Vec<Diagnostic>) {
     let (mut heads, mut found) = (Vec::<Head>::new(), Vec::new());
@@ -121,7 +121,7 @@ mod tests {
         let (heads, found) = read_list(text);
         assert_eq!(heads.len(), 1);
         let marked: Vec<&str> =
-            found.iter().filter_map(|finding| text.get(finding.primary.as_ref()?.span.range())).collect();
+            found.iter().filter_map(|diagnostic| text.get(diagnostic.primary.as_ref()?.span.range())).collect();
         assert_eq!(marked, ["elder,1,2", "myron,1,1,x", "ä,1,1,1", "LYNETTE,2,2,2", "lynette2,1,1,4000000000"]);
     }
 }

@@ -27,7 +27,7 @@ pub fn check_file(name: &str, bytes: &[u8]) -> (Option<HeadFile>, Vec<Diagnostic
         );
     }
     match Frm::read(bytes) {
-        Err(finding) => found.push(*finding),
+        Err(diagnostic) => found.push(*diagnostic),
         Ok(frm) => found.extend(file.as_ref().and_then(|file| too_few_frames(file, frm))),
     }
     (file, found)
@@ -43,7 +43,7 @@ fn too_few_frames(file: &HeadFile, frm: Frm) -> Option<Diagnostic> {
     })
 }
 
-/// Compares the heads of `heads.lst` with the files that lie beside it. Findings are about the list.
+/// Compares the heads of `heads.lst` with the files that lie beside it. Diagnostics are about the list.
 pub fn compare(heads: &[Head], files: &[HeadFile]) -> Vec<Diagnostic> {
     let there: BTreeSet<String> = files.iter().map(HeadFile::file_name).collect();
     let mut found = Vec::new();
@@ -53,8 +53,8 @@ pub fn compare(heads: &[Head], files: &[HeadFile]) -> Vec<Diagnostic> {
         let missing: Vec<&str> = expected.difference(&there).map(String::as_str).collect();
         if !missing.is_empty() {
             let message = format!("{} has no {}", escape::quoted(&head.root), listed(&missing));
-            let finding = Diagnostic::at(Code::HeadFiles, head.span, message);
-            found.push(finding.help("add the files, or correct the numbers of fidget files"));
+            let diagnostic = Diagnostic::at(Code::HeadFiles, head.span, message);
+            found.push(diagnostic.help("add the files, or correct the numbers of fidget files"));
         }
         counted.extend(expected);
     }
@@ -67,8 +67,8 @@ pub fn compare(heads: &[Head], files: &[HeadFile]) -> Vec<Diagnostic> {
         if !surplus.is_empty() {
             let surplus: Vec<&str> = surplus.iter().map(String::as_str).collect();
             let message = format!("the numbers of {} leave out {}", escape::quoted(&head.root), listed(&surplus));
-            let finding = Diagnostic::at(Code::HeadFiles, head.span, message);
-            found.push(finding.note("the game never shows them").help("correct the numbers of fidget files"));
+            let diagnostic = Diagnostic::at(Code::HeadFiles, head.span, message);
+            found.push(diagnostic.note("the game never shows them").help("correct the numbers of fidget files"));
         }
     }
     let unlisted: BTreeSet<&str> = files.iter().filter(|file| !of_list(file)).map(|file| file.root.as_str()).collect();
@@ -101,7 +101,7 @@ mod tests {
     fn headlines(list: &str, names: &[&str]) -> Vec<String> {
         let (heads, found) = read_list(list);
         assert_eq!(found, []);
-        compare(&heads, &files(names)).into_iter().map(|finding| finding.message).collect()
+        compare(&heads, &files(names)).into_iter().map(|diagnostic| diagnostic.message).collect()
     }
 
     #[test]

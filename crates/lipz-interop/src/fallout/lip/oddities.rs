@@ -37,9 +37,9 @@ impl Lip {
         }));
         if self.flags != 0 {
             let message = format!("the flags are {:#x}, in other files 0", self.flags);
-            let finding = place(Code::LipHeader, offset::FLAGS, message);
+            let diagnostic = place(Code::LipHeader, offset::FLAGS, message);
             let set = FLAGS.iter().filter(|(bit, _)| self.flags & bit != 0);
-            found.push(set.fold(finding, |finding, (_, meaning)| finding.note(*meaning)));
+            found.push(set.fold(diagnostic, |diagnostic, (_, meaning)| diagnostic.note(*meaning)));
         }
         if self.extension != Lip::EXTENSION {
             let shown = String::from_utf8_lossy(&self.extension);
@@ -63,8 +63,8 @@ impl Lip {
             return;
         }
         let message = format!("{phonemes} phonemes have {markers} markers, not {}", phonemes + 1);
-        let finding = place(Code::LipCounts, offset::PHONEME_COUNT.start..offset::MARKER_COUNT.end, message);
-        found.push(finding.note(if markers <= phonemes {
+        let diagnostic = place(Code::LipCounts, offset::PHONEME_COUNT.start..offset::MARKER_COUNT.end, message);
+        found.push(diagnostic.note(if markers <= phonemes {
             "the last marker ends the speech; phonemes without a marker before it are not shown"
         } else {
             "the last marker ends the speech; the mouth rests from the first marker without a phoneme"
@@ -93,42 +93,42 @@ impl Lip {
 
     fn phoneme_codes(&self, found: &mut Vec<Diagnostic>) {
         let unknown = self.phonemes.iter().copied().enumerate().filter(|&(_, code)| code > LAST_PHONEME);
-        let findings = unknown.map(|(index, code)| {
+        let diagnostics = unknown.map(|(index, code)| {
             let message = format!("phoneme {index} is {code:#04x}, but the codes end at {LAST_PHONEME:#04x}");
             place(Code::LipPhoneme, Lip::phoneme_place(index), message).note("it is shown as rest")
         });
-        list(found, findings);
+        list(found, diagnostics);
     }
 
     fn marker_types(&self, found: &mut Vec<Diagnostic>) {
-        let findings = self.markers.iter().enumerate().filter_map(|(index, marker)| {
+        let diagnostics = self.markers.iter().enumerate().filter_map(|(index, marker)| {
             let message = match (index, marker.kind) {
                 (0, 0) => "the type of the first marker is 0, in other files 1".to_owned(),
                 (_, 0 | 1) => return None,
                 (_, kind) => format!("the type of marker {index} is {kind:#x}, neither 0 nor 1"),
             };
-            let finding = place(Code::LipMarkerType, self.marker_place(index), message);
-            Some(finding.note("the game does not use the types of markers"))
+            let diagnostic = place(Code::LipMarkerType, self.marker_place(index), message);
+            Some(diagnostic.note("the game does not use the types of markers"))
         });
-        list(found, findings);
+        list(found, diagnostics);
     }
 
     fn marker_order(&self, found: &mut Vec<Diagnostic>) {
         if let Some(first) = self.markers.first().filter(|first| first.position != 0) {
             let message = format!("the first marker is at {}, not at 0", first.position);
-            let finding = place(Code::LipMarkerOrder, self.marker_place(0), message);
-            found.push(finding.note("the mouth rests before it"));
+            let diagnostic = place(Code::LipMarkerOrder, self.marker_place(0), message);
+            found.push(diagnostic.note("the mouth rests before it"));
         }
         let pairs = self.markers.windows(2).enumerate();
-        let findings = pairs.filter_map(|(index, pair)| {
+        let diagnostics = pairs.filter_map(|(index, pair)| {
             let [Marker { position: before, .. }, Marker { position, .. }] = pair else { return None };
             let message = format!("marker {} runs backwards, from {before} to {position}", index + 1);
-            let finding = place(Code::LipMarkerOrder, self.marker_place(index + 1), message);
+            let diagnostic = place(Code::LipMarkerOrder, self.marker_place(index + 1), message);
             let note =
                 "as in the game, its phoneme starts at the last place before it, and hides the one that starts there";
-            (position < before).then(|| finding.note(note))
+            (position < before).then(|| diagnostic.note(note))
         });
-        list(found, findings);
+        list(found, diagnostics);
     }
 
     fn trailing(&self, found: &mut Vec<Diagnostic>) {
@@ -136,8 +136,9 @@ impl Lip {
             let start = self.marker_place(self.markers.len()).start;
             let length = self.trailing.len();
             let plural = if length == 1 { "byte follows" } else { "bytes follow" };
-            let finding = place(Code::LipTrailing, start..start + length, format!("{length} {plural} the last marker"));
-            found.push(finding.note("the game does not read them"));
+            let diagnostic =
+                place(Code::LipTrailing, start..start + length, format!("{length} {plural} the last marker"));
+            found.push(diagnostic.note("the game does not read them"));
         }
     }
 }

@@ -78,8 +78,8 @@ fn cut_off_body(length_bytes: usize, phonemes: u32, markers: u32) -> Diagnostic 
     whole_again(place(Code::LipCutOff, places, message).note(counts))
 }
 
-fn whole_again(finding: Diagnostic) -> Diagnostic {
-    finding.help("copy the file again from where it came from; transfer it as binary, not as text")
+fn whole_again(diagnostic: Diagnostic) -> Diagnostic {
+    diagnostic.help("copy the file again from where it came from; transfer it as binary, not as text")
 }
 
 fn refused_version(version: u32) -> Diagnostic {

@@ -1,14 +1,14 @@
 //! One run of packing: what it works with, and what it gave.
 
 use super::Pack;
-use super::destination::{self, AllWritten, Destination, Replacing};
+use super::destination::{self, Destination};
 use crate::Abort;
 use crate::Outcome;
 use crate::reporter::Reporter;
 use crate::shared::inputs::with_inputs;
 use crate::shared::settings_file::Project;
 use crate::shared::{output_file, stdio};
-use lipz_compiler::{Compiled, Input, Memory, Phases, dependencies, depfile};
+use lipz_compiler::{Compiled, Delivered, Input, Memory, Phases, Replace, dependencies, depfile};
 use std::mem;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -26,7 +26,7 @@ pub(crate) struct Packed {
     pub(super) clip_count: usize,
     /// Clips that a cache spared.
     pub(super) recalled: usize,
-    written: AllWritten,
+    delivered: Delivered,
     /// Failed if the cache or the depfile could not be written: the bank is where it belongs all the same.
     pub(crate) outcome: Outcome,
     /// The time it took to find the files.
@@ -59,7 +59,7 @@ impl Plan {
         }
         let is_split = arguments.split_locales.unwrap_or(settings.split_locales);
         let cache = arguments.cache(settings);
-        let destination = Destination::of(&output, is_split, arguments.depfile.is_some(), cache, reporter)?;
+        let destination = Destination::new(&output, is_split, arguments.depfile.is_some(), cache, reporter)?;
         Ok(Plan { project, output, destination, depfile: arguments.depfile.clone() })
     }
 
@@ -80,7 +80,7 @@ impl Plan {
         reporter: &mut Reporter,
     ) -> Result<Packed, Abort> {
         let settings = &self.project.settings;
-        let replacing = if memory.is_some() { Replacing::IfDifferent } else { Replacing::Always };
+        let replace = if memory.is_some() { Replace::IfDifferent } else { Replace::Always };
         let mut run = with_inputs(settings, quiet, |compiler, inputs| match &mut memory {
             Some(memory) => self.destination.make_again(memory, compiler, inputs),
             None => self.destination.make(compiler, inputs),
@@ -92,14 +92,14 @@ impl Plan {
             _ => return Err(reporter.abort(reports, outcome)),
         };
         reporter.add(reports);
-        let written = self.destination.deliver(&bank, run.compiled.is_unchanged, replacing, reporter)?;
+        let delivered = self.destination.deliver(&bank, run.compiled.is_unchanged, replace, reporter)?;
         let remembered = memory.map_or(Ok(()), |memory| self.destination.remember(memory, reporter));
-        let outcome = remembered.and(self.write_depfile(&run.inputs, replacing, reporter));
+        let outcome = remembered.and(self.write_depfile(&run.inputs, replace, reporter));
         let Compiled { recalled, phases, .. } = run.compiled;
         Ok(Packed {
             clip_count: run.inputs.len(),
             recalled,
-            written,
+            delivered,
             outcome: outcome.err().map_or(Outcome::Clean, Abort::outcome),
             discover: run.discover,
             phases,
@@ -107,22 +107,22 @@ impl Plan {
     }
 
     /// Writes what the bank depends on, if that was asked for. Reports why that is not possible.
-    fn write_depfile(&self, inputs: &[Input], replacing: Replacing, reporter: &mut Reporter) -> Result<(), Abort> {
+    fn write_depfile(&self, inputs: &[Input], replace: Replace, reporter: &mut Reporter) -> Result<(), Abort> {
         let Some(path) = &self.depfile else { return Ok(()) };
         let mut dependencies = dependencies(&self.project.settings.sources, inputs);
         dependencies.extend(self.project.file.clone());
-        destination::write(path, &depfile(&self.output, &dependencies), replacing, reporter).map(|_| ())
+        destination::write(path, &depfile(&self.output, &dependencies), replace, reporter)
     }
 }
 
 impl Packed {
     /// A line for each file that was written.
     pub(super) fn summary(&self) -> String {
-        self.written.summary(self.clip_count)
+        destination::summary(&self.delivered, self.clip_count)
     }
 
     /// One line about all files, and whether any is another than before.
     pub(crate) fn message(&self) -> String {
-        self.written.message(self.clip_count)
+        destination::message(&self.delivered, self.clip_count)
     }
 }

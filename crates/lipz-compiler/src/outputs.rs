@@ -1,0 +1,228 @@
+//! The files of a bank: the bank itself, or a base with a text bank for each locale beside it.
+
+use crate::output::replace_file;
+use crate::{Compiled, Compiler, Input, SplitBank};
+use lipz_diagnostics::Report;
+use std::ffi::OsStr;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// What the names of text banks end with, behind their locale.
+const TEXTS_EXTENSION: &str = ".lipztexts";
+
+/// The files that a bank is packed into: one, or one for each locale beside it, and perhaps a cache.
+///
+/// ```
+/// use lipz_compiler::{Compiler, Input, Outputs, Replace};
+/// # let folder = tempfile::tempdir()?;
+/// # let folder = folder.path();
+/// let file = r#"{ "text_en-us": "Mayor!", "text_de-de": "Meister!" }"#;
+/// let outputs = Outputs::new(folder.join("dialogue.lipzbank")).split_locales(true);
+/// let compiled = outputs.pack(&Compiler::default(), &[Input::from_bytes("act1/mayor", file)]);
+/// let written = outputs.deliver(&compiled.bank.ok_or("errors")?, Replace::Always)?;
+/// let names: Vec<_> = written.files.iter().filter_map(|file| file.path.file_name()?.to_str()).collect();
+/// assert_eq!(names, ["dialogue.lipzbank", "dialogue.de-de.lipztexts", "dialogue.en-us.lipztexts"]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub struct Outputs {
+    bank: PathBuf,
+    is_split: bool,
+    cache: Option<PathBuf>,
+}
+
+/// When a file is replaced.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Replace {
+    /// By every run: its time tells build engines that it is up to date.
+    Always,
+    /// By other bytes only: whoever has it open reads it again only for a reason.
+    IfDifferent,
+}
+
+/// A file of a run.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub struct OutputFile {
+    /// Where it is.
+    pub path: PathBuf,
+    /// Its length.
+    pub length_bytes: usize,
+    /// Whether it was written, rather than found as it should be.
+    pub is_new: bool,
+}
+
+/// The files of a run.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+#[non_exhaustive]
+pub struct Delivered {
+    /// The bank first, then the text banks in the order of their locales.
+    pub files: Vec<OutputFile>,
+    /// Text banks of locales that the bank no longer has. They stay: who removes a locale decides about its files.
+    pub stale: Vec<PathBuf>,
+}
+
+impl OutputFile {
+    /// A file that a run wrote.
+    pub fn new(path: impl Into<PathBuf>, bytes: &[u8]) -> OutputFile {
+        OutputFile { path: path.into(), length_bytes: bytes.len(), is_new: true }
+    }
+
+    /// Replaces the file at `path` by `bytes`, as [`replace_file`] does.
+    ///
+    /// # Errors
+    /// As [`replace_file`].
+    pub fn write(path: &Path, bytes: &[u8], replace: Replace) -> Result<OutputFile, Report> {
+        let is_new = replace == Replace::Always || !has(path, bytes);
+        if is_new {
+            replace_file(path, bytes)?;
+        }
+        Ok(OutputFile { is_new, ..OutputFile::new(path, bytes) })
+    }
+}
+
+impl From<OutputFile> for Delivered {
+    fn from(file: OutputFile) -> Delivered {
+        Delivered { files: vec![file], stale: Vec::new() }
+    }
+}
+
+impl Outputs {
+    /// The bank as the file `bank`.
+    pub fn new(bank: impl Into<PathBuf>) -> Outputs {
+        Outputs { bank: bank.into(), is_split: false, cache: None }
+    }
+
+    /// Packs the texts of each locale into a text bank: `dialogue.lipzbank` gets `dialogue.en-us.lipztexts` and so
+    /// on beside it. Split banks have no cache.
+    #[must_use]
+    pub fn split_locales(mut self, is_split: bool) -> Outputs {
+        self.is_split = is_split;
+        self
+    }
+
+    /// Keeps what is known of the Lipz files in the file `cache`, as [`Compiler::pack_cached`] does.
+    #[cfg(feature = "cache")]
+    #[must_use]
+    pub fn cache(mut self, cache: Option<PathBuf>) -> Outputs {
+        self.cache = cache;
+        self
+    }
+
+    /// Makes the bank. One that is not split is also written, while it is verified; [`deliver`](Outputs::deliver)
+    /// writes the others.
+    pub fn pack(&self, compiler: &Compiler<'_>, inputs: &[Input]) -> Compiled {
+        match &self.cache {
+            _ if self.is_split => compiler.compile(inputs),
+            #[cfg(feature = "cache")]
+            Some(cache) => compiler.pack_cached(inputs, &self.bank, cache),
+            _ => compiler.pack(inputs, &self.bank),
+        }
+    }
+
+    /// Makes the bank with what `memory` has of the previous run, first of all that of the cache.
+    /// [`deliver`](Outputs::deliver) writes it.
+    #[cfg(feature = "cache")]
+    pub fn compile_again(&self, compiler: &Compiler<'_>, inputs: &[Input], memory: &mut crate::Memory) -> Compiled {
+        if let (Some(cache), true) = (self.used_cache(), memory.is_empty()) {
+            match crate::Memory::read(cache, &self.bank) {
+                Ok(read) => *memory = read,
+                Err(report) => return Compiled::refused(report),
+            }
+        }
+        compiler.compile_again(inputs, memory)
+    }
+
+    /// Writes what is remembered into the cache, if there is one.
+    ///
+    /// # Errors
+    /// As [`Memory::write`](crate::Memory::write).
+    #[cfg(feature = "cache")]
+    pub fn remember(&self, memory: &crate::Memory) -> Result<(), Report> {
+        self.used_cache().map_or(Ok(()), |cache| memory.write(cache))
+    }
+
+    #[cfg(feature = "cache")]
+    fn used_cache(&self) -> Option<&Path> {
+        self.cache.as_deref().filter(|_| !self.is_split)
+    }
+
+    /// Writes the files of `bank`; those of a split one last of all the bank, so that whoever finds it finds its
+    /// texts, too.
+    ///
+    /// # Errors
+    /// As [`replace_file`], and if `bank` is damaged.
+    pub fn deliver(&self, bank: &[u8], replace: Replace) -> Result<Delivered, Report> {
+        if !self.is_split {
+            return Ok(OutputFile::write(&self.bank, bank, replace)?.into());
+        }
+        let split = SplitBank::from_bytes(bank)?;
+        let mut files = Vec::new();
+        for (tag, texts) in &split.texts {
+            let path = self.bank.with_extension(format!("{tag}{TEXTS_EXTENSION}"));
+            files.push(OutputFile::write(&path, texts, replace)?);
+        }
+        let stale = stale(&self.bank, &files);
+        files.insert(0, OutputFile::write(&self.bank, &split.base, replace)?);
+        Ok(Delivered { files, stale })
+    }
+
+    /// The file that [`pack`](Outputs::pack) has written already; `None` if the bank is split.
+    pub fn packed(&self, bank: &[u8], is_unchanged: bool) -> Option<Delivered> {
+        let file = OutputFile { is_new: !is_unchanged, ..OutputFile::new(&self.bank, bank) };
+        (!self.is_split).then(|| file.into())
+    }
+}
+
+/// The text banks beside the bank at `path` that are not among those that were written now.
+fn stale(path: &Path, written: &[OutputFile]) -> Vec<PathBuf> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let (Some(stem), Ok(files)) = (path.file_stem(), fs::read_dir(folder)) else { return Vec::new() };
+    let is_text_bank = |name: &OsStr| {
+        let rest = name.as_encoded_bytes().strip_prefix(stem.as_encoded_bytes());
+        rest.is_some_and(|rest| rest.starts_with(b".") && rest.ends_with(TEXTS_EXTENSION.as_bytes()))
+    };
+    let is_written = |name: &OsStr| written.iter().any(|file| file.path.file_name() == Some(name));
+    let names = files.filter_map(|file| Some(file.ok()?.file_name()));
+    let stale = names.filter(|name| is_text_bank(name) && !is_written(name));
+    let mut stale: Vec<PathBuf> = stale.map(|name| path.with_file_name(name)).collect();
+    stale.sort();
+    stale
+}
+
+/// Whether the file has these bytes.
+fn has(path: &Path, bytes: &[u8]) -> bool {
+    let is_as_long = path.metadata().is_ok_and(|found| found.is_file() && found.len() == bytes.len() as u64);
+    is_as_long && fs::read(path).is_ok_and(|found| found == bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn bank(locales: &[&str]) -> Vec<u8> {
+        let texts: Vec<String> = locales.iter().map(|tag| format!("\"text_{tag}\": \"Aye.\"")).collect();
+        let file = format!("{{ {} }}", texts.join(", "));
+        Compiler::default().compile(&[Input::from_bytes("aye", file)]).into_bank().unwrap()
+    }
+
+    #[test]
+    fn text_banks_of_locales_that_are_gone_are_named_and_stay() {
+        let folder = tempfile::tempdir().unwrap();
+        let outputs = Outputs::new(folder.path().join("b.lipzbank")).split_locales(true);
+        outputs.deliver(&bank(&["de-de", "en-us"]), Replace::Always).unwrap();
+        let again = outputs.deliver(&bank(&["en-us"]), Replace::Always).unwrap();
+        assert_eq!(again.stale, [folder.path().join("b.de-de.lipztexts")]);
+        assert!(again.stale[0].exists() && again.files.len() == 2);
+    }
+
+    #[test]
+    fn equal_files_are_left_alone_only_if_that_is_asked_for() {
+        let folder = tempfile::tempdir().unwrap();
+        let outputs = Outputs::new(folder.path().join("b.lipzbank"));
+        let bank = bank(&["en-us"]);
+        let is_new = |replace| outputs.deliver(&bank, replace).unwrap().files[0].is_new;
+        assert_eq!([Replace::IfDifferent, Replace::IfDifferent, Replace::Always].map(is_new), [true, false, true]);
+    }
+}
