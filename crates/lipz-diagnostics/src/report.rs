@@ -74,6 +74,9 @@ impl fmt::Display for Report {
     }
 }
 
+/// A report is also why something could not be done: `?` passes it on, and it prints its diagnostics.
+impl std::error::Error for Report {}
+
 #[cfg(test)]
 mod tests {
     use super::*;
