@@ -1,9 +1,8 @@
 //! Helpers of lipz's tests, for all crates and for firmware.
 //!
-//! [`answers`] writes what a bank answers; it is all that there is without features, because firmware has
-//! no `std`. With `std` there are the [golden banks](golden), [forged ones](forge) and [every
-//! query](exercise); with `tools`, what must hold of the [compiler's tools](tools) and for [any
-//! bytes](fuzz).
+//! `answers` writes what a bank answers; it is all that there is without features, because firmware has no
+//! `std`. With `std`, there are golden banks, forged ones and every query on them (`golden`, `forge`,
+//! `exercise`); with `tools`, what must hold of the compiler's tools and for any bytes (`tools`, `fuzz`).
 // A helper fails by panicking: that is what a test and a fuzzer notice.
 #![cfg_attr(not(feature = "std"), no_std)]
 #![allow(missing_docs, reason = "the helpers of tests say in their names what they do")]
