@@ -95,7 +95,10 @@ fn missing_includes(folder: &Path) -> std::io::Result<Vec<String>> {
             continue;
         }
         let text = fs::read_to_string(&path)?;
-        let included = text.split("include_").skip(1).filter_map(|rest| rest.split_once("!(\"")?.1.split('"').next());
+        let included = text.split("include_").skip(1).filter_map(|rest| {
+            let path = rest.strip_prefix("bytes!(\"").or_else(|| rest.strip_prefix("str!(\""))?;
+            path.split('"').next()
+        });
         let missing = included.filter(|file| !folder.join(file).exists());
         faults.extend(missing.map(|file| format!("{} includes `{file}`, not in the package", path.display())));
     }
@@ -128,7 +131,10 @@ mod tests {
         write("LICENSE-MIT", "../../LICENSE-MIT");
         fs::create_dir(folder.path().join("tests")).unwrap();
         fs::create_dir_all(folder.path().join("src/a")).unwrap();
-        write("src/lib.rs", "//! # include_bytes!(\"../LICENSE-MIT\");\n");
+        write(
+            "src/lib.rs",
+            "//! # include_bytes!(\"../LICENSE-MIT\");\n//! include_bytes!(concat!(env!(\"OUT_DIR\"), 1));\n",
+        );
         write("src/a/mod.rs", "include_str!(\"../../../README.md\")\n");
         assert_eq!(faults_in(folder.path()).unwrap().len(), 7);
     }
