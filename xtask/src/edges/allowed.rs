@@ -108,6 +108,7 @@ pub(super) const RULES: &[Rule] = &[
         ],
         below: Below::AtMost(43),
     },
+    Rule { name: "lipz-speech", direct: &["lipz-types"], below: Below::AtMost(1) },
     // What a game carries; its build script uses the compiler.
     Rule { name: "dialogue-player", direct: &["lipz-bank", "lipz-compiler"], below: Below::Only(READER) },
 ];

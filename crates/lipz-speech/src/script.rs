@@ -1,0 +1,50 @@
+//! What is said in a recording: words with their pronunciations.
+
+use crate::Phone;
+use std::ops::Range;
+
+/// What is said in a recording: words in order, with all their pronunciations.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Script {
+    /// The words, in the order in which they are said.
+    pub words: Vec<Word>,
+    /// For each `|` of the text, the index of the word that it precedes: ascending, may repeat, may equal
+    /// `words.len()`.
+    pub breaks: Vec<usize>,
+}
+
+/// A word of a [`Script`].
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Word {
+    /// The word as it is written.
+    pub text: String,
+    /// The bytes of the text that it was made from.
+    pub range: Range<usize>,
+    /// All ways to say it, the most likely first. The aligner chooses the one that is heard. Without any, the
+    /// word is not heard and takes no time.
+    pub pronunciations: Vec<Pronunciation>,
+}
+
+/// One way to say a [`Word`].
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Pronunciation {
+    /// The phones in order; none of them is silence.
+    pub phones: Vec<Phone>,
+    /// Where it comes from.
+    pub origin: Origin,
+}
+
+/// Where a [`Pronunciation`] comes from, best first.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Origin {
+    /// `{say: …}` in the text.
+    Say,
+    /// The project's own lexicon.
+    Lexicon,
+    /// The dictionary of the language.
+    Dictionary,
+    /// The letter-to-sound rules of the language.
+    Rules,
+    /// The names of its letters, one by one.
+    Letters,
+}
