@@ -7,7 +7,8 @@ use std::collections::BTreeSet;
 const CRATE: &str = "lipz-compiler";
 
 /// The features of the manifest, all but `full`, which the workspace builds.
-const FEATURES: [&str; 8] = ["build", "cache", "diff", "ids", "parallel", "settings", "stats", "unpack"];
+const FEATURES: [&str; 10] =
+    ["build", "cache", "diff", "ids", "inspect", "json", "parallel", "settings", "stats", "unpack"];
 
 /// Crates that a build script compiles with the features that are on by default, with the compiler itself and
 /// those of this project.

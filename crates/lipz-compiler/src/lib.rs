@@ -26,6 +26,9 @@
 //! * `settings`: reading `lipz.toml`.
 //! * `unpack`: from a bank to a folder of Lipz files.
 //! * `diff`, `stats`: comparing banks, counting what is in them.
+//! * `inspect`: what is in a bank, and a clip as a timeline.
+//! * `json`: what these return, and [`Coverage`], is `serde::Serialize`, in the form that the command prints;
+//!   `diagnostics::render::to_json` writes it.
 //! * `parallel`: all cores, also after the files are read.
 //! * `full`: all of them.
 //!
@@ -57,6 +60,10 @@ mod hashed;
 #[cfg(feature = "ids")]
 pub mod ids;
 mod input;
+#[cfg(feature = "inspect")]
+pub mod inspect;
+#[cfg(feature = "json")]
+mod json;
 pub mod key;
 mod localise;
 mod lower;

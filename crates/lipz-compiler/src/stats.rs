@@ -10,6 +10,7 @@ const EXTREMES: usize = 3;
 
 /// Counts over a whole bank.
 #[derive(Clone, PartialEq, Debug, Default)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Stats<'d> {
     /// Clips.
@@ -35,18 +36,22 @@ pub struct Stats<'d> {
     /// The clips that last shortest, shortest first, without those among the longest.
     pub shortest: Vec<ClipDuration<'d>>,
     /// Bytes of the whole bank.
+    #[cfg_attr(feature = "json", serde(rename = "bytes"))]
     pub length_bytes: usize,
     /// Bytes of its text banks.
     pub texts_bytes: usize,
     /// Bytes per section, in the order of the bank. The rest of the bank is header, directory and the
     /// gaps between sections.
+    #[cfg_attr(feature = "json", serde(serialize_with = "crate::json::sections"))]
     pub sections: Vec<(Tag, usize)>,
 }
 
 /// How many clips have a frame rate.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
 pub struct RateCount {
     /// The rate; `None` for "unspecified".
+    #[cfg_attr(feature = "json", serde(serialize_with = "crate::json::fps"))]
     pub fps: Option<Fps>,
     /// Clips.
     pub clips: usize,
@@ -54,18 +59,22 @@ pub struct RateCount {
 
 /// How often codes of a viseme type occur.
 #[derive(Clone, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
 pub struct VisemeCounts {
     /// The type; `None` for "unspecified".
+    #[cfg_attr(feature = "json", serde(serialize_with = "crate::json::viseme_type"))]
     pub viseme_type: Option<VisemeType>,
     /// Clips of this type.
     pub clips: usize,
     /// Frames per code: every legal code in the order of the specification, or, of unspecified type,
     /// those that occur.
+    #[cfg_attr(feature = "json", serde(serialize_with = "by_code"))]
     pub frames: Vec<(char, u64)>,
 }
 
 /// How much text a locale has. Texts that clips borrow from other locales do not count.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
 pub struct LocaleStats<'d> {
     /// The locale.
     pub tag: &'d str,
@@ -85,6 +94,7 @@ pub struct LocaleStats<'d> {
 
 /// How long a clip lasts.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
 pub struct ClipDuration<'d> {
     /// Its key.
     pub key: &'d str,
@@ -124,6 +134,12 @@ impl<'d> Stats<'d> {
         (stats.longest, stats.shortest) = extremes(bank);
         stats
     }
+}
+
+/// An object, sorted by code.
+#[cfg(feature = "json")]
+fn by_code<S: serde::Serializer>(frames: &[(char, u64)], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(frames.iter().copied().collect::<BTreeMap<_, _>>())
 }
 
 fn rates(bank: &Bank<'_>) -> Vec<RateCount> {

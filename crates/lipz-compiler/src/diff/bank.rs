@@ -7,20 +7,24 @@ use std::collections::BTreeSet;
 
 /// How the fallbacks of a locale that both banks have differ.
 #[derive(Clone, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
 pub struct FallbackChange<'d> {
     /// The locale.
     pub locale: &'d str,
     /// The locales whose texts its clips show for want of their own; an empty tag for locales that are not in
     /// the bank.
+    #[cfg_attr(feature = "json", serde(flatten))]
     pub from: Change<BTreeSet<String>>,
 }
 
 /// How a babble profile differs.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
 pub struct BabbleChange<'d> {
     /// The name of the profile.
     pub name: &'d str,
     /// The profiles; `None` in a bank that has none of this name.
+    #[cfg_attr(feature = "json", serde(flatten, serialize_with = "super::json::babble"))]
     pub profile: Change<Option<Babble<'d>>>,
 }
 

@@ -5,12 +5,15 @@ use lipz_bank::{Clip, Fps, Locale, Segment, VisemeType};
 
 /// How a clip differs; at least one field says so.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
 pub struct ClipChange<'d> {
     /// The key.
     pub key: &'d str,
     /// The frame rates; `None` inside for unspecified ones.
+    #[cfg_attr(feature = "json", serde(serialize_with = "super::json::fps"))]
     pub fps: Option<Change<Option<Fps>>>,
     /// The viseme types; `None` inside for unspecified ones.
+    #[cfg_attr(feature = "json", serde(serialize_with = "super::json::viseme_type"))]
     pub viseme_type: Option<Change<Option<VisemeType>>>,
     /// The mouth shapes.
     pub frames: Option<FramesChange>,
@@ -24,6 +27,7 @@ pub struct ClipChange<'d> {
 
 /// How the mouth shapes of a clip differ.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
 pub struct FramesChange {
     /// Numbers of frames; `None` for a clip without mouth shapes.
     pub counts: Change<Option<u32>>,
@@ -35,12 +39,14 @@ pub struct FramesChange {
 
 /// How the display text of a segment differs.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
 pub struct TextChange<'d> {
     /// The locale.
     pub locale: &'d str,
     /// The segment, from 0.
     pub segment: u32,
     /// The texts; `None` for a clip without a text of its own in the locale, or without the segment.
+    #[cfg_attr(feature = "json", serde(flatten))]
     pub text: Change<Option<&'d str>>,
     /// Both are texts of another locale, which the clip shows for want of one in this locale. Such
     /// differences are told only of clips whose own texts are the same, and of locales that both banks have.
@@ -49,10 +55,12 @@ pub struct TextChange<'d> {
 
 /// How the event string of a segment differs.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
 pub struct EventChange<'d> {
     /// The segment, from 0.
     pub segment: u32,
     /// The events; `None` for a clip without `events`, or without the segment.
+    #[cfg_attr(feature = "json", serde(flatten))]
     pub event: Change<Option<&'d str>>,
 }
 

@@ -5,6 +5,8 @@
 
 mod bank;
 mod clip;
+#[cfg(feature = "json")]
+mod json;
 mod renamed;
 
 pub use bank::{BabbleChange, FallbackChange};
@@ -17,6 +19,7 @@ use std::collections::BTreeMap;
 
 /// An old value and the new one.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
 pub struct Change<T> {
     /// In the old bank.
     pub old: T,
@@ -28,6 +31,13 @@ impl<T: PartialEq> Change<T> {
     /// The change, if there is one.
     fn between(old: T, new: T) -> Option<Change<T>> {
         (old != new).then_some(Change { old, new })
+    }
+}
+
+impl<T> Change<T> {
+    /// The change of what a function says about both values.
+    pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Change<U> {
+        Change { old: f(self.old), new: f(self.new) }
     }
 }
 

@@ -8,6 +8,7 @@ use std::hash::{BuildHasher, Hash, Hasher};
 
 /// A clip that is in both banks under different keys.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
 pub struct Renamed<'d> {
     /// The key in the old bank.
     pub old: &'d str,

@@ -4,19 +4,13 @@ use crate::Ended;
 use crate::commands::Run;
 use crate::console::grouped;
 use crate::reporter::Reporter;
-use crate::shared::bank_file::BankFile;
-use crate::shared::bank_or_sources::{names_lipz_files, packed};
+use crate::shared::bank_or_sources::Dialogue;
 use crate::shared::locales::{choose, locale_name};
-use crate::shared::sources::ProjectArguments;
-use crate::shared::text_banks::{TextBanks, TextFiles};
 use crate::{Outcome, console};
 use clap::Args;
 use lipz_compiler::{BankWithTexts, Coverage, MinCoverage, coverage, shortfalls};
 use lipz_diagnostics::{Report, escape};
-use serde::Serialize;
-use std::collections::BTreeMap;
 use std::fmt::Write;
-use std::path::PathBuf;
 
 /// Show how much of a dialogue is translated into each locale.
 ///
@@ -34,16 +28,8 @@ use std::path::PathBuf;
 Exit codes: 0 enough is translated, 1 less than the project requires, 2 the tool could not run, 130
 interrupted.")]
 pub(crate) struct CoverageArguments {
-    /// A bank, or a folder, file or pattern of Lipz files; `-` is a bank on standard input [default: the
-    /// Lipz files of lipz.toml]
-    #[arg(value_name = "BANK")]
-    bank: Option<PathBuf>,
-
     #[command(flatten)]
-    texts: TextBanks,
-
-    #[command(flatten)]
-    project: ProjectArguments,
+    dialogue: Dialogue,
 
     /// List the keys of clips without a text in LOCALE
     #[arg(long, value_name = "LOCALE", conflicts_with = "json")]
@@ -60,22 +46,19 @@ impl Run for CoverageArguments {
     }
 
     fn run(&self, reporter: &mut Reporter) -> Ended {
-        let mut project = self.project.project(self.bank.as_slice(), reporter)?;
+        let mut project = self.dialogue.project(reporter)?;
         // Here it is the question, not a condition for packing.
         let wanted: MinCoverage = std::mem::take(&mut project.settings.options.min_coverage);
-        let file = match &self.bank {
-            Some(bank) if !names_lipz_files(bank) => BankFile::open(bank, reporter)?,
-            _ => packed(&project.settings, self.project.quiet, reporter)?,
-        };
+        let file = self.dialogue.bank_of(&project, reporter)?;
         let bank = file.bank(reporter)?;
-        let text_files = TextFiles::open(&self.texts.texts, reporter)?;
+        let text_files = self.dialogue.text_files(reporter)?;
         let found = coverage(BankWithTexts::new(&bank, &text_files.of(&bank, reporter)?));
         match &self.missing {
             Some(tag) => {
                 let keys = missing(&found, tag, &file.name).map_err(|report| reporter.fail(report))?;
                 reporter.print(&keys)?;
             }
-            None if self.json => reporter.print_json(&found.iter().map(CoverageJson::of).collect::<Vec<_>>())?,
+            None if self.json => reporter.print_json(&found)?,
             None => reporter.print(&table(&file.name, &found))?,
         };
         let shortfalls = shortfalls(&found, &wanted);
@@ -130,31 +113,4 @@ fn table(name: &str, found: &[Coverage]) -> String {
     }
     text.push_str("\nsame: the text is that of the default locale, letter by letter\n");
     text
-}
-
-#[derive(Serialize)]
-struct CoverageJson<'c> {
-    locale: &'c str,
-    is_default: bool,
-    percent: f64,
-    clips: usize,
-    texts: usize,
-    same_as_default: &'c [String],
-    fallbacks: &'c BTreeMap<String, Vec<String>>,
-    missing: &'c [String],
-}
-
-impl<'c> CoverageJson<'c> {
-    fn of(coverage: &'c Coverage) -> Self {
-        CoverageJson {
-            locale: &coverage.tag,
-            is_default: coverage.is_default,
-            percent: coverage.percent(),
-            clips: coverage.clip_count,
-            texts: coverage.own_count,
-            same_as_default: &coverage.same_as_default,
-            fallbacks: &coverage.fallbacks,
-            missing: &coverage.missing,
-        }
-    }
 }

@@ -4,13 +4,56 @@ use crate::Abort;
 use crate::reporter::Reporter;
 use crate::shared::bank_file::BankFile;
 use crate::shared::inputs::with_inputs;
+use crate::shared::settings_file::Project;
 use crate::shared::sources::ProjectArguments;
+use crate::shared::text_banks::{TextBanks, TextFiles};
 use crate::{Outcome, console};
+use clap::Args;
 use lipz_compiler::is_pattern;
 use lipz_compiler::key::EXTENSION;
 use lipz_compiler::settings::Settings;
 use std::ffi::OsStr;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+/// The dialogue that a command looks at as a whole.
+#[derive(Args, Debug)]
+pub(crate) struct Dialogue {
+    /// A bank, or a folder, file or pattern of Lipz files; `-` is a bank on standard input [default: the
+    /// Lipz files of lipz.toml]
+    #[arg(value_name = "BANK")]
+    bank: Option<PathBuf>,
+
+    #[command(flatten)]
+    texts: TextBanks,
+
+    #[command(flatten)]
+    arguments: ProjectArguments,
+}
+
+impl Dialogue {
+    /// The bank, or the Lipz files packed in memory. Reports what is wrong with them.
+    pub(crate) fn bank(&self, reporter: &mut Reporter) -> Result<BankFile, Abort> {
+        bank_or_sources(self.bank.as_deref(), &self.arguments, reporter)
+    }
+
+    /// The project to which the bank or the Lipz files belong.
+    pub(crate) fn project(&self, reporter: &mut Reporter) -> Result<Project, Abort> {
+        self.arguments.project(self.bank.as_slice(), reporter)
+    }
+
+    /// [`bank`](Self::bank), with settings that are read already.
+    pub(crate) fn bank_of(&self, project: &Project, reporter: &mut Reporter) -> Result<BankFile, Abort> {
+        match &self.bank {
+            Some(bank) if !names_lipz_files(bank) => BankFile::open(bank, reporter),
+            _ => packed(&project.settings, self.arguments.quiet, reporter),
+        }
+    }
+
+    /// The files that are to be its text banks. Reports which one cannot be read.
+    pub(crate) fn text_files(&self, reporter: &mut Reporter) -> Result<TextFiles, Abort> {
+        TextFiles::open(&self.texts.texts, reporter)
+    }
+}
 
 /// The bank at `path`, or the Lipz files there, packed in memory; without a path, those of `lipz.toml`.
 /// Reports what is wrong with them.
@@ -45,7 +88,7 @@ pub(crate) fn packed(settings: &Settings, quiet: bool, reporter: &mut Reporter) 
 }
 
 /// Whether a path is that of Lipz files: a folder, a pattern, a file `.lipz`.
-pub(crate) fn names_lipz_files(path: &Path) -> bool {
+fn names_lipz_files(path: &Path) -> bool {
     let is_lipz = |extension: &OsStr| extension.eq_ignore_ascii_case(EXTENSION);
     path.is_dir() || path.extension().is_some_and(is_lipz) || is_pattern(path)
 }

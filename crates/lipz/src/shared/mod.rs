@@ -1,6 +1,5 @@
 //! What several commands use: arguments in common, and the files that they are about.
 
-pub(crate) mod babble_json;
 pub(crate) mod bank_file;
 pub(crate) mod bank_or_sources;
 pub(crate) mod format_examples;
@@ -16,4 +15,3 @@ pub(crate) mod settings_file;
 pub(crate) mod sources;
 pub(crate) mod stdio;
 pub(crate) mod text_banks;
-pub(crate) mod timeline;

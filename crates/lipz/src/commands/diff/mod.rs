@@ -1,6 +1,5 @@
 //! `lipz diff`: what changes for a program between two banks, or the folders that they are made of.
 
-mod json;
 mod text;
 mod words;
 
@@ -13,7 +12,6 @@ use crate::shared::bank_or_sources::bank_or_sources;
 use crate::shared::sources::ProjectArguments;
 use crate::shared::text_banks::TextFiles;
 use clap::Args;
-use json::DifferenceJson;
 use lipz_compiler::{BankWithTexts, diff};
 use std::path::PathBuf;
 
@@ -80,7 +78,7 @@ fn compare(arguments: &Diff, reporter: &mut Reporter) -> Ended {
     let (old_texts, new_texts) = (old_files.of(&old_bank, reporter)?, new_files.of(&new_bank, reporter)?);
     let difference = diff::diff(BankWithTexts::new(&old_bank, &old_texts), BankWithTexts::new(&new_bank, &new_texts));
     if arguments.json {
-        reporter.print_json(&DifferenceJson::of(&difference))?;
+        reporter.print_json(&difference)?;
     } else if !(arguments.project.quiet && difference.is_empty()) {
         reporter.print(&text::text(&difference, (&old.name, &new.name), arguments.all))?;
     }

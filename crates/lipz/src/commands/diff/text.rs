@@ -3,9 +3,9 @@
 use super::words::{marked, only_new, only_old};
 use crate::console::{counted, grouped};
 use crate::shared::locales::locale_name;
-use crate::shared::timeline::rounded;
 use lipz_bank::{Fps, VisemeType};
 use lipz_compiler::diff::{BabbleChange, Change, ClipChange, Difference};
+use lipz_compiler::inspect::short_fps;
 use lipz_diagnostics::escape;
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -86,7 +86,7 @@ fn babble(out: &mut String, change: &BabbleChange<'_>) {
     };
     let _ = writeln!(out, "~ {}", escape::text(&name));
     if old.rate() != new.rate() {
-        let _ = writeln!(out, "    {:<13}{}", "rate", arrow(Change { old: old.rate(), new: new.rate() }, rounded));
+        let _ = writeln!(out, "    {:<13}{}", "rate", arrow(Change { old: old.rate(), new: new.rate() }, short_fps));
     }
     let strings = [
         ("ooh", old.ooh(), new.ooh()),
@@ -115,7 +115,7 @@ fn clip(clip: &ClipChange<'_>, shown: usize) -> String {
         let _ = writeln!(out, "    {name:<13}{value}");
     };
     if let Some(change) = clip.fps {
-        fact("fps", arrow(change, |fps: Option<Fps>| fps.map_or_else(unspecified, rounded)));
+        fact("fps", arrow(change, |fps: Option<Fps>| fps.map_or_else(unspecified, short_fps)));
     }
     if let Some(change) = clip.viseme_type {
         let name = |kind: Option<VisemeType>| kind.map_or_else(unspecified, |kind| kind.name().to_owned());

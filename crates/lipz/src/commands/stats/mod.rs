@@ -1,18 +1,14 @@
 //! `lipz stats`: how much of what is in a bank.
 
-mod json;
 mod text;
 
 use crate::Ended;
 use crate::Outcome;
 use crate::commands::Run;
 use crate::reporter::Reporter;
-use crate::shared::bank_or_sources::bank_or_sources;
-use crate::shared::sources::ProjectArguments;
-use crate::shared::text_banks::{TextBanks, TextFiles};
+use crate::shared::bank_or_sources::Dialogue;
 use clap::Args;
 use lipz_compiler::BankWithTexts;
-use std::path::PathBuf;
 
 /// Show the size of a bank: clips, duration, text, bytes, mouth shapes.
 ///
@@ -25,16 +21,8 @@ use std::path::PathBuf;
   lipz stats dialogue.lipzbank --texts dialogue.*.lipztexts
   lipz stats voices --json")]
 pub(crate) struct Stats {
-    /// A bank, or a folder, file or pattern of Lipz files; `-` is a bank on standard input [default: the
-    /// Lipz files of lipz.toml]
-    #[arg(value_name = "BANK")]
-    bank: Option<PathBuf>,
-
     #[command(flatten)]
-    texts: TextBanks,
-
-    #[command(flatten)]
-    project: ProjectArguments,
+    dialogue: Dialogue,
 
     /// Print JSON
     #[arg(long)]
@@ -47,13 +35,13 @@ impl Run for Stats {
     }
 
     fn run(&self, reporter: &mut Reporter) -> Ended {
-        let file = bank_or_sources(self.bank.as_deref(), &self.project, reporter)?;
+        let file = self.dialogue.bank(reporter)?;
         let bank = file.bank(reporter)?;
-        let text_files = TextFiles::open(&self.texts.texts, reporter)?;
+        let text_files = self.dialogue.text_files(reporter)?;
         let texts = text_files.of(&bank, reporter)?;
         let stats = lipz_compiler::stats::Stats::from_bank(BankWithTexts::new(&bank, &texts));
         if self.json {
-            reporter.print_json(&json::StatsJson::of(&stats))?;
+            reporter.print_json(&stats)?;
         } else {
             reporter.print(&text::text(&file.name, &stats))?;
         }

@@ -1,8 +1,8 @@
 //! Statistics as tables for people, at most 80 columns wide but for long keys.
 
 use crate::console::{counted, grouped};
-use crate::shared::timeline::rounded;
 use lipz_bank::VisemeType;
+use lipz_compiler::inspect::short_fps;
 use lipz_compiler::stats::{ClipDuration, LocaleStats, Stats, VisemeCounts};
 use lipz_diagnostics::escape;
 use std::fmt::Write;
@@ -102,7 +102,7 @@ fn rates(out: &mut String, stats: &Stats<'_>) {
     let _ = writeln!(out, "\n{} {:>8}", padded("frame rate"), "clips");
     let longest = stats.rates.iter().map(|rate| rate.clips as u64).max().unwrap_or(0);
     for rate in &stats.rates {
-        let name = rate.fps.map_or("unspecified".into(), rounded);
+        let name = rate.fps.map_or("unspecified".into(), short_fps);
         let bar = bar(rate.clips as u64, longest);
         let _ = writeln!(out, "{} {:>8}          {bar}", padded(&name), grouped(rate.clips));
     }

@@ -8,9 +8,25 @@ use lipz_diagnostics::escape;
 use std::fmt::Write;
 use unicode_width::UnicodeWidthStr;
 
-/// The clip: bands of time ruler, mouth shapes and segments, as wide as the terminal, then the
-/// segments with events and texts.
-pub(crate) fn timeline(clip: &Clip<'_, '_>, locales: &[Locale<'_>], width: usize) -> String {
+/// A clip as text of at most `width` columns: bands of time ruler, mouth shapes and segments, then the segments
+/// with their events, and their texts in these locales.
+///
+/// Control characters are escaped, so that no text of a bank steers the terminal. Keys and words that are longer
+/// than a line make it longer.
+///
+/// ```
+/// use lipz_bank::{Bank, Locale};
+/// use lipz_compiler::{Compiler, Input, inspect::timeline};
+/// let file = r#"{ "fps": 10, "visemes": "AAAA|MM-", "text_en-us": "Aye.|Aye!" }"#;
+/// let bytes = Compiler::default().compile(&[Input::from_bytes("aye", file)]).into_bank()?;
+/// let bank = Bank::open(&bytes)?.verify()?;
+/// let locales: Vec<Locale<'_>> = bank.locales().collect();
+/// let shown = timeline(&bank.clip_by_key("aye").ok_or("no clip")?, &locales, 80);
+/// assert!(shown.contains("  AAAAMM-\n  |0--|1-\n"));
+/// assert!(shown.ends_with("segment 1  0.400 s to 0.700 s  frames 4 to 6\n  en-us  Aye!\n"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn timeline(clip: &Clip<'_, '_>, locales: &[Locale<'_>], width: usize) -> String {
     let mut out = heading(clip);
     bands::bands(&mut out, clip, width);
     let tag_width = locales.iter().map(|locale| escape::text(locale.tag()).width()).max().unwrap_or(0);
@@ -22,7 +38,7 @@ pub(crate) fn timeline(clip: &Clip<'_, '_>, locales: &[Locale<'_>], width: usize
 }
 
 fn heading(clip: &Clip<'_, '_>) -> String {
-    let fps = clip.fps().map_or("unspecified frame rate".into(), |fps| format!("{} fps", rounded(fps)));
+    let fps = clip.fps().map_or("unspecified frame rate".into(), |fps| format!("{} fps", short_fps(fps)));
     let viseme_type = clip.viseme_type().map_or("unspecified viseme type", lipz_bank::VisemeType::name);
     let frames = match clip.duration_us() {
         _ if !clip.has_visemes() => "no mouth shapes".into(),
@@ -32,8 +48,14 @@ fn heading(clip: &Clip<'_, '_>) -> String {
     format!("{}\n  {fps}, {viseme_type}, {frames}, id {}\n\n", escape::text(clip.key()), clip.id())
 }
 
-/// The rate with at most three decimals.
-pub(crate) fn rounded(fps: Fps) -> String {
+/// A frame rate with at most three decimals, as people write it.
+///
+/// ```
+/// use lipz_bank::Fps;
+/// assert_eq!(lipz_compiler::inspect::short_fps(Fps::whole(24)), "24");
+/// assert_eq!(Fps::new(24_000, 1001).map(lipz_compiler::inspect::short_fps).as_deref(), Some("23.976"));
+/// ```
+pub fn short_fps(fps: Fps) -> String {
     let text = format!("{:.3}", fps.to_f64());
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
@@ -100,8 +122,8 @@ fn line(out: &mut String, name: &str, text: &str, columns: Columns) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{Compiler, Input, Options};
     use lipz_bank::Bank;
-    use lipz_compiler::{Compiler, Input, Options};
 
     fn bank(json: &str) -> Vec<u8> {
         let options = Options::new().default_locale("en-us");

@@ -1,7 +1,5 @@
 //! `lipz inspect`: what is in a bank.
 
-mod json;
-
 use crate::Abort;
 use crate::Ended;
 use crate::commands::Run;
@@ -9,12 +7,11 @@ use crate::reporter::Reporter;
 use crate::shared::bank_file::BankFile;
 use crate::shared::locales::choose;
 use crate::shared::text_banks::{TextBanks, TextFiles};
-use crate::shared::timeline::timeline;
 use crate::{Outcome, console};
 use clap::Args;
-use json::{ClipJson, ListedJson, SummaryJson};
 use lipz_bank::{Bank, Locale};
 use lipz_compiler::BankWithTexts;
+use lipz_compiler::inspect::{BankSummary, ClipDetails, ClipSummary, timeline};
 use lipz_diagnostics::{Code, Report, escape, suggest};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -63,11 +60,12 @@ impl Run for Inspect {
         let file = BankFile::open(&self.bank, reporter)?;
         let bank = file.bank(reporter)?;
         let text_files = TextFiles::open(&self.texts.texts, reporter)?;
-        let locales = BankWithTexts::new(&bank, &text_files.of(&bank, reporter)?).locales();
+        let texts = text_files.of(&bank, reporter)?;
+        let whole = BankWithTexts::new(&bank, &texts);
         match (&self.key, &self.list) {
-            (Some(key), _) => clip(&bank, key, &locales, &file.name, self, reporter)?,
+            (Some(key), _) => clip(&bank, key, &whole.locales(), &file.name, self, reporter)?,
             (None, Some(prefix)) => list(&bank, prefix, self.json, reporter)?,
-            (None, None) => summary(&bank, &locales, &file.name, self.json, reporter)?,
+            (None, None) => summary(&BankSummary::from_bank(whole), &file.name, self.json, reporter)?,
         }
         Ok(Outcome::Clean)
     }
@@ -96,7 +94,7 @@ fn clip(
         locales.extend(all);
     }
     if arguments.json {
-        return reporter.print_json(&ClipJson::of(&clip, &locales));
+        return reporter.print_json(&ClipDetails::new(&clip, &locales));
     }
     reporter.print(&timeline(&clip, &locales, console::width()))
 }
@@ -124,7 +122,7 @@ fn last_part(key: &str) -> &str {
 }
 
 fn list(bank: &Bank<'_>, prefix: &str, json: bool, reporter: &mut Reporter) -> Result<(), Abort> {
-    let clips: Vec<ListedJson<'_>> = bank.clips_under(prefix).map(|clip| ListedJson::of(&clip)).collect();
+    let clips: Vec<ClipSummary<'_>> = bank.clips_under(prefix).map(|clip| ClipSummary::from(&clip)).collect();
     if json {
         return reporter.print_json(&clips);
     }
@@ -143,24 +141,13 @@ fn list(bank: &Bank<'_>, prefix: &str, json: bool, reporter: &mut Reporter) -> R
     reporter.print(&text)
 }
 
-fn summary(
-    bank: &Bank<'_>,
-    locales: &[Locale<'_>],
-    path: &str,
-    json: bool,
-    reporter: &mut Reporter,
-) -> Result<(), Abort> {
-    let summary = SummaryJson::of(bank, locales);
+fn summary(summary: &BankSummary<'_>, path: &str, json: bool, reporter: &mut Reporter) -> Result<(), Abort> {
     if json {
-        return reporter.print_json(&summary);
+        return reporter.print_json(summary);
     }
     let mut text = String::new();
-    let (major, minor) = bank.format_version();
-    let _ = writeln!(
-        text,
-        "{path}: lipz bank, format {major}.{minor}, {} bytes, no fault",
-        console::grouped(summary.bytes)
-    );
+    let (format, bytes) = (&summary.format, console::grouped(summary.length_bytes));
+    let _ = writeln!(text, "{path}: lipz bank, format {format}, {bytes} bytes, no fault");
     let _ = writeln!(
         text,
         "  {}, {}, {}, {:.1} s of speech{}",
@@ -187,18 +174,18 @@ fn summary(
         );
     }
     let _ = writeln!(text, "\n  {:<12} {:>12}", "section", "bytes");
-    for section in &summary.sections {
-        let _ = writeln!(text, "  {:<12} {:>12}", escape::text(&section.tag), console::grouped(section.bytes));
+    for (tag, bytes) in &summary.sections {
+        let tag = String::from_utf8_lossy(&tag.0);
+        let _ = writeln!(text, "  {:<12} {:>12}", escape::text(&tag), console::grouped(*bytes));
     }
     for babble in &summary.babble {
-        let name = escape::text(babble.name);
-        let _ = writeln!(
-            text,
-            "\n  babble {name}, {:.3} digits a second",
-            f64::from(babble.rate[0]) / f64::from(babble.rate[1])
-        );
-        let _ = writeln!(text, "  {:<12} {}  power {}", "ooh", babble.ooh, babble.ooh_power_transfer);
-        let _ = writeln!(text, "  {:<12} {}  power {}", "aah", babble.aah, babble.aah_power_transfer);
+        let _ = writeln!(text, "\n  babble {}, {:.3} digits a second", escape::text(babble.name()), babble.rate());
+        let loops =
+            [("ooh", babble.ooh(), babble.ooh_power_transfer()), ("aah", babble.aah(), babble.aah_power_transfer())];
+        for (name, digits, power) in loops {
+            let (digits, power) = (String::from_utf8_lossy(digits), String::from_utf8_lossy(power));
+            let _ = writeln!(text, "  {name:<12} {digits}  power {power}");
+        }
     }
     reporter.print(&text)
 }

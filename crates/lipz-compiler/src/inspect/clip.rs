@@ -1,0 +1,164 @@
+//! One clip, in a line of a list or in full.
+
+use lipz_bank::{Clip, ClipId, Event, EventName, Fps, Locale, VisemeType};
+
+/// A clip in a list.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct ClipSummary<'d> {
+    /// Its key.
+    pub key: &'d str,
+    /// Its id.
+    #[cfg_attr(feature = "json", serde(serialize_with = "digits"))]
+    pub id: ClipId,
+    /// How many frames it has.
+    pub frames: u32,
+    /// How many segments it has.
+    pub segments: u32,
+    /// Its time in microseconds; `None` without a frame rate.
+    pub duration_us: Option<u64>,
+}
+
+impl<'d> From<&Clip<'d, '_>> for ClipSummary<'d> {
+    fn from(clip: &Clip<'d, '_>) -> Self {
+        ClipSummary {
+            key: clip.key(),
+            id: clip.id(),
+            frames: clip.frame_count(),
+            segments: clip.segment_count(),
+            duration_us: clip.duration_us(),
+        }
+    }
+}
+
+/// Everything that a program reads of a clip.
+///
+/// ```
+/// use lipz_bank::{Bank, Locale};
+/// use lipz_compiler::{Compiler, Input, inspect::ClipDetails};
+/// let file = r#"{ "fps": 10, "visemes": "AA|M", "text_en-us": "Aye.|Aye!", "events": "|amy points door" }"#;
+/// let bytes = Compiler::default().compile(&[Input::from_bytes("aye", file)]).into_bank()?;
+/// let bank = Bank::open(&bytes)?.verify()?;
+/// let locales: Vec<Locale<'_>> = bank.locales().collect();
+/// let clip = ClipDetails::new(&bank.clip_by_key("aye").ok_or("no clip")?, &locales);
+/// assert_eq!((clip.frames.as_str(), clip.segments[1].texts[0].text), ("AAM", "Aye!"));
+/// assert_eq!(clip.segments[1].events[0].character, Some("amy"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct ClipDetails<'d> {
+    /// Its key.
+    pub key: &'d str,
+    /// Its id.
+    #[cfg_attr(feature = "json", serde(serialize_with = "digits"))]
+    pub id: ClipId,
+    /// Its frame rate; `None` for "unspecified".
+    #[cfg_attr(feature = "json", serde(serialize_with = "crate::json::fps"))]
+    pub fps: Option<Fps>,
+    /// Its viseme type; `None` for "unspecified".
+    #[cfg_attr(feature = "json", serde(serialize_with = "crate::json::viseme_type"))]
+    pub viseme_type: Option<VisemeType>,
+    /// Its time in microseconds; `None` without a frame rate.
+    pub duration_us: Option<u64>,
+    /// Whether it has mouth shapes, be it none.
+    pub has_visemes: bool,
+    /// One code per frame, without `|`.
+    pub frames: String,
+    /// Its segments.
+    pub segments: Vec<SegmentDetails<'d>>,
+}
+
+/// Everything that a program reads of a segment.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct SegmentDetails<'d> {
+    /// Its first frame.
+    pub start_frame: u32,
+    /// The frame after its last one.
+    pub end_frame: u32,
+    /// When it starts, in microseconds; `None` without a frame rate.
+    pub start_us: Option<u64>,
+    /// When it ends, in microseconds; `None` without a frame rate.
+    pub end_us: Option<u64>,
+    /// The event string; `None` if the clip has no events.
+    pub event: Option<&'d str>,
+    /// What it says, if it is Character Event Syntax.
+    pub events: Vec<SegmentEvent<'d>>,
+    /// Its texts, in the order of the locales that were asked for.
+    pub texts: Vec<SegmentText<'d>>,
+}
+
+/// One event of Character Event Syntax.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct SegmentEvent<'d> {
+    /// Who acts; `None` for the speaker.
+    pub character: Option<&'d str>,
+    /// What they do, `points`.
+    pub verb: &'static str,
+    /// What at, for verbs that have an object.
+    pub object: Option<&'d str>,
+}
+
+/// The text that a segment shows in a locale.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct SegmentText<'d> {
+    /// The locale.
+    pub locale: &'d str,
+    /// The display text.
+    pub text: &'d str,
+    /// Whether it is the text of another locale.
+    pub is_fallback: bool,
+}
+
+impl<'d> ClipDetails<'d> {
+    /// Reads the clip, with its texts in these locales.
+    pub fn new(clip: &Clip<'d, '_>, locales: &[Locale<'d>]) -> Self {
+        let segments = clip.segments().map(|segment| SegmentDetails {
+            start_frame: segment.start_frame(),
+            end_frame: segment.end_frame(),
+            start_us: segment.start_us(),
+            end_us: segment.end_us(),
+            event: segment.event(),
+            events: segment.events().map(SegmentEvent::from).collect(),
+            texts: locales
+                .iter()
+                .filter_map(|locale| Some((locale.tag(), segment.text(*locale)?)))
+                .map(|(locale, text)| SegmentText { locale, text: text.as_str(), is_fallback: text.is_fallback() })
+                .collect(),
+        });
+        ClipDetails {
+            key: clip.key(),
+            id: clip.id(),
+            fps: clip.fps(),
+            viseme_type: clip.viseme_type(),
+            duration_us: clip.duration_us(),
+            has_visemes: clip.has_visemes(),
+            frames: clip.frames().iter().map(|&code| code as char).collect(),
+            segments: segments.collect(),
+        }
+    }
+}
+
+impl<'d> From<Event<'d>> for SegmentEvent<'d> {
+    fn from(event: Event<'d>) -> Self {
+        SegmentEvent {
+            character: event.character.map(EventName::as_str),
+            verb: event.command.verb(),
+            object: event.command.object().map(EventName::as_str),
+        }
+    }
+}
+
+/// Sixteen hexadecimal digits: JavaScript has no integers of 64 bits in JSON.
+#[cfg(feature = "json")]
+fn digits<S: serde::Serializer>(id: &ClipId, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(id)
+}

@@ -1,0 +1,11 @@
+//! What is in a bank: a summary, its clips, and one of them in full or as a [`timeline()`].
+//!
+//! Everything is `serde::Serialize` with the feature `json`.
+
+mod clip;
+mod summary;
+mod timeline;
+
+pub use clip::{ClipDetails, ClipSummary, SegmentDetails, SegmentEvent, SegmentText};
+pub use summary::{BankSummary, LocaleSummary};
+pub use timeline::{short_fps, timeline};

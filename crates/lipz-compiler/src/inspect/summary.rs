@@ -1,0 +1,114 @@
+//! The summary of a bank.
+
+use crate::BankWithTexts;
+use lipz_bank::{Babble, Bank, Locale};
+use lipz_layout::Tag;
+
+/// What there is in a bank.
+///
+/// ```
+/// use lipz_bank::Bank;
+/// use lipz_compiler::{Compiler, Input, inspect::BankSummary};
+/// let file = r#"{ "fps": 10, "visemes": "AA|M", "text_en-us": "Aye.|Aye!" }"#;
+/// let bytes = Compiler::default().compile(&[Input::from_bytes("aye", file)]).into_bank()?;
+/// let bank = Bank::open(&bytes)?.verify()?;
+/// let summary = BankSummary::from_bank(&bank);
+/// assert_eq!((summary.clips, summary.frames, summary.segments, summary.seconds), (1, 3, 2, 0.3));
+/// assert_eq!((summary.locales[0].tag, summary.locales[0].texts), ("en-us", 1));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, PartialEq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct BankSummary<'d> {
+    /// The version of the format, `1.0`.
+    pub format: String,
+    /// Bytes of the bank, without text banks.
+    #[cfg_attr(feature = "json", serde(rename = "bytes"))]
+    pub length_bytes: usize,
+    /// [`Bank::fingerprint`] in hexadecimal digits.
+    pub fingerprint: String,
+    /// Clips.
+    pub clips: usize,
+    /// Of these, clips without a frame rate.
+    pub clips_without_fps: usize,
+    /// Frames of all clips.
+    pub frames: usize,
+    /// Segments of all clips.
+    pub segments: usize,
+    /// The times of all clips that have a frame rate, in seconds.
+    pub seconds: f64,
+    /// Whether it keeps what unpacking needs to restore the source files exactly.
+    pub has_sources: bool,
+    /// The locales, in the order of their tags.
+    pub locales: Vec<LocaleSummary<'d>>,
+    /// Bytes per section, in the order of the bank.
+    #[cfg_attr(feature = "json", serde(serialize_with = "crate::json::sections"))]
+    pub sections: Vec<(Tag, usize)>,
+    /// The babble profiles.
+    #[cfg_attr(feature = "json", serde(serialize_with = "babbles"))]
+    pub babble: Vec<Babble<'d>>,
+}
+
+/// How many clips have texts in a locale.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct LocaleSummary<'d> {
+    /// The locale, `de-de`.
+    pub tag: &'d str,
+    /// Whether it is the default one.
+    pub is_default: bool,
+    /// Clips with a text of their own.
+    pub texts: usize,
+    /// Clips that show the text of another locale.
+    pub fallbacks: usize,
+    /// Clips without any text.
+    pub missing: usize,
+}
+
+impl<'d> BankSummary<'d> {
+    /// Looks at every clip of a verified bank.
+    pub fn from_bank<'b>(bank: impl Into<BankWithTexts<'d, 'b>>) -> BankSummary<'d>
+    where
+        'd: 'b,
+    {
+        let whole: BankWithTexts<'d, 'b> = bank.into();
+        let bank = whole.bank();
+        let (major, minor) = bank.format_version();
+        BankSummary {
+            format: format!("{major}.{minor}"),
+            length_bytes: bank.length_bytes(),
+            fingerprint: format!("{:016x}", bank.fingerprint()),
+            clips: bank.clip_count(),
+            clips_without_fps: bank.clips().filter(|clip| clip.fps().is_none()).count(),
+            frames: bank.clips().map(|clip| clip.frame_count() as usize).sum(),
+            segments: bank.clips().map(|clip| clip.segment_count() as usize).sum(),
+            seconds: bank.clips().filter_map(|clip| clip.duration_us()).fold(0.0, |sum, us| sum + us as f64 / 1e6),
+            has_sources: bank.sections().any(|(tag, _)| tag == Tag::SOURCES.0),
+            locales: whole.locales().into_iter().map(|locale| LocaleSummary::new(bank, locale)).collect(),
+            sections: bank.sections().map(|(tag, bytes)| (Tag(tag), bytes.len())).collect(),
+            babble: bank.babbles().collect(),
+        }
+    }
+}
+
+impl<'d> LocaleSummary<'d> {
+    fn new(bank: &Bank<'d>, locale: Locale<'d>) -> Self {
+        let (tag, is_default) = (locale.tag(), locale.is_default());
+        let mut summary = LocaleSummary { tag, is_default, texts: 0, fallbacks: 0, missing: 0 };
+        for clip in bank.clips() {
+            match clip.segment(0).and_then(|segment| segment.text(locale)) {
+                Some(text) if text.is_fallback() => summary.fallbacks += 1,
+                Some(_) => summary.texts += 1,
+                None => summary.missing += 1,
+            }
+        }
+        summary
+    }
+}
+
+#[cfg(feature = "json")]
+fn babbles<S: serde::Serializer>(babbles: &[Babble<'_>], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(babbles.iter().map(|babble| crate::json::Profile::from(*babble)))
+}

@@ -1,0 +1,79 @@
+//! How results are written as JSON, where that differs from their fields. Fields are only ever added
+//! (docs/VERSIONING.md).
+#![cfg_attr(
+    not(all(feature = "diff", feature = "inspect", feature = "stats")),
+    allow(dead_code, reason = "each feature uses a part of this")
+)]
+
+use crate::Coverage;
+use lipz_bank::{Babble, Fps, VisemeType};
+use lipz_layout::Tag;
+use serde::ser::{Serialize, SerializeStruct, Serializer};
+use std::borrow::Cow;
+
+/// Numerator and denominator.
+pub(crate) fn fps<S: Serializer>(fps: &Option<Fps>, serializer: S) -> Result<S::Ok, S::Error> {
+    ratio(*fps).serialize(serializer)
+}
+
+pub(crate) fn ratio(fps: Option<Fps>) -> Option<[u32; 2]> {
+    fps.map(|fps| [fps.numerator(), fps.denominator()])
+}
+
+/// The name of the type.
+pub(crate) fn viseme_type<S: Serializer>(kind: &Option<VisemeType>, serializer: S) -> Result<S::Ok, S::Error> {
+    kind.map(VisemeType::name).serialize(serializer)
+}
+
+/// A list of sections, each with its tag as text.
+pub(crate) fn sections<S: Serializer>(sections: &[(Tag, usize)], serializer: S) -> Result<S::Ok, S::Error> {
+    #[derive(serde::Serialize)]
+    struct Section<'t> {
+        tag: Cow<'t, str>,
+        bytes: usize,
+    }
+    serializer.collect_seq(
+        sections.iter().map(|(Tag(tag), bytes)| Section { tag: String::from_utf8_lossy(tag), bytes: *bytes }),
+    )
+}
+
+/// A babble profile, whose digits are text.
+#[derive(serde::Serialize)]
+pub(crate) struct Profile<'d> {
+    name: &'d str,
+    ooh: Cow<'d, str>,
+    aah: Cow<'d, str>,
+    ooh_power_transfer: Cow<'d, str>,
+    aah_power_transfer: Cow<'d, str>,
+    rate: [u32; 2],
+}
+
+impl<'d> From<Babble<'d>> for Profile<'d> {
+    fn from(babble: Babble<'d>) -> Self {
+        let rate = babble.rate();
+        Profile {
+            name: babble.name(),
+            ooh: String::from_utf8_lossy(babble.ooh()),
+            aah: String::from_utf8_lossy(babble.aah()),
+            ooh_power_transfer: String::from_utf8_lossy(babble.ooh_power_transfer()),
+            aah_power_transfer: String::from_utf8_lossy(babble.aah_power_transfer()),
+            rate: [rate.numerator(), rate.denominator()],
+        }
+    }
+}
+
+/// With the percentage, which is no field.
+impl Serialize for Coverage {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut json = serializer.serialize_struct("Coverage", 8)?;
+        json.serialize_field("locale", &self.tag)?;
+        json.serialize_field("is_default", &self.is_default)?;
+        json.serialize_field("percent", &self.percent())?;
+        json.serialize_field("clips", &self.clip_count)?;
+        json.serialize_field("texts", &self.own_count)?;
+        json.serialize_field("same_as_default", &self.same_as_default)?;
+        json.serialize_field("fallbacks", &self.fallbacks)?;
+        json.serialize_field("missing", &self.missing)?;
+        json.end()
+    }
+}
