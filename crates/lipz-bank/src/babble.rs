@@ -4,6 +4,7 @@ use crate::{Bank, Fps, Time, Weight};
 use core::fmt;
 use core::iter::FusedIterator;
 use lipz_layout::{BabbleRecord, Tag};
+use lipz_types::StoredFps;
 use zerocopy::FromBytes;
 
 /// What moves the mouth while somebody babbles.
@@ -110,7 +111,7 @@ impl<'data> Babble<'data> {
             aah: take(record.aah_length_bytes.get())?,
             ooh_power_transfer: take(record.ooh_power_transfer_length_bytes.get())?,
             aah_power_transfer: take(record.aah_power_transfer_length_bytes.get())?,
-            rate: Fps::from_parts_unchecked(numerator, denominator, record.frames_per_micro_q64.get()),
+            rate: StoredFps::from_parts(numerator, denominator, record.frames_per_micro_q64.get())?.checked()?,
         };
         Some((babble, rest))
     }

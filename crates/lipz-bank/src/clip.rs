@@ -5,6 +5,7 @@ use core::iter::FusedIterator;
 
 use crate::{Bank, ClipId, Fps, Segment, Segments, Time, Viseme, VisemeType};
 use lipz_layout::{ClipRecord, FLAG_VISEMES, KeyRecord};
+use lipz_types::StoredFps;
 
 /// One spoken line: mouth shapes by frame, and segments with texts and events.
 #[derive(Clone, Copy)]
@@ -12,7 +13,8 @@ pub struct Clip<'data, 'bank> {
     pub(crate) bank: &'bank Bank<'data>,
     pub(crate) record: &'data ClipRecord,
     slot: u32,
-    fps: Option<Fps>,
+    /// Not checked, so that finding a clip takes no time for it.
+    fps: Option<StoredFps>,
     viseme_type: Option<VisemeType>,
 }
 
@@ -26,7 +28,7 @@ impl<'data, 'bank> Clip<'data, 'bank> {
     /// The clip with `fps` where its file and the project left the frame rate unspecified.
     #[must_use]
     pub fn or_fps(mut self, fps: Fps) -> Self {
-        self.fps = self.fps.or(Some(fps));
+        self.fps = self.fps.or(Some(fps.into()));
         self
     }
 
@@ -59,9 +61,15 @@ impl<'data, 'bank> Clip<'data, 'bank> {
         self.slot
     }
 
-    /// The frame rate; `None` if it is unspecified and none was given with [`Clip::or_fps`]. Without
-    /// a frame rate no time leads to a frame.
-    pub const fn fps(&self) -> Option<Fps> {
+    /// The frame rate; `None` if it is unspecified and none was given with [`Clip::or_fps`], or if it is damaged.
+    /// Without a frame rate no time leads to a frame.
+    pub fn fps(&self) -> Option<Fps> {
+        self.fps?.checked()
+    }
+
+    /// The frame rate as the bank has it.
+    #[inline]
+    pub(crate) const fn stored_fps(&self) -> Option<StoredFps> {
         self.fps
     }
 

@@ -62,12 +62,12 @@ impl<'data, 'bank> Segment<'data, 'bank> {
 
     /// The first microsecond of the segment, rounded up; `None` without a frame rate.
     pub fn start_us(&self) -> Option<u64> {
-        Some(self.clip.fps()?.start_of_frame_us(self.start_frame()))
+        Some(self.clip.stored_fps()?.start_of_frame_us(self.start_frame()))
     }
 
     /// The first microsecond after the segment, rounded up; `None` without a frame rate.
     pub fn end_us(&self) -> Option<u64> {
-        Some(self.clip.fps()?.start_of_frame_us(self.end_frame()))
+        Some(self.clip.stored_fps()?.start_of_frame_us(self.end_frame()))
     }
 
     /// The frame codes of the segment, one byte per frame.

@@ -1,7 +1,7 @@
 //! The babble section: what settings make of it, and that damage in it is found.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use lipz_bank::{Babble, Bank, ErrorKind, Micros, VoiceLevel};
+use lipz_bank::{Babble, Bank, ErrorKind, Fps, Lead, Micros, VoiceLevel};
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiler, Input};
 use lipz_layout::{CHECKED_FROM, Tag, checksum};
@@ -60,6 +60,10 @@ fn every_change_is_found_or_valid() {
             for babble in bank.babbles() {
                 babble.at(Micros(1_000_000), VoiceLevel::UNMEASURED);
                 babble.name();
+                // A damaged rate is no rate that a program can have.
+                let rate = babble.rate();
+                assert_eq!(Fps::new(rate.numerator(), rate.denominator()), Some(rate));
+                assert!(Lead::one_frame(rate) > Lead::NONE);
             }
             match bank.verify() {
                 Ok(bank) => {

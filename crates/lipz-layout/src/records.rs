@@ -2,7 +2,7 @@
 
 use super::{U16, U32, U64};
 use core::mem::size_of;
-use lipz_types::Fps;
+use lipz_types::StoredFps;
 use zerocopy::{FromBytes, Immutable, IntoBytes, KnownLayout, Unaligned};
 
 /// Clip flag: the file has a `visemes` element (possibly of no frames).
@@ -78,22 +78,22 @@ pub struct RateRecord {
 }
 
 impl RateRecord {
-    /// The rate of the record, not checked.
+    /// The rate of the record, not checked; `None` if it is of no frames.
     #[inline]
-    pub fn fps_unchecked(&self) -> Fps {
-        Fps::from_parts_unchecked(self.fps_numerator.get(), self.fps_denominator.get(), self.frames_per_micro_q64.get())
+    pub fn fps(&self) -> Option<StoredFps> {
+        StoredFps::from_parts(self.fps_numerator.get(), self.fps_denominator.get(), self.frames_per_micro_q64.get())
     }
 }
 
 /// The frame rate that [`ClipRecord::rate`] stands for, not checked; `None` if it stands for none.
 #[inline]
 #[allow(clippy::arithmetic_side_effects)] // constants
-pub fn stored_fps(rate: u16, records: &[RateRecord]) -> Option<Fps> {
+pub fn stored_fps(rate: u16, records: &[RateRecord]) -> Option<StoredFps> {
     if rate <= MAX_INTEGER_FPS {
-        return Some(Fps::from_whole_unchecked(rate));
+        return StoredFps::from_whole(rate);
     }
     // No bank has so many records that `NO_RATE` leads to one.
-    records.get(usize::from(rate).wrapping_sub(usize::from(MAX_INTEGER_FPS) + 1)).map(RateRecord::fps_unchecked)
+    records.get(usize::from(rate).wrapping_sub(usize::from(MAX_INTEGER_FPS) + 1)).and_then(RateRecord::fps)
 }
 
 /// One locale of the bank.

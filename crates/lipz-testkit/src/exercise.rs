@@ -1,5 +1,6 @@
 //! Every query of the reader, on banks that may be damaged.
 
+use crate::said;
 use lipz_bank::{
     Bank, Clip, ClipId, ConsonantHold, Cursor, Fps, Lead, Locale, Micros, Samples, Seconds, Segment, TextBank, Time,
     VisemeType,
@@ -19,15 +20,29 @@ pub enum Effort {
 /// Opens and asks everything, before verification and, where that passes, after it; whether it passes.
 pub fn provoke(bytes: &[u8], effort: Effort) -> bool {
     let Ok(bank) = Bank::open(bytes) else { return false };
+    assert!(!bank.is_verified());
     every_query(&bank, effort);
+    // A whole bank serves as texts beside itself.
+    let texts = bank.open_texts(bytes).expect("they have one fingerprint");
+    if effort == Effort::All {
+        every_text_query(&bank, &texts);
+    }
     match bank.verify() {
         Ok(bank) => {
+            assert!(bank.is_verified());
+            if effort == Effort::All {
+                assert!(bank.verify_with(|bytes| std::str::from_utf8(bytes).ok()).is_ok());
+            }
             every_query(&bank, effort);
             verified_is_whole(&bank);
+            if effort == Effort::All {
+                assert!(texts.verify_with(&bank, |bytes| std::str::from_utf8(bytes).ok()).is_ok());
+            }
             true
         }
         Err(error) => {
             assert!(error.offset_bytes() as usize <= bytes.len(), "{error}");
+            black_box((error.kind().number(), error.kind().message()));
             false
         }
     }
@@ -44,7 +59,9 @@ pub fn every_query(bank: &Bank<'_>, effort: Effort) {
     assert!(bank.locales().size_hint().1.is_some_and(|most| most >= locales.len()));
     for locale in &locales {
         black_box((bank.locale(locale.tag()).is_some(), locale.is_default()));
+        assert!(locale.is_of(bank));
     }
+    said::of_babble(bank, limit);
     for name in ["", "amy", "door", "zz"] {
         black_box(bank.event_name(name).map(|name| (name.id(), name.as_str())));
     }
@@ -75,9 +92,10 @@ fn every_clip_query(clip: &Clip<'_, '_>, locales: &[Locale<'_>], limit: usize, e
     for frame in [0, frames / 2, frames.wrapping_sub(1), frames, u32::MAX] {
         black_box((clip.viseme(frame), clip.segment_of_frame(frame).is_some()));
     }
+    said::of_clip(clip);
     every_time(clip, effort);
     every_time(&clip.or_fps(Fps::whole(24)), effort);
-    play(clip);
+    play(clip, clip.fps().unwrap_or(Fps::whole(24)));
     let segments = clip.segments();
     assert_eq!(segments.size_hint().1, Some(clip.segment_count() as usize));
     let mut count = 0;
@@ -109,6 +127,7 @@ fn every_segment_query(segment: &Segment<'_, '_>, locales: &[Locale<'_>], limit:
 }
 
 fn every_time(clip: &Clip<'_, '_>, effort: Effort) {
+    said::of_mouth(clip, Micros(41_000));
     if effort == Effort::Few {
         at(clip, Micros(41_000));
         at(clip, Samples { position: 3_969, rate_hz: 44_100 });
@@ -138,15 +157,19 @@ fn every_time(clip: &Clip<'_, '_>, effort: Effort) {
     }
 }
 
-/// Plays the clip once, in a few leaps.
-fn play(clip: &Clip<'_, '_>) {
-    let given = clip.or_fps(Fps::whole(24)).or_viseme_type(VisemeType::Blair);
+/// Plays the clip once, in a few leaps, with the lead and the hold that `fps` gives.
+fn play(clip: &Clip<'_, '_>, fps: Fps) {
+    let given = clip.or_fps(fps).or_viseme_type(VisemeType::Blair);
     let Some(cursor) = Cursor::new(&given) else { return };
-    let mut cursor = cursor.with_lead(Lead::two_frames(Fps::whole(24))).with_hold(ConsonantHold::frames(3));
+    let speaker = clip.segments().flat_map(|segment| segment.events()).find_map(|event| event.character);
+    let cursor = cursor.with_lead(Lead::two_frames(fps)).with_hold(ConsonantHold::readable(fps));
+    let mut cursor = cursor.with_speaker(speaker);
     let segments = clip.segment_count() as usize;
     let mut fired = 0;
     for time in [-1, 0, 41_667, 400_000, 0] {
-        fired += cursor.advance_to(clip, Micros(time)).count();
+        let due = cursor.advance_to(clip, Micros(time));
+        fired += due.clone().count();
+        said::of_events(due.events());
         black_box((cursor.viseme(clip), cursor.segment(clip).is_some(), cursor.frame()));
     }
     fired += cursor.finish(clip).count();
@@ -159,7 +182,7 @@ fn play(clip: &Clip<'_, '_>) {
 fn at(clip: &Clip<'_, '_>, time: impl Time) {
     let frame = clip.frame_at(time);
     assert!(frame.is_none_or(|frame| frame < clip.frame_count()));
-    black_box((clip.viseme_at(time), clip.segment_at(time).is_some()));
+    black_box((clip.viseme_at(time), clip.segment_at(time).is_some(), clip.openness_at(time)));
 }
 
 /// What holds of every bank that passed `verify`: no query fails for which there is data.
@@ -197,6 +220,7 @@ pub fn verified_is_whole(bank: &Bank<'_>) {
 /// Asks for all texts of all locales; whether there is one for each segment or for none of a clip.
 pub fn every_text_query(bank: &Bank<'_>, texts: &TextBank<'_>) -> bool {
     let mut is_whole = true;
+    assert!(texts.sections().all(|section| section.1.len() <= texts.length_bytes()));
     for locale in texts.locales() {
         black_box((texts.locale(locale.tag()).is_some(), locale.is_default()));
         for clip in bank.clips() {

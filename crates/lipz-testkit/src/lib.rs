@@ -19,6 +19,8 @@ pub mod forge;
 pub mod fuzz;
 #[cfg(feature = "std")]
 pub mod golden;
+#[cfg(feature = "std")]
+mod said;
 #[cfg(feature = "tools")]
 pub mod tools;
 

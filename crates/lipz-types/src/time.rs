@@ -1,7 +1,7 @@
 //! Points in time of a clip's audio, in the units that audio engines report.
 
-use crate::Fps;
-use crate::fps::LATEST_US;
+use crate::StoredFps;
+use crate::stored_fps::{LATEST_US, one_of};
 
 /// A point in time since the clip's audio began, in one of the units that audio engines report:
 /// [`Micros`], [`Samples`], [`Seconds`] or [`core::time::Duration`].
@@ -12,7 +12,7 @@ use crate::fps::LATEST_US;
 pub trait Time: Copy + sealed::Sealed {
     /// The frame that shows at this time, if it is one of the first `frame_count`.
     #[doc(hidden)]
-    fn frame(self, fps: Fps, frame_count: u32) -> Option<u32>;
+    fn frame(self, fps: impl Into<StoredFps>, frame_count: u32) -> Option<u32>;
 
     /// Whether this is a time from the start on.
     #[doc(hidden)]
@@ -41,13 +41,13 @@ pub struct Micros(pub i64);
 
 impl Time for Micros {
     #[inline]
-    fn frame(self, fps: Fps, frame_count: u32) -> Option<u32> {
+    fn frame(self, fps: impl Into<StoredFps>, frame_count: u32) -> Option<u32> {
         // Times before the start are far behind the latest, too.
         let time_us = self.0 as u64;
         if time_us >= LATEST_US {
             return None;
         }
-        let frame = fps.frame_at_micros(time_us);
+        let frame = fps.into().frame_at_micros(time_us);
         if frame < u64::from(frame_count) { Some(frame as u32) } else { None }
     }
 
@@ -73,11 +73,11 @@ pub struct Samples {
 
 impl Time for Samples {
     #[inline]
-    fn frame(self, fps: Fps, frame_count: u32) -> Option<u32> {
+    fn frame(self, fps: impl Into<StoredFps>, frame_count: u32) -> Option<u32> {
         if self.position < 0 || self.rate_hz == 0 {
             return None;
         }
-        fps.frame_at_units(self.position as u128, self.rate_hz, frame_count)
+        fps.into().frame_at_units(self.position as u128, self.rate_hz, frame_count)
     }
 
     #[inline]
@@ -96,8 +96,8 @@ impl Time for Samples {
 
 impl Time for core::time::Duration {
     #[inline]
-    fn frame(self, fps: Fps, frame_count: u32) -> Option<u32> {
-        fps.frame_at_units(self.as_nanos(), 1_000_000_000, frame_count)
+    fn frame(self, fps: impl Into<StoredFps>, frame_count: u32) -> Option<u32> {
+        fps.into().frame_at_units(self.as_nanos(), 1_000_000_000, frame_count)
     }
 
     #[inline]
@@ -130,8 +130,8 @@ pub struct Seconds<T>(pub T);
 
 impl Time for Seconds<f32> {
     #[inline]
-    fn frame(self, fps: Fps, frame_count: u32) -> Option<u32> {
-        let bits = self.0.to_bits();
+    fn frame(self, fps: impl Into<StoredFps>, frame_count: u32) -> Option<u32> {
+        let (fps, bits) = (fps.into(), self.0.to_bits());
         let exponent = bits >> 23; // with the sign above its eight bits
         let fraction = u64::from(bits & 0x7F_FFFF);
         match exponent {
@@ -155,8 +155,8 @@ impl Time for Seconds<f32> {
 
 impl Time for Seconds<f64> {
     #[inline]
-    fn frame(self, fps: Fps, frame_count: u32) -> Option<u32> {
-        let bits = self.0.to_bits();
+    fn frame(self, fps: impl Into<StoredFps>, frame_count: u32) -> Option<u32> {
+        let (fps, bits) = (fps.into(), self.0.to_bits());
         let exponent = bits >> 52; // with the sign above its eleven bits
         let fraction = bits & 0xF_FFFF_FFFF_FFFF;
         match exponent {
@@ -182,7 +182,7 @@ impl Time for Seconds<f64> {
 ///
 /// With whole units (`shift` ≤ 0) the time is at least 2²³ seconds, 97 days; from 2⁷⁵ seconds on
 /// no clip of 2³² frames at one frame per second is that long.
-fn frame_at_float(fps: Fps, frame_count: u32, mantissa: u64, shift: i32) -> Option<u32> {
+fn frame_at_float(fps: StoredFps, frame_count: u32, mantissa: u64, shift: i32) -> Option<u32> {
     let time = u128::from(mantissa.wrapping_add(2));
     if shift <= 0 {
         let shift = shift.unsigned_abs();
@@ -192,5 +192,8 @@ fn frame_at_float(fps: Fps, frame_count: u32, mantissa: u64, shift: i32) -> Opti
     let frames = time.wrapping_mul(u128::from(fps.numerator()));
     let frames = if shift < 128 { frames >> shift } else { 0 };
     // The numerator is in already: divide by the denominator alone.
-    Fps::from_parts_unchecked(1, fps.denominator(), 0).frame_at_units(frames, 1, frame_count)
+    if fps.denominator() == 1 {
+        return one_of(frames, frame_count);
+    }
+    StoredFps::from_parts(1, fps.denominator(), 0)?.frame_at_units(frames, 1, frame_count)
 }

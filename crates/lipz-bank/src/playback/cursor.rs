@@ -2,7 +2,8 @@
 
 use super::{CharacterState, Characters, ConsonantHold, DueSegments, Lead, state};
 use crate::event::NameKey;
-use crate::{Clip, EventName, Fps, Segment, Time, Viseme, VisemeType, segment};
+use crate::{Clip, EventName, Segment, Time, Viseme, VisemeType, segment};
+use lipz_types::StoredFps;
 
 /// Where a clip is while it is played.
 ///
@@ -57,7 +58,7 @@ use crate::{Clip, EventName, Fps, Segment, Time, Viseme, VisemeType, segment};
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Cursor {
     /// For clips that have none: looked up again, a clip does not know what it was given.
-    fps: Fps,
+    fps: StoredFps,
     viseme_type: Option<VisemeType>,
     lead: Lead,
     hold: ConsonantHold,
@@ -83,7 +84,7 @@ impl Cursor {
     /// that have none.
     pub fn new(clip: &Clip<'_, '_>) -> Option<Cursor> {
         Some(Cursor {
-            fps: clip.fps()?,
+            fps: clip.stored_fps()?,
             viseme_type: clip.viseme_type(),
             lead: Lead::NONE,
             hold: ConsonantHold::NONE,
@@ -233,7 +234,7 @@ impl Cursor {
 
     #[inline(never)] // long code, needed twice
     fn frame_at<T: Time>(&self, clip: &Clip<'_, '_>, time: T) -> Option<u32> {
-        match time.frame(clip.fps().unwrap_or(self.fps), clip.frame_count()) {
+        match time.frame(clip.stored_fps().unwrap_or(self.fps), clip.frame_count()) {
             None if time.has_begun() => Some(OVER),
             frame => frame,
         }

@@ -33,18 +33,25 @@ impl ConsonantHold {
     /// assert_eq!(ConsonantHold::readable(Fps::whole(24)), ConsonantHold::frames(2));
     /// assert_eq!(ConsonantHold::readable(Fps::whole(60)), ConsonantHold::frames(5));
     /// ```
-    #[allow(clippy::arithmetic_side_effects)] // 64 bits hold the sum; the divisor is not zero
+    #[allow(clippy::arithmetic_side_effects)] // 64 bits hold the sum
     pub const fn readable(fps: Fps) -> ConsonantHold {
         let twelfths = 12 * fps.denominator() as u64;
-        ConsonantHold::at_most((fps.numerator() as u64 + twelfths / 2) / twelfths)
+        // No rate has a denominator of zero; checked division keeps a panic out of the machine code.
+        match (fps.numerator() as u64 + twelfths / 2).checked_div(twelfths) {
+            Some(frames) => ConsonantHold::at_most(frames),
+            None => ConsonantHold::NONE,
+        }
     }
 
     /// As long as a display shows one picture, in frames of `fps`: every consonant that has the room
     /// is on at least one picture.
-    #[allow(clippy::arithmetic_side_effects)] // 64 bits hold the products; the divisor is not zero
+    #[allow(clippy::arithmetic_side_effects)] // 64 bits hold the products
     pub const fn for_display(picture_us: u32, fps: Fps) -> ConsonantHold {
         let (frames, second) = (picture_us as u64 * fps.numerator() as u64, fps.denominator() as u64 * 1_000_000);
-        ConsonantHold::at_most(frames / second + (frames % second != 0) as u64)
+        match (frames.checked_div(second), frames.checked_rem(second)) {
+            (Some(whole), Some(rest)) => ConsonantHold::at_most(whole + (rest != 0) as u64),
+            _ => ConsonantHold::NONE,
+        }
     }
 
     const fn at_most(frames: u64) -> ConsonantHold {

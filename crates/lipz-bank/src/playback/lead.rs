@@ -38,10 +38,14 @@ impl Lead {
     }
 
     /// Rounded up, so that a time at the start of a frame leads to the start of another.
-    #[allow(clippy::arithmetic_side_effects)] // no divisor is zero; a rate is at least 1: at most two seconds
+    #[allow(clippy::arithmetic_side_effects)] // 64 bits hold the products; a rate is at least 1: at most two seconds
     const fn frames(count: u64, fps: Fps) -> Lead {
         let (micros, rate) = (count * fps.denominator() as u64 * 1_000_000, fps.numerator() as u64);
-        Lead { us: ((micros + rate - 1) / rate) as u32 }
+        // No rate is zero; checked division keeps a panic out of the machine code.
+        match (micros + rate - 1).checked_div(rate) {
+            Some(us) => Lead { us: us as u32 },
+            None => Lead::NONE,
+        }
     }
 
     /// The lead in microseconds.

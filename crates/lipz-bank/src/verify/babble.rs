@@ -22,5 +22,5 @@ pub(super) fn babble(bank: &Bank<'_>) -> Result<(), Error> {
 fn is_valid(babble: &Babble<'_>) -> bool {
     let strings = [babble.ooh(), babble.aah(), babble.ooh_power_transfer(), babble.aah_power_transfer()];
     let are_digits = strings.iter().all(|digits| !digits.is_empty() && digits.iter().all(u8::is_ascii_digit));
-    are_digits && babble.rate().is_valid() && core::str::from_utf8(babble.name_bytes()).is_ok()
+    are_digits && core::str::from_utf8(babble.name_bytes()).is_ok()
 }

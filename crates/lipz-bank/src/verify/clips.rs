@@ -6,6 +6,7 @@ use super::texts::TextCheck;
 use crate::clip::key;
 use crate::{Bank, ClipId, Error, ErrorKind, VisemeType};
 use lipz_layout::{ClipRecord, FLAG_VISEMES, KeyRecord, MAX_INTEGER_FPS, NO_RATE, RateRecord};
+use lipz_types::StoredFps;
 
 /// How many segments the clips so far have: those of clips with events come first.
 struct Segments {
@@ -65,7 +66,7 @@ fn contents(bank: &Bank<'_>, record: &ClipRecord, key: &KeyRecord, segments: &mu
         return Err(ErrorKind::ClipFlags);
     }
     let rate = record.rate.get();
-    if rate == 0 || (rate != NO_RATE && lipz_layout::stored_fps(rate, bank.rates).is_none()) {
+    if rate != NO_RATE && lipz_layout::stored_fps(rate, bank.rates).is_none() {
         return Err(ErrorKind::FrameRate);
     }
     let (first, count) = (record.segments_first.get() as usize, usize::from(key.segment_count.get()));
@@ -96,7 +97,8 @@ fn contents(bank: &Bank<'_>, record: &ClipRecord, key: &KeyRecord, segments: &mu
 
 /// Checks the frame rates that are no whole numbers, of which there are no more than a clip record can name.
 pub(super) fn rates(bank: &Bank<'_>) -> Result<(), Error> {
-    let is_valid = |rate: &RateRecord| rate.fps_denominator.get() != 1 && rate.fps_unchecked().is_valid();
+    let is_valid =
+        |rate: &RateRecord| rate.fps_denominator.get() != 1 && rate.fps().and_then(StoredFps::checked).is_some();
     if bank.rates.len() >= usize::from(NO_RATE - MAX_INTEGER_FPS) {
         return Err(error_at(bank, ErrorKind::FrameRate, bank.rates));
     }

@@ -1,0 +1,67 @@
+//! What a bank, damaged or not, says of rates, mouths and events, passed on to the functions that take such values.
+
+use lipz_bank::{
+    Babble, Bank, Clip, ClipId, ConsonantHold, Event, Fps, Lead, Micros, Time, Viseme, VisemeType, VoiceLevel, Weight,
+};
+use std::hint::black_box;
+
+/// Every function of a frame rate, and every function that takes one.
+fn of_fps(fps: Fps) {
+    let again = Fps::new(fps.numerator(), fps.denominator());
+    assert_eq!(again, Some(fps), "a rate that is not valid");
+    assert_eq!(again.map(Fps::frames_per_micro_q64), Some(fps.frames_per_micro_q64()));
+    black_box((fps.to_f64(), fps.start_of_frame_us(u32::MAX), fps.frame_at(Micros(i64::MAX))));
+    for lead in [Lead::one_frame(fps), Lead::two_frames(fps), Lead::micros(u32::MAX)] {
+        black_box(lead.us());
+    }
+    for picture_us in [0, 16_667, u32::MAX] {
+        black_box(ConsonantHold::for_display(picture_us, fps));
+    }
+    black_box((ConsonantHold::readable(fps), ConsonantHold::frames(u8::MAX)));
+}
+
+/// What a clip says of its mouth.
+pub(crate) fn of_clip(clip: &Clip<'_, '_>) {
+    if let Some(fps) = clip.fps() {
+        of_fps(fps);
+    }
+    let Some(kind) = clip.viseme_type() else { return };
+    assert_eq!(VisemeType::from_number(kind as u8), Some(kind));
+    let codes = clip.frames();
+    assert_eq!(kind.contains_all(codes), codes.iter().all(|&code| kind.contains(code)));
+    assert_eq!((kind.name().parse(), kind.contains_all(kind.codes().as_bytes())), (Ok(kind), true));
+}
+
+/// How the mouth is at a time.
+pub(crate) fn of_mouth(clip: &Clip<'_, '_>, time: impl Time) {
+    let shape = Viseme::from_code(clip.viseme_at(time).code());
+    black_box((shape.to_char(), shape.is_rest(), VisemeType::ALL.map(|kind| shape.openness(kind))));
+    black_box((Weight::from_digit(shape.code()), Weight::from_digits(shape.code(), b'9').ten_thousandths()));
+    let open = clip.openness_or_babble(time, &Babble::DEFAULT, VoiceLevel::UNMEASURED);
+    assert!((0.0..1.0).contains(&open.to_f32()) && clip.openness_at(time).is_none_or(|own| own == open));
+}
+
+/// The babble profiles.
+pub(crate) fn of_babble(bank: &Bank<'_>, limit: usize) {
+    let babbles: Vec<Babble<'_>> = bank.babbles().take(limit + 1).collect();
+    assert!(babbles.len() <= limit);
+    for babble in babbles.iter().chain([&bank.default_babble()]) {
+        of_fps(babble.rate());
+        black_box(bank.babble(babble.name()).is_some());
+        black_box((babble.ooh(), babble.aah(), babble.ooh_power_transfer(), babble.aah_power_transfer()));
+        for time in [-1, 0, 41_667, i64::MAX] {
+            let weights = babble.at(Micros(time), || 0.5);
+            assert!(weights.ooh.ten_thousandths() < 10_000 && weights.aah.to_f32() < 1.0);
+        }
+    }
+}
+
+/// What is done by whom to whom.
+pub(crate) fn of_events<'data>(events: impl Iterator<Item = Event<'data>>) {
+    let mut state = lipz_bank::CharacterState::default();
+    for event in events.take(1000) {
+        state.apply(event.command);
+        black_box((event.command.verb(), event.command.object().map(|name| (name.id(), name.as_str()))));
+    }
+    black_box((state, ClipId::from_key("a").get()));
+}

@@ -1,0 +1,227 @@
+//! Every public function of the reader, asked with what the bank itself says: rates, indices and names of bytes that
+//! were opened and not verified. No size is counted here; that it links is the proof that none of them can panic.
+//!
+//! It is not part of firmware/size, because a function that is called twice there is no longer inlined.
+//! A test (`crates/lipz-testkit/tests/every_function.rs`) looks for the functions that are missing.
+
+#![no_std]
+
+use core::panic::PanicInfo;
+use lipz_bank::{
+    Babble, Bank, Clip, ClipId, Command, ConsonantHold, Cursor, Error, Event, EventName, Fps, Lead, Locale, Micros,
+    Samples, Seconds, Segment, TextBank, Time, Viseme, VisemeType, VoiceLevel, Weight,
+};
+
+/// Takes what was answered, so that no question is left out as useless.
+type See = fn(u64);
+
+fn see_bytes(see: See, bytes: &[u8]) {
+    see(bytes.len() as u64);
+    bytes.iter().for_each(|byte| see(u64::from(*byte)));
+}
+
+fn see_error(see: See, error: Error) {
+    see_bytes(see, error.kind().message().as_bytes());
+    see(u64::from(error.kind().number()) << 32 | u64::from(error.offset_bytes()));
+}
+
+/// Asks two files everything, before and after they are verified.
+#[no_mangle]
+fn proof_every_function(bytes: &[u8], texts: &[u8], name: &str, number: u32, see: See) {
+    let bank = match Bank::open(bytes) {
+        Ok(bank) => bank,
+        Err(error) => return see_error(see, error),
+    };
+    bank_asked(&bank, name, number, see);
+    match bank.open_texts(texts) {
+        Ok(texts) => texts_asked(&bank, &texts, name, see),
+        Err(error) => see_error(see, error),
+    }
+    match bank.verify().and_then(|bank| bank.verify_with(|bytes| core::str::from_utf8(bytes).ok())) {
+        Ok(bank) => bank_asked(&bank, name, number, see),
+        Err(error) => see_error(see, error),
+    }
+}
+
+fn bank_asked(bank: &Bank<'_>, name: &str, number: u32, see: See) {
+    see(bank.clip_count() as u64 ^ bank.fingerprint() ^ bank.length_bytes() as u64);
+    let (major, minor) = bank.format_version();
+    see(u64::from(major) << 16 | u64::from(minor) | u64::from(bank.is_verified()) << 32);
+    bank.sections().for_each(|(tag, contents)| see_bytes(see, if tag == *b"CLIP" { contents } else { &[] }));
+    for locale in bank.locales().chain(bank.locale(name)).chain(bank.default_locale()) {
+        see(u64::from(locale.is_default()) | u64::from(locale.is_of(bank)) << 1);
+        see_bytes(see, locale.tag().as_bytes());
+    }
+    for babble in bank.babbles().chain(bank.babble(name)).chain([bank.default_babble()]) {
+        babble_asked(&babble, number, see);
+    }
+    let named = bank.event_name(name);
+    let id = ClipId::from_u64(u64::from(number) ^ ClipId::from_key(name).get());
+    let found = [bank.clip(id), bank.clip_by_key(name), bank.clip_at(number)];
+    for clip in bank.clips().chain(bank.clips_under(name)).chain(IntoIterator::into_iter(found).flatten()) {
+        clip_asked(bank, &clip, number, see);
+        play(&clip, named, number, see);
+        // A rate of the program's own.
+        if let Some(fps) = Fps::new(number, number >> 5) {
+            play(&clip.or_fps(fps).or_viseme_type(VisemeType::Blair), named, number, see);
+        }
+    }
+}
+
+fn texts_asked(bank: &Bank<'_>, texts: &TextBank<'_>, name: &str, see: See) {
+    see(texts.length_bytes() as u64);
+    texts.sections().for_each(|(_, contents)| see_bytes(see, contents));
+    for locale in texts.locales().chain(texts.locale(name)) {
+        see_bytes(see, locale.tag().as_bytes());
+    }
+    let verified = texts.verify(bank);
+    let verified = verified.and_then(|texts| texts.verify_with(bank, |bytes| core::str::from_utf8(bytes).ok()));
+    if let Err(error) = verified {
+        see_error(see, error);
+    }
+}
+
+fn babble_asked(babble: &Babble<'_>, number: u32, see: See) {
+    see_bytes(see, babble.name().as_bytes());
+    for digits in [babble.ooh(), babble.aah(), babble.ooh_power_transfer(), babble.aah_power_transfer()] {
+        see_bytes(see, digits);
+    }
+    fps_asked(babble.rate(), number, see);
+    let time = Micros(i64::from(number));
+    let weights = [
+        babble.at(time, VoiceLevel(number as u16)),
+        babble.at(time, number as f32),
+        babble.at(time, || VoiceLevel::UNMEASURED),
+    ];
+    for weights in weights {
+        see(u64::from(weights.ooh.ten_thousandths()) ^ u64::from(weights.aah.to_f32().to_bits()));
+    }
+}
+
+fn fps_asked(fps: Fps, number: u32, see: See) {
+    see(u64::from(fps.numerator()) << 32 | u64::from(fps.denominator()));
+    see(fps.frames_per_micro_q64() ^ fps.to_f64().to_bits() ^ fps.start_of_frame_us(number));
+    see(u64::from(fps.frame_at(Micros(i64::from(number))).unwrap_or(0)));
+    for lead in [Lead::one_frame(fps), Lead::two_frames(fps), Lead::micros(number)] {
+        see(u64::from(lead.us()));
+    }
+    let holds = [
+        ConsonantHold::readable(fps),
+        ConsonantHold::for_display(number, fps),
+        ConsonantHold::frames(number as u8),
+    ];
+    see(u64::from(holds[0] == holds[1]) | u64::from(holds[1] < holds[2]));
+}
+
+fn clip_asked(bank: &Bank<'_>, clip: &Clip<'_, '_>, number: u32, see: See) {
+    see_bytes(see, clip.key().as_bytes());
+    see_bytes(see, clip.frames());
+    see(clip.id().get() ^ u64::from(clip.slot()) ^ clip.duration_us().unwrap_or(0));
+    see(u64::from(clip.has_visemes()) | u64::from(clip.has_events()) << 1);
+    if let Some(kind) = clip.viseme_type() {
+        see(u64::from(kind.contains_all(clip.frames())) | u64::from(kind.contains(number as u8)) << 1);
+        see_bytes(see, kind.name().as_bytes());
+        see_bytes(see, kind.codes().as_bytes());
+    }
+    see(VisemeType::from_number(number as u8).map_or(0, |kind| kind as u64));
+    if let Some(fps) = clip.fps() {
+        fps_asked(fps, number, see);
+    }
+    for frame in [0, clip.frame_count(), number] {
+        viseme_asked(clip, clip.viseme(frame), see);
+        see(clip.segment_of_frame(frame).map_or(0, |segment| u64::from(segment.index())));
+    }
+    let seconds = number as f32;
+    time_asked(clip, Micros(i64::from(number)), see);
+    time_asked(clip, Samples { position: i64::from(number), rate_hz: number }, see);
+    time_asked(clip, core::time::Duration::from_micros(u64::from(number)), see);
+    time_asked(clip, Seconds(seconds), see);
+    time_asked(clip, Seconds(f64::from(seconds)), see);
+    for segment in clip.segments().chain(clip.segment(clip.segment_count().wrapping_sub(1))) {
+        segment_asked(bank, &segment, see);
+    }
+}
+
+fn viseme_asked(clip: &Clip<'_, '_>, viseme: Viseme, see: See) {
+    let weight = clip.viseme_type().map(|kind| Viseme::from_code(viseme.code()).openness(kind));
+    see(u64::from(viseme.to_char()) | u64::from(viseme.is_rest()) << 32);
+    let weights = [weight.unwrap_or_default(), Weight::from_digit(viseme.code()), Weight::from_digits(b'9', viseme.code())];
+    weights.iter().for_each(|weight| see(u64::from(weight.ten_thousandths())));
+}
+
+fn time_asked(clip: &Clip<'_, '_>, time: impl Time, see: See) {
+    viseme_asked(clip, clip.viseme_at(time), see);
+    see(u64::from(clip.frame_at(time).unwrap_or(0)));
+    see(clip.segment_at(time).map_or(0, |segment| u64::from(segment.clip().slot())));
+    let open = clip.openness_at(time).map_or(0, |weight| weight.ten_thousandths());
+    let babbled = clip.openness_or_babble(time, &Babble::DEFAULT, VoiceLevel::UNMEASURED);
+    see(u64::from(open ^ babbled.ten_thousandths()));
+}
+
+fn segment_asked(bank: &Bank<'_>, segment: &Segment<'_, '_>, see: See) {
+    see(u64::from(segment.start_frame()) << 32 | u64::from(segment.end_frame()));
+    see(segment.start_us().unwrap_or(0) ^ segment.end_us().unwrap_or(0));
+    see_bytes(see, segment.frames());
+    see_bytes(see, segment.event().unwrap_or("").as_bytes());
+    segment.events().for_each(|event| event_asked(bank, event, see));
+    bank.locales().for_each(|locale: Locale<'_>| {
+        see_bytes(see, segment.text_bytes(locale).unwrap_or(&[]));
+        if let Some(text) = segment.text(locale) {
+            see_bytes(see, text.as_str().as_bytes());
+            see(u64::from(text.is_fallback()));
+        }
+    });
+}
+
+fn event_asked(bank: &Bank<'_>, event: Event<'_>, see: See) {
+    let command: Command<EventName<'_>> = event.command;
+    see_bytes(see, command.verb().as_bytes());
+    for name in [event.character, command.object()].iter().flatten() {
+        see(u64::from(name.id()) | u64::from(name.is_of(bank)) << 32);
+        see_bytes(see, name.as_str().as_bytes());
+    }
+}
+
+fn play(clip: &Clip<'_, '_>, speaker: Option<EventName<'_>>, number: u32, see: See) {
+    let (cursor, fps) = match (Cursor::new(clip), clip.fps()) {
+        (Some(cursor), Some(fps)) => (cursor, fps),
+        _ => return,
+    };
+    let mut cursor = cursor.with_speaker(speaker).with_lead(Lead::two_frames(fps));
+    cursor = cursor.with_hold(ConsonantHold::readable(fps));
+    let time = Micros(i64::from(number));
+    for step in 0..4 {
+        let due = match step {
+            0 => cursor.advance_to(clip, time),
+            1 => cursor.loop_to(clip, time),
+            2 => cursor.finish(clip),
+            _ => {
+                cursor.seek(clip, time);
+                cursor.advance_to(clip, time)
+            }
+        };
+        let mut characters = 0;
+        for event in due.events() {
+            let mut state = cursor.state(clip, event.character);
+            state.apply(event.command);
+            characters ^= state.emotion.map_or(0, EventName::id);
+        }
+        for (_, state) in cursor.characters(clip) {
+            characters ^= state.stares_at.map_or(0, EventName::id);
+        }
+        viseme_asked(clip, cursor.viseme(clip), see);
+        see(u64::from(characters) | u64::from(cursor.is_over()) << 32);
+        see(u64::from(cursor.frame().unwrap_or(0)) ^ cursor.segment(clip).map_or(0, |segment| segment.index().into()));
+    }
+}
+
+extern "C" {
+    /// Nobody defines it: what reaches it does not link.
+    fn panic_is_reachable() -> !;
+}
+
+#[panic_handler]
+fn panic(_: &PanicInfo<'_>) -> ! {
+    // SAFETY: it is never linked.
+    unsafe { panic_is_reachable() }
+}
