@@ -73,6 +73,8 @@ export class Clip {
   /** The length in seconds; undefined without a frame rate. */
   readonly duration: number | undefined;
   readonly segments: Segment[];
+  /** The recording that the clip was made for; undefined if the bank says nothing about it. */
+  readonly recording: Recording | undefined;
   /** The clip with this frame rate, where its file leaves it unspecified. */
   orFps(numerator: number, denominator?: number): Clip;
   /** The second at which a frame starts to show; undefined without a frame rate. */
@@ -86,6 +88,13 @@ export class Clip {
   /** The segment at a time; undefined outside of the clip. */
   segmentAt(time: Time): Segment | undefined;
   segment(index: number): Segment | undefined;
+}
+
+export interface Recording {
+  /** The length in seconds. */
+  readonly duration: number;
+  /** XXH3, 64 bits with seed 0, of all bytes of the file. */
+  readonly contentHash: bigint;
 }
 
 export class Segment {

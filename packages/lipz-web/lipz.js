@@ -181,6 +181,12 @@ export class Clip {
     return this.startOfFrame(this.frameCount);
   }
 
+  /** What the bank says about the recording; undefined if nothing. */
+  get recording() {
+    const found = this.#ask(c.lipz_recording, "lipz_clip_recording");
+    return found && { duration: Number(found.length_us) / 1e6, contentHash: found.content_hash };
+  }
+
   /** The clip with this frame rate, where its file leaves it unspecified. */
   orFps(numerator, denominator = 1) {
     const fps = this.fps ? {} : { fps_numerator: numerator, fps_denominator: denominator };

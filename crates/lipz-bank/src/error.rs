@@ -130,4 +130,6 @@ error_kinds! {
     Babble = 32, "a babble profile is not valid";
     /// Texts are to be verified against a bank that was not verified itself.
     BankNotVerified = 33, "the bank of the texts was not verified";
+    /// The record of a recording is neither a length with a hash nor that of none.
+    Recording = 34, "what the bank says about a recording is not valid";
 }

@@ -57,6 +57,7 @@ fn numbers_are_stable() {
         (31, EventName),
         (32, Babble),
         (33, BankNotVerified),
+        (34, Recording),
     ];
     assert!(
         table.iter().map(|(number, kind)| (*number, *kind)).eq(ErrorKind::ALL.iter().map(|&kind| (kind as u8, kind)))

@@ -4,7 +4,7 @@
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
 use lipz_bank::{ClipId, ErrorKind};
-use lipz_layout::{BabbleRecord, EventNameRecord, EventRecord, TypedEventRecord};
+use lipz_layout::{BabbleRecord, EventNameRecord, EventRecord, RecordingRecord, TypedEventRecord};
 use lipz_layout::{ClipRecord, DirectoryEntry, Header, KeyRecord, LocaleRecord, RateRecord, Tag};
 use lipz_testkit::golden::{DRAMA, SMALL, section, verified};
 use std::mem::{size_of, size_of_val};
@@ -107,6 +107,8 @@ fn records() {
         reserved,
     });
     check_fields("BabbleRecord", &fields, size_of::<BabbleRecord>());
+    let fields = fields!(RecordingRecord { length_us, content_hash });
+    check_fields("RecordingRecord", &fields, size_of::<RecordingRecord>());
     let fields = fields!(EventNameRecord { offset_bytes, length_bytes });
     check_fields("EventNameRecord", &fields, size_of::<EventNameRecord>());
 }
@@ -126,22 +128,23 @@ fn sections() {
 #[test]
 fn values() {
     let values = [
-        ("FORMAT_MAJOR", u32::from(lipz_layout::FORMAT_MAJOR)),
-        ("FORMAT_MINOR", u32::from(lipz_layout::FORMAT_MINOR)),
-        ("SECTION_REQUIRED", u32::from(lipz_layout::SECTION_REQUIRED)),
-        ("FLAG_VISEMES", u32::from(lipz_layout::FLAG_VISEMES)),
-        ("NO_RATE", u32::from(lipz_layout::NO_RATE)),
-        ("MAX_INTEGER_FPS", u32::from(lipz_layout::MAX_INTEGER_FPS)),
-        ("LOCALE_DEFAULT", u32::from(lipz_layout::LOCALE_DEFAULT)),
-        ("NO_TEXT", lipz_layout::NO_TEXT),
-        ("TEXT_FALLBACK", lipz_layout::TEXT_FALLBACK),
-        ("TEXT_HAS_LENGTH", lipz_layout::TEXT_HAS_LENGTH),
-        ("TEXT_OFFSET", lipz_layout::TEXT_OFFSET),
-        ("NO_NAME", lipz_layout::NO_NAME),
-        ("DIRECT_SLOT", lipz_layout::DIRECT_SLOT),
+        ("FORMAT_MAJOR", u64::from(lipz_layout::FORMAT_MAJOR)),
+        ("FORMAT_MINOR", u64::from(lipz_layout::FORMAT_MINOR)),
+        ("SECTION_REQUIRED", u64::from(lipz_layout::SECTION_REQUIRED)),
+        ("FLAG_VISEMES", u64::from(lipz_layout::FLAG_VISEMES)),
+        ("NO_RATE", u64::from(lipz_layout::NO_RATE)),
+        ("NO_RECORDING", lipz_layout::NO_RECORDING),
+        ("MAX_INTEGER_FPS", u64::from(lipz_layout::MAX_INTEGER_FPS)),
+        ("LOCALE_DEFAULT", u64::from(lipz_layout::LOCALE_DEFAULT)),
+        ("NO_TEXT", u64::from(lipz_layout::NO_TEXT)),
+        ("TEXT_FALLBACK", u64::from(lipz_layout::TEXT_FALLBACK)),
+        ("TEXT_HAS_LENGTH", u64::from(lipz_layout::TEXT_HAS_LENGTH)),
+        ("TEXT_OFFSET", u64::from(lipz_layout::TEXT_OFFSET)),
+        ("NO_NAME", u64::from(lipz_layout::NO_NAME)),
+        ("DIRECT_SLOT", u64::from(lipz_layout::DIRECT_SLOT)),
     ];
     let described: Vec<_> = table("### ClipRecord", "| name | value |");
-    assert!(described.iter().map(|row| (row[0], number(row[1]) as u32)).eq(values));
+    assert!(described.iter().map(|row| (row[0], number(row[1]))).eq(values));
 }
 
 /// Each verb of the page, written down and read back.

@@ -119,6 +119,9 @@
 // Damage: the bank of the texts was not verified.
 #define LIPZ_BANK_NOT_VERIFIED 33
 
+// Damage: what the bank says about a recording is not valid.
+#define LIPZ_RECORDING 34
+
 
 
 // Version of this header: changes of the first number break programs; so do, while it is 0, those
@@ -232,6 +235,15 @@ typedef struct lipz_clip {
 
 // A mouth shape: its Lipz code, an ASCII character in any bank that passes verification. Rest is `-`.
 typedef uint8_t lipz_viseme;
+
+// The recording that a clip was made for: how long it is, and what is in its file. Compare it with the sound
+// that is about to be played.
+typedef struct Recording {
+  // Length in microseconds, rounded to the nearest.
+  uint64_t length_us;
+  // XXH3, 64 bits with seed 0, of all bytes of the file: what `XXH3_64bits` of xxHash gives.
+  uint64_t content_hash;
+} Recording;
 
 // A stretch of a clip, between two `|` of its Lipz file. Queries go by `clip_id` and `index`.
 typedef struct lipz_segment {
@@ -375,6 +387,12 @@ lipz_status lipz_clip_start_of_frame_us(const struct lipz_bank *bank,
                                         const struct lipz_clip *clip,
                                         uint32_t frame,
                                         uint64_t *time_us);
+
+// What the bank says about the recording of a clip. `LIPZ_NONE` if the bank was packed without
+// recordings, or the clip had none.
+lipz_status lipz_clip_recording(const struct lipz_bank *bank,
+                                const struct lipz_clip *clip,
+                                struct Recording *recording);
 
 // The frame that shows `time_us` microseconds after the audio began: the fastest unit.
 lipz_status lipz_frame_at_us(const struct lipz_bank *bank,

@@ -172,6 +172,34 @@ pub unsafe extern "C" fn lipz_clip_start_of_frame_us(
     unsafe { of_clip(bank, clip, time_us, |clip| Ok(clip.fps().ok_or(LIPZ_NONE)?.start_of_frame_us(frame))) }
 }
 
+/// The recording that a clip was made for: how long it is, and what is in its file. Compare it with the sound
+/// that is about to be played.
+#[repr(C)]
+#[derive(Clone, Copy, Default, Debug)]
+pub struct Recording {
+    /// Length in microseconds, rounded to the nearest.
+    pub length_us: u64,
+    /// XXH3, 64 bits with seed 0, of all bytes of the file: what `XXH3_64bits` of xxHash gives.
+    pub content_hash: u64,
+}
+
+/// What the bank says about the recording of a clip. `LIPZ_NONE` if the bank was packed without
+/// recordings, or the clip had none.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_clip_recording(
+    bank: Option<&Bank>,
+    clip: Option<&Clip>,
+    recording: Option<&mut MaybeUninit<Recording>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe {
+        of_clip(bank, clip, recording, |clip| {
+            let found = clip.recording().ok_or(LIPZ_NONE)?;
+            Ok(Recording { length_us: found.length_us(), content_hash: found.content_hash() })
+        })
+    }
+}
+
 /// Answers a query about a clip: the one of `bank` that has the id of `clip`, with the frame rate of
 /// `clip` if it has none of its own.
 ///

@@ -38,8 +38,9 @@ mod version;
 
 pub use bank::{Bank, BankInfo, lipz_bank_info, lipz_bank_open, lipz_bank_use_texts, lipz_bank_verify};
 pub use clip::{
-    Clip, LIPZ_BLAIR, LIPZ_RMS, LIPZ_TOONBOOM, Viseme, lipz_clip_at, lipz_clip_by_id, lipz_clip_by_key,
-    lipz_clip_frames, lipz_clip_id_of_key, lipz_clip_key, lipz_clip_start_of_frame_us, lipz_clip_viseme,
+    Clip, LIPZ_BLAIR, LIPZ_RMS, LIPZ_TOONBOOM, Recording, Viseme, lipz_clip_at, lipz_clip_by_id, lipz_clip_by_key,
+    lipz_clip_frames, lipz_clip_id_of_key, lipz_clip_key, lipz_clip_recording, lipz_clip_start_of_frame_us,
+    lipz_clip_viseme,
 };
 pub use event::{
     Event, EventName, LIPZ_DOES, LIPZ_FEELS, LIPZ_NO_NAME, LIPZ_POINTS, LIPZ_SEES, LIPZ_STARES, LIPZ_STOPS_POINTING,

@@ -132,6 +132,7 @@ fn every_query(bank: &Bank, clip: &Clip, number: u32) {
         Answer::<String>::of(|out| lipz_clip_frames(bank, Some(clip), out));
         Answer::<Viseme>::of(|out| lipz_clip_viseme(bank, Some(clip), number, out));
         Answer::<u64>::of(|out| lipz_clip_start_of_frame_us(bank, Some(clip), number, out));
+        Answer::<Recording>::of(|out| lipz_clip_recording(bank, Some(clip), out));
         Answer::<u32>::of(|out| lipz_frame_at_us(bank, Some(clip), time_us, out));
         Answer::<u32>::of(|out| lipz_frame_at_samples(bank, Some(clip), time_us, number, out));
         Answer::<u32>::of(|out| lipz_frame_at_seconds(bank, Some(clip), f64::from(number), out));

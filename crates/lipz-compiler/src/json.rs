@@ -6,7 +6,7 @@
 )]
 
 use crate::Coverage;
-use lipz_bank::{Babble, Fps, VisemeType};
+use lipz_bank::{Babble, Fps, Recording, VisemeType};
 use lipz_layout::Tag;
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 use std::borrow::Cow;
@@ -23,6 +23,25 @@ pub(crate) fn ratio(fps: Option<Fps>) -> Option<[u32; 2]> {
 /// The name of the type.
 pub(crate) fn viseme_type<S: Serializer>(kind: &Option<VisemeType>, serializer: S) -> Result<S::Ok, S::Error> {
     kind.map(VisemeType::name).serialize(serializer)
+}
+
+/// What a bank says about a recording. The hash is sixteen hexadecimal digits: JavaScript has no integers of 64 bits
+/// in JSON.
+#[derive(serde::Serialize)]
+pub(crate) struct KnownRecording {
+    length_us: u64,
+    content_hash: String,
+}
+
+impl From<Recording> for KnownRecording {
+    fn from(recording: Recording) -> Self {
+        let content_hash = format!("{:016x}", recording.content_hash());
+        KnownRecording { length_us: recording.length_us(), content_hash }
+    }
+}
+
+pub(crate) fn recording<S: Serializer>(recording: &Option<Recording>, serializer: S) -> Result<S::Ok, S::Error> {
+    recording.map(KnownRecording::from).serialize(serializer)
 }
 
 /// A list of sections, each with its tag as text.

@@ -68,7 +68,7 @@ impl<'data> WholeBank<'data> {
         self.bank.sections().find(|(found, _)| *found == tag.0).map_or(&[], |(_, contents)| contents)
     }
 
-    /// The bank without locales: all other required sections and babble as they are.
+    /// The bank without locales: all other sections that games read as they are.
     fn base(&self) -> Result<Vec<u8>, Report> {
         let names = self.section(Tag::NAMES);
         // Keys come first, in one piece.
@@ -79,10 +79,10 @@ impl<'data> WholeBank<'data> {
             Tag::NAMES => Section::table(tag, names.get(..keys_bytes).unwrap_or(names)),
             other => Section::table(other, self.section(other)),
         });
-        let babble = self.section(Tag::BABBLE);
-        let has_babble = !babble.is_empty();
+        let optional = [Tag::BABBLE, Tag::RECORDINGS].map(|tag| (tag, self.section(tag)));
+        let optional = optional.into_iter().filter(|(_, contents)| !contents.is_empty());
         let sections: Vec<_> =
-            required.into_iter().chain(has_babble.then(|| Section::table(Tag::BABBLE, babble))).collect();
+            required.into_iter().chain(optional.map(|(tag, contents)| Section::table(tag, contents))).collect();
         assemble(&sections, self.index_seed, self.bank.fingerprint(), |_| ())
     }
 

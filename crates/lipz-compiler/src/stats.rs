@@ -35,6 +35,10 @@ pub struct Stats<'d> {
     pub longest: Vec<ClipDuration<'d>>,
     /// The clips that last shortest, shortest first, without those among the longest.
     pub shortest: Vec<ClipDuration<'d>>,
+    /// Clips of which the bank knows the recording.
+    pub recordings: usize,
+    /// The lengths of those recordings, in microseconds.
+    pub recordings_us: u64,
     /// Bytes of the whole bank.
     #[cfg_attr(feature = "json", serde(rename = "bytes"))]
     pub length_bytes: usize,
@@ -125,6 +129,10 @@ impl<'d> Stats<'d> {
             stats.frames += u64::from(clip.frame_count());
             stats.segments += u64::from(clip.segment_count());
             stats.duration_us += clip.duration_us().unwrap_or(0);
+            if let Some(recording) = clip.recording() {
+                stats.recordings += 1;
+                stats.recordings_us = stats.recordings_us.saturating_add(recording.length_us());
+            }
             for event in clip.segments().filter_map(|segment| segment.event()).filter(|event| !event.is_empty()) {
                 stats.events += 1;
                 events.insert(event);

@@ -32,8 +32,8 @@ pub use lipz_types::BANK_MAGIC as MAGIC;
 
 pub use index::{DIRECT_SLOT, bucket_of, slot_of, spread};
 pub use records::{BabbleRecord, ClipRecord, EventNameRecord, EventRecord};
-pub use records::{FLAG_VISEMES, LOCALE_DEFAULT, MAX_INTEGER_FPS, NO_NAME, NO_RATE, stored_fps};
-pub use records::{KeyRecord, LocaleRecord, RateRecord, TypedEventRecord};
+pub use records::{FLAG_VISEMES, LOCALE_DEFAULT, MAX_INTEGER_FPS, NO_NAME, NO_RATE, NO_RECORDING, stored_fps};
+pub use records::{KeyRecord, LocaleRecord, RateRecord, RecordingRecord, TypedEventRecord};
 pub use records::{
     VERB_DOES, VERB_FEELS, VERB_POINTS, VERB_SEES, VERB_STARES, VERB_STOPS_POINTING, VERB_STOPS_STARING,
 };

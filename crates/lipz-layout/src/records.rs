@@ -16,6 +16,8 @@ pub const MAX_INTEGER_FPS: u16 = 1000;
 pub const LOCALE_DEFAULT: u16 = 1;
 /// Number of a typed event's character for "the speaker", and of its object for "none".
 pub const NO_NAME: u32 = u32::MAX;
+/// `length_us` of a clip without a recording.
+pub const NO_RECORDING: u64 = u64::MAX;
 /// Verb of a typed event: `feels emotion`.
 pub const VERB_FEELS: u8 = 1;
 /// Verb of a typed event: `sees target`.
@@ -171,7 +173,18 @@ pub struct BabbleRecord {
     pub reserved: [u8; 6],
 }
 
+/// The recording that the mouth shapes of a clip were made for.
+#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
+#[repr(C)]
+pub struct RecordingRecord {
+    /// Length in microseconds, rounded to the nearest; [`NO_RECORDING`] if the clip has none.
+    pub length_us: U64,
+    /// XXH3-64 with seed 0 of all bytes of the file; 0 if the clip has none.
+    pub content_hash: U64,
+}
+
 const _: () = assert!(size_of::<BabbleRecord>() == 32);
+const _: () = assert!(size_of::<RecordingRecord>() == 16);
 const _: () = assert!(size_of::<ClipRecord>() == 16);
 const _: () = assert!(size_of::<KeyRecord>() == 16);
 const _: () = assert!(size_of::<RateRecord>() == 16);

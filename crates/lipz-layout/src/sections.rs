@@ -99,13 +99,20 @@ impl Tag {
     pub const EVENT_STRINGS: Tag = Tag(*b"EVST");
     /// Optional: [`BabbleRecord`](super::BabbleRecord)s in the order of their names (bytewise), each with its strings.
     pub const BABBLE: Tag = Tag(*b"BABL");
+    /// Optional: [`RecordingRecord`](super::RecordingRecord)s in slot order.
+    pub const RECORDINGS: Tag = Tag(*b"RCRD");
     /// Optional: where each clip's source record starts in `SRCE`, one `u32` per slot.
     pub const SOURCE_INDEX: Tag = Tag(*b"SRCX");
     /// Optional: what the display form lost of each Lipz file. Only the compiler reads it.
     pub const SOURCES: Tag = Tag(*b"SRCE");
 
     /// The sections that a bank of format 1 may have, with the length of an entry, in file order.
-    pub const OPTIONAL: [(Tag, usize); 3] = [(Tag::BABBLE, 1), (Tag::SOURCE_INDEX, 4), (Tag::SOURCES, 1)];
+    pub const OPTIONAL: [(Tag, usize); 4] = [
+        (Tag::BABBLE, 1),
+        (Tag::RECORDINGS, size_of::<super::RecordingRecord>()),
+        (Tag::SOURCE_INDEX, 4),
+        (Tag::SOURCES, 1),
+    ];
 
     /// The sections that every bank has, with the length of an entry, in file order.
     pub const REQUIRED: [(Tag, usize); 16] = [

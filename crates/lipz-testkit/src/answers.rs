@@ -34,6 +34,9 @@ fn write_clip(out: &mut impl Write, bank: &Bank<'_>, clip: &Clip<'_, '_>) -> fmt
     out.write_str("  at 24 fps, each 50 ms: ")?;
     write_sampled(out, &clip.or_fps(Fps::whole(24)))?;
     out.write_str("\n")?;
+    if let Some(recording) = clip.recording() {
+        writeln!(out, "  recording {} us, content {:016x}", recording.length_us(), recording.content_hash())?;
+    }
     clip.segments().try_for_each(|segment| write_segment(out, bank, &segment))
 }
 

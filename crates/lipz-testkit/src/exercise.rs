@@ -87,6 +87,7 @@ pub fn every_query(bank: &Bank<'_>, effort: Effort) {
 fn every_clip_query(clip: &Clip<'_, '_>, locales: &[Locale<'_>], limit: usize, effort: Effort) {
     black_box((clip.id(), clip.key(), clip.slot(), clip.viseme_type(), clip.has_visemes(), clip.has_events()));
     black_box((clip.fps().map(Fps::to_f64), clip.duration_us(), clip.or_viseme_type(VisemeType::Rms).viseme_type()));
+    black_box(clip.recording());
     assert!(clip.frames().len() <= limit);
     let frames = clip.frame_count();
     for frame in [0, frames / 2, frames.wrapping_sub(1), frames, u32::MAX] {

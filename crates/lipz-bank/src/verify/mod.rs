@@ -8,6 +8,7 @@
 mod babble;
 mod clips;
 mod events;
+mod recordings;
 mod sections;
 mod strings;
 mod texts;
@@ -40,6 +41,7 @@ pub(crate) fn verify<'data>(bank: &mut Bank<'data>, utf8: Utf8<'data>) -> Result
     locales(&bank.file, &bank.texts, keys_end)?;
     events::events(bank)?;
     babble::babble(bank)?;
+    recordings::recordings(bank)?;
     if lipz_layout::fingerprint(bank.keys, bank.clips) != bank.file.header.fingerprint.get() {
         return Err(Error::new(ErrorKind::Fingerprint, 24));
     }

@@ -41,9 +41,15 @@ pub(super) fn table_lengths(bank: &Bank<'_>) -> Result<(), Error> {
     text_lengths(&bank.file, &bank.texts)?;
     let has_shape =
         |entry: &DirectoryEntry, (_, entry_bytes): (Tag, usize)| usize::from(entry.entry_bytes.get()) == entry_bytes;
-    let [of_babble, of_index, of_sources] = Tag::OPTIONAL;
+    let [of_babble, of_recordings, of_index, of_sources] = Tag::OPTIONAL;
     if let Some(babble) = bank.file.entry(of_babble.0).filter(|babble| !has_shape(babble, of_babble)) {
         return Err(error_at(bank, ErrorKind::SectionShape, babble));
+    }
+    if let Some(recordings) = bank.file.entry(of_recordings.0) {
+        let length = bank.clips.len().checked_mul(of_recordings.1);
+        if !has_shape(recordings, of_recordings) || length != Some(recordings.length_bytes.get() as usize) {
+            return Err(error_at(bank, ErrorKind::SectionShape, recordings));
+        }
     }
     match (bank.file.entry(of_index.0), bank.file.entry(of_sources.0)) {
         (None, None) => Ok(()),

@@ -1,7 +1,7 @@
 //! The differences of one clip.
 
 use super::{Change, LocalePair};
-use lipz_bank::{Clip, Fps, Locale, Segment, VisemeType};
+use lipz_bank::{Clip, Fps, Locale, Recording, Segment, VisemeType};
 
 /// How a clip differs; at least one field says so.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
@@ -23,6 +23,9 @@ pub struct ClipChange<'d> {
     pub texts: Vec<TextChange<'d>>,
     /// Event strings, sorted by segment.
     pub events: Vec<EventChange<'d>>,
+    /// What the banks say about the recording; `None` inside for nothing.
+    #[cfg_attr(feature = "json", serde(serialize_with = "super::json::recording"))]
+    pub recording: Option<Change<Option<Recording>>>,
 }
 
 /// How the mouth shapes of a clip differ.
@@ -79,6 +82,7 @@ impl<'d> ClipChange<'d> {
             segment_starts: Change::between(starts(old), starts(new)),
             texts: texts(old, new, locales),
             events: events(old, new),
+            recording: Change::between(old.recording(), new.recording()),
         };
         let same = ClipChange { key: new.key(), ..ClipChange::default() };
         (change != same).then_some(change)

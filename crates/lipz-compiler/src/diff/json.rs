@@ -1,8 +1,8 @@
 //! Differences as JSON, where that differs from their fields.
 
 use super::{Change, Difference};
-use crate::json::{Profile, ratio};
-use lipz_bank::{Babble, Fps, VisemeType};
+use crate::json::{KnownRecording, Profile, ratio};
+use lipz_bank::{Babble, Fps, Recording, VisemeType};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
 /// With whether there is any difference, which is no field.
@@ -37,4 +37,11 @@ pub(super) fn viseme_type<S: Serializer>(
 
 pub(super) fn babble<S: Serializer>(change: &Change<Option<Babble<'_>>>, serializer: S) -> Result<S::Ok, S::Error> {
     change.map(|babble| babble.map(Profile::from)).serialize(serializer)
+}
+
+pub(super) fn recording<S: Serializer>(
+    change: &Option<Change<Option<Recording>>>,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    change.map(|change| change.map(|recording| recording.map(KnownRecording::from))).serialize(serializer)
 }

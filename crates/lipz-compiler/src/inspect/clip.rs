@@ -1,6 +1,6 @@
 //! One clip, in a line of a list or in full.
 
-use lipz_bank::{Clip, ClipId, Event, EventName, Fps, Locale, VisemeType};
+use lipz_bank::{Clip, ClipId, Event, EventName, Fps, Locale, Recording, VisemeType};
 
 /// A clip in a list.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -69,6 +69,9 @@ pub struct ClipDetails<'d> {
     pub frames: String,
     /// Its segments.
     pub segments: Vec<SegmentDetails<'d>>,
+    /// The recording that it was made for; `None` if the bank says nothing about it.
+    #[cfg_attr(feature = "json", serde(serialize_with = "crate::json::recording"))]
+    pub recording: Option<Recording>,
 }
 
 /// Everything that a program reads of a segment.
@@ -143,6 +146,7 @@ impl<'d> ClipDetails<'d> {
             has_visemes: clip.has_visemes(),
             frames: clip.frames().iter().map(|&code| code as char).collect(),
             segments: segments.collect(),
+            recording: clip.recording(),
         }
     }
 }

@@ -8,4 +8,4 @@ mod timeline;
 
 pub use clip::{ClipDetails, ClipSummary, SegmentDetails, SegmentEvent, SegmentText};
 pub use summary::{BankSummary, LocaleSummary};
-pub use timeline::{short_fps, timeline};
+pub use timeline::{short_fps, short_recording, timeline};

@@ -5,6 +5,7 @@ mod events;
 mod fill;
 mod index;
 mod numbering;
+mod recordings;
 mod records;
 mod strings;
 pub(crate) mod texts;
@@ -17,7 +18,7 @@ use events::Events;
 use index::Index;
 use lipz_bank::ClipId;
 use lipz_diagnostics::{Code, Report};
-use lipz_layout::{LocaleRecord, Tag};
+use lipz_layout::{LocaleRecord, RecordingRecord, Tag};
 use numbering::Numbering;
 use records::ClipRecords;
 use strings::{Names, Sources};
@@ -36,6 +37,8 @@ pub(crate) struct Layout {
     events: Events,
     sources: Sources,
     babble: Vec<u8>,
+    /// One record per slot; empty if nothing is known of any recording.
+    recordings: Vec<RecordingRecord>,
     is_stripped: bool,
     /// For each batch of clips, their slots.
     batch_slots: Vec<Vec<u32>>,
@@ -60,6 +63,7 @@ impl Layout {
             segment_count: numbering.segment_count,
             sources: strings::sources(&sources, slots)?,
             babble: options.babble.section(),
+            recordings: recordings::recordings(clips, slots, &options.recordings),
             is_stripped: options.strip,
             batch_slots: batch_slots(clips, slots),
             names,
@@ -90,6 +94,9 @@ impl Layout {
         ];
         if !self.babble.is_empty() {
             sections.push(Section::table(Tag::BABBLE, &self.babble));
+        }
+        if !self.recordings.is_empty() {
+            sections.push(Section::table(Tag::RECORDINGS, self.recordings.as_bytes()));
         }
         if !self.is_stripped {
             sections.push(Section::table(Tag::SOURCE_INDEX, self.sources.index.as_bytes()));

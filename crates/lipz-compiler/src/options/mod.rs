@@ -7,7 +7,7 @@ pub use requirements::{KnownNames, MinCoverage, TextLimits};
 
 use crate::babble::BabbleProfiles;
 use crate::pseudo;
-use lipz_bank::{Fps, VisemeType};
+use lipz_bank::{Fps, Recording, VisemeType};
 use lipz_diagnostics::{Code, Levels, Report, escape};
 use lipz_file::locale::TextName;
 use std::collections::{BTreeMap, BTreeSet};
@@ -61,6 +61,9 @@ pub struct Options {
     pub pseudo: bool,
     /// How mouths move that no clip describes.
     pub babble: BabbleProfiles,
+    /// What the bank says about the recordings of clips, by key. Keys without a clip are ignored; without any entry
+    /// the bank has no section about recordings.
+    pub recordings: BTreeMap<String, Recording>,
 }
 
 impl Options {

@@ -3,7 +3,7 @@
 use super::requirements::strings;
 use super::{KnownNames, MinCoverage, Options, TextLimits};
 use crate::babble::BabbleProfiles;
-use lipz_bank::{Fps, VisemeType};
+use lipz_bank::{Fps, Recording, VisemeType};
 use lipz_diagnostics::Levels;
 
 impl Options {
@@ -108,5 +108,12 @@ impl Options {
     #[must_use]
     pub fn babble(self, babble: BabbleProfiles) -> Options {
         Options { babble, ..self }
+    }
+
+    /// Sets what the bank says about the recordings of clips, by key.
+    #[must_use]
+    pub fn recordings<K: Into<String>>(self, recordings: impl IntoIterator<Item = (K, Recording)>) -> Options {
+        let recordings = recordings.into_iter().map(|(key, recording)| (key.into(), recording)).collect();
+        Options { recordings, ..self }
     }
 }

@@ -3,7 +3,7 @@
 mod bands;
 mod ruler;
 
-use lipz_bank::{Clip, Fps, Locale, Segment};
+use lipz_bank::{Clip, Fps, Locale, Recording, Segment};
 use lipz_diagnostics::escape;
 use std::fmt::Write;
 use unicode_width::UnicodeWidthStr;
@@ -45,7 +45,8 @@ fn heading(clip: &Clip<'_, '_>) -> String {
         Some(us) => format!("{} frames, {:.3} s", clip.frame_count(), us as f64 / 1e6),
         None => format!("{} frames", clip.frame_count()),
     };
-    format!("{}\n  {fps}, {viseme_type}, {frames}, id {}\n\n", escape::text(clip.key()), clip.id())
+    let recording = clip.recording().map_or(String::new(), |found| format!("  recording {}\n", short_recording(found)));
+    format!("{}\n  {fps}, {viseme_type}, {frames}, id {}\n{recording}\n", escape::text(clip.key()), clip.id())
 }
 
 /// A frame rate with at most three decimals, as people write it.
@@ -58,6 +59,12 @@ fn heading(clip: &Clip<'_, '_>) -> String {
 pub fn short_fps(fps: Fps) -> String {
     let text = format!("{:.3}", fps.to_f64());
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// The length in seconds with three decimals, and the hash: `1.500 s, content 0123456789abcdef`.
+pub fn short_recording(recording: Recording) -> String {
+    let seconds = recording.length_us() as f64 / 1e6;
+    format!("{seconds:.3} s, content {:016x}", recording.content_hash())
 }
 
 /// Widths of the list of texts.

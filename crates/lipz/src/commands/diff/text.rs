@@ -5,7 +5,7 @@ use crate::console::{counted, grouped};
 use crate::shared::locales::locale_name;
 use lipz_bank::{Fps, VisemeType};
 use lipz_compiler::diff::{BabbleChange, Change, ClipChange, Difference};
-use lipz_compiler::inspect::short_fps;
+use lipz_compiler::inspect::{short_fps, short_recording};
 use lipz_diagnostics::escape;
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -132,6 +132,9 @@ fn clip(clip: &ClipChange<'_>, shown: usize) -> String {
     }
     if let Some(starts) = &clip.segment_starts {
         fact("segments", segments(starts));
+    }
+    if let Some(change) = clip.recording {
+        fact("recording", arrow(change, |recording| recording.map_or("none".to_owned(), short_recording)));
     }
     for text in clip.texts.iter().take(shown) {
         let fallback = if text.is_fallback { " (fallback)" } else { "" };

@@ -25,6 +25,9 @@ pub(super) fn text(name: &str, stats: &Stats<'_>) -> String {
     );
     let distinct = grouped(stats.distinct_events);
     let _ = writeln!(out, "  {} ({distinct} distinct)", counted(stats.events, "event"));
+    if stats.recordings > 0 {
+        let _ = writeln!(out, "  {}, {}", counted(stats.recordings, "recording"), time(stats.recordings_us));
+    }
     locales(&mut out, &stats.locales);
     rates(&mut out, stats);
     for counts in &stats.visemes {
