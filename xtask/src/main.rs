@@ -13,6 +13,7 @@ mod msrv;
 mod packages;
 mod paths;
 mod size;
+mod speech_dictionary;
 mod targets;
 mod toolchain;
 mod tools;
@@ -60,6 +61,8 @@ enum Task {
     Msrv,
     /// Write all files that programs make: rules, docs, headers, expected outputs
     Bless(bless::Settings),
+    /// Make the English words and letter-to-sound rules of lipz-speech of a dictionary
+    SpeechDictionary(speech_dictionary::Settings),
     /// Look for inputs on which something does not hold that must hold for any bytes
     Fuzz(fuzz::Settings),
 }
@@ -88,6 +91,7 @@ fn main() -> ExitCode {
         Task::Targets(settings) => targets::run(&settings),
         Task::Windows => windows::run(),
         Task::Size => size::run(),
+        Task::SpeechDictionary(settings) => speech_dictionary::run(&settings),
         Task::Packages => packages::run(),
         Task::Msrv => msrv::run(),
         Task::Fuzz(settings) => fuzz::run(&settings),

@@ -71,6 +71,18 @@ pub fn display(segment: &str) -> Display<'_> {
     display
 }
 
+/// Where the `{meta}` of a segment are, with their braces: the outermost balanced pairs, in order.
+///
+/// ```
+/// assert_eq!(lipz_file::text::meta_ranges("{smiling} Hello {to {amy}} {"), [0..9, 16..26]);
+/// ```
+pub fn meta_ranges(segment: &str) -> Vec<Range<usize>> {
+    match memchr::memchr(b'{', segment.as_bytes()) {
+        Some(_) => metas(segment, &mut Vec::new(), &mut Vec::new()),
+        None => Vec::new(),
+    }
+}
+
 /// The outermost balanced pairs of braces, in order.
 fn metas(segment: &str, unbalanced: &mut Vec<usize>, nested: &mut Vec<usize>) -> Vec<Range<usize>> {
     let mut open: Vec<usize> = Vec::new();

@@ -1,6 +1,8 @@
 //! What is said in a recording: words with their pronunciations.
 
 use crate::Phone;
+use std::collections::HashSet;
+use std::fmt;
 use std::ops::Range;
 
 /// What is said in a recording: words in order, with all their pronunciations.
@@ -23,6 +25,42 @@ pub struct Word {
     /// All ways to say it, the most likely first. The aligner chooses the one that is heard. Without any, the
     /// word is not heard and takes no time.
     pub pronunciations: Vec<Pronunciation>,
+}
+
+impl Script {
+    /// The words that no lexicon or dictionary has, each once, in the order of the text: what was chosen for them is for
+    /// somebody to check. As lines of a lexicon ([`Word`]'s `Display`) they are ready to be pasted there.
+    pub fn guessed(&self) -> impl Iterator<Item = &Word> {
+        let mut seen = HashSet::new();
+        self.words
+            .iter()
+            .filter(move |word| word.origin() >= Some(Origin::Rules) && seen.insert(word.text.to_lowercase()))
+    }
+}
+
+impl Word {
+    /// Where its first pronunciation comes from; none if it is not said.
+    pub fn origin(&self) -> Option<Origin> {
+        self.pronunciations.first().map(|pronunciation| pronunciation.origin)
+    }
+}
+
+/// The word with its first pronunciation, as a line of a lexicon: `Wesnoth  W EH S N AO TH`.
+impl fmt::Display for Word {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} ", self.text)?;
+        self.pronunciations.first().map_or(Ok(()), |pronunciation| write!(f, " {pronunciation}"))
+    }
+}
+
+/// The names of its phones, with blanks between them: `W EH S`.
+impl fmt::Display for Pronunciation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, phone) in self.phones.iter().enumerate() {
+            write!(f, "{}{phone}", if index == 0 { "" } else { " " })?;
+        }
+        Ok(())
+    }
 }
 
 /// One way to say a [`Word`].

@@ -110,7 +110,11 @@ pub(super) const RULES: &[Rule] = &[
         ],
         below: Below::AtMost(43),
     },
-    Rule { name: "lipz-speech", direct: &["lipz-types"], below: Below::AtMost(1) },
+    Rule {
+        name: "lipz-speech",
+        direct: &["lipz-file", "lipz-types", "unicode-normalization", "unicode-segmentation"],
+        below: Below::AtMost(18),
+    },
     // What a game carries; its build script uses the compiler.
     Rule { name: "dialogue-player", direct: &["lipz-bank", "lipz-compiler"], below: Below::Only(READER) },
 ];

@@ -1,0 +1,139 @@
+//! Languages, and what their pronunciations rely on.
+
+use std::fmt;
+
+/// A language: how its words are pronounced and its numbers are read.
+///
+/// ```
+/// use lipz_speech::{Language, Reliance};
+/// let language = Language::from_locale("pt-br").expect("a locale");
+/// assert_eq!((language.code(), language.name()), ("pt", "Portuguese"));
+/// assert_eq!(language.reliance(), Reliance::Rules);
+/// ```
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Language(&'static Entry);
+
+#[derive(PartialEq, Eq, Hash, Debug)]
+struct Entry {
+    code: &'static str,
+    name: &'static str,
+    reliance: Reliance,
+}
+
+/// What the pronunciations of a language rely on, after a project's own lexicon.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[non_exhaustive]
+pub enum Reliance {
+    /// A dictionary, and rules for words that it does not have.
+    Dictionary,
+    /// Letter-to-sound rules of the language.
+    Rules,
+    /// Kana, which say how they sound. Chinese characters need a reading: `{say: …}` or the lexicon.
+    Kana,
+    /// Hangul, which is read by rules.
+    Hangul,
+    /// Chinese characters with all their readings in pinyin.
+    Pinyin,
+    /// Letters as most languages read them; other scripts are romanised first.
+    Letters,
+}
+
+impl fmt::Display for Reliance {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Reliance::Dictionary => "dictionary, rules for other words",
+            Reliance::Rules => "rules",
+            Reliance::Kana => "kana; Chinese characters need a reading",
+            Reliance::Hangul => "rules for hangul",
+            Reliance::Pinyin => "readings in pinyin",
+            Reliance::Letters => "letters as most languages read them",
+        })
+    }
+}
+
+macro_rules! languages {
+    ($($code:literal $name:literal $reliance:ident,)*) => {
+        /// By their codes.
+        static ENTRIES: &[Entry] = &[$(Entry { code: $code, name: $name, reliance: Reliance::$reliance }),*];
+    };
+}
+
+languages! {
+    "en" "English" Dictionary,
+}
+
+/// Every language that is not in the list.
+static OTHER: Entry = Entry { code: "und", name: "other languages", reliance: Reliance::Letters };
+
+impl Language {
+    /// English.
+    pub const ENGLISH: Language = Language(&ENTRIES[0]);
+    /// A language of which nothing is known.
+    pub const OTHER: Language = Language(&OTHER);
+
+    /// The language of a locale, `xx-yy` as in Lipz files or BCP 47 (`es-419`, `zh-Hant-TW`, `pt_BR`). A language that is
+    /// not in the list is [`Language::OTHER`]; none if this cannot be a locale.
+    pub fn from_locale(locale: &str) -> Option<Language> {
+        let code = locale.split(['-', '_']).next().unwrap_or_default().to_ascii_lowercase();
+        if !(2..=3).contains(&code.len()) || !code.bytes().all(|byte| byte.is_ascii_lowercase()) {
+            return None;
+        }
+        let code = ALIASES.iter().find(|(alias, _)| *alias == code).map_or(code.as_str(), |(_, code)| code);
+        let entry = ENTRIES.iter().find(|entry| entry.code == code);
+        Some(entry.map_or(Language::OTHER, Language))
+    }
+
+    /// All languages that are more than [`Language::OTHER`]: English, then in the order of their codes.
+    pub fn all() -> impl Iterator<Item = Language> {
+        ENTRIES.iter().map(Language)
+    }
+
+    /// Its code in ISO 639: two letters where there are two; `und` for all others.
+    pub fn code(self) -> &'static str {
+        self.0.code
+    }
+
+    /// Its English name.
+    pub fn name(self) -> &'static str {
+        self.0.name
+    }
+
+    /// What its pronunciations rely on.
+    pub fn reliance(self) -> Reliance {
+        self.0.reliance
+    }
+}
+
+/// Codes of languages that are read as another one.
+const ALIASES: [(&str, &str); 2] = [("eng", "en"), ("sco", "en")];
+
+/// Its code.
+impl fmt::Debug for Language {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Language({})", self.0.code)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn locales_of_every_shape() {
+        let code = |locale| Language::from_locale(locale).map(Language::code);
+        for locale in ["en", "en-us", "EN-GB", "en_AU", "eng", "en-Latn-US-x-old"] {
+            assert_eq!(code(locale), Some("en"), "{locale}");
+        }
+        assert_eq!(code("tlh"), Some("und"));
+        for bad in ["", "e", "engl", "e1", "-us", "é", "12"] {
+            assert_eq!(code(bad), None, "{bad}");
+        }
+    }
+
+    #[test]
+    fn the_list_has_an_order() {
+        let codes: Vec<_> = Language::all().skip(1).map(Language::code).collect();
+        assert!(codes.is_sorted());
+        assert_eq!(Language::ENGLISH.code(), "en");
+    }
+}

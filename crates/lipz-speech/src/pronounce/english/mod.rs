@@ -1,0 +1,162 @@
+//! English words: the dictionary, then what is made of its words, then rules.
+
+pub(crate) mod letters;
+mod names;
+pub(crate) mod words;
+
+use super::variants::{add, sequence};
+use crate::{Origin, Phone, Pronunciation};
+
+/// The shortest parts of a compound: shorter ones are found in too many words.
+const SHORTEST_PART: usize = 4;
+/// No English word is longer; what is, is not searched for parts.
+const LONGEST_COMPOUND: usize = 32;
+/// Unknown words in capitals up to this length may be said letter by letter.
+const LONGEST_ACRONYM: usize = 5;
+
+/// The pronunciations of a word of Latin letters without accents, and apostrophes; `spelling` is how it was written.
+pub(super) fn pronounce(word: &str, spelling: &str) -> Vec<Pronunciation> {
+    let with = |all: Vec<Vec<Phone>>, origin| {
+        all.into_iter().map(|phones| Pronunciation { phones, origin }).collect::<Vec<_>>()
+    };
+    let known = known(word);
+    if !known.is_empty() {
+        return with(known, Origin::Dictionary);
+    }
+    let letters: usize = word.bytes().filter(u8::is_ascii_lowercase).count();
+    if letters == 0 {
+        return Vec::new();
+    }
+    let mut all = Vec::new();
+    let capitals = spelling.chars().filter(|c| c.is_uppercase()).count();
+    if letters == 1 || capitals > 1 && capitals == letters && letters <= LONGEST_ACRONYM {
+        all.extend(with(vec![names::spelled(word)], Origin::Letters));
+    }
+    let stem = word.strip_suffix("'s").unwrap_or(word);
+    let mut rules = compound(stem);
+    add(&mut rules, letters::phones(stem));
+    if stem.len() < word.len() {
+        rules = rules.into_iter().map(with_s).collect();
+    }
+    all.extend(with(rules, Origin::Rules));
+    // Rules that find nothing to say are no help.
+    all.retain(|pronunciation| !pronunciation.phones.is_empty());
+    all
+}
+
+/// Whether the dictionary has the word as it is.
+pub(super) fn knows(word: &str) -> bool {
+    !words::find(word).is_empty()
+}
+
+/// What the dictionary says: of the word, of the word without an ending or without letters that were drawn out.
+fn known(word: &str) -> Vec<Vec<Phone>> {
+    let found = words::find(word);
+    if !found.is_empty() {
+        return found;
+    }
+    if let Some(stem) = word.strip_suffix("'s").or_else(|| word.strip_suffix("s'").filter(|stem| stem.len() > 1)) {
+        let whole = if word.ends_with("s'") { words::find(&word[..word.len() - 1]) } else { Vec::new() };
+        return match whole.is_empty() {
+            true => words::find(stem).into_iter().map(with_s).collect(),
+            false => whole,
+        };
+    }
+    if word.ends_with("in'") {
+        let mut found = words::find(&word.replace('\'', "g"));
+        for phones in &mut found {
+            if let Some(last @ Phone::Ng) = phones.last_mut() {
+                *last = Phone::N;
+            }
+        }
+        return found;
+    }
+    drawn_out(word).iter().flat_map(|word| words::find(word)).fold(Vec::new(), |mut all, phones| {
+        add(&mut all, phones);
+        all
+    })
+}
+
+/// The ending of the plural and of *'s*.
+fn with_s(mut phones: Vec<Phone>) -> Vec<Phone> {
+    use Phone::{Ch, F, Ih, Jh, K, P, S, Sh, T, Th, Z, Zh};
+    match phones.last() {
+        Some(S | Z | Sh | Zh | Ch | Jh) => phones.extend([Ih, Z]),
+        Some(P | T | K | F | Th) => phones.push(S),
+        _ => phones.push(Z),
+    }
+    phones
+}
+
+/// `Nooooo`, `gooood`: the word with one of each letter that stands there three times or more, and with two: the
+/// likelier first, which is one at the end and two inside.
+fn drawn_out(word: &str) -> Vec<String> {
+    let with = |count: usize| {
+        let runs = word.as_bytes().chunk_by(|one, two| one == two);
+        let kept = runs.flat_map(|run| &run[..if run.len() > 2 { count } else { run.len() }]);
+        kept.map(|byte| char::from(*byte)).collect::<String>()
+    };
+    let twice = with(2);
+    if twice.len() == word.len() || !word.is_ascii() {
+        return Vec::new();
+    }
+    let at_end = word.as_bytes().iter().rev().take_while(|byte| word.as_bytes().last() == Some(byte)).count() > 2;
+    if at_end { vec![with(1), twice] } else { vec![twice, with(1)] }
+}
+
+/// The word as two words of the dictionary, the most even pair: `moon` and `stone`.
+fn compound(word: &str) -> Vec<Vec<Phone>> {
+    let length = word.len();
+    if !(2 * SHORTEST_PART..=LONGEST_COMPOUND).contains(&length) || !word.is_ascii() {
+        return Vec::new();
+    }
+    let mut places: Vec<usize> = (SHORTEST_PART..=length - SHORTEST_PART).collect();
+    places.sort_by_key(|place| (2 * place).abs_diff(length));
+    for place in places {
+        let (one, two) = word.split_at(place);
+        let two = words::find(two);
+        let one = if two.is_empty() { Vec::new() } else { words::find(one) };
+        if !one.is_empty() {
+            return sequence(&[one, two]);
+        }
+    }
+    Vec::new()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn said(word: &str) -> Vec<(String, Origin)> {
+        let join = |phones: &[Phone]| phones.iter().map(|phone| phone.name()).collect::<Vec<_>>().join(" ");
+        let all = pronounce(&word.to_lowercase(), word);
+        all.iter().map(|pronunciation| (join(&pronunciation.phones), pronunciation.origin)).collect()
+    }
+
+    fn first(word: &str) -> (String, Origin) {
+        said(word).into_iter().next().expect(word)
+    }
+
+    #[test]
+    fn words_come_from_the_dictionary_where_they_can() {
+        let cases = [
+            ("Hello", "HH AH L OW", Origin::Dictionary),
+            ("soooo", "S OW", Origin::Dictionary),
+            ("gooood", "G UH D", Origin::Dictionary),
+            ("Nooo", "N OW", Origin::Dictionary),
+            ("lich's", "L IH CH IH Z", Origin::Dictionary),
+            ("axolotl's", "AE K S AA L AA T AH L Z", Origin::Rules),
+            ("elves'", "EH L V Z", Origin::Dictionary),
+            ("gloamin'", "G L OW M IH N", Origin::Dictionary),
+            ("walkin'", "W AO K IH N", Origin::Dictionary),
+            ("moonforge", "M UW N F AO R JH", Origin::Rules),
+            ("NPC", "EH N P IY S IY", Origin::Letters),
+            ("R", "AA R", Origin::Dictionary),
+        ];
+        for (word, phones, origin) in cases {
+            assert_eq!(first(word), (phones.to_owned(), origin), "{word}");
+        }
+        assert_eq!(said("NPC").len(), 2, "as a word, too");
+        assert_eq!(said("''"), []);
+    }
+}

@@ -1,0 +1,191 @@
+//! A project's own pronunciations.
+
+use super::ipa;
+use crate::{Phone, Problem, ProblemKind};
+use std::collections::HashMap;
+use std::ops::Range;
+use unicode_normalization::UnicodeNormalization;
+
+/// Words with the pronunciations that a project has for them, of a text file: one per line, as in the CMU Pronouncing
+/// Dictionary and in dictionaries of the Montreal Forced Aligner.
+///
+/// ```text
+/// # a remark; CMUdict's own begin with ;;;
+/// WESNOTH  W EH S N AO TH
+/// KONRAD  K AA N R AE D
+/// KONRAD(2)  K OW N R AA D
+/// Asheviere  a ʃ ə v i ɛ ɹ
+/// ```
+///
+/// The word ends at a tab, two blanks or the first blank; upper and lower case are the same. Phones are those of
+/// ARPAbet in capitals, with or without stress, or IPA; a line is one or the other. Numbers between word and phones
+/// (the probabilities of MFA) are skipped. A word on several lines has several pronunciations.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Lexicon {
+    words: HashMap<String, Vec<Vec<Phone>>>,
+}
+
+impl Lexicon {
+    /// Reads a lexicon. Lines with a problem are left out; the ranges of problems are bytes of `text`.
+    ///
+    /// ```
+    /// use lipz_speech::{Lexicon, ProblemKind};
+    /// let (lexicon, problems) = Lexicon::parse("WESNOTH  W EH S N AO TH\nKONRAD  K QQ\n");
+    /// assert_eq!(lexicon.len(), 1);
+    /// assert_eq!((problems[0].kind, problems[0].range.clone()), (ProblemKind::UnknownPhone, 34..36));
+    /// ```
+    pub fn parse(text: &str) -> (Lexicon, Vec<Problem>) {
+        let mut lexicon = Lexicon::default();
+        let mut problems = Vec::new();
+        let mut start = 0;
+        for line in text.split_inclusive('\n') {
+            let line_start = start;
+            start += line.len();
+            let line = line.trim_end_matches(['\n', '\r']);
+            let mark = if line_start == 0 { line.len() - line.trim_start_matches('\u{feff}').len() } else { 0 };
+            match read_line(line.get(mark..).unwrap_or_default()) {
+                Ok(Some((word, phones))) => lexicon.add(&word, phones),
+                Ok(None) => {}
+                Err((kind, range)) => {
+                    let at = line_start + mark;
+                    problems.push(Problem { kind, range: at + range.start..at + range.end });
+                }
+            }
+        }
+        (lexicon, problems)
+    }
+
+    /// Adds a pronunciation of a word, after those that it has.
+    pub fn add(&mut self, word: &str, phones: Vec<Phone>) {
+        let all = self.words.entry(folded(word)).or_default();
+        if !all.contains(&phones) {
+            all.push(phones);
+        }
+    }
+
+    /// Adds all words of another lexicon. A word that both have keeps its pronunciations, and those of `other` follow.
+    pub fn extend(&mut self, other: Lexicon) {
+        for (word, all) in other.words {
+            all.into_iter().for_each(|phones| self.add(&word, phones));
+        }
+    }
+
+    /// The pronunciations of a word; empty if the lexicon does not have it.
+    pub fn find(&self, word: &str) -> &[Vec<Phone>] {
+        match self.words.is_empty() {
+            true => &[],
+            false => self.words.get(&folded(word)).map_or(&[], Vec::as_slice),
+        }
+    }
+
+    /// How many words it has.
+    pub fn len(&self) -> usize {
+        self.words.len()
+    }
+
+    /// Whether it has no words.
+    pub fn is_empty(&self) -> bool {
+        self.words.is_empty()
+    }
+}
+
+/// A word as it is looked up: composed, in lower case, with plain apostrophes.
+pub(super) fn folded(word: &str) -> String {
+    match word.is_ascii() {
+        true => word.to_ascii_lowercase(),
+        false => word.nfc().collect::<String>().to_lowercase().replace('’', "'"),
+    }
+}
+
+type Line = Option<(String, Vec<Phone>)>;
+
+/// A line: its word and phones, nothing, or what is wrong where.
+fn read_line(line: &str) -> Result<Line, (ProblemKind, Range<usize>)> {
+    let content = line.trim_start();
+    if content.is_empty() || content.starts_with('#') || content.starts_with(";;;") {
+        return Ok(None);
+    }
+    let indent = line.len() - content.len();
+    let content = content.split(" #").next().unwrap_or(content).trim_end();
+    // Names of several words end at a tab or at two blanks.
+    let end = content.find('\t').or_else(|| content.find("  ")).or_else(|| content.find(char::is_whitespace));
+    let end = end.unwrap_or(content.len());
+    let (word, rest) = content.split_at(end);
+    let word_range = indent..indent + word.len();
+    let mut fields: Vec<(usize, &str)> = fields(rest).map(|(at, field)| (indent + end + at, field)).collect();
+    while fields.first().is_some_and(|(_, field)| field.parse::<f64>().is_ok()) {
+        fields.remove(0);
+    }
+    if fields.is_empty() {
+        return Err((ProblemKind::NoPhones, word_range));
+    }
+    let unknown = |(at, field): (usize, &str)| (ProblemKind::UnknownPhone, at..at + field.len());
+    let is_lower = |field: &str| field.chars().any(|c| c.is_lowercase() || !c.is_ascii());
+    let mut phones = Vec::new();
+    if fields.iter().any(|(_, field)| is_lower(field)) {
+        for field in fields {
+            phones.extend(ipa::phones(field.1).map_err(|_| unknown(field))?);
+        }
+    } else {
+        for field in fields {
+            phones.push(arpabet(field.1).ok_or_else(|| unknown(field))?);
+        }
+    }
+    Ok(Some((without_variant(word).to_owned(), phones)))
+}
+
+/// A phone of speech by its ARPAbet name in capitals.
+pub(super) fn arpabet(name: &str) -> Option<Phone> {
+    let phone: Phone = name.parse().ok()?;
+    (phone.is_speech() && !name.contains(|c: char| c.is_ascii_lowercase())).then_some(phone)
+}
+
+/// Words between white space, and where they begin.
+fn fields(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let start = text.as_ptr() as usize;
+    text.split_whitespace().map(move |field| (field.as_ptr() as usize - start, field))
+}
+
+/// `KONRAD(2)` is another pronunciation of `KONRAD`.
+fn without_variant(word: &str) -> &str {
+    let variant = word.strip_suffix(')').and_then(|word| word.rsplit_once('('));
+    match variant {
+        Some((word, number)) if !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit()) => word,
+        _ => word,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn all(lexicon: &Lexicon, word: &str) -> Vec<String> {
+        let join = |phones: &Vec<Phone>| phones.iter().map(|phone| phone.name()).collect::<Vec<_>>().join(" ");
+        lexicon.find(word).iter().map(join).collect()
+    }
+
+    #[test]
+    fn lines_of_every_kind_of_dictionary() {
+        let text = "\u{feff};;; CMUdict\r\nKONRAD  K AA1 N R AE2 D\r\nkonrad(2) K OW N R AA D # remark\n\n\
+                    # MFA\nLi'sar\t0.99\t0.1\t1.0\t1.0\tl iː s ɑː ɹ\nNew York  N UW Y AO R K\nÉowyn\teɪoʊɪn";
+        let (lexicon, problems) = Lexicon::parse(text);
+        assert_eq!(problems, []);
+        assert_eq!(all(&lexicon, "Konrad"), ["K AA N R AE D", "K OW N R AA D"]);
+        assert_eq!(all(&lexicon, "li’sar"), ["L IY S AA R"]);
+        assert_eq!(all(&lexicon, "NEW YORK"), ["N UW Y AO R K"]);
+        assert_eq!(all(&lexicon, "E\u{301}owyn"), ["EY OW IH N"]);
+        assert!(lexicon.find("york").is_empty());
+    }
+
+    #[test]
+    fn problems_say_where_they_are() {
+        let text = "A  K\nB  k xx1 Ü\nC\n  D  SIL\nE  k 世";
+        let found = |(kind, range): (ProblemKind, &str)| (kind, range.to_owned());
+        let (lexicon, problems) = Lexicon::parse(text);
+        let problems: Vec<_> =
+            problems.iter().map(|problem| found((problem.kind, &text[problem.range.clone()]))).collect();
+        let unknown = |text| found((ProblemKind::UnknownPhone, text));
+        assert_eq!(problems, [unknown("Ü"), found((ProblemKind::NoPhones, "C")), unknown("SIL"), unknown("世")]);
+        assert_eq!(lexicon.len(), 1);
+    }
+}

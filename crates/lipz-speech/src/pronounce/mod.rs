@@ -1,0 +1,175 @@
+//! From a text to its words with all their pronunciations.
+
+mod english;
+mod ipa;
+mod latin;
+mod lexicon;
+mod said;
+mod variants;
+mod word;
+
+pub use lexicon::Lexicon;
+
+use crate::text::{Context, Item, Kind, Spelling, Token, items};
+use crate::{Language, Origin, Problem, ProblemKind, Pronunciation, Script, Word};
+use std::collections::HashMap;
+
+/// Finds out how the words of a text are pronounced: by the project's lexicon, the dictionary of the language, its
+/// letter-to-sound rules, or letter by letter, whichever comes first.
+///
+/// ```
+/// use lipz_speech::{Language, Lexicon, Pronouncer};
+/// let (lexicon, _) = Lexicon::parse("WESNOTH  W EH S N AO TH\n");
+/// let pronouncer = Pronouncer::new(Language::ENGLISH).with_lexicon(lexicon);
+/// let script = pronouncer.script("To Wesnoth, {sighs}Li'sar{say: lee-sar}!| At last!");
+/// let words: Vec<String> = script.words.iter().map(ToString::to_string).collect();
+/// assert_eq!(words, ["To  T UW", "Wesnoth  W EH S N AO TH", "Li'sar  L IY S AA R", "At  AE T", "last  L AE S T"]);
+/// assert_eq!(script.breaks, [3]);
+/// ```
+///
+/// # How a writer helps
+///
+/// A meta `{say: …}` tells how the word before it is said, in this place; `{say name: …}` tells it about all places of
+/// the text where the name stands, which may be several words. What follows the colon is
+///
+/// * a plain respelling, read as words of the language: `Li'sar{say: lee-sar}`, `東京{say: とうきょう}`; a hyphen joins syllables;
+/// * phones of ARPAbet in capitals: `Li'sar{say: L IY S AA R}`;
+/// * IPA between slashes or brackets: `Li'sar{say: /liːˈsɑːr/}`;
+/// * nothing, if the word is displayed but not said: `(door){say:}`.
+///
+/// Where no word is before it (at the beginning of a segment, or after a comma), it is said in addition, but not
+/// displayed: `Well, {say: um} I think so.`
+#[derive(Clone, Debug)]
+pub struct Pronouncer {
+    language: Language,
+    lexicon: Lexicon,
+}
+
+/// A text as it was read.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+#[non_exhaustive]
+pub struct Reading {
+    /// Its words.
+    pub script: Script,
+    /// What is odd about it, in the order of the text; ranges are bytes of the text.
+    pub problems: Vec<Problem>,
+}
+
+impl Pronouncer {
+    /// For texts in a language, without a lexicon.
+    pub fn new(language: Language) -> Pronouncer {
+        Pronouncer { language, lexicon: Lexicon::default() }
+    }
+
+    /// Adds a project's own pronunciations. A word that is in it is never looked for elsewhere.
+    #[must_use]
+    pub fn with_lexicon(mut self, lexicon: Lexicon) -> Pronouncer {
+        self.lexicon.extend(lexicon);
+        self
+    }
+
+    /// The language of the texts.
+    pub fn language(&self) -> Language {
+        self.language
+    }
+
+    /// The words of a text with their pronunciations: the value of `text_ll-cc`, with `|` and `{meta}`. Ranges are bytes
+    /// of `text`.
+    pub fn script(&self, text: &str) -> Script {
+        self.read(text).script
+    }
+
+    /// The words of a text with their pronunciations, and what is odd about it.
+    pub fn read(&self, text: &str) -> Reading {
+        let mut problems = Vec::new();
+        let context = self.context();
+        let items = items(text, &context.borrow(), &mut problems);
+        let mut reading = Reading::default();
+        reading.problems.extend(problems.into_iter().map(|(kind, range)| Problem { kind, range }));
+        // Texts repeat words.
+        let mut seen: HashMap<String, Vec<Pronunciation>> = HashMap::new();
+        for item in items {
+            let token = match item {
+                Item::Break => {
+                    reading.script.breaks.push(reading.script.words.len());
+                    continue;
+                }
+                Item::Token(token) => token,
+            };
+            let pronunciations = match &token.kind {
+                Kind::Word => match seen.get(&token.text) {
+                    Some(known) => known.clone(),
+                    None => seen.entry(token.text.clone()).or_insert(self.pronounce(&token.text)).clone(),
+                },
+                Kind::Spelled(readings) => self.spelled(readings),
+                Kind::Say(say) => match said::phones(self, &say.how) {
+                    Ok(all) => with_origin(all, Origin::Say),
+                    Err(range) => {
+                        let range = say.range.start + range.start..say.range.start + range.end;
+                        reading.problems.push(Problem { kind: ProblemKind::UnknownPhone, range });
+                        self.pronounce(&token.text)
+                    }
+                },
+            };
+            if token.kind == Kind::Word && word::needs_reading(self, &token.text, &pronunciations) {
+                reading.problems.push(Problem { kind: ProblemKind::NoReading, range: token.range.clone() });
+            }
+            let Token { text, range, .. } = token;
+            reading.script.words.push(Word { text, range, pronunciations });
+        }
+        reading.problems.sort_by_key(|problem| problem.range.start);
+        reading
+    }
+
+    /// All pronunciations of one word, the most likely first; empty if it has no letters that could be said.
+    pub fn pronounce(&self, word: &str) -> Vec<Pronunciation> {
+        let own = self.lexicon.find(word);
+        if !own.is_empty() {
+            return with_origin(own.to_vec(), Origin::Lexicon);
+        }
+        word::pronounce(self.language, word)
+    }
+
+    /// A number or sign, by the words for it.
+    fn spelled(&self, readings: &[String]) -> Vec<Pronunciation> {
+        let mut all: Vec<Pronunciation> = Vec::new();
+        for reading in readings {
+            let (parts, origin) = said::words(self, reading);
+            for phones in variants::sequence(&parts) {
+                if all.len() < variants::MOST && all.iter().all(|known| known.phones != phones) {
+                    all.push(Pronunciation { phones, origin });
+                }
+            }
+        }
+        all
+    }
+
+    /// What the division into words has to know.
+    fn context(&self) -> Owned<'_> {
+        Owned {
+            japanese: self.language.code() == "ja",
+            known: Box::new(|word| !self.lexicon.find(word).is_empty() || word::knows(self.language, word)),
+            spelled: Box::new(|_, _| None),
+        }
+    }
+}
+
+type Known<'p> = Box<dyn Fn(&str) -> bool + 'p>;
+type Spelled<'p> = Box<dyn Fn(&str, usize) -> Option<Spelling> + 'p>;
+
+/// A [`Context`] with what it borrows.
+struct Owned<'p> {
+    japanese: bool,
+    known: Known<'p>,
+    spelled: Spelled<'p>,
+}
+
+impl Owned<'_> {
+    fn borrow(&self) -> Context<'_> {
+        Context { japanese: self.japanese, known: &*self.known, spelled: &*self.spelled }
+    }
+}
+
+fn with_origin(all: Vec<Vec<crate::Phone>>, origin: Origin) -> Vec<Pronunciation> {
+    all.into_iter().map(|phones| Pronunciation { phones, origin }).collect()
+}

@@ -1,0 +1,78 @@
+//! One word: its parts by their writing, each read by the language that can.
+
+use super::{english, latin, variants};
+use crate::text::{Writing, writing};
+use crate::{Language, Origin, Phone, Pronunciation};
+
+/// Whether the dictionary of the language has the word as it is.
+pub(super) fn knows(language: Language, word: &str) -> bool {
+    language == Language::ENGLISH && english::knows(&latin::plain(word))
+}
+
+/// Whether nothing but a guess tells how the word is read.
+pub(super) fn needs_reading(pronouncer: &super::Pronouncer, word: &str, pronunciations: &[Pronunciation]) -> bool {
+    let guessed = pronunciations.iter().all(|pronunciation| pronunciation.origin == Origin::Letters);
+    pronouncer.language().code() == "ja" && guessed && word.chars().any(|c| writing(c) == Writing::Han)
+}
+
+/// All pronunciations of a word.
+pub(super) fn pronounce(language: Language, word: &str) -> Vec<Pronunciation> {
+    let parts = parts(word);
+    if let [(writing, part)] = parts.as_slice() {
+        let mut all = part_of(language, *writing, part);
+        all.retain(|pronunciation| !pronunciation.phones.is_empty());
+        return all;
+    }
+    // `R2D2`, `Tシャツ`: part by part.
+    let all: Vec<Vec<Pronunciation>> = parts.iter().map(|(writing, part)| part_of(language, *writing, part)).collect();
+    let origin = all.iter().flatten().map(|pronunciation| pronunciation.origin).max().unwrap_or(Origin::Letters);
+    let ways = |all: &Vec<Pronunciation>| all.iter().map(|pronunciation| pronunciation.phones.clone()).collect();
+    let phones: Vec<Vec<Vec<Phone>>> = all.iter().map(ways).collect();
+    let mut whole = variants::sequence(&phones);
+    whole.retain(|phones| !phones.is_empty());
+    whole.into_iter().map(|phones| Pronunciation { phones, origin }).collect()
+}
+
+/// Stretches of a word in the same writing. Characters without one belong to what is before them.
+fn parts(word: &str) -> Vec<(Writing, &str)> {
+    let mut parts: Vec<(Writing, usize, usize)> = Vec::new();
+    for (at, c) in word.char_indices() {
+        let end = at + c.len_utf8();
+        match (parts.last_mut(), writing(c)) {
+            (Some(last), next) if next == last.0 || next == Writing::None || c == 'ー' => last.2 = end,
+            (Some(last), next) if last.0 == Writing::None => (last.0, last.2) = (next, end),
+            (_, next) => parts.push((next, at, end)),
+        }
+    }
+    parts.into_iter().filter_map(|(writing, start, end)| Some((writing, word.get(start..end)?))).collect()
+}
+
+/// A part of a word that is all in one writing.
+fn part_of(_language: Language, writing: Writing, part: &str) -> Vec<Pronunciation> {
+    match writing {
+        Writing::Digit => digits(part),
+        _ => english::pronounce(&latin::plain(part), part),
+    }
+}
+
+/// Digits one by one, as in `R2D2`.
+fn digits(part: &str) -> Vec<Pronunciation> {
+    const DIGITS: [&str; 10] = ["zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine"];
+    let values = part.chars().filter_map(|c| c.to_digit(10)).filter_map(|digit| DIGITS.get(digit as usize));
+    let ways: Vec<Vec<Vec<Phone>>> = values.map(|digit| english::words::find(digit)).collect();
+    variants::sequence(&ways).into_iter().map(|phones| Pronunciation { phones, origin: Origin::Dictionary }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_are_divided_where_the_writing_changes() {
+        assert_eq!(parts("R2D2").len(), 4);
+        assert_eq!(parts("らーめん").len(), 1);
+        assert_eq!(parts("'em"), [(Writing::Latin, "'em")]);
+        assert_eq!(parts(""), []);
+        assert_eq!(parts("d'été"), [(Writing::Latin, "d'été")]);
+    }
+}

@@ -1,0 +1,10 @@
+//! Texts as they are spoken: the words of each segment, without `{meta}`, with what `{say: …}` tells about them.
+
+mod apostrophe;
+mod display;
+mod runs;
+mod say;
+mod tokens;
+
+pub(crate) use runs::{Writing, writing};
+pub(crate) use tokens::{Context, Item, Kind, Spelling, Token, items};

@@ -1,0 +1,171 @@
+//! Texts become words with pronunciations: as people write them, and whatever they contain.
+
+use lipz_speech::{Language, Lexicon, Origin, ProblemKind, Pronouncer, Script};
+use proptest::prelude::*;
+
+fn english(text: &str) -> Script {
+    Pronouncer::new(Language::ENGLISH).script(text)
+}
+
+fn words(script: &Script) -> Vec<&str> {
+    script.words.iter().map(|word| word.text.as_str()).collect()
+}
+
+fn lines(script: &Script) -> Vec<String> {
+    script.words.iter().map(ToString::to_string).collect()
+}
+
+#[test]
+fn words_are_what_is_displayed() {
+    let text = "“Well-known,” he {turns} said—don’t… |Rock 'n' roll!| It's the élan.";
+    let script = english(text);
+    let expected = ["Well", "known", "he", "said", "don’t", "Rock", "'n'", "roll", "It's", "the", "élan"];
+    let displayed: Vec<_> = script.words.iter().map(|word| &text[word.range.clone()]).collect();
+    assert_eq!(displayed, words(&script));
+    assert_eq!(words(&script)[..6], expected[..6]);
+    assert_eq!(script.breaks, [5, script.words.len() - 3]);
+    assert!(script.words.iter().all(|word| word.origin() == Some(Origin::Dictionary)), "{script:?}");
+}
+
+#[test]
+fn a_meta_inside_of_a_word_does_not_divide_it() {
+    let text = "Hel{breath}lo{smile}";
+    let script = english(text);
+    assert_eq!(lines(&script), ["Hello  HH AH L OW"]);
+    assert_eq!(&text[script.words[0].range.clone()], "Hel{breath}lo");
+}
+
+#[test]
+fn a_writer_tells_how_words_are_said() {
+    let cases = [
+        ("Xzylar{say: Z AY L AA R} comes", "Xzylar  Z AY L AA R"),
+        ("Xzylar {say: zigh-lar} comes", "Xzylar  Z AY L AA R"),
+        ("Xzylar{say: /zaɪlɑː/}", "Xzylar  Z AY L AA"),
+        ("Xzylar, come! {say Xzylar: zigh LAR}", "Xzylar  Z AY L AA R"),
+        ("{SAY new york:  N UW Y AO K } New  York", "New  York  N UW Y AO K"),
+        ("{say: um} I think", "um  AH M"),
+        ("(door){say:}", "door "),
+    ];
+    for (text, expected) in cases {
+        let reading = Pronouncer::new(Language::ENGLISH).read(text);
+        assert_eq!(reading.problems, [], "{text}");
+        assert_eq!(reading.script.words[0].to_string(), expected, "{text}");
+        assert!(reading.script.words[0].pronunciations.iter().all(|one| one.origin == Origin::Say));
+    }
+}
+
+#[test]
+fn what_is_said_in_addition_stands_where_it_is_said() {
+    let text = "Well, {say: um} I| {say: uh} know{say: no}{say: ehm}";
+    let script = english(text);
+    assert_eq!(words(&script), ["Well", "um", "I", "uh", "know", "ehm"]);
+    assert_eq!(script.breaks, [3]);
+    assert_eq!(script.words[4].to_string(), "know  N OW");
+}
+
+#[test]
+fn mistakes_are_told_and_the_word_is_said_as_usual() {
+    let cases = [
+        ("Hello{say: HH QQ L OW}", ProblemKind::UnknownPhone, "QQ"),
+        ("Hello{say: /hɛlo☺/}", ProblemKind::UnknownPhone, "☺"),
+        ("Hello{say: ...}", ProblemKind::UnknownPhone, "..."),
+        ("Hello{say Helo: hello}", ProblemKind::NameNotInText, "Helo"),
+    ];
+    for (text, kind, marked) in cases {
+        let reading = Pronouncer::new(Language::ENGLISH).read(text);
+        let problems: Vec<_> =
+            reading.problems.iter().map(|problem| (problem.kind, &text[problem.range.clone()])).collect();
+        assert_eq!(problems, [(kind, marked)], "{text}");
+        assert_eq!(lines(&reading.script), ["Hello  HH AH L OW"], "{text}");
+    }
+}
+
+#[test]
+fn the_lexicon_comes_first() {
+    let (lexicon, _) = Lexicon::parse("hello  Y OW\nHELLO(2)  HH AY\n");
+    let script = Pronouncer::new(Language::ENGLISH).with_lexicon(lexicon).script("Hello");
+    let all: Vec<String> = script.words[0].pronunciations.iter().map(ToString::to_string).collect();
+    assert_eq!(all, ["Y OW", "HH AY"]);
+    assert_eq!(script.words[0].origin(), Some(Origin::Lexicon));
+}
+
+#[test]
+fn guessed_words_are_lines_of_a_lexicon() {
+    let script = english("Wesnoth and wesnoth, Asheviere and the sea.");
+    let guessed: String = script.guessed().map(|word| format!("{word}\n")).collect();
+    assert_eq!(guessed, "Wesnoth  W EH Z N AA TH\nAsheviere  AE SH EH V IY EH R\n");
+    let (lexicon, problems) = Lexicon::parse(&guessed);
+    assert_eq!((lexicon.len(), problems.len()), (2, 0));
+}
+
+#[test]
+fn long_texts_take_linear_time() {
+    for part in [
+        "a ",
+        "a",
+        "{say: a}",
+        "{say a: b} a ",
+        "'",
+        "a'",
+        "|",
+        "{",
+        "}",
+        "1",
+        "1 ",
+        "é",
+        "東",
+        "か",
+        "x-",
+        ".",
+        "M",
+        "{say a b: c}",
+    ] {
+        let text = part.repeat(20_000 / part.len());
+        let script = english(&text);
+        assert!(script.words.len() <= text.len());
+    }
+}
+
+/// Everything that holds for any text.
+fn check(text: &str, language: Language) {
+    let reading = Pronouncer::new(language).read(text);
+    let script = &reading.script;
+    assert_eq!(script.breaks.len(), text.matches('|').count());
+    assert!(script.breaks.is_sorted() && script.breaks.iter().all(|at| *at <= script.words.len()));
+    for word in &script.words {
+        assert!(text.get(word.range.clone()).is_some(), "{word:?}");
+        assert!(word.pronunciations.iter().all(|one| one.phones.iter().all(|phone| phone.is_speech())));
+        assert!(word.pronunciations.iter().all(|one| !one.phones.is_empty()), "{word:?}");
+        assert!(word.pronunciations.len() <= 16, "{word:?}");
+    }
+    for problem in &reading.problems {
+        assert!(text.get(problem.range.clone()).is_some(), "{problem:?}");
+    }
+}
+
+fn any_language() -> impl Strategy<Value = Language> {
+    proptest::sample::select(Language::all().chain([Language::OTHER]).collect::<Vec<_>>())
+}
+
+proptest! {
+    #[test]
+    fn any_text_is_read(text in any::<String>(), language in any_language()) {
+        check(&text, language);
+    }
+
+    #[test]
+    fn any_text_with_marks_is_read(
+        text in "([a-zA-Z'’ .,|{}:/-]|say|\\{say |: |[0-9]|[\u{e0}-\u{17f}]|[а-я]|[ぁ-ヿ]|[가-힣]|[一-鿿]|[$€%°№]|\\PC){0,40}",
+        language in any_language(),
+    ) {
+        check(&text, language);
+    }
+
+    #[test]
+    fn any_lexicon_is_read(text in any::<String>()) {
+        let (_, problems) = Lexicon::parse(&text);
+        for problem in problems {
+            prop_assert!(text.get(problem.range).is_some());
+        }
+    }
+}
