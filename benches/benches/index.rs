@@ -30,7 +30,7 @@ struct Record {
 }
 
 impl Record {
-    fn of(id: u64) -> Record {
+    fn new(id: u64) -> Record {
         Record { id, _rest: 0 }
     }
 }
@@ -48,7 +48,7 @@ struct Perfect<'b> {
 }
 
 impl<'b> Perfect<'b> {
-    fn of(bank: &Bank<'b>) -> Perfect<'b> {
+    fn new(bank: &Bank<'b>) -> Perfect<'b> {
         let section = |tag: Tag| bank.sections().find(|(found, _)| *found == tag.0).map_or(&[][..], |(_, bytes)| bytes);
         Perfect {
             seed: 0, // unless keys were chosen to meet it
@@ -72,7 +72,7 @@ impl Index for Perfect<'_> {
 struct OpenAddressing(Vec<Record>);
 
 impl OpenAddressing {
-    fn of(ids: &[u64]) -> OpenAddressing {
+    fn new(ids: &[u64]) -> OpenAddressing {
         let mut places = vec![Record::default(); (ids.len() * 3 / 2).next_power_of_two()];
         let mask = places.len() - 1;
         for &id in ids {
@@ -80,7 +80,7 @@ impl OpenAddressing {
             while places[place].id != 0 {
                 place = (place + 1) & mask;
             }
-            places[place] = Record::of(id);
+            places[place] = Record::new(id);
         }
         OpenAddressing(places)
     }
@@ -112,7 +112,7 @@ struct Tagged {
 const ONES: u64 = u64::from_ne_bytes([1; 8]);
 
 impl Tagged {
-    fn of(ids: &[u64]) -> Tagged {
+    fn new(ids: &[u64]) -> Tagged {
         let groups = (ids.len() * 8 / 7 / 8 + 1).next_power_of_two();
         let (mut tags, mut records) = (vec![0_u64; groups], vec![[Record::default(); 8]; groups]);
         for &id in ids {
@@ -124,7 +124,7 @@ impl Tagged {
                 }
             };
             tags[group] |= u64::from(Self::tag(id)) << (8 * place);
-            records[group][place] = Record::of(id);
+            records[group][place] = Record::new(id);
         }
         Tagged { tags, records }
     }
@@ -178,7 +178,7 @@ impl Index for Sorted {
 struct Eytzinger(Vec<Record>);
 
 impl Eytzinger {
-    fn of(sorted: &[Record]) -> Eytzinger {
+    fn new(sorted: &[Record]) -> Eytzinger {
         fn fill(sorted: &mut impl Iterator<Item = Record>, tree: &mut [Record], node: usize) {
             if node < tree.len() {
                 fill(sorted, tree, 2 * node);
@@ -212,7 +212,7 @@ fn indexes(criterion: &mut Criterion) {
         let bytes = Compiler::default().compile(&inputs).bank.expect("clips without errors");
         let bank = Bank::open(&bytes).expect("a bank");
         let ids: Vec<u64> = (0..count).map(|index| ClipId::from_key(&clip_key(index)).get()).collect();
-        let mut sorted: Vec<Record> = ids.iter().copied().map(Record::of).collect();
+        let mut sorted: Vec<Record> = ids.iter().copied().map(Record::new).collect();
         sorted.sort_by_key(|record| record.id);
         let mut random = Random::new(DEFAULT_SEED, 0);
         let mut ask = |first: usize| -> Vec<u64> {
@@ -222,10 +222,10 @@ fn indexes(criterion: &mut Criterion) {
         };
         let questions = [("found", ask(0)), ("missing", ask(count))];
         let group = format!("{count} clips");
-        time(criterion, &group, "minimal perfect hash", &Perfect::of(&bank), &questions);
-        time(criterion, &group, "open addressing, records inside", &OpenAddressing::of(&ids), &questions);
-        time(criterion, &group, "groups of eight tags", &Tagged::of(&ids), &questions);
-        time(criterion, &group, "Eytzinger", &Eytzinger::of(&sorted), &questions);
+        time(criterion, &group, "minimal perfect hash", &Perfect::new(&bank), &questions);
+        time(criterion, &group, "open addressing, records inside", &OpenAddressing::new(&ids), &questions);
+        time(criterion, &group, "groups of eight tags", &Tagged::new(&ids), &questions);
+        time(criterion, &group, "Eytzinger", &Eytzinger::new(&sorted), &questions);
         time(criterion, &group, "binary search", &Sorted(sorted), &questions);
     }
 }

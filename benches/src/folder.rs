@@ -89,8 +89,8 @@ mod tests {
                 .map(|(index, json)| Input::from_bytes(format!("line-{index}"), json))
                 .collect();
             let checked = Compiler::default().check(&inputs);
-            let findings: Vec<_> = checked.reports.iter().flat_map(|report| &report.diagnostics).take(3).collect();
-            assert!(findings.is_empty(), "{findings:#?}");
+            let diagnostics: Vec<_> = checked.reports.iter().flat_map(|report| &report.diagnostics).take(3).collect();
+            assert!(diagnostics.is_empty(), "{diagnostics:#?}");
         }
     }
 

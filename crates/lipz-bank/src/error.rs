@@ -78,8 +78,8 @@ error_kinds! {
     DirectoryOutOfBounds = 6, "the directory reaches past the end of the file";
     /// A section does not fit into the file.
     SectionOutOfBounds = 7, "a section reaches past the end of the file";
-    /// A section's entry size or length is not what its tag stands for.
-    SectionShape = 8, "a section has another entry size or length than its tag stands for";
+    /// The entry size or the length of a section is not that of its tag.
+    SectionShape = 8, "the entry size or the length of a section is wrong";
     /// A required section of format 1 is absent.
     SectionMissing = 9, "a section that every bank has is missing";
     /// A section that this reader does not know is marked as required, or one that it knows is out of order.
@@ -113,7 +113,7 @@ error_kinds! {
     /// The locales are not listed in the order of their tags, or a tag lies outside its pool.
     LocaleOrder = 24, "the locales are not listed in the order of their tags";
     /// A section overlaps another, leaves a gap, or does not start at a multiple of 64.
-    SectionPlace = 25, "a section is not right behind the one before it";
+    SectionPlace = 25, "a section is not at the first multiple of 64 after the one before it";
     /// The directory has more than 64 entries.
     DirectoryTooLong = 26, "the directory has more than 64 sections";
     /// The fingerprint is not that of the clips.

@@ -41,7 +41,7 @@
 // Damage: a section reaches past the end of the file.
 #define LIPZ_SECTION_OUT_OF_BOUNDS 7
 
-// Damage: a section has another entry size or length than its tag stands for.
+// Damage: the entry size or the length of a section is wrong.
 #define LIPZ_SECTION_SHAPE 8
 
 // Damage: a section that every bank has is missing.
@@ -92,7 +92,7 @@
 // Damage: the locales are not listed in the order of their tags.
 #define LIPZ_LOCALE_ORDER 24
 
-// Damage: a section is not right behind the one before it.
+// Damage: a section is not at the first multiple of 64 after the one before it.
 #define LIPZ_SECTION_PLACE 25
 
 // Damage: the directory has more than 64 sections.

@@ -138,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn findings_of_an_allowed_lint_are_left_alone() {
+    fn diagnostics_of_an_allowed_lint_are_left_alone() {
         let options = Options::new().levels([(Code::LocaleSpelling, None)]);
         assert_eq!(Compiler::new(options).fix(br#"{"text-en_us": "a"}"#), None);
     }

@@ -149,7 +149,7 @@ fn only_what_changed_is_made_anew() {
 }
 
 #[test]
-fn findings_are_reported_in_every_run() {
+fn diagnostics_are_reported_in_every_run() {
     let scene = Scene::new();
     let (good, doubtful) = (scene.path("voices/good.lipz"), scene.path("voices/doubtful.lipz"));
     fs::write(&good, r#"{"visemes":"A-","viseme_type":"blair","fps":24}"#).unwrap();

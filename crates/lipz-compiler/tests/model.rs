@@ -28,7 +28,7 @@ struct Model {
 }
 
 impl Model {
-    fn of(document: &Document<'_>) -> Model {
+    fn from_document(document: &Document<'_>) -> Model {
         let split = |string: &str| string.split('|').map(str::to_owned).collect::<Vec<_>>();
         let string = |name: &str| document.string(name).map(str::to_owned);
         let without_blanks = |codes: String| codes.replace(' ', "");
@@ -151,7 +151,7 @@ proptest! {
         for bank in [opened, opened.verify().unwrap()] {
             prop_assert_eq!(bank.clip_count(), documents.len());
             for (number, document) in documents.iter().enumerate() {
-                let model = Model::of(document);
+                let model = Model::from_document(document);
                 prop_assert!(model.texts.keys().all(|tag| bank.locale(tag).is_some()));
                 model.compare(&bank.clip_by_key(&key(number)).unwrap(), &bank, &options);
             }

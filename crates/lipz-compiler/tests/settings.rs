@@ -62,9 +62,9 @@ fn every_setting_is_read() {
 fn a_locale_has_one_entry() {
     for text in ["[coverage]\nde-de = 90\nDE_de = 10", "[fallbacks]\nde-at = [\"de-de\"]\nde_AT = []"] {
         let (_, report) = parse(text.as_bytes());
-        let [finding] = &report.diagnostics[..] else { unreachable!("{text}: {:?}", report.diagnostics) };
-        assert_eq!(finding.code, Code::SettingValue);
-        assert!(finding.message.starts_with("a second entry for the locale `de-"), "{}", finding.message);
+        let [diagnostic] = &report.diagnostics[..] else { unreachable!("{text}: {:?}", report.diagnostics) };
+        assert_eq!(diagnostic.code, Code::SettingValue);
+        assert!(diagnostic.message.starts_with("a second entry for the locale `de-"), "{}", diagnostic.message);
     }
 }
 
@@ -88,9 +88,9 @@ fn uncommented() -> String {
 
 fn assert_places_are_in_the_file(bytes: &[u8]) {
     let (_, report) = parse(bytes);
-    for finding in &report.diagnostics {
-        for label in finding.primary.iter().chain(&finding.labels) {
-            assert!(report.source.text.get(label.span.range()).is_some(), "{finding:?}");
+    for diagnostic in &report.diagnostics {
+        for label in diagnostic.primary.iter().chain(&diagnostic.labels) {
+            assert!(report.source.text.get(label.span.range()).is_some(), "{diagnostic:?}");
         }
     }
 }

@@ -54,7 +54,7 @@ fn reading_takes_the_time_of_the_segment() {
 }
 
 #[test]
-fn many_findings_are_counted() {
+fn many_diagnostics_are_counted() {
     let options = limits(TextLimits::new().line_columns(1));
     assert_eq!(diagnostics(r#"{ "text_en-us": "aa|aa|aa|aa|aa" }"#, &options).len(), 3);
 }

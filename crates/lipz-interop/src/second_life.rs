@@ -6,9 +6,6 @@ use lipz_file::digits::Digits;
 use lipz_file::rate::{self, Rate};
 use roxmltree::{Document, Node};
 
-/// Where diagnostics go.
-type Findings = Vec<Diagnostic>;
-
 /// The lip sync settings that a user of a viewer changed; the others have the viewer's defaults.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct LipSync {
@@ -68,7 +65,7 @@ pub fn lip_sync(bytes: &[u8], name: &str, diagnostics: &mut Vec<Diagnostic>) -> 
 const WHICH_FILE: &str = "name the settings.xml in the folder user_settings of the viewer";
 
 /// The map of settings in an LLSD document.
-fn settings<'d>(document: &'d Document<'d>, name: &str, diagnostics: &mut Findings) -> Option<Map<'d>> {
+fn settings<'d>(document: &'d Document<'d>, name: &str, diagnostics: &mut Vec<Diagnostic>) -> Option<Map<'d>> {
     let root = document.root_element();
     let mut refuse = |node: Node<'_, '_>, what: &str| {
         let message =
@@ -117,7 +114,7 @@ struct Value<'d> {
 }
 
 impl<'d> Value<'d> {
-    fn digits(&self, diagnostics: &mut Findings) -> Option<Digits> {
+    fn digits(&self, diagnostics: &mut Vec<Diagnostic>) -> Option<Digits> {
         let node = self.of_type(&["string"], "a text of digits", diagnostics)?;
         let text = node.text().unwrap_or("");
         let why = match Digits::parse(text) {
@@ -130,7 +127,7 @@ impl<'d> Value<'d> {
         None
     }
 
-    fn rate(&self, diagnostics: &mut Findings) -> Option<Rate> {
+    fn rate(&self, diagnostics: &mut Vec<Diagnostic>) -> Option<Rate> {
         let node = self.of_type(&["real", "integer"], "a number", diagnostics)?;
         let text = node.text().unwrap_or("0").trim();
         let rate = rate::parse(text);
@@ -143,7 +140,7 @@ impl<'d> Value<'d> {
     }
 
     /// Warns if lip sync is off.
-    fn check_enabled(&self, diagnostics: &mut Findings) {
+    fn check_enabled(&self, diagnostics: &mut Vec<Diagnostic>) {
         let Some(node) = self.of_type(&["integer", "boolean"], "0 or 1", diagnostics) else { return };
         if matches!(node.text().unwrap_or("0").trim(), "0" | "false" | "") {
             let message = "lip sync is switched off in these settings";
@@ -153,7 +150,7 @@ impl<'d> Value<'d> {
     }
 
     /// The value, if it has one of these types.
-    fn of_type(&self, types: &[&str], expected: &str, diagnostics: &mut Findings) -> Option<Node<'d, 'd>> {
+    fn of_type(&self, types: &[&str], expected: &str, diagnostics: &mut Vec<Diagnostic>) -> Option<Node<'d, 'd>> {
         match self.node {
             Some(node) if types.iter().any(|name| node.has_tag_name(*name)) => return Some(node),
             Some(node) => {

@@ -44,7 +44,7 @@ fn all_words_are_big_endian() {
 }
 
 #[test]
-fn each_oddity_has_its_finding_and_is_kept() {
+fn each_oddity_has_its_diagnostic_and_is_kept() {
     type Change = fn(&mut Lip);
     let changes: [(Code, &str, Change); 15] = [
         (Code::LipHeader, "bytes 0x04 to 0x07", |lip| lip.constant = 0x5801),

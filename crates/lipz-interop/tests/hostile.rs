@@ -23,7 +23,7 @@ fn options(segments: Segments) -> ImportOptions<'static> {
 /// Imports the bytes and checks what comes of them.
 fn check(format: &Format, bytes: &[u8], options: &ImportOptions<'_>) {
     let imported = import(format, bytes, options);
-    let has_errors = imported.diagnostics.iter().any(|finding| finding.severity == Severity::Error);
+    let has_errors = imported.diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error);
     assert!(!has_errors || imported.clips.is_empty(), "{}", format.name);
     for clip in imported.clips {
         let visemes = clip.document.string("visemes").unwrap();
@@ -37,9 +37,9 @@ fn check(format: &Format, bytes: &[u8], options: &ImportOptions<'_>) {
         let written = lipz_file::write(&clip.document);
         assert!(lipz_file::parse(written.as_bytes()).document.is_some(), "{}: {written}", format.name);
     }
-    for finding in &imported.diagnostics {
-        for label in finding.primary.iter().chain(&finding.labels) {
-            assert!(label.span.start <= label.span.end && label.span.end as usize <= bytes.len() + 3, "{finding:?}");
+    for diagnostic in &imported.diagnostics {
+        for label in diagnostic.primary.iter().chain(&diagnostic.labels) {
+            assert!(label.span.start <= label.span.end && label.span.end as usize <= bytes.len() + 3, "{diagnostic:?}");
         }
     }
 }

@@ -71,15 +71,15 @@ proptest! {
         let before = clip_of(&segments, rate);
         let cues = cues_of(&before);
         for format in SubtitleFormat::ALL {
-            let mut findings = Vec::new();
-            let file = format.write(&cues, &mut findings);
-            prop_assume!(findings.is_empty()); // an arrow, which SubRip cannot hold
-            let read = format.read(file.as_bytes(), &mut findings);
+            let mut diagnostics = Vec::new();
+            let file = format.write(&cues, &mut diagnostics);
+            prop_assume!(diagnostics.is_empty()); // an arrow, which SubRip cannot hold
+            let read = format.read(file.as_bytes(), &mut diagnostics);
             // Rests behind the last text are in no subtitle: the clip that they are joined to has them.
             let frames: usize = segments.iter().map(|(frames, _)| frames).sum();
             let undivided = document(&format!("{{\"visemes\": \"{}\"}}", "-".repeat(frames)));
-            let after = join(undivided, &read, "en-us", rate, &mut findings);
-            prop_assert_eq!(&findings, &[], "{}", file);
+            let after = join(undivided, &read, "en-us", rate, &mut diagnostics);
+            prop_assert_eq!(&diagnostics, &[], "{}", file);
             prop_assert_eq!(after.string("visemes"), before.string("visemes"), "{}", file);
             prop_assert_eq!(after.string("text_en-us"), before.string("text_en-us"), "{}", file);
         }
@@ -110,12 +110,12 @@ proptest! {
         }
         for file in [bytes, changed, vtt[6..].to_vec()] {
             for format in SubtitleFormat::ALL {
-                let mut findings = Vec::new();
-                format.read(&file, &mut findings);
+                let mut diagnostics = Vec::new();
+                format.read(&file, &mut diagnostics);
                 // The place of a byte that is not UTF-8 is in the text that shows it.
-                findings.retain(|finding| finding.code != lipz_diagnostics::Code::NotUtf8);
-                let places = findings.iter().flat_map(|finding| finding.primary.iter().chain(&finding.labels));
-                prop_assert!(places.clone().all(|label| label.span.end as usize <= file.len()), "{:?}", findings);
+                diagnostics.retain(|diagnostic| diagnostic.code != lipz_diagnostics::Code::NotUtf8);
+                let places = diagnostics.iter().flat_map(|diagnostic| diagnostic.primary.iter().chain(&diagnostic.labels));
+                prop_assert!(places.clone().all(|label| label.span.end as usize <= file.len()), "{:?}", diagnostics);
             }
         }
     }
@@ -125,11 +125,11 @@ proptest! {
 fn files_of_other_tools_are_read() {
     let srt = "\u{feff}1\r\n00:00:00,500 --> 00:00:01,000 X1:1 X2:2\r\n<i>Good</i>\r\nevening.\r\n\r\n\
                00:00:01.250 --> 00:00:02.000\r\n{\\an8}Who?\r\n";
-    let mut findings = Vec::new();
-    let cues = SubtitleFormat::Srt.read(srt.as_bytes(), &mut findings);
+    let mut diagnostics = Vec::new();
+    let cues = SubtitleFormat::Srt.read(srt.as_bytes(), &mut diagnostics);
     let texts: Vec<_> = cues.iter().map(|cue| (cue.start_ms, cue.end_ms, cue.text.as_str())).collect();
     assert_eq!(texts, [(500, 1000, "Good\nevening."), (1250, 2000, "{\\an8}Who?")]);
-    assert_eq!(findings.len(), 1, "the tags: {findings:?}");
+    assert_eq!(diagnostics.len(), 1, "the tags: {diagnostics:?}");
     let vtt = "WEBVTT - made by hand\nKind: captions\n\nNOTE\nnot a text\n\nSTYLE\n::cue { }\n\nintro\n\
                00:00.500 --> 00:01.000 align:start\n<v Mara>Good evening.\n";
     let cues = SubtitleFormat::Vtt.read(vtt.as_bytes(), &mut Vec::new());
@@ -142,10 +142,10 @@ fn clips_with_segments_keep_them() {
     let before = r#"{"fps":24,"visemes":"MAAA--|EEOO--","text_en-us":" {sly} Good evening. |Who?"}"#;
     let cue = |start_ms, end_ms, text: &str| Cue { start_ms, end_ms, text: text.into(), ..Cue::default() };
     let joined = |cues: &[Cue], locale: &str| {
-        let mut findings = Vec::new();
-        let after = join(document(before), cues, locale, parse("24").unwrap(), &mut findings);
+        let mut diagnostics = Vec::new();
+        let after = join(document(before), cues, locale, parse("24").unwrap(), &mut diagnostics);
         assert_eq!(after.string("visemes"), Some("MAAA--|EEOO--"));
-        (after.string(&format!("text_{locale}")).unwrap().to_owned(), findings.len())
+        (after.string(&format!("text_{locale}")).unwrap().to_owned(), diagnostics.len())
     };
     let german = [cue(0, 240, "Guten Abend."), cue(260, 500, "Wer?")];
     assert_eq!(joined(&german, "de-de"), ("Guten Abend.|Wer?".to_owned(), 0));

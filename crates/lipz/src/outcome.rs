@@ -16,7 +16,7 @@ pub(crate) enum Outcome {
 
 impl Outcome {
     /// How a run with these diagnostics ends: it failed if a file was not found, read or written.
-    pub(crate) fn of(reports: &[Report]) -> Outcome {
+    pub(crate) fn from_reports(reports: &[Report]) -> Outcome {
         let diagnostics = reports.iter().flat_map(|report| &report.diagnostics);
         let errors = diagnostics.filter(|diagnostic| diagnostic.severity == Severity::Error);
         let of_code = |code| match code {

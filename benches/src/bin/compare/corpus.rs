@@ -57,24 +57,24 @@ impl Corpus {
     pub(crate) fn new(count: usize, locales: usize) -> Result<Corpus, Failure> {
         let files = lipz_benches::files(count, locales);
         let parsed = files.iter().map(|(key, json)| Ok((key.clone(), serde_json::from_str(json)?)));
-        let bank = Clips::of(parsed.collect::<Result<_, serde_json::Error>>()?);
+        let bank = Clips::from_files(parsed.collect::<Result<_, serde_json::Error>>()?);
         Ok(Corpus { files, bank })
     }
 }
 
 impl Clips {
     /// The clips of these files. All of them have the same locales.
-    pub(crate) fn of(files: Vec<(String, LipzFile)>) -> Clips {
+    pub(crate) fn from_files(files: Vec<(String, LipzFile)>) -> Clips {
         let tags = files.iter().flat_map(|(_, file)| file.texts.keys().map(|name| name.replace("text_", "")));
         let mut locales: Vec<String> = tags.collect();
         locales.sort_unstable();
         locales.dedup();
-        Clips { locales, clips: files.into_iter().map(|(key, file)| Clip::of(key, &file)).collect() }
+        Clips { locales, clips: files.into_iter().map(|(key, file)| Clip::from_file(key, &file)).collect() }
     }
 }
 
 impl Clip {
-    fn of(key: String, file: &LipzFile) -> Clip {
+    fn from_file(key: String, file: &LipzFile) -> Clip {
         let starts = file.visemes.split('|').scan(0, |end, segment| {
             let start = *end;
             *end += segment.len() as u32;

@@ -194,9 +194,9 @@ fn packing(
     let start = Instant::now();
     let compiled = pack(&inputs);
     let packing = start.elapsed();
-    let finding = reports.iter().chain(&compiled.reports).flat_map(|report| &report.diagnostics).next();
-    if let Some(finding) = finding {
-        return Err(format!("packing made-up clips: {}", finding.message));
+    let diagnostic = reports.iter().chain(&compiled.reports).flat_map(|report| &report.diagnostics).next();
+    if let Some(diagnostic) = diagnostic {
+        return Err(format!("packing made-up clips: {}", diagnostic.message));
     }
     measurement.bank_bytes = compiled.bank.map(|bank| bank.len() as u64);
     measurement.phases = phases(discovered, packing, &compiled.phases);

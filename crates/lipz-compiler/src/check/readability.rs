@@ -59,10 +59,10 @@ pub(super) fn check<'t>(
                 .help("shorten the text, or move the `|` so that the segment lasts longer")
         }));
     }
-    for findings in found {
-        let count = findings.len();
-        let shown = findings.into_iter().take(SHOWN).enumerate();
-        diagnostics.extend(shown.map(|(index, finding)| more(finding, index, count)));
+    for diagnostics_of_kind in found {
+        let count = diagnostics_of_kind.len();
+        let shown = diagnostics_of_kind.into_iter().take(SHOWN).enumerate();
+        diagnostics.extend(shown.map(|(index, diagnostic)| more(diagnostic, index, count)));
     }
 }
 

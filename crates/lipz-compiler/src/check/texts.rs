@@ -61,7 +61,7 @@ pub(super) fn display_texts(
     }
 }
 
-/// Says behind the last finding that is shown how many of the kind are not.
+/// Says behind the last diagnostic that is shown how many of the kind are not.
 pub(super) fn more(diagnostic: Diagnostic, index: usize, count: usize) -> Diagnostic {
     match count.saturating_sub(SHOWN) {
         rest if rest > 0 && index + 1 == SHOWN => diagnostic.note(format!("{rest} more in this text are not shown")),

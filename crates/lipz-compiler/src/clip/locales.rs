@@ -20,7 +20,7 @@ struct Known {
 
 impl Locales {
     /// The number of the locale with this tag. `is_clean` says that the name of a text which spells
-    /// just this tag gives no finding.
+    /// just this tag gives no diagnostic.
     pub(crate) fn number(&mut self, tag: &str, is_clean: bool) -> u32 {
         if let Some(known) = self.numbers.get_mut(tag) {
             known.is_clean |= is_clean;
@@ -32,7 +32,7 @@ impl Locales {
         number
     }
 
-    /// The number of a locale whose tag gives no finding in the name of a text.
+    /// The number of a locale whose tag gives no diagnostic in the name of a text.
     pub(crate) fn clean(&self, tag: &str) -> Option<u32> {
         self.numbers.get(tag).filter(|known| known.is_clean).map(|known| known.number)
     }

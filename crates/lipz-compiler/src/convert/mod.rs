@@ -5,7 +5,7 @@
 
 mod chart;
 mod edits;
-mod findings;
+mod report;
 
 use crate::clip::{ClipData, Locales};
 use crate::{Compiler, check};
@@ -51,12 +51,11 @@ impl Compiler<'_> {
             return Converted { text: None, diagnostics: parsed.diagnostics };
         };
         let (text, mut diagnostics) = match Conversion::new(document, &clip, to) {
-            Err(finding) => (None, vec![*finding]),
+            Err(diagnostic) => (None, vec![*diagnostic]),
             Ok(None) => (None, Vec::new()),
-            Ok(Some(conversion)) => (
-                edits::apply(bytes, document, &conversion),
-                findings::loss(document, &conversion).into_iter().collect(),
-            ),
+            Ok(Some(conversion)) => {
+                (edits::apply(bytes, document, &conversion), report::loss(document, &conversion).into_iter().collect())
+            }
         };
         options.levels.apply(&mut diagnostics);
         let text = text.filter(|_| !diagnostics.iter().any(is_error));
@@ -64,8 +63,8 @@ impl Compiler<'_> {
     }
 }
 
-fn is_error(finding: &Diagnostic) -> bool {
-    finding.severity == Severity::Error
+fn is_error(diagnostic: &Diagnostic) -> bool {
+    diagnostic.severity == Severity::Error
 }
 
 /// Converts a clip that is to be packed, and gives the document as it would have to be written for it;
@@ -78,12 +77,12 @@ pub(crate) fn convert_clip<'d>(
 ) -> Option<Document<'d>> {
     let conversion = match Conversion::new(document, clip, to) {
         Ok(conversion) => conversion?,
-        Err(finding) => {
-            diagnostics.push(*finding);
+        Err(diagnostic) => {
+            diagnostics.push(*diagnostic);
             return None;
         }
     };
-    diagnostics.extend(findings::loss(document, &conversion));
+    diagnostics.extend(report::loss(document, &conversion));
     let document = conversion.document(document);
     clip.frames = conversion.frames;
     clip.viseme_type = Some(to);
@@ -111,10 +110,10 @@ impl Conversion {
         let mut results = candidates.iter().map(|&from| converted(from));
         let (Some(&from), Some(first)) = (candidates.first(), results.next()) else { return Ok(None) };
         if results.any(|other| other != first) {
-            return Err(Box::new(findings::ambiguous(document, &candidates)));
+            return Err(Box::new(report::ambiguous(document, &candidates)));
         }
         match first {
-            None => Err(Box::new(findings::refused(document, from, to))),
+            None => Err(Box::new(report::refused(document, from, to))),
             Some(frames) if clip.viseme_type.is_none() && frames == clip.frames => Ok(None),
             Some(frames) => Ok(Some(Conversion { from, to, frames })),
         }

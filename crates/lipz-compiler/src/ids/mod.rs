@@ -16,7 +16,7 @@
 //! reserves, and, in C# and TypeScript, behind a clip that is named like a folder beside it. C names
 //! are ASCII: letters lose their accents, other characters are spelled by number (`U306F`), as is in
 //! every language a part without any letter or digit. Two keys with the same identifier are a
-//! finding, [`Code::IdentifierClash`](lipz_diagnostics::Code::IdentifierClash).
+//! diagnostic, [`Code::IdentifierClash`](lipz_diagnostics::Code::IdentifierClash).
 
 mod c;
 mod csharp;

@@ -64,14 +64,13 @@ fn read_limited(path: &Path) -> io::Result<Vec<u8>> {
 }
 
 fn unreadable(name: &str, error: &io::Error) -> Diagnostic {
-    let finding = |what: &str| Diagnostic::new(Code::SettingsUnreadable, format!("the settings file `{name}` {what}"));
+    let diagnostic =
+        |what: &str| Diagnostic::new(Code::SettingsUnreadable, format!("the settings file `{name}` {what}"));
     match error.kind() {
-        io::ErrorKind::NotFound => {
-            finding("does not exist").help("check the spelling of the path, or make one: lipz init")
-        }
-        io::ErrorKind::IsADirectory => finding("is a folder").help("name the file in it"),
-        io::ErrorKind::FileTooLarge => finding("is larger than 1 MiB").help("name a settings file: lipz.toml"),
-        _ => finding(&format!("cannot be read: {error}")),
+        io::ErrorKind::NotFound => diagnostic("does not exist").help("check the spelling of the path"),
+        io::ErrorKind::IsADirectory => diagnostic("is a folder").help("name the file in it"),
+        io::ErrorKind::FileTooLarge => diagnostic("is larger than 1 MiB").help("name a settings file: lipz.toml"),
+        _ => diagnostic(&format!("cannot be read: {error}")),
     }
 }
 
@@ -115,11 +114,11 @@ mod tests {
     #[test]
     fn a_file_that_is_too_long_is_not_read() {
         let file = tempfile::NamedTempFile::new().unwrap();
-        let findings = || Settings::read(file.path()).1.diagnostics;
+        let diagnostics = || Settings::read(file.path()).1.diagnostics;
         file.as_file().set_len(MAX_BYTES).unwrap();
-        assert!(findings().iter().all(|finding| finding.code != Code::SettingsUnreadable));
+        assert!(diagnostics().iter().all(|diagnostic| diagnostic.code != Code::SettingsUnreadable));
         file.as_file().set_len(MAX_BYTES + 1).unwrap();
-        assert!(findings().iter().any(|finding| finding.code == Code::SettingsUnreadable));
+        assert!(diagnostics().iter().any(|diagnostic| diagnostic.code == Code::SettingsUnreadable));
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use super::syntax::Faults;
 use super::table::{Content, TABLES, Table};
-use super::value::{Findings, Value, canonical_locale, span};
+use super::value::{Value, canonical_locale, span};
 use super::{Settings, lint};
 use crate::discover::plain;
 use lipz_diagnostics::{Code, Diagnostic, Levels, Span, escape, suggest::nearest};
@@ -18,7 +18,7 @@ const ALL_LOCALES: &str = "all";
 pub(super) struct Reading<'t> {
     pub(super) settings: Settings,
     pub(super) folder: &'t Path,
-    pub(super) diagnostics: Findings,
+    pub(super) diagnostics: Vec<Diagnostic>,
     /// Levels of groups of lints: they hold where no lint is named by itself.
     groups: Levels,
     /// Where each level was set.
@@ -26,7 +26,7 @@ pub(super) struct Reading<'t> {
 }
 
 /// The settings in `text`, with paths that count from `folder`.
-pub(super) fn read(text: &str, folder: &Path, diagnostics: &mut Findings) -> Settings {
+pub(super) fn read(text: &str, folder: &Path, diagnostics: &mut Vec<Diagnostic>) -> Settings {
     let (root, errors) = DeTable::parse_recoverable(text);
     let mut reading = Reading {
         settings: Settings::default(),
@@ -253,7 +253,7 @@ fn unknown_name(table: &str, key: &Spanned<DeString<'_>>, known: &[&'static str]
     match nearest(name, known.iter().copied()).or_else(|| nearest(name, everywhere())) {
         Some(known) => diagnostic(&place).help(format!("did you mean `{known}`?")),
         None => diagnostic(&place).help(match table {
-            "" => "`lipz init` writes a file that shows all settings".to_owned(),
+            "" => format!("settings and tables are {}", known.join(", ")),
             table => format!("the settings of [{table}] are {}", known.join(", ")),
         }),
     }

@@ -122,17 +122,16 @@ const GENERAL: &[Setting] = &[
     Setting {
         name: "output",
         flat_name: "output",
-        about: "The bank that `lipz pack` writes.",
-        default: "named on the command line",
+        about: "The bank that is written.",
+        default: "named for each run",
         example: "\"dialogue.lipzbank\"",
         read: |value, to| to.settings.output = value.text(&mut to.diagnostics).map(|path| inside(to.folder, path)),
     },
     Setting {
         name: "cache",
         flat_name: "cache",
-        about: "File in which `lipz pack` remembers the Lipz files, so that the next run reads only the changed ones. \
-                Safe to delete. \
-                `lipz watch` remembers them anyway; with this file, also between runs.",
+        about: "File that remembers the Lipz files, so that the next run reads only the changed ones. Safe to delete. \
+                Watching remembers them anyway; with this file, also between runs.",
         default: "every run reads all files",
         example: "\"dialogue.cache\"",
         read: |value, to| to.settings.cache = value.text(&mut to.diagnostics).map(|path| inside(to.folder, path)),

@@ -1,4 +1,4 @@
-//! The settings file that `lipz init` writes: every setting, explained and commented out.
+//! The settings file of a new project: every setting, explained and commented out.
 
 use super::table::{Content, TABLES, Table};
 use std::fmt::Write;

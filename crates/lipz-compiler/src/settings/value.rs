@@ -18,11 +18,8 @@ pub(super) struct Value<'t> {
     pub(super) node: &'t Spanned<DeValue<'t>>,
 }
 
-/// Where diagnostics go.
-pub(super) type Findings = Vec<Diagnostic>;
-
 impl<'t> Value<'t> {
-    pub(super) fn boolean(&self, diagnostics: &mut Findings) -> Option<bool> {
+    pub(super) fn boolean(&self, diagnostics: &mut Vec<Diagnostic>) -> Option<bool> {
         match self.node.get_ref() {
             DeValue::Boolean(value) => Some(*value),
             DeValue::String(text) if matches!(text.as_ref(), "true" | "false") => {
@@ -32,7 +29,7 @@ impl<'t> Value<'t> {
         }
     }
 
-    pub(super) fn text(&self, diagnostics: &mut Findings) -> Option<&'t str> {
+    pub(super) fn text(&self, diagnostics: &mut Vec<Diagnostic>) -> Option<&'t str> {
         match self.node.get_ref() {
             DeValue::String(text) if text.is_empty() => {
                 self.refuse("is empty", "write a value, or remove the line", diagnostics)
@@ -46,8 +43,8 @@ impl<'t> Value<'t> {
     /// The items of a list, each as a value by itself. Items with diagnostics are left out.
     pub(super) fn list<T>(
         &self,
-        diagnostics: &mut Findings,
-        mut item: impl FnMut(&Value<'t>, &mut Findings) -> Option<T>,
+        diagnostics: &mut Vec<Diagnostic>,
+        mut item: impl FnMut(&Value<'t>, &mut Vec<Diagnostic>) -> Option<T>,
     ) -> Option<Vec<T>> {
         let DeValue::Array(array) = self.node.get_ref() else {
             let help = match self.node.get_ref() {
@@ -61,7 +58,7 @@ impl<'t> Value<'t> {
     }
 
     /// A number of at least 1 without fraction.
-    pub(super) fn count(&self, diagnostics: &mut Findings) -> Option<u32> {
+    pub(super) fn count(&self, diagnostics: &mut Vec<Diagnostic>) -> Option<u32> {
         let DeValue::Integer(integer) = self.node.get_ref() else {
             return self.wrong_type("a whole number", "write a number without fraction and quotes", diagnostics);
         };
@@ -74,7 +71,7 @@ impl<'t> Value<'t> {
     }
 
     /// A number above 0.
-    pub(super) fn positive(&self, diagnostics: &mut Findings) -> Option<f64> {
+    pub(super) fn positive(&self, diagnostics: &mut Vec<Diagnostic>) -> Option<f64> {
         let number = self.decimal(diagnostics)?;
         match f64::from_str(&number) {
             Ok(number) if number > 0.0 && number.is_finite() => Some(number),
@@ -83,7 +80,7 @@ impl<'t> Value<'t> {
     }
 
     /// A number from 0 to 100.
-    pub(super) fn percent(&self, diagnostics: &mut Findings) -> Option<f64> {
+    pub(super) fn percent(&self, diagnostics: &mut Vec<Diagnostic>) -> Option<f64> {
         let number = self.decimal(diagnostics)?;
         match f64::from_str(&number) {
             Ok(number) if (0.0..=100.0).contains(&number) => Some(number),
@@ -92,7 +89,7 @@ impl<'t> Value<'t> {
     }
 
     /// A frame rate; a warning if it is not exactly what is written.
-    pub(super) fn fps(&self, diagnostics: &mut Findings) -> Option<Fps> {
+    pub(super) fn fps(&self, diagnostics: &mut Vec<Diagnostic>) -> Option<Fps> {
         match self.ratio(diagnostics)? {
             Some(fps) => Some(fps),
             None => self.refuse("is outside 1 to 1000", "write frames per second, usually 24, 25 or 30", diagnostics),
@@ -101,7 +98,7 @@ impl<'t> Value<'t> {
 
     /// A rate, if the value is a number: `Some(None)` if that is outside 1 to 1000. A warning if the rate
     /// is not exactly what is written.
-    pub(super) fn ratio(&self, diagnostics: &mut Findings) -> Option<Option<Fps>> {
+    pub(super) fn ratio(&self, diagnostics: &mut Vec<Diagnostic>) -> Option<Option<Fps>> {
         let number = self.decimal(diagnostics)?;
         let rate = rate::parse(number.trim_start_matches('+'));
         let Some((rate, fps)) = rate.and_then(|rate| Some((rate, Fps::new(rate.numerator, rate.denominator)?))) else {
@@ -116,7 +113,7 @@ impl<'t> Value<'t> {
     }
 
     /// The decimal digits of a number.
-    fn decimal(&self, diagnostics: &mut Findings) -> Option<String> {
+    fn decimal(&self, diagnostics: &mut Vec<Diagnostic>) -> Option<String> {
         match self.node.get_ref() {
             DeValue::Float(float) => Some(float.as_str().to_owned()),
             DeValue::Integer(integer) => match i64::from_str_radix(integer.as_str(), integer.radix()) {
@@ -130,7 +127,7 @@ impl<'t> Value<'t> {
         }
     }
 
-    pub(super) fn viseme_type(&self, diagnostics: &mut Findings) -> Option<VisemeType> {
+    pub(super) fn viseme_type(&self, diagnostics: &mut Vec<Diagnostic>) -> Option<VisemeType> {
         let text = self.text(diagnostics)?;
         let found = text.parse::<VisemeType>().ok();
         if found.is_none() {
@@ -144,7 +141,7 @@ impl<'t> Value<'t> {
     }
 
     /// A locale in its canonical form; of any BCP 47 tag if `extended`.
-    pub(super) fn locale(&self, extended: bool, diagnostics: &mut Findings) -> Option<String> {
+    pub(super) fn locale(&self, extended: bool, diagnostics: &mut Vec<Diagnostic>) -> Option<String> {
         let text = self.text(diagnostics)?;
         match canonical_locale(text, extended) {
             Ok(tag) => Some(tag),
@@ -153,7 +150,7 @@ impl<'t> Value<'t> {
     }
 
     /// A word that Character Event Syntax can mention.
-    pub(super) fn word(&self, diagnostics: &mut Findings) -> Option<String> {
+    pub(super) fn word(&self, diagnostics: &mut Vec<Diagnostic>) -> Option<String> {
         let text = self.text(diagnostics)?;
         if !is_word(text) {
             return self.refuse(
@@ -166,7 +163,7 @@ impl<'t> Value<'t> {
     }
 
     /// Reports that the value has another type; there is no value then.
-    pub(super) fn wrong_type<T>(&self, expected: &str, help: &str, diagnostics: &mut Findings) -> Option<T> {
+    pub(super) fn wrong_type<T>(&self, expected: &str, help: &str, diagnostics: &mut Vec<Diagnostic>) -> Option<T> {
         let found = match self.node.get_ref() {
             DeValue::String(_) => "a text",
             DeValue::Integer(_) | DeValue::Float(_) => "a number",
@@ -185,7 +182,7 @@ impl<'t> Value<'t> {
     }
 
     /// Reports that the setting cannot have the value; there is none then.
-    pub(super) fn refuse<T>(&self, what: impl Display, help: &str, diagnostics: &mut Findings) -> Option<T> {
+    pub(super) fn refuse<T>(&self, what: impl Display, help: &str, diagnostics: &mut Vec<Diagnostic>) -> Option<T> {
         let shown = match self.node.get_ref() {
             DeValue::String(text) if text.is_empty() => format!("`{}`", self.name),
             DeValue::String(text) => escape::quoted(text),

@@ -63,7 +63,7 @@ fn utf16_byte_order(bytes: &[u8]) -> Option<&'static str> {
 fn not_utf8(bytes: &[u8], error: std::str::Utf8Error) -> Diagnostic {
     if bytes.starts_with(&BANK_MAGIC) {
         return Diagnostic::new(Code::NotUtf8, "the file is a lipz bank, not text")
-            .help("`lipz verify` checks banks, `lipz unpack` converts one to Lipz files");
+            .help("name a Lipz file; a bank can be verified, and unpacked to Lipz files");
     }
     let at = error.valid_up_to();
     let byte = bytes.get(at).copied().unwrap_or_default();

@@ -91,13 +91,13 @@ pub fn import(format: &Format, bytes: &[u8], options: &ImportOptions<'_>) -> Imp
         imported.clips.extend(clip(track, map, options, &mut imported.diagnostics));
     }
     imported.diagnostics.sort_by_key(Diagnostic::start);
-    let is_error = |finding: &Diagnostic| finding.severity == Severity::Error;
+    let is_error = |diagnostic: &Diagnostic| diagnostic.severity == Severity::Error;
     if imported.diagnostics.iter().any(is_error) {
         imported.clips.clear();
     }
-    if imported.diagnostics.iter().any(|finding| is_error(finding) && finding.code != Code::NoShapes) {
+    if imported.diagnostics.iter().any(|diagnostic| is_error(diagnostic) && diagnostic.code != Code::NoShapes) {
         // Shapes that could not be read are not missing.
-        imported.diagnostics.retain(|finding| finding.code != Code::NoShapes);
+        imported.diagnostics.retain(|diagnostic| diagnostic.code != Code::NoShapes);
     }
     imported
 }
@@ -125,12 +125,12 @@ fn table<'m>(format: &Format, track: &Track, options: &ImportOptions<'m>) -> Opt
 }
 
 /// The clip of a track.
-fn clip(track: Track, map: &Map, options: &ImportOptions<'_>, findings: &mut Vec<Diagnostic>) -> Option<Clip> {
-    let track = in_order(track, findings);
+fn clip(track: Track, map: &Map, options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<Clip> {
+    let track = in_order(track, diagnostics);
     let rate = options.rate.or(track.rate).unwrap_or(options.default_rate);
-    let (symbols, runs) = runs(&track, map, rate, findings)?;
+    let (symbols, runs) = runs(&track, map, rate, diagnostics)?;
     if track.shapes.is_empty() {
-        findings.push(
+        diagnostics.push(
             Diagnostic::new(Code::NoShapes, "the file has no mouth shapes")
                 .help("was the tool interrupted, or not asked for visemes? let it analyse the recording again"),
         );
@@ -145,17 +145,17 @@ fn clip(track: Track, map: &Map, options: &ImportOptions<'_>, findings: &mut Vec
             Some(LostShape { symbol: (*symbols.get(index)?).to_owned(), start: run.start, end: run.end, reason })
         })
         .collect();
-    report(&lost, symbols.len(), rate, findings);
+    report(&lost, symbols.len(), rate, diagnostics);
     if !track.shapes.is_empty() && resampled.lengths.iter().sum::<usize>() == 0 {
         let end = runs.last().map_or(Time::ZERO, |run| run.end);
-        findings.push(
+        diagnostics.push(
             Diagnostic::new(Code::NoShapes, format!("the clip would have no frames: its shapes end at {end}"))
                 .help("are the times of the file in the unit of its format?"),
         );
     }
-    let texts = texts(&track, options, findings);
+    let texts = texts(&track, options, diagnostics);
     let speech = Speech::from_runs(&runs, options.min_pause);
-    let division = divide(&track, &speech, &texts, options.segments, findings);
+    let division = divide(&track, &speech, &texts, options.segments, diagnostics);
     let codes = codes(&runs, &resampled.lengths, &division, rate);
     let document = document(&track, codes, texts, &division, map.viseme_type, rate);
     let frames = resampled.lengths.iter().sum();

@@ -19,7 +19,7 @@ pub struct SubtitleOptions<'a> {
 
 /// The cues of a clip in a locale, with times to the millisecond: the nearest one to the start of a frame. Segments
 /// without a text have none; diagnostics say what has no time. `None` if the clip has no text in the locale, or a
-/// finding is an error.
+/// diagnostic is an error.
 ///
 /// ```
 /// use lipz_interop::subtitles::{SubtitleOptions, cues};

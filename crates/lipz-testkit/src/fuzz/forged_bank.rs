@@ -76,7 +76,7 @@ static BASES: LazyLock<Vec<Vec<u8>>> = LazyLock::new(|| {
 pub fn forged_bank(bytes: &[u8]) {
     let Ok(forgery) = Forgery::arbitrary_take_rest(Unstructured::new(bytes)) else { return };
     let base = &BASES[usize::from(forgery.base) % BASES.len()];
-    let forged = forgery.of(base);
+    let forged = forgery.apply_to(base);
     if provoke(&forged, Effort::Few) {
         let original = Bank::open(base).and_then(Bank::verify).expect("what the compiler made");
         assert!(is_used(&forged, &original));
@@ -84,7 +84,7 @@ pub fn forged_bank(bytes: &[u8]) {
 }
 
 impl Forgery {
-    fn of(&self, base: &[u8]) -> Vec<u8> {
+    fn apply_to(&self, base: &[u8]) -> Vec<u8> {
         let mut sections: Vec<(Tag, u16, Vec<u8>)> = directory(base)
             .iter()
             .map(|entry| (Tag(entry.tag), entry.entry_bytes.get(), base[section(base, Tag(entry.tag))].to_vec()))
@@ -109,7 +109,7 @@ impl Forgery {
         let words = (size_of::<Header>() + size_of_val(directory(base)) - offset_of!(Header, file_length_bytes)) / 4;
         for Overwrite { word, value } in &self.places {
             let at = offset_of!(Header, file_length_bytes) + usize::from(*word) % words * 4;
-            let new = value.of(u32_at(&bytes, at));
+            let new = value.apply_to(u32_at(&bytes, at));
             put(&mut bytes, at, new.to_le_bytes());
         }
         reseal(&mut bytes);
@@ -135,12 +135,12 @@ impl Edit {
             Edit::Half { at, value } => {
                 if let Some(at) = number(*at, 2) {
                     let old = u16::from_le_bytes([contents[at], contents[at + 1]]);
-                    put(contents, at, (value.of(old.into()) as u16).to_le_bytes());
+                    put(contents, at, (value.apply_to(old.into()) as u16).to_le_bytes());
                 }
             }
             Edit::Word { at, value } => {
                 if let Some(at) = number(*at, 4) {
-                    let new = value.of(u32_at(contents, at));
+                    let new = value.apply_to(u32_at(contents, at));
                     put(contents, at, new.to_le_bytes());
                 }
             }
@@ -168,7 +168,7 @@ impl Edit {
 }
 
 impl Number {
-    fn of(&self, old: u32) -> u32 {
+    fn apply_to(&self, old: u32) -> u32 {
         match self {
             Number::Set(value) => *value,
             Number::Add(difference) => old.wrapping_add_signed(i32::from(*difference)),

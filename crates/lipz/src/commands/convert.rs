@@ -69,7 +69,7 @@ impl Run for Convert {
             key::check(&inputs, &mut reports);
             reports.extend(inputs.iter().filter_map(|input| in_the_way(folder, input)));
             if !reports.is_empty() {
-                let outcome = Outcome::of(&reports).max(Outcome::Errors);
+                let outcome = Outcome::from_reports(&reports).max(Outcome::Errors);
                 return Err(reporter.abort(reports, outcome));
             }
         }
@@ -97,7 +97,7 @@ impl Run for Convert {
             }
             reports.extend(of_file);
         }
-        let outcome = Outcome::of(&reports);
+        let outcome = Outcome::from_reports(&reports);
         reporter.add(reports);
         if quiet || inputs.is_empty() {
             return Ok(outcome);

@@ -52,7 +52,7 @@ impl Run for CoverageArguments {
         let file = self.dialogue.bank_of(&project, reporter)?;
         let bank = file.bank(reporter)?;
         let text_files = self.dialogue.text_files(reporter)?;
-        let found = coverage(BankWithTexts::new(&bank, &text_files.of(&bank, reporter)?));
+        let found = coverage(BankWithTexts::new(&bank, &text_files.verified(&bank, reporter)?));
         match &self.missing {
             Some(tag) => {
                 let keys = missing(&found, tag, &file.name).map_err(|report| reporter.fail(report))?;

@@ -100,7 +100,7 @@ impl Run for Export {
                 },
             }
         }
-        let outcome = Outcome::of(&reports);
+        let outcome = Outcome::from_reports(&reports);
         reporter.add(reports);
         match self.output.as_deref().filter(|_| !self.sources.is_quiet() && written > 0) {
             None => Ok(outcome),

@@ -93,7 +93,7 @@ impl Run for Fmt {
                 Err(report) => reports.push(report),
             }
         }
-        let outcome = Outcome::of(&reports);
+        let outcome = Outcome::from_reports(&reports);
         reporter.add(reports);
         let summary = |what| format!("{} {what}, {} unchanged\n", files(changed), console::grouped(unchanged));
         match self.rewriting() {
@@ -136,7 +136,7 @@ fn standard_input(arguments: &Fmt, default_locale: Option<&str>, reporter: &mut 
             Ok(if differs { Outcome::Errors } else { Outcome::Clean })
         }
         Err(report) => {
-            let outcome = Outcome::of(std::slice::from_ref(&report));
+            let outcome = Outcome::from_reports(std::slice::from_ref(&report));
             Err(reporter.abort(vec![report], outcome))
         }
     }

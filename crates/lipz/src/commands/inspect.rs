@@ -60,7 +60,7 @@ impl Run for Inspect {
         let file = BankFile::open(&self.bank, reporter)?;
         let bank = file.bank(reporter)?;
         let text_files = TextFiles::open(&self.texts.texts, reporter)?;
-        let texts = text_files.of(&bank, reporter)?;
+        let texts = text_files.verified(&bank, reporter)?;
         let whole = BankWithTexts::new(&bank, &texts);
         match (&self.key, &self.list) {
             (Some(key), _) => clip(&bank, key, &whole.locales(), &file.name, self, reporter)?,

@@ -50,7 +50,7 @@ impl Run for Unpack {
         let file = BankFile::open(&self.bank, reporter)?;
         let bank = file.bank(reporter)?;
         let text_files = TextFiles::open(&self.texts.texts, reporter)?;
-        let texts = text_files.of(&bank, reporter)?;
+        let texts = text_files.verified(&bank, reporter)?;
         let bar = console::progress_bar(bank.clip_count(), self.quiet);
         let progress = |count| {
             bar.inc(count);

@@ -32,7 +32,7 @@ impl TextFiles {
     }
 
     /// The text banks of `bank`, verified. Reports what is wrong with one of them.
-    pub(crate) fn of<'f>(&'f self, bank: &Bank<'_>, reporter: &mut Reporter) -> Result<Vec<TextBank<'f>>, Abort> {
+    pub(crate) fn verified<'f>(&'f self, bank: &Bank<'_>, reporter: &mut Reporter) -> Result<Vec<TextBank<'f>>, Abort> {
         let texts = self.0.iter().map(|file| file.texts(bank, reporter)).collect::<Result<Vec<_>, _>>()?;
         let mut seen = BTreeSet::new();
         for locale in bank.locales().chain(texts.iter().flat_map(TextBank::locales)) {

@@ -24,7 +24,7 @@ impl Rival for ParsedOnce {
 
     fn open(file: &'static File) -> Result<Loaded, Failure> {
         let files: BTreeMap<String, _> = serde_json::from_slice(&file.map)?;
-        Ok(Loaded::new(Clips::of(files.into_iter().collect())))
+        Ok(Loaded::new(Clips::from_files(files.into_iter().collect())))
     }
 
     fn open_validated(file: &'static File) -> Result<Loaded, Failure> {

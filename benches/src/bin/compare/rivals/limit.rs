@@ -119,7 +119,7 @@ impl Rival for Limit {
     }
 
     fn open(file: &'static File) -> Result<Arrays, Failure> {
-        Arrays::of(&file.map).ok_or_else(|| "the file is cut off".into())
+        Arrays::from_bytes(&file.map).ok_or_else(|| "the file is cut off".into())
     }
 
     /// Checks what the unchecked strings rely on, and that the arrays refer to each other.
@@ -130,7 +130,7 @@ impl Rival for Limit {
 }
 
 impl Arrays {
-    fn of(mut bytes: &'static [u8]) -> Option<Arrays> {
+    fn from_bytes(mut bytes: &'static [u8]) -> Option<Arrays> {
         let mut next = || {
             let (length, rest) = U32::read_from_prefix(bytes).ok()?;
             let (array, rest) = rest.split_at_checked(length.get() as usize)?;

@@ -22,20 +22,20 @@ pub(super) fn trimmed<'t>(
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Vec<&'t str> {
     nul(string, Code::NulInEvents, "the events contain", diagnostics);
-    let mut findings = Findings { string, known_names, by_code: BTreeMap::new() };
+    let mut of_events = EventDiagnostics { string, known_names, by_code: BTreeMap::new() };
     let trimmed = text::segments(&string.text)
         .map(|range| {
             let segment = &string.text[range.clone()];
-            findings.of_segment(segment, range.start);
+            of_events.of_segment(segment, range.start);
             text::trim(segment)
         })
         .collect();
-    diagnostics.extend(findings.by_code.into_values().flat_map(OfCode::shown));
+    diagnostics.extend(of_events.by_code.into_values().flat_map(OfCode::shown));
     trimmed
 }
 
 /// What is wrong with the events of an element.
-struct Findings<'e> {
+struct EventDiagnostics<'e> {
     string: &'e JsonString<'e>,
     known_names: &'e KnownNames,
     by_code: BTreeMap<Code, OfCode>,
@@ -48,7 +48,7 @@ struct OfCode {
     count: usize,
 }
 
-impl Findings<'_> {
+impl EventDiagnostics<'_> {
     /// Adds what is wrong in a segment, which starts at byte `start` of the element's text.
     fn of_segment(&mut self, segment: &str, start: usize) {
         let (string, known_names) = (self.string, self.known_names);
@@ -67,11 +67,11 @@ impl Findings<'_> {
         }
     }
 
-    fn add(&mut self, code: Code, finding: impl FnOnce() -> Diagnostic) {
+    fn add(&mut self, code: Code, diagnostic: impl FnOnce() -> Diagnostic) {
         let of_code = self.by_code.entry(code).or_default();
         of_code.count += 1;
         if of_code.count <= SHOWN {
-            of_code.first.push(finding());
+            of_code.first.push(diagnostic());
         }
     }
 }

@@ -75,7 +75,7 @@ fn compare(arguments: &Diff, reporter: &mut Reporter) -> Ended {
     let (old_bank, new_bank) = (old.bank(reporter)?, new.bank(reporter)?);
     let old_files = TextFiles::open(&arguments.old_texts, reporter)?;
     let new_files = TextFiles::open(&arguments.new_texts, reporter)?;
-    let (old_texts, new_texts) = (old_files.of(&old_bank, reporter)?, new_files.of(&new_bank, reporter)?);
+    let (old_texts, new_texts) = (old_files.verified(&old_bank, reporter)?, new_files.verified(&new_bank, reporter)?);
     let difference = diff::diff(BankWithTexts::new(&old_bank, &old_texts), BankWithTexts::new(&new_bank, &new_texts));
     if arguments.json {
         reporter.print_json(&difference)?;

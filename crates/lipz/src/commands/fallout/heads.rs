@@ -42,7 +42,7 @@ pub(crate) fn run(arguments: &Heads, reporter: &mut Reporter) -> Ended {
         checked.source(path);
     }
     let Checked { files, reports } = checked;
-    let outcome = Outcome::of(&reports);
+    let outcome = Outcome::from_reports(&reports);
     reporter.add(reports);
     if arguments.quiet || files.is_empty() {
         return Ok(outcome);

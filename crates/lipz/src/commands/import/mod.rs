@@ -84,7 +84,8 @@ impl Run for Import {
             return Err(reporter.usage(message, "name a folder with `--output`"));
         }
         let settings = self.options.settings(folder.filter(|_| !is_printed), reporter)?;
-        let texts = text::Texts::of(self.options.text.as_deref(), several).map_err(|report| reporter.fail(report))?;
+        let texts = text::Texts::from_argument(self.options.text.as_deref(), several)
+            .map_err(|report| reporter.fail(report))?;
         let script = self.options.recordings.script(reporter)?;
         let (made, mut reports) = read(self, &files, &settings, &texts, &script);
         let inputs: Vec<Input> = made.iter().map(|made| made.input.clone()).collect();
@@ -98,7 +99,7 @@ impl Run for Import {
         if let [only] = made.as_slice()
             && is_printed
         {
-            let outcome = Outcome::of(&reports);
+            let outcome = Outcome::from_reports(&reports);
             if outcome != Outcome::Clean {
                 return Err(reporter.abort(reports, outcome));
             }
@@ -126,7 +127,7 @@ impl Run for Import {
             let report = report::json(format, made.iter().map(|made| (&made.input, &made.clip)));
             output_file::write(path, report.as_bytes(), reporter)?;
         }
-        let outcome = Outcome::of(&reports);
+        let outcome = Outcome::from_reports(&reports);
         reporter.add(reports);
         match folder.filter(|_| !self.quiet && written > 0) {
             None => Ok(outcome),

@@ -18,7 +18,7 @@ pub(super) enum Texts {
 
 impl Texts {
     /// The texts that `--text` names; a text by itself cannot be that of `several` clips.
-    pub(super) fn of(named: Option<&str>, several: bool) -> Result<Texts, Report> {
+    pub(super) fn from_argument(named: Option<&str>, several: bool) -> Result<Texts, Report> {
         let Some(named) = named else { return Ok(Texts::OfFiles) };
         let path = Path::new(named);
         if path.is_dir() {

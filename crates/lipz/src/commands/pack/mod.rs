@@ -76,7 +76,7 @@ impl Pack {
 
     /// What a run works with now. What is wrong with it is printed, and how the run ends is returned.
     pub(crate) fn plan(&self, reporter: &mut Reporter) -> Result<Plan, Abort> {
-        Plan::of(self, reporter)
+        Plan::new(self, reporter)
     }
 
     /// The time of each phase, in milliseconds, and what a cache spared, if that was asked for.

@@ -38,7 +38,7 @@ pub(crate) struct Packed {
 impl Plan {
     /// The plan that the arguments and the settings file give. What is wrong with them is printed, and
     /// how the run ends is returned.
-    pub(super) fn of(arguments: &Pack, reporter: &mut Reporter) -> Result<Plan, Abort> {
+    pub(super) fn new(arguments: &Pack, reporter: &mut Reporter) -> Result<Plan, Abort> {
         let mut project = arguments.sources.project(reporter)?;
         let settings = &mut project.settings;
         settings.options.strip = arguments.strip.unwrap_or(settings.options.strip);

@@ -38,7 +38,7 @@ impl Run for Stats {
         let file = self.dialogue.bank(reporter)?;
         let bank = file.bank(reporter)?;
         let text_files = self.dialogue.text_files(reporter)?;
-        let texts = text_files.of(&bank, reporter)?;
+        let texts = text_files.verified(&bank, reporter)?;
         let stats = lipz_compiler::stats::Stats::from_bank(BankWithTexts::new(&bank, &texts));
         if self.json {
             reporter.print_json(&stats)?;

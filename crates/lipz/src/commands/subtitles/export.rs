@@ -81,7 +81,7 @@ pub(super) fn run(arguments: &Export, reporter: &mut Reporter) -> Ended {
             }
         }
     }
-    let outcome = Outcome::of(&reports);
+    let outcome = Outcome::from_reports(&reports);
     reporter.add(reports);
     if arguments.sources.is_quiet() || written == 0 {
         return Ok(outcome);

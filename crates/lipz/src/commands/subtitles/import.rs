@@ -75,7 +75,7 @@ pub(super) fn run(arguments: &Import, reporter: &mut Reporter) -> Ended {
             }
         }
     }
-    let outcome = Outcome::of(&reports);
+    let outcome = Outcome::from_reports(&reports);
     reporter.add(reports);
     if arguments.quiet || written == 0 {
         return Ok(outcome);

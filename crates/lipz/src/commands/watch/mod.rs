@@ -58,7 +58,7 @@ impl Run for Watch {
 /// or cannot go on.
 fn watch(arguments: &Watch, reporter: &mut Reporter) -> Result<Infallible, Abort> {
     let sources = &arguments.pack.sources;
-    let mut scope = Scope::named(sources);
+    let mut scope = Scope::before_settings(sources);
     let mut alarm = Alarm::new(arguments.poll);
     // Before anything is read, so that no change is missed.
     alarm.set(&scope).map_err(|report| reporter.fail(report))?;
@@ -74,7 +74,7 @@ fn watch(arguments: &Watch, reporter: &mut Reporter) -> Result<Infallible, Abort
         let start = Instant::now();
         let plan = arguments.plan(reporter);
         match &plan {
-            Ok(plan) => scope = Scope::of(&plan.project, sources),
+            Ok(plan) => scope = Scope::new(&plan.project, sources),
             Err(abort) if told.is_empty() && abort.outcome() == Outcome::Failed => return Err(*abort),
             // Settings with errors: those of the last run say where to look.
             Err(_) => {}

@@ -32,13 +32,13 @@ type Stamp = (u64, Option<SystemTime>);
 
 impl Scope {
     /// What the command line names, before the settings are read.
-    pub(super) fn named(arguments: &Sources) -> Scope {
+    pub(super) fn before_settings(arguments: &Sources) -> Scope {
         let settings = Settings::from_sources(arguments.paths().to_vec());
         Scope { settings, settings_file: arguments.settings_file() }
     }
 
     /// What the project names.
-    pub(super) fn of(project: &Project, arguments: &Sources) -> Scope {
+    pub(super) fn new(project: &Project, arguments: &Sources) -> Scope {
         Scope { settings: project.settings.clone(), settings_file: arguments.settings_file() }
     }
 
