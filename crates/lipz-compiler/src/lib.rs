@@ -32,7 +32,7 @@
 //! * `parallel`: all cores, also after the files are read.
 //! * `full`: all of them.
 //!
-//! No feature changes a byte of a bank.
+//! No feature changes a byte of a bank, but for `settings`, with which [`Build`] goes by `lipz.toml`.
 //!
 //! What is not here: printing (but for [`Build`]) and exit codes (`lipz`); other tools' formats.
 // Sizes are checked where they enter (`fit`); casts below are of numbers known to be small.

@@ -112,6 +112,20 @@ proptest! {
     }
 
     #[test]
+    fn the_order_of_elements_means_nothing_where_segments_are_joined(
+        elements in proptest::collection::btree_map("text_(en-us|de-de|fr-fr)|events|visemes", "[AB|]{0,5}", 1..5)
+            .prop_map(|elements| elements.into_iter().collect::<Vec<_>>()).prop_shuffle(),
+        default in proptest::option::of("en-us|fr-fr"),
+    ) {
+        let elements: Vec<String> = elements.iter().map(|(name, value)| format!("\"{name}\": \"{value}\"")).collect();
+        let file = format!("{{ {} }}", elements.join(", "));
+        let lowered = Options::new().levels([(Code::SegmentCount, Some(Severity::Warning))]);
+        let options = default.iter().fold(lowered, Options::default_locale);
+        prop_assert_eq!(bank(&file, &options), bank(&formatted(&file, Some("en-us")), &options));
+        prop_assert_eq!(bank(&file, &options), bank(&formatted(&file, Some("fr-fr")), &options));
+    }
+
+    #[test]
     fn fixing_keeps_the_meaning(document in document(), has_mark: bool, has_comma: bool) {
         let options = Options::new().default_locale("de-de");
         let valid = lipz_file::write(&document);

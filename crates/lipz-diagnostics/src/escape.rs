@@ -51,6 +51,17 @@ pub fn character(c: char) -> String {
     if has_shape(c) { format!("`{c}`") } else { code_point(c) }
 }
 
+/// The same, with the number of each character outside ASCII: many of them look like others.
+///
+/// ```
+/// use lipz_diagnostics::escape;
+/// assert_eq!(escape::numbered('А'), "`А` (U+0410)");
+/// assert_eq!(escape::numbered('A'), "`A`");
+/// ```
+pub fn numbered(c: char) -> String {
+    if c.is_ascii() || !has_shape(c) { character(c) } else { format!("`{c}` ({})", code_point(c)) }
+}
+
 /// Whether there is something to see of a character that stands by itself.
 pub fn has_shape(c: char) -> bool {
     // What Rust escapes without need is to be seen; what else it escapes has no shape of its own:

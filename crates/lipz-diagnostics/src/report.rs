@@ -6,6 +6,9 @@ use std::fmt;
 /// U+FEFF in UTF-8.
 const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
 
+/// Stands for a byte that is not UTF-8: the character of one byte that ASCII has for this.
+const SUBSTITUTE: char = '\u{1A}';
+
 /// The diagnostics in one file, with its text for showing them.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 #[non_exhaustive]
@@ -32,11 +35,11 @@ impl Report {
         Report::new(Source::new(path, ""), diagnostics)
     }
 
-    /// Diagnostics in a file with these bytes: a byte order mark is no part of the text, and what is not UTF-8
-    /// is replaced.
+    /// Diagnostics in a file with these bytes: a byte order mark is no part of the text, and each byte that is not
+    /// UTF-8 is replaced by one of U+001A, so that all places stay where they are.
     pub fn from_bytes(path: impl Into<String>, bytes: &[u8], diagnostics: Vec<Diagnostic>) -> Report {
         let text = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
-        Report::new(Source::new(path, String::from_utf8_lossy(text)), diagnostics)
+        Report::new(Source::new(path, readable(text)), diagnostics)
     }
 
     /// A diagnostic with a help line about a file as a whole, or about no file if `path` is empty.
@@ -53,6 +56,16 @@ impl Report {
     pub fn has_errors(&self) -> bool {
         self.diagnostics.iter().any(Diagnostic::is_error)
     }
+}
+
+/// The bytes as text, in which bytes that are not UTF-8 are substitutes of the same length.
+fn readable(bytes: &[u8]) -> String {
+    let mut text = String::with_capacity(bytes.len());
+    for chunk in bytes.utf8_chunks() {
+        text.push_str(chunk.valid());
+        text.extend(chunk.invalid().iter().map(|_| SUBSTITUTE));
+    }
+    text
 }
 
 /// Each diagnostic with its place, `voices/mayor.lipz:3:16: error[LZ0401]: …`, as compilers write them.
@@ -89,7 +102,7 @@ mod tests {
             b"\xEF\xBB\xBF{\n\xFF \"fps\": 0 }",
             vec![
                 Diagnostic::new(Code::ByteOrderMark, "a mark"),
-                Diagnostic::at(Code::FpsOutOfRange, Span::new(13, 14), "0 is no\nrate").note("a note").help("a help"),
+                Diagnostic::at(Code::FpsOutOfRange, Span::new(11, 12), "0 is no\nrate").note("a note").help("a help"),
             ],
         );
         assert_eq!(

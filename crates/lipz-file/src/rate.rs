@@ -17,7 +17,8 @@ const MAX_PLACES: usize = 34;
 /// The ratio that a JSON number spells; `None` outside 1 to 1000 (Lipz specification, `fps`).
 ///
 /// 23.976 is 2997/125, not 24000/1001: the digits count. Digits that no ratio of 32-bit numbers
-/// holds give the nearest such ratio, and `is_exact` is false.
+/// holds give the nearest such ratio, and `is_exact` is false. 23.976023976023978 is 24000/1001: these are all digits
+/// that a 64-bit floating-point number of it has, which other programs write.
 ///
 /// ```
 /// use lipz_file::rate::{Rate, parse};
@@ -57,7 +58,15 @@ pub fn parse(number: &str) -> Option<Rate> {
         return None;
     }
     let (numerator, denominator, fits) = nearest_ratio(value, scale);
-    Some(Rate { numerator, denominator, is_exact: fits && !cut_off })
+    let is_exact = (fits && !cut_off) || is_ntsc_double(number, numerator, denominator);
+    Some(Rate { numerator, denominator, is_exact })
+}
+
+/// Whether the digits are those of a rate of video, `24000/1001` and its like, as a program prints the nearest
+/// 64-bit floating-point number: it could not be said more exactly.
+fn is_ntsc_double(number: &str, numerator: u32, denominator: u32) -> bool {
+    let is_ntsc = 1001 % denominator == 0 && u64::from(numerator) * u64::from(1001 / denominator) % 1000 == 0;
+    is_ntsc && number.parse() == Ok(f64::from(numerator) / f64::from(denominator))
 }
 
 /// `value / scale` in lowest terms if both fit 32 bits, otherwise the last convergent of its
@@ -105,6 +114,17 @@ mod tests {
     }
 
     #[test]
+    fn rates_of_video_as_floating_point_numbers_are_exact() {
+        for thousands in 2..=1000_u32 {
+            let written = (f64::from(thousands * 1000) / 1001.0).to_string();
+            let rate = parse(&written).unwrap();
+            assert!(rate.is_exact, "{written}");
+            let reduced = f64::from(rate.numerator) / f64::from(rate.denominator);
+            assert_eq!(reduced.to_string(), written);
+        }
+    }
+
+    #[test]
     fn outside_the_range() {
         let long = format!("1000.{}1", "0".repeat(60));
         for number in
@@ -117,7 +137,9 @@ mod tests {
     #[test]
     fn too_many_digits_give_the_nearest_ratio() {
         let ntsc = parse("23.976023976023976023976").unwrap();
-        assert_eq!((ntsc.numerator, ntsc.denominator, ntsc.is_exact), (24_000, 1001, false));
+        assert_eq!((ntsc.numerator, ntsc.denominator, ntsc.is_exact), (24_000, 1001, true));
+        let near = parse("23.9760239760239").unwrap();
+        assert!(!near.is_exact, "{near:?}");
         let sixty = parse(&format!("59.{}", "94005994".repeat(20))).unwrap();
         assert!(!sixty.is_exact);
         assert!((f64::from(sixty.numerator) / f64::from(sixty.denominator) - 59.940_059_94).abs() < 1e-8);

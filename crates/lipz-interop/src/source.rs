@@ -1,11 +1,10 @@
 //! What readers of text formats share: text from bytes, lines with their places, numbers.
 
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
-use lipz_file::without_byte_order_mark;
 
 /// The text of a file. Tools on Windows write a byte order mark; it is skipped.
 pub(crate) fn text<'s>(bytes: &'s [u8], diagnostics: &mut Vec<Diagnostic>) -> Option<&'s str> {
-    lipz_file::decode(without_byte_order_mark(bytes), diagnostics)
+    lipz_file::decode_marked(bytes, diagnostics)
 }
 
 /// The lines of a text without their ends, each with the byte at which it starts.

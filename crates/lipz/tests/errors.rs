@@ -198,3 +198,34 @@ fn a_system_that_watches_nothing_is_an_error_in_every_format() {
     scene.expect_outcome("LZ1605-watch-failed", &human);
     scene.finish(1);
 }
+
+/// Files that were joined, or changed with PowerShell's `>>`, have two byte order marks: parsers below ours skip the
+/// second one, and then count from another place.
+#[test]
+fn two_byte_order_marks_are_told() {
+    let scene = scene();
+    let marked = |name: &str, text: &str| scene.write(name, &format!("\u{feff}\u{feff}{text}"));
+    marked("b.xml", "l");
+    marked("d.en-us.srt", "1\n@@@kotor,500 ]--> 00:0\u{7f}\n");
+    marked("d.toml", "x = 1");
+    marked("m.txt", "Aye.");
+    marked("aye.lipz", CLIP);
+    let commands: [&[&str]; 6] = [
+        &["babble", "b.xml"],
+        &["import", "rhubarb-xml", "b.xml", "-o", "o", "--no-config"],
+        &["subtitles", "import", "d.en-us.srt", "-o", "o"],
+        &["check", "voices", "--config", "d.toml"],
+        &["import", "rhubarb-tsv", "mayor.tsv", "-o", "o", "--map", "d.toml"],
+        &["check", "aye.lipz"],
+    ];
+    for command in commands {
+        for format in ["human", "json", "sarif", "github"] {
+            let outcome = lipz(scene.path(), command.iter().copied().chain(["--format", format]));
+            assert!((1..=2).contains(&outcome.code), "{command:?}: {outcome:?}");
+        }
+        let outcome = lipz(scene.path(), command.iter().copied());
+        assert!(outcome.stderr.contains("\n1 error "), "{command:?}: {}", outcome.stderr);
+    }
+    let settings = lipz(scene.path(), ["check", "voices", "--config", "d.toml"]);
+    assert!(settings.stderr.contains("d.toml:1:1"), "{}", settings.stderr);
+}

@@ -68,7 +68,7 @@ fn examples_of_the_specification_as_printed() {
 }
 
 #[test]
-fn good_files_have_no_diagnostics_but_one() {
+fn good_files_have_no_diagnostics_but_two() {
     let repository = repository();
     let acts = ["act1", "act2", "act3"].map(|act| format!("fixtures/drama/{act}"));
     let count: usize = acts.iter().map(|act| files(act, "lipz").len()).sum();
@@ -76,9 +76,11 @@ fn good_files_have_no_diagnostics_but_one() {
     let drama = lipz(&repository, ["check", "fixtures/drama"]);
     assert_eq!((drama.code, drama.stdout.as_str()), (0, "48 files checked\n"), "{}", drama.stderr);
     let diagnostics: Vec<&str> = drama.stderr.lines().filter(|line| line.contains("[LZ")).collect();
-    assert_eq!(diagnostics.len(), 1, "{}", drama.stderr);
+    assert_eq!(diagnostics.len(), 2, "{}", drama.stderr);
     assert!(diagnostics[0].starts_with("warning[LZ0203]"), "{}", drama.stderr);
     assert!(drama.stderr.contains("--> fixtures/drama/act2/otto-confession.lipz:"), "{}", drama.stderr);
+    assert!(diagnostics[1].starts_with("warning[LZ0515]"), "{}", drama.stderr);
+    assert!(drama.stderr.contains("--> fixtures/drama/act3/ivo-by-hand.lipz:"), "{}", drama.stderr);
 
     assert_eq!(files("fixtures/spec/repaired", "lipz").len(), 8);
     let examples = lipz(&repository, ["check", "fixtures/spec/repaired"]);

@@ -41,6 +41,7 @@ use std::{env, fmt};
 #[derive(Clone, Debug, Default)]
 pub struct Build {
     settings_file: Option<PathBuf>,
+    ignores_settings: bool,
     sources: Vec<PathBuf>,
     root: Option<PathBuf>,
     options: Option<Options>,
@@ -54,6 +55,10 @@ const DEFAULT_NAME: &str = "dialogue";
 impl Build {
     /// A build of the Lipz files in `source`: a folder, a file or a glob pattern, relative to the
     /// package.
+    ///
+    /// It goes by the settings of the project, as `lipz pack` does with the same source: by the `lipz.toml` beside or
+    /// above the source, else that of the package. That takes the feature `settings`; without it, or if
+    /// [`options`](Build::options) decides instead, a warning says that the file is not used.
     pub fn new(source: impl Into<PathBuf>) -> Build {
         Build { sources: vec![source.into()], ..Build::default() }
     }
@@ -63,6 +68,13 @@ impl Build {
     #[cfg(feature = "settings")]
     pub fn from_settings(file: impl Into<PathBuf>) -> Build {
         Build { settings_file: Some(file.into()), ..Build::default() }
+    }
+
+    /// Uses no `lipz.toml`: the script alone decides. For projects that have one, which is not for this bank.
+    #[must_use]
+    pub fn without_settings(mut self) -> Build {
+        self.ignores_settings = true;
+        self
     }
 
     /// Adds another folder, file or glob pattern.
@@ -79,7 +91,7 @@ impl Build {
         self
     }
 
-    /// Sets what the project decides about its files.
+    /// Sets what the project decides about its files, in place of a `lipz.toml`.
     #[must_use]
     pub fn options(mut self, options: Options) -> Build {
         self.options = Some(options);
@@ -119,7 +131,7 @@ impl Build {
             reports.extend(self.pack(&settings, folder));
         }
         let mut watched = depend::watched(&settings.sources);
-        watched.extend(self.settings_file.clone());
+        watched.extend(self.settings_file.clone().or_else(|| self.found_settings()));
         let lines = rerun_lines(&watched) + &render::cargo(&reports);
         cargo.write_all(lines.as_bytes()).and_then(|()| cargo.flush()).map_err(BuildError::Unheard)?;
         match count(&reports, Severity::Error) {
@@ -139,16 +151,24 @@ impl Build {
         (settings, vec![report])
     }
 
-    /// The settings in the file of the project, if the build has one.
-    #[cfg(feature = "settings")]
+    /// The settings in the file of the project: in the one that the script names, or in the one that is found.
     fn file_settings(&self) -> (Settings, Report) {
-        self.settings_file.as_deref().map(Settings::read).unwrap_or_default()
+        if let Some(file) = &self.settings_file {
+            return read_settings(file);
+        }
+        match (self.found_settings(), &self.options) {
+            (Some(file), None) => read_settings(&file),
+            (Some(file), Some(_)) => {
+                let help = "call `Build::from_settings` without options, or `Build::without_settings`";
+                (Settings::default(), unused(&file, "the build script decides with `Build::options`", help))
+            }
+            (None, _) => Default::default(),
+        }
     }
 
-    /// No settings: without the feature `settings`, nothing names a file.
-    #[cfg(not(feature = "settings"))]
-    fn file_settings(&self) -> (Settings, Report) {
-        Default::default()
+    /// The settings file of the sources, which nobody has named; `None` if there is none, or the script uses none.
+    fn found_settings(&self) -> Option<PathBuf> {
+        if self.ignores_settings || self.settings_file.is_some() { None } else { Settings::find_of(&self.sources) }
     }
 
     /// Writes the outputs if nothing that was found is an error.
@@ -182,6 +202,28 @@ impl Build {
         lipz_diagnostics::reports::sort(&mut reports);
         reports
     }
+}
+
+#[cfg(feature = "settings")]
+fn read_settings(file: &Path) -> (Settings, Report) {
+    Settings::read(file)
+}
+
+#[cfg(not(feature = "settings"))]
+fn read_settings(file: &Path) -> (Settings, Report) {
+    let help = "add `features = [\"settings\"]` to lipz-compiler in [build-dependencies], or call \
+                `Build::without_settings`";
+    (Settings::default(), unused(file, "lipz-compiler is built without its feature `settings`", help))
+}
+
+/// The warning that the settings of the project do not count for this bank, and so it may be another than that of
+/// `lipz pack`.
+fn unused(file: &Path, why: &str, help: &str) -> Report {
+    let file = discover::display(file);
+    let message = format!("the settings file `{file}` is not used: {why}");
+    let mut diagnostic = Diagnostic::new(Code::SettingsUnreadable, message).help(help);
+    diagnostic.severity = Severity::Warning;
+    Report::about(file, diagnostic)
 }
 
 /// Packs `inputs` into a bank at `path` and text banks beside it, if `accept` finds nothing in the whole.
@@ -377,6 +419,32 @@ mod tests {
         assert_eq!(names, OUTPUTS);
         let (lines, _) = by_settings("default-local = \"en-us\"\n");
         assert!(lines.contains("cargo::error=SCENE/lipz.toml:1:1: "), "{lines}");
+    }
+
+    #[test]
+    fn the_settings_beside_the_sources_hold() {
+        let scene = tempfile::tempdir().unwrap();
+        let files = [("mayor.lipz", r#"{ "text": "Mayor!" }"#), ("lipz.toml", "default-locale = \"en-us\"\n")];
+        let (lines, names) = run(scene.path(), |build| build, &files);
+        let watched = "cargo::rerun-if-changed=SCENE/voices\ncargo::rerun-if-changed=SCENE/voices/lipz.toml\n";
+        assert!(lines.starts_with(watched), "{lines}");
+        assert!(lines.contains("[LZ0502]") && !lines.contains("error"), "{lines}");
+        assert_eq!(names, OUTPUTS);
+        let command = Settings::read(&scene.path().join("voices/lipz.toml")).0;
+        let (inputs, _) = discover(&[scene.path().join("voices")], None);
+        let expected = Compiler::new(command.options).compile(&inputs).bank;
+        assert_eq!(Some(fs::read(scene.path().join("out/dialogue.lipzbank")).unwrap()), expected);
+
+        let options = Options::new().default_locale("de-de");
+        let (lines, _) = run(scene.path(), |build| build.options(options.clone()), &[]);
+        assert!(
+            lines.contains("warning=SCENE/voices/lipz.toml: the settings file `SCENE/voices/lipz.toml` is not used"),
+            "{lines}"
+        );
+        let (lines, _) = run(scene.path(), |build| build.options(options).without_settings(), &[]);
+        assert!(!lines.contains("lipz.toml"), "{lines}");
+        let (lines, _) = run(scene.path(), Build::without_settings, &[]);
+        assert!(lines.contains("cargo::error=") && lines.contains("[LZ0502]"), "{lines}");
     }
 
     #[test]

@@ -53,6 +53,18 @@ impl<'d> Roles<'d> {
         roles
     }
 
+    /// The element that says how many segments the clip has: `visemes`, or else the text of the default locale, or
+    /// that of the first tag, or the events. Not the first of the file: the order of elements means nothing.
+    pub(super) fn reference(&self, options: &Options, locales: &Locales) -> Option<&'d JsonString<'d>> {
+        let default = options.default_locale.as_deref();
+        let rank = |text: &&TextElement<'d>| {
+            let tag = locales.tag(text.locale);
+            (Some(tag) != default, tag)
+        };
+        let first_text = || self.texts.iter().min_by_key(rank).map(|text| text.string);
+        self.visemes.or_else(first_text).or(self.events)
+    }
+
     fn text(
         &mut self,
         element: &'d Element<'d>,

@@ -23,7 +23,14 @@ pub(super) fn rate(number: &Raw<'_>, diagnostics: &mut Vec<Diagnostic>) -> Optio
         diagnostics.push(
             Diagnostic::at(Code::FpsInexact, number.span, message)
                 .note("a bank stores frame rates as ratios of 32-bit numbers")
-                .help("write fewer digits, 23.976 or 29.97, if that is what was meant"),
+                .help(match denominator {
+                    1 => format!("write {numerator}, if that is what was meant"),
+                    1001 => format!(
+                        "write {}, if {numerator}/1001 is what was meant",
+                        f64::from(numerator) / f64::from(denominator)
+                    ),
+                    _ => "write at most nine digits, if the rate has no more".to_owned(),
+                }),
         );
     }
     Some(fps)

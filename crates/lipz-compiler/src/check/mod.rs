@@ -1,6 +1,7 @@
 //! Checking one file: from elements to a clip, with every diagnostic on the way.
 
 mod bank_limits;
+mod blank;
 mod elements;
 mod events;
 mod fps;
@@ -17,7 +18,7 @@ use crate::clip::{ClipData, Locales};
 use crate::{Options, TextLimits, pseudo};
 use elements::Roles;
 use lipz_diagnostics::Diagnostic;
-use lipz_file::Document;
+use lipz_file::{Document, text};
 use readability::Times;
 use visemes::Expected;
 
@@ -44,18 +45,20 @@ pub(crate) fn check(
         (None, Some(default)) => Expected::Default(default),
         (None, None) => Expected::Any,
     };
-    // The first element says how many segments there are; others are joined if that is allowed.
-    let (mut segment_count, mut counts_differ) = (None, false);
-    let mut expected_count = |found: usize| {
-        let expected = *segment_count.get_or_insert(found);
-        counts_differ |= expected != found;
-        expected
-    };
     if let Some(string) = roles.visemes {
         clip.has_visemes = true;
         visemes::frames(string, expected, clip, diagnostics);
-        expected_count(clip.starts.len());
     }
+    // One element says how many segments there are; others are joined if that is allowed.
+    let segment_count = match roles.reference(options, locales) {
+        _ if clip.has_visemes => clip.starts.len(),
+        reference => reference.map_or(1, |string| text::segment_count(&string.text)),
+    };
+    let mut counts_differ = false;
+    let mut expected_count = |found: usize| {
+        counts_differ |= segment_count != found;
+        segment_count
+    };
     let limits = (options.text_limits != TextLimits::default()).then_some(&options.text_limits);
     for text in &roles.texts {
         texts::display_texts(text.string, options, &mut clip.displays, diagnostics);
@@ -85,10 +88,11 @@ pub(crate) fn check(
     }
     clip.has_joined = counts_differ;
     if counts_differ {
-        segments::report_differing(&roles, options, diagnostics);
+        segments::report_differing(&roles, options, locales, diagnostics);
     }
     if !clip.has_visemes {
-        clip.starts.resize(segment_count.unwrap_or(1), 0);
+        clip.starts.resize(segment_count, 0);
     }
+    blank::report(&roles, clip, options, locales, diagnostics);
     bank_limits::for_segments(&roles, clip.starts.len(), diagnostics);
 }

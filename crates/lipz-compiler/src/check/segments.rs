@@ -3,6 +3,7 @@
 use super::elements::Roles;
 use super::visemes::DELIMITER_LOOKALIKES;
 use crate::Options;
+use crate::clip::Locales;
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use lipz_file::JsonString;
 use lipz_file::text;
@@ -14,9 +15,6 @@ const SHOWN: usize = 12;
 const SHOWN_ALONE: usize = 2;
 /// Columns of a segment that are shown.
 const WIDTH: usize = 36;
-
-/// What happens to elements that differ if the project lowers the diagnostic.
-const JOINED: &str = "all segments of an element that differs from `visemes` are joined to its first one";
 
 /// An element with its number of segments.
 #[derive(Clone, Copy)]
@@ -33,23 +31,44 @@ impl<'d> Segmented<'d> {
     }
 }
 
-/// Reports the elements that have another number of segments than the rest.
-pub(super) fn report_differing(roles: &Roles<'_>, options: &Options, diagnostics: &mut Vec<Diagnostic>) {
+/// Reports the elements that have another number of segments than the clip.
+pub(super) fn report_differing(
+    roles: &Roles<'_>,
+    options: &Options,
+    locales: &Locales,
+    diagnostics: &mut Vec<Diagnostic>,
+) {
+    let visemes = roles.visemes.map(|visemes| Segmented::new("visemes", visemes));
     let texts = roles.texts.iter().map(|text| Segmented::new(&text.name.text, text.string));
     let events = roles.events.map(|events| Segmented::new("events", events));
-    let mut others = texts.chain(events);
-    let visemes = roles.visemes.map(|visemes| Segmented::new("visemes", visemes));
-    let Some(reference) = visemes.or_else(|| others.next()) else { return };
-    let first = diagnostics.len();
-    report(reference, &others.collect::<Vec<_>>(), visemes.is_some(), diagnostics);
-    if options.levels.lowers(Code::SegmentCount) {
-        for diagnostic in &mut diagnostics[first..] {
-            diagnostic.notes.push(JOINED.to_owned());
+    let all: Vec<Segmented<'_>> = visemes.into_iter().chain(texts).chain(events).collect();
+    let Some(string) = roles.reference(options, locales) else { return };
+    let (reference, others): (Vec<_>, Vec<_>) = all.into_iter().partition(|one| std::ptr::eq(one.string, string));
+    let Some(&reference) = reference.first() else { return };
+    report(reference, &others, visemes.is_some(), options.levels.lowers(Code::SegmentCount), diagnostics);
+}
+
+/// What becomes of an element that differs, in a project that lowers the diagnostic.
+fn joined(what: &str, is_event: bool, count: usize) -> String {
+    match (count, is_event) {
+        (1, _) => format!("the only segment of the clip gets all of {what}"),
+        (_, false) => format!(
+            "the first segment gets all of {what}, the others nothing: players see the whole text until the second \
+             segment starts, and then none"
+        ),
+        (_, true) => {
+            format!("the first segment gets all of {what}, the others nothing: all of it happens when the clip starts")
         }
     }
 }
 
-fn report(reference: Segmented<'_>, others: &[Segmented<'_>], is_visemes: bool, diagnostics: &mut Vec<Diagnostic>) {
+fn report(
+    reference: Segmented<'_>,
+    others: &[Segmented<'_>],
+    is_visemes: bool,
+    is_lowered: bool,
+    diagnostics: &mut Vec<Diagnostic>,
+) {
     // Delimiters that are reported as foreign codes already.
     let lookalikes = if is_visemes { reference.string.text.matches(DELIMITER_LOOKALIKES).count() } else { 0 };
     let differing = || others.iter().filter(|other| other.count != reference.count);
@@ -61,14 +80,22 @@ fn report(reference: Segmented<'_>, others: &[Segmented<'_>], is_visemes: bool, 
         if !is_explained(first) {
             let message =
                 format!("`visemes` has {}, but all other elements have {}", plural(reference.count), first.count);
-            diagnostics.push(mismatch(message, reference, *first));
+            let mut diagnostic = mismatch(message, reference, *first);
+            if is_lowered {
+                diagnostic.notes.push(joined("every other element", false, reference.count));
+            }
+            diagnostics.push(diagnostic);
         }
         return;
     }
     for other in differing().filter(|other| !is_explained(other)) {
         let message =
             format!("`{}` has {}, but `{}` has {}", other.name, plural(other.count), reference.name, reference.count);
-        let diagnostic = mismatch(message, *other, reference);
+        let mut diagnostic = mismatch(message, *other, reference);
+        if is_lowered {
+            let name = format!("`{}`", other.name);
+            diagnostic.notes.push(joined(&name, other.name == "events", reference.count));
+        }
         diagnostics.push(match damage(other, reference) {
             Some(help) => diagnostic.help(help),
             None => diagnostic,

@@ -102,4 +102,13 @@ impl ClipData {
     pub(crate) fn text_bytes(&self, text: &ClipText) -> usize {
         text.place.len() - size_of::<U16>() * self.starts.len()
     }
+
+    /// Whether a segment of a text displays nothing.
+    pub(crate) fn is_blank(&self, text: &ClipText, segment: usize) -> bool {
+        let end = |number: usize| {
+            let at = text.place.start as usize + size_of::<U16>() * number;
+            self.runs.get(at..at + size_of::<U16>())
+        };
+        end(segment) == segment.checked_sub(1).map_or(Some(&[0, 0][..]), end)
+    }
 }

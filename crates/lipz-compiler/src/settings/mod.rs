@@ -4,6 +4,7 @@
 mod babble;
 #[cfg(feature = "settings")]
 mod file;
+mod find;
 #[cfg(feature = "settings")]
 pub mod lint;
 #[cfg(feature = "settings")]
@@ -17,8 +18,7 @@ mod template;
 #[cfg(feature = "settings")]
 mod value;
 
-#[cfg(feature = "settings")]
-pub use file::FILE_NAME;
+pub use find::FILE_NAME;
 #[cfg(feature = "settings")]
 pub use table::{Content, Map, Setting, TABLES, Table};
 #[cfg(feature = "settings")]

@@ -54,6 +54,7 @@ codes! {
     ReadsTooFast "LZ0512" "reads-too-fast" Warning "a text is shown too briefly to be read"
     LowCoverage "LZ0513" "low-coverage" Error "too few clips have a text in a locale"
     LocaleWithoutTexts "LZ0514" "locale-without-texts" Warning "no clip has a text in a locale to be packed"
+    BlankSegment "LZ0515" "blank-segment" Warning "a segment shows nothing where the default locale has a text"
 
     "Segments"
     SegmentCount "LZ0601" "segment-count" Error "elements have different numbers of segments"

@@ -192,8 +192,9 @@ fn snippet<'r>(source: &'r Source, diagnostic: &'r Diagnostic) -> Snippet<'r, an
     let labels = diagnostic.primary.iter().map(|label| (AnnotationKind::Primary, label));
     let others = diagnostic.labels.iter().map(|label| (AnnotationKind::Context, label));
     for (kind, label) in labels.chain(others) {
-        let end = (label.span.end as usize).min(source.text.len());
-        let start = (label.span.start as usize).min(end);
+        // Whoever counted wrongly: a mark lies between characters of the text, or the renderer panics.
+        let start = source.text.floor_char_boundary(label.span.start as usize);
+        let end = source.text.ceil_char_boundary(label.span.end as usize).max(start);
         let annotation = kind.span(start..end);
         snippet = snippet.annotation(if label.text.is_empty() {
             annotation
@@ -207,6 +208,23 @@ fn snippet<'r>(source: &'r Source, diagnostic: &'r Diagnostic) -> Snippet<'r, an
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn wrong_places_do_not_stop_any_renderer() {
+        let text = "\u{feff}é\n灯\u{1a}x";
+        for start in 0..14 {
+            for end in 0..14 {
+                let span = crate::Span { start, end };
+                let diagnostic = Diagnostic::at(Code::JsonSyntax, span, "m").also(span, "l").fix(span, "f");
+                let reports = [Report::new(Source::new("a", text), vec![diagnostic])];
+                assert!(human(&reports).contains("error[LZ0101]: m"));
+                crate::render::json(&reports);
+                crate::render::sarif(&reports, true);
+                crate::render::github(&reports);
+                crate::render::cargo(&reports);
+            }
+        }
+    }
 
     #[test]
     fn numbers_have_commas() {

@@ -1,8 +1,11 @@
 //! From bytes to text: UTF-8, with or without a byte order mark.
 
 use super::MAX_FILE_BYTES;
-use lipz_diagnostics::{Code, Diagnostic, Span, escape};
+use lipz_diagnostics::{Code, Diagnostic, Severity, Span, escape};
 use lipz_types::BANK_MAGIC;
+
+/// U+FEFF in UTF-8.
+const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
 
 /// What Windows-1252 has at 0x80 to 0x9F; blanks where it has nothing.
 const WINDOWS_1252: &str = "€ ‚ƒ„…†‡ˆ‰Š‹Œ Ž  ‘’“”•–—˜™š›œ žŸ";
@@ -14,9 +17,10 @@ pub fn decode<'s>(bytes: &'s [u8], diagnostics: &mut Vec<Diagnostic>) -> Option<
         diagnostics.push(too_large());
         return None;
     }
-    if let Some(order) = utf16_byte_order(bytes) {
+    if let Some((encoding, order)) = wide_encoding(bytes) {
         diagnostics.push(
-            Diagnostic::new(Code::Utf16, format!("the file is UTF-16 ({order}), not UTF-8")).help("save it as UTF-8"),
+            Diagnostic::new(Code::Utf16, format!("the file is {encoding} ({order}), not UTF-8"))
+                .help("save it as UTF-8"),
         );
         return None;
     }
@@ -35,9 +39,26 @@ pub fn decode<'s>(bytes: &'s [u8], diagnostics: &mut Vec<Diagnostic>) -> Option<
     text.map_err(|error| diagnostics.push(not_utf8(without_mark, error))).ok()
 }
 
+/// The text of a file in which a byte order mark is usual, such as those of other tools: it is skipped. `None` and the
+/// reason, if [`decode`] gives none, or if more than one mark is there: parsers of other formats skip it, too, and then
+/// count from another place.
+pub fn decode_marked<'s>(bytes: &'s [u8], diagnostics: &mut Vec<Diagnostic>) -> Option<&'s str> {
+    let bytes = without_byte_order_mark(bytes);
+    if bytes.starts_with(BYTE_ORDER_MARK) {
+        let span = Span::new(0, BYTE_ORDER_MARK.len());
+        let mut diagnostic =
+            Diagnostic::at(Code::ByteOrderMark, span, "the file starts with more than one byte order mark")
+                .help("delete all marks but the first; was the file joined from others?");
+        diagnostic.severity = Severity::Error;
+        diagnostics.push(diagnostic);
+        return None;
+    }
+    decode(bytes, diagnostics)
+}
+
 /// The bytes behind a UTF-8 byte order mark, from which spans count; all of them if there is none.
 pub fn without_byte_order_mark(bytes: &[u8]) -> &[u8] {
-    bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)
+    bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes)
 }
 
 /// The diagnostic for a file longer than [`MAX_FILE_BYTES`], for callers who know its length before
@@ -47,19 +68,19 @@ pub fn too_large() -> Diagnostic {
         .help("one Lipz file describes one audio file: split the recording")
 }
 
-/// Recognises UTF-16 by its byte order mark, or by the zero byte next to the first brace or blank.
-fn utf16_byte_order(bytes: &[u8]) -> Option<&'static str> {
+/// Recognises UTF-16 and UTF-32, and their byte order: by the byte order mark, or by the zero bytes next to the first
+/// brace or blank.
+fn wide_encoding(bytes: &[u8]) -> Option<(&'static str, &'static str)> {
     match bytes {
-        [0xFF, 0xFE, ..] => Some("little-endian"),
-        [0xFE, 0xFF, ..] => Some("big-endian"),
-        [1..=0x7F, 0, ..] => Some("little-endian"),
-        [0, 1..=0x7F, ..] => Some("big-endian"),
+        [0xFF, 0xFE, 0, 0, ..] | [1..=0x7F, 0, 0, 0, ..] => Some(("UTF-32", "little-endian")),
+        [0, 0, 0xFE, 0xFF, ..] | [0, 0, 0, 1..=0x7F, ..] => Some(("UTF-32", "big-endian")),
+        [0xFF, 0xFE, ..] | [1..=0x7F, 0, ..] => Some(("UTF-16", "little-endian")),
+        [0xFE, 0xFF, ..] | [0, 1..=0x7F, ..] => Some(("UTF-16", "big-endian")),
         _ => None,
     }
 }
 
-/// The diagnostic for the first byte that is not UTF-8, or for a bank, which is named by mistake. Its span counts in
-/// the text that `String::from_utf8_lossy` makes of the file, in which bad bytes have a replacement character.
+/// The diagnostic for the first bytes that are not UTF-8, or for a bank, which is named by mistake.
 fn not_utf8(bytes: &[u8], error: std::str::Utf8Error) -> Diagnostic {
     if bytes.starts_with(&BANK_MAGIC) {
         return Diagnostic::new(Code::NotUtf8, "the file is a lipz bank, not text")
@@ -67,19 +88,40 @@ fn not_utf8(bytes: &[u8], error: std::str::Utf8Error) -> Diagnostic {
     }
     let at = error.valid_up_to();
     let byte = bytes.get(at).copied().unwrap_or_default();
-    let span = Span::new(at, at + '\u{FFFD}'.len_utf8());
+    let span = Span::new(at, error.error_len().map_or(bytes.len(), |length| at + length));
     if error.error_len().is_none() {
         return Diagnostic::at(Code::NotUtf8, span, "the file ends in the middle of a character")
             .help("was the file cut off while it was copied? copy it again");
     }
     let diagnostic = Diagnostic::at(Code::NotUtf8, span, format!("the file is not UTF-8 (byte 0x{byte:02X})"))
         .help("save the file as UTF-8");
+    if let Some(why) = forbidden(bytes.get(at..).unwrap_or_default()) {
+        return diagnostic.note(why);
+    }
     match in_windows_1252(byte) {
         Some(character) if byte < 0xA0 => diagnostic.note(format!("in Windows-1252 this byte is `{character}`")),
         Some(character) => {
             diagnostic.note(format!("in Latin-1 and Windows-1252 this byte is {}", escape::character(character)))
         }
         None => diagnostic,
+    }
+}
+
+/// Why bytes that look like UTF-8 are not: programs that write these forms call them UTF-8 all the same.
+fn forbidden(bytes: &[u8]) -> Option<&'static str> {
+    match bytes {
+        [0xED, 0xA0..=0xBF, 0x80..=0xBF, ..] => {
+            Some("half of a surrogate pair: the file is CESU-8, as some databases and Java programs write it")
+        }
+        [0xC0 | 0xC1, 0x80..=0xBF, ..]
+        | [0xE0, 0x80..=0x9F, 0x80..=0xBF, ..]
+        | [0xF0, 0x80..=0x8F, 0x80..=0xBF, ..] => {
+            Some("an overlong form, which UTF-8 does not allow: the same character has a shorter one")
+        }
+        [0xF4, 0x90..=0xBF, 0x80..=0xBF, ..] | [0xF5..=0xF7, 0x80..=0xBF, ..] => {
+            Some("the bytes would stand for a character beyond U+10FFFF, the last one of Unicode")
+        }
+        _ => None,
     }
 }
 
@@ -105,6 +147,40 @@ mod tests {
         for byte in [0x81, 0x8D, 0x8F, 0x90, 0x9D] {
             assert_eq!(in_windows_1252(byte), None);
         }
+    }
+
+    #[test]
+    fn encodings_are_called_by_their_names() {
+        let told = |bytes: &[u8]| {
+            let mut found = Vec::new();
+            assert_eq!(decode(bytes, &mut found), None);
+            let notes = found[0].notes.first().map_or("", String::as_str);
+            let place = found[0].primary.as_ref().map_or(0..0, |label| label.span.range());
+            (format!("{}; {notes}", found[0].message), place)
+        };
+        for (bytes, expected) in [
+            (&b"\xFF\xFE\0\0{\0\0\0"[..], "UTF-32 (little-endian)"),
+            (b"\0\0\xFE\xFF\0\0\0{", "UTF-32 (big-endian)"),
+            (b"{\0\0\0}\0\0\0", "UTF-32 (little-endian)"),
+            (b"{\0}\0", "UTF-16 (little-endian)"),
+            (b"\xFE\xFF\0{", "UTF-16 (big-endian)"),
+        ] {
+            assert!(told(bytes).0.contains(expected), "{bytes:?}");
+        }
+        assert_eq!(told(b"{\xC0\xAF}"), ("the file is not UTF-8 (byte 0xC0); an overlong form, which UTF-8 does not allow: the same character has a shorter one".into(), 1..2));
+        assert!(told(b"{\xED\xA0\xBD}").0.contains("CESU-8"));
+        assert!(told(b"{\xF4\x90\x80\x80}").0.contains("U+10FFFF"));
+        assert!(told(b"{\xC0 caf\xE9}").0.contains("`\u{c0}`"), "a letter of Latin-1");
+        assert_eq!(told(b"{\xE7\x81"), ("the file ends in the middle of a character; ".into(), 1..3));
+    }
+
+    #[test]
+    fn one_mark_is_skipped_and_two_are_refused() {
+        let mut found = Vec::new();
+        assert_eq!(decode_marked(b"\xEF\xBB\xBFx", &mut found), Some("x"));
+        assert!(found.is_empty());
+        assert_eq!(decode_marked(b"\xEF\xBB\xBF\xEF\xBB\xBFx", &mut found), None);
+        assert!(found[0].is_error());
     }
 
     #[test]

@@ -4,7 +4,7 @@ mod elements;
 mod encoding;
 mod syntax;
 
-pub use encoding::{decode, too_large, without_byte_order_mark};
+pub use encoding::{decode, decode_marked, too_large, without_byte_order_mark};
 
 use crate::Document;
 use crate::text::trim;

@@ -1,14 +1,14 @@
 //! Files that pretend to be Lipz files.
 
-use lipz_compiler::{Compiler, Input};
-use lipz_diagnostics::{Diagnostic, Severity, Span};
+use lipz_compiler::{Compiler, Input, Options};
+use lipz_diagnostics::{Code, Diagnostic, Report, Severity, Span};
 use lipz_file::format::{LineEnding, Style, format};
 
 /// Reads and checks any bytes: every diagnostic has its places in the file, and without errors there is a
 /// bank.
 pub fn parse(bytes: &[u8]) {
     let parsed = lipz_file::parse(bytes);
-    let text = String::from_utf8_lossy(lipz_file::without_byte_order_mark(bytes));
+    let text = Report::from_bytes("", bytes, Vec::new()).source.text;
     parsed.diagnostics.iter().for_each(|found| is_about(found, &text));
     let has_errors = |found: &[Diagnostic]| found.iter().any(|found| found.severity == Severity::Error);
     assert!(parsed.document.is_some() || has_errors(&parsed.diagnostics), "no document, and no reason");
@@ -29,9 +29,11 @@ pub(super) fn is_about(found: &Diagnostic, text: &str) {
 }
 
 /// What is written is read as the same document; formatting it again changes nothing, and neither does
-/// fixing what was fixed.
+/// fixing what was fixed. The bank stays the same through both, whatever the project lowers.
 pub fn rewrite(bytes: &[u8]) {
+    let banks = banks(bytes);
     if let Some(fixed) = Compiler::default().fix(bytes) {
+        assert_same(&banks, fixed.text.as_bytes());
         let again = Compiler::default().fix(fixed.text.as_bytes());
         // A hundred mistakes are mended in one run.
         assert!(again.is_none() || fixed.counts.values().sum::<usize>() >= 100, "{}", fixed.text);
@@ -44,5 +46,20 @@ pub fn rewrite(bytes: &[u8]) {
         let once = format(&document, style);
         let reread = lipz_file::parse(once.as_bytes()).document.expect("what was formatted is read");
         assert_eq!(format(&reread, style), once);
+        assert_same(&banks, once.as_bytes());
+    }
+}
+
+/// The banks that projects make of a file, without source records; none where it has errors.
+fn banks(bytes: &[u8]) -> [Option<Vec<u8>>; 2] {
+    let lowered = || Options::new().strip(true).levels([(Code::SegmentCount, Some(Severity::Warning))]);
+    [lowered(), lowered().default_locale("en-us")]
+        .map(|options| Compiler::new(options).compile(&[Input::from_bytes("clip", bytes)]).bank)
+}
+
+/// Where there was a bank, it is the same.
+fn assert_same(before: &[Option<Vec<u8>>; 2], after: &[u8]) {
+    for (before, after) in before.iter().zip(banks(after)) {
+        assert!(before.is_none() || *before == after, "another bank");
     }
 }

@@ -62,7 +62,7 @@ pub(crate) fn map(named: &str, reporter: &mut Reporter) -> Result<MapChoice, Abo
         reporter.fail(Report::about(console::path(path), Diagnostic::new(Code::MapRefused, message)))
     })?;
     let mut diagnostics = Vec::new();
-    let read = lipz_file::decode(lipz_file::without_byte_order_mark(&bytes), &mut diagnostics).map(Map::parse);
+    let read = lipz_file::decode_marked(&bytes, &mut diagnostics).map(Map::parse);
     match read {
         Some(Ok(map)) => Ok(MapChoice::OfFile(Box::new(map))),
         Some(Err(found)) => Err(reporter.fail(Report::from_bytes(console::path(path), &bytes, found))),

@@ -65,18 +65,12 @@ impl SettingsFile {
         (!self.no_config).then(file)
     }
 
-    /// The settings file: the one that is named; otherwise that of the first source, wherever the
-    /// command is run; otherwise that of the current folder.
+    /// The settings file: the one that is named, otherwise that of the sources.
     fn find(&self, sources: &[PathBuf]) -> Option<PathBuf> {
         if self.no_config {
             return None;
         }
-        let of_first = || {
-            // A pattern or a file lies in the first folder above it.
-            let folder = sources.first()?.ancestors().find(|path| path.is_dir())?;
-            Settings::find(folder)
-        };
-        self.config.clone().or_else(of_first).or_else(|| Settings::find(Path::new(".")))
+        self.config.clone().or_else(|| Settings::find_of(sources))
     }
 }
 

@@ -26,7 +26,29 @@ pub(super) fn instead(character: char, viseme_type: VisemeType, foreign: &[&Coun
             "the format author's own tool wrote `:` for 9".into()
         }
         '‐' | '‑' | '‒' | '–' | '—' | '−' | 'ー' | '_' | '.' | 'X' => "rest is the hyphen, `-`".into(),
+        _ if latin(character).is_some_and(|code| viseme_type.contains(code as u8)) => {
+            let code = latin(character).unwrap_or_default();
+            format!("it only looks like the code `{code}`: write `{code}`")
+        }
         _ if upper != character && viseme_type.contains(upper as u8) => format!("codes are upper case: `{upper}`"),
+        _ => return None,
+    })
+}
+
+/// The ASCII character that a letter of another script or width looks like.
+fn latin(character: char) -> Option<char> {
+    Some(match character {
+        'А' | 'Α' => 'A',
+        'В' | 'Β' => 'B',
+        'С' | 'Ϲ' => 'C',
+        'Е' | 'Ε' => 'E',
+        'Ԍ' => 'G',
+        'М' | 'Μ' => 'M',
+        'О' | 'Ο' => 'O',
+        'Ѕ' => 'S',
+        'Ԝ' => 'W',
+        // Full width: in the order of ASCII.
+        '！'..='～' => char::from_u32(u32::from(character) - (u32::from('！') - u32::from('!')))?,
         _ => return None,
     })
 }

@@ -48,7 +48,7 @@ fn one_of(
     expected: Expected,
 ) -> Option<Diagnostic> {
     let found = *foreign.get(index)?;
-    let shown = escape::character(found.character);
+    let shown = escape::numbered(found.character);
     let message = match expected {
         Expected::Named(known) | Expected::Default(known) => {
             let article = if known == VisemeType::Rms { "an" } else { "a" };
@@ -78,7 +78,7 @@ fn one_of(
 
 /// Codes of several types, without one that has them all.
 fn mixed(string: &JsonString<'_>, first: &Counted, viseme_type: VisemeType, foreign: &[&Counted]) -> Diagnostic {
-    let shown = escape::character(first.character);
+    let shown = escape::numbered(first.character);
     let message =
         format!("{shown} is not one of the {viseme_type} codes, and no viseme type has all codes of this file");
     let diagnostic = repeated(Diagnostic::at(Code::MixedCodes, span(string, first), message), first);

@@ -7,6 +7,18 @@ use lipz_diagnostics::{Code, Diagnostic, Span};
 /// Digits of the longest number that a message repeats.
 const DIGITS_SHOWN: usize = 24;
 
+/// The rates of film and video that are not whole numbers, as people write them: before and behind the point.
+const KNOWN_RATES: [(&str, &str); 8] = [
+    ("14", "985"),
+    ("23", "976"),
+    ("23", "98"),
+    ("29", "97"),
+    ("47", "952"),
+    ("47", "95"),
+    ("59", "94"),
+    ("119", "88"),
+];
+
 pub(super) fn explain(at: &Place<'_>, expected: Expected) -> Option<Diagnostic> {
     trailing(at).or_else(|| too_many(at)).or_else(|| decimal(at, expected)).or_else(|| missing(at, expected))
 }
@@ -48,14 +60,19 @@ fn decimal(at: &Place<'_>, expected: Expected) -> Option<Diagnostic> {
         ..=DIGITS_SHOWN => format!("a decimal number has a point: {whole}.{fraction}"),
         _ => "a decimal number has a point".to_owned(),
     };
-    let diagnostic = Diagnostic::at(Code::JsonSyntax, comma, message).help("write a point instead of this comma");
-    // `1,000` may be a thousand, and other elements may hold anything.
+    let diagnostic = Diagnostic::at(Code::JsonSyntax, comma, message)
+        .help("write a point instead of this comma, or delete what does not belong to the number");
+    // `3,0` may be 30 and a slip, `1,000` a thousand, and other elements may hold anything.
     let is_fps = start
         .strip_suffix(whole)?
         .trim_end_matches(WHITE_SPACE)
         .strip_suffix(':')
         .is_some_and(|before| before.trim_end_matches(WHITE_SPACE).ends_with("\"fps\""));
-    Some(if is_fps && (whole != "1" || fraction.len() != 3) { diagnostic.fix(comma, ".") } else { diagnostic })
+    let is_known = KNOWN_RATES.contains(&(whole, fraction));
+    Some(match is_fps && is_known {
+        true => diagnostic.help("write a point instead of this comma").fix(comma, "."),
+        false => diagnostic,
+    })
 }
 
 /// No comma between a value and the next element.

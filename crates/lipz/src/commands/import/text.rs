@@ -52,7 +52,7 @@ fn text(path: &Path) -> Result<String, Report> {
         Report::about(shown.clone(), Diagnostic::new(Code::UnreadableFile, message))
     })?;
     let mut diagnostics = Vec::new();
-    match lipz_file::decode(lipz_file::without_byte_order_mark(&bytes), &mut diagnostics) {
+    match lipz_file::decode_marked(&bytes, &mut diagnostics) {
         Some(text) => Ok(lipz_file::text::trim(text).to_owned()),
         None => Err(Report::from_bytes(shown, &bytes, diagnostics)),
     }
