@@ -9,17 +9,21 @@ use cap_std::fs::Dir;
 use cap_tempfile::TempFile;
 use lipz_bank::Bank;
 use lipz_diagnostics::{Code, Diagnostic, Report, escape};
+use lipz_file::Document;
 use std::collections::HashMap;
 use std::io::{self, Write};
 use std::path::Path;
 
 /// What unpacking gave.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Debug)]
+#[non_exhaustive]
 pub struct Unpacked {
     /// Files written.
     pub files: usize,
     /// Whether they are exact, or display forms of a stripped bank.
     pub is_exact: bool,
+    /// Files that were replaced, and had texts or other elements that the bank does not have: a warning for each.
+    pub lost: Vec<Report>,
 }
 
 /// Writes every clip of a verified bank as a Lipz file into `folder`, which is made if it does
@@ -73,10 +77,11 @@ where
             return Err(existing);
         }
     }
-    let mut files = 0;
+    let (mut files, mut lost) = (0, Vec::new());
     for document in documents.iter() {
         let (key, document) = document.map_err(|report| vec![report])?;
         let name = format!("{key}.{EXTENSION}");
+        lost.extend(if overwrite { loss(&output, &name, &shown, &document) } else { None });
         let text = lipz_file::write(&document);
         write_file(&output, &name, text.as_bytes()).map_err(|error| {
             let why = match obstacle(&output, &name) {
@@ -89,7 +94,24 @@ where
         files += 1;
         progress(1);
     }
-    Ok(Unpacked { files, is_exact: documents.is_exact() })
+    Ok(Unpacked { files, is_exact: documents.is_exact(), lost })
+}
+
+/// What a file that is replaced has and the bank does not, if anything.
+fn loss(output: &Dir, name: &str, shown: &str, document: &Document<'_>) -> Option<Report> {
+    let bytes = output.read(name).ok()?;
+    let path = format!("{shown}/{name}");
+    let message = match lipz_file::parse(&bytes).document {
+        Some(before) => {
+            let lost: Vec<String> = before.lost_in(document).map(|name| escape::quoted(name).to_string()).collect();
+            if lost.is_empty() {
+                return None;
+            }
+            format!("`{path}` is replaced, without its {}", lost.join(", "))
+        }
+        None => format!("`{path}` is replaced: what it had cannot be read"),
+    };
+    Some(Report::about(path, Diagnostic::new(Code::ClipReplaced, message)))
 }
 
 /// Keys that would leave the folder, cannot be file names, or would be one file.

@@ -80,6 +80,20 @@ impl<'s> Document<'s> {
             _ => None,
         }
     }
+
+    /// The names of elements that are lost if `other` takes the place of this document: those that it does not have,
+    /// or has with another value. What recordings decide (`visemes`, `viseme_type`, `fps`) does not count, nor do
+    /// strings without characters to display.
+    pub fn lost_in<'a>(&'a self, other: &'a Document<'_>) -> impl Iterator<Item = &'a str> {
+        let is_work = |element: &&Element<'_>| match &element.value {
+            _ if matches!(&*element.name.text, "visemes" | "viseme_type" | "fps") => false,
+            Value::String(string) => !crate::text::trim(&string.text).is_empty(),
+            _ => true,
+        };
+        let is_lost =
+            |element: &&Element<'_>| other.get(&element.name.text).is_none_or(|other| other.value != element.value);
+        self.elements.iter().filter(is_work).filter(is_lost).map(|element| &*element.name.text)
+    }
 }
 
 impl Value<'_> {

@@ -105,6 +105,8 @@ codes! {
     MapRefused "LZ1111" "map-refused" Error "a mapping table cannot be used"
     NotExportable "LZ1112" "not-exportable" Error "a clip cannot be written in another tool's format"
     ExportLoss "LZ1113" "export-loss" Warning "an export loses a part of the clip"
+    ImportKept "LZ1114" "import-kept" Warning "a part of an import is not taken, because the clip has its own"
+    ClipReplaced "LZ1115" "clip-replaced" Warning "a clip is replaced, and parts of it are lost"
 
     "Ids"
     IdentifierClash "LZ1201" "identifier-clash" Error "two keys become the same identifier"

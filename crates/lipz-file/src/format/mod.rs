@@ -6,7 +6,10 @@
 //! then elements that are not of the format.
 
 mod columns;
+mod rewrite;
 mod spelling;
+
+pub use rewrite::rewrite;
 
 use crate::locale::{TextName, text_name};
 use crate::{Document, Element, Value};

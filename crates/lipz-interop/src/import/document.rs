@@ -2,7 +2,7 @@
 
 use crate::frames::Run;
 use crate::segments::Division;
-use crate::{ImportOptions, Text, Time, Track};
+use crate::{ImportOptions, Text, Time, Timed, Track};
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use lipz_file::rate::Rate;
 use lipz_file::text::{DELIMITER, trim};
@@ -37,42 +37,68 @@ pub(super) fn texts(track: &Track, options: &ImportOptions<'_>, diagnostics: &mu
     texts
 }
 
-/// The codes of all frames, with `|` where segments start.
-pub(super) fn codes(runs: &[Run], lengths: &[usize], division: &Division, rate: Rate) -> String {
-    let mut starts = Vec::with_capacity(runs.len() + 1);
-    let mut codes = String::new();
-    for (run, &length) in runs.iter().zip(lengths) {
-        starts.push((run.start, codes.len()));
-        codes.extend(std::iter::repeat_n(char::from(run.code), length));
+/// Shapes laid out in frames.
+pub(super) struct OnFrames {
+    /// The codes of all frames.
+    pub(super) codes: String,
+    /// When each shape starts, and its first frame.
+    starts: Vec<(Time, usize)>,
+    rate: Rate,
+}
+
+impl OnFrames {
+    pub(super) fn new(runs: &[Run], lengths: &[usize], rate: Rate) -> OnFrames {
+        let mut frames = OnFrames { codes: String::new(), starts: Vec::with_capacity(runs.len() + 1), rate };
+        for (run, &length) in runs.iter().zip(lengths) {
+            frames.starts.push((run.start, frames.codes.len()));
+            frames.codes.extend(std::iter::repeat_n(char::from(run.code), length));
+        }
+        frames
     }
-    // A segment that starts with a shape starts with its first frame, wherever that went.
-    let frame_of = |time: Time| match starts.binary_search_by(|(start, _)| start.cmp(&time)) {
-        Ok(found) => starts.get(found).map_or(codes.len(), |(_, frame)| *frame),
-        Err(_) => usize::try_from(time.nearest_frame(rate)).unwrap_or(codes.len()),
-    };
-    let mut divided = String::with_capacity(codes.len() + division.starts.len());
-    let mut done = 0;
-    for start in &division.starts {
-        let frame = frame_of(*start).clamp(done, codes.len());
-        divided.push_str(codes.get(done..frame).unwrap_or_default());
-        divided.push(DELIMITER);
-        done = frame;
+
+    /// What starts with a shape starts with its first frame, wherever that went.
+    fn frame(&self, time: Time) -> usize {
+        match self.starts.binary_search_by(|(start, _)| start.cmp(&time)) {
+            Ok(found) => self.starts.get(found).map_or(self.codes.len(), |(_, frame)| *frame),
+            Err(_) => usize::try_from(time.nearest_frame(self.rate)).unwrap_or(self.codes.len()),
+        }
     }
-    divided + codes.get(done..).unwrap_or_default()
+
+    /// The codes with `|` where segments start.
+    pub(super) fn divided(&self, division: &Division) -> String {
+        let mut divided = String::with_capacity(self.codes.len() + division.starts.len());
+        let mut done = 0;
+        for start in &division.starts {
+            let frame = self.frame(*start).clamp(done, self.codes.len());
+            divided.push_str(self.codes.get(done..frame).unwrap_or_default());
+            divided.push(DELIMITER);
+            done = frame;
+        }
+        divided + self.codes.get(done..).unwrap_or_default()
+    }
+
+    /// Stretches of text that start with frames.
+    pub(super) fn timed(&self, stretches: &[Timed]) -> Vec<Timed> {
+        let on_frame = |timed: &Timed| Timed {
+            start: Time::of_frame(self.frame(timed.start) as u64, self.rate),
+            text: timed.text.clone(),
+        };
+        stretches.iter().map(on_frame).collect()
+    }
 }
 
 pub(super) fn document(
     track: &Track,
     codes: String,
-    texts: Vec<Text>,
+    texts: &[Text],
     division: &Division,
     viseme_type: VisemeType,
     rate: Rate,
 ) -> Document<'static> {
     let mut elements = vec![element("visemes", codes)];
-    for (text, parts) in texts.into_iter().zip(&division.texts) {
+    for (text, parts) in texts.iter().zip(&division.texts) {
         let trimmed: Vec<&str> = parts.iter().map(|part| trim(part)).collect();
-        let name = format!("text_{}", text.locale.unwrap_or_default());
+        let name = format!("text_{}", text.locale.as_deref().unwrap_or_default());
         elements.push(element(&name, trimmed.join(&DELIMITER.to_string())));
     }
     elements.push(element("viseme_type", viseme_type.name().to_owned()));
@@ -96,6 +122,6 @@ fn string(text: String) -> JsonString<'static> {
 }
 
 /// A rate in decimal digits.
-pub(super) fn spell(rate: Rate) -> String {
+pub(crate) fn spell(rate: Rate) -> String {
     (f64::from(rate.numerator) / f64::from(rate.denominator.max(1))).to_string()
 }

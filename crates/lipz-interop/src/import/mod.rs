@@ -6,13 +6,13 @@ mod runs;
 
 pub use options::{DEFAULT_RATE, ImportOptions};
 
-pub(crate) use document::{element, fps};
+pub(crate) use document::{element, fps, spell};
 pub(crate) use runs::REST;
 
 use crate::frames::{LossReason, resample};
 use crate::segments::{Speech, divide};
-use crate::{Format, Map, Time, Track, map};
-use document::{codes, document, texts};
+use crate::{Format, Map, Mouth, Text, Time, Track, map};
+use document::{OnFrames, document, texts};
 use lipz_diagnostics::{Code, Diagnostic, Severity, escape};
 use lipz_file::Document;
 use lipz_file::rate::Rate;
@@ -36,6 +36,10 @@ pub struct Clip {
     pub name: Option<String>,
     /// The clip as a Lipz file.
     pub document: Document<'static>,
+    /// Its mouth, for a clip that exists: see [`Clip::merge`].
+    pub mouth: Mouth,
+    /// What is said, undivided, each with its locale.
+    pub texts: Vec<Text>,
     /// The table that was used: `rhubarb 1`.
     pub map: String,
     /// The frame rate.
@@ -156,8 +160,13 @@ fn clip(track: Track, map: &Map, options: &ImportOptions<'_>, diagnostics: &mut 
     let texts = texts(&track, options, diagnostics);
     let speech = Speech::from_runs(&runs, options.min_pause);
     let division = divide(&track, &speech, &texts, options.segments, diagnostics);
-    let codes = codes(&runs, &resampled.lengths, &division, rate);
-    let document = document(&track, codes, texts, &division, map.viseme_type, rate);
+    let frames = OnFrames::new(&runs, &resampled.lengths, rate);
+    let mouth = Mouth::new(frames.codes.as_str(), rate, map.viseme_type)
+        .words(frames.timed(&track.words))
+        .phrases(frames.timed(&track.phrases));
+    let codes = frames.divided(&division);
+    let document = document(&track, codes, &texts, &division, map.viseme_type, rate);
     let frames = resampled.lengths.iter().sum();
-    Some(Clip { name: track.name, document, map: map.label(), rate, frames, lost, remarks: track.remarks })
+    let (map, remarks) = (map.label(), track.remarks);
+    Some(Clip { name: track.name, document, mouth, texts, map, rate, frames, lost, remarks })
 }

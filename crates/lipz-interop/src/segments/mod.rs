@@ -3,9 +3,9 @@
 mod pauses;
 mod sentences;
 
-pub(crate) use pauses::Speech;
+pub(crate) use pauses::{Place, Speech};
 
-use crate::{Text, Time, Track};
+use crate::{Text, Time, Timed, Track};
 use lipz_diagnostics::{Code, Diagnostic};
 use lipz_file::text::{DELIMITER, trim};
 use sentences::{cut, sentences, words};
@@ -88,15 +88,32 @@ fn parts(text: &str) -> Vec<String> {
 
 /// A text in as many parts as there are segments.
 fn parts_at(text: &str, starts: &[Time], track: &Track, speech: &Speech) -> Vec<String> {
-    let spoken: Vec<&str> = words(text).collect();
-    if spoken.len() == track.words.len() {
-        // The file says when each word is spoken.
-        let first_words = starts.iter().map(|start| track.words.iter().filter(|word| word.start < *start).count());
-        let bounds: Vec<usize> = std::iter::once(0).chain(first_words).chain([spoken.len()]).collect();
-        let part =
-            |pair: &[usize]| spoken.get(pair.first().copied()?..pair.last().copied()?).map(|words| words.join(" "));
-        return bounds.windows(2).map(|pair| part(pair).unwrap_or_default()).collect();
+    parts_by_words(text, starts, &track.words).unwrap_or_else(|| parts_by_shares(text, starts, speech))
+}
+
+/// A text in as many parts as there are segments, if it is known when each of its words is spoken.
+pub(crate) fn parts_by_words(text: &str, starts: &[Time], spoken: &[Timed]) -> Option<Vec<String>> {
+    let words: Vec<usize> = words(text).map(|word| word.as_ptr() as usize - text.as_ptr() as usize).collect();
+    if words.len() != spoken.len() {
+        return None;
     }
+    let mut rest = text;
+    let mut parts: Vec<String> = starts
+        .iter()
+        .map(|start| {
+            let first_word = spoken.partition_point(|word| word.start < *start);
+            let end = words.get(first_word).copied().unwrap_or(text.len());
+            let (part, after) = rest.split_at(end.saturating_sub(text.len() - rest.len()));
+            rest = after;
+            trim(part).to_owned()
+        })
+        .collect();
+    parts.push(trim(rest).to_owned());
+    Some(parts)
+}
+
+/// A text in as many parts as there are segments, as if every letter took the same time.
+pub(crate) fn parts_by_shares(text: &str, starts: &[Time], speech: &Speech) -> Vec<String> {
     let shares: Vec<f64> = starts.iter().map(|start| speech.share(*start)).collect();
     cut(text, &shares)
 }
@@ -120,17 +137,16 @@ fn starts_of(parts: &[String], track: &Track, speech: &Speech, diagnostics: &mut
         }
     }
     let lengths: Vec<usize> = parts.iter().map(|part| part.chars().filter(|c| c.is_alphanumeric()).count()).collect();
-    let (starts, guessed) = speech.starts(&lengths);
-    if guessed > 0 {
-        let (all, what) = (starts.len(), if guessed == 1 { "boundaries is" } else { "boundaries are" });
-        diagnostics.push(
-            Diagnostic::new(
-                Code::SegmentGuessed,
-                format!("{guessed} of {all} segment {what} not in a pause of the mouth"),
-            )
-            .note("guessed as if every letter took the same time")
-            .help("move the `|` of the visemes to where the voice is, or divide the text at its pauses"),
-        );
-    }
-    starts
+    let places = speech.starts(&lengths, Time::ZERO);
+    diagnostics.extend(guessed(&places, "guessed as if every letter took the same time"));
+    places.iter().map(|place| place.time).collect()
+}
+
+/// The diagnostic about the places that are guesses, if any is.
+pub(crate) fn guessed(places: &[Place], note: &str) -> Option<Diagnostic> {
+    let guessed = places.iter().filter(|place| place.is_guess).count();
+    let (all, what) = (places.len(), if guessed == 1 { "boundaries is" } else { "boundaries are" });
+    let message = format!("{guessed} of {all} segment {what} not in a pause of the mouth");
+    let help = "move the `|` of the visemes to where the voice is, or divide the text at its pauses";
+    (guessed > 0).then(|| Diagnostic::new(Code::SegmentGuessed, message).note(note).help(help))
 }

@@ -24,7 +24,8 @@ impl Speech {
                 continue;
             };
             if let Some(pause) = speech.pauses.last_mut() {
-                if nanoseconds(run.start) - nanoseconds(pause.start) >= nanoseconds(min_pause) {
+                let rest = nanoseconds(run.start) - nanoseconds(pause.start);
+                if rest > 0 && rest >= nanoseconds(min_pause) {
                     pause.end = run.start;
                     speech.spoken.push(start..end);
                     speech.pauses.push(run.end..run.end);
@@ -69,33 +70,80 @@ impl Speech {
         time(self.spoken.last().map_or(0.0, |spoken| spoken.end))
     }
 
-    /// When parts of these lengths start, but for the first, and how many of the starts are in no pause.
+    /// Whether nothing is said.
+    pub(crate) fn is_silent(&self) -> bool {
+        self.spoken.is_empty()
+    }
+
+    /// When parts of these lengths start, but for the first.
     #[allow(clippy::cast_precision_loss, reason = "lengths of texts")]
-    pub(crate) fn starts(&self, lengths: &[usize]) -> (Vec<Time>, usize) {
+    pub(crate) fn starts(&self, lengths: &[usize], min_pause: Time) -> Vec<Place> {
         let all = lengths.iter().sum::<usize>().max(1) as f64;
-        let mut shares = vec![0.0];
-        for length in lengths {
-            shares.push(shares.last().copied().unwrap_or(0.0) + *length as f64 / all);
-        }
-        let pauses: Vec<(f64, Time)> = self.pauses().map(|pause| (self.share(pause.end), pause.end)).collect();
-        let mut guessed = 0;
-        let start = |around: &[f64]| {
-            let [before, wanted, after] = *around else { return Time::ZERO };
+        let mut before = 0;
+        let share = |length: &usize| {
+            before += length;
+            before as f64 / all
+        };
+        let shares: Vec<f64> = lengths.iter().map(share).collect();
+        self.at_shares(shares.split_last().map_or(&[], |(_, starts)| starts), min_pause)
+    }
+
+    /// When parts start that do so at these shares of the speaking, which ascend: in the nearest pauses, rather in those
+    /// of `min_pause` or longer. Parts without speech start at the same share, and are the pause there.
+    pub(crate) fn at_shares(&self, shares: &[f64], min_pause: Time) -> Vec<Place> {
+        let pauses: Vec<(f64, &Range<Time>)> = self.pauses().map(|pause| (self.share(pause.end), pause)).collect();
+        let mut places = Vec::with_capacity(shares.len());
+        let mut before = 0.0;
+        for same in shares.chunk_by(|a, b| (a - b).abs() < SAME_SHARE) {
+            let wanted = same.first().copied().unwrap_or_default();
+            let after = shares.get(places.len() + same.len()).copied().unwrap_or(1.0);
             // A pause nearer than half of either part cannot be nearer to another boundary, so they stay in order.
             let reach = (wanted - before).min(after - wanted) / 2.0;
-            let distance = |pause: &&(f64, Time)| (pause.0 - wanted).abs();
-            let nearest = pauses.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
-            match nearest.filter(|pause| distance(pause) < reach) {
-                Some((_, time)) => *time,
-                None => {
-                    guessed += 1;
-                    self.time(wanted)
-                }
+            before = wanted;
+            let distance = |pause: &(f64, &Range<Time>)| (pause.0 - wanted).abs();
+            let is_long =
+                |pause: &Range<Time>| nanoseconds(pause.end) - nanoseconds(pause.start) >= nanoseconds(min_pause);
+            let near = pauses.iter().filter(|pause| distance(pause) < reach);
+            let nearest =
+                near.min_by(|a, b| is_long(b.1).cmp(&is_long(a.1)).then_with(|| distance(a).total_cmp(&distance(b))));
+            let (pause, is_guess) = match nearest {
+                // Rest before and after all speech is no pause, but is no guess, either.
+                _ if wanted < SAME_SHARE => (Time::ZERO..self.time(0.0), false),
+                _ if wanted > 1.0 - SAME_SHARE => (self.time(1.0)..self.time(1.0), false),
+                Some((_, pause)) => (pause.start..pause.end, false),
+                None => (self.time(wanted)..self.time(wanted), true),
+            };
+            // A part starts when speech goes on; those without speech before it divide the pause.
+            let (start, length) = (pause.start.as_f64(), pause.end.as_f64() - pause.start.as_f64());
+            let gaps = same.len().saturating_sub(1);
+            for index in 0..same.len() {
+                let first = if wanted < SAME_SHARE { 1 } else { 0 }; // a part of its own lies before the speech
+                let time = match index {
+                    _ if index == gaps => pause.end,
+                    _ if index + first == 0 => pause.start,
+                    _ => time(start + length * fraction(index + first, gaps + first)),
+                };
+                places.push(Place { time, is_guess: is_guess || (index + first > 0 && index < gaps) });
             }
-        };
-        let starts = shares.windows(3).map(start).collect();
-        (starts, guessed)
+        }
+        places
     }
+}
+
+/// Where a part starts.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct Place {
+    pub(crate) time: Time,
+    /// Whether nothing but the lengths of the parts says so.
+    pub(crate) is_guess: bool,
+}
+
+/// Shares that differ by less are the same.
+const SAME_SHARE: f64 = 1e-9;
+
+#[allow(clippy::cast_precision_loss, reason = "numbers of segments")]
+fn fraction(index: usize, of: usize) -> f64 {
+    index as f64 / of.max(1) as f64
 }
 
 /// Nanoseconds of a second.
@@ -135,16 +183,32 @@ mod tests {
     }
 
     #[test]
+    fn parts_without_speech_are_the_rests() {
+        let speech = speech(&[(b'-', 200), (b'A', 1000), (b'-', 400), (b'E', 1000), (b'-', 300)]);
+        let starts = |lengths: &[usize]| {
+            let places = speech.starts(lengths, Time::ZERO);
+            places.iter().map(|place| (place.time.in_units(1000), place.is_guess)).collect::<Vec<_>>()
+        };
+        assert_eq!(starts(&[0, 5, 5]), [(200, false), (1600, false)]);
+        assert_eq!(starts(&[0, 0, 5]), [(100, true), (200, false)]);
+        assert_eq!(starts(&[5, 0, 5]), [(1200, false), (1600, false)]);
+        assert_eq!(starts(&[5, 0, 0, 5]), [(1200, false), (1400, true), (1600, false)]);
+        assert_eq!(starts(&[5, 5, 0]), [(1600, false), (2600, false)]);
+    }
+
+    #[test]
     fn parts_start_at_the_nearest_pause_or_where_they_should() {
         let speech = speech(&[(b'A', 1000), (b'-', 400), (b'E', 900), (b'-', 400), (b'O', 1100)]);
         let starts = |lengths: &[usize]| {
-            let (starts, guessed) = speech.starts(lengths);
-            (starts.iter().map(|start| start.in_units(1000)).collect::<Vec<_>>(), guessed)
+            let places = speech.starts(lengths, Time::ZERO);
+            let guessed = places.iter().filter(|place| place.is_guess).count();
+            (places.iter().map(|place| place.time.in_units(1000)).collect::<Vec<_>>(), guessed)
         };
         assert_eq!(starts(&[10, 10, 10]), (vec![1400, 2700], 0));
         assert_eq!(starts(&[20, 10]), (vec![2700], 0));
         assert_eq!(starts(&[1, 9]), (vec![300], 1), "no pause is near");
         assert_eq!(starts(&[0]), (vec![], 0));
         assert_eq!(starts(&[0, 0]).0.len(), 1);
+        assert_eq!(starts(&[]).0.len(), 0);
     }
 }

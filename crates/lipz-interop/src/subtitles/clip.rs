@@ -72,7 +72,7 @@ pub fn cues(
 }
 
 /// The frames at which segments start, and the number of all frames.
-pub(super) fn bounds(visemes: &str) -> Vec<u64> {
+pub(crate) fn bounds(visemes: &str) -> Vec<u64> {
     let mut frame = 0;
     let mut bounds = vec![0];
     for code in visemes.chars().filter(|code| !is_white_space(*code)) {

@@ -10,6 +10,7 @@ mod srt;
 mod timing;
 mod vtt;
 
+pub(crate) use clip::bounds;
 pub use clip::{SubtitleOptions, cues};
 pub use join::{clip, join};
 

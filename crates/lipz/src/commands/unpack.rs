@@ -32,7 +32,7 @@ pub(crate) struct Unpack {
     #[arg(short, long, value_name = "FOLDER")]
     pub(crate) output: PathBuf,
 
-    /// Replace files that exist
+    /// Replace files that exist; reports which of their texts and other elements the bank does not have
     #[arg(long)]
     pub(crate) force: bool,
 
@@ -61,6 +61,7 @@ impl Run for Unpack {
         bar.finish_and_clear();
         match unpacked {
             Ok(unpacked) => {
+                reporter.add(unpacked.lost);
                 if self.quiet {
                     return Ok(Outcome::Clean);
                 }

@@ -2,6 +2,7 @@
 
 pub(crate) mod bank_file;
 pub(crate) mod bank_or_sources;
+pub(crate) mod existing;
 pub(crate) mod format_examples;
 pub(crate) mod formats;
 pub(crate) mod inputs;

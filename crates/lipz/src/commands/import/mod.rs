@@ -1,31 +1,31 @@
 //! `lipz import`: files of other tools as Lipz files.
 
+mod made;
 mod options;
 mod recordings;
 mod report;
+mod summary;
 mod text;
 
 use crate::Ended;
+use crate::Outcome;
 use crate::commands::Run;
 use crate::reporter::Reporter;
 use crate::shared::format_examples::Direction;
 use crate::shared::formats;
 use crate::shared::{output_file, patterns, stdio};
-use crate::{Outcome, console, interrupt};
 use clap::Args;
-use lipz_compiler::{Content, Input, key, replace_file};
-use lipz_diagnostics::{Report, Severity};
-use lipz_file::format::{Style, format};
-use lipz_interop::{Clip, Format, Imported, Script, import};
-use options::Settings;
-use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use lipz_interop::Format;
+use std::path::PathBuf;
 
 /// Import mouth shapes from files of other tools.
 ///
 /// Each file becomes a Lipz file in the folder, named after it; a file with several speakers becomes several.
 /// Closed lips, F and V keep a frame whenever there is one; lost shapes are reported. Nothing is written for files
 /// with errors.
+///
+/// A Lipz file that exists gets the new mouth (visemes, viseme_type, fps) and keeps everything else: texts,
+/// translations, events, unknown elements, its layout. Its `|` move to where the segments start in the new mouth.
 #[derive(Args, Debug)]
 #[command(after_help = formats::examples(Direction::Import, |format| format.read.is_some()))]
 pub(crate) struct Import {
@@ -41,8 +41,12 @@ pub(crate) struct Import {
     #[arg(short, long, value_name = "FOLDER")]
     output: Option<PathBuf>,
 
-    /// Replace files that exist
+    /// Replace Lipz files that exist, instead of only their mouths; reports which texts and other elements are lost
     #[arg(long)]
+    replace: bool,
+
+    /// Accepted as with other commands, and without effect: existing files keep their texts
+    #[arg(long, hide = true, conflicts_with = "replace")]
     force: bool,
 
     /// Write a JSON report to FILE: tables used and shapes lost, clip by clip
@@ -57,12 +61,6 @@ pub(crate) struct Import {
     quiet: bool,
 }
 
-/// A clip on its way to its file.
-struct Made {
-    input: Input,
-    clip: Clip,
-}
-
 impl Run for Import {
     fn prints_result(&self) -> bool {
         match &self.output {
@@ -72,141 +70,55 @@ impl Run for Import {
     }
 
     fn run(&self, reporter: &mut Reporter) -> Ended {
-        let format = self.tool_format;
         if let Some(report) = &self.report {
             output_file::refuse_source(report, reporter)?;
         }
         let is_printed = self.prints_result();
         let files = patterns::files(&self.files);
-        let (folder, several) = (self.output.as_deref(), files.len() > 1);
-        if (folder.is_none() && !is_printed) || (is_printed && several) {
+        let (output, several) = (self.output.as_deref(), files.len() > 1);
+        if (output.is_none() && !is_printed) || (is_printed && several) {
             let message = "no output is named for the Lipz files";
             return Err(reporter.usage(message, "name a folder with `--output`"));
         }
-        let settings = self.options.settings(folder.filter(|_| !is_printed), reporter)?;
+        let folder = output.filter(|_| !is_printed);
+        let settings = self.options.settings(folder, reporter)?;
         let texts = text::Texts::from_argument(self.options.text.as_deref(), several)
             .map_err(|report| reporter.fail(report))?;
         let script = self.options.recordings.script(reporter)?;
-        let (made, mut reports) = read(self, &files, &settings, &texts, &script);
-        let inputs: Vec<Input> = made.iter().map(|made| made.input.clone()).collect();
-        key::check(&inputs, &mut reports);
-        if let Some(folder) = folder.filter(|_| !is_printed && !self.force) {
-            reports.extend(
-                made.iter()
-                    .filter_map(|made| formats::in_the_way(&formats::path(folder, &made.input.key, key::EXTENSION))),
-            );
-        }
-        if let [only] = made.as_slice()
-            && is_printed
-        {
-            let outcome = Outcome::from_reports(&reports);
-            if outcome != Outcome::Clean {
-                return Err(reporter.abort(reports, outcome));
-            }
-            reporter.add(reports);
-            reporter.print(&layout(only, &settings))?;
-            return Ok(outcome);
-        }
-        if is_printed && made.len() > 1 {
-            let message = "the file has several speakers, and standard output takes one clip";
-            return Err(reporter.usage(message, "name a folder with `--output`"));
-        }
-        let mut written = 0;
-        if formats::may_write(&reports)
-            && let Some(folder) = folder
-        {
-            for made in &made {
-                let path = formats::path(folder, &made.input.key, key::EXTENSION);
-                match interrupt::whole(|| replace_file(&path, layout(made, &settings).as_bytes())) {
-                    Ok(()) => written += 1,
-                    Err(report) => reports.push(report),
+        let (made, mut reports) = made::read(self, &files, folder, &settings, &texts, &script);
+        let Some(folder) = folder else {
+            return match made.as_slice() {
+                [only] if Outcome::from_reports(&reports) == Outcome::Clean => {
+                    reporter.add(reports);
+                    reporter.print(&only.layout(&settings))?;
+                    Ok(Outcome::Clean)
                 }
+                [] | [_] => {
+                    let outcome = Outcome::from_reports(&reports);
+                    Err(reporter.abort(reports, outcome))
+                }
+                _ => {
+                    let message = "the file has several speakers, and standard output takes one clip";
+                    Err(reporter.usage(message, "name a folder with `--output`"))
+                }
+            };
+        };
+        let mut written = summary::Written::default();
+        for made in &made {
+            match made.write(self.replace, folder, &settings, &mut reports) {
+                Ok(place) => written.add(place),
+                Err(report) => reports.push(report),
             }
         }
         if let Some(path) = &self.report {
-            let report = report::json(format, made.iter().map(|made| (&made.input, &made.clip)));
+            let report = report::json(self.tool_format, made.iter().map(|made| (&made.input, &made.clip)));
             output_file::write(path, report.as_bytes(), reporter)?;
         }
         let outcome = Outcome::from_reports(&reports);
         reporter.add(reports);
-        match folder.filter(|_| !self.quiet && written > 0) {
-            None => Ok(outcome),
-            Some(folder) => reporter.summary(&summary(format, &made, written, folder)).map(|()| outcome),
+        if self.quiet || written.is_nothing() {
+            return Ok(outcome);
         }
+        reporter.summary(&summary::summary(self.tool_format, &made, &written, folder)).map(|()| outcome)
     }
-}
-
-/// Reads every file. Those with errors give no clips.
-fn read(
-    arguments: &Import,
-    files: &[PathBuf],
-    settings: &Settings<'_>,
-    texts: &text::Texts,
-    script: &Script,
-) -> (Vec<Made>, Vec<Report>) {
-    let format = arguments.tool_format;
-    let (mut made, mut reports) = (Vec::new(), Vec::new());
-    for file in files {
-        let source = match formats::Source::read(file, format) {
-            Ok(source) => source,
-            Err(report) => {
-                reports.push(report);
-                continue;
-            }
-        };
-        let text = match texts.of_key(&source.key) {
-            Ok(text) => text,
-            Err(report) => {
-                reports.push(report);
-                continue;
-            }
-        };
-        let mut options = settings.import_options().text(text.as_deref());
-        arguments.options.recordings.apply(file, &source.key, script, &mut options);
-        let Imported { clips, mut diagnostics, .. } = import(format, &source.bytes, &options);
-        settings.apply_levels(&mut diagnostics);
-        let is_wrong = diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error);
-        reports.extend(source.report(format, diagnostics));
-        if !is_wrong {
-            made.extend(clips.into_iter().map(|clip| {
-                let key = match &clip.name {
-                    Some(name) => format!("{}-{}", source.key, formats::file_name(name)),
-                    None => source.key.clone(),
-                };
-                Made { input: Input { key, content: Content::File(file.clone()) }, clip }
-            }));
-        }
-    }
-    (made, reports)
-}
-
-/// The clip as a Lipz file in canonical layout.
-fn layout(made: &Made, settings: &Settings<'_>) -> String {
-    let style = Style { default_locale: settings.default_locale(), ..Style::default() };
-    format(&made.clip.document, style)
-}
-
-fn summary(format: &Format, made: &[Made], written: usize, folder: &Path) -> String {
-    let mut maps: Vec<&str> = made.iter().map(|made| made.clip.map.as_str()).collect();
-    maps.sort_unstable();
-    maps.dedup();
-    let lost: usize = made.iter().map(|made| made.clip.lost.len()).sum();
-    let lost =
-        if lost == 0 { String::new() } else { format!(", {} without a frame", console::counted(lost, "mouth shape")) };
-    let (files, tables) = (console::counted(written, "file"), maps.join(", "));
-    format!(
-        "{files} imported from {} into {}, by the mapping table {tables}{lost}\n{}",
-        format.name,
-        console::path(folder),
-        remarks(made)
-    )
-}
-
-/// How the files were read where there was a choice, one kind a line.
-fn remarks(made: &[Made]) -> String {
-    let mut files = BTreeMap::<&str, usize>::new();
-    for remark in made.iter().flat_map(|made| &made.clip.remarks) {
-        *files.entry(remark).or_default() += 1;
-    }
-    files.into_iter().map(|(remark, count)| format!("{}: {remark}\n", console::counted(count, "file"))).collect()
 }

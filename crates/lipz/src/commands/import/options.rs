@@ -3,6 +3,7 @@
 use super::recordings::Recordings;
 use crate::Abort;
 use crate::reporter::Reporter;
+use crate::shared::existing::Existing;
 use crate::shared::formats::{self, MapChoice};
 use crate::shared::lint_flags::LintFlags;
 use crate::shared::project_flags::{parse_fps, parse_locale, parse_viseme_type};
@@ -10,7 +11,7 @@ use crate::shared::settings_file::SettingsFile;
 use clap::{Args, ValueEnum};
 use lipz_bank::Fps;
 use lipz_diagnostics::Diagnostic;
-use lipz_interop::{DEFAULT_RATE, ImportOptions, Segments, Time};
+use lipz_interop::{DEFAULT_RATE, ImportOptions, MergeOptions, Segments, Time};
 use lipz_types::VisemeType;
 use std::path::{Path, PathBuf};
 
@@ -125,6 +126,31 @@ impl Settings<'_> {
             .locale(self.default_locale())
             .segments(flags.segments.into())
             .min_pause(flags.min_pause)
+    }
+
+    /// The options for files whose clips exist: these have a rate and a type of their own, which they keep unless
+    /// somebody or the file names another. `None` if that changes nothing, or not all of them agree.
+    pub(super) fn as_before<'o>(
+        &self,
+        clips: impl Iterator<Item = &'o Existing>,
+        options: &ImportOptions<'o>,
+    ) -> Option<ImportOptions<'o>> {
+        let mut of_clips = clips.filter_map(|clip| clip.rate_and_type().ok());
+        let (rate, viseme_type) = of_clips.next().filter(|first| of_clips.all(|other| other == *first))?;
+        let is_named = self.flags.viseme_type.or(self.project.viseme_type).is_some();
+        let viseme_type = viseme_type.filter(|_| !is_named).or(options.viseme_type);
+        let rate = rate.unwrap_or(options.default_rate);
+        let is_other = (rate, viseme_type) != (options.default_rate, options.viseme_type);
+        is_other.then(|| options.clone().default_rate(rate).viseme_type(viseme_type))
+    }
+
+    /// What is decided about merging.
+    pub(super) fn merge_options(&self) -> MergeOptions<'_> {
+        MergeOptions::new()
+            .locale(self.default_locale())
+            .min_pause(self.flags.min_pause)
+            .default_rate(self.project.default_fps.map(formats::rate))
+            .default_viseme_type(self.project.default_viseme_type)
     }
 
     /// The locale of texts that do not name it.

@@ -3,6 +3,7 @@
 use super::found::{self, Found};
 use crate::Ended;
 use crate::reporter::Reporter;
+use crate::shared::existing::Existing;
 use crate::shared::formats;
 use crate::shared::lint_flags::LintFlags;
 use crate::shared::patterns;
@@ -11,20 +12,19 @@ use crate::shared::settings_file::SettingsFile;
 use crate::{Outcome, console, interrupt};
 use clap::Args;
 use lipz_bank::Fps;
-use lipz_compiler::{Content, Input, Options, key, replace_file, rewrite_file};
+use lipz_compiler::{Content, Input, Options, key, replace_file};
 use lipz_diagnostics::{Diagnostic, Report, Severity};
-use lipz_file::Document;
 use lipz_file::format::{Style, format};
 use lipz_interop::DEFAULT_RATE;
 use lipz_interop::subtitles::{clip, join};
+use std::fs;
 use std::path::{Path, PathBuf};
-use std::{fs, io};
 
 /// Read subtitles as texts of clips: KEY.LOCALE.srt or .vtt becomes the text of the clip KEY in that locale.
 ///
 /// A missing clip is created: its mouth rests, and each cue is a segment. A clip without segments gets those of the
-/// cues. A clip with segments keeps them, and each cue becomes the text of the segment that it overlaps most. Lipz
-/// files are written in their canonical layout.
+/// cues. A clip with segments keeps them, and each cue becomes the text of the segment that it overlaps most. All
+/// else in the file stays, also its layout; a new file has the canonical one.
 #[derive(Args, Debug)]
 pub(super) struct Import {
     /// Subtitle files, and folders of them
@@ -94,12 +94,9 @@ fn one(
     files: &[Found],
     reports: &mut Vec<Report>,
 ) -> Result<bool, Report> {
-    let before = match fs::read(path) {
-        Ok(bytes) => Some(bytes),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => None,
-        Err(error) => return Err(formats::unreadable(path, &error)),
-    };
-    let mut document = before.as_deref().map(|bytes| parse(path, bytes)).transpose()?;
+    let existing = Existing::find(path)?;
+    let before = existing.as_ref().map(Existing::document).transpose()?;
+    let mut document = before.clone();
     let fps = arguments.fps.or(options.default_fps);
     let rate = fps.map_or(DEFAULT_RATE, formats::rate);
     let mut is_changed = false;
@@ -120,20 +117,15 @@ fn one(
         }
     }
     let Some(document) = document.filter(|_| is_changed) else { return Ok(false) };
-    let style = Style { default_locale: options.default_locale.as_deref(), ..Style::default() };
-    let after = format(&document, style);
-    interrupt::whole(|| match &before {
-        Some(before) => rewrite_file(path, before, after.as_bytes()),
-        None => replace_file(path, after.as_bytes()),
-    })?;
+    let locale = options.default_locale.as_deref();
+    match (&existing, &before) {
+        (Some(existing), Some(before)) => existing.update(before, &document, locale)?,
+        _ => {
+            let after = format(&document, Style { default_locale: locale, ..Style::default() });
+            interrupt::whole(|| replace_file(path, after.as_bytes()))?;
+        }
+    }
     Ok(true)
-}
-
-/// The document in a Lipz file; its errors are reported, warnings are for `lipz check`.
-fn parse<'b>(path: &Path, bytes: &'b [u8]) -> Result<Document<'b>, Report> {
-    let lipz_file::Parsed { document, diagnostics } = lipz_file::parse(bytes);
-    let is_whole = !has_errors(&diagnostics);
-    document.filter(|_| is_whole).ok_or_else(|| Report::from_bytes(console::path(path), bytes, diagnostics))
 }
 
 fn has_errors(diagnostics: &[Diagnostic]) -> bool {

@@ -1,0 +1,119 @@
+//! An imported clip and the clip that exists already: its mouth, and what else it brings.
+
+use super::place::speech;
+use super::{MergeOptions, Merged, merge, set, string, tag};
+use crate::import::element;
+use crate::segments::{parts_by_shares, parts_by_words};
+use crate::subtitles::bounds;
+use crate::{Clip, Text, Time};
+use lipz_diagnostics::{Code, Diagnostic, escape};
+use lipz_file::text::{DELIMITER, display, segment_count, segments, trim};
+use lipz_file::{Document, Element};
+
+impl Clip {
+    /// The clip `clip` with the mouth of this one, as [`merge`] gives it, and with what only this one has: texts in
+    /// other locales, elements. Where both have something and it differs, that of `clip` stays, and a diagnostic
+    /// tells.
+    pub fn merge<'s>(&self, clip: &Document<'s>, options: &MergeOptions<'_>) -> Merged<'s> {
+        let is_divided = |element: &Element<'_>| match element.name.text.as_ref() {
+            "events" => true,
+            "visemes" => string(element).is_some_and(|visemes| visemes.contains(DELIMITER)),
+            name => tag(name).is_some(),
+        };
+        if !clip.elements.iter().any(is_divided) {
+            return self.with_own_segments(clip, options);
+        }
+        let mut merged = merge(clip, &self.mouth, options);
+        for text in &self.texts {
+            self.add_text(text, &mut merged);
+        }
+        self.add_elements(&mut merged);
+        merged
+    }
+
+    /// Merges with a clip of a mouth alone, so that it gets the segments and texts of this one.
+    fn with_own_segments<'s>(&self, clip: &Document<'s>, options: &MergeOptions<'_>) -> Merged<'s> {
+        let mut merged = merge(clip, &self.mouth, options);
+        for element in &self.document.elements {
+            let name = element.name.text.as_ref();
+            if name == "visemes" || tag(name).is_some() {
+                set(&mut merged.document, name, element.clone());
+            }
+        }
+        self.add_elements(&mut merged);
+        merged
+    }
+
+    /// Adds a text in a locale that the clip does not have yet.
+    fn add_text(&self, text: &Text, merged: &mut Merged<'_>) {
+        let rate = self.mouth.rate;
+        let time = |frame: &u64| Time::of_frame(*frame, rate);
+        let locale = text.locale.as_deref().unwrap_or_default();
+        let elements = &merged.document.elements;
+        let of_locale = elements.iter().find(|element| tag(&element.name.text).as_deref() == Some(locale));
+        let is_blank = |own: &&Element<'_>| string(own).is_some_and(|own| trim(own).is_empty());
+        if let Some(own) = of_locale.filter(|own| !is_blank(own)) {
+            if !string(own).is_some_and(|own| says_the_same(own, &text.text)) {
+                let message = format!("{} stays, but the import has another text", escape::quoted(&own.name.text));
+                merged.diagnostics.push(
+                    Diagnostic::at(Code::ImportKept, own.value.span(), message)
+                        .note(format!("the text of the import: {}", escape::quoted(&text.text)))
+                        .help("change the text of the clip if the recording says something else"),
+                );
+            }
+            return;
+        }
+        let bounds = bounds(merged.document.string("visemes").unwrap_or_default());
+        let starts: Vec<Time> = bounds.get(1..bounds.len() - 1).unwrap_or_default().iter().map(time).collect();
+        let count = starts.len() + 1;
+        let parts = if segment_count(&text.text) == count {
+            text.text.split(DELIMITER).map(|part| trim(part).to_owned()).collect()
+        } else {
+            let whole = text.text.replace(DELIMITER, " ");
+            parts_by_words(&whole, &starts, &self.mouth.words).unwrap_or_else(|| {
+                merged.diagnostics.push(
+                    Diagnostic::new(
+                        Code::SegmentGuessed,
+                        format!("the {count} segments of `text_{locale}` are guessed"),
+                    )
+                    .note("divided between words, as if every letter took the same time")
+                    .help("move the `|` of the text to where they are in the other texts"),
+                );
+                parts_by_shares(&whole, &starts, &speech(&self.mouth.codes, rate))
+            })
+        };
+        let name = of_locale.map_or_else(|| format!("text_{locale}"), |own| own.name.text.to_string());
+        let new = element(&name, parts.join("|"));
+        set(&mut merged.document, &name, new);
+    }
+
+    /// Adds the elements that the clip does not have yet.
+    fn add_elements(&self, merged: &mut Merged<'_>) {
+        let is_of_mouth = |name: &str| matches!(name, "visemes" | "viseme_type" | "fps") || tag(name).is_some();
+        for element in self.document.elements.iter().filter(|element| !is_of_mouth(&element.name.text)) {
+            let name = element.name.text.as_ref();
+            let counts = |of: Option<&str>| of.map_or(1, segment_count);
+            let message = match merged.document.get(name) {
+                Some(own) if own.value == element.value => continue,
+                Some(_) => format!("{} stays, but the import has another value", escape::quoted(name)),
+                None if name == "events" && counts(string(element)) != counts(merged.document.string("visemes")) => {
+                    "the events of the import are left out: they have other segments than the clip".to_owned()
+                }
+                None => {
+                    merged.document.elements.push(element.clone());
+                    continue;
+                }
+            };
+            merged.diagnostics.push(Diagnostic::new(Code::ImportKept, message));
+        }
+    }
+}
+
+/// Whether two texts say the same to a player, however they are divided.
+fn says_the_same(one: &str, other: &str) -> bool {
+    let shown = |text: &str| {
+        let parts = segments(text).map(|range| display(text.get(range).unwrap_or_default()).text.into_owned());
+        parts.collect::<Vec<_>>().join(" ")
+    };
+    shown(one).split_whitespace().eq(shown(other).split_whitespace())
+}
