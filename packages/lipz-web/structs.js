@@ -71,8 +71,8 @@ export const lipz_segment = struct({ clip_id: u64, index: u32, start_frame: u32,
 
 export const lipz_text = struct({ data: pointer, length_bytes: u32, is_fallback: u32 });
 
-export const lipz_locale = struct({ tag: lipz_string, index: u32, is_default: u32 });
+export const lipz_locale = struct({ tag: lipz_string, index: u32, is_default: u32, bank: u32 });
 
-export const lipz_name = struct({ name: lipz_string, id: u32 });
+export const lipz_name = struct({ name: lipz_string, id: u32, bank: u32 });
 
 export const lipz_event = struct({ character: lipz_name, object: lipz_name, verb: u32 });

@@ -190,6 +190,12 @@ impl<'data> Bank<'data> {
         self.file.header.fingerprint.get()
     }
 
+    /// Checksum of the contents, as the header has it: banks of different contents have different ones. `verify`
+    /// compares it with the contents; before that, a damaged bank may have any.
+    pub fn checksum(&self) -> u64 {
+        self.file.header.checksum.get()
+    }
+
     /// Format version, major and minor.
     pub fn format_version(&self) -> (u16, u16) {
         (self.file.header.format_major.get(), self.file.header.format_minor.get())

@@ -89,6 +89,11 @@ impl<'data> TextBank<'data> {
         self.table.locales(self.bank)
     }
 
+    /// Checksum of the contents, as the header has it: see [`Bank::checksum`].
+    pub fn checksum(&self) -> u64 {
+        self.file.header.checksum.get()
+    }
+
     /// Length of the file.
     pub const fn length_bytes(&self) -> usize {
         self.file.bytes.len()

@@ -68,14 +68,27 @@ static void print_segment(const lipz_bank *bank, const lipz_segment *segment, co
     }
 }
 
+/* Prints the segments from `next` on that start up to `frame`, each once, also those that have no frames; returns
+ * the first one that has not started. */
+static uint32_t print_begun(const lipz_bank *bank, const lipz_clip *clip, const lipz_locale *locale, uint32_t next,
+                            uint32_t frame) {
+    lipz_segment segment;
+
+    while (lipz_segment_at(bank, clip, next, &segment) == LIPZ_OK && segment.start_frame <= frame) {
+        print_segment(bank, &segment, locale);
+        next++;
+    }
+    return next;
+}
+
 static int play(const lipz_bank *bank, const char *key, const char *tag) {
     lipz_clip clip;
     lipz_locale locale;
-    lipz_segment segment;
     lipz_viseme viseme;
     uint64_t end_us;
     int64_t time_us;
-    uint32_t shown = UINT32_MAX;
+    uint32_t frame;
+    uint32_t next = 0;
     lipz_status status;
 
     if ((status = lipz_clip_by_key(bank, key, strlen(key), &clip)) != LIPZ_OK) {
@@ -89,13 +102,14 @@ static int play(const lipz_bank *bank, const char *key, const char *tag) {
     }
     printf("%s: %" PRIu32 " frames, %" PRIu32 " segments", key, clip.frame_count, clip.segment_count);
     for (time_us = 0; (uint64_t)time_us < end_us; time_us += PICTURE_US) {
-        if (lipz_segment_at_us(bank, &clip, time_us, &segment) == LIPZ_OK && segment.index != shown) {
-            print_segment(bank, &segment, &locale);
-            shown = segment.index;
+        if (lipz_frame_at_us(bank, &clip, time_us, &frame) == LIPZ_OK) {
+            next = print_begun(bank, &clip, &locale, next, frame);
         }
         lipz_viseme_at_us(bank, &clip, time_us, &viseme);
         putchar(viseme);
     }
+    /* Segments without frames may stand at the end, where no frame leads to them. */
+    print_begun(bank, &clip, &locale, next, UINT32_MAX);
     lipz_viseme_at_us(bank, &clip, time_us, &viseme);
     printf("\nend: %c\n", viseme);
     return 0;

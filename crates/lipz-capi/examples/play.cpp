@@ -75,27 +75,36 @@ void print(const lipz_bank &bank, const lipz_segment &segment, const lipz_locale
     }
 }
 
+/// Prints the segments from `next` on that start up to `frame`, each once, also those that have no frames; returns the
+/// first one that has not started.
+std::uint32_t print_begun(const lipz_bank &bank, const lipz_clip &clip, const lipz_locale &locale, std::uint32_t next,
+                          std::uint32_t frame) {
+    lipz_segment segment;
+    while (lipz_segment_at(&bank, &clip, next, &segment) == LIPZ_OK && segment.start_frame <= frame) {
+        print(bank, segment, locale);
+        ++next;
+    }
+    return next;
+}
+
 void play(const lipz_bank &bank, std::string_view key, std::string_view tag) {
     lipz_clip clip;
     lipz_locale locale;
     must(lipz_clip_by_key(&bank, key.data(), key.size(), &clip), std::string(key));
     must(lipz_locale_by_tag(&bank, tag.data(), tag.size(), &locale), std::string(tag));
     std::cout << key << ": " << clip.frame_count << " frames, " << clip.segment_count << " segments";
-    lipz_segment segment;
     lipz_viseme viseme;
     std::uint32_t frame;
-    std::uint32_t shown = UINT32_MAX;
+    std::uint32_t next = 0;
     std::int64_t position = 0;
     while (lipz_frame_at_samples(&bank, &clip, position, RATE_HZ, &frame) == LIPZ_OK) {
-        must(lipz_segment_at_samples(&bank, &clip, position, RATE_HZ, &segment), "segment");
-        if (segment.index != shown) {
-            print(bank, segment, locale);
-            shown = segment.index;
-        }
+        next = print_begun(bank, clip, locale, next, frame);
         must(lipz_viseme_at_samples(&bank, &clip, position, RATE_HZ, &viseme), "viseme");
         std::cout << static_cast<char>(viseme);
         position += PICTURE_SAMPLES;
     }
+    // Segments without frames may stand at the end, where no frame leads to them.
+    print_begun(bank, clip, locale, next, UINT32_MAX);
     must(lipz_viseme_at_samples(&bank, &clip, position, RATE_HZ, &viseme), "viseme");
     std::cout << "\nend: " << static_cast<char>(viseme) << '\n';
 }

@@ -259,7 +259,8 @@ typedef struct lipz_segment {
   uint32_t reserved;
 } lipz_segment;
 
-// A locale of a bank. Look it up once; queries go by `index`.
+// A locale of a bank. Look it up once; queries go by `index` and `bank`. With another bank, another text bank or
+// another version of one, it leads to `LIPZ_NONE`: look it up again.
 typedef struct lipz_locale {
   // Its tag, as in `text_en-us` of a Lipz file: `en-us`.
   struct lipz_string tag;
@@ -267,6 +268,8 @@ typedef struct lipz_locale {
   uint32_t index;
   // 1 for the default locale that was set when the bank was packed.
   uint32_t is_default;
+  // Tells the bank and the text bank that the locale is of apart from others.
+  uint32_t bank;
 } lipz_locale;
 
 // A display text, as a player sees it: UTF-8 without terminator, in the bytes of the bank.
@@ -283,8 +286,11 @@ typedef struct lipz_text {
 typedef struct lipz_name {
   // The name as it is spelled in the Lipz file.
   struct lipz_string name;
-  // Its number in this bank: equal names have equal numbers. `LIPZ_NO_NAME` if there is none.
+  // Its number in this bank: equal names have equal numbers. `LIPZ_NO_NAME` if there is none. In another bank,
+  // and in another version of this one, the number is another name's.
   uint32_t id;
+  // Tells the bank that the name is of apart from others; 0 if there is no name.
+  uint32_t bank;
 } lipz_name;
 
 // One event of Character Event Syntax: `[character] verb object`.
@@ -485,7 +491,7 @@ lipz_status lipz_segment_of_frame(const struct lipz_bank *bank,
                                   struct lipz_segment *segment);
 
 // The text of a segment in a locale of the same bank. `LIPZ_NONE` if the clip has none, also by
-// fallback.
+// fallback, and if the locale is one of another bank.
 lipz_status lipz_segment_text(const struct lipz_bank *bank,
                               const struct lipz_segment *segment,
                               const struct lipz_locale *locale,

@@ -4,7 +4,7 @@ use crate::pointer::{answer, bytes};
 use crate::status::{LIPZ_NULL_POINTER, LIPZ_OK, Status, of_damage};
 use core::mem::MaybeUninit;
 use core::ptr;
-use lipz_bank::{Error, TextBank};
+use lipz_bank::{Error, Locales, TextBank};
 
 /// A bank: the caller's bytes, and beside them those of a text bank, if one is used. It owns
 /// nothing: copy it, forget it.
@@ -104,9 +104,8 @@ pub unsafe extern "C" fn lipz_bank_verify(
 ) -> Status {
     let place = damage_offset_bytes.map(|offset| offset.write(0));
     // SAFETY: the contract of the crate, which the caller keeps.
-    let opened = unsafe { opened(bank).and_then(|opened| Ok((opened, texts(bank, &opened)?))) };
-    let verified = opened.and_then(|(opened, texts)| {
-        let verified = opened.verify().and_then(|bank| texts.map_or(Ok(()), |texts| texts.verify(&bank).map(|_| ())));
+    let verified = unsafe { opened_with_texts(bank) }.and_then(|Opened { bank, texts }| {
+        let verified = bank.verify().and_then(|bank| texts.map_or(Ok(()), |texts| texts.verify(&bank).map(|_| ())));
         told(verified, place)
     });
     verified.err().unwrap_or(LIPZ_OK)
@@ -117,13 +116,12 @@ pub unsafe extern "C" fn lipz_bank_verify(
 pub unsafe extern "C" fn lipz_bank_info(bank: Option<&Bank>, info: Option<&mut MaybeUninit<BankInfo>>) -> Status {
     answer(info, || {
         // SAFETY: the contract of the crate, which the caller keeps.
-        let (opened, texts) = unsafe { opened(bank).and_then(|opened| Ok((opened, texts(bank, &opened)?))) }?;
-        let locales = texts.map_or_else(|| opened.locales(), |texts| texts.locales());
-        let (major, minor) = opened.format_version();
+        let opened = unsafe { opened_with_texts(bank) }?;
+        let (major, minor) = opened.bank.format_version();
         Ok(BankInfo {
-            fingerprint: opened.fingerprint(),
-            clip_count: number(opened.clip_count()),
-            locale_count: number(locales.count()),
+            fingerprint: opened.bank.fingerprint(),
+            clip_count: number(opened.bank.clip_count()),
+            locale_count: number(opened.locales().count()),
             format_major: major.into(),
             format_minor: minor.into(),
         })
@@ -141,22 +139,47 @@ pub(crate) unsafe fn opened<'data>(bank: Option<&Bank>) -> Result<lipz_bank::Ban
     lipz_bank::Bank::open(bytes).map_err(of_damage)
 }
 
-/// The text bank beside `opened`, if one is used.
+/// A bank, and the text bank beside it, if one is used.
+pub(crate) struct Opened<'data> {
+    pub(crate) bank: lipz_bank::Bank<'data>,
+    texts: Option<TextBank<'data>>,
+}
+
+impl<'data> Opened<'data> {
+    /// The locales of the text bank if one is used, otherwise those of the bank.
+    pub(crate) fn locales(&self) -> Locales<'data> {
+        self.texts.as_ref().map_or_else(|| self.bank.locales(), TextBank::locales)
+    }
+
+    /// What tells the files that the locales are from apart from others.
+    pub(crate) fn origin(&self) -> u32 {
+        let texts = self.texts.as_ref().map_or(0, |texts| texts.checksum() as u32);
+        // Turned, so that one file in both places is not no file.
+        origin(&self.bank) ^ texts.rotate_left(1)
+    }
+}
+
+/// What tells a bank apart from others: half of its checksum, which the other half is folded into.
+pub(crate) fn origin(bank: &lipz_bank::Bank<'_>) -> u32 {
+    bank.checksum() as u32
+}
+
+/// The bank of the caller's bytes, and the text bank beside it.
 ///
 /// # Safety
 /// The contract of the crate.
-pub(crate) unsafe fn texts<'data>(
-    bank: Option<&Bank>,
-    opened: &lipz_bank::Bank<'_>,
-) -> Result<Option<TextBank<'data>>, Status> {
-    match bank {
+pub(crate) unsafe fn opened_with_texts<'data>(bank: Option<&Bank>) -> Result<Opened<'data>, Status> {
+    // SAFETY: the same contract.
+    let opened = unsafe { opened(bank) }?;
+    let texts = match bank {
         Some(bank) if !bank.texts.is_null() => {
             // SAFETY: the same contract.
             let bytes = unsafe { bytes(bank.texts, bank.texts_length_bytes) }?;
-            opened.open_texts(bytes).map(Some).map_err(of_damage)
+            Some(opened.open_texts(bytes).map_err(of_damage)?)
         }
-        _ => Ok(None),
-    }
+        _ => None,
+    };
+    Ok(Opened { bank: opened, texts })
 }
 
 /// A number of things that stand in a file, whose length has 32 bits.

@@ -1,6 +1,6 @@
 //! Events of a segment: as written, and typed.
 
-use crate::bank::{Bank, opened};
+use crate::bank::{Bank, opened, origin};
 use crate::pointer::{answer, text};
 use crate::segment::{Segment, of_segment};
 use crate::status::{LIPZ_NONE, Status};
@@ -33,19 +33,23 @@ pub const LIPZ_NO_NAME: u32 = 0xFFFF_FFFF;
 pub struct EventName {
     /// The name as it is spelled in the Lipz file.
     pub name: String,
-    /// Its number in this bank: equal names have equal numbers. `LIPZ_NO_NAME` if there is none.
+    /// Its number in this bank: equal names have equal numbers. `LIPZ_NO_NAME` if there is none. In another bank,
+    /// and in another version of this one, the number is another name's.
     pub id: u32,
+    /// Tells the bank that the name is of apart from others; 0 if there is no name.
+    pub bank: u32,
 }
 
 impl EventName {
-    fn of(name: Option<Name<'_>>) -> EventName {
-        name.map_or_else(EventName::default, |name| EventName { name: String::of(name.as_str()), id: name.id() })
+    fn of(bank: &lipz_bank::Bank<'_>, name: Option<Name<'_>>) -> EventName {
+        let named = |name: Name<'_>| EventName { name: String::of(name.as_str()), id: name.id(), bank: origin(bank) };
+        name.map_or_else(EventName::default, named)
     }
 }
 
 impl Default for EventName {
     fn default() -> EventName {
-        EventName { name: String::default(), id: LIPZ_NO_NAME }
+        EventName { name: String::default(), id: LIPZ_NO_NAME, bank: 0 }
     }
 }
 
@@ -62,7 +66,7 @@ pub struct Event {
 }
 
 impl Event {
-    fn of(event: lipz_bank::Event<'_>) -> Event {
+    fn of(bank: &lipz_bank::Bank<'_>, event: lipz_bank::Event<'_>) -> Event {
         let verb = match event.command {
             Command::Feels(_) => LIPZ_FEELS,
             Command::Sees(_) => LIPZ_SEES,
@@ -72,7 +76,8 @@ impl Event {
             Command::StopsPointing => LIPZ_STOPS_POINTING,
             Command::Does(_) => LIPZ_DOES,
         };
-        Event { character: EventName::of(event.character), object: EventName::of(event.command.object()), verb }
+        let name = |name| EventName::of(bank, name);
+        Event { character: name(event.character), object: name(event.command.object()), verb }
     }
 }
 
@@ -85,7 +90,7 @@ pub unsafe extern "C" fn lipz_segment_event_string(
     string: Option<&mut MaybeUninit<String>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_segment(bank, segment, string, |segment| Ok(String::of(segment.event().ok_or(LIPZ_NONE)?))) }
+    unsafe { of_segment(bank, segment, string, |_, segment| Ok(String::of(segment.event().ok_or(LIPZ_NONE)?))) }
 }
 
 /// The typed event of a segment with this index: ask from 0 on until `LIPZ_NONE`. There are none where the
@@ -99,8 +104,8 @@ pub unsafe extern "C" fn lipz_segment_event(
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
     unsafe {
-        of_segment(bank, segment, event, |segment| {
-            Ok(Event::of(segment.events().nth(index as usize).ok_or(LIPZ_NONE)?))
+        of_segment(bank, segment, event, |bank, segment| {
+            Ok(Event::of(bank, segment.events().nth(index as usize).ok_or(LIPZ_NONE)?))
         })
     }
 }
@@ -116,6 +121,6 @@ pub unsafe extern "C" fn lipz_event_name(
     answer(found, || {
         // SAFETY: the contract of the crate, which the caller keeps.
         let (bank, name) = unsafe { (opened(bank)?, text(name, name_length_bytes)?) };
-        Ok(EventName::of(Some(bank.event_name(name).ok_or(LIPZ_NONE)?)))
+        Ok(EventName::of(&bank, Some(bank.event_name(name).ok_or(LIPZ_NONE)?)))
     })
 }

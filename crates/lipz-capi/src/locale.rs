@@ -1,14 +1,14 @@
 //! Locales: which language texts are asked for in.
 
-use crate::bank::{Bank, opened, texts};
+use crate::bank::{Bank, Opened, opened_with_texts};
 use crate::pointer::{answer, text};
 use crate::status::{LIPZ_NONE, Status};
 use crate::string::String;
 use crate::string::c_char;
 use core::mem::MaybeUninit;
-use lipz_bank::{Locales, TextBank};
 
-/// A locale of a bank. Look it up once; queries go by `index`.
+/// A locale of a bank. Look it up once; queries go by `index` and `bank`. With another bank, another text bank or
+/// another version of one, it leads to `LIPZ_NONE`: look it up again.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Locale {
@@ -18,16 +18,17 @@ pub struct Locale {
     pub index: u32,
     /// 1 for the default locale that was set when the bank was packed.
     pub is_default: u32,
+    /// Tells the bank and the text bank that the locale is of apart from others.
+    pub bank: u32,
 }
 
 impl Locale {
-    /// The locale of the bank that has this index.
-    pub(crate) fn find<'data>(
-        &self,
-        bank: &lipz_bank::Bank<'data>,
-        texts: Option<&TextBank<'data>>,
-    ) -> Option<lipz_bank::Locale<'data>> {
-        locales(bank, texts).nth(self.index as usize)
+    /// The locale of the bank that has this index, if it is of this bank.
+    pub(crate) fn find<'data>(&self, opened: &Opened<'data>) -> Option<lipz_bank::Locale<'data>> {
+        if self.bank != opened.origin() {
+            return None;
+        }
+        opened.locales().nth(self.index as usize)
     }
 }
 
@@ -77,15 +78,11 @@ unsafe fn of_locales<Test: FnMut(u32, &lipz_bank::Locale<'_>) -> bool>(
 ) -> Status {
     answer(out, || {
         // SAFETY: the same contract.
-        let (opened, texts) = unsafe { opened(bank).and_then(|opened| Ok((opened, texts(bank, &opened)?))) }?;
+        let opened = unsafe { opened_with_texts(bank) }?;
         let mut is_wanted = wanted()?;
-        let mut numbered = (0..).zip(locales(&opened, texts.as_ref()));
+        let mut numbered = (0..).zip(opened.locales());
         let (index, locale) = numbered.find(|(index, locale)| is_wanted(*index, locale)).ok_or(LIPZ_NONE)?;
-        Ok(Locale { tag: String::of(locale.tag()), index, is_default: locale.is_default().into() })
+        let is_default = locale.is_default().into();
+        Ok(Locale { tag: String::of(locale.tag()), index, is_default, bank: opened.origin() })
     })
-}
-
-/// The locales of the text bank if one is used, otherwise those of the bank.
-fn locales<'data>(bank: &lipz_bank::Bank<'data>, texts: Option<&TextBank<'data>>) -> Locales<'data> {
-    texts.map_or_else(|| bank.locales(), TextBank::locales)
 }

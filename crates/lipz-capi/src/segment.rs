@@ -1,6 +1,6 @@
 //! Segments of a clip, and what is said in them.
 
-use crate::bank::{Bank, opened, texts};
+use crate::bank::{Bank, opened, opened_with_texts};
 use crate::clip::{Clip, of_clip};
 use crate::locale::Locale;
 use crate::pointer::answer;
@@ -82,7 +82,7 @@ pub unsafe extern "C" fn lipz_segment_of_frame(
 }
 
 /// The text of a segment in a locale of the same bank. `LIPZ_NONE` if the clip has none, also by
-/// fallback.
+/// fallback, and if the locale is one of another bank.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_segment_text(
     bank: Option<&Bank>,
@@ -92,9 +92,9 @@ pub unsafe extern "C" fn lipz_segment_text(
 ) -> Status {
     answer(text, || {
         // SAFETY: the contract of the crate, which the caller keeps.
-        let (opened, texts) = unsafe { opened(bank).and_then(|opened| Ok((opened, texts(bank, &opened)?))) }?;
-        let locale = locale.ok_or(LIPZ_NULL_POINTER)?.find(&opened, texts.as_ref()).ok_or(LIPZ_NONE)?;
-        let text = found(&opened, segment)?.text(locale).ok_or(LIPZ_NONE)?;
+        let opened = unsafe { opened_with_texts(bank) }?;
+        let locale = locale.ok_or(LIPZ_NULL_POINTER)?.find(&opened).ok_or(LIPZ_NONE)?;
+        let text = found(&opened.bank, segment)?.text(locale).ok_or(LIPZ_NONE)?;
         let string = text.as_str();
         Ok(Text { data: string.as_ptr().cast(), length_bytes: string.len(), is_fallback: text.is_fallback().into() })
     })
@@ -108,12 +108,12 @@ pub(crate) unsafe fn of_segment<T: Default>(
     bank: Option<&Bank>,
     segment: Option<&Segment>,
     out: Option<&mut MaybeUninit<T>>,
-    query: impl FnOnce(lipz_bank::Segment<'_, '_>) -> Result<T, Status>,
+    query: impl FnOnce(&lipz_bank::Bank<'_>, lipz_bank::Segment<'_, '_>) -> Result<T, Status>,
 ) -> Status {
     answer(out, || {
         // SAFETY: the same contract.
         let bank = unsafe { opened(bank) }?;
-        query(found(&bank, segment)?)
+        query(&bank, found(&bank, segment)?)
     })
 }
 

@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{Answer, DRAMA, SMALL, bank, ptr, text_of};
+use common::{Answer, DRAMA, SMALL, SPLIT, bank, ptr, text_of};
 use lipz_bank::{Micros, Samples, Seconds};
 use lipz_capi::*;
 
@@ -171,6 +171,69 @@ fn the_caller_supplies_a_frame_rate() {
     let own = at(&clip).ok();
     (clip.fps_numerator, clip.fps_denominator) = (1, 1);
     assert_eq!(at(&clip).ok(), own);
+}
+
+/// Locales and names are numbers: in another version of their bank these may be another locale's and name's.
+#[test]
+fn a_locale_of_another_version_leads_to_no_text() {
+    let newer = {
+        let mut bytes = DRAMA.to_vec();
+        bytes[8] ^= 1; // the checksum, which `verify` looks at
+        Vec::leak(bytes)
+    };
+    let open = |bytes: &'static [u8]| {
+        Answer::<Bank>::of(|out| unsafe { lipz_bank_open(bytes.as_ptr(), bytes.len(), out, None) }).ok()
+    };
+    let banks = [open(DRAMA), open(newer)];
+    let (tag, tag_length) = ptr("de-de");
+    let (name, name_length) = ptr("otto");
+    let id = lipz_bank::ClipId::from_key("act1/mara-good-evening").get();
+    let segment = Segment { clip_id: id, index: 1, ..Segment::default() };
+    for (own, other) in [(banks[0], banks[1]), (banks[1], banks[0])] {
+        let german = |bank: Bank| {
+            Answer::<Locale>::of(|out| unsafe { lipz_locale_by_tag(Some(&bank), tag, tag_length, out) }).ok()
+        };
+        let text = |locale: Locale| {
+            Answer::<Text>::of(|out| unsafe { lipz_segment_text(Some(&own), Some(&segment), Some(&locale), out) })
+        };
+        let text_of_own = text(german(own)).ok();
+        let string = String { data: text_of_own.data, length_bytes: text_of_own.length_bytes };
+        assert_eq!(text_of(string), "Du bist spät dran,");
+        assert_eq!(text(german(other)).status, LIPZ_NONE);
+
+        let otto = |bank: Bank| {
+            Answer::<EventName>::of(|out| unsafe { lipz_event_name(Some(&bank), name, name_length, out) }).ok()
+        };
+        let event = Answer::<Event>::of(|out| unsafe { lipz_segment_event(Some(&own), Some(&segment), 0, out) }).ok();
+        assert_eq!((event.object.id, event.object.bank), (otto(own).id, otto(own).bank));
+        assert_ne!(event.object.bank, otto(other).bank);
+        assert_eq!((event.character.id, event.character.bank), (LIPZ_NO_NAME, 0));
+    }
+}
+
+/// The first locale of one text bank is not the first one of another.
+#[test]
+fn a_locale_of_another_text_bank_leads_to_no_text() {
+    let (expected, base) = bank(SPLIT);
+    let with = |texts: &'static [u8]| {
+        let mut bank = base;
+        let status = unsafe { lipz_bank_use_texts(Some(&mut bank), texts.as_ptr(), texts.len(), None) };
+        assert_eq!(status, LIPZ_OK);
+        bank
+    };
+    let (german, english) = (with(common::GERMAN), with(common::ENGLISH));
+    let first = |bank| Answer::<Locale>::of(|out| unsafe { lipz_locale_at(Some(bank), 0, out) }).ok();
+    assert_eq!([text_of(first(&german).tag), text_of(first(&english).tag)], ["de-de", "en-us"]);
+    let texts = |bank: &Bank, locale: &Locale| {
+        let segments = expected.clips().map(|clip| Segment { clip_id: clip.id().get(), ..Segment::default() });
+        let answers = segments.map(|segment| {
+            Answer::<Text>::of(|out| unsafe { lipz_segment_text(Some(bank), Some(&segment), Some(locale), out) })
+        });
+        answers.filter(|answer| answer.status == LIPZ_OK).count()
+    };
+    assert!(texts(&german, &first(&german)) > 0 && texts(&english, &first(&english)) > 0);
+    assert_eq!([texts(&german, &first(&english)), texts(&english, &first(&german))], [0; 2]);
+    assert_eq!(texts(&base, &first(&german)), 0);
 }
 
 #[test]

@@ -52,7 +52,7 @@ pub fn provoke(bytes: &[u8], effort: Effort) -> bool {
 pub fn every_query(bank: &Bank<'_>, effort: Effort) {
     // Nothing of which every item stands in the file can have more items than the file has bytes.
     let limit = bank.length_bytes();
-    black_box((bank.fingerprint(), bank.format_version(), bank.clip_count()));
+    black_box((bank.fingerprint(), bank.checksum(), bank.format_version(), bank.clip_count()));
     assert!(bank.sections().filter(|section| black_box(section).1.len() <= limit).count() <= limit);
     let locales: Vec<Locale<'_>> = bank.locales().take(limit + 1).collect();
     assert!(locales.len() <= limit);

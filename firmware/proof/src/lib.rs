@@ -44,7 +44,7 @@ fn proof_every_function(bytes: &[u8], texts: &[u8], name: &str, number: u32, see
 }
 
 fn bank_asked(bank: &Bank<'_>, name: &str, number: u32, see: See) {
-    see(bank.clip_count() as u64 ^ bank.fingerprint() ^ bank.length_bytes() as u64);
+    see(bank.clip_count() as u64 ^ bank.fingerprint() ^ bank.checksum() ^ bank.length_bytes() as u64);
     let (major, minor) = bank.format_version();
     see(u64::from(major) << 16 | u64::from(minor) | u64::from(bank.is_verified()) << 32);
     bank.sections().for_each(|(tag, contents)| see_bytes(see, if tag == *b"CLIP" { contents } else { &[] }));
@@ -69,7 +69,7 @@ fn bank_asked(bank: &Bank<'_>, name: &str, number: u32, see: See) {
 }
 
 fn texts_asked(bank: &Bank<'_>, texts: &TextBank<'_>, name: &str, see: See) {
-    see(texts.length_bytes() as u64);
+    see(texts.length_bytes() as u64 ^ texts.checksum());
     texts.sections().for_each(|(_, contents)| see_bytes(see, contents));
     for locale in texts.locales().chain(texts.locale(name)) {
         see_bytes(see, locale.tag().as_bytes());

@@ -10,6 +10,7 @@ pub(crate) const DRAMA: &[u8] = include_bytes!("../../../../fixtures/banks/v1/dr
 pub(crate) const SMALL: &[u8] = include_bytes!("../../../../fixtures/banks/v1/small.lipzbank");
 pub(crate) const SPLIT: &[u8] = include_bytes!("../../../../fixtures/banks/v1/split.lipzbank");
 pub(crate) const GERMAN: &[u8] = include_bytes!("../../../../fixtures/banks/v1/split.de-de.lipztexts");
+pub(crate) const ENGLISH: &[u8] = include_bytes!("../../../../fixtures/banks/v1/split.en-us.lipztexts");
 
 /// A status, and what was written.
 #[derive(Clone, Copy, Debug)]
