@@ -1,12 +1,16 @@
-//! `cargo xtask features`: each feature of the compiler by itself, and how many crates a build script needs.
+//! `cargo xtask features`: each feature of the libraries by itself, that no feature of the compiler changes a byte
+//! of a bank, and how many crates a build script needs.
 
 use crate::Failure;
 use crate::cargo;
+use crate::paths::{target_folder, workspace_root};
+use crate::tools::succeed;
 use std::collections::BTreeSet;
+use std::fs;
 
 const CRATE: &str = "lipz-compiler";
 
-/// The features of the manifest, all but `full`, which the workspace builds.
+/// The features of its manifest, all but `full`, which the workspace builds.
 const FEATURES: [&str; 10] =
     ["build", "cache", "diff", "ids", "inspect", "json", "parallel", "settings", "stats", "unpack"];
 
@@ -14,11 +18,32 @@ const FEATURES: [&str; 10] =
 /// those of this project.
 const MOST_CRATES: usize = 33;
 
+/// What is packed with all features and with none.
+const SOURCES: &str = "fixtures/drama";
+
+/// Packs a folder into a file.
+const PROGRAM: &str = r#"fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let paths: Vec<std::path::PathBuf> = std::env::args_os().skip(1).map(From::from).collect();
+    let (inputs, _) = lipz_compiler::discover(&paths[..1], None);
+    let options = lipz_compiler::Options::new().default_locale("en-us");
+    let bank = lipz_compiler::Compiler::new(options).compile(&inputs).into_bank()?;
+    Ok(std::fs::write(&paths[1], bank)?)
+}
+"#;
+
 pub(crate) fn run() -> Result<(), Failure> {
-    check(&[])?;
-    for feature in FEATURES {
-        check(&["--features", feature])?;
+    // What is unused without other features is an error, too.
+    let check = ["clippy", "--quiet", "--locked", "-p", CRATE, "--no-default-features"];
+    for feature in [""].iter().chain(&FEATURES) {
+        println!("{CRATE} with `{feature}`");
+        cargo_run(&[&check[..], &["--features", feature, "--", "-D", "warnings"]].concat())?;
     }
+    for feature in ["", "json"] {
+        println!("tests of lipz-diagnostics with `{feature}`");
+        let test = ["test", "--quiet", "--locked", "-p", "lipz-diagnostics", "--no-default-features"];
+        cargo_run(&[&test[..], &["--features", feature]].concat())?;
+    }
+    same_bytes()?;
     let text =
         cargo::output(&["tree", "--locked", "-p", CRATE, "-e", "normal", "--prefix", "none", "--format", "{p}"])?;
     let crates: BTreeSet<_> = text.lines().map(|line| line.trim_end_matches(" (*)")).collect();
@@ -30,15 +55,50 @@ pub(crate) fn run() -> Result<(), Failure> {
     }
 }
 
-/// Checks the library with these features only; what is unused without the others is an error, too.
-fn check(features: &[&str]) -> Result<(), Failure> {
-    let mut check = cargo::command();
-    check.args(["clippy", "--quiet", "--locked", "-p", CRATE, "--no-default-features"]).args(features);
-    check.args(["--", "-D", "warnings"]);
-    println!("features: {}", features.last().unwrap_or(&"none"));
-    match check.status() {
-        Ok(status) if status.success() => Ok(()),
-        Ok(_) => Err(format!("{CRATE} does not compile with {}", features.last().unwrap_or(&"no features"))),
-        Err(error) => Err(format!("cargo cannot run: {error}")),
+fn cargo_run(arguments: &[&str]) -> Result<(), Failure> {
+    succeed(cargo::command().args(arguments).current_dir(workspace_root()), &format!("cargo {}", arguments.join(" ")))
+}
+
+/// Packs a folder with the command, which has all features, and with a program outside of the workspace, which has
+/// none: inside of it, cargo would give it those of the tests.
+fn same_bytes() -> Result<(), Failure> {
+    let folder = target_folder().join("features");
+    let manifest = format!(
+        "[package]\nname = \"program\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[workspace]\n\n[dependencies]\n\
+         {CRATE} = {{ path = {:?}, default-features = false }}\n",
+        workspace_root().join("crates").join(CRATE)
+    );
+    let write = || {
+        fs::create_dir_all(folder.join("src"))?;
+        fs::write(folder.join("Cargo.toml"), manifest)?;
+        fs::write(folder.join("src/main.rs"), PROGRAM)?;
+        fs::copy(workspace_root().join("Cargo.lock"), folder.join("Cargo.lock"))
+    };
+    write().map_err(|error| format!("`{}`: {error}", folder.display()))?;
+    let [none, all] = ["none.lipzbank", "all.lipzbank"].map(|name| folder.join(name).display().to_string());
+    let program = folder.join("Cargo.toml").display().to_string();
+    let built = folder.join("build").display().to_string();
+    cargo_run(&["run", "--quiet", "--manifest-path", &program, "--target-dir", &built, "--", SOURCES, &none])?;
+    cargo_run(&[
+        "run",
+        "--quiet",
+        "--locked",
+        "-p",
+        "lipz",
+        "--",
+        "pack",
+        SOURCES,
+        "-o",
+        &all,
+        "--default-locale",
+        "en-us",
+        "--no-config",
+        "--quiet",
+    ])?;
+    let read = |path: &str| fs::read(path).map_err(|error| format!("`{path}`: {error}"));
+    if read(&none)? == read(&all)? {
+        println!("{SOURCES} gives the same bank without features and with all of them");
+        return Ok(());
     }
+    Err(format!("a feature of {CRATE} changes the bank of {SOURCES}: compare {none} and {all}"))
 }

@@ -47,7 +47,7 @@ enum Task {
     Edges,
     /// Check the licences and sources of all dependencies
     Deny,
-    /// Compile each feature of the compiler alone, and count the crates of a build script
+    /// Compile each feature alone, compare banks, and count the crates of a build script
     Features,
     /// Run the reader on other machines: bare metal, big-endian, 32-bit, wasm
     Targets(targets::Settings),
