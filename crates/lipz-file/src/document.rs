@@ -1,5 +1,6 @@
 //! The document model: the elements of a Lipz file in file order, with the places of their characters.
 
+use crate::text;
 use lipz_diagnostics::Span;
 use std::borrow::Cow;
 use std::ops::Range;
@@ -87,13 +88,27 @@ impl<'s> Document<'s> {
     pub fn lost_in<'a>(&'a self, other: &'a Document<'_>) -> impl Iterator<Item = &'a str> {
         let is_work = |element: &&Element<'_>| match &element.value {
             _ if matches!(&*element.name.text, "visemes" | "viseme_type" | "fps") => false,
-            Value::String(string) => !crate::text::trim(&string.text).is_empty(),
+            Value::String(string) => !text::trim(&string.text).is_empty(),
             _ => true,
         };
-        let is_lost =
-            |element: &&Element<'_>| other.get(&element.name.text).is_none_or(|other| other.value != element.value);
+        let is_lost = |element: &&Element<'_>| {
+            !other.get(&element.name.text).is_some_and(|other| says_the_same(&element.value, &other.value))
+        };
         self.elements.iter().filter(is_work).filter(is_lost).map(|element| &*element.name.text)
     }
+}
+
+/// Whether two values differ at most in blanks around `|`, which only bring it below others.
+fn says_the_same(one: &Value<'_>, other: &Value<'_>) -> bool {
+    match (one, other) {
+        (Value::String(one), Value::String(other)) => trimmed(&one.text).eq(trimmed(&other.text)),
+        _ => one == other,
+    }
+}
+
+/// The segments of a text without the blanks at their ends.
+fn trimmed(text: &str) -> impl Iterator<Item = &str> {
+    text::segments(text).map(|range| text::trim(text.get(range).unwrap_or_default()))
 }
 
 impl Value<'_> {

@@ -16,6 +16,7 @@
 //!
 //! What is not here: banks and their layout, settings, files and printing (`lipz`).
 
+mod encoding;
 mod export;
 pub mod fallout;
 pub mod formats;
@@ -33,6 +34,7 @@ mod time;
 mod track;
 mod xml;
 
+pub use encoding::to_utf8;
 pub use encoding_rs::Encoding;
 pub use export::{ExportOptions, Exported, export};
 pub use formats::Format;

@@ -1,9 +1,12 @@
 //! Scripts: the texts of many recordings in one file, found by the names of the recordings.
 
 use crate::fallout::msg;
-use encoding_rs::{Encoding, UTF_8, WINDOWS_1252};
-use lipz_diagnostics::{Code, Diagnostic, Source, Span};
+use crate::to_utf8;
+use encoding_rs::Encoding;
+use lipz_diagnostics::{Code, Diagnostic, Source, Span, escape};
+use lipz_file::without_byte_order_mark;
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 
 /// The columns of a CSV that are used.
 const FILE: &str = "file";
@@ -21,12 +24,22 @@ impl Script {
     /// names its columns, of which `file` and `text` are used.
     ///
     /// Files that are not UTF-8 are read in `encoding`, or as Windows-1252, in which the tools of the
-    /// time wrote. The source that is returned has the text to which the diagnostics refer.
+    /// time wrote ([`to_utf8`]). The source that is returned has the text to which the diagnostics refer.
     pub fn read(path: &str, bytes: &[u8], encoding: Option<&'static Encoding>) -> (Script, Source, Vec<Diagnostic>) {
-        let text = decode(bytes, encoding);
+        let mut diagnostics = Vec::new();
+        let utf8 = to_utf8(bytes, encoding, true, &mut diagnostics);
+        let text = String::from_utf8_lossy(without_byte_order_mark(&utf8)).into_owned();
         let is_msg = path.rsplit_once('.').is_some_and(|(_, extension)| extension.eq_ignore_ascii_case("msg"));
         let (script, found) = if is_msg { of_entries(&text) } else { of_rows(&text) };
-        (script, Source::new(path, text), found)
+        diagnostics.extend(found);
+        (script, Source::new(path, text), diagnostics)
+    }
+
+    /// The names of all recordings that have a text, in lower case and in order.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        let mut names: Vec<&str> = self.texts.keys().map(String::as_str).collect();
+        names.sort_unstable();
+        names.into_iter()
     }
 
     /// The text of the recording in the file `stem`, a name without folders and extension. The case of letters
@@ -34,13 +47,6 @@ impl Script {
     pub fn text_of(&self, stem: &str) -> Option<&str> {
         self.texts.get(&stem.to_lowercase()).map(String::as_str)
     }
-}
-
-fn decode(bytes: &[u8], encoding: Option<&'static Encoding>) -> String {
-    let is_utf8 = std::str::from_utf8(bytes).is_ok();
-    let encoding = encoding.unwrap_or(if is_utf8 { UTF_8 } else { WINDOWS_1252 });
-    // A byte order mark says more than a person or a guess.
-    encoding.decode(bytes).0.into_owned()
 }
 
 fn of_entries(text: &str) -> (Script, Vec<Diagnostic>) {
@@ -75,7 +81,17 @@ fn of_rows(text: &str) -> (Script, Vec<Diagnostic>) {
                     found.push(Diagnostic::at(Code::ForeignSyntax, span, "the row has no file or no text"));
                     continue;
                 };
-                script.texts.entry(stem(name).to_lowercase()).or_insert_with(|| text.to_owned());
+                let text = text.to_owned();
+                match script.texts.entry(stem(name).to_lowercase()) {
+                    Entry::Vacant(place) => drop(place.insert(text)),
+                    Entry::Occupied(first) if *first.get() == text => {}
+                    Entry::Occupied(_) => {
+                        let start = row.position().map_or(0, |position| usize::try_from(position.byte()).unwrap_or(0));
+                        let message = format!("{} has another text in a row above", escape::quoted(name));
+                        let diagnostic = Diagnostic::at(Code::ForeignOddity, Span::new(start, start), message);
+                        found.push(diagnostic.note("the first one is used"));
+                    }
+                }
             }
             Err(error) => found.push(Diagnostic::new(Code::ForeignSyntax, format!("the script is not CSV: {error}"))),
         }
@@ -112,6 +128,8 @@ mod tests {
         let russian = b"{1}{eld_1}{\xC4\xE0.}";
         let windows_1251 = Encoding::for_label(b"windows-1251");
         assert_eq!(Script::read("a.msg", russian, windows_1251).0.text_of("eld_1"), Some("Да."));
+        let (script, _, found) = Script::read("a.msg", "{1}{eld_1}{Да.}".as_bytes(), windows_1251);
+        assert_eq!((script.text_of("eld_1"), found.len()), (Some("Да."), 1), "it is UTF-8");
         let utf8 = "\u{feff}{1}{eld_1}{Да.}";
         assert_eq!(Script::read("a.msg", utf8.as_bytes(), None).0.text_of("eld_1"), Some("Да."));
     }
@@ -122,5 +140,8 @@ mod tests {
             assert_eq!(Script::read("a.csv", text.as_bytes(), None).2.len(), 1, "{text}");
         }
         assert_eq!(Script::read("a.csv", b"file,text\nonly-file\n", None).2.len(), 1);
+        let twice = b"file,text\na.wav,One.\na.ogg,One.\nA.mp3,Two.\n";
+        let (script, _, found) = Script::read("a.csv", twice, None);
+        assert_eq!((script.text_of("a"), found.len()), (Some("One."), 1));
     }
 }

@@ -85,6 +85,78 @@ fn files_are_named_after_their_sources_and_nothing_is_replaced() {
 }
 
 #[test]
+fn folders_stay_below_a_root_and_one_clash_stops_nothing_else() {
+    let scene = Scene::new();
+    for file in ["speech/act1/mayor.tsv", "speech/act2/MAYOR.tsv", "speech/act2/con.tsv", "speech/act2/tom.tsv"] {
+        scene.write(file, TSV);
+    }
+    let flat = lipz(scene.path(), ["import", "rhubarb-tsv", "speech/**/*.tsv", "-o", "flat"]);
+    assert_eq!((flat.code, tree(&scene.path().join("flat"))), (1, vec!["tom.lipz".to_owned()]), "{}", flat.stderr);
+    assert!(flat.stderr.contains("error[LZ0801]") && flat.stderr.contains("error[LZ0803]"), "{}", flat.stderr);
+    assert!(flat.stdout.starts_with("1 file imported"), "{}", flat.stdout);
+    let rooted =
+        lipz(scene.path(), ["import", "rhubarb-tsv", "speech/act?/[mMt]*.tsv", "-o", "voices", "--root", "speech"]);
+    assert_eq!((rooted.code, rooted.stderr.as_str()), (0, ""));
+    let voices = ["act1", "act1/mayor.lipz", "act2", "act2/MAYOR.lipz", "act2/tom.lipz"];
+    assert_eq!(tree(&scene.path().join("voices")), voices);
+    let elsewhere =
+        lipz(scene.path(), ["import", "rhubarb-tsv", "speech/act2/tom.tsv", "-o", "voices", "--root", "act2"]);
+    assert!(elsewhere.code == 1 && elsewhere.stderr.contains("is not below the root `act2`"), "{}", elsewhere.stderr);
+}
+
+#[test]
+fn texts_and_files_that_do_not_belong_together_are_told() {
+    let mut scene = Scene::new();
+    for file in ["a.tsv", "b.tsv", "c.tsv"] {
+        scene.write(file, TSV);
+    }
+    scene.write("script.csv", "file,text\na.wav,One.\nd.wav,Four.\ne.wav,Five.\n");
+    let import = ["import", "rhubarb-tsv", "a.tsv", "b.tsv", "c.tsv", "-o", "voices", "--locale", "en-us", "--quiet"];
+    scene.expect("LZ1116-text-not-joined", &[&import[..], &["--script", "script.csv"]].concat());
+    scene.write("texts/a.txt", "One.");
+    scene.expect("LZ1116-text-not-joined-folder", &[&import[..], &["--text", "texts"]].concat());
+    let one = ["import", "rhubarb-tsv", "a.tsv", "-o", "voices", "--locale", "en-us", "--script", "script.csv"];
+    assert_eq!(lipz(scene.path(), one).stderr, "", "the others of the script are not meant");
+    scene.finish(2);
+}
+
+#[test]
+fn a_second_language_joins_the_first() {
+    let mut scene = Scene::new();
+    scene.write("eld_1.tsv", TSV);
+    let import = |script: &'static str, locale: &'static str| {
+        ["import", "rhubarb-tsv", "eld_1.tsv", "-o", "voices", "--script", script, "--locale", locale, "--quiet"]
+    };
+    scene.write("en.msg", "{1}{eld_1}{Greetings.}");
+    scene.write("ru.msg", b"{1}{eld_1}{\xC4\xE0.}");
+    scene.prepare(&import("en.msg", "en-us"));
+    scene.prepare(&[&import("ru.msg", "ru-ru")[..], &["--encoding", "windows-1251"]].concat());
+    let clip = fs::read_to_string(scene.path().join("voices/eld_1.lipz")).unwrap();
+    assert!(clip.contains("\"Greetings.\"") && clip.contains("\"Да.\""), "{clip}");
+    scene.write("ru8.msg", "{1}{eld_1}{Да.}");
+    scene.expect(
+        "LZ1104-foreign-oddity-utf8",
+        &[&import("ru8.msg", "ru-ru")[..], &["--encoding", "windows-1251"]].concat(),
+    );
+    scene.expect("LZ1104-foreign-oddity-guessed", &import("ru.msg", "ru-ru"));
+    assert_eq!(fs::read_to_string(scene.path().join("voices/eld_1.lipz")).unwrap(), clip);
+    scene.finish(2);
+}
+
+#[test]
+fn projects_in_the_encoding_of_their_system() {
+    let scene = Scene::new();
+    let pgo = fs::read_to_string(repository().join("fixtures/interop/papagayo/hello.pgo")).unwrap();
+    let latin: Vec<u8> = pgo.replace("hello", "h\u{e9}llo").chars().map(|c| u8::try_from(c).unwrap()).collect();
+    scene.write("hello.pgo", &latin);
+    let import = ["import", "papagayo", "hello.pgo", "-o", "voices", "--locale", "fr-fr"];
+    let guessed = lipz(scene.path(), import);
+    assert!(guessed.code == 0 && guessed.stderr.contains("is read as Windows-1252"), "{}", guessed.stderr);
+    let named = lipz(scene.path(), [&import[..], &["--encoding", "latin1", "--replace"]].concat());
+    assert_eq!((named.code, named.stderr.as_str()), (0, ""));
+}
+
+#[test]
 fn standard_input_goes_to_standard_output() {
     let folder = repository();
     let imported = with_input(&folder, &["import", "rhubarb-tsv", "-"], TSV.as_bytes());

@@ -107,6 +107,7 @@ codes! {
     ExportLoss "LZ1113" "export-loss" Warning "an export loses a part of the clip"
     ImportKept "LZ1114" "import-kept" Warning "a part of an import is not taken, because the clip has its own"
     ClipReplaced "LZ1115" "clip-replaced" Warning "a clip is replaced, and parts of it are lost"
+    TextNotJoined "LZ1116" "text-not-joined" Warning "a script and the imported files do not belong together"
 
     "Ids"
     IdentifierClash "LZ1201" "identifier-clash" Error "two keys become the same identifier"

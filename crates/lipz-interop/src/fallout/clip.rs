@@ -11,6 +11,7 @@ pub(crate) const FORMAT: Format = Format {
     extension: "lip",
     maps: &["fallout"],
     is_binary: true,
+    is_legacy: false,
     read: Some(read),
     write: Some(write),
 };

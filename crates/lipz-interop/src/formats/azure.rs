@@ -33,6 +33,7 @@ pub(super) const FORMAT: Format = Format {
     extension: "json",
     maps: &["azure"],
     is_binary: false,
+    is_legacy: false,
     read: Some(read),
     write: None,
 };

@@ -21,6 +21,7 @@ pub(super) const FORMAT: Format = Format {
     extension: "lip",
     maps: &["kotor"],
     is_binary: true,
+    is_legacy: false,
     read: Some(read),
     write: Some(write),
 };

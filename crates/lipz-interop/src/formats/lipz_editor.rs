@@ -18,6 +18,7 @@ pub(super) const FORMAT: Format = Format {
     extension: "json",
     maps: &["blair", "toonboom", "rms"],
     is_binary: false,
+    is_legacy: false,
     read: Some(read),
     write: None,
 };

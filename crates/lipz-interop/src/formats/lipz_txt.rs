@@ -15,6 +15,7 @@ pub(super) const FORMAT: Format = Format {
     extension: "lipz.txt",
     maps: &["arpabet-blair"],
     is_binary: false,
+    is_legacy: true,
     read: Some(read),
     write: None,
 };

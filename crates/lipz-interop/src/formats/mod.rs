@@ -34,6 +34,9 @@ pub struct Format {
     pub maps: &'static [&'static str],
     /// Whether its files are not text: then diagnostics have no spans, and notes name bytes.
     pub is_binary: bool,
+    /// Whether its tools write in the encoding of the system, so that a file that is not UTF-8 may be
+    /// [guessed](crate::to_utf8) to be Windows-1252.
+    pub is_legacy: bool,
     /// Reads a file, if lipz imports the format.
     pub read: Option<Read>,
     /// Writes a file, if lipz exports the format.

@@ -21,6 +21,7 @@ pub(super) const FORMAT: Format = Format {
     extension: "dat",
     maps: &["papagayo", "rhubarb", "rhubarb-toonboom", "fleming-dobbs", "cmu"],
     is_binary: false,
+    is_legacy: true,
     read: Some(read),
     write: Some(write),
 };

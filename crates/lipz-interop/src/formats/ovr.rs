@@ -28,6 +28,7 @@ pub(super) const FORMAT: Format = Format {
     extension: "csv",
     maps: &["ovr"],
     is_binary: false,
+    is_legacy: false,
     read: Some(read),
     write: None,
 };

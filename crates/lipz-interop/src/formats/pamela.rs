@@ -18,6 +18,7 @@ pub(super) const FORMAT: Format = Format {
     extension: "pam",
     maps: &["cmu"],
     is_binary: false,
+    is_legacy: true,
     read: Some(read),
     write: Some(write),
 };

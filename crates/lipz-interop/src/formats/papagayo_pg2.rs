@@ -13,6 +13,7 @@ pub(super) const FORMAT: Format = Format {
     extension: "pg2",
     maps: MAPS,
     is_binary: false,
+    is_legacy: false,
     read: Some(read),
     write: None,
 };

@@ -16,6 +16,7 @@ pub(super) const FORMAT: Format = Format {
     extension: "pgo",
     maps: MAPS,
     is_binary: false,
+    is_legacy: true,
     read: Some(read),
     write: None,
 };

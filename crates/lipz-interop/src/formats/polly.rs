@@ -16,6 +16,7 @@ pub(super) const FORMAT: Format = Format {
     extension: "marks",
     maps: &["polly"],
     is_binary: false,
+    is_legacy: false,
     read: Some(read),
     write: None,
 };

@@ -14,6 +14,7 @@ pub(super) const FORMAT: Format = Format {
     extension: "json",
     maps: rhubarb::MAPS,
     is_binary: false,
+    is_legacy: false,
     read: Some(read),
     write: Some(write),
 };

@@ -12,6 +12,7 @@ pub(super) const FORMAT: Format = Format {
     extension: "xml",
     maps: rhubarb::MAPS,
     is_binary: false,
+    is_legacy: false,
     read: Some(read),
     write: None,
 };

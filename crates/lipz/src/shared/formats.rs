@@ -9,7 +9,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use lipz_bank::Fps;
 use lipz_diagnostics::{Code, Diagnostic, Report, Severity, escape, suggest};
 use lipz_file::rate::Rate;
-use lipz_interop::{Format, Map, find_map, formats, maps};
+use lipz_interop::{Encoding, Format, Map, find_map, formats, maps, to_utf8};
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
@@ -70,6 +70,12 @@ pub(crate) fn map(named: &str, reporter: &mut Reporter) -> Result<MapChoice, Abo
     }
 }
 
+/// Reads the name of an encoding on the command line.
+pub(crate) fn encoding(name: &str) -> Result<&'static Encoding, String> {
+    Encoding::for_label(name.as_bytes())
+        .ok_or_else(|| "it is not an encoding of the web's standard, such as windows-1251".into())
+}
+
 /// A rate of the command line as Lipz files spell it.
 pub(crate) fn rate(fps: Fps) -> Rate {
     Rate { numerator: fps.numerator(), denominator: fps.denominator(), is_exact: true }
@@ -77,22 +83,40 @@ pub(crate) fn rate(fps: Fps) -> Rate {
 
 /// A file of another tool.
 pub(crate) struct Source {
-    /// The file's name without its extension.
+    /// The file's name without its extension; below a root, the path from there.
     pub(crate) key: String,
+    /// The bytes; those of a text as UTF-8, if that can be.
     pub(crate) bytes: Vec<u8>,
+    /// What was found while it was read.
+    pub(crate) diagnostics: Vec<Diagnostic>,
     name: String,
 }
 
 impl Source {
     /// Reads a file, or standard input.
-    pub(crate) fn read(path: &Path, format: &Format) -> Result<Source, Report> {
-        if stdio::is_meant(path) {
-            let bytes = stdio::lipz_bytes()?;
-            return Ok(Source { key: stdio::INPUT_KEY.into(), bytes, name: stdio::INPUT_NAME.into() });
-        }
-        let name = console::path(path);
-        let bytes = fs::read(path).map_err(|error| unreadable(path, &error))?;
-        Ok(Source { key: key(path, format.extension), bytes, name })
+    pub(crate) fn read(
+        path: &Path,
+        format: &Format,
+        root: Option<&Path>,
+        encoding: Option<&'static Encoding>,
+    ) -> Result<Source, Report> {
+        let (key, bytes, name) = if stdio::is_meant(path) {
+            (stdio::INPUT_KEY.into(), stdio::lipz_bytes()?, stdio::INPUT_NAME.into())
+        } else {
+            let bytes = fs::read(path).map_err(|error| unreadable(path, &error))?;
+            (key_below(root, path, format.extension)?, bytes, console::path(path))
+        };
+        let mut diagnostics = Vec::new();
+        let bytes = match format.is_binary {
+            true => bytes,
+            false => to_utf8(&bytes, encoding, format.is_legacy, &mut diagnostics).into_owned(),
+        };
+        Ok(Source { key, bytes, diagnostics, name })
+    }
+
+    /// The name of the file without folders and extension.
+    pub(crate) fn stem(&self) -> &str {
+        self.key.rsplit('/').next().unwrap_or(&self.key)
     }
 
     /// What was found in the file, if anything was.
@@ -119,8 +143,25 @@ pub(crate) fn unreadable(path: &Path, error: &io::Error) -> Report {
     Report::about(name, diagnostic)
 }
 
+/// The key of a file: its name without extension, or its path below the root.
+fn key_below(root: Option<&Path>, path: &Path, extension: &str) -> Result<String, Report> {
+    let Some(root) = root else { return Ok(stem(path, extension)) };
+    let (shown, shown_root) = (console::path(path), console::path(root));
+    let Ok(inside) = path.strip_prefix(root) else {
+        let diagnostic = Diagnostic::new(Code::RefusedKey, format!("`{shown}` is not below the root `{shown_root}`"));
+        return Err(Report::about(
+            shown,
+            diagnostic.help("spell root and files alike, both relative or both absolute"),
+        ));
+    };
+    let folders = inside.parent().into_iter().flat_map(Path::components);
+    let mut parts: Vec<String> = folders.map(|part| part.as_os_str().to_string_lossy().into_owned()).collect();
+    parts.push(stem(path, extension));
+    Ok(parts.join("/"))
+}
+
 /// The name of a file without the extension of its format, or else without its last one.
-fn key(path: &Path, extension: &str) -> String {
+pub(crate) fn stem(path: &Path, extension: &str) -> String {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let stem = name.len().checked_sub(extension.len() + 1).filter(|&stem| stem > 0);
     let of_format = stem.filter(|&stem| {
@@ -175,8 +216,13 @@ mod tests {
             ("灯台", "tsv", "灯台"),
         ];
         for (path, extension, expected) in keys {
-            assert_eq!(key(Path::new(path), extension), expected);
+            assert_eq!(stem(Path::new(path), extension), expected);
         }
         assert_eq!(file_name(" Mara / 2 "), "Mara---2");
+        let below = |root: &str, path: &str| key_below(Some(Path::new(root)), Path::new(path), "tsv").ok();
+        assert_eq!(below("in", "in/act1/a.tsv").as_deref(), Some("act1/a"));
+        assert_eq!(below(".", "./act1/a.tsv").as_deref(), Some("act1/a"));
+        assert_eq!(below("in/", "in/a.tsv").as_deref(), Some("a"));
+        assert_eq!(below("in", "out/a.tsv"), None);
     }
 }

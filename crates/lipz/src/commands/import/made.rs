@@ -1,8 +1,8 @@
 //! From files of other tools to clips, and from there to Lipz files: new ones, or those that exist.
 
-use super::Import;
 use super::options::Settings;
 use super::text::Texts;
+use super::{Import, joined};
 use crate::interrupt;
 use crate::shared::existing::Existing;
 use crate::shared::formats::{self, Source};
@@ -19,6 +19,10 @@ pub(super) struct Made {
     pub(super) clip: Clip,
     /// The file that is there already.
     existing: Option<Existing>,
+    /// The name of the file without folders and extension.
+    pub(super) stem: String,
+    /// Whether a text for it was found.
+    pub(super) has_text: bool,
 }
 
 /// Where a clip went.
@@ -42,8 +46,9 @@ pub(super) fn read(
     script: &Script,
 ) -> (Vec<Made>, Vec<Report>) {
     let (mut made, mut reports) = (Vec::new(), Vec::new());
+    let encoding = arguments.options.recordings.encoding;
     for file in files {
-        let clips = Source::read(file, arguments.tool_format)
+        let clips = Source::read(file, arguments.tool_format, arguments.root.as_deref(), encoding)
             .and_then(|source| one(arguments, file, &source, folder, settings, texts, script, &mut reports));
         match clips {
             Ok(clips) => made.extend(clips),
@@ -57,6 +62,7 @@ pub(super) fn read(
     }
     let is_usable = |key: &str| key::refusal(key).is_none() && files_of_key.get(&key::folded(key)) == Some(&1);
     made.retain(|made| is_usable(&made.input.key));
+    reports.extend(joined::report(arguments, files, &made, settings, texts, script));
     (made, reports)
 }
 
@@ -75,7 +81,7 @@ fn one(
     let tool_format = arguments.tool_format;
     let text = texts.of_key(&source.key)?;
     let mut options = settings.import_options().text(text.as_deref());
-    arguments.options.recordings.apply(file, &source.key, script, &mut options);
+    arguments.options.recordings.apply(file, source.stem(), script, &mut options);
     let mut imported = import(tool_format, &source.bytes, &options);
     let key = |clip: &Clip| match &clip.name {
         Some(name) => format!("{}-{}", source.key, formats::file_name(name)),
@@ -91,13 +97,15 @@ fn one(
     {
         imported = import(tool_format, &source.bytes, &options);
     }
-    let Imported { clips, mut diagnostics, .. } = imported;
+    let Imported { clips, diagnostics: found, .. } = imported;
+    let mut diagnostics = source.diagnostics.clone();
+    diagnostics.extend(found);
     settings.apply_levels(&mut diagnostics);
     let is_wrong = diagnostics.iter().any(Diagnostic::is_error);
     reports.extend(source.report(tool_format, diagnostics));
     let made = |(clip, existing)| {
         let input = Input { key: key(&clip), content: Content::File(file.to_owned()) };
-        Made { input, clip, existing }
+        Made { input, clip, existing, stem: source.stem().to_owned(), has_text: options.text.is_some() }
     };
     Ok(if is_wrong { Vec::new() } else { clips.into_iter().zip(existing).map(made).collect() })
 }

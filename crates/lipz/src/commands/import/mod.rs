@@ -1,5 +1,6 @@
 //! `lipz import`: files of other tools as Lipz files.
 
+mod joined;
 mod made;
 mod options;
 mod recordings;
@@ -40,6 +41,10 @@ pub(crate) struct Import {
     /// The folder to write into; `-` is standard output, the default for standard input
     #[arg(short, long, value_name = "FOLDER")]
     output: Option<PathBuf>,
+
+    /// Folder below which files keep their folders: FOLDER/act1/mayor.tsv becomes act1/mayor.lipz
+    #[arg(long, value_name = "FOLDER")]
+    root: Option<PathBuf>,
 
     /// Replace Lipz files that exist, instead of only their mouths; reports which texts and other elements are lost
     #[arg(long)]

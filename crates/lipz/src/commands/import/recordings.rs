@@ -4,7 +4,7 @@ use super::options::{TEXT, parse_time};
 use crate::Abort;
 use crate::console;
 use crate::reporter::Reporter;
-use crate::shared::stdio;
+use crate::shared::{formats, stdio};
 use clap::Args;
 use lipz_diagnostics::{Code, Diagnostic, Report};
 use lipz_interop::fallout::sound;
@@ -21,11 +21,12 @@ const SOUNDS: [&str; 4] = ["wav", "WAV", "acm", "ACM"];
 pub(super) struct Recordings {
     /// Texts (lines) by file name: a .msg file of Fallout, or a CSV string table with the columns `file` and `text`
     #[arg(long, value_name = "FILE", conflicts_with = "text", help_heading = TEXT)]
-    script: Option<PathBuf>,
+    pub(super) script: Option<PathBuf>,
 
-    /// The encoding of a script that is not UTF-8: windows-1251, shift_jis [default: windows-1252]
-    #[arg(long, value_name = "NAME", requires = "script", value_parser = encoding, help_heading = TEXT)]
-    encoding: Option<&'static Encoding>,
+    /// The encoding of scripts and files that are not UTF-8: windows-1251, shift_jis [default: windows-1252 for scripts,
+    /// and for formats of older tools]
+    #[arg(long, value_name = "NAME", value_parser = formats::encoding, help_heading = TEXT)]
+    pub(super) encoding: Option<&'static Encoding>,
 
     /// Units in a second of Fallout's LIP files: 44100, 88200, 88400 or any other [default: derived from the
     /// length of the sound, or 44100]
@@ -35,11 +36,6 @@ pub(super) struct Recordings {
     /// Length of the sound of a Fallout LIP file [default: that of the WAV or ACM file beside it]
     #[arg(long, value_name = "SECONDS", value_parser = parse_time, conflicts_with = "units_per_second", help_heading = FALLOUT)]
     audio_length: Option<Time>,
-}
-
-fn encoding(name: &str) -> Result<&'static Encoding, String> {
-    Encoding::for_label(name.as_bytes())
-        .ok_or_else(|| "it is not an encoding of the web's standard, such as windows-1251".into())
 }
 
 impl Recordings {
