@@ -60,6 +60,18 @@ macro_rules! languages {
 
 languages! {
     "en" "English" Dictionary,
+    "ca" "Catalan" Rules,
+    "cs" "Czech" Rules,
+    "de" "German" Rules,
+    "es" "Spanish" Rules,
+    "fi" "Finnish" Rules,
+    "fr" "French" Rules,
+    "it" "Italian" Rules,
+    "nl" "Dutch" Rules,
+    "pl" "Polish" Rules,
+    "pt" "Portuguese" Rules,
+    "ru" "Russian" Rules,
+    "tr" "Turkish" Rules,
 }
 
 /// Every language that is not in the list.

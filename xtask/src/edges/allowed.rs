@@ -112,7 +112,7 @@ pub(super) const RULES: &[Rule] = &[
     },
     Rule {
         name: "lipz-speech",
-        direct: &["lipz-file", "lipz-types", "unicode-normalization", "unicode-segmentation"],
+        direct: &["any_ascii", "lipz-file", "lipz-types", "unicode-normalization", "unicode-segmentation"],
         below: Below::AtMost(18),
     },
     // What a game carries; its build script uses the compiler.

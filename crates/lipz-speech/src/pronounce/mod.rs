@@ -4,6 +4,7 @@ mod english;
 mod ipa;
 mod latin;
 mod lexicon;
+mod rules;
 mod said;
 mod variants;
 mod word;

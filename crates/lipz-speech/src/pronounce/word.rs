@@ -1,8 +1,9 @@
 //! One word: its parts by their writing, each read by the language that can.
 
-use super::{english, latin, variants};
+use super::{english, latin, rules, variants};
 use crate::text::{Writing, writing};
-use crate::{Language, Origin, Phone, Pronunciation};
+use crate::{Language, Origin, Phone, Pronunciation, Reliance};
+use any_ascii::any_ascii;
 
 /// Whether the dictionary of the language has the word as it is.
 pub(super) fn knows(language: Language, word: &str) -> bool {
@@ -48,10 +49,18 @@ fn parts(word: &str) -> Vec<(Writing, &str)> {
 }
 
 /// A part of a word that is all in one writing.
-fn part_of(_language: Language, writing: Writing, part: &str) -> Vec<Pronunciation> {
-    match writing {
-        Writing::Digit => digits(part),
-        _ => english::pronounce(&latin::plain(part), part),
+fn part_of(language: Language, writing: Writing, part: &str) -> Vec<Pronunciation> {
+    let by_rules =
+        |code: &str, part: &str, origin| rules::table(code).map_or(Vec::new(), |table| table.pronounce(part, origin));
+    let own = language.code();
+    match (writing, language.reliance()) {
+        (Writing::Digit, _) => digits(part),
+        (Writing::Latin, Reliance::Rules) if own != "ru" => by_rules(own, part, Origin::Rules),
+        (Writing::Latin, Reliance::Letters) => by_rules("und", part, Origin::Letters),
+        // English words in other scripts are English.
+        (Writing::Latin, _) => english::pronounce(&latin::plain(part), part),
+        (Writing::Cyrillic, _) => by_rules("ru", part, if own == "ru" { Origin::Rules } else { Origin::Letters }),
+        _ => by_rules("und", &any_ascii(part), Origin::Letters),
     }
 }
 

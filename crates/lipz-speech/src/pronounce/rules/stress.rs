@@ -1,0 +1,75 @@
+//! Where a word is stressed, as far as its spelling tells.
+
+use super::super::variants::MOST;
+use super::Table;
+
+/// How a language tells where words are stressed.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub(super) enum Stress {
+    /// It does not matter for the sounds, or rules find it by the letters around.
+    #[default]
+    None,
+    /// Anywhere, and nothing tells, but for letters that are always stressed: each vowel may be.
+    Anywhere {
+        /// `ё`.
+        always: Vec<char>,
+    },
+    /// On the vowel with an accent; without one on the last but one after weak endings, otherwise on the last.
+    Accents { accents: Vec<char>, weak: Vec<String> },
+}
+
+impl Stress {
+    /// `anywhere ё`, or `accents áé… weak a as …`.
+    pub(super) fn parse(text: &str) -> Option<Stress> {
+        let mut fields = text.split_whitespace();
+        match fields.next()? {
+            "anywhere" => Some(Stress::Anywhere { always: fields.next().unwrap_or_default().chars().collect() }),
+            "accents" => {
+                let accents = fields.next()?.chars().collect();
+                (fields.next()? == "weak")
+                    .then(|| Stress::Accents { accents, weak: fields.map(str::to_owned).collect() })
+            }
+            _ => None,
+        }
+    }
+
+    /// The index of the stressed vowel, the likeliest first; `None` where all are read as stressed.
+    pub(super) fn places(&self, table: &Table, letters: &[char]) -> Vec<Option<usize>> {
+        let vowels = || (0..letters.len()).filter(|at| letters.get(*at).is_some_and(|c| table.vowels.contains(c)));
+        match self {
+            Stress::None => vec![None],
+            Stress::Anywhere { always } => {
+                if let Some(at) = letters.iter().position(|c| always.contains(c)) {
+                    return vec![Some(at)];
+                }
+                let mut places: Vec<usize> = vowels().collect();
+                // The middle of a word is likelier than its ends.
+                let middle = places.len() / 2;
+                if let Some(likeliest) = (middle < places.len()).then(|| places.remove(middle)) {
+                    places.insert(0, likeliest);
+                }
+                places.truncate(MOST / 2);
+                if places.is_empty() { vec![None] } else { places.into_iter().map(Some).collect() }
+            }
+            Stress::Accents { accents, weak } => {
+                if let Some(at) = letters.iter().position(|c| accents.contains(c)) {
+                    return vec![Some(at)];
+                }
+                // `i` and `u` after another vowel are the end of a diphthong.
+                let nuclei: Vec<usize> = vowels()
+                    .filter(|at| {
+                        let before = at.checked_sub(1).and_then(|before| letters.get(before));
+                        let glides = letters.get(*at).is_some_and(|c| matches!(c, 'i' | 'u'));
+                        !(glides
+                            && before
+                                .is_some_and(|before| table.vowels.contains(before) && !matches!(before, 'i' | 'u')))
+                    })
+                    .collect();
+                let tail: String = letters.iter().rev().take(3).rev().collect();
+                let is_weak = weak.iter().any(|ending| tail.ends_with(ending.as_str()));
+                let from_end = if is_weak && nuclei.len() > 1 { 2 } else { 1 };
+                vec![nuclei.len().checked_sub(from_end).and_then(|at| nuclei.get(at)).copied()]
+            }
+        }
+    }
+}
