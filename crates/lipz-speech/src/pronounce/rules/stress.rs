@@ -55,21 +55,23 @@ impl Stress {
                 if let Some(at) = letters.iter().position(|c| accents.contains(c)) {
                     return vec![Some(at)];
                 }
-                // `i` and `u` after another vowel are the end of a diphthong.
-                let nuclei: Vec<usize> = vowels()
-                    .filter(|at| {
-                        let before = at.checked_sub(1).and_then(|before| letters.get(before));
-                        let glides = letters.get(*at).is_some_and(|c| matches!(c, 'i' | 'u'));
-                        !(glides
-                            && before
-                                .is_some_and(|before| table.vowels.contains(before) && !matches!(before, 'i' | 'u')))
-                    })
-                    .collect();
+                let nuclei: Vec<usize> = vowels().filter(|at| !is_glide(table, letters, *at)).collect();
                 let tail: String = letters.iter().rev().take(3).rev().collect();
                 let is_weak = weak.iter().any(|ending| tail.ends_with(ending.as_str()));
                 let from_end = if is_weak && nuclei.len() > 1 { 2 } else { 1 };
                 vec![nuclei.len().checked_sub(from_end).and_then(|at| nuclei.get(at)).copied()]
             }
         }
+    }
+}
+
+/// Whether a vowel is no syllable: `i` and `u` after another vowel, and `u` in `gua` and `qua`.
+fn is_glide(table: &Table, letters: &[char], at: usize) -> bool {
+    let is_vowel = |at: usize| letters.get(at).is_some_and(|c| table.vowels.contains(c));
+    let before = at.checked_sub(1).and_then(|before| letters.get(before));
+    match letters.get(at) {
+        Some('u') if matches!(before, Some('g' | 'q')) && is_vowel(at + 1) => true,
+        Some('i' | 'u') => before.is_some_and(|before| table.vowels.contains(before) && !matches!(before, 'i' | 'u')),
+        _ => false,
     }
 }
