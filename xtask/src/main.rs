@@ -14,6 +14,7 @@ mod packages;
 mod paths;
 mod size;
 mod speech_dictionary;
+mod speech_model;
 mod targets;
 mod toolchain;
 mod tools;
@@ -59,6 +60,8 @@ enum Task {
     Packages,
     /// Build and run the published reader with the oldest compiler that it promises
     Msrv,
+    /// Make the acoustic model of lipz-speech from the package of CMU Sphinx
+    SpeechModel,
     /// Write all files that programs make: rules, docs, headers, expected outputs
     Bless(bless::Settings),
     /// Make the English words and letter-to-sound rules of lipz-speech of a dictionary
@@ -94,6 +97,7 @@ fn main() -> ExitCode {
         Task::SpeechDictionary(settings) => speech_dictionary::run(&settings),
         Task::Packages => packages::run(),
         Task::Msrv => msrv::run(),
+        Task::SpeechModel => speech_model::run(),
         Task::Fuzz(settings) => fuzz::run(&settings),
     };
     match result {

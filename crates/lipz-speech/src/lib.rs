@@ -1,24 +1,33 @@
 //! Recordings and their scripts become mouth shapes.
 //!
 //! A [`Script`] is what is said: words with all their pronunciations, made of [`Phone`]s. A [`Pronouncer`] makes it of
-//! a text.
+//! a text, and an [`Aligner`] finds when each word and phone of it is said in a [`Sound`].
+//!
+//! Results are the same on every machine, to the last bit.
 //!
 //! What is not here: Lipz files and banks, settings, printing (`lipz`).
 
 #![forbid(unsafe_code)]
 
+mod align;
+mod features;
 mod language;
+mod model;
 mod phone;
 mod problem;
 mod pronounce;
 mod script;
+mod sound;
 mod text;
 
+pub use align::{AlignOptions, AlignedPhone, AlignedWord, Aligner, Alignment};
 pub use language::{Language, Reliance};
+pub use model::Model;
 pub use phone::{ParsePhoneError, Phone};
 pub use problem::{Problem, ProblemKind};
 pub use pronounce::{Lexicon, Pronouncer, Reading};
 pub use script::{Origin, Pronunciation, Script, Word};
+pub use sound::{Sound, SoundError};
 
 /// The example of the README, run as a test.
 #[cfg(doctest)]

@@ -112,8 +112,18 @@ pub(super) const RULES: &[Rule] = &[
     },
     Rule {
         name: "lipz-speech",
-        direct: &["any_ascii", "lipz-file", "lipz-types", "unicode-normalization", "unicode-segmentation"],
-        below: Below::AtMost(18),
+        direct: &[
+            "any_ascii",
+            "half",
+            "libm",
+            "lipz-file",
+            "lipz-types",
+            "microfft",
+            "symphonia",
+            "unicode-normalization",
+            "unicode-segmentation",
+        ],
+        below: Below::AtMost(48),
     },
     // What a game carries; its build script uses the compiler.
     Rule { name: "dialogue-player", direct: &["lipz-bank", "lipz-compiler"], below: Below::Only(READER) },

@@ -1,0 +1,66 @@
+//! How likely each frame of a sound is in each state, and how well phones fit in the end.
+
+use super::graph::Graph;
+use super::history::Step;
+use crate::features::cepstra::{Frame, Vectors};
+use crate::model::{STATES, Scores};
+use crate::{Model, Phone};
+
+/// Quiet frames are more likely silence, loud ones less: so many nats per frame for a loudness of 1, which is that of the
+/// loud frames of the sound.
+const QUIET_NATS: f32 = 20.0;
+/// The loudness at which silence is neither more nor less likely.
+const QUIET: f32 = 0.15;
+/// The most that loudness counts for or against silence, in nats per frame.
+const MOST_NATS: f32 = 10.0;
+
+/// The scores of the frames of a sound.
+pub(super) struct Emissions<'a> {
+    model: &'a Model,
+    vectors: Vectors<'a>,
+    /// Of the frames so far, the score of the best phone.
+    pub(super) best: Vec<f32>,
+}
+
+impl<'a> Emissions<'a> {
+    pub(super) fn new(model: &'a Model, vectors: Vectors<'a>) -> Emissions<'a> {
+        Emissions { model, vectors, best: Vec::new() }
+    }
+}
+
+impl Iterator for Emissions<'_> {
+    type Item = Scores;
+
+    fn next(&mut self) -> Option<Scores> {
+        let frame = self.vectors.next()?;
+        let mut scores = self.model.score(&frame.vector);
+        self.best.push(scores.iter().copied().fold(f32::MIN, f32::max));
+        let silence = Phone::Sil.index() * STATES;
+        let prior = prior_of_silence(&frame);
+        for score in &mut scores[silence..silence + STATES] {
+            *score += prior;
+        }
+        Some(scores)
+    }
+}
+
+/// How much more likely the loudness of a frame makes silence, in nats.
+fn prior_of_silence(frame: &Frame) -> f32 {
+    (QUIET_NATS * (QUIET - frame.loudness)).clamp(-MOST_NATS, MOST_NATS)
+}
+
+/// How well each step fits: its score compared to the best phone's, in nats per frame.
+pub(super) fn fits(model: &Model, vectors: Vectors<'_>, best: &[f32], graph: &Graph, steps: &[Step]) -> Vec<f32> {
+    let mut frames = vectors.zip(best);
+    let fit = |step: &Step| {
+        let phone = graph.nodes[step.node].phone.index();
+        let frames = frames.by_ref().take(step.end - step.start);
+        let fit = |(frame, best): (Frame, &f32)| {
+            let [first, second, third] = model.score_phone(&frame.vector, phone);
+            first.max(second).max(third) - best
+        };
+        let count = (step.end - step.start) as f32;
+        frames.map(fit).sum::<f32>() / count
+    };
+    steps.iter().map(fit).collect()
+}

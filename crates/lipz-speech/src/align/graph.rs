@@ -1,0 +1,133 @@
+//! The graph of all ways to say a script: what the search looks through.
+//!
+//! Before each word, and after the last, there is a *junction*, which takes no time. From a junction, a path goes through one of
+//! the pronunciations of its word to the next junction, or through a filler (silence, noise, other speech) back to the same, or
+//! past the word, which is then not said. So every phone has one predecessor, and only junctions choose.
+
+use crate::{Phone, Script};
+use std::ops::Range;
+
+/// A phone of a pronunciation, or a filler.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Node {
+    pub(super) phone: Phone,
+    /// Whether paths come to it from its junction, or else from the node before it.
+    pub(super) is_first: bool,
+    /// Its junction: a filler's, or the one before its word.
+    pub(super) junction: usize,
+    /// Which pronunciation of the word it belongs to.
+    pub(super) pronunciation: usize,
+    /// What entering it costs, in nats: not positive.
+    pub(super) cost: f32,
+}
+
+/// What a script does not say costs, in nats: not positive.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Costs {
+    /// A pause between words.
+    pub(super) pause: f32,
+    /// A noise, or speech that is not in the script.
+    pub(super) noise: f32,
+    /// A word that is not said.
+    pub(super) missing_word: f32,
+}
+
+/// All ways to say a script.
+#[derive(Clone, Debug)]
+pub(super) struct Graph {
+    pub(super) nodes: Vec<Node>,
+    /// By junction: the nodes that lead into it.
+    pub(super) arrivals: Vec<Vec<usize>>,
+    /// By junction: its first node; then the number of nodes.
+    starts: Vec<usize>,
+    /// By junction: what passing by the word before it costs.
+    pub(super) skips: Vec<f32>,
+}
+
+/// How many pronunciations of a word are tried at most, which bounds the time for any script.
+const MOST_PRONUNCIATIONS: usize = 32;
+
+impl Graph {
+    pub(super) fn new(script: &Script, costs: &Costs) -> Graph {
+        let junctions = script.words.len() + 1;
+        let mut graph = Graph {
+            nodes: Vec::new(),
+            arrivals: vec![Vec::new(); junctions],
+            starts: Vec::with_capacity(junctions + 1),
+            skips: vec![f32::NEG_INFINITY; junctions],
+        };
+        for junction in 0..junctions {
+            graph.starts.push(graph.nodes.len());
+            // A recording may start with silence and end with it: that costs nothing.
+            let pause = if junction == 0 || junction + 1 == junctions { 0.0 } else { costs.pause };
+            graph.add_filler(Phone::Sil, junction, pause);
+            graph.add_filler(Phone::Noise, junction, costs.noise);
+            graph.add_filler(Phone::Spoken, junction, costs.noise);
+            if let Some(word) = script.words.get(junction) {
+                for (number, pronunciation) in word.pronunciations.iter().take(MOST_PRONUNCIATIONS).enumerate() {
+                    graph.add_pronunciation(&pronunciation.phones, junction, number);
+                }
+                let is_heard = graph.nodes.len() > graph.starts[junction] + FILLERS;
+                graph.skips[junction + 1] = if is_heard { costs.missing_word } else { 0.0 };
+            }
+        }
+        graph.starts.push(graph.nodes.len());
+        graph
+    }
+
+    pub(super) fn junctions(&self) -> usize {
+        self.arrivals.len()
+    }
+
+    /// The nodes of a junction: its fillers and its word.
+    pub(super) fn nodes_of(&self, junction: usize) -> Range<usize> {
+        let start = |junction: usize| self.starts.get(junction).copied().unwrap_or(self.nodes.len());
+        start(junction)..start(junction + 1)
+    }
+
+    fn add_filler(&mut self, phone: Phone, junction: usize, cost: f32) {
+        self.arrivals[junction].push(self.nodes.len());
+        self.nodes.push(Node { phone, is_first: true, junction, pronunciation: 0, cost });
+    }
+
+    fn add_pronunciation(&mut self, phones: &[Phone], junction: usize, pronunciation: usize) {
+        let start = self.nodes.len();
+        for &phone in phones.iter().filter(|phone| phone.is_speech()) {
+            let is_first = self.nodes.len() == start;
+            self.nodes.push(Node { phone, is_first, junction, pronunciation, cost: 0.0 });
+        }
+        if self.nodes.len() > start {
+            self.arrivals[junction + 1].push(self.nodes.len() - 1);
+        }
+    }
+}
+
+/// Fillers of each junction.
+const FILLERS: usize = 3;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::align::tests::script;
+
+    const COSTS: Costs = Costs { pause: -2.0, noise: -3.0, missing_word: -4.0 };
+
+    #[test]
+    fn every_pronunciation_leads_from_one_junction_to_the_next() {
+        let graph = Graph::new(&script(&[&["AH", "EY"], &["K AE T"]]), &COSTS);
+        assert_eq!(graph.junctions(), 3);
+        assert_eq!(graph.nodes_of(0).len(), FILLERS + 2);
+        assert_eq!(graph.nodes_of(1).len(), FILLERS + 3);
+        assert_eq!(graph.nodes_of(2).len(), FILLERS);
+        assert_eq!(graph.arrivals[1].len(), 2 + FILLERS);
+        assert_eq!(graph.arrivals[2].len(), 1 + FILLERS);
+        let word = &graph.nodes[graph.nodes_of(1)][FILLERS..];
+        assert_eq!(word.iter().map(|node| node.is_first).collect::<Vec<_>>(), [true, false, false]);
+    }
+
+    #[test]
+    fn a_word_without_pronunciation_is_passed_by_for_nothing() {
+        let graph = Graph::new(&script(&[&[], &["SIL"], &["AA"]]), &COSTS);
+        assert_eq!(graph.skips[1..], [0.0, 0.0, -4.0]);
+    }
+}

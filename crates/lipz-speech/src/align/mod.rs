@@ -1,0 +1,145 @@
+//! Alignment: when each word and phone of a script is said.
+
+mod emission;
+mod graph;
+mod history;
+mod search;
+mod time;
+
+use crate::features::cepstra::Vectors;
+use crate::{Model, Phone, Script, Sound};
+use emission::Emissions;
+use graph::{Costs, Graph};
+use history::Step;
+
+const COSTS: Costs = Costs { pause: -2.0, noise: -30.0, missing_word: -60.0 };
+
+/// Finds when the words and phones of a script are said.
+///
+/// Forced alignment with hidden Markov models: of all ways to say the script (every pronunciation, with and without pauses), the
+/// one is taken that makes the sound most likely. See L. Rabiner, "A tutorial on hidden Markov models", 1989.
+#[derive(Clone, Debug)]
+pub struct Aligner<'m> {
+    model: &'m Model,
+    options: AlignOptions,
+}
+
+/// What an [`Aligner`] may take for granted.
+#[derive(Clone, Copy, PartialEq, Debug)]
+#[non_exhaustive]
+pub struct AlignOptions {
+    /// Pauses between words that are shorter, in microseconds, belong to the phone before them: the closure of a stop is as
+    /// silent, and a mouth does not come to rest. 150 milliseconds.
+    pub shortest_pause_us: u64,
+}
+
+impl Default for AlignOptions {
+    fn default() -> AlignOptions {
+        AlignOptions { shortest_pause_us: 150_000 }
+    }
+}
+
+/// When the words and phones of a script are said.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Alignment {
+    /// The length of the sound in microseconds.
+    pub duration_us: u64,
+    /// All phones and pauses, from 0 to the end of the sound without gaps.
+    pub phones: Vec<AlignedPhone>,
+    /// The words of the script, in its order.
+    pub words: Vec<AlignedWord>,
+    /// For each `|` of the script, the time in microseconds at which it falls: when the word after it starts, or else when the
+    /// last word ends.
+    pub breaks_us: Vec<u64>,
+}
+
+/// A phone with its time.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct AlignedPhone {
+    /// Which phone; [`Phone::Sil`] is a pause, [`Phone::Noise`] and [`Phone::Spoken`] are what the script does not say.
+    pub phone: Phone,
+    /// Its start in microseconds from that of the sound.
+    pub start_us: u64,
+    /// Its end, where the next starts.
+    pub end_us: u64,
+    /// The number of the word in the script that it belongs to.
+    pub word: Option<usize>,
+    /// How well the sound fits the phone, in nats per frame: 0 is as well as the best of all phones, and it is never more.
+    pub fit: f32,
+}
+
+/// A word with its time.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct AlignedWord {
+    /// Its start in microseconds from that of the sound.
+    pub start_us: u64,
+    /// Its end. A word that is not heard ends where it starts.
+    pub end_us: u64,
+    /// Which of its pronunciations is heard; none if the word is not.
+    pub pronunciation: Option<usize>,
+    /// How sure it is that the word is said here, from 0 to 1. Below a half, somebody should listen.
+    pub confidence: f32,
+}
+
+impl<'m> Aligner<'m> {
+    /// An aligner with this model.
+    pub fn new(model: &'m Model, options: AlignOptions) -> Aligner<'m> {
+        Aligner { model, options }
+    }
+
+    /// Aligns `sound` to `script`.
+    ///
+    /// Always finds something, however little the two have in common: [`AlignedWord::confidence`] tells. Time is proportional to
+    /// the length of the sound, memory to that of the script.
+    pub fn align(&self, sound: &Sound, script: &Script) -> Alignment {
+        let graph = Graph::new(script, &COSTS);
+        let vectors = Vectors::new(sound.spectrum());
+        let mut emissions = Emissions::new(self.model, vectors.clone());
+        let steps = search::best_path(&graph, self.model, &mut emissions);
+        let fits = emission::fits(self.model, vectors, &emissions.best, &graph, &steps);
+        self.alignment(sound, script, &graph, &steps, &fits)
+    }
+
+    fn alignment(&self, sound: &Sound, script: &Script, graph: &Graph, steps: &[Step], fits: &[f32]) -> Alignment {
+        let duration_us = sound.duration_us();
+        let mut phones = Vec::with_capacity(steps.len());
+        let mut heard = vec![None; script.words.len()];
+        for (step, &fit) in steps.iter().zip(fits) {
+            let node = &graph.nodes[step.node];
+            let word = node.phone.is_speech().then_some(node.junction);
+            if let Some(word) = word {
+                heard[word] = Some(node.pronunciation);
+            }
+            let (start_us, end_us) = time::of_frames(step.start..step.end, duration_us);
+            phones.push(AlignedPhone { phone: node.phone, start_us, end_us, word, fit });
+        }
+        if let Some(last) = phones.last_mut() {
+            last.end_us = duration_us;
+        }
+        let phones = time::join_pauses(phones, self.options.shortest_pause_us);
+        let words = time::words(&phones, &heard);
+        let last_us = words.iter().map(|word| word.end_us).max().unwrap_or(duration_us);
+        let break_us = |&word: &usize| words.get(word).map_or(last_us, |word| word.start_us);
+        let breaks_us = script.breaks.iter().map(break_us).collect();
+        Alignment { duration_us, phones, words, breaks_us }
+    }
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use crate::{Origin, Pronunciation, Script, Word};
+
+    /// A script of words with these pronunciations.
+    pub(crate) fn script(words: &[&[&str]]) -> Script {
+        let pronunciation = |phones: &&str| Pronunciation {
+            phones: phones.split(' ').map(|phone| phone.parse().unwrap()).collect(),
+            origin: Origin::Dictionary,
+        };
+        let word = |(number, pronunciations): (usize, &&[&str])| Word {
+            text: format!("word {number}"),
+            range: 0..0,
+            pronunciations: pronunciations.iter().map(pronunciation).collect(),
+        };
+        Script { words: words.iter().enumerate().map(word).collect(), breaks: Vec::new() }
+    }
+}

@@ -1,0 +1,186 @@
+//! Mel cepstra with their changes: the vectors that the acoustic model scores.
+//!
+//! As in CMU Sphinx: cosine transform of the logarithms, lifter, the mean over the whole sound subtracted; each of the three
+//! streams has 13 numbers.
+
+use super::floor::Floor;
+use super::mel::{BANDS, Spectrum};
+use super::noise::NoiseTracker;
+use std::f64::consts::PI;
+
+/// Coefficients of a cepstrum.
+pub(crate) const COEFFICIENTS: usize = 13;
+/// Numbers of a vector: cepstrum, change, change of the change.
+pub(crate) const NUMBERS: usize = 3 * COEFFICIENTS;
+
+type Cepstrum = [f32; COEFFICIENTS];
+
+const LIFTER: f64 = 22.0;
+/// Frames before and after, which the changes need.
+const REACH: usize = 3;
+const RING: usize = 2 * REACH + 1;
+
+/// The vectors of a sound, one after the other: nothing of them is kept.
+#[derive(Clone)]
+pub(crate) struct Vectors<'a> {
+    cepstra: Cepstra<'a>,
+    count: usize,
+    means: Cepstrum,
+    quiet: f32,
+    loud: f32,
+    /// Cepstra of the frames around the next, by their number modulo `RING`.
+    ring: [Cepstrum; RING],
+    made: usize,
+    next: usize,
+}
+
+/// What is known of a frame.
+pub(crate) struct Frame {
+    pub(crate) vector: [f32; NUMBERS],
+    /// Its loudness: 0 is that of the quiet frames of the sound, 1 that of the loud ones.
+    pub(crate) loudness: f32,
+}
+
+impl<'a> Vectors<'a> {
+    /// The vectors of the frames of `spectrum`.
+    pub(crate) fn new(spectrum: &'a [Spectrum]) -> Vectors<'a> {
+        let floor = Floor::new(spectrum);
+        let mut sums = [0.0_f64; COEFFICIENTS];
+        let mut loudness = Vec::with_capacity(spectrum.len());
+        for cepstrum in Cepstra::new(spectrum, floor) {
+            for (sum, number) in sums.iter_mut().zip(&cepstrum) {
+                *sum += f64::from(*number);
+            }
+            loudness.push(cepstrum[0]);
+        }
+        let count = spectrum.len();
+        #[expect(clippy::cast_possible_truncation, reason = "cepstra are single")]
+        let means = sums.map(|sum| (sum / count.max(1) as f64) as f32);
+        loudness.sort_unstable_by(f32::total_cmp);
+        let share = |percent: usize| loudness.get(count.saturating_sub(1) * percent / 100).copied().unwrap_or(0.0);
+        Vectors {
+            cepstra: Cepstra::new(spectrum, floor),
+            count,
+            means,
+            quiet: share(5) - means[0],
+            loud: share(95) - means[0],
+            ring: [[0.0; COEFFICIENTS]; RING],
+            made: 0,
+            next: 0,
+        }
+    }
+
+    /// The cepstrum of a frame near the next; before the first and after the last, theirs.
+    fn cepstrum(&self, ahead: usize, behind: usize) -> &Cepstrum {
+        let frame = (self.next + ahead).saturating_sub(behind).min(self.count - 1);
+        &self.ring[frame % RING]
+    }
+}
+
+impl Iterator for Vectors<'_> {
+    type Item = Frame;
+
+    fn next(&mut self) -> Option<Frame> {
+        if self.next >= self.count {
+            return None;
+        }
+        while self.made < self.count && self.made <= self.next + REACH {
+            let cepstrum = self.cepstra.next()?;
+            self.ring[self.made % RING] = std::array::from_fn(|i| cepstrum[i] - self.means[i]);
+            self.made += 1;
+        }
+        let mut vector = [0.0; NUMBERS];
+        for i in 0..COEFFICIENTS {
+            let at = |ahead, behind| self.cepstrum(ahead, behind)[i];
+            vector[i] = at(0, 0);
+            vector[COEFFICIENTS + i] = at(2, 0) - at(0, 2);
+            vector[2 * COEFFICIENTS + i] = (at(3, 0) - at(0, 1)) - (at(1, 0) - at(0, 3));
+        }
+        let loudness = (vector[0] - self.quiet) / (self.loud - self.quiet).max(1e-3);
+        self.next += 1;
+        Some(Frame { vector, loudness })
+    }
+}
+
+/// The cepstra of a sound, before their mean is subtracted.
+#[derive(Clone)]
+struct Cepstra<'a> {
+    spectrum: std::slice::Iter<'a, Spectrum>,
+    floor: Floor,
+    noise: NoiseTracker,
+    transform: Vec<[f32; BANDS]>,
+}
+
+impl<'a> Cepstra<'a> {
+    fn new(spectrum: &'a [Spectrum], floor: Floor) -> Cepstra<'a> {
+        Cepstra { spectrum: spectrum.iter(), floor, noise: NoiseTracker::default(), transform: transform() }
+    }
+}
+
+impl Iterator for Cepstra<'_> {
+    type Item = Cepstrum;
+
+    fn next(&mut self) -> Option<Cepstrum> {
+        let power = self.noise.clean(self.floor.raise(self.spectrum.next()?));
+        let logarithms = power.map(libm::logf);
+        let mut cepstrum = [0.0; COEFFICIENTS];
+        for (number, weights) in cepstrum.iter_mut().zip(&self.transform) {
+            *number = logarithms.iter().zip(weights).map(|(band, weight)| band * weight).sum();
+        }
+        Some(cepstrum)
+    }
+}
+
+/// The orthonormal cosine transform and the lifter, in one table.
+fn transform() -> Vec<[f32; BANDS]> {
+    #[expect(clippy::cast_possible_truncation, reason = "coefficients are single")]
+    let row = |i: usize| -> [f32; BANDS] {
+        let norm = libm::sqrt(if i == 0 { 1.0 } else { 2.0 } / BANDS as f64);
+        let lift = 1.0 + LIFTER / 2.0 * libm::sin(PI * i as f64 / LIFTER);
+        std::array::from_fn(|band| (norm * lift * libm::cos(PI * i as f64 * (band as f64 + 0.5) / BANDS as f64)) as f32)
+    };
+    (0..COEFFICIENTS).map(row).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ramp(frames: i16) -> Vec<Spectrum> {
+        let band = |t: i16, band: usize| 8_000 + 40 * (t % 13) * [0, 1, 2, 3, 4][band % 5];
+        (0..frames).map(|t| std::array::from_fn(|number| band(t, number))).collect()
+    }
+
+    #[test]
+    fn every_frame_has_a_vector_whose_mean_is_zero() {
+        let spectrum = ramp(100);
+        let vectors: Vec<Frame> = Vectors::new(&spectrum).collect();
+        assert_eq!(vectors.len(), 100);
+        for i in 0..COEFFICIENTS {
+            let mean = vectors.iter().map(|frame| frame.vector[i]).sum::<f32>() / 100.0;
+            assert!(mean.abs() < 1e-3, "{i}: {mean}");
+        }
+    }
+
+    #[test]
+    fn changes_are_differences_of_neighbours() {
+        let spectrum = ramp(30);
+        let vectors: Vec<Frame> = Vectors::new(&spectrum).collect();
+        for i in 0..COEFFICIENTS {
+            let at = |t: usize| vectors[t].vector[i];
+            let close = |a: f32, b: f32| (a - b).abs() < 1e-3;
+            assert!(close(vectors[10].vector[13 + i], at(12) - at(8)), "{i}");
+            assert!(close(vectors[10].vector[26 + i], at(13) - at(9) - at(11) + at(7)), "{i}");
+            assert!(close(vectors[0].vector[13 + i], at(2) - at(0)), "{i}: the first frame stands for those before it");
+        }
+    }
+
+    #[test]
+    fn short_and_silent_sounds_are_no_trouble() {
+        for spectrum in [vec![], vec![[0; BANDS]], vec![[-9_000; BANDS]; 5]] {
+            for frame in Vectors::new(&spectrum) {
+                assert!(frame.vector.iter().all(|number| number.is_finite()));
+            }
+        }
+    }
+}

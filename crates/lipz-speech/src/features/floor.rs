@@ -1,0 +1,64 @@
+//! A floor of noise under every sound.
+//!
+//! Digital silence, and what a codec leaves of quiet passages, look like nothing that the acoustic model was made from, and
+//! ruin an alignment. Sphinx adds random noise to the samples (dither); the expected power of such noise, added to
+//! the power of each band, does the same without chance. It is relative to how loud the speech is, so that a recording aligns
+//! the same at every volume.
+
+use super::mel::{BANDS, Spectrum, logarithm_of, white_noise};
+
+/// How far below the loud frames the floor is, in nats of power: 40 decibels.
+const DEPTH_NATS: f32 = 9.21;
+/// The share of frames that are not louder than the loud ones, in percent.
+const LOUD_PERCENT: usize = 95;
+
+/// The power that is added to each band.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Floor([f32; BANDS]);
+
+impl Floor {
+    /// The floor for a sound.
+    pub(crate) fn new(spectrum: &[Spectrum]) -> Floor {
+        let mut levels: Vec<i32> = spectrum.iter().map(level).collect();
+        let loud = match levels.len() {
+            0 => 0,
+            count => *levels.select_nth_unstable((count - 1) * LOUD_PERCENT / 100).1,
+        };
+        let loud_nats = loud as f32 / (BANDS as f32 * 1024.0);
+        let white = white_noise();
+        let mean_nats = white.iter().map(|power| libm::logf(*power)).sum::<f32>() / BANDS as f32;
+        let factor = libm::expf(loud_nats - DEPTH_NATS - mean_nats);
+        Floor(white.map(|power| power * factor))
+    }
+
+    /// The power of each band, with the floor under it.
+    pub(crate) fn raise(&self, spectrum: &Spectrum) -> [f32; BANDS] {
+        std::array::from_fn(|band| libm::expf(logarithm_of(spectrum[band])) + self.0[band])
+    }
+}
+
+/// The sum of the logarithms of all bands.
+pub(crate) fn level(spectrum: &Spectrum) -> i32 {
+    spectrum.iter().map(|&band| i32::from(band)).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_floor_follows_the_volume() {
+        let sound: Vec<Spectrum> = (0..50).map(|t| [10_000 + 100 * t; BANDS]).collect();
+        let louder: Vec<Spectrum> = sound.iter().map(|frame| frame.map(|band| band + 2_048)).collect();
+        let (floor, higher) = (Floor::new(&sound), Floor::new(&louder));
+        for (low, high) in floor.0.iter().zip(higher.0) {
+            assert!((high / low - libm::expf(2.0)).abs() < 0.01, "{low} {high}");
+        }
+    }
+
+    #[test]
+    fn silence_has_a_floor() {
+        let floor = Floor::new(&[[-9_431; BANDS]; 3]);
+        assert!(floor.0.iter().all(|power| power.is_finite() && *power > 0.0));
+    }
+}

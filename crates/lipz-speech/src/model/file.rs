@@ -1,0 +1,130 @@
+//! Reads the file of an acoustic model.
+
+use super::{DENSITIES, Model, STATES, STREAMS};
+use crate::Phone;
+use crate::features::cepstra::COEFFICIENTS;
+use half::f16;
+use std::f64::consts::PI;
+
+const MAGIC: &[u8] = b"LIPZ-AM1";
+/// Bytes of a name.
+const NAME: usize = 8;
+/// Codebooks, and numbers in one.
+const BOOKS: usize = Phone::COUNT * STREAMS;
+const BOOK: usize = DENSITIES * COEFFICIENTS;
+
+/// A file is no acoustic model of this form.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct NoModel;
+
+impl Model {
+    pub(super) fn from_bytes(bytes: &[u8]) -> Result<Model, NoModel> {
+        let mut rest = bytes.strip_prefix(MAGIC).ok_or(NoModel)?;
+        let mut take = |count: usize| {
+            let (taken, left) = rest.split_at_checked(count).ok_or(NoModel)?;
+            rest = left;
+            Ok(taken)
+        };
+        let shape = [Phone::COUNT, STREAMS, DENSITIES, COEFFICIENTS];
+        if !take(2 * shape.len())?.chunks_exact(2).map(whole).eq(shape) {
+            return Err(NoModel);
+        }
+        for (phone, name) in Phone::ALL.iter().zip(take(Phone::COUNT * NAME)?.chunks_exact(NAME)) {
+            if name.strip_prefix(phone.name().as_bytes()).is_none_or(|padding| padding.iter().any(|&byte| byte != 0)) {
+                return Err(NoModel);
+            }
+        }
+        let means = halves(take(2 * BOOKS * BOOK)?);
+        let inverse_sigmas = halves(take(2 * BOOKS * BOOK)?);
+        let weights = take(Phone::COUNT * STATES * STREAMS * DENSITIES)?;
+        let stay = halves(take(2 * Phone::COUNT * STATES)?);
+        if !rest.is_empty() {
+            return Err(NoModel);
+        }
+        let step = 1024.0 * libm::log(1.0001);
+        #[expect(clippy::cast_possible_truncation, reason = "weights are single")]
+        let weight = |&steps: &u8| libm::exp(-f64::from(steps) * step) as f32;
+        let half = libm::sqrtf(0.5);
+        Ok(Model {
+            means: by_dimension(&means),
+            heights: inverse_sigmas.chunks_exact(COEFFICIENTS).map(height).collect(),
+            scales: by_dimension(&inverse_sigmas.iter().map(|inverse| inverse * half).collect::<Vec<_>>()),
+            weights: weights.iter().map(weight).collect(),
+            leave: stay.iter().map(|stay| libm::logf(1.0 - stay)).collect(),
+            stay: stay.iter().map(|&stay| libm::logf(stay)).collect(),
+        })
+    }
+
+    /// A model to which all sounds are the same.
+    pub(super) fn nothing() -> Model {
+        let states = Phone::COUNT * STATES;
+        Model {
+            means: vec![0.0; BOOKS * BOOK],
+            scales: vec![0.0; BOOKS * BOOK],
+            heights: vec![0.0; BOOKS * DENSITIES],
+            weights: vec![1.0; states * STREAMS * DENSITIES],
+            stay: vec![libm::logf(0.5); states],
+            leave: vec![libm::logf(0.5); states],
+        }
+    }
+}
+
+fn whole(bytes: &[u8]) -> usize {
+    bytes.iter().rev().fold(0, |number, &byte| number << 8 | usize::from(byte))
+}
+
+fn halves(bytes: &[u8]) -> Vec<f32> {
+    let half = |bytes: &[u8]| bytes.try_into().map_or(0.0, |bytes| f16::from_le_bytes(bytes).to_f32());
+    bytes.chunks_exact(2).map(half).collect()
+}
+
+/// The logarithm of a Gaussian's density at its mean.
+fn height(inverse_sigmas: &[f32]) -> f32 {
+    let sum: f64 = inverse_sigmas.iter().map(|&inverse| libm::log(f64::from(inverse))).sum();
+    #[expect(clippy::cast_possible_truncation, reason = "densities are single")]
+    let height = (sum - 0.5 * COEFFICIENTS as f64 * libm::log(2.0 * PI)) as f32;
+    height
+}
+
+/// Within each codebook, from Gaussians with all dimensions to dimensions with all Gaussians: what vector code reads.
+fn by_dimension(numbers: &[f32]) -> Vec<f32> {
+    let book = |book: &[f32]| -> Vec<f32> {
+        let dimension = |dimension| book.iter().skip(dimension).step_by(COEFFICIENTS).copied();
+        (0..COEFFICIENTS).flat_map(dimension).collect()
+    };
+    numbers.chunks_exact(BOOK).flat_map(book).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::ENGLISH;
+
+    #[test]
+    fn the_model_that_is_built_in_is_whole() {
+        let model = Model::from_bytes(ENGLISH).unwrap();
+        for numbers in [&model.means, &model.scales, &model.heights, &model.weights, &model.stay, &model.leave] {
+            assert!(numbers.iter().all(|number| number.is_finite()));
+        }
+        assert!(model.scales.iter().all(|&scale| scale > 0.0));
+        for weights in model.weights.chunks_exact(DENSITIES) {
+            let sum: f32 = weights.iter().sum();
+            assert!((0.9..1.2).contains(&sum), "{sum}: weights are in steps of a tenth");
+        }
+    }
+
+    #[test]
+    fn no_shorter_longer_or_other_file_is_a_model() {
+        for length in [0, 5, 8, 15, 16, 400, ENGLISH.len() / 2, ENGLISH.len() - 1] {
+            assert_eq!(Model::from_bytes(&ENGLISH[..length]).err(), Some(NoModel), "{length}");
+        }
+        let mut longer = ENGLISH.to_vec();
+        longer.push(0);
+        assert!(Model::from_bytes(&longer).is_err());
+        for byte in 0..16 + Phone::COUNT * NAME {
+            let mut other = ENGLISH.to_vec();
+            other[byte] ^= 0x20;
+            assert!(Model::from_bytes(&other).is_err(), "{byte}");
+        }
+    }
+}

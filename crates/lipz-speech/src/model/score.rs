@@ -1,0 +1,139 @@
+//! How likely a vector is in each state: the inner loop of alignment.
+//!
+//! Written so that the compiler makes vector code of it without changing the order of any sum: eight sums side by side.
+
+use super::{DENSITIES, Model, STATES, STREAMS};
+use crate::Phone;
+use crate::features::cepstra::{COEFFICIENTS, NUMBERS};
+
+/// The logarithm of the likelihood of a vector, by phone and state.
+pub(crate) type Scores = [f32; Phone::COUNT * STATES];
+
+const LANES: usize = 8;
+/// The least sum of densities: its logarithm is finite.
+const LEAST: f32 = 1e-30;
+
+impl Model {
+    /// The scores of a vector in all states.
+    pub(crate) fn score(&self, vector: &[f32; NUMBERS]) -> Scores {
+        let mut scores = [0.0; Phone::COUNT * STATES];
+        for (phone, states) in scores.chunks_exact_mut(STATES).enumerate() {
+            states.copy_from_slice(&self.score_phone(vector, phone));
+        }
+        scores
+    }
+
+    /// The scores of a vector in the states of the phone of this number.
+    pub(crate) fn score_phone(&self, vector: &[f32; NUMBERS], phone: usize) -> [f32; STATES] {
+        let mut scores = [0.0; STATES];
+        for (stream, numbers) in vector.chunks_exact(COEFFICIENTS).enumerate() {
+            let mut densities = self.densities(phone * STREAMS + stream, numbers);
+            let best = best(&densities);
+            for density in &mut densities {
+                *density = exp(*density - best);
+            }
+            for (state, score) in scores.iter_mut().enumerate() {
+                let book = (phone * STATES + state) * STREAMS + stream;
+                let sum = dot(&self.weights[book * DENSITIES..][..DENSITIES], &densities);
+                *score += best + libm::logf(sum.max(LEAST));
+            }
+        }
+        scores
+    }
+
+    /// The logarithms of the densities of the Gaussians of a codebook.
+    fn densities(&self, book: usize, numbers: &[f32]) -> [f32; DENSITIES] {
+        let mut densities = [0.0; DENSITIES];
+        densities.copy_from_slice(&self.heights[book * DENSITIES..][..DENSITIES]);
+        let range = book * DENSITIES * COEFFICIENTS..(book + 1) * DENSITIES * COEFFICIENTS;
+        let means = self.means[range.clone()].chunks_exact(DENSITIES);
+        let scales = self.scales[range].chunks_exact(DENSITIES);
+        for ((number, means), scales) in numbers.iter().zip(means).zip(scales) {
+            for ((density, mean), scale) in densities.iter_mut().zip(means).zip(scales) {
+                let distance = (number - mean) * scale;
+                *density -= distance * distance;
+            }
+        }
+        densities
+    }
+}
+
+fn best(densities: &[f32; DENSITIES]) -> f32 {
+    let mut best = [f32::MIN; LANES];
+    for lanes in densities.chunks_exact(LANES) {
+        for (best, &density) in best.iter_mut().zip(lanes) {
+            *best = if density > *best { density } else { *best };
+        }
+    }
+    best.into_iter().fold(f32::MIN, f32::max)
+}
+
+fn dot(weights: &[f32], densities: &[f32; DENSITIES]) -> f32 {
+    let mut sums = [0.0; LANES];
+    for (weights, densities) in weights.chunks_exact(LANES).zip(densities.chunks_exact(LANES)) {
+        for ((sum, weight), density) in sums.iter_mut().zip(weights).zip(densities) {
+            *sum += weight * density;
+        }
+    }
+    sums.iter().sum()
+}
+
+/// e to the power of `x`, which is not positive, to six digits; e⁻⁸⁰ below -80.
+///
+/// The whole powers of 2 go into the exponent of the number, the rest through five terms of the series. libm's function has
+/// branches, which vector code cannot have.
+fn exp(x: f32) -> f32 {
+    /// Adding 1.5 · 2²³ rounds to a whole number, which is then in the last bits.
+    const SHIFT: f32 = 12_582_912.0;
+    let x = if x < -80.0 { -80.0 } else { x };
+    let powers = x * std::f32::consts::LOG2_E;
+    let shifted = powers + SHIFT;
+    let rest = (powers - (shifted - SHIFT)) * std::f32::consts::LN_2;
+    let series = 1.0 + rest * (1.0 + rest * (0.5 + rest * (1.0 / 6.0 + rest * (1.0 / 24.0 + rest * (1.0 / 120.0)))));
+    let exponent = (shifted.to_bits() << 23).wrapping_add(1.0_f32.to_bits());
+    f32::from_bits(exponent) * series
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_exponential_function_has_six_digits() {
+        for step in 0..8_000_u16 {
+            let x = -f32::from(step) / 100.0;
+            let expected = f64::from(x).exp();
+            assert!((f64::from(exp(x)) / expected - 1.0).abs() < 5e-6, "{x}: {} {expected}", exp(x));
+        }
+        assert!(exp(-1e30) > 0.0 && exp(-1e30) < 1e-34);
+        assert_eq!(exp(0.0), 1.0);
+    }
+
+    #[test]
+    fn the_sum_over_gaussians_is_that_of_the_definition() {
+        let model = Model::english();
+        let vector: [f32; NUMBERS] = std::array::from_fn(|i| (i as f32 * 0.7).sin() * 3.0);
+        let phone = Phone::Iy.index();
+        for (state, &score) in model.score_phone(&vector, phone).iter().enumerate() {
+            let mut expected = 0.0;
+            for stream in 0..STREAMS {
+                let book = phone * STREAMS + stream;
+                let mut sum = 0.0;
+                for density in 0..DENSITIES {
+                    let mut exponent = f64::from(model.heights[book * DENSITIES + density]);
+                    for dimension in 0..COEFFICIENTS {
+                        let at = (book * COEFFICIENTS + dimension) * DENSITIES + density;
+                        let distance =
+                            f64::from((vector[stream * COEFFICIENTS + dimension] - model.means[at]) * model.scales[at]);
+                        exponent -= distance * distance;
+                    }
+                    let weights = ((phone * STATES + state) * STREAMS + stream) * DENSITIES;
+                    sum += f64::from(model.weights[weights + density]) * exponent.exp();
+                }
+                expected += sum.ln();
+            }
+            assert!((f64::from(score) - expected).abs() < 0.01, "{score} {expected}");
+        }
+        assert_eq!(model.score(&vector)[phone * STATES..][..STATES], model.score_phone(&vector, phone));
+    }
+}

@@ -1,0 +1,158 @@
+//! A recording, as far as alignment needs to know it.
+
+mod decode;
+mod error;
+mod resample;
+
+pub use error::SoundError;
+
+use crate::features::mel::{HOP, MelFrontEnd, RATE_HZ, Spectrum, WINDOW};
+use resample::Resampler;
+use std::io::{Cursor, Read, Seek};
+
+/// A recording: its length, and the spectrum of each hundredth of a second. The samples themselves are gone: an hour of sound
+/// takes 18 megabytes.
+#[derive(Clone, Debug)]
+pub struct Sound {
+    samples: u64,
+    rate_hz: u32,
+    spectrum: Vec<Spectrum>,
+    truncated: bool,
+    damaged_packets: u64,
+}
+
+impl Sound {
+    /// The longest sound that is read, in seconds: a day.
+    pub const LONGEST_S: u64 = 86_400;
+
+    /// Reads a WAV, AIFF, FLAC, Ogg Vorbis or MP3 file; its first bytes say which it is, and `extension` decides where they
+    /// do not. Channels are mixed down.
+    ///
+    /// # Errors
+    ///
+    /// If nothing of the sound can be read. A file that is damaged in the middle or ends too early is read as far as
+    /// possible, and [`Sound::is_truncated`] and [`Sound::damaged_packets`] tell so.
+    pub fn read<S>(source: S, extension: Option<&str>) -> Result<Sound, SoundError>
+    where
+        S: Read + Seek + Send + Sync,
+    {
+        let mut analysis = None;
+        let decoded = decode::decode(source, extension, |rate_hz, samples| {
+            let analysis = analysis.get_or_insert_with(|| Analysis::new(rate_hz));
+            analysis.push(samples)
+        })?;
+        let mut sound = analysis.map(Analysis::finish).ok_or(SoundError::NoSound)?;
+        if sound.samples == 0 {
+            return Err(SoundError::NoSound);
+        }
+        sound.truncated = decoded.truncated;
+        sound.damaged_packets = decoded.damaged_packets;
+        Ok(sound)
+    }
+
+    /// Reads a file that is in memory: see [`Sound::read`].
+    ///
+    /// # Errors
+    ///
+    /// As [`Sound::read`].
+    pub fn from_bytes(bytes: &[u8], extension: Option<&str>) -> Result<Sound, SoundError> {
+        Sound::read(Cursor::new(bytes), extension)
+    }
+
+    /// The sound of these samples of one channel, from -1 to 1.
+    ///
+    /// # Errors
+    ///
+    /// If there are none or too many, or the rate is none for speech.
+    pub fn from_samples(rate_hz: u32, samples: &[f32]) -> Result<Sound, SoundError> {
+        if !decode::RATES_HZ.contains(&rate_hz) {
+            return Err(SoundError::Rate { rate_hz });
+        }
+        if samples.is_empty() {
+            return Err(SoundError::NoSound);
+        }
+        let mut analysis = Analysis::new(rate_hz);
+        analysis.push(samples)?;
+        Ok(analysis.finish())
+    }
+
+    /// The length in microseconds.
+    pub fn duration_us(&self) -> u64 {
+        self.samples * 1_000_000 / u64::from(self.rate_hz)
+    }
+
+    /// Samples per second of the file.
+    pub fn rate_hz(&self) -> u32 {
+        self.rate_hz
+    }
+
+    /// Whether the file ends in the middle of its data.
+    pub fn is_truncated(&self) -> bool {
+        self.truncated
+    }
+
+    /// How many packets of the file could not be decoded and are missing.
+    pub fn damaged_packets(&self) -> u64 {
+        self.damaged_packets
+    }
+
+    pub(crate) fn spectrum(&self) -> &[Spectrum] {
+        &self.spectrum
+    }
+}
+
+/// What makes a [`Sound`] of samples, block by block.
+struct Analysis {
+    rate_hz: u32,
+    samples: u64,
+    resampler: Resampler,
+    resampled: Vec<f32>,
+    front_end: MelFrontEnd,
+    spectrum: Vec<Spectrum>,
+}
+
+impl Analysis {
+    fn new(rate_hz: u32) -> Analysis {
+        Analysis {
+            rate_hz,
+            samples: 0,
+            resampler: Resampler::new(rate_hz, RATE_HZ),
+            resampled: Vec::new(),
+            front_end: MelFrontEnd::new(),
+            spectrum: Vec::new(),
+        }
+    }
+
+    fn push(&mut self, samples: &[f32]) -> Result<(), SoundError> {
+        self.samples += samples.len() as u64;
+        if self.samples > Sound::LONGEST_S * u64::from(self.rate_hz) {
+            return Err(SoundError::TooLong);
+        }
+        self.resampler.push(samples, &mut self.resampled);
+        self.analyse();
+        Ok(())
+    }
+
+    fn finish(mut self) -> Sound {
+        let resampler = std::mem::replace(&mut self.resampler, Resampler::new(RATE_HZ, RATE_HZ));
+        resampler.finish(&mut self.resampled);
+        // So that there are frames up to the end.
+        self.resampled.extend([0.0; WINDOW - HOP]);
+        self.analyse();
+        Sound {
+            samples: self.samples,
+            rate_hz: self.rate_hz,
+            spectrum: self.spectrum,
+            truncated: false,
+            damaged_packets: 0,
+        }
+    }
+
+    fn analyse(&mut self) {
+        for sample in &mut self.resampled {
+            *sample *= 32_768.0; // the model's units
+        }
+        self.front_end.push(&self.resampled, |spectrum| self.spectrum.push(spectrum));
+        self.resampled.clear();
+    }
+}
