@@ -6,7 +6,7 @@
 use lipz_bank::{Error, ErrorKind};
 use lipz_layout::{MAGIC, MAX_INTEGER_FPS, NO_TEXT, TEXT_FALLBACK, TEXT_HAS_LENGTH, Tag};
 use lipz_testkit::golden::{
-    SMALL, STRIPPED, changed, entry_of, finding, key_record_of, put, record_of, section, u32_at,
+    RECORDED, SMALL, STRIPPED, changed, entry_of, finding, key_record_of, put, record_of, section, u32_at,
 };
 
 /// The kind and place found in a small bank that `change` has changed.
@@ -286,4 +286,34 @@ fn events() {
         bank.push(b'!');
     });
     assert_eq!(finding(&longer).map(Error::kind), Some(EventName), "a byte that belongs to no name");
+}
+
+#[test]
+fn recordings() {
+    use ErrorKind::{Recording, SectionShape};
+    let finding_in = |change: &dyn Fn(&mut Vec<u8>)| {
+        finding(&changed(RECORDED, |bank| change(bank))).map(|error| (error.kind(), error.offset_bytes() as usize))
+    };
+    let (entry, section) = (entry_of(RECORDED, Tag::RECORDINGS), section(RECORDED, Tag::RECORDINGS));
+    let records: Vec<usize> = section.step_by(16).collect();
+    assert_eq!(records.len(), 3);
+    let has_none = |record: &usize| RECORDED[*record..*record + 8] == [0xFF; 8];
+    let (none, some) = (
+        *records.iter().find(|record| has_none(record)).unwrap(),
+        *records.iter().find(|record| !has_none(record)).unwrap(),
+    );
+    // Any length and any hash may be right, but for lengths that no time holds.
+    for byte in 0..16 {
+        let is_sign = byte == 7;
+        let found = finding_in(&|bank| bank[some + byte] ^= 0x80);
+        assert_eq!(found, is_sign.then_some((Recording, some)), "byte {byte}");
+        // What has no recording has this one length and no hash. (Without the sign it is the longest time.)
+        let found = finding_in(&|bank| bank[none + byte] ^= 0x80);
+        assert_eq!(found, (!is_sign).then_some((Recording, none)), "byte {byte}");
+    }
+    assert_eq!(finding_in(&|bank| put(bank, entry + 12, [8])), Some((SectionShape, entry)));
+    assert_eq!(
+        finding_in(&|bank| put(bank, entry + 8, 32_u32.to_le_bytes())).map(|(kind, _)| kind),
+        Some(SectionShape)
+    );
 }

@@ -16,6 +16,7 @@ const BEYOND_A_SCHEMA: &[(&str, &str)] = &[
     ("LZ0203", "elements of other tools are kept: games do not see them"),
     ("LZ0204", "a clip without elements is legal"),
     ("LZ0302", "the digits of a number are no rule of JSON"),
+    ("LZ0406", "what a mouth does is no rule of JSON"),
     ("LZ0504", "the lists of languages and countries are too long"),
     ("LZ0505", "braces are counted"),
     ("LZ0506", "braces are counted"),

@@ -125,6 +125,20 @@ pub(super) const RULES: &[Rule] = &[
         ],
         below: Below::AtMost(48),
     },
+    Rule {
+        name: "lipz-sync",
+        direct: &[
+            "hound",
+            "lipz-bank",
+            "lipz-compiler",
+            "lipz-diagnostics",
+            "lipz-file",
+            "lipz-types",
+            "twox-hash",
+            "walkdir",
+        ],
+        below: Below::AtMost(60),
+    },
     // What a game carries; its build script uses the compiler.
     Rule { name: "dialogue-player", direct: &["lipz-bank", "lipz-compiler"], below: Below::Only(READER) },
 ];

@@ -186,6 +186,12 @@ impl Build {
             ids = rust_ids(bank, settings)?;
             Ok(())
         };
+        if settings.audio.in_bank && settings.options.recordings.is_empty() {
+            let message = "the settings put recordings into the bank, but the build script reads none";
+            let help =
+                "hand what `lipz_sync::in_bank` returns to `Options::recordings`, or set `in-bank = false` in [audio]";
+            reports.push(Report::failure("", Code::SettingValue, message, help));
+        }
         let compiler = Compiler::new(settings.options.clone());
         let mut compiled = match lipz_diagnostics::reports::have_errors(&reports) {
             true => compiler.check(&inputs),
@@ -417,6 +423,8 @@ mod tests {
         assert!(lines.starts_with("cargo::rerun-if-changed=SCENE/voices\ncargo::rerun-if-changed=SCENE/lipz.toml\n"));
         assert!(lines.contains("[LZ0502]") && !lines.contains("error"), "{lines}");
         assert_eq!(names, OUTPUTS);
+        let (lines, _) = by_settings("sources = [\"voices\"]\n[audio]\nin-bank = true\n");
+        assert!(lines.contains("cargo::error=the settings put recordings into the bank"), "{lines}");
         let (lines, _) = by_settings("default-local = \"en-us\"\n");
         assert!(lines.contains("cargo::error=SCENE/lipz.toml:1:1: "), "{lines}");
     }

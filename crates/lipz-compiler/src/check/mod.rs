@@ -77,6 +77,9 @@ pub(crate) fn check(
             clip.add_displays(pseudo);
         }
     }
+    if let Some(string) = roles.visemes {
+        visemes::never_opens(string, clip, diagnostics);
+    }
     clip.texts.sort_by(|a, b| locales.tag(a.locale).cmp(locales.tag(b.locale)));
     if let Some(string) = roles.events {
         clip.has_events = true;

@@ -98,6 +98,12 @@ impl ClipData {
         self.texts.push(ClipText { locale, place, is_fallback, hash });
     }
 
+    /// The display texts alone, one behind the other.
+    pub(crate) fn text_of(&self, text: &ClipText) -> &[u8] {
+        let run = self.runs.get(text.place.start as usize..text.place.end as usize).unwrap_or_default();
+        run.get(size_of::<U16>() * self.starts.len()..).unwrap_or_default()
+    }
+
     /// Bytes of the display texts alone, without the table of ends.
     pub(crate) fn text_bytes(&self, text: &ClipText) -> usize {
         text.place.len() - size_of::<U16>() * self.starts.len()

@@ -1,5 +1,6 @@
 //! The settings of a project, and with the feature `settings` its file `lipz.toml`.
 
+mod audio;
 #[cfg(feature = "settings")]
 mod babble;
 #[cfg(feature = "settings")]
@@ -18,6 +19,7 @@ mod template;
 #[cfg(feature = "settings")]
 mod value;
 
+pub use audio::{Audio, KEY, refused_pattern};
 pub use find::FILE_NAME;
 #[cfg(feature = "settings")]
 pub use table::{Content, Map, Setting, TABLES, Table};
@@ -44,6 +46,8 @@ pub struct Settings {
     pub split_locales: bool,
     /// File in which a run remembers the Lipz files for the next one.
     pub cache: Option<PathBuf>,
+    /// Its recordings.
+    pub audio: Audio,
     /// How the bank is made.
     pub options: Options,
 }

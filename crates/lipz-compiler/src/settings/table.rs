@@ -1,5 +1,6 @@
 //! Every setting, once: its name, default, what it decides, and how its value is read.
 
+use super::audio::refused_pattern;
 use super::file::inside;
 use super::reading::Reading;
 use super::value::Value;
@@ -82,6 +83,12 @@ pub const TABLES: &[Table] = &[
         name: "registry",
         about: "Names that events may use; others are reported.",
         content: Content::Settings(REGISTRY),
+    },
+    Table {
+        name: "audio",
+        about: "Recordings: with a folder of them, `lipz check` compares clips and recordings, and `lipz sync` makes \
+                mouth shapes of them.",
+        content: Content::Settings(AUDIO),
     },
     Table {
         name: "babble",
@@ -280,6 +287,70 @@ const LINTS: Map = Map {
     examples: &["warnings = \"deny\"", "unknown-emotion = \"allow\"", "segment-count = \"warn\""],
     read: |name, value, to| to.level(name, value),
 };
+
+const AUDIO: &[Setting] = &[
+    Setting {
+        name: "folder",
+        flat_name: "audio",
+        about: "The folder of the recordings: WAV, AIFF, FLAC, Ogg Vorbis and MP3 files.",
+        default: "none",
+        example: "\"recordings\"",
+        read: |value, to| {
+            to.settings.audio.folder = value.text(&mut to.diagnostics).map(|path| inside(to.folder, path));
+        },
+    },
+    Setting {
+        name: "pattern",
+        flat_name: "audio-pattern",
+        about: "Path of a clip's recording below that folder; `{key}` is the key of the clip. Without an extension, any \
+                that is known will do.",
+        default: "`{key}`",
+        example: "\"en-us/{key}\"",
+        read: |value, to| {
+            let Some(pattern) = value.text(&mut to.diagnostics) else { return };
+            match refused_pattern(pattern) {
+                Some((what, help)) => to.refuse(value, what, help),
+                None => to.settings.audio.pattern = Some(pattern.to_owned()),
+            }
+        },
+    },
+    Setting {
+        name: "locale",
+        flat_name: "audio-locale",
+        about: "Locale that is spoken in the recordings.",
+        default: "the default locale",
+        example: "\"en-us\"",
+        read: |value, to| to.settings.audio.locale = value.locale(to.extended(), &mut to.diagnostics),
+    },
+    Setting {
+        name: "tolerance-ms",
+        flat_name: "audio-tolerance-ms",
+        about: "Milliseconds by which the length of a clip may differ from that of its recording.",
+        default: "a frame of the clip",
+        example: "50",
+        read: |value, to| to.settings.audio.tolerance_ms = value.count(&mut to.diagnostics),
+    },
+    Setting {
+        name: "record",
+        flat_name: "audio-record",
+        about: "File in which `lipz sync` records what each mouth was made from. Keep it with the Lipz files: it tells \
+                mouths that were changed by hand from others.",
+        default: "`lipz-sync.txt` beside the Lipz files",
+        example: "\"lipz-sync.txt\"",
+        read: |value, to| {
+            to.settings.audio.record = value.text(&mut to.diagnostics).map(|path| inside(to.folder, path));
+        },
+    },
+    Setting {
+        name: "in-bank",
+        flat_name: "audio-in-bank",
+        about: "Put the length and the content hash of each recording into the bank, so that a game can tell that a \
+                sound is another one.",
+        default: "false",
+        example: "false",
+        read: |value, to| to.settings.audio.in_bank = value.boolean(&mut to.diagnostics).unwrap_or_default(),
+    },
+];
 
 const BABBLE: Map = Map {
     name: "SETTING",

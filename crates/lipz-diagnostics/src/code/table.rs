@@ -38,6 +38,7 @@ codes! {
     MixedCodes "LZ0403" "mixed-codes" Error "the viseme codes fit no single viseme type"
     ConversionLoss "LZ0404" "conversion-loss" Warning "frames lose a mouth shape that the new viseme type does not have"
     NotConvertible "LZ0405" "not-convertible" Error "viseme codes cannot be converted to the new viseme type"
+    MouthNeverOpens "LZ0406" "mouth-never-opens" Warning "a clip has a text, but its mouth never opens"
 
     "Locales and texts"
     LocaleSpelling "LZ0501" "locale-spelling" Warning "the name of a text element is not spelled text_ll-cc"
@@ -153,4 +154,10 @@ codes! {
     NoSuchLocale "LZ1603" "no-such-locale" Error "a bank has no such locale"
     NoSuchRule "LZ1604" "no-such-rule" Error "no rule has this code or name"
     WatchFailed "LZ1605" "watch-failed" Error "the system cannot watch files for changes"
+
+    "Recordings"
+    ClipWithoutRecording "LZ1701" "clip-without-recording" Warning "a clip with mouth shapes has no recording"
+    RecordingWithoutClip "LZ1702" "recording-without-clip" Warning "a recording belongs to no clip"
+    RecordingLength "LZ1703" "recording-length" Warning "a clip and its recording have different lengths"
+    UnreadableSound "LZ1704" "unreadable-sound" Error "a recording cannot be read as sound"
 }

@@ -18,9 +18,11 @@ pub(crate) fn with_inputs(
 ) -> Worked {
     let start = Instant::now();
     let (inputs, mut reports) = find(settings);
+    let (recordings, unread) = lipz_sync::in_bank(settings, &inputs);
+    reports.extend(unread);
     let discover = start.elapsed();
     let bar = console::progress_bar(inputs.len(), quiet);
-    let compiler = Compiler::new(settings.options.clone()).progress(|files| {
+    let compiler = Compiler::new(settings.options.clone().recordings(recordings)).progress(|files| {
         bar.inc(files);
         interrupt::point();
     });

@@ -1,5 +1,6 @@
 //! What several commands use: arguments in common, and the files that they are about.
 
+pub(crate) mod audio_flags;
 pub(crate) mod bank_file;
 pub(crate) mod bank_or_sources;
 pub(crate) mod existing;

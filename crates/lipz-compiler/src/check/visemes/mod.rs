@@ -1,11 +1,13 @@
 //! Frame codes: white space and delimiters taken out, the rest checked against the viseme type.
 
 mod instead;
+mod never_opens;
 mod tally;
 mod type_name;
 mod wrong_code;
 
 pub(super) use instead::DELIMITER_LOOKALIKES;
+pub(super) use never_opens::never_opens;
 pub(super) use type_name::viseme_type;
 
 use crate::clip::ClipData;

@@ -6,15 +6,22 @@ use crate::Ended;
 use crate::Outcome;
 use crate::commands::Run;
 use crate::reporter::Reporter;
+use crate::shared::audio_flags::AudioFlags;
 use crate::shared::inputs::with_inputs;
 use crate::shared::project_flags::hide_of_banks;
 use crate::shared::rewriting::{Rewriting, files};
 use crate::shared::sources::Sources;
 use crate::shared::stdio;
+use crate::{console, interrupt};
 use clap::Args;
 use fixing::{Fixing, fix_all};
+use lipz_compiler::Input;
+use lipz_compiler::settings::Settings;
+use lipz_diagnostics::Report;
 
 /// Check Lipz files without packing them.
+///
+/// With a folder of recordings, clips and recordings are compared, too: missing ones, and other lengths.
 ///
 /// --fix applies the fixes that are certain: those that do not change the bank, and those of errors whose
 /// intent is beyond doubt. The remaining diagnostics are reported and decide the exit code.
@@ -25,10 +32,14 @@ use fixing::{Fixing, fix_all};
   lipz check voices
   lipz check voices/act1/mara-hello.lipz
   lipz check - < draft.lipz
+  lipz check voices --audio recordings
   lipz check --fix --diff voices")]
 pub(crate) struct Check {
     #[command(flatten)]
     sources: Sources,
+
+    #[command(flatten)]
+    audio: AudioFlags,
 
     /// Apply the fixes that are certain
     #[arg(long)]
@@ -45,7 +56,10 @@ impl Run for Check {
     }
 
     fn run(&self, reporter: &mut Reporter) -> Ended {
-        let project = self.sources.project(reporter)?;
+        let mut project = self.sources.project(reporter)?;
+        self.audio.apply(&mut project.settings.audio);
+        // Only a bank has what is read of recordings for it.
+        project.settings.audio.in_bank = false;
         let (settings, quiet) = (&project.settings, self.sources.is_quiet());
         if self.fix && settings.sources.iter().any(|source| stdio::is_meant(source)) {
             let tip = "save it in a file, or leave out `--fix`";
@@ -57,6 +71,8 @@ impl Run for Check {
             (true, true) => fix_all(settings, quiet, Rewriting::Diff),
         };
         let mut run = with_inputs(settings, quiet, |compiler, inputs| compiler.check(&fixing.instead_of(inputs)));
+        run.reports.extend(with_recordings(settings, &fixing.instead_of(&run.inputs), quiet));
+        lipz_diagnostics::reports::sort(&mut run.reports);
         let unwritten = !fixing.unwritten.is_empty();
         run.reports.extend(fixing.unwritten);
         let outcome = run.outcome();
@@ -71,4 +87,18 @@ impl Run for Check {
         }
         Ok(if unwritten { Outcome::Failed } else { outcome })
     }
+}
+
+/// What does not belong together: clips and recordings, if the project has a folder of them.
+fn with_recordings(settings: &Settings, inputs: &[Input], quiet: bool) -> Vec<Report> {
+    if settings.audio.folder.is_none() {
+        return Vec::new();
+    }
+    let bar = console::progress_bar(inputs.len(), quiet);
+    let reports = lipz_sync::check(settings, inputs, &|| {
+        bar.inc(1);
+        interrupt::point();
+    });
+    bar.finish_and_clear();
+    reports
 }

@@ -10,6 +10,7 @@ use crate::Ended;
 use crate::commands::Run;
 use crate::console;
 use crate::reporter::Reporter;
+use crate::shared::audio_flags::AudioFlags;
 use crate::shared::sources::Sources;
 use crate::shared::stdio;
 use clap::Args;
@@ -30,6 +31,9 @@ use std::time::Duration;
 pub(crate) struct Pack {
     #[command(flatten)]
     pub(crate) sources: Sources,
+
+    #[command(flatten)]
+    audio: AudioFlags,
 
     /// The bank to write; `-` writes it to standard output [default: `output` of lipz.toml]
     #[arg(short, long, value_name = "BANK")]

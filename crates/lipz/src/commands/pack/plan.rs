@@ -41,6 +41,7 @@ impl Plan {
     pub(super) fn new(arguments: &Pack, reporter: &mut Reporter) -> Result<Plan, Abort> {
         let mut project = arguments.sources.project(reporter)?;
         let settings = &mut project.settings;
+        arguments.audio.apply(&mut settings.audio);
         settings.options.strip = arguments.strip.unwrap_or(settings.options.strip);
         let output = match (&arguments.output, &settings.output) {
             (Some(output), _) => output.clone(),
@@ -110,6 +111,9 @@ impl Plan {
     fn write_depfile(&self, inputs: &[Input], replace: Replace, reporter: &mut Reporter) -> Result<(), Abort> {
         let Some(path) = &self.depfile else { return Ok(()) };
         let mut dependencies = dependencies(&self.project.settings.sources, inputs);
+        dependencies.extend(lipz_sync::dependencies(&self.project.settings.audio));
+        dependencies.sort_unstable();
+        dependencies.dedup();
         dependencies.extend(self.project.file.clone());
         destination::write(path, &depfile(&self.output, &dependencies), replace, reporter)
     }

@@ -44,6 +44,8 @@ impl Scope {
 
     /// The folders to watch, and whether with those in them.
     pub(super) fn folders(&self) -> BTreeMap<PathBuf, RecursiveMode> {
+        let recordings = self.settings.audio.folder.iter().filter(|_| self.settings.audio.in_bank);
+        let recordings = recordings.map(|folder| (folder.clone(), RecursiveMode::Recursive));
         let settings_folder = self.settings_file.iter().map(|file| (folder_of(file), RecursiveMode::NonRecursive));
         let mut folders: BTreeMap<_, _> = settings_folder.collect();
         for place in watched(&self.settings.sources) {
@@ -53,6 +55,7 @@ impl Scope {
                 folders.insert(place, RecursiveMode::Recursive);
             }
         }
+        folders.extend(recordings);
         folders
     }
 
@@ -75,7 +78,7 @@ impl Scope {
             Content::File(path) => Some(path),
             Content::Bytes { .. } => None,
         });
-        let paths = lipz_files.chain(self.settings_file.clone());
+        let paths = lipz_files.chain(self.settings_file.clone()).chain(lipz_sync::dependencies(&self.settings.audio));
         let stamped = |path: PathBuf| {
             let stamp = stamp(&path);
             (path, stamp)
@@ -84,10 +87,12 @@ impl Scope {
     }
 }
 
-/// Whether a path is that of a Lipz file or of the settings file, judged by its name: watchers do not
+/// Whether a path is that of a Lipz file, of a recording or of the settings file, judged by its name: watchers do not
 /// call a file by the path by which the project calls it.
 pub(super) fn concerns(settings_name: Option<&OsStr>, path: &Path) -> bool {
-    is_lipz(path) || path.file_name().is_some_and(|name| name == FILE_NAME || Some(name) == settings_name)
+    is_lipz(path)
+        || lipz_sync::is_recording(path)
+        || path.file_name().is_some_and(|name| name == FILE_NAME || Some(name) == settings_name)
 }
 
 fn stamp(path: &Path) -> Option<Stamp> {

@@ -1,0 +1,51 @@
+//! What a project decides about its recordings.
+
+use std::path::PathBuf;
+
+/// Stands for the key of a clip in [`Audio::pattern`].
+pub const KEY: &str = "{key}";
+
+/// Where the recordings of a project are, and what is asked of them.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+#[non_exhaustive]
+pub struct Audio {
+    /// The folder of the recordings; without it, a project has none.
+    pub folder: Option<PathBuf>,
+    /// The path of a clip's recording below the folder, with `{key}` for its key. Without an extension, any that is
+    /// known will do. `None` for `{key}`.
+    pub pattern: Option<String>,
+    /// The locale that is spoken; `None` for the default locale.
+    pub locale: Option<String>,
+    /// Milliseconds by which the length of a clip may differ from that of its recording; `None` for a frame.
+    pub tolerance_ms: Option<u32>,
+    /// The file in which `lipz sync` records what each mouth was made from; `None` for one beside the Lipz files.
+    pub record: Option<PathBuf>,
+    /// The bank carries the length and the content hash of each recording.
+    pub in_bank: bool,
+}
+
+/// What keeps `pattern` from being one: what is wrong, and what to do.
+pub fn refused_pattern(pattern: &str) -> Option<(&'static str, &'static str)> {
+    let others = pattern.replace(KEY, "");
+    if pattern.matches(KEY).count() != 1 || others.contains(['{', '}']) {
+        return Some(("does not name {key} once", "write {key} where the key of the clip stands: en-us/{key}"));
+    }
+    let is_inside = pattern.split(['/', '\\']).all(|part| part != "..") && !pattern.starts_with(['/', '\\']);
+    (!is_inside).then_some(("leads out of the folder", "name another folder, and the path below it"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn patterns_name_the_key_once_and_stay_in_the_folder() {
+        for good in ["{key}", "en-us/{key}", "{key}_en.wav", "vo/{key}/take.ogg", "..{key}"] {
+            assert_eq!(refused_pattern(good), None, "{good}");
+        }
+        for bad in ["", "key", "{key}{key}", "{locale}/{key}", "{key", "../{key}", "{key}/../x", "/{key}", "..\\{key}"]
+        {
+            assert!(refused_pattern(bad).is_some(), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! What is known of a recording.
+
+use crate::recordings::shown;
+use lipz_diagnostics::{Code, Report};
+use std::fs::File;
+use std::hash::Hasher;
+use std::io::{self, BufReader, Read};
+use std::path::Path;
+use twox_hash::XxHash3_64;
+
+/// Bytes that are read at a time.
+const BLOCK_BYTES: usize = 1 << 16;
+
+/// The length of a recording, and the hash of its file.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Facts {
+    /// Length in microseconds.
+    pub length_us: u64,
+    /// XXH3-64 of all bytes of the file, as `docs/FORMAT.md` describes it.
+    pub content_hash: u64,
+}
+
+impl Facts {
+    /// Reads the recording at `path`, from its first to its last byte.
+    ///
+    /// # Errors
+    /// If it cannot be read, or is no sound.
+    pub fn read(path: &Path) -> Result<Facts, Report> {
+        let content_hash = File::open(path).and_then(content_hash).map_err(|error| unreadable(path, &error))?;
+        Ok(Facts { length_us: length_us(path)?, content_hash })
+    }
+}
+
+impl From<Facts> for lipz_bank::Recording {
+    fn from(facts: Facts) -> Self {
+        lipz_bank::Recording::new(facts.length_us, facts.content_hash)
+    }
+}
+
+/// XXH3-64 with seed 0 of everything that `file` gives.
+///
+/// # Errors
+/// Those of `file`.
+pub(crate) fn content_hash(mut file: impl Read) -> io::Result<u64> {
+    let mut hasher = XxHash3_64::with_seed(0);
+    let mut block = vec![0; BLOCK_BYTES];
+    loop {
+        match file.read(&mut block) {
+            Ok(0) => return Ok(hasher.finish()),
+            Ok(length) => hasher.write(block.get(..length).unwrap_or_default()),
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
+            Err(error) => return Err(error),
+        }
+    }
+}
+
+/// The length of the sound, to the microsecond.
+fn length_us(path: &Path) -> Result<u64, Report> {
+    let file = File::open(path).map_err(|error| unreadable(path, &error))?;
+    let wav = hound::WavReader::new(BufReader::new(file)).map_err(|error| no_sound(path, &error.to_string()))?;
+    let rate_hz = u64::from(wav.spec().sample_rate).max(1);
+    Ok((u64::from(wav.duration()) * 1_000_000 + rate_hz / 2) / rate_hz)
+}
+
+fn unreadable(path: &Path, error: &io::Error) -> Report {
+    let path = shown(path);
+    let message = format!("`{path}` cannot be read: {error}");
+    Report::failure(path, Code::UnreadableFile, message, "check that you may read it")
+}
+
+fn no_sound(path: &Path, why: &str) -> Report {
+    let message = format!("the recording cannot be used: {why}");
+    Report::failure(shown(path), Code::UnreadableSound, message, "save it as WAV, FLAC, Ogg Vorbis or MP3")
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    /// Against the table of docs/FORMAT.md, whose numbers are those of xxHash's own library.
+    #[test]
+    fn the_content_hash_is_that_of_the_page() {
+        let page = include_str!("../../../docs/FORMAT.md");
+        let (_, table) = page.split_once("| bytes | content hash |\n|---|---|\n").unwrap();
+        let rows: Vec<&str> = table.lines().take_while(|line| line.starts_with('|')).collect();
+        let bytes = |cell: &str| match cell {
+            "(none)" => Vec::new(),
+            "00 01 02 ... FF" => (0..=255).collect(),
+            quoted => quoted.trim_matches('`').as_bytes().to_vec(),
+        };
+        for row in &rows {
+            let mut cells = row.trim_matches('|').split('|').map(str::trim);
+            let (cell, hash) = (cells.next().unwrap(), cells.next().unwrap());
+            let found = content_hash(bytes(cell).as_slice()).unwrap();
+            assert_eq!(format!("`{found:016x}`"), hash, "{cell}");
+        }
+        assert_eq!(rows.len(), 3);
+    }
+}

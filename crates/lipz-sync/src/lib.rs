@@ -1,0 +1,19 @@
+//! The recordings of a project and its Lipz files.
+//!
+//! A project with `[audio]` in its settings has a recording for each clip. [`Recordings`] finds them, [`Facts`] is what
+//! is known of one: its length and the hash of its file. [`check`] reports what does not belong together, and
+//! [`in_bank`] is what a bank says about recordings.
+//!
+//! What is not here: printing, exit codes (`lipz`); phones, words and mouth shapes (`lipz-speech`).
+
+mod clip;
+mod facts;
+mod in_bank;
+mod lints;
+mod recordings;
+mod threads;
+
+pub use facts::Facts;
+pub use in_bank::in_bank;
+pub use lints::check;
+pub use recordings::{EXTENSIONS, Recordings, dependencies, is_recording};

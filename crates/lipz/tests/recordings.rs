@@ -1,0 +1,115 @@
+//! Clips and recordings that belong together: what `lipz check` compares, and what `lipz pack` puts into the bank.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use std::fs;
+use support::{Scene, assert_sarif, lipz};
+
+/// A clip of 10 frames at 24 a second: 0.417 s.
+const CLIP: &str = r#"{ "visemes": "MAAAEO----", "viseme_type": "blair", "fps": 24, "text_en-us": "Mayor!" }"#;
+
+/// A WAV file of this many samples, 8000 a second.
+fn sound(samples: u32) -> Vec<u8> {
+    let data_bytes = samples * 2;
+    let mut file = b"RIFF".to_vec();
+    file.extend((36 + data_bytes).to_le_bytes());
+    file.extend(b"WAVEfmt \x10\0\0\0\x01\0\x01\0");
+    file.extend(8000_u32.to_le_bytes());
+    file.extend(16_000_u32.to_le_bytes());
+    file.extend(b"\x02\0\x10\0data");
+    file.extend(data_bytes.to_le_bytes());
+    // A tone, so that the files differ in more than their length.
+    file.extend((0..samples).flat_map(|at| (((at * 97 + samples) % 2000) as i16).to_le_bytes()));
+    file
+}
+
+#[test]
+fn what_does_not_belong_together() {
+    let mut scene = Scene::new();
+    scene.write("voices/act1/mayor.lipz", CLIP);
+    scene.write("voices/act1/otto.lipz", CLIP);
+    scene.write("voices/title.lipz", r#"{ "text_en-us": "Act one" }"#);
+    scene.write("recordings/act1/mayor.wav", sound(3333));
+    scene.write("recordings/act1/otto.wav", sound(3333));
+    let check = ["check", "voices", "--audio", "recordings", "--quiet"];
+    let fine = lipz(scene.path(), check);
+    assert_eq!((fine.code, fine.stderr.as_str()), (0, ""));
+    scene.write("recordings/act1/otto.wav", sound(10_000));
+    scene.expect("LZ1703-recording-length", &check);
+    fs::remove_file(scene.path().join("recordings/act1/otto.wav")).unwrap();
+    scene.expect("LZ1701-clip-without-recording", &check);
+    scene.write("recordings/act1/otto.wav", "");
+    scene.expect("LZ1704-unreadable-sound-empty", &check);
+    scene.write("recordings/act1/otto.wav", &sound(3333)[..40]);
+    scene.expect("LZ1704-unreadable-sound", &check);
+    scene.write("recordings/act1/otto.wav", sound(3333));
+    scene.write("recordings/act1/Mayor 2.wav", sound(3333));
+    scene.expect("LZ1702-recording-without-clip", &check);
+    scene.expect("LZ1702-recording-without-clip-denied", &[&check[..], &["--deny", "LZ1702"]].concat());
+    scene.expect("LZ0001-unreadable-file-recordings", &["check", "voices", "--audio", "nowhere", "--quiet"]);
+    let sarif = lipz(scene.path(), check.into_iter().chain(["--format", "sarif"]));
+    let document = serde_json::from_str(&sarif.stdout).unwrap();
+    assert_sarif(&document);
+    assert!(sarif.stdout.contains("LZ1702"), "{}", sarif.stdout);
+    scene.finish(7);
+}
+
+#[test]
+fn settings_say_where_recordings_are() {
+    let scene = Scene::new();
+    scene.write("lipz.toml", "sources = [\"voices\"]\n[audio]\nfolder = \"vo\"\npattern = \"en/{key}\"\n");
+    scene.write("voices/mayor.lipz", CLIP);
+    scene.write("vo/en/mayor.wav", sound(3333));
+    assert_eq!(lipz(scene.path(), ["check"]).stderr, "");
+    let other = lipz(scene.path(), ["check", "--audio-pattern", "de/{key}"]);
+    assert!(other.stderr.contains("[LZ1701]") && other.stderr.contains("[LZ1702]"), "{}", other.stderr);
+    let refused = lipz(scene.path(), ["check", "--audio-pattern", "de/key"]);
+    assert!(refused.code == 2 && refused.stderr.contains("does not name {key} once"), "{}", refused.stderr);
+}
+
+#[test]
+fn a_bank_says_which_recordings_its_clips_were_made_for() {
+    let scene = Scene::new();
+    scene.write("voices/mayor.lipz", CLIP);
+    scene.write("voices/otto.lipz", CLIP);
+    scene.write("recordings/mayor.wav", sound(3333));
+    let pack = |arguments: &[&str]| {
+        let run =
+            lipz(scene.path(), ["pack", "voices", "-o", "b.lipzbank", "--audio", "recordings"].iter().chain(arguments));
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        fs::read(scene.path().join("b.lipzbank")).unwrap()
+    };
+    let (without, with) = (pack(&[]), pack(&["--audio-in-bank"]));
+    assert!(!without.windows(4).any(|tag| tag == b"RCRD"));
+    let bank = lipz_bank::Bank::open(&with).unwrap().verify().unwrap();
+    let recording = bank.clip_by_key("mayor").unwrap().recording().unwrap();
+    assert_eq!(recording.length_us(), 416_625);
+    assert_eq!(bank.clip_by_key("otto").unwrap().recording(), None);
+    let shown = lipz(scene.path(), ["inspect", "b.lipzbank", "mayor"]).stdout;
+    assert!(shown.contains(&format!("recording 0.417 s, content {:016x}\n", recording.content_hash())), "{shown}");
+    assert!(lipz(scene.path(), ["stats", "b.lipzbank"]).stdout.contains("1 recording, 0.4 s\n"));
+    // A retake of the same length is another recording.
+    let mut retake = sound(3333);
+    *retake.last_mut().unwrap() ^= 1;
+    scene.write("recordings/mayor.wav", retake);
+    fs::write(scene.path().join("old.lipzbank"), &with).unwrap();
+    let cached = pack(&["--audio-in-bank", "--cache", "c.cache"]);
+    assert_eq!(cached, pack(&["--audio-in-bank"]));
+    assert_eq!(cached, pack(&["--audio-in-bank", "--cache", "c.cache"]));
+    let differences = lipz(scene.path(), ["diff", "old.lipzbank", "b.lipzbank"]);
+    assert!(
+        differences.code == 1 && differences.stdout.contains("    recording    0.417 s, content "),
+        "{}",
+        differences.stdout
+    );
+    // Unpacking gives the Lipz files; with the recordings, packing gives the same bank.
+    scene.prepare(&["unpack", "b.lipzbank", "-o", "out", "--quiet"]);
+    scene.prepare(&["pack", "out", "-o", "again.lipzbank", "--audio", "recordings", "--audio-in-bank", "--quiet"]);
+    assert_eq!(fs::read(scene.path().join("again.lipzbank")).unwrap(), cached);
+    scene.write("recordings/otto.wav", "RIFF");
+    let refused =
+        lipz(scene.path(), ["pack", "voices", "-o", "b.lipzbank", "--audio", "recordings", "--audio-in-bank"]);
+    assert!(refused.code == 1 && refused.stderr.contains("[LZ1704]"), "{}", refused.stderr);
+    assert_eq!(fs::read(scene.path().join("b.lipzbank")).unwrap(), cached, "the bank is left alone");
+}
