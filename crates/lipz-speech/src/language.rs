@@ -67,11 +67,14 @@ languages! {
     "fi" "Finnish" Rules,
     "fr" "French" Rules,
     "it" "Italian" Rules,
+    "ja" "Japanese" Kana,
+    "ko" "Korean" Hangul,
     "nl" "Dutch" Rules,
     "pl" "Polish" Rules,
     "pt" "Portuguese" Rules,
     "ru" "Russian" Rules,
     "tr" "Turkish" Rules,
+    "zh" "Mandarin Chinese" Pinyin,
 }
 
 /// Every language that is not in the list.
@@ -117,7 +120,7 @@ impl Language {
 }
 
 /// Codes of languages that are read as another one.
-const ALIASES: [(&str, &str); 2] = [("eng", "en"), ("sco", "en")];
+const ALIASES: [(&str, &str); 4] = [("eng", "en"), ("sco", "en"), ("cmn", "zh"), ("zho", "zh")];
 
 /// Its code.
 impl fmt::Debug for Language {

@@ -169,3 +169,38 @@ proptest! {
         }
     }
 }
+
+fn first_lines(locale: &str, text: &str) -> Vec<String> {
+    let language = Language::from_locale(locale).expect("a locale");
+    lines(&Pronouncer::new(language).script(text))
+}
+
+#[test]
+fn japanese_is_divided_where_the_writing_changes() {
+    let text = "私は東京{say: とうきょう}へ、食べる{say: たべる}ラーメンを{say 拉麺屋: らーめんや}|拉麺屋で。";
+    let expected = [
+        "私  W AA T AA SH IY",
+        "は  W AA",
+        "東京  T AO K Y AO",
+        "へ  EH",
+        "食べる  T AA B EH R UW",
+        "ラーメン  R AA M EH N",
+        "を  AO",
+        "拉麺屋  R AA M EH N Y AA",
+        "で  D EH",
+    ];
+    assert_eq!(first_lines("ja-jp", text), expected);
+    let reading = Pronouncer::new(Language::from_locale("ja").expect("a locale")).read("彼は鬱蒼と");
+    let problems: Vec<_> = reading.problems.iter().map(|problem| (problem.kind, problem.range.clone())).collect();
+    assert_eq!(problems, [(ProblemKind::NoReading, 6..12)]);
+}
+
+#[test]
+fn other_scripts_are_read_by_those_who_can() {
+    assert_eq!(first_lines("zh-cn", "你好，OK！"), ["你  N IY", "好  HH AW", "OK  OW K EY"]);
+    assert_eq!(first_lines("ko-kr", "안녕, Tom"), ["안녕  AA N N Y AH NG", "Tom  T AA M"]);
+    assert_eq!(first_lines("en-us", "Да, はい"), ["Да  D AA", "はい  HH AA IY"]);
+    assert_eq!(first_lines("el-gr", "καλημέρα"), ["καλημέρα  K AA L IY M EH R AA"]);
+    assert_eq!(first_lines("ru-ru", "Это PC"), ["Это  EH T AH", "PC  P IY S IY"]);
+    assert_eq!(first_lines("sv-se", "Hej då"), ["Hej  HH EH Y", "då  D AA"]);
+}

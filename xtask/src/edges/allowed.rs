@@ -119,6 +119,7 @@ pub(super) const RULES: &[Rule] = &[
             "lipz-file",
             "lipz-types",
             "microfft",
+            "pinyin",
             "symphonia",
             "unicode-normalization",
             "unicode-segmentation",

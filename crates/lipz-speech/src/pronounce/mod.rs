@@ -1,9 +1,12 @@
 //! From a text to its words with all their pronunciations.
 
 mod english;
+mod hangul;
 mod ipa;
+mod kana;
 mod latin;
 mod lexicon;
+mod mandarin;
 mod rules;
 mod said;
 mod variants;

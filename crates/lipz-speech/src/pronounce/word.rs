@@ -1,6 +1,6 @@
 //! One word: its parts by their writing, each read by the language that can.
 
-use super::{english, latin, rules, variants};
+use super::{english, hangul, kana, latin, mandarin, rules, variants};
 use crate::text::{Writing, writing};
 use crate::{Language, Origin, Phone, Pronunciation, Reliance};
 use any_ascii::any_ascii;
@@ -59,6 +59,14 @@ fn part_of(language: Language, writing: Writing, part: &str) -> Vec<Pronunciatio
         (Writing::Latin, Reliance::Letters) => by_rules("und", part, Origin::Letters),
         // English words in other scripts are English.
         (Writing::Latin, _) => english::pronounce(&latin::plain(part), part),
+        (Writing::Hiragana | Writing::Katakana, _) => kana::pronounce(part),
+        (Writing::Hangul, _) => hangul::pronounce(part),
+        (Writing::Han, Reliance::Kana) => {
+            kana::known(part).unwrap_or_else(|| by_rules("und", &any_ascii(part), Origin::Letters))
+        }
+        (Writing::Han, _) => {
+            mandarin::pronounce(part).unwrap_or_else(|| by_rules("und", &any_ascii(part), Origin::Letters))
+        }
         (Writing::Cyrillic, _) => by_rules("ru", part, if own == "ru" { Origin::Rules } else { Origin::Letters }),
         _ => by_rules("und", &any_ascii(part), Origin::Letters),
     }

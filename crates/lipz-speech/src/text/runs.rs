@@ -47,6 +47,7 @@ pub(crate) fn writing(c: char) -> Writing {
             Writing::Katakana
         }
         '々'
+        | '〇'
         | '〆'
         | '\u{3400}'..='\u{4dbf}'
         | '\u{4e00}'..='\u{9fff}'

@@ -1,0 +1,258 @@
+//! Japanese: kana by their sounds, and Chinese characters as far as the table of readings goes.
+
+use super::variants::{add, sequence};
+use super::{Origin, Pronunciation};
+use crate::Phone::{self, *};
+use crate::text::{Writing, writing};
+use std::collections::HashMap;
+use std::sync::LazyLock;
+use unicode_normalization::UnicodeNormalization;
+
+/// Words in Chinese characters and their readings in kana; the longest has so many characters.
+static READINGS: LazyLock<(HashMap<&str, Vec<&str>>, usize)> = LazyLock::new(|| {
+    let lines = include_str!("../../data/languages/ja.txt").lines().filter(|line| !line.starts_with('#'));
+    let entries = lines.flat_map(|line| line.split_whitespace()).filter_map(|entry| entry.split_once('='));
+    let readings: HashMap<&str, Vec<&str>> = entries.map(|(word, kana)| (word, kana.split('/').collect())).collect();
+    let longest = readings.keys().map(|word| word.chars().count()).max().unwrap_or_default();
+    (readings, longest)
+});
+
+/// Sounds of the kana that stand for a consonant and a vowel, five vowels a row.
+const ROWS: [(&str, &[Phone]); 16] = [
+    ("あいうえお", &[]),
+    ("かきくけこ", &[K]),
+    ("がぎぐげご", &[G]),
+    ("さしすせそ", &[S]),
+    ("ざじずぜぞ", &[Z]),
+    ("たちつてと", &[T]),
+    ("だぢづでど", &[D]),
+    ("なにぬねの", &[N]),
+    ("はひふへほ", &[Hh]),
+    ("ばびぶべぼ", &[B]),
+    ("ぱぴぷぺぽ", &[P]),
+    ("まみむめも", &[M]),
+    ("や\0ゆ\0よ", &[Y]),
+    ("らりるれろ", &[R]),
+    ("わゐ\0ゑを", &[W]),
+    ("\0\0ゔ\0\0", &[V]),
+];
+const VOWELS: [Phone; 5] = [Aa, Iy, Uw, Eh, Ao];
+
+/// All ways to say a run of hiragana or katakana.
+pub(super) fn pronounce(kana: &str) -> Vec<Pronunciation> {
+    let with = |phones| Pronunciation { phones, origin: Origin::Rules };
+    ways(kana).into_iter().filter(|phones| !phones.is_empty()).map(with).collect()
+}
+
+/// All ways to say Chinese characters that the table of readings has; none if it lacks one of them.
+pub(super) fn known(han: &str) -> Option<Vec<Pronunciation>> {
+    let chars: Vec<(usize, char)> = han.char_indices().collect();
+    let (readings, longest) = &*READINGS;
+    let (mut at, mut parts) = (0, Vec::new());
+    while at < chars.len() {
+        let end = |count: usize| chars.get(at + count).map_or(han.len(), |(place, _)| *place);
+        let start = chars.get(at)?.0;
+        let found = (1..=(*longest).min(chars.len() - at))
+            .rev()
+            .find_map(|count| han.get(start..end(count)).and_then(|word| readings.get(word)).map(|kana| (count, kana)));
+        let (count, kana) = found?;
+        parts.push(kana.iter().flat_map(|kana| ways(kana)).collect());
+        at += count;
+    }
+    let all = sequence(&parts).into_iter().filter(|phones| !phones.is_empty());
+    Some(all.map(|phones| Pronunciation { phones, origin: Origin::Dictionary }).collect())
+}
+
+/// `は` and `へ` are also particles, said otherwise; `u` and `i` between voiceless sounds may be silent.
+fn ways(kana: &str) -> Vec<Vec<Phone>> {
+    let plain = hiragana(kana);
+    let is_hiragana = kana.chars().any(|c| writing(c) == Writing::Hiragana);
+    let mut parts: Vec<Vec<Vec<Phone>>> = Vec::new();
+    let mut rest = String::new();
+    let last = plain.chars().count().saturating_sub(1);
+    for (at, c) in plain.chars().enumerate() {
+        let particle: Option<(&[Phone], &[Phone])> = match c {
+            'は' if is_hiragana => Some((&[W, Aa], &[Hh, Aa])),
+            'へ' if is_hiragana => Some((&[Eh], &[Hh, Eh])),
+            _ => None,
+        };
+        let Some((particle, plain)) = particle else {
+            rest.push(c);
+            continue;
+        };
+        parts.push(said(&rest));
+        rest.clear();
+        // Alone and at the end of a run it is a particle as a rule.
+        let both = [particle.to_vec(), plain.to_vec()];
+        parts.push(if at == last { both.to_vec() } else { both.into_iter().rev().collect() });
+    }
+    parts.push(said(&rest));
+    parts.retain(|ways| ways.iter().any(|way| !way.is_empty()));
+    sequence(&parts)
+}
+
+/// Hiragana with every vowel, and without those that may be silent.
+fn said(kana: &str) -> Vec<Vec<Phone>> {
+    let full = phones(kana);
+    let mut quiet = Vec::with_capacity(full.len());
+    for (at, phone) in full.iter().enumerate() {
+        let near = |at: Option<usize>| at.and_then(|at| full.get(at)).copied();
+        let voiceless = |phone: Phone| matches!(phone, K | S | Sh | T | Ch | Hh | F | P);
+        let after = near(at.checked_sub(1)).is_some_and(voiceless);
+        let before = near(Some(at + 1)).map_or(*phone == Uw, voiceless);
+        if !(matches!(phone, Uw | Iy) && after && before) {
+            quiet.push(*phone);
+        }
+    }
+    let mut all = vec![full];
+    add(&mut all, quiet);
+    all
+}
+
+/// Katakana, half width or not, as hiragana.
+fn hiragana(kana: &str) -> String {
+    kana.nfkc()
+        .map(|c| if ('ァ'..='ヶ').contains(&c) { char::from_u32(c as u32 - 0x60).unwrap_or(c) } else { c })
+        .collect()
+}
+
+/// The phones of hiragana. Long vowels and doubled consonants are held, not said twice.
+fn phones(kana: &str) -> Vec<Phone> {
+    let mut phones: Vec<Phone> = Vec::new();
+    let mut chars = kana.chars().peekable();
+    while let Some(c) = chars.next() {
+        match c {
+            'ん' => phones.push(match chars.peek().and_then(|next| mora(*next)) {
+                Some((consonant, _)) if matches!(consonant.first(), Some(P | B | M)) => M,
+                Some((consonant, _)) if matches!(consonant.first(), Some(K | G)) => Ng,
+                _ => N,
+            }),
+            'ゃ' | 'ゅ' | 'ょ' | 'ぁ' | 'ぃ' | 'ぅ' | 'ぇ' | 'ぉ' | 'ゎ' => small(c, &mut phones),
+            _ => {
+                let Some((consonant, vowel)) = mora(c) else { continue };
+                let long = match (phones.last(), vowel) {
+                    _ if !consonant.is_empty() => false,
+                    (Some(last), vowel) if *last == vowel => true,
+                    (Some(Ao), Uw) => true,
+                    (Some(Eh), Iy) => true,
+                    _ => false,
+                };
+                if !long {
+                    phones.extend_from_slice(consonant);
+                    phones.push(vowel);
+                }
+            }
+        }
+    }
+    phones
+}
+
+/// A small kana replaces the vowel before it: `きゃ`, `ファ`.
+fn small(c: char, phones: &mut Vec<Phone>) {
+    let (glide, vowel) = match c {
+        'ゃ' => (true, Aa),
+        'ゅ' => (true, Uw),
+        'ょ' => (true, Ao),
+        'ぁ' | 'ゎ' => (false, Aa),
+        'ぃ' => (false, Iy),
+        'ぅ' => (false, Uw),
+        'ぇ' => (false, Eh),
+        _ => (false, Ao),
+    };
+    let before = phones.len().checked_sub(2).and_then(|at| phones.get(at)).copied();
+    match (phones.last().copied(), before) {
+        // `ふぁ`, `てぃ`, `きゃ`; after a vowel alone (`うぃ`) `u` becomes a glide.
+        (Some(last), Some(consonant)) if last.is_vowel() && !consonant.is_vowel() => {
+            phones.pop();
+            if glide && !matches!(consonant, Sh | Ch | Jh) {
+                phones.push(Y);
+            }
+        }
+        (Some(Uw), _) if !glide => {
+            phones.pop();
+            phones.push(W);
+        }
+        (Some(last), _) if last == vowel => return,
+        _ if glide => phones.push(Y),
+        _ => {}
+    }
+    phones.push(vowel);
+}
+
+/// The consonant and the vowel of a kana.
+fn mora(c: char) -> Option<(&'static [Phone], Phone)> {
+    Some(match c {
+        'し' => (&[Sh], Iy),
+        'じ' | 'ぢ' => (&[Jh], Iy),
+        'ち' => (&[Ch], Iy),
+        'つ' => (&[T, S], Uw),
+        'づ' => (&[Z], Uw),
+        'ふ' => (&[F], Uw),
+        'を' => (&[], Ao),
+        'ゐ' => (&[], Iy),
+        'ゑ' => (&[], Eh),
+        _ => {
+            let row =
+                ROWS.iter().find_map(|(row, consonant)| Some((*consonant, row.chars().position(|kana| kana == c)?)));
+            let (consonant, column) = row?;
+            (consonant, *VOWELS.get(column)?)
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn first(kana: &str) -> String {
+        pronounce(kana).first().map(ToString::to_string).unwrap_or_default()
+    }
+
+    #[test]
+    fn kana_sound_as_they_are_written() {
+        let cases = [
+            ("ありがとう", "AA R IY G AA T AO"),
+            ("きょう", "K Y AO"),
+            ("がっこう", "G AA K AO"),
+            ("しゃしん", "SH AA SH IY N"),
+            ("さんぽ", "S AA M P AO"),
+            ("てんき", "T EH NG K IY"),
+            ("せんせい", "S EH N S EH"),
+            ("ラーメン", "R AA M EH N"),
+            ("ファイル", "F AA IY R UW"),
+            ("パーティー", "P AA T IY"),
+            ("ウィキ", "W IY K IY"),
+            ("チェス", "CH EH S UW"),
+            ("ｶﾞﾝﾀﾞﾑ", "G AA N D AA M UW"),
+            ("を", "AO"),
+            ("は", "W AA"),
+            ("わたしは", "W AA T AA SH IY W AA"),
+            ("ー", ""),
+        ];
+        for (kana, expected) in cases {
+            assert_eq!(first(kana), expected, "{kana}");
+        }
+    }
+
+    #[test]
+    fn what_may_be_silent_is_a_variant() {
+        let all: Vec<String> = pronounce("です").iter().map(ToString::to_string).collect();
+        assert_eq!(all, ["D EH S UW", "D EH S"]);
+    }
+
+    #[test]
+    fn readings_are_kana_and_each_word_has_some() {
+        let (readings, longest) = &*READINGS;
+        assert!(readings.len() > 100 && *longest > 1);
+        for (word, kana) in readings {
+            assert!(word.chars().any(|c| writing(c) == Writing::Han), "{word}");
+            let is_kana = |kana: &str| kana.chars().all(|c| matches!(writing(c), Writing::Hiragana | Writing::Katakana));
+            assert!(kana.iter().all(|kana| is_kana(kana) && !ways(kana)[0].is_empty()), "{word}");
+        }
+        assert_eq!(
+            known("二十三").and_then(|all| Some(all.first()?.to_string())),
+            Some("N IY JH UW S AA N".to_owned())
+        );
+        assert_eq!(known("鬱蒼"), None);
+    }
+}
