@@ -246,7 +246,8 @@ mod tests {
         assert!(readings.len() > 100 && *longest > 1);
         for (word, kana) in readings {
             assert!(word.chars().any(|c| writing(c) == Writing::Han), "{word}");
-            let is_kana = |kana: &str| kana.chars().all(|c| matches!(writing(c), Writing::Hiragana | Writing::Katakana));
+            let is_kana =
+                |kana: &str| kana.chars().all(|c| matches!(writing(c), Writing::Hiragana | Writing::Katakana));
             assert!(kana.iter().all(|kana| is_kana(kana) && !ways(kana)[0].is_empty()), "{word}");
         }
         assert_eq!(
