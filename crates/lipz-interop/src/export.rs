@@ -9,7 +9,7 @@ use lipz_file::{Document, Value};
 use lipz_types::VisemeType;
 
 /// What a project and a person decide about an export.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub struct ExportOptions<'a> {
     /// The table to use instead of the one of the format.
@@ -21,6 +21,14 @@ pub struct ExportOptions<'a> {
     /// The name of the file to be written, without folders and extension, for formats that have it in the file,
     /// too.
     pub name: Option<&'a str>,
+    /// The number of the first frame in Moho files, 0 or 1.
+    pub dat_base: u64,
+}
+
+impl Default for ExportOptions<'_> {
+    fn default() -> Self {
+        ExportOptions { map: None, default_rate: None, default_viseme_type: None, name: None, dat_base: 1 }
+    }
 }
 
 /// Setters; each takes a value or an `Option`.
@@ -47,6 +55,12 @@ impl<'a> ExportOptions<'a> {
     #[must_use]
     pub fn default_viseme_type(self, default_viseme_type: impl Into<Option<VisemeType>>) -> Self {
         ExportOptions { default_viseme_type: default_viseme_type.into(), ..self }
+    }
+
+    /// Sets the number of the first frame in Moho files, 0 or 1.
+    #[must_use]
+    pub fn dat_base(self, dat_base: u64) -> Self {
+        ExportOptions { dat_base, ..self }
     }
 
     /// Sets the name of the file to be written, without folders and extension.
@@ -132,7 +146,10 @@ fn track<'m>(
     let end = Some(Time::of_frame(codes.len() as u64, rate));
     let (name, phrases) = (options.name.map(str::to_owned), segments(visemes, rate));
     let rest = map.symbol(REST).map(str::to_owned);
-    Some((Track { name, shapes, end, rate: Some(rate), rest, phrases, ..Track::default() }, map))
+    Some((
+        Track { name, shapes, end, rate: Some(rate), first_frame: options.dat_base, rest, phrases, ..Track::default() },
+        map,
+    ))
 }
 
 /// Where the segments start. What is said in them has no place in formats of shapes.

@@ -55,6 +55,11 @@ pub fn lip_sync(bytes: &[u8], name: &str, diagnostics: &mut Vec<Diagnostic>) -> 
         rate: None,
     };
     lip_sync.rate = settings.value("LipSyncOohAahRate").and_then(|value| value.rate(diagnostics));
+    if !settings.has_any() {
+        let message = format!("{} has no lip sync settings", escape::quoted(name));
+        let diagnostic = Diagnostic::new(Code::NoLipSyncSettings, message);
+        diagnostics.push(diagnostic.note("the profile is that of an untouched viewer").help(WHICH_FILE));
+    }
     if let Some(enabled) = settings.value("LipSyncEnabled") {
         enabled.check_enabled(diagnostics);
     }
@@ -93,6 +98,13 @@ struct Map<'d>(Node<'d, 'd>);
 impl<'d> Map<'d> {
     fn key(&self, name: &str) -> Option<Node<'d, 'd>> {
         self.0.children().find(|node| node.has_tag_name("key") && node.text().map(str::trim) == Some(name))
+    }
+
+    /// Whether a setting of lip sync is there.
+    fn has_any(&self) -> bool {
+        let is_key = |node: &Node<'_, '_>| node.has_tag_name("key");
+        let mut keys = self.0.children().filter(is_key).filter_map(|key| key.text());
+        keys.any(|key| key.trim().starts_with("LipSync"))
     }
 
     /// The setting with this name. A setting is a map, too; what counts is its `Value`.

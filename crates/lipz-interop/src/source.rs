@@ -9,12 +9,16 @@ pub(crate) fn text<'s>(bytes: &'s [u8], diagnostics: &mut Vec<Diagnostic>) -> Op
 
 /// The lines of a text without their ends, each with the byte at which it starts.
 pub(crate) fn lines(text: &str) -> impl Iterator<Item = Line<'_>> {
+    lines_of(text, '\n').map(|line| Line { text: line.text.strip_suffix('\r').unwrap_or(line.text), ..line })
+}
+
+/// The lines of a text that end with this character, without it, each with the byte at which it starts.
+pub(crate) fn lines_of(text: &str, end: char) -> impl Iterator<Item = Line<'_>> {
     let mut start = 0;
-    text.split_inclusive('\n').map(move |line| {
+    text.split_inclusive(end).map(move |line| {
         let at = start;
         start += line.len();
-        let line = line.strip_suffix('\n').unwrap_or(line);
-        Line { text: line.strip_suffix('\r').unwrap_or(line), at }
+        Line { text: line.strip_suffix(end).unwrap_or(line), at }
     })
 }
 

@@ -22,6 +22,8 @@ pub struct Track {
     pub end: Option<Time>,
     /// The frame rate that the file was made for.
     pub rate: Option<Rate>,
+    /// The number of the first frame, in formats where it is a convention.
+    pub first_frame: u64,
     /// What the tool calls the resting mouth, for formats that end with it.
     pub rest: Option<String>,
     /// Stretches of text that belong together, as the file divides it.

@@ -115,7 +115,8 @@ fn exported(visemes: &str, fps: &str) -> Vec<u8> {
     let file = format!("{{ \"viseme_type\": \"blair\", \"visemes\": \"{visemes}\", \"fps\": {fps} }}");
     let document = lipz_file::parse(file.as_bytes()).document.unwrap();
     let exported = export(format(), &document, &ExportOptions::new().name("mayor"));
-    assert_eq!(exported.diagnostics, []);
+    // Few shapes make few markers, which is told.
+    assert!(exported.diagnostics.iter().all(|diagnostic| diagnostic.code == Code::LipFewMarkers));
     exported.bytes.unwrap()
 }
 

@@ -61,7 +61,8 @@ fn settings_that_cannot_be_read_are_named() {
 
 #[test]
 fn a_viewer_with_defaults_has_the_built_in_profile() {
-    assert_eq!(babble(&settings(&[])), (0, VIEWERS_OWN.into(), String::new()));
+    let file = settings(&[("LipSyncEnabled", "<boolean>1</boolean>")]);
+    assert_eq!(babble(&file), (0, VIEWERS_OWN.into(), String::new()));
 }
 
 #[test]
@@ -185,4 +186,15 @@ fn wrong_profiles_of_a_project_are_marked() {
         assert!(run.code != 0 && run.stderr.starts_with(start), "{toml}: {}", run.stderr);
         assert!(run.stderr.contains(caret), "{toml}: {}", run.stderr);
     }
+}
+
+#[test]
+fn settings_without_lip_sync_are_told() {
+    let mut scene = Scene::new();
+    scene.write("settings_per_account.xml", settings(&[]));
+    let run = lipz(scene.path(), ["babble", "settings_per_account.xml"]);
+    assert_eq!((run.code, run.stdout.as_str()), (0, VIEWERS_OWN));
+    let printed = support::Outcome { stdout: String::new(), ..run };
+    scene.expect_outcome("LZ1406-no-lip-sync-settings", &printed);
+    scene.finish(1);
 }

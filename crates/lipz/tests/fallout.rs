@@ -114,7 +114,9 @@ fn what_is_unusual_in_lip_files() {
     scene.expect("LZ1521-msg-syntax", &["import", "fallout", "eld_2.lip", "-o", "msg", "--script", "elder.msg"]);
     scene.write("voices/mara-good-evening.lipz", r#"{ "visemes": "MA", "viseme_type": "blair", "fps": 24 }"#);
     scene.expect("LZ1513-lip-export-name", &["export", "fallout", "voices", "-o", "speech"]);
-    scene.finish(10);
+    scene.write("lines/eld_3.lipz", r#"{ "visemes": "MA", "viseme_type": "blair", "fps": 24 }"#);
+    scene.expect("LZ1514-lip-few-markers", &["export", "fallout", "lines", "-o", "speech", "--quiet"]);
+    scene.finish(11);
 }
 
 #[test]

@@ -121,6 +121,39 @@ fn texts_and_files_that_do_not_belong_together_are_told() {
 }
 
 #[test]
+fn frames_of_moho_count_from_where_its_reader_does() {
+    let scene = Scene::new();
+    scene.write("voices/mayor.lipz", r#"{ "visemes": "MA", "viseme_type": "blair", "fps": 24 }"#);
+    for (base, expected) in [("0", "MohoSwitch1\n0 MBP\n1 AI\n2 rest\n"), ("1", "MohoSwitch1\n1 MBP\n2 AI\n3 rest\n")] {
+        scene.prepare(&["export", "moho", "voices", "-o", "out", "--force", "--dat-base", base]);
+        assert_eq!(fs::read_to_string(scene.path().join("out/mayor.dat")).unwrap(), expected);
+        scene.prepare(&["import", "moho", "out/mayor.dat", "-o", "back", "--dat-base", base]);
+        assert!(fs::read_to_string(scene.path().join("back/mayor.lipz")).unwrap().contains("\"MA\""));
+    }
+}
+
+#[test]
+fn voices_of_other_languages_have_their_table() {
+    let scene = Scene::new();
+    let marks =
+        "{\"time\":0,\"type\":\"viseme\",\"value\":\"B\"}\n{\"time\":500,\"type\":\"viseme\",\"value\":\"J\"}\n";
+    scene.write("hola.marks", format!("{marks}{{\"time\":1000,\"type\":\"viseme\",\"value\":\"sil\"}}\n"));
+    let run = lipz(scene.path(), ["import", "polly", "hola.marks", "-o", "voices"]);
+    assert!(run.code == 0 && run.stdout.contains("mapping table polly-languages 1"), "{run:?}");
+}
+
+#[test]
+fn noise_of_computed_times_is_no_gap() {
+    let scene = Scene::new();
+    let cue =
+        |start: &str, end: &str, value: &str| format!("{{\"start\":{start},\"end\":{end},\"value\":\"{value}\"}}");
+    let cues = [cue("0", "28.849999999999998", "D"), cue("28.85", "30", "A")].join(",");
+    scene.write("mayor.json", format!("{{\"mouthCues\":[{cues}]}}"));
+    let run = lipz(scene.path(), ["import", "rhubarb-json", "mayor.json", "-o", "voices"]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+}
+
+#[test]
 fn a_second_language_joins_the_first() {
     let mut scene = Scene::new();
     scene.write("eld_1.tsv", TSV);

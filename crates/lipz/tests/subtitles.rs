@@ -85,7 +85,7 @@ fn diagnostics() {
     scene.write("voices/mayor.lipz", r#"{ "fps": 24, "visemes": "MAAA|EEOO|", "text_en-us": "Yes.|a --> b|Gone." }"#);
     let import = |file| ["subtitles", "import", file, "-o", "voices", "--quiet"];
     let files = [
-        ("LZ1301-subtitle-syntax", "a.en-us.srt", "1\n00:00:01,000 --> 00:00:02\nGood evening.\n\nWho?\n"),
+        ("LZ1301-subtitle-syntax", "a.en-us.srt", "Who?\n\n1\n00:00:01,000 --> 00:00:0x\nGood evening.\n"),
         ("LZ1301-subtitle-syntax-vtt", "b.en-us.vtt", "1\n00:01.000 --> 00:02.000\nGood evening.\n"),
         ("LZ1301-subtitle-syntax-end", "c.ja-jp.srt", "1\n00:00:03,000 --> 00:00:02,000\nこんばんは。\n"),
         (
@@ -94,6 +94,8 @@ fn diagnostics() {
             "1\n00:00:02,000 --> 00:00:03,000\nTwo.\n\n2\n00:00:01,000 --> 00:00:02,500\nOne.\n",
         ),
         ("LZ1303-subtitle-place", "mayor.de-de.srt", "1\n00:00:00,000 --> 00:00:00,333\nGuten Abend.\n"),
+        ("LZ1303-subtitle-place-end", "g.en-us.srt", "1\n00:00:00,000 --> 99999:59:59,000\nGood evening.\n"),
+        ("LZ1304-subtitle-text-empty-line", "h.en-us.srt", "1\n00:00:00 --> 00:00:01\nGood\n\nevening.\n"),
         ("LZ1304-subtitle-text", "e.en-us.srt", "1\n00:00:00,000 --> 00:00:00,333\nA <i>good</i>\nevening | night.\n"),
     ];
     for (name, file, content) in files {
@@ -103,5 +105,46 @@ fn diagnostics() {
     scene.expect("LZ1305-subtitle-loss", &["subtitles", "export", "srt", "voices", "-o", "out", "--quiet"]);
     scene.write("f.srt", "1\n00:00:01,000 --> 00:00:02,000\nGood evening.\n");
     scene.expect("LZ1110-text-left-out-subtitles", &import("f.srt"));
-    scene.finish(8);
+    scene.write("f.de.srt", "1\n00:00:01,000 --> 00:00:02,000\nGuten Abend.\n");
+    scene.expect("LZ1110-text-left-out-language", &[&import("f.de.srt")[..], &["--locale", "en-us"]].concat());
+    scene.write("more/lines.lipz", r#"{ "fps": 24, "visemes": "MA", "text_en-us": "Good \n \n evening." }"#);
+    let export = ["subtitles", "export", "vtt", "more", "-o", "out", "--quiet"];
+    scene.expect("LZ1305-subtitle-loss-lines", &export);
+    scene.finish(12);
+}
+
+#[test]
+fn files_of_other_systems_and_times() {
+    let scene = Scene::new();
+    let srt = "1\n00:00:01 --> 00:00:02\nGr\u{fc}n.\n\n2\n00:00:02 --> 00:00:03\nBlau.\n";
+    let latin: Vec<u8> = srt.replace('\n', "\r").chars().map(|c| u8::try_from(c).unwrap()).collect();
+    let utf16: Vec<u8> = format!("\u{feff}{srt}").encode_utf16().flat_map(u16::to_be_bytes).collect();
+    scene.write("a.de-de.srt", srt);
+    scene.write("b.de-de.srt", latin);
+    scene.write("c.de-de.srt", utf16);
+    let import = |file: &str| ["subtitles", "import", file, "-o", "voices", "--quiet"].map(str::to_owned);
+    scene.prepare(&import("a.de-de.srt").each_ref().map(String::as_str));
+    let guessed = lipz(scene.path(), import("b.de-de.srt"));
+    assert!(guessed.code == 0 && guessed.stderr.contains("is read as Windows-1252"), "{}", guessed.stderr);
+    let wide = lipz(scene.path(), import("c.de-de.srt"));
+    assert_eq!((wide.code, wide.stderr.as_str()), (0, ""));
+    let clip = |key: &str| fs::read_to_string(scene.path().join(format!("voices/{key}.lipz"))).unwrap();
+    assert!(clip("a").contains("Grün.") && clip("a").contains("Blau."), "{}", clip("a"));
+    assert_eq!((clip("b"), clip("c")), (clip("a"), clip("a")));
+}
+
+#[test]
+fn white_space_and_speakers_return() {
+    let scene = Scene::new();
+    let text = "\u{a0}Hi {speaker: Bob}there\u{a0}|Ho \u{2003}";
+    scene.write("voices/a.lipz", format!(r#"{{ "fps": 24, "visemes": "MA|EO", "text_en-us": "{text}" }}"#));
+    for format in ["srt", "vtt"] {
+        scene.write("new/a.lipz", r#"{ "fps": 24, "visemes": "MA|EO" }"#);
+        scene.prepare(&["pack", "voices", "-o", "old.lipzbank", "--quiet"]);
+        let export = lipz(scene.path(), ["subtitles", "export", format, "voices", "-o", format, "--quiet"]);
+        assert_eq!((export.code, export.stderr.as_str()), (0, ""));
+        scene.prepare(&["subtitles", "import", format, "-o", "new", "--quiet"]);
+        let diff = lipz(scene.path(), ["diff", "old.lipzbank", "new"]);
+        assert_eq!(diff.code, 0, "{diff:?}");
+    }
 }

@@ -126,6 +126,7 @@ codes! {
     ViewerSettingsSyntax "LZ1403" "viewer-settings-syntax" Error "viewer settings are not LLSD XML"
     ViewerSettingType "LZ1404" "viewer-setting-type" Error "a viewer setting has a value of the wrong type"
     LipSyncDisabled "LZ1405" "lip-sync-disabled" Warning "lip sync is off in the viewer's settings"
+    NoLipSyncSettings "LZ1406" "no-lip-sync-settings" Warning "a settings file has no lip sync settings"
 
     "Fallout"
     LipVersion "LZ1501" "lip-version" Error "a file is not a LIP file of version 2"
@@ -140,6 +141,7 @@ codes! {
     LipTrailing "LZ1511" "lip-trailing" Warning "bytes follow the last marker of a LIP file"
     LipTimeBase "LZ1512" "lip-time-base" Warning "a LIP file does not end where its sound does"
     LipExportName "LZ1513" "lip-export-name" Error "the key of a clip does not work as the name of a LIP file"
+    LipFewMarkers "LZ1514" "lip-few-markers" Warning "a LIP file has too few markers for the game to stop the speech"
     MsgSyntax "LZ1521" "msg-syntax" Error "a .msg file has wrong braces or numbers"
     MsgEntry "LZ1522" "msg-entry" Warning "the game shows an entry of a .msg file differently"
     FrmRefused "LZ1531" "frm-refused" Error "a file is not a complete FRM file"

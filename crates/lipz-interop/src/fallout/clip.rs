@@ -89,8 +89,22 @@ fn write(track: &Track, diagnostics: &mut Vec<Diagnostic>) -> Vec<u8> {
     }
     let end = track.end.or_else(|| track.shapes.last().map(|shape| shape.start)).unwrap_or(Time::ZERO);
     markers.push(Marker { kind: 1, position: position(end) });
+    diagnostics.extend(few_markers(markers.len()));
     Lip::new(name, phonemes, markers).write()
 }
+
+/// The diagnostic for a file whose speech the game does not stop.
+fn few_markers(count: usize) -> Option<Diagnostic> {
+    let markers = if count == 1 { "marker" } else { "markers" };
+    let message = format!("the LIP file has {count} {markers}, and the game needs {FEWEST_MARKERS} to stop the speech");
+    (count < FEWEST_MARKERS).then(|| {
+        Diagnostic::new(Code::LipFewMarkers, message)
+            .help("a clip whose mouth changes shape at least five times has enough")
+    })
+}
+
+/// Markers with which the game stops a speech (the engine's reimplementation fallout2-ce, `lips.cc`).
+const FEWEST_MARKERS: usize = 6;
 
 /// The sample that is nearest to a time, as a position.
 fn position(time: Time) -> u32 {

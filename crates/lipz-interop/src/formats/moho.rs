@@ -9,8 +9,6 @@ use std::fmt::Write;
 
 /// The first line.
 const HEADER: &str = "MohoSwitch1";
-/// Frames that are written count from here.
-const FIRST_FRAME: u64 = 1;
 const REST: &str = "rest";
 /// What the sets of mouth shapes call the resting mouth.
 const RESTS: [&str; 3] = [REST, "X", "None"];
@@ -79,11 +77,11 @@ fn write(track: &Track, _: &mut Vec<Diagnostic>) -> Vec<u8> {
     let rate = track.rate.unwrap_or(DEFAULT_RATE);
     let mut text = format!("{HEADER}\n");
     for shape in &track.shapes {
-        let _ = writeln!(text, "{} {}", shape.start.nearest_frame(rate) + FIRST_FRAME, shape.symbol);
+        let _ = writeln!(text, "{} {}", shape.start.nearest_frame(rate) + track.first_frame, shape.symbol);
     }
     let end = track.end.unwrap_or(Time::ZERO);
     // A rig has a layer for the rest of its own set, and none for that of another.
     let rest = track.rest.as_deref().unwrap_or(REST);
-    let _ = writeln!(text, "{} {rest}", end.nearest_frame(rate) + FIRST_FRAME);
+    let _ = writeln!(text, "{} {rest}", end.nearest_frame(rate) + track.first_frame);
     text.into_bytes()
 }

@@ -6,6 +6,7 @@ use crate::json::{self, Node};
 use crate::source::{self, Line};
 use crate::{ImportOptions, Shape, Text, Time, Timed, Track};
 use lipz_diagnostics::{Diagnostic, escape};
+use lipz_file::text::is_white_space;
 
 /// What SSML spells, `&amp;` last.
 const ENTITIES: [(&str, &str); 5] = [("&lt;", "<"), ("&gt;", ">"), ("&quot;", "\""), ("&apos;", "'"), ("&amp;", "&")];
@@ -14,7 +15,7 @@ pub(super) const FORMAT: Format = Format {
     name: "polly",
     about: "Amazon Polly speech marks",
     extension: "marks",
-    maps: &["polly"],
+    maps: &["polly", "polly-languages"],
     is_binary: false,
     is_legacy: false,
     read: Some(read),
@@ -77,7 +78,7 @@ fn spoken(sentence: &str) -> String {
     }
     text.push_str(rest);
     let text = ENTITIES.iter().fold(text, |text, (entity, character)| text.replace(entity, character));
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
+    text.split(is_white_space).filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ")
 }
 
 fn add(mark: Node<'_>, track: &mut Track, diagnostics: &mut Vec<Diagnostic>) {

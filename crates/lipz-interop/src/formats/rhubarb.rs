@@ -48,17 +48,23 @@ pub(super) fn track(cues: Vec<Cue>, duration: Option<Time>) -> Track {
     let mut track = Track::default();
     let mut ended: Option<Time> = None;
     for cue in cues {
-        if let Some(gap) = ended.filter(|ended| *ended < cue.start) {
+        if let Some(gap) = ended.filter(|ended| is_gap(*ended, cue.start)) {
             track.shapes.push(crate::Shape::at(cue.span, gap, REST));
         }
         track.shapes.push(crate::Shape::at(cue.span, cue.start, cue.symbol));
         ended = Some(cue.end.max(cue.start));
     }
-    if let Some(gap) = ended.filter(|ended| duration.is_some_and(|duration| *ended < duration))
+    if let Some(gap) = ended.filter(|ended| duration.is_some_and(|duration| is_gap(*ended, duration)))
         && let Some(last) = track.shapes.last().and_then(|shape| shape.span)
     {
         track.shapes.push(crate::Shape::at(last, gap, REST));
     }
     track.end = duration.max(ended);
     track
+}
+
+/// Whether time passes between two times. Programs that compute them write 28.849999999999998 for 28.85, which is none.
+fn is_gap(end: Time, start: Time) -> bool {
+    const MICROSECONDS: u32 = 1_000_000;
+    end < start && start.in_units(MICROSECONDS) - end.in_units(MICROSECONDS) > 1
 }

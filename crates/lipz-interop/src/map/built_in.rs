@@ -22,6 +22,7 @@ tables! {
     "ovr"
     "papagayo"
     "polly"
+    "polly-languages"
     "rhubarb"
     "rhubarb-toonboom"
     "rms"

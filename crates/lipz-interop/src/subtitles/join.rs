@@ -25,6 +25,11 @@ use std::cmp::Reverse;
 pub fn clip(cues: &[Cue], locale: &str, rate: Rate, diagnostics: &mut Vec<Diagnostic>) -> Document<'static> {
     let end_ms = cues.iter().map(|cue| cue.end_ms).max().unwrap_or(0);
     let frames = usize::try_from(Time::new(end_ms, 1000).nearest_frame(rate)).unwrap_or(usize::MAX);
+    if let Some(last) = cues.iter().max_by_key(|cue| cue.end_ms).filter(|_| frames > MAX_FRAMES) {
+        let message = format!("the clip would have {frames} frames: it ends after {MAX_FRAMES}");
+        let diagnostic = Diagnostic::at(Code::SubtitlePlace, last.span, message);
+        diagnostics.push(diagnostic.help("is the time right? more than a day can only be a mistake"));
+    }
     let codes = vec![REST; frames.min(MAX_FRAMES)];
     let division = divide(cues, codes.len() as u64, rate, diagnostics);
     Document {

@@ -1,6 +1,6 @@
 //! Markup in cues: tags, character references, who speaks.
 
-use lipz_file::text::display;
+use lipz_file::text::{display, is_white_space};
 use std::ops::Range;
 
 /// The meta of a Lipz text that says who speaks what follows.
@@ -36,7 +36,8 @@ pub(super) struct Plain {
 enum Tag {
     Text,
     Lost,
-    Replaced(String),
+    Nothing,
+    Speaker(String),
 }
 
 /// A text of WebVTT: `<v Mara>` becomes `{speaker: Mara}`.
@@ -44,10 +45,10 @@ pub(super) fn from_vtt(text: &str) -> Plain {
     let tag = |tag: &str| {
         let (name, annotation) = tag.split_once(char::is_whitespace).unwrap_or((tag, ""));
         match name.split('.').next() {
-            Some("v") => Tag::Replaced(speaker(&referenced(annotation))),
+            Some("v") => Tag::Speaker(referenced(annotation)),
             // Nothing shows where a voice ends, and where a word is spoken.
-            Some("/v") => Tag::Replaced(String::new()),
-            Some(time) if time.starts_with(|first: char| first.is_ascii_digit()) => Tag::Replaced(String::new()),
+            Some("/v") => Tag::Nothing,
+            Some(time) if time.starts_with(|first: char| first.is_ascii_digit()) => Tag::Nothing,
             _ => Tag::Lost,
         }
     };
@@ -79,7 +80,8 @@ fn without_tags(text: &str, tag: impl Fn(&str) -> Tag, plain: impl Fn(&str) -> S
                 let place = text.len() - tagged.len() - 1..text.len() - after.len();
                 result.lost_tag.get_or_insert(place);
             }
-            Tag::Replaced(replacement) => result.text += &replacement,
+            Tag::Nothing => {}
+            Tag::Speaker(name) => result.text += &speaker(&name, result.text.is_empty()),
             Tag::Text => {
                 result.text.push('<');
                 rest = tagged;
@@ -124,45 +126,74 @@ fn character(reference: &str) -> Option<char> {
     })
 }
 
-/// The meta that says who speaks; nothing for a voice without a name.
-fn speaker(name: &str) -> String {
+/// The meta that says who speaks; nothing for a voice without a name. Only the first one in a text has a blank behind
+/// it, which is not displayed there.
+fn speaker(name: &str, is_first: bool) -> String {
     let name = name.replace(['{', '}'], "");
     match name.trim() {
         "" => String::new(),
-        name => format!("{SPEAKER} {name}}} "),
+        name if is_first => format!("{SPEAKER} {name}}} "),
+        name => format!("{SPEAKER} {name}}}"),
     }
 }
 
 /// A text for WebVTT. `{speaker: Mara}` becomes `<v Mara>`.
 pub(super) fn to_vtt(text: &str) -> String {
-    let lines = voices(text).into_iter().map(|(speaker, text)| match speaker {
-        Some(name) => format!("<v {}>{}", escaped(name), escaped(&text)),
-        None => escaped(&text),
-    });
-    lines.collect::<Vec<_>>().join("\n")
+    let mut marked_up = String::new();
+    for (speaker, said) in voices(text) {
+        if let Some(name) = speaker {
+            marked_up += &format!("<v {}>", escaped(name));
+        }
+        marked_up += &escaped(&said);
+    }
+    lines(&marked_up)
 }
 
 /// A text as it is displayed, without who speaks.
 pub(super) fn to_plain(text: &str) -> String {
-    voices(text).into_iter().map(|(_, text)| text).collect::<Vec<_>>().join("\n")
+    lines(&voices(text).into_iter().map(|(_, said)| said).collect::<String>())
 }
 
-/// The texts of the speakers as they are displayed, empty ones and empty lines left out: those would end a cue.
+/// The text without lines of blanks, which would end a cue, and without other line breaks than `\n`.
+fn lines(text: &str) -> String {
+    let lines = text.split(['\n', '\r']).filter(|line| !line.chars().all(is_white_space));
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+/// What speakers say, one after the other, as it is displayed: `None` for what nobody is named for.
 fn voices(text: &str) -> Vec<(Option<&str>, String)> {
-    let mut voices = Vec::new();
-    let (mut name, mut rest) = (None, text);
-    loop {
-        let next = rest.split_once(SPEAKER).and_then(|(before, meta)| Some((before, meta.split_once('}')?)));
-        let (said, after) = next.map_or((rest, None), |(before, after)| (before, Some(after)));
-        let shown = display(said).text;
-        let lines: Vec<&str> = shown.lines().map(str::trim_end).filter(|line| !line.is_empty()).collect();
-        if !lines.is_empty() {
-            voices.push((name, lines.join("\n")));
-        }
-        let Some((next_name, after)) = after else { return voices };
-        name = Some(next_name.trim()).filter(|name| !name.is_empty());
+    // A character that stands for `{speaker: …}` while the rest is made ready for display.
+    let Some(mark) = ('\u{e000}'..='\u{f8ff}').find(|mark| !text.contains(*mark)) else {
+        return vec![(None, display(text).text.into_owned())];
+    };
+    let (mut marked, mut names, mut rest) = (String::with_capacity(text.len()), Vec::new(), text);
+    while let Some((before, meta)) = rest.split_once(SPEAKER) {
+        let Some((name, after)) = meta.split_once('}') else { break };
+        marked.push_str(before);
+        marked.push(mark);
+        names.push(name.trim());
         rest = after;
     }
+    marked.push_str(rest);
+    let shown = display(&marked).text;
+    let mut names = names.into_iter();
+    let mut voices: Vec<(Option<&str>, String)> = Vec::new();
+    for (index, said) in shown.split(mark).enumerate() {
+        let name = if index == 0 { None } else { names.next().filter(|name| !name.is_empty()) };
+        // What is displayed starts with the first character that is no blank, whoever says it.
+        let is_first = voices.iter().all(|(_, said)| said.is_empty());
+        let said = if is_first { said.trim_start_matches(is_white_space) } else { said };
+        voices.push((name, said.to_owned()));
+    }
+    while let Some((_, said)) = voices.last_mut() {
+        said.truncate(said.trim_end_matches(is_white_space).len());
+        if !said.is_empty() {
+            break;
+        }
+        voices.pop();
+    }
+    voices.retain(|(_, said)| !said.is_empty());
+    voices
 }
 
 fn escaped(text: &str) -> String {
@@ -179,7 +210,7 @@ mod tests {
             ("Tom &amp; Amy &lt;3 &amp;lt;", "Tom & Amy <3 &lt;", None),
             ("<v Mara>Good evening.", "{speaker: Mara} Good evening.", None),
             ("<v.loud Mara &amp; Tom>Hey!</v>", "{speaker: Mara & Tom} Hey!", None),
-            ("<v Mara>Hi.\n<v Tom>Ho.", "{speaker: Mara} Hi.\n{speaker: Tom} Ho.", None),
+            ("<v Mara>Hi.\n<v Tom>Ho.", "{speaker: Mara} Hi.\n{speaker: Tom}Ho.", None),
             ("<v>Who?", "Who?", None),
             ("<i>So</i> <00:00:01.500>late", "So late", Some("<i>")),
             ("1 < 2", "1 < 2", None),
@@ -206,10 +237,20 @@ mod tests {
     #[test]
     fn what_is_written() {
         let text = " {smiling} Tom & <Amy>\n\n {speaker: Mara} -->{nod} {speaker:} Me?";
-        assert_eq!(to_vtt(text), "Tom &amp; &lt;Amy&gt;\n<v Mara>--&gt;\nMe?");
-        assert_eq!(to_plain(text), "Tom & <Amy>\n-->\nMe?");
+        assert_eq!(to_vtt(text), "Tom &amp; &lt;Amy&gt;\n <v Mara> --&gt;  Me?");
+        assert_eq!(to_plain(text), "Tom & <Amy>\n  -->  Me?");
         assert_eq!(to_vtt("{speaker: Mara"), "{speaker: Mara");
-        let text = "{speaker: Mara} Good evening & <welcome>!";
+        for text in [
+            "{speaker: Mara} Good evening & <welcome>!",
+            "Hi {speaker: Bob}there",
+            "{speaker: A}{speaker: Bob}there",
+            "\u{a0}Salut\u{a0}",
+            "Hi \n{speaker: Bob} there \u{2003}\n ho",
+        ] {
+            assert_eq!(display(&from_vtt(&to_vtt(text)).text).text, display(text).text);
+            assert_eq!(display(&to_plain(text)).text, display(text).text);
+        }
+        let text = "{speaker: Mara} Good evening!\n{speaker: Tom}Ho.";
         assert_eq!(from_vtt(&to_vtt(text)).text, text);
     }
 }

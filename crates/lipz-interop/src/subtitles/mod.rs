@@ -15,7 +15,7 @@ pub use clip::{SubtitleOptions, cues};
 pub use join::{clip, join};
 
 use lipz_diagnostics::{Code, Diagnostic, Span};
-use lipz_file::text::DELIMITER;
+use lipz_file::text::{DELIMITER, display};
 use markup::Plain;
 use timing::Body;
 
@@ -83,9 +83,20 @@ impl SubtitleFormat {
     pub fn write(self, cues: &[Cue], diagnostics: &mut Vec<Diagnostic>) -> String {
         match self {
             SubtitleFormat::Srt => srt::write(cues, diagnostics),
-            SubtitleFormat::Vtt => vtt::write(cues),
+            SubtitleFormat::Vtt => vtt::write(cues, diagnostics),
         }
     }
+}
+
+/// The diagnostic for a text that comes back as another one, if it does: `written` is how the format has it, `plain` frees
+/// it of markup.
+fn changed(cue: &Cue, written: &str, plain: impl Fn(&str) -> Plain) -> Option<Diagnostic> {
+    let (before, after) = (display(&cue.text).text, plain(written).text);
+    (display(&after).text != before).then(|| {
+        Diagnostic::at(Code::SubtitleLoss, cue.span, "the text is not quite the same in a subtitle file")
+            .note("a cue cannot have empty lines, nor other line breaks than LF")
+            .help("write its lines one below the other")
+    })
 }
 
 /// What stands for `|` in a text: there it would divide segments.

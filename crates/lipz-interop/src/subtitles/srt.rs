@@ -9,7 +9,7 @@ const ARROW_IN_TEXT: &str = "\u{2192}";
 
 pub(super) fn read(text: &str, diagnostics: &mut Vec<Diagnostic>) -> Vec<Cue> {
     let mut cues = Vec::new();
-    for block in timing::blocks(text) {
+    for block in timing::srt_blocks(text, diagnostics) {
         let Some((cue, body)) = timing::cue(&block, diagnostics) else { continue };
         let text = super::read_text(&body, markup::from_srt, diagnostics);
         cues.push(Cue { text, ..cue });
@@ -21,6 +21,7 @@ pub(super) fn write(cues: &[Cue], diagnostics: &mut Vec<Diagnostic>) -> String {
     let mut file = String::new();
     for (number, cue) in (1..).zip(cues) {
         let mut text = markup::to_plain(&cue.text);
+        let told = diagnostics.len();
         if text.contains(timing::ARROW) {
             text = text.replace(timing::ARROW, ARROW_IN_TEXT);
             let arrow = timing::ARROW;
@@ -28,6 +29,9 @@ pub(super) fn write(cues: &[Cue], diagnostics: &mut Vec<Diagnostic>) -> String {
         }
         if markup::from_srt(&text).lost_tag.is_some() {
             diagnostics.push(loss(cue, "players take a part of the text for a tag".to_owned()));
+        }
+        if diagnostics.len() == told {
+            diagnostics.extend(super::changed(cue, &text, markup::from_srt));
         }
         let (start, end) = (timing::timestamp(cue.start_ms, ','), timing::timestamp(cue.end_ms, ','));
         let _ = writeln!(file, "{number}\n{start} {} {end}\n{text}\n", timing::ARROW);

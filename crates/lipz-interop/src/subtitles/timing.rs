@@ -3,14 +3,39 @@
 use super::Cue;
 use crate::source::{self, Line};
 use lipz_diagnostics::{Code, Diagnostic, Span};
+use lipz_file::text::is_white_space;
 use std::ops::Range;
 
 /// What separates the times of a cue.
 pub(super) const ARROW: &str = "-->";
 
-/// The lines of a SubRip file between lines of nothing but white space.
-pub(super) fn blocks(text: &str) -> Vec<Vec<Line<'_>>> {
-    blocks_between(text, |line| line.text.trim().is_empty())
+/// The lines of a SubRip file between lines of blanks. An empty line within a cue does not end it: what follows belongs
+/// to it until there are times again, which is reported once.
+pub(super) fn srt_blocks<'t>(text: &'t str, diagnostics: &mut Vec<Diagnostic>) -> Vec<Vec<Line<'t>>> {
+    let tries_times =
+        |block: &[Line<'_>]| block.iter().take(2).any(|line| line.text.contains('>') && line.text.contains(':'));
+    let has_times = |block: &[Line<'_>]| block.iter().take(2).any(|line| line.text.contains(ARROW));
+    let mut blocks: Vec<Vec<Line<'t>>> = Vec::new();
+    let mut is_told = false;
+    for block in blocks_between(text, |line| line.text.chars().all(is_white_space)) {
+        // Text above the first times belongs to no cue.
+        match blocks.last_mut().filter(|last| has_times(last)) {
+            Some(last) if !has_times(&block) && !tries_times(&block) => {
+                if let (Some(line), false) = (block.first(), is_told) {
+                    is_told = true;
+                    let message = "an empty line divides the subtitle, which goes on here";
+                    diagnostics.push(
+                        line.diagnostic(Code::SubtitleText, message)
+                            .note("what follows is read as a part of the subtitle above it; players may not show it")
+                            .help("remove the empty line"),
+                    );
+                }
+                last.extend(block);
+            }
+            _ => blocks.push(block),
+        }
+    }
+    blocks
 }
 
 /// The lines of a WebVTT file between empty ones. A line of blanks does not end a cue there (automatic captions
@@ -18,14 +43,18 @@ pub(super) fn blocks(text: &str) -> Vec<Vec<Line<'_>>> {
 pub(super) fn vtt_blocks(text: &str) -> Vec<Vec<Line<'_>>> {
     let mut blocks = blocks_between(text, |line| line.text.is_empty());
     for block in &mut blocks {
-        block.retain(|line| !line.text.trim().is_empty());
+        block.retain(|line| !line.text.chars().all(is_white_space));
     }
     blocks.retain(|block| !block.is_empty());
     blocks
 }
 
 fn blocks_between<'t>(text: &'t str, is_end: impl Fn(&Line<'t>) -> bool) -> Vec<Vec<Line<'t>>> {
-    let lines: Vec<Line<'_>> = source::lines(text).collect();
+    // Macintoshes of old end lines with CR alone.
+    let lines: Vec<Line<'_>> = match text.contains('\n') {
+        true => source::lines(text).collect(),
+        false => source::lines_of(text, '\r').collect(),
+    };
     lines.split(is_end).filter(|block| !block.is_empty()).map(<[_]>::to_vec).collect()
 }
 
@@ -93,7 +122,8 @@ fn times(line: Line<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<(u64, u64)
 
 /// `HH:MM:SS,mmm`. WebVTT has a dot and may leave out the hours; files in the wild mix both.
 fn milliseconds(text: &str) -> Option<u64> {
-    let (clock, fraction) = text.split_once([',', '.'])?;
+    // Some tools leave out milliseconds that are 0.
+    let (clock, fraction) = text.split_once([',', '.']).unwrap_or((text, "0"));
     let number = |digits: &str| digits.bytes().all(|byte| byte.is_ascii_digit()).then(|| digits.parse().ok()).flatten();
     let ms = format!("{fraction:0<3}");
     if fraction.is_empty() || ms.len() > 3 {
@@ -155,11 +185,12 @@ mod tests {
             ("100:00:00.001", 360_000_001),
             ("02:03.4", 123_400),
             ("59:59.999", 3_599_999),
+            ("00:00:02", 2000),
         ] {
             assert_eq!(milliseconds(text), Some(ms), "{text}");
             assert_eq!(milliseconds(&timestamp(ms, '.')), Some(ms));
         }
-        for text in ["", "1", "00:00:01", "00:00:60,000", "00:60:00,000", "00:00:01,", "00:00:01,0000", "-1:00,000"] {
+        for text in ["", "1", "00:00:60,000", "00:60:00,000", "00:00:01,", "00:00:01,0000", "-1:00,000"] {
             assert_eq!(milliseconds(text), None, "{text}");
         }
         assert_eq!(milliseconds("9999999999999999999:00:00.000"), None);
@@ -168,7 +199,7 @@ mod tests {
     #[test]
     fn parts_of_a_text_are_found_in_the_file() {
         let file = "1\r\n00:00:01,000 --> 00:00:02,000\r\nGute\r\nfrüh <b\r\n>!\r\n";
-        let blocks = blocks(file);
+        let blocks = srt_blocks(file, &mut Vec::new());
         let (_, body) = cue(&blocks[0], &mut Vec::new()).unwrap();
         let text = body.text();
         for (part, in_file) in [("Gute", "Gute"), ("üh", "üh"), ("<b\n>", "<b"), ("!", "!")] {

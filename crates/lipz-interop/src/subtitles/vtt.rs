@@ -34,11 +34,13 @@ pub(super) fn read(text: &str, diagnostics: &mut Vec<Diagnostic>) -> Vec<Cue> {
     cues
 }
 
-pub(super) fn write(cues: &[Cue]) -> String {
+pub(super) fn write(cues: &[Cue], diagnostics: &mut Vec<Diagnostic>) -> String {
     let mut file = format!("{SIGNATURE}\n");
     for cue in cues {
         let (start, end) = (timing::timestamp(cue.start_ms, '.'), timing::timestamp(cue.end_ms, '.'));
-        let _ = writeln!(file, "\n{start} {} {end}\n{}", timing::ARROW, markup::to_vtt(&cue.text));
+        let text = markup::to_vtt(&cue.text);
+        diagnostics.extend(super::changed(cue, &text, markup::from_vtt));
+        let _ = writeln!(file, "\n{start} {} {end}\n{text}", timing::ARROW);
     }
     file
 }

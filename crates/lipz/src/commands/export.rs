@@ -38,6 +38,10 @@ pub(crate) struct Export {
     #[arg(long, value_name = "NAME|FILE")]
     map: Option<String>,
 
+    /// Number of the first frame in Moho files: 0 or 1
+    #[arg(long, value_name = "NUMBER", default_value_t = 1, value_parser = clap::value_parser!(u64).range(0..=1))]
+    dat_base: u64,
+
     /// Replace files that exist
     #[arg(long)]
     force: bool,
@@ -74,8 +78,8 @@ impl Run for Export {
             return Err(reporter.refuse(reports));
         }
         let map = map.as_ref().map(formats::MapChoice::map);
-        let results =
-            Compiler::new(options.clone()).each_file(&inputs, |input, bytes| one(format, input, bytes, options, map));
+        let results = Compiler::new(options.clone())
+            .each_file(&inputs, |input, bytes| one(format, input, bytes, options, (map, self.dat_base)));
         let (mut written, mut left_out) = (0, BTreeSet::new());
         for (input, result) in inputs.iter().zip(results) {
             let made = match result {
@@ -110,13 +114,14 @@ impl Run for Export {
 }
 
 /// Exports one Lipz file.
-fn one(format: &Format, input: &Input, bytes: &[u8], options: &Options, map: Option<&Map>) -> Made {
+fn one(format: &Format, input: &Input, bytes: &[u8], options: &Options, (map, dat_base): (Option<&Map>, u64)) -> Made {
     let parsed = lipz_file::parse(bytes);
     let mut diagnostics = parsed.diagnostics;
     let export_options = ExportOptions::new()
         .map(map)
         .default_rate(options.default_fps.map(formats::rate))
         .default_viseme_type(options.default_viseme_type)
+        .dat_base(dat_base)
         .name(input.key.rsplit('/').next());
     let mut exported = parsed.document.map(|document| export(format, &document, &export_options)).unwrap_or_default();
     diagnostics.append(&mut exported.diagnostics);

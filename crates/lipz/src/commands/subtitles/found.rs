@@ -5,8 +5,8 @@ use crate::console;
 use crate::reporter::Reporter;
 use crate::shared::formats;
 use lipz_compiler::Options;
-use lipz_diagnostics::{Code, Diagnostic, Report};
-use lipz_file::locale::canonical_tag;
+use lipz_diagnostics::{Code, Diagnostic, Report, Severity};
+use lipz_file::locale::{canonical_tag, language, unknown_parts};
 use lipz_interop::subtitles::SubtitleFormat;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -78,17 +78,35 @@ fn file(place: &Path, path: &Path, format: SubtitleFormat, options: &Options) ->
     let stem = parts.join("/");
     let tagged =
         stem.rsplit_once('.').and_then(|(key, tag)| Some((key, canonical_tag(tag, options.extended_locales)?)));
-    let (key, locale) = match (tagged, &options.default_locale) {
-        (Some((key, locale)), _) => (key.to_owned(), locale),
-        (None, Some(locale)) => (stem, locale.clone()),
-        (None, None) => {
+    let suffix = stem.rsplit_once('.').filter(|(_, suffix)| is_language(suffix));
+    let (key, locale) = match (tagged, suffix, &options.default_locale) {
+        (Some((key, locale)), ..) => (key.to_owned(), locale),
+        (None, Some((key, suffix)), Some(locale)) if suffix.eq_ignore_ascii_case(language(locale)) => {
+            (key.to_owned(), locale.clone())
+        }
+        (None, None, Some(locale)) => (stem, locale.clone()),
+        (None, suffix, _) => {
             let shown = console::path(path);
-            let diagnostic = Diagnostic::new(Code::TextLeftOut, format!("the locale of `{shown}` is not known"));
-            let help = format!("call it KEY.en-us.{}, or name the locale: --locale en-us", format.extension());
+            let mut diagnostic = Diagnostic::new(Code::TextLeftOut, format!("the locale of `{shown}` is not known"));
+            // Nothing is written for the file.
+            diagnostic.severity = Severity::Error;
+            if let Some((_, suffix)) = suffix {
+                diagnostic = diagnostic.note(format!("`{suffix}` is a language, without a country"));
+            }
+            let extension = format.extension();
+            let help = match suffix {
+                Some((key, _)) => format!("add the country to the name, as in {key}.en-us.{extension}"),
+                None => format!("call it {stem}.en-us.{extension}, or name the locale: --locale en-us"),
+            };
             return Err(Report::about(shown, diagnostic.help(help)));
         }
     };
     Ok(Found { path: path.to_owned(), key, locale, format })
+}
+
+/// Whether the end of a name is a language, as in `movie.de.srt`.
+fn is_language(suffix: &str) -> bool {
+    suffix.len() == 2 && !unknown_parts(&suffix.to_ascii_lowercase()).0
 }
 
 #[cfg(test)]
@@ -111,5 +129,8 @@ mod tests {
         assert_eq!(of("in/mayor.de_DE.srt", "in/mayor.de_DE.srt", None), some("mayor", "de-de"));
         assert_eq!(of("in", "in/mayor.take.2.srt", Some("en-us")), some("mayor.take.2", "en-us"));
         assert_eq!(of("in", "in/mayor.srt", None), None);
+        assert_eq!(of("in", "in/mayor.de.srt", None), None);
+        assert_eq!(of("in", "in/mayor.de.srt", Some("de-at")), some("mayor", "de-at"));
+        assert_eq!(of("in", "in/mayor.de.srt", Some("en-us")), None, "another language");
     }
 }

@@ -15,8 +15,8 @@ use lipz_bank::Fps;
 use lipz_compiler::{Content, Input, Options, key, replace_file};
 use lipz_diagnostics::{Diagnostic, Report, Severity};
 use lipz_file::format::{Style, format};
-use lipz_interop::DEFAULT_RATE;
-use lipz_interop::subtitles::{clip, join};
+use lipz_interop::subtitles::{SubtitleFormat, clip, join};
+use lipz_interop::{DEFAULT_RATE, Encoding, to_utf8};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -42,6 +42,10 @@ pub(super) struct Import {
     /// Frame rate of clips that have none [default: that of lipz.toml, or 24]
     #[arg(long, value_name = "FPS", value_parser = parse_fps)]
     fps: Option<Fps>,
+
+    /// Encoding of files that are not UTF-8: windows-1251, shift_jis [default: windows-1252 for .srt]
+    #[arg(long, value_name = "NAME", value_parser = formats::encoding)]
+    encoding: Option<&'static Encoding>,
 
     #[command(flatten)]
     file: SettingsFile,
@@ -103,6 +107,8 @@ fn one(
     for file in files {
         let bytes = fs::read(&file.path).map_err(|error| formats::unreadable(&file.path, &error))?;
         let mut diagnostics = Vec::new();
+        let is_legacy = file.format == SubtitleFormat::Srt;
+        let bytes = to_utf8(&bytes, arguments.encoding, is_legacy, &mut diagnostics);
         let cues = file.format.read(&bytes, &mut diagnostics);
         if !has_errors(&diagnostics) {
             document = Some(match document {
