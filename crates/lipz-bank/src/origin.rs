@@ -4,7 +4,7 @@ use lipz_layout::Header;
 
 /// The bank that a handle came from: 32 bits of the checksum, which differ between banks of different contents.
 ///
-/// The checksum folds all of its bits into the low half. Whoever forges a bank can choose them: a handle then
+/// Each bit of the checksum depends on all of the contents. Whoever forges a bank can choose them: a handle then
 /// leads to other contents, but never out of the bank.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub(crate) struct Origin(u32);

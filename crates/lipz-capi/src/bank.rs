@@ -153,15 +153,15 @@ impl<'data> Opened<'data> {
 
     /// What tells the files that the locales are from apart from others.
     pub(crate) fn origin(&self) -> u32 {
-        let texts = self.texts.as_ref().map_or(0, |texts| texts.checksum() as u32);
+        let texts = self.texts.as_ref().map_or(0, |texts| (texts.checksum() & 0xFFFF_FFFF) as u32);
         // Turned, so that one file in both places is not no file.
         origin(&self.bank) ^ texts.rotate_left(1)
     }
 }
 
-/// What tells a bank apart from others: half of its checksum, which the other half is folded into.
+/// What tells a bank apart from others: half of its checksum, each bit of which depends on all of the contents.
 pub(crate) fn origin(bank: &lipz_bank::Bank<'_>) -> u32 {
-    bank.checksum() as u32
+    (bank.checksum() & 0xFFFF_FFFF) as u32
 }
 
 /// The bank of the caller's bytes, and the text bank beside it.

@@ -22,6 +22,7 @@
     )
 )]
 
+mod checksum;
 mod index;
 mod records;
 mod sections;
@@ -30,6 +31,7 @@ use lipz_types::hash::{FINISH, STEP, mix};
 
 pub use lipz_types::BANK_MAGIC as MAGIC;
 
+pub use checksum::checksum;
 pub use index::{DIRECT_SLOT, bucket_of, slot_of, spread};
 pub use records::{BabbleRecord, ClipRecord, EventNameRecord, EventRecord};
 pub use records::{FLAG_VISEMES, LOCALE_DEFAULT, MAX_INTEGER_FPS, NO_NAME, NO_RATE, NO_RECORDING, stored_fps};
@@ -82,42 +84,6 @@ pub fn fingerprint(keys: &[KeyRecord], clips: &[ClipRecord]) -> u64 {
         let segments = u64::from(clip.segments_first.get()) << 32 | u64::from(key.segment_count.get());
         mix(mix(hash ^ key.id.get(), STEP) ^ segments, FINISH)
     })
-}
-
-/// Folds `bytes` into the checksum of format 1.
-///
-/// Fletcher's sums over little-endian 32-bit words, in eight lanes with sums modulo 2⁶⁴: a change of
-/// one word, and of any two words in a lane, always changes the sums (for a file of up to 4 GiB).
-/// The tail is padded with zeros; the length goes in at the end.
-pub fn checksum(bytes: &[u8]) -> u64 {
-    const LANES: usize = 8;
-    const BLOCK: usize = LANES * 4;
-    let mut plain = [0_u64; LANES];
-    let mut weighted = [0_u64; LANES];
-    let mut add = |block: &[u8]| {
-        let lanes = plain.iter_mut().zip(&mut weighted);
-        for (word, (plain, weighted)) in block.chunks_exact(4).zip(lanes) {
-            let mut le = [0; 4];
-            le.copy_from_slice(word);
-            *plain = plain.wrapping_add(u64::from(u32::from_le_bytes(le)));
-            *weighted = weighted.wrapping_add(*plain);
-        }
-    };
-    let mut blocks = bytes.chunks_exact(BLOCK);
-    for block in &mut blocks {
-        add(block);
-    }
-    let mut last = [0; BLOCK];
-    for (to, from) in last.iter_mut().zip(blocks.remainder()) {
-        *to = *from;
-    }
-    add(&last);
-    let mut hash = bytes.len() as u64;
-    for sum in plain.iter().chain(&weighted) {
-        hash = (hash ^ sum).wrapping_mul(FINISH);
-        hash ^= hash >> 32;
-    }
-    hash
 }
 
 /// The example of the README, run as a test.
