@@ -2,6 +2,7 @@
 //!
 //! A [`Script`] is what is said: words with all their pronunciations, made of [`Phone`]s. A [`Pronouncer`] makes it of
 //! a text, and an [`Aligner`] finds when each word and phone of it is said in a [`Sound`].
+//! [`render`] makes a mouth of that, a viseme for every frame; [`rms`] makes one of the loudness alone.
 //!
 //! Results are the same on every machine, to the last bit.
 //!
@@ -16,6 +17,7 @@ mod model;
 mod phone;
 mod problem;
 mod pronounce;
+mod render;
 mod script;
 mod sound;
 mod text;
@@ -26,6 +28,7 @@ pub use model::Model;
 pub use phone::{ParsePhoneError, Phone};
 pub use problem::{Problem, ProblemKind};
 pub use pronounce::{Lexicon, Pronouncer, Reading};
+pub use render::{Mouth, RenderRules, RmsRules, render, rms};
 pub use script::{Origin, Pronunciation, Script, Word};
 pub use sound::{Sound, SoundError};
 

@@ -1,0 +1,55 @@
+//! Makes a mouth for each sound of a folder: `cargo run --release -p lipz-speech --example sync_folder -- FOLDER OUT
+//! [LOCALE]`. The script of `name.wav` is `name.txt`; its language is that of `name.json` (its element `lang`) or LOCALE. For
+//! each, `OUT/name.json` has the frames, and the phones and words with their times in seconds: what scorers read.
+
+use lipz_speech::{AlignOptions, Aligner, Language, Model, Pronouncer, RenderRules, Sound, render};
+use lipz_types::{Fps, VisemeType};
+use serde_json::{Value, json};
+use std::error::Error;
+use std::fs::{self, File};
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let (folder, out, locale) = match &arguments[..] {
+        [folder, out] => (folder, out, "en"),
+        [folder, out, locale] => (folder, out, locale.as_str()),
+        _ => return Err("usage: sync_folder FOLDER OUT [LOCALE]".into()),
+    };
+    fs::create_dir_all(out)?;
+    let mut sounds: Vec<PathBuf> = fs::read_dir(folder)?.filter_map(|entry| Some(entry.ok()?.path())).collect();
+    sounds.retain(|path| path.with_extension("txt").exists() && path.extension().is_some_and(|name| name != "txt"));
+    sounds.retain(|path| path.extension().is_some_and(|name| name != "json"));
+    sounds.sort();
+    for path in sounds {
+        let prediction = sync(&path, locale)?;
+        let name = path.file_stem().unwrap_or_default();
+        fs::write(Path::new(out).join(name).with_extension("json"), prediction.to_string())?;
+    }
+    Ok(())
+}
+
+fn sync(path: &Path, locale: &str) -> Result<Value, Box<dyn Error>> {
+    let text = fs::read_to_string(path.with_extension("txt"))?;
+    let facts = fs::read(path.with_extension("json")).unwrap_or_default();
+    let facts: Value = serde_json::from_slice(&facts).unwrap_or_default();
+    let locale = facts["lang"].as_str().unwrap_or(locale);
+    let started = Instant::now();
+    let language = Language::from_locale(locale).ok_or("no such language")?;
+    let script = Pronouncer::new(language).script(text.trim());
+    let extension = path.extension().and_then(|extension| extension.to_str());
+    let sound = Sound::read(File::open(path)?, extension)?;
+    let alignment = Aligner::new(Model::english(), AlignOptions::default()).align(&sound, &script);
+    let mouth = render(&alignment, VisemeType::Blair, Fps::whole(24), &RenderRules::default());
+    let wall = started.elapsed().as_secs_f64();
+    let seconds = |us: u64| us as f64 / 1e6;
+    let phone = |phone: &lipz_speech::AlignedPhone| json!({ "p": phone.phone.name(), "s": seconds(phone.start_us), "e": seconds(phone.end_us), "fit": phone.fit });
+    let word = |(word, times): (&lipz_speech::Word, &lipz_speech::AlignedWord)| json!({ "w": word.text, "s": seconds(times.start_us), "e": seconds(times.end_us), "c": times.confidence });
+    Ok(json!({
+        "visemes": mouth.frames, "viseme_type": "blair", "fps": 24, "phoneset": "arpa",
+        "phones": alignment.phones.iter().map(phone).collect::<Vec<_>>(),
+        "words": script.words.iter().zip(&alignment.words).map(word).collect::<Vec<_>>(),
+        "wall": wall,
+    }))
+}

@@ -1,0 +1,82 @@
+//! Mouths: from phones with times to a shape for every frame.
+//!
+//! The rules are those of G. Moore, "Talking Heads: Facial Animation in The Getaway" (Game Developer, 2001): a viewer reads closed
+//! lips, and the lip under the teeth, only if they stay for two frames at 24 frames per second, and that time comes from the sound
+//! before them; the mouth is ahead of the sound; it rests only in pauses, and does not open wide for a vowel that is too short.
+
+mod frames;
+mod hold;
+mod rms;
+mod shapes;
+
+pub use rms::{RmsRules, rms};
+
+use crate::Alignment;
+use lipz_types::{Fps, VisemeType};
+
+/// How [`render`] makes a mouth.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub struct RenderRules {
+    /// How long before its sound a shape shows, in microseconds. 40 milliseconds, a frame at 24 frames per second: sensors on
+    /// lips see them close 30 to 55 milliseconds before a p, b or m is heard.
+    pub lead_us: u64,
+    /// How long closed lips (p, b, m) and the lip under the teeth (f, v) stay at least, in microseconds: in frames, this is
+    /// rounded to the nearest number, and never less than one. Two frames at 24 frames per second.
+    pub hold_us: u64,
+    /// Vowels that are shorter, in microseconds, do not open the mouth wide. A frame at 24 frames per second.
+    pub shortest_wide_us: u64,
+}
+
+impl Default for RenderRules {
+    fn default() -> RenderRules {
+        RenderRules { lead_us: 40_000, hold_us: 83_333, shortest_wide_us: 41_667 }
+    }
+}
+
+/// A mouth: a viseme for every frame.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Mouth {
+    /// The codes of the frames, one ASCII character each, without `|`.
+    pub frames: String,
+    /// The first frame of each segment: 0, and one for each `|` of the script, ascending.
+    pub segment_starts: Vec<usize>,
+}
+
+impl Mouth {
+    /// The `visemes` element of a Lipz file: the frames, with `|` between segments.
+    pub fn visemes(&self) -> String {
+        let mut visemes = String::with_capacity(self.frames.len() + self.segment_starts.len());
+        let mut from = 0;
+        for &start in self.segment_starts.iter().skip(1) {
+            visemes.push_str(self.frames.get(from..start).unwrap_or_default());
+            visemes.push('|');
+            from = start;
+        }
+        visemes.push_str(self.frames.get(from..).unwrap_or_default());
+        visemes
+    }
+}
+
+/// The mouth of an alignment: as many frames as the sound lasts, the last of which may be cut short.
+///
+/// For [`VisemeType::Rms`], how far each shape is open; [`rms`] does it by loudness.
+pub fn render(alignment: &Alignment, viseme_type: VisemeType, fps: Fps, rules: &RenderRules) -> Mouth {
+    let mut shapes = shapes::of_phones(&alignment.phones, rules);
+    hold::hold(&mut shapes, frames::hold_us(rules.hold_us, fps), frames::least_us(fps));
+    let count = frames::count(alignment.duration_us, fps);
+    let mut shapes = shapes.iter().peekable();
+    let code = |frame| {
+        let time_us = frames::centre_us(frame, fps) + rules.lead_us;
+        while shapes.next_if(|shape| shape.end_us <= time_us).is_some() {}
+        let shape = shapes.peek().map_or(shapes::REST, |shape| shape.shape);
+        char::from(shapes::code(shape, viseme_type))
+    };
+    let frames = (0..count).map(code).collect();
+    let start = |&break_us: &u64| frames::first_at(break_us.saturating_sub(rules.lead_us), fps).min(count);
+    let segment_starts = std::iter::once(0).chain(alignment.breaks_us.iter().map(start)).collect();
+    Mouth { frames, segment_starts }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,140 @@
+//! `rms` mouths: how loud the voice is.
+
+use super::{Mouth, frames};
+use crate::Sound;
+use crate::features::mel::{BANDS, HOP, RATE_HZ, Spectrum, WINDOW, logarithm_of, white_noise};
+use lipz_types::Fps;
+
+/// How [`rms`] makes a mouth.
+#[derive(Clone, Copy, PartialEq, Debug)]
+#[non_exhaustive]
+pub struct RmsRules {
+    /// So many decibels below the loud frames of the sound, the mouth is closed. 30, where the voice ends and the room begins.
+    pub threshold_db: f32,
+    /// A mouth that is closed for as long, in microseconds, rests. 150 milliseconds, as in alignments.
+    pub shortest_pause_us: u64,
+    /// How far the mouth opens with the amplitude: 1 is in proportion, less opens it wider for what is quiet. A half.
+    pub exponent: f32,
+    /// How long before its sound the mouth moves, in microseconds. 40 milliseconds, as in [`super::RenderRules::lead_us`].
+    pub lead_us: u64,
+}
+
+impl Default for RmsRules {
+    fn default() -> RmsRules {
+        RmsRules { threshold_db: 30.0, shortest_pause_us: 150_000, exponent: 0.5, lead_us: 40_000 }
+    }
+}
+
+/// The highest band of the voice: up to 4 kilohertz. Above are hisses, for which a mouth opens little.
+const VOICE_BANDS: usize = 20;
+/// Sounds that are nowhere louder are silent: 60 decibels below full scale.
+const SILENT_DB: f32 = -60.0;
+/// Of the frames of a sound, so many percent are not louder than the loud ones.
+const LOUD_PERCENT: usize = 95;
+
+/// The mouth of the loudness of `sound`, of viseme type `rms`: `9` where the voice is loud, `0` where it is quiet, `-` in
+/// pauses. It knows no text, and moves for every noise.
+pub fn rms(sound: &Sound, fps: Fps, rules: &RmsRules) -> Mouth {
+    let white = white_noise();
+    let power: Vec<f32> = sound.spectrum().iter().map(|spectrum| voice_power(spectrum, &white)).collect();
+    let mut sorted = power.clone();
+    let loud = match sorted.len() {
+        0 => 0.0,
+        count => *sorted.select_nth_unstable_by((count - 1) * LOUD_PERCENT / 100, f32::total_cmp).1,
+    };
+    let count = frames::count(sound.duration_us(), fps);
+    let is_silent = decibels(loud / full_scale()) < SILENT_DB;
+    let digit = |frame| {
+        let level = mean(&power, frame, fps, rules.lead_us) / loud;
+        if is_silent || decibels(level) < -rules.threshold_db {
+            return b'0';
+        }
+        let opening = 9.0 * libm::powf(level.min(1.0), rules.exponent / 2.0);
+        (1..=9).rev().find(|&digit| opening >= f32::from(digit) - 0.5).map_or(b'1', |digit| b'0' + digit)
+    };
+    let mut codes: Vec<u8> = (0..count).map(digit).collect();
+    rest(&mut codes, frames::first_at(rules.shortest_pause_us, fps).max(1));
+    Mouth { frames: codes.into_iter().map(char::from).collect(), segment_starts: vec![0] }
+}
+
+/// The power of the voice in a frame, without the pre-emphasis of the features.
+fn voice_power(spectrum: &Spectrum, white: &[f32; BANDS]) -> f32 {
+    let bands = spectrum.iter().zip(white).take(VOICE_BANDS);
+    bands.map(|(&band, white)| libm::expf(logarithm_of(band)) / white).sum::<f32>() / VOICE_BANDS as f32
+}
+
+/// The power of white noise at full scale, in the units of `voice_power`.
+fn full_scale() -> f32 {
+    32_768.0 * 32_768.0
+}
+
+/// The mean power while a frame of the mouth shows.
+fn mean(power: &[f32], frame: usize, fps: Fps, lead_us: u64) -> f32 {
+    // A frame of the features is the middle of its samples.
+    let offset_us = (WINDOW as u64 - HOP as u64) * 500_000 / u64::from(RATE_HZ);
+    let hop_us = HOP as u64 * 1_000_000 / u64::from(RATE_HZ);
+    let index = |time_us: u64| usize::try_from(time_us.saturating_sub(offset_us) / hop_us).unwrap_or(usize::MAX);
+    let centre_us = frames::centre_us(frame, fps) + lead_us;
+    let half_us = frames::centre_us(0, fps);
+    let start = index(centre_us - half_us.min(centre_us)).min(power.len());
+    let end = index(centre_us + half_us).max(start + 1).min(power.len());
+    match &power[start..end.max(start)] {
+        [] => 0.0,
+        powers => powers.iter().sum::<f32>() / powers.len() as f32,
+    }
+}
+
+fn decibels(ratio: f32) -> f32 {
+    10.0 * libm::log10f(ratio.max(1e-30))
+}
+
+/// Lets the mouth rest where it is closed for so many frames.
+fn rest(codes: &mut [u8], frames: usize) {
+    for run in codes.chunk_by_mut(|a, b| (*a == b'0') == (*b == b'0')) {
+        if run.first() == Some(&b'0') && run.len() >= frames {
+            run.fill(b'-');
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f32::consts::TAU;
+
+    /// A hum of `amplitudes`, each for a quarter of a second.
+    fn hum(amplitudes: &[f32]) -> Sound {
+        let sample = |(i, amplitude): (usize, f32)| {
+            amplitude * (1..20).map(|k| (TAU * (i * k * 150 % 16_000) as f32 / 16_000.0).sin()).sum::<f32>() / 20.0
+        };
+        let amplitudes = amplitudes.iter().flat_map(|&amplitude| [amplitude; 4_000]);
+        Sound::from_samples(16_000, &amplitudes.enumerate().map(sample).collect::<Vec<_>>()).unwrap()
+    }
+
+    #[test]
+    fn louder_is_wider_and_pauses_rest() {
+        let rules = RmsRules { lead_us: 0, ..RmsRules::default() };
+        let mouth = rms(&hum(&[0.0, 0.5, 0.05, 0.5, 0.0, 0.0]), Fps::whole(24), &rules);
+        assert_eq!(mouth.frames.len(), 36);
+        assert_eq!(mouth.segment_starts, [0]);
+        let at = |quarter: usize| &mouth.frames[quarter * 6 + 2..quarter * 6 + 4];
+        assert_eq!((at(0), at(1), at(3), at(4), at(5)), ("--", "99", "99", "--", "--"), "{}", mouth.frames);
+        assert!(("22".."55").contains(&at(2)), "{}", mouth.frames);
+    }
+
+    #[test]
+    fn the_volume_of_the_recording_makes_no_difference() {
+        let rules = RmsRules::default();
+        let fps = Fps::whole(30);
+        assert_eq!(rms(&hum(&[0.0, 0.8, 0.1, 0.4]), fps, &rules), rms(&hum(&[0.0, 0.08, 0.01, 0.04]), fps, &rules));
+    }
+
+    #[test]
+    fn silence_rests() {
+        for amplitude in [0.0, 1e-4] {
+            assert_eq!(rms(&hum(&[amplitude; 4]), Fps::whole(24), &RmsRules::default()).frames, "-".repeat(24));
+        }
+        let short = Sound::from_samples(16_000, &[0.1; 3]).unwrap();
+        assert_eq!(rms(&short, Fps::whole(24), &RmsRules::default()).frames.len(), 1);
+    }
+}

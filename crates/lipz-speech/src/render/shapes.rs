@@ -1,0 +1,107 @@
+//! Which shape each phone has.
+
+use super::RenderRules;
+use crate::{AlignedPhone, Phone};
+use lipz_types::VisemeType;
+
+/// The resting mouth.
+pub(super) const REST: u8 = b'-';
+
+/// A shape, as a code of Blair's chart, and its time.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct Shape {
+    pub(super) shape: u8,
+    pub(super) start_us: u64,
+    pub(super) end_us: u64,
+}
+
+impl Shape {
+    pub(super) fn length_us(&self) -> u64 {
+        self.end_us - self.start_us
+    }
+
+    /// Whether viewers must be able to read it: closed lips, the lip under the teeth.
+    pub(super) fn is_closed(&self) -> bool {
+        matches!(self.shape, b'M' | b'F')
+    }
+}
+
+/// How far into a diphthong its second shape starts, in tenths.
+const GLIDE_TENTHS: u64 = 6;
+
+/// The shapes of phones; the same shape twice is one.
+pub(super) fn of_phones(phones: &[AlignedPhone], rules: &RenderRules) -> Vec<Shape> {
+    let mut shapes: Vec<Shape> = Vec::with_capacity(phones.len());
+    let mut add = |shape, start_us, end_us| match shapes.last_mut() {
+        Some(last) if last.shape == shape => last.end_us = end_us,
+        _ if start_us == end_us => {}
+        _ => shapes.push(Shape { shape, start_us, end_us }),
+    };
+    for (number, phone) in phones.iter().enumerate() {
+        let AlignedPhone { start_us, end_us, .. } = *phone;
+        let (first, second) = match phone.phone {
+            // h has the shape of what follows.
+            Phone::Hh => (phones.get(number + 1).map_or(b'S', |next| of_phone(next.phone).0), None),
+            phone => of_phone(phone),
+        };
+        let is_short = phone.phone.is_vowel() && end_us - start_us < rules.shortest_wide_us;
+        let first = if is_short && first == b'A' { b'E' } else { first };
+        match second {
+            Some(second) if !is_short => {
+                let glide_us = start_us + (end_us - start_us) * GLIDE_TENTHS / 10;
+                add(first, start_us, glide_us);
+                add(second, glide_us, end_us);
+            }
+            _ => add(first, start_us, end_us),
+        }
+    }
+    shapes
+}
+
+/// The shape of a phone, and that in which a diphthong ends: Preston Blair's chart ("Advanced Animation", 1947), with the
+/// sounds that its names do not mention given to the shape that lips and teeth have in them.
+fn of_phone(phone: Phone) -> (u8, Option<u8>) {
+    match phone {
+        Phone::Aa | Phone::Ae | Phone::Ah => (b'A', None),
+        Phone::Ay => (b'A', Some(b'E')),
+        Phone::Aw => (b'A', Some(b'O')),
+        Phone::Eh | Phone::Er | Phone::Ey | Phone::Ih | Phone::Iy => (b'E', None),
+        Phone::Ao => (b'O', None),
+        Phone::Ow => (b'O', Some(b'U')),
+        Phone::Oy => (b'O', Some(b'E')),
+        Phone::Uh | Phone::Uw => (b'U', None),
+        Phone::W => (b'W', None),
+        Phone::L => (b'L', None),
+        Phone::B | Phone::M | Phone::P => (b'M', None),
+        Phone::F | Phone::V => (b'F', None),
+        Phone::Sil | Phone::Noise | Phone::Spoken => (REST, None),
+        _ => (b'S', None),
+    }
+}
+
+/// The code of a shape in a viseme type.
+pub(super) fn code(shape: u8, viseme_type: VisemeType) -> u8 {
+    match viseme_type {
+        VisemeType::Blair => shape,
+        VisemeType::ToonBoom => match shape {
+            b'M' => b'A',
+            b'S' | b'L' => b'B',
+            b'E' => b'C',
+            b'A' => b'D',
+            b'O' => b'E',
+            b'W' | b'U' => b'F',
+            b'F' => b'G',
+            _ => REST,
+        },
+        VisemeType::Rms => match shape {
+            b'A' => b'9',
+            b'E' | b'O' => b'6',
+            b'L' => b'4',
+            b'S' => b'3',
+            b'U' | b'W' => b'2',
+            b'F' => b'1',
+            b'M' => b'0',
+            _ => REST,
+        },
+    }
+}
