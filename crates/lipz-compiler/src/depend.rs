@@ -1,25 +1,35 @@
 //! What a bank depends on: for build engines, which run the compiler again when it changes.
 
+use crate::settings::Settings;
+use crate::walk::Walk;
 use crate::{Content, Input, discover};
+use lipz_diagnostics::Report;
 use std::iter;
 use std::path::{Path, PathBuf};
-use walkdir::WalkDir;
 
-/// The files of `inputs`, and all folders in which a run over `sources` looked for files: when one is
+/// The files of `inputs`, and all folders in which a run by `settings` looked for files: when one is
 /// added or removed, its folder changes. Sorted.
-pub fn dependencies(sources: &[PathBuf], inputs: &[Input]) -> Vec<PathBuf> {
-    let folders = watched(sources).into_iter().flat_map(|source| {
-        let entries = WalkDir::new(source).follow_links(true).into_iter().filter_map(Result::ok);
-        entries.filter(|entry| entry.file_type().is_dir()).map(walkdir::DirEntry::into_path)
-    });
+///
+/// # Errors
+/// If a folder cannot be read: what is not known to be a dependency would be missed without a word.
+pub fn dependencies(settings: &Settings, inputs: &[Input]) -> Result<Vec<PathBuf>, Report> {
+    let mut folders = Vec::new();
+    for source in watched(&settings.sources).into_iter().filter(|source| source.is_dir()) {
+        for entry in Walk::new(&source, settings.hidden) {
+            let entry = entry.map_err(|obstacle| discover::impassable(&source, &obstacle))?;
+            if entry.file_type().is_dir() {
+                folders.push(entry.into_path());
+            }
+        }
+    }
     let files = inputs.iter().filter_map(|input| match &input.content {
         Content::File(path) => Some(path.clone()),
         Content::Bytes { .. } => None,
     });
-    let mut all: Vec<PathBuf> = folders.chain(files).collect();
+    let mut all: Vec<PathBuf> = folders.into_iter().chain(files).collect();
     all.sort_unstable();
     all.dedup();
-    all
+    Ok(all)
 }
 
 /// The folders and files in and below which sources lie: of a pattern, the folder before its first

@@ -1,12 +1,13 @@
 //! From the sources that a user names to the Lipz files in them.
 
 use crate::key::EXTENSION;
+use crate::walk::{Obstacle, Walk, is_hidden};
 use crate::{Content, Input};
+use glob::MatchOptions;
 use lipz_diagnostics::{Code, Diagnostic, Report};
 use std::ffi::OsStr;
 use std::io;
 use std::path::{Component, MAIN_SEPARATOR, Path, PathBuf};
-use walkdir::{DirEntry, WalkDir};
 
 /// The Lipz files of `sources`, with their keys.
 ///
@@ -15,20 +16,36 @@ use walkdir::{DirEntry, WalkDir};
 /// the pattern without wildcards. A file that several sources name by the same path counts once, under
 /// the key that the first of them gives it.
 ///
+/// Hidden files and folders, whose names start with a dot, are passed over: what editors and file systems leave
+/// there is no clip. A file that is named by itself is read whatever it is called;
+/// [`Settings::hidden`](crate::settings::Settings::hidden) reads them all.
+///
 /// Reports what cannot be found or read. Files are returned in the order of their paths.
 pub fn discover(sources: &[PathBuf], root: Option<&Path>) -> (Vec<Input>, Vec<Report>) {
+    find(sources, root, false)
+}
+
+/// The same, with hidden files and folders or without.
+pub(crate) fn find(sources: &[PathBuf], root: Option<&Path>, reads_hidden: bool) -> (Vec<Input>, Vec<Report>) {
     let root = root.map(plain);
-    let mut found = Discovery { root: root.as_deref(), inputs: Vec::new(), reports: Vec::new() };
+    let mut found =
+        Discovery { root: root.as_deref(), reads_hidden, hidden_count: 0, inputs: Vec::new(), reports: Vec::new() };
     for source in sources {
         let before = (found.inputs.len(), found.reports.len());
+        found.hidden_count = 0;
         found.source(&plain(source));
         if (found.inputs.len(), found.reports.len()) == before {
-            found.reports.push(Report::failure(
+            let mut report = Report::failure(
                 display(source),
                 Code::NoSources,
                 format!("no Lipz files in `{}`", display(source)),
                 "Lipz files end in .lipz; name the folder that contains them, a file, or a pattern such as 'voices/**/*.lipz'",
-            ));
+            );
+            if found.hidden_count > 0 {
+                let note = "hidden files and folders are passed over; the setting `hidden` reads them".to_owned();
+                report.diagnostics.iter_mut().for_each(|diagnostic| diagnostic.notes.push(note.clone()));
+            }
+            found.reports.push(report);
         }
     }
     let mut inputs = found.inputs;
@@ -72,6 +89,9 @@ pub(crate) fn base(pattern: &str) -> PathBuf {
 
 struct Discovery<'a> {
     root: Option<&'a Path>,
+    reads_hidden: bool,
+    /// What the current source has of them.
+    hidden_count: usize,
     inputs: Vec<Input>,
     reports: Vec<Report>,
 }
@@ -89,9 +109,9 @@ impl Discovery<'_> {
     }
 
     fn folder(&mut self, folder: &Path) {
-        let by_path = |a: &DirEntry, b: &DirEntry| a.path().as_os_str().cmp(b.path().as_os_str());
         let prefix = key_prefix(folder, self.root.unwrap_or(folder));
-        for entry in WalkDir::new(folder).follow_links(true).sort_by(by_path) {
+        let mut walk = Walk::new(folder, self.reads_hidden);
+        for entry in &mut walk {
             match entry {
                 Ok(entry) if entry.file_type().is_file() && is_lipz(entry.path()) => {
                     let path = entry.into_path();
@@ -101,24 +121,20 @@ impl Discovery<'_> {
                     }
                 }
                 Ok(_) => {}
-                Err(error) => {
-                    let path = error.path().unwrap_or(folder);
-                    self.reports.push(match (error.loop_ancestor(), error.io_error()) {
-                        (Some(ancestor), _) => {
-                            let link = display(path);
-                            let message = format!("`{link}` is a link that leads back to `{}`", display(ancestor));
-                            Report::failure(link, Code::UnreadableFile, message, "remove the link")
-                        }
-                        (None, Some(error)) => unreadable(path, error),
-                        (None, None) => unreadable(path, &io::Error::other("unknown error")),
-                    });
-                }
+                Err(obstacle) => self.reports.push(impassable(folder, &obstacle)),
             }
         }
+        self.hidden_count += walk.hidden_count;
     }
 
     fn pattern(&mut self, pattern: &str) {
-        let paths = match glob::glob(pattern) {
+        // Who writes the dot means hidden files; the crate would leave them out all the same.
+        let base = base(pattern);
+        let mut parts = Path::new(pattern).components().skip(base.components().count());
+        let names_hidden = parts.any(|part| matches!(part, Component::Normal(name) if is_hidden(name)));
+        let reads_hidden = self.reads_hidden || names_hidden;
+        let options = MatchOptions { require_literal_leading_dot: !reads_hidden, ..MatchOptions::new() };
+        let paths = match glob::glob_with(pattern, options) {
             Ok(paths) => paths,
             Err(error) => {
                 self.reports.push(Report::failure(
@@ -130,7 +146,6 @@ impl Discovery<'_> {
                 return;
             }
         };
-        let base = base(pattern);
         for path in paths {
             match path {
                 Ok(path) if path.is_file() && is_lipz(&path) => self.file(path, &base),
@@ -153,6 +168,29 @@ impl Discovery<'_> {
 
     fn input(&mut self, path: PathBuf, key: String) {
         self.inputs.push(Input { key, content: Content::File(path) });
+    }
+}
+
+/// The diagnostic for what a walk through a folder cannot go through.
+pub(crate) fn impassable(folder: &Path, obstacle: &Obstacle) -> Report {
+    let error = match obstacle {
+        Obstacle::Error(error) => error,
+        Obstacle::TooManyWays(path) => {
+            let shown = display(path);
+            let message = format!("too many ways through links lead to `{shown}`");
+            let help = "remove links between folders: each way gives all files in the folder a key of its own";
+            return Report::failure(shown, Code::UnreadableFile, message, help);
+        }
+    };
+    let path = error.path().unwrap_or(folder);
+    match (error.loop_ancestor(), error.io_error()) {
+        (Some(ancestor), _) => {
+            let link = display(path);
+            let message = format!("`{link}` is a link that leads back to `{}`", display(ancestor));
+            Report::failure(link, Code::UnreadableFile, message, "remove the link")
+        }
+        (None, Some(error)) => unreadable(path, error),
+        (None, None) => unreadable(path, &io::Error::other("unknown error")),
     }
 }
 
@@ -239,4 +277,70 @@ fn key_below(path: &Path, folder: &Path, prefix: &str) -> Option<String> {
 pub(crate) fn display(path: &Path) -> String {
     let path = path.to_string_lossy();
     if MAIN_SEPARATOR == '/' { path.into_owned() } else { path.replace(MAIN_SEPARATOR, "/") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fs;
+
+    fn keys(sources: &[PathBuf], reads_hidden: bool) -> Vec<String> {
+        let (inputs, reports) = find(sources, None, reads_hidden);
+        assert_eq!(reports, []);
+        inputs.into_iter().map(|input| input.key).collect()
+    }
+
+    #[test]
+    fn hidden_files_are_read_only_if_somebody_says_so() {
+        let scene = tempfile::tempdir().unwrap();
+        let path = |name: &str| scene.path().join(name);
+        for name in ["v/a.lipz", "v/.b.lipz", "v/._a.lipz", "v/.git/c.lipz", "v/sub/.d/e.lipz", "v/sub/f.lipz"] {
+            fs::create_dir_all(path(name).parent().unwrap()).unwrap();
+            fs::write(path(name), "{}").unwrap();
+        }
+        #[cfg(unix)]
+        std::os::unix::fs::symlink("me@host.1:1", path("v/.#b.lipz")).unwrap();
+        assert_eq!(keys(&[path("v")], false), ["a", "sub/f"]);
+        assert_eq!(keys(&[path("v/**/*.lipz")], false), ["a", "sub/f"]);
+        assert_eq!(keys(&[path("v/.*.lipz")], false), ["._a", ".b"], "a pattern with a dot means them");
+        assert_eq!(keys(&[path("v/.b.lipz"), path("v/.git")], false), [".b", "c"], "so does a name");
+        #[cfg(unix)]
+        fs::remove_file(path("v/.#b.lipz")).unwrap();
+        assert_eq!(keys(&[path("v")], true), ["._a", ".b", ".git/c", "a", "sub/.d/e", "sub/f"]);
+        assert_eq!(keys(&[path("v/**/*.lipz")], true).len(), 6);
+        let (inputs, reports) = find(&[path("v/sub/.d/..").join(".d")], None, false);
+        assert_eq!((inputs.len(), reports.len()), (1, 0));
+        fs::remove_file(path("v/sub/f.lipz")).unwrap();
+        let (_, reports) = find(&[path("v/sub")], None, false);
+        assert!(reports[0].to_string().contains("hidden files and folders are passed over"), "{}", reports[0]);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_between_folders_are_followed_and_end() {
+        use std::os::unix::fs::symlink;
+        let scene = tempfile::tempdir().unwrap();
+        let path = |name: &str| scene.path().join(name);
+        fs::create_dir_all(path("common")).unwrap();
+        fs::write(path("common/aye.lipz"), "{}").unwrap();
+        for act in ["act1", "act2"] {
+            fs::create_dir_all(path(act)).unwrap();
+            symlink("../common", path(act).join("common")).unwrap();
+        }
+        assert_eq!(keys(&[scene.path().into()], false), ["act1/common/aye", "act2/common/aye", "common/aye"]);
+
+        // Two links from each folder to the next: 2 to the power of 24 ways to the last one.
+        let deep = tempfile::tempdir().unwrap();
+        for level in 0..25 {
+            let folder = deep.path().join(format!("f{level}"));
+            fs::create_dir(&folder).unwrap();
+            for name in ["a", "b"] {
+                symlink(format!("../f{}", level + 1), folder.join(name)).unwrap();
+            }
+        }
+        fs::create_dir(deep.path().join("f25")).unwrap();
+        let (_, reports) = find(&[deep.path().join("f0")], None, false);
+        assert_eq!(reports.len(), 1);
+        assert!(reports[0].to_string().contains("too many ways through links lead to"), "{}", reports[0]);
+    }
 }

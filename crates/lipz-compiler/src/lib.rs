@@ -83,6 +83,7 @@ pub mod stats;
 mod strings;
 #[cfg(feature = "unpack")]
 mod unpack;
+mod walk;
 
 pub use bank_with_texts::BankWithTexts;
 #[cfg(feature = "build")]

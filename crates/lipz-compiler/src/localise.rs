@@ -1,7 +1,8 @@
 //! Locales of the bank, and which text each clip shows in each of them.
 
+use crate::Options;
 use crate::clip::Clip;
-use crate::{Options, fallback};
+use crate::fallback::Fallbacks;
 
 /// The locales of a bank with the texts of all clips.
 #[derive(Debug, PartialEq, Eq)]
@@ -30,7 +31,7 @@ pub(crate) enum Choice {
     Missing,
 }
 
-/// Resolves fallback for `clips`, whose texts refer to `tags`; [`fallback::chain`] has the rule.
+/// Resolves fallback for `clips`, whose texts refer to `tags`; [`chain`](crate::fallback::chain) has the rule.
 pub(crate) fn localise(clips: &[Clip<'_>], tags: &[Box<str>], options: &Options) -> Localised {
     let default = options.default_locale.as_deref();
     let mut choices = vec![vec![Choice::Missing; clips.len()]; tags.len()];
@@ -39,21 +40,15 @@ pub(crate) fn localise(clips: &[Clip<'_>], tags: &[Box<str>], options: &Options)
             choices[text.locale as usize][at] = Choice::Own(index);
         }
     }
-    for locale in 0..tags.len() {
-        let chain = fallback::chain(tags, locale, options);
-        for (at, clip) in clips.iter().enumerate() {
-            if choices[locale][at] != Choice::Missing {
-                continue;
-            }
-            let own_text = |other: usize| match choices[other][at] {
-                Choice::Own(index) => Some(&clip.texts()[index as usize]),
-                _ => None,
-            };
-            let is_own = |&&other: &&usize| own_text(other).is_some_and(|text| !text.is_fallback);
-            if let Some(&other) = chain.iter().find(is_own) {
-                choices[locale][at] = Choice::Fallback(other as u32);
-            }
-        }
+    // A clip with texts in all locales needs none of others: usually that is every clip.
+    let mut fallbacks = None;
+    for (at, clip) in clips.iter().enumerate().filter(|(_, clip)| clip.texts().len() < tags.len()) {
+        let fallbacks = fallbacks.get_or_insert_with(|| Fallbacks::new(tags, options));
+        let own = clip.texts().iter().filter(|text| !text.is_fallback).map(|text| text.locale as usize);
+        let missing: Vec<usize> = (0..tags.len()).filter(|&locale| choices[locale][at] == Choice::Missing).collect();
+        fallbacks.resolve(own, missing.into_iter(), |locale, other| {
+            choices[locale][at] = Choice::Fallback(other as u32);
+        });
     }
     let locales = std::iter::zip(tags, choices).map(|(tag, texts)| LocaleColumn {
         tag: tag.clone(),

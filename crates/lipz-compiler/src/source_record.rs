@@ -6,6 +6,7 @@
 
 use crate::Options;
 use crate::clip::{ClipData, ClipText, Locales};
+use foldhash::HashMap;
 use lipz_file::{Document, Element, Value};
 use std::collections::HashSet;
 
@@ -55,11 +56,11 @@ pub(crate) fn encode(document: &Document<'_>, options: &Options, locales: &Local
     let mut record = std::mem::take(&mut clip.source);
     let is_packed = |element: &&Element<'_>| options.packs(&element.name.text);
     push_number(&mut record, document.elements.iter().filter(is_packed).count() as u64);
+    let own_texts = OwnTexts::new(&clip.texts);
     for element in document.elements.iter().filter(is_packed) {
         let name = element.name.text.as_ref();
         let locale = name.strip_prefix("text_").and_then(|tag| locales.get(tag));
-        let mut own_texts = clip.texts.iter().filter(|text| !text.is_fallback).enumerate();
-        let own_text = locale.and_then(|locale| own_texts.find(|(_, text)| text.locale == locale));
+        let own_text = locale.and_then(|locale| own_texts.get(locale));
         match (NAMED.iter().position(|known| *known == name), own_text) {
             (Some(index), _) => push_number(&mut record, 1 + index as u64),
             (None, Some((index, _))) => push_number(&mut record, FIRST_TEXT + index as u64),
@@ -79,6 +80,41 @@ pub(crate) fn encode(document: &Document<'_>, options: &Options, locales: &Local
         }
     }
     clip.source = record;
+}
+
+/// Texts that are looked through one by one: for so few, a table costs more.
+const FEW_TEXTS: usize = 32;
+
+/// The texts of a clip that are not those of other locales, by number.
+struct OwnTexts<'c> {
+    texts: &'c [ClipText],
+    /// Number and place of the text of each locale, if they are many.
+    places: HashMap<u32, (usize, usize)>,
+}
+
+impl<'c> OwnTexts<'c> {
+    fn new(texts: &'c [ClipText]) -> OwnTexts<'c> {
+        let places = match texts.len() {
+            ..FEW_TEXTS => HashMap::default(),
+            _ => OwnTexts::numbered(texts).map(|(number, (place, text))| (text.locale, (number, place))).collect(),
+        };
+        OwnTexts { texts, places }
+    }
+
+    /// Each with its number and its place among all texts.
+    fn numbered(texts: &[ClipText]) -> impl Iterator<Item = (usize, (usize, &ClipText))> {
+        texts.iter().enumerate().filter(|(_, text)| !text.is_fallback).enumerate()
+    }
+
+    /// The number of the text in a locale, and the text.
+    fn get(&self, locale: u32) -> Option<(usize, &'c ClipText)> {
+        if self.texts.len() < FEW_TEXTS {
+            let (number, (_, text)) = OwnTexts::numbered(self.texts).find(|(_, (_, text))| text.locale == locale)?;
+            return Some((number, text));
+        }
+        let &(number, place) = self.places.get(&locale)?;
+        Some((number, self.texts.get(place)?))
+    }
 }
 
 /// Whether the bank holds the element joined to one segment, because its number of segments is not

@@ -204,7 +204,7 @@ fn a_system_that_watches_nothing_is_an_error_in_every_format() {
 #[test]
 fn two_byte_order_marks_are_told() {
     let scene = scene();
-    let marked = |name: &str, text: &str| scene.write(name, &format!("\u{feff}\u{feff}{text}"));
+    let marked = |name: &str, text: &str| scene.write(name, format!("\u{feff}\u{feff}{text}"));
     marked("b.xml", "l");
     marked("d.en-us.srt", "1\n@@@kotor,500 ]--> 00:0\u{7f}\n");
     marked("d.toml", "x = 1");

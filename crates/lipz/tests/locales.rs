@@ -77,6 +77,27 @@ fn too_little_is_translated() {
 }
 
 #[test]
+fn another_script_is_shown_only_where_the_project_says_so() {
+    let mut scene = Scene::new();
+    scene.write("voices/aye.lipz", r#"{ "text_zh-cn": "是", "text_en-us": "Aye." }"#);
+    scene.write(
+        "voices/no.lipz",
+        r#"{ "text_zh-cn": "不", "text_zh-tw": "不", "text_zh-hk": "不", "text_en-us": "No." }"#,
+    );
+    let pack = ["pack", "voices", "-o", "b.lipzbank", "-q", "--cache", "b.cache", "--default-locale", "en-us"];
+    scene.expect("LZ0516-other-script", &pack);
+    let again = lipz(scene.path(), pack);
+    assert_eq!(again.stderr.matches("[LZ0516]").count(), 2, "nothing changed, and it is said again: {again:?}");
+    let shown = lipz(scene.path(), ["inspect", "b.lipzbank", "aye", "--locale", "zh-tw"]);
+    assert!(shown.stdout.contains("Aye.") && !shown.stdout.contains('是'), "{shown:?}");
+    scene.write("lipz.toml", "[fallbacks]\nzh-tw = [\"zh-cn\"]\nzh-hk = [\"zh-tw\", \"zh-cn\"]\n");
+    assert_eq!(lipz(scene.path(), pack).stderr, "", "it is decided");
+    let shown = lipz(scene.path(), ["inspect", "b.lipzbank", "aye", "--locale", "zh-tw"]);
+    assert!(shown.stdout.contains('是'), "{shown:?}");
+    scene.finish(1);
+}
+
+#[test]
 fn a_locale_that_no_clip_has_is_not_left_out_in_silence() {
     let mut scene = scene();
     let pack = ["pack", "voices", "-o", "b.lipzbank", "-q", "--cache", "b.cache", "--locales", "de-de,es-mx,fr-rf"];

@@ -4,9 +4,13 @@ use super::locales::{keep_names_apart, text_locale};
 use super::{names, types};
 use crate::Options;
 use crate::clip::Locales;
+use foldhash::HashMap;
 use lipz_diagnostics::{Code, Diagnostic};
 use lipz_file::{Document, Element};
 use lipz_file::{JsonString, Raw};
+
+/// Texts that are looked through one by one: for so few, a table costs more.
+const FEW_TEXTS: usize = 32;
 
 /// Elements of the format by role, with values of the right type.
 #[derive(Default)]
@@ -17,6 +21,8 @@ pub(super) struct Roles<'d> {
     pub(super) events: Option<&'d JsonString<'d>>,
     /// Texts in file order, no locale twice.
     pub(super) texts: Vec<TextElement<'d>>,
+    /// Where the text of each locale is among them, if they are many.
+    places: HashMap<u32, usize>,
 }
 
 /// A text element whose locale is known.
@@ -73,7 +79,7 @@ impl<'d> Roles<'d> {
         diagnostics: &mut Vec<Diagnostic>,
     ) {
         let (Some(locale), Some(string)) = (locale, types::string(element, diagnostics)) else { return };
-        if let Some(before) = self.texts.iter().find(|text| text.locale == locale) {
+        if let Some(before) = self.text_in(locale) {
             let tag = locales.tag(locale);
             diagnostics.push(
                 Diagnostic::at(
@@ -86,6 +92,20 @@ impl<'d> Roles<'d> {
             );
             return;
         }
+        if self.texts.len() >= FEW_TEXTS {
+            if self.places.is_empty() {
+                self.places = self.texts.iter().map(|text| text.locale).zip(0..).collect();
+            }
+            self.places.insert(locale, self.texts.len());
+        }
         self.texts.push(TextElement { locale, name: &element.name, string });
+    }
+
+    /// The text in this locale.
+    fn text_in(&self, locale: u32) -> Option<&TextElement<'d>> {
+        match self.places.is_empty() {
+            true => self.texts.iter().find(|text| text.locale == locale),
+            false => self.places.get(&locale).and_then(|&place| self.texts.get(place)),
+        }
     }
 }

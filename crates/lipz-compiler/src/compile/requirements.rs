@@ -1,10 +1,12 @@
 //! What a project asks of the texts of a bank as a whole.
 
 use crate::check::locales::in_no_list;
+use crate::fallback::script;
 use crate::{MinCoverage, Options, coverage, pseudo, shortfalls};
-use lipz_bank::Bank;
+use lipz_bank::{Bank, Clip, Locale};
 use lipz_diagnostics::{Code, Diagnostic, Report};
 use lipz_file::locale;
+use std::collections::BTreeMap;
 
 /// Whether as much is translated as the project asks for.
 pub(super) fn enough_texts(bank: &[u8], options: &Options) -> Result<(), Report> {
@@ -24,6 +26,63 @@ pub(super) fn locales_without_texts(bank: &[u8], options: &Options) -> Report {
     let mut diagnostics = packed.iter().filter(is_absent).map(|tag| without_texts(tag)).collect();
     options.levels.apply(&mut diagnostics);
     Report::all_about("", diagnostics)
+}
+
+/// A diagnostic for each locale of a bank whose missing texts another one of the same language has, but in another
+/// script, at the project's level. What the project names, it has decided.
+pub(super) fn scripts_not_crossed(bank: &[u8], options: &Options) -> Report {
+    let Ok(bank) = Bank::open(bank) else { return Report::default() };
+    let mut of_language: BTreeMap<&str, Vec<(Locale<'_>, Option<&str>)>> = BTreeMap::new();
+    for locale in bank.locales().filter(|locale| !pseudo::is_pseudo(locale.tag())) {
+        let (tag, script) = (locale.tag(), script(locale.tag()));
+        of_language.entry(locale::language(tag)).or_default().push((locale, script));
+    }
+    let mut diagnostics = Vec::new();
+    for locales in of_language.into_values() {
+        let mut scripts: Vec<_> = locales.iter().map(|(_, script)| *script).collect();
+        scripts.sort_unstable();
+        scripts.dedup();
+        if scripts.len() < 2 {
+            continue;
+        }
+        for &(locale, own) in &locales {
+            let others = || locales.iter().filter(|(_, script)| *script != own);
+            // The default locale is everybody's last resort.
+            if options.fallbacks.contains_key(locale.tag()) || others().any(|(other, _)| other.is_default()) {
+                continue;
+            }
+            let has_text = |clip: &Clip<'_, '_>, locale| {
+                let text = clip.segment(0).and_then(|segment| segment.text(locale));
+                text.is_some_and(|text| !text.is_fallback())
+            };
+            let is_lost = |clip: &Clip<'_, '_>| {
+                let nearer = locales.iter().filter(|(_, script)| *script == own);
+                !nearer.copied().any(|(nearer, _)| has_text(clip, nearer))
+                    && others().any(|(other, _)| has_text(clip, *other))
+            };
+            let count = bank.clips().filter(is_lost).count();
+            if count > 0 {
+                diagnostics.extend(others().next().map(|(other, _)| not_crossed(locale.tag(), other.tag(), count)));
+            }
+        }
+    }
+    options.levels.apply(&mut diagnostics);
+    Report::all_about("", diagnostics)
+}
+
+fn not_crossed(tag: &str, other: &str, count: usize) -> Diagnostic {
+    let name = |tag: &str| script(tag).unwrap_or("unknown").to_owned();
+    let message = format!(
+        "`{tag}` does not fall back to `{other}`, which is written in another script ({}, not {})",
+        name(other),
+        name(tag)
+    );
+    let clips = if count == 1 { "1 clip has" } else { &format!("{count} clips have") };
+    Diagnostic::new(Code::OtherScript, message)
+        .note(format!("{clips} texts of this language in another script only"))
+        .help(format!(
+            "translate them; or name what players of `{tag}` see instead, in lipz.toml: [fallbacks] {tag} = [\"{other}\"]"
+        ))
 }
 
 fn without_texts(tag: &str) -> Diagnostic {

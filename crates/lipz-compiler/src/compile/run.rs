@@ -97,12 +97,14 @@ impl Run {
         }
     }
 
-    /// Reports the locales that the project packs and the bank does not have.
+    /// Reports the locales that the project packs and the bank does not have, and those that do not fall back to
+    /// others of their language.
     ///
     /// # Errors
     /// If they are errors in the project.
     pub(crate) fn expect_locales(&mut self, bank: &[u8], options: &Options) -> Result<(), Report> {
-        let report = requirements::locales_without_texts(bank, options);
+        let mut report = requirements::locales_without_texts(bank, options);
+        report.diagnostics.extend(requirements::scripts_not_crossed(bank, options).diagnostics);
         if report.has_errors() {
             return Err(report);
         }

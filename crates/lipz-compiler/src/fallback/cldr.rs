@@ -27,6 +27,18 @@ pub(super) fn ancestors(tag: &str) -> Vec<String> {
     ancestors
 }
 
+/// The script in which texts of a locale are written, by its tag or by what CLDR knows of its language and region
+/// ("likely subtags"); `None` of unknown languages.
+pub(crate) fn script(tag: &str) -> Option<&str> {
+    let locale = LanguageTag::parse(tag)?;
+    let of_parent = || find(PARENTS, locale.language).and_then(script);
+    locale
+        .script
+        .or_else(|| implied_script(&locale))
+        .or_else(|| find(LANGUAGE_SCRIPTS, locale.language))
+        .or_else(of_parent)
+}
+
 /// The script that language and region imply; `None` of a language alone.
 fn implied_script<'t>(locale: &LanguageTag<'t>) -> Option<&'t str> {
     if locale.script.is_none() && locale.region.is_none() {
@@ -148,6 +160,41 @@ mod tests {
             steps.step();
         }
         ancestors
+    }
+
+    #[test]
+    fn scripts_of_locales() {
+        for (tag, expected) in [
+            ("zh-cn", "hans"),
+            ("zh-sg", "hans"),
+            ("zh", "hans"),
+            ("zh-tw", "hant"),
+            ("zh-hk", "hant"),
+            ("zh-mo", "hant"),
+            ("zh-hant-cn", "hant"),
+            ("sr-rs", "cyrl"),
+            ("sr-me", "latn"),
+            ("sr-latn", "latn"),
+            ("uz-uz", "latn"),
+            ("uz-af", "arab"),
+            ("uz-cyrl-uz", "cyrl"),
+            ("az-az", "latn"),
+            ("az-ir", "arab"),
+            ("pa-in", "guru"),
+            ("pa-pk", "arab"),
+            ("kk-kz", "cyrl"),
+            ("kk-cn", "arab"),
+            ("mn-mn", "cyrl"),
+            ("mn-cn", "mong"),
+            ("ha-ng", "latn"),
+            ("hi-in", "deva"),
+            ("hi-latn", "latn"),
+            ("ja-jp", "jpan"),
+            ("nb-no", "latn"),
+        ] {
+            assert_eq!(script(tag), Some(expected), "{tag}");
+        }
+        assert_eq!(script("qq-xx"), None);
     }
 
     /// Every language that the tables know, and some that they do not, with every script and region that they know.

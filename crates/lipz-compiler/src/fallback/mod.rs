@@ -1,7 +1,11 @@
 //! Which locales a locale falls back to.
 
 mod cldr;
+mod nearest;
 mod table;
+
+pub(crate) use cldr::script;
+pub(crate) use nearest::Fallbacks;
 
 use crate::{Options, pseudo};
 use cldr::ancestors;
@@ -11,20 +15,24 @@ use lipz_file::locale::language;
 ///
 /// If the project names them, those. Otherwise, as translations of Unicode's CLDR inherit: a text for
 /// Argentina is missed least if it is one for Latin America (`es-419`), then one for Spain; then come
-/// other locales of the same language (Traditional for Simplified Chinese), then the default locale.
+/// other locales of the same language in the same script, then the default locale.
 /// Among equals the default locale goes first, then the order of the tags.
+///
+/// [`Fallbacks`] has the same answers for many locales at once.
 pub(crate) fn chain<T: AsRef<str>>(tags: &[T], locale: usize, options: &Options) -> Vec<usize> {
     let place = |tag: &str| tags.iter().position(|known| known.as_ref() == tag);
     if let Some(named) = options.fallbacks.get(tags[locale].as_ref()) {
         return named.iter().filter_map(|tag| place(tag)).filter(|&other| other != locale).collect();
     }
     let default = options.default_locale.as_deref().and_then(place);
-    let wanted = ancestors(tags[locale].as_ref());
+    let own = tags[locale].as_ref();
+    let wanted = ancestors(own);
     let mut ranked: Vec<_> = (0..tags.len())
         .filter(|&other| other != locale && !pseudo::is_pseudo(tags[other].as_ref()))
+        .filter(|&other| script(tags[other].as_ref()) == script(own))
         .filter_map(|other| {
             let distance = distance(&wanted, &ancestors(tags[other].as_ref()));
-            let is_same_language = language(tags[other].as_ref()) == language(tags[locale].as_ref());
+            let is_same_language = language(tags[other].as_ref()) == language(own);
             let distance = distance.or(is_same_language.then_some((usize::MAX, 0)))?;
             Some((distance, Some(other) != default, other))
         })
@@ -66,9 +74,20 @@ mod tests {
     }
 
     #[test]
-    fn another_script_is_still_the_language() {
-        let chinese = ["en-us", "zh-cn", "zh-hk", "zh-tw"];
-        assert_eq!(chain_of("zh-hk", &chinese, &default("en-us")), ["zh-tw", "zh-cn", "en-us"]);
+    fn another_script_is_read_only_by_choice() {
+        let chinese = ["en-us", "zh-cn", "zh-hk", "zh-sg", "zh-tw"];
+        assert_eq!(chain_of("zh-hk", &chinese, &default("en-us")), ["zh-tw", "en-us"]);
+        assert_eq!(chain_of("zh-sg", &chinese, &default("en-us")), ["zh-cn", "en-us"]);
+        assert_eq!(chain_of("zh-tw", &chinese, &default("zh-cn")), ["zh-hk", "zh-cn"], "the default is a choice");
+        let named = default("en-us").fallback("zh-tw", ["zh-cn"]);
+        assert_eq!(chain_of("zh-tw", &chinese, &named), ["zh-cn"]);
+        let others = ["az-az", "az-ir", "pa-in", "pa-pk", "sr-me", "sr-rs", "uz-af", "uz-uz"];
+        for tag in others {
+            assert!(chain_of(tag, &others, &Options::default()).is_empty(), "{tag}");
+        }
+        let serbian = ["sr-cyrl-me", "sr-latn-rs", "sr-me", "sr-rs"];
+        assert_eq!(chain_of("sr-cyrl-me", &serbian, &Options::default()), ["sr-rs"]);
+        assert_eq!(chain_of("sr-latn-rs", &serbian, &Options::default()), ["sr-me"]);
     }
 
     #[test]

@@ -36,10 +36,12 @@ use std::path::PathBuf;
 #[derive(Clone, Debug, Default)]
 #[non_exhaustive]
 pub struct Settings {
-    /// Folders, files and glob patterns, as [`discover`] takes them.
+    /// Folders, files and glob patterns, as [`discover`](discover()) takes them.
     pub sources: Vec<PathBuf>,
     /// Keys are paths below this folder; `None` for below each source.
     pub root: Option<PathBuf>,
+    /// Read hidden files and folders, too: those whose names start with a dot.
+    pub hidden: bool,
     /// The bank to write.
     pub output: Option<PathBuf>,
     /// Write the texts of each locale into a text bank of its own.
@@ -58,10 +60,10 @@ impl Settings {
         Settings { sources, ..Settings::default() }
     }
 
-    /// The Lipz files of the sources with their keys, as [`discover`] finds them, and what it finds
+    /// The Lipz files of the sources with their keys, as [`discover`](discover()) finds them, and what it finds
     /// wrong, at the project's levels.
     pub fn discover(&self) -> (Vec<Input>, Vec<Report>) {
-        let (inputs, mut reports) = discover(&self.sources, self.root.as_deref());
+        let (inputs, mut reports) = discover::find(&self.sources, self.root.as_deref(), self.hidden);
         for report in &mut reports {
             self.options.levels.apply(&mut report.diagnostics);
         }

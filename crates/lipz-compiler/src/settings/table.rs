@@ -127,6 +127,14 @@ const GENERAL: &[Setting] = &[
         read: |value, to| to.settings.root = value.text(&mut to.diagnostics).map(|path| inside(to.folder, path)),
     },
     Setting {
+        name: "hidden",
+        flat_name: "hidden",
+        about: "Read hidden files and folders, too: those whose names start with a dot.",
+        default: "false",
+        example: "false",
+        read: |value, to| to.settings.hidden = value.boolean(&mut to.diagnostics).unwrap_or_default(),
+    },
+    Setting {
         name: "output",
         flat_name: "output",
         about: "The bank that is written.",
@@ -232,7 +240,7 @@ const GENERAL: &[Setting] = &[
 const FALLBACKS: Map = Map {
     name: "LOCALE",
     flat_name: "fallback",
-    default: "locales of the same language, then the default locale",
+    default: "locales of the same language and script, then the default locale",
     examples: &["de-at = [\"de-de\", \"en-us\"]", "es-mx = [\"es-es\"]"],
     read: |name, value, to| to.fallback(name, value),
 };

@@ -56,6 +56,7 @@ codes! {
     LowCoverage "LZ0513" "low-coverage" Error "too few clips have a text in a locale"
     LocaleWithoutTexts "LZ0514" "locale-without-texts" Warning "no clip has a text in a locale to be packed"
     BlankSegment "LZ0515" "blank-segment" Warning "a segment shows nothing where the default locale has a text"
+    OtherScript "LZ0516" "other-script" Warning "a locale does not fall back to another script"
 
     "Segments"
     SegmentCount "LZ0601" "segment-count" Error "elements have different numbers of segments"

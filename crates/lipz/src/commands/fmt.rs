@@ -34,6 +34,11 @@ pub(crate) struct Fmt {
     #[command(flatten)]
     file: SettingsFile,
 
+    /// Read hidden files and folders, too: those whose names start with a dot
+    #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true",
+          help_heading = PROJECT)]
+    hidden: Option<bool>,
+
     /// List the files that would change, and write nothing; exit code 1 if there are any
     #[arg(long)]
     check: bool,
@@ -63,6 +68,7 @@ impl Run for Fmt {
     fn run(&self, reporter: &mut Reporter) -> Ended {
         let Project { mut settings, .. } = self.file.project(&self.sources, reporter)?;
         settings.options.threads = self.threads.map(usize::from);
+        settings.hidden = self.hidden.unwrap_or(settings.hidden);
         let default_locale = self.default_locale.as_deref().or(settings.options.default_locale.as_deref());
         if reads_standard_input(&settings.sources, reporter)? {
             return standard_input(self, default_locale, reporter);

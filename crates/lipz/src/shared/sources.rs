@@ -22,6 +22,11 @@ pub(crate) struct Sources {
     #[arg(long, value_name = "FOLDER", help_heading = PROJECT)]
     root: Option<PathBuf>,
 
+    /// Read hidden files and folders, too: those whose names start with a dot
+    #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true",
+          help_heading = PROJECT)]
+    hidden: Option<bool>,
+
     #[command(flatten)]
     arguments: ProjectArguments,
 }
@@ -56,6 +61,7 @@ impl Sources {
         if self.root.is_some() {
             project.settings.root.clone_from(&self.root);
         }
+        project.settings.hidden = self.hidden.unwrap_or(project.settings.hidden);
         Ok(project)
     }
 

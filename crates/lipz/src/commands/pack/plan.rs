@@ -110,7 +110,7 @@ impl Plan {
     /// Writes what the bank depends on, if that was asked for. Reports why that is not possible.
     fn write_depfile(&self, inputs: &[Input], replace: Replace, reporter: &mut Reporter) -> Result<(), Abort> {
         let Some(path) = &self.depfile else { return Ok(()) };
-        let mut dependencies = dependencies(&self.project.settings.sources, inputs);
+        let mut dependencies = dependencies(&self.project.settings, inputs).map_err(|report| reporter.fail(report))?;
         dependencies.extend(lipz_sync::dependencies(&self.project.settings.audio));
         dependencies.sort_unstable();
         dependencies.dedup();

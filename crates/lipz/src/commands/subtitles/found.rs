@@ -10,7 +10,7 @@ use lipz_file::locale::{canonical_tag, language, unknown_parts};
 use lipz_interop::subtitles::SubtitleFormat;
 use std::io;
 use std::path::{Path, PathBuf};
-use walkdir::WalkDir;
+use walkdir::{DirEntry, WalkDir};
 
 /// A subtitle file.
 pub(super) struct Found {
@@ -31,7 +31,9 @@ pub(super) fn find(
     let mut found = Vec::new();
     for place in named {
         let (files_before, reports_before) = (found.len(), reports.len());
-        for entry in WalkDir::new(place).sort_by_file_name() {
+        // What is hidden is no subtitle file: copies of macOS start with `._`.
+        let is_hidden = |entry: &DirEntry| entry.depth() > 0 && entry.file_name().as_encoded_bytes().starts_with(b".");
+        for entry in WalkDir::new(place).sort_by_file_name().into_iter().filter_entry(|entry| !is_hidden(entry)) {
             match entry {
                 Ok(entry) if entry.file_type().is_dir() => {}
                 Ok(entry) => match format(entry.path()) {
