@@ -15,6 +15,7 @@ mod paths;
 mod size;
 mod speech_dictionary;
 mod speech_model;
+mod speech_numbers;
 mod targets;
 mod toolchain;
 mod tools;
@@ -66,6 +67,8 @@ enum Task {
     Bless(bless::Settings),
     /// Make the English words and letter-to-sound rules of lipz-speech of a dictionary
     SpeechDictionary(speech_dictionary::Settings),
+    /// Make the rules for numbers in words of lipz-speech from those of CLDR
+    SpeechNumbers,
     /// Look for inputs on which something does not hold that must hold for any bytes
     Fuzz(fuzz::Settings),
 }
@@ -94,6 +97,7 @@ fn main() -> ExitCode {
         Task::Targets(settings) => targets::run(&settings),
         Task::Windows => windows::run(),
         Task::Size => size::run(),
+        Task::SpeechNumbers => speech_numbers::run(),
         Task::SpeechDictionary(settings) => speech_dictionary::run(&settings),
         Task::Packages => packages::run(),
         Task::Msrv => msrv::run(),

@@ -1,5 +1,7 @@
 //! Texts become words with pronunciations: as people write them, and whatever they contain.
 
+#![allow(clippy::expect_used)]
+
 use lipz_speech::{Language, Lexicon, Origin, ProblemKind, Pronouncer, Script};
 use proptest::prelude::*;
 
@@ -193,6 +195,23 @@ fn japanese_is_divided_where_the_writing_changes() {
     let reading = Pronouncer::new(Language::from_locale("ja").expect("a locale")).read("彼は鬱蒼と");
     let problems: Vec<_> = reading.problems.iter().map(|problem| (problem.kind, problem.range.clone())).collect();
     assert_eq!(problems, [(ProblemKind::NoReading, 6..12)]);
+}
+
+#[test]
+fn numbers_are_said_in_the_language_of_the_text() {
+    assert_eq!(
+        first_lines("en", "$5, R2D2, II!"),
+        ["$5  F AY V D AA L ER Z", "R2D2  AA R T UW D IY T UW", "II  T UW",]
+    );
+    assert_eq!(first_lines("de", "21 Jahre"), ["21  AY N UH N D T S V AA N T S IH HH", "Jahre  Y AA R AH"]);
+    assert_eq!(first_lines("ja", "3年"), ["3  S AA N", "年  T AO SH IY"]);
+    assert_eq!(first_lines("zh", "10"), ["10  SH IH"]);
+    assert_eq!(first_lines("zh", "305"), ["305  S AA N B AY L IY NG W UW"]);
+    assert_eq!(first_lines("ko", "10"), ["10  SH IH P"]);
+    assert_eq!(first_lines("sv", "2"), ["2  T V AO"]);
+    let text = "In 1984, {x}1,0{y}00";
+    let ranges: Vec<_> = english(text).words.iter().map(|word| &text[word.range.clone()]).collect();
+    assert_eq!(ranges, ["In", "1984", "1,0{y}00"]);
 }
 
 #[test]

@@ -160,9 +160,9 @@ mod tests {
 
     #[test]
     fn every_reading_is_a_syllable() {
-        let readings = ('\u{4e00}'..='\u{9fff}').filter_map(|c| c.to_pinyin_multi()).flat_map(|all| all.into_iter());
+        let readings = ('\u{4e00}'..='\u{9fff}').filter_map(|c| c.to_pinyin_multi()).flatten();
         let mut strange: Vec<&str> =
-            readings.map(|reading| reading.plain()).filter(|plain| syllable(plain).is_none()).collect();
+            readings.map(pinyin::Pinyin::plain).filter(|plain| syllable(plain).is_none()).collect();
         strange.sort_unstable();
         strange.dedup();
         assert_eq!(strange, Vec::<&str>::new());

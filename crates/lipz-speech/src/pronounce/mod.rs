@@ -14,7 +14,7 @@ mod word;
 
 pub use lexicon::Lexicon;
 
-use crate::text::{Context, Item, Kind, Spelling, Token, items};
+use crate::text::{Context, Item, Kind, Spelling, Token, items, numbers};
 use crate::{Language, Origin, Problem, ProblemKind, Pronunciation, Script, Word};
 use std::collections::HashMap;
 
@@ -153,7 +153,7 @@ impl Pronouncer {
         Owned {
             japanese: self.language.code() == "ja",
             known: Box::new(|word| !self.lexicon.find(word).is_empty() || word::knows(self.language, word)),
-            spelled: Box::new(|_, _| None),
+            spelled: Box::new(|text, at| numbers::spelled(self.language.code(), text, at)),
         }
     }
 }

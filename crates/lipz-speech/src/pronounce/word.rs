@@ -1,7 +1,7 @@
 //! One word: its parts by their writing, each read by the language that can.
 
 use super::{english, hangul, kana, latin, mandarin, rules, variants};
-use crate::text::{Writing, writing};
+use crate::text::{Writing, numbers, writing};
 use crate::{Language, Origin, Phone, Pronunciation, Reliance};
 use any_ascii::any_ascii;
 
@@ -54,7 +54,7 @@ fn part_of(language: Language, writing: Writing, part: &str) -> Vec<Pronunciatio
         |code: &str, part: &str, origin| rules::table(code).map_or(Vec::new(), |table| table.pronounce(part, origin));
     let own = language.code();
     match (writing, language.reliance()) {
-        (Writing::Digit, _) => digits(part),
+        (Writing::Digit, _) => digits(language, part),
         (Writing::Latin, Reliance::Rules) if own != "ru" => by_rules(own, part, Origin::Rules),
         (Writing::Latin, Reliance::Letters) => by_rules("und", part, Origin::Letters),
         // English words in other scripts are English.
@@ -72,12 +72,18 @@ fn part_of(language: Language, writing: Writing, part: &str) -> Vec<Pronunciatio
     }
 }
 
-/// Digits one by one, as in `R2D2`.
-fn digits(part: &str) -> Vec<Pronunciation> {
-    const DIGITS: [&str; 10] = ["zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine"];
-    let values = part.chars().filter_map(|c| c.to_digit(10)).filter_map(|digit| DIGITS.get(digit as usize));
-    let ways: Vec<Vec<Vec<Phone>>> = values.map(|digit| english::words::find(digit)).collect();
-    variants::sequence(&ways).into_iter().map(|phones| Pronunciation { phones, origin: Origin::Dictionary }).collect()
+/// Digits inside of a word, as in `R2D2`.
+fn digits(language: Language, part: &str) -> Vec<Pronunciation> {
+    let mut all = Vec::new();
+    for reading in numbers::row(language.code(), part) {
+        let words = reading.split([' ', '-', '\u{ad}']).filter(|word| !word.is_empty());
+        let ways = |word| pronounce(language, word).into_iter().map(|way| way.phones).collect();
+        let ways: Vec<Vec<Vec<Phone>>> = words.map(ways).collect();
+        for phones in variants::sequence(&ways) {
+            variants::add(&mut all, phones);
+        }
+    }
+    all.into_iter().map(|phones| Pronunciation { phones, origin: Origin::Rules }).collect()
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 mod apostrophe;
 mod display;
+pub(crate) mod numbers;
 mod runs;
 mod say;
 mod tokens;

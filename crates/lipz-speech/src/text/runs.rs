@@ -60,6 +60,11 @@ pub(crate) fn writing(c: char) -> Writing {
 }
 
 impl Writing {
+    /// Whether what is written so may follow a number without a blank and is a word of its own: `3年`.
+    pub(super) fn stands_alone(self) -> bool {
+        !matches!(self, Writing::Latin | Writing::Cyrillic | Writing::Other)
+    }
+
     /// Whether neighbours without anything between them are one word, although Unicode divides them. Chinese
     /// characters are, in Japanese only: elsewhere each of them is a syllable with a reading of its own.
     pub(super) fn joins(self, japanese: bool) -> bool {

@@ -1,0 +1,295 @@
+//! Numbers and signs of a text in words: cardinals, ordinals, years, decimals, money, percent, times of day.
+
+mod plural;
+mod roman;
+mod rules;
+mod signs;
+
+use super::Spelling;
+use rules::{LARGEST, Rules, Use};
+
+/// Blanks that group digits.
+const GROUPING: [char; 5] = [' ', '\u{a0}', '\u{2009}', '\u{202f}', '’'];
+/// Signs of money.
+const MONEY: [char; 6] = ['€', '$', '£', '¥', '₽', '₺'];
+/// The earliest and the latest number that may be a year.
+const YEARS: std::ops::RangeInclusive<u64> = 1_100..=2_099;
+/// More digits are said one by one.
+const MOST_DIGITS: usize = 15;
+
+/// A number as it stands in a text.
+#[derive(Default, Debug)]
+struct Found {
+    /// The digits before the decimal mark, and after it.
+    whole: String,
+    decimals: String,
+    grouped: bool,
+    /// Where it ends.
+    end: usize,
+}
+
+/// The number or the sign that begins at `at` of a text, with all ways to say it.
+pub(crate) fn spelled(code: &str, text: &str, at: usize) -> Option<Spelling> {
+    let rest = text.get(at..)?;
+    let before = text.get(..at)?.chars().next_back();
+    let first = rest.chars().next()?;
+    let spelling =
+        |end: usize, readings: Vec<String>| (!readings.is_empty()).then_some(Spelling { length: end, readings });
+    if matches!(first, 'I' | 'V' | 'X') {
+        let (length, value) = roman::read(rest)?;
+        return spelling(length, roman_readings(code, value, rest.get(..length)?));
+    }
+    let rules = rules::of(code)?;
+    // `-5` and `$5`, but not `4-5`.
+    let mut start = 0;
+    let mut minus = false;
+    if matches!(first, '-' | '−') && before.is_none_or(|c| c.is_whitespace() || c == '(') {
+        minus = true;
+        start = first.len_utf8();
+    }
+    let money = rest.get(start..)?.chars().next().filter(|c| MONEY.contains(c));
+    start += money.map_or(0, char::len_utf8);
+    if let Some(found) = number(code, rest, start) {
+        // A word such as `3D` is none.
+        let (end, mut readings) = readings(code, rules, rest, &found, money)?;
+        if minus {
+            readings.iter_mut().for_each(|reading| *reading = format!("{} {reading}", rules.minus()));
+        }
+        return spelling(end, readings);
+    }
+    let is_sign = matches!(first, '&' | '+' | '=' | '@' | '%' | '§') && start == 0;
+    let word = signs::word(code, first, false).filter(|_| is_sign)?;
+    spelling(first.len_utf8(), vec![word.to_owned()])
+}
+
+/// A row of digits in words: as a number if it is short, else digit by digit.
+pub(crate) fn row(code: &str, digits: &str) -> Vec<String> {
+    let Some(rules) = rules::of(code) else { return Vec::new() };
+    let digits: String = any_ascii::any_ascii(digits).chars().filter(char::is_ascii_digit).collect();
+    let whole = (digits.len() <= 4).then(|| cardinal(rules, &digits)).flatten();
+    whole.or_else(|| one_by_one(rules, &digits)).into_iter().collect()
+}
+
+/// A digit of any script.
+fn digit(c: char) -> Option<char> {
+    if c.is_ascii_digit() {
+        return Some(c);
+    }
+    let plain = any_ascii::any_ascii_char(c);
+    plain.chars().next().filter(|digit| c.is_numeric() && plain.len() == 1 && digit.is_ascii_digit())
+}
+
+/// The digits at `start`, with what groups them and with decimals.
+fn number(code: &str, text: &str, start: usize) -> Option<Found> {
+    let (group, decimal) = if signs::has_decimal_point(code) { (',', '.') } else { ('.', ',') };
+    let mut found = Found { end: start, ..Found::default() };
+    let digits = |from: usize| -> (String, usize) {
+        let rest = text.get(from..).unwrap_or_default();
+        let digits: Vec<(char, usize)> = rest.chars().map_while(|c| Some((digit(c)?, c.len_utf8()))).collect();
+        (digits.iter().map(|(digit, _)| digit).collect(), digits.iter().map(|(_, length)| length).sum())
+    };
+    let (whole, length) = digits(start);
+    if whole.is_empty() {
+        return None;
+    }
+    found.whole = whole;
+    found.end += length;
+    // Groups of three, all with the same mark.
+    let mut mark = None;
+    while found.whole.len() <= MOST_DIGITS && (found.grouped || found.whole.len() <= 3) {
+        let Some(next) = text.get(found.end..).and_then(|rest| rest.chars().next()) else { break };
+        let groups = mark
+            .map_or(next == group || GROUPING.contains(&next) && (next != ' ' || group == '.'), |mark| mark == next);
+        let (three, length) = digits(found.end + next.len_utf8());
+        if !groups || three.len() != 3 || found.whole.starts_with('0') {
+            break;
+        }
+        (mark, found.grouped) = (Some(next), true);
+        found.whole.push_str(&three);
+        found.end += next.len_utf8() + length;
+    }
+    let next = text.get(found.end..).and_then(|rest| rest.chars().next());
+    if next.is_some_and(|c| c == decimal || c == group && !found.grouped) {
+        let (decimals, length) = digits(found.end + 1);
+        if !decimals.is_empty() {
+            found.decimals = decimals;
+            found.end += 1 + length;
+        }
+    }
+    Some(found)
+}
+
+/// All ways to say a number with what is beside it, and where that ends; none if it is part of a word.
+fn readings(code: &str, rules: &Rules, text: &str, found: &Found, money: Option<char>) -> Option<(usize, Vec<String>)> {
+    let rest = text.get(found.end..)?;
+    if found.decimals.is_empty() && !found.grouped && money.is_none() {
+        if let Some((length, reading)) = time(code, rules, &found.whole, rest) {
+            return Some((found.end + length, vec![reading]));
+        }
+        if let Some((length, readings)) = with_suffix(code, rules, &found.whole, rest) {
+            return Some((found.end + length, readings));
+        }
+    }
+    if rest.starts_with(char::is_alphabetic) && !rest.starts_with(|c: char| super::writing(c).stands_alone()) {
+        return None;
+    }
+    let mut all = plain(rules, found);
+    let one = found.whole == "1" && found.decimals.is_empty();
+    // Behind the number, maybe after a blank: percent, degrees, money.
+    let blank = rest.chars().next().filter(|c| GROUPING[..4].contains(c)).map_or(0, char::len_utf8);
+    let behind = rest.get(blank..).and_then(|rest| rest.chars().next());
+    let sign = behind.filter(|c| matches!(c, '%' | '°') || MONEY.contains(c) && money.is_none());
+    let word = money.or(sign).and_then(|sign| signs::word(code, sign, one));
+    let end = found.end + if money.is_none() && word.is_some() { blank + sign.map_or(0, char::len_utf8) } else { 0 };
+    if let Some(word) = word {
+        // Chinese and Turkish have percent before the number.
+        let leads = sign == Some('%') && matches!(code, "zh" | "tr");
+        let with = |number: &String| if leads { format!("{word} {number}") } else { format!("{number} {word}") };
+        all = all.iter().map(with).collect();
+        if let (Some(cents), true) = (cents(rules, found), sign != Some('%') && sign != Some('°')) {
+            let whole = cardinal(rules, &found.whole)?;
+            let word = signs::word(code, money.or(sign)?, found.whole == "1")?;
+            all.insert(0, format!("{whole} {word} {cents}"));
+        }
+    } else if found.decimals.is_empty() && !found.grouped && rest.starts_with('.') && orders_by_point(code) {
+        // `3. Mai`: an ordinal, unless a sentence ends there.
+        let next = rest.get(1..)?.trim_start().chars().next();
+        if let (Some(ordinal), Some(next)) = (spell(rules, &found.whole, Use::Ordinal), next) {
+            let first = if next.is_lowercase() { 0 } else { all.len() };
+            all.insert(first, ordinal);
+        }
+    }
+    Some((end, all))
+}
+
+/// A number without anything beside it.
+fn plain(rules: &Rules, found: &Found) -> Vec<String> {
+    let digits = || one_by_one(rules, &found.whole);
+    let Some(whole) = cardinal(rules, &found.whole) else { return digits().into_iter().collect() };
+    if !found.decimals.is_empty() {
+        let point = rules.point();
+        let with = |decimals: String| format!("{whole} {point} {decimals}");
+        let single = one_by_one(rules, &found.decimals).map(with);
+        let together = (found.decimals.len() > 1 && !found.decimals.starts_with('0'))
+            .then(|| cardinal(rules, &found.decimals).map(with))
+            .flatten();
+        return single.into_iter().chain(together).collect();
+    }
+    let mut all = vec![whole];
+    let value: Option<u64> = found.whole.parse().ok();
+    let is_year = value.is_some_and(|value| YEARS.contains(&value)) && !found.grouped && found.whole.len() == 4;
+    let year = is_year.then(|| spell(rules, &found.whole, Use::Year)).flatten().filter(|year| !all.contains(year));
+    if let Some(year) = year {
+        all.insert(0, year);
+    }
+    if (3..=4).contains(&found.whole.len()) && !found.grouped {
+        all.extend(digits());
+    }
+    all
+}
+
+/// `10:30`, with hours and minutes that a clock has.
+fn time(code: &str, rules: &Rules, hours: &str, rest: &str) -> Option<(usize, String)> {
+    let minutes = rest.strip_prefix(':')?.get(..2)?;
+    let more = rest.get(3..)?.starts_with(|c: char| c.is_alphanumeric());
+    let fits = |text: &str, most: u64| text.len() <= 2 && text.parse::<u64>().is_ok_and(|value| value <= most);
+    if more || !fits(hours, 24) || !minutes.bytes().all(|byte| byte.is_ascii_digit()) || !fits(minutes, 59) {
+        return None;
+    }
+    let hour = cardinal(rules, hours.trim_start_matches('0')).or_else(|| cardinal(rules, "0"))?;
+    let between = signs::word(code, ':', false).unwrap_or_default();
+    let minute = match minutes {
+        "00" if code == "en" => "o'clock".to_owned(),
+        "00" => String::new(),
+        minutes if code == "en" && minutes.starts_with('0') => format!("oh {}", cardinal(rules, &minutes[1..])?),
+        minutes => cardinal(rules, minutes.trim_start_matches('0'))?,
+    };
+    let between = if minute.is_empty() && matches!(code, "es" | "it" | "pt") { "" } else { between };
+    let parts = [hour.as_str(), between, minute.as_str()];
+    Some((3, parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" ")))
+}
+
+/// `3rd`, `2e`, `1º`, and in English `1980s`.
+fn with_suffix(code: &str, rules: &Rules, digits: &str, rest: &str) -> Option<(usize, Vec<String>)> {
+    let letters = rest.find(|c: char| !c.is_alphabetic() && c != '°').unwrap_or(rest.len());
+    let suffix = rest.get(..letters).filter(|suffix| !suffix.is_empty())?;
+    let ordinals: &[&str] = match code {
+        "en" => &["st", "nd", "rd", "th"],
+        "fr" => &["er", "re", "ère", "e", "ème", "nd", "nde"],
+        "nl" => &["e", "de", "ste"],
+        "ca" => &["r", "n", "t", "è", "a"],
+        "es" | "it" | "pt" => &["º", "ª", "°", "o", "a"],
+        "sv" => &["a", "e"],
+        _ => &[],
+    };
+    if ordinals.contains(&suffix.to_lowercase().as_str()) {
+        return Some((letters, vec![spell(rules, digits, Use::Ordinal)?]));
+    }
+    if code == "en" && suffix == "s" && digits.ends_with('0') && digits.len() > 1 {
+        let how = if digits.len() == 4 { Use::Year } else { Use::Cardinal };
+        let words = spell(rules, digits, how)?;
+        let plural = words.strip_suffix('y').map_or_else(|| format!("{words}s"), |words| format!("{words}ies"));
+        return Some((letters, vec![plural]));
+    }
+    None
+}
+
+/// Whether ordinals are written with a point.
+fn orders_by_point(code: &str) -> bool {
+    matches!(
+        code,
+        "de" | "cs"
+            | "pl"
+            | "fi"
+            | "tr"
+            | "da"
+            | "nb"
+            | "no"
+            | "nn"
+            | "sk"
+            | "hr"
+            | "sr"
+            | "bs"
+            | "sl"
+            | "hu"
+            | "et"
+            | "lv"
+            | "is"
+    )
+}
+
+/// The decimals of an amount of money, if they are cents.
+fn cents(rules: &Rules, found: &Found) -> Option<String> {
+    let cents = found.decimals.trim_start_matches('0');
+    (found.decimals.len() == 2 && !cents.is_empty()).then(|| cardinal(rules, cents)).flatten()
+}
+
+fn roman_readings(code: &str, value: u64, written: &str) -> Vec<String> {
+    let Some(rules) = rules::of(code) else { return Vec::new() };
+    let digits = value.to_string();
+    let ordinal = spell(rules, &digits, Use::Ordinal);
+    let the = ordinal.clone().filter(|_| code == "en").map(|ordinal| format!("the {ordinal}"));
+    let mut all: Vec<String> = cardinal(rules, &digits).into_iter().chain(the).chain(ordinal).collect();
+    all.push(written.to_lowercase());
+    all
+}
+
+fn spell(rules: &Rules, digits: &str, how: Use) -> Option<String> {
+    let value: u64 = digits.parse().ok().filter(|value| *value <= LARGEST)?;
+    rules.spell(value, how)
+}
+
+/// A number; with leading zeros, it is said digit by digit.
+fn cardinal(rules: &Rules, digits: &str) -> Option<String> {
+    let plain = digits.len() == 1 || !digits.starts_with('0');
+    plain.then(|| spell(rules, digits, Use::Cardinal)).flatten()
+}
+
+fn one_by_one(rules: &Rules, digits: &str) -> Option<String> {
+    let words: Option<Vec<String>> =
+        digits.chars().map(|digit| spell(rules, digit.encode_utf8(&mut [0; 4]), Use::Cardinal)).collect();
+    words.map(|words| words.join(" ")).filter(|words| !words.is_empty())
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,98 @@
+//! Numbers in words for lipz-speech: of CLDR's rules (RBNF), those that years, numbers and ordinals need.
+
+use crate::Failure;
+use crate::paths::{temporary_folder, workspace_root};
+use crate::tools::succeed;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+use std::process::Command;
+
+/// The package that has the rules.
+const PACKAGE: &str = "cldr-rbnf@48.2.0";
+
+/// Makes `data/numbers/rules.txt` of lipz-speech. The same package makes the same bytes.
+pub(crate) fn run() -> Result<(), Failure> {
+    let folder = temporary_folder()?;
+    let folder = folder.path();
+    let mut npm = Command::new("npm");
+    succeed(npm.args(["pack", "--silent", "--pack-destination"]).arg(folder).arg(PACKAGE), "npm pack")?;
+    let list = |folder: &Path| std::fs::read_dir(folder).map_err(|error| format!("`{}`: {error}", folder.display()));
+    let archive =
+        list(folder)?.flatten().map(|entry| entry.path()).find(|path| path.extension().is_some_and(|e| e == "tgz"));
+    let archive = archive.ok_or("npm fetched no package")?;
+    succeed(Command::new("tar").arg("-xzf").arg(archive).arg("-C").arg(folder), "tar")?;
+    let package = folder.join("package");
+    let read = |path: &Path| std::fs::read_to_string(path).map_err(|error| format!("`{}`: {error}", path.display()));
+
+    let mut languages = BTreeMap::new();
+    for entry in list(&package.join("rbnf"))?.flatten() {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        // Languages, not what their regions do otherwise.
+        let Some(code) = name.strip_suffix("-SpelloutRules.txt").filter(|code| matches!(code.len(), 2 | 3)) else {
+            continue;
+        };
+        if let Some(rules) = needed(&read(&entry.path())?) {
+            languages.insert(code.to_owned(), rules);
+        }
+    }
+    let mut text = format!("# Made of {PACKAGE} by `cargo xtask speech-numbers`. LICENSE-UNICODE is its licence.\n");
+    for (code, rules) in &languages {
+        text.push_str(&format!("@{code}\n{rules}"));
+    }
+    let target = workspace_root().join("crates/lipz-speech/data/numbers");
+    let write = |name: &str, text: &str| {
+        println!("{name}: {} bytes, {} languages", text.len(), languages.len());
+        std::fs::write(target.join(name), text).map_err(|error| format!("`{name}` cannot be written: {error}"))
+    };
+    write("rules.txt", &text)?;
+    write("LICENSE-UNICODE", &read(&package.join("LICENSE"))?)
+}
+
+/// The rule sets of a language that are needed, in their order; none if it has none for numbers.
+fn needed(text: &str) -> Option<String> {
+    let mut sets: Vec<(&str, Vec<&str>)> = Vec::new();
+    for line in text.lines() {
+        match (line.strip_suffix(':').filter(|name| name.starts_with('%')), sets.last_mut()) {
+            (Some(name), _) => sets.push((name, Vec::new())),
+            (None, Some((_, rules))) => rules.push(line),
+            (None, None) => {}
+        }
+    }
+    let has = |name: &str| sets.iter().any(|(set, _)| *set == name);
+    let ordinals = ["%spellout-ordinal", "%spellout-ordinal-masculine", "%spellout-ordinal-sinokorean"];
+    let first_ordinal = || sets.iter().map(|(set, _)| *set).find(|set| set.starts_with("%spellout-ordinal"));
+    let ordinal = ordinals.into_iter().find(|name| has(name)).or_else(first_ordinal);
+    let mut open: Vec<&str> =
+        ["%spellout-numbering-year", "%spellout-numbering"].into_iter().filter(|name| has(name)).collect();
+    if !has("%spellout-numbering") {
+        return None;
+    }
+    open.extend(ordinal);
+    let mut reached = BTreeSet::new();
+    while let Some(name) = open.pop() {
+        if !reached.insert(name) {
+            continue;
+        }
+        let rules = sets.iter().filter(|(set, _)| *set == name).flat_map(|(_, rules)| rules);
+        for rule in rules {
+            // A rule set is named between two of `<`, `>` or `=`.
+            let names = rule.split(['<', '>', '=', ';']).filter(|part| part.starts_with('%'));
+            open.extend(names);
+        }
+    }
+    let mut kept = String::new();
+    for (name, rules) in sets.iter().filter(|(name, _)| reached.contains(name)) {
+        let name = if Some(*name) == ordinal { "%ordinal" } else { name };
+        kept.push_str(&format!("{name}:\n"));
+        for rule in rules.iter().filter(|rule| !rule.starts_with("Inf") && !rule.starts_with("NaN")) {
+            let rule = ordinal.map_or((*rule).to_owned(), |ordinal| {
+                ["<", ">", "="].iter().fold((*rule).to_owned(), |rule, mark| {
+                    rule.replace(&format!("{mark}{ordinal}{mark}"), &format!("{mark}%ordinal{mark}"))
+                })
+            });
+            kept.push_str(&rule);
+            kept.push('\n');
+        }
+    }
+    Some(kept)
+}
