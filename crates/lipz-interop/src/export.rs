@@ -1,11 +1,12 @@
 //! From a Lipz document to a track in the symbols of another tool, and to its file.
 
-use crate::import::REST;
-use crate::{Format, Map, Shape, Time, Timed, Track, map};
+use crate::import::{REST, element};
+use crate::{Format, Map, Shape, Text, Time, Timed, Track, map};
 use lipz_diagnostics::{Code, Diagnostic};
+use lipz_file::locale::{TextName, text_name};
 use lipz_file::rate::Rate;
 use lipz_file::text::{DELIMITER, is_white_space};
-use lipz_file::{Document, Value};
+use lipz_file::{Document, Element, Value};
 use lipz_types::VisemeType;
 
 /// What a project and a person decide about an export.
@@ -90,7 +91,7 @@ pub fn export(format: &Format, document: &Document<'_>, options: &ExportOptions<
     let diagnostics = &mut exported.diagnostics;
     let Some(write) = format.write else { return exported };
     let Some((track, map)) = track(format, document, options, diagnostics) else { return exported };
-    exported.left_out = left_out(document);
+    exported.left_out = left_out(document, format.keeps_texts);
     exported.map = map.label();
     exported.bytes = Some(write(&track, &mut exported.diagnostics));
     exported
@@ -146,10 +147,25 @@ fn track<'m>(
     let end = Some(Time::of_frame(codes.len() as u64, rate));
     let (name, phrases) = (options.name.map(str::to_owned), segments(visemes, rate));
     let rest = map.symbol(REST).map(str::to_owned);
-    Some((
-        Track { name, shapes, end, rate: Some(rate), first_frame: options.dat_base, rest, phrases, ..Track::default() },
-        map,
-    ))
+    let (texts, elements) = if format.keeps_texts { divided(document) } else { Default::default() };
+    let first_frame = options.dat_base;
+    let track =
+        Track { name, shapes, end, rate: Some(rate), first_frame, rest, phrases, texts, elements, ..Track::default() };
+    Some((Track { map: map::find(&map.name).map(|map| map.name.as_str()), ..track }, map))
+}
+
+/// The texts and the events of a document.
+fn divided(document: &Document<'_>) -> (Vec<Text>, Vec<Element<'static>>) {
+    let (mut texts, mut elements) = (Vec::new(), Vec::new());
+    for Element { name, value } in &document.elements {
+        let Value::String(string) = value else { continue };
+        if let Some(TextName::Canonical(locale)) = text_name(&name.text) {
+            texts.push(Text { locale: Some(locale), text: string.text.to_string() });
+        } else if name.text == "events" {
+            elements.push(element(&name.text, string.text.to_string()));
+        }
+    }
+    (texts, elements)
 }
 
 /// Where the segments start. What is said in them has no place in formats of shapes.
@@ -213,9 +229,9 @@ fn report_merged(codes: &[u8], map: &Map, diagnostics: &mut Vec<Diagnostic>) {
 }
 
 /// What of the document no format of mouth shapes has a place for.
-fn left_out(document: &Document<'_>) -> Vec<&'static str> {
+fn left_out(document: &Document<'_>, keeps_texts: bool) -> Vec<&'static str> {
     let has = |is: &dyn Fn(&str) -> bool| document.elements.iter().any(|element| is(&element.name.text));
-    let is_text = |name: &str| lipz_file::locale::text_name(name).is_some();
+    let is_text = |name: &str| text_name(name).is_some();
     let is_known = |name: &str| matches!(name, "visemes" | "viseme_type" | "fps" | "events") || is_text(name);
     let parts: [(&'static str, bool); 4] = [
         ("segments", document.string("visemes").is_some_and(|visemes| visemes.contains(DELIMITER))),
@@ -223,5 +239,6 @@ fn left_out(document: &Document<'_>) -> Vec<&'static str> {
         ("events", document.get("events").is_some()),
         ("unknown elements", has(&|name| !is_known(name))),
     ];
-    parts.into_iter().filter(|(_, is_there)| *is_there).map(|(what, _)| what).collect()
+    let parts = parts.into_iter().skip(if keeps_texts { 3 } else { 0 });
+    parts.filter(|(_, is_there)| *is_there).map(|(what, _)| what).collect()
 }

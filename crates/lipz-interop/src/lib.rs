@@ -30,6 +30,7 @@ pub mod second_life;
 mod segments;
 mod source;
 pub mod subtitles;
+pub mod textgrid;
 mod time;
 mod track;
 mod xml;

@@ -127,6 +127,12 @@ fn fit(number: u128) -> u64 {
     u64::try_from(number).unwrap_or(u64::MAX)
 }
 
+impl Default for Time {
+    fn default() -> Time {
+        Time::ZERO
+    }
+}
+
 impl PartialEq for Time {
     fn eq(&self, other: &Time) -> bool {
         self.cmp(other) == Ordering::Equal

@@ -5,7 +5,7 @@ mod support;
 
 use lipz_diagnostics::Severity;
 use lipz_file::text::segment_count;
-use lipz_interop::{Format, ImportOptions, Segments, import};
+use lipz_interop::{Format, ImportOptions, MergeOptions, Segments, import};
 use support::every_fixture;
 
 /// Changed files of each fixture.
@@ -22,6 +22,8 @@ fn options(segments: Segments) -> ImportOptions<'static> {
 
 /// Imports the bytes and checks what comes of them.
 fn check(format: &Format, bytes: &[u8], options: &ImportOptions<'_>) {
+    let line = br#"{ "visemes": "--MA|EO", "text_en-us": "One two.|Three.", "events": "a|b", "note": 1 }"#;
+    let line = lipz_file::parse(line).document.unwrap();
     let imported = import(format, bytes, options);
     let has_errors = imported.diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error);
     assert!(!has_errors || imported.clips.is_empty(), "{}", format.name);
@@ -34,6 +36,11 @@ fn check(format: &Format, bytes: &[u8], options: &ImportOptions<'_>) {
                 assert_eq!(segment_count(text), segment_count(visemes), "{}: {text}", format.name);
             }
         }
+        let merged = clip.merge(&line, &MergeOptions::new());
+        let visemes = merged.document.string("visemes").unwrap();
+        assert_eq!(visemes.bytes().filter(|byte| *byte != b'|').count(), clip.frames);
+        assert_eq!(segment_count(visemes), 2, "{}: {visemes}", format.name);
+        assert_eq!(merged.document.string("text_en-us"), line.string("text_en-us"));
         let written = lipz_file::write(&clip.document);
         assert!(lipz_file::parse(written.as_bytes()).document.is_some(), "{}: {written}", format.name);
     }

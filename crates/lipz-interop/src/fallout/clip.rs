@@ -12,6 +12,7 @@ pub(crate) const FORMAT: Format = Format {
     maps: &["fallout"],
     is_binary: true,
     is_legacy: false,
+    keeps_texts: false,
     read: Some(read),
     write: Some(write),
 };

@@ -34,6 +34,7 @@ pub(super) const FORMAT: Format = Format {
     maps: &["azure"],
     is_binary: false,
     is_legacy: false,
+    keeps_texts: false,
     read: Some(read),
     write: None,
 };

@@ -22,6 +22,7 @@ pub(super) const FORMAT: Format = Format {
     maps: &["kotor"],
     is_binary: true,
     is_legacy: false,
+    keeps_texts: false,
     read: Some(read),
     write: Some(write),
 };

@@ -19,6 +19,7 @@ pub(super) const FORMAT: Format = Format {
     maps: &["blair", "toonboom", "rms"],
     is_binary: false,
     is_legacy: false,
+    keeps_texts: false,
     read: Some(read),
     write: None,
 };

@@ -16,6 +16,7 @@ pub(super) const FORMAT: Format = Format {
     maps: &["arpabet-blair"],
     is_binary: false,
     is_legacy: true,
+    keeps_texts: false,
     read: Some(read),
     write: None,
 };

@@ -17,7 +17,7 @@ mod rhubarb_json;
 mod rhubarb_tsv;
 mod rhubarb_xml;
 
-use crate::{ImportOptions, Track, fallout};
+use crate::{ImportOptions, Track, fallout, textgrid};
 use lipz_diagnostics::Diagnostic;
 
 /// A format of another tool.
@@ -37,6 +37,8 @@ pub struct Format {
     /// Whether its tools write in the encoding of the system, so that a file that is not UTF-8 may be
     /// [guessed](crate::to_utf8) to be Windows-1252.
     pub is_legacy: bool,
+    /// Whether it has a place for segments, texts and events.
+    pub keeps_texts: bool,
     /// Reads a file, if lipz imports the format.
     pub read: Option<Read>,
     /// Writes a file, if lipz exports the format.
@@ -64,6 +66,7 @@ pub const ALL: &[Format] = &[
     polly::FORMAT,
     azure::FORMAT,
     ovr::FORMAT,
+    textgrid::clip::FORMAT,
     lipz_txt::FORMAT,
     lipz_editor::FORMAT,
 ];

@@ -20,6 +20,7 @@ pub(super) const FORMAT: Format = Format {
     maps: &["papagayo", "rhubarb", "rhubarb-toonboom", "fleming-dobbs", "cmu"],
     is_binary: false,
     is_legacy: true,
+    keeps_texts: false,
     read: Some(read),
     write: Some(write),
 };

@@ -29,6 +29,7 @@ pub(super) const FORMAT: Format = Format {
     maps: &["ovr"],
     is_binary: false,
     is_legacy: false,
+    keeps_texts: false,
     read: Some(read),
     write: None,
 };

@@ -19,6 +19,7 @@ pub(super) const FORMAT: Format = Format {
     maps: &["cmu"],
     is_binary: false,
     is_legacy: true,
+    keeps_texts: false,
     read: Some(read),
     write: Some(write),
 };

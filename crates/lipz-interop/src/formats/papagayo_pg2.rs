@@ -14,6 +14,7 @@ pub(super) const FORMAT: Format = Format {
     maps: MAPS,
     is_binary: false,
     is_legacy: false,
+    keeps_texts: false,
     read: Some(read),
     write: None,
 };

@@ -17,6 +17,7 @@ pub(super) const FORMAT: Format = Format {
     maps: MAPS,
     is_binary: false,
     is_legacy: true,
+    keeps_texts: false,
     read: Some(read),
     write: None,
 };

@@ -18,6 +18,7 @@ pub(super) const FORMAT: Format = Format {
     maps: &["polly", "polly-languages"],
     is_binary: false,
     is_legacy: false,
+    keeps_texts: false,
     read: Some(read),
     write: None,
 };

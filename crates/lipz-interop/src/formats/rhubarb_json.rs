@@ -15,6 +15,7 @@ pub(super) const FORMAT: Format = Format {
     maps: rhubarb::MAPS,
     is_binary: false,
     is_legacy: false,
+    keeps_texts: false,
     read: Some(read),
     write: Some(write),
 };

@@ -18,6 +18,7 @@ tables! {
     "cmu"
     "fallout"
     "fleming-dobbs"
+    "ipa"
     "kotor"
     "ovr"
     "papagayo"

@@ -22,6 +22,7 @@ const EXAMPLES: &[(&str, &str, Option<&str>)] = &[
     ("polly", "speech/*.marks --locale en-us -o voices", None),
     ("azure", "speech/*.json -o voices", None),
     ("ovr", "dumps/*.csv --file-fps 60 --fps 30 -o voices", None),
+    ("textgrid", "aligned/*.TextGrid --fps 30 -o voices", Some("voices -o aligned")),
     ("lipz-txt", "audio/*.lipz.txt -o voices", None),
     ("lipz-editor", "old/*.json --locale en-us -o voices", None),
 ];

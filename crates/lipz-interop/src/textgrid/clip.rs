@@ -1,0 +1,356 @@
+//! TextGrids as clips: words, phones and texts of aligners, mouth shapes and texts of ours.
+//!
+//! A tier is known by its name. Aligners write a pair of tiers for each speaker, `Mara - words` and `Mara - phones`.
+
+use super::phones::{is_arpabet, is_silence, plain_ipa, without_stress};
+use super::{Interval, TextGrid, Tier};
+use crate::import::element;
+use crate::{DEFAULT_RATE, Format, ImportOptions, Map, Shape, Text, Time, Timed, Track, find_map};
+use lipz_diagnostics::{Code, Diagnostic, Span, escape};
+use lipz_file::locale::{TextName, text_name};
+use lipz_file::text::{DELIMITER, trim};
+use lipz_file::{Element, Value};
+use lipz_types::VisemeType;
+use std::collections::HashMap;
+
+/// Tables for phones, then those for codes.
+const ARPABET: &str = "cmu";
+const IPA: &str = "ipa";
+/// A spoken word that the aligner does not know, and a phoneme that shows as much.
+const SPOKEN_NOISE: &str = "spn";
+const SPOKEN_NOISE_IN_ARPABET: &str = "AH";
+
+pub(crate) const FORMAT: Format = Format {
+    name: "textgrid",
+    about: "Praat TextGrid, also of the Montreal Forced Aligner",
+    extension: "TextGrid",
+    maps: &["blair", "toonboom", "rms", ARPABET, IPA],
+    is_binary: false,
+    is_legacy: true,
+    keeps_texts: true,
+    read: Some(read),
+    write: Some(write),
+};
+
+/// What a tier is to a clip.
+#[derive(Clone, PartialEq, Eq, Debug)]
+enum Role {
+    /// Lipz codes of a type.
+    Visemes(VisemeType),
+    Phones,
+    Words,
+    /// Stretches of text that belong together.
+    Phrases,
+    /// An element of a Lipz file, a part for each segment.
+    Element,
+    Unknown,
+}
+
+/// The tiers of a speaker.
+type Tiers<'t> = Vec<(Role, &'t Tier)>;
+
+/// The role of a tier by its name, and the speaker whom the name begins with.
+fn role(name: &str) -> (Option<&str>, Role) {
+    let (speaker, name) = match name.rsplit_once(" - ") {
+        Some((speaker, name)) => (Some(speaker.trim()), name.trim()),
+        None => (None, name.trim()),
+    };
+    let role = match name.to_ascii_lowercase().as_str() {
+        "visemes" | "viseme" | "mouth" => Role::Visemes(VisemeType::Blair),
+        "phones" | "phone" | "phonemes" | "phoneme" => Role::Phones,
+        "words" | "word" => Role::Words,
+        "segments" | "segment" | "phrases" | "phrase" | "utterances" | "utterance" | "sentences" | "sentence" => {
+            Role::Phrases
+        }
+        "events" => Role::Element,
+        other => match other.strip_prefix("visemes-").and_then(|name| name.parse().ok()) {
+            Some(viseme_type) => Role::Visemes(viseme_type),
+            None if matches!(text_name(name), Some(TextName::Canonical(_))) => Role::Element,
+            None => Role::Unknown,
+        },
+    };
+    (speaker.filter(|speaker| !speaker.is_empty()), role)
+}
+
+fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Track> {
+    let Some(grid) = TextGrid::read(bytes, diagnostics) else { return Vec::new() };
+    let mut speakers: Vec<(Option<&str>, Tiers<'_>)> = Vec::new();
+    let mut place_of: HashMap<Option<&str>, usize> = HashMap::new();
+    for tier in &grid.tiers {
+        let (speaker, role) = role(&tier.name);
+        // A tier with another name is nobody's, whatever stands before its hyphen.
+        let speaker = speaker.filter(|_| role != Role::Unknown);
+        let place = *place_of.entry(speaker).or_insert(speakers.len());
+        if place == speakers.len() {
+            speakers.push((speaker, Vec::new()));
+        }
+        speakers.get_mut(place).into_iter().for_each(|(_, tiers)| tiers.push((role.clone(), tier)));
+    }
+    let is_spoken =
+        |tiers: &[(Role, &Tier)]| tiers.iter().any(|(role, _)| matches!(role, Role::Visemes(_) | Role::Phones));
+    if !speakers.iter().any(|(_, tiers)| is_spoken(tiers)) {
+        let names: Vec<String> = grid.tiers.iter().map(|tier| escape::quoted(&tier.name).to_string()).collect();
+        let diagnostic = Diagnostic::new(Code::NoShapes, "no tier is called `phones` or `visemes`");
+        let tiers =
+            if names.is_empty() { "the file has no tiers".into() } else { format!("its tiers: {}", names.join(", ")) };
+        diagnostics.push(diagnostic.note(tiers).help("rename the tier with the phones"));
+        return Vec::new();
+    }
+    let origin = Origin(grid.start);
+    let (spoken, silent): (Vec<_>, Vec<_>) = speakers.into_iter().partition(|(_, tiers)| is_spoken(tiers));
+    let spoken = spoken.into_iter();
+    let mut tracks: Vec<Track> =
+        spoken.map(|(name, tiers)| track(name, &tiers, &grid, origin, options, diagnostics)).collect();
+    let left_out = silent.iter().flat_map(|(_, tiers)| tiers).map(|(_, tier)| left_out(tier));
+    tracks.iter_mut().take(1).for_each(|first| first.remarks.extend(left_out.clone()));
+    tracks
+}
+
+/// What is said about a tier that is nothing to a clip.
+fn left_out(tier: &Tier) -> String {
+    format!("the tier {} is left out", escape::quoted(&tier.name))
+}
+
+/// Times from the start of the file, which may be a part of a longer sound.
+#[derive(Clone, Copy)]
+struct Origin(Time);
+
+impl Origin {
+    fn time(self, time: Time) -> Time {
+        const NANOSECONDS: u32 = 1_000_000_000;
+        match self.0 == Time::ZERO {
+            true => time,
+            false => Time::new(time.in_units(NANOSECONDS).saturating_sub(self.0.in_units(NANOSECONDS)), NANOSECONDS),
+        }
+    }
+}
+
+/// The track of one speaker.
+fn track(
+    name: Option<&str>,
+    tiers: &[(Role, &Tier)],
+    grid: &TextGrid,
+    origin: Origin,
+    options: &ImportOptions<'_>,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Track {
+    let mut track = Track { name: name.map(str::to_owned), end: Some(origin.time(grid.end)), ..Track::default() };
+    let first = |is: &dyn Fn(&Role) -> bool| tiers.iter().find(|(role, _)| is(role)).copied_role();
+    let timed = |interval: &Interval| Timed { start: origin.time(interval.start), text: interval.label.clone() };
+    if let Some((_, words)) = first(&|role| *role == Role::Words) {
+        track.words = words.intervals.iter().filter(|word| !is_silence(trim(&word.label))).map(timed).collect();
+    }
+    let mouth = first(&|role| matches!(role, Role::Visemes(_))).or_else(|| first(&|role| *role == Role::Phones));
+    let symbols = match mouth {
+        Some((Role::Visemes(viseme_type), _)) => Symbols::Codes(viseme_type),
+        Some((_, phones)) => Symbols::of_phones(phones, options.map),
+        None => return track,
+    };
+    track.map = Some(symbols.table());
+    let intervals = mouth.map_or(&[][..], |(_, tier)| &tier.intervals);
+    track.shapes = shapes(intervals, symbols, origin, grid.end);
+    let noises = intervals.iter().filter(|interval| trim(&interval.label).eq_ignore_ascii_case(SPOKEN_NOISE)).count();
+    if noises > 0 {
+        track.remarks.push(format!("words that the aligner does not know (`{SPOKEN_NOISE}`) are shown as one shape"));
+    }
+    let elements: Vec<&Tier> = tiers.iter().filter(|(role, _)| *role == Role::Element).map(|(_, tier)| *tier).collect();
+    let phrases = first(&|role| *role == Role::Phrases).map(|(_, tier)| tier);
+    if let Some(divided) = phrases.or_else(|| elements.first().copied()) {
+        track.phrases = divided.intervals.iter().map(timed).collect();
+        for tier in &elements {
+            let own = tier.name.rsplit(" - ").next().unwrap_or(&tier.name).trim();
+            let text = parts(tier, divided, diagnostics).join(&DELIMITER.to_string());
+            match text_name(own) {
+                Some(TextName::Canonical(locale)) => track.texts.push(Text { locale: Some(locale), text }),
+                _ => track.elements.push(element(own, text)),
+            }
+        }
+        // Numbers of segments are no text.
+        let is_text = |phrase: &Interval| phrase.label.chars().any(char::is_alphabetic) && !is_silence(&phrase.label);
+        if elements.is_empty() && divided.intervals.iter().any(is_text) {
+            let said = |phrase: &Interval| if is_text(phrase) { part(&phrase.label) } else { String::new() };
+            let text = divided.intervals.iter().map(said).collect::<Vec<_>>().join("|");
+            track.texts.push(Text { locale: None, text });
+        }
+    }
+    let unknown = tiers.iter().filter(|(role, _)| *role == Role::Unknown);
+    track.remarks.extend(unknown.map(|(_, tier)| left_out(tier)));
+    track
+}
+
+/// A pair of references, copied.
+trait CopiedRole<'t> {
+    fn copied_role(self) -> Option<(Role, &'t Tier)>;
+}
+
+impl<'t> CopiedRole<'t> for Option<&(Role, &'t Tier)> {
+    fn copied_role(self) -> Option<(Role, &'t Tier)> {
+        self.map(|(role, tier)| (role.clone(), *tier))
+    }
+}
+
+/// A label as a part of a text: `|` would divide it.
+fn part(label: &str) -> String {
+    trim(label).replace(DELIMITER, "\u{a6}")
+}
+
+/// The labels of a tier for each interval of the one that divides the clip: the interval in whose time its middle is.
+fn parts(tier: &Tier, divided: &Tier, diagnostics: &mut Vec<Diagnostic>) -> Vec<String> {
+    let mut parts = vec![String::new(); divided.intervals.len()];
+    let starts: Vec<Time> = divided.intervals.iter().map(|interval| interval.start).collect();
+    for interval in &tier.intervals {
+        let middle = interval.start.midpoint(interval.end);
+        let index = starts.partition_point(|start| *start <= middle).saturating_sub(1);
+        let label = part(&interval.label);
+        let Some(part) = parts.get_mut(index).filter(|_| !label.is_empty()) else { continue };
+        if !part.is_empty() {
+            part.push(' ');
+        }
+        *part += &label;
+    }
+    if tier.intervals.len() != divided.intervals.len() {
+        let (name, own, other) = (escape::quoted(&tier.name), tier.intervals.len(), divided.intervals.len());
+        let message = format!("the tier {name} has {own} intervals, and {} has {other}", escape::quoted(&divided.name));
+        let span = tier.intervals.first().and_then(|interval| interval.span).unwrap_or_else(|| Span::new(0, 0));
+        diagnostics.push(
+            Diagnostic::at(Code::ForeignOddity, span, message)
+                .note("each label belongs to the segment in which its middle is")
+                .help("give both tiers the same boundaries"),
+        );
+    }
+    parts
+}
+
+/// How the labels of a tier become symbols of a table.
+#[derive(Clone, Copy)]
+enum Symbols<'m> {
+    Codes(VisemeType),
+    Arpabet,
+    Ipa,
+    /// A table of the user, with its own symbols.
+    Own(&'m Map),
+}
+
+impl<'m> Symbols<'m> {
+    fn of_phones(phones: &Tier, own: Option<&'m Map>) -> Symbols<'m> {
+        let mut labels = phones.intervals.iter().map(|interval| trim(&interval.label));
+        let is_known = |label: &str| is_arpabet(label) || is_silence(label) || label.eq_ignore_ascii_case(SPOKEN_NOISE);
+        match own {
+            Some(map) => Symbols::Own(map),
+            None if labels.all(is_known) => Symbols::Arpabet,
+            None => Symbols::Ipa,
+        }
+    }
+
+    fn table(self) -> &'static str {
+        match self {
+            Symbols::Codes(VisemeType::Blair) => "blair",
+            Symbols::Codes(VisemeType::ToonBoom) => "toonboom",
+            Symbols::Codes(VisemeType::Rms) => "rms",
+            Symbols::Arpabet => ARPABET,
+            Symbols::Ipa | Symbols::Own(_) => IPA,
+        }
+    }
+
+    /// The symbol for a label.
+    fn symbol(self, label: &str) -> String {
+        let label = trim(label);
+        let rest = || find_map(self.table()).and_then(|map| map.symbol(b'-')).unwrap_or("sil").to_owned();
+        match self {
+            Symbols::Own(map) if map.code(label).is_some() => label.to_owned(),
+            Symbols::Own(map) if is_silence(label) => map.symbol(b'-').unwrap_or(label).to_owned(),
+            Symbols::Own(map) if map.code(without_stress(label)).is_some() => without_stress(label).to_owned(),
+            Symbols::Own(map) => known(&plain_ipa(label), map).unwrap_or_else(|| label.to_owned()),
+            _ if is_silence(label) => rest(),
+            Symbols::Codes(_) => label.to_owned(),
+            Symbols::Arpabet if label.eq_ignore_ascii_case(SPOKEN_NOISE) => SPOKEN_NOISE_IN_ARPABET.to_owned(),
+            Symbols::Arpabet => without_stress(label).to_owned(),
+            Symbols::Ipa => {
+                find_map(IPA).and_then(|map| known(&plain_ipa(label), map)).unwrap_or_else(|| label.to_owned())
+            }
+        }
+    }
+}
+
+/// Letters of a phone that are looked up: no symbol of a table has more.
+const MOST_LETTERS: usize = 8;
+
+/// The symbol of a table for a phone: the whole of it, or its first letters.
+fn known(phone: &str, map: &Map) -> Option<String> {
+    let ends = phone.char_indices().map(|(at, _)| at).skip(1).chain([phone.len()]).take(MOST_LETTERS);
+    let prefixes = ends.collect::<Vec<_>>().into_iter().rev().filter_map(|end| phone.get(..end));
+    prefixes.filter(|prefix| !prefix.is_empty()).find(|prefix| map.code(prefix).is_some()).map(str::to_owned)
+}
+
+/// The shapes of a tier; the mouth rests where it has no interval.
+fn shapes(intervals: &[Interval], symbols: Symbols<'_>, origin: Origin, end: Time) -> Vec<Shape> {
+    let shape = |start: Time, label: &str, span: Option<Span>| Shape {
+        start: origin.time(start),
+        symbol: symbols.symbol(label),
+        span,
+    };
+    let mut shapes = Vec::with_capacity(intervals.len());
+    let mut done: Option<Time> = None;
+    for interval in intervals {
+        if let Some(gap) = done.filter(|done| *done < interval.start) {
+            shapes.push(shape(gap, "", interval.span));
+        }
+        shapes.push(shape(interval.start, &interval.label, interval.span));
+        done = Some(interval.end);
+    }
+    if let Some(gap) = done.filter(|done| *done < end) {
+        shapes.push(shape(gap, "", intervals.last().and_then(|last| last.span)));
+    }
+    shapes
+}
+
+/// Writes the codes as `visemes`, the segments, and a tier for each text and the events.
+fn write(track: &Track, diagnostics: &mut Vec<Diagnostic>) -> Vec<u8> {
+    let end = track.end.unwrap_or(Time::ZERO);
+    // Praat has no sound, and no file, of no length.
+    let end = if end == Time::ZERO { Time::of_frame(1, track.rate.unwrap_or(DEFAULT_RATE)) } else { end };
+    let tier_of = |starts: &[(Time, String)]| {
+        let ends = starts.iter().skip(1).map(|(start, _)| *start).chain([end]);
+        let intervals = starts.iter().zip(ends).map(|((start, label), end)| Interval::new(*start, end, label));
+        intervals.filter(|interval| interval.start < interval.end).collect::<Vec<_>>()
+    };
+    let mut grid = TextGrid { start: Time::ZERO, end, tiers: Vec::new() };
+    let add = |grid: &mut TextGrid, name: &str, starts: &[(Time, String)]| {
+        grid.tiers.push(Tier::new(name, tier_of(starts)));
+    };
+    if !track.words.is_empty() {
+        add(&mut grid, "words", &track.words.iter().map(|word| (word.start, word.text.clone())).collect::<Vec<_>>());
+    }
+    let mut shapes: Vec<_> = track.shapes.iter().map(|shape| (shape.start, shape.symbol.clone())).collect();
+    if shapes.is_empty() {
+        shapes.push((Time::ZERO, String::new()));
+    }
+    let name = match track.map.and_then(find_map).map(|map| map.viseme_type) {
+        None | Some(VisemeType::Blair) => "visemes".to_owned(),
+        Some(other) => format!("visemes-{}", other.name()),
+    };
+    add(&mut grid, &name, &shapes);
+    let starts: Vec<Time> = track.phrases.iter().map(|phrase| phrase.start).collect();
+    let in_segments = |text: &str| {
+        let parts = text.split(DELIMITER).map(|part| trim(part).to_owned()).chain(std::iter::repeat(String::new()));
+        starts.iter().copied().zip(parts).collect::<Vec<_>>()
+    };
+    let numbers: Vec<_> = starts.iter().copied().zip((1..).map(|number: usize| number.to_string())).collect();
+    let lost = starts.len() - tier_of(&numbers).len();
+    if lost > 0 {
+        let segments = if lost == 1 { "segment has" } else { "segments have" };
+        let message = format!("{lost} {segments} no frames, and no place in a TextGrid");
+        diagnostics.push(Diagnostic::new(Code::ExportLoss, message).note("so have its texts and its event"));
+    }
+    add(&mut grid, "segments", &numbers);
+    for text in &track.texts {
+        let name = format!("text_{}", text.locale.as_deref().unwrap_or_default());
+        add(&mut grid, &name, &in_segments(&text.text));
+    }
+    for Element { name, value } in &track.elements {
+        if let Value::String(string) = value {
+            add(&mut grid, &name.text, &in_segments(&string.text));
+        }
+    }
+    grid.write().into_bytes()
+}

@@ -1,0 +1,73 @@
+//! Praat TextGrids: tiers of intervals with labels, as phoneticians and the Montreal Forced Aligner write them.
+//!
+//! [`TextGrid`] is such a file, in its long and its short text form. `clip` makes it a [format](crate::formats): words,
+//! phones, mouth shapes and texts of a clip, to and from Lipz documents.
+
+pub(crate) mod clip;
+mod phones;
+mod read;
+mod write;
+
+use crate::Time;
+use lipz_diagnostics::Span;
+
+/// A TextGrid: tiers over a stretch of time.
+///
+/// ```
+/// use lipz_interop::textgrid::{Interval, TextGrid, Tier};
+/// use lipz_interop::Time;
+/// let word = Interval::new(Time::ZERO, Time::new(1, 2), "mayor");
+/// let grid = TextGrid { end: Time::new(1, 2), tiers: vec![Tier::new("words", vec![word])], ..TextGrid::default() };
+/// let mut diagnostics = Vec::new();
+/// let read = TextGrid::read(grid.write().as_bytes(), &mut diagnostics).ok_or("a TextGrid")?;
+/// assert_eq!(read.tiers[0].intervals[0].label, "mayor");
+/// assert!(diagnostics.is_empty());
+/// # Ok::<(), &str>(())
+/// ```
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct TextGrid {
+    /// When it starts; the times of intervals count from the same zero.
+    pub start: Time,
+    /// When it ends.
+    pub end: Time,
+    /// The tiers, from top to bottom.
+    pub tiers: Vec<Tier>,
+}
+
+/// A tier: intervals, or points in time, which have no length.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Tier {
+    /// What it is called, `words`.
+    pub name: String,
+    /// Whether its intervals are points.
+    pub has_points: bool,
+    /// The intervals, as they are in the file.
+    pub intervals: Vec<Interval>,
+}
+
+/// A labelled stretch of time.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Interval {
+    /// When it starts.
+    pub start: Time,
+    /// When it ends.
+    pub end: Time,
+    /// What it is: a word, a phone; often empty in pauses.
+    pub label: String,
+    /// Where the label is in the file.
+    pub span: Option<Span>,
+}
+
+impl Tier {
+    /// A tier of intervals.
+    pub fn new(name: impl Into<String>, intervals: Vec<Interval>) -> Tier {
+        Tier { name: name.into(), has_points: false, intervals }
+    }
+}
+
+impl Interval {
+    /// A labelled stretch of time that is in no file.
+    pub fn new(start: Time, end: Time, label: impl Into<String>) -> Interval {
+        Interval { start, end, label: label.into(), span: None }
+    }
+}

@@ -1,0 +1,268 @@
+//! Reading a TextGrid. Of its text, only free-standing numbers, texts in double quotes and flags in `<>` count, in their
+//! order; all other words are for people (Praat manual, "TextGrid file formats"). So both text forms are read alike.
+
+use super::{Interval, TextGrid, Tier};
+use crate::Time;
+use crate::source::{self, Line};
+use lipz_diagnostics::{Code, Diagnostic, Span};
+
+/// The first text of every file that Praat saves as text, and the second one of a TextGrid.
+const TEXT_FILE: &str = "ooTextFile";
+const TEXT_GRID: &str = "TextGrid";
+/// How Praat's binary files start, and those in the order of time.
+const BINARY_FILE: &[u8] = b"ooBinaryFile";
+const CHRONOLOGICAL: &str = "Praat chronological TextGrid text file";
+const INTERVALS: &str = "IntervalTier";
+const POINTS: &str = "TextTier";
+
+impl TextGrid {
+    /// Reads a file, in UTF-8 (see [`to_utf8`](crate::to_utf8) for others); `None` if it is no TextGrid, or damaged. Spans
+    /// count from the first byte after a byte order mark.
+    pub fn read(bytes: &[u8], diagnostics: &mut Vec<Diagnostic>) -> Option<TextGrid> {
+        if bytes.starts_with(BINARY_FILE) {
+            diagnostics.push(another("a binary file of Praat"));
+            return None;
+        }
+        let text = source::text(bytes, diagnostics)?;
+        let mut values = Values { text, at: 0, diagnostics };
+        let first = values.string("the type of the file")?;
+        if first.label == CHRONOLOGICAL {
+            diagnostics.push(another("a TextGrid in the order of time"));
+            return None;
+        }
+        if first.label != TEXT_FILE {
+            diagnostics.push(first.line.not(&format!("`{TEXT_FILE}`, the type of the file")).help(IS_IT));
+            return None;
+        }
+        let class = values.string("the class of the object")?;
+        if class.label != TEXT_GRID {
+            diagnostics.push(class.line.not(&format!("`{TEXT_GRID}`, the class of the object")).help(IS_IT));
+            return None;
+        }
+        let (start, end) = (values.time("the start")?, values.time("the end")?);
+        let mut grid = TextGrid { start, end, tiers: Vec::new() };
+        if !values.has_tiers()? {
+            return Some(grid);
+        }
+        for _ in 0..values.count("the number of tiers")? {
+            grid.tiers.push(values.tier()?);
+        }
+        Some(grid)
+    }
+}
+
+const IS_IT: &str = "is this a TextGrid, saved as a text file?";
+
+fn another(what: &str) -> Diagnostic {
+    Diagnostic::new(Code::ForeignSyntax, format!("the file is {what}"))
+        .help("open it in Praat, and save it as a text file or a short text file")
+}
+
+/// A text in quotes, and where it is.
+struct Label<'t> {
+    label: String,
+    line: Line<'t>,
+}
+
+/// The values of a file, one after the other.
+struct Values<'t, 'd> {
+    text: &'t str,
+    at: usize,
+    diagnostics: &'d mut Vec<Diagnostic>,
+}
+
+enum Value<'t> {
+    Number(Line<'t>),
+    String(Label<'t>),
+    Flag(Line<'t>),
+}
+
+impl<'t> Values<'t, '_> {
+    /// The next value; reports `what` is missing if the file ends.
+    fn next(&mut self, what: &str) -> Option<Value<'t>> {
+        loop {
+            let rest = self.text.get(self.at..).unwrap_or_default();
+            let start = self.at + rest.len() - rest.trim_start().len();
+            let rest = rest.trim_start();
+            let word = |length: usize| Line { text: rest.get(..length).unwrap_or(rest), at: start };
+            let Some(first) = rest.chars().next() else {
+                self.diagnostics.push(source::cut_off(self.text, &format!("{what} is missing")));
+                return None;
+            };
+            let end_of_word = rest.find(char::is_whitespace).unwrap_or(rest.len());
+            match first {
+                '"' => {
+                    let Some((label, length)) = quoted(rest) else {
+                        let message = "the text has no quote at its end";
+                        self.diagnostics.push(
+                            Diagnostic::at(Code::ForeignCutOff, Span::new(start, start + 1), message)
+                                .help("was the file cut off? a quote within a text is written twice"),
+                        );
+                        return None;
+                    };
+                    self.at = start + length;
+                    return Some(Value::String(Label { label, line: word(length) }));
+                }
+                '!' => self.at = start + rest.find('\n').unwrap_or(rest.len()),
+                '<' => {
+                    self.at = start + end_of_word;
+                    return Some(Value::Flag(word(end_of_word)));
+                }
+                _ => {
+                    self.at = start + end_of_word;
+                    let is_number = first.is_ascii_digit() || matches!(first, '-' | '+' | '.');
+                    if is_number && word(end_of_word).text.parse::<f64>().is_ok() {
+                        return Some(Value::Number(word(end_of_word)));
+                    }
+                }
+            }
+        }
+    }
+
+    fn refuse<T>(&mut self, line: Line<'_>, what: &str) -> Option<T> {
+        self.diagnostics.push(line.not(what));
+        None
+    }
+
+    fn string(&mut self, what: &str) -> Option<Label<'t>> {
+        match self.next(what)? {
+            Value::String(label) => Some(label),
+            Value::Number(line) | Value::Flag(line) => self.refuse(line, &format!("{what}, a text in quotes")),
+        }
+    }
+
+    fn number(&mut self, what: &str) -> Option<Line<'t>> {
+        match self.next(what)? {
+            Value::Number(line) => Some(line),
+            Value::String(label) => self.refuse(label.line, &format!("{what}, a number")),
+            Value::Flag(line) => self.refuse(line, &format!("{what}, a number")),
+        }
+    }
+
+    fn time(&mut self, what: &str) -> Option<Time> {
+        let line = self.number(what)?;
+        match Time::parse(line.text) {
+            Some(time) => Some(time),
+            None => self.refuse(line, &format!("{what}, a time in seconds, 0 or later")),
+        }
+    }
+
+    fn count(&mut self, what: &str) -> Option<usize> {
+        let line = self.number(what)?;
+        line.text.parse().ok().or_else(|| self.refuse(line, &format!("{what}, a whole number")))
+    }
+
+    fn has_tiers(&mut self) -> Option<bool> {
+        match self.next("the flag that says whether there are tiers")? {
+            Value::Flag(flag) => Some(flag.text == "<exists>"),
+            Value::Number(line) | Value::String(Label { line, .. }) => {
+                self.refuse(line, "`<exists>`, which says that there are tiers")
+            }
+        }
+    }
+
+    fn tier(&mut self) -> Option<Tier> {
+        let class = self.string("the class of a tier")?;
+        let has_points = class.label == POINTS;
+        if !has_points && class.label != INTERVALS {
+            return self.refuse(class.line, &format!("the class of a tier, `{INTERVALS}` or `{POINTS}`"));
+        }
+        let name = self.string("the name of a tier")?.label;
+        self.time("the start of a tier")?;
+        self.time("the end of a tier")?;
+        let mut tier = Tier { name, has_points, intervals: Vec::new() };
+        // A wrong count must not take memory: intervals are counted as they come.
+        for _ in 0..self.count("the number of intervals")? {
+            let start = self.time("the start of an interval")?;
+            let end = if has_points { start } else { self.time("the end of an interval")? };
+            let label = self.string("the label of an interval")?;
+            let span = label.line.span();
+            if end < start {
+                let message = "the interval ends before it starts";
+                self.diagnostics.push(Diagnostic::at(Code::ForeignValue, span, message));
+                return None;
+            }
+            tier.intervals.push(Interval { start, end, label: label.label, span: Some(span) });
+        }
+        Some(tier)
+    }
+}
+
+/// The text in quotes at the start of `text`, in which a quote is written twice, and its length with the quotes.
+fn quoted(text: &str) -> Option<(String, usize)> {
+    let mut label = String::new();
+    let mut at = 1;
+    loop {
+        let length = text.get(at..)?.find('"')?;
+        label += text.get(at..at + length)?;
+        at += length + 1;
+        if !text.get(at..).is_some_and(|after| after.starts_with('"')) {
+            return Some((label, at));
+        }
+        label.push('"');
+        at += 1;
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> (Option<TextGrid>, Vec<String>) {
+        let mut diagnostics = Vec::new();
+        let grid = TextGrid::read(text.as_bytes(), &mut diagnostics);
+        (grid, diagnostics.into_iter().map(|diagnostic| diagnostic.message).collect())
+    }
+
+    const HEAD: &str = "File type = \"ooTextFile\"\nObject class = \"TextGrid\"\n\n";
+
+    #[test]
+    fn both_forms_say_the_same() {
+        let long = format!(
+            "{HEAD}xmin = 0 \nxmax = 2.5 \ntiers? <exists> \nsize = 2 \nitem []: \n    item [1]:\n        class = \"IntervalTier\" \n        name = \"a \"\"b\"\"\" \n        xmin = 0 \n        xmax = 2.5 \n        intervals: size = 2 \n        intervals [1]:\n            xmin = 0 \n            xmax = 1e0 \n            text = \"\" \n        intervals [2]:\n            xmin = 1 \n            xmax = 2.5 \n            text = \"é 2\" \n    item [2]:\n        class = \"TextTier\" \n        name = \"bell\" \n        xmin = 0 \n        xmax = 2.5 \n        points: size = 1 \n        points [1]:\n            number = 0.5 \n            mark = \"x\" \n"
+        );
+        let short = format!(
+            "{HEAD}0\n2.5\n<exists> ! a remark with 3 numbers\n2\n\"IntervalTier\"\n\"a \"\"b\"\"\"\n0\n2.5\n2\n0\n1\n\"\"\n1\n2.5\n\"é 2\"\n\"TextTier\"\n\"bell\"\n0\n2.5\n1\n0.5\n\"x\""
+        );
+        let without_spans = |text: &str| {
+            let (grid, found) = read(text);
+            assert_eq!(found, Vec::<String>::new());
+            let mut grid = grid.unwrap();
+            for interval in grid.tiers.iter_mut().flat_map(|tier| &mut tier.intervals) {
+                let span = interval.span.take().unwrap();
+                assert!(text[span.range()].starts_with('"') && text[span.range()].ends_with('"'));
+            }
+            grid
+        };
+        let grid = without_spans(&long);
+        assert_eq!(grid, without_spans(&short));
+        assert_eq!(grid, without_spans(&grid.write()));
+        assert_eq!((grid.tiers[0].name.as_str(), grid.tiers[1].has_points), ("a \"b\"", true));
+    }
+
+    #[test]
+    fn what_is_wrong_is_named() {
+        for (text, message) in [
+            ("".to_owned(), "the file ends too early: the type of the file is missing"),
+            ("\"ooTextFile\" \"Sound\" 0 1".to_owned(), "`\"Sound\"` is not `TextGrid`, the class of the object"),
+            ("ooBinaryFile\u{8}TextGrid".to_owned(), "the file is a binary file of Praat"),
+            (
+                format!("{HEAD}0 1 <exists> 1 \"Tier\""),
+                "`\"Tier\"` is not the class of a tier, `IntervalTier` or `TextTier`",
+            ),
+            (format!("{HEAD}0 -1"), "`-1` is not the end, a time in seconds, 0 or later"),
+            (format!("{HEAD}0 1 <exists> 1.5"), "`1.5` is not the number of tiers, a whole number"),
+            (format!("{HEAD}0 1 \"x\""), "`\"x\"` is not `<exists>`, which says that there are tiers"),
+            (format!("{HEAD}0 1 <exists> 1 \"IntervalTier\" \"a"), "the text has no quote at its end"),
+            (
+                format!("{HEAD}0 1 <exists> 1 \"IntervalTier\" \"a\" 0 1 9999999999999 1 0 \"\""),
+                "the interval ends before it starts",
+            ),
+        ] {
+            let (grid, found) = read(&text);
+            assert_eq!((grid, found.as_slice()), (None, &[message.to_owned()][..]), "{text}");
+        }
+        assert_eq!(read(&format!("{HEAD}0 1 <absent>")).1, Vec::<String>::new());
+    }
+}
