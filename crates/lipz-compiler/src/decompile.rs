@@ -7,7 +7,43 @@ use lipz_diagnostics::{Code, Report};
 use lipz_file::{Document, Element, JsonString, Raw, Value};
 use lipz_layout::{Tag, U32};
 use std::borrow::Cow;
+use std::cell::Cell;
 use zerocopy::FromBytes;
+
+/// How many times as long as their bank all files may be, beside one file of the greatest length.
+const MOST_TIMES: u64 = 256;
+
+/// Bytes that all files of a bank may have. Clips share texts, events and records, so that a forged bank of a few
+/// kilobytes could ask for terabytes.
+pub(crate) fn budget_bytes(bank: &Bank<'_>) -> u64 {
+    (lipz_file::MAX_FILE_BYTES as u64).saturating_add(MOST_TIMES.saturating_mul(bank.length_bytes() as u64))
+}
+
+/// The bytes that a file may still have.
+struct Room {
+    left: Cell<u64>,
+    is_exceeded: Cell<bool>,
+}
+
+impl Room {
+    fn new(bytes: u64) -> Room {
+        Room { left: Cell::new(bytes), is_exceeded: Cell::new(false) }
+    }
+
+    /// Takes so many bytes; `None` if they are too many.
+    fn take(&self, bytes: usize) -> Option<()> {
+        match self.left.get().checked_sub(bytes as u64) {
+            Some(left) => {
+                self.left.set(left);
+                Some(())
+            }
+            None => {
+                self.is_exceeded.set(true);
+                None
+            }
+        }
+    }
+}
 
 /// The Lipz files of a bank, in the order of their keys.
 pub struct Documents<'data, 'bank> {
@@ -51,12 +87,24 @@ impl<'data, 'bank> Documents<'data, 'bank> {
         self.sources.is_some()
     }
 
-    /// Key and document of each clip.
+    /// Key and document of each clip. Documents that are longer than a Lipz file may be, or all together much longer
+    /// than the bank (docs/FORMAT.md, "Source records"), are errors.
     pub fn iter(&self) -> impl Iterator<Item = Result<(&'data str, Document<'data>), Report>> + '_ {
-        self.bank.clips().map(|clip| Ok((clip.key(), self.document(&clip)?)))
+        let mut left = budget_bytes(self.bank);
+        self.bank.clips().map(move |clip| {
+            let most = left.min(lipz_file::MAX_FILE_BYTES as u64);
+            let room = Room::new(most);
+            let document = self.document(&clip, &room);
+            left = left.saturating_sub(most.saturating_sub(room.left.get()));
+            if room.is_exceeded.get() {
+                let message = format!("the bank asks for more bytes than its files may have, at `{}`", clip.key());
+                return Err(damaged(&message));
+            }
+            Ok((clip.key(), document?))
+        })
     }
 
-    fn document(&self, clip: &Clip<'data, '_>) -> Result<Document<'data>, Report> {
+    fn document(&self, clip: &Clip<'data, '_>, room: &Room) -> Result<Document<'data>, Report> {
         let is_own = |locale: &Locale<'data>| {
             clip.segment(0).and_then(|segment| segment.text(*locale)).is_some_and(|text| !text.is_fallback())
         };
@@ -66,9 +114,9 @@ impl<'data, 'bank> Documents<'data, 'bank> {
                 let damage = || damaged(&format!("the source record of `{}` cannot be decoded", clip.key()));
                 let offset = sources.index.get(clip.slot() as usize).ok_or_else(damage)?.get();
                 let record = sources.records.get(offset as usize..).ok_or_else(damage)?;
-                exact(clip, &own, record).ok_or_else(damage)
+                exact(clip, &own, record, room).ok_or_else(damage)
             }
-            None => Ok(display_form(clip, &own)),
+            None => Ok(display_form(clip, &own, room)),
         }
     }
 }
@@ -78,35 +126,46 @@ fn damaged(what: &str) -> Report {
 }
 
 /// The document as it was written.
-fn exact<'data>(clip: &Clip<'data, '_>, own: &[Locale<'data>], record: &'data [u8]) -> Option<Document<'data>> {
+fn exact<'data>(
+    clip: &Clip<'data, '_>,
+    own: &[Locale<'data>],
+    record: &'data [u8],
+    room: &Room,
+) -> Option<Document<'data>> {
     let mut elements = Vec::new();
     for (name, value) in source_record::decode(record, clip.segment_count())? {
         let held = |padding: &[(usize, usize)]| match name {
             Name::Known("viseme_type") => Some(clip.viseme_type()?.name().to_owned()),
-            Name::Known("visemes") => joined(clip, padding, codes),
-            Name::Known("events") => joined(clip, padding, Segment::event),
-            Name::OwnText(index) => joined(clip, padding, display_text(*own.get(index)?)),
+            Name::Known("visemes") => joined(clip, padding, room, codes),
+            Name::Known("events") => joined(clip, padding, room, Segment::event),
+            Name::OwnText(index) => joined(clip, padding, room, display_text(*own.get(index)?)),
             _ => None,
         };
         let value = match value {
             RecordedValue::AsInBank => Value::String(Cow::<str>::Owned(held(&[])?).into()),
             RecordedValue::Padded(padding) => Value::String(Cow::<str>::Owned(held(&padding)?).into()),
-            RecordedValue::String(string) => Value::String(Cow::Borrowed(string).into()),
-            RecordedValue::Number(number) => Value::Number(Raw::new(number)),
-            RecordedValue::Other(json) => Value::Other(Raw::new(json)),
+            RecordedValue::String(spelled) | RecordedValue::Number(spelled) | RecordedValue::Other(spelled) => {
+                room.take(spelled.len())?;
+                match value {
+                    RecordedValue::Number(number) => Value::Number(Raw::new(number)),
+                    RecordedValue::Other(json) => Value::Other(Raw::new(json)),
+                    _ => Value::String(Cow::Borrowed(spelled).into()),
+                }
+            }
         };
         let name = match name {
             Name::Spelled(name) => Cow::Borrowed(name),
             Name::Known(name) => Cow::Borrowed(name),
             Name::OwnText(index) => Cow::Owned(format!("text_{}", own.get(index)?.tag())),
         };
+        room.take(name.len())?;
         elements.push(Element { name: name.into(), value });
     }
     Some(Document { elements })
 }
 
 /// The document in canonical order, with display texts.
-fn display_form<'data>(clip: &Clip<'data, '_>, own: &[Locale<'data>]) -> Document<'data> {
+fn display_form<'data>(clip: &Clip<'data, '_>, own: &[Locale<'data>], room: &Room) -> Document<'data> {
     let mut elements = Vec::new();
     let mut push = |name: String, value: Value<'data>| {
         elements.push(Element { name: JsonString::from(Cow::Owned(name)), value });
@@ -118,15 +177,15 @@ fn display_form<'data>(clip: &Clip<'data, '_>, own: &[Locale<'data>]) -> Documen
     if let Some(viseme_type) = clip.viseme_type() {
         push("viseme_type".into(), string(viseme_type.name().into()));
     }
-    if let Some(visemes) = joined(clip, &[], codes).filter(|_| clip.has_visemes()) {
+    if let Some(visemes) = joined(clip, &[], room, codes).filter(|_| clip.has_visemes()) {
         push("visemes".into(), string(visemes));
     }
     for locale in own {
-        if let Some(text) = joined(clip, &[], display_text(*locale)) {
+        if let Some(text) = joined(clip, &[], room, display_text(*locale)) {
             push(format!("text_{}", locale.tag()), string(text));
         }
     }
-    if let Some(events) = joined(clip, &[], Segment::event) {
+    if let Some(events) = joined(clip, &[], room, Segment::event) {
         push("events".into(), string(events));
     }
     Document { elements }
@@ -141,10 +200,11 @@ fn display_text<'data>(locale: Locale<'data>) -> impl Fn(&Segment<'data, '_>) ->
 }
 
 /// The parts of all segments with `|` between them, if every segment has one; with blanks before
-/// and after each as in `padding`.
+/// and after each as in `padding`; `None` also where there is no room.
 fn joined<'data, 'bank>(
     clip: &Clip<'data, 'bank>,
     padding: &[(usize, usize)],
+    room: &Room,
     part: impl Fn(&Segment<'data, 'bank>) -> Option<&'data str>,
 ) -> Option<String> {
     let mut whole = String::new();
@@ -153,8 +213,10 @@ fn joined<'data, 'bank>(
         if segment.index() > 0 {
             whole.push(lipz_file::text::DELIMITER);
         }
+        let part = part(&segment)?;
+        room.take(part.len().saturating_add(before).saturating_add(after).saturating_add(1))?;
         whole.extend(std::iter::repeat_n(' ', before));
-        whole.push_str(part(&segment)?);
+        whole.push_str(part);
         whole.extend(std::iter::repeat_n(' ', after));
     }
     Some(whole)

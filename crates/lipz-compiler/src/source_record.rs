@@ -15,6 +15,10 @@ const NAMED: [&str; 4] = ["fps", "viseme_type", "visemes", "events"];
 /// The number of the first of the clip's own texts.
 const FIRST_TEXT: u64 = 1 + NAMED.len() as u64;
 
+/// The most blanks at one side of a segment that a record counts instead of spelling them out. So a byte of a bank asks
+/// for few bytes of a file.
+const MAX_BLANKS: usize = 255;
+
 /// How a record holds a value.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Kind {
@@ -142,16 +146,20 @@ fn push_text(record: &mut Vec<u8>, text: &str, held: Option<usize>, segment_coun
         return;
     }
     let segments = || lipz_file::text::segments(text).map(|range| &text[range]);
+    let sides = |segment: &str| {
+        let behind = segment.trim_start_matches(blank);
+        (segment.len() - behind.len(), behind.len() - behind.trim_end_matches(blank).len())
+    };
     let unpadded: usize = segments().map(|segment| segment.trim_matches(blank).len()).sum();
-    if held != Some(unpadded) {
+    let is_long = |(before, after)| before > MAX_BLANKS || after > MAX_BLANKS;
+    if held != Some(unpadded) || segments().map(sides).any(is_long) {
         push_spelled(record, Kind::String, text);
         return;
     }
     record.push(Kind::Padded as u8);
-    for segment in segments() {
-        let behind = segment.trim_start_matches(blank);
-        push_number(record, (segment.len() - behind.len()) as u64);
-        push_number(record, (behind.len() - behind.trim_end_matches(blank).len()) as u64);
+    for (before, after) in segments().map(sides) {
+        push_number(record, before as u64);
+        push_number(record, after as u64);
     }
 }
 
@@ -176,7 +184,7 @@ fn push_string(record: &mut Vec<u8>, text: &str) {
 /// The elements of the record that starts at `bytes`, of a clip with so many segments; `None` where
 /// it is damaged.
 pub(crate) fn decode(bytes: &[u8], segment_count: u32) -> Option<Vec<(Name<'_>, RecordedValue<'_>)>> {
-    let mut reader = Reader { rest: bytes, blanks_left: lipz_file::MAX_FILE_BYTES };
+    let mut reader = Reader { rest: bytes };
     let count = reader.number()?;
     let mut elements: Vec<(Name<'_>, RecordedValue<'_>)> = Vec::new();
     let mut named = HashSet::new();
@@ -206,8 +214,6 @@ pub(crate) fn decode(bytes: &[u8], segment_count: u32) -> Option<Vec<(Name<'_>, 
 
 struct Reader<'r> {
     rest: &'r [u8],
-    /// Blanks that the elements to come may have altogether: no more than a file.
-    blanks_left: usize,
 }
 
 impl<'r> Reader<'r> {
@@ -233,8 +239,7 @@ impl<'r> Reader<'r> {
     fn padding(&mut self, segment_count: u32) -> Option<Vec<(usize, usize)>> {
         let mut blanks = || {
             let count = usize::try_from(self.number()?).ok()?;
-            self.blanks_left = self.blanks_left.checked_sub(count)?;
-            Some(count)
+            (count <= MAX_BLANKS).then_some(count)
         };
         (0..segment_count).map(|_| Some((blanks()?, blanks()?))).collect()
     }
@@ -283,10 +288,9 @@ mod tests {
 
     #[test]
     fn a_few_bytes_do_not_ask_for_much_memory() {
-        // Two texts that claim 200 million blanks each, and one text twice.
-        let padded = |number: u8| [&[number, Kind::Padded as u8][..], &[0x80, 0x84, 0xAF, 0x5F, 0]].concat();
-        assert!(decode(&[&[1][..], &padded(5)].concat(), 1).is_some());
-        assert!(decode(&[&[2][..], &padded(5), &padded(6)].concat(), 1).is_none());
+        // A text that claims 255 blanks, one more, and 200 million; and one text twice.
+        let padded = |blanks: &[u8]| decode(&[&[1, 5, Kind::Padded as u8], blanks, &[0]].concat(), 1).is_some();
+        assert_eq!([&[0xFF, 1][..], &[0x80, 2], &[0x80, 0x84, 0xAF, 0x5F]].map(padded), [true, false, false]);
         assert!(decode(&[2, 5, Kind::AsInBank as u8, 5, Kind::AsInBank as u8], 1).is_none());
     }
 }

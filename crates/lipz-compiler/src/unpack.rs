@@ -34,7 +34,7 @@ pub struct Unpacked {
 ///
 /// # Errors
 /// Keys that cannot be file names everywhere, or that would be one file, source records that cannot be
-/// decoded, and files that exist: found before the first file is written. Then whatever the file system
+/// decoded, files that would be far longer than the bank, and files that exist: found before the first file is written. Then whatever the file system
 /// refuses.
 pub fn unpack<'data, 'bank>(
     bank: impl Into<BankWithTexts<'data, 'bank>>,
@@ -49,10 +49,8 @@ where
     let bank = whole.bank();
     let documents = Documents::from_bank(whole).map_err(|report| vec![report])?;
     let mut refused = refused_keys(bank);
-    if documents.is_exact() {
-        // Decoded twice rather than kept: a bank can hold more than fits the memory.
-        refused.extend(documents.iter().filter_map(Result::err));
-    }
+    // Decoded twice rather than kept: a bank can hold more than fits the memory.
+    refused.extend(documents.iter().filter_map(Result::err));
     if !refused.is_empty() {
         return Err(refused);
     }

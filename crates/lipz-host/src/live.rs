@@ -4,6 +4,7 @@ use crate::bytes::Backing;
 use crate::stamp::Stamp;
 use crate::{FileBytes, OpenError, OwnedBank};
 use std::fs::{self, File};
+use std::io::{Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError, RwLock};
 
@@ -18,8 +19,8 @@ pub struct LiveBank {
     /// `Map` only where somebody has promised what `open_mapped` asks for.
     backing: Backing,
     current: RwLock<Arc<OwnedBank>>,
-    /// What the file looked like that needs no second look, used or refused.
-    seen: Mutex<Option<Stamp>>,
+    /// What the file looked like when it was used or refused.
+    seen: Mutex<Seen>,
 }
 
 impl LiveBank {
@@ -48,7 +49,7 @@ impl LiveBank {
         let file = File::open(&path)?;
         let stamp = Stamp::new(&file.metadata()?);
         let current = RwLock::new(Arc::new(verified(&file, backing)?));
-        Ok(LiveBank { path, backing, current, seen: Mutex::new(Some(stamp)) })
+        Ok(LiveBank { path, backing, current, seen: Mutex::new(Seen::new(stamp, true)) })
     }
 
     /// The current version. Keep it for as long as what you do with it should not change: a
@@ -61,7 +62,8 @@ impl LiveBank {
     ///
     /// As long as the file looks the same (one `stat`), this costs nothing worth mentioning. A new version is
     /// verified first, which reads all of it: call this where a pause of some milliseconds does not hurt,
-    /// or from a thread of your own.
+    /// or from a thread of your own. Of a file that is younger than two seconds, its header is read with every call: on
+    /// some file systems the next one could look the same.
     ///
     /// # Errors
     /// Why the file cannot be used; the old version stays the current one. A damaged file is refused once
@@ -70,22 +72,26 @@ impl LiveBank {
     pub fn refresh(&self) -> Result<bool, OpenError> {
         // Held until the end: one version after the other.
         let mut seen = self.seen.lock().unwrap_or_else(PoisonError::into_inner);
-        if *seen == Some(Stamp::new(&fs::metadata(&self.path)?)) {
+        if seen.stamp == Stamp::new(&fs::metadata(&self.path)?) && seen.is_settled {
             return Ok(false);
         }
         let file = File::open(&self.path)?;
         // Of the very file that is read: the path may lead to the next one by now.
         let stamp = Stamp::new(&file.metadata()?);
+        // Before it is read: what is written afterwards then shows.
+        let looks_the_same = seen.is_used && seen.stamp == stamp;
+        *seen = Seen::new(stamp, false);
+        if looks_the_same && checksum(&file)? == Some(self.current().bank().checksum()) {
+            seen.is_used = true;
+            return Ok(false);
+        }
         match verified(&file, self.backing) {
             Ok(bank) => {
                 *self.current.write().unwrap_or_else(PoisonError::into_inner) = Arc::new(bank);
-                *seen = Some(stamp);
+                seen.is_used = true;
                 Ok(true)
             }
-            Err(error) => {
-                *seen = stamp.is_settled().then_some(stamp);
-                Err(error)
-            }
+            Err(error) => Err(error),
         }
     }
 
@@ -93,6 +99,31 @@ impl LiveBank {
     pub fn path(&self) -> &Path {
         &self.path
     }
+}
+
+/// A look at the file.
+#[derive(Debug)]
+struct Seen {
+    stamp: Stamp,
+    /// Whether another file would look otherwise. That of a younger one may be replaced by one that looks the same.
+    is_settled: bool,
+    /// Whether it is the current version.
+    is_used: bool,
+}
+
+impl Seen {
+    fn new(stamp: Stamp, is_used: bool) -> Seen {
+        Seen { stamp, is_settled: stamp.is_settled(), is_used }
+    }
+}
+
+/// The checksum in the header of a file; `None` if it is too short to have one.
+fn checksum(mut file: &File) -> Result<Option<u64>, OpenError> {
+    const END: u64 = 16;
+    let mut start = Vec::new();
+    file.take(END).read_to_end(&mut start)?;
+    file.seek(SeekFrom::Start(0))?;
+    Ok(start.get(8..).and_then(|bytes| bytes.try_into().ok()).map(u64::from_le_bytes))
 }
 
 #[allow(unsafe_code)] // the contract of `LiveBank::open_mapped`, through which alone a bank is mapped
@@ -103,4 +134,31 @@ fn verified(file: &File, backing: Backing) -> Result<OwnedBank, OpenError> {
         Backing::Map => unsafe { FileBytes::map_from(file) }?,
     };
     OwnedBank::from_bytes(bytes)?.verify()
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests")]
+
+    use super::*;
+
+    const OLD: &[u8] = include_bytes!("../../../fixtures/banks/v1/small.lipzbank");
+    const NEW: &[u8] = include_bytes!("../../../fixtures/banks/v1/stripped.lipzbank");
+
+    /// The clocks of some file systems tick once a second: a new version within the second looks as the one before.
+    #[test]
+    fn a_version_that_looks_like_the_one_before_is_taken_in() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("dialogue.lipzbank");
+        fs::write(&path, OLD).unwrap();
+        let live = LiveBank::open(&path).unwrap();
+        assert!(!live.refresh().unwrap(), "young, and the same");
+        for bytes in [NEW, OLD, NEW] {
+            fs::write(&path, bytes).unwrap();
+            live.seen.lock().unwrap().stamp = Stamp::new(&fs::metadata(&path).unwrap());
+            assert!(live.refresh().unwrap());
+            assert_eq!(**live.current().bytes(), *bytes);
+            assert!(!live.refresh().unwrap());
+        }
+    }
 }

@@ -9,6 +9,8 @@
 
 /// Bytes that the lanes take at a time.
 const STRIPE: usize = 32;
+/// The bits of a length that are less than a stripe.
+const REST: u64 = 31;
 
 const PRIME_1: u64 = 0x9E37_79B1_85EB_CA87;
 const PRIME_2: u64 = 0xC2B2_AE3D_27D4_EB4F;
@@ -40,7 +42,7 @@ pub fn checksum(bytes: &[u8]) -> u64 {
     for lane in &lanes {
         hash = (hash ^ round(0, *lane)).wrapping_mul(PRIME_1).wrapping_add(PRIME_4);
     }
-    let length_bytes = (bytes.len() as u64 | (STRIPE as u64 - 1)).wrapping_add(1);
+    let length_bytes = (bytes.len() as u64 | REST).wrapping_add(1);
     hash = hash.wrapping_add(length_bytes);
     hash = (hash ^ (hash >> 33)).wrapping_mul(PRIME_2);
     hash = (hash ^ (hash >> 29)).wrapping_mul(PRIME_3);

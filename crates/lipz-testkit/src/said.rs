@@ -25,6 +25,7 @@ pub(crate) fn of_clip(clip: &Clip<'_, '_>) {
     if let Some(fps) = clip.fps() {
         of_fps(fps);
     }
+    black_box(clip.recording().map(|recording| (recording.length_us(), recording.content_hash())));
     let Some(kind) = clip.viseme_type() else { return };
     assert_eq!(VisemeType::from_number(kind as u8), Some(kind));
     let codes = clip.frames();

@@ -123,6 +123,7 @@ fn clip_asked(bank: &Bank<'_>, clip: &Clip<'_, '_>, number: u32, see: See) {
         see_bytes(see, kind.name().as_bytes());
         see_bytes(see, kind.codes().as_bytes());
     }
+    see(clip.recording().map_or(0, |recording| recording.length_us() ^ recording.content_hash()));
     see(VisemeType::from_number(number as u8).map_or(0, |kind| kind as u64));
     if let Some(fps) = clip.fps() {
         fps_asked(fps, number, see);

@@ -1,6 +1,6 @@
 //! One clip, in a line of a list or in full.
 
-use lipz_bank::{Clip, ClipId, Event, EventName, Fps, Locale, Recording, VisemeType};
+use lipz_bank::{Bank, Clip, ClipId, Event, EventName, Fps, Locale, Recording, Segment, VisemeType};
 
 /// A clip in a list.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -121,7 +121,27 @@ pub struct SegmentText<'d> {
     pub is_fallback: bool,
 }
 
+/// Bytes that an event takes in [`ClipDetails`] beside its names, roughly.
+const EVENT_BYTES: usize = 64;
+
 impl<'d> ClipDetails<'d> {
+    /// Whether what the clip shows fits the budget of the files of `bank` (docs/FORMAT.md, "Source records"). Segments
+    /// share events and texts, so that a forged bank of a megabyte can show terabytes: ask before you read or show a
+    /// clip of a bank that may be a stranger's. Takes time in proportion to the segments and locales.
+    pub fn is_bounded(bank: &Bank<'d>, clip: &Clip<'d, '_>, locales: &[Locale<'d>]) -> bool {
+        let mut left = crate::decompile::budget_bytes(bank);
+        let mut take = |bytes: usize| {
+            left = left.checked_sub(bytes as u64)?;
+            Some(())
+        };
+        let fits = |segment: Segment<'d, '_>| {
+            take(segment.event().map_or(0, str::len))?;
+            take(segment.events().size_hint().1.unwrap_or(usize::MAX).saturating_mul(EVENT_BYTES))?;
+            locales.iter().try_for_each(|locale| take(segment.text(*locale).map_or(0, |text| text.len())))
+        };
+        clip.segments().try_for_each(fits).is_some()
+    }
+
     /// Reads the clip, with its texts in these locales.
     pub fn new(clip: &Clip<'d, '_>, locales: &[Locale<'d>]) -> Self {
         let segments = clip.segments().map(|segment| SegmentDetails {

@@ -93,6 +93,11 @@ fn clip(
     if locales.is_empty() {
         locales.extend(all);
     }
+    if !ClipDetails::is_bounded(bank, &clip, &locales) {
+        let message = format!("{} repeats more texts and events than can be shown", escape::quoted(clip.key()));
+        let help = "this bank was not made by lipz: pack it again from its sources";
+        return Err(reporter.fail(Report::failure(path, Code::BankDamaged, message, help)));
+    }
     if arguments.json {
         return reporter.print_json(&ClipDetails::new(&clip, &locales));
     }

@@ -1,0 +1,44 @@
+//! Verified banks that ask for far more than they are: nothing is made of them, in little time.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+use lipz_bank::{Bank, Locale};
+use lipz_compiler::inspect::ClipDetails;
+use lipz_compiler::{Documents, unpack};
+use lipz_diagnostics::Code;
+use lipz_layout::{TEXT_HAS_LENGTH, TEXT_MAX_BYTES, text_count};
+use lipz_testkit::forge::{ForgedClip, bank};
+
+/// A clip of so many segments, each with the same text of the greatest length.
+fn bomb(segment_count: usize) -> Vec<u8> {
+    let clip = ForgedClip { key: "k", frames: vec![], starts: vec![0; segment_count - 1] };
+    let pool = [&text_count(TEXT_MAX_BYTES)[..], &[b'a'; TEXT_MAX_BYTES]].concat();
+    bank(&[clip], 1, &vec![TEXT_HAS_LENGTH; segment_count], &pool)
+}
+
+#[test]
+fn texts_that_would_fill_gigabytes_are_refused() {
+    let bytes = bomb(60_000);
+    assert!(bytes.len() < 1 << 20);
+    let bank = Bank::open(&bytes).unwrap().verify().unwrap();
+    let documents = Documents::from_bank(&bank).unwrap();
+    let report = documents.iter().next().unwrap().unwrap_err();
+    assert_eq!(report.diagnostics[0].code, Code::SourceDamaged);
+    assert!(report.diagnostics[0].message.contains("more bytes than its files may have"));
+
+    let folder = tempfile::tempdir().unwrap();
+    assert!(unpack(&bank, folder.path(), false, &|_| ()).is_err());
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0, "nothing was written");
+
+    let locales: Vec<Locale<'_>> = bank.locales().collect();
+    assert!(!ClipDetails::is_bounded(&bank, &bank.clip_by_key("k").unwrap(), &locales));
+}
+
+#[test]
+fn texts_that_fit_are_not() {
+    let bytes = bomb(100);
+    let bank = Bank::open(&bytes).unwrap().verify().unwrap();
+    let documents = Documents::from_bank(&bank).unwrap();
+    assert!(documents.iter().all(|document| document.is_ok()));
+    let locales: Vec<Locale<'_>> = bank.locales().collect();
+    assert!(ClipDetails::is_bounded(&bank, &bank.clip_by_key("k").unwrap(), &locales));
+}
