@@ -121,7 +121,7 @@ fn sections() {
     assert!(required.iter().map(|&(tag, bytes)| (tag.to_owned(), bytes)).eq(known));
     for (tag, bytes) in Tag::OPTIONAL {
         let tag = String::from_utf8(tag.0.to_vec()).expect("ASCII");
-        assert!(PAGE.contains(&format!("\n| `{tag}` | {bytes} | ")), "{tag}");
+        assert!(PAGE.contains(&format!("\n| `{tag}` | {bytes} | ")), "docs/FORMAT.md has no row for the section {tag}");
     }
 }
 
@@ -164,8 +164,9 @@ fn verbs() {
 #[test]
 fn errors() {
     let described = table("## Errors", "| number | kind | message |");
-    let described = described.iter().map(|row| (number(row[0]) as u8, row[1].to_owned(), row[2]));
-    assert!(described.eq(ErrorKind::ALL.iter().map(|&kind| (kind as u8, format!("{kind:?}"), kind.message()))));
+    let described: Vec<_> = described.iter().map(|row| (number(row[0]) as u8, row[1].to_owned(), row[2])).collect();
+    let kinds = ErrorKind::ALL.iter().map(|&kind| (kind as u8, format!("{kind:?}"), kind.message()));
+    assert_eq!(described, kinds.collect::<Vec<_>>(), "the table of docs/FORMAT.md and the kinds");
 }
 
 #[test]

@@ -39,8 +39,14 @@ fn every_fixture_becomes_what_is_expected() {
 #[test]
 fn every_imported_format_has_a_fixture_and_its_tables() {
     for of in formats::ALL {
-        assert!(of.read.is_none() || !fixtures(of).is_empty(), "{}", of.name);
-        assert!(of.maps.iter().all(|name| lipz_interop::find_map(name).is_some()), "{}", of.name);
+        assert!(
+            of.read.is_none() || !fixtures(of).is_empty(),
+            "fixtures/interop/{}: put a file of the tool there",
+            of.name
+        );
+        for map in of.maps {
+            assert!(lipz_interop::find_map(map).is_some(), "{}: src/map/built_in.rs has no table `{map}`", of.name);
+        }
     }
 }
 

@@ -56,6 +56,10 @@ fn a_clip_of_the_projects_rate_and_type_needs_none_of_its_own() {
 #[test]
 fn segments_go_where_something_tells() {
     let two = r#"{ "fps": 4, "visemes": "MAEO|MAEO", "text_en-us": "Hello there.|You?" }"#;
+    // Where there are no frames, nothing is guessed.
+    let empty = r#"{ "fps": 4, "visemes": "||", "text_en-us": "A.|B.|C." }"#;
+    assert_eq!(visemes(empty, &mouth("4", "")), ("||".into(), 0));
+    assert_eq!(visemes(two, &mouth("4", "")), ("|".into(), 0));
     // The same recording, analysed again: the places that somebody chose stay.
     assert_eq!(visemes(two, &mouth("4", "MAEOMAEO")), ("MAEO|MAEO".into(), 0));
     assert_eq!(visemes(two, &mouth("4", "MMEOMMEE")), ("MMEO|MMEE".into(), 0));

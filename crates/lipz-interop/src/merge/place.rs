@@ -32,8 +32,8 @@ pub(super) fn starts(
         };
         times.iter().map(frame).collect()
     };
-    if wanted == 0 {
-        return Vec::new();
+    if wanted == 0 || frames == 0 {
+        return vec![0; wanted]; // there is but one place
     }
     if let Some(known) = mouth.segment_starts.as_ref().filter(|starts| starts.len() == wanted) {
         return in_frames(known);

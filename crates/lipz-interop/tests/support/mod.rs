@@ -1,6 +1,6 @@
 //! The fixtures of `fixtures/interop`: a folder for each format, named like it.
 #![allow(dead_code, reason = "each test program uses a part of this")]
-#![allow(clippy::unwrap_used, reason = "a test stops at the first surprise")]
+#![allow(clippy::panic, clippy::unwrap_used, reason = "a test stops at the first surprise")]
 
 use lipz_interop::{Format, formats};
 use std::fs;
@@ -9,7 +9,9 @@ use std::path::{Path, PathBuf};
 /// The format's fixtures, in the order of their names.
 pub(crate) fn fixtures(format: &Format) -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/interop").join(format.name);
-    let mut files: Vec<PathBuf> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    let entries = fs::read_dir(&folder);
+    let entries = entries.unwrap_or_else(|_| panic!("no folder {}: put a file of the tool there", folder.display()));
+    let mut files: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
     files.retain(|file| file.extension().is_none_or(|extension| extension != "expected"));
     files.sort();
     files

@@ -44,8 +44,10 @@ mod tests {
     #[test]
     fn every_format_has_its_examples() {
         for format in formats::ALL {
-            assert_eq!(example(format.name, Direction::Import).is_some(), format.read.is_some(), "{}", format.name);
-            assert_eq!(example(format.name, Direction::Export).is_some(), format.write.is_some(), "{}", format.name);
+            let has = |direction| example(format.name, direction).is_some();
+            let (read, write) = (format.read.is_some(), format.write.is_some());
+            let found = (has(Direction::Import), has(Direction::Export));
+            assert_eq!(found, (read, write), "EXAMPLES: import and export of `{}`", format.name);
         }
         assert_eq!(EXAMPLES.len(), formats::ALL.len());
     }

@@ -1,0 +1,56 @@
+//! What holds for every optional section: it is written, `verify` looks at it, and splitting and comparing banks do
+//! not lose it. A new section fails here until each of these knows it.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+use lipz_bank::{Bank, Recording};
+use lipz_compiler::diff::diff;
+use lipz_compiler::settings::Settings;
+use lipz_compiler::{Compiler, Input, SplitBank};
+use lipz_layout::Tag;
+use lipz_testkit::golden::{changed, directory, entry_of, put, section};
+
+/// Only the compiler reads them, which checks them itself (LZ0905).
+const FOR_TOOLS: [Tag; 2] = [Tag::SOURCE_INDEX, Tag::SOURCES];
+
+/// A bank with all of them, and one of the same clips with none.
+fn banks() -> (Vec<u8>, Vec<u8>) {
+    let inputs =
+        ["a", "b"].map(|key| Input::from_bytes(key, r#"{ "fps": 24, "visemes": "MA-", "text_en-us": " {m} Ma!" }"#));
+    let compile = |settings: Settings| Compiler::new(settings.options).compile(&inputs).into_bank().unwrap();
+    let (mut with, report) = Settings::parse(b"[babble.robot]\nrate = 12\n", "", "".as_ref());
+    assert_eq!(report.diagnostics, []);
+    with.options = with.options.recordings([("a", Recording::new(1_500_000, 7))]);
+    let (without, _) = Settings::parse(b"strip = true\n", "", "".as_ref());
+    (compile(with), compile(without))
+}
+
+fn has(bank: &[u8], tag: Tag) -> bool {
+    directory(bank).iter().any(|entry| entry.tag == tag.0)
+}
+
+fn open(bytes: &[u8]) -> Bank<'_> {
+    Bank::open(bytes).unwrap().verify().unwrap()
+}
+
+#[test]
+fn every_optional_section_is_known_to_all_that_must_know_it() {
+    let (with, without) = banks();
+    let split = SplitBank::from_bytes(&with).unwrap();
+    for (tag, _) in Tag::OPTIONAL {
+        let name = String::from_utf8_lossy(&tag.0);
+        assert!(has(&with, tag), "no bank with {name}: set what `lower` writes it for in `banks` of this test");
+        assert!(!has(&without, tag), "{name} is not optional: banks that say nothing in it have it, too");
+        if FOR_TOOLS.contains(&tag) {
+            continue;
+        }
+        assert!(has(&split.base, tag), "split.rs drops {name}");
+        let is_refused = |at: usize| {
+            let bytes = changed(&with, |bank| bank[at] ^= 0xFF);
+            Bank::open(&bytes).and_then(Bank::verify).is_err()
+        };
+        assert!(section(&with, tag).any(is_refused), "verify does not look at {name}");
+        // The bank as a program sees it, if it skips the section.
+        let hidden = changed(&with, |bank| put(bank, entry_of(&with, tag), b"NEWS"));
+        assert!(!diff(&open(&with), &open(&hidden)).is_empty(), "diff does not see {name}");
+    }
+}
