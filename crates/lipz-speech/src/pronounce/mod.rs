@@ -105,7 +105,10 @@ impl Pronouncer {
                     Some(known) => known.clone(),
                     None => seen.entry(token.text.clone()).or_insert(self.pronounce(&token.text)).clone(),
                 },
-                Kind::Spelled(readings) => self.spelled(readings),
+                Kind::Spelled(readings) => match self.lexicon.find(&token.text) {
+                    [] => self.spelled(readings),
+                    own => with_origin(own.to_vec(), Origin::Lexicon),
+                },
                 Kind::Say(say) => match said::phones(self, &say.how) {
                     Ok(all) => with_origin(all, Origin::Say),
                     Err(range) => {
