@@ -44,23 +44,28 @@ pub(super) fn pronounce(kana: &str) -> Vec<Pronunciation> {
     ways(kana).into_iter().filter(|phones| !phones.is_empty()).map(with).collect()
 }
 
-/// All ways to say Chinese characters that the table of readings has; none if it lacks one of them.
-pub(super) fn known(han: &str) -> Option<Vec<Pronunciation>> {
+/// All ways to say Chinese characters; those that the table of readings lacks as `guess` says.
+pub(super) fn characters(han: &str, guess: impl Fn(&str) -> Vec<Vec<Phone>>) -> Vec<Pronunciation> {
     let chars: Vec<(usize, char)> = han.char_indices().collect();
     let (readings, longest) = &*READINGS;
     let (mut at, mut parts) = (0, Vec::new());
-    while at < chars.len() {
+    let mut origin = Origin::Dictionary;
+    while let Some((start, _)) = chars.get(at) {
         let end = |count: usize| chars.get(at + count).map_or(han.len(), |(place, _)| *place);
-        let start = chars.get(at)?.0;
-        let found = (1..=(*longest).min(chars.len() - at))
-            .rev()
-            .find_map(|count| han.get(start..end(count)).and_then(|word| readings.get(word)).map(|kana| (count, kana)));
-        let (count, kana) = found?;
-        parts.push(kana.iter().flat_map(|kana| ways(kana)).collect());
-        at += count;
+        let found = (1..=(*longest).min(chars.len() - at)).rev().find_map(|count| {
+            han.get(*start..end(count)).and_then(|word| readings.get(word)).map(|kana| (count, kana))
+        });
+        if let Some((count, kana)) = found {
+            parts.push(kana.iter().flat_map(|kana| ways(kana)).collect());
+            at += count;
+        } else {
+            origin = Origin::Letters;
+            parts.push(han.get(*start..end(1)).map(&guess).unwrap_or_default());
+            at += 1;
+        }
     }
     let all = sequence(&parts).into_iter().filter(|phones| !phones.is_empty());
-    Some(all.map(|phones| Pronunciation { phones, origin: Origin::Dictionary }).collect())
+    all.map(|phones| Pronunciation { phones, origin }).collect()
 }
 
 /// `は` and `へ` are also particles, said otherwise; `u` and `i` between voiceless sounds may be silent.
@@ -250,10 +255,11 @@ mod tests {
                 |kana: &str| kana.chars().all(|c| matches!(writing(c), Writing::Hiragana | Writing::Katakana));
             assert!(kana.iter().all(|kana| is_kana(kana) && !ways(kana)[0].is_empty()), "{word}");
         }
-        assert_eq!(
-            known("二十三").and_then(|all| Some(all.first()?.to_string())),
-            Some("N IY JH UW S AA N".to_owned())
-        );
-        assert_eq!(known("鬱蒼"), None);
+        let said = |han| {
+            let all = characters(han, |_| vec![vec![M]]);
+            all.first().map(|first| (first.to_string(), first.origin))
+        };
+        assert_eq!(said("二十三"), Some(("N IY JH UW S AA N".to_owned(), Origin::Dictionary)));
+        assert_eq!(said("鬱三"), Some(("M S AA N".to_owned(), Origin::Letters)));
     }
 }

@@ -55,19 +55,24 @@ fn part_of(language: Language, writing: Writing, part: &str) -> Vec<Pronunciatio
     let own = language.code();
     match (writing, language.reliance()) {
         (Writing::Digit, _) => digits(language, part),
-        (Writing::Latin, Reliance::Rules) if own != "ru" => by_rules(own, part, Origin::Rules),
+        (Writing::Latin, Reliance::Rules) if !matches!(own, "bg" | "ru" | "uk") => by_rules(own, part, Origin::Rules),
         (Writing::Latin, Reliance::Letters) => by_rules("und", part, Origin::Letters),
         // English words in other scripts are English.
         (Writing::Latin, _) => english::pronounce(&latin::plain(part), part),
         (Writing::Hiragana | Writing::Katakana, _) => kana::pronounce(part),
         (Writing::Hangul, _) => hangul::pronounce(part),
-        (Writing::Han, Reliance::Kana) => {
-            kana::known(part).unwrap_or_else(|| by_rules("und", &any_ascii(part), Origin::Letters))
-        }
+        (Writing::Han, Reliance::Kana) => kana::characters(part, |han| {
+            by_rules("und", &any_ascii(han), Origin::Letters).into_iter().map(|way| way.phones).collect()
+        }),
         (Writing::Han, _) => {
             mandarin::pronounce(part).unwrap_or_else(|| by_rules("und", &any_ascii(part), Origin::Letters))
         }
-        (Writing::Cyrillic, _) => by_rules("ru", part, if own == "ru" { Origin::Rules } else { Origin::Letters }),
+        (Writing::Cyrillic, _) => match own {
+            "bg" | "ru" | "uk" => by_rules(own, part, Origin::Rules),
+            "be" => by_rules("uk", part, Origin::Letters),
+            "mk" | "sr" | "bs" => by_rules("bg", part, Origin::Letters),
+            _ => by_rules("ru", part, Origin::Letters),
+        },
         _ => by_rules("und", &any_ascii(part), Origin::Letters),
     }
 }

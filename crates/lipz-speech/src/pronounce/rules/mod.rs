@@ -29,7 +29,7 @@ macro_rules! tables {
     };
 }
 
-tables! { "ca" "cs" "de" "es" "fi" "fr" "it" "nl" "pl" "pt" "ru" "tr" "und" }
+tables! { "bg" "ca" "cs" "de" "es" "fi" "fr" "it" "nl" "pl" "pt" "ru" "tr" "uk" "und" }
 
 /// The table of a language, if it has one.
 pub(super) fn table(code: &str) -> Option<&'static Table> {
