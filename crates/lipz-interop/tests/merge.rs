@@ -66,6 +66,10 @@ fn segments_go_where_something_tells() {
     assert_eq!(visemes(two, &mouth("8", "MMAAEEOOMMAAEEOO")), ("MMAAEEOO|MMAAEEOO".into(), 0));
     // A longer one: at the pause that is nearest in its speech.
     assert_eq!(visemes(two, &mouth("4", "-MAAEO--MAEEO-")), ("-MAAEO--|MAEEO-".into(), 0));
+    // Another tempo, but as many pauses as segments that began after one.
+    let after_pause = r#"{ "fps": 4, "visemes": "MAE---|MAEOMAEO", "text_en-us": "Hello there.|You?" }"#;
+    assert_eq!(visemes(after_pause, &mouth("4", "MAEOEOMAEEE--MAO-")), ("MAEOEOMAEEE--|MAO-".into(), 0));
+    assert_eq!(visemes(after_pause, &mouth("4", "MAEOEOMAEOEOMAEO--MA--MAO-")).1, 1, "two pauses for one");
     // No pause is near: told.
     assert_eq!(visemes(two, &mouth("4", "MAAEOMAEEOOOOO")), ("MAAEOMA|EEOOOOO".into(), 1));
     // The file of the tool knows better.

@@ -2,6 +2,7 @@
 
 use super::{MergeOptions, Mouth, Parts, codes_of};
 use crate::frames::Run;
+use crate::import::REST;
 use crate::segments::{Place, Speech, guessed};
 use crate::subtitles::bounds;
 use crate::{Time, Timed};
@@ -110,7 +111,25 @@ impl OldMouth {
             return places.map(|start| Place { time: start.min(end), is_guess: is_guess(start) }).collect();
         }
         let shares: Vec<f64> = self.starts.iter().map(|&start| old_speech.share(time(start))).collect();
-        speech.at_shares(&shares, min_pause)
+        let places = speech.at_shares(&shares, min_pause);
+        if places.iter().all(|place| !place.is_guess) || !self.starts.iter().all(|&start| self.is_in_pause(start)) {
+            return places;
+        }
+        // All segments began after a pause, and the new mouth pauses as often.
+        let pauses: Vec<Time> = speech.long_pauses(min_pause).map(|pause| pause.end).collect();
+        match pauses.len() == places.len() {
+            true => pauses.into_iter().map(|time| Place { time, is_guess: false }).collect(),
+            false => places,
+        }
+    }
+
+    /// Whether the mouth rests beside a frame where a segment starts, and speaks before it and from there on.
+    fn is_in_pause(&self, start: usize) -> bool {
+        let (before, after) = self.codes.split_at(start.min(self.codes.len()));
+        let speaks = |codes: &str| codes.bytes().any(|code| code != REST);
+        (before.as_bytes().last() == Some(&REST) || after.as_bytes().first() == Some(&REST))
+            && speaks(before)
+            && speaks(after)
     }
 }
 

@@ -44,6 +44,11 @@ impl Speech {
         self.pauses.iter()
     }
 
+    /// The pauses that last for `min_pause` or longer.
+    pub(crate) fn long_pauses(&self, min_pause: Time) -> impl Iterator<Item = &Range<Time>> {
+        self.pauses().filter(move |pause| is_long(pause, min_pause))
+    }
+
     /// How much of the speaking is done at a time, from 0 to 1.
     pub(crate) fn share(&self, time: Time) -> f64 {
         let time = time.as_f64();
@@ -101,11 +106,10 @@ impl Speech {
             let reach = (wanted - before).min(after - wanted) / 2.0;
             before = wanted;
             let distance = |pause: &(f64, &Range<Time>)| (pause.0 - wanted).abs();
-            let is_long =
-                |pause: &Range<Time>| nanoseconds(pause.end) - nanoseconds(pause.start) >= nanoseconds(min_pause);
             let near = pauses.iter().filter(|pause| distance(pause) < reach);
-            let nearest =
-                near.min_by(|a, b| is_long(b.1).cmp(&is_long(a.1)).then_with(|| distance(a).total_cmp(&distance(b))));
+            let nearest = near.min_by(|a, b| {
+                is_long(b.1, min_pause).cmp(&is_long(a.1, min_pause)).then_with(|| distance(a).total_cmp(&distance(b)))
+            });
             let (pause, is_guess) = match nearest {
                 // Rest before and after all speech is no pause, but is no guess, either.
                 _ if wanted < SAME_SHARE => (Time::ZERO..self.time(0.0), false),
@@ -136,6 +140,10 @@ pub(crate) struct Place {
     pub(crate) time: Time,
     /// Whether nothing but the lengths of the parts says so.
     pub(crate) is_guess: bool,
+}
+
+fn is_long(pause: &Range<Time>, min_pause: Time) -> bool {
+    nanoseconds(pause.end) - nanoseconds(pause.start) >= nanoseconds(min_pause)
 }
 
 /// Shares that differ by less are the same.

@@ -1,7 +1,7 @@
 //! `heads.lst`: a line for each head, with its numbers of fidget files.
 
 use super::{Content, Disposition, HeadFile};
-use lipz_diagnostics::{Code, Diagnostic, Span};
+use lipz_diagnostics::{Code, Diagnostic, Severity, Span};
 
 /// A line of `heads.lst`.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -18,7 +18,7 @@ pub struct Head {
 const MOST_FIDGETS: u32 = 1000;
 
 /// Reads `heads.lst`: `ROOT,X,Y,Z` or, as the document writes it, `ROOT X, Y, Z`. What follows the last number
-/// is a remark. Empty lines are skipped.
+/// is a remark. An empty line has a number in the game, too, so one between others is reported.
 ///
 /// Lines of another form, and roots that came before, are reported and left out.
 ///
@@ -35,6 +35,13 @@ pub fn read_list(text: &str) -> (Vec<Head>, Vec<Diagnostic>) {
         let span = Span::new(start, start + written.len());
         start += line.len();
         if written.is_empty() {
+            if !text.get(start..).unwrap_or_default().trim().is_empty() {
+                let mut diagnostic = Diagnostic::at(Code::HeadsList, span, "an empty line counts as a head")
+                    .note("the game numbers heads by their lines")
+                    .help("remove the line, or write `reser` to keep the number free");
+                diagnostic.severity = Severity::Warning;
+                found.push(diagnostic);
+            }
             continue;
         }
         let Some((root, fidgets)) = parse_line(written) else {
@@ -113,6 +120,8 @@ mod tests {
         let (heads, found) = read_list("reser\nelder,1,1,1\n");
         assert!(found.is_empty(), "{found:?}");
         assert_eq!(heads.iter().map(|head| head.files().count()).collect::<Vec<_>>(), [0, 10]);
+        let (heads, found) = read_list("reser\n\nelder,1,1,1\n\n\n");
+        assert_eq!((heads.len(), found.len()), (2, 1), "the one between others: {found:?}");
     }
 
     #[test]

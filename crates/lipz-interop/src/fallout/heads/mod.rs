@@ -48,15 +48,24 @@ pub fn compare(heads: &[Head], files: &[HeadFile]) -> Vec<Diagnostic> {
     let there: BTreeSet<String> = files.iter().map(HeadFile::file_name).collect();
     let mut found = Vec::new();
     let mut counted = BTreeSet::new();
+    let mut elsewhere = Vec::new();
     for head in heads {
         let expected: BTreeSet<String> = head.files().map(|file| file.file_name()).collect();
         let missing: Vec<&str> = expected.difference(&there).map(String::as_str).collect();
-        if !missing.is_empty() {
+        if missing.len() == expected.len() && !missing.is_empty() && !files.is_empty() {
+            elsewhere.push(head.root.as_str());
+        } else if !missing.is_empty() {
             let message = format!("{} has no {}", escape::quoted(&head.root), listed(&missing));
             let diagnostic = Diagnostic::at(Code::HeadFiles, head.span, message);
             found.push(diagnostic.help("add the files, or correct the numbers of fidget files"));
         }
         counted.extend(expected);
+    }
+    if !elsewhere.is_empty() {
+        let (count, have) = (elsewhere.len(), if elsewhere.len() == 1 { "head has" } else { "heads have" });
+        let message = format!("{count} {have} no files here: {}", listed(&elsewhere));
+        let diagnostic = Diagnostic::new(Code::HeadFiles, message).note("those of other heads are here");
+        found.push(diagnostic.help("nothing is wrong if their files are in the archives of the game"));
     }
     let of_list = |file: &&HeadFile| heads.iter().any(|head| head.root.eq_ignore_ascii_case(&file.root));
     let is_surplus =
@@ -113,6 +122,7 @@ mod tests {
         assert_eq!(headlines("el,1,1,1\n", &names), ["the numbers of `el` leave out `elnf2.frm`"]);
         assert_eq!(headlines("el,1,3,1\n", &names), ["`el` has no `elnf3.frm`"]);
         assert_eq!(headlines("", &names), ["heads.lst has no line for `EL`"; 1].map(|line| line.replace("EL", "el")));
+        assert_eq!(headlines("el,1,2,1\nab,1,1,1\ncd,1,1,1\n", &names), ["2 heads have no files here: `ab`, `cd`"]);
         let none = headlines("el,1,2,1\n", &[]);
         assert_eq!(
             none,
