@@ -3,7 +3,7 @@
 use crate::Phone;
 
 /// At most so many pronunciations of one word: more cost time, and hardly any is heard.
-pub(super) const MOST: usize = 12;
+pub(super) const MOST: usize = 8;
 
 /// All ways to say parts one after the other: each by its first pronunciation, then with one part at a time said in
 /// its other ways.
