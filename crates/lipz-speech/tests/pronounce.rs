@@ -222,6 +222,20 @@ fn numbers_are_said_in_the_language_of_the_text() {
 }
 
 #[test]
+fn french_words_link_with_vowels() {
+    let all = |text: &str| {
+        let script = Pronouncer::new(Language::from_locale("fr-fr").expect("a locale")).script(text);
+        script.words[0].pronunciations.iter().map(ToString::to_string).collect::<Vec<_>>()
+    };
+    assert_eq!(all("Les amis"), ["L EY Z", "L EY"]);
+    assert_eq!(all("les oiseaux")[0], "L EY Z");
+    assert_eq!(all("est-elle"), ["EH T", "EH"]);
+    for apart in ["les chats", "les, amis", "les | amis", "les oui", "les", "Jean amis"] {
+        assert!(!all(apart)[0].ends_with(" Z"), "{apart}");
+    }
+}
+
+#[test]
 fn other_scripts_are_read_by_those_who_can() {
     assert_eq!(first_lines("zh-cn", "你好，OK！"), ["你  N IY", "好  HH AW", "OK  OW K EY"]);
     assert_eq!(first_lines("ko-kr", "안녕, Tom"), ["안녕  AA N N Y AH NG", "Tom  T AA M"]);

@@ -6,6 +6,7 @@ mod ipa;
 mod kana;
 mod latin;
 mod lexicon;
+mod link;
 mod mandarin;
 mod rules;
 mod said;
@@ -123,6 +124,9 @@ impl Pronouncer {
             }
             let Token { text, range, .. } = token;
             reading.script.words.push(Word { text, range, pronunciations });
+        }
+        if let Some(table) = rules::table(self.language.code()).filter(|table| !table.links.is_empty()) {
+            link::link(text, &mut reading.script.words, table);
         }
         reading.problems.sort_by_key(|problem| problem.range.start);
         reading

@@ -15,6 +15,8 @@ pub(in crate::pronounce) struct Table {
     pub(super) words: HashMap<String, Vec<Vec<Phone>>>,
     /// The names of letters, spelled in the language.
     pub(super) names: HashMap<char, String>,
+    /// Words that end with another sound before a vowel.
+    pub(in crate::pronounce) links: HashMap<String, Phone>,
     pub(super) vowels: Vec<char>,
     pub(super) stress: Stress,
     /// Whether `I` is the capital of `ı`.
@@ -105,6 +107,11 @@ impl Table {
                     let (letter, name) = name.split_once('=')?;
                     self.names.insert(single(letter)?, name.to_owned());
                 }
+            }
+            "link" => {
+                let (sound, words) = rest.split_once(' ')?;
+                let sound = arpabet(sound)?;
+                self.links.extend(words.split_whitespace().map(|word| (word.to_owned(), sound)));
             }
             "word" => {
                 let (word, sounds) = rest.split_once(char::is_whitespace)?;
