@@ -16,6 +16,9 @@ const MUTATIONS: u64 = 1500;
 const ONE_IN: u64 = 9;
 const SHORT_UNITS_PER_SECOND: u32 = 1_000_000;
 
+/// Clips of so many frames are merged, too: longer ones are no different, but take their time.
+const MERGED_FRAMES: usize = 10_000;
+
 fn options(segments: Segments) -> ImportOptions<'static> {
     ImportOptions::new().segments(segments).locale("en-us").min_hold(2)
 }
@@ -36,11 +39,13 @@ fn check(format: &Format, bytes: &[u8], options: &ImportOptions<'_>) {
                 assert_eq!(segment_count(text), segment_count(visemes), "{}: {text}", format.name);
             }
         }
-        let merged = clip.merge(&line, &MergeOptions::new());
-        let visemes = merged.document.string("visemes").unwrap();
-        assert_eq!(visemes.bytes().filter(|byte| *byte != b'|').count(), clip.frames);
-        assert_eq!(segment_count(visemes), 2, "{}: {visemes}", format.name);
-        assert_eq!(merged.document.string("text_en-us"), line.string("text_en-us"));
+        if clip.frames < MERGED_FRAMES {
+            let merged = clip.merge(&line, &MergeOptions::new());
+            let visemes = merged.document.string("visemes").unwrap();
+            assert_eq!(visemes.bytes().filter(|byte| *byte != b'|').count(), clip.frames);
+            assert_eq!(segment_count(visemes), 2, "{}: {visemes}", format.name);
+            assert_eq!(merged.document.string("text_en-us"), line.string("text_en-us"));
+        }
         let written = lipz_file::write(&clip.document);
         assert!(lipz_file::parse(written.as_bytes()).document.is_some(), "{}: {written}", format.name);
     }

@@ -2,9 +2,11 @@
 
 mod azure;
 mod bohemia;
+mod cartesia;
 mod kotor;
 mod lipz_editor;
 mod lipz_txt;
+mod live_link;
 mod moho;
 mod ovr;
 mod pamela;
@@ -65,7 +67,9 @@ pub const ALL: &[Format] = &[
     fallout::clip::FORMAT,
     polly::FORMAT,
     azure::FORMAT,
+    cartesia::FORMAT,
     ovr::FORMAT,
+    live_link::FORMAT,
     textgrid::clip::FORMAT,
     lipz_txt::FORMAT,
     lipz_editor::FORMAT,

@@ -11,6 +11,7 @@ macro_rules! tables {
 }
 
 tables! {
+    "arkit"
     "arpabet-blair"
     "azure"
     "blair"

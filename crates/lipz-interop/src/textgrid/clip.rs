@@ -275,6 +275,11 @@ impl<'m> Symbols<'m> {
 /// Letters of a phone that are looked up: no symbol of a table has more.
 const MOST_LETTERS: usize = 8;
 
+/// The symbol for a phone in the letters of the IPA, in the table of that name or in one of the user's.
+pub(crate) fn phone_symbol(label: &str, own: Option<&Map>) -> String {
+    own.map_or(Symbols::Ipa, Symbols::Own).symbol(label)
+}
+
 /// The symbol of a table for a phone: the whole of it, or its first letters.
 fn known(phone: &str, map: &Map) -> Option<String> {
     let ends = phone.char_indices().map(|(at, _)| at).skip(1).chain([phone.len()]).take(MOST_LETTERS);

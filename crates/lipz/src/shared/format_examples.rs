@@ -21,6 +21,8 @@ const EXAMPLES: &[(&str, &str, Option<&str>)] = &[
     ("fallout", "speech/*.lip -o voices", Some("voices -o speech")),
     ("polly", "speech/*.marks --locale en-us -o voices", None),
     ("azure", "speech/*.json -o voices", None),
+    ("cartesia", "speech/*.json -o voices", None),
+    ("live-link", "takes/*.csv --fps 30 -o voices", None),
     ("ovr", "dumps/*.csv --file-fps 60 --fps 30 -o voices", None),
     ("textgrid", "aligned/*.TextGrid --fps 30 -o voices", Some("voices -o aligned")),
     ("lipz-txt", "audio/*.lipz.txt -o voices", None),

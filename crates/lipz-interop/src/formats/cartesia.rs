@@ -1,0 +1,114 @@
+//! Timestamps of Cartesia's voices: the messages of its stream, each a JSON object. `phoneme_timestamps` has phones in
+//! the letters of the IPA with starts and ends in seconds, `word_timestamps` the words; all other messages are sound.
+
+use super::Format;
+use crate::json::{self, Node};
+use crate::source::{self, Line};
+use crate::textgrid::clip::phone_symbol;
+use crate::{ImportOptions, Shape, Time, Timed, Track};
+use lipz_diagnostics::{Code, Diagnostic};
+
+pub(super) const FORMAT: Format = Format {
+    name: "cartesia",
+    about: "Cartesia voices, messages with timestamps",
+    extension: "json",
+    maps: &["ipa"],
+    is_binary: false,
+    is_legacy: false,
+    keeps_texts: false,
+    read: Some(read),
+    write: None,
+};
+
+fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Track> {
+    let Some(text) = source::text(bytes, diagnostics) else { return Vec::new() };
+    let mut track = Track::default();
+    let mut ended = None;
+    for message in messages(text, diagnostics) {
+        for phone in stretches(message, "phoneme_timestamps", "phonemes", diagnostics) {
+            let shape = |start, label: &str| Shape::at(phone.span, start, phone_symbol(label, options.map));
+            if let Some(gap) = ended.filter(|ended| *ended < phone.start) {
+                track.shapes.push(shape(gap, ""));
+            }
+            track.shapes.push(shape(phone.start, &phone.label));
+            ended = ended.max(Some(phone.end));
+        }
+        let words = stretches(message, "word_timestamps", "words", diagnostics);
+        track.words.extend(words.into_iter().map(|word| Timed { start: word.start, text: word.label }));
+        if message.get(&["type"]).and_then(Node::string).is_some_and(|kind| kind == "error") {
+            let what = message.get(&["message", "error"]).and_then(Node::string).unwrap_or_default();
+            let diagnostic =
+                Diagnostic::at(Code::ForeignValue, message.span(), format!("the voice reports an error: {what}"));
+            diagnostics.push(diagnostic.help("ask for the recording again"));
+        }
+    }
+    track.end = ended;
+    vec![track]
+}
+
+/// The messages: one after the other, as an array, or as server-sent events, whose `data:` they are.
+fn messages<'t>(text: &'t str, diagnostics: &mut Vec<Diagnostic>) -> Vec<Node<'t>> {
+    let data = |line: Line<'t>| {
+        let json = line.text.strip_prefix("data:")?;
+        Some(Line { text: json, at: line.at + line.text.len() - json.len() })
+    };
+    let first = text.trim_start();
+    if first.starts_with('[') {
+        return json::root(text, diagnostics).and_then(Node::items).unwrap_or_default();
+    }
+    if first.starts_with('{') || !source::lines(text).any(|line| data(line).is_some()) {
+        return json::joined(text, diagnostics);
+    }
+    let mut messages = Vec::new();
+    for line in source::lines(text).filter_map(data) {
+        match json::root(line.text, &mut Vec::new()) {
+            Some(root) => messages.push(Node { line: Line { at: line.at + root.line.at, ..root.line } }),
+            None => diagnostics.push(line.not("a message, a JSON object on a line")),
+        }
+    }
+    messages
+}
+
+/// A phone or a word.
+struct Stretch {
+    start: Time,
+    end: Time,
+    label: String,
+    span: lipz_diagnostics::Span,
+}
+
+/// The stretches that a message has under `name`, their labels under `labels`.
+fn stretches(message: Node<'_>, name: &str, labels: &str, diagnostics: &mut Vec<Diagnostic>) -> Vec<Stretch> {
+    // In some versions, the timestamps are the whole message.
+    let holder = message.get(&[name]).or_else(|| message.get(&[labels]).map(|_| message));
+    let Some(holder) = holder.filter(|holder| holder.is_object()) else { return Vec::new() };
+    let mut list = |name: &str| {
+        let items = holder.get(&[name]).and_then(Node::items);
+        if items.is_none() {
+            diagnostics.push(holder.lacks(&format!("a list \"{name}\"")));
+        }
+        items
+    };
+    let (Some(names), Some(starts), Some(ends)) = (list(labels), list("start"), list("end")) else { return Vec::new() };
+    if names.len() != starts.len() || names.len() != ends.len() {
+        let message = format!("{} {labels} have {} starts and {} ends", names.len(), starts.len(), ends.len());
+        diagnostics.push(Diagnostic::at(Code::ForeignSyntax, holder.span(), message));
+        return Vec::new();
+    }
+    let mut stretches = Vec::with_capacity(names.len());
+    for ((label, start), end) in names.into_iter().zip(starts).zip(ends) {
+        let mut time = |node: Node<'_>| {
+            let time = node.number().and_then(|seconds| Time::parse(&seconds));
+            if time.is_none() {
+                diagnostics.push(node.not("a time in seconds, 0 or later"));
+            }
+            time
+        };
+        let (Some(start), Some(end)) = (time(start), time(end)) else { continue };
+        match label.string() {
+            Some(text) => stretches.push(Stretch { start, end: end.max(start), label: text, span: label.span() }),
+            None => diagnostics.push(label.not("a text")),
+        }
+    }
+    stretches
+}
