@@ -46,10 +46,14 @@ fn sync(path: &Path, locale: &str) -> Result<Value, Box<dyn Error>> {
     let seconds = |us: u64| us as f64 / 1e6;
     let phone = |phone: &lipz_speech::AlignedPhone| json!({ "p": phone.phone.name(), "s": seconds(phone.start_us), "e": seconds(phone.end_us), "fit": phone.fit });
     let word = |(word, times): (&lipz_speech::Word, &lipz_speech::AlignedWord)| json!({ "w": word.text, "s": seconds(times.start_us), "e": seconds(times.end_us), "c": times.confidence });
+    let mismatch = |found: &lipz_speech::Mismatch| {
+        let words = [found.words.start, found.words.end];
+        json!({ "kind": format!("{:?}", found.kind), "w": words, "s": seconds(found.start_us), "e": seconds(found.end_us) })
+    };
     Ok(json!({
         "visemes": mouth.frames, "viseme_type": "blair", "fps": 24, "phoneset": "arpa",
         "phones": alignment.phones.iter().map(phone).collect::<Vec<_>>(),
         "words": script.words.iter().zip(&alignment.words).map(word).collect::<Vec<_>>(),
-        "wall": wall,
+        "mismatches": alignment.mismatches.iter().map(mismatch).collect::<Vec<_>>(), "wall": wall,
     }))
 }

@@ -22,7 +22,7 @@ mod script;
 mod sound;
 mod text;
 
-pub use align::{AlignOptions, AlignedPhone, AlignedWord, Aligner, Alignment};
+pub use align::{AlignOptions, AlignedPhone, AlignedWord, Aligner, Alignment, Mismatch, MismatchKind};
 pub use language::{Language, Reliance};
 pub use model::Model;
 pub use phone::{ParsePhoneError, Phone};

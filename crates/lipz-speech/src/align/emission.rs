@@ -14,6 +14,10 @@ const QUIET: f32 = 0.15;
 /// The most that loudness counts for or against silence, in nats per frame.
 const MOST_NATS: f32 = 10.0;
 
+/// How much less likely than its best phone a frame is as speech that is not in the script, in nats. At 4, the right words of
+/// other languages, which fit the phones of English less, gave way to it; at 7, no words but wrong ones do.
+const OTHER_SPEECH_NATS: f32 = 7.0;
+
 /// The scores of the frames of a sound.
 pub(super) struct Emissions<'a> {
     model: &'a Model,
@@ -35,6 +39,12 @@ impl Iterator for Emissions<'_> {
         let frame = self.vectors.next()?;
         let mut scores = self.model.score(&frame.vector);
         self.best.push(scores.iter().copied().fold(f32::MIN, f32::max));
+        // Speech that is not in the script is as likely as the best phone, less a little.
+        let speech = scores[..Phone::Sil.index() * STATES].iter().copied().fold(f32::MIN, f32::max);
+        let spoken = Phone::Spoken.index() * STATES;
+        for score in &mut scores[spoken..spoken + STATES] {
+            *score = score.max(speech - OTHER_SPEECH_NATS);
+        }
         let silence = Phone::Sil.index() * STATES;
         let prior = prior_of_silence(&frame);
         for score in &mut scores[silence..silence + STATES] {

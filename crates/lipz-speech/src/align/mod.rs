@@ -1,5 +1,6 @@
 //! Alignment: when each word and phone of a script is said.
 
+mod doubt;
 mod emission;
 mod graph;
 mod history;
@@ -51,6 +52,33 @@ pub struct Alignment {
     /// For each `|` of the script, the time in microseconds at which it falls: when the word after it starts, or else when the
     /// last word ends.
     pub breaks_us: Vec<u64>,
+    /// Where sound and script do not belong together, in the order of their times.
+    pub mismatches: Vec<Mismatch>,
+}
+
+/// A place where the sound is not what the script says.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Mismatch {
+    /// In which way.
+    pub kind: MismatchKind,
+    /// The words of the script, which may be none.
+    pub words: std::ops::Range<usize>,
+    /// Where in the sound it starts, in microseconds.
+    pub start_us: u64,
+    /// Where it ends.
+    pub end_us: u64,
+}
+
+/// How sound and script differ.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[non_exhaustive]
+pub enum MismatchKind {
+    /// Something else is said than these words.
+    OtherWords,
+    /// The words are not said.
+    NotSaid,
+    /// What is said here is not in the script.
+    NotInScript,
 }
 
 /// A phone with its time.
@@ -113,15 +141,21 @@ impl<'m> Aligner<'m> {
             let (start_us, end_us) = time::of_frames(step.start..step.end, duration_us);
             phones.push(AlignedPhone { phone: node.phone, start_us, end_us, word, fit });
         }
-        if let Some(last) = phones.last_mut() {
-            last.end_us = duration_us;
+        match phones.last_mut() {
+            Some(last) => last.end_us = duration_us,
+            // A sound that is shorter than a sample of the features.
+            None => {
+                phones.push(AlignedPhone { phone: Phone::Sil, start_us: 0, end_us: duration_us, word: None, fit: 0.0 });
+            }
         }
+        let confidences = doubt::confidences(&phones, heard.len());
+        let mismatches = doubt::mismatches(&phones, heard.len());
         let phones = time::join_pauses(phones, self.options.shortest_pause_us);
-        let words = time::words(&phones, &heard);
+        let words = time::words(&phones, &heard, &confidences);
         let last_us = words.iter().map(|word| word.end_us).max().unwrap_or(duration_us);
         let break_us = |&word: &usize| words.get(word).map_or(last_us, |word| word.start_us);
         let breaks_us = script.breaks.iter().map(break_us).collect();
-        Alignment { duration_us, phones, words, breaks_us }
+        Alignment { duration_us, phones, words, breaks_us, mismatches }
     }
 }
 

@@ -40,12 +40,12 @@ pub(super) fn join_pauses(phones: Vec<AlignedPhone>, shortest_us: u64) -> Vec<Al
 }
 
 /// The times of the words, of which `heard` are the pronunciations.
-pub(super) fn words(phones: &[AlignedPhone], heard: &[Option<usize>]) -> Vec<AlignedWord> {
+pub(super) fn words(phones: &[AlignedPhone], heard: &[Option<usize>], confidences: &[f32]) -> Vec<AlignedWord> {
     let mut words = Vec::with_capacity(heard.len());
     let mut phones = phones.iter().peekable();
     let mut now_us = 0;
-    for (number, &pronunciation) in heard.iter().enumerate() {
-        let mut word = AlignedWord { start_us: now_us, end_us: now_us, pronunciation, confidence: 0.0 };
+    for (number, (&pronunciation, &confidence)) in heard.iter().zip(confidences).enumerate() {
+        let mut word = AlignedWord { start_us: now_us, end_us: now_us, pronunciation, confidence };
         if pronunciation.is_some() {
             while phones.next_if(|phone| phone.word != Some(number)).is_some() {}
             if let Some(first) = phones.peek() {

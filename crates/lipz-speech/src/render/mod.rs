@@ -63,11 +63,13 @@ impl Mouth {
 /// For [`VisemeType::Rms`], how far each shape is open; [`rms`] does it by loudness.
 pub fn render(alignment: &Alignment, viseme_type: VisemeType, fps: Fps, rules: &RenderRules) -> Mouth {
     let mut shapes = shapes::of_phones(&alignment.phones, rules);
+    // The lead first: lips that are closed when the sound starts must still be seen.
+    shapes::advance(&mut shapes, rules.lead_us);
     hold::hold(&mut shapes, frames::hold_us(rules.hold_us, fps), frames::least_us(fps));
     let count = frames::count(alignment.duration_us, fps);
     let mut shapes = shapes.iter().peekable();
     let code = |frame| {
-        let time_us = frames::centre_us(frame, fps) + rules.lead_us;
+        let time_us = frames::centre_us(frame, fps);
         while shapes.next_if(|shape| shape.end_us <= time_us).is_some() {}
         let shape = shapes.peek().map_or(shapes::REST, |shape| shape.shape);
         char::from(shapes::code(shape, viseme_type))

@@ -58,6 +58,14 @@ pub(super) fn of_phones(phones: &[AlignedPhone], rules: &RenderRules) -> Vec<Sha
     shapes
 }
 
+/// Moves shapes to `lead_us` earlier; what would be before the sound is cut off.
+pub(super) fn advance(shapes: &mut [Shape], lead_us: u64) {
+    for shape in shapes {
+        shape.start_us = shape.start_us.saturating_sub(lead_us);
+        shape.end_us = shape.end_us.saturating_sub(lead_us);
+    }
+}
+
 /// The shape of a phone, and that in which a diphthong ends: Preston Blair's chart ("Advanced Animation", 1947), with the
 /// sounds that its names do not mention given to the shape that lips and teeth have in them.
 fn of_phone(phone: Phone) -> (u8, Option<u8>) {

@@ -14,7 +14,7 @@ fn alignment(phones: &[(&str, u64)], breaks_ms: &[u64]) -> Alignment {
     });
     let phones = phones.collect();
     let breaks_us = breaks_ms.iter().map(|ms| ms * 1_000).collect();
-    Alignment { duration_us: now_us, phones, words: Vec::new(), breaks_us }
+    Alignment { duration_us: now_us, phones, words: Vec::new(), breaks_us, mismatches: Vec::new() }
 }
 
 fn blair(phones: &[(&str, u64)]) -> String {
@@ -33,6 +33,10 @@ fn each_phone_shows_its_shape() {
 fn closed_lips_take_time_from_the_sound_before_them() {
     assert_eq!(blair(&[("AA", 250), ("B", 30), ("AA", 250)]), "AAAAAMMAAAAAA");
     assert_eq!(blair(&[("SIL", 250), ("P", 30), ("AA", 250)]), "-----MMAAAAAA");
+    // Even if the lead leaves nothing of them.
+    let phones = alignment(&[("B", 30), ("AA", 250)], &[]);
+    let mouth = render(&phones, VisemeType::Blair, Fps::whole(24), &RenderRules::default());
+    assert_eq!(mouth.frames, "MMAAAA-");
     // Nothing before, or nothing to spare: from the sound after them.
     assert_eq!(blair(&[("B", 30), ("AA", 250)]), "MMAAAAA");
     assert_eq!(blair(&[("B", 83), ("F", 30), ("AA", 250)]), "MMFFAAAAA");

@@ -25,6 +25,8 @@ pub enum SoundError {
         /// Samples per second.
         rate_hz: u32,
     },
+    /// The decoder failed: a fault in it, which this file brought out.
+    DecoderFailed,
     /// The rate changes in the middle of the file.
     RateChanges,
     /// The sound is longer than [`Sound::LONGEST_S`](super::Sound::LONGEST_S).
@@ -48,7 +50,7 @@ impl fmt::Display for SoundError {
             SoundError::Io(error) => write!(f, "the sound cannot be read: {error}"),
             SoundError::Empty => f.write_str("the file is empty"),
             SoundError::Unreadable { reason } => {
-                write!(f, "this is no WAV, AIFF, FLAC, Ogg Vorbis or MP3 file that can be read: {reason}")
+                write!(f, "this is no WAV, FLAC, Ogg Vorbis or MP3 file that can be read: {reason}")
             }
             SoundError::NoSound => f.write_str("the file has no sound in it"),
             SoundError::Rate { rate_hz } => write!(
@@ -57,6 +59,7 @@ impl fmt::Display for SoundError {
                 RATES_HZ.start(),
                 RATES_HZ.end()
             ),
+            SoundError::DecoderFailed => f.write_str("the decoder fails with this file"),
             SoundError::RateChanges => f.write_str("the rate of the samples changes in the middle of the file"),
             SoundError::TooLong => {
                 write!(f, "the sound is longer than {} hours", super::Sound::LONGEST_S / 3600)

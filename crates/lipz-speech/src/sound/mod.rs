@@ -6,9 +6,10 @@ mod resample;
 
 pub use error::SoundError;
 
-use crate::features::mel::{HOP, MelFrontEnd, RATE_HZ, Spectrum, WINDOW};
+use crate::features::mel::{MelFrontEnd, RATE_HZ, Spectrum, WINDOW};
 use resample::Resampler;
 use std::io::{Cursor, Read, Seek};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// A recording: its length, and the spectrum of each hundredth of a second. The samples themselves are gone: an hour of sound
 /// takes 18 megabytes.
@@ -25,7 +26,7 @@ impl Sound {
     /// The longest sound that is read, in seconds: a day.
     pub const LONGEST_S: u64 = 86_400;
 
-    /// Reads a WAV, AIFF, FLAC, Ogg Vorbis or MP3 file; its first bytes say which it is, and `extension` decides where they
+    /// Reads a WAV, FLAC, Ogg Vorbis or MP3 file; its first bytes say which it is, and `extension` decides where they
     /// do not. Channels are mixed down.
     ///
     /// # Errors
@@ -37,10 +38,15 @@ impl Sound {
         S: Read + Seek + Send + Sync,
     {
         let mut analysis = None;
-        let decoded = decode::decode(source, extension, |rate_hz, samples| {
-            let analysis = analysis.get_or_insert_with(|| Analysis::new(rate_hz));
-            analysis.push(samples)
-        })?;
+        // In debug builds, the decoders' arithmetic on numbers of a header can overflow, and so panic. In releases,
+        // no file is known that makes them panic, but they are large, and files come from anywhere.
+        let decode = AssertUnwindSafe(|| {
+            decode::decode(source, extension, |rate_hz, samples| {
+                let analysis = analysis.get_or_insert_with(|| Analysis::new(rate_hz));
+                analysis.push(samples)
+            })
+        });
+        let decoded = catch_unwind(decode).unwrap_or(Err(SoundError::DecoderFailed))?;
         let mut sound = analysis.map(Analysis::finish).ok_or(SoundError::NoSound)?;
         if sound.samples == 0 {
             return Err(SoundError::NoSound);
@@ -136,8 +142,8 @@ impl Analysis {
     fn finish(mut self) -> Sound {
         let resampler = std::mem::replace(&mut self.resampler, Resampler::new(RATE_HZ, RATE_HZ));
         resampler.finish(&mut self.resampled);
-        // So that there are frames up to the end.
-        self.resampled.extend([0.0; WINDOW - HOP]);
+        // So that each sample is in the first part of a frame.
+        self.resampled.extend([0.0; WINDOW - 1]);
         self.analyse();
         Sound {
             samples: self.samples,

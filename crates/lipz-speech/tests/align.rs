@@ -1,0 +1,134 @@
+//! Alignment of a human voice, from the sound file to the mouth.
+
+use lipz_speech::{
+    AlignOptions, Aligner, Alignment, Language, MismatchKind, Model, Phone, Pronouncer, RenderRules, Sound, render,
+};
+use lipz_types::{Fps, VisemeType};
+
+const BOBBY: &[u8] = include_bytes!("../../../fixtures/speech/bobby.wav");
+/// When its words start and end, in milliseconds, as a phonetician heard them.
+const WORDS_MS: [(u64, u64); 4] = [(65, 412), (412, 658), (658, 741), (741, 1_117)];
+
+fn align(sound: &Sound, text: &str) -> Alignment {
+    let script = Pronouncer::new(Language::ENGLISH).script(text);
+    Aligner::new(Model::english(), AlignOptions::default()).align(sound, &script)
+}
+
+fn bobby() -> Sound {
+    Sound::from_bytes(BOBBY, Some("wav")).unwrap()
+}
+
+/// The recording three times, with half a second of silence between.
+fn three_bobbies() -> Sound {
+    let samples = samples();
+    let silence = vec![0.0; 24_000];
+    Sound::from_samples(48_000, &[&samples[..], &silence, &samples, &silence, &samples].concat()).unwrap()
+}
+
+/// The samples of the recording, which has 48,000 a second of 16 bits.
+fn samples() -> Vec<f32> {
+    let data = BOBBY.windows(4).position(|window| window == b"data").unwrap() + 8;
+    BOBBY[data..].chunks_exact(2).map(|two| f32::from(i16::from_le_bytes([two[0], two[1]])) / 32_768.0).collect()
+}
+
+#[test]
+fn words_are_where_a_phonetician_hears_them() {
+    let alignment = align(&bobby(), "Bobby ripped | the ledger.");
+    assert_eq!(alignment.words.len(), 4);
+    for (word, (start_ms, end_ms)) in alignment.words.iter().zip(WORDS_MS) {
+        assert!(word.start_us.abs_diff(start_ms * 1_000) < 70_000, "{word:?} {start_ms}");
+        assert!(word.end_us.abs_diff(end_ms * 1_000) < 80_000, "{word:?} {end_ms}");
+        assert!(word.confidence > 0.7, "{word:?}");
+    }
+    assert_eq!(alignment.breaks_us, [alignment.words[2].start_us]);
+    assert!(alignment.mismatches.is_empty());
+}
+
+#[test]
+fn phones_cover_the_sound_without_gaps() {
+    let alignment = align(&bobby(), "Bobby ripped the ledger.");
+    let mut end_us = 0;
+    for phone in &alignment.phones {
+        assert_eq!(phone.start_us, end_us);
+        assert!(phone.end_us > phone.start_us && phone.fit <= 0.0, "{phone:?}");
+        end_us = phone.end_us;
+    }
+    assert_eq!(end_us, bobby().duration_us());
+    let phones: Vec<Phone> =
+        alignment.phones.iter().map(|phone| phone.phone).filter(|phone| phone.is_speech()).collect();
+    let names = phones.iter().map(Phone::to_string).collect::<Vec<_>>().join(" ");
+    assert!(names.starts_with("B AA B IY R IH P T DH"), "{names}");
+}
+
+#[test]
+fn the_mouth_closes_for_b_and_p() {
+    let alignment = align(&bobby(), "Bobby ripped the ledger.");
+    let mouth = render(&alignment, VisemeType::Blair, Fps::whole(24), &RenderRules::default());
+    assert_eq!(mouth.frames.len(), 29);
+    let closed = mouth.frames.as_bytes().chunk_by(|a, b| a == b).filter(|run| run[0] == b'M');
+    let closed: Vec<usize> = closed.map(<[u8]>::len).collect();
+    assert_eq!(closed.len(), 3, "{}", mouth.frames);
+    assert!(closed.iter().all(|&frames| frames >= 2), "{}", mouth.frames);
+}
+
+#[test]
+fn the_volume_makes_no_difference() {
+    let quiet: Vec<f32> = samples().iter().map(|sample| sample / 16.0).collect();
+    let (loud, quiet) = (align(&bobby(), "Bobby ripped the ledger."), {
+        align(&Sound::from_samples(48_000, &quiet).unwrap(), "Bobby ripped the ledger.")
+    });
+    for (loud, quiet) in loud.words.iter().zip(&quiet.words) {
+        assert!(loud.start_us.abs_diff(quiet.start_us) <= 10_000, "{loud:?} {quiet:?}");
+    }
+}
+
+#[test]
+fn a_sentence_that_is_not_said_is_told_with_its_place() {
+    let text = "Bobby ripped the ledger. Seven foxes jumped over my old wooden fence. Bobby ripped the ledger. \
+        Bobby ripped the ledger.";
+    let [found] = &align(&three_bobbies(), text).mismatches[..] else { panic!("one") };
+    assert_eq!(found.kind, MismatchKind::NotSaid);
+    assert!((4..=5).contains(&found.words.start) && (11..=13).contains(&found.words.end), "{found:?}");
+    assert!((1_000_000..2_000_000).contains(&found.start_us), "{found:?}");
+}
+
+#[test]
+fn a_sentence_that_is_not_in_the_script_is_told_with_its_time() {
+    let [found] = &align(&three_bobbies(), "Bobby ripped the ledger. Bobby ripped the ledger.").mismatches[..] else {
+        panic!("one")
+    };
+    assert_eq!(found.kind, MismatchKind::NotInScript);
+    assert!(found.end_us - found.start_us > 700_000, "{found:?}");
+}
+
+#[test]
+fn another_sentence_is_told() {
+    let other = align(&bobby(), "Seven foxes jumped.");
+    assert!(!other.mismatches.is_empty());
+    assert!(other.words.iter().all(|word| word.confidence < 0.5), "{other:?}");
+}
+
+#[test]
+fn nothing_is_too_short_or_too_empty() {
+    for samples in [vec![0.0; 1], vec![0.0; 160], vec![0.5; 1_000], vec![0.0; 48_000]] {
+        let sound = Sound::from_samples(16_000, &samples).unwrap();
+        for text in ["", "Bobby ripped the ledger.", "|||", "Hm"] {
+            let alignment = align(&sound, text);
+            assert_eq!(alignment.phones.last().unwrap().end_us, sound.duration_us(), "{text}");
+            let mouth = render(&alignment, VisemeType::ToonBoom, Fps::whole(30), &RenderRules::default());
+            assert_eq!(mouth.visemes().matches('|').count(), text.matches('|').count());
+        }
+    }
+}
+
+/// What must not change by accident, on any machine: the bytes of a mouth.
+#[test]
+fn the_bytes_are_the_same_on_every_machine() {
+    let alignment = align(&bobby(), "Bobby ripped the ledger.");
+    let mouth = render(&alignment, VisemeType::Blair, Fps::whole(24), &RenderRules::default());
+    assert_eq!(mouth.visemes(), "MMAAMMEEESSMMSSSELLEESEEEEEE-");
+    let starts: Vec<u64> = alignment.phones.iter().map(|phone| phone.start_us / 100).collect();
+    assert_eq!(starts, [0, 878, 2378, 2978, 3978, 4978, 5278, 5978, 6278, 6978, 7278, 8478, 9078, 9678]);
+    let fits: Vec<u32> = alignment.phones.iter().map(|phone| phone.fit.to_bits()).collect();
+    assert_eq!(fits.iter().fold(0_u32, |hash, &bits| hash.rotate_left(5) ^ bits), 3506590760);
+}

@@ -1,0 +1,172 @@
+//! Sound files: every format, and every way to be damaged. Nothing panics, and nothing is read as what it is not.
+
+mod wav;
+
+use lipz_speech::{RmsRules, Sound, SoundError, rms};
+use lipz_types::Fps;
+use std::ops::Range;
+use wav::{Samples, wav};
+
+const TONES: [(&str, &[u8]); 3] = [
+    ("flac", include_bytes!("../../../fixtures/speech/tone.flac")),
+    ("mp3", include_bytes!("../../../fixtures/speech/tone.mp3")),
+    ("ogg", include_bytes!("../../../fixtures/speech/tone.ogg")),
+];
+
+/// A tone of 440 hertz, from -1 to 1.
+fn tone(rate_hz: u32, length_ms: u32) -> Vec<f32> {
+    let sample = |i: u32| (std::f32::consts::TAU * (i * 440 % rate_hz) as f32 / rate_hz as f32).sin() * 0.4;
+    (0..rate_hz * length_ms / 1000).map(sample).collect()
+}
+
+fn duration_ms(sound: &Sound) -> u64 {
+    (sound.duration_us() + 500) / 1_000
+}
+
+/// The mouth of a sound, from its loudness: a tone opens it wide.
+fn mouth(sound: &Sound) -> String {
+    rms(sound, Fps::whole(24), &RmsRules::default()).frames
+}
+
+#[test]
+fn every_format_holds_the_same_tone() {
+    for (name, bytes) in TONES {
+        for hint in [None, Some(name), Some("wav")] {
+            let sound = Sound::from_bytes(bytes, hint).unwrap_or_else(|error| panic!("{name}: {error}"));
+            assert_eq!(sound.rate_hz(), 16_000, "{name}");
+            // MP3 has whole frames, and does not always say how many samples of them count.
+            assert!((300..=400).contains(&duration_ms(&sound)), "{name}: {}", sound.duration_us());
+            assert!(mouth(&sound).contains("9999"), "{name}: {}", mouth(&sound));
+            assert_eq!((sound.is_truncated(), sound.damaged_packets()), (false, 0), "{name}");
+        }
+    }
+}
+
+#[test]
+fn every_kind_of_wav_at_every_rate_is_read() {
+    for samples in Samples::ALL {
+        for channels in [1, 2, 6] {
+            for rate_hz in [8_000, 11_025, 16_000, 22_050, 44_100, 48_000, 96_000] {
+                let name = format!("{samples:?}, {channels} channels, {rate_hz} Hz");
+                let file = wav(samples, channels, rate_hz, &tone(rate_hz, 200));
+                let sound = Sound::from_bytes(&file, Some("wav")).unwrap_or_else(|error| panic!("{name}: {error}"));
+                assert_eq!((duration_ms(&sound), sound.rate_hz()), (200, rate_hz), "{name}");
+                assert!(mouth(&sound).contains("99"), "{name}: {}", mouth(&sound));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_file_gives_what_its_samples_give() {
+    let samples = tone(22_050, 500);
+    let file = Sound::from_bytes(&wav(Samples::F32, 1, 22_050, &samples), None).unwrap();
+    let direct = Sound::from_samples(22_050, &samples).unwrap();
+    assert_eq!((mouth(&file), file.duration_us()), (mouth(&direct), direct.duration_us()));
+}
+
+#[test]
+fn what_has_no_sound_is_an_error() {
+    assert!(matches!(Sound::from_bytes(b"", None), Err(SoundError::Empty)));
+    assert!(matches!(Sound::from_samples(16_000, &[]), Err(SoundError::NoSound)));
+    assert!(matches!(Sound::from_samples(0, &[0.0]), Err(SoundError::Rate { rate_hz: 0 })));
+    assert!(matches!(Sound::from_bytes(&wav(Samples::S16, 1, 16_000, &[]), None), Err(SoundError::NoSound)));
+    let rate = Sound::from_bytes(&wav(Samples::S16, 1, 3, &[0.0; 100]), None);
+    assert!(matches!(rate, Err(SoundError::Rate { rate_hz: 3 })), "{rate:?}");
+    for text in ["{ \"fps\": 24 }", "This is no sound.", "RIFF", "fLaC", "OggS", "ID3"] {
+        let error = Sound::from_bytes(text.as_bytes(), Some("wav")).expect_err(text);
+        assert!(!error.to_string().is_empty());
+    }
+}
+
+/// Files of every format, as short as can be.
+fn files() -> Vec<(String, Vec<u8>)> {
+    let mut files: Vec<_> = TONES.iter().map(|(name, bytes)| (name.to_string(), bytes.to_vec())).collect();
+    for samples in Samples::ALL {
+        files.push((format!("{samples:?}"), wav(samples, 2, 8_000, &tone(8_000, 20))));
+    }
+    files
+}
+
+#[test]
+fn a_file_that_is_cut_anywhere_is_read_or_refused() {
+    for (name, bytes) in files() {
+        let whole = Sound::from_bytes(&bytes, None).unwrap();
+        for length in 0..bytes.len() {
+            match Sound::from_bytes(&bytes[..length], None) {
+                Ok(sound) => assert!(sound.duration_us() <= whole.duration_us(), "{name} cut at {length}"),
+                Err(error) => assert!(!matches!(error, SoundError::DecoderFailed), "{name} cut at {length}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn a_wav_that_is_cut_in_its_samples_says_so() {
+    let bytes = wav(Samples::S16, 1, 8_000, &tone(8_000, 100));
+    let sound = Sound::from_bytes(&bytes[..bytes.len() / 2], None).unwrap();
+    assert!(sound.is_truncated());
+    assert!(sound.duration_us() < 60_000);
+}
+
+#[test]
+fn a_file_with_any_byte_changed_is_read_or_refused() {
+    let mut random = Random(1);
+    for (name, bytes) in files() {
+        // Headers byte by byte, the rest here and there.
+        let bytes_at = (0..bytes.len().min(200)).chain((0..200).map(|_| random.below(bytes.len())));
+        for at in bytes_at.collect::<Vec<_>>() {
+            for change in [0x01, 0x80, 0xff, random.byte()] {
+                let mut changed = bytes.clone();
+                changed[at] ^= change;
+                check(&changed, &format!("{name}, byte {at} ^ {change}"));
+            }
+        }
+    }
+}
+
+#[test]
+fn random_bytes_are_read_or_refused() {
+    let mut random = Random(2);
+    for (name, bytes) in files() {
+        for round in 0..60 {
+            let from = random.below(bytes.len());
+            let changed: Vec<u8> =
+                bytes.iter().enumerate().map(|(at, &byte)| if at < from { byte } else { random.byte() }).collect();
+            check(&changed, &format!("{name}, random from {from}, round {round}"));
+        }
+    }
+    for length in [1, 100, 5_000] {
+        let bytes: Vec<u8> = (0..length).map(|_| random.byte()).collect();
+        check(&bytes, "random");
+    }
+}
+
+/// Reads a file, and makes a mouth of it if it can be read.
+fn check(bytes: &[u8], name: &str) {
+    match Sound::from_bytes(bytes, None) {
+        Ok(sound) => assert!(rms(&sound, Fps::whole(24), &RmsRules::default()).frames.is_ascii(), "{name}"),
+        Err(error) => assert!(!matches!(error, SoundError::DecoderFailed), "{name}"),
+    }
+}
+
+/// The generator xorshift.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        self.0.wrapping_mul(0x2545_F491_4F6C_DD1D)
+    }
+
+    fn below(&mut self, end: usize) -> usize {
+        let Range { start, end } = 0..end as u64;
+        usize::try_from(start + (self.next() >> 16) % end).unwrap()
+    }
+
+    fn byte(&mut self) -> u8 {
+        self.next().to_be_bytes()[0]
+    }
+}
