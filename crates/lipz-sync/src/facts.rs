@@ -2,6 +2,7 @@
 
 use crate::recordings::shown;
 use lipz_diagnostics::{Code, Report};
+use lipz_speech::{Sound, SoundError};
 use std::fs::File;
 use std::hash::Hasher;
 use std::io::{self, BufReader, Read};
@@ -57,18 +58,25 @@ pub(crate) fn content_hash(mut file: impl Read) -> io::Result<u64> {
 /// The length of the sound, to the microsecond.
 fn length_us(path: &Path) -> Result<u64, Report> {
     let file = File::open(path).map_err(|error| unreadable(path, &error))?;
-    let wav = hound::WavReader::new(BufReader::new(file)).map_err(|error| no_sound(path, &error.to_string()))?;
-    let rate_hz = u64::from(wav.spec().sample_rate).max(1);
-    Ok((u64::from(wav.duration()) * 1_000_000 + rate_hz / 2) / rate_hz)
+    Sound::length_us(BufReader::new(file), extension(path)).map_err(|error| no_sound(path, &error))
 }
 
-fn unreadable(path: &Path, error: &io::Error) -> Report {
+/// The extension of a path, for decoders.
+pub(crate) fn extension(path: &Path) -> Option<&str> {
+    path.extension()?.to_str()
+}
+
+pub(crate) fn unreadable(path: &Path, error: &io::Error) -> Report {
     let path = shown(path);
     let message = format!("`{path}` cannot be read: {error}");
     Report::failure(path, Code::UnreadableFile, message, "check that you may read it")
 }
 
-fn no_sound(path: &Path, why: &str) -> Report {
+/// The report that a recording is no sound.
+pub(crate) fn no_sound(path: &Path, why: &SoundError) -> Report {
+    if let SoundError::Io(error) = why {
+        return unreadable(path, error);
+    }
     let message = format!("the recording cannot be used: {why}");
     Report::failure(shown(path), Code::UnreadableSound, message, "save it as WAV, FLAC, Ogg Vorbis or MP3")
 }

@@ -2,18 +2,26 @@
 //!
 //! A project with `[audio]` in its settings has a recording for each clip. [`Recordings`] finds them, [`Facts`] is what
 //! is known of one: its length and the hash of its file. [`check`] reports what does not belong together, and
-//! [`in_bank`] is what a bank says about recordings.
+//! [`in_bank`] is what a bank says about recordings. [`sync`](sync()) makes mouths of recordings, and a [`SyncRecord`]
+//! remembers what each was made from.
 //!
 //! What is not here: printing, exit codes (`lipz`); phones, words and mouth shapes (`lipz-speech`).
 
 mod clip;
 mod facts;
+mod heard;
 mod in_bank;
 mod lints;
 mod recordings;
+mod sync;
 mod threads;
 
 pub use facts::Facts;
 pub use in_bank::in_bank;
 pub use lints::check;
 pub use recordings::{EXTENSIONS, Recordings, dependencies, is_recording};
+pub(crate) use sync::spoken_text;
+pub use sync::{
+    DoubtfulWord, Job, Kept, Made, RECORD_NAME, SyncOptions, SyncRecord, Synced, Whole, jobs_of_clips,
+    jobs_of_recordings, record_place, sync,
+};

@@ -1,4 +1,4 @@
-//! `lipz pack` and `lipz unpack`, interrupted at any moment, leave whole files and nothing else.
+//! `lipz pack`, `lipz unpack` and `lipz sync`, interrupted at any moment, leave whole files and nothing else.
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, reason = "tests")]
 
@@ -102,4 +102,30 @@ fn an_interrupted_unpack_leaves_whole_files() {
             }
         },
     );
+}
+
+#[test]
+fn an_interrupted_sync_leaves_whole_files_and_goes_on_where_it_ended() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    for clip in 0..8 {
+        let sound = support::sound::voice(&[(false, 200), (true, 700), (false, 200)], clip);
+        support::write(folder, &format!("rec/{clip}.wav"), sound);
+        support::write(folder, &format!("rec/{clip}.txt"), "Who goes there?");
+    }
+    let arguments = ["sync", "rec", "-o", "voices", "--audio-locale", "en-us", "--quiet", "--allow", "warnings"];
+    let prepare = || {
+        let _ = fs::remove_dir_all(folder.join("voices"));
+    };
+    interrupt(folder, &arguments, prepare, || {
+        let left = if folder.join("voices").exists() { tree(&folder.join("voices")) } else { Vec::new() };
+        assert!(left.iter().all(|name| name.ends_with(".lipz") || name == "lipz-sync.txt"), "{left:?}");
+        if left.iter().any(|name| name.ends_with(".lipz")) {
+            let checked = support::lipz(folder, ["check", "voices", "--allow", "warnings"]);
+            assert_eq!((checked.code, checked.stderr.as_str()), (0, ""), "whole files");
+        }
+        let rest =
+            support::lipz(folder, ["sync", "rec", "-o", "voices", "--audio-locale", "en-us", "--allow", "warnings"]);
+        assert!(rest.code == 0 && !rest.stdout.contains("kept"), "what was made is known: {}", rest.stdout);
+    });
 }

@@ -20,6 +20,8 @@ pub struct Audio {
     pub tolerance_ms: Option<u32>,
     /// The file in which `lipz sync` records what each mouth was made from; `None` for one beside the Lipz files.
     pub record: Option<PathBuf>,
+    /// A file in which `lipz check` remembers what it heard in recordings, so that the next run decodes only new ones.
+    pub cache: Option<PathBuf>,
     /// The bank carries the length and the content hash of each recording.
     pub in_bank: bool,
 }

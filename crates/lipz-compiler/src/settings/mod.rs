@@ -10,6 +10,7 @@ mod find;
 pub mod lint;
 #[cfg(feature = "settings")]
 mod reading;
+mod sync;
 #[cfg(feature = "settings")]
 mod syntax;
 #[cfg(feature = "settings")]
@@ -21,6 +22,7 @@ mod value;
 
 pub use audio::{Audio, KEY, refused_pattern};
 pub use find::FILE_NAME;
+pub use sync::Sync;
 #[cfg(feature = "settings")]
 pub use table::{Content, Map, Setting, TABLES, Table};
 #[cfg(feature = "settings")]
@@ -50,6 +52,8 @@ pub struct Settings {
     pub cache: Option<PathBuf>,
     /// Its recordings.
     pub audio: Audio,
+    /// How mouth shapes are made of them.
+    pub sync: Sync,
     /// How the bank is made.
     pub options: Options,
 }

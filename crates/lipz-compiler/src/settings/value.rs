@@ -70,6 +70,14 @@ impl<'t> Value<'t> {
         }
     }
 
+    /// Milliseconds, possibly none.
+    pub(super) fn milliseconds(&self, diagnostics: &mut Vec<Diagnostic>) -> Option<u32> {
+        match self.node.get_ref() {
+            DeValue::Integer(integer) if integer.as_str() == "0" => Some(0),
+            _ => self.count(diagnostics),
+        }
+    }
+
     /// A number above 0.
     pub(super) fn positive(&self, diagnostics: &mut Vec<Diagnostic>) -> Option<f64> {
         let number = self.decimal(diagnostics)?;

@@ -56,6 +56,25 @@ impl Sound {
         Ok(sound)
     }
 
+    /// The length of a file in microseconds, to the nearest: decoded to its last sample, because headers may be wrong. 0 if
+    /// it has no samples.
+    ///
+    /// # Errors
+    ///
+    /// As [`Sound::read`].
+    pub fn length_us<S>(source: S, extension: Option<&str>) -> Result<u64, SoundError>
+    where
+        S: Read + Seek + Send + Sync,
+    {
+        let (mut samples, mut rate) = (0_u64, 1_u64);
+        decode::decode(source, extension, |rate_hz, block| {
+            rate = u64::from(rate_hz);
+            samples += block.len() as u64;
+            if samples > Sound::LONGEST_S * rate { Err(SoundError::TooLong) } else { Ok(()) }
+        })?;
+        Ok((samples * 1_000_000 + rate / 2) / rate)
+    }
+
     /// Reads a file that is in memory: see [`Sound::read`].
     ///
     /// # Errors

@@ -1,10 +1,13 @@
 //! Whether clips and recordings belong together.
 
 mod length;
+mod stale;
+mod voice;
 
 use crate::clip::Clip;
+use crate::heard::Ear;
 use crate::recordings::shown;
-use crate::{Facts, Recordings, threads};
+use crate::{Recordings, SyncRecord, record_place, spoken_text, threads};
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Content, Input};
 use lipz_diagnostics::{Code, Diagnostic, Report, escape};
@@ -24,17 +27,29 @@ pub fn check(settings: &Settings, inputs: &[Input], progress: &(dyn Fn() + Sync)
     if lipz_diagnostics::reports::have_errors(&reports) {
         return reports; // whatever is missing may be where nobody could look
     }
+    let (ear, record) = match (Ear::open(settings.audio.cache.as_deref()), SyncRecord::read(&record_place(settings))) {
+        (Ok(ear), Ok((record, odd_lines))) => {
+            reports.extend(odd_lines);
+            (ear, record)
+        }
+        (ear, record) => {
+            reports.extend(ear.err());
+            reports.extend(record.err());
+            return reports;
+        }
+    };
     for path in recordings.without_clip(inputs) {
         let message = format!("no clip has the recording `{}`", escape::text(&shown(path)));
         let help = "add a Lipz file (`lipz sync` makes one of a recording), or remove the recording";
         reports.push(Report::failure(shown(path), Code::RecordingWithoutClip, message, help));
     }
     let found = threads::map(inputs, settings.options.threads, |input| {
-        let report = one(settings, input, recordings.find(&input.key));
+        let report = one(settings, input, recordings.find(&input.key), &ear, &record);
         progress();
         report
     });
     reports.extend(found.into_iter().flatten());
+    reports.extend(ear.remember().err());
     for report in &mut reports {
         settings.options.levels.apply(&mut report.diagnostics);
     }
@@ -43,7 +58,7 @@ pub fn check(settings: &Settings, inputs: &[Input], progress: &(dyn Fn() + Sync)
 }
 
 /// Compares a clip with its recording.
-fn one(settings: &Settings, input: &Input, recording: Option<&Path>) -> Vec<Report> {
+fn one(settings: &Settings, input: &Input, recording: Option<&Path>, ear: &Ear, record: &SyncRecord) -> Vec<Report> {
     let bytes = match &input.content {
         Content::Bytes { bytes, .. } => Cow::Borrowed(bytes.as_slice()),
         Content::File(path) => match fs::read(path) {
@@ -63,11 +78,19 @@ fn one(settings: &Settings, input: &Input, recording: Option<&Path>) -> Vec<Repo
             .into_iter()
             .collect();
     };
-    let facts = match Facts::read(path) {
-        Ok(facts) => facts,
+    let (facts, heard) = match ear.listen(path) {
+        Ok(heard) => heard,
         Err(report) => return vec![report],
     };
-    let diagnostics = length::check(&clip, path, facts, settings.audio.tolerance_ms).into_iter().collect();
+    let mut diagnostics = Vec::from_iter(length::check(&clip, path, facts, settings.audio.tolerance_ms));
+    if let Content::File(lipz_file) = &input.content {
+        let spoken = spoken_text(settings, &document);
+        diagnostics.extend(stale::check(&clip, spoken, facts.content_hash, path, record.of(lipz_file)));
+    }
+    // Of a mouth of another length, every other place is wrong, too.
+    if diagnostics.is_empty() {
+        diagnostics = voice::check(&clip, &heard);
+    }
     vec![Report::from_bytes(input.name(), &bytes, diagnostics)]
 }
 

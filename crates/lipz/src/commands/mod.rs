@@ -20,6 +20,7 @@ pub(crate) mod pack;
 pub(crate) mod schema;
 pub(crate) mod stats;
 pub(crate) mod subtitles;
+pub(crate) mod sync;
 pub(crate) mod unpack;
 pub(crate) mod verify;
 pub(crate) mod watch;
@@ -62,6 +63,7 @@ commands! {
     Init(init::Init),
     Fmt(fmt::Fmt),
     Convert(convert::Convert),
+    Sync(sync::SyncArguments),
     Import(import::Import),
     Export(export::Export),
     Subtitles(subtitles::Subtitles),

@@ -32,6 +32,10 @@ pub(crate) struct AudioFlags {
     #[arg(long = "audio-record", value_name = "FILE", help_heading = RECORDINGS)]
     record: Option<PathBuf>,
 
+    /// File in which `lipz check` remembers what it heard in recordings [default: `cache` of [audio]]
+    #[arg(long, value_name = "FILE", help_heading = RECORDINGS)]
+    audio_cache: Option<PathBuf>,
+
     /// Put the length and the content hash of each recording into the bank
     #[arg(long = "audio-in-bank", value_name = "BOOL", num_args = 0..=1, require_equals = true)]
     #[arg(default_missing_value = "true", help_heading = RECORDINGS)]
@@ -46,6 +50,7 @@ impl AudioFlags {
         audio.locale = self.locale.clone().or(audio.locale.take());
         audio.tolerance_ms = self.tolerance_ms.or(audio.tolerance_ms);
         audio.record = self.record.clone().or(audio.record.take());
+        audio.cache = self.audio_cache.clone().or(audio.cache.take());
         audio.in_bank = self.in_bank.unwrap_or(audio.in_bank);
     }
 }

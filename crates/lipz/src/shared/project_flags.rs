@@ -183,7 +183,7 @@ fn parse_min_coverage(text: &str) -> Result<(Option<String>, f64), String> {
     }
 }
 
-fn parse_positive(text: &str) -> Result<f64, String> {
+pub(crate) fn parse_positive(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(number) if number > 0.0 && number.is_finite() => Ok(number),
         _ => Err("it must be a number above 0".into()),

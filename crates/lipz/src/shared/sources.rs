@@ -45,7 +45,7 @@ pub(crate) struct ProjectArguments {
     lints: LintFlags,
 
     /// Threads to use [default: one per core]
-    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, visible_alias = "jobs", value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
 
     /// Show no progress and no summary, only diagnostics

@@ -2,14 +2,12 @@
 
 use super::options::{TEXT, parse_time};
 use crate::Abort;
-use crate::console;
 use crate::reporter::Reporter;
-use crate::shared::{formats, stdio};
+use crate::shared::{formats, script_file, stdio};
 use clap::Args;
-use lipz_diagnostics::{Code, Diagnostic, Report};
 use lipz_interop::fallout::sound;
 use lipz_interop::{Encoding, ImportOptions, Script, Time};
-use std::fs::{self, File};
+use std::fs::File;
 use std::path::{Path, PathBuf};
 
 const FALLOUT: &str = "Fallout";
@@ -41,24 +39,10 @@ pub(super) struct Recordings {
 impl Recordings {
     /// The script, if one is named. Reports what is wrong with it.
     pub(super) fn script(&self, reporter: &mut Reporter) -> Result<Script, Abort> {
-        let Some(path) = &self.script else { return Ok(Script::default()) };
-        let shown = console::path(path);
-        let bytes = fs::read(path).map_err(|error| {
-            let diagnostic = Diagnostic::new(Code::UnreadableFile, format!("`{shown}` cannot be read: {error}"));
-            reporter.fail(Report::about(
-                shown.as_str(),
-                diagnostic.help("check the spelling of the path, and that you may read it"),
-            ))
-        })?;
-        let (script, source, diagnostics) = Script::read(&shown, &bytes, self.encoding);
-        let report = Report::new(source, diagnostics);
-        let has_errors = report.has_errors();
-        let found = if report.diagnostics.is_empty() { Vec::new() } else { vec![report] };
-        if has_errors {
-            return Err(reporter.refuse(found));
+        match &self.script {
+            Some(path) => script_file::read(path, self.encoding, reporter),
+            None => Ok(Script::default()),
         }
-        reporter.add(found);
-        Ok(script)
     }
 
     /// Adds what is known about the recording of a file with the name `stem` to the options of its import.

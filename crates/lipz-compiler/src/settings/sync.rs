@@ -1,0 +1,23 @@
+//! What a project decides about the mouth shapes that are made of its recordings.
+
+use std::path::PathBuf;
+
+/// How mouth shapes are made of recordings. What is `None` is as the library has it.
+#[derive(Clone, PartialEq, Debug, Default)]
+#[non_exhaustive]
+pub struct Sync {
+    /// A file with the pronunciations of the project's own words.
+    pub lexicon: Option<PathBuf>,
+    /// Milliseconds by which a shape is ahead of its sound.
+    pub lead_ms: Option<u32>,
+    /// Milliseconds for which closed lips, and the lip under the teeth, stay at least.
+    pub hold_ms: Option<u32>,
+    /// Milliseconds below which a vowel does not open the mouth wide.
+    pub shortest_wide_ms: Option<u32>,
+    /// Decibels below the loud parts of a recording at which a mouth of loudness (`rms`) is closed.
+    pub rms_threshold_db: Option<f64>,
+    /// How far a mouth of loudness opens with the amplitude: 1 in proportion.
+    pub rms_exponent: Option<f64>,
+    /// Milliseconds below which a pause does not bring the mouth to rest.
+    pub shortest_pause_ms: Option<u32>,
+}

@@ -1,0 +1,124 @@
+//! Recordings become mouths of Lipz files.
+
+mod jobs;
+mod mouth;
+pub(crate) mod one;
+mod options;
+mod record;
+
+pub use jobs::{Job, jobs_of_clips, jobs_of_recordings};
+pub use one::Kept;
+pub use options::SyncOptions;
+pub(crate) use options::spoken_text;
+pub use record::{Made, RECORD_NAME, SyncRecord, record_place};
+
+use crate::threads;
+use lipz_compiler::{replace_file, rewrite_file};
+use lipz_diagnostics::{Code, Report};
+use one::{New, Step, one};
+use std::collections::BTreeMap;
+
+/// What a run did, clip by clip in the order of the jobs.
+#[derive(Debug, Default)]
+#[non_exhaustive]
+pub struct Synced {
+    /// The keys of the clips that got a mouth.
+    pub made: Vec<String>,
+    /// How many mouths are what they would become.
+    pub unchanged: usize,
+    /// The keys of the clips whose mouths stay, because somebody made or changed them by hand.
+    pub kept: Vec<(String, Kept)>,
+    /// How many clips could not be made.
+    pub refused: usize,
+    /// Words that somebody should listen to.
+    pub doubtful: Vec<DoubtfulWord>,
+    /// Words whose pronunciation is a guess, with it, as lines of a lexicon: each once, in the order of the letters.
+    pub guessed: Vec<String>,
+    /// Everything that was found.
+    pub reports: Vec<Report>,
+}
+
+/// A word of which nobody is sure that it is said there.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct DoubtfulWord {
+    /// The key of the clip.
+    pub key: String,
+    /// Where it was looked for, in microseconds.
+    pub start_us: u64,
+    /// The word.
+    pub word: String,
+}
+
+/// How files are written: runs what it gets, and lets nothing end the process meanwhile.
+pub type Whole<'w> = dyn Fn(&mut dyn FnMut()) + Sync + 'w;
+
+/// Makes the mouths of these jobs, on as many threads as the options say, and writes each file when its mouth is made. The
+/// files are the same, however many threads there are.
+///
+/// A file that exists gets only `visemes`, `viseme_type` and `fps`; all else stays, and the `|` of its text move with the
+/// words. What `record` knows of is not made again unless recording, text or settings changed, and mouths that were changed by
+/// hand stay (see [`SyncOptions::force`]). The record is written whenever a file is, so that an interrupted run goes on where
+/// it ended. `progress` is called for each job.
+pub fn sync(
+    jobs: &[Job],
+    options: &SyncOptions,
+    record: &mut SyncRecord,
+    progress: &(dyn Fn() + Sync),
+    whole: &Whole<'_>,
+) -> Synced {
+    let known = &*record;
+    let done = threads::map(jobs, options.options.threads, |job| {
+        let mut reports = Vec::new();
+        let mut step = one(job, options, known, &mut reports);
+        if let Step::New(new) = &step
+            && let Err(report) = write(job, new, known, whole)
+        {
+            reports.push(report);
+            step = Step::Refused;
+        }
+        progress();
+        (step, reports)
+    });
+    let (mut synced, mut guessed) = (Synced::default(), BTreeMap::new());
+    for (job, (step, reports)) in jobs.iter().zip(done) {
+        synced.reports.extend(reports);
+        match step {
+            Step::Unchanged => synced.unchanged += 1,
+            Step::Kept(kept) => synced.kept.push((job.key.clone(), kept)),
+            Step::Refused => synced.refused += 1,
+            Step::New(new) => {
+                record.set(&job.lipz_file, new.made);
+                synced.made.push(job.key.clone());
+                synced.doubtful.extend(new.heard.doubtful.iter().filter_map(|(number, start_us)| {
+                    let word = new.script.words.get(*number)?.text.clone();
+                    Some(DoubtfulWord { key: job.key.clone(), start_us: *start_us, word })
+                }));
+                guessed.extend(new.script.guessed().map(|word| (word.text.to_lowercase(), word.to_string())));
+            }
+        }
+    }
+    synced.guessed = guessed.into_values().collect();
+    let mut written = Ok(());
+    whole(&mut || written = record.write());
+    synced.reports.extend(written.err());
+    lipz_diagnostics::reports::sort(&mut synced.reports);
+    synced
+}
+
+/// Writes a file and its line of the record.
+fn write(job: &Job, new: &New, record: &SyncRecord, whole: &Whole<'_>) -> Result<(), Report> {
+    let mut written = Ok(());
+    whole(&mut || {
+        written = record.append(&job.lipz_file, new.made).and_then(|()| match &new.before {
+            Some(before) => rewrite_file(&job.lipz_file, before, new.after.as_bytes()),
+            None if job.lipz_file.exists() => Err(Report::failure(
+                crate::recordings::shown(&job.lipz_file),
+                Code::OutputFailed,
+                "another program has made the file in the meantime",
+                "run the command again",
+            )),
+            None => replace_file(&job.lipz_file, new.after.as_bytes()),
+        });
+    });
+    written
+}

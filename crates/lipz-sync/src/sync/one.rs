@@ -1,0 +1,257 @@
+//! One job: from a recording and what is said in it to a Lipz file with a mouth.
+
+use super::mouth::{self, Heard};
+use super::record::Made;
+use super::{Job, SyncOptions, SyncRecord};
+use crate::clip::{Clip, string};
+use crate::facts::{content_hash, extension, no_sound, unreadable};
+use crate::recordings::shown;
+use lipz_diagnostics::{Code, Diagnostic, Report, escape};
+use lipz_file::format::{LineEnding, Style, format, rewrite};
+use lipz_file::rate::Rate;
+use lipz_file::text::{DELIMITER, trim};
+use lipz_file::{Document, Element, JsonString, Value};
+use lipz_interop::{MergeOptions, Mouth, Time, merge};
+use lipz_speech::{Script, Sound};
+use lipz_types::{Fps, VisemeType};
+use std::borrow::Cow;
+use std::fs::{self, File};
+use std::io::{self, BufReader};
+use twox_hash::XxHash3_64;
+
+/// Changes whenever the same recording, text and settings give other mouths than before.
+const VERSION: u32 = 1;
+
+/// What becomes of a job.
+pub(super) enum Step {
+    /// The mouth is what it would become.
+    Unchanged,
+    /// The mouth was made or changed by hand, and stays.
+    Kept(Kept),
+    /// The file gets a mouth.
+    New(Box<New>),
+    /// There are errors.
+    Refused,
+}
+
+/// Why a mouth stays.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Kept {
+    /// It was changed by hand after `lipz sync` had made it.
+    Changed,
+    /// `lipz sync` did not make it.
+    ByHand,
+}
+
+/// A file to be written.
+pub(super) struct New {
+    /// What the file was; `None` if there is none.
+    pub(super) before: Option<Vec<u8>>,
+    pub(super) after: String,
+    pub(super) made: Made,
+    pub(super) heard: Heard,
+    pub(super) script: Script,
+}
+
+/// Does a job, all but writing. What is wrong goes to `reports`.
+pub(super) fn one(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Vec<Report>) -> Step {
+    match tried(job, options, record, reports) {
+        Ok(step) => step,
+        Err(report) => {
+            reports.push(report);
+            Step::Refused
+        }
+    }
+}
+
+fn tried(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Vec<Report>) -> Result<Step, Report> {
+    let name = shown(&job.lipz_file);
+    let bytes = match fs::read(&job.lipz_file) {
+        Ok(bytes) => Some(bytes),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+        Err(error) => return Err(unreadable(&job.lipz_file, &error)),
+    };
+    let style = Style { default_locale: options.options.default_locale.as_deref(), ..Style::default() };
+    let is_new = bytes.is_none();
+    let bytes = bytes.unwrap_or_else(|| format(&new_document(job, options), style).into_bytes());
+    let parsed = lipz_file::parse(&bytes);
+    let is_whole = !parsed.diagnostics.iter().any(Diagnostic::is_error);
+    let before = parsed.document.filter(|_| is_whole);
+    let before = before.ok_or_else(|| Report::from_bytes(name.as_str(), &bytes, parsed.diagnostics))?;
+    let mut diagnostics = Vec::new();
+    let clip = Clip::of(&before, &options.options);
+    let own_fps = before.get("fps").and(clip.fps);
+    let (fps, viseme_type) = (options.fps_of(own_fps), options.viseme_type_of(own_type(&before)));
+    let spoken = options.spoken(&before);
+    if !is_new {
+        diagnostics.extend(other_text(job, spoken.as_ref().map(|(_, text)| *text)));
+    }
+    let reading = spoken.as_ref().filter(|_| viseme_type != VisemeType::Rms).map(|(locale, text)| {
+        let reading = options.pronouncer(locale.as_deref()).read(&text.text);
+        diagnostics.extend(reading.problems.iter().map(|problem| {
+            let span = text.span_of(problem.range.clone());
+            Diagnostic::at(Code::Pronunciation, span, problem.kind.to_string()).help(problem.kind.help())
+        }));
+        reading.script
+    });
+    let script = reading.unwrap_or_default();
+    let sound =
+        File::open(&job.recording).and_then(content_hash).map_err(|error| unreadable(&job.recording, &error))?;
+    let made = Made {
+        sound,
+        text: text_hash(spoken.as_ref().map(|(_, text)| &*text.text)),
+        settings: settings_hash(options, &script, fps, viseme_type),
+        mouth: mouth_hash(
+            &clip.codes,
+            own_fps.or(options.options.default_fps),
+            own_type(&before).or(options.options.default_viseme_type),
+        ),
+    };
+    let known = record.of(&job.lipz_file);
+    let has_mouth = clip.codes.iter().any(|code| *code != b'-');
+    if !is_new && known.contains(&made) {
+        push(reports, options, &name, &bytes, diagnostics);
+        return Ok(Step::Unchanged);
+    }
+    let is_by_sync = known.iter().any(|line| line.mouth == made.mouth);
+    if has_mouth && !is_by_sync && !options.force {
+        let kept = if known.is_empty() { Kept::ByHand } else { Kept::Changed };
+        let is_current = known.iter().any(|line| (line.sound, line.text) == (made.sound, made.text));
+        diagnostics.extend(clip.visemes.filter(|_| !is_current).map(|visemes| kept_mouth(kept, visemes)));
+        push(reports, options, &name, &bytes, diagnostics);
+        return Ok(Step::Kept(kept));
+    }
+    let file = File::open(&job.recording).map_err(|error| unreadable(&job.recording, &error))?;
+    let sound = Sound::read(BufReader::new(file), extension(&job.recording))
+        .map_err(|error| no_sound(&job.recording, &error))?;
+    reports.extend(damage(job, &sound));
+    if script.words.is_empty() && viseme_type != VisemeType::Rms {
+        diagnostics.push(no_script(options));
+    }
+    let heard = mouth::make(&sound, &script, viseme_type, fps, options);
+    diagnostics.extend(spoken.as_ref().and_then(|(_, text)| mouth::doubtful(&heard, &script, text)));
+    let rate = Rate { numerator: fps.numerator(), denominator: fps.denominator(), is_exact: true };
+    let starts = (!script.words.is_empty()).then(|| {
+        heard.segment_starts.iter().skip(1).map(|&frame| Time::of_frame(frame as u64, rate)).collect::<Vec<_>>()
+    });
+    let mouth = Mouth::new(heard.codes.as_str(), rate, viseme_type).segment_starts(starts);
+    let rate_of = |fps: Fps| Rate { numerator: fps.numerator(), denominator: fps.denominator(), is_exact: true };
+    let merge_options = MergeOptions::new()
+        .locale(spoken.as_ref().and_then(|(locale, _)| locale.as_deref()))
+        .default_rate(options.options.default_fps.map(rate_of))
+        .default_viseme_type(options.options.default_viseme_type);
+    let merged = merge(&before, &mouth, &merge_options);
+    diagnostics.extend(merged.diagnostics);
+    let text = String::from_utf8_lossy(&bytes);
+    let style = Style { line_ending: LineEnding::detect(&text), ..style };
+    let after = if is_new { format(&merged.document, style) } else { rewrite(&text, &before, &merged.document, style) };
+    let made = Made { mouth: mouth_hash(heard.codes.as_bytes(), Some(fps), Some(viseme_type)), ..made };
+    if push(reports, options, &name, &bytes, diagnostics) {
+        return Ok(Step::Refused);
+    }
+    Ok(Step::New(Box::new(New { before: (!is_new).then(|| bytes.clone()), after, made, heard, script })))
+}
+
+/// Reports what was found in a Lipz file, at the project's levels; whether it is an error.
+fn push(
+    reports: &mut Vec<Report>,
+    options: &SyncOptions,
+    name: &str,
+    bytes: &[u8],
+    mut diagnostics: Vec<Diagnostic>,
+) -> bool {
+    options.options.levels.apply(&mut diagnostics);
+    let has_errors = diagnostics.iter().any(Diagnostic::is_error);
+    diagnostics.sort_by_key(Diagnostic::start);
+    if !diagnostics.is_empty() {
+        reports.push(Report::from_bytes(name, bytes, diagnostics));
+    }
+    has_errors
+}
+
+/// A file that is not there yet: what is said.
+fn new_document(job: &Job, options: &SyncOptions) -> Document<'static> {
+    let string = |text: String| JsonString::from(Cow::Owned(text));
+    let element =
+        |text: &String| Element { name: string(options.text_element()), value: Value::String(string(text.clone())) };
+    Document { elements: job.text.iter().map(element).collect() }
+}
+
+fn own_type(document: &Document<'_>) -> Option<VisemeType> {
+    string(document, "viseme_type").and_then(|name| name.text.parse().ok())
+}
+
+fn hash(bytes: &[u8]) -> u64 {
+    XxHash3_64::oneshot(bytes)
+}
+
+/// What a record has of a text: its segments without the blanks around them, which `lipz fmt` moves.
+pub(crate) fn text_hash(spoken: Option<&str>) -> u64 {
+    let segments = |text: &str| text.split(DELIMITER).map(trim).collect::<Vec<_>>().join("|");
+    spoken.map_or(0, |text| hash(segments(text).as_bytes()))
+}
+
+/// Everything besides recording and text that decides about a mouth.
+fn settings_hash(options: &SyncOptions, script: &Script, fps: Fps, viseme_type: VisemeType) -> u64 {
+    // Not the places of words in the text, which `lipz fmt` moves.
+    let said = || script.words.iter().map(|word| &word.pronunciations).collect::<Vec<_>>();
+    let rules = match viseme_type {
+        VisemeType::Rms => format!("{:?}", options.rms),
+        _ if script.words.is_empty() => format!("loudness {:?}", options.rms),
+        _ => format!("{:?} {:?} {:?} {:?}", options.align, options.rules, said(), script.breaks),
+    };
+    hash(format!("{VERSION} {}/{} {viseme_type:?} {rules}", fps.numerator(), fps.denominator()).as_bytes())
+}
+
+/// The mouth of a file. `|` is not a part of it: writers move them.
+pub(crate) fn mouth_hash(codes: &[u8], fps: Option<Fps>, viseme_type: Option<VisemeType>) -> u64 {
+    let head = format!("{:?} {viseme_type:?} ", fps.map(|fps| (fps.numerator(), fps.denominator())));
+    hash(&[head.as_bytes(), codes].concat())
+}
+
+/// Reports a text of the script that is not the one of the file, which stays.
+fn other_text(job: &Job, spoken: Option<&JsonString<'_>>) -> Option<Diagnostic> {
+    let text = job.text.as_ref()?;
+    let Some(spoken) = spoken else {
+        return Some(
+            Diagnostic::new(Code::OtherText, "the file has no text, but the script has one").help("add it to the file"),
+        );
+    };
+    let is_same = words(text).eq(words(&spoken.text));
+    let message = format!("the script has another text: {}", escape::quoted(text));
+    (!is_same).then(|| {
+        Diagnostic::at(Code::OtherText, spoken.span(), message)
+            .note("the text of the Lipz file counts: writers and translators work there")
+            .help("bring the two together")
+    })
+}
+
+/// The words of a text, without what only divides and comments it.
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|c: char| c == DELIMITER || c.is_whitespace()).filter(|word| !word.is_empty())
+}
+
+fn kept_mouth(kept: Kept, visemes: &JsonString<'_>) -> Diagnostic {
+    let why = match kept {
+        Kept::Changed => "the mouth was changed by hand, and its recording or text is another one now",
+        Kept::ByHand => "the mouth was not made by `lipz sync`",
+    };
+    Diagnostic::at(Code::MouthKept, visemes.span(), format!("{why}: it is kept"))
+        .help("`--force` replaces it; the old one is in your version control")
+}
+
+fn no_script(options: &SyncOptions) -> Diagnostic {
+    let text = options.locale.as_ref().map_or_else(|| "text".to_owned(), |locale| format!("text in `{locale}`"));
+    Diagnostic::new(Code::NoScript, format!("the clip has no {text}: the mouth follows the loudness of the sound"))
+        .help("add what is said: the mouth will be much better")
+}
+
+fn damage(job: &Job, sound: &Sound) -> Option<Report> {
+    let what = match (sound.is_truncated(), sound.damaged_packets()) {
+        (false, 0) => return None,
+        (true, _) => "the recording ends in the middle of its data".to_owned(),
+        (false, 1) => "a part of the recording is damaged and left out".to_owned(),
+        (false, count) => format!("{count} parts of the recording are damaged and left out"),
+    };
+    Some(Report::failure(shown(&job.recording), Code::DamagedSound, what, "export it again"))
+}

@@ -1,0 +1,144 @@
+//! What a project and a person decide about mouths that are made of recordings.
+
+use crate::facts::unreadable;
+use crate::recordings::shown;
+use lipz_compiler::Options;
+use lipz_compiler::settings::Settings;
+use lipz_diagnostics::{Code, Diagnostic, Report, Span};
+use lipz_file::locale::{TextName, text_name};
+use lipz_file::{Document, JsonString, Value};
+use lipz_speech::{AlignOptions, Language, Lexicon, Pronouncer, RenderRules, RmsRules};
+use lipz_types::{Fps, VisemeType};
+use std::collections::BTreeMap;
+use std::fs;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// The frame rate of clips for which nobody names another.
+const DEFAULT_FPS: Fps = Fps::whole(24);
+
+/// How mouths are made.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct SyncOptions {
+    /// What the project decides about its Lipz files.
+    pub options: Options,
+    /// The locale that is spoken; without it, that of the first text of a clip.
+    pub locale: Option<String>,
+    /// The viseme type of all mouths, whatever their files say.
+    pub viseme_type: Option<VisemeType>,
+    /// The frame rate of all mouths, whatever their files say.
+    pub fps: Option<Fps>,
+    /// Also replace mouths that were made or changed by hand.
+    pub force: bool,
+    /// What an alignment takes for granted.
+    pub(crate) align: AlignOptions,
+    /// How shapes become frames.
+    pub(crate) rules: RenderRules,
+    /// How loudness becomes frames.
+    pub(crate) rms: RmsRules,
+    lexicon: Lexicon,
+    pronouncers: Mutex<BTreeMap<&'static str, Arc<Pronouncer>>>,
+}
+
+impl SyncOptions {
+    /// What the settings of a project say, and what is wrong with its lexicon.
+    ///
+    /// # Errors
+    /// If the lexicon cannot be read.
+    pub fn new(settings: &Settings) -> Result<(SyncOptions, Option<Report>), Report> {
+        let sync = &settings.sync;
+        let (lexicon, report) = match &sync.lexicon {
+            None => Default::default(),
+            Some(path) => {
+                let bytes = fs::read(path).map_err(|error| unreadable(path, &error))?;
+                let text = String::from_utf8_lossy(&bytes);
+                let (lexicon, problems) = Lexicon::parse(&text);
+                let diagnostics = problems.iter().map(|problem| {
+                    let span = Span::new(problem.range.start, problem.range.end);
+                    Diagnostic::at(Code::Pronunciation, span, problem.kind.to_string()).help(problem.kind.help())
+                });
+                let mut diagnostics: Vec<_> = diagnostics.collect();
+                settings.options.levels.apply(&mut diagnostics);
+                let report = (!diagnostics.is_empty()).then(|| Report::from_bytes(shown(path), &bytes, diagnostics));
+                (lexicon, report)
+            }
+        };
+        let (mut rules, mut align) = (RenderRules::default(), AlignOptions::default());
+        let us = |ms: Option<u32>, default: u64| ms.map_or(default, |ms| u64::from(ms) * 1000);
+        rules.lead_us = us(sync.lead_ms, rules.lead_us);
+        rules.hold_us = us(sync.hold_ms, rules.hold_us);
+        rules.shortest_wide_us = us(sync.shortest_wide_ms, rules.shortest_wide_us);
+        align.shortest_pause_us = us(sync.shortest_pause_ms, align.shortest_pause_us);
+        let mut rms = RmsRules::default();
+        (rms.lead_us, rms.shortest_pause_us) = (rules.lead_us, align.shortest_pause_us);
+        #[allow(clippy::cast_possible_truncation, reason = "a setting with few digits")]
+        {
+            rms.threshold_db = sync.rms_threshold_db.map_or(rms.threshold_db, |db| db as f32);
+            rms.exponent = sync.rms_exponent.map_or(rms.exponent, |exponent| exponent as f32);
+        }
+        let options = SyncOptions {
+            options: settings.options.clone(),
+            locale: settings.audio.locale.clone().or_else(|| settings.options.default_locale.clone()),
+            viseme_type: settings.options.viseme_type,
+            fps: None,
+            force: false,
+            align,
+            rules,
+            rms,
+            lexicon,
+            pronouncers: Mutex::default(),
+        };
+        Ok((options, report))
+    }
+
+    /// The pronouncer of a locale; of English, if none is named.
+    pub(crate) fn pronouncer(&self, locale: Option<&str>) -> Arc<Pronouncer> {
+        let language = locale.and_then(Language::from_locale).unwrap_or(Language::ENGLISH);
+        let mut pronouncers = self.pronouncers.lock().unwrap_or_else(PoisonError::into_inner);
+        let new = || Arc::new(Pronouncer::new(language).with_lexicon(self.lexicon.clone()));
+        pronouncers.entry(language.code()).or_insert_with(new).clone()
+    }
+
+    /// The text that is spoken, and its locale: that in the project's spoken locale. Without one, the first text.
+    pub(crate) fn spoken<'d>(&self, document: &'d Document<'d>) -> Option<(Option<String>, &'d JsonString<'d>)> {
+        spoken(document, self.locale.as_deref(), self.options.default_locale.as_deref())
+    }
+
+    /// The frame rate of a mouth whose file says this.
+    pub(crate) fn fps_of(&self, own: Option<Fps>) -> Fps {
+        self.fps.or(own).or(self.options.default_fps).unwrap_or(DEFAULT_FPS)
+    }
+
+    /// The viseme type of a mouth whose file says this.
+    pub(crate) fn viseme_type_of(&self, own: Option<VisemeType>) -> VisemeType {
+        self.viseme_type.or(own).or(self.options.default_viseme_type).unwrap_or(VisemeType::Blair)
+    }
+}
+
+/// The text that is spoken in `locale`, and its locale. Without one, the first text.
+fn spoken<'d>(
+    document: &'d Document<'d>,
+    locale: Option<&str>,
+    default_locale: Option<&str>,
+) -> Option<(Option<String>, &'d JsonString<'d>)> {
+    let mut texts = document.elements.iter().filter_map(|element| {
+        let Value::String(string) = &element.value else { return None };
+        let tag = match text_name(&element.name.text)? {
+            TextName::Canonical(tag) | TextName::Misspelt(tag) | TextName::OtherShape(_, Some(tag)) => Some(tag),
+            TextName::OtherShape(_, None) => return None,
+            TextName::NoLocale => default_locale.map(str::to_owned),
+        };
+        Some((tag, string))
+    });
+    match locale {
+        Some(locale) => texts.find(|(tag, _)| tag.as_ref().is_none_or(|tag| tag == locale)),
+        None => texts.next(),
+    }
+}
+
+/// The text of a Lipz file that is spoken in a project's recordings.
+pub(crate) fn spoken_text<'d>(settings: &Settings, document: &'d Document<'d>) -> Option<&'d str> {
+    let default_locale = settings.options.default_locale.as_deref();
+    let locale = settings.audio.locale.as_deref().or(default_locale);
+    spoken(document, locale, default_locale).map(|(_, text)| &*text.text)
+}

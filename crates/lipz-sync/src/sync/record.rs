@@ -1,0 +1,233 @@
+//! What mouths were made from: a text file that belongs to the Lipz files, and that version control merges.
+
+use crate::facts::unreadable;
+use crate::recordings::shown;
+use lipz_compiler::replace_file;
+use lipz_compiler::settings::Settings;
+use lipz_diagnostics::{Code, Diagnostic, Report, Span};
+use std::collections::BTreeMap;
+use std::fs::{self, OpenOptions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// Name of the file, unless a project names another.
+pub const RECORD_NAME: &str = "lipz-sync.txt";
+
+/// Where the record of a project is: where its settings say, or beside its Lipz files ([`SyncRecord::place`]).
+pub fn record_place(settings: &Settings) -> PathBuf {
+    let folder = |path: &Path| path.ancestors().find(|path| path.is_dir()).map(Path::to_owned);
+    let sources = || settings.sources.first().and_then(|source| folder(source));
+    let beside = || settings.root.clone().or_else(sources).unwrap_or_else(|| PathBuf::from("."));
+    settings.audio.record.clone().unwrap_or_else(|| SyncRecord::place(&beside()))
+}
+
+/// What the file begins with, for people.
+const HEAD: &str = "\
+# lipz sync: what each mouth was made from, as hashes of recording, text, settings and mouth shapes.
+# Keep this file with the Lipz files. A mouth that is in no line counts as made by hand.
+";
+
+/// What a mouth was made from, and what it was: hashes.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct Made {
+    /// All bytes of the recording.
+    pub sound: u64,
+    /// The text that is spoken, as it stands in the Lipz file.
+    pub text: u64,
+    /// Everything else that decides: pronunciations, rules, frame rate, viseme type, version.
+    pub settings: u64,
+    /// The frames, their rate and their type.
+    pub mouth: u64,
+}
+
+/// The record of a project. A file may have several lines: after a merge, or a run that was killed. Each of them is true.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct SyncRecord {
+    path: PathBuf,
+    /// By the paths of Lipz files below the folder of the record.
+    made: BTreeMap<String, Vec<Made>>,
+}
+
+impl SyncRecord {
+    /// Where the record of Lipz files in `folder` is: in it or the nearest folder above it that has one; a new one is made
+    /// in it.
+    pub fn place(folder: &Path) -> PathBuf {
+        let existing = folder.ancestors().map(|above| above.join(RECORD_NAME)).find(|path| path.is_file());
+        existing.unwrap_or_else(|| folder.join(RECORD_NAME))
+    }
+
+    /// Reads the record at `path`; an empty one if there is none. Reports lines that say nothing.
+    ///
+    /// # Errors
+    /// If it cannot be read, or is another file.
+    pub fn read(path: &Path) -> Result<(SyncRecord, Option<Report>), Report> {
+        let empty = SyncRecord { path: path.to_owned(), made: BTreeMap::new() };
+        let bytes = match fs::read(path) {
+            Ok(bytes) => bytes,
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok((empty, None)),
+            Err(error) => return Err(unreadable(path, &error)),
+        };
+        let text = String::from_utf8_lossy(&bytes);
+        if !text.is_empty() && !text.starts_with("# lipz sync") && !text.starts_with("<<<<<<<") {
+            let message = format!("`{}` is not a record of `lipz sync`, and is left alone", shown(path));
+            let help = "name another file: `record` of [audio]";
+            return Err(Report::failure(shown(path), Code::OutputFailed, message, help));
+        }
+        let (mut record, mut diagnostics) = (empty, Vec::new());
+        let mut start = 0;
+        for line in text.split_inclusive('\n') {
+            let content = line.trim_end_matches(['\n', '\r']);
+            match Made::parse(content) {
+                Some((made, file)) => record.made.entry(file.to_owned()).or_default().push(made),
+                None if content.is_empty() || content.starts_with('#') => {}
+                None => {
+                    let span = Span::new(start, start + content.len());
+                    let diagnostic = Diagnostic::at(Code::SyncRecordLine, span, "the line says nothing about a mouth");
+                    diagnostics.push(diagnostic.help("remove it: `lipz sync` writes the file anew"));
+                }
+            }
+            start += line.len();
+        }
+        let report = (!diagnostics.is_empty()).then(|| Report::from_bytes(shown(path), &bytes, diagnostics));
+        Ok((record, report))
+    }
+
+    /// All that is known of how the mouth of a Lipz file was made.
+    pub fn of(&self, lipz_file: &Path) -> &[Made] {
+        self.made.get(&self.name(lipz_file)).map_or(&[], Vec::as_slice)
+    }
+
+    /// Adds a line to the file at once, before the mouth is written: if the run ends in between, the old line is still there.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub(crate) fn append(&self, lipz_file: &Path, made: Made) -> Result<(), Report> {
+        let write = || {
+            if let Some(folder) = self.path.parent() {
+                fs::create_dir_all(folder)?;
+            }
+            let mut file = OpenOptions::new().append(true).create(true).open(&self.path)?;
+            let head = if file.metadata()?.len() == 0 { HEAD } else { "" };
+            // One write: what is killed half-way leaves a line that says nothing.
+            file.write_all(format!("{head}{}\n", made.line(&self.name(lipz_file))).as_bytes())
+        };
+        write().map_err(|error: io::Error| {
+            let message = format!("`{}` cannot be written: {error}", shown(&self.path));
+            Report::failure(shown(&self.path), Code::OutputFailed, message, "name another file: `record` of [audio]")
+        })
+    }
+
+    /// Makes these the only lines about their files.
+    pub(crate) fn set(&mut self, lipz_file: &Path, made: Made) {
+        self.made.insert(self.name(lipz_file), vec![made]);
+    }
+
+    /// Replaces the file: one line a mouth, in the order of their paths.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub fn write(&self) -> Result<(), Report> {
+        let text = self.text();
+        if self.made.is_empty() || fs::read(&self.path).is_ok_and(|before| before == text.as_bytes()) {
+            return Ok(());
+        }
+        replace_file(&self.path, text.as_bytes())
+    }
+
+    fn text(&self) -> String {
+        let mut text = HEAD.to_owned();
+        for (file, lines) in &self.made {
+            let mut lines = lines.clone();
+            lines.sort_unstable();
+            lines.dedup();
+            for made in lines {
+                text += &made.line(file);
+                text.push('\n');
+            }
+        }
+        text
+    }
+
+    /// What the record calls a Lipz file: its path below the folder of the record, with `/`.
+    fn name(&self, lipz_file: &Path) -> String {
+        let folder = self.path.parent().unwrap_or(Path::new(""));
+        shown(lipz_file.strip_prefix(folder).unwrap_or(lipz_file))
+    }
+}
+
+impl Made {
+    fn line(&self, file: &str) -> String {
+        let Made { sound, text, settings, mouth } = self;
+        format!("{sound:016x} {text:016x} {settings:016x} {mouth:016x} {file}")
+    }
+
+    fn parse(line: &str) -> Option<(Made, &str)> {
+        let mut parts = line.splitn(5, ' ');
+        let mut hash =
+            || parts.next().filter(|part| part.len() == 16).and_then(|part| u64::from_str_radix(part, 16).ok());
+        let made = Made { sound: hash()?, text: hash()?, settings: hash()?, mouth: hash()? };
+        Some((made, parts.next().filter(|file| !file.is_empty())?))
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    const A: Made = Made { sound: 1, text: 2, settings: 3, mouth: u64::MAX };
+    const B: Made = Made { mouth: 0, ..A };
+
+    #[test]
+    fn a_record_is_written_sorted_and_read_back() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join(RECORD_NAME);
+        let (mut record, report) = SyncRecord::read(&path).unwrap();
+        assert_eq!(report, None);
+        record.write().unwrap();
+        assert!(!path.exists(), "nothing to say");
+        let files = ["b c.lipz", "a/x.lipz"].map(|name| folder.path().join(name));
+        record.append(&files[0], A).unwrap();
+        record.append(&files[1], A).unwrap();
+        record.append(&files[1], B).unwrap();
+        let (again, report) = SyncRecord::read(&path).unwrap();
+        assert_eq!((report, again.of(&files[0]), again.of(&files[1])), (None, &[A][..], &[A, B][..]));
+        record.set(&files[0], A);
+        record.set(&files[1], B);
+        record.write().unwrap();
+        let text = fs::read_to_string(&path).unwrap();
+        let zeros = "0".repeat(15);
+        let expected = format!(
+            "{zeros}1 {zeros}2 {zeros}3 {zeros}0 a/x.lipz\n{zeros}1 {zeros}2 {zeros}3 ffffffffffffffff b c.lipz\n"
+        );
+        assert_eq!(text.strip_prefix(HEAD), Some(expected.as_str()));
+    }
+
+    #[test]
+    fn merges_with_conflicts_are_read_and_other_files_left_alone() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join(RECORD_NAME);
+        let conflict =
+            format!("{HEAD}<<<<<<< ours\n{}\n=======\n{}\n>>>>>>> theirs\n", A.line("x.lipz"), B.line("x.lipz"));
+        fs::write(&path, &conflict).unwrap();
+        let (record, report) = SyncRecord::read(&path).unwrap();
+        assert_eq!(record.of(&folder.path().join("x.lipz")), [A, B]);
+        assert_eq!(report.unwrap().diagnostics.len(), 3);
+        fs::write(&path, "my notes").unwrap();
+        assert!(SyncRecord::read(&path).is_err());
+        for at in 0..conflict.len() {
+            fs::write(&path, &conflict[..at]).unwrap();
+            let _ = SyncRecord::read(&path); // no panic
+        }
+    }
+
+    #[test]
+    fn the_nearest_record_above_is_used() {
+        let folder = tempfile::tempdir().unwrap();
+        let inner = folder.path().join("act1");
+        fs::create_dir(&inner).unwrap();
+        assert_eq!(SyncRecord::place(&inner), inner.join(RECORD_NAME));
+        fs::write(folder.path().join(RECORD_NAME), "").unwrap();
+        assert_eq!(SyncRecord::place(&inner), folder.path().join(RECORD_NAME));
+    }
+}

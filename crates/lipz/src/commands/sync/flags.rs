@@ -1,0 +1,53 @@
+//! The flags for how mouths are made: one for every setting of `[sync]`.
+
+use crate::shared::project_flags::parse_positive;
+use clap::Args;
+use lipz_compiler::settings::Sync;
+use std::path::PathBuf;
+
+const MOUTHS: &str = "Mouth shapes";
+
+/// Flags that override settings.
+#[derive(Args, Clone, Debug, Default)]
+pub(super) struct SyncFlags {
+    /// File with the pronunciations of the project's own words: WESNOTH  W EH S N AO TH
+    #[arg(long, value_name = "FILE", help_heading = MOUTHS)]
+    lexicon: Option<PathBuf>,
+
+    /// Milliseconds by which a shape is ahead of its sound [default: 40]
+    #[arg(long, value_name = "COUNT", help_heading = MOUTHS)]
+    lead_ms: Option<u32>,
+
+    /// Milliseconds for which closed lips, and the lip under the teeth, stay at least [default: 83]
+    #[arg(long, value_name = "COUNT", help_heading = MOUTHS)]
+    hold_ms: Option<u32>,
+
+    /// Milliseconds below which a vowel does not open the mouth wide [default: 42]
+    #[arg(long, value_name = "COUNT", help_heading = MOUTHS)]
+    shortest_wide_ms: Option<u32>,
+
+    /// Milliseconds below which a pause does not bring the mouth to rest [default: 150]
+    #[arg(long, value_name = "COUNT", help_heading = MOUTHS)]
+    shortest_pause_ms: Option<u32>,
+
+    /// rms: decibels below the loud parts of a recording at which the mouth is closed [default: 30]
+    #[arg(long, value_name = "NUMBER", value_parser = parse_positive, help_heading = MOUTHS)]
+    rms_threshold_db: Option<f64>,
+
+    /// rms: how far the mouth opens with the amplitude of the voice; 1 is in proportion [default: 0.5]
+    #[arg(long, value_name = "NUMBER", value_parser = parse_positive, help_heading = MOUTHS)]
+    rms_exponent: Option<f64>,
+}
+
+impl SyncFlags {
+    /// Sets what the flags name over the settings of the project.
+    pub(super) fn apply(&self, sync: &mut Sync) {
+        sync.lexicon = self.lexicon.clone().or(sync.lexicon.take());
+        sync.lead_ms = self.lead_ms.or(sync.lead_ms);
+        sync.hold_ms = self.hold_ms.or(sync.hold_ms);
+        sync.shortest_wide_ms = self.shortest_wide_ms.or(sync.shortest_wide_ms);
+        sync.shortest_pause_ms = self.shortest_pause_ms.or(sync.shortest_pause_ms);
+        sync.rms_threshold_db = self.rms_threshold_db.or(sync.rms_threshold_db);
+        sync.rms_exponent = self.rms_exponent.or(sync.rms_exponent);
+    }
+}

@@ -1,0 +1,169 @@
+//! `lipz sync`: mouth shapes from recordings.
+
+mod flags;
+mod summary;
+
+use crate::commands::Run;
+use crate::reporter::{Abort, Ended, Reporter};
+use crate::shared::audio_flags::AudioFlags;
+use crate::shared::inputs;
+use crate::shared::project_flags::{hide_of_banks, parse_fps};
+use crate::shared::sources::Sources;
+use crate::shared::{formats, script_file, stdio};
+use crate::{Outcome, console, interrupt};
+use clap::Args;
+use flags::SyncFlags;
+use lipz_bank::Fps;
+use lipz_compiler::settings::Settings;
+use lipz_diagnostics::Report;
+use lipz_interop::Encoding;
+use lipz_sync::{Job, Recordings, SyncOptions, SyncRecord, jobs_of_clips, jobs_of_recordings, sync};
+use std::path::{Path, PathBuf};
+
+/// Make mouth shapes from recordings.
+///
+/// With --audio (or [audio] in lipz.toml), Lipz files get the mouths of their recordings: only `visemes`, `viseme_type`
+/// and `fps` change, and the `|` move with the words of the text. With --output, recordings become Lipz files; what is
+/// said stands in a script, or in NAME.txt beside each recording.
+///
+/// A second run makes only what changed. Mouths that were changed by hand stay, unless --force is given.
+#[derive(Args, Debug)]
+#[command(mut_args(hide_of_banks))]
+#[command(after_help = "Examples:
+  lipz sync
+  lipz sync voices --audio recordings
+  lipz sync voices/act1/mara-hello.lipz --audio recordings --root voices --force
+  lipz sync recordings -o voices --script lines.csv --audio-locale en-us
+  lipz sync recordings -o voices --viseme-type rms")]
+pub(crate) struct SyncArguments {
+    #[command(flatten)]
+    sources: Sources,
+
+    #[command(flatten)]
+    audio: AudioFlags,
+
+    #[command(flatten)]
+    mouths: SyncFlags,
+
+    /// Make Lipz files in this folder: the sources are recordings then
+    #[arg(short, long, value_name = "FOLDER")]
+    output: Option<PathBuf>,
+
+    /// Texts of new files: a CSV string table with the columns `file` and `text` [default: NAME.txt beside NAME.wav]
+    #[arg(long, value_name = "FILE", requires = "output")]
+    script: Option<PathBuf>,
+
+    /// The encoding of a script that is not UTF-8: windows-1251, shift_jis [default: windows-1252]
+    #[arg(long, value_name = "NAME", requires = "script", value_parser = formats::encoding)]
+    encoding: Option<&'static Encoding>,
+
+    /// Frame rate of the mouths [default: that of each file, or default-fps, or 24]
+    #[arg(long, value_name = "FPS", value_parser = parse_fps)]
+    fps: Option<Fps>,
+
+    /// Also replace mouths that were made or changed by hand
+    #[arg(long)]
+    force: bool,
+}
+
+/// What a run works on.
+struct Work {
+    jobs: Vec<Job>,
+    reports: Vec<Report>,
+    /// Clips without a recording.
+    without: usize,
+    /// Where the Lipz files are.
+    place: PathBuf,
+}
+
+impl Run for SyncArguments {
+    fn prints_result(&self) -> bool {
+        false
+    }
+
+    fn run(&self, reporter: &mut Reporter) -> Ended {
+        let mut project = self.sources.project(reporter)?;
+        let settings = &mut project.settings;
+        self.audio.apply(&mut settings.audio);
+        self.mouths.apply(&mut settings.sync);
+        if settings.sources.iter().any(|source| stdio::is_meant(source)) {
+            return Err(reporter.usage("mouths are not made of standard input", "name files or folders"));
+        }
+        let work = match &self.output {
+            Some(output) => self.of_recordings(settings, output, reporter)?,
+            None => of_clips(settings, reporter)?,
+        };
+        let (mut options, problems) = SyncOptions::new(settings).map_err(|report| reporter.fail(report))?;
+        (options.fps, options.force) = (self.fps, self.force);
+        if options.locale.is_none() && work.jobs.iter().any(|job| job.text.is_some()) {
+            let tip = "name it with `--audio-locale`, or set `default-locale` in lipz.toml";
+            return Err(reporter.usage("no locale of the texts is named", tip));
+        }
+        let beside = || SyncRecord::place(&work.place);
+        let place = settings.audio.record.clone().unwrap_or_else(beside);
+        let (mut record, odd_lines) = SyncRecord::read(&place).map_err(|report| reporter.fail(report))?;
+        let bar = console::progress_bar(work.jobs.len(), self.sources.is_quiet());
+        let progress = || {
+            bar.inc(1);
+            interrupt::point();
+        };
+        let mut synced = sync(&work.jobs, &options, &mut record, &progress, &|write| interrupt::whole(write));
+        bar.finish_and_clear();
+        let mut reports = work.reports;
+        let mut of_record = Vec::from_iter(odd_lines);
+        of_record.iter_mut().for_each(|report| settings.options.levels.apply(&mut report.diagnostics));
+        reports.extend(problems.into_iter().chain(of_record).chain(std::mem::take(&mut synced.reports)));
+        lipz_diagnostics::reports::sort(&mut reports);
+        let outcome = Outcome::from_reports(&reports);
+        reporter.add(reports);
+        if !self.sources.is_quiet() {
+            reporter.summary(&summary::summary(&synced, work.without, &work.place))?;
+        }
+        Ok(outcome)
+    }
+}
+
+impl SyncArguments {
+    /// Recordings become Lipz files in `output`.
+    fn of_recordings(&self, settings: &Settings, output: &Path, reporter: &mut Reporter) -> Result<Work, Abort> {
+        let script = match &self.script {
+            Some(path) => Some(script_file::read(path, self.encoding, reporter)?),
+            None => None,
+        };
+        let (jobs, mut reports) = jobs_of_recordings(&settings.sources, output, script.as_ref());
+        reports.iter_mut().for_each(|report| settings.options.levels.apply(&mut report.diagnostics));
+        if jobs.is_empty() && lipz_diagnostics::reports::have_errors(&reports) {
+            return Err(reporter.abort(reports, Outcome::Failed));
+        }
+        Ok(Work { jobs, reports, without: 0, place: output.to_owned() })
+    }
+}
+
+/// Lipz files get the mouths of their recordings.
+fn of_clips(settings: &Settings, reporter: &mut Reporter) -> Result<Work, Abort> {
+    let Some(folder) = &settings.audio.folder else {
+        let tip =
+            "name their folder with `--audio`, or set `folder` in [audio]; `--output` makes Lipz files of recordings";
+        return Err(reporter.usage("no recordings are named", tip));
+    };
+    let (recordings, mut reports) = Recordings::of(&settings.audio);
+    if lipz_diagnostics::reports::have_errors(&reports) {
+        return Err(reporter.abort(reports, Outcome::Failed));
+    }
+    let (inputs, unread) = inputs::find(settings);
+    reports.extend(unread);
+    if inputs.is_empty() && lipz_diagnostics::reports::have_errors(&reports) {
+        return Err(reporter.abort(reports, Outcome::Failed));
+    }
+    let jobs = jobs_of_clips(&inputs, &recordings);
+    if jobs.is_empty() && !inputs.is_empty() {
+        let tip =
+            "keys are paths of Lipz files below `--root`, and of recordings below `--audio`: both must be the same";
+        let message = format!("no clip has a recording in `{}`", console::path(folder));
+        return Err(reporter.usage(message, tip));
+    }
+    let first = settings.sources.first().map(PathBuf::as_path);
+    let folder = |path: &Path| path.ancestors().find(|path| path.is_dir()).map(Path::to_owned);
+    let place = settings.root.clone().or_else(|| folder(first?)).unwrap_or_else(|| PathBuf::from("."));
+    Ok(Work { without: inputs.len() - jobs.len(), jobs, reports, place })
+}

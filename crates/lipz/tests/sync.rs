@@ -1,0 +1,235 @@
+//! `lipz sync`: what becomes of recordings and of the files that they belong to, run after run.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use std::fs;
+use support::sound::voice;
+use support::{Scene, lipz, tree};
+
+/// Silence, a second of voice, a pause, another one, silence: 2.9 s, 70 frames.
+const LINE: &[(bool, u32)] = &[(false, 300), (true, 1000), (false, 400), (true, 1000), (false, 200)];
+
+fn read(scene: &Scene, name: &str) -> String {
+    fs::read_to_string(scene.path().join(name)).unwrap()
+}
+
+/// The value of a string element, as it is spelled.
+fn element(text: &str, name: &str) -> String {
+    let (_, rest) = text.split_once(&format!("\"{name}\"")).unwrap();
+    rest.split('"').nth(1).unwrap().to_owned()
+}
+
+/// Runs `lipz sync` and gives its exit code and the first line that it printed.
+fn sync(scene: &Scene, arguments: &[&str]) -> (i32, String, String) {
+    let run = lipz(scene.path(), ["sync"].iter().chain(arguments));
+    (run.code, run.stdout.lines().next().unwrap_or_default().to_owned(), run.stderr)
+}
+
+#[test]
+fn recordings_become_lipz_files() {
+    let scene = Scene::new();
+    scene.write("rec/act1/mara.wav", voice(LINE, 1));
+    scene.write("rec/otto.wav", voice(LINE, 2));
+    scene.write("rec/hum.wav", voice(LINE, 3));
+    scene.write("rec/otto.txt", "Good evening,| mayor.\n");
+    scene.write("lines.csv", "file,text\nmara,\"Who goes there?\"\n");
+    let arguments = ["rec", "-o", "voices", "--script", "lines.csv", "--audio-locale", "en-us"];
+    let (code, told, found) = sync(&scene, &arguments);
+    assert_eq!((code, told.as_str()), (0, "3 clips synced, in voices"), "{found}");
+    assert_eq!(found.matches("warning[LZ1708]").count(), 1, "{found}");
+    let (mara, otto) = (read(&scene, "voices/act1/mara.lipz"), read(&scene, "voices/otto.lipz"));
+    assert_eq!(element(&mara, "text_en-us"), "Who goes there?");
+    let visemes = element(&mara, "visemes");
+    assert_eq!(visemes.len(), 70, "{visemes}");
+    assert!(visemes.starts_with("----") && visemes.ends_with("---"), "{visemes}");
+    assert_eq!((element(&otto, "visemes").matches('|').count(), element(&otto, "visemes").len()), (1, 71));
+    assert!(otto.contains("\"viseme_type\" : \"blair\"") && otto.contains("\"fps\" :"), "{otto}");
+    let hum = element(&read(&scene, "voices/hum.lipz"), "visemes");
+    assert!(hum.contains('A') && hum.starts_with("----"), "without a text, loudness: {hum}");
+    let checked = lipz(scene.path(), ["check", "voices", "--audio", "rec", "--allow", "LZ1715"]);
+    assert_eq!((checked.code, checked.stderr.as_str()), (0, ""), "a buzz is not that text, but all else fits");
+    // Again: nothing changes, no file is touched.
+    let before = tree(scene.path());
+    let record = read(&scene, "voices/lipz-sync.txt");
+    assert_eq!(record.lines().filter(|line| !line.starts_with('#')).count(), 3);
+    assert_eq!(sync(&scene, &arguments).1, "0 clips synced, 3 unchanged, in voices");
+    assert_eq!(
+        sync(&scene, &["voices", "--audio", "rec", "--audio-locale", "en-us"]).1,
+        "0 clips synced, 3 unchanged, in voices"
+    );
+    assert_eq!((tree(scene.path()), read(&scene, "voices/lipz-sync.txt")), (before, record));
+    assert_eq!(
+        sync(&scene, &["rec", "-o", "rms", "--viseme-type", "rms", "--fps", "12", "--default-locale", "en-us"]).1,
+        "3 clips synced, in rms"
+    );
+    let rms = element(&read(&scene, "rms/hum.lipz"), "visemes");
+    assert!(rms.len() == 35 && rms.contains('9') && rms.starts_with("--"), "{rms}");
+}
+
+const WRITTEN: &str = "{ \"visemes\": \"----\", \"mood\": {\"a\": 1},\n  \"text_en-us\": \"Good|evening, {softly} mayor.\", \"text_de-de\": \"Guten|Abend.\",\n  \"events\": \"amy feels sad|\", \"fps\": 24, \"viseme_type\": \"blair\" }\n";
+
+#[test]
+fn everything_but_the_mouth_stays() {
+    let scene = Scene::new();
+    scene.write("voices/a.lipz", WRITTEN);
+    scene.write("rec/a.wav", voice(LINE, 1));
+    assert_eq!(sync(&scene, &["voices", "--audio", "rec", "--default-locale", "en-us"]).1, "1 clip synced, in voices");
+    let text = read(&scene, "voices/a.lipz");
+    let visemes = element(&text, "visemes");
+    assert_eq!(visemes.matches('|').count(), 1, "{visemes}");
+    assert_eq!(text.replace(&visemes, "----"), WRITTEN);
+    assert_eq!(lipz(scene.path(), ["check", "voices"]).code, 0);
+}
+
+#[test]
+fn hand_work_is_kept() {
+    let scene = Scene::new();
+    let arguments = ["voices", "--audio", "rec"];
+    for name in ["edited", "moved", "drawn", "synced"] {
+        scene.write(&format!("rec/{name}.wav"), voice(LINE, 1));
+        scene.write(&format!("voices/{name}.lipz"), r#"{ "text_en-us": "Who goes|there?" }"#);
+    }
+    scene.write("voices/drawn.lipz", r#"{ "visemes": "MAMA|EO", "text_en-us": "Who goes|there?" }"#);
+    let (_, told, found) = sync(&scene, &arguments);
+    assert_eq!(told, "3 clips synced, 1 kept, in voices");
+    assert!(found.contains("warning[LZ1706]: the mouth was not made by `lipz sync`: it is kept"), "{found}");
+    let edit = |name: &str, change: &dyn Fn(&str) -> String| {
+        let path = format!("voices/{name}.lipz");
+        let text = read(&scene, &path);
+        let visemes = element(&text, "visemes");
+        scene.write(&path, text.replace(&visemes, &change(&visemes)));
+    };
+    edit("edited", &|visemes| visemes.replacen('-', "M", 1));
+    edit("moved", &|visemes| format!("-|{}", visemes.replace('|', "").strip_prefix('-').unwrap()));
+    let (code, told, found) = sync(&scene, &[&arguments[..], &["--allow", "LZ1706"]].concat());
+    assert_eq!((code, told.as_str(), found.as_str()), (0, "0 clips synced, 2 unchanged, 2 kept, in voices", ""));
+    // A retake of all of them.
+    let drawn = read(&scene, "voices/drawn.lipz");
+    let edited = read(&scene, "voices/edited.lipz");
+    for name in ["edited", "moved", "drawn", "synced"] {
+        scene.write(&format!("rec/{name}.wav"), voice(LINE, 2));
+    }
+    let stale = lipz(scene.path(), ["check", "voices", "--audio", "rec"]).stderr;
+    assert_eq!(stale.matches("[LZ1705]: the mouth was made from another recording").count(), 3, "{stale}");
+    let (_, told, found) = sync(&scene, &arguments);
+    assert_eq!(told, "2 clips synced, 2 kept, in voices");
+    assert!(found.contains("the mouth was changed by hand, and its recording or text is another one now"), "{found}");
+    assert_eq!((read(&scene, "voices/drawn.lipz"), read(&scene, "voices/edited.lipz")), (drawn, edited));
+    assert_eq!(sync(&scene, &[&arguments[..], &["--force"]].concat()).1, "2 clips synced, 2 unchanged, in voices");
+    assert_eq!(sync(&scene, &arguments).1, "0 clips synced, 4 unchanged, in voices");
+    // Another text, and another setting.
+    edit("synced", &|visemes| visemes.to_owned());
+    let text = read(&scene, "voices/synced.lipz");
+    scene.write("voices/synced.lipz", text.replace("there?", "here?"));
+    let stale = lipz(scene.path(), ["check", "voices", "--audio", "rec"]).stderr;
+    assert!(stale.contains("the mouth was made for another text"), "{stale}");
+    assert_eq!(sync(&scene, &arguments).1, "1 clip synced, 3 unchanged, in voices");
+    assert_eq!(sync(&scene, &[&arguments[..], &["--lead-ms", "0"]].concat()).1, "4 clips synced, in voices");
+    // Without the record, nobody knows who made a mouth.
+    fs::remove_file(scene.path().join("voices/lipz-sync.txt")).unwrap();
+    assert_eq!(sync(&scene, &arguments).1, "0 clips synced, 4 kept, in voices");
+}
+
+#[test]
+fn the_files_are_the_same_on_any_number_of_threads() {
+    let scene = Scene::new();
+    for number in 0..6 {
+        scene.write(&format!("rec/{number}.wav"), voice(LINE, number));
+        scene.write(&format!("rec/{number}.txt"), "Who goes there, in the dark of the night?");
+    }
+    for threads in ["1", "4"] {
+        let folder = format!("of-{threads}");
+        let (_, told, _) = sync(&scene, &["rec", "-o", &folder, "--audio-locale", "en-us", "--jobs", threads]);
+        assert!(told.starts_with("6 clips synced"), "{told}");
+    }
+    let files = |folder: &str| {
+        let names = tree(&scene.path().join(folder));
+        names.iter().map(|name| (name.clone(), read(&scene, &format!("{folder}/{name}")))).collect::<Vec<_>>()
+    };
+    assert_eq!(files("of-1"), files("of-4"));
+    assert_eq!(files("of-1").len(), 7);
+}
+
+#[test]
+fn one_bad_file_keeps_no_other_from_its_mouth() {
+    let mut scene = Scene::new();
+    for name in ["broken", "good", "empty", "cut", "noise"] {
+        scene.write(&format!("voices/{name}.lipz"), r#"{ "text_en-us": "Who?" }"#);
+        scene.write(&format!("rec/{name}.wav"), voice(LINE, 1));
+    }
+    scene.write("voices/broken.lipz", r#"{ "text_en-us": "Who?", "fps": 24, }"#);
+    scene.write("voices/silent.lipz", r#"{ "text_en-us": "Who?" }"#);
+    scene.write("rec/empty.wav", "");
+    let whole = voice(LINE, 1);
+    scene.write("rec/cut.wav", &whole[..whole.len() / 2 + 1]);
+    scene.write("rec/noise.wav", [0x55; 5000]);
+    let (code, told, found) = sync(&scene, &["voices", "--audio", "rec"]);
+    assert_eq!((code, told.as_str()), (1, "2 clips synced, 3 refused, 1 without a recording, in voices"), "{found}");
+    assert!(found.contains("warning[LZ1711]: the recording ends in the middle of its data"), "{found}");
+    assert_eq!(found.matches("error[LZ1704]").count(), 2, "{found}");
+    assert_eq!(read(&scene, "voices/broken.lipz"), r#"{ "text_en-us": "Who?", "fps": 24, }"#);
+    assert!(read(&scene, "voices/good.lipz").contains("visemes"));
+    // The record is in the way, or is none.
+    scene.write("notes.txt", "my notes");
+    let refused = lipz(scene.path(), ["sync", "voices", "--audio", "rec", "--audio-record", "notes.txt"]);
+    assert!(refused.code == 2 && refused.stderr.contains("is not a record of `lipz sync`"), "{}", refused.stderr);
+    assert_eq!(read(&scene, "notes.txt"), "my notes");
+    scene.expect("LZ1601-usage-sync-no-recordings", &["sync", "voices"]);
+    scene.expect("LZ1601-usage-sync-other-keys", &["sync", "voices", "--audio", "voices"]);
+    scene.write("lines.csv", "file,text\ngood,Who?\nbroken,Who?\n");
+    scene.expect(
+        "LZ1601-usage-sync-no-locale",
+        &["sync", "rec/good.wav", "-o", "new", "--script", "lines.csv", "--allow", "warnings"],
+    );
+    scene.write("rec2/Good.wav", voice(LINE, 1));
+    scene.expect("LZ0801-key-clash-recordings", &["sync", "rec/good.wav", "rec2", "-o", "new", "--quiet"]);
+    assert!(!scene.path().join("new").exists());
+    scene.finish(4);
+}
+
+#[test]
+fn what_is_odd_is_reported() {
+    let mut scene = Scene::new();
+    let silence: &[(bool, u32)] = &[(false, 1500), (true, 1000)];
+    scene.write("rec/a.wav", voice(silence, 1));
+    scene.write("rec/b.wav", voice(silence, 2));
+    let clip = |visemes: &str| format!("{{ \"visemes\": \"{visemes}\", \"viseme_type\": \"blair\", \"fps\": 8 }}");
+    scene.write("voices/a.lipz", clip("AEAEAE|AEAEAEAEAEAEAE"));
+    scene.write("voices/b.lipz", clip("------------A|-------"));
+    let check = ["check", "voices", "--audio", "rec", "--quiet", "--audio-cache", "rec.cache"];
+    scene.expect("LZ1714-moving-in-silence", &check);
+    let cached = read(&scene, "rec.cache");
+    assert_eq!(cached.lines().count(), 3, "{cached}");
+    scene.expect("LZ1715-resting-in-speech", &check);
+    assert_eq!(read(&scene, "rec.cache"), cached);
+    scene.write("voices/b.lipz", r#"{ "text_en-us": "Li'sar{say: L IX}" }"#);
+    scene.write("voices/a.lipz", r#"{ "mood": 1 }"#);
+    scene.write("lexicon.txt", "WESNOTH  W EX S\n");
+    let sync = ["sync", "voices", "--audio", "rec", "--quiet", "--lexicon", "lexicon.txt", "--allow", "LZ0203"];
+    scene.expect("LZ1710-pronunciation", &sync);
+    scene.write("drawn/a.lipz", clip("AEAEAEAEAEAEAEAEAE--"));
+    scene.expect("LZ1706-mouth-kept", &["sync", "drawn", "--audio", "rec", "--quiet"]);
+    scene.write("rec/b.wav", voice(silence, 3));
+    scene.expect(
+        "LZ1705-stale-mouth",
+        &["check", "voices", "--audio", "rec", "--quiet", "--allow", "LZ1714,LZ1715,LZ0406,LZ0203"],
+    );
+    scene.write("voices/lipz-sync.txt", format!("{}<<<<<<< HEAD\n", read(&scene, "voices/lipz-sync.txt")));
+    scene.expect(
+        "LZ1712-sync-record-line",
+        &["sync", "voices", "--audio", "rec", "--quiet", "--allow", "LZ1706,LZ1707,LZ1708"],
+    );
+    scene.write("new/a.lipz", r#"{ "text_en-us": "Aye." }"#);
+    scene.write("lines.csv", "file,text\na,No.\nz,Never.\nb,\"Never, ever.\"\n");
+    let of_script = ["sync", "rec", "-o", "new", "--script", "lines.csv", "--audio-locale", "en-us", "--quiet"];
+    scene.expect("LZ1709-other-text", &[&of_script[..], &["--allow", "LZ1707,LZ1713"]].concat());
+    scene.expect("LZ1713-script-without-recording", &[&of_script[..], &["--allow", "LZ1707,LZ1709"]].concat());
+    let of_b = ["sync", "rec/b.wav", "-o", "doubtful", "--script", "lines.csv", "--audio-locale", "en-us", "--quiet"];
+    scene.expect("LZ1707-doubtful-words", &[&of_b[..], &["--allow", "LZ1713"]].concat());
+    scene.expect("LZ1708-no-script", &["sync", "rec/a.wav", "-o", "mute", "--quiet"]);
+    let whole = voice(silence, 1);
+    scene.write("rec/a.wav", &whole[..whole.len() - 5001]);
+    scene.expect("LZ1711-damaged-sound", &["sync", "rec/a.wav", "-o", "cut", "--quiet", "--allow", "LZ1708"]);
+    scene.finish(11);
+}
