@@ -33,6 +33,12 @@ pub fn text(text: &str) -> Cow<'_, str> {
 }
 
 /// A name between backquotes, cut where nobody would want to read the rest.
+///
+/// ```
+/// use lipz_diagnostics::escape;
+/// assert_eq!(escape::quoted("act1/mayor\n"), "`act1/mayor\\n`");
+/// assert_eq!(escape::quoted(&"a".repeat(100)).chars().count(), 63);
+/// ```
 pub fn quoted(name: &str) -> String {
     match name.char_indices().nth(NAME_SHOWN) {
         Some((end, _)) => format!("`{}…`", text(&name[..end])),

@@ -55,7 +55,8 @@ impl Source {
         Source { path: path.into(), text: text.into() }
     }
 
-    /// Line and column of a byte offset; offsets past the end are the end.
+    /// Line and column of a byte offset; offsets past the end are the end. It reads the text up to there: who asks for
+    /// thousands of places keeps the starts of lines, as [`render`](crate::render) does.
     pub fn line_column(&self, offset: u32) -> LineColumn {
         let mut offset = (offset as usize).min(self.text.len());
         while !self.text.is_char_boundary(offset) {

@@ -13,6 +13,9 @@ const LONGEST_BYTES: usize = 400;
 const START_CHARACTERS: usize = 40;
 
 /// Writes everything that `bank` answers, one fact a line, in the order of keys and tags.
+///
+/// # Errors
+/// Those of `out`.
 pub fn write_answers(bank: &Bank<'_>, out: &mut impl Write) -> fmt::Result {
     let (major, _) = bank.format_version();
     writeln!(out, "format {major}, {} clips", bank.clip_count())?;

@@ -7,6 +7,7 @@
 #![cfg_attr(not(feature = "std"), no_std)]
 #![allow(missing_docs, reason = "the helpers of tests say in their names what they do")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::cast_possible_truncation)]
+#![allow(clippy::missing_panics_doc, reason = "all of them do")]
 
 pub mod answers;
 #[cfg(feature = "tools")]

@@ -1,15 +1,19 @@
 //! Banks from `build.rs`: the one part of this library that prints, and that reads the environment.
 
+mod error;
+
+pub use error::BuildError;
+
 use crate::ids::{self, Language};
 use crate::settings::Settings;
 use crate::{Compiled, Compiler, Input, Options, Outputs, Replace, depend, discover, replace_file};
 use lipz_bank::Bank;
 use lipz_diagnostics::reports::count;
 use lipz_diagnostics::{Code, Diagnostic, Report, Severity, escape, render};
+use std::env;
 use std::ffi::OsStr;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::{env, fmt};
 
 /// Packs Lipz files while cargo builds a program, from its `build.rs`:
 ///
@@ -266,201 +270,5 @@ fn rerun_lines(paths: &[PathBuf]) -> String {
     paths.iter().map(|path| format!("cargo::rerun-if-changed={}\n", escape::text(&discover::display(path)))).collect()
 }
 
-/// Why a build script failed, for `main` to return.
-pub enum BuildError {
-    /// Diagnostics at error level. Cargo shows each.
-    Diagnostics {
-        /// How many.
-        errors: usize,
-    },
-    /// `OUT_DIR` is not set: the program is not a build script that cargo runs.
-    NoOutputFolder,
-    /// Standard output, where cargo reads, cannot be written.
-    Unheard(io::Error),
-}
-
-impl fmt::Display for BuildError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            BuildError::Diagnostics { errors: 1 } => f.write_str("1 error in Lipz files; no bank was written"),
-            BuildError::Diagnostics { errors } => write!(f, "{errors} errors in Lipz files; no bank was written"),
-            BuildError::NoOutputFolder => {
-                f.write_str("OUT_DIR is not set: `lipz_compiler::Build` runs in build scripts of cargo only")
-            }
-            BuildError::Unheard(error) => write!(f, "standard output cannot be written: {error}"),
-        }
-    }
-}
-
-/// The same words: this is what a `main` that returns the error prints.
-impl fmt::Debug for BuildError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
-    }
-}
-
-impl std::error::Error for BuildError {}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use std::fs;
-
-    const CLIP: &str = r#"{ "fps": 24, "visemes": "MAEO-", "viseme_type": "blair", "text_en-us": "Mayor!" }"#;
-
-    const OUTPUTS: [&str; 3] = ["dialogue.lipzbank", "dialogue.lipzcache", "dialogue.rs"];
-
-    /// Runs a build of `files` in `voices`; what it told cargo, and the names of its outputs.
-    fn run(scene: &Path, build: impl FnOnce(Build) -> Build, files: &[(&str, &str)]) -> (String, Vec<String>) {
-        for (name, text) in files {
-            let path = scene.join("voices").join(name);
-            fs::create_dir_all(path.parent().unwrap()).unwrap();
-            fs::write(path, text).unwrap();
-        }
-        let (mut cargo, outputs) = (Vec::new(), scene.join("out"));
-        fs::create_dir_all(&outputs).unwrap();
-        let result = build(Build::new(scene.join("voices"))).run_in(&outputs, &mut cargo);
-        let lines = String::from_utf8(cargo).unwrap().replace(&*discover::display(scene), "SCENE");
-        assert_eq!(result.is_err(), lines.contains("cargo::error="), "{result:?}: {lines}");
-        let mut names: Vec<String> =
-            fs::read_dir(outputs).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
-        names.sort();
-        (lines, names)
-    }
-
-    #[test]
-    fn a_clean_build_writes_bank_and_ids() {
-        let scene = tempfile::tempdir().unwrap();
-        let (lines, names) = run(scene.path(), |build| build, &[("act1/mayor.lipz", CLIP)]);
-        assert_eq!(lines, "cargo::rerun-if-changed=SCENE/voices\n");
-        assert_eq!(names, OUTPUTS);
-        let bytes = fs::read(scene.path().join("out/dialogue.lipzbank")).unwrap();
-        assert!(Bank::open(&bytes).unwrap().verify().unwrap().clip_by_key("act1/mayor").is_some());
-        let ids = fs::read_to_string(scene.path().join("out/dialogue.rs")).unwrap();
-        assert!(ids.contains("pub const MAYOR: ::lipz_bank::ClipId"), "{ids}");
-    }
-
-    #[test]
-    fn the_next_run_gives_the_same_and_remembers() {
-        let scene = tempfile::tempdir().unwrap();
-        let outputs = || OUTPUTS.map(|name| fs::read(scene.path().join("out").join(name)).unwrap());
-        run(scene.path(), |build| build, &[("aye.lipz", CLIP)]);
-        let [bank, _, ids] = outputs();
-        fs::remove_file(scene.path().join("out/dialogue.rs")).unwrap();
-        run(scene.path(), |build| build, &[]);
-        assert_eq!([outputs()[0].as_slice(), &outputs()[2]], [&bank, &ids], "also if a file was lost");
-        let (path, cache) = (scene.path().join("out/dialogue.lipzbank"), scene.path().join("out/dialogue.lipzcache"));
-        let (inputs, _) = discover(&[scene.path().join("voices")], None);
-        let next = Compiler::default().pack_cached(&inputs, &path, &cache);
-        assert_eq!((next.recalled, next.is_unchanged), (1, true));
-        run(scene.path(), |build| build, &[("no.lipz", CLIP)]);
-        assert!(String::from_utf8(outputs()[2].clone()).unwrap().contains("pub const NO:"), "a new clip has an id");
-    }
-
-    #[test]
-    fn errors_are_all_told_and_leave_the_outputs() {
-        let scene = tempfile::tempdir().unwrap();
-        run(scene.path(), |build| build, &[("aye.lipz", CLIP)]);
-        let before = fs::read(scene.path().join("out/dialogue.lipzbank")).unwrap();
-        let foreign = "{\n  \"viseme_type\": \"blair\",\n  \"visemes\": \"MAZ-\" }";
-        let (lines, _) = run(scene.path(), |build| build, &[("b.lipz", foreign), ("c.lipz", ""), ("d.lipz", "{}")]);
-        let told: Vec<&str> = lines.lines().filter(|line| !line.contains("rerun")).collect();
-        assert_eq!(told.len(), 3, "{lines}");
-        assert!(
-            told[0].starts_with("cargo::error=SCENE/voices/b.lipz:3:17: `Z` is not a blair code [LZ0401]; "),
-            "{lines}"
-        );
-        assert!(told[1].starts_with("cargo::error=SCENE/voices/c.lipz: the file is empty [LZ0002]"), "{lines}");
-        assert!(told[2].starts_with("cargo::warning=SCENE/voices/d.lipz"), "{lines}");
-        assert_eq!(fs::read(scene.path().join("out/dialogue.lipzbank")).unwrap(), before);
-    }
-
-    #[test]
-    fn clashes_and_bad_names_write_nothing() {
-        let scene = tempfile::tempdir().unwrap();
-        let (lines, names) = run(scene.path(), |build| build, &[("a-b.lipz", CLIP), ("a_b.lipz", CLIP)]);
-        assert!(lines.contains("cargo::error=SCENE/voices: the keys `a-b` and `a_b` have the same"), "{lines}");
-        assert_eq!(names, [""; 0]);
-        fs::remove_file(scene.path().join("voices/a-b.lipz")).unwrap();
-        for name in ["../x", "", "..", "x/"] {
-            let (lines, names) = run(scene.path(), |build| build.name(name), &[]);
-            assert!(lines.contains("[LZ0904]"), "{lines}");
-            assert_eq!(names, [""; 0], "{name}");
-        }
-    }
-
-    #[test]
-    fn split_locales_are_files_of_their_own() {
-        let scene = tempfile::tempdir().unwrap();
-        let clip = r#"{ "text_en-us": "Mayor!", "text_de-de": "Meister!" }"#;
-        let (_, names) = run(scene.path(), |build| build.split_locales(true), &[("mayor.lipz", clip)]);
-        let expected = ["dialogue.de-de.lipztexts", "dialogue.en-us.lipztexts", "dialogue.lipzbank", "dialogue.rs"];
-        assert_eq!(names, expected);
-        let read = |name: &str| fs::read(scene.path().join("out").join(name)).unwrap();
-        let (base, german) = (read("dialogue.lipzbank"), read("dialogue.de-de.lipztexts"));
-        let bank = Bank::open(&base).unwrap().verify().unwrap();
-        assert!(bank.locale("de-de").is_none());
-        assert!(bank.open_texts(&german).unwrap().verify(&bank).is_ok());
-        let (lines, names) = run(scene.path(), |build| build.split_locales(true), &[("no.lipz", "")]);
-        assert!(lines.contains("cargo::error="), "{lines}");
-        assert_eq!(names, expected, "what was there stays");
-    }
-
-    #[test]
-    fn a_path_cannot_leave_its_line() {
-        assert_eq!(rerun_lines(&["a\nb".into()]), "cargo::rerun-if-changed=a\\nb\n");
-    }
-
-    #[test]
-    fn settings_hold_and_are_watched() {
-        let scene = tempfile::tempdir().unwrap();
-        let file = scene.path().join("lipz.toml");
-        let by_settings = |text: &str| {
-            fs::write(&file, text).unwrap();
-            run(scene.path(), |_| Build::from_settings(&file), &[("act1/mayor.lipz", r#"{ "text": "Mayor!" }"#)])
-        };
-        let (lines, names) = by_settings("sources = [\"voices\"]\ndefault-locale = \"en-us\"\n");
-        assert!(lines.starts_with("cargo::rerun-if-changed=SCENE/voices\ncargo::rerun-if-changed=SCENE/lipz.toml\n"));
-        assert!(lines.contains("[LZ0502]") && !lines.contains("error"), "{lines}");
-        assert_eq!(names, OUTPUTS);
-        let (lines, _) = by_settings("sources = [\"voices\"]\n[audio]\nin-bank = true\n");
-        assert!(lines.contains("cargo::error=the settings put recordings into the bank"), "{lines}");
-        let (lines, _) = by_settings("default-local = \"en-us\"\n");
-        assert!(lines.contains("cargo::error=SCENE/lipz.toml:1:1: "), "{lines}");
-    }
-
-    #[test]
-    fn the_settings_beside_the_sources_hold() {
-        let scene = tempfile::tempdir().unwrap();
-        let files = [("mayor.lipz", r#"{ "text": "Mayor!" }"#), ("lipz.toml", "default-locale = \"en-us\"\n")];
-        let (lines, names) = run(scene.path(), |build| build, &files);
-        let watched = "cargo::rerun-if-changed=SCENE/voices\ncargo::rerun-if-changed=SCENE/voices/lipz.toml\n";
-        assert!(lines.starts_with(watched), "{lines}");
-        assert!(lines.contains("[LZ0502]") && !lines.contains("error"), "{lines}");
-        assert_eq!(names, OUTPUTS);
-        let command = Settings::read(&scene.path().join("voices/lipz.toml")).0;
-        let (inputs, _) = discover(&[scene.path().join("voices")], None);
-        let expected = Compiler::new(command.options).compile(&inputs).bank;
-        assert_eq!(Some(fs::read(scene.path().join("out/dialogue.lipzbank")).unwrap()), expected);
-
-        let options = Options::new().default_locale("de-de");
-        let (lines, _) = run(scene.path(), |build| build.options(options.clone()), &[]);
-        assert!(
-            lines.contains("warning=SCENE/voices/lipz.toml: the settings file `SCENE/voices/lipz.toml` is not used"),
-            "{lines}"
-        );
-        let (lines, _) = run(scene.path(), |build| build.options(options).without_settings(), &[]);
-        assert!(!lines.contains("lipz.toml"), "{lines}");
-        let (lines, _) = run(scene.path(), Build::without_settings, &[]);
-        assert!(lines.contains("cargo::error=") && lines.contains("[LZ0502]"), "{lines}");
-    }
-
-    #[test]
-    fn sources_that_do_not_exist_are_watched() {
-        let scene = tempfile::tempdir().unwrap();
-        let (lines, names) = run(scene.path(), |build| build.source("no/where"), &[("aye.lipz", CLIP)]);
-        assert!(lines.contains("cargo::rerun-if-changed=no/where\n"), "{lines}");
-        assert!(lines.contains("cargo::error=no/where: `no/where` does not exist [LZ0001]; help: check"), "{lines}");
-        assert_eq!(names, [""; 0]);
-    }
-}
+mod tests;
