@@ -6,12 +6,12 @@
 use lipz_bank::{Error, ErrorKind};
 use lipz_layout::{MAGIC, MAX_INTEGER_FPS, NO_TEXT, TEXT_FALLBACK, TEXT_HAS_LENGTH, Tag};
 use lipz_testkit::golden::{
-    RECORDED, SMALL, STRIPPED, changed, entry_of, finding, key_record_of, put, record_of, section, u32_at,
+    RECORDED, SMALL, STRIPPED, changed, entry_of, key_record_of, put, record_of, refusal, section, u32_at,
 };
 
 /// The kind and place found in a small bank that `change` has changed.
 fn found(change: impl FnOnce(&mut Vec<u8>)) -> (ErrorKind, usize) {
-    let error = finding(&changed(SMALL, change)).expect("damage");
+    let error = refusal(&changed(SMALL, change)).expect("damage");
     (error.kind(), error.offset_bytes() as usize)
 }
 
@@ -65,7 +65,7 @@ fn numbers_are_stable() {
 
 #[test]
 fn messages_say_number_and_place() {
-    let error = finding(&SMALL[..100]).expect("damage");
+    let error = refusal(&SMALL[..100]).expect("damage");
     let message = "the file is not as long as its header says (cut off, or something was appended)";
     assert_eq!(error.to_string(), format!("{message} (bank error 5, at byte 16)"));
     for kind in ErrorKind::ALL {
@@ -76,7 +76,7 @@ fn messages_say_number_and_place() {
 #[test]
 fn beginnings_of_files() {
     use ErrorKind::{NotABank, TextMode, TooShort};
-    let kind = |bytes: &[u8]| finding(bytes).map(|error| (error.kind(), error.offset_bytes()));
+    let kind = |bytes: &[u8]| refusal(bytes).map(|error| (error.kind(), error.offset_bytes()));
     assert_eq!(kind(b""), Some((TooShort, 0)));
     assert_eq!(kind(&SMALL[..3]), Some((TooShort, 3)));
     assert_eq!(kind(&SMALL[..63]), Some((TooShort, 63)));
@@ -124,19 +124,19 @@ fn header_and_directory() {
 #[test]
 fn what_is_accepted() {
     let newer = changed(SMALL, |bank| put(bank, 22, [7, 0]));
-    assert_eq!(finding(&newer), None);
+    assert_eq!(refusal(&newer), None);
     let optional = changed(SMALL, |bank| {
         put(bank, entry_of(SMALL, Tag::SOURCES), b"NEWS");
         put(bank, entry_of(SMALL, Tag::SOURCE_INDEX), b"MORE");
     });
-    assert_eq!(finding(&optional), None);
+    assert_eq!(refusal(&optional), None);
 }
 
 #[test]
 fn checksum() {
     let mut bank = SMALL.to_vec();
     *bank.last_mut().expect("bytes") ^= 1;
-    let error = finding(&bank).expect("damage");
+    let error = refusal(&bank).expect("damage");
     assert_eq!((error.kind(), error.offset_bytes()), (ErrorKind::Checksum, 8));
 }
 
@@ -195,7 +195,7 @@ fn frame_rates() {
             put(bank, rate + 8, numerator.to_le_bytes());
             put(bank, rate + 12, denominator.to_le_bytes());
         });
-        finding(&bank).map(|error| (error.kind(), error.offset_bytes() as usize))
+        refusal(&bank).map(|error| (error.kind(), error.offset_bytes() as usize))
     };
     let damage = Some((ErrorKind::FrameRate, rate));
     let reciprocal =
@@ -271,7 +271,7 @@ fn events() {
     assert_eq!(found(|bank| put(bank, typed, [4])), (TypedEvent, typed), "character");
     assert_eq!(found(|bank| put(bank, typed + 4, [4])), (TypedEvent, typed), "object");
     assert_eq!(found(|bank| put(bank, typed + 4, [0xFF; 4])), (TypedEvent, typed), "no object");
-    assert_eq!(finding(&changed(SMALL, |bank| put(bank, typed, [0xFF; 4]))), None, "the speaker");
+    assert_eq!(refusal(&changed(SMALL, |bank| put(bank, typed, [0xFF; 4]))), None, "the speaker");
     let names = start(Tag::EVENT_NAMES);
     assert_eq!(found(|bank| put(bank, names + 8, [0])), (EventName, names + 8), "offset");
     assert_eq!(found(|bank| put(bank, names + 4, [0])), (EventName, names), "an empty name");
@@ -284,14 +284,14 @@ fn events() {
         put(bank, entry_of(STRIPPED, Tag::EVENT_STRINGS) + 8, strings.to_le_bytes());
         bank.push(b'!');
     });
-    assert_eq!(finding(&longer).map(Error::kind), Some(EventName), "a byte that belongs to no name");
+    assert_eq!(refusal(&longer).map(Error::kind), Some(EventName), "a byte that belongs to no name");
 }
 
 #[test]
 fn recordings() {
     use ErrorKind::{Recording, SectionShape};
     let finding_in = |change: &dyn Fn(&mut Vec<u8>)| {
-        finding(&changed(RECORDED, |bank| change(bank))).map(|error| (error.kind(), error.offset_bytes() as usize))
+        refusal(&changed(RECORDED, |bank| change(bank))).map(|error| (error.kind(), error.offset_bytes() as usize))
     };
     let (entry, section) = (entry_of(RECORDED, Tag::RECORDINGS), section(RECORDED, Tag::RECORDINGS));
     let records: Vec<usize> = section.step_by(16).collect();

@@ -6,28 +6,28 @@
 use lipz_bank::{Error, ErrorKind};
 use lipz_layout::{TEXT_HAS_LENGTH, Tag};
 use lipz_testkit::forge::{ForgedClip, bank};
-use lipz_testkit::golden::{SMALL, changed, entry_of, finding, put, record_of, section, u32_at};
+use lipz_testkit::golden::{SMALL, changed, entry_of, put, record_of, refusal, section, u32_at};
 
 /// Every reference is checked, also those of sections that only the compiler reads.
 #[test]
 fn optional_sections_lie_in_the_file() {
     let entry = entry_of(SMALL, Tag::SOURCES);
-    assert!(finding(&changed(SMALL, |bank| put(bank, entry + 4, u32::MAX.to_le_bytes()))).is_some());
-    assert!(finding(&changed(SMALL, |bank| put(bank, entry + 8, u32::MAX.to_le_bytes()))).is_some());
+    assert!(refusal(&changed(SMALL, |bank| put(bank, entry + 4, u32::MAX.to_le_bytes()))).is_some());
+    assert!(refusal(&changed(SMALL, |bank| put(bank, entry + 8, u32::MAX.to_le_bytes()))).is_some());
     let index = entry_of(SMALL, Tag::SOURCE_INDEX);
-    assert!(finding(&changed(SMALL, |bank| put(bank, index + 12, [3]))).is_some(), "entry size");
+    assert!(refusal(&changed(SMALL, |bank| put(bank, index + 12, [3]))).is_some(), "entry size");
 }
 
 #[test]
 fn optional_sections_appear_once() {
     let entry = entry_of(SMALL, Tag::SOURCE_INDEX);
-    assert!(finding(&changed(SMALL, |bank| put(bank, entry, b"SRCE"))).is_some());
+    assert!(refusal(&changed(SMALL, |bank| put(bank, entry, b"SRCE"))).is_some());
 }
 
 /// The fingerprint tells which files belong together.
 #[test]
 fn the_fingerprint_is_that_of_the_clips() {
-    assert!(finding(&changed(SMALL, |bank| put(bank, 24, [0]))).is_some());
+    assert!(refusal(&changed(SMALL, |bank| put(bank, 24, [0]))).is_some());
 }
 
 /// Sections start at multiples of 64, one behind the other.
@@ -39,16 +39,16 @@ fn sections_are_aligned_and_apart() {
         put(bank, entry + 4, (start + 1).to_le_bytes());
         put(bank, entry + 8, (length - 1).to_le_bytes());
     });
-    assert!(finding(&odd).is_some(), "not at a multiple of 64");
+    assert!(refusal(&odd).is_some(), "not at a multiple of 64");
     let shared = changed(SMALL, |bank| put(bank, entry + 4, 0_u32.to_le_bytes()));
-    assert!(finding(&shared).is_some(), "sources on top of the header");
+    assert!(refusal(&shared).is_some(), "sources on top of the header");
 }
 
 /// With two default locales, `default_locale` would return the first of them.
 #[test]
 fn one_locale_is_the_default() {
     let locales = section(SMALL, Tag::LOCALES).start;
-    assert!(finding(&changed(SMALL, |bank| put(bank, locales + 6, [1]))).is_some());
+    assert!(refusal(&changed(SMALL, |bank| put(bank, locales + 6, [1]))).is_some());
 }
 
 /// Were clips allowed to claim the same frames, each claim would be checked anew, and verification
@@ -61,7 +61,7 @@ fn clips_do_not_share_frames() {
         put(bank, nine, offset.to_le_bytes());
         put(bank, nine + 8, first.to_le_bytes());
     });
-    assert!(finding(&shared).is_some());
+    assert!(refusal(&shared).is_some());
 }
 
 /// Many locales that share the text of many segments: verification looks at the ends of each, not at all of it.
@@ -69,6 +69,6 @@ fn clips_do_not_share_frames() {
 fn shared_texts_are_whole() {
     let clip = ForgedClip { key: "k", frames: vec![], starts: vec![0; 2999] };
     let with = |pool| bank(std::slice::from_ref(&clip), 300, &[TEXT_HAS_LENGTH; 3000], pool);
-    assert_eq!(finding(&with(b"\0\0\x04four")), None);
-    assert_eq!(finding(&with(b"\0\0\x05four")).map(Error::kind), Some(ErrorKind::TextReference));
+    assert_eq!(refusal(&with(b"\0\0\x04four")), None);
+    assert_eq!(refusal(&with(b"\0\0\x05four")).map(Error::kind), Some(ErrorKind::TextReference));
 }

@@ -6,7 +6,7 @@
 use lipz_bank::Bank;
 use lipz_layout::Tag;
 use lipz_testkit::exercise::{Effort, every_query, provoke, verified_is_whole};
-use lipz_testkit::golden::{Random, SMALL, STRIPPED, WIDE, changed, directory, finding, put, reseal, section, u32_at};
+use lipz_testkit::golden::{Random, SMALL, STRIPPED, WIDE, changed, directory, put, refusal, reseal, section, u32_at};
 use std::ops::Range;
 
 /// Where the tests are interpreted or emulated, a sample of the changes has to do.
@@ -31,7 +31,7 @@ fn in_parallel(range: Range<usize>, work: impl Fn(usize) + Sync) {
 fn every_truncation() {
     for bank in [SMALL, STRIPPED, &WIDE[..2000]] {
         for length in (0..bank.len()).step_by(STEP) {
-            assert!(finding(&bank[..length]).is_some(), "{length} bytes");
+            assert!(refusal(&bank[..length]).is_some(), "{length} bytes");
             // The header that a forger would write: right length, right checksum.
             let mut forged = bank[..length].to_vec();
             if length >= 64 {
@@ -48,7 +48,7 @@ fn appended_bytes_are_noticed() {
     for length in [1, 3, 64, 4096] {
         let mut longer = SMALL.to_vec();
         longer.resize(SMALL.len() + length, 0);
-        assert!(finding(&longer).is_some());
+        assert!(refusal(&longer).is_some());
     }
 }
 
@@ -178,7 +178,7 @@ fn noise() {
     let mut random = Random(7);
     for length in 0..600 {
         let mut bytes: Vec<u8> = (0..length).map(|_| random.next_u64() as u8).collect();
-        assert!(finding(&bytes).is_some());
+        assert!(refusal(&bytes).is_some());
         // Behind a right header, so that the directory is noise too.
         if length >= 64 {
             bytes[..64].copy_from_slice(&SMALL[..64]);

@@ -6,7 +6,7 @@
 use lipz_bank::{Error, ErrorKind, Fps, Micros};
 use lipz_layout::{NO_TEXT, TEXT_FALLBACK, TEXT_HAS_LENGTH, TEXT_MAX_BYTES, text_count};
 use lipz_testkit::forge::{ForgedClip, bank};
-use lipz_testkit::golden::{finding, verified};
+use lipz_testkit::golden::{refusal, verified};
 
 fn clip(key: &'static str, frame_count: usize, starts: Vec<u32>) -> ForgedClip {
     ForgedClip { key, frames: vec![b'A'; frame_count], starts }
@@ -20,7 +20,7 @@ fn counted_texts_are_as_long_as_they_say() {
         let text = [&text_count(length)[..], &vec![b'x'; length]].concat();
         let bytes = bank(&[clip("a", 2, vec![1, 1])], 1, &[0, 1, TEXT_HAS_LENGTH | 2], &[b"ab", &text[..]].concat());
         if length > TEXT_MAX_BYTES {
-            assert_eq!(finding(&bytes).map(Error::kind), Some(ErrorKind::TextReference), "{length} bytes are too many");
+            assert_eq!(refusal(&bytes).map(Error::kind), Some(ErrorKind::TextReference), "{length} bytes are too many");
             continue;
         }
         let bank = verified(&bytes);
@@ -34,7 +34,7 @@ fn counted_texts_are_as_long_as_they_say() {
 /// The texts of a clip of one segment.
 #[test]
 fn texts_that_are_not_there_or_too_long() {
-    let kind = |start, pool: &[u8]| finding(&bank(&[clip("a", 0, vec![])], 1, &[start], pool)).map(Error::kind);
+    let kind = |start, pool: &[u8]| refusal(&bank(&[clip("a", 0, vec![])], 1, &[start], pool)).map(Error::kind);
     let damage = Some(ErrorKind::TextReference);
     assert_eq!([kind(TEXT_HAS_LENGTH, b"\0\0\x02ab"), kind(0, &[b'x'; TEXT_MAX_BYTES])], [None; 2]);
     assert_eq!([kind(TEXT_HAS_LENGTH, b"\0\0\x02a"), kind(0, &[b'x'; TEXT_MAX_BYTES + 1])], [damage; 2]);
@@ -45,7 +45,7 @@ fn texts_that_are_not_there_or_too_long() {
 fn texts_are_all_of_one_kind() {
     let kind = |starts: [u32; 2], pool: &str| {
         let bytes = bank(&[clip("a", 0, vec![0])], 1, &starts, pool.as_bytes());
-        finding(&bytes).map(Error::kind)
+        refusal(&bytes).map(Error::kind)
     };
     let (damage, fallback) = (Some(ErrorKind::TextReference), TEXT_FALLBACK);
     assert_eq!([kind([0, 2], "éx"), kind([fallback, fallback | 3], "éx"), kind([NO_TEXT; 2], "")], [None; 3]);

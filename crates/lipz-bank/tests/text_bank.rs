@@ -14,7 +14,7 @@ static GERMAN: &[u8] = include_bytes!("../../../fixtures/banks/v1/split.de-de.li
 static ENGLISH: &[u8] = include_bytes!("../../../fixtures/banks/v1/split.en-us.lipztexts");
 
 /// What opening and verifying the texts finds.
-fn finding(bank: &Bank<'_>, bytes: &[u8]) -> Option<Error> {
+fn refusal(bank: &Bank<'_>, bytes: &[u8]) -> Option<Error> {
     bank.open_texts(bytes).and_then(|texts| texts.verify(bank)).err()
 }
 
@@ -72,7 +72,7 @@ fn a_bank_with_texts_is_a_text_bank() {
 fn every_truncation_and_every_change_is_noticed() {
     let base = verified(BASE);
     for length in 0..GERMAN.len() {
-        assert!(finding(&base, &GERMAN[..length]).is_some(), "{length} bytes");
+        assert!(refusal(&base, &GERMAN[..length]).is_some(), "{length} bytes");
     }
     let mut bytes = GERMAN.to_vec();
     for at in 0..bytes.len() {
@@ -111,11 +111,11 @@ fn forged_references_are_named() {
     let starts = section(GERMAN, Tag::TEXT_STARTS);
     let own = starts.clone().step_by(4).find(|&at| u32_at(GERMAN, at) != NO_TEXT).expect("a text");
     let reference = changed(GERMAN, |bytes| put(bytes, own, 0x3FFF_FFFF_u32.to_le_bytes()));
-    let error = finding(&base, &reference).expect("past the pool");
+    let error = refusal(&base, &reference).expect("past the pool");
     assert_eq!((error.kind(), error.offset_bytes()), (ErrorKind::TextReference, own as u32));
     let shorter = changed(GERMAN, |bytes| {
         let entry = 64 + 16 * directory(GERMAN).iter().position(|entry| entry.tag == Tag::TEXT_STARTS.0).expect("TXST");
         put(bytes, entry + 8, ((starts.len() - 4) as u32).to_le_bytes());
     });
-    assert_eq!(finding(&base, &shorter).map(Error::kind), Some(ErrorKind::TextReference));
+    assert_eq!(refusal(&base, &shorter).map(Error::kind), Some(ErrorKind::TextReference));
 }

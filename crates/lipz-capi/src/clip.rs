@@ -44,7 +44,7 @@ pub struct Clip {
 }
 
 impl Clip {
-    fn of(clip: Option<lipz_bank::Clip<'_, '_>>) -> Result<Clip, Status> {
+    fn from_found(clip: Option<lipz_bank::Clip<'_, '_>>) -> Result<Clip, Status> {
         let clip = clip.ok_or(LIPZ_NONE)?;
         Ok(Clip {
             id: clip.id().get(),
@@ -66,14 +66,14 @@ impl Clip {
 pub struct Viseme(pub u8);
 
 impl Viseme {
-    pub(crate) fn of(viseme: lipz_bank::Viseme) -> Viseme {
+    pub(crate) fn from_reader(viseme: lipz_bank::Viseme) -> Viseme {
         Viseme(viseme.code())
     }
 }
 
 impl Default for Viseme {
     fn default() -> Viseme {
-        Viseme::of(lipz_bank::Viseme::REST)
+        Viseme::from_reader(lipz_bank::Viseme::REST)
     }
 }
 
@@ -96,7 +96,7 @@ pub unsafe extern "C" fn lipz_clip_id_of_key(
 pub unsafe extern "C" fn lipz_clip_by_id(bank: Option<&Bank>, id: u64, clip: Option<&mut MaybeUninit<Clip>>) -> Status {
     answer(clip, || {
         // SAFETY: the contract of the crate, which the caller keeps.
-        Clip::of(unsafe { opened(bank) }?.clip(ClipId::from_u64(id)))
+        Clip::from_found(unsafe { opened(bank) }?.clip(ClipId::from_u64(id)))
     })
 }
 
@@ -111,7 +111,7 @@ pub unsafe extern "C" fn lipz_clip_by_key(
     answer(clip, || {
         // SAFETY: the contract of the crate, which the caller keeps.
         let (bank, key) = unsafe { (opened(bank)?, text(key, key_length_bytes)?) };
-        Clip::of(bank.clip_by_key(key))
+        Clip::from_found(bank.clip_by_key(key))
     })
 }
 
@@ -121,7 +121,7 @@ pub unsafe extern "C" fn lipz_clip_by_key(
 pub unsafe extern "C" fn lipz_clip_at(bank: Option<&Bank>, slot: u32, clip: Option<&mut MaybeUninit<Clip>>) -> Status {
     answer(clip, || {
         // SAFETY: the contract of the crate, which the caller keeps.
-        Clip::of(unsafe { opened(bank) }?.clip_at(slot))
+        Clip::from_found(unsafe { opened(bank) }?.clip_at(slot))
     })
 }
 
@@ -133,7 +133,7 @@ pub unsafe extern "C" fn lipz_clip_key(
     key: Option<&mut MaybeUninit<String>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_clip(bank, clip, key, |clip| Ok(String::of(clip.key()))) }
+    unsafe { of_clip(bank, clip, key, |clip| Ok(String::from_text(clip.key()))) }
 }
 
 /// The frame codes of a clip, one byte per frame.
@@ -144,7 +144,7 @@ pub unsafe extern "C" fn lipz_clip_frames(
     frames: Option<&mut MaybeUninit<String>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_clip(bank, clip, frames, |clip| Ok(String::of_bytes(clip.frames()))) }
+    unsafe { of_clip(bank, clip, frames, |clip| Ok(String::from_bytes(clip.frames()))) }
 }
 
 /// The viseme of a frame; rest outside the clip.
@@ -156,7 +156,7 @@ pub unsafe extern "C" fn lipz_clip_viseme(
     viseme: Option<&mut MaybeUninit<Viseme>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_clip(bank, clip, viseme, |clip| Ok(Viseme::of(clip.viseme(frame)))) }
+    unsafe { of_clip(bank, clip, viseme, |clip| Ok(Viseme::from_reader(clip.viseme(frame)))) }
 }
 
 /// The first microsecond at which a frame shows; that of frame `frame_count` is the length of the

@@ -41,8 +41,9 @@ pub struct EventName {
 }
 
 impl EventName {
-    fn of(bank: &lipz_bank::Bank<'_>, name: Option<Name<'_>>) -> EventName {
-        let named = |name: Name<'_>| EventName { name: String::of(name.as_str()), id: name.id(), bank: origin(bank) };
+    fn from_reader(bank: &lipz_bank::Bank<'_>, name: Option<Name<'_>>) -> EventName {
+        let named =
+            |name: Name<'_>| EventName { name: String::from_text(name.as_str()), id: name.id(), bank: origin(bank) };
         name.map_or_else(EventName::default, named)
     }
 }
@@ -66,7 +67,7 @@ pub struct Event {
 }
 
 impl Event {
-    fn of(bank: &lipz_bank::Bank<'_>, event: lipz_bank::Event<'_>) -> Event {
+    fn from_reader(bank: &lipz_bank::Bank<'_>, event: lipz_bank::Event<'_>) -> Event {
         let verb = match event.command {
             Command::Feels(_) => LIPZ_FEELS,
             Command::Sees(_) => LIPZ_SEES,
@@ -76,7 +77,7 @@ impl Event {
             Command::StopsPointing => LIPZ_STOPS_POINTING,
             Command::Does(_) => LIPZ_DOES,
         };
-        let name = |name| EventName::of(bank, name);
+        let name = |name| EventName::from_reader(bank, name);
         Event { character: name(event.character), object: name(event.command.object()), verb }
     }
 }
@@ -90,7 +91,7 @@ pub unsafe extern "C" fn lipz_segment_event_string(
     string: Option<&mut MaybeUninit<String>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_segment(bank, segment, string, |_, segment| Ok(String::of(segment.event().ok_or(LIPZ_NONE)?))) }
+    unsafe { of_segment(bank, segment, string, |_, segment| Ok(String::from_text(segment.event().ok_or(LIPZ_NONE)?))) }
 }
 
 /// The typed event of a segment with this index: ask from 0 on until `LIPZ_NONE`. There are none where the
@@ -105,7 +106,7 @@ pub unsafe extern "C" fn lipz_segment_event(
     // SAFETY: the contract of the crate, which the caller keeps.
     unsafe {
         of_segment(bank, segment, event, |bank, segment| {
-            Ok(Event::of(bank, segment.events().nth(index as usize).ok_or(LIPZ_NONE)?))
+            Ok(Event::from_reader(bank, segment.events().nth(index as usize).ok_or(LIPZ_NONE)?))
         })
     }
 }
@@ -121,6 +122,6 @@ pub unsafe extern "C" fn lipz_event_name(
     answer(found, || {
         // SAFETY: the contract of the crate, which the caller keeps.
         let (bank, name) = unsafe { (opened(bank)?, text(name, name_length_bytes)?) };
-        Ok(EventName::of(&bank, Some(bank.event_name(name).ok_or(LIPZ_NONE)?)))
+        Ok(EventName::from_reader(&bank, Some(bank.event_name(name).ok_or(LIPZ_NONE)?)))
     })
 }

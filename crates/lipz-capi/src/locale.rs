@@ -83,6 +83,6 @@ unsafe fn of_locales<Test: FnMut(u32, &lipz_bank::Locale<'_>) -> bool>(
         let mut numbered = (0..).zip(opened.locales());
         let (index, locale) = numbered.find(|(index, locale)| is_wanted(*index, locale)).ok_or(LIPZ_NONE)?;
         let is_default = locale.is_default().into();
-        Ok(Locale { tag: String::of(locale.tag()), index, is_default, bank: opened.origin() })
+        Ok(Locale { tag: String::from_text(locale.tag()), index, is_default, bank: opened.origin() })
     })
 }

@@ -27,7 +27,7 @@ pub struct Segment {
 }
 
 impl Segment {
-    pub(crate) fn of(segment: Option<lipz_bank::Segment<'_, '_>>) -> Result<Segment, Status> {
+    pub(crate) fn from_found(segment: Option<lipz_bank::Segment<'_, '_>>) -> Result<Segment, Status> {
         let segment = segment.ok_or(LIPZ_NONE)?;
         Ok(Segment {
             clip_id: segment.clip().id().get(),
@@ -66,7 +66,7 @@ pub unsafe extern "C" fn lipz_segment_at(
     segment: Option<&mut MaybeUninit<Segment>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_clip(bank, clip, segment, |clip| Segment::of(clip.segment(index))) }
+    unsafe { of_clip(bank, clip, segment, |clip| Segment::from_found(clip.segment(index))) }
 }
 
 /// The segment that a frame belongs to. Segments of no frames are never found by frame.
@@ -78,7 +78,7 @@ pub unsafe extern "C" fn lipz_segment_of_frame(
     segment: Option<&mut MaybeUninit<Segment>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_clip(bank, clip, segment, |clip| Segment::of(clip.segment_of_frame(frame))) }
+    unsafe { of_clip(bank, clip, segment, |clip| Segment::from_found(clip.segment_of_frame(frame))) }
 }
 
 /// The text of a segment in a locale of the same bank. `LIPZ_NONE` if the clip has none, also by

@@ -38,6 +38,6 @@ pub extern "C" fn lipz_status_message(status: Status, message: Option<&mut Maybe
                 kind.ok_or(LIPZ_NONE)?.message()
             }
         };
-        Ok(String::of(text))
+        Ok(String::from_text(text))
     })
 }

@@ -18,11 +18,11 @@ pub struct String {
 }
 
 impl String {
-    pub(crate) fn of(text: &str) -> String {
-        String::of_bytes(text.as_bytes())
+    pub(crate) fn from_text(text: &str) -> String {
+        String::from_bytes(text.as_bytes())
     }
 
-    pub(crate) fn of_bytes(bytes: &[u8]) -> String {
+    pub(crate) fn from_bytes(bytes: &[u8]) -> String {
         String { data: bytes.as_ptr().cast(), length_bytes: bytes.len() }
     }
 }

@@ -70,7 +70,7 @@ pub unsafe extern "C" fn lipz_viseme_at_us(
     viseme: Option<&mut MaybeUninit<Viseme>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_clip(bank, clip, viseme, |clip| Ok(Viseme::of(clip.viseme_at(Micros(time_us))))) }
+    unsafe { of_clip(bank, clip, viseme, |clip| Ok(Viseme::from_reader(clip.viseme_at(Micros(time_us))))) }
 }
 
 /// The viseme that shows after `position` samples at `rate_hz`; rest when nobody speaks.
@@ -83,7 +83,9 @@ pub unsafe extern "C" fn lipz_viseme_at_samples(
     viseme: Option<&mut MaybeUninit<Viseme>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_clip(bank, clip, viseme, |clip| Ok(Viseme::of(clip.viseme_at(Samples { position, rate_hz })))) }
+    unsafe {
+        of_clip(bank, clip, viseme, |clip| Ok(Viseme::from_reader(clip.viseme_at(Samples { position, rate_hz }))))
+    }
 }
 
 /// The viseme that shows after `seconds`, with the rule of `lipz_frame_at_seconds`; rest when nobody
@@ -96,7 +98,7 @@ pub unsafe extern "C" fn lipz_viseme_at_seconds(
     viseme: Option<&mut MaybeUninit<Viseme>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_clip(bank, clip, viseme, |clip| Ok(Viseme::of(clip.viseme_at(Seconds(seconds))))) }
+    unsafe { of_clip(bank, clip, viseme, |clip| Ok(Viseme::from_reader(clip.viseme_at(Seconds(seconds))))) }
 }
 
 /// `lipz_viseme_at_seconds` for clocks that have no `double`.
@@ -108,7 +110,7 @@ pub unsafe extern "C" fn lipz_viseme_at_seconds_f32(
     viseme: Option<&mut MaybeUninit<Viseme>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_clip(bank, clip, viseme, |clip| Ok(Viseme::of(clip.viseme_at(Seconds(seconds))))) }
+    unsafe { of_clip(bank, clip, viseme, |clip| Ok(Viseme::from_reader(clip.viseme_at(Seconds(seconds))))) }
 }
 
 /// The segment `time_us` microseconds after the audio began.
@@ -120,7 +122,7 @@ pub unsafe extern "C" fn lipz_segment_at_us(
     segment: Option<&mut MaybeUninit<Segment>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_clip(bank, clip, segment, |clip| Segment::of(clip.segment_at(Micros(time_us)))) }
+    unsafe { of_clip(bank, clip, segment, |clip| Segment::from_found(clip.segment_at(Micros(time_us)))) }
 }
 
 /// The segment after `position` samples at `rate_hz`.
@@ -133,7 +135,7 @@ pub unsafe extern "C" fn lipz_segment_at_samples(
     segment: Option<&mut MaybeUninit<Segment>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_clip(bank, clip, segment, |clip| Segment::of(clip.segment_at(Samples { position, rate_hz }))) }
+    unsafe { of_clip(bank, clip, segment, |clip| Segment::from_found(clip.segment_at(Samples { position, rate_hz }))) }
 }
 
 /// The segment after `seconds`, with the rule of `lipz_frame_at_seconds`.
@@ -145,7 +147,7 @@ pub unsafe extern "C" fn lipz_segment_at_seconds(
     segment: Option<&mut MaybeUninit<Segment>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_clip(bank, clip, segment, |clip| Segment::of(clip.segment_at(Seconds(seconds)))) }
+    unsafe { of_clip(bank, clip, segment, |clip| Segment::from_found(clip.segment_at(Seconds(seconds)))) }
 }
 
 /// `lipz_segment_at_seconds` for clocks that have no `double`.
@@ -157,5 +159,5 @@ pub unsafe extern "C" fn lipz_segment_at_seconds_f32(
     segment: Option<&mut MaybeUninit<Segment>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_clip(bank, clip, segment, |clip| Segment::of(clip.segment_at(Seconds(seconds)))) }
+    unsafe { of_clip(bank, clip, segment, |clip| Segment::from_found(clip.segment_at(Seconds(seconds)))) }
 }

@@ -11,17 +11,18 @@ use lipz_capi::*;
 fn clips_are_found_by_id_key_and_slot() {
     for bytes in [DRAMA, SMALL] {
         let (expected, bank) = bank(bytes);
-        let info = Answer::<BankInfo>::of(|out| unsafe { lipz_bank_info(Some(&bank), out) }).ok();
+        let info = Answer::<BankInfo>::from_call(|out| unsafe { lipz_bank_info(Some(&bank), out) }).ok();
         assert_eq!(info.clip_count as usize, expected.clip_count());
         assert_eq!(info.locale_count as usize, expected.locales().count());
         assert_eq!(info.fingerprint, expected.fingerprint());
         for clip in expected.clips() {
             let (key, length) = ptr(clip.key());
-            let id = Answer::of(|out| unsafe { lipz_clip_id_of_key(key, length, out) }).ok();
+            let id = Answer::from_call(|out| unsafe { lipz_clip_id_of_key(key, length, out) }).ok();
             assert_eq!(id, clip.id().get());
-            let by_id = Answer::<Clip>::of(|out| unsafe { lipz_clip_by_id(Some(&bank), id, out) }).ok();
-            let by_key = Answer::<Clip>::of(|out| unsafe { lipz_clip_by_key(Some(&bank), key, length, out) }).ok();
-            let by_slot = Answer::<Clip>::of(|out| unsafe { lipz_clip_at(Some(&bank), clip.slot(), out) }).ok();
+            let by_id = Answer::<Clip>::from_call(|out| unsafe { lipz_clip_by_id(Some(&bank), id, out) }).ok();
+            let by_key =
+                Answer::<Clip>::from_call(|out| unsafe { lipz_clip_by_key(Some(&bank), key, length, out) }).ok();
+            let by_slot = Answer::<Clip>::from_call(|out| unsafe { lipz_clip_at(Some(&bank), clip.slot(), out) }).ok();
             for found in [by_id, by_key, by_slot] {
                 assert_eq!((found.id, found.slot), (id, clip.slot()));
                 assert_eq!((found.frame_count, found.segment_count), (clip.frame_count(), clip.segment_count()));
@@ -30,9 +31,9 @@ fn clips_are_found_by_id_key_and_slot() {
                 assert_eq!(found.viseme_type, clip.viseme_type().map_or(0, |kind| kind as u32));
                 assert_eq!((found.has_visemes == 1, found.has_events == 1), (clip.has_visemes(), clip.has_events()));
             }
-            let found = Answer::of(|out| unsafe { lipz_clip_key(Some(&bank), Some(&by_id), out) }).ok();
+            let found = Answer::from_call(|out| unsafe { lipz_clip_key(Some(&bank), Some(&by_id), out) }).ok();
             assert_eq!(text_of(found), clip.key());
-            let frames = Answer::of(|out| unsafe { lipz_clip_frames(Some(&bank), Some(&by_id), out) }).ok();
+            let frames = Answer::from_call(|out| unsafe { lipz_clip_frames(Some(&bank), Some(&by_id), out) }).ok();
             assert_eq!(text_of(frames).as_bytes(), clip.frames());
         }
     }
@@ -43,7 +44,7 @@ fn all_units_of_time_lead_to_the_frame_of_the_reader() {
     let (expected, bank) = bank(SMALL);
     let (bank, rate_hz) = (Some(&bank), 44_100);
     for clip in expected.clips() {
-        let found = Answer::<Clip>::of(|out| unsafe { lipz_clip_by_id(bank, clip.id().get(), out) }).ok();
+        let found = Answer::<Clip>::from_call(|out| unsafe { lipz_clip_by_id(bank, clip.id().get(), out) }).ok();
         let found = Some(&found);
         for time_us in (-50_000..3_000_000).step_by(33_333) {
             let (seconds, position) = (time_us as f64 / 1e6, time_us * 441 / 10_000);
@@ -51,17 +52,20 @@ fn all_units_of_time_lead_to_the_frame_of_the_reader() {
             let samples = Samples { position, rate_hz };
             unsafe {
                 let frames = [
-                    (Answer::of(|out| lipz_frame_at_us(bank, found, time_us, out)), clip.frame_at(Micros(time_us))),
                     (
-                        Answer::of(|out| lipz_frame_at_seconds(bank, found, seconds, out)),
+                        Answer::from_call(|out| lipz_frame_at_us(bank, found, time_us, out)),
+                        clip.frame_at(Micros(time_us)),
+                    ),
+                    (
+                        Answer::from_call(|out| lipz_frame_at_seconds(bank, found, seconds, out)),
                         clip.frame_at(Seconds(seconds)),
                     ),
                     (
-                        Answer::of(|out| lipz_frame_at_seconds_f32(bank, found, short, out)),
+                        Answer::from_call(|out| lipz_frame_at_seconds_f32(bank, found, short, out)),
                         clip.frame_at(Seconds(short)),
                     ),
                     (
-                        Answer::of(|out| lipz_frame_at_samples(bank, found, position, rate_hz, out)),
+                        Answer::from_call(|out| lipz_frame_at_samples(bank, found, position, rate_hz, out)),
                         clip.frame_at(samples),
                     ),
                 ];
@@ -69,17 +73,20 @@ fn all_units_of_time_lead_to_the_frame_of_the_reader() {
                     assert_eq!(found.some(), expected, "{time_us} us");
                 }
                 let visemes = [
-                    (Answer::of(|out| lipz_viseme_at_us(bank, found, time_us, out)), clip.viseme_at(Micros(time_us))),
                     (
-                        Answer::of(|out| lipz_viseme_at_seconds(bank, found, seconds, out)),
+                        Answer::from_call(|out| lipz_viseme_at_us(bank, found, time_us, out)),
+                        clip.viseme_at(Micros(time_us)),
+                    ),
+                    (
+                        Answer::from_call(|out| lipz_viseme_at_seconds(bank, found, seconds, out)),
                         clip.viseme_at(Seconds(seconds)),
                     ),
                     (
-                        Answer::of(|out| lipz_viseme_at_seconds_f32(bank, found, short, out)),
+                        Answer::from_call(|out| lipz_viseme_at_seconds_f32(bank, found, short, out)),
                         clip.viseme_at(Seconds(short)),
                     ),
                     (
-                        Answer::of(|out| lipz_viseme_at_samples(bank, found, position, rate_hz, out)),
+                        Answer::from_call(|out| lipz_viseme_at_samples(bank, found, position, rate_hz, out)),
                         clip.viseme_at(samples),
                     ),
                 ];
@@ -87,17 +94,20 @@ fn all_units_of_time_lead_to_the_frame_of_the_reader() {
                     assert_eq!(found.ok(), Viseme(expected.code()), "{time_us} us");
                 }
                 let segments = [
-                    (Answer::of(|out| lipz_segment_at_us(bank, found, time_us, out)), clip.segment_at(Micros(time_us))),
                     (
-                        Answer::of(|out| lipz_segment_at_seconds(bank, found, seconds, out)),
+                        Answer::from_call(|out| lipz_segment_at_us(bank, found, time_us, out)),
+                        clip.segment_at(Micros(time_us)),
+                    ),
+                    (
+                        Answer::from_call(|out| lipz_segment_at_seconds(bank, found, seconds, out)),
                         clip.segment_at(Seconds(seconds)),
                     ),
                     (
-                        Answer::of(|out| lipz_segment_at_seconds_f32(bank, found, short, out)),
+                        Answer::from_call(|out| lipz_segment_at_seconds_f32(bank, found, short, out)),
                         clip.segment_at(Seconds(short)),
                     ),
                     (
-                        Answer::of(|out| lipz_segment_at_samples(bank, found, position, rate_hz, out)),
+                        Answer::from_call(|out| lipz_segment_at_samples(bank, found, position, rate_hz, out)),
                         clip.segment_at(samples),
                     ),
                 ];
@@ -116,30 +126,34 @@ fn segments_have_the_texts_and_events_of_the_reader() {
         let (expected, bank) = bank(bytes);
         let bank = Some(&bank);
         for clip in expected.clips() {
-            let found = Answer::<Clip>::of(|out| unsafe { lipz_clip_by_id(bank, clip.id().get(), out) }).ok();
+            let found = Answer::<Clip>::from_call(|out| unsafe { lipz_clip_by_id(bank, clip.id().get(), out) }).ok();
             for segment in clip.segments() {
-                let found =
-                    Answer::<Segment>::of(|out| unsafe { lipz_segment_at(bank, Some(&found), segment.index(), out) })
-                        .ok();
+                let found = Answer::<Segment>::from_call(|out| unsafe {
+                    lipz_segment_at(bank, Some(&found), segment.index(), out)
+                })
+                .ok();
                 assert_eq!((found.start_frame, found.end_frame), (segment.start_frame(), segment.end_frame()));
-                let string = Answer::of(|out| unsafe { lipz_segment_event_string(bank, Some(&found), out) });
+                let string = Answer::from_call(|out| unsafe { lipz_segment_event_string(bank, Some(&found), out) });
                 assert_eq!(string.some().map(text_of), segment.event());
                 let written: Vec<_> = (0..)
                     .map_while(|index| {
-                        Answer::<Event>::of(|out| unsafe { lipz_segment_event(bank, Some(&found), index, out) }).some()
+                        Answer::<Event>::from_call(|out| unsafe { lipz_segment_event(bank, Some(&found), index, out) })
+                            .some()
                     })
                     .map(|event| common::written(&event))
                     .collect();
                 assert_eq!(written, segment.events().map(|event| event.to_string()).collect::<Vec<_>>());
                 for (index, locale) in (0..).zip(expected.locales()) {
                     let (tag, length) = ptr(locale.tag());
-                    let by_tag = Answer::<Locale>::of(|out| unsafe { lipz_locale_by_tag(bank, tag, length, out) }).ok();
-                    let by_index = Answer::<Locale>::of(|out| unsafe { lipz_locale_at(bank, index, out) }).ok();
+                    let by_tag =
+                        Answer::<Locale>::from_call(|out| unsafe { lipz_locale_by_tag(bank, tag, length, out) }).ok();
+                    let by_index = Answer::<Locale>::from_call(|out| unsafe { lipz_locale_at(bank, index, out) }).ok();
                     assert_eq!((by_tag.index, text_of(by_index.tag)), (index, locale.tag()));
                     assert_eq!(by_tag.is_default == 1, locale.is_default());
-                    let text =
-                        Answer::<Text>::of(|out| unsafe { lipz_segment_text(bank, Some(&found), Some(&by_tag), out) })
-                            .some();
+                    let text = Answer::<Text>::from_call(|out| unsafe {
+                        lipz_segment_text(bank, Some(&found), Some(&by_tag), out)
+                    })
+                    .some();
                     let text = text.map(|text| {
                         let string = String { data: text.data, length_bytes: text.length_bytes };
                         (text_of(string), text.is_fallback == 1)
@@ -158,9 +172,9 @@ fn the_caller_supplies_a_frame_rate() {
     let bank = Some(&bank);
     let clip_of = |key| {
         let (key, length) = ptr(key);
-        Answer::<Clip>::of(|out| unsafe { lipz_clip_by_key(bank, key, length, out) }).ok()
+        Answer::<Clip>::from_call(|out| unsafe { lipz_clip_by_key(bank, key, length, out) }).ok()
     };
-    let at = |clip: &Clip| Answer::<u32>::of(|out| unsafe { lipz_frame_at_us(bank, Some(clip), 500_000, out) });
+    let at = |clip: &Clip| Answer::<u32>::from_call(|out| unsafe { lipz_frame_at_us(bank, Some(clip), 500_000, out) });
     let mut clip = clip_of("act2/unspecified");
     assert_eq!((clip.fps_denominator, at(&clip).status), (0, LIPZ_NONE));
     (clip.fps_numerator, clip.fps_denominator) = (4, 1);
@@ -182,7 +196,7 @@ fn a_locale_of_another_version_leads_to_no_text() {
         Vec::leak(bytes)
     };
     let open = |bytes: &'static [u8]| {
-        Answer::<Bank>::of(|out| unsafe { lipz_bank_open(bytes.as_ptr(), bytes.len(), out, None) }).ok()
+        Answer::<Bank>::from_call(|out| unsafe { lipz_bank_open(bytes.as_ptr(), bytes.len(), out, None) }).ok()
     };
     let banks = [open(DRAMA), open(newer)];
     let (tag, tag_length) = ptr("de-de");
@@ -191,10 +205,12 @@ fn a_locale_of_another_version_leads_to_no_text() {
     let segment = Segment { clip_id: id, index: 1, ..Segment::default() };
     for (own, other) in [(banks[0], banks[1]), (banks[1], banks[0])] {
         let german = |bank: Bank| {
-            Answer::<Locale>::of(|out| unsafe { lipz_locale_by_tag(Some(&bank), tag, tag_length, out) }).ok()
+            Answer::<Locale>::from_call(|out| unsafe { lipz_locale_by_tag(Some(&bank), tag, tag_length, out) }).ok()
         };
         let text = |locale: Locale| {
-            Answer::<Text>::of(|out| unsafe { lipz_segment_text(Some(&own), Some(&segment), Some(&locale), out) })
+            Answer::<Text>::from_call(|out| unsafe {
+                lipz_segment_text(Some(&own), Some(&segment), Some(&locale), out)
+            })
         };
         let text_of_own = text(german(own)).ok();
         let string = String { data: text_of_own.data, length_bytes: text_of_own.length_bytes };
@@ -202,9 +218,10 @@ fn a_locale_of_another_version_leads_to_no_text() {
         assert_eq!(text(german(other)).status, LIPZ_NONE);
 
         let otto = |bank: Bank| {
-            Answer::<EventName>::of(|out| unsafe { lipz_event_name(Some(&bank), name, name_length, out) }).ok()
+            Answer::<EventName>::from_call(|out| unsafe { lipz_event_name(Some(&bank), name, name_length, out) }).ok()
         };
-        let event = Answer::<Event>::of(|out| unsafe { lipz_segment_event(Some(&own), Some(&segment), 0, out) }).ok();
+        let event =
+            Answer::<Event>::from_call(|out| unsafe { lipz_segment_event(Some(&own), Some(&segment), 0, out) }).ok();
         assert_eq!((event.object.id, event.object.bank), (otto(own).id, otto(own).bank));
         assert_ne!(event.object.bank, otto(other).bank);
         assert_eq!((event.character.id, event.character.bank), (LIPZ_NO_NAME, 0));
@@ -222,12 +239,12 @@ fn a_locale_of_another_text_bank_leads_to_no_text() {
         bank
     };
     let (german, english) = (with(common::GERMAN), with(common::ENGLISH));
-    let first = |bank| Answer::<Locale>::of(|out| unsafe { lipz_locale_at(Some(bank), 0, out) }).ok();
+    let first = |bank| Answer::<Locale>::from_call(|out| unsafe { lipz_locale_at(Some(bank), 0, out) }).ok();
     assert_eq!([text_of(first(&german).tag), text_of(first(&english).tag)], ["de-de", "en-us"]);
     let texts = |bank: &Bank, locale: &Locale| {
         let segments = expected.clips().map(|clip| Segment { clip_id: clip.id().get(), ..Segment::default() });
         let answers = segments.map(|segment| {
-            Answer::<Text>::of(|out| unsafe { lipz_segment_text(Some(bank), Some(&segment), Some(locale), out) })
+            Answer::<Text>::from_call(|out| unsafe { lipz_segment_text(Some(bank), Some(&segment), Some(locale), out) })
         });
         answers.filter(|answer| answer.status == LIPZ_OK).count()
     };
@@ -240,8 +257,8 @@ fn a_locale_of_another_text_bank_leads_to_no_text() {
 fn names_and_the_default_locale() {
     let (expected, bank) = bank(DRAMA);
     let (name, length) = ptr("otto");
-    let found = Answer::<EventName>::of(|out| unsafe { lipz_event_name(Some(&bank), name, length, out) }).ok();
+    let found = Answer::<EventName>::from_call(|out| unsafe { lipz_event_name(Some(&bank), name, length, out) }).ok();
     assert_eq!((found.id, text_of(found.name)), (expected.event_name("otto").unwrap().id(), "otto"));
-    let locale = Answer::<Locale>::of(|out| unsafe { lipz_locale_default(Some(&bank), out) }).ok();
+    let locale = Answer::<Locale>::from_call(|out| unsafe { lipz_locale_default(Some(&bank), out) }).ok();
     assert_eq!(text_of(locale.tag), "en-us");
 }

@@ -11,31 +11,31 @@ use lipz_capi::*;
 fn null_pointers_are_a_status() {
     let (_, bank) = bank(SMALL);
     let (bank, null) = (Some(&bank), std::ptr::null());
-    let clip = Answer::<Clip>::of(|out| unsafe { lipz_clip_at(bank, 0, out) }).ok();
-    let segment = Answer::<Segment>::of(|out| unsafe { lipz_segment_at(bank, Some(&clip), 0, out) }).ok();
-    let locale = Answer::<Locale>::of(|out| unsafe { lipz_locale_at(bank, 0, out) }).ok();
+    let clip = Answer::<Clip>::from_call(|out| unsafe { lipz_clip_at(bank, 0, out) }).ok();
+    let segment = Answer::<Segment>::from_call(|out| unsafe { lipz_segment_at(bank, Some(&clip), 0, out) }).ok();
+    let locale = Answer::<Locale>::from_call(|out| unsafe { lipz_locale_at(bank, 0, out) }).ok();
     unsafe {
         let statuses = [
-            Answer::<Bank>::of(|out| lipz_bank_open(std::ptr::null(), 64, out, None)).status,
+            Answer::<Bank>::from_call(|out| lipz_bank_open(std::ptr::null(), 64, out, None)).status,
             lipz_bank_open(SMALL.as_ptr(), SMALL.len(), None, None),
             lipz_bank_verify(None, None),
             lipz_bank_use_texts(None, GERMAN.as_ptr(), GERMAN.len(), None),
-            Answer::<BankInfo>::of(|out| lipz_bank_info(None, out)).status,
+            Answer::<BankInfo>::from_call(|out| lipz_bank_info(None, out)).status,
             lipz_bank_info(bank, None),
-            Answer::<Clip>::of(|out| lipz_clip_by_id(None, clip.id, out)).status,
+            Answer::<Clip>::from_call(|out| lipz_clip_by_id(None, clip.id, out)).status,
             lipz_clip_by_id(bank, clip.id, None),
-            Answer::<Clip>::of(|out| lipz_clip_by_key(bank, null, 1, out)).status,
-            Answer::<u64>::of(|out| lipz_clip_id_of_key(null, 1, out)).status,
-            Answer::<u32>::of(|out| lipz_frame_at_us(bank, None, 0, out)).status,
+            Answer::<Clip>::from_call(|out| lipz_clip_by_key(bank, null, 1, out)).status,
+            Answer::<u64>::from_call(|out| lipz_clip_id_of_key(null, 1, out)).status,
+            Answer::<u32>::from_call(|out| lipz_frame_at_us(bank, None, 0, out)).status,
             lipz_frame_at_us(bank, Some(&clip), 0, None),
-            Answer::<Text>::of(|out| lipz_segment_text(bank, None, Some(&locale), out)).status,
-            Answer::<Text>::of(|out| lipz_segment_text(bank, Some(&segment), None, out)).status,
-            Answer::<Locale>::of(|out| lipz_locale_by_tag(bank, null, 5, out)).status,
-            Answer::<EventName>::of(|out| lipz_event_name(bank, null, 5, out)).status,
+            Answer::<Text>::from_call(|out| lipz_segment_text(bank, None, Some(&locale), out)).status,
+            Answer::<Text>::from_call(|out| lipz_segment_text(bank, Some(&segment), None, out)).status,
+            Answer::<Locale>::from_call(|out| lipz_locale_by_tag(bank, null, 5, out)).status,
+            Answer::<EventName>::from_call(|out| lipz_event_name(bank, null, 5, out)).status,
             lipz_status_message(LIPZ_OK, None),
         ];
         assert!(statuses.iter().all(|status| *status == LIPZ_NULL_POINTER), "{statuses:?}");
-        let mouth = Answer::<Viseme>::of(|out| lipz_viseme_at_us(None, None, 0, out));
+        let mouth = Answer::<Viseme>::from_call(|out| lipz_viseme_at_us(None, None, 0, out));
         assert_eq!((mouth.status, mouth.written()), (LIPZ_NULL_POINTER, Viseme(b'-')));
     }
 }
@@ -46,7 +46,8 @@ fn damage_has_the_number_and_the_place_of_the_reader() {
         let cut = SMALL.get(..length).unwrap();
         let expected = lipz_bank::Bank::open(cut).unwrap_err();
         let mut place = std::mem::MaybeUninit::uninit();
-        let opened = Answer::<Bank>::of(|out| unsafe { lipz_bank_open(cut.as_ptr(), length, out, Some(&mut place)) });
+        let opened =
+            Answer::<Bank>::from_call(|out| unsafe { lipz_bank_open(cut.as_ptr(), length, out, Some(&mut place)) });
         assert_eq!(opened.status, u32::from(expected.kind().number()));
         assert_eq!(unsafe { place.assume_init() }, expected.offset_bytes());
         assert!(opened.written().data.is_null());
@@ -56,20 +57,21 @@ fn damage_has_the_number_and_the_place_of_the_reader() {
 #[test]
 fn every_status_has_a_message() {
     for kind in ErrorKind::ALL {
-        let message = Answer::of(|out| lipz_status_message(kind.number().into(), out)).ok();
+        let message = Answer::from_call(|out| lipz_status_message(kind.number().into(), out)).ok();
         assert_eq!(text_of(message), kind.message());
     }
     for status in [LIPZ_OK, LIPZ_NONE, LIPZ_NULL_POINTER, LIPZ_NOT_UTF8] {
-        assert_eq!(Answer::<String>::of(|out| lipz_status_message(status, out)).status, LIPZ_OK);
+        assert_eq!(Answer::<String>::from_call(|out| lipz_status_message(status, out)).status, LIPZ_OK);
     }
-    assert_eq!(Answer::<String>::of(|out| lipz_status_message(200, out)).status, LIPZ_NONE);
+    assert_eq!(Answer::<String>::from_call(|out| lipz_status_message(200, out)).status, LIPZ_NONE);
 }
 
 #[test]
 fn strings_that_are_asked_for_are_utf8() {
     let (_, bank) = bank(SMALL);
     let bytes = [0xFF_u8, 0xFE];
-    let found = Answer::<Clip>::of(|out| unsafe { lipz_clip_by_key(Some(&bank), bytes.as_ptr().cast(), 2, out) });
+    let found =
+        Answer::<Clip>::from_call(|out| unsafe { lipz_clip_by_key(Some(&bank), bytes.as_ptr().cast(), 2, out) });
     assert_eq!((found.status, found.written().id), (LIPZ_NOT_UTF8, 0));
 }
 
@@ -77,15 +79,18 @@ fn strings_that_are_asked_for_are_utf8() {
 fn a_text_bank_belongs_to_its_bank() {
     let (_, mut split) = bank(SPLIT);
     let (tag, length) = ptr("de-de");
-    let german = |bank: &Bank| Answer::<Locale>::of(|out| unsafe { lipz_locale_by_tag(Some(bank), tag, length, out) });
+    let german =
+        |bank: &Bank| Answer::<Locale>::from_call(|out| unsafe { lipz_locale_by_tag(Some(bank), tag, length, out) });
     assert_eq!(german(&split).status, LIPZ_NONE);
     assert_eq!(unsafe { lipz_bank_use_texts(Some(&mut split), GERMAN.as_ptr(), GERMAN.len(), None) }, LIPZ_OK);
     assert_eq!(unsafe { lipz_bank_verify(Some(&split), None) }, LIPZ_OK);
     let locale = german(&split).ok();
     let (key, key_length) = ptr("act1/toonboom");
-    let clip = Answer::<Clip>::of(|out| unsafe { lipz_clip_by_key(Some(&split), key, key_length, out) }).ok();
-    let segment = Answer::<Segment>::of(|out| unsafe { lipz_segment_at(Some(&split), Some(&clip), 0, out) }).ok();
-    let text = Answer::<Text>::of(|out| unsafe { lipz_segment_text(Some(&split), Some(&segment), Some(&locale), out) });
+    let clip = Answer::<Clip>::from_call(|out| unsafe { lipz_clip_by_key(Some(&split), key, key_length, out) }).ok();
+    let segment =
+        Answer::<Segment>::from_call(|out| unsafe { lipz_segment_at(Some(&split), Some(&clip), 0, out) }).ok();
+    let text =
+        Answer::<Text>::from_call(|out| unsafe { lipz_segment_text(Some(&split), Some(&segment), Some(&locale), out) });
     let text = text.ok();
     assert_eq!(text_of(String { data: text.data, length_bytes: text.length_bytes }), "Nur");
 
@@ -106,7 +111,7 @@ fn queries_are_total_on_damaged_banks_and_foreign_structs() {
     };
     let (_, intact) = bank(SMALL);
     let clips: Vec<Clip> =
-        (0..12).map(|slot| Answer::of(|out| unsafe { lipz_clip_at(Some(&intact), slot, out) }).ok()).collect();
+        (0..12).map(|slot| Answer::from_call(|out| unsafe { lipz_clip_at(Some(&intact), slot, out) }).ok()).collect();
     for place in 0..SMALL.len() {
         let mut bytes = SMALL.to_vec();
         *bytes.get_mut(place).unwrap() ^= 1 << (place % 8);
@@ -125,24 +130,24 @@ fn every_query(bank: &Bank, clip: &Clip, number: u32) {
         let segment =
             Segment { clip_id: clip.id, index: number % 13, start_frame: number, end_frame: number, reserved: number };
         let locale = Locale { index: number % 3, ..Locale::default() };
-        Answer::<BankInfo>::of(|out| lipz_bank_info(bank, out));
-        Answer::<Clip>::of(|out| lipz_clip_at(bank, number, out));
-        Answer::<Clip>::of(|out| lipz_clip_by_id(bank, clip.id, out));
-        Answer::<String>::of(|out| lipz_clip_key(bank, Some(clip), out));
-        Answer::<String>::of(|out| lipz_clip_frames(bank, Some(clip), out));
-        Answer::<Viseme>::of(|out| lipz_clip_viseme(bank, Some(clip), number, out));
-        Answer::<u64>::of(|out| lipz_clip_start_of_frame_us(bank, Some(clip), number, out));
-        Answer::<Recording>::of(|out| lipz_clip_recording(bank, Some(clip), out));
-        Answer::<u32>::of(|out| lipz_frame_at_us(bank, Some(clip), time_us, out));
-        Answer::<u32>::of(|out| lipz_frame_at_samples(bank, Some(clip), time_us, number, out));
-        Answer::<u32>::of(|out| lipz_frame_at_seconds(bank, Some(clip), f64::from(number), out));
-        Answer::<u32>::of(|out| lipz_frame_at_seconds_f32(bank, Some(clip), f32::from_bits(number), out));
-        Answer::<Segment>::of(|out| lipz_segment_at_us(bank, Some(clip), time_us, out));
-        Answer::<Segment>::of(|out| lipz_segment_at(bank, Some(clip), number, out));
-        Answer::<Text>::of(|out| lipz_segment_text(bank, Some(&segment), Some(&locale), out));
-        Answer::<String>::of(|out| lipz_segment_event_string(bank, Some(&segment), out));
-        Answer::<Event>::of(|out| lipz_segment_event(bank, Some(&segment), number % 5, out));
-        Answer::<Locale>::of(|out| lipz_locale_at(bank, number, out));
-        Answer::<Locale>::of(|out| lipz_locale_default(bank, out));
+        Answer::<BankInfo>::from_call(|out| lipz_bank_info(bank, out));
+        Answer::<Clip>::from_call(|out| lipz_clip_at(bank, number, out));
+        Answer::<Clip>::from_call(|out| lipz_clip_by_id(bank, clip.id, out));
+        Answer::<String>::from_call(|out| lipz_clip_key(bank, Some(clip), out));
+        Answer::<String>::from_call(|out| lipz_clip_frames(bank, Some(clip), out));
+        Answer::<Viseme>::from_call(|out| lipz_clip_viseme(bank, Some(clip), number, out));
+        Answer::<u64>::from_call(|out| lipz_clip_start_of_frame_us(bank, Some(clip), number, out));
+        Answer::<Recording>::from_call(|out| lipz_clip_recording(bank, Some(clip), out));
+        Answer::<u32>::from_call(|out| lipz_frame_at_us(bank, Some(clip), time_us, out));
+        Answer::<u32>::from_call(|out| lipz_frame_at_samples(bank, Some(clip), time_us, number, out));
+        Answer::<u32>::from_call(|out| lipz_frame_at_seconds(bank, Some(clip), f64::from(number), out));
+        Answer::<u32>::from_call(|out| lipz_frame_at_seconds_f32(bank, Some(clip), f32::from_bits(number), out));
+        Answer::<Segment>::from_call(|out| lipz_segment_at_us(bank, Some(clip), time_us, out));
+        Answer::<Segment>::from_call(|out| lipz_segment_at(bank, Some(clip), number, out));
+        Answer::<Text>::from_call(|out| lipz_segment_text(bank, Some(&segment), Some(&locale), out));
+        Answer::<String>::from_call(|out| lipz_segment_event_string(bank, Some(&segment), out));
+        Answer::<Event>::from_call(|out| lipz_segment_event(bank, Some(&segment), number % 5, out));
+        Answer::<Locale>::from_call(|out| lipz_locale_at(bank, number, out));
+        Answer::<Locale>::from_call(|out| lipz_locale_default(bank, out));
     }
 }

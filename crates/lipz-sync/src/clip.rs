@@ -16,7 +16,7 @@ pub(crate) struct Clip<'d> {
 }
 
 impl<'d> Clip<'d> {
-    pub(crate) fn of(document: &'d Document<'d>, options: &Options) -> Clip<'d> {
+    pub(crate) fn from_document(document: &'d Document<'d>, options: &Options) -> Clip<'d> {
         let visemes = string(document, "visemes");
         let codes = |string: &JsonString<'_>| {
             let is_code = |code: &char| *code != DELIMITER && !is_white_space(*code);

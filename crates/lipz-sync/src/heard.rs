@@ -40,7 +40,7 @@ pub(crate) struct Heard {
 }
 
 impl Heard {
-    fn of(sound: &Sound) -> Heard {
+    fn from_sound(sound: &Sound) -> Heard {
         // The mouth is compared where it is heard: without a lead.
         let mut rules = RmsRules::default();
         rules.lead_us = 0;
@@ -141,7 +141,7 @@ impl Ear {
             None => {
                 let sound =
                     Sound::read(BufReader::new(open()?), extension(path)).map_err(|error| no_sound(path, &error))?;
-                Heard::of(&sound)
+                Heard::from_sound(&sound)
             }
         };
         let facts = Facts { length_us: heard.length_us, content_hash };

@@ -20,7 +20,7 @@ pub struct Recordings {
 
 impl Recordings {
     /// The recordings of a project, and what could not be looked at. None if it has no folder of recordings.
-    pub fn of(audio: &Audio) -> (Recordings, Vec<Report>) {
+    pub fn discover(audio: &Audio) -> (Recordings, Vec<Report>) {
         match &audio.folder {
             Some(folder) => Recordings::below(folder, audio.pattern.clone()),
             None => Default::default(),
@@ -107,7 +107,7 @@ pub fn is_recording(path: &Path) -> bool {
 /// something about them.
 pub fn dependencies(audio: &Audio) -> Vec<PathBuf> {
     let Some(folder) = audio.folder.as_ref().filter(|_| audio.in_bank) else { return Vec::new() };
-    let (recordings, _) = Recordings::of(audio);
+    let (recordings, _) = Recordings::discover(audio);
     std::iter::once(folder.clone()).chain(recordings.iter().map(|(_, path)| path.to_owned())).collect()
 }
 

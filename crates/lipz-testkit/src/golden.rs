@@ -18,8 +18,8 @@ pub fn verified(bytes: &[u8]) -> Bank<'_> {
     Bank::open(bytes).and_then(Bank::verify).expect("a golden bank")
 }
 
-/// The first finding of open or verify, if there is one.
-pub fn finding(bytes: &[u8]) -> Option<Error> {
+/// Why `open` or `verify` refuses these bytes, if one of them does.
+pub fn refusal(bytes: &[u8]) -> Option<Error> {
     Bank::open(bytes).and_then(Bank::verify).err()
 }
 

@@ -21,7 +21,7 @@ pub(crate) struct Answer<T> {
 
 impl<T> Answer<T> {
     /// Calls a function. It writes an answer whatever its status is.
-    pub(crate) fn of(call: impl FnOnce(Option<&mut MaybeUninit<T>>) -> Status) -> Answer<T> {
+    pub(crate) fn from_call(call: impl FnOnce(Option<&mut MaybeUninit<T>>) -> Status) -> Answer<T> {
         let mut out = MaybeUninit::uninit();
         let status = call(Some(&mut out));
         // SAFETY: functions that are given a place for their answer write to it.
@@ -49,7 +49,7 @@ impl<T> Answer<T> {
 
 /// A bank, opened by the reader and by the functions.
 pub(crate) fn bank(bytes: &'static [u8]) -> (lipz_bank::Bank<'static>, Bank) {
-    let bank = Answer::of(|out| unsafe { lipz_bank_open(bytes.as_ptr(), bytes.len(), out, None) }).ok();
+    let bank = Answer::from_call(|out| unsafe { lipz_bank_open(bytes.as_ptr(), bytes.len(), out, None) }).ok();
     assert_eq!(unsafe { lipz_bank_verify(Some(&bank), None) }, LIPZ_OK);
     (lipz_bank::Bank::open(bytes).unwrap().verify().unwrap(), bank)
 }

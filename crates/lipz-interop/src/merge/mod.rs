@@ -145,7 +145,7 @@ pub struct Merged<'s> {
 /// ```
 pub fn merge<'s>(clip: &Document<'s>, mouth: &Mouth, options: &MergeOptions<'_>) -> Merged<'s> {
     let mut diagnostics = Vec::new();
-    let parts = Parts::of(clip, options.locale);
+    let parts = Parts::from_document(clip, options.locale);
     parts.report_others(clip, &mut diagnostics);
     let starts = place::starts(&parts, clip, mouth, options, &mut diagnostics);
     let mut document = clip.clone();
@@ -162,7 +162,7 @@ struct Parts<'d> {
 }
 
 impl<'d> Parts<'d> {
-    fn of(clip: &'d Document<'_>, locale: Option<&str>) -> Parts<'d> {
+    fn from_document(clip: &'d Document<'_>, locale: Option<&str>) -> Parts<'d> {
         let texts = || clip.elements.iter().filter_map(|element| Some((tag(&element.name.text)?, string(element)?)));
         let is_spoken = |(tag, _): &(String, &str)| Some(tag.as_str()) == locale;
         let spoken = texts().find(is_spoken).or_else(|| texts().next()).map(|(_, text)| text);

@@ -23,7 +23,7 @@ pub(super) fn starts(
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Vec<usize> {
     let wanted = parts.count - 1;
-    let old = OldMouth::of(clip, wanted, options.default_rate.unwrap_or(mouth.rate));
+    let old = OldMouth::from_document(clip, wanted, options.default_rate.unwrap_or(mouth.rate));
     let frames = mouth.codes.len();
     let in_frames = |times: &[Time]| {
         let mut done = 0;
@@ -87,7 +87,7 @@ struct OldMouth {
 
 impl OldMouth {
     /// The mouth of a clip, if it has one that `wanted` delimiters divide.
-    fn of(clip: &Document<'_>, wanted: usize, default_rate: Rate) -> Option<OldMouth> {
+    fn from_document(clip: &Document<'_>, wanted: usize, default_rate: Rate) -> Option<OldMouth> {
         let visemes = clip.string("visemes")?;
         let codes: String = codes_of(visemes).collect();
         let bounds = bounds(visemes);

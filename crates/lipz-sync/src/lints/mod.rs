@@ -23,7 +23,7 @@ pub fn check(settings: &Settings, inputs: &[Input], progress: &(dyn Fn() + Sync)
     if settings.audio.folder.is_none() {
         return Vec::new();
     }
-    let (recordings, mut reports) = Recordings::of(&settings.audio);
+    let (recordings, mut reports) = Recordings::discover(&settings.audio);
     if lipz_diagnostics::reports::have_errors(&reports) {
         return reports; // whatever is missing may be where nobody could look
     }
@@ -67,7 +67,7 @@ fn one(settings: &Settings, input: &Input, recording: Option<&Path>, ear: &Ear, 
         },
     };
     let Some(document) = lipz_file::parse(&bytes).document else { return Vec::new() };
-    let clip = Clip::of(&document, &settings.options);
+    let clip = Clip::from_document(&document, &settings.options);
     let Some(path) = recording else {
         let diagnostic = clip.visemes.filter(|_| !clip.codes.is_empty()).map(|visemes| {
             Diagnostic::at(Code::ClipWithoutRecording, visemes.span(), "the clip has mouth shapes, but no recording")
@@ -85,7 +85,7 @@ fn one(settings: &Settings, input: &Input, recording: Option<&Path>, ear: &Ear, 
     let mut diagnostics = Vec::from_iter(length::check(&clip, path, facts, settings.audio.tolerance_ms));
     if let Content::File(lipz_file) = &input.content {
         let spoken = spoken_text(settings, &document);
-        diagnostics.extend(stale::check(&clip, spoken, facts.content_hash, path, record.of(lipz_file)));
+        diagnostics.extend(stale::check(&clip, spoken, facts.content_hash, path, record.made_for(lipz_file)));
     }
     // Of a mouth of another length, every other place is wrong, too.
     if diagnostics.is_empty() {

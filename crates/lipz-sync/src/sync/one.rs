@@ -79,7 +79,7 @@ fn tried(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Ve
     let before = parsed.document.filter(|_| is_whole);
     let before = before.ok_or_else(|| Report::from_bytes(name.as_str(), &bytes, parsed.diagnostics))?;
     let mut diagnostics = Vec::new();
-    let clip = Clip::of(&before, &options.options);
+    let clip = Clip::from_document(&before, &options.options);
     let own_fps = before.get("fps").and(clip.fps);
     let (fps, viseme_type) = (options.fps_of(own_fps), options.viseme_type_of(own_type(&before)));
     let spoken = options.spoken(&before);
@@ -107,7 +107,7 @@ fn tried(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Ve
             own_type(&before).or(options.options.default_viseme_type),
         ),
     };
-    let known = record.of(&job.lipz_file);
+    let known = record.made_for(&job.lipz_file);
     let has_mouth = clip.codes.iter().any(|code| *code != b'-');
     if !is_new && known.contains(&made) {
         push(reports, options, &name, &bytes, diagnostics);

@@ -93,7 +93,7 @@ impl SyncRecord {
     }
 
     /// All that is known of how the mouth of a Lipz file was made.
-    pub fn of(&self, lipz_file: &Path) -> &[Made] {
+    pub fn made_for(&self, lipz_file: &Path) -> &[Made] {
         self.made.get(&self.name(lipz_file)).map_or(&[], Vec::as_slice)
     }
 
@@ -191,7 +191,7 @@ mod tests {
         record.append(&files[1], A).unwrap();
         record.append(&files[1], B).unwrap();
         let (again, report) = SyncRecord::read(&path).unwrap();
-        assert_eq!((report, again.of(&files[0]), again.of(&files[1])), (None, &[A][..], &[A, B][..]));
+        assert_eq!((report, again.made_for(&files[0]), again.made_for(&files[1])), (None, &[A][..], &[A, B][..]));
         record.set(&files[0], A);
         record.set(&files[1], B);
         record.write().unwrap();
@@ -211,7 +211,7 @@ mod tests {
             format!("{HEAD}<<<<<<< ours\n{}\n=======\n{}\n>>>>>>> theirs\n", A.line("x.lipz"), B.line("x.lipz"));
         fs::write(&path, &conflict).unwrap();
         let (record, report) = SyncRecord::read(&path).unwrap();
-        assert_eq!(record.of(&folder.path().join("x.lipz")), [A, B]);
+        assert_eq!(record.made_for(&folder.path().join("x.lipz")), [A, B]);
         assert_eq!(report.unwrap().diagnostics.len(), 3);
         fs::write(&path, "my notes").unwrap();
         assert!(SyncRecord::read(&path).is_err());

@@ -39,7 +39,7 @@ pub(crate) fn spelled(code: &str, text: &str, at: usize) -> Option<Spelling> {
         let (length, value) = roman::read(rest)?;
         return spelling(length, roman_readings(code, value, rest.get(..length)?));
     }
-    let rules = rules::of(code)?;
+    let rules = rules::find(code)?;
     // `-5` and `$5`, but not `4-5`.
     let mut start = 0;
     let mut minus = false;
@@ -64,7 +64,7 @@ pub(crate) fn spelled(code: &str, text: &str, at: usize) -> Option<Spelling> {
 
 /// A row of digits in words: as a number if it is short, else digit by digit.
 pub(crate) fn row(code: &str, digits: &str) -> Vec<String> {
-    let Some(rules) = rules::of(code) else { return Vec::new() };
+    let Some(rules) = rules::find(code) else { return Vec::new() };
     let digits: String = any_ascii::any_ascii(digits).chars().filter(char::is_ascii_digit).collect();
     let whole = (digits.len() <= 4).then(|| cardinal(rules, &digits)).flatten();
     whole.or_else(|| one_by_one(rules, &digits)).into_iter().collect()
@@ -265,7 +265,7 @@ fn cents(rules: &Rules, found: &Found) -> Option<String> {
 }
 
 fn roman_readings(code: &str, value: u64, written: &str) -> Vec<String> {
-    let Some(rules) = rules::of(code) else { return Vec::new() };
+    let Some(rules) = rules::find(code) else { return Vec::new() };
     let digits = value.to_string();
     let ordinal = spell(rules, &digits, Use::Ordinal);
     let the = ordinal.clone().filter(|_| code == "en").map(|ordinal| format!("the {ordinal}"));

@@ -51,7 +51,7 @@ struct Rule {
 }
 
 /// The rules of a language; English for those that have none.
-pub(super) fn of(code: &str) -> Option<&'static Rules> {
+pub(super) fn find(code: &str) -> Option<&'static Rules> {
     let (code, (text, rules)) = LANGUAGES.get_key_value(code).or_else(|| LANGUAGES.get_key_value("en"))?;
     Some(rules.get_or_init(|| Rules { code, sets: parse(text) }))
 }
@@ -218,7 +218,7 @@ mod tests {
     use super::*;
 
     fn said(code: &str, number: u64, how: Use) -> String {
-        of(code).and_then(|rules| rules.spell(number, how)).unwrap_or_default().replace('\u{ad}', "")
+        find(code).and_then(|rules| rules.spell(number, how)).unwrap_or_default().replace('\u{ad}', "")
     }
 
     #[test]
@@ -256,8 +256,8 @@ mod tests {
         assert_eq!(said("en", 23, Use::Ordinal), "twenty-third");
         assert_eq!(said("de", 3, Use::Ordinal), "dritte");
         assert_eq!(said("fr", 1, Use::Ordinal), "premier");
-        assert_eq!(of("de").map(Rules::point), Some("Komma"));
-        assert_eq!(of("fr").map(Rules::minus), Some("moins"));
+        assert_eq!(find("de").map(Rules::point), Some("Komma"));
+        assert_eq!(find("fr").map(Rules::minus), Some("moins"));
     }
 
     #[test]

@@ -146,7 +146,7 @@ fn of_clips(settings: &Settings, reporter: &mut Reporter) -> Result<Work, Abort>
             "name their folder with `--audio`, or set `folder` in [audio]; `--output` makes Lipz files of recordings";
         return Err(reporter.usage("no recordings are named", tip));
     };
-    let (recordings, mut reports) = Recordings::of(&settings.audio);
+    let (recordings, mut reports) = Recordings::discover(&settings.audio);
     if lipz_diagnostics::reports::have_errors(&reports) {
         return Err(reporter.abort(reports, Outcome::Failed));
     }
