@@ -83,6 +83,17 @@ pub fn meta_ranges(segment: &str) -> Vec<Range<usize>> {
     }
 }
 
+/// Where the meta information of a segment is, with its braces, in order.
+///
+/// ```
+/// let text = "{smiling} Hello {to: amy} there";
+/// let metas: Vec<&str> = lipz_file::text::meta(text).into_iter().map(|place| &text[place]).collect();
+/// assert_eq!(metas, ["{smiling}", "{to: amy}"]);
+/// ```
+pub fn meta(segment: &str) -> Vec<Range<usize>> {
+    metas(segment, &mut Vec::new(), &mut Vec::new())
+}
+
 /// The outermost balanced pairs of braces, in order.
 fn metas(segment: &str, unbalanced: &mut Vec<usize>, nested: &mut Vec<usize>) -> Vec<Range<usize>> {
     let mut open: Vec<usize> = Vec::new();

@@ -100,6 +100,15 @@ fn files_of_every_praat() {
 }
 
 #[test]
+fn phonemes_in_small_letters_are_the_same() {
+    let file = include_str!("../../../fixtures/interop/textgrid/mayor.TextGrid");
+    let (words, phones) = file.split_once("\"phones\"").unwrap();
+    let small = format!("{words}\"Phone\"{}", phones.to_lowercase().replace("intervaltier", "IntervalTier"));
+    let clip = |file: &str| import(textgrid(), file.as_bytes(), &ImportOptions::new()).clips.remove(0);
+    assert_eq!((clip(&small).map, clip(&small).document), (clip(file).map, clip(file).document));
+}
+
+#[test]
 fn tiers_without_shapes_are_named() {
     let file = include_str!("../../../fixtures/interop/textgrid/mayor.TextGrid").replace("\"phones\"", "\"MAU\"");
     let imported = import(textgrid(), file.as_bytes(), &ImportOptions::new());

@@ -62,14 +62,19 @@ fn a_formatted_file_stays_formatted() {
 
 #[test]
 fn subtitles_change_one_text_and_nothing_else() {
-    let scene = Scene::new();
+    let mut scene = Scene::new();
     scene.write("voices/mayor.lipz", CLIP);
     scene.write(
         "mayor.de-de.srt",
         "1\n00:00:00,000 --> 00:00:00,200\nDoch!\n\n2\n00:00:00,208 --> 00:00:00,333\nIch.\n",
     );
-    scene.prepare(&["subtitles", "import", "mayor.de-de.srt", "-o", "voices"]);
+    let import = |file: &'static str| ["subtitles", "import", file, "-o", "voices", "--quiet"];
+    let run = lipz(scene.path(), import("mayor.de-de.srt"));
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""));
     assert_eq!(clip(&scene), CLIP.replace("Ah!|Ich.", "Doch!|Ich."));
+    scene.write("mayor.en-us.srt", "1\n00:00:00,208 --> 00:00:00,333\nYou.\n");
+    scene.expect("LZ1115-clip-replaced-subtitles", &import("mayor.en-us.srt"));
+    scene.finish(1);
 }
 
 #[test]

@@ -5,9 +5,9 @@ use super::clip::bounds;
 use crate::Time;
 use crate::export::rate;
 use crate::import::{REST, element, fps};
-use lipz_diagnostics::{Code, Diagnostic};
+use lipz_diagnostics::{Code, Diagnostic, escape};
 use lipz_file::rate::Rate;
-use lipz_file::text::{DELIMITER, display, is_white_space, segments, trim};
+use lipz_file::text::{DELIMITER, display, is_white_space, meta, segments, trim};
 use lipz_file::{Document, Value};
 use std::cmp::Reverse;
 
@@ -70,7 +70,11 @@ pub fn join<'s>(
         None => cues.iter().map(|cue| trim(&cue.text)).collect::<Vec<_>>().join(BAR),
     };
     let text = match document.string(&name) {
-        Some(old) => keep_spelling(old, &text),
+        Some(old) => {
+            let new = keep_spelling(old, &text);
+            diagnostics.extend(lost(&name, old, &new));
+            new
+        }
         None => text,
     };
     set(&mut document, &name, text);
@@ -188,6 +192,35 @@ fn keep_spelling(old: &str, new: &str) -> String {
     }
     new.join(BAR)
 }
+
+/// What a new text does not have of the old one, beside the words that it changes: texts of segments that are empty now,
+/// and meta.
+fn lost(name: &str, old: &str, new: &str) -> Option<Diagnostic> {
+    let parts = |text| segments(text).map(move |range| text.get(range).unwrap_or_default());
+    let (mut emptied, mut metas) = (Vec::new(), Vec::new());
+    for ((number, old), new) in (1..).zip(parts(old)).zip(parts(new).chain(std::iter::repeat(""))) {
+        if display(new).text.is_empty() && !display(old).text.is_empty() {
+            emptied.push(format!("segment {number}: {}", escape::quoted(trim(old))));
+            continue;
+        }
+        let own = meta(old).into_iter().filter_map(|place| old.get(place)).filter(|own| !new.contains(own));
+        metas.extend(own.map(|own| format!("segment {number}: {}", escape::quoted(own))));
+    }
+    let mut all = emptied.iter().map(|text| format!("no subtitle for {text}")).chain(metas);
+    let mut diagnostic =
+        Diagnostic::new(Code::ClipReplaced, format!("{} loses what the subtitles do not have", escape::quoted(name)));
+    diagnostic = diagnostic.note(all.next()?);
+    for text in all.by_ref().take(LOSSES_SHOWN - 1) {
+        diagnostic = diagnostic.note(text);
+    }
+    match all.count() {
+        0 => Some(diagnostic),
+        more => Some(diagnostic.note(format!("and {more} more"))),
+    }
+}
+
+/// Losses that a diagnostic names.
+const LOSSES_SHOWN: usize = 8;
 
 /// Gives an element a value; a new text comes behind the last one, or behind the visemes.
 fn set(document: &mut Document<'_>, name: &str, value: String) {

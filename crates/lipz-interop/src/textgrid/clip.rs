@@ -234,7 +234,11 @@ enum Symbols<'m> {
 impl<'m> Symbols<'m> {
     fn of_phones(phones: &Tier, own: Option<&'m Map>) -> Symbols<'m> {
         let mut labels = phones.intervals.iter().map(|interval| trim(&interval.label));
-        let is_known = |label: &str| is_arpabet(label) || is_silence(label) || label.eq_ignore_ascii_case(SPOKEN_NOISE);
+        let arpabet = find_map(ARPABET);
+        // Some corpora write it in small letters, all of which the table has.
+        let is_phoneme =
+            |label: &str| is_arpabet(label) || arpabet.is_some_and(|map| map.code(without_stress(label)).is_some());
+        let is_known = |label: &str| is_phoneme(label) || is_silence(label) || label.eq_ignore_ascii_case(SPOKEN_NOISE);
         match own {
             Some(map) => Symbols::Own(map),
             None if labels.all(is_known) => Symbols::Arpabet,
