@@ -226,7 +226,7 @@ fn what_is_odd_is_reported() {
     scene.expect("LZ1709-other-text", &[&of_script[..], &["--allow", "LZ1707,LZ1713"]].concat());
     scene.expect("LZ1713-script-without-recording", &[&of_script[..], &["--allow", "LZ1707,LZ1709"]].concat());
     let of_b = ["sync", "rec/b.wav", "-o", "doubtful", "--script", "lines.csv", "--audio-locale", "en-us", "--quiet"];
-    scene.expect("LZ1707-doubtful-words", &[&of_b[..], &["--allow", "LZ1713"]].concat());
+    scene.expect("LZ1707-text-mismatch", &[&of_b[..], &["--allow", "LZ1713"]].concat());
     scene.expect("LZ1708-no-script", &["sync", "rec/a.wav", "-o", "mute", "--quiet"]);
     let whole = voice(silence, 1);
     scene.write("rec/a.wav", &whole[..whole.len() - 5001]);

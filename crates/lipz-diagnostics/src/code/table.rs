@@ -165,7 +165,7 @@ codes! {
     UnreadableSound "LZ1704" "unreadable-sound" Error "a recording cannot be read as sound"
     StaleMouth "LZ1705" "stale-mouth" Warning "a recording or its text changed after `lipz sync` had made the mouth"
     MouthKept "LZ1706" "mouth-kept" Warning "`lipz sync` kept a mouth that somebody made or changed by hand"
-    DoubtfulWords "LZ1707" "doubtful-words" Warning "words of a text are not clearly heard in its recording"
+    TextMismatch "LZ1707" "text-mismatch" Warning "a recording and its text do not say the same"
     NoScript "LZ1708" "no-script" Warning "`lipz sync` has a recording without a text"
     OtherText "LZ1709" "other-text" Warning "a script has another text than the Lipz file"
     Pronunciation "LZ1710" "pronunciation" Warning "a pronunciation in a text or lexicon cannot be used"

@@ -137,6 +137,8 @@ fn evidence(phones: &[AlignedPhone], words: usize) -> Vec<Evidence> {
             None if phone.phone == Phone::Spoken => {
                 let nats = UNWRITTEN_NATS * frames_of(phone);
                 parts.push(Evidence { nats, words: next..next, start_us, end_us, unwritten_us: end_us - start_us });
+                // Words that are missed from here on are missed behind it.
+                now_us = end_us;
             }
             None => {}
         }
@@ -193,6 +195,8 @@ mod tests {
         assert_eq!(found(&missing), [(MismatchKind::NotSaid, 1..6, 300, 300)]);
         assert_eq!(found(&[GOOD, None, None, GOOD]), [(MismatchKind::NotInScript, 1..1, 300, 1500)]);
         assert_eq!(found(&[MISSING; 5]), [(MismatchKind::NotSaid, 0..5, 0, 0)]);
+        let other = [None, None, MISSING, MISSING, MISSING, MISSING];
+        assert_eq!(found(&other), [(MismatchKind::NotInScript, 0..4, 0, 1200)]);
     }
 
     #[test]

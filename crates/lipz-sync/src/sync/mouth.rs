@@ -1,15 +1,16 @@
-//! From sound and script to frames, and which words of the script somebody should listen to.
+//! From sound and script to frames, and where somebody should listen.
 
 use super::SyncOptions;
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use lipz_file::JsonString;
-use lipz_speech::{Aligner, Alignment, Model, Script, Sound, render, rms};
+use lipz_speech::{Aligner, Alignment, Mismatch, MismatchKind, Model, Script, Sound, render, rms};
 use lipz_types::{Fps, VisemeType};
 
-/// Doubtful words that a diagnostic marks.
-const MARKED: usize = 5;
+/// Confidence below which a word is doubtful.
+const DOUBTFUL: f32 = 0.5;
 
 /// What was heard.
+#[derive(Default)]
 pub(super) struct Heard {
     /// The codes of the frames.
     pub(super) codes: String,
@@ -17,21 +18,24 @@ pub(super) struct Heard {
     pub(super) segment_starts: Vec<usize>,
     /// The words of the script of which nobody is sure: number and start in microseconds.
     pub(super) doubtful: Vec<(usize, u64)>,
+    /// Where sound and script do not belong together.
+    mismatches: Vec<Mismatch>,
 }
 
 /// The mouth of a sound.
 pub(super) fn make(sound: &Sound, script: &Script, viseme_type: VisemeType, fps: Fps, options: &SyncOptions) -> Heard {
     if viseme_type == VisemeType::Rms {
         let mouth = rms(sound, fps, &options.rms);
-        return Heard { codes: mouth.frames, segment_starts: mouth.segment_starts, doubtful: Vec::new() };
+        return Heard { codes: mouth.frames, segment_starts: mouth.segment_starts, ..Heard::default() };
     }
     if script.words.is_empty() {
         return by_loudness(sound, viseme_type, fps, options);
     }
-    let aligner = Aligner::new(Model::english(), options.align);
-    let alignment = aligner.align(sound, script);
+    let alignment = Aligner::new(Model::english(), options.align).align(sound, script);
     let mouth = render(&alignment, viseme_type, fps, &options.rules);
-    Heard { codes: mouth.frames, segment_starts: mouth.segment_starts, doubtful: doubtful_words(&alignment, script) }
+    let doubtful = doubtful(&alignment, script);
+    let mismatches = alignment.mismatches;
+    Heard { codes: mouth.frames, segment_starts: mouth.segment_starts, doubtful, mismatches }
 }
 
 /// The mouth of a voice whose words nobody knows: as far open as the voice is loud.
@@ -46,39 +50,49 @@ fn by_loudness(sound: &Sound, viseme_type: VisemeType, fps: Fps, options: &SyncO
         ('6'..='9', VisemeType::ToonBoom) => 'D',
         (code, _) => code,
     };
-    Heard {
-        codes: mouth.frames.chars().map(open).collect(),
-        segment_starts: mouth.segment_starts,
-        doubtful: Vec::new(),
-    }
+    let codes = mouth.frames.chars().map(open).collect();
+    Heard { codes, segment_starts: mouth.segment_starts, ..Heard::default() }
 }
 
-fn doubtful_words(alignment: &Alignment, script: &Script) -> Vec<(usize, u64)> {
+fn doubtful(alignment: &Alignment, script: &Script) -> Vec<(usize, u64)> {
     let words = alignment.words.iter().zip(&script.words).enumerate();
     let is_said = words.filter(|(_, (_, word))| !word.pronunciations.is_empty());
-    let doubtful = is_said.filter(|(_, (word, _))| word.pronunciation.is_none());
+    let doubtful = is_said.filter(|(_, (word, _))| word.confidence < DOUBTFUL);
     doubtful.map(|(number, (word, _))| (number, word.start_us)).collect()
 }
 
-/// Reports the doubtful words of a text.
-pub(super) fn doubtful(heard: &Heard, script: &Script, text: &JsonString<'_>) -> Option<Diagnostic> {
-    let words: Vec<_> =
-        heard.doubtful.iter().filter_map(|(number, us)| Some((script.words.get(*number)?, *us))).collect();
-    let ((first, first_us), others) = words.split_first()?;
-    let said = script.words.iter().filter(|word| !word.pronunciations.is_empty()).count();
-    let at = |us: u64| format!("{:.2} s", us as f64 / 1e6);
-    let message = match words.len() {
-        1 => format!("it is not sure that {} is said at {}", escape::quoted(&first.text), at(*first_us)),
-        count if count * 2 > said => {
-            format!("most words ({count} of {said}) are not heard: is this the text of the recording?")
-        }
-        count => format!("it is not sure that {count} of {said} words are said where they are looked for"),
+/// Reports where sound and text do not say the same.
+pub(super) fn mismatches(heard: &Heard, script: &Script, text: &JsonString<'_>) -> Vec<Diagnostic> {
+    heard.mismatches.iter().map(|found| mismatch(found, script, text)).collect()
+}
+
+fn mismatch(found: &Mismatch, script: &Script, text: &JsonString<'_>) -> Diagnostic {
+    let words = script.words.get(found.words.clone()).unwrap_or_default();
+    let seconds = |us: u64| format!("{:.2} s", us as f64 / 1e6);
+    let time = match found.end_us == found.start_us {
+        true => format!("at {}", seconds(found.start_us)),
+        false => format!("from {} to {}", seconds(found.start_us), seconds(found.end_us)),
     };
-    let mut diagnostic = Diagnostic::at(Code::DoubtfulWords, text.span_of(first.range.clone()), message);
-    for (word, us) in others.iter().take(MARKED) {
-        diagnostic = diagnostic.also(text.span_of(word.range.clone()), at(*us));
-    }
-    Some(
-        diagnostic.help("listen there: the text may be another, or the word said in another way (`{say: …}`, lexicon)"),
-    )
+    let range = match (words.first(), words.last()) {
+        (Some(first), Some(last)) => first.range.start..last.range.end.max(first.range.start),
+        // Between two words: where the next one starts.
+        _ => {
+            let at = script.words.get(found.words.start).map_or(text.text.len(), |next| next.range.start);
+            at..at
+        }
+    };
+    let written = || escape::quoted(text.text.get(range.clone()).unwrap_or_default());
+    let (message, help) = match found.kind {
+        MismatchKind::NotSaid => {
+            (format!("{} is not said: it should be {time}", written()), "remove it from the text, or record it")
+        }
+        MismatchKind::NotInScript => {
+            (format!("what is said {time} is not in the text"), "write it into the text, or cut it from the recording")
+        }
+        _ => (
+            format!("{time}, something else is said than {}", written()),
+            "listen there: is this the text of the recording? A word may also be said in another way (`{say: …}`, lexicon)",
+        ),
+    };
+    Diagnostic::at(Code::TextMismatch, text.span_of(range), message).help(help)
 }

@@ -129,7 +129,7 @@ fn tried(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Ve
         diagnostics.push(no_script(options));
     }
     let heard = mouth::make(&sound, &script, viseme_type, fps, options);
-    diagnostics.extend(spoken.as_ref().and_then(|(_, text)| mouth::doubtful(&heard, &script, text)));
+    diagnostics.extend(spoken.iter().flat_map(|(_, text)| mouth::mismatches(&heard, &script, text)));
     let rate = Rate { numerator: fps.numerator(), denominator: fps.denominator(), is_exact: true };
     let starts = (!script.words.is_empty()).then(|| {
         heard.segment_starts.iter().skip(1).map(|&frame| Time::of_frame(frame as u64, rate)).collect::<Vec<_>>()
