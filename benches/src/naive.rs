@@ -42,6 +42,15 @@ pub fn current_viseme(clip: &Value, play_position_seconds: f64) -> char {
 
 /// The text of the segment at a time, found in the way that the specification suggests.
 pub fn current_text<'c>(clip: &'c Value, locale: &str, play_position_seconds: f64) -> Option<&'c str> {
+    current_part(clip, &format!("text_{locale}"), play_position_seconds)
+}
+
+/// The event string of the segment at a time; `None` also without events.
+pub fn current_event(clip: &Value, play_position_seconds: f64) -> Option<&str> {
+    current_part(clip, "events", play_position_seconds)
+}
+
+fn current_part<'c>(clip: &'c Value, element: &str, play_position_seconds: f64) -> Option<&'c str> {
     let fps = clip["fps"].as_f64()?;
     let frame = (play_position_seconds * fps).floor() as usize;
     let mut end = 0;
@@ -49,5 +58,5 @@ pub fn current_text<'c>(clip: &'c Value, locale: &str, play_position_seconds: f6
         end += segment.len();
         frame < end
     })?;
-    clip[format!("text_{locale}")].as_str()?.split('|').nth(segment).map(str::trim)
+    clip[element].as_str()?.split('|').nth(segment).map(str::trim)
 }

@@ -3,7 +3,7 @@
 //!
 //! `queries BANK QUESTION TIMES`
 
-use lipz_bank::{Bank, Clip, ClipId, Micros};
+use lipz_bank::{Bank, Clip, ClipId, Cursor, Micros, Seconds};
 use lipz_benches::{DEFAULT_SEED, Random, clip_key};
 use std::hint::black_box;
 
@@ -50,6 +50,25 @@ fn ask(bytes: &[u8], question: &str, times: usize) -> Result<(), Box<dyn std::er
         "tick" => {
             let clip = clips[0];
             (0..times).for_each(|tick| _ = black_box(clip.viseme_at(Micros((tick * TICK_US % LONGEST_US) as i64))));
+        }
+        // The same with what a game does for each picture: events, mouth and text.
+        "cursor" => {
+            let clip = clips[0];
+            let length_us = clip.duration_us().ok_or("the clip has no frame rate")? as usize;
+            let mut cursor = Cursor::new(&clip).ok_or("the clip has no frame rate")?;
+            for tick in 0..times {
+                let time = Micros((tick * TICK_US % length_us) as i64);
+                if tick * TICK_US % length_us < TICK_US {
+                    cursor.seek(&clip, time);
+                }
+                for event in cursor.advance_to(&clip, time).events() {
+                    black_box(event);
+                }
+                black_box(cursor.viseme(&clip));
+            }
+        }
+        "frame by seconds" => {
+            asked.for_each(|(at, time_us)| _ = black_box(clips[at].viseme_at(Seconds(time_us as f64 * 1e-6))));
         }
         _ => return Err(format!("no such question: {question}").into()),
     }

@@ -24,6 +24,7 @@ impl ClipId {
     ///
     /// The function is FNV-1a widened to eight bytes a step, with the high half folded down after
     /// each multiplication; `docs/FORMAT.md`, "Clip ids", gives it in words and with test vectors.
+    #[inline]
     pub const fn from_key(key: &str) -> ClipId {
         let mut rest = key.as_bytes();
         let mut hash = mix(rest.len() as u64, STEP);

@@ -50,6 +50,7 @@ impl VisemeType {
     }
 
     /// Whether every byte of `codes` is a legal code.
+    #[inline]
     pub fn contains_all(self, codes: &[u8]) -> bool {
         if !cfg!(target_pointer_width = "64") {
             return codes.iter().all(|&code| self.contains(code));

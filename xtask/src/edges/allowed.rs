@@ -39,8 +39,8 @@ pub(super) const RULES: &[Rule] = &[
     Rule { name: "lipz-capi", direct: &["lipz-bank"], below: Below::Only(READER) },
     Rule {
         name: "lipz-host",
-        direct: &["lipz-bank", "memmap2", "self_cell"],
-        below: Below::Only(&["lipz-bank", "lipz-layout", "lipz-types", "libc", "memmap2", "self_cell"]),
+        direct: &["lipz-bank", "memmap2", "self_cell", "simdutf8"],
+        below: Below::Only(&["lipz-bank", "lipz-layout", "lipz-types", "libc", "memmap2", "self_cell", "simdutf8"]),
     },
     Rule {
         name: "lipz-diagnostics",

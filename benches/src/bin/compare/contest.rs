@@ -30,11 +30,18 @@ pub(crate) enum Ask {
     Miss,
     Frame,
     Text,
+    Event,
     Tick,
+    Latency,
 }
 
 impl Ask {
-    pub(crate) const ALL: [Ask; 7] = [Ask::Open, Ask::Validate, Ask::Find, Ask::Miss, Ask::Frame, Ask::Text, Ask::Tick];
+    pub(crate) const ALL: [Ask; 9] =
+        [Ask::Open, Ask::Validate, Ask::Find, Ask::Miss, Ask::Frame, Ask::Text, Ask::Event, Ask::Tick, Ask::Latency];
+
+    /// Those about clips.
+    pub(crate) const QUERIES: [Ask; 7] =
+        [Ask::Find, Ask::Miss, Ask::Frame, Ask::Text, Ask::Event, Ask::Tick, Ask::Latency];
 }
 
 /// A rival that takes part.
@@ -139,26 +146,67 @@ impl<R: Rival> Entry<R> {
         let asked = std::iter::zip(&clips[at.clone()], &times_us[at]);
         let texts = asked.filter_map(|(&number, &time_us)| {
             let clip = self.reader.clip(number)?;
-            // Whoever asks for a text reads it.
-            self.reader.text(clip, locale, time_us, |text| text.len() as u32 + u32::from(text.as_bytes()[0]))
+            self.reader.text(clip, locale, time_us, first_byte)
         });
         texts.fold(0, u32::wrapping_add)
     }
 
-    /// From the start of a clip to a time in it; returns the number of frames shown.
+    #[inline(never)]
+    fn event(&self, at: Range<usize>) -> u32 {
+        let Questions { clips, times_us, .. } = &self.questions;
+        let asked = std::iter::zip(&clips[at.clone()], &times_us[at]);
+        let events = asked.filter_map(|(&number, &time_us)| {
+            let clip = self.reader.clip(number)?;
+            self.reader.event(clip, time_us, first_byte)
+        });
+        events.fold(0, u32::wrapping_add)
+    }
+
+    /// From the start of a clip to a time in it: mouth, subtitle and event for each picture. Returns the number of
+    /// pictures.
     #[inline(never)]
     fn sweep(&self, at: Range<usize>) -> usize {
+        let Some(locale) = self.reader.locale(&self.locale) else { return 0 };
         let (mut shown, mut sum) = (0, 0_u32);
         for index in at {
             let Some(clip) = self.reader.clip(self.questions.clips[index]) else { continue };
             for time_us in (0..self.questions.times_us[index]).step_by(TICK_US as usize) {
                 sum = sum.wrapping_add(self.reader.viseme(clip, time_us).into());
+                sum = sum.wrapping_add(self.reader.text(clip, locale, time_us, first_byte).unwrap_or(0));
+                sum = sum.wrapping_add(self.reader.event(clip, time_us, first_byte).unwrap_or(0));
                 shown += 1;
             }
         }
         black_box(sum);
         shown
     }
+
+    /// Finds a clip, its mouth and its subtitle, each when the answer before it is known: which question is next depends
+    /// on it. So no two overlap in the processor.
+    #[inline(never)]
+    fn one_by_one(&self, at: Range<usize>) -> u32 {
+        let Some(locale) = self.reader.locale(&self.locale) else { return 0 };
+        let (mut sum, mut index) = (0_u32, at.start);
+        let last = self.questions.len() - 1;
+        for _ in at {
+            let number = self.reader.find(self.questions.key(index)).unwrap_or(0);
+            let Some(clip) = self.reader.clip(number) else { continue };
+            let time_us = self.questions.times_us[index];
+            let code = u32::from(self.reader.viseme(clip, time_us));
+            // No code is 255, but only the answer tells.
+            let time_us = time_us + u32::from(code == 255);
+            let text = self.reader.text(clip, locale, time_us, first_byte).unwrap_or(0);
+            sum = sum.wrapping_add(text);
+            index = (index + 1 + usize::from(text == u32::MAX)).min(last);
+        }
+        sum
+    }
+}
+
+/// Whoever asks for a string reads it.
+#[inline]
+fn first_byte(text: &str) -> u32 {
+    text.len() as u32 + text.as_bytes().first().map_or(0, |byte| u32::from(*byte))
 }
 
 /// The file of the rival with this name.
@@ -197,7 +245,9 @@ impl<R: Rival> Contestant for Entry<R> {
             Ask::Miss => _ = black_box(self.find(&self.misses, at)),
             Ask::Frame => _ = black_box(self.frame(at)),
             Ask::Text => _ = black_box(self.text(at)),
+            Ask::Event => _ = black_box(self.event(at)),
             Ask::Tick => return Ok(self.sweep(at)),
+            Ask::Latency => _ = black_box(self.one_by_one(at)),
         }
         Ok(count)
     }
@@ -220,6 +270,10 @@ impl<R: Rival> Contestant for Entry<R> {
             let text = &expected.texts[place][segment];
             if reader.text(clip, locale, time_us, |found| found == text) != Some(true) {
                 return wrong(questions.key(index), "a text");
+            }
+            let event = expected.events.get(segment).map_or("", String::as_str);
+            if reader.event(clip, time_us, |found| found == event) != Some(true) {
+                return wrong(questions.key(index), "an event");
             }
             if reader.find(self.misses.key(index)).is_some() {
                 return wrong(self.misses.key(index), "the absence");

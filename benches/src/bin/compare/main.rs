@@ -187,7 +187,7 @@ fn median(mut values: Vec<f64>) -> f64 {
 /// Allocations per answer, the most of any kind of question.
 fn allocations(contestant: &dyn Contestant) -> Result<f64, Failure> {
     let mut most = 0.0_f64;
-    for ask in [Ask::Find, Ask::Miss, Ask::Frame, Ask::Text, Ask::Tick] {
+    for ask in Ask::QUERIES {
         let before = heap::allocations();
         let answers = contestant.ask(ask, 0..100)?;
         most = most.max((heap::allocations() - before) as f64 / answers as f64);

@@ -74,4 +74,7 @@ pub(crate) trait Reader: Sized {
         time_us: u32,
         then: impl FnOnce(&str) -> T,
     ) -> Option<T>;
+
+    /// Gives the event string of the segment at a time to `then`: empty if nothing happens there.
+    fn event<T>(&self, clip: Self::Clip<'_>, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T>;
 }

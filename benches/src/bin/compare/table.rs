@@ -17,15 +17,15 @@ pub(crate) struct Row {
 /// The table of times.
 pub(crate) fn times(rows: &[Row]) -> String {
     let mut table = String::from(
-        "| | file MB | open | validate | heap MB | find ns | miss ns | frame ns | segment + text ns | tick ns | allocations |\n\
-         |---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n",
+        "| | file MB | open | validate | heap MB | find ns | miss ns | frame ns | segment + text ns | event ns | tick ns | latency ns | allocations |\n\
+         |---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n",
     );
     for row in rows {
         let cost = |ask: Ask| row.costs[ask as usize];
         // Writing to a string does not fail.
         let _ = writeln!(
             table,
-            "| {} | {} | {} | {} | {} | {:.1} | {:.1} | {:.1} | {:.1} | {:.2} | {:.0} |",
+            "| {} | {} | {} | {} | {} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} | {:.2} | {:.1} | {:.0} |",
             row.name,
             megabytes(row.file_bytes),
             duration(cost(Ask::Open)),
@@ -35,7 +35,9 @@ pub(crate) fn times(rows: &[Row]) -> String {
             cost(Ask::Miss),
             cost(Ask::Frame),
             cost(Ask::Text),
+            cost(Ask::Event),
             cost(Ask::Tick),
+            cost(Ask::Latency),
             row.allocations,
         );
     }
@@ -45,7 +47,8 @@ pub(crate) fn times(rows: &[Row]) -> String {
 /// The table of instructions.
 pub(crate) fn instructions(rows: &[Row]) -> String {
     let mut table = String::from(
-        "| | open | validate | find | miss | frame | segment + text | tick |\n|---|--:|--:|--:|--:|--:|--:|--:|\n",
+        "| | open | validate | find | miss | frame | segment + text | event | tick | one by one |\n\
+         |---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n",
     );
     for row in rows {
         let _ = write!(table, "| {} ", row.name);

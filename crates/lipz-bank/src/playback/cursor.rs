@@ -69,6 +69,8 @@ pub struct Cursor {
     mouth_frame: Option<u32>,
     /// The first segment whose events have not fired.
     next_segment: u32,
+    /// Whether `next_segment` is the one behind those that have begun at `frame`: then the same frame fires nothing.
+    is_fired: bool,
     /// Whether all events of the clip had fired before those up to `next_segment`.
     has_looped: bool,
 }
@@ -92,6 +94,7 @@ impl Cursor {
             frame: None,
             mouth_frame: None,
             next_segment: 0,
+            is_fired: false,
             has_looped: false,
         })
     }
@@ -132,9 +135,13 @@ impl Cursor {
         clip: &Clip<'data, 'bank>,
         time: T,
     ) -> DueSegments<'data, 'bank> {
+        let (before, first) = (self.frame, self.next_segment);
         self.show(clip, time);
-        let first = self.next_segment;
-        self.next_segment = first.max(self.segments_begun(clip));
+        // A display shows most frames more than once.
+        if self.frame != before || !self.is_fired {
+            self.next_segment = first.max(self.segments_begun(clip));
+            self.is_fired = true;
+        }
         DueSegments::new(self, clip, first..self.next_segment, 0)
     }
 
@@ -147,6 +154,7 @@ impl Cursor {
         self.show(clip, time);
         let first = self.next_segment;
         self.next_segment = self.segments_begun(clip);
+        self.is_fired = true;
         self.has_looped = true;
         DueSegments::new(self, clip, first..u32::MAX, self.next_segment)
     }
@@ -161,6 +169,7 @@ impl Cursor {
         // From the end on, that is the last frame.
         let before = self.frame.and_then(|frame| frame.min(clip.frame_count()).checked_sub(1));
         self.next_segment = before.map_or(0, |frame| segments_begun_by(clip, frame));
+        self.is_fired = false;
         self.has_looped = false;
     }
 
@@ -172,6 +181,7 @@ impl Cursor {
         self.mouth_frame = self.frame;
         let first = self.next_segment;
         self.next_segment = clip.segment_count();
+        self.is_fired = true;
         DueSegments::new(self, clip, first..self.next_segment, 0)
     }
 
@@ -229,10 +239,12 @@ impl Cursor {
     /// Moves sound and mouth to `time`.
     fn show<T: Time>(&mut self, clip: &Clip<'_, '_>, time: T) {
         self.frame = self.frame_at(clip, time);
-        self.mouth_frame = self.frame_at(clip, time.later(self.lead.us()));
+        self.mouth_frame =
+            if self.lead == Lead::NONE { self.frame } else { self.frame_at(clip, time.later(self.lead.us())) };
     }
 
-    #[inline(never)] // long code, needed twice
+    #[cfg_attr(not(target_pointer_width = "64"), inline(never))] // long code, needed twice
+    #[cfg_attr(target_pointer_width = "64", inline)]
     fn frame_at<T: Time>(&self, clip: &Clip<'_, '_>, time: T) -> Option<u32> {
         match time.frame(clip.stored_fps().unwrap_or(self.fps), clip.frame_count()) {
             None if time.has_begun() => Some(OVER),

@@ -24,7 +24,8 @@ pub struct DueSegments<'data, 'bank> {
 impl<'data, 'bank> DueSegments<'data, 'bank> {
     /// The segments of `range`, then those from 0 up to and without `around_to`, as far as the clip has them: the
     /// numbers may be those of another clip.
-    #[inline(never)] // a clip is many words, and several calls of a cursor need this
+    #[cfg_attr(not(target_pointer_width = "64"), inline(never))] // a clip is many words, and several calls need this
+    #[cfg_attr(target_pointer_width = "64", inline)]
     pub(super) fn new(cursor: &Cursor, clip: &Clip<'data, 'bank>, range: Range<u32>, around_to: u32) -> Self {
         let speaker = cursor.speaker().filter(|key| key.is_of(clip.bank));
         let count = clip.segment_count();

@@ -175,13 +175,25 @@ impl Reader for Bank<'static> {
 
     #[inline]
     fn text<T>(&self, clip: Clip<'static>, locale: usize, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
-        let frame = frame_at(clip.fps()?.into(), time_us);
-        if frame >= clip.visemes()?.len() {
-            return None;
-        }
-        let starts = clip.starts()?;
-        let segment = (0..starts.len()).rev().find(|&segment| usize::from(starts.get(segment)) <= frame)?;
+        let segment = segment(clip, time_us)?;
         let segments = clip.texts()?.get(locale).segments()?;
         Some(then(segments.get(segment)))
     }
+
+    #[inline]
+    fn event<T>(&self, clip: Clip<'static>, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
+        let segment = segment(clip, time_us)?;
+        let events = clip.events()?;
+        Some(then(if segment < events.len() { events.get(segment) } else { "" }))
+    }
+}
+
+#[inline]
+fn segment(clip: Clip<'_>, time_us: u32) -> Option<usize> {
+    let frame = frame_at(clip.fps()?.into(), time_us);
+    if frame >= clip.visemes()?.len() {
+        return None;
+    }
+    let starts = clip.starts()?;
+    (0..starts.len()).rev().find(|&segment| usize::from(starts.get(segment)) <= frame)
 }

@@ -85,4 +85,8 @@ impl Reader for AsSpecified {
     fn text<T>(&self, clip: &Value, locale: &str, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
         naive::current_text(clip, locale, f64::from(time_us) / 1e6).map(|text| then(display(text)))
     }
+
+    fn event<T>(&self, clip: &Value, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
+        Some(then(naive::current_event(clip, f64::from(time_us) / 1e6).unwrap_or("")))
+    }
 }

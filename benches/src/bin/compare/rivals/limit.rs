@@ -1,27 +1,19 @@
-//! The limit: flat arrays over the map, written for these very clips, with no checks but of bounds.
+//! The limit: flat arrays over the map, written for these very clips, with no checks but of bounds. Numbers are as
+//! short as these clips allow, equal event strings are one, and keys are found by a minimal perfect hash that keeps
+//! nothing but pilots: the key itself is compared.
 
 use crate::Failure;
 use crate::corpus::{Corpus, frame_at};
 use crate::rival::{File, Reader, Rival};
 use lipz_bank::ClipId;
+use lipz_layout::{DIRECT_SLOT, bucket_of, slot_of, spread};
+use std::collections::HashMap;
 use std::path::Path;
 use zerocopy::little_endian::{U16, U32};
-use zerocopy::{FromBytes, Immutable, IntoBytes, KnownLayout, Unaligned};
+use zerocopy::{FromBytes, FromZeros, Immutable, IntoBytes, KnownLayout, Unaligned};
 
 /// Flat arrays.
 pub(crate) struct Limit;
-
-/// Place of the hash table that no clip has.
-const FREE: u32 = u32::MAX;
-
-#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy)]
-#[repr(C)]
-struct Place {
-    /// The upper half of the key's hash.
-    hash: U32,
-    /// Number of the clip, or [`FREE`].
-    number: U32,
-}
 
 #[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy)]
 #[repr(C)]
@@ -31,16 +23,17 @@ pub(crate) struct Record {
     fps: u8,
     viseme_type: u8,
     frames_offset: U32,
-    frame_count: U32,
+    frame_count: U16,
+    segment_count: U16,
     /// The first of its segments, counted over all clips.
     segments_first: U32,
-    segment_count: U32,
 }
 
 /// The arrays of the file. Before each array stands its length in bytes.
 #[derive(Clone, Copy)]
 pub(crate) struct Arrays {
-    places: &'static [Place],
+    pilots: &'static [U32],
+    /// In the order of their numbers, which the index gives.
     records: &'static [Record],
     /// First frames of all segments.
     starts: &'static [U16],
@@ -49,6 +42,8 @@ pub(crate) struct Arrays {
     /// For each locale, where the text of each segment of all clips ends.
     text_ends: &'static [U32],
     texts: &'static [u8],
+    /// For each segment, the number of its event string; 0 is the empty one.
+    event_numbers: &'static [U16],
     event_ends: &'static [U32],
     events: &'static [u8],
     tags: &'static [u8],
@@ -60,34 +55,33 @@ impl Rival for Limit {
 
     fn build(corpus: &Corpus, path: &Path) -> Result<(), Failure> {
         let clips = &corpus.bank.clips;
-        let free = Place { hash: 0.into(), number: FREE.into() };
-        let mut places = vec![free; (clips.len() * 3 / 2 + 1).next_power_of_two()];
-        let mut records = Vec::new();
+        let (pilots, numbers) = index(clips.iter().map(|clip| ClipId::from_key(&clip.key).get()).collect());
+        let mut records = vec![Record::new_zeroed(); clips.len()];
         let (mut starts, mut keys, mut frames) = (Vec::new(), String::new(), String::new());
-        let (mut event_ends, mut events) = (Vec::new(), String::new());
-        for (clip, number) in clips.iter().zip(0_u32..) {
-            let hash = ClipId::from_key(&clip.key).get();
-            let mut place = hash as usize & (places.len() - 1);
-            while places[place].number.get() != FREE {
-                place = (place + 1) & (places.len() - 1);
-            }
-            places[place] = Place { hash: ((hash >> 32) as u32).into(), number: number.into() };
-            records.push(Record {
+        let (mut event_numbers, mut event_ends, mut events) = (Vec::new(), vec![U32::new(0)], String::new());
+        let mut known = HashMap::from([("", 0)]);
+        for (clip, number) in clips.iter().zip(numbers) {
+            records[number] = Record {
                 key_offset: (keys.len() as u32).into(),
                 key_length: (clip.key.len() as u16).into(),
                 fps: clip.fps as u8,
                 viseme_type: clip.viseme_type,
                 frames_offset: (frames.len() as u32).into(),
-                frame_count: (clip.visemes.len() as u32).into(),
+                frame_count: (clip.visemes.len() as u16).into(),
+                segment_count: (clip.starts.len() as u16).into(),
                 segments_first: (starts.len() as u32).into(),
-                segment_count: (clip.starts.len() as u32).into(),
-            });
+            };
             keys.push_str(&clip.key);
             frames.push_str(&clip.visemes);
             starts.extend(clip.starts.iter().map(|&start| U16::new(start as u16)));
             for segment in 0..clip.starts.len() {
-                events.push_str(clip.events.get(segment).map_or("", String::as_str));
-                event_ends.push(U32::new(events.len() as u32));
+                let event = clip.events.get(segment).map_or("", String::as_str);
+                let number = *known.entry(event).or_insert_with(|| {
+                    events.push_str(event);
+                    event_ends.push(U32::new(events.len() as u32));
+                    event_ends.len() as u16 - 1
+                });
+                event_numbers.push(U16::new(number));
             }
         }
         let (mut text_ends, mut texts) = (Vec::new(), String::new());
@@ -99,13 +93,14 @@ impl Rival for Limit {
         }
         let tags = corpus.bank.locales.join(" ");
         let arrays = [
-            places.as_bytes(),
+            pilots.as_bytes(),
             records.as_bytes(),
             starts.as_bytes(),
             keys.as_bytes(),
             frames.as_bytes(),
             text_ends.as_bytes(),
             texts.as_bytes(),
+            event_numbers.as_bytes(),
             event_ends.as_bytes(),
             events.as_bytes(),
             tags.as_bytes(),
@@ -138,13 +133,14 @@ impl Arrays {
             Some(array)
         };
         Some(Arrays {
-            places: <[Place]>::ref_from_bytes(next()?).ok()?,
+            pilots: <[U32]>::ref_from_bytes(next()?).ok()?,
             records: <[Record]>::ref_from_bytes(next()?).ok()?,
             starts: <[U16]>::ref_from_bytes(next()?).ok()?,
             keys: next()?,
             frames: next()?,
             text_ends: <[U32]>::ref_from_bytes(next()?).ok()?,
             texts: next()?,
+            event_numbers: <[U16]>::ref_from_bytes(next()?).ok()?,
             event_ends: <[U32]>::ref_from_bytes(next()?).ok()?,
             events: next()?,
             tags: next()?,
@@ -162,14 +158,13 @@ impl Arrays {
             return false;
         };
         let range = |offset: U32, length: u32| offset.get() as usize..offset.get() as usize + length as usize;
-        self.places.len().is_power_of_two()
-            && ends_are_valid(self.text_ends, texts)
+        ends_are_valid(self.text_ends, texts)
             && ends_are_valid(self.event_ends, events)
-            && self.places.iter().any(|place| place.number.get() == FREE)
+            && self.event_numbers.iter().all(|number| usize::from(number.get()) < self.event_ends.len())
             && self.records.iter().all(|record| {
                 keys.get(range(record.key_offset, record.key_length.get().into())).is_some()
-                    && self.frames.get(range(record.frames_offset, record.frame_count.get())).is_some()
-                    && self.starts.get(range(record.segments_first, record.segment_count.get())).is_some()
+                    && self.frames.get(range(record.frames_offset, record.frame_count.get().into())).is_some()
+                    && self.starts.get(range(record.segments_first, record.segment_count.get().into())).is_some()
             })
     }
 }
@@ -196,22 +191,13 @@ impl Reader for Arrays {
 
     #[inline]
     fn find(&self, key: &str) -> Option<u32> {
-        let hash = ClipId::from_key(key).get();
-        let mut place = hash as usize;
-        loop {
-            let found = self.places.get(place & (self.places.len() - 1))?;
-            if found.number.get() == FREE {
-                return None;
-            }
-            if u64::from(found.hash.get()) == hash >> 32 {
-                let record = self.records.get(found.number.get() as usize)?;
-                let start = record.key_offset.get() as usize;
-                if self.keys.get(start..start + usize::from(record.key_length.get()))? == key.as_bytes() {
-                    return Some(found.number.get());
-                }
-            }
-            place += 1;
-        }
+        let spread = spread(ClipId::from_key(key).get(), 0);
+        let pilot = self.pilots.get(bucket_of(spread, self.pilots.len() as u32) as usize)?.get();
+        let number = slot_of(spread, pilot, self.records.len() as u32);
+        let record = self.records.get(number as usize)?;
+        let start = record.key_offset.get() as usize;
+        let found = self.keys.get(start..start + usize::from(record.key_length.get()))?;
+        (found == key.as_bytes()).then_some(number)
     }
 
     #[inline]
@@ -230,17 +216,71 @@ impl Reader for Arrays {
 
     #[inline]
     fn text<T>(&self, clip: &Record, locale: usize, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
+        let at = locale + self.segment(clip, time_us)?;
+        let end = self.text_ends.get(at)?.get() as usize;
+        let start = at.checked_sub(1).map_or(Some(0), |before| Some(self.text_ends.get(before)?.get() as usize))?;
+        // SAFETY: the file is what `build` wrote, or was validated.
+        Some(then(unsafe { std::str::from_utf8_unchecked(self.texts.get(start..end)?) }))
+    }
+
+    #[inline]
+    fn event<T>(&self, clip: &Record, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
+        let number = usize::from(self.event_numbers.get(self.segment(clip, time_us)?)?.get());
+        let end = self.event_ends.get(number)?.get() as usize;
+        let start = if number == 0 { 0 } else { self.event_ends.get(number - 1)?.get() as usize };
+        // SAFETY: the file is what `build` wrote, or was validated.
+        Some(then(unsafe { std::str::from_utf8_unchecked(self.events.get(start..end)?) }))
+    }
+}
+
+impl Arrays {
+    /// The segment at a time, counted over all clips.
+    #[inline]
+    fn segment(&self, clip: &Record, time_us: u32) -> Option<usize> {
         let frame = frame_at(clip.fps.into(), time_us);
         if frame >= clip.frame_count.get() as usize {
             return None;
         }
         let first = clip.segments_first.get() as usize;
         let starts = self.starts.get(first..first + clip.segment_count.get() as usize)?;
-        let segment = starts.iter().rposition(|start| usize::from(start.get()) <= frame)?;
-        let at = locale + first + segment;
-        let end = self.text_ends.get(at)?.get() as usize;
-        let start = at.checked_sub(1).map_or(Some(0), |before| Some(self.text_ends.get(before)?.get() as usize))?;
-        // SAFETY: the file is what `build` wrote, or was validated.
-        Some(then(unsafe { std::str::from_utf8_unchecked(self.texts.get(start..end)?) }))
+        Some(first + starts.iter().rposition(|start| usize::from(start.get()) <= frame)?)
     }
+}
+
+/// The pilots of a minimal perfect hash ("hash, displace"), and the number that each id gets.
+fn index(ids: Vec<u64>) -> (Vec<U32>, Vec<usize>) {
+    let count = ids.len() as u32;
+    let mut buckets = vec![Vec::new(); ids.len().div_ceil(3)];
+    let bucket_count = buckets.len() as u32;
+    for (at, id) in ids.iter().enumerate() {
+        let spread = spread(*id, 0);
+        buckets[bucket_of(spread, bucket_count) as usize].push((at, spread));
+    }
+    let mut order: Vec<usize> = (0..buckets.len()).collect();
+    order.sort_by_key(|&bucket| std::cmp::Reverse(buckets[bucket].len()));
+    let (mut pilots, mut numbers) = (vec![U32::new(0); buckets.len()], vec![0; ids.len()]);
+    let (mut taken, mut lowest) = (vec![false; ids.len()], 0);
+    for bucket in order {
+        let ids = &buckets[bucket];
+        let pilot = match ids.len() {
+            0 => 0,
+            1 => {
+                lowest += taken[lowest..].iter().take_while(|taken| **taken).count();
+                DIRECT_SLOT | lowest as u32
+            }
+            _ => (0..DIRECT_SLOT)
+                .find(|&pilot| {
+                    let slots: Vec<u32> = ids.iter().map(|(_, spread)| slot_of(*spread, pilot, count)).collect();
+                    let is_new = |(at, slot): (usize, &u32)| !taken[*slot as usize] && !slots[..at].contains(slot);
+                    slots.iter().enumerate().all(is_new)
+                })
+                .expect("a pilot for distinct ids"),
+        };
+        pilots[bucket] = pilot.into();
+        for (at, spread) in ids {
+            let slot = slot_of(*spread, pilot, count) as usize;
+            (taken[slot], numbers[*at]) = (true, slot);
+        }
+    }
+    (pilots, numbers)
 }

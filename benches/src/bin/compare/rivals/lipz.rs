@@ -84,4 +84,9 @@ impl Reader for Bank<'static> {
     ) -> Option<T> {
         Some(then(clip.segment_at(Micros(time_us.into()))?.text(locale)?.as_str()))
     }
+
+    #[inline]
+    fn event<T>(&self, clip: Clip<'static, '_>, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
+        Some(then(clip.segment_at(Micros(time_us.into()))?.event().unwrap_or("")))
+    }
 }

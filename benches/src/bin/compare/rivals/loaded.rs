@@ -44,11 +44,20 @@ impl Reader for Loaded {
 
     #[inline]
     fn text<T>(&self, clip: &Clip, locale: usize, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
-        let frame = frame_at(clip.fps, time_us);
-        if frame >= clip.visemes.len() {
-            return None;
-        }
-        let segment = clip.starts.partition_point(|&start| start as usize <= frame).checked_sub(1)?;
-        Some(then(clip.texts.get(locale)?.get(segment)?))
+        Some(then(clip.texts.get(locale)?.get(segment(clip, time_us)?)?))
     }
+
+    #[inline]
+    fn event<T>(&self, clip: &Clip, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
+        Some(then(clip.events.get(segment(clip, time_us)?).map_or("", String::as_str)))
+    }
+}
+
+#[inline]
+fn segment(clip: &Clip, time_us: u32) -> Option<usize> {
+    let frame = frame_at(clip.fps, time_us);
+    if frame >= clip.visemes.len() {
+        return None;
+    }
+    clip.starts.partition_point(|&start| start as usize <= frame).checked_sub(1)
 }

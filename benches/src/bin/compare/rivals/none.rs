@@ -52,4 +52,9 @@ impl Reader for Nothing {
     fn text<T>(&self, clip: u32, (): (), time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
         Some(then(if clip == time_us { "a" } else { "b" }))
     }
+
+    #[inline]
+    fn event<T>(&self, clip: u32, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
+        Some(then(if clip == time_us { "a" } else { "" }))
+    }
 }

@@ -66,11 +66,20 @@ impl Reader for &'static ArchivedBank<'static> {
 
     #[inline]
     fn text<T>(&self, clip: &ArchivedClip, locale: usize, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
-        let frame = frame_at(clip.fps.to_native(), time_us);
-        if frame >= clip.visemes.len() {
-            return None;
-        }
-        let segment = clip.starts.partition_point(|start| start.to_native() as usize <= frame).checked_sub(1)?;
-        Some(then(clip.texts.get(locale)?.get(segment)?))
+        Some(then(clip.texts.get(locale)?.get(segment(clip, time_us)?)?))
     }
+
+    #[inline]
+    fn event<T>(&self, clip: &ArchivedClip, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
+        Some(then(clip.events.get(segment(clip, time_us)?).map_or("", |event| event.as_str())))
+    }
+}
+
+#[inline]
+fn segment(clip: &ArchivedClip, time_us: u32) -> Option<usize> {
+    let frame = frame_at(clip.fps.to_native(), time_us);
+    if frame >= clip.visemes.len() {
+        return None;
+    }
+    clip.starts.partition_point(|start| start.to_native() as usize <= frame).checked_sub(1)
 }

@@ -23,6 +23,8 @@ const FRAME: &str = "SELECT fps, visemes FROM clip WHERE id = ?";
 const TEXT: &str = "SELECT text FROM text WHERE clip = ?1 AND locale = ?2 AND segment =
     (SELECT number FROM segment WHERE clip = ?1 AND start <= ?3 ORDER BY start DESC LIMIT 1)";
 
+const EVENT: &str = "SELECT IFNULL(event, '') FROM segment WHERE clip = ?1 AND start <= ?2 ORDER BY start DESC LIMIT 1";
+
 impl Rival for Sqlite {
     const NAME: &'static str = "SQLite 3";
     type Reader = Connection;
@@ -105,15 +107,23 @@ impl Reader for Connection {
     }
 
     fn text<T>(&self, clip: u32, locale: u32, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
-        let length = |row: &rusqlite::Row<'_>| {
-            let frame = frame_at(row.get(0)?, time_us);
-            Ok((frame, row.get_ref(1)?.as_blob()?.len()))
-        };
-        let (frame, frame_count) = self.prepare_cached(FRAME).ok()?.query_row([clip], length).ok()?;
-        if frame >= frame_count {
-            return None;
-        }
+        let frame = frame_of(self, clip, time_us)?;
         let mut statement = self.prepare_cached(TEXT).ok()?;
-        statement.query_row(params![clip, locale, frame as i64], |row| Ok(then(row.get_ref(0)?.as_str()?))).ok()
+        statement.query_row(params![clip, locale, frame], |row| Ok(then(row.get_ref(0)?.as_str()?))).ok()
     }
+
+    fn event<T>(&self, clip: u32, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
+        let frame = frame_of(self, clip, time_us)?;
+        let mut statement = self.prepare_cached(EVENT).ok()?;
+        statement.query_row(params![clip, frame], |row| Ok(then(row.get_ref(0)?.as_str()?))).ok()
+    }
+}
+
+/// The frame at a time, if the clip has it.
+fn frame_of(database: &Connection, clip: u32, time_us: u32) -> Option<i64> {
+    let frame = |row: &rusqlite::Row<'_>| {
+        let frame = frame_at(row.get(0)?, time_us);
+        Ok((frame < row.get_ref(1)?.as_blob()?.len()).then_some(frame as i64))
+    };
+    database.prepare_cached(FRAME).ok()?.query_row([clip], frame).ok()?
 }

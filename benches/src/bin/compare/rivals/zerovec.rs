@@ -103,6 +103,19 @@ impl Reader for Vectors<'static> {
 
     #[inline]
     fn text<T>(&self, clip: Clip<'_>, locale: usize, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
+        Some(then(self.texts.get(locale + self.segment(clip, time_us)?)?))
+    }
+
+    #[inline]
+    fn event<T>(&self, clip: Clip<'_>, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
+        Some(then(self.events.get(self.segment(clip, time_us)?)?))
+    }
+}
+
+impl Vectors<'static> {
+    /// The segment at a time, counted over all clips.
+    #[inline]
+    fn segment(&self, clip: Clip<'_>, time_us: u32) -> Option<usize> {
         let frame = frame_at(clip.fps, time_us);
         if frame >= clip.visemes.len() {
             return None;
@@ -110,8 +123,7 @@ impl Reader for Vectors<'static> {
         let first = self.first_segments.get(clip.number)? as usize;
         let end = self.first_segments.get(clip.number + 1)? as usize;
         let starts = self.starts.as_ule_slice().get(first..end)?;
-        let segment = starts.iter().rposition(|start| usize::from(start.as_unsigned_int()) <= frame)?;
-        Some(then(self.texts.get(locale + first + segment)?))
+        Some(first + starts.iter().rposition(|start| usize::from(start.as_unsigned_int()) <= frame)?)
     }
 }
 
