@@ -215,6 +215,8 @@ fn numbers_are_said_in_the_language_of_the_text() {
     assert_eq!(first_lines("zh", "10"), ["10  SH IH"]);
     assert_eq!(first_lines("zh", "305"), ["305  S AA N B AY L IY NG UW"]);
     assert_eq!(first_lines("ko", "10"), ["10  SH IY P"]);
+    assert_eq!(first_lines("en", "2½"), ["2  T UW", "½  AH HH AE F"]);
+    assert_eq!(first_lines("no", "¾"), ["¾  T R EH F IY R EH"]);
     assert_eq!(first_lines("sv", "3"), ["3  T R EH"]);
     let text = "In 1984, {x}1,0{y}00";
     let ranges: Vec<_> = english(text).words.iter().map(|word| &text[word.range.clone()]).collect();
@@ -240,6 +242,7 @@ fn other_scripts_are_read_by_those_who_can() {
     assert_eq!(first_lines("zh-cn", "你好，OK！"), ["你  N IY", "好  HH AW", "OK  OW K EY"]);
     assert_eq!(first_lines("ko-kr", "안녕, Tom"), ["안녕  AA N N Y AH NG", "Tom  T AA M"]);
     assert_eq!(first_lines("en-us", "Да, はい"), ["Да  D AA", "はい  HH AA IY"]);
+    assert_eq!(first_lines("ar-sa", "سلام"), ["سلام  S AH L AH M"]);
     assert_eq!(first_lines("el-gr", "καλημέρα"), ["καλημέρα  K AA L IY M EH R AA"]);
     assert_eq!(first_lines("ru-ru", "Это PC"), ["Это  EH T AH", "PC  P IY S IY"]);
     assert_eq!(first_lines("sv-se", "Hej då"), ["Hej  HH EH Y", "då  D AO"]);

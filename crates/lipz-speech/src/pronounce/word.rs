@@ -73,8 +73,24 @@ fn part_of(language: Language, writing: Writing, part: &str) -> Vec<Pronunciatio
             "mk" | "sr" | "bs" => by_rules("bg", part, Origin::Letters),
             _ => by_rules("ru", part, Origin::Letters),
         },
+        (Writing::Consonantal, _) => with_vowels(by_rules("und", &any_ascii(part), Origin::Letters)),
         _ => by_rules("und", &any_ascii(part), Origin::Letters),
     }
+}
+
+/// Between consonants somebody says a vowel that is not written: which one, lips hardly show.
+fn with_vowels(mut all: Vec<Pronunciation>) -> Vec<Pronunciation> {
+    for pronunciation in &mut all {
+        let mut phones: Vec<Phone> = Vec::with_capacity(2 * pronunciation.phones.len());
+        for phone in &pronunciation.phones {
+            if phones.last().is_some_and(|last| !last.is_vowel()) && !phone.is_vowel() {
+                phones.push(Phone::Ah);
+            }
+            phones.push(*phone);
+        }
+        pronunciation.phones = phones;
+    }
+    all
 }
 
 /// Digits inside of a word, as in `R2D2`.

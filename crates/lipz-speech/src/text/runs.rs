@@ -19,6 +19,8 @@ pub(crate) enum Writing {
     Unspaced,
     /// Digits.
     Digit,
+    /// Letters of scripts that leave out some or all vowels: Hebrew, Arabic, Devanagari and its relatives.
+    Consonantal,
     /// Letters of any other script.
     Other,
     /// No letter: punctuation, symbols, white space.
@@ -53,6 +55,11 @@ pub(crate) fn writing(c: char) -> Writing {
         | '\u{4e00}'..='\u{9fff}'
         | '\u{f900}'..='\u{faff}'
         | '\u{20000}'..='\u{3ffff}' => Writing::Han,
+        '\u{590}'..='\u{85f}' | '\u{8a0}'..='\u{dff}' | '\u{fb1d}'..='\u{fdff}' | '\u{fe70}'..='\u{fefc}'
+            if c.is_alphabetic() =>
+        {
+            Writing::Consonantal
+        }
         c if c.is_numeric() => Writing::Digit,
         c if c.is_alphabetic() => Writing::Other,
         _ => Writing::None,
@@ -62,7 +69,7 @@ pub(crate) fn writing(c: char) -> Writing {
 impl Writing {
     /// Whether what is written so may follow a number without a blank and is a word of its own: `3年`.
     pub(super) fn stands_alone(self) -> bool {
-        !matches!(self, Writing::Latin | Writing::Cyrillic | Writing::Other)
+        !matches!(self, Writing::Latin | Writing::Cyrillic | Writing::Consonantal | Writing::Other)
     }
 
     /// Whether neighbours without anything between them are one word, although Unicode divides them. Chinese

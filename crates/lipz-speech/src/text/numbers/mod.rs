@@ -28,6 +28,16 @@ struct Found {
     end: usize,
 }
 
+/// A fraction in one character, as its language has it or as two numbers.
+fn fraction(code: &str, rules: &Rules, c: char) -> Option<String> {
+    if let Some(word) = signs::word(code, c, false) {
+        return Some(word.to_owned());
+    }
+    let plain = any_ascii::any_ascii_char(c);
+    let (above, below) = plain.split_once('/').filter(|_| c.is_numeric())?;
+    Some(format!("{} {}", cardinal(rules, above.trim())?, cardinal(rules, below.trim())?))
+}
+
 /// The number or the sign that begins at `at` of a text, with all ways to say it.
 pub(crate) fn spelled(code: &str, text: &str, at: usize) -> Option<Spelling> {
     let rest = text.get(at..)?;
@@ -56,6 +66,9 @@ pub(crate) fn spelled(code: &str, text: &str, at: usize) -> Option<Spelling> {
             readings.iter_mut().for_each(|reading| *reading = format!("{} {reading}", rules.minus()));
         }
         return spelling(end, readings);
+    }
+    if let Some(words) = fraction(code, rules, first).filter(|_| first.is_numeric()) {
+        return spelling(first.len_utf8(), vec![words]);
     }
     let is_sign = matches!(first, '&' | '+' | '=' | '@' | '%' | '§') && start == 0;
     let word = signs::word(code, first, false).filter(|_| is_sign)?;
