@@ -99,6 +99,19 @@ fn the_lexicon_knows_numbers_and_signs() {
 }
 
 #[test]
+fn the_lexicon_knows_names_of_several_words() {
+    let (lexicon, problems) = Lexicon::parse("Jean-Luc  ZH AA\nNew York  N UW\nNew York City\tS IH\n食べ物  T AA\n");
+    assert_eq!(problems, []);
+    let pronouncer = Pronouncer::new(Language::ENGLISH).with_lexicon(lexicon);
+    let text = "Jean-Luc, new  york{x}! New York City| New | York, 食べ物!";
+    let script = pronouncer.script(text);
+    let expected =
+        ["Jean-Luc  ZH AA", "new  york  N UW", "New York City  S IH", "New  N UW", "York  Y AO R K", "食べ物  T AA"];
+    assert_eq!(lines(&script), expected);
+    assert_eq!(&text[script.words[1].range.clone()], "new  york");
+}
+
+#[test]
 fn guessed_words_are_lines_of_a_lexicon() {
     let script = english("Wesnoth and wesnoth, Asheviere and the sea.");
     let guessed: String = script.guessed().map(|word| format!("{word}\n")).collect();

@@ -5,6 +5,7 @@ use crate::{Phone, Problem, ProblemKind};
 use std::collections::HashMap;
 use std::ops::Range;
 use unicode_normalization::UnicodeNormalization;
+use unicode_segmentation::UnicodeSegmentation;
 
 /// Words with the pronunciations that a project has for them, of a text file: one per line, as in the CMU Pronouncing
 /// Dictionary and in dictionaries of the Montreal Forced Aligner.
@@ -17,13 +18,19 @@ use unicode_normalization::UnicodeNormalization;
 /// Asheviere  a ʃ ə v i ɛ ɹ
 /// ```
 ///
-/// The word ends at a tab, two blanks or the first blank; upper and lower case are the same. Phones are those of
+/// The word ends at a tab, two blanks or the first blank, so it may be several (`New York`, `Jean-Luc`; 16 at most); upper and
+/// lower case are the same. Phones are those of
 /// ARPAbet in capitals, with or without stress, or IPA; a line is one or the other. Numbers between word and phones
 /// (the probabilities of MFA) are skipped. A word on several lines has several pronunciations.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Lexicon {
     words: HashMap<String, Vec<Vec<Phone>>>,
+    /// How many words the longest entry has: `New York` and `Jean-Luc` have two.
+    longest: usize,
 }
+
+/// Longer entries are not looked for in texts.
+const LONGEST: usize = 16;
 
 impl Lexicon {
     /// Reads a lexicon. Lines with a problem are left out; the ranges of problems are bytes of `text`.
@@ -57,7 +64,10 @@ impl Lexicon {
 
     /// Adds a pronunciation of a word, after those that it has.
     pub fn add(&mut self, word: &str, phones: Vec<Phone>) {
-        let all = self.words.entry(folded(word)).or_default();
+        let word = folded(word);
+        let count = word.unicode_words().count();
+        self.longest = self.longest.max(count.min(LONGEST));
+        let all = self.words.entry(word).or_default();
         if !all.contains(&phones) {
             all.push(phones);
         }
@@ -78,6 +88,11 @@ impl Lexicon {
         }
     }
 
+    /// How many words the longest entry has, 16 at most.
+    pub(super) fn longest(&self) -> usize {
+        self.longest
+    }
+
     /// How many words it has.
     pub fn len(&self) -> usize {
         self.words.len()
@@ -89,11 +104,15 @@ impl Lexicon {
     }
 }
 
-/// A word as it is looked up: composed, in lower case, with plain apostrophes.
+/// A word as it is looked up: composed, in lower case, with plain apostrophes and single blanks.
 pub(super) fn folded(word: &str) -> String {
-    match word.is_ascii() {
+    let folded = match word.is_ascii() {
         true => word.to_ascii_lowercase(),
         false => word.nfc().collect::<String>().to_lowercase().replace('’', "'"),
+    };
+    match folded.contains(char::is_whitespace) {
+        true => folded.split_whitespace().collect::<Vec<_>>().join(" "),
+        false => folded,
     }
 }
 

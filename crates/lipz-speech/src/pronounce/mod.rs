@@ -159,6 +159,8 @@ impl Pronouncer {
     fn context(&self) -> Owned<'_> {
         Owned {
             japanese: self.language.code() == "ja",
+            longest_entry: self.lexicon.longest(),
+            entry: Box::new(|words| !self.lexicon.find(words).is_empty()),
             known: Box::new(|word| !self.lexicon.find(word).is_empty() || word::knows(self.language, word)),
             spelled: Box::new(|text, at| numbers::spelled(self.language.code(), text, at)),
         }
@@ -171,13 +173,21 @@ type Spelled<'p> = Box<dyn Fn(&str, usize) -> Option<Spelling> + 'p>;
 /// A [`Context`] with what it borrows.
 struct Owned<'p> {
     japanese: bool,
+    longest_entry: usize,
+    entry: Known<'p>,
     known: Known<'p>,
     spelled: Spelled<'p>,
 }
 
 impl Owned<'_> {
     fn borrow(&self) -> Context<'_> {
-        Context { japanese: self.japanese, known: &*self.known, spelled: &*self.spelled }
+        Context {
+            japanese: self.japanese,
+            longest_entry: self.longest_entry,
+            entry: &*self.entry,
+            known: &*self.known,
+            spelled: &*self.spelled,
+        }
     }
 }
 

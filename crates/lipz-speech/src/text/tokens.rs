@@ -41,6 +41,10 @@ pub(crate) enum Kind {
 /// What a word has to be known for: its language, and its dictionaries.
 pub(crate) struct Context<'c> {
     pub(crate) japanese: bool,
+    /// How many words the longest entry of the lexicon has.
+    pub(crate) longest_entry: usize,
+    /// Whether the lexicon has several words as one.
+    pub(crate) entry: &'c dyn Fn(&str) -> bool,
     /// Whether a dictionary has the word.
     pub(crate) known: &'c dyn Fn(&str) -> bool,
     /// The number or sign that begins at a place of a text.
@@ -69,7 +73,7 @@ pub(crate) fn items(text: &str, context: &Context<'_>, problems: &mut Vec<(Probl
             items.push(Item::Break);
         }
         let words = names.apply(display, words(&display.text, context));
-        let words = joined(words, context);
+        let words = joined(entries(&display.text, words, context), context);
         items.extend(with_says(text, display, words).into_iter().map(Item::Token));
     }
     problems.extend(names.unused().map(|range| (ProblemKind::NameNotInText, range)));
@@ -101,6 +105,29 @@ fn words(text: &str, context: &Context<'_>) -> Vec<Token> {
         }
     }
     words
+}
+
+/// Makes one word of words that the lexicon has as one: `New York`, `Jean-Luc`.
+fn entries(text: &str, words: Vec<Token>, context: &Context<'_>) -> Vec<Token> {
+    if context.longest_entry < 2 {
+        return words;
+    }
+    let mut out = Vec::with_capacity(words.len());
+    let mut at = 0;
+    while let Some(first) = words.get(at) {
+        let longest = context.longest_entry.min(words.len() - at);
+        let found = (2..=longest).rev().find_map(|count| {
+            let run = words.get(at..at + count)?;
+            let range = first.range.start..run.last()?.range.end;
+            let plain = run.iter().all(|word| !matches!(word.kind, Kind::Say(_)));
+            let entry = text.get(range.clone()).filter(|entry| plain && (context.entry)(entry))?;
+            Some((count, Token { text: entry.to_owned(), range, kind: Kind::Word }))
+        });
+        let (count, token) = found.unwrap_or_else(|| (1, first.clone()));
+        out.push(token);
+        at += count;
+    }
+    out
 }
 
 /// Joins what is one word in scripts without spaces.
