@@ -21,43 +21,27 @@ pub(crate) struct Settings {
 
 /// What this machine builds and runs.
 const HERE: [Step; 12] = [
-    Step::cargo("format", &["fmt", "--all", "--check"]),
-    Step::cargo("lints", &["clippy", "--workspace", "--all-targets", "--locked", "--", "-D", "warnings"]),
+    Step::cargo("format", "fmt --all --check"),
+    Step::cargo("lints", "clippy --workspace --all-targets --locked -- -D warnings"),
     // With the rivals, which are not built otherwise.
-    Step::cargo(
-        "benches",
-        &[
-            "clippy",
-            "--package",
-            "lipz-benches",
-            "--all-targets",
-            "--features",
-            "compare",
-            "--locked",
-            "--",
-            "-D",
-            "warnings",
-        ],
-    ),
+    Step::cargo("benches", "clippy -p lipz-benches --all-targets --features compare --locked -- -D warnings"),
     Step {
-        name: "docs",
         program: Program::CargoWith("RUSTDOCFLAGS", "-D warnings"),
-        arguments: &["doc", "--workspace", "--no-deps", "--locked"],
+        ..Step::cargo("docs", "doc --workspace --no-deps --locked")
     },
-    Step::task(&["edges"]),
-    Step::task(&["features"]),
+    Step::task("edges"),
+    Step::task("features"),
     // A workspace of its own, which no other step builds: its lock file names what this one depends on now.
-    Step::cargo("fuzz-lock", &["tree", "--locked", "--depth", "0", "--manifest-path", "fuzz/Cargo.toml"]),
-    Step::task(&["deny"]),
-    Step::task(&["msrv"]),
-    Step::task(&["packages"]),
-    Step::task(&["capi"]),
-    Step::task(&["instructions"]),
+    Step::cargo("fuzz-lock", "tree --locked --depth 0 --manifest-path fuzz/Cargo.toml"),
+    Step::task("deny"),
+    Step::task("msrv"),
+    Step::task("packages"),
+    Step::task("capi"),
+    Step::task("instructions"),
 ];
 
 /// What is built for other machines, in `target/machines`.
-const ELSEWHERE: [Step; 4] =
-    [Step::task(&["size"]), Step::task(&["targets"]), Step::task(&["web"]), Step::task(&["windows"])];
+const ELSEWHERE: [Step; 4] = [Step::task("size"), Step::task("targets"), Step::task("web"), Step::task("windows")];
 
 /// The names of all steps.
 fn names() -> Vec<&'static str> {

@@ -20,17 +20,18 @@ pub(super) enum Program {
 pub(super) struct Step {
     pub(super) name: &'static str,
     pub(super) program: Program,
-    pub(super) arguments: &'static [&'static str],
+    /// As one types them: none has a blank in it.
+    pub(super) arguments: &'static str,
 }
 
 impl Step {
-    pub(super) const fn cargo(name: &'static str, arguments: &'static [&'static str]) -> Step {
+    pub(super) const fn cargo(name: &'static str, arguments: &'static str) -> Step {
         Step { name, program: Program::Cargo, arguments }
     }
 
     /// Another task, which gives the step its name.
-    pub(super) const fn task(arguments: &'static [&'static str; 1]) -> Step {
-        Step { name: arguments[0], program: Program::Task, arguments }
+    pub(super) const fn task(name: &'static str) -> Step {
+        Step { name, program: Program::Task, arguments: name }
     }
 
     /// Runs the step and says how long it took; what it prints is seen at once.
@@ -67,13 +68,13 @@ impl Step {
         if let Program::CargoWith(variable, value) = self.program {
             command.env(variable, value);
         }
-        command.args(self.arguments).current_dir(workspace_root());
+        command.args(self.arguments.split_whitespace()).current_dir(workspace_root());
         Ok(command)
     }
 
     /// The name, and the command as one would type it.
     fn heading(&self) -> String {
-        let arguments = self.arguments.join(" ");
+        let arguments = self.arguments;
         let shown = match self.program {
             Program::Cargo => format!("cargo {arguments}"),
             Program::CargoWith(variable, value) => format!("{variable}=\"{value}\" cargo {arguments}"),
