@@ -46,6 +46,7 @@ fn a_writer_tells_how_words_are_said() {
         ("Xzylar, come! {say Xzylar: zigh LAR}", "Xzylar  Z AY L AA R"),
         ("{SAY new york:  N UW Y AO K } New  York", "New  York  N UW Y AO K"),
         ("{say: um} I think", "um  AH M"),
+        ("Xzy{say: zigh lar}lar", "Xzylar  Z AY L AA R"),
         ("(door){say:}", "door "),
     ];
     for (text, expected) in cases {

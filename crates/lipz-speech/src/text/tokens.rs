@@ -170,7 +170,8 @@ fn with_says(text: &str, display: &Display, words: Vec<Token>) -> Vec<Token> {
                 // `“Xylara” {say: …}` is about Xylara, but not `Well, {say: um}` about well.
                 let closes =
                     |c: char| c.is_whitespace() || matches!(c, ')' | ']' | '"' | '\'' | '”' | '’' | '»' | '」' | '』');
-                let between = |end: &usize| display.text.get(*end..*at).is_some_and(|gap| gap.chars().all(closes));
+                let between =
+                    |end: &usize| *end >= *at || display.text.get(*end..*at).is_some_and(|gap| gap.chars().all(closes));
                 // A word that has one already is followed by something that is said in addition.
                 let last = out
                     .last_mut()
