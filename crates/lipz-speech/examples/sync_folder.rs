@@ -1,8 +1,8 @@
 //! Makes a mouth for each sound of a folder: `cargo run --release -p lipz-speech --example sync_folder -- FOLDER OUT
-//! [LOCALE]`. The script of `name.wav` is `name.txt`; its language is that of `name.json` (its element `lang`) or LOCALE. For
+//! [LOCALE]`. With `-` as LOCALE, without scripts. The script of `name.wav` is `name.txt`; its language is that of `name.json` (its element `lang`) or LOCALE. For
 //! each, `OUT/name.json` has the frames, and the phones and words with their times in seconds: what scorers read.
 
-use lipz_speech::{AlignOptions, Aligner, Language, Model, Pronouncer, RenderRules, Sound, render};
+use lipz_speech::{AlignOptions, Aligner, Language, Model, Pronouncer, RenderRules, Script, Sound, render};
 use lipz_types::{Fps, VisemeType};
 use serde_json::{Value, json};
 use std::error::Error;
@@ -34,13 +34,21 @@ fn sync(path: &Path, locale: &str) -> Result<Value, Box<dyn Error>> {
     let text = fs::read_to_string(path.with_extension("txt"))?;
     let facts = fs::read(path.with_extension("json")).unwrap_or_default();
     let facts: Value = serde_json::from_slice(&facts).unwrap_or_default();
+    let without_script = locale == "-";
     let locale = facts["lang"].as_str().unwrap_or(locale);
     let started = Instant::now();
-    let language = Language::from_locale(locale).ok_or("no such language")?;
-    let script = Pronouncer::new(language).script(text.trim());
     let extension = path.extension().and_then(|extension| extension.to_str());
     let sound = Sound::read(File::open(path)?, extension)?;
-    let alignment = Aligner::new(Model::english(), AlignOptions::default()).align(&sound, &script);
+    let aligner = Aligner::new(Model::english(), AlignOptions::default());
+    let (script, alignment) = match without_script {
+        true => (Script::default(), aligner.listen(&sound)),
+        false => {
+            let language = Language::from_locale(locale).ok_or("no such language")?;
+            let script = Pronouncer::new(language).script(text.trim());
+            let alignment = aligner.align(&sound, &script);
+            (script, alignment)
+        }
+    };
     let mouth = render(&alignment, VisemeType::Blair, Fps::whole(24), &RenderRules::default());
     let wall = started.elapsed().as_secs_f64();
     let seconds = |us: u64| us as f64 / 1e6;

@@ -30,7 +30,7 @@ pub use problem::{Problem, ProblemKind};
 pub use pronounce::{Lexicon, Pronouncer, Reading};
 pub use render::{Mouth, RenderRules, RmsRules, render, rms};
 pub use script::{Origin, Pronunciation, Script, Word};
-pub use sound::{Sound, SoundError};
+pub use sound::{Clipping, Sound, SoundError};
 
 /// The example of the README, run as a test.
 #[cfg(doctest)]

@@ -1,4 +1,5 @@
 //! Alignment of a human voice, from the sound file to the mouth.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "tests")]
 
 use lipz_speech::{
     AlignOptions, Aligner, Alignment, Language, MismatchKind, Model, Phone, Pronouncer, RenderRules, Sound, render,
@@ -106,6 +107,22 @@ fn another_sentence_is_told() {
     let other = align(&bobby(), "Seven foxes jumped.");
     assert!(!other.mismatches.is_empty());
     assert!(other.words.iter().all(|word| word.confidence < 0.5), "{other:?}");
+}
+
+#[test]
+fn without_a_script_most_phones_are_found() {
+    let aligner = Aligner::new(Model::english(), AlignOptions::default());
+    let alignment = aligner.listen(&bobby());
+    assert_eq!(alignment.phones.last().unwrap().end_us, bobby().duration_us());
+    let scripted = align(&bobby(), "Bobby ripped the ledger.");
+    let at = |alignment: &Alignment, time_us| {
+        let phone = alignment.phones.iter().find(|phone| phone.end_us > time_us).unwrap().phone;
+        if phone.is_vowel() { Phone::Ah } else { phone }
+    };
+    let times_us = (0..bobby().duration_us()).step_by(10_000);
+    let same = times_us.clone().filter(|&time_us| at(&alignment, time_us) == at(&scripted, time_us)).count();
+    assert!(same * 2 > times_us.count(), "{same} of the hundredths of a second: {alignment:?}");
+    assert!(aligner.listen(&Sound::from_samples(16_000, &[0.0; 16_000]).unwrap()).phones.len() == 1);
 }
 
 #[test]

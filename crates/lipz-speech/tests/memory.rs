@@ -1,4 +1,5 @@
 //! How much memory a sound file can make lipz take: what is in it, not what its headers say.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "tests")]
 
 mod wav;
 

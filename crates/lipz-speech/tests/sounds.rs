@@ -1,4 +1,5 @@
 //! Sound files: every format, and every way to be damaged. Nothing panics, and nothing is read as what it is not.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "tests")]
 
 mod wav;
 
@@ -63,6 +64,21 @@ fn a_file_gives_what_its_samples_give() {
     let file = Sound::from_bytes(&wav(Samples::F32, 1, 22_050, &samples), None).unwrap();
     let direct = Sound::from_samples(22_050, &samples).unwrap();
     assert_eq!((mouth(&file), file.duration_us()), (mouth(&direct), direct.duration_us()));
+}
+
+#[test]
+fn a_recording_that_is_too_loud_says_where() {
+    let mut samples = tone(16_000, 1_000);
+    for sample in &mut samples[8_000..10_000] {
+        *sample = (*sample * 10.0).clamp(-1.0, 1.0);
+    }
+    for kind in Samples::ALL {
+        let sound = Sound::from_bytes(&wav(kind, 2, 16_000, &samples), None).unwrap();
+        let [found] = sound.clipping() else { panic!("{kind:?}: {:?}", sound.clipping()) };
+        assert!((490_000..510_000).contains(&found.start_us), "{kind:?}: {found:?}");
+        assert!((615_000..635_000).contains(&found.end_us), "{kind:?}: {found:?}");
+    }
+    assert!(Sound::from_bytes(&wav(Samples::U8, 1, 16_000, &tone(16_000, 500)), None).unwrap().clipping().is_empty());
 }
 
 #[test]

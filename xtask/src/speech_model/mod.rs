@@ -3,6 +3,7 @@
 //! pip fetches the package, Python unpacks it, [`sphinx`] reads its files, [`pack`] writes ours: the same bytes each time.
 
 mod pack;
+mod pairs;
 mod sphinx;
 
 use crate::tools::succeed;
@@ -21,6 +22,9 @@ const SYSTEM: [&str; 4] = ["--platform", "manylinux2014_x86_64", "--python-versi
 /// Where the model is in the package.
 const FOLDER: &str = "pocketsphinx/model/en-us/en-us";
 
+/// Where its dictionary is: the one from which phones are known that follow each other.
+const DICTIONARY: &str = "pocketsphinx/model/en-us/cmudict-en-us.dict";
+
 /// Where ours is in the workspace.
 const PACKED: &str = "crates/lipz-speech/model/en-us.bin";
 
@@ -31,7 +35,9 @@ pub(crate) fn run() -> Result<(), Failure> {
     let mut unzip = python(&["zipfile", "-e"]);
     succeed(unzip.arg(&wheel).arg(&unpacked), "python3 -m zipfile")?;
     let model = sphinx::Model::read(&unpacked.join(FOLDER))?;
-    let bytes = pack::pack(&model)?;
+    let dictionary = unpacked.join(DICTIONARY);
+    let words = fs::read_to_string(&dictionary).map_err(|error| format!("`{}`: {error}", dictionary.display()))?;
+    let bytes = pack::pack(&model, &words)?;
     let path = paths::workspace_root().join(PACKED);
     fs::write(&path, &bytes).map_err(|error| format!("`{}`: {error}", path.display()))?;
     println!("{}: {} bytes, {} phones", path.display(), bytes.len(), model.phones.len());

@@ -1,5 +1,6 @@
 //! Writes an acoustic model in the form that `lipz_speech::Model` reads, which its documentation describes.
 
+use super::pairs;
 use super::sphinx::Model;
 use crate::Failure;
 use half::f16;
@@ -9,7 +10,7 @@ const MAGIC: &[u8; 8] = b"LIPZ-AM1";
 /// The least variance of a Gaussian: that of CMU Sphinx (`-varfloor`). Some in the file are 0.
 const LEAST_VARIANCE: f32 = 1e-4;
 
-pub(super) fn pack(model: &Model) -> Result<Vec<u8>, Failure> {
+pub(super) fn pack(model: &Model, dictionary: &str) -> Result<Vec<u8>, Failure> {
     let mut order: Vec<usize> = (0..model.phones.len()).collect();
     // Those of speech by name, then silence, then noises.
     order.sort_by_key(|&phone| {
@@ -45,5 +46,8 @@ pub(super) fn pack(model: &Model) -> Result<Vec<u8>, Failure> {
     for &phone in &order {
         bytes.extend(model.stay[states(phone)].iter().flat_map(|&stay| half(stay)));
     }
+    let names: Vec<&str> = order.iter().map(|&phone| model.phones[phone].as_str()).collect();
+    let paired = names.iter().position(|&name| name == "SIL").ok_or("no silence")? + 1;
+    bytes.extend(pairs::costs(&names[..paired], dictionary));
     Ok(bytes)
 }

@@ -1,6 +1,5 @@
 //! How likely each frame of a sound is in each state, and how well phones fit in the end.
 
-use super::graph::Graph;
 use super::history::Step;
 use crate::features::cepstra::{Frame, Vectors};
 use crate::model::{STATES, Scores};
@@ -60,10 +59,16 @@ fn prior_of_silence(frame: &Frame) -> f32 {
 }
 
 /// How well each step fits: its score compared to the best phone's, in nats per frame.
-pub(super) fn fits(model: &Model, vectors: Vectors<'_>, best: &[f32], graph: &Graph, steps: &[Step]) -> Vec<f32> {
+pub(super) fn fits(
+    model: &Model,
+    vectors: Vectors<'_>,
+    best: &[f32],
+    phone_of: impl Fn(&Step) -> Phone,
+    steps: &[Step],
+) -> Vec<f32> {
     let mut frames = vectors.zip(best);
     let fit = |step: &Step| {
-        let phone = graph.nodes[step.node].phone.index();
+        let phone = phone_of(step).index();
         let frames = frames.by_ref().take(step.end - step.start);
         let fit = |(frame, best): (Frame, &f32)| {
             let [first, second, third] = model.score_phone(&frame.vector, phone);

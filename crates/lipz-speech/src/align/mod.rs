@@ -4,6 +4,7 @@ mod doubt;
 mod emission;
 mod graph;
 mod history;
+mod phones;
 mod search;
 mod time;
 
@@ -124,8 +125,28 @@ impl<'m> Aligner<'m> {
         let vectors = Vectors::new(sound.spectrum());
         let mut emissions = Emissions::new(self.model, vectors.clone());
         let steps = search::best_path(&graph, self.model, &mut emissions);
-        let fits = emission::fits(self.model, vectors, &emissions.best, &graph, &steps);
+        let fits = emission::fits(self.model, vectors, &emissions.best, |step| graph.nodes[step.node].phone, &steps);
         self.alignment(sound, script, &graph, &steps, &fits)
+    }
+
+    /// The phones of `sound`, whatever is said: an alignment without words.
+    ///
+    /// Without a script, one phone in four is mistaken for another, most of them for one that looks alike. Works best for
+    /// English.
+    pub fn listen(&self, sound: &Sound) -> Alignment {
+        let vectors = Vectors::new(sound.spectrum());
+        let mut emissions = Emissions::new(self.model, vectors.clone());
+        let steps = phones::best_phones(self.model, &mut emissions);
+        let phone = |step: &Step| Phone::ALL.get(step.node).copied().unwrap_or(Phone::Sil);
+        let fits = emission::fits(self.model, vectors, &emissions.best, phone, &steps);
+        let aligned = |(step, &fit): (&Step, &f32)| {
+            let (start_us, end_us) = time::of_frames(step.start..step.end, sound.duration_us());
+            AlignedPhone { phone: phone(step), start_us, end_us, word: None, fit }
+        };
+        let phones = time::cover(steps.iter().zip(&fits).map(aligned).collect(), sound.duration_us());
+        let phones = time::join_pauses(phones, self.options.shortest_pause_us);
+        let (words, breaks_us, mismatches) = Default::default();
+        Alignment { duration_us: sound.duration_us(), phones, words, breaks_us, mismatches }
     }
 
     fn alignment(&self, sound: &Sound, script: &Script, graph: &Graph, steps: &[Step], fits: &[f32]) -> Alignment {
@@ -141,13 +162,7 @@ impl<'m> Aligner<'m> {
             let (start_us, end_us) = time::of_frames(step.start..step.end, duration_us);
             phones.push(AlignedPhone { phone: node.phone, start_us, end_us, word, fit });
         }
-        match phones.last_mut() {
-            Some(last) => last.end_us = duration_us,
-            // A sound that is shorter than a sample of the features.
-            None => {
-                phones.push(AlignedPhone { phone: Phone::Sil, start_us: 0, end_us: duration_us, word: None, fit: 0.0 });
-            }
-        }
+        let phones = time::cover(phones, duration_us);
         let confidences = doubt::confidences(&phones, heard.len());
         let mismatches = doubt::mismatches(&phones, heard.len());
         let phones = time::join_pauses(phones, self.options.shortest_pause_us);

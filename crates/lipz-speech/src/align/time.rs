@@ -1,6 +1,7 @@
 //! From frames to times, pauses and words.
 
 use super::{AlignedPhone, AlignedWord};
+use crate::Phone;
 use crate::features::mel::{HOP, RATE_HZ, WINDOW};
 use std::ops::Range;
 
@@ -15,6 +16,15 @@ pub(super) fn of_frames(frames: Range<usize>, duration_us: u64) -> (u64, u64) {
         frame => (frame as u64 * HOP_US + (WINDOW_US - HOP_US) / 2).min(duration_us),
     };
     (boundary(frames.start), boundary(frames.end))
+}
+
+/// Makes phones end with the sound. A sound that is shorter than a sample of the features is silent.
+pub(super) fn cover(mut phones: Vec<AlignedPhone>, duration_us: u64) -> Vec<AlignedPhone> {
+    match phones.last_mut() {
+        Some(last) => last.end_us = duration_us,
+        None => phones.push(AlignedPhone { phone: Phone::Sil, start_us: 0, end_us: duration_us, word: None, fit: 0.0 }),
+    }
+    phones
 }
 
 /// Joins what is silent, and gives pauses that are shorter than `shortest_us` to the phone before them, unless they begin or

@@ -1,6 +1,6 @@
 //! Reads the file of an acoustic model.
 
-use super::{DENSITIES, Model, STATES, STREAMS};
+use super::{DENSITIES, Model, PAIRED, STATES, STREAMS};
 use crate::Phone;
 use crate::features::cepstra::COEFFICIENTS;
 use half::f16;
@@ -38,6 +38,7 @@ impl Model {
         let inverse_sigmas = halves(take(2 * BOOKS * BOOK)?);
         let weights = take(Phone::COUNT * STATES * STREAMS * DENSITIES)?;
         let stay = halves(take(2 * Phone::COUNT * STATES)?);
+        let pairs = take(PAIRED * PAIRED)?;
         if !rest.is_empty() {
             return Err(NoModel);
         }
@@ -52,6 +53,7 @@ impl Model {
             weights: weights.iter().map(weight).collect(),
             leave: stay.iter().map(|stay| libm::logf(1.0 - stay)).collect(),
             stay: stay.iter().map(|&stay| libm::logf(stay)).collect(),
+            pairs: pairs.iter().map(|&sixteenths| -f32::from(sixteenths) / 16.0).collect(),
         })
     }
 
@@ -65,6 +67,7 @@ impl Model {
             weights: vec![1.0; states * STREAMS * DENSITIES],
             stay: vec![libm::logf(0.5); states],
             leave: vec![libm::logf(0.5); states],
+            pairs: vec![0.0; PAIRED * PAIRED],
         }
     }
 }

@@ -7,11 +7,14 @@
 //! The file, made by `cargo xtask speech-model`, in little-endian byte order: `LIPZ-AM1`; four 16-bit numbers (phones, streams,
 //! Gaussians, dimensions); the phones' names in 8 bytes each; then for each phone, stream, Gaussian and dimension the mean, and
 //! likewise 1/σ, as 16-bit floats; for each state, stream and Gaussian the weight in a byte, as the negative
-//! logarithm in steps of 1024 · ln 1.0001; for each state the probability of staying, as a 16-bit float.
+//! logarithm in steps of 1024 · ln 1.0001; for each state the probability of staying, as a 16-bit float;
+//! for each phone of speech and silence, and each that may follow it, the negative logarithm of the probability, in a byte, in
+//! sixteenths.
 
 mod file;
 mod score;
 
+use crate::Phone;
 pub(crate) use score::Scores;
 use std::sync::OnceLock;
 
@@ -36,9 +39,20 @@ pub struct Model {
     /// By state: the logarithms of the probabilities of staying and of leaving.
     pub(crate) stay: Vec<f32>,
     pub(crate) leave: Vec<f32>,
+    /// By phone, phone after it: the logarithm of the probability that it follows.
+    pairs: Vec<f32>,
 }
 
+/// Phones that may follow each other: those of speech, and silence.
+const PAIRED: usize = Phone::Sil.index() + 1;
+
 impl Model {
+    /// The logarithm of the probability that the phone of number `next` follows that of number `phone`, if silence counts as
+    /// a phone.
+    pub(crate) fn pair(&self, phone: usize, next: usize) -> f32 {
+        self.pairs[phone * PAIRED + next]
+    }
+
     /// The model that is built in: US English, from CMU Sphinx. Its notice is in `model/NOTICE`.
     ///
     /// Other languages are aligned with it, too, written in its phones. It is unpacked once, in a few milliseconds and 1.8

@@ -2,7 +2,8 @@
 
 use super::{Mouth, frames};
 use crate::Sound;
-use crate::features::mel::{BANDS, HOP, RATE_HZ, Spectrum, WINDOW, logarithm_of, white_noise};
+use crate::features::mel::{HOP, RATE_HZ, WINDOW};
+use crate::sound::level::{SILENT_DB, decibels, voice_powers};
 use lipz_types::Fps;
 
 /// How [`rms`] makes a mouth.
@@ -25,25 +26,20 @@ impl Default for RmsRules {
     }
 }
 
-/// The highest band of the voice: up to 4 kilohertz. Above are hisses, for which a mouth opens little.
-const VOICE_BANDS: usize = 20;
-/// Sounds that are nowhere louder are silent: 60 decibels below full scale.
-const SILENT_DB: f32 = -60.0;
 /// Of the frames of a sound, so many percent are not louder than the loud ones.
 const LOUD_PERCENT: usize = 95;
 
 /// The mouth of the loudness of `sound`, of viseme type `rms`: `9` where the voice is loud, `0` where it is quiet, `-` in
 /// pauses. It knows no text, and moves for every noise.
 pub fn rms(sound: &Sound, fps: Fps, rules: &RmsRules) -> Mouth {
-    let white = white_noise();
-    let power: Vec<f32> = sound.spectrum().iter().map(|spectrum| voice_power(spectrum, &white)).collect();
+    let power = voice_powers(sound.spectrum());
     let mut sorted = power.clone();
     let loud = match sorted.len() {
         0 => 0.0,
         count => *sorted.select_nth_unstable_by((count - 1) * LOUD_PERCENT / 100, f32::total_cmp).1,
     };
     let count = frames::count(sound.duration_us(), fps);
-    let is_silent = decibels(loud / full_scale()) < SILENT_DB;
+    let is_silent = decibels(loud) < SILENT_DB;
     let digit = |frame| {
         let level = mean(&power, frame, fps, rules.lead_us) / loud;
         if is_silent || decibels(level) < -rules.threshold_db {
@@ -55,17 +51,6 @@ pub fn rms(sound: &Sound, fps: Fps, rules: &RmsRules) -> Mouth {
     let mut codes: Vec<u8> = (0..count).map(digit).collect();
     rest(&mut codes, frames::first_at(rules.shortest_pause_us, fps).max(1));
     Mouth { frames: codes.into_iter().map(char::from).collect(), segment_starts: vec![0] }
-}
-
-/// The power of the voice in a frame, without the pre-emphasis of the features.
-fn voice_power(spectrum: &Spectrum, white: &[f32; BANDS]) -> f32 {
-    let bands = spectrum.iter().zip(white).take(VOICE_BANDS);
-    bands.map(|(&band, white)| libm::expf(logarithm_of(band)) / white).sum::<f32>() / VOICE_BANDS as f32
-}
-
-/// The power of white noise at full scale, in the units of `voice_power`.
-fn full_scale() -> f32 {
-    32_768.0 * 32_768.0
 }
 
 /// The mean power while a frame of the mouth shows.
@@ -82,10 +67,6 @@ fn mean(power: &[f32], frame: usize, fps: Fps, lead_us: u64) -> f32 {
         [] => 0.0,
         powers => powers.iter().sum::<f32>() / powers.len() as f32,
     }
-}
-
-fn decibels(ratio: f32) -> f32 {
-    10.0 * libm::log10f(ratio.max(1e-30))
 }
 
 /// Lets the mouth rest where it is closed for so many frames.

@@ -1,5 +1,6 @@
 //! Decoding: a sound file of any format becomes blocks of samples of one channel.
 
+use super::clipping::ClippingFinder;
 use super::error::SoundError;
 use std::io::{Read, Seek};
 use symphonia::core::codecs::audio::{AudioDecoder, AudioDecoderOptions};
@@ -43,7 +44,8 @@ where
         .map_err(SoundError::unreadable)?;
     let (track, mut decoder) = open(format.as_ref())?;
     let mut decoded = Decoded::default();
-    let mut interleaved = Vec::new();
+    let mut interleaved: Vec<f32> = Vec::new();
+    let mut taken = 0;
     let mut mono = Vec::new();
     let mut rate_hz = None;
     loop {
@@ -80,8 +82,10 @@ where
         }
         let channels = buffer.num_planes().max(1);
         buffer.copy_to_vec_interleaved::<f32>(&mut interleaved);
+        decoded.clipping.push(&interleaved, channels, taken, rate);
         mono.clear();
         mono.extend(interleaved.chunks_exact(channels).map(mean));
+        taken += mono.len() as u64;
         take(rate, &mono)?;
     }
     Ok(decoded)
@@ -91,8 +95,10 @@ where
 const METADATA_BYTES: usize = 1 << 20;
 
 /// What decoding met.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Decoded {
+    /// Where the samples are cut off.
+    pub(super) clipping: ClippingFinder,
     /// The file ends in the middle of its data.
     pub(super) truncated: bool,
     /// How many packets could not be decoded.

@@ -1,9 +1,12 @@
 //! A recording, as far as alignment needs to know it.
 
+mod clipping;
 mod decode;
 mod error;
+pub(crate) mod level;
 mod resample;
 
+pub use clipping::Clipping;
 pub use error::SoundError;
 
 use crate::features::mel::{MelFrontEnd, RATE_HZ, Spectrum, WINDOW};
@@ -20,6 +23,7 @@ pub struct Sound {
     spectrum: Vec<Spectrum>,
     truncated: bool,
     damaged_packets: u64,
+    clipping: Vec<Clipping>,
 }
 
 impl Sound {
@@ -53,6 +57,7 @@ impl Sound {
         }
         sound.truncated = decoded.truncated;
         sound.damaged_packets = decoded.damaged_packets;
+        sound.clipping = decoded.clipping.places;
         Ok(sound)
     }
 
@@ -98,7 +103,11 @@ impl Sound {
         }
         let mut analysis = Analysis::new(rate_hz);
         analysis.push(samples)?;
-        Ok(analysis.finish())
+        let mut sound = analysis.finish();
+        let mut clipping = clipping::ClippingFinder::default();
+        clipping.push(samples, 1, 0, rate_hz);
+        sound.clipping = clipping.places;
+        Ok(sound)
     }
 
     /// The length in microseconds.
@@ -119,6 +128,29 @@ impl Sound {
     /// How many packets of the file could not be decoded and are missing.
     pub fn damaged_packets(&self) -> u64 {
         self.damaged_packets
+    }
+
+    /// Where the recording is cut off at full scale, in order; near places are one.
+    pub fn clipping(&self) -> &[Clipping] {
+        &self.clipping
+    }
+
+    /// How loud it is where it is loud, in decibels below full scale: about -20 for a good recording. One in twenty of the frames
+    /// is louder.
+    pub fn level_db(&self) -> f32 {
+        level::Levels::new(&self.spectrum).loud_db
+    }
+
+    /// How much louder the loud frames are than the quiet ones, in decibels. Speech with pauses has 30 and more; below 10, there
+    /// are no pauses, or noise or music is as loud as the speech.
+    pub fn range_db(&self) -> f32 {
+        let levels = level::Levels::new(&self.spectrum);
+        levels.loud_db - levels.quiet_db
+    }
+
+    /// Whether nothing can be heard: nowhere louder than -60 decibels below full scale.
+    pub fn is_silent(&self) -> bool {
+        self.level_db() < level::SILENT_DB
     }
 
     pub(crate) fn spectrum(&self) -> &[Spectrum] {
@@ -170,6 +202,7 @@ impl Analysis {
             spectrum: self.spectrum,
             truncated: false,
             damaged_packets: 0,
+            clipping: Vec::new(),
         }
     }
 
