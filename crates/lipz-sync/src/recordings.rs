@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use walkdir::WalkDir;
 
 /// Extensions of recordings. Of several files with one name, the first of this list counts: what nothing was lost of.
-pub const EXTENSIONS: [&str; 9] = ["wav", "wave", "flac", "aif", "aiff", "aifc", "ogg", "oga", "mp3"];
+pub const EXTENSIONS: [&str; 6] = ["wav", "wave", "flac", "ogg", "oga", "mp3"];
 
 /// The recordings in a folder and below.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]

@@ -305,7 +305,7 @@ const AUDIO: &[Setting] = &[
     Setting {
         name: "folder",
         flat_name: "audio",
-        about: "The folder of the recordings: WAV, AIFF, FLAC, Ogg Vorbis and MP3 files.",
+        about: "The folder of the recordings: WAV, FLAC, Ogg Vorbis and MP3 files.",
         default: "none",
         example: "\"recordings\"",
         read: |value, to| {

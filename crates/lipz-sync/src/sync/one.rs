@@ -86,15 +86,8 @@ fn tried(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Ve
     if !is_new {
         diagnostics.extend(other_text(job, spoken.as_ref().map(|(_, text)| *text)));
     }
-    let reading = spoken.as_ref().filter(|_| viseme_type != VisemeType::Rms).map(|(locale, text)| {
-        let reading = options.pronouncer(locale.as_deref()).read(&text.text);
-        diagnostics.extend(reading.problems.iter().map(|problem| {
-            let span = text.span_of(problem.range.clone());
-            Diagnostic::at(Code::Pronunciation, span, problem.kind.to_string()).help(problem.kind.help())
-        }));
-        reading.script
-    });
-    let script = reading.unwrap_or_default();
+    let to_read = spoken.as_ref().filter(|_| viseme_type != VisemeType::Rms);
+    let script = to_read.map(|spoken| script(spoken, options, &mut diagnostics)).unwrap_or_default();
     let sound =
         File::open(&job.recording).and_then(content_hash).map_err(|error| unreadable(&job.recording, &error))?;
     let made = Made {
@@ -130,26 +123,62 @@ fn tried(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Ve
     }
     let heard = mouth::make(&sound, &script, viseme_type, fps, options);
     diagnostics.extend(spoken.iter().flat_map(|(_, text)| mouth::mismatches(&heard, &script, text)));
-    let rate = Rate { numerator: fps.numerator(), denominator: fps.denominator(), is_exact: true };
-    let starts = (!script.words.is_empty()).then(|| {
-        heard.segment_starts.iter().skip(1).map(|&frame| Time::of_frame(frame as u64, rate)).collect::<Vec<_>>()
-    });
-    let mouth = Mouth::new(heard.codes.as_str(), rate, viseme_type).segment_starts(starts);
-    let rate_of = |fps: Fps| Rate { numerator: fps.numerator(), denominator: fps.denominator(), is_exact: true };
-    let merge_options = MergeOptions::new()
-        .locale(spoken.as_ref().and_then(|(locale, _)| locale.as_deref()))
-        .default_rate(options.options.default_fps.map(rate_of))
-        .default_viseme_type(options.options.default_viseme_type);
-    let merged = merge(&before, &mouth, &merge_options);
-    diagnostics.extend(merged.diagnostics);
-    let text = String::from_utf8_lossy(&bytes);
-    let style = Style { line_ending: LineEnding::detect(&text), ..style };
-    let after = if is_new { format(&merged.document, style) } else { rewrite(&text, &before, &merged.document, style) };
+    let locale = spoken.as_ref().and_then(|(locale, _)| locale.as_deref());
+    let target = Target { bytes: &bytes, before: &before, is_new, locale, fps, viseme_type };
+    let (after, guessed) = merged(&heard, &script, options, &target);
+    diagnostics.extend(guessed);
     let made = Made { mouth: mouth_hash(heard.codes.as_bytes(), Some(fps), Some(viseme_type)), ..made };
     if push(reports, options, &name, &bytes, diagnostics) {
         return Ok(Step::Refused);
     }
     Ok(Step::New(Box::new(New { before: (!is_new).then(|| bytes.clone()), after, made, heard, script })))
+}
+
+/// A Lipz file that gets a mouth.
+struct Target<'a> {
+    bytes: &'a [u8],
+    before: &'a Document<'a>,
+    is_new: bool,
+    /// The locale that is spoken.
+    locale: Option<&'a str>,
+    fps: Fps,
+    viseme_type: VisemeType,
+}
+
+/// The file with its new mouth, and what was guessed.
+fn merged(heard: &Heard, script: &Script, options: &SyncOptions, target: &Target<'_>) -> (String, Vec<Diagnostic>) {
+    let rate = |fps: Fps| Rate { numerator: fps.numerator(), denominator: fps.denominator(), is_exact: true };
+    let time = |&frame: &usize| Time::of_frame(frame as u64, rate(target.fps));
+    let starts = || heard.segment_starts.iter().skip(1).map(time).collect::<Vec<_>>();
+    let mouth = Mouth::new(heard.codes.as_str(), rate(target.fps), target.viseme_type)
+        .segment_starts((!script.words.is_empty()).then(starts));
+    let merge_options = MergeOptions::new()
+        .locale(target.locale)
+        .default_rate(options.options.default_fps.map(rate))
+        .default_viseme_type(options.options.default_viseme_type);
+    let merged = merge(target.before, &mouth, &merge_options);
+    let text = String::from_utf8_lossy(target.bytes);
+    let default_locale = options.options.default_locale.as_deref();
+    let style = Style { default_locale, line_ending: LineEnding::detect(&text) };
+    let after = match target.is_new {
+        true => format(&merged.document, style),
+        false => rewrite(&text, target.before, &merged.document, style),
+    };
+    (after, merged.diagnostics)
+}
+
+/// The words of the text that is spoken in a locale. Reports what is odd about it.
+fn script(
+    (locale, text): &(Option<String>, &JsonString<'_>),
+    options: &SyncOptions,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Script {
+    let reading = options.pronouncer(locale.as_deref()).read(&text.text);
+    diagnostics.extend(reading.problems.iter().map(|problem| {
+        let span = text.span_of(problem.range.clone());
+        Diagnostic::at(Code::Pronunciation, span, problem.kind.to_string()).help(problem.kind.help())
+    }));
+    reading.script
 }
 
 /// Reports what was found in a Lipz file, at the project's levels; whether it is an error.
