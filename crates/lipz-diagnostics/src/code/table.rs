@@ -174,4 +174,6 @@ codes! {
     ScriptWithoutRecording "LZ1713" "script-without-recording" Warning "a script has lines that were not recorded"
     MovingInSilence "LZ1714" "moving-in-silence" Warning "a mouth moves where its recording is silent"
     RestingInSpeech "LZ1715" "resting-in-speech" Warning "a mouth rests where its recording is loud"
+    SilentRecording "LZ1716" "silent-recording" Warning "nothing can be heard in a recording"
+    ClippedRecording "LZ1717" "clipped-recording" Warning "a recording is cut off at full scale"
 }

@@ -28,30 +28,13 @@ pub(super) fn make(sound: &Sound, script: &Script, viseme_type: VisemeType, fps:
         let mouth = rms(sound, fps, &options.rms);
         return Heard { codes: mouth.frames, segment_starts: mouth.segment_starts, ..Heard::default() };
     }
-    if script.words.is_empty() {
-        return by_loudness(sound, viseme_type, fps, options);
-    }
-    let alignment = Aligner::new(Model::english(), options.align).align(sound, script);
+    let aligner = Aligner::new(Model::english(), options.align);
+    // Without words, whatever phones are heard.
+    let alignment = if script.words.is_empty() { aligner.listen(sound) } else { aligner.align(sound, script) };
     let mouth = render(&alignment, viseme_type, fps, &options.rules);
     let doubtful = doubtful(&alignment, script);
     let mismatches = alignment.mismatches;
     Heard { codes: mouth.frames, segment_starts: mouth.segment_starts, doubtful, mismatches }
-}
-
-/// The mouth of a voice whose words nobody knows: as far open as the voice is loud.
-fn by_loudness(sound: &Sound, viseme_type: VisemeType, fps: Fps, options: &SyncOptions) -> Heard {
-    let mouth = rms(sound, fps, &options.rms);
-    let open = |digit: char| match (digit, viseme_type) {
-        ('0'..='2', VisemeType::Blair) => 'S',
-        ('3'..='5', VisemeType::Blair) => 'E',
-        ('6'..='9', VisemeType::Blair) => 'A',
-        ('0'..='2', VisemeType::ToonBoom) => 'B',
-        ('3'..='5', VisemeType::ToonBoom) => 'C',
-        ('6'..='9', VisemeType::ToonBoom) => 'D',
-        (code, _) => code,
-    };
-    let codes = mouth.frames.chars().map(open).collect();
-    Heard { codes, segment_starts: mouth.segment_starts, ..Heard::default() }
 }
 
 fn doubtful(alignment: &Alignment, script: &Script) -> Vec<(usize, u64)> {

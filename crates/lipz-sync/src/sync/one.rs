@@ -117,7 +117,10 @@ fn tried(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Ve
     let file = File::open(&job.recording).map_err(|error| unreadable(&job.recording, &error))?;
     let sound = Sound::read(BufReader::new(file), extension(&job.recording))
         .map_err(|error| no_sound(&job.recording, &error))?;
-    reports.extend(damage(job, &sound));
+    reports.extend(damage(job, &sound).map(|mut report| {
+        options.options.levels.apply(&mut report.diagnostics);
+        report
+    }));
     if script.words.is_empty() && viseme_type != VisemeType::Rms {
         diagnostics.push(no_script(options));
     }
@@ -226,7 +229,6 @@ fn settings_hash(options: &SyncOptions, script: &Script, fps: Fps, viseme_type: 
     let said = || script.words.iter().map(|word| &word.pronunciations).collect::<Vec<_>>();
     let rules = match viseme_type {
         VisemeType::Rms => format!("{:?}", options.rms),
-        _ if script.words.is_empty() => format!("loudness {:?}", options.rms),
         _ => format!("{:?} {:?} {:?} {:?}", options.align, options.rules, said(), script.breaks),
     };
     hash(format!("{VERSION} {}/{} {viseme_type:?} {rules}", fps.numerator(), fps.denominator()).as_bytes())
@@ -271,16 +273,32 @@ fn kept_mouth(kept: Kept, visemes: &JsonString<'_>) -> Diagnostic {
 
 fn no_script(options: &SyncOptions) -> Diagnostic {
     let text = options.locale.as_ref().map_or_else(|| "text".to_owned(), |locale| format!("text in `{locale}`"));
-    Diagnostic::new(Code::NoScript, format!("the clip has no {text}: the mouth follows the loudness of the sound"))
+    Diagnostic::new(Code::NoScript, format!("the clip has no {text}: the mouth follows the sound alone"))
         .help("add what is said: the mouth will be much better")
 }
 
+/// Reports what is wrong with a recording.
 fn damage(job: &Job, sound: &Sound) -> Option<Report> {
-    let what = match (sound.is_truncated(), sound.damaged_packets()) {
-        (false, 0) => return None,
-        (true, _) => "the recording ends in the middle of its data".to_owned(),
-        (false, 1) => "a part of the recording is damaged and left out".to_owned(),
-        (false, count) => format!("{count} parts of the recording are damaged and left out"),
+    let mut found = Vec::new();
+    let damaged = match (sound.is_truncated(), sound.damaged_packets()) {
+        (false, 0) => None,
+        (true, _) => Some("the recording ends in the middle of its data".to_owned()),
+        (false, 1) => Some("a part of the recording is damaged and left out".to_owned()),
+        (false, count) => Some(format!("{count} parts of the recording are damaged and left out")),
     };
-    Some(Report::failure(shown(&job.recording), Code::DamagedSound, what, "export it again"))
+    found.extend(damaged.map(|what| Diagnostic::new(Code::DamagedSound, what).help("export it again")));
+    if sound.is_silent() {
+        let level = format!("its loud parts are {:.0} decibels below full scale", -sound.level_db());
+        let diagnostic = Diagnostic::new(Code::SilentRecording, "nothing can be heard in the recording");
+        found.push(diagnostic.note(level).help("look whether the right channel was exported, or record it again"));
+    }
+    if let Some(first) = sound.clipping().first() {
+        let places = sound.clipping().len();
+        let others = if places > 1 { format!(", and in {} more places", places - 1) } else { String::new() };
+        let at = first.start_us as f64 / 1e6;
+        let message = format!("the recording is cut off at full scale at {at:.2} s{others}");
+        let help = "record it less loudly: it sounds distorted, and its mouth may be wrong there";
+        found.push(Diagnostic::new(Code::ClippedRecording, message).help(help));
+    }
+    (!found.is_empty()).then(|| Report::all_about(shown(&job.recording), found))
 }
