@@ -32,7 +32,7 @@ pub(crate) struct AudioFlags {
     #[arg(long = "audio-record", value_name = "FILE", help_heading = RECORDINGS)]
     record: Option<PathBuf>,
 
-    /// File in which `lipz check` remembers what it heard in recordings [default: `cache` of [audio]]
+    /// File in which `lipz check` remembers what it heard in recordings [default: `cache` of `[audio]`]
     #[arg(long, value_name = "FILE", help_heading = RECORDINGS)]
     audio_cache: Option<PathBuf>,
 

@@ -22,7 +22,7 @@ use std::path::{Path, PathBuf};
 
 /// Make mouth shapes from recordings.
 ///
-/// With --audio (or [audio] in lipz.toml), Lipz files get the mouths of their recordings: only `visemes`, `viseme_type`
+/// With --audio (or `[audio]` in lipz.toml), Lipz files get the mouths of their recordings: only `visemes`, `viseme_type`
 /// and `fps` change, and the `|` move with the words of the text. With --output, recordings become Lipz files; what is
 /// said stands in a script, or in NAME.txt beside each recording.
 ///
