@@ -186,6 +186,7 @@ impl Cursor {
     }
 
     /// The mouth shape to draw, with lead and hold; rest before the start and from the end on.
+    #[inline]
     pub fn viseme(&self, clip: &Clip<'_, '_>) -> Viseme {
         match self.mouth_frame {
             Some(frame) => clip.viseme(self.hold.frame(clip, self.viseme_type, frame)),

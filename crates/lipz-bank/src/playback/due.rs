@@ -35,6 +35,7 @@ impl<'data, 'bank> DueSegments<'data, 'bank> {
 
     /// The events of the segments. Those without a character are the
     /// [speaker](Cursor::with_speaker)'s.
+    #[inline]
     pub fn events(self) -> impl Iterator<Item = Event<'data>> + 'bank {
         let speaker = self.speaker_name();
         self.flat_map(move |segment| events(&segment, speaker))
@@ -46,7 +47,8 @@ impl<'data, 'bank> DueSegments<'data, 'bank> {
     }
 
     /// The name of the speaker.
-    #[inline(never)] // once per call of the cursor
+    #[cfg_attr(not(target_pointer_width = "64"), inline(never))] // once per call of the cursor
+    #[cfg_attr(target_pointer_width = "64", inline)]
     pub(super) fn speaker_name(&self) -> Option<EventName<'data>> {
         self.clip.bank.event_names().named(self.speaker?)
     }
@@ -63,6 +65,7 @@ pub(super) fn events<'data>(
 impl<'data, 'bank> Iterator for DueSegments<'data, 'bank> {
     type Item = Segment<'data, 'bank>;
 
+    #[inline]
     fn next(&mut self) -> Option<Self::Item> {
         if self.next >= self.end {
             self.next = 0;

@@ -59,6 +59,7 @@ impl ConsonantHold {
     }
 
     /// The frame whose shape shows at `frame`. A clip without a viseme type is of type `or`.
+    #[inline]
     pub(super) fn frame(self, clip: &Clip<'_, '_>, or: Option<VisemeType>, frame: u32) -> u32 {
         match clip.viseme_type().or(or) {
             Some(kind) if self.frames > 1 => self.shown(kind, clip.frames(), frame as usize) as u32,
