@@ -147,6 +147,7 @@ fn exact<'data>(
             RecordedValue::String(spelled) | RecordedValue::Number(spelled) | RecordedValue::Other(spelled) => {
                 room.take(spelled.len())?;
                 match value {
+                    RecordedValue::Number(_) | RecordedValue::Other(_) if !is_json(spelled) => return None,
                     RecordedValue::Number(number) => Value::Number(Raw::new(number)),
                     RecordedValue::Other(json) => Value::Other(Raw::new(json)),
                     _ => Value::String(Cow::Borrowed(spelled).into()),
@@ -225,4 +226,33 @@ fn joined<'data, 'bank>(
 /// The rate as a decimal number: exact where the ratio has an end, otherwise the nearest `f64`.
 fn decimal(fps: Fps) -> String {
     fps.to_f64().to_string()
+}
+/// Whether a record that may be forged has one JSON value here, and no more: it is written as it is.
+fn is_json(value: &str) -> bool {
+    let is_whole_number =
+        !value.is_empty() && !value.starts_with('0') && value.bytes().all(|byte| byte.is_ascii_digit());
+    if is_whole_number {
+        return true;
+    }
+    let file = format!("{{\"x\":{value}}}");
+    let document = lipz_file::parse(file.as_bytes()).document;
+    document.is_some_and(|document| match document.elements.as_slice() {
+        [Element { value: Value::Number(raw) | Value::Other(raw), .. }] => raw.text == value,
+        _ => false,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_one_value_is_json() {
+        for value in ["24", "0", "2.5e1", "-0.50", "null", "[1, {\"a\": \"}\"}]", "{}"] {
+            assert!(is_json(value), "{value}");
+        }
+        for value in ["", "024", "1,\"y\":2", "1}", "nul", "\"a\"", " 1", "1 ", "1\n", "{} {}", "24 /**/"] {
+            assert!(!is_json(value), "{value}");
+        }
+    }
 }

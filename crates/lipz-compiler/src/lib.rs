@@ -74,6 +74,7 @@ mod output;
 mod outputs;
 mod parallel;
 mod pseudo;
+mod replacements;
 mod rewrite;
 pub mod settings;
 mod source_record;
@@ -102,6 +103,7 @@ pub use lipz_diagnostics as diagnostics;
 pub use options::{KnownNames, MinCoverage, Options, TextLimits};
 pub use output::replace_file;
 pub use outputs::{Delivered, OutputFile, Outputs, Replace};
+pub use replacements::Replacements;
 pub use rewrite::rewrite_file;
 pub use split::SplitBank;
 #[cfg(feature = "unpack")]

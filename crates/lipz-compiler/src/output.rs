@@ -16,7 +16,7 @@ use tempfile::NamedTempFile;
 /// Whatever the file system refuses, and a `path` that is a folder, a pipe or a device; it is
 /// unchanged then.
 pub fn replace_file(path: &Path, bytes: &[u8]) -> Result<(), Report> {
-    TemporaryFile::beside(path, bytes).and_then(TemporaryFile::replace).map_err(|error| failed(path, &error))
+    TemporaryFile::synced(path, bytes).and_then(TemporaryFile::replace).map_err(|error| failed(path, &error))
 }
 
 /// The same, if `check` finds nothing: it runs while the temporary file is written and synced, and
@@ -26,12 +26,12 @@ pub(crate) fn replace_file_if(
     bytes: &[u8],
     check: impl FnOnce() -> Result<(), Report> + Send,
 ) -> Result<(), Report> {
-    let (written, checked) = parallel::join(|| TemporaryFile::beside(path, bytes), check);
+    let (written, checked) = parallel::join(|| TemporaryFile::synced(path, bytes), check);
     checked?;
     written.and_then(TemporaryFile::replace).map_err(|error| failed(path, &error))
 }
 
-fn failed(path: &Path, error: &io::Error) -> Report {
+pub(crate) fn failed(path: &Path, error: &io::Error) -> Report {
     let shown = discover::display(path);
     let message = format!("`{shown}` cannot be written: {}", why(path, error));
     let diagnostic = Diagnostic::new(Code::OutputFailed, message).note("whatever was there before is unchanged");
@@ -89,14 +89,23 @@ fn target(path: &Path) -> io::Result<PathBuf> {
     }
 }
 
-/// A new file, written and synced, beside the one that it will replace.
-struct TemporaryFile {
+/// A new file beside the one that it will replace. It is removed if it does not.
+#[derive(Debug)]
+pub(crate) struct TemporaryFile {
     temporary: NamedTempFile,
     target: PathBuf,
 }
 
 impl TemporaryFile {
-    fn beside(path: &Path, bytes: &[u8]) -> io::Result<TemporaryFile> {
+    /// The file with these bytes, on disk.
+    fn synced(path: &Path, bytes: &[u8]) -> io::Result<TemporaryFile> {
+        let file = TemporaryFile::beside(path, bytes)?;
+        file.temporary.as_file().sync_all()?;
+        Ok(file)
+    }
+
+    /// The file with these bytes, not yet on disk.
+    pub(crate) fn beside(path: &Path, bytes: &[u8]) -> io::Result<TemporaryFile> {
         let target = target(path)?;
         let folder = folder_of(&target);
         std::fs::create_dir_all(folder)?;
@@ -114,18 +123,67 @@ impl TemporaryFile {
         if let Ok(metadata) = target.metadata() {
             temporary.as_file().set_permissions(metadata.permissions())?;
         }
-        temporary.as_file().sync_all()?;
         Ok(TemporaryFile { temporary, target })
     }
 
     fn replace(self) -> io::Result<()> {
-        self.temporary.persist(&self.target).map_err(|error| error.error)?;
-        if cfg!(unix) {
-            // Make the rename last, too. Some file systems cannot: the bank is there all the same.
-            let _ = File::open(folder_of(&self.target)).and_then(|folder| folder.sync_all());
-        }
+        let folder = self.rename()?;
+        sync_folders(vec![folder]);
         Ok(())
     }
+
+    /// Gives it its name, and returns the folder in which that is.
+    pub(crate) fn rename(self) -> io::Result<PathBuf> {
+        self.temporary.persist(&self.target).map_err(|error| error.error)?;
+        Ok(folder_of(&self.target).to_owned())
+    }
+}
+
+/// From so many files on, syncing the whole file system is faster than syncing one after the other, each of which
+/// waits for its journal.
+#[cfg(target_os = "linux")]
+const MANY: usize = 8;
+
+/// Brings temporary files to disk.
+pub(crate) fn sync_temporary<'t>(files: impl ExactSizeIterator<Item = &'t TemporaryFile>) -> io::Result<()> {
+    sync_files(files.map(|file| file.temporary.as_file()))
+}
+
+/// Makes renames in these folders last. Some file systems cannot: the files are there all the same.
+pub(crate) fn sync_folders(mut folders: Vec<PathBuf>) {
+    folders.sort_unstable();
+    folders.dedup();
+    if cfg!(unix) {
+        let open: Vec<File> = folders.iter().filter_map(|folder| File::open(folder).ok()).collect();
+        let _ = sync_files(open.iter());
+    }
+}
+
+#[cfg(target_os = "linux")]
+fn sync_files<'f>(files: impl ExactSizeIterator<Item = &'f File>) -> io::Result<()> {
+    use std::os::unix::fs::MetadataExt;
+    if files.len() < MANY {
+        return each_synced(files);
+    }
+    // Usually they are on one.
+    let mut file_systems = Vec::new();
+    for file in files {
+        let device = file.metadata()?.dev();
+        if !file_systems.contains(&device) {
+            rustix::fs::syncfs(file)?;
+            file_systems.push(device);
+        }
+    }
+    Ok(())
+}
+
+#[cfg(not(target_os = "linux"))]
+fn sync_files<'f>(files: impl ExactSizeIterator<Item = &'f File>) -> io::Result<()> {
+    each_synced(files)
+}
+
+fn each_synced<'f>(mut files: impl Iterator<Item = &'f File>) -> io::Result<()> {
+    files.try_for_each(File::sync_all)
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! The files of a bank: the bank itself, or a base with a text bank for each locale beside it.
 
 use crate::output::replace_file;
-use crate::{Compiled, Compiler, Input, SplitBank};
+use crate::{Compiled, Compiler, Input, Replacements, SplitBank, parallel};
 use lipz_diagnostics::Report;
 use std::ffi::OsStr;
 use std::fs;
@@ -157,13 +157,24 @@ impl Outputs {
         if !self.is_split {
             return Ok(OutputFile::write(&self.bank, bank, replace)?.into());
         }
-        let split = SplitBank::from_bytes(bank)?;
+        let split = parallel::in_pool(None, || SplitBank::from_bytes(bank))?;
+        let waiting = Replacements::default();
+        let write = |path: &Path, bytes: &[u8]| {
+            let is_new = replace == Replace::Always || !has(path, bytes);
+            if is_new {
+                waiting.replace(path, bytes)?;
+            }
+            Ok::<OutputFile, Report>(OutputFile { is_new, ..OutputFile::new(path, bytes) })
+        };
         let mut files = Vec::new();
         for (tag, texts) in &split.texts {
-            let path = self.bank.with_extension(format!("{tag}{TEXTS_EXTENSION}"));
-            files.push(OutputFile::write(&path, texts, replace)?);
+            files.push(write(&self.bank.with_extension(format!("{tag}{TEXTS_EXTENSION}")), texts)?);
         }
         let stale = stale(&self.bank, &files);
+        let texts_of_locales = waiting.finish();
+        if let Some(report) = texts_of_locales.into_iter().next() {
+            return Err(report);
+        }
         files.insert(0, OutputFile::write(&self.bank, &split.base, replace)?);
         Ok(Delivered { files, stale })
     }

@@ -8,41 +8,65 @@ pub(crate) use without_rayon::{for_each, in_pool, join, map_init, sort, workers}
 
 #[cfg(feature = "parallel")]
 mod with_rayon {
+    use rayon::ThreadPoolBuilder;
     use rayon::prelude::*;
+    use std::num::NonZero;
+    use std::thread;
 
-    /// Runs `work` with this number of threads; on the current ones if no others can be started.
+    /// Runs `work` with this number of threads, or one per core; with fewer if the system does not give that many, as
+    /// in a container with a limit. Everything below is done by these threads, and by one outside of `in_pool`.
     pub(crate) fn in_pool<R: Send>(threads: Option<usize>, work: impl FnOnce() -> R + Send) -> R {
-        let pool = threads.map(|count| rayon::ThreadPoolBuilder::new().num_threads(count).build());
-        match pool {
-            Some(Ok(pool)) => pool.install(work),
-            Some(Err(_)) | None => work(),
+        let wanted = threads.unwrap_or_else(|| thread::available_parallelism().map_or(1, NonZero::get));
+        let fewer = std::iter::successors(Some(wanted.max(1)), |count| (*count > 1).then_some(count / 2));
+        for count in fewer {
+            if let Ok(pool) = ThreadPoolBuilder::new().num_threads(count).build() {
+                return pool.install(work);
+            }
         }
+        work()
+    }
+
+    /// Whether there are threads to share work with. Asking rayon for its own would panic where there are none.
+    fn is_in_pool() -> bool {
+        rayon::current_thread_index().is_some()
     }
 
     /// Runs `work` on each thread; `threads` is that of the pool.
     pub(crate) fn workers<R: Send>(_threads: Option<usize>, work: impl Fn() -> R + Send + Sync) -> Vec<R> {
+        if !is_in_pool() {
+            return vec![work()];
+        }
         (0..rayon::current_num_threads()).into_par_iter().with_max_len(1).map(|_| work()).collect()
     }
 
     pub(crate) fn join<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + Send) -> (A, B) {
-        rayon::join(a, b)
+        if is_in_pool() { rayon::join(a, b) } else { (a(), b()) }
     }
 
     pub(crate) fn for_each<T: Send>(items: Vec<T>, work: impl Fn(T) + Send + Sync) {
-        items.into_par_iter().for_each(work);
+        if is_in_pool() { items.into_par_iter().for_each(work) } else { items.into_iter().for_each(work) }
     }
 
     /// The results of `work` in the order of the items; each thread has a state of its own.
-    pub(crate) fn map_init<T: Sync, S, C: FromParallelIterator<R>, R: Send>(
+    pub(crate) fn map_init<T, S, C, R>(
         items: &[T],
         init: impl Fn() -> S + Send + Sync,
         work: impl Fn(&mut S, &T) -> R + Send + Sync,
-    ) -> C {
+    ) -> C
+    where
+        T: Sync,
+        C: FromParallelIterator<R> + FromIterator<R>,
+        R: Send,
+    {
+        if !is_in_pool() {
+            let mut state = init();
+            return items.iter().map(|item| work(&mut state, item)).collect();
+        }
         items.par_iter().map_init(init, work).collect()
     }
 
     pub(crate) fn sort(items: &mut [u64]) {
-        items.par_sort_unstable();
+        if is_in_pool() { items.par_sort_unstable() } else { items.sort_unstable() }
     }
 }
 

@@ -1,8 +1,8 @@
 //! Rewriting source files: each is read, handed to a tool, and replaced as a whole.
 
 use crate::compile::FileReader;
-use crate::{Compiler, Content, Input, discover, parallel, replace_file};
-use lipz_diagnostics::{Code, Diagnostic, Report};
+use crate::{Compiler, Content, Input, Replacements, parallel};
+use lipz_diagnostics::Report;
 use std::path::Path;
 
 impl Compiler<'_> {
@@ -25,29 +25,16 @@ impl Compiler<'_> {
     }
 }
 
-/// Replaces the file at `path`, which was read as `before`, by `after`, as [`replace_file`] does.
+/// Replaces the file at `path`, which was read as `before`, by `after`, as [`replace_file`](crate::replace_file) does.
+/// [`Replacements`] replaces many.
 ///
 /// # Errors
-/// As [`replace_file`]; a file that is read-only, and one that somebody else has changed since it was
-/// read. It is unchanged then.
+/// As [`replace_file`](crate::replace_file); a file that is read-only, and one that somebody else has changed since it
+/// was read, up to the moment at which it is replaced. It is unchanged then.
 pub fn rewrite_file(path: &Path, before: &[u8], after: &[u8]) -> Result<(), Report> {
-    let refused = |why: &str, help: &str| {
-        let shown = discover::display(path);
-        let diagnostic = Diagnostic::new(Code::OutputFailed, format!("`{shown}` cannot be written: {why}"));
-        Err(Report::about(shown, diagnostic.note("it is unchanged").help(help)))
-    };
-    if path.metadata().is_ok_and(|metadata| metadata.permissions().readonly()) {
-        return refused("it is read-only", "make it writable, or check it out if your version control locks files");
-    }
-    let mut reader = FileReader::default();
-    let now = reader.read(path).ok();
-    if now == Some(after) {
-        return Ok(()); // through another name of the same file
-    }
-    if now != Some(before) {
-        return refused("another program has changed it in the meantime", "run the command again");
-    }
-    replace_file(path, after)
+    let files = Replacements::default();
+    files.rewrite(path, before, after)?;
+    files.finish().pop().map_or(Ok(()), Err)
 }
 
 #[cfg(test)]

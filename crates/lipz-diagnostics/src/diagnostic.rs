@@ -61,6 +61,9 @@ pub struct Diagnostic {
     pub help: Option<String>,
     /// The change that does it, if one is certain.
     pub fix: Option<Fix>,
+    /// How many others of the code in its file it stands for, which are not shown; 0 for itself. See
+    /// [`bound`](crate::bound).
+    pub rest: usize,
 }
 
 /// `error[LZ0401]: message`, then notes and help, a line each; without the place, which only a
@@ -105,6 +108,7 @@ impl Diagnostic {
             notes: Vec::new(),
             help: None,
             fix: None,
+            rest: 0,
         }
     }
 
@@ -155,6 +159,11 @@ impl Diagnostic {
     /// Whether it is an error, so that no bank is written.
     pub fn is_error(&self) -> bool {
         self.severity == Severity::Error
+    }
+
+    /// How many diagnostics it is: one, or those that it stands for.
+    pub fn count(&self) -> usize {
+        self.rest.max(1)
     }
 
     /// Where the diagnostic starts, for sorting: whole-file diagnostics come first.

@@ -30,6 +30,7 @@
 //! * `human` (on by default): [`render::human`] and [`render::Human`], text with the marked source.
 //! * `json`: [`render::json`] and [`render::sarif`], documents for programs.
 
+pub mod bound;
 mod code;
 mod diagnostic;
 pub mod escape;

@@ -49,7 +49,8 @@ impl Report {
 
     /// The number of diagnostics with this severity.
     pub fn count(&self, severity: Severity) -> usize {
-        self.diagnostics.iter().filter(|diagnostic| diagnostic.severity == severity).count()
+        let of_severity = self.diagnostics.iter().filter(|diagnostic| diagnostic.severity == severity);
+        of_severity.map(Diagnostic::count).sum()
     }
 
     /// Whether a diagnostic is an error.

@@ -4,6 +4,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use lipz_diagnostics::escape;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
+use std::thread;
 use std::time::Duration;
 
 /// Columns when there is no terminal to ask.
@@ -60,7 +61,10 @@ pub(crate) fn progress_bar(length: usize, quiet: bool) -> ProgressBar {
     if let Ok(style) = ProgressStyle::with_template("{bar:30} {human_pos}/{human_len} files, {eta} left") {
         bar.set_style(style);
     }
-    bar.enable_steady_tick(Duration::from_millis(200));
+    // It takes a thread, and panics without one.
+    if thread::Builder::new().spawn(|| ()).is_ok() {
+        bar.enable_steady_tick(Duration::from_millis(200));
+    }
     bar
 }
 

@@ -129,3 +129,52 @@ fn an_interrupted_sync_leaves_whole_files_and_goes_on_where_it_ended() {
         assert!(rest.code == 0 && !rest.stdout.contains("kept"), "what was made is known: {}", rest.stdout);
     });
 }
+
+#[test]
+fn an_interrupted_fmt_leaves_whole_files_and_no_others() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let (old, new) = ("{\"text_en-us\": \"Aye.\"}", "{\n  \"text_en-us\" : \"Aye.\"\n}\n");
+    let names: Vec<String> = (0..300).map(|clip| format!("{clip:04}.lipz")).collect();
+    interrupt(
+        folder,
+        &["fmt", "voices"],
+        || names.iter().for_each(|name| support::write(folder, &format!("voices/{name}"), old)),
+        || {
+            assert_eq!(tree(&folder.join("voices")), names, "a file is lost, or a temporary one is left");
+            for name in &names {
+                let text = fs::read_to_string(folder.join("voices").join(name)).unwrap();
+                assert!(text == old || text == new, "{name}: {text:?}");
+            }
+        },
+    );
+}
+
+/// Reading may take for ever: a pipe that nobody writes into, a network that hangs.
+#[test]
+fn a_pack_that_waits_for_a_file_ends_at_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    fs::write(folder.join("b.lipzbank"), "old").unwrap();
+    assert!(Command::new("mkfifo").arg(folder.join("f.lipz")).status().unwrap().success());
+    support::make_interruptible();
+    for cache in [&[][..], &["--cache", "b.cache"]] {
+        let arguments = [&["pack", "f.lipz", "-o", "b.lipzbank"], cache].concat();
+        let mut child = lipz(folder, &arguments);
+        std::thread::sleep(Duration::from_millis(500));
+        let start = Instant::now();
+        assert!(Command::new("kill").args(["-TERM", &child.id().to_string()]).status().unwrap().success());
+        let ended = loop {
+            match child.try_wait().unwrap() {
+                Some(ended) => break ended,
+                None if start.elapsed() > Duration::from_secs(20) => {
+                    child.kill().unwrap();
+                    break child.wait().unwrap();
+                }
+                None => std::thread::sleep(Duration::from_millis(10)),
+            }
+        };
+        assert_eq!(ended.code(), Some(INTERRUPTED));
+        assert_eq!(fs::read(folder.join("b.lipzbank")).unwrap(), b"old");
+    }
+}

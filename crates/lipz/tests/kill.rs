@@ -55,3 +55,41 @@ fn a_killed_pack_leaves_the_old_bank_or_the_new_one() {
     assert!(std::fs::read(&bank).unwrap() == new);
     assert!(whole_run > Duration::from_millis(1));
 }
+
+/// Files are brought to disk and renamed in groups: between the two, and in the middle of a group, each is whole.
+#[test]
+fn a_killed_fmt_loses_no_source() {
+    const FILES: usize = 300;
+    const FEW_KILLS: u32 = 20;
+    let folder = tempfile::tempdir().unwrap();
+    let old = |number: usize| format!("{{\"text_en-us\": \"Aye, {number}.\"}}");
+    let new = |number: usize| format!("{{\n  \"text_en-us\" : \"Aye, {number}.\"\n}}\n");
+    let path = |number: usize| folder.path().join(format!("{number}.lipz"));
+    let write = || (0..FILES).for_each(|number| std::fs::write(path(number), old(number)).unwrap());
+    let fmt = || {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_lipz"));
+        command.arg("fmt").arg(folder.path()).stdout(Stdio::null()).stderr(Stdio::null());
+        command
+    };
+    write();
+    let start = Instant::now();
+    assert!(fmt().status().unwrap().success());
+    let whole_run = start.elapsed();
+    let mut unfinished = 0;
+    for kill in 0..FEW_KILLS {
+        write();
+        let mut child = fmt().spawn().unwrap();
+        std::thread::sleep(whole_run * kill / FEW_KILLS);
+        child.kill().unwrap();
+        child.wait().unwrap();
+        let is_old = |number: usize| {
+            let text = std::fs::read_to_string(path(number)).unwrap();
+            assert!(text == old(number) || text == new(number), "{number}: {text:?}");
+            text == old(number)
+        };
+        unfinished += usize::from((0..FILES).filter(|&number| is_old(number)).count() > 0);
+    }
+    assert!(unfinished > 0, "no run was killed before it ended: the test shows nothing");
+    assert!(fmt().status().unwrap().success(), "temporary files of killed runs are hidden, and in nobody's way");
+    assert!((0..FILES).all(|number| std::fs::read_to_string(path(number)).unwrap() == new(number)));
+}

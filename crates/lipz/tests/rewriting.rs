@@ -200,3 +200,22 @@ fn files_that_are_locked_stay() {
     assert_eq!(fs::read_to_string(path).unwrap(), ROUGH);
     scene.finish(1);
 }
+
+/// GitHub takes each line that starts with `::` for a command, and `patch` each header line for a header.
+#[cfg(unix)]
+#[test]
+fn a_name_with_line_breaks_stays_in_its_line() {
+    let scene = Scene::new();
+    scene.write("b\n::error file=x::no.lipz", r#"{"text_en-us": "Aye."}"#);
+    for command in [&["fmt", ".", "--diff"][..], &["check", ".", "--fix", "--diff"]] {
+        for format in ["human", "github"] {
+            let outcome = lipz(scene.path(), command.iter().chain(&["--format", format]));
+            for line in outcome.stdout.lines().chain(outcome.stderr.lines()) {
+                let is_about_it = line.starts_with("::error file=./b%0A");
+                assert!(is_about_it || !line.starts_with("::error"), "{command:?} {format}: {line}");
+            }
+        }
+    }
+    let diff = lipz(scene.path(), ["fmt", ".", "--diff"]).stdout;
+    assert!(diff.starts_with("--- ./b\\n::error file=x::no.lipz\n+++ ./b\\n"), "{diff}");
+}

@@ -15,7 +15,8 @@ pub use memory::Memory;
 pub(crate) use stamps::{Name, Stamp};
 
 use crate::clip::{ClipData, Locales};
-use crate::compile::{Progress, Run, write_verified};
+use crate::compile::{Progress, Run};
+use crate::discover::display;
 use crate::{Compiled, Compiler, Content, Input, Options};
 use file_meta::FileMeta;
 use lipz_diagnostics::Report;
@@ -52,34 +53,28 @@ impl Compiler<'_> {
     ) -> Compiled {
         let finish = |bank: &[u8], is_unchanged: bool| {
             accept(bank)?;
-            if is_unchanged && touch(path).is_ok() { Ok(()) } else { write_verified(path, bank) }
+            if is_unchanged && touch(path).is_ok() { Ok(()) } else { self.write_verified(path, bank) }
         };
-        self.run(|options| pack(inputs, options, path, cache, &self.progress, finish))
+        self.run(|options| {
+            let start = Instant::now();
+            let before = match PreviousRun::read(cache, path) {
+                Ok(before) => before,
+                Err(report) => return Compiled::refused(report),
+            };
+            let reading = start.elapsed();
+            let (mut compiled, stamps) = again(inputs, options, before, &self.progress, finish);
+            let start = Instant::now();
+            let written = stamps.and_then(|stamps| self.guarded(|| file::write(cache, &stamps)));
+            if let Some(Err(mut report)) = written {
+                let note = format!("the bank is written: `{}` is that of these files", display(path));
+                report.diagnostics.iter_mut().for_each(|diagnostic| diagnostic.notes.push(note.clone()));
+                compiled.reports.push(report);
+                compiled.bank = None;
+            }
+            compiled.phases.cache += reading + start.elapsed();
+            compiled
+        })
     }
-}
-
-fn pack(
-    inputs: &[Input],
-    options: &Options,
-    path: &Path,
-    cache: &Path,
-    progress: &Progress<'_>,
-    finish: impl FnOnce(&[u8], bool) -> Result<(), Report> + Send,
-) -> Compiled {
-    let start = Instant::now();
-    let before = match PreviousRun::read(cache, path) {
-        Ok(before) => before,
-        Err(report) => return Compiled::refused(report),
-    };
-    let reading = start.elapsed();
-    let (mut compiled, stamps) = again(inputs, options, before, progress, finish);
-    let start = Instant::now();
-    if let Some(Err(report)) = stamps.map(|stamps| file::write(cache, &stamps)) {
-        compiled.reports.push(report);
-        compiled.bank = None;
-    }
-    compiled.phases.cache += reading + start.elapsed();
-    compiled
 }
 
 /// Makes a bank of `inputs` with what is still true of the run `before`. `finish` is handed the bank, and whether

@@ -4,7 +4,7 @@ use super::elements::{Roles, TextElement};
 use super::texts::{SHOWN, more};
 use crate::Options;
 use crate::clip::{ClipData, ClipText, Locales};
-use lipz_diagnostics::{Code, Diagnostic, Span};
+use lipz_diagnostics::{Code, Diagnostic, Span, bound};
 use lipz_file::text;
 
 /// Reports the segments of the texts of a clip that are blank, where the text of the default locale is not. Texts that
@@ -22,6 +22,7 @@ pub(super) fn report(
     let Some(spoken_run) = run(clip, spoken, locales) else { return };
     for element in roles.texts.iter().filter(|text| text.locale != default && has(text, count)) {
         let Some(own_run) = run(clip, element, locales).filter(|run| clip.text_bytes(run) > 0) else { continue };
+        bound::limit_many(diagnostics);
         let is_silent = |segment: &usize| clip.is_blank(own_run, *segment) && !clip.is_blank(spoken_run, *segment);
         let silent: Vec<usize> = (0..count).filter(is_silent).collect();
         for (index, &segment) in silent.iter().take(SHOWN).enumerate() {

@@ -5,7 +5,7 @@ use super::{names, types};
 use crate::Options;
 use crate::clip::Locales;
 use foldhash::HashMap;
-use lipz_diagnostics::{Code, Diagnostic};
+use lipz_diagnostics::{Code, Diagnostic, bound};
 use lipz_file::{Document, Element};
 use lipz_file::{JsonString, Raw};
 
@@ -44,6 +44,7 @@ impl<'d> Roles<'d> {
     ) -> Roles<'d> {
         let mut roles = Roles { texts: Vec::with_capacity(document.elements.len()), ..Roles::default() };
         for element in &document.elements {
+            bound::limit_many(diagnostics);
             match element.name.text.as_ref() {
                 "fps" => roles.fps = types::number(element, diagnostics),
                 "viseme_type" => roles.viseme_type = types::string(element, diagnostics),

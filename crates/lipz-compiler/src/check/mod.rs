@@ -17,7 +17,7 @@ mod visemes;
 use crate::clip::{ClipData, Locales};
 use crate::{Options, TextLimits, pseudo};
 use elements::Roles;
-use lipz_diagnostics::Diagnostic;
+use lipz_diagnostics::{Diagnostic, bound};
 use lipz_file::{Document, text};
 use readability::Times;
 use visemes::Expected;
@@ -61,6 +61,7 @@ pub(crate) fn check(
     };
     let limits = (options.text_limits != TextLimits::default()).then_some(&options.text_limits);
     for text in &roles.texts {
+        bound::limit_many(diagnostics);
         texts::display_texts(text.string, options, &mut clip.displays, diagnostics);
         let count = expected_count(clip.displays.count());
         if let Some(limits) = limits.filter(|_| clip.displays.count() == count) {
@@ -97,5 +98,6 @@ pub(crate) fn check(
         clip.starts.resize(segment_count, 0);
     }
     blank::report(&roles, clip, options, locales, diagnostics);
+    bound::limit(diagnostics);
     bank_limits::for_segments(&roles, clip.starts.len(), diagnostics);
 }

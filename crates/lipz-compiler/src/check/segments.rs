@@ -4,7 +4,7 @@ use super::elements::Roles;
 use super::visemes::DELIMITER_LOOKALIKES;
 use crate::Options;
 use crate::clip::Locales;
-use lipz_diagnostics::{Code, Diagnostic, escape};
+use lipz_diagnostics::{Code, Diagnostic, bound, escape};
 use lipz_file::JsonString;
 use lipz_file::text;
 use unicode_width::UnicodeWidthStr;
@@ -96,6 +96,7 @@ fn report(
             let name = format!("`{}`", other.name);
             diagnostic.notes.push(joined(&name, other.name == "events", reference.count));
         }
+        bound::limit_many(diagnostics);
         diagnostics.push(match damage(other, reference) {
             Some(help) => diagnostic.help(help),
             None => diagnostic,

@@ -11,7 +11,7 @@ pub(crate) use read::FileReader;
 pub(crate) use run::Run;
 
 use crate::output::replace_file_if;
-use crate::{Input, Options, parallel};
+use crate::{Input, Options, discover, parallel};
 use lipz_bank::Bank;
 use lipz_diagnostics::{Code, Report};
 use std::fmt;
@@ -34,21 +34,41 @@ use std::path::Path;
 pub struct Compiler<'p> {
     pub(crate) options: Options,
     pub(crate) progress: Box<Progress<'p>>,
+    pub(crate) around_writes: Box<Guard<'p>>,
 }
 
 /// Is called with the number of files that were done since the last call, from several threads.
 pub(crate) type Progress<'p> = dyn Fn(u64) + Send + Sync + 'p;
 
-impl Compiler<'_> {
+/// Is called with the writing of a bank or a cache, and has to do it.
+pub(crate) type Guard<'p> = dyn Fn(&mut (dyn FnMut() + Send)) + Send + Sync + 'p;
+
+impl Compiler<'static> {
     /// A compiler with these options.
     pub fn new(options: Options) -> Compiler<'static> {
-        Compiler { options, progress: Box::new(|_| {}) }
+        Compiler { options, progress: Box::new(|_| {}), around_writes: Box::new(|write| write()) }
     }
+}
 
+impl<'p> Compiler<'p> {
     /// Calls `progress` with the number of files that were done since its last call, from several threads.
     #[must_use]
-    pub fn progress<'p>(self, progress: impl Fn(u64) + Send + Sync + 'p) -> Compiler<'p> {
-        Compiler { options: self.options, progress: Box::new(progress) }
+    pub fn progress(self, progress: impl Fn(u64) + Send + Sync + 'p) -> Compiler<'p> {
+        Compiler { progress: Box::new(progress), ..self }
+    }
+
+    /// Calls `guard` with the writing of each bank and each cache, which it has to do: a program that may be asked to
+    /// end waits for that, and for nothing else. Reading and making a bank leave nothing behind.
+    #[must_use]
+    pub fn around_writes(self, guard: impl Fn(&mut (dyn FnMut() + Send)) + Send + Sync + 'p) -> Compiler<'p> {
+        Compiler { around_writes: Box::new(guard), ..self }
+    }
+
+    /// Does some writing as the guard wants it.
+    pub(crate) fn guarded<R: Send>(&self, write: impl FnOnce() -> R + Send) -> Option<R> {
+        let (mut write, mut written) = (Some(write), None);
+        (self.around_writes)(&mut || written = write.take().map(|write| write()));
+        written
     }
 
     /// The options of the compiler.
@@ -82,12 +102,21 @@ impl Compiler<'_> {
         path: &Path,
         accept: impl FnOnce(&[u8]) -> Result<(), Report> + Send,
     ) -> Compiled {
-        self.make(inputs, |bank| accept(bank).and_then(|()| write_verified(path, bank)))
+        self.make(inputs, |bank| accept(bank).and_then(|()| self.write_verified(path, bank)))
     }
 
     /// Checks `inputs` and makes a bank of them; there is one only if `finish` accepts it.
     fn make(&self, inputs: &[Input], finish: impl FnOnce(&[u8]) -> Result<(), Report> + Send) -> Compiled {
         self.run(|options| Run::read(inputs, options, None, &self.progress).make(inputs, options, finish))
+    }
+
+    /// Replaces the file at `path` by a bank, which is verified meanwhile.
+    pub(crate) fn write_verified(&self, path: &Path, bank: &[u8]) -> Result<(), Report> {
+        let written = self.guarded(|| replace_file_if(path, bank, || verify(bank)));
+        written.unwrap_or_else(|| {
+            let help = "call what `around_writes` is given";
+            Err(Report::failure(discover::display(path), Code::OutputFailed, "the bank was not written", help))
+        })
     }
 
     /// Does `work` with the canonical options on the threads of the compiler.
@@ -99,7 +128,7 @@ impl Compiler<'_> {
     }
 }
 
-impl Default for Compiler<'_> {
+impl Default for Compiler<'static> {
     fn default() -> Self {
         Compiler::new(Options::default())
     }
@@ -115,11 +144,6 @@ impl fmt::Debug for Compiler<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Compiler").field("options", &self.options).finish_non_exhaustive()
     }
-}
-
-/// Replaces the file at `path` by a bank, which is verified meanwhile.
-pub(crate) fn write_verified(path: &Path, bank: &[u8]) -> Result<(), Report> {
-    replace_file_if(path, bank, || verify(bank))
 }
 
 /// What the reader finds at fault with the bank: a defect of this compiler, and better found now than in

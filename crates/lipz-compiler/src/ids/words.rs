@@ -27,7 +27,9 @@ pub(super) fn words(part: &str) -> Vec<String> {
     if !word.is_empty() {
         words.push(word);
     }
-    if words.is_empty() {
+    if composed.is_empty() {
+        words.push("Empty".to_owned()); // of `//`, in the key of a bank that lipz did not make
+    } else if words.is_empty() {
         words.push(composed.into_iter().map(number).collect());
     }
     words

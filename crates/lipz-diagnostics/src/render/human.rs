@@ -85,7 +85,7 @@ impl Human {
         for report in reports {
             let source = &printable(&report.source);
             for diagnostic in &report.diagnostics {
-                if tallies.entry(diagnostic.code).or_default().is_shown(report) {
+                if tallies.entry(diagnostic.code).or_default().is_shown(report, diagnostic.rest) {
                     text.push_str(&renderer.render(&[group(source, diagnostic)]));
                     text.push_str("\n\n");
                 }
@@ -142,12 +142,12 @@ struct Tally<'r> {
 
 impl<'r> Tally<'r> {
     /// Counts a diagnostic in the file of `report` and says whether it is one of those that are shown.
-    fn is_shown(&mut self, report: &'r Report) -> bool {
-        let is_shown = self.shown < SHOWN_PER_CODE;
+    fn is_shown(&mut self, report: &'r Report, rest: usize) -> bool {
+        let is_shown = self.shown < SHOWN_PER_CODE && rest == 0;
         if is_shown {
             self.shown += 1;
         } else {
-            self.hidden += 1;
+            self.hidden += rest.max(1);
             self.files.insert(&report.source.path);
         }
         is_shown

@@ -6,6 +6,7 @@ use crate::Report;
 use crate::reports::count;
 use crate::{Diagnostic, LineColumn, Severity, escape};
 use serde::Serialize;
+use std::io;
 
 /// All diagnostics as one JSON document; also if there are none.
 ///
@@ -29,8 +30,34 @@ pub fn json(reports: &[Report]) -> String {
 /// assert_eq!(to_json(&["灯台\u{9b}"]), "[\n  \"灯台\\u009B\"\n]\n");
 /// ```
 pub fn to_json<T: Serialize>(value: &T) -> String {
-    let json = serde_json::to_string_pretty(value).unwrap_or_else(|_| "null".to_owned());
-    json.split('\n').map(escape::text).collect::<Vec<_>>().join("\n") + "\n"
+    let mut json = Escaped(Vec::new());
+    if serde_json::to_writer_pretty(&mut json, value).is_err() {
+        return "null\n".to_owned();
+    }
+    json.0.push(b'\n');
+    String::from_utf8(json.0).unwrap_or_else(|_| "null\n".to_owned())
+}
+
+/// Takes JSON piece by piece, each of which is whole characters, and escapes what steers a terminal: a document of many
+/// diagnostics is kept once.
+struct Escaped(Vec<u8>);
+
+impl io::Write for Escaped {
+    fn write(&mut self, piece: &[u8]) -> io::Result<usize> {
+        match str::from_utf8(piece) {
+            Ok(text) if !text.is_ascii() => self.0.extend_from_slice(escape::text(text).as_bytes()),
+            // Of ASCII, serde_json escapes all but U+007F itself; it makes line breaks between values.
+            _ if piece.contains(&0x7F) => {
+                self.0.extend(String::from_utf8_lossy(piece).replace('\u{7F}', "\\u007F").into_bytes());
+            }
+            _ => self.0.extend_from_slice(piece),
+        }
+        Ok(piece.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
 }
 
 /// Every diagnostic of a run.

@@ -3,7 +3,7 @@
 use super::syntax;
 use crate::document::Raw;
 use crate::{Document, Element, JsonString, Value};
-use lipz_diagnostics::{Code, Diagnostic, Span, escape};
+use lipz_diagnostics::{Code, Diagnostic, Span, bound, escape};
 use serde_core::de::{Deserialize, Deserializer, MapAccess, Visitor};
 use serde_json::value::RawValue;
 use std::borrow::Cow;
@@ -31,6 +31,7 @@ pub(super) fn elements<'s>(text: &'s str, diagnostics: &mut Vec<Diagnostic>) -> 
         let element = literals
             .string(name.get(), diagnostics)
             .and_then(|name| Some(Element { name, value: literals.value(value.get(), diagnostics)? }));
+        bound::limit_many(diagnostics);
         complete &= element.is_some();
         elements.extend(element);
     }
@@ -139,6 +140,7 @@ fn unique(elements: &[Element<'_>], diagnostics: &mut Vec<Diagnostic>) -> bool {
                 .also(*before, "first here")
                 .help("keep one of them: programs disagree about which one counts"),
             );
+            bound::limit_many(diagnostics);
         } else {
             first.insert(&element.name.text, span);
         }

@@ -8,7 +8,7 @@ pub use encoding::{decode, decode_marked, too_large, without_byte_order_mark};
 
 use crate::Document;
 use crate::text::trim;
-use lipz_diagnostics::{Code, Diagnostic};
+use lipz_diagnostics::{Code, Diagnostic, bound};
 
 /// Longest file that is read, in bytes: far more than a clip can need (20 million frames with 40
 /// subtitles), and little enough for 32-bit spans and texts of 2²⁸ bytes.
@@ -24,6 +24,9 @@ pub struct Parsed<'s> {
 }
 
 /// Reads a Lipz file. Takes time and memory in proportion to its length, whatever it contains.
+///
+/// Of each code, the first thousand diagnostics are told, and how many others there are
+/// ([`bound`](mod@lipz_diagnostics::bound)).
 ///
 /// Checked here: encoding, JSON syntax, the root, duplicate elements. Spans count from the first
 /// byte after a byte order mark.
@@ -47,6 +50,7 @@ pub fn parse(bytes: &[u8]) -> Parsed<'_> {
                 .help("a clip usually has \"visemes\", and \"text_ll-cc\" for its subtitles"),
         );
     }
+    bound::limit(&mut diagnostics);
     diagnostics.sort_by_key(Diagnostic::start);
     Parsed { document, diagnostics }
 }

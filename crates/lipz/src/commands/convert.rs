@@ -3,15 +3,16 @@
 use crate::Abort;
 use crate::Ended;
 use crate::commands::Run;
+use crate::interrupt::Files;
 use crate::reporter::Reporter;
 use crate::shared::project_flags::hide_of_banks;
 use crate::shared::rewriting::{Rewriting, files, is_standard_input, reads_standard_input};
 use crate::shared::sources::Sources;
 use crate::shared::stdio;
-use crate::{Outcome, console, interrupt};
+use crate::{Outcome, console};
 use clap::Args;
 use lipz_bank::VisemeType;
-use lipz_compiler::{Compiler, Input, Options, key, replace_file};
+use lipz_compiler::{Compiler, Input, Options, key};
 use lipz_diagnostics::reports::count;
 use lipz_diagnostics::{Code, Diagnostic, Report, Severity};
 use std::path::{Path, PathBuf};
@@ -75,19 +76,21 @@ impl Run for Convert {
         }
         let bar = console::progress_bar(inputs.len(), quiet);
         let compiler = Compiler::new(options.clone()).progress(|count| bar.inc(count));
+        let files_to_write = Files::new();
         let results = compiler.each_file(&inputs, |input, bytes| {
             let converted = compiler.convert(bytes, viseme_type);
             let is_changed = converted.text.is_some();
             let written = match converted.diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error) {
                 true => Ok(()),
-                false => target.write(input, bytes, converted.text.as_deref()),
+                false => target.write(&files_to_write, input, bytes, converted.text.as_deref()),
             };
             let found = !converted.diagnostics.is_empty();
             let report = found.then(|| Report::from_bytes(input.name(), bytes, converted.diagnostics));
             (is_changed, report.into_iter().chain(written.err()).collect::<Vec<_>>())
         });
+        let unwritten = files_to_write.finish();
         bar.finish_and_clear();
-        let (mut changed, mut unchanged) = (0, 0);
+        let (mut changed, mut unchanged) = (0_usize, 0);
         for result in results {
             let (is_changed, of_file) = result.unwrap_or_else(|report| (false, vec![report]));
             match (count(&of_file, Severity::Error), is_changed) {
@@ -97,6 +100,8 @@ impl Run for Convert {
             }
             reports.extend(of_file);
         }
+        changed = changed.saturating_sub(unwritten.len());
+        reports.extend(unwritten);
         let outcome = Outcome::from_reports(&reports);
         reporter.add(reports);
         if quiet || inputs.is_empty() {
@@ -143,15 +148,13 @@ impl Convert {
 
 impl Target<'_> {
     /// Writes a file, whose new text is `after` if it has one.
-    fn write(self, input: &Input, before: &[u8], after: Option<&str>) -> Result<(), Report> {
+    fn write(self, files: &Files, input: &Input, before: &[u8], after: Option<&str>) -> Result<(), Report> {
         match (self, after) {
             (Target::Folder(folder), after) => {
                 let after = after.map_or(before, str::as_bytes);
-                interrupt::whole(|| replace_file(&output(folder, input), after))
+                files.replace(&output(folder, input), after)
             }
-            (Target::InPlace, Some(after)) => {
-                interrupt::whole(|| Rewriting::InPlace.rewrite(input, before, after)).map(|_| ())
-            }
+            (Target::InPlace, Some(after)) => Rewriting::InPlace.rewrite(files, input, before, after).map(|_| ()),
             (Target::InPlace, None) => Ok(()),
         }
     }

@@ -2,15 +2,16 @@
 
 use crate::Ended;
 use crate::commands::Run;
+use crate::interrupt::Files;
 use crate::reporter::Reporter;
 use crate::shared::format_examples::Direction;
 use crate::shared::formats;
 use crate::shared::inputs::find;
 use crate::shared::sources::Sources;
 use crate::shared::stdio;
-use crate::{Outcome, console, interrupt};
+use crate::{Outcome, console};
 use clap::Args;
-use lipz_compiler::{Compiler, Input, Options, key, replace_file};
+use lipz_compiler::{Compiler, Input, Options, key};
 use lipz_diagnostics::{Diagnostic, Report, Severity};
 use lipz_interop::{ExportOptions, Exported, Format, Map, export};
 use std::collections::BTreeSet;
@@ -80,6 +81,7 @@ impl Run for Export {
         let map = map.as_ref().map(formats::MapChoice::map);
         let results = Compiler::new(options.clone())
             .each_file(&inputs, |input, bytes| one(format, input, bytes, options, (map, self.dat_base)));
+        let files = Files::new();
         let (mut written, mut left_out) = (0, BTreeSet::new());
         for (input, result) in inputs.iter().zip(results) {
             let made = match result {
@@ -98,12 +100,15 @@ impl Run for Export {
                     reporter.print_bytes(&bytes)?;
                     return Ok(Outcome::Clean);
                 }
-                Some(folder) => match write(folder, input, format, &bytes) {
+                Some(folder) => match write(&files, folder, input, format, &bytes) {
                     Ok(()) => written += 1,
                     Err(report) => reports.push(report),
                 },
             }
         }
+        let unwritten = files.finish();
+        written -= unwritten.len();
+        reports.extend(unwritten);
         let outcome = Outcome::from_reports(&reports);
         reporter.add(reports);
         match self.output.as_deref().filter(|_| !self.sources.is_quiet() && written > 0) {
@@ -137,9 +142,8 @@ fn has_errors(diagnostics: &[Diagnostic]) -> bool {
     diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error)
 }
 
-fn write(folder: &Path, input: &Input, format: &Format, bytes: &[u8]) -> Result<(), Report> {
-    let path = formats::path(folder, &input.key, format.extension);
-    interrupt::whole(|| replace_file(&path, bytes))
+fn write(files: &Files, folder: &Path, input: &Input, format: &Format, bytes: &[u8]) -> Result<(), Report> {
+    files.replace(&formats::path(folder, &input.key, format.extension), bytes)
 }
 
 fn summary(format: &Format, written: usize, folder: &Path, left_out: &BTreeSet<&str>) -> String {

@@ -2,13 +2,14 @@
 
 use crate::Ended;
 use crate::commands::Run;
+use crate::interrupt::Files;
 use crate::reporter::Reporter;
 use crate::shared::project_flags::parse_locale;
 use crate::shared::rewriting::{Rewriting, diff, files, is_standard_input, reads_standard_input};
 use crate::shared::settings_file::{Project, SettingsFile};
 use crate::shared::sources::PROJECT;
 use crate::shared::stdio;
-use crate::{Outcome, console, interrupt};
+use crate::{Outcome, console};
 use clap::Args;
 use lipz_compiler::Compiler;
 use lipz_diagnostics::{Report, escape};
@@ -76,13 +77,15 @@ impl Run for Fmt {
         let (inputs, mut reports) = settings.discover();
         let bar = console::progress_bar(inputs.len(), self.quiet);
         let compiler = Compiler::new(settings.options.clone()).progress(|count| bar.inc(count));
+        let files_to_write = Files::new();
         let results = compiler.each_file(&inputs, |input, bytes| {
             let after = formatted(&input.name(), bytes, default_locale)?;
             if after.as_bytes() == bytes {
                 return Ok(None);
             }
-            interrupt::whole(|| self.rewriting().rewrite(input, bytes, &after)).map(Some)
+            self.rewriting().rewrite(&files_to_write, input, bytes, &after).map(Some)
         });
+        let unwritten = files_to_write.finish();
         bar.finish_and_clear();
         let (mut changed, mut unchanged, mut shown) = (0, 0, String::new());
         for (input, result) in std::iter::zip(&inputs, results) {
@@ -99,6 +102,8 @@ impl Run for Fmt {
                 Err(report) => reports.push(report),
             }
         }
+        changed -= unwritten.len();
+        reports.extend(unwritten);
         let outcome = Outcome::from_reports(&reports);
         reporter.add(reports);
         let summary = |what| format!("{} {what}, {} unchanged\n", files(changed), console::grouped(unchanged));

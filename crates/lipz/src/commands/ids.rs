@@ -12,6 +12,9 @@ use clap::{Args, ValueEnum};
 use lipz_bank::Bank;
 use lipz_compiler::ids::{Language, generate};
 use lipz_diagnostics::Report;
+use lipz_layout::MAGIC;
+use std::fs::File;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 /// Write the ids of clips as constants, so that a misspelt key does not compile.
@@ -85,7 +88,7 @@ impl Run for Ids {
             output_file::refuse_source(output, reporter)?;
         }
         match self.sources.paths() {
-            [bank] if is_bank(bank) => {
+            [bank] if is_bank_file(bank) => {
                 let file = BankFile::open(bank, reporter)?;
                 write(&file.name, &file.bank(reporter)?, self, reporter)
             }
@@ -94,8 +97,14 @@ impl Run for Ids {
     }
 }
 
-fn is_bank(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("lipzbank")) && !path.is_dir()
+/// Whether a path is that of a bank: by its name, or whatever it is called, by how it begins.
+fn is_bank_file(path: &Path) -> bool {
+    let is_named = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("lipzbank"));
+    let begins = || {
+        let mut start = [0; MAGIC.len()];
+        path.is_file() && File::open(path).is_ok_and(|mut file| file.read_exact(&mut start).is_ok() && start == MAGIC)
+    };
+    is_named && !path.is_dir() || begins()
 }
 
 /// The ids of the bank that would be packed.

@@ -5,9 +5,12 @@
 mod unix;
 
 use crate::console;
+use lipz_compiler::Replacements;
+use lipz_diagnostics::Report;
+use std::path::Path;
 use std::process;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 #[cfg(unix)]
 use unix::on_request;
 
@@ -20,6 +23,36 @@ static WRITING: Mutex<()> = Mutex::new(());
 static ENDING: Mutex<()> = Mutex::new(());
 /// Whether the run was asked to end.
 static IS_ASKED: AtomicBool = AtomicBool::new(false);
+
+/// Files of the command that are written and not yet replaced: temporary ones, which nobody may leave behind.
+static WAITING: Mutex<Option<Arc<Replacements>>> = Mutex::new(None);
+
+/// Replaces many files, in groups. What waits is given up when the process is asked to end.
+pub(crate) struct Files(Arc<Replacements>);
+
+impl Files {
+    /// None yet. A command has one of these at a time.
+    pub(crate) fn new() -> Files {
+        let files = Arc::new(Replacements::default());
+        *WAITING.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&files));
+        Files(files)
+    }
+
+    /// As [`Replacements::replace`].
+    pub(crate) fn replace(&self, path: &Path, bytes: &[u8]) -> Result<(), Report> {
+        whole(|| self.0.replace(path, bytes))
+    }
+
+    /// As [`Replacements::rewrite`].
+    pub(crate) fn rewrite(&self, path: &Path, before: &[u8], after: &[u8]) -> Result<(), Report> {
+        whole(|| self.0.rewrite(path, before, after))
+    }
+
+    /// As [`Replacements::finish`].
+    pub(crate) fn finish(&self) -> Vec<Report> {
+        whole(|| self.0.finish())
+    }
+}
 
 /// Ends the process when it is asked to; waits for files that are being written.
 pub(crate) fn listen() {
@@ -60,6 +93,9 @@ fn writing() -> MutexGuard<'static, ()> {
 /// Ends the process, whichever of several threads comes first.
 fn end() -> ! {
     let _first = ENDING.lock();
+    if let Some(files) = WAITING.lock().unwrap_or_else(PoisonError::into_inner).take() {
+        files.abandon();
+    }
     console::remark_below_progress("interrupted\n");
     process::exit(EXIT_CODE)
 }

@@ -3,6 +3,7 @@
 use libc::c_int;
 use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
 use signal_hook::iterator::Signals;
+use std::sync::mpsc;
 use std::{mem, ptr, thread};
 
 /// Ctrl-C, `kill`, and a terminal that was closed.
@@ -13,14 +14,20 @@ const REQUESTS: [c_int; 3] = [SIGINT, SIGTERM, SIGHUP];
 /// Signals that it ignores stay ignored, each by itself: `nohup` takes SIGHUP away, and shells take SIGINT from what
 /// scripts start in the background. Both still end by SIGTERM.
 pub(super) fn on_request(end: impl FnOnce() + Send + 'static) {
+    let (listening, heard) = mpsc::channel();
     let heeded = REQUESTS.into_iter().filter(|signal| !is_ignored(*signal));
-    // Where the system refuses a handler, the signal ends the process by itself.
-    let Ok(mut signals) = Signals::new(heeded) else { return };
-    thread::spawn(move || {
+    let heeded: Vec<c_int> = heeded.collect();
+    let wait = move || {
+        // Where the system refuses a handler, or the thread for it, the signal ends the process by itself.
+        let Ok(mut signals) = Signals::new(heeded) else { return };
+        let _ = listening.send(());
         if signals.forever().next().is_some() {
             end();
         }
-    });
+    };
+    if thread::Builder::new().spawn(wait).is_ok() {
+        let _ = heard.recv();
+    }
 }
 
 /// Whether the process was started so that it ignores a signal.

@@ -1,8 +1,8 @@
 //! Lipz files that exist where a command writes: what is in them stays, or is named before it is lost.
 
+use crate::console;
+use crate::interrupt::Files;
 use crate::shared::formats;
-use crate::{console, interrupt};
-use lipz_compiler::{replace_file, rewrite_file};
 use lipz_diagnostics::{Code, Diagnostic, Report, escape};
 use lipz_file::format::{LineEnding, Style, rewrite};
 use lipz_file::rate::Rate;
@@ -52,6 +52,7 @@ impl Existing {
     /// Gives it other elements than it has. Whatever did not change stays as it is spelled.
     pub(crate) fn update(
         &self,
+        files: &Files,
         before: &Document<'_>,
         after: &Document<'_>,
         locale: Option<&str>,
@@ -59,12 +60,12 @@ impl Existing {
         let text = String::from_utf8_lossy(&self.bytes);
         let style = Style { default_locale: locale, line_ending: LineEnding::detect(&text) };
         let after = rewrite(&text, before, after, style);
-        interrupt::whole(|| rewrite_file(&self.path, &self.bytes, after.as_bytes()))
+        files.rewrite(&self.path, &self.bytes, after.as_bytes())
     }
 
     /// Replaces it by another document.
-    pub(crate) fn replace(&self, text: &str) -> Result<(), Report> {
-        interrupt::whole(|| replace_file(&self.path, text.as_bytes()))
+    pub(crate) fn replace(&self, files: &Files, text: &str) -> Result<(), Report> {
+        files.replace(&self.path, text.as_bytes())
     }
 
     /// What is lost if another document takes its place, apart from its mouth; `None` if nothing is.

@@ -26,6 +26,7 @@ pub(crate) fn with_inputs(
         bar.inc(files);
         interrupt::point();
     });
+    let compiler = compiler.around_writes(|write| interrupt::whole(write));
     let mut compiled = match count(&reports, Severity::Error) {
         0 => work(&compiler, &inputs),
         _ => compiler.check(&inputs),

@@ -3,16 +3,44 @@
 use crate::Abort;
 use crate::reporter::Reporter;
 use crate::{console, interrupt};
+use lipz_compiler::settings::FILE_NAME;
 use lipz_compiler::{key, replace_file};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-/// Refuses an output with the name of a Lipz file: a slip of the hand would replace a clip by a bank.
+/// Refuses an output with the name of a Lipz file or of settings: a slip of the hand would replace a clip by a bank.
 pub(crate) fn refuse_source(path: &Path, reporter: &mut Reporter) -> Result<(), Abort> {
+    if path.file_name().is_some_and(|name| name.eq_ignore_ascii_case(FILE_NAME)) {
+        let message = format!("`{}` is the name of a settings file, not of an output", console::path(path));
+        return Err(reporter.usage(message, "give the output another name"));
+    }
     if path.extension().is_none_or(|extension| !extension.eq_ignore_ascii_case(key::EXTENSION)) {
         return Ok(());
     }
     let message = format!("`{}` is the name of a Lipz file, not of an output", console::path(path));
     Err(reporter.usage(message, "give the output another extension"))
+}
+
+/// Refuses outputs that are one file, or that would replace what is only read: each comes with what it is.
+pub(crate) fn refuse_same(files: &[(&str, &Path)], reporter: &mut Reporter) -> Result<(), Abort> {
+    let places: Vec<PathBuf> = files.iter().map(|(_, path)| place(path)).collect();
+    for (index, (what, path)) in files.iter().enumerate() {
+        let Some(other) = places.iter().take(index).position(|place| Some(place) == places.get(index)) else {
+            continue;
+        };
+        let other = files.get(other).map_or("", |(what, _)| what);
+        let message = format!("{what} and {other} are one file: `{}`", console::path(path));
+        return Err(reporter.usage(message, "give each a name of its own"));
+    }
+    Ok(())
+}
+
+/// Where a file really is, or would be.
+fn place(path: &Path) -> PathBuf {
+    let folder = || {
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        Some(folder.canonicalize().ok()?.join(path.file_name()?))
+    };
+    path.canonicalize().ok().or_else(folder).unwrap_or_else(|| path.to_owned())
 }
 
 /// Replaces the file at `path`, also when the run is interrupted meanwhile. Reports why that is not possible.

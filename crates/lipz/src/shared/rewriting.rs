@@ -2,9 +2,10 @@
 
 use crate::Abort;
 use crate::console;
+use crate::interrupt::Files;
 use crate::reporter::Reporter;
 use crate::shared::stdio;
-use lipz_compiler::{Content, Input, rewrite_file};
+use lipz_compiler::{Content, Input};
 use lipz_diagnostics::{Report, escape};
 use similar::TextDiff;
 use std::borrow::Cow;
@@ -24,10 +25,10 @@ pub(crate) enum Rewriting {
 
 impl Rewriting {
     /// Makes `after` of the file that was read as `before`. Gives the difference if it is asked for.
-    pub(crate) fn rewrite(self, input: &Input, before: &[u8], after: &str) -> Result<String, Report> {
+    pub(crate) fn rewrite(self, files: &Files, input: &Input, before: &[u8], after: &str) -> Result<String, Report> {
         match (self, &input.content) {
             (Rewriting::InPlace, Content::File(path)) => {
-                rewrite_file(path, before, after.as_bytes()).map(|()| String::new())
+                files.rewrite(path, before, after.as_bytes()).map(|()| String::new())
             }
             (Rewriting::Diff, _) => Ok(diff(&input.name(), before, after)),
             _ => Ok(String::new()),
@@ -54,6 +55,8 @@ pub(crate) fn is_standard_input(sources: &[PathBuf]) -> bool {
 /// terminal do not reach one.
 pub(crate) fn diff(name: &str, before: &[u8], after: &str) -> String {
     let before = String::from_utf8_lossy(before);
+    // A name may have line breaks: one line is the header, and GitHub takes others for commands.
+    let name = &escape::text(name);
     let unified = TextDiff::from_lines(before.as_ref(), after).unified_diff().header(name, name).to_string();
     if !io::stdout().is_terminal() {
         return unified;

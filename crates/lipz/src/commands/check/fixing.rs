@@ -1,7 +1,8 @@
 //! The certain fixes of `lipz check --fix`, made in the files or only in memory.
 
+use crate::console;
+use crate::interrupt::Files;
 use crate::shared::rewriting::Rewriting;
-use crate::{console, interrupt};
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiler, Content, Fixed, Input};
 use lipz_diagnostics::{Report, escape};
@@ -42,11 +43,14 @@ pub(super) fn fix_all(settings: &Settings, quiet: bool, rewriting: Rewriting) ->
     let (inputs, _) = settings.discover();
     let bar = console::progress_bar(inputs.len(), quiet);
     let compiler = Compiler::new(settings.options.clone()).progress(|count| bar.inc(count));
+    let files = Files::new();
     let results = compiler.each_file(&inputs, |input, bytes| {
         let fixed = compiler.fix(bytes)?;
-        Some(interrupt::whole(|| rewriting.rewrite(input, bytes, &fixed.text)).map(|difference| (fixed, difference)))
+        Some(rewriting.rewrite(&files, input, bytes, &fixed.text).map(|difference| (fixed, difference)))
     });
+    let unwritten = files.finish();
     bar.finish_and_clear();
+    let is_written = |input: &Input| unwritten.iter().all(|report| report.source.path != input.name());
     let mut fixing = Fixing::default();
     for (input, result) in std::iter::zip(inputs, results) {
         match result {
@@ -54,7 +58,7 @@ pub(super) fn fix_all(settings: &Settings, quiet: bool, rewriting: Rewriting) ->
                 if rewriting == Rewriting::Diff {
                     fixing.changes.push_str(&difference);
                     fixing.in_memory.insert(input.name(), fixed.text);
-                } else if !quiet {
+                } else if !quiet && is_written(&input) {
                     fixing.changes.push_str(&format!("{}: {} fixed\n", escape::text(&input.name()), counts(&fixed)));
                 }
             }
@@ -62,6 +66,7 @@ pub(super) fn fix_all(settings: &Settings, quiet: bool, rewriting: Rewriting) ->
             Ok(None) | Err(_) => {}
         }
     }
+    fixing.unwritten.extend(unwritten);
     fixing
 }
 

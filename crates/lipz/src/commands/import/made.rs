@@ -3,10 +3,10 @@
 use super::options::Settings;
 use super::text::Texts;
 use super::{Import, joined};
-use crate::interrupt;
+use crate::interrupt::Files;
 use crate::shared::existing::Existing;
 use crate::shared::formats::{self, Source};
-use lipz_compiler::{Content, Input, key, replace_file};
+use lipz_compiler::{Content, Input, key};
 use lipz_diagnostics::{Diagnostic, Report};
 use lipz_file::format::{Style, format};
 use lipz_interop::{Clip, Imported, Script, import};
@@ -120,6 +120,7 @@ impl Made {
     /// Writes the clip: as a new file, in place of the one that is there, or into that.
     pub(super) fn write(
         &self,
+        files: &Files,
         replace: bool,
         folder: &Path,
         settings: &Settings<'_>,
@@ -127,7 +128,7 @@ impl Made {
     ) -> Result<Place, Report> {
         let Some(existing) = &self.existing else {
             let path = formats::path(folder, &self.input.key, key::EXTENSION);
-            return interrupt::whole(|| replace_file(&path, self.layout(settings).as_bytes())).map(|()| Place::File);
+            return files.replace(&path, self.layout(settings).as_bytes()).map(|()| Place::File);
         };
         let mut may_go_on = |mut diagnostics: Vec<Diagnostic>| {
             settings.apply_levels(&mut diagnostics);
@@ -139,14 +140,16 @@ impl Made {
         };
         if replace {
             if may_go_on(existing.loss(&self.clip.document).into_iter().collect()) {
-                return existing.replace(&self.layout(settings)).map(|()| Place::File);
+                return existing.replace(files, &self.layout(settings)).map(|()| Place::File);
             }
             return Ok(Place::Nowhere);
         }
         let before = existing.document()?;
         let merged = self.clip.merge(&before, &settings.merge_options());
         if may_go_on(merged.diagnostics) {
-            return existing.update(&before, &merged.document, settings.default_locale()).map(|()| Place::Merged);
+            return existing
+                .update(files, &before, &merged.document, settings.default_locale())
+                .map(|()| Place::Merged);
         }
         Ok(Place::Nowhere)
     }

@@ -11,6 +11,7 @@ mod text;
 use crate::Ended;
 use crate::Outcome;
 use crate::commands::Run;
+use crate::interrupt::Files;
 use crate::reporter::Reporter;
 use crate::shared::format_examples::Direction;
 use crate::shared::formats;
@@ -109,12 +110,14 @@ impl Run for Import {
             };
         };
         let mut written = summary::Written::default();
+        let files = Files::new();
         for made in &made {
-            match made.write(self.replace, folder, &settings, &mut reports) {
+            match made.write(&files, self.replace, folder, &settings, &mut reports) {
                 Ok(place) => written.add(place),
                 Err(report) => reports.push(report),
             }
         }
+        reports.extend(files.finish());
         if let Some(path) = &self.report {
             let report = report::json(self.tool_format, made.iter().map(|made| (&made.input, &made.clip)));
             output_file::write(path, report.as_bytes(), reporter)?;

@@ -42,7 +42,7 @@ impl Destination {
     pub(super) fn make(&self, compiler: &Compiler<'_>, inputs: &[Input]) -> Compiled {
         match self {
             Destination::StandardOutput => compiler.compile(inputs),
-            Destination::Files(outputs) => interrupt::whole(|| outputs.pack(compiler, inputs)),
+            Destination::Files(outputs) => outputs.pack(compiler, inputs),
         }
     }
 
@@ -83,10 +83,14 @@ impl Destination {
 /// What standard output is called where a file has a path.
 const STANDARD_OUTPUT: &str = "standard output";
 
-/// Replaces a file. Reports why that is not possible.
+/// Replaces a file that goes with a bank, which is written by then. Reports why that is not possible.
 pub(super) fn write(path: &Path, bytes: &[u8], replace: Replace, reporter: &mut Reporter) -> Result<(), Abort> {
     let written = interrupt::whole(|| OutputFile::write(path, bytes, replace));
-    written.map(drop).map_err(|report| reporter.fail(report))
+    written.map(drop).map_err(|mut report| {
+        let note = "the bank itself is written";
+        report.diagnostics.iter_mut().for_each(|diagnostic| diagnostic.notes.push(note.to_owned()));
+        reporter.fail(report)
+    })
 }
 
 /// A line for each file.

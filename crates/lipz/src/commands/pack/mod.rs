@@ -103,7 +103,7 @@ impl Pack {
             line("verify and write", phases.finish),
             format!(
                 "  {} of {} recalled from the bank\n",
-                packed.recalled,
+                console::grouped(packed.recalled),
                 console::counted(packed.clip_count, "clip")
             ),
         ]

@@ -10,7 +10,7 @@ use crate::shared::settings_file::Project;
 use crate::shared::{output_file, stdio};
 use lipz_compiler::{Compiled, Delivered, Input, Memory, Phases, Replace, dependencies, depfile};
 use std::mem;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// What a run works with: the project as it is now, under the command line's arguments.
@@ -55,11 +55,22 @@ impl Plan {
                 return Err(reporter.usage("no bank to write is named", tip));
             }
         };
+        let cache = arguments.cache(settings).map(Path::to_owned);
         for path in std::iter::once(&output).chain(&arguments.depfile) {
             output_file::refuse_source(path, reporter)?;
         }
+        let bank = Some(("the bank", output.as_path())).filter(|(_, path)| !stdio::is_meant(path));
+        let depfile = arguments.depfile.as_deref().map(|path| ("the depfile", path));
+        let settings_file = project.file.as_deref().map(|path| ("the settings", path));
+        // A cache replaces nothing but a cache.
+        let cache_file = cache.as_deref().map(|path| ("the cache", path));
+        for read_or_cache in [settings_file, cache_file] {
+            let files: Vec<_> = read_or_cache.into_iter().chain(bank).chain(depfile).collect();
+            output_file::refuse_same(&files, reporter)?;
+        }
+        let settings = &project.settings;
         let is_split = arguments.split_locales.unwrap_or(settings.split_locales);
-        let cache = arguments.cache(settings);
+        let cache = cache.as_deref();
         let destination = Destination::new(&output, is_split, arguments.depfile.is_some(), cache, reporter)?;
         Ok(Plan { project, output, destination, depfile: arguments.depfile.clone() })
     }

@@ -2,14 +2,15 @@
 
 use super::Format;
 use crate::Ended;
+use crate::interrupt::Files;
 use crate::reporter::Reporter;
 use crate::shared::formats;
 use crate::shared::inputs::find;
 use crate::shared::project_flags::parse_locale;
 use crate::shared::sources::Sources;
-use crate::{Outcome, console, interrupt};
+use crate::{Outcome, console};
 use clap::Args;
-use lipz_compiler::{Compiler, Input, Options, key, replace_file};
+use lipz_compiler::{Compiler, Input, Options, key};
 use lipz_diagnostics::{Report, Severity};
 use lipz_file::locale::{TextName, text_name};
 use lipz_interop::subtitles::{SubtitleFormat, SubtitleOptions, cues};
@@ -74,12 +75,16 @@ pub(super) fn run(arguments: &Export, reporter: &mut Reporter) -> Ended {
     }
     let mut written = 0;
     if formats::may_write(&reports) {
+        let files_to_write = Files::new();
         for (path, file) in &files {
-            match interrupt::whole(|| replace_file(path, file.as_bytes())) {
+            match files_to_write.replace(path, file.as_bytes()) {
                 Ok(()) => written += 1,
                 Err(report) => reports.push(report),
             }
         }
+        let unwritten = files_to_write.finish();
+        written -= unwritten.len();
+        reports.extend(unwritten);
     }
     let outcome = Outcome::from_reports(&reports);
     reporter.add(reports);

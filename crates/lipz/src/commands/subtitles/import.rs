@@ -2,6 +2,7 @@
 
 use super::found::{self, Found};
 use crate::Ended;
+use crate::interrupt::Files;
 use crate::reporter::Reporter;
 use crate::shared::existing::Existing;
 use crate::shared::formats;
@@ -9,10 +10,10 @@ use crate::shared::lint_flags::LintFlags;
 use crate::shared::patterns;
 use crate::shared::project_flags::{parse_fps, parse_locale};
 use crate::shared::settings_file::SettingsFile;
-use crate::{Outcome, console, interrupt};
+use crate::{Outcome, console};
 use clap::Args;
 use lipz_bank::Fps;
-use lipz_compiler::{Content, Input, Options, key, replace_file};
+use lipz_compiler::{Content, Input, Options, key};
 use lipz_diagnostics::{Diagnostic, Report, Severity};
 use lipz_file::format::{Style, format};
 use lipz_interop::subtitles::{SubtitleFormat, clip, join};
@@ -71,13 +72,17 @@ pub(super) fn run(arguments: &Import, reporter: &mut Reporter) -> Ended {
     key::check(&clips.iter().filter_map(input).collect::<Vec<_>>(), &mut reports);
     let mut written = 0;
     if formats::may_write(&reports) {
+        let files = Files::new();
         for clip in clips {
             let Some(path) = path(clip) else { continue };
-            match one(arguments, &options, &path, clip, &mut reports) {
+            match one(arguments, &options, &path, clip, &files, &mut reports) {
                 Ok(is_written) => written += usize::from(is_written),
                 Err(report) => reports.push(report),
             }
         }
+        let unwritten = files.finish();
+        written -= unwritten.len();
+        reports.extend(unwritten);
     }
     let outcome = Outcome::from_reports(&reports);
     reporter.add(reports);
@@ -95,7 +100,8 @@ fn one(
     arguments: &Import,
     options: &Options,
     path: &Path,
-    files: &[Found],
+    found: &[Found],
+    files: &Files,
     reports: &mut Vec<Report>,
 ) -> Result<bool, Report> {
     let existing = Existing::find(path)?;
@@ -104,7 +110,7 @@ fn one(
     let fps = arguments.fps.or(options.default_fps);
     let rate = fps.map_or(DEFAULT_RATE, formats::rate);
     let mut is_changed = false;
-    for file in files {
+    for file in found {
         let bytes = fs::read(&file.path).map_err(|error| formats::unreadable(&file.path, &error))?;
         let mut diagnostics = Vec::new();
         let is_legacy = file.format == SubtitleFormat::Srt;
@@ -125,10 +131,10 @@ fn one(
     let Some(document) = document.filter(|_| is_changed) else { return Ok(false) };
     let locale = options.default_locale.as_deref();
     match (&existing, &before) {
-        (Some(existing), Some(before)) => existing.update(before, &document, locale)?,
+        (Some(existing), Some(before)) => existing.update(files, before, &document, locale)?,
         _ => {
             let after = format(&document, Style { default_locale: locale, ..Style::default() });
-            interrupt::whole(|| replace_file(path, after.as_bytes()))?;
+            files.replace(path, after.as_bytes())?;
         }
     }
     Ok(true)

@@ -1,0 +1,84 @@
+//! How many diagnostics of one kind a file may have: the rest is counted.
+
+use crate::{Code, Diagnostic};
+use std::collections::BTreeMap;
+
+/// Diagnostics of one code in one file that are kept. Those after them are one more, which says how many they are.
+pub const PER_FILE_AND_CODE: usize = 1_000;
+
+/// From so many on, [`limit_many`] counts: more than a file can have of all codes that are about its elements.
+const MANY: usize = 1 << 16;
+
+/// Keeps the first [`PER_FILE_AND_CODE`] diagnostics of each code in a file, and makes one of the others, at the place
+/// of the first of these: the memory that a file needs does not depend on how often somebody repeats a mistake.
+///
+/// ```
+/// use lipz_diagnostics::{Code, Diagnostic, bound};
+/// let mut diagnostics = vec![Diagnostic::new(Code::UnknownElement, "`x` is not an element"); 1_200];
+/// bound::limit(&mut diagnostics);
+/// assert_eq!(diagnostics.len(), 1_001);
+/// assert_eq!(diagnostics[1_000].message, "200 more LZ0203 in this file are not shown");
+/// assert_eq!(diagnostics[1_000].count(), 200);
+/// ```
+pub fn limit(diagnostics: &mut Vec<Diagnostic>) {
+    if diagnostics.len() <= PER_FILE_AND_CODE {
+        return;
+    }
+    let mut kept: BTreeMap<Code, usize> = BTreeMap::new();
+    let mut rest: BTreeMap<Code, Diagnostic> = BTreeMap::new();
+    diagnostics.retain_mut(|diagnostic| {
+        let kept = kept.entry(diagnostic.code).or_default();
+        if diagnostic.rest == 0 && *kept < PER_FILE_AND_CODE {
+            *kept += 1;
+            return true;
+        }
+        let all = rest.entry(diagnostic.code).or_insert_with(|| {
+            let mut first = Diagnostic::new(diagnostic.code, "");
+            first.primary = diagnostic.primary.take();
+            first
+        });
+        all.severity = all.severity.max(diagnostic.severity);
+        all.rest += diagnostic.count();
+        false
+    });
+    for mut all in rest.into_values() {
+        all.message = format!("{} more {} in this file are not shown", all.rest, all.code);
+        diagnostics.push(all.help("mend those before them; the next run shows the others"));
+    }
+}
+
+/// The same once there are very many, for loops that add one after the other.
+pub fn limit_many(diagnostics: &mut Vec<Diagnostic>) {
+    if diagnostics.len() >= MANY {
+        limit(diagnostics);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Severity, Span};
+
+    #[test]
+    fn counting_goes_on_where_it_stopped() {
+        let at = |start| Diagnostic::at(Code::DuplicateElement, Span::new(start, start + 1), "");
+        let mut diagnostics: Vec<Diagnostic> = (0..1_500).map(at).collect();
+        diagnostics.insert(7, Diagnostic::new(Code::ByteOrderMark, ""));
+        limit(&mut diagnostics);
+        diagnostics.extend((1_500..1_600).map(at));
+        limit(&mut diagnostics);
+        assert_eq!(diagnostics.len(), 1_002);
+        let all = diagnostics.last().unwrap();
+        assert_eq!((all.count(), all.start(), all.severity), (600, 1_000, Severity::Error));
+        assert_eq!(all.message, "600 more LZ0201 in this file are not shown");
+        assert_eq!(diagnostics.iter().map(Diagnostic::count).sum::<usize>(), 1_601);
+    }
+
+    #[test]
+    fn few_stay_as_they_are() {
+        let mut diagnostics = vec![Diagnostic::new(Code::UnknownElement, ""); PER_FILE_AND_CODE];
+        limit(&mut diagnostics);
+        assert_eq!(diagnostics.len(), PER_FILE_AND_CODE);
+        assert!(diagnostics.iter().all(|diagnostic| diagnostic.count() == 1));
+    }
+}

@@ -1,0 +1,136 @@
+//! Memory and work are in proportion to the input, whatever is in it: docs/LIMITS.md has the figures. Counted are bytes
+//! and allocations, not seconds.
+#![allow(clippy::unwrap_used, reason = "tests")]
+#![allow(unsafe_code, reason = "an allocator that counts")]
+
+use lipz_compiler::{Compiler, Input, Options};
+use lipz_diagnostics::{Report, Severity, render, reports};
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+
+/// The system's allocator, with counts.
+struct Counting;
+
+static NOW_BYTES: AtomicUsize = AtomicUsize::new(0);
+static PEAK_BYTES: AtomicUsize = AtomicUsize::new(0);
+static ALLOCATIONS: AtomicUsize = AtomicUsize::new(0);
+
+// SAFETY: everything is handed on to the system's allocator as it comes.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        ALLOCATIONS.fetch_add(1, Relaxed);
+        let now = NOW_BYTES.fetch_add(layout.size(), Relaxed) + layout.size();
+        PEAK_BYTES.fetch_max(now, Relaxed);
+        // SAFETY: the caller keeps the contract of `alloc`.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        NOW_BYTES.fetch_sub(layout.size(), Relaxed);
+        // SAFETY: the caller keeps the contract of `dealloc`.
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static COUNTING: Counting = Counting;
+
+/// The most bytes at a time and the number of allocations of `work`.
+fn measured<R>(work: impl FnOnce() -> R) -> (usize, usize, R) {
+    let (before, allocations) = (NOW_BYTES.load(Relaxed), ALLOCATIONS.load(Relaxed));
+    PEAK_BYTES.store(before, Relaxed);
+    let result = work();
+    (PEAK_BYTES.load(Relaxed) - before, ALLOCATIONS.load(Relaxed) - allocations, result)
+}
+
+/// The file `{…}` with `count` elements or parts of one.
+type Shape = fn(usize) -> String;
+
+fn elements(count: usize, element: impl Fn(usize) -> String) -> String {
+    format!("{{{}}}", (0..count).map(element).collect::<Vec<_>>().join(","))
+}
+
+fn locale(number: usize) -> String {
+    let letters = || 'a'..='z';
+    let letter = |place: u32| letters().nth(number / 26_usize.pow(place) % 26).unwrap();
+    format!("{}{}-{}{}", letter(3), letter(2), letter(1), letter(0))
+}
+
+/// Reports in one of the formats.
+type Render = fn(&[Report]) -> String;
+
+/// What people and their enemies repeat, each a file of so many.
+const SHAPES: &[(&str, Shape)] = &[
+    ("duplicate elements", |count| elements(count, |number| format!("\"fps\":{}", 1 + number % 1000))),
+    ("unknown elements", |count| elements(count, |number| format!("\"x{number}\":1"))),
+    ("wrong types", |count| elements(count, |number| format!("\"text_{}\":1", locale(number)))),
+    ("locales", |count| elements(count, |number| format!("\"text_{}\":\"x\"", locale(number)))),
+    ("segments that differ", |count| {
+        elements(count, |number| format!("\"text_{}\":\"{}\"", locale(number), if number == 0 { "a|b" } else { "x" }))
+    }),
+    ("braces", |count| elements(count, |number| format!("\"text_{}\":\"{{{{}}}}}}\"", locale(number)))),
+    ("segments", |count| format!("{{\"visemes\":\"{}\"}}", "M|".repeat(count))),
+    ("events", |count| {
+        format!(
+            "{{\"events\":\"{}\"}}",
+            (0..count).map(|number| format!("a{number} does b{number}|")).collect::<String>()
+        )
+    }),
+    ("wrong codes", |count| format!("{{\"visemes\":\"{}\",\"viseme_type\":\"blair\"}}", "Z".repeat(count))),
+    ("escapes", |count| format!("{{\"text_en-us\":\"{}\"}}", "\\u007c".repeat(count))),
+];
+
+fn run(file: &str) -> Vec<Report> {
+    let options = Options::new()
+        .threads(1)
+        .default_locale("aa-aa")
+        .levels([(lipz_diagnostics::Code::SegmentCount, Some(Severity::Warning))]);
+    Compiler::new(options).compile(&[Input::from_bytes("a", file)]).reports
+}
+
+#[test]
+fn time_and_memory_are_linear_whatever_is_in_a_file() {
+    for (name, shape) in SHAPES {
+        let [small, large] = [3_000, 6_000].map(shape);
+        let [(_, few, _), (peak, many, found)] = [&small, &large].map(|file| measured(|| run(file)));
+        assert!(many < few * 5 / 2 + 2_000, "{name}: {few} allocations, then {many}");
+        // Up to 65,536 diagnostics are gathered before they are counted.
+        assert!(peak < 40 * large.len() + (24 << 20), "{name}: {peak} bytes of memory for {} of file", large.len());
+        let bound = 40 * (lipz_diagnostics::bound::PER_FILE_AND_CODE + 1);
+        assert!(found.iter().map(|report| report.diagnostics.len()).sum::<usize>() < bound, "{name}");
+
+        let formats: [(&str, Render); 5] = [
+            ("human", render::human),
+            ("json", render::json),
+            ("sarif", |reports| render::sarif(reports, true)),
+            ("github", render::github),
+            ("cargo", render::cargo),
+        ];
+        // The renderer for people measures whole lines for each of the 100 that it shows: one shape will do.
+        let skipped = usize::from(*name != "duplicate elements");
+        for (format, render) in formats.into_iter().skip(skipped) {
+            let (peak, _, text) = measured(|| render(&found));
+            assert!(
+                peak < (16 << 20) + 12 * large.len(),
+                "{name}, {format}: {peak} bytes for a text of {}",
+                text.len()
+            );
+        }
+    }
+}
+
+#[test]
+fn the_rest_is_counted_and_counts() {
+    let file = elements(5_000, |number| format!("\"fps\":{}", 1 + number % 1000));
+    let found = run(&file);
+    assert_eq!(reports::count(&found, Severity::Error), 4_999);
+    assert_eq!(found[0].diagnostics.len(), 1_001);
+    let json: serde_json::Value = serde_json::from_str(&render::json(&found)).unwrap();
+    assert_eq!((&json["errors"], json["diagnostics"].as_array().unwrap().len()), (&4_999.into(), 1_001));
+    assert_eq!(json["diagnostics"][1_000]["message"], "3999 more LZ0201 in this file are not shown");
+    assert!(
+        render::human(&found).ends_with(
+            "4,899 more LZ0201 (an element appears twice) in 1 file are not shown\n4,999 errors in 1 file\n"
+        )
+    );
+}
