@@ -25,3 +25,8 @@ pub use sync::{
     DoubtfulWord, Job, Kept, Made, RECORD_NAME, SyncOptions, SyncRecord, Synced, Whole, jobs_of_clips,
     jobs_of_recordings, record_place, sync,
 };
+
+/// The example of the README, run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

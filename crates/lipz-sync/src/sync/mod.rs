@@ -59,6 +59,20 @@ pub type Whole<'w> = dyn Fn(&mut dyn FnMut()) + Sync + 'w;
 /// words. What `record` knows of is not made again unless recording, text or settings changed, and mouths that were changed by
 /// hand stay (see [`SyncOptions::force`]). The record is written whenever a file is, so that an interrupted run goes on where
 /// it ended. `progress` is called for each job.
+///
+/// ```no_run
+/// use lipz_compiler::settings::Settings;
+/// use lipz_sync::{Recordings, SyncOptions, SyncRecord, jobs_of_clips, record_place, sync};
+/// let (settings, _) = Settings::read("lipz.toml".as_ref());
+/// let (inputs, _) = settings.discover();
+/// let (recordings, _) = Recordings::discover(&settings.audio);
+/// let (options, _) = SyncOptions::new(&settings)?;
+/// let (mut record, _) = SyncRecord::read(&record_place(&settings))?;
+/// let jobs = jobs_of_clips(&inputs, &recordings);
+/// let synced = sync(&jobs, &options, &mut record, &|| (), &|write| write());
+/// println!("{} mouths made, {} kept", synced.made.len(), synced.kept.len());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn sync(
     jobs: &[Job],
     options: &SyncOptions,
