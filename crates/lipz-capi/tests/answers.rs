@@ -39,85 +39,111 @@ fn clips_are_found_by_id_key_and_slot() {
     }
 }
 
-#[test]
-fn all_units_of_time_lead_to_the_frame_of_the_reader() {
+/// The sample rate of the times in samples, in Hz.
+const RATE_HZ: u32 = 44_100;
+
+/// One time in all units.
+#[derive(Clone, Copy, Debug)]
+struct Asked {
+    us: i64,
+    seconds: f64,
+    short: f32,
+    position: i64,
+}
+
+/// Calls `ask` with each clip of a bank, as C and the reader know it, and times before, in and behind it.
+fn at_all_times(ask: impl Fn(Option<&Bank>, Option<&Clip>, &lipz_bank::Clip<'_, '_>, Asked)) {
     let (expected, bank) = bank(SMALL);
-    let (bank, rate_hz) = (Some(&bank), 44_100);
+    let bank = Some(&bank);
     for clip in expected.clips() {
         let found = Answer::<Clip>::from_call(|out| unsafe { lipz_clip_by_id(bank, clip.id().get(), out) }).ok();
-        let found = Some(&found);
-        for time_us in (-50_000..3_000_000).step_by(33_333) {
-            let (seconds, position) = (time_us as f64 / 1e6, time_us * 441 / 10_000);
-            let short = seconds as f32;
-            let samples = Samples { position, rate_hz };
-            unsafe {
-                let frames = [
-                    (
-                        Answer::from_call(|out| lipz_frame_at_us(bank, found, time_us, out)),
-                        clip.frame_at(Micros(time_us)),
-                    ),
-                    (
-                        Answer::from_call(|out| lipz_frame_at_seconds(bank, found, seconds, out)),
-                        clip.frame_at(Seconds(seconds)),
-                    ),
-                    (
-                        Answer::from_call(|out| lipz_frame_at_seconds_f32(bank, found, short, out)),
-                        clip.frame_at(Seconds(short)),
-                    ),
-                    (
-                        Answer::from_call(|out| lipz_frame_at_samples(bank, found, position, rate_hz, out)),
-                        clip.frame_at(samples),
-                    ),
-                ];
-                for (found, expected) in frames {
-                    assert_eq!(found.some(), expected, "{time_us} us");
-                }
-                let visemes = [
-                    (
-                        Answer::from_call(|out| lipz_viseme_at_us(bank, found, time_us, out)),
-                        clip.viseme_at(Micros(time_us)),
-                    ),
-                    (
-                        Answer::from_call(|out| lipz_viseme_at_seconds(bank, found, seconds, out)),
-                        clip.viseme_at(Seconds(seconds)),
-                    ),
-                    (
-                        Answer::from_call(|out| lipz_viseme_at_seconds_f32(bank, found, short, out)),
-                        clip.viseme_at(Seconds(short)),
-                    ),
-                    (
-                        Answer::from_call(|out| lipz_viseme_at_samples(bank, found, position, rate_hz, out)),
-                        clip.viseme_at(samples),
-                    ),
-                ];
-                for (found, expected) in visemes {
-                    assert_eq!(found.ok(), Viseme(expected.code()), "{time_us} us");
-                }
-                let segments = [
-                    (
-                        Answer::from_call(|out| lipz_segment_at_us(bank, found, time_us, out)),
-                        clip.segment_at(Micros(time_us)),
-                    ),
-                    (
-                        Answer::from_call(|out| lipz_segment_at_seconds(bank, found, seconds, out)),
-                        clip.segment_at(Seconds(seconds)),
-                    ),
-                    (
-                        Answer::from_call(|out| lipz_segment_at_seconds_f32(bank, found, short, out)),
-                        clip.segment_at(Seconds(short)),
-                    ),
-                    (
-                        Answer::from_call(|out| lipz_segment_at_samples(bank, found, position, rate_hz, out)),
-                        clip.segment_at(samples),
-                    ),
-                ];
-                for (found, expected) in segments {
-                    let found: Option<Segment> = found.some();
-                    assert_eq!(found.map(|segment| segment.index), expected.map(|segment| segment.index()));
-                }
-            }
+        for us in (-50_000..3_000_000).step_by(33_333) {
+            let (seconds, position) = (us as f64 / 1e6, us * 441 / 10_000);
+            ask(bank, Some(&found), &clip, Asked { us, seconds, short: seconds as f32, position });
         }
     }
+}
+
+#[test]
+fn all_units_of_time_lead_to_the_frame_of_the_reader() {
+    at_all_times(|bank, found, clip, asked| {
+        let answers = [
+            (
+                Answer::from_call(|out| unsafe { lipz_frame_at_us(bank, found, asked.us, out) }),
+                clip.frame_at(Micros(asked.us)),
+            ),
+            (
+                Answer::from_call(|out| unsafe { lipz_frame_at_seconds(bank, found, asked.seconds, out) }),
+                clip.frame_at(Seconds(asked.seconds)),
+            ),
+            (
+                Answer::from_call(|out| unsafe { lipz_frame_at_seconds_f32(bank, found, asked.short, out) }),
+                clip.frame_at(Seconds(asked.short)),
+            ),
+            (
+                Answer::from_call(|out| unsafe { lipz_frame_at_samples(bank, found, asked.position, RATE_HZ, out) }),
+                clip.frame_at(Samples { position: asked.position, rate_hz: RATE_HZ }),
+            ),
+        ];
+        for (found, expected) in answers {
+            assert_eq!(found.some(), expected, "{asked:?}");
+        }
+    });
+}
+
+#[test]
+fn all_units_of_time_lead_to_the_viseme_of_the_reader() {
+    at_all_times(|bank, found, clip, asked| {
+        let answers = [
+            (
+                Answer::from_call(|out| unsafe { lipz_viseme_at_us(bank, found, asked.us, out) }),
+                clip.viseme_at(Micros(asked.us)),
+            ),
+            (
+                Answer::from_call(|out| unsafe { lipz_viseme_at_seconds(bank, found, asked.seconds, out) }),
+                clip.viseme_at(Seconds(asked.seconds)),
+            ),
+            (
+                Answer::from_call(|out| unsafe { lipz_viseme_at_seconds_f32(bank, found, asked.short, out) }),
+                clip.viseme_at(Seconds(asked.short)),
+            ),
+            (
+                Answer::from_call(|out| unsafe { lipz_viseme_at_samples(bank, found, asked.position, RATE_HZ, out) }),
+                clip.viseme_at(Samples { position: asked.position, rate_hz: RATE_HZ }),
+            ),
+        ];
+        for (found, expected) in answers {
+            assert_eq!(found.ok(), Viseme(expected.code()), "{asked:?}");
+        }
+    });
+}
+
+#[test]
+fn all_units_of_time_lead_to_the_segment_of_the_reader() {
+    at_all_times(|bank, found, clip, asked| {
+        let answers = [
+            (
+                Answer::from_call(|out| unsafe { lipz_segment_at_us(bank, found, asked.us, out) }),
+                clip.segment_at(Micros(asked.us)),
+            ),
+            (
+                Answer::from_call(|out| unsafe { lipz_segment_at_seconds(bank, found, asked.seconds, out) }),
+                clip.segment_at(Seconds(asked.seconds)),
+            ),
+            (
+                Answer::from_call(|out| unsafe { lipz_segment_at_seconds_f32(bank, found, asked.short, out) }),
+                clip.segment_at(Seconds(asked.short)),
+            ),
+            (
+                Answer::from_call(|out| unsafe { lipz_segment_at_samples(bank, found, asked.position, RATE_HZ, out) }),
+                clip.segment_at(Samples { position: asked.position, rate_hz: RATE_HZ }),
+            ),
+        ];
+        for (found, expected) in answers {
+            let found: Option<Segment> = found.some();
+            assert_eq!(found.map(|segment| segment.index), expected.map(|segment| segment.index()), "{asked:?}");
+        }
+    });
 }
 
 #[test]
