@@ -54,7 +54,7 @@ fn ask(bytes: &[u8], question: &str, times: usize) -> Result<(), Box<dyn std::er
         // The same with what a game does for each picture: events, mouth and text.
         "cursor" => {
             let clip = clips[0];
-            let length_us = clip.duration_us().ok_or("the clip has no frame rate")? as usize;
+            let length_us = usize::try_from(clip.duration_us().ok_or("the clip has no frame rate")?)?;
             let mut cursor = Cursor::new(&clip).ok_or("the clip has no frame rate")?;
             for tick in 0..times {
                 let time = Micros((tick * TICK_US % length_us) as i64);
