@@ -238,12 +238,12 @@ typedef uint8_t lipz_viseme;
 
 // The recording that a clip was made for: how long it is, and what is in its file. Compare it with the sound
 // that is about to be played.
-typedef struct Recording {
+typedef struct lipz_recording {
   // Length in microseconds, rounded to the nearest.
   uint64_t length_us;
   // XXH3, 64 bits with seed 0, of all bytes of the file: what `XXH3_64bits` of xxHash gives.
   uint64_t content_hash;
-} Recording;
+} lipz_recording;
 
 // A stretch of a clip, between two `|` of its Lipz file. Queries go by `clip_id` and `index`.
 typedef struct lipz_segment {
@@ -398,7 +398,7 @@ lipz_status lipz_clip_start_of_frame_us(const struct lipz_bank *bank,
 // recordings, or the clip had none.
 lipz_status lipz_clip_recording(const struct lipz_bank *bank,
                                 const struct lipz_clip *clip,
-                                struct Recording *recording);
+                                struct lipz_recording *recording);
 
 // The frame that shows `time_us` microseconds after the audio began: the fastest unit.
 lipz_status lipz_frame_at_us(const struct lipz_bank *bank,

@@ -8,13 +8,14 @@ use std::fs;
 use std::path::Path;
 
 /// The names of the structs in C: those of functions and constants are the same in Rust.
-const NAMES: [(&str, &str); 11] = [
+const NAMES: [(&str, &str); 12] = [
     ("Bank", "lipz_bank"),
     ("BankInfo", "lipz_bank_info_t"),
     ("Clip", "lipz_clip"),
     ("Event", "lipz_event"),
     ("EventName", "lipz_name"),
     ("Locale", "lipz_locale"),
+    ("Recording", "lipz_recording"),
     ("Segment", "lipz_segment"),
     ("Status", "lipz_status"),
     ("String", "lipz_string"),
@@ -51,6 +52,8 @@ fn the_header_is_current() {
     }
     let found = fs::read_to_string(&path).unwrap();
     assert!(!header.contains("LIPZ_ID_"), "these names are for the ids of clips (`lipz ids --lang c`)");
+    let is_of_rust = |line: &&str| line.starts_with("typedef struct ") && !line.starts_with("typedef struct lipz_");
+    assert_eq!(header.lines().find(is_of_rust), None, "NAMES has the names of C");
     assert!(found == header, "include/lipz.h is not what the code says: LIPZ_BLESS=1 writes it");
 }
 

@@ -16,7 +16,7 @@ mod recordings;
 mod sync;
 mod threads;
 
-pub use facts::Facts;
+pub use facts::{Facts, content_hash};
 pub use in_bank::in_bank;
 pub use lints::check;
 pub use recordings::{EXTENSIONS, Recordings, dependencies, is_recording};

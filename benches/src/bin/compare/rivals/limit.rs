@@ -55,7 +55,8 @@ impl Rival for Limit {
 
     fn build(corpus: &Corpus, path: &Path) -> Result<(), Failure> {
         let clips = &corpus.bank.clips;
-        let (pilots, numbers) = index(clips.iter().map(|clip| ClipId::from_key(&clip.key).get()).collect());
+        let ids: Vec<u64> = clips.iter().map(|clip| ClipId::from_key(&clip.key).get()).collect();
+        let (pilots, numbers) = index(&ids);
         let mut records = vec![Record::new_zeroed(); clips.len()];
         let (mut starts, mut keys, mut frames) = (Vec::new(), String::new(), String::new());
         let (mut event_numbers, mut event_ends, mut events) = (Vec::new(), vec![U32::new(0)], String::new());
@@ -248,7 +249,7 @@ impl Arrays {
 }
 
 /// The pilots of a minimal perfect hash ("hash, displace"), and the number that each id gets.
-fn index(ids: Vec<u64>) -> (Vec<U32>, Vec<usize>) {
+fn index(ids: &[u64]) -> (Vec<U32>, Vec<usize>) {
     let count = ids.len() as u32;
     let mut buckets = vec![Vec::new(); ids.len().div_ceil(3)];
     let bucket_count = buckets.len() as u32;
