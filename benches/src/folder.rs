@@ -63,7 +63,8 @@ pub fn list(folder: &Path) -> std::io::Result<Vec<PathBuf>> {
 /// # Errors
 /// If it cannot be made.
 pub fn temporary_folder() -> Result<TempDir, String> {
-    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| PathBuf::from("target"), PathBuf::from);
+    let target = std::env::var_os("CARGO_TARGET_DIR")
+        .map_or_else(|| PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../target")), PathBuf::from);
     let parent = target.join("benches");
     fs::create_dir_all(&parent)
         .and_then(|()| tempfile::tempdir_in(&parent))
