@@ -4,7 +4,7 @@ use crate::file::{ALL_SECTIONS, File, Sections, entries, place};
 use crate::locale::LocaleTable;
 use crate::origin::Origin;
 use crate::pool::Pool;
-use crate::{Clip, ClipId, Clips, Error, ErrorKind, EventName, Locale, Locales};
+use crate::{Clip, ClipId, Clips, Error, EventName, Locale, Locales};
 use core::fmt;
 use lipz_layout::{ClipRecord, EventNameRecord, EventRecord, KeyRecord, RateRecord, Tag, TypedEventRecord, U32};
 
@@ -38,30 +38,32 @@ impl<'data> Bank<'data> {
     /// When the bytes are not a bank of a known format version, were cut off, or have a directory
     /// that leads out of them.
     pub fn open(bytes: &'data [u8]) -> Result<Bank<'data>, Error> {
-        let file = File::open(bytes)?;
-        if file.has_texts_only() {
-            return Err(Error::new(ErrorKind::TextsOnly, 0));
-        }
+        let file = Bank::open_file(bytes)?;
         let mut found: Sections<'data> = [&[]; Tag::REQUIRED.len()];
         file.find(ALL_SECTIONS, &mut found)?;
-        let clips: &[ClipRecord] = entries(found[place::CLIPS]);
+        Ok(Bank::from_sections(file, &found))
+    }
+
+    /// The bank of these sections.
+    #[inline(always)] // a bank is many words, and the caller knows where they go
+    pub(crate) fn from_sections(file: File<'data>, found: &Sections<'data>) -> Bank<'data> {
         let starts: &[U32] = entries(found[place::STARTS]);
-        Ok(Bank {
+        Bank {
             file,
-            clips,
+            clips: entries(found[place::CLIPS]),
             keys: entries(found[place::KEYS]),
             rates: entries(found[place::RATES]),
             pilots: entries(found[place::PILOTS]),
             key_order: entries(found[place::KEY_ORDER]),
             frames: found[place::FRAMES],
             starts,
-            texts: LocaleTable::new(&found, starts.len().saturating_sub(1)),
+            texts: LocaleTable::new(found, starts.len().saturating_sub(1)),
             event_refs: entries(found[place::EVENT_REFS]),
             events: entries(found[place::EVENTS]),
             typed_events: entries(found[place::TYPED_EVENTS]),
             event_names: entries(found[place::EVENT_NAMES]),
             event_strings: Pool::Bytes(found[place::EVENT_STRINGS]),
-        })
+        }
     }
 
     /// Checks every byte and every reference, and returns the bank with its strings marked as
@@ -177,6 +179,11 @@ impl<'data> Bank<'data> {
     /// Look names up once and compare their [ids](EventName::id) per event.
     pub fn event_name(&self, name: &str) -> Option<EventName<'data>> {
         self.event_names().find(name)
+    }
+
+    /// The name with this [number](EventName::id), such as one that was kept without its bank.
+    pub fn event_name_at(&self, id: u32) -> Option<EventName<'data>> {
+        self.event_names().numbered(id)
     }
 
     /// The bank that handles came from, if they came from this one.

@@ -122,7 +122,7 @@ impl<'data> Bank<'data> {
 
 impl<'data> EventNames<'data> {
     /// The name with this number, if there is one.
-    fn numbered(&self, id: u32) -> Option<EventName<'data>> {
+    pub(crate) fn numbered(&self, id: u32) -> Option<EventName<'data>> {
         let record = self.records.get(id as usize)?;
         Some(EventName { key: NameKey { bank: self.bank, id }, record, strings: self.strings })
     }

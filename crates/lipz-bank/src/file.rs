@@ -72,8 +72,9 @@ impl<'data> File<'data> {
         File::read(bytes).ok_or(DIRECTORY_OUT_OF_BOUNDS)
     }
 
+    /// Header and directory, if there is room for them.
     #[inline(always)]
-    fn read(bytes: &'data [u8]) -> Option<File<'data>> {
+    pub(crate) fn read(bytes: &'data [u8]) -> Option<File<'data>> {
         let (header, rest) = Header::ref_from_prefix(bytes).ok()?;
         let count = header.section_count.get() as usize;
         let (directory, _) = <[DirectoryEntry]>::ref_from_prefix_with_elems(rest, count).ok()?;

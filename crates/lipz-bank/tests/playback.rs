@@ -153,6 +153,7 @@ proptest! {
                     }
                 };
                 prop_assert_eq!(fired, expected, "{} {:?}", clip.key(), step);
+                prop_assert_eq!(start(&clip).with_words(cursor.to_words()), cursor);
                 let all = clip.segments().map(|segment| segment.events());
                 let round = all.clone().take(if has_looped { count as usize } else { 0 });
                 let past = round.chain(all.take(next as usize)).flatten().map(|event| event.to_string());

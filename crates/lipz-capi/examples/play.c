@@ -47,10 +47,17 @@ static const uint8_t *mapped(const char *path, size_t *length_bytes) {
     return data == MAP_FAILED ? NULL : data;
 }
 
-static void print_segment(const lipz_bank *bank, const lipz_segment *segment, const lipz_locale *locale) {
+static void print_event(const lipz_event *event) {
+    printf("* ");
+    print(event->character.name.data, event->character.name.length_bytes);
+    printf("%s%s", event->character.id == LIPZ_NO_NAME ? "" : " ", VERBS[event->verb]);
+    printf("%s", event->object.id == LIPZ_NO_NAME ? "" : " ");
+    print(event->object.name.data, event->object.name.length_bytes);
+    printf("\n");
+}
+
+static void print_subtitle(const lipz_bank *bank, const lipz_segment *segment, const lipz_locale *locale) {
     lipz_text text;
-    lipz_event event;
-    uint32_t index;
 
     printf("\n%" PRIu32 ": ", segment->index);
     if (lipz_segment_text(bank, segment, locale, &text) == LIPZ_OK) {
@@ -58,37 +65,17 @@ static void print_segment(const lipz_bank *bank, const lipz_segment *segment, co
         printf("%s", text.is_fallback ? " (fallback)" : "");
     }
     printf("\n");
-    for (index = 0; lipz_segment_event(bank, segment, index, &event) == LIPZ_OK; index++) {
-        printf("* ");
-        print(event.character.name.data, event.character.name.length_bytes);
-        printf("%s%s", event.character.id == LIPZ_NO_NAME ? "" : " ", VERBS[event.verb]);
-        printf("%s", event.object.id == LIPZ_NO_NAME ? "" : " ");
-        print(event.object.name.data, event.object.name.length_bytes);
-        printf("\n");
-    }
-}
-
-/* Prints the segments from `next` on that start up to `frame`, each once, also those that have no frames; returns
- * the first one that has not started. */
-static uint32_t print_begun(const lipz_bank *bank, const lipz_clip *clip, const lipz_locale *locale, uint32_t next,
-                            uint32_t frame) {
-    lipz_segment segment;
-
-    while (lipz_segment_at(bank, clip, next, &segment) == LIPZ_OK && segment.start_frame <= frame) {
-        print_segment(bank, &segment, locale);
-        next++;
-    }
-    return next;
 }
 
 static int play(const lipz_bank *bank, const char *key, const char *tag) {
     lipz_clip clip;
     lipz_locale locale;
+    lipz_cursor cursor;
+    lipz_segment segment;
+    lipz_event event;
     lipz_viseme viseme;
-    uint64_t end_us;
     int64_t time_us;
-    uint32_t frame;
-    uint32_t next = 0;
+    uint32_t shown = UINT32_MAX;
     lipz_status status;
 
     if ((status = lipz_clip_by_key(bank, key, strlen(key), &clip)) != LIPZ_OK) {
@@ -97,21 +84,26 @@ static int play(const lipz_bank *bank, const char *key, const char *tag) {
     if ((status = lipz_locale_by_tag(bank, tag, strlen(tag), &locale)) != LIPZ_OK) {
         return failed(tag, status);
     }
-    if ((status = lipz_clip_start_of_frame_us(bank, &clip, clip.frame_count, &end_us)) != LIPZ_OK) {
+    if ((status = lipz_cursor_new(bank, &clip, sizeof cursor, &cursor)) != LIPZ_OK) {
         return failed("frame rate", status);
     }
     printf("%s: %" PRIu32 " frames, %" PRIu32 " segments", key, clip.frame_count, clip.segment_count);
-    for (time_us = 0; (uint64_t)time_us < end_us; time_us += PICTURE_US) {
-        if (lipz_frame_at_us(bank, &clip, time_us, &frame) == LIPZ_OK) {
-            next = print_begun(bank, &clip, &locale, next, frame);
+    for (time_us = 0; cursor.frame != LIPZ_OVER; time_us += PICTURE_US) {
+        lipz_cursor_advance_us(bank, &cursor, time_us);
+        if (cursor.frame == LIPZ_OVER) {
+            printf("\n");
+        } else if (lipz_cursor_segment(bank, &cursor, &segment) == LIPZ_OK && segment.index != shown) {
+            print_subtitle(bank, &segment, &locale);
+            shown = segment.index;
         }
-        lipz_viseme_at_us(bank, &clip, time_us, &viseme);
-        putchar(viseme);
+        /* Of all segments that have begun since the last picture, also of those without frames. */
+        while (lipz_cursor_take_event(bank, &cursor, &event) == LIPZ_OK) {
+            print_event(&event);
+        }
+        lipz_cursor_viseme(bank, &cursor, &viseme);
+        printf("%s%c", cursor.frame == LIPZ_OVER ? "end: " : "", viseme);
     }
-    /* Segments without frames may stand at the end, where no frame leads to them. */
-    print_begun(bank, &clip, &locale, next, UINT32_MAX);
-    lipz_viseme_at_us(bank, &clip, time_us, &viseme);
-    printf("\nend: %c\n", viseme);
+    printf("\n");
     return 0;
 }
 

@@ -1,11 +1,12 @@
 // Plays a clip of a mapped bank in C++17, by an audio clock of 48,000 samples per second:
 // play <bank> <key> <locale>.
-#include <lipz.h>
+#include <lipz.hpp>
 
 #include <array>
 #include <cstdio>
 #include <fcntl.h>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -21,16 +22,6 @@ constexpr std::int64_t PICTURE_SAMPLES = RATE_HZ / 24;
 
 constexpr std::array<std::string_view, 8> VERBS = {
     "", "feels", "sees", "stares", "stops staring", "points", "stops pointing", "does"};
-
-std::string_view view(const lipz_string &string) { return {string.data, string.length_bytes}; }
-
-void must(lipz_status status, const std::string &what) {
-    if (status != LIPZ_OK) {
-        lipz_string message;
-        lipz_status_message(status, &message);
-        throw std::runtime_error(what + ": " + std::string(view(message)));
-    }
-}
 
 /// A file, mapped as a whole.
 class Mapped {
@@ -61,52 +52,44 @@ class Mapped {
     std::size_t length_bytes_ = 0;
 };
 
-void print(const lipz_bank &bank, const lipz_segment &segment, const lipz_locale &locale) {
-    std::cout << '\n' << segment.index << ": ";
-    if (lipz_text text; lipz_segment_text(&bank, &segment, &locale, &text) == LIPZ_OK) {
-        std::cout << std::string_view(text.data, text.length_bytes) << (text.is_fallback ? " (fallback)" : "");
+void print(const lipz::Event &event) {
+    std::cout << "* " << event.character.str() << (event.character ? " " : "")
+              << VERBS.at(static_cast<std::size_t>(event.verb)) << (event.object ? " " : "") << event.object.str()
+              << '\n';
+}
+
+/// What must be there.
+template <typename T> T found(const std::optional<T> &answer, std::string_view what) {
+    if (!answer) {
+        throw std::runtime_error(std::string(what) + ": there is no such thing");
+    }
+    return *answer;
+}
+
+void play(const lipz::Bank &bank, std::string_view key, std::string_view tag) {
+    const auto clip = found(bank.clip(key), key);
+    const auto locale = found(bank.locale(tag), tag);
+    auto cursor = found(bank.cursor(clip), "frame rate");
+    std::cout << key << ": " << clip.frame_count << " frames, " << clip.segment_count << " segments";
+    std::optional<std::uint32_t> shown;
+    for (std::int64_t position = 0; !cursor.is_over(); position += PICTURE_SAMPLES) {
+        cursor.advance_to(bank, lipz::Samples{position, RATE_HZ});
+        const auto segment = cursor.segment(bank);
+        if (cursor.is_over()) {
+            std::cout << '\n';
+        } else if (segment && segment->index != shown) {
+            const auto text = segment->text(bank, locale);
+            std::cout << '\n' << segment->index << ": " << (text ? text->text : "")
+                      << (text && text->is_fallback ? " (fallback)" : "") << '\n';
+            shown = segment->index;
+        }
+        // Of all segments that have begun since the last picture, also of those without frames.
+        for (const auto &event : cursor.events(bank)) {
+            print(event);
+        }
+        std::cout << (cursor.is_over() ? "end: " : "") << cursor.viseme(bank);
     }
     std::cout << '\n';
-    lipz_event event;
-    for (std::uint32_t index = 0; lipz_segment_event(&bank, &segment, index, &event) == LIPZ_OK; ++index) {
-        std::cout << "* " << view(event.character.name) << (event.character.id == LIPZ_NO_NAME ? "" : " ")
-                  << VERBS.at(event.verb) << (event.object.id == LIPZ_NO_NAME ? "" : " ")
-                  << view(event.object.name) << '\n';
-    }
-}
-
-/// Prints the segments from `next` on that start up to `frame`, each once, also those that have no frames; returns the
-/// first one that has not started.
-std::uint32_t print_begun(const lipz_bank &bank, const lipz_clip &clip, const lipz_locale &locale, std::uint32_t next,
-                          std::uint32_t frame) {
-    lipz_segment segment;
-    while (lipz_segment_at(&bank, &clip, next, &segment) == LIPZ_OK && segment.start_frame <= frame) {
-        print(bank, segment, locale);
-        ++next;
-    }
-    return next;
-}
-
-void play(const lipz_bank &bank, std::string_view key, std::string_view tag) {
-    lipz_clip clip;
-    lipz_locale locale;
-    must(lipz_clip_by_key(&bank, key.data(), key.size(), &clip), std::string(key));
-    must(lipz_locale_by_tag(&bank, tag.data(), tag.size(), &locale), std::string(tag));
-    std::cout << key << ": " << clip.frame_count << " frames, " << clip.segment_count << " segments";
-    lipz_viseme viseme;
-    std::uint32_t frame;
-    std::uint32_t next = 0;
-    std::int64_t position = 0;
-    while (lipz_frame_at_samples(&bank, &clip, position, RATE_HZ, &frame) == LIPZ_OK) {
-        next = print_begun(bank, clip, locale, next, frame);
-        must(lipz_viseme_at_samples(&bank, &clip, position, RATE_HZ, &viseme), "viseme");
-        std::cout << static_cast<char>(viseme);
-        position += PICTURE_SAMPLES;
-    }
-    // Segments without frames may stand at the end, where no frame leads to them.
-    print_begun(bank, clip, locale, next, UINT32_MAX);
-    must(lipz_viseme_at_samples(&bank, &clip, position, RATE_HZ, &viseme), "viseme");
-    std::cout << "\nend: " << static_cast<char>(viseme) << '\n';
 }
 
 } // namespace
@@ -117,10 +100,7 @@ int main(int count, char **arguments) try {
         return 2;
     }
     const Mapped file(arguments[1]);
-    lipz_bank bank;
-    must(lipz_bank_open(file.data(), file.length_bytes(), &bank, nullptr), arguments[1]);
-    must(lipz_bank_verify(&bank, nullptr), arguments[1]);
-    play(bank, arguments[2], arguments[3]);
+    play(lipz::Bank::must_open(file.data(), file.length_bytes()), arguments[2], arguments[3]);
     return 0;
 } catch (const std::exception &error) {
     std::cerr << "play: " << error.what() << '\n';

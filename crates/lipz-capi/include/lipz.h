@@ -134,6 +134,9 @@
 // Third number of the version.
 #define LIPZ_VERSION_PATCH 0
 
+// How many words the places of the sections take.
+#define LIPZ_PLACE_WORDS 34
+
 // Viseme type: Preston Blair's chart, `-AMOSWEFLU`.
 #define LIPZ_BLAIR 1
 
@@ -167,6 +170,19 @@
 // The `id` where there is no name.
 #define LIPZ_NO_NAME 4294967295
 
+// In place of a frame: the sound is past the last one. All events of the clip have been due.
+#define LIPZ_OVER 4294967295
+
+// In place of a frame: the sound has not begun.
+#define LIPZ_WAITING 4294967294
+
+// The `index` of the Second Life viewer's own profile, which needs no bank.
+#define LIPZ_BUILT_IN 4294967295
+
+// The level of a voice that nobody measures: three quarters, where all digits of the viewer's profile show, but not at
+// their widest.
+#define LIPZ_UNMEASURED 49152
+
 // What became of a call: `LIPZ_OK`, one of the other numbers from 256 on, or the kind of damage
 // that was found in a bank, from 1 to 255. Numbers are never given a new meaning.
 typedef uint32_t lipz_status;
@@ -180,8 +196,8 @@ typedef struct lipz_string {
   size_t length_bytes;
 } lipz_string;
 
-// A bank: the caller's bytes, and beside them those of a text bank, if one is used. It owns
-// nothing: copy it, forget it.
+// An opened bank: the caller's bytes, and beside them those of a text bank, if one is used. It owns
+// nothing: copy it, keep it, forget it.
 typedef struct lipz_bank {
   // The bytes of the bank, at any address: a mapped file, ROM, memory.
   const uint8_t *data;
@@ -191,6 +207,9 @@ typedef struct lipz_bank {
   const uint8_t *texts;
   // Length of the text bank.
   size_t texts_length_bytes;
+  // Where `lipz_bank_open` has found the sections, and the checksum of the bank. Each query looks whether the bytes
+  // still have this checksum, and whether the places lie in them.
+  uint32_t places[LIPZ_PLACE_WORDS];
 } lipz_bank;
 
 // What a bank has.
@@ -303,6 +322,79 @@ typedef struct lipz_event {
   uint32_t verb;
 } lipz_event;
 
+// Where a clip is while it is played: a plain struct of numbers, which a program keeps beside its bank. Once per
+// picture, move it to the position of the sound, take the events that are due, and draw what it shows.
+//
+// It remains right when a newer bank replaces the old one: it goes on at the same time. For another line, start
+// another cursor. docs/PLAYBACK.md has a table of what happens when time goes on, stands still, jumps and loops.
+typedef struct lipz_cursor {
+  // Size of this struct where it was started; each function looks at it.
+  uint32_t size_bytes;
+  // The frame at the position of the sound; `LIPZ_WAITING` before it begins, `LIPZ_OVER` from its end on.
+  uint32_t frame;
+  // The clip.
+  uint64_t clip_id;
+  // Frames in `fps_denominator` seconds, if the bank does not say.
+  uint32_t fps_numerator;
+  // Seconds in which `fps_numerator` frames pass, if the bank does not say.
+  uint32_t fps_denominator;
+  // The viseme type, if the bank does not say; 0 for none.
+  uint32_t viseme_type;
+  // Set it: how many microseconds mouth shapes are ahead of the sound. Segments and events stay with the sound.
+  uint32_t lead_us;
+  // Set it: how many frames a consonant shows at least; at most 255.
+  uint32_t hold_frames;
+  // Set it: who speaks, so whose events name no character: the `id` of a `lipz_name`.
+  uint32_t speaker_id;
+  // Set it: the `bank` of that name. The names of another bank are nobody's: set both again when it is replaced.
+  uint32_t speaker_bank;
+  // The frame that the mouth shows, which is ahead of the sound.
+  uint32_t mouth_frame;
+  // The first segment whose events have not been due.
+  uint32_t next_segment;
+  // 1 if those before `next_segment` were due at `frame`; 2 if the clip has looped.
+  uint32_t flags;
+  // The segment whose events are due next, of those that the last move has made due.
+  uint32_t due_segment;
+  // The first segment that is not due.
+  uint32_t due_end;
+  // The same, from the start on after a loop.
+  uint32_t due_around_to;
+  // The event of `due_segment` that is due next.
+  uint32_t due_event;
+} lipz_cursor;
+
+// What a character feels, stares and points at. No name where no event has said anything: it is as it was before the
+// clip.
+typedef struct lipz_character {
+  // Who; no name for a speaker that the cursor does not know.
+  struct lipz_name name;
+  // The emotion, until changed.
+  struct lipz_name feels;
+  // The target, until `stops staring`.
+  struct lipz_name stares_at;
+  // The target, until `stops pointing`.
+  struct lipz_name points_at;
+} lipz_character;
+
+// A babble profile of a bank. Look it up once; queries go by `index` and `bank`.
+typedef struct lipz_babble {
+  // Its name: `default` for that of the project.
+  struct lipz_string name;
+  // Its place among the profiles, or `LIPZ_BUILT_IN`.
+  uint32_t index;
+  // Tells the bank that the profile is of apart from others.
+  uint32_t bank;
+} lipz_babble;
+
+// What moves the mouth while somebody babbles.
+typedef struct lipz_weights {
+  // How far the lips are pursed, in ten-thousandths.
+  uint32_t ooh;
+  // How far the jaw is open, in ten-thousandths.
+  uint32_t aah;
+} lipz_weights;
+
 // The answer was written.
 #define LIPZ_OK 0
 
@@ -316,6 +408,14 @@ typedef struct lipz_event {
 // A key, tag or name that was asked for is not UTF-8.
 #define LIPZ_NOT_UTF8 258
 
+// The bytes of a bank are not those that it was opened with: another length, or another checksum in their header. Open
+// it again.
+#define LIPZ_NOT_OPENED 259
+
+// A struct has another size than in this library: the program was compiled with the header of another version, or
+// never started the struct.
+#define LIPZ_OTHER_VERSION 260
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -327,7 +427,7 @@ uint32_t lipz_version(void);
 lipz_status lipz_status_message(lipz_status status, struct lipz_string *message);
 
 // Opens the bank that fills `length_bytes` bytes at `data`: checks header and directory, in a time
-// that does not depend on the number of clips.
+// that does not depend on the number of clips. Keep `bank`, and open it again when other bytes are at `data`.
 //
 // `damage_offset_bytes` may be null; otherwise it gets the place of what is wrong, and 0 if nothing is.
 lipz_status lipz_bank_open(const uint8_t *data,
@@ -529,6 +629,198 @@ lipz_status lipz_event_name(const struct lipz_bank *bank,
                             const char *name,
                             size_t name_length_bytes,
                             struct lipz_name *found);
+
+// Starts a cursor that waits for the sound of `clip` to begin. `size_bytes` is `sizeof(lipz_cursor)`: unless that is the
+// size in the library that runs, the status is `LIPZ_OTHER_VERSION`, and nothing is written.
+//
+// `LIPZ_NONE` if there is no such clip, and if it has no frame rate: give it one in `clip`. The cursor remembers frame
+// rate and viseme type of `clip`, and takes them where the bank has none.
+lipz_status lipz_cursor_new(const struct lipz_bank *bank,
+                            const struct lipz_clip *clip,
+                            size_t size_bytes,
+                            struct lipz_cursor *cursor);
+
+// Ends the clip before the sound does, as when a player skips it: what is left becomes due, so that lasting states take
+// effect.
+lipz_status lipz_cursor_finish(const struct lipz_bank *bank,
+                               struct lipz_cursor *cursor);
+
+// Takes the next event that is due: of the segments that have begun since the move before the last one, in order, each
+// once, also of segments without frames. Events that name no character are the speaker's. Call it after each move until
+// `LIPZ_NONE`: what is not taken before the next move does not come again.
+lipz_status lipz_cursor_take_event(const struct lipz_bank *bank,
+                                   struct lipz_cursor *cursor,
+                                   struct lipz_event *event);
+
+// Takes the next segment that is due, with all its events: for event strings in another syntax than that of
+// `lipz_cursor_take_event`. `LIPZ_NONE` when all are taken.
+lipz_status lipz_cursor_take_segment(const struct lipz_bank *bank,
+                                     struct lipz_cursor *cursor,
+                                     struct lipz_segment *segment);
+
+// The mouth shape to draw, with lead and hold; rest before the start and from the end on.
+lipz_status lipz_cursor_viseme(const struct lipz_bank *bank,
+                               const struct lipz_cursor *cursor,
+                               lipz_viseme *viseme);
+
+// How far that mouth is open, in ten-thousandths; `LIPZ_NONE` if the clip has no frames or no viseme type: let the mouth
+// babble.
+lipz_status lipz_cursor_openness(const struct lipz_bank *bank,
+                                 const struct lipz_cursor *cursor,
+                                 uint32_t *ten_thousandths);
+
+// The segment whose subtitle to show; `LIPZ_NONE` before the start and from the end on.
+lipz_status lipz_cursor_segment(const struct lipz_bank *bank,
+                                const struct lipz_cursor *cursor,
+                                struct lipz_segment *segment);
+
+// The sound has reached `time_us` microseconds: the events of the segments that have begun since are due. A time before
+// that of the last call makes nothing due, and nothing comes again until the sound is past the point that it had
+// reached: clocks jitter.
+lipz_status lipz_cursor_advance_us(const struct lipz_bank *bank,
+                                   struct lipz_cursor *cursor,
+                                   int64_t time_us);
+
+// The sound has reached `position` samples (per channel) at `rate_hz` samples per second.
+lipz_status lipz_cursor_advance_samples(const struct lipz_bank *bank,
+                                        struct lipz_cursor *cursor,
+                                        int64_t position,
+                                        uint32_t rate_hz);
+
+// The sound has reached `seconds`, with the rule of `lipz_frame_at_seconds`.
+lipz_status lipz_cursor_advance_seconds(const struct lipz_bank *bank,
+                                        struct lipz_cursor *cursor,
+                                        double seconds);
+
+// `lipz_cursor_advance_seconds` for clocks that have no `double`.
+lipz_status lipz_cursor_advance_seconds_f32(const struct lipz_bank *bank,
+                                            struct lipz_cursor *cursor,
+                                            float seconds);
+
+// The sound has jumped from its end to its start, and has reached `time_us` microseconds since: what was left is due, then
+// what has begun since. What characters feel, stare and point at outlasts the end of a round.
+lipz_status lipz_cursor_loop_us(const struct lipz_bank *bank,
+                                struct lipz_cursor *cursor,
+                                int64_t time_us);
+
+// The sound has jumped from its end to its start, and has reached `position` samples since.
+lipz_status lipz_cursor_loop_samples(const struct lipz_bank *bank,
+                                     struct lipz_cursor *cursor,
+                                     int64_t position,
+                                     uint32_t rate_hz);
+
+// The sound has jumped from its end to its start, and has reached `seconds` since.
+lipz_status lipz_cursor_loop_seconds(const struct lipz_bank *bank,
+                                     struct lipz_cursor *cursor,
+                                     double seconds);
+
+// `lipz_cursor_loop_seconds` for clocks that have no `double`.
+lipz_status lipz_cursor_loop_seconds_f32(const struct lipz_bank *bank,
+                                         struct lipz_cursor *cursor,
+                                         float seconds);
+
+// Jumps to `time_us` microseconds, forward or back. Nothing is due; the next advance starts with the segments that begin
+// in the frame of this time. States are as if the clip had been played once from its start to here.
+lipz_status lipz_cursor_seek_us(const struct lipz_bank *bank,
+                                struct lipz_cursor *cursor,
+                                int64_t time_us);
+
+// Jumps to `position` samples at `rate_hz`.
+lipz_status lipz_cursor_seek_samples(const struct lipz_bank *bank,
+                                     struct lipz_cursor *cursor,
+                                     int64_t position,
+                                     uint32_t rate_hz);
+
+// Jumps to `seconds`, with the rule of `lipz_frame_at_seconds`.
+lipz_status lipz_cursor_seek_seconds(const struct lipz_bank *bank,
+                                     struct lipz_cursor *cursor,
+                                     double seconds);
+
+// `lipz_cursor_seek_seconds` for clocks that have no `double`.
+lipz_status lipz_cursor_seek_seconds_f32(const struct lipz_bank *bank,
+                                         struct lipz_cursor *cursor,
+                                         float seconds);
+
+// What `name` feels, stares and points at after the events that were due or were jumped over; the speaker if it is null
+// or no name. `LIPZ_NONE` for a name of another bank.
+//
+// Read from the events anew with each call, in a time that grows with their number.
+lipz_status lipz_cursor_character(const struct lipz_bank *bank,
+                                  const struct lipz_cursor *cursor,
+                                  const struct lipz_name *name,
+                                  struct lipz_character *character);
+
+// A character that an event of the clip is about, also one to come, with its state: ask from 0 on until `LIPZ_NONE`
+// after a jump, to set the scene. They are in the order of their names.
+lipz_status lipz_cursor_character_at(const struct lipz_bank *bank,
+                                     const struct lipz_cursor *cursor,
+                                     uint32_t index,
+                                     struct lipz_character *character);
+
+// The babble profile with this name.
+lipz_status lipz_babble_by_name(const struct lipz_bank *bank,
+                                const char *name,
+                                size_t name_length_bytes,
+                                struct lipz_babble *babble);
+
+// The profile of the project, `[babble]` in its settings; the viewer's own if it has none.
+lipz_status lipz_babble_default(const struct lipz_bank *bank, struct lipz_babble *babble);
+
+// How lips and jaw are moved `elapsed_us` microseconds after somebody has begun to speak, at a `power` of the voice from
+// 0 to 1. Nobody speaks before 0. `LIPZ_NONE` for a profile of another bank.
+lipz_status lipz_babble_at_us(const struct lipz_bank *bank,
+                              const struct lipz_babble *babble,
+                              int64_t elapsed_us,
+                              float power,
+                              struct lipz_weights *weights);
+
+// `lipz_babble_at_us` without floating point: `level` is the power in 65,536ths, at most 65,535, or `LIPZ_UNMEASURED`.
+lipz_status lipz_babble_at_us_level(const struct lipz_bank *bank,
+                                    const struct lipz_babble *babble,
+                                    int64_t elapsed_us,
+                                    uint32_t level,
+                                    struct lipz_weights *weights);
+
+// How lips and jaw are moved after `position` samples at `rate_hz`.
+lipz_status lipz_babble_at_samples(const struct lipz_bank *bank,
+                                   const struct lipz_babble *babble,
+                                   int64_t position,
+                                   uint32_t rate_hz,
+                                   float power,
+                                   struct lipz_weights *weights);
+
+// How lips and jaw are moved after `seconds`, with the rule of `lipz_frame_at_seconds`.
+lipz_status lipz_babble_at_seconds(const struct lipz_bank *bank,
+                                   const struct lipz_babble *babble,
+                                   double seconds,
+                                   float power,
+                                   struct lipz_weights *weights);
+
+// `lipz_babble_at_seconds` for clocks that have no `double`.
+lipz_status lipz_babble_at_seconds_f32(const struct lipz_bank *bank,
+                                       const struct lipz_babble *babble,
+                                       float seconds,
+                                       float power,
+                                       struct lipz_weights *weights);
+
+// How far the mouth of a shape is open, in ten-thousandths; `LIPZ_NONE` if `viseme_type` is not one of the three.
+lipz_status lipz_viseme_openness(lipz_viseme viseme,
+                                 uint32_t viseme_type,
+                                 uint32_t *ten_thousandths);
+
+// One frame of the clip as `lead_us` of a cursor. `LIPZ_NONE` without a frame rate, here and below.
+lipz_status lipz_lead_one_frame(const struct lipz_clip *clip, uint32_t *lead_us);
+
+// Two frames of the clip as `lead_us` of a cursor.
+lipz_status lipz_lead_two_frames(const struct lipz_clip *clip, uint32_t *lead_us);
+
+// `hold_frames` of a cursor that lets consonants be read: two frames at 24 fps.
+lipz_status lipz_hold_readable(const struct lipz_clip *clip, uint32_t *hold_frames);
+
+// `hold_frames` of a cursor as long as a display shows one picture: every consonant that has the room is on at least one.
+lipz_status lipz_hold_for_display(const struct lipz_clip *clip,
+                                  uint32_t picture_us,
+                                  uint32_t *hold_frames);
 
 #ifdef __cplusplus
 }  // extern "C"

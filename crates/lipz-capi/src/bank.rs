@@ -1,13 +1,16 @@
 //! Opening banks, and the way of every query into one.
 
 use crate::pointer::{answer, bytes};
-use crate::status::{LIPZ_NULL_POINTER, LIPZ_OK, Status, of_damage};
+use crate::status::{LIPZ_NOT_OPENED, LIPZ_NULL_POINTER, LIPZ_OK, Status, of_damage};
 use core::mem::MaybeUninit;
 use core::ptr;
-use lipz_bank::{Error, Locales, TextBank};
+use lipz_bank::{Error, Locales, Places, TextBank};
 
-/// A bank: the caller's bytes, and beside them those of a text bank, if one is used. It owns
-/// nothing: copy it, forget it.
+/// How many words the places of the sections take.
+pub const LIPZ_PLACE_WORDS: usize = 34;
+
+/// An opened bank: the caller's bytes, and beside them those of a text bank, if one is used. It owns
+/// nothing: copy it, keep it, forget it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct Bank {
@@ -19,11 +22,20 @@ pub struct Bank {
     pub texts: *const u8,
     /// Length of the text bank.
     pub texts_length_bytes: usize,
+    /// Where `lipz_bank_open` has found the sections, and the checksum of the bank. Each query looks whether the bytes
+    /// still have this checksum, and whether the places lie in them.
+    pub places: [u32; LIPZ_PLACE_WORDS],
 }
 
 impl Default for Bank {
     fn default() -> Bank {
-        Bank { data: ptr::null(), length_bytes: 0, texts: ptr::null(), texts_length_bytes: 0 }
+        Bank {
+            data: ptr::null(),
+            length_bytes: 0,
+            texts: ptr::null(),
+            texts_length_bytes: 0,
+            places: [0; LIPZ_PLACE_WORDS],
+        }
     }
 }
 
@@ -44,7 +56,7 @@ pub struct BankInfo {
 }
 
 /// Opens the bank that fills `length_bytes` bytes at `data`: checks header and directory, in a time
-/// that does not depend on the number of clips.
+/// that does not depend on the number of clips. Keep `bank`, and open it again when other bytes are at `data`.
 ///
 /// `damage_offset_bytes` may be null; otherwise it gets the place of what is wrong, and 0 if nothing is.
 #[no_mangle]
@@ -58,8 +70,8 @@ pub unsafe extern "C" fn lipz_bank_open(
     answer(bank, || {
         // SAFETY: the contract of the crate, which the caller keeps.
         let bytes = unsafe { bytes(data, length_bytes) }?;
-        told(lipz_bank::Bank::open(bytes), place)?;
-        Ok(Bank { data, length_bytes, ..Bank::default() })
+        let places = told(Places::find(bytes), place)?.to_words();
+        Ok(Bank { data, length_bytes, places, ..Bank::default() })
     })
 }
 
@@ -128,7 +140,8 @@ pub unsafe extern "C" fn lipz_bank_info(bank: Option<&Bank>, info: Option<&mut M
     })
 }
 
-/// The bank of the caller's bytes, opened as if for the first time: nothing in `bank` is believed.
+/// The bank of the caller's bytes. Nothing in `bank` is believed: not that it has these sections, nor that they lie in
+/// the bytes.
 ///
 /// # Safety
 /// The contract of the crate.
@@ -136,7 +149,7 @@ pub(crate) unsafe fn opened<'data>(bank: Option<&Bank>) -> Result<lipz_bank::Ban
     let bank = bank.ok_or(LIPZ_NULL_POINTER)?;
     // SAFETY: the same contract.
     let bytes = unsafe { bytes(bank.data, bank.length_bytes) }?;
-    lipz_bank::Bank::open(bytes).map_err(of_damage)
+    lipz_bank::Bank::open_at(bytes, &Places::from_words(bank.places)).ok_or(LIPZ_NOT_OPENED)
 }
 
 /// A bank, and the text bank beside it, if one is used.

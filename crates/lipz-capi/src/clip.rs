@@ -216,7 +216,8 @@ pub(crate) unsafe fn of_clip<T: Default>(
         let bank = unsafe { opened(bank) }?;
         let asked = clip.ok_or(LIPZ_NULL_POINTER)?;
         let clip = bank.clip(ClipId::from_u64(asked.id)).ok_or(LIPZ_NONE)?;
-        query(match clip.fps() {
+        // Whether it has a rate of its own: `Clip::fps` would check it, which takes longer than the query.
+        query(match lipz_bank::Cursor::new(&clip) {
             Some(_) => clip,
             None => Fps::new(asked.fps_numerator, asked.fps_denominator).map_or(clip, |fps| clip.or_fps(fps)),
         })

@@ -41,11 +41,16 @@ pub struct EventName {
 }
 
 impl EventName {
-    fn from_reader(bank: &lipz_bank::Bank<'_>, name: Option<Name<'_>>) -> EventName {
+    pub(crate) fn from_reader(bank: &lipz_bank::Bank<'_>, name: Option<Name<'_>>) -> EventName {
         let named =
             |name: Name<'_>| EventName { name: String::from_text(name.as_str()), id: name.id(), bank: origin(bank) };
         name.map_or_else(EventName::default, named)
     }
+}
+
+/// The name of `bank` with this number, unless both are of another bank.
+pub(crate) fn name_of<'data>(bank: &lipz_bank::Bank<'data>, id: u32, of: u32) -> Option<Name<'data>> {
+    if of == origin(bank) { bank.event_name_at(id) } else { None }
 }
 
 impl Default for EventName {
@@ -67,7 +72,7 @@ pub struct Event {
 }
 
 impl Event {
-    fn from_reader(bank: &lipz_bank::Bank<'_>, event: lipz_bank::Event<'_>) -> Event {
+    pub(crate) fn from_reader(bank: &lipz_bank::Bank<'_>, event: lipz_bank::Event<'_>) -> Event {
         let verb = match event.command {
             Command::Feels(_) => LIPZ_FEELS,
             Command::Sees(_) => LIPZ_SEES,

@@ -14,8 +14,8 @@
 //!
 //! Everything else is total. A null pointer is a status. The numbers in a struct are believed no
 //! more than the bytes of a bank: a struct of another bank, or of random numbers, leads to
-//! [`LIPZ_NONE`] or to other contents of the same bank, never out of it. That is why a [`Bank`] holds
-//! no more than bytes and lengths, and each query looks at header and directory again.
+//! [`LIPZ_NONE`] or to other contents of the same bank, never out of it. That is why each query looks whether
+//! the places in a [`Bank`] are those of its bytes, and lie in them.
 
 #![no_std]
 #![deny(unsafe_op_in_unsafe_fn)]
@@ -23,8 +23,12 @@
 #![allow(clippy::missing_safety_doc)] // all functions have one contract: the one above
 #![cfg_attr(not(test), deny(clippy::indexing_slicing, clippy::arithmetic_side_effects))]
 
+mod babble;
 mod bank;
+mod character;
 mod clip;
+mod cursor;
+mod cursor_time;
 mod event;
 mod locale;
 #[cfg(feature = "panic-handler")]
@@ -36,11 +40,28 @@ mod string;
 mod time;
 mod version;
 
-pub use bank::{Bank, BankInfo, lipz_bank_info, lipz_bank_open, lipz_bank_use_texts, lipz_bank_verify};
+pub use babble::{
+    Babble, LIPZ_BUILT_IN, LIPZ_UNMEASURED, Weights, lipz_babble_at_samples, lipz_babble_at_seconds,
+    lipz_babble_at_seconds_f32, lipz_babble_at_us, lipz_babble_at_us_level, lipz_babble_by_name, lipz_babble_default,
+    lipz_hold_for_display, lipz_hold_readable, lipz_lead_one_frame, lipz_lead_two_frames, lipz_viseme_openness,
+};
+pub use bank::{
+    Bank, BankInfo, LIPZ_PLACE_WORDS, lipz_bank_info, lipz_bank_open, lipz_bank_use_texts, lipz_bank_verify,
+};
+pub use character::{Character, lipz_cursor_character, lipz_cursor_character_at};
 pub use clip::{
     Clip, LIPZ_BLAIR, LIPZ_RMS, LIPZ_TOONBOOM, Recording, Viseme, lipz_clip_at, lipz_clip_by_id, lipz_clip_by_key,
     lipz_clip_frames, lipz_clip_id_of_key, lipz_clip_key, lipz_clip_recording, lipz_clip_start_of_frame_us,
     lipz_clip_viseme,
+};
+pub use cursor::{
+    Cursor, LIPZ_OVER, LIPZ_WAITING, lipz_cursor_finish, lipz_cursor_new, lipz_cursor_openness, lipz_cursor_segment,
+    lipz_cursor_take_event, lipz_cursor_take_segment, lipz_cursor_viseme,
+};
+pub use cursor_time::{
+    lipz_cursor_advance_samples, lipz_cursor_advance_seconds, lipz_cursor_advance_seconds_f32, lipz_cursor_advance_us,
+    lipz_cursor_loop_samples, lipz_cursor_loop_seconds, lipz_cursor_loop_seconds_f32, lipz_cursor_loop_us,
+    lipz_cursor_seek_samples, lipz_cursor_seek_seconds, lipz_cursor_seek_seconds_f32, lipz_cursor_seek_us,
 };
 pub use event::{
     Event, EventName, LIPZ_DOES, LIPZ_FEELS, LIPZ_NO_NAME, LIPZ_POINTS, LIPZ_SEES, LIPZ_STARES, LIPZ_STOPS_POINTING,
@@ -48,7 +69,10 @@ pub use event::{
 };
 pub use locale::{Locale, lipz_locale_at, lipz_locale_by_tag, lipz_locale_default};
 pub use segment::{Segment, Text, lipz_segment_at, lipz_segment_of_frame, lipz_segment_text};
-pub use status::{LIPZ_NONE, LIPZ_NOT_UTF8, LIPZ_NULL_POINTER, LIPZ_OK, Status, lipz_status_message};
+pub use status::{
+    LIPZ_NONE, LIPZ_NOT_OPENED, LIPZ_NOT_UTF8, LIPZ_NULL_POINTER, LIPZ_OK, LIPZ_OTHER_VERSION, Status,
+    lipz_status_message,
+};
 pub use string::{String, c_char};
 pub use time::{
     lipz_frame_at_samples, lipz_frame_at_seconds, lipz_frame_at_seconds_f32, lipz_frame_at_us, lipz_segment_at_samples,

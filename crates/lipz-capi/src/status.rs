@@ -18,6 +18,12 @@ pub const LIPZ_NONE: Status = 256;
 pub const LIPZ_NULL_POINTER: Status = 257;
 /// A key, tag or name that was asked for is not UTF-8.
 pub const LIPZ_NOT_UTF8: Status = 258;
+/// The bytes of a bank are not those that it was opened with: another length, or another checksum in their header. Open
+/// it again.
+pub const LIPZ_NOT_OPENED: Status = 259;
+/// A struct has another size than in this library: the program was compiled with the header of another version, or
+/// never started the struct.
+pub const LIPZ_OTHER_VERSION: Status = 260;
 
 /// The number of the kind of damage.
 pub(crate) fn of_damage(error: Error) -> Status {
@@ -33,6 +39,8 @@ pub extern "C" fn lipz_status_message(status: Status, message: Option<&mut Maybe
             LIPZ_NONE => "there is no such thing",
             LIPZ_NULL_POINTER => "a pointer is null",
             LIPZ_NOT_UTF8 => "the string is not UTF-8",
+            LIPZ_NOT_OPENED => "the bytes are not those that were opened",
+            LIPZ_OTHER_VERSION => "the struct is not of this version of the library",
             damage => {
                 let kind = ErrorKind::ALL.iter().find(|kind| Status::from(kind.number()) == damage);
                 kind.ok_or(LIPZ_NONE)?.message()

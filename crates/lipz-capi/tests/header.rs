@@ -8,10 +8,13 @@ use std::fs;
 use std::path::Path;
 
 /// The names of the structs in C: those of functions and constants are the same in Rust.
-const NAMES: [(&str, &str); 12] = [
+const NAMES: [(&str, &str); 16] = [
+    ("Babble", "lipz_babble"),
     ("Bank", "lipz_bank"),
     ("BankInfo", "lipz_bank_info_t"),
+    ("Character", "lipz_character"),
     ("Clip", "lipz_clip"),
+    ("Cursor", "lipz_cursor"),
     ("Event", "lipz_event"),
     ("EventName", "lipz_name"),
     ("Locale", "lipz_locale"),
@@ -21,11 +24,25 @@ const NAMES: [(&str, &str); 12] = [
     ("String", "lipz_string"),
     ("Text", "lipz_text"),
     ("Viseme", "lipz_viseme"),
+    ("Weights", "lipz_weights"),
 ];
 
 /// The files with declarations, in the order of the header.
-const FILES: [&str; 9] =
-    ["version.rs", "status.rs", "string.rs", "bank.rs", "clip.rs", "time.rs", "segment.rs", "locale.rs", "event.rs"];
+const FILES: [&str; 13] = [
+    "version.rs",
+    "status.rs",
+    "string.rs",
+    "bank.rs",
+    "clip.rs",
+    "time.rs",
+    "segment.rs",
+    "locale.rs",
+    "event.rs",
+    "cursor.rs",
+    "cursor_time.rs",
+    "character.rs",
+    "babble.rs",
+];
 
 const INTRODUCTION: &str = "/*
  * lipz.h - reads lipz dialogue banks in place. https://github.com/lipz/lipz

@@ -33,6 +33,12 @@ fn null_pointers_are_a_status() {
             Answer::<Locale>::from_call(|out| lipz_locale_by_tag(bank, null, 5, out)).status,
             Answer::<EventName>::from_call(|out| lipz_event_name(bank, null, 5, out)).status,
             lipz_status_message(LIPZ_OK, None),
+            lipz_cursor_new(bank, Some(&clip), size_of::<Cursor>(), None),
+            lipz_cursor_advance_us(bank, None, 0),
+            Answer::<Event>::from_call(|out| lipz_cursor_take_event(bank, None, out)).status,
+            Answer::<Viseme>::from_call(|out| lipz_cursor_viseme(bank, None, out)).status,
+            Answer::<Weights>::from_call(|out| lipz_babble_at_us(bank, None, 0, 1.0, out)).status,
+            Answer::<u32>::from_call(|out| lipz_lead_one_frame(None, out)).status,
         ];
         assert!(statuses.iter().all(|status| *status == LIPZ_NULL_POINTER), "{statuses:?}");
         let mouth = Answer::<Viseme>::from_call(|out| lipz_viseme_at_us(None, None, 0, out));
@@ -60,7 +66,7 @@ fn every_status_has_a_message() {
         let message = Answer::from_call(|out| lipz_status_message(kind.number().into(), out)).ok();
         assert_eq!(text_of(message), kind.message());
     }
-    for status in [LIPZ_OK, LIPZ_NONE, LIPZ_NULL_POINTER, LIPZ_NOT_UTF8] {
+    for status in [LIPZ_OK, LIPZ_NONE, LIPZ_NULL_POINTER, LIPZ_NOT_UTF8, LIPZ_NOT_OPENED, LIPZ_OTHER_VERSION] {
         assert_eq!(Answer::<String>::from_call(|out| lipz_status_message(status, out)).status, LIPZ_OK);
     }
     assert_eq!(Answer::<String>::from_call(|out| lipz_status_message(200, out)).status, LIPZ_NONE);
@@ -115,8 +121,15 @@ fn queries_are_total_on_damaged_banks_and_foreign_structs() {
     for place in 0..SMALL.len() {
         let mut bytes = SMALL.to_vec();
         *bytes.get_mut(place).unwrap() ^= 1 << (place % 8);
-        let bank = Bank { data: bytes.as_ptr(), length_bytes: bytes.len(), ..Bank::default() };
         let clip = clips.get(place % clips.len()).unwrap();
+        let opened = Answer::<Bank>::from_call(|out| unsafe { lipz_bank_open(bytes.as_ptr(), bytes.len(), out, None) });
+        // With the places that are found in these bytes, and with forged ones beside the right checksum.
+        let mut bank = Bank { data: bytes.as_ptr(), length_bytes: bytes.len(), ..intact };
+        if place % 2 == 0 && opened.status == LIPZ_OK {
+            bank = opened.ok();
+        } else if place % 3 == 0 {
+            *bank.places.get_mut(2 + next() as usize % 32).unwrap() ^= next() >> (next() % 32);
+        }
         every_query(&bank, clip, next() % 16);
         let foreign = Clip { fps_numerator: next(), fps_denominator: next(), ..*clip };
         every_query(&bank, &Clip { id: next().into(), ..foreign }, next());
@@ -149,5 +162,66 @@ fn every_query(bank: &Bank, clip: &Clip, number: u32) {
         Answer::<Event>::from_call(|out| lipz_segment_event(bank, Some(&segment), number % 5, out));
         Answer::<Locale>::from_call(|out| lipz_locale_at(bank, number, out));
         Answer::<Locale>::from_call(|out| lipz_locale_default(bank, out));
+    }
+    every_move(bank, clip, number);
+}
+
+/// Plays with a cursor of forged numbers.
+fn every_move(bank: Option<&Bank>, clip: &Clip, number: u32) {
+    let time_us = i64::from(number) * 1000;
+    let mut cursor = Cursor {
+        size_bytes: u32::try_from(size_of::<Cursor>()).unwrap(),
+        frame: number,
+        clip_id: clip.id,
+        fps_numerator: number,
+        fps_denominator: number % 7,
+        viseme_type: number % 5,
+        lead_us: number,
+        hold_frames: number % 300,
+        speaker_id: number % 3,
+        speaker_bank: bank.map_or(0, |bank| bank.places[0]),
+        mouth_frame: number.wrapping_mul(3),
+        next_segment: number % 17,
+        flags: number,
+        due_segment: number % 13,
+        due_end: number,
+        due_around_to: number.rotate_left(7),
+        due_event: number % 3,
+    };
+    unsafe {
+        let mut taken = 0;
+        for step in 0..5 {
+            let status = match step {
+                0 => LIPZ_OK,
+                1 => lipz_cursor_advance_us(bank, Some(&mut cursor), time_us),
+                2 => lipz_cursor_loop_seconds(bank, Some(&mut cursor), f64::from(number)),
+                3 => lipz_cursor_seek_samples(bank, Some(&mut cursor), time_us, number),
+                _ => lipz_cursor_finish(bank, Some(&mut cursor)),
+            };
+            let mut segments = cursor;
+            while Answer::<Segment>::from_call(|out| lipz_cursor_take_segment(bank, Some(&mut segments), out)).status
+                == LIPZ_OK
+            {
+                taken += 1;
+            }
+            while Answer::<Event>::from_call(|out| lipz_cursor_take_event(bank, Some(&mut cursor), out)).status
+                == LIPZ_OK
+            {
+                taken += 1;
+            }
+            assert!(taken < 1 << 20, "{status}");
+            Answer::<Viseme>::from_call(|out| lipz_cursor_viseme(bank, Some(&cursor), out));
+            Answer::<u32>::from_call(|out| lipz_cursor_openness(bank, Some(&cursor), out));
+            Answer::<Segment>::from_call(|out| lipz_cursor_segment(bank, Some(&cursor), out));
+            Answer::<Character>::from_call(|out| lipz_cursor_character(bank, Some(&cursor), None, out));
+            Answer::<Character>::from_call(|out| lipz_cursor_character_at(bank, Some(&cursor), number, out));
+        }
+        let babble = Babble { index: number % 2, bank: cursor.speaker_bank, ..Babble::default() };
+        Answer::<Weights>::from_call(|out| {
+            lipz_babble_at_us(bank, Some(&babble), time_us, f32::from_bits(number), out)
+        });
+        Answer::<Weights>::from_call(|out| lipz_babble_at_us_level(bank, Some(&babble), time_us, number, out));
+        Answer::<u32>::from_call(|out| lipz_hold_for_display(Some(clip), number, out));
+        Answer::<u32>::from_call(|out| lipz_viseme_openness(Viseme(b'A'), number, out));
     }
 }

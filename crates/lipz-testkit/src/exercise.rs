@@ -2,8 +2,8 @@
 
 use crate::said;
 use lipz_bank::{
-    Bank, Clip, ClipId, ConsonantHold, Cursor, Fps, Lead, Locale, Micros, Samples, Seconds, Segment, TextBank, Time,
-    VisemeType,
+    Bank, Clip, ClipId, ConsonantHold, Cursor, Fps, Lead, Locale, Micros, Places, Samples, Seconds, Segment, TextBank,
+    Time, VisemeType,
 };
 use std::hint::black_box;
 use std::time::Duration;
@@ -22,6 +22,9 @@ pub fn provoke(bytes: &[u8], effort: Effort) -> bool {
     let Ok(bank) = Bank::open(bytes) else { return false };
     assert!(!bank.is_verified());
     every_query(&bank, effort);
+    let places = Places::find(bytes).expect("places of a bank that was opened");
+    let kept = Bank::open_at(bytes, &Places::from_words(places.to_words())).expect("the same bytes");
+    assert_eq!((kept.clip_count(), kept.locales().count()), (bank.clip_count(), bank.locales().count()));
     // A whole bank serves as texts beside itself.
     let texts = bank.open_texts(bytes).expect("they have one fingerprint");
     if effort == Effort::All {
@@ -63,7 +66,9 @@ pub fn every_query(bank: &Bank<'_>, effort: Effort) {
     }
     said::of_babble(bank, limit);
     for name in ["", "amy", "door", "zz"] {
-        black_box(bank.event_name(name).map(|name| (name.id(), name.as_str())));
+        let found = bank.event_name(name);
+        assert_eq!(found.and_then(|name| bank.event_name_at(name.id())), found);
+        black_box(found.map(|name| (name.id(), name.as_str())));
     }
     black_box((bank.default_locale().is_some(), bank.locale("de-de").is_some()));
     for prefix in ["", "act1/", "zz"] {
@@ -173,6 +178,7 @@ fn play(clip: &Clip<'_, '_>, fps: Fps) {
         said::of_events(due.events());
         black_box((cursor.viseme(clip), cursor.segment(clip).is_some(), cursor.frame()));
     }
+    assert_eq!(cursor.with_words([0; 4]).with_words(cursor.to_words()), cursor);
     fired += cursor.finish(clip).count();
     assert!(fired <= segments && cursor.is_over());
     cursor.seek(clip, Micros(100_000));

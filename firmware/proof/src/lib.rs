@@ -8,7 +8,7 @@
 
 use core::panic::PanicInfo;
 use lipz_bank::{
-    Babble, Bank, Clip, ClipId, Command, ConsonantHold, Cursor, Error, Event, EventName, Fps, Lead, Locale, Micros,
+    Babble, Bank, Clip, ClipId, Command, ConsonantHold, Cursor, Error, Event, EventName, Fps, Lead, Locale, Micros, Places,
     Samples, Seconds, Segment, TextBank, Time, Viseme, VisemeType, VoiceLevel, Weight,
 };
 
@@ -33,6 +33,13 @@ fn proof_every_function(bytes: &[u8], texts: &[u8], name: &str, number: u32, see
         Err(error) => return see_error(see, error),
     };
     bank_asked(&bank, name, number, see);
+    if let Ok(places) = Places::find(bytes) {
+        let mut words = places.to_words();
+        words[2] ^= number;
+        if let Some(bank) = Bank::open_at(bytes, &Places::from_words(words)) {
+            bank_asked(&bank, name, number, see);
+        }
+    }
     match bank.open_texts(texts) {
         Ok(texts) => texts_asked(&bank, &texts, name, see),
         Err(error) => see_error(see, error),
@@ -55,7 +62,7 @@ fn bank_asked(bank: &Bank<'_>, name: &str, number: u32, see: See) {
     for babble in bank.babbles().chain(bank.babble(name)).chain([bank.default_babble()]) {
         babble_asked(&babble, number, see);
     }
-    let named = bank.event_name(name);
+    let named = bank.event_name(name).or(bank.event_name_at(number));
     let id = ClipId::from_u64(u64::from(number) ^ ClipId::from_key(name).get());
     let found = [bank.clip(id), bank.clip_by_key(name), bank.clip_at(number)];
     for clip in bank.clips().chain(bank.clips_under(name)).chain(IntoIterator::into_iter(found).flatten()) {
@@ -110,7 +117,7 @@ fn fps_asked(fps: Fps, number: u32, see: See) {
         ConsonantHold::for_display(number, fps),
         ConsonantHold::frames(number as u8),
     ];
-    see(u64::from(holds[0] == holds[1]) | u64::from(holds[1] < holds[2]));
+    see(u64::from(holds[0] == holds[1]) | u64::from(holds[1] < holds[2]) | u64::from(holds[0].frame_count()) << 8);
 }
 
 fn clip_asked(bank: &Bank<'_>, clip: &Clip<'_, '_>, number: u32, see: See) {
@@ -188,7 +195,7 @@ fn play(clip: &Clip<'_, '_>, speaker: Option<EventName<'_>>, number: u32, see: S
         (Some(cursor), Some(fps)) => (cursor, fps),
         _ => return,
     };
-    let mut cursor = cursor.with_speaker(speaker).with_lead(Lead::two_frames(fps));
+    let mut cursor = cursor.with_speaker(speaker).with_lead(Lead::two_frames(fps)).with_words([number; 4]);
     cursor = cursor.with_hold(ConsonantHold::readable(fps));
     let time = Micros(i64::from(number));
     for step in 0..4 {
@@ -211,6 +218,7 @@ fn play(clip: &Clip<'_, '_>, speaker: Option<EventName<'_>>, number: u32, see: S
             characters ^= state.stares_at.map_or(0, EventName::id);
         }
         viseme_asked(clip, cursor.viseme(clip), see);
+        cursor.to_words().iter().for_each(|word| see(u64::from(*word)));
         see(u64::from(characters) | u64::from(cursor.is_over()) << 32);
         see(u64::from(cursor.frame().unwrap_or(0)) ^ cursor.segment(clip).map_or(0, |segment| segment.index().into()));
     }

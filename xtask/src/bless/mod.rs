@@ -22,11 +22,12 @@ pub(crate) struct Settings {
 }
 
 /// The tests that write what they expect.
-const TESTS: [&[&str]; 5] = [
+const TESTS: [&[&str]; 6] = [
     &["--package", "lipz-bank", "--test", "golden"],
     &["--package", "lipz-capi", "--test", "header"],
     &["--package", "lipz-compiler", "--test", "ids"],
     &["--package", "lipz-interop", "--test", "fallout_lip", "--test", "fixtures"],
+    &["--package", "lipz-testkit", "--features", "std", "--test", "playback_cases"],
     &["--package", "lipz"],
 ];
 

@@ -24,7 +24,9 @@ fn files(built: &Path, prefix: &Path) -> std::io::Result<()> {
     for folder in [&include, &pkgconfig, &cmake] {
         fs::create_dir_all(folder)?;
     }
-    fs::copy(sources.join("include/lipz.h"), include.join("lipz.h"))?;
+    for header in ["lipz.h", "lipz.hpp"] {
+        fs::copy(sources.join("include").join(header), include.join(header))?;
+    }
     fs::copy(built.join("liblipz_capi.a"), lib.join("liblipz.a"))?;
     // The name that the linker looks for beside the one that programs ask for: no link, because not
     // every file system has them.

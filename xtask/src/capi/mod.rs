@@ -1,8 +1,9 @@
 //! `cargo xtask capi`: builds the libraries for C, installs them below `target/capi`, and runs
-//! the programs in C and C++ with them: plain, under valgrind, and with sanitizers.
+//! the programs in C and C++ with them, the examples and the cases of playback: plain, under valgrind, and with sanitizers.
 //!
 //! The libraries do not link if a panic can be reached (see `crates/lipz-capi/src/panic.rs`).
 
+mod cases;
 mod install;
 mod programs;
 
@@ -25,7 +26,7 @@ pub(crate) fn run() -> Result<(), Failure> {
     println!("installed below {}", prefix.display());
     match TOOLS.iter().find(|tool| !has_program(tool)) {
         Some(tool) => skip(tool),
-        None => programs::run(&prefix),
+        None => programs::run(&prefix).and_then(|()| cases::run(&prefix)),
     }
 }
 

@@ -57,7 +57,7 @@ fn make(sources: &Path, prefix: &Path, build: &Path, flags: &str) -> Result<(), 
     )
 }
 
-fn under_valgrind(program: &Path) -> Command {
+pub(super) fn under_valgrind(program: &Path) -> Command {
     let mut command = Command::new("valgrind");
     command.args(["--quiet", "--leak-check=full", "--error-exitcode=99"]).arg(program);
     command

@@ -65,3 +65,33 @@ pub(super) const SINGLE: [Group; 10] = [
     Group { name: "alone: open a text bank", parts: &[&["size_open_texts"]], budget_bytes: None },
     Group { name: "alone: verify", parts: &[VERIFY], budget_bytes: None },
 ];
+
+const C_OPEN: &[&str] = &["lipz_bank_open"];
+const C_MOUTHS: &[&str] = &["lipz_clip_by_id", "lipz_viseme_at_us"];
+const C_TEXTS: &[&str] = &["lipz_locale_by_tag", "lipz_segment_at_us", "lipz_segment_text"];
+const C_EVENTS: &[&str] = &["lipz_segment_event", "lipz_event_name"];
+const C_CURSOR: &[&str] = &[
+    "lipz_cursor_new",
+    "lipz_cursor_advance_us",
+    "lipz_cursor_seek_us",
+    "lipz_cursor_finish",
+    "lipz_cursor_take_event",
+    "lipz_cursor_viseme",
+    "lipz_cursor_segment",
+    "lipz_cursor_character",
+];
+const C_BABBLE: &[&str] = &["lipz_babble_default", "lipz_babble_at_us_level"];
+
+/// Programs in C, with the library that `cargo xtask capi` builds.
+pub(super) const C_PROGRAMS: [Group; 6] = [
+    Group { name: "C: open", parts: &[C_OPEN], budget_bytes: None },
+    Group { name: "C: + find, mouths by time", parts: &[C_OPEN, C_MOUTHS], budget_bytes: None },
+    Group { name: "C: + locales, segments, texts", parts: &[C_OPEN, C_MOUTHS, C_TEXTS], budget_bytes: None },
+    Group { name: "C: + typed events, names", parts: &[C_OPEN, C_MOUTHS, C_TEXTS, C_EVENTS], budget_bytes: None },
+    Group { name: "C: + cursor", parts: &[C_OPEN, C_MOUTHS, C_TEXTS, C_EVENTS, C_CURSOR], budget_bytes: None },
+    Group {
+        name: "C: + babble",
+        parts: &[C_OPEN, C_MOUTHS, C_TEXTS, C_EVENTS, C_CURSOR, C_BABBLE],
+        budget_bytes: None,
+    },
+];

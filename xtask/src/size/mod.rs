@@ -13,8 +13,9 @@ use crate::Failure;
 use crate::toolchain::{Library, Toolchain, rust_lld};
 use crate::tools::{skip, succeed};
 use elf::Sizes;
-use groups::{Group, PROGRAMS, SINGLE};
+use groups::{C_PROGRAMS, Group, PROGRAMS, SINGLE};
 use link::Linker;
+use std::process::Command;
 
 /// The processors: with the budgets, and without.
 const M4: &str = "thumbv7em-none-eabi";
@@ -29,15 +30,22 @@ pub(crate) fn run() -> Result<(), Failure> {
     let mut build = m4.firmware("build");
     build.args(["--target", M0, "--quiet", "--release", "--package", "firmware-size", "--package", "firmware-proof"]);
     succeed(&mut build, "the build of the entry points")?;
-    let mut linkers = Vec::new();
     for toolchain in [m4, m0] {
-        linkers.push(Linker::new(&linker, &toolchain.release_folder().join("libfirmware_size.a"))?);
+        succeed(&mut c_library(toolchain), "the build of the library for C")?;
     }
+    let of = |library: &str| -> Result<Vec<Linker>, Failure> {
+        let libraries = [m4, m0].map(|toolchain| toolchain.release_folder().join(library));
+        libraries.iter().map(|library| Linker::new(&linker, library)).collect()
+    };
+    let (linkers, c_linkers) = (of("libfirmware_size.a")?, of("liblipz_capi.a")?);
     println!("| {}, opt-level s | M4 code | M4 constants | M0 code | M4 budget |", m4.version());
     println!("|---|--:|--:|--:|--:|");
     let mut above = Vec::new();
     for group in PROGRAMS.iter().chain(&SINGLE) {
         row(group, &linkers, &mut above)?;
+    }
+    for group in &C_PROGRAMS {
+        row(group, &c_linkers, &mut above)?;
     }
     for toolchain in [m4, m0] {
         let proof = Linker::new(&linker, &toolchain.release_folder().join("libfirmware_proof.a"))?;
@@ -49,6 +57,17 @@ pub(crate) fn run() -> Result<(), Failure> {
     }
     println!("\nno static memory; no public function can reach a panic or an allocator: the two that can do not link");
     if above.is_empty() { Ok(()) } else { Err(format!("above the budget: {}", above.join(", "))) }
+}
+
+/// The build of the library for C, as for firmware.
+fn c_library(toolchain: &Toolchain) -> Command {
+    let mut command = toolchain.cargo("rustc");
+    for (setting, value) in [("OPT_LEVEL", "s"), ("LTO", "fat"), ("PANIC", "abort")] {
+        command.env(format!("CARGO_PROFILE_RELEASE_{setting}"), value);
+    }
+    command.args(["--quiet", "--release", "--package", "lipz-capi", "--lib"]);
+    command.args(["--features", "panic-handler", "--crate-type", "staticlib"]);
+    command
 }
 
 /// Prints what a group needs on each processor.

@@ -78,6 +78,9 @@ pub struct Cursor {
 /// In place of a frame, from the end of the clip on. No frame has this number: a clip has fewer.
 const OVER: u32 = u32::MAX;
 
+/// In place of a frame, before the start: among the words of a cursor only.
+const WAITING: u32 = u32::MAX - 1;
+
 impl Cursor {
     /// A cursor that waits for the sound of `clip` to begin; `None` without a frame rate: give the clip one with
     /// [`Clip::or_fps`].
@@ -120,6 +123,29 @@ impl Cursor {
     #[must_use]
     pub fn with_speaker(mut self, speaker: Option<EventName<'_>>) -> Self {
         self.speaker = speaker.map(EventName::key);
+        self
+    }
+
+    /// Where the cursor is, as numbers: what moves with it, and not what it was given with `new` and `with_…`. To keep
+    /// it where no cursor can be: in a saved game, or in a struct of another language.
+    ///
+    /// The frames at the positions of sound and mouth ([`u32::MAX`] from the end on, one less before the start); the
+    /// first segment whose events have not fired; and a bit each for whether those before it have just fired, and
+    /// whether the clip has looped.
+    pub fn to_words(&self) -> [u32; 4] {
+        let flags = u32::from(self.is_fired) | u32::from(self.has_looped) << 1;
+        [self.frame.unwrap_or(WAITING), self.mouth_frame.unwrap_or(WAITING), self.next_segment, flags]
+    }
+
+    /// The cursor where [`to_words`](Cursor::to_words) said that it was. Any numbers are taken; those of another clip
+    /// do what its cursor would do.
+    #[must_use]
+    pub fn with_words(mut self, [frame, mouth_frame, next_segment, flags]: [u32; 4]) -> Self {
+        self.frame = Some(frame).filter(|&frame| frame != WAITING);
+        self.mouth_frame = Some(mouth_frame).filter(|&frame| frame != WAITING);
+        self.next_segment = next_segment;
+        self.is_fired = flags & 1 != 0;
+        self.has_looped = flags & 2 != 0;
         self
     }
 

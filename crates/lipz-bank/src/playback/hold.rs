@@ -26,6 +26,11 @@ impl ConsonantHold {
         ConsonantHold { frames: count }
     }
 
+    /// The number of frames.
+    pub const fn frame_count(self) -> u8 {
+        self.frames
+    }
+
     /// Two frames at 24 fps, the least that is read, in frames of `fps`: the nearest number.
     ///
     /// ```

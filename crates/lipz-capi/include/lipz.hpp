@@ -1,0 +1,380 @@
+// lipz.hpp - the reader of lipz dialogue banks for C++17: ranges, std::string_view and std::optional over lipz.h.
+// https://github.com/lipz/lipz, MIT OR Apache-2.0. docs/C.md shows how to use it.
+//
+// Header only. Nothing here allocates or throws, but what has `must` in its name: it throws lipz::Error. Strings are views
+// into the bytes of the bank, which the program keeps. Every struct of lipz.h is there as the base of a class, so that
+// each function of lipz.h takes it, too.
+#ifndef LIPZ_HPP
+#define LIPZ_HPP
+
+#include "lipz.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace lipz {
+
+inline std::string_view view(const lipz_string &string) noexcept {
+    return string.data == nullptr ? std::string_view() : std::string_view(string.data, string.length_bytes);
+}
+
+/// A status that is not `LIPZ_OK`, as an exception.
+class Error : public std::runtime_error {
+  public:
+    explicit Error(lipz_status status, std::uint32_t offset_bytes = 0)
+        : std::runtime_error(message(status)), status_(status), offset_bytes_(offset_bytes) {}
+    lipz_status status() const noexcept { return status_; }
+    /// Where the damage is: bytes from the start of the file.
+    std::uint32_t offset_bytes() const noexcept { return offset_bytes_; }
+
+  private:
+    static std::string message(lipz_status status) {
+        lipz_string text;
+        lipz_status_message(status, &text);
+        return std::string(view(text));
+    }
+    lipz_status status_;
+    std::uint32_t offset_bytes_;
+};
+
+/// What a function of lipz.h writes to its last pointer, if there is an answer: as it is, or as a class of this header.
+template <typename T, typename Of = T, typename Ask> std::optional<T> answer(Ask ask) noexcept {
+    Of found;
+    return ask(&found) == LIPZ_OK ? std::optional<T>(T(found)) : std::nullopt;
+}
+
+/// A time since the sound began. Numbers with a point are seconds.
+struct Micros {
+    std::int64_t us;
+};
+/// A position in samples of one channel.
+struct Samples {
+    std::int64_t position;
+    std::uint32_t rate_hz;
+};
+
+/// A name that events mention; false if there is none.
+struct Name : lipz_name {
+    Name() noexcept : lipz_name{{nullptr, 0}, LIPZ_NO_NAME, 0} {}
+    Name(const lipz_name &name) noexcept : lipz_name(name) {}
+    explicit operator bool() const noexcept { return id != LIPZ_NO_NAME; }
+    std::string_view str() const noexcept { return view(name); }
+    friend bool operator==(const Name &a, const Name &b) noexcept { return a.id == b.id && a.bank == b.bank; }
+    friend bool operator!=(const Name &a, const Name &b) noexcept { return !(a == b); }
+};
+
+enum class Verb : std::uint32_t {
+    feels = LIPZ_FEELS,
+    sees = LIPZ_SEES,
+    stares = LIPZ_STARES,
+    stops_staring = LIPZ_STOPS_STARING,
+    points = LIPZ_POINTS,
+    stops_pointing = LIPZ_STOPS_POINTING,
+    does = LIPZ_DOES,
+};
+
+/// One event: who does what, and to whom.
+struct Event {
+    Name character;
+    Verb verb;
+    Name object;
+};
+
+/// What a character feels, stares and points at.
+struct Character {
+    Name name, feels, stares_at, points_at;
+    explicit Character(const lipz_character &of) noexcept
+        : name(of.name), feels(of.feels), stares_at(of.stares_at), points_at(of.points_at) {}
+};
+
+struct Text {
+    std::string_view text;
+    /// Whether this is the text of another locale.
+    bool is_fallback;
+};
+
+/// What `next` gives until it gives nothing, for `for (auto item : range)`.
+template <typename T, typename Next> class Range {
+  public:
+    explicit Range(Next next) : next_(next) {}
+    class iterator {
+      public:
+        using iterator_category = std::input_iterator_tag;
+        using value_type = T;
+        using difference_type = std::ptrdiff_t;
+        using pointer = const T *;
+        using reference = const T &;
+        explicit iterator(Next *next) : next_(next) { ++*this; }
+        iterator() = default;
+        reference operator*() const noexcept { return *item_; }
+        pointer operator->() const noexcept { return &*item_; }
+        iterator &operator++() {
+            if (next_ != nullptr && !(item_ = (*next_)())) {
+                next_ = nullptr;
+            }
+            return *this;
+        }
+        void operator++(int) { ++*this; }
+        friend bool operator==(const iterator &a, const iterator &b) noexcept { return a.next_ == b.next_; }
+        friend bool operator!=(const iterator &a, const iterator &b) noexcept { return a.next_ != b.next_; }
+
+      private:
+        Next *next_ = nullptr;
+        std::optional<T> item_;
+    };
+    iterator begin() { return iterator(&next_); }
+    iterator end() noexcept { return iterator(); }
+
+  private:
+    Next next_;
+};
+
+/// A range of what a function gives.
+template <typename T, typename Next> Range<T, Next> range(Next next) { return Range<T, Next>(next); }
+
+/// A stretch of a clip.
+struct Segment : lipz_segment {
+    Segment(const lipz_segment &segment) noexcept : lipz_segment(segment) {}
+    std::optional<Text> text(const lipz_bank &bank, const lipz_locale &locale) const noexcept {
+        lipz_text text;
+        if (lipz_segment_text(&bank, this, &locale, &text) != LIPZ_OK) {
+            return std::nullopt;
+        }
+        return Text{{text.data, text.length_bytes}, text.is_fallback != 0};
+    }
+    /// The event string, in whatever syntax; nothing if the file has no events.
+    std::optional<std::string_view> event(const lipz_bank &bank) const noexcept {
+        const auto string =
+            answer<lipz_string>([&](lipz_string *out) { return lipz_segment_event_string(&bank, this, out); });
+        return string ? std::optional(view(*string)) : std::nullopt;
+    }
+};
+
+/// One spoken line.
+struct Clip : lipz_clip {
+    Clip(const lipz_clip &clip) noexcept : lipz_clip(clip) {}
+    /// The clip with this frame rate, where its file has none.
+    Clip or_fps(std::uint32_t numerator, std::uint32_t denominator = 1) const noexcept {
+        Clip given = *this;
+        if (fps_denominator == 0) {
+            given.fps_numerator = numerator;
+            given.fps_denominator = denominator;
+        }
+        return given;
+    }
+    std::string_view key(const lipz_bank &bank) const noexcept {
+        const auto key = answer<lipz_string>([&](lipz_string *out) { return lipz_clip_key(&bank, this, out); });
+        return key ? view(*key) : std::string_view();
+    }
+    std::uint32_t lead_one_frame() const noexcept { return of(lipz_lead_one_frame); }
+    std::uint32_t lead_two_frames() const noexcept { return of(lipz_lead_two_frames); }
+    std::uint32_t hold_readable() const noexcept { return of(lipz_hold_readable); }
+    std::uint32_t hold_for_display(std::uint32_t picture_us) const noexcept {
+        return answer<std::uint32_t>([&](std::uint32_t *out) { return lipz_hold_for_display(this, picture_us, out); })
+            .value_or(0);
+    }
+
+  private:
+    std::uint32_t of(lipz_status (*ask)(const lipz_clip *, std::uint32_t *)) const noexcept {
+        return answer<std::uint32_t>([&](std::uint32_t *out) { return ask(this, out); }).value_or(0);
+    }
+};
+
+/// A babble profile.
+struct Babble : lipz_babble {
+    Babble(const lipz_babble &babble) noexcept : lipz_babble(babble) {}
+    std::string_view name_view() const noexcept { return view(name); }
+    std::optional<lipz_weights> at(const lipz_bank &bank, Micros time, float power) const noexcept {
+        return ask([&](auto *out) { return lipz_babble_at_us(&bank, this, time.us, power, out); });
+    }
+    std::optional<lipz_weights> at(const lipz_bank &bank, Samples time, float power) const noexcept {
+        return ask([&](auto *out) {
+            return lipz_babble_at_samples(&bank, this, time.position, time.rate_hz, power, out);
+        });
+    }
+    std::optional<lipz_weights> at(const lipz_bank &bank, double seconds, float power) const noexcept {
+        return ask([&](auto *out) { return lipz_babble_at_seconds(&bank, this, seconds, power, out); });
+    }
+    std::optional<lipz_weights> at(const lipz_bank &bank, float seconds, float power) const noexcept {
+        return ask([&](auto *out) { return lipz_babble_at_seconds_f32(&bank, this, seconds, power, out); });
+    }
+    /// At a level of the voice in 65,536ths, such as LIPZ_UNMEASURED.
+    std::optional<lipz_weights> at_level(const lipz_bank &bank, Micros time, std::uint32_t level) const noexcept {
+        return ask([&](auto *out) { return lipz_babble_at_us_level(&bank, this, time.us, level, out); });
+    }
+
+  private:
+    template <typename Ask> static std::optional<lipz_weights> ask(Ask ask) noexcept {
+        return answer<lipz_weights>(ask);
+    }
+};
+
+/// Where a clip is while it is played.
+class Cursor : public lipz_cursor {
+  public:
+    Cursor(const lipz_cursor &cursor) noexcept : lipz_cursor(cursor) {}
+    bool is_over() const noexcept { return frame == LIPZ_OVER; }
+    bool is_waiting() const noexcept { return frame == LIPZ_WAITING; }
+    void set_speaker(const Name &name) noexcept {
+        speaker_id = name.id;
+        speaker_bank = name.bank;
+    }
+
+    /// The sound has reached this time. Then go through `events` or `segments`.
+    Cursor &advance_to(const lipz_bank &bank, Micros time) noexcept {
+        return done(lipz_cursor_advance_us(&bank, this, time.us));
+    }
+    Cursor &advance_to(const lipz_bank &bank, Samples time) noexcept {
+        return done(lipz_cursor_advance_samples(&bank, this, time.position, time.rate_hz));
+    }
+    Cursor &advance_to(const lipz_bank &bank, double seconds) noexcept {
+        return done(lipz_cursor_advance_seconds(&bank, this, seconds));
+    }
+    Cursor &advance_to(const lipz_bank &bank, float seconds) noexcept {
+        return done(lipz_cursor_advance_seconds_f32(&bank, this, seconds));
+    }
+    /// The sound has jumped from its end to its start, and has reached this time since.
+    Cursor &loop_to(const lipz_bank &bank, Micros time) noexcept {
+        return done(lipz_cursor_loop_us(&bank, this, time.us));
+    }
+    Cursor &loop_to(const lipz_bank &bank, Samples time) noexcept {
+        return done(lipz_cursor_loop_samples(&bank, this, time.position, time.rate_hz));
+    }
+    Cursor &loop_to(const lipz_bank &bank, double seconds) noexcept {
+        return done(lipz_cursor_loop_seconds(&bank, this, seconds));
+    }
+    Cursor &loop_to(const lipz_bank &bank, float seconds) noexcept {
+        return done(lipz_cursor_loop_seconds_f32(&bank, this, seconds));
+    }
+    /// Jumps: nothing is due.
+    Cursor &seek(const lipz_bank &bank, Micros time) noexcept { return done(lipz_cursor_seek_us(&bank, this, time.us)); }
+    Cursor &seek(const lipz_bank &bank, Samples time) noexcept {
+        return done(lipz_cursor_seek_samples(&bank, this, time.position, time.rate_hz));
+    }
+    Cursor &seek(const lipz_bank &bank, double seconds) noexcept {
+        return done(lipz_cursor_seek_seconds(&bank, this, seconds));
+    }
+    Cursor &seek(const lipz_bank &bank, float seconds) noexcept {
+        return done(lipz_cursor_seek_seconds_f32(&bank, this, seconds));
+    }
+    /// Ends the clip before the sound does.
+    Cursor &finish(const lipz_bank &bank) noexcept { return done(lipz_cursor_finish(&bank, this)); }
+    /// What became of the last move: not LIPZ_OK if the bank has no such clip any more.
+    lipz_status status() const noexcept { return status_; }
+
+    /// The events that are due, each once: going through them takes them. The bank and the cursor outlive the range.
+    auto events(const lipz_bank &bank) noexcept {
+        return range<Event>([this, &bank]() -> std::optional<Event> {
+            lipz_event event;
+            if (lipz_cursor_take_event(&bank, this, &event) != LIPZ_OK) {
+                return std::nullopt;
+            }
+            return Event{event.character, static_cast<Verb>(event.verb), event.object};
+        });
+    }
+    /// The segments that are due, for event strings of another syntax. Going through them takes them.
+    auto segments(const lipz_bank &bank) noexcept {
+        return range<Segment>([this, &bank]() -> std::optional<Segment> {
+            return answer<Segment, lipz_segment>(
+                [&](lipz_segment *out) { return lipz_cursor_take_segment(&bank, this, out); });
+        });
+    }
+    /// Every character of the clip with its state: what to set after a jump.
+    auto characters(const lipz_bank &bank) const noexcept {
+        return range<Character>([this, &bank, index = std::uint32_t(0)]() mutable -> std::optional<Character> {
+            return answer<Character, lipz_character>(
+                [&](lipz_character *out) { return lipz_cursor_character_at(&bank, this, index++, out); });
+        });
+    }
+
+    char viseme(const lipz_bank &bank) const noexcept {
+        lipz_viseme viseme;
+        lipz_cursor_viseme(&bank, this, &viseme);
+        return static_cast<char>(viseme);
+    }
+    /// In ten-thousandths; nothing if the clip has no mouth shapes: let the mouth babble.
+    std::optional<std::uint32_t> openness(const lipz_bank &bank) const noexcept {
+        return answer<std::uint32_t>([&](std::uint32_t *out) { return lipz_cursor_openness(&bank, this, out); });
+    }
+    std::optional<Segment> segment(const lipz_bank &bank) const noexcept {
+        return answer<Segment, lipz_segment>([&](lipz_segment *out) { return lipz_cursor_segment(&bank, this, out); });
+    }
+    /// The speaker's state without a name.
+    std::optional<Character> character(const lipz_bank &bank, const Name &name = Name()) const noexcept {
+        return answer<Character, lipz_character>(
+            [&](lipz_character *out) { return lipz_cursor_character(&bank, this, &name, out); });
+    }
+
+  private:
+    Cursor &done(lipz_status status) noexcept {
+        status_ = status;
+        return *this;
+    }
+    lipz_status status_ = LIPZ_OK;
+};
+
+/// An opened bank over bytes that the program keeps: nothing to close.
+class Bank : public lipz_bank {
+  public:
+    /// Opens the bytes and checks every one of them. Throws an Error.
+    static Bank must_open(const void *data, std::size_t length_bytes) {
+        Bank bank;
+        std::uint32_t place = 0;
+        must(lipz_bank_open(static_cast<const std::uint8_t *>(data), length_bytes, &bank, &place), place);
+        must(lipz_bank_verify(&bank, &place), place);
+        return bank;
+    }
+    /// Uses the locales of a text bank from now on, checked. Throws an Error.
+    void must_use_texts(const void *data, std::size_t length_bytes) {
+        std::uint32_t place = 0;
+        lipz_bank with = *this;
+        must(lipz_bank_use_texts(&with, static_cast<const std::uint8_t *>(data), length_bytes, &place), place);
+        must(lipz_bank_verify(&with, &place), place);
+        static_cast<lipz_bank &>(*this) = with;
+    }
+    std::optional<Clip> clip(std::uint64_t id) const noexcept {
+        return answer<Clip, lipz_clip>([&](lipz_clip *out) { return lipz_clip_by_id(this, id, out); });
+    }
+    std::optional<Clip> clip(std::string_view key) const noexcept {
+        return answer<Clip, lipz_clip>([&](lipz_clip *out) { return lipz_clip_by_key(this, key.data(), key.size(), out); });
+    }
+    std::optional<lipz_locale> locale(std::string_view tag) const noexcept {
+        return answer<lipz_locale>(
+            [&](lipz_locale *out) { return lipz_locale_by_tag(this, tag.data(), tag.size(), out); });
+    }
+    /// No name if no event mentions it.
+    Name name(std::string_view name) const noexcept {
+        lipz_name found;
+        lipz_event_name(this, name.data(), name.size(), &found);
+        return found;
+    }
+    /// Nothing without a frame rate: give the clip one.
+    std::optional<Cursor> cursor(const lipz_clip &clip) const noexcept {
+        return answer<Cursor, lipz_cursor>(
+            [&](lipz_cursor *out) { return lipz_cursor_new(this, &clip, sizeof *out, out); });
+    }
+    std::optional<Babble> babble(std::string_view name) const noexcept {
+        return answer<Babble, lipz_babble>(
+            [&](lipz_babble *out) { return lipz_babble_by_name(this, name.data(), name.size(), out); });
+    }
+    std::optional<Babble> default_babble() const noexcept {
+        return answer<Babble, lipz_babble>([&](lipz_babble *out) { return lipz_babble_default(this, out); });
+    }
+
+  private:
+    Bank() noexcept : lipz_bank() {}
+    static void must(lipz_status status, std::uint32_t place) {
+        if (status != LIPZ_OK) {
+            throw Error(status, place);
+        }
+    }
+};
+
+} // namespace lipz
+
+#endif // LIPZ_HPP
