@@ -5,7 +5,7 @@ use lipz_file::text::{DELIMITER, is_white_space};
 use lipz_file::{Document, JsonString, Value, rate};
 use lipz_types::Fps;
 
-/// What a Lipz file says about its mouth. Errors in it are for `lipz check`: what is wrong is not there.
+/// What a Lipz file says about its mouth. Errors in it are for the check of Lipz files: what is wrong is not there.
 pub(crate) struct Clip<'d> {
     /// The value of `visemes`.
     pub(crate) visemes: Option<&'d JsonString<'d>>,

@@ -4,24 +4,16 @@
 mod support;
 
 use std::fs;
+use support::sound::wav;
 use support::{Scene, assert_sarif, lipz};
 
 /// A clip of 10 frames at 24 a second: 0.417 s.
 const CLIP: &str = r#"{ "visemes": "MAAAEO----", "viseme_type": "blair", "fps": 24, "text_en-us": "Mayor!" }"#;
 
-/// A WAV file of this many samples, 8000 a second.
-fn sound(samples: u32) -> Vec<u8> {
-    let data_bytes = samples * 2;
-    let mut file = b"RIFF".to_vec();
-    file.extend((36 + data_bytes).to_le_bytes());
-    file.extend(b"WAVEfmt \x10\0\0\0\x01\0\x01\0");
-    file.extend(8000_u32.to_le_bytes());
-    file.extend(16_000_u32.to_le_bytes());
-    file.extend(b"\x02\0\x10\0data");
-    file.extend(data_bytes.to_le_bytes());
-    // A tone, so that the files differ in more than their length.
-    file.extend((0..samples).flat_map(|at| (((at * 97 + samples) % 2000) as i16).to_le_bytes()));
-    file
+/// A WAV file of this many samples, 8000 a second: a tone, so that the files differ in more than their length.
+fn sound(samples: i16) -> Vec<u8> {
+    let tone = |at: i16| i16::try_from((i32::from(at) * 97 + i32::from(samples)) % 2000).unwrap();
+    wav(8000, &(0..samples).map(tone).collect::<Vec<_>>())
 }
 
 #[test]

@@ -4,7 +4,7 @@
 mod support;
 
 use std::fs;
-use support::sound::{voice, wav};
+use support::sound::{RATE_HZ, voice, wav};
 use support::{Scene, lipz, tree};
 
 /// Silence, a second of voice, a pause, another one, silence: 2.9 s, 70 frames.
@@ -93,7 +93,7 @@ fn hand_work_is_kept() {
     scene.write("voices/drawn.lipz", r#"{ "visemes": "MAMA|EO", "text_en-us": "Who goes|there?" }"#);
     let (_, told, found) = sync(&scene, &arguments);
     assert_eq!(told, "3 clips synced, 1 kept, in voices");
-    assert!(found.contains("warning[LZ1706]: the mouth was not made by `lipz sync`: it is kept"), "{found}");
+    assert!(found.contains("warning[LZ1706]: the mouth was drawn by hand, or made by another tool: it is kept"), "{found}");
     let edit = |name: &str, change: &dyn Fn(&str) -> String| {
         let path = format!("voices/{name}.lipz");
         let text = read(&scene, &path);
@@ -173,7 +173,7 @@ fn one_bad_file_keeps_no_other_from_its_mouth() {
     // The record is in the way, or is none.
     scene.write("notes.txt", "my notes");
     let refused = lipz(scene.path(), ["sync", "voices", "--audio", "rec", "--audio-record", "notes.txt"]);
-    assert!(refused.code == 2 && refused.stderr.contains("is not a record of `lipz sync`"), "{}", refused.stderr);
+    assert!(refused.code == 2 && refused.stderr.contains("is not a record of mouths and their recordings"), "{}", refused.stderr);
     assert_eq!(read(&scene, "notes.txt"), "my notes");
     scene.expect("LZ1601-usage-sync-no-recordings", &["sync", "voices"]);
     scene.expect("LZ1601-usage-sync-other-keys", &["sync", "voices", "--audio", "voices"]);
@@ -228,10 +228,10 @@ fn what_is_odd_is_reported() {
     let of_b = ["sync", "rec/b.wav", "-o", "doubtful", "--script", "lines.csv", "--audio-locale", "en-us", "--quiet"];
     scene.expect("LZ1707-text-mismatch", &[&of_b[..], &["--allow", "LZ1713"]].concat());
     scene.expect("LZ1708-no-script", &["sync", "rec/a.wav", "-o", "mute", "--quiet"]);
-    scene.write("rec/a.wav", wav(&[0; 20_000]));
+    scene.write("rec/a.wav", wav(RATE_HZ, &[0; 20_000]));
     scene.expect("LZ1716-silent-recording", &["sync", "rec/a.wav", "-o", "quiet", "--quiet", "--allow", "LZ1708"]);
     let loud: Vec<i16> = (0..20_000).map(|at| if at % 160 < 40 { i16::MAX } else { -8_000 }).collect();
-    scene.write("rec/a.wav", wav(&loud));
+    scene.write("rec/a.wav", wav(RATE_HZ, &loud));
     scene.expect("LZ1717-clipped-recording", &["sync", "rec/a.wav", "-o", "loud", "--quiet", "--allow", "LZ1708"]);
     let whole = voice(silence, 1);
     scene.write("rec/a.wav", &whole[..whole.len() - 5001]);

@@ -18,9 +18,9 @@ pub struct Audio {
     pub locale: Option<String>,
     /// Milliseconds by which the length of a clip may differ from that of its recording; `None` for a frame.
     pub tolerance_ms: Option<u32>,
-    /// The file in which `lipz sync` records what each mouth was made from; `None` for one beside the Lipz files.
+    /// The file that records from what each mouth was made; `None` for one beside the Lipz files.
     pub record: Option<PathBuf>,
-    /// A file in which `lipz check` remembers what it heard in recordings, so that the next run decodes only new ones.
+    /// A file that remembers what was heard in recordings, so that the next check decodes only new ones.
     pub cache: Option<PathBuf>,
     /// The bank carries the length and the content hash of each recording.
     pub in_bank: bool,

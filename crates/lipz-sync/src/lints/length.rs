@@ -22,9 +22,7 @@ pub(super) fn check(clip: &Clip<'_>, path: &Path, facts: Facts, tolerance_ms: Op
         Diagnostic::at(Code::RecordingLength, visemes.span(), message)
             .note(format!("the recording is `{}`", escape::text(&shown(path))))
             .note(format!("{frames} frames at {} frames a second; the recording needs {wanted}", rounded(fps.to_f64())))
-            .help(
-                "make the mouth shapes again from the recording (`lipz sync`), or take the recording they are made for",
-            ),
+            .help("make the mouth shapes again from the recording, or take the recording they are made for"),
     )
 }
 

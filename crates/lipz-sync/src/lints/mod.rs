@@ -40,7 +40,7 @@ pub fn check(settings: &Settings, inputs: &[Input], progress: &(dyn Fn() + Sync)
     };
     for path in recordings.without_clip(inputs) {
         let message = format!("no clip has the recording `{}`", escape::text(&shown(path)));
-        let help = "add a Lipz file (`lipz sync` makes one of a recording), or remove the recording";
+        let help = "add a Lipz file, or remove the recording";
         reports.push(Report::failure(shown(path), Code::RecordingWithoutClip, message, help));
     }
     let found = threads::map(inputs, settings.options.threads, |input| {

@@ -7,7 +7,7 @@ use crate::sync::one::text_hash;
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use std::path::Path;
 
-/// Reports a mouth of which the record of `lipz sync` knows, but not from this recording and this text.
+/// Reports a mouth of which the record knows, but not from this recording and this text.
 pub(super) fn check(
     clip: &Clip<'_>,
     spoken: Option<&str>,
@@ -24,6 +24,6 @@ pub(super) fn check(
     Some(
         Diagnostic::at(Code::StaleMouth, visemes.span(), format!("the mouth was made {what}"))
             .note(format!("the recording is `{}`", escape::text(&shown(path))))
-            .help("make the mouth again: `lipz sync`"),
+            .help("make the mouth again from the recording"),
     )
 }

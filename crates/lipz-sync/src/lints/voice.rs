@@ -36,10 +36,10 @@ pub(super) fn check(clip: &Clip<'_>, heard: &Heard) -> Vec<Diagnostic> {
         found.push(Diagnostic::at(code, visemes.span_of(place(visemes, &frames)), message).help(help));
     };
     let in_silence = longest(&|frame, voice| voice == Voice::Silent && moving(frame));
-    let help = "make the mouth again (`lipz sync`), or look whether it belongs to another take";
+    let help = "make the mouth again, or look whether it belongs to another take";
     report(Code::MovingInSilence, in_silence, "the mouth moves, but the recording is silent", help);
     let in_speech = longest(&|frame, voice| voice == Voice::Loud && !moving(frame));
-    let help = "make the mouth again (`lipz sync`); if somebody else speaks there, allow the lint";
+    let help = "make the mouth again; if somebody else speaks there, allow the lint";
     report(Code::RestingInSpeech, in_speech, "the mouth rests, but the recording is loud", help);
     found
 }

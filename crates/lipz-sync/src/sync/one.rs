@@ -37,9 +37,9 @@ pub(super) enum Step {
 /// Why a mouth stays.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Kept {
-    /// It was changed by hand after `lipz sync` had made it.
+    /// It was changed by hand after it had been made of a recording.
     Changed,
-    /// `lipz sync` did not make it.
+    /// The record does not know it: somebody drew it, or another tool.
     ByHand,
 }
 
@@ -217,7 +217,7 @@ fn hash(bytes: &[u8]) -> u64 {
     XxHash3_64::oneshot(bytes)
 }
 
-/// What a record has of a text: its segments without the blanks around them, which `lipz fmt` moves.
+/// What a record has of a text: its segments without the blanks around them, which formatting moves.
 pub(crate) fn text_hash(spoken: Option<&str>) -> u64 {
     let segments = |text: &str| text.split(DELIMITER).map(trim).collect::<Vec<_>>().join("|");
     spoken.map_or(0, |text| hash(segments(text).as_bytes()))
@@ -225,7 +225,7 @@ pub(crate) fn text_hash(spoken: Option<&str>) -> u64 {
 
 /// Everything besides recording and text that decides about a mouth.
 fn settings_hash(options: &SyncOptions, script: &Script, fps: Fps, viseme_type: VisemeType) -> u64 {
-    // Not the places of words in the text, which `lipz fmt` moves.
+    // Not the places of words in the text, which formatting moves.
     let said = || script.words.iter().map(|word| &word.pronunciations).collect::<Vec<_>>();
     let rules = match viseme_type {
         VisemeType::Rms => format!("{:?}", options.rms),
@@ -265,10 +265,10 @@ fn words(text: &str) -> impl Iterator<Item = &str> {
 fn kept_mouth(kept: Kept, visemes: &JsonString<'_>) -> Diagnostic {
     let why = match kept {
         Kept::Changed => "the mouth was changed by hand, and its recording or text is another one now",
-        Kept::ByHand => "the mouth was not made by `lipz sync`",
+        Kept::ByHand => "the mouth was drawn by hand, or made by another tool",
     };
     Diagnostic::at(Code::MouthKept, visemes.span(), format!("{why}: it is kept"))
-        .help("`--force` replaces it; the old one is in your version control")
+        .help("only a forced run replaces it: look first whether it fits")
 }
 
 fn no_script(options: &SyncOptions) -> Diagnostic {

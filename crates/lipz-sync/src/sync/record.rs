@@ -69,7 +69,7 @@ impl SyncRecord {
         };
         let text = String::from_utf8_lossy(&bytes);
         if !text.is_empty() && !text.starts_with("# lipz sync") && !text.starts_with("<<<<<<<") {
-            let message = format!("`{}` is not a record of `lipz sync`, and is left alone", shown(path));
+            let message = format!("`{}` is not a record of mouths and their recordings, and is left alone", shown(path));
             let help = "name another file: `record` of [audio]";
             return Err(Report::failure(shown(path), Code::OutputFailed, message, help));
         }
@@ -83,7 +83,7 @@ impl SyncRecord {
                 None => {
                     let span = Span::new(start, start + content.len());
                     let diagnostic = Diagnostic::at(Code::SyncRecordLine, span, "the line says nothing about a mouth");
-                    diagnostics.push(diagnostic.help("remove it: `lipz sync` writes the file anew"));
+                    diagnostics.push(diagnostic.help("remove it: the next run that makes mouths writes the file anew"));
                 }
             }
             start += line.len();

@@ -1,6 +1,9 @@
-//! Sounds for tests: WAV files of 16,000 samples a second that sound a little like a voice.
+//! Sounds for tests: WAV files.
 
-/// A WAV file: for each part, whether somebody speaks, and for how many milliseconds. `take` makes other bytes of the same
+/// Samples per second of [`voice`].
+pub(crate) const RATE_HZ: u32 = 16_000;
+
+/// A WAV file that sounds a little like a voice: for each part, whether somebody speaks, and for how many milliseconds. `take` makes other bytes of the same
 /// loudness.
 pub(crate) fn voice(parts: &[(bool, u32)], take: u32) -> Vec<u8> {
     let mut samples: Vec<i16> = Vec::new();
@@ -19,17 +22,17 @@ pub(crate) fn voice(parts: &[(bool, u32)], take: u32) -> Vec<u8> {
             samples.push((level * buzz.sum::<f64>()) as i16 / 2 + hiss as i16);
         }
     }
-    wav(&samples)
+    wav(RATE_HZ, &samples)
 }
 
-/// A WAV file of one channel.
-pub(crate) fn wav(samples: &[i16]) -> Vec<u8> {
+/// A WAV file of one channel, with `rate_hz` samples a second.
+pub(crate) fn wav(rate_hz: u32, samples: &[i16]) -> Vec<u8> {
     let data_bytes = u32::try_from(samples.len() * 2).unwrap();
     let mut file = b"RIFF".to_vec();
     file.extend((36 + data_bytes).to_le_bytes());
     file.extend(b"WAVEfmt \x10\0\0\0\x01\0\x01\0");
-    file.extend(16_000_u32.to_le_bytes());
-    file.extend(32_000_u32.to_le_bytes());
+    file.extend(rate_hz.to_le_bytes());
+    file.extend((rate_hz * 2).to_le_bytes());
     file.extend(b"\x02\0\x10\0data");
     file.extend(data_bytes.to_le_bytes());
     file.extend(samples.iter().flat_map(|sample| sample.to_le_bytes()));

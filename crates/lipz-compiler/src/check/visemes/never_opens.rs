@@ -30,7 +30,7 @@ pub(in crate::check) fn never_opens(string: &JsonString<'_>, clip: &ClipData, di
         let shape = if is_at_rest { "rests in every frame" } else { "never opens" };
         diagnostics.push(
             Diagnostic::at(Code::MouthNeverOpens, string.span(), format!("something is said, but the mouth {shape}"))
-                .help("make mouth shapes of the recording (`lipz sync`), or remove `visemes`"),
+                .help("make mouth shapes of the recording, or remove `visemes`"),
         );
     }
 }

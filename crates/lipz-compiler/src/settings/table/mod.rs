@@ -1,0 +1,148 @@
+//! Every setting, once: its name, default, what it decides, and how its value is read.
+
+mod audio;
+mod general;
+mod registry;
+mod sync;
+mod text;
+
+use super::reading::Reading;
+use super::value::Value;
+
+/// A table of `lipz.toml`.
+pub struct Table {
+    /// Its name; empty for the settings above the first table.
+    pub name: &'static str,
+    /// What its settings decide, in one sentence.
+    pub about: &'static str,
+    /// What it contains.
+    pub content: Content,
+}
+
+/// What a table contains.
+pub enum Content {
+    /// Settings with names of their own.
+    Settings(&'static [Setting]),
+    /// Names that the project chooses.
+    Map(Map),
+}
+
+/// One setting.
+pub struct Setting {
+    /// Its name in the table.
+    pub name: &'static str,
+    /// Its name where there are no tables, such as flags of a command: `max-lines`.
+    pub flat_name: &'static str,
+    /// What it decides, in one or two sentences.
+    pub about: &'static str,
+    /// What holds without it.
+    pub default: &'static str,
+    /// A value: the default if that can be written, otherwise an example.
+    pub example: &'static str,
+    pub(super) read: fn(&Value<'_>, &mut Reading<'_>),
+}
+
+/// Settings of one kind, by names that the project chooses.
+pub struct Map {
+    /// What the names stand for.
+    pub name: &'static str,
+    /// Names of entries where there are no tables, separated by `, `; empty if there are none.
+    pub flat_name: &'static str,
+    /// What holds for names that are not mentioned.
+    pub default: &'static str,
+    /// Some entries.
+    pub examples: &'static [&'static str],
+    /// Reads the entry with this name.
+    pub(super) read: fn(&str, &Value<'_>, &mut Reading<'_>),
+}
+
+/// All settings, in the order in which they are read and documented.
+pub const TABLES: &[Table] = &[
+    Table {
+        name: "",
+        about: "Where the Lipz files are, where the bank goes, and what applies to all of them.",
+        content: Content::Settings(general::GENERAL),
+    },
+    Table {
+        name: "fallbacks",
+        about: "Where missing texts of a locale come from: other locales, in order.",
+        content: Content::Map(FALLBACKS),
+    },
+    Table {
+        name: "coverage",
+        about: "Percentage of the clips that must have their own text in a locale, or in `all`, before a bank is made.",
+        content: Content::Map(COVERAGE),
+    },
+    Table {
+        name: "text",
+        about: "How texts are displayed, how much text fits on the screen, and how fast players read.",
+        content: Content::Settings(text::TEXT),
+    },
+    Table {
+        name: "lints",
+        about: "Levels of lints: \"allow\" (not reported), \"warn\" or \"deny\" (no bank is written).",
+        content: Content::Map(LINTS),
+    },
+    Table {
+        name: "registry",
+        about: "Names that events may use; others are reported.",
+        content: Content::Settings(registry::REGISTRY),
+    },
+    Table {
+        name: "audio",
+        about: "Recordings: with a folder of them, clips are compared with their recordings, and mouth shapes can be made \
+                of them.",
+        content: Content::Settings(audio::AUDIO),
+    },
+    Table {
+        name: "sync",
+        about: "How mouth shapes are made of recordings.",
+        content: Content::Settings(sync::SYNC),
+    },
+    Table {
+        name: "babble",
+        about: "How mouths move when there is no viseme data: the project's own babble profile, and others in [babble.NAME]. \
+                Digits say how far lips (ooh) and jaw (aah) move; power transfers scale that by the loudness of the \
+                voice; rate is digits per second. A named profile takes what it leaves out from the project's own.",
+        content: Content::Map(BABBLE),
+    },
+];
+
+const FALLBACKS: Map = Map {
+    name: "LOCALE",
+    flat_name: "fallback",
+    default: "locales of the same language and script, then the default locale",
+    examples: &["de-at = [\"de-de\", \"en-us\"]", "es-mx = [\"es-es\"]"],
+    read: |name, value, to| to.fallback(name, value),
+};
+
+const COVERAGE: Map = Map {
+    name: "LOCALE",
+    flat_name: "min-coverage",
+    default: "no minimum",
+    examples: &["all = 90", "de-de = 100"],
+    read: |name, value, to| to.min_coverage(name, value),
+};
+
+const LINTS: Map = Map {
+    name: "LINT",
+    flat_name: "allow, warn, deny",
+    default: "each lint's own level",
+    examples: &["warnings = \"deny\"", "unknown-emotion = \"allow\"", "segment-count = \"warn\""],
+    read: |name, value, to| to.level(name, value),
+};
+
+const BABBLE: Map = Map {
+    name: "SETTING",
+    flat_name: "",
+    default: "the profile of Second Life's viewer",
+    examples: &[
+        "ooh = \"1247898743223344444443200000\"",
+        "aah = \"257998776531013446642343\"",
+        "ooh-power-transfer = \"0012345566778899\"",
+        "aah-power-transfer = \"0000123456789\"",
+        "rate = 24",
+        "robot = { rate = 8, aah = \"0909\", ooh = \"0\" }",
+    ],
+    read: |name, value, to| to.babble(name, value),
+};
