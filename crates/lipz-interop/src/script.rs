@@ -5,23 +5,34 @@ use crate::to_utf8;
 use encoding_rs::Encoding;
 use lipz_diagnostics::{Code, Diagnostic, Source, Span, escape};
 use lipz_file::without_byte_order_mark;
-use std::collections::HashMap;
-use std::collections::hash_map::Entry;
+use std::collections::{BTreeMap, HashSet};
 
 /// The columns of a CSV that are used.
 const FILE: &str = "file";
 const TEXT: &str = "text";
+/// What may stand between columns: commas, and what spreadsheets write where a comma is the decimal point.
+const DELIMITERS: [u8; 3] = [b',', b';', b'\t'];
 
 /// The texts of many recordings.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Script {
+    /// The file as messages call it.
+    file: String,
     /// By names of files without folders and extension, in lower case.
-    texts: HashMap<String, String>,
+    entries: BTreeMap<String, Vec<Entry>>,
+}
+
+/// The text of a recording.
+#[derive(Clone, PartialEq, Eq, Debug)]
+struct Entry {
+    /// The path as the script names it, without extension, in lower case and with `/`.
+    path: String,
+    text: String,
 }
 
 impl Script {
     /// Reads a script: a `.msg` file of Fallout, or, if its name ends otherwise, a CSV whose first line
-    /// names its columns, of which `file` and `text` are used.
+    /// names its columns, of which `file` and `text` are used. Columns are divided by commas, semicolons or tabs.
     ///
     /// Files that are not UTF-8 are read in `encoding`, or as Windows-1252, in which the tools of the
     /// time wrote ([`to_utf8`]). The source that is returned has the text to which the diagnostics refer.
@@ -30,22 +41,70 @@ impl Script {
         let utf8 = to_utf8(bytes, encoding, true, &mut diagnostics);
         let text = String::from_utf8_lossy(without_byte_order_mark(&utf8)).into_owned();
         let is_msg = path.rsplit_once('.').is_some_and(|(_, extension)| extension.eq_ignore_ascii_case("msg"));
-        let (script, found) = if is_msg { of_entries(&text) } else { of_rows(&text) };
+        let (mut script, found) = if is_msg { of_entries(&text) } else { of_rows(&text) };
+        script.file = path.to_owned();
         diagnostics.extend(found);
         (script, Source::new(path, text), diagnostics)
     }
 
-    /// The names of all recordings that have a text, in lower case and in order.
-    pub fn names(&self) -> impl Iterator<Item = &str> {
-        let mut names: Vec<&str> = self.texts.keys().map(String::as_str).collect();
-        names.sort_unstable();
-        names.into_iter()
+    /// The file, as [`read`](Script::read) was told.
+    pub fn path(&self) -> &str {
+        &self.file
     }
 
-    /// The text of the recording in the file `stem`, a name without folders and extension. The case of letters
-    /// makes no difference.
-    pub fn text_of(&self, stem: &str) -> Option<&str> {
-        self.texts.get(&stem.to_lowercase()).map(String::as_str)
+    /// How many recordings have a text.
+    pub fn len(&self) -> usize {
+        self.entries.values().map(Vec::len).sum()
+    }
+
+    /// Whether no recording has a text.
+    pub fn is_empty(&self) -> bool {
+        self.entries.is_empty()
+    }
+
+    /// The names of the recordings that have a text and are none of these, in lower case and in order.
+    pub fn names_without<'r>(&self, recordings: impl IntoIterator<Item = &'r str>) -> Vec<&str> {
+        let used = recordings.into_iter().filter_map(|path| self.entry(path));
+        let used: HashSet<&str> = used.map(|entry| entry.path.as_str()).collect();
+        let all = self.entries.values().flatten().map(|entry| entry.path.as_str());
+        let mut names: Vec<&str> = all.filter(|path| !used.contains(path)).collect();
+        names.sort_unstable();
+        names
+    }
+
+    /// The text of the recording at `path`, without extension. The case of letters makes no difference.
+    ///
+    /// Either of `path` and the path in the script may have more folders in front than the other: `mayor` and
+    /// `act1/mayor` in the script are both `rec/act1/mayor`, the one with more folders before the other. A path that
+    /// may be several of the script has a text only if theirs are the same.
+    pub fn text_of(&self, path: &str) -> Option<&str> {
+        self.entry(path).map(|entry| entry.text.as_str())
+    }
+
+    fn entry(&self, path: &str) -> Option<&Entry> {
+        let path = normal(path);
+        let entries = self.entries.get(name(&path))?;
+        let is_end =
+            |of: &str, end: &str| of.strip_suffix(end).is_some_and(|rest| rest.is_empty() || rest.ends_with('/'));
+        let inside = entries.iter().filter(|entry| is_end(&path, &entry.path)).max_by_key(|entry| entry.path.len());
+        if inside.is_some() {
+            return inside;
+        }
+        let mut around = entries.iter().filter(|entry| is_end(&entry.path, &path));
+        let first = around.next()?;
+        around.all(|other| other.text == first.text).then_some(first)
+    }
+
+    /// Adds a text, unless the recording has another one: returns whether it was added.
+    fn add(&mut self, path: String, text: String) -> bool {
+        let entries = self.entries.entry(name(&path).to_owned()).or_default();
+        match entries.iter().find(|entry| entry.path == path) {
+            Some(first) => first.text == text,
+            None => {
+                entries.push(Entry { path, text });
+                true
+            }
+        }
     }
 }
 
@@ -53,56 +112,93 @@ fn of_entries(text: &str) -> (Script, Vec<Diagnostic>) {
     let (entries, mut found) = msg::read(text);
     let (by_sound, ambiguous) = msg::by_sound(&entries);
     found.extend(ambiguous);
-    let texts = by_sound.into_iter().map(|(sound, entry)| (sound, entry.text.clone())).collect();
-    (Script { texts }, found)
+    let mut script = Script::default();
+    for (sound, entry) in by_sound {
+        script.add(sound, entry.text.clone());
+    }
+    (script, found)
 }
 
 fn of_rows(text: &str) -> (Script, Vec<Diagnostic>) {
-    let mut rows = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(text.as_bytes());
-    let mut rows = rows.records().peekable();
     let (mut script, mut found) = (Script::default(), Vec::new());
-    let column = |name: &str, row: Option<&Result<csv::StringRecord, csv::Error>>| {
-        let row = row?.as_ref().ok()?;
-        row.iter().position(|column| column.trim().eq_ignore_ascii_case(name))
+    let Some((delimiter, [file, line])) = columns(text) else {
+        return (script, vec![without_columns(text)]);
     };
-    let (Some(file), Some(line)) = (column(FILE, rows.peek()), column(TEXT, rows.peek())) else {
-        let end = text.find('\n').unwrap_or(text.len());
-        let diagnostic =
-            Diagnostic::at(Code::ForeignSyntax, Span::new(0, end), "the first line does not name the columns");
-        found.push(diagnostic.help("a script starts with `file,text`; other columns are not used"));
-        return (script, found);
-    };
-    for row in rows.skip(1) {
-        match row {
-            Ok(row) => {
-                let (Some(name), Some(text)) = (row.get(file), row.get(line)) else {
-                    let start = row.position().map_or(0, |position| usize::try_from(position.byte()).unwrap_or(0));
-                    let span = Span::new(start, start);
-                    found.push(Diagnostic::at(Code::ForeignSyntax, span, "the row has no file or no text"));
-                    continue;
-                };
-                let text = text.to_owned();
-                match script.texts.entry(stem(name).to_lowercase()) {
-                    Entry::Vacant(place) => drop(place.insert(text)),
-                    Entry::Occupied(first) if *first.get() == text => {}
-                    Entry::Occupied(_) => {
-                        let start = row.position().map_or(0, |position| usize::try_from(position.byte()).unwrap_or(0));
-                        let message = format!("{} has another text in a row above", escape::quoted(name));
-                        let diagnostic = Diagnostic::at(Code::ForeignOddity, Span::new(start, start), message);
-                        found.push(diagnostic.note("the first one is used"));
-                    }
+    let mut rows = csv::ReaderBuilder::new().delimiter(delimiter).flexible(true).from_reader(text.as_bytes());
+    for row in rows.records() {
+        let row = match row {
+            Ok(row) => row,
+            Err(error) => {
+                found.push(Diagnostic::new(Code::ForeignSyntax, format!("the script is not CSV: {error}")));
+                continue;
+            }
+        };
+        let start = row.position().map_or(0, |position| usize::try_from(position.byte()).unwrap_or(0));
+        let start =
+            start + text.get(start..).map_or(0, |rest| rest.len() - rest.trim_start_matches(['\r', '\n']).len());
+        let length = text.get(start..).and_then(|rest| rest.lines().next()).map_or(0, str::len);
+        let span = Span::new(start, start + length);
+        match (row.get(file).map(str::trim), row.get(line)) {
+            (Some(name), Some(line)) if !name.is_empty() => {
+                if !script.add(without_extension(&normal(name)).to_owned(), line.to_owned()) {
+                    let message = format!("{} has another text in a row above", escape::quoted(name));
+                    found.push(Diagnostic::at(Code::ForeignOddity, span, message).note("the first one is used"));
                 }
             }
-            Err(error) => found.push(Diagnostic::new(Code::ForeignSyntax, format!("the script is not CSV: {error}"))),
+            (_, line) => {
+                let what = if line.is_some() { "the row names no file" } else { "the row has no text" };
+                let help = "write both, or remove the row; a text with commas stands in quotes";
+                found.push(Diagnostic::at(Code::ForeignSyntax, span, what).help(help));
+            }
         }
     }
     (script, found)
 }
 
-/// The name of a file without folders and extension.
-fn stem(path: &str) -> &str {
-    let name = path.rsplit(['/', '\\']).next().unwrap_or(path);
-    name.rsplit_once('.').map_or(name, |(stem, _)| stem)
+/// What divides the columns, and where the two are that are used.
+fn columns(text: &str) -> Option<(u8, [usize; 2])> {
+    DELIMITERS.into_iter().find_map(|delimiter| {
+        let head = head(text, delimiter)?;
+        let column = |name: &str| head.iter().position(|column| column.trim().eq_ignore_ascii_case(name));
+        Some((delimiter, [column(FILE)?, column(TEXT)?]))
+    })
+}
+
+fn head(text: &str, delimiter: u8) -> Option<csv::StringRecord> {
+    let mut rows = csv::ReaderBuilder::new().delimiter(delimiter).has_headers(false).from_reader(text.as_bytes());
+    rows.records().next()?.ok()
+}
+
+/// Reports a first line that does not name both columns.
+fn without_columns(text: &str) -> Diagnostic {
+    let end = text.lines().next().map_or(0, str::len);
+    let named: Vec<String> =
+        head(text, b',').iter().flatten().map(|column| escape::quoted(column.trim()).to_string()).collect();
+    let missing: Vec<&str> = [FILE, TEXT]
+        .into_iter()
+        .filter(|name| !named.iter().any(|column| column.trim_matches('`').eq_ignore_ascii_case(name)))
+        .collect();
+    let message = match missing.as_slice() {
+        [name] => format!("the first line names no column `{name}`"),
+        _ => "the first line does not name the columns".to_owned(),
+    };
+    let diagnostic = Diagnostic::at(Code::ForeignSyntax, Span::new(0, end), message);
+    diagnostic.help("a script starts with `file,text`; other columns are not used")
+}
+
+/// A path as it is compared: in lower case, with `/`.
+fn normal(path: &str) -> String {
+    path.replace('\\', "/").to_lowercase()
+}
+
+/// The last part of a path.
+fn name(path: &str) -> &str {
+    path.rsplit('/').next().unwrap_or(path)
+}
+
+fn without_extension(path: &str) -> &str {
+    let extension = name(path).rsplit_once('.').map_or(0, |(_, extension)| extension.len() + 1);
+    &path[..path.len() - extension]
 }
 
 #[cfg(test)]
@@ -143,5 +239,38 @@ mod tests {
         let twice = b"file,text\na.wav,One.\na.ogg,One.\nA.mp3,Two.\n";
         let (script, _, found) = Script::read("a.csv", twice, None);
         assert_eq!((script.text_of("a"), found.len()), (Some("One."), 1));
+    }
+
+    #[test]
+    fn folders_tell_recordings_of_one_name_apart() {
+        let csv = "file,text\nact1/mayor.wav,One.\nact2\\mayor,Two.\nmara,Three.\nact1/mara,Four.\n";
+        let (script, _, found) = Script::read("script.csv", csv.as_bytes(), None);
+        assert_eq!((found, script.len()), (Vec::new(), 4));
+        let texts = ["act1/mayor", "rec/Act2/mayor", "mayor", "act3/mayor", "act2/mara", "act1/mara", "contract1/mara"];
+        let texts = texts.map(|path| script.text_of(path).unwrap_or_default());
+        assert_eq!(texts, ["One.", "Two.", "", "", "Three.", "Four.", "Three."]);
+        assert_eq!(script.names_without(["act1/mayor", "mara"]), ["act1/mara", "act2/mayor"]);
+    }
+
+    #[test]
+    fn columns_may_be_divided_as_spreadsheets_do_it() {
+        for csv in ["file;text\na;Well, yes.\n", "text\tFILE\nWell, yes.\ta\n"] {
+            let (script, _, found) = Script::read("a.csv", csv.as_bytes(), None);
+            assert_eq!((found, script.text_of("a")), (Vec::new(), Some("Well, yes.")));
+        }
+    }
+
+    #[test]
+    fn rows_that_say_nothing_are_marked() {
+        let csv = "file,text\r\na,One.\r\n,Two.\r\nb\r\n";
+        let (_, source, found) = Script::read("a.csv", csv.as_bytes(), None);
+        let marked = found.iter().map(|found| {
+            let span = found.primary.as_ref().unwrap().span;
+            (found.message.as_str(), &source.text[span.start as usize..span.end as usize])
+        });
+        let expected = [("the row names no file", ",Two."), ("the row has no text", "b")];
+        assert_eq!(marked.collect::<Vec<_>>(), expected);
+        let (_, _, found) = Script::read("a.csv", b"file,line\na,One.\n", None);
+        assert_eq!(found[0].message, "the first line names no column `text`");
     }
 }

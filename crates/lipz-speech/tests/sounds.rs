@@ -6,7 +6,7 @@ mod wav;
 use lipz_speech::{RmsRules, Sound, SoundError, rms};
 use lipz_types::Fps;
 use std::ops::Range;
-use wav::{Samples, wav};
+use wav::{Samples, aiff, wav};
 
 const TONES: [(&str, &[u8]); 3] = [
     ("flac", include_bytes!("../../../fixtures/speech/tone.flac")),
@@ -44,15 +44,18 @@ fn every_format_holds_the_same_tone() {
 }
 
 #[test]
-fn every_kind_of_wav_at_every_rate_is_read() {
+fn every_kind_of_wav_and_aiff_at_every_rate_is_read() {
     for samples in Samples::ALL {
         for channels in [1, 2, 6] {
             for rate_hz in [8_000, 11_025, 16_000, 22_050, 44_100, 48_000, 96_000] {
                 let name = format!("{samples:?}, {channels} channels, {rate_hz} Hz");
-                let file = wav(samples, channels, rate_hz, &tone(rate_hz, 200));
-                let sound = Sound::from_bytes(&file, Some("wav")).unwrap_or_else(|error| panic!("{name}: {error}"));
-                assert_eq!((duration_ms(&sound), sound.rate_hz()), (200, rate_hz), "{name}");
-                assert!(mouth(&sound).contains("99"), "{name}: {}", mouth(&sound));
+                for (extension, make) in [("wav", wav as fn(_, _, _, &_) -> _), ("aif", aiff)] {
+                    let file = make(samples, channels, rate_hz, &tone(rate_hz, 200));
+                    let sound = Sound::from_bytes(&file, Some(extension))
+                        .unwrap_or_else(|error| panic!("{extension}, {name}: {error}"));
+                    assert_eq!((duration_ms(&sound), sound.rate_hz()), (200, rate_hz), "{extension}, {name}");
+                    assert!(mouth(&sound).contains("99"), "{extension}, {name}: {}", mouth(&sound));
+                }
             }
         }
     }
@@ -89,9 +92,14 @@ fn what_has_no_sound_is_an_error() {
     assert!(matches!(Sound::from_bytes(&wav(Samples::S16, 1, 16_000, &[]), None), Err(SoundError::NoSound)));
     let rate = Sound::from_bytes(&wav(Samples::S16, 1, 3, &[0.0; 100]), None);
     assert!(matches!(rate, Err(SoundError::Rate { rate_hz: 3 })), "{rate:?}");
-    for text in ["{ \"fps\": 24 }", "This is no sound.", "RIFF", "fLaC", "OggS", "ID3"] {
+    for (text, told) in [
+        ("{ \"fps\": 24 }", "this is no WAV, AIFF, FLAC, Ogg Vorbis or MP3 file, or its beginning is damaged"),
+        ("RIFF", "this is no WAV, AIFF, FLAC, Ogg Vorbis or MP3 file, or its beginning is damaged"),
+        ("RIFF@\0\0\0WAVE", "the file ends before its first sample"),
+        ("\0\0\0\x1cftypM4A ", "this is an MPEG-4 file (M4A, AAC), which is not read"),
+    ] {
         let error = Sound::from_bytes(text.as_bytes(), Some("wav")).expect_err(text);
-        assert!(!error.to_string().is_empty());
+        assert_eq!(error.to_string(), told, "{text}");
     }
 }
 
@@ -99,7 +107,8 @@ fn what_has_no_sound_is_an_error() {
 fn files() -> Vec<(String, Vec<u8>)> {
     let mut files: Vec<_> = TONES.iter().map(|(name, bytes)| (name.to_string(), bytes.to_vec())).collect();
     for samples in Samples::ALL {
-        files.push((format!("{samples:?}"), wav(samples, 2, 8_000, &tone(8_000, 20))));
+        files.push((format!("WAV, {samples:?}"), wav(samples, 2, 8_000, &tone(8_000, 20))));
+        files.push((format!("AIFF, {samples:?}"), aiff(samples, 2, 8_000, &tone(8_000, 20))));
     }
     files
 }

@@ -78,5 +78,5 @@ pub(crate) fn no_sound(path: &Path, why: &SoundError) -> Report {
         return unreadable(path, error);
     }
     let message = format!("the recording cannot be used: {why}");
-    Report::failure(shown(path), Code::UnreadableSound, message, "save it as WAV, FLAC, Ogg Vorbis or MP3")
+    Report::failure(shown(path), Code::UnreadableSound, message, "save it as WAV, AIFF, FLAC, Ogg Vorbis or MP3")
 }

@@ -1,6 +1,7 @@
 //! What is heard in a recording without knowing its text: where it is silent, and where it is loud.
 
 use crate::Facts;
+use crate::condition::Condition;
 use crate::facts::{content_hash, extension, no_sound, unreadable};
 use crate::recordings::shown;
 use lipz_compiler::replace_file;
@@ -18,7 +19,7 @@ const PARTS_PER_SECOND: u16 = 100;
 /// Digits of loudness from which on somebody certainly speaks.
 const LOUD: u8 = b'4';
 /// What a cache begins with; another version has another line.
-const HEAD: &str = "lipz audio cache 1\n";
+const HEAD: &str = "lipz audio cache 2\n";
 
 /// How loud a stretch of a recording is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -35,6 +36,8 @@ pub(crate) enum Voice {
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) struct Heard {
     length_us: u64,
+    /// What is wrong with it.
+    pub(crate) condition: Condition,
     /// For each hundredth of a second: `-` silent, `+` loud, `.` in between.
     parts: String,
 }
@@ -50,7 +53,7 @@ impl Heard {
             _ => '.',
         };
         let parts = rms(sound, Fps::whole(PARTS_PER_SECOND), &rules).frames.chars().map(level).collect();
-        Heard { length_us: sound.duration_us(), parts }
+        Heard { length_us: sound.duration_us(), condition: Condition::of(sound), parts }
     }
 
     /// How loud it is between these times.
@@ -69,9 +72,9 @@ impl Heard {
         }
     }
 
-    /// The parts as lengths of runs: `-12 +3`.
-    fn runs(&self) -> String {
-        let mut runs = String::new();
+    /// What a cache says of it: length, condition, and the parts as lengths of runs: `70000 0,0,-,0,0 -12 +3`.
+    fn line(&self) -> String {
+        let mut runs = format!("{} {}", self.length_us, self.condition.word());
         let mut rest = self.parts.as_str();
         while let Some(level) = rest.chars().next() {
             let behind = rest.trim_start_matches(level);
@@ -85,6 +88,7 @@ impl Heard {
         let mut words = line.split(' ');
         let hash = u64::from_str_radix(words.next()?, 16).ok()?;
         let length_us: u64 = words.next()?.parse().ok()?;
+        let condition = Condition::parse(words.next()?)?;
         let most = usize::try_from(length_us / 10_000).ok()?.checked_add(2)?;
         let mut parts = String::new();
         for run in words {
@@ -96,7 +100,7 @@ impl Heard {
             }
             parts.extend(std::iter::repeat_n(level, length));
         }
-        Some((hash, Heard { length_us, parts }))
+        Some((hash, Heard { length_us, condition, parts }))
     }
 }
 
@@ -156,7 +160,8 @@ impl Ear {
         if now == self.before {
             return Ok(());
         }
-        let lines = now.iter().map(|(hash, heard)| format!("{hash:016x} {}{}\n", heard.length_us, heard.runs()));
+        let line = |(hash, heard): (&u64, &Heard)| format!("{hash:016x} {}\n", heard.line());
+        let lines = now.iter().map(line);
         replace_file(&path, (HEAD.to_owned() + &lines.collect::<String>()).as_bytes())
     }
 }
@@ -168,20 +173,22 @@ mod tests {
 
     #[test]
     fn what_was_heard_is_written_and_read_back() {
-        let heard = Heard { length_us: 70_000, parts: "--+++.-".to_owned() };
-        let line = format!("{:016x} 70000{}", 7, heard.runs());
-        assert_eq!(line, "0000000000000007 70000 -2 +3 .1 -1");
+        let heard = Heard { length_us: 70_000, condition: Condition::default(), parts: "--+++.-".to_owned() };
+        let line = format!("{:016x} {}", 7, heard.line());
+        assert_eq!(line, "0000000000000007 70000 0,0,-,0,0 -2 +3 .1 -1");
         assert_eq!(Heard::parse(&line), Some((7, heard)));
-        for bad in
-            ["", "7", "x 1", "7 70000 *3", "7 70000 -x", "7 70000 +18446744073709551615", "7 70000 -9 -9", "7 1 é"]
-        {
+        for bad in ["", "7", "x 1", "7 70000", "7 70000 -3"] {
             assert_eq!(Heard::parse(bad), None, "{bad}");
+        }
+        for bad in ["*3", "-x", "+18446744073709551615", "-9 -9", "é"] {
+            assert_eq!(Heard::parse(&format!("7 70000 0,0,-,0,0 {bad}")), None, "{bad}");
         }
     }
 
     #[test]
     fn stretches_are_silent_loud_or_neither() {
-        let heard = Heard { length_us: 100_000, parts: "----+++.-+".to_owned() };
+        let parts = "----+++.-+".to_owned();
+        let heard = Heard { length_us: 100_000, condition: Condition::default(), parts };
         let voice = |start: u64, end: u64| heard.voice(start * 10_000, end * 10_000);
         assert_eq!(
             [voice(0, 4), voice(4, 8), voice(3, 5), voice(7, 8)],
@@ -196,14 +203,18 @@ mod tests {
         let (cache, sound) = (folder.path().join("a.cache"), folder.path().join("a.wav"));
         fs::write(&sound, "no sound at all").unwrap();
         let hash = content_hash(File::open(&sound).unwrap()).unwrap();
-        fs::write(&cache, format!("{HEAD}{hash:016x} 20000 +2\n0000000000000001 10000 -1\nnonsense\n")).unwrap();
+        fs::write(
+            &cache,
+            format!("{HEAD}{hash:016x} 20000 0,0,-,0,0 +2\n0000000000000001 10000 0,0,-,0,0 -1\nnonsense\n"),
+        )
+        .unwrap();
         let ear = Ear::open(Some(&cache)).unwrap();
         let (facts, heard) = ear.listen(&sound).unwrap();
         assert_eq!((facts.length_us, heard.parts.as_str()), (20_000, "++"));
         ear.remember().unwrap();
         assert_eq!(
             fs::read_to_string(&cache).unwrap(),
-            format!("{HEAD}{hash:016x} 20000 +2\n"),
+            format!("{HEAD}{hash:016x} 20000 0,0,-,0,0 +2\n"),
             "only what is still there"
         );
         assert!(Ear::open(Some(&sound)).is_err());

@@ -14,7 +14,7 @@ pub fn in_bank(settings: &Settings, inputs: &[Input]) -> (BTreeMap<String, Recor
     if !settings.audio.in_bank {
         return Default::default();
     }
-    let (recordings, mut reports) = Recordings::discover(&settings.audio);
+    let (recordings, mut reports) = Recordings::discover(settings);
     let found: Vec<_> = inputs.iter().filter_map(|input| Some((&input.key, recordings.find(&input.key)?))).collect();
     let facts = threads::map(&found, settings.options.threads, |(_, path)| Facts::read(path));
     let mut known = BTreeMap::new();

@@ -8,10 +8,12 @@
 //! What is not here: printing, exit codes (`lipz`); phones, words and mouth shapes (`lipz-speech`).
 
 mod clip;
+mod condition;
 mod facts;
 mod heard;
 mod in_bank;
 mod lints;
+mod places;
 mod recordings;
 mod sync;
 mod threads;

@@ -1,41 +1,52 @@
 //! The recordings of a project, found by the keys of its clips.
 
-use lipz_compiler::settings::{Audio, KEY};
+use crate::places::{Place, Places};
+use lipz_compiler::settings::Settings;
 use lipz_compiler::{Content, Input};
-use lipz_diagnostics::{Code, Report};
+use lipz_diagnostics::{Code, Report, escape};
 use std::collections::{BTreeMap, HashSet};
 use std::path::{Path, PathBuf};
 use walkdir::WalkDir;
 
 /// Extensions of recordings. Of several files with one name, the first of this list counts: what nothing was lost of.
-pub const EXTENSIONS: [&str; 6] = ["wav", "wave", "flac", "ogg", "oga", "mp3"];
+pub const EXTENSIONS: [&str; 9] = ["wav", "wave", "aiff", "aif", "aifc", "flac", "ogg", "oga", "mp3"];
+
+/// Extensions of sounds that are not read: somebody should hear of them.
+const OTHER_EXTENSIONS: [&str; 9] = ["m4a", "aac", "opus", "wma", "caf", "amr", "ape", "wv", "au"];
 
 /// The recordings in a folder and below.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Recordings {
     /// By their paths below the folder, with `/` and without extension: those of all known extensions, best first.
     files: BTreeMap<String, Vec<PathBuf>>,
-    pattern: Option<String>,
+    /// Sounds that are not read, by the same paths.
+    others: BTreeMap<String, PathBuf>,
+    places: Places,
 }
 
 impl Recordings {
     /// The recordings of a project, and what could not be looked at. None if it has no folder of recordings.
-    pub fn discover(audio: &Audio) -> (Recordings, Vec<Report>) {
-        match &audio.folder {
-            Some(folder) => Recordings::below(folder, audio.pattern.clone()),
+    pub fn discover(settings: &Settings) -> (Recordings, Vec<Report>) {
+        match &settings.audio.folder {
+            Some(folder) => Recordings::at(Places::new(settings), folder),
             None => Default::default(),
         }
     }
 
-    /// The recordings in `folder` and below; `pattern` is that of [`Audio`]. Links are followed.
-    pub fn below(folder: &Path, pattern: Option<String>) -> (Recordings, Vec<Report>) {
-        let (mut recordings, mut reports) = (Recordings { files: BTreeMap::new(), pattern }, Vec::new());
+    /// The recordings in `folder` and below, whose paths are keys. Links are followed.
+    pub fn below(folder: &Path) -> (Recordings, Vec<Report>) {
+        Recordings::at(Places::default(), folder)
+    }
+
+    fn at(places: Places, folder: &Path) -> (Recordings, Vec<Report>) {
+        let (mut recordings, mut reports) = (Recordings { places, ..Recordings::default() }, Vec::new());
         for entry in WalkDir::new(folder).follow_links(true).sort_by_file_name() {
             match entry {
-                Ok(entry) if entry.file_type().is_file() && rank(entry.path()).is_some() => {
+                Ok(entry) if entry.file_type().is_file() && (is_recording(entry.path()) || is_other(entry.path())) => {
                     let path = entry.into_path();
                     let name = path.strip_prefix(folder).ok().and_then(|below| slashed(&below.with_extension("")));
                     match name {
+                        Some(name) if is_other(&path) => drop(recordings.others.insert(name, path)),
                         Some(name) => recordings.files.entry(name).or_default().push(path),
                         None => reports.push(unreadable(&path, "its name is not Unicode", "rename it")),
                     }
@@ -51,7 +62,7 @@ impl Recordings {
                         (None, Some(error)) => unreadable(
                             path,
                             &error.to_string(),
-                            "check the spelling of the path, and that you may read it: `folder` of [audio] names it",
+                            "check the spelling of the path, and that you may read it",
                         ),
                         (None, None) => unreadable(path, "unknown error", "check that you may read it"),
                     });
@@ -64,32 +75,58 @@ impl Recordings {
         (recordings, reports)
     }
 
-    /// The recording of the clip with this key.
+    /// The recording of which the mouth of the clip with this key is made.
     pub fn find(&self, key: &str) -> Option<&Path> {
-        self.entry(key).map(|(_, path)| path)
+        self.entry(self.places.of(key)).map(|(_, path)| path)
+    }
+
+    /// The locale that is spoken in that recording, if it is that of a voice; otherwise that of the project.
+    pub fn locale(&self, key: &str) -> Option<&str> {
+        self.places.of(key).locale
+    }
+
+    /// The recordings of the clip in the other languages: the locale, and the file if it is there.
+    pub fn dubs(&self, key: &str) -> Vec<(&str, Option<&Path>)> {
+        let path = |place| self.entry(place).map(|(_, path)| path);
+        self.places.dubs(key).filter_map(|place| Some((place.locale?, path(place)))).collect()
+    }
+
+    /// Where the recording of this clip is looked for, below the folder.
+    pub(crate) fn place(&self, key: &str) -> String {
+        self.places.of(key).shown()
     }
 
     /// The name among the files, and the path.
-    fn entry(&self, key: &str) -> Option<(&str, &Path)> {
-        let pattern = self.pattern.as_deref().unwrap_or(KEY);
-        let name = pattern.replace(KEY, key);
-        // Keys may have dots: only a pattern that ends in a known extension means that one.
-        let extension = Path::new(pattern).extension().filter(|_| !pattern.ends_with(KEY));
-        let Some(extension) = extension.and_then(|found| found.to_str()).filter(|_| rank(Path::new(pattern)).is_some())
-        else {
-            let (name, files) = self.files.get_key_value(&name)?;
-            return Some((name, files.first()?));
-        };
-        let stem = name.strip_suffix(extension)?.strip_suffix('.')?;
-        let (name, files) = self.files.get_key_value(stem)?;
-        let is_meant = |path: &&PathBuf| path.extension().is_some_and(|found| found == extension);
+    fn entry(&self, place: Place<'_, '_>) -> Option<(&str, &Path)> {
+        let (name, extension) = place.path();
+        let (name, files) = self.files.get_key_value(&name)?;
+        let is_meant = |path: &&PathBuf| extension.is_none_or(|meant| path.extension().is_some_and(|own| own == meant));
         Some((name, files.iter().find(is_meant)?))
     }
 
     /// The recordings that belong to none of these clips, in the order of their paths.
     pub fn without_clip(&self, inputs: &[Input]) -> Vec<&Path> {
-        let claimed: HashSet<&str> = inputs.iter().filter_map(|input| Some(self.entry(&input.key)?.0)).collect();
+        let places = |input| std::iter::once(self.places.of(input)).chain(self.places.dubs(input));
+        let names = inputs.iter().flat_map(|input| places(&input.key)).filter_map(|place| self.entry(place));
+        let claimed: HashSet<&str> = names.map(|(name, _)| name).collect();
         self.iter().filter(|(name, _)| !claimed.contains(name)).map(|(_, path)| path).collect()
+    }
+
+    /// Files that are not used because another one has the same name and lost less: each with that one. None, if a
+    /// pattern says which are meant.
+    pub(crate) fn beside_others(&self) -> impl Iterator<Item = (&Path, &Path)> {
+        let files = self.files.values().filter(|_| !self.places.name_an_extension());
+        files.flat_map(|files| files.iter().skip(1).filter_map(|file| Some((file.as_path(), files.first()?.as_path()))))
+    }
+
+    /// Sounds without a recording beside them that is read.
+    pub(crate) fn unread(&self) -> impl Iterator<Item = &Path> {
+        self.others.iter().filter(|(name, _)| !self.files.contains_key(*name)).map(|(_, path)| path.as_path())
+    }
+
+    /// The sound at the place of the recording of this clip that is not read.
+    pub(crate) fn unread_of(&self, key: &str) -> Option<&Path> {
+        self.others.get(&self.places.of(key).path().0).map(PathBuf::as_path)
     }
 
     /// All recordings, each with its path below the folder, with `/` and without extension.
@@ -105,16 +142,33 @@ pub fn is_recording(path: &Path) -> bool {
 
 /// What the bank of a project depends on besides its Lipz files: its recordings and their folder, if the bank says
 /// something about them.
-pub fn dependencies(audio: &Audio) -> Vec<PathBuf> {
+pub fn dependencies(settings: &Settings) -> Vec<PathBuf> {
+    let audio = &settings.audio;
     let Some(folder) = audio.folder.as_ref().filter(|_| audio.in_bank) else { return Vec::new() };
-    let (recordings, _) = Recordings::discover(audio);
+    let (recordings, _) = Recordings::discover(settings);
     std::iter::once(folder.clone()).chain(recordings.iter().map(|(_, path)| path.to_owned())).collect()
 }
 
 /// The place of a file's extension in [`EXTENSIONS`], whatever its case.
-fn rank(path: &Path) -> Option<usize> {
+pub(crate) fn rank(path: &Path) -> Option<usize> {
     let extension = path.extension()?.to_str()?;
     EXTENSIONS.iter().position(|known| known.eq_ignore_ascii_case(extension))
+}
+
+/// Whether a path is that of a sound that is not read.
+fn is_other(path: &Path) -> bool {
+    let extension = path.extension().and_then(|extension| extension.to_str());
+    extension.is_some_and(|own| OTHER_EXTENSIONS.iter().any(|known| known.eq_ignore_ascii_case(own)))
+}
+
+/// Reports recordings that are not used because of others.
+pub(crate) fn not_used(recordings: &Recordings) -> Vec<Report> {
+    let report = |(path, used): (&Path, &Path)| {
+        let message = format!("the recording is not used, because `{}` has the same name", escape::text(&shown(used)));
+        let help = "remove or rename one of them, or name the extension in `pattern` of [audio]: {key}.wav";
+        Report::failure(shown(path), Code::RecordingWithoutClip, message, help)
+    };
+    recordings.beside_others().map(report).collect()
 }
 
 /// A relative path with `/`, if it is Unicode.
@@ -151,7 +205,7 @@ mod tests {
     }
 
     fn found(folder: &Path, pattern: Option<&str>, key: &str) -> Option<String> {
-        let (recordings, reports) = Recordings::below(folder, pattern.map(str::to_owned));
+        let (recordings, reports) = Recordings::at(Places::of_pattern(pattern), folder);
         assert_eq!(reports, []);
         recordings.find(key).map(|path| slashed(path.strip_prefix(folder).unwrap()).unwrap())
     }
@@ -174,7 +228,7 @@ mod tests {
     #[test]
     fn recordings_that_no_clip_has() {
         let folder = folder(&["a.wav", "a.ogg", "b.wav", "c/d.mp3"]);
-        let (recordings, _) = Recordings::below(folder.path(), None);
+        let (recordings, _) = Recordings::below(folder.path());
         let inputs = [Input::from_bytes("a", ""), Input::from_bytes("z", "")];
         assert_eq!(recordings.without_clip(&inputs), [folder.path().join("b.wav"), folder.path().join("c/d.mp3")]);
     }
@@ -184,10 +238,10 @@ mod tests {
     fn links_that_lead_back_and_missing_folders_are_reported() {
         let folder = folder(&["a.wav"]);
         std::os::unix::fs::symlink(folder.path(), folder.path().join("again")).unwrap();
-        let (recordings, reports) = Recordings::below(folder.path(), None);
+        let (recordings, reports) = Recordings::below(folder.path());
         assert_eq!((recordings.iter().count(), reports.len()), (1, 1));
         assert!(reports[0].to_string().contains("is a link that leads back to"), "{}", reports[0]);
-        let (_, reports) = Recordings::below(&folder.path().join("nowhere"), None);
+        let (_, reports) = Recordings::below(&folder.path().join("nowhere"));
         assert_eq!(reports.len(), 1);
     }
 }

@@ -93,7 +93,10 @@ fn hand_work_is_kept() {
     scene.write("voices/drawn.lipz", r#"{ "visemes": "MAMA|EO", "text_en-us": "Who goes|there?" }"#);
     let (_, told, found) = sync(&scene, &arguments);
     assert_eq!(told, "3 clips synced, 1 kept, in voices");
-    assert!(found.contains("warning[LZ1706]: the mouth was drawn by hand, or made by another tool: it is kept"), "{found}");
+    assert!(
+        found.contains("warning[LZ1706]: the mouth was drawn by hand, or made by another tool: it is kept"),
+        "{found}"
+    );
     let edit = |name: &str, change: &dyn Fn(&str) -> String| {
         let path = format!("voices/{name}.lipz");
         let text = read(&scene, &path);
@@ -173,7 +176,11 @@ fn one_bad_file_keeps_no_other_from_its_mouth() {
     // The record is in the way, or is none.
     scene.write("notes.txt", "my notes");
     let refused = lipz(scene.path(), ["sync", "voices", "--audio", "rec", "--audio-record", "notes.txt"]);
-    assert!(refused.code == 2 && refused.stderr.contains("is not a record of mouths and their recordings"), "{}", refused.stderr);
+    assert!(
+        refused.code == 2 && refused.stderr.contains("is not a record of mouths and their recordings"),
+        "{}",
+        refused.stderr
+    );
     assert_eq!(read(&scene, "notes.txt"), "my notes");
     scene.expect("LZ1601-usage-sync-no-recordings", &["sync", "voices"]);
     scene.expect("LZ1601-usage-sync-other-keys", &["sync", "voices", "--audio", "voices"]);

@@ -1,8 +1,9 @@
 //! What a project decides about its recordings.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-/// Stands for the key of a clip in [`Audio::pattern`].
+/// Stands for the key of a clip in [`Audio::pattern`] and in those of [`Audio::voices`].
 pub const KEY: &str = "{key}";
 
 /// Where the recordings of a project are, and what is asked of them.
@@ -14,8 +15,11 @@ pub struct Audio {
     /// The path of a clip's recording below the folder, with `{key}` for its key. Without an extension, any that is
     /// known will do. `None` for `{key}`.
     pub pattern: Option<String>,
-    /// The locale that is spoken; `None` for the default locale.
+    /// The locale that is spoken, unless a voice says otherwise; `None` for the default locale.
     pub locale: Option<String>,
+    /// The languages in which lines are recorded, each with the pattern of its recordings. Clips whose keys fit a pattern
+    /// are spoken in its locale; of all others, the recordings of [`Audio::locale`] are those of the mouths.
+    pub voices: BTreeMap<String, String>,
     /// Milliseconds by which the length of a clip may differ from that of its recording; `None` for a frame.
     pub tolerance_ms: Option<u32>,
     /// The file that records from what each mouth was made; `None` for one beside the Lipz files.

@@ -1,5 +1,6 @@
 //! From the TOML of a settings file to settings: tables and names, known and unknown.
 
+use super::audio::refused_pattern;
 use super::syntax::Faults;
 use super::table::{Content, TABLES, Table};
 use super::value::{Value, canonical_locale, span};
@@ -166,6 +167,20 @@ impl<'t> Reading<'t> {
         });
         if let (Some(locale), Some(chain)) = (locale, chain)
             && self.settings.options.fallbacks.insert(locale.clone(), chain).is_some()
+        {
+            self.locale_twice(&locale, value);
+        }
+    }
+
+    /// The recordings of the voice in the locale `name`.
+    pub(super) fn voice(&mut self, name: &str, value: &Value<'_>) {
+        let locale = self.locale_of_key(name, value);
+        let Some(pattern) = value.text(&mut self.diagnostics) else { return };
+        if let Some((what, help)) = refused_pattern(pattern) {
+            return self.refuse(value, what, help);
+        }
+        if let Some(locale) = locale
+            && self.settings.audio.voices.insert(locale.clone(), pattern.to_owned()).is_some()
         {
             self.locale_twice(&locale, value);
         }

@@ -2,6 +2,7 @@
 
 use super::clipping::ClippingFinder;
 use super::error::SoundError;
+use super::other;
 use std::io::{Read, Seek};
 use symphonia::core::codecs::audio::{AudioDecoder, AudioDecoderOptions};
 use symphonia::core::common::Limit;
@@ -26,9 +27,12 @@ pub(super) fn decode<S>(
 where
     S: Read + Seek + Send + Sync,
 {
-    let source = Source::new(source)?;
+    let mut source = Source::new(source)?;
     if source.length == 0 {
         return Err(SoundError::Empty);
+    }
+    if let Some(name) = source.other_format()? {
+        return Err(SoundError::OtherFormat { name: Some(name) });
     }
     let stream = MediaSourceStream::new(Box::new(source), Default::default());
     let mut hint = Hint::new();
@@ -39,9 +43,13 @@ where
     let metadata = MetadataOptions::default()
         .limit_tag_bytes(Limit::Maximum(METADATA_BYTES))
         .limit_visual_bytes(Limit::Maximum(METADATA_BYTES));
-    let mut format = symphonia::default::get_probe()
-        .probe(&hint, stream, FormatOptions::default(), metadata)
-        .map_err(SoundError::unreadable)?;
+    let mut format =
+        symphonia::default::get_probe().probe(&hint, stream, FormatOptions::default(), metadata).map_err(|error| {
+            match error {
+                Error::Unsupported(_) => SoundError::OtherFormat { name: None },
+                error => SoundError::unreadable(error),
+            }
+        })?;
     let (track, mut decoder) = open(format.as_ref())?;
     let mut decoded = Decoded::default();
     let mut interleaved: Vec<f32> = Vec::new();
@@ -132,6 +140,14 @@ impl<S: Read + Seek> Source<S> {
         let length = inner.seek(std::io::SeekFrom::End(0)).map_err(SoundError::Io)?;
         inner.rewind().map_err(SoundError::Io)?;
         Ok(Source { inner, length })
+    }
+
+    /// What the file is, if it is none that is read.
+    fn other_format(&mut self) -> Result<Option<&'static str>, SoundError> {
+        let mut start = Vec::new();
+        self.inner.by_ref().take(other::LOOKED_AT as u64).read_to_end(&mut start).map_err(SoundError::Io)?;
+        self.inner.rewind().map_err(SoundError::Io)?;
+        Ok(other::name(&start))
     }
 }
 

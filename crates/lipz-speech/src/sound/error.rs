@@ -4,6 +4,7 @@ use super::decode::RATES_HZ;
 use std::error::Error;
 use std::fmt;
 use std::io;
+use symphonia::core::errors as decoder;
 
 /// Why a sound file cannot be read.
 #[derive(Debug)]
@@ -13,7 +14,16 @@ pub enum SoundError {
     Io(io::Error),
     /// The file has no bytes.
     Empty,
-    /// The file is of no format that is read, or too damaged to tell; the reason in the decoder's words.
+    /// The file is of no format that is read, or too damaged to tell.
+    OtherFormat {
+        /// What it is, if that is known: `an MPEG-4 file (M4A, AAC)`.
+        name: Option<&'static str>,
+    },
+    /// The file is of a format that is read, but its samples are stored in a way that is not.
+    OtherCodec,
+    /// The file ends before its first sample.
+    NoSamples,
+    /// What comes before the samples cannot be read; the reason in the decoder's words.
     Unreadable {
         /// The decoder's words.
         reason: String,
@@ -34,11 +44,13 @@ pub enum SoundError {
 }
 
 impl SoundError {
-    pub(super) fn unreadable(error: symphonia::core::errors::Error) -> SoundError {
+    /// What went wrong before the first sample.
+    pub(super) fn unreadable(error: decoder::Error) -> SoundError {
         match error {
-            symphonia::core::errors::Error::IoError(error) if error.kind() != io::ErrorKind::UnexpectedEof => {
-                SoundError::Io(error)
-            }
+            decoder::Error::IoError(error) if error.kind() == io::ErrorKind::UnexpectedEof => SoundError::NoSamples,
+            decoder::Error::IoError(error) => SoundError::Io(error),
+            decoder::Error::Unsupported(_) => SoundError::OtherCodec,
+            decoder::Error::DecodeError(reason) => SoundError::Unreadable { reason: reason.to_owned() },
             error => SoundError::Unreadable { reason: error.to_string() },
         }
     }
@@ -49,9 +61,13 @@ impl fmt::Display for SoundError {
         match self {
             SoundError::Io(error) => write!(f, "the sound cannot be read: {error}"),
             SoundError::Empty => f.write_str("the file is empty"),
-            SoundError::Unreadable { reason } => {
-                write!(f, "this is no WAV, FLAC, Ogg Vorbis or MP3 file that can be read: {reason}")
+            SoundError::OtherFormat { name: Some(name) } => write!(f, "this is {name}, which is not read"),
+            SoundError::OtherFormat { name: None } => {
+                f.write_str("this is no WAV, AIFF, FLAC, Ogg Vorbis or MP3 file, or its beginning is damaged")
             }
+            SoundError::OtherCodec => f.write_str("the samples are stored in a way that is not read"),
+            SoundError::NoSamples => f.write_str("the file ends before its first sample"),
+            SoundError::Unreadable { reason } => write!(f, "the beginning of the file is damaged ({reason})"),
             SoundError::NoSound => f.write_str("the file has no sound in it"),
             SoundError::Rate { rate_hz } => write!(
                 f,

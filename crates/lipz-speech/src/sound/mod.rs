@@ -4,6 +4,7 @@ mod clipping;
 mod decode;
 mod error;
 pub(crate) mod level;
+mod other;
 mod resample;
 
 pub use clipping::Clipping;
@@ -30,7 +31,7 @@ impl Sound {
     /// The longest sound that is read, in seconds: a day.
     pub const LONGEST_S: u64 = 86_400;
 
-    /// Reads a WAV, FLAC, Ogg Vorbis or MP3 file; its first bytes say which it is, and `extension` decides where they
+    /// Reads a WAV, AIFF, FLAC, Ogg Vorbis or MP3 file; its first bytes say which it is, and `extension` decides where they
     /// do not. Channels are mixed down.
     ///
     /// # Errors

@@ -1,4 +1,4 @@
-//! WAV files, made in memory.
+//! WAV and AIFF files, made in memory.
 
 /// How a sample is stored.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -62,4 +62,50 @@ pub(crate) fn wav(samples: Samples, channels: u16, rate_hz: u32, sound: &[f32]) 
     file.extend(length.to_le_bytes());
     file.extend(data);
     file
+}
+
+/// An AIFF file, or, for samples that this has no name for, an AIFC file; with the same samples in every channel.
+#[allow(dead_code, reason = "not every test makes such files")]
+pub(crate) fn aiff(samples: Samples, channels: u16, rate_hz: u32, sound: &[f32]) -> Vec<u8> {
+    let (_, bytes) = samples.format();
+    let big_endian = |sample: f32| {
+        let mut bytes = samples.bytes(sample);
+        match samples {
+            Samples::U8 => bytes[0] = bytes[0].wrapping_add(128), // signed here
+            _ => bytes.reverse(),
+        }
+        bytes
+    };
+    let data: Vec<u8> = sound.iter().flat_map(|&sample| big_endian(sample).repeat(channels.into())).collect();
+    let compression: &[u8] = match samples {
+        Samples::F32 => b"fl32\0\0",
+        Samples::F64 => b"fl64\0\0",
+        _ => b"",
+    };
+    // The rate as a float of 80 bits: the exponent, then 64 bits of which the first is 1.
+    let shift = rate_hz.leading_zeros();
+    let exponent = u16::try_from(16_383 + 31 - shift).unwrap();
+    let common = [
+        &channels.to_be_bytes()[..],
+        &u32::try_from(sound.len()).unwrap().to_be_bytes(),
+        &(bytes * 8).to_be_bytes(),
+        &exponent.to_be_bytes(),
+        &(rate_hz << shift).to_be_bytes(),
+        &[0; 4],
+        compression,
+    ]
+    .concat();
+    let length = |length: usize| u32::try_from(length).unwrap().to_be_bytes();
+    let chunks = [
+        if compression.is_empty() { b"AIFF" } else { b"AIFC" },
+        b"COMM".as_slice(),
+        &length(common.len()),
+        &common,
+        b"SSND",
+        &length(data.len() + 8),
+        &[0; 8],
+        &data,
+    ]
+    .concat();
+    [b"FORM", &length(chunks.len())[..], &chunks].concat()
 }

@@ -1,8 +1,9 @@
 use super::*;
+use std::path::Path;
 use std::path::PathBuf;
 
-/// A WAV file of zeros.
-fn silence(path: &Path, rate_hz: u32, samples: u32) {
+/// A WAV file with a tone.
+fn tone(path: &Path, rate_hz: u32, samples: u32) {
     let spec = hound::WavSpec {
         channels: 1,
         sample_rate: rate_hz,
@@ -11,7 +12,8 @@ fn silence(path: &Path, rate_hz: u32, samples: u32) {
     };
     fs::create_dir_all(path.parent().unwrap()).unwrap();
     let mut writer = hound::WavWriter::create(path, spec).unwrap();
-    (0..samples).for_each(|_| writer.write_sample(0_i16).unwrap());
+    let wave = |at: u32| i16::try_from(at % 40 * 100).unwrap();
+    (0..samples).for_each(|at| writer.write_sample(wave(at)).unwrap());
     writer.finalize().unwrap();
 }
 
@@ -31,7 +33,7 @@ impl Project {
 
     fn sound(&self, name: &str, rate_hz: u32, samples: u32) -> PathBuf {
         let path = self.folder.path().join("sounds").join(name);
-        silence(&path, rate_hz, samples);
+        tone(&path, rate_hz, samples);
         path
     }
 
@@ -98,4 +100,51 @@ fn levels_of_the_project_hold() {
     assert!(check(&project.settings, &inputs, &|| ())[0].has_errors());
     let none = Settings::default();
     assert_eq!(check(&none, &inputs, &|| ()), [], "no folder of recordings");
+}
+
+#[test]
+fn recordings_that_nobody_can_use_are_told_without_a_run_that_makes_mouths() {
+    let project = Project::new("cache = \"sounds.cache\"\n[voices]\nde-de = \"de/{key}\"\n");
+    let half = HALF_A_SECOND;
+    project.sound("a.wav", 8_000, 4_000);
+    let silent = project.sound("de/a.wav", 8_000, 4_000);
+    let mut bytes = fs::read(&silent).unwrap();
+    bytes[44..].fill(0);
+    fs::write(&silent, &bytes).unwrap();
+    project.sound("b.wav", 8_000, 4_000);
+    let cut = project.sound("de/b.wav", 8_000, 4_000);
+    let bytes = fs::read(&cut).unwrap();
+    fs::write(&cut, &bytes[..bytes.len() - 101]).unwrap();
+    let loud = project.sound("c.wav", 8_000, 4_000);
+    let mut bytes = fs::read(&loud).unwrap();
+    bytes[4044..4084].copy_from_slice(&[0xff, 0x7f].repeat(20));
+    fs::write(&loud, &bytes).unwrap();
+    let told = [
+        "the recording is cut off at full scale at 0.25 s",
+        "nothing can be heard in the recording",
+        "the recording ends in the middle of its data",
+        "the clip has no recording in `de-de`",
+    ];
+    for run in ["first", "from the cache"] {
+        let mut found = project.check(&[("a", half), ("b", half), ("c", half)]);
+        found.sort_by_key(|message| told.iter().position(|known| known == message));
+        assert_eq!(found, told, "{run}");
+    }
+    let cache = fs::read_to_string(project.folder.path().join("sounds.cache")).unwrap();
+    assert_eq!(cache.lines().count(), 5, "{cache}");
+}
+
+#[test]
+fn the_voice_of_a_clip_decides_which_text_is_spoken() {
+    let project = Project::new("[voices]\nen-us = \"en/{key}\"\nde-de = \"de/{key}\"\n");
+    project.sound("en/a.wav", 8_000, 4_000);
+    project.sound("de/a.wav", 8_000, 4_000);
+    assert_eq!(project.check(&[("en/a", HALF_A_SECOND), ("de/a", HALF_A_SECOND)]), [""; 0], "each its own");
+    let found = project.check(&[("a", HALF_A_SECOND)]);
+    assert_eq!(found, ["the clip has mouth shapes, but no recording"], "no spoken locale is named: dubs only");
+    let mut project = project;
+    project.settings.options.default_locale = Some("en-us".to_owned());
+    assert_eq!(project.check(&[("a", HALF_A_SECOND)]), [""; 0], "one mouth, two recordings");
+    project.settings.audio.voices.insert("fr-fr".to_owned(), "fr/{key}".to_owned());
+    assert_eq!(project.check(&[("a", HALF_A_SECOND)]), ["the clip has no recording in `fr-fr`"]);
 }

@@ -1,13 +1,16 @@
 //! From recordings, Lipz files and scripts to jobs: a recording, and the Lipz file whose mouth it becomes.
 
 use super::SyncOptions;
-use crate::Recordings;
-use crate::facts::unreadable;
-use crate::recordings::{is_recording, shown};
+use crate::facts::{no_sound, unreadable};
+use crate::places::Places;
+use crate::recordings::{is_recording, not_used, shown};
+use crate::{Facts, Recordings};
+use lipz_compiler::settings::Settings;
 use lipz_compiler::{Content, Input, key};
-use lipz_diagnostics::{Code, Diagnostic, Report};
+use lipz_diagnostics::{Code, Diagnostic, Report, escape};
 use lipz_interop::Script;
-use std::collections::{HashMap, HashSet};
+use lipz_speech::SoundError;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -22,6 +25,8 @@ pub struct Job {
     pub lipz_file: PathBuf,
     /// What is said, for a file that is not there yet.
     pub text: Option<String>,
+    /// The locale that is spoken; `None` for that of the [`SyncOptions`].
+    pub locale: Option<String>,
 }
 
 /// The jobs for Lipz files that have a recording. Clips without one have none.
@@ -29,18 +34,19 @@ pub fn jobs_of_clips(inputs: &[Input], recordings: &Recordings) -> Vec<Job> {
     let job = |input: &Input| {
         let Content::File(lipz_file) = &input.content else { return None };
         let recording = recordings.find(&input.key)?.to_owned();
-        Some(Job { key: input.key.clone(), recording, lipz_file: lipz_file.clone(), text: None })
+        let locale = recordings.locale(&input.key).map(str::to_owned);
+        Some(Job { key: input.key.clone(), recording, lipz_file: lipz_file.clone(), text: None, locale })
     };
     inputs.iter().filter_map(job).collect()
 }
 
-/// The jobs for recordings: `sources` are files and folders of them, each becomes a Lipz file in `output` under its path
+/// The jobs for recordings: the sources of these settings are files and folders of them, each becomes a Lipz file in `output` under its path
 /// below its source. What is said stands in `script`, under the name of the file, or beside it in `NAME.txt`.
 ///
 /// Reports what cannot be read or used, and lines of the script that have no recording.
-pub fn jobs_of_recordings(sources: &[PathBuf], output: &Path, script: Option<&Script>) -> (Vec<Job>, Vec<Report>) {
+pub fn jobs_of_recordings(settings: &Settings, output: &Path, script: Option<&Script>) -> (Vec<Job>, Vec<Report>) {
     let (mut found, mut reports) = (Vec::new(), Vec::new());
-    for source in sources {
+    for source in &settings.sources {
         if source.is_file() {
             let stem = source.file_stem().and_then(|stem| stem.to_str());
             match stem.filter(|_| is_recording(source)) {
@@ -53,13 +59,17 @@ pub fn jobs_of_recordings(sources: &[PathBuf], output: &Path, script: Option<&Sc
             }
             continue;
         }
-        let (recordings, unread) = Recordings::below(source, None);
+        let (recordings, unread) = Recordings::below(source);
         if unread.is_empty() && recordings.iter().next().is_none() {
             let message = format!("no recordings in `{}`", shown(source));
             let help = format!("recordings end in {}", crate::EXTENSIONS.join(", "));
             reports.push(Report::failure(shown(source), Code::NoSources, message, &help));
         }
         reports.extend(unread);
+        reports.extend(not_used(&recordings));
+        let why = |path: &Path| Facts::read(path).err();
+        let unknown = |path: &Path| no_sound(path, &SoundError::OtherFormat { name: None });
+        reports.extend(recordings.unread().map(|path| why(path).unwrap_or_else(|| unknown(path))));
         found.extend(recordings.iter().map(|(name, path)| (name.to_owned(), path.to_owned())));
     }
     found.sort();
@@ -70,25 +80,28 @@ pub fn jobs_of_recordings(sources: &[PathBuf], output: &Path, script: Option<&Sc
     let mut times = HashMap::<String, usize>::new();
     found.iter().for_each(|(key, _)| *times.entry(key::folded(key)).or_default() += 1);
     let is_usable = |key: &str| key::refusal(key).is_none() && times.get(&key::folded(key)) == Some(&1);
+    let places = Places::new(settings);
     let mut jobs = Vec::new();
     for (key, recording) in found.into_iter().filter(|(key, _)| is_usable(key)) {
         let lipz_file = output.join(format!("{key}.{}", key::EXTENSION));
-        match text_of(&recording, script) {
-            Ok(text) => jobs.push(Job { key, recording, lipz_file, text }),
+        match text_of(&key, &recording, script) {
+            Ok(text) => {
+                let locale = places.voice_of(&key).and_then(|place| place.locale).map(str::to_owned);
+                jobs.push(Job { key, recording, lipz_file, text, locale });
+            }
             Err(report) => reports.push(report),
         }
     }
-    if let Some(script) = script {
-        reports.extend(without_recording(script, &jobs));
-    }
+    reports.extend(script.and_then(|script| script_without_recording(script, &jobs)));
+    reports.extend(texts_without_recording(&jobs));
     (jobs, reports)
 }
 
 /// What is said in a recording: by the script, or by the text file beside it.
-fn text_of(recording: &Path, script: Option<&Script>) -> Result<Option<String>, Report> {
-    let stem = recording.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
-    if let Some(text) = script.and_then(|script| script.text_of(stem)) {
-        return Ok(Some(text.to_owned()));
+fn text_of(key: &str, recording: &Path, script: Option<&Script>) -> Result<Option<String>, Report> {
+    let written = |script: &Script| names(key, recording).find_map(|name| Some(script.text_of(&name)?.to_owned()));
+    if let Some(text) = script.and_then(written) {
+        return Ok(Some(text));
     }
     let path = recording.with_extension("txt");
     if !path.is_file() {
@@ -102,23 +115,55 @@ fn text_of(recording: &Path, script: Option<&Script>) -> Result<Option<String>, 
     }
 }
 
+/// The names by which a script may know a recording: its path, and its key.
+fn names(key: &str, recording: &Path) -> impl Iterator<Item = String> {
+    let path = recording.with_extension("").to_str().map(str::to_owned);
+    path.into_iter().chain([key.to_owned()])
+}
+
 /// Lines of a script that belong to no recording.
-fn without_recording(script: &Script, jobs: &[Job]) -> Option<Report> {
-    let stem = |job: &Job| Some(job.recording.file_stem()?.to_str()?.to_lowercase());
-    let recorded: HashSet<String> = jobs.iter().filter_map(stem).collect();
-    let lines: Vec<&str> = script.names().filter(|name| !recorded.contains(*name)).collect();
-    let (first, others) = lines.split_first()?;
+fn script_without_recording(script: &Script, jobs: &[Job]) -> Option<Report> {
+    let recorded: Vec<String> = jobs.iter().flat_map(|job| names(&job.key, &job.recording)).collect();
+    let lines = script.names_without(recorded.iter().map(String::as_str));
+    let message = |first: &str| format!("the script has a text for `{first}`, which was not recorded");
+    let diagnostic = without_recording(&lines, message)?;
+    Some(Report::about(script.path(), diagnostic.help("add the recordings, or remove the lines")))
+}
+
+/// Files with texts beside recordings that belong to none, in folders where others do.
+fn texts_without_recording(jobs: &[Job]) -> Vec<Report> {
+    let mut folders = BTreeMap::<&Path, BTreeSet<PathBuf>>::new();
+    for job in jobs {
+        let texts = folders.entry(job.recording.parent().unwrap_or(Path::new(""))).or_default();
+        texts.insert(job.recording.with_extension("txt"));
+    }
+    let mut reports = Vec::new();
+    for (folder, of_recordings) in folders.into_iter().filter(|(_, texts)| texts.iter().any(|text| text.is_file())) {
+        let here = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+        let files = fs::read_dir(here).into_iter().flatten().flatten().map(|entry| folder.join(entry.file_name()));
+        let is_text = |path: &PathBuf| path.extension().is_some_and(|extension| extension == "txt") && path.is_file();
+        let mut lonely: Vec<String> =
+            files.filter(|path| is_text(path) && !of_recordings.contains(path)).map(|path| shown(&path)).collect();
+        lonely.sort();
+        let lonely: Vec<&str> = lonely.iter().map(String::as_str).collect();
+        let diagnostic = without_recording(&lonely, |first| format!("there is no recording for the text `{first}`"));
+        let help = "record the line, or move the file elsewhere";
+        reports.extend(diagnostic.map(|diagnostic| Report::about(shown(folder), diagnostic.help(help))));
+    }
+    reports
+}
+
+/// A diagnostic about these texts, the first of which is in its message.
+fn without_recording(names: &[&str], message: impl FnOnce(&str) -> String) -> Option<Diagnostic> {
+    let (first, others) = names.split_first()?;
     let more = if others.is_empty() { String::new() } else { format!(", and {} more", others.len()) };
-    let message = format!("the script has a text for `{first}`, which was not recorded{more}");
-    let diagnostic = Diagnostic::new(Code::ScriptWithoutRecording, message);
-    let diagnostic =
-        lines.iter().skip(1).take(9).fold(diagnostic, |diagnostic, line| diagnostic.note(format!("`{line}`")));
-    Some(Report::about("", diagnostic.help("add the recordings, or remove the lines")))
+    let diagnostic = Diagnostic::new(Code::ScriptWithoutRecording, message(&escape::text(first)) + &more);
+    Some(others.iter().take(9).fold(diagnostic, |diagnostic, name| diagnostic.note(format!("`{name}`"))))
 }
 
 impl SyncOptions {
     /// The name of the element for the text of a new file.
-    pub(crate) fn text_element(&self) -> String {
-        self.locale.as_ref().map_or_else(|| "text".to_owned(), |locale| format!("text_{locale}"))
+    pub(crate) fn text_element(&self, job: &Job) -> String {
+        self.locale_of(job).map_or_else(|| "text".to_owned(), |locale| format!("text_{locale}"))
     }
 }

@@ -17,6 +17,7 @@ use lipz_compiler::{replace_file, rewrite_file};
 use lipz_diagnostics::{Code, Report};
 use one::{New, Step, one};
 use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What a run did, clip by clip in the order of the jobs.
 #[derive(Debug, Default)]
@@ -65,7 +66,7 @@ pub type Whole<'w> = dyn Fn(&mut dyn FnMut()) + Sync + 'w;
 /// use lipz_sync::{Recordings, SyncOptions, SyncRecord, jobs_of_clips, record_place, sync};
 /// let (settings, _) = Settings::read("lipz.toml".as_ref());
 /// let (inputs, _) = settings.discover();
-/// let (recordings, _) = Recordings::discover(&settings.audio);
+/// let (recordings, _) = Recordings::discover(&settings);
 /// let (options, _) = SyncOptions::new(&settings)?;
 /// let (mut record, _) = SyncRecord::read(&record_place(&settings))?;
 /// let jobs = jobs_of_clips(&inputs, &recordings);
@@ -81,13 +82,18 @@ pub fn sync(
     whole: &Whole<'_>,
 ) -> Synced {
     let known = &*record;
+    // Without the record, no mouth may be written: one clip says so, the others need not be made.
+    let has_no_record = AtomicBool::new(false);
     let done = threads::map(jobs, options.options.threads, |job| {
         let mut reports = Vec::new();
-        let mut step = one(job, options, known, &mut reports);
+        let mut step = match has_no_record.load(Ordering::Relaxed) {
+            false => one(job, options, known, &mut reports),
+            true => Step::Refused,
+        };
         if let Step::New(new) = &step
-            && let Err(report) = write(job, new, known, whole)
+            && let Err(report) = write(job, new, known, &has_no_record, whole)
         {
-            reports.push(report);
+            reports.extend(report);
             step = Step::Refused;
         }
         progress();
@@ -119,11 +125,21 @@ pub fn sync(
     synced
 }
 
-/// Writes a file and its line of the record.
-fn write(job: &Job, new: &New, record: &SyncRecord, whole: &Whole<'_>) -> Result<(), Report> {
+/// Writes a file and its line of the record. If that cannot be written, only the first file says so.
+fn write(
+    job: &Job,
+    new: &New,
+    record: &SyncRecord,
+    has_no_record: &AtomicBool,
+    whole: &Whole<'_>,
+) -> Result<(), Option<Report>> {
     let mut written = Ok(());
     whole(&mut || {
-        written = record.append(&job.lipz_file, new.made).and_then(|()| match &new.before {
+        if let Err(report) = record.append(&job.lipz_file, new.made) {
+            written = Err((!has_no_record.swap(true, Ordering::Relaxed)).then_some(report));
+            return;
+        }
+        let file = match &new.before {
             Some(before) => rewrite_file(&job.lipz_file, before, new.after.as_bytes()),
             None if job.lipz_file.exists() => Err(Report::failure(
                 crate::recordings::shown(&job.lipz_file),
@@ -132,7 +148,8 @@ fn write(job: &Job, new: &New, record: &SyncRecord, whole: &Whole<'_>) -> Result
                 "run the command again",
             )),
             None => replace_file(&job.lipz_file, new.after.as_bytes()),
-        });
+        };
+        written = file.map_err(Some);
     });
     written
 }

@@ -22,6 +22,14 @@ pub(super) struct Heard {
     mismatches: Vec<Mismatch>,
 }
 
+impl Heard {
+    /// Forgets which words are doubtful.
+    pub(super) fn forget_words(&mut self) {
+        self.doubtful.clear();
+        self.mismatches.clear();
+    }
+}
+
 /// The mouth of a sound.
 pub(super) fn make(sound: &Sound, script: &Script, viseme_type: VisemeType, fps: Fps, options: &SyncOptions) -> Heard {
     if viseme_type == VisemeType::Rms {

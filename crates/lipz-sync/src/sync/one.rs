@@ -4,6 +4,7 @@ use super::mouth::{self, Heard};
 use super::record::Made;
 use super::{Job, SyncOptions, SyncRecord};
 use crate::clip::{Clip, string};
+use crate::condition::Condition;
 use crate::facts::{content_hash, extension, no_sound, unreadable};
 use crate::recordings::shown;
 use lipz_diagnostics::{Code, Diagnostic, Report, escape};
@@ -82,7 +83,7 @@ fn tried(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Ve
     let clip = Clip::from_document(&before, &options.options);
     let own_fps = before.get("fps").and(clip.fps);
     let (fps, viseme_type) = (options.fps_of(own_fps), options.viseme_type_of(own_type(&before)));
-    let spoken = options.spoken(&before);
+    let spoken = options.spoken(job, &before);
     if !is_new {
         diagnostics.extend(other_text(job, spoken.as_ref().map(|(_, text)| *text)));
     }
@@ -114,17 +115,10 @@ fn tried(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Ve
         push(reports, options, &name, &bytes, diagnostics);
         return Ok(Step::Kept(kept));
     }
-    let file = File::open(&job.recording).map_err(|error| unreadable(&job.recording, &error))?;
-    let sound = Sound::read(BufReader::new(file), extension(&job.recording))
-        .map_err(|error| no_sound(&job.recording, &error))?;
-    reports.extend(damage(job, &sound).map(|mut report| {
-        options.options.levels.apply(&mut report.diagnostics);
-        report
-    }));
     if script.words.is_empty() && viseme_type != VisemeType::Rms {
-        diagnostics.push(no_script(options));
+        diagnostics.push(no_script(options.locale_of(job)));
     }
-    let heard = mouth::make(&sound, &script, viseme_type, fps, options);
+    let heard = hear(job, options, &script, (viseme_type, fps), reports)?;
     diagnostics.extend(spoken.iter().flat_map(|(_, text)| mouth::mismatches(&heard, &script, text)));
     let locale = spoken.as_ref().and_then(|(locale, _)| locale.as_deref());
     let target = Target { bytes: &bytes, before: &before, is_new, locale, fps, viseme_type };
@@ -135,6 +129,29 @@ fn tried(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Ve
         return Ok(Step::Refused);
     }
     Ok(Step::New(Box::new(New { before: (!is_new).then(|| bytes.clone()), after, made, heard, script })))
+}
+
+/// The mouth of a recording. Reports what is wrong with it.
+fn hear(
+    job: &Job,
+    options: &SyncOptions,
+    script: &Script,
+    (viseme_type, fps): (VisemeType, Fps),
+    reports: &mut Vec<Report>,
+) -> Result<Heard, Report> {
+    let file = File::open(&job.recording).map_err(|error| unreadable(&job.recording, &error))?;
+    let sound = Sound::read(BufReader::new(file), extension(&job.recording))
+        .map_err(|error| no_sound(&job.recording, &error))?;
+    let condition = Condition::of(&sound);
+    let mut heard = mouth::make(&sound, script, viseme_type, fps, options);
+    if condition.is_silent() {
+        heard.forget_words(); // of what cannot be heard, nothing else needs to be said
+    }
+    reports.extend(condition.report(&job.recording).map(|mut report| {
+        options.options.levels.apply(&mut report.diagnostics);
+        report
+    }));
+    Ok(heard)
 }
 
 /// A Lipz file that gets a mouth.
@@ -205,7 +222,7 @@ fn push(
 fn new_document(job: &Job, options: &SyncOptions) -> Document<'static> {
     let string = |text: String| JsonString::from(Cow::Owned(text));
     let element =
-        |text: &String| Element { name: string(options.text_element()), value: Value::String(string(text.clone())) };
+        |text: &String| Element { name: string(options.text_element(job)), value: Value::String(string(text.clone())) };
     Document { elements: job.text.iter().map(element).collect() }
 }
 
@@ -271,34 +288,8 @@ fn kept_mouth(kept: Kept, visemes: &JsonString<'_>) -> Diagnostic {
         .help("only a forced run replaces it: look first whether it fits")
 }
 
-fn no_script(options: &SyncOptions) -> Diagnostic {
-    let text = options.locale.as_ref().map_or_else(|| "text".to_owned(), |locale| format!("text in `{locale}`"));
+fn no_script(locale: Option<&str>) -> Diagnostic {
+    let text = locale.map_or_else(|| "text".to_owned(), |locale| format!("text in `{locale}`"));
     Diagnostic::new(Code::NoScript, format!("the clip has no {text}: the mouth follows the sound alone"))
         .help("add what is said: the mouth will be much better")
-}
-
-/// Reports what is wrong with a recording.
-fn damage(job: &Job, sound: &Sound) -> Option<Report> {
-    let mut found = Vec::new();
-    let damaged = match (sound.is_truncated(), sound.damaged_packets()) {
-        (false, 0) => None,
-        (true, _) => Some("the recording ends in the middle of its data".to_owned()),
-        (false, 1) => Some("a part of the recording is damaged and left out".to_owned()),
-        (false, count) => Some(format!("{count} parts of the recording are damaged and left out")),
-    };
-    found.extend(damaged.map(|what| Diagnostic::new(Code::DamagedSound, what).help("export it again")));
-    if sound.is_silent() {
-        let level = format!("its loud parts are {:.0} decibels below full scale", -sound.level_db());
-        let diagnostic = Diagnostic::new(Code::SilentRecording, "nothing can be heard in the recording");
-        found.push(diagnostic.note(level).help("look whether the right channel was exported, or record it again"));
-    }
-    if let Some(first) = sound.clipping().first() {
-        let places = sound.clipping().len();
-        let others = if places > 1 { format!(", and in {} more places", places - 1) } else { String::new() };
-        let at = first.start_us as f64 / 1e6;
-        let message = format!("the recording is cut off at full scale at {at:.2} s{others}");
-        let help = "record it less loudly: it sounds distorted, and its mouth may be wrong there";
-        found.push(Diagnostic::new(Code::ClippedRecording, message).help(help));
-    }
-    (!found.is_empty()).then(|| Report::all_about(shown(&job.recording), found))
 }

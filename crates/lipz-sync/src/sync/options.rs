@@ -1,5 +1,6 @@
 //! What a project and a person decide about mouths that are made of recordings.
 
+use super::Job;
 use crate::facts::unreadable;
 use crate::recordings::shown;
 use lipz_compiler::Options;
@@ -100,8 +101,17 @@ impl SyncOptions {
     }
 
     /// The text that is spoken, and its locale: that in the project's spoken locale. Without one, the first text.
-    pub(crate) fn spoken<'d>(&self, document: &'d Document<'d>) -> Option<(Option<String>, &'d JsonString<'d>)> {
-        spoken(document, self.locale.as_deref(), self.options.default_locale.as_deref())
+    pub(crate) fn spoken<'d>(
+        &self,
+        job: &Job,
+        document: &'d Document<'d>,
+    ) -> Option<(Option<String>, &'d JsonString<'d>)> {
+        spoken(document, self.locale_of(job), self.options.default_locale.as_deref())
+    }
+
+    /// The locale that is spoken in a recording.
+    pub(crate) fn locale_of<'a>(&'a self, job: &'a Job) -> Option<&'a str> {
+        job.locale.as_deref().or(self.locale.as_deref())
     }
 
     /// The frame rate of a mouth whose file says this.
@@ -136,9 +146,9 @@ fn spoken<'d>(
     }
 }
 
-/// The text of a Lipz file that is spoken in a project's recordings.
-pub(crate) fn spoken_text<'d>(settings: &Settings, document: &'d Document<'d>) -> Option<&'d str> {
+/// The text of a Lipz file that is spoken in its recording: in the locale of a voice, or that of the project.
+pub(crate) fn spoken_text<'d>(settings: &Settings, voice: Option<&str>, document: &'d Document<'d>) -> Option<&'d str> {
     let default_locale = settings.options.default_locale.as_deref();
-    let locale = settings.audio.locale.as_deref().or(default_locale);
+    let locale = voice.or(settings.audio.locale.as_deref()).or(default_locale);
     spoken(document, locale, default_locale).map(|(_, text)| &*text.text)
 }

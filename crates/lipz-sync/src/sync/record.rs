@@ -69,7 +69,8 @@ impl SyncRecord {
         };
         let text = String::from_utf8_lossy(&bytes);
         if !text.is_empty() && !text.starts_with("# lipz sync") && !text.starts_with("<<<<<<<") {
-            let message = format!("`{}` is not a record of mouths and their recordings, and is left alone", shown(path));
+            let message =
+                format!("`{}` is not a record of mouths and their recordings, and is left alone", shown(path));
             let help = "name another file: `record` of [audio]";
             return Err(Report::failure(shown(path), Code::OutputFailed, message, help));
         }
@@ -113,7 +114,8 @@ impl SyncRecord {
         };
         write().map_err(|error: io::Error| {
             let message = format!("`{}` cannot be written: {error}", shown(&self.path));
-            Report::failure(shown(&self.path), Code::OutputFailed, message, "name another file: `record` of [audio]")
+            let help = "check that you may write there, or name another file: `record` of [audio]";
+            Report::failure(shown(&self.path), Code::OutputFailed, message, help)
         })
     }
 

@@ -1,7 +1,7 @@
 //! The flags for what a project decides about its recordings: one for every setting of `[audio]`.
 
 use crate::shared::project_flags::parse_locale;
-use clap::Args;
+use clap::{ArgAction, Args};
 use lipz_compiler::settings::{Audio, refused_pattern};
 use std::path::PathBuf;
 
@@ -17,6 +17,11 @@ pub(crate) struct AudioFlags {
     /// Path of a clip's recording below that folder; {key} is the key of the clip [default: {key}]
     #[arg(long = "audio-pattern", value_name = "PATTERN", value_parser = parse_pattern, help_heading = RECORDINGS)]
     pattern: Option<String>,
+
+    /// Where the recordings of a language are below that folder: de-de=de-de/{key}
+    #[arg(long, value_name = "LOCALE=PATTERN", value_parser = parse_voice, action = ArgAction::Append)]
+    #[arg(help_heading = RECORDINGS)]
+    voice: Vec<(String, String)>,
 
     /// Locale that is spoken in the recordings [default: the default locale]
     #[arg(long = "audio-locale", value_name = "LOCALE", value_parser = parse_locale, help_heading = RECORDINGS)]
@@ -47,12 +52,18 @@ impl AudioFlags {
     pub(crate) fn apply(&self, audio: &mut Audio) {
         audio.folder = self.folder.clone().or(audio.folder.take());
         audio.pattern = self.pattern.clone().or(audio.pattern.take());
+        audio.voices.extend(self.voice.iter().cloned());
         audio.locale = self.locale.clone().or(audio.locale.take());
         audio.tolerance_ms = self.tolerance_ms.or(audio.tolerance_ms);
         audio.record = self.record.clone().or(audio.record.take());
         audio.cache = self.audio_cache.clone().or(audio.cache.take());
         audio.in_bank = self.in_bank.unwrap_or(audio.in_bank);
     }
+}
+
+fn parse_voice(text: &str) -> Result<(String, String), String> {
+    let (locale, pattern) = text.split_once('=').ok_or("write the locale, `=`, and the pattern of its recordings")?;
+    Ok((parse_locale(locale)?, parse_pattern(pattern)?))
 }
 
 fn parse_pattern(text: &str) -> Result<String, String> {

@@ -8,7 +8,7 @@ pub(super) const AUDIO: &[Setting] = &[
     Setting {
         name: "folder",
         flat_name: "audio",
-        about: "The folder of the recordings: WAV, FLAC, Ogg Vorbis and MP3 files.",
+        about: "The folder of the recordings: WAV, AIFF, FLAC, Ogg Vorbis and MP3 files.",
         default: "none",
         example: "\"recordings\"",
         read: |value, to| {
@@ -33,7 +33,7 @@ pub(super) const AUDIO: &[Setting] = &[
     Setting {
         name: "locale",
         flat_name: "audio-locale",
-        about: "Locale that is spoken in the recordings.",
+        about: "Locale that is spoken in the recordings. If it is one of [voices], its pattern counts.",
         default: "the default locale",
         example: "\"en-us\"",
         read: |value, to| to.settings.audio.locale = value.locale(to.extended(), &mut to.diagnostics),

@@ -95,10 +95,13 @@ pub const TABLES: &[Table] = &[
         content: Content::Settings(audio::AUDIO),
     },
     Table {
-        name: "sync",
-        about: "How mouth shapes are made of recordings.",
-        content: Content::Settings(sync::SYNC),
+        name: "voices",
+        about: "Languages in which the lines are recorded: where the recordings of each are below the folder of [audio]. A \
+                clip whose key fits a pattern (`de-de/act1/mayor`) is spoken in that language. Every other clip has a \
+                recording in each of them: its mouth is that of `locale` in [audio], the others are dubs.",
+        content: Content::Map(VOICES),
     },
+    Table { name: "sync", about: "How mouth shapes are made of recordings.", content: Content::Settings(sync::SYNC) },
     Table {
         name: "babble",
         about: "How mouths move when there is no viseme data: the project's own babble profile, and others in [babble.NAME]. \
@@ -122,6 +125,14 @@ const COVERAGE: Map = Map {
     default: "no minimum",
     examples: &["all = 90", "de-de = 100"],
     read: |name, value, to| to.min_coverage(name, value),
+};
+
+const VOICES: Map = Map {
+    name: "LOCALE",
+    flat_name: "voice",
+    default: "one language, in `pattern` of [audio]",
+    examples: &["en-us = \"en-us/{key}\"", "de-de = \"german/{key}.ogg\""],
+    read: |name, value, to| to.voice(name, value),
 };
 
 const LINTS: Map = Map {

@@ -8,7 +8,6 @@ use crate::console;
 use crate::shared::formats;
 use lipz_diagnostics::{Code, Diagnostic, Report, escape};
 use lipz_interop::Script;
-use std::collections::HashSet;
 use std::path::PathBuf;
 
 /// Names that a diagnostic lists.
@@ -50,10 +49,10 @@ pub(super) fn report(
     // Whoever imports one file does not expect to see all others of its script.
     if files.len() > 1 {
         let extension = arguments.tool_format.extension;
-        let stems: HashSet<String> = files.iter().map(|file| formats::stem(file, extension).to_lowercase()).collect();
-        let unused: Vec<&str> = script.names().filter(|name| !stems.contains(*name)).collect();
+        let stems: Vec<_> = files.iter().map(|file| formats::stem(file, extension)).collect();
+        let unused = script.names_without(stems.iter().map(AsRef::as_ref));
         if !unused.is_empty() {
-            let (all, belong) = (script.names().count(), if unused.len() == 1 { "belongs" } else { "belong" });
+            let (all, belong) = (script.len(), if unused.len() == 1 { "belongs" } else { "belong" });
             let message = format!(
                 "{} of {} in the script {belong} to no imported file",
                 unused.len(),

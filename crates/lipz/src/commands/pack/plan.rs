@@ -122,7 +122,7 @@ impl Plan {
     fn write_depfile(&self, inputs: &[Input], replace: Replace, reporter: &mut Reporter) -> Result<(), Abort> {
         let Some(path) = &self.depfile else { return Ok(()) };
         let mut dependencies = dependencies(&self.project.settings, inputs).map_err(|report| reporter.fail(report))?;
-        dependencies.extend(lipz_sync::dependencies(&self.project.settings.audio));
+        dependencies.extend(lipz_sync::dependencies(&self.project.settings));
         dependencies.sort_unstable();
         dependencies.dedup();
         dependencies.extend(self.project.file.clone());

@@ -89,13 +89,17 @@ impl Run for SyncArguments {
         if settings.sources.iter().any(|source| stdio::is_meant(source)) {
             return Err(reporter.usage("mouths are not made of standard input", "name files or folders"));
         }
+        if let Some(file) = self.output.as_ref().filter(|output| output.is_file()) {
+            let message = format!("`{}` is a file", console::path(file));
+            return Err(reporter.usage(message, "name a folder with `--output`: each recording becomes a file in it"));
+        }
         let work = match &self.output {
             Some(output) => self.of_recordings(settings, output, reporter)?,
             None => of_clips(settings, reporter)?,
         };
         let (mut options, problems) = SyncOptions::new(settings).map_err(|report| reporter.fail(report))?;
         (options.fps, options.force) = (self.fps, self.force);
-        if options.locale.is_none() && work.jobs.iter().any(|job| job.text.is_some()) {
+        if options.locale.is_none() && work.jobs.iter().any(|job| job.text.is_some() && job.locale.is_none()) {
             let tip = "name it with `--audio-locale`, or set `default-locale` in lipz.toml";
             return Err(reporter.usage("no locale of the texts is named", tip));
         }
@@ -130,7 +134,7 @@ impl SyncArguments {
             Some(path) => Some(script_file::read(path, self.encoding, reporter)?),
             None => None,
         };
-        let (jobs, mut reports) = jobs_of_recordings(&settings.sources, output, script.as_ref());
+        let (jobs, mut reports) = jobs_of_recordings(settings, output, script.as_ref());
         reports.iter_mut().for_each(|report| settings.options.levels.apply(&mut report.diagnostics));
         if jobs.is_empty() && lipz_diagnostics::reports::have_errors(&reports) {
             return Err(reporter.abort(reports, Outcome::Failed));
@@ -146,7 +150,7 @@ fn of_clips(settings: &Settings, reporter: &mut Reporter) -> Result<Work, Abort>
             "name their folder with `--audio`, or set `folder` in [audio]; `--output` makes Lipz files of recordings";
         return Err(reporter.usage("no recordings are named", tip));
     };
-    let (recordings, mut reports) = Recordings::discover(&settings.audio);
+    let (recordings, mut reports) = Recordings::discover(settings);
     if lipz_diagnostics::reports::have_errors(&reports) {
         return Err(reporter.abort(reports, Outcome::Failed));
     }

@@ -78,7 +78,7 @@ impl Scope {
             Content::File(path) => Some(path),
             Content::Bytes { .. } => None,
         });
-        let paths = lipz_files.chain(self.settings_file.clone()).chain(lipz_sync::dependencies(&self.settings.audio));
+        let paths = lipz_files.chain(self.settings_file.clone()).chain(lipz_sync::dependencies(&self.settings));
         let stamped = |path: PathBuf| {
             let stamp = stamp(&path);
             (path, stamp)

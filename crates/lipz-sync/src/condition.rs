@@ -1,0 +1,119 @@
+//! The condition of a recording: damaged, silent, too loud.
+
+use crate::recordings::shown;
+use lipz_diagnostics::{Code, Diagnostic, Report};
+use lipz_speech::Sound;
+use std::path::Path;
+
+/// What may be wrong with a recording, whatever is said in it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub(crate) struct Condition {
+    /// It ends in the middle of its data.
+    truncated: bool,
+    /// Parts that could not be decoded.
+    damaged_packets: u64,
+    /// Nothing can be heard, and its loud parts are so many decibels below full scale.
+    silent_db: Option<u32>,
+    /// Places that are cut off at full scale.
+    clipped: u64,
+    /// The start of the first of them, in microseconds.
+    clipped_us: u64,
+}
+
+impl Condition {
+    pub(crate) fn of(sound: &Sound) -> Condition {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "decibels have few digits")]
+        let below = || -sound.level_db().round() as u32;
+        Condition {
+            truncated: sound.is_truncated(),
+            damaged_packets: sound.damaged_packets(),
+            silent_db: sound.is_silent().then(below),
+            clipped: sound.clipping().len() as u64,
+            clipped_us: sound.clipping().first().map_or(0, |first| first.start_us),
+        }
+    }
+
+    /// Whether nothing can be heard.
+    pub(crate) fn is_silent(&self) -> bool {
+        self.silent_db.is_some()
+    }
+
+    /// The diagnostics about the recording at `path`, if there are any.
+    pub(crate) fn report(&self, path: &Path) -> Option<Report> {
+        let mut found = Vec::new();
+        let damaged = match (self.truncated, self.damaged_packets) {
+            (false, 0) => None,
+            (true, _) => Some("the recording ends in the middle of its data".to_owned()),
+            (false, 1) => Some("a part of the recording is damaged and left out".to_owned()),
+            (false, count) => Some(format!("{count} parts of the recording are damaged and left out")),
+        };
+        found.extend(damaged.map(|what| Diagnostic::new(Code::DamagedSound, what).help("export it again")));
+        if let Some(below) = self.silent_db {
+            let diagnostic = Diagnostic::new(Code::SilentRecording, "nothing can be heard in the recording");
+            let level = format!("its loud parts are {below} decibels below full scale");
+            found.push(diagnostic.note(level).help("look whether the right channel was exported, or record it again"));
+        }
+        if self.clipped > 0 {
+            let others = match self.clipped - 1 {
+                0 => String::new(),
+                1 => ", and in another place".to_owned(),
+                more => format!(", and in {more} more places"),
+            };
+            let at = self.clipped_us as f64 / 1e6;
+            let message = format!("the recording is cut off at full scale at {at:.2} s{others}");
+            let help = "record it less loudly: it sounds distorted, and its mouth may be wrong there";
+            found.push(Diagnostic::new(Code::ClippedRecording, message).help(help));
+        }
+        (!found.is_empty()).then(|| Report::all_about(shown(path), found))
+    }
+
+    /// As one word of a cache: `0,0,-,2,1500000`.
+    pub(crate) fn word(&self) -> String {
+        let silent = self.silent_db.map_or_else(|| "-".to_owned(), |below| below.to_string());
+        let Condition { truncated, damaged_packets, clipped, clipped_us, .. } = self;
+        format!("{},{damaged_packets},{silent},{clipped},{clipped_us}", u8::from(*truncated))
+    }
+
+    pub(crate) fn parse(word: &str) -> Option<Condition> {
+        let mut parts = word.split(',');
+        let condition = Condition {
+            truncated: parts.next()? == "1",
+            damaged_packets: parts.next()?.parse().ok()?,
+            silent_db: Some(parts.next()?).filter(|part| *part != "-").map(str::parse).transpose().ok()?,
+            clipped: parts.next()?.parse().ok()?,
+            clipped_us: parts.next()?.parse().ok()?,
+        };
+        parts.next().is_none().then_some(condition)
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    fn told(condition: Condition) -> Vec<String> {
+        let report = condition.report(Path::new("a.wav"));
+        report.iter().flat_map(|report| &report.diagnostics).map(|found| found.message.clone()).collect()
+    }
+
+    #[test]
+    fn every_fault_is_told_and_survives_the_cache() {
+        let fine = Condition::default();
+        assert_eq!((told(fine), fine.word()), (Vec::new(), "0,0,-,0,0".to_owned()));
+        let bad =
+            Condition { truncated: true, damaged_packets: 2, silent_db: Some(90), clipped: 3, clipped_us: 1_500_000 };
+        let all = [
+            "the recording ends in the middle of its data",
+            "nothing can be heard in the recording",
+            "the recording is cut off at full scale at 1.50 s, and in 2 more places",
+        ];
+        assert_eq!(told(bad), all);
+        for condition in [fine, bad] {
+            assert_eq!(Condition::parse(&condition.word()), Some(condition));
+        }
+        for word in ["", "0", "0,0,x,0,0", "0,0,-,0", "0,0,-,0,0,0", "0,-1,-,0,0"] {
+            assert_eq!(Condition::parse(word), None, "{word}");
+        }
+    }
+}

@@ -1,0 +1,137 @@
+//! Where the recordings of a clip are, in each language: the patterns of a project.
+
+use crate::recordings::rank;
+use lipz_compiler::settings::{KEY, Settings};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// The patterns of a project.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub(crate) struct Places {
+    /// That of a project without voices; `None` for the key.
+    pattern: Option<String>,
+    /// The locale that is spoken unless a voice says otherwise.
+    locale: Option<String>,
+    /// By their locales.
+    voices: BTreeMap<String, String>,
+}
+
+/// Where a recording is: a pattern, and what stands for `{key}` in it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct Place<'p, 'k> {
+    /// The locale of the voice; `None` if it is that of no voice.
+    pub(crate) locale: Option<&'p str>,
+    pattern: &'p str,
+    key: &'k str,
+}
+
+impl Places {
+    pub(crate) fn new(settings: &Settings) -> Places {
+        let audio = &settings.audio;
+        let locale = audio.locale.as_ref().or(settings.options.default_locale.as_ref());
+        Places { pattern: audio.pattern.clone(), locale: locale.cloned(), voices: audio.voices.clone() }
+    }
+
+    /// Without voices.
+    #[cfg(test)]
+    pub(crate) fn of_pattern(pattern: Option<&str>) -> Places {
+        Places { pattern: pattern.map(str::to_owned), ..Places::default() }
+    }
+
+    /// Whether every pattern names the extension of its recordings.
+    pub(crate) fn name_an_extension(&self) -> bool {
+        let mut patterns = self.pattern.iter().chain(self.voices.values()).peekable();
+        patterns.peek().is_some() && patterns.all(|pattern| without_extension(pattern).len() < pattern.len())
+    }
+
+    /// The voice whose pattern this key fits, and the rest of the key: `de-de/act1/mayor` is `act1/mayor` in de-de. The
+    /// longest pattern counts; one that is nothing but the key says nothing.
+    pub(crate) fn voice_of<'p, 'k>(&'p self, key: &'k str) -> Option<Place<'p, 'k>> {
+        let fit = |(locale, pattern): (&'p String, &'p String)| {
+            let (before, after) = without_extension(pattern).split_once(KEY)?;
+            let key = key.strip_prefix(before)?.strip_suffix(after).filter(|key| !key.is_empty())?;
+            let is_one = !before.is_empty() || !after.is_empty();
+            is_one.then_some(Place { locale: Some(locale), pattern, key })
+        };
+        self.voices.iter().filter_map(fit).max_by_key(|place| place.pattern.len())
+    }
+
+    /// Where the recording is of which the mouth of the clip is made.
+    pub(crate) fn of<'p, 'k>(&'p self, key: &'k str) -> Place<'p, 'k> {
+        let spoken = || {
+            let (locale, pattern) = self.voices.get_key_value(self.locale.as_deref()?)?;
+            Some(Place { locale: Some(locale), pattern, key })
+        };
+        let only = || Place { locale: None, pattern: self.pattern.as_deref().unwrap_or(KEY), key };
+        self.voice_of(key).or_else(spoken).unwrap_or_else(only)
+    }
+
+    /// Where the recordings of the clip in the other languages are. A clip whose key is that of one voice has none.
+    pub(crate) fn dubs<'p, 'k>(&'p self, key: &'k str) -> impl Iterator<Item = Place<'p, 'k>> + use<'p, 'k> {
+        let spoken = self.of(key).locale;
+        let voices = self.voices.iter().filter(move |_| self.voice_of(key).is_none());
+        let others = voices.filter(move |(locale, _)| Some(locale.as_str()) != spoken);
+        others.map(move |(locale, pattern)| Place { locale: Some(locale), pattern, key })
+    }
+}
+
+impl<'p> Place<'p, '_> {
+    /// The path below the folder of recordings without its extension, and the extension if only that one is meant.
+    pub(crate) fn path(&self) -> (String, Option<&'p str>) {
+        let stem = without_extension(self.pattern);
+        (stem.replace(KEY, self.key), self.pattern.get(stem.len() + 1..))
+    }
+
+    /// The path as people know it.
+    pub(crate) fn shown(&self) -> String {
+        self.pattern.replace(KEY, self.key)
+    }
+}
+
+/// A pattern without its extension. Keys may have dots: only a pattern that ends in a known extension has one.
+fn without_extension(pattern: &str) -> &str {
+    let path = Path::new(pattern);
+    let extension = path.extension().filter(|_| rank(path).is_some() && !pattern.ends_with(KEY));
+    extension.map_or(pattern, |extension| &pattern[..pattern.len() - extension.len() - 1])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn places(locale: Option<&str>, voices: &[(&str, &str)]) -> Places {
+        let voices = voices.iter().map(|(locale, pattern)| ((*locale).to_owned(), (*pattern).to_owned())).collect();
+        Places { pattern: None, locale: locale.map(str::to_owned), voices }
+    }
+
+    /// The place of the mouth's recording, and of the dubs, with their locales.
+    fn all(places: &Places, key: &str) -> Vec<String> {
+        let shown = |place: Place<'_, '_>| format!("{} {}", place.locale.unwrap_or("-"), place.shown());
+        std::iter::once(places.of(key)).chain(places.dubs(key)).map(shown).collect()
+    }
+
+    #[test]
+    fn a_folder_of_clips_for_each_language() {
+        let places = places(Some("en-us"), &[("en-us", "en-us/{key}"), ("de-de", "de/{key}.ogg")]);
+        assert_eq!(all(&places, "en-us/act1/mayor"), ["en-us en-us/act1/mayor"]);
+        assert_eq!(all(&places, "de/act1/mayor"), ["de-de de/act1/mayor.ogg"]);
+        assert_eq!(places.of("de/x").path(), ("de/x".to_owned(), Some("ogg")));
+        assert_eq!(places.of("en-us/a.b").path(), ("en-us/a.b".to_owned(), None));
+    }
+
+    #[test]
+    fn one_clip_with_recordings_in_several_languages() {
+        let places = places(Some("en-us"), &[("en-us", "{key}"), ("de-de", "{key}_de"), ("fr-fr", "fr/{key}")]);
+        assert_eq!(all(&places, "act1/mayor"), ["en-us act1/mayor", "de-de act1/mayor_de", "fr-fr fr/act1/mayor"]);
+        assert_eq!(all(&places, "fr/mayor"), ["fr-fr fr/mayor"]);
+    }
+
+    #[test]
+    fn without_a_voice_in_the_spoken_locale_the_pattern_counts() {
+        let mut places = places(Some("en-us"), &[("de-de", "de/{key}")]);
+        assert_eq!(all(&places, "mayor"), ["- mayor", "de-de de/mayor"]);
+        places.pattern = Some("en/{key}.wav".to_owned());
+        assert_eq!(all(&places, "mayor"), ["- en/mayor.wav", "de-de de/mayor"]);
+        assert_eq!(all(&Places::default(), "a.wav/{key}"), ["- a.wav/{key}"]);
+    }
+}

@@ -1,0 +1,181 @@
+//! `lipz sync` with what people really have: folders in folders, scripts with mistakes, files that are no sounds, folders
+//! without rights, several languages.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use std::fs;
+use support::sound::{RATE_HZ, voice, wav};
+use support::{Scene, lipz, tree};
+
+const LINE: &[(bool, u32)] = &[(false, 200), (true, 500), (false, 200)];
+
+/// Runs `lipz` and gives exit code, what it printed, and what it found.
+fn run(scene: &Scene, arguments: &[&str]) -> (i32, String, String) {
+    let run = lipz(scene.path(), arguments);
+    (run.code, run.stdout, run.stderr)
+}
+
+/// Runs `lipz sync` on the folder `rec`, with a script of these rows.
+fn with_script(scene: &Scene, script: &str) -> (i32, String, String) {
+    scene.write("lines.csv", script);
+    let allow = "LZ1707,LZ1708";
+    run(scene, &["sync", "rec", "-o", "voices", "--script", "lines.csv", "--audio-locale", "en-us", "--allow", allow])
+}
+
+fn text_of(scene: &Scene, file: &str) -> String {
+    let text = fs::read_to_string(scene.path().join("voices").join(file)).unwrap();
+    text.split_once("text_en-us\" :").unwrap().1.split('"').nth(1).unwrap().to_owned()
+}
+
+#[test]
+fn folders_in_the_script_tell_lines_of_one_name_apart() {
+    let scene = Scene::new();
+    for file in ["rec/act1/mayor.wav", "rec/act2/mayor.wav", "rec/\u{dc}n\u{ef} \u{6771}/der B\u{e4}r.wav"] {
+        scene.write(file, voice(LINE, 1));
+    }
+    let rows = "file,text\nact1/mayor,Who?\nact2\\mayor.wav,What?\nDER B\u{c4}R,Where?\nmayor,Never.\n";
+    let (code, told, found) = with_script(&scene, rows);
+    assert_eq!((code, told.lines().next()), (0, Some("3 clips synced, in voices")), "{found}");
+    let texts = ["act1/mayor.lipz", "act2/mayor.lipz", "\u{dc}n\u{ef} \u{6771}/der B\u{e4}r.lipz"];
+    assert_eq!(texts.map(|file| text_of(&scene, file)), ["Who?", "What?", "Where?"]);
+    assert!(found.contains("LZ1713") && found.contains("`mayor`") && found.contains("--> lines.csv"), "{found}");
+}
+
+#[test]
+fn scripts_with_mistakes_are_told_by_line() {
+    let scene = Scene::new();
+    scene.write("rec/a.wav", voice(LINE, 1));
+    for (script, message) in [
+        ("", "the first line does not name the columns"),
+        ("filename,line\na,Who?\n", "the first line does not name the columns"),
+        ("file,line\na,Who?\n", "the first line names no column `text`"),
+        ("file,text\n,Who?\n", "the row names no file"),
+        ("file,text\na\n", "the row has no text"),
+    ] {
+        let (code, told, found) = with_script(&scene, script);
+        assert_eq!((code, told.as_str()), (1, ""), "{script}");
+        assert!(found.contains(&format!("error[LZ1101]: {message}\n --> lines.csv:")), "{script}: {found}");
+    }
+    let (code, _, found) = with_script(&scene, "file;text\na;Who?\nA.wav;What?\n");
+    assert_eq!((code, text_of(&scene, "a.lipz").as_str()), (0, "Who?"), "{found}");
+    assert!(found.contains("[LZ1104]: `A.wav` has another text in a row above\n --> lines.csv:3:1"), "{found}");
+}
+
+#[test]
+fn nothing_in_a_folder_of_recordings_is_passed_over_in_silence() {
+    let scene = Scene::new();
+    scene.write("rec/a.wav", voice(LINE, 1));
+    scene.write("rec/a.flac", "another one");
+    scene.write("rec/a.txt", "Who?");
+    scene.write("rec/lonely.txt", "Never recorded.");
+    scene.write("rec/phone.m4a", "\0\0\0\x1cftypM4A \0\0\0\0");
+    let noise: Vec<u8> = (0..5_000_u32).map(|at| (at.wrapping_mul(2_654_435_761) >> 24) as u8).collect();
+    scene.write("rec/noise.mp3", noise);
+    let (code, told, found) = run(&scene, &["sync", "rec", "-o", "voices", "--audio-locale", "en-us"]);
+    assert_eq!((code, told.lines().next()), (1, Some("1 clip synced, 1 refused, in voices")), "{found}");
+    for expected in [
+        "warning[LZ1702]: the recording is not used, because `rec/a.wav` has the same name\n--> rec/a.flac",
+        "warning[LZ1713]: there is no recording for the text `rec/lonely.txt`\n--> rec",
+        "error[LZ1704]: the recording cannot be used: this is an MPEG-4 file (M4A, AAC), which is not read\n--> rec/phone.m4a",
+        "error[LZ1704]: the recording cannot be used: this is no WAV, AIFF, FLAC, Ogg Vorbis or MP3 file, or its beginning \
+         is damaged\n--> rec/noise.mp3",
+    ] {
+        assert!(found.contains(expected), "{expected}\n\n{found}");
+    }
+    // The clip of a recording that is not read, and a pattern that says which recording is meant.
+    scene.write("voices/phone.lipz", r#"{ "visemes": "AA", "viseme_type": "blair", "fps": 24 }"#);
+    fs::remove_file(scene.path().join("rec/noise.mp3")).unwrap();
+    let (_, _, found) = run(&scene, &["check", "voices", "--audio", "rec", "--audio-pattern", "{key}.wav"]);
+    assert_eq!(found.matches("[LZ").count(), found.matches("[LZ1701]").count() + found.matches("[LZ1715]").count());
+    assert!(found.contains("there is `rec/phone.m4a`, in a format that is not read"), "{found}");
+}
+
+#[test]
+fn of_what_cannot_be_heard_only_that_is_said() {
+    let scene = Scene::new();
+    scene.write("rec/a.wav", wav(RATE_HZ, &[0; 16_000]));
+    scene.write("rec/a.txt", "There is much to say, and nobody says it.");
+    let (code, told, found) = run(&scene, &["sync", "rec", "-o", "voices", "--audio-locale", "en-us"]);
+    assert_eq!((code, told.as_str()), (0, "1 clip synced, in voices\n"), "{found}");
+    assert!(found.contains("warning[LZ1716]: nothing can be heard in the recording"), "{found}");
+    assert_eq!(found.matches("[LZ").count(), 1, "{found}");
+    // The check says it, too, without a run that makes mouths.
+    let (_, _, found) = run(&scene, &["check", "voices", "--audio", "rec", "--quiet"]);
+    assert!(found.contains("warning[LZ1716]: nothing can be heard in the recording\n--> rec/a.wav"), "{found}");
+}
+
+#[test]
+fn the_output_is_a_folder_that_can_be_written() {
+    let scene = Scene::new();
+    scene.write("rec/a.wav", voice(LINE, 1));
+    scene.write("rec/b.wav", voice(LINE, 2));
+    scene.write("file", "mine");
+    let (code, _, found) = run(&scene, &["sync", "rec", "-o", "file", "--viseme-type", "rms"]);
+    assert!(code == 2 && found.contains("error[LZ1601]: `file` is a file"), "{found}");
+    fs::create_dir(scene.path().join("empty")).unwrap();
+    let (code, _, found) = run(&scene, &["sync", "empty", "-o", "voices"]);
+    assert!(code == 2 && found.contains("error[LZ0805]: no recordings in `empty`"), "{found}");
+    // A record that cannot be written: that is said once and not for each clip.
+    #[cfg(unix)]
+    {
+        fs::create_dir(scene.path().join("voices")).unwrap();
+        let record = scene.path().join("voices").join(lipz_sync::RECORD_NAME);
+        std::os::unix::fs::symlink(scene.path().join("nowhere/record"), record).unwrap();
+        let (code, told, found) = run(&scene, &["sync", "rec", "-o", "voices", "--viseme-type", "rms"]);
+        assert_eq!((code, told.as_str()), (2, "0 clips synced, 2 refused, in voices\n"), "{found}");
+        assert_eq!(found.matches("error[LZ0904]").count(), 1, "{found}");
+        let written = tree(&scene.path().join("voices"));
+        assert_eq!(written, [lipz_sync::RECORD_NAME], "no mouth is written that nobody remembers");
+    }
+}
+
+#[test]
+fn each_voice_has_its_recordings_text_and_language() {
+    let scene = Scene::new();
+    scene.write(
+        "lipz.toml",
+        "sources = [\"voices\"]\nroot = \"voices\"\ndefault-locale = \"en-us\"\n[audio]\nfolder = \"rec\"\n\
+         [voices]\nen-us = \"en/{key}\"\nde-de = \"de/{key}\"\n",
+    );
+    let both = r#"{ "text_en-us": "Who goes|there?", "text_de-de": "Wer|da?" }"#;
+    scene.write("voices/mayor.lipz", both);
+    scene.write("rec/en/mayor.wav", voice(LINE, 1));
+    scene.write("rec/de/mayor.wav", voice(LINE, 2));
+    let allow = ["--allow", "LZ1707,LZ1715"];
+    let told = |arguments: &[&str]| {
+        let (code, told, found) = run(&scene, &[arguments, &allow].concat());
+        assert_eq!(code, 0, "{found}");
+        (told.lines().next().unwrap_or_default().to_owned(), found)
+    };
+    assert_eq!(told(&["sync"]), ("1 clip synced, in voices".to_owned(), String::new()));
+    let english = fs::read_to_string(scene.path().join("voices/mayor.lipz")).unwrap();
+    assert_eq!(told(&["check"]).1, "", "the dub belongs to the clip, too");
+    // Another voice is another mouth, of another recording.
+    assert_eq!(told(&["check", "--audio-locale", "de-de"]).1.matches("[LZ1705]").count(), 1);
+    assert_eq!(told(&["sync", "--audio-locale", "de-de"]).0, "1 clip synced, in voices");
+    assert_ne!(fs::read_to_string(scene.path().join("voices/mayor.lipz")).unwrap(), english);
+    // The bank has the recording of the voice.
+    for (locale, file) in [("en-us", "rec/en/mayor.wav"), ("de-de", "rec/de/mayor.wav")] {
+        told(&["pack", "-o", "b.lipzbank", "--audio-in-bank", "--audio-locale", locale]);
+        let bytes = fs::read(scene.path().join("b.lipzbank")).unwrap();
+        let bank = lipz_bank::Bank::open(&bytes).unwrap().verify().unwrap();
+        let recording = bank.clip_by_key("mayor").unwrap().recording().unwrap();
+        assert_eq!(recording.content_hash(), hash(&fs::read(scene.path().join(file)).unwrap()), "{locale}");
+    }
+    // A line that is missing in one language, and a folder of clips for a language.
+    fs::remove_file(scene.path().join("rec/de/mayor.wav")).unwrap();
+    let missing = told(&["check"]).1;
+    assert!(missing.contains("[LZ1701]: the clip has no recording in `de-de`"), "{missing}");
+    scene.write("rec/de/otto.wav", voice(LINE, 3));
+    scene.write("voices/de/otto.lipz", both);
+    let (told, found) = told(&["sync", "--voice", "de-de=de/{key}"]);
+    assert_eq!((told.as_str(), found.as_str()), ("2 clips synced, in voices", ""));
+    let record = fs::read_to_string(scene.path().join("voices/lipz-sync.txt")).unwrap();
+    assert!(record.contains("de/otto.lipz"), "{record}");
+}
+
+/// The content hash of a recording, as docs/FORMAT.md describes it.
+fn hash(bytes: &[u8]) -> u64 {
+    lipz_sync::content_hash(bytes).unwrap()
+}
