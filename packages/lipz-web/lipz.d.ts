@@ -41,7 +41,10 @@ export class Bank {
   private constructor();
   /** Checks every byte and reference, of the text bank too. Gives the bank. @throws {LipzError} */
   verify(): this;
-  /** Uses the locales of a text bank from now on. Gives the bank. @throws {LipzError} */
+  /**
+   * Uses the locales of a text bank (`lipz pack --split-locales`) from now on, in place of those of the bank or of another
+   * text bank. Gives the bank. @throws {LipzError} if it belongs to other clips.
+   */
   useTexts(bytes: Bytes): this;
   readonly clipCount: number;
   /** Hash of what the clips are: a bank and its text banks share it. */
@@ -55,6 +58,10 @@ export class Bank {
   clipAt(slot: number): Clip | undefined;
   /** All clips, in the order of their keys by code points, as in the bank. */
   clips(): Clip[];
+  /** The babble profile with this name. */
+  babble(name: string): Babble | undefined;
+  /** The profile of the project, `[babble]` in its settings; that of the Second Life viewer if it has none. */
+  readonly defaultBabble: Babble;
 }
 
 export class Clip {
@@ -77,6 +84,17 @@ export class Clip {
   readonly recording: Recording | undefined;
   /** The clip with this frame rate, where its file leaves it unspecified. */
   orFps(numerator: number, denominator?: number): Clip;
+  /** The clip with this viseme type, where its file leaves it unspecified. */
+  orVisemeType(type: VisemeType): Clip;
+  /** A cursor that waits for the sound to begin. @throws {LipzError} without a frame rate. */
+  cursor(settings?: CursorSettings): Cursor;
+  /**
+   * The cursor at the same time in this clip: of a newer version of the bank. Set its speaker again: names belong to
+   * their bank.
+   */
+  resume(cursor: Cursor): Cursor;
+  /** How far the mouth is open at a time, 0 to 0.99; undefined if the clip has no frames or no viseme type: let it babble. */
+  opennessAt(time: Time): number | undefined;
   /** The second at which a frame starts to show; undefined without a frame rate. */
   startOfFrame(frame: number): number | undefined;
   /** The viseme of a frame; rest outside of the clip. */
@@ -125,4 +143,88 @@ export interface Event {
   readonly verb: "feels" | "sees" | "stares" | "stops staring" | "points" | "stops pointing" | "does";
   /** The emotion, target or action. */
   readonly object: string | undefined;
+}
+
+export interface CursorSettings {
+  /** How far mouth shapes are ahead of the sound: seconds, or one or two frames of the clip. */
+  lead?: number | { readonly us: number } | { readonly frames: 1 | 2 };
+  /**
+   * How many frames a consonant shows at least; `"readable"` is two frames at 24 fps, `{ picture: 1 / 60 }` as long as a
+   * display shows one picture, in seconds.
+   */
+  hold?: number | "readable" | { readonly picture: number };
+  /** Who speaks, so whose events name no character. */
+  speaker?: string | undefined;
+}
+
+/**
+ * Where a clip is while it is played. Once per picture, call `advanceTo` with the position of the sound, and draw what the
+ * other members say. docs/PLAYBACK.md has a table of what happens when time goes on, stands still, jumps, loops and ends.
+ */
+export class Cursor {
+  private constructor();
+  readonly clip: Clip;
+  /** In seconds. */
+  get lead(): number;
+  set lead(lead: NonNullable<CursorSettings["lead"]>);
+  /** In frames. */
+  get hold(): number;
+  set hold(hold: NonNullable<CursorSettings["hold"]>);
+  speaker: string | undefined;
+  /**
+   * The sound has reached a time. Gives what has begun since the last call, each once, however long ago: also segments
+   * without frames. What you drop does not come again.
+   */
+  advanceTo(time: Time): Due;
+  /** The sound has jumped from its end to its start and has reached a time since: what was left, then what has begun. */
+  loopTo(time: Time): Due;
+  /** Jumps, forward or back. Nothing is due; the next `advanceTo` starts with what begins in the frame of this time. */
+  seek(time: Time): void;
+  /** Ends the clip before the sound does, as when a player skips it: gives what was left. */
+  finish(): Due;
+  /** The frame at the position of the sound; undefined before the start and from the end on. */
+  readonly frame: number | undefined;
+  /** Whether the sound is past the last frame. Then everything has been due. */
+  readonly isOver: boolean;
+  /** The mouth shape to draw, with lead and hold. */
+  readonly viseme: Viseme;
+  /** How far that mouth is open, 0 to 0.99; undefined if the clip has no mouth shapes: let it babble. */
+  readonly openness: number | undefined;
+  /** The segment whose subtitle to show; undefined before the start and from the end on. */
+  readonly segment: Segment | undefined;
+  /** What a character feels, stares and points at; without a name, the speaker. */
+  state(character?: string): Character;
+  /** Every character that an event of the clip is about, with its state: what to set after a jump. */
+  characters(): Character[];
+}
+
+/** What a move has made due. */
+export interface Due {
+  /** The events in order, if they are Character Event Syntax; those that name no character are the speaker's. */
+  readonly events: Event[];
+  /** The segments in order: for event strings in another syntax. */
+  readonly segments: Segment[];
+}
+
+/** A member is undefined if no event has said anything: it is as it was before the clip. */
+export interface Character {
+  /** Undefined for a speaker that the cursor does not know. */
+  readonly name: string | undefined;
+  readonly feels: string | undefined;
+  readonly staresAt: string | undefined;
+  readonly pointsAt: string | undefined;
+}
+
+/** The power of a voice that nobody measures. */
+export const UNMEASURED: number;
+
+/** A babble profile: what moves the mouth of a voice without mouth shapes. */
+export class Babble {
+  private constructor();
+  readonly name: string;
+  /**
+   * How far lips are pursed (`ooh`) and the jaw is open (`aah`), 0 to 0.99, so long after somebody has begun to speak, at
+   * a power of the voice from 0 to 1.
+   */
+  at(elapsed: Time, power?: number): { readonly ooh: number; readonly aah: number };
 }

@@ -1,14 +1,14 @@
 // Reader of lipz dialogue banks: bytes → Bank → Clip → Segment. Types are in lipz.d.ts.
 
+import { Babble } from "./babble.js";
+import { Cursor } from "./cursor.js";
 import { BANK, FIRST, LipzError, Memory, SECOND } from "./memory.js";
 import { byCodePoints } from "./order.js";
 import * as c from "./structs.js";
+import { at, eventOf, TEN_THOUSAND, VISEME_TYPES } from "./words.js";
 
-export { LipzError };
-
-const VISEME_TYPES = [undefined, "blair", "toonboom", "rms"];
-const VERBS = [undefined, "feels", "sees", "stares", "stops staring", "points", "stops pointing", "does"];
-const NO_NAME = 0xffffffff;
+export { Babble, UNMEASURED } from "./babble.js";
+export { Cursor, LipzError };
 
 let compiled;
 
@@ -114,6 +114,18 @@ export class Bank {
     return clips.sort((a, b) => byCodePoints(a.key, b.key));
   }
 
+  /** The babble profile with this name. */
+  babble(name) {
+    const memory = this.#memory;
+    const found = memory.ask(c.lipz_babble, "lipz_babble_by_name", this.#bank, ...memory.text(name));
+    return found && new Babble(memory, found);
+  }
+
+  /** The profile of the project; that of the Second Life viewer if it has none. */
+  get defaultBabble() {
+    return new Babble(this.#memory, this.#memory.ask(c.lipz_babble, "lipz_babble_default", this.#bank));
+  }
+
   #clip(fields) {
     return fields && new Clip(this.#memory, fields, (tag) => this.#locales.find((locale) => locale.name === tag));
   }
@@ -138,9 +150,8 @@ export class Clip {
 
   /** Calls the function for the unit that a time is given in. */
   #askAt(type, what, time) {
-    if (typeof time === "number") return this.#ask(type, `${what}_at_seconds`, time);
-    if ("us" in time) return this.#ask(type, `${what}_at_us`, BigInt(time.us));
-    return this.#ask(type, `${what}_at_samples`, BigInt(time.position), time.rateHz);
+    const [unit, ...args] = at(time);
+    return this.#ask(type, `${what}_at_${unit}`, ...args);
   }
 
   get id() {
@@ -187,6 +198,46 @@ export class Clip {
     return found && { duration: Number(found.length_us) / 1e6, contentHash: found.content_hash };
   }
 
+  /** A cursor that waits for the sound of the clip to begin. */
+  cursor(settings = {}) {
+    const clip = this.#memory.put(FIRST, c.lipz_clip, this.#fields);
+    const size = c.lipz_cursor.size;
+    const started = this.#memory.ask(c.lipz_cursor, "lipz_cursor_new", this.#memory.slot(BANK), clip, size);
+    if (started === undefined) throw new LipzError("the clip has no frame rate: give it one with orFps");
+    return Object.assign(new Cursor(this, this.#memory, this.#memory.answer(size)), settings);
+  }
+
+  /** The cursor where it is, in this clip: the same one in a newer version of the bank. */
+  resume(cursor) {
+    return cursor.in(this, this.#memory, this.#fields.id);
+  }
+
+  /** One or two frames as a lead, in microseconds. */
+  leadOfFrames(frames) {
+    const name = { 1: "lipz_lead_one_frame", 2: "lipz_lead_two_frames" }[frames];
+    if (name === undefined) throw new RangeError(`a lead has one or two frames, or any time, but not ${frames} frames`);
+    return this.#memory.ask(c.u32, name, this.#memory.put(FIRST, c.lipz_clip, this.#fields));
+  }
+
+  /** How many frames a consonant is held to be read; or, with the microseconds of a picture, to be on one. */
+  holdFrames(pictureUs) {
+    const clip = this.#memory.put(FIRST, c.lipz_clip, this.#fields);
+    return pictureUs === undefined
+      ? this.#memory.ask(c.u32, "lipz_hold_readable", clip)
+      : this.#memory.ask(c.u32, "lipz_hold_for_display", clip, pictureUs);
+  }
+
+  /** How far the mouth is open at a time, 0 to 0.99; undefined if the clip has no mouth shapes: let it babble. */
+  opennessAt(time) {
+    return this.frameCount > 0 ? opennessOf(this.#memory, this.visemeAt(time), this.#fields.viseme_type) : undefined;
+  }
+
+  /** The clip with this viseme type, where its file leaves it unspecified. */
+  orVisemeType(name) {
+    const viseme_type = this.#fields.viseme_type || VISEME_TYPES.indexOf(name);
+    return new Clip(this.#memory, { ...this.#fields, viseme_type }, this.#locale);
+  }
+
   /** The clip with this frame rate, where its file leaves it unspecified. */
   orFps(numerator, denominator = 1) {
     const fps = this.fps ? {} : { fps_numerator: numerator, fps_denominator: denominator };
@@ -226,6 +277,17 @@ export class Clip {
   #segment(fields) {
     return fields && new Segment(this.#memory, fields, this.#locale);
   }
+
+  /** The segment of these fields, for the cursor. */
+  segmentOf(fields) {
+    return this.#segment(fields);
+  }
+}
+
+/** How far a shape is open; undefined if its type is unspecified. */
+function opennessOf(memory, viseme, type) {
+  const tenThousandths = memory.ask(c.u32, "lipz_viseme_openness", viseme.charCodeAt(0), type);
+  return tenThousandths === undefined ? undefined : tenThousandths / TEN_THOUSAND;
 }
 
 export class Segment {
@@ -276,8 +338,7 @@ export class Segment {
     for (;;) {
       const event = this.#ask(c.lipz_event, "lipz_segment_event", events.length);
       if (event === undefined) return events;
-      const name = ({ name, id }) => (id === NO_NAME ? undefined : this.#memory.string(name));
-      events.push({ character: name(event.character), verb: VERBS[event.verb], object: name(event.object) });
+      events.push(eventOf(this.#memory, event));
     }
   }
 }

@@ -4,7 +4,7 @@ import { lipz_string } from "./structs.js";
 
 const PAGE_BYTES = 65536;
 /** Room for one struct, longer than any. */
-const SLOT_BYTES = 64;
+const SLOT_BYTES = 256;
 
 /** Slots of the structs that are passed to functions, and of what they answer. */
 export const BANK = 0;
@@ -59,6 +59,22 @@ export class Memory {
     return this.slot(number);
   }
 
+  /** Writes the bytes of a struct into a slot and gives its address. */
+  putBytes(number, bytes) {
+    new Uint8Array(this.#memory.buffer).set(bytes, this.slot(number));
+    return this.slot(number);
+  }
+
+  /** Copies the bytes of the struct that was answered last. */
+  answer(length) {
+    return this.bytes(ANSWER, length);
+  }
+
+  /** Copies the bytes of a struct out of a slot. */
+  bytes(number, length) {
+    return new Uint8Array(this.#memory.buffer, this.slot(number), length).slice();
+  }
+
   /** Writes a string: address and length in bytes, until the next one is written. */
   text(string) {
     const bytes = ENCODER.encode(string);
@@ -83,6 +99,11 @@ export class Memory {
   check(name, ...args) {
     const status = this.#functions[name](...args, this.slot(ANSWER));
     this.#must(status, this.#view().getUint32(this.slot(ANSWER), true));
+  }
+
+  /** Calls a function that answers nothing. */
+  call(name, ...args) {
+    this.#must(this.#functions[name](...args));
   }
 
   /** Calls a function whose last argument gets its answer; undefined if there is none. */

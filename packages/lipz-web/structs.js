@@ -30,10 +30,25 @@ function struct(fields) {
   }
   return {
     fields,
+    /** Where each field stands. */
+    places: Object.fromEntries(places.map(([name, at]) => [name, at])),
     size: aligned(end, align),
     align,
     read: (view, start) => Object.fromEntries(places.map(([name, at, type]) => [name, type.read(view, start + at)])),
     write: (view, start, value) => places.forEach(([name, at, type]) => type.write(view, start + at, value[name])),
+  };
+}
+
+/** An array of so many numbers. */
+function array(of, length) {
+  const places = Array.from({ length }, (_, index) => index * of.size);
+  return {
+    of,
+    length,
+    size: of.size * length,
+    align: of.align,
+    read: (view, start) => places.map((at) => of.read(view, start + at)),
+    write: (view, start, values) => places.forEach((at, index) => of.write(view, start + at, values[index])),
   };
 }
 
@@ -43,7 +58,13 @@ function aligned(at, align) {
 
 export const lipz_string = struct({ data: pointer, length_bytes: u32 });
 
-export const lipz_bank = struct({ data: pointer, length_bytes: u32, texts: pointer, texts_length_bytes: u32 });
+export const lipz_bank = struct({
+  data: pointer,
+  length_bytes: u32,
+  texts: pointer,
+  texts_length_bytes: u32,
+  places: array(u32, 34),
+});
 
 export const lipz_bank_info_t = struct({
   fingerprint: u64,
@@ -76,3 +97,34 @@ export const lipz_locale = struct({ tag: lipz_string, index: u32, is_default: u3
 export const lipz_name = struct({ name: lipz_string, id: u32, bank: u32 });
 
 export const lipz_event = struct({ character: lipz_name, object: lipz_name, verb: u32 });
+
+export const lipz_cursor = struct({
+  size_bytes: u32,
+  frame: u32,
+  clip_id: u64,
+  fps_numerator: u32,
+  fps_denominator: u32,
+  viseme_type: u32,
+  lead_us: u32,
+  hold_frames: u32,
+  speaker_id: u32,
+  speaker_bank: u32,
+  mouth_frame: u32,
+  next_segment: u32,
+  flags: u32,
+  due_segment: u32,
+  due_end: u32,
+  due_around_to: u32,
+  due_event: u32,
+});
+
+export const lipz_character = struct({
+  name: lipz_name,
+  feels: lipz_name,
+  stares_at: lipz_name,
+  points_at: lipz_name,
+});
+
+export const lipz_babble = struct({ name: lipz_string, index: u32, bank: u32 });
+
+export const lipz_weights = struct({ ooh: u32, aah: u32 });

@@ -14,6 +14,10 @@ const TARGET: &str = "wasm32-unknown-unknown";
 /// The bank that the demo and the tests play, and where they look for it.
 const BANK: &str = "fixtures/banks/v1/drama.lipzbank";
 
+/// The cases of playback, and the banks that they play.
+const CASES: &str = "fixtures/playback/cases.txt";
+const BANKS: &str = "fixtures/banks/v1";
+
 /// The folders of the package, the first of which is the package itself.
 const FOLDERS: [&str; 3] = ["", "demo", "test"];
 
@@ -30,6 +34,7 @@ pub(crate) fn run() -> Result<(), Failure> {
         return skip("node");
     }
     test(&package, "node.test.js")?;
+    test(&package, "cases.test.js")?;
     if !has_program("chromium") {
         return skip("chromium");
     }
@@ -58,13 +63,7 @@ fn assemble(package: &Path, built: &Path) -> std::io::Result<()> {
         fs::remove_dir_all(package)?;
     }
     for folder in FOLDERS {
-        fs::create_dir_all(package.join(folder))?;
-        for entry in fs::read_dir(root.join("packages/lipz-web").join(folder))? {
-            let entry = entry?;
-            if entry.file_type()?.is_file() {
-                fs::copy(entry.path(), package.join(folder).join(entry.file_name()))?;
-            }
-        }
+        copy_files(&root.join("packages/lipz-web").join(folder), &package.join(folder))?;
     }
     fs::copy(built.join("lipz_capi.wasm"), package.join("lipz.wasm"))?;
     for licence in ["LICENSE-MIT", "LICENSE-APACHE"] {
@@ -72,6 +71,20 @@ fn assemble(package: &Path, built: &Path) -> std::io::Result<()> {
     }
     fs::copy(root.join(BANK), package.join("demo/dialogue.lipzbank"))?;
     fs::copy(root.join("crates/lipz-capi/include/lipz.h"), package.join("test/lipz.h"))?;
+    fs::copy(root.join(CASES), package.join("test/cases.txt"))?;
+    copy_files(&root.join(BANKS), &package.join("test/banks"))?;
+    Ok(())
+}
+
+/// Copies the files of a folder, without those of folders in it.
+fn copy_files(from: &Path, to: &Path) -> std::io::Result<()> {
+    fs::create_dir_all(to)?;
+    for entry in fs::read_dir(from)? {
+        let entry = entry?;
+        if entry.file_type()?.is_file() {
+            fs::copy(entry.path(), to.join(entry.file_name()))?;
+        }
+    }
     Ok(())
 }
 

@@ -95,6 +95,58 @@ test("damage is an error with a status and a place", async () => {
   await assert.rejects(open(new ArrayBuffer(0)), LipzError);
 });
 
+test("a text bank has the texts of its bank, and of no other", async () => {
+  const golden = (name) => readFile(new URL(`banks/${name}`, import.meta.url));
+  const bank = (await open(await golden("split.lipzbank"))).verify();
+  assert.deepEqual(bank.locales, []);
+  bank.useTexts(await golden("split.de-de.lipztexts")).verify();
+  assert.deepEqual(bank.locales, ["de-de"]);
+  const segment = bank.clip("act1/toonboom").segment(0);
+  assert.equal(segment.text("de-de").text, "Nur");
+  bank.useTexts(await golden("split.en-us.lipztexts"));
+  assert.deepEqual([bank.locales, segment.text("de-de")], [["en-us"], undefined]);
+  const other = await open(bytes);
+  assert.throws(() => other.useTexts(new Uint8Array(10)), LipzError);
+  const texts = await golden("split.de-de.lipztexts");
+  assert.throws(() => other.useTexts(texts), (error) => error instanceof LipzError && error.status === 28);
+  assert.equal(other.locales.length, 12, "the bank is as it was");
+});
+
+test("a cursor gives events once, and shows mouth and segment", async () => {
+  const bank = await open(bytes);
+  const cursor = bank.clip("act1/otto-ticking").cursor({ speaker: "otto", lead: { frames: 1 }, hold: "readable" });
+  assert.deepEqual([cursor.frame, cursor.isOver, cursor.lead, cursor.hold], [undefined, false, 0.041667, 2]);
+  const due = cursor.advanceTo(0);
+  assert.deepEqual(due.events[0], { character: "otto", verb: "does", object: "jump" });
+  assert.deepEqual(due.events, due.events, "asked again");
+  assert.deepEqual(due.segments.map((segment) => segment.index), [0, 1]);
+  assert.deepEqual(cursor.advanceTo(0.1).events, []);
+  assert.deepEqual([cursor.frame, cursor.viseme, cursor.segment.text("de-de").text], [2, "S", "Es tickt nicht."]);
+  assert.equal(cursor.state().feels, "afraid");
+  assert.deepEqual(cursor.state("nell"), { name: "nell", feels: undefined, staresAt: "otto", pointsAt: undefined });
+  assert.deepEqual(cursor.state("nobody"), { name: "nobody", feels: undefined, staresAt: undefined, pointsAt: undefined });
+  assert.deepEqual(due.events.length, 3, "what was due then");
+  cursor.seek(1000);
+  assert.deepEqual([cursor.isOver, cursor.viseme, cursor.segment], [true, "-", undefined]);
+});
+
+test("a cursor needs a frame rate, and says so", async () => {
+  const clip = (await open(bytes)).clip("act1/admiral-tick");
+  assert.throws(() => clip.cursor(), /frame rate/);
+  assert.equal(clip.orFps(12).cursor({ hold: { picture: 0.25 } }).hold, 3);
+  assert.throws(() => clip.orFps(12).cursor({ lead: { frames: 3 } }), RangeError);
+});
+
+test("a mouth is open as far as its shape, and babbles without one", async () => {
+  const bank = await open(bytes);
+  const clip = bank.clip(KEY);
+  assert.deepEqual([clip.opennessAt(0), clip.opennessAt(0.05), clip.opennessAt(1000)], [0.33, 0.66, 0]);
+  assert.deepEqual(bank.defaultBabble.at(0.25, 0.8), { ooh: 0.7744, aah: 0.5929 });
+  assert.deepEqual(bank.defaultBabble.at({ us: 250_000n }), { ooh: 0.7744, aah: 0.5082 });
+  assert.equal(bank.babble("robot"), undefined);
+  assert.equal(bank.defaultBabble.name, "default");
+});
+
 test("views into larger buffers are opened as what they show", async () => {
   const larger = new Uint8Array(bytes.length + 10);
   larger.set(bytes, 5);
@@ -122,10 +174,13 @@ test("structs.js has the structs of lipz.h, field by field", async () => {
   const declared = Array.from(header.matchAll(/^typedef struct (\w+) \{\n([^}]*)\}/gm));
   assert.equal(declared.length, Object.values(structs).filter((type) => type.fields).length);
   for (const [, name, body] of declared) {
-    const fields = Array.from(body.matchAll(/^ {2}(?:struct )?(\w[\w ]*?\*|\w+) ?(\w+);$/gm));
+    const fields = Array.from(body.matchAll(/^ {2}(?:struct )?(\w[\w ]*?\*|\w+) ?(\w+)(?:\[(\w+)\])?;$/gm));
     assert.deepEqual(Object.keys(structs[name].fields), fields.map(([, , field]) => field), name);
-    for (const [, type, field] of fields) {
-      assert.equal(structs[name].fields[field], structs[names[type] ?? type], `${name}.${field}: ${type}`);
+    for (const [, type, field, count] of fields) {
+      const found = structs[name].fields[field];
+      const length = count && Number(header.match(new RegExp(`#define ${count} (\\d+)`))[1]);
+      assert.equal(found.length, length, `${name}.${field}[${count}]`);
+      assert.equal(count ? found.of : found, structs[names[type] ?? type], `${name}.${field}: ${type}`);
     }
   }
 });
