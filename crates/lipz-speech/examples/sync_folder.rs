@@ -1,8 +1,11 @@
 //! Makes a mouth for each sound of a folder: `cargo run --release -p lipz-speech --example sync_folder -- FOLDER OUT
-//! [LOCALE]`. With `-` as LOCALE, without scripts. The script of `name.wav` is `name.txt`; its language is that of `name.json` (its element `lang`) or LOCALE. For
+//! [LOCALE [MODEL]]`. With `-` as LOCALE, without scripts. The script of `name.wav` is `name.txt`; its language is that of `name.json` (its element `lang`) or LOCALE. For
 //! each, `OUT/name.json` has the frames, and the phones and words with their times in seconds: what scorers read.
+//! MODEL is a file that `lipz sync --train` made.
 
-use lipz_speech::{AlignOptions, Aligner, Language, Model, Pronouncer, RenderRules, Script, Sound, render};
+use lipz_speech::{
+    AlignOptions, Aligner, Language, Model, Pronouncer, RenderRules, Script, Sound, TrainedModel, render,
+};
 use lipz_types::{Fps, VisemeType};
 use serde_json::{Value, json};
 use std::error::Error;
@@ -12,25 +15,29 @@ use std::time::Instant;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let (folder, out, locale) = match &arguments[..] {
-        [folder, out] => (folder, out, "en"),
-        [folder, out, locale] => (folder, out, locale.as_str()),
-        _ => return Err("usage: sync_folder FOLDER OUT [LOCALE]".into()),
+    let (folder, out, locale, model) = match &arguments[..] {
+        [folder, out] => (folder, out, "en", None),
+        [folder, out, locale] => (folder, out, locale.as_str(), None),
+        [folder, out, locale, model] => {
+            (folder, out, locale.as_str(), Some(TrainedModel::from_bytes(&fs::read(model)?)?))
+        }
+        _ => return Err("usage: sync_folder FOLDER OUT [LOCALE [MODEL]]".into()),
     };
+    let model = model.as_ref().map_or(Model::english(), |trained| &trained.model);
     fs::create_dir_all(out)?;
     let mut sounds: Vec<PathBuf> = fs::read_dir(folder)?.filter_map(|entry| Some(entry.ok()?.path())).collect();
     sounds.retain(|path| path.with_extension("txt").exists() && path.extension().is_some_and(|name| name != "txt"));
     sounds.retain(|path| path.extension().is_some_and(|name| name != "json"));
     sounds.sort();
     for path in sounds {
-        let prediction = sync(&path, locale)?;
+        let prediction = sync(&path, locale, model)?;
         let name = path.file_stem().unwrap_or_default();
         fs::write(Path::new(out).join(name).with_extension("json"), prediction.to_string())?;
     }
     Ok(())
 }
 
-fn sync(path: &Path, locale: &str) -> Result<Value, Box<dyn Error>> {
+fn sync(path: &Path, locale: &str, model: &Model) -> Result<Value, Box<dyn Error>> {
     let text = fs::read_to_string(path.with_extension("txt"))?;
     let facts = fs::read(path.with_extension("json")).unwrap_or_default();
     let facts: Value = serde_json::from_slice(&facts).unwrap_or_default();
@@ -39,7 +46,7 @@ fn sync(path: &Path, locale: &str) -> Result<Value, Box<dyn Error>> {
     let started = Instant::now();
     let extension = path.extension().and_then(|extension| extension.to_str());
     let sound = Sound::read(File::open(path)?, extension)?;
-    let aligner = Aligner::new(Model::english(), AlignOptions::default());
+    let aligner = Aligner::new(model, AlignOptions::default());
     let (script, alignment) = match without_script {
         true => (Script::default(), aligner.listen(&sound)),
         false => {

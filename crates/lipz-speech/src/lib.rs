@@ -21,6 +21,7 @@ mod render;
 mod script;
 mod sound;
 mod text;
+mod train;
 
 pub use align::{AlignOptions, AlignedPhone, AlignedWord, Aligner, Alignment, Mismatch, MismatchKind};
 pub use language::{Language, Reliance};
@@ -31,6 +32,7 @@ pub use pronounce::{Lexicon, Pronouncer, Reading};
 pub use render::{Mouth, RenderRules, RmsRules, render, rms};
 pub use script::{Origin, Pronunciation, Script, Word};
 pub use sound::{Clipping, Sound, SoundError};
+pub use train::{ModelError, Observations, TrainedModel, Training};
 
 /// The example of the README, run as a test.
 #[cfg(doctest)]

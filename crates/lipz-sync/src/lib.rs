@@ -3,7 +3,8 @@
 //! A project with `[audio]` in its settings has a recording for each clip. [`Recordings`] finds them, [`Facts`] is what
 //! is known of one: its length and the hash of its file. [`check`] reports what does not belong together, and
 //! [`in_bank`] is what a bank says about recordings. [`sync`](sync()) makes mouths of recordings, and a [`SyncRecord`]
-//! remembers what each was made from.
+//! remembers what each was made from. [`train`] learns a
+//! model of the voices of a project.
 //!
 //! What is not here: printing, exit codes (`lipz`); phones, words and mouth shapes (`lipz-speech`).
 
@@ -21,11 +22,12 @@ mod threads;
 pub use facts::{Facts, content_hash};
 pub use in_bank::in_bank;
 pub use lints::check;
+pub use lipz_speech::TrainedModel;
 pub use recordings::{EXTENSIONS, Recordings, dependencies, is_recording};
 pub(crate) use sync::spoken_text;
 pub use sync::{
-    DoubtfulWord, Job, Kept, Made, RECORD_NAME, SyncOptions, SyncRecord, Synced, Whole, jobs_of_clips,
-    jobs_of_recordings, record_place, sync,
+    DoubtfulWord, Job, Kept, Made, RECORD_NAME, SyncOptions, SyncRecord, Synced, TRAINING_ROUNDS, Trained, Whole,
+    jobs_of_clips, jobs_of_recordings, model_at, record_place, sync, train, write_model,
 };
 
 /// The example of the README, run as a test.

@@ -7,7 +7,11 @@ use std::thread;
 
 /// The results of `work` in the order of `items`, whichever thread comes first. `threads` at most, or as many as the
 /// machine has.
-pub(crate) fn map<T: Sync, R: Send>(items: &[T], threads: Option<usize>, work: impl Fn(&T) -> R + Sync) -> Vec<R> {
+pub(crate) fn map<'i, T: Sync, R: Send>(
+    items: &'i [T],
+    threads: Option<usize>,
+    work: impl Fn(&'i T) -> R + Sync,
+) -> Vec<R> {
     let count =
         threads.unwrap_or_else(|| thread::available_parallelism().map_or(1, NonZero::get)).clamp(1, items.len().max(1));
     let next = AtomicUsize::new(0);

@@ -121,6 +121,7 @@ pub(super) const RULES: &[Rule] = &[
             "microfft",
             "pinyin",
             "symphonia",
+            "twox-hash",
             "unicode-normalization",
             "unicode-segmentation",
         ],

@@ -8,6 +8,8 @@ use std::path::PathBuf;
 pub struct Sync {
     /// A file with the pronunciations of the project's own words.
     pub lexicon: Option<PathBuf>,
+    /// A file with a model of the project's own voices.
+    pub model: Option<PathBuf>,
     /// Milliseconds by which a shape is ahead of its sound.
     pub lead_ms: Option<u32>,
     /// Milliseconds for which closed lips, and the lip under the teeth, stay at least.

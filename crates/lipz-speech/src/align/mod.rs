@@ -13,6 +13,7 @@ use crate::{Model, Phone, Script, Sound};
 use emission::Emissions;
 use graph::{Costs, Graph};
 use history::Step;
+use std::ops::Range;
 
 const COSTS: Costs = Costs { pause: -2.0, noise: -30.0, missing_word: -60.0 };
 
@@ -63,7 +64,7 @@ pub struct Mismatch {
     /// In which way.
     pub kind: MismatchKind,
     /// The words of the script, which may be none.
-    pub words: std::ops::Range<usize>,
+    pub words: Range<usize>,
     /// Where in the sound it starts, in microseconds.
     pub start_us: u64,
     /// Where it ends.
@@ -121,12 +122,26 @@ impl<'m> Aligner<'m> {
     /// Always finds something, however little the two have in common: [`AlignedWord::confidence`] tells. Time is proportional to
     /// the length of the sound, memory to that of the script.
     pub fn align(&self, sound: &Sound, script: &Script) -> Alignment {
+        let (graph, steps, fits) = self.path(sound, script);
+        self.alignment(sound, script, &graph, &steps, &fits)
+    }
+
+    /// The phones of `sound` with their frames, from the first to the last without gaps; none if the script is not what is said.
+    pub(crate) fn frames(&self, sound: &Sound, script: &Script) -> Option<Vec<(Phone, Range<usize>)>> {
+        let (graph, steps, fits) = self.path(sound, script);
+        let is_said = self.alignment(sound, script, &graph, &steps, &fits).mismatches.is_empty();
+        let frames = |step: &Step| (graph.nodes[step.node].phone, step.start..step.end);
+        is_said.then(|| steps.iter().map(frames).collect())
+    }
+
+    /// The best path through a script, and how well its steps fit.
+    fn path(&self, sound: &Sound, script: &Script) -> (Graph, Vec<Step>, Vec<f32>) {
         let graph = Graph::new(script, &COSTS);
         let vectors = Vectors::new(sound.spectrum());
         let mut emissions = Emissions::new(self.model, vectors.clone());
         let steps = search::best_path(&graph, self.model, &mut emissions);
         let fits = emission::fits(self.model, vectors, &emissions.best, |step| graph.nodes[step.node].phone, &steps);
-        self.alignment(sound, script, &graph, &steps, &fits)
+        (graph, steps, fits)
     }
 
     /// The phones of `sound`, whatever is said: an alignment without words.

@@ -6,19 +6,22 @@ use crate::features::cepstra::COEFFICIENTS;
 use half::f16;
 use std::f64::consts::PI;
 
-const MAGIC: &[u8] = b"LIPZ-AM1";
+pub(super) const MAGIC: &[u8] = b"LIPZ-AM1";
 /// Bytes of a name.
-const NAME: usize = 8;
+pub(super) const NAME: usize = 8;
 /// Codebooks, and numbers in one.
 const BOOKS: usize = Phone::COUNT * STREAMS;
 const BOOK: usize = DENSITIES * COEFFICIENTS;
 
+/// A probability of staying that is nearer to 0 or 1 is none.
+const MOST_EXTREME: f32 = 1e-4;
+
 /// A file is no acoustic model of this form.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) struct NoModel;
+pub(crate) struct NoModel;
 
 impl Model {
-    pub(super) fn from_bytes(bytes: &[u8]) -> Result<Model, NoModel> {
+    pub(crate) fn from_bytes(bytes: &[u8]) -> Result<Model, NoModel> {
         let mut rest = bytes.strip_prefix(MAGIC).ok_or(NoModel)?;
         let mut take = |count: usize| {
             let (taken, left) = rest.split_at_checked(count).ok_or(NoModel)?;
@@ -39,12 +42,16 @@ impl Model {
         let weights = take(Phone::COUNT * STATES * STREAMS * DENSITIES)?;
         let stay = halves(take(2 * Phone::COUNT * STATES)?);
         let pairs = take(PAIRED * PAIRED)?;
-        if !rest.is_empty() {
+        let is_sigma = |inverse: &f32| inverse.is_finite() && *inverse > 0.0;
+        let is_chance = |stay: &f32| (MOST_EXTREME..=1.0 - MOST_EXTREME).contains(stay);
+        let makes_sense = means.iter().all(|mean| mean.is_finite())
+            && inverse_sigmas.iter().all(is_sigma)
+            && stay.iter().all(is_chance);
+        if !rest.is_empty() || !makes_sense {
             return Err(NoModel);
         }
-        let step = 1024.0 * libm::log(1.0001);
         #[expect(clippy::cast_possible_truncation, reason = "weights are single")]
-        let weight = |&steps: &u8| libm::exp(-f64::from(steps) * step) as f32;
+        let weight = |&steps: &u8| libm::exp(-f64::from(steps) * weight_step()) as f32;
         let half = libm::sqrtf(0.5);
         Ok(Model {
             means: by_dimension(&means),
@@ -72,6 +79,11 @@ impl Model {
     }
 }
 
+/// The step of weights in the file, in nats.
+pub(super) fn weight_step() -> f64 {
+    1024.0 * libm::log(1.0001)
+}
+
 fn whole(bytes: &[u8]) -> usize {
     bytes.iter().rev().fold(0, |number, &byte| number << 8 | usize::from(byte))
 }
@@ -82,7 +94,7 @@ fn halves(bytes: &[u8]) -> Vec<f32> {
 }
 
 /// The logarithm of a Gaussian's density at its mean.
-fn height(inverse_sigmas: &[f32]) -> f32 {
+pub(super) fn height(inverse_sigmas: &[f32]) -> f32 {
     let sum: f64 = inverse_sigmas.iter().map(|&inverse| libm::log(f64::from(inverse))).sum();
     #[expect(clippy::cast_possible_truncation, reason = "densities are single")]
     let height = (sum - 0.5 * COEFFICIENTS as f64 * libm::log(2.0 * PI)) as f32;
@@ -94,6 +106,15 @@ fn by_dimension(numbers: &[f32]) -> Vec<f32> {
     let book = |book: &[f32]| -> Vec<f32> {
         let dimension = |dimension| book.iter().skip(dimension).step_by(COEFFICIENTS).copied();
         (0..COEFFICIENTS).flat_map(dimension).collect()
+    };
+    numbers.chunks_exact(BOOK).flat_map(book).collect()
+}
+
+/// The way back from [`by_dimension`].
+pub(super) fn by_gaussian(numbers: &[f32]) -> Vec<f32> {
+    let book = |book: &[f32]| -> Vec<f32> {
+        let gaussian = |gaussian| book.iter().skip(gaussian).step_by(DENSITIES).copied();
+        (0..DENSITIES).flat_map(gaussian).collect()
     };
     numbers.chunks_exact(BOOK).flat_map(book).collect()
 }

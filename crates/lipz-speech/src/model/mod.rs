@@ -11,10 +11,14 @@
 //! for each phone of speech and silence, and each that may follow it, the negative logarithm of the probability, in a byte, in
 //! sixteenths.
 
+mod adapt;
+mod counts;
 mod file;
 mod score;
+mod write;
 
 use crate::Phone;
+pub(crate) use counts::Counts;
 pub(crate) use score::Scores;
 use std::sync::OnceLock;
 

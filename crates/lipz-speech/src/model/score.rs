@@ -27,11 +27,7 @@ impl Model {
     pub(crate) fn score_phone(&self, vector: &[f32; NUMBERS], phone: usize) -> [f32; STATES] {
         let mut scores = [0.0; STATES];
         for (stream, numbers) in vector.chunks_exact(COEFFICIENTS).enumerate() {
-            let mut densities = self.densities(phone * STREAMS + stream, numbers);
-            let best = best(&densities);
-            for density in &mut densities {
-                *density = exp(*density - best);
-            }
+            let (densities, best) = exponentials(self.densities(phone * STREAMS + stream, numbers));
             for (state, score) in scores.iter_mut().enumerate() {
                 let book = (phone * STATES + state) * STREAMS + stream;
                 let sum = dot(&self.weights[book * DENSITIES..][..DENSITIES], &densities);
@@ -42,7 +38,7 @@ impl Model {
     }
 
     /// The logarithms of the densities of the Gaussians of a codebook.
-    fn densities(&self, book: usize, numbers: &[f32]) -> [f32; DENSITIES] {
+    pub(super) fn densities(&self, book: usize, numbers: &[f32]) -> [f32; DENSITIES] {
         let mut densities = [0.0; DENSITIES];
         densities.copy_from_slice(&self.heights[book * DENSITIES..][..DENSITIES]);
         let range = book * DENSITIES * COEFFICIENTS..(book + 1) * DENSITIES * COEFFICIENTS;
@@ -56,6 +52,15 @@ impl Model {
         }
         densities
     }
+}
+
+/// Densities of their logarithms, compared to the highest, and the logarithm of that.
+pub(super) fn exponentials(mut logarithms: [f32; DENSITIES]) -> ([f32; DENSITIES], f32) {
+    let best = best(&logarithms);
+    for density in &mut logarithms {
+        *density = exp(*density - best);
+    }
+    (logarithms, best)
 }
 
 fn best(densities: &[f32; DENSITIES]) -> f32 {

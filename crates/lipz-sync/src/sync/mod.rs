@@ -1,16 +1,20 @@
 //! Recordings become mouths of Lipz files.
 
 mod jobs;
+mod model_file;
 mod mouth;
 pub(crate) mod one;
 mod options;
 mod record;
+mod train;
 
 pub use jobs::{Job, jobs_of_clips, jobs_of_recordings};
+pub use model_file::{model_at, write_model};
 pub use one::Kept;
 pub use options::SyncOptions;
 pub(crate) use options::spoken_text;
 pub use record::{Made, RECORD_NAME, SyncRecord, record_place};
+pub use train::{TRAINING_ROUNDS, Trained, train};
 
 use crate::threads;
 use lipz_compiler::{replace_file, rewrite_file};

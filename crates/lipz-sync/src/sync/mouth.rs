@@ -31,12 +31,18 @@ impl Heard {
 }
 
 /// The mouth of a sound.
-pub(super) fn make(sound: &Sound, script: &Script, viseme_type: VisemeType, fps: Fps, options: &SyncOptions) -> Heard {
+pub(super) fn make(
+    sound: &Sound,
+    script: &Script,
+    model: &Model,
+    (viseme_type, fps): (VisemeType, Fps),
+    options: &SyncOptions,
+) -> Heard {
     if viseme_type == VisemeType::Rms {
         let mouth = rms(sound, fps, &options.rms);
         return Heard { codes: mouth.frames, segment_starts: mouth.segment_starts, ..Heard::default() };
     }
-    let aligner = Aligner::new(Model::english(), options.align);
+    let aligner = Aligner::new(model, options.align);
     // Without words, whatever phones are heard.
     let alignment = if script.words.is_empty() { aligner.listen(sound) } else { aligner.align(sound, script) };
     let mouth = render(&alignment, viseme_type, fps, &options.rules);

@@ -67,14 +67,7 @@ pub(super) fn one(job: &Job, options: &SyncOptions, record: &SyncRecord, reports
 
 fn tried(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Vec<Report>) -> Result<Step, Report> {
     let name = shown(&job.lipz_file);
-    let bytes = match fs::read(&job.lipz_file) {
-        Ok(bytes) => Some(bytes),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => None,
-        Err(error) => return Err(unreadable(&job.lipz_file, &error)),
-    };
-    let style = Style { default_locale: options.options.default_locale.as_deref(), ..Style::default() };
-    let is_new = bytes.is_none();
-    let bytes = bytes.unwrap_or_else(|| format(&new_document(job, options), style).into_bytes());
+    let (is_new, bytes) = text_file(job, options)?;
     let parsed = lipz_file::parse(&bytes);
     let is_whole = !parsed.diagnostics.iter().any(Diagnostic::is_error);
     let before = parsed.document.filter(|_| is_whole);
@@ -89,12 +82,13 @@ fn tried(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Ve
     }
     let to_read = spoken.as_ref().filter(|_| viseme_type != VisemeType::Rms);
     let script = to_read.map(|spoken| script(spoken, options, &mut diagnostics)).unwrap_or_default();
+    let locale = spoken.as_ref().and_then(|(locale, _)| locale.as_deref());
     let sound =
         File::open(&job.recording).and_then(content_hash).map_err(|error| unreadable(&job.recording, &error))?;
     let made = Made {
         sound,
         text: text_hash(spoken.as_ref().map(|(_, text)| &*text.text)),
-        settings: settings_hash(options, &script, fps, viseme_type),
+        settings: settings_hash(options, locale, &script, (viseme_type, fps)),
         mouth: mouth_hash(
             &clip.codes,
             own_fps.or(options.options.default_fps),
@@ -118,9 +112,8 @@ fn tried(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Ve
     if script.words.is_empty() && viseme_type != VisemeType::Rms {
         diagnostics.push(no_script(options.locale_of(job)));
     }
-    let heard = hear(job, options, &script, (viseme_type, fps), reports)?;
+    let heard = hear(job, options, (locale, &script), (viseme_type, fps), reports)?;
     diagnostics.extend(spoken.iter().flat_map(|(_, text)| mouth::mismatches(&heard, &script, text)));
-    let locale = spoken.as_ref().and_then(|(locale, _)| locale.as_deref());
     let target = Target { bytes: &bytes, before: &before, is_new, locale, fps, viseme_type };
     let (after, guessed) = merged(&heard, &script, options, &target);
     diagnostics.extend(guessed);
@@ -131,11 +124,23 @@ fn tried(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Ve
     Ok(Step::New(Box::new(New { before: (!is_new).then(|| bytes.clone()), after, made, heard, script })))
 }
 
+/// Whether the Lipz file of a job is not there yet, and its bytes; for a new one, what it will be without a mouth.
+pub(super) fn text_file(job: &Job, options: &SyncOptions) -> Result<(bool, Vec<u8>), Report> {
+    match fs::read(&job.lipz_file) {
+        Ok(bytes) => Ok((false, bytes)),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            let style = Style { default_locale: options.options.default_locale.as_deref(), ..Style::default() };
+            Ok((true, format(&new_document(job, options), style).into_bytes()))
+        }
+        Err(error) => Err(unreadable(&job.lipz_file, &error)),
+    }
+}
+
 /// The mouth of a recording. Reports what is wrong with it.
 fn hear(
     job: &Job,
     options: &SyncOptions,
-    script: &Script,
+    (locale, script): (Option<&str>, &Script),
     (viseme_type, fps): (VisemeType, Fps),
     reports: &mut Vec<Report>,
 ) -> Result<Heard, Report> {
@@ -143,7 +148,7 @@ fn hear(
     let sound = Sound::read(BufReader::new(file), extension(&job.recording))
         .map_err(|error| no_sound(&job.recording, &error))?;
     let condition = Condition::of(&sound);
-    let mut heard = mouth::make(&sound, script, viseme_type, fps, options);
+    let mut heard = mouth::make(&sound, script, options.model_of(locale), (viseme_type, fps), options);
     if condition.is_silent() {
         heard.forget_words(); // of what cannot be heard, nothing else needs to be said
     }
@@ -241,12 +246,20 @@ pub(crate) fn text_hash(spoken: Option<&str>) -> u64 {
 }
 
 /// Everything besides recording and text that decides about a mouth.
-fn settings_hash(options: &SyncOptions, script: &Script, fps: Fps, viseme_type: VisemeType) -> u64 {
+fn settings_hash(
+    options: &SyncOptions,
+    locale: Option<&str>,
+    script: &Script,
+    (viseme_type, fps): (VisemeType, Fps),
+) -> u64 {
     // Not the places of words in the text, which formatting moves.
     let said = || script.words.iter().map(|word| &word.pronunciations).collect::<Vec<_>>();
     let rules = match viseme_type {
         VisemeType::Rms => format!("{:?}", options.rms),
-        _ => format!("{:?} {:?} {:?} {:?}", options.align, options.rules, said(), script.breaks),
+        _ => {
+            let model = options.trained_for(locale).map_or(String::new(), |trained| format!(" {:x}", trained.hash));
+            format!("{:?} {:?} {:?} {:?}{model}", options.align, options.rules, said(), script.breaks)
+        }
     };
     hash(format!("{VERSION} {}/{} {viseme_type:?} {rules}", fps.numerator(), fps.denominator()).as_bytes())
 }

@@ -1,6 +1,6 @@
 //! What a project and a person decide about mouths that are made of recordings.
 
-use super::Job;
+use super::{Job, model_file};
 use crate::facts::unreadable;
 use crate::recordings::shown;
 use lipz_compiler::Options;
@@ -8,10 +8,11 @@ use lipz_compiler::settings::Settings;
 use lipz_diagnostics::{Code, Diagnostic, Report, Span};
 use lipz_file::locale::{TextName, text_name};
 use lipz_file::{Document, JsonString, Value};
-use lipz_speech::{AlignOptions, Language, Lexicon, Pronouncer, RenderRules, RmsRules};
+use lipz_speech::{AlignOptions, Language, Lexicon, Model, Pronouncer, RenderRules, RmsRules, TrainedModel};
 use lipz_types::{Fps, VisemeType};
 use std::collections::BTreeMap;
 use std::fs;
+use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// The frame rate of clips for which nobody names another.
@@ -38,14 +39,23 @@ pub struct SyncOptions {
     /// How loudness becomes frames.
     pub(crate) rms: RmsRules,
     lexicon: Lexicon,
+    trained: Option<Trained>,
     pronouncers: Mutex<BTreeMap<&'static str, Arc<Pronouncer>>>,
+}
+
+/// A model of the project's own voices.
+#[derive(Debug)]
+pub(crate) struct Trained {
+    model: TrainedModel,
+    /// That of its file.
+    pub(crate) hash: u64,
 }
 
 impl SyncOptions {
     /// What the settings of a project say, and what is wrong with its lexicon.
     ///
     /// # Errors
-    /// If the lexicon cannot be read.
+    /// If the lexicon or the model cannot be read.
     pub fn new(settings: &Settings) -> Result<(SyncOptions, Option<Report>), Report> {
         let sync = &settings.sync;
         let (lexicon, report) = match &sync.lexicon {
@@ -77,7 +87,8 @@ impl SyncOptions {
             rms.threshold_db = sync.rms_threshold_db.map_or(rms.threshold_db, |db| db as f32);
             rms.exponent = sync.rms_exponent.map_or(rms.exponent, |exponent| exponent as f32);
         }
-        let options = SyncOptions {
+        let trained = sync.model.as_deref().map(model_file::read).transpose()?;
+        let mut options = SyncOptions {
             options: settings.options.clone(),
             locale: settings.audio.locale.clone().or_else(|| settings.options.default_locale.clone()),
             viseme_type: settings.options.viseme_type,
@@ -87,9 +98,43 @@ impl SyncOptions {
             rules,
             rms,
             lexicon,
+            trained: None,
             pronouncers: Mutex::default(),
         };
+        trained.into_iter().for_each(|trained| options.set_model(trained));
         Ok((options, report))
+    }
+
+    /// Whether the model at `path`, if there is one, is for a language of these jobs.
+    ///
+    /// # Errors
+    /// If no job has its language.
+    pub fn check_model(&self, path: &Path, jobs: &[Job]) -> Result<(), Report> {
+        let Some(trained) = &self.trained else { return Ok(()) };
+        let spoken = |job| self.locale_of(job).and_then(Language::from_locale);
+        match jobs.first().and_then(spoken) {
+            Some(language) if jobs.iter().all(|job| spoken(job).is_some_and(|own| own != trained.model.language)) => {
+                Err(model_file::other_language(path, &trained.model, language))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Makes mouths with this model, where its language is spoken.
+    pub fn set_model(&mut self, model: TrainedModel) {
+        let hash = model_file::hash(&model);
+        self.trained = Some(Trained { model, hash });
+    }
+
+    /// The trained model for a locale, if there is one.
+    pub(crate) fn trained_for(&self, locale: Option<&str>) -> Option<&Trained> {
+        let language = locale.and_then(Language::from_locale).unwrap_or(Language::ENGLISH);
+        self.trained.as_ref().filter(|trained| trained.model.language == language)
+    }
+
+    /// The model for a locale: the trained one, or else the one that is built in.
+    pub(crate) fn model_of(&self, locale: Option<&str>) -> &Model {
+        self.trained_for(locale).map_or(Model::english(), |trained| &trained.model.model)
     }
 
     /// The pronouncer of a locale; of English, if none is named.

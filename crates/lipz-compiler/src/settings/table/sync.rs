@@ -16,6 +16,16 @@ pub(super) const SYNC: &[Setting] = &[
         },
     },
     Setting {
+        name: "model",
+        flat_name: "model",
+        about: "File with a model of the project's own voices, which `lipz sync --train` makes of its recordings.",
+        default: "the model that is built in",
+        example: "\"voices.lipzmodel\"",
+        read: |value, to| {
+            to.settings.sync.model = value.text(&mut to.diagnostics).map(|path| inside(to.folder, path));
+        },
+    },
+    Setting {
         name: "lead-ms",
         flat_name: "lead-ms",
         about: "Milliseconds by which a shape is ahead of its sound, as lips are. Use 0 if the game leads the sound itself.",

@@ -14,6 +14,10 @@ pub(super) struct SyncFlags {
     #[arg(long, value_name = "FILE", help_heading = MOUTHS)]
     lexicon: Option<PathBuf>,
 
+    /// File with a model of the project's own voices, which --train makes [default: the model that is built in]
+    #[arg(long, value_name = "FILE", help_heading = MOUTHS)]
+    model: Option<PathBuf>,
+
     /// Milliseconds by which a shape is ahead of its sound [default: 40]
     #[arg(long, value_name = "COUNT", help_heading = MOUTHS)]
     lead_ms: Option<u32>,
@@ -43,6 +47,7 @@ impl SyncFlags {
     /// Sets what the flags name over the settings of the project.
     pub(super) fn apply(&self, sync: &mut Sync) {
         sync.lexicon = self.lexicon.clone().or(sync.lexicon.take());
+        sync.model = self.model.clone().or(sync.model.take());
         sync.lead_ms = self.lead_ms.or(sync.lead_ms);
         sync.hold_ms = self.hold_ms.or(sync.hold_ms);
         sync.shortest_wide_ms = self.shortest_wide_ms.or(sync.shortest_wide_ms);

@@ -2,6 +2,7 @@
 
 mod flags;
 mod summary;
+mod train;
 
 use crate::commands::Run;
 use crate::reporter::{Abort, Ended, Reporter};
@@ -34,6 +35,7 @@ use std::path::{Path, PathBuf};
   lipz sync voices --audio recordings
   lipz sync voices/act1/mara-hello.lipz --audio recordings --root voices --force
   lipz sync recordings -o voices --script lines.csv --audio-locale en-us
+  lipz sync --train --model voices.lipzmodel
   lipz sync recordings -o voices --viseme-type rms")]
 pub(crate) struct SyncArguments {
     #[command(flatten)]
@@ -60,6 +62,10 @@ pub(crate) struct SyncArguments {
     /// Frame rate of the mouths [default: that of each file, or default-fps, or 24]
     #[arg(long, value_name = "FPS", value_parser = parse_fps)]
     fps: Option<Fps>,
+
+    /// Learn a model of these voices first, from the recordings and their texts; write it to --model and use it
+    #[arg(long)]
+    train: bool,
 
     /// Also replace mouths that were made or changed by hand
     #[arg(long)]
@@ -97,11 +103,19 @@ impl Run for SyncArguments {
             Some(output) => self.of_recordings(settings, output, reporter)?,
             None => of_clips(settings, reporter)?,
         };
+        let to_train = if self.train { Some(train::place(settings, reporter)?) } else { None };
         let (mut options, problems) = SyncOptions::new(settings).map_err(|report| reporter.fail(report))?;
         (options.fps, options.force) = (self.fps, self.force);
         if options.locale.is_none() && work.jobs.iter().any(|job| job.text.is_some() && job.locale.is_none()) {
             let tip = "name it with `--audio-locale`, or set `default-locale` in lipz.toml";
             return Err(reporter.usage("no locale of the texts is named", tip));
+        }
+        let learnt = match &to_train {
+            Some(place) => Some(train::train(&work.jobs, &mut options, place, self.sources.is_quiet(), reporter)?),
+            None => None,
+        };
+        if let Some(path) = &settings.sync.model {
+            options.check_model(path, &work.jobs).map_err(|report| reporter.fail(report))?;
         }
         let beside = || SyncRecord::place(&work.place);
         let place = settings.audio.record.clone().unwrap_or_else(beside);
@@ -121,6 +135,7 @@ impl Run for SyncArguments {
         let outcome = Outcome::from_reports(&reports);
         reporter.add(reports);
         if !self.sources.is_quiet() {
+            reporter.summary(&learnt.unwrap_or_default())?;
             reporter.summary(&summary::summary(&synced, work.without, &work.place))?;
         }
         Ok(outcome)

@@ -1,0 +1,73 @@
+//! The file of a trained model in a project.
+
+use crate::facts::unreadable;
+use crate::recordings::shown;
+use lipz_compiler::replace_file;
+use lipz_diagnostics::{Code, Report};
+use lipz_speech::{Language, ModelError, TrainedModel};
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+use twox_hash::XxHash3_64;
+
+/// Reads the model at `path`.
+pub(super) fn read(path: &Path) -> Result<TrainedModel, Report> {
+    let found = contents(path).map_err(|error| match error.kind() {
+        io::ErrorKind::NotFound => {
+            let help = "train a model and write it there, or name another file";
+            Report::failure(shown(path), Code::UnusableModel, "the model is not there", help)
+        }
+        _ => unreadable(path, &error),
+    })?;
+    found.map_err(|error| unusable(path, error))
+}
+
+/// Reads the model at `path` that a new one is to replace. A damaged one counts as none.
+///
+/// # Errors
+/// If it cannot be read, or is no model: nobody wants that replaced.
+pub fn model_at(path: &Path) -> Result<Option<TrainedModel>, Report> {
+    match contents(path) {
+        Ok(Ok(model)) => Ok(Some(model)),
+        Ok(Err(ModelError::Damaged)) => Ok(None),
+        Ok(Err(error)) => Err(unusable(path, error)),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+        Err(error) => Err(unreadable(path, &error)),
+    }
+}
+
+/// Writes a model, and reads it back: the file has it a little rounded.
+///
+/// # Errors
+/// If it cannot be written. What was there before is unchanged then.
+pub fn write_model(path: &Path, model: &TrainedModel) -> Result<TrainedModel, Report> {
+    let bytes = model.to_bytes();
+    let read = TrainedModel::from_bytes(&bytes).map_err(|error| unusable(path, error))?;
+    replace_file(path, &bytes)?;
+    Ok(read)
+}
+
+/// The hash of the file of a model.
+pub(super) fn hash(model: &TrainedModel) -> u64 {
+    XxHash3_64::oneshot(&model.to_bytes())
+}
+
+/// The report that a model is for another language than the one that is spoken.
+pub(super) fn other_language(path: &Path, model: &TrainedModel, spoken: Language) -> Report {
+    let message = format!("the model was learnt from {}, and {} is spoken", model.language.name(), spoken.name());
+    Report::failure(shown(path), Code::UnusableModel, message, "name another file, or train a model of this language")
+}
+
+fn contents(path: &Path) -> io::Result<Result<TrainedModel, ModelError>> {
+    let mut bytes = Vec::new();
+    File::open(path)?.take(TrainedModel::LONGEST_FILE + 1).read_to_end(&mut bytes)?;
+    Ok(TrainedModel::from_bytes(&bytes))
+}
+
+fn unusable(path: &Path, error: ModelError) -> Report {
+    let help = match error {
+        ModelError::Damaged => "get it from version control, or train it again",
+        _ => "name another file",
+    };
+    Report::failure(shown(path), Code::UnusableModel, format!("the model cannot be used: {error}"), help)
+}
