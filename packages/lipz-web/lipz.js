@@ -135,6 +135,7 @@ export class Clip {
   #memory;
   #fields;
   #locale;
+  #key;
 
   constructor(memory, fields, locale) {
     this.#memory = memory;
@@ -158,8 +159,9 @@ export class Clip {
     return this.#fields.id;
   }
 
+  /** Read once: sorting all clips of a bank asks for it many times. */
   get key() {
-    return this.#memory.string(this.#ask(c.lipz_string, "lipz_clip_key"));
+    return (this.#key ??= this.#memory.string(this.#ask(c.lipz_string, "lipz_clip_key")));
   }
 
   get frames() {

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #define MOST_WORDS 12
+#define MOST_FILES 32
 #define MOST_BYTES 262144
 
 static const char *const VERBS[] = {"",              "feels",  "sees",           "stares",
@@ -37,14 +38,14 @@ static void print(const char *data, size_t length_bytes) {
 
 /* A file of the banks, which stays. */
 static const uint8_t *contents(const char *folder, const char *name, const char *extension, size_t *length_bytes) {
-    static uint8_t files[16][MOST_BYTES];
+    static uint8_t files[MOST_FILES][MOST_BYTES];
     static unsigned count;
     char path[1024];
     FILE *file;
 
     snprintf(path, sizeof path, "%s/%s.%s", folder, name, extension);
     file = fopen(path, "rb");
-    if (file == NULL || count == 16) {
+    if (file == NULL || count == MOST_FILES) {
         fprintf(stderr, "cases: %s cannot be read\n", path);
         exit(1);
     }

@@ -8,6 +8,7 @@ use std::ops::Range;
 use zerocopy::FromBytes;
 
 pub static DRAMA: &[u8] = include_bytes!("../../../fixtures/banks/v1/drama.lipzbank");
+pub static LONG: &[u8] = include_bytes!("../../../fixtures/banks/v1/long.lipzbank");
 pub static RECORDED: &[u8] = include_bytes!("../../../fixtures/banks/v1/recorded.lipzbank");
 pub static SMALL: &[u8] = include_bytes!("../../../fixtures/banks/v1/small.lipzbank");
 pub static STRIPPED: &[u8] = include_bytes!("../../../fixtures/banks/v1/stripped.lipzbank");

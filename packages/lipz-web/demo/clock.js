@@ -1,14 +1,21 @@
 // The clock of a clip: the one of its audio, so that mouth and sound cannot drift apart.
 //
-// The fixtures have no recordings, so a hum is made up that is as loud as the mouth is open. Where
+// Banks have no recordings, so a hum is made up that is as loud as the mouth is open. Where
 // audio cannot be played, the clock of the page goes on alone.
 
 const HUM_HZ = 140;
 const LOUDEST = 0.12;
+/** Samples of the hum in a second: as few as browsers take. */
+const RATE_HZ = 8000;
+/** How much of the way to the loudness of its frame the hum goes in a sample. */
+const SMOOTH = 0.012;
 
 export class Clock {
   #audio;
   #source;
+  #hum;
+  #loudness = [];
+  #duration = 0;
   #startedAt = 0;
   #offset = 0;
   #playing = false;
@@ -27,20 +34,17 @@ export class Clock {
     return this.#playing ? this.#offset + this.#now() - this.#startedAt : this.#offset;
   }
 
-  /** Plays from a time on; `loudness` has a number from 0 to 1 for every frame. */
-  async play(time, duration, loudness) {
+  /** Takes another clip: `loudness` has a number from 0 to 1 for every frame. */
+  load(duration, loudness) {
+    [this.#duration, this.#loudness, this.#hum] = [duration, loudness, undefined];
+  }
+
+  /** Plays on. */
+  async play() {
     this.pause();
     this.#audio ??= newAudio();
     await resumed(this.#audio);
-    if (this.isAudio) {
-      this.#source = this.#audio.createBufferSource();
-      this.#source.buffer = hum(this.#audio, duration, loudness);
-      this.#source.connect(this.#audio.destination);
-      this.#source.start(0, time);
-    }
-    this.#offset = time;
-    this.#startedAt = this.#now();
-    this.#playing = true;
+    this.#begin();
   }
 
   pause(time = this.time) {
@@ -48,6 +52,25 @@ export class Clock {
     this.#source = undefined;
     this.#offset = time;
     this.#playing = false;
+  }
+
+  /** Jumps, and plays on there if it is playing. */
+  seek(time) {
+    const isPlaying = this.#playing;
+    this.pause(time);
+    if (isPlaying) this.#begin();
+  }
+
+  #begin() {
+    if (this.isAudio) {
+      this.#hum ??= hum(this.#audio, this.#duration, this.#loudness);
+      this.#source = this.#audio.createBufferSource();
+      this.#source.buffer = this.#hum;
+      this.#source.connect(this.#audio.destination);
+      this.#source.start(0, this.#offset);
+    }
+    this.#startedAt = this.#now();
+    this.#playing = true;
   }
 
   #now() {
@@ -70,15 +93,14 @@ function resumed(audio) {
 }
 
 function hum(audio, duration, loudness) {
-  const rate = audio.sampleRate;
-  const buffer = audio.createBuffer(1, Math.max(1, Math.ceil(duration * rate)), rate);
+  const buffer = audio.createBuffer(1, Math.max(1, Math.ceil(duration * RATE_HZ)), RATE_HZ);
   const samples = buffer.getChannelData(0);
   let volume = 0;
-  samples.forEach((_, index) => {
+  for (let index = 0; index < samples.length; index++) {
     const frame = Math.floor((index / samples.length) * loudness.length);
-    volume += ((loudness[frame] ?? 0) - volume) * 0.002;
-    const phase = (2 * Math.PI * HUM_HZ * index) / rate;
+    volume += ((loudness[frame] ?? 0) - volume) * SMOOTH;
+    const phase = (2 * Math.PI * HUM_HZ * index) / RATE_HZ;
     samples[index] = LOUDEST * volume * (Math.sin(phase) + 0.4 * Math.sin(2 * phase) + 0.2 * Math.sin(3 * phase));
-  });
+  }
   return buffer;
 }

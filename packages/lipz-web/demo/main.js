@@ -1,58 +1,107 @@
 // Plays the clips of a bank: index.html?clip=act1/mara-good-evening&locale=de-de&at=1.5
 
 import { open } from "../lipz.js";
+import { asked, follow, forget } from "./address.js";
+import { Clips } from "./clips.js";
 import { Clock } from "./clock.js";
+import { onFiles, opened } from "./files.js";
+import { onKeys } from "./keys.js";
 import { face, openness } from "./mouth.js";
-import { timeline } from "./timeline.js";
+import { Timeline } from "./timeline.js";
 
 const BANK = new URL("dialogue.lipzbank", import.meta.url);
 const FIRST_CLIP = "act1/mara-good-evening";
 /** For clips whose file does not say how many frames a second has. */
 const FRAMES_PER_SECOND = 24;
+/** Events that stay on the page. */
+const MOST_DUE = 4;
 
 const $ = (id) => document.getElementById(id);
-const query = new URLSearchParams(location.search);
 const clock = new Clock();
 const move = face($("face"));
+const timeline = new Timeline($("timeline"), scrub);
+const clips = new Clips($("clip"), $("clips"), (key) => choose(key));
 
 let bank;
 let clip;
-let mark;
+let cursor;
+/** Whether the address leads to this bank: not to one that was dropped. */
+let isAddressed = true;
+/** Whether the clip was playing when the pointer took the playhead. */
+let wasPlaying;
 
-/** Shows the clip and the locale that are chosen, at a time. */
-function choose(time = 0) {
-  clip = bank.clip($("clip").value).orFps(FRAMES_PER_SECOND);
-  mark = timeline($("timeline"), clip, $("locale").value, seek);
+/** Shows a clip from its start, or at a time. */
+function choose(key, time = 0) {
+  clock.pause(0);
+  clip = bank.clip(key).orFps(FRAMES_PER_SECOND);
+  clips.chosen = key;
+  cursor = clip.cursor();
+  settle();
+  clock.load(clip.duration, loudness());
+  timeline.show(clip, $("locale").value);
   seek(time);
 }
 
+/** Lead and hold, as they are set on the page. */
+function settle() {
+  cursor.lead = $("lead").checked ? { frames: 1 } : 0;
+  cursor.hold = $("hold").checked ? "readable" : 0;
+}
+
+function loudness() {
+  return Array.from(clip.frames, (viseme) => (viseme === "-" ? 0 : openness(viseme, clip.visemeType)));
+}
+
+/** Jumps, and plays on if it is playing. */
 function seek(time) {
-  clock.pause(Math.max(0, Math.min(time, clip.duration)));
+  const at = Math.max(0, Math.min(Number.isFinite(time) ? time : 0, clip.duration));
+  cursor.seek(at);
+  $("due").replaceChildren();
+  clock.seek(at);
   show();
+  address();
+}
+
+function scrub(time, isDown) {
+  wasPlaying ??= clock.playing;
+  if (clock.playing) clock.pause();
+  seek(time);
+  if (isDown) return;
+  if (wasPlaying && clock.time < clip.duration) toggle();
+  wasPlaying = undefined;
 }
 
 async function toggle() {
-  if (clock.playing) return seek(clock.time);
-  const loudness = Array.from(clip.frames, (viseme) => (viseme === "-" ? 0 : openness(viseme, clip.visemeType)));
-  await clock.play(clock.time < clip.duration ? clock.time : 0, clip.duration, loudness);
+  if (clock.playing) {
+    clock.pause();
+    show();
+    return address();
+  }
+  if (clock.time >= clip.duration) seek(0);
+  await clock.play();
+  show();
   requestAnimationFrame(tick);
 }
 
 function tick() {
   if (!clock.playing) return;
-  if (clock.time >= clip.duration) return seek(clip.duration);
+  if (clock.time >= clip.duration) {
+    clock.pause(clip.duration);
+    address();
+  } else {
+    requestAnimationFrame(tick);
+  }
   show();
-  requestAnimationFrame(tick);
 }
 
-/** Everything that the page shows follows from one time. */
+/** Everything that the page shows follows from the cursor. */
 function show() {
   const { time } = clock;
-  const viseme = clip.visemeAt(time);
-  const segment = clip.segmentAt(time);
+  happen(cursor.advanceTo(time).events);
+  const { viseme, segment } = cursor;
   const text = segment?.text($("locale").value);
   move(viseme, clip.visemeType);
-  mark(time, segment);
+  timeline.mark(time, segment, text?.text);
   $("viseme").textContent = viseme;
   $("time").textContent = `${time.toFixed(2)} / ${clip.duration.toFixed(2)} s`;
   $("event").textContent = segment?.event ?? "";
@@ -65,25 +114,104 @@ function show() {
   $("play").ariaLabel = clock.playing ? "Pause" : "Play";
 }
 
-function fill(select, values, chosen) {
-  select.replaceChildren(...values.map((value) => new Option(value, value, false, value === chosen)));
-  select.onchange = () => choose();
+/** Shows events as they happen, and what they leave behind. */
+function happen(events) {
+  for (const { character, verb, object } of events) {
+    const item = document.createElement("li");
+    item.textContent = [character, verb, object].filter(Boolean).join(" ");
+    $("due").append(item);
+  }
+  while ($("due").children.length > MOST_DUE) $("due").firstChild.remove();
+  const states = cursor.characters().map(({ name, feels, staresAt, pointsAt }) => {
+    const lasts = [feels && `feels ${feels}`, staresAt && `stares at ${staresAt}`, pointsAt && `points at ${pointsAt}`];
+    const all = lasts.filter(Boolean).join(", ");
+    return all && `${name ?? "the speaker"} ${all}`;
+  });
+  $("state").textContent = states.filter(Boolean).join(" · ");
+}
+
+function address() {
+  if (isAddressed) follow(clip.key, $("locale").value, clock.playing ? 0 : clock.time);
+}
+
+/** Plays the clips of a bank; what was asked for and is not there, the page says. */
+function use(found, { clip: key, locale, at } = {}) {
+  bank = found;
+  const keys = bank.clips().filter((clip) => clip.frameCount > 0).map((clip) => clip.key);
+  if (keys.length === 0) throw new Error("No clip of this bank has mouth shapes");
+  const first = keys.includes(FIRST_CLIP) ? FIRST_CLIP : keys[0];
+  const isClip = key === undefined || keys.includes(key);
+  const missing = isClip ? [] : [`There is no clip “${key}” with mouth shapes in this bank: this is ${first}.`];
+  missing.push(...languages(locale));
+  clips.keys = keys;
+  notice(missing);
+  choose(isClip ? (key ?? first) : first, Number(at ?? 0));
+}
+
+/** Fills the choice of locales; what to say if the one that was asked for is not there. */
+function languages(locale) {
+  const kept = bank.locales.find((tag) => tag === locale);
+  const chosen = kept ?? bank.defaultLocale ?? bank.locales[0];
+  $("locale").replaceChildren(...bank.locales.map((tag) => new Option(tag, tag, false, tag === chosen)));
+  if (locale === undefined || kept !== undefined) return [];
+  return [`There are no subtitles in “${locale}” in this bank${chosen ? `: these are ${chosen}` : ""}.`];
+}
+
+function notice(lines) {
+  $("notice").textContent = lines.join(" ");
+  $("notice").hidden = lines.length === 0;
+}
+
+function fail(error) {
+  $("failure").textContent = error.message;
+  $("failure").hidden = false;
+}
+
+async function drop(files) {
+  if (files.length === 0) return;
+  try {
+    const found = await opened(files, bank);
+    $("failure").hidden = true;
+    if (found === bank) {
+      notice(languages(bank.locales[0]));
+      timeline.texts($("locale").value);
+      return show();
+    }
+    isAddressed = false;
+    forget();
+    use(found);
+  } catch (error) {
+    fail(error);
+  }
 }
 
 async function start() {
+  onFiles($("file"), drop);
+  $("play").onclick = toggle;
+  $("locale").onchange = () => {
+    notice([]);
+    timeline.texts($("locale").value);
+    show();
+    address();
+  };
+  for (const id of ["lead", "hold"]) $(id).onchange = () => (settle(), show());
+  $("in").onclick = () => timeline.zoom(true);
+  $("out").onclick = () => timeline.zoom(false);
+  $("fit").onclick = () => timeline.fit();
   const response = await fetch(BANK);
   if (!response.ok) throw new Error(`${BANK} cannot be loaded (HTTP ${response.status})`);
-  bank = (await open(await response.arrayBuffer())).verify();
-  fill($("clip"), bank.clips().filter((clip) => clip.frameCount > 0).map((clip) => clip.key), query.get("clip") ?? FIRST_CLIP);
-  fill($("locale"), bank.locales, query.get("locale") ?? bank.defaultLocale);
-  $("play").onclick = toggle;
-  choose(Number(query.get("at") ?? 0));
-  return { seek, toggle, clock, get clip() { return clip; } };
+  use((await open(await response.arrayBuffer())).verify(), asked());
+  onKeys({
+    toggle,
+    frames: (count) => seek(clip.startOfFrame(Math.max(0, (clip.frameAt(clock.time) ?? clip.frameCount) + count)) ?? 0),
+    seconds: (count) => seek(clock.time + count),
+    start: () => seek(0),
+    end: () => seek(clip.duration),
+    zoom: (isIn) => timeline.zoom(isIn),
+  });
+  return { seek, toggle, clock, clips, drop, get clip() { return clip; } };
 }
 
 /** The player, for tests and for the console. */
 globalThis.player = start();
-globalThis.player.catch((error) => {
-  $("failure").textContent = error.message;
-  $("failure").hidden = false;
-});
+globalThis.player.catch(fail);

@@ -1,39 +1,207 @@
-// The timeline of a clip: its segments, how far the mouth is open in each frame, and the playhead.
+// The timeline of a clip: its segments, how far the mouth is open in each frame, and the playhead. It zooms and scrolls, so
+// that a frame can be seen in clips of any length.
 
 import { openness } from "./mouth.js";
 
-/** Draws a clip, and gives the functions that move the playhead and mark a segment. */
-export function timeline(element, clip, locale, seek) {
-  const segments = row("segments");
-  for (const segment of clip.segments) {
-    const part = document.createElement("div");
-    part.className = "segment";
-    part.style.flex = `${segment.endFrame - segment.startFrame} 1 0`;
-    const events = document.createElement("small");
-    events.textContent = segment.event || "\u00A0";
-    part.append(segment.text(locale)?.text || "\u00A0", events);
-    segments.append(part);
+/** Pixels that a frame has at least when a clip is shown, and at most. */
+const READABLE_PX = 4;
+const WIDEST_PX = 48;
+const ZOOM = 1.5;
+/** The least distance of two labels of seconds. */
+const LABEL_PX = 64;
+/** Part of the view that stays between the playhead and its edges. */
+const MARGIN = 0.08;
+
+export class Timeline {
+  #element;
+  #scroll = made("scroll");
+  #track = made("track");
+  #segments = made("segments");
+  #canvas = document.createElement("canvas");
+  #playhead = made("playhead");
+  #clip;
+  #levels = [];
+  #framePx = READABLE_PX;
+  #time = 0;
+
+  /** `scrub` gets the time under the pointer, and whether the pointer is still down. */
+  constructor(element, scrub) {
+    this.#element = element;
+    this.#canvas.className = "frames";
+    this.#track.append(this.#segments, this.#canvas, this.#playhead);
+    this.#scroll.append(this.#track);
+    element.replaceChildren(this.#scroll);
+    this.#scroll.addEventListener("scroll", () => this.#draw());
+    new ResizeObserver(() => this.#layOut()).observe(this.#scroll);
+    matchMedia("(prefers-color-scheme: light)").addEventListener("change", () => this.#draw());
+    this.#listen(scrub);
   }
-  const frames = row("frames");
-  for (const viseme of clip.frames) {
-    const bar = document.createElement("div");
-    bar.className = "frame";
-    bar.style.height = `${8 + 88 * openness(viseme, clip.visemeType)}%`;
-    frames.append(bar);
+
+  /** Shows a clip with the texts of a locale, each frame wide enough to be seen. */
+  show(clip, locale) {
+    this.#clip = clip;
+    this.#levels = Array.from(clip.frames, (viseme) => openness(viseme, clip.visemeType));
+    this.#framePx = Math.max(READABLE_PX, this.#fitPx);
+    this.#element.setAttribute("aria-valuemax", clip.duration.toFixed(3));
+    this.#scroll.scrollLeft = 0;
+    this.texts(locale);
+    this.#layOut();
   }
-  const playhead = row("playhead");
-  element.replaceChildren(segments, frames, playhead);
-  element.onpointerdown = (event) => {
-    const { left, width } = element.getBoundingClientRect();
-    seek(((event.clientX - left) / width) * clip.duration);
-  };
-  return (time, segment) => {
-    playhead.style.left = `${(Math.min(time, clip.duration) / clip.duration) * 100}%`;
-    Array.from(segments.children).forEach((part, index) => part.classList.toggle("now", index === segment?.index));
-  };
+
+  /** Shows the texts of a locale, in the direction that each is written in. */
+  texts(locale) {
+    this.#segments.replaceChildren(...this.#clip.segments.map((segment) => this.#part(segment, locale)));
+    this.#place();
+  }
+
+  /** Moves the playhead, keeps it in view, and marks a segment. */
+  mark(time, segment, spoken) {
+    this.#time = time;
+    const x = this.#x;
+    const { scrollLeft, clientWidth } = this.#scroll;
+    const margin = clientWidth * MARGIN;
+    if (x < scrollLeft + margin || x > scrollLeft + clientWidth - margin) {
+      this.#scroll.scrollLeft = x < scrollLeft + margin ? x - clientWidth + 2 * margin : x - 2 * margin;
+    }
+    this.#playhead.style.transform = `translateX(${x}px)`;
+    Array.from(this.#segments.children).forEach((part, index) => part.classList.toggle("now", index === segment?.index));
+    this.#element.setAttribute("aria-valuenow", time.toFixed(3));
+    this.#element.setAttribute("aria-valuetext", `${time.toFixed(2)} seconds${spoken ? `: ${spoken}` : ""}`);
+  }
+
+  /** Makes frames wider, or narrower, around the playhead. */
+  zoom(isIn) {
+    this.#widen(this.#framePx * (isIn ? ZOOM : 1 / ZOOM));
+  }
+
+  /** Shows the clip as a whole. */
+  fit() {
+    this.#widen(this.#fitPx);
+  }
+
+  /** The width of a frame, in pixels, at which the clip fits the view. */
+  get #fitPx() {
+    return this.#scroll.clientWidth / Math.max(1, this.#clip.frameCount);
+  }
+
+  /** The place of the playhead. */
+  get #x() {
+    return Math.min(1, this.#time / this.#clip.duration) * this.#clip.frameCount * this.#framePx;
+  }
+
+  #widen(framePx) {
+    const before = this.#x - this.#scroll.scrollLeft;
+    this.#framePx = Math.max(this.#fitPx, Math.min(framePx, Math.max(WIDEST_PX, this.#fitPx)));
+    this.#layOut();
+    this.#scroll.scrollLeft = this.#x - before;
+    this.#draw();
+  }
+
+  /** Fits everything to the size of the view and of a frame. */
+  #layOut() {
+    if (this.#clip === undefined || this.#scroll.clientWidth === 0) return;
+    this.#framePx = Math.max(this.#fitPx, this.#framePx);
+    this.#track.style.width = `${this.#framePx * this.#clip.frameCount}px`;
+    this.#playhead.style.transform = `translateX(${this.#x}px)`;
+    this.#place();
+    this.#draw();
+  }
+
+  #part(segment, locale) {
+    const part = made("segment");
+    const text = segment.text(locale);
+    const said = document.createElement("span");
+    said.textContent = text?.text || "\u00A0";
+    said.dir = "auto";
+    // Whose text a fallback is, the bank does not say.
+    said.lang = text?.isFallback ? "" : locale;
+    const event = document.createElement("small");
+    event.textContent = segment.event || "\u00A0";
+    part.append(said, event);
+    part.classList.toggle("point", segment.startFrame === segment.endFrame);
+    part.title = [text?.text, segment.event].filter(Boolean).join("\n");
+    return part;
+  }
+
+  /** Puts segments where their frames are; those without frames are a line there. */
+  #place() {
+    this.#clip.segments.forEach(({ startFrame, endFrame }, index) => {
+      const { style } = this.#segments.children[index];
+      style.left = `${startFrame * this.#framePx}px`;
+      style.width = `${(endFrame - startFrame) * this.#framePx}px`;
+    });
+  }
+
+  /** Draws the frames that are in view: a canvas as wide as the whole clip could not be. */
+  #draw() {
+    const { clientWidth: width, scrollLeft } = this.#scroll;
+    const height = this.#canvas.clientHeight;
+    if (this.#clip === undefined || width === 0) return;
+    const dense = devicePixelRatio;
+    Object.assign(this.#canvas, { width: Math.round(width * dense), height: Math.round(height * dense) });
+    this.#canvas.style.width = `${width}px`;
+    const context = this.#canvas.getContext("2d");
+    context.scale(dense, dense);
+    const colour = (name) => getComputedStyle(this.#element).getPropertyValue(name);
+    context.fillStyle = colour("--bar");
+    const bars = height - 14;
+    const bar = (x, px, level) => context.fillRect(x, bars * (0.92 - 0.88 * level), px, bars * (0.08 + 0.88 * level));
+    const step = Math.max(1, Math.floor(1 / this.#framePx));
+    const first = Math.floor(scrollLeft / this.#framePx / step) * step;
+    const last = Math.min(this.#levels.length, Math.ceil((scrollLeft + width) / this.#framePx));
+    for (let frame = first; frame < last; frame += step) {
+      const px = this.#framePx * step;
+      // Where several frames share a pixel, the widest mouth of them shows.
+      bar(frame * this.#framePx - scrollLeft, px > 2 ? px - 1 : px, Math.max(...this.#levels.slice(frame, frame + step)));
+    }
+    context.fillStyle = colour("--faint");
+    context.font = "10px system-ui, sans-serif";
+    const second = (this.#framePx * this.#clip.frameCount) / this.#clip.duration;
+    const each = [0.1, 0.5, 1, 2, 5, 10, 30, 60, 300].find((seconds) => seconds * second >= LABEL_PX) ?? 600;
+    for (let at = Math.ceil(scrollLeft / second / each); at * each * second < scrollLeft + width; at++) {
+      const x = at * each * second - scrollLeft;
+      context.fillRect(x, height - 12, 1, 12);
+      context.fillText(`${Number((at * each).toFixed(1))} s`, x + 4, height - 3);
+    }
+  }
+
+  #listen(scrub) {
+    const timeAt = ({ clientX }) => {
+      const x = clientX - this.#scroll.getBoundingClientRect().left + this.#scroll.scrollLeft;
+      return (x / (this.#framePx * this.#clip.frameCount)) * this.#clip.duration;
+    };
+    let held;
+    this.#element.addEventListener("pointerdown", (event) => {
+      const { bottom } = this.#scroll.getBoundingClientRect();
+      const isScrollbar = event.clientY > bottom - (this.#scroll.offsetHeight - this.#scroll.clientHeight);
+      if (event.button !== 0 || isScrollbar) return;
+      held = event.pointerId;
+      this.#element.setPointerCapture(held);
+      scrub(timeAt(event), true);
+    });
+    this.#element.addEventListener("pointermove", (event) => {
+      if (event.pointerId === held) scrub(timeAt(event), true);
+    });
+    for (const end of ["pointerup", "pointercancel"]) {
+      this.#element.addEventListener(end, (event) => {
+        if (event.pointerId !== held) return;
+        held = undefined;
+        scrub(timeAt(event), false);
+      });
+    }
+    this.#element.addEventListener(
+      "wheel",
+      (event) => {
+        if (!event.ctrlKey) return;
+        event.preventDefault();
+        this.zoom(event.deltaY < 0);
+      },
+      { passive: false },
+    );
+  }
 }
 
-function row(name) {
+function made(name) {
   const element = document.createElement("div");
   element.className = name;
   return element;

@@ -1,4 +1,6 @@
-// Looks at the demo as a player does: at several times, in several locales, and while it plays.
+// Looks at the demo as a player does: at several times, in several locales, while it plays, and with its controls.
+
+import * as controls from "./controls.js";
 
 const FRAMES = "SOOOOSEEEFEESAASS---OOOSSSOO-------SOOUUUASSEELAAAS---AASSSSSSSEEFFOSSASEEASLLS-------------";
 const TEXTS = {
@@ -18,14 +20,15 @@ function same(found, expected, what) {
   if (found !== expected) failures.push(`${what}: ${JSON.stringify(found)} instead of ${JSON.stringify(expected)}`);
 }
 
-/** Opens the demo with a query, and gives its document and its player. */
-async function demo(query) {
+/** Opens the demo with a query in a window of this width, and gives its document and its player. */
+async function demo(query, width = 1000) {
   const frame = document.querySelector("iframe");
+  frame.width = width;
   await new Promise((resolve) => {
     frame.onload = resolve;
     frame.src = `/demo/index.html?${new URLSearchParams(query)}`;
   });
-  return { page: frame.contentDocument, player: await frame.contentWindow.player };
+  return { page: frame.contentDocument, window: frame.contentWindow, player: await frame.contentWindow.player };
 }
 
 function shown(page) {
@@ -90,7 +93,10 @@ let clock = "";
 try {
   await still();
   clock = await playing();
+  for (const [name, look] of Object.entries(controls)) {
+    await look(demo, (found, expected, what) => same(found, expected, `${name}: ${what}`));
+  }
 } catch (error) {
-  failures.push(String(error));
+  failures.push(error.stack ?? String(error));
 }
 await fetch("/report", { method: "POST", body: JSON.stringify({ failures, checks, clock }) });
