@@ -132,4 +132,6 @@ error_kinds! {
     BankNotVerified = 33, "the bank of the texts was not verified";
     /// The record of a recording is neither a length with a hash nor that of none.
     Recording = 34, "what the bank says about a recording is not valid";
+    /// A curve has no name or no keys, keys that do not ascend or lie behind the clip, or is not where it belongs.
+    Curve = 35, "a curve is not valid";
 }

@@ -70,6 +70,7 @@ extern crate std;
 mod babble;
 mod bank;
 mod clip;
+mod curve;
 mod error;
 mod event;
 mod file;
@@ -88,6 +89,7 @@ mod verify;
 pub use babble::{Babble, Babbles, Power, VoiceLevel, Weights};
 pub use bank::Bank;
 pub use clip::{Clip, Clips};
+pub use curve::{Curve, CurveCursor, CurveKey, Curves};
 pub use error::{Error, ErrorKind};
 pub use event::{Event, EventName, Events};
 pub use locale::{Locale, Locales};
@@ -98,7 +100,7 @@ pub use segment::{Segment, Segments};
 pub use text::Text;
 pub use text_bank::TextBank;
 
-pub use lipz_types::{ClipId, Command, Fps, Micros, Samples, Seconds, Time, Viseme, VisemeType, Weight};
+pub use lipz_types::{ClipId, Command, CurveValue, Fps, Micros, Samples, Seconds, Time, Viseme, VisemeType, Weight};
 
 /// The example of the README, run as a test.
 #[cfg(doctest)]

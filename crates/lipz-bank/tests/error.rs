@@ -58,6 +58,7 @@ fn numbers_are_stable() {
         (32, Babble),
         (33, BankNotVerified),
         (34, Recording),
+        (35, Curve),
     ];
     let kinds: Vec<_> = ErrorKind::ALL.iter().map(|&kind| (kind as u8, kind)).collect();
     assert_eq!(table[..], kinds, "the table above has every kind, and numbers that it has stay");

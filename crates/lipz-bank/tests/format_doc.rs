@@ -3,9 +3,10 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
-use lipz_bank::{ClipId, ErrorKind};
+use lipz_bank::{ClipId, CurveValue, ErrorKind};
 use lipz_layout::{BabbleRecord, EventNameRecord, EventRecord, RecordingRecord, TypedEventRecord};
 use lipz_layout::{ClipRecord, DirectoryEntry, Header, KeyRecord, LocaleRecord, RateRecord, Tag};
+use lipz_layout::{CurveClipRecord, CurveKeyRecord, CurveRecord, WideCurveKeyRecord};
 use lipz_testkit::golden::{DRAMA, SMALL, section, verified};
 use std::mem::{size_of, size_of_val};
 use zerocopy::FromBytes;
@@ -109,6 +110,18 @@ fn records() {
     check_fields("BabbleRecord", &fields, size_of::<BabbleRecord>());
     let fields = fields!(RecordingRecord { length_us, content_hash });
     check_fields("RecordingRecord", &fields, size_of::<RecordingRecord>());
+    let fields = fields!(CurveClipRecord { slot, curves_first });
+    check_fields("CurveClipRecord", &fields, size_of::<CurveClipRecord>());
+    let fields = fields!(CurveRecord { keys_first, name_and_width });
+    check_fields("CurveRecord", &fields, size_of::<CurveRecord>());
+    let keys: Vec<_> = table("### Keys of a curve", "| key | bytes | frame | value |");
+    let narrow = fields!(CurveKeyRecord { frame, thousandths });
+    let wide = fields!(WideCurveKeyRecord { frame, thousandths });
+    let sizes = [size_of::<CurveKeyRecord>(), size_of::<WideCurveKeyRecord>()];
+    for ((row, [frame, value]), length) in keys.iter().zip([narrow, wide]).zip(sizes) {
+        let cell = |sign: char, (at, size, _): (usize, usize, &str)| format!("{sign}{} at {at}", size * 8);
+        assert_eq!(row[1..], [length.to_string(), cell('u', frame), cell('i', value)]);
+    }
     let fields = fields!(EventNameRecord { offset_bytes, length_bytes });
     check_fields("EventNameRecord", &fields, size_of::<EventNameRecord>());
 }
@@ -122,6 +135,21 @@ fn sections() {
     for (tag, bytes) in Tag::OPTIONAL {
         let tag = String::from_utf8(tag.0.to_vec()).expect("ASCII");
         assert!(PAGE.contains(&format!("\n| `{tag}` | {bytes} | ")), "docs/FORMAT.md has no row for the section {tag}");
+    }
+}
+
+/// The values between keys that the page gives.
+#[test]
+fn values_between_keys() {
+    let number = |text: &str| (text.parse::<f64>().expect("a number") * 1000.0).round() as i32;
+    let key = |cell: &str| {
+        let (frame, value) = cell.strip_prefix("frame ").and_then(|cell| cell.split_once(": ")).expect("a key");
+        (number(frame), CurveValue::from_thousandths(number(value)))
+    };
+    for row in table("### Keys of a curve", "| a | b | position in frames | value |") {
+        let ((from, old), (to, new)) = (key(row[0]), key(row[1]));
+        let found = old.towards(new, (number(row[2]) - from) as u64, (to - from) as u64);
+        assert_eq!(found.thousandths(), number(row[3]), "{row:?}");
     }
 }
 
@@ -141,6 +169,7 @@ fn values() {
         ("TEXT_HAS_LENGTH", u64::from(lipz_layout::TEXT_HAS_LENGTH)),
         ("TEXT_OFFSET", u64::from(lipz_layout::TEXT_OFFSET)),
         ("NO_NAME", u64::from(lipz_layout::NO_NAME)),
+        ("CURVE_WIDE", u64::from(lipz_layout::CURVE_WIDE)),
         ("DIRECT_SLOT", u64::from(lipz_layout::DIRECT_SLOT)),
     ];
     let described: Vec<_> = table("### ClipRecord", "| name | value |");

@@ -5,7 +5,7 @@
 
 use lipz_testkit::exercise;
 use lipz_testkit::golden::dump;
-use lipz_testkit::golden::{DRAMA, LONG, RECORDED, SMALL, STRIPPED, WIDE, verified};
+use lipz_testkit::golden::{CURVES, DRAMA, LONG, RECORDED, SMALL, STRIPPED, WIDE, verified};
 use std::path::Path;
 
 /// Compares the answers of a bank with the committed ones, or commits them with `LIPZ_BLESS=1`.
@@ -43,6 +43,11 @@ fn wide() {
 #[test]
 fn long() {
     check(LONG, "long.dump");
+}
+
+#[test]
+fn curves() {
+    check(CURVES, "curves.dump");
 }
 
 #[test]

@@ -6,7 +6,9 @@
 use lipz_bank::Bank;
 use lipz_layout::Tag;
 use lipz_testkit::exercise::{Effort, every_query, provoke, verified_is_whole};
-use lipz_testkit::golden::{Random, SMALL, STRIPPED, WIDE, changed, directory, put, refusal, reseal, section, u32_at};
+use lipz_testkit::golden::{
+    CURVES, Random, SMALL, STRIPPED, WIDE, changed, directory, put, refusal, reseal, section, u32_at,
+};
 use std::ops::Range;
 
 /// Where the tests are interpreted or emulated, a sample of the changes has to do.
@@ -71,17 +73,32 @@ fn every_change_of_a_byte() {
 /// through answers every query.
 #[test]
 fn every_forged_byte() {
-    in_parallel(16..SMALL.len(), |at| {
-        let mut bytes = SMALL.to_vec();
-        for change in (1..=255).step_by(STEP) {
-            bytes[at] = SMALL[at] ^ change;
-            reseal(&mut bytes);
-            if let Ok(bank) = Bank::open(&bytes).and_then(Bank::verify) {
-                every_query(&bank, Effort::Few);
-                verified_is_whole(&bank);
+    let of_curves = section(CURVES, Tag::CURVE_CLIPS).start..section(CURVES, Tag::CURVE_KEYS).end;
+    for (original, range) in [(SMALL, 16..SMALL.len()), (CURVES, of_curves)] {
+        in_parallel(range, |at| {
+            let mut bytes = original.to_vec();
+            for change in (1..=255).step_by(STEP) {
+                bytes[at] = original[at] ^ change;
+                reseal(&mut bytes);
+                if let Ok(bank) = Bank::open(&bytes).and_then(Bank::verify) {
+                    every_query(&bank, Effort::Few);
+                    verified_is_whole(&bank);
+                }
             }
-        }
-    });
+        });
+    }
+}
+
+/// Every number of the sections of curves, verified or not.
+#[test]
+fn every_forged_field_of_curves() {
+    for range in [Tag::CURVE_CLIPS, Tag::CURVES, Tag::CURVE_KEYS].map(|tag| section(CURVES, tag)) {
+        in_parallel(range.start / 4..range.end / 4, |word| {
+            for number in interesting(CURVES, u32_at(CURVES, word * 4)).into_iter().step_by(STEP) {
+                provoke(&changed(CURVES, |bytes| put(bytes, word * 4, number.to_le_bytes())), Effort::Few);
+            }
+        });
+    }
 }
 
 /// Numbers that are likely to be wrong in an interesting way.

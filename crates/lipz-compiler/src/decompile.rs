@@ -2,9 +2,9 @@
 
 use crate::BankWithTexts;
 use crate::source_record::{self, Name, RecordedValue};
-use lipz_bank::{Bank, Clip, Fps, Locale, Segment};
+use lipz_bank::{Bank, Clip, Curve, Fps, Locale, Segment};
 use lipz_diagnostics::{Code, Report};
-use lipz_file::{Document, Element, JsonString, Raw, Value};
+use lipz_file::{Document, Element, JsonString, Raw, Value, curve};
 use lipz_layout::{Tag, U32};
 use std::borrow::Cow;
 use std::cell::Cell;
@@ -12,6 +12,11 @@ use zerocopy::FromBytes;
 
 /// How many times as long as their bank all files may be, beside one file of the greatest length.
 const MOST_TIMES: u64 = 256;
+
+/// Bytes of a byte that JSON escapes.
+const MOST_ESCAPED_BYTES: usize = 6;
+/// Bytes of a key with the space before it: ten digits, a colon, a value of twelve characters.
+const MOST_KEY_BYTES: usize = 24;
 
 /// Bytes that all files of a bank may have. Clips share texts, events and records, so that a forged bank of a few
 /// kilobytes could ask for terabytes.
@@ -142,6 +147,9 @@ fn exact<'data>(
             _ => None,
         };
         let value = match value {
+            RecordedValue::AsInBank if name == Name::Spelled(curve::ELEMENT) => {
+                Value::Other(Raw::new(curves(clip, room)?))
+            }
             RecordedValue::AsInBank => Value::String(Cow::<str>::Owned(held(&[])?).into()),
             RecordedValue::Padded(padding) => Value::String(Cow::<str>::Owned(held(&padding)?).into()),
             RecordedValue::String(spelled) | RecordedValue::Number(spelled) | RecordedValue::Other(spelled) => {
@@ -189,7 +197,22 @@ fn display_form<'data>(clip: &Clip<'data, '_>, own: &[Locale<'data>], room: &Roo
     if let Some(events) = joined(clip, &[], room, Segment::event) {
         push("events".into(), string(events));
     }
+    if let Some(curves) = curves(clip, room).filter(|_| clip.curves().next().is_some()) {
+        push(curve::ELEMENT.into(), Value::Other(Raw::new(curves)));
+    }
     Document { elements }
+}
+
+/// The curves of the clip as JSON; `None` where there is no room.
+fn curves(clip: &Clip<'_, '_>, room: &Room) -> Option<String> {
+    for curve in clip.curves() {
+        let name_bytes = curve.name().as_str().len().saturating_mul(MOST_ESCAPED_BYTES);
+        let keys_bytes = (curve.key_count() as usize).saturating_mul(MOST_KEY_BYTES);
+        room.take(name_bytes.saturating_add(keys_bytes).saturating_add(MOST_KEY_BYTES))?;
+    }
+    let keys = |curve: &Curve<'_>| curve.keys().map(|key| (key.frame, key.value)).collect::<Vec<_>>();
+    let curves: Vec<_> = clip.curves().map(|curve| (curve.name().as_str(), keys(&curve))).collect();
+    Some(curve::write(curves))
 }
 
 fn codes<'data>(segment: &Segment<'data, '_>) -> Option<&'data str> {

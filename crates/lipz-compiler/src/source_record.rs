@@ -7,7 +7,7 @@
 use crate::Options;
 use crate::clip::{ClipData, ClipText, Locales};
 use foldhash::HashMap;
-use lipz_file::{Document, Element, Value};
+use lipz_file::{Document, Element, Value, curve};
 use std::collections::HashSet;
 
 /// Names of elements that a record mentions by number; higher numbers are the clip's own texts.
@@ -22,7 +22,7 @@ const MAX_BLANKS: usize = 255;
 /// How a record holds a value.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Kind {
-    /// The bank holds the same string: segments joined with `|`.
+    /// The bank holds the same string: segments joined with `|`. Or the same curves, in their canonical layout.
     AsInBank = 0,
     /// Spelled out.
     String = 1,
@@ -80,6 +80,7 @@ pub(crate) fn encode(document: &Document<'_>, options: &Options, locales: &Local
             }
             Value::String(string) => push_text(&mut record, &string.text, held, clip.starts.len()),
             Value::Number(raw) => push_spelled(&mut record, Kind::Number, &raw.text),
+            Value::Other(raw) if is_written_so(name, &raw.text, clip) => record.push(Kind::AsInBank as u8),
             Value::Other(raw) => push_spelled(&mut record, Kind::Other, &raw.text),
         }
     }
@@ -125,6 +126,12 @@ impl<'c> OwnTexts<'c> {
 /// that of the clip.
 fn is_joined(name: &str, text: &str, clip: &ClipData) -> bool {
     clip.has_joined && name != "viseme_type" && lipz_file::text::segment_count(text) != clip.starts.len()
+}
+
+/// Whether the bank holds an element that is no string, and writes it as it is spelled.
+fn is_written_so(name: &str, text: &str, clip: &ClipData) -> bool {
+    let curves = || clip.curves.iter().map(|(name, keys)| (name, keys.iter().copied()));
+    name == curve::ELEMENT && curve::write(curves()) == text
 }
 
 /// Bytes of the segments that the bank holds of an element; `None` if it holds none.

@@ -79,7 +79,8 @@ impl<'data> WholeBank<'data> {
             Tag::NAMES => Section::table(tag, names.get(..keys_bytes).unwrap_or(names)),
             other => Section::table(other, self.section(other)),
         });
-        let optional = [Tag::BABBLE, Tag::RECORDINGS].map(|tag| (tag, self.section(tag)));
+        let optional = [Tag::BABBLE, Tag::RECORDINGS, Tag::CURVE_CLIPS, Tag::CURVES, Tag::CURVE_KEYS]
+            .map(|tag| (tag, self.section(tag)));
         let optional = optional.into_iter().filter(|(_, contents)| !contents.is_empty());
         let sections: Vec<_> =
             required.into_iter().chain(optional.map(|(tag, contents)| Section::table(tag, contents))).collect();

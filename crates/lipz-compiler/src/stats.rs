@@ -35,6 +35,10 @@ pub struct Stats<'d> {
     pub longest: Vec<ClipDuration<'d>>,
     /// The clips that last shortest, shortest first, without those among the longest.
     pub shortest: Vec<ClipDuration<'d>>,
+    /// Curves of all clips.
+    pub curves: usize,
+    /// Keys of all curves.
+    pub curve_keys: u64,
     /// Clips of which the bank knows the recording.
     pub recordings: usize,
     /// The lengths of those recordings, in microseconds.
@@ -129,6 +133,10 @@ impl<'d> Stats<'d> {
             stats.frames += u64::from(clip.frame_count());
             stats.segments += u64::from(clip.segment_count());
             stats.duration_us += clip.duration_us().unwrap_or(0);
+            for curve in clip.curves() {
+                stats.curves += 1;
+                stats.curve_keys += u64::from(curve.key_count());
+            }
             if let Some(recording) = clip.recording() {
                 stats.recordings += 1;
                 stats.recordings_us = stats.recordings_us.saturating_add(recording.length_us());

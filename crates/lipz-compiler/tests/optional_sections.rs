@@ -12,16 +12,22 @@ use lipz_testkit::golden::{changed, directory, entry_of, put, section};
 /// Only the compiler reads them, which checks them itself (LZ0905).
 const FOR_TOOLS: [Tag; 2] = [Tag::SOURCE_INDEX, Tag::SOURCES];
 
+/// A bank has all of these or none.
+const OF_CURVES: [Tag; 3] = [Tag::CURVE_CLIPS, Tag::CURVES, Tag::CURVE_KEYS];
+
 /// A bank with all of them, and one of the same clips with none.
 fn banks() -> (Vec<u8>, Vec<u8>) {
     let inputs =
         ["a", "b"].map(|key| Input::from_bytes(key, r#"{ "fps": 24, "visemes": "MA-", "text_en-us": " {m} Ma!" }"#));
-    let compile = |settings: Settings| Compiler::new(settings.options).compile(&inputs).into_bank().unwrap();
+    let curved = r#"{ "fps": 24, "visemes": "MA-", "text_en-us": " {m} Ma!", "curves": { "joy": "0:0 2:2.2" } }"#;
+    let curved = ["a", "b"].map(|key| Input::from_bytes(key, curved));
+    let compile =
+        |settings: Settings, inputs: &[Input]| Compiler::new(settings.options).compile(inputs).into_bank().unwrap();
     let (mut with, report) = Settings::parse(b"[babble.robot]\nrate = 12\n", "", "".as_ref());
     assert_eq!(report.diagnostics, []);
     with.options = with.options.recordings([("a", Recording::new(1_500_000, 7))]);
     let (without, _) = Settings::parse(b"strip = true\n", "", "".as_ref());
-    (compile(with), compile(without))
+    (compile(with, &curved), compile(without, &inputs))
 }
 
 fn has(bank: &[u8], tag: Tag) -> bool {
@@ -50,7 +56,14 @@ fn every_optional_section_is_known_to_all_that_must_know_it() {
         };
         assert!(section(&with, tag).any(is_refused), "verify does not look at {name}");
         // The bank as a program sees it, if it skips the section.
-        let hidden = changed(&with, |bank| put(bank, entry_of(&with, tag), b"NEWS"));
+        let group = if OF_CURVES.contains(&tag) { &OF_CURVES[..] } else { &[tag] };
+        let hide = |bank: &mut Vec<u8>| {
+            group
+                .iter()
+                .zip(b'0'..)
+                .for_each(|(tag, digit)| put(bank, entry_of(&with, *tag), [b'N', b'E', b'W', digit]));
+        };
+        let hidden = changed(&with, hide);
         assert!(!diff(&open(&with), &open(&hidden)).is_empty(), "diff does not see {name}");
     }
 }

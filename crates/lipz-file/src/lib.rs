@@ -19,6 +19,7 @@
 //! What is not here: checks of one element against another and project-wide rules (crate
 //! `lipz-compiler`), the binary bank (`lipz-bank`), printing (`lipz`).
 
+pub mod curve;
 pub mod digits;
 mod document;
 pub mod event;

@@ -48,6 +48,7 @@ pub fn json_schema(extended_locales: bool) -> String {
                 "type": "string",
                 "examples": ["feels happy|points door"],
             },
+            "curves": curves(),
         },
         "patternProperties": {
             text_name.as_str(): {
@@ -72,6 +73,20 @@ fn fps() -> Value {
         "minimum": 1,
         "maximum": 1000,
         "examples": [24, 23.976, 29.97, 30],
+    })
+}
+
+fn curves() -> Value {
+    let key = r"\d+:-?\d+(\.\d+)?";
+    json!({
+        "title": "Curves",
+        "description": "Numbers that change while the clip plays, by their names: blend shapes, emotions. A key is \
+                        `frame:value`; keys are separated by spaces, in the order of their frames. Values have at most \
+                        three digits behind the point.",
+        "type": "object",
+        "propertyNames": { "minLength": 1 },
+        "additionalProperties": { "type": "string", "pattern": format!(r"^\s*{key}(\s+{key})*\s*$") },
+        "examples": [{ "anger": "0:0 12:2.2", "jawOpen": "0:0.1 3:0.8" }],
     })
 }
 

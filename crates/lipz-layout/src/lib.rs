@@ -34,6 +34,7 @@ pub use lipz_types::BANK_MAGIC as MAGIC;
 pub use checksum::checksum;
 pub use index::{DIRECT_SLOT, bucket_of, slot_of, spread};
 pub use records::{BabbleRecord, ClipRecord, EventNameRecord, EventRecord};
+pub use records::{CURVE_WIDE, CurveClipRecord, CurveKeyRecord, CurveRecord, WideCurveKeyRecord};
 pub use records::{FLAG_VISEMES, LOCALE_DEFAULT, MAX_INTEGER_FPS, NO_NAME, NO_RATE, NO_RECORDING, stored_fps};
 pub use records::{KeyRecord, LocaleRecord, RateRecord, RecordingRecord, TypedEventRecord};
 pub use records::{
@@ -45,6 +46,10 @@ pub use sections::{CHECKED_FROM, DirectoryEntry, Header, MAX_SECTIONS, SECTION_A
 pub type U16 = zerocopy::little_endian::U16;
 /// Little-endian, unaligned 32-bit number.
 pub type U32 = zerocopy::little_endian::U32;
+/// Little-endian, unaligned 16-bit number with a sign.
+pub type I16 = zerocopy::little_endian::I16;
+/// Little-endian, unaligned 32-bit number with a sign.
+pub type I32 = zerocopy::little_endian::I32;
 /// Little-endian, unaligned 64-bit number.
 pub type U64 = zerocopy::little_endian::U64;
 

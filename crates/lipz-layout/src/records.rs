@@ -1,6 +1,6 @@
 //! The records of the sections.
 
-use super::{U16, U32, U64};
+use super::{I16, I32, U16, U32, U64};
 use core::mem::size_of;
 use lipz_types::StoredFps;
 use zerocopy::{FromBytes, Immutable, IntoBytes, KnownLayout, Unaligned};
@@ -18,6 +18,8 @@ pub const LOCALE_DEFAULT: u16 = 1;
 pub const NO_NAME: u32 = u32::MAX;
 /// `length_us` of a clip without a recording.
 pub const NO_RECORDING: u64 = u64::MAX;
+/// Bit of a curve's `name_and_width`: its keys are [`WideCurveKeyRecord`]s.
+pub const CURVE_WIDE: u32 = 1 << 31;
 /// Verb of a typed event: `feels emotion`.
 pub const VERB_FEELS: u8 = 1;
 /// Verb of a typed event: `sees target`.
@@ -183,6 +185,50 @@ pub struct RecordingRecord {
     pub content_hash: U64,
 }
 
+/// One clip with curves.
+#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
+#[repr(C)]
+pub struct CurveClipRecord {
+    /// Slot of the clip.
+    pub slot: U32,
+    /// Index in `CURV` of the first of its curves.
+    pub curves_first: U32,
+}
+
+/// One curve of a clip.
+#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
+#[repr(C)]
+pub struct CurveRecord {
+    /// Where its keys start in `CRVK`, in units of four bytes.
+    pub keys_first: U32,
+    /// Number of its name in `EVNM`, and [`CURVE_WIDE`].
+    pub name_and_width: U32,
+}
+
+/// One key of a curve, if all of its keys fit so.
+#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
+#[repr(C)]
+pub struct CurveKeyRecord {
+    /// The frame at whose start the curve has the value.
+    pub frame: U16,
+    /// The value in thousandths.
+    pub thousandths: I16,
+}
+
+/// One key of a curve of which one is late or large.
+#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
+#[repr(C)]
+pub struct WideCurveKeyRecord {
+    /// The frame at whose start the curve has the value.
+    pub frame: U32,
+    /// The value in thousandths.
+    pub thousandths: I32,
+}
+
+const _: () = assert!(size_of::<CurveClipRecord>() == 8);
+const _: () = assert!(size_of::<CurveRecord>() == 8);
+const _: () = assert!(size_of::<CurveKeyRecord>() == 4);
+const _: () = assert!(size_of::<WideCurveKeyRecord>() == 8);
 const _: () = assert!(size_of::<BabbleRecord>() == 32);
 const _: () = assert!(size_of::<RecordingRecord>() == 16);
 const _: () = assert!(size_of::<ClipRecord>() == 16);

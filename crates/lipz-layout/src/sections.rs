@@ -101,15 +101,25 @@ impl Tag {
     pub const BABBLE: Tag = Tag(*b"BABL");
     /// Optional: [`RecordingRecord`](super::RecordingRecord)s in slot order.
     pub const RECORDINGS: Tag = Tag(*b"RCRD");
+    /// Optional: [`CurveClipRecord`](super::CurveClipRecord)s of the clips with curves, in slot order.
+    pub const CURVE_CLIPS: Tag = Tag(*b"CRVC");
+    /// Optional: [`CurveRecord`](super::CurveRecord)s, each clip's in the order of their names.
+    pub const CURVES: Tag = Tag(*b"CURV");
+    /// Optional: [`CurveKeyRecord`](super::CurveKeyRecord)s or [`WideCurveKeyRecord`](super::WideCurveKeyRecord)s of each
+    /// curve in turn.
+    pub const CURVE_KEYS: Tag = Tag(*b"CRVK");
     /// Optional: where each clip's source record starts in `SRCE`, one `u32` per slot.
     pub const SOURCE_INDEX: Tag = Tag(*b"SRCX");
     /// Optional: what the display form lost of each Lipz file. Only the compiler reads it.
     pub const SOURCES: Tag = Tag(*b"SRCE");
 
     /// The sections that a bank of format 1 may have, with the length of an entry, in file order.
-    pub const OPTIONAL: [(Tag, usize); 4] = [
+    pub const OPTIONAL: [(Tag, usize); 7] = [
         (Tag::BABBLE, 1),
         (Tag::RECORDINGS, size_of::<super::RecordingRecord>()),
+        (Tag::CURVE_CLIPS, size_of::<super::CurveClipRecord>()),
+        (Tag::CURVES, size_of::<super::CurveRecord>()),
+        (Tag::CURVE_KEYS, size_of::<super::CurveKeyRecord>()),
         (Tag::SOURCE_INDEX, 4),
         (Tag::SOURCES, 1),
     ];

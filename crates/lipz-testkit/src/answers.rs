@@ -40,6 +40,14 @@ fn write_clip(out: &mut impl Write, bank: &Bank<'_>, clip: &Clip<'_, '_>) -> fmt
     if let Some(recording) = clip.recording() {
         writeln!(out, "  recording {} us, content {:016x}", recording.length_us(), recording.content_hash())?;
     }
+    for curve in clip.curves() {
+        write!(out, "  curve {} {curve}, each 50 ms:", Quoted(curve.name().as_str()))?;
+        let curve = clip.or_fps(Fps::whole(24)).curve_named(curve.name()).unwrap_or(curve);
+        for value in (0..20).filter_map(|step| curve.value_at(Micros(step * 50_000))) {
+            write!(out, " {value}")?;
+        }
+        out.write_str("\n")?;
+    }
     clip.segments().try_for_each(|segment| write_segment(out, bank, &segment))
 }
 

@@ -93,6 +93,7 @@ fn every_clip_query(clip: &Clip<'_, '_>, locales: &[Locale<'_>], limit: usize, e
     black_box((clip.id(), clip.key(), clip.slot(), clip.viseme_type(), clip.has_visemes(), clip.has_events()));
     black_box((clip.fps().map(Fps::to_f64), clip.duration_us(), clip.or_viseme_type(VisemeType::Rms).viseme_type()));
     black_box(clip.recording());
+    said::of_curves(clip, limit);
     assert!(clip.frames().len() <= limit);
     let frames = clip.frame_count();
     for frame in [0, frames / 2, frames.wrapping_sub(1), frames, u32::MAX] {
@@ -217,6 +218,14 @@ pub fn verified_is_whole(bank: &Bank<'_>) {
             }
         }
         assert_eq!(end, clip.frame_count());
+        let curves = clip.curves();
+        assert_eq!(curves.size_hint().1, Some(curves.clone().count()));
+        for curve in curves {
+            assert_eq!(clip.curve(curve.name().as_str()), Some(curve));
+            let last = curve.key_count().checked_sub(1).and_then(|last| curve.key(last)).expect("a key");
+            assert!(!clip.has_visemes() || last.frame <= clip.frame_count());
+            assert_eq!((curve.value(last.frame), curve.value(u32::MAX)), (last.value, last.value));
+        }
         for &locale in &locales {
             let texts = || clip.segments().map(|segment| segment.text(locale).is_some());
             assert!(texts().all(|some| some) || !texts().any(|some| some));

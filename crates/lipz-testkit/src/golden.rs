@@ -7,6 +7,7 @@ use std::mem::size_of;
 use std::ops::Range;
 use zerocopy::FromBytes;
 
+pub static CURVES: &[u8] = include_bytes!("../../../fixtures/banks/v1/curves.lipzbank");
 pub static DRAMA: &[u8] = include_bytes!("../../../fixtures/banks/v1/drama.lipzbank");
 pub static LONG: &[u8] = include_bytes!("../../../fixtures/banks/v1/long.lipzbank");
 pub static RECORDED: &[u8] = include_bytes!("../../../fixtures/banks/v1/recorded.lipzbank");

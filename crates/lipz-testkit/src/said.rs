@@ -1,7 +1,8 @@
 //! What a bank, damaged or not, says of rates, mouths and events, passed on to the functions that take such values.
 
 use lipz_bank::{
-    Babble, Bank, Clip, ClipId, ConsonantHold, Event, Fps, Lead, Micros, Time, Viseme, VisemeType, VoiceLevel, Weight,
+    Babble, Bank, Clip, ClipId, ConsonantHold, CurveCursor, CurveValue, Event, Fps, Lead, Micros, Time, Viseme,
+    VisemeType, VoiceLevel, Weight,
 };
 use std::hint::black_box;
 
@@ -31,6 +32,28 @@ pub(crate) fn of_clip(clip: &Clip<'_, '_>) {
     let codes = clip.frames();
     assert_eq!(kind.contains_all(codes), codes.iter().all(|&code| kind.contains(code)));
     assert_eq!((kind.name().parse(), kind.contains_all(kind.codes().as_bytes())), (Ok(kind), true));
+}
+
+/// The curves of a clip: a cursor says what a search says.
+pub(crate) fn of_curves(clip: &Clip<'_, '_>, limit: usize) {
+    let curves = clip.curves();
+    let most = curves.size_hint().1.unwrap_or(usize::MAX);
+    let curves: Vec<_> = curves.take(limit + 1).collect();
+    assert!(curves.len() <= most.min(limit));
+    let mut cursor = CurveCursor::new();
+    for curve in &curves {
+        black_box((clip.curve(curve.name().as_str()), curve.name().id()));
+        assert!(curve.keys().take(limit + 1).count() <= limit.min(curve.key_count() as usize));
+        black_box((curve.key(u32::MAX), curve.value(u32::MAX), cursor.value(curve, 7)));
+        for time in [-1, 0, 41_667, 3_600_000_000, 100_000, i64::MAX] {
+            let value = curve.value_at(Micros(time));
+            assert!(value.is_some() || clip.fps().is_none());
+            black_box((cursor.value_at(curve, Micros(time)), value.map(CurveValue::to_f32)));
+        }
+    }
+    let named = curves.first().and_then(|curve| clip.curve_named(curve.name()));
+    let way = |value: CurveValue| value.towards(CurveValue::from_thousandths(i32::MIN), 1, 3).thousandths();
+    black_box((clip.curve("joy"), named.map(|curve| way(curve.value(0)))));
 }
 
 /// How the mouth is at a time.

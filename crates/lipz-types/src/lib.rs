@@ -31,19 +31,23 @@
 extern crate std;
 
 mod command;
+mod curve_value;
 mod fps;
 pub mod hash;
 mod id;
 mod name;
+mod position;
 mod stored_fps;
 mod time;
 mod viseme;
 mod weight;
 
 pub use command::Command;
+pub use curve_value::CurveValue;
 pub use fps::Fps;
 pub use id::ClipId;
 pub use name::UnknownName;
+pub use position::Position;
 pub use stored_fps::StoredFps;
 pub use time::{Micros, Samples, Seconds, Time};
 pub use viseme::{Viseme, VisemeType};

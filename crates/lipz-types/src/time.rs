@@ -1,7 +1,8 @@
 //! Points in time of a clip's audio, in the units that audio engines report.
 
-use crate::StoredFps;
+use crate::position::sixteen_bits;
 use crate::stored_fps::{LATEST_US, one_of};
+use crate::{Position, StoredFps};
 
 /// A point in time since the clip's audio began, in one of the units that audio engines report:
 /// [`Micros`], [`Samples`], [`Seconds`] or [`core::time::Duration`].
@@ -21,10 +22,36 @@ pub trait Time: Copy + sealed::Sealed {
     /// The time so much later, rounded up to the unit.
     #[doc(hidden)]
     fn later(self, us: u32) -> Self;
+
+    /// How much of `frame` has passed at this time, which is in it, and in units of how much; modulo 2⁶⁴.
+    #[doc(hidden)]
+    fn since_start_of(self, frame: u32, fps: StoredFps) -> (u64, u64);
+
+    /// The frame at this time, and how far it has passed.
+    #[doc(hidden)]
+    fn position(self, fps: StoredFps) -> Position {
+        match self.frame(fps, u32::MAX) {
+            Some(frame) => {
+                let (passed, whole) = self.since_start_of(frame, fps);
+                Position { frame, sixteen_bits: sixteen_bits(passed, whole) }
+            }
+            None if self.has_begun() => Position::LAST,
+            None => Position::START,
+        }
+    }
+}
+
+/// What is left of `time` whole units, of which `per_second` are a second, after the frames before `frame`.
+fn rest_of_units(time: u64, per_second: u64, frame: u32, fps: StoredFps) -> (u64, u64) {
+    let whole = per_second.wrapping_mul(u64::from(fps.denominator()));
+    let frames = time.wrapping_mul(u64::from(fps.numerator()));
+    (frames.wrapping_sub(whole.wrapping_mul(u64::from(frame))), whole)
 }
 
 /// Microseconds in a second.
 const MICROS_PER_SECOND: u32 = 1_000_000;
+/// Nanoseconds in a second.
+const NANOS_PER_SECOND: u64 = 1_000_000_000;
 
 mod sealed {
     pub trait Sealed {}
@@ -60,6 +87,10 @@ impl Time for Micros {
     fn later(self, us: u32) -> Self {
         Micros(self.0.saturating_add(i64::from(us)))
     }
+
+    fn since_start_of(self, frame: u32, fps: StoredFps) -> (u64, u64) {
+        rest_of_units(self.0 as u64, u64::from(MICROS_PER_SECOND), frame, fps)
+    }
 }
 
 /// A position in samples, at a sample rate.
@@ -92,12 +123,16 @@ impl Time for Samples {
         let samples = (millionths / micros).wrapping_add(u64::from(millionths % micros != 0));
         Samples { position: self.position.saturating_add(samples as i64), ..self }
     }
+
+    fn since_start_of(self, frame: u32, fps: StoredFps) -> (u64, u64) {
+        rest_of_units(self.position as u64, u64::from(self.rate_hz), frame, fps)
+    }
 }
 
 impl Time for core::time::Duration {
     #[inline]
     fn frame(self, fps: impl Into<StoredFps>, frame_count: u32) -> Option<u32> {
-        fps.into().frame_at_units(self.as_nanos(), 1_000_000_000, frame_count)
+        fps.into().frame_at_units(self.as_nanos(), NANOS_PER_SECOND as u32, frame_count)
     }
 
     #[inline]
@@ -108,6 +143,10 @@ impl Time for core::time::Duration {
     #[inline]
     fn later(self, us: u32) -> Self {
         self.saturating_add(core::time::Duration::from_micros(u64::from(us)))
+    }
+
+    fn since_start_of(self, frame: u32, fps: StoredFps) -> (u64, u64) {
+        rest_of_units(self.as_nanos() as u64, NANOS_PER_SECOND, frame, fps)
     }
 }
 
@@ -128,18 +167,27 @@ impl Time for core::time::Duration {
 #[derive(Clone, Copy, PartialEq, PartialOrd, Debug)]
 pub struct Seconds<T>(pub T);
 
-impl Time for Seconds<f32> {
+impl Seconds<f32> {
+    /// Mantissa and shift: the time is `mantissa` · 2^−`shift` seconds. `None` if it is negative, infinite, or no number.
     #[inline]
-    fn frame(self, fps: impl Into<StoredFps>, frame_count: u32) -> Option<u32> {
-        let (fps, bits) = (fps.into(), self.0.to_bits());
+    fn parts(self) -> Option<(u64, i32)> {
+        let bits = self.0.to_bits();
         let exponent = bits >> 23; // with the sign above its eight bits
         let fraction = u64::from(bits & 0x7F_FFFF);
         match exponent {
-            _ if bits == 1 << 31 => frame_at_float(fps, frame_count, 0, 149), // -0.0
-            255.. => None,                                                    // negative, infinite, NaN
-            0 => frame_at_float(fps, frame_count, fraction, 149),
-            _ => frame_at_float(fps, frame_count, fraction | 1 << 23, 150_i32.wrapping_sub(exponent as i32)),
+            _ if bits == 1 << 31 => Some((0, 149)), // -0.0
+            255.. => None,
+            0 => Some((fraction, 149)),
+            _ => Some((fraction | 1 << 23, 150_i32.wrapping_sub(exponent as i32))),
         }
+    }
+}
+
+impl Time for Seconds<f32> {
+    #[inline]
+    fn frame(self, fps: impl Into<StoredFps>, frame_count: u32) -> Option<u32> {
+        let (mantissa, shift) = self.parts()?;
+        frame_at_float(fps.into(), frame_count, mantissa, shift)
     }
 
     #[inline]
@@ -151,20 +199,33 @@ impl Time for Seconds<f32> {
     fn later(self, us: u32) -> Self {
         Seconds(self.0 + us as f32 / MICROS_PER_SECOND as f32)
     }
+
+    fn since_start_of(self, frame: u32, fps: StoredFps) -> (u64, u64) {
+        self.parts().map_or((0, 1), |(mantissa, shift)| rest_of_float(mantissa, shift, frame, fps))
+    }
+}
+
+impl Seconds<f64> {
+    /// Mantissa and shift: the time is `mantissa` · 2^−`shift` seconds. `None` if it is negative, infinite, or no number.
+    #[inline]
+    fn parts(self) -> Option<(u64, i32)> {
+        let bits = self.0.to_bits();
+        let exponent = bits >> 52; // with the sign above its eleven bits
+        let fraction = bits & 0xF_FFFF_FFFF_FFFF;
+        match exponent {
+            _ if bits == 1 << 63 => Some((0, 1074)), // -0.0
+            2047.. => None,
+            0 => Some((fraction, 1074)),
+            _ => Some((fraction | 1 << 52, 1075_i32.wrapping_sub(exponent as i32))),
+        }
+    }
 }
 
 impl Time for Seconds<f64> {
     #[inline]
     fn frame(self, fps: impl Into<StoredFps>, frame_count: u32) -> Option<u32> {
-        let (fps, bits) = (fps.into(), self.0.to_bits());
-        let exponent = bits >> 52; // with the sign above its eleven bits
-        let fraction = bits & 0xF_FFFF_FFFF_FFFF;
-        match exponent {
-            _ if bits == 1 << 63 => frame_at_float(fps, frame_count, 0, 1074), // -0.0
-            2047.. => None,                                                    // negative, infinite, NaN
-            0 => frame_at_float(fps, frame_count, fraction, 1074),
-            _ => frame_at_float(fps, frame_count, fraction | 1 << 52, 1075_i32.wrapping_sub(exponent as i32)),
-        }
+        let (mantissa, shift) = self.parts()?;
+        frame_at_float(fps.into(), frame_count, mantissa, shift)
     }
 
     #[inline]
@@ -175,6 +236,10 @@ impl Time for Seconds<f64> {
     #[inline]
     fn later(self, us: u32) -> Self {
         Seconds(self.0 + f64::from(us) / f64::from(MICROS_PER_SECOND))
+    }
+
+    fn since_start_of(self, frame: u32, fps: StoredFps) -> (u64, u64) {
+        self.parts().map_or((0, 1), |(mantissa, shift)| rest_of_float(mantissa, shift, frame, fps))
     }
 }
 
@@ -196,4 +261,18 @@ fn frame_at_float(fps: StoredFps, frame_count: u32, mantissa: u64, shift: i32) -
         return one_of(frames, frame_count);
     }
     StoredFps::from_parts(1, fps.denominator(), 0)?.frame_at_units(frames, 1, frame_count)
+}
+
+/// What is left of (`mantissa` + 2) · 2^−`shift` seconds after the frames before `frame`, in 65,536ths of the time that a
+/// numerator of frames takes.
+fn rest_of_float(mantissa: u64, shift: i32, frame: u32, fps: StoredFps) -> (u64, u64) {
+    let frames = u128::from(mantissa.wrapping_add(2)).wrapping_mul(u128::from(fps.numerator()));
+    // Fewer than 87 bits, and 16 more; up to 22 more for whole units.
+    let shifted = match shift.wrapping_sub(16) {
+        left @ -38..=0 => frames.wrapping_shl(left.unsigned_abs()),
+        right @ 1..=127 => frames >> right,
+        _ => 0,
+    };
+    let whole = u64::from(fps.denominator()) << 16;
+    ((shifted as u64).wrapping_sub(whole.wrapping_mul(u64::from(frame))), whole)
 }

@@ -8,8 +8,8 @@
 
 use core::panic::PanicInfo;
 use lipz_bank::{
-    Babble, Bank, Clip, ClipId, Command, ConsonantHold, Cursor, Error, Event, EventName, Fps, Lead, Locale, Micros, Places,
-    Samples, Seconds, Segment, TextBank, Time, Viseme, VisemeType, VoiceLevel, Weight,
+    Babble, Bank, Clip, ClipId, Command, ConsonantHold, Cursor, CurveCursor, CurveValue, Error, Event, EventName, Fps,
+    Lead, Locale, Micros, Places, Samples, Seconds, Segment, TextBank, Time, Viseme, VisemeType, VoiceLevel, Weight,
 };
 
 /// Takes what was answered, so that no question is left out as useless.
@@ -112,11 +112,8 @@ fn fps_asked(fps: Fps, number: u32, see: See) {
     for lead in [Lead::one_frame(fps), Lead::two_frames(fps), Lead::micros(number)] {
         see(u64::from(lead.us()));
     }
-    let holds = [
-        ConsonantHold::readable(fps),
-        ConsonantHold::for_display(number, fps),
-        ConsonantHold::frames(number as u8),
-    ];
+    let holds =
+        [ConsonantHold::readable(fps), ConsonantHold::for_display(number, fps), ConsonantHold::frames(number as u8)];
     see(u64::from(holds[0] == holds[1]) | u64::from(holds[1] < holds[2]) | u64::from(holds[0].frame_count()) << 8);
 }
 
@@ -130,6 +127,7 @@ fn clip_asked(bank: &Bank<'_>, clip: &Clip<'_, '_>, number: u32, see: See) {
         see_bytes(see, kind.name().as_bytes());
         see_bytes(see, kind.codes().as_bytes());
     }
+    curves_asked(bank, clip, number, see);
     see(clip.recording().map_or(0, |recording| recording.length_us() ^ recording.content_hash()));
     see(VisemeType::from_number(number as u8).map_or(0, |kind| kind as u64));
     if let Some(fps) = clip.fps() {
@@ -150,10 +148,31 @@ fn clip_asked(bank: &Bank<'_>, clip: &Clip<'_, '_>, number: u32, see: See) {
     }
 }
 
+fn curves_asked(bank: &Bank<'_>, clip: &Clip<'_, '_>, number: u32, see: See) {
+    let mut cursor = CurveCursor::new();
+    let named = bank.event_name("joy").and_then(|name| clip.curve_named(name));
+    for curve in clip.curves().chain(clip.curve("anger")).chain(named) {
+        see_bytes(see, curve.name().as_str().as_bytes());
+        see(u64::from(curve.key_count()) | curve.key(number).map_or(0, |key| u64::from(key.frame)));
+        let value_see = |value: CurveValue| see(value.thousandths() as u64 ^ u64::from(value.to_f32().to_bits()));
+        curve.keys().for_each(|key| value_see(key.value));
+        value_see(curve.value(number).towards(CurveValue::from_thousandths(number as i32), u64::from(number), 1 << 33));
+        value_see(cursor.value(&curve, number));
+        let seconds = Seconds(number as f32);
+        let times =
+            [curve.value_at(Micros(i64::from(number))), curve.value_at(seconds), cursor.value_at(&curve, seconds)];
+        times.iter().flatten().for_each(|value| value_see(*value));
+        let samples = Samples { position: i64::from(number), rate_hz: number };
+        curve.value_at(samples).into_iter().for_each(value_see);
+        curve.value_at(core::time::Duration::from_micros(u64::from(number))).into_iter().for_each(value_see);
+    }
+}
+
 fn viseme_asked(clip: &Clip<'_, '_>, viseme: Viseme, see: See) {
     let weight = clip.viseme_type().map(|kind| Viseme::from_code(viseme.code()).openness(kind));
     see(u64::from(viseme.to_char()) | u64::from(viseme.is_rest()) << 32);
-    let weights = [weight.unwrap_or_default(), Weight::from_digit(viseme.code()), Weight::from_digits(b'9', viseme.code())];
+    let weights =
+        [weight.unwrap_or_default(), Weight::from_digit(viseme.code()), Weight::from_digits(b'9', viseme.code())];
     weights.iter().for_each(|weight| see(u64::from(weight.ten_thousandths())));
 }
 

@@ -11,7 +11,7 @@ mod controls;
 use core::mem::MaybeUninit;
 use core::panic::PanicInfo;
 use lipz_bank::{
-    Babble, Bank, Clip, ClipId, ConsonantHold, Cursor, Error, Event, EventName, Lead, Locale, Micros, TextBank, VoiceLevel,
+    Babble, Bank, Clip, ClipId, ConsonantHold, Cursor, CurveCursor, CurveValue, Error, Event, EventName, Lead, Locale, Micros, TextBank, VoiceLevel,
 };
 
 /// A bank, as an entry point returns it: in memory of its caller.
@@ -143,6 +143,19 @@ fn size_state(clip: &Clip<'_, '_>, cursor: &Cursor, of: &EventName<'_>) -> u32 {
 #[no_mangle]
 fn size_babble(bank: &Bank<'_>, name: &str, time_us: i64) -> u16 {
     bank.babble(name).unwrap_or(Babble::DEFAULT).at(Micros(time_us), VoiceLevel::UNMEASURED).ooh.ten_thousandths()
+}
+
+#[no_mangle]
+fn size_curve_cursor(clip: &Clip<'_, '_>, name: &EventName<'_>, cursor: &mut CurveCursor, time_us: i64) -> i32 {
+    let value = clip.curve_named(*name).and_then(|curve| cursor.value_at(&curve, Micros(time_us)));
+    value.map_or(0, CurveValue::thousandths)
+}
+
+#[no_mangle]
+fn size_curves(clip: &Clip<'_, '_>, time_us: i64, each: fn(EventName<'_>, i32)) {
+    for curve in clip.curves() {
+        each(curve.name(), curve.value_at(Micros(time_us)).map_or(0, CurveValue::thousandths));
+    }
 }
 
 extern "C" {

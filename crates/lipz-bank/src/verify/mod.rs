@@ -7,6 +7,7 @@
 
 mod babble;
 mod clips;
+mod curves;
 mod events;
 mod recordings;
 mod sections;
@@ -42,6 +43,7 @@ pub(crate) fn verify<'data>(bank: &mut Bank<'data>, utf8: Utf8<'data>) -> Result
     events::events(bank)?;
     babble::babble(bank)?;
     recordings::recordings(bank)?;
+    curves::curves(bank)?;
     if lipz_layout::fingerprint(bank.keys, bank.clips) != bank.file.header.fingerprint.get() {
         return Err(Error::new(ErrorKind::Fingerprint, 24));
     }

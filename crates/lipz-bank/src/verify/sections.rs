@@ -41,7 +41,7 @@ pub(super) fn table_lengths(bank: &Bank<'_>) -> Result<(), Error> {
     text_lengths(&bank.file, &bank.texts)?;
     let has_shape =
         |entry: &DirectoryEntry, (_, entry_bytes): (Tag, usize)| usize::from(entry.entry_bytes.get()) == entry_bytes;
-    let [of_babble, of_recordings, of_index, of_sources] = Tag::OPTIONAL;
+    let [of_babble, of_recordings, of_curve_clips, of_curves, of_curve_keys, of_index, of_sources] = Tag::OPTIONAL;
     if let Some(babble) = bank.file.entry(of_babble.0).filter(|babble| !has_shape(babble, of_babble)) {
         return Err(error_at(bank, ErrorKind::SectionShape, babble));
     }
@@ -51,6 +51,7 @@ pub(super) fn table_lengths(bank: &Bank<'_>) -> Result<(), Error> {
             return Err(error_at(bank, ErrorKind::SectionShape, recordings));
         }
     }
+    together(bank, &[of_curve_clips, of_curves, of_curve_keys])?;
     match (bank.file.entry(of_index.0), bank.file.entry(of_sources.0)) {
         (None, None) => Ok(()),
         (Some(index), Some(sources)) => {
@@ -65,6 +66,21 @@ pub(super) fn table_lengths(bank: &Bank<'_>) -> Result<(), Error> {
         }
         (Some(lonely), None) | (None, Some(lonely)) => Err(error_at(bank, ErrorKind::SectionMissing, lonely)),
     }
+}
+
+/// Checks that a bank has all of these sections or none, each filled with entries of its length.
+fn together(bank: &Bank<'_>, sections: &[(Tag, usize)]) -> Result<(), Error> {
+    let found = || sections.iter().filter_map(|(tag, entry_bytes)| Some((bank.file.entry(*tag)?, *entry_bytes)));
+    for (entry, entry_bytes) in found() {
+        if found().count() != sections.len() {
+            return Err(error_at(bank, ErrorKind::SectionMissing, entry));
+        }
+        let is_filled = entry.length_bytes.get() & (entry_bytes as u32).wrapping_sub(1) == 0;
+        if usize::from(entry.entry_bytes.get()) != entry_bytes || !is_filled {
+            return Err(error_at(bank, ErrorKind::SectionShape, entry));
+        }
+    }
+    Ok(())
 }
 
 /// Checks that there is a text start for each segment in each locale, and that the last one ends with the pool.

@@ -71,6 +71,9 @@ impl<'b> Recall<'b> {
         for segment in found.segments().filter(|_| clip.has_events) {
             clip.events.push(segment.event()?);
         }
+        found
+            .curves()
+            .for_each(|curve| clip.curves.push(curve.name().as_str(), curve.keys().map(|key| (key.frame, key.value))));
         self.texts(&found, locales, clip);
         if let Some(sources) = &self.sources {
             clip.source.extend_from_slice(sources.record(found.slot())?);

@@ -7,7 +7,7 @@ use crate::clip::Locales;
 use foldhash::HashMap;
 use lipz_diagnostics::{Code, Diagnostic, bound};
 use lipz_file::{Document, Element};
-use lipz_file::{JsonString, Raw};
+use lipz_file::{JsonString, Raw, curve};
 
 /// Texts that are looked through one by one: for so few, a table costs more.
 const FEW_TEXTS: usize = 32;
@@ -19,6 +19,7 @@ pub(super) struct Roles<'d> {
     pub(super) viseme_type: Option<&'d JsonString<'d>>,
     pub(super) visemes: Option<&'d JsonString<'d>>,
     pub(super) events: Option<&'d JsonString<'d>>,
+    pub(super) curves: Option<&'d Raw<'d>>,
     /// Texts in file order, no locale twice.
     pub(super) texts: Vec<TextElement<'d>>,
     /// Where the text of each locale is among them, if they are many.
@@ -50,6 +51,7 @@ impl<'d> Roles<'d> {
                 "viseme_type" => roles.viseme_type = types::string(element, diagnostics),
                 "visemes" => roles.visemes = types::string(element, diagnostics),
                 "events" => roles.events = types::string(element, diagnostics),
+                curve::ELEMENT => roles.curves = types::object(element, diagnostics),
                 _ => match text_locale(element, options, locales, diagnostics) {
                     Some(locale) => roles.text(element, locale, locales, diagnostics),
                     None => diagnostics.push(names::unknown(element)),

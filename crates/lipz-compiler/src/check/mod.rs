@@ -2,6 +2,7 @@
 
 mod bank_limits;
 mod blank;
+mod curves;
 mod elements;
 mod events;
 mod fps;
@@ -48,6 +49,9 @@ pub(crate) fn check(
     if let Some(string) = roles.visemes {
         clip.has_visemes = true;
         visemes::frames(string, expected, clip, diagnostics);
+    }
+    if let Some(value) = roles.curves {
+        curves::curves(value, &options.known_names, clip, diagnostics);
     }
     // One element says how many segments there are; others are joined if that is allowed.
     let segment_count = match roles.reference(options, locales) {

@@ -5,7 +5,7 @@ use lipz_file::Element;
 use lipz_file::locale::{self, TextName};
 
 /// Names of the elements of the format that are not texts.
-const NAMES: [&str; 4] = ["fps", "visemes", "viseme_type", "events"];
+const NAMES: [&str; 5] = ["fps", "visemes", "viseme_type", "events", "curves"];
 
 /// The diagnostic for a name that is not of the format.
 pub(super) fn unknown(element: &Element<'_>) -> Diagnostic {
@@ -19,7 +19,7 @@ pub(super) fn unknown(element: &Element<'_>) -> Diagnostic {
         .note("it is kept for unpacking; games do not see it")
         .help(match suggestion(name) {
             Some(known) => format!("did you mean `{known}`?"),
-            None => "the elements are fps, viseme_type, visemes, text_ll-cc, events".to_owned(),
+            None => "the elements are fps, viseme_type, visemes, text_ll-cc, events, curves".to_owned(),
         })
 }
 

@@ -32,6 +32,18 @@ pub(super) fn number<'d>(element: &'d Element<'d>, diagnostics: &mut Vec<Diagnos
     None
 }
 
+/// The object that the element must have.
+pub(super) fn object<'d>(element: &'d Element<'d>, diagnostics: &mut Vec<Diagnostic>) -> Option<&'d Raw<'d>> {
+    match &element.value {
+        Value::Other(value) if value.text.starts_with('{') => return Some(value),
+        _ => diagnostics.push(
+            wrong_type(element, "an object")
+                .help("write a name and keys for each curve: { \"jawOpen\": \"0:0 12:0.8\" }"),
+        ),
+    }
+    None
+}
+
 /// Whether the text is a frame rate as JSON spells numbers: not `024`, not `24.`.
 fn is_rate(text: &str) -> bool {
     let is_number = || lipz_file::parse(format!("{{\"fps\":{text}}}").as_bytes()).document.is_some();

@@ -1,9 +1,11 @@
 //! A checked clip: what a Lipz file means, free of how it is written.
 
+mod curves;
 mod locales;
 mod packed;
 mod store;
 
+pub(crate) use curves::{Curves, Key};
 pub(crate) use locales::Locales;
 pub(crate) use store::{Clip, Clips};
 
@@ -37,6 +39,8 @@ pub(crate) struct ClipData {
     pub(crate) has_events: bool,
     /// Trimmed event strings of all segments, if it has.
     pub(crate) events: Strings,
+    /// Curves in the order of their names.
+    pub(crate) curves: Curves,
     /// Whether an element has another number of segments than the clip, and was joined to one.
     pub(crate) has_joined: bool,
     /// What the above lost of the file; see `source_record`. Empty when stripped.
@@ -65,6 +69,7 @@ impl ClipData {
         self.runs.clear();
         self.displays.clear();
         self.events.clear();
+        self.curves.clear();
         self.source.clear();
         (self.has_visemes, self.has_events, self.has_joined) = (false, false, false);
         (self.fps, self.viseme_type) = (None, None);

@@ -1,6 +1,6 @@
 //! Checked clips in bulk: flat, so that a hundred thousand of them cost no allocation each.
 
-use super::{ClipData, ClipText, Locales};
+use super::{ClipData, ClipText, Curves, Key, Locales};
 use crate::strings::Strings;
 use lipz_bank::{Fps, VisemeType};
 use lipz_layout::U16;
@@ -21,6 +21,7 @@ pub(crate) struct Clips {
     texts: Vec<ClipText>,
     runs: Vec<u8>,
     events: Strings,
+    curves: Curves,
     sources: Vec<u8>,
 }
 
@@ -41,6 +42,7 @@ struct Ends {
     texts: usize,
     runs: usize,
     events: usize,
+    curves: usize,
     source: usize,
 }
 
@@ -53,6 +55,7 @@ impl Clips {
         self.texts.extend_from_slice(&clip.texts);
         self.runs.extend_from_slice(&clip.runs);
         clip.events.iter().for_each(|event| self.events.push(event));
+        clip.curves.iter().for_each(|(name, keys)| self.curves.push(name, keys.iter().copied()));
         self.sources.extend_from_slice(&clip.source);
         self.heads.push(Head {
             fps: clip.fps,
@@ -65,6 +68,7 @@ impl Clips {
                 texts: self.texts.len(),
                 runs: self.runs.len(),
                 events: self.events.count(),
+                curves: self.curves.count(),
                 source: self.sources.len(),
             },
         });
@@ -75,10 +79,11 @@ impl Clips {
         self.heads.len()
     }
 
-    /// Gives back the memory of keys and events, which must not be asked for any more.
+    /// Gives back the memory of keys, events and curves, which must not be asked for any more.
     pub(crate) fn drop_names(&mut self) {
         self.keys = Strings::default();
         self.events = Strings::default();
+        self.curves = Curves::default();
     }
 
     /// Gives back the memory of all but the first `count` clips.
@@ -211,6 +216,15 @@ impl<'c> Clip<'c> {
     pub(crate) fn events(&self) -> Option<impl Iterator<Item = &'c str> + use<'c>> {
         let numbers = self.range(|ends| ends.events);
         self.head().has_events.then(|| self.clips.events.range(numbers))
+    }
+
+    /// Names and keys of the curves, in the order of the names.
+    pub(crate) fn curves(&self) -> impl Iterator<Item = (&'c str, &'c [Key])> + use<'c> {
+        self.clips.curves.range(self.range(|ends| ends.curves))
+    }
+
+    pub(crate) fn has_curves(&self) -> bool {
+        !self.range(|ends| ends.curves).is_empty()
     }
 
     pub(crate) fn source(&self) -> &'c [u8] {

@@ -2,6 +2,7 @@
 
 use super::{Change, LocalePair};
 use lipz_bank::{Clip, Fps, Locale, Recording, Segment, VisemeType};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// How a clip differs; at least one field says so.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
@@ -23,6 +24,8 @@ pub struct ClipChange<'d> {
     pub texts: Vec<TextChange<'d>>,
     /// Event strings, sorted by segment.
     pub events: Vec<EventChange<'d>>,
+    /// Curves, sorted by name.
+    pub curves: Vec<CurveChange<'d>>,
     /// What the banks say about the recording; `None` inside for nothing.
     #[cfg_attr(feature = "json", serde(serialize_with = "super::json::recording"))]
     pub recording: Option<Change<Option<Recording>>>,
@@ -67,6 +70,17 @@ pub struct EventChange<'d> {
     pub event: Change<Option<&'d str>>,
 }
 
+/// How a curve differs.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+pub struct CurveChange<'d> {
+    /// The name.
+    pub name: &'d str,
+    /// The keys as in a Lipz file, `0:0 12:2.2`; `None` for a clip without a curve of this name.
+    #[cfg_attr(feature = "json", serde(flatten))]
+    pub keys: Change<Option<String>>,
+}
+
 impl<'d> ClipChange<'d> {
     /// How the clips differ, apart from their keys; `None` if they do not.
     pub(super) fn between(
@@ -82,11 +96,24 @@ impl<'d> ClipChange<'d> {
             segment_starts: Change::between(starts(old), starts(new)),
             texts: texts(old, new, locales),
             events: events(old, new),
+            curves: curves(old, new),
             recording: Change::between(old.recording(), new.recording()),
         };
         let same = ClipChange { key: new.key(), ..ClipChange::default() };
         (change != same).then_some(change)
     }
+}
+
+/// The curves of which the keys differ.
+fn curves<'d>(old: &Clip<'d, '_>, new: &Clip<'d, '_>) -> Vec<CurveChange<'d>> {
+    let of = |clip: &Clip<'d, '_>| -> BTreeMap<&'d str, String> {
+        clip.curves().map(|curve| (curve.name().as_str(), curve.to_string())).collect()
+    };
+    let (old, new) = (of(old), of(new));
+    let names: BTreeSet<&'d str> = old.keys().chain(new.keys()).copied().collect();
+    let change =
+        |name| Some(CurveChange { name, keys: Change::between(old.get(name).cloned(), new.get(name).cloned())? });
+    names.into_iter().filter_map(change).collect()
 }
 
 fn frames(old: &Clip<'_, '_>, new: &Clip<'_, '_>) -> Option<FramesChange> {

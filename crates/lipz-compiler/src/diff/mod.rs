@@ -1,7 +1,7 @@
 //! What a program would notice if one bank took the place of another.
 //!
-//! Compared is what the reader answers: frame rates, frames, segments, display texts, events, locales, babble
-//! profiles. How the source files were spelled, and whether a bank keeps them, makes no difference.
+//! Compared is what the reader answers: frame rates, frames, segments, display texts, events, curves, locales,
+//! babble profiles. How the source files were spelled, and whether a bank keeps them, makes no difference.
 
 mod bank;
 mod clip;
@@ -10,7 +10,7 @@ mod json;
 mod renamed;
 
 pub use bank::{BabbleChange, FallbackChange};
-pub use clip::{ClipChange, EventChange, FramesChange, TextChange};
+pub use clip::{ClipChange, CurveChange, EventChange, FramesChange, TextChange};
 pub use renamed::Renamed;
 
 use crate::BankWithTexts;

@@ -1,6 +1,6 @@
 //! One clip, in a line of a list or in full.
 
-use lipz_bank::{Bank, Clip, ClipId, Event, EventName, Fps, Locale, Recording, Segment, VisemeType};
+use lipz_bank::{Bank, Clip, ClipId, Curve, Event, EventName, Fps, Locale, Recording, Segment, VisemeType};
 
 /// A clip in a list.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -69,9 +69,40 @@ pub struct ClipDetails<'d> {
     pub frames: String,
     /// Its segments.
     pub segments: Vec<SegmentDetails<'d>>,
+    /// Its curves, in the order of their names.
+    pub curves: Vec<CurveDetails<'d>>,
     /// The recording that it was made for; `None` if the bank says nothing about it.
     #[cfg_attr(feature = "json", serde(serialize_with = "crate::json::recording"))]
     pub recording: Option<Recording>,
+}
+
+/// A curve with its keys.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct CurveDetails<'d> {
+    /// Its name.
+    pub name: &'d str,
+    /// Its keys, in the order of their frames.
+    pub keys: Vec<KeyDetails>,
+}
+
+/// A key of a curve.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct KeyDetails {
+    /// The frame.
+    pub frame: u32,
+    /// The value in thousandths.
+    pub thousandths: i32,
+}
+
+impl<'d> From<&Curve<'d>> for CurveDetails<'d> {
+    fn from(curve: &Curve<'d>) -> Self {
+        let keys = curve.keys().map(|key| KeyDetails { frame: key.frame, thousandths: key.value.thousandths() });
+        CurveDetails { name: curve.name().as_str(), keys: keys.collect() }
+    }
 }
 
 /// Everything that a program reads of a segment.
@@ -121,6 +152,9 @@ pub struct SegmentText<'d> {
     pub is_fallback: bool,
 }
 
+/// Bytes that a key of a curve takes, roughly.
+const KEY_BYTES: usize = 24;
+
 /// Bytes that an event takes in [`ClipDetails`] beside its names, roughly.
 const EVENT_BYTES: usize = 64;
 
@@ -139,7 +173,14 @@ impl<'d> ClipDetails<'d> {
             take(segment.events().size_hint().1.unwrap_or(usize::MAX).saturating_mul(EVENT_BYTES))?;
             locales.iter().try_for_each(|locale| take(segment.text(*locale).map_or(0, |text| text.len())))
         };
-        clip.segments().try_for_each(fits).is_some()
+        if clip.segments().try_for_each(fits).is_none() {
+            return false;
+        }
+        let fits_curve = |curve: Curve<'_>| {
+            let keys_bytes = (curve.key_count() as usize).saturating_mul(KEY_BYTES);
+            take(curve.name().as_str().len().saturating_add(keys_bytes))
+        };
+        clip.curves().try_for_each(fits_curve).is_some()
     }
 
     /// Reads the clip, with its texts in these locales.
@@ -166,6 +207,7 @@ impl<'d> ClipDetails<'d> {
             has_visemes: clip.has_visemes(),
             frames: clip.frames().iter().map(|&code| code as char).collect(),
             segments: segments.collect(),
+            curves: clip.curves().map(|curve| CurveDetails::from(&curve)).collect(),
             recording: clip.recording(),
         }
     }

@@ -36,6 +36,8 @@ pub struct BankSummary<'d> {
     pub frames: usize,
     /// Segments of all clips.
     pub segments: usize,
+    /// Curves of all clips.
+    pub curves: usize,
     /// The times of all clips that have a frame rate, in seconds.
     pub seconds: f64,
     /// Whether it keeps what unpacking needs to restore the source files exactly.
@@ -84,6 +86,7 @@ impl<'d> BankSummary<'d> {
             clips_without_fps: bank.clips().filter(|clip| clip.fps().is_none()).count(),
             frames: bank.clips().map(|clip| clip.frame_count() as usize).sum(),
             segments: bank.clips().map(|clip| clip.segment_count() as usize).sum(),
+            curves: bank.clips().map(|clip| clip.curves().count()).sum(),
             seconds: bank.clips().filter_map(|clip| clip.duration_us()).fold(0.0, |sum, us| sum + us as f64 / 1e6),
             has_sources: bank.sections().any(|(tag, _)| tag == Tag::SOURCES.0),
             locales: whole.locales().into_iter().map(|locale| LocaleSummary::new(bank, locale)).collect(),

@@ -21,13 +21,14 @@ pub(super) struct Events {
     pub(super) pool: String,
 }
 
-/// Numbers the distinct event strings in the order of their first use, and parses each once.
-pub(super) fn events(clips: &[Clip<'_>]) -> Result<Events, Report> {
+/// Numbers the distinct event strings in the order of their first use, and parses each once. With the names of events and
+/// curves, in the order of their numbers.
+pub(super) fn events<'c>(clips: &[Clip<'c>]) -> Result<(Events, Vec<&'c str>), Report> {
     let mut references = Vec::new();
     let mut records = Vec::new();
-    let mut parsed: Vec<Event<'_>> = Vec::new();
+    let mut parsed: Vec<Event<'c>> = Vec::new();
     let mut pool = String::new();
-    let mut numbers: HashMap<&str, u32> = HashMap::with_capacity(clips.len());
+    let mut numbers: HashMap<&'c str, u32> = HashMap::with_capacity(clips.len());
     for clip in clips {
         for string in clip.events().into_iter().flatten() {
             let next = fit(records.len(), "events")?;
@@ -46,16 +47,17 @@ pub(super) fn events(clips: &[Clip<'_>]) -> Result<Events, Report> {
             references.push(number.into());
         }
     }
-    let sorted = sorted_names(&parsed);
+    let sorted = sorted_names(&parsed, clips);
     let typed = parsed.iter().map(|event| typed_record(event, &sorted)).collect();
     let names = name_records(&sorted, &mut pool)?;
-    Ok(Events { references, records, typed, names, pool })
+    Ok((Events { references, records, typed, names, pool }, sorted))
 }
 
-/// The distinct names in `events`, in their order.
-fn sorted_names<'e>(events: &[Event<'e>]) -> Vec<&'e str> {
+/// The distinct names in `events`, and those of curves, in their order.
+fn sorted_names<'e>(events: &[Event<'e>], clips: &[Clip<'e>]) -> Vec<&'e str> {
     let words = events.iter().flat_map(|event| [event.character, event.command.object()]).flatten();
     let mut names: Vec<&str> = words.map(|word| word.text).collect();
+    names.extend(clips.iter().flat_map(Clip::curves).map(|(name, _)| name));
     names.sort_unstable();
     names.dedup();
     names

@@ -1,6 +1,7 @@
 //! From clips to the sections of a bank.
 
 pub(crate) mod assemble;
+mod curves;
 mod events;
 mod fill;
 mod index;
@@ -14,6 +15,7 @@ use crate::clip::{Clip, Clips};
 use crate::localise::Localised;
 use crate::{Options, parallel};
 use assemble::Section;
+use curves::Curves;
 use events::Events;
 use index::Index;
 use lipz_bank::ClipId;
@@ -37,6 +39,7 @@ pub(crate) struct Layout {
     events: Events,
     sources: Sources,
     babble: Vec<u8>,
+    curves: Curves,
     /// One record per slot; empty if nothing is known of any recording.
     recordings: Vec<RecordingRecord>,
     is_stripped: bool,
@@ -55,7 +58,7 @@ impl Layout {
             || parallel::join(|| texts::texts(clips, localised, &numbering), || strings::own_sources(clips)),
         );
         let (index, ids) = index?;
-        let (slots, events, names) = (&index.slots, events?, names?);
+        let (slots, (events, event_names), names) = (&index.slots, events?, names?);
         Ok(Layout {
             records: records::clips(clips, &numbering, &ids, slots, &names)?,
             locales: records::locales(localised, &names),
@@ -63,6 +66,7 @@ impl Layout {
             segment_count: numbering.segment_count,
             sources: strings::sources(&sources, slots)?,
             babble: options.babble.section(),
+            curves: curves::curves(clips, slots, &event_names)?,
             recordings: recordings::recordings(clips, slots, &options.recordings),
             is_stripped: options.strip,
             batch_slots: batch_slots(clips, slots),
@@ -97,6 +101,11 @@ impl Layout {
         }
         if !self.recordings.is_empty() {
             sections.push(Section::table(Tag::RECORDINGS, self.recordings.as_bytes()));
+        }
+        if !self.curves.clips.is_empty() {
+            sections.push(Section::table(Tag::CURVE_CLIPS, self.curves.clips.as_bytes()));
+            sections.push(Section::table(Tag::CURVES, self.curves.curves.as_bytes()));
+            sections.push(Section::table(Tag::CURVE_KEYS, &self.curves.keys));
         }
         if !self.is_stripped {
             sections.push(Section::table(Tag::SOURCE_INDEX, self.sources.index.as_bytes()));

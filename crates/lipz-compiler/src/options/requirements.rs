@@ -24,7 +24,7 @@ pub struct MinCoverage {
     pub locales: BTreeMap<String, f64>,
 }
 
-/// Names that Character Event Syntax may mention; a list that is `None` is not checked.
+/// Names that Character Event Syntax and curves may have; a list that is `None` is not checked.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 #[non_exhaustive]
 pub struct KnownNames {
@@ -36,6 +36,8 @@ pub struct KnownNames {
     pub emotions: BTreeSet<String>,
     /// Actions of `does`.
     pub actions: Option<BTreeSet<String>>,
+    /// Curves beyond the emotions and the blend shapes of ARKit.
+    pub curves: Option<BTreeSet<String>>,
 }
 
 impl TextLimits {
@@ -114,6 +116,12 @@ impl KnownNames {
     #[must_use]
     pub fn actions<T: Into<String>>(self, names: impl IntoIterator<Item = T>) -> KnownNames {
         KnownNames { actions: Some(strings(names)), ..self }
+    }
+
+    /// Sets the curves beyond the emotions and the blend shapes of ARKit.
+    #[must_use]
+    pub fn curves<T: Into<String>>(self, names: impl IntoIterator<Item = T>) -> KnownNames {
+        KnownNames { curves: Some(strings(names)), ..self }
     }
 }
 

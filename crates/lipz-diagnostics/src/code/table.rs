@@ -178,4 +178,12 @@ codes! {
     ClippedRecording "LZ1717" "clipped-recording" Warning "a recording is cut off at full scale"
     UnusableModel "LZ1718" "unusable-model" Error "a model of voices cannot be used"
     TooLittleSpeech "LZ1719" "too-little-speech" Error "there is too little speech to learn a model from"
+
+    "Curves"
+    CurveSyntax "LZ1801" "curve-syntax" Error "a curve is not a string of keys"
+    CurveOrder "LZ1802" "curve-order" Error "the keys of a curve are not in the order of their frames"
+    CurveRange "LZ1803" "curve-range" Error "a key of a curve lies behind the end of the clip"
+    CurveValue "LZ1804" "curve-value" Error "a value of a curve does not fit a bank"
+    SameCurveTwice "LZ1805" "same-curve-twice" Error "a clip has two curves with the same name"
+    UnknownCurve "LZ1806" "unknown-curve" Warning "the name of a curve is not known"
 }

@@ -3,7 +3,7 @@
 //! The layout is that of the specification's examples: `visemes`, texts and `events` come first,
 //! one below the other, the opening quotes of all values stand in one column, and blanks at the
 //! ends of segments bring the `|` under each other. The type and the rate of the visemes follow,
-//! then elements that are not of the format.
+//! then the curves, one a line, and elements that are not of the format.
 
 mod columns;
 mod rewrite;
@@ -12,7 +12,7 @@ mod spelling;
 pub use rewrite::rewrite;
 
 use crate::locale::{TextName, text_name};
-use crate::{Document, Element, Value};
+use crate::{Document, Element, Value, curve};
 use columns::Row;
 use std::borrow::Cow;
 use unicode_width::UnicodeWidthStr;
@@ -84,7 +84,7 @@ pub fn format(document: &Document<'_>, style: Style<'_>) -> String {
     let names: Vec<Cow<'_, str>> = elements.iter().map(|(_, element)| element.name.spelling()).collect();
     let known = || std::iter::zip(&elements, &names).filter(|((role, _), _)| *role != Role::Unknown);
     let value_column = known().map(|(_, name)| name.width()).max().unwrap_or(0);
-    let values = values(&elements);
+    let values = values(&elements, line_ending);
     let mut out = String::from("{");
     for (index, (name, value)) in std::iter::zip(names, values).enumerate() {
         out.push_str(if index == 0 { "" } else { "," });
@@ -105,6 +105,7 @@ enum Role {
     Events,
     VisemeType,
     Fps,
+    Curves,
     Unknown,
 }
 
@@ -115,6 +116,7 @@ impl Role {
             "events" => Role::Events,
             "viseme_type" => Role::VisemeType,
             "fps" => Role::Fps,
+            curve::ELEMENT => Role::Curves,
             _ => match text_name(name) {
                 None => Role::Unknown,
                 Some(TextName::NoLocale) => Role::Text(String::new()),
@@ -136,7 +138,7 @@ fn first_text(elements: &[(Role, &Element<'_>)], default_locale: Option<&str>) -
 }
 
 /// The values as they are written, with aligned segments.
-fn values<'d>(elements: &[(Role, &'d Element<'d>)]) -> Vec<Cow<'d, str>> {
+fn values<'d>(elements: &[(Role, &'d Element<'d>)], line_ending: &str) -> Vec<Cow<'d, str>> {
     let mut rows = Vec::new();
     for (role, element) in elements {
         match (role, &element.value) {
@@ -150,8 +152,9 @@ fn values<'d>(elements: &[(Role, &'d Element<'d>)]) -> Vec<Cow<'d, str>> {
     columns::align(&mut rows);
     let mut rows = rows.into_iter();
     let value = |(role, element): &(Role, &'d Element<'d>)| match (role, &element.value) {
-        (Role::Unknown | Role::VisemeType | Role::Fps, Value::String(string)) => string.spelling(),
+        (Role::Unknown | Role::VisemeType | Role::Fps | Role::Curves, Value::String(string)) => string.spelling(),
         (_, Value::String(_)) => Cow::Owned(rows.next().map_or_else(String::new, Row::literal)),
+        (Role::Curves, Value::Other(raw)) => curve::tidy(raw, line_ending).map_or(raw.text.as_ref().into(), Cow::Owned),
         (_, Value::Number(raw) | Value::Other(raw)) => Cow::Borrowed(raw.text.as_ref()),
     };
     elements.iter().map(value).collect()

@@ -26,11 +26,9 @@ pub(super) fn elements<'s>(text: &'s str, diagnostics: &mut Vec<Diagnostic>) -> 
     }
     let mut elements = Vec::with_capacity(members.0.len());
     let mut complete = true;
-    let literals = Literals { text, has_escapes: has_escapes(text) };
-    for (name, value) in members.0 {
-        let element = literals
-            .string(name.get(), diagnostics)
-            .and_then(|name| Some(Element { name, value: literals.value(value.get(), diagnostics)? }));
+    let literals = Literals { text, start: 0, has_escapes: has_escapes(text) };
+    for member in members.0 {
+        let element = literals.element(member, diagnostics);
         bound::limit_many(diagnostics);
         complete &= element.is_some();
         elements.extend(element);
@@ -39,7 +37,19 @@ pub(super) fn elements<'s>(text: &'s str, diagnostics: &mut Vec<Diagnostic>) -> 
     complete.then_some(Document { elements })
 }
 
-/// The members of the root object: name and value as they are in the text.
+impl Raw<'_> {
+    /// The members of an object in the order of the file, also those whose name appears twice; `None` if the value is no
+    /// object, or if one of its strings is no text, which is reported.
+    pub fn members(&self, diagnostics: &mut Vec<Diagnostic>) -> Option<Vec<Element<'_>>> {
+        let text: &str = &self.text;
+        let members = Members::deserialize(&mut serde_json::Deserializer::from_str(text)).ok()?;
+        let start = self.span.range().start;
+        let literals = Literals { text, start, has_escapes: has_escapes(text) };
+        members.0.into_iter().map(|member| literals.element(member, diagnostics)).collect()
+    }
+}
+
+/// The members of an object: name and value as they are in the text.
 struct Members<'s>(Vec<(&'s RawValue, &'s RawValue)>);
 
 impl<'de> Deserialize<'de> for Members<'de> {
@@ -71,14 +81,25 @@ fn has_escapes(text: &str) -> bool {
 /// The literals of a text, whose syntax serde_json has accepted.
 struct Literals<'s> {
     text: &'s str,
+    /// Where the text starts in the file.
+    start: usize,
     /// Whether any literal can have escapes: few files have one.
     has_escapes: bool,
 }
 
 impl<'s> Literals<'s> {
-    /// Where `literal` is in the text.
+    /// Where `literal` is in the file.
     fn offset(&self, literal: &str) -> usize {
-        (literal.as_ptr() as usize).wrapping_sub(self.text.as_ptr() as usize)
+        (literal.as_ptr() as usize).wrapping_sub(self.text.as_ptr() as usize).wrapping_add(self.start)
+    }
+
+    fn element(
+        &self,
+        (name, value): (&'s RawValue, &'s RawValue),
+        diagnostics: &mut Vec<Diagnostic>,
+    ) -> Option<Element<'s>> {
+        let name = self.string(name.get(), diagnostics)?;
+        Some(Element { name, value: self.value(value.get(), diagnostics)? })
     }
 
     fn value(&self, literal: &'s str, diagnostics: &mut Vec<Diagnostic>) -> Option<Value<'s>> {

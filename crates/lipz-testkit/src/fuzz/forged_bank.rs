@@ -58,8 +58,12 @@ static BASES: LazyLock<Vec<Vec<u8>>> = LazyLock::new(|| {
         )],
         &[
             ("act1/far", &far),
-            ("act1/none", r#"{ "text_de-de": "Ja" }"#),
-            ("act2/sad", r#"{ "visemes": "A|-", "text_de-de": "ä|ö", "events": "feels sad, stops staring|else" }"#),
+            ("act1/none", r#"{ "text_de-de": "Ja", "curves": { "anger": "0:0 9:2.2", "tail": "0:40 70000:-40" } }"#),
+            (
+                "act2/sad",
+                r#"{ "visemes": "A|-", "text_de-de": "ä|ö", "events": "feels sad, stops staring|else",
+                    "curves": { "anger": "0:1 2:0" } }"#,
+            ),
         ],
         &[],
     ];

@@ -155,10 +155,14 @@ fn summary(summary: &BankSummary<'_>, path: &str, json: bool, reporter: &mut Rep
     let _ = writeln!(text, "{path}: lipz bank, format {format}, {bytes} bytes, no fault");
     let _ = writeln!(
         text,
-        "  {}, {}, {}, {:.1} s of speech{}",
+        "  {}, {}, {}, {}{:.1} s of speech{}",
         console::counted(summary.clips, "clip"),
         console::counted(summary.frames, "frame"),
         console::counted(summary.segments, "segment"),
+        match summary.curves {
+            0 => String::new(),
+            count => format!("{}, ", console::counted(count, "curve")),
+        },
         summary.seconds,
         match summary.clips_without_fps {
             0 => String::new(),

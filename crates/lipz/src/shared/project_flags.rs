@@ -97,6 +97,10 @@ pub(crate) struct ProjectFlags {
     /// Actions that characters can do [default: any]
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = parse_word, help_heading = EVENTS)]
     actions: Option<Vec<String>>,
+
+    /// Curves in addition to the emotions and the blend shapes of ARKit [default: any]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', help_heading = EVENTS)]
+    curves: Option<Vec<String>>,
 }
 
 impl ProjectFlags {
@@ -127,6 +131,7 @@ impl ProjectFlags {
         override_some(&mut names.characters, &set(&self.characters));
         override_some(&mut names.props, &set(&self.props));
         override_some(&mut names.actions, &set(&self.actions));
+        override_some(&mut names.curves, &set(&self.curves));
         if let Some(emotions) = set(&self.emotions) {
             names.emotions = emotions;
         }

@@ -3,13 +3,13 @@
 mod bands;
 mod ruler;
 
-use lipz_bank::{Clip, Fps, Locale, Recording, Segment};
+use lipz_bank::{Clip, Curve, Fps, Locale, Recording, Segment};
 use lipz_diagnostics::escape;
 use std::fmt::Write;
 use unicode_width::UnicodeWidthStr;
 
 /// A clip as text of at most `width` columns: bands of time ruler, mouth shapes and segments, then the segments
-/// with their events, and their texts in these locales.
+/// with their events, and their texts in these locales, then the curves.
 ///
 /// Control characters are escaped, so that no text of a bank steers the terminal. Keys and words that are longer
 /// than a line make it longer.
@@ -34,6 +34,7 @@ pub fn timeline(clip: &Clip<'_, '_>, locales: &[Locale<'_>], width: usize) -> St
     for segment in clip.segments() {
         details(&mut out, &segment, locales, columns);
     }
+    curves(&mut out, clip, columns);
     out
 }
 
@@ -97,6 +98,17 @@ fn details(out: &mut String, segment: &Segment<'_, '_>, locales: &[Locale<'_>], 
             let fallback = if text.is_fallback() { "  (fallback)" } else { "" };
             line(out, &escape::text(locale.tag()), &format!("{}{fallback}", text.as_str()), columns);
         }
+    }
+}
+
+/// The curves with their keys.
+fn curves(out: &mut String, clip: &Clip<'_, '_>, columns: Columns) {
+    let name = |curve: &Curve<'_>| escape::text(curve.name().as_str()).into_owned();
+    let tag = clip.curves().map(|curve| name(&curve).width()).max();
+    let Some(tag) = tag else { return };
+    out.push_str("curves\n");
+    for curve in clip.curves() {
+        line(out, &name(&curve), &curve.to_string(), Columns { tag, ..columns });
     }
 }
 

@@ -85,7 +85,7 @@ pub const TABLES: &[Table] = &[
     },
     Table {
         name: "registry",
-        about: "Names that events may use; others are reported.",
+        about: "Names that events and curves may use; others are reported.",
         content: Content::Settings(registry::REGISTRY),
     },
     Table {

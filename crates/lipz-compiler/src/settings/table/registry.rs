@@ -1,6 +1,7 @@
-//! `[registry]`: names that events may use.
+//! `[registry]`: names that events and curves may use.
 
 use super::Setting;
+use crate::settings::value::Value;
 
 pub(super) const REGISTRY: &[Setting] = &[
     Setting {
@@ -34,5 +35,16 @@ pub(super) const REGISTRY: &[Setting] = &[
         default: "any",
         example: "[\"wave\", \"nod\"]",
         read: |value, to| to.settings.options.known_names.actions = to.words(value),
+    },
+    Setting {
+        name: "curves",
+        flat_name: "curves",
+        about: "Curves of the project's rigs, beyond the emotions and the blend shapes of ARKit.",
+        default: "any",
+        example: "[\"ears\", \"tail\"]",
+        read: |value, to| {
+            let name = |item: &Value<'_>, diagnostics: &mut Vec<_>| item.text(diagnostics).map(str::to_owned);
+            to.settings.options.known_names.curves = value.list(&mut to.diagnostics, name).map(FromIterator::from_iter);
+        },
     },
 ];

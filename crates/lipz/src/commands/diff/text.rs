@@ -146,6 +146,11 @@ fn clip(clip: &ClipChange<'_>, shown: usize) -> String {
         both(&mut out, &format!("event {}", event.segment), event.event);
     }
     more(&mut out, "    ", clip.events.len(), shown, "changed event");
+    for curve in clip.curves.iter().take(shown) {
+        let keys = Change { old: curve.keys.old.as_deref(), new: curve.keys.new.as_deref() };
+        both(&mut out, &format!("curve {}", escape::text(curve.name)), keys);
+    }
+    more(&mut out, "    ", clip.curves.len(), shown, "changed curve");
     out.truncate(out.trim_end_matches('\n').len());
     out
 }

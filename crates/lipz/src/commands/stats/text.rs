@@ -25,6 +25,9 @@ pub(super) fn text(name: &str, stats: &Stats<'_>) -> String {
     );
     let distinct = grouped(stats.distinct_events);
     let _ = writeln!(out, "  {} ({distinct} distinct)", counted(stats.events, "event"));
+    if stats.curves > 0 {
+        let _ = writeln!(out, "  {}, {}", counted(stats.curves, "curve"), counted(number(stats.curve_keys), "key"));
+    }
     if stats.recordings > 0 {
         let _ = writeln!(out, "  {}, {}", counted(stats.recordings, "recording"), time(stats.recordings_us));
     }

@@ -1,0 +1,132 @@
+//! Curves: numbers that change while a clip plays, such as how angry somebody is.
+
+mod cursor;
+mod curves;
+pub(crate) mod table;
+
+pub use cursor::CurveCursor;
+pub use curves::Curves;
+
+use crate::event::NameKey;
+use crate::{CurveValue, EventName, Time};
+use core::fmt;
+use lipz_types::{Position, StoredFps};
+use table::Keys;
+
+/// A key of a curve: the value that it has at the start of a frame.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[non_exhaustive]
+pub struct CurveKey {
+    /// The frame.
+    pub frame: u32,
+    /// The value.
+    pub value: CurveValue,
+}
+
+/// A curve of a clip: a name, and keys in the order of their frames.
+///
+/// Between two keys the value changes evenly. Before the first key it is that of the first, from the last one on that of the
+/// last, also outside of the clip.
+///
+/// ```
+/// # use lipz_bank::{Clip, CurveCursor, Micros};
+/// # fn draw(clip: &Clip<'_, '_>, now: Micros) -> Option<()> {
+/// let jaw = clip.curve("jawOpen")?; // a few searches: the clip's curves, and the name
+/// let open = jaw.value_at(now)?.to_f32(); // a search among its keys
+/// # None }
+/// ```
+#[derive(Clone, Copy)]
+pub struct Curve<'data> {
+    name: EventName<'data>,
+    keys: Keys<'data>,
+    fps: Option<StoredFps>,
+}
+
+impl<'data> Curve<'data> {
+    /// The name.
+    pub const fn name(&self) -> EventName<'data> {
+        self.name
+    }
+
+    /// The number of keys, at least 1 in a verified bank.
+    pub fn key_count(&self) -> u32 {
+        self.keys.count()
+    }
+
+    /// The key with this index.
+    pub fn key(&self, index: u32) -> Option<CurveKey> {
+        self.keys.get(index)
+    }
+
+    /// All keys in the order of their frames.
+    pub fn keys(&self) -> impl Iterator<Item = CurveKey> + 'data {
+        let keys = self.keys;
+        (0..keys.count()).filter_map(move |index| keys.get(index))
+    }
+
+    /// The value at the start of a frame.
+    pub fn value(&self, frame: u32) -> CurveValue {
+        CurveCursor::new().value(self, frame)
+    }
+
+    /// The value at `time`; `None` without a frame rate.
+    ///
+    /// Exact for ⌊time · fps · 65536⌋ / 65536 frames, then rounded to the nearest thousandth, a half away from the key before.
+    /// Takes time in proportion to the logarithm of the number of keys; a [`CurveCursor`] is faster from picture to picture.
+    pub fn value_at<T: Time>(&self, time: T) -> Option<CurveValue> {
+        CurveCursor::new().value_at(self, time)
+    }
+
+    /// The value between the key with this index and the next one.
+    fn value_between(&self, index: u32, position: Position) -> CurveValue {
+        let key = match self.keys.get(index) {
+            Some(key) => key,
+            None => return CurveValue::default(),
+        };
+        let next = match self.keys.get(index.wrapping_add(1)) {
+            Some(next) if position.frame >= key.frame && next.frame > position.frame => next,
+            _ => return key.value,
+        };
+        let frames = u64::from(position.frame.wrapping_sub(key.frame));
+        let done = frames << FRACTION_BITS | u64::from(position.sixteen_bits);
+        key.value.towards(next.value, done, u64::from(next.frame.wrapping_sub(key.frame)) << FRACTION_BITS)
+    }
+}
+
+/// Bits of a position behind the whole frames.
+const FRACTION_BITS: u32 = 16;
+
+/// Equal are the same curves of clips that are equal.
+impl PartialEq for Curve<'_> {
+    fn eq(&self, other: &Self) -> bool {
+        self.place() == other.place()
+    }
+}
+impl Eq for Curve<'_> {}
+
+impl Curve<'_> {
+    fn place(&self) -> (NameKey, usize, u32, Option<StoredFps>) {
+        let (start, count) = self.keys.place();
+        (self.name.key(), start, count, self.fps)
+    }
+}
+
+/// The name and the number of keys.
+impl fmt::Debug for Curve<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Curve")
+            .field("name", &self.name.as_str())
+            .field("key_count", &self.key_count())
+            .finish_non_exhaustive()
+    }
+}
+
+/// The keys as in a Lipz file: `0:0 12:2.2`.
+impl fmt::Display for Curve<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, key) in self.keys().enumerate() {
+            write!(f, "{}{}:{}", if index == 0 { "" } else { " " }, key.frame, key.value)?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,54 @@
+//! The curves of clips, flat.
+
+use lipz_bank::CurveValue;
+
+/// A key: frame and value.
+pub(crate) type Key = (u32, CurveValue);
+
+/// Curves one behind the other.
+#[derive(Debug, Default)]
+pub(crate) struct Curves {
+    names: Vec<Box<str>>,
+    /// Where the keys of each curve end.
+    ends: Vec<usize>,
+    keys: Vec<Key>,
+}
+
+impl Curves {
+    /// Adds a curve.
+    pub(crate) fn push(&mut self, name: &str, keys: impl IntoIterator<Item = Key>) {
+        self.names.push(name.into());
+        self.keys.extend(keys);
+        self.ends.push(self.keys.len());
+    }
+
+    /// Number of curves.
+    pub(crate) fn count(&self) -> usize {
+        self.names.len()
+    }
+
+    /// The curves with these numbers: names and keys.
+    pub(crate) fn range(&self, numbers: std::ops::Range<usize>) -> impl Iterator<Item = (&str, &[Key])> {
+        numbers.map(|number| {
+            let start = number.checked_sub(1).map_or(0, |before| self.ends[before]);
+            (&*self.names[number], &self.keys[start..self.ends[number]])
+        })
+    }
+
+    /// All curves.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (&str, &[Key])> {
+        self.range(0..self.count())
+    }
+
+    /// Removes all curves and keeps the room.
+    pub(crate) fn clear(&mut self) {
+        self.keep_first(0);
+    }
+
+    /// Removes all curves but the first ones.
+    pub(crate) fn keep_first(&mut self, count: usize) {
+        self.names.truncate(count);
+        self.ends.truncate(count);
+        self.keys.truncate(self.ends.last().copied().unwrap_or(0));
+    }
+}

@@ -1,0 +1,78 @@
+//! Names of curves that many rigs share.
+
+/// The blend shapes of Apple's ARKit (`ARFaceAnchor.BlendShapeLocation`), which most face trackers and rigs have taken over.
+pub const ARKIT: [&str; 52] = [
+    "eyeBlinkLeft",
+    "eyeLookDownLeft",
+    "eyeLookInLeft",
+    "eyeLookOutLeft",
+    "eyeLookUpLeft",
+    "eyeSquintLeft",
+    "eyeWideLeft",
+    "eyeBlinkRight",
+    "eyeLookDownRight",
+    "eyeLookInRight",
+    "eyeLookOutRight",
+    "eyeLookUpRight",
+    "eyeSquintRight",
+    "eyeWideRight",
+    "jawForward",
+    "jawLeft",
+    "jawRight",
+    "jawOpen",
+    "mouthClose",
+    "mouthFunnel",
+    "mouthPucker",
+    "mouthLeft",
+    "mouthRight",
+    "mouthSmileLeft",
+    "mouthSmileRight",
+    "mouthFrownLeft",
+    "mouthFrownRight",
+    "mouthDimpleLeft",
+    "mouthDimpleRight",
+    "mouthStretchLeft",
+    "mouthStretchRight",
+    "mouthRollLower",
+    "mouthRollUpper",
+    "mouthShrugLower",
+    "mouthShrugUpper",
+    "mouthPressLeft",
+    "mouthPressRight",
+    "mouthLowerDownLeft",
+    "mouthLowerDownRight",
+    "mouthUpperUpLeft",
+    "mouthUpperUpRight",
+    "browDownLeft",
+    "browDownRight",
+    "browInnerUp",
+    "browOuterUpLeft",
+    "browOuterUpRight",
+    "cheekPuff",
+    "cheekSquintLeft",
+    "cheekSquintRight",
+    "noseSneerLeft",
+    "noseSneerRight",
+    "tongueOut",
+];
+
+/// Whether a name is one of [`ARKIT`], or spelled with a capital as in Unreal's Live Link (`JawOpen`).
+pub fn is_arkit(name: &str) -> bool {
+    let mut rest = name.chars();
+    let Some(first) = rest.next() else { return false };
+    ARKIT.iter().any(|known| known.strip_prefix(first.to_ascii_lowercase()).is_some_and(|known| known == rest.as_str()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_spellings_are_known() {
+        assert!(ARKIT.iter().all(|name| is_arkit(name)));
+        assert!(is_arkit("JawOpen") && !is_arkit("jawopen") && !is_arkit("") && !is_arkit("awOpen"));
+        let mut sorted = ARKIT;
+        sorted.sort_unstable();
+        assert!(sorted.array_windows().all(|[one, next]| one < next), "no name twice");
+    }
+}
