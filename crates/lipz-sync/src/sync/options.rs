@@ -5,7 +5,7 @@ use crate::facts::unreadable;
 use crate::recordings::shown;
 use lipz_compiler::Options;
 use lipz_compiler::settings::Settings;
-use lipz_diagnostics::{Code, Diagnostic, Report, Span};
+use lipz_diagnostics::{Code, Diagnostic, Report, Source, Span};
 use lipz_file::locale::{TextName, text_name};
 use lipz_file::{Document, JsonString, Value};
 use lipz_speech::{AlignOptions, Language, Lexicon, Model, Pronouncer, RenderRules, RmsRules, TrainedModel};
@@ -62,15 +62,17 @@ impl SyncOptions {
             None => Default::default(),
             Some(path) => {
                 let bytes = fs::read(path).map_err(|error| unreadable(path, &error))?;
-                let text = String::from_utf8_lossy(&bytes);
-                let (lexicon, problems) = Lexicon::parse(&text);
-                let diagnostics = problems.iter().map(|problem| {
+                let mut diagnostics = Vec::new();
+                let text = lipz_file::decode(lipz_file::without_byte_order_mark(&bytes), &mut diagnostics);
+                let Some(text) = text else { return Err(Report::from_bytes(shown(path), &bytes, diagnostics)) };
+                let (lexicon, problems) = Lexicon::parse(text);
+                diagnostics.extend(problems.iter().map(|problem| {
                     let span = Span::new(problem.range.start, problem.range.end);
                     Diagnostic::at(Code::Pronunciation, span, problem.kind.to_string()).help(problem.kind.help())
-                });
-                let mut diagnostics: Vec<_> = diagnostics.collect();
+                }));
                 settings.options.levels.apply(&mut diagnostics);
-                let report = (!diagnostics.is_empty()).then(|| Report::from_bytes(shown(path), &bytes, diagnostics));
+                let report =
+                    (!diagnostics.is_empty()).then(|| Report::new(Source::new(shown(path), text), diagnostics));
                 (lexicon, report)
             }
         };

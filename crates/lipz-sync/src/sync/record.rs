@@ -4,8 +4,9 @@ use crate::facts::unreadable;
 use crate::recordings::shown;
 use lipz_compiler::replace_file;
 use lipz_compiler::settings::Settings;
-use lipz_diagnostics::{Code, Diagnostic, Report, Span};
+use lipz_diagnostics::{Code, Diagnostic, Report, Source, Span};
 use std::collections::BTreeMap;
+use std::fmt;
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -61,13 +62,20 @@ impl SyncRecord {
     /// # Errors
     /// If it cannot be read, or is another file.
     pub fn read(path: &Path) -> Result<(SyncRecord, Option<Report>), Report> {
+        match fs::read(path) {
+            Ok(bytes) => SyncRecord::parse(path, &bytes),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => SyncRecord::parse(path, b""),
+            Err(error) => Err(unreadable(path, &error)),
+        }
+    }
+
+    /// Reads the record in `bytes`, those of the file at `path`. Reports lines that say nothing.
+    ///
+    /// # Errors
+    /// If it is another file.
+    pub fn parse(path: &Path, bytes: &[u8]) -> Result<(SyncRecord, Option<Report>), Report> {
         let empty = SyncRecord { path: path.to_owned(), made: BTreeMap::new() };
-        let bytes = match fs::read(path) {
-            Ok(bytes) => bytes,
-            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok((empty, None)),
-            Err(error) => return Err(unreadable(path, &error)),
-        };
-        let text = String::from_utf8_lossy(&bytes);
+        let text = String::from_utf8_lossy(lipz_file::without_byte_order_mark(bytes));
         if !text.is_empty() && !text.starts_with("# lipz sync") && !text.starts_with("<<<<<<<") {
             let message =
                 format!("`{}` is not a record of mouths and their recordings, and is left alone", shown(path));
@@ -89,7 +97,8 @@ impl SyncRecord {
             }
             start += line.len();
         }
-        let report = (!diagnostics.is_empty()).then(|| Report::from_bytes(shown(path), &bytes, diagnostics));
+        let source = || Source::new(shown(path), text);
+        let report = (!diagnostics.is_empty()).then(|| Report::new(source(), diagnostics));
         Ok((record, report))
     }
 
@@ -129,31 +138,33 @@ impl SyncRecord {
     /// # Errors
     /// If it cannot be written.
     pub fn write(&self) -> Result<(), Report> {
-        let text = self.text();
+        let text = self.to_string();
         if self.made.is_empty() || fs::read(&self.path).is_ok_and(|before| before == text.as_bytes()) {
             return Ok(());
         }
         replace_file(&self.path, text.as_bytes())
     }
 
-    fn text(&self) -> String {
-        let mut text = HEAD.to_owned();
+    /// What the record calls a Lipz file: its path below the folder of the record, with `/`.
+    fn name(&self, lipz_file: &Path) -> String {
+        let folder = self.path.parent().unwrap_or(Path::new(""));
+        shown(lipz_file.strip_prefix(folder).unwrap_or(lipz_file))
+    }
+}
+
+/// The file: one line a mouth, in the order of their paths.
+impl fmt::Display for SyncRecord {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(HEAD)?;
         for (file, lines) in &self.made {
             let mut lines = lines.clone();
             lines.sort_unstable();
             lines.dedup();
             for made in lines {
-                text += &made.line(file);
-                text.push('\n');
+                writeln!(f, "{}", made.line(file))?;
             }
         }
-        text
-    }
-
-    /// What the record calls a Lipz file: its path below the folder of the record, with `/`.
-    fn name(&self, lipz_file: &Path) -> String {
-        let folder = self.path.parent().unwrap_or(Path::new(""));
-        shown(lipz_file.strip_prefix(folder).unwrap_or(lipz_file))
+        Ok(())
     }
 }
 
@@ -217,6 +228,12 @@ mod tests {
         assert_eq!(report.unwrap().diagnostics.len(), 3);
         fs::write(&path, "my notes").unwrap();
         assert!(SyncRecord::read(&path).is_err());
+        let odd = [b"\xef\xbb\xbf# lipz sync\n\xff\xff nothing\n".as_slice(), A.line("x.lipz").as_bytes()].concat();
+        let (record, report) = SyncRecord::parse(&path, &odd).unwrap();
+        assert_eq!(record.made_for(&folder.path().join("x.lipz")), [A]);
+        let report = report.unwrap();
+        let span = report.diagnostics[0].primary.as_ref().unwrap().span;
+        assert_eq!(&report.source.text[span.range()], "\u{fffd}\u{fffd} nothing", "the place in what is shown");
         for at in 0..conflict.len() {
             fs::write(&path, &conflict[..at]).unwrap();
             let _ = SyncRecord::read(&path); // no panic

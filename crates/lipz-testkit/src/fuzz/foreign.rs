@@ -6,6 +6,7 @@ use lipz_interop::fallout::heads::{check_file, read_list};
 use lipz_interop::fallout::lip::Lip;
 use lipz_interop::fallout::msg;
 use lipz_interop::subtitles::{SubtitleFormat, clip, join};
+use lipz_interop::textgrid::TextGrid;
 use lipz_interop::{DEFAULT_RATE, Format, ImportOptions, Segments, formats, import};
 
 /// Takes the first byte for the number of a format, and the others for one of its files.
@@ -13,7 +14,12 @@ pub fn foreign(bytes: &[u8]) {
     let Some((number, file)) = bytes.split_first() else { return };
     let number = usize::from(*number);
     match formats::ALL.get(number) {
-        Some(format) => shapes(format, file),
+        Some(format) => {
+            shapes(format, file);
+            if format.name == "textgrid" {
+                textgrid(file);
+            }
+        }
         None => match number - formats::ALL.len() {
             0 => subtitles(SubtitleFormat::Srt, file),
             1 => subtitles(SubtitleFormat::Vtt, file),
@@ -39,6 +45,19 @@ fn shapes(format: &Format, file: &[u8]) {
             assert_eq!(lipz_file::parse(written.as_bytes()).document.as_ref(), Some(&clip.document), "{written}");
         }
     }
+}
+
+/// A TextGrid that is written and read again is the same, and its labels are in the file.
+fn textgrid(file: &[u8]) {
+    let mut found = Vec::new();
+    let grid = TextGrid::read(file, &mut found);
+    if let Ok(text) = std::str::from_utf8(lipz_file::without_byte_order_mark(file)) {
+        found.iter().for_each(|found| is_about(found, text));
+    }
+    let Some(grid) = grid else { return assert!(has_errors(&found), "no TextGrid, and no reason") };
+    let written = grid.write();
+    let again = TextGrid::read(written.as_bytes(), &mut Vec::new()).map(|again| again.write());
+    assert_eq!(again.as_ref(), Some(&written));
 }
 
 /// Cues are about places in the file, and written and read again they are the same.

@@ -10,6 +10,7 @@ mod foreign;
 mod forged_bank;
 mod round_trip;
 mod second_life;
+mod sound;
 
 pub use bank::{bank, text_bank};
 pub use file::{parse, rewrite};
@@ -17,6 +18,7 @@ pub use foreign::foreign;
 pub use forged_bank::forged_bank;
 pub use round_trip::round_trip;
 pub use second_life::second_life;
+pub use sound::{sound, sync_record};
 
 /// One fuzz target: `fuzz/fuzz_targets/NAME.rs` with the seeds in `fuzz/seeds/NAME`.
 pub struct Target {
@@ -27,7 +29,7 @@ pub struct Target {
 }
 
 /// All fuzz targets.
-pub const TARGETS: [Target; 8] = [
+pub const TARGETS: [Target; 10] = [
     Target { name: "bank", check: bank },
     Target { name: "text_bank", check: text_bank },
     Target { name: "forged_bank", check: forged_bank },
@@ -36,4 +38,6 @@ pub const TARGETS: [Target; 8] = [
     Target { name: "second_life", check: second_life },
     Target { name: "rewrite", check: rewrite },
     Target { name: "round_trip", check: round_trip },
+    Target { name: "sound", check: sound },
+    Target { name: "sync_record", check: sync_record },
 ];
