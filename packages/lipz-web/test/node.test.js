@@ -63,6 +63,14 @@ test("all units of time lead to the same frame", async () => {
   }
 });
 
+test("a clip knows the recording that it was made for", async () => {
+  const bank = (await open(await readFile(new URL("banks/recorded.lipzbank", import.meta.url)))).verify();
+  assert.deepEqual(bank.clip("aye").recording, { duration: 0.083375, contentHash: 0x77581a3b3eea67ddn });
+  assert.deepEqual(bank.clip("empty").recording, { duration: 0, contentHash: 0x9336724e82b4b8d6n });
+  assert.equal(bank.clip("silent").recording, undefined);
+  assert.equal((await open(bytes)).clip(KEY).recording, undefined);
+});
+
 test("a segment has its text in every locale, and its events", async () => {
   const segment = (await open(bytes)).clip(KEY).segmentAt(1.6);
   assert.equal(segment.index, 1);
