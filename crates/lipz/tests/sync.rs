@@ -135,26 +135,6 @@ fn hand_work_is_kept() {
 }
 
 #[test]
-fn the_files_are_the_same_on_any_number_of_threads() {
-    let scene = Scene::new();
-    for number in 0..6 {
-        scene.write(&format!("rec/{number}.wav"), voice(LINE, number));
-        scene.write(&format!("rec/{number}.txt"), "Who goes there, in the dark of the night?");
-    }
-    for threads in ["1", "4"] {
-        let folder = format!("of-{threads}");
-        let (_, told, _) = sync(&scene, &["rec", "-o", &folder, "--audio-locale", "en-us", "--jobs", threads]);
-        assert!(told.starts_with("6 clips synced"), "{told}");
-    }
-    let files = |folder: &str| {
-        let names = tree(&scene.path().join(folder));
-        names.iter().map(|name| (name.clone(), read(&scene, &format!("{folder}/{name}")))).collect::<Vec<_>>()
-    };
-    assert_eq!(files("of-1"), files("of-4"));
-    assert_eq!(files("of-1").len(), 7);
-}
-
-#[test]
 fn one_bad_file_keeps_no_other_from_its_mouth() {
     let mut scene = Scene::new();
     for name in ["broken", "good", "empty", "cut", "noise"] {

@@ -1,0 +1,137 @@
+//! `lipz sync`, run after run: only what changed is made again, and threads and order make no difference.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use std::collections::BTreeMap;
+use std::fs;
+use support::sound::voice;
+use support::{Scene, lipz, tree};
+
+const LINE: &[(bool, u32)] = &[(false, 200), (true, 700), (false, 300), (true, 400), (false, 100)];
+
+/// The contents of the files in a folder.
+fn files(scene: &Scene, folder: &str) -> BTreeMap<String, String> {
+    let read = |name: &String| fs::read_to_string(scene.path().join(folder).join(name)).unwrap();
+    tree(&scene.path().join(folder)).into_iter().map(|name| (name.clone(), read(&name))).collect()
+}
+
+#[test]
+fn threads_and_order_make_no_difference() {
+    let scene = Scene::new();
+    for number in 0..6 {
+        scene.write(&format!("rec/{number}.wav"), voice(LINE, number));
+        scene.write(&format!("rec/{number}.txt"), "Who goes|there, in the dark of the night?");
+    }
+    let names = |order: &[usize]| order.iter().map(|number| format!("rec/{number}.wav")).collect::<Vec<_>>();
+    let runs = [
+        ("one", "1", names(&[0, 1, 2, 3, 4, 5])),
+        ("two", "2", names(&[5, 4, 3, 2, 1, 0])),
+        ("eight", "8", names(&[3, 0, 5, 1, 4, 2])),
+        ("folder", "8", vec!["rec".to_owned()]),
+    ];
+    let mut printed = Vec::new();
+    for (folder, threads, sources) in &runs {
+        let arguments = ["-o", folder, "--audio-locale", "en-us", "--jobs", threads];
+        let run = lipz(scene.path(), ["sync"].into_iter().chain(sources.iter().map(String::as_str)).chain(arguments));
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        printed.push((run.stdout + &run.stderr).replace(folder, "FOLDER"));
+    }
+    let first = files(&scene, "one");
+    assert_eq!(first.len(), 7);
+    for (number, (folder, ..)) in runs.iter().enumerate() {
+        assert_eq!(files(&scene, folder), first, "{folder}");
+        assert_eq!(printed[number], printed[0], "{folder}");
+    }
+}
+
+/// Four clips: one with a word of the lexicon, one without, one of the loudness alone, and one without a text.
+fn project() -> Scene {
+    let scene = Scene::new();
+    let settings = "sources = [\"voices\"]\nroot = \"voices\"\ndefault-locale = \"en-us\"\n[audio]\nfolder = \"rec\"\n\
+                    [sync]\nlexicon = \"lexicon.txt\"\n[lints]\nwarnings = \"allow\"\n";
+    scene.write("lipz.toml", settings);
+    scene.write("lexicon.txt", "WESNOTH  W EH S N AO TH\n");
+    scene.write("voices/lexicon.lipz", r#"{ "text_en-us": "Go to|Wesnoth!" }"#);
+    scene.write("voices/plain.lipz", r#"{ "text_en-us": "Who goes there?", "text_de-de": "Wer da?" }"#);
+    scene.write("voices/loud.lipz", r#"{ "text_en-us": "Who?", "viseme_type": "rms" }"#);
+    scene.write("voices/mute.lipz", r#"{ "mood": "calm" }"#);
+    for (take, name) in ["lexicon", "plain", "loud", "mute"].into_iter().enumerate() {
+        scene.write(&format!("rec/{name}.wav"), voice(LINE, u32::try_from(take).unwrap()));
+    }
+    scene
+}
+
+/// Runs `lipz sync` and gives the names of the clips that were made again, by the lines of the record that changed.
+fn made(scene: &Scene, arguments: &[&str]) -> Vec<String> {
+    let lines = |text: String| text.lines().map(str::to_owned).collect::<Vec<_>>();
+    let record = || lines(fs::read_to_string(scene.path().join("voices/lipz-sync.txt")).unwrap_or_default());
+    let before = record();
+    let run = lipz(scene.path(), ["sync"].iter().chain(arguments));
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let changed = record().into_iter().filter(|line| !line.starts_with('#') && !before.contains(line));
+    let mut names: Vec<String> = changed.filter_map(|line| Some(line.rsplit_once(' ')?.1.to_owned())).collect();
+    names.iter_mut().for_each(|name| *name = name.trim_end_matches(".lipz").to_owned());
+    let told = format!("{} clip{} synced", names.len(), if names.len() == 1 { "" } else { "s" });
+    assert!(run.stdout.starts_with(&told), "{names:?}: {}", run.stdout);
+    names
+}
+
+#[test]
+fn what_changed_and_nothing_else_is_made_again() {
+    let scene = project();
+    let change = |file: &str, from: &str, to: &str| {
+        let text = fs::read_to_string(scene.path().join(file)).unwrap();
+        assert!(text.contains(from), "{text}");
+        scene.write(file, text.replace(from, to));
+    };
+    let all = ["lexicon", "loud", "mute", "plain"];
+    assert_eq!(made(&scene, &[]), all);
+    assert_eq!(made(&scene, &[]), [""; 0]);
+    // The sound.
+    scene.write("rec/plain.wav", voice(LINE, 7));
+    assert_eq!(made(&scene, &[]), ["plain"]);
+    // The text that is spoken, and one that is not.
+    change("voices/plain.lipz", "Wer da?", "Wer ist da?");
+    assert_eq!(made(&scene, &[]), [""; 0]);
+    change("voices/plain.lipz", "goes there?", "is there?");
+    assert_eq!(made(&scene, &[]), ["plain"]);
+    // A pronunciation that one clip needs, one that none needs, and one for a single place.
+    change("lexicon.txt", "N AO TH", "N OW TH");
+    assert_eq!(made(&scene, &[]), ["lexicon"]);
+    change("lexicon.txt", "WESNOTH", "CASTLE  K AE S AH L\nWESNOTH");
+    assert_eq!(made(&scene, &[]), [""; 0]);
+    change("voices/plain.lipz", "Who is", "Who{say: W UW} is");
+    assert_eq!(made(&scene, &[]), ["plain"]);
+    // Settings: of all mouths, of those with phones, of those of the loudness alone.
+    assert_eq!(made(&scene, &["--lead-ms", "0"]), all);
+    assert_eq!(made(&scene, &["--lead-ms", "0"]), [""; 0]);
+    assert_eq!(made(&scene, &[]), all);
+    assert_eq!(made(&scene, &["--hold-ms", "0"]), ["lexicon", "mute", "plain"]);
+    assert_eq!(made(&scene, &[]), ["lexicon", "mute", "plain"]);
+    assert_eq!(made(&scene, &["--rms-exponent", "1"]), ["loud"]);
+    assert_eq!(made(&scene, &[]), ["loud"]);
+    // Settings that have nothing to do with mouths, and defaults that no file needs.
+    assert_eq!(made(&scene, &["--default-fps", "12", "--default-viseme-type", "toonboom", "--max-lines", "2"]), [""; 0]);
+    // The language, by which words are pronounced.
+    change("voices/plain.lipz", "text_en-us", "text_xx-xx");
+    change("voices/plain.lipz", "text_de-de", "text_en-us");
+    change("voices/plain.lipz", "text_xx-xx", "text_de-de");
+    assert_eq!(made(&scene, &[]), ["plain"]);
+}
+
+#[test]
+fn what_makes_no_other_mouth_makes_none_again() {
+    let scene = project();
+    made(&scene, &[]);
+    // Formatting, and other elements.
+    scene.prepare(&["fmt", "--quiet"]);
+    scene.write("voices/mute.lipz", {
+        let text = fs::read_to_string(scene.path().join("voices/mute.lipz")).unwrap();
+        text.replace("calm", "angry")
+    });
+    assert_eq!(made(&scene, &[]), [""; 0]);
+    // A copy of a recording, and one that was written again with the same bytes.
+    scene.write("rec/plain.wav", fs::read(scene.path().join("rec/plain.wav")).unwrap());
+    assert_eq!(made(&scene, &[]), [""; 0]);
+}

@@ -1,0 +1,101 @@
+//! Recordings and texts that do not belong together: what is missing, what is too much, and where. With a human voice.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use std::fs;
+use support::sound::wav;
+use support::{Scene, lipz, repository};
+
+/// "Bobby ripped the ledger.", from 0.07 to 1.12 s.
+const SENTENCE: &str = "Bobby ripped the ledger.";
+const RATE_HZ: u32 = 48_000;
+/// Bytes before the samples of the file.
+const HEADER_BYTES: usize = 44;
+
+/// The sentence so many times, with pauses of 0.4 s between them: one every 1.595 s.
+fn said(times: usize) -> Vec<u8> {
+    let file = fs::read(repository().join("fixtures/speech/bobby.wav")).unwrap();
+    let sample = |bytes: &[u8]| i16::from_le_bytes([bytes[0], bytes[1]]);
+    let once: Vec<i16> = file[HEADER_BYTES..].chunks_exact(2).map(sample).collect();
+    let pause = vec![0; (RATE_HZ / 10 * 4) as usize];
+    let mut samples = once.clone();
+    for _ in 1..times {
+        samples.extend(pause.iter().chain(&once));
+    }
+    wav(RATE_HZ, &samples)
+}
+
+/// What `lipz sync` finds in a recording of the sentence with this text.
+fn found(times: usize, text: &str) -> String {
+    let scene = Scene::new();
+    scene.write("rec/a.wav", said(times));
+    scene.write("rec/a.txt", text);
+    let run = lipz(scene.path(), ["sync", "rec", "-o", "voices", "--audio-locale", "en-us", "--quiet"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    assert!(run.stderr.matches("[LZ").count() <= 1, "{}", run.stderr);
+    run.stderr
+}
+
+/// The times in a diagnostic, in seconds.
+fn seconds(found: &str) -> Vec<f64> {
+    let line = found.lines().next().unwrap();
+    let words: Vec<&str> = line.split(' ').collect();
+    words.windows(2).filter(|pair| pair[1].starts_with('s')).filter_map(|pair| pair[0].parse().ok()).collect()
+}
+
+/// Whether the times are those, as well as a syllable.
+fn are_near(found: &str, expected: [f64; 2]) {
+    let times = seconds(found);
+    assert!(
+        times.len() == 2 && times.iter().zip(expected).all(|(time, expected)| (time - expected).abs() < 0.2),
+        "{found}"
+    );
+}
+
+/// The part of the text below which there are carets.
+fn marked(found: &str) -> String {
+    let lines: Vec<&str> = found.lines().collect();
+    let carets = lines.iter().position(|line| line.contains('^')).unwrap();
+    let start = lines[carets].find('^').unwrap();
+    let text = lines[carets - 1].chars().skip(start);
+    text.take(lines[carets].matches('^').count()).collect()
+}
+
+#[test]
+fn nothing_is_said_of_what_belongs_together() {
+    assert_eq!(found(1, SENTENCE), "");
+    assert_eq!(found(2, &format!("{SENTENCE} {SENTENCE}")), "");
+}
+
+#[test]
+fn a_sentence_that_is_not_in_the_text_is_told_with_its_time() {
+    let last = found(2, SENTENCE);
+    assert!(last.contains("[LZ1707]: what is said from "), "{last}");
+    are_near(&last, [1.66, 2.72]);
+    let middle = found(3, &format!("{SENTENCE} {SENTENCE}"));
+    let is_one_of_them = |second: f64| (0..3).any(|nth| (second - 0.07 - 1.595 * f64::from(nth)).abs() < 0.2);
+    assert!(seconds(&middle).first().is_some_and(|&second| is_one_of_them(second)), "{middle}");
+}
+
+#[test]
+fn a_sentence_that_is_not_said_is_told_with_its_place() {
+    for (text, about) in [
+        (format!("{SENTENCE} The mayor has never seen a castle."), 1.12),
+        (format!("The mayor has never seen a castle. {SENTENCE}"), 0.07),
+    ] {
+        let found = found(1, &text);
+        assert!(found.contains("[LZ1707]: `The mayor has never seen a castle` is not said: it should be "), "{found}");
+        assert_eq!(marked(&found), "The mayor has never seen a castle");
+        assert!(seconds(&found).iter().all(|second: &f64| (second - about).abs() < 0.25), "{found}");
+    }
+}
+
+#[test]
+fn the_text_of_another_line_is_told() {
+    let text = "Seven wizards are fishing, and none of them has caught a thing.";
+    let other = found(2, text);
+    assert!(other.contains("something else is said than `Seven wizards are fishing"), "{other}");
+    are_near(&other, [0.0, 2.72]);
+    assert_eq!(marked(&other).trim_end_matches('.'), text.trim_end_matches('.'));
+}
