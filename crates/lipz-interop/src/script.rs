@@ -6,6 +6,7 @@ use encoding_rs::Encoding;
 use lipz_diagnostics::{Code, Diagnostic, Source, Span, escape};
 use lipz_file::without_byte_order_mark;
 use std::collections::{BTreeMap, HashSet};
+use std::path::Path;
 
 /// The columns of a CSV that are used.
 const FILE: &str = "file";
@@ -62,9 +63,10 @@ impl Script {
         self.entries.is_empty()
     }
 
-    /// The names of the recordings that have a text and are none of these, in lower case and in order.
-    pub fn names_without<'r>(&self, recordings: impl IntoIterator<Item = &'r str>) -> Vec<&str> {
-        let used = recordings.into_iter().filter_map(|path| self.entry(path));
+    /// The names of the recordings that have a text and are none of these files with their names, in lower case and in
+    /// order.
+    pub fn names_without<'r>(&self, recordings: impl IntoIterator<Item = (&'r Path, &'r str)>) -> Vec<&str> {
+        let used = recordings.into_iter().filter_map(|(file, name)| self.entry_of_file(file, name));
         let used: HashSet<&str> = used.map(|entry| entry.path.as_str()).collect();
         let all = self.entries.values().flatten().map(|entry| entry.path.as_str());
         let mut names: Vec<&str> = all.filter(|path| !used.contains(path)).collect();
@@ -79,6 +81,16 @@ impl Script {
     /// may be several of the script has a text only if theirs are the same.
     pub fn text_of(&self, path: &str) -> Option<&str> {
         self.entry(path).map(|entry| entry.text.as_str())
+    }
+
+    /// The text of a recording by the path of its file, or else by the name under which it is known.
+    pub fn text_of_file(&self, file: &Path, name: &str) -> Option<&str> {
+        self.entry_of_file(file, name).map(|entry| entry.text.as_str())
+    }
+
+    fn entry_of_file(&self, file: &Path, name: &str) -> Option<&Entry> {
+        let by_path = || self.entry(file.with_extension("").to_str()?);
+        by_path().or_else(|| self.entry(name))
     }
 
     fn entry(&self, path: &str) -> Option<&Entry> {
@@ -249,7 +261,12 @@ mod tests {
         let texts = ["act1/mayor", "rec/Act2/mayor", "mayor", "act3/mayor", "act2/mara", "act1/mara", "contract1/mara"];
         let texts = texts.map(|path| script.text_of(path).unwrap_or_default());
         assert_eq!(texts, ["One.", "Two.", "", "", "Three.", "Four.", "Three."]);
-        assert_eq!(script.names_without(["act1/mayor", "mara"]), ["act1/mara", "act2/mayor"]);
+        assert_eq!(
+            script.names_without(
+                [("rec/act1/mayor.wav", "mayor"), ("x/mara.wav", "mara")].map(|(file, name)| (Path::new(file), name))
+            ),
+            ["act1/mara", "act2/mayor"]
+        );
     }
 
     #[test]

@@ -172,7 +172,7 @@ pub(crate) fn not_used(recordings: &Recordings) -> Vec<Report> {
 }
 
 /// A relative path with `/`, if it is Unicode.
-fn slashed(path: &Path) -> Option<String> {
+pub(crate) fn slashed(path: &Path) -> Option<String> {
     let parts: Option<Vec<&str>> = path.iter().map(|part| part.to_str()).collect();
     Some(parts?.join("/"))
 }

@@ -112,7 +112,10 @@ fn what_changed_and_nothing_else_is_made_again() {
     assert_eq!(made(&scene, &["--rms-exponent", "1"]), ["loud"]);
     assert_eq!(made(&scene, &[]), ["loud"]);
     // Settings that have nothing to do with mouths, and defaults that no file needs.
-    assert_eq!(made(&scene, &["--default-fps", "12", "--default-viseme-type", "toonboom", "--max-lines", "2"]), [""; 0]);
+    assert_eq!(
+        made(&scene, &["--default-fps", "12", "--default-viseme-type", "toonboom", "--max-lines", "2"]),
+        [""; 0]
+    );
     // The language, by which words are pronounced.
     change("voices/plain.lipz", "text_en-us", "text_xx-xx");
     change("voices/plain.lipz", "text_de-de", "text_en-us");

@@ -37,6 +37,13 @@ fn folders_in_the_script_tell_lines_of_one_name_apart() {
     let rows = "file,text\nact1/mayor,Who?\nact2\\mayor.wav,What?\nDER B\u{c4}R,Where?\nmayor,Never.\n";
     let (code, told, found) = with_script(&scene, rows);
     assert_eq!((code, told.lines().next()), (0, Some("3 clips synced, in voices")), "{found}");
+    // Patterns; and a root, where the sources alone would give two recordings one key.
+    let of_pattern = ["sync", "rec/*/m*.wav", "rec/act1", "-o", "rms", "--viseme-type", "rms"];
+    let (code, _, twice) = run(&scene, &of_pattern);
+    assert!(code == 2 && twice.contains("error[LZ0802]: the key `mayor` appears twice"), "{twice}");
+    assert_eq!(run(&scene, &[&of_pattern[..], &["--root", "rec"]].concat()).1, "2 clips synced, in rms\n");
+    let written = tree(&scene.path().join("rms"));
+    assert_eq!(written, ["act1", "act1/mayor.lipz", "act2", "act2/mayor.lipz", "lipz-sync.txt"]);
     let texts = ["act1/mayor.lipz", "act2/mayor.lipz", "\u{dc}n\u{ef} \u{6771}/der B\u{e4}r.lipz"];
     assert_eq!(texts.map(|file| text_of(&scene, file)), ["Who?", "What?", "Where?"]);
     assert!(found.contains("LZ1713") && found.contains("`mayor`") && found.contains("--> lines.csv"), "{found}");

@@ -3,7 +3,7 @@
 use super::SyncOptions;
 use crate::facts::{no_sound, unreadable};
 use crate::places::Places;
-use crate::recordings::{is_recording, not_used, shown};
+use crate::recordings::{is_recording, not_used, shown, slashed};
 use crate::{Facts, Recordings};
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Content, Input, key};
@@ -40,8 +40,9 @@ pub fn jobs_of_clips(inputs: &[Input], recordings: &Recordings) -> Vec<Job> {
     inputs.iter().filter_map(job).collect()
 }
 
-/// The jobs for recordings: the sources of these settings are files and folders of them, each becomes a Lipz file in `output` under its path
-/// below its source. What is said stands in `script`, under the name of the file, or beside it in `NAME.txt`.
+/// The jobs for recordings: the sources of these settings are files and folders of them. Each becomes a Lipz file in
+/// `output`, under its path below the root of the settings if it is there, otherwise below its source. What is said stands
+/// in `script`, under the name of the file, or beside it in `NAME.txt`.
 ///
 /// Reports what cannot be read or used, and lines of the script that have no recording.
 pub fn jobs_of_recordings(settings: &Settings, output: &Path, script: Option<&Script>) -> (Vec<Job>, Vec<Report>) {
@@ -72,6 +73,12 @@ pub fn jobs_of_recordings(settings: &Settings, output: &Path, script: Option<&Sc
         reports.extend(recordings.unread().map(|path| why(path).unwrap_or_else(|| unknown(path))));
         found.extend(recordings.iter().map(|(name, path)| (name.to_owned(), path.to_owned())));
     }
+    if let Some(root) = &settings.root {
+        for (key, path) in &mut found {
+            let below = path.strip_prefix(root).ok().and_then(|below| slashed(&below.with_extension("")));
+            *key = below.unwrap_or_else(|| std::mem::take(key));
+        }
+    }
     found.sort();
     found.dedup();
     let inputs: Vec<Input> =
@@ -99,9 +106,8 @@ pub fn jobs_of_recordings(settings: &Settings, output: &Path, script: Option<&Sc
 
 /// What is said in a recording: by the script, or by the text file beside it.
 fn text_of(key: &str, recording: &Path, script: Option<&Script>) -> Result<Option<String>, Report> {
-    let written = |script: &Script| names(key, recording).find_map(|name| Some(script.text_of(&name)?.to_owned()));
-    if let Some(text) = script.and_then(written) {
-        return Ok(Some(text));
+    if let Some(text) = script.and_then(|script| script.text_of_file(recording, key)) {
+        return Ok(Some(text.to_owned()));
     }
     let path = recording.with_extension("txt");
     if !path.is_file() {
@@ -115,16 +121,9 @@ fn text_of(key: &str, recording: &Path, script: Option<&Script>) -> Result<Optio
     }
 }
 
-/// The names by which a script may know a recording: its path, and its key.
-fn names(key: &str, recording: &Path) -> impl Iterator<Item = String> {
-    let path = recording.with_extension("").to_str().map(str::to_owned);
-    path.into_iter().chain([key.to_owned()])
-}
-
 /// Lines of a script that belong to no recording.
 fn script_without_recording(script: &Script, jobs: &[Job]) -> Option<Report> {
-    let recorded: Vec<String> = jobs.iter().flat_map(|job| names(&job.key, &job.recording)).collect();
-    let lines = script.names_without(recorded.iter().map(String::as_str));
+    let lines = script.names_without(jobs.iter().map(|job| (job.recording.as_path(), job.key.as_str())));
     let message = |first: &str| format!("the script has a text for `{first}`, which was not recorded");
     let diagnostic = without_recording(&lines, message)?;
     Some(Report::about(script.path(), diagnostic.help("add the recordings, or remove the lines")))

@@ -49,8 +49,9 @@ pub(super) fn report(
     // Whoever imports one file does not expect to see all others of its script.
     if files.len() > 1 {
         let extension = arguments.tool_format.extension;
-        let stems: Vec<_> = files.iter().map(|file| formats::stem(file, extension)).collect();
-        let unused = script.names_without(stems.iter().map(AsRef::as_ref));
+        let stems: Vec<String> = files.iter().map(|file| formats::stem(file, extension)).collect();
+        let named = files.iter().map(PathBuf::as_path).zip(stems.iter().map(String::as_str));
+        let unused = script.names_without(named);
         if !unused.is_empty() {
             let (all, belong) = (script.len(), if unused.len() == 1 { "belongs" } else { "belong" });
             let message = format!(

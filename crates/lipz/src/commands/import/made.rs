@@ -81,7 +81,7 @@ fn one(
     let tool_format = arguments.tool_format;
     let text = texts.of_key(&source.key)?;
     let mut options = settings.import_options().text(text.as_deref());
-    arguments.options.recordings.apply(file, source.stem(), script, &mut options);
+    arguments.options.recordings.apply(file, source, script, &mut options);
     let mut imported = import(tool_format, &source.bytes, &options);
     let key = |clip: &Clip| match &clip.name {
         Some(name) => format!("{}-{}", source.key, formats::file_name(name)),

@@ -3,7 +3,8 @@
 use super::options::{TEXT, parse_time};
 use crate::Abort;
 use crate::reporter::Reporter;
-use crate::shared::{formats, script_file, stdio};
+use crate::shared::formats::{self, Source};
+use crate::shared::{script_file, stdio};
 use clap::Args;
 use lipz_interop::fallout::sound;
 use lipz_interop::{Encoding, ImportOptions, Script, Time};
@@ -45,10 +46,16 @@ impl Recordings {
         }
     }
 
-    /// Adds what is known about the recording of a file with the name `stem` to the options of its import.
-    pub(super) fn apply<'a>(&self, path: &Path, stem: &'a str, script: &'a Script, options: &mut ImportOptions<'a>) {
-        options.name = (!stdio::is_meant(path)).then_some(stem);
-        options.text = script.text_of(stem).or(options.text);
+    /// Adds what is known about the recording of a file to the options of its import.
+    pub(super) fn apply<'a>(
+        &self,
+        path: &Path,
+        source: &'a Source,
+        script: &'a Script,
+        options: &mut ImportOptions<'a>,
+    ) {
+        options.name = (!stdio::is_meant(path)).then_some(source.stem());
+        options.text = script.text_of_file(path, &source.key).or(options.text);
         options.units_per_second = self.units_per_second;
         options.sound_length = self.audio_length.or_else(|| length_beside(path));
     }

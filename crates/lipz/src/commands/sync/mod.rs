@@ -10,9 +10,9 @@ use crate::shared::audio_flags::AudioFlags;
 use crate::shared::inputs;
 use crate::shared::project_flags::{hide_of_banks, parse_fps};
 use crate::shared::sources::Sources;
-use crate::shared::{formats, script_file, stdio};
+use crate::shared::{formats, patterns, script_file, stdio};
 use crate::{Outcome, console, interrupt};
-use clap::Args;
+use clap::{Arg, Args};
 use flags::SyncFlags;
 use lipz_bank::Fps;
 use lipz_compiler::settings::Settings;
@@ -29,7 +29,7 @@ use std::path::{Path, PathBuf};
 ///
 /// A second run makes only what changed. Mouths that were changed by hand stay, unless --force is given.
 #[derive(Args, Debug)]
-#[command(mut_args(hide_of_banks))]
+#[command(mut_args(of_mouths))]
 #[command(after_help = "Examples:
   lipz sync
   lipz sync voices --audio recordings
@@ -51,7 +51,8 @@ pub(crate) struct SyncArguments {
     #[arg(short, long, value_name = "FOLDER")]
     output: Option<PathBuf>,
 
-    /// Texts of new files: a CSV string table with the columns `file` and `text` [default: NAME.txt beside NAME.wav]
+    /// Texts of new files: a CSV string table with the columns `file` and `text`, or a .msg file of Fallout [default:
+    /// NAME.txt beside NAME.wav]
     #[arg(long, value_name = "FILE", requires = "output")]
     script: Option<PathBuf>,
 
@@ -70,6 +71,34 @@ pub(crate) struct SyncArguments {
     /// Also replace mouths that were made or changed by hand
     #[arg(long)]
     force: bool,
+}
+
+/// Flags of others that have nothing to do with mouths, by their fields. They are accepted, as the settings are.
+const OF_OTHERS: [&str; 10] = [
+    "max_line_columns",
+    "max_lines",
+    "max_characters_per_second",
+    "characters",
+    "props",
+    "emotions",
+    "actions",
+    "tolerance_ms",
+    "audio_cache",
+    "in_bank",
+];
+
+/// Flags that this command shares with others, as it means them.
+fn of_mouths(flag: Arg) -> Arg {
+    match flag.get_id().as_str() {
+        "sources" => flag.help(
+            "Lipz files, or with --output recordings: folders, files or glob patterns [default: those of lipz.toml]",
+        ),
+        "viseme_type" => {
+            flag.help("Viseme type of the mouths [default: that of each file, or default-viseme-type, or blair]")
+        }
+        name if OF_OTHERS.contains(&name) => flag.hide(true),
+        _ => hide_of_banks(flag),
+    }
 }
 
 /// What a run works on.
@@ -149,7 +178,9 @@ impl SyncArguments {
             Some(path) => Some(script_file::read(path, self.encoding, reporter)?),
             None => None,
         };
-        let (jobs, mut reports) = jobs_of_recordings(settings, output, script.as_ref());
+        let mut recordings = settings.clone();
+        recordings.sources = patterns::files(&settings.sources);
+        let (jobs, mut reports) = jobs_of_recordings(&recordings, output, script.as_ref());
         reports.iter_mut().for_each(|report| settings.options.levels.apply(&mut report.diagnostics));
         if jobs.is_empty() && lipz_diagnostics::reports::have_errors(&reports) {
             return Err(reporter.abort(reports, Outcome::Failed));
