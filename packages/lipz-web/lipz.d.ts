@@ -82,6 +82,10 @@ export class Clip {
   readonly segments: Segment[];
   /** The recording that the clip was made for; undefined if the bank says nothing about it. */
   readonly recording: Recording | undefined;
+  /** The curve with this name, `jawOpen`; undefined if the clip has none. */
+  curve(name: string): Curve | undefined;
+  /** All curves, in the order of their names. */
+  readonly curves: Curve[];
   /** The clip with this frame rate, where its file leaves it unspecified. */
   orFps(numerator: number, denominator?: number): Clip;
   /** The clip with this viseme type, where its file leaves it unspecified. */
@@ -106,6 +110,22 @@ export class Clip {
   /** The segment at a time; undefined outside of the clip. */
   segmentAt(time: Time): Segment | undefined;
   segment(index: number): Segment | undefined;
+}
+
+/**
+ * A number that changes while a clip plays: a blend shape, an emotion. Between two keys it changes evenly; outside of them it is
+ * that of the first or last.
+ */
+export class Curve {
+  private constructor();
+  readonly name: string;
+  readonly keyCount: number;
+  /** In the order of their frames. Values are whole thousandths. */
+  readonly keys: { readonly frame: number; readonly value: number }[];
+  /** The value at the start of a frame. */
+  value(frame: number): number;
+  /** The value at a time; undefined without a frame rate. */
+  valueAt(time: Time): number | undefined;
 }
 
 export interface Recording {

@@ -2,13 +2,14 @@
 
 import { Babble } from "./babble.js";
 import { Cursor } from "./cursor.js";
+import { Curve } from "./curve.js";
 import { BANK, FIRST, LipzError, Memory, SECOND } from "./memory.js";
 import { byCodePoints } from "./order.js";
 import * as c from "./structs.js";
 import { at, eventOf, TEN_THOUSAND, VISEME_TYPES } from "./words.js";
 
 export { Babble, UNMEASURED } from "./babble.js";
-export { Cursor, LipzError };
+export { Cursor, Curve, LipzError };
 
 let compiled;
 
@@ -238,6 +239,27 @@ export class Clip {
   orVisemeType(name) {
     const viseme_type = this.#fields.viseme_type || VISEME_TYPES.indexOf(name);
     return new Clip(this.#memory, { ...this.#fields, viseme_type }, this.#locale);
+  }
+
+  /** The curve with this name; undefined if the clip has none. */
+  curve(name) {
+    return this.#curve(this.#ask(c.lipz_curve, "lipz_clip_curve", ...this.#memory.text(name)));
+  }
+
+  /** All curves, in the order of their names. */
+  get curves() {
+    const curves = [];
+    for (;;) {
+      const curve = this.#curve(this.#ask(c.lipz_curve, "lipz_clip_curve_at", curves.length));
+      if (curve === undefined) return curves;
+      curves.push(curve);
+    }
+  }
+
+  #curve(fields) {
+    const ask = (type, name, curve, ...args) =>
+      this.#ask(type, name, this.#memory.put(SECOND, c.lipz_curve, curve), ...args);
+    return fields && new Curve(ask, this.#memory.string(fields.name), fields);
   }
 
   /** The clip with this frame rate, where its file leaves it unspecified. */

@@ -8,6 +8,12 @@ export const u32 = {
   read: (view, at) => view.getUint32(at, true),
   write: (view, at, value) => view.setUint32(at, value, true),
 };
+export const i32 = {
+  size: 4,
+  align: 4,
+  read: (view, at) => view.getInt32(at, true),
+  write: (view, at, value) => view.setInt32(at, value, true),
+};
 export const u64 = {
   size: 8,
   align: 8,
@@ -124,6 +130,10 @@ export const lipz_character = struct({
   stares_at: lipz_name,
   points_at: lipz_name,
 });
+
+export const lipz_curve = struct({ name: lipz_string, index: u32, key_count: u32 });
+
+export const lipz_curve_key = struct({ frame: u32, thousandths: i32 });
 
 export const lipz_babble = struct({ name: lipz_string, index: u32, bank: u32 });
 

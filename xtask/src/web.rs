@@ -35,6 +35,7 @@ pub(crate) fn run() -> Result<(), Failure> {
     }
     test(&package, "node.test.js")?;
     test(&package, "cases.test.js")?;
+    test(&package, "curve.test.js")?;
     test(&package, "serve.test.js")?;
     if !has_program("chromium") {
         return skip("chromium");

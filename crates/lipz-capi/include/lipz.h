@@ -122,6 +122,9 @@
 // Damage: what the bank says about a recording is not valid.
 #define LIPZ_RECORDING 34
 
+// Damage: a curve is not valid.
+#define LIPZ_CURVE 35
+
 
 
 // Version of this header: changes of the first number break programs; so do, while it is 0, those
@@ -394,6 +397,24 @@ typedef struct lipz_weights {
   // How far the jaw is open, in ten-thousandths.
   uint32_t aah;
 } lipz_weights;
+
+// A curve of a clip. Queries go by `index`; the other fields are there to be read.
+typedef struct lipz_curve {
+  // Its name: `jawOpen`, `anger`.
+  struct lipz_string name;
+  // Its place among the curves of its clip, which are in the order of their names.
+  uint32_t index;
+  // Number of keys, at least 1 in a verified bank.
+  uint32_t key_count;
+} lipz_curve;
+
+// A key of a curve: its value at the start of a frame.
+typedef struct lipz_curve_key {
+  // The frame.
+  uint32_t frame;
+  // The value in thousandths.
+  int32_t thousandths;
+} lipz_curve_key;
 
 // The answer was written.
 #define LIPZ_OK 0
@@ -821,6 +842,62 @@ lipz_status lipz_hold_readable(const struct lipz_clip *clip, uint32_t *hold_fram
 lipz_status lipz_hold_for_display(const struct lipz_clip *clip,
                                   uint32_t picture_us,
                                   uint32_t *hold_frames);
+
+// The curve of a clip with this name. `LIPZ_NONE` if it has none.
+lipz_status lipz_clip_curve(const struct lipz_bank *bank,
+                            const struct lipz_clip *clip,
+                            const char *name,
+                            size_t name_length_bytes,
+                            struct lipz_curve *curve);
+
+// The curve of a clip with this index: ask from 0 on until `LIPZ_NONE`.
+lipz_status lipz_clip_curve_at(const struct lipz_bank *bank,
+                               const struct lipz_clip *clip,
+                               uint32_t index,
+                               struct lipz_curve *curve);
+
+// The key of a curve with this index, a number below its `key_count`.
+lipz_status lipz_clip_curve_key(const struct lipz_bank *bank,
+                                const struct lipz_clip *clip,
+                                const struct lipz_curve *curve,
+                                uint32_t index,
+                                struct lipz_curve_key *key);
+
+// The value of a curve at the start of a frame, in thousandths.
+lipz_status lipz_clip_curve_value(const struct lipz_bank *bank,
+                                  const struct lipz_clip *clip,
+                                  const struct lipz_curve *curve,
+                                  uint32_t frame,
+                                  int32_t *thousandths);
+
+// The value of a curve `time_us` microseconds after the audio began, in thousandths. `LIPZ_NONE` without a frame rate.
+lipz_status lipz_clip_curve_value_at_us(const struct lipz_bank *bank,
+                                        const struct lipz_clip *clip,
+                                        const struct lipz_curve *curve,
+                                        int64_t time_us,
+                                        int32_t *thousandths);
+
+// The value of a curve after `position` samples at `rate_hz`, in thousandths. `LIPZ_NONE` without a frame rate.
+lipz_status lipz_clip_curve_value_at_samples(const struct lipz_bank *bank,
+                                             const struct lipz_clip *clip,
+                                             const struct lipz_curve *curve,
+                                             int64_t position,
+                                             uint32_t rate_hz,
+                                             int32_t *thousandths);
+
+// The value of a curve after `seconds`, in thousandths. `LIPZ_NONE` without a frame rate.
+lipz_status lipz_clip_curve_value_at_seconds(const struct lipz_bank *bank,
+                                             const struct lipz_clip *clip,
+                                             const struct lipz_curve *curve,
+                                             double seconds,
+                                             int32_t *thousandths);
+
+// `lipz_clip_curve_value_at_seconds` for clocks that have no `double`.
+lipz_status lipz_clip_curve_value_at_seconds_f32(const struct lipz_bank *bank,
+                                                 const struct lipz_clip *clip,
+                                                 const struct lipz_curve *curve,
+                                                 float seconds,
+                                                 int32_t *thousandths);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -29,6 +29,7 @@ mod character;
 mod clip;
 mod cursor;
 mod cursor_time;
+mod curve;
 mod event;
 mod locale;
 #[cfg(feature = "panic-handler")]
@@ -62,6 +63,11 @@ pub use cursor_time::{
     lipz_cursor_advance_samples, lipz_cursor_advance_seconds, lipz_cursor_advance_seconds_f32, lipz_cursor_advance_us,
     lipz_cursor_loop_samples, lipz_cursor_loop_seconds, lipz_cursor_loop_seconds_f32, lipz_cursor_loop_us,
     lipz_cursor_seek_samples, lipz_cursor_seek_seconds, lipz_cursor_seek_seconds_f32, lipz_cursor_seek_us,
+};
+pub use curve::{
+    Curve, CurveKey, lipz_clip_curve, lipz_clip_curve_at, lipz_clip_curve_key, lipz_clip_curve_value,
+    lipz_clip_curve_value_at_samples, lipz_clip_curve_value_at_seconds, lipz_clip_curve_value_at_seconds_f32,
+    lipz_clip_curve_value_at_us,
 };
 pub use event::{
     Event, EventName, LIPZ_DOES, LIPZ_FEELS, LIPZ_NO_NAME, LIPZ_POINTS, LIPZ_SEES, LIPZ_STARES, LIPZ_STOPS_POINTING,

@@ -8,13 +8,15 @@ use std::fs;
 use std::path::Path;
 
 /// The names of the structs in C: those of functions and constants are the same in Rust.
-const NAMES: [(&str, &str); 16] = [
+const NAMES: [(&str, &str); 18] = [
     ("Babble", "lipz_babble"),
     ("Bank", "lipz_bank"),
     ("BankInfo", "lipz_bank_info_t"),
     ("Character", "lipz_character"),
     ("Clip", "lipz_clip"),
     ("Cursor", "lipz_cursor"),
+    ("Curve", "lipz_curve"),
+    ("CurveKey", "lipz_curve_key"),
     ("Event", "lipz_event"),
     ("EventName", "lipz_name"),
     ("Locale", "lipz_locale"),
@@ -28,7 +30,7 @@ const NAMES: [(&str, &str); 16] = [
 ];
 
 /// The files with declarations, in the order of the header.
-const FILES: [&str; 13] = [
+const FILES: [&str; 14] = [
     "version.rs",
     "status.rs",
     "string.rs",
@@ -42,6 +44,7 @@ const FILES: [&str; 13] = [
     "cursor_time.rs",
     "character.rs",
     "babble.rs",
+    "curve.rs",
 ];
 
 const INTRODUCTION: &str = "/*

@@ -144,6 +144,13 @@ fn every_query(bank: &Bank, clip: &Clip, number: u32) {
             Segment { clip_id: clip.id, index: number % 13, start_frame: number, end_frame: number, reserved: number };
         let locale = Locale { index: number % 3, ..Locale::default() };
         Answer::<BankInfo>::from_call(|out| lipz_bank_info(bank, out));
+        let named = Curve { index: number % 7, key_count: number, ..Curve::default() };
+        let (clip_of, named) = (Some(clip), Some(&named));
+        Answer::<Curve>::from_call(|out| lipz_clip_curve_at(bank, clip_of, number, out));
+        Answer::<Curve>::from_call(|out| lipz_clip_curve(bank, clip_of, c"joy".as_ptr(), 3, out));
+        Answer::<CurveKey>::from_call(|out| lipz_clip_curve_key(bank, clip_of, named, number, out));
+        Answer::<i32>::from_call(|out| lipz_clip_curve_value(bank, clip_of, named, number, out));
+        Answer::<i32>::from_call(|out| lipz_clip_curve_value_at_us(bank, clip_of, named, time_us, out));
         Answer::<Clip>::from_call(|out| lipz_clip_at(bank, number, out));
         Answer::<Clip>::from_call(|out| lipz_clip_by_id(bank, clip.id, out));
         Answer::<String>::from_call(|out| lipz_clip_key(bank, Some(clip), out));

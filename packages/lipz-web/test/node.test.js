@@ -178,7 +178,7 @@ test("the package has the version of the library", async () => {
 
 test("structs.js has the structs of lipz.h, field by field", async () => {
   const header = await readFile(new URL("lipz.h", import.meta.url), "utf8");
-  const names = { size_t: "u32", uint32_t: "u32", uint64_t: "u64", "const char *": "pointer", "const uint8_t *": "pointer" };
+  const names = { size_t: "u32", int32_t: "i32", uint32_t: "u32", uint64_t: "u64", "const char *": "pointer", "const uint8_t *": "pointer" };
   const declared = Array.from(header.matchAll(/^typedef struct (\w+) \{\n([^}]*)\}/gm));
   assert.equal(declared.length, Object.values(structs).filter((type) => type.fields).length);
   for (const [, name, body] of declared) {

@@ -6,6 +6,7 @@ use lipz_capi::c_char;
 use lipz_capi::*;
 use std::mem::MaybeUninit;
 
+pub(crate) const CURVES: &[u8] = include_bytes!("../../../../fixtures/banks/v1/curves.lipzbank");
 pub(crate) const DRAMA: &[u8] = include_bytes!("../../../../fixtures/banks/v1/drama.lipzbank");
 pub(crate) const SMALL: &[u8] = include_bytes!("../../../../fixtures/banks/v1/small.lipzbank");
 pub(crate) const SPLIT: &[u8] = include_bytes!("../../../../fixtures/banks/v1/split.lipzbank");

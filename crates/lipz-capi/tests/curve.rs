@@ -1,0 +1,89 @@
+//! Curves give the answers of the reader, by name and by index, in every unit of time.
+#![allow(unsafe_code, clippy::unwrap_used, clippy::cast_possible_truncation, reason = "tests")]
+
+mod common;
+
+use common::{Answer, CURVES, bank, ptr, text_of};
+use lipz_bank::{CurveValue, Micros, Samples, Seconds};
+use lipz_capi::*;
+
+#[test]
+fn curves_give_the_answers_of_the_reader() {
+    let (expected, bank) = bank(CURVES);
+    let bank = Some(&bank);
+    let mut seen = 0;
+    for clip in expected.clips() {
+        let asked = Answer::<Clip>::from_call(|out| unsafe { lipz_clip_by_id(bank, clip.id().get(), out) }).ok();
+        let asked = Some(&asked);
+        for (index, curve) in clip.curves().enumerate() {
+            let found =
+                Answer::<Curve>::from_call(|out| unsafe { lipz_clip_curve_at(bank, asked, index as u32, out) }).ok();
+            let (name, length) = ptr(curve.name().as_str());
+            let named =
+                Answer::<Curve>::from_call(|out| unsafe { lipz_clip_curve(bank, asked, name, length, out) }).ok();
+            assert_eq!((named.index, text_of(named.name)), (found.index, curve.name().as_str()));
+            assert_eq!((found.index as usize, found.key_count), (index, curve.key_count()));
+            for (index, key) in (0..).zip(curve.keys()) {
+                let found = Answer::<CurveKey>::from_call(|out| unsafe {
+                    lipz_clip_curve_key(bank, asked, Some(&named), index, out)
+                });
+                assert_eq!((found.ok().frame, found.ok().thousandths), (key.frame, key.value.thousandths()));
+                let value = Answer::from_call(|out| unsafe {
+                    lipz_clip_curve_value(bank, asked, Some(&named), key.frame, out)
+                })
+                .ok();
+                assert_eq!(value, key.value.thousandths());
+            }
+            at_times(bank, asked, &named, &curve);
+            seen += 1;
+        }
+        let behind = clip.curves().count() as u32;
+        let none = Answer::<Curve>::from_call(|out| unsafe { lipz_clip_curve_at(bank, asked, behind, out) });
+        assert_eq!((none.status, none.written().key_count), (LIPZ_NONE, 0));
+        let none = Answer::<Curve>::from_call(|out| unsafe { lipz_clip_curve(bank, asked, ptr("no").0, 2, out) });
+        assert_eq!(none.status, LIPZ_NONE);
+    }
+    assert_eq!(seen, 7);
+}
+
+fn at_times(bank: Option<&Bank>, clip: Option<&Clip>, named: &Curve, curve: &lipz_bank::Curve<'_>) {
+    let named = Some(named);
+    for us in (-50_000..1_500_000).step_by(33_333) {
+        let (seconds, position, rate_hz) = (us as f64 / 1e6, us * 441 / 10_000, 44_100);
+        let answers = [
+            (
+                Answer::from_call(|out| unsafe { lipz_clip_curve_value_at_us(bank, clip, named, us, out) }),
+                curve.value_at(Micros(us)),
+            ),
+            (
+                Answer::from_call(|out| unsafe {
+                    lipz_clip_curve_value_at_samples(bank, clip, named, position, rate_hz, out)
+                }),
+                curve.value_at(Samples { position, rate_hz }),
+            ),
+            (
+                Answer::from_call(|out| unsafe { lipz_clip_curve_value_at_seconds(bank, clip, named, seconds, out) }),
+                curve.value_at(Seconds(seconds)),
+            ),
+            (
+                Answer::from_call(|out| unsafe {
+                    lipz_clip_curve_value_at_seconds_f32(bank, clip, named, seconds as f32, out)
+                }),
+                curve.value_at(Seconds(seconds as f32)),
+            ),
+        ];
+        for (found, expected) in answers {
+            assert_eq!(found.some(), expected.map(CurveValue::thousandths), "{us} us");
+        }
+    }
+}
+
+#[test]
+fn null_pointers_are_a_status() {
+    let (_, bank) = bank(CURVES);
+    let clip = Answer::<Clip>::from_call(|out| unsafe { lipz_clip_at(Some(&bank), 0, out) }).ok();
+    let value =
+        Answer::<i32>::from_call(|out| unsafe { lipz_clip_curve_value(Some(&bank), Some(&clip), None, 0, out) });
+    assert_eq!((value.status, value.written()), (LIPZ_NULL_POINTER, 0));
+    assert_eq!(unsafe { lipz_clip_curve_at(Some(&bank), Some(&clip), 0, None) }, LIPZ_NULL_POINTER);
+}

@@ -1,0 +1,38 @@
+// Curves in node: the answers of the dump beside their bank.
+
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { test } from "node:test";
+import { open } from "../lipz.js";
+
+const banks = new URL("./banks/", import.meta.url);
+const bank = (await open(await readFile(new URL("curves.lipzbank", banks)))).verify();
+const dump = await readFile(new URL("curves.dump", banks), "utf8");
+
+test("curves have the keys and values of the reader", () => {
+  let seen = 0;
+  for (const part of dump.split("\nclip ").slice(1)) {
+    const clip = bank.clip(part.slice(0, part.lastIndexOf(" ", part.indexOf("\n"))));
+    const lines = Array.from(part.matchAll(/^ {2}curve "(.*?)" (.*), each 50 ms: (.*)$/gm));
+    assert.deepEqual(clip.curves.map((curve) => curve.name), lines.map(([, name]) => name));
+    for (const [, name, keys, values] of lines) {
+      const curve = clip.orFps(24).curve(name);
+      assert.equal(curve.keys.map(({ frame, value }) => `${frame}:${value}`).join(" "), keys);
+      assert.equal(curve.keyCount, curve.keys.length);
+      values.split(" ").forEach((value, step) => {
+        assert.equal(curve.valueAt({ us: step * 50_000 }), Number(value), `${name} at ${step * 50} ms`);
+      });
+      for (const { frame, value } of curve.keys) assert.equal(curve.value(frame), value);
+      seen += 1;
+    }
+  }
+  assert.equal(seen, 7);
+});
+
+test("what is not there is undefined", () => {
+  const clip = bank.clip("nothing");
+  assert.equal(clip.curve("anger"), undefined);
+  assert.equal(clip.curve("joy").valueAt(0), undefined, "without a frame rate");
+  assert.equal(clip.orFps(10).curve("joy").valueAt(NaN), 1.5);
+  assert.deepEqual(bank.clip("act1/plain").curves, []);
+});
