@@ -1,5 +1,6 @@
 //! Diagnostics grouped by the file that they are about.
 
+use crate::render::Places;
 use crate::{Code, Diagnostic, Severity, Source, escape};
 use std::fmt;
 
@@ -73,11 +74,12 @@ fn readable(bytes: &[u8]) -> String {
 /// [`render::human`](crate::render::human) shows the marked source, too.
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let places = Places::new(self);
         for diagnostic in &self.diagnostics {
             if !self.source.path.is_empty() {
                 write!(f, "{}:", escape::text(&self.source.path))?;
                 if let Some(label) = &diagnostic.primary {
-                    let place = self.source.line_column(label.span.start);
+                    let [place, _] = places.ends(label.span);
                     write!(f, "{}:{}:", place.line, place.column)?;
                 }
                 f.write_str(" ")?;

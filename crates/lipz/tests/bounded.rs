@@ -106,9 +106,7 @@ fn time_and_memory_are_linear_whatever_is_in_a_file() {
             ("github", render::github),
             ("cargo", render::cargo),
         ];
-        // The renderer for people measures whole lines for each of the 100 that it shows: one shape will do.
-        let skipped = usize::from(*name != "duplicate elements");
-        for (format, render) in formats.into_iter().skip(skipped) {
+        for (format, render) in formats {
             let (peak, _, text) = measured(|| render(&found));
             assert!(
                 peak < (16 << 20) + 12 * large.len(),

@@ -1,9 +1,10 @@
 //! What build scripts print for cargo (The Cargo Book, "Outputs of the Build Script"): one line per
 //! message, nothing of which can be taken for another.
 
+use super::places::Places;
 use crate::Report;
 use crate::escape;
-use crate::{Code, Diagnostic, Severity, Source};
+use crate::{Code, Diagnostic, Severity};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -21,11 +22,12 @@ pub fn cargo(reports: &[Report]) -> String {
     let mut lines = String::new();
     let mut counts: BTreeMap<(Code, Severity), usize> = BTreeMap::new();
     for report in reports {
+        let places = Places::new(report);
         for found in &report.diagnostics {
             let count = counts.entry((found.code, found.severity)).or_default();
-            *count += 1;
+            *count += found.count();
             if *count <= PRINTED_PER_CODE {
-                line(&mut lines, found.severity, &message(&report.source, found));
+                line(&mut lines, found.severity, &message(&report.source.path, &places, found));
             }
         }
     }
@@ -43,12 +45,12 @@ fn line(lines: &mut String, severity: Severity, message: &str) {
 }
 
 /// `voices/mayor.lipz:3:16: what is wrong [LZ0401]; help: what to do`.
-fn message(source: &Source, found: &Diagnostic) -> String {
+fn message(path: &str, places: &Places, found: &Diagnostic) -> String {
     let mut message = String::new();
-    if !source.path.is_empty() {
-        message.push_str(&source.path);
-        if found.primary.is_some() {
-            let place = source.line_column(found.start());
+    if !path.is_empty() {
+        message.push_str(path);
+        if let Some(label) = &found.primary {
+            let [place, _] = places.ends(label.span);
             let _ = write!(message, ":{}:{}", place.line, place.column);
         }
         message.push_str(": ");
@@ -67,7 +69,7 @@ fn message(source: &Source, found: &Diagnostic) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Span;
+    use crate::{Source, Span};
 
     fn report(path: &str, text: &str, diagnostics: Vec<Diagnostic>) -> Report {
         Report::new(Source::new(path, text), diagnostics)
@@ -87,12 +89,18 @@ mod tests {
 
     #[test]
     fn many_diagnostics_of_one_code_are_counted() {
-        let many = (0..250).map(|_| Diagnostic::new(Code::UnknownElement, "odd")).collect();
-        let lines = cargo(&[report("a.lipz", "", many)]);
-        assert_eq!(lines.lines().count(), PRINTED_PER_CODE + 1);
-        assert!(
-            lines.ends_with("cargo::warning=150 more of LZ0203: an element is not part of the format\n"),
-            "{lines}"
-        );
+        for count in [250, 2_500] {
+            let mut many = vec![Diagnostic::new(Code::UnknownElement, "odd"); count];
+            crate::bound::limit(&mut many);
+            let lines = cargo(&[report("a.lipz", "", many)]);
+            assert_eq!(lines.lines().count(), PRINTED_PER_CODE + 1);
+            let rest = count - PRINTED_PER_CODE;
+            assert!(
+                lines.ends_with(&format!(
+                    "cargo::warning={rest} more of LZ0203: an element is not part of the format\n"
+                )),
+                "{lines}"
+            );
+        }
     }
 }

@@ -3,6 +3,8 @@
 //! Keys, paths and texts come from anybody: nothing in them reaches the terminal as a control
 //! character.
 
+use super::excerpt::{Excerpt, Mark, excerpts};
+use super::places::Places;
 use crate::Report;
 use crate::escape;
 use crate::reports::count;
@@ -84,9 +86,10 @@ impl Human {
         let mut text = String::new();
         for report in reports {
             let source = &printable(&report.source);
+            let places = Places::new(report);
             for diagnostic in &report.diagnostics {
                 if tallies.entry(diagnostic.code).or_default().is_shown(report, diagnostic.rest) {
-                    text.push_str(&renderer.render(&[group(source, diagnostic)]));
+                    text.push_str(&shown(&renderer, source, &places, diagnostic));
                     text.push_str("\n\n");
                 }
             }
@@ -165,18 +168,26 @@ fn printable(source: &Source) -> Cow<'_, Source> {
     Cow::Owned(Source::new(source.path.as_str(), source.text.replace(steers, "·")))
 }
 
-/// The diagnostic as the renderer wants it.
-fn group<'r>(source: &'r Source, diagnostic: &'r Diagnostic) -> Group<'r> {
+/// The diagnostic in full.
+fn shown(renderer: &Renderer, source: &Source, places: &Places, diagnostic: &Diagnostic) -> String {
     let title = match diagnostic.severity {
         Severity::Error => Title::ERROR,
         Severity::Warning => Title::WARNING,
     };
+    let path = escape::text(&source.path);
     let mut group =
         Group::with_title(title.primary_title(escape::text(&diagnostic.message)).id(diagnostic.code.number()));
-    match &diagnostic.primary {
-        Some(_) => group = group.element(snippet(source, diagnostic)),
-        None if !source.path.is_empty() => group = group.element(Origin::path(escape::text(&source.path))),
-        None => {}
+    let mut counted_wrongly = Vec::new();
+    for excerpt in excerpts(&source.text, places, diagnostic) {
+        let path = match excerpt.place {
+            None => path.clone().into_owned(),
+            Some(place) => format!("{path}:{}:{}", place.line, place.column),
+        };
+        counted_wrongly.extend(excerpt.place.map(|_| path.clone()));
+        group = group.element(snippet(path, excerpt));
+    }
+    if diagnostic.primary.is_none() && !path.is_empty() {
+        group = group.element(Origin::path(path.as_ref()));
     }
     for note in &diagnostic.notes {
         group = group.element(Title::NOTE.message(escape::text(note)));
@@ -184,18 +195,15 @@ fn group<'r>(source: &'r Source, diagnostic: &'r Diagnostic) -> Group<'r> {
     if let Some(help) = &diagnostic.help {
         group = group.element(Title::HELP.message(escape::text(help)));
     }
-    group
+    let text = renderer.render(&[group]);
+    counted_wrongly.iter().fold(text, |text, place| without_count(&text, place))
 }
 
-fn snippet<'r>(source: &'r Source, diagnostic: &'r Diagnostic) -> Snippet<'r, annotate_snippets::Annotation<'r>> {
-    let mut snippet = Snippet::source(source.text.as_str()).path(escape::text(&source.path));
-    let labels = diagnostic.primary.iter().map(|label| (AnnotationKind::Primary, label));
-    let others = diagnostic.labels.iter().map(|label| (AnnotationKind::Context, label));
-    for (kind, label) in labels.chain(others) {
-        // Whoever counted wrongly: a mark lies between characters of the text, or the renderer panics.
-        let start = source.text.floor_char_boundary(label.span.start as usize);
-        let end = source.text.ceil_char_boundary(label.span.end as usize).max(start);
-        let annotation = kind.span(start..end);
+fn snippet(path: String, excerpt: Excerpt<'_>) -> Snippet<'_, annotate_snippets::Annotation<'_>> {
+    let mut snippet = Snippet::source(excerpt.text).line_start(excerpt.first_line).path(path);
+    for (kind, label, place) in excerpt.marks {
+        let annotation = if kind == Mark::Primary { AnnotationKind::Primary } else { AnnotationKind::Context };
+        let annotation = annotation.span(place);
         snippet = snippet.annotation(if label.text.is_empty() {
             annotation
         } else {
@@ -203,6 +211,12 @@ fn snippet<'r>(source: &'r Source, diagnostic: &'r Diagnostic) -> Snippet<'r, an
         });
     }
     snippet
+}
+
+/// The text without the line and column that the renderer has counted itself, behind the right ones.
+fn without_count(text: &str, place: &str) -> String {
+    let Some((before, behind)) = text.split_once(&format!("{place}:")) else { return text.to_owned() };
+    format!("{before}{place}{}", behind.trim_start_matches(|c: char| c.is_ascii_digit() || c == ':'))
 }
 
 #[cfg(test)]

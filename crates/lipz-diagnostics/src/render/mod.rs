@@ -4,6 +4,8 @@
 //! leaves its line, whatever is in keys, paths and texts.
 
 mod cargo;
+#[cfg(feature = "human")]
+mod excerpt;
 mod github;
 #[cfg(feature = "human")]
 mod human;
@@ -12,6 +14,8 @@ mod json;
 mod places;
 #[cfg(feature = "json")]
 mod sarif;
+
+pub(crate) use places::Places;
 
 pub use cargo::cargo;
 pub use github::github;

@@ -7,10 +7,10 @@ use crate::{Diagnostic, LineColumn, Span};
 use std::collections::HashMap;
 
 /// Line and column of each byte offset that the diagnostics of a report name.
-pub(super) struct Places(HashMap<u32, LineColumn>);
+pub(crate) struct Places(HashMap<u32, LineColumn>);
 
 impl Places {
-    pub(super) fn new(report: &Report) -> Places {
+    pub(crate) fn new(report: &Report) -> Places {
         let spans = report.diagnostics.iter().flat_map(spans);
         let mut offsets: Vec<u32> = spans.flat_map(|span| [span.start, span.end]).collect();
         offsets.sort_unstable();
@@ -34,7 +34,7 @@ impl Places {
     }
 
     /// Where a span of these diagnostics starts, and the place behind it.
-    pub(super) fn ends(&self, span: Span) -> [LineColumn; 2] {
+    pub(crate) fn ends(&self, span: Span) -> [LineColumn; 2] {
         let unnamed = LineColumn { line: 1, column: 1 };
         [span.start, span.end].map(|offset| self.0.get(&offset).copied().unwrap_or(unnamed))
     }
