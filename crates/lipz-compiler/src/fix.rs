@@ -5,8 +5,7 @@ use crate::{Compiler, Options, check};
 use lipz_diagnostics::{Code, Diagnostic, Fix};
 use std::collections::BTreeMap;
 
-/// Rounds of reading and fixing. A file that is not JSON shows one diagnostic a round; who makes more
-/// mistakes than this mends the rest in another run.
+/// Rounds of reading and fixing: what stands beside a mistake may show only when that is gone.
 const ROUNDS: usize = 100;
 
 /// A file after its certain fixes.
@@ -58,8 +57,12 @@ impl Compiler<'_> {
 fn diagnostics<'f>(bytes: &'f [u8], options: &Options) -> Option<(&'f str, Vec<Diagnostic>)> {
     let text = std::str::from_utf8(lipz_file::without_byte_order_mark(bytes)).ok()?;
     let mut parsed = lipz_file::parse(bytes);
-    if let Some(document) = &parsed.document {
-        check::check(document, options, &mut Locales::default(), &mut ClipData::default(), &mut parsed.diagnostics);
+    match (&parsed.document, &parsed.fragment) {
+        (Some(document), _) => {
+            check::check(document, options, &mut Locales::default(), &mut ClipData::default(), &mut parsed.diagnostics);
+        }
+        (None, Some(fragment)) => check::fragment(fragment, options, &mut parsed.diagnostics),
+        (None, None) => {}
     }
     options.levels.apply(&mut parsed.diagnostics);
     parsed.diagnostics.retain(|diagnostic| diagnostic.fix.is_some());
@@ -92,6 +95,8 @@ mod tests {
             ("{\u{a0}\"fps\":\u{2003}24}", r#"{ "fps": 24}"#),
             ("{\"fps\": 24\r\n\"visemes\": \"A\"\r\n}", "{\"fps\": 24,\r\n\"visemes\": \"A\"\r\n}"),
             (r#"{"fps" = 24,,}}"#, r#"{"fps" : 24}"#),
+            // A comment is left to its author; it is in nobody's way.
+            ("{\"text-en_us\": \"a\" // b\n\"fps\": \"24\",}", "{\"text_en-us\": \"a\", // b\n\"fps\": 24}"),
             // First the codes, then the white space between them.
             (r#"{"visemes": "ma e-|sso"}"#, r#"{"visemes": "MAE-|SSO"}"#),
             (r#"{"visemes": "12:-", "viseme_type": "RMS"}"#, r#"{"visemes": "129-", "viseme_type": "rms"}"#),
@@ -120,6 +125,10 @@ mod tests {
             r#"{"x": 1,5}"#,
             r#"{"text_en-us": "the "Admiral": a parrot"}"#,
             r#"{"viseme_type": "blare"}"#,
+            // Of names that cannot be read, one may be the same.
+            r#"{"text-en_us": "a", "t\ext_en-us": "b"}"#,
+            // Where a text ends too early, everything behind it may be a part of it.
+            "{\"text_en-us\": \"say \"yes\",\n\"text-de_de\": \"b\",}",
             // Two names must not become one.
             r#"{"text-en_us": "a", "text_EN-US": "b"}"#,
             r#"{"text": "a", "text_en-us": "b"}"#,

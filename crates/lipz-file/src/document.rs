@@ -3,6 +3,7 @@
 use crate::text;
 use lipz_diagnostics::Span;
 use std::borrow::Cow;
+use std::collections::HashMap;
 use std::ops::Range;
 
 /// The elements of a Lipz file, in file order, known and unknown.
@@ -46,7 +47,7 @@ pub struct Raw<'s> {
 pub struct JsonString<'s> {
     /// The decoded characters.
     pub text: Cow<'s, str>,
-    /// The literal with its quotes; empty in a document that was not read from a file.
+    /// The literal with its quotes, if the file has them; empty in a document that was not read from a file.
     literal: &'s str,
     /// Where the literal starts in the file.
     start: u32,
@@ -91,8 +92,12 @@ impl<'s> Document<'s> {
             Value::String(string) => !text::trim(&string.text).is_empty(),
             _ => true,
         };
-        let is_lost = |element: &&Element<'_>| {
-            !other.get(&element.name.text).is_some_and(|other| says_the_same(&element.value, &other.value))
+        let mut others = HashMap::with_capacity(other.elements.len());
+        for other in &other.elements {
+            others.entry(other.name.text.as_ref()).or_insert(&other.value);
+        }
+        let is_lost = move |element: &&Element<'_>| {
+            !others.get(element.name.text.as_ref()).is_some_and(|other| says_the_same(&element.value, other))
         };
         self.elements.iter().filter(is_work).filter(is_lost).map(|element| &*element.name.text)
     }
@@ -190,6 +195,9 @@ impl<'s> JsonString<'s> {
 
     /// Offset in the literal of the character that starts at byte `decoded` of the text.
     fn source_offset(&self, decoded: usize) -> usize {
+        if !self.literal.starts_with('"') {
+            return decoded; // one without quotes
+        }
         let Some(inner) = self.literal.get(1..self.literal.len().saturating_sub(1)) else { return 0 };
         if inner.len() == self.text.len() {
             return 1 + decoded; // no escapes

@@ -33,7 +33,7 @@ pub mod text;
 mod write;
 
 pub use document::{Document, Element, JsonString, Raw, Value};
-pub use parse::{MAX_FILE_BYTES, Parsed, decode, decode_marked, parse, too_large, without_byte_order_mark};
+pub use parse::{Fragment, MAX_FILE_BYTES, Parsed, decode, decode_marked, parse, too_large, without_byte_order_mark};
 pub use write::{literal, write};
 
 /// The example of the README, run as a test.

@@ -19,7 +19,7 @@ use crate::clip::{ClipData, Locales};
 use crate::{Options, TextLimits, pseudo};
 use elements::Roles;
 use lipz_diagnostics::{Diagnostic, bound};
-use lipz_file::{Document, text};
+use lipz_file::{Document, Fragment, text};
 use readability::Times;
 use visemes::Expected;
 
@@ -104,4 +104,31 @@ pub(crate) fn check(
     blank::report(&roles, clip, options, locales, diagnostics);
     bound::limit(diagnostics);
     bank_limits::for_segments(&roles, clip.starts.len(), diagnostics);
+}
+
+/// Looks for further mistakes in a file that has some already. Where elements are missing, each is checked by itself,
+/// and no fix is certain.
+pub(crate) fn fragment(fragment: &Fragment<'_>, options: &Options, diagnostics: &mut Vec<Diagnostic>) {
+    let (document, mut found) = (&fragment.document, Vec::new());
+    let (mut locales, mut clip) = (Locales::default(), ClipData::default());
+    if fragment.is_complete {
+        check(document, options, &mut locales, &mut clip, diagnostics);
+        return;
+    }
+    let roles = Roles::assign(document, options, &mut locales, &mut found);
+    roles.fps.and_then(|number| fps::rate(number, &mut found));
+    let viseme_type = roles.viseme_type.and_then(|name| visemes::viseme_type(name, &mut found));
+    // A type that cannot be read may be any.
+    if let (Some(string), Some(named)) = (roles.visemes, viseme_type) {
+        visemes::frames(string, Expected::Named(named), &mut clip, &mut found);
+    }
+    for text in &roles.texts {
+        bound::limit_many(&mut found);
+        texts::display_texts(text.string, options, &mut clip.displays, &mut found);
+        bank_limits::for_texts(text.string, &clip.displays, &mut found);
+    }
+    roles.events.into_iter().for_each(|string| drop(events::trimmed(string, &options.known_names, &mut found)));
+    found.iter_mut().for_each(|diagnostic| diagnostic.fix = None);
+    diagnostics.append(&mut found);
+    bound::limit(diagnostics);
 }

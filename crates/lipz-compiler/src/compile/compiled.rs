@@ -117,7 +117,7 @@ mod tests {
         assert_eq!(error.reports().len(), 2);
         let text = error.to_string();
         assert!(
-            text.starts_with("2 errors in Lipz files\na.lipz:1:41: error[LZ0401]: `Z` is not a blair code\n"),
+            text.starts_with("3 errors in Lipz files\na.lipz:1:41: error[LZ0401]: `Z` is not a blair code\n"),
             "{text}"
         );
         assert!(text.contains("\nb.lipz:1:"), "{text}");

@@ -61,13 +61,14 @@ impl Worker {
             self.phases.recall += self.stopwatch.time();
             return;
         }
-        let lipz_file::Parsed { document, mut diagnostics } = lipz_file::parse(bytes);
+        let lipz_file::Parsed { document, mut diagnostics, fragment } = lipz_file::parse(bytes);
         self.phases.parse += self.stopwatch.time();
         let is_made = match document {
             Some(document) => {
                 make_clip(&document, options, &mut batch.clips.locales, &mut batch.clip, &mut diagnostics)
             }
             None => {
+                fragment.iter().for_each(|fragment| check::fragment(fragment, options, &mut diagnostics));
                 options.levels.apply(&mut diagnostics);
                 false
             }

@@ -1,6 +1,7 @@
 //! From text to elements: serde_json finds them, their places come from where it points.
 
-use super::syntax;
+use super::recover::{Found, Literal, recover};
+use super::{Fragment, syntax};
 use crate::document::Raw;
 use crate::{Document, Element, JsonString, Value};
 use lipz_diagnostics::{Code, Diagnostic, Span, bound, escape};
@@ -10,20 +11,14 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::fmt;
 
-/// The elements of the root object, or `None` and the reason why there are none.
-pub(super) fn elements<'s>(text: &'s str, diagnostics: &mut Vec<Diagnostic>) -> Option<Document<'s>> {
+/// The elements of the root object, or those that can be read if something is wrong with them.
+pub(super) fn elements<'s>(text: &'s str, diagnostics: &mut Vec<Diagnostic>) -> Result<Document<'s>, Fragment<'s>> {
     let mut deserializer = serde_json::Deserializer::from_str(text);
-    let members = match Members::deserialize(&mut deserializer) {
+    let members = Members::deserialize(&mut deserializer);
+    let members = match members.and_then(|members| deserializer.end().map(|()| members)) {
         Ok(members) => members,
-        Err(error) => {
-            diagnostics.push(syntax::explain(text, &error));
-            return None;
-        }
+        Err(error) => return Err(fragment(text, &error, diagnostics)),
     };
-    if let Err(error) = deserializer.end() {
-        diagnostics.push(syntax::explain_rest(text, &error));
-        return None;
-    }
     let mut elements = Vec::with_capacity(members.0.len());
     let mut complete = true;
     let literals = Literals { text, start: 0, has_escapes: has_escapes(text) };
@@ -33,8 +28,36 @@ pub(super) fn elements<'s>(text: &'s str, diagnostics: &mut Vec<Diagnostic>) -> 
         complete &= element.is_some();
         elements.extend(element);
     }
-    complete &= unique(&elements, diagnostics);
-    complete.then_some(Document { elements })
+    complete &= unique(&mut elements, diagnostics);
+    let document = Document { elements };
+    if complete { Ok(document) } else { Err(Fragment { document, is_complete: false }) }
+}
+
+/// What can be read of a text that is not JSON.
+fn fragment<'s>(text: &'s str, error: &serde_json::Error, diagnostics: &mut Vec<Diagnostic>) -> Fragment<'s> {
+    let before = diagnostics.len();
+    let Found { members, mut is_complete } = recover(text, diagnostics);
+    if diagnostics.len() == before {
+        // Not to be reached: what serde_json does not accept, it does not either.
+        diagnostics.push(Diagnostic::new(Code::JsonSyntax, format!("this is not JSON: {error}")));
+    }
+    let literals = Literals { text, has_escapes: has_escapes(text) };
+    let mut elements = Vec::with_capacity(members.len());
+    for (name, value) in members {
+        let name = match name {
+            Literal::Json(literal) => literals.string(literal, diagnostics),
+            Literal::Bare(text) => Some(literals.bare(text)),
+        };
+        let value = match value {
+            Literal::Json(literal) => literals.value(literal, diagnostics),
+            Literal::Bare(text) => Some(Value::String(literals.bare(text))),
+        };
+        bound::limit_many(diagnostics);
+        is_complete &= name.is_some() && value.is_some();
+        elements.extend(name.zip(value).map(|(name, value)| Element { name, value }));
+    }
+    is_complete &= unique(&mut elements, diagnostics);
+    Fragment { document: Document { elements }, is_complete }
 }
 
 impl Raw<'_> {
@@ -112,6 +135,12 @@ impl<'s> Literals<'s> {
         })
     }
 
+    /// A string whose quotes are missing, or none of JSON's; it has no escapes.
+    fn bare(&self, content: &'s str) -> JsonString<'s> {
+        let start = Span::new(self.offset(content), 0).start;
+        JsonString::from_literal(Cow::Borrowed(content), content, start)
+    }
+
     /// The string decoded.
     fn string(&self, literal: &'s str, diagnostics: &mut Vec<Diagnostic>) -> Option<JsonString<'s>> {
         let start = self.offset(literal);
@@ -134,8 +163,8 @@ impl<'s> Literals<'s> {
 /// Elements that are compared with each other directly.
 const FEW_ELEMENTS: usize = 48;
 
-/// Whether every name appears once; reports the others.
-fn unique(elements: &[Element<'_>], diagnostics: &mut Vec<Diagnostic>) -> bool {
+/// Whether every name appears once; reports and removes the others.
+fn unique(elements: &mut Vec<Element<'_>>, diagnostics: &mut Vec<Diagnostic>) -> bool {
     // A usual file has a dozen elements: comparing each with each is faster than any table.
     if elements.len() <= FEW_ELEMENTS {
         let texts = elements.iter().map(|element| &element.name.text);
@@ -146,11 +175,11 @@ fn unique(elements: &[Element<'_>], diagnostics: &mut Vec<Diagnostic>) -> bool {
         }
     }
     let mut first: HashMap<&str, Span> = HashMap::with_capacity(elements.len());
-    let mut all_unique = true;
-    for element in elements {
+    let mut again = Vec::new();
+    for (index, element) in elements.iter().enumerate() {
         let span = element.name.span();
         if let Some(before) = first.get(element.name.text.as_ref()) {
-            all_unique = false;
+            again.push(index);
             diagnostics.push(
                 Diagnostic::at(
                     Code::DuplicateElement,
@@ -166,5 +195,10 @@ fn unique(elements: &[Element<'_>], diagnostics: &mut Vec<Diagnostic>) -> bool {
             first.insert(&element.name.text, span);
         }
     }
-    all_unique
+    let (mut index, mut repeated) = (0, again.iter().peekable());
+    elements.retain(|_| {
+        index += 1;
+        repeated.next_if_eq(&&(index - 1)).is_none()
+    });
+    again.is_empty()
 }

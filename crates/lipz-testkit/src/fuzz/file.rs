@@ -12,6 +12,11 @@ pub fn parse(bytes: &[u8]) {
     parsed.diagnostics.iter().for_each(|found| is_about(found, &text));
     let has_errors = |found: &[Diagnostic]| found.iter().any(|found| found.severity == Severity::Error);
     assert!(parsed.document.is_some() || has_errors(&parsed.diagnostics), "no document, and no reason");
+    assert!(parsed.document.is_none() || parsed.fragment.is_none(), "a whole and a part of it");
+    for element in parsed.fragment.iter().flat_map(|fragment| &fragment.document.elements) {
+        let spans = [element.name.span(), element.value.span()];
+        assert!(spans.iter().all(|span| text.get(span.range()).is_some()), "outside of the text: {element:?}");
+    }
 
     let compiled = Compiler::default().compile(&[Input::from_bytes("clip", bytes)]);
     for report in &compiled.reports {

@@ -29,7 +29,7 @@ impl Existing {
 
     /// Its elements. Its errors are reported; its warnings are for `lipz check`.
     pub(crate) fn document(&self) -> Result<Document<'_>, Report> {
-        let lipz_file::Parsed { document, diagnostics } = lipz_file::parse(&self.bytes);
+        let lipz_file::Parsed { document, diagnostics, .. } = lipz_file::parse(&self.bytes);
         let is_whole = !diagnostics.iter().any(Diagnostic::is_error);
         document.filter(|_| is_whole).ok_or_else(|| self.report(diagnostics))
     }

@@ -1,7 +1,7 @@
 //! Commas: one too many, one too few, one in a number.
 
-use super::Expected;
-use super::place::{Place, WHITE_SPACE, starts_element};
+use super::place::{Place, WHITE_SPACE, starts_bare_element, starts_element};
+use super::{Expected, Mistake, Then};
 use lipz_diagnostics::{Code, Diagnostic, Span};
 
 /// Digits of the longest number that a message repeats.
@@ -19,35 +19,41 @@ const KNOWN_RATES: [(&str, &str); 8] = [
     ("119", "88"),
 ];
 
-pub(super) fn explain(at: &Place<'_>, expected: Expected) -> Option<Diagnostic> {
-    trailing(at).or_else(|| too_many(at)).or_else(|| decimal(at, expected)).or_else(|| missing(at, expected))
+pub(super) fn explain(at: &Place<'_>, expected: Expected) -> Option<Mistake> {
+    trailing(at, expected)
+        .or_else(|| too_many(at, expected))
+        .or_else(|| decimal(at, expected))
+        .or_else(|| missing(at, expected))
 }
 
 /// A comma before a closing brace or bracket.
-fn trailing(at: &Place<'_>) -> Option<Diagnostic> {
-    let (comma, ',') = at.before()? else { return None };
-    if !matches!(at.character()?, '}' | ']') {
+fn trailing(at: &Place<'_>, expected: Expected) -> Option<Mistake> {
+    if !matches!(expected, Expected::Name | Expected::Value) || !matches!(at.character()?, '}' | ']') {
         return None;
     }
+    let (comma, ',') = at.before()? else { return None };
     Some(
-        Diagnostic::at(Code::TrailingComma, comma, "a comma follows the last element")
-            .help("delete the comma: JSON has commas only between elements")
-            .fix(comma, ""),
+        Then::Close.after(
+            Diagnostic::at(Code::TrailingComma, comma, "a comma follows the last element")
+                .help("delete the comma: JSON has commas only between elements")
+                .fix(comma, ""),
+        ),
     )
 }
 
 /// A comma after a comma, or before the first element.
-fn too_many(at: &Place<'_>) -> Option<Diagnostic> {
-    let (_, ',' | '{' | '[') = at.before()? else { return None };
-    if at.character()? != ',' {
+fn too_many(at: &Place<'_>, expected: Expected) -> Option<Mistake> {
+    if !matches!(expected, Expected::Name | Expected::Value) || at.character()? != ',' {
         return None;
     }
+    let (_, ',' | '{' | '[') = at.before()? else { return None };
     let span = at.character_span();
-    Some(Diagnostic::at(Code::JsonSyntax, span, "one comma too many").help("delete this comma").fix(span, ""))
+    let diagnostic = Diagnostic::at(Code::JsonSyntax, span, "one comma too many").help("delete this comma");
+    Some(Then::Again(at.offset() + 1).after(diagnostic.fix(span, "")))
 }
 
 /// A number with a comma, `23,976`: what follows the comma is taken for a name.
-fn decimal(at: &Place<'_>, expected: Expected) -> Option<Diagnostic> {
+fn decimal(at: &Place<'_>, expected: Expected) -> Option<Mistake> {
     let (start, rest) = (at.start().strip_suffix(',')?, at.rest());
     let is_digit = |c: char| c.is_ascii_digit();
     let whole = start.get(start.trim_end_matches(is_digit).len()..)?;
@@ -69,28 +75,32 @@ fn decimal(at: &Place<'_>, expected: Expected) -> Option<Diagnostic> {
         .strip_suffix(':')
         .is_some_and(|before| before.trim_end_matches(WHITE_SPACE).ends_with("\"fps\""));
     let is_known = KNOWN_RATES.contains(&(whole, fraction));
-    Some(match is_fps && is_known {
+    Some(Then::Damaged(at.offset() + fraction.len()).after(match is_fps && is_known {
         true => diagnostic.help("write a point instead of this comma").fix(comma, "."),
         false => diagnostic,
-    })
+    }))
 }
 
 /// No comma between a value and the next element.
-fn missing(at: &Place<'_>, expected: Expected) -> Option<Diagnostic> {
+fn missing(at: &Place<'_>, expected: Expected) -> Option<Mistake> {
     let (value, last) = at.before()?;
-    let value_ended = matches!(last, '"' | '}' | ']' | 'e' | 'l' | '0'..='9');
-    if expected != Expected::Comma || at.character()? != '"' || !value_ended {
+    if expected != Expected::Comma {
         return None;
     }
+    let value_ended = matches!(last, '"' | '}' | ']' | 'e' | 'l' | '0'..='9');
     let is_next_to_it = value.end == at.character_span().start;
-    if last == '"' && is_next_to_it && !starts_element(at.rest()) {
-        return None; // a quotation mark inside a text
+    let starts_element = starts_element(at.rest());
+    let is_next_line = at.text_of(Span { start: value.end, end: at.character_span().start })?.contains('\n');
+    let is_name = at.character()? == '"' && value_ended && (last != '"' || !is_next_to_it || starts_element);
+    let is_bare = is_next_line && starts_bare_element(at.rest());
+    if !is_name && !is_bare {
+        return None; // a quotation mark inside a text, or something else
     }
     let end = Span { start: value.end, end: value.end };
     let diagnostic = Diagnostic::at(Code::JsonSyntax, end, "a comma is missing between two elements")
         .also(at.character_span(), "the next element starts here")
         .help("write a comma after the value");
+    let then = if starts_element || is_next_line { Then::Taken(at.offset()) } else { Then::Lost(at.offset()) };
     // In one line, the quotation mark may also be one of a text: "the "Admiral": a parrot".
-    let is_next_line = at.text_of(Span { start: value.end, end: at.character_span().start })?.contains('\n');
-    Some(if is_next_line && starts_element(at.rest()) { diagnostic.fix(end, ",") } else { diagnostic })
+    Some(then.after(if is_next_line && value_ended && starts_element { diagnostic.fix(end, ",") } else { diagnostic }))
 }

@@ -1,7 +1,6 @@
-//! What is wrong with text that is not JSON, in words that help whoever wrote it.
+//! What is wrong with text that is not JSON, in words that help whoever wrote it, and where reading goes on.
 //!
-//! serde_json tells where it stopped and what it expected; the modules look at the characters around
-//! that place for the mistakes that people make.
+//! The modules look at the characters around a place for the mistakes that people make.
 
 mod commas;
 mod place;
@@ -9,16 +8,16 @@ mod root;
 mod strings;
 mod words;
 
-pub(super) use root::explain_rest;
-pub(super) use strings::half_of_a_pair;
+pub(super) use place::{Place, WHITE_SPACE, find_element, starts_element};
+pub(super) use root::{explain_rest, not_object, unfinished};
+pub(super) use strings::{control_character, escape, half_of_a_pair};
 
 use lipz_diagnostics::{Code, Diagnostic};
-use place::Place;
-use serde_json::error::Category;
+use std::ops::Range;
 
-/// What serde_json would have read instead of what is there.
+/// What would have been read instead of what is there.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Expected {
+pub(super) enum Expected {
     /// The name of an element.
     Name,
     /// A value.
@@ -29,66 +28,81 @@ enum Expected {
     Comma,
     /// Another character of a number.
     Number,
-    /// Something else.
-    Other,
+    /// Another character of `true`, `false` or `null`.
+    Word,
 }
 
-/// Explains why the root object could not be read.
-pub(super) fn explain(text: &str, error: &serde_json::Error) -> Diagnostic {
-    let at = Place::new(text, error);
-    if !root::is_object(text) {
-        return comment(&at).unwrap_or_else(|| root::not_object(text));
-    }
-    if error.classify() == Category::Eof {
-        return root::unfinished(text);
-    }
-    let message = error.to_string();
-    // These two are inside of a string, where nothing else is to be looked for.
-    if message.starts_with("control character") {
-        return strings::control_character(&at.next());
-    }
-    if message.starts_with("invalid escape") {
-        return strings::escape(&at).unwrap_or_else(|| other(&at, Expected::Other));
-    }
-    let expected = expected(&message);
-    comment(&at)
-        .or_else(|| commas::explain(&at, expected))
-        .or_else(|| strings::quotation_mark(&at, expected))
-        .or_else(|| words::explain(&at, expected))
-        .unwrap_or_else(|| other(&at, expected))
+/// A mistake.
+pub(super) struct Mistake {
+    /// What is wrong.
+    pub(super) diagnostic: Diagnostic,
+    /// How reading goes on.
+    pub(super) then: Then,
 }
 
-fn expected(message: &str) -> Expected {
-    match message {
-        message if message.starts_with("key must be a string") => Expected::Name,
-        message if message.starts_with("expected value") || message.starts_with("expected ident") => Expected::Value,
-        message if message.starts_with("expected `:`") => Expected::Colon,
-        message if message.starts_with("expected `,`") => Expected::Comma,
-        message if message.starts_with("invalid number") || message.starts_with("number out") => Expected::Number,
-        _ => Expected::Other,
+/// How reading goes on behind a mistake, from a byte of the file.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) enum Then {
+    /// The same is expected there: something was in front of it.
+    Again(usize),
+    /// As if what was expected had been there.
+    Taken(usize),
+    /// The same, with a name or a string that is as good as one in quotes.
+    Bare(Range<usize>, usize),
+    /// Behind a value that cannot be read.
+    Damaged(usize),
+    /// At the closing brace or bracket, without another element.
+    Close,
+    /// Where the next element starts, somewhere behind this place.
+    Lost(usize),
+    /// Not at all.
+    End,
+}
+
+impl Then {
+    fn after(self, diagnostic: Diagnostic) -> Mistake {
+        Mistake { diagnostic, then: self }
     }
 }
 
-fn comment(at: &Place<'_>) -> Option<Diagnostic> {
+/// Explains why what stands at a place is not what was expected.
+pub(super) fn explain(at: &Place<'_>, expected: Expected) -> Mistake {
+    comment(at)
+        .or_else(|| commas::explain(at, expected))
+        .or_else(|| strings::quotation_mark(at, expected))
+        .or_else(|| words::explain(at, expected))
+        .unwrap_or_else(|| other(at, expected))
+}
+
+pub(super) fn comment(at: &Place<'_>) -> Option<Mistake> {
     let rest = at.rest();
     let length = if rest.starts_with("//") || rest.starts_with('#') {
-        rest.lines().next()?.len()
+        Some(rest.lines().next()?.len())
     } else if rest.starts_with("/*") {
-        rest.find("*/").map_or(2, |end| end + 2)
+        rest.find("*/").map(|end| end + 2)
     } else {
         return None;
     };
-    Some(Diagnostic::at(Code::Comment, at.span_of(length), "JSON has no comments").help("delete the comment"))
+    let span = at.span_of(length.unwrap_or(2));
+    let then = length.map_or(Then::End, |length| Then::Again(at.offset() + length));
+    Some(then.after(Diagnostic::at(Code::Comment, span, "JSON has no comments").help("delete the comment")))
 }
 
 /// An unusual mistake.
-fn other(at: &Place<'_>, expected: Expected) -> Diagnostic {
+fn other(at: &Place<'_>, expected: Expected) -> Mistake {
     let example = "a Lipz file looks like { \"visemes\": \"MAEO-\", \"text_en-us\": \"Hello\" }";
     let (message, help) = match expected {
         Expected::Name => ("an element starts with its name in double quotes", example),
-        Expected::Value => ("a value is missing here", "write the value, or delete the element"),
+        Expected::Value | Expected::Word => ("a value is missing here", "write the value, or delete the element"),
         Expected::Comma => ("a comma or a closing brace is missing here", example),
-        Expected::Colon | Expected::Number | Expected::Other => ("this is not JSON", example),
+        Expected::Colon | Expected::Number => ("this is not JSON", example),
     };
-    Diagnostic::at(Code::JsonSyntax, at.character_span(), message).help(help)
+    let then = match (expected, at.character()) {
+        (Expected::Comma, Some(';')) => Then::Taken(at.offset() + 1),
+        (Expected::Value, Some(',' | '}' | ']')) => Then::Damaged(at.offset()),
+        // A bracket that closes something else, or nothing.
+        (_, Some('}' | ']')) => Then::End,
+        _ => Then::Lost(at.offset()),
+    };
+    then.after(Diagnostic::at(Code::JsonSyntax, at.character_span(), message).help(help))
 }

@@ -3,42 +3,39 @@
 use lipz_diagnostics::Span;
 
 /// White space as JSON has it.
-pub(super) const WHITE_SPACE: [char; 4] = [' ', '\t', '\r', '\n'];
+pub(in crate::parse) const WHITE_SPACE: [char; 4] = [' ', '\t', '\r', '\n'];
 
 /// Characters of a word or name that are looked at: messages show no longer ones, and hostile files
 /// cannot make it slow.
 const WORD_LIMIT: usize = 40;
 
 /// The place of a syntax error.
-pub(super) struct Place<'s> {
+pub(in crate::parse) struct Place<'s> {
     text: &'s str,
-    /// Byte offset of the character that serde_json did not expect.
+    /// Byte offset of the character that was not expected.
     offset: usize,
+    /// Where what was read before it ends: white space and comments are between them.
+    before: usize,
 }
 
 impl<'s> Place<'s> {
-    /// serde_json reports line and column (in bytes) just after the byte that it did not expect.
-    pub(super) fn new(text: &'s str, error: &serde_json::Error) -> Place<'s> {
-        let line_start = match error.line() {
-            0 | 1 => 0,
-            line => text.match_indices('\n').nth(line - 2).map_or(text.len(), |(at, _)| at + 1),
-        };
-        let mut offset = (line_start + error.column()).saturating_sub(1).min(text.len());
-        while !text.is_char_boundary(offset) {
-            offset -= 1;
-        }
-        Place { text, offset }
+    /// The place of the character with this byte, behind what ends `before`.
+    pub(in crate::parse) fn new(text: &'s str, offset: usize, before: usize) -> Place<'s> {
+        Place { text, offset: text.floor_char_boundary(offset), before }
     }
 
-    /// The place of the next character. serde_json does not count the control character that it
-    /// stopped at as read.
-    pub(super) fn next(&self) -> Place<'s> {
-        Place { text: self.text, offset: self.character_span().end as usize }
+    pub(super) fn offset(&self) -> usize {
+        self.offset
     }
 
     /// The text from the place on.
     pub(super) fn rest(&self) -> &'s str {
         self.text.get(self.offset..).unwrap_or_default()
+    }
+
+    /// The text from a byte on.
+    pub(super) fn behind(&self, offset: usize) -> &'s str {
+        self.text.get(offset..).unwrap_or_default()
     }
 
     /// The text up to the place.
@@ -64,9 +61,9 @@ impl<'s> Place<'s> {
         self.text.get(span.range())
     }
 
-    /// Where the last character before the place that is not white space is, and what it is.
+    /// Where the last character that was read before the place is, and what it is.
     pub(super) fn before(&self) -> Option<(Span, char)> {
-        let before = self.start().trim_end_matches(WHITE_SPACE);
+        let before = self.text.get(..self.before)?.trim_end_matches(WHITE_SPACE);
         let (at, character) = before.char_indices().next_back()?;
         Some((Span::new(at, before.len()), character))
     }
@@ -83,7 +80,7 @@ impl<'s> Place<'s> {
 }
 
 /// Whether the text starts as an element does: `"name":`.
-pub(super) fn starts_element(text: &str) -> bool {
+pub(in crate::parse) fn starts_element(text: &str) -> bool {
     text.strip_prefix('"').is_some_and(starts_inside_name)
 }
 
@@ -93,4 +90,30 @@ pub(super) fn starts_inside_name(text: &str) -> bool {
     let name: usize = text.chars().take(WORD_LIMIT).take_while(|&c| is_name(c)).map(char::len_utf8).sum();
     let rest = text.get(name..).and_then(|rest| rest.strip_prefix('"'));
     name > 0 && rest.is_some_and(|rest| rest.trim_start_matches(WHITE_SPACE).starts_with(':'))
+}
+
+/// Whether the text starts as an element does to which quotes or the colon were not important: `name =`.
+pub(super) fn starts_bare_element(text: &str) -> bool {
+    let is_quote = |c: char| matches!(c, '\'' | '"' | '‘' | '’' | '“' | '”' | '`');
+    let is_name = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-');
+    let text = text.strip_prefix(is_quote).unwrap_or(text);
+    let name: usize = text.chars().take(WORD_LIMIT).take_while(|&c| is_name(c)).map(char::len_utf8).sum();
+    let rest = text.get(name..).unwrap_or_default();
+    let rest = rest.strip_prefix(is_quote).unwrap_or(rest);
+    name > 0 && rest.trim_start_matches([' ', '\t']).starts_with([':', '='])
+}
+
+/// Where the next element starts, or the closing brace on a line of its own, behind a byte of the text.
+pub(in crate::parse) fn find_element(text: &str, from: usize) -> Option<usize> {
+    let mut at = from;
+    loop {
+        at += text.get(at..)?.find([',', '\n'])?;
+        let is_comma = text.as_bytes().get(at) == Some(&b',');
+        let rest = text.get(at + 1..)?;
+        let next = rest.trim_start_matches(WHITE_SPACE);
+        at += 1 + rest.len() - next.len();
+        if starts_element(next) || (!is_comma && (next.starts_with('}') || starts_bare_element(next))) {
+            return Some(at);
+        }
+    }
 }

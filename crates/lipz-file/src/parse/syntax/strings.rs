@@ -1,19 +1,20 @@
 //! Mistakes inside of strings and at their ends: quotation marks, control characters, escapes.
 
-use super::Expected;
 use super::place::{Place, WHITE_SPACE, starts_element, starts_inside_name};
+use super::{Expected, Mistake, Then};
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 
-/// A control character as it is.
-pub(super) fn control_character(at: &Place<'_>) -> Diagnostic {
-    match at.character() {
-        Some('\n' | '\r') => line_break(at),
-        Some('\t') => Diagnostic::at(Code::ControlCharacter, at.character_span(), "a tab inside a string")
+/// A control character as it is, once or several times.
+pub(in crate::parse) fn control_character(at: &Place<'_>) -> Diagnostic {
+    let character = at.character().unwrap_or_default();
+    let span = at.span_of(at.rest().len() - at.rest().trim_start_matches(character).len());
+    match character {
+        '\n' | '\r' => line_break(at),
+        '\t' => Diagnostic::at(Code::ControlCharacter, span, "a tab inside a string")
             .help("write \\t if it belongs to the string, otherwise delete it"),
-        other => {
-            let character = other.unwrap_or_default();
+        _ => {
             let message = format!("{} inside a string", escape::code_point(character));
-            Diagnostic::at(Code::ControlCharacter, at.character_span(), message)
+            Diagnostic::at(Code::ControlCharacter, span, message)
                 .help(format!("delete it, or write \\u{:04X}", u32::from(character)))
         }
     }
@@ -36,32 +37,34 @@ fn line_break(at: &Place<'_>) -> Diagnostic {
 }
 
 /// A quotation mark that ends a text before its author wanted: the text goes on behind it.
-pub(super) fn quotation_mark(at: &Place<'_>, expected: Expected) -> Option<Diagnostic> {
+pub(super) fn quotation_mark(at: &Place<'_>, expected: Expected) -> Option<Mistake> {
     let (mark, '"') = at.before()? else { return None };
     if expected != Expected::Comma || matches!(at.character()?, ':' | ';' | '{' | '[' | ']') {
         return None;
     }
-    Some(if starts_inside_name(at.rest()) {
+    Some(Then::Lost(at.offset()).after(if starts_inside_name(at.rest()) {
         Diagnostic::at(Code::JsonSyntax, mark, "the text ends at this quotation mark, and a name follows")
             .help("is the closing `\"` of the text missing before it?")
     } else {
         Diagnostic::at(Code::JsonSyntax, mark, "the text ends at this quotation mark")
             .help("write \\\" for a quotation mark inside a text, or use “ ”")
-    })
+    }))
 }
 
-/// An escape that JSON does not have.
-pub(super) fn escape(at: &Place<'_>) -> Option<Diagnostic> {
-    // A wrong letter is one character behind the backslash; for a wrong digit of \u, serde_json points
-    // at the fourth.
-    let (backslash, _) = at.start().char_indices().rev().take(5).find(|&(_, character)| character == '\\')?;
-    let escape = at.text_of(Span::new(backslash, at.character_span().end as usize))?;
+/// An escape that JSON does not have, which starts at the place.
+pub(in crate::parse) fn escape(at: &Place<'_>) -> Diagnostic {
     // An escape that is too short ends where its string does.
-    let escape = escape.strip_suffix('"').filter(|short| short.starts_with("\\u")).unwrap_or(escape);
-    let span = Span::new(backslash, backslash + escape.len());
-    Some(Diagnostic::at(Code::BadEscape, span, format!("`{}` is not an escape that JSON knows", escape::text(escape))).help(
+    let is_part = |c: &char| !matches!(c, '"' | '\\') && !c.is_control();
+    let mut rest = at.rest().chars().skip(1);
+    let letter = rest.next();
+    let digits = if letter == Some('u') { 4 } else { 0 };
+    let length: usize =
+        1 + letter.into_iter().chain(rest.take(digits).take_while(is_part)).map(char::len_utf8).sum::<usize>();
+    let span = at.span_of(length);
+    let escape = at.text_of(span).unwrap_or_default();
+    Diagnostic::at(Code::BadEscape, span, format!("`{}` is not an escape that JSON knows", escape::text(escape))).help(
         "JSON knows \\\" \\\\ \\/ \\b \\f \\n \\r \\t and \\u with four hexadecimal digits; write \\\\ for a backslash",
-    ))
+    )
 }
 
 /// The diagnostic for an escape that stands for no character: half of a surrogate pair. The literal's

@@ -1,38 +1,52 @@
 //! Words without quotes, with other quotes, numbers that are none, other signs for the colon.
 
-use super::Expected;
 use super::place::{Place, WHITE_SPACE};
+use super::{Expected, Mistake, Then};
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 
-pub(super) fn explain(at: &Place<'_>, expected: Expected) -> Option<Diagnostic> {
-    if let Some(diagnostic) = white_space(at, expected) {
-        return Some(diagnostic);
+/// Quotation marks that are not those of JSON, and those that end what they begin.
+const QUOTES: [char; 9] = ['\'', '‘', '’', '“', '”', '„', '«', '»', '`'];
+
+pub(super) fn explain(at: &Place<'_>, expected: Expected) -> Option<Mistake> {
+    if let Some(mistake) = white_space(at, expected) {
+        return Some(mistake);
     }
     match (expected, at.character()?) {
         (Expected::Value, '−' | '–' | '—') => {
             let shown = at.character().map(escape::numbered).unwrap_or_default();
-            Some(diagnostic(at, format!("{shown} is not the minus of JSON")).help("delete it, or write `-`"))
+            let diagnostic = diagnostic(at, format!("{shown} is not the minus of JSON"));
+            let end = word_end(at, at.character_span().end as usize);
+            Some(Then::Damaged(end).after(diagnostic.help("delete it, or write `-`")))
         }
         (Expected::Comma, '/') => fraction(at),
-        (Expected::Name | Expected::Value, '\'' | '‘' | '’' | '“' | '”' | '„' | '«' | '»' | '`') => Some(
-            diagnostic(at, "names and strings need straight double quotes")
-                .help("write \" before and after the string"),
+        (Expected::Name | Expected::Value, mark) if QUOTES.contains(&mark) => Some(
+            quoted(at).after(
+                diagnostic(at, "names and strings need straight double quotes")
+                    .help("write \" before and after the string"),
+            ),
         ),
-        (Expected::Colon, '=') => Some(
+        (Expected::Colon, '=') => Some(Then::Taken(at.offset() + 1).after(
             diagnostic(at, "a colon separates name and value").help("write `:` for `=`").fix(at.character_span(), ":"),
-        ),
-        (Expected::Colon, _) => {
+        )),
+        (Expected::Colon, next) => {
             let (name, _) = at.before()?;
             let end = Span { start: name.end, end: name.end };
+            let then = match next {
+                '"' | '-' | '0'..='9' | '[' | '{' | 't' | 'f' | 'n' => Then::Taken(at.offset()),
+                ',' | '}' => Then::Damaged(at.offset()),
+                _ => Then::Lost(at.offset()),
+            };
             Some(
-                Diagnostic::at(Code::JsonSyntax, end, "a colon is missing between name and value")
-                    .help("write a colon after the name"),
+                then.after(
+                    Diagnostic::at(Code::JsonSyntax, end, "a colon is missing between name and value")
+                        .help("write a colon after the name"),
+                ),
             )
         }
         (Expected::Value, '+' | '.') | (Expected::Number, _) => number(at),
         (Expected::Name, _) => name(at),
-        (Expected::Value | Expected::Comma, _) => value(at, expected),
-        _ => None,
+        (Expected::Comma, next) if !is_word(next) => None,
+        (Expected::Value | Expected::Word | Expected::Comma, _) => value(at, expected),
     }
 }
 
@@ -41,20 +55,27 @@ fn diagnostic(at: &Place<'_>, message: impl Into<String>) -> Diagnostic {
 }
 
 /// White space that JSON does not have, and characters without any shape: they look like nothing at all.
-fn white_space(at: &Place<'_>, expected: Expected) -> Option<Diagnostic> {
+fn white_space(at: &Place<'_>, expected: Expected) -> Option<Mistake> {
     let character = at.character()?;
-    if WHITE_SPACE.contains(&character) || character.is_control() || escape::has_shape(character) {
+    let is_odd = |c: char| !WHITE_SPACE.contains(&c) && !c.is_control() && !escape::has_shape(c);
+    if !is_odd(character) {
         return None;
     }
+    let run = at.rest().trim_start_matches(character);
+    let span = at.span_of(at.rest().len() - run.len());
     let message = format!("{} is not white space as JSON has it", escape::code_point(character));
-    let diagnostic = diagnostic(at, message).help("delete it, or write a space");
+    let diagnostic = Diagnostic::at(Code::JsonSyntax, span, message).help("delete it, or write a space");
     // Behind a value it may be a part of a text, whose quotes are wrong.
     let is_between = matches!(expected, Expected::Name | Expected::Value | Expected::Colon);
-    Some(if is_between { diagnostic.fix(at.character_span(), " ") } else { diagnostic })
+    let blanks = || " ".repeat(at.text_of(span).map_or(1, |run| run.chars().count()));
+    Some(match expected {
+        Expected::Word | Expected::Number => Then::Damaged(span.end as usize).after(diagnostic),
+        _ => Then::Again(span.end as usize).after(if is_between { diagnostic.fix(span, blanks()) } else { diagnostic }),
+    })
 }
 
 /// A fraction, `24000/1001`: as a decimal number, if it is that of a frame rate.
-fn fraction(at: &Place<'_>) -> Option<Diagnostic> {
+fn fraction(at: &Place<'_>) -> Option<Mistake> {
     let is_digit = |c: char| c.is_ascii_digit();
     let start = at.start().trim_end_matches(WHITE_SPACE);
     let above = start.get(start.trim_end_matches(is_digit).len()..)?;
@@ -65,60 +86,100 @@ fn fraction(at: &Place<'_>) -> Option<Diagnostic> {
     let end = below.as_ptr() as usize + below.len() - at.start().as_ptr() as usize;
     let message = format!("JSON has no fractions: `{numerator}/{denominator}`");
     let diagnostic = Diagnostic::at(Code::JsonSyntax, Span::new(begin, end), message);
-    Some(match denominator {
+    Some(Then::Damaged(end).after(match denominator {
         0 => diagnostic.help("write a decimal number: 23.976"),
         _ => {
             diagnostic.help(format!("write it as a decimal number: {}", f64::from(numerator) / f64::from(denominator)))
         }
-    })
+    }))
+}
+
+/// Where a string between other quotation marks ends: at one behind which an element goes on or ends, in the same line.
+fn quoted(at: &Place<'_>) -> Then {
+    let lost = Then::Lost(at.offset());
+    let is_quote = |c: char| c == '"' || QUOTES.contains(&c);
+    let line = at.rest().lines().next().unwrap_or_default();
+    let begin = at.character_span().end as usize;
+    let mut marks = line.char_indices().skip(1).filter(|(_, c)| is_quote(*c));
+    let end = marks.find(|(mark, c)| {
+        let behind = line.get(mark + c.len_utf8()..).unwrap_or_default().trim_start_matches([' ', '\t']);
+        behind.is_empty() || behind.starts_with([':', '=', ',', '}', ']', '/', '#'])
+    });
+    let Some((end, mark)) = end else { return lost };
+    let content = begin..at.offset() + end;
+    let behind = content.end + mark.len_utf8();
+    // Only what needs no decoding is certain.
+    match at.text_of(Span::new(content.start, content.end)) {
+        Some(text) if !text.contains(['\\', '"']) && !text.contains(char::is_control) => Then::Bare(content, behind),
+        _ => Then::Damaged(behind),
+    }
 }
 
 /// A name without quotes.
-fn name(at: &Place<'_>) -> Option<Diagnostic> {
+fn name(at: &Place<'_>) -> Option<Mistake> {
     let (span, name) = at.word(is_word)?;
     let quoted = format!("\"{name}\"");
-    Some(
+    let end = word_end(at, at.offset());
+    let is_name = at.behind(end).trim_start_matches(WHITE_SPACE).starts_with([':', '=']);
+    let then = if is_name { Then::Bare(at.offset()..end, end) } else { Then::Lost(end) };
+    Some(then.after(
         Diagnostic::at(Code::JsonSyntax, span, format!("`{name}` needs double quotes")).help(format!("write {quoted}")),
-    )
+    ))
 }
 
 /// A string without quotes, a literal of another language, a number with its unit.
-fn value(at: &Place<'_>, expected: Expected) -> Option<Diagnostic> {
+fn value(at: &Place<'_>, expected: Expected) -> Option<Mistake> {
     let (span, word) = at.word(is_word)?;
+    let end = word_end(at, at.offset());
     if expected == Expected::Comma && span.start == at.character_span().start {
         // It follows a whole value.
         let (_, '0'..='9') = at.before()? else { return None };
-        return Some(Diagnostic::at(Code::JsonSyntax, span, "a number has no unit").help(format!("delete `{word}`")));
+        let diagnostic = Diagnostic::at(Code::JsonSyntax, span, "a number has no unit");
+        return Some(Then::Damaged(end).after(diagnostic.help(format!("delete `{word}`"))));
     }
     if word.starts_with(|c: char| c.is_ascii_digit()) {
         return number(at);
     }
     if word.chars().all(char::is_numeric) {
         let diagnostic = Diagnostic::at(Code::JsonSyntax, span, format!("`{word}` are not the digits of JSON"));
-        return Some(diagnostic.help(match digits(word) {
+        return Some(Then::Damaged(end).after(diagnostic.help(match digits(word) {
             Some(digits) => format!("write {digits}"),
             None => "write the digits 0 to 9".to_owned(),
-        }));
+        })));
     }
     if matches!(word, "None" | "nil" | "NULL" | "Null" | "undefined" | "NaN" | "Infinity" | "True" | "False") {
         return Some(
-            Diagnostic::at(Code::JsonSyntax, span, format!("JSON does not know `{word}`"))
-                .help("its words are true, false and null; leave the element out if it has no value"),
+            Then::Damaged(end).after(
+                Diagnostic::at(Code::JsonSyntax, span, format!("JSON does not know `{word}`"))
+                    .help("its words are true, false and null; leave the element out if it has no value"),
+            ),
         );
     }
     let after = at.rest().trim_start_matches(is_word).trim_start_matches([' ', '\t']);
     let is_one_word = after.starts_with([',', '}', ']', '\r', '\n']);
     let help = if is_one_word { format!("write \"{word}\"") } else { "put the whole string into double quotes".into() };
-    Some(Diagnostic::at(Code::JsonSyntax, span, format!("`{word}` needs double quotes")).help(help))
+    let then = if is_one_word { Then::Damaged(end) } else { Then::Lost(at.offset()) };
+    let message = format!("`{word}` needs double quotes");
+    Some(then.after(Diagnostic::at(Code::JsonSyntax, span, message).help(help)))
 }
 
 /// A number with a unit, a leading zero, a plus, without digits on one side of its point.
-fn number(at: &Place<'_>) -> Option<Diagnostic> {
-    let (span, word) = at.word(|c| is_word(c) || matches!(c, '+' | '.'))?;
+fn number(at: &Place<'_>) -> Option<Mistake> {
+    let is_part = |c: char| is_word(c) || matches!(c, '+' | '.');
+    let (span, word) = at.word(is_part)?;
+    let end = at.offset() + at.rest().len() - at.rest().trim_start_matches(is_part).len();
     Some(
-        Diagnostic::at(Code::JsonSyntax, span, format!("`{word}` is not a number as JSON has it"))
-            .help("write digits without leading zeros, plus or unit: 24, 0.5, 23.976"),
+        Then::Damaged(end).after(
+            Diagnostic::at(Code::JsonSyntax, span, format!("`{word}` is not a number as JSON has it"))
+                .help("write digits without leading zeros, plus or unit: 24, 0.5, 23.976"),
+        ),
     )
+}
+
+/// Where the word ends that starts at a byte, however long it is; there if none does.
+fn word_end(at: &Place<'_>, from: usize) -> usize {
+    let rest = at.behind(from);
+    from + rest.len() - rest.trim_start_matches(|c: char| is_word(c) || c == '.').len()
 }
 
 /// The number in the digits 0 to 9, if it is written in those of a script that people type on a keyboard.
