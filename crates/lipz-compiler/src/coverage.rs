@@ -3,7 +3,8 @@
 use crate::{BankWithTexts, MinCoverage, Options, fallback, pseudo};
 use lipz_bank::{Clip, Locale, Text};
 use lipz_diagnostics::{Code, Diagnostic};
-use std::collections::BTreeMap;
+use std::cell::OnceCell;
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 /// How the clips of a bank are covered by the texts of one locale.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
@@ -80,6 +81,7 @@ where
             continue;
         }
         let default = default.and_then(|default| shown.get(default));
+        let origins = OnceCell::new();
         for (number, (coverage, text)) in std::iter::zip(&mut found, &shown).enumerate() {
             coverage.clip_count += 1;
             let key = clip.key().to_owned();
@@ -91,12 +93,10 @@ where
                     }
                 }
                 DisplayedText::Fallback(text) => {
-                    let is_origin =
-                        |other: &DisplayedText<'_>| matches!(other, DisplayedText::Own(own) if own.is(text));
                     let is_equal =
                         |other: &usize| matches!(shown.get(*other), Some(DisplayedText::Own(own)) if own == text);
                     let equal = || chains.get(number)?.iter().copied().find(is_equal);
-                    let origin = shown.iter().position(is_origin).or_else(equal);
+                    let origin = origins.get_or_init(|| origins_of(&shown)).get(&text.place()).copied().or_else(equal);
                     let tag = origin.and_then(|origin| locales.get(origin)).map_or("", Locale::tag);
                     coverage.fallbacks.entry(tag.to_owned()).or_default().push(key);
                 }
@@ -105,6 +105,16 @@ where
         }
     }
     found
+}
+
+/// The locale of each own text, by the place of the text.
+fn origins_of(shown: &[DisplayedText<'_>]) -> HashMap<Option<*const u8>, usize> {
+    let own = |(number, text): (usize, &DisplayedText<'_>)| match text {
+        DisplayedText::Own(own) => Some((own.place(), number)),
+        _ => None,
+    };
+    // Of those at the same place, the first.
+    shown.iter().enumerate().rev().filter_map(own).collect()
 }
 
 /// For each locale, the places of those that it falls back to.
@@ -120,7 +130,8 @@ fn chains(locales: &[Locale<'_>]) -> Vec<Vec<usize>> {
 /// Pseudo-locales are not judged.
 pub fn shortfalls(found: &[Coverage], wanted: &MinCoverage) -> Vec<Diagnostic> {
     let clip_count = found.first().map_or(0, |coverage| coverage.clip_count);
-    let absent = wanted.locales.keys().filter(|tag| found.iter().all(|coverage| coverage.tag != **tag));
+    let known: HashSet<&str> = found.iter().map(|coverage| coverage.tag.as_str()).collect();
+    let absent = wanted.locales.keys().filter(|tag| !known.contains(tag.as_str()));
     let absent = absent.map(|tag| Coverage { tag: tag.clone(), clip_count, ..Coverage::default() });
     let absent: Vec<Coverage> = absent.collect();
     let judged = found.iter().chain(&absent).filter(|coverage| !pseudo::is_pseudo(&coverage.tag));
@@ -153,10 +164,9 @@ enum DisplayedText<'data> {
 struct ClipText<'data>(Vec<&'data str>);
 
 impl ClipText<'_> {
-    /// Whether two texts are the same in the file, not only equal: each locale's texts stand apart.
-    fn is(&self, other: &ClipText<'_>) -> bool {
-        let start = |text: &ClipText<'_>| text.0.first().map(|text| text.as_ptr());
-        start(self) == start(other)
+    /// Where the text is in the file: each locale's texts stand apart, also those that are equal.
+    fn place(&self) -> Option<*const u8> {
+        self.0.first().map(|text| text.as_ptr())
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::output::replace_file;
 use crate::{Compiled, Compiler, Input, Replacements, SplitBank, parallel};
 use lipz_diagnostics::Report;
+use std::collections::HashSet;
 use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -194,9 +195,9 @@ fn stale(path: &Path, written: &[OutputFile]) -> Vec<PathBuf> {
         let rest = name.as_encoded_bytes().strip_prefix(stem.as_encoded_bytes());
         rest.is_some_and(|rest| rest.starts_with(b".") && rest.ends_with(TEXTS_EXTENSION.as_bytes()))
     };
-    let is_written = |name: &OsStr| written.iter().any(|file| file.path.file_name() == Some(name));
+    let written: HashSet<&OsStr> = written.iter().filter_map(|file| file.path.file_name()).collect();
     let names = files.filter_map(|file| Some(file.ok()?.file_name()));
-    let stale = names.filter(|name| is_text_bank(name) && !is_written(name));
+    let stale = names.filter(|name| is_text_bank(name) && !written.contains(name.as_os_str()));
     let mut stale: Vec<PathBuf> = stale.map(|name| path.with_file_name(name)).collect();
     stale.sort();
     stale

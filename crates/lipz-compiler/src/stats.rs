@@ -3,7 +3,7 @@
 use crate::BankWithTexts;
 use lipz_bank::{Bank, Clip, Fps, Locale, TextBank, VisemeType};
 use lipz_layout::Tag;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// Clips that are named as the longest and the shortest.
 const EXTREMES: usize = 3;
@@ -159,13 +159,11 @@ fn by_code<S: serde::Serializer>(frames: &[(char, u64)], serializer: S) -> Resul
 }
 
 fn rates(bank: &Bank<'_>) -> Vec<RateCount> {
-    let mut rates: Vec<RateCount> = Vec::new();
+    let mut clips_of: HashMap<Option<Fps>, usize> = HashMap::new();
     for clip in bank.clips() {
-        match rates.iter_mut().find(|rate| rate.fps == clip.fps()) {
-            Some(rate) => rate.clips += 1,
-            None => rates.push(RateCount { fps: clip.fps(), clips: 1 }),
-        }
+        *clips_of.entry(clip.fps()).or_default() += 1;
     }
+    let mut rates: Vec<RateCount> = clips_of.into_iter().map(|(fps, clips)| RateCount { fps, clips }).collect();
     let value = |rate: &RateCount| rate.fps.map_or(0.0, Fps::to_f64);
     rates.sort_by(|a, b| value(a).total_cmp(&value(b)));
     rates

@@ -113,11 +113,34 @@ fn texts_and_files_that_do_not_belong_together_are_told() {
     scene.write("script.csv", "file,text\na.wav,One.\nd.wav,Four.\ne.wav,Five.\n");
     let import = ["import", "rhubarb-tsv", "a.tsv", "b.tsv", "c.tsv", "-o", "voices", "--locale", "en-us", "--quiet"];
     scene.expect("LZ1116-text-not-joined", &[&import[..], &["--script", "script.csv"]].concat());
-    scene.write("texts/a.txt", "One.");
+    for text in ["a.txt", "d.txt", "act1/b.txt", ".b.txt", "notes.md"] {
+        scene.write(&format!("texts/{text}"), "One.");
+    }
     scene.expect("LZ1116-text-not-joined-folder", &[&import[..], &["--text", "texts"]].concat());
     let one = ["import", "rhubarb-tsv", "a.tsv", "-o", "voices", "--locale", "en-us", "--script", "script.csv"];
     assert_eq!(lipz(scene.path(), one).stderr, "", "the others of the script are not meant");
     scene.finish(2);
+}
+
+#[test]
+fn texts_of_other_encodings() {
+    let scene = Scene::new();
+    scene.write("a.tsv", TSV);
+    scene.write("b.tsv", TSV);
+    scene.write("texts/a.txt", b"\xC4\xE0.");
+    scene.write("texts/b.txt", "Нет.");
+    let text = |key: &str| fs::read_to_string(scene.path().join(format!("voices/{key}.lipz"))).unwrap_or_default();
+    let both = ["import", "rhubarb-tsv", "a.tsv", "b.tsv", "-o", "voices", "--locale", "ru-ru", "--text", "texts"];
+    let refused = lipz(scene.path(), both);
+    assert_eq!((refused.code, text("a").as_str()), (1, ""), "{}", refused.stderr);
+    assert!(refused.stderr.contains("error[LZ0003]: the file is not UTF-8 (byte 0xC4)"), "{}", refused.stderr);
+    let named = lipz(scene.path(), [&both[..], &["--encoding", "windows-1251"]].concat());
+    assert_eq!(named.code, 0, "{}", named.stderr);
+    assert!(text("a").contains("Да.") && text("b").contains("Нет."), "{}{}", text("a"), text("b"));
+    assert!(named.stderr.contains("the file is UTF-8, not windows-1251"), "{}", named.stderr);
+    let one = ["import", "rhubarb-tsv", "a.tsv", "-o", "-", "--locale", "ru-ru", "--text", "texts/a.txt"];
+    let printed = lipz(scene.path(), [&one[..], &["--encoding", "windows-1251"]].concat());
+    assert!(printed.stdout.contains("Да."), "{}{}", printed.stdout, printed.stderr);
 }
 
 #[test]

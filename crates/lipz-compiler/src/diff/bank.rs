@@ -3,7 +3,7 @@
 use super::{Change, LocalePair};
 use crate::{BankWithTexts, Coverage, coverage};
 use lipz_bank::{Babble, Bank};
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 
 /// How the fallbacks of a locale that both banks have differ.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -33,16 +33,15 @@ pub(super) fn fallbacks<'d>(
     new: BankWithTexts<'d, '_>,
     locales: &[LocalePair<'d>],
 ) -> Vec<FallbackChange<'d>> {
-    let (old, new) = (coverage(old), coverage(new));
-    let from = |found: &[Coverage], tag: &str| {
-        let coverage = found.iter().find(|coverage| coverage.tag == tag);
-        coverage.map(|coverage| coverage.fallbacks.keys().cloned().collect::<BTreeSet<_>>())
+    let by_tag = |found: Vec<Coverage>| -> HashMap<String, BTreeSet<String>> {
+        found.into_iter().map(|locale| (locale.tag, locale.fallbacks.into_keys().collect())).collect()
     };
-    let change = |pair: &LocalePair<'d>| {
-        let from = Change::between(from(&old, pair.tag)?, from(&new, pair.tag)?)?;
+    let (mut old, mut new) = (by_tag(coverage(old)), by_tag(coverage(new)));
+    let mut change = |pair: &LocalePair<'d>| {
+        let from = Change::between(old.remove(pair.tag)?, new.remove(pair.tag)?)?;
         Some(FallbackChange { locale: pair.tag, from })
     };
-    locales.iter().filter_map(change).collect()
+    locales.iter().filter_map(&mut change).collect()
 }
 
 pub(super) fn babble<'d>(old: &Bank<'d>, new: &Bank<'d>) -> Vec<BabbleChange<'d>> {

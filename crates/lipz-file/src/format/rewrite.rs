@@ -4,6 +4,7 @@ use super::{Style, format};
 use crate::text::is_white_space;
 use crate::{Document, Element, Value, literal};
 use lipz_diagnostics::Span;
+use std::collections::HashSet;
 
 /// The file `source` with the elements of `after`, where `before` is what parsing it gave.
 ///
@@ -40,6 +41,7 @@ type Change = (Span, String);
 /// The changes that make a file of `before` one of `after`; `None` if its layout cannot be kept.
 fn changes(text: &str, before: &Document<'_>, after: &Document<'_>) -> Option<Vec<Change>> {
     let mut changes = Vec::new();
+    let names: HashSet<&str> = before.elements.iter().map(|old| old.name.text.as_ref()).collect();
     let mut old = before.elements.iter().peekable();
     let mut above: Option<&Element<'_>> = None;
     let mut added = String::new();
@@ -53,7 +55,7 @@ fn changes(text: &str, before: &Document<'_>, after: &Document<'_>) -> Option<Ve
             continue;
         }
         // An element that is further down would stand there twice.
-        if before.elements.iter().any(|old| old.name == element.name) {
+        if names.contains(element.name.text.as_ref()) {
             return None;
         }
         let like = above.or(before.elements.first())?;

@@ -5,6 +5,7 @@ use unicode_segmentation::UnicodeSegmentation;
 
 /// What it costs to cut a text elsewhere than at the end of a sentence, as a share of the whole text: at
 /// another mark, and between any two words.
+const COST_AT_SENTENCE: f64 = 0.0;
 const COST_AT_MARK: f64 = 0.04;
 const COST_AT_BLANK: f64 = 0.10;
 
@@ -27,17 +28,33 @@ pub(super) fn sentences(text: &str) -> Vec<String> {
 /// than there are shares; it may be empty.
 pub(super) fn cut(text: &str, shares: &[f64]) -> Vec<String> {
     let places = places(text);
+    // Places of the same cost are in the order of their shares, too, so that the best one of them can be looked up.
+    let of_cost = |cost: f64| places.iter().filter(|place| place.cost == cost).collect::<Vec<_>>();
+    let by_cost = [COST_AT_SENTENCE, COST_AT_MARK, COST_AT_BLANK].map(of_cost);
     let mut parts = Vec::with_capacity(shares.len() + 1);
     let mut start = 0;
-    for share in shares {
+    for &share in shares {
+        let nearest = by_cost.iter().flat_map(|places| nearest(places, start, share));
         let cost = |place: &&Place| (place.share - share).abs() + place.cost;
-        let behind = places.iter().filter(|place| place.at >= start);
-        let end = behind.min_by(|a, b| cost(a).total_cmp(&cost(b))).map_or(text.len(), |place| place.at);
+        let best = nearest.min_by(|a, b| cost(a).total_cmp(&cost(b)).then(a.at.cmp(&b.at)));
+        let end = best.map_or(text.len(), |place| place.at);
         parts.push(trim(text.get(start..end).unwrap_or_default()).to_owned());
         start = end.max(start);
     }
     parts.push(trim(text.get(start..).unwrap_or_default()).to_owned());
     parts
+}
+
+/// The places from the byte `start` on that are nearest to a share: before it, and at or behind it. Of several with the
+/// same share, the first.
+fn nearest<'p>(places: &[&'p Place], start: usize, share: f64) -> impl Iterator<Item = &'p Place> + use<'p> {
+    let left = places.get(places.partition_point(|place| place.at < start)..).unwrap_or_default();
+    let behind = left.partition_point(|place| place.share < share);
+    let before = behind.checked_sub(1).and_then(|last| left.get(last)).and_then(|last| {
+        let first = left.partition_point(|place| place.share < last.share);
+        left.get(first)
+    });
+    before.into_iter().chain(left.get(behind)).copied().collect::<Vec<_>>().into_iter()
 }
 
 /// A place where a text can be cut.
@@ -53,7 +70,8 @@ struct Place {
 fn places(text: &str) -> Vec<Place> {
     let letters = |text: &str| text.chars().filter(|c| c.is_alphanumeric()).count();
     let all = letters(text).max(1) as f64;
-    let mut places = vec![Place { at: 0, share: 0.0, cost: 0.0 }, Place { at: text.len(), share: 1.0, cost: 0.0 }];
+    let at_end = |at, share| Place { at, share, cost: COST_AT_SENTENCE };
+    let mut places = vec![at_end(0, 0.0), at_end(text.len(), 1.0)];
     let ends_of_sentences: Vec<usize> =
         text.split_sentence_bound_indices().map(|(start, sentence)| start + sentence.trim_end().len()).collect();
     let (mut before, mut counted) = (0, 0);
@@ -62,7 +80,7 @@ fn places(text: &str) -> Vec<Place> {
         counted = blank;
         before += letters(word);
         let cost = match word.chars().next_back() {
-            _ if ends_of_sentences.binary_search(&blank).is_ok() => 0.0,
+            _ if ends_of_sentences.binary_search(&blank).is_ok() => COST_AT_SENTENCE,
             Some(mark) if !mark.is_alphanumeric() && !mark.is_whitespace() => COST_AT_MARK,
             _ => COST_AT_BLANK,
         };
@@ -89,6 +107,28 @@ mod tests {
         assert_eq!(cut("one two three four", &[0.5]), ["one two", "three four"]);
         assert_eq!(cut("Yes", &[0.3, 0.6]).len(), 3);
         assert_eq!(cut("", &[0.5]), ["", ""]);
+    }
+
+    #[test]
+    fn the_place_is_the_best_of_all() {
+        let text =
+            "Aye, sir.  The light!\n - the light - it went out; at ten ( or so ). Nobody heard: it was dark... ok "
+                .repeat(3);
+        let shares: Vec<f64> = (0..60).map(|number| f64::from(number * 37 % 61) / 60.0).collect();
+        for shares in shares.chunks(3).chain(std::iter::once(&shares[..])) {
+            let places = places(&text);
+            let mut start = 0;
+            let mut expected = Vec::new();
+            for share in shares {
+                let cost = |place: &&Place| (place.share - share).abs() + place.cost;
+                let behind = places.iter().filter(|place| place.at >= start);
+                let end = behind.min_by(|a, b| cost(a).total_cmp(&cost(b))).map_or(text.len(), |place| place.at);
+                expected.push(trim(&text[start..end]).to_owned());
+                start = end;
+            }
+            expected.push(trim(&text[start..]).to_owned());
+            assert_eq!(cut(&text, shares), expected);
+        }
     }
 
     #[test]

@@ -144,7 +144,7 @@ pub(crate) fn unreadable(path: &Path, error: &io::Error) -> Report {
 }
 
 /// The key of a file: its name without extension, or its path below the root.
-fn key_below(root: Option<&Path>, path: &Path, extension: &str) -> Result<String, Report> {
+pub(crate) fn key_below(root: Option<&Path>, path: &Path, extension: &str) -> Result<String, Report> {
     let Some(root) = root else { return Ok(stem(path, extension)) };
     let (shown, shown_root) = (console::path(path), console::path(root));
     let Ok(inside) = path.strip_prefix(root) else {

@@ -44,26 +44,30 @@ pub(super) fn read(
     settings: &Settings<'_>,
     texts: &Texts,
     script: &Script,
-) -> (Vec<Made>, Vec<Report>) {
-    let (mut made, mut reports) = (Vec::new(), Vec::new());
+    reports: &mut Vec<Report>,
+) -> Vec<Made> {
+    let mut made = Vec::new();
     let encoding = arguments.options.recordings.encoding;
     for file in files {
         let clips = Source::read(file, arguments.tool_format, arguments.root.as_deref(), encoding)
-            .and_then(|source| one(arguments, file, &source, folder, settings, texts, script, &mut reports));
+            .and_then(|source| one(arguments, file, &source, folder, settings, texts, script, reports));
         match clips {
             Ok(clips) => made.extend(clips),
             Err(report) => reports.push(report),
         }
     }
-    key::check(&made.iter().map(|made| made.input.clone()).collect::<Vec<_>>(), &mut reports);
+    key::check(&made.iter().map(|made| made.input.clone()).collect::<Vec<_>>(), reports);
     let mut files_of_key = HashMap::<String, usize>::new();
     for made in &made {
         *files_of_key.entry(key::folded(&made.input.key)).or_default() += 1;
     }
     let is_usable = |key: &str| key::refusal(key).is_none() && files_of_key.get(&key::folded(key)) == Some(&1);
     made.retain(|made| is_usable(&made.input.key));
-    reports.extend(joined::report(arguments, files, &made, settings, texts, script));
-    (made, reports)
+    match joined::report(arguments, files, &made, settings, texts, script) {
+        Ok(report) => reports.extend(report),
+        Err(report) => reports.push(report),
+    }
+    made
 }
 
 /// The clips of one file.
@@ -79,7 +83,12 @@ fn one(
     reports: &mut Vec<Report>,
 ) -> Result<Vec<Made>, Report> {
     let tool_format = arguments.tool_format;
-    let text = texts.of_key(&source.key)?;
+    let mut odd = Vec::new();
+    let text = texts.of_key(&source.key, &mut odd)?;
+    for mut report in odd {
+        settings.apply_levels(&mut report.diagnostics);
+        reports.push(report);
+    }
     let mut options = settings.import_options().text(text.as_deref());
     arguments.options.recordings.apply(file, source, script, &mut options);
     let mut imported = import(tool_format, &source.bytes, &options);

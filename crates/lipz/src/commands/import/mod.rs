@@ -88,10 +88,12 @@ impl Run for Import {
         }
         let folder = output.filter(|_| !is_printed);
         let settings = self.options.settings(folder, reporter)?;
-        let texts = text::Texts::from_argument(self.options.text.as_deref(), several)
+        let mut reports = Vec::new();
+        let encoding = self.options.recordings.encoding;
+        let texts = text::Texts::from_argument(self.options.text.as_deref(), several, encoding, &mut reports)
             .map_err(|report| reporter.fail(report))?;
         let script = self.options.recordings.script(reporter)?;
-        let (made, mut reports) = made::read(self, &files, folder, &settings, &texts, &script);
+        let made = made::read(self, &files, folder, &settings, &texts, &script, &mut reports);
         let Some(folder) = folder else {
             return match made.as_slice() {
                 [only] if Outcome::from_reports(&reports) == Outcome::Clean => {

@@ -22,8 +22,8 @@ pub(super) struct Recordings {
     #[arg(long, value_name = "FILE", conflicts_with = "text", help_heading = TEXT)]
     pub(super) script: Option<PathBuf>,
 
-    /// Encoding of imported files and scripts that are not UTF-8: windows-1251, shift_jis [default: windows-1252 for
-    /// scripts, and for formats of older tools]
+    /// Encoding of imported files, scripts and texts that are not UTF-8: windows-1251, shift_jis [default: windows-1252
+    /// for scripts, and for formats of older tools]
     #[arg(long, value_name = "NAME", value_parser = formats::encoding, help_heading = TEXT)]
     pub(super) encoding: Option<&'static Encoding>,
 

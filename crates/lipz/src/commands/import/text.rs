@@ -2,9 +2,15 @@
 
 use crate::console;
 use lipz_diagnostics::{Code, Diagnostic, Report};
+use lipz_interop::{Encoding, to_utf8};
+use std::ffi::OsStr;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
+use walkdir::{DirEntry, WalkDir};
+
+/// What the files of a folder of texts are called behind their keys.
+const EXTENSION: &str = "txt";
 
 /// Where the texts of clips come from.
 pub(super) enum Texts {
@@ -13,47 +19,91 @@ pub(super) enum Texts {
     /// The text of the one clip.
     One(String),
     /// A folder with a file `KEY.txt` for each clip.
-    Folder(PathBuf),
+    Folder(Folder),
+}
+
+/// A folder of texts.
+pub(super) struct Folder {
+    pub(super) path: PathBuf,
+    /// The encoding of files that are not UTF-8.
+    encoding: Option<&'static Encoding>,
 }
 
 impl Texts {
-    /// The texts that `--text` names; a text by itself cannot be that of `several` clips.
-    pub(super) fn from_argument(named: Option<&str>, several: bool) -> Result<Texts, Report> {
+    /// The texts that `--text` names; a text by itself cannot be that of `several` clips. Files that are not UTF-8 are
+    /// in `encoding`. Adds what is odd about the file.
+    pub(super) fn from_argument(
+        named: Option<&str>,
+        several: bool,
+        encoding: Option<&'static Encoding>,
+        reports: &mut Vec<Report>,
+    ) -> Result<Texts, Report> {
         let Some(named) = named else { return Ok(Texts::OfFiles) };
         let path = Path::new(named);
         if path.is_dir() {
-            return Ok(Texts::Folder(path.to_owned()));
+            return Ok(Texts::Folder(Folder { path: path.to_owned(), encoding }));
         }
         if several {
             let help = "name a folder that has a file KEY.txt for each of them";
             return Err(Report::failure("", Code::Usage, "several files cannot have the same text", help));
         }
-        if path.is_file() { text(path).map(Texts::One) } else { Ok(Texts::One(named.to_owned())) }
+        let is_file = path.is_file();
+        Ok(Texts::One(if is_file { text(path, encoding, reports)? } else { named.to_owned() }))
     }
 
-    /// The text of the clip with this key, if it has one.
-    pub(super) fn of_key(&self, key: &str) -> Result<Option<String>, Report> {
+    /// The text of the clip with this key, if it has one. Adds what is odd about its file.
+    pub(super) fn of_key(&self, key: &str, reports: &mut Vec<Report>) -> Result<Option<String>, Report> {
         match self {
             Texts::OfFiles => Ok(None),
             Texts::One(text) => Ok(Some(text.clone())),
-            Texts::Folder(folder) => {
-                let path = folder.join(format!("{key}.txt"));
-                if path.is_file() { text(&path).map(Some) } else { Ok(None) }
+            Texts::Folder(Folder { path, encoding }) => {
+                let path = path.join(format!("{key}.{EXTENSION}"));
+                if path.is_file() { text(&path, *encoding, reports).map(Some) } else { Ok(None) }
             }
         }
     }
 }
 
-/// The text in a file, without the line break at its end.
-fn text(path: &Path) -> Result<String, Report> {
+impl Folder {
+    /// The keys of its texts, in order. Hidden files and those for which `is_other` are none.
+    pub(super) fn keys(&self, is_other: impl Fn(&Path) -> bool) -> Result<Vec<String>, Report> {
+        let is_hidden = |entry: &DirEntry| entry.depth() > 0 && entry.file_name().as_encoded_bytes().starts_with(b".");
+        let entries = WalkDir::new(&self.path).follow_links(true).sort_by_file_name().into_iter();
+        let mut keys = Vec::new();
+        for entry in entries.filter_entry(|entry| !is_hidden(entry)) {
+            let entry = entry.map_err(|error| {
+                let message = format!("a folder of texts cannot be read: {error}");
+                Report::about(console::path(&self.path), Diagnostic::new(Code::UnreadableFile, message))
+            })?;
+            let path = entry.path();
+            if path.extension() != Some(OsStr::new(EXTENSION)) || !entry.file_type().is_file() || is_other(path) {
+                continue;
+            }
+            let parts = path.with_extension("");
+            let parts = parts.strip_prefix(&self.path).unwrap_or(&parts).components();
+            keys.push(parts.map(|part| part.as_os_str().to_string_lossy()).collect::<Vec<_>>().join("/"));
+        }
+        Ok(keys)
+    }
+}
+
+/// The text in a file, without the line break at its end. Adds what is odd about the file.
+fn text(path: &Path, encoding: Option<&'static Encoding>, reports: &mut Vec<Report>) -> Result<String, Report> {
     let shown = console::path(path);
     let bytes = fs::read(path).map_err(|error: io::Error| {
         let message = format!("`{shown}` cannot be read: {error}");
         Report::about(shown.clone(), Diagnostic::new(Code::UnreadableFile, message))
     })?;
     let mut diagnostics = Vec::new();
-    match lipz_file::decode_marked(&bytes, &mut diagnostics) {
-        Some(text) => Ok(lipz_file::text::trim(text).to_owned()),
-        None => Err(Report::from_bytes(shown, &bytes, diagnostics)),
+    let utf8 = to_utf8(&bytes, encoding, false, &mut diagnostics);
+    let decoded = lipz_file::decode_marked(&utf8, &mut diagnostics);
+    let text = decoded.map(|text| lipz_file::text::trim(text).to_owned());
+    let report = Report::from_bytes(shown, &utf8, diagnostics);
+    match text {
+        Some(text) => {
+            reports.extend((!report.diagnostics.is_empty()).then_some(report));
+            Ok(text)
+        }
+        None => Err(report),
     }
 }
