@@ -127,6 +127,7 @@ pub(crate) fn fragment(fragment: &Fragment<'_>, options: &Options, diagnostics: 
         texts::display_texts(text.string, options, &mut clip.displays, &mut found);
         bank_limits::for_texts(text.string, &clip.displays, &mut found);
     }
+    roles.curves.into_iter().for_each(|value| curves::curves(value, &options.known_names, &mut clip, &mut found));
     roles.events.into_iter().for_each(|string| drop(events::trimmed(string, &options.known_names, &mut found)));
     found.iter_mut().for_each(|diagnostic| diagnostic.fix = None);
     diagnostics.append(&mut found);

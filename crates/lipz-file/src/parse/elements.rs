@@ -41,7 +41,7 @@ fn fragment<'s>(text: &'s str, error: &serde_json::Error, diagnostics: &mut Vec<
         // Not to be reached: what serde_json does not accept, it does not either.
         diagnostics.push(Diagnostic::new(Code::JsonSyntax, format!("this is not JSON: {error}")));
     }
-    let literals = Literals { text, has_escapes: has_escapes(text) };
+    let literals = Literals { text, start: 0, has_escapes: has_escapes(text) };
     let mut elements = Vec::with_capacity(members.len());
     for (name, value) in members {
         let name = match name {

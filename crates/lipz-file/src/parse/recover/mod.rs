@@ -163,6 +163,8 @@ impl<'s> Scan<'s, '_> {
     /// Reports a mistake and goes where reading goes on; whether it does.
     fn mistake(&mut self, mistake: Mistake) -> bool {
         self.report(mistake.diagnostic);
+        // The text of an object or array is kept whole: it is JSON, or nothing.
+        self.is_damaged |= self.open.len() > 1;
         match mistake.then {
             Then::Again(at) => {
                 self.at = at;
