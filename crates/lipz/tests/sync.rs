@@ -208,7 +208,7 @@ fn what_is_odd_is_reported() {
         &["sync", "voices", "--audio", "rec", "--quiet", "--allow", "LZ1706,LZ1707,LZ1708"],
     );
     scene.write("new/a.lipz", r#"{ "text_en-us": "Aye." }"#);
-    scene.write("lines.csv", "file,text\na,No.\nz,Never.\nb,\"Never, ever.\"\n");
+    scene.write("lines.csv", "file,text\na,No.\nz,Never.\nb,\"She sees, six fish.\"\n");
     let of_script = ["sync", "rec", "-o", "new", "--script", "lines.csv", "--audio-locale", "en-us", "--quiet"];
     scene.expect("LZ1709-other-text", &[&of_script[..], &["--allow", "LZ1707,LZ1713"]].concat());
     scene.expect("LZ1713-script-without-recording", &[&of_script[..], &["--allow", "LZ1707,LZ1709"]].concat());

@@ -5,21 +5,21 @@ use crate::Phone;
 use std::ops::Range;
 
 /// The fit, in nats per frame, at which a word is as likely wrong as right, and the change of it that makes the odds e times as
-/// high. From 1,200 words of right scripts, of which 2 in 100 fit worse than -4.4 (English) and -7.4 (other languages), and as
-/// many of wrong ones, which fit at -5.3 in the middle.
-const EVEN_FIT: f32 = -4.0;
-const ODDS_FIT: f32 = 0.8;
+/// high. From 1,200 words of right scripts, of which 2 in 100 fit worse than -3.3 (English) and -5.5 (other languages), and as
+/// many of wrong ones, which fit at -4.0 in the middle.
+const EVEN_FIT: f32 = -3.0;
+const ODDS_FIT: f32 = 0.6;
 
 /// What fits worse counts for a mismatch, what fits better against it: so many nats per frame.
-const BORDER_FIT: f32 = -3.8;
+const BORDER_FIT: f32 = -2.8;
 /// A word that is not heard counts as much.
-const MISSING_NATS: f32 = 30.0;
+const MISSING_NATS: f32 = 22.0;
 /// So does each frame of speech that is not in the script.
-const UNWRITTEN_NATS: f32 = 1.5;
+const UNWRITTEN_NATS: f32 = 1.1;
 /// What counts as a mismatch, all together: a second of other words, four missing words.
-const MISMATCH_NATS: f32 = 120.0;
+const MISMATCH_NATS: f32 = 90.0;
 /// A mismatch ends where so much speaks against it.
-const END_NATS: f32 = 60.0;
+const END_NATS: f32 = 45.0;
 /// Microseconds of a frame, as a number to divide by.
 const FRAME_US: f32 = 10_000.0;
 /// A word whose script is right takes longer than this, in microseconds: 100 milliseconds.
@@ -172,7 +172,7 @@ mod tests {
     }
 
     const GOOD: Option<(u64, f32)> = Some((300, -1.0));
-    const BAD: Option<(u64, f32)> = Some((300, -6.0));
+    const BAD: Option<(u64, f32)> = Some((300, -4.5));
     const MISSING: Option<(u64, f32)> = Some((0, 0.0));
 
     fn found(parts: &[Option<(u64, f32)>]) -> Vec<(MismatchKind, Range<usize>, u64, u64)> {
@@ -207,7 +207,7 @@ mod tests {
 
     #[test]
     fn confidence_falls_with_the_fit_and_is_none_for_what_is_not_heard() {
-        let (phones, words) = phones(&[GOOD, Some((200, -4.0)), BAD, MISSING]);
+        let (phones, words) = phones(&[GOOD, Some((200, EVEN_FIT)), BAD, MISSING]);
         let confidences = confidences(&phones, words);
         assert!(confidences[0] > 0.95 && confidences[2] < 0.1, "{confidences:?}");
         assert_eq!((confidences[1], confidences[3]), (0.5, 0.0));

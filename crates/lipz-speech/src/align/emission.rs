@@ -9,13 +9,13 @@ use crate::{Model, Phone};
 /// loud frames of the sound.
 const QUIET_NATS: f32 = 20.0;
 /// The loudness at which silence is neither more nor less likely.
-const QUIET: f32 = 0.15;
+const QUIET: f32 = 0.1;
 /// The most that loudness counts for or against silence, in nats per frame.
 const MOST_NATS: f32 = 10.0;
 
-/// How much less likely than its best phone a frame is as speech that is not in the script, in nats. At 4, the right words of
-/// other languages, which fit the phones of English less, gave way to it; at 7, no words but wrong ones do.
-const OTHER_SPEECH_NATS: f32 = 7.0;
+/// How much less likely than its best phone a frame is as speech that is not in the script, in nats. At 3, the right words of
+/// other languages, which fit the phones of English less, gave way to it; at 5.5, no words but wrong ones do.
+const OTHER_SPEECH_NATS: f32 = 5.5;
 
 /// The scores of the frames of a sound.
 pub(super) struct Emissions<'a> {
@@ -36,21 +36,45 @@ impl Iterator for Emissions<'_> {
 
     fn next(&mut self) -> Option<Scores> {
         let frame = self.vectors.next()?;
-        let mut scores = self.model.score(&frame.vector);
+        let scores = self.model.score(&frame.vector);
         self.best.push(scores.iter().copied().fold(f32::MIN, f32::max));
-        // Speech that is not in the script is as likely as the best phone, less a little.
-        let speech = scores[..Phone::Sil.index() * STATES].iter().copied().fold(f32::MIN, f32::max);
-        let spoken = Phone::Spoken.index() * STATES;
-        for score in &mut scores[spoken..spoken + STATES] {
-            *score = score.max(speech - OTHER_SPEECH_NATS);
-        }
-        let silence = Phone::Sil.index() * STATES;
-        let prior = prior_of_silence(&frame);
-        for score in &mut scores[silence..silence + STATES] {
-            *score += prior;
-        }
-        Some(scores)
+        Some(adjusted(scores, &frame))
     }
+}
+
+/// The scores of a frame, with what is known beyond the model.
+fn adjusted(mut scores: Scores, frame: &Frame) -> Scores {
+    // Speech that is not in the script is as likely as the best phone, less a little.
+    let speech = scores[..Phone::Sil.index() * STATES].iter().copied().fold(f32::MIN, f32::max);
+    let spoken = Phone::Spoken.index() * STATES;
+    for score in &mut scores[spoken..spoken + STATES] {
+        *score = score.max(speech - OTHER_SPEECH_NATS);
+    }
+    let silence = Phone::Sil.index() * STATES;
+    let prior = prior_of_silence(frame);
+    for score in &mut scores[silence..silence + STATES] {
+        *score += prior;
+    }
+    scores
+}
+
+/// The scores of a frame in the states of `phones`, one after the other.
+pub(super) fn scores_near(model: &Model, frame: &Frame, phones: &[Phone]) -> Vec<f32> {
+    let scores = if phones.contains(&Phone::Spoken) {
+        // It is as likely as the best of all phones.
+        model.score(&frame.vector)
+    } else {
+        let mut scores = [f32::MIN; Phone::COUNT * STATES];
+        for phone in phones {
+            let states = &mut scores[phone.index() * STATES..][..STATES];
+            if states[0] == f32::MIN {
+                states.copy_from_slice(&model.score_phone(&frame.vector, phone.index()));
+            }
+        }
+        scores
+    };
+    let scores = adjusted(scores, frame);
+    phones.iter().flat_map(|phone| scores[phone.index() * STATES..][..STATES].iter().copied()).collect()
 }
 
 /// How much more likely the loudness of a frame makes silence, in nats.

@@ -1,6 +1,7 @@
 //! Alignment: when each word and phone of a script is said.
 
 mod doubt;
+mod edges;
 mod emission;
 mod graph;
 mod history;
@@ -111,6 +112,16 @@ pub struct AlignedWord {
     pub confidence: f32,
 }
 
+/// The best path through a script.
+struct Path {
+    graph: Graph,
+    steps: Vec<Step>,
+    /// By step: its start in frames.
+    starts: Vec<f64>,
+    /// By step: how well it fits.
+    fits: Vec<f32>,
+}
+
 impl<'m> Aligner<'m> {
     /// An aligner with this model.
     pub fn new(model: &'m Model, options: AlignOptions) -> Aligner<'m> {
@@ -122,26 +133,24 @@ impl<'m> Aligner<'m> {
     /// Always finds something, however little the two have in common: [`AlignedWord::confidence`] tells. Time is proportional to
     /// the length of the sound, memory to that of the script.
     pub fn align(&self, sound: &Sound, script: &Script) -> Alignment {
-        let (graph, steps, fits) = self.path(sound, script);
-        self.alignment(sound, script, &graph, &steps, &fits)
+        self.alignment(sound, script, &self.path(sound, script))
     }
 
     /// The phones of `sound` with their frames, from the first to the last without gaps; none if the script is not what is said.
     pub(crate) fn frames(&self, sound: &Sound, script: &Script) -> Option<Vec<(Phone, Range<usize>)>> {
-        let (graph, steps, fits) = self.path(sound, script);
-        let is_said = self.alignment(sound, script, &graph, &steps, &fits).mismatches.is_empty();
-        let frames = |step: &Step| (graph.nodes[step.node].phone, step.start..step.end);
-        is_said.then(|| steps.iter().map(frames).collect())
+        let path = self.path(sound, script);
+        let is_said = self.alignment(sound, script, &path).mismatches.is_empty();
+        let frames = |step: &Step| (path.graph.nodes[step.node].phone, step.start..step.end);
+        is_said.then(|| path.steps.iter().map(frames).collect())
     }
 
-    /// The best path through a script, and how well its steps fit.
-    fn path(&self, sound: &Sound, script: &Script) -> (Graph, Vec<Step>, Vec<f32>) {
+    fn path(&self, sound: &Sound, script: &Script) -> Path {
         let graph = Graph::new(script, &COSTS);
         let vectors = Vectors::new(sound.spectrum());
         let mut emissions = Emissions::new(self.model, vectors.clone());
         let steps = search::best_path(&graph, self.model, &mut emissions);
-        let fits = emission::fits(self.model, vectors, &emissions.best, |step| graph.nodes[step.node].phone, &steps);
-        (graph, steps, fits)
+        let (starts, fits) = self.measure(vectors, &emissions.best, |step| graph.nodes[step.node].phone, &steps);
+        Path { graph, steps, starts, fits }
     }
 
     /// The phones of `sound`, whatever is said: an alignment without words.
@@ -153,28 +162,45 @@ impl<'m> Aligner<'m> {
         let mut emissions = Emissions::new(self.model, vectors.clone());
         let steps = phones::best_phones(self.model, &mut emissions);
         let phone = |step: &Step| Phone::ALL.get(step.node).copied().unwrap_or(Phone::Sil);
-        let fits = emission::fits(self.model, vectors, &emissions.best, phone, &steps);
-        let aligned = |(step, &fit): (&Step, &f32)| {
-            let (start_us, end_us) = time::of_frames(step.start..step.end, sound.duration_us());
-            AlignedPhone { phone: phone(step), start_us, end_us, word: None, fit }
+        let (starts, fits) = self.measure(vectors, &emissions.best, phone, &steps);
+        let times = time::of_starts(&starts, &steps, sound.duration_us());
+        let aligned = |((step, (start_us, end_us)), &fit): ((&Step, _), &f32)| AlignedPhone {
+            phone: phone(step),
+            start_us,
+            end_us,
+            word: None,
+            fit,
         };
-        let phones = time::cover(steps.iter().zip(&fits).map(aligned).collect(), sound.duration_us());
+        let phones = time::cover(steps.iter().zip(times).zip(&fits).map(aligned).collect(), sound.duration_us());
         let phones = time::join_pauses(phones, self.options.shortest_pause_us);
         let (words, breaks_us, mismatches) = Default::default();
         Alignment { duration_us: sound.duration_us(), phones, words, breaks_us, mismatches }
     }
 
-    fn alignment(&self, sound: &Sound, script: &Script, graph: &Graph, steps: &[Step], fits: &[f32]) -> Alignment {
+    /// When exactly steps start, in frames, and how well they fit.
+    fn measure(
+        &self,
+        vectors: Vectors<'_>,
+        best: &[f32],
+        phone_of: impl Fn(&Step) -> Phone,
+        steps: &[Step],
+    ) -> (Vec<f64>, Vec<f32>) {
+        let phones: Vec<Phone> = steps.iter().map(&phone_of).collect();
+        let starts = edges::starts(self.model, vectors.clone(), &phones, steps);
+        (starts, emission::fits(self.model, vectors, best, phone_of, steps))
+    }
+
+    fn alignment(&self, sound: &Sound, script: &Script, path: &Path) -> Alignment {
         let duration_us = sound.duration_us();
-        let mut phones = Vec::with_capacity(steps.len());
+        let mut phones = Vec::with_capacity(path.steps.len());
         let mut heard = vec![None; script.words.len()];
-        for (step, &fit) in steps.iter().zip(fits) {
-            let node = &graph.nodes[step.node];
+        let times = time::of_starts(&path.starts, &path.steps, duration_us);
+        for ((step, (start_us, end_us)), &fit) in path.steps.iter().zip(times).zip(&path.fits) {
+            let node = &path.graph.nodes[step.node];
             let word = node.phone.is_speech().then_some(node.junction);
             if let Some(word) = word {
                 heard[word] = Some(node.pronunciation);
             }
-            let (start_us, end_us) = time::of_frames(step.start..step.end, duration_us);
             phones.push(AlignedPhone { phone: node.phone, start_us, end_us, word, fit });
         }
         let phones = time::cover(phones, duration_us);

@@ -9,9 +9,11 @@ const PHONES: usize = Phone::Sil.index() + 1;
 /// No path.
 const NEVER: f32 = -1e30;
 /// How much what phones usually follow each other counts, compared to what is heard.
-const PAIR_WEIGHT: f32 = 2.0;
+const PAIR_WEIGHT: f32 = 1.5;
 /// What each phone costs, in nats: without it, a sound falls apart into phones of 30 milliseconds.
-const PHONE_NATS: f32 = -2.0;
+const PHONE_NATS: f32 = -1.5;
+/// How much silence is favoured, in nats per frame: where no script says what is spoken, any noise is a phone of some sort.
+const SILENCE_NATS: f32 = 1.0;
 /// After how many frames what is common to all paths is decided, and how many are undecided at most.
 const DECIDE_FRAMES: usize = 128;
 const MOST_FRAMES: usize = 2_048;
@@ -44,6 +46,7 @@ pub(super) fn best_phones(model: &Model, scores: impl Iterator<Item = Scores>) -
     let mut states = [[NEVER; STATES]; PHONES];
     let mut history = History::new();
     for (frame, scores) in scores.enumerate() {
+        let scores = favouring_silence(scores);
         let decisions = advance(model, &mut states, &scores, frame == 0);
         history.push(decisions);
         if frame % DECIDE_FRAMES == DECIDE_FRAMES - 1 {
@@ -62,6 +65,13 @@ pub(super) fn best_phones(model: &Model, scores: impl Iterator<Item = Scores>) -
     }
     let end = history.last().is_some().then(|| best(&states));
     history.finish(end)
+}
+
+fn favouring_silence(mut scores: Scores) -> Scores {
+    for score in &mut scores[Phone::Sil.index() * STATES..][..STATES] {
+        *score += SILENCE_NATS;
+    }
+    scores
 }
 
 fn advance(model: &Model, states: &mut [[f32; STATES]; PHONES], scores: &Scores, is_first: bool) -> Decisions {

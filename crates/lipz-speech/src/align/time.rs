@@ -1,21 +1,24 @@
 //! From frames to times, pauses and words.
 
+use super::history::Step;
 use super::{AlignedPhone, AlignedWord};
 use crate::Phone;
 use crate::features::mel::{HOP, RATE_HZ, WINDOW};
-use std::ops::Range;
 
 /// Microseconds from one frame to the next, and in the samples of a frame.
 const HOP_US: u64 = HOP as u64 * 1_000_000 / RATE_HZ as u64;
 const WINDOW_US: u64 = WINDOW as u64 * 1_000_000 / RATE_HZ as u64;
 
-/// The time that frames stand for: each is the middle of its samples, give or take half a hop.
-pub(super) fn of_frames(frames: Range<usize>, duration_us: u64) -> (u64, u64) {
-    let boundary = |frame: usize| match frame {
-        0 => 0,
-        frame => (frame as u64 * HOP_US + (WINDOW_US - HOP_US) / 2).min(duration_us),
+/// The times of steps that start in these frames: each frame is the middle of its samples, give or take half a hop.
+pub(super) fn of_starts(starts: &[f64], steps: &[Step], duration_us: u64) -> Vec<(u64, u64)> {
+    let boundary = |frame: f64| match frame > 0.0 {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most a day, and positive")]
+        true => ((frame * HOP_US as f64) as u64 + (WINDOW_US - HOP_US) / 2).min(duration_us),
+        false => 0,
     };
-    (boundary(frames.start), boundary(frames.end))
+    let last = steps.last().map(|step| step.end as f64);
+    let ends = starts.iter().copied().skip(1).chain(last);
+    starts.iter().zip(ends).map(|(&start, end)| (boundary(start), boundary(end))).collect()
 }
 
 /// Makes phones end with the sound. A sound that is shorter than a sample of the features is silent.
@@ -37,13 +40,18 @@ pub(super) fn join_pauses(phones: Vec<AlignedPhone>, shortest_us: u64) -> Vec<Al
             _ => joined.push(phone),
         }
     }
-    let count = joined.len();
-    let mut kept: Vec<AlignedPhone> = Vec::with_capacity(count);
-    for (number, phone) in joined.into_iter().enumerate() {
-        let is_short = !phone.phone.is_speech() && phone.end_us - phone.start_us < shortest_us && number + 1 < count;
+    let mut kept: Vec<AlignedPhone> = Vec::with_capacity(joined.len());
+    let mut rest = &joined[..];
+    while let Some(first) = rest.first() {
+        // Silence and noise side by side are one pause.
+        let is_same = |phone: &&AlignedPhone| phone.phone.is_speech() == first.phone.is_speech();
+        let (run, after) = rest.split_at(rest.iter().take_while(is_same).count());
+        rest = after;
+        let end_us = run.last().map_or(first.end_us, |last| last.end_us);
+        let is_short = !first.phone.is_speech() && end_us - first.start_us < shortest_us && !after.is_empty();
         match kept.last_mut() {
-            Some(last) if is_short && last.phone.is_speech() => last.end_us = phone.end_us,
-            _ => kept.push(phone),
+            Some(last) if is_short => last.end_us = end_us,
+            _ => kept.extend_from_slice(run),
         }
     }
     kept
@@ -69,4 +77,37 @@ pub(super) fn words(phones: &[AlignedPhone], heard: &[Option<usize>], confidence
         words.push(word);
     }
     words
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Phones with their lengths in milliseconds.
+    fn phones(parts: &[(Phone, u64)]) -> Vec<AlignedPhone> {
+        let mut now_us = 0;
+        let phone = |&(phone, length_ms): &(Phone, u64)| {
+            let start_us = now_us;
+            now_us += length_ms * 1_000;
+            AlignedPhone { phone, start_us, end_us: now_us, word: None, fit: 0.0 }
+        };
+        parts.iter().map(phone).collect()
+    }
+
+    #[test]
+    fn short_pauses_belong_to_the_phone_before() {
+        let joined = |parts: &[(Phone, u64)]| {
+            let joined = join_pauses(phones(parts), 150_000).into_iter();
+            joined.map(|phone| (phone.phone, (phone.end_us - phone.start_us) / 1_000)).collect::<Vec<_>>()
+        };
+        use Phone::{Aa, Iy, Noise, Sil};
+        assert_eq!(joined(&[(Aa, 100), (Sil, 140), (Iy, 90)]), [(Aa, 240), (Iy, 90)]);
+        assert_eq!(joined(&[(Sil, 20), (Aa, 100), (Sil, 20)]), [(Sil, 20), (Aa, 100), (Sil, 20)]);
+        // Neither of the two is long enough, but they are one pause.
+        let long = [(Aa, 100), (Sil, 90), (Noise, 70), (Iy, 90)];
+        assert_eq!(joined(&long), long);
+        let end = [(Aa, 100), (Sil, 60), (Noise, 40)];
+        assert_eq!(joined(&end), end);
+        assert_eq!(joined(&[(Aa, 100), (Sil, 60), (Noise, 40), (Iy, 10)]), [(Aa, 200), (Iy, 10)]);
+    }
 }
