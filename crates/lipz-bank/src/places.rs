@@ -34,6 +34,7 @@ impl Places {
     ///
     /// # Errors
     /// As [`Bank::open`].
+    #[inline(always)] // places are many words, and the caller knows where they go
     pub fn find(bytes: &[u8]) -> Result<Places, Error> {
         let file = Bank::open_file(bytes)?;
         let mut found: Sections<'_> = [&[]; Tag::REQUIRED.len()];

@@ -67,12 +67,22 @@ pub unsafe extern "C" fn lipz_bank_open(
     damage_offset_bytes: Option<&mut MaybeUninit<u32>>,
 ) -> Status {
     let place = damage_offset_bytes.map(|offset| offset.write(0));
-    answer(bank, || {
-        // SAFETY: the contract of the crate, which the caller keeps.
-        let bytes = unsafe { bytes(data, length_bytes) }?;
-        let places = told(Places::find(bytes), place)?.to_words();
-        Ok(Bank { data, length_bytes, places, ..Bank::default() })
-    })
+    let bank = match bank {
+        Some(bank) => bank.write(Bank::default()),
+        None => return LIPZ_NULL_POINTER,
+    };
+    // SAFETY: the contract of the crate, which the caller keeps.
+    let found = unsafe { bytes(data, length_bytes) }.and_then(|bytes| told(Places::find(bytes), place));
+    match found {
+        Ok(places) => {
+            // Written where it stays: a bank is many words to be copied.
+            bank.data = data;
+            bank.length_bytes = length_bytes;
+            bank.places = places.to_words();
+            LIPZ_OK
+        }
+        Err(status) => status,
+    }
 }
 
 /// Makes `bank` use the locales of a text bank: opens it, and checks that it belongs to the clips.

@@ -105,6 +105,8 @@ export async function keys(demo, same) {
   const { page, window, player } = await demo({});
   press(window, " ");
   same(await until(() => player.clock.playing), true, "Space plays");
+  press(window, "ArrowRight", { shiftKey: true });
+  same(player.clock.playing && player.clock.time >= 1, true, "a jump plays on");
   press(window, " ");
   same(player.clock.playing, false, "Space pauses");
   const slider = page.getElementById("timeline");
