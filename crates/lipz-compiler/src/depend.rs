@@ -3,7 +3,7 @@
 use crate::settings::Settings;
 use crate::walk::Walk;
 use crate::{Content, Input, discover};
-use lipz_diagnostics::Report;
+use lipz_diagnostics::{Code, Report, escape};
 use std::iter;
 use std::path::{Path, PathBuf};
 
@@ -49,42 +49,72 @@ pub fn watched(sources: &[PathBuf]) -> Vec<PathBuf> {
 /// ```
 /// use std::path::Path;
 /// let file = lipz_compiler::depfile(Path::new("dialogue.lipzbank"), &["voices".into(), "voices/no 1.lipz".into()]);
-/// assert_eq!(file, b"dialogue.lipzbank: voices voices/no\\ 1.lipz\n\nvoices:\n\nvoices/no\\ 1.lipz:\n");
+/// assert_eq!(file.as_deref(), Ok(&b"dialogue.lipzbank: voices voices/no\\ 1.lipz\n\nvoices:\n\nvoices/no\\ 1.lipz:\n"[..]));
 /// ```
-pub fn depfile(target: &Path, dependencies: &[PathBuf]) -> Vec<u8> {
-    let names: Vec<Vec<u8>> = dependencies.iter().map(|path| escaped(path)).collect();
-    let mut file = escaped(target);
+///
+/// # Errors
+/// For a path that Make has no spelling for: it would depend on something else, and not pack again when the file changes.
+pub fn depfile(target: &Path, dependencies: &[PathBuf]) -> Result<Vec<u8>, Report> {
+    let mut file = escaped(target).filter(|name| !is_assignment(name)).ok_or_else(|| unspeakable(target))?;
     file.push(b':');
-    for name in &names {
+    let mut names = Vec::with_capacity(dependencies.len());
+    for path in dependencies {
+        names.push((escaped(path).ok_or_else(|| unspeakable(path))?, path));
+    }
+    // The first one decides whether the line is an assignment.
+    names.sort_by_key(|(name, _)| is_assignment(name));
+    if let Some((name, path)) = names.first()
+        && is_assignment(name)
+    {
+        return Err(unspeakable(path));
+    }
+    for (name, _) in &names {
         file.push(b' ');
         file.extend_from_slice(name);
     }
     file.push(b'\n');
-    for name in &names {
+    for (name, _) in names.iter().filter(|(name, _)| !is_assignment(name)) {
         file.push(b'\n');
         file.extend_from_slice(name);
         file.extend_from_slice(b":\n");
     }
-    file
+    Ok(file)
 }
 
-/// The path as Make reads it: `\` before blanks and `#`, with backslashes before these doubled, and `$`
-/// doubled. Line breaks have no spelling.
-fn escaped(path: &Path) -> Vec<u8> {
+/// Whether Make takes a line that starts with this name for an assignment to a variable.
+fn is_assignment(name: &[u8]) -> bool {
+    name.contains(&b'=')
+}
+
+/// The path as Make reads it: `\` before blanks, `#` and `:`, with backslashes before these doubled, and `$`
+/// doubled. Line breaks, `;` and `|` have no spelling.
+fn escaped(path: &Path) -> Option<Vec<u8>> {
     let mut name: Vec<u8> = Vec::new();
     for &byte in path.as_os_str().as_encoded_bytes() {
         match byte {
             b'\\' if cfg!(windows) => name.push(b'/'),
-            b' ' | b'#' => {
+            // Of a drive.
+            b':' if cfg!(windows) => name.push(byte),
+            b' ' | b'#' | b':' => {
                 let backslashes = name.iter().rev().take_while(|&&before| before == b'\\').count();
                 name.extend(iter::repeat_n(b'\\', backslashes + 1));
                 name.push(byte);
             }
             b'$' => name.extend_from_slice(b"$$"),
+            b';' | b'|' => return None,
+            byte if byte.is_ascii_control() => return None,
             _ => name.push(byte),
         }
     }
-    name
+    Some(name)
+}
+
+/// The report that a depfile cannot name a path.
+fn unspeakable(path: &Path) -> Report {
+    let shown = discover::display(path);
+    let message = format!("a depfile cannot name `{}`: Make has no spelling for it", escape::text(&shown));
+    let help = "rename it without `;`, `|`, `=` and control characters, or pack without a depfile";
+    Report::failure(shown, Code::OutputFailed, message, help)
 }
 
 #[cfg(test)]
@@ -104,8 +134,20 @@ mod tests {
     #[cfg(unix)]
     #[test]
     fn names_are_escaped_for_make() {
-        for (path, expected) in [("a b", "a\\ b"), ("a\\ b", "a\\\\\\ b"), ("#$\\", "\\#$$\\"), ("é", "é")] {
-            assert_eq!(escaped(Path::new(path)), expected.as_bytes(), "{path}");
+        let names = [("a b", "a\\ b"), ("a\\ b", "a\\\\\\ b"), ("#$\\", "\\#$$\\"), ("é", "é"), ("a:b", "a\\:b")];
+        for (path, expected) in names {
+            assert_eq!(escaped(Path::new(path)).as_deref(), Some(expected.as_bytes()), "{path}");
         }
+        for path in ["a;b", "a|b", "a\nb", "a\tb"] {
+            assert_eq!(escaped(Path::new(path)), None, "{path:?}");
+        }
+    }
+
+    #[test]
+    fn names_that_make_takes_for_assignments_come_last_or_nowhere() {
+        let of = |names: &[&str]| depfile(Path::new("x"), &names.iter().map(PathBuf::from).collect::<Vec<_>>());
+        assert_eq!(of(&["a=b", "c"]).unwrap(), b"x: c a=b\n\nc:\n");
+        assert!(of(&["a=b"]).unwrap_err().diagnostics[0].message.contains("`a=b`"));
+        assert!(of(&["a;b"]).is_err() && depfile(Path::new("x=y"), &[]).is_err());
     }
 }

@@ -114,7 +114,9 @@ impl Discovery<'_> {
         for entry in &mut walk {
             match entry {
                 Ok(entry) if entry.file_type().is_file() && is_lipz(entry.path()) => {
-                    let path = entry.into_path();
+                    let mut path = entry.into_path();
+                    // There are many, and they stay.
+                    path.shrink_to_fit();
                     match prefix.as_deref().and_then(|prefix| key_below(&path, folder, prefix)) {
                         Some(key) => self.input(path, key),
                         None => self.file(path, folder),

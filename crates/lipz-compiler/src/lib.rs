@@ -82,6 +82,7 @@ mod split;
 #[cfg(feature = "stats")]
 pub mod stats;
 mod strings;
+mod temporary;
 #[cfg(feature = "unpack")]
 mod unpack;
 mod walk;

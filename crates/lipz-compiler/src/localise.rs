@@ -17,7 +17,46 @@ pub(crate) struct LocaleColumn {
     pub(crate) tag: Box<str>,
     pub(crate) is_default: bool,
     /// For each clip: where its text is.
-    pub(crate) texts: Vec<Choice>,
+    texts: Vec<Stored>,
+}
+
+/// A [`Choice`] as one number: there are millions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Stored(u32);
+
+/// No text anywhere.
+const MISSING: u32 = u32::MAX;
+/// A bit of the numbers of other locales.
+const FALLBACK: u32 = 1 << 31;
+
+impl Stored {
+    fn new(choice: Choice) -> Stored {
+        Stored(match choice {
+            Choice::Own(index) => index,
+            Choice::Fallback(other) => other | FALLBACK,
+            Choice::Missing => MISSING,
+        })
+    }
+
+    fn choice(self) -> Choice {
+        match self.0 {
+            MISSING => Choice::Missing,
+            number if number & FALLBACK != 0 => Choice::Fallback(number & !FALLBACK),
+            index => Choice::Own(index),
+        }
+    }
+}
+
+impl LocaleColumn {
+    /// Where the text of the clip with this index is.
+    pub(crate) fn text(&self, clip: usize) -> Choice {
+        self.texts.get(clip).map_or(Choice::Missing, |stored| stored.choice())
+    }
+
+    /// Where the text of each clip is.
+    pub(crate) fn texts(&self) -> impl Iterator<Item = Choice> {
+        self.texts.iter().map(|stored| stored.choice())
+    }
 }
 
 /// Where the text of a clip in a locale is.
@@ -34,20 +73,21 @@ pub(crate) enum Choice {
 /// Resolves fallback for `clips`, whose texts refer to `tags`; [`chain`](crate::fallback::chain) has the rule.
 pub(crate) fn localise(clips: &[Clip<'_>], tags: &[Box<str>], options: &Options) -> Localised {
     let default = options.default_locale.as_deref();
-    let mut choices = vec![vec![Choice::Missing; clips.len()]; tags.len()];
+    let mut choices = vec![vec![Stored::new(Choice::Missing); clips.len()]; tags.len()];
     for (at, clip) in clips.iter().enumerate() {
         for (index, text) in (0..).zip(clip.texts()) {
-            choices[text.locale as usize][at] = Choice::Own(index);
+            choices[text.locale as usize][at] = Stored::new(Choice::Own(index));
         }
     }
     // A clip with texts in all locales needs none of others: usually that is every clip.
     let mut fallbacks = None;
     for (at, clip) in clips.iter().enumerate().filter(|(_, clip)| clip.texts().len() < tags.len()) {
         let fallbacks = fallbacks.get_or_insert_with(|| Fallbacks::new(tags, options));
-        let own = clip.texts().iter().filter(|text| !text.is_fallback).map(|text| text.locale as usize);
-        let missing: Vec<usize> = (0..tags.len()).filter(|&locale| choices[locale][at] == Choice::Missing).collect();
+        let own = clip.texts().iter().filter(|text| !text.is_fallback()).map(|text| text.locale as usize);
+        let missing: Vec<usize> =
+            (0..tags.len()).filter(|&locale| choices[locale][at].choice() == Choice::Missing).collect();
         fallbacks.resolve(own, missing.into_iter(), |locale, other| {
-            choices[locale][at] = Choice::Fallback(other as u32);
+            choices[locale][at] = Stored::new(Choice::Fallback(other as u32));
         });
     }
     let locales = std::iter::zip(tags, choices).map(|(tag, texts)| LocaleColumn {
@@ -84,12 +124,15 @@ mod tests {
     fn same_language_then_default() {
         let clips: [&[&str]; 4] = [&["de-at", "de-ch", "de-de", "en-us"], &["de-ch", "en-us"], &["en-us"], &["fr-fr"]];
         let localised = localised(&clips, Some("en-us"));
-        let of = |tag: &str| &localised.locales.iter().find(|locale| *locale.tag == *tag).unwrap().texts;
+        let of = |tag: &str| {
+            let column = localised.locales.iter().find(|locale| *locale.tag == *tag).unwrap();
+            column.texts().collect::<Vec<_>>()
+        };
         use Choice::{Fallback, Missing, Own};
         // de-at, de-ch, de-de, en-us, fr-fr
-        assert_eq!(*of("de-at"), [Own(0), Fallback(1), Fallback(3), Missing]);
-        assert_eq!(*of("de-ch"), [Own(1), Own(0), Fallback(3), Missing]);
-        assert_eq!(*of("fr-fr"), [Fallback(3), Fallback(3), Fallback(3), Own(0)]);
-        assert_eq!(*of("en-us"), [Own(3), Own(1), Own(0), Missing]);
+        assert_eq!(of("de-at"), [Own(0), Fallback(1), Fallback(3), Missing]);
+        assert_eq!(of("de-ch"), [Own(1), Own(0), Fallback(3), Missing]);
+        assert_eq!(of("fr-fr"), [Fallback(3), Fallback(3), Fallback(3), Own(0)]);
+        assert_eq!(of("en-us"), [Own(3), Own(1), Own(0), Missing]);
     }
 }

@@ -1,7 +1,6 @@
 //! What stands for the cache without the feature `cache`: no file is ever known.
 
 use crate::Input;
-use crate::clip::{ClipData, Locales};
 use std::convert::Infallible;
 use std::marker::PhantomData;
 
@@ -13,20 +12,20 @@ pub(crate) struct Stamp;
 pub(crate) struct Name;
 
 /// A cache, of which there is none.
-pub(crate) struct Cache<'b>(Infallible, PhantomData<&'b ()>);
+pub(crate) struct Cache<'s, 'b>(Infallible, PhantomData<(&'s (), &'b ())>);
 
 /// What a run has stamped and recalled: nothing.
 #[derive(Default)]
 pub(crate) struct FileStamps {
-    pub(crate) files: Vec<(Name, Stamp)>,
-    pub(crate) recalled: usize,
+    pub(crate) files: Vec<(u32, Name, Stamp)>,
+    pub(crate) recalled: Vec<(u32, u32)>,
     pub(crate) unread: usize,
 }
 
 /// A file that was looked at, of which there is none.
 pub(crate) struct CachedFile<'c>(Infallible, PhantomData<&'c ()>);
 
-impl Cache<'_> {
+impl Cache<'_, '_> {
     pub(crate) fn file<'c>(&'c self, _input: &'c Input, _next: &mut usize) -> Option<CachedFile<'c>> {
         match self.0 {}
     }
@@ -35,29 +34,23 @@ impl Cache<'_> {
 impl FileStamps {
     pub(crate) fn append(&mut self, other: FileStamps) {
         self.files.extend(other.files);
-        self.recalled += other.recalled;
+        self.recalled.extend(other.recalled);
         self.unread += other.unread;
     }
+
+    pub(crate) fn sort(&mut self) {}
 }
 
 impl CachedFile<'_> {
-    pub(crate) fn unread(&self) -> Option<Stamp> {
+    pub(crate) fn unread(&self) -> Option<(Stamp, u32)> {
         match self.0 {}
     }
 
-    pub(crate) fn read(&self, _bytes: &[u8]) -> (Stamp, bool) {
-        match self.0 {}
-    }
-
-    pub(crate) fn key(&self) -> &str {
+    pub(crate) fn read(&self, _bytes: &[u8]) -> (Stamp, Option<u32>) {
         match self.0 {}
     }
 
     pub(crate) fn name(&self) -> Name {
-        match self.0 {}
-    }
-
-    pub(crate) fn recall(&self, _locales: &mut Locales, _clip: &mut ClipData) -> bool {
         match self.0 {}
     }
 }

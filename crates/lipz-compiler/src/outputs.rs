@@ -1,7 +1,8 @@
 //! The files of a bank: the bank itself, or a base with a text bank for each locale beside it.
 
 use crate::output::replace_file;
-use crate::{Compiled, Compiler, Input, Replacements, SplitBank, parallel};
+use crate::split::WholeBank;
+use crate::{Compiled, Compiler, Input, Replacements};
 use lipz_diagnostics::Report;
 use std::collections::HashSet;
 use std::ffi::OsStr;
@@ -158,7 +159,7 @@ impl Outputs {
         if !self.is_split {
             return Ok(OutputFile::write(&self.bank, bank, replace)?.into());
         }
-        let split = parallel::in_pool(None, || SplitBank::from_bytes(bank))?;
+        let whole = WholeBank::open(bank)?;
         let waiting = Replacements::default();
         let write = |path: &Path, bytes: &[u8]| {
             let is_new = replace == Replace::Always || !has(path, bytes);
@@ -168,15 +169,17 @@ impl Outputs {
             Ok::<OutputFile, Report>(OutputFile { is_new, ..OutputFile::new(path, bytes) })
         };
         let mut files = Vec::new();
-        for (tag, texts) in &split.texts {
-            files.push(write(&self.bank.with_extension(format!("{tag}{TEXTS_EXTENSION}")), texts)?);
+        // One at a time: together they would take as much memory as the bank.
+        for locale in whole.locales() {
+            let path = self.bank.with_extension(format!("{}{TEXTS_EXTENSION}", locale.tag()));
+            files.push(write(&path, &whole.text_bank(locale)?)?);
         }
         let stale = stale(&self.bank, &files);
         let texts_of_locales = waiting.finish();
         if let Some(report) = texts_of_locales.into_iter().next() {
             return Err(report);
         }
-        files.insert(0, OutputFile::write(&self.bank, &split.base, replace)?);
+        files.insert(0, OutputFile::write(&self.bank, &whole.base()?, replace)?);
         Ok(Delivered { files, stale })
     }
 

@@ -3,13 +3,24 @@
 use crate::compile::FileReader;
 use crate::discover;
 use crate::hashed::hash;
-use crate::output::{TemporaryFile, failed, sync_folders, sync_temporary};
+use crate::output::failed;
+use crate::temporary::{Leftovers, TemporaryFile, distinct, sync_folders, sync_temporary};
 use lipz_diagnostics::{Code, Diagnostic, Report};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{LazyLock, Mutex, PoisonError};
 
 /// Files of a group: so many that syncing costs little for each, and so few that a run that is interrupted ends soon.
 const GROUP: usize = 256;
+
+/// Files of a group where the system lets a process open few: each that waits is open, and so may its folder be,
+/// beside those that are read.
+static FILES_AT_ONCE: LazyLock<usize> = LazyLock::new(|| {
+    #[cfg(unix)]
+    if let Some(open) = rustix::process::getrlimit(rustix::process::Resource::Nofile).current {
+        return usize::try_from(open / 4).unwrap_or(GROUP).clamp(1, GROUP);
+    }
+    GROUP
+});
 
 /// Replaces files, each as a whole, and many together: temporary files are written at once, and brought to disk and
 /// renamed in groups of 256. Whenever the process or the machine stops, each path is the old file or the new one.
@@ -36,6 +47,7 @@ struct Waiting {
     files: Vec<Replacement>,
     /// What went wrong with those before.
     reports: Vec<Report>,
+    leftovers: Leftovers,
 }
 
 /// A file to take the place of another one.
@@ -87,12 +99,31 @@ impl Replacements {
 
     fn stage(&self, path: &Path, bytes: &[u8], change: Option<Change>) -> Result<(), Report> {
         let temporary = TemporaryFile::beside(path, bytes).map_err(|error| failed(path, &error))?;
+        self.wait(path, temporary, change);
+        Ok(())
+    }
+
+    /// Writes what will replace the file `name` in `folder`, as [`replace`](Self::replace) does, but nowhere else,
+    /// wherever links lead. `path` is how messages name it.
+    #[cfg(feature = "unpack")]
+    pub(crate) fn replace_below(
+        &self,
+        folder: &std::sync::Arc<crate::temporary::OpenFolder>,
+        name: &str,
+        path: &Path,
+        bytes: &[u8],
+    ) -> std::io::Result<()> {
+        let temporary = crate::temporary::FileBelow::new(folder, name, bytes)?;
+        self.wait(path, TemporaryFile::Below(temporary), None);
+        Ok(())
+    }
+
+    fn wait(&self, path: &Path, temporary: TemporaryFile, change: Option<Change>) {
         let mut waiting = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         waiting.files.push(Replacement { path: path.to_owned(), temporary, change });
-        if waiting.files.len() >= GROUP {
+        if waiting.files.len() >= *FILES_AT_ONCE {
             waiting.bring_to_disk();
         }
-        Ok(())
     }
 
     /// Replaces what is left, and returns what could not be replaced: a report for each file, which is then as it was.
@@ -127,7 +158,9 @@ impl Waiting {
                 Err(report) => self.reports.push(report),
             }
         }
-        sync_folders(folders);
+        let folders = distinct(folders);
+        sync_folders(&folders);
+        self.leftovers.remove(&folders);
     }
 }
 

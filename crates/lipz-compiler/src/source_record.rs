@@ -108,7 +108,7 @@ impl<'c> OwnTexts<'c> {
 
     /// Each with its number and its place among all texts.
     fn numbered(texts: &[ClipText]) -> impl Iterator<Item = (usize, (usize, &ClipText))> {
-        texts.iter().enumerate().filter(|(_, text)| !text.is_fallback).enumerate()
+        texts.iter().enumerate().filter(|(_, text)| !text.is_fallback()).enumerate()
     }
 
     /// The number of the text in a locale, and the text.

@@ -1,8 +1,10 @@
 //! Splitting a bank by locale: a base bank without texts, and a text bank for each locale.
 
-use crate::clip::{ClipData, Clips};
+use crate::clip::ClipData;
 use crate::lower::assemble::{Section, assemble};
-use crate::lower::texts::pool_of;
+use crate::lower::numbering::Numbering;
+use crate::lower::texts::{Run, pool_of};
+use crate::lower::too_large;
 use lipz_bank::{Bank, Locale};
 use lipz_diagnostics::{Code, Report};
 use lipz_layout::{Header, LOCALE_DEFAULT, LocaleRecord, Tag, U32};
@@ -40,36 +42,48 @@ impl SplitBank {
     /// # Errors
     /// If `bytes` are not a bank.
     pub fn from_bytes(bytes: &[u8]) -> Result<SplitBank, Report> {
-        let bank = Bank::open(bytes).and_then(Bank::verify);
-        let (Ok(bank), Ok((header, _))) = (bank, Header::ref_from_prefix(bytes)) else {
-            return Err(damaged());
-        };
-        let whole = WholeBank { bank, index_seed: header.index_seed.get() };
-        let texts = (whole.bank.locales())
-            .map(|locale| Ok((locale.tag().to_owned(), whole.text_bank(locale)?)))
-            .collect::<Result<_, Report>>()?;
-        Ok(SplitBank { base: whole.base()?, texts })
+        let whole = WholeBank::open(bytes)?;
+        let texts = whole.locales().map(|locale| Ok((locale.tag().to_owned(), whole.text_bank(locale)?)));
+        Ok(SplitBank { texts: texts.collect::<Result<_, Report>>()?, base: whole.base()? })
     }
 }
+
+/// The most bytes of all texts of a locale: their places have 31 bits. A text bank has room for fewer.
+const MAX_TEXTS_BYTES: usize = 1 << 30;
 
 fn damaged() -> Report {
     Report::failure("", Code::BankDamaged, "the bank to be split is damaged", "pack it again")
 }
 
-/// The bank that is split.
-struct WholeBank<'data> {
+/// A bank that is split, part by part: all together take as much memory as it does.
+pub(crate) struct WholeBank<'data> {
     bank: Bank<'data>,
     index_seed: u64,
 }
 
 impl<'data> WholeBank<'data> {
+    /// # Errors
+    /// If `bytes` are not a bank.
+    pub(crate) fn open(bytes: &'data [u8]) -> Result<WholeBank<'data>, Report> {
+        let bank = Bank::open(bytes).and_then(Bank::verify);
+        let (Ok(bank), Ok((header, _))) = (bank, Header::ref_from_prefix(bytes)) else {
+            return Err(damaged());
+        };
+        Ok(WholeBank { bank, index_seed: header.index_seed.get() })
+    }
+
+    /// The locales, each of which gets a text bank.
+    pub(crate) fn locales(&self) -> impl Iterator<Item = Locale<'data>> {
+        self.bank.locales()
+    }
+
     /// The contents of a section; empty if the bank does not have it.
     fn section(&self, tag: Tag) -> &'data [u8] {
         self.bank.sections().find(|(found, _)| *found == tag.0).map_or(&[], |(_, contents)| contents)
     }
 
     /// The bank without locales: all other sections that games read as they are.
-    fn base(&self) -> Result<Vec<u8>, Report> {
+    pub(crate) fn base(&self) -> Result<Vec<u8>, Report> {
         let names = self.section(Tag::NAMES);
         // Keys come first, in one piece.
         let keys_bytes = self.bank.clips().map(|clip| clip.key().len()).sum();
@@ -88,9 +102,8 @@ impl<'data> WholeBank<'data> {
     }
 
     /// The text bank of a locale.
-    fn text_bank(&self, locale: Locale<'data>) -> Result<Vec<u8>, Report> {
-        let clips = self.clips(locale);
-        let (starts, pool) = pool_of(&clips.iter().collect::<Vec<_>>(), |_| false)?;
+    pub(crate) fn text_bank(&self, locale: Locale<'data>) -> Result<Vec<u8>, Report> {
+        let (starts, pool) = self.pool(locale)?;
         let tag = locale.tag();
         let record = LocaleRecord {
             tag_offset_bytes: 0.into(),
@@ -106,20 +119,27 @@ impl<'data> WholeBank<'data> {
         assemble(&sections, 0, self.bank.fingerprint(), |_| ())
     }
 
-    /// The clips with their texts in a locale.
-    fn clips(&self, locale: Locale<'data>) -> Clips {
-        let (mut clips, mut clip) = (Clips::default(), ClipData::default());
-        let number = clips.locales.number(locale.tag(), false);
+    /// Text starts and texts of a locale.
+    fn pool(&self, locale: Locale<'data>) -> Result<(Vec<U32>, Vec<u8>), Report> {
+        let numbering = Numbering::new(self.bank.clips().map(|clip| (clip.has_events(), clip.segment_count())));
+        // The texts of all clips as if they were of one: all else of a clip is not asked for.
+        let mut texts = ClipData::default();
+        let mut places: Vec<Option<u32>> = Vec::with_capacity(self.bank.clip_count());
         for found in self.bank.clips() {
-            clip.clear();
-            clip.has_events = found.has_events(); // by which segments are numbered
-            clip.starts.resize(found.segment_count() as usize, 0);
-            if let Some(first) = found.segment(0).and_then(|segment| segment.text(locale)) {
-                let texts = found.segments().map(|segment| segment.text_bytes(locale).unwrap_or_default());
-                clip.add_texts(number, texts, first.is_fallback());
+            let own = || found.segments().map(|segment| segment.text_bytes(locale).unwrap_or_default());
+            if texts.runs.len() + own().map(<[u8]>::len).sum::<usize>() > MAX_TEXTS_BYTES {
+                return Err(too_large("texts"));
             }
-            clips.push("", &clip);
+            let first = found.segment(0).and_then(|segment| segment.text(locale));
+            places.push(first.map(|first| {
+                texts.starts.resize(found.segment_count() as usize, 0);
+                texts.add_texts(0, own(), first.is_fallback());
+                texts.texts.len() as u32 - 1
+            }));
         }
-        clips
+        pool_of(&numbering, |at| {
+            let text = texts.texts.get(places[at]? as usize)?;
+            Some(Run::of(text, texts.whole_run(text), numbering.segments(at).len(), false))
+        })
     }
 }

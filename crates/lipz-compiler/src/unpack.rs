@@ -2,17 +2,18 @@
 
 use crate::decompile::Documents;
 use crate::key::{EXTENSION, clash, folded, refusal};
-use crate::output::file_in_the_way;
-use crate::{BankWithTexts, discover};
+use crate::output::{failed as not_written, file_in_the_way};
+use crate::temporary::OpenFolder;
+use crate::{BankWithTexts, Replacements, discover};
 use cap_std::ambient_authority;
 use cap_std::fs::Dir;
-use cap_tempfile::TempFile;
 use lipz_bank::Bank;
 use lipz_diagnostics::{Code, Diagnostic, Report, escape};
 use lipz_file::Document;
 use std::collections::HashMap;
-use std::io::{self, Write};
+use std::io;
 use std::path::Path;
+use std::sync::Arc;
 
 /// What unpacking gave.
 #[derive(Debug)]
@@ -27,7 +28,8 @@ pub struct Unpacked {
 }
 
 /// Writes every clip of a verified bank as a Lipz file into `folder`, which is made if it does
-/// not exist. `progress` is called with 1 for every file.
+/// not exist. `progress` is called with 1 for every file that is handed to `files`, which bring them to disk in groups;
+/// all of them, when this returns.
 ///
 /// Nothing is written outside `folder`, also where a link in it leads out. Each file appears whole
 /// or not at all. Files that exist are replaced only with `overwrite`.
@@ -40,6 +42,7 @@ pub fn unpack<'data, 'bank>(
     bank: impl Into<BankWithTexts<'data, 'bank>>,
     folder: &Path,
     overwrite: bool,
+    files: &Replacements,
     progress: &dyn Fn(u64),
 ) -> Result<Unpacked, Vec<Report>>
 where
@@ -65,7 +68,7 @@ where
             let why = match file_in_the_way(folder) {
                 Some(file) if file == folder => "it is a file, not a folder".into(),
                 Some(file) => format!("`{}` is a file, not a folder", discover::display(file)),
-                None => error.to_string(),
+                None => return vec![not_written(folder, &error)],
             };
             failed(shown.clone(), why)
         })?;
@@ -75,24 +78,61 @@ where
             return Err(existing);
         }
     }
-    let (mut files, mut lost) = (0, Vec::new());
+    let mut folders = Folders { output: &output, path: folder, last: None };
+    let (mut count, mut lost, mut unwritten) = (0, Vec::new(), Vec::new());
     for document in documents.iter() {
         let (key, document) = document.map_err(|report| vec![report])?;
         let name = format!("{key}.{EXTENSION}");
         lost.extend(if overwrite { loss(&output, &name, &shown, &document) } else { None });
         let text = lipz_file::write(&document);
-        write_file(&output, &name, text.as_bytes()).map_err(|error| {
-            let why = match obstacle(&output, &name) {
-                Some((part, what)) if part == name => format!("it is {what}"),
-                Some((part, what)) => format!("`{shown}/{part}` is {what}"),
-                None => error.to_string(),
+        let (parent, file) = name.rsplit_once('/').unwrap_or(("", &name));
+        let written = folders
+            .open(parent)
+            .and_then(|parent| files.replace_below(&parent, file, &folder.join(&name), text.as_bytes()));
+        if let Err(error) = written {
+            unwritten = match obstacle(&output, &name) {
+                Some((part, what)) if part == name => failed(format!("{shown}/{name}"), format!("it is {what}")),
+                Some((part, what)) => failed(format!("{shown}/{name}"), format!("`{shown}/{part}` is {what}")),
+                None => vec![not_written(&folder.join(&name), &error)],
             };
-            failed(format!("{shown}/{name}"), why)
-        })?;
-        files += 1;
+            break;
+        }
+        count += 1;
         progress(1);
     }
-    Ok(Unpacked { files, is_exact: documents.is_exact(), lost })
+    // What was written before the first that cannot be is whole, and stays.
+    unwritten.extend(files.finish());
+    if !unwritten.is_empty() {
+        return Err(unwritten);
+    }
+    Ok(Unpacked { files: count, is_exact: documents.is_exact(), lost })
+}
+
+/// The folders below the output, made where there are none.
+struct Folders<'o> {
+    output: &'o Dir,
+    path: &'o Path,
+    /// The last one and its name: keys come in their order, folder by folder.
+    last: Option<(String, Arc<OpenFolder>)>,
+}
+
+impl Folders<'_> {
+    fn open(&mut self, name: &str) -> io::Result<Arc<OpenFolder>> {
+        if let Some((last, folder)) = &self.last
+            && last == name
+        {
+            return Ok(Arc::clone(folder));
+        }
+        let dir = if name.is_empty() {
+            self.output.try_clone()?
+        } else {
+            self.output.create_dir_all(name)?;
+            self.output.open_dir(name)?
+        };
+        let folder = Arc::new(OpenFolder { dir, path: self.path.join(name) });
+        self.last = Some((name.to_owned(), Arc::clone(&folder)));
+        Ok(folder)
+    }
 }
 
 /// What a file that is replaced has and the bank does not, if anything.
@@ -146,20 +186,6 @@ fn existing_files(bank: &Bank<'_>, output: &Dir, shown: &str) -> Vec<Report> {
             )
         })
         .collect()
-}
-
-/// Writes a file below `output` under a temporary name, then renames it.
-fn write_file(output: &Dir, name: &str, bytes: &[u8]) -> io::Result<()> {
-    let (folder, file) = match name.rsplit_once('/') {
-        Some((folder, file)) => {
-            output.create_dir_all(folder)?;
-            (&output.open_dir(folder)?, file)
-        }
-        None => (output, name),
-    };
-    let mut temporary = TempFile::new(folder)?;
-    temporary.write_all(bytes)?;
-    temporary.replace(file)
 }
 
 /// The part of the path `name` below `output` in which no file can be written, and what it is.

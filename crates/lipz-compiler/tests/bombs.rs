@@ -3,7 +3,7 @@
 
 use lipz_bank::{Bank, Locale};
 use lipz_compiler::inspect::ClipDetails;
-use lipz_compiler::{Documents, unpack};
+use lipz_compiler::{Documents, Replacements, unpack};
 use lipz_diagnostics::Code;
 use lipz_layout::{TEXT_HAS_LENGTH, TEXT_MAX_BYTES, text_count};
 use lipz_testkit::forge::{ForgedClip, bank};
@@ -26,7 +26,7 @@ fn texts_that_would_fill_gigabytes_are_refused() {
     assert!(report.diagnostics[0].message.contains("more bytes than its files may have"));
 
     let folder = tempfile::tempdir().unwrap();
-    assert!(unpack(&bank, folder.path(), false, &|_| ()).is_err());
+    assert!(unpack(&bank, folder.path(), false, &Replacements::default(), &|_| ()).is_err());
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0, "nothing was written");
 
     let locales: Vec<Locale<'_>> = bank.locales().collect();

@@ -13,6 +13,7 @@ mod condition;
 mod facts;
 mod heard;
 mod in_bank;
+mod known;
 mod lints;
 mod places;
 mod recordings;
@@ -21,6 +22,7 @@ mod threads;
 
 pub use facts::{Facts, content_hash};
 pub use in_bank::in_bank;
+pub use known::KnownRecordings;
 pub use lints::check;
 pub use lipz_speech::TrainedModel;
 pub use recordings::{EXTENSIONS, Recordings, dependencies, is_recording};

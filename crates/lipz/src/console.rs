@@ -52,10 +52,13 @@ pub(crate) fn width() -> usize {
     terminal_size::terminal_size().map_or(DEFAULT_WIDTH, |(width, _)| usize::from(width.0)).clamp(24, 200)
 }
 
+/// A bar that counts files, if anybody sees it: on a terminal.
+pub(crate) struct Progress(Option<ProgressBar>);
+
 /// A bar that counts to `length`; shown only on a terminal.
-pub(crate) fn progress_bar(length: usize, quiet: bool) -> ProgressBar {
+pub(crate) fn progress_bar(length: usize, quiet: bool) -> Progress {
     if quiet || !io::stderr().is_terminal() {
-        return ProgressBar::hidden();
+        return Progress(None);
     }
     let bar = ProgressBar::new(length as u64);
     if let Ok(style) = ProgressStyle::with_template("{bar:30} {human_pos}/{human_len} files, {eta} left") {
@@ -65,7 +68,23 @@ pub(crate) fn progress_bar(length: usize, quiet: bool) -> ProgressBar {
     if thread::Builder::new().spawn(|| ()).is_ok() {
         bar.enable_steady_tick(Duration::from_millis(200));
     }
-    bar
+    Progress(Some(bar))
+}
+
+impl Progress {
+    /// Counts files that are done. Where nobody sees it, nothing is worked out: a hidden bar estimates its end, too.
+    pub(crate) fn inc(&self, files: u64) {
+        if let Some(bar) = &self.0 {
+            bar.inc(files);
+        }
+    }
+
+    /// Ends the counting.
+    pub(crate) fn finish_and_clear(&self) {
+        if let Some(bar) = &self.0 {
+            bar.finish_and_clear();
+        }
+    }
 }
 
 /// A path as it is printed: nothing in it steers the terminal.
@@ -82,4 +101,16 @@ pub(crate) fn grouped(number: usize) -> String {
 pub(crate) fn counted(number: usize, what: &str) -> String {
     let plural = if number == 1 { "" } else { "s" };
     format!("{} {what}{plural}", grouped(number))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn progress_that_nobody_sees_is_not_worked_out() {
+        assert!(progress_bar(10, true).0.is_none());
+        // The tests have no terminal to show it on, as builds have none.
+        assert_eq!(progress_bar(10, false).0.is_some(), io::stderr().is_terminal());
+    }
 }

@@ -6,6 +6,7 @@ mod args;
 mod commands;
 mod console;
 mod interrupt;
+mod memory;
 mod outcome;
 mod reporter;
 mod shared;
@@ -18,6 +19,7 @@ use reporter::{Abort, Ended, Reporter};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
+    memory::give_back();
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => return usage::end(&error, std::env::args_os()).into(),

@@ -13,10 +13,10 @@ use support::{Scene, lipz, tree};
 const CLIP: &str = r#"{ "text_en-us": "Aye." }"#;
 
 /// Names that need escapes.
-const NAMES: [&str; 5] = ["plain", "with blanks in it", "$HOME and $$", "# one", "act 1/é (2), 50%"];
+const NAMES: [&str; 6] = ["plain", "with blanks in it", "$HOME and $$", "# one", "act 1/é (2), 50%", "take=1"];
 
 /// The names before and behind the colon of the first rule, as GNU Make reads them ("Rule Syntax"):
-/// `\` takes the meaning from blank, `#` and, before these, from itself; `$$` is `$`.
+/// `\` takes the meaning from blank, `#`, `:` and, before these, from itself; `$$` is `$`.
 fn parse(depfile: &str) -> (String, Vec<String>) {
     let rule = depfile.lines().next().unwrap();
     let mut names = vec![String::new()];
@@ -24,7 +24,7 @@ fn parse(depfile: &str) -> (String, Vec<String>) {
     while let Some(c) = rest.next() {
         let name = names.last_mut().unwrap();
         match c {
-            '\\' if rest.next_if(|next| matches!(next, ' ' | '#')).is_some_and(|next| {
+            '\\' if rest.next_if(|next| matches!(next, ' ' | '#' | ':')).is_some_and(|next| {
                 name.push(next);
                 true
             }) => {}
@@ -87,6 +87,18 @@ fn errors_leave_the_depfile() {
     let outcome = lipz(scene.path(), ["pack", "voices", "-o", "b.lipzbank", "--depfile", "voices"]);
     assert_eq!(outcome.code, 2, "{}", outcome.stderr);
     assert!(outcome.stderr.contains("error[LZ0904]"), "{}", outcome.stderr);
+}
+
+#[test]
+fn a_name_that_make_cannot_read_is_an_error() {
+    let scene = Scene::new();
+    scene.write("voices/a;b.lipz", CLIP);
+    let outcome = lipz(scene.path(), ["pack", "voices", "-o", "b.lipzbank", "--depfile", "b.d"]);
+    assert_eq!(outcome.code, 2);
+    let expected = "error[LZ0904]: a depfile cannot name `voices/a;b.lipz`";
+    assert!(outcome.stderr.contains(expected), "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("the bank itself is written"), "{}", outcome.stderr);
+    assert!(!scene.path().join("b.d").exists(), "without it, build engines pack again");
 }
 
 /// Gives the file or folder a time before or after everything else.

@@ -66,7 +66,6 @@ pub(super) const RULES: &[Rule] = &[
         direct: &[
             "bincode",
             "cap-std",
-            "cap-tempfile",
             "foldhash",
             "glob",
             "lipz-bank",

@@ -1,5 +1,6 @@
 //! What a program that packs again and again remembers from one run to the next.
 
+use super::old_bank::OldBank;
 use super::{PreviousRun, again, file};
 use crate::compile::verify;
 use crate::{Compiled, Compiler, Input};
@@ -34,7 +35,12 @@ impl Memory {
     /// # Errors
     /// If there is something else than a cache at `cache`, or it cannot be read.
     pub fn read(cache: &Path, path: &Path) -> Result<Memory, Report> {
-        PreviousRun::read(cache, path).map(Memory)
+        let before = PreviousRun::read(cache, path)?;
+        Ok(Memory(before.and_then(|PreviousRun { stamps, bank }| {
+            // The file may change before the next run; memory does not.
+            let bank = OldBank::Whole(bank.into_whole()?.into());
+            Some(PreviousRun { stamps, bank })
+        })))
     }
 
     /// Writes it into the file `cache`, for a later [`Memory::read`] or [`pack_cached`](Compiler::pack_cached). The bank
@@ -61,7 +67,7 @@ impl Compiler<'_> {
         self.run(|options| {
             let (compiled, stamps) = again(inputs, options, memory.0.clone(), &self.progress, finish);
             if let (Some(bank), Some(stamps)) = (&compiled.bank, stamps) {
-                memory.0 = Some(PreviousRun { stamps: stamps.into(), bank: Arc::new(bank.clone()) });
+                memory.0 = Some(PreviousRun { stamps: stamps.into(), bank: OldBank::Whole(Arc::new(bank.clone())) });
             }
             compiled
         })

@@ -8,18 +8,20 @@
 mod file;
 mod file_meta;
 mod memory;
+mod old_bank;
 mod recall;
 mod stamps;
+mod sweep;
 
 pub use memory::Memory;
 pub(crate) use stamps::{Name, Stamp};
 
-use crate::clip::{ClipData, Locales};
 use crate::compile::{Progress, Run};
 use crate::discover::display;
 use crate::{Compiled, Compiler, Content, Input, Options};
 use file_meta::FileMeta;
 use lipz_diagnostics::Report;
+use old_bank::OldBank;
 use recall::Recall;
 use stamps::{Lookup, Stamps, hash};
 use std::fs::File;
@@ -90,31 +92,46 @@ fn again(
 ) -> (Compiled, Option<Stamps>) {
     let start = Instant::now();
     let before = before.filter(|before| before.stamps.are_of(options));
-    let cached = Cache::new(before.as_ref());
+    let (stamps, old) = before.map(|before| (before.stamps, before.bank)).unzip();
+    let cache = Cache::new(stamps.as_deref(), old.as_ref());
     let recalling = start.elapsed();
-    let mut run = Run::read(inputs, options, Some(&cached), progress);
+    let mut run = Run::read(inputs, options, Some(&cache), progress);
     run.phases.cache = recalling;
-    let files = std::mem::take(&mut run.stamped.files);
-    let is_unchanged = run.stamped.recalled == inputs.len() && cached.clip_count() == Some(inputs.len());
-    let are_stamps_unchanged =
-        is_unchanged && run.stamped.unread == inputs.len() && cached.stamp_count() == inputs.len();
-    drop(cached);
-    let old_bank = before.map(|before| before.bank);
-    let compiled = match old_bank {
-        Some(bank) if is_unchanged && !run.has_errors() => {
-            match run.expect_locales(&bank, options).and_then(|()| finish(&bank, true)) {
-                Ok(()) => Compiled { is_unchanged, ..run.finish(Some(Arc::unwrap_or_clone(bank))) },
+    let found = run.stamped.recalled.len();
+    let is_unchanged = found == inputs.len() && cache.clip_count() == Some(found);
+    let are_stamps_unchanged = is_unchanged && run.stamped.unread == found && cache.stamp_count() == found;
+    let recall = cache.before.map(|(_, recall)| recall);
+    drop(stamps);
+    if is_unchanged && !run.has_errors() {
+        // Nothing is copied, least of all to be thrown away.
+        drop(recall);
+        if let Some(bank) = old.and_then(OldBank::into_whole) {
+            let files = std::mem::take(&mut run.stamped.files);
+            let compiled = match run.expect_locales(&bank, options).and_then(|()| finish(&bank, true)) {
+                Ok(()) => Compiled { is_unchanged, ..run.finish(Some(bank)) },
                 Err(report) => run.fail(report),
-            }
+            };
+            let stamps = (!are_stamps_unchanged).then(|| Stamps::of(&compiled, options, files));
+            return (compiled, stamps.flatten());
+        }
+        run = Run::read(inputs, options, Some(&Cache::new(None, None)), &|_| ());
+    } else if !run.has_errors() {
+        let start = Instant::now();
+        let clips = recall.map_or(Some(Vec::new()), |recall| {
+            sweep::recalled(&recall, inputs, &run.stamped.recalled, options.threads)
+        });
+        match clips {
+            Some(clips) => run.add(clips, start.elapsed()),
+            // Somebody has written to the old bank meanwhile.
+            None => run = Run::read(inputs, options, Some(&Cache::new(None, None)), &|_| ()),
         }
         // The old bank is given back before the new one is made.
-        old_bank => {
-            drop(old_bank);
-            run.make(inputs, options, |bank| finish(bank, false))
-        }
-    };
-    let checksum = compiled.bank.as_deref().and_then(recall::checksum_of).filter(|_| !are_stamps_unchanged);
-    (compiled, checksum.map(|checksum| Stamps::new(options, checksum, files)))
+        drop(old);
+    }
+    let files = std::mem::take(&mut run.stamped.files);
+    let compiled = run.make(inputs, options, |bank| finish(bank, false));
+    let stamps = Stamps::of(&compiled, options, files);
+    (compiled, stamps)
 }
 
 /// Gives the file at `path` the current time, for build tools that compare it with those of the sources.
@@ -126,7 +143,7 @@ fn touch(path: &Path) -> io::Result<()> {
 #[derive(Clone)]
 struct PreviousRun {
     stamps: Arc<Stamps>,
-    bank: Arc<Vec<u8>>,
+    bank: OldBank,
 }
 
 impl PreviousRun {
@@ -136,25 +153,24 @@ impl PreviousRun {
     /// If there is something else than a cache at `cache`.
     fn read(cache: &Path, path: &Path) -> Result<Option<PreviousRun>, Report> {
         let Some(stamps) = file::read(cache)? else { return Ok(None) };
-        let is_file = path.metadata().is_ok_and(|metadata| metadata.is_file());
-        let bank = is_file.then(|| std::fs::read(path).ok()).flatten();
-        Ok(bank.map(|bank| PreviousRun { stamps: stamps.into(), bank: bank.into() }))
+        let bank = OldBank::open(path, stamps.bank_checksum);
+        Ok(bank.map(|bank| PreviousRun { stamps: stamps.into(), bank }))
     }
 }
 
 /// What a run asks for the clips of files that did not change.
-pub(crate) struct Cache<'b> {
-    before: Option<(Lookup<'b>, Recall<'b>)>,
+pub(crate) struct Cache<'s, 'b> {
+    before: Option<(Lookup<'s>, Recall<'b>)>,
     start: SystemTime,
 }
 
-/// What a run has stamped and recalled.
+/// What a run has stamped and found in the old bank.
 #[derive(Default)]
 pub(crate) struct FileStamps {
-    /// The stamps of all files without diagnostics.
-    pub(crate) files: Vec<(Name, Stamp)>,
-    /// Clips that were recalled.
-    pub(crate) recalled: usize,
+    /// The stamps of all files without diagnostics, with the numbers of their inputs.
+    pub(crate) files: Vec<(u32, Name, Stamp)>,
+    /// Numbers of inputs whose clips are in the old bank, and the slots of these.
+    pub(crate) recalled: Vec<(u32, u32)>,
     /// Of these, those whose files were not read.
     pub(crate) unread: usize,
 }
@@ -163,28 +179,29 @@ impl FileStamps {
     /// Adds what another thread has.
     pub(crate) fn append(&mut self, mut other: FileStamps) {
         self.files.append(&mut other.files);
-        self.recalled += other.recalled;
+        self.recalled.append(&mut other.recalled);
         self.unread += other.unread;
+    }
+
+    /// Puts the stamps into the order of the inputs, in which the next run looks for them.
+    pub(crate) fn sort(&mut self) {
+        self.files.sort_unstable_by_key(|(index, ..)| *index);
     }
 }
 
 /// A file that was looked at.
 pub(crate) struct CachedFile<'c> {
-    cache: &'c Cache<'c>,
-    key: &'c str,
+    cache: &'c Cache<'c, 'c>,
     name: Name,
     meta: FileMeta,
-    /// Its stamp of the run before.
-    known: Option<&'c Stamp>,
+    /// Its stamp of the run before, and the slot of its clip in the old bank.
+    known: Option<(&'c Stamp, u32)>,
 }
 
-impl<'b> Cache<'b> {
-    fn new(before: Option<&'b PreviousRun>) -> Cache<'b> {
-        let recalling = |before: &'b PreviousRun| {
-            let recall = Recall::new(&before.bank, before.stamps.bank_checksum)?;
-            Some((before.stamps.lookup(), recall))
-        };
-        Cache { before: before.and_then(recalling), start: SystemTime::now() }
+impl<'s, 'b> Cache<'s, 'b> {
+    fn new(stamps: Option<&'s Stamps>, bank: Option<&'b OldBank>) -> Cache<'s, 'b> {
+        let recall = bank.and_then(Recall::new);
+        Cache { before: stamps.map(Stamps::lookup).zip(recall), start: SystemTime::now() }
     }
 
     fn clip_count(&self) -> Option<usize> {
@@ -201,38 +218,30 @@ impl<'b> Cache<'b> {
         let Content::File(path) = &input.content else { return None };
         let meta = FileMeta::new(&path.metadata().ok()?)?;
         let name = Name::new(path.as_os_str().as_encoded_bytes(), &input.key);
-        let known = self.before.as_ref().and_then(|(stamps, _)| stamps.get(name, next));
-        Some(CachedFile { cache: self, key: &input.key, name, meta, known })
+        let known = self.before.as_ref().and_then(|(stamps, recall)| {
+            let stamp = stamps.get(name, next)?;
+            Some((stamp, recall.slot(&input.key)?))
+        });
+        Some(CachedFile { cache: self, name, meta, known })
     }
 }
 
 impl CachedFile<'_> {
-    /// The stamp of the file, if its meta proves that it did not change.
-    pub(crate) fn unread(&self) -> Option<Stamp> {
-        self.known.filter(|known| known.proves(&self.meta)).copied()
+    /// The stamp of the file and the slot of its clip, if its meta proves that it did not change.
+    pub(crate) fn unread(&self) -> Option<(Stamp, u32)> {
+        self.known.filter(|(known, _)| known.proves(&self.meta)).map(|(known, slot)| (*known, slot))
     }
 
-    /// The stamp of the file, which has these contents, and whether it had them before.
-    pub(crate) fn read(&self, bytes: &[u8]) -> (Stamp, bool) {
+    /// The stamp of the file, which has these contents, and the slot of its clip if it had them before.
+    pub(crate) fn read(&self, bytes: &[u8]) -> (Stamp, Option<u32>) {
         let contents = hash(bytes);
-        let is_same = self.known.is_some_and(|known| known.has_contents(contents));
-        (Stamp::new(self.meta, contents, self.cache.start), is_same)
-    }
-
-    /// The key of the file's clip.
-    pub(crate) fn key(&self) -> &str {
-        self.key
+        let known = self.known.filter(|(known, _)| known.has_contents(contents));
+        (Stamp::new(self.meta, contents, self.cache.start), known.map(|(_, slot)| slot))
     }
 
     /// The name of the file in a cache.
     pub(crate) fn name(&self) -> Name {
         self.name
-    }
-
-    /// Makes `clip` the one that the file was packed as; false if the old bank does not have it.
-    pub(crate) fn recall(&self, locales: &mut Locales, clip: &mut ClipData) -> bool {
-        let recall = self.cache.before.as_ref().map(|(_, recall)| recall);
-        recall.and_then(|recall| recall.clip(self.key, locales, clip)).is_some()
     }
 }
 
@@ -248,22 +257,43 @@ mod tests {
         let (bank, options) = (path("bank"), Options::default());
         std::fs::write(path("a.lipz"), r#"{"visemes":"A-","viseme_type":"blair"}"#).unwrap();
         let (inputs, _) = crate::discover(&[path("a.lipz")], None);
-        let packed = Arc::new(Compiler::new(options.clone()).pack(&inputs, &bank).bank.unwrap());
-        let run = |before: Option<&PreviousRun>, later: Duration| {
-            let cache = Cache { start: SystemTime::now() + later, ..Cache::new(before) };
+        let packed = Compiler::new(options.clone()).pack(&inputs, &bank).bank.unwrap();
+        let run = |before: Option<(&Stamps, &OldBank)>, later: Duration| {
+            let (stamps, bank) = before.unzip();
+            let cache = Cache { start: SystemTime::now() + later, ..Cache::new(stamps, bank) };
             Run::read(&inputs, &options, Some(&cache), &|_| {}).stamped
         };
-        let counts = |before: Option<&PreviousRun>, later| {
+        let counts = |before: Option<(&Stamps, &OldBank)>, later| {
             let stamped = run(before, later);
-            (stamped.files.len(), stamped.recalled, stamped.unread)
+            (stamped.files.len(), stamped.recalled.len(), stamped.unread)
         };
+        let checksum = recall::checksum_of(&packed).unwrap();
+        let old = OldBank::open(&bank, checksum).unwrap();
+        assert!(OldBank::open(&bank, 0).is_none(), "the stamps are about another bank");
         for (later, unread) in [(Duration::ZERO, 0), (Duration::from_secs(60), 1)] {
-            let stamps = Stamps::new(&options, recall::checksum_of(&packed).unwrap(), run(None, later).files);
-            let mut before = PreviousRun { stamps: stamps.into(), bank: Arc::clone(&packed) };
+            let stamps = Stamps::new(&options, checksum, run(None, later).files);
             assert_eq!(counts(None, later), (1, 0, 0));
-            assert_eq!(counts(Some(&before), later), (1, 1, unread));
-            Arc::get_mut(&mut before.stamps).unwrap().bank_checksum = 0;
-            assert_eq!(counts(Some(&before), later), (1, 0, 0), "the stamps are about another bank");
+            assert_eq!(counts(Some((&stamps, &old)), later), (1, 1, unread));
         }
+    }
+
+    #[test]
+    fn stamps_are_in_the_order_of_the_inputs_whatever_threads_did() {
+        let folder = tempfile::tempdir().unwrap();
+        for number in 0..400 {
+            std::fs::write(folder.path().join(format!("{number:03}.lipz")), "{\"text_en-us\":\"Aye.\"}").unwrap();
+        }
+        let (inputs, _) = crate::discover(&[folder.path().into()], None);
+        let options = Options::new().threads(3);
+        let compiler = Compiler::new(options.clone());
+        let stamped = || {
+            compiler.run(|options| {
+                let run = Run::read(&inputs, options, Some(&Cache::new(None, None)), &|_| {});
+                let indices: Vec<u32> = run.stamped.files.iter().map(|(index, ..)| *index).collect();
+                assert!(indices.into_iter().eq(0..400));
+                Compiled::default()
+            })
+        };
+        (0..20).for_each(|_| drop(stamped()));
     }
 }

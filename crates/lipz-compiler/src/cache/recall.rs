@@ -1,18 +1,27 @@
 //! Clips of the old bank, as the check made them.
 
+use super::old_bank::{OldBank, Window, section};
 use crate::clip::{ClipData, Locales};
 use lipz_bank::{Bank, Clip, Locale};
-use lipz_layout::{CHECKED_FROM, ClipRecord, Header, NO_TEXT, TEXT_FALLBACK, Tag, U32, checksum};
+use lipz_layout::{
+    ClipRecord, Header, NO_TEXT, TEXT_COUNT_BYTES, TEXT_FALLBACK, TEXT_HAS_LENGTH, TEXT_OFFSET, Tag, U32,
+    counted_length,
+};
+use std::ops::{Range, RangeInclusive};
 use zerocopy::FromBytes;
 
 /// The old bank, of which clips are recalled.
 pub(super) struct Recall<'b> {
+    old: &'b OldBank,
     bank: Bank<'b>,
     locales: Vec<Locale<'b>>,
     records: &'b [ClipRecord],
     /// Locale by locale one entry per segment.
     text_starts: &'b [U32],
     segment_count: usize,
+    /// Where the frames of all clips are, and the texts.
+    frames: Range<usize>,
+    texts: Range<usize>,
     /// `None` if the bank was stripped.
     sources: Option<Sources<'b>>,
 }
@@ -20,10 +29,29 @@ pub(super) struct Recall<'b> {
 struct Sources<'b> {
     /// Where the record of each slot starts.
     index: &'b [U32],
-    records: &'b [u8],
     /// Where the record of each slot ends.
     ends: Vec<u32>,
+    /// Where all of them are.
+    records: Range<usize>,
 }
+
+/// What a thread that recalls clips has of its own.
+pub(super) struct Recaller<'r, 'b> {
+    recall: &'r Recall<'b>,
+    /// The numbers of the bank's locales among those of the clips.
+    locales: Vec<u32>,
+    /// Where it last was: in the frames, in the source records, and in the texts of each locale.
+    frames: Window,
+    sources: Window,
+    texts: Vec<Window>,
+    /// Bytes of a window.
+    at_once: usize,
+}
+
+/// Bytes of all windows of a thread: many locales share them.
+const WINDOWS_BYTES: usize = 1 << 20;
+/// Bytes of a window.
+const WINDOW_BYTES: RangeInclusive<usize> = 1 << 9..=1 << 16;
 
 /// The checksum in the header of a bank.
 pub(super) fn checksum_of(bank: &[u8]) -> Option<u64> {
@@ -31,41 +59,84 @@ pub(super) fn checksum_of(bank: &[u8]) -> Option<u64> {
 }
 
 impl<'b> Recall<'b> {
-    /// Recalls from the bank with this checksum; `None` if these bytes are not that bank, which was
-    /// verified before it was written.
-    pub(super) fn new(bank: &'b [u8], expected_checksum: u64) -> Option<Recall<'b>> {
-        let checked = bank.get(CHECKED_FROM..)?;
-        if checksum_of(bank) != Some(expected_checksum) || checksum(checked) != expected_checksum {
-            return None;
-        }
-        let bank = Bank::open(bank).ok()?;
-        let section = |tag: Tag| bank.sections().find(|(found, _)| *found == tag.0).map(|(_, bytes)| bytes);
-        let sources = match (section(Tag::SOURCE_INDEX), section(Tag::SOURCES)) {
+    /// Recalls from this bank, which was verified before it was written; `None` if it cannot be opened.
+    pub(super) fn new(old: &'b OldBank) -> Option<Recall<'b>> {
+        let tables = old.tables();
+        let bank = Bank::open(tables).ok()?;
+        let table = |tag: Tag| tables.get(section(tables, tag)?);
+        let sources = match (table(Tag::SOURCE_INDEX), section(tables, Tag::SOURCES)) {
             (Some(index), Some(records)) => Some(Sources::new(<[U32]>::ref_from_bytes(index).ok()?, records)),
             _ => None,
         };
         Some(Recall {
+            old,
             locales: bank.locales().collect(),
-            records: <[ClipRecord]>::ref_from_bytes(section(Tag::CLIPS)?).ok()?,
-            text_starts: <[U32]>::ref_from_bytes(section(Tag::TEXT_STARTS)?).ok()?,
-            segment_count: (section(Tag::STARTS)?.len() / size_of::<U32>()).checked_sub(1)?,
+            records: <[ClipRecord]>::ref_from_bytes(table(Tag::CLIPS)?).ok()?,
+            text_starts: <[U32]>::ref_from_bytes(table(Tag::TEXT_STARTS)?).ok()?,
+            segment_count: (table(Tag::STARTS)?.len() / size_of::<U32>()).checked_sub(1)?,
+            frames: section(tables, Tag::FRAMES)?,
+            texts: section(tables, Tag::TEXTS)?,
             sources,
             bank,
         })
+    }
+
+    /// Whether what was recalled is of the old bank: nobody has written to it since.
+    pub(super) fn is_whole(&self) -> bool {
+        self.old.is_as_it_was()
     }
 
     pub(super) fn clip_count(&self) -> usize {
         self.bank.clip_count()
     }
 
-    /// Makes `clip` the one with this key; `None` if there is none, and `clip` is then of no use.
-    pub(super) fn clip(&self, key: &str, locales: &mut Locales, clip: &mut ClipData) -> Option<()> {
-        let found = self.bank.clip_by_key(key)?;
+    /// The slot of the clip with this key.
+    pub(super) fn slot(&self, key: &str) -> Option<u32> {
+        self.bank.clip_by_key(key).map(|clip| clip.slot())
+    }
+
+    /// What comes first in the bank comes first: frames and texts are in this order.
+    pub(super) fn place(&self, slot: u32) -> u32 {
+        self.records.get(slot as usize).map_or(0, |record| record.segments_first.get())
+    }
+
+    /// Recalls clips whose texts are to refer to these locales.
+    pub(super) fn recaller(&self, locales: &mut Locales) -> Recaller<'_, 'b> {
+        Recaller {
+            recall: self,
+            locales: self.locales.iter().map(|locale| locales.number(locale.tag(), false)).collect(),
+            frames: Window::default(),
+            sources: Window::default(),
+            texts: self.locales.iter().map(|_| Window::default()).collect(),
+            at_once: (WINDOWS_BYTES / self.locales.len().max(1)).clamp(*WINDOW_BYTES.start(), *WINDOW_BYTES.end()),
+        }
+    }
+
+    /// Where the first text of a clip starts in the locale with this number.
+    fn text_start(&self, clip: &Clip<'_, '_>, locale: usize) -> Option<u32> {
+        let start = self.entries(clip, locale)?.first()?.get();
+        (start != NO_TEXT).then_some(start)
+    }
+
+    /// The entries of a clip's texts in the locale with this number, and the one behind them.
+    fn entries(&self, clip: &Clip<'_, '_>, locale: usize) -> Option<&'b [U32]> {
+        let first = locale * self.segment_count + self.records.get(clip.slot() as usize)?.segments_first.get() as usize;
+        self.text_starts.get(first..=first + clip.segment_count() as usize)
+    }
+}
+
+impl Recaller<'_, '_> {
+    /// Makes `clip` the one in this slot; `None` if there is none, and `clip` is then of no use.
+    pub(super) fn clip(&mut self, slot: u32, clip: &mut ClipData) -> Option<()> {
+        let recall = self.recall;
+        let found = recall.bank.clip_at(slot)?;
         clip.clear();
         clip.fps = found.fps();
         clip.viseme_type = found.viseme_type();
         clip.has_visemes = found.has_visemes();
-        clip.frames.extend_from_slice(found.frames());
+        let start = recall.frames.start + recall.records.get(slot as usize)?.frames_offset_bytes.get() as usize;
+        let frames = start..start + found.frame_count() as usize;
+        clip.frames.extend_from_slice(recall.old.bytes(frames, &mut self.frames, self.at_once)?);
         clip.starts.extend(found.segments().map(|segment| segment.start_frame()));
         clip.has_events = found.has_events();
         for segment in found.segments().filter(|_| clip.has_events) {
@@ -74,41 +145,56 @@ impl<'b> Recall<'b> {
         found
             .curves()
             .for_each(|curve| clip.curves.push(curve.name().as_str(), curve.keys().map(|key| (key.frame, key.value))));
-        self.texts(&found, locales, clip);
-        if let Some(sources) = &self.sources {
-            clip.source.extend_from_slice(sources.record(found.slot())?);
+        self.texts(&found, clip)?;
+        if let Some(sources) = &recall.sources {
+            let record = recall.old.bytes(sources.record(slot)?, &mut self.sources, self.at_once)?;
+            clip.source.extend_from_slice(record);
         }
         Some(())
     }
 
     /// The clip's own texts, and those of locales that are not packed. The others came from fallback,
     /// which is resolved anew.
-    fn texts(&self, found: &Clip<'_, '_>, locales: &mut Locales, clip: &mut ClipData) {
+    fn texts(&mut self, found: &Clip<'_, '_>, clip: &mut ClipData) -> Option<()> {
+        let recall = self.recall;
         for (number, &locale) in self.locales.iter().enumerate() {
-            let Some(start) = self.text_start(found, number) else { continue };
+            let Some(start) = recall.text_start(found, number) else { continue };
             let own_start = start & !TEXT_FALLBACK;
             let is_fallback = start != own_start;
             // The texts of a clip in a locale have a start of their own, also where they are empty: what no locale has
             // as its own is of one that is not packed.
-            let is_resolved = || (0..self.locales.len()).any(|other| self.text_start(found, other) == Some(own_start));
-            if !(is_fallback && is_resolved()) {
-                let texts = found.segments().map(|segment| segment.text_bytes(locale).unwrap_or_default());
-                clip.add_texts(locales.number(locale.tag(), false), texts, is_fallback);
+            let is_resolved =
+                || (0..self.locales.len()).any(|other| recall.text_start(found, other) == Some(own_start));
+            if is_fallback && is_resolved() {
+                continue;
             }
+            let (window, at_once) = (self.texts.get_mut(number)?, self.at_once);
+            let entries = recall.entries(found, number)?;
+            let offset = |entry: &U32| (entry.get() & TEXT_OFFSET) as usize;
+            let ([first, ..], [.., last, next]) = (entries, entries) else { continue };
+            let range = |start: usize, end: usize| recall.texts.start + start..recall.texts.start + end;
+            // As the reader finds the end: by the entry behind it, or by the count before the last text.
+            let (last_start, end) = if last.get() & TEXT_HAS_LENGTH == 0 {
+                (offset(last), offset(next))
+            } else {
+                let start = offset(last) + TEXT_COUNT_BYTES;
+                let count = recall.old.bytes(range(offset(last), start), window, at_once)?;
+                (start, start + counted_length(count))
+            };
+            let first = offset(first);
+            let texts = recall.old.bytes(range(first, end), window, at_once)?;
+            let inner = entries.array_windows().map(|[entry, next]| (offset(entry), offset(next)));
+            let places = inner.take(entries.len() - 2).chain([(last_start, end)]);
+            let texts = places.map(|(start, end)| texts.get(start - first..end - first).unwrap_or_default());
+            clip.add_texts(locale, texts, is_fallback);
         }
-    }
-
-    /// Where the first text of a clip starts in the locale with this number.
-    fn text_start(&self, clip: &Clip<'_, '_>, locale: usize) -> Option<u32> {
-        let first = self.records.get(clip.slot() as usize)?.segments_first.get() as usize;
-        let start = self.text_starts.get(locale * self.segment_count + first)?.get();
-        (start != NO_TEXT).then_some(start)
+        Some(())
     }
 }
 
 impl<'b> Sources<'b> {
     /// A record ends where the next one starts.
-    fn new(index: &'b [U32], records: &'b [u8]) -> Sources<'b> {
+    fn new(index: &'b [U32], records: Range<usize>) -> Sources<'b> {
         let mut starts: Vec<(u32, usize)> = std::iter::zip(index.iter().map(|start| start.get()), 0..).collect();
         starts.sort_unstable();
         let mut ends = vec![0; index.len()];
@@ -117,12 +203,13 @@ impl<'b> Sources<'b> {
             equal.iter().for_each(|(_, slot)| ends[*slot] = end);
             end = equal[0].0;
         }
-        Sources { index, records, ends }
+        Sources { index, ends, records }
     }
 
-    /// The record of the clip in this slot.
-    fn record(&self, slot: u32) -> Option<&'b [u8]> {
+    /// Where the record of the clip in this slot is.
+    fn record(&self, slot: u32) -> Option<Range<usize>> {
         let slot = slot as usize;
-        self.records.get(self.index.get(slot)?.get() as usize..*self.ends.get(slot)? as usize)
+        let (start, end) = (self.index.get(slot)?.get() as usize, *self.ends.get(slot)? as usize);
+        Some(self.records.start + start..self.records.start + end)
     }
 }

@@ -1,7 +1,8 @@
 //! The file of a cache: what the sources of a bank looked like when it was packed.
 
 use super::file_meta::FileMeta;
-use crate::Options;
+use super::recall::checksum_of;
+use crate::{Compiled, Options};
 use bincode::config::{Configuration, Fixint, LittleEndian};
 use bincode::{Decode, Encode};
 use lipz_layout::{FORMAT_MAJOR, FORMAT_MINOR};
@@ -22,16 +23,19 @@ const HASH_BYTES: usize = 16;
 /// Numbers of fixed length: there are many, and they have no small values.
 const ENCODING: Configuration<LittleEndian, Fixint> = bincode::config::standard().with_fixed_int_encoding();
 
-/// A 128-bit hash. Files that differ have different ones, unless somebody makes them for that.
-pub(super) fn hash(bytes: &[u8]) -> u128 {
-    XxHash3_128::oneshot(bytes)
+/// A 128-bit hash, as bytes: there are many, and numbers of that length would stand further apart.
+type Hash = [u8; HASH_BYTES];
+
+/// The hash of `bytes`. Files that differ have different ones, unless somebody makes them for that.
+pub(super) fn hash(bytes: &[u8]) -> Hash {
+    XxHash3_128::oneshot(bytes).to_le_bytes()
 }
 
 /// What a source file without diagnostics was when it was packed.
 #[derive(Encode, Decode, Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Stamp {
     meta: FileMeta,
-    contents: u128,
+    contents: Hash,
     /// Whether the file was old enough when it was looked at for the same meta to prove the same
     /// contents.
     is_settled: bool,
@@ -40,7 +44,7 @@ pub(crate) struct Stamp {
 impl Stamp {
     /// The stamp of a file with these contents that looked like this before it was read, in a run that
     /// started at `start`.
-    pub(super) fn new(meta: FileMeta, contents: u128, start: SystemTime) -> Stamp {
+    pub(super) fn new(meta: FileMeta, contents: Hash, start: SystemTime) -> Stamp {
         Stamp { meta, contents, is_settled: meta.is_settled_at(start) }
     }
 
@@ -50,14 +54,14 @@ impl Stamp {
     }
 
     /// Whether the file of the stamp had these contents.
-    pub(super) fn has_contents(&self, contents: u128) -> bool {
+    pub(super) fn has_contents(&self, contents: Hash) -> bool {
         self.contents == contents
     }
 }
 
 /// The name of a file in a cache.
 #[derive(Encode, Decode, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub(crate) struct Name(u128);
+pub(crate) struct Name(Hash);
 
 impl Name {
     /// The name of the file at `path`, whose clip has this key.
@@ -70,8 +74,8 @@ impl Name {
 /// The stamps of the files of a bank.
 #[derive(Encode, Decode, PartialEq, Eq, Debug)]
 pub(super) struct Stamps {
-    maker: u128,
-    options: u128,
+    maker: Hash,
+    options: Hash,
     /// Checksum of the bank that was packed from the files.
     pub(super) bank_checksum: u64,
     /// In the order of the inputs.
@@ -79,15 +83,22 @@ pub(super) struct Stamps {
 }
 
 impl Stamps {
-    /// Stamps of the files of the bank with this checksum.
-    pub(super) fn new(options: &Options, bank_checksum: u64, files: Vec<(Name, Stamp)>) -> Stamps {
+    /// Stamps of the files of the bank with this checksum; they come with numbers, in whose order they are.
+    pub(super) fn new(options: &Options, bank_checksum: u64, files: Vec<(u32, Name, Stamp)>) -> Stamps {
+        let files = files.into_iter().map(|(_, name, stamp)| (name, stamp)).collect();
         Stamps { maker: maker(), options: hash_of(options), bank_checksum, files }
+    }
+
+    /// The stamps of the files of a run; `None` if there is no bank.
+    pub(super) fn of(compiled: &Compiled, options: &Options, files: Vec<(u32, Name, Stamp)>) -> Option<Stamps> {
+        let checksum = compiled.bank.as_deref().and_then(checksum_of)?;
+        Some(Stamps::new(options, checksum, files))
     }
 
     /// The stamps in the file of a cache; `None` if it was made by another version, or is damaged.
     pub(super) fn decode(file: &[u8]) -> Option<Stamps> {
         let (sum, encoded) = file.strip_prefix(MAGIC)?.split_first_chunk::<HASH_BYTES>()?;
-        if u128::from_le_bytes(*sum) != hash(encoded) {
+        if *sum != hash(encoded) {
             return None;
         }
         let (stamps, length): (Stamps, usize) = bincode::decode_from_slice(encoded, ENCODING).ok()?;
@@ -102,7 +113,7 @@ impl Stamps {
     /// The file of a cache.
     pub(super) fn encode(&self) -> Option<Vec<u8>> {
         let encoded = bincode::encode_to_vec(self, ENCODING).ok()?;
-        Some([MAGIC.as_slice(), &hash(&encoded).to_le_bytes(), &encoded].concat())
+        Some([MAGIC.as_slice(), &hash(&encoded), &encoded].concat())
     }
 
     /// For looking the stamps up by name.
@@ -142,12 +153,12 @@ impl<'s> Lookup<'s> {
     }
 }
 
-fn maker() -> u128 {
+fn maker() -> Hash {
     hash(format!("{MAKER:?}").as_bytes())
 }
 
 /// The options as a number: all but the number of threads, which changes no bank.
-fn hash_of(options: &Options) -> u128 {
+fn hash_of(options: &Options) -> Hash {
     hash(format!("{:?}", Options { threads: None, ..options.clone() }).as_bytes())
 }
 
@@ -157,7 +168,7 @@ mod tests {
 
     fn stamps(options: &Options) -> Stamps {
         let meta = FileMeta::new(&std::fs::metadata(env!("CARGO_MANIFEST_DIR")).unwrap()).unwrap();
-        let file = |path: &[u8]| (Name::new(path, "a"), Stamp::new(meta, hash(path), SystemTime::now()));
+        let file = |path: &[u8]| (0, Name::new(path, "a"), Stamp::new(meta, hash(path), SystemTime::now()));
         Stamps::new(options, 7, vec![file(b"x"), file(b"y"), file(b"z")])
     }
 
@@ -198,7 +209,7 @@ mod tests {
         let stamps = stamps(&Options::default());
         assert!(stamps.are_of(&Options::new().threads(3)));
         assert!(!stamps.are_of(&Options::new().strip(true)));
-        let of_another = Stamps { maker: 0, ..stamps };
+        let of_another = Stamps { maker: hash(b"another"), ..stamps };
         assert_eq!(Stamps::decode(&of_another.encode().unwrap()), None);
     }
 }

@@ -48,16 +48,36 @@ pub(crate) struct ClipData {
 }
 
 /// The display texts of a clip in one locale: one of its runs.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct ClipText {
     /// Number of the locale in [`Locales`].
     pub(crate) locale: u32,
-    /// Where the run lies among the clip's. A file, and so its texts, has less than 2²⁸ bytes.
-    place: Range<u32>,
-    /// Whether it is the text of another locale, which is not packed.
-    pub(crate) is_fallback: bool,
+    /// Where the run starts among the clip's, and where it ends, with [`IS_FALLBACK`]. There are millions of texts: 16
+    /// bytes for each will do.
+    start: u32,
+    end: u32,
     /// Hash of the texts: made while it is in the cache.
-    pub(crate) hash: u64,
+    pub(crate) hash: u32,
+}
+
+/// A bit of the end of a run. A file, and so its texts, has less than 2²⁸ bytes.
+const IS_FALLBACK: u32 = 1 << 31;
+
+impl ClipText {
+    /// Where the run lies among the clip's.
+    fn place(&self) -> Range<usize> {
+        self.start as usize..(self.end & !IS_FALLBACK) as usize
+    }
+
+    /// Whether it is the text of another locale, which is not packed.
+    pub(crate) fn is_fallback(&self) -> bool {
+        self.end & IS_FALLBACK != 0
+    }
+
+    /// The same text for another locale, which has none.
+    fn as_fallback_of(&self, locale: u32) -> ClipText {
+        ClipText { locale, end: self.end | IS_FALLBACK, ..*self }
+    }
 }
 
 impl ClipData {
@@ -99,25 +119,29 @@ impl ClipData {
 
     /// Adds what stands in `runs` from `start` on as the texts of a locale.
     fn add_run(&mut self, locale: u32, start: usize, hash: u64, is_fallback: bool) {
-        let place = start as u32..self.runs.len() as u32;
-        self.texts.push(ClipText { locale, place, is_fallback, hash });
+        let own = ClipText { locale, start: start as u32, end: self.runs.len() as u32, hash: hash as u32 };
+        self.texts.push(if is_fallback { own.as_fallback_of(locale) } else { own });
+    }
+
+    /// The run of a text: where each of its segments ends, and the segments.
+    pub(crate) fn whole_run(&self, text: &ClipText) -> &[u8] {
+        self.runs.get(text.place()).unwrap_or_default()
     }
 
     /// The display texts alone, one behind the other.
     pub(crate) fn text_of(&self, text: &ClipText) -> &[u8] {
-        let run = self.runs.get(text.place.start as usize..text.place.end as usize).unwrap_or_default();
-        run.get(size_of::<U16>() * self.starts.len()..).unwrap_or_default()
+        self.whole_run(text).get(size_of::<U16>() * self.starts.len()..).unwrap_or_default()
     }
 
     /// Bytes of the display texts alone, without the table of ends.
     pub(crate) fn text_bytes(&self, text: &ClipText) -> usize {
-        text.place.len() - size_of::<U16>() * self.starts.len()
+        text.place().len() - size_of::<U16>() * self.starts.len()
     }
 
     /// Whether a segment of a text displays nothing.
     pub(crate) fn is_blank(&self, text: &ClipText, segment: usize) -> bool {
         let end = |number: usize| {
-            let at = text.place.start as usize + size_of::<U16>() * number;
+            let at = text.place().start + size_of::<U16>() * number;
             self.runs.get(at..at + size_of::<U16>())
         };
         end(segment) == segment.checked_sub(1).map_or(Some(&[0, 0][..]), end)

@@ -27,14 +27,14 @@ impl ClipData {
         let mut missing_count = 0;
         for tag in packed {
             if let Some(index) = own_of(tag) {
-                self.texts.push(own[index].clone());
+                self.texts.push(own[index]);
                 continue;
             }
             let nearest = borrowed.get(&missing_count).copied();
             missing_count += 1;
             if let Some(index) = nearest.filter(|&index| !packed.contains(&tags[index])) {
                 let locale = locales.number(tag, false);
-                self.texts.push(ClipText { locale, is_fallback: true, ..own[index].clone() });
+                self.texts.push(own[index].as_fallback_of(locale));
             }
         }
         // The packed locales are in the order of their tags, and so are these texts.

@@ -99,13 +99,13 @@ impl Clips {
 
     /// The clips in the order in which they were added, as the first batch.
     pub(crate) fn iter(&self) -> impl Iterator<Item = Clip<'_>> {
-        (0..self.heads.len()).map(|index| Clip { clips: self, batch: 0, index })
+        (0..self.heads.len() as u32).map(|index| Clip { clips: self, batch: 0, index })
     }
 
     /// The clips of all `batches` in the order of their keys.
     pub(crate) fn by_key(batches: &[Clips]) -> Vec<Clip<'_>> {
         let mut clips: Vec<Clip<'_>> = Vec::with_capacity(batches.iter().map(|clips| clips.heads.len()).sum());
-        for (batch, of_batch) in batches.iter().enumerate() {
+        for (batch, of_batch) in (0..).zip(batches) {
             clips.extend(of_batch.iter().map(|clip| Clip { batch, ..clip }));
         }
         // Sources come sorted by path: the stable sort takes little more than a look.
@@ -146,28 +146,28 @@ fn cut<T>(items: &mut Vec<T>, length: usize) {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Clip<'c> {
     clips: &'c Clips,
-    batch: usize,
-    index: usize,
+    batch: u32,
+    index: u32,
 }
 
 impl<'c> Clip<'c> {
     /// Where a part of the clip lies among those of all.
     fn range(&self, end: impl Fn(&Ends) -> usize) -> Range<usize> {
-        let start = self.index.checked_sub(1).map_or(0, |before| end(&self.clips.heads[before].ends));
+        let start = self.index.checked_sub(1).map_or(0, |before| end(&self.clips.heads[before as usize].ends));
         start..end(&self.head().ends)
     }
 
     fn head(&self) -> &'c Head {
-        &self.clips.heads[self.index]
+        &self.clips.heads[self.index as usize]
     }
 
     /// Number of the batch, and of the clip in it.
     pub(crate) fn place(&self) -> (usize, usize) {
-        (self.batch, self.index)
+        (self.batch as usize, self.index as usize)
     }
 
     pub(crate) fn key(&self) -> &'c str {
-        self.clips.keys.get(self.index)
+        self.clips.keys.get(self.index as usize)
     }
 
     pub(crate) fn fps(&self) -> Option<Fps> {
@@ -209,7 +209,7 @@ impl<'c> Clip<'c> {
     /// Both, as they stand in the buffer.
     pub(crate) fn whole_run(&self, text: &ClipText) -> &'c [u8] {
         let start = self.range(|ends| ends.runs).start;
-        &self.clips.runs[start + text.place.start as usize..start + text.place.end as usize]
+        &self.clips.runs[start + text.place().start..start + text.place().end]
     }
 
     /// The event strings of all segments, if the file has an `events` element.

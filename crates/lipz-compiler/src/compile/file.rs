@@ -33,14 +33,14 @@ pub(super) struct Batch {
 }
 
 impl Worker {
-    /// Recalls the clip of file number `index` from the cache, or reads, parses and checks it.
-    pub(super) fn file(&mut self, index: usize, input: &Input, options: &Options, cache: Option<&Cache<'_>>) {
+    /// Finds the clip of file number `index` in the old bank, or reads, parses and checks the file.
+    pub(super) fn file(&mut self, index: usize, input: &Input, options: &Options, cache: Option<&Cache<'_, '_>>) {
         let batch = &mut self.batch;
         let seen = cache.and_then(|cache| cache.file(input, batch.next_stamp.get_or_insert(index)));
         if let Some(seen) = &seen
-            && let Some(stamp) = seen.unread()
-            && batch.recall(seen, stamp)
+            && let Some((stamp, slot)) = seen.unread()
         {
+            batch.found(index, seen, stamp, slot);
             batch.stamped.unread += 1;
             self.phases.recall += self.stopwatch.time();
             return;
@@ -55,9 +55,8 @@ impl Worker {
         };
         self.phases.read += self.stopwatch.time();
         let stamped = seen.map(|seen| (seen.read(bytes), seen));
-        if let Some(((stamp, true), seen)) = &stamped
-            && batch.recall(seen, *stamp)
-        {
+        if let Some(((stamp, Some(slot)), seen)) = &stamped {
+            batch.found(index, seen, *stamp, *slot);
             self.phases.recall += self.stopwatch.time();
             return;
         }
@@ -78,7 +77,7 @@ impl Worker {
         }
         self.phases.check += self.stopwatch.time();
         if is_made && diagnostics.is_empty() {
-            batch.stamped.files.extend(stamped.map(|((stamp, _), seen)| (seen.name(), stamp)));
+            batch.stamped.files.extend(stamped.map(|((stamp, _), seen)| (index as u32, seen.name(), stamp)));
         }
         if !diagnostics.is_empty() {
             diagnostics.sort_by_key(Diagnostic::start);
@@ -88,15 +87,10 @@ impl Worker {
 }
 
 impl Batch {
-    /// Adds the clip of an unchanged file from the old bank; false if that does not have it.
-    fn recall(&mut self, seen: &CachedFile<'_>, stamp: Stamp) -> bool {
-        let is_recalled = seen.recall(&mut self.clips.locales, &mut self.clip);
-        if is_recalled {
-            self.clips.push(seen.key(), &self.clip);
-            self.stamped.files.push((seen.name(), stamp));
-            self.stamped.recalled += 1;
-        }
-        is_recalled
+    /// Remembers that the clip of input number `index` is in this slot of the old bank.
+    fn found(&mut self, index: usize, seen: &CachedFile<'_>, stamp: Stamp, slot: u32) {
+        self.stamped.files.push((index as u32, seen.name(), stamp));
+        self.stamped.recalled.push((index as u32, slot));
     }
 }
 

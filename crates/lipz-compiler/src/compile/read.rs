@@ -24,6 +24,9 @@ impl FileReader {
         let limit = lipz_file::MAX_FILE_BYTES as u64;
         self.bytes.clear();
         let read = self.open(path).and_then(|mut file| {
+            if at_once(&file, &mut self.bytes)? {
+                return Ok(true);
+            }
             file.by_ref().take(SMALL_FILE).read_to_end(&mut self.bytes)?;
             let is_read = (self.bytes.len() as u64) < SMALL_FILE;
             if is_read || file.metadata()?.len() > limit {
@@ -57,5 +60,73 @@ impl FileReader {
         let Some((_, folder)) = &self.folder else { return File::open(path) };
         let open = || openat(folder, name, OFlags::RDONLY | OFlags::CLOEXEC, Mode::empty());
         Ok(rustix::io::retry_on_intr(open)?.into())
+    }
+}
+
+/// Bytes that file systems read at a time: an error ends what is read before it at a multiple of this.
+#[cfg(unix)]
+const PAGE_BYTES: usize = 1 << 12;
+
+/// Reads a small file with one call; false, and nothing, if that does not show its end.
+///
+/// Usually another call finds that there is nothing more, and takes as long. It is not needed where a file ends in the
+/// middle of a page. A pipe, which gives what it has, cannot be read from a place, and gives nothing here.
+#[cfg(unix)]
+fn at_once(file: &File, bytes: &mut Vec<u8>) -> io::Result<bool> {
+    use rustix::buffer::spare_capacity;
+    use rustix::io::{Errno, pread, retry_on_intr};
+    bytes.reserve(SMALL_FILE as usize);
+    match retry_on_intr(|| pread(file, spare_capacity(bytes), 0)) {
+        Ok(length) if length % PAGE_BYTES != 0 && length < SMALL_FILE as usize => Ok(true),
+        Ok(_) | Err(Errno::SPIPE) => {
+            bytes.clear();
+            Ok(false)
+        }
+        Err(error) => Err(error.into()),
+    }
+}
+
+#[cfg(not(unix))]
+fn at_once(_file: &File, _bytes: &mut Vec<u8>) -> io::Result<bool> {
+    Ok(false)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fs;
+
+    #[test]
+    fn files_of_all_lengths_are_read_to_their_end() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a");
+        let mut reader = FileReader::default();
+        let pages = [4095, 4096, 4097, 8192, 65_535, 65_536, 65_537, 200_000];
+        for length in [0, 1, 2, 700].into_iter().chain(pages) {
+            let bytes: Vec<u8> = (0..length).map(|at| (at % 251) as u8).collect();
+            fs::write(&path, &bytes).unwrap();
+            assert!(reader.read(&path).unwrap() == bytes, "{length} bytes");
+        }
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn pipes_are_read_to_their_end_however_they_are_filled() {
+        use std::io::Write;
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("pipe");
+        rustix::fs::mknodat(rustix::fs::CWD, &path, rustix::fs::FileType::Fifo, 0o600.into(), 0).unwrap();
+        let writer = {
+            let path = path.clone();
+            std::thread::spawn(move || {
+                let mut pipe = File::options().write(true).open(path).unwrap();
+                for part in ["{", "\"text_en-us\"", ":\"Aye.\"}"] {
+                    pipe.write_all(part.as_bytes()).unwrap();
+                    std::thread::sleep(std::time::Duration::from_millis(20));
+                }
+            })
+        };
+        assert_eq!(FileReader::default().read(&path).unwrap(), b"{\"text_en-us\":\"Aye.\"}");
+        writer.join().unwrap();
     }
 }

@@ -25,9 +25,14 @@ pub(crate) struct Run {
 }
 
 impl Run {
-    /// Reads, parses and checks `inputs`, or recalls their clips from a cache. Each thread makes one batch of
+    /// Reads, parses and checks `inputs`, or finds that their clips are in the old bank. Each thread makes one batch of
     /// clips: more of them, and smaller ones, would leave more memory with the allocator.
-    pub(crate) fn read(inputs: &[Input], options: &Options, cache: Option<&Cache<'_>>, progress: &Progress<'_>) -> Run {
+    pub(crate) fn read(
+        inputs: &[Input],
+        options: &Options,
+        cache: Option<&Cache<'_, '_>>,
+        progress: &Progress<'_>,
+    ) -> Run {
         let start = Instant::now();
         let mut run = Run::default();
         key::check(inputs, &mut run.reports);
@@ -40,10 +45,11 @@ impl Run {
             loop {
                 let first = next.fetch_add(FILES_AT_ONCE, Ordering::Relaxed);
                 let Some(behind) = inputs.get(first..).filter(|behind| !behind.is_empty()) else { return worker };
-                for (index, input) in (first..).zip(behind).take(FILES_AT_ONCE) {
+                let files = behind.len().min(FILES_AT_ONCE);
+                for (index, input) in (first..).zip(behind).take(files) {
                     worker.file(index, input, options, cache);
-                    progress(1);
                 }
+                progress(files as u64);
             }
         });
         for worker in workers {
@@ -55,8 +61,17 @@ impl Run {
             run.phases.parse += worker.phases.parse;
             run.phases.check += worker.phases.check;
         }
+        run.stamped.sort();
         run.phases.files = start.elapsed();
         run
+    }
+
+    /// Adds clips of the old bank, and the time that it took to recall them.
+    #[cfg(feature = "cache")]
+    pub(crate) fn add(&mut self, recalled: Vec<Clips>, time: std::time::Duration) {
+        self.clips.extend(recalled);
+        self.phases.recall += time;
+        self.phases.files += time;
     }
 
     pub(crate) fn has_errors(&self) -> bool {
@@ -121,7 +136,7 @@ impl Run {
     /// Ends the run with this bank.
     pub(crate) fn finish(mut self, bank: Option<Vec<u8>>) -> Compiled {
         lipz_diagnostics::reports::sort(&mut self.reports);
-        let recalled = self.stamped.recalled;
+        let recalled = self.stamped.recalled.len();
         Compiled { bank, reports: self.reports, recalled, phases: self.phases, ..Compiled::default() }
     }
 }

@@ -5,7 +5,7 @@ mod curves;
 mod events;
 mod fill;
 mod index;
-mod numbering;
+pub(crate) mod numbering;
 mod recordings;
 mod records;
 mod strings;
@@ -50,13 +50,12 @@ pub(crate) struct Layout {
 impl Layout {
     /// Lays out the bank of `clips`, which are in the order of their keys.
     pub(crate) fn new(clips: &[Clip<'_>], localised: &Localised, options: &Options) -> Result<Layout, Report> {
-        let numbering = Numbering::new(clips);
+        let numbering = Numbering::new(clips.iter().map(|clip| (clip.events().is_some(), clip.starts().len() as u32)));
         let index_of_ids = || unique_ids(clips).map(|ids| (index::build(&ids), ids));
-        let small_parts = || (events::events(clips), strings::names(clips, localised));
-        let ((index, (events, names)), (texts, sources)) = parallel::join(
-            || parallel::join(index_of_ids, small_parts),
-            || parallel::join(|| texts::texts(clips, localised, &numbering), || strings::own_sources(clips)),
-        );
+        let small_parts = || (events::events(clips), strings::names(clips, localised), strings::own_sources(clips));
+        let (index, (events, names, sources)) = parallel::join(index_of_ids, small_parts);
+        // Locale by locale on all threads, after the others: each takes memory that is given back at its end.
+        let texts = texts::texts(clips, localised, &numbering);
         let (index, ids) = index?;
         let (slots, (events, event_names), names) = (&index.slots, events?, names?);
         Ok(Layout {
@@ -154,7 +153,7 @@ pub(crate) fn fit(number: usize, what: &str) -> Result<u32, Report> {
     u32::try_from(number).map_err(|_| too_large(what))
 }
 
-fn too_large(what: &str) -> Report {
+pub(crate) fn too_large(what: &str) -> Report {
     Report::failure(
         "",
         Code::BankTooLarge,

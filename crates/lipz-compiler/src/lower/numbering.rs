@@ -1,34 +1,50 @@
 //! The numbers of the segments of all clips.
 
-use crate::clip::Clip;
 use std::ops::Range;
 
 /// Clips in the order in which their segments are numbered: those with events first, then the others, both in the
 /// order of their keys.
-pub(super) struct Numbering {
+pub(crate) struct Numbering {
     /// Indices of the clips.
-    pub(super) order: Vec<usize>,
-    /// For each clip the number of its first segment.
-    firsts: Vec<usize>,
+    order: Vec<u32>,
+    /// For each clip the number of its first segment, and how many it has.
+    segments: Vec<(usize, u32)>,
     /// Segments of all clips.
     pub(super) segment_count: usize,
 }
 
 impl Numbering {
-    pub(super) fn new(clips: &[Clip<'_>]) -> Numbering {
-        let (with_events, others): (Vec<_>, Vec<_>) = (0..clips.len()).partition(|&at| clips[at].events().is_some());
-        let order = [with_events, others].concat();
-        let (mut firsts, mut segment_count) = (vec![0; clips.len()], 0);
+    /// Numbers the segments of clips in the order of their keys, given by whether they have events and by how many
+    /// segments they have.
+    pub(crate) fn new(clips: impl Iterator<Item = (bool, u32)> + Clone) -> Numbering {
+        let of = |have_events: bool| {
+            let places = (0..).zip(clips.clone()).filter(move |(_, (has_events, _))| *has_events == have_events);
+            places.map(|(at, _)| at)
+        };
+        let order: Vec<u32> = of(true).chain(of(false)).collect();
+        let mut segments: Vec<(usize, u32)> = clips.map(|(_, count)| (0, count)).collect();
+        let mut segment_count = 0;
         for &at in &order {
-            firsts[at] = segment_count;
-            segment_count += clips[at].starts().len();
+            let (first, count) = &mut segments[at as usize];
+            *first = segment_count;
+            segment_count += *count as usize;
         }
-        Numbering { order, firsts, segment_count }
+        Numbering { order, segments, segment_count }
+    }
+
+    /// The indices of the clips.
+    pub(super) fn order(&self) -> impl ExactSizeIterator<Item = usize> {
+        self.order.iter().map(|&at| at as usize)
+    }
+
+    /// The index of the clip at a place in the order.
+    pub(super) fn clip(&self, place: usize) -> usize {
+        self.order[place] as usize
     }
 
     /// The numbers of the segments of the clip with this index.
-    pub(super) fn segments(&self, clips: &[Clip<'_>], at: usize) -> Range<usize> {
-        let first = self.firsts[at];
-        first..first + clips[at].starts().len()
+    pub(crate) fn segments(&self, at: usize) -> Range<usize> {
+        let (first, count) = self.segments[at];
+        first..first + count as usize
     }
 }

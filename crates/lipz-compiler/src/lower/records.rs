@@ -39,7 +39,7 @@ pub(super) fn clips(
     let mut rates = Rates { records: Vec::new(), numbers: HashMap::new() };
     let mut starts = Vec::with_capacity(numbering.segment_count + 1);
     let mut frames_offset = 0;
-    for &at in &numbering.order {
+    for at in numbering.order() {
         let (clip, key) = (&clips[at], names.keys[at]);
         let frames_start = fit(frames_offset, "frames")?;
         keys[slots[at] as usize] = KeyRecord {
@@ -51,7 +51,7 @@ pub(super) fn clips(
         records[slots[at] as usize] = ClipRecord {
             frames_offset_bytes: frames_start.into(),
             frame_count: fit(clip.frames().len(), "frames")?.into(),
-            segments_first: fit(numbering.segments(clips, at).start, "segments")?.into(),
+            segments_first: fit(numbering.segments(at).start, "segments")?.into(),
             rate: clip.fps().map_or(Ok(NO_RATE), |fps| rates.number(fps))?.into(),
             viseme_type: clip.viseme_type().map_or(0, |viseme_type: VisemeType| viseme_type as u8),
             flags: if clip.has_visemes() { FLAG_VISEMES } else { 0 },

@@ -3,7 +3,6 @@
 use super::numbering::Numbering;
 use super::too_large;
 use crate::clip::{Clip, ClipText};
-use crate::hashed::Hashed;
 use crate::localise::{Choice, Localised};
 use crate::parallel;
 use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order of entries is never used
@@ -30,20 +29,20 @@ pub(super) fn texts(clips: &[Clip<'_>], localised: &Localised, numbering: &Numbe
     let columns = zip(&localised.locales, &shown_elsewhere);
     let parts = zip(zip(starts.chunks_mut(table_length), &mut lengths), columns);
     parallel::for_each(parts.collect(), |((table, length), (column, is_shown_elsewhere))| {
-        let run = |at: usize| match column.texts[at] {
+        let run = |at: usize| match column.text(at) {
             Choice::Own(index) => {
                 Some(Run::new(&clips[at], &clips[at].texts()[index as usize], is_shown_elsewhere[at]))
             }
             _ => None,
         };
-        *length = own_texts(clips, numbering, run, table);
+        *length = lay_out(numbering, run, table);
     });
     let pool_length = pool_length(&lengths)?;
     let bases = lengths.iter().scan(0, |end, length| Some(std::mem::replace(end, *end + *length as u32)));
     parallel::for_each(zip(starts.chunks_mut(table_length), bases).collect(), |(table, base): (&mut [U32], u32)| {
         table.iter_mut().filter(|start| start.get() != NO_TEXT).for_each(|start| *start += base);
     });
-    fall_back(clips, localised, numbering, &mut starts);
+    fall_back(localised, numbering, &mut starts);
     starts[count * segment_count] = pool_length.into();
     Ok(Texts { starts, lengths })
 }
@@ -52,8 +51,8 @@ pub(super) fn texts(clips: &[Clip<'_>], localised: &Localised, numbering: &Numbe
 fn shown_elsewhere(clips: &[Clip<'_>], localised: &Localised) -> Vec<Vec<bool>> {
     let mut shown = vec![vec![false; clips.len()]; localised.locales.len()];
     for column in &localised.locales {
-        for (at, choice) in column.texts.iter().enumerate() {
-            if let Choice::Fallback(other) = *choice {
+        for (at, choice) in column.texts().enumerate() {
+            if let Choice::Fallback(other) = choice {
                 shown[other as usize][at] = true;
             }
         }
@@ -62,27 +61,16 @@ fn shown_elsewhere(clips: &[Clip<'_>], localised: &Localised) -> Vec<Vec<bool>> 
 }
 
 /// Gives a clip without texts in a locale those of the locale that it falls back to.
-fn fall_back(clips: &[Clip<'_>], localised: &Localised, numbering: &Numbering, starts: &mut [U32]) {
+fn fall_back(localised: &Localised, numbering: &Numbering, starts: &mut [U32]) {
     for (locale, column) in localised.locales.iter().enumerate() {
-        for (at, choice) in column.texts.iter().enumerate() {
-            let Choice::Fallback(other) = *choice else { continue };
-            for number in numbering.segments(clips, at) {
+        for (at, choice) in column.texts().enumerate() {
+            let Choice::Fallback(other) = choice else { continue };
+            for number in numbering.segments(at) {
                 let start = starts[other as usize * numbering.segment_count + number];
                 starts[locale * numbering.segment_count + number] = start | TEXT_FALLBACK;
             }
         }
     }
-}
-
-/// Places the texts that clips have in a locale; returns their length.
-fn own_texts<'c>(
-    clips: &[Clip<'c>],
-    numbering: &Numbering,
-    run: impl Fn(usize) -> Option<Run<'c>>,
-    starts: &mut [U32],
-) -> usize {
-    let runs: Vec<_> = numbering.order.iter().map(|&at| (clips[at].starts().len(), run(at))).collect();
-    lay_out(&runs, starts)
 }
 
 /// The length of a pool of these parts, if the offsets in it fit their bits.
@@ -91,29 +79,30 @@ fn pool_length(lengths: &[usize]) -> Result<u32, Report> {
     if length > u64::from(TEXT_OFFSET) { Err(too_large("texts")) } else { Ok(length as u32) }
 }
 
-/// Text starts and pool of clips with texts in one locale. `is_shown_elsewhere` tells whether another locale shows those
-/// of a clip, too.
-pub(crate) fn pool_of(
-    clips: &[Clip<'_>],
-    is_shown_elsewhere: impl Fn(usize) -> bool,
+/// Text starts and pool of one locale, whose texts `run` gives.
+pub(crate) fn pool_of<'c>(
+    numbering: &Numbering,
+    run: impl Fn(usize) -> Option<Run<'c>>,
 ) -> Result<(Vec<U32>, Vec<u8>), Report> {
-    let numbering = Numbering::new(clips);
     let mut starts = vec![U32::new(NO_TEXT); numbering.segment_count];
-    let run = |at: usize| clips[at].texts().first().map(|text| Run::new(&clips[at], text, is_shown_elsewhere(at)));
-    let length = pool_length(&[own_texts(clips, &numbering, run, &mut starts)])?;
+    let length = pool_length(&[lay_out(numbering, &run, &mut starts)])?;
     let mut pool = vec![0; length as usize];
-    for (at, clip) in clips.iter().enumerate() {
-        let own = &starts[numbering.segments(clips, at)];
-        clip.texts().iter().for_each(|text| copy(clip.run(text).1, own, 0, &mut pool));
+    for at in numbering.order() {
+        let own = &starts[numbering.segments(at)];
+        if let Some(run) = run(at) {
+            copy(run.texts(own.len()), own, 0, &mut pool);
+        }
     }
     starts.push(length.into());
     Ok((starts, pool))
 }
 
 /// The texts of a clip in one locale, to be placed.
-struct Run<'c> {
+pub(crate) struct Run<'c> {
     /// Where each text ends, modulo 2¹⁶, and the texts.
-    whole: Hashed<'c>,
+    whole: &'c [u8],
+    /// Hash of the texts.
+    hash: u32,
     is_fallback: bool,
     /// Whether the last text is counted, whatever follows it.
     is_counted: bool,
@@ -122,12 +111,20 @@ struct Run<'c> {
 impl<'c> Run<'c> {
     /// The run of a clip's text, which another locale shows, too, or does not.
     fn new(clip: &Clip<'c>, text: &ClipText, is_shown_elsewhere: bool) -> Run<'c> {
-        let (_, texts) = clip.run(text);
-        Run {
-            whole: Hashed { hash: text.hash, bytes: clip.whole_run(text) },
-            is_fallback: text.is_fallback,
-            is_counted: is_shown_elsewhere || texts.is_empty(), // so that every run has a start of its own
-        }
+        Run::of(text, clip.whole_run(text), clip.starts().len(), is_shown_elsewhere)
+    }
+
+    /// The text with this `whole` run, of a clip of so many segments.
+    pub(crate) fn of(text: &ClipText, whole: &'c [u8], segments: usize, is_shown_elsewhere: bool) -> Run<'c> {
+        let is_empty = whole.len() == segments * size_of::<U16>();
+        // So that every run has a start of its own.
+        let is_counted = is_shown_elsewhere || is_empty;
+        Run { whole, hash: text.hash, is_fallback: text.is_fallback(), is_counted }
+    }
+
+    /// The texts of so many segments, one behind the other.
+    fn texts(&self, segments: usize) -> &'c [u8] {
+        self.whole.get(segments * size_of::<U16>()..).unwrap_or_default()
     }
 
     /// The entry of a text that starts at this offset.
@@ -137,7 +134,7 @@ impl<'c> Run<'c> {
 
     /// Makes the entries of texts that stand behind those so far; returns where they end.
     fn put_entries(&self, start: usize, is_counted: bool, entries: &mut [U32]) -> usize {
-        let (ends, _) = <[U16]>::ref_from_prefix_with_elems(self.whole.bytes, entries.len()).unwrap_or_default();
+        let (ends, _) = <[U16]>::ref_from_prefix_with_elems(self.whole, entries.len()).unwrap_or_default();
         let mut end = start;
         for (entry, low) in zip(&mut *entries, ends) {
             *entry = self.entry(end as u32); // too much is found by the length
@@ -161,46 +158,54 @@ enum Place {
     /// They stand behind those so far.
     Next { is_counted: bool },
     /// The clip with this place in the order has the same.
-    As(usize),
+    As(u32),
 }
 
-/// Places texts of one locale: those of clips, one behind the other, each with the number of its segments. Those of
-/// clips that have the same stand once. Puts their starts into `starts`, as if the pool began with them, and returns
-/// their length.
-fn lay_out(clips: &[(usize, Option<Run<'_>>)], starts: &mut [U32]) -> usize {
-    let places = places(clips);
-    let mut firsts: Vec<usize> = Vec::with_capacity(clips.len());
-    let (mut first, mut length) = (0, 0);
-    for (at, (count, run)) in clips.iter().enumerate() {
-        let behind = first + count;
-        match (places[at], run) {
+/// Places the texts that clips have in one locale, given by `run`: one behind the other, in the order of the segments'
+/// numbers. Those of clips that have the same stand once. Puts their starts into `starts`, as if the pool began with
+/// them, and returns their length.
+fn lay_out<'c>(numbering: &Numbering, run: impl Fn(usize) -> Option<Run<'c>>, starts: &mut [U32]) -> usize {
+    let places = places(numbering, &run);
+    let segments = |place: usize| numbering.segments(numbering.clip(place));
+    let mut length = 0;
+    for (at, clip) in numbering.order().enumerate() {
+        match (places[at], run(clip)) {
             (Place::As(same), Some(run)) => {
-                for (number, same) in (first..behind).zip(firsts[same]..) {
+                for (number, same) in zip(segments(at), segments(same as usize)) {
                     starts[number] = run.entry(starts[same].get() & !TEXT_FALLBACK);
                 }
             }
             (Place::Next { is_counted }, Some(run)) => {
                 let is_followed = matches!(places.get(at + 1), Some(Place::Next { .. }));
-                length = run.put_entries(length, is_counted || !is_followed, &mut starts[first..behind]);
+                length = run.put_entries(length, is_counted || !is_followed, &mut starts[segments(at)]);
             }
             _ => {}
         }
-        firsts.push(first);
-        first = behind;
     }
     length
 }
 
-fn places(clips: &[(usize, Option<Run<'_>>)]) -> Vec<Place> {
-    let mut known = HashMap::with_capacity(clips.len());
-    let mut places: Vec<Place> = Vec::with_capacity(clips.len());
-    for (at, (_, run)) in clips.iter().enumerate() {
-        let place = match run {
-            // Ends are part of what is compared: other segments are other texts.
-            Some(run) => match *known.entry(&run.whole).or_insert(at) {
-                first if first == at => Place::Next { is_counted: run.is_counted },
+/// What becomes of the texts of each clip, clips in their order. Their runs are made as they are asked for: all at once,
+/// those of all locales would take as much memory as the texts.
+fn places<'c>(numbering: &Numbering, run: impl Fn(usize) -> Option<Run<'c>>) -> Vec<Place> {
+    // The first place with a hash; and behind each, the next one that has its hash, but other texts.
+    let mut firsts: HashMap<u32, u32> = HashMap::with_capacity(numbering.order().len());
+    let mut others: HashMap<u32, u32> = HashMap::new();
+    let mut same = |at: u32, own: &Run<'c>| {
+        let mut first = *firsts.entry(own.hash).or_insert(at);
+        // Ends are part of what is compared: other segments are other texts.
+        while first != at && run(numbering.clip(first as usize)).is_none_or(|run| run.whole != own.whole) {
+            first = *others.entry(first).or_insert(at);
+        }
+        first
+    };
+    let mut places: Vec<Place> = Vec::with_capacity(numbering.order().len());
+    for (at, clip) in (0..).zip(numbering.order()) {
+        let place = match run(clip) {
+            Some(own) => match same(at, &own) {
+                first if first == at => Place::Next { is_counted: own.is_counted },
                 first => {
-                    places[first] = Place::Next { is_counted: true };
+                    places[first as usize] = Place::Next { is_counted: true };
                     Place::As(first)
                 }
             },
@@ -242,7 +247,10 @@ mod tests {
             }
             store.push("", &clip);
         }
-        let (mut starts, pool) = pool_of(&store.iter().collect::<Vec<_>>(), |at| at == 1).ok().unwrap();
+        let clips: Vec<_> = store.iter().collect();
+        let numbering = Numbering::new(clips.iter().map(|clip| (false, clip.starts().len() as u32)));
+        let run = |at: usize| clips[at].texts().first().map(|text| Run::new(&clips[at], text, at == 1));
+        let (mut starts, pool) = pool_of(&numbering, run).ok().unwrap();
         assert_eq!(starts.pop().map(|end| end.get() as usize), Some(pool.len()));
         (starts.iter().map(|start| start.get()).collect(), pool)
     }
@@ -261,5 +269,16 @@ mod tests {
         assert_eq!(same, (vec![0, 1 | C, 5 | C, 0, 1 | C, 9 | C], pool.into()), "other segments are other texts");
         let empty = placed(&[&["", ""], &["x"], &[""]]);
         assert_eq!(empty, (vec![0, C, 3 | C, 7 | C], b"\0\0\0\0\0\x01x\0\0\0".into()));
+    }
+
+    #[test]
+    fn texts_with_one_hash_are_told_apart() {
+        let wholes: [&[u8]; 6] = [b"\x01\0a", b"\x01\0b", b"\x01\0c", b"\x01\0b", b"\x01\0c", b"\x01\0a"];
+        let run = |at: usize| Some(Run { whole: wholes[at], hash: 7, is_fallback: false, is_counted: false });
+        let numbering = Numbering::new(wholes.iter().map(|_| (false, 1)));
+        let (starts, pool) = pool_of(&numbering, run).ok().unwrap();
+        let offsets: Vec<u32> = starts.iter().map(|start| start.get() & TEXT_OFFSET).collect();
+        assert_eq!(pool, b"\0\0\x01a\0\0\x01b\0\0\x01c");
+        assert_eq!(offsets, [0, 4, 8, 4, 8, 0, 12]);
     }
 }

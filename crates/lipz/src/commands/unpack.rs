@@ -2,6 +2,7 @@
 
 use crate::Ended;
 use crate::commands::Run;
+use crate::interrupt::Files;
 use crate::reporter::Reporter;
 use crate::shared::bank_file::BankFile;
 use crate::shared::text_banks::{TextBanks, TextFiles};
@@ -57,7 +58,8 @@ impl Run for Unpack {
             interrupt::point();
         };
         let whole = BankWithTexts::new(&bank, &texts);
-        let unpacked = interrupt::whole(|| unpack(whole, &self.output, self.force, &progress));
+        let files = Files::new();
+        let unpacked = interrupt::whole(|| unpack(whole, &self.output, self.force, files.waiting(), &progress));
         bar.finish_and_clear();
         match unpacked {
             Ok(unpacked) => {

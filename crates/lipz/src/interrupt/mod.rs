@@ -48,6 +48,11 @@ impl Files {
         whole(|| self.0.rewrite(path, before, after))
     }
 
+    /// What waits, for a [`whole`] run that writes all of its files.
+    pub(crate) fn waiting(&self) -> &Replacements {
+        &self.0
+    }
+
     /// As [`Replacements::finish`].
     pub(crate) fn finish(&self) -> Vec<Report> {
         whole(|| self.0.finish())

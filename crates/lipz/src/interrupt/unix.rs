@@ -1,9 +1,11 @@
 //! Requests to end, as Unix sends them: signals.
 
 use libc::c_int;
-use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
+use signal_hook::flag;
 use signal_hook::iterator::Signals;
-use std::sync::mpsc;
+use std::sync::atomic::AtomicBool;
+use std::sync::{Arc, mpsc};
 use std::{mem, ptr, thread};
 
 /// Ctrl-C, `kill`, and a terminal that was closed.
@@ -14,6 +16,8 @@ const REQUESTS: [c_int; 3] = [SIGINT, SIGTERM, SIGHUP];
 /// Signals that it ignores stay ignored, each by itself: `nohup` takes SIGHUP away, and shells take SIGINT from what
 /// scripts start in the background. Both still end by SIGTERM.
 pub(super) fn on_request(end: impl FnOnce() + Send + 'static) {
+    // A file that may not grow any more is an error of the write, and the end of that alone.
+    let _ = flag::register(SIGXFSZ, Arc::<AtomicBool>::default());
     let (listening, heard) = mpsc::channel();
     let heeded = REQUESTS.into_iter().filter(|signal| !is_ignored(*signal));
     let heeded: Vec<c_int> = heeded.collect();

@@ -76,7 +76,7 @@ pub(crate) fn bank_or_sources(
 pub(crate) fn packed(settings: &Settings, quiet: bool, reporter: &mut Reporter) -> Result<BankFile, Abort> {
     let sources: Vec<_> = settings.sources.iter().map(|path| console::path(path)).collect();
     #[allow(clippy::redundant_closure_for_method_calls, reason = "the method is of one lifetime only")]
-    let mut run = with_inputs(settings, quiet, |compiler, inputs| compiler.compile(inputs));
+    let mut run = with_inputs(settings, None, quiet, |compiler, inputs| compiler.compile(inputs));
     let outcome = run.outcome();
     match run.compiled.bank.take() {
         Some(bank) if outcome == Outcome::Clean => {

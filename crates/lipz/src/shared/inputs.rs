@@ -6,19 +6,21 @@ use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiled, Compiler, Input};
 use lipz_diagnostics::reports::count;
 use lipz_diagnostics::{Code, Report, Severity};
+use lipz_sync::KnownRecordings;
 use std::time::{Duration, Instant};
 
 /// Finds the inputs of a project and hands them to `work`, with a progress bar; if some cannot be found,
-/// they are only checked. What discovery found is added to the reports; a run without inputs has none of
+/// they are only checked. Recordings that are `known` are not read again. What discovery found is added to the reports; a run without inputs has none of
 /// its own.
 pub(crate) fn with_inputs(
     settings: &Settings,
+    known: Option<&mut KnownRecordings>,
     quiet: bool,
     work: impl FnOnce(&Compiler<'_>, &[Input]) -> Compiled,
 ) -> Worked {
     let start = Instant::now();
     let (inputs, mut reports) = find(settings);
-    let (recordings, unread) = lipz_sync::in_bank(settings, &inputs);
+    let (recordings, unread) = known.unwrap_or(&mut KnownRecordings::default()).in_bank(settings, &inputs);
     reports.extend(unread);
     let discover = start.elapsed();
     let bar = console::progress_bar(inputs.len(), quiet);

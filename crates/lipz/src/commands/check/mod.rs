@@ -70,7 +70,7 @@ impl Run for Check {
             (true, false) => fix_all(settings, quiet, Rewriting::InPlace),
             (true, true) => fix_all(settings, quiet, Rewriting::Diff),
         };
-        let mut run = with_inputs(settings, quiet, |compiler, inputs| compiler.check(&fixing.instead_of(inputs)));
+        let mut run = with_inputs(settings, None, quiet, |compiler, inputs| compiler.check(&fixing.instead_of(inputs)));
         run.reports.extend(with_recordings(settings, &fixing.instead_of(&run.inputs), quiet));
         lipz_diagnostics::reports::sort(&mut run.reports);
         let unwritten = !fixing.unwritten.is_empty();

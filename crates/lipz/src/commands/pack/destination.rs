@@ -5,6 +5,7 @@ use crate::reporter::Reporter;
 use crate::shared::stdio;
 use crate::{console, interrupt};
 use lipz_compiler::{Compiled, Compiler, Delivered, Input, Memory, OutputFile, Outputs, Replace};
+use lipz_diagnostics::Report;
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
 
@@ -86,11 +87,14 @@ const STANDARD_OUTPUT: &str = "standard output";
 /// Replaces a file that goes with a bank, which is written by then. Reports why that is not possible.
 pub(super) fn write(path: &Path, bytes: &[u8], replace: Replace, reporter: &mut Reporter) -> Result<(), Abort> {
     let written = interrupt::whole(|| OutputFile::write(path, bytes, replace));
-    written.map(drop).map_err(|mut report| {
-        let note = "the bank itself is written";
-        report.diagnostics.iter_mut().for_each(|diagnostic| diagnostic.notes.push(note.to_owned()));
-        reporter.fail(report)
-    })
+    written.map(drop).map_err(|report| without(report, reporter))
+}
+
+/// Reports why the bank, which is written by then, has to do without a file that goes with it.
+pub(super) fn without(mut report: Report, reporter: &mut Reporter) -> Abort {
+    let note = "the bank itself is written";
+    report.diagnostics.iter_mut().for_each(|diagnostic| diagnostic.notes.push(note.to_owned()));
+    reporter.fail(report)
 }
 
 /// A line for each file.

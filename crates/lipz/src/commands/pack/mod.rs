@@ -3,7 +3,7 @@
 mod destination;
 mod plan;
 
-pub(crate) use plan::{Packed, Plan};
+pub(crate) use plan::{Packed, Plan, Remembered};
 
 use crate::Abort;
 use crate::Ended;

@@ -9,6 +9,7 @@ use crate::shared::inputs::with_inputs;
 use crate::shared::settings_file::Project;
 use crate::shared::{output_file, stdio};
 use lipz_compiler::{Compiled, Delivered, Input, Memory, Phases, Replace, dependencies, depfile};
+use lipz_sync::KnownRecordings;
 use std::mem;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -19,6 +20,13 @@ pub(crate) struct Plan {
     pub(crate) output: PathBuf,
     destination: Destination,
     depfile: Option<PathBuf>,
+}
+
+/// What one of many runs leaves to the next, which reads only what changed.
+#[derive(Default)]
+pub(crate) struct Remembered {
+    clips: Memory,
+    recordings: KnownRecordings,
 }
 
 /// What a run made.
@@ -87,13 +95,14 @@ impl Plan {
     /// other bytes only.
     pub(crate) fn run(
         &self,
-        mut memory: Option<&mut Memory>,
+        memory: Option<&mut Remembered>,
         quiet: bool,
         reporter: &mut Reporter,
     ) -> Result<Packed, Abort> {
         let settings = &self.project.settings;
         let replace = if memory.is_some() { Replace::IfDifferent } else { Replace::Always };
-        let mut run = with_inputs(settings, quiet, |compiler, inputs| match &mut memory {
+        let (mut memory, known) = memory.map(|before| (&mut before.clips, &mut before.recordings)).unzip();
+        let mut run = with_inputs(settings, known, quiet, |compiler, inputs| match &mut memory {
             Some(memory) => self.destination.make_again(memory, compiler, inputs),
             None => self.destination.make(compiler, inputs),
         });
@@ -126,7 +135,8 @@ impl Plan {
         dependencies.sort_unstable();
         dependencies.dedup();
         dependencies.extend(self.project.file.clone());
-        destination::write(path, &depfile(&self.output, &dependencies), replace, reporter)
+        let bytes = depfile(&self.output, &dependencies).map_err(|report| destination::without(report, reporter))?;
+        destination::write(path, &bytes, replace, reporter)
     }
 }
 

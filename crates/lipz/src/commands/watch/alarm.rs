@@ -6,6 +6,7 @@ use lipz_diagnostics::{Code, Report};
 use notify::{ErrorKind, Event, EventKind, RecommendedWatcher, Watcher, recommended_watcher};
 use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, Sender, channel};
+use std::thread;
 use std::time::{Duration, Instant};
 
 /// How long there must be no event: editors write a file in several steps.
@@ -53,6 +54,10 @@ impl Alarm {
     pub(super) fn set(&mut self, scope: &Scope) -> Result<(), Report> {
         if self.poll.is_some() {
             return Ok(());
+        }
+        // The watcher takes a thread, and hears nothing without one.
+        if let Err(error) = thread::Builder::new().spawn(|| ()) {
+            return Err(cannot_watch(&error.into()));
         }
         self.unwatched.clear();
         let bell = self.bell.clone();

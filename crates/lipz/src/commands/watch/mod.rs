@@ -3,7 +3,7 @@
 mod alarm;
 mod scope;
 
-use super::pack::{Pack, Plan};
+use super::pack::{Pack, Plan, Remembered};
 use crate::Abort;
 use crate::Ended;
 use crate::commands::Run;
@@ -12,7 +12,6 @@ use crate::{Outcome, console};
 use alarm::{Alarm, Change};
 use clap::Args;
 use jiff::Zoned;
-use lipz_compiler::Memory;
 use scope::Scope;
 use std::convert::Infallible;
 use std::time::{Duration, Instant};
@@ -63,10 +62,10 @@ fn watch(arguments: &Watch, reporter: &mut Reporter) -> Result<Infallible, Abort
     // Before anything is read, so that no change is missed.
     alarm.set(&scope).map_err(|report| reporter.fail(report))?;
     let mut told = String::new();
-    let mut memory = Memory::default();
+    let mut memory = Remembered::default();
     loop {
         if !arguments.pack.may_remember() {
-            memory = Memory::default();
+            memory = Remembered::default();
         }
         if arguments.clear {
             console::clear();
@@ -113,7 +112,7 @@ impl Watch {
     fn pack_once(
         &self,
         plan: Result<Plan, Abort>,
-        memory: &mut Memory,
+        memory: &mut Remembered,
         start: Instant,
         reporter: &mut Reporter,
     ) -> Outcome {

@@ -1,0 +1,165 @@
+//! The bank of the run before: in memory, or as a file of which memory holds only the tables.
+
+use super::file_meta::FileMeta;
+use super::recall::checksum_of;
+use lipz_layout::{CHECKED_FROM, DirectoryEntry, Header, MAX_SECTIONS, Tag, checksum};
+use std::fs::File;
+use std::hash::Hasher;
+use std::io::{self, Read, Seek, SeekFrom};
+use std::ops::Range;
+use std::path::Path;
+use std::sync::{Arc, Mutex, PoisonError};
+use twox_hash::XxHash64;
+use zerocopy::FromBytes;
+
+/// The sections that are most of a bank, and of which a clip is recalled piece by piece.
+const LARGE: [Tag; 3] = [Tag::FRAMES, Tag::TEXTS, Tag::SOURCES];
+
+/// Bytes that are read at a time.
+const BLOCK_BYTES: usize = 1 << 16;
+
+/// The bank of the run before this one, and no other. A clone shares it.
+#[derive(Clone)]
+pub(super) enum OldBank {
+    Whole(Arc<Vec<u8>>),
+    File(Arc<BankFile>),
+}
+
+/// A bank in a file.
+pub(super) struct BankFile {
+    file: Mutex<File>,
+    /// As long as the file. Only the small sections are in it; of the others, whose pages are never touched, the
+    /// system has nothing in memory.
+    tables: Vec<u8>,
+    /// What the file looked like before it was read.
+    meta: FileMeta,
+}
+
+/// A stretch of the file that was read last: what is asked for next mostly is in it, too.
+#[derive(Default)]
+pub(super) struct Window {
+    start: usize,
+    bytes: Vec<u8>,
+}
+
+impl OldBank {
+    /// The bank with this checksum in the file at `path`; `None` if that is something else.
+    pub(super) fn open(path: &Path, expected_checksum: u64) -> Option<OldBank> {
+        BankFile::open(path, expected_checksum).ok().flatten().map(|file| OldBank::File(file.into()))
+    }
+
+    /// The bank, of which only the small sections are sure to be there.
+    pub(super) fn tables(&self) -> &[u8] {
+        match self {
+            OldBank::Whole(bytes) => bytes,
+            OldBank::File(file) => &file.tables,
+        }
+    }
+
+    /// The bytes in this range, `window` being where those before it were. It gets so many bytes at a time.
+    pub(super) fn bytes<'w>(&'w self, range: Range<usize>, window: &'w mut Window, at_once: usize) -> Option<&'w [u8]> {
+        let file = match self {
+            OldBank::Whole(bytes) => return bytes.get(range),
+            OldBank::File(file) => file,
+        };
+        if range.start < window.start || range.end > window.start + window.bytes.len() {
+            let length = at_once.max(range.len()).min(file.tables.len().checked_sub(range.start)?);
+            window.start = range.start;
+            window.bytes.resize(length, 0);
+            file.read_exact(range.start, &mut window.bytes).ok()?;
+        }
+        window.bytes.get(range.start - window.start..range.end.checked_sub(window.start)?)
+    }
+
+    /// Whether nobody has written to the file since it was opened: what was read since then is of the bank.
+    pub(super) fn is_as_it_was(&self) -> bool {
+        match self {
+            OldBank::Whole(_) => true,
+            OldBank::File(bank) => {
+                let file = bank.file.lock().unwrap_or_else(PoisonError::into_inner);
+                file.metadata().ok().as_ref().and_then(FileMeta::new) == Some(bank.meta)
+            }
+        }
+    }
+
+    /// All of the bank; `None` if it is no longer what it was.
+    pub(super) fn into_whole(self) -> Option<Vec<u8>> {
+        match self {
+            OldBank::Whole(bytes) => Some(Arc::unwrap_or_clone(bytes)),
+            OldBank::File(file) => {
+                let expected_checksum = checksum_of(&file.tables)?;
+                let mut bytes = match Arc::try_unwrap(file) {
+                    Ok(BankFile { file, mut tables, .. }) => {
+                        let mut file = file.into_inner().unwrap_or_else(PoisonError::into_inner);
+                        file.seek(SeekFrom::Start(0)).and_then(|_| file.read_exact(&mut tables)).ok()?;
+                        tables
+                    }
+                    Err(shared) => {
+                        let mut bytes = vec![0; shared.tables.len()];
+                        shared.read_exact(0, &mut bytes).ok()?;
+                        bytes
+                    }
+                };
+                bytes.shrink_to_fit();
+                (checksum(bytes.get(CHECKED_FROM..)?) == expected_checksum).then_some(bytes)
+            }
+        }
+    }
+}
+
+impl BankFile {
+    fn open(path: &Path, expected_checksum: u64) -> io::Result<Option<BankFile>> {
+        let mut file = File::open(path)?;
+        let metadata = file.metadata()?;
+        let length = u32::try_from(metadata.len()).map_or(0, |length| length as usize);
+        let (true, Some(meta)) = (metadata.is_file() && length > size_of::<Header>(), FileMeta::new(&metadata)) else {
+            return Ok(None);
+        };
+        let mut block = vec![0; BLOCK_BYTES];
+        let mut tables = vec![0; length];
+        // The directory and more: so many sections a bank has at most.
+        let head = (size_of::<Header>() + MAX_SECTIONS * size_of::<DirectoryEntry>()).min(length);
+        file.read_exact(&mut tables[..head])?;
+        if checksum_of(&tables) != Some(expected_checksum) {
+            return Ok(None);
+        }
+        let large: Vec<Range<usize>> = LARGE.into_iter().filter_map(|tag| section(&tables, tag)).collect();
+        let mut hasher = XxHash64::with_seed(0);
+        hasher.write(&tables[CHECKED_FROM..head]);
+        let mut start = head;
+        while start < length {
+            let end = (start + BLOCK_BYTES).min(length);
+            let read = &mut block[..end - start];
+            file.read_exact(read)?;
+            hasher.write(read);
+            if !large.iter().any(|section| section.start <= start && end <= section.end) {
+                tables[start..end].copy_from_slice(read);
+            }
+            start = end;
+        }
+        // What stands behind the bytes, as `docs/FORMAT.md` has it.
+        let mut rest = vec![1];
+        rest.resize((length - CHECKED_FROM + 1).next_multiple_of(STRIPE) - (length - CHECKED_FROM), 0);
+        hasher.write(&rest);
+        Ok((hasher.finish() == expected_checksum).then_some(BankFile { file: file.into(), tables, meta }))
+    }
+
+    fn read_exact(&self, offset: usize, bytes: &mut [u8]) -> io::Result<()> {
+        let mut file = self.file.lock().unwrap_or_else(PoisonError::into_inner);
+        file.seek(SeekFrom::Start(offset as u64))?;
+        file.read_exact(bytes)
+    }
+}
+
+/// Bytes that the checksum takes at a time.
+const STRIPE: usize = 32;
+
+/// Where a section of a bank is.
+pub(super) fn section(bank: &[u8], tag: Tag) -> Option<Range<usize>> {
+    let (header, rest) = Header::ref_from_prefix(bank).ok()?;
+    let count = (header.section_count.get() as usize).min(MAX_SECTIONS);
+    let (directory, _) = <[DirectoryEntry]>::ref_from_prefix_with_elems(rest, count).ok()?;
+    let entry = directory.iter().find(|entry| entry.tag == tag.0)?;
+    let start = entry.offset_bytes.get() as usize;
+    Some(start..start.checked_add(entry.length_bytes.get() as usize)?)
+}

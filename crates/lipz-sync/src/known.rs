@@ -1,0 +1,171 @@
+//! What is known of recordings from one run to the next, so that only those that changed are read again.
+
+use crate::{Facts, Recordings, threads};
+use lipz_bank::Recording;
+use lipz_compiler::Input;
+use lipz_compiler::settings::Settings;
+use lipz_diagnostics::Report;
+use std::collections::{BTreeMap, HashMap};
+use std::fs::Metadata;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, SystemTime};
+
+/// Some file systems tell times to two seconds: a file that changed so shortly before it was looked at may change once
+/// more and look the same.
+const COARSEST_TICK: Duration = Duration::from_secs(2);
+
+/// The recordings of a project as they were read, for programs that pack again and again. Recordings are long, and
+/// most of them stay as they are.
+#[derive(Clone, Debug, Default)]
+pub struct KnownRecordings {
+    files: HashMap<PathBuf, Known>,
+    read_count: usize,
+}
+
+/// A recording that was read.
+#[derive(Clone, Copy, Debug)]
+struct Known {
+    look: Look,
+    /// Whether the file was old enough then for every later change to show.
+    is_settled: bool,
+    facts: Facts,
+}
+
+/// What the file system tells of a file without reading it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+struct Look {
+    length_bytes: u64,
+    modified: SystemTime,
+    /// When anything about the file changed last, which programs cannot set, and the number of the file.
+    #[cfg(unix)]
+    changed: (i64, i64, u64),
+}
+
+impl KnownRecordings {
+    /// Does what [`in_bank`](crate::in_bank()) does, and reads only recordings that changed since the last call.
+    pub fn in_bank(&mut self, settings: &Settings, inputs: &[Input]) -> (BTreeMap<String, Recording>, Vec<Report>) {
+        if !settings.audio.in_bank {
+            self.files.clear();
+            self.read_count = 0;
+            return Default::default();
+        }
+        let (recordings, mut reports) = Recordings::discover(settings);
+        let found: Vec<_> =
+            inputs.iter().filter_map(|input| Some((&input.key, recordings.find(&input.key)?))).collect();
+        let looked_at = threads::map(&found, settings.options.threads, |(_, path)| self.look_at(path));
+        let (mut in_bank, mut files) = (BTreeMap::new(), HashMap::with_capacity(found.len()));
+        self.read_count = 0;
+        for ((key, path), looked_at) in found.into_iter().zip(looked_at) {
+            match looked_at {
+                Ok((facts, known, is_read)) => {
+                    in_bank.insert(key.clone(), facts.into());
+                    files.extend(known.map(|known| (path.to_owned(), known)));
+                    self.read_count += usize::from(is_read);
+                }
+                Err(report) => reports.push(report),
+            }
+        }
+        self.files = files;
+        (in_bank, reports)
+    }
+
+    /// How many recordings the last call has read.
+    pub fn read_count(&self) -> usize {
+        self.read_count
+    }
+
+    /// The facts of a recording, what to know of it, and whether it was read.
+    fn look_at(&self, path: &Path) -> Result<(Facts, Option<Known>, bool), Report> {
+        let now = SystemTime::now();
+        let look = path.metadata().ok().as_ref().and_then(Look::new);
+        if let (Some(look), Some(known)) = (look, self.files.get(path))
+            && known.is_settled
+            && known.look == look
+        {
+            return Ok((known.facts, Some(*known), false));
+        }
+        let facts = Facts::read(path)?;
+        let known = look.map(|look| Known { look, is_settled: look.is_settled_at(now), facts });
+        Ok((facts, known, true))
+    }
+}
+
+impl Look {
+    fn new(metadata: &Metadata) -> Option<Look> {
+        #[cfg(unix)]
+        use std::os::unix::fs::MetadataExt;
+        Some(Look {
+            length_bytes: metadata.len(),
+            modified: metadata.modified().ok()?,
+            #[cfg(unix)]
+            changed: (metadata.ctime(), metadata.ctime_nsec(), metadata.ino()),
+        })
+    }
+
+    /// Whether a change from `now` on gives the file another look.
+    fn is_settled_at(&self, now: SystemTime) -> bool {
+        #[cfg(unix)]
+        let changed = {
+            let (seconds, nanoseconds, _) = self.changed;
+            let time = |seconds, nanoseconds| Some(Duration::new(u64::try_from(seconds).ok()?, nanoseconds));
+            let since = u32::try_from(nanoseconds).ok().and_then(|nanoseconds| time(seconds, nanoseconds));
+            since.and_then(|since| SystemTime::UNIX_EPOCH.checked_add(since))
+        };
+        #[cfg(not(unix))]
+        let changed = Some(self.modified);
+        changed.and_then(|changed| now.duration_since(changed).ok()).is_some_and(|age| age > COARSEST_TICK)
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use std::fs;
+
+    fn wav(path: &Path, samples: u32) {
+        let spec = hound::WavSpec {
+            channels: 1,
+            sample_rate: 8000,
+            bits_per_sample: 16,
+            sample_format: hound::SampleFormat::Int,
+        };
+        let mut writer = hound::WavWriter::create(path, spec).unwrap();
+        (0..samples).for_each(|_| writer.write_sample(0_i16).unwrap());
+        writer.finalize().unwrap();
+    }
+
+    #[test]
+    fn only_recordings_that_changed_are_read_again() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        let mut settings = Settings::default();
+        settings.audio.folder = Some(folder.path().into());
+        settings.audio.in_bank = true;
+        let inputs = ["a", "b", "c"].map(|key| Input::from_bytes(key, "{}"));
+        for name in ["a.wav", "b.wav"] {
+            wav(&path(name), 800);
+        }
+        let mut known = KnownRecordings::default();
+        let mut run = |settings: &Settings| {
+            let (recordings, reports) = known.in_bank(settings, &inputs);
+            assert_eq!(
+                (reports, &recordings),
+                (vec![], &crate::in_bank(settings, &inputs).0),
+                "as if it were all read"
+            );
+            (recordings.len(), known.read_count())
+        };
+        assert_eq!(run(&settings), (2, 2));
+        assert_eq!(run(&settings), (2, 2), "a file that was just written may change unseen");
+        std::thread::sleep(COARSEST_TICK + Duration::from_millis(100));
+        assert_eq!([run(&settings), run(&settings)], [(2, 2), (2, 0)]);
+        wav(&path("b.wav"), 1600);
+        wav(&path("c.wav"), 80);
+        assert_eq!(run(&settings), (3, 2));
+        fs::remove_file(path("a.wav")).unwrap();
+        assert_eq!(run(&settings), (2, 2));
+        settings.audio.in_bank = false;
+        assert_eq!(run(&settings), (0, 0));
+    }
+}

@@ -1,0 +1,255 @@
+//! What happens where the system gives less than usual: no threads, no room, no rights, no /proc. Each answer is a
+//! diagnostic with a code and a path, never a panic, and no file is lost or left half-written.
+#![cfg(all(target_os = "linux", target_env = "gnu"))]
+#![allow(clippy::unwrap_used, reason = "tests")]
+#![allow(unsafe_code, reason = "limits are set between fork and exec")]
+
+mod support;
+
+use std::fs;
+use std::os::unix::fs::PermissionsExt;
+use std::os::unix::process::CommandExt;
+use std::path::Path;
+use std::process::Command;
+use support::{Outcome, Scene, tree};
+
+/// Somebody who owns nothing: limits and rights do not hold for root.
+const NOBODY: u32 = 65534;
+
+/// The command in the folder of a scene, as somebody who is not root.
+fn as_nobody(scene: &Scene, arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lipz"));
+    command.args(arguments).current_dir(scene.path()).env("NO_COLOR", "1").env_remove("CLICOLOR_FORCE");
+    // SAFETY: the function takes nothing and only returns a number.
+    if unsafe { libc::geteuid() } == 0 {
+        command.uid(NOBODY).gid(NOBODY);
+    }
+    command
+}
+
+/// Sets a limit of the command.
+fn limit(command: &mut Command, resource: libc::__rlimit_resource_t, most: u64) -> &mut Command {
+    let limit = libc::rlimit { rlim_cur: most, rlim_max: most };
+    // SAFETY: nothing is done but a system call with a struct of numbers.
+    unsafe {
+        command.pre_exec(move || match libc::setrlimit(resource, &raw const limit) {
+            0 => Ok(()),
+            _ => Err(std::io::Error::last_os_error()),
+        })
+    }
+}
+
+fn run(command: &mut Command) -> Outcome {
+    Outcome::from(command.output().unwrap())
+}
+
+/// Gives everybody all rights to what is in the scene, so that each test takes away its own.
+fn open_to_all(scene: &Scene) {
+    fs::set_permissions(scene.path(), fs::Permissions::from_mode(0o777)).unwrap();
+    for name in tree(scene.path()) {
+        fs::set_permissions(scene.path().join(name), fs::Permissions::from_mode(0o777)).unwrap();
+    }
+}
+
+const CLIP: &str =
+    r#"{"visemes":"MAEO-","viseme_type":"blair","fps":24,"text_en-us":"Mayor!","events":"otto feels sad"}"#;
+
+fn scene() -> Scene {
+    let scene = Scene::new();
+    for name in ["act1/mayor", "act1/otto", "act2/mara"] {
+        scene.write(&format!("voices/{name}.lipz"), CLIP);
+    }
+    scene.write("mouth.tsv", "0.00\tX\n0.25\tD\n0.50\tX\n1.75\tX\n");
+    scene.prepare(&["pack", "voices", "-o", "old.lipzbank", "--quiet"]);
+    open_to_all(&scene);
+    scene
+}
+
+#[test]
+fn without_threads_every_command_does_its_work() {
+    let scene = scene();
+    let commands: &[&[&str]] = &[
+        &["check", "voices"],
+        &["check", "voices", "--fix", "--threads", "4"],
+        &["pack", "voices", "-o", "new.lipzbank"],
+        &["pack", "voices", "-o", "cached.lipzbank", "--cache", "c.cache", "--threads", "8"],
+        &["pack", "voices", "-o", "split.lipzbank", "--split-locales"],
+        &["unpack", "old.lipzbank", "-o", "unpacked"],
+        &["fmt", "voices"],
+        &["convert", "voices", "--viseme-type", "toonboom", "--in-place"],
+        &["import", "rhubarb-tsv", "mouth.tsv", "-o", "imported"],
+        &["verify", "old.lipzbank"],
+        &["stats", "old.lipzbank"],
+        &["diff", "old.lipzbank", "new.lipzbank"],
+        &["coverage", "voices"],
+        &["inspect", "old.lipzbank"],
+    ];
+    for arguments in commands {
+        let outcome = run(limit(&mut as_nobody(&scene, arguments), libc::RLIMIT_NPROC, 1));
+        assert_eq!(outcome.code, 0, "{arguments:?}: {}{}", outcome.stdout, outcome.stderr);
+    }
+    let bank = |name: &str| fs::read(scene.path().join(name)).unwrap();
+    assert!(bank("new.lipzbank") == bank("old.lipzbank") && bank("cached.lipzbank") == bank("old.lipzbank"));
+    // Only a thread hears of changes; without a word, nothing would ever be packed again.
+    let watch = ["watch", "voices", "-o", "watched.lipzbank"];
+    let outcome = run(limit(&mut as_nobody(&scene, &watch), libc::RLIMIT_NPROC, 1));
+    assert_eq!(outcome.code, 2, "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("error[LZ1605]: files cannot be watched: "), "{}", outcome.stderr);
+}
+
+#[test]
+fn files_that_may_not_grow_are_an_error_and_the_old_ones_stay() {
+    let scene = Scene::new();
+    let long = |text: &str| format!(r#"{{"text_en-us":"{}"}}"#, text.repeat(10_000));
+    scene.write("voices/long.lipz", long("Aye. "));
+    scene.prepare(&["pack", "voices", "-o", "old.lipzbank", "--quiet"]);
+    scene.write("voices/long.lipz", long("Nay. "));
+    open_to_all(&scene);
+    let (before, files) = (fs::read(scene.path().join("old.lipzbank")).unwrap(), tree(scene.path()));
+    let commands: &[(&[&str], &str)] = &[
+        (&["pack", "voices", "-o", "old.lipzbank"], "old.lipzbank"),
+        (&["pack", "voices", "-o", "new.lipzbank", "--split-locales"], "new.en-us.lipztexts"),
+        (&["unpack", "old.lipzbank", "-o", "unpacked"], "unpacked/long.lipz"),
+        (&["fmt", "voices"], "voices/long.lipz"),
+    ];
+    for (arguments, path) in commands {
+        let outcome = run(limit(&mut as_nobody(&scene, arguments), libc::RLIMIT_FSIZE, 20_000));
+        assert_eq!(outcome.code, 2, "{arguments:?}: {}", outcome.stderr);
+        let message = format!("error[LZ0904]: `{path}` cannot be written: ");
+        assert!(outcome.stderr.starts_with(&message), "{arguments:?}: {}", outcome.stderr);
+        assert!(outcome.stderr.contains("how long a file may be"), "{arguments:?}: {}", outcome.stderr);
+    }
+    assert!(fs::read(scene.path().join("old.lipzbank")).unwrap() == before);
+    assert_eq!(fs::read_to_string(scene.path().join("voices/long.lipz")).unwrap(), long("Nay. "));
+    let left: Vec<String> = tree(scene.path()).into_iter().filter(|name| !files.contains(name)).collect();
+    assert_eq!(left, ["unpacked"], "no temporary file");
+}
+
+#[test]
+fn what_may_not_be_read_is_named() {
+    let scene = scene();
+    let forbid = |name: &str| fs::set_permissions(scene.path().join(name), fs::Permissions::from_mode(0o000)).unwrap();
+    forbid("voices/act1");
+    forbid("voices/act2/mara.lipz");
+    let over_sources: &[&[&str]] = &[
+        &["check", "voices"],
+        &["check", "voices", "--fix"],
+        &["pack", "voices", "-o", "new.lipzbank"],
+        &["pack", "voices", "-o", "new.lipzbank", "--cache", "c.cache"],
+        &["fmt", "voices"],
+        &["convert", "voices", "--viseme-type", "toonboom", "--in-place"],
+        &["coverage", "voices"],
+        &["stats", "voices"],
+        &["ids", "voices", "--lang", "c"],
+    ];
+    for arguments in over_sources {
+        let outcome = run(&mut as_nobody(&scene, arguments));
+        assert!([1, 2].contains(&outcome.code), "{arguments:?}: {} {}", outcome.code, outcome.stderr);
+        for part in ["error[LZ0001]", "voices/act1", "voices/act2/mara.lipz", "ermission denied"] {
+            assert!(outcome.stderr.contains(part), "{arguments:?}: no {part} in\n{}", outcome.stderr);
+        }
+    }
+    for name in ["old.lipzbank", "mouth.tsv"] {
+        forbid(name);
+    }
+    let over_files: &[(&[&str], &str)] = &[
+        (&["unpack", "old.lipzbank", "-o", "out"], "old.lipzbank"),
+        (&["verify", "old.lipzbank"], "old.lipzbank"),
+        (&["inspect", "old.lipzbank"], "old.lipzbank"),
+        (&["diff", "old.lipzbank", "old.lipzbank"], "old.lipzbank"),
+        (&["import", "rhubarb-tsv", "mouth.tsv", "-o", "out"], "mouth.tsv"),
+    ];
+    for (arguments, path) in over_files {
+        let outcome = run(&mut as_nobody(&scene, arguments));
+        assert!([1, 2].contains(&outcome.code), "{arguments:?}: {} {}", outcome.code, outcome.stderr);
+        for part in ["error[LZ", path, "ermission denied"] {
+            assert!(outcome.stderr.contains(part), "{arguments:?}: no {part} in\n{}", outcome.stderr);
+        }
+    }
+    assert!(!scene.path().join("out").exists() && !scene.path().join("new.lipzbank").exists());
+}
+
+#[test]
+fn what_may_not_be_written_is_named_and_stays() {
+    let scene = scene();
+    scene.write("closed/here", "");
+    // Files may be read, and none may be made or replaced.
+    for name in ["closed", "voices", "voices/act1", "voices/act2"] {
+        fs::set_permissions(scene.path().join(name), fs::Permissions::from_mode(0o555)).unwrap();
+    }
+    let before = tree(scene.path());
+    let commands: &[(&[&str], &str)] = &[
+        (&["pack", "voices", "-o", "closed/b.lipzbank"], "closed/b.lipzbank"),
+        (&["pack", "voices", "-o", "closed/new/b.lipzbank"], "closed/new/b.lipzbank"),
+        (&["pack", "voices", "-o", "closed/b.lipzbank", "--cache", "closed/c.cache"], "closed/b.lipzbank"),
+        (&["pack", "voices", "-o", "closed/b.lipzbank", "--split-locales"], "closed/b.en-us.lipztexts"),
+        (&["unpack", "old.lipzbank", "-o", "closed"], "closed/act1/mayor.lipz"),
+        (&["unpack", "old.lipzbank", "-o", "closed/new"], "closed/new"),
+        (&["fmt", "voices"], "voices/act1/mayor.lipz"),
+        (&["convert", "voices", "--viseme-type", "toonboom", "--in-place"], "voices/act1/mayor.lipz"),
+        (&["import", "rhubarb-tsv", "mouth.tsv", "-o", "closed"], "closed/mouth.lipz"),
+        (&["subtitles", "export", "srt", "voices", "-o", "closed"], "closed"),
+    ];
+    for (arguments, path) in commands {
+        let outcome = run(&mut as_nobody(&scene, arguments));
+        assert_eq!(outcome.code, 2, "{arguments:?}: {}", outcome.stderr);
+        for part in ["error[LZ0904]", path, "ermission denied", "= help: "] {
+            assert!(outcome.stderr.contains(part), "{arguments:?}: no {part} in\n{}", outcome.stderr);
+        }
+    }
+    assert_eq!(tree(scene.path()), before);
+    assert_eq!(fs::read_to_string(scene.path().join("voices/act1/mayor.lipz")).unwrap(), CLIP);
+}
+
+/// Runs a shell script where `mount` works, as root in containers that allow it; `None` if it does not.
+fn where_mounts_work(folder: &Path, script: &str, arguments: &[&str]) -> Option<Outcome> {
+    let unshared = |script: &str| {
+        let mut command = Command::new("unshare");
+        command.args(["--mount", "sh", "-c", script, env!("CARGO_BIN_EXE_lipz")]).args(arguments);
+        command.current_dir(folder).env("NO_COLOR", "1").env_remove("CLICOLOR_FORCE");
+        command.output().ok()
+    };
+    if unshared("mount -t tmpfs none /proc").is_none_or(|output| !output.status.success()) {
+        eprintln!("skipped: nothing can be mounted here");
+        return None;
+    }
+    unshared(script).map(Outcome::from)
+}
+
+#[test]
+fn unpacking_needs_no_proc() {
+    let scene = scene();
+    let script = r#"mount -t tmpfs none /proc && exec "$0" "$@""#;
+    let Some(outcome) = where_mounts_work(scene.path(), script, &["unpack", "old.lipzbank", "-o", "out"]) else {
+        return;
+    };
+    assert_eq!((outcome.code, outcome.stderr.as_str()), (0, ""));
+    assert_eq!(tree(&scene.path().join("out")).iter().filter(|name| name.ends_with(".lipz")).count(), 3);
+}
+
+#[test]
+fn a_full_disk_is_an_error_and_the_old_files_stay() {
+    let scene = scene();
+    scene.write("full/keep", "");
+    // 40 KB of files where 64 KB fit; what is written then is listed, and whether the sources are whole.
+    let script = r#"mount -t tmpfs -o size=64k none full && cp -r voices old.lipzbank full && head -c 100000 /dev/zero > full/filler 2>/dev/null
+        cp old.lipzbank before; "$0" "$@"; code=$?
+        cmp full/old.lipzbank before && diff -r voices full/voices && find full -name '.*' ; exit $code"#;
+    let commands: &[&[&str]] = &[
+        &["pack", "voices", "-o", "full/old.lipzbank"],
+        &["pack", "voices", "-o", "full/new/b.lipzbank", "--split-locales"],
+        &["unpack", "old.lipzbank", "-o", "full/out"],
+        &["fmt", "full/voices"],
+        &["convert", "full/voices", "--viseme-type", "toonboom", "--in-place"],
+        &["import", "rhubarb-tsv", "mouth.tsv", "-o", "full/imported"],
+    ];
+    for arguments in commands {
+        let arguments = [*arguments, &["--quiet"]].concat();
+        let Some(outcome) = where_mounts_work(scene.path(), script, &arguments) else { return };
+        assert_eq!(outcome.code, 2, "{arguments:?}: {}{}", outcome.stdout, outcome.stderr);
+        for part in ["error[LZ0904]", "full/", "No space left on device", "make room"] {
+            assert!(outcome.stderr.contains(part), "{arguments:?}: no {part} in\n{}", outcome.stderr);
+        }
+        assert_eq!(outcome.stdout, "", "{arguments:?}: what is not whole, and temporary files");
+    }
+}

@@ -1,0 +1,83 @@
+//! The most memory that packing takes, in units of the bank: docs/PERFORMANCE.md states it. Measured is what the system
+//! counts for the process; the program itself, and what does not grow with the clips, is taken off.
+#![cfg(target_os = "linux")]
+#![allow(clippy::unwrap_used, reason = "tests")]
+#![allow(unsafe_code, reason = "the standard library does not tell what a child took")]
+
+mod support;
+
+use std::fmt::Write;
+use std::fs;
+use std::process::{Command, Stdio};
+use support::Scene;
+
+/// Clips of the large project.
+const CLIPS: usize = 12_000;
+/// Clips of a scene.
+const SCENE: usize = 200;
+
+/// A clip of the size of real ones: 160 frames in two segments, and texts in five languages. `number` makes it unlike
+/// all others.
+fn clip(number: usize) -> String {
+    let mut seed = number as u64 + 1;
+    let mut next = || {
+        seed = seed.wrapping_mul(0x5851_F42D_4C95_7F2D).wrapping_add(0x1405_7B7E_F767_814F);
+        (seed >> 33) as usize
+    };
+    let mouth: String = (0..160).map(|_| ["-", "A", "E", "L", "O", "M", "F", "S"][next() % 8]).collect();
+    let (first, second) = mouth.split_at(70);
+    let mut clip = format!("{{\"fps\":24,\"viseme_type\":\"blair\",\"visemes\":\"{first}|{second}\"");
+    for tag in ["de-de", "en-us", "fr-fr", "ja-jp", "ru-ru"] {
+        let mut words = || (0..5).map(|_| format!("wo{:05}", next() % 100_000)).collect::<Vec<_>>().join(" ");
+        let _ = write!(clip, ",\"text_{tag}\":\"{}|{}\"", words(), words());
+    }
+    if number.is_multiple_of(3) {
+        clip.push_str(",\"events\":\"otto feels sad|\"");
+    }
+    clip + "}"
+}
+
+/// The most bytes that `lipz` had in memory.
+#[allow(clippy::zombie_processes, reason = "it is waited for by a call that also tells what it took")]
+fn peak_bytes(scene: &Scene, arguments: &[&str]) -> u64 {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lipz"));
+    command.args(arguments).args(["--no-config", "--quiet", "--threads", "2"]).current_dir(scene.path());
+    let child = command.stdin(Stdio::null()).spawn().unwrap();
+    let pid = libc::pid_t::try_from(child.id()).unwrap();
+    // SAFETY: the structs are plain numbers, for which zeros will do, and are written by the call.
+    let (status, usage) = unsafe {
+        let (mut status, mut usage) = (0, std::mem::zeroed::<libc::rusage>());
+        assert_eq!(libc::wait4(pid, &raw mut status, 0, &raw mut usage), pid);
+        (status, usage)
+    };
+    assert_eq!(status, 0, "{arguments:?}");
+    u64::try_from(usage.ru_maxrss).unwrap() * 1024
+}
+
+#[test]
+fn packing_takes_no_more_than_twice_the_bank() {
+    let scene = Scene::new();
+    for number in 0..CLIPS {
+        scene.write(&format!("voices/scene{:03}/line-{number:06}.lipz", number / SCENE), clip(number));
+    }
+    scene.write("one/a.lipz", clip(0));
+    let pack = |folder: &str, bank: &str, flags: &[&str]| {
+        peak_bytes(&scene, &[&["pack", folder, "-o", &format!("{bank}.lipzbank")], flags].concat())
+    };
+    let peak = pack("voices", "whole", &[]);
+    let bank = fs::metadata(scene.path().join("whole.lipzbank")).unwrap().len();
+    let check = |what: &str, peak: u64, flags: &[&str]| {
+        let taken = peak.saturating_sub(pack("one", "small", flags));
+        println!("{what}: {peak} bytes, {:.2} times the bank", taken as f64 / bank as f64);
+        assert!(taken < 2 * bank, "{what}: {taken} bytes for a bank of {bank}");
+    };
+    check("a bank", peak, &[]);
+    check("text banks", pack("voices", "split", &["--split-locales"]), &["--split-locales"]);
+    let cache = ["--cache", "c.cache"];
+    check("a cache", pack("voices", "cached", &cache), &[]);
+    check("nothing changed", pack("voices", "cached", &cache), &[]);
+    scene.write("voices/scene000/line-000007.lipz", clip(7) + " ");
+    check("one file changed", pack("voices", "cached", &cache), &[]);
+    let bytes = |name: &str| fs::read(scene.path().join(name)).unwrap();
+    assert!(bytes("cached.lipzbank") == bytes("whole.lipzbank"));
+}
