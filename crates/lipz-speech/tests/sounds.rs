@@ -135,6 +135,17 @@ fn a_wav_that_is_cut_in_its_samples_says_so() {
 }
 
 #[test]
+fn a_wav_of_a_writer_that_did_not_know_its_length_ends_where_it_ends() {
+    let mut bytes = wav(Samples::S16, 1, 8_000, &tone(8_000, 100));
+    for length in [u32::MAX, 0x7fff_fff6] {
+        bytes[4..8].copy_from_slice(&length.to_le_bytes());
+        bytes[40..44].copy_from_slice(&(length - 0x24).to_le_bytes());
+        let sound = Sound::from_bytes(&bytes, None).unwrap();
+        assert_eq!((sound.is_truncated(), duration_ms(&sound)), (false, 100));
+    }
+}
+
+#[test]
 fn a_file_with_any_byte_changed_is_read_or_refused() {
     let mut random = Random(1);
     for (name, bytes) in files() {

@@ -20,6 +20,8 @@ const PARTS_PER_SECOND: u16 = 100;
 const LOUD: u8 = b'4';
 /// What a cache begins with; another version has another line.
 const HEAD: &str = "lipz audio cache 2\n";
+/// What a cache of any version begins with.
+const MAGIC: &[u8] = b"lipz audio cache ";
 
 /// How loud a stretch of a recording is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -121,7 +123,7 @@ impl Ear {
         let mut ear = Ear { path: path.map(Path::to_owned), ..Ear::default() };
         let Some(path) = path else { return Ok(ear) };
         match fs::read(path) {
-            Ok(bytes) if bytes.is_empty() || bytes.starts_with(b"lipz audio cache ") => {
+            Ok(bytes) if bytes.is_empty() || bytes.starts_with(MAGIC) => {
                 let text = String::from_utf8(bytes).unwrap_or_default();
                 let lines = text.strip_prefix(HEAD).unwrap_or_default().lines();
                 ear.before = lines.filter_map(Heard::parse).collect();
@@ -217,6 +219,12 @@ mod tests {
             format!("{HEAD}{hash:016x} 20000 0,0,-,0,0 +2\n"),
             "only what is still there"
         );
+        // Whatever happened to the cache, it is no more than a cache.
+        let whole = fs::read(&cache).unwrap();
+        for length in 0..whole.len() {
+            fs::write(&cache, &whole[..length]).unwrap();
+            assert_eq!(Ear::open(Some(&cache)).is_ok(), length == 0 || length >= MAGIC.len(), "{length}");
+        }
         assert!(Ear::open(Some(&sound)).is_err());
         assert!(Ear::open(None).unwrap().listen(&sound).is_err());
     }

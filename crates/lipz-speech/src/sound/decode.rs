@@ -31,7 +31,8 @@ where
     if source.length == 0 {
         return Err(SoundError::Empty);
     }
-    if let Some(name) = source.other_format()? {
+    let start = source.start()?;
+    if let Some(name) = other::name(&start) {
         return Err(SoundError::OtherFormat { name: Some(name) });
     }
     let stream = MediaSourceStream::new(Box::new(source), Default::default());
@@ -61,7 +62,7 @@ where
             Ok(Some(packet)) => packet,
             Ok(None) => break,
             Err(Error::IoError(error)) if error.kind() == std::io::ErrorKind::UnexpectedEof => {
-                decoded.truncated = true;
+                decoded.truncated = !is_streamed(&start);
                 break;
             }
             Err(Error::IoError(error)) => return Err(SoundError::Io(error)),
@@ -97,6 +98,13 @@ where
         take(rate, &mono)?;
     }
     Ok(decoded)
+}
+
+/// Whether this is the start of a WAV file whose writer did not know its length, and so wrote the greatest (ffmpeg) or the
+/// half of it (sox): it ends where its bytes end.
+fn is_streamed(start: &[u8]) -> bool {
+    let length = start.strip_prefix(b"RIFF").and_then(|rest| rest.first_chunk());
+    length.is_some_and(|length| u32::from_le_bytes(*length) >= 0x7fff_f000)
 }
 
 /// How many bytes of metadata are read.
@@ -142,12 +150,12 @@ impl<S: Read + Seek> Source<S> {
         Ok(Source { inner, length })
     }
 
-    /// What the file is, if it is none that is read.
-    fn other_format(&mut self) -> Result<Option<&'static str>, SoundError> {
+    /// Its first bytes.
+    fn start(&mut self) -> Result<Vec<u8>, SoundError> {
         let mut start = Vec::new();
         self.inner.by_ref().take(other::LOOKED_AT as u64).read_to_end(&mut start).map_err(SoundError::Io)?;
         self.inner.rewind().map_err(SoundError::Io)?;
-        Ok(other::name(&start))
+        Ok(start)
     }
 }
 
