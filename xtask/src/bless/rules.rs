@@ -11,7 +11,7 @@ pub(super) const FOLDER: &str = "crates/lipz-diagnostics/rules";
 pub(super) const TABLE: &str = "crates/lipz-diagnostics/src/code/table.rs";
 
 /// The headings under which lists show the codes, by the hundreds of their numbers.
-const GROUPS: [&str; 19] = [
+const GROUPS: [&str; 20] = [
     "Reading files",
     "JSON",
     "Elements",
@@ -31,6 +31,7 @@ const GROUPS: [&str; 19] = [
     "Command line",
     "Recordings",
     "Curves",
+    "Translators' files",
 ];
 
 /// A rule: `# NUMBER name`, `severity: summary`, and the page, with an empty line between them.

@@ -110,6 +110,11 @@ pub(super) const RULES: &[Rule] = &[
         below: Below::AtMost(43),
     },
     Rule {
+        name: "lipz-texts",
+        direct: &["csv", "encoding_rs", "lipz-diagnostics", "lipz-file", "lipz-types", "roxmltree", "twox-hash"],
+        below: Below::AtMost(24),
+    },
+    Rule {
         name: "lipz-speech",
         direct: &[
             "any_ascii",

@@ -186,4 +186,15 @@ codes! {
     CurveValue "LZ1804" "curve-value" Error "a value of a curve does not fit a bank"
     SameCurveTwice "LZ1805" "same-curve-twice" Error "a clip has two curves with the same name"
     UnknownCurve "LZ1806" "unknown-curve" Warning "the name of a curve is not known"
+
+    "Translators' files"
+    ExchangeSyntax "LZ1901" "exchange-syntax" Error "a translator's file is not of its format"
+    UnknownTextKey "LZ1902" "unknown-text-key" Warning "a translation belongs to no clip of the project"
+    TextSegments "LZ1903" "text-segments" Error "a translation is not divided as its clip is"
+    OutdatedSource "LZ1904" "outdated-source" Error "a translation was made from an older text"
+    TextConflict "LZ1905" "text-conflict" Error "two translations claim the same place"
+    Placeholder "LZ1906" "placeholder" Warning "a translation has other placeholders than its source"
+    UnfinishedTranslation "LZ1907" "unfinished-translation" Warning "a translation is not finished, and is not imported"
+    ExchangeLoss "LZ1908" "exchange-loss" Warning "something has no place in a translator's file, or is not read from it"
+    TextReplaced "LZ1909" "text-replaced" Warning "texts were replaced, and the file does not say what they were at its export"
 }

@@ -21,6 +21,7 @@ pub(crate) mod schema;
 pub(crate) mod stats;
 pub(crate) mod subtitles;
 pub(crate) mod sync;
+pub(crate) mod texts;
 pub(crate) mod unpack;
 pub(crate) mod verify;
 pub(crate) mod watch;
@@ -67,6 +68,7 @@ commands! {
     Import(import::Import),
     Export(export::Export),
     Subtitles(subtitles::Subtitles),
+    Texts(texts::Texts),
     Maps(maps::Maps),
     Unpack(unpack::Unpack),
     Verify(verify::Verify),

@@ -1,0 +1,194 @@
+//! Reading CSV files, with the place of every cell.
+
+use super::cell;
+use super::columns::{Column, columns};
+use crate::{Entry, Incoming, Mark, ReadOptions, State, Words, decode, entry};
+use csv::{ReaderBuilder, StringRecord};
+use lipz_diagnostics::{Code, Diagnostic, Span, bound, escape};
+use std::ops::Range;
+
+/// What may separate cells. Spreadsheets write `;` where a comma is the sign before decimals.
+const SEPARATORS: [u8; 3] = [b',', b';', b'\t'];
+
+/// Reads a file of any bytes.
+pub(crate) fn read(bytes: &[u8], options: &ReadOptions, incoming: &mut Incoming) {
+    let Some(text) = decode::text(bytes, None, &mut incoming.diagnostics) else {
+        incoming.text = decode::readable(bytes);
+        return;
+    };
+    table(&text, options, incoming);
+    incoming.text = text.into_owned();
+}
+
+fn table(text: &str, options: &ReadOptions, incoming: &mut Incoming) {
+    let first_line = text.lines().next().unwrap_or_default();
+    let count = |separator: &u8| first_line.bytes().filter(|byte| byte == separator).count();
+    // The first of equal ones.
+    let separator = SEPARATORS.into_iter().rev().max_by_key(count).unwrap_or(b',');
+    let mut reader =
+        ReaderBuilder::new().delimiter(separator).has_headers(false).flexible(true).from_reader(text.as_bytes());
+    let mut columns: Option<Vec<Column>> = None;
+    let mut record = StringRecord::new();
+    loop {
+        let start = usize::try_from(reader.position().byte()).unwrap_or(usize::MAX);
+        match reader.read_record(&mut record) {
+            Ok(true) => {}
+            Ok(false) => break,
+            Err(error) => {
+                let message = format!("the file is not CSV: {}", escape::text(&error.to_string()));
+                incoming.diagnostics.push(Diagnostic::at(Code::ExchangeSyntax, Span::new(start, start), message));
+                return;
+            }
+        }
+        let end = usize::try_from(reader.position().byte()).unwrap_or(usize::MAX);
+        let raw = text.get(start..end).unwrap_or_default();
+        let row = Row { cells: &record, places: places(raw, separator), start };
+        match &columns {
+            Some(columns) => row.entries(columns, options, incoming),
+            None => match header(&row, options, incoming) {
+                Some(found) => columns = Some(found),
+                None => return,
+            },
+        }
+        bound::limit_many(&mut incoming.diagnostics);
+    }
+    if columns.is_none() {
+        incoming.diagnostics.push(
+            Diagnostic::new(Code::ExchangeSyntax, "the file has no header")
+                .help("its first row names the columns: key, en-us, de-de"),
+        );
+    }
+}
+
+/// A row, and where its cells stand.
+struct Row<'r> {
+    cells: &'r StringRecord,
+    places: Vec<Range<usize>>,
+    start: usize,
+}
+
+/// The columns; `None` if there is none with keys.
+fn header(row: &Row<'_>, options: &ReadOptions, incoming: &mut Incoming) -> Option<Vec<Column>> {
+    let names: Vec<&str> = row.cells.iter().collect();
+    let mut found = Vec::new();
+    for (at, column) in columns(&names, options).into_iter().enumerate() {
+        found.push(column.unwrap_or(Column::Other));
+        if column_is_unknown(&names, at, options) {
+            let name = escape::quoted(names.get(at).copied().unwrap_or_default());
+            incoming.diagnostics.push(
+                Diagnostic::at(Code::ExchangeLoss, row.span(at), format!("the column {name} is not imported"))
+                    .note("it is neither a locale nor a column that lipz or another tool writes")
+                    .help("call a column of texts by its locale, as in de-de"),
+            );
+        }
+    }
+    let missing = |what: &str, help: &str| {
+        Some(Diagnostic::at(Code::ExchangeSyntax, row.span(0), format!("no column has {what}")).help(help))
+    };
+    let is_text = |column: &Column| matches!(column, Column::Text | Column::Locale(_));
+    let wrong = match &found {
+        all if !all.contains(&Column::Key) => missing("the keys of clips", "call it `key`"),
+        all if !all.iter().any(is_text) => missing("translations", "call each by its locale, as in de-de"),
+        _ => None,
+    };
+    let is_wrong = wrong.is_some();
+    incoming.diagnostics.extend(wrong);
+    (!is_wrong).then_some(found)
+}
+
+fn column_is_unknown(names: &[&str], at: usize, options: &ReadOptions) -> bool {
+    columns(names, options).get(at).is_some_and(Result::is_err)
+}
+
+impl Row<'_> {
+    /// Where a cell stands, without quotes; the start of the row if there is none.
+    fn span(&self, at: usize) -> Span {
+        let place = self.places.get(at).cloned().unwrap_or(0..0);
+        Span::new(self.start + place.start, self.start + place.end)
+    }
+
+    fn words(&self, at: usize) -> Words {
+        let cell = self.cells.get(at).unwrap_or_default();
+        Words { text: cell::text(cell).to_owned(), span: self.span(at) }
+    }
+
+    /// Adds the translations of a row.
+    fn entries(&self, columns: &[Column], options: &ReadOptions, incoming: &mut Incoming) {
+        let find = |column: &Column| columns.iter().position(|other| other == column);
+        let Some(key) = find(&Column::Key).map(|at| self.words(at)) else { return };
+        if key.text.is_empty() {
+            if self.cells.iter().any(|cell| !cell.is_empty()) {
+                let message = "a row has no key, and is not imported";
+                incoming.diagnostics.push(Diagnostic::at(Code::ExchangeLoss, self.span(0), message));
+            }
+            return;
+        }
+        let source = find(&Column::Source).map(|at| self.words(at));
+        let source_mark = find(&Column::SourceMark).and_then(|at| self.cells.get(at)?.parse::<Mark>().ok());
+        let state =
+            find(&Column::State).and_then(|at| State::from_name(&self.cells.get(at)?.trim().to_ascii_lowercase()));
+        let row_locale = find(&Column::Language).and_then(|at| {
+            let language = self.words(at);
+            let locale = options.locale(&language.text);
+            if locale.is_none() {
+                let message = format!("the language {} is no locale of the project", escape::quoted(&language.text));
+                incoming.diagnostics.push(Diagnostic::at(Code::ExchangeSyntax, language.span, message));
+            }
+            locale
+        });
+        let (id, segment) = entry::id(&key.text);
+        for (at, column) in columns.iter().enumerate() {
+            let locale = match column {
+                Column::Locale(locale) => Some(locale.clone()),
+                Column::Text => row_locale.clone(),
+                _ => continue,
+            };
+            let Some(locale) = locale.filter(|locale| options.wants(locale)) else { continue };
+            let mark = find(&Column::Mark(locale.clone())).and_then(|at| self.cells.get(at)?.parse().ok());
+            let text = self.words(at);
+            incoming.entries.push(Entry {
+                key: Words { text: id.to_owned(), span: key.span },
+                segment,
+                source: source.clone(),
+                source_mark,
+                locale,
+                state: if text.text.is_empty() { State::Initial } else { state.unwrap_or(State::Translated) },
+                text,
+                mark,
+                ..Entry::default()
+            });
+        }
+    }
+}
+
+/// Where the cells of a row stand, without the quotes around them.
+fn places(raw: &str, separator: u8) -> Vec<Range<usize>> {
+    // A blank line before a row belongs to what is read with it.
+    let start = raw.len() - raw.trim_start_matches(['\n', '\r']).len();
+    let bytes = raw.as_bytes();
+    let mut places = Vec::new();
+    let (mut first, mut at, mut is_quoted) = (start, start, false);
+    loop {
+        match bytes.get(at) {
+            Some(b'"') if is_quoted => {
+                // Two quotes are one of the text.
+                if bytes.get(at + 1) == Some(&b'"') { at += 1 } else { is_quoted = false }
+            }
+            Some(b'"') if at == first => is_quoted = true,
+            Some(_) if is_quoted => {}
+            Some(byte) if *byte != separator && !matches!(byte, b'\n' | b'\r') => {}
+            end => {
+                let inner = match bytes.get(first..at) {
+                    Some([b'"', .., b'"']) => first + 1..at - 1,
+                    _ => first..at,
+                };
+                places.push(inner);
+                if end != Some(&separator) {
+                    return places;
+                }
+                first = at + 1;
+            }
+        }
+        at += 1;
+    }
+}

@@ -1,0 +1,146 @@
+//! What readers find: texts, whose they are, and where they stand in the file.
+
+use crate::{Mark, State};
+use lipz_diagnostics::{Diagnostic, Span};
+use lipz_file::locale::{canonical_tag, language};
+use lipz_file::text::DELIMITER;
+
+/// A text of a file, and where it stands.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Words {
+    /// The text.
+    pub text: String,
+    /// Its place in [`Incoming::text`].
+    pub span: Span,
+}
+
+/// The translation of a clip, or of one of its segments, into one locale.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+#[non_exhaustive]
+pub struct Entry {
+    /// The key of the clip, and where the file names it.
+    pub key: Words,
+    /// The number of the segment, from 1; `None` if the texts are those of the whole clip, with `|` between segments.
+    pub segment: Option<usize>,
+    /// How many segments the file says that the clip has.
+    pub segment_count: Option<usize>,
+    /// What was translated, if the file says so.
+    pub source: Option<Words>,
+    /// The mark of what was translated, if the file has only that.
+    pub source_mark: Option<Mark>,
+    /// The locale of the translation.
+    pub locale: String,
+    /// The translation; empty if there is none.
+    pub text: Words,
+    /// How far the work is.
+    pub state: State,
+    /// The translation at the time of the export.
+    pub mark: Option<Mark>,
+    /// A number for whoever reads several files: [`read()`](crate::read()) sets 0.
+    pub file: usize,
+}
+
+/// What was found in a file.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+#[non_exhaustive]
+pub struct Incoming {
+    /// The file as text, which places count in. A spreadsheet is a line for each row.
+    pub text: String,
+    /// Its entries, in the order of their places. None if a diagnostic is an error.
+    pub entries: Vec<Entry>,
+    /// What is wrong with the file.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// What the project knows, for those who read its files.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+#[non_exhaustive]
+pub struct ReadOptions {
+    /// The locale that is translated: a column of this locale has the source texts.
+    pub source_locale: String,
+    /// The locales that are wanted; all if there are none. A file that names no locale is in the only one.
+    pub wanted: Vec<String>,
+    /// The locales that the project has: files may name them without a country.
+    pub known: Vec<String>,
+}
+
+impl ReadOptions {
+    /// A project whose texts are translated from this locale.
+    pub fn new(source_locale: impl Into<String>) -> ReadOptions {
+        ReadOptions { source_locale: source_locale.into(), ..ReadOptions::default() }
+    }
+
+    /// Sets the locales that are wanted.
+    #[must_use]
+    pub fn wanted<T: Into<String>>(self, locales: impl IntoIterator<Item = T>) -> ReadOptions {
+        ReadOptions { wanted: locales.into_iter().map(Into::into).collect(), ..self }
+    }
+
+    /// Sets the locales that the project has.
+    #[must_use]
+    pub fn known<T: Into<String>>(self, locales: impl IntoIterator<Item = T>) -> ReadOptions {
+        ReadOptions { known: locales.into_iter().map(Into::into).collect(), ..self }
+    }
+
+    /// Whether the texts of a locale are wanted.
+    pub(crate) fn wants(&self, locale: &str) -> bool {
+        locale != self.source_locale && (self.wanted.is_empty() || self.wanted.iter().any(|wanted| wanted == locale))
+    }
+
+    /// The locale that a file means by a tag: `de_DE`, `de-DE`, or `de` if only one locale is German. `None` if it is no
+    /// tag, or could be several.
+    pub(crate) fn locale(&self, tag: &str) -> Option<String> {
+        // gettext has `sr_RS@latin` and `de_DE.UTF-8`.
+        let tag = tag.split(['@', '.']).next().unwrap_or(tag).trim();
+        let canonical = canonical_tag(tag, true)?;
+        let all = || self.wanted.iter().chain(&self.known).chain([&self.source_locale]);
+        if all().any(|known| *known == canonical) || canonical.contains('-') {
+            return Some(canonical);
+        }
+        let is_alike = |known: &&String| language(known) == canonical;
+        let mut alike: Vec<&String> = self.wanted.iter().filter(is_alike).collect();
+        if alike.is_empty() {
+            alike = all().filter(is_alike).collect();
+        }
+        alike.sort_unstable();
+        alike.dedup();
+        match alike.as_slice() {
+            [only] => Some((*only).clone()),
+            [] => Some(canonical),
+            _ => None,
+        }
+    }
+}
+
+/// The key, and the number of the segment behind its `|`.
+pub(crate) fn id(id: &str) -> (&str, Option<usize>) {
+    let numbered = id.rsplit_once(DELIMITER).and_then(|(key, number)| Some((key, number.parse().ok()?)));
+    numbered.filter(|(_, number)| *number > 0).map_or((id, None), |(key, number)| (key, Some(number)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tags_of_all_tools() {
+        let options = ReadOptions::new("en-us").known(["de-de", "pt-br", "pt-pt"]);
+        let of = |tag: &str| options.locale(tag);
+        assert_eq!(of("de_DE.UTF-8").as_deref(), Some("de-de"));
+        assert_eq!(of("de-DE").as_deref(), Some("de-de"));
+        assert_eq!(of("de").as_deref(), Some("de-de"));
+        assert_eq!(of("EN").as_deref(), Some("en-us"));
+        assert_eq!(of("pt"), None, "which one?");
+        assert_eq!(options.clone().wanted(["pt-br"]).locale("pt").as_deref(), Some("pt-br"));
+        assert_eq!(of("fr-ca").as_deref(), Some("fr-ca"), "a new one");
+        assert_eq!(of("Speaker"), None);
+    }
+
+    #[test]
+    fn ids_have_a_key_and_a_number() {
+        assert_eq!(id("act1/mayor"), ("act1/mayor", None));
+        assert_eq!(id("act1/mayor|2"), ("act1/mayor", Some(2)));
+        assert_eq!(id("act1/mayor|0"), ("act1/mayor|0", None));
+        assert_eq!(id("act1/mayor|x"), ("act1/mayor|x", None));
+    }
+}

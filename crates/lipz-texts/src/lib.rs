@@ -1,0 +1,37 @@
+//! The texts of Lipz files for translators: PO, XLIFF and CSV files, there and back.
+//!
+//! [`Collect`] makes a [`Unit`] of each clip: its segments with their texts, and what helps to translate them: who
+//! speaks, when, for how long, with which events. [`write()`] makes a file of them that tools for translators open,
+//! [`read()`] finds the [`Entry`]s of such a file, and [`Merge`] brings them into the Lipz file: only what a translator
+//! changed changes there, and what does not fit is a diagnostic at its place in the translator's file.
+//!
+//! A file of exchange says what each translation was when it was exported, by its [`Mark`]. So an old file does not undo
+//! newer work: a text that nobody changed in it stays as the project has it.
+//!
+//! What is not here: files and folders, settings, printing (`lipz`), banks.
+
+mod collect;
+mod csv;
+mod decode;
+mod entry;
+mod format;
+mod mark;
+mod merge;
+mod model;
+mod placeholder;
+mod po;
+mod tag;
+mod xliff;
+
+pub use collect::Collect;
+pub use csv::Shape;
+pub use entry::{Entry, Incoming, ReadOptions, Words};
+pub use format::{Format, WriteOptions, Written, WrittenFile, read, write};
+pub use mark::Mark;
+pub use merge::{Counts, Merge, Merged, unknown_keys};
+pub use model::{Division, Exchange, Segment, State, Translation, Unit};
+
+/// The example of the README, run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

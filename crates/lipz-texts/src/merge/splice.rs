@@ -1,0 +1,98 @@
+//! Writing segments into a Lipz file: every other character stays.
+
+use super::tag_of;
+use lipz_diagnostics::Span;
+use lipz_file::format::{LineEnding, Style, format, rewrite};
+use lipz_file::text::{DELIMITER, segments, trim};
+use lipz_file::{Document, Element, JsonString, Value, literal, parse};
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+/// New texts of a clip in a locale.
+pub(super) struct Text {
+    pub(super) locale: String,
+    /// Segments, from 0, with what they get.
+    pub(super) segments: BTreeMap<usize, String>,
+    /// How many segments the clip has.
+    pub(super) count: usize,
+}
+
+/// The file with new texts. A file in its canonical layout stays in it; in any other one, all that does not change keeps
+/// its spelling, down to escapes in the same text.
+pub(super) fn splice(
+    file: &str,
+    clip: &Document<'_>,
+    texts: &[Text],
+    style: Style<'_>,
+    default: Option<&str>,
+) -> String {
+    let (mark, text) = match file.strip_prefix('\u{feff}') {
+        Some(text) => ("\u{feff}", text),
+        None => ("", file),
+    };
+    let style = Style { line_ending: LineEnding::detect(text), ..style };
+    let is_canonical = format(clip, style) == text;
+    let mut changes = Vec::new();
+    let mut added = Vec::new();
+    for new in texts {
+        let is_it = |element: &&Element<'_>| tag_of(&element.name.text, default).as_deref() == Some(&new.locale);
+        match clip.elements.iter().find(is_it).map(|element| &element.value) {
+            Some(Value::String(string)) => changes.extend(changes_of(string, &new.segments)),
+            _ => added.push(new),
+        }
+    }
+    changes.sort_by_key(|(span, _)| *span);
+    let changed = apply(text, &changes);
+    if added.is_empty() && !is_canonical {
+        return mark.to_owned() + &changed;
+    }
+    let Some(before) = parse(changed.as_bytes()).document else { return file.to_owned() };
+    let mut after = before.clone();
+    for new in added {
+        add(&mut after, new);
+    }
+    let whole = if is_canonical { format(&after, style) } else { rewrite(&changed, &before, &after, style) };
+    mark.to_owned() + &whole
+}
+
+/// What replaces which bytes.
+fn changes_of(string: &JsonString<'_>, new: &BTreeMap<usize, String>) -> Vec<(Span, String)> {
+    let mut changes = Vec::new();
+    for (at, range) in segments(&string.text).enumerate() {
+        let Some(new) = new.get(&at) else { continue };
+        let old = string.text.get(range.clone()).unwrap_or_default();
+        let shown = trim(old);
+        let start = range.start + (old.len() - old.trim_start_matches(lipz_file::text::is_white_space).len());
+        let span = match shown.is_empty() {
+            true => string.span_of(range.start..range.start),
+            false => string.span_of(start..start + shown.len()),
+        };
+        let spelled = literal(new);
+        changes.push((span, spelled.get(1..spelled.len() - 1).unwrap_or_default().to_owned()));
+    }
+    changes
+}
+
+/// Adds a text in a new locale, behind the last text.
+fn add(document: &mut Document<'_>, new: &Text) {
+    let segment = |at: usize| new.segments.get(&at).map_or("", String::as_str);
+    let text = (0..new.count).map(segment).collect::<Vec<_>>().join(&DELIMITER.to_string());
+    let name = JsonString::from(Cow::Owned(format!("text_{}", new.locale)));
+    let element = Element { name, value: Value::String(JsonString::from(Cow::Owned(text))) };
+    let last = document.elements.iter().rposition(|element| lipz_file::locale::text_name(&element.name.text).is_some());
+    document.elements.insert(last.map_or(document.elements.len(), |at| at + 1), element);
+}
+
+/// The text with changes, which ascend and do not overlap.
+fn apply(text: &str, changes: &[(Span, String)]) -> String {
+    let mut changed = String::with_capacity(text.len());
+    let mut done = 0;
+    for (span, new) in changes {
+        let place = span.range();
+        changed.push_str(text.get(done..place.start).unwrap_or_default());
+        changed.push_str(new);
+        done = place.end;
+    }
+    changed.push_str(text.get(done..).unwrap_or_default());
+    changed
+}

@@ -1,0 +1,217 @@
+//! Reading PO files, with the place of every text.
+
+use super::EXPORTED;
+use super::string::unescaped;
+use crate::{Entry, Incoming, Mark, ReadOptions, State, Words, decode, entry};
+use lipz_diagnostics::{Code, Diagnostic, Span, escape};
+
+/// Reads a file of any bytes.
+pub(crate) fn read(bytes: &[u8], options: &ReadOptions, incoming: &mut Incoming) {
+    let Some(text) = decode::text(bytes, decode::label(bytes, b"charset="), &mut incoming.diagnostics) else {
+        incoming.text = decode::readable(bytes);
+        return;
+    };
+    let mut reader = Reader { options, locale: None, message: Message::default(), incoming };
+    if let [only] = options.wanted.as_slice() {
+        reader.locale = Some(only.clone());
+    }
+    let mut at = 0;
+    for line in text.split_inclusive('\n') {
+        reader.line(line.trim_end_matches(['\n', '\r']), at);
+        at += line.len();
+    }
+    reader.finish_message();
+    incoming.text = text.into_owned();
+}
+
+/// What a string belongs to.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Field {
+    Context,
+    Source,
+    Plural,
+    Text,
+    /// Of a plural.
+    OtherText,
+}
+
+/// The keywords, the longer ones first.
+const KEYWORDS: [(&str, Field); 4] =
+    [("msgctxt", Field::Context), ("msgid_plural", Field::Plural), ("msgid", Field::Source), ("msgstr", Field::Text)];
+
+/// An entry as far as it is read.
+#[derive(Default)]
+struct Message {
+    context: Option<Words>,
+    source: Option<Words>,
+    plural: Option<Span>,
+    text: Option<Words>,
+    mark: Option<Mark>,
+    is_fuzzy: bool,
+    /// What the next string without a keyword continues.
+    field: Option<Field>,
+}
+
+struct Reader<'a> {
+    options: &'a ReadOptions,
+    /// The locale of the file.
+    locale: Option<String>,
+    message: Message,
+    incoming: &'a mut Incoming,
+}
+
+impl Reader<'_> {
+    fn line(&mut self, line: &str, at: usize) {
+        let start = at + line.len() - line.trim_start().len();
+        let line = line.trim();
+        if let Some(comment) = line.strip_prefix('#') {
+            // Obsolete entries are no entries; all before the previous text is for people.
+            if self.message.text.is_some() && !comment.starts_with('~') {
+                self.finish_message();
+            }
+            self.comment(comment);
+        } else if line.starts_with('"') {
+            self.string(line, start);
+        } else if let Some((keyword, field)) = KEYWORDS.into_iter().find(|(keyword, _)| line.starts_with(keyword)) {
+            let rest = line.get(keyword.len()..).unwrap_or_default();
+            self.keyword(field, rest, start, start + keyword.len());
+        } else if !line.is_empty() {
+            self.wrong(start, line.len(), "a line is no comment, keyword or string of a PO file");
+        }
+    }
+
+    fn comment(&mut self, comment: &str) {
+        if let Some(flags) = comment.strip_prefix(',') {
+            self.message.is_fuzzy |= flags.split(',').any(|flag| flag.trim() == "fuzzy");
+        } else if let Some(extracted) = comment.strip_prefix('.')
+            && let Some(mark) = extracted.trim().strip_prefix(EXPORTED.trim_end())
+        {
+            self.message.mark = mark.parse().ok();
+        }
+    }
+
+    fn keyword(&mut self, field: Field, rest: &str, start: usize, end: usize) {
+        let begins = match field {
+            Field::Context => self.message.context.is_some() || self.message.source.is_some(),
+            Field::Source => self.message.source.is_some(),
+            _ => false,
+        };
+        if begins {
+            self.finish_message();
+        }
+        // `msgstr[0]` is the text, the others are those of a plural.
+        let (field, string) = match rest.strip_prefix('[').and_then(|rest| rest.split_once(']')) {
+            Some(("0", string)) => (field, string),
+            Some((_, string)) => (Field::OtherText, string),
+            None => (field, rest),
+        };
+        let string_start = end + rest.len() - string.len() + string.len() - string.trim_start().len();
+        let string = string.trim_start();
+        if !string.starts_with('"') {
+            self.wrong(start, end - start, "a keyword has no string behind it");
+            return;
+        }
+        let place = || Words { text: String::new(), span: Span::new(string_start, string_start) };
+        match field {
+            Field::Context => self.message.context = Some(place()),
+            Field::Source => self.message.source = Some(place()),
+            Field::Plural => self.message.plural = Some(Span::new(start, end)),
+            Field::Text => self.message.text = Some(place()),
+            Field::OtherText => {}
+        }
+        self.message.field = Some(field);
+        self.string(string, string_start);
+    }
+
+    /// Adds a string to what the keyword before it began.
+    fn string(&mut self, string: &str, at: usize) {
+        let inner = string.get(1..).and_then(|rest| rest.strip_suffix('"'));
+        let text = match inner.map(unescaped) {
+            Some(Ok(text)) => text,
+            Some(Err(place)) => {
+                return self.wrong(at + 1 + place, 1, "a string has a `\\` or `\"` that PO files do not know");
+            }
+            None => return self.wrong(at, string.len(), "a string does not end in its line"),
+        };
+        let words = match self.message.field {
+            Some(Field::Context) => &mut self.message.context,
+            Some(Field::Source) => &mut self.message.source,
+            Some(Field::Text) => &mut self.message.text,
+            Some(Field::Plural | Field::OtherText) => return,
+            None => return self.wrong(at, string.len(), "a string has no keyword before it"),
+        };
+        if let Some(words) = words {
+            if words.text.is_empty() {
+                words.span.start = Span::new(at, at).start;
+            }
+            words.text.push_str(&text);
+            words.span.end = Span::new(at, at + string.len()).end;
+        }
+    }
+
+    fn finish_message(&mut self) {
+        let message = std::mem::take(&mut self.message);
+        let (source, text) = match (message.source, message.text) {
+            (Some(source), Some(text)) => (source, text),
+            (Some(source), None) => return self.wrong_at(source.span, "an entry has no `msgstr`"),
+            (None, Some(text)) => return self.wrong_at(text.span, "an entry has no `msgid`"),
+            (None, None) => return,
+        };
+        let Some(context) = message.context else {
+            if source.text.is_empty() {
+                return self.header(&text);
+            }
+            return self.wrong_at(source.span, "an entry has no `msgctxt`, which says whose text it is");
+        };
+        if let Some(plural) = message.plural {
+            return self.wrong_at(plural, "an entry has plural forms, which texts of clips do not have");
+        }
+        let Some(locale) = self.locale.clone() else {
+            self.locale = Some(String::new()); // told once
+            return self.wrong_at(source.span, "no header stands before the first entry");
+        };
+        let (key, segment) = entry::id(&context.text);
+        let is_done = !text.text.is_empty() && !message.is_fuzzy;
+        self.incoming.entries.push(Entry {
+            key: Words { text: key.to_owned(), span: context.span },
+            segment,
+            source: Some(source),
+            locale,
+            state: if is_done { State::Translated } else { State::Initial },
+            text,
+            mark: message.mark,
+            ..Entry::default()
+        });
+    }
+
+    /// The first entry, which names the language.
+    fn header(&mut self, text: &Words) {
+        if self.locale.is_some() {
+            return; // the project says which
+        }
+        let language = text.text.lines().find_map(|line| line.strip_prefix("Language:")).unwrap_or_default().trim();
+        self.locale = self.options.locale(language);
+        if self.locale.is_none() {
+            let what = match language.is_empty() {
+                true => "the header names no language".to_owned(),
+                false => format!("the language {} is no locale of the project", escape::quoted(language)),
+            };
+            let diagnostic = Diagnostic::at(Code::ExchangeSyntax, text.span, what);
+            self.incoming.diagnostics.push(diagnostic.help("name the locale of the file for the import, as in de-de"));
+            // Told once.
+            self.locale = Some(String::new());
+        }
+    }
+
+    fn wrong(&mut self, at: usize, length: usize, what: &str) {
+        self.wrong_at(Span::new(at, at + length), what);
+    }
+
+    fn wrong_at(&mut self, span: Span, what: &str) {
+        if self.incoming.diagnostics.len() > 10_000 {
+            return; // no PO file at all
+        }
+        let diagnostic = Diagnostic::at(Code::ExchangeSyntax, span, what);
+        self.incoming.diagnostics.push(diagnostic.help("`msgfmt -c` of gettext says what PO files look like"));
+    }
+}

@@ -1,0 +1,101 @@
+//! Reading XLIFF 1.0 to 1.2.
+
+use super::read::{locale, start, unknown_markup};
+use super::xml::{inner, whole};
+use super::{CHARACTER, EXPORTED};
+use crate::model::joined;
+use crate::{Entry, Incoming, ReadOptions, State, Words, entry};
+use lipz_diagnostics::{Code, Diagnostic, bound};
+use roxmltree::{Node, NodeType};
+
+/// Adds the entries of a file.
+pub(super) fn read(root: Node<'_, '_>, options: &ReadOptions, incoming: &mut Incoming) {
+    for file in root.children().filter(|node| node.tag_name().name() == "file") {
+        let Some(locale) = locale(file, "target-language", options, &mut incoming.diagnostics) else { continue };
+        for node in file.descendants().filter(|node| node.tag_name().name() == "trans-unit") {
+            unit(node, &locale, incoming);
+            bound::limit_many(&mut incoming.diagnostics);
+        }
+    }
+}
+
+fn unit(node: Node<'_, '_>, locale: &str, incoming: &mut Incoming) {
+    let Some(id) = node.attribute("resname").or_else(|| node.attribute("id")) else {
+        incoming.diagnostics.push(Diagnostic::at(Code::ExchangeSyntax, start(node), "a trans-unit has no id"));
+        return;
+    };
+    let child = |name: &str| node.children().find(|child| child.tag_name().name() == name);
+    let Some(source) = child("source") else {
+        incoming.diagnostics.push(Diagnostic::at(Code::ExchangeSyntax, start(node), "a trans-unit has no source"));
+        return;
+    };
+    let source = Words { text: text(source, &mut incoming.diagnostics), span: inner(source) };
+    let target = child("target");
+    let words = match target {
+        Some(target) => Words { text: text(target, &mut incoming.diagnostics), span: inner(target) },
+        None => Words { text: String::new(), span: whole(node) },
+    };
+    let notes = node.children().filter(|child| child.tag_name().name() == "note").filter_map(|note| note.text());
+    let mut marks = notes.filter_map(|note| note.strip_prefix(EXPORTED)?.strip_prefix(": "));
+    let (key, segment) = entry::id(id);
+    incoming.entries.push(Entry {
+        key: Words { text: key.to_owned(), span: start(node) },
+        segment,
+        source: Some(source),
+        locale: locale.to_owned(),
+        state: if words.text.is_empty() { State::Initial } else { state(node, target) },
+        text: words,
+        mark: marks.next().and_then(|mark| mark.parse().ok()),
+        ..Entry::default()
+    });
+}
+
+fn state(unit: Node<'_, '_>, target: Option<Node<'_, '_>>) -> State {
+    let is_approved = unit.attribute("approved") == Some("yes");
+    match target.and_then(|target| target.attribute("state")).unwrap_or_default() {
+        "new" => State::Initial,
+        needs if needs.starts_with("needs-") => State::Initial,
+        "final" => State::Final,
+        "signed-off" => State::Reviewed,
+        _ if is_approved => State::Reviewed,
+        _ => State::Translated,
+    }
+}
+
+/// The text of a source or target. If its segments are marked, what is between them does not count.
+fn text(node: Node<'_, '_>, diagnostics: &mut Vec<Diagnostic>) -> String {
+    let is_segment = |node: &Node<'_, '_>| node.tag_name().name() == "mrk" && node.attribute("mtype") == Some("seg");
+    let mut segments: Vec<Node<'_, '_>> = node.descendants().filter(is_segment).collect();
+    if segments.is_empty() {
+        return content(node, diagnostics);
+    }
+    // Languages may order them in another way, but each has its number.
+    segments.sort_by_key(|segment| segment.attribute("mid").and_then(|mid| mid.parse::<usize>().ok()));
+    joined(&segments.into_iter().map(|segment| content(segment, diagnostics)).collect::<Vec<_>>())
+}
+
+fn content(node: Node<'_, '_>, diagnostics: &mut Vec<Diagnostic>) -> String {
+    let mut text = String::new();
+    for node in node.descendants().skip(1) {
+        match (node.node_type(), node.tag_name().name()) {
+            (NodeType::Text, _) if is_character(node.parent()) => {
+                let code = node.text().and_then(|code| u32::from_str_radix(code.strip_prefix("U+")?, 16).ok());
+                text.extend(code.and_then(char::from_u32));
+            }
+            // What is in a placeholder is what it stands for.
+            (NodeType::Text, _) => text.push_str(node.text().unwrap_or_default()),
+            (NodeType::Element, "x") => match node.attribute("equiv-text") {
+                Some(placeholder) => text.push_str(placeholder),
+                None => diagnostics.push(unknown_markup(node)),
+            },
+            (NodeType::Element, "ph" | "mrk" | "bpt" | "ept" | "it" | "g" | "sub") => {}
+            (NodeType::Element, _) => diagnostics.push(unknown_markup(node)),
+            _ => {}
+        }
+    }
+    text
+}
+
+fn is_character(node: Option<Node<'_, '_>>) -> bool {
+    node.is_some_and(|node| node.attribute("ctype") == Some(CHARACTER))
+}

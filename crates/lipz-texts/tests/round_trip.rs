@@ -1,0 +1,158 @@
+//! What comes back from a file of exchange: nothing changes that nobody changed, and a change in the file changes exactly
+//! that text, byte for byte.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+use lipz_file::literal;
+use lipz_texts::{
+    Collect, Division, Entry, Exchange, Format, Merge, Merged, ReadOptions, Shape, WriteOptions, read, write,
+};
+use proptest::prelude::*;
+
+/// A word that no other text has.
+const TOKEN: &str = "qqq";
+
+/// All ways to write a file.
+fn ways() -> Vec<(Format, WriteOptions)> {
+    let mut ways = Vec::new();
+    for division in [Division::Clip, Division::Segment] {
+        let options = WriteOptions::new().division(division);
+        for format in Format::ALL {
+            ways.push((format, options));
+        }
+        for shape in Shape::ALL {
+            ways.push((Format::Csv, options.shape(shape)));
+            ways.push((Format::Csv, options.shape(shape).raw_cells(true)));
+        }
+    }
+    ways
+}
+
+fn exchange(file: &str) -> Option<Exchange> {
+    let document = lipz_file::parse(file.as_bytes()).document.unwrap();
+    let unit = Collect::new("en-us", ["de-de", "fr-fr"]).unit("act 1/mayor", &document, &mut Vec::new())?;
+    let locales = vec!["de-de".into(), "fr-fr".into()];
+    Some(Exchange { source_locale: "en-us".into(), locales, units: vec![unit] })
+}
+
+fn entries(format: Format, bytes: &[u8]) -> Vec<Entry> {
+    let incoming = read(format, bytes, &ReadOptions::new("en-us"));
+    assert_eq!(incoming.diagnostics, [], "{}", incoming.text);
+    incoming.entries
+}
+
+fn merged(file: &str, entries: &[Entry]) -> Merged {
+    let document = lipz_file::parse(file.as_bytes()).document.unwrap();
+    Merge::new("en-us").merge(file, &document, &entries.iter().collect::<Vec<_>>())
+}
+
+/// A text of three segments, with what formats have to escape.
+fn text() -> impl Strategy<Value = Vec<String>> {
+    let segment = prop_oneof![
+        4 => "[a-z \"\\\\\n\r\u{7}\t,;'=@+<>&#é灯-]{0,9}",
+        1 => "[a-z]{0,3}\\{[a-z]{1,3}\\}[a-z ]{0,3}",
+        1 => Just(String::new()),
+    ];
+    proptest::collection::vec(segment, 3)
+}
+
+/// The text as an element of a file, with blanks and escapes of some author.
+fn element(name: &str, segments: &[String], blanks: usize, escapes: bool) -> String {
+    let blanks = " ".repeat(blanks);
+    let text = segments.iter().map(|segment| format!("{segment}{blanks}")).collect::<Vec<_>>().join("|");
+    let literal = literal(&text);
+    let literal = if escapes { literal.replace('é', "\\u00e9").replace('<', "\\u003c") } else { literal };
+    format!("\"{name}\" :\t{literal}")
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, cases: 64, ..ProptestConfig::default() })]
+
+    #[test]
+    fn what_nobody_changed_stays(
+        texts in proptest::collection::vec(text(), 3),
+        blanks in 0..3_usize,
+        escapes: bool,
+        has_french: bool,
+        edited in 0..3_usize,
+    ) {
+        let (english, mut german) = (&texts[0], texts[1].clone());
+        german[edited] = TOKEN.to_owned();
+        let mut elements = vec![
+            "\"note\": [1,  2]".to_owned(),
+            "\"visemes\": \"MA|EO|MA\"".to_owned(),
+            element("text_en-us", english, blanks, escapes),
+            element("text-de_DE", &german, blanks, escapes),
+        ];
+        elements.extend(has_french.then(|| element("text_fr-fr", &texts[2], 0, false)));
+        let file = format!("{{ {}\n}}\n", elements.join(" ,\n   "));
+        let Some(exchange) = exchange(&file) else { return Ok(()) };
+        for (format, options) in ways() {
+            for written in write(format, &exchange, &options).files {
+                let same = merged(&file, &entries(format, &written.bytes));
+                prop_assert_eq!(&same.text, &None, "{:?} {:?}", options, same);
+                prop_assert_eq!(same.found.len(), 0);
+
+                let text = String::from_utf8(written.bytes).unwrap();
+                let is_there = text.contains(TOKEN);
+                // A segment that has no source is not exported by itself; a translation with fewer placeholders is told.
+                let changed = merged(&file, &entries(format, text.replace(TOKEN, "zzz").as_bytes()));
+                prop_assert!(changed.found.iter().all(|(_, found)| !found.is_error()), "{:?}", changed);
+                let expected = is_there.then(|| file.replace(TOKEN, "zzz"));
+                prop_assert_eq!(changed.text, expected, "{:?} {}", options, text);
+            }
+        }
+    }
+
+    /// Readers take any bytes, and places are inside of the text that they count in.
+    #[test]
+    fn readers_take_any_bytes(
+        cut in 0..2_000_usize,
+        noise in proptest::collection::vec((0..2_000_usize, any::<u8>()), 0..6),
+    ) {
+        let file = r#"{ "visemes": "MA|E", "text_en-us": "a \"x\"|{b}", "text_de-de": "ä\n|{b}" }"#;
+        let exchange = exchange(file).unwrap();
+        for (format, options) in ways() {
+            for written in write(format, &exchange, &options).files {
+                let mut bytes = written.bytes;
+                for (at, byte) in &noise {
+                    let at = at % bytes.len();
+                    bytes[at] = *byte;
+                }
+                bytes.truncate(cut.max(1));
+                let incoming = read(format, &bytes, &ReadOptions::new("en-us"));
+                for diagnostic in &incoming.diagnostics {
+                    let span = diagnostic.primary.as_ref().map_or(0..0, |label| label.span.range());
+                    prop_assert!(incoming.text.get(span).is_some(), "{:?}", diagnostic);
+                }
+                for entry in &incoming.entries {
+                    prop_assert!(incoming.text.get(entry.text.span.range()).is_some(), "{:?}", entry);
+                    prop_assert!(incoming.text.get(entry.key.span.range()).is_some(), "{:?}", entry);
+                }
+                merged(file, &incoming.entries);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_new_locale_gets_a_text() {
+    let file = "{\n  \"visemes\" :    \"MA|EO\",\n  \"text_en-us\" : \"Hi|You\",\n  \"fps\" :        24\n}\n";
+    let exchange = exchange(file).unwrap();
+    for (format, options) in ways() {
+        let written = write(format, &exchange, &options).files.remove(0);
+        let mut entries = entries(format, &written.bytes);
+        entries.retain(|entry| entry.locale == "de-de");
+        for entry in &mut entries {
+            entry.text.text = match entry.segment {
+                Some(1) => "Hallo",
+                Some(_) => "du",
+                None => "Hallo | du",
+            }
+            .into();
+            entry.state = lipz_texts::State::Translated;
+        }
+        let expected = "{\n  \"visemes\" :    \"MA   |EO\",\n".replace("MA   ", "MA")
+            + "  \"text_en-us\" : \"Hi   |You\",\n  \"text_de-de\" : \"Hallo|du\",\n  \"fps\" :        24\n}\n";
+        assert_eq!(merged(file, &entries).text.as_deref(), Some(expected.as_str()), "{options:?}");
+    }
+}

@@ -1,0 +1,264 @@
+//! `lipz texts export`: a file for translators.
+
+use super::{By, Columns, Format};
+use crate::interrupt::{Files, point};
+use crate::reporter::{Abort, Ended, Reporter};
+use crate::shared::inputs::find;
+use crate::shared::output_file::refuse_source;
+use crate::shared::project_flags::{hide_of_banks, parse_locale};
+use crate::shared::sources::Sources;
+use crate::shared::{formats, stdio};
+use crate::{Outcome, console};
+use clap::Args;
+use lipz_compiler::settings::Settings;
+use lipz_compiler::{Compiler, Input, Options, key};
+use lipz_diagnostics::{Report, Severity};
+use lipz_file::Document;
+use lipz_file::locale::{TextName, text_name};
+use lipz_sync::Recordings;
+use lipz_texts::{Collect, Exchange, Unit, WriteOptions, Written, WrittenFile, write};
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+/// Write the texts of clips and their translations into a file for translators.
+///
+/// Clips without a text in the default locale are left out; the summary counts them.
+#[derive(Args, Debug)]
+#[command(mut_args(hide_of_banks))]
+pub(super) struct Export {
+    /// The format to write
+    #[arg(value_enum, value_name = "FORMAT")]
+    text_format: Format,
+
+    #[command(flatten)]
+    sources: Sources,
+
+    /// The file to write, or the folder for a file of each locale; `-` is standard output
+    #[arg(short, long, value_name = "FILE|FOLDER")]
+    output: PathBuf,
+
+    /// The locale of the translations, also one that no clip has yet; may be given several times [default: all that the
+    /// files have]
+    #[arg(long, value_name = "LOCALE", value_parser = parse_locale)]
+    locale: Vec<String>,
+
+    /// The locale that is translated [default: `default-locale` of lipz.toml]
+    #[arg(long, value_name = "LOCALE", value_parser = parse_locale)]
+    from: Option<String>,
+
+    /// What an entry is about
+    #[arg(long, value_enum, default_value_t = By::Clip)]
+    by: By,
+
+    /// The columns of a CSV
+    #[arg(long, value_enum, default_value_t = Columns::Sheet)]
+    shape: Columns,
+
+    /// Write cells of a CSV that look like formulas without an apostrophe before them, for programs that show it
+    #[arg(long)]
+    raw_cells: bool,
+
+    /// Replace files that exist
+    #[arg(long)]
+    force: bool,
+}
+
+impl Export {
+    /// Whether the file goes to standard output.
+    pub(super) fn is_printed(&self) -> bool {
+        stdio::is_meant(&self.output)
+    }
+}
+
+/// What one clip gives.
+struct Made {
+    unit: Option<Unit>,
+    report: Option<Report>,
+}
+
+pub(super) fn run(arguments: &Export, reporter: &mut Reporter) -> Ended {
+    refuse_source(&arguments.output, reporter)?;
+    let project = arguments.sources.project(reporter)?;
+    let options = &project.settings.options;
+    let source_locale = source_locale(arguments.from.as_ref(), options, reporter)?;
+    let (inputs, mut reports) = find(&project.settings);
+    key::check(&inputs, &mut reports);
+    let locales = match arguments.locale.is_empty() {
+        true => locales_of(&inputs, options, &source_locale),
+        false => unique(&arguments.locale, &source_locale),
+    };
+    if locales.is_empty() && !inputs.is_empty() {
+        let message = format!("no clip has a text in another locale than {source_locale}");
+        return Err(reporter.usage(message, "name the locale of the translations with `--locale`, as in de-de"));
+    }
+    let units = units(arguments, &project.settings, &inputs, (&source_locale, &locales), &mut reports);
+    let left_out = inputs.len() - units.len();
+    let exchange = Exchange { source_locale, locales, units };
+    let write_options =
+        WriteOptions::new().division(arguments.by.into()).shape(arguments.shape.into()).raw_cells(arguments.raw_cells);
+    let written = write(arguments.text_format.into(), &exchange, &write_options);
+    let name = console::path(&arguments.output);
+    let mut diagnostics = written.diagnostics.clone();
+    options.levels.apply(&mut diagnostics);
+    if !diagnostics.is_empty() {
+        reports.push(Report::all_about(name.clone(), diagnostics));
+    }
+    let is_whole = !lipz_diagnostics::reports::have_errors(&reports);
+    let count = if is_whole { deliver(arguments, &written, &mut reports, reporter)? } else { 0 };
+    let outcome = Outcome::from_reports(&reports);
+    reporter.add(reports);
+    if arguments.sources.is_quiet() || count == 0 {
+        return Ok(outcome);
+    }
+    let clips = console::counted(exchange.units.len(), "clip");
+    let locales = exchange.locales.join(", ");
+    let without = match left_out {
+        0 => String::new(),
+        some => format!("; {} without a text in {} left out", console::counted(some, "clip"), exchange.source_locale),
+    };
+    let into = if arguments.is_printed() { "standard output".to_owned() } else { name };
+    reporter.summary(&format!("texts of {clips} for {locales} written into {into}{without}\n"))?;
+    Ok(outcome)
+}
+
+/// The locale that is translated.
+pub(super) fn source_locale(
+    from: Option<&String>,
+    options: &Options,
+    reporter: &mut Reporter,
+) -> Result<String, Abort> {
+    let default = || lipz_file::locale::canonical_tag(options.default_locale.as_deref()?, true);
+    from.cloned().or_else(default).ok_or_else(|| {
+        let tip = "name it with `--from`, as in en-us, or set `default-locale` in lipz.toml";
+        reporter.usage("the locale that is translated is not known", tip)
+    })
+}
+
+/// Each locale once, but for the one that is translated.
+fn unique(locales: &[String], source_locale: &str) -> Vec<String> {
+    let mut all: Vec<String> = Vec::new();
+    for locale in locales {
+        if locale != source_locale && !all.contains(locale) {
+            all.push(locale.clone());
+        }
+    }
+    all
+}
+
+/// The locales that files have, but for the one that is translated.
+pub(super) fn locales_of(inputs: &[Input], options: &Options, source_locale: &str) -> Vec<String> {
+    let each = Compiler::new(options.clone()).each_file(inputs, |_, bytes| {
+        let document = lipz_file::parse(bytes).document.unwrap_or_default();
+        document.elements.iter().filter_map(|element| tag(&element.name.text)).collect::<Vec<String>>()
+    });
+    let all: BTreeSet<String> = each.into_iter().flatten().flatten().collect();
+    all.into_iter().filter(|locale| locale != source_locale).collect()
+}
+
+fn tag(name: &str) -> Option<String> {
+    match text_name(name)? {
+        TextName::Canonical(tag) | TextName::Misspelt(tag) | TextName::OtherShape(_, Some(tag)) => Some(tag),
+        TextName::NoLocale | TextName::OtherShape(_, None) => None,
+    }
+}
+
+/// The units of all clips, in the order of their keys.
+fn units(
+    arguments: &Export,
+    settings: &Settings,
+    inputs: &[Input],
+    (source_locale, locales): (&str, &[String]),
+    reports: &mut Vec<Report>,
+) -> Vec<Unit> {
+    let options = &settings.options;
+    let limits = options.text_limits;
+    let on_screen = limits.line_columns.zip(limits.lines).map(|(columns, lines)| columns as usize * lines as usize);
+    let collect = Collect::new(source_locale, locales.iter().cloned())
+        .default_locale(options.default_locale.clone())
+        .default_rate(options.default_fps.map(formats::rate))
+        .limits(on_screen, limits.characters_per_second);
+    let (recordings, unread) = Recordings::discover(settings);
+    reports.extend(unread);
+    let bar = console::progress_bar(inputs.len(), arguments.sources.is_quiet());
+    let compiler = Compiler::new(options.clone()).progress(|count| {
+        bar.inc(count);
+        point();
+    });
+    let results = compiler.each_file(inputs, |input, bytes| {
+        let parsed = lipz_file::parse(bytes);
+        let mut diagnostics = parsed.diagnostics;
+        // Warnings about clips are for `lipz check`.
+        diagnostics.retain(|diagnostic| diagnostic.severity == Severity::Error);
+        let document: Document<'_> = parsed.document.unwrap_or_default();
+        let mut unit = collect.unit(&input.key, &document, &mut diagnostics);
+        if let Some(unit) = &mut unit {
+            unit.file = Some(input.name());
+            unit.recording = recordings.find(&input.key).map(|path| path.to_string_lossy().replace('\\', "/"));
+        }
+        options.levels.apply(&mut diagnostics);
+        let report = (!diagnostics.is_empty()).then(|| Report::from_bytes(input.name(), bytes, diagnostics));
+        Made { unit, report }
+    });
+    bar.finish_and_clear();
+    let mut units = Vec::new();
+    for result in results {
+        match result {
+            Ok(made) => {
+                units.extend(made.unit);
+                reports.extend(made.report);
+            }
+            Err(report) => reports.push(report),
+        }
+    }
+    units.sort_by(|a, b| a.key.cmp(&b.key));
+    units
+}
+
+/// Writes the files; how many there are.
+fn deliver(
+    arguments: &Export,
+    written: &Written,
+    reports: &mut Vec<Report>,
+    reporter: &mut Reporter,
+) -> Result<usize, Abort> {
+    if arguments.is_printed() {
+        let [only] = written.files.as_slice() else {
+            let tip = "name a folder with `--output`, or one locale with `--locale`";
+            return Err(reporter.usage("several files cannot go to standard output", tip));
+        };
+        reporter.print_bytes(&only.bytes)?;
+        return Ok(1);
+    }
+    let format = lipz_texts::Format::from(arguments.text_format);
+    let is_folder = written.files.len() > 1 || arguments.output.is_dir();
+    let path = |file: &WrittenFile| match is_folder {
+        true => formats::path(&arguments.output, file.locale.as_deref().unwrap_or("texts"), format.extension()),
+        false => arguments.output.clone(),
+    };
+    if is_folder && arguments.output.extension().is_some_and(|_| !arguments.output.is_dir()) {
+        let message = format!("`{}` is one file, and each locale has its own", console::path(&arguments.output));
+        return Err(reporter.usage(message, "name a folder, or one locale with `--locale`"));
+    }
+    if !arguments.force {
+        reports.extend(written.files.iter().filter_map(|file| formats::in_the_way(&path(file))));
+    }
+    if !formats::may_write(reports) {
+        return Ok(0);
+    }
+    let files = Files::new();
+    let mut count = 0;
+    for file in &written.files {
+        match replace(&files, &path(file), file) {
+            Ok(()) => count += 1,
+            Err(report) => reports.push(report),
+        }
+    }
+    let unwritten = files.finish();
+    count -= unwritten.len();
+    reports.extend(unwritten);
+    Ok(count)
+}
+
+fn replace(files: &Files, path: &Path, file: &WrittenFile) -> Result<(), Report> {
+    files.replace(path, &file.bytes)
+}

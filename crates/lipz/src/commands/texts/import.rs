@@ -1,0 +1,281 @@
+//! `lipz texts import`: translations into clips.
+
+use super::export::{locales_of, source_locale};
+use crate::interrupt::{Files, point};
+use crate::reporter::{Abort, Ended, Reporter};
+use crate::shared::inputs::find;
+use crate::shared::lint_flags::LintFlags;
+use crate::shared::project_flags::parse_locale;
+use crate::shared::settings_file::SettingsFile;
+use crate::shared::{formats, patterns};
+use crate::{Outcome, console};
+use clap::{Args, ValueEnum};
+use lipz_compiler::settings::Settings;
+use lipz_compiler::{Compiler, Content, Input, key};
+use lipz_diagnostics::{Code, Diagnostic, Report, Source, reports as all_reports};
+use lipz_texts::{Counts, Entry, Merge, Merged, ReadOptions, read, unknown_keys};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::PathBuf;
+
+/// Read translations into the clips that they belong to.
+///
+/// Only texts that somebody changed in the file change in the clips; everything else stays as it is spelled. What does not
+/// fit is reported with its line and column, and the clip keeps its text in that locale; all others are imported.
+#[derive(Args, Debug)]
+pub(super) struct Import {
+    /// Files of translations, as `lipz texts export` writes them: .po, .xlf, .csv, .tsv
+    #[arg(value_name = "FILES", required = true)]
+    files: Vec<PathBuf>,
+
+    /// The clips: folders, files or patterns [default: the sources of lipz.toml]
+    #[arg(short, long, value_name = "SOURCES")]
+    output: Vec<PathBuf>,
+
+    /// Keys are paths below this folder [default: each source folder]
+    #[arg(long, value_name = "FOLDER")]
+    root: Option<PathBuf>,
+
+    /// Import this locale only, and files that name none as it; may be given several times
+    #[arg(long, value_name = "LOCALE", value_parser = parse_locale)]
+    locale: Vec<String>,
+
+    /// The locale that was translated [default: `default-locale` of lipz.toml]
+    #[arg(long, value_name = "LOCALE", value_parser = parse_locale)]
+    from: Option<String>,
+
+    /// The state that a translation must have reached
+    #[arg(long, value_enum, default_value_t = MinState::Translated)]
+    min_state: MinState,
+
+    /// Also import translations of texts that changed since the export, and over newer translations
+    #[arg(long)]
+    force: bool,
+
+    /// Say what would be imported, and write nothing
+    #[arg(long)]
+    check: bool,
+
+    #[command(flatten)]
+    file: SettingsFile,
+
+    #[command(flatten)]
+    lints: LintFlags,
+
+    /// Show no progress and no summary
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+/// States on the command line.
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+enum MinState {
+    /// Also what is fuzzy
+    Initial,
+    /// What a translator has finished
+    Translated,
+    /// What somebody else has read
+    Reviewed,
+    /// What is done
+    Final,
+}
+
+impl From<MinState> for lipz_texts::State {
+    fn from(state: MinState) -> lipz_texts::State {
+        match state {
+            MinState::Initial => lipz_texts::State::Initial,
+            MinState::Translated => lipz_texts::State::Translated,
+            MinState::Reviewed => lipz_texts::State::Reviewed,
+            MinState::Final => lipz_texts::State::Final,
+        }
+    }
+}
+
+/// What was read of the files of translations.
+#[derive(Default)]
+struct Incoming {
+    /// Names and texts of the files.
+    sources: Vec<Source>,
+    entries: Vec<Entry>,
+    /// What was found, with the number of the file.
+    found: Vec<(usize, Diagnostic)>,
+}
+
+pub(super) fn run(arguments: &Import, reporter: &mut Reporter) -> Ended {
+    let mut settings = arguments.file.project(&arguments.output, reporter)?.settings;
+    arguments.lints.apply(&mut settings.options.levels);
+    settings.root = arguments.root.clone().or(settings.root);
+    let options = &settings.options;
+    let source_locale = source_locale(arguments.from.as_ref(), options, reporter)?;
+    let (inputs, mut reports) = find(&settings);
+    key::check(&inputs, &mut reports);
+    if all_reports::have_errors(&reports) {
+        let outcome = Outcome::from_reports(&reports);
+        return Err(reporter.abort(reports, outcome));
+    }
+    let known = locales_of(&inputs, options, &source_locale);
+    let read_options = ReadOptions::new(source_locale.as_str()).wanted(arguments.locale.iter().cloned()).known(known);
+    let mut incoming = arguments.read(&read_options, reporter, &mut reports)?;
+    let keys: BTreeSet<&str> = inputs.iter().map(|input| input.key.as_str()).collect();
+    incoming.found.extend(unknown_keys(&incoming.entries, &keys));
+    incoming.found.retain_mut(|(_, diagnostic)| {
+        let mut one = vec![diagnostic.clone()];
+        options.levels.apply(&mut one);
+        one.pop().map(|levelled| *diagnostic = levelled).is_some()
+    });
+    let counts = arguments.merge(&settings, &source_locale, &inputs, &mut incoming, &mut reports);
+    reports.extend(incoming.reports());
+    all_reports::sort(&mut reports);
+    let outcome = Outcome::from_reports(&reports);
+    reporter.add(reports);
+    if !arguments.quiet {
+        reporter.summary(&summary(counts, arguments.check))?;
+    }
+    Ok(outcome)
+}
+
+impl Import {
+    /// Reads all files.
+    fn read(
+        &self,
+        options: &ReadOptions,
+        reporter: &mut Reporter,
+        reports: &mut Vec<Report>,
+    ) -> Result<Incoming, Abort> {
+        let mut all = Incoming::default();
+        for path in patterns::files(&self.files) {
+            let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+            let Some(format) = lipz_texts::Format::of_extension(extension) else {
+                let message = format!("the extension of `{}` names no format", console::path(&path));
+                return Err(reporter.usage(message, "files of translations end in .po, .xlf, .csv or .tsv"));
+            };
+            let bytes = match fs::read(&path) {
+                Ok(bytes) => bytes,
+                Err(error) => {
+                    reports.push(formats::unreadable(&path, &error));
+                    continue;
+                }
+            };
+            let number = all.sources.len();
+            let incoming = read(format, &bytes, options);
+            all.entries.extend(incoming.entries.into_iter().map(|mut entry| {
+                entry.file = number;
+                entry
+            }));
+            all.found.extend(incoming.diagnostics.into_iter().map(|diagnostic| (number, diagnostic)));
+            all.sources.push(Source::new(console::path(&path), incoming.text));
+        }
+        Ok(all)
+    }
+
+    /// Brings the translations into the clips.
+    fn merge(
+        &self,
+        settings: &Settings,
+        source_locale: &str,
+        inputs: &[Input],
+        incoming: &mut Incoming,
+        reports: &mut Vec<Report>,
+    ) -> Counts {
+        let options = &settings.options;
+        let mut by_key: BTreeMap<&str, Vec<&Entry>> = BTreeMap::new();
+        for entry in &incoming.entries {
+            by_key.entry(&entry.key.text).or_default().push(entry);
+        }
+        let inputs: Vec<Input> = inputs.iter().filter(|input| by_key.contains_key(&*input.key)).cloned().collect();
+        let merge = Merge::new(source_locale)
+            .default_locale(options.default_locale.as_deref())
+            .min_state(self.min_state.into())
+            .forced(self.force)
+            .levels(&options.levels);
+        let bar = console::progress_bar(inputs.len(), self.quiet);
+        let compiler = Compiler::new(options.clone()).progress(|count| {
+            bar.inc(count);
+            point();
+        });
+        let files = Files::new();
+        let results = compiler.each_file(&inputs, |input, bytes| {
+            let merged = one(&merge, input, bytes, by_key.get(&*input.key).map_or(&[], Vec::as_slice))?;
+            if let (Some(text), Content::File(path), false) = (&merged.text, &input.content, self.check) {
+                files.rewrite(path, bytes, text.as_bytes())?;
+            }
+            Ok(merged)
+        });
+        let unwritten = files.finish();
+        bar.finish_and_clear();
+        let mut counts = Counts::default();
+        for result in results {
+            match result.and_then(|result| result) {
+                Ok(merged) => {
+                    counts.add(merged.counts);
+                    incoming.found.extend(merged.found);
+                }
+                Err(report) => reports.push(report),
+            }
+        }
+        reports.extend(unwritten);
+        if counts.unmarked > 0 {
+            let mut found = vec![unmarked(counts.unmarked, self.check)];
+            options.levels.apply(&mut found);
+            incoming.found.extend(found.into_iter().map(|diagnostic| (0, diagnostic)));
+        }
+        counts
+    }
+}
+
+/// One clip with its translations, or why it cannot be read.
+fn one(merge: &Merge<'_>, input: &Input, bytes: &[u8], entries: &[&Entry]) -> Result<Merged, Report> {
+    let parsed = lipz_file::parse(bytes);
+    let mut diagnostics = parsed.diagnostics;
+    diagnostics.retain(Diagnostic::is_error);
+    match parsed.document.filter(|_| diagnostics.is_empty()) {
+        Some(document) => Ok(merge.merge(&String::from_utf8_lossy(bytes), &document, entries)),
+        None => Err(Report::from_bytes(input.name(), bytes, diagnostics)),
+    }
+}
+
+/// The diagnostic for texts that were replaced without a mark.
+fn unmarked(count: usize, is_check: bool) -> Diagnostic {
+    let (texts, were) = (console::counted(count, "text"), if count == 1 { "was" } else { "were" });
+    let what = if is_check { "would be".to_owned() } else { were.to_owned() };
+    Diagnostic::new(Code::TextReplaced, format!("{texts} of the project {what} replaced"))
+        .note("the file does not say what they were when it was exported: if the project has changed since, that is undone")
+        .help("compare them with version control, or keep the marks in the file: the column `lock de-de`")
+}
+
+impl Incoming {
+    /// What was found, by files.
+    fn reports(self) -> Vec<Report> {
+        let mut by_file: Vec<Vec<Diagnostic>> = vec![Vec::new(); self.sources.len()];
+        for (file, diagnostic) in self.found {
+            if let Some(found) = by_file.get_mut(file) {
+                found.push(diagnostic);
+            }
+        }
+        let reports = self.sources.into_iter().zip(by_file).filter(|(_, found)| !found.is_empty());
+        reports
+            .map(|(source, mut found)| {
+                found.sort_by_key(Diagnostic::start);
+                lipz_diagnostics::bound::limit(&mut found);
+                Report::new(source, found)
+            })
+            .collect()
+    }
+}
+
+fn summary(counts: Counts, is_check: bool) -> String {
+    let parts = [
+        (counts.added, "new"),
+        (counts.changed, "changed"),
+        (counts.unchanged, "unchanged"),
+        (counts.newer, "newer in the project, which stays"),
+        (counts.refused, "not imported"),
+    ];
+    let parts: Vec<String> = parts
+        .into_iter()
+        .filter(|(count, what)| *count > 0 || *what == "new")
+        .map(|(count, what)| format!("{} {what}", console::grouped(count)))
+        .collect();
+    let head = if is_check { "texts that would be imported" } else { "texts imported" };
+    format!("{head}: {}\n", parts.join(", "))
+}

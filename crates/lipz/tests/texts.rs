@@ -1,0 +1,199 @@
+//! `lipz texts`: to translators and back, and what does not fit.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use std::fs;
+use std::path::Path;
+use support::{Scene, lipz, repository};
+
+const MAYOR: &str = r#"{
+  "visemes" :    "MAAAEO----|MAAAAEEO--",
+  "text_en-us" : "{louder} Mayor?|Mayor!",
+  "fps" :        24
+}
+"#;
+const SHOE: &str = r#"{ "visemes": "MA", "text_en-us": "Shoes, {name}!", "text_de-de": "Schuhe, {name}!",
+    "mood": [1,2] }
+"#;
+
+/// A project of two clips, one of which is translated.
+fn project() -> Scene {
+    let scene = Scene::new();
+    scene.write("lipz.toml", "sources = [\"voices\"]\ndefault-locale = \"en-us\"\n");
+    scene.write("voices/act1/mayor.lipz", MAYOR);
+    scene.write("voices/shoe.lipz", SHOE);
+    scene
+}
+
+/// A PO file of German translations: the texts of `mayor` and `shoe`, with their sources.
+fn po(entries: &[(&str, &str, &str)]) -> String {
+    let entry = |(key, source, text): &(&str, &str, &str)| {
+        format!("\nmsgctxt \"{key}\"\nmsgid \"{source}\"\nmsgstr \"{text}\"\n")
+    };
+    let entries: String = entries.iter().map(entry).collect();
+    format!("msgid \"\"\nmsgstr \"Language: de_DE\\n\"\n{entries}")
+}
+
+fn read(folder: &Path, name: &str) -> String {
+    fs::read_to_string(folder.join(name)).unwrap()
+}
+
+/// The paths below `voices`, with what is in them.
+fn voices(folder: &Path) -> [String; 2] {
+    ["voices/act1/mayor.lipz", "voices/shoe.lipz"].map(|name| read(folder, name))
+}
+
+#[test]
+fn a_week_of_a_localiser() {
+    let scene = project();
+    let folder = scene.path();
+    let export = lipz(folder, ["texts", "export", "po", "--locale", "de-de", "-o", "de-de.po"]);
+    assert_eq!((export.code, export.stderr.as_str()), (0, ""));
+    assert_eq!(export.stdout, "texts of 2 clips for de-de written into de-de.po\n");
+    let again = lipz(folder, ["texts", "export", "po", "--locale", "de-de", "-o", "de-de.po"]);
+    assert!(again.code == 1 && again.stderr.contains("[LZ0906]"), "{}", again.stderr);
+
+    let same = lipz(folder, ["texts", "import", "de-de.po"]);
+    assert_eq!((same.code, same.stdout.as_str()), (0, "texts imported: 0 new, 2 unchanged\n"), "{}", same.stderr);
+    assert_eq!(voices(folder), [MAYOR, SHOE]);
+
+    // The translator works; the Lipz file of another clip is edited meanwhile.
+    let translated = read(folder, "de-de.po").replace(
+        "msgid \"{louder} Mayor? | Mayor!\"\nmsgstr \"\"",
+        "msgid \"{louder} Mayor? | Mayor!\"\nmsgstr \"{louder} Herr Bürgermeister? | Bürgermeister!\"",
+    );
+    scene.write("de-de.po", &translated);
+    scene.write("voices/shoe.lipz", SHOE.replace("Schuhe", "Treter"));
+    let check = lipz(folder, ["texts", "import", "de-de.po", "--check"]);
+    let expected = "texts that would be imported: 1 new, 1 newer in the project, which stays\n";
+    assert_eq!((check.code, check.stdout.as_str()), (0, expected), "{}", check.stderr);
+    assert_eq!(read(folder, "voices/act1/mayor.lipz"), MAYOR);
+    let import = lipz(folder, ["texts", "import", "de-de.po"]);
+    assert_eq!(import.stdout, "texts imported: 1 new, 1 newer in the project, which stays\n");
+    let [mayor, shoe] = voices(folder);
+    assert!(mayor.contains("  \"text_de-de\" : \"{louder} Herr Bürgermeister?|Bürgermeister!\",\n"), "{mayor}");
+    assert_eq!(shoe, SHOE.replace("Schuhe", "Treter"));
+    assert_eq!(lipz(folder, ["fmt", "--check", "voices/act1"]).code, 0, "it was in its canonical layout");
+    let all = lipz(folder, ["check"]);
+    assert!(!all.stderr.contains("LZ06"), "{}", all.stderr);
+}
+
+#[test]
+fn every_shape_of_a_csv_comes_back() {
+    for shape in ["sheet", "unity", "godot", "unreal", "yarn"] {
+        let scene = project();
+        let folder = scene.path();
+        let arguments = ["texts", "export", "csv", "--locale", "de-de", "--shape", shape, "--by", "segment", "-o", "."];
+        let export = lipz(folder, arguments);
+        assert_eq!(export.code, 0, "{shape}: {}", export.stderr);
+        let name = if shape == "yarn" { "de-de.csv" } else { "texts.csv" };
+        let table = read(folder, name).replace("Schuhe", "Treter");
+        // Excel of a German system, as it saves tables.
+        scene.write(name, format!("\u{feff}{table}"));
+        let import = lipz(folder, ["texts", "import", name]);
+        assert_eq!((import.code, import.stderr.as_str()), (0, ""), "{shape}");
+        assert_eq!(voices(folder), [MAYOR.to_owned(), SHOE.replace("Schuhe", "Treter")], "{shape}");
+    }
+}
+
+#[test]
+fn what_does_not_fit() {
+    let mut scene = project();
+    let import = ["texts", "import", "de-de.po", "--quiet"];
+    let mayor = "{louder} Mayor? | Mayor!";
+    scene.write("de-de.po", po(&[("shoe", "Shoes, {name}!", "Schuhe")]).replace("\"Schuhe\"", "\"Schuhe"));
+    scene.expect("LZ1901-exchange-syntax", &import);
+    scene.write("de-de.po", po(&[("act1/mayer", mayor, "a | b"), ("shoe", "Shoes, {name}!", "Schuhe, {name}!")]));
+    scene.expect("LZ1902-unknown-text-key", &import);
+    scene.write("de-de.po", po(&[("act1/mayor", mayor, "Herr Bürgermeister!"), ("shoe|2", "", "Schuhe")]));
+    scene.expect("LZ1903-text-segments", &import);
+    scene.write("de-de.po", po(&[("shoe|1", "Shoes, {name}!", "Schuhe | {name}")]));
+    scene.expect("LZ1903-text-segments-in-segment", &import);
+    scene.write(
+        "de-de.po",
+        po(&[("shoe", "Boots, {name}!", "Stiefel, {name}!"), ("act1/mayor", mayor, "{louder} A | B")]),
+    );
+    scene.expect("LZ1904-outdated-source", &import);
+    assert_eq!(read(scene.path(), "voices/shoe.lipz"), SHOE, "the clip stays");
+    assert!(read(scene.path(), "voices/act1/mayor.lipz").contains("\"{louder} A "), "the other is imported");
+    scene.write("voices/act1/mayor.lipz", MAYOR);
+    scene.write("de-de.po", po(&[("shoe", "Shoes, {name}!", "A, {name}"), ("shoe", "Shoes, {name}!", "B, {name}")]));
+    scene.expect("LZ1905-text-conflict-twice", &import);
+    scene.write("de-de.po", po(&[("shoe", "Shoes, {name}!", "Schuhe, {nmae}!")]));
+    scene.expect("LZ1906-placeholder", &[&import[..], &["--deny", "placeholder"]].concat());
+    assert_eq!(read(scene.path(), "voices/shoe.lipz"), SHOE, "what is denied is not imported");
+    scene.write(
+        "de-de.po",
+        po(&[("shoe", "Shoes, {name}!", "Treter, {name}!")]).replace("\nmsgctxt", "\n#, fuzzy\nmsgctxt"),
+    );
+    scene.expect("LZ1907-unfinished-translation", &import);
+    scene.write("a.csv", "key,en-us,de-de,Deutsch\nshoe,\"Shoes, {name}!\",\"Schuhe, {name}!\",x\n,,y,\n");
+    scene.expect("LZ1908-exchange-loss", &["texts", "import", "a.csv", "--quiet"]);
+    scene.write("a.csv", "key;en-us;de-de\nshoe;Shoes, {name}!;Treter, {name}!\n");
+    scene.expect("LZ1909-text-replaced", &["texts", "import", "a.csv", "--quiet"]);
+    scene.write("voices/shoe.lipz", SHOE);
+
+    // Both change the same text.
+    lipz(scene.path(), ["texts", "export", "po", "--locale", "de-de", "-o", "de-de.po", "--force"]);
+    scene.write("de-de.po", read(scene.path(), "de-de.po").replace("Schuhe", "Treter"));
+    scene.write("voices/shoe.lipz", SHOE.replace("Schuhe", "Latschen"));
+    scene.expect("LZ1905-text-conflict", &import);
+    assert!(read(scene.path(), "voices/shoe.lipz").contains("Latschen"));
+    let forced = lipz(scene.path(), ["texts", "import", "de-de.po", "--force"]);
+    assert_eq!((forced.code, forced.stdout.as_str()), (0, "texts imported: 0 new, 1 changed, 1 unchanged\n"));
+    assert!(read(scene.path(), "voices/shoe.lipz").contains("Treter"));
+    scene.finish(11);
+}
+
+#[test]
+fn slips_on_the_command_line() {
+    let scene = project();
+    let told = |arguments: &[&str]| {
+        let outcome = lipz(scene.path(), arguments);
+        (outcome.code, outcome.stderr)
+    };
+    for (arguments, expected) in [
+        (&["texts", "export", "po", "-o", "x.lipz"][..], "is the name of a Lipz file"),
+        (&["texts", "export", "po", "--locale", "de-de", "--locale", "fr-fr", "-o", "x.po"], "each locale has its own"),
+        (&["texts", "export", "po", "--locale", "de-de", "--locale", "fr-fr", "-o", "-"], "several files cannot go"),
+        (
+            &["texts", "export", "po", "--no-config", "voices", "-o", "x.po"],
+            "the locale that is translated is not known",
+        ),
+        (&["texts", "import", "x.docx"], "names no format"),
+        (&["texts", "import", "x.po"], "`x.po` does not exist"),
+        (&["texts", "import", "x.po", "-o", "nowhere"], "`nowhere` does not exist"),
+    ] {
+        let (code, error) = told(arguments);
+        assert!(code == 2 && error.contains(expected), "{arguments:?}: {error}");
+    }
+    scene.write("empty.csv", "");
+    assert!(told(&["texts", "import", "empty.csv"]).1.contains("the file has no header"));
+    assert!(told(&["texts", "import", "empty.csv", "-o", "voices/shoe.lipz"]).1.contains("LZ1901"));
+    scene.write(
+        "wide.csv",
+        "\u{feff}key\tde-de\nshoe\tÄ {name}\n".encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<_>>(),
+    );
+    let (code, error) = told(&["texts", "import", "wide.csv"]);
+    assert!(code == 0 && error.contains("LZ1909"), "{error}");
+    assert!(read(scene.path(), "voices/shoe.lipz").contains("\"Ä {name}\""));
+}
+
+#[test]
+fn the_drama_goes_out_and_comes_back() {
+    let repository = repository();
+    let scene = Scene::new();
+    for (format, name) in [("po", "de-de.po"), ("xliff", "a.xlf"), ("xliff-1.2", "b.xlf"), ("csv", "texts.csv")] {
+        let output = scene.path().join(name);
+        let output = output.to_str().unwrap();
+        let settings = ["--default-locale", "en-us", "fixtures/drama", "--locale", "de-de", "-o", output];
+        let export = lipz(&repository, ["texts", "export", format].into_iter().chain(settings));
+        assert_eq!(export.code, 0, "{}", export.stderr);
+        let import = ["texts", "import", output, "-o", "fixtures/drama", "--from", "en-us", "--check"];
+        let import = lipz(&repository, import);
+        assert_eq!(import.code, 0, "{}", import.stderr);
+        assert!(import.stdout.starts_with("texts that would be imported: 0 new, 4"), "{}", import.stdout);
+        assert!(import.stdout.ends_with(" unchanged\n"), "{}", import.stdout);
+    }
+}
