@@ -1,10 +1,10 @@
 //! Makes a mouth for each sound of a folder: `cargo run --release -p lipz-speech --example sync_folder -- FOLDER OUT
 //! [LOCALE [MODEL]]`. With `-` as LOCALE, without scripts. The script of `name.wav` is `name.txt`; its language is that of `name.json` (its element `lang`) or LOCALE. For
 //! each, `OUT/name.json` has the frames, and the phones and words with their times in seconds: what scorers read.
-//! MODEL is a file that `lipz sync --train` made.
+//! MODEL is a file that `lipz sync --train` made; without scripts, one that `lipz recogniser` made.
 
 use lipz_speech::{
-    AlignOptions, Aligner, Language, Model, Pronouncer, RenderRules, Script, Sound, TrainedModel, render,
+    AlignOptions, Aligner, Language, Model, Pronouncer, Recogniser, RenderRules, Script, Sound, TrainedModel, render,
 };
 use lipz_types::{Fps, VisemeType};
 use serde_json::{Value, json};
@@ -18,38 +18,53 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (folder, out, locale, model) = match &arguments[..] {
         [folder, out] => (folder, out, "en", None),
         [folder, out, locale] => (folder, out, locale.as_str(), None),
-        [folder, out, locale, model] => {
-            (folder, out, locale.as_str(), Some(TrainedModel::from_bytes(&fs::read(model)?)?))
-        }
+        [folder, out, locale, model] => (folder, out, locale.as_str(), Some(fs::read(model)?)),
         _ => return Err("usage: sync_folder FOLDER OUT [LOCALE [MODEL]]".into()),
     };
-    let model = model.as_ref().map_or(Model::english(), |trained| &trained.model);
+    let (mut trained, mut recogniser) = (None, None);
+    match model {
+        Some(bytes) if locale == "-" => recogniser = Some(Recogniser::from_bytes(&bytes)?),
+        Some(bytes) => trained = Some(TrainedModel::from_bytes(&bytes)?.model),
+        None => {}
+    }
+    let with = With { locale, model: trained.as_ref().unwrap_or(Model::english()), recogniser: recogniser.as_ref() };
     fs::create_dir_all(out)?;
     let mut sounds: Vec<PathBuf> = fs::read_dir(folder)?.filter_map(|entry| Some(entry.ok()?.path())).collect();
     sounds.retain(|path| path.with_extension("txt").exists() && path.extension().is_some_and(|name| name != "txt"));
     sounds.retain(|path| path.extension().is_some_and(|name| name != "json"));
     sounds.sort();
     for path in sounds {
-        let prediction = sync(&path, locale, model)?;
+        let prediction = sync(&path, &with)?;
         let name = path.file_stem().unwrap_or_default();
         fs::write(Path::new(out).join(name).with_extension("json"), prediction.to_string())?;
     }
     Ok(())
 }
 
-fn sync(path: &Path, locale: &str, model: &Model) -> Result<Value, Box<dyn Error>> {
+/// What mouths are made with.
+struct With<'w> {
+    locale: &'w str,
+    model: &'w Model,
+    recogniser: Option<&'w Recogniser>,
+}
+
+fn sync(path: &Path, with: &With<'_>) -> Result<Value, Box<dyn Error>> {
     let text = fs::read_to_string(path.with_extension("txt"))?;
     let facts = fs::read(path.with_extension("json")).unwrap_or_default();
     let facts: Value = serde_json::from_slice(&facts).unwrap_or_default();
-    let without_script = locale == "-";
-    let locale = facts["lang"].as_str().unwrap_or(locale);
+    let without_script = with.locale == "-";
+    let locale = facts["lang"].as_str().unwrap_or(with.locale);
     let started = Instant::now();
     let extension = path.extension().and_then(|extension| extension.to_str());
     let sound = Sound::read(File::open(path)?, extension)?;
-    let aligner = Aligner::new(model, AlignOptions::default());
-    let (script, alignment) = match without_script {
-        true => (Script::default(), aligner.listen(&sound)),
-        false => {
+    let aligner = Aligner::new(with.model, AlignOptions::default());
+    let (script, alignment) = match (without_script, with.recogniser) {
+        (true, None) => (Script::default(), aligner.listen(&sound)),
+        (true, Some(recogniser)) => {
+            let script = recogniser.hear(File::open(path)?, extension)?.script();
+            (Script::default(), aligner.align(&sound, &script))
+        }
+        (false, _) => {
             let language = Language::from_locale(locale).ok_or("no such language")?;
             let script = Pronouncer::new(language).script(text.trim());
             let alignment = aligner.align(&sound, &script);

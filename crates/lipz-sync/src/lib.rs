@@ -24,7 +24,7 @@ pub use facts::{Facts, content_hash};
 pub use in_bank::in_bank;
 pub use known::KnownRecordings;
 pub use lints::check;
-pub use lipz_speech::TrainedModel;
+pub use lipz_speech::{Recogniser, RecogniserError, TrainedModel};
 pub use recordings::{EXTENSIONS, Recordings, dependencies, is_recording};
 pub(crate) use sync::spoken_text;
 pub use sync::{

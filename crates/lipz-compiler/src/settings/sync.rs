@@ -10,6 +10,8 @@ pub struct Sync {
     pub lexicon: Option<PathBuf>,
     /// A file with a model of the project's own voices.
     pub model: Option<PathBuf>,
+    /// A file with a neural network that hears phones, for recordings without a text.
+    pub recogniser: Option<PathBuf>,
     /// Milliseconds by which a shape is ahead of its sound.
     pub lead_ms: Option<u32>,
     /// Milliseconds for which closed lips, and the lip under the teeth, stay at least.

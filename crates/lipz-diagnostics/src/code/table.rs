@@ -176,7 +176,7 @@ codes! {
     RestingInSpeech "LZ1715" "resting-in-speech" Warning "a mouth rests where its recording is loud"
     SilentRecording "LZ1716" "silent-recording" Warning "nothing can be heard in a recording"
     ClippedRecording "LZ1717" "clipped-recording" Warning "a recording is cut off at full scale"
-    UnusableModel "LZ1718" "unusable-model" Error "a model of voices cannot be used"
+    UnusableModel "LZ1718" "unusable-model" Error "a model of voices, or a recogniser, cannot be used"
     TooLittleSpeech "LZ1719" "too-little-speech" Error "there is too little speech to learn a model from"
 
     "Curves"

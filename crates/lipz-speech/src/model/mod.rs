@@ -19,7 +19,7 @@ mod write;
 
 use crate::Phone;
 pub(crate) use counts::Counts;
-pub(crate) use score::Scores;
+pub(crate) use score::{Scores, exp};
 use std::sync::OnceLock;
 
 /// States of a phone, which are passed through in order.

@@ -90,7 +90,7 @@ fn dot(weights: &[f32], densities: &[f32; DENSITIES]) -> f32 {
 ///
 /// The whole powers of 2 go into the exponent of the number, the rest through five terms of the series. libm's function has
 /// branches, which vector code cannot have.
-fn exp(x: f32) -> f32 {
+pub(crate) fn exp(x: f32) -> f32 {
     /// Adding 1.5 · 2²³ rounds to a whole number, which is then in the last bits.
     const SHIFT: f32 = 12_582_912.0;
     let x = if x < -80.0 { -80.0 } else { x };

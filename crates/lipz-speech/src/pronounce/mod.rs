@@ -13,6 +13,7 @@ mod said;
 mod variants;
 mod word;
 
+pub(crate) use ipa::phones as ipa_phones;
 pub use lexicon::Lexicon;
 
 use crate::text::{Context, Item, Kind, Spelling, Token, items, numbers};

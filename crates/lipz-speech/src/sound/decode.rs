@@ -19,7 +19,7 @@ pub(super) const RATES_HZ: std::ops::RangeInclusive<u32> = 4_000..=768_000;
 /// each with the rate in samples per second.
 ///
 /// A file that ends too early, or is damaged in the middle, gives what can be read of it, and the error that tells so.
-pub(super) fn decode<S>(
+pub(crate) fn decode<S>(
     source: S,
     extension: Option<&str>,
     mut take: impl FnMut(u32, &[f32]) -> Result<(), SoundError>,
@@ -112,7 +112,7 @@ const METADATA_BYTES: usize = 1 << 20;
 
 /// What decoding met.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Decoded {
+pub(crate) struct Decoded {
     /// Where the samples are cut off.
     pub(super) clipping: ClippingFinder,
     /// The file ends in the middle of its data.

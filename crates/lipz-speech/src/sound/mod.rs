@@ -1,7 +1,7 @@
 //! A recording, as far as alignment needs to know it.
 
 mod clipping;
-mod decode;
+pub(crate) mod decode;
 mod error;
 pub(crate) mod level;
 mod other;
@@ -11,7 +11,7 @@ pub use clipping::Clipping;
 pub use error::SoundError;
 
 use crate::features::mel::{HOP, MelFrontEnd, RATE_HZ, Spectrum, WINDOW};
-use resample::Resampler;
+pub(crate) use resample::Resampler;
 use std::io::{Cursor, Read, Seek};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 

@@ -4,7 +4,7 @@ use crate::facts::unreadable;
 use crate::recordings::shown;
 use lipz_compiler::replace_file;
 use lipz_diagnostics::{Code, Report};
-use lipz_speech::{Language, ModelError, TrainedModel};
+use lipz_speech::{Language, ModelError, Recogniser, RecogniserError, TrainedModel};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
@@ -12,14 +12,31 @@ use twox_hash::XxHash3_64;
 
 /// Reads the model at `path`.
 pub(super) fn read(path: &Path) -> Result<TrainedModel, Report> {
-    let found = contents(path).map_err(|error| match error.kind() {
+    let help = "train a model and write it there, or name another file";
+    let bytes = bytes(path, TrainedModel::LONGEST_FILE).map_err(|error| not_read(path, "model", help, &error))?;
+    TrainedModel::from_bytes(&bytes).map_err(|error| unusable(path, error))
+}
+
+/// Reads the recogniser at `path`.
+pub(super) fn read_recogniser(path: &Path) -> Result<Recogniser, Report> {
+    let help = "convert one and write it there, or name another file";
+    let bytes = bytes(path, Recogniser::LONGEST_FILE).map_err(|error| not_read(path, "recogniser", help, &error))?;
+    Recogniser::from_bytes(&bytes).map_err(|error| {
+        let help = match error {
+            RecogniserError::Damaged => "convert it again",
+            _ => "name another file",
+        };
+        Report::failure(shown(path), Code::UnusableModel, format!("the recogniser cannot be used: {error}"), help)
+    })
+}
+
+fn not_read(path: &Path, what: &str, help: &str, error: &io::Error) -> Report {
+    match error.kind() {
         io::ErrorKind::NotFound => {
-            let help = "train a model and write it there, or name another file";
-            Report::failure(shown(path), Code::UnusableModel, "the model is not there", help)
+            Report::failure(shown(path), Code::UnusableModel, format!("the {what} is not there"), help)
         }
-        _ => unreadable(path, &error),
-    })?;
-    found.map_err(|error| unusable(path, error))
+        _ => unreadable(path, error),
+    }
 }
 
 /// Reads the model at `path` that a new one is to replace. A damaged one counts as none.
@@ -27,7 +44,7 @@ pub(super) fn read(path: &Path) -> Result<TrainedModel, Report> {
 /// # Errors
 /// If it cannot be read, or is no model: nobody wants that replaced.
 pub fn model_at(path: &Path) -> Result<Option<TrainedModel>, Report> {
-    match contents(path) {
+    match bytes(path, TrainedModel::LONGEST_FILE).map(|bytes| TrainedModel::from_bytes(&bytes)) {
         Ok(Ok(model)) => Ok(Some(model)),
         Ok(Err(ModelError::Damaged)) => Ok(None),
         Ok(Err(error)) => Err(unusable(path, error)),
@@ -58,10 +75,11 @@ pub(super) fn other_language(path: &Path, model: &TrainedModel, spoken: Language
     Report::failure(shown(path), Code::UnusableModel, message, "name another file, or train a model of this language")
 }
 
-fn contents(path: &Path) -> io::Result<Result<TrainedModel, ModelError>> {
+/// The bytes of a file, and no more than can be of use.
+fn bytes(path: &Path, longest: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    File::open(path)?.take(TrainedModel::LONGEST_FILE + 1).read_to_end(&mut bytes)?;
-    Ok(TrainedModel::from_bytes(&bytes))
+    File::open(path)?.take(longest + 1).read_to_end(&mut bytes)?;
+    Ok(bytes)
 }
 
 fn unusable(path: &Path, error: ModelError) -> Report {

@@ -13,7 +13,7 @@ use lipz_file::rate::Rate;
 use lipz_file::text::{DELIMITER, trim};
 use lipz_file::{Document, Element, JsonString, Value};
 use lipz_interop::{MergeOptions, Mouth, Time, merge};
-use lipz_speech::{Script, Sound};
+use lipz_speech::{Recogniser, Script, Sound};
 use lipz_types::{Fps, VisemeType};
 use std::borrow::Cow;
 use std::fs::{self, File};
@@ -148,8 +148,14 @@ fn hear(
     let sound = Sound::read(BufReader::new(file), extension(&job.recording))
         .map_err(|error| no_sound(&job.recording, &error))?;
     let condition = Condition::of(&sound);
+    let is_unwritten = script.words.is_empty() && viseme_type != VisemeType::Rms;
+    let phones = match options.recogniser.as_ref().filter(|_| is_unwritten) {
+        Some(recogniser) => Some(recognised(recogniser, job)?),
+        None => None,
+    };
+    let script = phones.as_ref().unwrap_or(script);
     let mut heard = mouth::make(&sound, script, options.model_of(locale), (viseme_type, fps), options);
-    if condition.is_silent() {
+    if condition.is_silent() || phones.is_some() {
         heard.forget_words(); // of what cannot be heard, nothing else needs to be said
     }
     reports.extend(condition.report(&job.recording).map(|mut report| {
@@ -157,6 +163,13 @@ fn hear(
         report
     }));
     Ok(heard)
+}
+
+/// What a recogniser hears in a recording, as a script.
+fn recognised(recogniser: &Recogniser, job: &Job) -> Result<Script, Report> {
+    let file = File::open(&job.recording).map_err(|error| unreadable(&job.recording, &error))?;
+    let heard = recogniser.hear(BufReader::new(file), extension(&job.recording));
+    Ok(heard.map_err(|error| no_sound(&job.recording, &error))?.script())
 }
 
 /// A Lipz file that gets a mouth.
@@ -258,7 +271,9 @@ fn settings_hash(
         VisemeType::Rms => format!("{:?}", options.rms),
         _ => {
             let model = options.trained_for(locale).map_or(String::new(), |trained| format!(" {:x}", trained.hash));
-            format!("{:?} {:?} {:?} {:?}{model}", options.align, options.rules, said(), script.breaks)
+            let recogniser = options.recogniser.as_ref().filter(|_| script.words.is_empty());
+            let recogniser = recogniser.map_or(String::new(), |recogniser| format!(" heard {:x}", recogniser.hash()));
+            format!("{:?} {:?} {:?} {:?}{model}{recogniser}", options.align, options.rules, said(), script.breaks)
         }
     };
     hash(format!("{VERSION} {}/{} {viseme_type:?} {rules}", fps.numerator(), fps.denominator()).as_bytes())

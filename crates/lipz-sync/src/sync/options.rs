@@ -8,7 +8,9 @@ use lipz_compiler::settings::Settings;
 use lipz_diagnostics::{Code, Diagnostic, Report, Source, Span};
 use lipz_file::locale::{TextName, text_name};
 use lipz_file::{Document, JsonString, Value};
-use lipz_speech::{AlignOptions, Language, Lexicon, Model, Pronouncer, RenderRules, RmsRules, TrainedModel};
+use lipz_speech::{
+    AlignOptions, Language, Lexicon, Model, Pronouncer, Recogniser, RenderRules, RmsRules, TrainedModel,
+};
 use lipz_types::{Fps, VisemeType};
 use std::collections::BTreeMap;
 use std::fs;
@@ -40,6 +42,8 @@ pub struct SyncOptions {
     pub(crate) rms: RmsRules,
     lexicon: Lexicon,
     trained: Option<Trained>,
+    /// What hears phones where there is no text.
+    pub(crate) recogniser: Option<Recogniser>,
     pronouncers: Mutex<BTreeMap<&'static str, Arc<Pronouncer>>>,
 }
 
@@ -55,7 +59,7 @@ impl SyncOptions {
     /// What the settings of a project say, and what is wrong with its lexicon.
     ///
     /// # Errors
-    /// If the lexicon or the model cannot be read.
+    /// If the lexicon, the model or the recogniser cannot be read.
     pub fn new(settings: &Settings) -> Result<(SyncOptions, Option<Report>), Report> {
         let sync = &settings.sync;
         let (lexicon, report) = match &sync.lexicon {
@@ -90,6 +94,7 @@ impl SyncOptions {
             rms.exponent = sync.rms_exponent.map_or(rms.exponent, |exponent| exponent as f32);
         }
         let trained = sync.model.as_deref().map(model_file::read).transpose()?;
+        let recogniser = sync.recogniser.as_deref().map(model_file::read_recogniser).transpose()?;
         let mut options = SyncOptions {
             options: settings.options.clone(),
             locale: settings.audio.locale.clone().or_else(|| settings.options.default_locale.clone()),
@@ -101,6 +106,7 @@ impl SyncOptions {
             rms,
             lexicon,
             trained: None,
+            recogniser,
             pronouncers: Mutex::default(),
         };
         trained.into_iter().for_each(|trained| options.set_model(trained));

@@ -17,6 +17,7 @@ pub(crate) mod inspect;
 pub(crate) mod man;
 pub(crate) mod maps;
 pub(crate) mod pack;
+pub(crate) mod recogniser;
 pub(crate) mod schema;
 pub(crate) mod stats;
 pub(crate) mod subtitles;
@@ -65,6 +66,7 @@ commands! {
     Fmt(fmt::Fmt),
     Convert(convert::Convert),
     Sync(sync::SyncArguments),
+    Recogniser(recogniser::RecogniserArguments),
     Import(import::Import),
     Export(export::Export),
     Subtitles(subtitles::Subtitles),

@@ -26,6 +26,16 @@ pub(super) const SYNC: &[Setting] = &[
         },
     },
     Setting {
+        name: "recogniser",
+        flat_name: "recogniser",
+        about: "File with a neural network that hears the phones of recordings without a text, which `lipz recogniser` makes.",
+        default: "none: the model hears them",
+        example: "\"phones.lipznet\"",
+        read: |value, to| {
+            to.settings.sync.recogniser = value.text(&mut to.diagnostics).map(|path| inside(to.folder, path));
+        },
+    },
+    Setting {
         name: "lead-ms",
         flat_name: "lead-ms",
         about: "Milliseconds by which a shape is ahead of its sound, as lips are. Use 0 if the game leads the sound itself.",

@@ -18,6 +18,10 @@ pub(super) struct SyncFlags {
     #[arg(long, value_name = "FILE", help_heading = MOUTHS)]
     model: Option<PathBuf>,
 
+    /// File with a neural network that hears phones where there is no text: see `lipz recogniser`
+    #[arg(long, value_name = "FILE", help_heading = MOUTHS)]
+    recogniser: Option<PathBuf>,
+
     /// Milliseconds by which a shape is ahead of its sound [default: 40]
     #[arg(long, value_name = "COUNT", help_heading = MOUTHS)]
     lead_ms: Option<u32>,
@@ -48,6 +52,7 @@ impl SyncFlags {
     pub(super) fn apply(&self, sync: &mut Sync) {
         sync.lexicon = self.lexicon.clone().or(sync.lexicon.take());
         sync.model = self.model.clone().or(sync.model.take());
+        sync.recogniser = self.recogniser.clone().or(sync.recogniser.take());
         sync.lead_ms = self.lead_ms.or(sync.lead_ms);
         sync.hold_ms = self.hold_ms.or(sync.hold_ms);
         sync.shortest_wide_ms = self.shortest_wide_ms.or(sync.shortest_wide_ms);

@@ -1,0 +1,155 @@
+//! From a sound to the tokens that the network hears in it, piece by piece.
+
+use super::Recogniser;
+use super::network::STRIDE;
+use super::spectrum::{MELS, Spectra};
+use super::tokens::Token;
+use crate::features::mel::RATE_HZ;
+use crate::pronounce::ipa_phones;
+use crate::sound::{Resampler, decode};
+use crate::{Origin, Pronunciation, Script, Sound, SoundError, Word};
+use std::io::{Read, Seek};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// Frames of the spectrum that the network hears at a time, 12 seconds, and those before and after, which it also knows: 2 seconds.
+/// Each frame listens to all others, so time grows with the square of it.
+const PIECE: usize = 1_200;
+const AROUND: usize = 200;
+
+/// How the network's logarithms are sharpened, and how much less likely nothing is than it says: as those who made it do.
+const SHARPNESS: f32 = 1.0 / 0.95;
+const BLANK_NATS: f32 = -0.1;
+
+/// What a [`Recogniser`] hears in a sound.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Heard {
+    /// For each word, the symbols of the IPA.
+    words: Vec<String>,
+}
+
+impl Heard {
+    /// Whether nothing was heard.
+    pub fn is_empty(&self) -> bool {
+        self.words.is_empty()
+    }
+
+    /// What was heard, as a script: its words are written in the IPA.
+    pub fn script(&self) -> Script {
+        let word = |word: &String| {
+            let phones = ipa_phones(word).ok().filter(|phones| !phones.is_empty())?;
+            let pronunciations = vec![Pronunciation { phones, origin: Origin::Rules }];
+            Some(Word { text: word.clone(), range: 0..0, pronunciations })
+        };
+        Script { words: self.words.iter().filter_map(word).collect(), breaks: Vec::new() }
+    }
+}
+
+impl Recogniser {
+    /// Hears what is said in a WAV, FLAC, Ogg Vorbis or MP3 file. Time is proportional to its length; memory does not grow with it,
+    /// but for the words.
+    ///
+    /// # Errors
+    ///
+    /// As [`Sound::read`].
+    pub fn hear<S>(&self, source: S, extension: Option<&str>) -> Result<Heard, SoundError>
+    where
+        S: Read + Seek + Send + Sync,
+    {
+        let mut listener: Option<(Resampler, Listener<'_>)> = None;
+        let mut count = 0;
+        // As in `Sound::read`: decoders may panic in debug builds.
+        let decode = AssertUnwindSafe(|| {
+            decode::decode(source, extension, |rate_hz, samples| {
+                count += samples.len() as u64;
+                if count > Sound::LONGEST_S * u64::from(rate_hz) {
+                    return Err(SoundError::TooLong);
+                }
+                let new = || (Resampler::new(rate_hz, RATE_HZ), Listener::new(self));
+                let (resampler, listener) = listener.get_or_insert_with(new);
+                let mut resampled = Vec::new();
+                resampler.push(samples, &mut resampled);
+                listener.push(&resampled);
+                Ok(())
+            })
+        });
+        catch_unwind(decode).unwrap_or(Err(SoundError::DecoderFailed))?;
+        let (resampler, mut listener) = listener.ok_or(SoundError::NoSound)?;
+        let mut resampled = Vec::new();
+        resampler.finish(&mut resampled);
+        listener.push(&resampled);
+        Ok(listener.finish())
+    }
+
+    /// Hears what is said in samples of one channel, from -1 to 1, 16,000 a second.
+    #[cfg(test)]
+    pub(super) fn hear_samples(&self, samples: &[f32]) -> Heard {
+        let mut listener = Listener::new(self);
+        listener.push(samples);
+        listener.finish()
+    }
+}
+
+/// What was heard so far, and what is still to be heard.
+struct Listener<'r> {
+    recogniser: &'r Recogniser,
+    spectra: Spectra,
+    /// Frames of the spectrum, of which the first `before` were heard.
+    frames: Vec<f32>,
+    before: usize,
+    last: Option<usize>,
+    words: Vec<String>,
+    is_new: bool,
+}
+
+impl<'r> Listener<'r> {
+    fn new(recogniser: &'r Recogniser) -> Listener<'r> {
+        let spectra = Spectra::new();
+        Listener { recogniser, spectra, frames: Vec::new(), before: 0, last: None, words: Vec::new(), is_new: true }
+    }
+
+    fn push(&mut self, samples: &[f32]) {
+        // So many at a time that what waits stays short.
+        for samples in samples.chunks(RATE_HZ as usize) {
+            self.spectra.push(samples, &self.recogniser.network.bands, &mut self.frames);
+            while self.frames.len() / MELS >= self.before + PIECE + AROUND {
+                self.hear(self.before + PIECE + AROUND, PIECE);
+                let done = (self.before + PIECE).saturating_sub(AROUND);
+                self.frames.drain(..done * MELS);
+                self.before = AROUND;
+            }
+        }
+    }
+
+    fn finish(mut self) -> Heard {
+        self.spectra.finish(&self.recogniser.network.bands, &mut self.frames);
+        let count = self.frames.len() / MELS;
+        self.hear(count, count - self.before.min(count));
+        Heard { words: self.words }
+    }
+
+    /// Hears `piece` frames after those that were heard, knowing `known` frames.
+    fn hear(&mut self, known: usize, piece: usize) {
+        let Recogniser { network, tokens, .. } = self.recogniser;
+        let likely = network.run(self.frames.get(..known * MELS).unwrap_or_default());
+        let frames = likely.chunks_exact(tokens.len()).skip(self.before / STRIDE).take(piece.div_ceil(STRIDE));
+        for frame in frames {
+            let value = |(token, likely): (usize, &f32)| {
+                let bias = if tokens[token] == Token::Blank { BLANK_NATS } else { 0.0 };
+                (token, likely * SHARPNESS + bias)
+            };
+            let best = frame.iter().enumerate().map(value).max_by(|one, other| one.1.total_cmp(&other.1));
+            let Some((token, _)) = best.filter(|(token, _)| Some(*token) != self.last) else { continue };
+            self.last = Some(token);
+            match &tokens[token] {
+                Token::Border => self.is_new = true,
+                Token::Symbols(symbols) => {
+                    if std::mem::take(&mut self.is_new) {
+                        self.words.push(String::new());
+                    }
+                    self.words.last_mut().into_iter().for_each(|word| word.push_str(symbols));
+                }
+                Token::Blank | Token::Other => {}
+            }
+        }
+    }
+}

@@ -1,0 +1,94 @@
+//! `lipz recogniser`, and what `lipz sync` does with it. The network is tiny and hears nonsense, but hears.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+#[path = "../../lipz-speech/tests/hama/mod.rs"]
+mod hama;
+mod support;
+
+use hama::{hama, vocabulary};
+use std::fs;
+use support::sound::voice;
+use support::{Scene, lipz};
+
+const LINE: &[(bool, u32)] = &[(false, 300), (true, 1000), (false, 400), (true, 1000), (false, 200)];
+
+/// The package of the network as somebody unpacked it, and two recordings, one of them with a text.
+fn scene() -> Scene {
+    let scene = Scene::new();
+    scene.write("hama assets/asr_waveform.hama", hama(6));
+    scene.write("hama assets/g2p_vocab.json", vocabulary());
+    scene.write("rec/hum.wav", voice(LINE, 1));
+    scene.write("rec/said.wav", voice(LINE, 2));
+    scene.write("rec/said.txt", "Who goes there?");
+    scene
+}
+
+/// Runs `lipz sync` and gives the first line that it printed.
+fn sync(scene: &Scene, arguments: &[&str]) -> String {
+    let always = ["sync", "rec", "-o", "voices", "--audio-locale", "en-us", "--allow", "warnings"];
+    let run = lipz(scene.path(), always.iter().chain(arguments));
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+    run.stdout.lines().next().unwrap().to_owned()
+}
+
+#[test]
+fn recordings_without_a_text_get_the_phones_that_the_recogniser_hears() {
+    let scene = scene();
+    let mouths = || ["hum", "said"].map(|name| fs::read(scene.path().join(format!("voices/{name}.lipz"))).unwrap());
+    let converted = lipz(scene.path(), ["recogniser", "hama assets", "-o", "phones.lipznet"]);
+    let told = "recogniser of 9 tokens written to phones.lipznet\n";
+    assert_eq!((converted.code, converted.stdout.as_str(), converted.stderr.as_str()), (0, told, ""));
+    let again = lipz(scene.path(), ["recogniser", "hama assets/asr_waveform.hama", "-o", "again.lipznet", "--quiet"]);
+    assert_eq!((again.code, again.stdout.as_str()), (0, ""));
+    let file = |name: &str| fs::read(scene.path().join(name)).unwrap();
+    assert!(file("phones.lipznet") == file("again.lipznet"));
+    assert_eq!(sync(&scene, &[]), "2 clips synced, in voices");
+    let without = mouths();
+    let with = ["--recogniser", "phones.lipznet"];
+    assert_eq!(sync(&scene, &with), "1 clip synced, 1 unchanged, in voices", "the one that has no text");
+    assert_ne!(mouths()[0], without[0]);
+    assert_eq!(mouths()[1], without[1]);
+    assert_eq!(sync(&scene, &with), "0 clips synced, 2 unchanged, in voices");
+    // Another network hears something else; without one, it is as before.
+    scene.write("hama assets/asr_waveform.hama", hama(5));
+    assert_eq!(lipz(scene.path(), ["recogniser", "hama assets", "-o", "phones.lipznet"]).code, 0);
+    assert_eq!(sync(&scene, &with), "1 clip synced, 1 unchanged, in voices");
+    assert_eq!(sync(&scene, &[]), "1 clip synced, 1 unchanged, in voices");
+    assert_eq!(mouths(), without);
+}
+
+#[test]
+fn what_is_no_recogniser_is_reported() {
+    let mut scene = scene();
+    scene.write("notes.txt", "my notes");
+    scene.write("other/asr_waveform.hama", hama(6));
+    scene.write("broken/asr_waveform.hama", &hama(6)[..9_000]);
+    scene.write("broken/g2p_vocab.json", vocabulary());
+    scene.write("fewer/asr_waveform.hama", hama(6));
+    scene.write("fewer/g2p_vocab.json", r#"{"decoder": ["a", "m"]}"#);
+    scene.write("odd/asr_waveform.hama", hama(6));
+    scene.write("odd/g2p_vocab.json", "[]");
+    scene.write("hama assets/notes.hama", "my notes");
+    let convert = |scene: &mut Scene, name: &str, source: &str| {
+        scene.expect(name, &["recogniser", source, "-o", "phones.lipznet"]);
+    };
+    convert(&mut scene, "LZ0001-unreadable-file-recogniser-tokens", "other");
+    convert(&mut scene, "LZ1718-unusable-model-recogniser-broken", "broken");
+    convert(&mut scene, "LZ1718-unusable-model-recogniser-other-tokens", "fewer");
+    convert(&mut scene, "LZ1718-unusable-model-recogniser-odd-tokens", "odd");
+    convert(&mut scene, "LZ1718-unusable-model-recogniser-other-file", "hama assets/notes.hama");
+    assert!(!scene.path().join("phones.lipznet").exists());
+    let same = ["recogniser", "hama assets", "-o", "hama assets/g2p_vocab.json"];
+    scene.expect("LZ1601-usage-recogniser-same", &same);
+    let sync = ["sync", "rec", "-o", "voices", "--audio-locale", "en-us", "--recogniser"];
+    scene.expect("LZ1718-unusable-model-sync-recogniser-other-file", &[&sync[..], &["notes.txt"]].concat());
+    scene.expect("LZ1718-unusable-model-sync-recogniser-missing", &[&sync[..], &["nowhere.lipznet"]].concat());
+    assert_eq!(lipz(scene.path(), ["recogniser", "hama assets", "-o", "phones.lipznet"]).code, 0);
+    let mut file = fs::read(scene.path().join("phones.lipznet")).unwrap();
+    let last = file.len() - 1;
+    file[last] ^= 1;
+    scene.write("phones.lipznet", file);
+    scene.expect("LZ1718-unusable-model-sync-recogniser-damaged", &[&sync[..], &["phones.lipznet"]].concat());
+    assert!(!scene.path().join("voices").exists());
+    scene.finish(9);
+}
