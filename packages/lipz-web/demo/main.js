@@ -27,6 +27,8 @@ let clip;
 let cursor;
 /** Whether the address leads to this bank: not to one that was dropped. */
 let isAddressed = true;
+/** Done when the files that were dropped last are open. */
+let opening;
 /** Whether the clip was playing when the pointer took the playhead. */
 let wasPlaying;
 
@@ -186,7 +188,7 @@ async function drop(files) {
 }
 
 async function start() {
-  onFiles($("file"), drop);
+  onFiles($("file"), (files) => (opening = drop(files)));
   $("play").onclick = toggle;
   $("locale").onchange = () => {
     notice([]);
@@ -209,7 +211,7 @@ async function start() {
     end: () => seek(clip.duration),
     zoom: (isIn) => timeline.zoom(isIn),
   });
-  return { seek, toggle, clock, clips, drop, get clip() { return clip; } };
+  return { seek, toggle, clock, clips, get opening() { return opening; }, get clip() { return clip; } };
 }
 
 /** The player, for tests and for the console. */

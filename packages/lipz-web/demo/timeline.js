@@ -6,6 +6,8 @@ import { openness } from "./mouth.js";
 /** Pixels that a frame has at least when a clip is shown, and at most. */
 const READABLE_PX = 4;
 const WIDEST_PX = 48;
+/** How wide the line of a segment without frames is. */
+const POINT_PX = 3;
 const ZOOM = 1.5;
 /** The least distance of two labels of seconds. */
 const LABEL_PX = 64;
@@ -22,6 +24,8 @@ export class Timeline {
   #clip;
   #levels = [];
   #framePx = READABLE_PX;
+  /** Whether the whole clip is in view, and stays so in a view of another size. */
+  #isWhole = false;
   #time = 0;
 
   /** `scrub` gets the time under the pointer, and whether the pointer is still down. */
@@ -42,6 +46,7 @@ export class Timeline {
     this.#clip = clip;
     this.#levels = Array.from(clip.frames, (viseme) => openness(viseme, clip.visemeType));
     this.#framePx = Math.max(READABLE_PX, this.#fitPx);
+    this.#isWhole = this.#framePx === this.#fitPx;
     this.#element.setAttribute("aria-valuemax", clip.duration.toFixed(3));
     this.#scroll.scrollLeft = 0;
     this.texts(locale);
@@ -92,6 +97,7 @@ export class Timeline {
   #widen(framePx) {
     const before = this.#x - this.#scroll.scrollLeft;
     this.#framePx = Math.max(this.#fitPx, Math.min(framePx, Math.max(WIDEST_PX, this.#fitPx)));
+    this.#isWhole = this.#framePx === this.#fitPx;
     this.#layOut();
     this.#scroll.scrollLeft = this.#x - before;
     this.#draw();
@@ -100,7 +106,7 @@ export class Timeline {
   /** Fits everything to the size of the view and of a frame. */
   #layOut() {
     if (this.#clip === undefined || this.#scroll.clientWidth === 0) return;
-    this.#framePx = Math.max(this.#fitPx, this.#framePx);
+    this.#framePx = this.#isWhole ? this.#fitPx : Math.max(this.#fitPx, this.#framePx);
     this.#track.style.width = `${this.#framePx * this.#clip.frameCount}px`;
     this.#playhead.style.transform = `translateX(${this.#x}px)`;
     this.#place();
@@ -127,7 +133,10 @@ export class Timeline {
   #place() {
     this.#clip.segments.forEach(({ startFrame, endFrame }, index) => {
       const { style } = this.#segments.children[index];
-      style.left = `${startFrame * this.#framePx}px`;
+      const isPoint = startFrame === endFrame;
+      // A line at the end of the clip stays within it.
+      const last = this.#framePx * this.#clip.frameCount - (isPoint ? POINT_PX : 0);
+      style.left = `${Math.min(startFrame * this.#framePx, last)}px`;
       style.width = `${(endFrame - startFrame) * this.#framePx}px`;
     });
   }

@@ -25,7 +25,7 @@ async function dropped(window, ...files) {
   window.document.body.dispatchEvent(new window.DragEvent("dragenter", init));
   const isDropping = window.document.body.classList.contains("dropping");
   window.document.body.dispatchEvent(new window.DragEvent("drop", init));
-  await soon(300);
+  await (await window.player).opening;
   return isDropping;
 }
 
@@ -61,6 +61,14 @@ export async function graph(demo, same) {
     await soon();
     same(scroll.scrollWidth, scroll.clientWidth, `${width}: the whole clip is in view`);
     same(painted(page) > 0.95, true, `${width}: the graph of the whole clip, ${painted(page)}`);
+    const frame = window.frameElement;
+    const track = page.querySelector(".track");
+    const isWhole = (before) => track.offsetWidth !== before && scroll.scrollWidth === scroll.clientWidth;
+    for (const other of [width - 40, width]) {
+      const before = track.offsetWidth;
+      frame.width = other;
+      same(await until(() => isWhole(before)), true, `${width}: it stays in view in a window of ${other} pixels`);
+    }
     page.getElementById("in").click();
     await soon();
     same(scroll.scrollWidth > scroll.clientWidth, true, `${width}: zoomed in`);
@@ -265,6 +273,14 @@ export async function events(demo, same) {
   player.seek(3);
   same(page.getElementById("due").textContent, "", "a jump fires nothing");
   same(page.getElementById("state").textContent.includes("stares at parcel"), true, "and sets the scene");
+}
+
+/** A segment without frames at the end of a clip needs no room behind it. */
+export async function points(demo, same) {
+  const { page } = await demo({ clip: "act3/nell-light", at: 3.39 });
+  const scroll = page.querySelector(".scroll");
+  same(page.querySelectorAll(".segment.point").length, 1, "its line");
+  same(scroll.scrollWidth, scroll.clientWidth, "nothing to scroll");
 }
 
 /** A mouth that leads and holds is another one. */
