@@ -163,3 +163,50 @@ pub(super) fn section(bank: &[u8], tag: Tag) -> Option<Range<usize>> {
     let start = entry.offset_bytes.get() as usize;
     Some(start..start.checked_add(entry.length_bytes.get() as usize)?)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Compiler, Input};
+
+    fn bank(text: &str) -> Vec<u8> {
+        let file = format!(r#"{{"visemes":"A-","viseme_type":"blair","text_en-us":"{text}"}}"#);
+        let inputs: Vec<Input> = (0..300).map(|number| Input::from_bytes(format!("{number}"), file.clone())).collect();
+        Compiler::default().compile(&inputs).into_bank().unwrap()
+    }
+
+    #[test]
+    fn a_file_gives_the_bytes_of_the_bank_or_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("b.lipzbank");
+        let bytes = bank("Aye.");
+        let checksum = checksum_of(&bytes).unwrap();
+        std::fs::write(&path, &bytes).unwrap();
+        let old = OldBank::open(&path, checksum).unwrap();
+        let mut window = Window::default();
+        for at_once in [1, 7, 600, BLOCK_BYTES] {
+            for start in (0..bytes.len() - 40).step_by(13) {
+                let found = old.bytes(start..start + start % 40, &mut window, at_once);
+                assert_eq!(found, Some(&bytes[start..start + start % 40]), "{start}, {at_once} at once");
+            }
+        }
+        assert_eq!(old.bytes(bytes.len() - 1..bytes.len() + 1, &mut window, 1), None);
+        assert!(old.is_as_it_was());
+        assert!(old.clone().into_whole().is_some_and(|whole| whole == bytes), "shared");
+        assert!(old.into_whole().is_some_and(|whole| whole == bytes));
+        assert!(OldBank::open(&path, checksum ^ 1).is_none());
+    }
+
+    #[test]
+    fn a_file_that_somebody_writes_to_is_no_longer_the_bank() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("b.lipzbank");
+        let (bytes, other) = (bank("Aye."), bank("Nay."));
+        std::fs::write(&path, &bytes).unwrap();
+        let old = OldBank::open(&path, checksum_of(&bytes).unwrap()).unwrap();
+        std::thread::sleep(std::time::Duration::from_millis(20));
+        std::fs::write(&path, &other).unwrap();
+        assert!(bytes.len() == other.len() && !old.is_as_it_was());
+        assert_eq!(old.into_whole(), None);
+    }
+}
