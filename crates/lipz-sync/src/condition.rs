@@ -14,6 +14,8 @@ pub(crate) struct Condition {
     damaged_packets: u64,
     /// Nothing can be heard, and its loud parts are so many decibels below full scale.
     silent_db: Option<u32>,
+    /// What can be heard is no speech.
+    no_speech: bool,
     /// Places that are cut off at full scale.
     clipped: u64,
     /// The start of the first of them, in microseconds.
@@ -28,6 +30,7 @@ impl Condition {
             truncated: sound.is_truncated(),
             damaged_packets: sound.damaged_packets(),
             silent_db: sound.is_silent().then(below),
+            no_speech: sound.is_no_speech(),
             clipped: sound.clipping().len() as u64,
             clipped_us: sound.clipping().first().map_or(0, |first| first.start_us),
         }
@@ -53,6 +56,12 @@ impl Condition {
             let level = format!("its loud parts are {below} decibels below full scale");
             found.push(diagnostic.note(level).help("look whether the right channel was exported, or record it again"));
         }
+        if self.no_speech {
+            let diagnostic = Diagnostic::new(Code::NoSpeech, "the recording is no speech");
+            let note =
+                "it does not change as speech does: it is noise, a tone, or music, or these are as loud as the voice";
+            found.push(diagnostic.note(note).help("record the voice alone; mix it with other sounds in the game"));
+        }
         if self.clipped > 0 {
             let others = match self.clipped - 1 {
                 0 => String::new(),
@@ -67,11 +76,11 @@ impl Condition {
         (!found.is_empty()).then(|| Report::all_about(shown(path), found))
     }
 
-    /// As one word of a cache: `0,0,-,2,1500000`.
+    /// As one word of a cache: `0,0,-,2,1500000,0`.
     pub(crate) fn word(&self) -> String {
         let silent = self.silent_db.map_or_else(|| "-".to_owned(), |below| below.to_string());
-        let Condition { truncated, damaged_packets, clipped, clipped_us, .. } = self;
-        format!("{},{damaged_packets},{silent},{clipped},{clipped_us}", u8::from(*truncated))
+        let Condition { truncated, damaged_packets, no_speech, clipped, clipped_us, .. } = self;
+        format!("{},{damaged_packets},{silent},{clipped},{clipped_us},{}", u8::from(*truncated), u8::from(*no_speech))
     }
 
     pub(crate) fn parse(word: &str) -> Option<Condition> {
@@ -82,6 +91,7 @@ impl Condition {
             silent_db: Some(parts.next()?).filter(|part| *part != "-").map(str::parse).transpose().ok()?,
             clipped: parts.next()?.parse().ok()?,
             clipped_us: parts.next()?.parse().ok()?,
+            no_speech: parts.next()? == "1",
         };
         parts.next().is_none().then_some(condition)
     }
@@ -100,19 +110,26 @@ mod tests {
     #[test]
     fn every_fault_is_told_and_survives_the_cache() {
         let fine = Condition::default();
-        assert_eq!((told(fine), fine.word()), (Vec::new(), "0,0,-,0,0".to_owned()));
-        let bad =
-            Condition { truncated: true, damaged_packets: 2, silent_db: Some(90), clipped: 3, clipped_us: 1_500_000 };
+        assert_eq!((told(fine), fine.word()), (Vec::new(), "0,0,-,0,0,0".to_owned()));
+        let bad = Condition {
+            truncated: true,
+            damaged_packets: 2,
+            silent_db: Some(90),
+            no_speech: true,
+            clipped: 3,
+            clipped_us: 1_500_000,
+        };
         let all = [
             "the recording ends in the middle of its data",
             "nothing can be heard in the recording",
+            "the recording is no speech",
             "the recording is cut off at full scale at 1.50 s, and in 2 more places",
         ];
         assert_eq!(told(bad), all);
         for condition in [fine, bad] {
             assert_eq!(Condition::parse(&condition.word()), Some(condition));
         }
-        for word in ["", "0", "0,0,x,0,0", "0,0,-,0", "0,0,-,0,0,0", "0,-1,-,0,0"] {
+        for word in ["", "0", "0,0,x,0,0,0", "0,0,-,0,0", "0,0,-,0,0,0,0", "0,-1,-,0,0,0"] {
             assert_eq!(Condition::parse(word), None, "{word}");
         }
     }

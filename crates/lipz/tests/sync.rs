@@ -219,9 +219,15 @@ fn what_is_odd_is_reported() {
     scene.expect("LZ1716-silent-recording", &["sync", "rec/a.wav", "-o", "quiet", "--quiet", "--allow", "LZ1708"]);
     let loud: Vec<i16> = (0..20_000).map(|at| if at % 160 < 40 { i16::MAX } else { -8_000 }).collect();
     scene.write("rec/a.wav", wav(RATE_HZ, &loud));
-    scene.expect("LZ1717-clipped-recording", &["sync", "rec/a.wav", "-o", "loud", "--quiet", "--allow", "LZ1708"]);
+    scene.expect(
+        "LZ1717-clipped-recording",
+        &["sync", "rec/a.wav", "-o", "loud", "--quiet", "--allow", "LZ1708,LZ1720"],
+    );
+    let hiss: Vec<i16> = (0..20_000_u32).map(|at| (at.wrapping_mul(2_654_435_761) >> 19) as i16 - 4_096).collect();
+    scene.write("rec/a.wav", wav(RATE_HZ, &hiss));
+    scene.expect("LZ1720-no-speech", &["sync", "rec/a.wav", "-o", "noise", "--quiet", "--allow", "LZ1708"]);
     let whole = voice(silence, 1);
     scene.write("rec/a.wav", &whole[..whole.len() - 5001]);
     scene.expect("LZ1711-damaged-sound", &["sync", "rec/a.wav", "-o", "cut", "--quiet", "--allow", "LZ1708"]);
-    scene.finish(13);
+    scene.finish(14);
 }

@@ -178,6 +178,7 @@ codes! {
     ClippedRecording "LZ1717" "clipped-recording" Warning "a recording is cut off at full scale"
     UnusableModel "LZ1718" "unusable-model" Error "a model of voices, or a recogniser, cannot be used"
     TooLittleSpeech "LZ1719" "too-little-speech" Error "there is too little speech to learn a model from"
+    NoSpeech "LZ1720" "no-speech" Warning "a recording is no speech"
 
     "Curves"
     CurveSyntax "LZ1801" "curve-syntax" Error "a curve is not a string of keys"

@@ -6,6 +6,7 @@ mod error;
 pub(crate) mod level;
 mod other;
 mod resample;
+mod speech;
 
 pub use clipping::Clipping;
 pub use error::SoundError;
@@ -152,6 +153,20 @@ impl Sound {
     /// Whether nothing can be heard: nowhere louder than -60 decibels below full scale.
     pub fn is_silent(&self) -> bool {
         self.level_db() < level::SILENT_DB
+    }
+
+    /// Whether it can be heard, but is no speech: noise, a tone, most music. The shape of its spectrum changes less than that
+    /// of any speech.
+    ///
+    /// ```
+    /// use lipz_speech::Sound;
+    ///
+    /// let hum: Vec<f32> = (0..32_000).map(|at| (at % 100) as f32 / 200.0).collect();
+    /// assert!(Sound::from_samples(16_000, &hum)?.is_no_speech());
+    /// # Ok::<(), lipz_speech::SoundError>(())
+    /// ```
+    pub fn is_no_speech(&self) -> bool {
+        !self.is_silent() && speech::is_something_else(&self.spectrum)
     }
 
     pub(crate) fn spectrum(&self) -> &[Spectrum] {

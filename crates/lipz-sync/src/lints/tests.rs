@@ -2,8 +2,8 @@ use super::*;
 use std::path::Path;
 use std::path::PathBuf;
 
-/// A WAV file with a tone.
-fn tone(path: &Path, rate_hz: u32, samples: u32) {
+/// A WAV file with a sound that changes as often as speech.
+fn voice(path: &Path, rate_hz: u32, samples: u32) {
     let spec = hound::WavSpec {
         channels: 1,
         sample_rate: rate_hz,
@@ -12,7 +12,10 @@ fn tone(path: &Path, rate_hz: u32, samples: u32) {
     };
     fs::create_dir_all(path.parent().unwrap()).unwrap();
     let mut writer = hound::WavWriter::create(path, spec).unwrap();
-    let wave = |at: u32| i16::try_from(at % 40 * 100).unwrap();
+    let wave = |at: u32| {
+        let period = [40, 7, 90, 3][(at * 12 / rate_hz) as usize % 4];
+        i16::try_from(at % period * 4_000 / period).unwrap()
+    };
     (0..samples).for_each(|at| writer.write_sample(wave(at)).unwrap());
     writer.finalize().unwrap();
 }
@@ -33,7 +36,7 @@ impl Project {
 
     fn sound(&self, name: &str, rate_hz: u32, samples: u32) -> PathBuf {
         let path = self.folder.path().join("sounds").join(name);
-        tone(&path, rate_hz, samples);
+        voice(&path, rate_hz, samples);
         path
     }
 

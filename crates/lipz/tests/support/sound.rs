@@ -12,10 +12,11 @@ pub(crate) fn voice(parts: &[(bool, u32)], take: u32) -> Vec<u8> {
         for at in 0..ms * 16 {
             noise = noise.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             let hiss = ((noise >> 24) as i32 - 128) / 16;
-            // A buzz of 125 Hz with formants, five syllables a second.
+            // A buzz of 125 Hz with a formant that glides, five syllables a second.
+            let formant = 12.0 + 9.0 * (std::f64::consts::TAU * f64::from(at) / 4000.0).sin();
             let phase = f64::from(at % 128) / 128.0;
             let buzz = (1..30)
-                .map(|k| (std::f64::consts::TAU * f64::from(k) * phase).cos() / f64::from(1 + (k - 5_i32).abs()));
+                .map(|k| (std::f64::consts::TAU * f64::from(k) * phase).cos() / (1.0 + (f64::from(k) - formant).abs()));
             let syllable = (std::f64::consts::PI * f64::from(at) / 3200.0).sin().abs().max(0.2);
             let level = if speaks { 2500.0 * syllable } else { 0.0 };
             #[allow(clippy::cast_possible_truncation)]

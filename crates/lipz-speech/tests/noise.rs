@@ -1,0 +1,139 @@
+//! Worse sound: noise does not make a mouth move in a pause, and what is noise alone is told.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "tests")]
+
+use lipz_speech::{AlignOptions, Aligner, Alignment, Language, Model, Pronouncer, RenderRules, Sound, render};
+use lipz_types::{Fps, VisemeType};
+
+const BOBBY: &[u8] = include_bytes!("../../../fixtures/speech/bobby.wav");
+const RATE_HZ: u32 = 48_000;
+const TEXT: &str = "Bobby ripped the ledger.";
+
+/// The samples of the recording, which has 48,000 a second of 16 bits.
+fn bobby() -> Vec<f32> {
+    let data = BOBBY.windows(4).position(|window| window == b"data").unwrap() + 8;
+    BOBBY[data..].chunks_exact(2).map(|two| f32::from(i16::from_le_bytes([two[0], two[1]])) / 32_768.0).collect()
+}
+
+/// The sentence, a pause of this many milliseconds, and the sentence again.
+fn with_pause(ms: usize) -> Vec<f32> {
+    [bobby(), vec![0.0; ms * 48], bobby()].concat()
+}
+
+/// Noise from -1 to 1, always the same.
+fn white(count: usize) -> Vec<f32> {
+    let mut state = 7_u32;
+    let sample = |_| {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        f32::from((state >> 16) as u16) / 32_768.0 - 1.0
+    };
+    (0..count).map(sample).collect()
+}
+
+/// Noise whose power falls with the frequency: white noise through three poles (P. Kellet's economy filter).
+fn pink(count: usize) -> Vec<f32> {
+    let mut poles = [0.0_f32; 3];
+    let sample = |white: f32| {
+        let parts = [(0.997_65, 0.099_046), (0.963, 0.296_516_4), (0.57, 1.052_691_3)];
+        for (pole, (keep, gain)) in poles.iter_mut().zip(parts) {
+            *pole = keep * *pole + gain * white;
+        }
+        poles.iter().sum::<f32>() + 0.1848 * white
+    };
+    white(count).into_iter().map(sample).collect()
+}
+
+/// Twenty voices at once, backwards, none of which can be understood.
+fn babble(count: usize) -> Vec<f32> {
+    let voice: Vec<f32> = bobby().into_iter().rev().collect();
+    let voices =
+        |at: usize| (0..20).map(|number| voice[(at + number * 2_741 + number * number * 37) % voice.len()]).sum();
+    (0..count).map(voices).collect()
+}
+
+/// A tone of mains with its harmonics.
+fn hum(count: usize) -> Vec<f32> {
+    let sample =
+        |at: usize| (1..8).map(|k| (std::f32::consts::TAU * (at * k % 960) as f32 / 960.0).sin() / k as f32).sum();
+    (0..count).map(sample).collect()
+}
+
+/// Makes so many samples.
+type Noise = fn(usize) -> Vec<f32>;
+
+const NOISES: [(&str, Noise); 4] = [("white", white), ("pink", pink), ("babble", babble), ("hum", hum)];
+
+fn power(samples: &[f32]) -> f32 {
+    samples.iter().map(|sample| sample * sample).sum::<f32>() / samples.len() as f32
+}
+
+/// The samples, and noise that is 20 decibels below the sentence.
+fn with_noise(samples: &[f32], noise: Noise) -> Sound {
+    let noise = noise(samples.len());
+    let gain = 0.1 * (power(&bobby()) / power(&noise)).sqrt();
+    let mixed: Vec<f32> = samples.iter().zip(noise).map(|(sample, noise)| (sample + gain * noise) / 2.0).collect();
+    Sound::from_samples(RATE_HZ, &mixed).unwrap()
+}
+
+fn align(sound: &Sound, text: &str) -> Alignment {
+    let script = Pronouncer::new(Language::ENGLISH).script(text);
+    Aligner::new(Model::english(), AlignOptions::default()).align(sound, &script)
+}
+
+/// The frames of a mouth in a pause of a second: from 100 milliseconds after its start to 100 before its end.
+fn frames_of_pause(alignment: &Alignment) -> String {
+    let mouth = render(alignment, VisemeType::Blair, Fps::whole(24), &RenderRules::default());
+    let start_ms = bobby().len() / 48 + 100;
+    mouth.frames[start_ms * 24 / 1_000..(start_ms + 800) * 24 / 1_000].to_owned()
+}
+
+#[test]
+fn the_mouth_rests_in_a_pause_of_a_second_in_any_noise() {
+    let samples = with_pause(1_000);
+    for (name, noise) in NOISES {
+        let sound = with_noise(&samples, noise);
+        let alignment = align(&sound, &[TEXT, TEXT].join(" "));
+        let pause = frames_of_pause(&alignment);
+        assert_eq!(pause, "-".repeat(pause.len()), "{name}: {alignment:?}");
+        assert!(alignment.mismatches.is_empty(), "{name}: {:?}", alignment.mismatches);
+        assert!(!sound.is_no_speech(), "{name}");
+    }
+}
+
+#[test]
+fn without_a_script_too() {
+    let samples = with_pause(1_000);
+    // But not in a hum: without a script, that is an n as well.
+    for (name, noise) in NOISES.into_iter().filter(|(name, _)| *name != "hum") {
+        let sound = with_noise(&samples, noise);
+        let pause = frames_of_pause(&Aligner::new(Model::english(), AlignOptions::default()).listen(&sound));
+        let moving = pause.bytes().filter(|&shape| shape != b'-').count();
+        assert!(moving == 0, "{name}: {pause}");
+    }
+}
+
+#[test]
+fn noise_alone_is_no_speech() {
+    let tone = |count: usize| {
+        (0..count).map(|at| (std::f32::consts::TAU * (at * 11 % 1_200) as f32 / 1_200.0).sin()).collect()
+    };
+    let gated =
+        |count: usize| white(count).iter().enumerate().map(|(at, noise)| noise * (at / 12_000 % 2) as f32).collect();
+    let noises: [(&str, Noise); 5] =
+        [("white", white), ("pink", pink), ("hum", hum), ("tone", tone), ("gated noise", gated)];
+    for (name, noise) in noises {
+        for count in [16_000, 144_000] {
+            let samples: Vec<f32> = noise(count).iter().map(|sample| sample / 8.0).collect();
+            assert!(Sound::from_samples(RATE_HZ, &samples).unwrap().is_no_speech(), "{name} {count}");
+        }
+    }
+    let none = Sound::from_samples(RATE_HZ, &vec![0.0; 48_000]).unwrap();
+    assert!(none.is_silent() && !none.is_no_speech());
+}
+
+#[test]
+fn a_sentence_is_speech_whole_and_in_parts() {
+    let samples = bobby();
+    for part in [&samples[..], &samples[..30_000], &samples[20_000..], &with_pause(3_000)] {
+        assert!(!Sound::from_samples(RATE_HZ, part).unwrap().is_no_speech(), "{}", part.len());
+    }
+}
