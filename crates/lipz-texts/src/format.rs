@@ -1,7 +1,9 @@
 //! The formats, and one way to read and to write them all.
 
 use crate::csv::{self, Shape};
-use crate::{Division, Entry, Exchange, Incoming, ReadOptions, po, xliff};
+#[cfg(feature = "xlsx")]
+use crate::xlsx;
+use crate::{Division, Entry, Exchange, Incoming, ReadOptions, json, po, xliff};
 use lipz_diagnostics::{Diagnostic, bound};
 
 /// A format of files for translators.
@@ -15,6 +17,11 @@ pub enum Format {
     Xliff12,
     /// Comma-separated values (RFC 4180); on reading also with `;` or tabs.
     Csv,
+    /// A spreadsheet with the same columns, for Excel, LibreOffice and Google Sheets.
+    #[cfg(feature = "xlsx")]
+    Xlsx,
+    /// All that is exchanged, for programs.
+    Json,
 }
 
 /// How a file is written.
@@ -77,7 +84,15 @@ pub struct WrittenFile {
 
 impl Format {
     /// All formats.
-    pub const ALL: [Format; 4] = [Format::Po, Format::Xliff, Format::Xliff12, Format::Csv];
+    pub const ALL: &[Format] = &[
+        Format::Po,
+        Format::Xliff,
+        Format::Xliff12,
+        Format::Csv,
+        #[cfg(feature = "xlsx")]
+        Format::Xlsx,
+        Format::Json,
+    ];
 
     /// The format of a file with this extension, in any case.
     ///
@@ -91,6 +106,9 @@ impl Format {
             "po" | "pot" => Format::Po,
             "xlf" | "xliff" => Format::Xliff,
             "csv" | "tsv" | "txt" => Format::Csv,
+            #[cfg(feature = "xlsx")]
+            "xlsx" => Format::Xlsx,
+            "json" => Format::Json,
             _ => return None,
         })
     }
@@ -101,6 +119,9 @@ impl Format {
             Format::Po => "po",
             Format::Xliff | Format::Xliff12 => "xlf",
             Format::Csv => "csv",
+            #[cfg(feature = "xlsx")]
+            Format::Xlsx => "xlsx",
+            Format::Json => "json",
         }
     }
 
@@ -109,6 +130,9 @@ impl Format {
         match self {
             Format::Po | Format::Xliff | Format::Xliff12 => true,
             Format::Csv => options.shape == Shape::Yarn,
+            #[cfg(feature = "xlsx")]
+            Format::Xlsx => false,
+            Format::Json => false,
         }
     }
 }
@@ -121,6 +145,9 @@ pub fn write(format: Format, exchange: &Exchange, options: &WriteOptions) -> Wri
         (Format::Xliff, Some(at)) => xliff::write_2_1(exchange, at),
         (Format::Xliff12, Some(at)) => xliff::write_1_2(exchange, at, options.division),
         (Format::Csv, locale) => csv::write(exchange, locale, options),
+        #[cfg(feature = "xlsx")]
+        (Format::Xlsx, _) => xlsx::write(exchange, options, diagnostics),
+        (Format::Json, _) => json::write(exchange),
         (_, None) => Vec::new(),
     };
     if !format.is_of_one_locale(options) {
@@ -142,6 +169,9 @@ pub fn read(format: Format, bytes: &[u8], options: &ReadOptions) -> Incoming {
         Format::Po => po::read(bytes, options, &mut incoming),
         Format::Xliff | Format::Xliff12 => xliff::read(bytes, options, &mut incoming),
         Format::Csv => csv::read(bytes, options, &mut incoming),
+        #[cfg(feature = "xlsx")]
+        Format::Xlsx => xlsx::read(bytes, options, &mut incoming),
+        Format::Json => json::read(bytes, options, &mut incoming),
     }
     bound::limit(&mut incoming.diagnostics);
     incoming.diagnostics.sort_by_key(Diagnostic::start);

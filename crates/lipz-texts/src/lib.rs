@@ -1,4 +1,4 @@
-//! The texts of Lipz files for translators: PO, XLIFF and CSV files, there and back.
+//! The texts of Lipz files for translators: PO, XLIFF, CSV, XLSX and JSON files, there and back.
 //!
 //! [`Collect`] makes a [`Unit`] of each clip: its segments with their texts, and what helps to translate them: who
 //! speaks, when, for how long, with which events. [`write()`] makes a file of them that tools for translators open,
@@ -8,6 +8,10 @@
 //! A file of exchange says what each translation was when it was exported, by its [`Mark`]. So an old file does not undo
 //! newer work: a text that nobody changed in it stays as the project has it.
 //!
+//! # Features
+//!
+//! * `xlsx`: spreadsheets, which need crates that pack and unpack archives.
+//!
 //! What is not here: files and folders, settings, printing (`lipz`), banks.
 
 mod collect;
@@ -15,6 +19,7 @@ mod csv;
 mod decode;
 mod entry;
 mod format;
+mod json;
 mod mark;
 mod merge;
 mod model;
@@ -22,6 +27,8 @@ mod placeholder;
 mod po;
 mod tag;
 mod xliff;
+#[cfg(feature = "xlsx")]
+mod xlsx;
 
 pub use collect::Collect;
 pub use csv::Shape;

@@ -40,6 +40,7 @@ fn files_are_as_they_were() {
         ("segments", Format::Po, WriteOptions::new().division(Division::Segment)),
         ("xliff-2.1", Format::Xliff, WriteOptions::new()),
         ("xliff-1.2", Format::Xliff12, WriteOptions::new()),
+        ("all", Format::Json, WriteOptions::new()),
         ("sheet", Format::Csv, WriteOptions::new()),
         ("sheet-segments", Format::Csv, WriteOptions::new().division(Division::Segment)),
         ("unity", Format::Csv, WriteOptions::new().shape(Shape::Unity)),

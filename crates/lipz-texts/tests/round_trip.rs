@@ -16,7 +16,7 @@ fn ways() -> Vec<(Format, WriteOptions)> {
     let mut ways = Vec::new();
     for division in [Division::Clip, Division::Segment] {
         let options = WriteOptions::new().division(division);
-        for format in Format::ALL {
+        for &format in Format::ALL {
             ways.push((format, options));
         }
         for shape in Shape::ALL {
@@ -92,7 +92,8 @@ proptest! {
                 prop_assert_eq!(&same.text, &None, "{:?} {:?}", options, same);
                 prop_assert_eq!(same.found.len(), 0);
 
-                let text = String::from_utf8(written.bytes).unwrap();
+                // An archive has no place where a word could be replaced.
+                let Ok(text) = String::from_utf8(written.bytes) else { continue };
                 let is_there = text.contains(TOKEN);
                 // A segment that has no source is not exported by itself; a translation with fewer placeholders is told.
                 let changed = merged(&file, &entries(format, text.replace(TOKEN, "zzz").as_bytes()));

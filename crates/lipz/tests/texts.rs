@@ -184,7 +184,14 @@ fn slips_on_the_command_line() {
 fn the_drama_goes_out_and_comes_back() {
     let repository = repository();
     let scene = Scene::new();
-    for (format, name) in [("po", "de-de.po"), ("xliff", "a.xlf"), ("xliff-1.2", "b.xlf"), ("csv", "texts.csv")] {
+    for (format, name) in [
+        ("po", "de-de.po"),
+        ("xliff", "a.xlf"),
+        ("xliff-1.2", "b.xlf"),
+        ("csv", "texts.csv"),
+        ("xlsx", "c.xlsx"),
+        ("json", "d.json"),
+    ] {
         let output = scene.path().join(name);
         let output = output.to_str().unwrap();
         let settings = ["--default-locale", "en-us", "fixtures/drama", "--locale", "de-de", "-o", output];
@@ -196,4 +203,14 @@ fn the_drama_goes_out_and_comes_back() {
         assert!(import.stdout.starts_with("texts that would be imported: 0 new, 4"), "{}", import.stdout);
         assert!(import.stdout.ends_with(" unchanged\n"), "{}", import.stdout);
     }
+}
+
+#[test]
+fn json_is_as_its_schema_says() {
+    let json = |path: &str| serde_json::from_str(&read(&repository(), path)).unwrap();
+    let schema = jsonschema::validator_for(&json("docs/lipz-texts.schema.json")).unwrap();
+    let mut file: serde_json::Value = json("fixtures/texts/all.json");
+    assert!(schema.is_valid(&file));
+    file["clips"][0]["segments"][0]["translations"]["de-de"]["state"] = "done".into();
+    assert!(!schema.is_valid(&file));
 }

@@ -111,8 +111,19 @@ pub(super) const RULES: &[Rule] = &[
     },
     Rule {
         name: "lipz-texts",
-        direct: &["csv", "encoding_rs", "lipz-diagnostics", "lipz-file", "lipz-types", "roxmltree", "twox-hash"],
-        below: Below::AtMost(24),
+        direct: &[
+            "csv",
+            "encoding_rs",
+            "lipz-diagnostics",
+            "lipz-file",
+            "roxmltree",
+            "rust_xlsxwriter",
+            "serde",
+            "serde_json",
+            "twox-hash",
+            "zip",
+        ],
+        below: Below::AtMost(60),
     },
     Rule {
         name: "lipz-speech",

@@ -11,6 +11,7 @@ mod forged_bank;
 mod round_trip;
 mod second_life;
 mod sound;
+mod texts;
 
 pub use bank::{bank, text_bank};
 pub use file::{parse, rewrite};
@@ -19,6 +20,7 @@ pub use forged_bank::forged_bank;
 pub use round_trip::round_trip;
 pub use second_life::second_life;
 pub use sound::{sound, sync_record};
+pub use texts::texts;
 
 /// One fuzz target: `fuzz/fuzz_targets/NAME.rs` with the seeds in `fuzz/seeds/NAME`.
 pub struct Target {
@@ -29,13 +31,14 @@ pub struct Target {
 }
 
 /// All fuzz targets.
-pub const TARGETS: [Target; 10] = [
+pub const TARGETS: [Target; 11] = [
     Target { name: "bank", check: bank },
     Target { name: "text_bank", check: text_bank },
     Target { name: "forged_bank", check: forged_bank },
     Target { name: "parse", check: parse },
     Target { name: "foreign", check: foreign },
     Target { name: "second_life", check: second_life },
+    Target { name: "texts", check: texts },
     Target { name: "rewrite", check: rewrite },
     Target { name: "round_trip", check: round_trip },
     Target { name: "sound", check: sound },

@@ -46,9 +46,9 @@ const OTHERS: [&str; 16] = [
 ];
 
 /// What stands before the locale in the names of columns with marks.
-pub(super) const LOCK: &str = "lock";
+pub(crate) const LOCK: &str = "lock";
 
-/// What the columns with these names are; `Err` with the place of one that nothing is known about.
+/// What the columns with these names are; `Err` is one that nothing is known about.
 pub(super) fn columns(names: &[&str], options: &ReadOptions) -> Vec<Result<Column, ()>> {
     let is = |name: &str, known: &str| name.trim().eq_ignore_ascii_case(known);
     let has = |known: &str| names.iter().any(|name| is(name, known));

@@ -5,8 +5,9 @@ mod columns;
 mod read;
 mod write;
 
-pub(crate) use read::read;
-pub(crate) use write::write;
+pub(crate) use columns::LOCK;
+pub(crate) use read::{Row, Table, read};
+pub(crate) use write::{rows, write};
 
 /// Which columns a CSV has, and how they are called. Readers know all of them by their names.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]

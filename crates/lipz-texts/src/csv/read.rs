@@ -1,4 +1,4 @@
-//! Reading CSV files, with the place of every cell.
+//! Reading tables: rows with the place of every cell, from CSV files and spreadsheets.
 
 use super::cell;
 use super::columns::{Column, columns};
@@ -16,18 +16,18 @@ pub(crate) fn read(bytes: &[u8], options: &ReadOptions, incoming: &mut Incoming)
         incoming.text = decode::readable(bytes);
         return;
     };
-    table(&text, options, incoming);
+    rows(&text, options, incoming);
     incoming.text = text.into_owned();
 }
 
-fn table(text: &str, options: &ReadOptions, incoming: &mut Incoming) {
+fn rows(text: &str, options: &ReadOptions, incoming: &mut Incoming) {
     let first_line = text.lines().next().unwrap_or_default();
     let count = |separator: &u8| first_line.bytes().filter(|byte| byte == separator).count();
     // The first of equal ones.
     let separator = SEPARATORS.into_iter().rev().max_by_key(count).unwrap_or(b',');
     let mut reader =
         ReaderBuilder::new().delimiter(separator).has_headers(false).flexible(true).from_reader(text.as_bytes());
-    let mut columns: Option<Vec<Column>> = None;
+    let mut table = Table::new(options);
     let mut record = StringRecord::new();
     loop {
         let start = usize::try_from(reader.position().byte()).unwrap_or(usize::MAX);
@@ -42,38 +42,63 @@ fn table(text: &str, options: &ReadOptions, incoming: &mut Incoming) {
         }
         let end = usize::try_from(reader.position().byte()).unwrap_or(usize::MAX);
         let raw = text.get(start..end).unwrap_or_default();
-        let row = Row { cells: &record, places: places(raw, separator), start };
-        match &columns {
-            Some(columns) => row.entries(columns, options, incoming),
-            None => match header(&row, options, incoming) {
-                Some(found) => columns = Some(found),
-                None => return,
-            },
+        let cells = record.iter().map(|cell| cell::text(cell).to_owned()).collect();
+        if !table.row(&Row { cells, places: places(raw, separator), start }, incoming) {
+            return;
         }
-        bound::limit_many(&mut incoming.diagnostics);
     }
-    if columns.is_none() {
-        incoming.diagnostics.push(
-            Diagnostic::new(Code::ExchangeSyntax, "the file has no header")
-                .help("its first row names the columns: key, en-us, de-de"),
-        );
-    }
+    table.finish(incoming);
 }
 
 /// A row, and where its cells stand.
-struct Row<'r> {
-    cells: &'r StringRecord,
-    places: Vec<Range<usize>>,
-    start: usize,
+#[derive(Debug, Default)]
+pub(crate) struct Row {
+    /// What is in its cells.
+    pub(crate) cells: Vec<String>,
+    /// Where they are, in bytes from `start`.
+    pub(crate) places: Vec<Range<usize>>,
+    /// Where the row starts in the text.
+    pub(crate) start: usize,
+}
+
+/// A table as far as it is read: the first row names its columns.
+pub(crate) struct Table<'o> {
+    options: &'o ReadOptions,
+    columns: Option<Vec<Column>>,
+}
+
+impl<'o> Table<'o> {
+    pub(crate) fn new(options: &'o ReadOptions) -> Table<'o> {
+        Table { options, columns: None }
+    }
+
+    /// Reads the next row; false if the others say nothing, because the columns are not known.
+    pub(crate) fn row(&mut self, row: &Row, incoming: &mut Incoming) -> bool {
+        match &self.columns {
+            Some(columns) => row.entries(columns, self.options, incoming),
+            None => self.columns = header(row, self.options, incoming),
+        }
+        bound::limit_many(&mut incoming.diagnostics);
+        self.columns.is_some()
+    }
+
+    /// Reports that there was no row.
+    pub(crate) fn finish(&self, incoming: &mut Incoming) {
+        if self.columns.is_none() {
+            incoming.diagnostics.push(
+                Diagnostic::new(Code::ExchangeSyntax, "the file has no header")
+                    .help("its first row names the columns: key, en-us, de-de"),
+            );
+        }
+    }
 }
 
 /// The columns; `None` if there is none with keys.
-fn header(row: &Row<'_>, options: &ReadOptions, incoming: &mut Incoming) -> Option<Vec<Column>> {
-    let names: Vec<&str> = row.cells.iter().collect();
+fn header(row: &Row, options: &ReadOptions, incoming: &mut Incoming) -> Option<Vec<Column>> {
+    let names: Vec<&str> = row.cells.iter().map(String::as_str).collect();
     let mut found = Vec::new();
     for (at, column) in columns(&names, options).into_iter().enumerate() {
-        found.push(column.unwrap_or(Column::Other));
-        if column_is_unknown(&names, at, options) {
+        if column.is_err() {
             let name = escape::quoted(names.get(at).copied().unwrap_or_default());
             incoming.diagnostics.push(
                 Diagnostic::at(Code::ExchangeLoss, row.span(at), format!("the column {name} is not imported"))
@@ -81,6 +106,7 @@ fn header(row: &Row<'_>, options: &ReadOptions, incoming: &mut Incoming) -> Opti
                     .help("call a column of texts by its locale, as in de-de"),
             );
         }
+        found.push(column.unwrap_or(Column::Other));
     }
     let missing = |what: &str, help: &str| {
         Some(Diagnostic::at(Code::ExchangeSyntax, row.span(0), format!("no column has {what}")).help(help))
@@ -96,11 +122,7 @@ fn header(row: &Row<'_>, options: &ReadOptions, incoming: &mut Incoming) -> Opti
     (!is_wrong).then_some(found)
 }
 
-fn column_is_unknown(names: &[&str], at: usize, options: &ReadOptions) -> bool {
-    columns(names, options).get(at).is_some_and(Result::is_err)
-}
-
-impl Row<'_> {
+impl Row {
     /// Where a cell stands, without quotes; the start of the row if there is none.
     fn span(&self, at: usize) -> Span {
         let place = self.places.get(at).cloned().unwrap_or(0..0);
@@ -108,13 +130,13 @@ impl Row<'_> {
     }
 
     fn words(&self, at: usize) -> Words {
-        let cell = self.cells.get(at).unwrap_or_default();
-        Words { text: cell::text(cell).to_owned(), span: self.span(at) }
+        Words { text: self.cells.get(at).cloned().unwrap_or_default(), span: self.span(at) }
     }
 
     /// Adds the translations of a row.
     fn entries(&self, columns: &[Column], options: &ReadOptions, incoming: &mut Incoming) {
         let find = |column: &Column| columns.iter().position(|other| other == column);
+        let mark = |column: &Column| find(column).and_then(|at| self.cells.get(at)?.parse::<Mark>().ok());
         let Some(key) = find(&Column::Key).map(|at| self.words(at)) else { return };
         if key.text.is_empty() {
             if self.cells.iter().any(|cell| !cell.is_empty()) {
@@ -124,18 +146,10 @@ impl Row<'_> {
             return;
         }
         let source = find(&Column::Source).map(|at| self.words(at));
-        let source_mark = find(&Column::SourceMark).and_then(|at| self.cells.get(at)?.parse::<Mark>().ok());
+        let source_mark = mark(&Column::SourceMark);
         let state =
             find(&Column::State).and_then(|at| State::from_name(&self.cells.get(at)?.trim().to_ascii_lowercase()));
-        let row_locale = find(&Column::Language).and_then(|at| {
-            let language = self.words(at);
-            let locale = options.locale(&language.text);
-            if locale.is_none() {
-                let message = format!("the language {} is no locale of the project", escape::quoted(&language.text));
-                incoming.diagnostics.push(Diagnostic::at(Code::ExchangeSyntax, language.span, message));
-            }
-            locale
-        });
+        let row_locale = self.locale(find(&Column::Language), options, incoming);
         let (id, segment) = entry::id(&key.text);
         for (at, column) in columns.iter().enumerate() {
             let locale = match column {
@@ -144,20 +158,30 @@ impl Row<'_> {
                 _ => continue,
             };
             let Some(locale) = locale.filter(|locale| options.wants(locale)) else { continue };
-            let mark = find(&Column::Mark(locale.clone())).and_then(|at| self.cells.get(at)?.parse().ok());
             let text = self.words(at);
             incoming.entries.push(Entry {
                 key: Words { text: id.to_owned(), span: key.span },
                 segment,
                 source: source.clone(),
                 source_mark,
-                locale,
                 state: if text.text.is_empty() { State::Initial } else { state.unwrap_or(State::Translated) },
                 text,
-                mark,
+                mark: mark(&Column::Mark(locale.clone())),
+                locale,
                 ..Entry::default()
             });
         }
+    }
+
+    /// The locale of the row, if a column says it.
+    fn locale(&self, column: Option<usize>, options: &ReadOptions, incoming: &mut Incoming) -> Option<String> {
+        let language = self.words(column?);
+        let locale = options.locale(&language.text);
+        if locale.is_none() {
+            let message = format!("the language {} is no locale of the project", escape::quoted(&language.text));
+            incoming.diagnostics.push(Diagnostic::at(Code::ExchangeSyntax, language.span, message));
+        }
+        locale
     }
 }
 

@@ -11,20 +11,24 @@ use std::borrow::Cow;
 
 /// The file with all locales, or with the one at `at`.
 pub(crate) fn write(exchange: &Exchange, at: Option<usize>, options: &WriteOptions) -> Vec<u8> {
-    let table = Table { exchange, options, locales: at.map_or(0..exchange.locales.len(), |at| at..at + 1).collect() };
     let mut writer = WriterBuilder::new().terminator(Terminator::CRLF).from_writer(Vec::new());
-    // Writing to memory does not fail.
-    let _ = writer.write_record(table.header());
-    for item in exchange.items(options.division) {
-        let row = table.row(&item);
+    for row in rows(exchange, at, options) {
         let cells = row.iter().map(|cell| match options.raw_cells {
             // A reader would take an apostrophe of the text for one of ours.
             true if !cell.starts_with('\'') => Cow::Borrowed(cell.as_str()),
             _ => defused(cell),
         });
+        // Writing to memory does not fail.
         let _ = writer.write_record(cells.map(|cell| cell.into_owned().into_bytes()));
     }
     writer.into_inner().unwrap_or_default()
+}
+
+/// The rows of the table with all locales, or with the one at `at`; the first has the names of the columns.
+pub(crate) fn rows(exchange: &Exchange, at: Option<usize>, options: &WriteOptions) -> Vec<Vec<String>> {
+    let table = Table { exchange, options, locales: at.map_or(0..exchange.locales.len(), |at| at..at + 1).collect() };
+    let rows = exchange.items(options.division).map(|item| table.row(&item));
+    std::iter::once(table.header()).chain(rows).collect()
 }
 
 struct Table<'a> {

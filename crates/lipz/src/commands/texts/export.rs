@@ -70,6 +70,9 @@ impl Export {
     }
 }
 
+/// Locales that the summary names.
+const LOCALES_SHOWN: usize = 6;
+
 /// What one clip gives.
 struct Made {
     unit: Option<Unit>,
@@ -111,7 +114,10 @@ pub(super) fn run(arguments: &Export, reporter: &mut Reporter) -> Ended {
         return Ok(outcome);
     }
     let clips = console::counted(exchange.units.len(), "clip");
-    let locales = exchange.locales.join(", ");
+    let locales = match exchange.locales.as_slice() {
+        few if few.len() <= LOCALES_SHOWN => few.join(", "),
+        many => console::counted(many.len(), "locale"),
+    };
     let without = match left_out {
         0 => String::new(),
         some => format!("; {} without a text in {} left out", console::counted(some, "clip"), exchange.source_locale),
@@ -235,7 +241,8 @@ fn deliver(
         true => formats::path(&arguments.output, file.locale.as_deref().unwrap_or("texts"), format.extension()),
         false => arguments.output.clone(),
     };
-    if is_folder && arguments.output.extension().is_some_and(|_| !arguments.output.is_dir()) {
+    let has_extension = arguments.output.extension().is_some_and(|extension| extension == format.extension());
+    if is_folder && has_extension && !arguments.output.is_dir() {
         let message = format!("`{}` is one file, and each locale has its own", console::path(&arguments.output));
         return Err(reporter.usage(message, "name a folder, or one locale with `--locale`"));
     }

@@ -24,7 +24,7 @@ use std::path::PathBuf;
 /// fit is reported with its line and column, and the clip keeps its text in that locale; all others are imported.
 #[derive(Args, Debug)]
 pub(super) struct Import {
-    /// Files of translations, as `lipz texts export` writes them: .po, .xlf, .csv, .tsv
+    /// Files of translations, as `lipz texts export` writes them: .po, .xlf, .csv, .tsv, .xlsx, .json
     #[arg(value_name = "FILES", required = true)]
     files: Vec<PathBuf>,
 
@@ -147,7 +147,9 @@ impl Import {
             let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
             let Some(format) = lipz_texts::Format::of_extension(extension) else {
                 let message = format!("the extension of `{}` names no format", console::path(&path));
-                return Err(reporter.usage(message, "files of translations end in .po, .xlf, .csv or .tsv"));
+                return Err(
+                    reporter.usage(message, "files of translations end in .po, .xlf, .csv, .tsv, .xlsx or .json")
+                );
             };
             let bytes = match fs::read(&path) {
                 Ok(bytes) => bytes,

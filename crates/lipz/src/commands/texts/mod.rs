@@ -9,7 +9,7 @@ use crate::reporter::Reporter;
 use clap::{Args, Subcommand, ValueEnum};
 use lipz_texts::{Division, Shape};
 
-/// Write the texts of clips for translators, and read their translations: PO (gettext), XLIFF, CSV.
+/// Write the texts of clips for translators, and read their translations: PO (gettext), XLIFF, CSV, XLSX, JSON.
 ///
 /// Each clip is an entry, with what helps to translate it: who speaks, when, for how long, with which events.
 /// docs/LOCALISATION.md shows the way there and back.
@@ -17,9 +17,9 @@ use lipz_texts::{Division, Shape};
 #[command(after_help = "Examples:
   lipz texts export po voices --locale de-de -o de-de.po
   lipz texts export xliff voices --locale de-de -o de-de.xlf
-  lipz texts export csv voices --locale de-de --locale fr-fr -o texts.csv
+  lipz texts export xlsx voices --locale de-de --locale fr-fr -o texts.xlsx
   lipz texts import de-de.po -o voices
-  lipz texts import texts.csv -o voices --locale fr-fr --check")]
+  lipz texts import texts.xlsx -o voices --locale fr-fr --check")]
 pub(crate) struct Texts {
     #[command(subcommand)]
     direction: Direction,
@@ -43,6 +43,10 @@ enum Format {
     Xliff12,
     /// A table, for spreadsheets and engines: a column for each locale
     Csv,
+    /// A spreadsheet: the same columns
+    Xlsx,
+    /// All that is known, for programs
+    Json,
 }
 
 impl From<Format> for lipz_texts::Format {
@@ -52,6 +56,8 @@ impl From<Format> for lipz_texts::Format {
             Format::Xliff => lipz_texts::Format::Xliff,
             Format::Xliff12 => lipz_texts::Format::Xliff12,
             Format::Csv => lipz_texts::Format::Csv,
+            Format::Xlsx => lipz_texts::Format::Xlsx,
+            Format::Json => lipz_texts::Format::Json,
         }
     }
 }

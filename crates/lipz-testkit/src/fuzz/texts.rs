@@ -1,0 +1,41 @@
+//! Files that pretend to be those of translators.
+
+use super::file::is_about;
+use lipz_diagnostics::Diagnostic;
+use lipz_texts::{Format, Merge, ReadOptions, State, read};
+
+/// The clip that the translations are for: it has all that a merge has to keep.
+const CLIP: &str = r#"{ "visemes": "MA|EO", "text_en-us": "a {b} \u00e9|c", "note": [1,  2],
+  "text_de-de": "x {b}  |", "events": "|feels sad" }"#;
+
+/// The first byte chooses the format. Places are inside of the text that they count in; whatever is merged, the clip stays
+/// a Lipz file in which only texts of other locales changed; merging the same again changes nothing.
+pub fn texts(bytes: &[u8]) {
+    let Some((first, rest)) = bytes.split_first() else { return };
+    let format = match first {
+        b'X' => Format::Xliff,
+        b'C' => Format::Csv,
+        b'S' => Format::Xlsx,
+        b'J' => Format::Json,
+        _ => Format::Po,
+    };
+    let incoming = read(format, rest, &ReadOptions::new("en-us"));
+    incoming.diagnostics.iter().for_each(|found| is_about(found, &incoming.text));
+    let is_inside = |span: lipz_diagnostics::Span| incoming.text.get(span.range()).is_some();
+    assert!(incoming.entries.iter().all(|entry| is_inside(entry.text.span) && is_inside(entry.key.span)));
+    let mut entries = incoming.entries.clone();
+    // Entries of other clips are as good.
+    entries.retain(|entry| entry.locale != "en-us");
+    entries.truncate(64);
+    let before = lipz_file::parse(CLIP.as_bytes()).document.unwrap();
+    let merge = Merge::new("en-us").min_state(State::Initial).forced(true);
+    let merged = merge.merge(CLIP, &before, &entries.iter().collect::<Vec<_>>());
+    merged.found.iter().for_each(|(_, found): &(usize, Diagnostic)| is_about(found, &incoming.text));
+    let Some(text) = merged.text else { return };
+    let after = lipz_file::parse(text.as_bytes()).document.unwrap();
+    for name in ["visemes", "text_en-us", "events", "note"] {
+        assert_eq!(after.get(name).map(|element| &element.value), before.get(name).map(|element| &element.value));
+    }
+    let again = merge.merge(&text, &after, &entries.iter().collect::<Vec<_>>());
+    assert_eq!(again.text, None, "{text}");
+}

@@ -1,0 +1,10 @@
+//! XLSX: the table of a CSV as a spreadsheet.
+//!
+//! rust_xlsxwriter writes it. To read it, zip takes it apart and roxmltree reads its parts: calamine, which reads
+//! spreadsheets of all kinds, reserves as much memory as a file claims to need, and panics on some that are damaged.
+
+mod read;
+mod write;
+
+pub(crate) use read::read;
+pub(crate) use write::write;

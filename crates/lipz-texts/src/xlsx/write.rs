@@ -1,0 +1,65 @@
+//! Writing XLSX files.
+
+use crate::csv::{LOCK, rows};
+use crate::{Exchange, Shape, WriteOptions};
+use lipz_diagnostics::{Code, Diagnostic, escape};
+use rust_xlsxwriter::{DocProperties, ExcelDateTime, Format, FormatAlign, Workbook, Worksheet, XlsxError};
+
+/// UTF-16 units that a cell of Excel holds.
+const CELL_UNITS: usize = 32_767;
+
+/// Width of the columns with texts, in characters.
+const TEXT_WIDTH: u16 = 48;
+
+/// The file with all locales.
+pub(crate) fn write(exchange: &Exchange, options: &WriteOptions, diagnostics: &mut Vec<Diagnostic>) -> Vec<u8> {
+    let options = options.shape(Shape::Sheet);
+    let rows: Vec<Vec<String>> = rows(exchange, None, &options);
+    let made = workbook(&rows, &exchange.source_locale, diagnostics);
+    made.unwrap_or_else(|error| {
+        let message = format!("the texts do not fit into a spreadsheet: {error}");
+        let mut diagnostic = Diagnostic::new(Code::ExchangeLoss, message).help("export fewer clips at a time, or CSV");
+        diagnostic.severity = lipz_diagnostics::Severity::Error;
+        diagnostics.push(diagnostic);
+        Vec::new()
+    })
+}
+
+fn workbook(rows: &[Vec<String>], source: &str, diagnostics: &mut Vec<Diagnostic>) -> Result<Vec<u8>, XlsxError> {
+    let mut workbook = Workbook::new();
+    // The same texts give the same file, whenever it is made.
+    let created = ExcelDateTime::from_ymd(2000, 1, 1)?;
+    workbook.set_properties(&DocProperties::new().set_creation_datetime(&created));
+    let sheet = workbook.add_worksheet().set_name("texts")?;
+    sheet.set_freeze_panes(1, 1)?;
+    columns(sheet, rows.first().map_or(&[], Vec::as_slice), source)?;
+    let (head, text) = (Format::new().set_bold(), Format::new().set_text_wrap().set_align(FormatAlign::Top));
+    for (row, cells) in (0..).zip(rows) {
+        for (column, cell) in (0..).zip(cells) {
+            if cell.encode_utf16().count() > CELL_UNITS {
+                let key = escape::quoted(cells.first().map_or("", String::as_str));
+                let message = format!("a text of {key} has more than {CELL_UNITS} characters, and is left out");
+                diagnostics.push(Diagnostic::new(Code::ExchangeLoss, message).help("export it as PO or XLIFF"));
+            } else if !cell.is_empty() {
+                // A string is never a formula here.
+                sheet.write_string_with_format(row, column, cell, if row == 0 { &head } else { &text })?;
+            }
+        }
+    }
+    workbook.save_to_buffer()
+}
+
+/// Wide columns for texts; those with marks are hidden, because nobody should change them.
+fn columns(sheet: &mut Worksheet, names: &[String], source: &str) -> Result<(), XlsxError> {
+    let first_text = names.iter().position(|name| name == source).unwrap_or(names.len());
+    for (column, name) in (0..).zip(names) {
+        if name.starts_with(LOCK) {
+            sheet.set_column_hidden(column)?;
+        } else if usize::from(column) >= first_text {
+            sheet.set_column_width(column, TEXT_WIDTH)?;
+        } else {
+            sheet.set_column_width(column, 16)?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,75 @@
+//! Files that somebody made to do harm: entities, archives that unpack to gigabytes, sheets without end.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+use lipz_texts::{Format, ReadOptions, read};
+
+/// What reading a file says.
+fn told(format: Format, bytes: &[u8]) -> String {
+    let incoming = read(format, bytes, &ReadOptions::new("en-us"));
+    assert_eq!(incoming.entries, []);
+    incoming.diagnostics.iter().map(ToString::to_string).collect()
+}
+
+#[test]
+fn entities_are_refused() {
+    let bomb = r#"<?xml version="1.0"?><!DOCTYPE x [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;">]>
+        <xliff version="1.2">&b;</xliff>"#;
+    assert!(
+        told(Format::Xliff, bomb.as_bytes()).contains("entities of a DTD"),
+        "{}",
+        told(Format::Xliff, bomb.as_bytes())
+    );
+    let outside = r#"<!DOCTYPE x [<!ENTITY a SYSTEM "file:///etc/passwd">]><xliff version="2.1">&a;</xliff>"#;
+    assert!(told(Format::Xliff12, outside.as_bytes()).contains("entities of a DTD"));
+    let deep = "<a>".repeat(200_000);
+    assert!(told(Format::Xliff, deep.as_bytes()).contains("the file is not XML"));
+    assert!(told(Format::Json, "[".repeat(200_000).as_bytes()).contains("LZ1901"));
+}
+
+#[cfg(feature = "xlsx")]
+mod spreadsheets {
+    use super::{Format, told};
+    use std::io::{Cursor, Write};
+    use zip::ZipWriter;
+    use zip::write::SimpleFileOptions;
+
+    /// An archive with these parts.
+    fn archive(parts: &[(&str, &[u8])]) -> Vec<u8> {
+        let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
+        for (name, bytes) in parts {
+            archive.start_file(*name, SimpleFileOptions::default()).unwrap();
+            archive.write_all(bytes).unwrap();
+        }
+        archive.finish().unwrap().into_inner()
+    }
+
+    fn sheet(rows: &str) -> Vec<u8> {
+        let sheet = format!("<worksheet><sheetData>{rows}</sheetData></worksheet>");
+        archive(&[("xl/worksheets/sheet1.xml", sheet.as_bytes())])
+    }
+
+    #[test]
+    fn archives_and_sheets_without_end_are_refused() {
+        let bomb = archive(&[("xl/worksheets/sheet1.xml", &vec![b' '; 65 << 20])]);
+        assert!(bomb.len() < 1 << 20, "{}", bomb.len());
+        assert!(told(Format::Xlsx, &bomb).contains("unpacked it has more than 64 megabytes"));
+        let strings = format!("<sst><si><t>{}</t></si></sst>", "a".repeat(1 << 20));
+        let cells = r#"<c t="s"><v>0</v></c>"#.repeat(100);
+        let sheet_of_strings = format!("<worksheet><row>{cells}</row></worksheet>");
+        let parts: [(&str, &[u8]); 2] =
+            [("xl/sharedStrings.xml", strings.as_bytes()), ("xl/worksheets/sheet1.xml", sheet_of_strings.as_bytes())];
+        assert!(told(Format::Xlsx, &archive(&parts)).contains("its cells have more than 64 megabytes"));
+        for (rows, why) in [
+            (r#"<row r="99999999"/>"#, "row 99999999 follows row 0"),
+            (r#"<row r="2"/><row r="1"/>"#, "row 1 follows row 2"),
+            (r#"<row><c r="ZZZZ1"/></row>"#, "the cells of a row are not in order"),
+            (r#"<row><c t="s"><v>7</v></c></row>"#, "a string that is not there"),
+            ("", "the file has no header"),
+        ] {
+            let told = told(Format::Xlsx, &sheet(rows));
+            assert!(told.contains(why), "{rows}: {told}");
+        }
+        assert!(told(Format::Xlsx, b"PK\x03\x04").contains("the file is no spreadsheet"));
+        assert!(told(Format::Xlsx, b"\xD0\xCF\x11\xE0").contains("without a password"));
+    }
+}
