@@ -9,15 +9,15 @@ use support::{Scene, lipz, repository};
 
 const TEXT: &str = "Bobby ripped the ledger. Bobby ripped the ledger. Bobby ripped the ledger.";
 
-/// The recording of a human voice three times, with silence between, as deep and slow as no voice that the built-in model knows.
+/// The recording of a human voice three times, with silence between, a fifth slower and deeper.
 /// Takes differ in their level.
 fn three_bobbies(take: i16) -> Vec<u8> {
     let file = fs::read(repository().join("fixtures/speech/bobby.wav")).unwrap();
     let data = file.windows(4).position(|window| window == b"data").unwrap() + 8;
-    // Every second sample of 48,000 a second, as if there were 16,000.
+    // Every second sample of 48,000 a second, as if there were 20,000.
     let samples = file[data..].chunks_exact(2).step_by(2).map(|two| i16::from_le_bytes([two[0], two[1]]));
     let once: Vec<i16> = samples.map(|sample| sample / 20 * (20 - take)).chain([0; 6_000]).collect();
-    wav(16_000, &once.repeat(3))
+    wav(20_000, &once.repeat(3))
 }
 
 /// A project with so many recordings of that voice.
@@ -41,42 +41,42 @@ fn sync(scene: &Scene, output: &str, arguments: &[&str]) -> (i32, Vec<String>, S
 
 #[test]
 fn a_model_is_learnt_used_and_kept_while_it_is_current() {
-    let mut scene = project(7);
+    let mut scene = project(9);
     scene.write("rec/other.wav", three_bobbies(1));
     scene.write("rec/other.txt", "Seven foxes jumped over my old wooden fence, and nobody knew why they did that.");
     let (code, told, found) = sync(&scene, "plain", &[]);
-    assert_eq!((code, told[0].as_str()), (0, "8 clips synced, in plain"), "{found}");
+    assert_eq!((code, told[0].as_str()), (0, "10 clips synced, in plain"), "{found}");
     let train = ["--train", "--model", "Stimmen der Burg/bobby.lipzmodel", "--allow", "LZ1707"];
     let (code, told, found) = sync(&scene, "voices", &[&train[..], &["--jobs", "1"]].concat());
     assert_eq!((code, found.as_str()), (0, ""));
-    let learnt = "model learnt from 0.6 minutes of English in 7 recordings (1 left out: something else is said than their \
+    let learnt = "model learnt from 0.6 minutes of English in 9 recordings (1 left out: something else is said than their \
                   texts), in Stimmen der Burg/bobby.lipzmodel";
-    assert_eq!(told, [learnt, "8 clips synced, in voices"]);
+    assert_eq!(told, [learnt, "10 clips synced, in voices"]);
     let model = fs::read(scene.path().join("Stimmen der Burg/bobby.lipzmodel")).unwrap();
     let mouth = |folder: &str| -> Vec<String> {
         let read = |take| fs::read_to_string(scene.path().join(format!("{folder}/{take}.lipz"))).unwrap();
-        (0..7).map(read).collect()
+        (0..9).map(read).collect()
     };
     assert_ne!(mouth("plain"), mouth("voices"), "a model that changes nothing is none");
     // Again: nothing to learn, nothing to make; and without --train, the model counts as before.
     let told = sync(&scene, "voices", &train).1;
-    let current = "the model in Stimmen der Burg/bobby.lipzmodel is current: 0.6 minutes of English in 7 recordings";
-    assert_eq!(told, [current, "0 clips synced, 8 unchanged, in voices"]);
+    let current = "the model in Stimmen der Burg/bobby.lipzmodel is current: 0.6 minutes of English in 9 recordings";
+    assert_eq!(told, [current, "0 clips synced, 10 unchanged, in voices"]);
     let told = sync(&scene, "voices", &train[1..]).1;
-    assert_eq!(told[0], "0 clips synced, 8 unchanged, in voices");
+    assert_eq!(told[0], "0 clips synced, 10 unchanged, in voices");
     let made = mouth("voices");
     let told = sync(&scene, "voices", &train[3..]).1;
-    assert_eq!(told[0], "8 clips synced, in voices", "another model, another mouth");
+    assert_eq!(told[0], "10 clips synced, in voices", "another model, another mouth");
     assert_eq!(mouth("voices"), mouth("plain"));
     // Another recording makes it another model; without that one, it is the first again: on any number of threads, and over a
     // damaged file.
-    scene.write("rec/7.wav", three_bobbies(7));
-    scene.write("rec/7.txt", TEXT);
-    assert!(sync(&scene, "voices", &train).1[0].contains("in 8 recordings (1 left out"));
-    fs::remove_file(scene.path().join("rec/7.wav")).unwrap();
+    scene.write("rec/9.wav", three_bobbies(9));
+    scene.write("rec/9.txt", TEXT);
+    assert!(sync(&scene, "voices", &train).1[0].contains("in 10 recordings (1 left out"));
+    fs::remove_file(scene.path().join("rec/9.wav")).unwrap();
     scene.write("Stimmen der Burg/bobby.lipzmodel", &model[..model.len() / 2]);
     let told = sync(&scene, "voices", &[&train[..], &["--jobs", "3"]].concat()).1;
-    assert_eq!(told, [learnt, "8 clips synced, in voices"]);
+    assert_eq!(told, [learnt, "10 clips synced, in voices"]);
     assert!(fs::read(scene.path().join("Stimmen der Burg/bobby.lipzmodel")).unwrap() == model);
     assert_eq!(mouth("voices"), made);
     let italian = ["sync", "rec", "-o", "voci", "--audio-locale", "it-it"];
