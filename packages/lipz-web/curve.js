@@ -5,6 +5,28 @@ import { at } from "./words.js";
 
 const THOUSAND = 1000;
 
+/** The attributes of emotion, in the order of lipz.h. */
+export const EMOTIONS = [
+  "sadness",
+  "anger",
+  "joy",
+  "fear",
+  "disgust",
+  "surprise",
+  "shock",
+  "perplexed",
+  "asleep",
+  "pain",
+  "exertion",
+  "shout",
+];
+
+/** What somebody feels, of the fields of an answer. */
+export function emotionsOf({ thousandths, strongest, sum }) {
+  const values = Object.fromEntries(EMOTIONS.map((name, place) => [name, thousandths[place] / THOUSAND]));
+  return { values, strongest: EMOTIONS[strongest], sum: sum / THOUSAND };
+}
+
 export class Curve {
   #ask;
   #fields;

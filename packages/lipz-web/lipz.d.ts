@@ -84,6 +84,8 @@ export class Clip {
   readonly recording: Recording | undefined;
   /** The curve with this name, `jawOpen`; undefined if the clip has none. */
   curve(name: string): Curve | undefined;
+  /** What the speaker feels at a time: neutral without curves of emotion, and without a frame rate. */
+  emotionsAt(time: Time): Emotions;
   /** All curves, in the order of their names. */
   readonly curves: Curve[];
   /** The clip with this frame rate, where its file leaves it unspecified. */
@@ -126,6 +128,33 @@ export class Curve {
   value(frame: number): number;
   /** The value at a time; undefined without a frame rate. */
   valueAt(time: Time): number | undefined;
+}
+
+/** The attributes of emotion. */
+export type Emotion =
+  | "sadness"
+  | "anger"
+  | "joy"
+  | "fear"
+  | "disgust"
+  | "surprise"
+  | "shock"
+  | "perplexed"
+  | "asleep"
+  | "pain"
+  | "exertion"
+  | "shout";
+
+/** All attributes of emotion. */
+export const EMOTIONS: readonly Emotion[];
+
+export interface Emotions {
+  /** 0 to 10, where the file says nothing else. */
+  readonly values: Readonly<Record<Emotion, number>>;
+  /** The attribute with the highest value; undefined for a neutral face. */
+  readonly strongest: Emotion | undefined;
+  /** The sum of all values. */
+  readonly sum: number;
 }
 
 export interface Recording {

@@ -2,14 +2,14 @@
 
 import { Babble } from "./babble.js";
 import { Cursor } from "./cursor.js";
-import { Curve } from "./curve.js";
+import { Curve, EMOTIONS, emotionsOf } from "./curve.js";
 import { BANK, FIRST, LipzError, Memory, SECOND } from "./memory.js";
 import { byCodePoints } from "./order.js";
 import * as c from "./structs.js";
 import { at, eventOf, TEN_THOUSAND, VISEME_TYPES } from "./words.js";
 
 export { Babble, UNMEASURED } from "./babble.js";
-export { Cursor, Curve, LipzError };
+export { Cursor, Curve, EMOTIONS, LipzError };
 
 let compiled;
 
@@ -254,6 +254,11 @@ export class Clip {
       if (curve === undefined) return curves;
       curves.push(curve);
     }
+  }
+
+  /** What the speaker feels at a time. */
+  emotionsAt(time) {
+    return emotionsOf(this.#askAt(c.lipz_emotions, "lipz_clip_emotions", time));
   }
 
   #curve(fields) {

@@ -135,6 +135,8 @@ export const lipz_curve = struct({ name: lipz_string, index: u32, key_count: u32
 
 export const lipz_curve_key = struct({ frame: u32, thousandths: i32 });
 
+export const lipz_emotions = struct({ thousandths: array(i32, 12), strongest: u32, sum: i32 });
+
 export const lipz_babble = struct({ name: lipz_string, index: u32, bank: u32 });
 
 export const lipz_weights = struct({ ooh: u32, aah: u32 });

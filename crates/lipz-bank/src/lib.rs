@@ -71,6 +71,7 @@ mod babble;
 mod bank;
 mod clip;
 mod curve;
+mod emotions;
 mod error;
 mod event;
 mod file;
@@ -90,6 +91,7 @@ pub use babble::{Babble, Babbles, Power, VoiceLevel, Weights};
 pub use bank::Bank;
 pub use clip::{Clip, Clips};
 pub use curve::{Curve, CurveCursor, CurveKey, Curves};
+pub use emotions::Emotions;
 pub use error::{Error, ErrorKind};
 pub use event::{Event, EventName, Events};
 pub use locale::{Locale, Locales};
@@ -100,7 +102,9 @@ pub use segment::{Segment, Segments};
 pub use text::Text;
 pub use text_bank::TextBank;
 
-pub use lipz_types::{ClipId, Command, CurveValue, Fps, Micros, Samples, Seconds, Time, Viseme, VisemeType, Weight};
+pub use lipz_types::{
+    ClipId, Command, CurveValue, Emotion, Fps, Micros, Samples, Seconds, Time, Viseme, VisemeType, Weight,
+};
 
 /// The example of the README, run as a test.
 #[cfg(doctest)]

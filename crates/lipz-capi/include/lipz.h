@@ -186,6 +186,48 @@
 // their widest.
 #define LIPZ_UNMEASURED 49152
 
+// Attribute of emotion: `sadness`, place in `thousandths`.
+#define LIPZ_SADNESS 0
+
+// Attribute of emotion: `anger`.
+#define LIPZ_ANGER 1
+
+// Attribute of emotion: `joy`.
+#define LIPZ_JOY 2
+
+// Attribute of emotion: `fear`.
+#define LIPZ_FEAR 3
+
+// Attribute of emotion: `disgust`.
+#define LIPZ_DISGUST 4
+
+// Attribute of emotion: `surprise`.
+#define LIPZ_SURPRISE 5
+
+// Attribute of emotion: `shock`.
+#define LIPZ_SHOCK 6
+
+// Attribute of emotion: `perplexed`.
+#define LIPZ_PERPLEXED 7
+
+// Attribute of emotion: `asleep`.
+#define LIPZ_ASLEEP 8
+
+// Attribute of emotion: `pain`.
+#define LIPZ_PAIN 9
+
+// Attribute of emotion: `exertion`.
+#define LIPZ_EXERTION 10
+
+// Attribute of emotion: `shout`.
+#define LIPZ_SHOUT 11
+
+// How many attributes of emotion there are.
+#define LIPZ_EMOTION_COUNT 12
+
+// `strongest` of a neutral face.
+#define LIPZ_NEUTRAL 4294967295
+
 // What became of a call: `LIPZ_OK`, one of the other numbers from 256 on, or the kind of damage
 // that was found in a bank, from 1 to 255. Numbers are never given a new meaning.
 typedef uint32_t lipz_status;
@@ -415,6 +457,16 @@ typedef struct lipz_curve_key {
   // The value in thousandths.
   int32_t thousandths;
 } lipz_curve_key;
+
+// What the speaker feels: all zeros for a neutral face.
+typedef struct lipz_emotions {
+  // Values in thousandths, 0 to 10,000 where the file says nothing else: `thousandths[LIPZ_ANGER]`.
+  int32_t thousandths[LIPZ_EMOTION_COUNT];
+  // The attribute with the highest value, `LIPZ_NEUTRAL` if none is above 0.
+  uint32_t strongest;
+  // The sum of all values, in thousandths.
+  int32_t sum;
+} lipz_emotions;
 
 // The answer was written.
 #define LIPZ_OK 0
@@ -898,6 +950,31 @@ lipz_status lipz_clip_curve_value_at_seconds_f32(const struct lipz_bank *bank,
                                                  const struct lipz_curve *curve,
                                                  float seconds,
                                                  int32_t *thousandths);
+
+// What the speaker feels `time_us` microseconds after the audio began. A neutral face without a frame rate.
+lipz_status lipz_clip_emotions_at_us(const struct lipz_bank *bank,
+                                     const struct lipz_clip *clip,
+                                     int64_t time_us,
+                                     struct lipz_emotions *emotions);
+
+// What the speaker feels after `position` samples at `rate_hz`.
+lipz_status lipz_clip_emotions_at_samples(const struct lipz_bank *bank,
+                                          const struct lipz_clip *clip,
+                                          int64_t position,
+                                          uint32_t rate_hz,
+                                          struct lipz_emotions *emotions);
+
+// What the speaker feels after `seconds`.
+lipz_status lipz_clip_emotions_at_seconds(const struct lipz_bank *bank,
+                                          const struct lipz_clip *clip,
+                                          double seconds,
+                                          struct lipz_emotions *emotions);
+
+// `lipz_clip_emotions_at_seconds` for clocks that have no `double`.
+lipz_status lipz_clip_emotions_at_seconds_f32(const struct lipz_bank *bank,
+                                              const struct lipz_clip *clip,
+                                              float seconds,
+                                              struct lipz_emotions *emotions);
 
 #ifdef __cplusplus
 }  // extern "C"

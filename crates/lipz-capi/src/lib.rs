@@ -30,6 +30,7 @@ mod clip;
 mod cursor;
 mod cursor_time;
 mod curve;
+mod emotion;
 mod event;
 mod locale;
 #[cfg(feature = "panic-handler")]
@@ -68,6 +69,12 @@ pub use curve::{
     Curve, CurveKey, lipz_clip_curve, lipz_clip_curve_at, lipz_clip_curve_key, lipz_clip_curve_value,
     lipz_clip_curve_value_at_samples, lipz_clip_curve_value_at_seconds, lipz_clip_curve_value_at_seconds_f32,
     lipz_clip_curve_value_at_us,
+};
+pub use emotion::{
+    Emotions, LIPZ_ANGER, LIPZ_ASLEEP, LIPZ_DISGUST, LIPZ_EMOTION_COUNT, LIPZ_EXERTION, LIPZ_FEAR, LIPZ_JOY,
+    LIPZ_NEUTRAL, LIPZ_PAIN, LIPZ_PERPLEXED, LIPZ_SADNESS, LIPZ_SHOCK, LIPZ_SHOUT, LIPZ_SURPRISE,
+    lipz_clip_emotions_at_samples, lipz_clip_emotions_at_seconds, lipz_clip_emotions_at_seconds_f32,
+    lipz_clip_emotions_at_us,
 };
 pub use event::{
     Event, EventName, LIPZ_DOES, LIPZ_FEELS, LIPZ_NO_NAME, LIPZ_POINTS, LIPZ_SEES, LIPZ_STARES, LIPZ_STOPS_POINTING,

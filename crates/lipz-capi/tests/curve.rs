@@ -4,7 +4,7 @@
 mod common;
 
 use common::{Answer, CURVES, bank, ptr, text_of};
-use lipz_bank::{CurveValue, Micros, Samples, Seconds};
+use lipz_bank::{CurveValue, Emotion, Micros, Samples, Seconds};
 use lipz_capi::*;
 
 #[test]
@@ -76,6 +76,63 @@ fn at_times(bank: Option<&Bank>, clip: Option<&Clip>, named: &Curve, curve: &lip
             assert_eq!(found.some(), expected.map(CurveValue::thousandths), "{us} us");
         }
     }
+}
+
+/// The attributes have the numbers of the reader.
+#[test]
+fn emotions_are_those_of_the_reader() {
+    let numbers = [
+        LIPZ_SADNESS,
+        LIPZ_ANGER,
+        LIPZ_JOY,
+        LIPZ_FEAR,
+        LIPZ_DISGUST,
+        LIPZ_SURPRISE,
+        LIPZ_SHOCK,
+        LIPZ_PERPLEXED,
+        LIPZ_ASLEEP,
+        LIPZ_PAIN,
+        LIPZ_EXERTION,
+        LIPZ_SHOUT,
+    ];
+    assert_eq!(Emotion::ALL.map(|emotion| emotion as u32), numbers);
+    let (expected, bank) = bank(CURVES);
+    let clip = expected.clip_by_key("act1/rig").unwrap();
+    let asked = Answer::<Clip>::from_call(|out| unsafe { lipz_clip_by_id(Some(&bank), clip.id().get(), out) }).ok();
+    let (bank, asked) = (Some(&bank), Some(&asked));
+    for us in (-50_000..1_000_000).step_by(41_000) {
+        let (seconds, position, rate_hz) = (us as f64 / 1e6, us * 441 / 10_000, 44_100);
+        let answers = [
+            (
+                Answer::<Emotions>::from_call(|out| unsafe { lipz_clip_emotions_at_us(bank, asked, us, out) }),
+                clip.emotions_at(Micros(us)),
+            ),
+            (
+                Answer::from_call(|out| unsafe { lipz_clip_emotions_at_samples(bank, asked, position, rate_hz, out) }),
+                clip.emotions_at(Samples { position, rate_hz }),
+            ),
+            (
+                Answer::from_call(|out| unsafe { lipz_clip_emotions_at_seconds(bank, asked, seconds, out) }),
+                clip.emotions_at(Seconds(seconds)),
+            ),
+            (
+                Answer::from_call(|out| unsafe { lipz_clip_emotions_at_seconds_f32(bank, asked, seconds as f32, out) }),
+                clip.emotions_at(Seconds(seconds as f32)),
+            ),
+        ];
+        for (found, expected) in answers {
+            let found = found.ok();
+            assert_eq!(
+                found.thousandths.to_vec(),
+                expected.iter().map(|(_, value)| value.thousandths()).collect::<Vec<_>>()
+            );
+            assert_eq!(found.sum, expected.sum().thousandths());
+            assert_eq!(found.strongest, expected.strongest().map_or(LIPZ_NEUTRAL, |(emotion, _)| emotion as u32));
+        }
+    }
+    let angry =
+        Answer::<Emotions>::from_call(|out| unsafe { lipz_clip_emotions_at_us(bank, asked, 500_000, out) }).ok();
+    assert_eq!((angry.strongest, angry.thousandths.get(1)), (LIPZ_ANGER, Some(&2200)));
 }
 
 #[test]

@@ -8,7 +8,7 @@ use std::fs;
 use std::path::Path;
 
 /// The names of the structs in C: those of functions and constants are the same in Rust.
-const NAMES: [(&str, &str); 18] = [
+const NAMES: [(&str, &str); 19] = [
     ("Babble", "lipz_babble"),
     ("Bank", "lipz_bank"),
     ("BankInfo", "lipz_bank_info_t"),
@@ -17,6 +17,7 @@ const NAMES: [(&str, &str); 18] = [
     ("Cursor", "lipz_cursor"),
     ("Curve", "lipz_curve"),
     ("CurveKey", "lipz_curve_key"),
+    ("Emotions", "lipz_emotions"),
     ("Event", "lipz_event"),
     ("EventName", "lipz_name"),
     ("Locale", "lipz_locale"),
@@ -30,7 +31,7 @@ const NAMES: [(&str, &str); 18] = [
 ];
 
 /// The files with declarations, in the order of the header.
-const FILES: [&str; 14] = [
+const FILES: [&str; 15] = [
     "version.rs",
     "status.rs",
     "string.rs",
@@ -45,6 +46,7 @@ const FILES: [&str; 14] = [
     "character.rs",
     "babble.rs",
     "curve.rs",
+    "emotion.rs",
 ];
 
 const INTRODUCTION: &str = "/*

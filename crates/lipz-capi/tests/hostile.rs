@@ -150,6 +150,7 @@ fn every_query(bank: &Bank, clip: &Clip, number: u32) {
         Answer::<Curve>::from_call(|out| lipz_clip_curve(bank, clip_of, c"joy".as_ptr(), 3, out));
         Answer::<CurveKey>::from_call(|out| lipz_clip_curve_key(bank, clip_of, named, number, out));
         Answer::<i32>::from_call(|out| lipz_clip_curve_value(bank, clip_of, named, number, out));
+        Answer::<Emotions>::from_call(|out| lipz_clip_emotions_at_us(bank, clip_of, time_us, out));
         Answer::<i32>::from_call(|out| lipz_clip_curve_value_at_us(bank, clip_of, named, time_us, out));
         Answer::<Clip>::from_call(|out| lipz_clip_at(bank, number, out));
         Answer::<Clip>::from_call(|out| lipz_clip_by_id(bank, clip.id, out));

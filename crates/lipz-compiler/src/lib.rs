@@ -101,7 +101,7 @@ pub use discover::{discover, is_pattern};
 pub use fix::Fixed;
 pub use input::{Content, Input};
 pub use lipz_diagnostics as diagnostics;
-pub use options::{KnownNames, MinCoverage, Options, TextLimits};
+pub use options::{EmotionCurves, Emotions, KnownNames, MinCoverage, Options, TextLimits};
 pub use output::replace_file;
 pub use outputs::{Delivered, OutputFile, Outputs, Replace};
 pub use replacements::Replacements;

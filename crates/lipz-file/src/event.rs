@@ -1,5 +1,6 @@
 //! Character Event Syntax: what the events of a segment say (Lipz specification, last chapter).
 
+use crate::emotion::Blend;
 use crate::text::{is_white_space, trim};
 pub use lipz_types::Command;
 use std::fmt;
@@ -7,6 +8,9 @@ use std::ops::Range;
 
 /// What separates the events of a segment.
 pub const SEPARATOR: char = ',';
+
+/// The verb that a blend of emotions follows.
+const FEELS: &str = "feels";
 
 /// The emotions of the specification, table "Emotions".
 pub const EMOTIONS: [&str; 11] =
@@ -30,7 +34,8 @@ impl Word<'_> {
 
 /// One event: `[character] verb …`.
 ///
-/// It is displayed as it is written, with one blank between the words.
+/// It is displayed as it is written, with one blank between the words. Of a [blend](crate::emotion), its object is the strongest
+/// emotion.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Event<'t> {
     /// Who; `None` for the speaker of the clip.
@@ -92,6 +97,26 @@ impl<'t> Part<'t> {
 
     /// The event that the part is; `None` if it is some other syntax.
     pub fn event(self) -> Option<Event<'t>> {
+        self.short_event().or_else(|| self.feeling().map(|(event, _)| event))
+    }
+
+    /// The event `[character] feels BLEND` that the part is, with its blend; `None` if it is something else.
+    pub fn feeling(self) -> Option<(Event<'t>, Blend<'t>)> {
+        let mut words = self.words();
+        let (first, second) = (words.next()?, words.next()?);
+        let (character, verb) = match (first.text, second.text) {
+            (FEELS, _) => (None, first),
+            (_, FEELS) => (Some(first), second),
+            _ => return None,
+        };
+        let end = verb.range().end;
+        let blend = Blend::parse(self.text.get(end - self.start..)?, end)?;
+        let command = Command::Feels(blend.strongest()?);
+        Some((Event { character, command, verb: verb.range() }, blend))
+    }
+
+    /// An event of the specification.
+    fn short_event(self) -> Option<Event<'t>> {
         let mut words = self.words();
         let (first, second, third) = (words.next()?, words.next()?, words.next());
         let (character, verb, object) = match third {

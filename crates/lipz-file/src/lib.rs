@@ -22,6 +22,7 @@
 pub mod curve;
 pub mod digits;
 mod document;
+pub mod emotion;
 pub mod event;
 #[cfg(feature = "format")]
 pub mod format;

@@ -1,8 +1,8 @@
 //! What a bank, damaged or not, says of rates, mouths and events, passed on to the functions that take such values.
 
 use lipz_bank::{
-    Babble, Bank, Clip, ClipId, ConsonantHold, CurveCursor, CurveValue, Event, Fps, Lead, Micros, Time, Viseme,
-    VisemeType, VoiceLevel, Weight,
+    Babble, Bank, Clip, ClipId, ConsonantHold, CurveCursor, CurveValue, Emotion, Event, Fps, Lead, Micros, Time,
+    Viseme, VisemeType, VoiceLevel, Weight,
 };
 use std::hint::black_box;
 
@@ -50,6 +50,12 @@ pub(crate) fn of_curves(clip: &Clip<'_, '_>, limit: usize) {
             assert!(value.is_some() || clip.fps().is_none());
             black_box((cursor.value_at(curve, Micros(time)), value.map(CurveValue::to_f32)));
         }
+    }
+    for time in [-1, 0, 500_000, i64::MAX] {
+        let emotions = clip.emotions_at(Micros(time));
+        let most = emotions.strongest().map(|(emotion, value)| (Emotion::from_name(emotion.name()), value));
+        assert!(most.is_none_or(|(emotion, value)| emotion.is_some_and(|emotion| emotions.get(emotion) == value)));
+        black_box((emotions.sum(), emotions.iter().count()));
     }
     let named = curves.first().and_then(|curve| clip.curve_named(curve.name()));
     let way = |value: CurveValue| value.towards(CurveValue::from_thousandths(i32::MIN), 1, 3).thousandths();

@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 const EXEMPT: [&str; 1] = ["whole"];
 
 /// What `lipz-bank` re-exports from `lipz-types`.
-const TYPES: [&str; 7] = ["command.rs", "curve_value.rs", "fps.rs", "id.rs", "time.rs", "viseme.rs", "weight.rs"];
+const TYPES: [&str; 8] =
+    ["command.rs", "curve_value.rs", "emotion.rs", "fps.rs", "id.rs", "time.rs", "viseme.rs", "weight.rs"];
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")

@@ -32,6 +32,7 @@ extern crate std;
 
 mod command;
 mod curve_value;
+mod emotion;
 mod fps;
 pub mod hash;
 mod id;
@@ -44,6 +45,7 @@ mod weight;
 
 pub use command::Command;
 pub use curve_value::CurveValue;
+pub use emotion::Emotion;
 pub use fps::Fps;
 pub use id::ClipId;
 pub use name::UnknownName;

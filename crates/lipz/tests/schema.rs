@@ -31,6 +31,9 @@ const BEYOND_A_SCHEMA: &[(&str, &str)] = &[
     ("LZ1804", "digits behind a point are trailing zeros or not"),
     ("LZ1805", "of two equal names a JSON parser keeps one"),
     ("LZ1806", "a curve may have any name"),
+    ("LZ1807", "meta may be any text"),
+    ("LZ1808", "meta may be any text"),
+    ("LZ1809", "the meta of several texts is compared"),
 ];
 /// Bad files of those names that have a second fault, which the schema finds.
 const FOUND_ALL_THE_SAME: &[&str] = &[

@@ -8,7 +8,7 @@
 
 use core::panic::PanicInfo;
 use lipz_bank::{
-    Babble, Bank, Clip, ClipId, Command, ConsonantHold, Cursor, CurveCursor, CurveValue, Error, Event, EventName, Fps,
+    Babble, Bank, Clip, ClipId, Command, ConsonantHold, Cursor, CurveCursor, CurveValue, Emotion, Error, Event, EventName, Fps,
     Lead, Locale, Micros, Places, Samples, Seconds, Segment, TextBank, Time, Viseme, VisemeType, VoiceLevel, Weight,
 };
 
@@ -150,6 +150,13 @@ fn clip_asked(bank: &Bank<'_>, clip: &Clip<'_, '_>, number: u32, see: See) {
 
 fn curves_asked(bank: &Bank<'_>, clip: &Clip<'_, '_>, number: u32, see: See) {
     let mut cursor = CurveCursor::new();
+    let emotions = clip.emotions_at(Micros(i64::from(number)));
+    let strongest = emotions.strongest().map(|(emotion, _)| emotion);
+    for emotion in strongest.into_iter().chain(Emotion::from_name("joy")) {
+        see_bytes(see, emotion.name().as_bytes());
+        see(emotions.get(emotion).thousandths() as u64);
+    }
+    see(emotions.sum().thousandths() as u64 ^ emotions.iter().count() as u64);
     let named = bank.event_name("joy").and_then(|name| clip.curve_named(name));
     for curve in clip.curves().chain(clip.curve("anger")).chain(named) {
         see_bytes(see, curve.name().as_str().as_bytes());

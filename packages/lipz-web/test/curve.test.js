@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
-import { open } from "../lipz.js";
+import { EMOTIONS, open } from "../lipz.js";
 
 const banks = new URL("./banks/", import.meta.url);
 const bank = (await open(await readFile(new URL("curves.lipzbank", banks)))).verify();
@@ -27,6 +27,15 @@ test("curves have the keys and values of the reader", () => {
     }
   }
   assert.equal(seen, 7);
+});
+
+test("emotions are the curves of their names", () => {
+  const clip = bank.clip("act1/rig");
+  const { values, strongest, sum } = clip.emotionsAt(0.5);
+  assert.deepEqual([values.anger, values.joy, strongest, sum], [2.2, 0, "anger", 2.2]);
+  assert.deepEqual(Object.keys(values), EMOTIONS);
+  assert.equal(clip.emotionsAt({ us: -1 }).strongest, undefined);
+  assert.equal(bank.clip("act1/plain").emotionsAt(1).sum, 0);
 });
 
 test("what is not there is undefined", () => {

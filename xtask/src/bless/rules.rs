@@ -30,7 +30,7 @@ const GROUPS: [&str; 20] = [
     "Fallout",
     "Command line",
     "Recordings",
-    "Curves",
+    "Curves and emotions",
     "Translators' files",
 ];
 

@@ -2,27 +2,12 @@
 
 use crate::KnownNames;
 use crate::clip::ClipData;
+use lipz_bank::Emotion;
 use lipz_diagnostics::{Code, Diagnostic, escape, suggest};
 use lipz_file::{Raw, curve};
 
 /// Letters that may differ where no curves are registered: who has many of their own has some that are like others.
 const SLIPS: usize = 2;
-
-/// The names of the attributes of emotion.
-const EMOTIONS: [&str; 12] = [
-    "sadness",
-    "anger",
-    "joy",
-    "fear",
-    "disgust",
-    "surprise",
-    "shock",
-    "perplexed",
-    "asleep",
-    "pain",
-    "exertion",
-    "shout",
-];
 
 /// Gives the clip, whose frames are known, the curves of an element with this value.
 pub(super) fn curves(
@@ -59,12 +44,15 @@ fn outside(curve: &curve::Curve<'_>, clip: &ClipData) -> Option<Diagnostic> {
 fn unknown(curve: &curve::Curve<'_>, known_names: &KnownNames) -> Option<Diagnostic> {
     let name: &str = &curve.name.text;
     let registered = known_names.curves.as_ref();
-    let is_known =
-        registered.is_some_and(|names| names.contains(name)) || EMOTIONS.contains(&name) || curve::is_arkit(name);
+    let is_known = registered.is_some_and(|names| names.contains(name))
+        || Emotion::from_name(name).is_some()
+        || curve::is_arkit(name);
     if is_known {
         return None;
     }
-    let names = || registered.into_iter().flatten().map(String::as_str).chain(EMOTIONS).chain(curve::ARKIT);
+    let names = || {
+        registered.into_iter().flatten().map(String::as_str).chain(Emotion::ALL.map(Emotion::name)).chain(curve::ARKIT)
+    };
     let near = suggest::nearest(name, names());
     let is_slip = |near: &str| suggest::distance(name, near).is_some_and(|distance| distance <= SLIPS);
     let (message, near) = match (registered, near.filter(|near| is_slip(near))) {

@@ -4,6 +4,7 @@ mod bank_limits;
 mod blank;
 mod curves;
 mod elements;
+mod emotions;
 mod events;
 mod fps;
 mod join;
@@ -101,6 +102,7 @@ pub(crate) fn check(
     if !clip.has_visemes {
         clip.starts.resize(segment_count, 0);
     }
+    emotions::curves(&roles, options, locales, clip, diagnostics);
     blank::report(&roles, clip, options, locales, diagnostics);
     bound::limit(diagnostics);
     bank_limits::for_segments(&roles, clip.starts.len(), diagnostics);

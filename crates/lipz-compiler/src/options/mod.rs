@@ -1,8 +1,11 @@
 //! What a project decides about its Lipz files.
 
+mod emotions;
 mod requirements;
 mod setters;
 
+pub(crate) use emotions::Face;
+pub use emotions::{EmotionCurves, Emotions};
 pub use requirements::{KnownNames, MinCoverage, TextLimits};
 
 use crate::babble::BabbleProfiles;
@@ -61,6 +64,8 @@ pub struct Options {
     pub pseudo: bool,
     /// How mouths move that no clip describes.
     pub babble: BabbleProfiles,
+    /// How emotions in texts and events become curves.
+    pub emotions: Emotions,
     /// What the bank says about the recordings of clips, by key. Keys without a clip are ignored; without any entry
     /// the bank has no section about recordings.
     pub recordings: BTreeMap<String, Recording>,

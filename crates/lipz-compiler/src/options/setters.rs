@@ -1,7 +1,7 @@
 //! The setters of [`Options`].
 
 use super::requirements::strings;
-use super::{KnownNames, MinCoverage, Options, TextLimits};
+use super::{Emotions, KnownNames, MinCoverage, Options, TextLimits};
 use crate::babble::BabbleProfiles;
 use lipz_bank::{Fps, Recording, VisemeType};
 use lipz_diagnostics::Levels;
@@ -108,6 +108,12 @@ impl Options {
     #[must_use]
     pub fn babble(self, babble: BabbleProfiles) -> Options {
         Options { babble, ..self }
+    }
+
+    /// Sets how emotions in texts and events become curves.
+    #[must_use]
+    pub fn emotions(self, emotions: Emotions) -> Options {
+        Options { emotions, ..self }
     }
 
     /// Sets what the bank says about the recordings of clips, by key.

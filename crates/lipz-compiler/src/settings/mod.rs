@@ -4,6 +4,8 @@ mod audio;
 #[cfg(feature = "settings")]
 mod babble;
 #[cfg(feature = "settings")]
+mod emotions;
+#[cfg(feature = "settings")]
 mod file;
 mod find;
 #[cfg(feature = "settings")]

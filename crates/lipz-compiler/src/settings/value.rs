@@ -121,7 +121,7 @@ impl<'t> Value<'t> {
     }
 
     /// The decimal digits of a number.
-    fn decimal(&self, diagnostics: &mut Vec<Diagnostic>) -> Option<String> {
+    pub(super) fn decimal(&self, diagnostics: &mut Vec<Diagnostic>) -> Option<String> {
         match self.node.get_ref() {
             DeValue::Float(float) => Some(float.as_str().to_owned()),
             DeValue::Integer(integer) => match i64::from_str_radix(integer.as_str(), integer.radix()) {

@@ -180,13 +180,16 @@ codes! {
     TooLittleSpeech "LZ1719" "too-little-speech" Error "there is too little speech to learn a model from"
     NoSpeech "LZ1720" "no-speech" Warning "a recording is no speech"
 
-    "Curves"
+    "Curves and emotions"
     CurveSyntax "LZ1801" "curve-syntax" Error "a curve is not a string of keys"
     CurveOrder "LZ1802" "curve-order" Error "the keys of a curve are not in the order of their frames"
     CurveRange "LZ1803" "curve-range" Error "a key of a curve lies behind the end of the clip"
     CurveValue "LZ1804" "curve-value" Error "a value of a curve does not fit a bank"
     SameCurveTwice "LZ1805" "same-curve-twice" Error "a clip has two curves with the same name"
     UnknownCurve "LZ1806" "unknown-curve" Warning "the name of a curve is not known"
+    EmotionValue "LZ1807" "emotion-value" Error "the value of an emotion is outside of 0 to 10"
+    EmotionSum "LZ1808" "emotion-sum" Warning "the emotions of a face add up to more than 10"
+    EmotionLocales "LZ1809" "emotion-locales" Warning "a translation has other emotions than the voice"
 
     "Translators' files"
     ExchangeSyntax "LZ1901" "exchange-syntax" Error "a translator's file is not of its format"

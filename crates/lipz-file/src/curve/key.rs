@@ -94,7 +94,7 @@ fn key(word: &str, place: &impl Fn(&str) -> Span) -> Result<Key, Box<Diagnostic>
 
 /// What is wrong with a value.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Wrong {
+pub(crate) enum Wrong {
     Syntax,
     TooFine,
     TooLarge,
@@ -126,7 +126,7 @@ impl Wrong {
 }
 
 /// The value in thousandths: a sign, digits, and behind a point those that are not zero in a thousandth.
-fn thousandths(value: &str) -> Result<i32, Wrong> {
+pub(crate) fn thousandths(value: &str) -> Result<i32, Wrong> {
     let (is_negative, size) = match value.strip_prefix('-') {
         Some(size) => (true, size),
         None => (false, value),

@@ -14,6 +14,7 @@ mod names;
 mod write;
 
 pub use key::Key;
+pub(crate) use key::thousandths;
 pub use names::{ARKIT, is_arkit};
 #[cfg(feature = "format")]
 pub(crate) use write::tidy;

@@ -2,11 +2,41 @@
 
 use crate::KnownNames;
 use lipz_diagnostics::{Code, Diagnostic, Span, escape, suggest};
-use lipz_file::event::{EMOTIONS, Event, Word};
+use lipz_file::event::{Event, Word};
 use std::collections::BTreeSet;
 
 /// Known names that a diagnostic lists.
 const LISTED: usize = 20;
+
+/// The emotions of the specification, then those that lipz adds: the twelve attributes, and other presets.
+const FEELINGS: [&str; 26] = [
+    "neutral",
+    "amused",
+    "happy",
+    "sad",
+    "irritated",
+    "angry",
+    "suspicious",
+    "confused",
+    "afraid",
+    "thinking",
+    "evil",
+    "sadness",
+    "anger",
+    "joy",
+    "fear",
+    "disgust",
+    "surprise",
+    "shock",
+    "perplexed",
+    "asleep",
+    "pain",
+    "exertion",
+    "shout",
+    "calm",
+    "good",
+    "bad",
+];
 
 /// What a word of an event is the name of.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -44,7 +74,7 @@ impl<'r> Names<'r> {
         let actions = known_names.actions.as_ref();
         let (specified, registered, is_complete): (&[_], _, _) = match role {
             Role::Character => (&[], [characters, None], characters.is_some()),
-            Role::Emotion => (&EMOTIONS, [Some(&known_names.emotions), None], true),
+            Role::Emotion => (&FEELINGS, [Some(&known_names.emotions), None], true),
             Role::Target => (&[], [characters, props], characters.is_some() && props.is_some()),
             Role::Action => (&[], [actions, None], actions.is_some()),
         };
@@ -137,5 +167,21 @@ impl Unknown<'_> {
                 format!("if your game knows it, add it to {settings} in lipz.toml, or to --{flags}")
             }
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lipz_bank::Emotion;
+    use lipz_file::{emotion, event};
+
+    #[test]
+    fn feelings_are_those_of_the_specification_and_of_lipz() {
+        let known: BTreeSet<&str> = FEELINGS.into_iter().collect();
+        let presets = emotion::PRESETS.iter().map(|(name, _)| *name);
+        let others = event::EMOTIONS.into_iter().chain(Emotion::ALL.map(Emotion::name));
+        assert_eq!(known, presets.chain(others).collect());
+        assert_eq!(FEELINGS[..event::EMOTIONS.len()], event::EMOTIONS);
     }
 }

@@ -89,6 +89,13 @@ pub const TABLES: &[Table] = &[
         content: Content::Settings(registry::REGISTRY),
     },
     Table {
+        name: "emotions",
+        about: "Emotions in texts and events, as curves: `curves` says of which clips, \"values\" (in which an emotion has a \
+                value), \"all\" (also `feels sad`) or \"off\"; `value` is that of emotions without one, `over` the seconds in \
+                which a face changes, 0 for at once. Every other name is a word of the project for a blend of emotions.",
+        content: Content::Map(EMOTIONS),
+    },
+    Table {
         name: "audio",
         about: "Recordings: with a folder of them, clips are compared with their recordings, and mouth shapes can be made \
                 of them.",
@@ -110,6 +117,14 @@ pub const TABLES: &[Table] = &[
         content: Content::Map(BABBLE),
     },
 ];
+
+const EMOTIONS: Map = Map {
+    name: "NAME",
+    flat_name: "",
+    default: "the presets of docs/FACE.md",
+    examples: &["curves = \"all\"", "value = 5", "over = 0.4", "smug = \"joy 2 + disgust 1\""],
+    read: |name, value, to| to.emotions(name, value),
+};
 
 const FALLBACKS: Map = Map {
     name: "LOCALE",

@@ -1,0 +1,65 @@
+//! What a character feels at a time: the curves of a clip that have the names of the twelve attributes.
+
+use crate::{Clip, CurveValue, Time};
+use lipz_types::Emotion;
+
+/// The values of the twelve attributes at a time. Those without a curve are 0.
+///
+/// ```
+/// # use lipz_bank::{Clip, Emotion, Micros};
+/// # fn draw(clip: &Clip<'_, '_>, now: Micros) -> Option<()> {
+/// let emotions = clip.emotions_at(now);
+/// let sneer = emotions.get(Emotion::Anger).to_f32() / 10.0;
+/// let (strongest, value) = emotions.strongest()?; // nothing on a neutral face
+/// # None }
+/// ```
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
+pub struct Emotions {
+    values: [CurveValue; Emotion::ALL.len()],
+}
+
+impl Emotions {
+    /// The value of an attribute: 0 to 10, where the file says nothing else.
+    pub fn get(&self, emotion: Emotion) -> CurveValue {
+        self.values.get(emotion as usize).copied().unwrap_or_default()
+    }
+
+    /// The attribute with the highest value, the first of several in the order of [`Emotion::ALL`]; `None` if none is above 0.
+    pub fn strongest(&self) -> Option<(Emotion, CurveValue)> {
+        let mut strongest: Option<(Emotion, CurveValue)> = None;
+        for (emotion, value) in self.iter() {
+            if value > strongest.map_or(CurveValue::default(), |(_, value)| value) {
+                strongest = Some((emotion, value));
+            }
+        }
+        strongest
+    }
+
+    /// The sum of all values. Faces are made for at most 10.
+    pub fn sum(&self) -> CurveValue {
+        let sum = self.values.iter().fold(0_i32, |sum, value| sum.saturating_add(value.thousandths()));
+        CurveValue::from_thousandths(sum)
+    }
+
+    /// All attributes with their values.
+    pub fn iter(&self) -> impl Iterator<Item = (Emotion, CurveValue)> + '_ {
+        Emotion::ALL.iter().copied().zip(self.values.iter().copied())
+    }
+}
+
+impl Clip<'_, '_> {
+    /// What the speaker feels at `time`: the values of the curves that are named after the attributes of emotion. All are 0
+    /// without such curves, and without a frame rate.
+    pub fn emotions_at<T: Time>(&self, time: T) -> Emotions {
+        let mut emotions = Emotions::default();
+        for curve in self.curves() {
+            let place = Emotion::from_name(curve.name().as_str()).map(|emotion| emotion as usize);
+            if let (Some(place), Some(value)) =
+                (place.and_then(|place| emotions.values.get_mut(place)), curve.value_at(time))
+            {
+                *place = value;
+            }
+        }
+        emotions
+    }
+}

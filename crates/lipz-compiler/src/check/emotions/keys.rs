@@ -1,0 +1,105 @@
+//! From changes of faces to keys of curves.
+
+use crate::clip::{ClipData, Key};
+use crate::options::Face;
+use lipz_bank::{CurveValue, Emotion};
+use std::collections::BTreeMap;
+
+/// A face changes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Change {
+    /// From this frame on.
+    pub(super) frame: u32,
+    /// To this.
+    pub(super) face: Face,
+    /// In so many frames; 0 for at once.
+    pub(super) over: u32,
+}
+
+/// Adds the curves to those of the clip, which stay in the order of their names. Those of the file stay as they are.
+pub(super) fn add(changes: BTreeMap<Option<String>, Vec<Change>>, clip: &mut ClipData) {
+    let end = clip.frames.len() as u32;
+    let mut all: BTreeMap<String, Vec<Key>> = BTreeMap::new();
+    for (character, mut changes) in changes {
+        changes.retain(|change| change.frame < end);
+        // Of several at one frame, the last one holds.
+        changes.sort_by_key(|change| change.frame);
+        changes.reverse();
+        changes.dedup_by_key(|change| change.frame);
+        changes.reverse();
+        for emotion in Emotion::ALL {
+            let keys = keys_of(emotion, &changes, end);
+            if keys.iter().any(|(_, value)| *value != CurveValue::default()) {
+                let name = emotion.name();
+                all.insert(character.as_ref().map_or(name.to_owned(), |who| format!("{who}.{name}")), keys);
+            }
+        }
+    }
+    if all.is_empty() {
+        return;
+    }
+    all.extend(clip.curves.iter().map(|(name, keys)| (name.to_owned(), keys.to_vec())));
+    clip.curves.clear();
+    all.into_iter().for_each(|(name, keys)| clip.curves.push(&name, keys));
+}
+
+/// The keys of one attribute, in a clip of so many frames.
+fn keys_of(emotion: Emotion, changes: &[Change], end: u32) -> Vec<Key> {
+    let mut keys: Vec<Key> = Vec::new();
+    let mut push = |frame: u32, value: CurveValue| match keys.last_mut() {
+        Some(last) if last.0 == frame => last.1 = value,
+        _ => keys.push((frame, value)),
+    };
+    let mut value = CurveValue::default();
+    for (index, change) in changes.iter().enumerate() {
+        let target = CurveValue::from_thousandths(change.face[emotion as usize]);
+        if target == value {
+            continue;
+        }
+        if change.over == 0 {
+            if let Some(before) = change.frame.checked_sub(1) {
+                push(before, value);
+            }
+            push(change.frame, target);
+            value = target;
+            continue;
+        }
+        let next = changes.get(index + 1).map_or(end, |next| next.frame);
+        let reached_at = change.frame.saturating_add(change.over).min(next);
+        let done = reached_at - change.frame;
+        push(change.frame, value);
+        // The next change starts from where the face is; but nothing comes after the end, so the face is there in time.
+        value = if done < change.over && reached_at < end {
+            value.towards(target, done.into(), change.over.into())
+        } else {
+            target
+        };
+        push(reached_at, value);
+    }
+    keys
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn anger(changes: &[(u32, i32, u32)], end: u32) -> Vec<(u32, i32)> {
+        let change = |&(frame, value, over): &(u32, i32, u32)| {
+            let mut face = Face::default();
+            face[Emotion::Anger as usize] = value;
+            Change { frame, face, over }
+        };
+        let changes: Vec<Change> = changes.iter().map(change).collect();
+        keys_of(Emotion::Anger, &changes, end).iter().map(|(frame, value)| (*frame, value.thousandths())).collect()
+    }
+
+    #[test]
+    fn ramps_steps_and_ramps_that_are_cut_short() {
+        assert_eq!(anger(&[(0, 2200, 10), (20, 0, 10)], 40), [(0, 0), (10, 2200), (20, 2200), (30, 0)]);
+        assert_eq!(anger(&[(0, 2000, 0), (20, 500, 0)], 40), [(0, 2000), (19, 2000), (20, 500)]);
+        assert_eq!(anger(&[(0, 4000, 20), (10, 0, 5)], 40), [(0, 0), (10, 2000), (15, 0)]);
+        assert_eq!(anger(&[(30, 4000, 20)], 40), [(30, 0), (40, 4000)], "the clip ends");
+        assert_eq!(anger(&[(0, 1000, 5), (10, 1000, 5)], 40), [(0, 0), (5, 1000)], "nothing changes");
+        assert_eq!(anger(&[(0, 0, 5)], 40), []);
+    }
+}

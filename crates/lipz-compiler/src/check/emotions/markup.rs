@@ -1,0 +1,88 @@
+//! Emotions in the meta of a text.
+
+use super::Known;
+use crate::Options;
+use crate::options::Face;
+use lipz_diagnostics::{Code, Diagnostic};
+use lipz_file::emotion::Blend;
+use lipz_file::{JsonString, text};
+use std::ops::Range;
+
+/// A meta that is a blend of emotions.
+pub(super) struct Markup<'t> {
+    pub(super) segment: usize,
+    /// Where it is in the text, with its braces.
+    pub(super) range: Range<usize>,
+    /// Where what stands in the braces starts.
+    pub(super) start: usize,
+    pub(super) blend: Blend<'t>,
+    /// Letters and digits of the segment that are displayed before it, and all of them.
+    pub(super) letters_before: usize,
+    pub(super) letters: usize,
+}
+
+impl<'t> Markup<'t> {
+    /// All of a text, in order.
+    pub(super) fn all(whole: &'t str, known: &Known<'_>) -> Vec<Markup<'t>> {
+        let mut found: Vec<Markup<'t>> = Vec::new();
+        if !whole.contains('{') {
+            return found;
+        }
+        for (segment, range) in text::segments(whole).enumerate() {
+            let first = found.len();
+            let (mut letters, mut end) = (0, range.start);
+            for meta in text::meta_ranges(&whole[range.clone()]) {
+                let meta = range.start + meta.start..range.start + meta.end;
+                letters += letters_of(&whole[end..meta.start]);
+                end = meta.end;
+                let inner = &whole[meta.start + 1..meta.end - 1];
+                if let Some(blend) = Blend::parse(inner, 0).filter(|blend| is_meant(blend, known)) {
+                    let start = meta.start + 1;
+                    found.push(Markup { segment, range: meta, start, blend, letters_before: letters, letters: 0 });
+                }
+            }
+            letters += letters_of(&whole[end..range.end]);
+            found[first..].iter_mut().for_each(|mark| mark.letters = letters);
+        }
+        found
+    }
+}
+
+fn letters_of(text: &str) -> usize {
+    text.chars().filter(|c| c.is_alphanumeric()).count()
+}
+
+/// Whether a meta is about emotions, and not a note of another kind (`{take 3}`): all of its names are known, or one of them
+/// and others that are misspelt.
+fn is_meant(blend: &Blend<'_>, known: &Known<'_>) -> bool {
+    let names = || blend.terms.iter().map(|term| term.name.text);
+    let is_near = |name: &str| known.has(name) || known.nearest(name).is_some();
+    names().all(|name| known.has(name)) || blend.has_value() && names().all(is_near)
+}
+
+/// The first place where the emotions of a translation are not those of the voice.
+pub(super) fn difference(
+    string: &JsonString<'_>,
+    markup: &[Markup<'_>],
+    of_voice: &[Markup<'_>],
+    options: &Options,
+) -> Option<Diagnostic> {
+    let face = |mark: &Markup<'_>| -> (usize, Face) { (mark.segment, options.emotions.face(&mark.blend)) };
+    let at =
+        (0..markup.len().max(of_voice.len())).find(|&at| markup.get(at).map(face) != of_voice.get(at).map(face))?;
+    let span = markup.get(at).map_or(string.span(), |mark| string.span_of(mark.range.clone()));
+    let message = match (markup.get(at), of_voice.get(at)) {
+        (Some(_), Some(voice)) => {
+            format!("the text of the voice has another emotion here, in segment {}", voice.segment)
+        }
+        (Some(_), None) => "the text of the voice has no more emotions".to_owned(),
+        _ => format!("the text of the voice has {} emotions, this one {}", of_voice.len(), markup.len()),
+    };
+    Some(
+        Diagnostic::at(Code::EmotionLocales, span, message)
+            .note(
+                "the emotions of the voice count: those of the default locale, or else of the first text that has some",
+            )
+            .help("remove the emotions from translations, or repeat those of the voice"),
+    )
+}

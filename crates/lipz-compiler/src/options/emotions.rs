@@ -1,0 +1,81 @@
+//! What becomes of emotions in texts and events.
+
+use lipz_bank::Emotion;
+use lipz_file::emotion::{self, Blend};
+use std::collections::BTreeMap;
+
+/// How emotions in texts and events become curves (docs/FACE.md).
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub struct Emotions {
+    /// Of which clips.
+    pub curves: EmotionCurves,
+    /// Value of an attribute without one, in thousandths.
+    pub usual_thousandths: i32,
+    /// Milliseconds in which a face changes; 0 for a step.
+    pub over_ms: u32,
+    /// Words of the project, and others that it changes: attributes, each with its value in thousandths, or `None` for the usual
+    /// value.
+    pub presets: BTreeMap<String, Vec<(Emotion, Option<i32>)>>,
+}
+
+/// Which clips get curves of their emotions.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum EmotionCurves {
+    /// Those in which an emotion has a value: `{anger 2.2}`. Files from before lipz have none.
+    #[default]
+    Values,
+    /// Also those that only name emotions: `feels sad`.
+    All,
+    /// None.
+    Off,
+}
+
+impl Default for Emotions {
+    fn default() -> Emotions {
+        Emotions { curves: EmotionCurves::Values, usual_thousandths: 5000, over_ms: 400, presets: BTreeMap::new() }
+    }
+}
+
+/// Values of all attributes, in thousandths.
+pub(crate) type Face = [i32; Emotion::ALL.len()];
+
+impl Emotions {
+    /// Whether a name is that of an attribute or of a preset.
+    pub(crate) fn knows(&self, name: &str) -> bool {
+        Emotion::from_name(name).is_some() || emotion::preset(name).is_some() || self.presets.contains_key(name)
+    }
+
+    /// All names that it knows.
+    pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
+        let presets = emotion::PRESETS.iter().map(|(name, _)| *name);
+        Emotion::ALL.iter().map(|emotion| emotion.name()).chain(presets).chain(self.presets.keys().map(String::as_str))
+    }
+
+    /// The face of a blend; names that are not known change nothing.
+    pub(crate) fn face(&self, blend: &Blend<'_>) -> Face {
+        let mut face = Face::default();
+        for term in &blend.terms {
+            for (emotion, value) in self.feeling(term.name.text, term.thousandths) {
+                face[emotion as usize] = face[emotion as usize].saturating_add(value);
+            }
+        }
+        face
+    }
+
+    /// The attributes of a name. A value is that of its strongest one, and changes the others in proportion.
+    fn feeling(&self, name: &str, thousandths: Option<i32>) -> Vec<(Emotion, i32)> {
+        let usual = |(emotion, value): &(Emotion, Option<i32>)| (*emotion, value.unwrap_or(self.usual_thousandths));
+        let preset = || self.presets.get(name).map(Vec::as_slice).or_else(|| emotion::preset(name));
+        let feeling: Vec<(Emotion, i32)> = match (self.presets.get(name), Emotion::from_name(name)) {
+            (None, Some(emotion)) => vec![(emotion, self.usual_thousandths)],
+            _ => preset().unwrap_or_default().iter().map(usual).collect(),
+        };
+        let strongest = feeling.iter().map(|(_, value)| i64::from(*value)).max().unwrap_or(0);
+        let scaled = |value: i32| match thousandths {
+            Some(wanted) if strongest > 0 => (i64::from(value) * i64::from(wanted) / strongest) as i32,
+            _ => value,
+        };
+        feeling.into_iter().map(|(emotion, value)| (emotion, scaled(value))).collect()
+    }
+}

@@ -1,0 +1,123 @@
+//! Emotions in texts and events become curves, which programs read as emotions.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+use lipz_bank::{Bank, Emotion, Micros};
+use lipz_compiler::settings::Settings;
+use lipz_compiler::{Compiler, Input, Options};
+use lipz_testkit::golden::DRAMA;
+
+/// Forty frames at 10 frames a second: two segments of 20.
+const VISEMES: &str = "MAEOMAEOMAEOMAEOMAEO|MAEOMAEOMAEOMAEOMAEO";
+
+fn options(settings: &str) -> Options {
+    let (settings, report) = Settings::parse(settings.as_bytes(), "lipz.toml", "".as_ref());
+    assert_eq!(report.diagnostics, []);
+    settings.options
+}
+
+/// The curves of a clip with these further elements.
+fn curves(elements: &str, settings: &str) -> Vec<String> {
+    let file = format!(r#"{{ "fps": 10, "visemes": "{VISEMES}", {elements} }}"#);
+    let bytes = Compiler::new(options(settings)).compile(&[Input::from_bytes("a", file)]).into_bank().unwrap();
+    let bank = Bank::open(&bytes).unwrap().verify().unwrap();
+    let clip = bank.clip_by_key("a").unwrap();
+    clip.curves().map(|curve| format!("{} {curve}", curve.name())).collect()
+}
+
+#[test]
+fn texts_change_the_face_at_their_words() {
+    // Ten letters before, ten behind: half of the segment.
+    let text = r#""text_en-us": "{anger 2.2} abcde fghij {anger 6, joy 1} klmno pqrst|{calm} Bye.""#;
+    assert_eq!(
+        curves(text, ""),
+        ["anger 0:0 4:2.2 10:2.2 14:6 20:6 24:0", "joy 10:0 14:1 20:1 24:0"],
+        "ramps of 0.4 s: 4 frames"
+    );
+    let step = "[emotions]\nover = 0\n";
+    assert_eq!(curves(text, step)[1], "joy 9:0 10:1 19:1 20:0");
+    let own_time = r#""text_en-us": "{joy 4 over 1s} abcde|x""#;
+    assert_eq!(curves(own_time, step), ["joy 0:0 10:4"]);
+    assert_eq!(curves(text, "[emotions]\ncurves = \"off\"\n"), [""; 0]);
+    assert_eq!(curves(text, "[text]\nliteral-braces = true\n"), [""; 0]);
+}
+
+#[test]
+fn events_change_the_face_at_their_segments() {
+    let events = r#""events": "feels anger 2.2 + joy 3 over 0.5s|mara feels evil, feels neutral""#;
+    let expected =
+        ["anger 0:0 5:2.2 20:2.2 24:0", "joy 0:0 5:3 20:3 24:0", "mara.anger 20:0 24:5", "mara.joy 20:0 24:5"];
+    assert_eq!(curves(events, ""), expected);
+}
+
+/// Files from before have no values: they are packed as ever.
+#[test]
+fn old_files_mean_what_they_meant() {
+    let old = r#""events": "feels sad|amy feels happy", "text_en-us": "{sad} a|{louder} b""#;
+    assert_eq!(curves(old, ""), [""; 0]);
+    assert_eq!(curves(old, "[emotions]\ncurves = \"all\"\nvalue = 4\n"), ["amy.joy 20:0 24:4", "sadness 0:0 4:4"]);
+    assert!(Bank::open(DRAMA).unwrap().clips().all(|clip| clip.curves().count() == 0));
+    let one_value = r#""events": "feels sad|feels joy 1""#;
+    assert_eq!(curves(one_value, ""), ["joy 20:0 24:1", "sadness 0:0 4:5 20:5 24:0"]);
+}
+
+#[test]
+fn presets_have_values_and_projects_have_their_own() {
+    let first = |blend: &str, settings: &str| curves(&format!(r#""text_en-us": "{{{blend}}} a|b""#), settings);
+    assert_eq!(first("evil 2", ""), ["anger 0:0 4:2", "joy 0:0 4:2"]);
+    assert_eq!(first("suspicious 4", ""), ["anger 0:0 4:2", "perplexed 0:0 4:4"]);
+    assert_eq!(first("sad 7", ""), ["sadness 0:0 4:7"]);
+    let own = "[emotions]\nsmug = \"joy 2 + disgust 1\"\nsad = \"sadness 3\"\ncurves = \"all\"\n";
+    assert_eq!(first("smug", own), ["disgust 0:0 4:1", "joy 0:0 4:2"]);
+    assert_eq!(first("sad", own), ["sadness 0:0 4:3"]);
+    assert_eq!(first("take 3", own), [""; 0], "a note");
+}
+
+#[test]
+fn curves_of_the_file_win() {
+    let file = r#""text_en-us": "{anger 2, joy 2} a|b", "curves": { "joy": "0:1", "jawOpen": "0:0.5" }"#;
+    assert_eq!(curves(file, ""), ["anger 0:0 4:2", "jawOpen 0:0.5", "joy 0:1"]);
+}
+
+#[test]
+fn programs_read_emotions_at_a_time() {
+    let file = format!(r#"{{ "fps": 10, "visemes": "{VISEMES}", "text_en-us": "{{anger 6, joy 2}} a|{{calm}} b" }}"#);
+    let bytes = Compiler::default().compile(&[Input::from_bytes("a", file)]).into_bank().unwrap();
+    let bank = Bank::open(&bytes).unwrap().verify().unwrap();
+    let clip = bank.clip_by_key("a").unwrap();
+    let at = |us| clip.emotions_at(Micros(us));
+    let half = at(200_000);
+    assert_eq!((half.get(Emotion::Anger).thousandths(), half.get(Emotion::Fear).thousandths()), (3000, 0));
+    assert_eq!((half.strongest().map(|(emotion, _)| emotion), half.sum().thousandths()), (Some(Emotion::Anger), 4000));
+    assert_eq!(half.iter().filter(|(_, value)| value.thousandths() > 0).count(), 2);
+    assert_eq!((at(3_000_000).strongest(), at(-1).sum().thousandths()), (None, 0));
+}
+
+/// What the bank shows of an extended event: its strongest emotion. The string keeps the rest.
+#[test]
+fn typed_events_have_the_strongest_emotion() {
+    let file = r#"{ "events": "mara feels joy 1 + anger 2.2 over 0.4s" }"#;
+    let bytes = Compiler::default().compile(&[Input::from_bytes("a", file)]).into_bank().unwrap();
+    let bank = Bank::open(&bytes).unwrap().verify().unwrap();
+    let clip = bank.clip_by_key("a").unwrap();
+    let segment = clip.segment(0).unwrap();
+    let events: Vec<String> = segment.events().map(|event| event.to_string()).collect();
+    assert_eq!(events, ["mara feels anger"]);
+    assert_eq!(segment.event(), Some("mara feels joy 1 + anger 2.2 over 0.4s"));
+}
+
+#[test]
+fn what_is_wrong_is_said() {
+    let codes = |elements: &str| -> Vec<String> {
+        let file = format!(r#"{{ "fps": 10, "visemes": "{VISEMES}", {elements} }}"#);
+        let reports = Compiler::default().check(&[Input::from_bytes("a", file)]).reports;
+        let diagnostics = reports.iter().flat_map(|report| &report.diagnostics);
+        diagnostics.map(|diagnostic| format!("{}: {}", diagnostic.code, diagnostic.message)).collect()
+    };
+    assert_eq!(codes(r#""text_en-us": "{angr 2.2} a|b""#), ["LZ0702: `angr` is not a known emotion"]);
+    assert_eq!(codes(r#""events": "feels anger 11|""#), ["LZ1807: anger 11 is outside of 0 to 10"]);
+    let sum = codes(r#""text_en-us": "a|b {anger 8, joy 5} c""#);
+    assert_eq!(sum, ["LZ1808: the emotions add up to 13 from frame 30 (3.00 s) on"]);
+    let translated = r#""text_de-de": "{joy 2} a|b", "text_en-us": "{joy 1} a|b", "text_fr-fr": "a|b""#;
+    assert_eq!(codes(translated), ["LZ1809: the text of the voice has another emotion here, in segment 0"]);
+    assert_eq!(codes(r#""text_en-us": "{take 3} a|{to amy} b {wait 0.5}""#), [""; 0]);
+}
