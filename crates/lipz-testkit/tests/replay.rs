@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::cast_possible_truncation, reason = "tests")]
 #![allow(clippy::expect_used, clippy::unnecessary_map_or, reason = "helpers of the reader's tests")]
 
-use lipz_testkit::fuzz::TARGETS;
+use lipz_testkit::fuzz::{TARGETS, kind_of_foreign};
 use lipz_testkit::golden::Random;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -58,6 +58,21 @@ fn the_seeds_and_changes_of_them() {
             std::thread::Builder::new().name(target.name.to_owned()).spawn_scoped(scope, replay).unwrap();
         }
     });
+}
+
+/// With each new format, the numbers of those behind it change: then the first bytes of their seeds must, too.
+#[test]
+fn each_format_has_a_seed_of_its_name() {
+    let mut kinds: Vec<&str> = (0..=u8::MAX).map(kind_of_foreign).collect();
+    kinds.sort_unstable();
+    kinds.dedup();
+    let found = seeds("foreign");
+    let names: Vec<_> = found.iter().map(|path| path.file_name().unwrap().to_string_lossy()).collect();
+    assert_eq!(names, kinds);
+    for (path, name) in found.iter().zip(&names) {
+        let first = fs::read(path).unwrap()[0];
+        assert_eq!(kind_of_foreign(first), *name, "the first byte, {first}");
+    }
 }
 
 /// Every check has its fuzz target, and every fuzz target its check.

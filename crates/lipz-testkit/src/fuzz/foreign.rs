@@ -9,24 +9,31 @@ use lipz_interop::subtitles::{SubtitleFormat, clip, join};
 use lipz_interop::textgrid::TextGrid;
 use lipz_interop::{DEFAULT_RATE, Format, ImportOptions, Segments, formats, import};
 
+/// What else is read, behind the formats of mouth shapes. All other numbers are for the last one.
+const OTHERS: [&str; 5] = ["srt", "vtt", "frm", "msg", "lip"];
+
+/// What the target takes a file for whose first byte is `number`: seeds are called by these names.
+pub fn kind_of_foreign(number: u8) -> &'static str {
+    let number = usize::from(number);
+    let other = || OTHERS[(number - formats::ALL.len()).min(OTHERS.len() - 1)];
+    formats::ALL.get(number).map_or_else(other, |format| format.name)
+}
+
 /// Takes the first byte for the number of a format, and the others for one of its files.
 pub fn foreign(bytes: &[u8]) {
     let Some((number, file)) = bytes.split_first() else { return };
-    let number = usize::from(*number);
-    match formats::ALL.get(number) {
-        Some(format) => {
-            shapes(format, file);
-            if format.name == "textgrid" {
+    match kind_of_foreign(*number) {
+        "srt" => subtitles(SubtitleFormat::Srt, file),
+        "vtt" => subtitles(SubtitleFormat::Vtt, file),
+        "frm" => drop(check_file("eldgf1.frm", file)),
+        "msg" => texts(&String::from_utf8_lossy(file)),
+        "lip" => lip(file),
+        name => {
+            formats::find(name).into_iter().for_each(|format| shapes(format, file));
+            if name == "textgrid" {
                 textgrid(file);
             }
         }
-        None => match number - formats::ALL.len() {
-            0 => subtitles(SubtitleFormat::Srt, file),
-            1 => subtitles(SubtitleFormat::Vtt, file),
-            2 => drop(check_file("eldgf1.frm", file)),
-            3 => texts(&String::from_utf8_lossy(file)),
-            _ => lip(file),
-        },
     }
 }
 

@@ -15,7 +15,7 @@ mod texts;
 
 pub use bank::{bank, text_bank};
 pub use file::{parse, rewrite};
-pub use foreign::foreign;
+pub use foreign::{foreign, kind_of_foreign};
 pub use forged_bank::forged_bank;
 pub use round_trip::round_trip;
 pub use second_life::second_life;
