@@ -43,3 +43,27 @@ fn many_elements() {
     assert_eq!(parsed.diagnostics.iter().map(lipz_diagnostics::Diagnostic::count).sum::<usize>(), 100_000);
     assert_eq!(parsed.diagnostics.len(), 1_001);
 }
+
+/// All in one line: nothing looks for its end more than once.
+#[test]
+fn many_mistakes() {
+    let all = |element: &str| format!("{{{}}}", vec![element; 200_000].join(","));
+    for element in [
+        "'x':1",
+        "x:1",
+        "\"x\"=1",
+        "\"x\":024",
+        "\"x\":1 fps",
+        "\"x\":“y”",
+        "\"x\":[1,]",
+        "\"x\":\"\\d\"",
+        "",
+        "\"x\":1,/**/",
+    ] {
+        let parsed = parse(all(element).as_bytes()).diagnostics;
+        assert!(parsed.iter().map(lipz_diagnostics::Diagnostic::count).sum::<usize>() >= 199_998, "{element}");
+    }
+    for lost in ["\"x\":\"y\"z\"", "\"x\":' y", "\"x\":y z", "{"] {
+        assert!(parse(all(lost).as_bytes()).diagnostics.len() < 50, "{lost}");
+    }
+}

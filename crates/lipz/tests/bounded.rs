@@ -3,10 +3,17 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 #![allow(unsafe_code, reason = "an allocator that counts")]
 
-use lipz_compiler::{Compiler, Input, Options};
+use lipz_bank::{Bank, VisemeType};
+use lipz_compiler::diff::diff;
+use lipz_compiler::ids::{Language, generate};
+use lipz_compiler::inspect::{ClipDetails, timeline};
+use lipz_compiler::stats::Stats;
+use lipz_compiler::{Compiler, Documents, Input, Options, SplitBank, coverage};
 use lipz_diagnostics::{Report, Severity, render, reports};
+use lipz_file::format::{Style, format};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// The system's allocator, with counts.
 struct Counting;
@@ -34,6 +41,13 @@ unsafe impl GlobalAlloc for Counting {
 
 #[global_allocator]
 static COUNTING: Counting = Counting;
+
+/// The counts are those of the process: one test at a time.
+static ALONE: Mutex<()> = Mutex::new(());
+
+fn alone() -> MutexGuard<'static, ()> {
+    ALONE.lock().unwrap_or_else(PoisonError::into_inner)
+}
 
 /// The most bytes at a time and the number of allocations of `work`.
 fn measured<R>(work: impl FnOnce() -> R) -> (usize, usize, R) {
@@ -90,6 +104,7 @@ fn run(file: &str) -> Vec<Report> {
 
 #[test]
 fn time_and_memory_are_linear_whatever_is_in_a_file() {
+    let _alone = alone();
     for (name, shape) in SHAPES {
         let [small, large] = [3_000, 6_000].map(shape);
         let [(_, few, _), (peak, many, found)] = [&small, &large].map(|file| measured(|| run(file)));
@@ -117,8 +132,61 @@ fn time_and_memory_are_linear_whatever_is_in_a_file() {
     }
 }
 
+/// What commands do with files and with their bank, if there is one, by the names of the commands.
+fn commands(file: &str, mut each: impl FnMut(&'static str, &mut dyn FnMut())) {
+    let compiler = Compiler::new(Options::new().threads(1).default_locale("aa-aa"));
+    let inputs = [Input::from_bytes("a", file), Input::from_bytes("b", r#"{"text_aa-aa":"x"}"#)];
+    each("fix", &mut || drop(compiler.fix(file.as_bytes())));
+    each("fmt", &mut || {
+        let document = lipz_file::parse(file.as_bytes()).document;
+        drop(document.map(|document| format(&document, Style::default())));
+    });
+    each("convert", &mut || drop(compiler.convert(file.as_bytes(), VisemeType::ToonBoom)));
+    let mut bank = None;
+    each("pack", &mut || bank = compiler.compile(&inputs).bank);
+    let Some(bytes) = bank else { return };
+    let other = compiler.compile(&inputs[1..]).bank.unwrap();
+    let open = |bytes| Bank::open(bytes).and_then(Bank::verify).unwrap();
+    let (bank, other) = (open(&bytes), open(&other));
+    let locales: Vec<_> = bank.locales().collect();
+    let clip = bank.clip_by_key("a").unwrap();
+    each("stats", &mut || drop(Stats::from_bank(&bank)));
+    each("coverage", &mut || drop(coverage(&bank)));
+    each("diff", &mut || drop((diff(&bank, &other), diff(&bank, &bank))));
+    each("inspect", &mut || drop((ClipDetails::new(&clip, &locales), timeline(&clip, &locales, 100))));
+    each("ids", &mut || drop(generate(&bank, Language::C, None)));
+    each("unpack", &mut || {
+        let documents = Documents::from_bank(&bank).unwrap();
+        documents.iter().for_each(|document| drop(lipz_file::write(&document.unwrap().1)));
+    });
+    each("split", &mut || drop(SplitBank::from_bytes(&bytes)));
+}
+
+#[test]
+fn each_command_is_linear_whatever_is_in_a_file() {
+    let _alone = alone();
+    let quotes: (&str, Shape) = ("single quotes", |count| elements(count, |number| format!("'x{number}':'y'")));
+    for (name, shape) in SHAPES.iter().chain([&quotes]) {
+        let [small, large] = [3_000, 6_000].map(shape);
+        let mut counts = [Vec::new(), Vec::new()];
+        for (file, counts) in [&small, &large].into_iter().zip(&mut counts) {
+            commands(file, |command, work| {
+                let (peak, allocations, ()) = measured(work);
+                counts.push((command, peak, allocations));
+            });
+        }
+        assert!(counts[0].len() == counts[1].len() && counts[0].len() > 3);
+        for ((command, _, few), (_, peak, many)) in counts[0].iter().zip(&counts[1]) {
+            assert!(*many < few * 5 / 2 + 2_000, "{command}, {name}: {few} allocations, then {many}");
+            let most = 100 * large.len() + (24 << 20);
+            assert!(*peak < most, "{command}, {name}: {peak} bytes of memory for {} of file", large.len());
+        }
+    }
+}
+
 #[test]
 fn the_rest_is_counted_and_counts() {
+    let _alone = alone();
     let file = elements(5_000, |number| format!("\"fps\":{}", 1 + number % 1000));
     let found = run(&file);
     assert_eq!(reports::count(&found, Severity::Error), 4_999);

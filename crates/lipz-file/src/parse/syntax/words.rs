@@ -98,12 +98,12 @@ fn fraction(at: &Place<'_>) -> Option<Mistake> {
 fn quoted(at: &Place<'_>) -> Then {
     let lost = Then::Lost(at.offset());
     let is_quote = |c: char| c == '"' || QUOTES.contains(&c);
-    let line = at.rest().lines().next().unwrap_or_default();
     let begin = at.character_span().end as usize;
-    let mut marks = line.char_indices().skip(1).filter(|(_, c)| is_quote(*c));
-    let end = marks.find(|(mark, c)| {
-        let behind = line.get(mark + c.len_utf8()..).unwrap_or_default().trim_start_matches([' ', '\t']);
-        behind.is_empty() || behind.starts_with([':', '=', ',', '}', ']', '/', '#'])
+    // Not the line as such: with all elements in one line, its end would be looked for behind each of them.
+    let line = at.rest().char_indices().skip(1).take_while(|(_, c)| !matches!(c, '\n' | '\r'));
+    let end = line.filter(|(_, c)| is_quote(*c)).find(|(mark, c)| {
+        let behind = at.behind(at.offset() + mark + c.len_utf8()).trim_start_matches([' ', '\t']);
+        behind.is_empty() || behind.starts_with([':', '=', ',', '}', ']', '/', '#', '\n', '\r'])
     });
     let Some((end, mark)) = end else { return lost };
     let content = begin..at.offset() + end;
