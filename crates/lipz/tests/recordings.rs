@@ -4,16 +4,18 @@
 mod support;
 
 use std::fs;
-use support::sound::wav;
+use support::sound::{RATE_HZ, voice_samples, wav};
 use support::{Scene, assert_sarif, lipz};
 
 /// A clip of 10 frames at 24 a second: 0.417 s.
 const CLIP: &str = r#"{ "visemes": "MAAAEO----", "viseme_type": "blair", "fps": 24, "text_en-us": "Mayor!" }"#;
 
-/// A WAV file of this many samples, 8000 a second: a tone, so that the files differ in more than their length.
-fn sound(samples: i16) -> Vec<u8> {
-    let tone = |at: i16| i16::try_from((i32::from(at) * 97 + i32::from(samples)) % 2000).unwrap();
-    wav(8000, &(0..samples).map(tone).collect::<Vec<_>>())
+/// A WAV file of this many samples, 8000 a second, in which somebody speaks while the mouth of [`CLIP`] moves. Files of
+/// other lengths differ in more than that.
+fn sound(samples: u32) -> Vec<u8> {
+    let voice = voice_samples(&[(true, 250), (false, 1750)], samples);
+    let samples: Vec<_> = voice.into_iter().step_by(2).take(samples as usize).collect();
+    wav(RATE_HZ / 2, &samples)
 }
 
 #[test]

@@ -3,9 +3,14 @@
 /// Samples per second of [`voice`].
 pub(crate) const RATE_HZ: u32 = 16_000;
 
-/// A WAV file that sounds a little like a voice: for each part, whether somebody speaks, and for how many milliseconds. `take` makes other bytes of the same
-/// loudness.
+/// A WAV file of [`voice_samples`].
 pub(crate) fn voice(parts: &[(bool, u32)], take: u32) -> Vec<u8> {
+    wav(RATE_HZ, &voice_samples(parts, take))
+}
+
+/// What sounds a little like a voice: for each part, whether somebody speaks, and for how many milliseconds. `take`
+/// makes other samples of the same loudness.
+pub(crate) fn voice_samples(parts: &[(bool, u32)], take: u32) -> Vec<i16> {
     let mut samples: Vec<i16> = Vec::new();
     let mut noise = 1 + take;
     for &(speaks, ms) in parts {
@@ -23,7 +28,7 @@ pub(crate) fn voice(parts: &[(bool, u32)], take: u32) -> Vec<u8> {
             samples.push((level * buzz.sum::<f64>()) as i16 / 2 + hiss as i16);
         }
     }
-    wav(RATE_HZ, &samples)
+    samples
 }
 
 /// A WAV file of one channel, with `rate_hz` samples a second.
