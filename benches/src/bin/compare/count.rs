@@ -17,7 +17,7 @@ const COUNTED: usize = 1000;
 /// Openings that are counted: each is the same.
 const OPENINGS: usize = 2;
 /// The function whose calls are counted, as valgrind calls it.
-const COUNTED_FUNCTION: &str = "lipz_compare::count::asked";
+const COUNTED_FUNCTION: &str = concat!(module_path!(), "::asked");
 /// The file of the questions.
 const QUESTIONS: &str = "questions";
 
