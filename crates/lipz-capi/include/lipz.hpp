@@ -9,6 +9,7 @@
 
 #include "lipz.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -155,6 +156,78 @@ struct Segment : lipz_segment {
     }
 };
 
+/// The attributes of emotion, in the order of lipz.h.
+enum class Emotion : std::uint32_t {
+    sadness = LIPZ_SADNESS,
+    anger = LIPZ_ANGER,
+    joy = LIPZ_JOY,
+    fear = LIPZ_FEAR,
+    disgust = LIPZ_DISGUST,
+    surprise = LIPZ_SURPRISE,
+    shock = LIPZ_SHOCK,
+    perplexed = LIPZ_PERPLEXED,
+    asleep = LIPZ_ASLEEP,
+    pain = LIPZ_PAIN,
+    exertion = LIPZ_EXERTION,
+    shout = LIPZ_SHOUT,
+};
+
+/// The name of an attribute, which is that of its curve.
+inline std::string_view name_of(Emotion emotion) noexcept {
+    constexpr std::array<std::string_view, LIPZ_EMOTION_COUNT> NAMES = {
+        "sadness", "anger", "joy", "fear", "disgust", "surprise", "shock", "perplexed", "asleep", "pain", "exertion", "shout"};
+    const auto place = static_cast<std::size_t>(emotion);
+    return place < NAMES.size() ? NAMES[place] : std::string_view();
+}
+
+/// What somebody feels: values and `sum` in thousandths, all 0 for a neutral face.
+struct Emotions : lipz_emotions {
+    Emotions(const lipz_emotions &emotions) noexcept : lipz_emotions(emotions) {}
+    std::int32_t operator[](Emotion emotion) const noexcept { return thousandths[static_cast<std::size_t>(emotion)]; }
+    /// The attribute with the highest value; nothing for a neutral face.
+    std::optional<Emotion> strongest_emotion() const noexcept {
+        return strongest == LIPZ_NEUTRAL ? std::nullopt : std::optional(static_cast<Emotion>(strongest));
+    }
+};
+
+/// A number that changes while its clip plays. Values are thousandths.
+struct Curve : lipz_curve {
+    Curve(const lipz_clip &clip, const lipz_curve &curve) noexcept : lipz_curve(curve), clip_(clip) {}
+    std::string_view name_view() const noexcept { return view(name); }
+    /// The keys, in the order of their frames. The bank and the curve outlive the range.
+    auto keys(const lipz_bank &bank) const noexcept {
+        return range<lipz_curve_key>([this, &bank, index = std::uint32_t(0)]() mutable {
+            return answer<lipz_curve_key>(
+                [&](lipz_curve_key *out) { return lipz_clip_curve_key(&bank, &clip_, this, index++, out); });
+        });
+    }
+    /// The value at the start of a frame.
+    std::int32_t value(const lipz_bank &bank, std::uint32_t frame) const noexcept {
+        return ask([&](auto *out) { return lipz_clip_curve_value(&bank, &clip_, this, frame, out); }).value_or(0);
+    }
+    /// The value at a time; nothing without a frame rate.
+    std::optional<std::int32_t> value_at(const lipz_bank &bank, Micros time) const noexcept {
+        return ask([&](auto *out) { return lipz_clip_curve_value_at_us(&bank, &clip_, this, time.us, out); });
+    }
+    std::optional<std::int32_t> value_at(const lipz_bank &bank, Samples time) const noexcept {
+        return ask([&](auto *out) {
+            return lipz_clip_curve_value_at_samples(&bank, &clip_, this, time.position, time.rate_hz, out);
+        });
+    }
+    std::optional<std::int32_t> value_at(const lipz_bank &bank, double seconds) const noexcept {
+        return ask([&](auto *out) { return lipz_clip_curve_value_at_seconds(&bank, &clip_, this, seconds, out); });
+    }
+    std::optional<std::int32_t> value_at(const lipz_bank &bank, float seconds) const noexcept {
+        return ask([&](auto *out) { return lipz_clip_curve_value_at_seconds_f32(&bank, &clip_, this, seconds, out); });
+    }
+
+  private:
+    template <typename Ask> static std::optional<std::int32_t> ask(Ask ask) noexcept {
+        return answer<std::int32_t>(ask);
+    }
+    lipz_clip clip_;
+};
+
 /// One spoken line.
 struct Clip : lipz_clip {
     Clip(const lipz_clip &clip) noexcept : lipz_clip(clip) {}
@@ -171,6 +244,31 @@ struct Clip : lipz_clip {
         const auto key = answer<lipz_string>([&](lipz_string *out) { return lipz_clip_key(&bank, this, out); });
         return key ? view(*key) : std::string_view();
     }
+    /// The curve with this name; nothing if the clip has none.
+    std::optional<Curve> curve(const lipz_bank &bank, std::string_view name) const noexcept {
+        return curve_of([&](lipz_curve *out) { return lipz_clip_curve(&bank, this, name.data(), name.size(), out); });
+    }
+    /// All curves, in the order of their names. The bank and the clip outlive the range.
+    auto curves(const lipz_bank &bank) const noexcept {
+        return range<Curve>([this, &bank, index = std::uint32_t(0)]() mutable {
+            return curve_of([&](lipz_curve *out) { return lipz_clip_curve_at(&bank, this, index++, out); });
+        });
+    }
+    /// What the speaker feels at a time: neutral without curves of emotion, and without a frame rate.
+    Emotions emotions_at(const lipz_bank &bank, Micros time) const noexcept {
+        return emotions([&](auto *out) { return lipz_clip_emotions_at_us(&bank, this, time.us, out); });
+    }
+    Emotions emotions_at(const lipz_bank &bank, Samples time) const noexcept {
+        return emotions([&](auto *out) {
+            return lipz_clip_emotions_at_samples(&bank, this, time.position, time.rate_hz, out);
+        });
+    }
+    Emotions emotions_at(const lipz_bank &bank, double seconds) const noexcept {
+        return emotions([&](auto *out) { return lipz_clip_emotions_at_seconds(&bank, this, seconds, out); });
+    }
+    Emotions emotions_at(const lipz_bank &bank, float seconds) const noexcept {
+        return emotions([&](auto *out) { return lipz_clip_emotions_at_seconds_f32(&bank, this, seconds, out); });
+    }
     std::uint32_t lead_one_frame() const noexcept { return of(lipz_lead_one_frame); }
     std::uint32_t lead_two_frames() const noexcept { return of(lipz_lead_two_frames); }
     std::uint32_t hold_readable() const noexcept { return of(lipz_hold_readable); }
@@ -180,6 +278,16 @@ struct Clip : lipz_clip {
     }
 
   private:
+    template <typename Ask> std::optional<Curve> curve_of(Ask ask) const noexcept {
+        const auto found = answer<lipz_curve>(ask);
+        return found ? std::optional(Curve(*this, *found)) : std::nullopt;
+    }
+    /// The function writes a neutral face where there is no other answer.
+    template <typename Ask> static Emotions emotions(Ask ask) noexcept {
+        lipz_emotions found;
+        ask(&found);
+        return found;
+    }
     std::uint32_t of(lipz_status (*ask)(const lipz_clip *, std::uint32_t *)) const noexcept {
         return answer<std::uint32_t>([&](std::uint32_t *out) { return ask(this, out); }).value_or(0);
     }

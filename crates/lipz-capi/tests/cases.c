@@ -1,5 +1,8 @@
 /* The cases of fixtures/playback/cases.txt in C99: cases <folder of the banks> < cases.txt. Writes the file anew, with the
  * answers of the library. */
+#include "cases_curves.h"
+#include "cases_words.h"
+
 #include <lipz.h>
 
 #include <inttypes.h>
@@ -20,21 +23,6 @@ static lipz_clip clip;
 static lipz_locale locale;
 static lipz_cursor cursor;
 static int has_locale;
-
-static void must(lipz_status status, const char *what) {
-    if (status != LIPZ_OK) {
-        fprintf(stderr, "cases: %s: status %" PRIu32 "\n", what, status);
-        exit(1);
-    }
-}
-
-static int is(const char *word, const char *other) { return strcmp(word, other) == 0; }
-
-static void print(const char *data, size_t length_bytes) {
-    if (length_bytes > 0) {
-        fwrite(data, 1, length_bytes, stdout);
-    }
-}
 
 /* A file of the banks, which stays. */
 static const uint8_t *contents(const char *folder, const char *name, const char *extension, size_t *length_bytes) {
@@ -269,6 +257,12 @@ static void command(char *words[], unsigned count, const char *folder) {
         }
     } else if (is(words[0], "babble")) {
         babble(words);
+    } else if (is(words[0], "curves")) {
+        print_curves(&bank, &clip);
+    } else if (is(words[0], "curve")) {
+        print_curve(&bank, &clip, words);
+    } else if (is(words[0], "emotions")) {
+        print_emotions(&bank, &clip, words);
     } else {
         must(moved(words), words[0]);
         print_shown();

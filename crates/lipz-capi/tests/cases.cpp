@@ -92,6 +92,10 @@ class Stage {
             }
         } else if (verb == "babble") {
             babble(words);
+        } else if (verb == "curves" || verb == "curve") {
+            curves(words);
+        } else if (verb == "emotions") {
+            with_time(words, 1, [&](auto time) { print(clip_->emotions_at(*bank_, time)); });
         } else {
             go(words);
         }
@@ -173,6 +177,40 @@ class Stage {
     static void print(const lipz::Character &character, std::string_view name) {
         std::cout << "  " << name << ": feels " << or_none(character.feels) << ", stares "
                   << or_none(character.stares_at) << ", points " << or_none(character.points_at) << '\n';
+    }
+
+    void curves(const Words &words) const {
+        if (words.at(0) == "curves") {
+            for (const auto &curve : clip_->curves(*bank_)) {
+                std::cout << "  " << curve.name_view() << ':';
+                for (const auto &key : curve.keys(*bank_)) {
+                    std::cout << ' ' << key.frame << ':' << key.thousandths;
+                }
+                std::cout << '\n';
+            }
+            return;
+        }
+        const auto curve = clip_->curve(*bank_, words.at(1));
+        std::optional<std::int32_t> value;
+        if (curve && words.at(2) == "frame") {
+            value = curve->value(*bank_, number(words.at(3)));
+        } else if (curve) {
+            with_time(words, 2, [&](auto time) { value = curve->value_at(*bank_, time); });
+        }
+        std::cout << "  " << (!curve ? "no curve" : value ? std::to_string(*value) : "no frame rate") << '\n';
+    }
+
+    static void print(const lipz::Emotions &emotions) {
+        std::cout << ' ';
+        for (std::uint32_t place = LIPZ_SADNESS; place <= LIPZ_SHOUT; ++place) {
+            const auto emotion = static_cast<lipz::Emotion>(place);
+            if (emotions[emotion] != 0) {
+                std::cout << ' ' << lipz::name_of(emotion) << ' ' << emotions[emotion] << ',';
+            }
+        }
+        const auto strongest = emotions.strongest_emotion();
+        std::cout << " strongest " << (strongest ? lipz::name_of(*strongest) : "neutral") << ", sum " << emotions.sum
+                  << '\n';
     }
 
     void babble(const Words &words) const {

@@ -69,6 +69,14 @@ class Stage {
         return this.#cursor.characters().map((found) => character(found, found.name ?? "-"));
       case "babble":
         return this.#babble(words);
+      case "curves":
+        return this.#clip.curves.map(({ name, keys }) =>
+          [`${name}:`, ...keys.map(({ frame, value }) => `${frame}:${thousandths(value)}`)].join(" "),
+        );
+      case "curve":
+        return this.#curve(words);
+      case "emotions":
+        return [emotions(this.#clip.emotionsAt(timeOf(words)[0]))];
       default:
         return assert.fail(`no command: ${verb}`);
     }
@@ -97,6 +105,13 @@ class Stage {
     return [shown.join(", "), ...due, ...events.map((event) => `event ${words(event)}`)];
   }
 
+  #curve([name, ...words]) {
+    const curve = this.#clip.curve(name);
+    if (curve === undefined) return ["no curve"];
+    const value = words[0] === "frame" ? curve.value(Number(words[1])) : curve.valueAt(timeOf(words)[0]);
+    return [value === undefined ? "no frame rate" : String(thousandths(value))];
+  }
+
   #babble([name, ...words]) {
     const babble = name === "default" ? this.#bank.defaultBabble : this.#bank.babble(name);
     if (babble === undefined) return ["no profile"];
@@ -106,6 +121,14 @@ class Stage {
     const { ooh, aah } = babble.at(time, power);
     return [`ooh ${Math.round(ooh * 10_000)}, aah ${Math.round(aah * 10_000)}`];
   }
+}
+
+const thousandths = (value) => Math.round(value * 1000);
+
+function emotions({ values, strongest, sum }) {
+  const felt = Object.entries(values).filter(([, value]) => value !== 0);
+  const told = felt.map(([name, value]) => `${name} ${thousandths(value)}, `).join("");
+  return `${told}strongest ${strongest ?? "neutral"}, sum ${thousandths(sum)}`;
 }
 
 const character = ({ feels, staresAt, pointsAt }, name) =>

@@ -3,13 +3,18 @@
 //! `cargo xtask capi` and `cargo xtask web` play the same cases in C, C++ and JavaScript.
 #![allow(clippy::expect_used, clippy::panic)]
 
+#[macro_use]
+mod time;
+mod curves;
+
 use lipz_bank::{
     Babble, Bank, CharacterState, Clip, ClipId, ConsonantHold, Cursor, DueSegments, EventName, Fps, Lead, Locale,
-    Micros, Samples, Seconds, TextBank, VisemeType, VoiceLevel, Weights,
+    TextBank, VisemeType, VoiceLevel, Weights,
 };
 use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
+use time::Time;
 
 fn fixtures() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures")
@@ -22,42 +27,6 @@ fn golden(file: &str) -> &'static [u8] {
 
 fn number<T: std::str::FromStr>(word: &str) -> T {
     word.parse().unwrap_or_else(|_| panic!("`{word}` is not a number"))
-}
-
-/// A time in one of the units.
-#[derive(Clone, Copy)]
-enum Time {
-    Us(Micros),
-    Samples(Samples),
-    Seconds(Seconds<f64>),
-    Short(Seconds<f32>),
-}
-
-impl Time {
-    /// The time of these words, and those behind it.
-    fn read<'w>(words: &'w [&'w str]) -> (Time, &'w [&'w str]) {
-        match words {
-            ["us", us, rest @ ..] => (Time::Us(Micros(number(us))), rest),
-            ["samples", position, rate_hz, rest @ ..] => {
-                (Time::Samples(Samples { position: number(position), rate_hz: number(rate_hz) }), rest)
-            }
-            ["seconds", seconds, rest @ ..] => (Time::Seconds(Seconds(number(seconds))), rest),
-            ["f32", seconds, rest @ ..] => (Time::Short(Seconds(number(seconds))), rest),
-            _ => panic!("no time: {words:?}"),
-        }
-    }
-}
-
-/// Calls a method with a time.
-macro_rules! at {
-    ($time:expr, |$each:ident| $call:expr) => {
-        match $time {
-            Time::Us($each) => $call,
-            Time::Samples($each) => $call,
-            Time::Seconds($each) => $call,
-            Time::Short($each) => $call,
-        }
-    };
 }
 
 /// What the cases are played with.
@@ -139,6 +108,7 @@ impl Stage {
                 }
             }
             ["babble", name, ref rest @ ..] => self.babble(name, rest),
+            ["curves" | "curve" | "emotions", ..] => self.curve_command(&words),
             _ => panic!("no command: {line}"),
         }
     }

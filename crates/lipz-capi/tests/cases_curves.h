@@ -1,0 +1,84 @@
+/* The cases about curves and emotions: values are thousandths. */
+#ifndef CASES_CURVES_H
+#define CASES_CURVES_H
+
+#include "cases_words.h"
+
+static const char *const EMOTIONS[LIPZ_EMOTION_COUNT] = {"sadness", "anger",     "joy",    "fear", "disgust",  "surprise",
+                                                         "shock",   "perplexed", "asleep", "pain", "exertion", "shout"};
+
+static lipz_status curve_value(const lipz_bank *bank, const lipz_clip *clip, const lipz_curve *curve, char *words[],
+                               int32_t *value) {
+    const int64_t whole = strtoll(words[3], NULL, 10);
+
+    if (is(words[2], "frame")) {
+        return lipz_clip_curve_value(bank, clip, curve, (uint32_t)strtoul(words[3], NULL, 10), value);
+    }
+    if (is(words[2], "us")) {
+        return lipz_clip_curve_value_at_us(bank, clip, curve, whole, value);
+    }
+    if (is(words[2], "samples")) {
+        return lipz_clip_curve_value_at_samples(bank, clip, curve, whole, (uint32_t)strtoul(words[4], NULL, 10), value);
+    }
+    if (is(words[2], "seconds")) {
+        return lipz_clip_curve_value_at_seconds(bank, clip, curve, strtod(words[3], NULL), value);
+    }
+    return lipz_clip_curve_value_at_seconds_f32(bank, clip, curve, strtof(words[3], NULL), value);
+}
+
+static void print_curve(const lipz_bank *bank, const lipz_clip *clip, char *words[]) {
+    lipz_curve curve;
+    int32_t value;
+
+    if (lipz_clip_curve(bank, clip, words[1], strlen(words[1]), &curve) != LIPZ_OK) {
+        printf("  no curve\n");
+    } else if (curve_value(bank, clip, &curve, words, &value) != LIPZ_OK) {
+        printf("  no frame rate\n");
+    } else {
+        printf("  %" PRId32 "\n", value);
+    }
+}
+
+static void print_curves(const lipz_bank *bank, const lipz_clip *clip) {
+    lipz_curve curve;
+    lipz_curve_key key;
+    uint32_t place;
+    uint32_t index;
+
+    for (place = 0; lipz_clip_curve_at(bank, clip, place, &curve) == LIPZ_OK; place++) {
+        printf("  ");
+        print(curve.name.data, curve.name.length_bytes);
+        printf(":");
+        for (index = 0; lipz_clip_curve_key(bank, clip, &curve, index, &key) == LIPZ_OK; index++) {
+            printf(" %" PRIu32 ":%" PRId32, key.frame, key.thousandths);
+        }
+        printf("\n");
+    }
+}
+
+static void print_emotions(const lipz_bank *bank, const lipz_clip *clip, char *words[]) {
+    lipz_emotions emotions;
+    const int64_t whole = strtoll(words[2], NULL, 10);
+    uint32_t place;
+
+    if (is(words[1], "us")) {
+        must(lipz_clip_emotions_at_us(bank, clip, whole, &emotions), "emotions");
+    } else if (is(words[1], "samples")) {
+        const uint32_t rate_hz = (uint32_t)strtoul(words[3], NULL, 10);
+        must(lipz_clip_emotions_at_samples(bank, clip, whole, rate_hz, &emotions), "emotions");
+    } else if (is(words[1], "seconds")) {
+        must(lipz_clip_emotions_at_seconds(bank, clip, strtod(words[2], NULL), &emotions), "emotions");
+    } else {
+        must(lipz_clip_emotions_at_seconds_f32(bank, clip, strtof(words[2], NULL), &emotions), "emotions");
+    }
+    printf(" ");
+    for (place = 0; place < LIPZ_EMOTION_COUNT; place++) {
+        if (emotions.thousandths[place] != 0) {
+            printf(" %s %" PRId32 ",", EMOTIONS[place], emotions.thousandths[place]);
+        }
+    }
+    printf(" strongest %s, sum %" PRId32 "\n",
+           emotions.strongest == LIPZ_NEUTRAL ? "neutral" : EMOTIONS[emotions.strongest], emotions.sum);
+}
+
+#endif

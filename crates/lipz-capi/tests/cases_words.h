@@ -1,0 +1,27 @@
+/* What the cases are read and told with. */
+#ifndef CASES_WORDS_H
+#define CASES_WORDS_H
+
+#include <lipz.h>
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void must(lipz_status status, const char *what) {
+    if (status != LIPZ_OK) {
+        fprintf(stderr, "cases: %s: status %" PRIu32 "\n", what, status);
+        exit(1);
+    }
+}
+
+static int is(const char *word, const char *other) { return strcmp(word, other) == 0; }
+
+static void print(const char *data, size_t length_bytes) {
+    if (length_bytes > 0) {
+        fwrite(data, 1, length_bytes, stdout);
+    }
+}
+
+#endif

@@ -1,0 +1,67 @@
+//! The cases about curves and emotions: `curves`, `curve NAME frame N`, `curve NAME TIME`, `emotions TIME`. All values are
+//! thousandths.
+
+use super::{Stage, Time, number};
+use lipz_bank::{Clip, CurveCursor, CurveValue, Emotions};
+use std::fmt::Write;
+
+impl Stage {
+    pub(super) fn curve_command(&mut self, words: &[&str]) {
+        let bank = self.bank;
+        let clip = self.chosen(&bank);
+        match words {
+            ["curves"] => {
+                for curve in clip.curves() {
+                    let _ = write!(self.answers, "  {}:", curve.name());
+                    for key in curve.keys() {
+                        let _ = write!(self.answers, " {}:{}", key.frame, key.value.thousandths());
+                    }
+                    self.answers.push('\n');
+                }
+            }
+            ["curve", name, rest @ ..] => match clip.curve(name).map(|curve| value(&curve, rest)) {
+                None => self.answers.push_str("  no curve\n"),
+                Some(None) => self.answers.push_str("  no frame rate\n"),
+                Some(Some(value)) => {
+                    let _ = writeln!(self.answers, "  {}", value.thousandths());
+                }
+            },
+            ["emotions", time @ ..] => {
+                let found = at!(Time::read(time).0, |time| clip.emotions_at(time));
+                self.answers.push_str(&told(&found));
+            }
+            _ => panic!("{words:?}"),
+        }
+    }
+
+    /// The clip with what it was given.
+    fn chosen<'bank>(&self, bank: &'bank Option<lipz_bank::Bank<'static>>) -> Clip<'static, 'bank> {
+        let bank = bank.as_ref().expect("a bank");
+        let mut clip = self.clip.and_then(|id| bank.clip(id)).expect("a clip");
+        if let Some(fps) = self.given.0 {
+            clip = clip.or_fps(fps);
+        }
+        clip
+    }
+}
+
+/// The value at a frame or a time, which a curve and a new cursor agree about.
+fn value(curve: &lipz_bank::Curve<'_>, words: &[&str]) -> Option<CurveValue> {
+    let mut cursor = CurveCursor::new();
+    let (found, with_cursor) = match words {
+        ["frame", frame] => (Some(curve.value(number(frame))), Some(cursor.value(curve, number(frame)))),
+        _ => at!(Time::read(words).0, |time| (curve.value_at(time), cursor.value_at(curve, time))),
+    };
+    assert_eq!(found, with_cursor, "{words:?}");
+    found
+}
+
+fn told(emotions: &Emotions) -> String {
+    let mut answer = String::from(" ");
+    for (emotion, value) in emotions.iter().filter(|(_, value)| value.thousandths() != 0) {
+        let _ = write!(answer, " {} {},", emotion.name(), value.thousandths());
+    }
+    let strongest = emotions.strongest().map_or("neutral", |(emotion, _)| emotion.name());
+    let _ = writeln!(answer, " strongest {strongest}, sum {}", emotions.sum().thousandths());
+    answer
+}
