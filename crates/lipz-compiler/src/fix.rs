@@ -59,7 +59,14 @@ fn diagnostics<'f>(bytes: &'f [u8], options: &Options) -> Option<(&'f str, Vec<D
     let mut parsed = lipz_file::parse(bytes);
     match (&parsed.document, &parsed.fragment) {
         (Some(document), _) => {
-            check::check(document, options, &mut Locales::default(), &mut ClipData::default(), &mut parsed.diagnostics);
+            check::check(
+                document,
+                options,
+                None,
+                &mut Locales::default(),
+                &mut ClipData::default(),
+                &mut parsed.diagnostics,
+            );
         }
         (None, Some(fragment)) => check::fragment(fragment, options, &mut parsed.diagnostics),
         (None, None) => {}

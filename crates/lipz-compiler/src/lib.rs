@@ -86,6 +86,7 @@ mod temporary;
 #[cfg(feature = "unpack")]
 mod unpack;
 mod walk;
+mod word_times;
 
 pub use bank_with_texts::BankWithTexts;
 #[cfg(feature = "build")]
@@ -109,6 +110,7 @@ pub use rewrite::rewrite_file;
 pub use split::SplitBank;
 #[cfg(feature = "unpack")]
 pub use unpack::{Unpacked, unpack};
+pub use word_times::{ParseWordTimesError, WordTime, WordTimes};
 
 #[cfg(not(feature = "cache"))]
 use no_cache as cache;

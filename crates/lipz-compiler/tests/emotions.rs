@@ -3,7 +3,7 @@
 
 use lipz_bank::{Bank, Emotion, Micros};
 use lipz_compiler::settings::Settings;
-use lipz_compiler::{Compiler, Input, Options};
+use lipz_compiler::{Compiler, Input, Options, WordTime, WordTimes};
 use lipz_testkit::golden::DRAMA;
 
 /// Forty frames at 10 frames a second: two segments of 20.
@@ -39,6 +39,40 @@ fn texts_change_the_face_at_their_words() {
     assert_eq!(curves(own_time, step), ["joy 0:0 10:4"]);
     assert_eq!(curves(text, "[emotions]\ncurves = \"off\"\n"), [""; 0]);
     assert_eq!(curves(text, "[text]\nliteral-braces = true\n"), [""; 0]);
+}
+
+/// The locale of the recordings is that of the voice.
+#[test]
+fn the_emotions_of_the_voice_count() {
+    let texts = r#""text_de-de": "{anger 1} a|b", "text_en-us": "{joy 1} a|b""#;
+    let first = |settings| curves(texts, settings).remove(0);
+    assert_eq!(first("default-locale = \"en-us\"\n[lints]\nemotion-locales = \"allow\"\n"), "joy 0:0 4:1");
+    let voice = "default-locale = \"en-us\"\n[lints]\nemotion-locales = \"allow\"\n[audio]\nlocale = \"de-de\"\n";
+    assert_eq!(first(voice), "anger 0:0 4:1");
+}
+
+#[test]
+fn a_face_changes_when_the_word_is_said() {
+    let text = "{joy 1}Ab {anger 2} cde fgh {calm}|{sadness 3} ij {fear 4} kl";
+    let file = format!(r#"{{ "fps": 10, "visemes": "{VISEMES}", "text_en-us": "{text}" }}"#);
+    let word = |word: &str, start_ms| {
+        let at = text.find(word).unwrap();
+        WordTime { range: at..at + word.len(), start_ms, end_ms: start_ms + 100, is_doubtful: false }
+    };
+    let words = [word("Ab", 300), word("cde", 1_650), word("fgh", 1_800), word("ij", 2_400), word("kl", 9_000)];
+    let curves = |times: Option<WordTimes>| {
+        let options = options("[emotions]\nover = 0\n").word_times(times.map(|times| ("a", times)));
+        let bytes = Compiler::new(options).compile(&[Input::from_bytes("a", file.as_str())]).into_bank().unwrap();
+        let bank = Bank::open(&bytes).unwrap().verify().unwrap();
+        let clip = bank.clip_by_key("a").unwrap();
+        clip.curves().map(|curve| format!("{} {curve}", curve.name())).collect::<Vec<_>>()
+    };
+    let by_letters = ["anger 4:0 5:2 19:2 20:0", "fear 29:0 30:4", "joy 0:1 4:1 5:0", "sadness 19:0 20:3 29:3 30:0"];
+    assert_eq!(curves(None), by_letters);
+    // At 1.65 s; and a word that the clip does not reach changes nothing.
+    let by_times = ["anger 15:0 16:2 19:2 20:0", "joy 0:1 15:1 16:0", "sadness 19:0 20:3"];
+    assert_eq!(curves(Some(WordTimes::new(text, &words))), by_times);
+    assert_eq!(curves(Some(WordTimes::new("another text", &words))), by_letters, "of another text");
 }
 
 #[test]

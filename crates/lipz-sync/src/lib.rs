@@ -19,6 +19,7 @@ mod places;
 mod recordings;
 mod sync;
 mod threads;
+mod words;
 
 pub use facts::{Facts, content_hash};
 pub use in_bank::in_bank;
@@ -28,9 +29,10 @@ pub use lipz_speech::{Recogniser, RecogniserError, TrainedModel};
 pub use recordings::{EXTENSIONS, Recordings, dependencies, is_recording};
 pub(crate) use sync::spoken_text;
 pub use sync::{
-    DoubtfulWord, Job, Kept, Made, RECORD_NAME, SyncOptions, SyncRecord, Synced, TRAINING_ROUNDS, Trained, Whole,
+    DoubtfulWord, Job, Kept, Line, Made, RECORD_NAME, SyncOptions, SyncRecord, Synced, TRAINING_ROUNDS, Trained, Whole,
     jobs_of_clips, jobs_of_recordings, model_at, record_place, sync, train, write_model,
 };
+pub use words::word_times;
 
 /// The example of the README, run as a test.
 #[cfg(doctest)]

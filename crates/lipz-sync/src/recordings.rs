@@ -1,6 +1,7 @@
 //! The recordings of a project, found by the keys of its clips.
 
 use crate::places::{Place, Places};
+use crate::record_place;
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Content, Input};
 use lipz_diagnostics::{Code, Report, escape};
@@ -140,13 +141,18 @@ pub fn is_recording(path: &Path) -> bool {
     rank(path).is_some()
 }
 
-/// What the bank of a project depends on besides its Lipz files: its recordings and their folder, if the bank says
-/// something about them.
+/// What the bank of a project depends on besides its Lipz files: the record of its mouths, which tells when words are said,
+/// and its recordings and their folder, if the bank says something about them.
 pub fn dependencies(settings: &Settings) -> Vec<PathBuf> {
     let audio = &settings.audio;
-    let Some(folder) = audio.folder.as_ref().filter(|_| audio.in_bank) else { return Vec::new() };
-    let (recordings, _) = Recordings::discover(settings);
-    std::iter::once(folder.clone()).chain(recordings.iter().map(|(_, path)| path.to_owned())).collect()
+    let record = Some(record_place(settings)).filter(|record| record.is_file());
+    let mut paths = Vec::from_iter(record);
+    if let Some(folder) = audio.folder.as_ref().filter(|_| audio.in_bank) {
+        let (recordings, _) = Recordings::discover(settings);
+        paths.push(folder.clone());
+        paths.extend(recordings.iter().map(|(_, path)| path.to_owned()));
+    }
+    paths
 }
 
 /// The place of a file's extension in [`EXTENSIONS`], whatever its case.

@@ -138,3 +138,41 @@ fn what_makes_no_other_mouth_makes_none_again() {
     scene.write("rec/plain.wav", fs::read(scene.path().join("rec/plain.wav")).unwrap());
     assert_eq!(made(&scene, &[]), [""; 0]);
 }
+
+/// The record says when words are said. One of an older version does not: its mouths are made again, and are the same.
+#[test]
+fn faces_change_at_the_words_of_the_record() {
+    let scene = Scene::new();
+    scene.write("lipz.toml", "sources = [\"voices\"]\nroot = \"voices\"\ndefault-locale = \"en-us\"\n[audio]\nfolder = \"rec\"\n[emotions]\nover = 0\n[lints]\nwarnings = \"allow\"\n");
+    scene.write("voices/a.lipz", r#"{ "text_en-us": "Go {anger 2} to the house", "fps": 100 }"#);
+    scene.write("rec/a.wav", voice(LINE, 1));
+    assert_eq!(made(&scene, &[]), ["a"]);
+    let record = || fs::read_to_string(scene.path().join("voices/lipz-sync.txt")).unwrap();
+    let with_times = record();
+    let (_, said) = with_times.split_once("said:").unwrap();
+    let entries: Vec<&str> = said.split_once(':').unwrap().1.split([',', ' ']).collect();
+    let places: Vec<&str> = entries[..4].iter().map(|entry| entry.split_once('@').unwrap().0).collect();
+    assert_eq!(places, ["0-2", "13-15", "16-19", "20-25"], "{said}");
+    let start_ms: u32 = entries[1].split(['@', '-']).nth(2).unwrap().parse().unwrap();
+    let curves = || {
+        let run = lipz(scene.path(), ["pack", "-o", "a.lipzbank"]);
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        lipz(scene.path(), ["inspect", "a.lipzbank", "a", "--format", "json"]).stdout
+    };
+    // Before the lead of the mouth: the word is heard at this frame.
+    let at = start_ms / 10;
+    assert!(curves().contains(&format!("{}:0 {at}:2", at - 1)), "{at}: {}", curves());
+    let mouth = fs::read(scene.path().join("voices/a.lipz")).unwrap();
+    let old: String = with_times
+        .split_inclusive('\n')
+        .map(|line| match line.split_once("said:") {
+            Some((hashes, said)) => format!("{hashes}{}", said.split_once(' ').unwrap().1),
+            None => line.to_owned(),
+        })
+        .collect();
+    fs::write(scene.path().join("voices/lipz-sync.txt"), old).unwrap();
+    assert!(!curves().contains(&format!("{}:0 {at}:2", at - 1)), "by its letters");
+    assert_eq!(made(&scene, &[]), ["a"]);
+    assert_eq!((record(), fs::read(scene.path().join("voices/a.lipz")).unwrap()), (with_times, mouth));
+    assert_eq!(made(&scene, &[]), [""; 0]);
+}

@@ -17,20 +17,22 @@ mod types;
 mod visemes;
 
 use crate::clip::{ClipData, Locales};
-use crate::{Options, TextLimits, pseudo};
+use crate::{Options, TextLimits, WordTimes, pseudo};
 use elements::Roles;
 use lipz_diagnostics::{Diagnostic, bound};
 use lipz_file::{Document, Fragment, text};
 use readability::Times;
 use visemes::Expected;
 
-/// Makes `clip` the one that `document` describes; its texts refer to `locales`. All diagnostics are
+/// Makes `clip` the one that `document` describes; its texts refer to `locales`. The words of one of them
+/// are said at these `times`. All diagnostics are
 /// reported; if one of them is an error at the project's levels, the clip is of no use.
 ///
 /// The source record of the clip is left empty.
 pub(crate) fn check(
     document: &Document<'_>,
     options: &Options,
+    times: Option<&WordTimes>,
     locales: &mut Locales,
     clip: &mut ClipData,
     diagnostics: &mut Vec<Diagnostic>,
@@ -102,7 +104,7 @@ pub(crate) fn check(
     if !clip.has_visemes {
         clip.starts.resize(segment_count, 0);
     }
-    emotions::curves(&roles, options, locales, clip, diagnostics);
+    emotions::curves(&roles, options, times, locales, clip, diagnostics);
     blank::report(&roles, clip, options, locales, diagnostics);
     bound::limit(diagnostics);
     bank_limits::for_segments(&roles, clip.starts.len(), diagnostics);
@@ -114,7 +116,7 @@ pub(crate) fn fragment(fragment: &Fragment<'_>, options: &Options, diagnostics: 
     let (document, mut found) = (&fragment.document, Vec::new());
     let (mut locales, mut clip) = (Locales::default(), ClipData::default());
     if fragment.is_complete {
-        check(document, options, &mut locales, &mut clip, diagnostics);
+        check(document, options, None, &mut locales, &mut clip, diagnostics);
         return;
     }
     let roles = Roles::assign(document, options, &mut locales, &mut found);

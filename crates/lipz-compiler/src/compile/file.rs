@@ -4,7 +4,7 @@ use super::Phases;
 use super::read::FileReader;
 use crate::cache::{Cache, CachedFile, FileStamps, Stamp};
 use crate::clip::{ClipData, Clips, Locales};
-use crate::{Content, Input, Options, check, convert, source_record};
+use crate::{Content, Input, Options, WordTimes, check, convert, source_record};
 use lipz_diagnostics::{Diagnostic, Report, Severity};
 use lipz_file::Document;
 use std::time::{Duration, Instant};
@@ -63,9 +63,14 @@ impl Worker {
         let lipz_file::Parsed { document, mut diagnostics, fragment } = lipz_file::parse(bytes);
         self.phases.parse += self.stopwatch.time();
         let is_made = match document {
-            Some(document) => {
-                make_clip(&document, options, &mut batch.clips.locales, &mut batch.clip, &mut diagnostics)
-            }
+            Some(document) => make_clip(
+                &document,
+                options,
+                options.word_times.get(&input.key),
+                &mut batch.clips.locales,
+                &mut batch.clip,
+                &mut diagnostics,
+            ),
             None => {
                 fragment.iter().for_each(|fragment| check::fragment(fragment, options, &mut diagnostics));
                 options.levels.apply(&mut diagnostics);
@@ -99,11 +104,12 @@ impl Batch {
 fn make_clip(
     document: &Document<'_>,
     options: &Options,
+    times: Option<&WordTimes>,
     locales: &mut Locales,
     clip: &mut ClipData,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> bool {
-    check::check(document, options, locales, clip, diagnostics);
+    check::check(document, options, times, locales, clip, diagnostics);
     if has_errors(options, diagnostics) {
         return false;
     }

@@ -43,7 +43,7 @@ impl Compiler<'_> {
         let mut parsed = lipz_file::parse(bytes);
         let mut clip = ClipData::default();
         if let Some(document) = &parsed.document {
-            check::check(document, options, &mut Locales::default(), &mut clip, &mut parsed.diagnostics);
+            check::check(document, options, None, &mut Locales::default(), &mut clip, &mut parsed.diagnostics);
         }
         options.levels.apply(&mut parsed.diagnostics);
         parsed.diagnostics.retain(is_error);

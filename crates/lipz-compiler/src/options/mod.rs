@@ -9,7 +9,7 @@ pub use emotions::{EmotionCurves, Emotions};
 pub use requirements::{KnownNames, MinCoverage, TextLimits};
 
 use crate::babble::BabbleProfiles;
-use crate::pseudo;
+use crate::{WordTimes, pseudo};
 use lipz_bank::{Fps, Recording, VisemeType};
 use lipz_diagnostics::{Code, Levels, Report, escape};
 use lipz_file::locale::TextName;
@@ -69,6 +69,10 @@ pub struct Options {
     /// What the bank says about the recordings of clips, by key. Keys without a clip are ignored; without any entry
     /// the bank has no section about recordings.
     pub recordings: BTreeMap<String, Recording>,
+    /// When the words of clips are said, by key: where emotions change.
+    pub word_times: BTreeMap<String, WordTimes>,
+    /// Locale of the voice, whose text has the emotions that count; `None` for the default locale.
+    pub voice_locale: Option<String>,
 }
 
 impl Options {
@@ -101,6 +105,7 @@ impl Options {
         }
         Ok(Options {
             default_locale,
+            voice_locale: self.voice_locale.as_ref().map(canonical).transpose()?,
             locales,
             fallbacks: self.fallbacks.iter().map(chain).collect::<Result<_, Report>>()?,
             min_coverage: MinCoverage {

@@ -2,6 +2,7 @@
 
 use super::requirements::strings;
 use super::{Emotions, KnownNames, MinCoverage, Options, TextLimits};
+use crate::WordTimes;
 use crate::babble::BabbleProfiles;
 use lipz_bank::{Fps, Recording, VisemeType};
 use lipz_diagnostics::Levels;
@@ -121,5 +122,18 @@ impl Options {
     pub fn recordings<K: Into<String>>(self, recordings: impl IntoIterator<Item = (K, Recording)>) -> Options {
         let recordings = recordings.into_iter().map(|(key, recording)| (key.into(), recording)).collect();
         Options { recordings, ..self }
+    }
+
+    /// Sets when the words of clips are said, by key.
+    #[must_use]
+    pub fn word_times<K: Into<String>>(self, word_times: impl IntoIterator<Item = (K, WordTimes)>) -> Options {
+        let word_times = word_times.into_iter().map(|(key, times)| (key.into(), times)).collect();
+        Options { word_times, ..self }
+    }
+
+    /// Sets the locale of the voice.
+    #[must_use]
+    pub fn voice_locale(self, voice_locale: impl Into<String>) -> Options {
+        Options { voice_locale: Some(voice_locale.into()), ..self }
     }
 }

@@ -87,7 +87,7 @@ fn one(settings: &Settings, input: &Input, recordings: &Recordings, ear: &Ear, r
             diagnostics.extend(length::check(&clip, path, facts, settings.audio.tolerance_ms));
             if let Content::File(lipz_file) = &input.content {
                 let spoken = spoken_text(settings, recordings.locale(&input.key), &document);
-                diagnostics.extend(stale::check(&clip, spoken, facts.content_hash, path, record.made_for(lipz_file)));
+                diagnostics.extend(stale::check(&clip, spoken, facts.content_hash, path, record.lines_for(lipz_file)));
             }
             // Of a mouth of another length, every other place is wrong, too.
             if diagnostics.len() == before {

@@ -1,6 +1,6 @@
 //! Mouths that were made from another recording, or for another text.
 
-use crate::Made;
+use crate::Line;
 use crate::clip::Clip;
 use crate::recordings::shown;
 use crate::sync::one::text_hash;
@@ -13,13 +13,13 @@ pub(super) fn check(
     spoken: Option<&str>,
     sound: u64,
     path: &Path,
-    known: &[Made],
+    known: &[Line],
 ) -> Option<Diagnostic> {
     let (visemes, text) = (clip.visemes?, text_hash(spoken));
-    if known.is_empty() || known.iter().any(|made| made.sound == sound && made.text == text) {
+    if known.is_empty() || known.iter().any(|line| line.made.sound == sound && line.made.text == text) {
         return None;
     }
-    let is_same_sound = known.iter().any(|made| made.sound == sound);
+    let is_same_sound = known.iter().any(|line| line.made.sound == sound);
     let what = if is_same_sound { "for another text" } else { "from another recording" };
     Some(
         Diagnostic::at(Code::StaleMouth, visemes.span(), format!("the mouth was made {what}"))

@@ -13,7 +13,7 @@ pub use model_file::{model_at, write_model};
 pub use one::Kept;
 pub use options::SyncOptions;
 pub(crate) use options::spoken_text;
-pub use record::{Made, RECORD_NAME, SyncRecord, record_place};
+pub use record::{Line, Made, RECORD_NAME, SyncRecord, record_place};
 pub use train::{TRAINING_ROUNDS, Trained, train};
 
 use crate::threads;
@@ -111,7 +111,7 @@ pub fn sync(
             Step::Kept(kept) => synced.kept.push((job.key.clone(), kept)),
             Step::Refused => synced.refused += 1,
             Step::New(new) => {
-                record.set(&job.lipz_file, new.made);
+                record.set(&job.lipz_file, new.line);
                 synced.made.push(job.key.clone());
                 synced.doubtful.extend(new.heard.doubtful.iter().filter_map(|(number, start_us)| {
                     let word = new.script.words.get(*number)?.text.clone();
@@ -139,7 +139,7 @@ fn write(
 ) -> Result<(), Option<Report>> {
     let mut written = Ok(());
     whole(&mut || {
-        if let Err(report) = record.append(&job.lipz_file, new.made) {
+        if let Err(report) = record.append(&job.lipz_file, &new.line) {
             written = Err((!has_no_record.swap(true, Ordering::Relaxed)).then_some(report));
             return;
         }

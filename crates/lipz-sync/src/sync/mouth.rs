@@ -1,9 +1,10 @@
 //! From sound and script to frames, and where somebody should listen.
 
 use super::SyncOptions;
+use lipz_compiler::{WordTime, WordTimes};
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use lipz_file::JsonString;
-use lipz_speech::{Aligner, Alignment, Mismatch, MismatchKind, Model, Script, Sound, render, rms};
+use lipz_speech::{AlignedWord, Aligner, Alignment, Mismatch, MismatchKind, Model, Script, Sound, render, rms};
 use lipz_types::{Fps, VisemeType};
 
 /// Confidence below which a word is doubtful.
@@ -16,6 +17,8 @@ pub(super) struct Heard {
     pub(super) codes: String,
     /// The first frame of each segment.
     pub(super) segment_starts: Vec<usize>,
+    /// The words of the script, when they are said.
+    words: Vec<AlignedWord>,
     /// The words of the script of which nobody is sure: number and start in microseconds.
     pub(super) doubtful: Vec<(usize, u64)>,
     /// Where sound and script do not belong together.
@@ -25,6 +28,7 @@ pub(super) struct Heard {
 impl Heard {
     /// Forgets which words are doubtful.
     pub(super) fn forget_words(&mut self) {
+        self.words.clear();
         self.doubtful.clear();
         self.mismatches.clear();
     }
@@ -48,7 +52,31 @@ pub(super) fn make(
     let mouth = render(&alignment, viseme_type, fps, &options.rules);
     let doubtful = doubtful(&alignment, script);
     let mismatches = alignment.mismatches;
-    Heard { codes: mouth.frames, segment_starts: mouth.segment_starts, doubtful, mismatches }
+    Heard { codes: mouth.frames, segment_starts: mouth.segment_starts, words: alignment.words, doubtful, mismatches }
+}
+
+/// When the words of `text` are said, of which `script` was made.
+pub(super) fn word_times(heard: &Heard, script: &Script, text: &str) -> WordTimes {
+    let ms = |us: u64| u32::try_from(us / 1000).unwrap_or(u32::MAX);
+    let mut times: Vec<WordTime> = Vec::new();
+    for (aligned, word) in heard.words.iter().zip(&script.words).filter(|(aligned, _)| aligned.pronunciation.is_some())
+    {
+        let is_doubtful = aligned.confidence < DOUBTFUL;
+        match times.last_mut().filter(|last| last.range == word.range) {
+            // A number is several words.
+            Some(last) => {
+                last.end_ms = ms(aligned.end_us);
+                last.is_doubtful |= is_doubtful;
+            }
+            None => times.push(WordTime {
+                range: word.range.clone(),
+                start_ms: ms(aligned.start_us),
+                end_ms: ms(aligned.end_us),
+                is_doubtful,
+            }),
+        }
+    }
+    WordTimes::new(text, &times)
 }
 
 fn doubtful(alignment: &Alignment, script: &Script) -> Vec<(usize, u64)> {

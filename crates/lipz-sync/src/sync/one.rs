@@ -1,7 +1,7 @@
 //! One job: from a recording and what is said in it to a Lipz file with a mouth.
 
 use super::mouth::{self, Heard};
-use super::record::Made;
+use super::record::{Line, Made};
 use super::{Job, SyncOptions, SyncRecord};
 use crate::clip::{Clip, string};
 use crate::condition::Condition;
@@ -49,7 +49,7 @@ pub(super) struct New {
     /// What the file was; `None` if there is none.
     pub(super) before: Option<Vec<u8>>,
     pub(super) after: String,
-    pub(super) made: Made,
+    pub(super) line: Line,
     pub(super) heard: Heard,
     pub(super) script: Script,
 }
@@ -95,16 +95,18 @@ fn tried(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Ve
             own_type(&before).or(options.options.default_viseme_type),
         ),
     };
-    let known = record.made_for(&job.lipz_file);
+    let known = record.lines_for(&job.lipz_file);
     let has_mouth = clip.codes.iter().any(|code| *code != b'-');
-    if !is_new && known.contains(&made) {
+    // Older versions did not write down when words are said.
+    let is_whole = |line: &Line| line.words.is_some() || script.words.is_empty();
+    if !is_new && known.iter().any(|line| line.made == made && is_whole(line)) {
         push(reports, options, &name, &bytes, diagnostics);
         return Ok(Step::Unchanged);
     }
-    let is_by_sync = known.iter().any(|line| line.mouth == made.mouth);
+    let is_by_sync = known.iter().any(|line| line.made.mouth == made.mouth);
     if has_mouth && !is_by_sync && !options.force {
         let kept = if known.is_empty() { Kept::ByHand } else { Kept::Changed };
-        let is_current = known.iter().any(|line| (line.sound, line.text) == (made.sound, made.text));
+        let is_current = known.iter().any(|line| (line.made.sound, line.made.text) == (made.sound, made.text));
         diagnostics.extend(clip.visemes.filter(|_| !is_current).map(|visemes| kept_mouth(kept, visemes)));
         push(reports, options, &name, &bytes, diagnostics);
         return Ok(Step::Kept(kept));
@@ -121,7 +123,10 @@ fn tried(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Ve
     if push(reports, options, &name, &bytes, diagnostics) {
         return Ok(Step::Refused);
     }
-    Ok(Step::New(Box::new(New { before: (!is_new).then(|| bytes.clone()), after, made, heard, script })))
+    let words = spoken.as_ref().filter(|_| !script.words.is_empty());
+    let words = words.map(|(_, text)| mouth::word_times(&heard, &script, &text.text));
+    let line = Line { made, words };
+    Ok(Step::New(Box::new(New { before: (!is_new).then(|| bytes.clone()), after, line, heard, script })))
 }
 
 /// Whether the Lipz file of a job is not there yet, and its bytes; for a new one, what it will be without a mouth.

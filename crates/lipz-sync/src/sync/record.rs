@@ -2,8 +2,8 @@
 
 use crate::facts::unreadable;
 use crate::recordings::shown;
-use lipz_compiler::replace_file;
 use lipz_compiler::settings::Settings;
+use lipz_compiler::{WordTimes, replace_file};
 use lipz_diagnostics::{Code, Diagnostic, Report, Source, Span};
 use std::collections::BTreeMap;
 use std::fmt;
@@ -24,9 +24,21 @@ pub fn record_place(settings: &Settings) -> PathBuf {
 
 /// What the file begins with, for people.
 const HEAD: &str = "\
-# lipz sync: what each mouth was made from, as hashes of recording, text, settings and mouth shapes.
+# lipz sync: what each mouth was made from, as hashes of recording, text, settings and mouth shapes, and when its words are said.
 # Keep this file with the Lipz files. A mouth that is in no line counts as made by hand.
 ";
+
+/// What a line says before the times of words.
+const SAID: &str = "said:";
+
+/// A line of the record.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct Line {
+    /// What the mouth was made from.
+    pub made: Made,
+    /// When the words of its text are said; `None` if it has no words, or an older version made it.
+    pub words: Option<WordTimes>,
+}
 
 /// What a mouth was made from, and what it was: hashes.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -46,7 +58,7 @@ pub struct Made {
 pub struct SyncRecord {
     path: PathBuf,
     /// By the paths of Lipz files below the folder of the record.
-    made: BTreeMap<String, Vec<Made>>,
+    lines: BTreeMap<String, Vec<Line>>,
 }
 
 impl SyncRecord {
@@ -74,7 +86,7 @@ impl SyncRecord {
     /// # Errors
     /// If it is another file.
     pub fn parse(path: &Path, bytes: &[u8]) -> Result<(SyncRecord, Option<Report>), Report> {
-        let empty = SyncRecord { path: path.to_owned(), made: BTreeMap::new() };
+        let empty = SyncRecord { path: path.to_owned(), lines: BTreeMap::new() };
         let text = String::from_utf8_lossy(lipz_file::without_byte_order_mark(bytes));
         if !text.is_empty() && !text.starts_with("# lipz sync") && !text.starts_with("<<<<<<<") {
             let message =
@@ -86,8 +98,8 @@ impl SyncRecord {
         let mut start = 0;
         for line in text.split_inclusive('\n') {
             let content = line.trim_end_matches(['\n', '\r']);
-            match Made::parse(content) {
-                Some((made, file)) => record.made.entry(file.to_owned()).or_default().push(made),
+            match Line::parse(content) {
+                Some((line, file)) => record.lines.entry(file.to_owned()).or_default().push(line),
                 None if content.is_empty() || content.starts_with('#') => {}
                 None => {
                     let span = Span::new(start, start + content.len());
@@ -103,15 +115,15 @@ impl SyncRecord {
     }
 
     /// All that is known of how the mouth of a Lipz file was made.
-    pub fn made_for(&self, lipz_file: &Path) -> &[Made] {
-        self.made.get(&self.name(lipz_file)).map_or(&[], Vec::as_slice)
+    pub fn lines_for(&self, lipz_file: &Path) -> &[Line] {
+        self.lines.get(&self.name(lipz_file)).map_or(&[], Vec::as_slice)
     }
 
     /// Adds a line to the file at once, before the mouth is written: if the run ends in between, the old line is still there.
     ///
     /// # Errors
     /// If it cannot be written.
-    pub(crate) fn append(&self, lipz_file: &Path, made: Made) -> Result<(), Report> {
+    pub(crate) fn append(&self, lipz_file: &Path, line: &Line) -> Result<(), Report> {
         let write = || {
             if let Some(folder) = self.path.parent() {
                 fs::create_dir_all(folder)?;
@@ -119,7 +131,7 @@ impl SyncRecord {
             let mut file = OpenOptions::new().append(true).create(true).open(&self.path)?;
             let head = if file.metadata()?.len() == 0 { HEAD } else { "" };
             // One write: what is killed half-way leaves a line that says nothing.
-            file.write_all(format!("{head}{}\n", made.line(&self.name(lipz_file))).as_bytes())
+            file.write_all(format!("{head}{}\n", line.written(&self.name(lipz_file))).as_bytes())
         };
         write().map_err(|error: io::Error| {
             let message = format!("`{}` cannot be written: {error}", shown(&self.path));
@@ -128,9 +140,9 @@ impl SyncRecord {
         })
     }
 
-    /// Makes these the only lines about their files.
-    pub(crate) fn set(&mut self, lipz_file: &Path, made: Made) {
-        self.made.insert(self.name(lipz_file), vec![made]);
+    /// Makes this the only line about its file.
+    pub(crate) fn set(&mut self, lipz_file: &Path, line: Line) {
+        self.lines.insert(self.name(lipz_file), vec![line]);
     }
 
     /// Replaces the file: one line a mouth, in the order of their paths.
@@ -139,7 +151,7 @@ impl SyncRecord {
     /// If it cannot be written.
     pub fn write(&self) -> Result<(), Report> {
         let text = self.to_string();
-        if self.made.is_empty() || fs::read(&self.path).is_ok_and(|before| before == text.as_bytes()) {
+        if self.lines.is_empty() || fs::read(&self.path).is_ok_and(|before| before == text.as_bytes()) {
             return Ok(());
         }
         replace_file(&self.path, text.as_bytes())
@@ -156,30 +168,38 @@ impl SyncRecord {
 impl fmt::Display for SyncRecord {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(HEAD)?;
-        for (file, lines) in &self.made {
-            let mut lines = lines.clone();
+        for (file, lines) in &self.lines {
+            let mut lines: Vec<&Line> = lines.iter().collect();
             lines.sort_unstable();
             lines.dedup();
-            for made in lines {
-                writeln!(f, "{}", made.line(file))?;
+            for line in lines {
+                writeln!(f, "{}", line.written(file))?;
             }
         }
         Ok(())
     }
 }
 
-impl Made {
-    fn line(&self, file: &str) -> String {
-        let Made { sound, text, settings, mouth } = self;
-        format!("{sound:016x} {text:016x} {settings:016x} {mouth:016x} {file}")
+impl Line {
+    fn written(&self, file: &str) -> String {
+        let Made { sound, text, settings, mouth } = self.made;
+        let said = self.words.as_ref().map_or(String::new(), |words| format!("{SAID}{words} "));
+        format!("{sound:016x} {text:016x} {settings:016x} {mouth:016x} {said}{file}")
     }
 
-    fn parse(line: &str) -> Option<(Made, &str)> {
+    fn parse(line: &str) -> Option<(Line, &str)> {
         let mut parts = line.splitn(5, ' ');
         let mut hash =
             || parts.next().filter(|part| part.len() == 16).and_then(|part| u64::from_str_radix(part, 16).ok());
         let made = Made { sound: hash()?, text: hash()?, settings: hash()?, mouth: hash()? };
-        Some((made, parts.next().filter(|file| !file.is_empty())?))
+        let rest = parts.next()?;
+        // Older versions wrote no times.
+        let said = rest.strip_prefix(SAID).and_then(|said| said.split_once(' '));
+        let (words, file) = match said.and_then(|(words, file)| Some((words.parse().ok()?, file))) {
+            Some((words, file)) => (Some(words), file),
+            None => (None, rest),
+        };
+        (!file.is_empty()).then_some((Line { made, words }, file))
     }
 }
 
@@ -188,8 +208,12 @@ impl Made {
 mod tests {
     use super::*;
 
-    const A: Made = Made { sound: 1, text: 2, settings: 3, mouth: u64::MAX };
-    const B: Made = Made { mouth: 0, ..A };
+    const MADE: Made = Made { sound: 1, text: 2, settings: 3, mouth: u64::MAX };
+    const A: Line = Line { made: MADE, words: None };
+
+    fn b() -> Line {
+        Line { made: Made { mouth: 0, ..MADE }, words: Some("0badcafe:0-3@40-250,4-9@300-410?".parse().unwrap()) }
+    }
 
     #[test]
     fn a_record_is_written_sorted_and_read_back() {
@@ -200,18 +224,18 @@ mod tests {
         record.write().unwrap();
         assert!(!path.exists(), "nothing to say");
         let files = ["b c.lipz", "a/x.lipz"].map(|name| folder.path().join(name));
-        record.append(&files[0], A).unwrap();
-        record.append(&files[1], A).unwrap();
-        record.append(&files[1], B).unwrap();
+        record.append(&files[0], &A).unwrap();
+        record.append(&files[1], &A).unwrap();
+        record.append(&files[1], &b()).unwrap();
         let (again, report) = SyncRecord::read(&path).unwrap();
-        assert_eq!((report, again.made_for(&files[0]), again.made_for(&files[1])), (None, &[A][..], &[A, B][..]));
+        assert_eq!((report, again.lines_for(&files[0]), again.lines_for(&files[1])), (None, &[A][..], &[A, b()][..]));
         record.set(&files[0], A);
-        record.set(&files[1], B);
+        record.set(&files[1], b());
         record.write().unwrap();
         let text = fs::read_to_string(&path).unwrap();
         let zeros = "0".repeat(15);
         let expected = format!(
-            "{zeros}1 {zeros}2 {zeros}3 {zeros}0 a/x.lipz\n{zeros}1 {zeros}2 {zeros}3 ffffffffffffffff b c.lipz\n"
+            "{zeros}1 {zeros}2 {zeros}3 {zeros}0 said:0badcafe:0-3@40-250,4-9@300-410? a/x.lipz\n{zeros}1 {zeros}2 {zeros}3 ffffffffffffffff b c.lipz\n"
         );
         assert_eq!(text.strip_prefix(HEAD), Some(expected.as_str()));
     }
@@ -220,17 +244,20 @@ mod tests {
     fn merges_with_conflicts_are_read_and_other_files_left_alone() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join(RECORD_NAME);
-        let conflict =
-            format!("{HEAD}<<<<<<< ours\n{}\n=======\n{}\n>>>>>>> theirs\n", A.line("x.lipz"), B.line("x.lipz"));
+        let conflict = format!(
+            "{HEAD}<<<<<<< ours\n{}\n=======\n{}\n>>>>>>> theirs\n",
+            A.written("x.lipz"),
+            b().written("x.lipz")
+        );
         fs::write(&path, &conflict).unwrap();
         let (record, report) = SyncRecord::read(&path).unwrap();
-        assert_eq!(record.made_for(&folder.path().join("x.lipz")), [A, B]);
+        assert_eq!(record.lines_for(&folder.path().join("x.lipz")), [A, b()]);
         assert_eq!(report.unwrap().diagnostics.len(), 3);
         fs::write(&path, "my notes").unwrap();
         assert!(SyncRecord::read(&path).is_err());
-        let odd = [b"\xef\xbb\xbf# lipz sync\n\xff\xff nothing\n".as_slice(), A.line("x.lipz").as_bytes()].concat();
+        let odd = [b"\xef\xbb\xbf# lipz sync\n\xff\xff nothing\n".as_slice(), A.written("x.lipz").as_bytes()].concat();
         let (record, report) = SyncRecord::parse(&path, &odd).unwrap();
-        assert_eq!(record.made_for(&folder.path().join("x.lipz")), [A]);
+        assert_eq!(record.lines_for(&folder.path().join("x.lipz")), [A]);
         let report = report.unwrap();
         let span = report.diagnostics[0].primary.as_ref().unwrap().span;
         assert_eq!(&report.source.text[span.range()], "\u{fffd}\u{fffd} nothing", "the place in what is shown");

@@ -7,6 +7,7 @@ use lipz_compiler::{Compiled, Compiler, Input};
 use lipz_diagnostics::reports::count;
 use lipz_diagnostics::{Code, Report, Severity};
 use lipz_sync::KnownRecordings;
+use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
 /// Finds the inputs of a project and hands them to `work`, with a progress bar; if some cannot be found,
@@ -22,9 +23,15 @@ pub(crate) fn with_inputs(
     let (inputs, mut reports) = find(settings);
     let (recordings, unread) = known.unwrap_or(&mut KnownRecordings::default()).in_bank(settings, &inputs);
     reports.extend(unread);
+    let word_times = lipz_sync::word_times(settings, &inputs).unwrap_or_else(|report| {
+        reports.push(report);
+        BTreeMap::new()
+    });
+    let mut options = settings.options.clone().recordings(recordings).word_times(word_times);
+    options.voice_locale.clone_from(&settings.audio.locale);
     let discover = start.elapsed();
     let bar = console::progress_bar(inputs.len(), quiet);
-    let compiler = Compiler::new(settings.options.clone().recordings(recordings)).progress(|files| {
+    let compiler = Compiler::new(options).progress(|files| {
         bar.inc(files);
         interrupt::point();
     });

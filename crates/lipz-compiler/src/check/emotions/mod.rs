@@ -6,7 +6,7 @@ mod markup;
 use super::elements::Roles;
 use crate::clip::{ClipData, Locales};
 use crate::options::{EmotionCurves, Face};
-use crate::{KnownNames, Options};
+use crate::{KnownNames, Options, WordTime, WordTimes};
 use keys::Change;
 use lipz_bank::Emotion;
 use lipz_diagnostics::{Code, Diagnostic, Span, escape, suggest};
@@ -22,6 +22,7 @@ const MOST: i32 = 10_000;
 pub(super) fn curves(
     roles: &Roles<'_>,
     options: &Options,
+    times: Option<&WordTimes>,
     locales: &Locales,
     clip: &mut ClipData,
     diagnostics: &mut Vec<Diagnostic>,
@@ -46,7 +47,8 @@ pub(super) fn curves(
     let mut texts: Vec<_> = roles.texts.iter().filter(|_| !options.literal_braces && !clip.has_joined).collect();
     texts.sort_by_key(|text| {
         let tag = locales.tag(text.locale);
-        (Some(tag) != options.default_locale.as_deref(), tag)
+        let is_of_voice = options.voice_locale.as_deref() == Some(tag);
+        (!is_of_voice, Some(tag) != options.default_locale.as_deref(), tag)
     });
     // The first text is that of the voice, if it has emotions; else the first one that has.
     let mut voice: Option<(&JsonString<'_>, Vec<Markup<'_>>)> = None;
@@ -59,11 +61,12 @@ pub(super) fn curves(
         }
     }
     if let Some((string, markup)) = &voice {
+        let words = times.map(|times| times.of_text(&string.text)).unwrap_or_default();
         for mark in markup {
             let span = |term: &Term<'_>| span_of(string, mark.start, term);
             known.unknown_terms(&mark.blend, None, &span, &mut faces.found);
             let whole = string.span_of(mark.range.clone());
-            faces.change(None, faces.at(mark), &mark.blend, whole, &span);
+            faces.change(None, faces.at(mark, &words), &mark.blend, whole, &span);
         }
     }
     let Faces { changes, has_value, found, .. } = faces;
@@ -143,9 +146,16 @@ impl Faces<'_> {
         self.clip.starts.get(segment).copied().unwrap_or(end)
     }
 
-    /// The frame of a mark: its share of the segment, by the letters before it.
-    fn at(&self, mark: &Markup<'_>) -> u32 {
+    /// The frame of a mark: when the word behind it starts, if that is known; else its share of the segment, by the letters
+    /// before it. What stands before the first word holds from the start of the segment.
+    fn at(&self, mark: &Markup<'_>, words: &[WordTime]) -> u32 {
         let (start, end) = (self.start(mark.segment), self.start(mark.segment + 1));
+        let is_inside = 0 < mark.letters_before && mark.letters_before < mark.letters;
+        let next = words.get(words.partition_point(|word| word.range.start < mark.range.end)).filter(|_| is_inside);
+        if let Some((next, fps)) = next.zip(self.clip.fps) {
+            let frame = fps.frame_at(lipz_bank::Micros(i64::from(next.start_ms) * 1000)).unwrap_or(0);
+            return frame.clamp(start, end);
+        }
         let frames = u64::from(end.saturating_sub(start));
         let letters = (mark.letters_before as u64, mark.letters.max(1) as u64);
         start + ((2 * frames * letters.0 + letters.1) / (2 * letters.1)) as u32

@@ -73,6 +73,7 @@ impl Run for Check {
         let mut run = with_inputs(settings, None, quiet, |compiler, inputs| compiler.check(&fixing.instead_of(inputs)));
         run.reports.extend(with_recordings(settings, &fixing.instead_of(&run.inputs), quiet));
         lipz_diagnostics::reports::sort(&mut run.reports);
+        run.reports.dedup(); // both read the record of mouths
         let unwritten = !fixing.unwritten.is_empty();
         run.reports.extend(fixing.unwritten);
         let outcome = run.outcome();

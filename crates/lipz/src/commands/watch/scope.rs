@@ -87,12 +87,14 @@ impl Scope {
     }
 }
 
-/// Whether a path is that of a Lipz file, of a recording or of the settings file, judged by its name: watchers do not
+/// Whether a path is that of a Lipz file, of a recording, of the record of mouths or of the settings file, judged by its name: watchers do not
 /// call a file by the path by which the project calls it.
 pub(super) fn concerns(settings_name: Option<&OsStr>, path: &Path) -> bool {
     is_lipz(path)
         || lipz_sync::is_recording(path)
-        || path.file_name().is_some_and(|name| name == FILE_NAME || Some(name) == settings_name)
+        || path
+            .file_name()
+            .is_some_and(|name| name == FILE_NAME || name == lipz_sync::RECORD_NAME || Some(name) == settings_name)
 }
 
 fn stamp(path: &Path) -> Option<Stamp> {

@@ -1,0 +1,24 @@
+//! When the words of a project are said.
+
+use crate::{SyncRecord, record_place};
+use lipz_compiler::settings::Settings;
+use lipz_compiler::{Content, Input, WordTimes};
+use lipz_diagnostics::Report;
+use std::collections::BTreeMap;
+
+/// When the words of these clips are said, by key, as the record of the project tells: for
+/// [`Options::word_times`](lipz_compiler::Options::word_times). Clips that were not made of a recording have none, nor have
+/// those that were made before records had the times of words.
+///
+/// # Errors
+/// If the record cannot be read. What is odd about its lines is for [`check`](crate::check()).
+pub fn word_times(settings: &Settings, inputs: &[Input]) -> Result<BTreeMap<String, WordTimes>, Report> {
+    let (record, _) = SyncRecord::read(&record_place(settings))?;
+    let times = |input: &Input| {
+        let Content::File(lipz_file) = &input.content else { return None };
+        // After a merge there may be several: of other texts, they will say nothing.
+        let words = record.lines_for(lipz_file).iter().rev().find_map(|line| line.words.clone())?;
+        Some((input.key.clone(), words))
+    };
+    Ok(inputs.iter().filter_map(times).collect())
+}
