@@ -28,7 +28,7 @@
 //! # Features
 //!
 //! * `human` (on by default): [`render::human`] and [`render::Human`], text with the marked source.
-//! * `json`: [`render::json`] and [`render::sarif`], documents for programs.
+//! * `json`: [`render::json`], [`render::sarif`] and [`render::gitlab`], documents for programs.
 
 pub mod bound;
 mod code;

@@ -1,7 +1,7 @@
 //! Diagnostics grouped by the file that they are about.
 
 use crate::render::Places;
-use crate::{Code, Diagnostic, Severity, Source, escape};
+use crate::{Code, Diagnostic, Severity, Source};
 use std::fmt;
 
 /// U+FEFF in UTF-8.
@@ -76,14 +76,7 @@ impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let places = Places::new(self);
         for diagnostic in &self.diagnostics {
-            if !self.source.path.is_empty() {
-                write!(f, "{}:", escape::text(&self.source.path))?;
-                if let Some(label) = &diagnostic.primary {
-                    let [place, _] = places.ends(label.span);
-                    write!(f, "{}:{}:", place.line, place.column)?;
-                }
-                f.write_str(" ")?;
-            }
+            f.write_str(&places.prefix(&self.source.path, diagnostic))?;
             write!(f, "{diagnostic}")?;
         }
         Ok(())

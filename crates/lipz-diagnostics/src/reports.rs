@@ -10,7 +10,23 @@
 //! assert!(reports::have_errors(&all));
 //! ```
 
-use crate::{Diagnostic, Report, Severity};
+use crate::{Code, Diagnostic, Report, Severity};
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
+
+/// How often a rule has reported.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub struct Frequency {
+    /// The rule.
+    pub code: Code,
+    /// The highest severity with which it has reported.
+    pub severity: Severity,
+    /// Diagnostics, with those that are only counted.
+    pub count: usize,
+    /// Diagnostics with a certain fix.
+    pub fixable: usize,
+}
 
 /// The number of diagnostics with this severity.
 pub fn count(reports: &[Report], severity: Severity) -> usize {
@@ -20,6 +36,29 @@ pub fn count(reports: &[Report], severity: Severity) -> usize {
 /// Whether a diagnostic is an error, so that no bank is written.
 pub fn have_errors(reports: &[Report]) -> bool {
     reports.iter().any(Report::has_errors)
+}
+
+/// How often each rule has reported, the most frequent one first; rules that have not are left out.
+///
+/// ```
+/// use lipz_diagnostics::{Code, Diagnostic, Report, reports};
+/// let found = vec![Diagnostic::new(Code::EmptyDocument, ""), Diagnostic::new(Code::UnknownElement, "")];
+/// let all = [Report::all_about("a.lipz", found), Report::about("b.lipz", Diagnostic::new(Code::UnknownElement, ""))];
+/// let counts = reports::frequencies(&all);
+/// assert_eq!((counts[0].code, counts[0].count), (Code::UnknownElement, 2));
+/// ```
+pub fn frequencies(reports: &[Report]) -> Vec<Frequency> {
+    let mut by_code: BTreeMap<Code, Frequency> = BTreeMap::new();
+    for found in reports.iter().flat_map(|report| &report.diagnostics) {
+        let none = Frequency { code: found.code, severity: found.severity, count: 0, fixable: 0 };
+        let frequency = by_code.entry(found.code).or_insert(none);
+        frequency.severity = frequency.severity.max(found.severity);
+        frequency.count += found.count();
+        frequency.fixable += usize::from(found.fix.is_some());
+    }
+    let mut frequencies: Vec<Frequency> = by_code.into_values().collect();
+    frequencies.sort_by_key(|frequency| Reverse(frequency.count));
+    frequencies
 }
 
 /// Sorts reports by path and merges those about the same file. Reports without diagnostics are dropped.
@@ -42,7 +81,7 @@ pub fn sort(reports: &mut Vec<Report>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Code, Source, Span};
+    use crate::{Source, Span};
 
     #[test]
     fn reports_about_a_file_are_merged() {

@@ -6,6 +6,7 @@ use lipz_diagnostics::render::{self, Human, to_json};
 use lipz_diagnostics::{Code, Diagnostic, Report};
 use serde::Serialize;
 use std::io::{self, IsTerminal};
+use std::path::Path;
 
 /// How diagnostics are shown.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
@@ -18,6 +19,12 @@ pub(crate) enum Format {
     Sarif,
     /// Annotations of GitHub Actions, one a line
     Github,
+    /// One Code Quality report of GitLab
+    Gitlab,
+    /// One JUnit report: errors are failed tests
+    Junit,
+    /// One line per diagnostic, for editors and grep
+    Concise,
 }
 
 /// The end of a command that cannot go on. Only a [`Reporter`] makes one, from the diagnostics that say why.
@@ -51,12 +58,14 @@ pub(crate) struct Reporter {
     reports: Vec<Report>,
     /// The code of the first one that people saw.
     first: Option<Code>,
+    /// Whether `lipz check --fix` would fix some of those that they saw.
+    has_fixes: bool,
 }
 
 impl Reporter {
     /// `is_output_taken` if standard output is for something else.
     pub(crate) fn new(format: Format, is_output_taken: bool) -> Reporter {
-        Reporter { format, is_output_taken, reports: Vec::new(), first: None }
+        Reporter { format, is_output_taken, reports: Vec::new(), first: None, has_fixes: false }
     }
 
     /// Shows these diagnostics, or keeps them for the document.
@@ -68,6 +77,7 @@ impl Reporter {
         console::remark(&human(&reports));
         let mut codes = reports.iter().flat_map(|report| &report.diagnostics).map(|diagnostic| diagnostic.code);
         self.first = self.first.or_else(|| codes.next());
+        self.has_fixes |= reports.iter().any(has_fixes);
     }
 
     /// Reports why the tool could not run.
@@ -134,12 +144,18 @@ impl Reporter {
         let outcome = ended.unwrap_or_else(Abort::outcome);
         let document = match self.format {
             Format::Human => {
+                if self.has_fixes {
+                    console::remark("to fix them: lipz check --fix\n");
+                }
                 self.first.inspect(|code| hint(*code));
                 return outcome;
             }
             Format::Json => render::json(&self.reports),
             Format::Sarif => render::sarif(&self.reports, outcome != Outcome::Failed),
             Format::Github => render::github(&self.reports),
+            Format::Gitlab => render::gitlab(&self.reports),
+            Format::Junit => render::junit(&self.reports),
+            Format::Concise => render::concise(&self.reports),
         };
         if self.is_output_taken {
             console::remark(&document);
@@ -164,6 +180,12 @@ fn human(reports: &[Report]) -> String {
 /// Why standard output takes nothing.
 fn unprintable(error: &io::Error) -> Report {
     Report::about("", Diagnostic::new(Code::OutputFailed, format!("standard output cannot be written: {error}")))
+}
+
+/// Whether `lipz check --fix` would fix something: it does so in Lipz files that have names.
+fn has_fixes(report: &Report) -> bool {
+    let is_lipz = Path::new(&report.source.path).extension().is_some_and(|extension| extension == "lipz");
+    is_lipz && report.diagnostics.iter().any(|diagnostic| diagnostic.fix.is_some())
 }
 
 /// Tells people at a terminal where more about a code is. Logs of builds go without.

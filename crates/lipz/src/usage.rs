@@ -107,7 +107,7 @@ mod tests {
 
         let wrong = refused("lipz check --format xml");
         assert_eq!(wrong.message, "invalid value 'xml' for '--format <FORMAT>'");
-        assert_eq!(wrong.notes.first().unwrap(), "possible values: human, json, sarif, github");
+        assert_eq!(wrong.notes.first().unwrap(), "possible values: human, json, sarif, github, gitlab, junit, concise");
     }
 
     #[test]

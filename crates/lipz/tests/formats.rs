@@ -58,6 +58,43 @@ fn all_formats_have_all_diagnostics() {
     let (annotations, rest): (Vec<&str>, Vec<&str>) =
         github.lines().partition(|line| line.starts_with("::error file=") || line.starts_with("::warning file="));
     assert_eq!((annotations.len(), rest.len()), (diagnostics.len(), 0), "{rest:?}");
+
+    let gitlab: Value = serde_json::from_str(&bad_files("gitlab")).unwrap();
+    let violations = list(&gitlab, "");
+    assert_eq!(violations.len(), diagnostics.len());
+    let fingerprints: BTreeSet<&str> = violations.iter().map(|one| one["fingerprint"].as_str().unwrap()).collect();
+    assert_eq!(fingerprints.len(), violations.len(), "each has its own");
+
+    let concise = bad_files("concise");
+    assert_eq!(concise.lines().count(), diagnostics.len());
+    let fixable = diagnostics.iter().filter(|found| !found["fix"].is_null()).count();
+    assert_eq!(concise.lines().filter(|line| line.ends_with(" [fixable]")).count(), fixable);
+
+    let junit = bad_files("junit");
+    let report = roxmltree::Document::parse(&junit).unwrap();
+    let count = |name| report.descendants().filter(|node| node.has_tag_name(name)).count() as u64;
+    assert_eq!(
+        (Some(count("failure")), Some(count("system-out"))),
+        (json["errors"].as_u64(), json["warnings"].as_u64())
+    );
+    assert_eq!(count("testcase"), diagnostics.len() as u64);
+}
+
+#[test]
+fn rules_are_counted() {
+    let json: Value = serde_json::from_str(&bad_files("json")).unwrap();
+    let arguments = ["check", "fixtures/bad", "fixtures/spec/as-printed", "--statistics"];
+    let counted = lipz(&repository(), arguments.iter().chain(&["--json"]));
+    assert_eq!((counted.code, counted.stderr.as_str()), (1, ""));
+    let rows: Value = serde_json::from_str(&counted.stdout).unwrap();
+    let counts = list(&rows, "").iter().map(|row| row["count"].as_u64().unwrap());
+    assert!(counts.clone().is_sorted_by(|a, b| a >= b), "{rows}");
+    assert_eq!(Some(counts.sum()), json["errors"].as_u64().zip(json["warnings"].as_u64()).map(|(a, b)| a + b));
+    let table = lipz(&repository(), arguments);
+    assert_eq!(table.code, 1);
+    assert_eq!(table.stdout.lines().count(), list(&rows, "").len() + 1);
+    let clean = lipz(&repository(), ["check", "fixtures/drama/act1", "--statistics"]);
+    assert_eq!((clean.stdout.as_str(), clean.code), ("no diagnostics\n", 0));
 }
 
 #[test]

@@ -93,7 +93,7 @@ fn fmt_writes_and_check_does_not() {
     assert_eq!((check.code, check.stdout.as_str()), (1, "voices/a.lipz\n"));
     assert_eq!(check.stderr, "1 file would change, 1 unchanged\n");
     let diff = lipz(scene.path(), ["fmt", "--diff", "voices", "--quiet"]);
-    assert_eq!((diff.code, diff.stderr.as_str()), (0, ""));
+    assert_eq!((diff.code, diff.stderr.as_str()), (1, ""), "as with --check");
     assert!(diff.stdout.starts_with("--- voices/a.lipz\n+++ voices/a.lipz\n@@ "), "{}", diff.stdout);
     assert_eq!(read("voices/a.lipz"), ROUGH);
 
@@ -124,7 +124,8 @@ fn fixes_are_made_and_the_rest_is_reported() {
     scene.write("a.lipz", bad);
     let read = || fs::read_to_string(scene.path().join("a.lipz")).unwrap();
 
-    let diff = lipz(scene.path(), ["check", "--fix", "--diff", "a.lipz"]);
+    let diff = lipz(scene.path(), ["check", "--diff", "a.lipz"]);
+    assert_eq!(lipz(scene.path(), ["check", "--fix", "--diff", "a.lipz"]).stdout, diff.stdout);
     assert_eq!(read(), bad);
     assert!(diff.stdout.contains("\n-\t\"fps\": \"24\",\r\n+\t\"fps\": 24\r\n"), "{}", diff.stdout);
     assert_eq!(diff.code, 1);

@@ -40,6 +40,14 @@ byte order mark is not part of the text.
 
 `--format sarif` prints the same diagnostics under the property names of SARIF 2.1.0, with the sections below
 as the help of its rules. `--format github` prints workflow commands of GitHub Actions.
+
+`--format gitlab` prints GitLab's Code Quality report; an error is `major`, a warning `minor`. A job keeps it with
+`artifacts: reports: codequality: lipz.json`. `--format junit` prints a report with a test suite per file: errors are failed
+tests, warnings are tests that passed and have output. `--format concise` prints a line per diagnostic, with `[fixable]` behind those
+that `lipz check --fix` fixes; Vim reads them with `errorformat=%f:%l:%c:\ %m`.
+
+`lipz check --statistics` prints how often each rule has reported, with `--json` as a list of objects with `code`, `name`,
+`severity`, `count` and `fixable`.
 "#;
 
 /// The whole page: the codes by group, then what there is to know about each.

@@ -46,15 +46,7 @@ fn line(lines: &mut String, severity: Severity, message: &str) {
 
 /// `voices/mayor.lipz:3:16: what is wrong [LZ0401]; help: what to do`.
 fn message(path: &str, places: &Places, found: &Diagnostic) -> String {
-    let mut message = String::new();
-    if !path.is_empty() {
-        message.push_str(path);
-        if let Some(label) = &found.primary {
-            let [place, _] = places.ends(label.span);
-            let _ = write!(message, ":{}:{}", place.line, place.column);
-        }
-        message.push_str(": ");
-    }
+    let mut message = places.prefix(path, found);
     let _ = write!(message, "{} [{}]", found.message, found.code);
     // Notes that start with a blank are rows of a table, which makes no sense on one line.
     for note in found.notes.iter().filter(|note| !note.starts_with(' ')) {

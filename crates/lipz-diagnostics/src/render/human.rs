@@ -102,7 +102,7 @@ impl Human {
     }
 }
 
-/// How much was found, in how many files; nothing if nothing was.
+/// How much was found, in how many files, and how much of it has a certain fix; nothing if nothing was found.
 fn closing(reports: &[Report]) -> String {
     let (errors, warnings) = (count(reports, Severity::Error), count(reports, Severity::Warning));
     let parts: Vec<String> = [(errors, "error"), (warnings, "warning")]
@@ -114,10 +114,16 @@ fn closing(reports: &[Report]) -> String {
         return String::new();
     }
     let files: BTreeSet<&str> = reports.iter().map(|report| report.source.path.as_str()).collect();
-    match files.iter().filter(|path| !path.is_empty()).count() {
-        0 => format!("{}\n", parts.join(" and ")),
-        files => format!("{} in {}\n", parts.join(" and "), counted(files, "file")),
+    let mut text = parts.join(" and ");
+    let files = files.iter().filter(|path| !path.is_empty()).count();
+    if files > 0 {
+        let _ = write!(text, " in {}", counted(files, "file"));
     }
+    let fixable = reports.iter().flat_map(|report| &report.diagnostics).filter(|found| found.fix.is_some()).count();
+    if fixable > 0 {
+        let _ = write!(text, "; {} fixable", grouped(fixable));
+    }
+    text + "\n"
 }
 
 /// A number with commas: 1,234,567.
@@ -175,8 +181,11 @@ fn shown(renderer: &Renderer, source: &Source, places: &Places, diagnostic: &Dia
         Severity::Warning => Title::WARNING,
     };
     let path = escape::text(&source.path);
-    let mut group =
-        Group::with_title(title.primary_title(escape::text(&diagnostic.message)).id(diagnostic.code.number()));
+    let mut message = escape::text(&diagnostic.message);
+    if diagnostic.fix.is_some() {
+        message += " [fixable]";
+    }
+    let mut group = Group::with_title(title.primary_title(message).id(diagnostic.code.number()));
     let mut counted_wrongly = Vec::new();
     for excerpt in excerpts(&source.text, places, diagnostic) {
         let path = match excerpt.place {

@@ -4,13 +4,17 @@
 //! leaves its line, whatever is in keys, paths and texts.
 
 mod cargo;
+mod concise;
 #[cfg(feature = "human")]
 mod excerpt;
 mod github;
+#[cfg(feature = "json")]
+mod gitlab;
 #[cfg(feature = "human")]
 mod human;
 #[cfg(feature = "json")]
 mod json;
+mod junit;
 mod places;
 #[cfg(feature = "json")]
 mod sarif;
@@ -18,10 +22,14 @@ mod sarif;
 pub(crate) use places::Places;
 
 pub use cargo::cargo;
+pub use concise::concise;
 pub use github::github;
+#[cfg(feature = "json")]
+pub use gitlab::gitlab;
 #[cfg(feature = "human")]
 pub use human::{Human, human};
 #[cfg(feature = "json")]
 pub use json::{json, to_json};
+pub use junit::junit;
 #[cfg(feature = "json")]
 pub use sarif::sarif;

@@ -3,6 +3,7 @@
 
 use crate::Label;
 use crate::Report;
+use crate::escape;
 use crate::{Diagnostic, LineColumn, Span};
 use std::collections::HashMap;
 
@@ -37,6 +38,19 @@ impl Places {
     pub(crate) fn ends(&self, span: Span) -> [LineColumn; 2] {
         let unnamed = LineColumn { line: 1, column: 1 };
         [span.start, span.end].map(|offset| self.0.get(&offset).copied().unwrap_or(unnamed))
+    }
+
+    /// Where a diagnostic is, as far as that is known, in front of its message: `voices/mayor.lipz:3:16: `.
+    pub(crate) fn prefix(&self, path: &str, diagnostic: &Diagnostic) -> String {
+        let path = escape::text(path);
+        match &diagnostic.primary {
+            _ if path.is_empty() => String::new(),
+            None => format!("{path}: "),
+            Some(label) => {
+                let [place, _] = self.ends(label.span);
+                format!("{path}:{}:{}: ", place.line, place.column)
+            }
+        }
     }
 }
 

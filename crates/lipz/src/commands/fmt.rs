@@ -44,7 +44,7 @@ pub(crate) struct Fmt {
     #[arg(long)]
     check: bool,
 
-    /// Show what would change as a unified diff, and write nothing
+    /// Show what would change as a unified diff, and write nothing; exit code 1 if anything would
     #[arg(long)]
     diff: bool,
 
@@ -117,7 +117,8 @@ impl Run for Fmt {
         } else {
             reporter.summary(&shown)?;
         }
-        let checked = if self.check && changed > 0 { Outcome::Errors } else { Outcome::Clean };
+        let checked =
+            if self.rewriting() != Rewriting::InPlace && changed > 0 { Outcome::Errors } else { Outcome::Clean };
         Ok(outcome.max(checked))
     }
 }
@@ -143,7 +144,7 @@ fn standard_input(arguments: &Fmt, default_locale: Option<&str>, reporter: &mut 
                 Rewriting::Diff => reporter.print(&diff(stdio::INPUT_NAME, &before, &after))?,
                 Rewriting::Nothing => {}
             }
-            let differs = arguments.check && after.as_bytes() != before;
+            let differs = arguments.rewriting() != Rewriting::InPlace && after.as_bytes() != before;
             Ok(if differs { Outcome::Errors } else { Outcome::Clean })
         }
         Err(report) => {

@@ -1,6 +1,7 @@
 //! `lipz check`: the diagnostics of source files, and their certain fixes.
 
 mod fixing;
+mod statistics;
 
 use crate::Ended;
 use crate::Outcome;
@@ -33,7 +34,9 @@ use lipz_diagnostics::Report;
   lipz check voices/act1/mara-hello.lipz
   lipz check - < draft.lipz
   lipz check voices --audio recordings
-  lipz check --fix --diff voices")]
+  lipz check --diff voices
+  lipz check --statistics voices
+  lipz check --format junit voices > lipz.xml")]
 pub(crate) struct Check {
     #[command(flatten)]
     sources: Sources,
@@ -46,13 +49,21 @@ pub(crate) struct Check {
     fix: bool,
 
     /// Show the fixes as a unified diff, and write nothing
-    #[arg(long, visible_alias = "dry-run", requires = "fix")]
+    #[arg(long, visible_alias = "dry-run")]
     diff: bool,
+
+    /// Show how often each rule has reported, instead of the diagnostics
+    #[arg(long, conflicts_with = "diff")]
+    statistics: bool,
+
+    /// Print these counts as JSON
+    #[arg(long, requires = "statistics")]
+    json: bool,
 }
 
 impl Run for Check {
     fn prints_result(&self) -> bool {
-        self.diff
+        self.diff || self.statistics
     }
 
     fn run(&self, reporter: &mut Reporter) -> Ended {
@@ -61,14 +72,14 @@ impl Run for Check {
         // Only a bank has what is read of recordings for it.
         project.settings.audio.in_bank = false;
         let (settings, quiet) = (&project.settings, self.sources.is_quiet());
-        if self.fix && settings.sources.iter().any(|source| stdio::is_meant(source)) {
-            let tip = "save it in a file, or leave out `--fix`";
+        if (self.fix || self.diff) && settings.sources.iter().any(|source| stdio::is_meant(source)) {
+            let tip = "save it in a file, or leave out `--fix` and `--diff`";
             return Err(reporter.usage("standard input cannot be fixed in place", tip));
         }
         let fixing = match (self.fix, self.diff) {
-            (false, _) => Fixing::default(),
+            (_, true) => fix_all(settings, quiet, Rewriting::Diff),
             (true, false) => fix_all(settings, quiet, Rewriting::InPlace),
-            (true, true) => fix_all(settings, quiet, Rewriting::Diff),
+            (false, false) => Fixing::default(),
         };
         let mut run = with_inputs(settings, None, quiet, |compiler, inputs| compiler.check(&fixing.instead_of(inputs)));
         run.reports.extend(with_recordings(settings, &fixing.instead_of(&run.inputs), quiet));
@@ -77,13 +88,17 @@ impl Run for Check {
         let unwritten = !fixing.unwritten.is_empty();
         run.reports.extend(fixing.unwritten);
         let outcome = run.outcome();
-        reporter.add(run.reports);
+        if self.statistics {
+            statistics::print(&run.reports, self.json, reporter)?;
+        } else {
+            reporter.add(run.reports);
+        }
         if self.diff {
             reporter.print(&fixing.changes)?;
         } else {
             reporter.summary(&fixing.changes)?;
         }
-        if outcome == Outcome::Clean && !quiet && !self.diff {
+        if outcome == Outcome::Clean && !quiet && !self.prints_result() {
             reporter.summary(&format!("{} checked\n", files(run.inputs.len())))?;
         }
         Ok(if unwritten { Outcome::Failed } else { outcome })
