@@ -44,6 +44,9 @@ pub(crate) trait Rival: 'static {
 }
 
 /// What answers questions about the clips of a file.
+///
+/// Texts and events are `#[inline(always)]` where their code is short: it then stands in the loop that asks, as in a
+/// game, also where two rivals have one reader, so that the compiler would make a function of it.
 pub(crate) trait Reader: Sized {
     /// A clip, as a program holds it while it plays.
     type Clip<'r>: Copy

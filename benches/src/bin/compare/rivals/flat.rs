@@ -173,14 +173,14 @@ impl Reader for Bank<'static> {
         code().unwrap_or(b'-')
     }
 
-    #[inline]
+    #[inline(always)]
     fn text<T>(&self, clip: Clip<'static>, locale: usize, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
         let segment = segment(clip, time_us)?;
         let segments = clip.texts()?.get(locale).segments()?;
         Some(then(segments.get(segment)))
     }
 
-    #[inline]
+    #[inline(always)]
     fn event<T>(&self, clip: Clip<'static>, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
         let segment = segment(clip, time_us)?;
         let events = clip.events()?;

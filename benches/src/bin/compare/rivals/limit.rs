@@ -215,7 +215,7 @@ impl Reader for Arrays {
         self.frames.get(clip.frames_offset.get() as usize + frame).copied().unwrap_or(b'-')
     }
 
-    #[inline]
+    #[inline(always)]
     fn text<T>(&self, clip: &Record, locale: usize, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
         let at = locale + self.segment(clip, time_us)?;
         let end = self.text_ends.get(at)?.get() as usize;
@@ -224,7 +224,7 @@ impl Reader for Arrays {
         Some(then(unsafe { std::str::from_utf8_unchecked(self.texts.get(start..end)?) }))
     }
 
-    #[inline]
+    #[inline(always)]
     fn event<T>(&self, clip: &Record, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
         let number = usize::from(self.event_numbers.get(self.segment(clip, time_us)?)?.get());
         let end = self.event_ends.get(number)?.get() as usize;

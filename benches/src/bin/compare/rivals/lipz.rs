@@ -74,7 +74,7 @@ impl Reader for Bank<'static> {
         clip.viseme_at(Micros(time_us.into())).code()
     }
 
-    #[inline]
+    #[inline(always)]
     fn text<T>(
         &self,
         clip: Clip<'static, '_>,
@@ -85,7 +85,7 @@ impl Reader for Bank<'static> {
         Some(then(clip.segment_at(Micros(time_us.into()))?.text(locale)?.as_str()))
     }
 
-    #[inline]
+    #[inline(always)]
     fn event<T>(&self, clip: Clip<'static, '_>, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
         Some(then(clip.segment_at(Micros(time_us.into()))?.event().unwrap_or("")))
     }

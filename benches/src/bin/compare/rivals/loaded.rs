@@ -42,12 +42,12 @@ impl Reader for Loaded {
         clip.visemes.as_bytes().get(frame_at(clip.fps, time_us)).copied().unwrap_or(b'-')
     }
 
-    #[inline]
+    #[inline(always)]
     fn text<T>(&self, clip: &Clip, locale: usize, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
         Some(then(clip.texts.get(locale)?.get(segment(clip, time_us)?)?))
     }
 
-    #[inline]
+    #[inline(always)]
     fn event<T>(&self, clip: &Clip, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
         Some(then(clip.events.get(segment(clip, time_us)?).map_or("", String::as_str)))
     }

@@ -48,12 +48,12 @@ impl Reader for Nothing {
         (clip ^ time_us) as u8
     }
 
-    #[inline]
+    #[inline(always)]
     fn text<T>(&self, clip: u32, (): (), time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
         Some(then(if clip == time_us { "a" } else { "b" }))
     }
 
-    #[inline]
+    #[inline(always)]
     fn event<T>(&self, clip: u32, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
         Some(then(if clip == time_us { "a" } else { "" }))
     }

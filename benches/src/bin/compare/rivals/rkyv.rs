@@ -64,12 +64,12 @@ impl Reader for &'static ArchivedBank<'static> {
         clip.visemes.as_bytes().get(frame_at(clip.fps.to_native(), time_us)).copied().unwrap_or(b'-')
     }
 
-    #[inline]
+    #[inline(always)]
     fn text<T>(&self, clip: &ArchivedClip, locale: usize, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
         Some(then(clip.texts.get(locale)?.get(segment(clip, time_us)?)?))
     }
 
-    #[inline]
+    #[inline(always)]
     fn event<T>(&self, clip: &ArchivedClip, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
         Some(then(clip.events.get(segment(clip, time_us)?).map_or("", |event| event.as_str())))
     }

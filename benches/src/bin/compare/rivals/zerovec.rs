@@ -101,12 +101,12 @@ impl Reader for Vectors<'static> {
         clip.visemes.get(frame_at(clip.fps, time_us)).copied().unwrap_or(b'-')
     }
 
-    #[inline]
+    #[inline(always)]
     fn text<T>(&self, clip: Clip<'_>, locale: usize, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
         Some(then(self.texts.get(locale + self.segment(clip, time_us)?)?))
     }
 
-    #[inline]
+    #[inline(always)]
     fn event<T>(&self, clip: Clip<'_>, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
         Some(then(self.events.get(self.segment(clip, time_us)?)?))
     }
