@@ -24,6 +24,22 @@ impl Span {
         Span { start: clamp(start), end: clamp(end) }
     }
 
+    /// The character of `text` at `place`, or its end: the way back from
+    /// [`Source::line_column`], for parsers that tell no offsets.
+    ///
+    /// ```
+    /// use lipz_diagnostics::{LineColumn, Span};
+    /// assert_eq!(Span::of_character("a\n\u{fc}b", LineColumn { line: 2, column: 1 }), Span::new(2, 4));
+    /// ```
+    pub fn of_character(text: &str, place: LineColumn) -> Span {
+        let index = |number: u32| (number as usize).saturating_sub(1);
+        let line_start: usize = text.split_inclusive('\n').take(index(place.line)).map(str::len).sum();
+        let line = &text[line_start..];
+        let start = line_start + line.char_indices().nth(index(place.column)).map_or(line.len(), |(at, _)| at);
+        let length = text[start..].chars().next().map_or(0, char::len_utf8);
+        Span::new(start, start + length)
+    }
+
     /// The span as a range, for slicing.
     pub fn range(self) -> Range<usize> {
         self.start as usize..self.end as usize

@@ -118,6 +118,13 @@ impl Reporter {
         Ok(())
     }
 
+    /// Reports what was found, and prints for people what the command did all the same.
+    pub(crate) fn end(&mut self, reports: Vec<Report>, summary: Option<String>) -> Ended {
+        let outcome = Outcome::from_reports(&reports);
+        self.add(reports);
+        summary.map_or(Ok(()), |summary| self.summary(&summary)).map(|()| outcome)
+    }
+
     /// Prints a result on standard output, which is for that.
     pub(crate) fn print(&mut self, text: &str) -> Result<(), Abort> {
         console::print(text).map_err(|error| self.fail(unprintable(&error)))

@@ -149,6 +149,7 @@ fn what_does_not_fit() {
 #[test]
 fn slips_on_the_command_line() {
     let scene = project();
+    fs::create_dir(scene.path().join("empty")).unwrap();
     let told = |arguments: &[&str]| {
         let outcome = lipz(scene.path(), arguments);
         (outcome.code, outcome.stderr)
@@ -164,9 +165,16 @@ fn slips_on_the_command_line() {
         (&["texts", "import", "x.docx"], "names no format"),
         (&["texts", "import", "x.po"], "`x.po` does not exist"),
         (&["texts", "import", "x.po", "-o", "nowhere"], "`nowhere` does not exist"),
+        // What is wrong with the sources comes before a locale that is missing because of it.
+        (&["texts", "export", "po", "nowhere", "-o", "x.po"], "`nowhere` does not exist"),
+        (&["texts", "export", "po", "nowhere", "-o", "x.po", "--no-config"], "`nowhere` does not exist"),
+        (&["texts", "export", "po", "empty", "-o", "x.po", "--no-config"], "no Lipz files in `empty`"),
+        (&["texts", "import", "x.po", "-o", "nowhere", "--no-config"], "`nowhere` does not exist"),
+        (&["texts", "import", "x.po", "-o", "empty", "--no-config"], "no Lipz files in `empty`"),
     ] {
         let (code, error) = told(arguments);
         assert!(code == 2 && error.contains(expected), "{arguments:?}: {error}");
+        assert_eq!(error.matches("error[").count(), 1, "{arguments:?}: {error}");
     }
     scene.write("empty.csv", "");
     assert!(told(&["texts", "import", "empty.csv"]).1.contains("the file has no header"));

@@ -1,6 +1,6 @@
 //! Writing and reading characters of XML.
 
-use lipz_diagnostics::{Span, escape};
+use lipz_diagnostics::{LineColumn, Span, escape};
 use roxmltree::{Error, Node};
 
 /// Whether XML 1.0 can have the character at all (section 2.2, `Char`).
@@ -47,13 +47,9 @@ pub(super) fn whole(node: Node<'_, '_>) -> Span {
 /// What is wrong with a file that is no XML, and where.
 pub(super) fn mistake(text: &str, error: &Error) -> (String, Span) {
     let place = error.pos();
-    // Rows and columns count from 1, columns in characters.
-    let (row, column) = ((place.row as usize).saturating_sub(1), (place.col as usize).saturating_sub(1));
-    let before: usize = text.split_inclusive('\n').take(row).map(str::len).sum();
-    let line = text.get(before..).unwrap_or_default();
-    let at = before + line.char_indices().nth(column).map_or(line.len(), |(at, _)| at);
-    let length = text.get(at..).and_then(|rest| rest.chars().next()).map_or(0, char::len_utf8);
+    // The message ends with the place, which the caret shows.
     let message = error.to_string();
-    let what = message.split(" at ").next().unwrap_or(&message).to_owned();
-    (escape::text(&what).into_owned(), Span::new(at, at + length))
+    let what = message.split(" at ").next().unwrap_or(&message);
+    let span = Span::of_character(text, LineColumn { line: place.row, column: place.col });
+    (escape::text(what).into_owned(), span)
 }

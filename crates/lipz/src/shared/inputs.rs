@@ -1,10 +1,11 @@
 //! The Lipz files of a project, found and worked on.
 
+use crate::reporter::{Abort, Reporter};
 use crate::shared::stdio;
 use crate::{Outcome, console, interrupt};
 use lipz_compiler::settings::Settings;
-use lipz_compiler::{Compiled, Compiler, Input};
-use lipz_diagnostics::reports::count;
+use lipz_compiler::{Compiled, Compiler, Input, key};
+use lipz_diagnostics::reports::{count, have_errors};
 use lipz_diagnostics::{Code, Report, Severity};
 use lipz_sync::KnownRecordings;
 use std::collections::BTreeMap;
@@ -59,6 +60,18 @@ pub(crate) fn find(settings: &Settings) -> (Vec<Input>, Vec<Report>) {
         }
     }
     (inputs, reports)
+}
+
+/// The inputs of a project for a command that cannot do with some of them. Of what was found on the way, warnings are
+/// left.
+pub(crate) fn find_all(settings: &Settings, reporter: &mut Reporter) -> Result<(Vec<Input>, Vec<Report>), Abort> {
+    let (inputs, mut reports) = find(settings);
+    key::check(&inputs, &mut reports);
+    if have_errors(&reports) {
+        let outcome = Outcome::from_reports(&reports);
+        return Err(reporter.abort(reports, outcome));
+    }
+    Ok((inputs, reports))
 }
 
 /// The result of a run over source files.

@@ -2,13 +2,13 @@
 
 use super::Format;
 use crate::Ended;
+use crate::console;
 use crate::interrupt::Files;
 use crate::reporter::Reporter;
 use crate::shared::formats;
 use crate::shared::inputs::find;
 use crate::shared::project_flags::parse_locale;
 use crate::shared::sources::Sources;
-use crate::{Outcome, console};
 use clap::Args;
 use lipz_compiler::{Compiler, Input, Options, key};
 use lipz_diagnostics::{Report, Severity};
@@ -86,14 +86,8 @@ pub(super) fn run(arguments: &Export, reporter: &mut Reporter) -> Ended {
         written -= unwritten.len();
         reports.extend(unwritten);
     }
-    let outcome = Outcome::from_reports(&reports);
-    reporter.add(reports);
-    if arguments.sources.is_quiet() || written == 0 {
-        return Ok(outcome);
-    }
     let summary = format!("{} written into {}\n", console::counted(written, "file"), console::path(&arguments.output));
-    reporter.summary(&summary)?;
-    Ok(outcome)
+    reporter.end(reports, (!arguments.sources.is_quiet() && written > 0).then_some(summary))
 }
 
 impl Export {

@@ -2,6 +2,7 @@
 
 use super::found::{self, Found};
 use crate::Ended;
+use crate::console;
 use crate::interrupt::Files;
 use crate::reporter::Reporter;
 use crate::shared::existing::Existing;
@@ -10,7 +11,6 @@ use crate::shared::lint_flags::LintFlags;
 use crate::shared::patterns;
 use crate::shared::project_flags::{parse_fps, parse_locale};
 use crate::shared::settings_file::SettingsFile;
-use crate::{Outcome, console};
 use clap::Args;
 use lipz_bank::Fps;
 use lipz_compiler::{Content, Input, Options, key};
@@ -84,15 +84,9 @@ pub(super) fn run(arguments: &Import, reporter: &mut Reporter) -> Ended {
         written -= unwritten.len();
         reports.extend(unwritten);
     }
-    let outcome = Outcome::from_reports(&reports);
-    reporter.add(reports);
-    if arguments.quiet || written == 0 {
-        return Ok(outcome);
-    }
     let clips = console::counted(written, "clip");
     let summary = format!("texts of {clips} imported into {}\n", console::path(&arguments.output));
-    reporter.summary(&summary)?;
-    Ok(outcome)
+    reporter.end(reports, (!arguments.quiet && written > 0).then_some(summary))
 }
 
 /// Brings the subtitles of one clip into its Lipz file; false if there is nothing to be written.

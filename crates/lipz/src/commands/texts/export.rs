@@ -1,17 +1,17 @@
 //! `lipz texts export`: a file for translators.
 
 use super::{By, Columns, Format};
+use crate::console;
 use crate::interrupt::{Files, point};
 use crate::reporter::{Abort, Ended, Reporter};
-use crate::shared::inputs::find;
+use crate::shared::inputs::find_all;
 use crate::shared::output_file::refuse_source;
 use crate::shared::project_flags::{hide_of_banks, parse_locale};
 use crate::shared::sources::Sources;
 use crate::shared::{formats, stdio};
-use crate::{Outcome, console};
 use clap::Args;
 use lipz_compiler::settings::Settings;
-use lipz_compiler::{Compiler, Input, Options, key};
+use lipz_compiler::{Compiler, Input, Options};
 use lipz_diagnostics::{Report, Severity};
 use lipz_file::Document;
 use lipz_file::locale::{TextName, text_name};
@@ -83,9 +83,8 @@ pub(super) fn run(arguments: &Export, reporter: &mut Reporter) -> Ended {
     refuse_source(&arguments.output, reporter)?;
     let project = arguments.sources.project(reporter)?;
     let options = &project.settings.options;
+    let (inputs, mut reports) = find_all(&project.settings, reporter)?;
     let source_locale = source_locale(arguments.from.as_ref(), options, reporter)?;
-    let (inputs, mut reports) = find(&project.settings);
-    key::check(&inputs, &mut reports);
     let locales = match arguments.locale.is_empty() {
         true => locales_of(&inputs, options, &source_locale),
         false => unique(&arguments.locale, &source_locale),
@@ -108,11 +107,6 @@ pub(super) fn run(arguments: &Export, reporter: &mut Reporter) -> Ended {
     }
     let is_whole = !lipz_diagnostics::reports::have_errors(&reports);
     let count = if is_whole { deliver(arguments, &written, &mut reports, reporter)? } else { 0 };
-    let outcome = Outcome::from_reports(&reports);
-    reporter.add(reports);
-    if arguments.sources.is_quiet() || count == 0 {
-        return Ok(outcome);
-    }
     let clips = console::counted(exchange.units.len(), "clip");
     let locales = match exchange.locales.as_slice() {
         few if few.len() <= LOCALES_SHOWN => few.join(", "),
@@ -123,8 +117,8 @@ pub(super) fn run(arguments: &Export, reporter: &mut Reporter) -> Ended {
         some => format!("; {} without a text in {} left out", console::counted(some, "clip"), exchange.source_locale),
     };
     let into = if arguments.is_printed() { "standard output".to_owned() } else { name };
-    reporter.summary(&format!("texts of {clips} for {locales} written into {into}{without}\n"))?;
-    Ok(outcome)
+    let summary = format!("texts of {clips} for {locales} written into {into}{without}\n");
+    reporter.end(reports, (!arguments.sources.is_quiet() && count > 0).then_some(summary))
 }
 
 /// The locale that is translated.

@@ -1,17 +1,17 @@
 //! `lipz texts import`: translations into clips.
 
 use super::export::{locales_of, source_locale};
+use crate::console;
 use crate::interrupt::{Files, point};
 use crate::reporter::{Abort, Ended, Reporter};
-use crate::shared::inputs::find;
+use crate::shared::inputs::find_all;
 use crate::shared::lint_flags::LintFlags;
 use crate::shared::project_flags::parse_locale;
 use crate::shared::settings_file::SettingsFile;
 use crate::shared::{formats, patterns};
-use crate::{Outcome, console};
 use clap::{Args, ValueEnum};
 use lipz_compiler::settings::Settings;
-use lipz_compiler::{Compiler, Content, Input, key};
+use lipz_compiler::{Compiler, Content, Input};
 use lipz_diagnostics::{Code, Diagnostic, Report, Source, reports as all_reports};
 use lipz_texts::{Counts, Entry, Merge, Merged, ReadOptions, read, unknown_keys};
 use std::collections::{BTreeMap, BTreeSet};
@@ -106,13 +106,8 @@ pub(super) fn run(arguments: &Import, reporter: &mut Reporter) -> Ended {
     arguments.lints.apply(&mut settings.options.levels);
     settings.root = arguments.root.clone().or(settings.root);
     let options = &settings.options;
+    let (inputs, mut reports) = find_all(&settings, reporter)?;
     let source_locale = source_locale(arguments.from.as_ref(), options, reporter)?;
-    let (inputs, mut reports) = find(&settings);
-    key::check(&inputs, &mut reports);
-    if all_reports::have_errors(&reports) {
-        let outcome = Outcome::from_reports(&reports);
-        return Err(reporter.abort(reports, outcome));
-    }
     let known = locales_of(&inputs, options, &source_locale);
     let read_options = ReadOptions::new(source_locale.as_str()).wanted(arguments.locale.iter().cloned()).known(known);
     let mut incoming = arguments.read(&read_options, reporter, &mut reports)?;
@@ -126,12 +121,7 @@ pub(super) fn run(arguments: &Import, reporter: &mut Reporter) -> Ended {
     let counts = arguments.merge(&settings, &source_locale, &inputs, &mut incoming, &mut reports);
     reports.extend(incoming.reports());
     all_reports::sort(&mut reports);
-    let outcome = Outcome::from_reports(&reports);
-    reporter.add(reports);
-    if !arguments.quiet {
-        reporter.summary(&summary(counts, arguments.check))?;
-    }
-    Ok(outcome)
+    reporter.end(reports, (!arguments.quiet).then(|| summary(counts, arguments.check)))
 }
 
 impl Import {
