@@ -37,22 +37,27 @@ pub(crate) fn translate(displays: &mut Strings) {
     translated.iter().for_each(|text| displays.push(text));
 }
 
-/// The pseudo-translation of a display text: letters with accents, 40 % longer, in brackets. What stands
-/// in braces stays, so that placeholders work; an empty text stays empty.
+/// The pseudo-translation of a display text: letters with accents, 40 % longer, in brackets. What programs read
+/// stays: placeholders in braces, tags, addresses. An empty text stays empty.
 fn pseudo(text: &str) -> String {
     if text.is_empty() {
         return String::new();
     }
     let mut out = String::with_capacity(text.len() * 2);
     out.push('[');
-    let mut depth = 0_usize;
-    for character in text.chars() {
+    let (mut depth, mut kept_until, mut before) = (0_usize, 0, None);
+    for (place, character) in text.char_indices() {
         match character {
             '{' => depth += 1,
             '}' => depth = depth.saturating_sub(1),
+            '<' if place >= kept_until => kept_until = place + tag(&text[place..]),
+            _ if place >= kept_until && before.is_none_or(ends_word) => {
+                kept_until = place + address(&text[place..]);
+            }
             _ => {}
         }
-        out.push(if depth == 0 { accented(character) } else { character });
+        out.push(if depth == 0 && place >= kept_until { accented(character) } else { character });
+        before = Some(character);
     }
     let mut missing = (text.chars().count() * GROWTH_PERCENT).div_ceil(100);
     for word in PADDING.iter().cycle() {
@@ -65,6 +70,33 @@ fn pseudo(text: &str) -> String {
     }
     out.push(']');
     out
+}
+
+/// The length in bytes of the tag that the text starts with, such as `<b>`, `</color>` or `<sprite="x" name="y">`;
+/// 0 if it starts with none.
+fn tag(text: &str) -> usize {
+    let is_tag = text[1..].starts_with(|c: char| c.is_ascii_alphabetic() || c == '/');
+    let end = text[1..].find(['<', '>', '\n']).map(|end| end + 1);
+    end.filter(|end| is_tag && text[*end..].starts_with('>')).map_or(0, |end| end + 1)
+}
+
+/// The length in bytes of the address that the text starts with: of the web, `https://…` or `www.…`, or of mail; 0 if
+/// it starts with none.
+fn address(text: &str) -> usize {
+    let word = text.find(ends_word).map_or(text, |end| &text[..end]);
+    let is_scheme = |scheme: &str| !scheme.is_empty() && scheme.chars().all(|c| c.is_ascii_alphanumeric());
+    let is_mail = |(name, host): (&str, &str)| {
+        host.contains('.') && name.ends_with(char::is_alphanumeric) && host.starts_with(char::is_alphanumeric)
+    };
+    let is_address = word.split_once("://").is_some_and(|(scheme, _)| is_scheme(scheme))
+        || word.starts_with("www.")
+        || word.split_once('@').is_some_and(is_mail);
+    if is_address { word.len() } else { 0 }
+}
+
+/// Whether an address can neither have this character nor stand behind it without a blank.
+fn ends_word(character: char) -> bool {
+    character.is_whitespace() || "<>\"{}()".contains(character)
 }
 
 fn accented(character: char) -> char {
@@ -96,6 +128,16 @@ mod tests {
     fn placeholders_stay() {
         assert_eq!(pseudo("Take {count} of {max}"), "[Ţåķé {count} öƒ {max} one two three]");
         assert_eq!(pseudo("a } b"), "[å } ƀ one]");
+    }
+
+    #[test]
+    fn tags_and_addresses_stay() {
+        let pseudo = |text: &str| pseudo(text).split(" one").next().unwrap_or_default().to_owned();
+        assert_eq!(pseudo("<b>Go</b> <color=#ff0>on</color>!"), "[<b>Ĝö</b> <color=#ff0>öñ</color>!");
+        assert_eq!(pseudo("a < b, c > d"), "[å < ƀ, ç > ð");
+        assert_eq!(pseudo("<b <i>x"), "[<ƀ <i>ẋ");
+        assert_eq!(pseudo("See https://a.b/c?d=e (www.a.b)."), "[Šéé https://a.b/c?d=e (www.a.b).");
+        assert_eq!(pseudo("Write to me@a-b.org, not to me @ home."), "[Ŵŕîţé ţö me@a-b.org, ñöţ ţö ɱé @ ĥöɱé.");
     }
 
     #[test]

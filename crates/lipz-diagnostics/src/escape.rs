@@ -81,7 +81,7 @@ pub fn code_point(c: char) -> String {
 }
 
 /// Whether a terminal acts on the character instead of showing it.
-fn steers(c: char) -> bool {
+pub(crate) fn steers(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{61C}' | '\u{200E}' | '\u{200F}' | '\u{2028}'..='\u{202E}' | '\u{2066}'..='\u{2069}')
 }

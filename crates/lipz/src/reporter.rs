@@ -135,6 +135,11 @@ impl Reporter {
         console::print_bytes(bytes).map_err(|error| self.fail(unprintable(&error)))
     }
 
+    /// Whether results are printed as JSON: with `--json`, and where diagnostics are JSON, too.
+    pub(crate) fn wants_json(&self, flag: bool) -> bool {
+        flag || self.format == Format::Json
+    }
+
     /// Prints a result as JSON.
     pub(crate) fn print_json<T: Serialize>(&mut self, value: &T) -> Result<(), Abort> {
         self.print(&to_json(value))

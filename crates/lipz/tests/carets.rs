@@ -15,8 +15,7 @@ fn shown(source: &str) -> String {
     for character in source.chars() {
         match character {
             '\t' => shown.push_str("    "),
-            '\u{200D}' => {} // zero width joiner
-            '\u{80}'..='\u{9F}' => shown.push('·'),
+            '\u{80}'..='\u{9F}' => shown.push_str(&format!("\\u{:04X}", u32::from(character))),
             '\0'..='\u{1F}' => shown.extend(char::from_u32(0x2400 + u32::from(character))),
             _ => shown.push(character),
         }

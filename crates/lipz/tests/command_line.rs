@@ -179,3 +179,11 @@ fn a_misspelt_key_gets_the_one_that_was_meant() {
         assert!(run.stderr.contains(help), "{key}: {}", run.stderr);
     }
 }
+
+#[test]
+fn rules_are_found_by_their_numbers() {
+    let page = lipz(&repository(), ["explain", "LZ0401"]);
+    for text in ["401", "0401", "lz401", "error[LZ0401]:", "foreign-code"] {
+        assert_eq!(lipz(&repository(), ["explain", text]).stdout, page.stdout, "{text}");
+    }
+}

@@ -32,6 +32,12 @@ fn a_file_is_replaced_and_a_prefix_used() {
     let outcome = lipz(scene.path(), arguments);
     assert_eq!((outcome.code, outcome.stdout.as_str()), (0, "1 id written to include/ids.h\n"), "{}", outcome.stderr);
     assert!(fs::read_to_string(scene.path().join("include/ids.h")).unwrap().contains("#define GAME_AYE UINT64_C("));
+
+    let stamp = || fs::metadata(scene.path().join("include/ids.h")).unwrap().modified().unwrap();
+    let written = stamp();
+    scene.write("voices/aye.lipz", r#"{ "text_en-us": "Aye.", "text_de-de": "Ja." }"#);
+    assert_eq!(lipz(scene.path(), arguments).stdout, "1 id unchanged in include/ids.h\n");
+    assert_eq!(stamp(), written, "what includes it is not compiled again");
 }
 
 #[test]

@@ -61,6 +61,8 @@ fn results_are_the_same_to_the_byte() {
         let outcome = lipz(scene.path(), [arguments, &["--json"]].concat());
         assert!(outcome.stderr.is_empty(), "{name}: {}", outcome.stderr);
         comparison.compare(&format!("fixtures/json/{name}.json"), &outcome.stdout);
+        let of_format = lipz(scene.path(), [arguments, &["--format", "json"]].concat());
+        assert_eq!(of_format.stdout, outcome.stdout, "{name}: results have the format of the diagnostics");
     }
     comparison.finish(commands.len());
 }

@@ -157,7 +157,7 @@ fn faces_change_at_the_words_of_the_record() {
     let curves = || {
         let run = lipz(scene.path(), ["pack", "-o", "a.lipzbank"]);
         assert_eq!(run.code, 0, "{}", run.stderr);
-        lipz(scene.path(), ["inspect", "a.lipzbank", "a", "--format", "json"]).stdout
+        lipz(scene.path(), ["inspect", "a.lipzbank", "a"]).stdout
     };
     // Before the lead of the mouth: the word is heard at this frame.
     let at = start_ms / 10;

@@ -11,6 +11,7 @@ mod join;
 pub(crate) mod locales;
 mod names;
 mod readability;
+mod segment_table;
 mod segments;
 mod texts;
 mod types;

@@ -1,20 +1,13 @@
 //! Segment counts: every element has as many segments as `visemes`.
 
 use super::elements::Roles;
+use super::segment_table::side_by_side;
 use super::visemes::DELIMITER_LOOKALIKES;
 use crate::Options;
 use crate::clip::Locales;
-use lipz_diagnostics::{Code, Diagnostic, bound, escape};
+use lipz_diagnostics::{Code, Diagnostic, bound};
 use lipz_file::JsonString;
 use lipz_file::text;
-use unicode_width::UnicodeWidthStr;
-
-/// Segments shown side by side; the rest is counted.
-const SHOWN: usize = 12;
-/// Rows that are shown after one of the elements has ended.
-const SHOWN_ALONE: usize = 2;
-/// Columns of a segment that are shown.
-const WIDTH: usize = 36;
 
 /// An element with its number of segments.
 #[derive(Clone, Copy)]
@@ -106,47 +99,17 @@ fn report(
 
 /// Two elements that differ, with their segments side by side.
 fn mismatch(message: String, blamed: Segmented<'_>, reference: Segmented<'_>) -> Diagnostic {
-    let mut diagnostic = Diagnostic::at(Code::SegmentCount, blamed.string.span(), message)
+    let diagnostic = Diagnostic::at(Code::SegmentCount, blamed.string.span(), message)
         .label(plural(blamed.count))
         .also(reference.string.span(), plural(reference.count))
         .help("put a `|` into each element where the segments meet");
-    let (longest, shortest) = (blamed.count.max(reference.count), blamed.count.min(reference.count));
-    let rows = longest.min(shortest + SHOWN_ALONE).min(SHOWN);
-    let left = std::iter::once(reference.name.to_owned()).chain(cells(reference)).collect::<Vec<_>>();
-    let right = std::iter::once(blamed.name.to_owned()).chain(cells(blamed)).collect::<Vec<_>>();
-    let width = left.iter().map(|cell| cell.width()).max().unwrap_or(0);
-    for row in 0..=rows {
-        let number = if row == 0 { String::new() } else { row.to_string() };
-        let missing = "(none)".to_owned();
-        let (a, b) = (left.get(row).unwrap_or(&missing), right.get(row).unwrap_or(&missing));
-        let blanks = " ".repeat(width.saturating_sub(a.width()));
-        diagnostic = diagnostic.note(format!("{number:>2}  {a}{blanks}  {b}"));
-    }
-    match longest - rows {
-        0 => diagnostic,
-        1 => diagnostic.note("1 more segment is not shown"),
-        hidden => diagnostic.note(format!("{hidden} more segments are not shown")),
-    }
+    side_by_side((reference.name, reference.string), (blamed.name, blamed.string))
+        .into_iter()
+        .fold(diagnostic, Diagnostic::note)
 }
 
 fn plural(count: usize) -> String {
     if count == 1 { "1 segment".to_owned() } else { format!("{count} segments") }
-}
-
-/// The segments of an element as a column of cells.
-fn cells(element: Segmented<'_>) -> impl Iterator<Item = String> {
-    let text = &element.string.text;
-    text::segments(text).take(SHOWN).map(|range| {
-        let mut cell = String::new();
-        for character in text::trim(&text[range]).chars() {
-            if cell.width() >= WIDTH {
-                cell.push('…');
-                break;
-            }
-            cell.push_str(&escape::text(character.encode_utf8(&mut [0; 4])));
-        }
-        format!("`{cell}`")
-    })
 }
 
 /// What an element with too few segments probably has for `|`.

@@ -1,17 +1,17 @@
 //! Diagnostics as text for people: message, place, caret, notes, help.
 //!
 //! Keys, paths and texts come from anybody: nothing in them reaches the terminal as a control
-//! character.
+//! character (`visible.rs` sees to that in excerpts).
 
 use super::excerpt::{Excerpt, Mark, excerpts};
 use super::places::Places;
+use super::visible::Visible;
 use crate::Report;
 use crate::escape;
 use crate::reports::count;
 use crate::{Code, Diagnostic, Severity, Source};
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Group, Level as Title, Origin, Renderer, Snippet};
-use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
@@ -85,11 +85,10 @@ impl Human {
         let mut tallies: BTreeMap<Code, Tally<'_>> = BTreeMap::new();
         let mut text = String::new();
         for report in reports {
-            let source = &printable(&report.source);
             let places = Places::new(report);
             for diagnostic in &report.diagnostics {
                 if tallies.entry(diagnostic.code).or_default().is_shown(report, diagnostic.rest) {
-                    text.push_str(&shown(&renderer, source, &places, diagnostic));
+                    text.push_str(&shown(&renderer, &report.source, &places, diagnostic));
                     text.push_str("\n\n");
                 }
             }
@@ -163,17 +162,6 @@ impl<'r> Tally<'r> {
     }
 }
 
-/// The file without the control characters U+0080 to U+009F, which the renderer does not replace as it
-/// does the others; a terminal may take U+009B for the start of a command. Their stand-in has as many
-/// bytes, so that every place stays where it is.
-fn printable(source: &Source) -> Cow<'_, Source> {
-    let steers = |c: char| matches!(c, '\u{80}'..='\u{9F}');
-    if !source.text.contains(steers) {
-        return Cow::Borrowed(source);
-    }
-    Cow::Owned(Source::new(source.path.as_str(), source.text.replace(steers, "·")))
-}
-
 /// The diagnostic in full.
 fn shown(renderer: &Renderer, source: &Source, places: &Places, diagnostic: &Diagnostic) -> String {
     let title = match diagnostic.severity {
@@ -187,13 +175,16 @@ fn shown(renderer: &Renderer, source: &Source, places: &Places, diagnostic: &Dia
     }
     let mut group = Group::with_title(title.primary_title(message).id(diagnostic.code.number()));
     let mut counted_wrongly = Vec::new();
+    let visible = Visible::new(&source.text, diagnostic);
     for excerpt in excerpts(&source.text, places, diagnostic) {
-        let path = match excerpt.place {
+        let mark = excerpt.marks.first().filter(|_| visible.replaces(excerpt.text));
+        let place = excerpt.place.or_else(|| mark.map(|(_, label, _)| places.ends(label.span)[0]));
+        let path = match place {
             None => path.clone().into_owned(),
             Some(place) => format!("{path}:{}:{}", place.line, place.column),
         };
-        counted_wrongly.extend(excerpt.place.map(|_| path.clone()));
-        group = group.element(snippet(path, excerpt));
+        counted_wrongly.extend(place.map(|_| path.clone()));
+        group = group.element(snippet(path, excerpt, &visible));
     }
     if diagnostic.primary.is_none() && !path.is_empty() {
         group = group.element(Origin::path(path.as_ref()));
@@ -204,13 +195,19 @@ fn shown(renderer: &Renderer, source: &Source, places: &Places, diagnostic: &Dia
     if let Some(help) = &diagnostic.help {
         group = group.element(Title::HELP.message(escape::text(help)));
     }
-    let text = renderer.render(&[group]);
+    let text = visible.restored(renderer.render(&[group]));
     counted_wrongly.iter().fold(text, |text, place| without_count(&text, place))
 }
 
-fn snippet(path: String, excerpt: Excerpt<'_>) -> Snippet<'_, annotate_snippets::Annotation<'_>> {
-    let mut snippet = Snippet::source(excerpt.text).line_start(excerpt.first_line).path(path);
+fn snippet<'r>(
+    path: String,
+    excerpt: Excerpt<'r>,
+    visible: &Visible,
+) -> Snippet<'r, annotate_snippets::Annotation<'r>> {
+    let text = visible.text(excerpt.text);
+    let mut snippet = Snippet::source(text).line_start(excerpt.first_line).path(path);
     for (kind, label, place) in excerpt.marks {
+        let place = visible.place(excerpt.text, place);
         let annotation = if kind == Mark::Primary { AnnotationKind::Primary } else { AnnotationKind::Context };
         let annotation = annotation.span(place);
         snippet = snippet.annotation(if label.text.is_empty() {

@@ -18,6 +18,8 @@ mod junit;
 mod places;
 #[cfg(feature = "json")]
 mod sarif;
+#[cfg(feature = "human")]
+mod visible;
 
 pub(crate) use places::Places;
 

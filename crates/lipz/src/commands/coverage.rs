@@ -58,7 +58,7 @@ impl Run for CoverageArguments {
                 let keys = missing(&found, tag, &file.name).map_err(|report| reporter.fail(report))?;
                 reporter.print(&keys)?;
             }
-            None if self.json => reporter.print_json(&found)?,
+            None if reporter.wants_json(self.json) => reporter.print_json(&found)?,
             None => reporter.print(&table(&file.name, &found))?,
         };
         let shortfalls = shortfalls(&found, &wanted);

@@ -13,13 +13,14 @@ use lipz_bank::Bank;
 use lipz_compiler::ids::{Language, generate};
 use lipz_diagnostics::Report;
 use lipz_layout::MAGIC;
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
 /// Write the ids of clips as constants, so that a misspelt key does not compile.
 ///
-/// SOURCES are Lipz files, which are checked and packed in memory, or one bank (.lipzbank).
+/// SOURCES are Lipz files, which are checked and packed in memory, or one bank (.lipzbank). A file that has
+/// these ids already is left alone, so that nothing is compiled again for it.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz ids dialogue.lipzbank --lang c -o dialogue_ids.h
@@ -122,11 +123,16 @@ fn write(source: &str, bank: &Bank<'_>, arguments: &Ids, reporter: &mut Reporter
         reporter.print(&text)?;
         return Ok(Outcome::Clean);
     };
-    output_file::write(output, text.as_bytes(), reporter)?;
+    // Build systems go by the time of the file: whatever includes it is compiled again only if ids have changed.
+    let is_there = fs::read(output).is_ok_and(|bytes| bytes == text.as_bytes());
+    if !is_there {
+        output_file::write(output, text.as_bytes(), reporter)?;
+    }
     if arguments.sources.is_quiet() {
         return Ok(Outcome::Clean);
     }
     let ids = console::counted(bank.clip_count(), "id");
-    reporter.summary(&format!("{ids} written to {}\n", console::path(output)))?;
+    let done = if is_there { "unchanged in" } else { "written to" };
+    reporter.summary(&format!("{ids} {done} {}\n", console::path(output)))?;
     Ok(Outcome::Clean)
 }

@@ -62,10 +62,11 @@ impl Run for Inspect {
         let text_files = TextFiles::open(&self.texts.texts, reporter)?;
         let texts = text_files.verified(&bank, reporter)?;
         let whole = BankWithTexts::new(&bank, &texts);
+        let json = reporter.wants_json(self.json);
         match (&self.key, &self.list) {
             (Some(key), _) => clip(&bank, key, &whole.locales(), &file.name, self, reporter)?,
-            (None, Some(prefix)) => list(&bank, prefix, self.json, reporter)?,
-            (None, None) => summary(&BankSummary::from_bank(whole), &file.name, self.json, reporter)?,
+            (None, Some(prefix)) => list(&bank, prefix, json, reporter)?,
+            (None, None) => summary(&BankSummary::from_bank(whole), &file.name, json, reporter)?,
         }
         Ok(Outcome::Clean)
     }
@@ -98,7 +99,7 @@ fn clip(
         let help = "this bank was not made by lipz: pack it again from its sources";
         return Err(reporter.fail(Report::failure(path, Code::BankDamaged, message, help)));
     }
-    if arguments.json {
+    if reporter.wants_json(arguments.json) {
         return reporter.print_json(&ClipDetails::new(&clip, &locales));
     }
     reporter.print(&timeline(&clip, &locales, console::width()))

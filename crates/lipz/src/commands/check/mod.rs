@@ -89,7 +89,7 @@ impl Run for Check {
         run.reports.extend(fixing.unwritten);
         let outcome = run.outcome();
         if self.statistics {
-            statistics::print(&run.reports, self.json, reporter)?;
+            statistics::print(&run.reports, reporter.wants_json(self.json), reporter)?;
         } else {
             reporter.add(run.reports);
         }

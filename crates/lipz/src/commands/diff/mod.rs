@@ -77,7 +77,7 @@ fn compare(arguments: &Diff, reporter: &mut Reporter) -> Ended {
     let new_files = TextFiles::open(&arguments.new_texts, reporter)?;
     let (old_texts, new_texts) = (old_files.verified(&old_bank, reporter)?, new_files.verified(&new_bank, reporter)?);
     let difference = diff::diff(BankWithTexts::new(&old_bank, &old_texts), BankWithTexts::new(&new_bank, &new_texts));
-    if arguments.json {
+    if reporter.wants_json(arguments.json) {
         reporter.print_json(&difference)?;
     } else if !(arguments.project.quiet && difference.is_empty()) {
         reporter.print(&text::text(&difference, (&old.name, &new.name), arguments.all))?;

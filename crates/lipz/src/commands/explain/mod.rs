@@ -14,6 +14,7 @@ use std::fmt::Write;
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz explain LZ0401
+  lipz explain 401
   lipz explain foreign-code
   lipz explain --list")]
 pub(crate) struct Explain {
@@ -38,7 +39,7 @@ impl Run for Explain {
         };
         // As diagnostics show it, `error[LZ0401]:`, it can be copied here.
         let copied = text.rsplit('[').next().unwrap_or(text).trim_end_matches([':', ']']);
-        match copied.parse() {
+        match numbered(copied).as_deref().unwrap_or(copied).parse() {
             Ok(code) => reporter.print(&markdown::terminal(code, console::width())).map(|()| Outcome::Clean),
             Err(_) => {
                 let message = format!("no rule is called {}", escape::quoted(text));
@@ -61,6 +62,14 @@ fn list() -> String {
         }
     }
     text
+}
+
+/// The code that has only its number, or this without zeros, for a name: `401`, `LZ401`.
+fn numbered(text: &str) -> Option<String> {
+    let number =
+        text.get(..2).filter(|start| start.eq_ignore_ascii_case("lz")).map_or(text, |start| &text[start.len()..]);
+    let number: u16 = number.parse().ok()?;
+    Some(format!("LZ{number:04}"))
 }
 
 /// What to do about a code that does not exist. Numbers are all alike: only names have a nearest one.

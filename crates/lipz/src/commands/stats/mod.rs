@@ -40,7 +40,7 @@ impl Run for Stats {
         let text_files = self.dialogue.text_files(reporter)?;
         let texts = text_files.verified(&bank, reporter)?;
         let stats = lipz_compiler::stats::Stats::from_bank(BankWithTexts::new(&bank, &texts));
-        if self.json {
+        if reporter.wants_json(self.json) {
             reporter.print_json(&stats)?;
         } else {
             reporter.print(&text::text(&file.name, &stats))?;
