@@ -35,7 +35,7 @@ fn a_file_is_replaced_and_a_prefix_used() {
 
     let stamp = || fs::metadata(scene.path().join("include/ids.h")).unwrap().modified().unwrap();
     let written = stamp();
-    scene.write("voices/aye.lipz", r#"{ "text_en-us": "Aye.", "text_de-de": "Ja." }"#);
+    scene.write("voices/aye.lipz", r#"{ "text_en-us": "Aye.", "events": "ring" }"#);
     assert_eq!(lipz(scene.path(), arguments).stdout, "1 id unchanged in include/ids.h\n");
     assert_eq!(stamp(), written, "what includes it is not compiled again");
 }
