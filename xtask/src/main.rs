@@ -45,6 +45,8 @@ enum Task {
     Capi,
     /// Build the npm package for browsers and node in target/web, and test it in both
     Web,
+    /// Draw the pictures in docs/pictures with the face of the npm package
+    Pictures,
     /// Check which crates depend on which
     Edges,
     /// Check the licences and sources of all dependencies
@@ -91,6 +93,7 @@ fn main() -> ExitCode {
         Task::Ci(settings) => ci::run(&settings),
         Task::Capi => capi::run(),
         Task::Web => web::run(),
+        Task::Pictures => web::pictures(),
         Task::Edges => edges::run(),
         Task::Deny => deny::run(),
         Task::Features => features::run(),

@@ -1,4 +1,5 @@
-//! `cargo xtask web`: builds the npm package in `target/web`, and tests it in node and in Chromium.
+//! `cargo xtask web`: builds the npm package in `target/web`, and tests it in node and in Chromium. `cargo xtask pictures`
+//! draws the pictures of the documentation with it.
 //!
 //! Its wasm module is lipz-capi, without a line of its own: what JavaScript needs is the ABI of C.
 
@@ -6,24 +7,52 @@ use crate::toolchain::{Library, NEEDS, Toolchain, rust_lld, variable};
 use crate::tools::{has_program, skip, succeed};
 use crate::{Failure, paths};
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
-/// The bank that the demo and the tests play, and where they look for it.
-const BANK: &str = "fixtures/banks/v1/drama.lipzbank";
+/// The banks that the demo and the tests play, and their names there.
+const DEMO_BANKS: [(&str, &str); 2] = [("drama", "dialogue"), ("faces", "faces")];
 
 /// The cases of playback, and the banks that they play.
 const CASES: &str = "fixtures/playback/cases.txt";
 const BANKS: &str = "fixtures/banks/v1";
 
 /// The folders of the package, the first of which is the package itself.
-const FOLDERS: [&str; 3] = ["", "demo", "test"];
+const FOLDERS: [&str; 4] = ["", "demo", "face", "test"];
+
+/// What is tested in node, in this order.
+const TESTS: [&str; 6] =
+    ["node.test.js", "cases.test.js", "curve.test.js", "serve.test.js", "face.test.js", "pictures.test.js"];
+
+/// The pictures that the package draws, in the repository.
+const PICTURES: &str = "docs/pictures";
 
 pub(crate) fn run() -> Result<(), Failure> {
+    let Some(package) = package()? else { return Ok(()) };
+    for file in TESTS {
+        test(&package, file)?;
+    }
+    if !has_program("chromium") {
+        return skip("chromium");
+    }
+    test(&package, "browser.test.js")
+}
+
+/// Draws the pictures of the documentation.
+pub(crate) fn pictures() -> Result<(), Failure> {
+    let Some(package) = package()? else { return Ok(()) };
+    let folder = paths::workspace_root().join(PICTURES);
+    succeed(Command::new("node").arg(package.join("test/pictures.js")).arg(&folder), "drawing")?;
+    println!("pictures: {}", folder.display());
+    Ok(())
+}
+
+/// Builds the package and gives its folder; none if this machine lacks what builds or runs it.
+fn package() -> Result<Option<PathBuf>, Failure> {
     let Some(toolchain) = Toolchain::find(TARGET, Library::Core) else {
-        return skip(NEEDS);
+        return skip(NEEDS).map(|()| None);
     };
     build(&toolchain)?;
     let package = paths::target_folder().join("web");
@@ -31,16 +60,9 @@ pub(crate) fn run() -> Result<(), Failure> {
         .map_err(|error| format!("`{}` cannot be written: {error}", package.display()))?;
     println!("npm package: {}", package.display());
     if !has_program("node") {
-        return skip("node");
+        return skip("node").map(|()| None);
     }
-    test(&package, "node.test.js")?;
-    test(&package, "cases.test.js")?;
-    test(&package, "curve.test.js")?;
-    test(&package, "serve.test.js")?;
-    if !has_program("chromium") {
-        return skip("chromium");
-    }
-    test(&package, "browser.test.js")
+    Ok(Some(package))
 }
 
 fn build(toolchain: &Toolchain) -> Result<(), Failure> {
@@ -71,10 +93,14 @@ fn assemble(package: &Path, built: &Path) -> std::io::Result<()> {
     for licence in ["LICENSE-MIT", "LICENSE-APACHE"] {
         fs::copy(root.join(licence), package.join(licence))?;
     }
-    fs::copy(root.join(BANK), package.join("demo/dialogue.lipzbank"))?;
+    for (bank, name) in DEMO_BANKS {
+        let from = root.join(BANKS).join(bank).with_extension("lipzbank");
+        fs::copy(from, package.join("demo").join(name).with_extension("lipzbank"))?;
+    }
     fs::copy(root.join("crates/lipz-capi/include/lipz.h"), package.join("test/lipz.h"))?;
     fs::copy(root.join(CASES), package.join("test/cases.txt"))?;
     copy_files(&root.join(BANKS), &package.join("test/banks"))?;
+    copy_files(&root.join(PICTURES), &package.join("test/pictures"))?;
     Ok(())
 }
 

@@ -1,16 +1,20 @@
 // Plays the clips of a bank: index.html?clip=act1/mara-good-evening&locale=de-de&at=1.5
 
+import { FaceDrawing } from "../face.js";
 import { open } from "../lipz.js";
 import { asked, follow, forget } from "./address.js";
 import { Clips } from "./clips.js";
 import { Clock } from "./clock.js";
 import { onFiles, opened } from "./files.js";
 import { onKeys } from "./keys.js";
-import { face, openness } from "./mouth.js";
+import { Curves } from "./curves.js";
+import { levelsOf } from "./levels.js";
+import { posesOf, withType } from "./pose.js";
 import { Timeline } from "./timeline.js";
 
-const BANK = new URL("dialogue.lipzbank", import.meta.url);
-const FIRST_CLIP = "act1/mara-good-evening";
+/** The banks beside the page, the first of which it shows if the address names none, and a clip of each to begin with. */
+const BANKS = { dialogue: "act1/mara-good-evening", faces: "leave" };
+const [FIRST_BANK] = Object.keys(BANKS);
 /** For clips whose file does not say how many frames a second has. */
 const FRAMES_PER_SECOND = 24;
 /** Events that stay on the page. */
@@ -18,13 +22,16 @@ const MOST_DUE = 4;
 
 const $ = (id) => document.getElementById(id);
 const clock = new Clock();
-const move = face($("face"));
-const timeline = new Timeline($("timeline"), scrub);
+const face = new FaceDrawing($("face"));
+const curves = new Curves($("curves"), scrub);
+const timeline = new Timeline($("timeline"), scrub, (view) => curves.look(view));
 const clips = new Clips($("clip"), $("clips"), (key) => choose(key));
 
 let bank;
 let clip;
 let cursor;
+/** The face at a time. */
+let poseAt;
 /** Whether the address leads to this bank: not to one that was dropped. */
 let isAddressed = true;
 /** Done when the files that were dropped last are open. */
@@ -35,12 +42,15 @@ let wasPlaying;
 /** Shows a clip from its start, or at a time. */
 function choose(key, time = 0) {
   clock.pause(0);
-  clip = bank.clip(key).orFps(FRAMES_PER_SECOND);
+  clip = withType(bank.clip(key).orFps(FRAMES_PER_SECOND));
   clips.chosen = key;
   cursor = clip.cursor();
   settle();
-  clock.load(clip.duration, loudness());
-  timeline.show(clip, $("locale").value);
+  poseAt = posesOf(clip);
+  const levels = levelsOf(clip);
+  clock.load(clip.duration, levels);
+  timeline.show(clip, levels, $("locale").value);
+  curves.show(clip);
   seek(time);
 }
 
@@ -48,10 +58,6 @@ function choose(key, time = 0) {
 function settle() {
   cursor.lead = $("lead").checked ? { frames: 1 } : 0;
   cursor.hold = $("hold").checked ? "readable" : 0;
-}
-
-function loudness() {
-  return Array.from(clip.frames, (viseme) => (viseme === "-" ? 0 : openness(viseme, clip.visemeType)));
 }
 
 /** Jumps, and plays on if it is playing. */
@@ -102,8 +108,12 @@ function show() {
   happen(cursor.advanceTo(time).events);
   const { viseme, segment } = cursor;
   const text = segment?.text($("locale").value);
-  move(viseme, clip.visemeType);
-  timeline.mark(time, segment, text?.text);
+  const emotions = clip.emotionsAt(time);
+  const feeling = felt(emotions);
+  face.show(poseAt(viseme, emotions, time));
+  timeline.mark(time, segment, text?.text, feeling);
+  curves.mark(time);
+  $("feeling").textContent = feeling;
   $("viseme").textContent = viseme;
   $("time").textContent = `${time.toFixed(2)} / ${clip.duration.toFixed(2)} s`;
   $("event").textContent = segment?.event ?? "";
@@ -114,6 +124,12 @@ function show() {
   $("subtitle").classList.toggle("fallback", text?.isFallback ?? false);
   $("play").classList.toggle("playing", clock.playing);
   $("play").ariaLabel = clock.playing ? "Pause" : "Play";
+}
+
+/** What the speaker feels, the strongest first: `anger 2.2, joy 1`. */
+function felt({ values }) {
+  const strongest = Object.entries(values).filter(([, value]) => value > 0).sort(([, a], [, b]) => b - a);
+  return strongest.map(([emotion, value]) => `${emotion} ${Number(value.toFixed(1))}`).join(", ");
 }
 
 /** Shows events as they happen, and what they leave behind. */
@@ -133,17 +149,19 @@ function happen(events) {
 }
 
 function address() {
-  if (isAddressed) follow(clip.key, $("locale").value, clock.playing ? 0 : clock.time);
+  const bank = $("bank").value === FIRST_BANK ? undefined : $("bank").value;
+  if (isAddressed) follow(bank, clip.key, $("locale").value, clock.playing ? 0 : clock.time);
 }
 
 /** Plays the clips of a bank; what was asked for and is not there, the page says. */
-function use(found, { clip: key, locale, at } = {}) {
+function use(found, { clip: key, locale, at } = {}, missing = []) {
   bank = found;
   const keys = bank.clips().filter((clip) => clip.frameCount > 0).map((clip) => clip.key);
   if (keys.length === 0) throw new Error("No clip of this bank has mouth shapes");
-  const first = keys.includes(FIRST_CLIP) ? FIRST_CLIP : keys[0];
+  const usual = BANKS[$("bank").value];
+  const first = keys.includes(usual) ? usual : keys[0];
   const isClip = key === undefined || keys.includes(key);
-  const missing = isClip ? [] : [`There is no clip “${key}” with mouth shapes in this bank: this is ${first}.`];
+  if (!isClip) missing.push(`There is no clip “${key}” with mouth shapes in this bank: this is ${first}.`);
   missing.push(...languages(locale));
   clips.keys = keys;
   notice(missing);
@@ -180,11 +198,32 @@ async function drop(files) {
       return show();
     }
     isAddressed = false;
+    $("bank").value = "";
     forget();
     use(found);
   } catch (error) {
     fail(error);
   }
+}
+
+/** Shows a bank that is beside the page. */
+async function load(name, wanted, missing) {
+  const url = new URL(`${name}.lipzbank`, import.meta.url);
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`${url} cannot be loaded (HTTP ${response.status})`);
+  const found = (await open(await response.arrayBuffer())).verify();
+  isAddressed = true;
+  $("bank").value = name;
+  $("failure").hidden = true;
+  use(found, wanted, missing);
+}
+
+/** Shows what the address asks for. */
+function loadAsked() {
+  const wanted = asked();
+  const isBank = wanted.bank === undefined || Object.hasOwn(BANKS, wanted.bank);
+  const missing = isBank ? [] : [`There is no bank “${wanted.bank}” beside this page: this is ${FIRST_BANK}.`];
+  return load(isBank ? (wanted.bank ?? FIRST_BANK) : FIRST_BANK, wanted, missing);
 }
 
 async function start() {
@@ -200,9 +239,8 @@ async function start() {
   $("in").onclick = () => timeline.zoom(true);
   $("out").onclick = () => timeline.zoom(false);
   $("fit").onclick = () => timeline.fit();
-  const response = await fetch(BANK);
-  if (!response.ok) throw new Error(`${BANK} cannot be loaded (HTTP ${response.status})`);
-  use((await open(await response.arrayBuffer())).verify(), asked());
+  $("bank").onchange = () => (opening = load($("bank").value).catch(fail));
+  await loadAsked();
   onKeys({
     toggle,
     frames: (count) => seek(clip.startOfFrame(Math.max(0, (clip.frameAt(clock.time) ?? clip.frameCount) + count)) ?? 0),

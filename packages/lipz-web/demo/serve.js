@@ -8,10 +8,11 @@ import { fileURLToPath } from "node:url";
 const ROOT = fileURLToPath(new URL("..", import.meta.url));
 const PORT = 8080;
 const TYPES = { ".html": "text/html", ".css": "text/css", ".js": "text/javascript", ".wasm": "application/wasm" };
-/** What the repository has elsewhere than the package: the module is built, the bank is one of the fixtures. */
+/** What the repository has elsewhere than the package: the module is built, the banks are fixtures. */
 const ELSEWHERE = {
   "lipz.wasm": "../../target/web/lipz.wasm",
   "demo/dialogue.lipzbank": "../../fixtures/banks/v1/drama.lipzbank",
+  "demo/faces.lipzbank": "../../fixtures/banks/v1/faces.lipzbank",
 };
 
 /** Where a file of the package is; undefined if it is missing. */

@@ -1,7 +1,7 @@
 // The timeline of a clip: its segments, how far the mouth is open in each frame, and the playhead. It zooms and scrolls, so
 // that a frame can be seen in clips of any length.
 
-import { openness } from "./mouth.js";
+import { onDrag } from "./drag.js";
 
 /** Pixels that a frame has at least when a clip is shown, and at most. */
 const READABLE_PX = 4;
@@ -28,9 +28,15 @@ export class Timeline {
   #isWhole = false;
   #time = 0;
 
-  /** `scrub` gets the time under the pointer, and whether the pointer is still down. */
-  constructor(element, scrub) {
+  #look;
+
+  /**
+   * `scrub` gets the time under the pointer, and whether the pointer is still down; `look` what is in view: the first frame,
+   * how many, and on how many pixels.
+   */
+  constructor(element, scrub, look) {
     this.#element = element;
+    this.#look = look;
     this.#canvas.className = "frames";
     this.#track.append(this.#segments, this.#canvas, this.#playhead);
     this.#scroll.append(this.#track);
@@ -41,10 +47,10 @@ export class Timeline {
     this.#listen(scrub);
   }
 
-  /** Shows a clip with the texts of a locale, each frame wide enough to be seen. */
-  show(clip, locale) {
+  /** Shows a clip with the texts of a locale, each frame wide enough to be seen; `levels` say how far it opens the mouth. */
+  show(clip, levels, locale) {
     this.#clip = clip;
-    this.#levels = Array.from(clip.frames, (viseme) => openness(viseme, clip.visemeType));
+    this.#levels = levels;
     this.#framePx = Math.max(READABLE_PX, this.#fitPx);
     this.#isWhole = this.#framePx === this.#fitPx;
     this.#element.setAttribute("aria-valuemax", clip.duration.toFixed(3));
@@ -60,8 +66,17 @@ export class Timeline {
   }
 
   /** Moves the playhead, keeps it in view, and marks a segment. */
-  mark(time, segment, spoken) {
+  mark(time, segment, spoken, feeling) {
     this.#time = time;
+    this.#follow();
+    Array.from(this.#segments.children).forEach((part, index) => part.classList.toggle("now", index === segment?.index));
+    this.#element.setAttribute("aria-valuenow", time.toFixed(3));
+    const words = [`${time.toFixed(2)} seconds`, spoken && `: ${spoken}`, feeling && ` (${feeling})`];
+    this.#element.setAttribute("aria-valuetext", words.filter(Boolean).join(""));
+  }
+
+  /** Puts the playhead where it belongs, and keeps it in view. */
+  #follow() {
     const x = this.#x;
     const { scrollLeft, clientWidth } = this.#scroll;
     const margin = clientWidth * MARGIN;
@@ -69,9 +84,6 @@ export class Timeline {
       this.#scroll.scrollLeft = x < scrollLeft + margin ? x - clientWidth + 2 * margin : x - 2 * margin;
     }
     this.#playhead.style.transform = `translateX(${x}px)`;
-    Array.from(this.#segments.children).forEach((part, index) => part.classList.toggle("now", index === segment?.index));
-    this.#element.setAttribute("aria-valuenow", time.toFixed(3));
-    this.#element.setAttribute("aria-valuetext", `${time.toFixed(2)} seconds${spoken ? `: ${spoken}` : ""}`);
   }
 
   /** Makes frames wider, or narrower, around the playhead. */
@@ -108,8 +120,8 @@ export class Timeline {
     if (this.#clip === undefined || this.#scroll.clientWidth === 0) return;
     this.#framePx = this.#isWhole ? this.#fitPx : Math.max(this.#fitPx, this.#framePx);
     this.#track.style.width = `${this.#framePx * this.#clip.frameCount}px`;
-    this.#playhead.style.transform = `translateX(${this.#x}px)`;
     this.#place();
+    this.#follow();
     this.#draw();
   }
 
@@ -146,6 +158,7 @@ export class Timeline {
     const { clientWidth: width, scrollLeft } = this.#scroll;
     const height = this.#canvas.clientHeight;
     if (this.#clip === undefined || width === 0) return;
+    this.#look({ first: scrollLeft / this.#framePx, count: width / this.#framePx, width });
     const dense = devicePixelRatio;
     Object.assign(this.#canvas, { width: Math.round(width * dense), height: Math.round(height * dense) });
     this.#canvas.style.width = `${width}px`;
@@ -154,7 +167,7 @@ export class Timeline {
     const colour = (name) => getComputedStyle(this.#element).getPropertyValue(name);
     context.fillStyle = colour("--bar");
     const bars = height - 14;
-    const bar = (x, px, level) => context.fillRect(x, bars * (0.92 - 0.88 * level), px, bars * (0.08 + 0.88 * level));
+    const bar = (x, px, level) => context.fillRect(x, bars * (0.95 - 0.9 * level), px, bars * (0.05 + 0.9 * level));
     const step = Math.max(1, Math.floor(1 / this.#framePx));
     const first = Math.floor(scrollLeft / this.#framePx / step) * step;
     const last = Math.min(this.#levels.length, Math.ceil((scrollLeft + width) / this.#framePx));
@@ -175,29 +188,13 @@ export class Timeline {
   }
 
   #listen(scrub) {
-    const timeAt = ({ clientX }) => {
+    const timeAt = (clientX) => {
       const x = clientX - this.#scroll.getBoundingClientRect().left + this.#scroll.scrollLeft;
       return (x / (this.#framePx * this.#clip.frameCount)) * this.#clip.duration;
     };
-    let held;
-    this.#element.addEventListener("pointerdown", (event) => {
-      const { bottom } = this.#scroll.getBoundingClientRect();
-      const isScrollbar = event.clientY > bottom - (this.#scroll.offsetHeight - this.#scroll.clientHeight);
-      if (event.button !== 0 || isScrollbar) return;
-      held = event.pointerId;
-      this.#element.setPointerCapture(held);
-      scrub(timeAt(event), true);
-    });
-    this.#element.addEventListener("pointermove", (event) => {
-      if (event.pointerId === held) scrub(timeAt(event), true);
-    });
-    for (const end of ["pointerup", "pointercancel"]) {
-      this.#element.addEventListener(end, (event) => {
-        if (event.pointerId !== held) return;
-        held = undefined;
-        scrub(timeAt(event), false);
-      });
-    }
+    const isScrollbar = ({ clientY }) =>
+      clientY > this.#scroll.getBoundingClientRect().bottom - (this.#scroll.offsetHeight - this.#scroll.clientHeight);
+    onDrag(this.#element, timeAt, scrub, isScrollbar);
     this.#element.addEventListener(
       "wheel",
       (event) => {

@@ -1,6 +1,7 @@
 // Looks at the demo as a player does: at several times, in several locales, while it plays, and with its controls.
 
 import * as controls from "./controls.js";
+import * as faces from "./faces.js";
 
 const FRAMES = "SOOOOSEEEFEESAASS---OOOSSSOO-------SOOUUUASSEELAAAS---AASSSSSSSEEFFOSSASEEASLLS-------------";
 const TEXTS = {
@@ -66,7 +67,7 @@ async function still() {
 /** Plays by the clock of the audio: mouths open and close, and the playhead moves on. */
 async function playing() {
   const { page, player } = await demo({ locale: "de-de" });
-  const opened = () => page.querySelector(".inside").getAttribute("d");
+  const opened = () => page.querySelector("#face [data-part=inside]").getAttribute("d");
   const visemes = new Set();
   const mouths = new Set();
   page.getElementById("play").click();
@@ -93,7 +94,7 @@ let clock = "";
 try {
   await still();
   clock = await playing();
-  for (const [name, look] of Object.entries(controls)) {
+  for (const [name, look] of Object.entries({ ...controls, ...faces })) {
     await look(demo, (found, expected, what) => same(found, expected, `${name}: ${what}`));
   }
 } catch (error) {

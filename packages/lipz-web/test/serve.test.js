@@ -38,6 +38,7 @@ test("in the repository, files that are elsewhere are served", async (t) => {
   await mkdir(join(root, "fixtures/banks/v1"), { recursive: true });
   await writeFile(join(root, "target/web/lipz.wasm"), "module");
   await writeFile(join(root, "fixtures/banks/v1/drama.lipzbank"), "bank");
+  await writeFile(join(root, "fixtures/banks/v1/faces.lipzbank"), "faces");
   const { url } = await start(t, at, "0");
   const get = async (path) => {
     const response = await fetch(new URL(path, url));
@@ -45,6 +46,7 @@ test("in the repository, files that are elsewhere are served", async (t) => {
   };
   assert.deepEqual(await get("/"), [200, "text/html", "<!doctype html>"], "the address that is printed is the page");
   assert.deepEqual(await get("/demo/dialogue.lipzbank"), [200, "application/octet-stream", "bank"]);
+  assert.deepEqual(await get("/demo/faces.lipzbank"), [200, "application/octet-stream", "faces"]);
   assert.deepEqual(await get("/lipz.wasm"), [200, "application/wasm", "module"]);
   for (const path of ["/nothing", "/..%2f..%2ftarget/web/lipz.wasm", "/%2e%2e/%2e%2e/target/web/lipz.wasm", "/%"]) {
     assert.equal((await get(path))[0], 404, path);

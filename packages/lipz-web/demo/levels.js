@@ -1,0 +1,10 @@
+// How far the mouth of a clip is open, for its graph and its hum.
+
+/** How far the mouth is open in each frame, from 0 to 1. */
+export function levelsOf(clip) {
+  const levels = new Map();
+  return Array.from(clip.frames, (viseme, frame) => {
+    if (!levels.has(viseme)) levels.set(viseme, clip.opennessAt({ us: Math.round(clip.startOfFrame(frame) * 1e6) }) ?? 0);
+    return levels.get(viseme);
+  });
+}

@@ -1,0 +1,44 @@
+// A drawn face: a mouth for each viseme, the twelve attributes of emotion, eyes that blink and look, brows, head and breath.
+// Types are in face.d.ts.
+
+import { geometry } from "./face/geometry.js";
+import { markup, PARTS } from "./face/parts.js";
+
+export { EMOTION_COLOURS, weightsOf } from "./face/emotion.js";
+export { VISEMES } from "./face/mouth.js";
+
+/** The part of the plane that a face is drawn in: x, y, width, height. */
+export const VIEW_BOX = [-110, -120, 220, 260];
+
+/** How many faces this program has drawn: each has outlines with names of its own. */
+let count = 0;
+
+/** The elements of a face as text, to be put into an `<svg>` or a `<g>`. `id` tells it from others in the document. */
+export function faceMarkup(pose = {}, id = `face${++count}-`) {
+  return markup(PARTS, geometry(pose, id), false);
+}
+
+/** A face in an `<svg>` of the page. */
+export class FaceDrawing {
+  #id = `face${++count}-`;
+  #parts;
+  #shown = {};
+
+  constructor(svg) {
+    svg.setAttribute("viewBox", VIEW_BOX.join(" "));
+    this.#shown = geometry({}, this.#id);
+    svg.innerHTML = markup(PARTS, this.#shown, true);
+    this.#parts = Array.from(svg.querySelectorAll("[data-part]"), (part) => [part.dataset.part, part]);
+  }
+
+  /** Draws a pose: what is not named is neutral. Only what has changed is touched. */
+  show(pose) {
+    const next = geometry(pose, this.#id);
+    for (const [name, part] of this.#parts) {
+      for (const [key, value] of Object.entries(next[name] ?? {})) {
+        if (this.#shown[name][key] !== value) part.setAttribute(key, value);
+      }
+    }
+    this.#shown = next;
+  }
+}

@@ -1,0 +1,56 @@
+// The eyes: lids that close, widen and squint, and where the pupils look.
+
+import { path, px } from "./path.js";
+
+/** Centre, half width, and how far the lids of an open eye are from the centre. */
+const EYE = { x: 28, y: -4, width: 14, upper: 10, lower: 7.5 };
+/** How far a pupil moves for a degree, and at most. */
+const PER_DEGREE = 0.27;
+const MOST = { x: 7, y: 4.5 };
+
+const clamp = (value, least, most) => Math.max(least, Math.min(most, value));
+
+export function eyeParts(pose, weight, id) {
+  return { ...eye("left", "Left", 1, pose, weight, id), ...eye("right", "Right", -1, pose, weight, id) };
+}
+
+function eye(name, side, sign, pose, weight, id) {
+  const { x, y, width, upper, lower } = EYE;
+  // A blink closes what an emotion has left open.
+  const closed = clamp(1 - (1 - pose.blink) * (1 - clamp(weight(`eyeBlink${side}`), 0, 1)), 0, 1);
+  const squint = clamp(weight(`eyeSquint${side}`), 0, 1);
+  const wide = clamp(weight(`eyeWide${side}`), 0, 1);
+  const down = lower * (1 - 0.55 * squint + 0.1 * wide);
+  // The upper lid does most of the way of a blink.
+  const meet = y + down * 0.65;
+  const top = y - upper * (1 + 0.32 * wide) * (1 - 0.22 * squint);
+  const lid = top + (meet - top) * closed;
+  const floor = y + down + (meet - (y + down)) * closed;
+  // Lowered brows press the inner end of the lid down, raised ones pull it up.
+  const tilt = (3.5 * weight(`browDown${side}`) - 2.5 * weight("browInnerUp")) * (1 - closed);
+  const [near, far] = [x - width, x + width];
+  const at = (value) => sign * value;
+  const corner = y + 1 + (meet - y - 1) * closed * 0.5;
+  // The top of a cubic curve is three quarters of the way to its handles.
+  const high = (edge) => corner + (edge - corner) / 0.75;
+  const upperLid = path`M${at(near)} ${corner + 1}C${at(near + 4)} ${high(lid) + tilt} ${at(far - 6)} ${high(lid) - tilt * 0.3} ${at(far)} ${corner}`;
+  const lowerLid = path`C${at(far - 5)} ${high(floor)} ${at(near + 5)} ${high(floor)} ${at(near)} ${corner + 1}`;
+  const look = (direction) => 25 * PER_DEGREE * weight(`eyeLook${direction}${side}`);
+  const dx = clamp(pose.eyeYaw * PER_DEGREE + sign * (look("Out") - look("In")), -MOST.x, MOST.x);
+  const dy = clamp(-pose.eyePitch * PER_DEGREE + look("Down") - look("Up"), -MOST.y, MOST.y);
+  const [cx, cy] = [px(at(x) + dx), px(y + dy)];
+  const outline = `${upperLid}${lowerLid}Z`;
+  return {
+    [`${name}White`]: { d: outline },
+    [`${name}Outline`]: { d: outline },
+    [`${name}Clip`]: { id: `${id}${name}` },
+    [`${name}Inside`]: { "clip-path": `url(#${id}${name})` },
+    [`${name}Iris`]: { cx, cy },
+    [`${name}Pupil`]: { cx, cy, r: px(3.5 * (1 + 0.6 * weight("pupils"))) },
+    [`${name}Light`]: { cx: px(cx + 2), cy: px(cy - 2.4) },
+    // The lid throws a shade.
+    [`${name}Shade`]: { d: path`M${at(near)} ${lid - 4}L${at(far)} ${lid - 4}L${at(far)} ${lid + 3}Q${at(x)} ${lid + 1} ${at(near)} ${lid + 3}Z` },
+    [`${name}Upper`]: { d: upperLid },
+    [`${name}Lower`]: { d: path`M${at(far)} ${corner}` + lowerLid },
+  };
+}

@@ -1,0 +1,142 @@
+// The face of the demo and the curves below its timeline, one function for each: as in controls.js.
+
+const soon = (ms = 50) => new Promise((resolve) => setTimeout(resolve, ms));
+const part = (page, name) => page.querySelector(`#face [data-part=${name}]`);
+const FACES = { bank: "faces" };
+
+/** What the speaker feels is seen, and told to those who do not see it. */
+export async function feelings(demo, same) {
+  const { page, player } = await demo({ ...FACES, clip: "twelve" });
+  const names = "sadness anger joy fear disgust surprise shock perplexed asleep pain exertion shout".split(" ");
+  const text = (id) => page.getElementById(id).textContent;
+  const looks = () => [...page.querySelectorAll("#face [data-part]")].map((part) => part.outerHTML).join("");
+  same(text("feeling"), "", "nothing at the start");
+  same(part(page, "mood").getAttribute("opacity"), "0", "no light");
+  const faces = new Set([looks()]);
+  for (const [index, name] of names.entries()) {
+    player.seek((13 * (index + 1) + 12) / 12);
+    same(text("feeling"), `${name} 8`, name);
+    same(part(page, "mood").getAttribute("opacity"), "0.84", `the light of ${name}`);
+    faces.add(looks());
+  }
+  same(faces.size, 13, "a face for each");
+  const timeline = page.getElementById("timeline");
+  same(timeline.getAttribute("aria-valuetext").endsWith(": Shout. (shout 8)"), true, timeline.getAttribute("aria-valuetext"));
+  same(page.getElementById("face").getAttribute("aria-describedby"), "feeling", "what describes the face");
+}
+
+/** Curves move eyes, brows, head and whatever a rig has. */
+export async function rigs(demo, same) {
+  const { page, player } = await demo({ ...FACES, clip: "rig" });
+  const seen = (name, attribute) => part(page, name).getAttribute(attribute);
+  const changes = (from, to, name, attribute, what) => {
+    player.seek(from);
+    const before = seen(name, attribute);
+    player.seek(to);
+    same(seen(name, attribute) === before, false, what);
+  };
+  changes(0, 0.5, "leftUpper", "d", "a blink");
+  changes(0, 0.66, "browLeft", "d", "brows");
+  changes(0, 0.8, "features", "transform", "the head");
+  changes(0.5, 1, "leftIris", "cx", "the eyes");
+  changes(1.7, 2.2, "body", "d", "breath");
+  changes(1.7, 2.4, "upperLip", "d", "a blend shape of a rig");
+  changes(0, 0.2, "inside", "d", "the mouth");
+}
+
+/** Each curve has a name, a colour and its value at the playhead. */
+export async function curves(demo, same) {
+  const { page, player } = await demo({ ...FACES, clip: "rig", at: 0.5 });
+  const section = page.getElementById("curves");
+  const rows = () => [...section.querySelectorAll("li")];
+  const shown = () => rows().map((row) => `${row.querySelector(".name").textContent} ${row.querySelector(".value").textContent}`);
+  same(section.hidden, false, "they are there");
+  same(section.querySelector("summary").textContent, "9 curves", "how many");
+  same(shown().slice(0, 3).join(), "blink 1,breath 0,brows 0.467", "values at the playhead");
+  player.seek(1.5);
+  same(shown()[4], "eyeYaw -15", "values elsewhere");
+  same(new Set(rows().map((row) => row.style.getPropertyValue("--curve"))).size, 9, "a colour for each");
+  same(section.querySelector(".band").hasAttribute("hidden"), true, "no band without emotions");
+  const [line] = rows();
+  same(line.querySelector(".line").getAttribute("d").startsWith("M0 0.92L0 0.92L5 0.92L6 0.08L7 0.92"), true, "its plot");
+  section.querySelector("details").open = false;
+  same(section.offsetHeight < 60, true, "they can be folded away");
+  const drama = await demo({});
+  same(drama.page.getElementById("curves").hidden, true, "nothing without curves");
+}
+
+/** Emotions are a band of their colours, which adds up. */
+export async function band(demo, same) {
+  const { page } = await demo({ ...FACES, clip: "leave" });
+  const areas = [...page.querySelectorAll(".band path")];
+  same(areas.map((area) => area.textContent).join(), "anger,joy,fear,surprise", "their names");
+  same(areas[0].getAttribute("fill"), "#e0483c", "the colour of anger");
+  same(areas[1].getAttribute("d").includes("27 0.3L"), true, "joy 1 is above anger 6");
+  same(page.querySelectorAll(".curves li").length, 5, "and each by itself, with those of others");
+}
+
+/** Curves zoom and scroll with the timeline, and take the playhead along. */
+export async function zoomed(demo, same) {
+  for (const width of [1000, 320]) {
+    const { page, window, player } = await demo({ ...FACES, clip: "twelve" }, width);
+    const scroll = page.querySelector(".scroll");
+    const plot = page.querySelector(".curves li svg");
+    const view = () => plot.getAttribute("viewBox").split(" ").map(Number);
+    for (const id of ["fit", "in", "in", "in"]) page.getElementById(id).click();
+    await soon();
+    player.seek(9);
+    await soon();
+    const perFrame = page.querySelector(".track").getBoundingClientRect().width / player.clip.frameCount;
+    same(Math.abs(view()[0] - scroll.scrollLeft / perFrame) < 0.1, true, `${width}: the same start`);
+    same(Math.abs(view()[2] - scroll.clientWidth / perFrame) < 0.1, true, `${width}: the same length`);
+    const [above, below] = [...page.querySelectorAll(".playhead")].map((playhead) => playhead.getBoundingClientRect().left);
+    same(Math.abs(above - below) < 1, true, `${width}: one playhead, ${above} and ${below}`);
+    const { left, top, width: across } = plot.getBoundingClientRect();
+    const point = (type, x) => new window.PointerEvent(type, { pointerId: 1, button: 0, clientX: x, clientY: top + 5, bubbles: true });
+    const expected = ((view()[0] + view()[2] / 4) / player.clip.frameCount) * player.clip.duration;
+    plot.dispatchEvent(point("pointerdown", left + across / 4));
+    plot.dispatchEvent(point("pointerup", left + across / 4));
+    same(Math.abs(player.clock.time - expected) < 0.05, true, `${width}: a press on a curve, ${player.clock.time}`);
+    same(page.documentElement.scrollWidth, page.documentElement.clientWidth, `${width}: nothing is wider than the page`);
+  }
+}
+
+/** The playhead stays in view when the window gets narrower. */
+export async function narrower(demo, same) {
+  const { page, window } = await demo({ ...FACES, clip: "twelve", at: 13 });
+  window.frameElement.width = 320;
+  await soon(200);
+  const { left, right } = page.querySelector(".scroll").getBoundingClientRect();
+  const playhead = page.querySelector(".track .playhead").getBoundingClientRect().left;
+  same(playhead > left && playhead < right, true, `${playhead} in ${left} to ${right}`);
+}
+
+/** There are two banks, and the address says which. */
+export async function banks(demo, same) {
+  const { page, window, player } = await demo({ ...FACES, clip: "rig" });
+  same(player.clip.key, "rig", "the clip of the address");
+  const select = page.getElementById("bank");
+  select.value = "dialogue";
+  select.dispatchEvent(new window.Event("change"));
+  await player.opening;
+  same(player.clip.key, "act1/mara-good-evening", "the first clip of the other bank");
+  select.value = "faces";
+  select.dispatchEvent(new window.Event("change"));
+  await player.opening;
+  await soon(400);
+  same(window.location.search, "?bank=faces&clip=leave&locale=en-us", "the address");
+  const wrong = await demo({ bank: "../x", clip: "rig" });
+  same(wrong.page.getElementById("notice").textContent.includes("no bank “../x”"), true, "a bank that is not there");
+}
+
+/** A clip that does not name its viseme type is drawn by the one that has its codes. */
+export async function types(demo, same) {
+  const { page, player } = await demo({ ...FACES, clip: "loud" });
+  same(player.clip.visemeType, "rms", "digits are loudness");
+  const mouths = new Set();
+  for (let frame = 0; frame < 10; frame++) {
+    player.seek(frame / 12);
+    mouths.add(part(page, "inside").getAttribute("d") + part(page, "lowerLip").getAttribute("d"));
+  }
+  same(mouths.size, 10, "ten mouths");
+}
