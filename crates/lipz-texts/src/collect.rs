@@ -1,11 +1,11 @@
 //! From a clip to a unit: its texts, and what translators should know about them.
 
 use crate::merge::tag_of;
-use crate::{Segment, State, Translation, Unit};
+use crate::{Segment, State, Texts, Translation, Unit};
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use lipz_file::rate::Rate;
 use lipz_file::text::{DELIMITER, is_white_space, meta, segments, trim};
-use lipz_file::{Document, JsonString, Value};
+use lipz_file::{Document, Element, JsonString, Value};
 
 /// The meta of a text that says who speaks from there on.
 const SPEAKER: &str = "{speaker:";
@@ -156,6 +156,17 @@ impl Collect {
             (readable, screen) => readable.or(screen),
         }
     }
+}
+
+/// The texts of a clip by their locales, segment by segment, without white space at their ends. `text` without a locale is in
+/// the default locale.
+pub fn texts_of(clip: &Document<'_>, default_locale: Option<&str>) -> Texts {
+    let text = |element: &Element<'_>| match &element.value {
+        Value::String(string) => Some((tag_of(&element.name.text, default_locale)?, trimmed(&string.text))),
+        _ => None,
+    };
+    // Of two in one locale, the first counts.
+    clip.elements.iter().rev().filter_map(text).collect()
 }
 
 /// The segments of a text without white space at their ends.

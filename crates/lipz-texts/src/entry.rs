@@ -34,6 +34,8 @@ pub struct Entry {
     pub text: Words,
     /// How far the work is.
     pub state: State,
+    /// Whether the file says so; otherwise a text counts as translated.
+    pub says_state: bool,
     /// The translation at the time of the export.
     pub mark: Option<Mark>,
     /// A number for whoever reads several files: [`read()`](crate::read()) sets 0.

@@ -108,8 +108,7 @@ impl<'a> SegmentOut<'a> {
 impl<'a> TranslationOut<'a> {
     fn new(at: usize, segment: &Segment, translation: &'a Translation) -> TranslationOut<'a> {
         let text = translation.texts.get(at).map_or("", String::as_str);
-        let made_from = translation.made_from.as_ref().and_then(|texts| texts.get(at)).map(String::as_str);
-        let made_from = made_from.filter(|made_from| *made_from != segment.source);
+        let made_from = translation.made_from_at(at, &segment.source);
         let is_open = text.is_empty() || made_from.is_some();
         let state = if is_open { State::Initial } else { translation.state }.name();
         TranslationOut { text, state, exported: Mark::of(text).to_string(), made_from }
@@ -200,6 +199,7 @@ fn clips(file: &FileIn<'_>, text: &str, options: &ReadOptions, incoming: &mut In
                     source: Some(source.clone()),
                     locale,
                     state: if text.text.is_empty() { State::Initial } else { state },
+                    says_state: translation.state.is_some(),
                     text,
                     mark: translation.exported.as_deref().and_then(|mark| mark.parse().ok()),
                     ..Entry::default()

@@ -14,29 +14,34 @@
 //!
 //! What is not here: files and folders, settings, printing (`lipz`), banks.
 
+mod changes;
 mod collect;
 mod csv;
 mod decode;
 mod entry;
 mod format;
 mod json;
+mod lint;
 mod mark;
 mod merge;
 mod model;
 mod placeholder;
 mod po;
+mod record;
 mod tag;
 mod xliff;
 #[cfg(feature = "xlsx")]
 mod xlsx;
 
-pub use collect::Collect;
+pub use collect::{Collect, texts_of};
 pub use csv::Shape;
 pub use entry::{Entry, Incoming, ReadOptions, Words};
 pub use format::{Format, WriteOptions, Written, WrittenFile, read, write};
+pub use lint::{TextLints, has_translations};
 pub use mark::Mark;
-pub use merge::{Counts, Merge, Merged, unknown_keys};
+pub use merge::{Confirmed, Counts, Merge, Merged, unknown_keys};
 pub use model::{Division, Exchange, Segment, State, Translation, Unit};
+pub use record::{Standing, TextRecord, Texts};
 
 /// The example of the README, run as a test.
 #[cfg(doctest)]

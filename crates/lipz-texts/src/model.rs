@@ -119,6 +119,11 @@ impl Translation {
     pub fn is_empty(&self) -> bool {
         self.texts.iter().all(String::is_empty)
     }
+
+    /// The source text that the translation of a segment was made from, if it is another one than that of today.
+    pub(crate) fn made_from_at(&self, at: usize, source: &str) -> Option<&str> {
+        self.made_from.as_ref()?.get(at).map(String::as_str).filter(|made_from| *made_from != source)
+    }
 }
 
 /// Texts of segments as one, as files with one text for each clip have it: `Mayor? | Mayor!`.

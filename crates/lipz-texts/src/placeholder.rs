@@ -1,7 +1,15 @@
-//! Placeholders: the `{meta}` of a text, which a translation has, too.
+//! Placeholders and other `{meta}` of a text, which a translation has, too.
 
 use lipz_diagnostics::escape;
-use lipz_file::text::meta;
+use lipz_file::emotion::{Blend, preset};
+use lipz_file::text::{is_white_space, meta as meta_places, trim};
+use std::ops::Range;
+
+/// What to do about placeholders that differ.
+pub(crate) const HELP: &str = "write `{…}` as the source has it: games and actors read it";
+
+/// What to do about other meta that differ.
+pub(crate) const META_HELP: &str = "repeat it: what stands behind `:`, and notes for people, may be translated";
 
 /// What is between the placeholders of a text, and these.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -14,7 +22,7 @@ pub(crate) enum Part<'t> {
 pub(crate) fn parts(text: &str) -> Vec<Part<'_>> {
     let mut parts = Vec::new();
     let mut done = 0;
-    for place in meta(text) {
+    for place in meta_places(text) {
         let before = text.get(done..place.start).unwrap_or_default();
         parts.extend((!before.is_empty()).then_some(Part::Text(before)));
         parts.extend(text.get(place.clone()).map(Part::Placeholder));
@@ -25,30 +33,73 @@ pub(crate) fn parts(text: &str) -> Vec<Part<'_>> {
     parts
 }
 
-/// The placeholders of a text, sorted: their order may change with the language.
-fn placeholders(text: &str) -> Vec<&str> {
-    let mut all: Vec<&str> = meta(text).into_iter().filter_map(|place| text.get(place)).collect();
+/// What a meta is for.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+enum Meta<'t> {
+    /// `{name}`: what a game puts something in the place of, or reads.
+    Placeholder(&'t str),
+    /// `{to: amy}`, by its name: what stands behind it may be translated.
+    Named(&'t str),
+    /// `{very loud, then calm}`: for people, who read it in their language.
+    Note,
+}
+
+/// What the meta of a text are for, sorted: their order may change with the language. Without emotions, of which the voice
+/// decides.
+fn metas(text: &str) -> Vec<Meta<'_>> {
+    let meta = |place: Range<usize>| {
+        let whole = text.get(place)?;
+        let inner = trim(whole.get(1..whole.len().checked_sub(1)?)?);
+        let is_emotion = Blend::parse(inner, 0)
+            .is_some_and(|blend| blend.has_value() || blend.terms.iter().all(|term| preset(term.name.text).is_some()));
+        match inner.split_once(':') {
+            _ if is_emotion => None,
+            Some((name, value)) if value.starts_with(is_white_space) && !name.contains(is_white_space) => {
+                Some(Meta::Named(name))
+            }
+            _ if inner.contains(is_white_space) => Some(Meta::Note),
+            _ => Some(Meta::Placeholder(whole)),
+        }
+    };
+    let mut all: Vec<Meta<'_>> = meta_places(text).into_iter().filter_map(meta).collect();
     all.sort_unstable();
     all
 }
 
 /// How the placeholders of a translation differ from those of its source; `None` if they are the same.
 ///
-/// `lost` are those that the translation does not have, or has less often, `added` the others.
+/// Lost are those that the translation does not have, or has less often, added the others.
 pub(crate) fn difference(source: &str, text: &str) -> Option<String> {
-    let (source, text) = (placeholders(source), placeholders(text));
-    let (lost, added) = (without(&source, &text), without(&text, &source));
-    let list = |all: &[&str]| all.iter().map(|one| escape::quoted(one).to_string()).collect::<Vec<_>>().join(", ");
+    said(source, text, |meta| match meta {
+        Meta::Placeholder(whole) => Some(escape::quoted(whole).to_string()),
+        Meta::Named(_) | Meta::Note => None,
+    })
+}
+
+/// The same of other meta: those with a name, by that, and how many notes for people there are.
+pub(crate) fn meta_difference(source: &str, text: &str) -> Option<String> {
+    said(source, text, |meta| match meta {
+        Meta::Placeholder(_) => None,
+        Meta::Named(name) => Some(format!("`{{{}: …}}`", escape::text(name))),
+        Meta::Note => Some("a note `{…}`".to_owned()),
+    })
+}
+
+/// What differs of the meta that `shown` shows.
+fn said(source: &str, text: &str, shown: impl Fn(&Meta<'_>) -> Option<String>) -> Option<String> {
+    let (source, text) = (metas(source), metas(text));
+    let list = |all: Vec<Meta<'_>>| all.iter().filter_map(&shown).collect::<Vec<_>>().join(", ");
+    let (lost, added) = (list(without(&source, &text)), list(without(&text, &source)));
     match (lost.is_empty(), added.is_empty()) {
         (true, true) => None,
-        (false, true) => Some(format!("the translation has lost {}", list(&lost))),
-        (true, false) => Some(format!("the translation has {}, which its source does not have", list(&added))),
-        (false, false) => Some(format!("the translation has {} in place of {}", list(&added), list(&lost))),
+        (false, true) => Some(format!("the translation has lost {lost}")),
+        (true, false) => Some(format!("the translation has {added}, which its source does not have")),
+        (false, false) => Some(format!("the translation has {added} in place of {lost}")),
     }
 }
 
 /// Those of `all`, which are sorted, that `others` have less often.
-fn without<'t>(all: &[&'t str], others: &[&str]) -> Vec<&'t str> {
+fn without<'t>(all: &[Meta<'t>], others: &[Meta<'_>]) -> Vec<Meta<'t>> {
     let mut others = others.iter().peekable();
     let mut rest = Vec::new();
     for one in all {
@@ -71,6 +122,15 @@ mod tests {
         let added = Some("the translation has `{b}`, which its source does not have".into());
         assert_eq!(difference("{a}", "{a}{b}"), added);
         assert_eq!(difference("{a}", "{A}"), Some("the translation has `{A}` in place of `{a}`".into()));
+    }
+
+    #[test]
+    fn names_of_meta_and_notes_count_and_their_words_do_not() {
+        assert_eq!(meta_difference("{to: amy} {very loud} {anger 2} {joy}", "{to: Эми} {sehr laut}"), None);
+        assert_eq!(meta_difference("{to: amy} Hi", "Hallo"), Some("the translation has lost `{to: …}`".into()));
+        let added = Some("the translation has a note `{…}`, which its source does not have".into());
+        assert_eq!(meta_difference("{a}", "{b} {sehr laut}"), added);
+        assert_eq!(difference("{to: amy} {0:NAME}", "{0:NAME}"), None);
     }
 
     #[test]

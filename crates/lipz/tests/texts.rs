@@ -55,7 +55,8 @@ fn a_week_of_a_localiser() {
     assert!(again.code == 1 && again.stderr.contains("[LZ0906]"), "{}", again.stderr);
 
     let same = lipz(folder, ["texts", "import", "de-de.po"]);
-    assert_eq!((same.code, same.stdout.as_str()), (0, "texts imported: 0 new, 2 unchanged\n"), "{}", same.stderr);
+    let summary = "texts imported: 0 new, 2 unchanged\nlipz-texts.txt is new: ";
+    assert!(same.code == 0 && same.stdout.starts_with(summary), "{same:?}");
     assert_eq!(voices(folder), [MAYOR, SHOE]);
 
     // The translator works; the Lipz file of another clip is edited meanwhile.

@@ -120,6 +120,7 @@ pub(super) const RULES: &[Rule] = &[
             "rust_xlsxwriter",
             "serde",
             "serde_json",
+            "similar",
             "twox-hash",
             "zip",
         ],

@@ -201,4 +201,9 @@ codes! {
     UnfinishedTranslation "LZ1907" "unfinished-translation" Warning "a translation is not finished, and is not imported"
     ExchangeLoss "LZ1908" "exchange-loss" Warning "something has no place in a translator's file, or is not read from it"
     TextReplaced "LZ1909" "text-replaced" Warning "texts were replaced, and the file does not say what they were at its export"
+    TextRecordLine "LZ1910" "text-record-line" Warning "a line of the record of translations says nothing"
+    StaleTranslation "LZ1911" "stale-translation" Warning "a translation is older than its source"
+    UntranslatedText "LZ1912" "untranslated-text" Warning "a text is the same in another language"
+    NumbersDiffer "LZ1913" "numbers-differ" Warning "a translation has other numbers than its source"
+    MetaDiffers "LZ1914" "meta-differs" Warning "a translation has other meta information than its source"
 }

@@ -165,6 +165,7 @@ impl Row {
                 source: source.clone(),
                 source_mark,
                 state: if text.text.is_empty() { State::Initial } else { state.unwrap_or(State::Translated) },
+                says_state: state.is_some(),
                 text,
                 mark: mark(&Column::Mark(locale.clone())),
                 locale,

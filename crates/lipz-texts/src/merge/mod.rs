@@ -1,5 +1,6 @@
 //! Merging: translations of a file of exchange come into the Lipz file, and nothing else changes there.
 
+mod confirmed;
 mod keys;
 mod one;
 mod splice;
@@ -33,6 +34,24 @@ pub struct Merged {
     pub found: Vec<(usize, Diagnostic)>,
     /// What became of the texts.
     pub counts: Counts,
+    /// What the translations are made from that the file vouches for, imported or as they were.
+    pub confirmed: Vec<Confirmed>,
+}
+
+/// Translations of a clip into a locale that were made from the source texts of today, as a file of exchange says.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Confirmed {
+    /// The locale of the translations.
+    pub locale: String,
+    /// The source texts of the segments.
+    pub sources: Vec<String>,
+    /// Their translations, as they are after the import.
+    pub texts: Vec<String>,
+    /// Of each segment, how far the work is; `None` if the file says nothing about it.
+    pub states: Vec<Option<State>>,
+    /// Whether somebody has changed the text of the segment in the file, or the file says of each text how far it is.
+    /// Others may only be new to the project's [record](crate::TextRecord): nobody may have looked at them.
+    pub is_looked_at: Vec<bool>,
 }
 
 /// What became of the texts of a file of exchange: of clips in a locale.
@@ -130,6 +149,10 @@ impl<'a> Merge<'a> {
             let own = self.string(clip, locale).map(|text| crate::collect::trimmed(&text.text));
             let result = one::merge(self, sources, own.as_deref(), &entries, &mut found);
             let is_refused = self.report(found, &mut merged.found);
+            if !is_refused {
+                let now = Confirmed::new(locale, sources, own.as_deref(), &result.texts);
+                merged.confirmed.extend(confirmed::of_entries(now, &entries));
+            }
             let has_own = own.is_some_and(|own| own.iter().any(|text| !text.is_empty()));
             let counts = &mut merged.counts;
             match result {

@@ -3,7 +3,7 @@
 use super::Merge;
 use crate::collect::trimmed;
 use crate::model::joined;
-use crate::placeholder::difference;
+use crate::placeholder;
 use crate::{Entry, Mark, State};
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 use lipz_file::text::{DELIMITER, trim};
@@ -168,9 +168,14 @@ impl Clip<'_> {
             found.push(self.missing(entry, at));
             return;
         }
-        if let Some(message) = difference(self.sources.get(at).map_or("", String::as_str), text) {
+        let source = self.sources.get(at).map_or("", String::as_str);
+        if let Some(message) = placeholder::difference(source, text) {
             let diagnostic = Diagnostic::at(Code::Placeholder, entry.text.span, message);
-            found.push((entry.file, diagnostic.help("write `{…}` as the source has it: games and actors read it")));
+            found.push((entry.file, diagnostic.help(placeholder::HELP)));
+        }
+        if let Some(message) = placeholder::meta_difference(source, text) {
+            let diagnostic = Diagnostic::at(Code::MetaDiffers, entry.text.span, message);
+            found.push((entry.file, diagnostic.help(placeholder::META_HELP)));
         }
         result.unmarked += usize::from(!old.is_empty() && entry.mark.is_none());
         result.texts.insert(at, text.to_owned());

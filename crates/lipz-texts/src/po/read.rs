@@ -178,6 +178,7 @@ impl Reader<'_> {
             source: Some(source),
             locale,
             state: if is_done { State::Translated } else { State::Initial },
+            says_state: true,
             text,
             mark: message.mark,
             ..Entry::default()

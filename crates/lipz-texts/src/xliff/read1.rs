@@ -44,6 +44,7 @@ fn unit(node: Node<'_, '_>, locale: &str, incoming: &mut Incoming) {
         source: Some(source),
         locale: locale.to_owned(),
         state: if words.text.is_empty() { State::Initial } else { state(node, target) },
+        says_state: node.has_attribute("approved") || target.is_some_and(|target| target.has_attribute("state")),
         text: words,
         mark: marks.next().and_then(|mark| mark.parse().ok()),
         ..Entry::default()

@@ -74,6 +74,7 @@ fn unit(node: Node<'_, '_>, locale: &str, incoming: &mut Incoming) {
             source: Some(source),
             locale: locale.to_owned(),
             state: if text.text.is_empty() { State::Initial } else { state },
+            says_state: segment.has_attribute("state"),
             text,
             mark: marks.get(id).and_then(|mark| mark.parse().ok()),
             ..Entry::default()

@@ -38,7 +38,8 @@ fn unit(out: &mut String, item: &Item<'_>, translation: &Translation) {
             let _ = writeln!(segments, "      <ignorable id=\"s{id}\">\n        <source></source>\n      </ignorable>");
             continue;
         }
-        let state = if target.is_empty() { State::Initial } else { item.state(translation) };
+        let is_open = target.is_empty() || translation.made_from_at(*at, &segment.source).is_some();
+        let state = if is_open { State::Initial } else { translation.state };
         let source = codes.content(&segment.source, Ids::of_source);
         let _ = writeln!(segments, "      <segment id=\"s{id}\" state=\"{state}\">\n        <source>{source}</source>");
         if !target.is_empty() {

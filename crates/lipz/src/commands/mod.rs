@@ -1,5 +1,6 @@
 //! The commands, a file or folder each, and the one list of them. What several commands use is in `shared`.
 
+pub(crate) mod accept;
 pub(crate) mod babble;
 pub(crate) mod check;
 pub(crate) mod completions;
@@ -71,6 +72,7 @@ commands! {
     Export(export::Export),
     Subtitles(subtitles::Subtitles),
     Texts(texts::Texts),
+    Accept(accept::Accept),
     Maps(maps::Maps),
     Unpack(unpack::Unpack),
     Verify(verify::Verify),

@@ -18,3 +18,4 @@ pub(crate) mod settings_file;
 pub(crate) mod sources;
 pub(crate) mod stdio;
 pub(crate) mod text_banks;
+pub(crate) mod text_record;

@@ -2,6 +2,7 @@
 
 mod fixing;
 mod statistics;
+mod translations;
 
 use crate::Ended;
 use crate::Outcome;
@@ -23,6 +24,7 @@ use lipz_diagnostics::Report;
 /// Check Lipz files without packing them.
 ///
 /// With a folder of recordings, clips and recordings are compared, too: missing ones, and other lengths.
+/// Translations are compared with the default locale, and with what lipz-texts.txt says they were made from.
 ///
 /// --fix applies the fixes that are certain: those that do not change the bank, and those of errors whose
 /// intent is beyond doubt. The remaining diagnostics are reported and decide the exit code.
@@ -83,6 +85,7 @@ impl Run for Check {
         };
         let mut run = with_inputs(settings, None, quiet, |compiler, inputs| compiler.check(&fixing.instead_of(inputs)));
         run.reports.extend(with_recordings(settings, &fixing.instead_of(&run.inputs), quiet));
+        run.reports.extend(translations::check(&project, &fixing.instead_of(&run.inputs), quiet));
         lipz_diagnostics::reports::sort(&mut run.reports);
         run.reports.dedup(); // both read the record of mouths
         let unwritten = !fixing.unwritten.is_empty();

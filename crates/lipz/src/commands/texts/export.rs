@@ -8,6 +8,7 @@ use crate::shared::inputs::find_all;
 use crate::shared::output_file::refuse_source;
 use crate::shared::project_flags::{hide_of_banks, parse_locale};
 use crate::shared::sources::Sources;
+use crate::shared::text_record::RecordFile;
 use crate::shared::{formats, stdio};
 use clap::Args;
 use lipz_compiler::settings::Settings;
@@ -93,7 +94,14 @@ pub(super) fn run(arguments: &Export, reporter: &mut Reporter) -> Ended {
         let message = format!("no clip has a text in another locale than {source_locale}");
         return Err(reporter.usage(message, "name the locale of the translations with `--locale`, as in de-de"));
     }
-    let units = units(arguments, &project.settings, &inputs, (&source_locale, &locales), &mut reports);
+    let record = match RecordFile::open(&project, &inputs) {
+        Ok((record, odd_lines)) => {
+            reports.extend(odd_lines);
+            record
+        }
+        Err(report) => return Err(reporter.fail(report)),
+    };
+    let units = units(arguments, &project.settings, &inputs, (&source_locale, &locales), &record, &mut reports);
     let left_out = inputs.len() - units.len();
     let exchange = Exchange { source_locale, locales, units };
     let write_options =
@@ -122,7 +130,7 @@ pub(super) fn run(arguments: &Export, reporter: &mut Reporter) -> Ended {
 }
 
 /// The locale that is translated.
-pub(super) fn source_locale(
+pub(in crate::commands) fn source_locale(
     from: Option<&String>,
     options: &Options,
     reporter: &mut Reporter,
@@ -168,6 +176,7 @@ fn units(
     settings: &Settings,
     inputs: &[Input],
     (source_locale, locales): (&str, &[String]),
+    record: &RecordFile,
     reports: &mut Vec<Report>,
 ) -> Vec<Unit> {
     let options = &settings.options;
@@ -192,6 +201,7 @@ fn units(
         let document: Document<'_> = parsed.document.unwrap_or_default();
         let mut unit = collect.unit(&input.key, &document, &mut diagnostics);
         if let Some(unit) = &mut unit {
+            record.record.describe(&record.name(input), source_locale, locales, unit);
             unit.file = Some(input.name());
             unit.recording = recordings.find(&input.key).map(|path| path.to_string_lossy().replace('\\', "/"));
         }

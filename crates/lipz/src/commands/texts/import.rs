@@ -8,12 +8,13 @@ use crate::shared::inputs::find_all;
 use crate::shared::lint_flags::LintFlags;
 use crate::shared::project_flags::parse_locale;
 use crate::shared::settings_file::SettingsFile;
+use crate::shared::text_record::RecordFile;
 use crate::shared::{formats, patterns};
 use clap::{Args, ValueEnum};
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiler, Content, Input};
 use lipz_diagnostics::{Code, Diagnostic, Report, Source, reports as all_reports};
-use lipz_texts::{Counts, Entry, Merge, Merged, ReadOptions, read, unknown_keys};
+use lipz_texts::{Confirmed, Counts, Entry, Merge, Merged, ReadOptions, read, unknown_keys};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::PathBuf;
@@ -102,11 +103,15 @@ struct Incoming {
 }
 
 pub(super) fn run(arguments: &Import, reporter: &mut Reporter) -> Ended {
-    let mut settings = arguments.file.project(&arguments.output, reporter)?.settings;
+    let mut project = arguments.file.project(&arguments.output, reporter)?;
+    let settings = &mut project.settings;
     arguments.lints.apply(&mut settings.options.levels);
-    settings.root = arguments.root.clone().or(settings.root);
+    if arguments.root.is_some() {
+        settings.root.clone_from(&arguments.root);
+    }
+    let settings = &project.settings;
     let options = &settings.options;
-    let (inputs, mut reports) = find_all(&settings, reporter)?;
+    let (inputs, mut reports) = find_all(settings, reporter)?;
     let source_locale = source_locale(arguments.from.as_ref(), options, reporter)?;
     let known = locales_of(&inputs, options, &source_locale);
     let read_options = ReadOptions::new(source_locale.as_str()).wanted(arguments.locale.iter().cloned()).known(known);
@@ -118,10 +123,20 @@ pub(super) fn run(arguments: &Import, reporter: &mut Reporter) -> Ended {
         options.levels.apply(&mut one);
         one.pop().map(|levelled| *diagnostic = levelled).is_some()
     });
-    let counts = arguments.merge(&settings, &source_locale, &inputs, &mut incoming, &mut reports);
+    let (record, odd_lines) = RecordFile::open(&project, &inputs).map_err(|report| reporter.fail(report))?;
+    reports.extend(odd_lines);
+    let (counts, confirmed) = arguments.merge(settings, &source_locale, &inputs, &mut incoming, &mut reports);
+    let remembered = match arguments.check {
+        true => Ok(String::new()),
+        false => remember(record, &source_locale, &confirmed),
+    };
+    let remembered = remembered.unwrap_or_else(|report| {
+        reports.push(report);
+        String::new()
+    });
     reports.extend(incoming.reports());
     all_reports::sort(&mut reports);
-    reporter.end(reports, (!arguments.quiet).then(|| summary(counts, arguments.check)))
+    reporter.end(reports, (!arguments.quiet).then(|| summary(counts, arguments.check) + &remembered))
 }
 
 impl Import {
@@ -168,7 +183,7 @@ impl Import {
         inputs: &[Input],
         incoming: &mut Incoming,
         reports: &mut Vec<Report>,
-    ) -> Counts {
+    ) -> (Counts, Vec<(Input, Vec<Confirmed>)>) {
         let options = &settings.options;
         let mut by_key: BTreeMap<&str, Vec<&Entry>> = BTreeMap::new();
         for entry in &incoming.entries {
@@ -196,10 +211,15 @@ impl Import {
         let unwritten = files.finish();
         bar.finish_and_clear();
         let mut counts = Counts::default();
-        for result in results {
+        let mut confirmed = Vec::new();
+        for (input, result) in inputs.into_iter().zip(results) {
             match result.and_then(|result| result) {
                 Ok(merged) => {
                     counts.add(merged.counts);
+                    let is_written = unwritten.iter().all(|report| report.source.path != input.name());
+                    if is_written && !merged.confirmed.is_empty() {
+                        confirmed.push((input, merged.confirmed));
+                    }
                     incoming.found.extend(merged.found);
                 }
                 Err(report) => reports.push(report),
@@ -211,8 +231,24 @@ impl Import {
             options.levels.apply(&mut found);
             incoming.found.extend(found.into_iter().map(|diagnostic| (0, diagnostic)));
         }
-        counts
+        (counts, confirmed)
     }
+}
+
+/// Takes into the record what translations were made from; what to say about that.
+fn remember(
+    mut file: RecordFile,
+    source_locale: &str,
+    confirmed: &[(Input, Vec<Confirmed>)],
+) -> Result<String, Report> {
+    for (input, confirmed) in confirmed {
+        let name = file.name(input);
+        for one in confirmed {
+            file.record.confirm(&name, source_locale, one);
+        }
+    }
+    let is_written = file.write()?;
+    Ok(if is_written && !file.exists() { file.introduction() } else { String::new() })
 }
 
 /// One clip with its translations, or why it cannot be read.

@@ -3,6 +3,8 @@
 mod export;
 mod import;
 
+pub(super) use export::source_locale;
+
 use crate::Ended;
 use crate::commands::Run;
 use crate::reporter::Reporter;

@@ -1,0 +1,74 @@
+//! What a file of exchange says about the source texts of its translations, whether they are imported or not.
+
+use super::Confirmed;
+use crate::collect::trimmed;
+use crate::model::joined;
+use crate::{Entry, Mark, State};
+use lipz_file::text::trim;
+use std::collections::BTreeMap;
+
+impl Confirmed {
+    /// The texts of a clip after the import; nothing is confirmed yet.
+    pub(super) fn new(
+        locale: &str,
+        sources: &[String],
+        own: Option<&[String]>,
+        imported: &BTreeMap<usize, String>,
+    ) -> Confirmed {
+        let count = sources.len();
+        let mut texts = own.map_or_else(|| vec![String::new(); count], <[String]>::to_vec);
+        texts.resize(count, String::new());
+        for (at, text) in imported {
+            texts.get_mut(*at).into_iter().for_each(|slot| slot.clone_from(text));
+        }
+        Confirmed {
+            locale: locale.to_owned(),
+            sources: sources.to_vec(),
+            texts,
+            states: vec![None; count],
+            is_looked_at: vec![false; count],
+        }
+    }
+}
+
+/// What the entries of the clip in the locale confirm; `None` if that is nothing.
+pub(super) fn of_entries(mut confirmed: Confirmed, entries: &[&Entry]) -> Option<Confirmed> {
+    for entry in entries.iter().filter(|entry| entry.state >= State::Translated) {
+        let parts: Vec<(usize, String)> = match entry.segment {
+            Some(number) => vec![(number.saturating_sub(1), trim(&entry.text.text).to_owned())],
+            None => trimmed(&entry.text.text).into_iter().enumerate().collect(),
+        };
+        let now = match entry.segment {
+            Some(number) => confirmed.sources.get(number.saturating_sub(1)).cloned().unwrap_or_default(),
+            None => joined(&confirmed.sources),
+        };
+        if !is_made_from(entry, &now) {
+            continue;
+        }
+        let is_changed = entry.mark.is_some_and(|mark| mark != mark_of(&parts));
+        for (at, text) in parts {
+            if text.is_empty() || confirmed.texts.get(at) != Some(&text) {
+                continue;
+            }
+            let looked_at = confirmed.is_looked_at.get_mut(at);
+            looked_at.into_iter().for_each(|is_looked_at| *is_looked_at |= is_changed || entry.says_state);
+            let state = confirmed.states.get_mut(at);
+            state.into_iter().for_each(|state| *state = (*state).max(Some(entry.state)));
+        }
+    }
+    confirmed.states.iter().any(Option::is_some).then_some(confirmed)
+}
+
+fn mark_of(parts: &[(usize, String)]) -> Mark {
+    Mark::of(&joined(&parts.iter().map(|(_, text)| text.as_str()).collect::<Vec<_>>()))
+}
+
+/// Whether the file says that the translation was made from this text.
+fn is_made_from(entry: &Entry, now: &str) -> bool {
+    match (&entry.source, entry.source_mark) {
+        (Some(source), _) if entry.segment.is_some() => trim(&source.text) == now,
+        (Some(source), _) => joined(&trimmed(&source.text)) == now,
+        (None, Some(mark)) => mark == Mark::of(now),
+        (None, None) => false,
+    }
+}

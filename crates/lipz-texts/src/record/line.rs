@@ -1,0 +1,109 @@
+//! A line of the record: path, source locale, translations and source text, with tabs between them.
+//!
+//! `voices/mayor.lipz⇥en-us⇥de-de:1a2b3c4d,5e6f7a8br fr-fr:-,0a1b2c3d⇥Mayor? | Mayor!` says that the German texts with these
+//! marks, the second of them reviewed, and the French one of the second segment were made from that English text.
+
+use super::{Made, Version};
+use crate::State;
+use crate::collect::trimmed;
+use std::fmt;
+
+/// What stands for a segment of which nothing is known.
+const NOTHING: &str = "-";
+
+pub(super) struct Line {
+    pub(super) file: String,
+    pub(super) version: Version,
+}
+
+impl Line {
+    /// What a line says; `None` if it says nothing.
+    pub(super) fn parse(line: &str) -> Option<Line> {
+        let mut parts = line.splitn(4, '\t');
+        let (file, source_locale, translations, source) = (parts.next()?, parts.next()?, parts.next()?, parts.next()?);
+        let mut version = Version {
+            source_locale: source_locale.to_owned(),
+            sources: trimmed(&unescaped(source)?),
+            ..Version::default()
+        };
+        for translation in translations.split(' ') {
+            let (locale, marks) = translation.split_once(':')?;
+            let made: Option<Vec<Option<Made>>> = marks.split(',').map(made).collect();
+            let made = made.filter(|made| made.len() == version.sources.len())?;
+            version.made.insert(locale.to_owned(), made);
+        }
+        let is_whole = !file.is_empty() && !source_locale.is_empty();
+        is_whole.then_some(Line { file: unescaped(file)?, version })
+    }
+}
+
+/// What is known of a segment; `None` if that cannot be read.
+fn made(text: &str) -> Option<Option<Made>> {
+    if text == NOTHING {
+        return Some(None);
+    }
+    let (mark, state) = match text.get(8..)? {
+        "" => (text, State::Translated),
+        "r" => (text.strip_suffix('r')?, State::Reviewed),
+        "f" => (text.get(..8)?, State::Final),
+        _ => return None,
+    };
+    Some(Some(Made { mark: mark.parse().ok()?, state }))
+}
+
+/// Writes the line of a version, whose texts are `source`.
+pub(super) fn write(f: &mut fmt::Formatter<'_>, file: &str, version: &Version, source: &str) -> fmt::Result {
+    escaped(f, file)?;
+    write!(f, "\t{}", version.source_locale)?;
+    for (number, (locale, made)) in version.made.iter().enumerate() {
+        write!(f, "{}{locale}:", if number == 0 { '\t' } else { ' ' })?;
+        for (at, made) in made.iter().enumerate() {
+            f.write_str(if at == 0 { "" } else { "," })?;
+            match made {
+                None => f.write_str(NOTHING)?,
+                Some(Made { mark, state }) => {
+                    write!(f, "{mark}")?;
+                    f.write_str(match state {
+                        State::Initial | State::Translated => "",
+                        State::Reviewed => "r",
+                        State::Final => "f",
+                    })?;
+                }
+            }
+        }
+    }
+    f.write_str("\t")?;
+    escaped(f, source)?;
+    f.write_str("\n")
+}
+
+/// Characters that would end a part or a line, and how they are spelled.
+const ESCAPES: [(char, char); 4] = [('\\', '\\'), ('\t', 't'), ('\n', 'n'), ('\r', 'r')];
+
+fn escaped(f: &mut fmt::Formatter<'_>, text: &str) -> fmt::Result {
+    let mut rest = text;
+    while let Some(at) = rest.find(ESCAPES.map(|(character, _)| character)) {
+        let (plain, behind) = rest.split_at(at);
+        let mut behind = behind.chars();
+        let spelled = ESCAPES.iter().find(|(character, _)| Some(*character) == behind.clone().next());
+        write!(f, "{plain}\\{}", spelled.map_or('\\', |(_, letter)| *letter))?;
+        behind.next();
+        rest = behind.as_str();
+    }
+    f.write_str(rest)
+}
+
+fn unescaped(text: &str) -> Option<String> {
+    let mut out = String::with_capacity(text.len());
+    let mut characters = text.chars();
+    while let Some(character) = characters.next() {
+        match character {
+            '\\' => {
+                let letter = characters.next()?;
+                out.push(ESCAPES.iter().find(|(_, known)| *known == letter)?.0);
+            }
+            character => out.push(character),
+        }
+    }
+    Some(out)
+}

@@ -1,0 +1,57 @@
+//! Lipz files that were renamed: what is known of them goes along.
+
+use super::TextRecord;
+use crate::{Mark, model::joined};
+use std::collections::{BTreeMap, HashMap};
+
+/// The texts of a clip, by locale.
+pub type Texts = BTreeMap<String, Vec<String>>;
+
+impl TextRecord {
+    /// Finds out which of the `lost` files, which are no more, the `new` ones are, of which nothing is known, and gives them
+    /// their lines. They are the same if their texts are: the source text and a translation, or, if only one lost file has
+    /// it, a translation alone. Returns the old and the new paths.
+    pub fn follow(&mut self, lost: &[String], new: &[(String, Texts)]) -> Vec<(String, String)> {
+        let mut by_translation: HashMap<(String, Vec<Mark>), Vec<usize>> = HashMap::new();
+        for (number, versions) in
+            lost.iter().enumerate().filter_map(|(number, lost)| Some((number, self.files.get(lost)?)))
+        {
+            for (locale, made) in versions.iter().flat_map(|version| &version.made) {
+                let marks: Option<Vec<Mark>> = made.iter().map(|made| made.map(|made| made.mark)).collect();
+                let Some(marks) = marks else { continue };
+                let numbers = by_translation.entry((locale.clone(), marks)).or_default();
+                if numbers.last() != Some(&number) {
+                    numbers.push(number);
+                }
+            }
+        }
+        let mut found: Vec<(String, String)> = Vec::new();
+        let mut is_taken = vec![false; lost.len()];
+        for (file, texts) in new {
+            let marks = |texts: &[String]| texts.iter().map(|text| Mark::of(text)).collect::<Vec<_>>();
+            let alike = texts.iter().filter_map(|(locale, texts)| by_translation.get(&(locale.clone(), marks(texts))));
+            let mut alike: Vec<usize> = alike.flatten().copied().filter(|number| !is_taken[*number]).collect();
+            alike.sort_unstable();
+            alike.dedup();
+            let has_source = |number: &&usize| lost.get(**number).is_some_and(|lost| self.has_source(lost, texts));
+            let only = if let [only] = alike.as_slice() { Some(only) } else { None };
+            let Some(number) = alike.iter().find(has_source).or(only).copied() else { continue };
+            is_taken[number] = true;
+            found.extend(lost.get(number).map(|lost| (lost.clone(), file.clone())));
+        }
+        for (old, new) in &found {
+            if let Some(versions) = self.files.remove(old) {
+                self.files.insert(new.clone(), versions);
+            }
+        }
+        found
+    }
+
+    /// Whether a version of a file has the source texts of a clip.
+    fn has_source(&self, file: &str, texts: &Texts) -> bool {
+        let versions = self.files.get(file).into_iter().flatten();
+        let is_source =
+            |locale: &str, sources: &[String]| texts.get(locale).is_some_and(|texts| joined(texts) == joined(sources));
+        versions.into_iter().any(|version| is_source(&version.source_locale, &version.sources))
+    }
+}

@@ -1,0 +1,135 @@
+//! What the record says of the translations of a clip, as its texts are today.
+
+use super::{Made, TextRecord};
+use crate::{Mark, State};
+use std::collections::{HashMap, HashSet};
+
+/// How a translation stands to the source text of today.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Standing {
+    /// It was made from this source text, or changed since while the source text stayed.
+    Current(State),
+    /// The source text has changed since.
+    Stale {
+        /// The source text that it was made from.
+        made_from: String,
+        /// Whether the translation has changed, too: nobody has said that both belong together.
+        is_changed: bool,
+    },
+    /// Nothing is known of it.
+    Unknown,
+}
+
+/// The same, with what the record has about it.
+pub(super) enum Fact<'r> {
+    Current(State),
+    Stale {
+        /// Where it stands among the versions of the file.
+        version: usize,
+        /// Among the segments of the version.
+        segment: usize,
+        made: Made,
+        source: &'r str,
+        is_changed: bool,
+    },
+    Unknown,
+}
+
+/// A fact of the record about a locale of a file.
+#[derive(Clone, Copy)]
+struct Known<'r> {
+    version: usize,
+    segment: usize,
+    made: Made,
+    source: &'r str,
+}
+
+impl TextRecord {
+    /// How the translations of a clip's segments stand; `Unknown` for those without a text.
+    ///
+    /// A segment may have moved within its clip: what counts is the pair of its texts. `file` is the path of the Lipz
+    /// file, `sources` and `texts` are the texts of its segments in both locales.
+    pub fn standings<S: AsRef<str>, T: AsRef<str>>(
+        &self,
+        file: &str,
+        source_locale: &str,
+        locale: &str,
+        sources: &[S],
+        texts: &[T],
+    ) -> Vec<Standing> {
+        let facts = self.facts(file, source_locale, locale, sources, texts);
+        let standing = |fact| match fact {
+            Fact::Current(state) => Standing::Current(state),
+            Fact::Stale { source, is_changed, .. } => Standing::Stale { made_from: source.to_owned(), is_changed },
+            Fact::Unknown => Standing::Unknown,
+        };
+        facts.into_iter().map(standing).collect()
+    }
+
+    /// What is known of each of the texts.
+    pub(super) fn facts<S: AsRef<str>, T: AsRef<str>>(
+        &self,
+        file: &str,
+        source_locale: &str,
+        locale: &str,
+        sources: &[S],
+        texts: &[T],
+    ) -> Vec<Fact<'_>> {
+        let known = self.known(file, source_locale, locale);
+        let marks: Vec<Mark> = texts.iter().map(|text| Mark::of(text.as_ref())).collect();
+        let source = |at: usize| sources.get(at).map_or("", AsRef::as_ref);
+        let has_text = |at: usize| texts.get(at).is_some_and(|text| !text.as_ref().is_empty());
+        let mut pairs: HashMap<(Mark, &str), State> = HashMap::new();
+        let mut by_mark: HashMap<Mark, Vec<&Known<'_>>> = HashMap::new();
+        for fact in &known {
+            let state = pairs.entry((fact.made.mark, fact.source)).or_insert(fact.made.state);
+            *state = fact.made.state.max(*state);
+            by_mark.entry(fact.made.mark).or_default().push(fact);
+        }
+        let known_sources: HashSet<&str> = known.iter().map(|fact| fact.source).collect();
+        let own_sources: HashSet<&str> = sources.iter().map(AsRef::as_ref).collect();
+        let own_marks: HashSet<Mark> = marks.iter().copied().collect();
+        let is_elsewhere = |fact: &Known<'_>| own_marks.contains(&fact.made.mark) || own_sources.contains(fact.source);
+        let mut first_of: HashMap<usize, &Known<'_>> = HashMap::new();
+        for fact in &known {
+            first_of.entry(fact.segment).or_insert(fact);
+        }
+        let one = |at: usize, mark: Mark| {
+            if !has_text(at) || known.is_empty() {
+                return Fact::Unknown;
+            }
+            if let Some(state) = pairs.get(&(mark, source(at))) {
+                return Fact::Current(*state);
+            }
+            let same = by_mark.get(&mark).map_or(&[][..], Vec::as_slice);
+            if let Some(fact) = same.iter().find(|fact| fact.segment == at).or(same.first()) {
+                return fact.stale(false);
+            }
+            if known_sources.contains(source(at)) {
+                return Fact::Current(State::Translated);
+            }
+            let before = first_of.get(&at).filter(|fact| !is_elsewhere(fact));
+            before.map_or(Fact::Unknown, |fact| fact.stale(true))
+        };
+        marks.iter().enumerate().map(|(at, mark)| one(at, *mark)).collect()
+    }
+
+    fn known(&self, file: &str, source_locale: &str, locale: &str) -> Vec<Known<'_>> {
+        let versions = self.files.get(file).map_or(&[][..], Vec::as_slice).iter().enumerate();
+        let mut known = Vec::new();
+        for (version, texts) in versions.filter(|(_, version)| version.source_locale == source_locale) {
+            let made = texts.made.get(locale).map_or(&[][..], Vec::as_slice);
+            for (segment, (made, source)) in made.iter().zip(&texts.sources).enumerate() {
+                known.extend(made.map(|made| Known { version, segment, made, source }));
+            }
+        }
+        known
+    }
+}
+
+impl<'r> Known<'r> {
+    fn stale(&self, is_changed: bool) -> Fact<'r> {
+        let Known { version, segment, made, source } = *self;
+        Fact::Stale { version, segment, made, source, is_changed }
+    }
+}

@@ -1,0 +1,56 @@
+//! The record at work: units get their states, and imports come into the record.
+
+use super::{Standing, TextRecord};
+use crate::{Confirmed, State, Unit};
+
+impl TextRecord {
+    /// Says of the translations of a unit, which are in these locales, how far they are and what they were made from.
+    pub fn describe(&self, file: &str, source_locale: &str, locales: &[String], unit: &mut Unit) {
+        let sources: Vec<&str> = unit.segments.iter().map(|segment| segment.source.as_str()).collect();
+        for (locale, translation) in locales.iter().zip(&mut unit.translations) {
+            if translation.is_empty() {
+                continue;
+            }
+            let standings = self.standings(file, source_locale, locale, &sources, &translation.texts);
+            let mut states = Vec::new();
+            let mut made_from: Vec<String> = sources.iter().map(|source| (*source).to_owned()).collect();
+            for (at, standing) in standings.into_iter().enumerate() {
+                match standing {
+                    Standing::Current(state) => states.push(state),
+                    Standing::Stale { made_from: old, .. } => {
+                        made_from.get_mut(at).into_iter().for_each(|slot| slot.clone_from(&old));
+                    }
+                    Standing::Unknown if translation.texts.get(at).is_some_and(|text| !text.is_empty()) => {
+                        states.push(State::Translated);
+                    }
+                    Standing::Unknown => {}
+                }
+            }
+            translation.state = states.into_iter().min().unwrap_or(State::Translated).max(State::Translated);
+            let is_stale = made_from.iter().zip(&sources).any(|(made_from, source)| made_from != source);
+            translation.made_from = is_stale.then_some(made_from);
+        }
+    }
+
+    /// Takes over what an import confirms; how many texts were made from something else, or from nothing that was known, before.
+    pub fn confirm(&mut self, file: &str, source_locale: &str, confirmed: &Confirmed) -> usize {
+        let Confirmed { locale, sources, texts, states, is_looked_at } = confirmed;
+        let before = self.standings(file, source_locale, locale, sources, texts);
+        let mut count = 0;
+        let accepted: Vec<Option<State>> = (before.iter().zip(states).zip(is_looked_at))
+            .map(|((before, state), is_looked_at)| match (before, (*state)?) {
+                (Standing::Current(known), state) if *is_looked_at => Some(state.max(*known)),
+                (Standing::Current(_), _) => None,
+                (Standing::Stale { .. }, _) if !is_looked_at => None,
+                (_, state) => {
+                    count += 1;
+                    Some(state)
+                }
+            })
+            .collect();
+        if accepted.iter().any(Option::is_some) {
+            self.accept(file, source_locale, locale, sources, texts, &accepted);
+        }
+        count
+    }
+}

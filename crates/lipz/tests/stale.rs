@@ -1,0 +1,148 @@
+//! Translations and what they were made from: the record, `lipz check`, `lipz accept`.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use std::fs;
+use std::path::Path;
+use support::{Scene, lipz};
+
+const MAYOR: &str = r#"{
+  "visemes" :    "MAAAEO----|MAAAAEEO--",
+  "text_en-us" : "Good evening, {name}.|Who goes there?",
+  "text_de-de" : "Guten Abend, {name}. |Wer da?",
+  "fps" :        24
+}
+"#;
+
+/// A project with one clip, whose translation is accepted.
+fn project() -> Scene {
+    let scene = Scene::new();
+    scene.write("lipz.toml", "sources = [\"voices\"]\ndefault-locale = \"en-us\"\n");
+    scene.write("voices/mayor.lipz", MAYOR);
+    scene
+}
+
+fn accepted() -> Scene {
+    let scene = project();
+    assert_eq!(lipz(scene.path(), ["accept", "--all", "--quiet"]).code, 0);
+    scene
+}
+
+fn record(folder: &Path) -> String {
+    let text = fs::read_to_string(folder.join("lipz-texts.txt")).unwrap();
+    text.lines().filter(|line| !line.starts_with('#')).map(|line| line.to_owned() + "\n").collect()
+}
+
+/// The codes that `lipz check` reports.
+fn codes(folder: &Path) -> Vec<String> {
+    let outcome = lipz(folder, ["check", "--quiet"]);
+    let lines = outcome.stderr.lines().filter_map(|line| line.strip_prefix("warning[")?.split(']').next());
+    lines.map(str::to_owned).collect()
+}
+
+#[test]
+fn a_changed_source_is_told_until_somebody_accepts_it() {
+    let mut scene = project();
+    assert_eq!(codes(scene.path()), [""; 0], "a project without a record works as before");
+    let first = lipz(scene.path(), ["accept", "--all"]);
+    let expected = "accepted: 0 texts with another source before, 2 texts of which nothing was known\n\
+                    lipz-texts.txt is new: ";
+    assert!(first.code == 0 && first.stdout.starts_with(expected), "{first:?}");
+    let line = "voices/mayor.lipz\ten-us\tde-de:3dd5d0bd,68686a10\tGood evening, {name}. | Who goes there?\n";
+    assert_eq!(record(scene.path()), line);
+    assert_eq!(codes(scene.path()), [""; 0]);
+
+    scene.write("voices/mayor.lipz", MAYOR.replace("evening", "morning"));
+    scene.expect("LZ1911-stale-translation", &["check", "--quiet"]);
+    scene.write("voices/mayor.lipz", MAYOR.replace("evening", "morning").replace("Abend", "Tag"));
+    scene.expect("LZ1911-stale-translation-both", &["check", "--quiet"]);
+    scene.write("voices/mayor.lipz", MAYOR.replace("Abend", "Tag"));
+    assert_eq!(codes(scene.path()), [""; 0], "a translation may change by itself");
+
+    scene.write("voices/mayor.lipz", MAYOR.replace("evening", "morning"));
+    let check = lipz(scene.path(), ["accept", "--all", "--check"]);
+    let expected = "mayor de-de: `Guten Abend, {name}.` for `Good morning, {name}.`, before for `Good evening, {name}.`\n\
+                    to be accepted: 1 text with another source before, 0 texts of which nothing was known\n";
+    assert_eq!((check.code, check.stdout.as_str()), (1, expected));
+    assert_eq!(record(scene.path()), line, "nothing is written");
+    let other = lipz(scene.path(), ["accept", "voices", "--locale", "fr-fr"]);
+    assert!(other.stdout.starts_with("accepted: 0 texts"), "{other:?}");
+    let by_key = lipz(scene.path(), ["accept", "--key", "may*", "--locale", "de-de"]);
+    assert!(
+        by_key.stdout.ends_with("accepted: 1 text with another source before, 0 texts of which nothing was known\n")
+    );
+    assert_eq!(codes(scene.path()), [""; 0]);
+    assert_eq!(lipz(scene.path(), ["accept", "--all", "--check"]).code, 0);
+    let nothing = lipz(scene.path(), ["accept"]);
+    assert!(nothing.code == 2 && nothing.stderr.contains("nothing is named"), "{nothing:?}");
+}
+
+#[test]
+fn an_import_says_what_translations_were_made_from() {
+    let scene = accepted();
+    let folder = scene.path();
+    scene.write("voices/mayor.lipz", MAYOR.replace("evening", "morning"));
+    lipz(folder, ["texts", "export", "po", "-o", "de.po"]);
+    let po = fs::read_to_string(folder.join("de.po")).unwrap();
+    assert!(po.contains("#, fuzzy\n#| msgid \"Good evening, {name}. | Who goes there?\"\n"), "{po}");
+    lipz(folder, ["texts", "import", "de.po"]);
+    assert_eq!(codes(folder), ["LZ1911"], "nobody has looked at it");
+    // A translator who finds that it still fits takes the mark away.
+    scene.write("de.po", po.replace("#, fuzzy\n", ""));
+    lipz(folder, ["texts", "import", "de.po"]);
+    assert_eq!(codes(folder), [""; 0]);
+    scene.write("voices/mayor.lipz", MAYOR.replace("evening", "night"));
+    for format in ["csv", "xliff", "xliff-1.2", "json", "xlsx"] {
+        let name = format!("texts.{}", format.split('-').next().unwrap().replace("xliff", "xlf"));
+        lipz(folder, ["texts", "export", format, "-o", &name, "--force"]);
+        lipz(folder, ["texts", "import", &name]);
+        assert_eq!(codes(folder), ["LZ1911"], "{format}: as it was");
+    }
+    let csv = fs::read_to_string(folder.join("texts.csv")).unwrap().replace("Guten Abend", "Gute Nacht");
+    scene.write("texts.csv", csv);
+    let import = lipz(folder, ["texts", "import", "texts.csv"]);
+    assert_eq!((import.stdout.as_str(), codes(folder)), ("texts imported: 0 new, 1 changed\n", vec![]));
+    let xliff = lipz(folder, ["texts", "export", "xliff", "-o", "-"]).stdout;
+    scene.write("de.xlf", xliff.replacen("state=\"translated\"", "state=\"final\"", 1));
+    lipz(folder, ["texts", "import", "de.xlf"]);
+    assert!(record(folder).contains("f,68686a10\t"), "{}", record(folder));
+    let again = lipz(folder, ["texts", "export", "xliff", "-o", "-", "--by", "segment"]).stdout;
+    assert!(!again.contains("state=\"final\""), "of the clip, the earliest state counts");
+}
+
+#[test]
+fn a_renamed_clip_keeps_what_is_known() {
+    let scene = accepted();
+    let folder = scene.path();
+    fs::remove_file(folder.join("voices/mayor.lipz")).unwrap();
+    scene.write("voices/act1/mayor.lipz", MAYOR.replace("evening", "morning"));
+    assert_eq!(codes(folder), ["LZ1911"]);
+    let inner = lipz(&folder.join("voices"), ["check", "act1", "--quiet"]);
+    assert!(inner.stderr.contains("[LZ1911]"), "{}", inner.stderr);
+    let accept = lipz(folder, ["accept", "--all"]);
+    assert!(accept.stdout.starts_with("voices/mayor.lipz is voices/act1/mayor.lipz now\n"), "{}", accept.stdout);
+    fs::remove_file(folder.join("voices/act1/mayor.lipz")).unwrap();
+    scene.write("voices/other.lipz", "{ \"visemes\": \"MA\" }");
+    lipz(folder, ["accept", "voices"]);
+    assert_ne!(record(folder), "", "only all of a project forgets");
+    let accept = lipz(folder, ["accept", "--all"]);
+    assert!(accept.stdout.starts_with("voices/act1/mayor.lipz is no more\n"), "{}", accept.stdout);
+    assert_eq!(record(folder), "");
+}
+
+#[test]
+fn records_that_cannot_be_read() {
+    let mut scene = accepted();
+    let line = record(scene.path());
+    let conflict = format!("# lipz texts\n<<<<<<< HEAD\n{line}=======\n{line}>>>>>>> theirs\n");
+    scene.write("lipz-texts.txt", &conflict);
+    scene.expect("LZ1910-text-record-line", &["check", "--quiet"]);
+    scene.write("lipz-texts.txt", "my notes");
+    for arguments in [&["check"][..], &["accept", "--all"], &["texts", "export", "po", "-o", "x.po"]] {
+        let outcome = lipz(scene.path(), arguments);
+        assert!(outcome.code == 2 && outcome.stderr.contains("is not a record of translations"), "{outcome:?}");
+    }
+    assert_eq!(fs::read_to_string(scene.path().join("lipz-texts.txt")).unwrap(), "my notes");
+    assert!(!scene.path().join("x.po").exists());
+}
