@@ -78,7 +78,7 @@ fn a_byte_order_mark_is_skipped() {
 
 /// The template with every setting uncommented.
 fn uncommented() -> String {
-    template()
+    template(&[])
         .replace("\n#", "\n")
         .lines()
         .filter(|line| !line.starts_with(' '))

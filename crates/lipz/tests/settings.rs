@@ -180,9 +180,54 @@ fn init_writes_a_file_that_works_and_replaces_none() {
     scene.prepare(&["init", "--force"]);
     assert_eq!(fs::read_to_string(scene.path().join("lipz.toml")).unwrap(), written);
     scene.prepare(&["init", "new/project", "--quiet"]);
-    let files = ["act1", "act1/aye.lipz", "lipz.toml", "new", "new/project", "new/project/lipz.toml"];
+    let of_new = [".gitignore", "lipz.toml", "voices", "voices/hello.lipz"].map(|name| format!("new/project/{name}"));
+    let old = [".gitignore", "act1", "act1/aye.lipz", "lipz.toml", "new", "new/project"].map(str::to_owned);
+    let mut files: Vec<String> = old.into_iter().chain(of_new).collect();
+    files.sort();
     assert_eq!(tree(scene.path()), files);
     scene.finish(1);
+}
+
+#[test]
+fn a_new_project_packs() {
+    let scene = Scene::new();
+    scene.write(".gitignore", "target");
+    scene.prepare(&["init"]);
+    assert_eq!(fs::read_to_string(scene.path().join(".gitignore")).unwrap(), "target\n/dialogue.lipzbank\n");
+    let first = lipz(scene.path(), ["check", "--deny", "warnings"]);
+    assert_eq!((first.code, first.stderr.as_str()), (0, ""));
+    assert_eq!(lipz(scene.path(), ["fmt", "--check"]).code, 0, "the first clip is in canonical layout");
+    scene.prepare(&["new", "act1/mara-hello", "{tired} Good evening, \"Otto\".|Aye."]);
+    let written = fs::read_to_string(scene.path().join("voices/act1/mara-hello.lipz")).unwrap();
+    assert_eq!(written, "{\n  \"text_en-us\" : \"{tired} Good evening, \\\"Otto\\\".|Aye.\"\n}\n");
+    scene.prepare(&["new", "act1/otto", "Ja.", "--locale", "de-de", "--output", "voices"]);
+    scene.prepare(&["pack"]);
+    let list = lipz(scene.path(), ["inspect", "dialogue.lipzbank", "--list", "--json"]).stdout;
+    for key in ["hello", "act1/mara-hello", "act1/otto"] {
+        assert!(list.contains(&format!("\"{key}\"")), "{list}");
+    }
+    scene.prepare(&["init", "--force"]);
+    assert_eq!(fs::read_to_string(scene.path().join(".gitignore")).unwrap(), "target\n/dialogue.lipzbank\n");
+}
+
+#[test]
+fn new_clips_replace_none_and_fit_into_the_project() {
+    let scene = Scene::new();
+    scene.write("lipz.toml", "sources = [\"voices\"]\n");
+    scene.write("voices/aye.lipz", "{ \"text_en-us\": \"Aye.\" }");
+    let before = tree(scene.path());
+    for (arguments, code, said) in [
+        (&["aye", "No.", "--locale", "en-us"][..], 1, "LZ0906"),
+        (&["AYE", "No.", "--locale", "en-us"], 1, "LZ0801"),
+        (&["../aye", "No.", "--locale", "en-us"], 1, "error[LZ08"),
+        (&["no", "No."], 2, "default-locale"),
+        (&["no"], 2, "<TEXT>"),
+    ] {
+        let run = lipz(scene.path(), [&["new"], arguments].concat());
+        assert_eq!(run.code, code, "{arguments:?}: {}", run.stderr);
+        assert!(run.stderr.contains(said), "{arguments:?}: {}", run.stderr);
+    }
+    assert_eq!(tree(scene.path()), before);
 }
 
 /// The flags of the command for names without tables; sources are arguments.

@@ -12,16 +12,17 @@ const HEAD: &str = "\
 /// Columns of an explanation.
 const WIDTH: usize = 100;
 
-/// A settings file with every setting at its default, or with an example, behind `#`.
-pub fn template() -> String {
+/// A settings file with every setting at its default, or with an example, behind `#`; those in `set`, of the first
+/// table, have the values that stand there, in TOML.
+pub fn template(set: &[(&str, &str)]) -> String {
     let mut text = HEAD.to_owned();
     for table in TABLES {
-        push_table(&mut text, table);
+        push_table(&mut text, table, if table.name.is_empty() { set } else { &[] });
     }
     text
 }
 
-fn push_table(text: &mut String, table: &Table) {
+fn push_table(text: &mut String, table: &Table, set: &[(&str, &str)]) {
     text.push('\n');
     push_comment(text, table.about);
     if !table.name.is_empty() {
@@ -33,7 +34,10 @@ fn push_table(text: &mut String, table: &Table) {
             for setting in *settings {
                 text.push('\n');
                 push_comment(text, &format!("{} Default: {}.", setting.about, setting.default));
-                let _ = writeln!(text, "#{} = {}", setting.name, setting.example);
+                let _ = match set.iter().find(|(name, _)| *name == setting.name) {
+                    Some((name, value)) => writeln!(text, "{name} = {value}"),
+                    None => writeln!(text, "#{} = {}", setting.name, setting.example),
+                };
             }
         }
         Content::Map(map) => {
@@ -77,13 +81,15 @@ mod tests {
 
     #[test]
     fn the_template_changes_nothing() {
-        let (written, empty) = (read(&template()), read(""));
+        let (written, empty) = (read(&template(&[])), read(""));
         assert_eq!(format!("{written:?}"), format!("{empty:?}"));
+        let (written, set) = (read(&template(&[("strip", "true")])), read("strip = true"));
+        assert_eq!(format!("{written:?}"), format!("{set:?}"));
     }
 
     #[test]
     fn every_setting_is_there_and_can_be_uncommented() {
-        let uncommented: String = template()
+        let uncommented: String = template(&[])
             .lines()
             .map(|line| line.strip_prefix('#').filter(|rest| !rest.starts_with(' ')).unwrap_or(line).to_owned() + "\n")
             .collect();

@@ -1,16 +1,32 @@
-//! `lipz init`: a settings file that explains itself.
+//! `lipz init`: a project that packs, with settings that explain themselves.
 
-use crate::Ended;
 use crate::commands::Run;
 use crate::reporter::Reporter;
+use crate::shared::formats::unreadable;
 use crate::shared::output_file;
-use crate::{Outcome, console};
+use crate::{Abort, Ended, Outcome, console};
 use clap::Args;
-use lipz_compiler::settings::{FILE_NAME, template};
+use lipz_compiler::settings::{FILE_NAME, Settings, template};
 use lipz_diagnostics::{Code, Diagnostic, Report};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::{fs, io};
 
-/// Write a lipz.toml with every setting, explained and commented out.
+/// A first clip, in canonical layout: a mouth shape per frame, a text, and an event.
+const FIRST_CLIP: &str = r#"{
+  "visemes" :    "--EEELLOOOWW----|LEESASSMEEEEESS--",
+  "text_en-us" : "Hello.          |Let us begin.",
+  "events" :     "                |feels happy",
+  "fps" :        24
+}
+"#;
+
+const FIRST_PATH: &str = "voices/hello.lipz";
+const BANK: &str = "dialogue.lipzbank";
+const IGNORED: &str = ".gitignore";
+
+/// Begin a project: a lipz.toml with every setting, explained, a first clip, and a .gitignore for the bank.
+///
+/// Where there are Lipz files already, no clip is written. A .gitignore that exists gets a line more.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz init
@@ -44,12 +60,47 @@ impl Run for Init {
                 diagnostic.note("nothing was written").help("edit it, or replace it by a fresh one with --force");
             return Err(reporter.refuse(vec![Report::about(shown, diagnostic)]));
         }
-        output_file::write(&file, template().as_bytes(), reporter)?;
+        let bank = format!("\"{BANK}\"");
+        let mut set = vec![("output", bank.as_str())];
+        let is_new = !has_clips(&self.folder);
+        if is_new {
+            set.extend([("sources", "[\"voices\"]"), ("default-locale", "\"en-us\"")]);
+            output_file::write(&self.folder.join(FIRST_PATH), FIRST_CLIP.as_bytes(), reporter)?;
+        }
+        ignore_bank(&self.folder.join(IGNORED), reporter)?;
+        output_file::write(&file, template(&set).as_bytes(), reporter)?;
         if self.quiet {
             return Ok(Outcome::Clean);
         }
-        let next = "`lipz check` in its folder checks all Lipz files there and below";
+        let next = match is_new {
+            true => "with a first clip in voices: `lipz pack` there packs it, `lipz new KEY TEXT` makes another one",
+            false => "`lipz check` in its folder checks all Lipz files there and below",
+        };
         reporter.summary(&format!("{shown} written: {next}\n"))?;
         Ok(Outcome::Clean)
     }
+}
+
+/// Whether there are Lipz files in the folder or below it.
+fn has_clips(folder: &Path) -> bool {
+    let mut settings = Settings::default();
+    settings.sources = vec![folder.to_owned()];
+    folder.is_dir() && !settings.discover().0.is_empty()
+}
+
+/// Adds the bank to the files that git ignores: it is made again from the Lipz files.
+fn ignore_bank(file: &Path, reporter: &mut Reporter) -> Result<(), Abort> {
+    let line = format!("/{BANK}");
+    let mut text = match fs::read_to_string(file) {
+        Ok(text) => text,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => String::new(),
+        Err(error) => return Err(reporter.fail(unreadable(file, &error))),
+    };
+    if text.lines().any(|known| known == line || known == BANK || known == "*.lipzbank") {
+        return Ok(());
+    }
+    if !text.is_empty() && !text.ends_with('\n') {
+        text.push('\n');
+    }
+    output_file::write(file, (text + &line + "\n").as_bytes(), reporter)
 }

@@ -17,6 +17,7 @@ pub(crate) mod init;
 pub(crate) mod inspect;
 pub(crate) mod man;
 pub(crate) mod maps;
+pub(crate) mod new;
 pub(crate) mod pack;
 pub(crate) mod recogniser;
 pub(crate) mod schema;
@@ -64,6 +65,7 @@ commands! {
     Watch(watch::Watch),
     Check(check::Check),
     Init(init::Init),
+    New(new::New),
     Fmt(fmt::Fmt),
     Convert(convert::Convert),
     Sync(sync::SyncArguments),
