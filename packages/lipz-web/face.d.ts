@@ -60,3 +60,9 @@ export const EMOTION_COLOURS: Readonly<Record<Emotion, string>>;
  * Beside them: `tears`, `sweat`, `flush`, `pale`, `sick` and `pupils` (negative: small), and `headPitch` and `headRoll` in degrees.
  */
 export function weightsOf(emotions?: Pose["emotions"]): Record<string, number>;
+
+/**
+ * The emotions of a single word, for clips that have no curves of emotion: `emotionsOf(cursor.state().feels)`. The words are those
+ * of the Lipz specification and of Fallout, and the attributes themselves; of others nothing is known.
+ */
+export function emotionsOf(word: string | undefined): Readonly<Partial<Record<Emotion, number>>>;

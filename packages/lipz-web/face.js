@@ -6,6 +6,7 @@ import { markup, PARTS } from "./face/parts.js";
 
 export { EMOTION_COLOURS, weightsOf } from "./face/emotion.js";
 export { VISEMES } from "./face/mouth.js";
+export { emotionsOf } from "./face/presets.js";
 
 /** The part of the plane that a face is drawn in: x, y, width, height. */
 export const VIEW_BOX = [-110, -120, 220, 260];

@@ -100,6 +100,7 @@ fn assemble(package: &Path, built: &Path) -> std::io::Result<()> {
     fs::copy(root.join("crates/lipz-capi/include/lipz.h"), package.join("test/lipz.h"))?;
     fs::copy(root.join(CASES), package.join("test/cases.txt"))?;
     copy_files(&root.join(BANKS), &package.join("test/banks"))?;
+    fs::copy(root.join("docs/FACE.md"), package.join("test/FACE.md"))?;
     copy_files(&root.join(PICTURES), &package.join("test/pictures"))?;
     Ok(())
 }

@@ -108,9 +108,8 @@ function show() {
   happen(cursor.advanceTo(time).events);
   const { viseme, segment } = cursor;
   const text = segment?.text($("locale").value);
-  const emotions = clip.emotionsAt(time);
-  const feeling = felt(emotions);
-  face.show(poseAt(viseme, emotions, time));
+  const feeling = felt(clip.emotionsAt(time));
+  face.show(poseAt(cursor, time));
   timeline.mark(time, segment, text?.text, feeling);
   curves.mark(time);
   $("feeling").textContent = feeling;

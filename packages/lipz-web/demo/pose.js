@@ -1,6 +1,6 @@
 // The pose of the speaker's face at a time, as face.js draws it.
 
-import { VISEMES } from "../face.js";
+import { emotionsOf, VISEMES } from "../face.js";
 import { EMOTIONS } from "../lipz.js";
 
 /** What moves a face besides its mouth and its emotions. */
@@ -10,14 +10,18 @@ const RESTLESS = ["headPitch", "headYaw", "headRoll", "breath"];
 
 const still = matchMedia("(prefers-reduced-motion: reduce)");
 
-/** Gives the function that tells the pose at a time: the curves of a clip are looked up once. */
+/** Gives the function that tells the pose at a time, of a cursor there: the curves of a clip are looked up once. */
 export function posesOf(clip) {
-  const others = clip.curves.filter(({ name }) => !EMOTIONS.includes(name));
-  return (viseme, emotions, time) => {
+  const { curves } = clip;
+  const others = curves.filter(({ name }) => !EMOTIONS.includes(name));
+  // Without curves of emotion, the face is that of the word: `feels sad`.
+  const isFelt = others.length < curves.length;
+  return (cursor, time) => {
+    const emotions = isFelt ? clip.emotionsAt(time).values : emotionsOf(cursor.state().feels);
     const shapes = Object.fromEntries(others.map((curve) => [curve.name, curve.valueAt(time)]));
     const motions = Object.fromEntries(MOTIONS.map((name) => [name, shapes[name] ?? 0]));
     if (still.matches) RESTLESS.forEach((name) => (motions[name] = 0));
-    return { viseme, visemeType: clip.visemeType, emotions: emotions.values, shapes, ...motions };
+    return { viseme: cursor.viseme, visemeType: clip.visemeType, emotions, shapes, ...motions };
   };
 }
 

@@ -4,7 +4,8 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { lipsOf, shapeOf } from "../face/mouth.js";
-import { EMOTION_COLOURS, faceMarkup, VISEMES, weightsOf } from "../face.js";
+import { PRESETS } from "../face/presets.js";
+import { EMOTION_COLOURS, emotionsOf, faceMarkup, VISEMES, weightsOf } from "../face.js";
 import { EMOTIONS, open } from "../lipz.js";
 
 const bank = await open(await readFile(new URL("banks/small.lipzbank", import.meta.url)));
@@ -58,6 +59,18 @@ test("each emotion has a face and a colour of its own, which grow", () => {
   }
   assert.deepEqual(weightsOf({ joy: 0, anger: -1, smug: 5 }), {});
   assert.ok(Math.abs(weightsOf({ anger: 5, joy: 5 }).flush - 0.4) < 1e-9, "they are added");
+});
+
+test("words are the emotions that FACE.md says", async () => {
+  const page = await readFile(new URL("FACE.md", import.meta.url), "utf8");
+  const rows = Array.from(page.matchAll(/^\| ((?:`\w+`(?:, )?)+) \| (none|(?:\w+(?: \d+|, usual value)(?:, )?)+) \|/gm));
+  const told = rows.flatMap(([, words, attributes]) => {
+    const pairs = Array.from(attributes.matchAll(/(\w+)(?: (\d+)|, usual value)/g), ([, name, value]) => [name, Number(value ?? 5)]);
+    return Array.from(words.matchAll(/`(\w+)`/g), ([, word]) => [word, Object.fromEntries(pairs)]);
+  });
+  assert.deepEqual(Object.fromEntries(told), PRESETS);
+  for (const [word, emotions] of told) assert.equal(emotionsOf(word), PRESETS[word] ?? emotions);
+  assert.deepEqual([emotionsOf("anger"), emotionsOf("smug"), emotionsOf(undefined), emotionsOf("toString")], [{ anger: 5 }, {}, {}, {}]);
 });
 
 test("sounds of closed lips are closed in every mood", () => {

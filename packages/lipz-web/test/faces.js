@@ -25,6 +25,17 @@ export async function feelings(demo, same) {
   same(page.getElementById("face").getAttribute("aria-describedby"), "feeling", "what describes the face");
 }
 
+/** Without curves, the face is that of the word that an event has. */
+export async function words(demo, same) {
+  const { page, player } = await demo({ clip: "act1/otto-ticking" });
+  same(page.getElementById("state").textContent.includes("the speaker feels afraid"), true, "what the event says");
+  same(part(page, "moodNear").getAttribute("stop-color"), "#8f63d4", "the colour of fear");
+  const brow = part(page, "browLeft").getAttribute("d");
+  const calm = await demo({ clip: "act1/mara-good-evening" });
+  same(part(calm.page, "browLeft").getAttribute("d") === brow, false, "its brows");
+  same(player.clip.curves.length, 0, "no curves");
+}
+
 /** Curves move eyes, brows, head and whatever a rig has. */
 export async function rigs(demo, same) {
   const { page, player } = await demo({ ...FACES, clip: "rig" });

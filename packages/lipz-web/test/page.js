@@ -2,6 +2,7 @@
 
 import * as controls from "./controls.js";
 import * as faces from "./faces.js";
+import * as motion from "./motion.js";
 
 const FRAMES = "SOOOOSEEEFEESAASS---OOOSSSOO-------SOOUUUASSEELAAAS---AASSSSSSSEEFFOSSASEEASLLS-------------";
 const TEXTS = {
@@ -91,10 +92,13 @@ async function playing() {
 }
 
 let clock = "";
+const isStill = location.search === "?still";
 try {
-  await still();
-  clock = await playing();
-  for (const [name, look] of Object.entries({ ...controls, ...faces })) {
+  if (!isStill) {
+    await still();
+    clock = await playing();
+  }
+  for (const [name, look] of Object.entries(isStill ? motion : { ...controls, ...faces })) {
     await look(demo, (found, expected, what) => same(found, expected, `${name}: ${what}`));
   }
 } catch (error) {

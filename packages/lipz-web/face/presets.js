@@ -1,0 +1,30 @@
+// What single words feel like: those of the Lipz specification and of Fallout, in the attributes of emotion. The table is that of
+// docs/FACE.md, which a test compares.
+
+import { EMOTION_COLOURS } from "./emotion.js";
+
+/** The value of an emotion that has none. */
+const USUAL = 5;
+
+export const PRESETS = {
+  neutral: {},
+  calm: {},
+  amused: { joy: 3 },
+  happy: { joy: USUAL },
+  sad: { sadness: USUAL },
+  irritated: { anger: 3 },
+  angry: { anger: USUAL },
+  suspicious: { perplexed: 2, anger: 1 },
+  confused: { perplexed: USUAL },
+  afraid: { fear: USUAL },
+  thinking: { perplexed: 2 },
+  evil: { anger: 5, joy: 5 },
+  good: { joy: 3 },
+  bad: { anger: 3 },
+};
+
+/** The emotions of a word after `feels`; none for a word of which nothing is known. */
+export function emotionsOf(word) {
+  if (Object.hasOwn(EMOTION_COLOURS, word ?? "")) return { [word]: USUAL };
+  return Object.hasOwn(PRESETS, word ?? "") ? PRESETS[word] : {};
+}

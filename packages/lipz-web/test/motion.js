@@ -1,0 +1,18 @@
+// The demo in a browser whose user does not want motion: what the line says still shows, and nothing sways.
+
+export async function motion(demo, same) {
+  const { page, window, player } = await demo({ bank: "faces", clip: "rig" });
+  same(window.matchMedia("(prefers-reduced-motion: reduce)").matches, true, "the browser says so");
+  const seen = (name, attribute) => page.querySelector(`#face [data-part=${name}]`).getAttribute(attribute);
+  const isMoved = (from, to, name, attribute) => {
+    player.seek(from);
+    const before = seen(name, attribute);
+    player.seek(to);
+    return seen(name, attribute) !== before;
+  };
+  same(isMoved(0, 0.8, "features", "transform"), false, "the head");
+  same(isMoved(1.7, 2.2, "body", "d"), false, "breath");
+  same(isMoved(0, 0.5, "leftUpper", "d"), true, "a blink");
+  same(isMoved(0, 0.2, "inside", "d"), true, "the mouth");
+  same(isMoved(0, 0.66, "browLeft", "d"), true, "brows");
+}
