@@ -134,4 +134,12 @@ error_kinds! {
     Recording = 34, "what the bank says about a recording is not valid";
     /// A curve has no name or no keys, keys that do not ascend or lie behind the clip, or is not where it belongs.
     Curve = 35, "a curve is not valid";
+    /// What a layer says about the banks below it is cut off, out of order, or leads to nothing.
+    Layer = 36, "what the layer says about the banks below it is not valid";
+    /// A layer does not lie over the banks that it was made over: one is missing, another version, or above it.
+    OtherBase = 37, "the layer was made over other banks than those below it";
+    /// A bank above the first one that was not made as a layer.
+    NotALayer = 38, "the bank is not a layer: it was not packed over another bank";
+    /// No banks, or more than a program has room for.
+    LayerCount = 39, "there is no bank, or there are more than the program has room for";
 }

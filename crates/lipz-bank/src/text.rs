@@ -25,6 +25,11 @@ impl<'data> Text<'data> {
     pub const fn is_fallback(self) -> bool {
         self.is_fallback
     }
+
+    /// The text, shown for want of one in the locale that was asked for.
+    pub(crate) const fn as_fallback(self) -> Text<'data> {
+        Text { is_fallback: true, ..self }
+    }
 }
 
 impl Deref for Text<'_> {

@@ -59,6 +59,10 @@ fn numbers_are_stable() {
         (33, BankNotVerified),
         (34, Recording),
         (35, Curve),
+        (36, Layer),
+        (37, OtherBase),
+        (38, NotALayer),
+        (39, LayerCount),
     ];
     let kinds: Vec<_> = ErrorKind::ALL.iter().map(|&kind| (kind as u8, kind)).collect();
     assert_eq!(table[..], kinds, "the table above has every kind, and numbers that it has stay");

@@ -6,7 +6,7 @@
 use lipz_bank::{ClipId, CurveValue, ErrorKind};
 use lipz_layout::{BabbleRecord, EventNameRecord, EventRecord, RecordingRecord, TypedEventRecord};
 use lipz_layout::{ClipRecord, DirectoryEntry, Header, KeyRecord, LocaleRecord, RateRecord, Tag};
-use lipz_layout::{CurveClipRecord, CurveKeyRecord, CurveRecord, WideCurveKeyRecord};
+use lipz_layout::{CurveClipRecord, CurveKeyRecord, CurveRecord, LayerRecord, WideCurveKeyRecord};
 use lipz_testkit::golden::{DRAMA, SMALL, section, verified};
 use std::mem::{size_of, size_of_val};
 use zerocopy::FromBytes;
@@ -114,6 +114,16 @@ fn records() {
     check_fields("CurveClipRecord", &fields, size_of::<CurveClipRecord>());
     let fields = fields!(CurveRecord { keys_first, name_and_width });
     check_fields("CurveRecord", &fields, size_of::<CurveRecord>());
+    let fields = fields!(LayerRecord {
+        base_count,
+        removed_count,
+        stand_in_count,
+        part_count,
+        removed_locale_count,
+        flags,
+        reserved,
+    });
+    check_fields("LayerRecord", &fields, size_of::<LayerRecord>());
     let keys: Vec<_> = table("### Keys of a curve", "| key | bytes | frame | value |");
     let narrow = fields!(CurveKeyRecord { frame, thousandths });
     let wide = fields!(WideCurveKeyRecord { frame, thousandths });
@@ -171,6 +181,11 @@ fn values() {
         ("NO_NAME", u64::from(lipz_layout::NO_NAME)),
         ("CURVE_WIDE", u64::from(lipz_layout::CURVE_WIDE)),
         ("DIRECT_SLOT", u64::from(lipz_layout::DIRECT_SLOT)),
+        ("LAYER_BABBLE", u64::from(lipz_layout::LAYER_BABBLE)),
+        ("LAYER_DEFAULT_LOCALE", u64::from(lipz_layout::LAYER_DEFAULT_LOCALE)),
+        ("PART_CLIP", u64::from(lipz_layout::PART_CLIP)),
+        ("PART_TEXTS", u64::from(lipz_layout::PART_TEXTS)),
+        ("NO_STAND_IN", u64::from(lipz_layout::NO_STAND_IN)),
     ];
     let described: Vec<_> = table("### ClipRecord", "| name | value |");
     assert!(described.iter().map(|row| (row[0], number(row[1]))).eq(values));

@@ -125,6 +125,18 @@
 // Damage: a curve is not valid.
 #define LIPZ_CURVE 35
 
+// Damage: what the layer says about the banks below it is not valid.
+#define LIPZ_LAYER 36
+
+// Damage: the layer was made over other banks than those below it.
+#define LIPZ_OTHER_BASE 37
+
+// Damage: the bank is not a layer: it was not packed over another bank.
+#define LIPZ_NOT_A_LAYER 38
+
+// Damage: there is no bank, or there are more than the program has room for.
+#define LIPZ_LAYER_COUNT 39
+
 
 
 // Version of this header: changes of the first number break programs; so do, while it is 0, those

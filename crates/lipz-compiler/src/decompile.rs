@@ -1,7 +1,7 @@
 //! From a bank back to documents: the reverse of lowering.
 
-use crate::BankWithTexts;
 use crate::source_record::{self, Name, RecordedValue};
+use crate::{BankWithTexts, layers};
 use lipz_bank::{Bank, Clip, Curve, Fps, Locale, Segment};
 use lipz_diagnostics::{Code, Report};
 use lipz_file::{Document, Element, JsonString, Raw, Value, curve};
@@ -68,10 +68,19 @@ impl<'data, 'bank> Documents<'data, 'bank> {
     /// that are in the bank itself.
     ///
     /// # Errors
-    /// If one of the two source sections is missing or has another shape.
+    /// If one of the two source sections is missing or has another shape, and if the bank is a layer that has only the
+    /// texts of a clip, or all but these.
     pub fn from_bank(bank: impl Into<BankWithTexts<'data, 'bank>>) -> Result<Self, Report> {
         let whole: BankWithTexts<'data, 'bank> = bank.into();
         let bank = whole.bank();
+        if layers::has_parts(bank) {
+            return Err(Report::failure(
+                "",
+                Code::LayerAlone,
+                "the bank is a layer with only parts of some clips",
+                "name the banks that it lies over, too: `base.lipzbank+layer.lipzbank`",
+            ));
+        }
         let section = |tag: Tag| bank.sections().find(|(found, _)| *found == tag.0).map(|(_, bytes)| bytes);
         let sources = match (section(Tag::SOURCE_INDEX), section(Tag::SOURCES)) {
             (None, None) => None,

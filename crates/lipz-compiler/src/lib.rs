@@ -65,6 +65,7 @@ pub mod inspect;
 #[cfg(feature = "json")]
 mod json;
 pub mod key;
+mod layers;
 mod localise;
 mod lower;
 #[cfg(not(feature = "cache"))]
@@ -77,6 +78,7 @@ mod pseudo;
 mod replacements;
 mod rewrite;
 pub mod settings;
+mod source_index;
 mod source_record;
 mod split;
 #[cfg(feature = "stats")]
@@ -101,6 +103,7 @@ pub use depend::{dependencies, depfile, watched};
 pub use discover::{discover, is_pattern};
 pub use fix::Fixed;
 pub use input::{Content, Input};
+pub use layers::{Over, Stack};
 pub use lipz_diagnostics as diagnostics;
 pub use options::{EmotionCurves, Emotions, KnownNames, MinCoverage, Options, TextLimits};
 pub use output::replace_file;

@@ -48,6 +48,18 @@ impl Stored {
 }
 
 impl LocaleColumn {
+    /// The column of a locale whose texts are there.
+    pub(crate) fn new(tag: &str, is_default: bool, texts: impl Iterator<Item = Choice>) -> LocaleColumn {
+        LocaleColumn { tag: tag.into(), is_default, texts: texts.map(Stored::new).collect() }
+    }
+
+    /// Puts the text of the clip with this index elsewhere.
+    pub(crate) fn set(&mut self, clip: usize, choice: Choice) {
+        if let Some(stored) = self.texts.get_mut(clip) {
+            *stored = Stored::new(choice);
+        }
+    }
+
     /// Where the text of the clip with this index is.
     pub(crate) fn text(&self, clip: usize) -> Choice {
         self.texts.get(clip).map_or(Choice::Missing, |stored| stored.choice())

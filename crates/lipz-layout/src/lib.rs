@@ -37,6 +37,7 @@ pub use records::{BabbleRecord, ClipRecord, EventNameRecord, EventRecord};
 pub use records::{CURVE_WIDE, CurveClipRecord, CurveKeyRecord, CurveRecord, WideCurveKeyRecord};
 pub use records::{FLAG_VISEMES, LOCALE_DEFAULT, MAX_INTEGER_FPS, NO_NAME, NO_RATE, NO_RECORDING, stored_fps};
 pub use records::{KeyRecord, LocaleRecord, RateRecord, RecordingRecord, TypedEventRecord};
+pub use records::{LAYER_BABBLE, LAYER_DEFAULT_LOCALE, LayerRecord, NO_STAND_IN, PART_CLIP, PART_TEXTS};
 pub use records::{
     VERB_DOES, VERB_FEELS, VERB_POINTS, VERB_SEES, VERB_STARES, VERB_STOPS_POINTING, VERB_STOPS_STARING,
 };

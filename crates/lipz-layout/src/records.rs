@@ -20,6 +20,16 @@ pub const NO_NAME: u32 = u32::MAX;
 pub const NO_RECORDING: u64 = u64::MAX;
 /// Bit of a curve's `name_and_width`: its keys are [`WideCurveKeyRecord`]s.
 pub const CURVE_WIDE: u32 = 1 << 31;
+/// Flag of a layer: its babble profiles, or its lack of them, count, and not those below it.
+pub const LAYER_BABBLE: u32 = 1;
+/// Flag of a layer: its default locale, or its lack of one, counts, and not that below it.
+pub const LAYER_DEFAULT_LOCALE: u32 = 2;
+/// Part of a clip in a layer: everything but its texts.
+pub const PART_CLIP: u8 = 1;
+/// Part of a clip in a layer: its texts.
+pub const PART_TEXTS: u8 = 2;
+/// Stand-in of a locale for which no other one stands in.
+pub const NO_STAND_IN: u32 = u32::MAX;
 /// Verb of a typed event: `feels emotion`.
 pub const VERB_FEELS: u8 = 1;
 /// Verb of a typed event: `sees target`.
@@ -225,6 +235,27 @@ pub struct WideCurveKeyRecord {
     pub thousandths: I32,
 }
 
+/// What a bank is over others: the start of the `LAYR` section.
+#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
+#[repr(C)]
+pub struct LayerRecord {
+    /// Banks that it was made over, at least 1: so many checksums follow.
+    pub base_count: U32,
+    /// Clips of those banks that it removes: so many ids follow the checksums.
+    pub removed_count: U32,
+    /// Entries about the locales, 0 or one for each: they follow the ids.
+    pub stand_in_count: U32,
+    /// Entries about the clips, 0 or one for each slot: they follow those about the locales.
+    pub part_count: U32,
+    /// Locales of those banks that it removes: their tags are the rest of the section.
+    pub removed_locale_count: U32,
+    /// [`LAYER_BABBLE`] and [`LAYER_DEFAULT_LOCALE`].
+    pub flags: U32,
+    /// Zero.
+    pub reserved: [u8; 8],
+}
+
+const _: () = assert!(size_of::<LayerRecord>() == 32);
 const _: () = assert!(size_of::<CurveClipRecord>() == 8);
 const _: () = assert!(size_of::<CurveRecord>() == 8);
 const _: () = assert!(size_of::<CurveKeyRecord>() == 4);

@@ -113,8 +113,11 @@ impl Tag {
     /// Optional: what the display form lost of each Lipz file. Only the compiler reads it.
     pub const SOURCES: Tag = Tag(*b"SRCE");
 
+    /// Optional: a [`LayerRecord`](super::LayerRecord) and its tables. The bank is a layer over others.
+    pub const LAYER: Tag = Tag(*b"LAYR");
+
     /// The sections that a bank of format 1 may have, with the length of an entry, in file order.
-    pub const OPTIONAL: [(Tag, usize); 7] = [
+    pub const OPTIONAL: [(Tag, usize); 8] = [
         (Tag::BABBLE, 1),
         (Tag::RECORDINGS, size_of::<super::RecordingRecord>()),
         (Tag::CURVE_CLIPS, size_of::<super::CurveClipRecord>()),
@@ -122,6 +125,7 @@ impl Tag {
         (Tag::CURVE_KEYS, size_of::<super::CurveKeyRecord>()),
         (Tag::SOURCE_INDEX, 4),
         (Tag::SOURCES, 1),
+        (Tag::LAYER, 1),
     ];
 
     /// The sections that every bank has, with the length of an entry, in file order.

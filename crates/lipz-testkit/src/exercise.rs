@@ -1,6 +1,6 @@
 //! Every query of the reader, on banks that may be damaged.
 
-use crate::said;
+use crate::{said, stacked};
 use lipz_bank::{
     Bank, Clip, ClipId, ConsonantHold, Cursor, Fps, Lead, Locale, Micros, Places, Samples, Seconds, Segment, TextBank,
     Time, VisemeType,
@@ -27,6 +27,7 @@ pub fn provoke(bytes: &[u8], effort: Effort) -> bool {
     assert_eq!((kept.clip_count(), kept.locales().count()), (bank.clip_count(), bank.locales().count()));
     // A whole bank serves as texts beside itself.
     let texts = bank.open_texts(bytes).expect("they have one fingerprint");
+    stacked::every_query(&[bank]);
     if effort == Effort::All {
         every_text_query(&bank, &texts);
     }

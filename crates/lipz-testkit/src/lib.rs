@@ -22,6 +22,8 @@ pub mod fuzz;
 pub mod golden;
 #[cfg(feature = "std")]
 mod said;
+#[cfg(feature = "std")]
+pub mod stacked;
 #[cfg(feature = "tools")]
 pub mod tools;
 

@@ -9,7 +9,7 @@
 use core::panic::PanicInfo;
 use lipz_bank::{
     Babble, Bank, Clip, ClipId, Command, ConsonantHold, Cursor, CurveCursor, CurveValue, Emotion, Error, Event, EventName, Fps,
-    Lead, Locale, Micros, Places, Samples, Seconds, Segment, TextBank, Time, Viseme, VisemeType, VoiceLevel, Weight,
+    Layers, Lead, Locale, Micros, Places, Samples, Seconds, Segment, TextBank, Time, Viseme, VisemeType, VoiceLevel, Weight,
 };
 
 /// Takes what was answered, so that no question is left out as useless.
@@ -39,6 +39,9 @@ fn proof_every_function(bytes: &[u8], texts: &[u8], name: &str, number: u32, see
         if let Some(bank) = Bank::open_at(bytes, &Places::from_words(words)) {
             bank_asked(&bank, name, number, see);
         }
+    }
+    if let Ok(above) = Bank::open(texts) {
+        layers_asked([bank, above], name, see);
     }
     match bank.open_texts(texts) {
         Ok(texts) => texts_asked(&bank, &texts, name, see),
@@ -71,6 +74,44 @@ fn bank_asked(bank: &Bank<'_>, name: &str, number: u32, see: See) {
         // A rate of the program's own.
         if let Some(fps) = Fps::new(number, number >> 5) {
             play(&clip.or_fps(fps).or_viseme_type(VisemeType::Blair), named, number, see);
+        }
+    }
+}
+
+fn layers_asked(banks: [Bank<'_>; 2], name: &str, see: See) {
+    see(u64::from(banks[1].is_layer()));
+    if let (Ok(below), Ok(removed), Ok(tags)) =
+        (banks[1].made_over(), banks[1].removed_clips(), banks[1].removed_locales())
+    {
+        below.chain(removed.map(ClipId::get)).for_each(see);
+        tags.for_each(|tag| see_bytes(see, tag.as_bytes()));
+    }
+    let layers = match Layers::new(banks).or_else(|_| Layers::<2>::from_slice(&banks[..1])) {
+        Ok(layers) => layers,
+        Err(error) => {
+            see(error.layer() as u64);
+            return see_error(see, error.error());
+        }
+    };
+    see(layers.layer_count() as u64 ^ layers.bank(1).map_or(0, Bank::checksum));
+    layers.locale_tags().chain(layers.default_locale()).for_each(|tag| see_bytes(see, tag.as_bytes()));
+    for babble in layers.babble(name).iter().chain([&layers.default_babble()]) {
+        see_bytes(see, babble.name().as_bytes());
+    }
+    see(layers.of_babble().map_or(0, Bank::checksum));
+    let locale = layers.locale(name).or_else(|| layers.locale_in(name, &[]));
+    let named = layers.event_name(name);
+    let found = [layers.clip(ClipId::from_key(name)), layers.clip_by_key(name)];
+    for clip in layers.clips().chain(layers.clips_under(name)).chain(IntoIterator::into_iter(found).flatten()) {
+        see_bytes(see, clip.clip().key().as_bytes());
+        see(clip.layer() as u64 ^ clip.texts_layer().unwrap_or(0) as u64);
+        see(clip.texts().map_or(0, |texts| u64::from(texts.slot())));
+        see(named.and_then(|name| name.of(&clip)).map_or(0, |name| u64::from(name.id())));
+        if let Some(locale) = &locale {
+            see_bytes(see, locale.tag().as_bytes());
+            see_bytes(see, locale.tag_in(clip.layer()).unwrap_or("").as_bytes());
+            see_bytes(see, clip.text_bytes(0, locale).unwrap_or(&[]));
+            see_bytes(see, clip.text(0, locale).map_or("", |text| text.as_str()).as_bytes());
         }
     }
 }

@@ -11,7 +11,7 @@ pub(super) const FOLDER: &str = "crates/lipz-diagnostics/rules";
 pub(super) const TABLE: &str = "crates/lipz-diagnostics/src/code/table.rs";
 
 /// The headings under which lists show the codes, by the hundreds of their numbers.
-const GROUPS: [&str; 20] = [
+const GROUPS: [&str; 22] = [
     "Reading files",
     "JSON",
     "Elements",
@@ -32,6 +32,8 @@ const GROUPS: [&str; 20] = [
     "Recordings",
     "Curves and emotions",
     "Translators' files",
+    "Dubs",
+    "Layers",
 ];
 
 /// A rule: `# NUMBER name`, `severity: summary`, and the page, with an empty line between them.

@@ -41,7 +41,8 @@ pub(super) fn table_lengths(bank: &Bank<'_>) -> Result<(), Error> {
     text_lengths(&bank.file, &bank.texts)?;
     let has_shape =
         |entry: &DirectoryEntry, (_, entry_bytes): (Tag, usize)| usize::from(entry.entry_bytes.get()) == entry_bytes;
-    let [of_babble, of_recordings, of_curve_clips, of_curves, of_curve_keys, of_index, of_sources] = Tag::OPTIONAL;
+    let [of_babble, of_recordings, of_curve_clips, of_curves, of_curve_keys, of_index, of_sources, _of_layer] =
+        Tag::OPTIONAL;
     if let Some(babble) = bank.file.entry(of_babble.0).filter(|babble| !has_shape(babble, of_babble)) {
         return Err(error_at(bank, ErrorKind::SectionShape, babble));
     }

@@ -2,6 +2,7 @@
 
 use super::old_bank::{OldBank, Window, section};
 use crate::clip::{ClipData, Locales};
+use crate::source_index::SourceIndex;
 use lipz_bank::{Bank, Clip, Locale};
 use lipz_layout::{
     ClipRecord, Header, NO_TEXT, TEXT_COUNT_BYTES, TEXT_FALLBACK, TEXT_HAS_LENGTH, TEXT_OFFSET, Tag, U32,
@@ -23,16 +24,7 @@ pub(super) struct Recall<'b> {
     frames: Range<usize>,
     texts: Range<usize>,
     /// `None` if the bank was stripped.
-    sources: Option<Sources<'b>>,
-}
-
-struct Sources<'b> {
-    /// Where the record of each slot starts.
-    index: &'b [U32],
-    /// Where the record of each slot ends.
-    ends: Vec<u32>,
-    /// Where all of them are.
-    records: Range<usize>,
+    sources: Option<SourceIndex<'b>>,
 }
 
 /// What a thread that recalls clips has of its own.
@@ -65,7 +57,7 @@ impl<'b> Recall<'b> {
         let bank = Bank::open(tables).ok()?;
         let table = |tag: Tag| tables.get(section(tables, tag)?);
         let sources = match (table(Tag::SOURCE_INDEX), section(tables, Tag::SOURCES)) {
-            (Some(index), Some(records)) => Some(Sources::new(<[U32]>::ref_from_bytes(index).ok()?, records)),
+            (Some(index), Some(records)) => Some(SourceIndex::new(<[U32]>::ref_from_bytes(index).ok()?, records)),
             _ => None,
         };
         Some(Recall {
@@ -189,27 +181,5 @@ impl Recaller<'_, '_> {
             clip.add_texts(locale, texts, is_fallback);
         }
         Some(())
-    }
-}
-
-impl<'b> Sources<'b> {
-    /// A record ends where the next one starts.
-    fn new(index: &'b [U32], records: Range<usize>) -> Sources<'b> {
-        let mut starts: Vec<(u32, usize)> = std::iter::zip(index.iter().map(|start| start.get()), 0..).collect();
-        starts.sort_unstable();
-        let mut ends = vec![0; index.len()];
-        let mut end = records.len() as u32;
-        for equal in starts.chunk_by(|(a, _), (b, _)| a == b).rev() {
-            equal.iter().for_each(|(_, slot)| ends[*slot] = end);
-            end = equal[0].0;
-        }
-        Sources { index, ends, records }
-    }
-
-    /// Where the record of the clip in this slot is.
-    fn record(&self, slot: u32) -> Option<Range<usize>> {
-        let slot = slot as usize;
-        let (start, end) = (self.index.get(slot)?.get() as usize, *self.ends.get(slot)? as usize);
-        Some(self.records.start + start..self.records.start + end)
     }
 }

@@ -4,7 +4,8 @@ use super::file::Worker;
 use super::{Compiled, Phases, Progress, requirements};
 use crate::cache::{Cache, FileStamps};
 use crate::clip::Clips;
-use crate::lower::Layout;
+use crate::layers::Kept;
+use crate::lower::{Beside, Layout};
 use crate::{Input, Options, key, localise, parallel};
 use lipz_diagnostics::Report;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -20,6 +21,8 @@ pub(crate) struct Run {
     clips: Vec<Clips>,
     reports: Vec<Report>,
     pub(crate) phases: Phases,
+    /// Clips of a bank below this one, and in which batch they are.
+    kept: Option<(usize, Kept)>,
     /// What a cache should know of the files, if there is one.
     pub(crate) stamped: FileStamps,
 }
@@ -74,6 +77,12 @@ impl Run {
         self.phases.files += time;
     }
 
+    /// Adds the clips of a bank below this one.
+    pub(crate) fn keep(&mut self, mut kept: Kept) {
+        self.clips.push(std::mem::take(&mut kept.clips));
+        self.kept = Some((self.clips.len() - 1, kept));
+    }
+
     pub(crate) fn has_errors(&self) -> bool {
         lipz_diagnostics::reports::have_errors(&self.reports)
     }
@@ -91,10 +100,17 @@ impl Run {
         let start = Instant::now();
         let tags = Clips::join_locales(&mut self.clips);
         let clips = Clips::by_key(&self.clips);
-        let localised = localise::localise(&clips, &tags, options);
+        let mut localised = localise::localise(&clips, &tags, options);
+        let mut beside = Beside::of(options);
+        if let Some((batch, kept)) = &mut self.kept {
+            kept.restore(*batch, &clips, &tags, &mut localised);
+            if beside.babble.is_empty() {
+                beside.babble = std::mem::take(&mut kept.babble);
+            }
+        }
         self.phases.localise = start.elapsed();
         let start = Instant::now();
-        let layout = Layout::new(&clips, &localised, options);
+        let layout = Layout::new(&clips, &localised, beside);
         drop((clips, localised));
         let batches = std::mem::take(&mut self.clips);
         let bank = layout.and_then(|layout| layout.fill(batches)).map_err(|report| in_file(report, inputs));

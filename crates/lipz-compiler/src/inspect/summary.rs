@@ -28,6 +28,10 @@ pub struct BankSummary<'d> {
     pub length_bytes: usize,
     /// [`Bank::fingerprint`] in hexadecimal digits.
     pub fingerprint: String,
+    /// [`Bank::checksum`] in hexadecimal digits: layers know the banks below them by it.
+    pub checksum: String,
+    /// What a layer says about the banks below it; `None` for a bank that is none.
+    pub layer: Option<LayerSummary<'d>>,
     /// Clips.
     pub clips: usize,
     /// Of these, clips without a frame rate.
@@ -50,6 +54,19 @@ pub struct BankSummary<'d> {
     /// The babble profiles.
     #[cfg_attr(feature = "json", serde(serialize_with = "babbles"))]
     pub babble: Vec<Babble<'d>>,
+}
+
+/// What a layer says about the banks below it.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct LayerSummary<'d> {
+    /// The checksums of the banks that it was made over, the lowest first.
+    pub over: Vec<String>,
+    /// The ids of the clips that it removes.
+    pub removed_clips: Vec<String>,
+    /// The locales that it removes.
+    pub removed_locales: Vec<&'d str>,
 }
 
 /// How many clips have texts in a locale.
@@ -81,7 +98,9 @@ impl<'d> BankSummary<'d> {
         BankSummary {
             format: format!("{major}.{minor}"),
             length_bytes: bank.length_bytes(),
-            fingerprint: format!("{:016x}", bank.fingerprint()),
+            fingerprint: hexadecimal(bank.fingerprint()),
+            checksum: hexadecimal(bank.checksum()),
+            layer: LayerSummary::new(bank),
             clips: bank.clip_count(),
             clips_without_fps: bank.clips().filter(|clip| clip.fps().is_none()).count(),
             frames: bank.clips().map(|clip| clip.frame_count() as usize).sum(),
@@ -94,6 +113,22 @@ impl<'d> BankSummary<'d> {
             babble: bank.babbles().collect(),
         }
     }
+}
+
+impl<'d> LayerSummary<'d> {
+    fn new(bank: &Bank<'d>) -> Option<LayerSummary<'d>> {
+        let over: Vec<String> = bank.made_over().ok()?.map(hexadecimal).collect();
+        (!over.is_empty()).then_some(LayerSummary {
+            over,
+            removed_clips: bank.removed_clips().ok()?.map(|id| hexadecimal(id.get())).collect(),
+            removed_locales: bank.removed_locales().ok()?.collect(),
+        })
+    }
+}
+
+/// Checksums and ids as people write them.
+fn hexadecimal(number: u64) -> String {
+    format!("{number:016x}")
 }
 
 impl<'d> LocaleSummary<'d> {

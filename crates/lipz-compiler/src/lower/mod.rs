@@ -5,6 +5,7 @@ mod curves;
 mod events;
 mod fill;
 mod index;
+pub(crate) mod layer;
 pub(crate) mod numbering;
 mod recordings;
 mod records;
@@ -18,14 +19,41 @@ use assemble::Section;
 use curves::Curves;
 use events::Events;
 use index::Index;
-use lipz_bank::ClipId;
+use layer::LayerDraft;
+use lipz_bank::{ClipId, Recording};
 use lipz_diagnostics::{Code, Report};
 use lipz_layout::{LocaleRecord, RecordingRecord, Tag};
 use numbering::Numbering;
 use records::ClipRecords;
+use std::borrow::Cow;
+use std::collections::BTreeMap;
 use strings::{Names, Sources};
 use texts::Texts;
 use zerocopy::IntoBytes;
+
+/// What a bank says that is about no clip, or that no Lipz file says.
+pub(crate) struct Beside<'o> {
+    /// Whether source records are left out.
+    pub(crate) strip: bool,
+    /// The section of babble profiles; empty without any.
+    pub(crate) babble: Vec<u8>,
+    /// Recordings by key.
+    pub(crate) recordings: Cow<'o, BTreeMap<String, Recording>>,
+    /// What makes the bank a layer.
+    pub(crate) layer: Option<LayerDraft>,
+}
+
+impl<'o> Beside<'o> {
+    /// What a project decides.
+    pub(crate) fn of(options: &'o Options) -> Beside<'o> {
+        Beside {
+            strip: options.strip,
+            babble: options.babble.section(),
+            recordings: Cow::Borrowed(&options.recordings),
+            layer: None,
+        }
+    }
+}
 
 /// All of a bank but what is copied from the clips as it is; of that, the places.
 pub(crate) struct Layout {
@@ -43,13 +71,15 @@ pub(crate) struct Layout {
     /// One record per slot; empty if nothing is known of any recording.
     recordings: Vec<RecordingRecord>,
     is_stripped: bool,
+    /// The section of a layer; empty for other banks.
+    layer: Vec<u8>,
     /// For each batch of clips, their slots.
     batch_slots: Vec<Vec<u32>>,
 }
 
 impl Layout {
     /// Lays out the bank of `clips`, which are in the order of their keys.
-    pub(crate) fn new(clips: &[Clip<'_>], localised: &Localised, options: &Options) -> Result<Layout, Report> {
+    pub(crate) fn new(clips: &[Clip<'_>], localised: &Localised, beside: Beside<'_>) -> Result<Layout, Report> {
         let numbering = Numbering::new(clips.iter().map(|clip| (clip.events().is_some(), clip.starts().len() as u32)));
         let index_of_ids = || unique_ids(clips).map(|ids| (index::build(&ids), ids));
         let small_parts = || (events::events(clips), strings::names(clips, localised), strings::own_sources(clips));
@@ -64,10 +94,11 @@ impl Layout {
             texts: texts?,
             segment_count: numbering.segment_count,
             sources: strings::sources(&sources, slots)?,
-            babble: options.babble.section(),
+            babble: beside.babble,
             curves: curves::curves(clips, slots, &event_names)?,
-            recordings: recordings::recordings(clips, slots, &options.recordings),
-            is_stripped: options.strip,
+            recordings: recordings::recordings(clips, slots, &beside.recordings),
+            is_stripped: beside.strip,
+            layer: beside.layer.map_or(Ok(Vec::new()), |layer| layer.section(slots))?,
             batch_slots: batch_slots(clips, slots),
             names,
             events,
@@ -109,6 +140,9 @@ impl Layout {
         if !self.is_stripped {
             sections.push(Section::table(Tag::SOURCE_INDEX, self.sources.index.as_bytes()));
             sections.push(Section::of_clips(Tag::SOURCES, self.sources.length));
+        }
+        if !self.layer.is_empty() {
+            sections.push(Section::table(Tag::LAYER, &self.layer));
         }
         assemble::assemble(&sections, self.index.seed, self.records.fingerprint, |places| {
             fill::fill(self, batches, places);

@@ -8,13 +8,13 @@ use std::collections::BTreeMap;
 /// The longest time that the reader takes: its times are signed.
 const MAX_US: u64 = i64::MAX as u64;
 
-/// A record for each slot; none if no recording is known.
+/// A record for each slot; none if the recording of no clip is known.
 pub(super) fn recordings(
     clips: &[Clip<'_>],
     slots: &[u32],
     known: &BTreeMap<String, Recording>,
 ) -> Vec<RecordingRecord> {
-    if known.is_empty() {
+    if !clips.iter().any(|clip| known.contains_key(clip.key())) {
         return Vec::new();
     }
     let none = RecordingRecord { length_us: NO_RECORDING.into(), content_hash: 0.into() };

@@ -206,4 +206,10 @@ codes! {
     UntranslatedText "LZ1912" "untranslated-text" Warning "a text is the same in another language"
     NumbersDiffer "LZ1913" "numbers-differ" Warning "a translation has other numbers than its source"
     MetaDiffers "LZ1914" "meta-differs" Warning "a translation has other meta information than its source"
+
+    "Layers"
+    LayerWithoutChange "LZ2101" "layer-without-change" Error "a layer would change nothing"
+    LayerMisfit "LZ2102" "layer-misfit" Error "a layer does not fit the banks below it"
+    LayerStripped "LZ2103" "layer-stripped" Warning "a layer gets no source section, because the bank below it has none"
+    LayerAlone "LZ2104" "layer-alone" Error "a layer has only parts of some clips"
 }

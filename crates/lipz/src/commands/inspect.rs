@@ -11,7 +11,7 @@ use crate::{Outcome, console};
 use clap::Args;
 use lipz_bank::{Bank, Locale};
 use lipz_compiler::BankWithTexts;
-use lipz_compiler::inspect::{BankSummary, ClipDetails, ClipSummary, timeline};
+use lipz_compiler::inspect::{BankSummary, ClipDetails, ClipSummary, LayerSummary, timeline};
 use lipz_diagnostics::{Code, Report, escape, suggest};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -147,6 +147,25 @@ fn list(bank: &Bank<'_>, prefix: &str, json: bool, reporter: &mut Reporter) -> R
     reporter.print(&text)
 }
 
+/// What a layer says about the banks below it.
+fn about_layer(layer: &LayerSummary<'_>) -> String {
+    let mut text = format!("  a layer over {}\n", layer.over.join(", "));
+    if !layer.removed_clips.is_empty() {
+        let removed = console::counted(layer.removed_clips.len(), "clip");
+        let ids: Vec<&str> = layer.removed_clips.iter().take(SHOWN_IDS).map(String::as_str).collect();
+        let more = if ids.len() < layer.removed_clips.len() { ", ..." } else { "" };
+        let _ = writeln!(text, "  removes {removed}: id {}{more}", ids.join(", "));
+    }
+    if !layer.removed_locales.is_empty() {
+        let tags: Vec<_> = layer.removed_locales.iter().map(|tag| escape::text(tag)).collect();
+        let _ = writeln!(text, "  removes the locales {}", tags.join(", "));
+    }
+    text
+}
+
+/// Ids of removed clips that a summary shows; JSON has all.
+const SHOWN_IDS: usize = 8;
+
 fn summary(summary: &BankSummary<'_>, path: &str, json: bool, reporter: &mut Reporter) -> Result<(), Abort> {
     if json {
         return reporter.print_json(summary);
@@ -170,7 +189,11 @@ fn summary(summary: &BankSummary<'_>, path: &str, json: bool, reporter: &mut Rep
             count => format!(" (and {} without a frame rate)", console::counted(count, "clip")),
         }
     );
-    let _ = writeln!(text, "  fingerprint {}\n", summary.fingerprint);
+    let _ = writeln!(text, "  fingerprint {}, checksum {}", summary.fingerprint, summary.checksum);
+    if let Some(layer) = &summary.layer {
+        text.push_str(&about_layer(layer));
+    }
+    text.push('\n');
     let _ = writeln!(text, "  {:<12} {:>8} {:>9} {:>8}", "locale", "texts", "fallback", "missing");
     for locale in &summary.locales {
         let default = if locale.is_default { "  default" } else { "" };

@@ -17,6 +17,7 @@ pub(crate) mod init;
 pub(crate) mod inspect;
 pub(crate) mod man;
 pub(crate) mod maps;
+pub(crate) mod merge;
 pub(crate) mod new;
 pub(crate) mod pack;
 pub(crate) mod recogniser;
@@ -77,6 +78,7 @@ commands! {
     Accept(accept::Accept),
     Maps(maps::Maps),
     Unpack(unpack::Unpack),
+    Merge(merge::Merge),
     Verify(verify::Verify),
     Inspect(inspect::Inspect),
     Diff(diff::Diff),

@@ -3,7 +3,7 @@
 use crate::Abort;
 use crate::console;
 use crate::reporter::Reporter;
-use crate::shared::stdio;
+use crate::shared::{stack, stdio};
 use lipz_bank::{Bank, Error, ErrorKind, TextBank};
 use lipz_diagnostics::{Code, Diagnostic, Report};
 use lipz_host::FileBytes;
@@ -24,8 +24,25 @@ pub(crate) struct BankFile {
 }
 
 impl BankFile {
-    /// Reads the file at `path`, or standard input. Reports why that is not possible.
+    /// Reads the file at `path`, or standard input; a path of the form `base+layer` is made one bank in memory. Reports why
+    /// that is not possible.
     pub(crate) fn open(path: &Path, reporter: &mut Reporter) -> Result<BankFile, Abort> {
+        let paths = stack::paths(path);
+        if let [path] = paths.as_slice() {
+            return BankFile::read(path, reporter);
+        }
+        let files = paths.iter().map(|path| BankFile::read(path, reporter)).collect::<Result<Vec<_>, _>>()?;
+        let stack = stack::of(&files, reporter)?;
+        Ok(BankFile::made(console::path(path), stack.into_bank()))
+    }
+
+    /// The bytes of the file.
+    pub(crate) fn bytes(&self) -> &[u8] {
+        &self.bytes
+    }
+
+    /// Reads the file at `path`, or standard input. Reports why that is not possible.
+    pub(crate) fn read(path: &Path, reporter: &mut Reporter) -> Result<BankFile, Abort> {
         let (name, bytes) = if stdio::is_meant(path) {
             (stdio::INPUT_NAME.to_owned(), stdio::read(LONGEST_BANK + 1).map(FileBytes::from))
         } else {
@@ -57,11 +74,18 @@ impl BankFile {
     /// The bank, verified. Reports what is wrong with it.
     pub(crate) fn bank(&self, reporter: &mut Reporter) -> Result<Bank<'_>, Abort> {
         let opened = Bank::open(&self.bytes).map_err(|error| (Code::BankRefused, error));
-        let verified = opened.and_then(|bank| bank.verify().map_err(|error| (Code::BankDamaged, error)));
+        let verified = opened.and_then(|bank| verified(bank).map_err(|error| (Code::BankDamaged, error)));
         verified.map_err(|(code, error)| {
             reporter.refuse(vec![Report::about(self.name.as_str(), refused(code, error, &self.bytes))])
         })
     }
+}
+
+/// The bank, verified with what it says about banks below it.
+fn verified(bank: Bank<'_>) -> Result<Bank<'_>, Error> {
+    let bank = bank.verify()?;
+    bank.made_over().map(drop)?;
+    Ok(bank)
 }
 
 /// The diagnostic for a file that cannot be read.

@@ -4,7 +4,7 @@ use crate::Abort;
 use crate::reporter::Reporter;
 use crate::shared::stdio;
 use crate::{console, interrupt};
-use lipz_compiler::{Compiled, Compiler, Delivered, Input, Memory, OutputFile, Outputs, Replace};
+use lipz_compiler::{Compiled, Compiler, Delivered, Input, Memory, OutputFile, Outputs, Over, Replace};
 use lipz_diagnostics::Report;
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
@@ -13,6 +13,8 @@ use std::path::{Path, PathBuf};
 pub(super) enum Destination {
     StandardOutput,
     Files(Outputs),
+    /// A layer over other banks: a file, or standard output without one.
+    Layer(Option<PathBuf>, Box<Over>),
 }
 
 impl Destination {
@@ -39,11 +41,22 @@ impl Destination {
         Ok(Destination::StandardOutput)
     }
 
+    /// Whether the bank goes to standard output.
+    pub(super) fn is_standard_output(&self) -> bool {
+        matches!(self, Destination::StandardOutput | Destination::Layer(None, _))
+    }
+
+    /// Whether the bank is a layer over others.
+    pub(super) fn is_layer(&self) -> bool {
+        matches!(self, Destination::Layer(..))
+    }
+
     /// Makes the bank. One that replaces a file in any case is written while it is verified.
     pub(super) fn make(&self, compiler: &Compiler<'_>, inputs: &[Input]) -> Compiled {
         match self {
             Destination::StandardOutput => compiler.compile(inputs),
             Destination::Files(outputs) => outputs.pack(compiler, inputs),
+            Destination::Layer(_, over) => compiler.compile_over(inputs, over),
         }
     }
 
@@ -52,6 +65,7 @@ impl Destination {
         match self {
             Destination::StandardOutput => compiler.compile_again(inputs, memory),
             Destination::Files(outputs) => outputs.compile_again(compiler, inputs, memory),
+            Destination::Layer(_, over) => compiler.compile_over(inputs, over),
         }
     }
 
@@ -69,9 +83,16 @@ impl Destination {
         replace: Replace,
         reporter: &mut Reporter,
     ) -> Result<Delivered, Abort> {
-        let Destination::Files(outputs) = self else {
-            reporter.print_bytes(bank)?;
-            return Ok(OutputFile::new(STANDARD_OUTPUT, bank).into());
+        let outputs = match self {
+            Destination::Files(outputs) => outputs,
+            Destination::Layer(Some(path), _) => {
+                let written = interrupt::whole(|| OutputFile::write(path, bank, replace));
+                return written.map(Delivered::from).map_err(|report| reporter.fail(report));
+            }
+            Destination::StandardOutput | Destination::Layer(None, _) => {
+                reporter.print_bytes(bank)?;
+                return Ok(OutputFile::new(STANDARD_OUTPUT, bank).into());
+            }
         };
         // What `make` has written already.
         if let Some(packed) = outputs.packed(bank, is_unchanged).filter(|_| replace == Replace::Always) {
@@ -98,9 +119,9 @@ pub(super) fn without(mut report: Report, reporter: &mut Reporter) -> Abort {
 }
 
 /// A line for each file.
-pub(super) fn summary(delivered: &Delivered, clip_count: usize) -> String {
+pub(super) fn summary(delivered: &Delivered, contents: &str) -> String {
     let line = |(index, file): (usize, &OutputFile)| {
-        let what = if index == 0 { console::counted(clip_count, "clip") } else { "texts".to_owned() };
+        let what = if index == 0 { contents } else { "texts" };
         let done = if file.is_new { "packed into" } else { "unchanged in" };
         format!("{what} {done} {} ({} bytes)\n", console::path(&file.path), console::grouped(file.length_bytes))
     };
@@ -109,8 +130,7 @@ pub(super) fn summary(delivered: &Delivered, clip_count: usize) -> String {
 }
 
 /// One line about all files, and whether any is another than before.
-pub(super) fn message(delivered: &Delivered, clip_count: usize) -> String {
-    let clips = console::counted(clip_count, "clip");
+pub(super) fn message(delivered: &Delivered, contents: &str) -> String {
     let name = delivered.files.first().map_or_else(String::new, |bank| console::path(&bank.path));
     let length_bytes = delivered.files.iter().map(|file| file.length_bytes).sum();
     let texts = match delivered.files.len() {
@@ -118,8 +138,8 @@ pub(super) fn message(delivered: &Delivered, clip_count: usize) -> String {
         files => format!(" and {}", console::counted(files - 1, "text bank")),
     };
     let done = match delivered.files.iter().any(|file| file.is_new) {
-        true => format!("{clips} packed into"),
-        false => format!("nothing changed: {clips} in"),
+        true => format!("{contents} packed into"),
+        false => format!("nothing changed: {contents} in"),
     };
     format!("{done} {name}{texts} ({} bytes)", console::grouped(length_bytes))
 }

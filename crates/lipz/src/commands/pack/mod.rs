@@ -1,6 +1,7 @@
 //! `lipz pack`: source files to a bank.
 
 mod destination;
+mod layer;
 mod plan;
 
 pub(crate) use plan::{Packed, Plan, Remembered};
@@ -13,7 +14,7 @@ use crate::reporter::Reporter;
 use crate::shared::audio_flags::AudioFlags;
 use crate::shared::sources::Sources;
 use crate::shared::stdio;
-use clap::Args;
+use clap::{ArgAction, Args};
 use lipz_compiler::settings::Settings;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -27,7 +28,9 @@ use std::time::Duration;
   lipz pack
   lipz pack voices -o dialogue.lipzbank
   lipz pack voices/act1 voices/act2 --root voices -o acts.lipzbank --default-locale en-us
-  lipz pack 'voices/**/mara-*.lipz' -o mara.lipzbank --strip")]
+  lipz pack 'voices/**/mara-*.lipz' -o mara.lipzbank --strip
+  lipz pack voices --over shipped.lipzbank -o patch.lipzbank
+  lipz pack mod --over shipped.lipzbank --keep-others -o mod.lipzbank")]
 pub(crate) struct Pack {
     #[command(flatten)]
     pub(crate) sources: Sources,
@@ -47,6 +50,15 @@ pub(crate) struct Pack {
     /// bank itself has everything else
     #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
     split_locales: Option<bool>,
+
+    /// Pack a layer over this bank: only what is new, changed or removed. Give the option once for each bank below, the base
+    /// first
+    #[arg(long, value_name = "BANK", action = ArgAction::Append)]
+    over: Vec<PathBuf>,
+
+    /// Keep clips of the banks below that the sources do not have: for sources that are only an addition, such as a mod's
+    #[arg(long, requires = "over")]
+    keep_others: bool,
 
     /// Also write the dependencies of the bank, for Make, Ninja and CMake
     #[arg(long, value_name = "FILE")]

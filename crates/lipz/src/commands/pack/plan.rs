@@ -2,12 +2,13 @@
 
 use super::Pack;
 use super::destination::{self, Destination};
+use super::layer;
 use crate::Abort;
-use crate::Outcome;
 use crate::reporter::Reporter;
 use crate::shared::inputs::with_inputs;
 use crate::shared::settings_file::Project;
 use crate::shared::{output_file, stdio};
+use crate::{Outcome, console};
 use lipz_compiler::{Compiled, Delivered, Input, Memory, Phases, Replace, dependencies, depfile};
 use lipz_sync::KnownRecordings;
 use std::mem;
@@ -35,6 +36,8 @@ pub(crate) struct Packed {
     /// Clips that a cache spared.
     pub(super) recalled: usize,
     delivered: Delivered,
+    /// What a layer changes.
+    layer: Option<String>,
     /// Failed if the cache or the depfile could not be written: the bank is where it belongs all the same.
     pub(crate) outcome: Outcome,
     /// The time it took to find the files.
@@ -79,6 +82,10 @@ impl Plan {
         let settings = &project.settings;
         let is_split = arguments.split_locales.unwrap_or(settings.split_locales);
         let cache = cache.as_deref();
+        if !arguments.over.is_empty() {
+            let destination = layer::destination(arguments, &output, is_split, reporter)?;
+            return Ok(Plan { project, output, destination, depfile: arguments.depfile.clone() });
+        }
         let destination = Destination::new(&output, is_split, arguments.depfile.is_some(), cache, reporter)?;
         Ok(Plan { project, output, destination, depfile: arguments.depfile.clone() })
     }
@@ -86,7 +93,7 @@ impl Plan {
     /// Whether standard input is read or standard output has the bank: that works once.
     pub(crate) fn works_once(&self) -> bool {
         let mut sources = self.project.settings.sources.iter();
-        matches!(self.destination, Destination::StandardOutput) || sources.any(|path| stdio::is_meant(path))
+        self.destination.is_standard_output() || sources.any(|path| stdio::is_meant(path))
     }
 
     /// Packs once. Diagnostics are shown; if there are errors, nothing is written.
@@ -121,6 +128,7 @@ impl Plan {
             clip_count: run.inputs.len(),
             recalled,
             delivered,
+            layer: self.destination.is_layer().then(|| layer::summary(&bank)),
             outcome: outcome.err().map_or(Outcome::Clean, Abort::outcome),
             discover: run.discover,
             phases,
@@ -143,11 +151,16 @@ impl Plan {
 impl Packed {
     /// A line for each file that was written.
     pub(super) fn summary(&self) -> String {
-        destination::summary(&self.delivered, self.clip_count)
+        destination::summary(&self.delivered, &self.contents())
+    }
+
+    /// What was packed, as messages call it.
+    fn contents(&self) -> String {
+        self.layer.clone().unwrap_or_else(|| console::counted(self.clip_count, "clip"))
     }
 
     /// One line about all files, and whether any is another than before.
     pub(crate) fn message(&self) -> String {
-        destination::message(&self.delivered, self.clip_count)
+        destination::message(&self.delivered, &self.contents())
     }
 }

@@ -1,0 +1,227 @@
+//! Layers: a bank with patches, dubs, downloads and mods over it, which answer as one.
+
+mod clip;
+mod clips;
+mod error;
+mod locale;
+mod table;
+
+pub use clip::LayeredClip;
+pub use clips::LayeredClips;
+pub use error::LayersError;
+pub use locale::{LayeredLocale, LayeredName};
+
+use crate::{Babble, Bank, ClipId, Error, ErrorKind};
+use core::fmt;
+use table::LayerTable;
+
+/// A bank and the layers over it, the topmost of which answers.
+///
+/// A *layer* is a bank that `lipz pack --over` made: a patch, a dub, a download, a mod. It has what is new or changed, and
+/// says what it removes. The stack answers as the bank would that was packed with all of it in one go. Clip ids are the
+/// same, and a [`Cursor`](crate::Cursor) plays a [`LayeredClip`] as any clip.
+///
+/// ```
+/// use lipz_bank::{Bank, ClipId, Layers, Micros};
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// # let base: &[u8] = include_bytes!("../../examples/act1.lipzbank");
+/// let layers = Layers::new([Bank::open(base)?.verify()?])?; // and patches: [base, patch, mod]
+/// let german = layers.locale("de-de").ok_or("no German")?;
+/// let clip = layers.clip(ClipId::from_key("act1/mara-good-evening")).ok_or("no such clip")?;
+/// let segment = clip.segment_at(Micros(1_500_000)).ok_or("silence")?;
+/// assert_eq!(clip.text(segment.index(), &german).map(|text| text.as_str()), Some("Guten Abend, Otto."));
+/// # Ok(())
+/// # }
+/// ```
+///
+/// `N` is the number of banks. A program that finds out how many there are has room for as many as it allows:
+/// [`Layers::from_slice`].
+#[derive(Clone, Copy)]
+pub struct Layers<'data, const N: usize> {
+    /// Those behind `count` are never looked at.
+    layers: [Layer<'data>; N],
+    count: usize,
+}
+
+/// A bank of a stack.
+#[derive(Clone, Copy)]
+pub(crate) struct Layer<'data> {
+    pub(crate) bank: Bank<'data>,
+    pub(crate) table: LayerTable<'data>,
+}
+
+impl<'data, const N: usize> Layers<'data, N> {
+    /// The stack of these banks, the base first, each over those before it.
+    ///
+    /// A layer fits if the banks that it was made over are below it, in their order. Others may lie between: a mod of the
+    /// base goes over its patch, too. Takes time in proportion to what layers say about the banks below them.
+    ///
+    /// # Errors
+    /// When a layer was made over other banks than those below it (its kind is [`ErrorKind::OtherBase`]), when a bank above
+    /// the first is not a layer, or what one says about the banks below it is not valid.
+    pub fn new(banks: [Bank<'data>; N]) -> Result<Layers<'data, N>, LayersError> {
+        Layers::from_slice(&banks)
+    }
+
+    /// Like [`Layers::new`], for at most `N` banks.
+    ///
+    /// # Errors
+    /// As for [`Layers::new`], and when there are no banks or more than `N`.
+    pub fn from_slice(banks: &[Bank<'data>]) -> Result<Layers<'data, N>, LayersError> {
+        let at_start = |kind| Error::new(kind, 0);
+        let first = match banks.first() {
+            Some(first) if banks.len() <= N => *first,
+            _ => return Err(LayersError::new(banks.len(), at_start(ErrorKind::LayerCount))),
+        };
+        let table = LayerTable::read(&first).map_err(|error| LayersError::new(0, error))?;
+        let mut layers = [Layer { bank: first, table }; N];
+        for (at, (layer, bank)) in layers.iter_mut().zip(banks).enumerate() {
+            let table = LayerTable::read(bank).map_err(|error| LayersError::new(at, error))?;
+            *layer = Layer { bank: *bank, table };
+            let below = banks.get(..at).unwrap_or(&[]);
+            if at > 0 && table.bases.is_empty() {
+                return Err(LayersError::new(at, at_start(ErrorKind::NotALayer)));
+            }
+            let mut found = below.iter();
+            // Each is looked for above the one before it.
+            if !table.bases.iter().all(|base| found.any(|bank| bank.checksum() == base.get())) {
+                return Err(LayersError::new(at, at_start(ErrorKind::OtherBase)));
+            }
+        }
+        Ok(Layers { layers, count: banks.len() })
+    }
+
+    /// The layers, the base first.
+    #[inline]
+    pub(crate) fn all(&self) -> &[Layer<'data>] {
+        self.layers.get(..self.count).unwrap_or(&[])
+    }
+
+    /// The number of banks.
+    pub const fn layer_count(&self) -> usize {
+        self.count
+    }
+
+    /// The bank with this index, 0 for the base.
+    pub fn bank(&self, layer: usize) -> Option<&Bank<'data>> {
+        Some(&self.all().get(layer)?.bank)
+    }
+
+    /// The clip with this id, of the topmost layer that has it; `None` if none does, or one above removes it.
+    #[inline]
+    pub fn clip(&self, id: ClipId) -> Option<LayeredClip<'data, '_>> {
+        let mut texts = None;
+        for (at, layer) in self.all().iter().enumerate().rev() {
+            let slot = match layer.bank.find(id) {
+                Some((slot, _)) => slot,
+                None if layer.table.removes(id) => return None,
+                None => continue,
+            };
+            let clip = layer.bank.clip_at(slot)?;
+            let (has_clip, has_texts) = layer.table.parts(slot);
+            if has_texts && texts.is_none() {
+                texts = Some((clip, at));
+            }
+            if has_clip {
+                return Some(match texts.is_none() {
+                    true => self.with_texts_below(clip, at, id),
+                    false => LayeredClip::new(clip, at, texts),
+                });
+            }
+        }
+        None
+    }
+
+    /// A clip whose texts are those of a layer below its own.
+    #[inline(never)] // dubs only
+    fn with_texts_below<'bank>(
+        &'bank self,
+        clip: crate::Clip<'data, 'bank>,
+        at: usize,
+        id: ClipId,
+    ) -> LayeredClip<'data, 'bank> {
+        let mut texts = None;
+        for (below, layer) in self.all().iter().enumerate().take(at).rev() {
+            match layer.bank.find(id) {
+                Some((slot, _)) if layer.table.parts(slot).1 => {
+                    texts = layer.bank.clip_at(slot).map(|clip| (clip, below));
+                    break;
+                }
+                None if layer.table.removes(id) => break,
+                _ => {}
+            }
+        }
+        LayeredClip::new(clip, at, texts)
+    }
+
+    /// The clip with this key, compared whole.
+    pub fn clip_by_key(&self, key: &str) -> Option<LayeredClip<'data, '_>> {
+        self.clip(ClipId::from_key(key)).filter(|clip| clip.key() == key)
+    }
+
+    /// All clips in the order of their keys.
+    pub fn clips(&self) -> LayeredClips<'data, '_, N> {
+        LayeredClips::new(self, "")
+    }
+
+    /// The clips whose keys start with `prefix`, in the order of their keys.
+    pub fn clips_under(&self, prefix: &str) -> LayeredClips<'data, '_, N> {
+        LayeredClips::new(self, prefix)
+    }
+
+    /// The babble profile with this name: of the topmost layer that says something about profiles.
+    pub fn babble(&self, name: &str) -> Option<Babble<'data>> {
+        self.of_babble()?.babble(name)
+    }
+
+    /// The profile of the project; [`Babble::DEFAULT`] if it has none.
+    pub fn default_babble(&self) -> Babble<'data> {
+        self.of_babble().map_or(Babble::DEFAULT, Bank::default_babble)
+    }
+
+    /// The bank whose babble profiles count.
+    pub fn of_babble(&self) -> Option<&Bank<'data>> {
+        let says = self.all().iter().rev().find(|layer| layer.table.has_babble()).or(self.all().first())?;
+        Some(&says.bank)
+    }
+}
+
+/// What is said about removal, for tools.
+impl<'data> Bank<'data> {
+    /// Whether the bank is a layer, which belongs over another bank.
+    pub fn is_layer(&self) -> bool {
+        self.file.entry(lipz_layout::Tag::LAYER).is_some()
+    }
+
+    /// The checksums of the banks that the bank was made over, the lowest first; none for a bank that is not a layer.
+    ///
+    /// # Errors
+    /// When what it says about the banks below it is not valid.
+    pub fn made_over(&self) -> Result<impl Iterator<Item = u64> + 'data, Error> {
+        Ok(LayerTable::read(self)?.bases.iter().map(|base| base.get()))
+    }
+
+    /// The ids of the clips that the layer removes from the banks below it, in ascending order.
+    ///
+    /// # Errors
+    /// When what it says about the banks below it is not valid.
+    pub fn removed_clips(&self) -> Result<impl Iterator<Item = ClipId> + 'data, Error> {
+        Ok(LayerTable::read(self)?.removed.iter().map(|id| ClipId::from_u64(id.get())))
+    }
+
+    /// The tags of the locales that the layer removes from the banks below it, in their order.
+    ///
+    /// # Errors
+    /// When what it says about the banks below it is not valid.
+    pub fn removed_locales(&self) -> Result<impl Iterator<Item = &'data str> + 'data, Error> {
+        Ok(LayerTable::read(self)?.removed_locales())
+    }
+}
+
+/// The banks, not their bytes.
+impl<const N: usize> fmt::Debug for Layers<'_, N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries(self.all().iter().map(|layer| &layer.bank)).finish()
+    }
+}

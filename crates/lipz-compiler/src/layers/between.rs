@@ -1,0 +1,152 @@
+//! The layer that makes one whole bank of another.
+
+use super::content::{Draft, Records, Shown, Texts, are_equal};
+use super::merge::babble;
+use crate::lower::Beside;
+use crate::lower::layer::LayerDraft;
+use lipz_bank::{Bank, Clip, Locale};
+use lipz_diagnostics::Report;
+use lipz_layout::{LAYER_BABBLE, LAYER_DEFAULT_LOCALE, NO_STAND_IN, PART_CLIP, PART_TEXTS};
+use std::borrow::Cow;
+use std::collections::{BTreeMap, HashMap};
+
+/// The locales of the new bank, and where the old one has their texts.
+struct Pairs<'d> {
+    old: Vec<Locale<'d>>,
+    new: Vec<Locale<'d>>,
+    /// For each old locale its number among the new ones.
+    old_to_new: Vec<Option<usize>>,
+    /// For each new locale the old one with its tag, or the one that stands in for it, and whether it does.
+    sources: Vec<Option<(usize, bool)>>,
+}
+
+/// The layer over a stack that is `old` as a whole and has banks with these checksums, so that it becomes `new`; `None`
+/// if there is no difference. Both banks are verified, and none of them is a layer.
+pub(super) fn between(old: &Bank<'_>, new: &Bank<'_>, checksums: &[u64]) -> Result<Option<Vec<u8>>, Report> {
+    let pairs = Pairs::new(old, new);
+    let records = [Records::of(old), Records::of(new)];
+    let default =
+        |locales: &[Locale<'_>]| locales.iter().find(|locale| locale.is_default()).map(|it| it.tag().to_owned());
+    let mut draft = Draft::new(pairs.new.iter().map(|new| (new.tag().to_owned(), new.is_default())).collect());
+    let mut layer = LayerDraft { bases: checksums.to_vec(), ..LayerDraft::default() };
+    let mut recordings = BTreeMap::new();
+    for clip in new.clips() {
+        let texts = Texts::of(&clip, &pairs.new);
+        let parts = match old.clip_by_key(clip.key()) {
+            Some(before) => {
+                let has_record = records[0].get(&before) == records[1].get(&clip);
+                changed(&before, &clip, &texts, &pairs, has_record)
+            }
+            None => PART_CLIP | PART_TEXTS,
+        };
+        if parts == 0 {
+            continue;
+        }
+        let has = |part| parts & part != 0;
+        let (of_clip, texts) = (has(PART_CLIP).then_some(&clip), has(PART_TEXTS).then_some(&texts));
+        draft.push(clip.key(), of_clip, texts, clip.segment_count(), records[1].get(&clip));
+        recordings.extend(clip.recording().filter(|_| has(PART_CLIP)).map(|found| (clip.key().to_owned(), found)));
+        layer.parts.push(parts);
+    }
+    let removed = old.clips().filter(|clip| new.clip_by_key(clip.key()).is_none());
+    layer.removed = removed.map(|clip| clip.id().get()).collect();
+    layer.removed.sort_unstable();
+    let gone = std::iter::zip(&pairs.old, &pairs.old_to_new).filter(|(_, new)| new.is_none());
+    layer.removed_locales = gone.map(|(old, _)| old.tag().to_owned()).collect();
+    if pairs.sources.iter().any(|source| source.is_none_or(|(_, stands_in)| stands_in)) {
+        layer.stand_ins = pairs.stand_ins();
+    }
+    let has_babble = babble(old) != babble(new);
+    let has_default = default(&pairs.old) != default(&pairs.new);
+    layer.flags = if has_babble { LAYER_BABBLE } else { 0 } | if has_default { LAYER_DEFAULT_LOCALE } else { 0 };
+    let is_empty = layer.parts.is_empty() && layer.removed.is_empty() && layer.removed_locales.is_empty();
+    if is_empty && layer.stand_ins.is_empty() && layer.flags == 0 {
+        return Ok(None);
+    }
+    let beside = Beside {
+        strip: records[1].are_stripped(),
+        babble: if has_babble { babble(new).to_vec() } else { Vec::new() },
+        recordings: Cow::Owned(recordings),
+        layer: Some(layer),
+    };
+    draft.bank(beside).map(Some)
+}
+
+/// Which parts of a clip the layer has to have.
+fn changed(before: &Clip<'_, '_>, clip: &Clip<'_, '_>, texts: &Texts<'_>, pairs: &Pairs<'_>, has_record: bool) -> u8 {
+    let is_same = are_equal(before, clip);
+    let same_texts = before.segment_count() == clip.segment_count() && {
+        let before = Texts::of(before, &pairs.old);
+        (0..pairs.new.len()).all(|locale| pairs.shows_the_same(&before, texts, locale))
+    };
+    match (is_same, same_texts) {
+        // How the file is spelled: it has to come with something.
+        (true, true) if !has_record => PART_CLIP | PART_TEXTS,
+        (true, true) => 0,
+        (false, true) => PART_CLIP,
+        (true, false) => PART_TEXTS,
+        (false, false) => PART_CLIP | PART_TEXTS,
+    }
+}
+
+impl<'d> Pairs<'d> {
+    fn new(old: &Bank<'d>, new: &Bank<'d>) -> Pairs<'d> {
+        let (old_locales, new_locales): (Vec<_>, Vec<_>) = (old.locales().collect(), new.locales().collect());
+        // Locales are in the order of their tags.
+        let place = |locales: &[Locale<'d>], tag: &str| locales.binary_search_by(|other| other.tag().cmp(tag)).ok();
+        let old_to_new: Vec<_> = old_locales.iter().map(|locale| place(&new_locales, locale.tag())).collect();
+        let sources = new_locales.iter().map(|locale| Some((place(&old_locales, locale.tag())?, false))).collect();
+        let mut pairs = Pairs { old: old_locales, new: new_locales, old_to_new, sources };
+        if pairs.sources.contains(&None) {
+            pairs.find_stand_ins(old, new);
+        }
+        pairs
+    }
+
+    /// Finds for each added locale the old one whose texts most clips show in it.
+    fn find_stand_ins(&mut self, old: &Bank<'d>, new: &Bank<'d>) {
+        let new_to_old: HashMap<usize, usize> =
+            self.old_to_new.iter().enumerate().filter_map(|(old, new)| Some(((*new)?, old))).collect();
+        let mut counts: HashMap<(usize, usize), usize> = HashMap::new();
+        for clip in new.clips().filter(|clip| old.clip_by_key(clip.key()).is_some()) {
+            let texts = Texts::of(&clip, &self.new);
+            for (locale, shown) in texts.shown.iter().enumerate().filter(|(locale, _)| self.sources[*locale].is_none())
+            {
+                let stand_in = match shown {
+                    Shown::Fallback(other) => new_to_old.get(other),
+                    _ => None,
+                };
+                stand_in.into_iter().for_each(|stand_in| *counts.entry((locale, *stand_in)).or_default() += 1);
+            }
+        }
+        let mut counts: Vec<_> = counts.into_iter().collect();
+        // The most clips last; of equals the first locale.
+        counts.sort_unstable_by_key(|((locale, stand_in), count)| (*count, std::cmp::Reverse((*locale, *stand_in))));
+        for ((locale, stand_in), _) in counts {
+            self.sources[locale] = Some((stand_in, true));
+        }
+    }
+
+    /// For each new locale the number of the one that stands in for it.
+    fn stand_ins(&self) -> Vec<u32> {
+        let stand_in = |source: &Option<(usize, bool)>| {
+            let (old, _) = source.filter(|(_, stands_in)| *stands_in)?;
+            self.old_to_new.get(old).copied().flatten()
+        };
+        self.sources.iter().map(|source| stand_in(source).map_or(NO_STAND_IN, |number| number as u32)).collect()
+    }
+
+    /// Whether a stack shows of a clip of the old bank what the new one shows in this locale.
+    fn shows_the_same(&self, old: &Texts<'d>, new: &Texts<'d>, locale: usize) -> bool {
+        let Some((source, stands_in)) = self.sources[locale] else { return new.shown[locale] == Shown::Nothing };
+        let shown = match (old.shown[source], stands_in) {
+            (Shown::Own, true) => self.old_to_new[source].map(Shown::Fallback),
+            (Shown::Fallback(other), _) => self.old_to_new[other].map(Shown::Fallback),
+            (shown, _) => Some(shown),
+        };
+        // Those of other locales are compared there.
+        shown == Some(new.shown[locale])
+            && (matches!(shown, Some(Shown::Nothing | Shown::Fallback(_)))
+                || old.segments(source) == new.segments(locale))
+    }
+}

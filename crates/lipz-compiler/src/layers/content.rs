@@ -1,0 +1,196 @@
+//! What a clip of a bank says, compared and put into another bank.
+
+use crate::clip::{ClipData, Clips};
+use crate::localise::{Choice, LocaleColumn, Localised};
+use crate::lower::{Beside, Layout};
+use crate::source_index::SourceIndex;
+use lipz_bank::{Bank, Clip, Text};
+use lipz_diagnostics::Report;
+use lipz_layout::{Tag, U32};
+use zerocopy::FromBytes;
+
+/// Where the text is that a clip shows in a locale.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Shown {
+    /// There is none.
+    Nothing,
+    /// The clip has a text in the locale.
+    Own,
+    /// It shows its text in the locale with this number.
+    Fallback(usize),
+    /// It shows that of a locale which the bank does not have.
+    Borrowed,
+}
+
+/// The texts of a clip in all locales: for each what is shown, and the texts of its segments.
+pub(super) struct Texts<'d> {
+    pub(super) shown: Vec<Shown>,
+    texts: Vec<Vec<&'d [u8]>>,
+}
+
+impl<'d> Texts<'d> {
+    /// The texts that `text` gives for so many locales and segments.
+    pub(super) fn new(
+        locale_count: usize,
+        segment_count: u32,
+        text: impl Fn(usize, u32) -> Option<Text<'d>>,
+    ) -> Texts<'d> {
+        let firsts: Vec<_> = (0..locale_count).map(|locale| text(locale, 0)).collect();
+        // Texts of a clip in two locales never have one place, so the place says whose text it is.
+        let place = |text: &Text<'_>| text.as_str().as_ptr();
+        let own = firsts.iter().enumerate().filter_map(|(locale, text)| Some((text.as_ref()?, locale)));
+        let mut own: Vec<_> =
+            own.filter(|(text, _)| !text.is_fallback()).map(|(text, locale)| (place(text), locale)).collect();
+        own.sort_unstable();
+        let shown = firsts.iter().map(|first| match first {
+            None => Shown::Nothing,
+            Some(text) if !text.is_fallback() => Shown::Own,
+            Some(text) => match own.binary_search_by_key(&place(text), |(place, _)| *place) {
+                Ok(found) => Shown::Fallback(own[found].1),
+                Err(_) => Shown::Borrowed,
+            },
+        });
+        let shown: Vec<Shown> = shown.collect();
+        let texts = shown.iter().enumerate().map(|(locale, shown)| {
+            let segments = if matches!(shown, Shown::Own | Shown::Borrowed) { segment_count } else { 0 };
+            let bytes = |segment| text(locale, segment).map_or(&b""[..], |text| text.as_str().as_bytes());
+            (0..segments).map(bytes).collect()
+        });
+        Texts { texts: texts.collect(), shown }
+    }
+
+    /// The texts of a clip in the locales of its bank.
+    pub(super) fn of(clip: &Clip<'d, '_>, locales: &[lipz_bank::Locale<'d>]) -> Texts<'d> {
+        Texts::new(locales.len(), clip.segment_count(), |locale, segment| clip.segment(segment)?.text(locales[locale]))
+    }
+
+    /// Whether the clip has a text for this locale and no other one.
+    pub(super) fn has_own(&self, locale: usize) -> bool {
+        matches!(self.shown[locale], Shown::Own | Shown::Borrowed)
+    }
+
+    /// The texts of the segments in a locale, if they are not those of another one.
+    pub(super) fn segments(&self, locale: usize) -> &[&'d [u8]] {
+        &self.texts[locale]
+    }
+}
+
+/// Makes `data` a clip with what `clip` has beside texts, or, without one, with so many segments of nothing.
+pub(super) fn take_clip(clip: Option<&Clip<'_, '_>>, segment_count: u32, data: &mut ClipData) {
+    data.clear();
+    let Some(clip) = clip else {
+        data.starts.resize(segment_count as usize, 0);
+        return;
+    };
+    data.fps = clip.fps();
+    data.viseme_type = clip.viseme_type();
+    data.has_visemes = clip.has_visemes();
+    data.frames.extend_from_slice(clip.frames());
+    data.starts.extend(clip.segments().map(|segment| segment.start_frame()));
+    data.has_events = clip.has_events();
+    clip.segments().filter_map(|segment| segment.event()).for_each(|event| data.events.push(event));
+    for curve in clip.curves() {
+        data.curves.push(curve.name().as_str(), curve.keys().map(|key| (key.frame, key.value)));
+    }
+}
+
+/// Gives `data` the texts that are not those of other locales, whose numbers are those of `texts`.
+pub(super) fn take_texts(texts: &Texts<'_>, number: impl Fn(usize) -> u32, data: &mut ClipData) {
+    for (locale, shown) in texts.shown.iter().enumerate() {
+        if matches!(shown, Shown::Own | Shown::Borrowed) {
+            let segments = texts.segments(locale).iter().copied();
+            data.add_texts(number(locale), segments, *shown == Shown::Borrowed);
+        }
+    }
+}
+
+/// Whether two clips are the same but for their texts.
+pub(super) fn are_equal(one: &Clip<'_, '_>, other: &Clip<'_, '_>) -> bool {
+    let about = |clip: &Clip<'_, '_>| {
+        (clip.fps(), clip.viseme_type(), clip.has_visemes(), clip.has_events(), clip.recording(), clip.segment_count())
+    };
+    let segments = || std::iter::zip(one.segments(), other.segments());
+    about(one) == about(other)
+        && one.frames() == other.frames()
+        && segments().all(|(one, other)| one.start_frame() == other.start_frame() && one.event() == other.event())
+        && one.curves().map(|curve| curve.name().as_str()).eq(other.curves().map(|curve| curve.name().as_str()))
+        && std::iter::zip(one.curves(), other.curves()).all(|(one, other)| one.keys().eq(other.keys()))
+}
+
+/// The source records of a bank.
+pub(super) struct Records<'d>(Option<(SourceIndex<'d>, &'d [u8])>);
+
+impl<'d> Records<'d> {
+    pub(super) fn of(bank: &Bank<'d>) -> Records<'d> {
+        let section = |tag: Tag| bank.sections().find(|(found, _)| *found == tag.0).map(|(_, bytes)| bytes);
+        let index = section(Tag::SOURCE_INDEX).and_then(|index| <[U32]>::ref_from_bytes(index).ok());
+        let records = index.zip(section(Tag::SOURCES));
+        Records(records.map(|(index, records)| (SourceIndex::new(index, 0..records.len()), records)))
+    }
+
+    /// Whether the bank has none.
+    pub(super) fn are_stripped(&self) -> bool {
+        self.0.is_none()
+    }
+
+    /// The record of a clip; empty if the bank has none, or it is damaged.
+    pub(super) fn get(&self, clip: &Clip<'_, '_>) -> &'d [u8] {
+        let Some((index, records)) = &self.0 else { return &[] };
+        index.record(clip.slot()).and_then(|range| records.get(range)).unwrap_or_default()
+    }
+}
+
+/// A bank to be made of clips of others, added in the order of their keys.
+pub(super) struct Draft {
+    clips: Clips,
+    data: ClipData,
+    locales: Vec<(String, bool)>,
+    /// For each locale where the text of each clip is.
+    choices: Vec<Vec<Choice>>,
+}
+
+impl Draft {
+    /// A bank with these locales in the order of their tags, one of them perhaps the default.
+    pub(super) fn new(locales: Vec<(String, bool)>) -> Draft {
+        let mut clips = Clips::default();
+        // So their numbers are their places.
+        locales.iter().for_each(|(tag, _)| _ = clips.locales.number(tag, false));
+        Draft { clips, data: ClipData::default(), choices: vec![Vec::new(); locales.len()], locales }
+    }
+
+    /// Adds a clip: what it has beside texts, its texts, or both.
+    pub(super) fn push(
+        &mut self,
+        key: &str,
+        clip: Option<&Clip<'_, '_>>,
+        texts: Option<&Texts<'_>>,
+        segment_count: u32,
+        record: &[u8],
+    ) {
+        take_clip(clip, segment_count, &mut self.data);
+        if let Some(texts) = texts {
+            take_texts(texts, |locale| locale as u32, &mut self.data);
+        }
+        let mut own = 0..;
+        for (locale, choices) in self.choices.iter_mut().enumerate() {
+            choices.push(match texts.map_or(Shown::Nothing, |texts| texts.shown[locale]) {
+                Shown::Nothing => Choice::Missing,
+                Shown::Own | Shown::Borrowed => Choice::Own(own.next().unwrap_or_default()),
+                Shown::Fallback(other) => Choice::Fallback(other as u32),
+            });
+        }
+        self.data.source.extend_from_slice(record);
+        self.clips.push(key, &self.data);
+    }
+
+    /// The bank.
+    pub(super) fn bank(self, beside: Beside<'_>) -> Result<Vec<u8>, Report> {
+        let columns = std::iter::zip(self.locales, self.choices);
+        let columns =
+            columns.map(|((tag, is_default), choices)| LocaleColumn::new(&tag, is_default, choices.into_iter()));
+        let localised = Localised { locales: columns.collect() };
+        let batches = vec![self.clips];
+        let layout = Layout::new(&Clips::by_key(&batches), &localised, beside)?;
+        layout.fill(batches)
+    }
+}

@@ -1,0 +1,78 @@
+//! Clips of a stack that stay where its layer does not have them.
+
+use super::content::{Records, Shown, Texts, take_clip, take_texts};
+use super::merge::babble;
+use crate::clip::{Clip, ClipData, Clips};
+use crate::localise::{Choice, Localised};
+use crate::{Input, Options};
+use lipz_bank::{Bank, Locale};
+use std::collections::HashSet;
+
+/// The clips that stay, and what they show in the locales that there were.
+pub(crate) struct Kept {
+    /// Taken out when they are added to a run.
+    pub(crate) clips: Clips,
+    /// The section of babble profiles.
+    pub(crate) babble: Vec<u8>,
+    /// Tags of the locales.
+    tags: Vec<String>,
+    /// For each clip, in the order of the keys, what it shows in each of them.
+    shown: Vec<Vec<Shown>>,
+}
+
+impl Kept {
+    /// The clips of `bank` that are not among the inputs.
+    pub(super) fn new(bank: &Bank<'_>, inputs: &[Input]) -> Kept {
+        let replaced: HashSet<&str> = inputs.iter().map(|input| input.key.as_str()).collect();
+        let locales: Vec<Locale<'_>> = bank.locales().collect();
+        let (mut clips, mut data) = (Clips::default(), ClipData::default());
+        let numbers: Vec<u32> = locales.iter().map(|locale| clips.locales.number(locale.tag(), false)).collect();
+        let records = Records::of(bank);
+        let mut shown = Vec::new();
+        for clip in bank.clips().filter(|clip| !replaced.contains(clip.key())) {
+            let texts = Texts::of(&clip, &locales);
+            take_clip(Some(&clip), clip.segment_count(), &mut data);
+            take_texts(&texts, |locale| numbers[locale], &mut data);
+            data.source.extend_from_slice(records.get(&clip));
+            clips.push(clip.key(), &data);
+            shown.push(texts.shown);
+        }
+        let tags = locales.iter().map(|locale| locale.tag().to_owned()).collect();
+        Kept { clips, babble: babble(bank).to_vec(), tags, shown }
+    }
+
+    /// Gives `options` what the clips of `bank` bring with them, where the project does not decide.
+    pub(super) fn add_options(bank: &Bank<'_>, options: &mut Options) {
+        if options.default_locale.is_none() {
+            options.default_locale = bank.default_locale().map(|locale| locale.tag().to_owned());
+        }
+        for clip in bank.clips() {
+            if let Some(recording) = clip.recording() {
+                options.recordings.entry(clip.key().to_owned()).or_insert(recording);
+            }
+        }
+    }
+
+    /// Has the clips of this batch show what they did: a mod knows the fallbacks of its own texts only.
+    pub(crate) fn restore(&self, batch: usize, clips: &[Clip<'_>], tags: &[Box<str>], localised: &mut Localised) {
+        let number = |tag: &String| tags.iter().position(|other| **other == **tag);
+        let numbers: Vec<Option<usize>> = self.tags.iter().map(number).collect();
+        for (at, clip) in clips.iter().enumerate() {
+            let (of_batch, index) = clip.place();
+            if of_batch != batch {
+                continue;
+            }
+            for (shown, locale) in std::iter::zip(&self.shown[index], &numbers) {
+                let Some(column) = locale.and_then(|locale| localised.locales.get_mut(locale)) else { continue };
+                match shown {
+                    Shown::Nothing => column.set(at, Choice::Missing),
+                    Shown::Fallback(other) => {
+                        let other = numbers[*other].map(|other| Choice::Fallback(other as u32));
+                        column.set(at, other.unwrap_or(Choice::Missing));
+                    }
+                    Shown::Own | Shown::Borrowed => {}
+                }
+            }
+        }
+    }
+}

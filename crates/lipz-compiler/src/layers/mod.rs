@@ -1,0 +1,27 @@
+//! Layers: patches, downloads and mods over a bank, and one bank of all of them.
+//!
+//! A layer is what two whole banks differ in, so that the reader's answers, the bank that a stack is merged into, and the
+//! one that is packed from the sources in one go are the same by construction: `merge` makes a whole bank of a stack,
+//! `between` a layer of two whole banks, and both go through the layout that every bank has.
+
+mod between;
+mod content;
+mod keep;
+mod merge;
+mod over;
+mod stack;
+
+pub(crate) use keep::Kept;
+pub use over::Over;
+pub use stack::Stack;
+
+use lipz_bank::Bank;
+use lipz_layout::{LayerRecord, Tag};
+use zerocopy::FromBytes;
+
+/// Whether a bank is a layer that has only the texts of some clips, or all but these.
+pub(crate) fn has_parts(bank: &Bank<'_>) -> bool {
+    let section = bank.sections().find(|(tag, _)| *tag == Tag::LAYER.0);
+    let record = section.and_then(|(_, section)| LayerRecord::ref_from_prefix(section).ok());
+    record.is_some_and(|(record, _)| record.part_count.get() != 0)
+}

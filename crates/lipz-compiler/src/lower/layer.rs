@@ -1,0 +1,57 @@
+//! The section of a layer.
+
+use super::{fit, too_large};
+use lipz_diagnostics::Report;
+use lipz_layout::{LayerRecord, PART_CLIP, PART_TEXTS, U32, U64};
+use zerocopy::IntoBytes;
+
+/// What a layer says about the banks below it, before its clips have slots.
+#[derive(Default)]
+pub(crate) struct LayerDraft {
+    /// Checksums of the banks that it was made over, the lowest first.
+    pub(crate) bases: Vec<u64>,
+    /// Ids of removed clips, ascending.
+    pub(crate) removed: Vec<u64>,
+    /// For each locale the number of the one that stands in for it below, or `NO_STAND_IN`; or nothing.
+    pub(crate) stand_ins: Vec<u32>,
+    /// For each clip, in the order of the keys, which of its parts are here.
+    pub(crate) parts: Vec<u8>,
+    /// Tags of removed locales, ascending.
+    pub(crate) removed_locales: Vec<String>,
+    /// `LAYER_BABBLE` and `LAYER_DEFAULT_LOCALE`.
+    pub(crate) flags: u32,
+}
+
+impl LayerDraft {
+    /// The section. The slots are those of the clips in the order of their keys.
+    pub(super) fn section(&self, slots: &[u32]) -> Result<Vec<u8>, Report> {
+        // Whole clips need no table.
+        let has_parts = self.parts.iter().any(|&parts| parts != PART_CLIP | PART_TEXTS);
+        let mut parts = vec![0; if has_parts { slots.len() } else { 0 }];
+        for (&slot, &of_clip) in std::iter::zip(slots, &self.parts) {
+            if let Some(part) = parts.get_mut(slot as usize) {
+                *part = of_clip;
+            }
+        }
+        let record = LayerRecord {
+            base_count: fit(self.bases.len(), "layers")?.into(),
+            removed_count: fit(self.removed.len(), "removed clips")?.into(),
+            stand_in_count: fit(self.stand_ins.len(), "locales")?.into(),
+            part_count: fit(parts.len(), "clips")?.into(),
+            removed_locale_count: fit(self.removed_locales.len(), "locales")?.into(),
+            flags: self.flags.into(),
+            reserved: [0; 8],
+        };
+        let numbers = |numbers: &[u64]| numbers.iter().map(|&number| U64::new(number)).collect::<Vec<_>>();
+        let mut section = record.as_bytes().to_vec();
+        section.extend_from_slice(numbers(&self.bases).as_bytes());
+        section.extend_from_slice(numbers(&self.removed).as_bytes());
+        section.extend(self.stand_ins.iter().flat_map(|&stand_in| U32::new(stand_in).to_bytes()));
+        section.extend_from_slice(&parts);
+        for tag in &self.removed_locales {
+            section.push(u8::try_from(tag.len()).map_err(|_| too_large("tags of locales"))?);
+            section.extend_from_slice(tag.as_bytes());
+        }
+        Ok(section)
+    }
+}

@@ -1,0 +1,325 @@
+//! Layers: a stack answers as the bank of all sources, and becomes just that bank when it is merged.
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
+
+use lipz_bank::{Bank, Clip, ClipId, Layers, Micros, Recording, Text};
+use lipz_compiler::diagnostics::Code;
+use lipz_compiler::{Compiler, Input, Options, Over, Stack};
+use proptest::prelude::*;
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+/// A version of a project: Lipz files by key.
+type Project = BTreeMap<String, String>;
+
+fn inputs(project: &Project) -> Vec<Input> {
+    project.iter().map(|(key, file)| Input::from_bytes(key.as_str(), file.clone())).collect()
+}
+
+fn open(bytes: &[u8]) -> Bank<'_> {
+    Bank::open(bytes).unwrap().verify().unwrap()
+}
+
+fn stack_of(files: &[Vec<u8>]) -> Stack {
+    let named: Vec<(String, &[u8])> =
+        files.iter().enumerate().map(|(at, bytes)| (at.to_string(), bytes.as_slice())).collect();
+    Stack::open(named.iter().map(|(name, bytes)| (name.as_str(), *bytes))).unwrap()
+}
+
+/// What a clip says beside its texts.
+fn say_clip(said: &mut String, clip: &Clip<'_, '_>) {
+    writeln!(said, "{} {:?} {:?} {:?}", clip.key(), clip.id(), clip.fps(), clip.viseme_type()).unwrap();
+    writeln!(said, " {} {} {:?}", clip.has_visemes(), clip.has_events(), clip.recording()).unwrap();
+    writeln!(said, " {:?} {}", clip.frames(), clip.segment_count()).unwrap();
+    for segment in clip.segments() {
+        let events: Vec<String> = segment.events().map(|event| event.to_string()).collect();
+        writeln!(said, " {} {:?} {events:?}", segment.start_frame(), segment.event()).unwrap();
+    }
+    for curve in clip.curves() {
+        writeln!(said, " {} {curve} {:?}", curve.name(), curve.value_at(Micros(60_000))).unwrap();
+    }
+}
+
+fn say_text(said: &mut String, tag: &str, text: Option<Text<'_>>) {
+    writeln!(said, " {tag} {:?}", text.map(|text| (text.as_str(), text.is_fallback()))).unwrap();
+}
+
+/// All that a bank says.
+fn of_bank(bank: &Bank<'_>) -> String {
+    let mut said = String::new();
+    writeln!(said, "{:?} {:?}", bank.default_locale(), bank.babbles()).unwrap();
+    for clip in bank.clips() {
+        say_clip(&mut said, &clip);
+        for locale in bank.locales() {
+            clip.segments().for_each(|segment| say_text(&mut said, locale.tag(), segment.text(locale)));
+        }
+    }
+    said
+}
+
+/// The same of a stack.
+fn of_layers<const N: usize>(layers: &Layers<'_, N>) -> String {
+    let mut said = String::new();
+    let default = layers.default_locale().and_then(|tag| layers.locale(tag));
+    let default = default.map(|locale| format!("Locale({:?})", locale.tag()));
+    let babbles = layers.of_babble().map(Bank::babbles).unwrap();
+    writeln!(said, "{} {babbles:?}", default.map_or("None".to_owned(), |tag| format!("Some({tag})"))).unwrap();
+    let mut tags: Vec<&str> = layers.locale_tags().collect();
+    tags.sort_unstable();
+    for clip in layers.clips() {
+        assert_eq!(layers.clip(clip.id()), Some(clip));
+        assert_eq!(layers.clip_by_key(clip.key()), Some(clip));
+        say_clip(&mut said, &clip);
+        for tag in &tags {
+            let locale = layers.locale(tag).unwrap();
+            for segment in clip.segments() {
+                let text = clip.text(segment.index(), &locale);
+                assert_eq!(clip.text_bytes(segment.index(), &locale), text.map(|text| text.as_str().as_bytes()));
+                say_text(&mut said, tag, text);
+            }
+        }
+    }
+    said
+}
+
+/// Packs versions of a project over each other. The stack has to say at each point what the bank of the version says, and
+/// to become that bank.
+fn check(versions: &[(Project, Compiler<'_>)]) {
+    let (first, compiler) = &versions[0];
+    let mut files = vec![compiler.compile(&inputs(first)).into_bank().unwrap()];
+    for (project, compiler) in &versions[1..] {
+        let whole = compiler.compile(&inputs(project)).into_bank().unwrap();
+        let over = Over::new(stack_of(&files));
+        let compiled = compiler.compile_over(&inputs(project), &over);
+        match compiled.bank {
+            Some(layer) => files.push(layer),
+            None => assert_eq!(compiled.reports.last().unwrap().diagnostics[0].code, Code::LayerWithoutChange),
+        }
+        let banks: Vec<Bank<'_>> = files.iter().map(|file| open(file)).collect();
+        let layers = Layers::<8>::from_slice(&banks).unwrap();
+        assert_eq!(of_layers(&layers), of_bank(&open(&whole)));
+        let keys = layers.clips().map(|clip| clip.key().to_owned());
+        assert!(keys.eq(open(&whole).clips().map(|clip| clip.key().to_owned())));
+        for bank in &banks {
+            for clip in bank.clips() {
+                assert_eq!(layers.clip(clip.id()).is_some(), open(&whole).clip(clip.id()).is_some());
+            }
+        }
+        assert!(stack_of(&files).into_bank() == whole, "the merged bank is another one");
+    }
+}
+
+/// A Lipz file of some parts, each of which a random version may have.
+fn file() -> impl Strategy<Value = String> {
+    let texts = prop::collection::btree_map(
+        prop::sample::select(vec!["de-at", "de-de", "en-us", "fr-fr"]),
+        prop::sample::select(vec!["Ja.|Nein.", "Aye.|Nay.", "|", "Ja.|  {low} Nein. "]),
+        0..4,
+    );
+    let visemes = prop::option::of(prop::sample::select(vec!["MA|EO-", "-|-", "|", "MAMA|EO"]));
+    let events = prop::option::of(prop::sample::select(vec!["amy feels sad|", "|sees door, does wave", "x|y"]));
+    let curves =
+        prop::option::of(prop::sample::select(vec![r#"{ "joy": "0:0 1:2" }"#, r#"{ "anger": "0:1", "joy": "1:3" }"#]));
+    let fps = prop::option::of(prop::sample::select(vec!["24", "23.976", "30.0"]));
+    (texts, visemes, events, curves, fps).prop_map(|(texts, visemes, events, curves, fps)| {
+        let mut elements: Vec<String> = texts.iter().map(|(tag, text)| format!("\"text_{tag}\": \"{text}\"")).collect();
+        elements
+            .extend(visemes.iter().map(|visemes| format!("\"viseme_type\": \"blair\", \"visemes\": \"{visemes}\"")));
+        elements.extend(events.map(|events| format!("\"events\": \"{events}\"")));
+        // No key is behind the last frame.
+        let curves = curves.filter(|_| visemes.is_none_or(|visemes| visemes != "|"));
+        elements.extend(curves.map(|curves| format!("\"curves\": {curves}")));
+        elements.extend(fps.map(|fps| format!("\"fps\": {fps}")));
+        format!("{{ {} }}", elements.join(", "))
+    })
+}
+
+/// A version: some of a few clips.
+fn project() -> impl Strategy<Value = Project> {
+    let keys = prop::sample::select(vec!["a", "act1/aye", "act1/nay", "b", "z/z"]);
+    prop::collection::btree_map(keys.prop_map(str::to_owned), file(), 0..5)
+}
+
+/// A later version: most clips as before.
+fn versions() -> impl Strategy<Value = Vec<Project>> {
+    (project(), prop::collection::vec((project(), any::<[bool; 5]>()), 1..4)).prop_map(|(first, later)| {
+        let mut versions = vec![first];
+        for (changes, keeps) in later {
+            let last = versions.last().unwrap();
+            let mut keeps = keeps.into_iter().cycle();
+            let mut next: Project = last.clone().into_iter().filter(|_| keeps.next() != Some(false)).collect();
+            next.extend(changes.into_iter().filter(|_| keeps.next() != Some(false)));
+            versions.push(next);
+        }
+        versions
+    })
+}
+
+fn compiler(strip: bool, default: Option<&str>) -> Compiler<'static> {
+    let options = Options::new().strip(strip).threads(1);
+    Compiler::new(match default {
+        Some(tag) => options.default_locale(tag),
+        None => options,
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 300, ..ProptestConfig::default() })]
+
+    #[test]
+    fn a_stack_answers_as_the_bank_of_its_sources_and_becomes_it(
+        versions in versions(),
+        strip in any::<bool>(),
+        default in prop::sample::select(vec![None, Some("en-us"), Some("de-de")]),
+    ) {
+        let versions: Vec<_> = versions.into_iter().map(|project| (project, compiler(strip, default))).collect();
+        check(&versions);
+    }
+
+    #[test]
+    fn a_mod_changes_its_own_clips_only(base in project(), addition in project(), strip in any::<bool>()) {
+        let default = compiler(strip, Some("en-us"));
+        let below = default.compile(&inputs(&base)).into_bank().unwrap();
+        let over = Over::new(stack_of(std::slice::from_ref(&below))).keep_others(true);
+        // The maker of a mod does not have the settings of the game, but the bank knows its default locale, if it has it.
+        let known = open(&below).default_locale().map_or(Some("en-us"), |_| None);
+        let compiled = compiler(strip, known).compile_over(&inputs(&addition), &over);
+        let Some(layer) = compiled.bank else { return Ok(()) };
+        let mut all = base.clone();
+        all.extend(addition);
+        let whole = default.compile(&inputs(&all)).into_bank().unwrap();
+        let files = [below, layer];
+        let banks = files.each_ref().map(|file| open(file));
+        let said = of_layers(&Layers::new(banks).unwrap());
+        prop_assert_eq!(said, of_bank(&open(&whole)));
+        prop_assert!(stack_of(&files).into_bank() == whole);
+    }
+}
+
+fn one(key: &str, file: &str) -> Project {
+    Project::from([(key.to_owned(), file.to_owned())])
+}
+
+fn with(project: &Project, key: &str, file: &str) -> Project {
+    let mut project = project.clone();
+    project.insert(key.to_owned(), file.to_owned());
+    project
+}
+
+#[test]
+fn settings_that_change_come_with_a_layer() {
+    let project = with(&one("a", r#"{ "text_en-us": "Aye." }"#), "b", r#"{ "text_de-de": "Ja.", "visemes": "MA" }"#);
+    let settings = |text: &str| {
+        let (settings, report) = lipz_compiler::settings::Settings::parse(text.as_bytes(), "", "".as_ref());
+        assert_eq!(report.diagnostics, []);
+        Compiler::new(settings.options)
+    };
+    let recorded = |number| Compiler::new(Options::new().recordings([("a", Recording::new(1_500_000, number))]));
+    check(&[
+        (project.clone(), settings("")),
+        (project.clone(), settings("[babble]\nrate = 12\n")),
+        (project.clone(), settings("[babble]\nrate = 12\n")),
+        (project.clone(), settings("default-locale = \"en-us\"\n")),
+        (project.clone(), settings("default-locale = \"de-de\"\ndefault-fps = 12\n")),
+        (project.clone(), settings("")),
+        (project.clone(), recorded(7)),
+        (project.clone(), recorded(8)),
+    ]);
+    check(&[(project.clone(), recorded(8)), (project, settings(""))]);
+}
+
+#[test]
+fn a_locale_that_is_added_removed_and_added_again() {
+    let en = one("a", r#"{ "text_en-us": "Aye." }"#);
+    let en = with(&en, "b", r#"{ "text_en-us": "Nay." }"#);
+    let de = with(&en, "b", r#"{ "text_en-us": "Nay.", "text_de-de": "Nein." }"#);
+    let no_en = one("a", r#"{ "text_de-de": "Ja." }"#);
+    let compiler = || compiler(false, Some("en-us"));
+    let versions = [&en, &de, &en, &de, &no_en, &en];
+    check(&versions.map(|project| (project.clone(), compiler())));
+}
+
+/// Bytes of the layer that makes one project of another.
+fn layer_bytes(old: &Project, new: &Project) -> usize {
+    let compiler = compiler(true, Some("en-us"));
+    let base = compiler.compile(&inputs(old)).into_bank().unwrap();
+    compiler.compile_over(&inputs(new), &Over::new(stack_of(&[base]))).into_bank().unwrap().len()
+}
+
+#[test]
+fn a_layer_is_as_long_as_its_change() {
+    let clip = |number: usize, text: &str| {
+        format!(
+            r#"{{ "fps": 24, "viseme_type": "blair", "visemes": "{}", "text_en-us": "{text} {number}" }}"#,
+            "MAEO".repeat(30)
+        )
+    };
+    let old: Project = (0..1000).map(|number| (format!("clip-{number}"), clip(number, "Aye."))).collect();
+    let one = with(&old, "clip-7", &clip(7, "Nay."));
+    let ten =
+        (0..10).fold(old.clone(), |project, number| with(&project, &format!("clip-{number}"), &clip(number, "Nay.")));
+    let mut fewer = old.clone();
+    fewer.remove("clip-7");
+    // Of a locale that one clip has, all others show the default one.
+    let german = with(&old, "clip-7", &clip(7, "Aye.").replace(" }", r#", "text_de-de": "Ja." }"#));
+    assert!(layer_bytes(&old, &one) < 2200);
+    assert!(layer_bytes(&old, &ten) < 4000);
+    assert!(layer_bytes(&old, &fewer) < 1800);
+    assert!(layer_bytes(&old, &german) < 2300);
+}
+
+#[test]
+fn layers_that_do_not_fit_are_refused() {
+    let compiler = compiler(false, None);
+    let pack = |text: &str| compiler.compile(&inputs(&one("a", text))).into_bank().unwrap();
+    let (base, other) = (pack(r#"{ "text_en-us": "Aye." }"#), pack(r#"{ "text_en-us": "Nay." }"#));
+    let next = inputs(&one("a", r#"{ "text_en-us": "Yes." }"#));
+    let patch = compiler.compile_over(&next, &Over::new(stack_of(std::slice::from_ref(&base)))).into_bank().unwrap();
+    let code = |files: &[&Vec<u8>]| {
+        let named = files.iter().map(|file| ("x", file.as_slice()));
+        Stack::open(named).err().map(|report| report.diagnostics[0].code)
+    };
+    assert_eq!(code(&[&base, &patch]), None);
+    for files in [&[&other, &patch][..], &[&patch], &[&patch, &base], &[&base, &other], &[], &[&patch, &patch]] {
+        assert_eq!(code(files), Some(Code::LayerMisfit), "{}", files.len());
+    }
+    assert_eq!(code(&[&base, &patch, &patch]), None, "a layer over itself changes nothing");
+    // Another layer between them does no harm.
+    let more = with(&one("a", r#"{ "text_en-us": "Aye." }"#), "b", r#"{ "text_en-us": "More." }"#);
+    let addition =
+        compiler.compile_over(&inputs(&more), &Over::new(stack_of(std::slice::from_ref(&base)))).into_bank().unwrap();
+    assert_eq!(code(&[&base, &addition, &patch]), None);
+    let banks = [&base, &addition, &patch].map(|file| open(file));
+    let layers = Layers::new(banks).unwrap();
+    assert!(layers.clip(ClipId::from_key("b")).is_some());
+    let english = layers.locale("en-us").unwrap();
+    assert_eq!(layers.clip(ClipId::from_key("a")).unwrap().text(0, &english).unwrap().as_str(), "Yes.");
+}
+
+#[test]
+fn a_layer_over_a_stripped_bank_is_stripped_and_says_so() {
+    let base = compiler(true, None).compile(&inputs(&one("a", r#"{ "text_en-us": "Aye." }"#))).into_bank().unwrap();
+    let over = Over::new(stack_of(&[base]));
+    let compiled = compiler(false, None).compile_over(&inputs(&one("a", r#"{ "text_en-us": "Nay." }"#)), &over);
+    let codes: Vec<Code> =
+        compiled.reports.iter().flat_map(|report| &report.diagnostics).map(|found| found.code).collect();
+    assert_eq!(codes, [Code::LayerStripped]);
+    assert!(open(&compiled.bank.unwrap()).sections().all(|(tag, _)| tag != *b"SRCE"));
+}
+
+#[test]
+fn text_banks_serve_in_a_stack() {
+    let compiler = compiler(true, Some("en-us"));
+    let base = compiler.compile(&inputs(&one("a", r#"{ "text_en-us": "Aye." }"#))).into_bank().unwrap();
+    let more = with(&one("a", r#"{ "text_en-us": "Aye." }"#), "b", r#"{ "text_en-us": "Nay." }"#);
+    let patch =
+        compiler.compile_over(&inputs(&more), &Over::new(stack_of(std::slice::from_ref(&base)))).into_bank().unwrap();
+    // The German of the base comes as a download.
+    let german = compiler.compile(&inputs(&one("a", r#"{ "text_de-de": "Ja." }"#))).into_bank().unwrap();
+    let banks = [&base, &patch].map(|file| open(file));
+    let texts = [banks[0].open_texts(&german).unwrap().verify(&banks[0]).unwrap()];
+    let layers = Layers::new(banks).unwrap();
+    assert_eq!(layers.locale("de-de"), None);
+    let german = layers.locale_in("de-de", &texts).unwrap();
+    let text = |key: &str| layers.clip_by_key(key).unwrap().text(0, &german).map(|text| text.as_str().to_owned());
+    assert_eq!([text("a"), text("b")], [Some("Ja.".to_owned()), None]);
+}

@@ -1,0 +1,56 @@
+//! Every query of a stack of banks that may be damaged.
+
+use lipz_bank::{Bank, Clip, Layers};
+use std::hint::black_box;
+
+/// The most banks that are stacked.
+pub const MOST: usize = 4;
+
+/// Makes a stack of banks and asks it everything; whether they fit. Panics only if an iterator gives more than it can have.
+pub fn every_query(banks: &[Bank<'_>]) -> bool {
+    for bank in banks {
+        let limit = bank.length_bytes();
+        let about = (bank.made_over(), bank.removed_clips(), bank.removed_locales());
+        if let (Ok(below), Ok(removed), Ok(locales)) = about {
+            assert!(bank.is_layer() == (below.count() > 0));
+            assert!(removed.count() + locales.count() <= limit);
+        }
+    }
+    let layers = match Layers::<MOST>::from_slice(banks) {
+        Ok(layers) => layers,
+        Err(error) => {
+            assert!(error.layer() <= banks.len(), "{error}");
+            black_box(error.error());
+            return false;
+        }
+    };
+    if let Ok(same) = <[Bank<'_>; MOST]>::try_from(banks) {
+        assert!(Layers::new(same).is_ok());
+    }
+    assert_eq!(layers.layer_count(), banks.len());
+    assert!(layers.bank(banks.len()).is_none() && layers.of_babble().is_some());
+    black_box((layers.babble("robot").is_some(), layers.default_babble().name().len()));
+    let limit: usize = banks.iter().map(Bank::length_bytes).sum();
+    let tags: Vec<&str> = layers.locale_tags().take(limit + 1).collect();
+    assert!(tags.len() <= limit);
+    let locales: Vec<_> = tags.iter().take(8).filter_map(|tag| layers.locale(tag)).collect();
+    black_box(layers.default_locale().and_then(|tag| layers.locale_in(tag, &[])));
+    let named = layers.event_name("amy");
+    let mut count = 0;
+    for clip in layers.clips().take(limit + 1) {
+        count += 1;
+        black_box((clip.clip().key(), clip.layer(), layers.clip(clip.id()).is_some()));
+        black_box((layers.clip_by_key(clip.key()).is_some(), named.and_then(|name| name.of(&clip)).is_some()));
+        assert!(clip.texts_layer().is_none_or(|layer| layers.bank(layer).is_some()));
+        black_box(clip.texts().map(Clip::slot));
+        for locale in &locales {
+            black_box((locale.tag(), locale.tag_in(clip.layer())));
+            for segment in [0, 1, clip.segment_count(), u32::MAX] {
+                let (text, bytes) = (clip.text(segment, locale), clip.text_bytes(segment, locale));
+                assert!(text.is_none_or(|text| Some(text.as_str().as_bytes()) == bytes));
+            }
+        }
+    }
+    assert!(count <= limit && layers.clips_under("act1/").take(limit + 1).count() <= limit);
+    true
+}

@@ -1,0 +1,50 @@
+//! `lipz pack --over`: a layer over other banks.
+
+use super::Pack;
+use super::destination::Destination;
+use crate::Abort;
+use crate::console;
+use crate::reporter::Reporter;
+use crate::shared::{output_file, stack, stdio};
+use lipz_bank::Bank;
+use lipz_compiler::Over;
+use std::io::{self, IsTerminal};
+use std::path::Path;
+
+/// Where the layer goes that the arguments ask for, and what it lies over. Reports what is wrong with that.
+pub(super) fn destination(
+    arguments: &Pack,
+    output: &Path,
+    is_split: bool,
+    reporter: &mut Reporter,
+) -> Result<Destination, Abort> {
+    if is_split {
+        let tip = "pack it with `--split-locales=false`; the texts of a locale that the shipped bank lacks are a download of \
+                   their own: those of `lipz pack --split-locales` without `--over`";
+        return Err(reporter.usage("a layer is not split by locale", tip));
+    }
+    let is_printed = stdio::is_meant(output);
+    if is_printed && arguments.depfile.is_some() {
+        return Err(reporter.usage("standard output has no name for a depfile", "name a file with `--output`"));
+    }
+    if is_printed && io::stdout().is_terminal() {
+        return Err(reporter.usage("a bank is not for a terminal", "name a file, or send standard output to one"));
+    }
+    let below = arguments.over.iter().flat_map(|path| stack::paths(path));
+    for bank in below.filter(|_| !is_printed) {
+        output_file::refuse_same(&[("the bank below", &bank), ("the layer", output)], reporter)?;
+    }
+    let over = Over::new(stack::open(&arguments.over, reporter)?).keep_others(arguments.keep_others);
+    Ok(Destination::Layer((!is_printed).then(|| output.to_owned()), Box::new(over)))
+}
+
+/// What a layer changes.
+pub(super) fn summary(bank: &[u8]) -> String {
+    let Ok(bank) = Bank::open(bank) else { return String::new() };
+    let changed = console::counted(bank.clip_count(), "new or changed clip");
+    let removed = bank.removed_clips().map_or(0, Iterator::count);
+    match removed {
+        0 => changed,
+        removed => format!("{changed} and {}", console::counted(removed, "removal")),
+    }
+}

@@ -1,0 +1,50 @@
+//! Several banks in the place of one: a base and the layers over it.
+
+use crate::Abort;
+use crate::reporter::Reporter;
+use crate::shared::bank_file::BankFile;
+use lipz_compiler::Stack;
+use std::path::{Path, PathBuf};
+
+/// What stands between the names of a base and its layers.
+const BETWEEN: char = '+';
+
+/// The files that a path names: one, or those of a stack, `base.lipzbank+patch.lipzbank`. A file whose own name has a `+`
+/// is one file.
+pub(crate) fn paths(path: &Path) -> Vec<PathBuf> {
+    let parts: Vec<&str> = path.to_str().map_or_else(Vec::new, |path| path.split(BETWEEN).collect());
+    if parts.len() < 2 || parts.contains(&"") || path.exists() {
+        return vec![path.to_owned()];
+    }
+    parts.into_iter().map(PathBuf::from).collect()
+}
+
+/// The stack of these files, the base first. Reports which of them is damaged or does not fit.
+pub(crate) fn of(files: &[BankFile], reporter: &mut Reporter) -> Result<Stack, Abort> {
+    let named = files.iter().map(|file| (file.name.as_str(), file.bytes()));
+    Stack::open(named).map_err(|report| reporter.refuse(vec![report]))
+}
+
+/// The stack of the files that several arguments name, each perhaps one itself. Reports what is wrong with them.
+pub(crate) fn open(named: &[PathBuf], reporter: &mut Reporter) -> Result<Stack, Abort> {
+    let paths = named.iter().flat_map(|path| paths(path));
+    let files = paths.map(|path| BankFile::read(&path, reporter)).collect::<Result<Vec<_>, _>>()?;
+    of(&files, reporter)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_plus_is_between_files_unless_a_file_has_it_in_its_name() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        std::fs::write(path("a+b"), "").unwrap();
+        assert_eq!(paths(&path("a+b")), [path("a+b")]);
+        assert_eq!(paths(Path::new("x/a+y/b+c")), ["x/a", "y/b", "c"].map(PathBuf::from));
+        for one in ["a", "+", "a+", "+a", "a++b"] {
+            assert_eq!(paths(Path::new(one)), [PathBuf::from(one)]);
+        }
+    }
+}
