@@ -10,7 +10,8 @@ pub const PER_FILE_AND_CODE: usize = 1_000;
 const MANY: usize = 1 << 16;
 
 /// Keeps the first [`PER_FILE_AND_CODE`] diagnostics of each code in a file, and makes one of the others, at the place
-/// of the first of these: the memory that a file needs does not depend on how often somebody repeats a mistake.
+/// of the first of these: the memory that a file needs hardly depends on how often somebody repeats a mistake. Of the
+/// others, only the fixes are kept ([`Diagnostic::fixes`]).
 ///
 /// ```
 /// use lipz_diagnostics::{Code, Diagnostic, bound};
@@ -39,6 +40,7 @@ pub fn limit(diagnostics: &mut Vec<Diagnostic>) {
         });
         all.severity = all.severity.max(diagnostic.severity);
         all.rest += diagnostic.count();
+        diagnostic.fixes().for_each(|fix| all.add_fix_of_rest(&fix));
         false
     });
     for mut all in rest.into_values() {

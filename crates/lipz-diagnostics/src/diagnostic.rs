@@ -1,5 +1,6 @@
 //! One diagnostic: what is wrong, where, how bad it is, and what to do about it.
 
+use crate::fix::Fixes;
 use crate::{Code, Span, escape};
 use std::fmt;
 
@@ -64,6 +65,8 @@ pub struct Diagnostic {
     /// How many others of the code in its file it stands for, which are not shown; 0 for itself. See
     /// [`bound`](crate::bound).
     pub rest: usize,
+    /// Their fixes.
+    pub(crate) rest_fixes: Option<Box<Fixes>>,
 }
 
 /// `error[LZ0401]: message`, then notes and help, a line each; without the place, which only a
@@ -109,6 +112,7 @@ impl Diagnostic {
             help: None,
             fix: None,
             rest: 0,
+            rest_fixes: None,
         }
     }
 
@@ -154,6 +158,24 @@ impl Diagnostic {
     pub fn fix(mut self, span: Span, replacement: impl Into<String>) -> Self {
         self.fix = Some(Fix::new(span, replacement));
         self
+    }
+
+    /// The changes that are certain: its own, or those of the diagnostics that it stands for.
+    pub fn fixes(&self) -> impl Iterator<Item = Fix> {
+        self.fix.iter().cloned().chain(self.rest_fixes.iter().flat_map(|fixes| fixes.iter()))
+    }
+
+    /// Takes back the changes that are not certain after all.
+    pub fn retain_fixes(&mut self, mut is_certain: impl FnMut(&Fix) -> bool) {
+        self.fix = self.fix.take().filter(&mut is_certain);
+        if let Some(fixes) = self.rest_fixes.take() {
+            fixes.iter().filter(is_certain).for_each(|fix| self.add_fix_of_rest(&fix));
+        }
+    }
+
+    /// Keeps the fix of a diagnostic that it stands for.
+    pub(crate) fn add_fix_of_rest(&mut self, fix: &Fix) {
+        self.rest_fixes.get_or_insert_default().push(fix);
     }
 
     /// Whether it is an error, so that no bank is written.

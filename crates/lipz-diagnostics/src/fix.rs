@@ -49,6 +49,34 @@ impl Fix {
     }
 }
 
+/// The fixes of many diagnostics, of which nothing else is kept: 12 bytes for each, and the replacement.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub(crate) struct Fixes {
+    /// What is replaced, and where the replacement ends in `replacements`.
+    spans: Vec<(Span, u32)>,
+    replacements: String,
+}
+
+impl Fixes {
+    /// Adds a fix, unless there are 4 GiB of them.
+    pub(crate) fn push(&mut self, fix: &Fix) {
+        if let Ok(end) = u32::try_from(self.replacements.len() + fix.replacement.len()) {
+            self.replacements.push_str(&fix.replacement);
+            self.spans.push((fix.span, end));
+        }
+    }
+
+    /// The fixes in the order in which they were added.
+    pub(crate) fn iter(&self) -> impl ExactSizeIterator<Item = Fix> {
+        let mut start = 0;
+        self.spans.iter().map(move |&(span, end)| {
+            let replacement = self.replacements.get(start..end as usize).unwrap_or_default();
+            start = end as usize;
+            Fix::new(span, replacement)
+        })
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

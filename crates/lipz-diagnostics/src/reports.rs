@@ -54,7 +54,7 @@ pub fn frequencies(reports: &[Report]) -> Vec<Frequency> {
         let frequency = by_code.entry(found.code).or_insert(none);
         frequency.severity = frequency.severity.max(found.severity);
         frequency.count += found.count();
-        frequency.fixable += usize::from(found.fix.is_some());
+        frequency.fixable += found.fixes().count();
     }
     let mut frequencies: Vec<Frequency> = by_code.into_values().collect();
     frequencies.sort_by_key(|frequency| Reverse(frequency.count));

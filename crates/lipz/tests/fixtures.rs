@@ -86,7 +86,7 @@ fn good_files_have_no_diagnostics_but_two() {
     let examples = lipz(&repository, ["check", "fixtures/spec/repaired"]);
     // `nervous` is in two of the specification's own examples, and not in its list.
     let diagnostics: Vec<&str> = examples.stderr.lines().filter(|line| line.contains("[LZ")).collect();
-    assert_eq!(diagnostics, ["warning[LZ0702]: `nervous` is not an emotion of the specification"; 3]);
+    assert_eq!(diagnostics, ["warning[LZ0702]: `nervous` is not a known emotion"; 3]);
     assert_eq!((examples.code, examples.stdout.as_str()), (0, "8 files checked\n"));
 }
 

@@ -99,22 +99,19 @@ fn renamed(diagnostic: Diagnostic, element: &Element<'_>, locale: &str) -> Diagn
 pub(super) fn keep_names_apart(document: &Document<'_>, diagnostics: &mut [Diagnostic]) {
     let renames = |diagnostic: &Diagnostic| {
         matches!(diagnostic.code, Code::LocaleSpelling | Code::TextWithoutLocale | Code::LocaleShape)
-            && diagnostic.fix.is_some()
     };
-    if !diagnostics.iter().any(renames) {
+    if !diagnostics.iter().any(|diagnostic| renames(diagnostic) && diagnostic.fixes().next().is_some()) {
         return;
     }
     let mut count_of: HashMap<String, usize> = HashMap::new();
     for name in document.elements.iter().map(|element| lipz_file::literal(&element.name.text)) {
         *count_of.entry(name).or_default() += 1;
     }
-    let renaming =
-        || diagnostics.iter().filter(|diagnostic| renames(diagnostic)).filter_map(|diagnostic| diagnostic.fix.as_ref());
-    for fix in renaming() {
-        *count_of.entry(fix.replacement.clone()).or_default() += 1;
+    for fix in diagnostics.iter().filter(|diagnostic| renames(diagnostic)).flat_map(Diagnostic::fixes) {
+        *count_of.entry(fix.replacement).or_default() += 1;
     }
     for diagnostic in diagnostics.iter_mut().filter(|diagnostic| renames(diagnostic)) {
-        diagnostic.fix = diagnostic.fix.take().filter(|fix| count_of.get(&fix.replacement) == Some(&1));
+        diagnostic.retain_fixes(|fix| count_of.get(&fix.replacement) == Some(&1));
     }
 }
 

@@ -134,7 +134,7 @@ pub(crate) fn fragment(fragment: &Fragment<'_>, options: &Options, diagnostics: 
     }
     roles.curves.into_iter().for_each(|value| curves::curves(value, &options.known_names, &mut clip, &mut found));
     roles.events.into_iter().for_each(|string| drop(events::trimmed(string, &options.known_names, &mut found)));
-    found.iter_mut().for_each(|diagnostic| diagnostic.fix = None);
+    found.iter_mut().for_each(|diagnostic| diagnostic.retain_fixes(|_| false));
     diagnostics.append(&mut found);
     bound::limit(diagnostics);
 }

@@ -63,7 +63,7 @@ codes! {
 
     "Events"
     NulInEvents "LZ0701" "nul-in-events" Warning "an event contains U+0000"
-    UnknownEmotion "LZ0702" "unknown-emotion" Warning "an emotion is neither in the specification nor registered"
+    UnknownEmotion "LZ0702" "unknown-emotion" Warning "an emotion is not known"
     UnknownCharacter "LZ0703" "unknown-character" Warning "the character of an event is not registered"
     UnknownTarget "LZ0704" "unknown-target" Warning "the target of an event is not registered"
     UnknownAction "LZ0705" "unknown-action" Warning "the action of an event is not registered"

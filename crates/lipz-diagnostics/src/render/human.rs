@@ -118,7 +118,7 @@ fn closing(reports: &[Report]) -> String {
     if files > 0 {
         let _ = write!(text, " in {}", counted(files, "file"));
     }
-    let fixable = reports.iter().flat_map(|report| &report.diagnostics).filter(|found| found.fix.is_some()).count();
+    let fixable = reports.iter().flat_map(|report| &report.diagnostics).flat_map(Diagnostic::fixes).count();
     if fixable > 0 {
         let _ = write!(text, "; {} fixable", grouped(fixable));
     }

@@ -28,7 +28,7 @@ pub fn parse(bytes: &[u8]) {
 /// The marked places of a diagnostic are stretches of the text.
 pub(super) fn is_about(found: &Diagnostic, text: &str) {
     let labels = found.primary.iter().chain(&found.labels).map(|label| label.span);
-    let spans: Vec<Span> = labels.chain(found.fix.as_ref().map(|fix| fix.span)).collect();
+    let spans: Vec<Span> = labels.chain(found.fixes().map(|fix| fix.span)).collect();
     assert!(spans.iter().all(|span| text.get(span.range()).is_some()), "outside of the text: {found:?}");
     assert!(!found.message.is_empty());
 }

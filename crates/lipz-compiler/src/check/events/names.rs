@@ -141,12 +141,7 @@ impl Unknown<'_> {
     pub(super) fn diagnostic(&self, span: Span, known_names: &KnownNames) -> Diagnostic {
         let (what, known, lists) = match self.role {
             Role::Character => ("not a registered character", "registered characters", ["characters"].as_slice()),
-            Role::Emotion if known_names.emotions.is_empty() => {
-                ("not an emotion of the specification", "emotions", ["emotions"].as_slice())
-            }
-            Role::Emotion => {
-                ("neither an emotion of the specification nor a registered one", "emotions", ["emotions"].as_slice())
-            }
+            Role::Emotion => ("not a known emotion", "emotions", ["emotions"].as_slice()),
             Role::Target => (
                 "neither a registered character nor a registered prop",
                 "registered characters and props",
