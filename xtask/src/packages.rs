@@ -14,20 +14,56 @@ const LICENCES: [&str; 2] = ["LICENSE-APACHE", "LICENSE-MIT"];
 pub(crate) fn run() -> Result<(), Failure> {
     let mut packages = cargo::workspace()?;
     packages.retain(Package::is_published);
+    let folder = target_folder().join("packages");
+    let unpacked = unpack(&packages, &folder)?;
     let mut faults = Vec::new();
-    for (package, folder) in packages.iter().zip(unpack(&packages, &target_folder().join("packages"))?) {
-        let found = faults_in(&folder)?;
+    for (package, folder) in packages.iter().zip(&unpacked) {
+        let found = faults_in(folder)?;
         faults.extend(found.into_iter().map(|fault| format!("{}: {fault}", package.name)));
     }
     if !faults.is_empty() {
         return Err(faults.join("\n"));
     }
-    // Builds each package from what is in it, on those before it.
+    compile(&packages, &unpacked, &folder)?;
     let mut publish = cargo::command();
-    publish.args(["publish", "--workspace", "--dry-run", "--allow-dirty", "--locked", "--quiet"]);
+    publish.args(["publish", "--workspace", "--dry-run", "--no-verify", "--allow-dirty", "--locked", "--quiet"]);
     succeed(publish.current_dir(workspace_root()), "cargo publish --dry-run")?;
     println!("{} crates could be published", packages.len());
     Ok(())
+}
+
+/// Compiles each package by itself, with the features that it asks for, from what is in it and on the others as they
+/// were unpacked. `cargo publish` would do so, too, but build all crates of others anew: here those are shared with the
+/// checks of the workspace, which has the same profiles and versions.
+fn compile(packages: &[Package], unpacked: &[PathBuf], folder: &Path) -> Result<(), Failure> {
+    let failed = |error: std::io::Error| format!("`{}`: {error}", folder.display());
+    let root = workspace_root();
+    let text = fs::read_to_string(root.join("Cargo.toml")).map_err(failed)?;
+    fs::write(folder.join("Cargo.toml"), manifest(packages, unpacked, &text)).map_err(failed)?;
+    fs::copy(root.join("Cargo.lock"), folder.join("Cargo.lock")).map_err(failed)?;
+    for package in packages {
+        println!("{} as it would be published", package.name);
+        let mut check = cargo::command();
+        check.args(["check", "--quiet", "--package", &package.name, "--target-dir"]).arg(target_folder());
+        succeed(check.current_dir(folder), &format!("cargo check of the package `{}`", package.name))?;
+    }
+    Ok(())
+}
+
+/// A workspace of the packages, which depend on each other, with the profiles of `root`, a manifest.
+fn manifest(packages: &[Package], unpacked: &[PathBuf], root: &str) -> String {
+    let (mut members, mut patches) = (String::new(), String::new());
+    for (package, path) in packages.iter().zip(unpacked) {
+        members += &format!("{:?}, ", path.file_name().unwrap_or_default());
+        patches += &format!("{} = {{ path = {:?} }}\n", package.name, path.file_name().unwrap_or_default());
+    }
+    let mut is_profile = false;
+    let profiles = root.split_inclusive('\n').filter(|line| {
+        is_profile = if line.starts_with('[') { line.starts_with("[profile.") } else { is_profile };
+        is_profile
+    });
+    let profiles: String = profiles.collect();
+    format!("[workspace]\nresolver = \"2\"\nmembers = [{members}]\n\n[patch.crates-io]\n{patches}\n{profiles}")
 }
 
 /// Makes the packages and unpacks them into `folder`; returns the folder of each.

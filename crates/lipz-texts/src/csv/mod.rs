@@ -5,9 +5,14 @@ mod columns;
 mod read;
 mod write;
 
-pub(crate) use columns::LOCK;
-pub(crate) use read::{Row, Table, read};
-pub(crate) use write::{rows, write};
+pub(crate) use read::read;
+pub(crate) use write::write;
+#[cfg(feature = "xlsx")]
+pub(crate) use {
+    columns::LOCK,
+    read::{Row, Table},
+    write::rows,
+};
 
 /// Which columns a CSV has, and how they are called. Readers know all of them by their names.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
