@@ -6,20 +6,28 @@
  */
 export function onDrag(element, timeAt, scrub, isTaken = () => false) {
   let held;
+  /** The last time that was shown; undefined if none was. */
+  let last;
+  const show = (event) => scrub((last = timeAt(event.clientX)), true);
   element.addEventListener("pointerdown", (event) => {
     if (event.button !== 0 || isTaken(event)) return;
-    held = event.pointerId;
+    [held, last] = [event.pointerId, undefined];
     element.setPointerCapture(held);
-    scrub(timeAt(event.clientX), true);
+    // A finger may be about to scroll the page.
+    if (event.pointerType !== "touch") show(event);
   });
   element.addEventListener("pointermove", (event) => {
-    if (event.pointerId === held) scrub(timeAt(event.clientX), true);
+    if (event.pointerId === held) show(event);
   });
-  for (const end of ["pointerup", "pointercancel"]) {
-    element.addEventListener(end, (event) => {
-      if (event.pointerId !== held) return;
-      held = undefined;
-      scrub(timeAt(event.clientX), false);
-    });
-  }
+  element.addEventListener("pointerup", (event) => {
+    if (event.pointerId !== held) return;
+    held = undefined;
+    scrub(timeAt(event.clientX), false);
+  });
+  // The browser scrolls: its event has no place.
+  element.addEventListener("pointercancel", (event) => {
+    if (event.pointerId !== held) return;
+    held = undefined;
+    if (last !== undefined) scrub(last, false);
+  });
 }

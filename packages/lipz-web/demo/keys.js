@@ -3,7 +3,7 @@
 /** Elements that have a use of their own for keys. */
 const OWN = "input:not([type=checkbox]):not([type=file]), select, textarea, [contenteditable]";
 /** What Space does already: it presses them. */
-const PRESSED = "button, input, label, a";
+const PRESSED = "button, input, label, a, summary";
 
 /** Calls a function of `does` for each key that the player knows. */
 export function onKeys(does) {

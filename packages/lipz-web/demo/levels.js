@@ -4,7 +4,7 @@
 export function levelsOf(clip) {
   const levels = new Map();
   return Array.from(clip.frames, (viseme, frame) => {
-    if (!levels.has(viseme)) levels.set(viseme, clip.opennessAt({ us: Math.round(clip.startOfFrame(frame) * 1e6) }) ?? 0);
+    if (!levels.has(viseme)) levels.set(viseme, clip.opennessAt(clip.startOfFrame(frame)) ?? 0);
     return levels.get(viseme);
   });
 }

@@ -1,11 +1,15 @@
 // Numbers and paths as short text.
 
-/** A number with one or two digits behind the point, as short as it can be. */
+/** A number with one digit behind the point, or two if it is small, such as an opacity. */
 export function px(value) {
-  return Math.abs(value) < 1.05 ? Number(value.toFixed(2)) + 0 : Number(value.toFixed(1)) + 0;
+  const steps = Math.abs(value) < 1.05 ? 100 : 10;
+  // Without the sign of a zero.
+  return Math.round(value * steps) / steps + 0;
 }
 
 /** A path whose numbers are rounded: path`M${x} ${y}`. */
 export function path(texts, ...values) {
-  return texts.reduce((all, text, index) => `${all}${px(values[index - 1])}${text}`);
+  let all = texts[0];
+  for (let index = 0; index < values.length; index++) all += px(values[index]) + texts[index + 1];
+  return all;
 }

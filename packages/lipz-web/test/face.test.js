@@ -23,7 +23,7 @@ test("mouths are open in the order of the reader's openness", () => {
     const opennessOf = (code) => {
       const frame = clip.frames.indexOf(code);
       assert.ok(frame >= 0, `${type} ${code} is in the bank`);
-      return clip.opennessAt({ us: Math.round(clip.startOfFrame(frame) * 1e6) });
+      return clip.opennessAt(clip.startOfFrame(frame));
     };
     const codes = Object.keys(VISEMES[type]).filter((code) => clip.frames.includes(code));
     assert.ok(codes.length >= 8, type);

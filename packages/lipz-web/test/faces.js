@@ -112,6 +112,37 @@ export async function zoomed(demo, same) {
   }
 }
 
+/** A finger that scrolls the page over the curves moves nothing; one that taps or drags does. */
+export async function fingers(demo, same) {
+  const { page, window, player } = await demo({ ...FACES, clip: "rig", at: 1 });
+  const plot = page.querySelector(".curves li svg");
+  const { left, width } = plot.getBoundingClientRect();
+  const touch = (type, part) => {
+    const init = { pointerId: 2, pointerType: "touch", button: 0, clientX: part === undefined ? 0 : left + width * part, bubbles: true };
+    plot.dispatchEvent(new window.PointerEvent(type, init));
+  };
+  const at = (part, what) => same(Math.abs(player.clock.time / player.clip.duration - part) < 0.01, true, `${what}: ${player.clock.time}`);
+  touch("pointerdown", 0.7);
+  touch("pointercancel");
+  same(player.clock.time, 1, "a scroll");
+  touch("pointerdown", 0.7);
+  touch("pointerup", 0.7);
+  at(0.7, "a tap");
+  touch("pointerdown", 0.2);
+  touch("pointermove", 0.3);
+  touch("pointercancel");
+  at(0.3, "a drag that the browser takes over");
+}
+
+/** Space folds the curves where they have the focus, and does not play. */
+export async function folding(demo, same) {
+  const { page, window, player } = await demo({ ...FACES, clip: "rig" });
+  const press = new window.KeyboardEvent("keydown", { key: " ", bubbles: true, cancelable: true });
+  page.querySelector("summary").dispatchEvent(press);
+  await soon(600);
+  same(press.defaultPrevented || player.clock.playing, false, "the browser has the key");
+}
+
 /** The playhead stays in view when the window gets narrower. */
 export async function narrower(demo, same) {
   const { page, window } = await demo({ ...FACES, clip: "twelve", at: 13 });
