@@ -16,6 +16,11 @@ const REACH: usize = 12;
 /// What the scores of frames count. Neighbouring frames share samples, and so say the same several times: as they are, scores
 /// would make the best path seem certain. A tenth to a half do equally well.
 const SCALE: f32 = 0.25;
+/// How much more likely a phone starts where the spectrum changes: this power of the change. From a half to one does equally
+/// well.
+const CHANGE_POWER: f32 = 0.7;
+/// The least change that counts: nothing changes in digital silence.
+const LEAST_CHANGE: f32 = 0.03;
 /// The most frames that are looked at together.
 const MOST_FRAMES: usize = 1_000;
 
@@ -66,12 +71,19 @@ struct Row {
     likelihoods: Vec<f64>,
     /// By state: how probable it is, given this frame and those before.
     forward: Vec<f64>,
+    /// How much more likely a phone starts in this frame than in others.
+    change: f64,
 }
 
 impl Row {
     /// The number of a state of the part in this row.
     fn index(&self, state: usize) -> Option<usize> {
         state.checked_sub(self.low * STATES)
+    }
+
+    /// How much more likely a state is entered in this frame: the first states of phones where the spectrum changes.
+    fn entering(&self, state: usize) -> f64 {
+        if state.is_multiple_of(STATES) { self.change } else { 1.0 }
     }
 }
 
@@ -87,8 +99,12 @@ impl Part<'_> {
                 self.steps[steps.start..self.steps.len() - 1].iter().take_while(|step| is_over(step)).count();
             steps.end = steps.end.max(steps.start);
             steps.end += self.steps[steps.end..].iter().take_while(|step| step.start <= t + REACH).count();
-            let mut row =
-                Row { low: steps.start, likelihoods: self.likelihoods(frame, steps.clone()), forward: Vec::new() };
+            let mut row = Row {
+                low: steps.start,
+                likelihoods: self.likelihoods(frame, steps.clone()),
+                forward: Vec::new(),
+                change: f64::from(libm::powf(frame.change().max(LEAST_CHANGE), CHANGE_POWER)),
+            };
             row.forward = self.forward(&row, rows.last(), &stay, &leave)?;
             rows.push(row);
         }
@@ -114,7 +130,7 @@ impl Part<'_> {
             None => f64::from(u8::from(state == 0 || (state < STATES && self.from > 0))) * likelihood,
             Some(before) => {
                 let at = |state: usize| before.index(state).and_then(|index| before.forward.get(index)).copied();
-                let entered = state.checked_sub(1).and_then(|last| Some(at(last)? * leave[last]));
+                let entered = state.checked_sub(1).and_then(|last| Some(at(last)? * leave[last] * row.entering(state)));
                 (at(state).unwrap_or(0.0) * stay[state] + entered.unwrap_or(0.0)) * likelihood
             }
         };
@@ -140,7 +156,8 @@ impl Part<'_> {
                         Some(backward.get(index)? * after.likelihoods.get(index)?)
                     };
                     let chance = |state: usize| {
-                        at(state).unwrap_or(0.0) * stay[state] + at(state + 1).unwrap_or(0.0) * leave[state]
+                        let left = at(state + 1).unwrap_or(0.0) * leave[state] * after.entering(state + 1);
+                        at(state).unwrap_or(0.0) * stay[state] + left
                     };
                     states.map(chance).collect()
                 }

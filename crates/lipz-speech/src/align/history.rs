@@ -58,11 +58,6 @@ impl<R: Row> History<R> {
         self.bytes
     }
 
-    /// How many frames are not decided.
-    pub(super) fn undecided(&self) -> usize {
-        self.rows.len()
-    }
-
     pub(super) fn last(&self) -> Option<&R> {
         self.rows.back()
     }

@@ -7,6 +7,7 @@ mod graph;
 mod history;
 mod phones;
 mod search;
+mod steady;
 mod time;
 
 use crate::features::cepstra::Vectors;
@@ -149,7 +150,10 @@ impl<'m> Aligner<'m> {
         let vectors = Vectors::new(sound.spectrum());
         let mut emissions = Emissions::new(self.model, vectors.clone());
         let steps = search::best_path(&graph, self.model, &mut emissions);
-        let (starts, fits) = self.measure(vectors, &emissions.best, |step| graph.nodes[step.node].phone, &steps);
+        let phone = |step: &Step| graph.nodes[step.node].phone;
+        let phones: Vec<Phone> = steps.iter().map(phone).collect();
+        let starts = edges::starts(self.model, vectors.clone(), &phones, &steps);
+        let fits = emission::fits(self.model, vectors, &emissions.best, phone, &steps);
         Path { graph, steps, starts, fits }
     }
 
@@ -160,9 +164,10 @@ impl<'m> Aligner<'m> {
     pub fn listen(&self, sound: &Sound) -> Alignment {
         let vectors = Vectors::new(sound.spectrum());
         let mut emissions = Emissions::new(self.model, vectors.clone());
-        let steps = phones::best_phones(self.model, &mut emissions);
+        let steps = phones::likely_phones(self.model, &mut emissions, &steady::steady(vectors.clone()));
         let phone = |step: &Step| Phone::ALL.get(step.node).copied().unwrap_or(Phone::Sil);
-        let (starts, fits) = self.measure(vectors, &emissions.best, phone, &steps);
+        let fits = emission::fits(self.model, vectors, &emissions.best, phone, &steps);
+        let starts: Vec<f64> = steps.iter().map(|step| step.start as f64).collect();
         let times = time::of_starts(&starts, &steps, sound.duration_us());
         let aligned = |((step, (start_us, end_us)), &fit): ((&Step, _), &f32)| AlignedPhone {
             phone: phone(step),
@@ -175,19 +180,6 @@ impl<'m> Aligner<'m> {
         let phones = time::join_pauses(phones, self.options.shortest_pause_us);
         let (words, breaks_us, mismatches) = Default::default();
         Alignment { duration_us: sound.duration_us(), phones, words, breaks_us, mismatches }
-    }
-
-    /// When exactly steps start, in frames, and how well they fit.
-    fn measure(
-        &self,
-        vectors: Vectors<'_>,
-        best: &[f32],
-        phone_of: impl Fn(&Step) -> Phone,
-        steps: &[Step],
-    ) -> (Vec<f64>, Vec<f32>) {
-        let phones: Vec<Phone> = steps.iter().map(&phone_of).collect();
-        let starts = edges::starts(self.model, vectors.clone(), &phones, steps);
-        (starts, emission::fits(self.model, vectors, best, phone_of, steps))
     }
 
     fn alignment(&self, sound: &Sound, script: &Script, path: &Path) -> Alignment {

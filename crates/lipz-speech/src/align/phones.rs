@@ -1,119 +1,164 @@
 //! The phones of a sound without a script: a loop of all phones, in which each may follow each.
+//!
+//! What is likely is summed over all paths (the forward-backward algorithm: L. Rabiner, "A tutorial on hidden Markov models",
+//! 1989). Of the phones that look alike, only one has to be likely: where it is an m or a b, the lips are closed, even if an n
+//! is more likely than either. So the look of the mouth is decided first, frame by frame, then the phone that has it.
 
-use super::history::{History, Position, Row, Step};
+use super::history::Step;
 use crate::Phone;
 use crate::model::{Model, STATES, Scores};
+use crate::render::LOOKS;
 
 /// The phones of the loop: those of speech, then silence.
 const PHONES: usize = Phone::Sil.index() + 1;
-/// No path.
-const NEVER: f32 = -1e30;
+/// Their states.
+const ALL: usize = PHONES * STATES;
+/// What logarithms count: neighbouring frames share samples, and so say the same several times.
+const SCALE: f32 = 0.42;
 /// How much what phones usually follow each other counts, compared to what is heard.
 const PAIR_WEIGHT: f32 = 1.5;
 /// What each phone costs, in nats: without it, a sound falls apart into phones of 30 milliseconds.
-const PHONE_NATS: f32 = -1.5;
+const PHONE_NATS: f32 = -2.5;
 /// How much silence is favoured, in nats per frame: where no script says what is spoken, any noise is a phone of some sort.
 const SILENCE_NATS: f32 = 1.0;
-/// After how many frames what is common to all paths is decided, and how many are undecided at most.
-const DECIDE_FRAMES: usize = 128;
-const MOST_FRAMES: usize = 2_048;
+/// How much more it is favoured where the sound does not change: what hums and hisses does not speak.
+const STEADY_NATS: f32 = 40.0;
+/// Frames that are decided together, and how many after them are looked at for that.
+const BLOCK_FRAMES: usize = 512;
+const AHEAD_FRAMES: usize = 64;
 
-/// What is remembered of a frame: for each phone, a bit per state that was entered, and the phone before it.
-struct Decisions {
-    entered: [u8; PHONES],
-    before: [u8; PHONES],
+/// A number by state.
+type States = [f32; ALL];
+
+/// A frame.
+struct Row {
+    /// How likely the sound is in each state, compared to the likeliest.
+    likelihoods: States,
+    /// How probable each state is, given this frame and those before.
+    forward: States,
 }
 
-impl Row for Decisions {
-    fn back(&self, position: Position, _: Option<&Self>) -> (Position, bool) {
-        let (phone, state) = (position.node(), position.0 % STATES);
-        if self.entered[phone] >> state & 1 == 0 {
-            (position, false)
-        } else if state > 0 {
-            (Position(position.0 - 1), false)
-        } else {
-            (Position(usize::from(self.before[phone]) * STATES + STATES - 1), true)
+/// The loop as a Markov chain: how probable the ways between its states are.
+struct Loop {
+    stay: States,
+    leave: States,
+    /// By the phone that ends: that each other one follows.
+    next: Vec<[f32; PHONES]>,
+}
+
+/// The most likely phones of a sound whose frames have these `scores`, and of which it is known which are `steady`; the node of
+/// a step is the number of its phone.
+pub(super) fn likely_phones(model: &Model, scores: impl Iterator<Item = Scores>, steady: &[bool]) -> Vec<Step> {
+    let chain = Loop::new(model);
+    let mut rows: Vec<Row> = Vec::with_capacity(BLOCK_FRAMES + AHEAD_FRAMES);
+    let mut steps = Vec::new();
+    for (scores, &is_steady) in scores.zip(steady) {
+        let likelihoods = likelihoods(&scores, is_steady);
+        let forward = chain.forward(&likelihoods, rows.last().map(|row| &row.forward));
+        rows.push(Row { likelihoods, forward });
+        if rows.len() == BLOCK_FRAMES + AHEAD_FRAMES {
+            chain.decide(&rows, BLOCK_FRAMES, &mut steps);
+            rows.drain(..BLOCK_FRAMES);
         }
     }
-
-    fn bytes(&self) -> usize {
-        size_of::<Self>()
-    }
+    chain.decide(&rows, rows.len(), &mut steps);
+    steps
 }
 
-/// The most likely phones of a sound whose frames have these `scores`; the node of a step is the number of its phone.
-pub(super) fn best_phones(model: &Model, scores: impl Iterator<Item = Scores>) -> Vec<Step> {
-    let mut states = [[NEVER; STATES]; PHONES];
-    let mut history = History::new();
-    for (frame, scores) in scores.enumerate() {
-        let scores = favouring_silence(scores);
-        let decisions = advance(model, &mut states, &scores, frame == 0);
-        history.push(decisions);
-        if frame % DECIDE_FRAMES == DECIDE_FRAMES - 1 {
-            let alive =
-                (0..PHONES * STATES).filter(|&position| states[position / STATES][position % STATES] > NEVER / 2.0);
-            history.decide_common(alive.map(Position).collect());
-            if history.undecided() > MOST_FRAMES {
-                let (decided, position) = history.decide_half(best(&states));
-                for other in (0..PHONES * STATES).map(Position) {
-                    if history.trace(other, decided) != position {
-                        states[other.node()][other.0 % STATES] = NEVER;
-                    }
+fn likelihoods(scores: &Scores, is_steady: bool) -> States {
+    let mut scores: States = std::array::from_fn(|state| scores[state]);
+    for score in &mut scores[Phone::Sil.index() * STATES..] {
+        *score += SILENCE_NATS + if is_steady { STEADY_NATS } else { 0.0 };
+    }
+    let best = scores.iter().copied().fold(f32::MIN, f32::max);
+    scores.map(|score| libm::expf((score - best) * SCALE))
+}
+
+impl Loop {
+    fn new(model: &Model) -> Loop {
+        let chance = |nats: f32| libm::expf(nats * SCALE);
+        let of_states = |nats: &[f32]| std::array::from_fn(|state| chance(nats[state]));
+        let leave = of_states(&model.leave);
+        let follow = |phone: usize, other: usize| {
+            leave[phone * STATES + STATES - 1] * chance(PAIR_WEIGHT * model.pair(phone, other) + PHONE_NATS)
+        };
+        let next = (0..PHONES).map(|phone| std::array::from_fn(|other| follow(phone, other))).collect();
+        Loop { stay: of_states(&model.stay), leave, next }
+    }
+
+    /// How probable the states of a frame are, given the frame `before` it.
+    fn forward(&self, likelihoods: &States, before: Option<&States>) -> States {
+        let mut entered = [1.0; PHONES];
+        if let Some(before) = before {
+            entered = [0.0; PHONES];
+            for (next, last) in self.next.iter().zip(before.chunks_exact(STATES).map(|states| states[STATES - 1])) {
+                for (entered, chance) in entered.iter_mut().zip(next) {
+                    *entered += chance * last;
                 }
             }
         }
+        let at = |state: usize| before.map_or(0.0, |before| before[state]);
+        normal(std::array::from_fn(|state| {
+            let enters = match state % STATES {
+                0 => entered[state / STATES],
+                _ => at(state - 1) * self.leave[state - 1],
+            };
+            (at(state) * self.stay[state] + enters) * likelihoods[state]
+        }))
     }
-    let end = history.last().is_some().then(|| best(&states));
-    history.finish(end)
-}
 
-fn favouring_silence(mut scores: Scores) -> Scores {
-    for score in &mut scores[Phone::Sil.index() * STATES..][..STATES] {
-        *score += SILENCE_NATS;
+    /// How likely what comes after a frame is from each of its states, given the same for the frame `after` it.
+    fn backward(&self, after: &Row, backward: &States) -> States {
+        let ahead: States = std::array::from_fn(|state| after.likelihoods[state] * backward[state]);
+        let followed = |phone: usize| {
+            let firsts = ahead.chunks_exact(STATES).map(|states| states[0]);
+            self.next[phone].iter().zip(firsts).map(|(chance, first)| chance * first).sum::<f32>()
+        };
+        normal(std::array::from_fn(|state| {
+            let left = match state % STATES {
+                last if last == STATES - 1 => followed(state / STATES),
+                _ => self.leave[state] * ahead[state + 1],
+            };
+            ahead[state] * self.stay[state] + left
+        }))
     }
-    scores
-}
 
-fn advance(model: &Model, states: &mut [[f32; STATES]; PHONES], scores: &Scores, is_first: bool) -> Decisions {
-    let left: [f32; PHONES] = std::array::from_fn(|phone| states[phone][STATES - 1] + model.leave[phone * STATES + 2]);
-    let mut decisions = Decisions { entered: [0; PHONES], before: [0; PHONES] };
-    let mut top = NEVER;
-    for (phone, states) in states.iter_mut().enumerate() {
-        let (mut enter, mut before) = (if is_first { 0.0 } else { NEVER }, phone);
-        for (other, left) in left.iter().enumerate() {
-            let value = left + PAIR_WEIGHT * model.pair(other, phone) + PHONE_NATS;
-            if value > enter {
-                (enter, before) = (value, other);
+    /// Adds the phones of the first `count` frames to `steps`.
+    fn decide(&self, rows: &[Row], count: usize, steps: &mut Vec<Step>) {
+        let mut phones = vec![0; count];
+        let mut backward = [1.0; ALL];
+        for (frame, row) in rows.iter().enumerate().rev() {
+            if let Some(after) = rows.get(frame + 1) {
+                backward = self.backward(after, &backward);
+            }
+            if let Some(phone) = phones.get_mut(frame) {
+                *phone = likeliest(&row.forward, &backward);
             }
         }
-        let [first, second, third] = *states;
-        let base = phone * STATES;
-        let mut bits = 0;
-        let mut better = |stays: f32, enters: f32, state: usize| {
-            if enters > stays {
-                bits |= 1 << state;
+        let from = steps.last().map_or(0, |step: &Step| step.end);
+        for (frame, node) in (from..).zip(phones) {
+            match steps.last_mut() {
+                Some(step) if step.node == node => step.end += 1,
+                _ => steps.push(Step { node, start: frame, end: frame + 1 }),
             }
-            stays.max(enters) + scores[base + state]
-        };
-        *states = [
-            better(first + model.stay[base], enter, 0),
-            better(second + model.stay[base + 1], first + model.leave[base], 1),
-            better(third + model.stay[base + 2], second + model.leave[base + 1], 2),
-        ];
-        decisions.entered[phone] = bits;
-        #[expect(clippy::cast_possible_truncation, reason = "40 phones")]
-        let before = before as u8;
-        decisions.before[phone] = before;
-        top = states.iter().copied().fold(top, f32::max);
+        }
     }
-    for value in states.as_flattened_mut() {
-        *value = (*value - top).max(NEVER);
-    }
-    decisions
 }
 
-fn best(states: &[[f32; STATES]; PHONES]) -> Position {
-    let value = |position: &Position| states[position.node()][position.0 % STATES];
-    let best = (0..PHONES * STATES).map(Position).max_by(|a, b| value(a).total_cmp(&value(b)));
-    best.unwrap_or(Position(0))
+/// The likeliest phone of those with the likeliest look.
+fn likeliest(forward: &States, backward: &States) -> usize {
+    let mut chances = [0.0; PHONES];
+    for (state, (forward, backward)) in forward.iter().zip(backward).enumerate() {
+        chances[state / STATES] += forward * backward;
+    }
+    let chance_of_look = |look: &[Phone]| look.iter().map(|phone| chances[phone.index()]).sum::<f32>();
+    let look = LOOKS.iter().max_by(|a, b| chance_of_look(a).total_cmp(&chance_of_look(b)));
+    let likeliest = |a: &&Phone, b: &&Phone| chances[a.index()].total_cmp(&chances[b.index()]);
+    look.and_then(|look| look.iter().max_by(likeliest)).map_or(Phone::Sil.index(), |phone| phone.index())
+}
+
+/// Makes the sum of numbers 1.
+fn normal(numbers: States) -> States {
+    let sum: f32 = numbers.iter().sum();
+    numbers.map(|number| number / sum.max(f32::MIN_POSITIVE))
 }

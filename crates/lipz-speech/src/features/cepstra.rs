@@ -41,6 +41,14 @@ pub(crate) struct Frame {
     pub(crate) loudness: f32,
 }
 
+impl Frame {
+    /// How much the spectrum changes here, whatever its loudness does: the length of its change in 40 milliseconds.
+    pub(crate) fn change(&self) -> f32 {
+        let change = &self.vector[COEFFICIENTS + 1..2 * COEFFICIENTS];
+        libm::sqrtf(change.iter().map(|number| number * number).sum())
+    }
+}
+
 impl<'a> Vectors<'a> {
     /// The vectors of the frames of `spectrum`.
     pub(crate) fn new(spectrum: &'a [Spectrum]) -> Vectors<'a> {

@@ -6,9 +6,11 @@
 
 mod frames;
 mod hold;
+mod looks;
 mod rms;
 mod shapes;
 
+pub(crate) use looks::LOOKS;
 pub use rms::{RmsRules, rms};
 
 use crate::Alignment;

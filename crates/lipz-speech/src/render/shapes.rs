@@ -2,7 +2,7 @@
 
 use super::RenderRules;
 use crate::{AlignedPhone, Phone};
-use lipz_types::VisemeType;
+use lipz_types::{Viseme, VisemeType, Weight};
 
 /// The resting mouth.
 pub(super) const REST: u8 = b'-';
@@ -101,15 +101,11 @@ pub(super) fn code(shape: u8, viseme_type: VisemeType) -> u8 {
             b'F' => b'G',
             _ => REST,
         },
-        VisemeType::Rms => match shape {
-            b'A' => b'9',
-            b'E' | b'O' => b'6',
-            b'L' => b'4',
-            b'S' => b'3',
-            b'U' | b'W' => b'2',
-            b'F' => b'1',
-            b'M' => b'0',
-            _ => REST,
-        },
+        VisemeType::Rms if shape == REST => REST,
+        VisemeType::Rms => {
+            let openness = Viseme::from_code(shape).openness(VisemeType::Blair).ten_thousandths();
+            let mut digits = (b'0'..=b'9').rev();
+            digits.find(|&digit| Weight::from_digit(digit).ten_thousandths() <= openness).unwrap_or(b'0')
+        }
     }
 }
