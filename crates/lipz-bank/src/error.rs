@@ -142,4 +142,6 @@ error_kinds! {
     NotALayer = 38, "the bank is not a layer: it was not packed over another bank";
     /// No banks, or more than a program has room for.
     LayerCount = 39, "there is no bank, or there are more than the program has room for";
+    /// The voices are not listed in their order, or a dub does not belong to its original.
+    Voice = 40, "a voice or a dub is not valid";
 }

@@ -87,6 +87,7 @@ mod segment;
 mod text;
 mod text_bank;
 mod verify;
+mod voice;
 
 pub use babble::{Babble, Babbles, Power, VoiceLevel, Weights};
 pub use bank::Bank;
@@ -103,6 +104,7 @@ pub use recording::Recording;
 pub use segment::{Segment, Segments};
 pub use text::Text;
 pub use text_bank::TextBank;
+pub use voice::{Spoken, Voice, VoicedClip, Voices};
 
 pub use lipz_types::{
     ClipId, Command, CurveValue, Emotion, Fps, Micros, Samples, Seconds, Time, Viseme, VisemeType, Weight,

@@ -137,6 +137,9 @@
 // Damage: there is no bank, or there are more than the program has room for.
 #define LIPZ_LAYER_COUNT 39
 
+// Damage: a voice or a dub is not valid.
+#define LIPZ_VOICE 40
+
 
 
 // Version of this header: changes of the first number break programs; so do, while it is 0, those

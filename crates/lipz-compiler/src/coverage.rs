@@ -75,7 +75,8 @@ where
     };
     let mut found: Vec<Coverage> = locales.iter().map(empty).collect();
     let chains = if bank.texts().is_empty() { Vec::new() } else { chains(&locales) };
-    for clip in bank.bank().clips() {
+    // The texts of a dub are those of its original.
+    for clip in bank.bank().clips().filter(|clip| clip.original().is_none()) {
         let shown: Vec<DisplayedText<'_>> = locales.iter().map(|locale| shown(&clip, *locale)).collect();
         if shown.iter().all(|shown| matches!(shown, DisplayedText::Nothing)) {
             continue;

@@ -1,7 +1,7 @@
 //! From a bank back to documents: the reverse of lowering.
 
 use crate::source_record::{self, Name, RecordedValue};
-use crate::{BankWithTexts, layers};
+use crate::{BankWithTexts, dubs, layers};
 use lipz_bank::{Bank, Clip, Curve, Fps, Locale, Segment};
 use lipz_diagnostics::{Code, Report};
 use lipz_file::{Document, Element, JsonString, Raw, Value, curve};
@@ -119,8 +119,10 @@ impl<'data, 'bank> Documents<'data, 'bank> {
     }
 
     fn document(&self, clip: &Clip<'data, '_>, room: &Room) -> Result<Document<'data>, Report> {
+        let original = clip.original();
         let is_own = |locale: &Locale<'data>| {
-            clip.segment(0).and_then(|segment| segment.text(*locale)).is_some_and(|text| !text.is_fallback())
+            let text = clip.segment(0).and_then(|segment| segment.text(*locale));
+            text.is_some_and(|text| !text.is_fallback()) && !dubs::borrows(clip, original.as_ref(), *locale)
         };
         let own: Vec<Locale<'data>> = self.locales.iter().copied().filter(is_own).collect();
         match &self.sources {

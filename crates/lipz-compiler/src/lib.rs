@@ -54,6 +54,7 @@ mod depend;
 #[cfg(feature = "diff")]
 pub mod diff;
 mod discover;
+mod dubs;
 mod fallback;
 mod fix;
 mod hashed;
@@ -87,6 +88,7 @@ mod strings;
 mod temporary;
 #[cfg(feature = "unpack")]
 mod unpack;
+mod voices;
 mod walk;
 mod word_times;
 
@@ -101,6 +103,7 @@ pub use coverage::{Coverage, coverage, shortfalls};
 pub use decompile::Documents;
 pub use depend::{dependencies, depfile, watched};
 pub use discover::{discover, is_pattern};
+pub use dubs::{VoiceCoverage, voice_coverage};
 pub use fix::Fixed;
 pub use input::{Content, Input};
 pub use layers::{Over, Stack};
@@ -113,6 +116,7 @@ pub use rewrite::rewrite_file;
 pub use split::SplitBank;
 #[cfg(feature = "unpack")]
 pub use unpack::{Unpacked, unpack};
+pub use voices::Voices;
 pub use word_times::{ParseWordTimesError, WordTime, WordTimes};
 
 #[cfg(not(feature = "cache"))]

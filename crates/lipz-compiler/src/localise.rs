@@ -2,6 +2,7 @@
 
 use crate::Options;
 use crate::clip::Clip;
+use crate::dubs::Dubs;
 use crate::fallback::Fallbacks;
 
 /// The locales of a bank with the texts of all clips.
@@ -26,6 +27,8 @@ struct Stored(u32);
 
 /// No text anywhere.
 const MISSING: u32 = u32::MAX;
+/// The text of the original.
+const ORIGINAL: u32 = u32::MAX - 1;
 /// A bit of the numbers of other locales.
 const FALLBACK: u32 = 1 << 31;
 
@@ -34,12 +37,14 @@ impl Stored {
         Stored(match choice {
             Choice::Own(index) => index,
             Choice::Fallback(other) => other | FALLBACK,
+            Choice::Original => ORIGINAL,
             Choice::Missing => MISSING,
         })
     }
 
     fn choice(self) -> Choice {
         match self.0 {
+            ORIGINAL => Choice::Original,
             MISSING => Choice::Missing,
             number if number & FALLBACK != 0 => Choice::Fallback(number & !FALLBACK),
             index => Choice::Own(index),
@@ -76,14 +81,17 @@ impl LocaleColumn {
 pub(crate) enum Choice {
     /// The clip has a text in the locale: its index in `Clip::texts`.
     Own(u32),
+    /// The clip is a dub without a text in the locale, and its original has one.
+    Original,
     /// It does not, and shows that of the locale with this index.
     Fallback(u32),
     /// Nor in any locale that this one falls back to.
     Missing,
 }
 
-/// Resolves fallback for `clips`, whose texts refer to `tags`; [`chain`](crate::fallback::chain) has the rule.
-pub(crate) fn localise(clips: &[Clip<'_>], tags: &[Box<str>], options: &Options) -> Localised {
+/// Resolves fallback for `clips`, whose texts refer to `tags`; [`chain`](crate::fallback::chain) has the rule. The texts of
+/// an original are those of its dubs, too, where these have none.
+pub(crate) fn localise(clips: &[Clip<'_>], tags: &[Box<str>], dubs: &Dubs, options: &Options) -> Localised {
     let default = options.default_locale.as_deref();
     let mut choices = vec![vec![Stored::new(Choice::Missing); clips.len()]; tags.len()];
     for (at, clip) in clips.iter().enumerate() {
@@ -91,14 +99,25 @@ pub(crate) fn localise(clips: &[Clip<'_>], tags: &[Box<str>], options: &Options)
             choices[text.locale as usize][at] = Stored::new(Choice::Own(index));
         }
     }
+    for (at, dub) in dubs.iter() {
+        for of_locale in &mut choices {
+            if let (Choice::Missing, Choice::Own(_)) = (of_locale[at].choice(), of_locale[dub.original].choice()) {
+                of_locale[at] = Stored::new(Choice::Original);
+            }
+        }
+    }
     // A clip with texts in all locales needs none of others: usually that is every clip.
     let mut fallbacks = None;
     for (at, clip) in clips.iter().enumerate().filter(|(_, clip)| clip.texts().len() < tags.len()) {
         let fallbacks = fallbacks.get_or_insert_with(|| Fallbacks::new(tags, options));
         let own = clip.texts().iter().filter(|text| !text.is_fallback()).map(|text| text.locale as usize);
+        let of_original = dubs.dub(at).into_iter().flat_map(|dub| clips[dub.original].texts());
+        let borrowed = of_original.filter(|text| !text.is_fallback()).map(|text| text.locale as usize);
+        let borrowed = borrowed.filter(|&locale| choices[locale][at].choice() == Choice::Original);
+        let own: Vec<usize> = own.chain(borrowed).collect();
         let missing: Vec<usize> =
             (0..tags.len()).filter(|&locale| choices[locale][at].choice() == Choice::Missing).collect();
-        fallbacks.resolve(own, missing.into_iter(), |locale, other| {
+        fallbacks.resolve(own.into_iter(), missing.into_iter(), |locale, other| {
             choices[locale][at] = Stored::new(Choice::Fallback(other as u32));
         });
     }
@@ -129,7 +148,7 @@ mod tests {
         let mut batches = [store];
         let tags = Clips::join_locales(&mut batches);
         let options = Options { default_locale: default.map(Into::into), ..Options::default() };
-        localise(&Clips::by_key(&batches), &tags, &options)
+        localise(&Clips::by_key(&batches), &tags, &Dubs::default(), &options)
     }
 
     #[test]

@@ -93,9 +93,10 @@ impl<'data> WholeBank<'data> {
             Tag::NAMES => Section::table(tag, names.get(..keys_bytes).unwrap_or(names)),
             other => Section::table(other, self.section(other)),
         });
-        let optional = [Tag::BABBLE, Tag::RECORDINGS, Tag::CURVE_CLIPS, Tag::CURVES, Tag::CURVE_KEYS]
-            .map(|tag| (tag, self.section(tag)));
-        let optional = optional.into_iter().filter(|(_, contents)| !contents.is_empty());
+        let curves = [Tag::CURVE_CLIPS, Tag::CURVES, Tag::CURVE_KEYS];
+        let optional = [Tag::BABBLE, Tag::RECORDINGS].into_iter().chain(curves).chain([Tag::VOICES, Tag::DUBS]);
+        let optional = optional.map(|tag| (tag, self.section(tag)));
+        let optional = optional.filter(|(_, contents)| !contents.is_empty());
         let sections: Vec<_> =
             required.into_iter().chain(optional.map(|(tag, contents)| Section::table(tag, contents))).collect();
         assemble(&sections, self.index_seed, self.bank.fingerprint(), |_| ())

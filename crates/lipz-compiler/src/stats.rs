@@ -1,7 +1,7 @@
 //! How much of what is in a bank.
 
 use crate::BankWithTexts;
-use lipz_bank::{Bank, Clip, Fps, Locale, TextBank, VisemeType};
+use lipz_bank::{Bank, Clip, Fps, Locale, TextBank, VisemeType, Voice};
 use lipz_layout::Tag;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
@@ -43,6 +43,8 @@ pub struct Stats<'d> {
     pub recordings: usize,
     /// The lengths of those recordings, in microseconds.
     pub recordings_us: u64,
+    /// The voices, that of the originals first; none in a bank without dubs.
+    pub voices: Vec<VoiceStats<'d>>,
     /// Bytes of the whole bank.
     #[cfg_attr(feature = "json", serde(rename = "bytes"))]
     pub length_bytes: usize,
@@ -100,6 +102,20 @@ pub struct LocaleStats<'d> {
     pub words: u64,
 }
 
+/// How much is recorded in a voice.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+pub struct VoiceStats<'d> {
+    /// The locale of the voice.
+    pub tag: &'d str,
+    /// Whether it is that of the originals.
+    pub is_original: bool,
+    /// Clips that are spoken in it: its dubs, or all clips with mouth shapes that are no dubs.
+    pub clips: usize,
+    /// The times of those that have a frame rate, in microseconds.
+    pub duration_us: u64,
+}
+
 /// How long a clip lasts.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[cfg_attr(feature = "json", derive(serde::Serialize))]
@@ -126,6 +142,7 @@ impl<'d> Stats<'d> {
             visemes: visemes(bank),
             texts_bytes: whole.texts().iter().map(TextBank::length_bytes).sum(),
             locales: whole.locales().into_iter().map(|locale| LocaleStats::new(bank, locale)).collect(),
+            voices: voices(bank),
             ..Stats::default()
         };
         let mut events = BTreeSet::new();
@@ -156,6 +173,15 @@ impl<'d> Stats<'d> {
 #[cfg(feature = "json")]
 fn by_code<S: serde::Serializer>(frames: &[(char, u64)], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_map(frames.iter().copied().collect::<BTreeMap<_, _>>())
+}
+
+fn voices<'d>(bank: &Bank<'d>) -> Vec<VoiceStats<'d>> {
+    let of_voice = |voice: Voice<'d>| {
+        let clips = || bank.clips().filter(|clip| clip.frame_count() > 0 && clip.voice() == Some(voice));
+        let duration_us = clips().filter_map(|clip| clip.duration_us()).fold(0, u64::saturating_add);
+        VoiceStats { tag: voice.tag(), is_original: voice.is_original(), clips: clips().count(), duration_us }
+    };
+    bank.voices().map(of_voice).collect()
 }
 
 fn rates(bank: &Bank<'_>) -> Vec<RateCount> {

@@ -2,11 +2,11 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use lipz_bank::Bank;
-use lipz_compiler::{Compiler, Input, Options};
+use lipz_compiler::{Compiler, Input, Options, Voices};
 use lipz_layout::{CHECKED_FROM, checksum};
 use lipz_testkit::tools::is_used;
 
-/// A bank with padded, joined, falling back and unknown elements.
+/// A bank with padded, joined, falling back and unknown elements, and a dub.
 fn bank() -> Vec<u8> {
     let inputs = [
         Input::from_bytes(
@@ -15,8 +15,9 @@ fn bank() -> Vec<u8> {
                 "text_de-de": "Ja.|", "events": "amy points door| feels sad ", "x": [1], "y": "z" }"#,
         ),
         Input::from_bytes("b", r#"{ "visemes": "MA", "text_en-us": " No. ", "Text_en_us": null }"#),
+        Input::from_bytes("b_fr", r#"{ "visemes": "EAO", "text_fr-fr": "Non." }"#),
     ];
-    let options = Options::new().default_locale("en-us");
+    let options = Options::new().default_locale("en-us").voices(Voices::new("en-us").dub("fr-fr", "{key}_fr"));
     Compiler::new(options.clone()).compile(&inputs).bank.unwrap()
 }
 

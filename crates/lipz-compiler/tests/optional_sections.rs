@@ -5,7 +5,7 @@
 use lipz_bank::{Bank, Recording};
 use lipz_compiler::diff::diff;
 use lipz_compiler::settings::Settings;
-use lipz_compiler::{Compiler, Input, SplitBank};
+use lipz_compiler::{Compiler, Input, SplitBank, Voices};
 use lipz_layout::Tag;
 use lipz_testkit::golden::{changed, directory, entry_of, put, section};
 
@@ -15,20 +15,21 @@ const FOR_TOOLS: [Tag; 2] = [Tag::SOURCE_INDEX, Tag::SOURCES];
 /// Only banks over others have it, and a stack of them looks at it: `layers.rs` beside this test.
 const OF_STACKS: [Tag; 1] = [Tag::LAYER];
 
-/// A bank has all of these or none.
-const OF_CURVES: [Tag; 3] = [Tag::CURVE_CLIPS, Tag::CURVES, Tag::CURVE_KEYS];
+/// Sections of which a bank has all of a group or none.
+const GROUPS: [&[Tag]; 2] = [&[Tag::CURVE_CLIPS, Tag::CURVES, Tag::CURVE_KEYS], &[Tag::VOICES, Tag::DUBS]];
 
 /// A bank with all of them, and one of the same clips with none.
 fn banks() -> (Vec<u8>, Vec<u8>) {
     let inputs =
-        ["a", "b"].map(|key| Input::from_bytes(key, r#"{ "fps": 24, "visemes": "MA-", "text_en-us": " {m} Ma!" }"#));
+        ["a", "a_de"].map(|key| Input::from_bytes(key, r#"{ "fps": 24, "visemes": "MA-", "text_en-us": " {m} Ma!" }"#));
     let curved = r#"{ "fps": 24, "visemes": "MA-", "text_en-us": " {m} Ma!", "curves": { "joy": "0:0 2:2.2" } }"#;
-    let curved = ["a", "b"].map(|key| Input::from_bytes(key, curved));
+    let curved = ["a", "a_de"].map(|key| Input::from_bytes(key, curved));
     let compile =
         |settings: Settings, inputs: &[Input]| Compiler::new(settings.options).compile(inputs).into_bank().unwrap();
     let (mut with, report) = Settings::parse(b"[babble.robot]\nrate = 12\n", "", "".as_ref());
     assert_eq!(report.diagnostics, []);
     with.options = with.options.recordings([("a", Recording::new(1_500_000, 7))]);
+    with.options = with.options.voices(Voices::new("en-us").dub("de-de", "{key}_de"));
     let (without, _) = Settings::parse(b"strip = true\n", "", "".as_ref());
     (compile(with, &curved), compile(without, &inputs))
 }
@@ -59,7 +60,8 @@ fn every_optional_section_is_known_to_all_that_must_know_it() {
         };
         assert!(section(&with, tag).any(is_refused), "verify does not look at {name}");
         // The bank as a program sees it, if it skips the section.
-        let group = if OF_CURVES.contains(&tag) { &OF_CURVES[..] } else { &[tag] };
+        let alone = [tag];
+        let group = GROUPS.into_iter().find(|group| group.contains(&tag)).unwrap_or(&alone);
         let hide = |bank: &mut Vec<u8>| {
             group
                 .iter()

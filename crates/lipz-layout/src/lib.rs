@@ -35,6 +35,7 @@ pub use checksum::checksum;
 pub use index::{DIRECT_SLOT, bucket_of, slot_of, spread};
 pub use records::{BabbleRecord, ClipRecord, EventNameRecord, EventRecord};
 pub use records::{CURVE_WIDE, CurveClipRecord, CurveKeyRecord, CurveRecord, WideCurveKeyRecord};
+pub use records::{DUB_OF, NO_DUB, OTHER_DUB};
 pub use records::{FLAG_VISEMES, LOCALE_DEFAULT, MAX_INTEGER_FPS, NO_NAME, NO_RATE, NO_RECORDING, stored_fps};
 pub use records::{KeyRecord, LocaleRecord, RateRecord, RecordingRecord, TypedEventRecord};
 pub use records::{LAYER_BABBLE, LAYER_DEFAULT_LOCALE, LayerRecord, NO_STAND_IN, PART_CLIP, PART_TEXTS};

@@ -30,6 +30,14 @@ pub const PART_CLIP: u8 = 1;
 pub const PART_TEXTS: u8 = 2;
 /// Stand-in of a locale for which no other one stands in.
 pub const NO_STAND_IN: u32 = u32::MAX;
+/// Entry of the table of a voice for a clip that has no dub there.
+pub const NO_DUB: u32 = u32::MAX;
+/// Bit of an entry of the table of a voice: the clip in this slot is a dub in this voice, and the rest is the slot of its
+/// original.
+pub const DUB_OF: u32 = 1 << 31;
+/// Bit of an entry of the table of a voice: there is no dub in this voice, and the rest is the slot of that in another
+/// one, which the voice falls back to.
+pub const OTHER_DUB: u32 = 1 << 30;
 /// Verb of a typed event: `feels emotion`.
 pub const VERB_FEELS: u8 = 1;
 /// Verb of a typed event: `sees target`.

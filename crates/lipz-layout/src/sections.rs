@@ -108,6 +108,12 @@ impl Tag {
     /// Optional: [`CurveKeyRecord`](super::CurveKeyRecord)s or [`WideCurveKeyRecord`](super::WideCurveKeyRecord)s of each
     /// curve in turn.
     pub const CURVE_KEYS: Tag = Tag(*b"CRVK");
+    /// Optional: the locales of the voices, each with a zero byte behind it; first that of the original, then those of the
+    /// dubs in the order of their bytes.
+    pub const VOICES: Tag = Tag(*b"VOIC");
+    /// Optional: for each voice but the original in turn, what stands for the clip in each slot, one `u32` each:
+    /// [`NO_DUB`](super::NO_DUB), or a slot with [`DUB_OF`](super::DUB_OF), [`OTHER_DUB`](super::OTHER_DUB) or neither.
+    pub const DUBS: Tag = Tag(*b"DUBS");
     /// Optional: where each clip's source record starts in `SRCE`, one `u32` per slot.
     pub const SOURCE_INDEX: Tag = Tag(*b"SRCX");
     /// Optional: what the display form lost of each Lipz file. Only the compiler reads it.
@@ -117,12 +123,14 @@ impl Tag {
     pub const LAYER: Tag = Tag(*b"LAYR");
 
     /// The sections that a bank of format 1 may have, with the length of an entry, in file order.
-    pub const OPTIONAL: [(Tag, usize); 8] = [
+    pub const OPTIONAL: [(Tag, usize); 10] = [
         (Tag::BABBLE, 1),
         (Tag::RECORDINGS, size_of::<super::RecordingRecord>()),
         (Tag::CURVE_CLIPS, size_of::<super::CurveClipRecord>()),
         (Tag::CURVES, size_of::<super::CurveRecord>()),
         (Tag::CURVE_KEYS, size_of::<super::CurveKeyRecord>()),
+        (Tag::VOICES, 1),
+        (Tag::DUBS, 4),
         (Tag::SOURCE_INDEX, 4),
         (Tag::SOURCES, 1),
         (Tag::LAYER, 1),

@@ -26,7 +26,7 @@ pub use in_bank::in_bank;
 pub use known::KnownRecordings;
 pub use lints::check;
 pub use lipz_speech::{Recogniser, RecogniserError, TrainedModel};
-pub use recordings::{EXTENSIONS, Recordings, dependencies, is_recording};
+pub use recordings::{Recordings, dependencies, is_recording};
 pub(crate) use sync::spoken_text;
 pub use sync::{
     DoubtfulWord, Job, Kept, Line, Made, RECORD_NAME, SyncOptions, SyncRecord, Synced, TRAINING_ROUNDS, Trained, Whole,

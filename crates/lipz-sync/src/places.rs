@@ -1,19 +1,15 @@
 //! Where the recordings of a clip are, in each language: the patterns of a project.
 
-use crate::recordings::rank;
-use lipz_compiler::settings::{KEY, Settings};
-use std::collections::BTreeMap;
-use std::path::Path;
+use lipz_compiler::Voices;
+use lipz_compiler::settings::{KEY, Settings, without_extension};
 
 /// The patterns of a project.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub(crate) struct Places {
     /// That of a project without voices; `None` for the key.
     pattern: Option<String>,
-    /// The locale that is spoken unless a voice says otherwise.
-    locale: Option<String>,
-    /// By their locales.
-    voices: BTreeMap<String, String>,
+    /// The locale that is spoken unless a voice says otherwise, and the patterns of the voices.
+    voices: Voices,
 }
 
 /// Where a recording is: a pattern, and what stands for `{key}` in it.
@@ -27,9 +23,7 @@ pub(crate) struct Place<'p, 'k> {
 
 impl Places {
     pub(crate) fn new(settings: &Settings) -> Places {
-        let audio = &settings.audio;
-        let locale = audio.locale.as_ref().or(settings.options.default_locale.as_ref());
-        Places { pattern: audio.pattern.clone(), locale: locale.cloned(), voices: audio.voices.clone() }
+        Places { pattern: settings.audio.pattern.clone(), voices: settings.voices() }
     }
 
     /// Without voices.
@@ -40,26 +34,21 @@ impl Places {
 
     /// Whether every pattern names the extension of its recordings.
     pub(crate) fn name_an_extension(&self) -> bool {
-        let mut patterns = self.pattern.iter().chain(self.voices.values()).peekable();
+        let mut patterns = self.pattern.iter().chain(self.voices.patterns.values()).peekable();
         patterns.peek().is_some() && patterns.all(|pattern| without_extension(pattern).len() < pattern.len())
     }
 
-    /// The voice whose pattern this key fits, and the rest of the key: `de-de/act1/mayor` is `act1/mayor` in de-de. The
-    /// longest pattern counts; one that is nothing but the key says nothing.
+    /// The voice whose pattern this key fits, and the rest of the key.
     pub(crate) fn voice_of<'p, 'k>(&'p self, key: &'k str) -> Option<Place<'p, 'k>> {
-        let fit = |(locale, pattern): (&'p String, &'p String)| {
-            let (before, after) = without_extension(pattern).split_once(KEY)?;
-            let key = key.strip_prefix(before)?.strip_suffix(after).filter(|key| !key.is_empty())?;
-            let is_one = !before.is_empty() || !after.is_empty();
-            is_one.then_some(Place { locale: Some(locale), pattern, key })
-        };
-        self.voices.iter().filter_map(fit).max_by_key(|place| place.pattern.len())
+        let (locale, line) = self.voices.of_key(key)?;
+        let pattern = self.voices.patterns.get(locale)?;
+        Some(Place { locale: Some(locale), pattern, key: line })
     }
 
     /// Where the recording is of which the mouth of the clip is made.
     pub(crate) fn of<'p, 'k>(&'p self, key: &'k str) -> Place<'p, 'k> {
         let spoken = || {
-            let (locale, pattern) = self.voices.get_key_value(self.locale.as_deref()?)?;
+            let (locale, pattern) = self.voices.patterns.get_key_value(self.voices.original.as_deref()?)?;
             Some(Place { locale: Some(locale), pattern, key })
         };
         let only = || Place { locale: None, pattern: self.pattern.as_deref().unwrap_or(KEY), key };
@@ -69,7 +58,7 @@ impl Places {
     /// Where the recordings of the clip in the other languages are. A clip whose key is that of one voice has none.
     pub(crate) fn dubs<'p, 'k>(&'p self, key: &'k str) -> impl Iterator<Item = Place<'p, 'k>> + use<'p, 'k> {
         let spoken = self.of(key).locale;
-        let voices = self.voices.iter().filter(move |_| self.voice_of(key).is_none());
+        let voices = self.voices.patterns.iter().filter(move |_| self.voice_of(key).is_none());
         let others = voices.filter(move |(locale, _)| Some(locale.as_str()) != spoken);
         others.map(move |(locale, pattern)| Place { locale: Some(locale), pattern, key })
     }
@@ -88,20 +77,15 @@ impl<'p> Place<'p, '_> {
     }
 }
 
-/// A pattern without its extension. Keys may have dots: only a pattern that ends in a known extension has one.
-fn without_extension(pattern: &str) -> &str {
-    let path = Path::new(pattern);
-    let extension = path.extension().filter(|_| rank(path).is_some() && !pattern.ends_with(KEY));
-    extension.map_or(pattern, |extension| &pattern[..pattern.len() - extension.len() - 1])
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn places(locale: Option<&str>, voices: &[(&str, &str)]) -> Places {
-        let voices = voices.iter().map(|(locale, pattern)| ((*locale).to_owned(), (*pattern).to_owned())).collect();
-        Places { pattern: None, locale: locale.map(str::to_owned), voices }
+        let mut original = Voices::default();
+        original.original = locale.map(str::to_owned);
+        let voices = voices.iter().fold(original, |voices, (locale, pattern)| voices.dub(*locale, *pattern));
+        Places { pattern: None, voices }
     }
 
     /// The place of the mouth's recording, and of the dubs, with their locales.

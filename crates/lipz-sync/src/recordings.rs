@@ -2,15 +2,12 @@
 
 use crate::places::{Place, Places};
 use crate::record_place;
-use lipz_compiler::settings::Settings;
+use lipz_compiler::settings::{Settings, sound_rank};
 use lipz_compiler::{Content, Input};
 use lipz_diagnostics::{Code, Report, escape};
 use std::collections::{BTreeMap, HashSet};
 use std::path::{Path, PathBuf};
 use walkdir::WalkDir;
-
-/// Extensions of recordings. Of several files with one name, the first of this list counts: what nothing was lost of.
-pub const EXTENSIONS: [&str; 9] = ["wav", "wave", "aiff", "aif", "aifc", "flac", "ogg", "oga", "mp3"];
 
 /// Extensions of sounds that are not read: somebody should hear of them.
 const OTHER_EXTENSIONS: [&str; 9] = ["m4a", "aac", "opus", "wma", "caf", "amr", "ape", "wv", "au"];
@@ -71,7 +68,7 @@ impl Recordings {
             }
         }
         for files in recordings.files.values_mut() {
-            files.sort_by_key(|path| rank(path)); // stable: those of one extension stay in the order of their names
+            files.sort_by_key(|path| sound_rank(path)); // stable: those of one extension stay in the order of their names
         }
         (recordings, reports)
     }
@@ -138,7 +135,7 @@ impl Recordings {
 
 /// Whether a path is that of a recording, by its extension.
 pub fn is_recording(path: &Path) -> bool {
-    rank(path).is_some()
+    sound_rank(path).is_some()
 }
 
 /// What the bank of a project depends on besides its Lipz files: the record of its mouths, which tells when words are said,
@@ -153,12 +150,6 @@ pub fn dependencies(settings: &Settings) -> Vec<PathBuf> {
         paths.extend(recordings.iter().map(|(_, path)| path.to_owned()));
     }
     paths
-}
-
-/// The place of a file's extension in [`EXTENSIONS`], whatever its case.
-pub(crate) fn rank(path: &Path) -> Option<usize> {
-    let extension = path.extension()?.to_str()?;
-    EXTENSIONS.iter().position(|known| known.eq_ignore_ascii_case(extension))
 }
 
 /// Whether a path is that of a sound that is not read.

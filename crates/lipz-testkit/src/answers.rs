@@ -4,7 +4,7 @@
 //! they give the same answers as the machine that the dumps were written on.
 
 use core::fmt::{self, Debug, Display, Write};
-use lipz_bank::{Bank, Clip, Fps, Micros, Segment, Viseme};
+use lipz_bank::{Bank, Clip, Fps, Micros, Segment, Spoken, Viseme};
 
 /// Strings longer than this are shown by their length, their hash and their start.
 const LONGEST_BYTES: usize = 400;
@@ -22,6 +22,9 @@ pub fn write_answers(bank: &Bank<'_>, out: &mut impl Write) -> fmt::Result {
     for locale in bank.locales() {
         writeln!(out, "locale {}{}", locale.tag(), if locale.is_default() { " default" } else { "" })?;
     }
+    for voice in bank.voices() {
+        writeln!(out, "voice {}{}", voice.tag(), if voice.is_original() { " original" } else { "" })?;
+    }
     bank.clips().try_for_each(|clip| write_clip(out, bank, &clip))
 }
 
@@ -37,6 +40,15 @@ fn write_clip(out: &mut impl Write, bank: &Bank<'_>, clip: &Clip<'_, '_>) -> fmt
     out.write_str("  at 24 fps, each 50 ms: ")?;
     write_sampled(out, &clip.or_fps(Fps::whole(24)))?;
     out.write_str("\n")?;
+    if let Some(original) = clip.original() {
+        writeln!(out, "  dub of {} in {}", original.key(), clip.voice().map_or("", |voice| voice.tag()))?;
+    }
+    for voice in bank.voices().filter(|_| clip.original().is_none()) {
+        let voiced = clip.in_voice(voice);
+        if voiced.spoken != Spoken::Original {
+            writeln!(out, "  in {} {} ({:?})", voice.tag(), voiced.clip.key(), voiced.spoken)?;
+        }
+    }
     if let Some(recording) = clip.recording() {
         writeln!(out, "  recording {} us, content {:016x}", recording.length_us(), recording.content_hash())?;
     }

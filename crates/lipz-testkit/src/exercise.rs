@@ -2,8 +2,8 @@
 
 use crate::{said, stacked};
 use lipz_bank::{
-    Bank, Clip, ClipId, ConsonantHold, Cursor, Fps, Lead, Locale, Micros, Places, Samples, Seconds, Segment, TextBank,
-    Time, VisemeType,
+    Bank, Clip, ClipId, ConsonantHold, Cursor, Fps, Lead, Locale, Micros, Places, Samples, Seconds, Segment, Spoken,
+    TextBank, Time, VisemeType, Voice,
 };
 use std::hint::black_box;
 use std::time::Duration;
@@ -66,6 +66,7 @@ pub fn every_query(bank: &Bank<'_>, effort: Effort) {
         assert!(locale.is_of(bank));
     }
     said::of_babble(bank, limit);
+    let voices = said::of_voices(bank, limit);
     for name in ["", "amy", "door", "zz"] {
         let found = bank.event_name(name);
         assert_eq!(found.and_then(|name| bank.event_name_at(name.id())), found);
@@ -85,6 +86,7 @@ pub fn every_query(bank: &Bank<'_>, effort: Effort) {
         if let Some(clip) = bank.clip_at(slot) {
             black_box((bank.clip(clip.id()).is_some(), bank.clip_by_key(clip.key()).is_some()));
             every_clip_query(&clip, &locales, limit, effort);
+            said::of_dubs(&clip, &voices);
         }
     }
     assert!(bank.clip_at(slots).is_none() && bank.clip_at(u32::MAX).is_none());
@@ -199,6 +201,7 @@ pub fn verified_is_whole(bank: &Bank<'_>) {
     assert_eq!(bank.clips().count(), bank.clip_count());
     let locales: Vec<Locale<'_>> = bank.locales().collect();
     assert!(locales.iter().all(|locale| bank.locale(locale.tag()).is_some()));
+    voices_are_whole(bank);
     for clip in bank.clips() {
         assert_eq!(bank.clip(clip.id()).map(|found| found.slot()), Some(clip.slot()));
         assert_eq!(bank.clip_by_key(clip.key()).map(|found| found.slot()), Some(clip.slot()));
@@ -231,6 +234,23 @@ pub fn verified_is_whole(bank: &Bank<'_>) {
             let texts = || clip.segments().map(|segment| segment.text(locale).is_some());
             assert!(texts().all(|some| some) || !texts().any(|some| some));
         }
+    }
+}
+
+/// A dub leads to its original, and back; both have the same segments.
+fn voices_are_whole(bank: &Bank<'_>) {
+    let voices: Vec<Voice<'_>> = bank.voices().collect();
+    assert!(voices.len() != 1 && voices.iter().all(|voice| bank.voice(voice.tag()) == Some(*voice)));
+    for clip in bank.clips().filter(|_| !voices.is_empty()) {
+        let original = clip.original().unwrap_or(clip);
+        assert!(original.original().is_none(), "a dub of a dub");
+        for &voice in &voices {
+            let voiced = clip.in_voice(voice);
+            assert_eq!(voiced.clip.segment_count(), clip.segment_count());
+            assert_eq!(voiced.clip.slot() == original.slot(), voiced.spoken == Spoken::Original);
+            assert!(voiced.spoken != Spoken::Dub || voiced.clip.voice() == Some(voice));
+        }
+        assert_eq!(clip.voice().map(|voice| clip.in_voice(voice).clip.slot()), Some(clip.slot()));
     }
 }
 

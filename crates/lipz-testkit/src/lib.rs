@@ -31,6 +31,7 @@ pub mod tools;
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/PLAYBACK.md")]
 #[doc = include_str!("../../../docs/HOST.md")]
+#[doc = include_str!("../../../docs/LOCALISATION.md")]
 struct Pages;
 
 /// The example of the project's README, run as a test.

@@ -2,7 +2,7 @@
 
 use lipz_bank::{
     Babble, Bank, Clip, ClipId, ConsonantHold, CurveCursor, CurveValue, Emotion, Event, Fps, Lead, Micros, Time,
-    Viseme, VisemeType, VoiceLevel, Weight,
+    Viseme, VisemeType, Voice, VoiceLevel, Weight,
 };
 use std::hint::black_box;
 
@@ -94,4 +94,24 @@ pub(crate) fn of_events<'data>(events: impl Iterator<Item = Event<'data>>) {
         black_box((event.command.verb(), event.command.object().map(|name| (name.id(), name.as_str()))));
     }
     black_box((state, ClipId::from_key("a").get()));
+}
+
+/// The voices of a bank.
+pub(crate) fn of_voices<'data>(bank: &Bank<'data>, limit: usize) -> Vec<Voice<'data>> {
+    let voices: Vec<Voice<'_>> = bank.voices().take(limit + 1).collect();
+    assert!(voices.len() <= limit);
+    for voice in &voices {
+        assert!(voice.is_of(bank));
+        black_box((bank.voice(voice.tag()).is_some(), voice.is_original()));
+    }
+    voices
+}
+
+/// A clip in each of these voices.
+pub(crate) fn of_dubs(clip: &Clip<'_, '_>, voices: &[Voice<'_>]) {
+    black_box((clip.voice(), clip.original().map(|original| original.slot())));
+    for voice in voices {
+        let voiced = clip.in_voice(*voice);
+        black_box((voiced.clip.frame_count(), voiced.spoken));
+    }
 }

@@ -9,7 +9,7 @@
 use core::panic::PanicInfo;
 use lipz_bank::{
     Babble, Bank, Clip, ClipId, Command, ConsonantHold, Cursor, CurveCursor, CurveValue, Emotion, Error, Event, EventName, Fps,
-    Layers, Lead, Locale, Micros, Places, Samples, Seconds, Segment, TextBank, Time, Viseme, VisemeType, VoiceLevel, Weight,
+    Layers, Lead, Locale, Micros, Places, Samples, Seconds, Segment, Spoken, TextBank, Time, Viseme, VisemeType, VoiceLevel, Weight,
 };
 
 /// Takes what was answered, so that no question is left out as useless.
@@ -61,6 +61,10 @@ fn bank_asked(bank: &Bank<'_>, name: &str, number: u32, see: See) {
     for locale in bank.locales().chain(bank.locale(name)).chain(bank.default_locale()) {
         see(u64::from(locale.is_default()) | u64::from(locale.is_of(bank)) << 1);
         see_bytes(see, locale.tag().as_bytes());
+    }
+    for voice in bank.voices().chain(bank.voice(name)) {
+        see(u64::from(voice.is_original()) | u64::from(voice.is_of(bank)) << 1);
+        see_bytes(see, voice.tag().as_bytes());
     }
     for babble in bank.babbles().chain(bank.babble(name)).chain([bank.default_babble()]) {
         babble_asked(&babble, number, see);
@@ -169,6 +173,11 @@ fn clip_asked(bank: &Bank<'_>, clip: &Clip<'_, '_>, number: u32, see: See) {
         see_bytes(see, kind.codes().as_bytes());
     }
     curves_asked(bank, clip, number, see);
+    see(clip.original().map_or(0, |original| u64::from(original.slot())));
+    for voice in bank.voices().chain(clip.voice()) {
+        let voiced = clip.in_voice(voice);
+        see(u64::from(voiced.clip.slot()) << 1 | u64::from(voiced.spoken == Spoken::Dub));
+    }
     see(clip.recording().map_or(0, |recording| recording.length_us() ^ recording.content_hash()));
     see(VisemeType::from_number(number as u8).map_or(0, |kind| kind as u64));
     if let Some(fps) = clip.fps() {

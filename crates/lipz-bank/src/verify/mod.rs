@@ -13,6 +13,7 @@ mod recordings;
 mod sections;
 mod strings;
 mod texts;
+mod voices;
 
 use crate::file::File;
 use crate::locale::LocaleTable;
@@ -44,6 +45,7 @@ pub(crate) fn verify<'data>(bank: &mut Bank<'data>, utf8: Utf8<'data>) -> Result
     babble::babble(bank)?;
     recordings::recordings(bank)?;
     curves::curves(bank)?;
+    voices::voices(bank)?;
     if lipz_layout::fingerprint(bank.keys, bank.clips) != bank.file.header.fingerprint.get() {
         return Err(Error::new(ErrorKind::Fingerprint, 24));
     }

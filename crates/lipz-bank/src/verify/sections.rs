@@ -41,8 +41,18 @@ pub(super) fn table_lengths(bank: &Bank<'_>) -> Result<(), Error> {
     text_lengths(&bank.file, &bank.texts)?;
     let has_shape =
         |entry: &DirectoryEntry, (_, entry_bytes): (Tag, usize)| usize::from(entry.entry_bytes.get()) == entry_bytes;
-    let [of_babble, of_recordings, of_curve_clips, of_curves, of_curve_keys, of_index, of_sources, _of_layer] =
-        Tag::OPTIONAL;
+    let [
+        of_babble,
+        of_recordings,
+        of_curve_clips,
+        of_curves,
+        of_curve_keys,
+        of_voices,
+        of_dubs,
+        of_index,
+        of_sources,
+        _of_layer,
+    ] = Tag::OPTIONAL;
     if let Some(babble) = bank.file.entry(of_babble.0).filter(|babble| !has_shape(babble, of_babble)) {
         return Err(error_at(bank, ErrorKind::SectionShape, babble));
     }
@@ -53,6 +63,7 @@ pub(super) fn table_lengths(bank: &Bank<'_>) -> Result<(), Error> {
         }
     }
     together(bank, &[of_curve_clips, of_curves, of_curve_keys])?;
+    together(bank, &[of_voices, of_dubs])?;
     match (bank.file.entry(of_index.0), bank.file.entry(of_sources.0)) {
         (None, None) => Ok(()),
         (Some(index), Some(sources)) => {

@@ -151,6 +151,7 @@ impl Build {
             settings.sources.clone_from(&self.sources);
         }
         settings.root = self.root.clone().or(settings.root);
+        settings.options.voices = settings.voices();
         settings.options = self.options.clone().unwrap_or(settings.options);
         (settings, vec![report])
     }

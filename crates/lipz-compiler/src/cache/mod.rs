@@ -128,6 +128,7 @@ fn again(
         // The old bank is given back before the new one is made.
         drop(old);
     }
+    run = run.compare_dubs(inputs, options);
     let files = std::mem::take(&mut run.stamped.files);
     let compiled = run.make(inputs, options, |bank| finish(bank, false));
     let stamps = Stamps::of(&compiled, options, files);

@@ -145,12 +145,17 @@ impl Recaller<'_, '_> {
         Some(())
     }
 
-    /// The clip's own texts, and those of locales that are not packed. The others came from fallback,
-    /// which is resolved anew.
+    /// The clip's own texts, and those of locales that are not packed. The others came from fallback, or from the
+    /// original of a dub: both are resolved anew.
     fn texts(&mut self, found: &Clip<'_, '_>, clip: &mut ClipData) -> Option<()> {
         let recall = self.recall;
+        let original = found.original();
         for (number, &locale) in self.locales.iter().enumerate() {
             let Some(start) = recall.text_start(found, number) else { continue };
+            // A dub's own texts have starts of their own.
+            if original.is_some_and(|original| recall.text_start(&original, number) == Some(start)) {
+                continue;
+            }
             let own_start = start & !TEXT_FALLBACK;
             let is_fallback = start != own_start;
             // The texts of a clip in a locale have a start of their own, also where they are empty: what no locale has

@@ -200,6 +200,11 @@ impl<'c> Clip<'c> {
         texts.binary_search_by_key(&locale, |text| text.locale).ok().map(|index| &texts[index])
     }
 
+    /// The locale of one of the texts; for clips whose locales are not joined yet.
+    pub(crate) fn tag(&self, text: &ClipText) -> &'c str {
+        self.clips.locales.tag(text.locale)
+    }
+
     /// Where each of the display texts ends, modulo 2¹⁶, and the texts.
     pub(crate) fn run(&self, text: &ClipText) -> (&'c [U16], &'c [u8]) {
         let (ends, texts) = self.whole_run(text).split_at(size_of::<U16>() * self.starts().len());

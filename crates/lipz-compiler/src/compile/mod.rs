@@ -83,7 +83,7 @@ impl<'p> Compiler<'p> {
 
     /// Checks `inputs` as [`compile`](Self::compile) does, without making a bank.
     pub fn check(&self, inputs: &[Input]) -> Compiled {
-        self.run(|options| Run::read(inputs, options, None, &self.progress).finish(None))
+        self.run(|options| Run::read(inputs, options, None, &self.progress).compare_dubs(inputs, options).finish(None))
     }
 
     /// Does what [`compile`](Self::compile) does, and replaces the file at `path` by the bank as
@@ -107,7 +107,10 @@ impl<'p> Compiler<'p> {
 
     /// Checks `inputs` and makes a bank of them; there is one only if `finish` accepts it.
     fn make(&self, inputs: &[Input], finish: impl FnOnce(&[u8]) -> Result<(), Report> + Send) -> Compiled {
-        self.run(|options| Run::read(inputs, options, None, &self.progress).make(inputs, options, finish))
+        self.run(|options| {
+            let run = Run::read(inputs, options, None, &self.progress).compare_dubs(inputs, options);
+            run.make(inputs, options, finish)
+        })
     }
 
     /// Replaces the file at `path` by a bank, which is verified meanwhile.

@@ -3,7 +3,7 @@
 use crate::check::locales::in_no_list;
 use crate::fallback::script;
 use crate::{MinCoverage, Options, coverage, pseudo, shortfalls};
-use lipz_bank::{Bank, Clip, Locale};
+use lipz_bank::{Bank, Clip, Locale, Voice};
 use lipz_diagnostics::{Code, Diagnostic, Report};
 use lipz_file::locale;
 use std::collections::BTreeMap;
@@ -24,6 +24,27 @@ pub(super) fn locales_without_texts(bank: &[u8], options: &Options) -> Report {
     let (Some(packed), Ok(bank)) = (&options.locales, Bank::open(bank)) else { return Report::default() };
     let is_absent = |tag: &&String| bank.locale(tag).is_none() && !pseudo::is_pseudo(tag);
     let mut diagnostics = packed.iter().filter(is_absent).map(|tag| without_texts(tag)).collect();
+    options.levels.apply(&mut diagnostics);
+    Report::all_about("", diagnostics)
+}
+
+/// A diagnostic for each voice of a bank in whose locale no clip has a text, at the project's level. Those of a project
+/// that names the locales of its bank may be of others.
+pub(super) fn voices_without_texts(bank: &[u8], options: &Options) -> Report {
+    let (None, Ok(bank)) = (&options.locales, Bank::open(bank)) else { return Report::default() };
+    let tags: Vec<&str> = bank.locales().map(|locale| locale.tag()).collect();
+    let is_lonely = |voice: &Voice<'_>| !tags.is_empty() && !tags.contains(&voice.tag());
+    let diagnostic = |voice: Voice<'_>| {
+        let message = format!("the clips have a voice in `{}`, but no clip has a text in it", voice.tag());
+        let is_near = |tag: &&str| locale::language(tag) == locale::language(voice.tag());
+        let near = tags.iter().copied().find(is_near);
+        let near = near.or_else(|| lipz_diagnostics::suggest::nearest(voice.tag(), tags.iter().copied()));
+        Diagnostic::new(Code::VoiceWithoutLocale, message).help(match near {
+            Some(tag) => format!("did you mean `{tag}`? correct the locale in [voices]"),
+            None => "correct the locale in [voices], or add what is said as texts of this locale".to_owned(),
+        })
+    };
+    let mut diagnostics = bank.voices().filter(is_lonely).map(diagnostic).collect();
     options.levels.apply(&mut diagnostics);
     Report::all_about("", diagnostics)
 }

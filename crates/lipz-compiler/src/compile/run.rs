@@ -4,6 +4,7 @@ use super::file::Worker;
 use super::{Compiled, Phases, Progress, requirements};
 use crate::cache::{Cache, FileStamps};
 use crate::clip::Clips;
+use crate::dubs::{self, Dubs};
 use crate::layers::Kept;
 use crate::lower::{Beside, Layout};
 use crate::{Input, Options, key, localise, parallel};
@@ -83,6 +84,17 @@ impl Run {
         self.kept = Some((self.clips.len() - 1, kept));
     }
 
+    /// Compares dubs with their originals. A dub with diagnostics is read again in the next run, so that they are reported
+    /// again.
+    #[must_use]
+    pub(crate) fn compare_dubs(mut self, inputs: &[Input], options: &Options) -> Run {
+        for (index, report) in dubs::compare(&self.clips, inputs, options) {
+            self.stamped.files.retain(|(stamped, ..)| *stamped != index);
+            self.reports.push(report);
+        }
+        self
+    }
+
     pub(crate) fn has_errors(&self) -> bool {
         lipz_diagnostics::reports::have_errors(&self.reports)
     }
@@ -100,7 +112,8 @@ impl Run {
         let start = Instant::now();
         let tags = Clips::join_locales(&mut self.clips);
         let clips = Clips::by_key(&self.clips);
-        let mut localised = localise::localise(&clips, &tags, options);
+        let dubs = Dubs::find(&clips, options);
+        let mut localised = localise::localise(&clips, &tags, &dubs, options);
         let mut beside = Beside::of(options);
         if let Some((batch, kept)) = &mut self.kept {
             kept.restore(*batch, &clips, &tags, &mut localised);
@@ -110,8 +123,8 @@ impl Run {
         }
         self.phases.localise = start.elapsed();
         let start = Instant::now();
-        let layout = Layout::new(&clips, &localised, beside);
-        drop((clips, localised));
+        let layout = Layout::new(&clips, &localised, &dubs, beside);
+        drop((clips, localised, dubs));
         let batches = std::mem::take(&mut self.clips);
         let bank = layout.and_then(|layout| layout.fill(batches)).map_err(|report| in_file(report, inputs));
         self.phases.lower = start.elapsed();
@@ -136,6 +149,7 @@ impl Run {
     pub(crate) fn expect_locales(&mut self, bank: &[u8], options: &Options) -> Result<(), Report> {
         let mut report = requirements::locales_without_texts(bank, options);
         report.diagnostics.extend(requirements::scripts_not_crossed(bank, options).diagnostics);
+        report.diagnostics.extend(requirements::voices_without_texts(bank, options).diagnostics);
         if report.has_errors() {
             return Err(report);
         }

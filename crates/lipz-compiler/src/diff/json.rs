@@ -8,13 +8,15 @@ use serde::ser::{Serialize, SerializeStruct, Serializer};
 /// With whether there is any difference, which is no field.
 impl Serialize for Difference<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut json = serializer.serialize_struct("Difference", 11)?;
+        let mut json = serializer.serialize_struct("Difference", 13)?;
         json.serialize_field("is_same", &self.is_empty())?;
         json.serialize_field("added_locales", &self.added_locales)?;
         json.serialize_field("removed_locales", &self.removed_locales)?;
         json.serialize_field("default_locale", &self.default_locale)?;
         json.serialize_field("fallbacks", &self.fallbacks)?;
         json.serialize_field("babble", &self.babble)?;
+        json.serialize_field("voices", &self.voices)?;
+        json.serialize_field("dubs", &self.dubs)?;
         json.serialize_field("added", &self.added)?;
         json.serialize_field("removed", &self.removed)?;
         json.serialize_field("renamed", &self.renamed)?;

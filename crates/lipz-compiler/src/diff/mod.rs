@@ -1,17 +1,19 @@
 //! What a program would notice if one bank took the place of another.
 //!
 //! Compared is what the reader answers: frame rates, frames, segments, display texts, events, curves, locales,
-//! babble profiles. How the source files were spelled, and whether a bank keeps them, makes no difference.
+//! babble profiles, voices. How the source files were spelled, and whether a bank keeps them, makes no difference.
 
 mod bank;
 mod clip;
 #[cfg(feature = "json")]
 mod json;
 mod renamed;
+mod voices;
 
 pub use bank::{BabbleChange, FallbackChange};
 pub use clip::{ClipChange, CurveChange, EventChange, FramesChange, TextChange};
 pub use renamed::Renamed;
+pub use voices::DubChange;
 
 use crate::BankWithTexts;
 use lipz_bank::Locale;
@@ -55,6 +57,10 @@ pub struct Difference<'d> {
     pub fallbacks: Vec<FallbackChange<'d>>,
     /// Babble profiles that differ, sorted by name.
     pub babble: Vec<BabbleChange<'d>>,
+    /// The voices, that of the originals first, if the banks do not have the same.
+    pub voices: Option<Change<Vec<&'d str>>>,
+    /// Lines that are played by other clips in a voice that both banks have.
+    pub dubs: Vec<DubChange<'d>>,
     /// Keys of clips that only the new bank has.
     pub added: Vec<&'d str>,
     /// Keys of clips that only the old bank has.
@@ -72,7 +78,9 @@ impl Difference<'_> {
     pub fn is_empty(&self) -> bool {
         let locales = self.added_locales.len() + self.removed_locales.len() + self.fallbacks.len();
         let clips = self.added.len() + self.removed.len() + self.renamed.len() + self.changed.len();
-        locales + self.babble.len() + clips == 0 && self.default_locale.is_none()
+        locales + self.babble.len() + self.dubs.len() + clips == 0
+            && self.default_locale.is_none()
+            && self.voices.is_none()
     }
 }
 
@@ -110,6 +118,8 @@ where
         default_locale: Change::between(default_tag(old_whole), default_tag(new_whole)),
         fallbacks: bank::fallbacks(old_whole, new_whole, &locales),
         babble: bank::babble(old, new),
+        voices: Change::between(voices::tags(old), voices::tags(new)),
+        dubs: voices::dubs(old, new),
         ..Difference::default()
     };
     for clip in old.clips() {

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 /// `{ "clips": { KEY: ID, … }, "locales": [ … ] }`. Ids are strings: JSON's numbers lose digits of
 /// large ones in many readers.
 pub(super) fn object(bank: &Bank<'_>, locales: &[&str]) -> String {
-    let ids = bank.clips().map(|clip| (clip.key().to_owned(), Value::from(clip.id().to_string())));
+    let ids = super::asked_for(bank).map(|clip| (clip.key().to_owned(), Value::from(clip.id().to_string())));
     let clips = Value::Object(ids.collect());
     format!("{:#}\n", json!({ "clips": clips, "locales": locales }))
 }

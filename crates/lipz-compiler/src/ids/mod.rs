@@ -26,7 +26,7 @@ mod tree;
 mod typescript;
 mod words;
 
-use lipz_bank::Bank;
+use lipz_bank::{Bank, Clip};
 use lipz_diagnostics::Diagnostic;
 use tree::Folder;
 
@@ -88,7 +88,7 @@ impl Language {
     }
 }
 
-/// The ids of a bank's clips, and its locales, as source code.
+/// The ids of a bank's clips but dubs, and its locales, as source code.
 ///
 /// `prefix` replaces the language's own; one that [`Language::accepts_prefix`] refuses is not used.
 ///
@@ -117,6 +117,11 @@ pub fn generate(bank: &Bank<'_>, language: Language, prefix: Option<&str>) -> Re
         Language::TypeScript => typescript::module(&tree(typescript::identifiers)?, &locales, bank),
         Language::Json => json::object(bank, &locales),
     })
+}
+
+/// The clips that programs ask for by their ids: dubs are found by those of their originals.
+fn asked_for<'data, 'bank>(bank: &'bank Bank<'data>) -> impl Iterator<Item = Clip<'data, 'bank>> {
+    bank.clips().filter(|clip| clip.original().is_none())
 }
 
 /// What every generated file starts with, as far as it can have comments.

@@ -45,7 +45,7 @@ impl<'data> Folder<'data> {
         let mut root = Folder::default();
         let mut clashes = Vec::new();
         let locales = locales_for_comments(bank);
-        for clip in bank.clips() {
+        for clip in super::asked_for(bank) {
             let mut folders = naming(clip.key());
             let Some(name) = folders.pop() else { continue };
             let folder = folders.into_iter().fold(&mut root, |folder, name| folder.folders.entry(name).or_default());

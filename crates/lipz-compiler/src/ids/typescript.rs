@@ -92,7 +92,7 @@ pub(super) fn module(root: &Folder<'_>, locales: &[&str], bank: &Bank<'_>) -> St
         let _ = writeln!(out, "  {}: {},", camel(&words(locale)), quoted(locale));
     }
     out.push_str("} as const;\n\n/** The keys of the clips. */\nexport type ClipKey =");
-    for clip in bank.clips() {
+    for clip in super::asked_for(bank) {
         let _ = write!(out, "\n  | {}", quoted(clip.key()));
     }
     out.push_str(if bank.clip_count() == 0 { " never;\n" } else { ";\n" });

@@ -74,6 +74,10 @@ pub struct ClipDetails<'d> {
     /// The recording that it was made for; `None` if the bank says nothing about it.
     #[cfg_attr(feature = "json", serde(serialize_with = "crate::json::recording"))]
     pub recording: Option<Recording>,
+    /// The locale of the voice that it is spoken in; `None` in a bank without dubs.
+    pub voice: Option<&'d str>,
+    /// The key of the clip of which it is a dub.
+    pub original: Option<&'d str>,
 }
 
 /// A curve with its keys.
@@ -209,6 +213,8 @@ impl<'d> ClipDetails<'d> {
             segments: segments.collect(),
             curves: clip.curves().map(|curve| CurveDetails::from(&curve)).collect(),
             recording: clip.recording(),
+            voice: clip.voice().map(|voice| voice.tag()),
+            original: clip.original().map(|original| original.key()),
         }
     }
 }

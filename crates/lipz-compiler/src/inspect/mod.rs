@@ -7,5 +7,5 @@ mod summary;
 mod timeline;
 
 pub use clip::{ClipDetails, ClipSummary, SegmentDetails, SegmentEvent, SegmentText};
-pub use summary::{BankSummary, LayerSummary, LocaleSummary};
+pub use summary::{BankSummary, LayerSummary, LocaleSummary, VoiceSummary};
 pub use timeline::{short_fps, short_recording, timeline};

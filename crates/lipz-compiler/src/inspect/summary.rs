@@ -1,7 +1,7 @@
 //! The summary of a bank.
 
 use crate::BankWithTexts;
-use lipz_bank::{Babble, Bank, Locale};
+use lipz_bank::{Babble, Bank, Clip, Locale, Voice};
 use lipz_layout::Tag;
 
 /// What there is in a bank.
@@ -48,6 +48,8 @@ pub struct BankSummary<'d> {
     pub has_sources: bool,
     /// The locales, in the order of their tags.
     pub locales: Vec<LocaleSummary<'d>>,
+    /// The voices, that of the originals first; none in a bank without dubs.
+    pub voices: Vec<VoiceSummary<'d>>,
     /// Bytes per section, in the order of the bank.
     #[cfg_attr(feature = "json", serde(serialize_with = "crate::json::sections"))]
     pub sections: Vec<(Tag, usize)>,
@@ -86,6 +88,19 @@ pub struct LocaleSummary<'d> {
     pub missing: usize,
 }
 
+/// How many clips are dubs in a voice.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct VoiceSummary<'d> {
+    /// The locale of the voice, `de-de`.
+    pub tag: &'d str,
+    /// Whether it is that of the originals.
+    pub is_original: bool,
+    /// Dubs in it.
+    pub dubs: usize,
+}
+
 impl<'d> BankSummary<'d> {
     /// Looks at every clip of a verified bank.
     pub fn from_bank<'b>(bank: impl Into<BankWithTexts<'d, 'b>>) -> BankSummary<'d>
@@ -109,6 +124,7 @@ impl<'d> BankSummary<'d> {
             seconds: bank.clips().filter_map(|clip| clip.duration_us()).fold(0.0, |sum, us| sum + us as f64 / 1e6),
             has_sources: bank.sections().any(|(tag, _)| tag == Tag::SOURCES.0),
             locales: whole.locales().into_iter().map(|locale| LocaleSummary::new(bank, locale)).collect(),
+            voices: bank.voices().map(|voice| VoiceSummary::new(bank, voice)).collect(),
             sections: bank.sections().map(|(tag, bytes)| (Tag(tag), bytes.len())).collect(),
             babble: bank.babbles().collect(),
         }
@@ -143,6 +159,13 @@ impl<'d> LocaleSummary<'d> {
             }
         }
         summary
+    }
+}
+
+impl<'d> VoiceSummary<'d> {
+    fn new(bank: &Bank<'d>, voice: Voice<'d>) -> Self {
+        let is_dub = |clip: &Clip<'_, '_>| clip.original().is_some() && clip.voice() == Some(voice);
+        VoiceSummary { tag: voice.tag(), is_original: voice.is_original(), dubs: bank.clips().filter(is_dub).count() }
     }
 }
 

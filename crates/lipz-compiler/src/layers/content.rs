@@ -1,6 +1,7 @@
 //! What a clip of a bank says, compared and put into another bank.
 
 use crate::clip::{ClipData, Clips};
+use crate::dubs::Dubs;
 use crate::localise::{Choice, LocaleColumn, Localised};
 use crate::lower::{Beside, Layout};
 use crate::source_index::SourceIndex;
@@ -190,7 +191,7 @@ impl Draft {
             columns.map(|((tag, is_default), choices)| LocaleColumn::new(&tag, is_default, choices.into_iter()));
         let localised = Localised { locales: columns.collect() };
         let batches = vec![self.clips];
-        let layout = Layout::new(&Clips::by_key(&batches), &localised, beside)?;
+        let layout = Layout::new(&Clips::by_key(&batches), &localised, &Dubs::default(), beside)?;
         layout.fill(batches)
     }
 }

@@ -53,7 +53,7 @@ impl Compiler<'_> {
             if over.keeps_others {
                 Kept::add_options(&old, &mut options);
             }
-            let mut run = Run::read(inputs, &options, None, &self.progress);
+            let mut run = Run::read(inputs, &options, None, &self.progress).compare_dubs(inputs, &options);
             if over.keeps_others {
                 run.keep(Kept::new(&old, inputs));
             }
@@ -82,6 +82,11 @@ fn layer(
 ) -> Result<(Option<Vec<u8>>, Option<Report>), Report> {
     let new = Bank::open(whole).and_then(Bank::verify);
     let new = new.map_err(|error| Report::failure("", Code::BankDamaged, error.kind().message(), "pack it again"))?;
+    if old.voices().chain(new.voices()).next().is_some() {
+        let message = "there are dubs, and a layer cannot say of which clips: they would be lost".to_owned();
+        let help = "pack the whole bank again, or leave [voices] out: then the clips of dubs are clips like others";
+        return Err(Report::failure("", Code::DubInLayer, message, help));
+    }
     if let Some(layer) = between(old, &new, &over.stack.checksums)? {
         verify(&layer)?;
         return Ok((Some(layer), None));

@@ -11,8 +11,10 @@ mod recordings;
 mod records;
 mod strings;
 pub(crate) mod texts;
+mod voices;
 
 use crate::clip::{Clip, Clips};
+use crate::dubs::Dubs;
 use crate::localise::Localised;
 use crate::{Options, parallel};
 use assemble::Section;
@@ -29,6 +31,7 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 use strings::{Names, Sources};
 use texts::Texts;
+use voices::Voices;
 use zerocopy::IntoBytes;
 
 /// What a bank says that is about no clip, or that no Lipz file says.
@@ -70,6 +73,7 @@ pub(crate) struct Layout {
     curves: Curves,
     /// One record per slot; empty if nothing is known of any recording.
     recordings: Vec<RecordingRecord>,
+    voices: Voices,
     is_stripped: bool,
     /// The section of a layer; empty for other banks.
     layer: Vec<u8>,
@@ -79,13 +83,18 @@ pub(crate) struct Layout {
 
 impl Layout {
     /// Lays out the bank of `clips`, which are in the order of their keys.
-    pub(crate) fn new(clips: &[Clip<'_>], localised: &Localised, beside: Beside<'_>) -> Result<Layout, Report> {
+    pub(crate) fn new(
+        clips: &[Clip<'_>],
+        localised: &Localised,
+        dubs: &Dubs,
+        beside: Beside<'_>,
+    ) -> Result<Layout, Report> {
         let numbering = Numbering::new(clips.iter().map(|clip| (clip.events().is_some(), clip.starts().len() as u32)));
         let index_of_ids = || unique_ids(clips).map(|ids| (index::build(&ids), ids));
         let small_parts = || (events::events(clips), strings::names(clips, localised), strings::own_sources(clips));
         let (index, (events, names, sources)) = parallel::join(index_of_ids, small_parts);
         // Locale by locale on all threads, after the others: each takes memory that is given back at its end.
-        let texts = texts::texts(clips, localised, &numbering);
+        let texts = texts::texts(clips, localised, dubs, &numbering);
         let (index, ids) = index?;
         let (slots, (events, event_names), names) = (&index.slots, events?, names?);
         Ok(Layout {
@@ -97,6 +106,7 @@ impl Layout {
             babble: beside.babble,
             curves: curves::curves(clips, slots, &event_names)?,
             recordings: recordings::recordings(clips, slots, &beside.recordings),
+            voices: voices::voices(dubs, slots)?,
             is_stripped: beside.strip,
             layer: beside.layer.map_or(Ok(Vec::new()), |layer| layer.section(slots))?,
             batch_slots: batch_slots(clips, slots),
@@ -136,6 +146,10 @@ impl Layout {
             sections.push(Section::table(Tag::CURVE_CLIPS, self.curves.clips.as_bytes()));
             sections.push(Section::table(Tag::CURVES, self.curves.curves.as_bytes()));
             sections.push(Section::table(Tag::CURVE_KEYS, &self.curves.keys));
+        }
+        if !self.voices.tags.is_empty() {
+            sections.push(Section::table(Tag::VOICES, &self.voices.tags));
+            sections.push(Section::table(Tag::DUBS, self.voices.dubs.as_bytes()));
         }
         if !self.is_stripped {
             sections.push(Section::table(Tag::SOURCE_INDEX, self.sources.index.as_bytes()));

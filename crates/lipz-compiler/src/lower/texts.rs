@@ -3,6 +3,7 @@
 use super::numbering::Numbering;
 use super::too_large;
 use crate::clip::{Clip, ClipText};
+use crate::dubs::Dubs;
 use crate::localise::{Choice, Localised};
 use crate::parallel;
 use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order of entries is never used
@@ -20,18 +21,24 @@ pub(super) struct Texts {
 }
 
 /// The texts of all locales. Each locale's stand together, in the order of the segments' numbers.
-pub(super) fn texts(clips: &[Clip<'_>], localised: &Localised, numbering: &Numbering) -> Result<Texts, Report> {
+pub(super) fn texts(
+    clips: &[Clip<'_>],
+    localised: &Localised,
+    dubs: &Dubs,
+    numbering: &Numbering,
+) -> Result<Texts, Report> {
     let (count, segment_count) = (localised.locales.len(), numbering.segment_count);
     let mut starts = vec![U32::new(NO_TEXT); count * segment_count + 1];
     let mut lengths = vec![0; count];
     let table_length = segment_count.max(1);
-    let shown_elsewhere = shown_elsewhere(clips, localised);
+    let shown_elsewhere = shown_elsewhere(clips, localised, dubs);
     let columns = zip(&localised.locales, &shown_elsewhere);
     let parts = zip(zip(starts.chunks_mut(table_length), &mut lengths), columns);
     parallel::for_each(parts.collect(), |((table, length), (column, is_shown_elsewhere))| {
         let run = |at: usize| match column.text(at) {
             Choice::Own(index) => {
-                Some(Run::new(&clips[at], &clips[at].texts()[index as usize], is_shown_elsewhere[at]))
+                let run = Run::new(&clips[at], &clips[at].texts()[index as usize], is_shown_elsewhere[at]);
+                Some(Run { stands_apart: dubs.dub(at).is_some(), ..run })
             }
             _ => None,
         };
@@ -42,22 +49,37 @@ pub(super) fn texts(clips: &[Clip<'_>], localised: &Localised, numbering: &Numbe
     parallel::for_each(zip(starts.chunks_mut(table_length), bases).collect(), |(table, base): (&mut [U32], u32)| {
         table.iter_mut().filter(|start| start.get() != NO_TEXT).for_each(|start| *start += base);
     });
+    borrow(localised, dubs, numbering, &mut starts);
     fall_back(localised, numbering, &mut starts);
     starts[count * segment_count] = pool_length.into();
     Ok(Texts { starts, lengths })
 }
 
-/// For each locale and clip, whether another locale shows the clip's texts, too.
-fn shown_elsewhere(clips: &[Clip<'_>], localised: &Localised) -> Vec<Vec<bool>> {
+/// For each locale and clip, whether another locale or a dub shows the clip's texts, too.
+fn shown_elsewhere(clips: &[Clip<'_>], localised: &Localised, dubs: &Dubs) -> Vec<Vec<bool>> {
     let mut shown = vec![vec![false; clips.len()]; localised.locales.len()];
-    for column in &localised.locales {
+    for (locale, column) in localised.locales.iter().enumerate() {
         for (at, choice) in column.texts().enumerate() {
-            if let Choice::Fallback(other) = choice {
-                shown[other as usize][at] = true;
+            match (choice, dubs.dub(at)) {
+                (Choice::Fallback(other), _) => shown[other as usize][at] = true,
+                (Choice::Original, Some(dub)) => shown[locale][dub.original] = true,
+                _ => {}
             }
         }
     }
     shown
+}
+
+/// Gives dubs without texts in a locale those of their originals.
+fn borrow(localised: &Localised, dubs: &Dubs, numbering: &Numbering, starts: &mut [U32]) {
+    for (locale, column) in localised.locales.iter().enumerate() {
+        let first = locale * numbering.segment_count;
+        for (at, dub) in dubs.iter().filter(|(at, _)| column.text(*at) == Choice::Original) {
+            for (own, original) in zip(numbering.segments(at), numbering.segments(dub.original)) {
+                starts[first + own] = starts[first + original];
+            }
+        }
+    }
 }
 
 /// Gives a clip without texts in a locale those of the locale that it falls back to.
@@ -104,6 +126,8 @@ pub(crate) struct Run<'c> {
     /// Hash of the texts.
     hash: u32,
     is_fallback: bool,
+    /// Whether no other clip shares the texts: those of dubs, so that one sees which texts of a dub are its own.
+    stands_apart: bool,
     /// Whether the last text is counted, whatever follows it.
     is_counted: bool,
 }
@@ -119,7 +143,7 @@ impl<'c> Run<'c> {
         let is_empty = whole.len() == segments * size_of::<U16>();
         // So that every run has a start of its own.
         let is_counted = is_shown_elsewhere || is_empty;
-        Run { whole, hash: text.hash, is_fallback: text.is_fallback(), is_counted }
+        Run { whole, hash: text.hash, is_fallback: text.is_fallback(), stands_apart: false, is_counted }
     }
 
     /// The texts of so many segments, one behind the other.
@@ -202,6 +226,7 @@ fn places<'c>(numbering: &Numbering, run: impl Fn(usize) -> Option<Run<'c>>) -> 
     let mut places: Vec<Place> = Vec::with_capacity(numbering.order().len());
     for (at, clip) in (0..).zip(numbering.order()) {
         let place = match run(clip) {
+            Some(own) if own.stands_apart => Place::Next { is_counted: own.is_counted },
             Some(own) => match same(at, &own) {
                 first if first == at => Place::Next { is_counted: own.is_counted },
                 first => {
@@ -274,7 +299,9 @@ mod tests {
     #[test]
     fn texts_with_one_hash_are_told_apart() {
         let wholes: [&[u8]; 6] = [b"\x01\0a", b"\x01\0b", b"\x01\0c", b"\x01\0b", b"\x01\0c", b"\x01\0a"];
-        let run = |at: usize| Some(Run { whole: wholes[at], hash: 7, is_fallback: false, is_counted: false });
+        let run = |at: usize| {
+            Some(Run { whole: wholes[at], hash: 7, is_fallback: false, stands_apart: false, is_counted: false })
+        };
         let numbering = Numbering::new(wholes.iter().map(|_| (false, 1)));
         let (starts, pool) = pool_of(&numbering, run).ok().unwrap();
         let offsets: Vec<u32> = starts.iter().map(|start| start.get() & TEXT_OFFSET).collect();

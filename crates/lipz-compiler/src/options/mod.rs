@@ -9,7 +9,7 @@ pub use emotions::{EmotionCurves, Emotions};
 pub use requirements::{KnownNames, MinCoverage, TextLimits};
 
 use crate::babble::BabbleProfiles;
-use crate::{WordTimes, pseudo};
+use crate::{Voices, WordTimes, pseudo};
 use lipz_bank::{Fps, Recording, VisemeType};
 use lipz_diagnostics::{Code, Levels, Report, escape};
 use lipz_file::locale::TextName;
@@ -73,6 +73,8 @@ pub struct Options {
     pub word_times: BTreeMap<String, WordTimes>,
     /// Locale of the voice, whose text has the emotions that count; `None` for the default locale.
     pub voice_locale: Option<String>,
+    /// The languages in which lines are recorded: which clips are dubs.
+    pub voices: Voices,
 }
 
 impl Options {
@@ -103,10 +105,15 @@ impl Options {
         if let (Some(locales), Some(default), true) = (&mut locales, &default_locale, self.pseudo) {
             locales.insert(pseudo::locale_for(default));
         }
+        let pattern = |(tag, pattern): (&String, &String)| Ok((canonical(tag)?, pattern.clone()));
         Ok(Options {
             default_locale,
             voice_locale: self.voice_locale.as_ref().map(canonical).transpose()?,
             locales,
+            voices: Voices {
+                original: self.voices.original.as_ref().map(canonical).transpose()?,
+                patterns: self.voices.patterns.iter().map(pattern).collect::<Result<_, Report>>()?,
+            },
             fallbacks: self.fallbacks.iter().map(chain).collect::<Result<_, Report>>()?,
             min_coverage: MinCoverage {
                 locales: self.min_coverage.locales.iter().map(share).collect::<Result<_, Report>>()?,

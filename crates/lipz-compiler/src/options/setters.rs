@@ -2,8 +2,8 @@
 
 use super::requirements::strings;
 use super::{Emotions, KnownNames, MinCoverage, Options, TextLimits};
-use crate::WordTimes;
 use crate::babble::BabbleProfiles;
+use crate::{Voices, WordTimes};
 use lipz_bank::{Fps, Recording, VisemeType};
 use lipz_diagnostics::Levels;
 
@@ -135,5 +135,11 @@ impl Options {
     #[must_use]
     pub fn voice_locale(self, voice_locale: impl Into<String>) -> Options {
         Options { voice_locale: Some(voice_locale.into()), ..self }
+    }
+
+    /// Sets the languages in which lines are recorded.
+    #[must_use]
+    pub fn voices(self, voices: Voices) -> Options {
+        Options { voices, ..self }
     }
 }

@@ -1,7 +1,7 @@
 //! What a project decides about its recordings.
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Stands for the key of a clip in [`Audio::pattern`] and in those of [`Audio::voices`].
 pub const KEY: &str = "{key}";
@@ -17,8 +17,9 @@ pub struct Audio {
     pub pattern: Option<String>,
     /// The locale that is spoken, unless a voice says otherwise; `None` for the default locale.
     pub locale: Option<String>,
-    /// The languages in which lines are recorded, each with the pattern of its recordings. Clips whose keys fit a pattern
-    /// are spoken in its locale; of all others, the recordings of [`Audio::locale`] are those of the mouths.
+    /// The languages in which lines are recorded, each with the pattern of its recordings and of the keys of its clips.
+    /// Clips whose keys fit a pattern are spoken in its locale, and are dubs if that is not [`Audio::locale`]
+    /// ([`Voices`](crate::Voices)); all others are spoken in that.
     pub voices: BTreeMap<String, String>,
     /// Milliseconds by which the length of a clip may differ from that of its recording; `None` for a frame.
     pub tolerance_ms: Option<u32>,
@@ -28,6 +29,22 @@ pub struct Audio {
     pub cache: Option<PathBuf>,
     /// The bank carries the length and the content hash of each recording.
     pub in_bank: bool,
+}
+
+/// Extensions of recordings. Of several files with one name, the first of this list counts: what nothing was lost of.
+pub const SOUND_EXTENSIONS: [&str; 9] = ["wav", "wave", "aiff", "aif", "aifc", "flac", "ogg", "oga", "mp3"];
+
+/// The place of a file's extension in [`SOUND_EXTENSIONS`], whatever its case.
+pub fn sound_rank(path: &Path) -> Option<usize> {
+    let extension = path.extension()?.to_str()?;
+    SOUND_EXTENSIONS.iter().position(|known| known.eq_ignore_ascii_case(extension))
+}
+
+/// A pattern without its extension. Keys may have dots: only a pattern that ends in a known extension has one.
+pub fn without_extension(pattern: &str) -> &str {
+    let path = Path::new(pattern);
+    let extension = path.extension().filter(|_| sound_rank(path).is_some() && !pattern.ends_with(KEY));
+    extension.map_or(pattern, |extension| &pattern[..pattern.len() - extension.len() - 1])
 }
 
 /// What keeps `pattern` from being one: what is wrong, and what to do.

@@ -22,7 +22,7 @@ mod template;
 #[cfg(feature = "settings")]
 mod value;
 
-pub use audio::{Audio, KEY, refused_pattern};
+pub use audio::{Audio, KEY, SOUND_EXTENSIONS, refused_pattern, sound_rank, without_extension};
 pub use find::FILE_NAME;
 pub use sync::Sync;
 #[cfg(feature = "settings")]
@@ -32,7 +32,7 @@ pub use template::template;
 #[cfg(feature = "settings")]
 pub use value::is_word;
 
-use crate::{Input, Options, discover};
+use crate::{Input, Options, Voices, discover};
 use lipz_diagnostics::Report;
 use std::path::PathBuf;
 
@@ -64,6 +64,12 @@ impl Settings {
     /// The settings of a project with these sources that decides nothing else.
     pub fn from_sources(sources: Vec<PathBuf>) -> Settings {
         Settings { sources, ..Settings::default() }
+    }
+
+    /// The voices of the project, for [`Options::voices`](Options::voices()).
+    pub fn voices(&self) -> Voices {
+        let original = self.audio.locale.as_ref().or(self.options.default_locale.as_ref()).cloned();
+        Voices { original, patterns: self.audio.voices.clone() }
     }
 
     /// The Lipz files of the sources with their keys, as [`discover`](discover()) finds them, and what it finds

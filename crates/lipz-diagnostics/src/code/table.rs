@@ -207,6 +207,13 @@ codes! {
     NumbersDiffer "LZ1913" "numbers-differ" Warning "a translation has other numbers than its source"
     MetaDiffers "LZ1914" "meta-differs" Warning "a translation has other meta information than its source"
 
+    "Dubs"
+    DubWithoutOriginal "LZ2001" "dub-without-original" Warning "a dub has no original"
+    DubSegments "LZ2002" "dub-segments" Error "a dub has other segments than its original"
+    DubText "LZ2003" "dub-text" Warning "a dub contradicts the text of its original"
+    VoiceWithoutLocale "LZ2004" "voice-without-locale" Warning "no clip has a text in the locale of a voice"
+    DubInLayer "LZ2005" "dub-in-layer" Error "a layer cannot have dubs"
+
     "Layers"
     LayerWithoutChange "LZ2101" "layer-without-change" Error "a layer would change nothing"
     LayerMisfit "LZ2102" "layer-misfit" Error "a layer does not fit the banks below it"

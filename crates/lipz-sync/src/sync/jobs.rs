@@ -54,7 +54,7 @@ pub fn jobs_of_recordings(settings: &Settings, output: &Path, script: Option<&Sc
                 Some(stem) => found.push((stem.to_owned(), source.clone())),
                 None => {
                     let message = format!("`{}` has no extension of a sound", shown(source));
-                    let help = format!("the extensions are {}", crate::EXTENSIONS.join(", "));
+                    let help = format!("the extensions are {}", lipz_compiler::settings::SOUND_EXTENSIONS.join(", "));
                     reports.push(Report::failure(shown(source), Code::UnreadableSound, message, &help));
                 }
             }
@@ -63,7 +63,7 @@ pub fn jobs_of_recordings(settings: &Settings, output: &Path, script: Option<&Sc
         let (recordings, unread) = Recordings::below(source);
         if unread.is_empty() && recordings.iter().next().is_none() {
             let message = format!("no recordings in `{}`", shown(source));
-            let help = format!("recordings end in {}", crate::EXTENSIONS.join(", "));
+            let help = format!("recordings end in {}", lipz_compiler::settings::SOUND_EXTENSIONS.join(", "));
             reports.push(Report::failure(shown(source), Code::NoSources, message, &help));
         }
         reports.extend(unread);

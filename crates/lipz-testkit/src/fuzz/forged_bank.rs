@@ -6,7 +6,7 @@ use crate::golden::{directory, put, reseal, section, u32_at};
 use crate::tools::is_used;
 use arbitrary::{Arbitrary, Unstructured};
 use lipz_bank::Bank;
-use lipz_compiler::{Compiler, Input, Options};
+use lipz_compiler::{Compiler, Input, Options, Voices};
 use lipz_layout::{ClipRecord, Header, KeyRecord, Tag, fingerprint};
 use std::mem::offset_of;
 use std::sync::LazyLock;
@@ -51,7 +51,7 @@ struct Overwrite {
 /// Small banks, so that a change soon meets something: all kinds of clips, with and without sources.
 static BASES: LazyLock<Vec<Vec<u8>>> = LazyLock::new(|| {
     let far = format!(r#"{{ "visemes": "{}", "text_en-us": "{}x" }}"#, "A|".repeat(11) + "B", "a|".repeat(11));
-    let sets: [&[(&str, &str)]; 3] = [
+    let sets: [&[(&str, &str)]; 4] = [
         &[(
             "a",
             r#"{ "fps": 24, "viseme_type": "blair", "visemes": "MA|EO-", "text_en-us": "Mayor!|No", "events": "|amy points door" }"#,
@@ -66,10 +66,16 @@ static BASES: LazyLock<Vec<Vec<u8>>> = LazyLock::new(|| {
             ),
         ],
         &[],
+        &[
+            ("aye", r#"{ "visemes": "MA|EO-", "text_en-us": "Aye!|No" }"#),
+            ("de/aye", r#"{ "visemes": "AAA|EO-", "text_de-de": "Ja|ja" }"#),
+            ("fr/aye", r#"{ "visemes": "O|O", "text_en-us": "Aye!|No" }"#),
+        ],
     ];
+    let voices = Voices::new("en-us").dub("de-de", "de/{key}").dub("fr-fr", "fr/{key}");
     let bank = |set: &&[(&str, &str)], strip| {
         let inputs: Vec<Input> = set.iter().map(|(key, file)| Input::from_bytes(*key, *file)).collect();
-        let options = Options::new().strip(strip).default_locale("en-us");
+        let options = Options::new().strip(strip).default_locale("en-us").voices(voices.clone());
         Compiler::new(options.clone()).compile(&inputs).bank.expect("files without errors")
     };
     sets.iter().flat_map(|set| [bank(set, false), bank(set, true)]).collect()

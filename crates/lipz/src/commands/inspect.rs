@@ -206,6 +206,13 @@ fn summary(summary: &BankSummary<'_>, path: &str, json: bool, reporter: &mut Rep
             locale.missing
         );
     }
+    if !summary.voices.is_empty() {
+        let _ = writeln!(text, "\n  {:<12} {:>8}", "voice", "dubs");
+    }
+    for voice in &summary.voices {
+        let dubs = if voice.is_original { "original".to_owned() } else { console::grouped(voice.dubs) };
+        let _ = writeln!(text, "  {:<12} {dubs:>8}", escape::text(voice.tag));
+    }
     let _ = writeln!(text, "\n  {:<12} {:>12}", "section", "bytes");
     for (tag, bytes) in &summary.sections {
         let tag = String::from_utf8_lossy(&tag.0);

@@ -46,8 +46,12 @@ fn heading(clip: &Clip<'_, '_>) -> String {
         Some(us) => format!("{} frames, {:.3} s", clip.frame_count(), us as f64 / 1e6),
         None => format!("{} frames", clip.frame_count()),
     };
+    let dub = clip.original().map_or(String::new(), |original| {
+        let voice = clip.voice().map_or("", |voice| voice.tag());
+        format!("  dub of {} in {}\n", escape::text(original.key()), escape::text(voice))
+    });
     let recording = clip.recording().map_or(String::new(), |found| format!("  recording {}\n", short_recording(found)));
-    format!("{}\n  {fps}, {viseme_type}, {frames}, id {}\n{recording}\n", escape::text(clip.key()), clip.id())
+    format!("{}\n  {fps}, {viseme_type}, {frames}, id {}\n{dub}{recording}\n", escape::text(clip.key()), clip.id())
 }
 
 /// A frame rate with at most three decimals, as people write it.

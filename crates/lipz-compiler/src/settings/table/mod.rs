@@ -103,9 +103,10 @@ pub const TABLES: &[Table] = &[
     },
     Table {
         name: "voices",
-        about: "Languages in which the lines are recorded: where the recordings of each are below the folder of [audio]. A \
-                clip whose key fits a pattern (`de-de/act1/mayor`) is spoken in that language. Every other clip has a \
-                recording in each of them: its mouth is that of `locale` in [audio], the others are dubs.",
+        about: "Languages in which the lines are recorded. The original is that of `locale` in [audio], or else the \
+                default locale; the others are dubs. A pattern says where the recordings of a language are below the \
+                folder of [audio], and which keys its clips have, without an extension: `de-de/act1/mayor` is spoken in \
+                German, and is the dub of `en-us/act1/mayor`, or of `act1/mayor`.",
         content: Content::Map(VOICES),
     },
     Table { name: "sync", about: "How mouth shapes are made of recordings.", content: Content::Settings(sync::SYNC) },

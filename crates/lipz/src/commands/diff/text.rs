@@ -4,7 +4,7 @@ use super::words::{marked, only_new, only_old};
 use crate::console::{counted, grouped};
 use crate::shared::locales::locale_name;
 use lipz_bank::{Fps, VisemeType};
-use lipz_compiler::diff::{BabbleChange, Change, ClipChange, Difference};
+use lipz_compiler::diff::{BabbleChange, Change, ClipChange, Difference, DubChange};
 use lipz_compiler::inspect::{short_fps, short_recording};
 use lipz_diagnostics::escape;
 use std::collections::BTreeSet;
@@ -28,6 +28,7 @@ pub(super) fn text(difference: &Difference<'_>, names: (&str, &str), all: bool) 
     out.push('\n');
     locales(&mut out, difference);
     difference.babble.iter().for_each(|change| babble(&mut out, change));
+    voices(&mut out, difference);
     let list = |out: &mut String, what: &str, lines: &mut dyn ExactSizeIterator<Item = String>| {
         let count = lines.len();
         for line in lines.take(shown_clips) {
@@ -35,6 +36,7 @@ pub(super) fn text(difference: &Difference<'_>, names: (&str, &str), all: bool) 
         }
         more(out, "", count, shown_clips, what);
     };
+    list(&mut out, "changed dub", &mut difference.dubs.iter().map(dub));
     list(&mut out, "removed clip", &mut difference.removed.iter().map(|key| format!("- {}", only_old(key))));
     list(&mut out, "added clip", &mut difference.added.iter().map(|key| format!("+ {}", only_new(key))));
     let renamed = |pair: &lipz_compiler::diff::Renamed<'_>| {
@@ -72,6 +74,23 @@ fn locales(out: &mut String, difference: &Difference<'_>) {
         let tag = |tag: Option<&str>| tag.map_or("none".into(), |tag| escape::text(tag).into_owned());
         let _ = writeln!(out, "~ default locale  {}", arrow(change, tag));
     }
+}
+
+fn voices(out: &mut String, difference: &Difference<'_>) {
+    if let Some(change) = &difference.voices {
+        let tags = |tags: &Vec<&str>| match tags.len() {
+            0 => "none".to_owned(),
+            _ => tags.iter().map(|tag| escape::text(tag).into_owned()).collect::<Vec<_>>().join(", "),
+        };
+        let _ = writeln!(out, "~ voices  {}", arrow(Change { old: &change.old, new: &change.new }, tags));
+    }
+}
+
+/// Which clip is played instead of an original.
+fn dub(change: &DubChange<'_>) -> String {
+    let clip = |key: Option<&str>| key.map_or("the original".to_owned(), |key| escape::text(key).into_owned());
+    let (key, voice) = (escape::text(change.key), escape::text(change.voice));
+    format!("~ {key} in {voice}  {}", arrow(change.clip, clip))
 }
 
 /// The parts of a babble profile that differ, or that one bank has none of this name.

@@ -3,7 +3,7 @@
 use crate::console::{counted, grouped};
 use lipz_bank::VisemeType;
 use lipz_compiler::inspect::short_fps;
-use lipz_compiler::stats::{ClipDuration, LocaleStats, Stats, VisemeCounts};
+use lipz_compiler::stats::{ClipDuration, LocaleStats, Stats, VisemeCounts, VoiceStats};
 use lipz_diagnostics::escape;
 use std::fmt::Write;
 use unicode_width::UnicodeWidthStr;
@@ -32,6 +32,7 @@ pub(super) fn text(name: &str, stats: &Stats<'_>) -> String {
         let _ = writeln!(out, "  {}, {}", counted(stats.recordings, "recording"), time(stats.recordings_us));
     }
     locales(&mut out, &stats.locales);
+    voices(&mut out, &stats.voices);
     rates(&mut out, stats);
     for counts in &stats.visemes {
         visemes(&mut out, counts);
@@ -101,6 +102,18 @@ fn locales(out: &mut String, locales: &[LocaleStats<'_>]) {
             grouped(number(locale.words)),
             if locale.is_default { "  default" } else { "" }
         );
+    }
+}
+
+fn voices(out: &mut String, voices: &[VoiceStats<'_>]) {
+    if voices.is_empty() {
+        return;
+    }
+    let _ = writeln!(out, "\n{} {:>8} {:>12}", padded("voice"), "clips", "time");
+    for voice in voices {
+        let original = if voice.is_original { "  original" } else { "" };
+        let (clips, time) = (grouped(voice.clips), time(voice.duration_us));
+        let _ = writeln!(out, "{} {clips:>8} {time:>12}{original}", padded(voice.tag));
     }
 }
 

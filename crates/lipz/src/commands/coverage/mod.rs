@@ -1,4 +1,6 @@
-//! `lipz coverage`: how much of a dialogue is translated.
+//! `lipz coverage`: how much of a dialogue is translated, and how much of it is dubbed.
+
+mod voices;
 
 use crate::Ended;
 use crate::commands::Run;
@@ -8,11 +10,11 @@ use crate::shared::bank_or_sources::Dialogue;
 use crate::shared::locales::{choose, locale_name};
 use crate::{Outcome, console};
 use clap::Args;
-use lipz_compiler::{BankWithTexts, Coverage, MinCoverage, coverage, shortfalls};
+use lipz_compiler::{BankWithTexts, Coverage, MinCoverage, coverage, shortfalls, voice_coverage};
 use lipz_diagnostics::{Report, escape};
 use std::fmt::Write;
 
-/// Show how much of a dialogue is translated into each locale.
+/// Show how much of a dialogue is translated into each locale, and dubbed in each voice.
 ///
 /// Counts clips that have text in at least one locale. A clip without a text of its own shows that of
 /// another locale, or none. A folder is compiled in memory, with the same flags as for `lipz pack`.
@@ -22,6 +24,7 @@ use std::fmt::Write;
   lipz coverage
   lipz coverage voices
   lipz coverage voices --missing de-de
+  lipz coverage voices --voices --missing de-de
   lipz coverage dialogue.lipzbank --texts dialogue.*.lipztexts
   lipz coverage dialogue.lipzbank --min-coverage 95 --min-coverage de-de=100
 
@@ -34,6 +37,10 @@ pub(crate) struct CoverageArguments {
     /// List the keys of clips without a text in LOCALE
     #[arg(long, value_name = "LOCALE", conflicts_with = "json")]
     missing: Option<String>,
+
+    /// Show how much is dubbed in each voice instead; with --missing, the keys of the lines that a voice does not have
+    #[arg(long)]
+    voices: bool,
 
     /// Print JSON
     #[arg(long)]
@@ -51,6 +58,9 @@ impl Run for CoverageArguments {
         let wanted: MinCoverage = std::mem::take(&mut project.settings.options.min_coverage);
         let file = self.dialogue.bank_of(&project, reporter)?;
         let bank = file.bank(reporter)?;
+        if self.voices {
+            return voices::run(&bank, &file.name, self.missing.as_deref(), reporter.wants_json(self.json), reporter);
+        }
         let text_files = self.dialogue.text_files(reporter)?;
         let found = coverage(BankWithTexts::new(&bank, &text_files.verified(&bank, reporter)?));
         match &self.missing {
@@ -59,7 +69,7 @@ impl Run for CoverageArguments {
                 reporter.print(&keys)?;
             }
             None if reporter.wants_json(self.json) => reporter.print_json(&found)?,
-            None => reporter.print(&table(&file.name, &found))?,
+            None => reporter.print(&(table(&file.name, &found) + &voices::table(&voice_coverage(&bank))))?,
         };
         let shortfalls = shortfalls(&found, &wanted);
         if shortfalls.is_empty() {

@@ -1,0 +1,42 @@
+//! The differences of voices: which clips are played instead of others.
+
+use super::Change;
+use lipz_bank::{Bank, Spoken};
+use std::collections::BTreeSet;
+
+/// How a line is played in a voice that both banks have.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+pub struct DubChange<'d> {
+    /// The locale of the voice.
+    pub voice: &'d str,
+    /// The key of the original.
+    pub key: &'d str,
+    /// The key of the clip that is played instead; `None` for the original.
+    #[cfg_attr(feature = "json", serde(flatten))]
+    pub clip: Change<Option<&'d str>>,
+}
+
+/// The locales of the voices of a bank: that of the originals first.
+pub(super) fn tags<'d>(bank: &Bank<'d>) -> Vec<&'d str> {
+    bank.voices().map(|voice| voice.tag()).collect()
+}
+
+/// The lines that are played otherwise, voice by voice in the order of their keys. Clips that only one bank has are told
+/// as such.
+pub(super) fn dubs<'d>(old: &Bank<'d>, new: &Bank<'d>) -> Vec<DubChange<'d>> {
+    let voices: BTreeSet<&'d str> = tags(old).into_iter().chain(tags(new)).collect();
+    let played = |bank: &Bank<'d>, key: &str, tag: &str| {
+        let voiced = bank.clip_by_key(key)?.in_voice(bank.voice(tag)?);
+        (voiced.spoken != Spoken::Original).then(|| voiced.clip.key())
+    };
+    let mut found = Vec::new();
+    for voice in voices.into_iter().filter(|voice| old.voice(voice).is_some() && new.voice(voice).is_some()) {
+        for clip in old.clips().filter(|clip| clip.original().is_none() && new.clip_by_key(clip.key()).is_some()) {
+            let (key, change) =
+                (clip.key(), Change::between(played(old, clip.key(), voice), played(new, clip.key(), voice)));
+            found.extend(change.map(|clip| DubChange { voice, key, clip }));
+        }
+    }
+    found
+}

@@ -1,0 +1,94 @@
+//! Dubs: clips that are played instead of others in their voices.
+
+mod compare;
+mod coverage;
+
+pub(crate) use compare::compare;
+pub use coverage::{VoiceCoverage, voice_coverage};
+
+use crate::clip::Clip;
+use crate::fallback::Fallbacks;
+use crate::{Options, Voices};
+use lipz_bank::{Clip as BankClip, Locale, Segment};
+
+/// Which of the clips of a bank are dubs.
+#[derive(Debug, Default, PartialEq, Eq)]
+pub(crate) struct Dubs {
+    /// The locales of the voices: the original's first, then the others in the order of their bytes. Empty without dubs.
+    pub(crate) voices: Vec<String>,
+    /// For each clip the one that it dubs; empty without dubs.
+    of: Vec<Option<Dub>>,
+    /// The dubs that are missing where the voice falls back to another one, each with the index of the dub there.
+    pub(crate) others: Vec<(Dub, usize)>,
+}
+
+/// What a clip is a dub of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Dub {
+    /// The number of the voice.
+    pub(crate) voice: usize,
+    /// The index of the original.
+    pub(crate) original: usize,
+}
+
+impl Dubs {
+    /// The dubs among `clips`, which are in the order of their keys. One with other segments than its original is none:
+    /// [`compare`] has refused it.
+    pub(crate) fn find(clips: &[Clip<'_>], options: &Options) -> Dubs {
+        let voices: Vec<String> = options.voices.locales().map(str::to_owned).collect();
+        if voices.len() < 2 {
+            return Dubs::default();
+        }
+        let of: Vec<Option<Dub>> = clips.iter().map(|clip| dub(clip, clips, &options.voices, &voices)).collect();
+        if of.iter().all(Option::is_none) {
+            return Dubs::default();
+        }
+        let mut dubs = Dubs { voices, of, others: Vec::new() };
+        dubs.others = dubs.fallbacks(options);
+        dubs
+    }
+
+    /// What is played where a voice has no dub: that in the first voice that it falls back to.
+    fn fallbacks(&self, options: &Options) -> Vec<(Dub, usize)> {
+        let mut by_original: Vec<(usize, usize, usize)> =
+            self.iter().map(|(at, dub)| (dub.original, dub.voice, at)).collect();
+        by_original.sort_unstable();
+        let mut fallbacks = Fallbacks::new(&self.voices, options);
+        let mut found = Vec::new();
+        for line in by_original.chunk_by(|(one, ..), (other, ..)| one == other) {
+            let own = || [0].into_iter().chain(line.iter().map(|(_, voice, _)| *voice));
+            let missing: Vec<usize> = (1..self.voices.len()).filter(|voice| !own().any(|own| own == *voice)).collect();
+            fallbacks.resolve(own(), missing.into_iter(), |voice, other| {
+                let other = line.iter().find(|(_, voice, _)| *voice == other);
+                found.extend(other.map(|(original, _, at)| (Dub { voice, original: *original }, *at)));
+            });
+        }
+        found
+    }
+
+    /// What the clip with this index is a dub of.
+    pub(crate) fn dub(&self, at: usize) -> Option<Dub> {
+        self.of.get(at).copied().flatten()
+    }
+
+    /// All dubs, each with its index.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (usize, Dub)> {
+        self.of.iter().enumerate().filter_map(|(at, dub)| Some((at, (*dub)?)))
+    }
+}
+
+fn dub(clip: &Clip<'_>, clips: &[Clip<'_>], voices: &Voices, tags: &[String]) -> Option<Dub> {
+    let place = |key: &str| clips.binary_search_by(|other| other.key().cmp(key)).ok();
+    let original = place(&voices.original_of(clip.key(), |key| place(key).is_some())?)?;
+    let (locale, _) = voices.of_key(clip.key())?;
+    let voice = tags.iter().position(|tag| tag == locale)?;
+    (clips[original].starts().len() == clip.starts().len()).then_some(Dub { voice, original })
+}
+
+/// Whether a clip of a bank has no text of its own in `locale`, but that of its original, if it is a dub.
+pub(crate) fn borrows(clip: &BankClip<'_, '_>, original: Option<&BankClip<'_, '_>>, locale: Locale<'_>) -> bool {
+    let Some(original) = original else { return false };
+    // A dub's own texts have a place of their own, even if they are the original's letter by letter.
+    let place = |segment: Segment<'_, '_>| segment.text_bytes(locale).map(<[u8]>::as_ptr_range);
+    original.segments().map(place).eq(clip.segments().map(place))
+}

@@ -1,0 +1,127 @@
+//! The voices of a project: which clip is a dub of which other.
+
+use crate::settings::{KEY, without_extension};
+use std::collections::BTreeMap;
+
+/// The languages in which the lines of a project are recorded, and how the keys of their clips look.
+///
+/// A clip whose key fits the pattern of a voice other than the original's is a dub of the clip with the same line: with
+/// the patterns `en/{key}` and `de/{key}`, that of `de/act1/mayor` is `act1/mayor`, and its original is `en/act1/mayor`, or
+/// `act1/mayor` if there is no such clip.
+///
+/// ```
+/// use lipz_compiler::Voices;
+/// let voices = Voices::new("en-us").dub("de-de", "de/{key}");
+/// assert_eq!(voices.of_key("de/act1/mayor"), Some(("de-de", "act1/mayor")));
+/// assert_eq!(voices.original_of("de/act1/mayor", |key| key == "act1/mayor").as_deref(), Some("act1/mayor"));
+/// assert_eq!(voices.dub_of("act1/mayor", "de-de").as_deref(), Some("de/act1/mayor"));
+/// ```
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+#[non_exhaustive]
+pub struct Voices {
+    /// The locale of the original recordings; without it, no clip is a dub.
+    pub original: Option<String>,
+    /// The pattern of the keys in each voice, by its locale. That of the original may be missing: then keys are lines.
+    pub patterns: BTreeMap<String, String>,
+}
+
+impl Voices {
+    /// The voices of a project whose original recordings are in this locale.
+    #[must_use]
+    pub fn new(original: impl Into<String>) -> Voices {
+        Voices { original: Some(original.into()), patterns: BTreeMap::new() }
+    }
+
+    /// Adds a voice: its locale, and the pattern of the keys of its clips, with `{key}` for the line. An extension of a
+    /// sound is no part of a key. The pattern of the original is added in the same way.
+    #[must_use]
+    pub fn dub(mut self, locale: impl Into<String>, pattern: impl Into<String>) -> Voices {
+        self.patterns.insert(locale.into(), pattern.into());
+        self
+    }
+
+    /// The voice whose pattern this key fits, and the line, which is the rest of the key: `de-de/act1/mayor` is
+    /// `act1/mayor` in de-de. The longest pattern counts; one that is nothing but the key says nothing.
+    pub fn of_key<'p, 'k>(&'p self, key: &'k str) -> Option<(&'p str, &'k str)> {
+        let fit = |(locale, pattern): (&'p String, &'p String)| {
+            let (before, after) = without_extension(pattern).split_once(KEY)?;
+            let line = key.strip_prefix(before)?.strip_suffix(after).filter(|line| !line.is_empty())?;
+            let is_one = !before.is_empty() || !after.is_empty();
+            is_one.then_some((pattern.len(), locale.as_str(), line))
+        };
+        let found = self.patterns.iter().filter_map(fit).max_by_key(|(length, ..)| *length);
+        found.map(|(_, locale, line)| (locale, line))
+    }
+
+    /// The key of the original of which the clip with this key is a dub, among the keys that are there.
+    pub fn original_of(&self, key: &str, is_there: impl Fn(&str) -> bool) -> Option<String> {
+        let line = self.dubbed_line(key)?;
+        self.originals_of(line).into_iter().find(|original| is_there(original))
+    }
+
+    /// The line of which the clip with this key is to be a dub.
+    pub(crate) fn dubbed_line<'k>(&self, key: &'k str) -> Option<&'k str> {
+        let original = self.original.as_deref()?;
+        self.of_key(key).filter(|(locale, _)| *locale != original).map(|(_, line)| line)
+    }
+
+    /// The keys that the original of a line may have, the likeliest first.
+    pub(crate) fn originals_of(&self, line: &str) -> Vec<String> {
+        let by_pattern = self.original.as_deref().and_then(|original| self.key_of(line, original));
+        let keys = by_pattern.into_iter().chain([line.to_owned()]);
+        let is_original = |key: &String| self.dubbed_line(key).is_none();
+        let mut keys: Vec<String> = keys.filter(is_original).collect();
+        keys.dedup();
+        keys
+    }
+
+    /// The key of the dub of an original in a voice; `None` if that is none of the project, or has no keys of its own.
+    pub fn dub_of(&self, original: &str, locale: &str) -> Option<String> {
+        let line = self.of_key(original).map_or(original, |(_, line)| line);
+        self.key_of(line, locale).filter(|key| self.of_key(key) == Some((locale, line)))
+    }
+
+    /// The key of a line in a voice that has a pattern.
+    fn key_of(&self, line: &str, locale: &str) -> Option<String> {
+        self.patterns.get(locale).map(|pattern| without_extension(pattern).replace(KEY, line))
+    }
+
+    /// The locales of the voices: that of the original first. None if no clip can be a dub.
+    pub(crate) fn locales(&self) -> impl Iterator<Item = &str> {
+        let dubs = self.patterns.keys().map(String::as_str);
+        let original = self.original.as_deref();
+        original
+            .into_iter()
+            .flat_map(move |original| std::iter::once(original).chain(dubs.clone().filter(move |dub| *dub != original)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn originals_have_the_pattern_of_their_voice_or_are_lines() {
+        let voices =
+            Voices::new("en-us").dub("en-us", "en/{key}").dub("de-de", "de/{key}.ogg").dub("fr-fr", "{key}_fr");
+        let all = |_: &str| true;
+        assert_eq!(voices.original_of("de/a", all).as_deref(), Some("en/a"));
+        assert_eq!(voices.original_of("de/a", |key| key == "a").as_deref(), Some("a"));
+        assert_eq!(voices.original_of("de/a", |_| false), None);
+        assert_eq!(voices.original_of("a_fr", all).as_deref(), Some("en/a"));
+        assert_eq!((voices.original_of("en/a", all), voices.original_of("a", all)), (None, None));
+        assert_eq!(voices.original_of("de/de/a", |key| key == "de/a"), None, "a dub is no original");
+        assert_eq!(voices.dub_of("en/a", "de-de").as_deref(), Some("de/a"));
+        assert_eq!(voices.dub_of("a", "fr-fr").as_deref(), Some("a_fr"));
+        assert_eq!(voices.dub_of("a", "it-it"), None);
+        assert!(voices.locales().eq(["en-us", "de-de", "fr-fr"]));
+    }
+
+    #[test]
+    fn without_an_original_nothing_is_a_dub() {
+        let voices = Voices { original: None, ..Voices::new("en-us").dub("de-de", "de/{key}") };
+        assert_eq!((voices.of_key("de/a"), voices.original_of("de/a", |_| true)), (Some(("de-de", "a")), None));
+        assert_eq!(voices.locales().count(), 0);
+        assert_eq!(Voices::new("en-us").dub("de-de", "{key}").dub_of("a", "de-de"), None, "it would be the original");
+    }
+}

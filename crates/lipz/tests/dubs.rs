@@ -1,0 +1,109 @@
+//! Dubs on the command line: what does not belong together, and what each command says about voices.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use std::fs;
+use support::{Scene, lipz};
+
+const SETTINGS: &str = "sources = [\"voices\"]
+output = \"dialogue.lipzbank\"
+default-locale = \"en-us\"
+
+[voices]
+en-us = \"en/{key}\"
+de-de = \"de/{key}\"
+";
+
+const ORIGINAL: &str = r#"{
+  "fps": 24,
+  "viseme_type": "blair",
+  "visemes": "MAAE|O--",
+  "text_de-de": "Herr| Mayor!",
+  "text_en-us": "Mayor| Mayor!"
+}
+"#;
+
+const DUB: &str = r#"{ "fps": 30, "viseme_type": "blair", "visemes": "EAEEE|MAAEO-" }"#;
+
+fn scene() -> Scene {
+    let scene = Scene::new();
+    scene.write("lipz.toml", SETTINGS);
+    scene.write("voices/en/act1/mayor.lipz", ORIGINAL);
+    scene.write("voices/en/act1/yes.lipz", ORIGINAL);
+    scene.write("voices/de/act1/mayor.lipz", DUB);
+    scene
+}
+
+#[test]
+fn what_does_not_belong_together() {
+    let mut scene = scene();
+    let check = ["check", "--quiet"];
+    assert_eq!(lipz(scene.path(), check).stderr, "");
+    scene.write("voices/de/act1/no.lipz", DUB);
+    scene.expect("LZ2001-dub-without-original", &check);
+    fs::remove_file(scene.path().join("voices/de/act1/no.lipz")).unwrap();
+    scene.write("voices/de/act1/mayor.lipz", DUB.replace('|', ""));
+    scene.expect("LZ2002-dub-segments", &check);
+    scene.expect("LZ2002-dub-segments-pack", &["pack", "--quiet"]);
+    scene.write("voices/de/act1/mayor.lipz", r#"{ "text_de-de": "Herr" }"#);
+    scene.expect("LZ2002-dub-segments-text", &check);
+    scene.write("voices/de/act1/mayor.lipz", DUB.replace(" }", r#", "text_de-de": "Herr|Meier!" }"#));
+    scene.expect("LZ2003-dub-text", &check);
+    scene.write("voices/de/act1/mayor.lipz", DUB);
+    scene.write("lipz.toml", SETTINGS.replace("de-de", "de-at"));
+    scene.expect("LZ2004-voice-without-locale", &["pack", "--quiet"]);
+    scene.write("lipz.toml", SETTINGS);
+    assert_eq!(lipz(scene.path(), ["pack", "--quiet", "-o", "base.lipzbank"]).code, 0);
+    scene.write("voices/de/act1/mayor.lipz", DUB.replace("EAE", "AAA"));
+    let over = ["pack", "--over", "base.lipzbank", "-o", "patch.lipzbank", "--quiet"];
+    scene.expect("LZ2005-dub-in-layer", &over);
+    assert!(!scene.path().join("patch.lipzbank").exists());
+    scene.finish(7);
+}
+
+#[test]
+fn every_command_knows_voices() {
+    let scene = scene();
+    let run = |arguments: &[&str]| {
+        let done = lipz(scene.path(), arguments.iter().copied());
+        assert_eq!((done.code, done.stderr.as_str()), (0, ""), "{arguments:?}");
+        done.stdout
+    };
+    run(&["pack", "--quiet"]);
+    let bank = "dialogue.lipzbank";
+    let shows = |arguments: &[&str], lines: &[&str]| {
+        let shown = run(arguments);
+        let words = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(" ");
+        let has = |line: &str| shown.lines().any(|shown| words(shown) == line);
+        assert!(lines.iter().all(|line| has(line)), "{arguments:?} shows\n{shown}");
+    };
+    shows(&["inspect", bank], &["en-us original", "de-de 1"]);
+    shows(&["inspect", bank, "de/act1/mayor"], &["dub of en/act1/mayor in de-de"]);
+    shows(&["stats", bank], &["en-us 2 0.5 s original", "de-de 1 0.3 s"]);
+    let covered = ["en-us 100.0 % 2 0.6 s 0 0.0 s (original)", "de-de 50.0 % 1 0.4 s 1 0.3 s"];
+    shows(&["coverage", bank], &covered);
+    shows(&["coverage", "--voices"], &covered);
+    shows(&["coverage", bank], &["de-de 100.0 % 2 0 0 0", "dialogue.lipzbank: 2 clips with texts"]);
+    assert_eq!(run(&["coverage", bank, "--voices", "--missing", "de_DE"]), "en/act1/yes\n");
+    assert!(run(&["coverage", bank, "--voices", "--json"]).contains("\"to_record_us\":"));
+    assert!(run(&["inspect", bank, "--json"]).contains("\"voices\":"));
+    let ids = run(&["ids", bank, "--lang", "json"]);
+    assert!(ids.contains("en/act1/mayor") && !ids.contains("de/act1/mayor"), "{ids}");
+    run(&["unpack", bank, "--output", "again", "--quiet"]);
+    for file in ["en/act1/mayor", "de/act1/mayor"] {
+        let read = |folder: &str| fs::read_to_string(scene.path().join(format!("{folder}/{file}.lipz"))).unwrap();
+        let document = |text: &str| lipz_file::write(&lipz_file::parse(text.as_bytes()).document.unwrap());
+        assert_eq!(document(&read("again")), document(&read("voices")), "a dub gets no text of its original");
+    }
+    fs::remove_file(scene.path().join("voices/de/act1/mayor.lipz")).unwrap();
+    let gone = lipz(scene.path(), ["diff", bank, "voices"]);
+    assert_eq!(gone.code, 1);
+    assert!(gone.stdout.contains("~ voices  en-us, de-de -> none\n"), "{}", gone.stdout);
+    scene.write("voices/de/act1/yes.lipz", DUB);
+    let other = lipz(scene.path(), ["diff", bank, "voices"]).stdout;
+    assert!(other.contains("~ en/act1/mayor in de-de  de/act1/mayor -> the original\n"), "{other}");
+    assert!(other.contains("~ en/act1/yes in de-de  the original -> de/act1/yes\n"), "{other}");
+    let none = lipz(scene.path(), ["coverage", "voices/en", "--no-config", "--voices"]);
+    assert!(none.code == 2 && none.stderr.contains("no clip of the bank is a dub"), "{}", none.stderr);
+}
