@@ -1,6 +1,6 @@
 // Plays the clips of a bank: index.html?clip=act1/mara-good-evening&locale=de-de&at=1.5
 
-import { FaceDrawing } from "../face.js";
+import { FaceDrawing, VISEMES } from "../face.js";
 import { open } from "../lipz.js";
 import { asked, follow, forget } from "./address.js";
 import { Clips } from "./clips.js";
@@ -114,6 +114,7 @@ function show() {
   curves.mark(time);
   $("feeling").textContent = feeling;
   $("viseme").textContent = viseme;
+  $("viseme").title = $("viseme").ariaLabel = `Mouth shape ${viseme}: ${VISEMES[clip.visemeType][viseme] ?? "none"}`;
   $("time").textContent = `${time.toFixed(2)} / ${clip.duration.toFixed(2)} s`;
   $("event").textContent = segment?.event ?? "";
   $("subtitle").textContent = text?.text ?? "";

@@ -181,4 +181,5 @@ export async function types(demo, same) {
     mouths.add(part(page, "inside").getAttribute("d") + part(page, "lowerLip").getAttribute("d"));
   }
   same(mouths.size, 10, "ten mouths");
+  same(page.getElementById("viseme").ariaLabel, "Mouth shape 9: fully open", "what the code is");
 }
