@@ -29,6 +29,8 @@ mod placeholder;
 mod po;
 mod record;
 mod tag;
+mod words;
+mod work;
 mod xliff;
 #[cfg(feature = "xlsx")]
 mod xlsx;
@@ -42,6 +44,8 @@ pub use mark::Mark;
 pub use merge::{Confirmed, Counts, Merge, Merged, unknown_keys};
 pub use model::{Division, Exchange, Segment, State, Translation, Unit};
 pub use record::{Standing, TextRecord, Texts};
+pub use words::words;
+pub use work::{Amount, LocaleWork, OpenSegment, Progress, Work, page};
 
 /// The example of the README, run as a test.
 #[cfg(doctest)]

@@ -5,7 +5,7 @@ mod support;
 
 use std::fs;
 use std::path::Path;
-use support::{Scene, lipz};
+use support::{Scene, lipz, with_input};
 
 const MAYOR: &str = r#"{
   "visemes" :    "MAAAEO----|MAAAAEEO--",
@@ -145,4 +145,89 @@ fn records_that_cannot_be_read() {
     }
     assert_eq!(fs::read_to_string(scene.path().join("lipz-texts.txt")).unwrap(), "my notes");
     assert!(!scene.path().join("x.po").exists());
+}
+
+#[test]
+fn coverage_says_what_is_to_be_done() {
+    let scene = accepted();
+    let folder = scene.path();
+    scene.write("voices/mayor.lipz", MAYOR.replace("evening", "morning").replace("Wer da?", ""));
+    scene.write("voices/=new.lipz", "{ \"text_en-us\": \"Halt!\", \"text_fr-fr\": \"Halte !\" }");
+    let coverage = |arguments: &[&str]| lipz(folder, [&["coverage", "--quiet"], arguments].concat());
+    let table = coverage(&["--cost-per-word", "0.5"]).stdout;
+    let work = table.split_once("\n\nto be translated from en-us: 3 segments with 6 words\n").unwrap().1;
+    let rows: Vec<String> = work.lines().map(|line| line.split_whitespace().collect::<Vec<_>>().join(" ")).collect();
+    let head = "locale words missing stale translated reviewed final words to do cost";
+    assert_eq!(rows[1..4], [head, "de-de 0.0 % 2 1 0 0 0 6 3.00", "fr-fr 16.6 % 2 0 1 0 0 5 2.50"]);
+    assert_eq!(coverage(&["--missing", "de-de"]).stdout, "=new\nmayor\n");
+    assert_eq!(coverage(&["--stale", "de-de"]).stdout, "mayor\n");
+    assert_eq!(coverage(&["--missing", "sw-ke"]).stdout, "=new\nmayor\n", "nobody has begun");
+    let list = coverage(&["--missing", "de-de", "--stale", "de-de", "--csv"]).stdout;
+    let expected = "key,segment,locale,state,source,translated from,translation,words\r\n\
+                    '=new,,de-de,missing,Halt!,,,1\r\n\
+                    mayor,1,de-de,stale,\"Good morning, {name}.\",\"Good evening, {name}.\",\"Guten Abend, {name}.\",2\r\n\
+                    mayor,2,de-de,missing,Who goes there?,,,3\r\n";
+    assert_eq!(list, expected);
+    let csv = coverage(&["--csv"]).stdout;
+    let columns = |line: &str| line.split(',').count();
+    assert!(csv.lines().all(|line| columns(line) == columns(csv.lines().next().unwrap())), "{csv}");
+    assert!(csv.contains("\r\nde-de,2,50.0,1,0,1,0,3,6,2,4,1,2,0,0,0,0,0,0,6\r\n"), "{csv}");
+    let json = coverage(&["--json", "--cost-per-word", "0.5"]).stdout;
+    assert!(json.contains("\"words_to_do\": 6,\n      \"cost\": 3.0"), "{json}");
+    let page = coverage(&["--html"]).stdout;
+    assert!(page.contains("<del>evening</del><ins>morning</ins>") && page.ends_with("</html>\n"), "{page}");
+    let wanted = coverage(&["--min-coverage", "sw-ke=100"]);
+    assert!(wanted.code == 1 && wanted.stdout.contains("sw-ke"), "{wanted:?}");
+
+    lipz(folder, ["pack", "voices", "-o", "b.lipzbank"]);
+    for refused in [["--stale", "de-de"], ["--html", "--quiet"]] {
+        let outcome = lipz(folder, [&["coverage", "b.lipzbank"], &refused[..]].concat());
+        assert!(outcome.code == 2 && outcome.stderr.contains("not known here"), "{outcome:?}");
+    }
+}
+
+#[test]
+fn exports_of_what_is_to_be_done() {
+    let scene = accepted();
+    let folder = scene.path();
+    scene.write("voices/done.lipz", "{ \"text_en-us\": \"Go.\", \"text_de-de\": \"Geh.\", \"text_fr-fr\": \"Va.\" }");
+    let export = |format: &str, states: &str| {
+        lipz(
+            folder,
+            [
+                "texts", "export", format, "--locale", "de-de", "--locale", "fr-fr", "--state", states, "-o", "out",
+                "--force",
+            ],
+        )
+    };
+    fs::create_dir(folder.join("out")).unwrap();
+    let nothing = export("po", "stale");
+    assert!(nothing.code == 2 && nothing.stderr.contains("no text is stale"), "{nothing:?}");
+    scene.write("voices/mayor.lipz", MAYOR.replace("evening", "morning"));
+    let read = |name: &str| fs::read_to_string(folder.join("out").join(name)).unwrap_or_default();
+    assert_eq!(export("po", "stale").code, 0);
+    assert!(read("de-de.po").contains("\"mayor\"") && !read("de-de.po").contains("\"done\""));
+    assert_eq!(read("fr-fr.po"), "", "nothing of it is stale");
+    assert_eq!(export("xliff", "missing,stale").code, 0);
+    assert!(["de-de.xlf", "fr-fr.xlf"].iter().all(|name| read(name).contains("mayor") && !read(name).contains("done")));
+    let segments: Vec<String> =
+        read("de-de.xlf").lines().filter(|line| line.contains("<segment")).map(|line| line.trim().to_owned()).collect();
+    let expected = ["<segment id=\"s1\" state=\"initial\">", "<segment id=\"s2\" state=\"translated\">"];
+    assert_eq!(segments, expected);
+    assert_eq!(export("csv", "translated").code, 0);
+    assert!(read("texts.csv").contains("\r\ndone,"), "{}", read("texts.csv"));
+
+    let template = lipz(folder, ["texts", "export", "pot", "-o", "texts.pot"]);
+    assert_eq!(template.stdout, "texts of 2 clips for any locale written into texts.pot\n", "{template:?}");
+    let template = fs::read_to_string(folder.join("texts.pot")).unwrap();
+    assert!(template.contains("\"Language: \\n\"") && !template.contains("Guten"), "{template}");
+    // Any tool may have made a translation of it.
+    let po = template
+        .replace("Language: ", "Language: sw_KE")
+        .replace("msgid \"Go.\"\nmsgstr \"\"", "msgid \"Go.\"\nmsgstr \"Nenda.\"");
+    let import = with_input(folder, &["texts", "import", "-", "--text-format", "po"], po.as_bytes());
+    assert!(import.stdout.starts_with(b"texts imported: 1 new"), "{import:?}");
+    assert!(fs::read_to_string(folder.join("voices/done.lipz")).unwrap().contains("\"text_sw-ke\": \"Nenda.\""));
+    let unknown = with_input(folder, &["texts", "import", "-"], b"");
+    assert_eq!(unknown.status.code(), Some(2), "{unknown:?}");
 }

@@ -122,6 +122,7 @@ pub(super) const RULES: &[Rule] = &[
             "serde_json",
             "similar",
             "twox-hash",
+            "unicode-segmentation",
             "zip",
         ],
         below: Below::AtMost(60),

@@ -14,7 +14,7 @@ fn is_formula(cell: &str) -> bool {
 }
 
 /// The text as a cell that is no formula.
-pub(super) fn defused(text: &str) -> Cow<'_, str> {
+pub(crate) fn defused(text: &str) -> Cow<'_, str> {
     if is_formula(text) { Cow::Owned(format!("{APOSTROPHE}{text}")) } else { Cow::Borrowed(text) }
 }
 

@@ -5,6 +5,7 @@ mod columns;
 mod read;
 mod write;
 
+pub(crate) use cell::defused;
 pub(crate) use read::read;
 pub(crate) use write::write;
 #[cfg(feature = "xlsx")]

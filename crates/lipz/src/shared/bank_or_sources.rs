@@ -44,9 +44,19 @@ impl Dialogue {
     /// [`bank`](Self::bank), with settings that are read already.
     pub(crate) fn bank_of(&self, project: &Project, reporter: &mut Reporter) -> Result<BankFile, Abort> {
         match &self.bank {
-            Some(bank) if !names_lipz_files(bank) => BankFile::open(bank, reporter),
+            Some(bank) if self.is_bank() => BankFile::open(bank, reporter),
             _ => packed(&project.settings, self.arguments.quiet, reporter),
         }
+    }
+
+    /// Whether it is a bank, and not Lipz files.
+    pub(crate) fn is_bank(&self) -> bool {
+        self.bank.as_ref().is_some_and(|bank| !names_lipz_files(bank))
+    }
+
+    /// Whether to show no progress.
+    pub(crate) fn is_quiet(&self) -> bool {
+        self.arguments.quiet
     }
 
     /// The files that are to be its text banks. Reports which one cannot be read.

@@ -1,29 +1,37 @@
-//! `lipz coverage`: how much of a dialogue is translated, and how much of it is dubbed.
+//! `lipz coverage`: how much of a dialogue is translated and dubbed, and what is left to do.
 
+mod table;
 mod voices;
+mod work;
 
 use crate::Ended;
+use crate::Outcome;
 use crate::commands::Run;
-use crate::console::grouped;
-use crate::reporter::Reporter;
+use crate::reporter::{Abort, Reporter};
 use crate::shared::bank_or_sources::Dialogue;
-use crate::shared::locales::{choose, locale_name};
-use crate::{Outcome, console};
+use crate::shared::locales::choose;
+use crate::shared::project_flags::parse_locale;
 use clap::Args;
-use lipz_compiler::{BankWithTexts, Coverage, MinCoverage, coverage, shortfalls, voice_coverage};
+use lipz_compiler::{BankWithTexts, Coverage, MinCoverage, VoiceCoverage, coverage, shortfalls, voice_coverage};
 use lipz_diagnostics::{Report, escape};
-use std::fmt::Write;
+use lipz_texts::{LocaleWork, Progress, Work, page};
+use std::collections::BTreeSet;
 
-/// Show how much of a dialogue is translated into each locale, and dubbed in each voice.
+/// Show how much of a dialogue is translated into each locale and dubbed in each voice, and what is left to do.
 ///
 /// Counts clips that have text in at least one locale. A clip without a text of its own shows that of
 /// another locale, or none. A folder is compiled in memory, with the same flags as for `lipz pack`.
+///
+/// Of Lipz files, also the segments and words that are to be translated from the default locale: missing ones, and those
+/// that are older than their source (docs/LOCALISATION.md).
 #[derive(Args, Debug)]
 #[command(override_usage = "lipz coverage [BANK] [OPTIONS]")]
 #[command(after_help = "Examples:
   lipz coverage
-  lipz coverage voices
+  lipz coverage voices --cost-per-word 0.12
+  lipz coverage voices --html > coverage.html
   lipz coverage voices --missing de-de
+  lipz coverage voices --missing de-de --stale de-de --csv > to-do.csv
   lipz coverage voices --voices --missing de-de
   lipz coverage dialogue.lipzbank --texts dialogue.*.lipztexts
   lipz coverage dialogue.lipzbank --min-coverage 95 --min-coverage de-de=100
@@ -34,17 +42,34 @@ pub(crate) struct CoverageArguments {
     #[command(flatten)]
     dialogue: Dialogue,
 
-    /// List the keys of clips without a text in LOCALE
-    #[arg(long, value_name = "LOCALE", conflicts_with = "json")]
+    /// List the keys of clips without a text in LOCALE, of Lipz files also those of which a segment is blank; also for a locale that
+    /// nobody has begun
+    #[arg(long, value_name = "LOCALE", value_parser = parse_locale, conflicts_with_all = ["json", "html"])]
     missing: Option<String>,
 
+    /// List the keys of clips whose text in LOCALE is older than its source
+    #[arg(long, value_name = "LOCALE", value_parser = parse_locale, conflicts_with_all = ["json", "html"])]
+    stale: Option<String>,
+
     /// Show how much is dubbed in each voice instead; with --missing, the keys of the lines that a voice does not have
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["stale", "csv", "html"])]
     voices: bool,
+
+    /// What the translation of a word costs: shows the cost of what is to be done
+    #[arg(long, value_name = "PRICE", value_parser = parse_cost)]
+    cost_per_word: Option<f64>,
 
     /// Print JSON
     #[arg(long)]
     json: bool,
+
+    /// Print CSV: a row for each locale, or for each segment that --missing and --stale list, with its text and words
+    #[arg(long, conflicts_with_all = ["json", "html"])]
+    csv: bool,
+
+    /// Print a page for a browser: how far each locale is, and what is to be done
+    #[arg(long, conflicts_with = "json")]
+    html: bool,
 }
 
 impl Run for CoverageArguments {
@@ -63,14 +88,19 @@ impl Run for CoverageArguments {
         }
         let text_files = self.dialogue.text_files(reporter)?;
         let found = coverage(BankWithTexts::new(&bank, &text_files.verified(&bank, reporter)?));
-        match &self.missing {
-            Some(tag) => {
-                let keys = missing(&found, tag, &file.name).map_err(|report| reporter.fail(report))?;
-                reporter.print(&keys)?;
+        let work = match self.dialogue.is_bank() {
+            true => None,
+            false => {
+                let named = self.missing.iter().chain(&self.stale).chain(wanted.locales.keys());
+                let named: Vec<String> = named.cloned().collect();
+                work::of_project(&project, &named, self.dialogue.is_quiet(), reporter)?
             }
-            None if reporter.wants_json(self.json) => reporter.print_json(&found)?,
-            None => reporter.print(&(table(&file.name, &found) + &voices::table(&voice_coverage(&bank))))?,
         };
+        if work.is_none() && (self.html || self.stale.is_some()) {
+            let tip = "name the folder of Lipz files, in a project with `default-locale`";
+            return Err(reporter.usage("what translations were made from is not known here", tip));
+        }
+        self.print(&file.name, &found, &voice_coverage(&bank), work.as_ref(), reporter)?;
         let shortfalls = shortfalls(&found, &wanted);
         if shortfalls.is_empty() {
             return Ok(Outcome::Clean);
@@ -80,47 +110,69 @@ impl Run for CoverageArguments {
     }
 }
 
-/// The keys of the clips that have no text of their own in a locale, one a line.
-fn missing(found: &[Coverage], tag: &str, bank: &str) -> Result<String, Report> {
-    let coverage = choose(tag, bank, found.iter(), |coverage| &coverage.tag)?;
-    let mut keys: Vec<&String> = coverage.fallbacks.values().flatten().chain(&coverage.missing).collect();
-    keys.sort_unstable();
-    Ok(keys.into_iter().flat_map(|key| [escape::text(key), "\n".into()]).collect())
+impl CoverageArguments {
+    fn print(
+        &self,
+        name: &str,
+        found: &[Coverage],
+        dubs: &[VoiceCoverage],
+        work: Option<&Work>,
+        reporter: &mut Reporter,
+    ) -> Result<(), Abort> {
+        if self.missing.is_some() || self.stale.is_some() {
+            let list = self.list(found, work, name).map_err(|report| reporter.fail(report))?;
+            if list.is_empty() {
+                reporter.remark("nothing is to be listed: all of it is translated\n");
+            }
+            return reporter.print_bytes(&list);
+        }
+        match work {
+            Some(work) if self.html => reporter.print(&page(work, name, self.cost_per_word)),
+            work if reporter.wants_json(self.json) => {
+                reporter.print_json(&table::document(found, work, self.cost_per_word))
+            }
+            work if self.csv => reporter.print(&table::csv(found, work, self.cost_per_word)),
+            work => {
+                let of_work = work.map(|work| table::of_work(work, self.cost_per_word)).unwrap_or_default();
+                reporter.print(&(table::of_bank(name, found) + &of_work + &voices::table(dubs)))
+            }
+        }
+    }
+
+    /// What is missing, stale, or both: the keys, one a line, or a table of segments.
+    fn list(&self, found: &[Coverage], work: Option<&Work>, bank: &str) -> Result<Vec<u8>, Report> {
+        let is_meant = |locale: &LocaleWork, progress| match progress {
+            Progress::Missing => self.missing.as_ref() == Some(&locale.locale),
+            Progress::Stale => self.stale.as_ref() == Some(&locale.locale),
+            _ => false,
+        };
+        let named = work.into_iter().flat_map(|work| &work.locales);
+        let named = named.filter(|locale| [&self.missing, &self.stale].contains(&&Some(locale.locale.clone())));
+        if self.csv && work.is_some() {
+            let tables = named.enumerate().map(|(number, locale)| {
+                let table = locale.csv(|progress| is_meant(locale, progress), self.cost_per_word);
+                // One head for both.
+                let head =
+                    if number == 0 { 0 } else { table.iter().position(|byte| *byte == b'\n').map_or(0, |at| at + 1) };
+                table.get(head..).unwrap_or_default().to_vec()
+            });
+            return Ok(tables.flatten().collect());
+        }
+        let mut keys: BTreeSet<&str> = BTreeSet::new();
+        for locale in named {
+            let open = locale.open.iter().filter(|open| is_meant(locale, open.progress()));
+            keys.extend(open.map(|open| open.key.as_str()));
+        }
+        let known = |tag: &String| found.iter().any(|coverage| coverage.tag == *tag);
+        if let Some(tag) = self.missing.as_ref().filter(|tag| work.is_none() || known(tag)) {
+            let coverage = choose(tag, bank, found.iter(), |coverage| &coverage.tag)?;
+            keys.extend(coverage.fallbacks.values().flatten().chain(&coverage.missing).map(String::as_str));
+        }
+        Ok(keys.into_iter().flat_map(|key| [escape::text(key), "\n".into()]).collect::<String>().into_bytes())
+    }
 }
 
-fn table(name: &str, found: &[Coverage]) -> String {
-    let Some(first) = found.first() else {
-        return format!("{name}: no clip has a text; those of a split bank are in its text banks (--texts)\n");
-    };
-    let clips = console::counted(first.clip_count, "clip");
-    let mut text = format!("{name}: {clips} with texts\n\n");
-    let _ = writeln!(
-        text,
-        "  {:<12} {:>9} {:>7} {:>8} {:>9} {:>8}  falls back to",
-        "locale", "covered", "texts", "same", "fallback", "nothing"
-    );
-    for coverage in found {
-        let fallback_count: usize = coverage.fallbacks.values().map(Vec::len).sum();
-        let mut fallbacks: Vec<String> = coverage
-            .fallbacks
-            .iter()
-            .map(|(tag, keys)| format!("{} {}", locale_name(tag), grouped(keys.len())))
-            .collect();
-        if coverage.is_default {
-            fallbacks.insert(0, "(default locale)".to_owned());
-        }
-        let line = format!(
-            "  {:<12} {:>7.1} % {:>7} {:>8} {:>9} {:>8}  {}",
-            escape::text(&coverage.tag),
-            coverage.percent_in_tenths(),
-            grouped(coverage.own_count),
-            grouped(coverage.same_as_default.len()),
-            grouped(fallback_count),
-            grouped(coverage.missing.len()),
-            fallbacks.join(", ")
-        );
-        let _ = writeln!(text, "{}", line.trim_end());
-    }
-    text.push_str("\nsame: the text is that of the default locale, letter by letter\n");
-    text
+fn parse_cost(text: &str) -> Result<f64, String> {
+    let cost: Option<f64> = text.parse().ok().filter(|cost: &f64| cost.is_finite() && *cost >= 0.0);
+    cost.ok_or_else(|| "a price is a number, as in 0.12".to_owned())
 }

@@ -1,8 +1,9 @@
 //! `lipz texts export`: a file for translators.
 
-use super::{By, Columns, Format};
+use super::deliver::deliver;
+use super::{By, Columns, Format, StateName};
 use crate::console;
-use crate::interrupt::{Files, point};
+use crate::interrupt::point;
 use crate::reporter::{Abort, Ended, Reporter};
 use crate::shared::inputs::find_all;
 use crate::shared::output_file::refuse_source;
@@ -17,9 +18,9 @@ use lipz_diagnostics::{Report, Severity};
 use lipz_file::Document;
 use lipz_file::locale::{TextName, text_name};
 use lipz_sync::Recordings;
-use lipz_texts::{Collect, Exchange, Unit, WriteOptions, Written, WrittenFile, write};
+use lipz_texts::{Collect, Exchange, Progress, Unit, WriteOptions, Written, write};
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Write the texts of clips and their translations into a file for translators.
 ///
@@ -29,14 +30,14 @@ use std::path::{Path, PathBuf};
 pub(super) struct Export {
     /// The format to write
     #[arg(value_enum, value_name = "FORMAT")]
-    text_format: Format,
+    pub(super) text_format: Format,
 
     #[command(flatten)]
     sources: Sources,
 
     /// The file to write, or the folder for a file of each locale; `-` is standard output
     #[arg(short, long, value_name = "FILE|FOLDER")]
-    output: PathBuf,
+    pub(super) output: PathBuf,
 
     /// The locale of the translations, also one that no clip has yet; may be given several times [default: all that the
     /// files have]
@@ -46,6 +47,10 @@ pub(super) struct Export {
     /// The locale that is translated [default: `default-locale` of lipz.toml]
     #[arg(long, value_name = "LOCALE", value_parser = parse_locale)]
     from: Option<String>,
+
+    /// Only clips with a segment in one of these states, separated by `,`
+    #[arg(long, value_enum, value_name = "STATES", value_delimiter = ',')]
+    state: Vec<StateName>,
 
     /// What an entry is about
     #[arg(long, value_enum, default_value_t = By::Clip)]
@@ -61,13 +66,51 @@ pub(super) struct Export {
 
     /// Replace files that exist
     #[arg(long)]
-    force: bool,
+    pub(super) force: bool,
 }
 
 impl Export {
     /// Whether the file goes to standard output.
     pub(super) fn is_printed(&self) -> bool {
         stdio::is_meant(&self.output)
+    }
+
+    /// The states that clips are chosen by.
+    fn states(&self) -> impl Iterator<Item = Progress> {
+        self.state.iter().map(|state| Progress::from(*state))
+    }
+
+    /// Leaves out the clips of which no locale is in one of the states.
+    fn keep_states(&self, exchange: &mut Exchange) {
+        let locales = exchange.locales.len();
+        let is_meant =
+            |unit: &Unit| (0..locales).any(|locale| self.states().any(|progress| unit.has(locale, progress)));
+        exchange.units.retain(|unit| self.state.is_empty() || is_meant(unit));
+    }
+
+    /// The files of the exchange.
+    fn write(&self, exchange: &Exchange) -> Written {
+        let format = lipz_texts::Format::from(self.text_format);
+        let options = WriteOptions::new().division(self.by.into()).shape(self.shape.into()).raw_cells(self.raw_cells);
+        if self.state.is_empty() || !format.is_of_one_locale(&options) {
+            return write(format, exchange, &options);
+        }
+        // Each locale has its own clips.
+        let mut all = Written::default();
+        for (at, locale) in exchange.locales.iter().enumerate() {
+            let own = |unit: &Unit| Unit {
+                translations: unit.translations.get(at).cloned().into_iter().collect(),
+                ..unit.clone()
+            };
+            let units = exchange.units.iter().map(own).collect();
+            let mut one =
+                Exchange { source_locale: exchange.source_locale.clone(), locales: vec![locale.clone()], units };
+            self.keep_states(&mut one);
+            let written = write(format, &one, &options);
+            all.files.extend(written.files.into_iter().filter(|_| !one.units.is_empty()));
+            all.diagnostics.extend(written.diagnostics);
+        }
+        all
     }
 }
 
@@ -86,7 +129,10 @@ pub(super) fn run(arguments: &Export, reporter: &mut Reporter) -> Ended {
     let options = &project.settings.options;
     let (inputs, mut reports) = find_all(&project.settings, reporter)?;
     let source_locale = source_locale(arguments.from.as_ref(), options, reporter)?;
+    let is_template = arguments.text_format == Format::Pot;
     let locales = match arguments.locale.is_empty() {
+        // The translations of no locale.
+        _ if is_template => vec![String::new()],
         true => locales_of(&inputs, options, &source_locale),
         false => unique(&arguments.locale, &source_locale),
     };
@@ -103,10 +149,13 @@ pub(super) fn run(arguments: &Export, reporter: &mut Reporter) -> Ended {
     };
     let units = units(arguments, &project.settings, &inputs, (&source_locale, &locales), &record, &mut reports);
     let left_out = inputs.len() - units.len();
-    let exchange = Exchange { source_locale, locales, units };
-    let write_options =
-        WriteOptions::new().division(arguments.by.into()).shape(arguments.shape.into()).raw_cells(arguments.raw_cells);
-    let written = write(arguments.text_format.into(), &exchange, &write_options);
+    let mut exchange = Exchange { source_locale, locales, units };
+    arguments.keep_states(&mut exchange);
+    if exchange.units.is_empty() && left_out < inputs.len() {
+        let message = format!("no text is {}", arguments.states().map(Progress::name).collect::<Vec<_>>().join(" or "));
+        return Err(reporter.usage(message, "`lipz coverage` shows how far the translations are"));
+    }
+    let written = arguments.write(&exchange);
     let name = console::path(&arguments.output);
     let mut diagnostics = written.diagnostics.clone();
     options.levels.apply(&mut diagnostics);
@@ -117,6 +166,7 @@ pub(super) fn run(arguments: &Export, reporter: &mut Reporter) -> Ended {
     let count = if is_whole { deliver(arguments, &written, &mut reports, reporter)? } else { 0 };
     let clips = console::counted(exchange.units.len(), "clip");
     let locales = match exchange.locales.as_slice() {
+        _ if is_template => "any locale".to_owned(),
         few if few.len() <= LOCALES_SHOWN => few.join(", "),
         many => console::counted(many.len(), "locale"),
     };
@@ -222,54 +272,4 @@ fn units(
     }
     units.sort_by(|a, b| a.key.cmp(&b.key));
     units
-}
-
-/// Writes the files; how many there are.
-fn deliver(
-    arguments: &Export,
-    written: &Written,
-    reports: &mut Vec<Report>,
-    reporter: &mut Reporter,
-) -> Result<usize, Abort> {
-    if arguments.is_printed() {
-        let [only] = written.files.as_slice() else {
-            let tip = "name a folder with `--output`, or one locale with `--locale`";
-            return Err(reporter.usage("several files cannot go to standard output", tip));
-        };
-        reporter.print_bytes(&only.bytes)?;
-        return Ok(1);
-    }
-    let format = lipz_texts::Format::from(arguments.text_format);
-    let is_folder = written.files.len() > 1 || arguments.output.is_dir();
-    let path = |file: &WrittenFile| match is_folder {
-        true => formats::path(&arguments.output, file.locale.as_deref().unwrap_or("texts"), format.extension()),
-        false => arguments.output.clone(),
-    };
-    let has_extension = arguments.output.extension().is_some_and(|extension| extension == format.extension());
-    if is_folder && has_extension && !arguments.output.is_dir() {
-        let message = format!("`{}` is one file, and each locale has its own", console::path(&arguments.output));
-        return Err(reporter.usage(message, "name a folder, or one locale with `--locale`"));
-    }
-    if !arguments.force {
-        reports.extend(written.files.iter().filter_map(|file| formats::in_the_way(&path(file))));
-    }
-    if !formats::may_write(reports) {
-        return Ok(0);
-    }
-    let files = Files::new();
-    let mut count = 0;
-    for file in &written.files {
-        match replace(&files, &path(file), file) {
-            Ok(()) => count += 1,
-            Err(report) => reports.push(report),
-        }
-    }
-    let unwritten = files.finish();
-    count -= unwritten.len();
-    reports.extend(unwritten);
-    Ok(count)
-}
-
-fn replace(files: &Files, path: &Path, file: &WrittenFile) -> Result<(), Report> {
-    files.replace(path, &file.bytes)
 }

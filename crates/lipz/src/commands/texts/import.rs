@@ -1,22 +1,22 @@
 //! `lipz texts import`: translations into clips.
 
+use super::Format as TextFormat;
 use super::export::{locales_of, source_locale};
+use super::incoming::Incoming;
 use crate::console;
 use crate::interrupt::{Files, point};
-use crate::reporter::{Abort, Ended, Reporter};
+use crate::reporter::{Ended, Reporter};
 use crate::shared::inputs::find_all;
 use crate::shared::lint_flags::LintFlags;
 use crate::shared::project_flags::parse_locale;
 use crate::shared::settings_file::SettingsFile;
 use crate::shared::text_record::RecordFile;
-use crate::shared::{formats, patterns};
 use clap::{Args, ValueEnum};
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiler, Content, Input};
-use lipz_diagnostics::{Code, Diagnostic, Report, Source, reports as all_reports};
-use lipz_texts::{Confirmed, Counts, Entry, Merge, Merged, ReadOptions, read, unknown_keys};
+use lipz_diagnostics::{Code, Diagnostic, Report, reports as all_reports};
+use lipz_texts::{Confirmed, Counts, Entry, Merge, Merged, ReadOptions, unknown_keys};
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
 use std::path::PathBuf;
 
 /// Read translations into the clips that they belong to.
@@ -25,9 +25,13 @@ use std::path::PathBuf;
 /// fit is reported with its line and column, and the clip keeps its text in that locale; all others are imported.
 #[derive(Args, Debug)]
 pub(super) struct Import {
-    /// Files of translations, as `lipz texts export` writes them: .po, .xlf, .csv, .tsv, .xlsx, .json
+    /// Files of translations, as `lipz texts export` writes them: .po, .xlf, .csv, .tsv, .xlsx, .json; `-` is standard input
     #[arg(value_name = "FILES", required = true)]
     files: Vec<PathBuf>,
+
+    /// The format of standard input, and of files whose extension names none
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    text_format: Option<TextFormat>,
 
     /// The clips: folders, files or patterns [default: the sources of lipz.toml]
     #[arg(short, long, value_name = "SOURCES")]
@@ -92,16 +96,6 @@ impl From<MinState> for lipz_texts::State {
     }
 }
 
-/// What was read of the files of translations.
-#[derive(Default)]
-struct Incoming {
-    /// Names and texts of the files.
-    sources: Vec<Source>,
-    entries: Vec<Entry>,
-    /// What was found, with the number of the file.
-    found: Vec<(usize, Diagnostic)>,
-}
-
 pub(super) fn run(arguments: &Import, reporter: &mut Reporter) -> Ended {
     let mut project = arguments.file.project(&arguments.output, reporter)?;
     let settings = &mut project.settings;
@@ -115,7 +109,8 @@ pub(super) fn run(arguments: &Import, reporter: &mut Reporter) -> Ended {
     let source_locale = source_locale(arguments.from.as_ref(), options, reporter)?;
     let known = locales_of(&inputs, options, &source_locale);
     let read_options = ReadOptions::new(source_locale.as_str()).wanted(arguments.locale.iter().cloned()).known(known);
-    let mut incoming = arguments.read(&read_options, reporter, &mut reports)?;
+    let mut incoming =
+        Incoming::read(&arguments.files, arguments.text_format.map(Into::into), &read_options, reporter, &mut reports)?;
     let keys: BTreeSet<&str> = inputs.iter().map(|input| input.key.as_str()).collect();
     incoming.found.extend(unknown_keys(&incoming.entries, &keys));
     incoming.found.retain_mut(|(_, diagnostic)| {
@@ -140,41 +135,6 @@ pub(super) fn run(arguments: &Import, reporter: &mut Reporter) -> Ended {
 }
 
 impl Import {
-    /// Reads all files.
-    fn read(
-        &self,
-        options: &ReadOptions,
-        reporter: &mut Reporter,
-        reports: &mut Vec<Report>,
-    ) -> Result<Incoming, Abort> {
-        let mut all = Incoming::default();
-        for path in patterns::files(&self.files) {
-            let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
-            let Some(format) = lipz_texts::Format::of_extension(extension) else {
-                let message = format!("the extension of `{}` names no format", console::path(&path));
-                return Err(
-                    reporter.usage(message, "files of translations end in .po, .xlf, .csv, .tsv, .xlsx or .json")
-                );
-            };
-            let bytes = match fs::read(&path) {
-                Ok(bytes) => bytes,
-                Err(error) => {
-                    reports.push(formats::unreadable(&path, &error));
-                    continue;
-                }
-            };
-            let number = all.sources.len();
-            let incoming = read(format, &bytes, options);
-            all.entries.extend(incoming.entries.into_iter().map(|mut entry| {
-                entry.file = number;
-                entry
-            }));
-            all.found.extend(incoming.diagnostics.into_iter().map(|diagnostic| (number, diagnostic)));
-            all.sources.push(Source::new(console::path(&path), incoming.text));
-        }
-        Ok(all)
-    }
-
     /// Brings the translations into the clips.
     fn merge(
         &self,
@@ -269,26 +229,6 @@ fn unmarked(count: usize, is_check: bool) -> Diagnostic {
     Diagnostic::new(Code::TextReplaced, format!("{texts} of the project {what} replaced"))
         .note("the file does not say what they were when it was exported: if the project has changed since, that is undone")
         .help("compare them with version control, or keep the marks in the file: the column `lock de-de`")
-}
-
-impl Incoming {
-    /// What was found, by files.
-    fn reports(self) -> Vec<Report> {
-        let mut by_file: Vec<Vec<Diagnostic>> = vec![Vec::new(); self.sources.len()];
-        for (file, diagnostic) in self.found {
-            if let Some(found) = by_file.get_mut(file) {
-                found.push(diagnostic);
-            }
-        }
-        let reports = self.sources.into_iter().zip(by_file).filter(|(_, found)| !found.is_empty());
-        reports
-            .map(|(source, mut found)| {
-                found.sort_by_key(Diagnostic::start);
-                lipz_diagnostics::bound::limit(&mut found);
-                Report::new(source, found)
-            })
-            .collect()
-    }
 }
 
 fn summary(counts: Counts, is_check: bool) -> String {

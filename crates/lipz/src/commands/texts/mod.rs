@@ -1,7 +1,9 @@
 //! `lipz texts`: texts of clips to translators and back.
 
+mod deliver;
 mod export;
 mod import;
+mod incoming;
 
 pub(super) use export::source_locale;
 
@@ -9,7 +11,7 @@ use crate::Ended;
 use crate::commands::Run;
 use crate::reporter::Reporter;
 use clap::{Args, Subcommand, ValueEnum};
-use lipz_texts::{Division, Shape};
+use lipz_texts::{Division, Progress, Shape};
 
 /// Write the texts of clips for translators, and read their translations: PO (gettext), XLIFF, CSV, XLSX, JSON.
 ///
@@ -18,10 +20,12 @@ use lipz_texts::{Division, Shape};
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz texts export po voices --locale de-de -o de-de.po
+  lipz texts export po voices --locale de-de --state missing,stale -o to-do.po
   lipz texts export xliff voices --locale de-de -o de-de.xlf
   lipz texts export xlsx voices --locale de-de --locale fr-fr -o texts.xlsx
   lipz texts import de-de.po -o voices
-  lipz texts import texts.xlsx -o voices --locale fr-fr --check")]
+  lipz texts import texts.xlsx -o voices --locale fr-fr --check
+  msgmerge old.po texts.pot | lipz texts import - --text-format po --locale de-de")]
 pub(crate) struct Texts {
     #[command(subcommand)]
     direction: Direction,
@@ -38,6 +42,8 @@ enum Direction {
 enum Format {
     /// gettext, for Poedit, Weblate and others: a file for each locale
     Po,
+    /// A gettext template: the same without translations, for tools that make a PO file of it for each locale
+    Pot,
     /// XLIFF 2.1: a unit for each clip with its segments, placeholders and states; a file for each locale
     Xliff,
     /// XLIFF 1.2, for tools that know no other
@@ -54,12 +60,49 @@ enum Format {
 impl From<Format> for lipz_texts::Format {
     fn from(format: Format) -> lipz_texts::Format {
         match format {
-            Format::Po => lipz_texts::Format::Po,
+            Format::Po | Format::Pot => lipz_texts::Format::Po,
             Format::Xliff => lipz_texts::Format::Xliff,
             Format::Xliff12 => lipz_texts::Format::Xliff12,
             Format::Csv => lipz_texts::Format::Csv,
             Format::Xlsx => lipz_texts::Format::Xlsx,
             Format::Json => lipz_texts::Format::Json,
+        }
+    }
+}
+
+impl Format {
+    /// The extension of its files.
+    fn extension(self) -> &'static str {
+        match self {
+            Format::Pot => "pot",
+            format => lipz_texts::Format::from(format).extension(),
+        }
+    }
+}
+
+/// How far a translation is, for the command line.
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+enum StateName {
+    /// A segment has no text
+    Missing,
+    /// It is older than its source
+    Stale,
+    /// It is translated
+    Translated,
+    /// Somebody else has read it
+    Reviewed,
+    /// It is done
+    Final,
+}
+
+impl From<StateName> for Progress {
+    fn from(name: StateName) -> Progress {
+        match name {
+            StateName::Missing => Progress::Missing,
+            StateName::Stale => Progress::Stale,
+            StateName::Translated => Progress::Translated,
+            StateName::Reviewed => Progress::Reviewed,
+            StateName::Final => Progress::Final,
         }
     }
 }

@@ -1,0 +1,54 @@
+//! The work of a project's Lipz files: what is missing in each locale, and what is stale.
+
+use crate::console;
+use crate::interrupt::point;
+use crate::reporter::{Abort, Reporter};
+use crate::shared::inputs::find;
+use crate::shared::settings_file::Project;
+use crate::shared::text_record::RecordFile;
+use lipz_compiler::Compiler;
+use lipz_file::locale::canonical_tag;
+use lipz_texts::{Texts, Work, texts_of};
+use std::collections::BTreeSet;
+
+/// The work in all locales that the files have, and in those that are `wanted`. None without a default locale, from which
+/// texts are translated.
+pub(super) fn of_project(
+    project: &Project,
+    wanted: &[String],
+    quiet: bool,
+    reporter: &mut Reporter,
+) -> Result<Option<Work>, Abort> {
+    let options = &project.settings.options;
+    let Some(source_locale) = options.default_locale.as_deref().and_then(|locale| canonical_tag(locale, true)) else {
+        return Ok(None);
+    };
+    // What is wrong with the files is reported when they are packed.
+    let (inputs, _) = find(&project.settings);
+    let (file, odd_lines) = RecordFile::open(project, &inputs).map_err(|report| reporter.fail(report))?;
+    reporter.add(Vec::from_iter(odd_lines));
+    let bar = console::progress_bar(inputs.len(), quiet);
+    let compiler = Compiler::new(options.clone()).progress(|files| {
+        bar.inc(files);
+        point();
+    });
+    let texts = compiler.each_file(&inputs, |_, bytes| {
+        let document = lipz_file::parse(bytes).document.unwrap_or_default();
+        texts_of(&document, options.default_locale.as_deref())
+    });
+    bar.finish_and_clear();
+    let mut clips: Vec<(&str, String, Texts)> = inputs
+        .iter()
+        .zip(texts)
+        .filter_map(|(input, texts)| Some((input.key.as_str(), file.name(input), texts.ok()?)))
+        .collect();
+    clips.sort_by(|a, b| a.0.cmp(b.0));
+    let packed = |locale: &&String| options.locales.as_ref().is_none_or(|packed| packed.contains(*locale));
+    let locales: BTreeSet<&String> = clips.iter().flat_map(|(_, _, texts)| texts.keys()).filter(packed).collect();
+    let locales: BTreeSet<String> = locales.into_iter().chain(wanted).cloned().collect();
+    let mut work = Work::new(source_locale.as_str(), locales.into_iter().filter(|locale| *locale != source_locale));
+    for (key, name, texts) in &clips {
+        work.add(key, name, texts, Some(&file.record));
+    }
+    Ok(Some(work))
+}
