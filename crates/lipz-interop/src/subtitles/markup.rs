@@ -37,11 +37,15 @@ enum Tag {
     Text,
     Lost,
     Nothing,
+    /// Characters that do without it.
+    Written(&'static str),
     Speaker(String),
 }
 
-/// A text of WebVTT: `<v Mara>` becomes `{speaker: Mara}`.
+/// A text of WebVTT: `<v Mara>` becomes `{speaker: Mara}`, and ruby text stands in parentheses, as in browsers that do not
+/// know it.
 pub(super) fn from_vtt(text: &str) -> Plain {
+    let mut is_ruby_text = false;
     let tag = |tag: &str| {
         let (name, annotation) = tag.split_once(char::is_whitespace).unwrap_or((tag, ""));
         match name.split('.').next() {
@@ -49,6 +53,9 @@ pub(super) fn from_vtt(text: &str) -> Plain {
             // Nothing shows where a voice ends, and where a word is spoken.
             Some("/v") => Tag::Nothing,
             Some(time) if time.starts_with(|first: char| first.is_ascii_digit()) => Tag::Nothing,
+            Some("rt") => Tag::Written(if std::mem::replace(&mut is_ruby_text, true) { ")(" } else { "(" }),
+            // The end of ruby may also be that of its text.
+            Some("/rt" | "/ruby") if std::mem::take(&mut is_ruby_text) => Tag::Written(")"),
             _ => Tag::Lost,
         }
     };
@@ -64,7 +71,7 @@ pub(super) fn from_srt(text: &str) -> Plain {
     without_tags(text, tag, str::to_owned)
 }
 
-fn without_tags(text: &str, tag: impl Fn(&str) -> Tag, plain: impl Fn(&str) -> String) -> Plain {
+fn without_tags(text: &str, mut tag: impl FnMut(&str) -> Tag, plain: impl Fn(&str) -> String) -> Plain {
     let mut result = Plain { text: String::new(), lost_tag: None };
     let mut rest = text;
     while let Some((before, tagged)) = rest.split_once('<') {
@@ -81,6 +88,7 @@ fn without_tags(text: &str, tag: impl Fn(&str) -> Tag, plain: impl Fn(&str) -> S
                 result.lost_tag.get_or_insert(place);
             }
             Tag::Nothing => {}
+            Tag::Written(characters) => result.text += characters,
             Tag::Speaker(name) => result.text += &speaker(&name, result.text.is_empty()),
             Tag::Text => {
                 result.text.push('<');
@@ -213,6 +221,7 @@ mod tests {
             ("<v Mara>Hi.\n<v Tom>Ho.", "{speaker: Mara} Hi.\n{speaker: Tom}Ho.", None),
             ("<v>Who?", "Who?", None),
             ("<i>So</i> <00:00:01.500>late", "So late", Some("<i>")),
+            ("<ruby>漢<rt>kan</rt>字<rt>ji</ruby>!", "漢(kan)字(ji)!", Some("<ruby>")),
             ("1 < 2", "1 < 2", None),
             ("&quot;It&#39;s&#x20;me&quot; &unknown; &#0; R&D", "\"It's me\" &unknown; &#0; R&D", None),
         ] {
