@@ -165,3 +165,24 @@ fn clips_of_subtitles_alone_rest() {
     let nothing = clip(&[], "en-us", parse("10").unwrap(), &mut Vec::new());
     assert_eq!((nothing.string("visemes"), nothing.string("text_en-us")), (Some(""), Some("")));
 }
+
+/// Were all segments looked at for each cue, this would take hours.
+#[test]
+fn many_cues_find_their_segments() {
+    let count = 200_000;
+    let file = format!("{{ \"fps\": 24, \"visemes\": \"{}MA\", \"text_de-de\": \"x\" }}", "MA|".repeat(count - 1));
+    let clip = document(&file);
+    let bounds: Vec<u64> = (0..=count as u64).map(|segment| segment * 2 * 1000 / 24).collect();
+    let srt = |start: u64| {
+        let ms =
+            |ms: u64| format!("{:02}:{:02}:{:02},{:03}", ms / 3_600_000, ms / 60_000 % 60, ms / 1000 % 60, ms % 1000);
+        format!("{} --> {}\nx{start}\n\n", ms(bounds[start as usize]), ms(bounds[start as usize + 1]))
+    };
+    let file: String = (0..count as u64).map(srt).collect();
+    let cues = SubtitleFormat::Srt.read(file.as_bytes(), &mut Vec::new());
+    let mut diagnostics = Vec::new();
+    let joined = join(clip, &cues, "en-us", parse("24").unwrap(), &mut diagnostics);
+    let text: Vec<&str> = joined.string("text_en-us").unwrap().split('|').collect();
+    assert_eq!((text.len(), text[0], text[count - 1]), (count, "x0", "x199999"));
+    assert_eq!(diagnostics, []);
+}

@@ -6,6 +6,7 @@ use lipz_diagnostics::{Code, Diagnostic, escape};
 use lipz_file::rate::Rate;
 use lipz_file::text::{DELIMITER, is_white_space, meta, segments, trim};
 use lipz_file::{Document, Element, JsonString, Value};
+use std::collections::HashMap;
 
 /// The meta of a text that says who speaks from there on.
 const SPEAKER: &str = "{speaker:";
@@ -60,13 +61,14 @@ impl Collect {
     /// The unit of a clip; `None` if it has no text to be translated. A translation with another number of segments is
     /// reported and left out.
     pub fn unit(&self, key: &str, clip: &Document<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<Unit> {
-        let source = self.text(clip, &self.source_locale)?;
+        let strings = strings(clip, self.default_locale.as_deref());
+        let source = strings.get(&self.source_locale)?;
         let sources = trimmed(&source.text);
         if sources.iter().all(String::is_empty) {
             return None;
         }
         let translation = |locale: &String| {
-            let texts = self.text(clip, locale).map(|text| (trimmed(&text.text), text.span()));
+            let texts = strings.get(locale).map(|text| (trimmed(&text.text), text.span()));
             let texts = match texts {
                 Some((texts, _)) if texts.len() == sources.len() => texts,
                 Some((texts, span)) => {
@@ -87,15 +89,6 @@ impl Collect {
         };
         let translations = self.locales.iter().map(translation).collect();
         Some(Unit { key: key.to_owned(), segments: self.segments(clip, &sources), translations, ..Unit::default() })
-    }
-
-    fn text<'d>(&self, clip: &'d Document<'_>, locale: &str) -> Option<&'d JsonString<'d>> {
-        let is_it = |name: &str| tag_of(name, self.default_locale.as_deref()).as_deref() == Some(locale);
-        let element = clip.elements.iter().find(|element| is_it(&element.name.text))?;
-        match &element.value {
-            Value::String(string) => Some(string),
-            _ => None,
-        }
     }
 
     fn segments(&self, clip: &Document<'_>, sources: &[String]) -> Vec<Segment> {
@@ -161,12 +154,16 @@ impl Collect {
 /// The texts of a clip by their locales, segment by segment, without white space at their ends. `text` without a locale is in
 /// the default locale.
 pub fn texts_of(clip: &Document<'_>, default_locale: Option<&str>) -> Texts {
-    let text = |element: &Element<'_>| match &element.value {
-        Value::String(string) => Some((tag_of(&element.name.text, default_locale)?, trimmed(&string.text))),
+    strings(clip, default_locale).into_iter().map(|(locale, string)| (locale, trimmed(&string.text))).collect()
+}
+
+/// The texts of a clip by their locales, as they are. Of two in one locale, the first counts.
+pub(crate) fn strings<'d>(clip: &'d Document<'_>, default_locale: Option<&str>) -> HashMap<String, &'d JsonString<'d>> {
+    let string = |element: &'d Element<'_>| match &element.value {
+        Value::String(string) => Some((tag_of(&element.name.text, default_locale)?, string)),
         _ => None,
     };
-    // Of two in one locale, the first counts.
-    clip.elements.iter().rev().filter_map(text).collect()
+    clip.elements.iter().rev().filter_map(string).collect()
 }
 
 /// The segments of a text without white space at their ends.

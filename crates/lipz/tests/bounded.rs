@@ -11,6 +11,9 @@ use lipz_compiler::stats::Stats;
 use lipz_compiler::{Compiler, Documents, Input, Options, SplitBank, coverage};
 use lipz_diagnostics::{Report, Severity, render, reports};
 use lipz_file::format::{Style, format};
+use lipz_interop::DEFAULT_RATE;
+use lipz_interop::subtitles::{SubtitleFormat, SubtitleOptions, cues, join};
+use lipz_texts::{Collect, Exchange, Format, Incoming, Merge, ReadOptions, WriteOptions, texts_of};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -142,6 +145,7 @@ fn commands(file: &str, mut each: impl FnMut(&'static str, &mut dyn FnMut())) {
         drop(document.map(|document| format(&document, Style::default())));
     });
     each("convert", &mut || drop(compiler.convert(file.as_bytes(), VisemeType::ToonBoom)));
+    for_translators(file, &mut each);
     let mut bank = None;
     each("pack", &mut || bank = compiler.compile(&inputs).bank);
     let Some(bytes) = bank else { return };
@@ -160,6 +164,32 @@ fn commands(file: &str, mut each: impl FnMut(&'static str, &mut dyn FnMut())) {
         documents.iter().for_each(|document| drop(lipz_file::write(&document.unwrap().1)));
     });
     each("split", &mut || drop(SplitBank::from_bytes(&bytes)));
+}
+
+/// What `texts` and `subtitles` do with a clip.
+fn for_translators(file: &str, each: &mut dyn FnMut(&'static str, &mut dyn FnMut())) {
+    let Some(document) = lipz_file::parse(file.as_bytes()).document else { return };
+    let locales: Vec<String> = texts_of(&document, None).into_keys().filter(|locale| locale != "aa-aa").collect();
+    let mut exchange = Exchange { source_locale: "aa-aa".into(), locales: locales.clone(), units: Vec::new() };
+    each("texts export", &mut || {
+        let unit = Collect::new("aa-aa", &locales).unit("a", &document, &mut Vec::new());
+        exchange.units = unit.into_iter().collect();
+    });
+    let mut incoming = Incoming::default();
+    each("texts import", &mut || {
+        let table = lipz_texts::write(Format::Csv, &exchange, &WriteOptions::new());
+        incoming = lipz_texts::read(Format::Csv, &table.files[0].bytes, &ReadOptions::new("aa-aa"));
+        let without = lipz_file::parse(br#"{"text_aa-aa":"x"}"#).document.unwrap();
+        let entries: Vec<_> = incoming.entries.iter().collect();
+        drop(Merge::new("aa-aa").merge(r#"{"text_aa-aa":"x"}"#, &without, &entries));
+    });
+    each("subtitles", &mut || {
+        let options = SubtitleOptions { default_rate: lipz_file::rate::parse("24"), ..SubtitleOptions::default() };
+        let cues = cues(&document, "aa-aa", &options, &mut Vec::new()).unwrap_or_default();
+        let file = SubtitleFormat::Srt.write(&cues, &mut Vec::new());
+        let cues = SubtitleFormat::Srt.read(file.as_bytes(), &mut Vec::new());
+        drop(join(document.clone(), &cues, "aa-aa", DEFAULT_RATE, &mut Vec::new()));
+    });
 }
 
 #[test]

@@ -152,10 +152,13 @@ fn in_segments(cues: &[Cue], bounds: &[u64], rate: Rate, diagnostics: &mut Vec<D
             &[first, next] => end.min(next).saturating_sub(start.max(first)),
             _ => 0,
         };
-        let shows = || bounds.windows(2).map(shared).enumerate();
+        // Only the segments from the start of the cue to its end are looked at.
+        let begun = bounds.partition_point(|first| *first <= start).saturating_sub(1);
+        let until = bounds.partition_point(|first| *first < end).max(begun);
+        let spanned = bounds.get(begun..=until).unwrap_or_else(|| bounds.get(begun..).unwrap_or_default());
+        let shows = || (begun..).zip(spanned.windows(2).map(shared));
         // The first of equal ones; of a subtitle that shows in none, the last one that has begun.
-        let last_begun =
-            bounds.iter().rposition(|first| *first <= start).unwrap_or(0).min(texts.len().saturating_sub(1));
+        let last_begun = begun.min(texts.len().saturating_sub(1));
         let longest = shows().max_by_key(|&(at, frames)| (frames, Reverse(at))).filter(|(_, frames)| *frames > 0);
         let (at, longest) = longest.unwrap_or((last_begun, 0));
         if longest == 0 {

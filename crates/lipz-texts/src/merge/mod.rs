@@ -7,11 +7,12 @@ mod splice;
 
 pub use keys::unknown_keys;
 
+use crate::collect::{strings, trimmed};
 use crate::{Entry, State};
 use lipz_diagnostics::{Code, Diagnostic, Levels};
+use lipz_file::Document;
 use lipz_file::format::Style;
 use lipz_file::locale::{TextName, text_name};
-use lipz_file::{Document, Value};
 use std::collections::BTreeMap;
 
 /// How translations come into Lipz files.
@@ -135,7 +136,9 @@ impl<'a> Merge<'a> {
         for entry in entries {
             by_locale.entry(&entry.locale).or_default().push(entry);
         }
-        let sources = self.string(clip, self.source_locale).map(|text| crate::collect::trimmed(&text.text));
+        let strings = strings(clip, self.default_locale);
+        let trimmed = |locale: &str| strings.get(locale).map(|string| trimmed(&string.text));
+        let sources = trimmed(self.source_locale);
         let mut texts = Vec::new();
         for (locale, entries) in by_locale {
             let Some(sources) = &sources else {
@@ -146,7 +149,7 @@ impl<'a> Merge<'a> {
                 continue;
             };
             let mut found = Vec::new();
-            let own = self.string(clip, locale).map(|text| crate::collect::trimmed(&text.text));
+            let own = trimmed(locale);
             let result = one::merge(self, sources, own.as_deref(), &entries, &mut found);
             let is_refused = self.report(found, &mut merged.found);
             if !is_refused {
@@ -167,7 +170,7 @@ impl<'a> Merge<'a> {
             }
         }
         let style = Style { default_locale: self.default_locale, ..Style::default() };
-        merged.text = (!texts.is_empty()).then(|| splice::splice(file, clip, &texts, style, self.default_locale));
+        merged.text = (!texts.is_empty()).then(|| splice::splice(file, clip, &texts, style, &strings));
         merged
     }
 
@@ -181,14 +184,6 @@ impl<'a> Merge<'a> {
             all.extend(one.into_iter().map(|diagnostic| (file, diagnostic)));
         }
         is_refused
-    }
-
-    fn string<'d>(&self, clip: &'d Document<'_>, locale: &str) -> Option<&'d lipz_file::JsonString<'d>> {
-        let is_it = |name: &str| tag_of(name, self.default_locale).as_deref() == Some(locale);
-        match &clip.elements.iter().find(|element| is_it(&element.name.text))?.value {
-            Value::String(string) => Some(string),
-            _ => None,
-        }
     }
 }
 

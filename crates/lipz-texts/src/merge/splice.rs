@@ -1,12 +1,11 @@
 //! Writing segments into a Lipz file: every other character stays.
 
-use super::tag_of;
 use lipz_diagnostics::Span;
 use lipz_file::format::{LineEnding, Style, format, rewrite};
 use lipz_file::text::{DELIMITER, segments, trim};
 use lipz_file::{Document, Element, JsonString, Value, literal, parse};
 use std::borrow::Cow;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// New texts of a clip in a locale.
 pub(super) struct Text {
@@ -18,13 +17,13 @@ pub(super) struct Text {
 }
 
 /// The file with new texts. A file in its canonical layout stays in it; in any other one, all that does not change keeps
-/// its spelling, down to escapes in the same text.
+/// its spelling, down to escapes in the same text. `strings` are the texts of the clip by their locales.
 pub(super) fn splice(
     file: &str,
     clip: &Document<'_>,
     texts: &[Text],
     style: Style<'_>,
-    default: Option<&str>,
+    strings: &HashMap<String, &JsonString<'_>>,
 ) -> String {
     let (mark, text) = match file.strip_prefix('\u{feff}') {
         Some(text) => ("\u{feff}", text),
@@ -35,10 +34,9 @@ pub(super) fn splice(
     let mut changes = Vec::new();
     let mut added = Vec::new();
     for new in texts {
-        let is_it = |element: &&Element<'_>| tag_of(&element.name.text, default).as_deref() == Some(&new.locale);
-        match clip.elements.iter().find(is_it).map(|element| &element.value) {
-            Some(Value::String(string)) => changes.extend(changes_of(string, &new.segments)),
-            _ => added.push(new),
+        match strings.get(&new.locale) {
+            Some(string) => changes.extend(changes_of(string, &new.segments)),
+            None => added.push(new),
         }
     }
     changes.sort_by_key(|(span, _)| *span);
