@@ -172,13 +172,14 @@ fn many_cues_find_their_segments() {
     let count = 200_000;
     let file = format!("{{ \"fps\": 24, \"visemes\": \"{}MA\", \"text_de-de\": \"x\" }}", "MA|".repeat(count - 1));
     let clip = document(&file);
-    let bounds: Vec<u64> = (0..=count as u64).map(|segment| segment * 2 * 1000 / 24).collect();
-    let srt = |start: u64| {
-        let ms =
-            |ms: u64| format!("{:02}:{:02}:{:02},{:03}", ms / 3_600_000, ms / 60_000 % 60, ms / 1000 % 60, ms % 1000);
-        format!("{} --> {}\nx{start}\n\n", ms(bounds[start as usize]), ms(bounds[start as usize + 1]))
+    let srt = |segment: usize| {
+        let at = |segment: usize| {
+            let ms = segment * 2 * 1000 / 24;
+            format!("{:02}:{:02}:{:02},{:03}", ms / 3_600_000, ms / 60_000 % 60, ms / 1000 % 60, ms % 1000)
+        };
+        format!("{} --> {}\nx{segment}\n\n", at(segment), at(segment + 1))
     };
-    let file: String = (0..count as u64).map(srt).collect();
+    let file: String = (0..count).map(srt).collect();
     let cues = SubtitleFormat::Srt.read(file.as_bytes(), &mut Vec::new());
     let mut diagnostics = Vec::new();
     let joined = join(clip, &cues, "en-us", parse("24").unwrap(), &mut diagnostics);
