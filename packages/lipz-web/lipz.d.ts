@@ -62,6 +62,10 @@ export class Bank {
   babble(name: string): Babble | undefined;
   /** The profile of the project, `[babble]` in its settings; that of the Second Life viewer if it has none. */
   readonly defaultBabble: Babble;
+  /** The face profile with this name. */
+  faceProfile(name: string): FaceProfile | undefined;
+  /** The profile of the project, `[face]` in its settings; the usual one if it has none. */
+  readonly defaultFaceProfile: FaceProfile;
 }
 
 export class Clip {
@@ -86,6 +90,11 @@ export class Clip {
   curve(name: string): Curve | undefined;
   /** What the speaker feels at a time: neutral without curves of emotion, and without a frame rate. */
   emotionsAt(time: Time): Emotions;
+  /**
+   * The speaker's face at a time: generated from the time, the profile and the id of the clip, the same on every machine.
+   * Curves of the clip win over what is generated. @throws {LipzError} with a profile of another bank.
+   */
+  faceAt(time: Time, settings?: FaceSettings): Face;
   /** All curves, in the order of their names. */
   readonly curves: Curve[];
   /** The clip with this frame rate, where its file leaves it unspecified. */
@@ -155,6 +164,53 @@ export interface Emotions {
   readonly strongest: Emotion | undefined;
   /** The sum of all values. */
   readonly sum: number;
+}
+
+/** What a face does at a time, besides its mouth and its emotions. Angles are in degrees. */
+export interface Face {
+  /** How far the lids are closed: 0 to 1. */
+  readonly blink: number;
+  /** How far the head is raised; negative if it is lowered. */
+  readonly headPitch: number;
+  /** How far the head is turned to the left of the character. */
+  readonly headYaw: number;
+  /** How far the head is tilted towards the left shoulder. */
+  readonly headRoll: number;
+  /** How far the eyes are raised in the head. */
+  readonly eyePitch: number;
+  /** How far the eyes are turned in the head. */
+  readonly eyeYaw: number;
+  /** How far the brows are raised: 0 to 1. Only curves raise them. */
+  readonly brows: number;
+  /** A shrug of the face, 0 to 1. Only curves make one. */
+  readonly shrug: number;
+  /** How hard somebody breathes: 0 to 10. Only curves say so. */
+  readonly breath: number;
+}
+
+export interface FaceSettings {
+  /** How the face moves; that of the project without it. */
+  profile?: FaceProfile;
+  /** What the speaker looks at; somebody straight ahead without it. */
+  lookAt?: LookAt;
+}
+
+/** A direction in degrees, as seen from the head at rest. */
+export interface LookAt {
+  /** How far up it is. */
+  pitch: number;
+  /** How far to the left of the character it is. */
+  yaw: number;
+  /** Whether it is somebody, over whose face, hands and body the eyes go (without it, it is), or something that they stay on. */
+  isPerson?: boolean;
+}
+
+/** How a face moves by itself. */
+export class FaceProfile {
+  private constructor();
+  readonly name: string;
+  /** The face of somebody who says nothing, at a time since anything. The seed tells them apart from others. */
+  idleAt(time: Time, settings?: { seed?: number | bigint; lookAt?: LookAt }): Face;
 }
 
 export interface Recording {

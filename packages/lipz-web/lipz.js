@@ -3,13 +3,14 @@
 import { Babble } from "./babble.js";
 import { Cursor } from "./cursor.js";
 import { Curve, EMOTIONS, emotionsOf } from "./curve.js";
+import { FaceProfile, faceOf, settingsOf } from "./specials.js";
 import { BANK, FIRST, LipzError, Memory, SECOND } from "./memory.js";
 import { byCodePoints } from "./order.js";
 import * as c from "./structs.js";
 import { at, eventOf, TEN_THOUSAND, VISEME_TYPES } from "./words.js";
 
 export { Babble, UNMEASURED } from "./babble.js";
-export { Cursor, Curve, EMOTIONS, LipzError };
+export { Cursor, Curve, EMOTIONS, FaceProfile, LipzError };
 
 let compiled;
 
@@ -125,6 +126,18 @@ export class Bank {
   /** The profile of the project; that of the Second Life viewer if it has none. */
   get defaultBabble() {
     return new Babble(this.#memory, this.#memory.ask(c.lipz_babble, "lipz_babble_default", this.#bank));
+  }
+
+  /** The face profile with this name. */
+  faceProfile(name) {
+    const memory = this.#memory;
+    const found = memory.ask(c.lipz_face_profile, "lipz_face_profile_by_name", this.#bank, ...memory.text(name));
+    return found && new FaceProfile(memory, found);
+  }
+
+  /** The profile of the project; the usual one if it has none. */
+  get defaultFaceProfile() {
+    return new FaceProfile(this.#memory, this.#memory.ask(c.lipz_face_profile, "lipz_face_profile_default", this.#bank));
   }
 
   #clip(fields) {
@@ -259,6 +272,15 @@ export class Clip {
   /** What the speaker feels at a time. */
   emotionsAt(time) {
     return emotionsOf(this.#askAt(c.lipz_emotions, "lipz_clip_emotions", time));
+  }
+
+  /** The speaker's face at a time. */
+  faceAt(time, settings) {
+    const [unit, ...args] = at(time);
+    const pointers = settingsOf(this.#memory, settings);
+    const face = this.#ask(c.lipz_face, `lipz_clip_face_at_${unit}`, ...pointers, ...args);
+    if (face === undefined) throw new LipzError("the face profile is that of another bank");
+    return faceOf(face);
   }
 
   #curve(fields) {

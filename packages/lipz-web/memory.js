@@ -10,7 +10,8 @@ const SLOT_BYTES = 256;
 export const BANK = 0;
 export const FIRST = 1;
 export const SECOND = 2;
-const ANSWER = 3;
+export const THIRD = 3;
+const ANSWER = 4;
 
 const LIPZ_OK = 0;
 const LIPZ_NONE = 256;

@@ -140,3 +140,19 @@ export const lipz_emotions = struct({ thousandths: array(i32, 12), strongest: u3
 export const lipz_babble = struct({ name: lipz_string, index: u32, bank: u32 });
 
 export const lipz_weights = struct({ ooh: u32, aah: u32 });
+
+export const lipz_face_profile = struct({ name: lipz_string, index: u32, bank: u32 });
+
+export const lipz_look_at = struct({ pitch: i32, yaw: i32, is_person: u32 });
+
+export const lipz_face = struct({
+  blink: i32,
+  head_pitch: i32,
+  head_yaw: i32,
+  head_roll: i32,
+  eye_pitch: i32,
+  eye_yaw: i32,
+  brows: i32,
+  shrug: i32,
+  breath: i32,
+});

@@ -144,4 +144,6 @@ error_kinds! {
     LayerCount = 39, "there is no bank, or there are more than the program has room for";
     /// The voices are not listed in their order, or a dub does not belong to its original.
     Voice = 40, "a voice or a dub is not valid";
+    /// A face profile is cut off, not in the order of the names, or has a number that is out of its range.
+    Face = 41, "a face profile is not valid";
 }

@@ -74,6 +74,7 @@ mod curve;
 mod emotions;
 mod error;
 mod event;
+mod face;
 mod file;
 mod layers;
 mod locale;
@@ -96,6 +97,7 @@ pub use curve::{Curve, CurveCursor, CurveKey, Curves};
 pub use emotions::Emotions;
 pub use error::{Error, ErrorKind};
 pub use event::{Event, EventName, Events};
+pub use face::{Face, FaceProfile, FaceProfiles, LookAt};
 pub use layers::{LayeredClip, LayeredClips, LayeredLocale, LayeredName, Layers, LayersError};
 pub use locale::{Locale, Locales};
 pub use places::Places;
@@ -107,7 +109,7 @@ pub use text_bank::TextBank;
 pub use voice::{Spoken, Voice, VoicedClip, Voices};
 
 pub use lipz_types::{
-    ClipId, Command, CurveValue, Emotion, Fps, Micros, Samples, Seconds, Time, Viseme, VisemeType, Weight,
+    ClipId, Command, CurveValue, Emotion, FaceCurve, Fps, Micros, Samples, Seconds, Time, Viseme, VisemeType, Weight,
 };
 
 /// The example of the README, run as a test.

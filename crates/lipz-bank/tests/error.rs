@@ -64,6 +64,7 @@ fn numbers_are_stable() {
         (38, NotALayer),
         (39, LayerCount),
         (40, Voice),
+        (41, Face),
     ];
     let kinds: Vec<_> = ErrorKind::ALL.iter().map(|&kind| (kind as u8, kind)).collect();
     assert_eq!(table[..], kinds, "the table above has every kind, and numbers that it has stay");

@@ -4,7 +4,7 @@
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
 use lipz_bank::{ClipId, CurveValue, ErrorKind};
-use lipz_layout::{BabbleRecord, EventNameRecord, EventRecord, RecordingRecord, TypedEventRecord};
+use lipz_layout::{BabbleRecord, EventNameRecord, EventRecord, FaceRecord, RecordingRecord, TypedEventRecord};
 use lipz_layout::{ClipRecord, DirectoryEntry, Header, KeyRecord, LocaleRecord, RateRecord, Tag};
 use lipz_layout::{CurveClipRecord, CurveKeyRecord, CurveRecord, LayerRecord, WideCurveKeyRecord};
 use lipz_testkit::golden::{DRAMA, SMALL, section, verified};
@@ -108,6 +108,18 @@ fn records() {
         reserved,
     });
     check_fields("BabbleRecord", &fields, size_of::<BabbleRecord>());
+    let fields = fields!(FaceRecord {
+        blink_interval_ms,
+        blink_length_ms,
+        double_blink_percent,
+        glance_percent,
+        head_motion,
+        head_follows,
+        pose_ms,
+        fixation_ms,
+        name_length_bytes,
+    });
+    check_fields("FaceRecord", &fields, size_of::<FaceRecord>());
     let fields = fields!(RecordingRecord { length_us, content_hash });
     check_fields("RecordingRecord", &fields, size_of::<RecordingRecord>());
     let fields = fields!(CurveClipRecord { slot, curves_first });
@@ -186,6 +198,7 @@ fn values() {
         ("DIRECT_SLOT", u64::from(lipz_layout::DIRECT_SLOT)),
         ("LAYER_BABBLE", u64::from(lipz_layout::LAYER_BABBLE)),
         ("LAYER_DEFAULT_LOCALE", u64::from(lipz_layout::LAYER_DEFAULT_LOCALE)),
+        ("LAYER_FACES", u64::from(lipz_layout::LAYER_FACES)),
         ("PART_CLIP", u64::from(lipz_layout::PART_CLIP)),
         ("PART_TEXTS", u64::from(lipz_layout::PART_TEXTS)),
         ("NO_STAND_IN", u64::from(lipz_layout::NO_STAND_IN)),

@@ -140,6 +140,9 @@
 // Damage: a voice or a dub is not valid.
 #define LIPZ_VOICE 40
 
+// Damage: a face profile is not valid.
+#define LIPZ_FACE 41
+
 
 
 // Version of this header: changes of the first number break programs; so do, while it is 0, those
@@ -482,6 +485,48 @@ typedef struct lipz_emotions {
   // The sum of all values, in thousandths.
   int32_t sum;
 } lipz_emotions;
+
+// A face profile of a bank. Look it up once; queries go by `index` and `bank`.
+typedef struct lipz_face_profile {
+  // Its name: `default` for that of the project.
+  struct lipz_string name;
+  // Its place among the profiles, or `LIPZ_BUILT_IN`.
+  uint32_t index;
+  // Tells the bank that the profile is of apart from others.
+  uint32_t bank;
+} lipz_face_profile;
+
+// What somebody looks at: a direction, as seen from the head at rest.
+typedef struct lipz_look_at {
+  // How far up it is.
+  int32_t pitch;
+  // How far to the left of the character it is.
+  int32_t yaw;
+  // 1 for a person, over whose face, hands and body the eyes go; 0 for something that they stay on.
+  uint32_t is_person;
+} lipz_look_at;
+
+// What a face does at a time, besides its mouth and its emotions. Numbers are in thousandths.
+typedef struct lipz_face {
+  // How far the lids are closed: 0 to 1,000.
+  int32_t blink;
+  // How far the head is raised.
+  int32_t head_pitch;
+  // How far the head is turned.
+  int32_t head_yaw;
+  // How far the head is tilted.
+  int32_t head_roll;
+  // How far the eyes are raised in the head.
+  int32_t eye_pitch;
+  // How far the eyes are turned in the head.
+  int32_t eye_yaw;
+  // How far the brows are raised: 0 to 1,000. Only curves raise them.
+  int32_t brows;
+  // A shrug of the face, 0 to 1,000. Only curves make one.
+  int32_t shrug;
+  // How hard somebody breathes: 0 to 10,000. Only curves say so.
+  int32_t breath;
+} lipz_face;
 
 // The answer was written.
 #define LIPZ_OK 0
@@ -990,6 +1035,85 @@ lipz_status lipz_clip_emotions_at_seconds_f32(const struct lipz_bank *bank,
                                               const struct lipz_clip *clip,
                                               float seconds,
                                               struct lipz_emotions *emotions);
+
+// The face profile with this name.
+lipz_status lipz_face_profile_by_name(const struct lipz_bank *bank,
+                                      const char *name,
+                                      size_t name_length_bytes,
+                                      struct lipz_face_profile *profile);
+
+// The profile of the project, `[face]` in its settings; the usual one if it has none.
+lipz_status lipz_face_profile_default(const struct lipz_bank *bank,
+                                      struct lipz_face_profile *profile);
+
+// The speaker's face `time_us` microseconds after the audio began, generated as `profile` says. Curves of the clip win over
+// what is generated. `profile` may be null for that of the project, `look_at` for somebody straight ahead. `LIPZ_NONE` for a
+// profile of another bank.
+lipz_status lipz_clip_face_at_us(const struct lipz_bank *bank,
+                                 const struct lipz_clip *clip,
+                                 const struct lipz_face_profile *profile,
+                                 const struct lipz_look_at *look_at,
+                                 int64_t time_us,
+                                 struct lipz_face *face);
+
+// The speaker's face after `position` samples at `rate_hz`.
+lipz_status lipz_clip_face_at_samples(const struct lipz_bank *bank,
+                                      const struct lipz_clip *clip,
+                                      const struct lipz_face_profile *profile,
+                                      const struct lipz_look_at *look_at,
+                                      int64_t position,
+                                      uint32_t rate_hz,
+                                      struct lipz_face *face);
+
+// The speaker's face after `seconds`.
+lipz_status lipz_clip_face_at_seconds(const struct lipz_bank *bank,
+                                      const struct lipz_clip *clip,
+                                      const struct lipz_face_profile *profile,
+                                      const struct lipz_look_at *look_at,
+                                      double seconds,
+                                      struct lipz_face *face);
+
+// `lipz_clip_face_at_seconds` for clocks that have no `double`.
+lipz_status lipz_clip_face_at_seconds_f32(const struct lipz_bank *bank,
+                                          const struct lipz_clip *clip,
+                                          const struct lipz_face_profile *profile,
+                                          const struct lipz_look_at *look_at,
+                                          float seconds,
+                                          struct lipz_face *face);
+
+// The face of somebody who says nothing, `time_us` microseconds from anywhere: they blink and look. `seed` tells them apart
+// from others, so that not everybody blinks at once.
+lipz_status lipz_face_idle_at_us(const struct lipz_bank *bank,
+                                 const struct lipz_face_profile *profile,
+                                 const struct lipz_look_at *look_at,
+                                 uint64_t seed,
+                                 int64_t time_us,
+                                 struct lipz_face *face);
+
+// The face of somebody who says nothing, after `position` samples at `rate_hz`.
+lipz_status lipz_face_idle_at_samples(const struct lipz_bank *bank,
+                                      const struct lipz_face_profile *profile,
+                                      const struct lipz_look_at *look_at,
+                                      uint64_t seed,
+                                      int64_t position,
+                                      uint32_t rate_hz,
+                                      struct lipz_face *face);
+
+// The face of somebody who says nothing, after `seconds`.
+lipz_status lipz_face_idle_at_seconds(const struct lipz_bank *bank,
+                                      const struct lipz_face_profile *profile,
+                                      const struct lipz_look_at *look_at,
+                                      uint64_t seed,
+                                      double seconds,
+                                      struct lipz_face *face);
+
+// `lipz_face_idle_at_seconds` for clocks that have no `double`.
+lipz_status lipz_face_idle_at_seconds_f32(const struct lipz_bank *bank,
+                                          const struct lipz_face_profile *profile,
+                                          const struct lipz_look_at *look_at,
+                                          uint64_t seed,
+                                          float seconds,
+                                          struct lipz_face *face);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -32,6 +32,7 @@ mod cursor_time;
 mod curve;
 mod emotion;
 mod event;
+mod face;
 mod locale;
 #[cfg(feature = "panic-handler")]
 mod panic;
@@ -79,6 +80,11 @@ pub use emotion::{
 pub use event::{
     Event, EventName, LIPZ_DOES, LIPZ_FEELS, LIPZ_NO_NAME, LIPZ_POINTS, LIPZ_SEES, LIPZ_STARES, LIPZ_STOPS_POINTING,
     LIPZ_STOPS_STARING, lipz_event_name, lipz_segment_event, lipz_segment_event_string,
+};
+pub use face::{
+    Face, FaceProfile, LookAt, lipz_clip_face_at_samples, lipz_clip_face_at_seconds, lipz_clip_face_at_seconds_f32,
+    lipz_clip_face_at_us, lipz_face_idle_at_samples, lipz_face_idle_at_seconds, lipz_face_idle_at_seconds_f32,
+    lipz_face_idle_at_us, lipz_face_profile_by_name, lipz_face_profile_default,
 };
 pub use locale::{Locale, lipz_locale_at, lipz_locale_by_tag, lipz_locale_default};
 pub use segment::{Segment, Text, lipz_segment_at, lipz_segment_of_frame, lipz_segment_text};

@@ -8,7 +8,7 @@ use std::fs;
 use std::path::Path;
 
 /// The names of the structs in C: those of functions and constants are the same in Rust.
-const NAMES: [(&str, &str); 19] = [
+const NAMES: [(&str, &str); 22] = [
     ("Babble", "lipz_babble"),
     ("Bank", "lipz_bank"),
     ("BankInfo", "lipz_bank_info_t"),
@@ -20,7 +20,10 @@ const NAMES: [(&str, &str); 19] = [
     ("Emotions", "lipz_emotions"),
     ("Event", "lipz_event"),
     ("EventName", "lipz_name"),
+    ("Face", "lipz_face"),
+    ("FaceProfile", "lipz_face_profile"),
     ("Locale", "lipz_locale"),
+    ("LookAt", "lipz_look_at"),
     ("Recording", "lipz_recording"),
     ("Segment", "lipz_segment"),
     ("Status", "lipz_status"),
@@ -31,7 +34,7 @@ const NAMES: [(&str, &str); 19] = [
 ];
 
 /// The files with declarations, in the order of the header.
-const FILES: [&str; 15] = [
+const FILES: [&str; 16] = [
     "version.rs",
     "status.rs",
     "string.rs",
@@ -47,6 +50,7 @@ const FILES: [&str; 15] = [
     "babble.rs",
     "curve.rs",
     "emotion.rs",
+    "face.rs",
 ];
 
 const INTRODUCTION: &str = "/*

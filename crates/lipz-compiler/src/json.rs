@@ -5,11 +5,12 @@
     allow(dead_code, reason = "each feature uses a part of this")
 )]
 
-use crate::Coverage;
-use lipz_bank::{Babble, Fps, Recording, VisemeType};
+use crate::{Coverage, face};
+use lipz_bank::{Babble, FaceProfile, Fps, Recording, VisemeType};
 use lipz_layout::Tag;
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 
 /// Numerator and denominator.
 pub(crate) fn fps<S: Serializer>(fps: &Option<Fps>, serializer: S) -> Result<S::Ok, S::Error> {
@@ -78,6 +79,23 @@ impl<'d> From<Babble<'d>> for Profile<'d> {
             aah_power_transfer: String::from_utf8_lossy(babble.aah_power_transfer()),
             rate: [rate.numerator(), rate.denominator()],
         }
+    }
+}
+
+/// A face profile: its settings under the names and in the units of `lipz.toml`.
+#[derive(serde::Serialize)]
+pub(crate) struct Face<'d> {
+    name: &'d str,
+    settings: BTreeMap<&'static str, f64>,
+}
+
+impl<'d> From<FaceProfile<'d>> for Face<'d> {
+    fn from(profile: FaceProfile<'d>) -> Self {
+        let settings = std::iter::zip(face::SETTINGS, face::numbers(&profile));
+        let shown = |(setting, number): (face::FaceSetting, u16)| {
+            (setting.name, f64::from(setting.shown(number).thousandths()) / 1000.0)
+        };
+        Face { name: profile.name(), settings: settings.map(shown).collect() }
     }
 }
 

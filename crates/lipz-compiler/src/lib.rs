@@ -55,6 +55,7 @@ mod depend;
 pub mod diff;
 mod discover;
 mod dubs;
+pub mod face;
 mod fallback;
 mod fix;
 mod hashed;

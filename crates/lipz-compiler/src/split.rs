@@ -94,7 +94,8 @@ impl<'data> WholeBank<'data> {
             other => Section::table(other, self.section(other)),
         });
         let curves = [Tag::CURVE_CLIPS, Tag::CURVES, Tag::CURVE_KEYS];
-        let optional = [Tag::BABBLE, Tag::RECORDINGS].into_iter().chain(curves).chain([Tag::VOICES, Tag::DUBS]);
+        let optional =
+            [Tag::BABBLE, Tag::FACES, Tag::RECORDINGS].into_iter().chain(curves).chain([Tag::VOICES, Tag::DUBS]);
         let optional = optional.map(|tag| (tag, self.section(tag)));
         let optional = optional.filter(|(_, contents)| !contents.is_empty());
         let sections: Vec<_> =

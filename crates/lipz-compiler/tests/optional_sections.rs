@@ -26,7 +26,7 @@ fn banks() -> (Vec<u8>, Vec<u8>) {
     let curved = ["a", "a_de"].map(|key| Input::from_bytes(key, curved));
     let compile =
         |settings: Settings, inputs: &[Input]| Compiler::new(settings.options).compile(inputs).into_bank().unwrap();
-    let (mut with, report) = Settings::parse(b"[babble.robot]\nrate = 12\n", "", "".as_ref());
+    let (mut with, report) = Settings::parse(b"[babble.robot]\nrate = 12\n[face]\nhead = 1\n", "", "".as_ref());
     assert_eq!(report.diagnostics, []);
     with.options = with.options.recordings([("a", Recording::new(1_500_000, 7))]);
     with.options = with.options.voices(Voices::new("en-us").dub("de-de", "{key}_de"));

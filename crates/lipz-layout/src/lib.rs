@@ -33,12 +33,12 @@ pub use lipz_types::BANK_MAGIC as MAGIC;
 
 pub use checksum::checksum;
 pub use index::{DIRECT_SLOT, bucket_of, slot_of, spread};
-pub use records::{BabbleRecord, ClipRecord, EventNameRecord, EventRecord};
+pub use records::{BabbleRecord, ClipRecord, EventNameRecord, EventRecord, FaceRecord};
 pub use records::{CURVE_WIDE, CurveClipRecord, CurveKeyRecord, CurveRecord, WideCurveKeyRecord};
 pub use records::{DUB_OF, NO_DUB, OTHER_DUB};
 pub use records::{FLAG_VISEMES, LOCALE_DEFAULT, MAX_INTEGER_FPS, NO_NAME, NO_RATE, NO_RECORDING, stored_fps};
 pub use records::{KeyRecord, LocaleRecord, RateRecord, RecordingRecord, TypedEventRecord};
-pub use records::{LAYER_BABBLE, LAYER_DEFAULT_LOCALE, LayerRecord, NO_STAND_IN, PART_CLIP, PART_TEXTS};
+pub use records::{LAYER_BABBLE, LAYER_DEFAULT_LOCALE, LAYER_FACES, LayerRecord, NO_STAND_IN, PART_CLIP, PART_TEXTS};
 pub use records::{
     VERB_DOES, VERB_FEELS, VERB_POINTS, VERB_SEES, VERB_STARES, VERB_STOPS_POINTING, VERB_STOPS_STARING,
 };

@@ -24,6 +24,8 @@ pub const CURVE_WIDE: u32 = 1 << 31;
 pub const LAYER_BABBLE: u32 = 1;
 /// Flag of a layer: its default locale, or its lack of one, counts, and not that below it.
 pub const LAYER_DEFAULT_LOCALE: u32 = 2;
+/// Flag of a layer: its face profiles, or its lack of them, count, and not those below it.
+pub const LAYER_FACES: u32 = 4;
 /// Part of a clip in a layer: everything but its texts.
 pub const PART_CLIP: u8 = 1;
 /// Part of a clip in a layer: its texts.
@@ -193,6 +195,31 @@ pub struct BabbleRecord {
     pub reserved: [u8; 6],
 }
 
+/// One face profile; its name follows it.
+#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
+#[repr(C)]
+pub struct FaceRecord {
+    /// Milliseconds from blink to blink on a calm face, then while each of the twelve attributes of emotion is the strongest;
+    /// 0 for no blinks.
+    pub blink_interval_ms: [U16; 13],
+    /// Length of a blink.
+    pub blink_length_ms: U16,
+    /// How many of 100 blinks are double.
+    pub double_blink_percent: u8,
+    /// Percentage of the time in which the eyes glance at hands and body.
+    pub glance_percent: u8,
+    /// How far the head turns while the mouth moves, in thousandths of a degree.
+    pub head_motion: U16,
+    /// How far the eyes turn before the head follows them, in thousandths of a degree.
+    pub head_follows: U16,
+    /// Milliseconds from one pose of the head to the next.
+    pub pose_ms: U16,
+    /// Milliseconds from one fixation of the eyes to the next.
+    pub fixation_ms: U16,
+    /// Length of the name.
+    pub name_length_bytes: U16,
+}
+
 /// The recording that the mouth shapes of a clip were made for.
 #[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
 #[repr(C)]
@@ -257,7 +284,7 @@ pub struct LayerRecord {
     pub part_count: U32,
     /// Locales of those banks that it removes: their tags are the rest of the section.
     pub removed_locale_count: U32,
-    /// [`LAYER_BABBLE`] and [`LAYER_DEFAULT_LOCALE`].
+    /// [`LAYER_BABBLE`], [`LAYER_DEFAULT_LOCALE`] and [`LAYER_FACES`].
     pub flags: U32,
     /// Zero.
     pub reserved: [u8; 8],
@@ -269,6 +296,7 @@ const _: () = assert!(size_of::<CurveRecord>() == 8);
 const _: () = assert!(size_of::<CurveKeyRecord>() == 4);
 const _: () = assert!(size_of::<WideCurveKeyRecord>() == 8);
 const _: () = assert!(size_of::<BabbleRecord>() == 32);
+const _: () = assert!(size_of::<FaceRecord>() == 40);
 const _: () = assert!(size_of::<RecordingRecord>() == 16);
 const _: () = assert!(size_of::<ClipRecord>() == 16);
 const _: () = assert!(size_of::<KeyRecord>() == 16);

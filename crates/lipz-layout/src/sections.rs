@@ -99,6 +99,8 @@ impl Tag {
     pub const EVENT_STRINGS: Tag = Tag(*b"EVST");
     /// Optional: [`BabbleRecord`](super::BabbleRecord)s in the order of their names (bytewise), each with its strings.
     pub const BABBLE: Tag = Tag(*b"BABL");
+    /// Optional: [`FaceRecord`](super::FaceRecord)s in the order of their names (bytewise), each with its name.
+    pub const FACES: Tag = Tag(*b"FACE");
     /// Optional: [`RecordingRecord`](super::RecordingRecord)s in slot order.
     pub const RECORDINGS: Tag = Tag(*b"RCRD");
     /// Optional: [`CurveClipRecord`](super::CurveClipRecord)s of the clips with curves, in slot order.
@@ -123,8 +125,9 @@ impl Tag {
     pub const LAYER: Tag = Tag(*b"LAYR");
 
     /// The sections that a bank of format 1 may have, with the length of an entry, in file order.
-    pub const OPTIONAL: [(Tag, usize); 10] = [
+    pub const OPTIONAL: [(Tag, usize); 11] = [
         (Tag::BABBLE, 1),
+        (Tag::FACES, 1),
         (Tag::RECORDINGS, size_of::<super::RecordingRecord>()),
         (Tag::CURVE_CLIPS, size_of::<super::CurveClipRecord>()),
         (Tag::CURVES, size_of::<super::CurveRecord>()),

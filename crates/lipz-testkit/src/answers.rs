@@ -4,7 +4,7 @@
 //! they give the same answers as the machine that the dumps were written on.
 
 use core::fmt::{self, Debug, Display, Write};
-use lipz_bank::{Bank, Clip, Fps, Micros, Segment, Spoken, Viseme};
+use lipz_bank::{Bank, Clip, Emotion, FaceProfile, Fps, LookAt, Micros, Segment, Spoken, Viseme};
 
 /// Strings longer than this are shown by their length, their hash and their start.
 const LONGEST_BYTES: usize = 400;
@@ -24,6 +24,16 @@ pub fn write_answers(bank: &Bank<'_>, out: &mut impl Write) -> fmt::Result {
     }
     for voice in bank.voices() {
         writeln!(out, "voice {}{}", voice.tag(), if voice.is_original() { " original" } else { "" })?;
+    }
+    for profile in bank.face_profiles() {
+        write!(out, "face {}, blinks {}", Quoted(profile.name()), profile.blink_interval_ms(None))?;
+        for emotion in Emotion::ALL {
+            write!(out, " {}", profile.blink_interval_ms(Some(emotion)))?;
+        }
+        write!(out, " ms, each {}, {} % double", profile.blink_length_ms(), profile.double_blink_percent())?;
+        let (motion, follows) = (profile.head_motion_thousandths(), profile.head_follows_thousandths());
+        write!(out, ", head {motion} {follows}, pose {} ms", profile.pose_ms())?;
+        writeln!(out, ", glances {} %, fixation {} ms", profile.glance_percent(), profile.fixation_ms())?;
     }
     bank.clips().try_for_each(|clip| write_clip(out, bank, &clip))
 }
@@ -60,7 +70,23 @@ fn write_clip(out: &mut impl Write, bank: &Bank<'_>, clip: &Clip<'_, '_>) -> fmt
         }
         out.write_str("\n")?;
     }
+    // Only where a bank is about faces: every clip has one.
+    for profile in bank.face_profiles() {
+        write_faces(out, clip, &profile)?;
+    }
     clip.segments().try_for_each(|segment| write_segment(out, bank, &segment))
+}
+
+/// The face every 150 ms, for ten seconds: lids; pitch, yaw and roll of the head; pitch and yaw of the eyes; brows, shrug and
+/// breath.
+fn write_faces(out: &mut impl Write, clip: &Clip<'_, '_>, profile: &FaceProfile<'_>) -> fmt::Result {
+    write!(out, "  face {}, each 150 ms", Quoted(profile.name()))?;
+    for step in 0..67 {
+        let face = clip.face_at(Micros(step * 150_000), profile, LookAt::AHEAD);
+        write!(out, ": {} {} {} {}", face.blink, face.head_pitch, face.head_yaw, face.head_roll)?;
+        write!(out, " {} {} {} {} {}", face.eye_pitch, face.eye_yaw, face.brows, face.shrug, face.breath)?;
+    }
+    out.write_str("\n")
 }
 
 fn write_segment(out: &mut impl Write, bank: &Bank<'_>, segment: &Segment<'_, '_>) -> fmt::Result {

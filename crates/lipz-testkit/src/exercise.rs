@@ -67,6 +67,7 @@ pub fn every_query(bank: &Bank<'_>, effort: Effort) {
     }
     said::of_babble(bank, limit);
     let voices = said::of_voices(bank, limit);
+    let has_faces = said::of_faces(bank, limit);
     for name in ["", "amy", "door", "zz"] {
         let found = bank.event_name(name);
         assert_eq!(found.and_then(|name| bank.event_name_at(name.id())), found);
@@ -87,6 +88,9 @@ pub fn every_query(bank: &Bank<'_>, effort: Effort) {
             black_box((bank.clip(clip.id()).is_some(), bank.clip_by_key(clip.key()).is_some()));
             every_clip_query(&clip, &locales, limit, effort);
             said::of_dubs(&clip, &voices);
+            if has_faces || effort == Effort::All {
+                said::of_face(&clip, Micros(41_000));
+            }
         }
     }
     assert!(bank.clip_at(slots).is_none() && bank.clip_at(u32::MAX).is_none());

@@ -10,6 +10,8 @@ use zerocopy::FromBytes;
 pub static CURVES: &[u8] = include_bytes!("../../../fixtures/banks/v1/curves.lipzbank");
 /// Emotions in texts and events, and curves of a face.
 pub static FACES: &[u8] = include_bytes!("../../../fixtures/banks/v1/faces.lipzbank");
+/// Faces that move by themselves, by two profiles.
+pub static SPECIALS: &[u8] = include_bytes!("../../../fixtures/banks/v1/specials.lipzbank");
 pub static DRAMA: &[u8] = include_bytes!("../../../fixtures/banks/v1/drama.lipzbank");
 pub static LONG: &[u8] = include_bytes!("../../../fixtures/banks/v1/long.lipzbank");
 pub static RECORDED: &[u8] = include_bytes!("../../../fixtures/banks/v1/recorded.lipzbank");

@@ -1,8 +1,8 @@
 //! What a bank, damaged or not, says of rates, mouths and events, passed on to the functions that take such values.
 
 use lipz_bank::{
-    Babble, Bank, Clip, ClipId, ConsonantHold, CurveCursor, CurveValue, Emotion, Event, Fps, Lead, Micros, Time,
-    Viseme, VisemeType, Voice, VoiceLevel, Weight,
+    Babble, Bank, Clip, ClipId, ConsonantHold, CurveCursor, CurveValue, Emotion, Event, FaceCurve, FaceProfile, Fps,
+    Lead, LookAt, Micros, Time, Viseme, VisemeType, Voice, VoiceLevel, Weight,
 };
 use std::hint::black_box;
 
@@ -84,6 +84,36 @@ pub(crate) fn of_babble(bank: &Bank<'_>, limit: usize) {
             assert!(weights.ooh.ten_thousandths() < 10_000 && weights.aah.to_f32() < 1.0);
         }
     }
+}
+
+/// The face profiles, and the faces that they make; whether there are any.
+pub(crate) fn of_faces(bank: &Bank<'_>, limit: usize) -> bool {
+    let profiles: Vec<FaceProfile<'_>> = bank.face_profiles().take(limit + 1).collect();
+    assert!(profiles.len() <= limit);
+    black_box(bank.default_face_profile());
+    for profile in &profiles {
+        black_box((bank.face_profile(profile.name()).is_some(), profile.blink_length_ms(), profile.pose_ms()));
+        black_box((profile.double_blink_percent(), profile.glance_percent(), profile.fixation_ms()));
+        black_box((profile.head_motion_thousandths(), profile.head_follows_thousandths()));
+        let blinks = Emotion::ALL.map(|emotion| profile.blink_interval_ms(Some(emotion)));
+        black_box((blinks, profile.blink_interval_ms(None)));
+        for time in [-1, 0, 41_667, i64::MAX] {
+            let far = CurveValue::from_thousandths(i32::MAX);
+            black_box(profile.idle_at(Micros(time), u64::MAX, LookAt::point(far, far)));
+            let face = profile.idle_at(Micros(time), 0, LookAt::AHEAD);
+            assert!((0..=1000).contains(&face.blink.thousandths()));
+        }
+    }
+    !profiles.is_empty()
+}
+
+/// The face at a time.
+pub(crate) fn of_face(clip: &Clip<'_, '_>, time: impl Time) {
+    for (curve, name) in FaceCurve::ALL.iter().map(|curve| (curve, curve.name())) {
+        assert_eq!(FaceCurve::from_name(name), Some(*curve));
+    }
+    let low = CurveValue::from_thousandths(i32::MIN);
+    black_box(clip.face_at(time, &FaceProfile::DEFAULT, LookAt::person(low, low)));
 }
 
 /// What is done by whom to whom.

@@ -29,6 +29,7 @@ pub fn every_query(banks: &[Bank<'_>]) -> bool {
     }
     assert_eq!(layers.layer_count(), banks.len());
     assert!(layers.bank(banks.len()).is_none() && layers.of_babble().is_some());
+    black_box((layers.face_profile("robot"), layers.default_face_profile(), layers.of_faces().is_some()));
     black_box((layers.babble("robot").is_some(), layers.default_babble().name().len()));
     let limit: usize = banks.iter().map(Bank::length_bytes).sum();
     let tags: Vec<&str> = layers.locale_tags().take(limit + 1).collect();

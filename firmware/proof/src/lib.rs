@@ -8,8 +8,9 @@
 
 use core::panic::PanicInfo;
 use lipz_bank::{
-    Babble, Bank, Clip, ClipId, Command, ConsonantHold, Cursor, CurveCursor, CurveValue, Emotion, Error, Event, EventName, Fps,
-    Layers, Lead, Locale, Micros, Places, Samples, Seconds, Segment, Spoken, TextBank, Time, Viseme, VisemeType, VoiceLevel, Weight,
+    Babble, Bank, Clip, ClipId, Command, ConsonantHold, Cursor, CurveCursor, CurveValue, Emotion, Error, Event, EventName,
+    Face, FaceCurve, FaceProfile, Fps, Layers, Lead, Locale, LookAt, Micros, Places, Samples, Seconds, Segment, Spoken, TextBank,
+    Time, Viseme, VisemeType, VoiceLevel, Weight,
 };
 
 /// Takes what was answered, so that no question is left out as useless.
@@ -69,11 +70,15 @@ fn bank_asked(bank: &Bank<'_>, name: &str, number: u32, see: See) {
     for babble in bank.babbles().chain(bank.babble(name)).chain([bank.default_babble()]) {
         babble_asked(&babble, number, see);
     }
+    for profile in bank.face_profiles().chain(bank.face_profile(name)).chain([bank.default_face_profile()]) {
+        profile_asked(&profile, name, number, see);
+    }
     let named = bank.event_name(name).or(bank.event_name_at(number));
     let id = ClipId::from_u64(u64::from(number) ^ ClipId::from_key(name).get());
     let found = [bank.clip(id), bank.clip_by_key(name), bank.clip_at(number)];
     for clip in bank.clips().chain(bank.clips_under(name)).chain(IntoIterator::into_iter(found).flatten()) {
         clip_asked(bank, &clip, number, see);
+        see_face(see, clip.face_at(Micros(i64::from(number)), &bank.default_face_profile(), look(number)));
         play(&clip, named, number, see);
         // A rate of the program's own.
         if let Some(fps) = Fps::new(number, number >> 5) {
@@ -102,7 +107,10 @@ fn layers_asked(banks: [Bank<'_>; 2], name: &str, see: See) {
     for babble in layers.babble(name).iter().chain([&layers.default_babble()]) {
         see_bytes(see, babble.name().as_bytes());
     }
-    see(layers.of_babble().map_or(0, Bank::checksum));
+    for profile in layers.face_profile(name).iter().chain([&layers.default_face_profile()]) {
+        see_bytes(see, profile.name().as_bytes());
+    }
+    see(layers.of_babble().map_or(0, Bank::checksum) ^ layers.of_faces().map_or(0, Bank::checksum));
     let locale = layers.locale(name).or_else(|| layers.locale_in(name, &[]));
     let named = layers.event_name(name);
     let found = [layers.clip(ClipId::from_key(name)), layers.clip_by_key(name)];
@@ -148,6 +156,29 @@ fn babble_asked(babble: &Babble<'_>, number: u32, see: See) {
     for weights in weights {
         see(u64::from(weights.ooh.ten_thousandths()) ^ u64::from(weights.aah.to_f32().to_bits()));
     }
+}
+
+fn profile_asked(profile: &FaceProfile<'_>, name: &str, number: u32, see: See) {
+    see_bytes(see, profile.name().as_bytes());
+    let leads = Emotion::from_name(name);
+    see(u64::from(profile.blink_interval_ms(leads)) ^ u64::from(profile.blink_length_ms()));
+    see(u64::from(profile.double_blink_percent()) ^ u64::from(profile.glance_percent()));
+    see(u64::from(profile.head_motion_thousandths()) ^ u64::from(profile.head_follows_thousandths()));
+    see(u64::from(profile.pose_ms()) ^ u64::from(profile.fixation_ms()));
+    see_bytes(see, FaceCurve::from_name(name).map_or("", FaceCurve::name).as_bytes());
+    see_face(see, profile.idle_at(Micros(i64::from(number)), u64::from(number), look(number)));
+}
+
+/// Somebody, or something, in a direction of which nothing is known.
+fn look(number: u32) -> LookAt {
+    let angle = CurveValue::from_thousandths(number as i32);
+    if number & 1 == 0 { LookAt::person(angle, angle) } else { LookAt::point(angle, angle) }
+}
+
+fn see_face(see: See, face: Face) {
+    let angles = [face.head_pitch, face.head_yaw, face.head_roll, face.eye_pitch, face.eye_yaw];
+    let others = [face.blink, face.brows, face.shrug, face.breath];
+    angles.iter().chain(&others).for_each(|value| see(value.thousandths() as u64));
 }
 
 fn fps_asked(fps: Fps, number: u32, see: See) {

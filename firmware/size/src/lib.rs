@@ -11,7 +11,7 @@ mod controls;
 use core::mem::MaybeUninit;
 use core::panic::PanicInfo;
 use lipz_bank::{
-    Babble, Bank, Clip, ClipId, ConsonantHold, Cursor, CurveCursor, CurveValue, Error, Event, EventName, Lead, Locale, Micros, TextBank, VoiceLevel,
+    Babble, Bank, Clip, ClipId, ConsonantHold, Cursor, CurveCursor, CurveValue, Error, Event, EventName, Face, Lead, Locale, LookAt, Micros, TextBank, VoiceLevel,
 };
 
 /// A bank, as an entry point returns it: in memory of its caller.
@@ -156,6 +156,11 @@ fn size_curves(clip: &Clip<'_, '_>, time_us: i64, each: fn(EventName<'_>, i32)) 
     for curve in clip.curves() {
         each(curve.name(), curve.value_at(Micros(time_us)).map_or(0, CurveValue::thousandths));
     }
+}
+
+#[no_mangle]
+fn size_face(bank: &Bank<'_>, clip: &Clip<'_, '_>, time_us: i64, face: &mut Face) {
+    *face = clip.face_at(Micros(time_us), &bank.default_face_profile(), LookAt::AHEAD);
 }
 
 extern "C" {

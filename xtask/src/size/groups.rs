@@ -26,6 +26,7 @@ const TEXT_BANKS: &[&str] = &["size_open_texts", "size_text_bank_locale"];
 const PLAYBACK: &[&str] = &["size_play", "size_advance", "size_seek", "size_state"];
 const BABBLE: &[&str] = &["size_babble"];
 const CURVES: &[&str] = &["size_curve_cursor", "size_curves"];
+const FACE: &[&str] = &["size_face"];
 const VERIFY: &[&str] = &["size_verify"];
 const VERIFY_TEXTS: &[&str] = &["size_verify_texts"];
 
@@ -54,7 +55,7 @@ pub(super) const PROGRAMS: [Group; 8] = [
 ];
 
 /// Single groups, each with all that it calls: what they share is counted in each.
-pub(super) const SINGLE: [Group; 11] = [
+pub(super) const SINGLE: [Group; 12] = [
     Group { name: "alone: find", parts: &[&["size_clip"]], budget_bytes: None },
     Group { name: "alone: frame by time", parts: &[&["size_viseme_at"]], budget_bytes: None },
     Group { name: "alone: segment by time", parts: &[&["size_segment_at"]], budget_bytes: None },
@@ -64,6 +65,7 @@ pub(super) const SINGLE: [Group; 11] = [
     Group { name: "alone: playback with lead, hold, events and state", parts: &[PLAYBACK], budget_bytes: None },
     Group { name: "alone: babble", parts: &[BABBLE], budget_bytes: None },
     Group { name: "alone: curves, one with a cursor and all", parts: &[CURVES], budget_bytes: None },
+    Group { name: "alone: the face at a time", parts: &[FACE], budget_bytes: None },
     Group { name: "alone: open a text bank", parts: &[&["size_open_texts"]], budget_bytes: None },
     Group { name: "alone: verify", parts: &[VERIFY], budget_bytes: None },
 ];

@@ -3,6 +3,7 @@
 use super::{LayeredClip, Layers};
 use crate::{EventName, Locale, TextBank};
 use core::fmt;
+use lipz_layout::LAYER_DEFAULT_LOCALE;
 
 /// A locale of [`Layers`]: where each layer has its texts.
 ///
@@ -104,7 +105,8 @@ impl<'data, const N: usize> Layers<'data, N> {
 
     /// The tag of the default locale: that of the topmost layer that says which one it is.
     pub fn default_locale(&self) -> Option<&'data str> {
-        let says = self.all().iter().rev().find(|layer| layer.table.has_default_locale()).or(self.all().first())?;
+        let says =
+            self.all().iter().rev().find(|layer| layer.table.has(LAYER_DEFAULT_LOCALE)).or(self.all().first())?;
         says.bank.default_locale().map(|locale| locale.tag())
     }
 

@@ -11,8 +11,9 @@ pub use clips::LayeredClips;
 pub use error::LayersError;
 pub use locale::{LayeredLocale, LayeredName};
 
-use crate::{Babble, Bank, ClipId, Error, ErrorKind};
+use crate::{Babble, Bank, ClipId, Error, ErrorKind, FaceProfile};
 use core::fmt;
+use lipz_layout::{LAYER_BABBLE, LAYER_FACES};
 use table::LayerTable;
 
 /// A bank and the layers over it, the topmost of which answers.
@@ -182,7 +183,27 @@ impl<'data, const N: usize> Layers<'data, N> {
 
     /// The bank whose babble profiles count.
     pub fn of_babble(&self) -> Option<&Bank<'data>> {
-        let says = self.all().iter().rev().find(|layer| layer.table.has_babble()).or(self.all().first())?;
+        self.that_says(LAYER_BABBLE)
+    }
+
+    /// The face profile with this name: of the topmost layer that says something about profiles.
+    pub fn face_profile(&self, name: &str) -> Option<FaceProfile<'data>> {
+        self.of_faces()?.face_profile(name)
+    }
+
+    /// The face profile of the project; [`FaceProfile::DEFAULT`] if it has none.
+    pub fn default_face_profile(&self) -> FaceProfile<'data> {
+        self.of_faces().map_or(FaceProfile::DEFAULT, Bank::default_face_profile)
+    }
+
+    /// The bank whose face profiles count.
+    pub fn of_faces(&self) -> Option<&Bank<'data>> {
+        self.that_says(LAYER_FACES)
+    }
+
+    /// The topmost layer with this flag, or the base.
+    fn that_says(&self, flag: u32) -> Option<&Bank<'data>> {
+        let says = self.all().iter().rev().find(|layer| layer.table.has(flag)).or(self.all().first())?;
         Some(&says.bank)
     }
 }

@@ -1,7 +1,9 @@
 //! What a layer says about the banks below it: the section `LAYR`.
 
 use crate::{Bank, ClipId, Error, ErrorKind};
-use lipz_layout::{LAYER_BABBLE, LAYER_DEFAULT_LOCALE, LayerRecord, NO_STAND_IN, PART_CLIP, PART_TEXTS, Tag, U32, U64};
+use lipz_layout::{
+    LAYER_BABBLE, LAYER_DEFAULT_LOCALE, LAYER_FACES, LayerRecord, NO_STAND_IN, PART_CLIP, PART_TEXTS, Tag, U32, U64,
+};
 use zerocopy::{FromBytes, Immutable, KnownLayout, Unaligned};
 
 /// Both parts of a clip.
@@ -69,7 +71,7 @@ impl<'data> LayerTable<'data> {
             follows && bank.find(ClipId::from_u64(id.get())).is_none()
         };
         !self.bases.is_empty()
-            && self.flags & !(LAYER_BABBLE | LAYER_DEFAULT_LOCALE) == 0
+            && self.flags & !(LAYER_BABBLE | LAYER_DEFAULT_LOCALE | LAYER_FACES) == 0
             && self.removed.iter().all(is_removed)
             && (self.stand_ins.is_empty() || self.stand_ins.len() == locale_count)
             && self.stand_ins.iter().all(is_locale)
@@ -116,14 +118,9 @@ impl<'data> LayerTable<'data> {
         self.stand_ins.get(locale).map(|stand_in| stand_in.get() as usize)
     }
 
-    /// Whether the babble profiles of the layer count.
-    pub(crate) fn has_babble(&self) -> bool {
-        self.flags & LAYER_BABBLE != 0
-    }
-
-    /// Whether the default locale of the layer counts.
-    pub(crate) fn has_default_locale(&self) -> bool {
-        self.flags & LAYER_DEFAULT_LOCALE != 0
+    /// Whether what this flag is about counts as the layer has it: [`LAYER_BABBLE`] and so on.
+    pub(crate) fn has(&self, flag: u32) -> bool {
+        self.flags & flag != 0
     }
 }
 

@@ -9,6 +9,7 @@ mod babble;
 mod clips;
 mod curves;
 mod events;
+mod faces;
 mod recordings;
 mod sections;
 mod strings;
@@ -43,6 +44,7 @@ pub(crate) fn verify<'data>(bank: &mut Bank<'data>, utf8: Utf8<'data>) -> Result
     locales(&bank.file, &bank.texts, keys_end)?;
     events::events(bank)?;
     babble::babble(bank)?;
+    faces::faces(bank)?;
     recordings::recordings(bank)?;
     curves::curves(bank)?;
     voices::voices(bank)?;

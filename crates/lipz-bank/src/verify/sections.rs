@@ -43,6 +43,7 @@ pub(super) fn table_lengths(bank: &Bank<'_>) -> Result<(), Error> {
         |entry: &DirectoryEntry, (_, entry_bytes): (Tag, usize)| usize::from(entry.entry_bytes.get()) == entry_bytes;
     let [
         of_babble,
+        of_faces,
         of_recordings,
         of_curve_clips,
         of_curves,
@@ -53,8 +54,10 @@ pub(super) fn table_lengths(bank: &Bank<'_>) -> Result<(), Error> {
         of_sources,
         _of_layer,
     ] = Tag::OPTIONAL;
-    if let Some(babble) = bank.file.entry(of_babble.0).filter(|babble| !has_shape(babble, of_babble)) {
-        return Err(error_at(bank, ErrorKind::SectionShape, babble));
+    for of_profiles in [of_babble, of_faces] {
+        if let Some(profiles) = bank.file.entry(of_profiles.0).filter(|entry| !has_shape(entry, of_profiles)) {
+            return Err(error_at(bank, ErrorKind::SectionShape, profiles));
+        }
     }
     if let Some(recordings) = bank.file.entry(of_recordings.0) {
         let length = bank.clips.len().checked_mul(of_recordings.1);

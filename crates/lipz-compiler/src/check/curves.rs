@@ -2,7 +2,7 @@
 
 use crate::KnownNames;
 use crate::clip::ClipData;
-use lipz_bank::Emotion;
+use lipz_bank::{Emotion, FaceCurve};
 use lipz_diagnostics::{Code, Diagnostic, escape, suggest};
 use lipz_file::{Raw, curve};
 
@@ -46,12 +46,14 @@ fn unknown(curve: &curve::Curve<'_>, known_names: &KnownNames) -> Option<Diagnos
     let registered = known_names.curves.as_ref();
     let is_known = registered.is_some_and(|names| names.contains(name))
         || Emotion::from_name(name).is_some()
+        || FaceCurve::from_name(name).is_some()
         || curve::is_arkit(name);
     if is_known {
         return None;
     }
     let names = || {
-        registered.into_iter().flatten().map(String::as_str).chain(Emotion::ALL.map(Emotion::name)).chain(curve::ARKIT)
+        let own = registered.into_iter().flatten().map(String::as_str);
+        own.chain(Emotion::ALL.map(Emotion::name)).chain(FaceCurve::ALL.map(FaceCurve::name)).chain(curve::ARKIT)
     };
     let near = suggest::nearest(name, names());
     let is_slip = |near: &str| suggest::distance(name, near).is_some_and(|distance| distance <= SLIPS);
@@ -61,7 +63,7 @@ fn unknown(curve: &curve::Curve<'_>, known_names: &KnownNames) -> Option<Diagnos
         (Some(_), _) => (format!("{} is not a registered curve", escape::quoted(name)), near),
     };
     let diagnostic = Diagnostic::at(Code::UnknownCurve, curve.name.span(), message);
-    Some(diagnostic.note("known are the emotions, the 52 blend shapes of ARKit and the registered curves").help(
+    Some(diagnostic.note("known are the emotions, the curves of docs/FACE.md, the 52 blend shapes of ARKit and the registered curves").help(
         match near {
             Some(near) => format!(
                 "did you mean {}? If it is a curve of your own, register it: `curves` in `[registry]`",

@@ -120,6 +120,9 @@ impl Run {
             if beside.babble.is_empty() {
                 beside.babble = std::mem::take(&mut kept.babble);
             }
+            if beside.faces.is_empty() {
+                beside.faces = std::mem::take(&mut kept.faces);
+            }
         }
         self.phases.localise = start.elapsed();
         let start = Instant::now();

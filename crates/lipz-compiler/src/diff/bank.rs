@@ -2,7 +2,7 @@
 
 use super::{Change, LocalePair};
 use crate::{BankWithTexts, Coverage, coverage};
-use lipz_bank::{Babble, Bank};
+use lipz_bank::{Babble, Bank, FaceProfile};
 use std::collections::{BTreeSet, HashMap};
 
 /// How the fallbacks of a locale that both banks have differ.
@@ -28,6 +28,17 @@ pub struct BabbleChange<'d> {
     pub profile: Change<Option<Babble<'d>>>,
 }
 
+/// How a face profile differs.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+pub struct FaceChange<'d> {
+    /// The name of the profile.
+    pub name: &'d str,
+    /// The profiles; `None` in a bank that has none of this name.
+    #[cfg_attr(feature = "json", serde(flatten, serialize_with = "super::json::face"))]
+    pub profile: Change<Option<FaceProfile<'d>>>,
+}
+
 pub(super) fn fallbacks<'d>(
     old: BankWithTexts<'d, '_>,
     new: BankWithTexts<'d, '_>,
@@ -49,6 +60,15 @@ pub(super) fn babble<'d>(old: &Bank<'d>, new: &Bank<'d>) -> Vec<BabbleChange<'d>
     let change = |name: &'d str| {
         let profile = Change::between(old.babble(name), new.babble(name))?;
         Some(BabbleChange { name, profile })
+    };
+    names.into_iter().filter_map(change).collect()
+}
+
+pub(super) fn faces<'d>(old: &Bank<'d>, new: &Bank<'d>) -> Vec<FaceChange<'d>> {
+    let names: BTreeSet<&'d str> = old.face_profiles().chain(new.face_profiles()).map(|face| face.name()).collect();
+    let change = |name: &'d str| {
+        let profile = Change::between(old.face_profile(name), new.face_profile(name))?;
+        Some(FaceChange { name, profile })
     };
     names.into_iter().filter_map(change).collect()
 }

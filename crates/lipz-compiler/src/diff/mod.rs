@@ -1,7 +1,8 @@
 //! What a program would notice if one bank took the place of another.
 //!
 //! Compared is what the reader answers: frame rates, frames, segments, display texts, events, curves, locales,
-//! babble profiles, voices. How the source files were spelled, and whether a bank keeps them, makes no difference.
+//! babble and face profiles, voices. How the source files were spelled, and whether a bank keeps them, makes no
+//! difference.
 
 mod bank;
 mod clip;
@@ -10,7 +11,7 @@ mod json;
 mod renamed;
 mod voices;
 
-pub use bank::{BabbleChange, FallbackChange};
+pub use bank::{BabbleChange, FaceChange, FallbackChange};
 pub use clip::{ClipChange, CurveChange, EventChange, FramesChange, TextChange};
 pub use renamed::Renamed;
 pub use voices::DubChange;
@@ -61,6 +62,8 @@ pub struct Difference<'d> {
     pub voices: Option<Change<Vec<&'d str>>>,
     /// Lines that are played by other clips in a voice that both banks have.
     pub dubs: Vec<DubChange<'d>>,
+    /// Face profiles that differ, sorted by name.
+    pub faces: Vec<FaceChange<'d>>,
     /// Keys of clips that only the new bank has.
     pub added: Vec<&'d str>,
     /// Keys of clips that only the old bank has.
@@ -78,7 +81,7 @@ impl Difference<'_> {
     pub fn is_empty(&self) -> bool {
         let locales = self.added_locales.len() + self.removed_locales.len() + self.fallbacks.len();
         let clips = self.added.len() + self.removed.len() + self.renamed.len() + self.changed.len();
-        locales + self.babble.len() + self.dubs.len() + clips == 0
+        locales + self.babble.len() + self.faces.len() + self.dubs.len() + clips == 0
             && self.default_locale.is_none()
             && self.voices.is_none()
     }
@@ -120,6 +123,7 @@ where
         babble: bank::babble(old, new),
         voices: Change::between(voices::tags(old), voices::tags(new)),
         dubs: voices::dubs(old, new),
+        faces: bank::faces(old, new),
         ..Difference::default()
     };
     for clip in old.clips() {

@@ -1,7 +1,7 @@
 //! The summary of a bank.
 
 use crate::BankWithTexts;
-use lipz_bank::{Babble, Bank, Clip, Locale, Voice};
+use lipz_bank::{Babble, Bank, Clip, FaceProfile, Locale, Voice};
 use lipz_layout::Tag;
 
 /// What there is in a bank.
@@ -56,6 +56,9 @@ pub struct BankSummary<'d> {
     /// The babble profiles.
     #[cfg_attr(feature = "json", serde(serialize_with = "babbles"))]
     pub babble: Vec<Babble<'d>>,
+    /// The face profiles.
+    #[cfg_attr(feature = "json", serde(serialize_with = "faces"))]
+    pub faces: Vec<FaceProfile<'d>>,
 }
 
 /// What a layer says about the banks below it.
@@ -127,6 +130,7 @@ impl<'d> BankSummary<'d> {
             voices: bank.voices().map(|voice| VoiceSummary::new(bank, voice)).collect(),
             sections: bank.sections().map(|(tag, bytes)| (Tag(tag), bytes.len())).collect(),
             babble: bank.babbles().collect(),
+            faces: bank.face_profiles().collect(),
         }
     }
 }
@@ -172,4 +176,9 @@ impl<'d> VoiceSummary<'d> {
 #[cfg(feature = "json")]
 fn babbles<S: serde::Serializer>(babbles: &[Babble<'_>], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_seq(babbles.iter().map(|babble| crate::json::Profile::from(*babble)))
+}
+
+#[cfg(feature = "json")]
+fn faces<S: serde::Serializer>(faces: &[FaceProfile<'_>], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(faces.iter().map(|profile| crate::json::Face::from(*profile)))
 }

@@ -1,12 +1,12 @@
 //! The layer that makes one whole bank of another.
 
 use super::content::{Draft, Records, Shown, Texts, are_equal};
-use super::merge::babble;
+use super::merge::profiles;
 use crate::lower::Beside;
 use crate::lower::layer::LayerDraft;
 use lipz_bank::{Bank, Clip, Locale};
 use lipz_diagnostics::Report;
-use lipz_layout::{LAYER_BABBLE, LAYER_DEFAULT_LOCALE, NO_STAND_IN, PART_CLIP, PART_TEXTS};
+use lipz_layout::{LAYER_BABBLE, LAYER_DEFAULT_LOCALE, LAYER_FACES, NO_STAND_IN, PART_CLIP, PART_TEXTS, Tag};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap};
 
@@ -56,16 +56,19 @@ pub(super) fn between(old: &Bank<'_>, new: &Bank<'_>, checksums: &[u64]) -> Resu
     if pairs.sources.iter().any(|source| source.is_none_or(|(_, stands_in)| stands_in)) {
         layer.stand_ins = pairs.stand_ins();
     }
-    let has_babble = babble(old) != babble(new);
+    let new_profiles = |tag| Some(profiles(new, tag)).filter(|new| *new != profiles(old, tag));
+    let (babble, faces) = (new_profiles(Tag::BABBLE), new_profiles(Tag::FACES));
     let has_default = default(&pairs.old) != default(&pairs.new);
-    layer.flags = if has_babble { LAYER_BABBLE } else { 0 } | if has_default { LAYER_DEFAULT_LOCALE } else { 0 };
+    let has = [(babble.is_some(), LAYER_BABBLE), (faces.is_some(), LAYER_FACES), (has_default, LAYER_DEFAULT_LOCALE)];
+    layer.flags = has.into_iter().filter(|(has, _)| *has).fold(0, |flags, (_, flag)| flags | flag);
     let is_empty = layer.parts.is_empty() && layer.removed.is_empty() && layer.removed_locales.is_empty();
     if is_empty && layer.stand_ins.is_empty() && layer.flags == 0 {
         return Ok(None);
     }
     let beside = Beside {
         strip: records[1].are_stripped(),
-        babble: if has_babble { babble(new).to_vec() } else { Vec::new() },
+        babble: babble.unwrap_or_default().to_vec(),
+        faces: faces.unwrap_or_default().to_vec(),
         recordings: Cow::Owned(recordings),
         layer: Some(layer),
     };

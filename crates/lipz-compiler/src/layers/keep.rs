@@ -1,11 +1,12 @@
 //! Clips of a stack that stay where its layer does not have them.
 
 use super::content::{Records, Shown, Texts, take_clip, take_texts};
-use super::merge::babble;
+use super::merge::profiles;
 use crate::clip::{Clip, ClipData, Clips};
 use crate::localise::{Choice, Localised};
 use crate::{Input, Options};
 use lipz_bank::{Bank, Locale};
+use lipz_layout::Tag;
 use std::collections::HashSet;
 
 /// The clips that stay, and what they show in the locales that there were.
@@ -14,6 +15,8 @@ pub(crate) struct Kept {
     pub(crate) clips: Clips,
     /// The section of babble profiles.
     pub(crate) babble: Vec<u8>,
+    /// The section of face profiles.
+    pub(crate) faces: Vec<u8>,
     /// Tags of the locales.
     tags: Vec<String>,
     /// For each clip, in the order of the keys, what it shows in each of them.
@@ -38,7 +41,8 @@ impl Kept {
             shown.push(texts.shown);
         }
         let tags = locales.iter().map(|locale| locale.tag().to_owned()).collect();
-        Kept { clips, babble: babble(bank).to_vec(), tags, shown }
+        let [babble, faces] = [Tag::BABBLE, Tag::FACES].map(|tag| profiles(bank, tag).to_vec());
+        Kept { clips, babble, faces, tags, shown }
     }
 
     /// Gives `options` what the clips of `bank` bring with them, where the project does not decide.

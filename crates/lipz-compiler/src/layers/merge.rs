@@ -38,7 +38,8 @@ pub(super) fn merge(layers: &Layers<'_, MAX_LAYERS>) -> Result<Vec<u8>, Report> 
     }
     draft.bank(Beside {
         strip,
-        babble: layers.of_babble().map_or(&[][..], babble).to_vec(),
+        babble: layers.of_babble().map_or(&[][..], |bank| profiles(bank, Tag::BABBLE)).to_vec(),
+        faces: layers.of_faces().map_or(&[][..], |bank| profiles(bank, Tag::FACES)).to_vec(),
         recordings: Cow::Owned(recordings),
         layer: None,
     })
@@ -68,7 +69,7 @@ fn used(layers: &Layers<'_, MAX_LAYERS>, locales: &[Locale<'_>]) -> Vec<bool> {
     is_used
 }
 
-/// The section of babble profiles.
-pub(super) fn babble<'d>(bank: &Bank<'d>) -> &'d [u8] {
-    bank.sections().find(|(tag, _)| *tag == Tag::BABBLE.0).map_or(&[], |(_, bytes)| bytes)
+/// A section of profiles; empty if the bank has none.
+pub(super) fn profiles<'d>(bank: &Bank<'d>, tag: Tag) -> &'d [u8] {
+    bank.sections().find(|(of, _)| *of == tag.0).map_or(&[], |(_, bytes)| bytes)
 }

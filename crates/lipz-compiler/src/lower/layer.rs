@@ -18,7 +18,7 @@ pub(crate) struct LayerDraft {
     pub(crate) parts: Vec<u8>,
     /// Tags of removed locales, ascending.
     pub(crate) removed_locales: Vec<String>,
-    /// `LAYER_BABBLE` and `LAYER_DEFAULT_LOCALE`.
+    /// `LAYER_BABBLE`, `LAYER_DEFAULT_LOCALE` and `LAYER_FACES`.
     pub(crate) flags: u32,
 }
 

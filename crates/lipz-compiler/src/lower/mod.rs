@@ -40,6 +40,8 @@ pub(crate) struct Beside<'o> {
     pub(crate) strip: bool,
     /// The section of babble profiles; empty without any.
     pub(crate) babble: Vec<u8>,
+    /// The section of face profiles; empty without any.
+    pub(crate) faces: Vec<u8>,
     /// Recordings by key.
     pub(crate) recordings: Cow<'o, BTreeMap<String, Recording>>,
     /// What makes the bank a layer.
@@ -52,6 +54,7 @@ impl<'o> Beside<'o> {
         Beside {
             strip: options.strip,
             babble: options.babble.section(),
+            faces: options.faces.section(),
             recordings: Cow::Borrowed(&options.recordings),
             layer: None,
         }
@@ -70,6 +73,7 @@ pub(crate) struct Layout {
     events: Events,
     sources: Sources,
     babble: Vec<u8>,
+    faces: Vec<u8>,
     curves: Curves,
     /// One record per slot; empty if nothing is known of any recording.
     recordings: Vec<RecordingRecord>,
@@ -104,6 +108,7 @@ impl Layout {
             segment_count: numbering.segment_count,
             sources: strings::sources(&sources, slots)?,
             babble: beside.babble,
+            faces: beside.faces,
             curves: curves::curves(clips, slots, &event_names)?,
             recordings: recordings::recordings(clips, slots, &beside.recordings),
             voices: voices::voices(dubs, slots)?,
@@ -138,6 +143,9 @@ impl Layout {
         ];
         if !self.babble.is_empty() {
             sections.push(Section::table(Tag::BABBLE, &self.babble));
+        }
+        if !self.faces.is_empty() {
+            sections.push(Section::table(Tag::FACES, &self.faces));
         }
         if !self.recordings.is_empty() {
             sections.push(Section::table(Tag::RECORDINGS, self.recordings.as_bytes()));

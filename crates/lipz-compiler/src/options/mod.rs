@@ -9,6 +9,7 @@ pub use emotions::{EmotionCurves, Emotions};
 pub use requirements::{KnownNames, MinCoverage, TextLimits};
 
 use crate::babble::BabbleProfiles;
+use crate::face::FaceProfiles;
 use crate::{Voices, WordTimes, pseudo};
 use lipz_bank::{Fps, Recording, VisemeType};
 use lipz_diagnostics::{Code, Levels, Report, escape};
@@ -64,6 +65,8 @@ pub struct Options {
     pub pseudo: bool,
     /// How mouths move that no clip describes.
     pub babble: BabbleProfiles,
+    /// How faces move by themselves.
+    pub faces: FaceProfiles,
     /// How emotions in texts and events become curves.
     pub emotions: Emotions,
     /// What the bank says about the recordings of clips, by key. Keys without a clip are ignored; without any entry

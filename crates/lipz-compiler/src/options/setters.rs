@@ -3,6 +3,7 @@
 use super::requirements::strings;
 use super::{Emotions, KnownNames, MinCoverage, Options, TextLimits};
 use crate::babble::BabbleProfiles;
+use crate::face::FaceProfiles;
 use crate::{Voices, WordTimes};
 use lipz_bank::{Fps, Recording, VisemeType};
 use lipz_diagnostics::Levels;
@@ -109,6 +110,12 @@ impl Options {
     #[must_use]
     pub fn babble(self, babble: BabbleProfiles) -> Options {
         Options { babble, ..self }
+    }
+
+    /// Sets how faces move by themselves.
+    #[must_use]
+    pub fn faces(self, faces: FaceProfiles) -> Options {
+        Options { faces, ..self }
     }
 
     /// Sets how emotions in texts and events become curves.

@@ -10,10 +10,11 @@ use crate::shared::text_banks::{TextBanks, TextFiles};
 use crate::{Outcome, console};
 use clap::Args;
 use lipz_bank::{Bank, Locale};
-use lipz_compiler::BankWithTexts;
 use lipz_compiler::inspect::{BankSummary, ClipDetails, ClipSummary, LayerSummary, timeline};
+use lipz_compiler::{BankWithTexts, face};
 use lipz_diagnostics::{Code, Report, escape, suggest};
 use std::fmt::Write;
+use std::iter::zip;
 use std::path::PathBuf;
 use unicode_width::UnicodeWidthStr;
 
@@ -225,6 +226,12 @@ fn summary(summary: &BankSummary<'_>, path: &str, json: bool, reporter: &mut Rep
         for (name, digits, power) in loops {
             let (digits, power) = (String::from_utf8_lossy(digits), String::from_utf8_lossy(power));
             let _ = writeln!(text, "  {name:<12} {digits}  power {power}");
+        }
+    }
+    for profile in &summary.faces {
+        let _ = writeln!(text, "\n  face {}", escape::text(profile.name()));
+        for (setting, number) in zip(face::SETTINGS, face::numbers(profile)) {
+            let _ = writeln!(text, "  {:<16} {:>8}", setting.name, setting.shown(number).to_string());
         }
     }
     reporter.print(&text)

@@ -117,6 +117,16 @@ pub const TABLES: &[Table] = &[
                 voice; rate is digits per second. A named profile takes what it leaves out from the project's own.",
         content: Content::Map(BABBLE),
     },
+    Table {
+        name: "face",
+        about: "How faces move by themselves (docs/FACE.md): the project's own profile, and others in [face.NAME]. `blink` is \
+                the seconds from blink to blink on a calm face, `blink-anger` and so on while that emotion leads (in \
+                proportion to `blink`, if you leave it out), 0 for never; `blink-length` the seconds that one takes. `double-blinks` is a percentage of the blinks, `glances` \
+                one of the time. `head` is the degrees that it moves while the mouth does, with one `pose` in so many \
+                seconds; `head-follows` the degrees that eyes turn before it turns, too; `fixation` the seconds that eyes stay \
+                on one place. A named profile takes what it leaves out from the project's own.",
+        content: Content::Map(FACE),
+    },
 ];
 
 const EMOTIONS: Map = Map {
@@ -157,6 +167,27 @@ const LINTS: Map = Map {
     default: "each lint's own level",
     examples: &["warnings = \"deny\"", "unknown-emotion = \"allow\"", "segment-count = \"warn\""],
     read: |name, value, to| to.level(name, value),
+};
+
+const FACE: Map = Map {
+    name: "SETTING",
+    flat_name: "",
+    default: "the profile of docs/FACE.md",
+    examples: &[
+        "blink = 4",
+        "blink-anger = 6",
+        "blink-fear = 2",
+        "blink-perplexed = 2",
+        "blink-length = 0.24",
+        "double-blinks = 10",
+        "glances = 20",
+        "head = 3",
+        "head-follows = 20",
+        "pose = 0.4",
+        "fixation = 1",
+        "robot = { blink = 0, glances = 0, head = 0 }",
+    ],
+    read: |name, value, to| to.face(name, value),
 };
 
 const BABBLE: Map = Map {

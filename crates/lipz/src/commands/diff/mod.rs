@@ -18,7 +18,7 @@ use std::path::PathBuf;
 /// Compare banks, or the folders that banks are made of.
 ///
 /// Compares what a program sees: clips, frame rates, frames, segments, display texts, events, locales,
-/// babble profiles. The layout of the files makes no difference. Folders are compiled in memory, with the
+/// babble and face profiles. The layout of the files makes no difference. Folders are compiled in memory, with the
 /// flags of `lipz pack`.
 #[derive(Args, Debug)]
 #[command(override_usage = "lipz diff <OLD> <NEW> [OPTIONS]")]

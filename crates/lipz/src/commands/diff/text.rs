@@ -4,11 +4,13 @@ use super::words::{marked, only_new, only_old};
 use crate::console::{counted, grouped};
 use crate::shared::locales::locale_name;
 use lipz_bank::{Fps, VisemeType};
-use lipz_compiler::diff::{BabbleChange, Change, ClipChange, Difference, DubChange};
+use lipz_compiler::diff::{BabbleChange, Change, ClipChange, Difference, DubChange, FaceChange};
+use lipz_compiler::face;
 use lipz_compiler::inspect::{short_fps, short_recording};
 use lipz_diagnostics::escape;
 use std::collections::BTreeSet;
 use std::fmt::Write;
+use std::iter::zip;
 use unicode_width::UnicodeWidthStr;
 
 /// Clips of one kind that are shown unless all are asked for.
@@ -28,6 +30,7 @@ pub(super) fn text(difference: &Difference<'_>, names: (&str, &str), all: bool) 
     out.push('\n');
     locales(&mut out, difference);
     difference.babble.iter().for_each(|change| babble(&mut out, change));
+    difference.faces.iter().for_each(|change| face(&mut out, change));
     voices(&mut out, difference);
     let list = |out: &mut String, what: &str, lines: &mut dyn ExactSizeIterator<Item = String>| {
         let count = lines.len();
@@ -117,6 +120,25 @@ fn babble(out: &mut String, change: &BabbleChange<'_>) {
         let (old, new) = (String::from_utf8_lossy(old), String::from_utf8_lossy(new));
         if old != new {
             both(out, name, Change { old: Some(&old), new: Some(&new) });
+        }
+    }
+}
+
+/// The settings of a face profile that differ, or that one bank has none of this name.
+fn face(out: &mut String, change: &FaceChange<'_>) {
+    let name = format!("face profile {}", change.name);
+    let Change { old: Some(old), new: Some(new) } = change.profile else {
+        let _ = match change.profile.new {
+            None => writeln!(out, "- {}", only_old(&name)),
+            Some(_) => writeln!(out, "+ {}", only_new(&name)),
+        };
+        return;
+    };
+    let _ = writeln!(out, "~ {}", escape::text(&name));
+    for (setting, (old, new)) in zip(face::SETTINGS, zip(face::numbers(&old), face::numbers(&new))) {
+        if old != new {
+            let shown = |number| setting.shown(number).to_string();
+            let _ = writeln!(out, "    {:<13}{}", setting.name, arrow(Change { old, new }, shown));
         }
     }
 }

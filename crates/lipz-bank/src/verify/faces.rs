@@ -1,0 +1,24 @@
+//! Face profiles, one behind the other in the order of their names.
+
+use super::error_in;
+use crate::{Bank, Error, ErrorKind, FaceProfile};
+
+/// Checks the section, if the bank has it.
+pub(super) fn faces(bank: &Bank<'_>) -> Result<(), Error> {
+    let mut rest = bank.face_profiles().bytes;
+    let mut before: &[u8] = &[];
+    while !rest.is_empty() {
+        match FaceProfile::split_first(rest) {
+            Some((profile, behind)) if profile.name_bytes() > before && is_valid(&profile) => {
+                before = profile.name_bytes();
+                rest = behind;
+            }
+            _ => return Err(error_in(&bank.file, ErrorKind::Face, rest)),
+        }
+    }
+    Ok(())
+}
+
+fn is_valid(profile: &FaceProfile<'_>) -> bool {
+    profile.is_valid() && core::str::from_utf8(profile.name_bytes()).is_ok()
+}

@@ -1,0 +1,106 @@
+//! Faces give the answers of the reader, in every unit of time, with every profile and direction.
+#![allow(unsafe_code, clippy::unwrap_used, clippy::cast_possible_truncation, reason = "tests")]
+
+mod common;
+
+use common::{Answer, CURVES, bank, ptr, text_of};
+use lipz_bank::{CurveValue, Micros, Samples, Seconds};
+use lipz_capi::*;
+
+fn fields(face: lipz_bank::Face) -> [i32; 9] {
+    let angles = [face.head_pitch, face.head_yaw, face.head_roll, face.eye_pitch, face.eye_yaw];
+    let [pitch, yaw, roll, eye_pitch, eye_yaw] = angles.map(CurveValue::thousandths);
+    let [blink, brows, shrug, breath] = [face.blink, face.brows, face.shrug, face.breath].map(CurveValue::thousandths);
+    [blink, pitch, yaw, roll, eye_pitch, eye_yaw, brows, shrug, breath]
+}
+
+fn fields_of_c(face: Face) -> [i32; 9] {
+    let Face { blink, head_pitch, head_yaw, head_roll, eye_pitch, eye_yaw, brows, shrug, breath } = face;
+    [blink, head_pitch, head_yaw, head_roll, eye_pitch, eye_yaw, brows, shrug, breath]
+}
+
+#[test]
+fn faces_give_the_answers_of_the_reader() {
+    let (expected, bank) = bank(CURVES);
+    let bank = Some(&bank);
+    let profile = Answer::<FaceProfile>::from_call(|out| unsafe { lipz_face_profile_default(bank, out) }).ok();
+    assert_eq!((text_of(profile.name), profile.index), ("default", LIPZ_BUILT_IN));
+    let own = expected.default_face_profile();
+    let angle = CurveValue::from_thousandths;
+    let directions = [
+        (None, lipz_bank::LookAt::AHEAD),
+        (
+            Some(LookAt { pitch: -5000, yaw: 40_000, is_person: 1 }),
+            lipz_bank::LookAt::person(angle(-5000), angle(40_000)),
+        ),
+        (Some(LookAt { pitch: 0, yaw: -90_000, is_person: 0 }), lipz_bank::LookAt::point(angle(0), angle(-90_000))),
+    ];
+    for clip in expected.clips() {
+        let asked = Answer::<Clip>::from_call(|out| unsafe { lipz_clip_by_id(bank, clip.id().get(), out) }).ok();
+        let asked = Some(&asked);
+        for (us, (c_look, look)) in (-50_000..9_000_000).step_by(133_333).zip(directions.iter().cycle()) {
+            let (seconds, position, rate_hz) = (us as f64 / 1e6, us * 441 / 10_000, 44_100);
+            let (look, to, with) = (*look, c_look.as_ref(), [None, Some(&profile)][us as usize & 1]);
+            let answers = [
+                (
+                    Answer::<Face>::from_call(|out| unsafe { lipz_clip_face_at_us(bank, asked, with, to, us, out) }),
+                    clip.face_at(Micros(us), &own, look),
+                ),
+                (
+                    Answer::from_call(|out| unsafe {
+                        lipz_clip_face_at_samples(bank, asked, with, to, position, rate_hz, out)
+                    }),
+                    clip.face_at(Samples { position, rate_hz }, &own, look),
+                ),
+                (
+                    Answer::from_call(|out| unsafe { lipz_clip_face_at_seconds(bank, asked, with, to, seconds, out) }),
+                    clip.face_at(Seconds(seconds), &own, look),
+                ),
+                (
+                    Answer::from_call(|out| unsafe {
+                        lipz_clip_face_at_seconds_f32(bank, asked, with, to, seconds as f32, out)
+                    }),
+                    clip.face_at(Seconds(seconds as f32), &own, look),
+                ),
+                (
+                    Answer::from_call(|out| unsafe { lipz_face_idle_at_us(bank, with, to, 7, us, out) }),
+                    own.idle_at(Micros(us), 7, look),
+                ),
+                (
+                    Answer::from_call(|out| unsafe {
+                        lipz_face_idle_at_samples(bank, with, to, 8, position, rate_hz, out)
+                    }),
+                    own.idle_at(Samples { position, rate_hz }, 8, look),
+                ),
+                (
+                    Answer::from_call(|out| unsafe { lipz_face_idle_at_seconds(bank, with, to, 9, seconds, out) }),
+                    own.idle_at(Seconds(seconds), 9, look),
+                ),
+                (
+                    Answer::from_call(|out| unsafe {
+                        lipz_face_idle_at_seconds_f32(bank, with, to, 9, seconds as f32, out)
+                    }),
+                    own.idle_at(Seconds(seconds as f32), 9, look),
+                ),
+            ];
+            for (found, expected) in answers {
+                assert_eq!(fields_of_c(found.ok()), fields(expected), "{us} us");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_there_is_not_is_a_status() {
+    let (_, bank) = bank(CURVES);
+    let bank = Some(&bank);
+    let (name, length) = ptr("robot");
+    let none = Answer::<FaceProfile>::from_call(|out| unsafe { lipz_face_profile_by_name(bank, name, length, out) });
+    assert_eq!(none.status, LIPZ_NONE);
+    let other = FaceProfile { index: 0, ..FaceProfile::default() };
+    let ask = |bank, profile| {
+        Answer::<Face>::from_call(|out| unsafe { lipz_face_idle_at_us(bank, profile, None, 0, 0, out) })
+    };
+    assert_eq!(ask(bank, Some(&other)).status, LIPZ_NONE);
+    assert_eq!(ask(None, None).status, LIPZ_NULL_POINTER);
+}

@@ -1,0 +1,83 @@
+//! `[face]` and the profiles below it.
+
+use super::reading::Reading;
+use super::value::{Value, span};
+use crate::face::{FaceNumbers, FaceSetting, SETTINGS, Unit};
+use lipz_diagnostics::{Code, Diagnostic, escape, suggest::nearest};
+use toml::de::DeValue;
+
+/// Bytes of a name that a record of the bank can count.
+const MAX_NAME_BYTES: usize = u16::MAX as usize;
+
+impl Reading<'_> {
+    /// An entry of `[face]`: a setting of the project's own profile, or a profile with a name.
+    pub(super) fn face(&mut self, name: &str, value: &Value<'_>) {
+        let mut base = self.settings.options.faces.base;
+        let is_setting = self.face_setting(name, value, &mut base);
+        self.settings.options.faces.base = base;
+        if is_setting {
+            return;
+        }
+        let DeValue::Table(entries) = value.node.get_ref() else {
+            return self.unknown_face_setting(name, value);
+        };
+        if name.is_empty() || name.len() > MAX_NAME_BYTES {
+            let message = "a face profile has a name that is empty or too long";
+            let diagnostic = Diagnostic::at(Code::SettingValue, span(&value.key), message);
+            return self
+                .diagnostics
+                .push(diagnostic.help("programs ask for it by its name: write one, as in [face.robot]"));
+        }
+        let mut profile = FaceNumbers::default();
+        for (key, node) in entries {
+            let setting = key.get_ref().as_ref();
+            let value = Value { name: format!("{}.{setting}", value.name), key: key.span(), node };
+            if !self.face_setting(setting, &value, &mut profile) {
+                self.unknown_face_setting(setting, &value);
+            }
+        }
+        self.settings.options.faces.named.insert(name.to_owned(), profile);
+    }
+
+    /// Reads a setting of a profile; `false` if there is none with this name.
+    fn face_setting(&mut self, name: &str, value: &Value<'_>, profile: &mut FaceNumbers) -> bool {
+        let Some(place) = SETTINGS.iter().position(|setting| setting.name == name) else { return false };
+        let Some(text) = value.decimal(&mut self.diagnostics) else { return true };
+        let setting = SETTINGS[place];
+        let per_unit = if setting.unit == Unit::Percent { 1.0 } else { 1000.0 };
+        let number = text.parse::<f64>().ok().map(|number| (number * per_unit).round());
+        // What is out of range stays so: casts saturate, and what is no number is in no range.
+        let number = number.filter(|number| (0.0..=f64::from(u16::MAX)).contains(number)).map(|number| number as u16);
+        match number.filter(|number| setting.allows(*number)) {
+            Some(number) => profile[place] = Some(number),
+            None => self.refuse(value, &out_of_range(&setting), &example(&setting)),
+        }
+        true
+    }
+
+    fn unknown_face_setting(&mut self, name: &str, value: &Value<'_>) {
+        let message = format!("{} is not a setting of a face profile", escape::quoted(name));
+        let help = match nearest(name, SETTINGS.map(|setting| setting.name)) {
+            Some(known) => format!("did you mean `{known}`?"),
+            None => "docs/FACE.md lists them: blink, head and others; a profile with a name is a table, [face.NAME]"
+                .to_owned(),
+        };
+        self.diagnostics.push(Diagnostic::at(Code::UnknownSetting, span(&value.key), message).help(help));
+    }
+}
+
+fn out_of_range(setting: &FaceSetting) -> String {
+    let unit = match setting.unit {
+        Unit::Seconds => "seconds",
+        Unit::Degrees => "degrees",
+        Unit::Percent => "percent",
+    };
+    let (least, most) = (setting.shown(setting.least), setting.shown(setting.most));
+    let none = if setting.may_be_none { ", nor 0 for never" } else { "" };
+    format!("is not {least} to {most} {unit}{none}")
+}
+
+fn example(setting: &FaceSetting) -> String {
+    let usual = crate::face::usual(setting.name);
+    format!("write a number: {} = {usual} is usual", setting.name)
+}

@@ -1,0 +1,87 @@
+//! Names of the curves that move a face besides its mouth and its emotions (`docs/FACE.md`, "Specials").
+
+/// A curve with a name that the reader knows: it moves eyes, head or brows, or says how deep somebody breathes.
+///
+/// ```
+/// use lipz_types::FaceCurve;
+/// assert_eq!(FaceCurve::HeadYaw.name(), "headYaw");
+/// assert_eq!(FaceCurve::from_name("nod"), Some(FaceCurve::Nod));
+/// assert_eq!(FaceCurve::from_name("anger"), None); // an emotion
+/// ```
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+#[repr(u8)]
+pub enum FaceCurve {
+    /// `blink`, instead of the blinks that are generated: 0 for open eyes, 1 for closed ones.
+    Blink,
+    /// `headPitch`, instead of the generated motion, in degrees: up is positive.
+    HeadPitch,
+    /// `headYaw`, in degrees: to the left of the character is positive.
+    HeadYaw,
+    /// `headRoll`, in degrees: towards the left shoulder is positive.
+    HeadRoll,
+    /// `eyePitch`, instead of what the eyes look at, in degrees: up is positive.
+    EyePitch,
+    /// `eyeYaw`, in degrees: to the left of the character is positive.
+    EyeYaw,
+    /// `lids`, beside the blinks: 0 for open eyes, 1 for closed ones.
+    Lids,
+    /// `nod`, beside the motion of the head: from 0, down, to 10, up; 5 is neutral.
+    Nod,
+    /// `shake`, beside the motion of the head: from 0, right, to 10, left; 5 is neutral.
+    Shake,
+    /// `lookPitch`, beside what the eyes look at, in degrees.
+    LookPitch,
+    /// `lookYaw`, beside what the eyes look at, in degrees.
+    LookYaw,
+    /// `brows`: how far they are raised, 0 to 1.
+    Brows,
+    /// `shrug` of the face: 0 to 1.
+    Shrug,
+    /// `breath`: from 0 to 10, gasping.
+    Breath,
+}
+
+impl FaceCurve {
+    /// All of them, in the order of their numbers.
+    pub const ALL: [FaceCurve; 14] = [
+        FaceCurve::Blink,
+        FaceCurve::HeadPitch,
+        FaceCurve::HeadYaw,
+        FaceCurve::HeadRoll,
+        FaceCurve::EyePitch,
+        FaceCurve::EyeYaw,
+        FaceCurve::Lids,
+        FaceCurve::Nod,
+        FaceCurve::Shake,
+        FaceCurve::LookPitch,
+        FaceCurve::LookYaw,
+        FaceCurve::Brows,
+        FaceCurve::Shrug,
+        FaceCurve::Breath,
+    ];
+
+    /// The name.
+    pub const fn name(self) -> &'static str {
+        match self {
+            FaceCurve::Blink => "blink",
+            FaceCurve::HeadPitch => "headPitch",
+            FaceCurve::HeadYaw => "headYaw",
+            FaceCurve::HeadRoll => "headRoll",
+            FaceCurve::EyePitch => "eyePitch",
+            FaceCurve::EyeYaw => "eyeYaw",
+            FaceCurve::Lids => "lids",
+            FaceCurve::Nod => "nod",
+            FaceCurve::Shake => "shake",
+            FaceCurve::LookPitch => "lookPitch",
+            FaceCurve::LookYaw => "lookYaw",
+            FaceCurve::Brows => "brows",
+            FaceCurve::Shrug => "shrug",
+            FaceCurve::Breath => "breath",
+        }
+    }
+
+    /// The curve with this name.
+    pub fn from_name(name: &str) -> Option<FaceCurve> {
+        FaceCurve::ALL.iter().copied().find(|curve| curve.name() == name)
+    }
+}

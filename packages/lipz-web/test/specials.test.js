@@ -1,0 +1,42 @@
+// Faces in node: in every unit of time, with a profile and a direction. That they are those of the reader in Rust is what the
+// cases hold.
+
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { test } from "node:test";
+import { FaceProfile, LipzError, open } from "../lipz.js";
+
+const banks = new URL("./banks/", import.meta.url);
+const bank = (await open(await readFile(new URL("curves.lipzbank", banks)))).verify();
+const [clip] = bank.clips();
+
+test("a face depends on the time, the profile and the direction alone", () => {
+  const profile = bank.defaultFaceProfile;
+  assert.ok(profile instanceof FaceProfile);
+  assert.equal(profile.name, "default");
+  assert.equal(bank.faceProfile("robot"), undefined);
+  for (let step = 0; step < 200; step += 1) {
+    const face = clip.faceAt(step / 20);
+    assert.deepEqual(clip.faceAt({ us: step * 50_000 }, { profile }), face);
+    assert.deepEqual(clip.faceAt({ position: step * 2400, rateHz: 48_000 }), face);
+    assert.ok(face.blink >= 0 && face.blink <= 1);
+  }
+  assert.ok(Array.from({ length: 400 }, (_, step) => clip.faceAt(step / 20)).some(({ blink }) => blink === 1));
+});
+
+test("the head follows the eyes beyond 20 degrees", () => {
+  const profile = bank.defaultFaceProfile;
+  const door = profile.idleAt(1, { lookAt: { pitch: -30, yaw: 50, isPerson: false } });
+  assert.deepEqual([door.eyePitch, door.headPitch, door.eyeYaw, door.headYaw], [-20, -10, 20, 30]);
+  const person = profile.idleAt(1, { lookAt: { pitch: 0, yaw: 50 } });
+  assert.ok(person.headYaw > 10);
+  assert.notDeepEqual(profile.idleAt(1.5, { seed: 1 }), profile.idleAt(1.5, { seed: 2n ** 63n }));
+});
+
+test("a profile of another bank is refused", async () => {
+  const other = await open(await readFile(new URL("specials.lipzbank", banks)));
+  const robot = other.faceProfile("robot");
+  assert.equal(robot.name, "robot");
+  assert.throws(() => clip.faceAt(0, { profile: robot }), LipzError);
+  assert.equal(other.clips()[0].faceAt(3, { profile: robot }).blink, 0);
+});
