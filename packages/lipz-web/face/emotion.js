@@ -5,6 +5,8 @@
 // muscles an emotion moves is that of Ekman and Friesen's Facial Action Coding System (EMFACS); for pain, Prkachin and Solomon.
 // docs/FACE.md has the table with its sources.
 
+import { mixed } from "./colour.js";
+
 /** A weight at 5 and at 10, from 0 to 1. Names without a side are those of both sides. Angles of `head` are degrees. */
 const POSES = {
   sadness: {
@@ -193,11 +195,4 @@ export function moodOf(emotions = {}) {
   const sum = felt.reduce((sum, [emotion]) => sum + value(emotion), 0);
   const colour = mixed(felt.map(([emotion, colour]) => [colour, value(emotion) / sum]));
   return { colour, strength: Math.min(1, sum / MOST) };
-}
-
-/** A colour of several, each with its share. */
-export function mixed(shares) {
-  const channel = (at) => shares.reduce((sum, [colour, share]) => sum + share * parseInt(colour.slice(at, at + 2), 16), 0);
-  const hex = (at) => Math.round(Math.max(0, Math.min(255, channel(at)))).toString(16).padStart(2, "0");
-  return `#${hex(1)}${hex(3)}${hex(5)}`;
 }

@@ -1,4 +1,4 @@
-// The eyes: lids that close, widen and squint, and where the pupils look.
+// The eyes: lids that close, widen and squint, and where the pupils look; and the brows above them.
 
 import { path, px } from "./path.js";
 
@@ -52,5 +52,26 @@ function eye(name, side, sign, pose, weight, id) {
     [`${name}Shade`]: { d: path`M${at(near)} ${lid - 4}L${at(far)} ${lid - 4}L${at(far)} ${lid + 3}Q${at(x)} ${lid + 1} ${at(near)} ${lid + 3}Z` },
     [`${name}Upper`]: { d: upperLid },
     [`${name}Lower`]: { d: path`M${at(far)} ${corner}` + lowerLid },
+  };
+}
+
+export function browParts(weight) {
+  const inner = weight("browInnerUp");
+  const brow = (side, sign) => {
+    const down = weight(`browDown${side}`);
+    const outer = weight(`browOuterUp${side}`);
+    const near = { x: sign * (15.5 - 3.5 * down - 1.5 * inner), y: -25.5 + 10 * down - 10 * inner - 2 * outer };
+    const middle = { x: sign * 30, y: -33.5 + 6 * down - 5.5 * inner - 11 * outer };
+    const far = { x: sign * 45, y: -23.5 + 2.5 * down + 1.5 * inner - 7 * outer };
+    return { d: path`M${near.x} ${near.y}Q${middle.x} ${middle.y} ${far.x} ${far.y}` };
+  };
+  const down = Math.max(0, (weight("browDownLeft") + weight("browDownRight")) / 2);
+  const top = -27 + 5 * down;
+  return {
+    browLeft: brow("Left", 1),
+    browRight: brow("Right", -1),
+    // Between lowered brows stand two lines, above raised ones lie others.
+    furrow: { d: path`M-4 ${top}L-3 ${top + 9}M4 ${top}L3 ${top + 9}`, opacity: px(0.8 * down) },
+    forehead: { d: path`M-26 -50Q0 -55 26 -50M-20 -57Q0 -61 20 -57`, opacity: px(Math.max(0, 1.2 * inner - 0.6)) },
   };
 }

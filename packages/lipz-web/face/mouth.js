@@ -12,15 +12,15 @@ const shape = (width, up, jaw, low, more = {}) => {
 };
 
 /** Nobody speaks: lips together, relaxed. */
-const REST = shape(21, 0.2, 0, 0.4, { free: 1 });
+const REST = shape(24, 0.2, 0, 0.4, { free: 1 });
 /** M, B, P: lips pressed together. */
-const CLOSED = shape(23, 0, 0, 0, { lip: 0.6, free: 0 });
+const CLOSED = shape(25.5, 0, 0, 0, { lip: 0.6, free: 0 });
 /** Most consonants, as in "see": teeth together, lips apart and a little spread. */
-const TEETH = shape(23, 5, 2.5, 5, { free: 0.25 });
+const TEETH = shape(25, 5, 2.5, 5, { free: 0.25 });
 /** E, as in "bet": lips spread, tongue in the middle. */
-const SPREAD = shape(28, 6, 12, 4.5, { tongue: 0.55 });
+const SPREAD = shape(30, 6, 12, 4.5, { tongue: 0.55 });
 /** A and I, as in "father" and "fly": jaw down, tongue low. */
-const OPEN = shape(22, 6, 28, 4, { tongue: 0.3 });
+const OPEN = shape(23, 6, 28, 4, { tongue: 0.3 });
 /** O, as in "go": lips rounded. */
 const ROUND = shape(14, 8, 17, 5, { round: 1, lip: 1.1, tongue: 0.2, free: 0.3 });
 /** U, as in "blue": lips rounded and pushed forward. */
@@ -28,7 +28,7 @@ const PUSHED = shape(9.5, 7, 5, 5, { round: 1, lip: 1.35, free: 0.15 });
 /** W and Q, as in "we" and "queen": lips drawn together to a small hole. */
 const HOLE = shape(5, 3, 1, 3, { round: 1, lip: 1.6, free: 0.1 });
 /** F and V: the lower lip touches the upper teeth. */
-const BITE = shape(22, 6, 0, 1.2, { bite: 1, free: 0.1 });
+const BITE = shape(24, 6, 0, 1.2, { bite: 1, free: 0.1 });
 /** L: the tip of the tongue behind the upper teeth. */
 const TIP = shape(22, 6, 9, 3.5, { tip: 1, free: 0.3 });
 
