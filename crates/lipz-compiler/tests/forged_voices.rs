@@ -2,7 +2,7 @@
 //! leads astray.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use lipz_bank::{Bank, ErrorKind, Spoken};
+use lipz_bank::{Bank, Error, ErrorKind, Spoken};
 use lipz_compiler::{Compiler, Input, Options, Voices};
 use lipz_layout::{DUB_OF, NO_DUB, OTHER_DUB, Tag};
 use lipz_testkit::golden::{changed, section};
@@ -36,7 +36,7 @@ fn error(bytes: &[u8]) -> Option<ErrorKind> {
             let _ = (clip.in_voice(voice), clip.voice(), clip.original()); // no panic
         }
     }
-    bank.verify().err().map(|error| error.kind())
+    bank.verify().err().map(Error::kind)
 }
 
 #[test]

@@ -9,7 +9,7 @@ pub(crate) struct Places {
     /// That of a project without voices; `None` for the key.
     pattern: Option<String>,
     /// The locale that is spoken unless a voice says otherwise, and the patterns of the voices.
-    voices: Voices,
+    pub(crate) voices: Voices,
 }
 
 /// Where a recording is: a pattern, and what stands for `{key}` in it.

@@ -3,7 +3,7 @@
 use crate::places::{Place, Places};
 use crate::record_place;
 use lipz_compiler::settings::{Settings, sound_rank};
-use lipz_compiler::{Content, Input};
+use lipz_compiler::{Content, Input, Voices};
 use lipz_diagnostics::{Code, Report, escape};
 use std::collections::{BTreeMap, HashSet};
 use std::path::{Path, PathBuf};
@@ -81,6 +81,11 @@ impl Recordings {
     /// The locale that is spoken in that recording, if it is that of a voice; otherwise that of the project.
     pub fn locale(&self, key: &str) -> Option<&str> {
         self.places.of(key).locale
+    }
+
+    /// The voices of the project: which clip is a dub of which other.
+    pub(crate) fn voices(&self) -> &Voices {
+        &self.places.voices
     }
 
     /// The recordings of the clip in the other languages: the locale, and the file if it is there.

@@ -4,6 +4,7 @@
 mod support;
 
 use std::fs;
+use support::sound::voice;
 use support::{Scene, lipz};
 
 const SETTINGS: &str = "sources = [\"voices\"]
@@ -14,6 +15,9 @@ default-locale = \"en-us\"
 en-us = \"en/{key}\"
 de-de = \"de/{key}\"
 ";
+
+/// When somebody speaks in a recording, and when not, in milliseconds.
+const LINE: &[(bool, u32)] = &[(false, 200), (true, 500), (false, 200)];
 
 const ORIGINAL: &str = r#"{
   "fps": 24,
@@ -60,6 +64,44 @@ fn what_does_not_belong_together() {
     scene.expect("LZ2005-dub-in-layer", &over);
     assert!(!scene.path().join("patch.lipzbank").exists());
     scene.finish(7);
+}
+
+#[test]
+fn recordings_of_dubs_become_dubs() {
+    let mut scene = Scene::new();
+    let (english, german) = ("\"text_en-us\": \"Who goes|there?\"", "\"text_de-de\": \"Wer|da?\"");
+    scene.write("lipz.toml", format!("{SETTINGS}[audio]\nfolder = \"rec\"\n"));
+    scene.write("voices/en/mayor.lipz", format!("{{ {english}, {german} }}"));
+    scene.write("rec/en/mayor.wav", voice(LINE, 1));
+    scene.write("rec/de/mayor.wav", voice(LINE, 2));
+    let run = |arguments: &[&str]| lipz(scene.path(), arguments.iter().chain(&["--allow", "LZ1707,LZ1715"]).copied());
+    let first = |text: &str| text.lines().next().unwrap_or_default().to_owned();
+    assert_eq!(first(&run(&["sync"]).stdout), "2 clips synced, in voices");
+    let dub = fs::read_to_string(scene.path().join("voices/de/mayor.lipz")).unwrap();
+    let document = lipz_file::parse(dub.as_bytes()).document.unwrap();
+    let visemes = document.string("visemes").unwrap();
+    assert_eq!(visemes.matches('|').count(), 1, "divided as the text of the original: {visemes}");
+    assert!(document.elements.iter().all(|element| !element.name.text.starts_with("text")), "{dub}");
+    assert_eq!(first(&run(&["sync"]).stdout), "0 clips synced, 2 unchanged, in voices");
+    let check = |scene: &Scene| {
+        let checked = lipz(scene.path(), ["check", "--quiet", "--allow", "LZ1707,LZ1715"]);
+        let codes = checked.stderr.match_indices("[LZ").map(|(at, _)| checked.stderr[at + 1..at + 7].to_owned());
+        codes.collect::<Vec<_>>()
+    };
+    assert_eq!(check(&scene), [""; 0]);
+    // The dub is spoken as the German text of the original says.
+    scene.write("voices/en/mayor.lipz", format!("{{ {english}, \"text_de-de\": \"Wer ist|da?\" }}"));
+    assert_eq!(first(&run(&["sync"]).stdout), "2 clips synced, in voices");
+    assert_eq!(check(&scene), [""; 0]);
+    // What the original says has changed since.
+    let again = fs::read_to_string(scene.path().join("voices/en/mayor.lipz")).unwrap().replace("goes", "went");
+    scene.write("voices/en/mayor.lipz", again);
+    scene.expect("LZ2006-dub-out-of-date-text", &["check", "--quiet", "--allow", "LZ1707,LZ1715,LZ1705"]);
+    scene.write("rec/en/mayor.wav", voice(LINE, 3));
+    scene.expect("LZ2006-dub-out-of-date", &["check", "--quiet", "--allow", "LZ1707,LZ1715,LZ1705"]);
+    let forced = lipz(scene.path(), ["sync", "--force", "--allow", "LZ1707,LZ1715"]);
+    assert_eq!((forced.code, check(&scene)), (0, vec![]));
+    scene.finish(2);
 }
 
 #[test]

@@ -155,12 +155,15 @@ fn each_voice_has_its_recordings_text_and_language() {
         assert_eq!(code, 0, "{found}");
         (told.lines().next().unwrap_or_default().to_owned(), found)
     };
-    assert_eq!(told(&["sync"]), ("1 clip synced, in voices".to_owned(), String::new()));
+    assert_eq!(told(&["sync"]), ("2 clips synced, in voices".to_owned(), String::new()));
     let english = fs::read_to_string(scene.path().join("voices/mayor.lipz")).unwrap();
     assert_eq!(told(&["check"]).1, "", "the dub belongs to the clip, too");
+    fs::remove_dir_all(scene.path().join("voices/de")).unwrap();
+    assert_eq!(told(&["check"]).1, "", "also without a mouth of its own");
     // Another voice is another mouth, of another recording.
     assert_eq!(told(&["check", "--audio-locale", "de-de"]).1.matches("[LZ1705]").count(), 1);
-    assert_eq!(told(&["sync", "--audio-locale", "de-de"]).0, "1 clip synced, in voices");
+    assert_eq!(told(&["sync", "--audio-locale", "de-de"]).0, "2 clips synced, in voices", "now English is the dub");
+    fs::remove_dir_all(scene.path().join("voices/en")).unwrap();
     assert_ne!(fs::read_to_string(scene.path().join("voices/mayor.lipz")).unwrap(), english);
     // The bank has the recording of the voice.
     for (locale, file) in [("en-us", "rec/en/mayor.wav"), ("de-de", "rec/de/mayor.wav")] {

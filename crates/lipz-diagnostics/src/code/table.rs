@@ -213,6 +213,7 @@ codes! {
     DubText "LZ2003" "dub-text" Warning "a dub contradicts the text of its original"
     VoiceWithoutLocale "LZ2004" "voice-without-locale" Warning "no clip has a text in the locale of a voice"
     DubInLayer "LZ2005" "dub-in-layer" Error "a layer cannot have dubs"
+    DubOutOfDate "LZ2006" "dub-out-of-date" Warning "the original changed after its dub was made"
 
     "Layers"
     LayerWithoutChange "LZ2101" "layer-without-change" Error "a layer would change nothing"

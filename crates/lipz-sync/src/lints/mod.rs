@@ -1,5 +1,6 @@
 //! Whether clips and recordings belong together.
 
+mod dub;
 mod length;
 mod missing;
 mod stale;
@@ -13,6 +14,7 @@ use lipz_compiler::settings::Settings;
 use lipz_compiler::{Content, Input};
 use lipz_diagnostics::{Code, Report, escape};
 use std::borrow::Cow;
+use std::collections::HashMap;
 use std::fs;
 
 /// Reports clips without a recording, recordings without a clip, and pairs that do not fit. Nothing, if the project has
@@ -44,8 +46,11 @@ pub fn check(settings: &Settings, inputs: &[Input], progress: &(dyn Fn() + Sync)
         let help = "add a Lipz file, or remove the recording";
         reports.push(Report::failure(shown(path), Code::RecordingWithoutClip, message, help));
     }
+    let files: HashMap<&str, &Input> = inputs.iter().map(|input| (input.key.as_str(), input)).collect();
     let found = threads::map(inputs, settings.options.threads, |input| {
-        let reports = one(settings, input, &recordings, &ear, &record);
+        let original = recordings.voices().original_of(&input.key, |key| files.contains_key(key));
+        let original = original.and_then(|original| files.get(original.as_str()).copied());
+        let reports = one(settings, (input, original), &recordings, &ear, &record);
         progress();
         reports
     });
@@ -59,14 +64,16 @@ pub fn check(settings: &Settings, inputs: &[Input], progress: &(dyn Fn() + Sync)
 }
 
 /// Compares a clip with its recordings.
-fn one(settings: &Settings, input: &Input, recordings: &Recordings, ear: &Ear, record: &SyncRecord) -> Vec<Report> {
-    let bytes = match &input.content {
-        Content::Bytes { bytes, .. } => Cow::Borrowed(bytes.as_slice()),
-        Content::File(path) => match fs::read(path) {
-            Ok(bytes) => Cow::Owned(bytes),
-            Err(_) => return Vec::new(),
-        },
-    };
+fn one(
+    settings: &Settings,
+    (input, original): (&Input, Option<&Input>),
+    recordings: &Recordings,
+    ear: &Ear,
+    record: &SyncRecord,
+) -> Vec<Report> {
+    let Some(bytes) = bytes_of(input) else { return Vec::new() };
+    let original_bytes = original.and_then(bytes_of).unwrap_or_default();
+    let original_document = lipz_file::parse(&original_bytes).document;
     let Some(document) = lipz_file::parse(&bytes).document else { return Vec::new() };
     let clip = Clip::from_document(&document, &settings.options);
     let mut reports = Vec::new();
@@ -86,8 +93,15 @@ fn one(settings: &Settings, input: &Input, recordings: &Recordings, ear: &Ear, r
             let before = diagnostics.len();
             diagnostics.extend(length::check(&clip, path, facts, settings.audio.tolerance_ms));
             if let Content::File(lipz_file) = &input.content {
-                let spoken = spoken_text(settings, recordings.locale(&input.key), &document);
-                diagnostics.extend(stale::check(&clip, spoken, facts.content_hash, path, record.lines_for(lipz_file)));
+                let locale = recordings.locale(&input.key);
+                let spoken = spoken_text(settings, locale, &document)
+                    .or_else(|| spoken_text(settings, locale, original_document.as_ref()?));
+                let known = record.lines_for(lipz_file);
+                diagnostics.extend(stale::check(&clip, spoken, facts.content_hash, path, known));
+                if let (Some(original), Some(document)) = (original, &original_document) {
+                    let original = dub::Original { input: original, document };
+                    diagnostics.extend(dub::check(settings, &clip, &original, recordings, known));
+                }
             }
             // Of a mouth of another length, every other place is wrong, too.
             if diagnostics.len() == before {
@@ -99,6 +113,13 @@ fn one(settings: &Settings, input: &Input, recordings: &Recordings, ear: &Ear, r
         reports.push(Report::from_bytes(input.name(), &bytes, diagnostics));
     }
     reports
+}
+
+fn bytes_of(input: &Input) -> Option<Cow<'_, [u8]>> {
+    match &input.content {
+        Content::Bytes { bytes, .. } => Some(Cow::Borrowed(bytes.as_slice())),
+        Content::File(path) => fs::read(path).ok().map(Cow::Owned),
+    }
 }
 
 #[cfg(test)]

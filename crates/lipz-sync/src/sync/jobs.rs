@@ -10,7 +10,7 @@ use lipz_compiler::{Content, Input, key};
 use lipz_diagnostics::{Code, Diagnostic, Report, escape};
 use lipz_interop::Script;
 use lipz_speech::SoundError;
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -27,17 +27,66 @@ pub struct Job {
     pub text: Option<String>,
     /// The locale that is spoken; `None` for that of the [`SyncOptions`].
     pub locale: Option<String>,
+    /// The original, if the clip is a dub: without a text of its own, it has that of the original.
+    pub original: Option<Original>,
 }
 
-/// The jobs for Lipz files that have a recording. Clips without one have none.
+/// The clip of which another one is a dub.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Original {
+    /// Its Lipz file.
+    pub lipz_file: PathBuf,
+    /// Its recording, if it is there.
+    pub recording: Option<PathBuf>,
+    /// The locale that is spoken in it; `None` for that of the [`SyncOptions`].
+    pub locale: Option<String>,
+}
+
+/// The jobs for Lipz files that have a recording, and for recordings of dubs whose originals are among these files: they
+/// become new Lipz files. Clips without a recording have none.
 pub fn jobs_of_clips(inputs: &[Input], recordings: &Recordings) -> Vec<Job> {
-    let job = |input: &Input| {
-        let Content::File(lipz_file) = &input.content else { return None };
-        let recording = recordings.find(&input.key)?.to_owned();
-        let locale = recordings.locale(&input.key).map(str::to_owned);
-        Some(Job { key: input.key.clone(), recording, lipz_file: lipz_file.clone(), text: None, locale })
+    let voices = recordings.voices();
+    let files: HashMap<&str, &Path> =
+        inputs.iter().filter_map(|input| Some((input.key.as_str(), file(input)?))).collect();
+    let job = |key: &str, lipz_file: PathBuf| {
+        let original = voices.original_of(key, |key| files.contains_key(key)).map(|original| Original {
+            lipz_file: files.get(original.as_str()).copied().unwrap_or(Path::new("")).to_owned(),
+            recording: recordings.find(&original).map(Path::to_owned),
+            locale: recordings.locale(&original).map(str::to_owned),
+        });
+        let (key, recording) = (key.to_owned(), recordings.find(key)?.to_owned());
+        let locale = recordings.locale(&key).map(str::to_owned);
+        Some(Job { key, recording, lipz_file, text: None, locale, original })
     };
-    inputs.iter().filter_map(job).collect()
+    let mut jobs: Vec<Job> = inputs.iter().filter_map(|input| job(&input.key, file(input)?.to_owned())).collect();
+    let mut is_new = HashSet::new();
+    for input in inputs {
+        for locale in voices.patterns.keys().filter(|locale| Some(*locale) != voices.original.as_ref()) {
+            let Some(dub) = voices.dub_of(&input.key, locale).filter(|dub| !files.contains_key(dub.as_str())) else {
+                continue;
+            };
+            let is_dub_of_it = voices.original_of(&dub, |key| key == input.key).is_some();
+            let lipz_file = file(input).filter(|_| is_dub_of_it).and_then(|path| beside(path, &input.key, &dub));
+            if let Some(lipz_file) = lipz_file.filter(|_| key::refusal(&dub).is_none() && is_new.insert(dub.clone())) {
+                jobs.extend(job(&dub, lipz_file));
+            }
+        }
+    }
+    jobs
+}
+
+fn file(input: &Input) -> Option<&Path> {
+    match &input.content {
+        Content::File(path) => Some(path),
+        Content::Bytes { .. } => None,
+    }
+}
+
+/// The Lipz file of the clip `dub` under the root of the one that has this path and this key.
+fn beside(path: &Path, key: &str, dub: &str) -> Option<PathBuf> {
+    let depth = key.split('/').count();
+    let root = path.ancestors().nth(depth)?;
+    Some(root.join(format!("{dub}.{}", key::EXTENSION)))
 }
 
 /// The jobs for recordings: the sources of these settings are files and folders of them. Each becomes a Lipz file in
@@ -94,7 +143,7 @@ pub fn jobs_of_recordings(settings: &Settings, output: &Path, script: Option<&Sc
         match text_of(&key, &recording, script) {
             Ok(text) => {
                 let locale = places.voice_of(&key).and_then(|place| place.locale).map(str::to_owned);
-                jobs.push(Job { key, recording, lipz_file, text, locale });
+                jobs.push(Job { key, recording, lipz_file, text, locale, original: None });
             }
             Err(report) => reports.push(report),
         }

@@ -8,12 +8,12 @@ mod options;
 mod record;
 mod train;
 
-pub use jobs::{Job, jobs_of_clips, jobs_of_recordings};
+pub use jobs::{Job, Original, jobs_of_clips, jobs_of_recordings};
 pub use model_file::{model_at, write_model};
 pub use one::Kept;
 pub use options::SyncOptions;
 pub(crate) use options::spoken_text;
-pub use record::{Line, Made, RECORD_NAME, SyncRecord, record_place};
+pub use record::{Line, Made, OriginalThen, RECORD_NAME, SyncRecord, record_place};
 pub use train::{TRAINING_ROUNDS, Trained, train};
 
 use crate::threads;

@@ -1,7 +1,7 @@
 //! One job: from a recording and what is said in it to a Lipz file with a mouth.
 
 use super::mouth::{self, Heard};
-use super::record::{Line, Made};
+use super::record::{Line, Made, OriginalThen};
 use super::{Job, SyncOptions, SyncRecord};
 use crate::clip::{Clip, string};
 use crate::condition::Condition;
@@ -76,30 +76,37 @@ fn tried(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Ve
     let clip = Clip::from_document(&before, &options.options);
     let own_fps = before.get("fps").and(clip.fps);
     let (fps, viseme_type) = (options.fps_of(own_fps), options.viseme_type_of(own_type(&before)));
-    let spoken = options.spoken(job, &before);
+    // A dub without a text has that of its original.
+    let (of_original, original_bytes) = original_file(job);
+    let original = lipz_file::parse(&original_bytes).document;
+    let own = options.spoken(job, &before);
+    let (is_borrowed, mut of_text) = (own.is_none(), Vec::new());
+    let spoken = own.or_else(|| options.spoken(job, original.as_ref()?));
     if !is_new {
-        diagnostics.extend(other_text(job, spoken.as_ref().map(|(_, text)| *text)));
+        diagnostics.extend(other_text(job, spoken.as_ref().filter(|_| !is_borrowed).map(|(_, text)| *text)));
     }
     let to_read = spoken.as_ref().filter(|_| viseme_type != VisemeType::Rms);
-    let script = to_read.map(|spoken| script(spoken, options, &mut diagnostics)).unwrap_or_default();
+    let script = to_read.map(|spoken| script(spoken, options, &mut of_text)).unwrap_or_default();
     let locale = spoken.as_ref().and_then(|(locale, _)| locale.as_deref());
     let sound =
         File::open(&job.recording).and_then(content_hash).map_err(|error| unreadable(&job.recording, &error))?;
+    let own_type = own_type(&before).or(options.options.default_viseme_type);
     let made = Made {
         sound,
         text: text_hash(spoken.as_ref().map(|(_, text)| &*text.text)),
         settings: settings_hash(options, locale, &script, (viseme_type, fps)),
-        mouth: mouth_hash(
-            &clip.codes,
-            own_fps.or(options.options.default_fps),
-            own_type(&before).or(options.options.default_viseme_type),
-        ),
+        mouth: mouth_hash(&clip.codes, own_fps.or(options.options.default_fps), own_type),
     };
     let known = record.lines_for(&job.lipz_file);
     let has_mouth = clip.codes.iter().any(|code| *code != b'-');
-    // Older versions did not write down when words are said.
-    let is_whole = |line: &Line| line.words.is_some() || script.words.is_empty();
-    if !is_new && known.iter().any(|line| line.made == made && is_whole(line)) {
+    let original_now = || original.as_ref().and_then(|document| original_then(job, document, options));
+    let is_current = |line: &Line| {
+        // Older versions did not write down when words are said.
+        let is_whole = line.words.is_some() || script.words.is_empty();
+        // By force, a dub that still fits is one of the original as it is now.
+        line.made == made && is_whole && (!options.force || line.original == original_now())
+    };
+    if !is_new && known.iter().any(is_current) {
         push(reports, options, &name, &bytes, diagnostics);
         return Ok(Step::Unchanged);
     }
@@ -111,22 +118,41 @@ fn tried(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Ve
         push(reports, options, &name, &bytes, diagnostics);
         return Ok(Step::Kept(kept));
     }
-    if script.words.is_empty() && viseme_type != VisemeType::Rms {
-        diagnostics.push(no_script(options.locale_of(job)));
-    }
+    let is_unwritten = script.words.is_empty() && viseme_type != VisemeType::Rms;
+    diagnostics.extend(is_unwritten.then(|| no_script(options.locale_of(job))));
     let heard = hear(job, options, (locale, &script), (viseme_type, fps), reports)?;
-    diagnostics.extend(spoken.iter().flat_map(|(_, text)| mouth::mismatches(&heard, &script, text)));
-    let target = Target { bytes: &bytes, before: &before, is_new, locale, fps, viseme_type };
+    of_text.extend(spoken.iter().flat_map(|(_, text)| mouth::mismatches(&heard, &script, text)));
+    let borrowed = spoken.as_ref().filter(|_| is_borrowed).map(|(_, text)| (options.text_element(job), &*text.text));
+    let target = Target { bytes: &bytes, before: &before, is_new, locale, borrowed, fps, viseme_type };
     let (after, guessed) = merged(&heard, &script, options, &target);
     diagnostics.extend(guessed);
     let made = Made { mouth: mouth_hash(heard.codes.as_bytes(), Some(fps), Some(viseme_type)), ..made };
+    if is_borrowed {
+        push(reports, options, &of_original, &original_bytes, of_text);
+    } else {
+        diagnostics.extend(of_text);
+    }
     if push(reports, options, &name, &bytes, diagnostics) {
         return Ok(Step::Refused);
     }
     let words = spoken.as_ref().filter(|_| !script.words.is_empty());
     let words = words.map(|(_, text)| mouth::word_times(&heard, &script, &text.text));
-    let line = Line { made, words };
+    let line = Line { made, words, original: original_now() };
     Ok(Step::New(Box::new(New { before: (!is_new).then(|| bytes.clone()), after, line, heard, script })))
+}
+
+/// The Lipz file of the original of a dub: its name, and its bytes; empty if there is none.
+fn original_file(job: &Job) -> (String, Vec<u8>) {
+    let Some(original) = &job.original else { return Default::default() };
+    (shown(&original.lipz_file), fs::read(&original.lipz_file).unwrap_or_default())
+}
+
+/// What the original of a dub is while the dub is made.
+fn original_then(job: &Job, document: &Document<'_>, options: &SyncOptions) -> Option<OriginalThen> {
+    let original = job.original.as_ref()?;
+    let sound = original.recording.as_ref().and_then(|path| File::open(path).and_then(content_hash).ok()).unwrap_or(0);
+    let spoken = options.spoken_in(original.locale.as_deref(), document);
+    Some(OriginalThen { sound, text: text_hash(spoken.as_ref().map(|(_, text)| &*text.text)) })
 }
 
 /// Whether the Lipz file of a job is not there yet, and its bytes; for a new one, what it will be without a mouth.
@@ -184,6 +210,8 @@ struct Target<'a> {
     is_new: bool,
     /// The locale that is spoken.
     locale: Option<&'a str>,
+    /// Its text with the name of its element, if that is not in the file, but in that of the original.
+    borrowed: Option<(String, &'a str)>,
     fps: Fps,
     viseme_type: VisemeType,
 }
@@ -199,7 +227,10 @@ fn merged(heard: &Heard, script: &Script, options: &SyncOptions, target: &Target
         .locale(target.locale)
         .default_rate(options.options.default_fps.map(rate))
         .default_viseme_type(options.options.default_viseme_type);
-    let merged = merge(target.before, &mouth, &merge_options);
+    let mut merged = merge(&divided(target), &mouth, &merge_options);
+    if let Some((name, _)) = &target.borrowed {
+        merged.document.elements.retain(|element| element.name.text != *name);
+    }
     let text = String::from_utf8_lossy(target.bytes);
     let default_locale = options.options.default_locale.as_deref();
     let style = Style { default_locale, line_ending: LineEnding::detect(&text) };
@@ -208,6 +239,16 @@ fn merged(heard: &Heard, script: &Script, options: &SyncOptions, target: &Target
         false => rewrite(&text, target.before, &merged.document, style),
     };
     (after, merged.diagnostics)
+}
+
+/// The file, with the text that is not in it: that says where its segments are.
+fn divided<'a>(target: &Target<'a>) -> Document<'a> {
+    let mut document = target.before.clone();
+    document.elements.extend(target.borrowed.as_ref().map(|(name, text)| Element {
+        name: JsonString::from(Cow::Owned(name.clone())),
+        value: Value::String(JsonString::from(Cow::Borrowed(*text))),
+    }));
+    document
 }
 
 /// The words of the text that is spoken in a locale. Reports what is odd about it.

@@ -162,6 +162,15 @@ impl SyncOptions {
         spoken(document, self.locale_of(job), self.options.default_locale.as_deref())
     }
 
+    /// The text that is spoken in this locale, or in the project's, and its locale.
+    pub(crate) fn spoken_in<'d>(
+        &self,
+        locale: Option<&str>,
+        document: &'d Document<'d>,
+    ) -> Option<(Option<String>, &'d JsonString<'d>)> {
+        spoken(document, locale.or(self.locale.as_deref()), self.options.default_locale.as_deref())
+    }
+
     /// The locale that is spoken in a recording.
     pub(crate) fn locale_of<'a>(&'a self, job: &'a Job) -> Option<&'a str> {
         job.locale.as_deref().or(self.locale.as_deref())

@@ -28,6 +28,9 @@ const HEAD: &str = "\
 # Keep this file with the Lipz files. A mouth that is in no line counts as made by hand.
 ";
 
+/// What a line says before the hashes of the original.
+const DUB_OF: &str = "dub-of:";
+
 /// What a line says before the times of words.
 const SAID: &str = "said:";
 
@@ -38,6 +41,17 @@ pub struct Line {
     pub made: Made,
     /// When the words of its text are said; `None` if it has no words, or an older version made it.
     pub words: Option<WordTimes>,
+    /// What the original was when this mouth was made, if it is that of a dub.
+    pub original: Option<OriginalThen>,
+}
+
+/// What the original of a dub was: hashes.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct OriginalThen {
+    /// All bytes of its recording; 0 if there was none.
+    pub sound: u64,
+    /// The text that is spoken in it.
+    pub text: u64,
 }
 
 /// What a mouth was made from, and what it was: hashes.
@@ -184,23 +198,40 @@ impl Line {
     fn written(&self, file: &str) -> String {
         let Made { sound, text, settings, mouth } = self.made;
         let said = self.words.as_ref().map_or(String::new(), |words| format!("{SAID}{words} "));
-        format!("{sound:016x} {text:016x} {settings:016x} {mouth:016x} {said}{file}")
+        let original = |OriginalThen { sound, text }: OriginalThen| format!("{DUB_OF}{sound:016x},{text:016x} ");
+        let original = self.original.map_or(String::new(), original);
+        format!("{sound:016x} {text:016x} {settings:016x} {mouth:016x} {original}{said}{file}")
     }
 
     fn parse(line: &str) -> Option<(Line, &str)> {
         let mut parts = line.splitn(5, ' ');
-        let mut hash =
-            || parts.next().filter(|part| part.len() == 16).and_then(|part| u64::from_str_radix(part, 16).ok());
+        let mut hash = || parts.next().and_then(parse_hash);
         let made = Made { sound: hash()?, text: hash()?, settings: hash()?, mouth: hash()? };
         let rest = parts.next()?;
+        let dub = rest.strip_prefix(DUB_OF).and_then(|dub| dub.split_once(' '));
+        let (original, rest) = match dub.and_then(|(hashes, rest)| Some((OriginalThen::parse(hashes)?, rest))) {
+            Some((original, rest)) => (Some(original), rest),
+            None => (None, rest),
+        };
         // Older versions wrote no times.
         let said = rest.strip_prefix(SAID).and_then(|said| said.split_once(' '));
         let (words, file) = match said.and_then(|(words, file)| Some((words.parse().ok()?, file))) {
             Some((words, file)) => (Some(words), file),
             None => (None, rest),
         };
-        (!file.is_empty()).then_some((Line { made, words }, file))
+        (!file.is_empty()).then_some((Line { made, words, original }, file))
     }
+}
+
+impl OriginalThen {
+    fn parse(hashes: &str) -> Option<OriginalThen> {
+        let (sound, text) = hashes.split_once(',')?;
+        Some(OriginalThen { sound: parse_hash(sound)?, text: parse_hash(text)? })
+    }
+}
+
+fn parse_hash(digits: &str) -> Option<u64> {
+    if digits.len() == 16 { u64::from_str_radix(digits, 16).ok() } else { None }
 }
 
 #[cfg(test)]
@@ -209,10 +240,11 @@ mod tests {
     use super::*;
 
     const MADE: Made = Made { sound: 1, text: 2, settings: 3, mouth: u64::MAX };
-    const A: Line = Line { made: MADE, words: None };
+    const A: Line = Line { made: MADE, words: None, original: None };
 
     fn b() -> Line {
-        Line { made: Made { mouth: 0, ..MADE }, words: Some("0badcafe:0-3@40-250,4-9@300-410?".parse().unwrap()) }
+        let words = Some("0badcafe:0-3@40-250,4-9@300-410?".parse().unwrap());
+        Line { made: Made { mouth: 0, ..MADE }, words, original: Some(OriginalThen { sound: 10, text: 11 }) }
     }
 
     #[test]
@@ -235,7 +267,7 @@ mod tests {
         let text = fs::read_to_string(&path).unwrap();
         let zeros = "0".repeat(15);
         let expected = format!(
-            "{zeros}1 {zeros}2 {zeros}3 {zeros}0 said:0badcafe:0-3@40-250,4-9@300-410? a/x.lipz\n{zeros}1 {zeros}2 {zeros}3 ffffffffffffffff b c.lipz\n"
+            "{zeros}1 {zeros}2 {zeros}3 {zeros}0 dub-of:{zeros}a,{zeros}b said:0badcafe:0-3@40-250,4-9@300-410? a/x.lipz\n{zeros}1 {zeros}2 {zeros}3 ffffffffffffffff b c.lipz\n"
         );
         assert_eq!(text.strip_prefix(HEAD), Some(expected.as_str()));
     }

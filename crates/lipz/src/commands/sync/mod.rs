@@ -215,5 +215,6 @@ fn of_clips(settings: &Settings, reporter: &mut Reporter) -> Result<Work, Abort>
     let first = settings.sources.first().map(PathBuf::as_path);
     let folder = |path: &Path| path.ancestors().find(|path| path.is_dir()).map(Path::to_owned);
     let place = settings.root.clone().or_else(|| folder(first?)).unwrap_or_else(|| PathBuf::from("."));
-    Ok(Work { without: inputs.len() - jobs.len(), jobs, reports, place })
+    let without = inputs.iter().filter(|input| recordings.find(&input.key).is_none()).count();
+    Ok(Work { without, jobs, reports, place })
 }
