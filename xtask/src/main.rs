@@ -16,6 +16,7 @@ mod size;
 mod speech_dictionary;
 mod speech_model;
 mod speech_numbers;
+mod speech_score;
 mod targets;
 mod toolchain;
 mod tools;
@@ -71,6 +72,8 @@ enum Task {
     SpeechDictionary(speech_dictionary::Settings),
     /// Make the rules for numbers in words of lipz-speech from those of CLDR
     SpeechNumbers,
+    /// Measure lip sync on sentences of speech synthesisers, beside PocketSphinx
+    SpeechScore,
     /// Look for inputs on which something does not hold that must hold for any bytes
     Fuzz(fuzz::Settings),
 }
@@ -101,6 +104,7 @@ fn main() -> ExitCode {
         Task::Windows => windows::run(),
         Task::Size => size::run(),
         Task::SpeechNumbers => speech_numbers::run(),
+        Task::SpeechScore => speech_score::run(),
         Task::SpeechDictionary(settings) => speech_dictionary::run(&settings),
         Task::Packages => packages::run(),
         Task::Msrv => msrv::run(),
