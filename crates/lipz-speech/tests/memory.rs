@@ -56,7 +56,7 @@ fn memory_is_that_of_what_is_in_the_file() {
     // Two minutes of something like speech, with a script: a few bytes per frame, and nothing that grows with both.
     let sound = syllables(120);
     let script = Pronouncer::new(Language::ENGLISH).script(&"The map shows a hidden valley. ".repeat(30));
-    within(12 << 20, || {
+    within(6 << 20, || {
         let sound = Sound::from_bytes(&sound, None).unwrap();
         let alignment = Aligner::new(model, AlignOptions::default()).align(&sound, &script);
         assert_eq!(alignment.phones.last().unwrap().end_us, 120_000_000);

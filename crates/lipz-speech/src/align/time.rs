@@ -32,29 +32,33 @@ pub(super) fn cover(mut phones: Vec<AlignedPhone>, duration_us: u64) -> Vec<Alig
 
 /// Joins what is silent, and gives pauses that are shorter than `shortest_us` to the phone before them, unless they begin or
 /// end the sound.
-pub(super) fn join_pauses(phones: Vec<AlignedPhone>, shortest_us: u64) -> Vec<AlignedPhone> {
-    let mut joined: Vec<AlignedPhone> = Vec::with_capacity(phones.len());
-    for phone in phones {
-        match joined.last_mut() {
-            Some(last) if !phone.phone.is_speech() && phone.phone == last.phone => last.end_us = phone.end_us,
-            _ => joined.push(phone),
+pub(super) fn join_pauses(mut phones: Vec<AlignedPhone>, shortest_us: u64) -> Vec<AlignedPhone> {
+    phones.dedup_by(|phone, last| {
+        let is_same = !phone.phone.is_speech() && phone.phone == last.phone;
+        if is_same {
+            last.end_us = phone.end_us;
         }
-    }
-    let mut kept: Vec<AlignedPhone> = Vec::with_capacity(joined.len());
-    let mut rest = &joined[..];
-    while let Some(first) = rest.first() {
+        is_same
+    });
+    // In place: an hour has 40,000 phones.
+    let (mut kept, mut from) = (0_usize, 0_usize);
+    while let Some(&first) = phones.get(from) {
         // Silence and noise side by side are one pause.
         let is_same = |phone: &&AlignedPhone| phone.phone.is_speech() == first.phone.is_speech();
-        let (run, after) = rest.split_at(rest.iter().take_while(is_same).count());
-        rest = after;
-        let end_us = run.last().map_or(first.end_us, |last| last.end_us);
-        let is_short = !first.phone.is_speech() && end_us - first.start_us < shortest_us && !after.is_empty();
-        match kept.last_mut() {
-            Some(last) if is_short => last.end_us = end_us,
-            _ => kept.extend_from_slice(run),
+        let end = from + phones[from..].iter().take_while(is_same).count();
+        let end_us = phones[end - 1].end_us;
+        let is_short = !first.phone.is_speech() && end_us - first.start_us < shortest_us && end < phones.len();
+        match kept.checked_sub(1) {
+            Some(last) if is_short => phones[last].end_us = end_us,
+            _ => {
+                phones.copy_within(from..end, kept);
+                kept += end - from;
+            }
         }
+        from = end;
     }
-    kept
+    phones.truncate(kept);
+    phones
 }
 
 /// The times of the words, of which `heard` are the pronunciations.
