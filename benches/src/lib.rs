@@ -6,11 +6,14 @@
 
 pub mod callgrind;
 mod clip;
+#[cfg(feature = "tools")]
 mod folder;
+#[cfg(feature = "tools")]
 pub mod naive;
 mod random;
 mod texts;
 
+#[cfg(feature = "tools")]
 pub use folder::{list, temporary_folder, write_clips};
 pub use random::Random;
 

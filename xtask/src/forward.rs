@@ -3,19 +3,22 @@
 //! They are run, not linked: the tasks of the workspace build in seconds.
 
 use crate::cargo;
-use crate::paths::workspace_root;
+use crate::paths::{target_folder, workspace_root};
 use std::ffi::OsString;
 use std::process::ExitCode;
 
 /// The commands of `lipz` that the project is driven by.
 const LIPZ: [&str; 4] = ["pack", "unpack", "verify", "inspect"];
 
+/// The program that counts.
+const INSTRUCTIONS: &str = "instructions";
+
 /// Programs of `lipz-benches`, with what they do.
 const BENCHES: [(&str, &str); 4] = [
     ("generate", "Write a folder of made-up clips of realistic size and shape"),
     ("measure", "Measure packing against reading the same files"),
     ("compare", "Compare the reader with other ways to keep clips in a file, as a Markdown table"),
-    ("instructions", "Count the instructions of the reader's queries and hold them to their limits"),
+    (INSTRUCTIONS, "Count the instructions of the reader's queries and hold them to their limits"),
 ];
 
 /// What the help says about them.
@@ -35,13 +38,19 @@ pub(crate) fn command(arguments: &[OsString]) -> Option<ExitCode> {
     if LIPZ.iter().any(|name| task == name) {
         let manifest = workspace_root().join("Cargo.toml");
         run.args(["run", "--quiet", "--package", "lipz", "--manifest-path"]).arg(manifest).arg("--").args(arguments);
+    } else if task == INSTRUCTIONS {
+        // Only what is counted is optimised, and that needs little: the program that counts is built with the tests.
+        if !is_built(&["--bin", "queries", "--no-default-features"]) {
+            return Some(ExitCode::FAILURE);
+        }
+        let queries = target_folder().join("release").join(format!("queries{}", std::env::consts::EXE_SUFFIX));
+        run.args(["run", "--quiet", "--package", "lipz-benches", "--bin", INSTRUCTIONS, "--", "--queries"]);
+        run.arg(queries).args(rest).current_dir(workspace_root());
     } else {
         let (name, _) = BENCHES.iter().find(|(name, _)| task == name)?;
         // All programs, because one runs another; from the root, from which their files are named.
         let features = if *name == "compare" { "compare" } else { "" };
-        let mut build = cargo::command();
-        build.args(["build", "--release", "--quiet", "--package", "lipz-benches", "--bins", "--features", features]);
-        if !build.current_dir(workspace_root()).status().is_ok_and(|status| status.success()) {
+        if !is_built(&["--bins", "--features", features]) {
             return Some(ExitCode::FAILURE);
         }
         run.args(["run", "--release", "--quiet", "--package", "lipz-benches", "--features", features, "--bin", name]);
@@ -55,6 +64,13 @@ pub(crate) fn command(arguments: &[OsString]) -> Option<ExitCode> {
         }
     };
     Some(ExitCode::from(code))
+}
+
+/// Builds programs of `lipz-benches` for measurements.
+fn is_built(arguments: &[&str]) -> bool {
+    let mut build = cargo::command();
+    build.args(["build", "--release", "--quiet", "--package", "lipz-benches"]).args(arguments);
+    build.current_dir(workspace_root()).status().is_ok_and(|status| status.success())
 }
 
 #[cfg(test)]

@@ -14,6 +14,10 @@ use std::process::Command;
 #[derive(Parser, Debug)]
 #[command(name = "cargo xtask instructions", max_term_width = 100)]
 struct Settings {
+    /// The program that asks, as a release has it
+    #[arg(long, value_name = "PROGRAM", hide = true)]
+    queries: PathBuf,
+
     /// Make what is counted now the limits
     #[arg(long)]
     bless: bool,
@@ -38,7 +42,6 @@ fn main() -> Result<(), Failure> {
     let settings = Settings::parse();
     let limits_path = Path::new(env!("CARGO_MANIFEST_DIR")).join("instructions.txt");
     let limits = std::fs::read_to_string(&limits_path).map_err(|error| format!("`{LIMITS}`: {error}"))?;
-    let program = queries()?;
     let folder = temporary_folder()?;
     let bank = folder.path().join("counted.lipzbank");
     std::fs::write(&bank, bank_bytes()?).map_err(|error| error.to_string())?;
@@ -51,7 +54,7 @@ fn main() -> Result<(), Failure> {
             counted.push('\n');
             continue;
         };
-        let count = count(&program, &bank, question)?;
+        let count = count(&settings.queries, &bank, question)?;
         println!("{question:<20} {count:>9} {limit:>9}");
         let _ = writeln!(counted, "{question}: {count}");
         if is_too_much(count, limit) {
@@ -75,12 +78,6 @@ fn is_too_much(count: u64, limit: u64) -> bool {
 fn limit_of(line: &str) -> Option<(&str, u64)> {
     let (question, limit) = line.split_once(": ")?;
     Some((question, limit.parse().ok()?))
-}
-
-/// The program that asks, which is built with this one.
-fn queries() -> Result<PathBuf, Failure> {
-    let this = std::env::current_exe().map_err(|error| format!("where is this program? {error}"))?;
-    Ok(this.with_file_name(format!("queries{}", std::env::consts::EXE_SUFFIX)))
 }
 
 fn bank_bytes() -> Result<Vec<u8>, Failure> {
