@@ -1,6 +1,7 @@
 //! Numbers in words, by the rules of CLDR (RBNF).
 //!
-//! `data/numbers/rules.txt` has for each language (`@en`) sets of rules (`%spellout-numbering:`). A rule is the
+//! `data/numbers/rules.txt` has for each language (`@en`) sets of rules: `%0:` for numbers, `%1:` for years, `%2:` for
+//! ordinals, others that these lead to. A rule is the
 //! smallest number that it is for, maybe `/radix`, and a text: `<<` is the number divided by the greatest power of the
 //! radix (10) that is not above that smallest number, `>>` the rest, `=%set=` the number by another set; what is in `[ ]`
 //! falls away without a rest. <https://unicode.org/reports/tr35/tr35-numbers.html#Rule-Based_Number_Formatting>
@@ -13,6 +14,8 @@ use std::sync::{LazyLock, OnceLock};
 pub(super) const LARGEST: u64 = 999_999_999_999_999;
 /// Rules call each other; ours need fewer steps than that.
 const DEEPEST: usize = 64;
+/// The set of rules for numbers.
+const CARDINAL: &str = "%0";
 
 static LANGUAGES: LazyLock<HashMap<&str, (&str, OnceLock<Rules>)>> = LazyLock::new(|| {
     let parts = include_str!("../../../data/numbers/rules.txt").split("\n@").skip(1);
@@ -63,9 +66,9 @@ impl Rules {
             return None;
         }
         let name = match how {
-            Use::Cardinal => "%spellout-numbering",
-            Use::Ordinal => "%ordinal",
-            Use::Year => "%spellout-numbering-year",
+            Use::Cardinal => CARDINAL,
+            Use::Ordinal => "%2",
+            Use::Year => "%1",
         };
         let mut out = String::new();
         self.number(self.sets.get(name)?, number, &mut out, DEEPEST)?;
@@ -85,7 +88,7 @@ impl Rules {
 
     /// Looks in the set for numbers, and in those that it leads to.
     fn found(&self, what: impl Fn(&Set) -> Option<&'static str>) -> Option<&'static str> {
-        let mut set = self.sets.get("%spellout-numbering")?;
+        let mut set = self.sets.get(CARDINAL)?;
         for _ in 0..DEEPEST {
             if let Some(found) = what(set) {
                 return Some(found);
@@ -175,7 +178,6 @@ fn parse(text: &'static str) -> HashMap<&'static str, Set> {
             continue;
         }
         let Some((descriptor, rule)) = line.split_once(':') else { continue };
-        let rule = rule.trim_start().trim_end_matches(';');
         // An apostrophe keeps the blanks behind it.
         let rule = rule.strip_prefix('\'').unwrap_or(rule);
         let set = sets.entry(name).or_default();
