@@ -4,7 +4,8 @@ import type { Emotion, Viseme, VisemeType } from "./lipz.js";
 
 /**
  * What a face does. What is not named is neutral, and numbers out of range are as the nearest in it. Angles are in degrees:
- * pitch is positive upwards, yaw to the left of the character, roll towards the left shoulder.
+ * pitch is positive upwards, yaw to the left of the character, roll towards the left shoulder. `clip.faceAt(time)` has all of them
+ * but the mouth, emotions and blend shapes.
  */
 export interface Pose {
   /** The mouth shape; rest if it is undefined, or no code of the type. */

@@ -22,22 +22,32 @@ const BANKS: &str = "fixtures/banks/v1";
 /// The folders of the package, the first of which is the package itself.
 const FOLDERS: [&str; 4] = ["", "demo", "face", "test"];
 
-/// What is tested in node, in this order.
-const TESTS: [&str; 6] =
-    ["node.test.js", "cases.test.js", "curve.test.js", "serve.test.js", "face.test.js", "pictures.test.js"];
+/// What files of tests end with; and the one that needs a browser.
+const TEST: &str = ".test.js";
+const BROWSER_TEST: &str = "browser.test.js";
 
 /// The pictures that the package draws, in the repository.
 const PICTURES: &str = "docs/pictures";
 
 pub(crate) fn run() -> Result<(), Failure> {
     let Some(package) = package()? else { return Ok(()) };
-    for file in TESTS {
+    let files = tests(&package).map_err(|error| format!("`{}`: {error}", package.display()))?;
+    for file in &files {
         test(&package, file)?;
     }
     if !has_program("chromium") {
         return skip("chromium");
     }
-    test(&package, "browser.test.js")
+    test(&package, BROWSER_TEST)
+}
+
+/// The files with tests for node, in the order of their names.
+fn tests(package: &Path) -> std::io::Result<Vec<String>> {
+    let names = fs::read_dir(package.join("test"))?.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned()));
+    let mut files = names.collect::<std::io::Result<Vec<String>>>()?;
+    files.retain(|name| name.ends_with(TEST) && name != BROWSER_TEST);
+    files.sort();
+    Ok(files)
 }
 
 /// Draws the pictures of the documentation.

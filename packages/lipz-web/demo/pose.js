@@ -3,10 +3,12 @@
 import { emotionsOf, VISEMES } from "../face.js";
 import { EMOTIONS } from "../lipz.js";
 
-/** What moves a face besides its mouth and its emotions. */
-const MOTIONS = ["blink", "headPitch", "headYaw", "headRoll", "eyePitch", "eyeYaw", "brows", "shrug", "breath"];
 /** What stands still for those who do not want motion: what is left is what the line says. */
-const RESTLESS = ["headPitch", "headYaw", "headRoll", "breath"];
+const RESTLESS = { headPitch: 0, headYaw: 0, headRoll: 0, eyePitch: 0, eyeYaw: 0, breath: 0 };
+
+/** How far to a side something is that somebody stares at, in degrees, at least and at most; and how far up or down. */
+const ASIDE = { least: 12, most: 40 };
+const UP = 8;
 
 const still = matchMedia("(prefers-reduced-motion: reduce)");
 
@@ -17,12 +19,20 @@ export function posesOf(clip) {
   // Without curves of emotion, the face is that of the word: `feels sad`.
   const isFelt = others.length < curves.length;
   return (cursor, time) => {
-    const emotions = isFelt ? clip.emotionsAt(time).values : emotionsOf(cursor.state().feels);
+    const { feels, staresAt } = cursor.state();
+    const emotions = isFelt ? clip.emotionsAt(time).values : emotionsOf(feels);
     const shapes = Object.fromEntries(others.map((curve) => [curve.name, curve.valueAt(time)]));
-    const motions = Object.fromEntries(MOTIONS.map((name) => [name, shapes[name] ?? 0]));
-    if (still.matches) RESTLESS.forEach((name) => (motions[name] = 0));
-    return { viseme: cursor.viseme, visemeType: clip.visemeType, emotions, shapes, ...motions };
+    const face = clip.faceAt(time, { lookAt: staresAt && placeOf(staresAt) });
+    return { viseme: cursor.viseme, visemeType: clip.visemeType, emotions, shapes, ...face, ...(still.matches && RESTLESS) };
   };
+}
+
+/** Where something is that a line names: a bank does not know, so each name has a place of its own beside the face. */
+function placeOf(name) {
+  let number = 0;
+  for (const character of name) number = (number * 31 + character.codePointAt(0)) % 997;
+  const aside = ASIDE.least + (number % (ASIDE.most - ASIDE.least));
+  return { yaw: number % 2 === 0 ? aside : -aside, pitch: (number % (2 * UP)) - UP, isPerson: false };
 }
 
 /** The clip with the viseme type that its codes fit, if its file leaves it unspecified. */

@@ -55,6 +55,30 @@ export async function rigs(demo, same) {
   changes(0, 0.2, "inside", "d", "the mouth");
 }
 
+/** A face blinks, moves and looks by itself, as the reader says; and it looks at what its speaker stares at. */
+export async function specials(demo, same) {
+  const { page, player } = await demo({ ...FACES, clip: "twelve" });
+  const times = Array.from({ length: 560 }, (_, index) => index / 40);
+  const shut = times.find((time) => player.clip.faceAt(time).blink === 1);
+  const height = (name) => part(page, name).getBBox().height;
+  same(shut !== undefined, true, "in 14 seconds there is a blink");
+  player.seek(0);
+  const before = height("leftWhite");
+  player.seek(shut);
+  same(height("leftWhite") < 0.4 * before, true, `closed lids, ${height("leftWhite")} of ${before}`);
+  const places = new Set();
+  for (const time of times.slice(0, 100)) {
+    player.seek(time);
+    places.add(part(page, "features").getAttribute("transform"));
+  }
+  same(places.size > 5, true, "the head moves");
+  const staring = await demo({ ...FACES, clip: "leave", at: 0.5 });
+  const eye = () => Number(part(staring.page, "leftIris").getAttribute("cx"));
+  const aside = eye();
+  staring.player.seek(3.5);
+  same(Math.abs(aside - eye()) > 2, true, `eyes on otto, ${aside}, and not, ${eye()}`);
+}
+
 /** Each curve has a name, a colour and its value at the playhead. */
 export async function curves(demo, same) {
   const { page, player } = await demo({ ...FACES, clip: "rig", at: 0.5 });

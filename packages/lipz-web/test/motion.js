@@ -12,6 +12,7 @@ export async function motion(demo, same) {
   };
   same(isMoved(0, 0.8, "features", "transform"), false, "the head");
   same(isMoved(1.7, 2.2, "body", "d"), false, "breath");
+  same(isMoved(0.5, 1, "leftIris", "cx"), false, "glances");
   same(isMoved(0, 0.5, "leftUpper", "d"), true, "a blink");
   same(isMoved(0, 0.2, "inside", "d"), true, "the mouth");
   same(isMoved(0, 0.66, "browLeft", "d"), true, "brows");
