@@ -38,5 +38,8 @@ test("a profile of another bank is refused", async () => {
   const robot = other.faceProfile("robot");
   assert.equal(robot.name, "robot");
   assert.throws(() => clip.faceAt(0, { profile: robot }), LipzError);
-  assert.equal(other.clips()[0].faceAt(3, { profile: robot }).blink, 0);
+  const talk = other.clip("talk");
+  // Until the speaker gets angry: a robot blinks then only.
+  const lids = Array.from({ length: 250 }, (_, index) => talk.faceAt(index / 100, { profile: robot }).blink);
+  assert.deepEqual(new Set(lids), new Set([0]));
 });
