@@ -13,7 +13,7 @@ use lipz_diagnostics::{Report, Severity, render, reports};
 use lipz_file::format::{Style, format};
 use lipz_interop::DEFAULT_RATE;
 use lipz_interop::subtitles::{SubtitleFormat, SubtitleOptions, cues, join};
-use lipz_texts::{Collect, Exchange, Format, Incoming, Merge, ReadOptions, WriteOptions, texts_of};
+use lipz_texts::{Collect, Exchange, Format, Incoming, Merge, ReadOptions, TextLints, WriteOptions, texts_of};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -146,6 +146,10 @@ fn commands(file: &str, mut each: impl FnMut(&'static str, &mut dyn FnMut())) {
     });
     each("convert", &mut || drop(compiler.convert(file.as_bytes(), VisemeType::ToonBoom)));
     for_translators(file, &mut each);
+    each("lints of translations", &mut || {
+        let document = lipz_file::parse(file.as_bytes()).document.unwrap_or_default();
+        TextLints::new("aa-aa").check("a", &document, &mut Vec::new());
+    });
     let mut bank = None;
     each("pack", &mut || bank = compiler.compile(&inputs).bank);
     let Some(bytes) = bank else { return };

@@ -163,7 +163,7 @@ codes! {
     RecordingWithoutClip "LZ1702" "recording-without-clip" Warning "a recording belongs to no clip"
     RecordingLength "LZ1703" "recording-length" Warning "a clip and its recording have different lengths"
     UnreadableSound "LZ1704" "unreadable-sound" Error "a recording cannot be read as sound"
-    StaleMouth "LZ1705" "stale-mouth" Warning "a recording or its text changed after its mouth was made"
+    StaleMouth "LZ1705" "stale-mouth" Warning "a recording changed after its mouth was made"
     MouthKept "LZ1706" "mouth-kept" Warning "a mouth that somebody made or changed by hand is not replaced"
     TextMismatch "LZ1707" "text-mismatch" Warning "a recording and its text do not say the same"
     NoScript "LZ1708" "no-script" Warning "a recording has no text"
@@ -206,6 +206,7 @@ codes! {
     UntranslatedText "LZ1912" "untranslated-text" Warning "a text is the same in another language"
     NumbersDiffer "LZ1913" "numbers-differ" Warning "a translation has other numbers than its source"
     MetaDiffers "LZ1914" "meta-differs" Warning "a translation has other meta information than its source"
+    OutdatedRecording "LZ1915" "outdated-recording" Warning "a recording is older than the text that is spoken"
 
     "Dubs"
     DubWithoutOriginal "LZ2001" "dub-without-original" Warning "a dub has no original"

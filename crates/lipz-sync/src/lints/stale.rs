@@ -1,4 +1,4 @@
-//! Mouths that were made from another recording, or for another text.
+//! Mouths that were made from another recording, and recordings that are older than their text.
 
 use crate::Line;
 use crate::clip::Clip;
@@ -7,7 +7,7 @@ use crate::sync::one::text_hash;
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use std::path::Path;
 
-/// Reports a mouth of which the record knows, but not from this recording and this text.
+/// Reports a mouth of which the record knows, but not from this recording and this text: one of the two has changed.
 pub(super) fn check(
     clip: &Clip<'_>,
     spoken: Option<&str>,
@@ -20,10 +20,16 @@ pub(super) fn check(
         return None;
     }
     let is_same_sound = known.iter().any(|line| line.made.sound == sound);
-    let what = if is_same_sound { "for another text" } else { "from another recording" };
-    Some(
-        Diagnostic::at(Code::StaleMouth, visemes.span(), format!("the mouth was made {what}"))
-            .note(format!("the recording is `{}`", escape::text(&shown(path))))
-            .help("make the mouth again from the recording"),
-    )
+    let (code, message, help) = match is_same_sound {
+        true => (
+            Code::OutdatedRecording,
+            "the recording is older than its text",
+            "record the line again; if its words are the same, make the mouth again, for this text",
+        ),
+        false => {
+            (Code::StaleMouth, "the mouth was made from another recording", "make the mouth again from the recording")
+        }
+    };
+    let note = format!("the recording is `{}`", escape::text(&shown(path)));
+    Some(Diagnostic::at(code, visemes.span(), message).note(note).help(help))
 }

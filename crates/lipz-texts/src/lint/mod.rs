@@ -60,7 +60,7 @@ impl<'r> TextLints<'r> {
     /// Reports what is wrong with the translations of a clip; `file` is what the record calls its Lipz file.
     pub fn check(&self, file: &str, clip: &Document<'_>, diagnostics: &mut Vec<Diagnostic>) {
         let before = diagnostics.len();
-        let others = self.record.filter(|record| record.has(file)).map(TextRecord::source_locales).unwrap_or_default();
+        let others = self.record.map(|record| record.source_locales_of(file)).unwrap_or_default();
         let others = others.into_iter().filter(|locale| *locale != self.source_locale);
         for source_locale in others.chain([self.source_locale.as_str()]) {
             let Some(source) = self.texts(clip).find(|text| text.locale == source_locale) else { continue };
@@ -115,45 +115,61 @@ impl Text<'_> {
 /// Reports translations that do not say what the source says: segments that both have.
 fn compare(source: &Text<'_>, translation: &Text<'_>, diagnostics: &mut Vec<Diagnostic>) {
     let is_other_language = language(&source.locale) != language(&translation.locale);
-    let mut found: [Vec<Diagnostic>; 4] = Default::default();
+    let mut found: [Few; 4] = Default::default();
     let [same, placeholders, metas, numbers] = &mut found;
-    let pairs = || source.segments.iter().zip(&translation.segments).enumerate();
     let numbers_differ = numbers::differ(&source.segments, &translation.segments);
-    for (at, (from, to)) in pairs().filter(|(_, (from, to))| !from.is_empty() && !to.is_empty()) {
+    let pairs = source.segments.iter().zip(&translation.segments).enumerate();
+    for (at, (from, to)) in pairs.filter(|(_, (from, to))| !from.is_empty() && !to.is_empty()) {
+        let differs = |code, message: String, label: &str, help: &str| {
+            let diagnostic = Diagnostic::at(code, translation.span(at, None), message);
+            diagnostic.also(source.span(at, None), label).help(help)
+        };
         if is_other_language && from == to && same::is_suspicious(from) {
             let message = format!("the text in {} is still that in {}", translation.locale, source.locale);
-            let diagnostic = Diagnostic::at(Code::UntranslatedText, translation.span(at, None), message);
-            same.push(diagnostic.also(source.span(at, None), "the same text").help(
-                "translate it; without the element, players would see the same, and coverage that it is missing",
-            ));
+            let help = "translate it; without the element, players would see the same, and coverage that it is missing";
+            same.add(|| differs(Code::UntranslatedText, message, "the same text", help));
         }
-        let differs = |code, message, help: &str| {
-            let diagnostic = Diagnostic::at(code, translation.span(at, None), message);
-            diagnostic.also(source.span(at, None), "the source").help(help)
-        };
-        let message = placeholder::difference(from, to);
-        placeholders.extend(message.map(|message| differs(Code::Placeholder, message, placeholder::HELP)));
-        let message = placeholder::meta_difference(from, to);
-        metas.extend(message.map(|message| differs(Code::MetaDiffers, message, placeholder::META_HELP)));
-        let message = numbers_differ.then(|| numbers::difference(from, to)).flatten();
-        let help = "compare the texts: one of the two is wrong";
-        numbers.extend(message.map(|message| differs(Code::NumbersDiffer, message, help)));
+        if let Some(message) = placeholder::difference(from, to) {
+            placeholders.add(|| differs(Code::Placeholder, message, "the source", placeholder::HELP));
+        }
+        if let Some(message) = placeholder::meta_difference(from, to) {
+            metas.add(|| differs(Code::MetaDiffers, message, "the source", placeholder::META_HELP));
+        }
+        if let Some(message) = numbers_differ.then(|| numbers::difference(from, to)).flatten() {
+            let help = "compare the texts: one of the two is wrong";
+            numbers.add(|| differs(Code::NumbersDiffer, message, "the source", help));
+        }
     }
     for of_kind in found {
-        push_some(of_kind, diagnostics);
+        of_kind.report(diagnostics);
     }
 }
 
-/// Adds diagnostics of one kind about one text, the first few in full.
-fn push_some(found: Vec<Diagnostic>, diagnostics: &mut Vec<Diagnostic>) {
-    let rest = found.len().saturating_sub(SHOWN);
-    for (number, diagnostic) in found.into_iter().take(SHOWN).enumerate() {
-        diagnostics.push(match rest {
-            rest if rest > 0 && number + 1 == SHOWN => {
-                diagnostic.note(format!("{rest} more in this text are not shown"))
-            }
-            _ => diagnostic,
-        });
+/// Diagnostics of one kind about one text: the first few, and how many there are. The others are not made, because finding
+/// their places takes as long as their text is.
+#[derive(Default)]
+struct Few {
+    shown: Vec<Diagnostic>,
+    count: usize,
+}
+
+impl Few {
+    fn add(&mut self, make: impl FnOnce() -> Diagnostic) {
+        self.count += 1;
+        if self.shown.len() < SHOWN {
+            self.shown.push(make());
+        }
+    }
+
+    fn report(mut self, diagnostics: &mut Vec<Diagnostic>) {
+        let rest = self.count - self.shown.len();
+        if let Some(last) = self.shown.pop() {
+            self.shown.push(match rest {
+                0 => last,
+                rest => last.note(format!("{rest} more in this text are not shown")),
+            });
+        }
+        diagnostics.append(&mut self.shown);
     }
 }
 

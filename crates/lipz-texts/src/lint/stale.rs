@@ -1,6 +1,6 @@
 //! Translations that are older than their source.
 
-use super::{Text, push_some};
+use super::{Few, Text};
 use crate::changes::changes;
 use crate::record::{Standing, TextRecord};
 use lipz_diagnostics::{Code, Diagnostic, escape};
@@ -18,36 +18,38 @@ pub(super) fn check(
 ) {
     let standings =
         record.standings(file, &source.locale, &translation.locale, &source.segments, &translation.segments);
-    let mut found = Vec::new();
+    let mut found = Few::default();
     for (at, standing) in standings.into_iter().enumerate() {
-        let Standing::Stale { made_from, is_changed } = standing else { continue };
-        let message = match is_changed {
-            false => format!("the text in {} has changed since this was translated", source.locale),
-            true => {
-                format!("this and the text in {} have both changed since one was made from the other", source.locale)
-            }
-        };
-        let now = source.segments.get(at).map_or("", String::as_str);
-        let mut diagnostic = Diagnostic::at(Code::StaleTranslation, translation.span(at, None), message);
-        let changes = changes(&made_from, now);
-        if changes.len() <= MARKED {
-            for change in changes {
-                let was = match change.old.is_empty() {
-                    true => "this is new".to_owned(),
-                    false if change.new.is_empty() => format!("here was {}", escape::quoted(change.old)),
-                    false => format!("this was {}", escape::quoted(change.old)),
-                };
-                diagnostic = diagnostic.also(source.span(at, Some(change.new)), was);
-            }
-        } else {
-            diagnostic = diagnostic.also(source.span(at, None), "many words are others");
+        if let Standing::Stale { made_from, is_changed } = standing {
+            found.add(|| stale(source, translation, at, &made_from, is_changed));
         }
-        found.push(
-            diagnostic
-                .note(format!("it was made from {}", escape::quoted(&made_from)))
-                .note(format!("the text is now  {}", escape::quoted(now)))
-                .help("translate the new text; or accept the translation as it is, if it still says the same"),
-        );
     }
-    push_some(found, diagnostics);
+    found.report(diagnostics);
+}
+
+/// The diagnostic about a segment.
+fn stale(source: &Text<'_>, translation: &Text<'_>, at: usize, made_from: &str, is_changed: bool) -> Diagnostic {
+    let message = match is_changed {
+        false => format!("the text in {} has changed since this was translated", source.locale),
+        true => format!("this and the text in {} have both changed since one was made from the other", source.locale),
+    };
+    let now = source.segments.get(at).map_or("", String::as_str);
+    let mut diagnostic = Diagnostic::at(Code::StaleTranslation, translation.span(at, None), message);
+    let changes = changes(made_from, now);
+    if changes.len() > MARKED {
+        diagnostic = diagnostic.also(source.span(at, None), "many words are others");
+    } else {
+        for change in changes {
+            let was = match change.old.is_empty() {
+                true => "this is new".to_owned(),
+                false if change.new.is_empty() => format!("here was {}", escape::quoted(change.old)),
+                false => format!("this was {}", escape::quoted(change.old)),
+            };
+            diagnostic = diagnostic.also(source.span(at, Some(change.new)), was);
+        }
+    }
+    diagnostic
+        .note(format!("it was made from {}", escape::quoted(made_from)))
+        .note(format!("the text is now  {}", escape::quoted(now)))
+        .help("translate the new text; or accept the translation as it is, if it still says the same")
 }

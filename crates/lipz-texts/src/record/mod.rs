@@ -115,6 +115,14 @@ impl TextRecord {
         all
     }
 
+    /// The locales of which translations of this file were made.
+    pub(crate) fn source_locales_of(&self, file: &str) -> Vec<&str> {
+        let versions = self.files.get(file).map_or(&[][..], Vec::as_slice);
+        let mut all: Vec<&str> = versions.iter().map(|version| version.source_locale.as_str()).collect();
+        all.dedup(); // versions are sorted by them
+        all
+    }
+
     /// Forgets a file.
     pub fn forget(&mut self, file: &str) {
         self.files.remove(file);
@@ -202,8 +210,9 @@ fn merge(versions: &mut Vec<Version>) {
 impl Version {
     /// Takes in what another version of the same texts says; gives back what has no room beside it: other translations.
     fn join(&mut self, other: Version) -> Option<Version> {
-        let mut rest = Version { made: BTreeMap::new(), ..other.clone() };
-        for (locale, theirs) in other.made {
+        let Version { source_locale, sources, made } = other;
+        let mut rest = Version { source_locale, sources, made: BTreeMap::new() };
+        for (locale, theirs) in made {
             let Some(ours) = self.made.get_mut(&locale) else {
                 self.made.insert(locale, theirs);
                 continue;
