@@ -46,6 +46,8 @@ export class Bank {
    * text bank. Gives the bank. @throws {LipzError} if it belongs to other clips.
    */
   useTexts(bytes: Bytes): this;
+  /** The locales of the voices: that of the originals first. None in a bank without dubs. */
+  readonly voices: string[];
   readonly clipCount: number;
   /** Hash of what the clips are: a bank and its text banks share it. */
   readonly fingerprint: bigint;
@@ -86,6 +88,10 @@ export class Clip {
   readonly segments: Segment[];
   /** The recording that the clip was made for; undefined if the bank says nothing about it. */
   readonly recording: Recording | undefined;
+  /** The locale of the voice that the clip is spoken in; undefined in a bank without dubs. */
+  readonly voice: string | undefined;
+  /** The clip as it is played in a voice, and whose mouth it has; undefined if the bank has no such voice. */
+  inVoice(tag: string): { clip: Clip; spoken: "original" | "dub" | "other-dub" } | undefined;
   /** The curve with this name, `jawOpen`; undefined if the clip has none. */
   curve(name: string): Curve | undefined;
   /** What the speaker feels at a time: neutral without curves of emotion, and without a frame rate. */

@@ -116,6 +116,16 @@ export class Bank {
     return clips.sort((a, b) => byCodePoints(a.key, b.key));
   }
 
+  /** The locales of the voices: that of the originals first. None in a bank without dubs. */
+  get voices() {
+    const tags = [];
+    for (;;) {
+      const tag = this.#memory.ask(c.lipz_string, "lipz_voice_at", this.#bank, tags.length);
+      if (tag === undefined) return tags;
+      tags.push(this.#memory.string(tag));
+    }
+  }
+
   /** The babble profile with this name. */
   babble(name) {
     const memory = this.#memory;
@@ -144,6 +154,9 @@ export class Bank {
     return fields && new Clip(this.#memory, fields, (tag) => this.#locales.find((locale) => locale.name === tag));
   }
 }
+
+/** Whose mouth a clip in a voice has, as the functions number it. */
+const SPOKEN = ["original", "dub", "other-dub"];
 
 export class Clip {
   #memory;
@@ -212,6 +225,21 @@ export class Clip {
   get recording() {
     const found = this.#ask(c.lipz_recording, "lipz_clip_recording");
     return found && { duration: Number(found.length_us) / 1e6, contentHash: found.content_hash };
+  }
+
+  /** The locale of the voice that the clip is spoken in; undefined in a bank without dubs. */
+  get voice() {
+    const tag = this.#ask(c.lipz_string, "lipz_clip_voice");
+    return tag && this.#memory.string(tag);
+  }
+
+  /**
+   * The clip as it is played in a voice, and whose it is: "dub", "other-dub" or "original"; undefined if the bank has no
+   * such voice.
+   */
+  inVoice(tag) {
+    const voiced = this.#ask(c.lipz_voiced_clip, "lipz_clip_in_voice", ...this.#memory.text(tag));
+    return voiced && { clip: new Clip(this.#memory, voiced.clip, this.#locale), spoken: SPOKEN[voiced.spoken] };
   }
 
   /** A cursor that waits for the sound of the clip to begin. */

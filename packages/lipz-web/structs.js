@@ -94,6 +94,8 @@ export const lipz_clip = struct({
 
 export const lipz_recording = struct({ length_us: u64, content_hash: u64 });
 
+export const lipz_voiced_clip = struct({ clip: lipz_clip, spoken: u32, reserved: u32 });
+
 export const lipz_segment = struct({ clip_id: u64, index: u32, start_frame: u32, end_frame: u32, reserved: u32 });
 
 export const lipz_text = struct({ data: pointer, length_bytes: u32, is_fallback: u32 });

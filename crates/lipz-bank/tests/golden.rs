@@ -5,7 +5,7 @@
 
 use lipz_testkit::exercise;
 use lipz_testkit::golden::dump;
-use lipz_testkit::golden::{CURVES, DRAMA, FACES, LONG, RECORDED, SMALL, SPECIALS, STRIPPED, WIDE, verified};
+use lipz_testkit::golden::{CURVES, DRAMA, DUBBED, FACES, LONG, RECORDED, SMALL, SPECIALS, STRIPPED, WIDE, verified};
 use std::path::Path;
 
 /// Compares the answers of a bank with the committed ones, or commits them with `LIPZ_BLESS=1`.
@@ -63,6 +63,7 @@ fn specials() {
 #[test]
 fn recorded() {
     check(RECORDED, "recorded.dump");
+    check(DUBBED, "dubbed.dump");
 }
 
 /// Leaving the sources out changes no answer: the dump is that of the bank with sources.

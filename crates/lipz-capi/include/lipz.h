@@ -246,6 +246,15 @@
 // `strongest` of a neutral face.
 #define LIPZ_NEUTRAL 4294967295
 
+// What is played is the original: the line is not dubbed, or the original was asked for.
+#define LIPZ_ORIGINAL 0
+
+// What is played is the dub in the voice that was asked for.
+#define LIPZ_DUB 1
+
+// What is played is the dub in another voice, which the one that was asked for falls back to.
+#define LIPZ_OTHER_DUB 2
+
 // What became of a call: `LIPZ_OK`, one of the other numbers from 256 on, or the kind of damage
 // that was found in a bank, from 1 to 255. Numbers are never given a new meaning.
 typedef uint32_t lipz_status;
@@ -527,6 +536,16 @@ typedef struct lipz_face {
   // How hard somebody breathes: 0 to 10,000. Only curves say so.
   int32_t breath;
 } lipz_face;
+
+// A clip as it is played in a voice.
+typedef struct lipz_voiced_clip {
+  // The clip: its mouth, its times, its texts and its events are those of the recording in that voice.
+  struct lipz_clip clip;
+  // `LIPZ_ORIGINAL`, `LIPZ_DUB` or `LIPZ_OTHER_DUB`.
+  uint32_t spoken;
+  // 0.
+  uint32_t reserved;
+} lipz_voiced_clip;
 
 // The answer was written.
 #define LIPZ_OK 0
@@ -1114,6 +1133,25 @@ lipz_status lipz_face_idle_at_seconds_f32(const struct lipz_bank *bank,
                                           uint64_t seed,
                                           float seconds,
                                           struct lipz_face *face);
+
+// The clip as it is played in the voice with this tag (`de-de`), spelled as in the bank. `clip` may be the original or any
+// of its dubs. `LIPZ_NONE` if the bank has no such voice: play the clip as it is.
+lipz_status lipz_clip_in_voice(const struct lipz_bank *bank,
+                               const struct lipz_clip *clip,
+                               const char *tag,
+                               size_t tag_length_bytes,
+                               struct lipz_voiced_clip *voiced);
+
+// The tag of the voice whose recording the mouth of a clip belongs to. `LIPZ_NONE` in a bank without dubs.
+lipz_status lipz_clip_voice(const struct lipz_bank *bank,
+                            const struct lipz_clip *clip,
+                            struct lipz_string *tag);
+
+// The tag of the voice with this index: that of the originals is 0, those of the dubs follow in the order of their tags.
+// `LIPZ_NONE` behind the last; a bank without dubs has none.
+lipz_status lipz_voice_at(const struct lipz_bank *bank,
+                          uint32_t index,
+                          struct lipz_string *tag);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -44,7 +44,7 @@ pub struct Clip {
 }
 
 impl Clip {
-    fn from_found(clip: Option<lipz_bank::Clip<'_, '_>>) -> Result<Clip, Status> {
+    pub(crate) fn from_found(clip: Option<lipz_bank::Clip<'_, '_>>) -> Result<Clip, Status> {
         let clip = clip.ok_or(LIPZ_NONE)?;
         Ok(Clip {
             id: clip.id().get(),

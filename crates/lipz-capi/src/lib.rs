@@ -42,6 +42,7 @@ mod status;
 mod string;
 mod time;
 mod version;
+mod voice;
 
 pub use babble::{
     Babble, LIPZ_BUILT_IN, LIPZ_UNMEASURED, Weights, lipz_babble_at_samples, lipz_babble_at_seconds,
@@ -99,3 +100,6 @@ pub use time::{
     lipz_viseme_at_seconds, lipz_viseme_at_seconds_f32, lipz_viseme_at_us,
 };
 pub use version::{LIPZ_VERSION_MAJOR, LIPZ_VERSION_MINOR, LIPZ_VERSION_PATCH, lipz_version};
+pub use voice::{
+    LIPZ_DUB, LIPZ_ORIGINAL, LIPZ_OTHER_DUB, VoicedClip, lipz_clip_in_voice, lipz_clip_voice, lipz_voice_at,
+};

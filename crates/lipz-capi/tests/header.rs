@@ -8,7 +8,7 @@ use std::fs;
 use std::path::Path;
 
 /// The names of the structs in C: those of functions and constants are the same in Rust.
-const NAMES: [(&str, &str); 22] = [
+const NAMES: [(&str, &str); 23] = [
     ("Babble", "lipz_babble"),
     ("Bank", "lipz_bank"),
     ("BankInfo", "lipz_bank_info_t"),
@@ -30,11 +30,12 @@ const NAMES: [(&str, &str); 22] = [
     ("String", "lipz_string"),
     ("Text", "lipz_text"),
     ("Viseme", "lipz_viseme"),
+    ("VoicedClip", "lipz_voiced_clip"),
     ("Weights", "lipz_weights"),
 ];
 
 /// The files with declarations, in the order of the header.
-const FILES: [&str; 16] = [
+const FILES: [&str; 17] = [
     "version.rs",
     "status.rs",
     "string.rs",
@@ -51,6 +52,7 @@ const FILES: [&str; 16] = [
     "curve.rs",
     "emotion.rs",
     "face.rs",
+    "voice.rs",
 ];
 
 const INTRODUCTION: &str = "/*

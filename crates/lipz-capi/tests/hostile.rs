@@ -159,6 +159,9 @@ fn every_query(bank: &Bank, clip: &Clip, number: u32) {
         Answer::<Viseme>::from_call(|out| lipz_clip_viseme(bank, Some(clip), number, out));
         Answer::<u64>::from_call(|out| lipz_clip_start_of_frame_us(bank, Some(clip), number, out));
         Answer::<Recording>::from_call(|out| lipz_clip_recording(bank, Some(clip), out));
+        Answer::<VoicedClip>::from_call(|out| lipz_clip_in_voice(bank, clip_of, c"de-de".as_ptr(), 5, out));
+        Answer::<String>::from_call(|out| lipz_clip_voice(bank, clip_of, out));
+        Answer::<String>::from_call(|out| lipz_voice_at(bank, number % 4, out));
         Answer::<u32>::from_call(|out| lipz_frame_at_us(bank, Some(clip), time_us, out));
         Answer::<u32>::from_call(|out| lipz_frame_at_samples(bank, Some(clip), time_us, number, out));
         Answer::<u32>::from_call(|out| lipz_frame_at_seconds(bank, Some(clip), f64::from(number), out));

@@ -109,7 +109,7 @@ fn compare(project: &[Line], bytes: &[u8]) {
             assert_eq!(clip.original().map(|clip| clip.key()), original.map(|_| name));
             for (tag, segment) in LOCALES.iter().flat_map(|tag| (0..line.segments).map(move |segment| (tag, segment))) {
                 let Some(locale) = bank.locale(tag) else { continue };
-                let text = clip.segment(segment as u32).unwrap().text(locale);
+                let text = clip.segments().nth(segment).unwrap().text(locale);
                 let text = text.map(|text| (text.as_str().to_owned(), text.is_fallback()));
                 assert_eq!(text, shown(source, original, tag, segment), "{} in {tag}", clip.key());
             }
@@ -173,7 +173,7 @@ proptest! {
         // Half of the files stay as they are.
         let mixed: Vec<Line> = before.iter().zip(&after).map(|(before, after)| {
             let versions = [0, 1, 2, 3].map(|at: usize| {
-                if at % 2 == 0 { before.versions[at].clone() } else { after.versions[at].clone() }
+                if at.is_multiple_of(2) { before.versions[at].clone() } else { after.versions[at].clone() }
             });
             Line { versions, ..before.clone() }
         }).collect();

@@ -12,6 +12,8 @@ pub static CURVES: &[u8] = include_bytes!("../../../fixtures/banks/v1/curves.lip
 pub static FACES: &[u8] = include_bytes!("../../../fixtures/banks/v1/faces.lipzbank");
 /// Faces that move by themselves, by two profiles.
 pub static SPECIALS: &[u8] = include_bytes!("../../../fixtures/banks/v1/specials.lipzbank");
+/// A line with a dub, which another voice falls back to.
+pub static DUBBED: &[u8] = include_bytes!("../../../fixtures/banks/v1/dubbed.lipzbank");
 pub static DRAMA: &[u8] = include_bytes!("../../../fixtures/banks/v1/drama.lipzbank");
 pub static LONG: &[u8] = include_bytes!("../../../fixtures/banks/v1/long.lipzbank");
 pub static RECORDED: &[u8] = include_bytes!("../../../fixtures/banks/v1/recorded.lipzbank");

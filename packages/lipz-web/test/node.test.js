@@ -71,6 +71,24 @@ test("a clip knows the recording that it was made for", async () => {
   assert.equal((await open(bytes)).clip(KEY).recording, undefined);
 });
 
+test("a clip is played in the voice that is asked for", async () => {
+  const bank = (await open(await readFile(new URL("banks/dubbed.lipzbank", import.meta.url)))).verify();
+  assert.deepEqual(bank.voices, ["en-us", "de-at", "de-de"]);
+  const played = (key, tag) => {
+    const voiced = bank.clip(key).inVoice(tag);
+    return voiced && [voiced.clip.key, voiced.clip.voice, voiced.spoken, voiced.clip.segmentAt(0).text("en-us")];
+  };
+  for (const asked of ["aye", "de/aye"]) {
+    assert.deepEqual(played(asked, "en-us"), ["aye", "en-us", "original", "Aye!"]);
+    assert.deepEqual(played(asked, "de-de"), ["de/aye", "de-de", "dub", "Aye!"]);
+    assert.deepEqual(played(asked, "de-at"), ["de/aye", "de-de", "other-dub", "Aye!"]);
+  }
+  assert.deepEqual(played("no", "de-de"), ["no", "en-us", "original", "No."]);
+  assert.equal(played("no", "fr-fr"), undefined);
+  const without = await open(bytes);
+  assert.deepEqual([without.voices, without.clip(KEY).voice, without.clip(KEY).inVoice("de-de")], [[], undefined, undefined]);
+});
+
 test("a segment has its text in every locale, and its events", async () => {
   const segment = (await open(bytes)).clip(KEY).segmentAt(1.6);
   assert.equal(segment.index, 1);
