@@ -148,6 +148,36 @@ fn only_what_changed_is_made_anew() {
     assert!(scene.pack().is_unchanged);
 }
 
+/// Curves of a file, of its emotions and of others, and the face profiles of a project.
+#[test]
+fn curves_are_recalled_as_they_were() {
+    let mut scene = Scene::new();
+    let options = Options::new().default_locale("en-us");
+    let mut faces = lipz_compiler::face::FaceProfiles::default();
+    faces.base[0] = Some(5000);
+    scene.options = options.clone().faces(faces);
+    let files = [
+        ("own", r#""curves": { "jawOpen": "0:0 2:-40.25", "nod": "0:5" }"#),
+        ("felt", r#""text_en-us": "{anger 2.2} I told {joy 4} you.", "events": "mara feels fear 4""#),
+        ("both", r#""text_en-us": "{anger 2.2} No.", "curves": { "anger": "0:1 2:9" }"#),
+        ("none", r#""text_en-us": "No.""#),
+    ];
+    for (key, rest) in files {
+        let file = format!(r#"{{ "fps": 24, "viseme_type": "blair", "visemes": "MA-", {rest} }}"#);
+        fs::write(scene.path(&format!("voices/{key}.lipz")), file).unwrap();
+    }
+    std::thread::sleep(SETTLING);
+    assert_eq!(scene.pack().recalled, 0);
+    let bytes = fs::read(scene.bank()).unwrap();
+    let curves = lipz_bank::Bank::open(&bytes).unwrap().clips().map(|clip| clip.curves().count()).collect::<Vec<_>>();
+    assert_eq!(curves, [1, 3, 0, 2], "both, felt, none, own");
+    assert_eq!(scene.pack().recalled, files.len());
+    fs::write(scene.path("voices/new.lipz"), r#"{"visemes":"A-","viseme_type":"blair","fps":24}"#).unwrap();
+    assert_eq!(scene.pack().recalled, files.len());
+    scene.options = options;
+    assert_eq!(scene.pack().recalled, 0, "other profiles make another bank");
+}
+
 #[test]
 fn diagnostics_are_reported_in_every_run() {
     let scene = Scene::new();

@@ -3,6 +3,7 @@
 
 use lipz_bank::{Bank, Clip, ClipId, Layers, Micros, Recording, Text};
 use lipz_compiler::diagnostics::Code;
+use lipz_compiler::face::numbers;
 use lipz_compiler::{Compiler, Input, Options, Over, Stack};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
@@ -43,10 +44,16 @@ fn say_text(said: &mut String, tag: &str, text: Option<Text<'_>>) {
     writeln!(said, " {tag} {:?}", text.map(|text| (text.as_str(), text.is_fallback()))).unwrap();
 }
 
+fn say_faces(said: &mut String, bank: &Bank<'_>) {
+    let profiles: Vec<_> = bank.face_profiles().map(|profile| (profile, numbers(&profile))).collect();
+    writeln!(said, "{profiles:?}").unwrap();
+}
+
 /// All that a bank says.
 fn of_bank(bank: &Bank<'_>) -> String {
     let mut said = String::new();
     writeln!(said, "{:?} {:?}", bank.default_locale(), bank.babbles()).unwrap();
+    say_faces(&mut said, bank);
     for clip in bank.clips() {
         say_clip(&mut said, &clip);
         for locale in bank.locales() {
@@ -63,6 +70,7 @@ fn of_layers<const N: usize>(layers: &Layers<'_, N>) -> String {
     let default = default.map(|locale| format!("Locale({:?})", locale.tag()));
     let babbles = layers.of_babble().map(Bank::babbles).unwrap();
     writeln!(said, "{} {babbles:?}", default.map_or("None".to_owned(), |tag| format!("Some({tag})"))).unwrap();
+    say_faces(&mut said, layers.of_faces().unwrap());
     let mut tags: Vec<&str> = layers.locale_tags().collect();
     tags.sort_unstable();
     for clip in layers.clips() {
@@ -223,6 +231,11 @@ fn settings_that_change_come_with_a_layer() {
         (project.clone(), settings("")),
         (project.clone(), recorded(7)),
         (project.clone(), recorded(8)),
+    ]);
+    check(&[
+        (project.clone(), settings("[face]\nhead = 1\n")),
+        (project.clone(), settings("[face]\nhead = 2\n[face.robot]\nblink = 0\n")),
+        (project.clone(), settings("[babble]\nrate = 12\n")),
     ]);
     check(&[(project.clone(), recorded(8)), (project, settings(""))]);
 }
