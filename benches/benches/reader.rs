@@ -6,8 +6,8 @@
 )]
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
-use lipz_bank::{Bank, ClipId, Micros};
-use lipz_benches::{DEFAULT_SEED, Random, files, naive};
+use lipz_bank::{Bank, ClipId, Layers, Micros};
+use lipz_benches::{DEFAULT_SEED, Random, files, layers, naive};
 use lipz_compiler::{Compiler, Input, Options};
 use std::hint::black_box;
 
@@ -47,6 +47,12 @@ fn queries(criterion: &mut Criterion) {
 
     let mut group = criterion.benchmark_group("reader");
     group.bench_function("find, by id", |bencher| bencher.iter(|| bank.clip(ids[pick()]).map(|clip| clip.slot())));
+    let (patch, addition) = layers::over(&bytes, CLIPS).expect("two layers");
+    let of_layer = |bytes| Bank::open(bytes).and_then(Bank::verify).expect("a layer without fault");
+    let stack = Layers::new([bank, of_layer(&patch), of_layer(&addition)]).expect("layers that fit");
+    group.bench_function("find in three layers, by id", |bencher| {
+        bencher.iter(|| stack.clip(ids[pick()]).map(|clip| clip.slot()));
+    });
     group.bench_function("find, by key", |bencher| {
         bencher.iter(|| bank.clip_by_key(&files[pick()].0).map(|clip| clip.slot()));
     });

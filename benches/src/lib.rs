@@ -9,6 +9,8 @@ mod clip;
 #[cfg(feature = "tools")]
 mod folder;
 #[cfg(feature = "tools")]
+pub mod layers;
+#[cfg(feature = "tools")]
 pub mod naive;
 mod random;
 mod texts;

@@ -29,6 +29,13 @@ export interface OpenOptions {
  */
 export function open(bytes: Bytes, options?: OpenOptions): Promise<Bank>;
 
+/**
+ * Opens and verifies a bank and the layers over it (`lipz pack --over`), the base first.
+ *
+ * @throws {LipzError} if one of them is damaged, or was packed over other banks than those before it.
+ */
+export function openLayers(files: readonly Bytes[], options?: OpenOptions): Promise<Layers>;
+
 /** A file that is refused, or a call that makes no sense. */
 export class LipzError extends Error {
   /** The number of the status in lipz.h. */
@@ -68,6 +75,23 @@ export class Bank {
   faceProfile(name: string): FaceProfile | undefined;
   /** The profile of the project, `[face]` in its settings; the usual one if it has none. */
   readonly defaultFaceProfile: FaceProfile;
+}
+
+/** A bank with patches, dubs and mods over it: the topmost of them answers, with a {@link Clip} as any other. */
+export class Layers {
+  private constructor();
+  readonly layerCount: number;
+  /** The tags of the locales, in their order. */
+  readonly locales: string[];
+  readonly defaultLocale: string | undefined;
+  /** The clip with this key, or with this id if it is a bigint. */
+  clip(keyOrId: string | bigint): Clip | undefined;
+  /** All clips, in the order of their keys by code points. */
+  clips(): Clip[];
+  /** The babble profile with this name. */
+  babble(name: string): Babble | undefined;
+  /** The profile of the project. */
+  readonly defaultBabble: Babble;
 }
 
 export class Clip {

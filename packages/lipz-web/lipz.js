@@ -4,13 +4,14 @@ import { Babble } from "./babble.js";
 import { Cursor } from "./cursor.js";
 import { Curve, EMOTIONS, emotionsOf } from "./curve.js";
 import { FaceProfile, faceOf, settingsOf } from "./specials.js";
+import { Layers } from "./layers.js";
 import { BANK, FIRST, LipzError, Memory, SECOND } from "./memory.js";
 import { byCodePoints } from "./order.js";
 import * as c from "./structs.js";
 import { at, eventOf, TEN_THOUSAND, VISEME_TYPES } from "./words.js";
 
 export { Babble, UNMEASURED } from "./babble.js";
-export { Cursor, Curve, EMOTIONS, FaceProfile, LipzError };
+export { Cursor, Curve, EMOTIONS, FaceProfile, Layers, LipzError };
 
 let compiled;
 
@@ -28,10 +29,26 @@ async function module(source) {
   return WebAssembly.compile(await response.arrayBuffer());
 }
 
+/** An instance of the reader. */
+async function instance(wasm) {
+  const reader = wasm ? module(wasm) : (compiled ??= module());
+  return WebAssembly.instantiate(await reader);
+}
+
 /** Opens a bank: checks header and directory. Throws a LipzError if the bytes are not a bank. */
 export async function open(bytes, { wasm } = {}) {
-  const reader = wasm ? module(wasm) : (compiled ??= module());
-  return new Bank(new Memory(await WebAssembly.instantiate(await reader)), bytesOf(bytes));
+  return new Bank(new Memory(await instance(wasm)), bytesOf(bytes));
+}
+
+/** Opens and verifies a bank and the layers over it, the base first. Throws a LipzError if they do not fit. */
+export async function openLayers(files, { wasm } = {}) {
+  // One instance for all: functions about a stack look at all of its banks.
+  const shared = await instance(wasm);
+  const opened = files.map((bytes) => {
+    const memory = new Memory(shared);
+    return { memory, bank: new Bank(memory, bytesOf(bytes)).verify() };
+  });
+  return new Layers(opened, new Memory(shared), (...args) => new Clip(...args));
 }
 
 function bytesOf(bytes) {
@@ -151,7 +168,16 @@ export class Bank {
   }
 
   #clip(fields) {
-    return fields && new Clip(this.#memory, fields, (tag) => this.#locales.find((locale) => locale.name === tag));
+    return fields && new Clip(this.#memory, fields, (segment, tag) => this.#text(segment, tag));
+  }
+
+  /** The text of a segment, given by its fields, in a locale of the bank. */
+  #text(fields, tag) {
+    const locale = this.#locales.find((locale) => locale.name === tag);
+    if (locale === undefined) return undefined;
+    const memory = this.#memory;
+    const segment = memory.put(FIRST, c.lipz_segment, fields);
+    return memory.ask(c.lipz_text, "lipz_segment_text", memory.slot(BANK), segment, memory.put(SECOND, c.lipz_locale, locale));
   }
 }
 
@@ -161,13 +187,13 @@ const SPOKEN = ["original", "dub", "other-dub"];
 export class Clip {
   #memory;
   #fields;
-  #locale;
+  #textOf;
   #key;
 
-  constructor(memory, fields, locale) {
+  constructor(memory, fields, textOf) {
     this.#memory = memory;
     this.#fields = fields;
-    this.#locale = locale;
+    this.#textOf = textOf;
   }
 
   /** Calls a function whose first arguments are the bank and this clip. */
@@ -279,7 +305,7 @@ export class Clip {
   /** The clip with this viseme type, where its file leaves it unspecified. */
   orVisemeType(name) {
     const viseme_type = this.#fields.viseme_type || VISEME_TYPES.indexOf(name);
-    return new Clip(this.#memory, { ...this.#fields, viseme_type }, this.#locale);
+    return new Clip(this.#memory, { ...this.#fields, viseme_type }, this.#textOf);
   }
 
   /** The curve with this name; undefined if the clip has none. */
@@ -320,7 +346,7 @@ export class Clip {
   /** The clip with this frame rate, where its file leaves it unspecified. */
   orFps(numerator, denominator = 1) {
     const fps = this.fps ? {} : { fps_numerator: numerator, fps_denominator: denominator };
-    return new Clip(this.#memory, { ...this.#fields, ...fps }, this.#locale);
+    return new Clip(this.#memory, { ...this.#fields, ...fps }, this.#textOf);
   }
 
   /** The second at which a frame starts to show; undefined without a frame rate. */
@@ -354,7 +380,7 @@ export class Clip {
   }
 
   #segment(fields) {
-    return fields && new Segment(this.#memory, fields, this.#locale);
+    return fields && new Segment(this.#memory, fields, this.#textOf);
   }
 
   /** The segment of these fields, for the cursor. */
@@ -372,12 +398,12 @@ function opennessOf(memory, viseme, type) {
 export class Segment {
   #memory;
   #fields;
-  #locale;
+  #textOf;
 
-  constructor(memory, fields, locale) {
+  constructor(memory, fields, textOf) {
     this.#memory = memory;
     this.#fields = fields;
-    this.#locale = locale;
+    this.#textOf = textOf;
   }
 
   #ask(type, name, ...args) {
@@ -397,11 +423,9 @@ export class Segment {
     return this.#fields.end_frame;
   }
 
-  /** The text in a locale of the bank; undefined if the clip has none, also by fallback. */
+  /** The text in a locale; undefined if the clip has none, also by fallback. */
   text(tag) {
-    const locale = this.#locale(tag);
-    if (locale === undefined) return undefined;
-    const text = this.#ask(c.lipz_text, "lipz_segment_text", this.#memory.put(SECOND, c.lipz_locale, locale));
+    const text = this.#textOf(this.#fields, tag);
     return text && { text: this.#memory.string(text), isFallback: text.is_fallback !== 0 };
   }
 

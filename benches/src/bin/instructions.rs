@@ -4,7 +4,7 @@
 //! `benches/instructions.txt`; `--bless` writes what is counted now.
 
 use clap::Parser;
-use lipz_benches::{callgrind, temporary_folder};
+use lipz_benches::{callgrind, layers, temporary_folder};
 use lipz_compiler::{Compiler, Input, Options};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -44,7 +44,11 @@ fn main() -> Result<(), Failure> {
     let limits = std::fs::read_to_string(&limits_path).map_err(|error| format!("`{LIMITS}`: {error}"))?;
     let folder = temporary_folder()?;
     let bank = folder.path().join("counted.lipzbank");
-    std::fs::write(&bank, bank_bytes()?).map_err(|error| error.to_string())?;
+    let bytes = bank_bytes()?;
+    let (patch, addition) = layers::over(&bytes, CLIPS)?;
+    for (extension, bytes) in [("lipzbank", &bytes), ("patch", &patch), ("mod", &addition)] {
+        std::fs::write(bank.with_extension(extension), bytes).map_err(|error| error.to_string())?;
+    }
 
     let (mut counted, mut too_many) = (String::new(), Vec::new());
     println!("{:<20} {:>9} {:>9}", "question", "counted", "limit");

@@ -1,9 +1,9 @@
 //! The program whose instructions `cargo xtask instructions` counts: asks a bank of the generator's
 //! clips the same kind of question a number of times.
 //!
-//! `queries BANK QUESTION TIMES`
+//! `queries BANK QUESTION TIMES`; beside the bank lie layers over it, with the extensions `patch` and `mod`.
 
-use lipz_bank::{Bank, Clip, ClipId, Cursor, Micros, Seconds};
+use lipz_bank::{Bank, Clip, ClipId, Cursor, Layers, Micros, Seconds};
 use lipz_benches::{DEFAULT_SEED, Random, clip_key};
 use std::hint::black_box;
 
@@ -20,10 +20,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         return Err("usage: queries BANK QUESTION TIMES".into());
     };
     let bytes = std::fs::read(path)?;
-    ask(&bytes, question, times.parse()?)
+    // The layers over the bank, made before: that does not count.
+    let layer = |name| std::fs::read(std::path::Path::new(path).with_extension(name)).unwrap_or_default();
+    ask([&bytes, &layer("patch"), &layer("mod")], question, times.parse()?)
 }
 
-fn ask(bytes: &[u8], question: &str, times: usize) -> Result<(), Box<dyn std::error::Error>> {
+fn ask([bytes, patch, addition]: [&[u8]; 3], question: &str, times: usize) -> Result<(), Box<dyn std::error::Error>> {
     let bank = Bank::open(bytes)?.verify()?;
     let locale = bank.locale("de-de").ok_or("the bank has no German")?;
     let keys: Vec<String> = (0..bank.clip_count()).map(clip_key).collect();
@@ -41,6 +43,21 @@ fn ask(bytes: &[u8], question: &str, times: usize) -> Result<(), Box<dyn std::er
         "find by key" => asked.for_each(|(at, _)| _ = black_box(bank.clip_by_key(&keys[at]))),
         "find nothing" => {
             asked.for_each(|(at, _)| _ = black_box(bank.clip(ClipId::from_u64(ids[at].get() ^ 1))));
+        }
+        // A base with a patch of every hundredth clip and a mod of every thousandth over it.
+        "find in three layers" | "text in three layers" => {
+            let banks = [bank, Bank::open(patch)?.verify()?, Bank::open(addition)?.verify()?];
+            let layers = Layers::new(banks)?;
+            let german = layers.locale("de-de").ok_or("the stack has no German")?;
+            if question == "find in three layers" {
+                asked.for_each(|(at, _)| _ = black_box(layers.clip(ids[at])));
+            } else {
+                let clips: Vec<_> = ids.iter().filter_map(|id| layers.clip(*id)).collect();
+                asked.for_each(|(at, time_us)| {
+                    let segment = clips[at].segment_at(Micros(time_us));
+                    black_box(segment.and_then(|segment| clips[at].text(segment.index(), &german)));
+                });
+            }
         }
         "frame" => asked.for_each(|(at, time_us)| _ = black_box(clips[at].viseme_at(Micros(time_us)))),
         "segment and text" => asked.for_each(|(at, time_us)| {

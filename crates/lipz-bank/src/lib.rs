@@ -98,7 +98,7 @@ pub use emotions::Emotions;
 pub use error::{Error, ErrorKind};
 pub use event::{Event, EventName, Events};
 pub use face::{Face, FaceProfile, FaceProfiles, LookAt};
-pub use layers::{LayeredClip, LayeredClips, LayeredLocale, LayeredName, Layers, LayersError};
+pub use layers::{Layer, LayeredClip, LayeredClips, LayeredLocale, LayeredName, Layers, LayersError};
 pub use locale::{Locale, Locales};
 pub use places::Places;
 pub use playback::{CharacterState, Characters, ConsonantHold, Cursor, DueSegments, Lead};

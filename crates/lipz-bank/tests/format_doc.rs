@@ -133,6 +133,7 @@ fn records() {
         part_count,
         removed_locale_count,
         flags,
+        filter_count,
         reserved,
     });
     check_fields("LayerRecord", &fields, size_of::<LayerRecord>());

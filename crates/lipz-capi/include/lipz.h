@@ -255,6 +255,9 @@
 // What is played is the dub in another voice, which the one that was asked for falls back to.
 #define LIPZ_OTHER_DUB 2
 
+// In place of a layer: there is none.
+#define LIPZ_NO_LAYER UINT32_MAX
+
 // What became of a call: `LIPZ_OK`, one of the other numbers from 256 on, or the kind of damage
 // that was found in a bank, from 1 to 255. Numbers are never given a new meaning.
 typedef uint32_t lipz_status;
@@ -546,6 +549,33 @@ typedef struct lipz_voiced_clip {
   // 0.
   uint32_t reserved;
 } lipz_voiced_clip;
+
+// A clip of a stack. Ask the bank `banks[layer]` about `clip`: mouths, segments, events, curves, a cursor. Texts are those of
+// `lipz_layers_text`.
+typedef struct lipz_layered_clip {
+  // The clip in its own bank.
+  struct lipz_clip clip;
+  // Index of that bank.
+  uint32_t layer;
+  // Index of the bank that has the texts; `LIPZ_NO_LAYER` if none has any.
+  uint32_t texts_layer;
+} lipz_layered_clip;
+
+// A locale of a stack in one of its banks.
+typedef struct lipz_layered_locale {
+  // The locale of that bank whose texts show.
+  struct lipz_locale locale;
+  // 1 if it is another locale, which stands in for the one that was asked for.
+  uint32_t is_stand_in;
+} lipz_layered_locale;
+
+// Which banks of a stack say what is said once.
+typedef struct lipz_layers_info_t {
+  // Index of the bank whose babble profiles count.
+  uint32_t babble_layer;
+  // Index of the bank whose default locale counts.
+  uint32_t default_locale_layer;
+} lipz_layers_info_t;
 
 // The answer was written.
 #define LIPZ_OK 0
@@ -1152,6 +1182,51 @@ lipz_status lipz_clip_voice(const struct lipz_bank *bank,
 lipz_status lipz_voice_at(const struct lipz_bank *bank,
                           uint32_t index,
                           struct lipz_string *tag);
+
+// Checks that `count` opened banks make a stack, the base first: that each layer was made over banks below it. Call it once,
+// after opening them, and verify each bank by itself.
+//
+// The status is that of a bank: error 37 for a layer of other banks. `misfit` may be null; otherwise it gets the index of the bank
+// that does not fit, and 0 if all do.
+lipz_status lipz_layers_check(const struct lipz_bank *banks,
+                              uint32_t count,
+                              uint32_t *misfit);
+
+// The clip with this id, of the topmost bank that has it; `LIPZ_NONE` if none does, or one above removes it.
+lipz_status lipz_layers_clip_by_id(const struct lipz_bank *banks,
+                                   uint32_t count,
+                                   uint64_t id,
+                                   struct lipz_layered_clip *clip);
+
+// The clip with this key, compared whole.
+lipz_status lipz_layers_clip_by_key(const struct lipz_bank *banks,
+                                    uint32_t count,
+                                    const char *key,
+                                    size_t key_length_bytes,
+                                    struct lipz_layered_clip *clip);
+
+// The locale with this tag as the bank with the index `layer` has it, or what stands in for it there. Look it up once for each
+// bank. `LIPZ_NONE` if clips of this bank have no texts in it.
+lipz_status lipz_layers_locale(const struct lipz_bank *banks,
+                               uint32_t count,
+                               uint32_t layer,
+                               const char *tag,
+                               size_t tag_length_bytes,
+                               struct lipz_layered_locale *locale);
+
+// The text of the segment with this index of a clip, in a locale that was looked up for its `texts_layer`. `LIPZ_NONE` if the
+// clip has none, also by fallback.
+lipz_status lipz_layers_text(const struct lipz_bank *banks,
+                             uint32_t count,
+                             const struct lipz_layered_clip *clip,
+                             uint32_t segment,
+                             const struct lipz_layered_locale *locale,
+                             struct lipz_text *text);
+
+// Which banks say what is said once for the whole stack.
+lipz_status lipz_layers_info(const struct lipz_bank *banks,
+                             uint32_t count,
+                             struct lipz_layers_info_t *info);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -33,6 +33,7 @@ mod curve;
 mod emotion;
 mod event;
 mod face;
+mod layers;
 mod locale;
 #[cfg(feature = "panic-handler")]
 mod panic;
@@ -86,6 +87,10 @@ pub use face::{
     Face, FaceProfile, LookAt, lipz_clip_face_at_samples, lipz_clip_face_at_seconds, lipz_clip_face_at_seconds_f32,
     lipz_clip_face_at_us, lipz_face_idle_at_samples, lipz_face_idle_at_seconds, lipz_face_idle_at_seconds_f32,
     lipz_face_idle_at_us, lipz_face_profile_by_name, lipz_face_profile_default,
+};
+pub use layers::{
+    LIPZ_NO_LAYER, LayeredClip, LayeredLocale, LayersInfo, lipz_layers_check, lipz_layers_clip_by_id,
+    lipz_layers_clip_by_key, lipz_layers_info, lipz_layers_locale, lipz_layers_text,
 };
 pub use locale::{Locale, lipz_locale_at, lipz_locale_by_tag, lipz_locale_default};
 pub use segment::{Segment, Text, lipz_segment_at, lipz_segment_of_frame, lipz_segment_text};

@@ -8,7 +8,7 @@ use std::fs;
 use std::path::Path;
 
 /// The names of the structs in C: those of functions and constants are the same in Rust.
-const NAMES: [(&str, &str); 23] = [
+const NAMES: [(&str, &str); 26] = [
     ("Babble", "lipz_babble"),
     ("Bank", "lipz_bank"),
     ("BankInfo", "lipz_bank_info_t"),
@@ -22,6 +22,9 @@ const NAMES: [(&str, &str); 23] = [
     ("EventName", "lipz_name"),
     ("Face", "lipz_face"),
     ("FaceProfile", "lipz_face_profile"),
+    ("LayeredClip", "lipz_layered_clip"),
+    ("LayeredLocale", "lipz_layered_locale"),
+    ("LayersInfo", "lipz_layers_info_t"),
     ("Locale", "lipz_locale"),
     ("LookAt", "lipz_look_at"),
     ("Recording", "lipz_recording"),
@@ -35,7 +38,7 @@ const NAMES: [(&str, &str); 23] = [
 ];
 
 /// The files with declarations, in the order of the header.
-const FILES: [&str; 17] = [
+const FILES: [&str; 18] = [
     "version.rs",
     "status.rs",
     "string.rs",
@@ -53,6 +56,7 @@ const FILES: [&str; 17] = [
     "emotion.rs",
     "face.rs",
     "voice.rs",
+    "layers.rs",
 ];
 
 const INTRODUCTION: &str = "/*

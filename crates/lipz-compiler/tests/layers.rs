@@ -1,10 +1,12 @@
 //! Layers: a stack answers as the bank of all sources, and becomes just that bank when it is merged.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::cast_possible_truncation, reason = "tests")]
 
 use lipz_bank::{Bank, Clip, ClipId, Layers, Micros, Recording, Text};
 use lipz_compiler::diagnostics::Code;
 use lipz_compiler::face::numbers;
 use lipz_compiler::{Compiler, Input, Options, Over, Stack};
+use lipz_layout::Tag;
+use lipz_testkit::{golden, stacked};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -335,4 +337,62 @@ fn text_banks_serve_in_a_stack() {
     let german = layers.locale_in("de-de", &texts).unwrap();
     let text = |key: &str| layers.clip_by_key(key).unwrap().text(0, &german).map(|text| text.as_str().to_owned());
     assert_eq!([text("a"), text("b")], [Some("Ja.".to_owned()), None]);
+}
+
+/// A golden layer: readers and writers of other languages are tested with it.
+#[test]
+fn the_golden_patch_gives_the_answers_beside_it() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/banks/v1");
+    let [base, patch] =
+        ["small", "patch"].map(|name| std::fs::read(folder.join(name).with_extension("lipzbank")).unwrap());
+    let whole = stack_of(&[base.clone(), patch.clone()]).into_bank();
+    let layers = Layers::new([&base, &patch].map(|bytes| open(bytes))).unwrap();
+    assert_eq!(of_layers(&layers), of_bank(&open(&whole)));
+    let found = golden::dump(&open(&whole));
+    let path = folder.join("patched.dump");
+    if std::env::var_os("LIPZ_BLESS").is_some() {
+        std::fs::write(&path, &found).unwrap();
+    }
+    assert_eq!(std::fs::read_to_string(path).unwrap(), found);
+}
+
+/// What is done to the section of a layer.
+fn forged(patch: &[u8], at: usize, change: u8) -> Vec<u8> {
+    golden::changed(patch, |bytes| bytes[at] ^= change)
+}
+
+#[test]
+fn every_changed_byte_of_a_layer_is_refused_or_harmless() {
+    let old = with(&one("a", r#"{ "text_en-us": "Aye." }"#), "b", r#"{ "visemes": "MA", "text_de-de": "Ja." }"#);
+    let new = with(&one("a", r#"{ "text_en-us": "Nay." }"#), "c", r#"{ "visemes": "MA", "text_fr-fr": "Oui." }"#);
+    let compiler = compiler(true, Some("en-us"));
+    let base = compiler.compile(&inputs(&old)).into_bank().unwrap();
+    let over = Over::new(stack_of(std::slice::from_ref(&base)));
+    let patch = compiler.compile_over(&inputs(&new), &over).into_bank().unwrap();
+    let section = golden::section(&patch, Tag::LAYER);
+    let mut refused = 0;
+    for at in section.clone() {
+        for change in [1, 2, 0x80, 0xFF] {
+            let bytes = forged(&patch, at, change);
+            let bank = open(&bytes);
+            let fits = stacked::every_query(&[open(&base), bank]);
+            refused += usize::from(!fits);
+            // What the reader takes, the tools take.
+            let stack = Stack::open([("base", base.as_slice()), ("patch", bytes.as_slice())]);
+            assert_eq!(stack.is_ok(), fits, "byte {at} ^ {change}");
+        }
+    }
+    assert!(refused > 2 * section.len(), "{refused} of {} changes", 4 * section.len());
+    // Without what is behind any of its bytes.
+    for length in 0..section.len() {
+        // It is the last section of the file.
+        let cut = golden::changed(&patch, |bytes| {
+            bytes.truncate(section.start + length);
+            let entry = golden::entry_of(&patch, Tag::LAYER);
+            golden::put(bytes, entry + 8, (length as u32).to_le_bytes());
+            let length_bytes = bytes.len() as u32;
+            golden::put(bytes, 16, length_bytes.to_le_bytes());
+        });
+        assert!(!stacked::every_query(&[open(&base), open(&cut)]), "{length}");
+    }
 }

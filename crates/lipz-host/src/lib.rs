@@ -3,7 +3,7 @@
 //! `lipz-bank` reads a bank from any bytes and knows no files. This crate supplies the bytes:
 //! [`FileBytes`] reads or maps a file, [`OwnedBank`] is a bank together with its bytes, and
 //! [`LiveBank`] switches to a new version of the file while the program runs, for instance when
-//! `lipz watch` has written one.
+//! `lipz watch` has written one. [`OwnedLayers`] and [`LiveLayers`] are the same for a bank with layers over it.
 //!
 //! A game keeps a version of the bank and what is playing in one struct:
 //!
@@ -67,13 +67,17 @@
 
 mod bytes;
 mod error;
+mod layers;
 mod live;
+mod live_layers;
 mod owned;
 mod stamp;
 
 pub use bytes::FileBytes;
 pub use error::OpenError;
+pub use layers::{LayersOpenError, MAX_LAYERS, OwnedLayers};
 pub use live::LiveBank;
+pub use live_layers::LiveLayers;
 pub use owned::OwnedBank;
 
 /// The example of the README, run as a test.

@@ -38,7 +38,9 @@ pub use records::{CURVE_WIDE, CurveClipRecord, CurveKeyRecord, CurveRecord, Wide
 pub use records::{DUB_OF, NO_DUB, OTHER_DUB};
 pub use records::{FLAG_VISEMES, LOCALE_DEFAULT, MAX_INTEGER_FPS, NO_NAME, NO_RATE, NO_RECORDING, stored_fps};
 pub use records::{KeyRecord, LocaleRecord, RateRecord, RecordingRecord, TypedEventRecord};
-pub use records::{LAYER_BABBLE, LAYER_DEFAULT_LOCALE, LAYER_FACES, LayerRecord, NO_STAND_IN, PART_CLIP, PART_TEXTS};
+pub use records::{
+    LAYER_BABBLE, LAYER_DEFAULT_LOCALE, LAYER_FACES, LayerRecord, NO_STAND_IN, PART_CLIP, PART_TEXTS, filter_place,
+};
 pub use records::{
     VERB_DOES, VERB_FEELS, VERB_POINTS, VERB_SEES, VERB_STARES, VERB_STOPS_POINTING, VERB_STOPS_STARING,
 };

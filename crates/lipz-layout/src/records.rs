@@ -286,8 +286,17 @@ pub struct LayerRecord {
     pub removed_locale_count: U32,
     /// [`LAYER_BABBLE`], [`LAYER_DEFAULT_LOCALE`] and [`LAYER_FACES`].
     pub flags: U32,
+    /// Words of the filter of ids, 0 or a power of two: they follow the checksums.
+    pub filter_count: U32,
     /// Zero.
-    pub reserved: [u8; 8],
+    pub reserved: [u8; 4],
+}
+
+/// The word of a filter of ids with so many words, and the bit in it, that stand for an id.
+#[inline]
+pub const fn filter_place(id: u64, filter_count: usize) -> (usize, u32) {
+    // Ids are hashes: their bits are as good as those of another hash. The count is a power of two.
+    ((id >> 6) as usize & filter_count.wrapping_sub(1), id as u32 & 63)
 }
 
 const _: () = assert!(size_of::<LayerRecord>() == 32);

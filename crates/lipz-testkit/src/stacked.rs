@@ -1,6 +1,6 @@
 //! Every query of a stack of banks that may be damaged.
 
-use lipz_bank::{Bank, Clip, Layers};
+use lipz_bank::{Bank, ClipId, Layers, LayersError};
 use std::hint::black_box;
 
 /// The most banks that are stacked.
@@ -10,17 +10,25 @@ pub const MOST: usize = 4;
 pub fn every_query(banks: &[Bank<'_>]) -> bool {
     for bank in banks {
         let limit = bank.length_bytes();
-        let about = (bank.made_over(), bank.removed_clips(), bank.removed_locales());
-        if let (Ok(below), Ok(removed), Ok(locales)) = about {
-            assert!(bank.is_layer() == (below.count() > 0));
-            assert!(removed.count() + locales.count() <= limit);
+        let Some(layer) = bank.layer() else { continue };
+        let counts = [layer.made_over().count(), layer.removed_clips().count(), layer.removed_locales().count()];
+        assert!(counts.iter().sum::<usize>() <= limit, "{layer:?}");
+        black_box((
+            layer.may_have(ClipId::from_u64(1)),
+            layer.removes(ClipId::from_u64(1)),
+            layer.removes_locale("de-de"),
+            layer.stand_in(0),
+        ));
+        black_box((layer.parts(0), layer.parts(u32::MAX), layer.has_babble(), layer.has_default_locale()));
+        if let Ok(verified) = bank.verified_layer() {
+            assert!(verified.is_some() && layer.removed_clips().all(|id| layer.removes(id) && bank.clip(id).is_none()));
         }
     }
     let layers = match Layers::<MOST>::from_slice(banks) {
         Ok(layers) => layers,
         Err(error) => {
             assert!(error.layer() <= banks.len(), "{error}");
-            black_box(error.error());
+            assert_eq!(LayersError::new(error.layer(), error.error()), error);
             return false;
         }
     };
@@ -43,7 +51,7 @@ pub fn every_query(banks: &[Bank<'_>]) -> bool {
         black_box((clip.clip().key(), clip.layer(), layers.clip(clip.id()).is_some()));
         black_box((layers.clip_by_key(clip.key()).is_some(), named.and_then(|name| name.of(&clip)).is_some()));
         assert!(clip.texts_layer().is_none_or(|layer| layers.bank(layer).is_some()));
-        black_box(clip.texts().map(Clip::slot));
+        black_box(clip.texts().map(|texts| texts.slot()));
         for locale in &locales {
             black_box((locale.tag(), locale.tag_in(clip.layer())));
             for segment in [0, 1, clip.segment_count(), u32::MAX] {

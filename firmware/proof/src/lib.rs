@@ -9,8 +9,8 @@
 use core::panic::PanicInfo;
 use lipz_bank::{
     Babble, Bank, Clip, ClipId, Command, ConsonantHold, Cursor, CurveCursor, CurveValue, Emotion, Error, Event, EventName,
-    Face, FaceCurve, FaceProfile, Fps, Layers, Lead, Locale, LookAt, Micros, Places, Samples, Seconds, Segment, Spoken, TextBank,
-    Time, Viseme, VisemeType, VoiceLevel, Weight,
+    Face, FaceCurve, FaceProfile, Fps, Layers, LayersError, Lead, Locale, LookAt, Micros, Places, Samples, Seconds, Segment,
+    Spoken, TextBank, Time, Viseme, VisemeType, VoiceLevel, Weight,
 };
 
 /// Takes what was answered, so that no question is left out as useless.
@@ -88,16 +88,20 @@ fn bank_asked(bank: &Bank<'_>, name: &str, number: u32, see: See) {
 }
 
 fn layers_asked(banks: [Bank<'_>; 2], name: &str, see: See) {
-    see(u64::from(banks[1].is_layer()));
-    if let (Ok(below), Ok(removed), Ok(tags)) =
-        (banks[1].made_over(), banks[1].removed_clips(), banks[1].removed_locales())
-    {
-        below.chain(removed.map(ClipId::get)).for_each(see);
-        tags.for_each(|tag| see_bytes(see, tag.as_bytes()));
+    if let Ok(Some(layer)) = banks[1].verified_layer().map(|layer| layer.or_else(|| banks[0].layer())) {
+        layer.made_over().chain(layer.removed_clips().map(ClipId::get)).for_each(see);
+        layer.removed_locales().for_each(|tag| see_bytes(see, tag.as_bytes()));
+        let number = name.len() as u32;
+        let (has_clip, has_texts) = layer.parts(number);
+        see(u64::from(has_clip) | u64::from(has_texts) << 1 | u64::from(layer.has_babble()) << 2);
+        see(u64::from(layer.has_default_locale()) | u64::from(layer.removes_locale(name)) << 1);
+        see(u64::from(layer.may_have(ClipId::from_key(name))));
+        see(u64::from(layer.removes(ClipId::from_key(name))) | layer.stand_in(name.len()).unwrap_or(0) as u64);
     }
     let layers = match Layers::new(banks).or_else(|_| Layers::<2>::from_slice(&banks[..1])) {
         Ok(layers) => layers,
         Err(error) => {
+            let error = LayersError::new(error.layer(), error.error());
             see(error.layer() as u64);
             return see_error(see, error.error());
         }

@@ -1,28 +1,43 @@
 //! A clip of a stack: what the topmost layer that has it says.
 
 use super::LayeredLocale;
-use crate::{Clip, Text};
+use crate::{Bank, Clip, Locale, Segment, Text};
 use core::ops::Deref;
 
 /// A clip of [`Layers`](crate::Layers): the [`Clip`] of the topmost layer that has it, and its texts.
 ///
 /// It is used as a `Clip`, with a [`Cursor`](crate::Cursor), too. Only texts are asked for here, because another layer
 /// may have them: a dub has mouth shapes of its own, and the texts of the bank below it.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct LayeredClip<'data, 'bank> {
     clip: Clip<'data, 'bank>,
-    layer: usize,
-    /// The clip whose segments have the texts, and its layer.
-    texts: Option<(Clip<'data, 'bank>, usize)>,
+    layer: u32,
+    /// The layer that has the texts, and the slot of the clip there. A clip is made of them when it is asked for: mostly it
+    /// is this one.
+    texts_layer: u32,
+    texts_slot: u32,
+    texts: Option<&'bank Bank<'data>>,
 }
 
 impl<'data, 'bank> LayeredClip<'data, 'bank> {
+    /// A clip whose texts are those of another layer, or of none.
     pub(super) fn new(
         clip: Clip<'data, 'bank>,
         layer: usize,
-        texts: Option<(Clip<'data, 'bank>, usize)>,
+        texts: Option<(&'bank Bank<'data>, usize, u32)>,
     ) -> LayeredClip<'data, 'bank> {
-        LayeredClip { clip, layer, texts }
+        let (texts, texts_layer, texts_slot) = match texts {
+            Some((bank, layer, slot)) => (Some(bank), layer as u32, slot),
+            None => (None, 0, 0),
+        };
+        LayeredClip { clip, layer: layer as u32, texts_layer, texts_slot, texts }
+    }
+
+    /// A clip with its own texts.
+    #[inline]
+    pub(super) fn whole(clip: Clip<'data, 'bank>, layer: usize) -> LayeredClip<'data, 'bank> {
+        let (layer, texts_slot) = (layer as u32, clip.slot());
+        LayeredClip { clip, layer, texts_layer: layer, texts_slot, texts: Some(clip.bank) }
     }
 
     /// The clip in its own bank.
@@ -33,17 +48,30 @@ impl<'data, 'bank> LayeredClip<'data, 'bank> {
 
     /// Index of the layer whose mouth shapes, segments, events and curves these are; 0 for the base.
     pub const fn layer(&self) -> usize {
-        self.layer
+        self.layer as usize
     }
 
     /// Index of the layer whose texts these are; `None` if no layer has any for this clip.
     pub fn texts_layer(&self) -> Option<usize> {
-        Some(self.texts?.1)
+        self.texts.map(|_| self.texts_layer as usize)
     }
 
     /// The clip whose segments have the texts, in its own bank; `None` if no layer has any for this clip.
-    pub fn texts(&self) -> Option<&Clip<'data, 'bank>> {
-        Some(&self.texts.as_ref()?.0)
+    pub fn texts(&self) -> Option<Clip<'data, 'bank>> {
+        self.texts?.clip_at(self.texts_slot)
+    }
+
+    /// The segment that has the text, and the locale to ask it for.
+    #[inline]
+    fn asked<'texts, const N: usize>(
+        &self,
+        segment: u32,
+        locale: &LayeredLocale<'texts, N>,
+    ) -> Option<(Segment<'data, 'bank>, Locale<'texts>, bool)> {
+        let (locale, is_stand_in) = locale.in_layer(self.texts_layer()?)?;
+        let is_own = self.texts_layer == self.layer;
+        let segment = if is_own { self.clip.segment(segment) } else { self.texts()?.segment(segment) };
+        Some((segment?, locale, is_stand_in))
     }
 
     /// The display text of the segment with this index in `locale`, or in the locale that it falls back to; `None` if
@@ -54,9 +82,8 @@ impl<'data, 'bank> LayeredClip<'data, 'bank> {
         segment: u32,
         locale: &LayeredLocale<'texts, N>,
     ) -> Option<Text<'texts>> {
-        let (clip, layer) = self.texts.as_ref()?;
-        let (locale, is_stand_in) = locale.in_layer(*layer)?;
-        let text = clip.segment(segment)?.text(locale)?;
+        let (segment, locale, is_stand_in) = self.asked(segment, locale)?;
+        let text = segment.text(locale)?;
         Some(if is_stand_in { text.as_fallback() } else { text })
     }
 
@@ -67,11 +94,21 @@ impl<'data, 'bank> LayeredClip<'data, 'bank> {
         segment: u32,
         locale: &LayeredLocale<'texts, N>,
     ) -> Option<&'texts [u8]> {
-        let (clip, layer) = self.texts.as_ref()?;
-        clip.segment(segment)?.text_bytes(locale.in_layer(*layer)?.0)
+        let (segment, locale, _) = self.asked(segment, locale)?;
+        segment.text_bytes(locale)
     }
 }
 
+/// Equal are clips that are equal in their banks and have the same texts.
+impl PartialEq for LayeredClip<'_, '_> {
+    fn eq(&self, other: &Self) -> bool {
+        let texts = |clip: &Self| (clip.texts_layer(), clip.texts_slot);
+        self.clip == other.clip && self.layer == other.layer && texts(self) == texts(other)
+    }
+}
+impl Eq for LayeredClip<'_, '_> {}
+
+/// The clip, without its texts.
 impl<'data, 'bank> Deref for LayeredClip<'data, 'bank> {
     type Target = Clip<'data, 'bank>;
 

@@ -11,7 +11,8 @@ pub struct LayersError {
 }
 
 impl LayersError {
-    pub(crate) const fn new(layer: usize, error: Error) -> LayersError {
+    /// The error that the bank with this index has.
+    pub const fn new(layer: usize, error: Error) -> LayersError {
         LayersError { layer, error }
     }
 

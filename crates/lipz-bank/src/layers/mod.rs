@@ -10,11 +10,11 @@ pub use clip::LayeredClip;
 pub use clips::LayeredClips;
 pub use error::LayersError;
 pub use locale::{LayeredLocale, LayeredName};
+pub use table::Layer;
 
 use crate::{Babble, Bank, ClipId, Error, ErrorKind, FaceProfile};
 use core::fmt;
 use lipz_layout::{LAYER_BABBLE, LAYER_FACES};
-use table::LayerTable;
 
 /// A bank and the layers over it, the topmost of which answers.
 ///
@@ -41,15 +41,16 @@ use table::LayerTable;
 #[derive(Clone, Copy)]
 pub struct Layers<'data, const N: usize> {
     /// Those behind `count` are never looked at.
-    layers: [Layer<'data>; N],
+    layers: [Placed<'data>; N],
     count: usize,
 }
 
 /// A bank of a stack.
 #[derive(Clone, Copy)]
-pub(crate) struct Layer<'data> {
-    pub(crate) bank: Bank<'data>,
-    pub(crate) table: LayerTable<'data>,
+struct Placed<'data> {
+    bank: Bank<'data>,
+    /// [`Layer::NONE`] for the base.
+    table: Layer<'data>,
 }
 
 impl<'data, const N: usize> Layers<'data, N> {
@@ -75,11 +76,10 @@ impl<'data, const N: usize> Layers<'data, N> {
             Some(first) if banks.len() <= N => *first,
             _ => return Err(LayersError::new(banks.len(), at_start(ErrorKind::LayerCount))),
         };
-        let table = LayerTable::read(&first).map_err(|error| LayersError::new(0, error))?;
-        let mut layers = [Layer { bank: first, table }; N];
+        let mut layers = [Placed { bank: first, table: Layer::NONE }; N];
         for (at, (layer, bank)) in layers.iter_mut().zip(banks).enumerate() {
-            let table = LayerTable::read(bank).map_err(|error| LayersError::new(at, error))?;
-            *layer = Layer { bank: *bank, table };
+            let table = bank.verified_layer().map_err(|error| LayersError::new(at, error))?.unwrap_or(Layer::NONE);
+            *layer = Placed { bank: *bank, table };
             let below = banks.get(..at).unwrap_or(&[]);
             if at > 0 && table.bases.is_empty() {
                 return Err(LayersError::new(at, at_start(ErrorKind::NotALayer)));
@@ -95,7 +95,7 @@ impl<'data, const N: usize> Layers<'data, N> {
 
     /// The layers, the base first.
     #[inline]
-    pub(crate) fn all(&self) -> &[Layer<'data>] {
+    fn all(&self) -> &[Placed<'data>] {
         self.layers.get(..self.count).unwrap_or(&[])
     }
 
@@ -110,50 +110,55 @@ impl<'data, const N: usize> Layers<'data, N> {
     }
 
     /// The clip with this id, of the topmost layer that has it; `None` if none does, or one above removes it.
-    #[inline]
+    #[cfg_attr(target_pointer_width = "64", inline(always))] // otherwise the whole clip is copied for the call
+    #[cfg_attr(not(target_pointer_width = "64"), inline)]
     pub fn clip(&self, id: ClipId) -> Option<LayeredClip<'data, '_>> {
-        let mut texts = None;
+        let (base, above) = self.all().split_first()?;
+        for (at, layer) in above.iter().enumerate().rev() {
+            if layer.table.may_have(id) {
+                if let Some(answer) = self.answer(layer, at.wrapping_add(1), id) {
+                    return answer;
+                }
+            }
+        }
+        Some(LayeredClip::whole(base.bank.clip(id)?, 0))
+    }
+
+    /// What a layer above the base says about the clip with this id, if it says something.
+    #[inline(never)] // the filter of a layer lets few ids through that are not its own
+    fn answer(&self, layer: &Placed<'data>, at: usize, id: ClipId) -> Option<Option<LayeredClip<'data, '_>>> {
+        match layer.bank.find(id) {
+            Some((slot, _)) if layer.table.parts(slot) == (true, true) => {
+                // The place in the stack, not the copy: it lives as long as the stack.
+                let bank = &self.all().get(at)?.bank;
+                Some(bank.clip_at(slot).map(|clip| LayeredClip::whole(clip, at)))
+            }
+            Some(_) => Some(self.in_parts(id)),
+            None if layer.table.removes(id) => Some(None),
+            None => None,
+        }
+    }
+
+    /// The clip with this id, of which one layer has the texts, and another one everything else.
+    #[inline(never)] // few clips
+    fn in_parts(&self, id: ClipId) -> Option<LayeredClip<'data, '_>> {
+        let (mut clip, mut texts) = (None, None);
         for (at, layer) in self.all().iter().enumerate().rev() {
             let slot = match layer.bank.find(id) {
                 Some((slot, _)) => slot,
-                None if layer.table.removes(id) => return None,
+                None if layer.table.removes(id) => break,
                 None => continue,
             };
-            let clip = layer.bank.clip_at(slot)?;
             let (has_clip, has_texts) = layer.table.parts(slot);
+            if has_clip && clip.is_none() {
+                clip = layer.bank.clip_at(slot).map(|clip| (clip, at));
+            }
             if has_texts && texts.is_none() {
-                texts = Some((clip, at));
-            }
-            if has_clip {
-                return Some(match texts.is_none() {
-                    true => self.with_texts_below(clip, at, id),
-                    false => LayeredClip::new(clip, at, texts),
-                });
+                texts = Some((&layer.bank, at, slot));
             }
         }
-        None
-    }
-
-    /// A clip whose texts are those of a layer below its own.
-    #[inline(never)] // dubs only
-    fn with_texts_below<'bank>(
-        &'bank self,
-        clip: crate::Clip<'data, 'bank>,
-        at: usize,
-        id: ClipId,
-    ) -> LayeredClip<'data, 'bank> {
-        let mut texts = None;
-        for (below, layer) in self.all().iter().enumerate().take(at).rev() {
-            match layer.bank.find(id) {
-                Some((slot, _)) if layer.table.parts(slot).1 => {
-                    texts = layer.bank.clip_at(slot).map(|clip| (clip, below));
-                    break;
-                }
-                None if layer.table.removes(id) => break,
-                _ => {}
-            }
-        }
-        LayeredClip::new(clip, at, texts)
+        let (clip, at) = clip?;
+        Some(LayeredClip::new(clip, at, texts))
     }
 
     /// The clip with this key, compared whole.
@@ -205,38 +210,6 @@ impl<'data, const N: usize> Layers<'data, N> {
     fn that_says(&self, flag: u32) -> Option<&Bank<'data>> {
         let says = self.all().iter().rev().find(|layer| layer.table.has(flag)).or(self.all().first())?;
         Some(&says.bank)
-    }
-}
-
-/// What is said about removal, for tools.
-impl<'data> Bank<'data> {
-    /// Whether the bank is a layer, which belongs over another bank.
-    pub fn is_layer(&self) -> bool {
-        self.file.entry(lipz_layout::Tag::LAYER).is_some()
-    }
-
-    /// The checksums of the banks that the bank was made over, the lowest first; none for a bank that is not a layer.
-    ///
-    /// # Errors
-    /// When what it says about the banks below it is not valid.
-    pub fn made_over(&self) -> Result<impl Iterator<Item = u64> + 'data, Error> {
-        Ok(LayerTable::read(self)?.bases.iter().map(|base| base.get()))
-    }
-
-    /// The ids of the clips that the layer removes from the banks below it, in ascending order.
-    ///
-    /// # Errors
-    /// When what it says about the banks below it is not valid.
-    pub fn removed_clips(&self) -> Result<impl Iterator<Item = ClipId> + 'data, Error> {
-        Ok(LayerTable::read(self)?.removed.iter().map(|id| ClipId::from_u64(id.get())))
-    }
-
-    /// The tags of the locales that the layer removes from the banks below it, in their order.
-    ///
-    /// # Errors
-    /// When what it says about the banks below it is not valid.
-    pub fn removed_locales(&self) -> Result<impl Iterator<Item = &'data str> + 'data, Error> {
-        Ok(LayerTable::read(self)?.removed_locales())
     }
 }
 

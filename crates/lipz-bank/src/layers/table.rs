@@ -1,6 +1,7 @@
 //! What a layer says about the banks below it: the section `LAYR`.
 
 use crate::{Bank, ClipId, Error, ErrorKind};
+use core::fmt;
 use lipz_layout::{
     LAYER_BABBLE, LAYER_DEFAULT_LOCALE, LAYER_FACES, LayerRecord, NO_STAND_IN, PART_CLIP, PART_TEXTS, Tag, U32, U64,
 };
@@ -9,55 +10,85 @@ use zerocopy::{FromBytes, Immutable, KnownLayout, Unaligned};
 /// Both parts of a clip.
 const WHOLE: u8 = PART_CLIP | PART_TEXTS;
 
-/// The section of a layer, checked; empty for a bank that is none.
+/// What a layer says about the banks below it.
+///
+/// [`Layers`](crate::Layers) goes by it. By itself it is for tools, and for programs that cannot keep `Layers`.
 #[derive(Clone, Copy)]
-pub(crate) struct LayerTable<'data> {
+pub struct Layer<'data> {
     /// Checksums of the banks that it was made over, the lowest first.
-    pub(crate) bases: &'data [U64],
+    pub(super) bases: &'data [U64],
+    /// Bits of the ids that the layer says something about; empty if that is not known.
+    filter: &'data [U64],
     /// Ids of removed clips in ascending order.
-    pub(crate) removed: &'data [U64],
+    removed: &'data [U64],
     stand_ins: &'data [U32],
     parts: &'data [u8],
     removed_locales: &'data [u8],
+    removed_locale_count: u32,
     flags: u32,
 }
 
-impl<'data> LayerTable<'data> {
-    /// The table of a bank without the section.
-    const NONE: LayerTable<'static> =
-        LayerTable { bases: &[], removed: &[], stand_ins: &[], parts: &[], removed_locales: &[], flags: 0 };
-
-    /// The table of the bank, if it is a layer. Checks all of it, in a time in proportion to its length.
-    pub(crate) fn read(bank: &Bank<'data>) -> Result<LayerTable<'data>, Error> {
-        let entry = match bank.file.entry(Tag::LAYER) {
-            Some(entry) => entry,
-            None => return Ok(LayerTable::NONE),
-        };
-        let table = bank.file.contents(entry).and_then(LayerTable::cut).filter(|table| table.is_valid(bank));
-        table.ok_or(Error::new(ErrorKind::Layer, entry.offset_bytes.get()))
+impl<'data> Bank<'data> {
+    /// What the bank says about banks below it; `None` if it is not a layer. Nothing of it is checked but the lengths of its
+    /// tables: see [`Bank::verified_layer`].
+    pub fn layer(&self) -> Option<Layer<'data>> {
+        Layer::cut(self.file.contents(self.file.entry(Tag::LAYER)?)?)
     }
 
+    /// The same, checked in a time in proportion to its length, as [`Layers::new`](crate::Layers::new) does it.
+    /// [`Bank::verify`] leaves it out, so that programs without layers do not have the code.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Layer`] if it is cut off, out of order, or leads to nothing.
+    pub fn verified_layer(&self) -> Result<Option<Layer<'data>>, Error> {
+        let entry = match self.file.entry(Tag::LAYER) {
+            Some(entry) => entry,
+            None => return Ok(None),
+        };
+        let layer = self.layer().filter(|layer| layer.is_valid(self));
+        layer.map(Some).ok_or(Error::new(ErrorKind::Layer, entry.offset_bytes.get()))
+    }
+}
+
+impl<'data> Layer<'data> {
+    /// That of a bank which is not a layer.
+    pub(super) const NONE: Layer<'static> = Layer {
+        bases: &[],
+        filter: &[],
+        removed: &[],
+        stand_ins: &[],
+        parts: &[],
+        removed_locales: &[],
+        removed_locale_count: 0,
+        flags: 0,
+    };
+
     /// The parts of a section, as long as it says.
-    fn cut(section: &'data [u8]) -> Option<LayerTable<'data>> {
+    fn cut(section: &'data [u8]) -> Option<Layer<'data>> {
         let (record, rest) = LayerRecord::ref_from_prefix(section).ok()?;
         let (bases, rest) = take(rest, record.base_count)?;
+        let (filter, rest) = take(rest, record.filter_count)?;
         let (removed, rest) = take(rest, record.removed_count)?;
         let (stand_ins, rest) = take(rest, record.stand_in_count)?;
         let (parts, removed_locales) = take(rest, record.part_count)?;
-        let flags = record.flags.get();
-        let table = LayerTable { bases, removed, stand_ins, parts, removed_locales, flags };
+        let (removed_locale_count, flags) = (record.removed_locale_count.get(), record.flags.get());
+        Some(Layer { bases, filter, removed, stand_ins, parts, removed_locales, removed_locale_count, flags })
+    }
+
+    /// Whether the tags of removed locales ascend, are as many as they should be, and fill their table.
+    fn has_valid_tags(&self) -> bool {
         let mut count = 0_u32;
-        let mut rest = removed_locales;
+        let mut rest = self.removed_locales;
         let mut before: &[u8] = &[];
         while let Some((tag, behind)) = split_tag(rest) {
             if tag <= before || core::str::from_utf8(tag).is_err() {
-                return None;
+                return false;
             }
             before = tag;
             rest = behind;
             count = count.saturating_add(1);
         }
-        if rest.is_empty() && count == record.removed_locale_count.get() { Some(table) } else { None }
+        rest.is_empty() && count == self.removed_locale_count
     }
 
     /// Whether the table fits its bank.
@@ -70,9 +101,13 @@ impl<'data> LayerTable<'data> {
             before = Some(id.get());
             follows && bank.find(ClipId::from_u64(id.get())).is_none()
         };
+        let is_filtered = |id| self.may_have(id);
         !self.bases.is_empty()
+            && self.has_valid_tags()
             && self.flags & !(LAYER_BABBLE | LAYER_DEFAULT_LOCALE | LAYER_FACES) == 0
             && self.removed.iter().all(is_removed)
+            && (self.filter.is_empty() || self.filter.len().is_power_of_two())
+            && self.removed_clips().chain(bank.keys.iter().map(|key| ClipId::from_u64(key.id.get()))).all(is_filtered)
             && (self.stand_ins.is_empty() || self.stand_ins.len() == locale_count)
             && self.stand_ins.iter().all(is_locale)
             && (self.parts.is_empty() || self.parts.len() == bank.clips.len())
@@ -80,16 +115,34 @@ impl<'data> LayerTable<'data> {
             && bank.locales().all(|locale| !self.removes_locale(locale.tag()))
     }
 
-    /// Whether the clip in this slot has frames and events here, and whether it has its texts here.
+    /// The checksums of the banks that it was made over, the lowest first.
+    pub fn made_over(&self) -> impl Iterator<Item = u64> + 'data {
+        self.bases.iter().map(|base| base.get())
+    }
+
+    /// The ids of the clips that it removes from the banks below, in ascending order.
+    pub fn removed_clips(&self) -> impl Iterator<Item = ClipId> + 'data {
+        self.removed.iter().map(|id| ClipId::from_u64(id.get()))
+    }
+
+    /// Whether the clip in this slot of the layer has its mouth shapes, events and curves here, and whether it has its texts
+    /// here. What it does not have is below.
     #[inline]
-    pub(crate) fn parts(&self, slot: u32) -> (bool, bool) {
+    pub fn parts(&self, slot: u32) -> (bool, bool) {
         let parts = self.parts.get(slot as usize).copied().unwrap_or(WHOLE);
         (parts & PART_CLIP != 0, parts & PART_TEXTS != 0)
     }
 
+    /// Whether the layer may say something about the clip with this id; `false` if it surely does not.
+    #[inline]
+    pub fn may_have(&self, id: ClipId) -> bool {
+        let (word, bit) = lipz_layout::filter_place(id.get(), self.filter.len());
+        self.filter.get(word).map_or(true, |word| word.get() >> bit & 1 != 0)
+    }
+
     /// Whether the layer removes the clip with this id from the banks below.
     #[inline]
-    pub(crate) fn removes(&self, id: ClipId) -> bool {
+    pub fn removes(&self, id: ClipId) -> bool {
         !self.removed.is_empty() && self.lists(id)
     }
 
@@ -99,12 +152,12 @@ impl<'data> LayerTable<'data> {
     }
 
     /// Whether the layer removes the locale with this tag from the banks below.
-    pub(crate) fn removes_locale(&self, tag: &str) -> bool {
+    pub fn removes_locale(&self, tag: &str) -> bool {
         self.removed_locales().any(|removed| removed == tag)
     }
 
     /// The tags of the locales that the layer removes.
-    pub(crate) fn removed_locales(&self) -> impl Iterator<Item = &'data str> {
+    pub fn removed_locales(&self) -> impl Iterator<Item = &'data str> {
         let mut rest = self.removed_locales;
         core::iter::from_fn(move || {
             let (tag, behind) = split_tag(rest)?;
@@ -113,14 +166,25 @@ impl<'data> LayerTable<'data> {
         })
     }
 
-    /// The index of the layer's locale that stands in for the one with this index in banks below that do not have that.
-    pub(crate) fn stand_in(&self, locale: usize) -> Option<usize> {
+    /// The place of the locale that stands in for the one at this place in banks below that do not have it. Places are those
+    /// in [`Bank::locales`].
+    pub fn stand_in(&self, locale: usize) -> Option<usize> {
         self.stand_ins.get(locale).map(|stand_in| stand_in.get() as usize)
     }
 
     /// Whether what this flag is about counts as the layer has it: [`LAYER_BABBLE`] and so on.
     pub(crate) fn has(&self, flag: u32) -> bool {
         self.flags & flag != 0
+    }
+
+    /// Whether its babble profiles, or its lack of them, count and not those below.
+    pub fn has_babble(&self) -> bool {
+        self.has(LAYER_BABBLE)
+    }
+
+    /// Whether its default locale, or its lack of one, counts and not that below.
+    pub fn has_default_locale(&self) -> bool {
+        self.has(LAYER_DEFAULT_LOCALE)
     }
 }
 
@@ -137,4 +201,15 @@ fn split_tag(list: &[u8]) -> Option<(&[u8], &[u8])> {
     let (length, rest) = list.split_first()?;
     let tag = rest.get(..usize::from(*length))?;
     Some((tag, rest.get(tag.len()..)?))
+}
+
+/// What the layer does, in numbers.
+impl fmt::Debug for Layer<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Layer")
+            .field("made_over", &self.bases.len())
+            .field("removed_clips", &self.removed.len())
+            .field("removed_locales", &self.removed_locale_count)
+            .finish_non_exhaustive()
+    }
 }

@@ -137,11 +137,11 @@ impl<'d> BankSummary<'d> {
 
 impl<'d> LayerSummary<'d> {
     fn new(bank: &Bank<'d>) -> Option<LayerSummary<'d>> {
-        let over: Vec<String> = bank.made_over().ok()?.map(hexadecimal).collect();
-        (!over.is_empty()).then_some(LayerSummary {
-            over,
-            removed_clips: bank.removed_clips().ok()?.map(|id| hexadecimal(id.get())).collect(),
-            removed_locales: bank.removed_locales().ok()?.collect(),
+        let layer = bank.layer()?;
+        Some(LayerSummary {
+            over: layer.made_over().map(hexadecimal).collect(),
+            removed_clips: layer.removed_clips().map(|id| hexadecimal(id.get())).collect(),
+            removed_locales: layer.removed_locales().collect(),
         })
     }
 }

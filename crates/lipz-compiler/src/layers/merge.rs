@@ -28,9 +28,9 @@ pub(super) fn merge(layers: &Layers<'_, MAX_LAYERS>) -> Result<Vec<u8>, Report> 
     for clip in layers.clips() {
         let texts = texts(&clip, &locales);
         // A record is with what is topmost of its clip.
-        let (_, record) = [(clip.layer(), Some(clip.clip())), (clip.texts_layer().unwrap_or(0), clip.texts())]
+        let (_, record) = [(clip.layer(), Some(*clip.clip())), (clip.texts_layer().unwrap_or(0), clip.texts())]
             .into_iter()
-            .filter_map(|(layer, clip)| Some((layer, records.get(layer)?.get(clip?))))
+            .filter_map(|(layer, clip)| Some((layer, records.get(layer)?.get(&clip?))))
             .max_by_key(|(layer, _)| *layer)
             .unwrap_or_default();
         draft.push(clip.key(), Some(clip.clip()), Some(&texts), clip.segment_count(), if strip { &[] } else { record });

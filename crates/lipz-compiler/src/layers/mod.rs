@@ -16,12 +16,9 @@ pub use over::Over;
 pub use stack::Stack;
 
 use lipz_bank::Bank;
-use lipz_layout::{LayerRecord, Tag};
-use zerocopy::FromBytes;
 
-/// Whether a bank is a layer that has only the texts of some clips, or all but these.
+/// Whether the bank is a layer that has only the texts of some clips, or all but these.
 pub(crate) fn has_parts(bank: &Bank<'_>) -> bool {
-    let section = bank.sections().find(|(tag, _)| *tag == Tag::LAYER.0);
-    let record = section.and_then(|(_, section)| LayerRecord::ref_from_prefix(section).ok());
-    record.is_some_and(|(record, _)| record.part_count.get() != 0)
+    let layer = bank.layer();
+    layer.is_some_and(|layer| bank.clips().any(|clip| layer.parts(clip.slot()) != (true, true)))
 }

@@ -87,7 +87,7 @@ fn misfit(name: &str, kind: ErrorKind, bank: Option<&Bank<'_>>) -> Report {
     };
     let mut diagnostic = Diagnostic::new(Code::LayerMisfit, kind.message()).help(help);
     if kind == ErrorKind::OtherBase {
-        let over = bank.and_then(|bank| bank.made_over().ok()).into_iter().flatten();
+        let over = bank.and_then(Bank::layer).into_iter().flat_map(|layer| layer.made_over());
         let over: Vec<String> = over.map(|checksum| format!("{checksum:016x}")).collect();
         diagnostic = diagnostic.note(format!("it was packed over {}", over.join(", ")));
     }

@@ -2,7 +2,7 @@
 
 use super::{fit, too_large};
 use lipz_diagnostics::Report;
-use lipz_layout::{LayerRecord, PART_CLIP, PART_TEXTS, U32, U64};
+use lipz_layout::{LayerRecord, PART_CLIP, PART_TEXTS, U32, U64, filter_place};
 use zerocopy::IntoBytes;
 
 /// What a layer says about the banks below it, before its clips have slots.
@@ -23,8 +23,8 @@ pub(crate) struct LayerDraft {
 }
 
 impl LayerDraft {
-    /// The section. The slots are those of the clips in the order of their keys.
-    pub(super) fn section(&self, slots: &[u32]) -> Result<Vec<u8>, Report> {
+    /// The section. The slots are those of the clips with these ids, in the order of the keys.
+    pub(super) fn section(&self, ids: &[u64], slots: &[u32]) -> Result<Vec<u8>, Report> {
         // Whole clips need no table.
         let has_parts = self.parts.iter().any(|&parts| parts != PART_CLIP | PART_TEXTS);
         let mut parts = vec![0; if has_parts { slots.len() } else { 0 }];
@@ -33,6 +33,7 @@ impl LayerDraft {
                 *part = of_clip;
             }
         }
+        let filter = self.filter(ids);
         let record = LayerRecord {
             base_count: fit(self.bases.len(), "layers")?.into(),
             removed_count: fit(self.removed.len(), "removed clips")?.into(),
@@ -40,11 +41,13 @@ impl LayerDraft {
             part_count: fit(parts.len(), "clips")?.into(),
             removed_locale_count: fit(self.removed_locales.len(), "locales")?.into(),
             flags: self.flags.into(),
-            reserved: [0; 8],
+            filter_count: fit(filter.len(), "ids")?.into(),
+            reserved: [0; 4],
         };
         let numbers = |numbers: &[u64]| numbers.iter().map(|&number| U64::new(number)).collect::<Vec<_>>();
         let mut section = record.as_bytes().to_vec();
         section.extend_from_slice(numbers(&self.bases).as_bytes());
+        section.extend_from_slice(numbers(&filter).as_bytes());
         section.extend_from_slice(numbers(&self.removed).as_bytes());
         section.extend(self.stand_ins.iter().flat_map(|&stand_in| U32::new(stand_in).to_bytes()));
         section.extend_from_slice(&parts);
@@ -54,4 +57,18 @@ impl LayerDraft {
         }
         Ok(section)
     }
+
+    /// The filter of the ids that the layer says something about.
+    fn filter(&self, ids: &[u64]) -> Vec<u64> {
+        let bits = (ids.len() + self.removed.len()) * FILTER_BITS;
+        let mut words = vec![0; bits.div_ceil(64).next_power_of_two()];
+        for &id in ids.iter().chain(&self.removed) {
+            let (word, bit) = filter_place(id, words.len());
+            words[word] |= 1 << bit;
+        }
+        words
+    }
 }
+
+/// Bits of a filter for each id, before it is rounded up: of the ids that a layer does not know, it stops fifteen of sixteen.
+const FILTER_BITS: usize = 16;

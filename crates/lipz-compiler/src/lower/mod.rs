@@ -113,7 +113,7 @@ impl Layout {
             recordings: recordings::recordings(clips, slots, &beside.recordings),
             voices: voices::voices(dubs, slots)?,
             is_stripped: beside.strip,
-            layer: beside.layer.map_or(Ok(Vec::new()), |layer| layer.section(slots))?,
+            layer: beside.layer.map_or(Ok(Vec::new()), |layer| layer.section(&ids, slots))?,
             batch_slots: batch_slots(clips, slots),
             names,
             events,

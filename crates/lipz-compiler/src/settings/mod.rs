@@ -5,6 +5,7 @@ mod audio;
 mod babble;
 #[cfg(feature = "settings")]
 mod emotions;
+#[cfg(feature = "settings")]
 mod face;
 #[cfg(feature = "settings")]
 mod file;

@@ -14,7 +14,7 @@ use zerocopy::FromBytes;
 
 /// What is done to a bank.
 #[derive(Arbitrary, Debug)]
-struct Forgery {
+pub(super) struct Forgery {
     base: u8,
     contents: Vec<(u8, Edit)>,
     keeps_fingerprint: bool,
@@ -94,7 +94,7 @@ pub fn forged_bank(bytes: &[u8]) {
 }
 
 impl Forgery {
-    fn apply_to(&self, base: &[u8]) -> Vec<u8> {
+    pub(super) fn apply_to(&self, base: &[u8]) -> Vec<u8> {
         let mut sections: Vec<(Tag, u16, Vec<u8>)> = directory(base)
             .iter()
             .map(|entry| (Tag(entry.tag), entry.entry_bytes.get(), base[section(base, Tag(entry.tag))].to_vec()))

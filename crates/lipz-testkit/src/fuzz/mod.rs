@@ -8,6 +8,7 @@ mod bank;
 mod file;
 mod foreign;
 mod forged_bank;
+mod layers;
 mod round_trip;
 mod second_life;
 mod sound;
@@ -17,6 +18,7 @@ pub use bank::{bank, text_bank};
 pub use file::{parse, rewrite};
 pub use foreign::{foreign, kind_of_foreign};
 pub use forged_bank::forged_bank;
+pub use layers::layers;
 pub use round_trip::round_trip;
 pub use second_life::second_life;
 pub use sound::{sound, sync_record};
@@ -31,10 +33,11 @@ pub struct Target {
 }
 
 /// All fuzz targets.
-pub const TARGETS: [Target; 11] = [
+pub const TARGETS: [Target; 12] = [
     Target { name: "bank", check: bank },
     Target { name: "text_bank", check: text_bank },
     Target { name: "forged_bank", check: forged_bank },
+    Target { name: "layers", check: layers },
     Target { name: "parse", check: parse },
     Target { name: "foreign", check: foreign },
     Target { name: "second_life", check: second_life },

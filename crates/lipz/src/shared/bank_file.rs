@@ -84,7 +84,7 @@ impl BankFile {
 /// The bank, verified with what it says about banks below it.
 fn verified(bank: Bank<'_>) -> Result<Bank<'_>, Error> {
     let bank = bank.verify()?;
-    bank.made_over().map(drop)?;
+    bank.verified_layer()?;
     Ok(bank)
 }
 

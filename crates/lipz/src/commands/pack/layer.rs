@@ -42,7 +42,7 @@ pub(super) fn destination(
 pub(super) fn summary(bank: &[u8]) -> String {
     let Ok(bank) = Bank::open(bank) else { return String::new() };
     let changed = console::counted(bank.clip_count(), "new or changed clip");
-    let removed = bank.removed_clips().map_or(0, Iterator::count);
+    let removed = bank.layer().map_or(0, |layer| layer.removed_clips().count());
     match removed {
         0 => changed,
         removed => format!("{changed} and {}", console::counted(removed, "removal")),

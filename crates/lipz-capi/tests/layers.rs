@@ -1,0 +1,118 @@
+//! A stack gives the answers of the reader: clips, texts, locales, and what does not fit.
+#![allow(unsafe_code, clippy::unwrap_used, clippy::cast_possible_truncation, reason = "tests")]
+
+mod common;
+
+use common::{Answer, DRAMA, ptr, text_of};
+use lipz_bank::Layers;
+use lipz_capi::*;
+use lipz_compiler::{Compiler, Input, Options, Over, Stack};
+use std::ptr::null;
+
+/// A base, a patch that changes a text, removes a clip and adds a locale, and a mod that changes a mouth.
+fn files() -> [Vec<u8>; 3] {
+    let inputs = |files: &[(&str, &str)]| -> Vec<Input> {
+        files.iter().map(|(key, file)| Input::from_bytes(*key, *file)).collect()
+    };
+    let aye = r#"{ "fps": 24, "visemes": "AEE-", "text_en-us": "Aye." }"#;
+    let base = inputs(&[("aye", aye), ("no", r#"{ "text_en-us": "No." }"#), ("so", r#"{ "text_en-us": "So." }"#)]);
+    let next = inputs(&[("aye", aye), ("so", r#"{ "text_en-us": "So!", "text_de-de": "So!" }"#)]);
+    let addition = inputs(&[("aye", r#"{ "fps": 24, "visemes": "MAM-", "text_en-us": "Aye." }"#)]);
+    let compiler = Compiler::new(Options::new().default_locale("en-us").strip(true));
+    let base = compiler.compile(&base).into_bank().unwrap();
+    let patch = compiler.compile_over(&next, &Over::new(Stack::open([("base", &base)]).unwrap())).into_bank().unwrap();
+    let over = Over::new(Stack::open([("base", &base), ("patch", &patch)]).unwrap()).keep_others(true);
+    let addition = compiler.compile_over(&addition, &over).into_bank().unwrap();
+    [base, patch, addition]
+}
+
+fn opened(bytes: &[u8]) -> Bank {
+    Answer::from_call(|out| unsafe { lipz_bank_open(bytes.as_ptr(), bytes.len(), out, None) }).ok()
+}
+
+#[test]
+fn a_stack_answers_as_that_of_the_reader() {
+    let files = files();
+    let banks = files.each_ref().map(|file| opened(file));
+    let (array, count) = (banks.as_ptr(), banks.len() as u32);
+    let read = files.each_ref().map(|file| lipz_bank::Bank::open(file).unwrap().verify().unwrap());
+    let layers = Layers::new(read).unwrap();
+    assert_eq!(unsafe { lipz_layers_check(array, count, None) }, LIPZ_OK);
+    let tags: Vec<&str> = layers.locale_tags().collect();
+    let mut texts = 0;
+    for key in ["aye", "no", "so", "nowhere"] {
+        let (data, length) = ptr(key);
+        let id = lipz_bank::ClipId::from_key(key);
+        let by_key =
+            Answer::<LayeredClip>::from_call(|out| unsafe { lipz_layers_clip_by_key(array, count, data, length, out) });
+        let by_id =
+            Answer::<LayeredClip>::from_call(|out| unsafe { lipz_layers_clip_by_id(array, count, id.get(), out) });
+        let Some(expected) = layers.clip(id) else {
+            assert_eq!((by_key.status, by_id.status), (LIPZ_NONE, LIPZ_NONE));
+            continue;
+        };
+        let (found, by_id) = (by_key.ok(), by_id.ok());
+        assert_eq!((found.layer, found.clip.slot), (by_id.layer, by_id.clip.slot));
+        assert_eq!((found.layer as usize, found.clip.slot), (expected.layer(), expected.slot()));
+        assert_eq!(Some(found.texts_layer as usize), expected.texts_layer());
+        for tag in &tags {
+            let locale = layers.locale(tag).unwrap();
+            let (data, length) = ptr(tag);
+            let of_layer = Answer::<LayeredLocale>::from_call(|out| unsafe {
+                lipz_layers_locale(array, count, found.texts_layer, data, length, out)
+            });
+            let of_layer = of_layer.some();
+            assert_eq!(
+                of_layer.map(|it| text_of(it.locale.tag)),
+                locale.tag_in(found.texts_layer as usize).map(Into::into)
+            );
+            let Some(of_layer) = of_layer else { continue };
+            let text = Answer::<Text>::from_call(|out| unsafe {
+                lipz_layers_text(array, count, Some(&found), 0, Some(&of_layer), out)
+            });
+            let text = text.some().map(|text| {
+                (text_of(String { data: text.data, length_bytes: text.length_bytes }), text.is_fallback == 1)
+            });
+            let expected = expected.text(0, &locale).map(|text| (text.as_str().into(), text.is_fallback()));
+            texts += usize::from(expected.is_some());
+            assert_eq!(text, expected, "{key} {tag}");
+        }
+    }
+    assert_eq!(texts, 4, "two clips in two locales");
+}
+
+#[test]
+fn what_does_not_fit_is_refused() {
+    let files = files();
+    let [base, patch, addition] = files.each_ref().map(|file| opened(file));
+    let other = opened(DRAMA);
+    let check = |banks: &[Bank]| {
+        let found = Answer::from_call(|out| unsafe { lipz_layers_check(banks.as_ptr(), banks.len() as u32, out) });
+        (found.status, found.written())
+    };
+    assert_eq!(check(&[base, patch, addition]), (LIPZ_OK, 0));
+    assert_eq!(check(&[patch]), (37, 0));
+    assert_eq!(check(&[base, addition]), (37, 1));
+    assert_eq!(check(&[other, patch]), (37, 1));
+    assert_eq!(check(&[base, patch, other]), (38, 2));
+    assert_eq!(unsafe { lipz_layers_check(null(), 0, None) }, 39);
+    assert_eq!(unsafe { lipz_layers_check(null(), 1, None) }, LIPZ_NULL_POINTER);
+    let clip = Answer::<LayeredClip>::from_call(|out| unsafe { lipz_layers_clip_by_id(null(), 3, 1, out) });
+    assert_eq!((clip.status, clip.written().layer), (LIPZ_NULL_POINTER, LIPZ_NO_LAYER));
+    let text = Answer::<Text>::from_call(|out| unsafe {
+        lipz_layers_text(null(), 3, Some(&LayeredClip::default()), 0, Some(&LayeredLocale::default()), out)
+    });
+    assert_eq!(text.status, LIPZ_NONE);
+}
+
+#[test]
+fn the_bank_that_says_what_is_said_once() {
+    let compiler = |locale: &str| Compiler::new(Options::new().default_locale(locale).strip(true));
+    let input = [Input::from_bytes("aye", r#"{ "text_en-us": "Aye.", "text_de-de": "Ja." }"#)];
+    let base = compiler("en-us").compile(&input).into_bank().unwrap();
+    let over = Over::new(Stack::open([("base", &base)]).unwrap());
+    let patch = compiler("de-de").compile_over(&input, &over).into_bank().unwrap();
+    let banks = [opened(&base), opened(&patch)];
+    let info = Answer::<LayersInfo>::from_call(|out| unsafe { lipz_layers_info(banks.as_ptr(), 2, out) }).ok();
+    assert_eq!((info.babble_layer, info.default_locale_layer), (0, 1));
+}

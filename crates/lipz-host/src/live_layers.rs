@@ -1,0 +1,98 @@
+//! A stack whose files are replaced while the program runs.
+
+use crate::stamp::Stamp;
+use crate::{LayersOpenError, OwnedLayers};
+use std::fs::{self, File};
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError, RwLock};
+
+/// A bank and the layers over it, which follow their files: [`refresh`](LiveLayers::refresh) takes in new versions once all
+/// of them are verified and fit, and keeps the old stack until then.
+///
+/// Any thread may refresh, any number may read, as with a [`LiveBank`](crate::LiveBank).
+#[derive(Debug)]
+pub struct LiveLayers {
+    paths: Vec<PathBuf>,
+    current: RwLock<Arc<OwnedLayers>>,
+    /// What the files looked like when they were used or refused.
+    seen: Mutex<Vec<Stamp>>,
+}
+
+impl LiveLayers {
+    /// Reads the banks at `paths` into memory, the base first, and verifies them.
+    ///
+    /// # Errors
+    /// As [`OwnedLayers::open`].
+    pub fn open<P: Into<PathBuf>>(paths: impl IntoIterator<Item = P>) -> Result<LiveLayers, LayersOpenError> {
+        let paths: Vec<PathBuf> = paths.into_iter().map(Into::into).collect();
+        // Before they are read: what is written afterwards then shows.
+        let seen = stamps(&paths)?;
+        let current = RwLock::new(Arc::new(OwnedLayers::open(&paths)?));
+        Ok(LiveLayers { paths, current, seen: Mutex::new(seen) })
+    }
+
+    /// The current version. Keep it for as long as what you do with it should not change: a conversation, a frame.
+    pub fn current(&self) -> Arc<OwnedLayers> {
+        Arc::clone(&self.current.read().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    /// Looks whether files were replaced, and takes in the new versions: whether there are any.
+    ///
+    /// As long as the files look the same, this costs a `stat` for each. Of files younger than two seconds, the headers are
+    /// read with every call: on some file systems the next ones could look the same.
+    ///
+    /// # Errors
+    /// Why the files cannot be used, such as a patch that was made over another version of its base: replace the other
+    /// file, too. The old stack stays the current one. The same files are not refused again once they are older than two
+    /// seconds; a missing one is refused every time.
+    pub fn refresh(&self) -> Result<bool, LayersOpenError> {
+        // Held until the end: one version after the other.
+        let mut seen = self.seen.lock().unwrap_or_else(PoisonError::into_inner);
+        let now = stamps(&self.paths)?;
+        if *seen == now && now.iter().all(Stamp::is_settled) {
+            return Ok(false);
+        }
+        *seen = now;
+        if self.are_used()? {
+            return Ok(false);
+        }
+        let opened = OwnedLayers::open(&self.paths)?;
+        *self.current.write().unwrap_or_else(PoisonError::into_inner) = Arc::new(opened);
+        Ok(true)
+    }
+
+    /// The paths of the files, the base first.
+    pub fn paths(&self) -> impl Iterator<Item = &Path> {
+        self.paths.iter().map(PathBuf::as_path)
+    }
+
+    /// Whether the files have the checksums of the current version.
+    fn are_used(&self) -> Result<bool, LayersOpenError> {
+        let current = self.current();
+        for (layer, path) in self.paths.iter().enumerate() {
+            let found = checksum(path).map_err(|error| LayersOpenError::new(path, error.into()))?;
+            if found != current.layers().bank(layer).map(lipz_bank::Bank::checksum) {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+}
+
+/// What the files look like.
+fn stamps(paths: &[PathBuf]) -> Result<Vec<Stamp>, LayersOpenError> {
+    let stamp = |path: &PathBuf| match fs::metadata(path) {
+        Ok(metadata) => Ok(Stamp::new(&metadata)),
+        Err(error) => Err(LayersOpenError::new(path, error.into())),
+    };
+    paths.iter().map(stamp).collect()
+}
+
+/// The checksum in the header of a file; `None` if it is too short to have one.
+fn checksum(path: &Path) -> io::Result<Option<u64>> {
+    const END: u64 = 16;
+    let mut start = Vec::new();
+    File::open(path)?.take(END).read_to_end(&mut start)?;
+    Ok(start.get(8..).and_then(|bytes| bytes.try_into().ok()).map(u64::from_le_bytes))
+}

@@ -1,0 +1,66 @@
+//! A stack follows its files, and is never a mixture of versions that do not belong together.
+#![allow(clippy::unwrap_used, clippy::incompatible_msrv)]
+
+use lipz_compiler::{Compiler, Input, Over, Stack};
+use lipz_host::{LiveLayers, OwnedLayers};
+use std::fs;
+use std::path::PathBuf;
+
+/// A base with this text, and a patch that replaces it.
+fn stack(text: &str, patched: &str) -> [Vec<u8>; 2] {
+    let inputs = |text: &str| [Input::from_bytes("line", format!(r#"{{ "text_en-us": "{text}" }}"#))];
+    let compiler = Compiler::default();
+    let base = compiler.compile(&inputs(text)).into_bank().unwrap();
+    let over = Over::new(Stack::open([("base", &base)]).unwrap());
+    let patch = compiler.compile_over(&inputs(patched), &over).into_bank().unwrap();
+    [base, patch]
+}
+
+fn text(layers: &OwnedLayers) -> String {
+    let layers = layers.layers();
+    let english = layers.locale("en-us").unwrap();
+    layers.clip_by_key("line").unwrap().text(0, &english).unwrap().as_str().to_owned()
+}
+
+#[test]
+fn a_stack_follows_its_files_once_they_fit() {
+    let folder = tempfile::tempdir().unwrap();
+    let paths = ["base", "patch"].map(|name| folder.path().join(name));
+    let write = |path: &PathBuf, bytes: &[u8]| {
+        let new = path.with_extension("new");
+        fs::write(&new, bytes).unwrap();
+        fs::rename(&new, path).unwrap();
+    };
+    let [old, new] = [stack("Aye.", "Nay."), stack("Yes.", "No.")];
+    paths.iter().zip(&old).for_each(|(path, bytes)| write(path, bytes));
+    let live = LiveLayers::open(&paths).unwrap();
+    assert!(live.paths().eq(paths.iter().map(PathBuf::as_path)));
+    let kept = live.current();
+    assert_eq!((text(&kept).as_str(), live.refresh().unwrap()), ("Nay.", false));
+    // Only the base is new: the patch does not fit it.
+    write(&paths[0], &new[0]);
+    let error = live.refresh().unwrap_err();
+    assert_eq!((error.path(), text(&live.current()).as_str()), (paths[1].as_path(), "Nay."));
+    assert!(error.to_string().contains("bank error 37"), "{error}");
+    write(&paths[1], &new[1]);
+    assert!(live.refresh().unwrap() && !live.refresh().unwrap());
+    assert_eq!((text(&live.current()).as_str(), text(&kept).as_str()), ("No.", "Nay."));
+    fs::remove_file(&paths[1]).unwrap();
+    assert!(live.refresh().is_err() && live.refresh().is_err());
+    assert_eq!(text(&live.current()), "No.");
+}
+
+#[test]
+fn files_that_make_no_stack_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let none: [PathBuf; 0] = [];
+    assert!(OwnedLayers::open(none).is_err());
+    let missing = OwnedLayers::open([folder.path().join("nowhere")]).unwrap_err();
+    assert!(matches!(missing.error(), lipz_host::OpenError::File(_)));
+    let [_, patch] = stack("Aye.", "Nay.");
+    let path = folder.path().join("patch");
+    fs::write(&path, &patch).unwrap();
+    assert_eq!(OwnedLayers::open([&path]).unwrap_err().path(), path);
+    fs::write(&path, &patch[..patch.len() - 1]).unwrap();
+    assert!(OwnedLayers::open([&path]).is_err());
+}
