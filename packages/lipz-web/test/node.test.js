@@ -76,7 +76,7 @@ test("a clip is played in the voice that is asked for", async () => {
   assert.deepEqual(bank.voices, ["en-us", "de-at", "de-de"]);
   const played = (key, tag) => {
     const voiced = bank.clip(key).inVoice(tag);
-    return voiced && [voiced.clip.key, voiced.clip.voice, voiced.spoken, voiced.clip.segmentAt(0).text("en-us")];
+    return voiced && [voiced.clip.key, voiced.clip.voice, voiced.spoken, voiced.clip.segmentAt(0).text("en-us").text];
   };
   for (const asked of ["aye", "de/aye"]) {
     assert.deepEqual(played(asked, "en-us"), ["aye", "en-us", "original", "Aye!"]);
