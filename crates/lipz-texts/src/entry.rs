@@ -96,7 +96,7 @@ impl ReadOptions {
         let tag = tag.split(['@', '.']).next().unwrap_or(tag).trim();
         let canonical = canonical_tag(tag, true)?;
         let all = || self.wanted.iter().chain(&self.known).chain([&self.source_locale]);
-        if all().any(|known| *known == canonical) || canonical.contains('-') {
+        if canonical.contains('-') || all().any(|known| *known == canonical) {
             return Some(canonical);
         }
         let is_alike = |known: &&String| language(known) == canonical;

@@ -73,3 +73,18 @@ mod spreadsheets {
         assert!(told(Format::Xlsx, b"\xD0\xCF\x11\xE0").contains("without a password"));
     }
 }
+
+/// Were all columns looked at for each of them, this would take minutes.
+#[test]
+fn a_table_of_many_locales_is_read_at_once() {
+    let tag = |number: usize| {
+        let letter = |place: u32| char::from(b'a' + u8::try_from(number / 26_usize.pow(place) % 26).unwrap());
+        format!("{}{}-{}{}", letter(3), letter(2), letter(1), letter(0))
+    };
+    let locales: Vec<String> = (0..50_000).map(tag).collect();
+    let header: String = locales.iter().map(|locale| format!(",{locale},lock {locale}")).collect();
+    let file = format!("key{header}\nmayor{}\n", ",x,".repeat(locales.len()));
+    let options = ReadOptions::new("en-us").known(locales.clone());
+    let incoming = read(Format::Csv, file.as_bytes(), &options);
+    assert_eq!(incoming.entries.len(), locales.len(), "{:?}", incoming.diagnostics.first());
+}

@@ -5,6 +5,7 @@ use super::columns::{Column, columns};
 use crate::{Entry, Incoming, Mark, ReadOptions, State, Words, decode, entry};
 use csv::{ReaderBuilder, StringRecord};
 use lipz_diagnostics::{Code, Diagnostic, Span, bound, escape};
+use std::collections::HashMap;
 use std::ops::Range;
 
 /// What may separate cells. Spreadsheets write `;` where a comma is the sign before decimals.
@@ -136,7 +137,7 @@ impl Row {
     /// Adds the translations of a row.
     fn entries(&self, columns: &[Column], options: &ReadOptions, incoming: &mut Incoming) {
         let find = |column: &Column| columns.iter().position(|other| other == column);
-        let mark = |column: &Column| find(column).and_then(|at| self.cells.get(at)?.parse::<Mark>().ok());
+        let mark = |at: Option<usize>| self.cells.get(at?)?.parse::<Mark>().ok();
         let Some(key) = find(&Column::Key).map(|at| self.words(at)) else { return };
         if key.text.is_empty() {
             if self.cells.iter().any(|cell| !cell.is_empty()) {
@@ -146,11 +147,17 @@ impl Row {
             return;
         }
         let source = find(&Column::Source).map(|at| self.words(at));
-        let source_mark = mark(&Column::SourceMark);
+        let source_mark = mark(find(&Column::SourceMark));
         let state =
             find(&Column::State).and_then(|at| State::from_name(&self.cells.get(at)?.trim().to_ascii_lowercase()));
         let row_locale = self.locale(find(&Column::Language), options, incoming);
         let (id, segment) = entry::id(&key.text);
+        // Of two columns about one locale, the first counts.
+        let mark_of = |(at, column): (usize, &'_ Column)| match column {
+            Column::Mark(locale) => Some((locale.clone(), at)),
+            _ => None,
+        };
+        let marks: HashMap<String, usize> = columns.iter().enumerate().rev().filter_map(mark_of).collect();
         for (at, column) in columns.iter().enumerate() {
             let locale = match column {
                 Column::Locale(locale) => Some(locale.clone()),
@@ -167,7 +174,7 @@ impl Row {
                 state: if text.text.is_empty() { State::Initial } else { state.unwrap_or(State::Translated) },
                 says_state: state.is_some(),
                 text,
-                mark: mark(&Column::Mark(locale.clone())),
+                mark: mark(marks.get(&locale).copied()),
                 locale,
                 ..Entry::default()
             });
