@@ -50,7 +50,7 @@ pub(super) const PROGRAMS: [Group; 8] = [
     Group {
         name: "+ verify: everything",
         parts: &[OPEN, FRAMES, TEXT_BYTES, EVENTS, KEYS, TEXT_BANKS, TEXTS, EVENT_STRINGS, VERIFY, VERIFY_TEXTS],
-        budget_bytes: Some(11_140),
+        budget_bytes: Some(12_400),
     },
 ];
 
