@@ -265,7 +265,7 @@ export class Clip {
    */
   inVoice(tag) {
     const voiced = this.#ask(c.lipz_voiced_clip, "lipz_clip_in_voice", ...this.#memory.text(tag));
-    return voiced && { clip: new Clip(this.#memory, voiced.clip, this.#locale), spoken: SPOKEN[voiced.spoken] };
+    return voiced && { clip: new Clip(this.#memory, voiced.clip, this.#textOf), spoken: SPOKEN[voiced.spoken] };
   }
 
   /** A cursor that waits for the sound of the clip to begin. */
