@@ -30,7 +30,7 @@ use lipz_layout::{LAYER_BABBLE, LAYER_FACES};
 /// let layers = Layers::new([Bank::open(base)?.verify()?])?; // and patches: [base, patch, mod]
 /// let german = layers.locale("de-de").ok_or("no German")?;
 /// let clip = layers.clip(ClipId::from_key("act1/mara-good-evening")).ok_or("no such clip")?;
-/// let segment = clip.segment_at(Micros(1_500_000)).ok_or("silence")?;
+/// let segment = clip.segment_at(Micros(500_000)).ok_or("silence")?;
 /// assert_eq!(clip.text(segment.index(), &german).map(|text| text.as_str()), Some("Guten Abend, Otto."));
 /// # Ok(())
 /// # }
