@@ -91,7 +91,11 @@ fn queries(criterion: &mut Criterion) {
     });
     group.bench_function("open", |bencher| bencher.iter(|| Bank::open(black_box(&bytes)).is_ok()));
     group.finish();
+}
 
+fn whole_bank(criterion: &mut Criterion) {
+    let files = files(CLIPS, LOCALES);
+    let bytes = bank(&files);
     let mut group = criterion.benchmark_group("whole bank");
     group.throughput(Throughput::Bytes(bytes.len() as u64)).sample_size(20);
     group.bench_function("verify", |bencher| {
@@ -104,5 +108,5 @@ fn queries(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, queries);
+criterion_group!(benches, queries, whole_bank);
 criterion_main!(benches);

@@ -62,10 +62,7 @@ fn a_stack_answers_as_that_of_the_reader() {
                 lipz_layers_locale(array, count, found.texts_layer, data, length, out)
             });
             let of_layer = of_layer.some();
-            assert_eq!(
-                of_layer.map(|it| text_of(it.locale.tag)),
-                locale.tag_in(found.texts_layer as usize).map(Into::into)
-            );
+            assert_eq!(of_layer.map(|it| text_of(it.locale.tag)), locale.tag_in(found.texts_layer as usize));
             let Some(of_layer) = of_layer else { continue };
             let text = Answer::<Text>::from_call(|out| unsafe {
                 lipz_layers_text(array, count, Some(&found), 0, Some(&of_layer), out)
@@ -73,7 +70,7 @@ fn a_stack_answers_as_that_of_the_reader() {
             let text = text.some().map(|text| {
                 (text_of(String { data: text.data, length_bytes: text.length_bytes }), text.is_fallback == 1)
             });
-            let expected = expected.text(0, &locale).map(|text| (text.as_str().into(), text.is_fallback()));
+            let expected = expected.text(0, &locale).map(|text| (text.as_str(), text.is_fallback()));
             texts += usize::from(expected.is_some());
             assert_eq!(text, expected, "{key} {tag}");
         }
