@@ -103,12 +103,6 @@ pub fn numbers(profile: &FaceProfile<'_>) -> [u16; COUNT] {
     })
 }
 
-/// What a setting is without a project, as it is written.
-pub(crate) fn usual(name: &str) -> CurveValue {
-    let usual = std::iter::zip(&SETTINGS, numbers(&FaceProfile::DEFAULT)).find(|(setting, _)| setting.name == name);
-    usual.map_or(CurveValue::default(), |(setting, number)| setting.shown(number))
-}
-
 /// The face profiles of a project.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct FaceProfiles {

@@ -2,7 +2,8 @@
 
 use super::reading::Reading;
 use super::value::{Value, span};
-use crate::face::{FaceNumbers, FaceSetting, SETTINGS, Unit};
+use crate::face::{FaceNumbers, FaceSetting, SETTINGS, Unit, numbers};
+use lipz_bank::FaceProfile;
 use lipz_diagnostics::{Code, Diagnostic, escape, suggest::nearest};
 use toml::de::DeValue;
 
@@ -78,6 +79,8 @@ fn out_of_range(setting: &FaceSetting) -> String {
 }
 
 fn example(setting: &FaceSetting) -> String {
-    let usual = crate::face::usual(setting.name);
+    let mut defaults = std::iter::zip(&SETTINGS, numbers(&FaceProfile::DEFAULT));
+    let usual = defaults.find(|(other, _)| other.name == setting.name).map(|(_, number)| setting.shown(number));
+    let usual = usual.unwrap_or_default();
     format!("write a number: {} = {usual} is usual", setting.name)
 }
