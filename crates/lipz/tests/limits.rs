@@ -9,38 +9,63 @@ mod support;
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
 use std::os::unix::process::CommandExt;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 use support::{Outcome, Scene, tree};
+use tempfile::TempDir;
 
 /// Somebody who owns nothing: limits and rights do not hold for root.
 const NOBODY: u32 = 65534;
 
+/// The command as somebody who is not root.
+struct Unprivileged {
+    command: Command,
+    /// Where the program is, if its own folder is closed to others.
+    _folder: Option<TempDir>,
+}
+
 /// The command in the folder of a scene, as somebody who is not root.
-fn as_nobody(scene: &Scene, arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_lipz"));
-    command.args(arguments).current_dir(scene.path()).env("NO_COLOR", "1").env_remove("CLICOLOR_FORCE");
+fn as_nobody(scene: &Scene, arguments: &[&str]) -> Unprivileged {
     // SAFETY: the function takes nothing and only returns a number.
-    if unsafe { libc::geteuid() } == 0 {
+    let is_root = unsafe { libc::geteuid() } == 0;
+    let program = Path::new(env!("CARGO_BIN_EXE_lipz"));
+    let folder = (is_root && !is_open_to_all(program)).then(|| tempfile::tempdir().unwrap());
+    let mut command = Command::new(folder.as_ref().map_or(program.to_owned(), |folder| beside(program, folder.path())));
+    command.args(arguments).current_dir(scene.path()).env("NO_COLOR", "1").env_remove("CLICOLOR_FORCE");
+    if is_root {
         command.uid(NOBODY).gid(NOBODY);
     }
-    command
+    Unprivileged { command, _folder: folder }
+}
+
+/// Whether everybody may go to a file: a clone in a folder of `mktemp -d` is its owner's.
+fn is_open_to_all(file: &Path) -> bool {
+    file.ancestors().skip(1).all(|folder| fs::metadata(folder).is_ok_and(|it| it.permissions().mode() & 0o001 != 0))
+}
+
+/// The same program in a folder that everybody may enter.
+fn beside(program: &Path, folder: &Path) -> PathBuf {
+    fs::set_permissions(folder, fs::Permissions::from_mode(0o755)).unwrap();
+    let place = folder.join("lipz");
+    fs::hard_link(program, &place).or_else(|_| fs::copy(program, &place).map(|_| ())).unwrap();
+    place
 }
 
 /// Sets a limit of the command.
-fn limit(command: &mut Command, resource: libc::__rlimit_resource_t, most: u64) -> &mut Command {
+fn limit(mut it: Unprivileged, resource: libc::__rlimit_resource_t, most: u64) -> Unprivileged {
     let limit = libc::rlimit { rlim_cur: most, rlim_max: most };
     // SAFETY: nothing is done but a system call with a struct of numbers.
     unsafe {
-        command.pre_exec(move || match libc::setrlimit(resource, &raw const limit) {
+        it.command.pre_exec(move || match libc::setrlimit(resource, &raw const limit) {
             0 => Ok(()),
             _ => Err(std::io::Error::last_os_error()),
-        })
+        });
     }
+    it
 }
 
-fn run(command: &mut Command) -> Outcome {
-    Outcome::from(command.output().unwrap())
+fn run(mut it: Unprivileged) -> Outcome {
+    Outcome::from(it.command.output().unwrap())
 }
 
 /// Gives everybody all rights to what is in the scene, so that each test takes away its own.
@@ -85,14 +110,14 @@ fn without_threads_every_command_does_its_work() {
         &["inspect", "old.lipzbank"],
     ];
     for arguments in commands {
-        let outcome = run(limit(&mut as_nobody(&scene, arguments), libc::RLIMIT_NPROC, 1));
+        let outcome = run(limit(as_nobody(&scene, arguments), libc::RLIMIT_NPROC, 1));
         assert_eq!(outcome.code, 0, "{arguments:?}: {}{}", outcome.stdout, outcome.stderr);
     }
     let bank = |name: &str| fs::read(scene.path().join(name)).unwrap();
     assert!(bank("new.lipzbank") == bank("old.lipzbank") && bank("cached.lipzbank") == bank("old.lipzbank"));
     // Only a thread hears of changes; without a word, nothing would ever be packed again.
     let watch = ["watch", "voices", "-o", "watched.lipzbank"];
-    let outcome = run(limit(&mut as_nobody(&scene, &watch), libc::RLIMIT_NPROC, 1));
+    let outcome = run(limit(as_nobody(&scene, &watch), libc::RLIMIT_NPROC, 1));
     assert_eq!(outcome.code, 2, "{}", outcome.stderr);
     assert!(outcome.stderr.contains("error[LZ1605]: files cannot be watched: "), "{}", outcome.stderr);
 }
@@ -113,7 +138,7 @@ fn files_that_may_not_grow_are_an_error_and_the_old_ones_stay() {
         (&["fmt", "voices"], "voices/long.lipz"),
     ];
     for (arguments, path) in commands {
-        let outcome = run(limit(&mut as_nobody(&scene, arguments), libc::RLIMIT_FSIZE, 20_000));
+        let outcome = run(limit(as_nobody(&scene, arguments), libc::RLIMIT_FSIZE, 20_000));
         assert_eq!(outcome.code, 2, "{arguments:?}: {}", outcome.stderr);
         let message = format!("error[LZ0904]: `{path}` cannot be written: ");
         assert!(outcome.stderr.starts_with(&message), "{arguments:?}: {}", outcome.stderr);
@@ -143,7 +168,7 @@ fn what_may_not_be_read_is_named() {
         &["ids", "voices", "--lang", "c"],
     ];
     for arguments in over_sources {
-        let outcome = run(&mut as_nobody(&scene, arguments));
+        let outcome = run(as_nobody(&scene, arguments));
         assert!([1, 2].contains(&outcome.code), "{arguments:?}: {} {}", outcome.code, outcome.stderr);
         for part in ["error[LZ0001]", "voices/act1", "voices/act2/mara.lipz", "ermission denied"] {
             assert!(outcome.stderr.contains(part), "{arguments:?}: no {part} in\n{}", outcome.stderr);
@@ -160,7 +185,7 @@ fn what_may_not_be_read_is_named() {
         (&["import", "rhubarb-tsv", "mouth.tsv", "-o", "out"], "mouth.tsv"),
     ];
     for (arguments, path) in over_files {
-        let outcome = run(&mut as_nobody(&scene, arguments));
+        let outcome = run(as_nobody(&scene, arguments));
         assert!([1, 2].contains(&outcome.code), "{arguments:?}: {} {}", outcome.code, outcome.stderr);
         for part in ["error[LZ", path, "ermission denied"] {
             assert!(outcome.stderr.contains(part), "{arguments:?}: no {part} in\n{}", outcome.stderr);
@@ -191,7 +216,7 @@ fn what_may_not_be_written_is_named_and_stays() {
         (&["subtitles", "export", "srt", "voices", "-o", "closed"], "closed"),
     ];
     for (arguments, path) in commands {
-        let outcome = run(&mut as_nobody(&scene, arguments));
+        let outcome = run(as_nobody(&scene, arguments));
         assert_eq!(outcome.code, 2, "{arguments:?}: {}", outcome.stderr);
         for part in ["error[LZ0904]", path, "ermission denied", "= help: "] {
             assert!(outcome.stderr.contains(part), "{arguments:?}: no {part} in\n{}", outcome.stderr);

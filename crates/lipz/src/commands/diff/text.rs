@@ -96,17 +96,20 @@ fn dub(change: &DubChange<'_>) -> String {
     format!("~ {key} in {voice}  {}", arrow(change.clip, clip))
 }
 
+/// Names a profile, and gives it as it is in both banks; says so if only one of them has it.
+fn of_both<P>(out: &mut String, name: &str, profile: Change<Option<P>>) -> Option<(P, P)> {
+    let (line, both) = match profile {
+        Change { old: Some(old), new: Some(new) } => (format!("~ {}", escape::text(name)), Some((old, new))),
+        Change { new: None, .. } => (format!("- {}", only_old(name)), None),
+        Change { new: Some(_), .. } => (format!("+ {}", only_new(name)), None),
+    };
+    let _ = writeln!(out, "{line}");
+    both
+}
+
 /// The parts of a babble profile that differ, or that one bank has none of this name.
 fn babble(out: &mut String, change: &BabbleChange<'_>) {
-    let name = format!("babble profile {}", change.name);
-    let Change { old: Some(old), new: Some(new) } = change.profile else {
-        let _ = match change.profile.new {
-            None => writeln!(out, "- {}", only_old(&name)),
-            Some(_) => writeln!(out, "+ {}", only_new(&name)),
-        };
-        return;
-    };
-    let _ = writeln!(out, "~ {}", escape::text(&name));
+    let Some((old, new)) = of_both(out, &format!("babble profile {}", change.name), change.profile) else { return };
     if old.rate() != new.rate() {
         let _ = writeln!(out, "    {:<13}{}", "rate", arrow(Change { old: old.rate(), new: new.rate() }, short_fps));
     }
@@ -126,15 +129,7 @@ fn babble(out: &mut String, change: &BabbleChange<'_>) {
 
 /// The settings of a face profile that differ, or that one bank has none of this name.
 fn face(out: &mut String, change: &FaceChange<'_>) {
-    let name = format!("face profile {}", change.name);
-    let Change { old: Some(old), new: Some(new) } = change.profile else {
-        let _ = match change.profile.new {
-            None => writeln!(out, "- {}", only_old(&name)),
-            Some(_) => writeln!(out, "+ {}", only_new(&name)),
-        };
-        return;
-    };
-    let _ = writeln!(out, "~ {}", escape::text(&name));
+    let Some((old, new)) = of_both(out, &format!("face profile {}", change.name), change.profile) else { return };
     for (setting, (old, new)) in zip(face::SETTINGS, zip(face::numbers(&old), face::numbers(&new))) {
         if old != new {
             let shown = |number| setting.shown(number).to_string();
