@@ -15,6 +15,7 @@ mod heard;
 mod in_bank;
 mod known;
 mod lints;
+mod originals;
 mod places;
 mod recordings;
 mod sync;

@@ -105,6 +105,34 @@ fn recordings_of_dubs_become_dubs() {
 }
 
 #[test]
+fn a_dub_alone_knows_its_original() {
+    let scene = Scene::new();
+    scene.write("lipz.toml", format!("root = \"voices\"\n{SETTINGS}[audio]\nfolder = \"rec\"\n"));
+    scene.write("voices/en/mayor.lipz", r#"{ "text_en-us": "Who goes|there?", "text_de-de": "Wer|da?" }"#);
+    scene.write("rec/en/mayor.wav", voice(LINE, 1));
+    scene.write("rec/de/mayor.wav", voice(LINE, 2));
+    let run = |arguments: &[&str]| lipz(scene.path(), arguments.iter().chain(&["--allow", "LZ1707,LZ1715"]).copied());
+    let files =
+        || ["voices/de/mayor.lipz", "voices/lipz-sync.txt"].map(|name| fs::read(scene.path().join(name)).unwrap());
+    assert_eq!(run(&["sync"]).code, 0);
+    let whole = files();
+    for arguments in [&["sync"][..], &["sync", "--force"]] {
+        let alone = run(&[arguments, &["voices/de/mayor.lipz"]].concat());
+        assert_eq!((alone.code, alone.stderr.as_str()), (0, ""), "{arguments:?}");
+        assert!(files() == whole, "{arguments:?}: as a run over the whole project");
+    }
+    let checked = run(&["check", "voices/de/mayor.lipz", "--quiet", "--allow", "LZ1702,LZ2001"]);
+    assert_eq!((checked.code, checked.stderr.as_str()), (0, ""));
+    // From the recordings, too; and an original whose recording is missing was not recorded again.
+    let recordings = run(&["sync", "rec", "-o", "voices"]);
+    assert_eq!((recordings.code, recordings.stderr.as_str()), (0, ""));
+    assert!(files() == whole, "{}", recordings.stdout);
+    fs::remove_file(scene.path().join("rec/en/mayor.wav")).unwrap();
+    let missing = run(&["check", "--quiet"]);
+    assert!(missing.stderr.contains("LZ1701") && !missing.stderr.contains("LZ2006"), "{}", missing.stderr);
+}
+
+#[test]
 fn every_command_knows_voices() {
     let scene = scene();
     let run = |arguments: &[&str]| {

@@ -8,13 +8,13 @@ mod voice;
 
 use crate::clip::Clip;
 use crate::heard::Ear;
+use crate::originals::Originals;
 use crate::recordings::{not_used, shown};
 use crate::{Recordings, SyncRecord, record_place, spoken_text, threads};
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Content, Input};
 use lipz_diagnostics::{Code, Report, escape};
 use std::borrow::Cow;
-use std::collections::HashMap;
 use std::fs;
 
 /// Reports clips without a recording, recordings without a clip, and pairs that do not fit. Nothing, if the project has
@@ -46,11 +46,10 @@ pub fn check(settings: &Settings, inputs: &[Input], progress: &(dyn Fn() + Sync)
         let help = "add a Lipz file, or remove the recording";
         reports.push(Report::failure(shown(path), Code::RecordingWithoutClip, message, help));
     }
-    let files: HashMap<&str, &Input> = inputs.iter().map(|input| (input.key.as_str(), input)).collect();
+    let originals = Originals::new(recordings.voices(), inputs);
     let found = threads::map(inputs, settings.options.threads, |input| {
-        let original = recordings.voices().original_of(&input.key, |key| files.contains_key(key));
-        let original = original.and_then(|original| files.get(original.as_str()).copied());
-        let reports = one(settings, (input, original), &recordings, &ear, &record);
+        let original = originals.of(&input.key, input.name().as_ref());
+        let reports = one(settings, (input, original.as_deref()), &recordings, &ear, &record);
         progress();
         reports
     });

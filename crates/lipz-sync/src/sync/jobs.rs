@@ -2,6 +2,7 @@
 
 use super::SyncOptions;
 use crate::facts::{no_sound, unreadable};
+use crate::originals::{Originals, beside};
 use crate::places::Places;
 use crate::recordings::{is_recording, not_used, shown, slashed};
 use crate::{Facts, Recordings};
@@ -46,14 +47,9 @@ pub struct Original {
 /// become new Lipz files. Clips without a recording have none.
 pub fn jobs_of_clips(inputs: &[Input], recordings: &Recordings) -> Vec<Job> {
     let voices = recordings.voices();
-    let files: HashMap<&str, &Path> =
-        inputs.iter().filter_map(|input| Some((input.key.as_str(), file(input)?))).collect();
+    let originals = Originals::new(voices, inputs);
     let job = |key: &str, lipz_file: PathBuf| {
-        let original = voices.original_of(key, |key| files.contains_key(key)).map(|original| Original {
-            lipz_file: files.get(original.as_str()).copied().unwrap_or(Path::new("")).to_owned(),
-            recording: recordings.find(&original).map(Path::to_owned),
-            locale: recordings.locale(&original).map(str::to_owned),
-        });
+        let original = originals.of(key, &lipz_file).and_then(|input| Original::new(&input, recordings));
         let (key, recording) = (key.to_owned(), recordings.find(key)?.to_owned());
         let locale = recordings.locale(&key).map(str::to_owned);
         Some(Job { key, recording, lipz_file, text: None, locale, original })
@@ -62,9 +58,7 @@ pub fn jobs_of_clips(inputs: &[Input], recordings: &Recordings) -> Vec<Job> {
     let mut is_new = HashSet::new();
     for input in inputs {
         for locale in voices.patterns.keys().filter(|locale| Some(*locale) != voices.original.as_ref()) {
-            let Some(dub) = voices.dub_of(&input.key, locale).filter(|dub| !files.contains_key(dub.as_str())) else {
-                continue;
-            };
+            let Some(dub) = voices.dub_of(&input.key, locale).filter(|dub| !originals.has(dub)) else { continue };
             let is_dub_of_it = voices.original_of(&dub, |key| key == input.key).is_some();
             let lipz_file = file(input).filter(|_| is_dub_of_it).and_then(|path| beside(path, &input.key, &dub));
             if let Some(lipz_file) = lipz_file.filter(|_| key::refusal(&dub).is_none() && is_new.insert(dub.clone())) {
@@ -75,18 +69,22 @@ pub fn jobs_of_clips(inputs: &[Input], recordings: &Recordings) -> Vec<Job> {
     jobs
 }
 
+impl Original {
+    /// The clip in this file.
+    fn new(input: &Input, recordings: &Recordings) -> Option<Original> {
+        Some(Original {
+            lipz_file: file(input)?.to_owned(),
+            recording: recordings.find(&input.key).map(Path::to_owned),
+            locale: recordings.locale(&input.key).map(str::to_owned),
+        })
+    }
+}
+
 fn file(input: &Input) -> Option<&Path> {
     match &input.content {
         Content::File(path) => Some(path),
         Content::Bytes { .. } => None,
     }
-}
-
-/// The Lipz file of the clip `dub` under the root of the one that has this path and this key.
-fn beside(path: &Path, key: &str, dub: &str) -> Option<PathBuf> {
-    let depth = key.split('/').count();
-    let root = path.ancestors().nth(depth)?;
-    Some(root.join(format!("{dub}.{}", key::EXTENSION)))
 }
 
 /// The jobs for recordings: the sources of these settings are files and folders of them. Each becomes a Lipz file in
@@ -148,9 +146,27 @@ pub fn jobs_of_recordings(settings: &Settings, output: &Path, script: Option<&Sc
             Err(report) => reports.push(report),
         }
     }
+    add_originals(&mut jobs, &places);
     reports.extend(script.and_then(|script| script_without_recording(script, &jobs)));
     reports.extend(texts_without_recording(&jobs));
     (jobs, reports)
+}
+
+/// Of which clip each dub is one: another of these jobs, or one whose file is there.
+fn add_originals(jobs: &mut [Job], places: &Places) {
+    let input = |job: &Job| Input { key: job.key.clone(), content: Content::File(job.lipz_file.clone()) };
+    let inputs: Vec<Input> = jobs.iter().map(input).collect();
+    let recordings: HashMap<String, PathBuf> =
+        jobs.iter().map(|job| (job.key.clone(), job.recording.clone())).collect();
+    let originals = Originals::new(&places.voices, &inputs);
+    for job in jobs {
+        let Some(original) = originals.of(&job.key, &job.lipz_file) else { continue };
+        job.original = file(&original).map(|lipz_file| Original {
+            lipz_file: lipz_file.to_owned(),
+            recording: recordings.get(&original.key).cloned(),
+            locale: places.of(&original.key).locale.map(str::to_owned),
+        });
+    }
 }
 
 /// What is said in a recording: by the script, or by the text file beside it.

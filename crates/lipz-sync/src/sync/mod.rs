@@ -23,7 +23,7 @@ use one::{New, Step, one};
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// What a run did, clip by clip in the order of the jobs.
+/// What a run did, clip by clip in the order of the jobs, originals before dubs.
 #[derive(Debug, Default)]
 #[non_exhaustive]
 pub struct Synced {
@@ -88,7 +88,9 @@ pub fn sync(
     let known = &*record;
     // Without the record, no mouth may be written: one clip says so, the others need not be made.
     let has_no_record = AtomicBool::new(false);
-    let done = threads::map(jobs, options.options.threads, |job| {
+    // Dubs borrow the texts of originals, which must be there.
+    let (originals, dubs): (Vec<&Job>, Vec<&Job>) = jobs.iter().partition(|job| job.original.is_none());
+    let make = |job: &&Job| {
         let mut reports = Vec::new();
         let mut step = match has_no_record.load(Ordering::Relaxed) {
             false => one(job, options, known, &mut reports),
@@ -102,9 +104,11 @@ pub fn sync(
         }
         progress();
         (step, reports)
-    });
+    };
+    let mut done = threads::map(&originals, options.options.threads, make);
+    done.extend(threads::map(&dubs, options.options.threads, make));
     let (mut synced, mut guessed) = (Synced::default(), BTreeMap::new());
-    for (job, (step, reports)) in jobs.iter().zip(done) {
+    for (job, (step, reports)) in originals.iter().chain(&dubs).zip(done) {
         synced.reports.extend(reports);
         match step {
             Step::Unchanged => synced.unchanged += 1,

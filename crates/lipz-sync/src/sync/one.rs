@@ -103,8 +103,8 @@ fn tried(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Ve
     let is_current = |line: &Line| {
         // Older versions did not write down when words are said.
         let is_whole = line.words.is_some() || script.words.is_empty();
-        // By force, a dub that still fits is one of the original as it is now.
-        line.made == made && is_whole && (!options.force || line.original == original_now())
+        // A dub is one of its original as that was then; by force, as it is now.
+        line.made == made && is_whole && (line.original.is_some() && !options.force || line.original == original_now())
     };
     if !is_new && known.iter().any(is_current) {
         push(reports, options, &name, &bytes, diagnostics);

@@ -208,15 +208,13 @@ impl Line {
         let mut hash = || parts.next().and_then(parse_hash);
         let made = Made { sound: hash()?, text: hash()?, settings: hash()?, mouth: hash()? };
         let rest = parts.next()?;
-        let dub = rest.strip_prefix(DUB_OF).and_then(|dub| dub.split_once(' '));
-        let (original, rest) = match dub.and_then(|(hashes, rest)| Some((OriginalThen::parse(hashes)?, rest))) {
-            Some((original, rest)) => (Some(original), rest),
+        let (original, rest) = match rest.strip_prefix(DUB_OF).map(|dub| dub.split_once(' ')) {
+            Some(dub) => dub.and_then(|(hashes, rest)| Some((Some(OriginalThen::parse(hashes)?), rest)))?,
             None => (None, rest),
         };
         // Older versions wrote no times.
-        let said = rest.strip_prefix(SAID).and_then(|said| said.split_once(' '));
-        let (words, file) = match said.and_then(|(words, file)| Some((words.parse().ok()?, file))) {
-            Some((words, file)) => (Some(words), file),
+        let (words, file) = match rest.strip_prefix(SAID).map(|said| said.split_once(' ')) {
+            Some(said) => said.and_then(|(words, file)| Some((Some(words.parse().ok()?), file)))?,
             None => (None, rest),
         };
         (!file.is_empty()).then_some((Line { made, words, original }, file))
@@ -296,6 +294,15 @@ mod tests {
         for at in 0..conflict.len() {
             fs::write(&path, &conflict[..at]).unwrap();
             let _ = SyncRecord::read(&path); // no panic
+        }
+    }
+
+    #[test]
+    fn damaged_fields_say_nothing() {
+        let whole = b().written("x.lipz");
+        assert!(Line::parse(&whole).is_some());
+        for (field, damaged) in [("said:0badcafe:", "said:0badcafe"), ("dub-of:0", "dub-of:x"), (" x.lipz", "")] {
+            assert_eq!(Line::parse(&whole.replace(field, damaged)), None, "{damaged}");
         }
     }
 
