@@ -3,6 +3,7 @@
 use crate::Failure;
 use crate::paths::workspace_root;
 use crate::tools::succeed;
+use std::fs;
 use std::path::Path;
 use std::process::Command;
 
@@ -21,7 +22,11 @@ pub(crate) fn run() -> Result<(), Failure> {
     let (sounds, python) = (folder.join("sounds"), folder.join("python/bin/python"));
     if !python.exists() {
         succeed(Command::new("python3").args(["-m", "venv"]).arg(folder.join("python")), "python3 -m venv")?;
-        succeed(Command::new(&python).args(["-m", "pip", "install", "--quiet", PEER]), "pip install")?;
+    }
+    succeed(Command::new(&python).args(["-m", "pip", "install", "--quiet", PEER]), "pip install")?;
+    let (ours, theirs) = (folder.join("lipz"), folder.join("pocketsphinx"));
+    for made in [&sounds, &ours, &theirs].into_iter().filter(|made| made.exists()) {
+        fs::remove_dir_all(made).map_err(|error| format!("{}: {error}", made.display()))?;
     }
     let script = |name: &str| {
         let mut command = Command::new(&python);
@@ -29,7 +34,6 @@ pub(crate) fn run() -> Result<(), Failure> {
         command
     };
     succeed(script("make.py").arg(&sounds), "make.py")?;
-    let (ours, theirs) = (folder.join("lipz"), folder.join("pocketsphinx"));
     let mut cargo = Command::new("cargo");
     cargo.args(["run", "--release", "--quiet", "--package", "lipz-speech", "--example", "sync_folder", "--"]);
     succeed(cargo.current_dir(workspace_root()).args([&sounds, &ours]), "sync_folder")?;

@@ -138,6 +138,19 @@ fn the_output_is_a_folder_that_can_be_written() {
 }
 
 #[test]
+fn the_first_run_of_a_project_is_told_how_to_begin() {
+    let scene = Scene::new();
+    scene.write("voices/notes.txt", "");
+    scene.write("rec/mayor.wav", voice(LINE, 1));
+    let (code, _, found) = run(&scene, &["sync", "voices", "--audio", "rec"]);
+    assert!(code == 2 && found.contains("error[LZ0805]: no Lipz files in `voices`"), "{found}");
+    assert!(
+        found.contains("= help: to make the first Lipz files of recordings: lipz sync recordings -o voices"),
+        "{found}"
+    );
+}
+
+#[test]
 fn each_voice_has_its_recordings_text_and_language() {
     let scene = Scene::new();
     scene.write(

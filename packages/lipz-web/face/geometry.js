@@ -36,7 +36,9 @@ function limited(pose, felt) {
 function weights(felt, { shapes = {}, brows, shrug }) {
   const all = new Map(felt);
   const add = (name, weight) => all.set(name, (all.get(name) ?? 0) + weight);
-  for (const [name, weight] of Object.entries(shapes)) add(name, within(Number(weight ?? 0), [-1, 1]));
+  // Only pupils grow and shrink.
+  const limit = (name) => [name === "pupils" ? -1 : 0, 1];
+  for (const [name, weight] of Object.entries(shapes)) add(name, within(Number(weight ?? 0), limit(name)));
   for (const name of ["browInnerUp", "browOuterUpLeft", "browOuterUpRight"]) add(name, 0.8 * brows + 0.4 * shrug);
   // A shrug of the face: brows and lower lip up, corners down.
   for (const name of ["mouthShrugLower", "mouthFrownLeft", "mouthFrownRight"]) add(name, 0.6 * shrug);

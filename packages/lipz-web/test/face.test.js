@@ -35,6 +35,13 @@ test("mouths are open in the order of the reader's openness", () => {
   }
 });
 
+test("weights below 0 are as 0", () => {
+  for (const name of ["jawOpen", "mouthSmileLeft", "cheekPuff", "browDownLeft", "tears"]) {
+    assert.equal(drawn({ shapes: { [name]: -0.5 } }), drawn({}), name);
+    assert.notEqual(drawn({ shapes: { [name]: 0.5 } }), drawn({}), name);
+  }
+});
+
 test("each code has a mouth of its own, and the same sounds have the same in both charts", () => {
   for (const type of Object.keys(VISEMES)) {
     const mouths = Object.keys(VISEMES[type]).map((viseme) => drawn({ viseme, visemeType: type }));

@@ -16,7 +16,7 @@ use clap::{Arg, Args};
 use flags::SyncFlags;
 use lipz_bank::Fps;
 use lipz_compiler::settings::Settings;
-use lipz_diagnostics::Report;
+use lipz_diagnostics::{Code, Report};
 use lipz_interop::Encoding;
 use lipz_sync::{Job, Recordings, SyncOptions, SyncRecord, jobs_of_clips, jobs_of_recordings, sync};
 use std::path::{Path, PathBuf};
@@ -203,6 +203,9 @@ fn of_clips(settings: &Settings, reporter: &mut Reporter) -> Result<Work, Abort>
     let (inputs, unread) = inputs::find(settings);
     reports.extend(unread);
     if inputs.is_empty() && lipz_diagnostics::reports::have_errors(&reports) {
+        let none = reports.iter_mut().flat_map(|report| &mut report.diagnostics);
+        let first = "to make the first Lipz files of recordings: lipz sync recordings -o voices";
+        none.filter(|none| none.code == Code::NoSources).for_each(|none| none.help = Some(first.to_owned()));
         return Err(reporter.abort(reports, Outcome::Failed));
     }
     let jobs = jobs_of_clips(&inputs, &recordings);
