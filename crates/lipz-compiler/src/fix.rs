@@ -1,5 +1,6 @@
 //! Applying the certain fixes of a file's diagnostics, until there are none left.
 
+use crate::check::Spoken;
 use crate::clip::{ClipData, Locales};
 use crate::{Compiler, Options, check};
 use lipz_diagnostics::{Code, Diagnostic, Fix};
@@ -71,7 +72,7 @@ fn fixes<'f>(bytes: &'f [u8], options: &Options) -> Option<(&'f str, Vec<(Code, 
             check::check(
                 document,
                 options,
-                None,
+                Spoken::default(),
                 &mut Locales::default(),
                 &mut ClipData::default(),
                 &mut parsed.diagnostics,

@@ -272,7 +272,14 @@ mod tests {
         .unwrap();
         let (mut clip, mut locales) = (ClipData::default(), Locales::default());
         let options = Options::default();
-        crate::check::check(&document, &options, None, &mut locales, &mut clip, &mut Vec::new());
+        crate::check::check(
+            &document,
+            &options,
+            crate::check::Spoken::default(),
+            &mut locales,
+            &mut clip,
+            &mut Vec::new(),
+        );
         encode(&document, &options, &locales, &mut clip);
         let record = clip.source;
         let elements = decode(&record, 2).unwrap();

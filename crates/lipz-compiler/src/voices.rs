@@ -53,6 +53,11 @@ impl Voices {
         found.map(|(_, locale, line)| (locale, line))
     }
 
+    /// The locale that is spoken in the clip with this key: that of its voice, or else of the original.
+    pub fn locale_of(&self, key: &str) -> Option<&str> {
+        self.of_key(key).map(|(locale, _)| locale).or(self.original.as_deref())
+    }
+
     /// The key of the original of which the clip with this key is a dub, among the keys that are there.
     pub fn original_of(&self, key: &str, is_there: impl Fn(&str) -> bool) -> Option<String> {
         let line = self.dubbed_line(key)?;

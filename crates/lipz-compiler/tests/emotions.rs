@@ -12,7 +12,8 @@ const VISEMES: &str = "MAEOMAEOMAEOMAEOMAEO|MAEOMAEOMAEOMAEOMAEO";
 fn options(settings: &str) -> Options {
     let (settings, report) = Settings::parse(settings.as_bytes(), "lipz.toml", "".as_ref());
     assert_eq!(report.diagnostics, []);
-    settings.options
+    let voices = settings.voices();
+    settings.options.voices(voices)
 }
 
 /// The curves of a clip with these further elements.
@@ -154,4 +155,20 @@ fn what_is_wrong_is_said() {
     let translated = r#""text_de-de": "{joy 2} a|b", "text_en-us": "{joy 1} a|b", "text_fr-fr": "a|b""#;
     assert_eq!(codes(translated), ["LZ1809: the text of the voice has another emotion here, in segment 0"]);
     assert_eq!(codes(r#""text_en-us": "{take 3} a|{to amy} b {wait 0.5}""#), [""; 0]);
+}
+
+#[test]
+fn a_dub_feels_what_its_own_language_says() {
+    let settings = "default-locale = \"en-us\"\n[emotions]\nover = 0\n[lints]\nemotion-locales = \"allow\"\n[audio]\n\
+                    locale = \"en-us\"\n[voices]\nde-de = \"de/{key}\"\n";
+    let file =
+        r#"{ "fps": 10, "visemes": "MAEOMAEOMA", "text_en-us": "Go {anger 5} on.", "text_de-de": "Los {joy 5} weg." }"#;
+    let inputs = ["a", "de/a"].map(|key| Input::from_bytes(key, file));
+    let bytes = Compiler::new(options(settings)).compile(&inputs).into_bank().unwrap();
+    let bank = Bank::open(&bytes).unwrap().verify().unwrap();
+    let names = ["a", "de/a"].map(|key| {
+        let clip = bank.clip_by_key(key).unwrap();
+        clip.curves().map(|curve| curve.name().to_string()).collect::<Vec<_>>()
+    });
+    assert_eq!(names, [["anger"], ["joy"]]);
 }

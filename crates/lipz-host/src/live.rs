@@ -1,10 +1,10 @@
 //! A bank whose file is replaced while the program runs.
 
 use crate::bytes::Backing;
-use crate::stamp::Stamp;
+use crate::stamp::{Stamp, checksum};
 use crate::{FileBytes, OpenError, OwnedBank};
 use std::fs::{self, File};
-use std::io::{Read, Seek, SeekFrom};
+use std::io::{Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError, RwLock};
 
@@ -81,9 +81,12 @@ impl LiveBank {
         // Before it is read: what is written afterwards then shows.
         let looks_the_same = seen.is_used && seen.stamp == stamp;
         *seen = Seen::new(stamp, false);
-        if looks_the_same && checksum(&file)? == Some(self.current().bank().checksum()) {
-            seen.is_used = true;
-            return Ok(false);
+        if looks_the_same {
+            if checksum(&file)? == Some(self.current().bank().checksum()) {
+                seen.is_used = true;
+                return Ok(false);
+            }
+            (&file).seek(SeekFrom::Start(0))?;
         }
         match verified(&file, self.backing) {
             Ok(bank) => {
@@ -115,15 +118,6 @@ impl Seen {
     fn new(stamp: Stamp, is_used: bool) -> Seen {
         Seen { stamp, is_settled: stamp.is_settled(), is_used }
     }
-}
-
-/// The checksum in the header of a file; `None` if it is too short to have one.
-fn checksum(mut file: &File) -> Result<Option<u64>, OpenError> {
-    const END: u64 = 16;
-    let mut start = Vec::new();
-    file.take(END).read_to_end(&mut start)?;
-    file.seek(SeekFrom::Start(0))?;
-    Ok(start.get(8..).and_then(|bytes| bytes.try_into().ok()).map(u64::from_le_bytes))
 }
 
 #[allow(unsafe_code)] // the contract of `LiveBank::open_mapped`, through which alone a bank is mapped

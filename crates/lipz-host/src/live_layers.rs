@@ -1,9 +1,8 @@
 //! A stack whose files are replaced while the program runs.
 
-use crate::stamp::Stamp;
+use crate::stamp::{Stamp, checksum};
 use crate::{LayersOpenError, OwnedLayers};
 use std::fs::{self, File};
-use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError, RwLock};
 
@@ -16,7 +15,22 @@ pub struct LiveLayers {
     paths: Vec<PathBuf>,
     current: RwLock<Arc<OwnedLayers>>,
     /// What the files looked like when they were used or refused.
-    seen: Mutex<Vec<Stamp>>,
+    seen: Mutex<Seen>,
+}
+
+/// A look at the files.
+#[derive(Debug)]
+struct Seen {
+    stamps: Vec<Stamp>,
+    /// Whether other files would look otherwise. Younger ones may be replaced by some that look the same.
+    are_settled: bool,
+}
+
+impl Seen {
+    fn new(stamps: Vec<Stamp>) -> Seen {
+        let are_settled = stamps.iter().all(Stamp::is_settled);
+        Seen { stamps, are_settled }
+    }
 }
 
 impl LiveLayers {
@@ -27,7 +41,7 @@ impl LiveLayers {
     pub fn open<P: Into<PathBuf>>(paths: impl IntoIterator<Item = P>) -> Result<LiveLayers, LayersOpenError> {
         let paths: Vec<PathBuf> = paths.into_iter().map(Into::into).collect();
         // Before they are read: what is written afterwards then shows.
-        let seen = stamps(&paths)?;
+        let seen = Seen::new(stamps(&paths)?);
         let current = RwLock::new(Arc::new(OwnedLayers::open(&paths)?));
         Ok(LiveLayers { paths, current, seen: Mutex::new(seen) })
     }
@@ -50,10 +64,10 @@ impl LiveLayers {
         // Held until the end: one version after the other.
         let mut seen = self.seen.lock().unwrap_or_else(PoisonError::into_inner);
         let now = stamps(&self.paths)?;
-        if *seen == now && now.iter().all(Stamp::is_settled) {
+        if seen.stamps == now && seen.are_settled {
             return Ok(false);
         }
-        *seen = now;
+        *seen = Seen::new(now);
         if self.are_used()? {
             return Ok(false);
         }
@@ -71,7 +85,8 @@ impl LiveLayers {
     fn are_used(&self) -> Result<bool, LayersOpenError> {
         let current = self.current();
         for (layer, path) in self.paths.iter().enumerate() {
-            let found = checksum(path).map_err(|error| LayersOpenError::new(path, error.into()))?;
+            let found =
+                File::open(path).and_then(checksum).map_err(|error| LayersOpenError::new(path, error.into()))?;
             if found != current.layers().bank(layer).map(lipz_bank::Bank::checksum) {
                 return Ok(false);
             }
@@ -89,10 +104,29 @@ fn stamps(paths: &[PathBuf]) -> Result<Vec<Stamp>, LayersOpenError> {
     paths.iter().map(stamp).collect()
 }
 
-/// The checksum in the header of a file; `None` if it is too short to have one.
-fn checksum(path: &Path) -> io::Result<Option<u64>> {
-    const END: u64 = 16;
-    let mut start = Vec::new();
-    File::open(path)?.take(END).read_to_end(&mut start)?;
-    Ok(start.get(8..).and_then(|bytes| bytes.try_into().ok()).map(u64::from_le_bytes))
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, clippy::incompatible_msrv)]
+
+    use super::*;
+    use lipz_compiler::{Compiler, Input};
+    use std::time::{Duration, SystemTime};
+
+    /// A file that was young when it was looked at may have been replaced since by one that looks the same.
+    #[test]
+    fn a_version_that_looks_like_the_one_before_is_taken_in() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("dialogue.lipzbank");
+        let write = |file: &str| {
+            let bank = Compiler::default().compile(&[Input::from_bytes("line", file)]).into_bank().unwrap();
+            fs::write(&path, bank).unwrap();
+        };
+        write(r#"{ "visemes": "MA" }"#);
+        let live = LiveLayers::open([&path]).unwrap();
+        write(r#"{ "visemes": "AM" }"#);
+        let long_ago = SystemTime::now() - Duration::from_secs(60);
+        File::options().write(true).open(&path).unwrap().set_modified(long_ago).unwrap();
+        live.seen.lock().unwrap().stamps = stamps(&live.paths).unwrap();
+        assert!(live.refresh().unwrap() && !live.refresh().unwrap());
+    }
 }

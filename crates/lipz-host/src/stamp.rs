@@ -1,6 +1,8 @@
-//! What a file looks like from outside: another look means that it may be another file.
+//! What a file looks like from outside: another look means that it may be another file. And which bank it is, by the
+//! checksum in its header.
 
 use std::fs::Metadata;
+use std::io::{self, Read};
 use std::time::{Duration, SystemTime};
 
 /// For how long a file must have been left alone so that its next change shows: the clocks of some file
@@ -45,4 +47,12 @@ fn identity(metadata: &Metadata) -> Identity {
 #[cfg(not(unix))]
 fn identity(metadata: &Metadata) -> Identity {
     metadata.created().ok()
+}
+
+/// The checksum in the header of a bank, which is read from its start; `None` if it is too short to have one.
+pub(crate) fn checksum(bank: impl Read) -> io::Result<Option<u64>> {
+    const END: u64 = 16;
+    let mut start = Vec::new();
+    bank.take(END).read_to_end(&mut start)?;
+    Ok(start.get(8..).and_then(|bytes| bytes.try_into().ok()).map(u64::from_le_bytes))
 }

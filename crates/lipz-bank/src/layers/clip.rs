@@ -7,7 +7,7 @@ use core::ops::Deref;
 /// A clip of [`Layers`](crate::Layers): the [`Clip`] of the topmost layer that has it, and its texts.
 ///
 /// It is used as a `Clip`, with a [`Cursor`](crate::Cursor), too. Only texts are asked for here, because another layer
-/// may have them: a dub has mouth shapes of its own, and the texts of the bank below it.
+/// may have them: where only a mouth was mended, its texts are those of the bank below it.
 #[derive(Clone, Copy, Debug)]
 pub struct LayeredClip<'data, 'bank> {
     clip: Clip<'data, 'bank>,

@@ -1,4 +1,4 @@
-//! Layers: a bank with patches, dubs, downloads and mods over it, which answer as one.
+//! Layers: a bank with patches, downloads and mods over it, which answer as one.
 
 mod clip;
 mod clips;
@@ -18,7 +18,7 @@ use lipz_layout::{LAYER_BABBLE, LAYER_FACES};
 
 /// A bank and the layers over it, the topmost of which answers.
 ///
-/// A *layer* is a bank that `lipz pack --over` made: a patch, a dub, a download, a mod. It has what is new or changed, and
+/// A *layer* is a bank that `lipz pack --over` made: a patch, a download, a mod. It has what is new or changed, and
 /// says what it removes. The stack answers as the bank would that was packed with all of it in one go. Clip ids are the
 /// same, and a [`Cursor`](crate::Cursor) plays a [`LayeredClip`] as any clip.
 ///

@@ -25,15 +25,31 @@ use lipz_file::{Document, Fragment, text};
 use readability::Times;
 use visemes::Expected;
 
+/// How a clip is spoken, as far as that is known.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Spoken<'o> {
+    /// The locale of its voice; without one, the default locale counts.
+    locale: Option<&'o str>,
+    /// When its words are said.
+    times: Option<&'o WordTimes>,
+}
+
+impl<'o> Spoken<'o> {
+    /// How the clip with this key is spoken.
+    pub(crate) fn of(key: &str, options: &'o Options) -> Spoken<'o> {
+        Spoken { locale: options.voices.locale_of(key), times: options.word_times.get(key) }
+    }
+}
+
 /// Makes `clip` the one that `document` describes; its texts refer to `locales`. The words of one of them
-/// are said at these `times`. All diagnostics are
+/// are said at times of `spoken`. All diagnostics are
 /// reported; if one of them is an error at the project's levels, the clip is of no use.
 ///
 /// The source record of the clip is left empty.
 pub(crate) fn check(
     document: &Document<'_>,
     options: &Options,
-    times: Option<&WordTimes>,
+    spoken: Spoken<'_>,
     locales: &mut Locales,
     clip: &mut ClipData,
     diagnostics: &mut Vec<Diagnostic>,
@@ -105,7 +121,7 @@ pub(crate) fn check(
     if !clip.has_visemes {
         clip.starts.resize(segment_count, 0);
     }
-    emotions::curves(&roles, options, times, locales, clip, diagnostics);
+    emotions::curves(&roles, options, spoken, locales, clip, diagnostics);
     blank::report(&roles, clip, options, locales, diagnostics);
     bound::limit(diagnostics);
     bank_limits::for_segments(&roles, clip.starts.len(), diagnostics);
@@ -117,7 +133,7 @@ pub(crate) fn fragment(fragment: &Fragment<'_>, options: &Options, diagnostics: 
     let (document, mut found) = (&fragment.document, Vec::new());
     let (mut locales, mut clip) = (Locales::default(), ClipData::default());
     if fragment.is_complete {
-        check(document, options, None, &mut locales, &mut clip, diagnostics);
+        check(document, options, Spoken::default(), &mut locales, &mut clip, diagnostics);
         return;
     }
     let roles = Roles::assign(document, options, &mut locales, &mut found);

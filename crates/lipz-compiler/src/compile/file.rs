@@ -3,8 +3,9 @@
 use super::Phases;
 use super::read::FileReader;
 use crate::cache::{Cache, CachedFile, FileStamps, Stamp};
+use crate::check::Spoken;
 use crate::clip::{ClipData, Clips, Locales};
-use crate::{Content, Input, Options, WordTimes, check, convert, source_record};
+use crate::{Content, Input, Options, check, convert, source_record};
 use lipz_diagnostics::{Diagnostic, Report, Severity};
 use lipz_file::Document;
 use std::time::{Duration, Instant};
@@ -66,7 +67,7 @@ impl Worker {
             Some(document) => make_clip(
                 &document,
                 options,
-                options.word_times.get(&input.key),
+                Spoken::of(&input.key, options),
                 &mut batch.clips.locales,
                 &mut batch.clip,
                 &mut diagnostics,
@@ -104,12 +105,12 @@ impl Batch {
 fn make_clip(
     document: &Document<'_>,
     options: &Options,
-    times: Option<&WordTimes>,
+    spoken: Spoken<'_>,
     locales: &mut Locales,
     clip: &mut ClipData,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> bool {
-    check::check(document, options, times, locales, clip, diagnostics);
+    check::check(document, options, spoken, locales, clip, diagnostics);
     if has_errors(options, diagnostics) {
         return false;
     }

@@ -7,6 +7,7 @@ mod chart;
 mod edits;
 mod report;
 
+use crate::check::Spoken;
 use crate::clip::{ClipData, Locales};
 use crate::{Compiler, check};
 use chart::counterpart;
@@ -43,7 +44,8 @@ impl Compiler<'_> {
         let mut parsed = lipz_file::parse(bytes);
         let mut clip = ClipData::default();
         if let Some(document) = &parsed.document {
-            check::check(document, options, None, &mut Locales::default(), &mut clip, &mut parsed.diagnostics);
+            let spoken = Spoken::default();
+            check::check(document, options, spoken, &mut Locales::default(), &mut clip, &mut parsed.diagnostics);
         }
         options.levels.apply(&mut parsed.diagnostics);
         parsed.diagnostics.retain(is_error);

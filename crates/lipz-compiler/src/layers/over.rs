@@ -84,7 +84,10 @@ fn layer(
     let new = new.map_err(|error| Report::failure("", Code::BankDamaged, error.kind().message(), "pack it again"))?;
     if old.voices().chain(new.voices()).next().is_some() {
         let message = "there are dubs, and a layer cannot say of which clips: they would be lost".to_owned();
-        let help = "pack the whole bank again, or leave [voices] out: then the clips of dubs are clips like others";
+        let help = match old.voices().next() {
+            Some(_) => "the bank below has dubs: pack the whole bank again",
+            None => "pack the whole bank again, or leave [voices] out: then the clips of dubs are clips like others",
+        };
         return Err(Report::failure("", Code::DubInLayer, message, help));
     }
     if let Some(layer) = between(old, &new, &over.stack.checksums)? {
@@ -102,7 +105,10 @@ fn layer(
 fn stripped(options: &Options) -> Report {
     let message = "the layer gets no source section: the bank below it has none";
     let diagnostic = Diagnostic::new(Code::LayerStripped, message);
-    report(diagnostic.help("pack the base without `--strip`, or this layer with it"), options)
+    report(
+        diagnostic.help("pack the base without `--strip` and `--split-locales`, or this layer with `--strip`"),
+        options,
+    )
 }
 
 /// A report about the layer, as the project has its levels.

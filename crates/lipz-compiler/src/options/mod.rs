@@ -74,9 +74,7 @@ pub struct Options {
     pub recordings: BTreeMap<String, Recording>,
     /// When the words of clips are said, by key: where emotions change.
     pub word_times: BTreeMap<String, WordTimes>,
-    /// Locale of the voice, whose text has the emotions that count; `None` for the default locale.
-    pub voice_locale: Option<String>,
-    /// The languages in which lines are recorded: which clips are dubs.
+    /// The languages in which lines are recorded: which clips are dubs, and whose text has the emotions that count.
     pub voices: Voices,
 }
 
@@ -111,7 +109,6 @@ impl Options {
         let pattern = |(tag, pattern): (&String, &String)| Ok((canonical(tag)?, pattern.clone()));
         Ok(Options {
             default_locale,
-            voice_locale: self.voice_locale.as_ref().map(canonical).transpose()?,
             locales,
             voices: Voices {
                 original: self.voices.original.as_ref().map(canonical).transpose()?,

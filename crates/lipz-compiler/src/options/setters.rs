@@ -138,12 +138,6 @@ impl Options {
         Options { word_times, ..self }
     }
 
-    /// Sets the locale of the voice.
-    #[must_use]
-    pub fn voice_locale(self, voice_locale: impl Into<String>) -> Options {
-        Options { voice_locale: Some(voice_locale.into()), ..self }
-    }
-
     /// Sets the languages in which lines are recorded.
     #[must_use]
     pub fn voices(self, voices: Voices) -> Options {

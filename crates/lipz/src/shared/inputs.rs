@@ -28,8 +28,7 @@ pub(crate) fn with_inputs(
         reports.push(report);
         BTreeMap::new()
     });
-    let mut options = settings.options.clone().recordings(recordings).word_times(word_times).voices(settings.voices());
-    options.voice_locale.clone_from(&settings.audio.locale);
+    let options = settings.options.clone().recordings(recordings).word_times(word_times).voices(settings.voices());
     let discover = start.elapsed();
     let bar = console::progress_bar(inputs.len(), quiet);
     let compiler = Compiler::new(options).progress(|files| {

@@ -9,14 +9,24 @@ use std::path::{Path, PathBuf};
 /// What stands between the names of a base and its layers.
 const BETWEEN: char = '+';
 
-/// The files that a path names: one, or those of a stack, `base.lipzbank+patch.lipzbank`. A file whose own name has a `+`
-/// is one file.
+/// The files that a path names: one, or those of a stack, `base.lipzbank+patch.lipzbank`. Files and folders whose own names
+/// have a `+` are found, too.
 pub(crate) fn paths(path: &Path) -> Vec<PathBuf> {
     let parts: Vec<&str> = path.to_str().map_or_else(Vec::new, |path| path.split(BETWEEN).collect());
     if parts.len() < 2 || parts.contains(&"") || path.exists() {
         return vec![path.to_owned()];
     }
-    parts.into_iter().map(PathBuf::from).collect()
+    let mut files = Vec::new();
+    let mut rest = parts.as_slice();
+    while !rest.is_empty() {
+        // The shortest name of a file that is there; what is not there has no `+` in its name.
+        let mut joined = (1..=rest.len()).map(|count| (count, PathBuf::from(rest[..count].join("+"))));
+        let there = joined.find(|(_, path)| path.is_file());
+        let (count, file) = there.unwrap_or_else(|| (1, PathBuf::from(rest[0])));
+        files.push(file);
+        rest = &rest[count..];
+    }
+    files
 }
 
 /// The stack of these files, the base first. Reports which of them is damaged or does not fit.
@@ -42,6 +52,11 @@ mod tests {
         let path = |name: &str| folder.path().join(name);
         std::fs::write(path("a+b"), "").unwrap();
         assert_eq!(paths(&path("a+b")), [path("a+b")]);
+        std::fs::create_dir(path("d+e")).unwrap();
+        let [one, two] = ["d+e/one", "d+e/two+2"].map(path);
+        [&one, &two].into_iter().for_each(|file| std::fs::write(file, "").unwrap());
+        let stack = format!("{}+{}+nowhere+{}", one.display(), two.display(), one.display());
+        assert_eq!(paths(Path::new(&stack)), [one.clone(), two, "nowhere".into(), one]);
         assert_eq!(paths(Path::new("x/a+y/b+c")), ["x/a", "y/b", "c"].map(PathBuf::from));
         for one in ["a", "+", "a+", "+a", "a++b"] {
             assert_eq!(paths(Path::new(one)), [PathBuf::from(one)]);

@@ -81,7 +81,8 @@ pub(super) fn difference(
     Some(
         Diagnostic::at(Code::EmotionLocales, span, message)
             .note(
-                "the emotions of the voice count: those of the default locale, or else of the first text that has some",
+                "the emotions of the voice count: those of the text in the locale that is spoken, or else in the default \
+                 locale, or else of the first text that has some",
             )
             .help("remove the emotions from translations, or repeat those of the voice"),
     )

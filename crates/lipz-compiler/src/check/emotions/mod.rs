@@ -3,10 +3,11 @@
 mod keys;
 mod markup;
 
+use super::Spoken;
 use super::elements::Roles;
 use crate::clip::{ClipData, Locales};
 use crate::options::{EmotionCurves, Face};
-use crate::{KnownNames, Options, WordTime, WordTimes};
+use crate::{KnownNames, Options, WordTime};
 use keys::Change;
 use lipz_bank::Emotion;
 use lipz_diagnostics::{Code, Diagnostic, Span, escape, suggest};
@@ -22,7 +23,7 @@ const MOST: i32 = 10_000;
 pub(super) fn curves(
     roles: &Roles<'_>,
     options: &Options,
-    times: Option<&WordTimes>,
+    spoken: Spoken<'_>,
     locales: &Locales,
     clip: &mut ClipData,
     diagnostics: &mut Vec<Diagnostic>,
@@ -47,7 +48,7 @@ pub(super) fn curves(
     let mut texts: Vec<_> = roles.texts.iter().filter(|_| !options.literal_braces && !clip.has_joined).collect();
     texts.sort_by_key(|text| {
         let tag = locales.tag(text.locale);
-        let is_of_voice = options.voice_locale.as_deref() == Some(tag);
+        let is_of_voice = spoken.locale == Some(tag);
         (!is_of_voice, Some(tag) != options.default_locale.as_deref(), tag)
     });
     // The first text is that of the voice, if it has emotions; else the first one that has.
@@ -61,7 +62,7 @@ pub(super) fn curves(
         }
     }
     if let Some((string, markup)) = &voice {
-        let words = times.map(|times| times.of_text(&string.text)).unwrap_or_default();
+        let words = spoken.times.map(|times| times.of_text(&string.text)).unwrap_or_default();
         for mark in markup {
             let span = |term: &Term<'_>| span_of(string, mark.start, term);
             known.unknown_terms(&mark.blend, None, &span, &mut faces.found);

@@ -36,10 +36,7 @@ pub(super) const AUDIO: &[Setting] = &[
         about: "Locale that is spoken in the recordings. If it is one of [voices], its pattern counts.",
         default: "the default locale",
         example: "\"en-us\"",
-        read: |value, to| {
-            to.settings.audio.locale = value.locale(to.extended(), &mut to.diagnostics);
-            to.settings.options.voice_locale.clone_from(&to.settings.audio.locale);
-        },
+        read: |value, to| to.settings.audio.locale = value.locale(to.extended(), &mut to.diagnostics),
     },
     Setting {
         name: "tolerance-ms",
