@@ -135,6 +135,11 @@ impl Reporter {
         console::print_bytes(bytes).map_err(|error| self.fail(unprintable(&error)))
     }
 
+    /// Whether people see the diagnostics, and no program reads a document of them.
+    pub(crate) fn is_for_people(&self) -> bool {
+        self.format == Format::Human
+    }
+
     /// Whether results are printed as JSON: with `--json`, and where diagnostics are JSON, too.
     pub(crate) fn wants_json(&self, flag: bool) -> bool {
         flag || self.format == Format::Json

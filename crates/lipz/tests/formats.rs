@@ -93,6 +93,8 @@ fn rules_are_counted() {
     let table = lipz(&repository(), arguments);
     assert_eq!(table.code, 1);
     assert_eq!(table.stdout.lines().count(), list(&rows, "").len() + 1);
+    let junit = lipz(&repository(), arguments.iter().chain(&["--format", "junit"]));
+    assert!(junit.stdout == table.stdout && junit.stderr == bad_files("junit"), "the report is whole");
     let clean = lipz(&repository(), ["check", "fixtures/drama/act1", "--statistics"]);
     assert_eq!((clean.stdout.as_str(), clean.code), ("no diagnostics\n", 0));
 }

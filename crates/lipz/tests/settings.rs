@@ -219,7 +219,9 @@ fn new_clips_replace_none_and_fit_into_the_project() {
     for (arguments, code, said) in [
         (&["aye", "No.", "--locale", "en-us"][..], 1, "LZ0906"),
         (&["AYE", "No.", "--locale", "en-us"], 1, "LZ0801"),
-        (&["../aye", "No.", "--locale", "en-us"], 1, "error[LZ08"),
+        (&["../aye", "No.", "--locale", "en-us"], 1, "the key `../aye` cannot be used"),
+        (&["aye.lipz", "No.", "--locale", "en-us"], 1, "LZ0906"),
+        (&["voices/no", "No.", "--locale", "en-us"], 1, "the key of that file is `no`"),
         (&["no", "No."], 2, "default-locale"),
         (&["no"], 2, "<TEXT>"),
     ] {

@@ -66,8 +66,14 @@ fn a_changed_source_is_told_until_somebody_accepts_it() {
                     to be accepted: 1 text with another source before, 0 texts of which nothing was known\n";
     assert_eq!((check.code, check.stdout.as_str()), (1, expected));
     assert_eq!(record(scene.path()), line, "nothing is written");
-    let other = lipz(scene.path(), ["accept", "voices", "--locale", "fr-fr"]);
-    assert!(other.stdout.starts_with("accepted: 0 texts"), "{other:?}");
+    for (slip, said) in [
+        (&["accept", "voices", "--locale", "fr-fr"][..], "no clip has a text in `fr-fr`"),
+        (&["accept", "--key", "majo*"], "no clip has a key like `majo*`"),
+        (&["accept", "--all", "voices"], "some of it is named"),
+    ] {
+        let refused = lipz(scene.path(), slip);
+        assert!(refused.code == 2 && refused.stderr.contains(said), "{refused:?}");
+    }
     let by_key = lipz(scene.path(), ["accept", "--key", "may*", "--locale", "de-de"]);
     assert!(
         by_key.stdout.ends_with("accepted: 1 text with another source before, 0 texts of which nothing was known\n")
@@ -230,4 +236,21 @@ fn exports_of_what_is_to_be_done() {
     assert!(fs::read_to_string(folder.join("voices/done.lipz")).unwrap().contains("\"text_sw-ke\": \"Nenda.\""));
     let unknown = with_input(folder, &["texts", "import", "-"], b"");
     assert_eq!(unknown.status.code(), Some(2), "{unknown:?}");
+}
+
+#[test]
+fn what_is_missing_is_not_called_translated() {
+    let scene = accepted();
+    for (flag, locale, said) in [
+        ("--stale", "fr-fr", "no text is known to be older than its source\n"),
+        ("--missing", "de-de", "no text is missing\n"),
+    ] {
+        let listed = lipz(scene.path(), ["coverage", flag, locale]);
+        assert_eq!((listed.code, listed.stdout.as_str(), listed.stderr.as_str()), (0, "", said), "{flag}");
+    }
+    assert_eq!(lipz(scene.path(), ["coverage", "--missing", "fr-fr"]).stdout, "mayor\n");
+    assert_eq!(lipz(scene.path(), ["pack", "-o", "a.lipzbank", "--quiet"]).code, 0);
+    for useless in [&["--cost-per-word", "0.1"][..], &["--missing", "de-de", "--csv"]] {
+        assert_eq!(lipz(scene.path(), [&["coverage", "a.lipzbank"], useless].concat()).code, 2, "{useless:?}");
+    }
 }

@@ -58,6 +58,8 @@ fn violation<'r>(
     diagnostic: &Diagnostic,
     seen: &mut BTreeMap<String, usize>,
 ) -> Violation<'r> {
+    // GitLab matches paths as git has them.
+    let path = path.strip_prefix("./").unwrap_or(path);
     let same = format!("{} {path} {}", diagnostic.code, diagnostic.message);
     let count = seen.entry(same.clone()).or_default();
     *count += 1;
@@ -94,7 +96,7 @@ mod tests {
     #[test]
     fn places_and_fingerprints() {
         let at = |start| Diagnostic::at(Code::UnknownElement, Span::new(start, start + 3), "odd").help("delete it");
-        let two = Report::new(Source::new("a.lipz", "{\n\n\"a\": 1\n}"), vec![at(3), at(8)]);
+        let two = Report::new(Source::new("./a.lipz", "{\n\n\"a\": 1\n}"), vec![at(3), at(8)]);
         let none = Report::about("", Diagnostic::new(Code::NoSources, "none"));
         let found: Value = serde_json::from_str(&gitlab(&[two, none])).unwrap();
         assert_eq!(

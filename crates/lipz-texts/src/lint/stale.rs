@@ -51,5 +51,5 @@ fn stale(source: &Text<'_>, translation: &Text<'_>, at: usize, made_from: &str, 
     diagnostic
         .note(format!("it was made from {}", escape::quoted(made_from)))
         .note(format!("the text is now  {}", escape::quoted(now)))
-        .help("translate the new text; or accept the translation as it is, if it still says the same")
+        .help("translate the new text; if the translation still says the same, `lipz accept FILE` notes that")
 }

@@ -36,6 +36,6 @@ impl LocaleWork {
 }
 
 /// What words cost, with two digits behind the point.
-pub(super) fn cost_of(words: usize, cost_per_word: f64) -> String {
+pub fn cost_of(words: usize, cost_per_word: f64) -> String {
     format!("{:.2}", words as f64 * cost_per_word)
 }

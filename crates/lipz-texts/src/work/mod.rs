@@ -3,6 +3,7 @@
 mod list;
 mod page;
 
+pub use list::cost_of;
 pub use page::page;
 
 use crate::{Standing, State, TextRecord, Texts, Unit, words};

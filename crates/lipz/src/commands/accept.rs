@@ -1,9 +1,9 @@
 //! `lipz accept`: translations that still say what the source says.
 
 use crate::commands::Run;
-use crate::commands::texts::source_locale;
+use crate::commands::texts::{locales_of, source_locale};
 use crate::interrupt::point;
-use crate::reporter::{Ended, Reporter};
+use crate::reporter::{Abort, Ended, Reporter};
 use crate::shared::inputs::find_all;
 use crate::shared::project_flags::{hide_of_banks, parse_locale};
 use crate::shared::sources::Sources;
@@ -88,12 +88,17 @@ impl Run for Accept {
             let tip = "name Lipz files or folders, keys with `--key`, or all with `--all`";
             return Err(reporter.usage("nothing is named to be accepted", tip));
         }
+        if self.all && !(self.sources.paths().is_empty() && self.key.is_empty()) {
+            let tip = "leave out `--all`, or the files, folders and keys";
+            return Err(reporter.usage("`--all` accepts the whole project, and some of it is named", tip));
+        }
         let project = self.sources.project(reporter)?;
         let options = &project.settings.options;
         let source_locale = source_locale(self.from.as_ref(), options, reporter)?;
         let (inputs, mut reports) = find_all(&project.settings, reporter)?;
         let (mut file, odd_lines) = RecordFile::open(&project, &inputs).map_err(|report| reporter.fail(report))?;
         reports.extend(odd_lines);
+        self.refuse_unknown(&inputs, options, &source_locale, reporter)?;
         let (clips, unread) = self.clips(options, &source_locale, &inputs, &file);
         reports.extend(unread);
         let mut said = String::new();
@@ -127,6 +132,32 @@ impl Run for Accept {
 }
 
 impl Accept {
+    /// Refuses keys and locales that the project does not have: a slip of the hand would accept nothing, and say that all is
+    /// well.
+    fn refuse_unknown(
+        &self,
+        inputs: &[Input],
+        options: &Options,
+        source_locale: &str,
+        reporter: &mut Reporter,
+    ) -> Result<(), Abort> {
+        let is_there = |key: &&Pattern| inputs.iter().any(|input| key.matches(&input.key));
+        if let Some(key) = self.key.iter().find(|key| !is_there(key)) {
+            let message = format!("no clip has a key like {}", escape::quoted(key.as_str()));
+            return Err(reporter.usage(message, "keys are paths of Lipz files without `.lipz`: act1/mayor"));
+        }
+        let known = if self.locale.is_empty() { Vec::new() } else { locales_of(inputs, options, source_locale) };
+        if let Some(locale) = self.locale.iter().find(|locale| !known.contains(locale)) {
+            let message = format!("no clip has a text in {}", escape::quoted(locale));
+            let tip = match known.is_empty() {
+                true => "there are no translations".to_owned(),
+                false => format!("there are translations into {}", known.join(", ")),
+            };
+            return Err(reporter.usage(message, &tip));
+        }
+        Ok(())
+    }
+
     /// The clips that have something to accept, in the order of the inputs.
     fn clips(
         &self,

@@ -12,8 +12,8 @@ use crate::shared::settings_file::{Project, SettingsFile};
 use crate::shared::sources::PROJECT;
 use clap::Args;
 use lipz_compiler::settings::Settings;
-use lipz_compiler::{Compiler, Input, key};
-use lipz_diagnostics::{Code, Diagnostic, Report, escape, reports};
+use lipz_compiler::{Compiler, Content, Input, key};
+use lipz_diagnostics::{Code, Report, escape, reports};
 use lipz_file::format::{Style, format};
 use std::path::{Path, PathBuf};
 
@@ -68,12 +68,15 @@ impl Run for New {
             let tip = "name one with `--output`";
             return Err(reporter.usage("the project names no folder of Lipz files", tip));
         };
-        let file = path(folder, &self.key, key::EXTENSION);
-        if let Some(report) = self.refusal(&settings, &file) {
+        // Who completes a path in a shell names the file.
+        let key = self.key.strip_suffix(".lipz").unwrap_or(&self.key);
+        let file = path(folder, key, key::EXTENSION);
+        if let Some(report) = refusal(key, folder, &settings, &file) {
             return Err(reporter.refuse(vec![report]));
         }
         let text = layout(locale, &self.text);
-        let input = Input::from_bytes(&*self.key, &*text);
+        let content = Content::Bytes { name: console::path(&file), bytes: text.clone().into_bytes() };
+        let input = Input { key: key.to_owned(), content };
         let found = Compiler::new(settings.options.clone()).check(&[input]).reports;
         if reports::have_errors(&found) {
             return Err(reporter.refuse(found));
@@ -87,21 +90,26 @@ impl Run for New {
     }
 }
 
-impl New {
-    /// Why there can be no such clip.
-    fn refusal(&self, settings: &Settings, file: &Path) -> Option<Report> {
-        let about = |code, message| Report::about(console::path(file), Diagnostic::new(code, message));
-        if let Some(why) = key::refusal(&self.key) {
-            return Some(about(Code::RefusedKey, why));
-        }
-        if let Some(report) = in_the_way(file) {
-            return Some(report);
-        }
-        let (inputs, _) = settings.discover();
-        let same = inputs.iter().find(|input| key::folded(&input.key) == key::folded(&self.key))?;
-        let message = format!("{} and {} would be one key", escape::quoted(&self.key), escape::quoted(&same.key));
-        Some(about(Code::KeyClash, message))
+/// Why there can be no clip with this key in this file.
+fn refusal(key: &str, folder: &Path, settings: &Settings, file: &Path) -> Option<Report> {
+    let about = |code, message, help: &str| Some(Report::failure(console::path(file), code, message, help));
+    let named = escape::quoted(key);
+    if let Some(why) = key::refusal(key) {
+        let help = "a key is a path below the folder of Lipz files, such as act1/mara-hello";
+        return about(Code::RefusedKey, format!("the key {named} cannot be used: {why}"), help);
     }
+    let inside = Path::new(key).strip_prefix(folder).ok().filter(|_| !folder.join(folder).exists());
+    if let Some(inside) = inside.filter(|inside| !inside.as_os_str().is_empty()) {
+        let help = format!("the key of that file is {}", escape::quoted(&inside.to_string_lossy()));
+        return about(Code::RefusedKey, format!("{named} is a path, not a key"), &help);
+    }
+    if let Some(report) = in_the_way(file) {
+        return Some(report);
+    }
+    let (inputs, _) = settings.discover();
+    let same = inputs.iter().find(|input| key::folded(&input.key) == key::folded(key))?;
+    let message = format!("{named} and {} would be one key", escape::quoted(&same.key));
+    about(Code::KeyClash, message, "choose another key")
 }
 
 /// The first folder that the project names, whether it is there yet or not.

@@ -93,7 +93,8 @@ impl Run for Check {
         let outcome = run.outcome();
         if self.statistics {
             statistics::print(&run.reports, reporter.wants_json(self.json), reporter)?;
-        } else {
+        }
+        if !self.statistics || !reporter.is_for_people() {
             reporter.add(run.reports);
         }
         if self.diff {

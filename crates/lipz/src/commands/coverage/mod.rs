@@ -96,9 +96,10 @@ impl Run for CoverageArguments {
                 work::of_project(&project, &named, self.dialogue.is_quiet(), reporter)?
             }
         };
-        if work.is_none() && (self.html || self.stale.is_some()) {
+        let needs_sources = self.html || self.stale.is_some() || self.cost_per_word.is_some();
+        if work.is_none() && (needs_sources || self.csv && self.missing.is_some()) {
             let tip = "name the folder of Lipz files, in a project with `default-locale`";
-            return Err(reporter.usage("what translations were made from is not known here", tip));
+            return Err(reporter.usage("what translations are made from is not known here", tip));
         }
         self.print(&file.name, &found, &voice_coverage(&bank), work.as_ref(), reporter)?;
         let shortfalls = shortfalls(&found, &wanted);
@@ -122,7 +123,11 @@ impl CoverageArguments {
         if self.missing.is_some() || self.stale.is_some() {
             let list = self.list(found, work, name).map_err(|report| reporter.fail(report))?;
             if list.is_empty() {
-                reporter.remark("nothing is to be listed: all of it is translated\n");
+                reporter.remark(match (&self.missing, &self.stale) {
+                    (Some(_), None) => "no text is missing\n",
+                    (None, _) => "no text is known to be older than its source\n",
+                    _ => "no text is missing, and none is known to be older than its source\n",
+                });
             }
             return reporter.print_bytes(&list);
         }

@@ -4,7 +4,7 @@ use crate::console::{self, grouped};
 use crate::shared::locales::locale_name;
 use lipz_compiler::Coverage;
 use lipz_diagnostics::escape;
-use lipz_texts::{LocaleWork, Progress, Work};
+use lipz_texts::{LocaleWork, Progress, Work, cost_of};
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -68,7 +68,7 @@ pub(super) fn of_work(work: &Work, cost_per_word: Option<f64>) -> String {
             let _ = write!(text, " {:>10}", grouped(locale.amount(progress).segments));
         }
         let to_do = locale.to_do().words;
-        let cost = cost_per_word.map(|cost| format!(" {:>12}", money(to_do, cost)));
+        let cost = cost_per_word.map(|cost| format!(" {:>12}", cost_of(to_do, cost)));
         let _ = writeln!(text, " {:>12}{}", grouped(to_do), cost.unwrap_or_default());
     }
     text.push_str("\nwords: those translated; the columns behind it count segments\n");
@@ -118,16 +118,12 @@ fn work_cells(work: &LocaleWork, cost_per_word: Option<f64>, text: &mut String) 
     let to_do = work.to_do().words;
     let _ = write!(text, ",{to_do}");
     if let Some(cost) = cost_per_word {
-        let _ = write!(text, ",{}", money(to_do, cost));
+        let _ = write!(text, ",{}", cost_of(to_do, cost));
     }
 }
 
 fn of_locale<'w>(work: &'w Work, tag: &str) -> Option<&'w LocaleWork> {
     work.locales.iter().find(|work| work.locale == tag)
-}
-
-fn money(words: usize, cost_per_word: f64) -> String {
-    format!("{:.2}", words as f64 * cost_per_word)
 }
 
 /// A locale in the JSON document.

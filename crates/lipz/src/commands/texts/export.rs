@@ -204,7 +204,7 @@ fn unique(locales: &[String], source_locale: &str) -> Vec<String> {
 }
 
 /// The locales that files have, but for the one that is translated.
-pub(super) fn locales_of(inputs: &[Input], options: &Options, source_locale: &str) -> Vec<String> {
+pub(in crate::commands) fn locales_of(inputs: &[Input], options: &Options, source_locale: &str) -> Vec<String> {
     let each = Compiler::new(options.clone()).each_file(inputs, |_, bytes| {
         let document = lipz_file::parse(bytes).document.unwrap_or_default();
         document.elements.iter().filter_map(|element| tag(&element.name.text)).collect::<Vec<String>>()

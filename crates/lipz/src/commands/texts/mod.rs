@@ -5,7 +5,7 @@ mod export;
 mod import;
 mod incoming;
 
-pub(super) use export::source_locale;
+pub(super) use export::{locales_of, source_locale};
 
 use crate::Ended;
 use crate::commands::Run;
