@@ -63,6 +63,16 @@ export class Layers {
     return clips.sort((a, b) => byCodePoints(a.key, b.key));
   }
 
+  /** The locales of the voices: that of the originals first. None in a stack without dubs. */
+  get voices() {
+    const tags = [];
+    for (;;) {
+      const tag = this.#memory.ask(c.lipz_string, "lipz_layers_voice_at", ...this.#banks, tags.length);
+      if (tag === undefined) return tags;
+      tags.push(this.#memory.string(tag));
+    }
+  }
+
   /** The babble profile with this name. */
   babble(name) {
     return this.#opened[this.#info.babble_layer].bank.babble(name);
@@ -75,7 +85,22 @@ export class Layers {
   #clip(fields) {
     if (fields === undefined) return undefined;
     const text = (segment, tag) => this.#text(fields, segment.index, tag);
-    return this.#clipOf(this.#opened[fields.layer].memory, fields.clip, text);
+    const voices = { of: (id) => this.#voiceOf(id), clipIn: (id, tag) => this.#clipIn(id, tag) };
+    return this.#clipOf(this.#opened[fields.layer].memory, fields.clip, text, voices);
+  }
+
+  /** The locale of the voice that a clip is spoken in. */
+  #voiceOf(id) {
+    const tag = this.#memory.ask(c.lipz_string, "lipz_layers_clip_voice", ...this.#banks, id);
+    return tag && this.#memory.string(tag);
+  }
+
+  /** The clip as it is played in a voice, and whose it is, as a number. */
+  #clipIn(id, tag) {
+    const memory = this.#memory;
+    const name = "lipz_layers_clip_in_voice";
+    const voiced = memory.ask(c.lipz_layered_voiced_clip, name, ...this.#banks, id, ...memory.text(tag));
+    return voiced && { clip: this.#clip(voiced.clip), spoken: voiced.spoken };
   }
 
   #text(clip, segment, tag) {

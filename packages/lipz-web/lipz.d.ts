@@ -275,8 +275,10 @@ export interface Text {
 export interface Event {
   /** Who; undefined for the speaker of the clip. */
   readonly character: string | undefined;
-  readonly verb: "feels" | "sees" | "stares" | "stops staring" | "points" | "stops pointing" | "does";
-  /** The emotion, target or action. */
+  readonly verb:
+    | "feels" | "sees" | "stares" | "stops staring" | "points" | "stops pointing" | "does"
+    | "nods" | "shakes" | "breathes" | "blinks" | "looks away";
+  /** The emotion, target or action; the number of a gesture, as it is written; undefined where there is none. */
   readonly object: string | undefined;
 }
 

@@ -188,12 +188,15 @@ export class Clip {
   #memory;
   #fields;
   #textOf;
+  /** What a stack says about voices; undefined in a bank, which knows all of its dubs. */
+  #voices;
   #key;
 
-  constructor(memory, fields, textOf) {
+  constructor(memory, fields, textOf, voices) {
     this.#memory = memory;
     this.#fields = fields;
     this.#textOf = textOf;
+    this.#voices = voices;
   }
 
   /** Calls a function whose first arguments are the bank and this clip. */
@@ -255,6 +258,7 @@ export class Clip {
 
   /** The locale of the voice that the clip is spoken in; undefined in a bank without dubs. */
   get voice() {
+    if (this.#voices) return this.#voices.of(this.id);
     const tag = this.#ask(c.lipz_string, "lipz_clip_voice");
     return tag && this.#memory.string(tag);
   }
@@ -264,6 +268,10 @@ export class Clip {
    * such voice.
    */
   inVoice(tag) {
+    if (this.#voices) {
+      const voiced = this.#voices.clipIn(this.id, tag);
+      return voiced && { clip: voiced.clip, spoken: SPOKEN[voiced.spoken] };
+    }
     const voiced = this.#ask(c.lipz_voiced_clip, "lipz_clip_in_voice", ...this.#memory.text(tag));
     return voiced && { clip: new Clip(this.#memory, voiced.clip, this.#textOf), spoken: SPOKEN[voiced.spoken] };
   }
@@ -305,7 +313,7 @@ export class Clip {
   /** The clip with this viseme type, where its file leaves it unspecified. */
   orVisemeType(name) {
     const viseme_type = this.#fields.viseme_type || VISEME_TYPES.indexOf(name);
-    return new Clip(this.#memory, { ...this.#fields, viseme_type }, this.#textOf);
+    return new Clip(this.#memory, { ...this.#fields, viseme_type }, this.#textOf, this.#voices);
   }
 
   /** The curve with this name; undefined if the clip has none. */
@@ -346,7 +354,7 @@ export class Clip {
   /** The clip with this frame rate, where its file leaves it unspecified. */
   orFps(numerator, denominator = 1) {
     const fps = this.fps ? {} : { fps_numerator: numerator, fps_denominator: denominator };
-    return new Clip(this.#memory, { ...this.#fields, ...fps }, this.#textOf);
+    return new Clip(this.#memory, { ...this.#fields, ...fps }, this.#textOf, this.#voices);
   }
 
   /** The second at which a frame starts to show; undefined without a frame rate. */

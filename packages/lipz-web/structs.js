@@ -158,8 +158,10 @@ export const lipz_face = struct({
   shrug: i32,
   breath: i32,
 });
-export const lipz_layered_clip = struct({ clip: lipz_clip, layer: u32, texts_layer: u32 });
+export const lipz_layered_clip = struct({ clip: lipz_clip, layer: u32, texts_layer: u32, texts_id: u64 });
+
+export const lipz_layered_voiced_clip = struct({ clip: lipz_layered_clip, spoken: u32, reserved: u32 });
 
 export const lipz_layered_locale = struct({ locale: lipz_locale, is_stand_in: u32 });
 
-export const lipz_layers_info_t = struct({ babble_layer: u32, default_locale_layer: u32 });
+export const lipz_layers_info_t = struct({ babble_layer: u32, default_locale_layer: u32, faces_layer: u32 });

@@ -1,7 +1,10 @@
 // What numbers of lipz.h mean in JavaScript: verbs, viseme types, times, events.
 
 export const VISEME_TYPES = [undefined, "blair", "toonboom", "rms"];
-const VERBS = [undefined, "feels", "sees", "stares", "stops staring", "points", "stops pointing", "does"];
+const VERBS = [
+  undefined, "feels", "sees", "stares", "stops staring", "points", "stops pointing", "does",
+  "nods", "shakes", "breathes", "blinks", "looks away",
+];
 const NO_NAME = 0xffffffff;
 
 /** Weights are whole numbers of ten-thousandths. */

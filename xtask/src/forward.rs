@@ -37,7 +37,7 @@ pub(crate) fn command(arguments: &[OsString]) -> Option<ExitCode> {
     let mut run = cargo::command();
     if LIPZ.iter().any(|name| task == name) {
         let manifest = workspace_root().join("Cargo.toml");
-        run.args(["run", "--quiet", "--package", "lipz", "--manifest-path"]).arg(manifest).arg("--").args(arguments);
+        run.args(["run", "--package", "lipz", "--manifest-path"]).arg(manifest).arg("--").args(arguments);
     } else if task == INSTRUCTIONS {
         // Only what is counted is optimised, and that needs little: the program that counts is built with the tests.
         if !is_built(&["--bin", "queries", "--no-default-features"]) {

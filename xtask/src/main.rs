@@ -6,6 +6,7 @@ mod cargo;
 mod ci;
 mod deny;
 mod edges;
+mod editors;
 mod features;
 mod forward;
 mod fuzz;
@@ -48,6 +49,8 @@ enum Task {
     Web,
     /// Draw the pictures in docs/pictures with the face of the npm package
     Pictures,
+    /// Test the plugin for Neovim and the extension for Visual Studio Code, and pack this
+    Editors,
     /// Check which crates depend on which
     Edges,
     /// Check the licences and sources of all dependencies
@@ -97,6 +100,7 @@ fn main() -> ExitCode {
         Task::Capi => capi::run(),
         Task::Web => web::run(),
         Task::Pictures => web::pictures(),
+        Task::Editors => editors::run(),
         Task::Edges => edges::run(),
         Task::Deny => deny::run(),
         Task::Features => features::run(),

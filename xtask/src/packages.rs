@@ -130,6 +130,9 @@ fn missing_includes(folder: &Path) -> std::io::Result<Vec<String>> {
             faults.extend(missing_includes(&path)?);
             continue;
         }
+        if path.extension().is_none_or(|extension| extension != "rs") {
+            continue;
+        }
         let text = fs::read_to_string(&path)?;
         let included = text.split("include_").skip(1).filter_map(|rest| {
             let path = rest.strip_prefix("bytes!(\"").or_else(|| rest.strip_prefix("str!(\""))?;

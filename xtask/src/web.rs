@@ -22,6 +22,9 @@ const BANKS: &str = "fixtures/banks/v1";
 /// The folders of the package, the first of which is the package itself.
 const FOLDERS: [&str; 4] = ["", "demo", "face", "test"];
 
+/// The module in the sources of `lipz preview`, which `cargo install` cannot build.
+const PREVIEW_MODULE: &str = "crates/lipz/src/commands/preview/web/lipz.wasm";
+
 /// What files of tests end with; and the one that needs a browser.
 const TEST: &str = ".test.js";
 const BROWSER_TEST: &str = "browser.test.js";
@@ -69,10 +72,25 @@ fn package() -> Result<Option<PathBuf>, Failure> {
     assemble(&package, &toolchain.release_folder())
         .map_err(|error| format!("`{}` cannot be written: {error}", package.display()))?;
     println!("npm package: {}", package.display());
+    compare_module(&package.join("lipz.wasm"))?;
     if !has_program("node") {
         return skip("node").map(|()| None);
     }
     Ok(Some(package))
+}
+
+/// Checks that `lipz preview` has the module that was built; with `LIPZ_BLESS=1`, it gets it.
+fn compare_module(built: &Path) -> Result<(), Failure> {
+    let committed = paths::workspace_root().join(PREVIEW_MODULE);
+    let failed = |error: std::io::Error| format!("`{}`: {error}", committed.display());
+    let bytes = fs::read(built).map_err(failed)?;
+    if fs::read(&committed).is_ok_and(|committed| committed == bytes) {
+        return Ok(());
+    }
+    if std::env::var_os("LIPZ_BLESS").is_some_and(|value| value == "1") {
+        return fs::write(&committed, bytes).map_err(failed);
+    }
+    Err(format!("`{PREVIEW_MODULE}` is not what lipz-capi is now: run `LIPZ_BLESS=1 cargo xtask web`"))
 }
 
 fn build(toolchain: &Toolchain) -> Result<(), Failure> {

@@ -9,6 +9,7 @@ use crate::origin::Origin;
 use crate::pool::Pool;
 use crate::{Bank, Command};
 use lipz_layout::{EventNameRecord, EventRecord, NO_NAME, TypedEventRecord};
+use lipz_layout::{VERB_BLINKS, VERB_BREATHES, VERB_LOOKS_AWAY, VERB_NODS, VERB_SHAKES};
 use lipz_layout::{VERB_DOES, VERB_FEELS, VERB_POINTS, VERB_SEES, VERB_STARES};
 use lipz_layout::{VERB_STOPS_POINTING, VERB_STOPS_STARING};
 
@@ -159,15 +160,21 @@ impl<'data> Event<'data> {
     pub(crate) fn new(names: &EventNames<'data>, record: &TypedEventRecord) -> Option<Self> {
         let name = |id| names.numbered(id);
         let object = name(record.object.get());
+        let maybe = |object: Option<_>| if record.object.get() == NO_NAME { Some(None) } else { object.map(Some) };
         let command = match record.verb {
             VERB_FEELS => Command::Feels(object?),
             VERB_SEES => Command::Sees(object?),
             VERB_STARES => Command::Stares(object?),
             VERB_POINTS => Command::Points(object?),
             VERB_DOES => Command::Does(object?),
+            VERB_NODS => Command::Nods(maybe(object)?),
+            VERB_SHAKES => Command::Shakes(maybe(object)?),
+            VERB_BREATHES => Command::Breathes(maybe(object)?),
             _ if record.object.get() != NO_NAME => return None,
             VERB_STOPS_STARING => Command::StopsStaring,
             VERB_STOPS_POINTING => Command::StopsPointing,
+            VERB_BLINKS => Command::Blinks,
+            VERB_LOOKS_AWAY => Command::LooksAway,
             _ => return None,
         };
         let character = match record.character.get() {

@@ -99,6 +99,7 @@ pub use error::{Error, ErrorKind};
 pub use event::{Event, EventName, Events};
 pub use face::{Face, FaceProfile, FaceProfiles, LookAt};
 pub use layers::{Layer, LayeredClip, LayeredClips, LayeredLocale, LayeredName, Layers, LayersError};
+pub use layers::{LayeredVoice, LayeredVoicedClip, Stacked, VoiceTags, original_of, played_in, voice_tags};
 pub use locale::{Locale, Locales};
 pub use places::Places;
 pub use playback::{CharacterState, Characters, ConsonantHold, Cursor, DueSegments, Lead};

@@ -38,7 +38,7 @@ impl<'data> Voice<'data> {
     }
 
     /// The entry of the clip in this slot; that of no dub, if there is none.
-    fn entry(&self, slot: u32) -> u32 {
+    pub(crate) fn entry(&self, slot: u32) -> u32 {
         self.dubs.and_then(|dubs| dubs.get(slot as usize)).map_or(NO_DUB, |entry| entry.get())
     }
 

@@ -6,7 +6,7 @@
 use lipz_bank::{ClipId, CurveValue, ErrorKind};
 use lipz_layout::{BabbleRecord, EventNameRecord, EventRecord, FaceRecord, RecordingRecord, TypedEventRecord};
 use lipz_layout::{ClipRecord, DirectoryEntry, Header, KeyRecord, LocaleRecord, RateRecord, Tag};
-use lipz_layout::{CurveClipRecord, CurveKeyRecord, CurveRecord, LayerRecord, WideCurveKeyRecord};
+use lipz_layout::{CurveClipRecord, CurveKeyRecord, CurveRecord, LayerDubRecord, LayerRecord, WideCurveKeyRecord};
 use lipz_testkit::golden::{DRAMA, SMALL, section, verified};
 use std::mem::{size_of, size_of_val};
 use zerocopy::FromBytes;
@@ -134,9 +134,13 @@ fn records() {
         removed_locale_count,
         flags,
         filter_count,
-        reserved,
+        dub_count,
+        borrowed_count,
+        voice_count,
     });
     check_fields("LayerRecord", &fields, size_of::<LayerRecord>());
+    let fields = fields!(LayerDubRecord { clip_id, other_id, voice, kind, reserved });
+    check_fields("LayerDubRecord", &fields, size_of::<LayerDubRecord>());
     let keys: Vec<_> = table("### Keys of a curve", "| key | bytes | frame | value |");
     let narrow = fields!(CurveKeyRecord { frame, thousandths });
     let wide = fields!(WideCurveKeyRecord { frame, thousandths });
@@ -200,8 +204,14 @@ fn values() {
         ("LAYER_BABBLE", u64::from(lipz_layout::LAYER_BABBLE)),
         ("LAYER_DEFAULT_LOCALE", u64::from(lipz_layout::LAYER_DEFAULT_LOCALE)),
         ("LAYER_FACES", u64::from(lipz_layout::LAYER_FACES)),
+        ("LAYER_VOICES", u64::from(lipz_layout::LAYER_VOICES)),
+        ("LAYER_NO_DUB", u64::from(lipz_layout::LAYER_NO_DUB)),
+        ("LAYER_DUB", u64::from(lipz_layout::LAYER_DUB)),
+        ("LAYER_OTHER_DUB", u64::from(lipz_layout::LAYER_OTHER_DUB)),
+        ("LAYER_DUB_OF", u64::from(lipz_layout::LAYER_DUB_OF)),
         ("PART_CLIP", u64::from(lipz_layout::PART_CLIP)),
         ("PART_TEXTS", u64::from(lipz_layout::PART_TEXTS)),
+        ("PART_ORIGINAL", u64::from(lipz_layout::PART_ORIGINAL)),
         ("NO_STAND_IN", u64::from(lipz_layout::NO_STAND_IN)),
     ];
     let described: Vec<_> = table("### ClipRecord", "| name | value |");

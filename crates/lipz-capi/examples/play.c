@@ -15,7 +15,8 @@
 #define PICTURE_US 41667
 
 static const char *const VERBS[] = {"",              "feels",  "sees",           "stares",
-                                    "stops staring", "points", "stops pointing", "does"};
+                                    "stops staring", "points", "stops pointing", "does",
+                                    "nods", "shakes", "breathes", "blinks", "looks away"};
 
 /* Strings have a length and no terminator; where there is none, the pointer is null. */
 static void print(const char *data, size_t length_bytes) {

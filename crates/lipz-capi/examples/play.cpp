@@ -20,8 +20,9 @@ constexpr std::uint32_t RATE_HZ = 48'000;
 /// Time between two pictures: 24 a second.
 constexpr std::int64_t PICTURE_SAMPLES = RATE_HZ / 24;
 
-constexpr std::array<std::string_view, 8> VERBS = {
-    "", "feels", "sees", "stares", "stops staring", "points", "stops pointing", "does"};
+constexpr std::array<std::string_view, 13> VERBS = {
+    "", "feels", "sees", "stares", "stops staring", "points", "stops pointing", "does",
+    "nods", "shakes", "breathes", "blinks", "looks away"};
 
 /// A file, mapped as a whole.
 class Mapped {

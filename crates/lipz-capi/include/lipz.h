@@ -188,6 +188,21 @@
 // Verb: `does action`, an action of the game.
 #define LIPZ_DOES 7
 
+// Verb: `nods`, as far as the number says that is the object, 0 to 10; no name if there is none.
+#define LIPZ_NODS 8
+
+// Verb: `shakes`, the head, with a number as `LIPZ_NODS`.
+#define LIPZ_SHAKES 9
+
+// Verb: `breathes`, with a number as `LIPZ_NODS`.
+#define LIPZ_BREATHES 10
+
+// Verb: `blinks`.
+#define LIPZ_BLINKS 11
+
+// Verb: `looks away`.
+#define LIPZ_LOOKS_AWAY 12
+
 // The `id` where there is no name.
 #define LIPZ_NO_NAME 4294967295
 
@@ -391,7 +406,7 @@ typedef struct lipz_name {
 typedef struct lipz_event {
   // Who; no name for the speaker of the clip.
   struct lipz_name character;
-  // The emotion, target or action; no name for the verbs that stop something.
+  // The emotion, target or action, or the number of a gesture, as it is written; no name where there is none.
   struct lipz_name object;
   // `LIPZ_FEELS` and so on.
   uint32_t verb;
@@ -559,6 +574,8 @@ typedef struct lipz_layered_clip {
   uint32_t layer;
   // Index of the bank that has the texts; `LIPZ_NO_LAYER` if none has any.
   uint32_t texts_layer;
+  // The id that the clip with the texts has there: that of this clip, or of its original, if it is a dub.
+  uint64_t texts_id;
 } lipz_layered_clip;
 
 // A locale of a stack in one of its banks.
@@ -575,7 +592,19 @@ typedef struct lipz_layers_info_t {
   uint32_t babble_layer;
   // Index of the bank whose default locale counts.
   uint32_t default_locale_layer;
+  // Index of the bank whose face profiles count.
+  uint32_t faces_layer;
 } lipz_layers_info_t;
+
+// A clip of a stack as it is played in a voice.
+typedef struct lipz_layered_voiced_clip {
+  // The clip: its mouth, its times, its texts and its events are those of the recording in that voice.
+  struct lipz_layered_clip clip;
+  // `LIPZ_ORIGINAL`, `LIPZ_DUB` or `LIPZ_OTHER_DUB`.
+  uint32_t spoken;
+  // 0.
+  uint32_t reserved;
+} lipz_layered_voiced_clip;
 
 // The answer was written.
 #define LIPZ_OK 0
@@ -1227,6 +1256,28 @@ lipz_status lipz_layers_text(const struct lipz_bank *banks,
 lipz_status lipz_layers_info(const struct lipz_bank *banks,
                              uint32_t count,
                              struct lipz_layers_info_t *info);
+
+// The clip with this id as it is played in the voice with this tag (`de-de`), spelled as in the banks. The id may be that of
+// the original or of any of its dubs. `LIPZ_NONE` if the stack has no such clip, or no such voice: play the clip as it is.
+lipz_status lipz_layers_clip_in_voice(const struct lipz_bank *banks,
+                                      uint32_t count,
+                                      uint64_t id,
+                                      const char *tag,
+                                      size_t tag_length_bytes,
+                                      struct lipz_layered_voiced_clip *voiced);
+
+// The tag of the voice whose recording the mouth of the clip with this id belongs to. `LIPZ_NONE` in a stack without dubs.
+lipz_status lipz_layers_clip_voice(const struct lipz_bank *banks,
+                                   uint32_t count,
+                                   uint64_t id,
+                                   struct lipz_string *tag);
+
+// The tag of the voice of a stack with this index: that of the originals is 0, those of the dubs follow in the order of their
+// tags. `LIPZ_NONE` behind the last; a stack without dubs has none.
+lipz_status lipz_layers_voice_at(const struct lipz_bank *banks,
+                                 uint32_t count,
+                                 uint32_t index,
+                                 struct lipz_string *tag);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -77,6 +77,11 @@ enum class Verb : std::uint32_t {
     points = LIPZ_POINTS,
     stops_pointing = LIPZ_STOPS_POINTING,
     does = LIPZ_DOES,
+    nods = LIPZ_NODS,
+    shakes = LIPZ_SHAKES,
+    breathes = LIPZ_BREATHES,
+    blinks = LIPZ_BLINKS,
+    looks_away = LIPZ_LOOKS_AWAY,
 };
 
 /// One event: who does what, and to whom.

@@ -23,6 +23,16 @@ pub const LIPZ_POINTS: u32 = 5;
 pub const LIPZ_STOPS_POINTING: u32 = 6;
 /// Verb: `does action`, an action of the game.
 pub const LIPZ_DOES: u32 = 7;
+/// Verb: `nods`, as far as the number says that is the object, 0 to 10; no name if there is none.
+pub const LIPZ_NODS: u32 = 8;
+/// Verb: `shakes`, the head, with a number as `LIPZ_NODS`.
+pub const LIPZ_SHAKES: u32 = 9;
+/// Verb: `breathes`, with a number as `LIPZ_NODS`.
+pub const LIPZ_BREATHES: u32 = 10;
+/// Verb: `blinks`.
+pub const LIPZ_BLINKS: u32 = 11;
+/// Verb: `looks away`.
+pub const LIPZ_LOOKS_AWAY: u32 = 12;
 
 /// The `id` where there is no name.
 pub const LIPZ_NO_NAME: u32 = 0xFFFF_FFFF;
@@ -65,7 +75,7 @@ impl Default for EventName {
 pub struct Event {
     /// Who; no name for the speaker of the clip.
     pub character: EventName,
-    /// The emotion, target or action; no name for the verbs that stop something.
+    /// The emotion, target or action, or the number of a gesture, as it is written; no name where there is none.
     pub object: EventName,
     /// `LIPZ_FEELS` and so on.
     pub verb: u32,
@@ -81,6 +91,11 @@ impl Event {
             Command::Points(_) => LIPZ_POINTS,
             Command::StopsPointing => LIPZ_STOPS_POINTING,
             Command::Does(_) => LIPZ_DOES,
+            Command::Nods(_) => LIPZ_NODS,
+            Command::Shakes(_) => LIPZ_SHAKES,
+            Command::Breathes(_) => LIPZ_BREATHES,
+            Command::Blinks => LIPZ_BLINKS,
+            Command::LooksAway => LIPZ_LOOKS_AWAY,
         };
         let name = |name| EventName::from_reader(bank, name);
         Event { character: name(event.character), object: name(event.command.object()), verb }

@@ -5,13 +5,14 @@
 
 use crate::bank::{Bank, Opened, opened, opened_with_texts};
 use crate::clip::Clip;
+use crate::layered_voice::Array;
 use crate::locale::Locale;
 use crate::pointer::{answer, text};
 use crate::segment::Text;
 use crate::status::{LIPZ_NONE, LIPZ_NULL_POINTER, LIPZ_OK, Status, of_damage};
 use crate::string::{String, c_char};
 use core::mem::MaybeUninit;
-use lipz_bank::{ClipId, ErrorKind};
+use lipz_bank::{ClipId, ErrorKind, original_of};
 
 /// In place of a layer: there is none.
 pub const LIPZ_NO_LAYER: u32 = u32::MAX;
@@ -27,11 +28,13 @@ pub struct LayeredClip {
     pub layer: u32,
     /// Index of the bank that has the texts; `LIPZ_NO_LAYER` if none has any.
     pub texts_layer: u32,
+    /// The id that the clip with the texts has there: that of this clip, or of its original, if it is a dub.
+    pub texts_id: u64,
 }
 
 impl Default for LayeredClip {
     fn default() -> LayeredClip {
-        LayeredClip { clip: Clip::default(), layer: LIPZ_NO_LAYER, texts_layer: LIPZ_NO_LAYER }
+        LayeredClip { clip: Clip::default(), layer: LIPZ_NO_LAYER, texts_layer: LIPZ_NO_LAYER, texts_id: 0 }
     }
 }
 
@@ -53,6 +56,8 @@ pub struct LayersInfo {
     pub babble_layer: u32,
     /// Index of the bank whose default locale counts.
     pub default_locale_layer: u32,
+    /// Index of the bank whose face profiles count.
+    pub faces_layer: u32,
 }
 
 /// Checks that `count` opened banks make a stack, the base first: that each layer was made over banks below it. Call it once,
@@ -149,7 +154,7 @@ pub unsafe extern "C" fn lipz_layers_text(
         // SAFETY: the contract of the crate, which the caller keeps.
         let opened = unsafe { opened_with_texts(bank_at(banks, clip.texts_layer)) }?;
         let locale = layered.locale.find(&opened).ok_or(LIPZ_NONE)?;
-        let found = opened.bank.clip(ClipId::from_u64(clip.clip.id)).and_then(|clip| clip.segment(segment));
+        let found = opened.bank.clip(ClipId::from_u64(clip.texts_id)).and_then(|clip| clip.segment(segment));
         let text = found.and_then(|segment| segment.text(locale)).ok_or(LIPZ_NONE)?;
         let is_fallback = (text.is_fallback() || layered.is_stand_in != 0).into();
         Ok(Text { data: text.as_ptr().cast(), length_bytes: text.len(), is_fallback })
@@ -170,6 +175,7 @@ pub unsafe extern "C" fn lipz_layers_info(
             if let Some(layer) = unsafe { opened(bank_at(banks, at)) }?.layer() {
                 info.babble_layer = if layer.has_babble() { at } else { info.babble_layer };
                 info.default_locale_layer = if layer.has_default_locale() { at } else { info.default_locale_layer };
+                info.faces_layer = if layer.has_faces() { at } else { info.faces_layer };
             }
         }
         Ok(info)
@@ -180,7 +186,7 @@ pub unsafe extern "C" fn lipz_layers_info(
 ///
 /// # Safety
 /// `banks` is null or leads to more banks than `at`.
-unsafe fn bank_at<'data>(banks: *const Bank, at: u32) -> Option<&'data Bank> {
+pub(crate) unsafe fn bank_at<'data>(banks: *const Bank, at: u32) -> Option<&'data Bank> {
     if banks.is_null() {
         return None;
     }
@@ -218,8 +224,9 @@ unsafe fn fits(banks: *const Bank, at: u32) -> Result<(), Status> {
 ///
 /// # Safety
 /// `banks` is null or leads to `count` banks.
-unsafe fn find(banks: *const Bank, count: u32, id: ClipId) -> Result<LayeredClip, Status> {
-    let mut found = LayeredClip::default();
+pub(crate) unsafe fn find(banks: *const Bank, count: u32, id: ClipId) -> Result<LayeredClip, Status> {
+    let mut found = LayeredClip { texts_id: id.get(), ..LayeredClip::default() };
+    let mut has_texts_of_original = false;
     for at in (0..count).rev() {
         // SAFETY: the same contract.
         let bank = unsafe { opened(bank_at(banks, at)) }?;
@@ -230,18 +237,48 @@ unsafe fn find(banks: *const Bank, count: u32, id: ClipId) -> Result<LayeredClip
             None => continue,
         };
         let (has_clip, has_texts) = layer.map_or((true, true), |layer| layer.parts(clip.slot()));
-        if has_texts && found.texts_layer == LIPZ_NO_LAYER {
-            found.texts_layer = at;
+        if !has_texts_of_original && found.texts_layer == LIPZ_NO_LAYER {
+            has_texts_of_original = layer.map_or(false, |layer| layer.has_texts_of_original(clip.slot()));
+            found.texts_layer = if has_texts { at } else { LIPZ_NO_LAYER };
         }
         if has_clip && found.layer == LIPZ_NO_LAYER {
             found.layer = at;
             found.clip = Clip::from_found(Some(clip))?;
         }
-        if found.layer != LIPZ_NO_LAYER && found.texts_layer != LIPZ_NO_LAYER {
+        if found.layer != LIPZ_NO_LAYER && (has_texts_of_original || found.texts_layer != LIPZ_NO_LAYER) {
             break;
         }
     }
-    if found.layer == LIPZ_NO_LAYER { Err(LIPZ_NONE) } else { Ok(found) }
+    if found.layer == LIPZ_NO_LAYER {
+        return Err(LIPZ_NONE);
+    }
+    if has_texts_of_original {
+        if let Some((_, original)) = original_of(&Array { banks, count }, id) {
+            // SAFETY: the same contract.
+            found.texts_layer = unsafe { own_texts(banks, count, original) }?;
+            found.texts_id = original.get();
+        }
+    }
+    Ok(found)
+}
+
+/// The bank that has the texts of the clip with this id, if they are its own.
+///
+/// # Safety
+/// As [`find`].
+unsafe fn own_texts(banks: *const Bank, count: u32, id: ClipId) -> Result<u32, Status> {
+    for at in (0..count).rev() {
+        // SAFETY: the same contract.
+        let bank = unsafe { opened(bank_at(banks, at)) }?;
+        let layer = bank.layer();
+        match bank.clip(id) {
+            Some(clip) if layer.map_or(true, |layer| layer.parts(clip.slot()).1) => return Ok(at),
+            Some(clip) if layer.map_or(false, |layer| layer.has_texts_of_original(clip.slot())) => break,
+            None if layer.map_or(false, |layer| layer.removes(id)) => break,
+            _ => {}
+        }
+    }
+    Ok(LIPZ_NO_LAYER)
 }
 
 /// The locale with this tag in the bank at `layer`.

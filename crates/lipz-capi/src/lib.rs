@@ -33,6 +33,7 @@ mod curve;
 mod emotion;
 mod event;
 mod face;
+mod layered_voice;
 mod layers;
 mod locale;
 #[cfg(feature = "panic-handler")]
@@ -80,14 +81,16 @@ pub use emotion::{
     lipz_clip_emotions_at_us,
 };
 pub use event::{
-    Event, EventName, LIPZ_DOES, LIPZ_FEELS, LIPZ_NO_NAME, LIPZ_POINTS, LIPZ_SEES, LIPZ_STARES, LIPZ_STOPS_POINTING,
-    LIPZ_STOPS_STARING, lipz_event_name, lipz_segment_event, lipz_segment_event_string,
+    Event, EventName, LIPZ_BLINKS, LIPZ_BREATHES, LIPZ_DOES, LIPZ_FEELS, LIPZ_LOOKS_AWAY, LIPZ_NO_NAME, LIPZ_NODS,
+    LIPZ_POINTS, LIPZ_SEES, LIPZ_SHAKES, LIPZ_STARES, LIPZ_STOPS_POINTING, LIPZ_STOPS_STARING, lipz_event_name,
+    lipz_segment_event, lipz_segment_event_string,
 };
 pub use face::{
     Face, FaceProfile, LookAt, lipz_clip_face_at_samples, lipz_clip_face_at_seconds, lipz_clip_face_at_seconds_f32,
     lipz_clip_face_at_us, lipz_face_idle_at_samples, lipz_face_idle_at_seconds, lipz_face_idle_at_seconds_f32,
     lipz_face_idle_at_us, lipz_face_profile_by_name, lipz_face_profile_default,
 };
+pub use layered_voice::{LayeredVoicedClip, lipz_layers_clip_in_voice, lipz_layers_clip_voice, lipz_layers_voice_at};
 pub use layers::{
     LIPZ_NO_LAYER, LayeredClip, LayeredLocale, LayersInfo, lipz_layers_check, lipz_layers_clip_by_id,
     lipz_layers_clip_by_key, lipz_layers_info, lipz_layers_locale, lipz_layers_text,

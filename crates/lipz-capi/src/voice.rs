@@ -43,13 +43,18 @@ pub unsafe extern "C" fn lipz_clip_in_voice(
         of_clip(bank, clip, voiced, |clip| {
             let (bank, tag) = (opened(bank)?, text(tag, tag_length_bytes)?);
             let voiced = clip.in_voice(bank.voice(tag).ok_or(LIPZ_NONE)?);
-            let spoken = match voiced.spoken {
-                Spoken::Dub => LIPZ_DUB,
-                Spoken::OtherDub => LIPZ_OTHER_DUB,
-                _ => LIPZ_ORIGINAL,
-            };
+            let spoken = number_of(voiced.spoken);
             Ok(VoicedClip { clip: Clip::from_found(Some(voiced.clip))?, spoken, reserved: 0 })
         })
+    }
+}
+
+/// The number of whose mouth a clip has.
+pub(crate) fn number_of(spoken: Spoken) -> u32 {
+    match spoken {
+        Spoken::Dub => LIPZ_DUB,
+        Spoken::OtherDub => LIPZ_OTHER_DUB,
+        _ => LIPZ_ORIGINAL,
     }
 }
 

@@ -15,7 +15,8 @@
 #define MOST_BYTES 262144
 
 static const char *const VERBS[] = {"",              "feels",  "sees",           "stares",
-                                    "stops staring", "points", "stops pointing", "does"};
+                                    "stops staring", "points", "stops pointing", "does",
+                                    "nods", "shakes", "breathes", "blinks", "looks away"};
 static const char *const TYPES[] = {"", "blair", "toonboom", "rms"};
 
 static lipz_bank bank;

@@ -19,8 +19,9 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-constexpr std::array<std::string_view, 8> VERBS = {
-    "", "feels", "sees", "stares", "stops staring", "points", "stops pointing", "does"};
+constexpr std::array<std::string_view, 13> VERBS = {
+    "", "feels", "sees", "stares", "stops staring", "points", "stops pointing", "does",
+    "nods", "shakes", "breathes", "blinks", "looks away"};
 constexpr std::array<std::string_view, 4> TYPES = {"", "blair", "toonboom", "rms"};
 
 std::uint32_t number(const std::string &word) { return static_cast<std::uint32_t>(std::stoul(word)); }

@@ -8,7 +8,7 @@ use std::fs;
 use std::path::Path;
 
 /// The names of the structs in C: those of functions and constants are the same in Rust.
-const NAMES: [(&str, &str); 26] = [
+const NAMES: [(&str, &str); 27] = [
     ("Babble", "lipz_babble"),
     ("Bank", "lipz_bank"),
     ("BankInfo", "lipz_bank_info_t"),
@@ -23,6 +23,7 @@ const NAMES: [(&str, &str); 26] = [
     ("Face", "lipz_face"),
     ("FaceProfile", "lipz_face_profile"),
     ("LayeredClip", "lipz_layered_clip"),
+    ("LayeredVoicedClip", "lipz_layered_voiced_clip"),
     ("LayeredLocale", "lipz_layered_locale"),
     ("LayersInfo", "lipz_layers_info_t"),
     ("Locale", "lipz_locale"),
@@ -38,7 +39,7 @@ const NAMES: [(&str, &str); 26] = [
 ];
 
 /// The files with declarations, in the order of the header.
-const FILES: [&str; 18] = [
+const FILES: [&str; 19] = [
     "version.rs",
     "status.rs",
     "string.rs",
@@ -57,6 +58,7 @@ const FILES: [&str; 18] = [
     "face.rs",
     "voice.rs",
     "layers.rs",
+    "layered_voice.rs",
 ];
 
 const INTRODUCTION: &str = "/*
@@ -74,6 +76,18 @@ const INTRODUCTION: &str = "/*
  * empty answer (zeros, null, the viseme at rest) unless that is LIPZ_OK. All may be called from several
  * threads at once.
  */";
+
+#[test]
+fn the_header_has_every_function() {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    for file in fs::read_dir(&source).unwrap() {
+        let path = file.unwrap().path();
+        if fs::read_to_string(&path).unwrap().contains("#[no_mangle]") {
+            let name = path.file_name().unwrap().to_str().unwrap();
+            assert!(FILES.contains(&name), "FILES has no {name}");
+        }
+    }
+}
 
 #[test]
 fn the_header_is_current() {

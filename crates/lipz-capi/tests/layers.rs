@@ -6,7 +6,7 @@ mod common;
 use common::{Answer, DRAMA, ptr, text_of};
 use lipz_bank::Layers;
 use lipz_capi::*;
-use lipz_compiler::{Compiler, Input, Options, Over, Stack};
+use lipz_compiler::{Compiler, Input, Options, Over, Stack, Voices};
 use std::ptr::null;
 
 /// A base, a patch that changes a text, removes a clip and adds a locale, and a mod that changes a mouth.
@@ -111,5 +111,53 @@ fn the_bank_that_says_what_is_said_once() {
     let patch = compiler("de-de").compile_over(&input, &over).into_bank().unwrap();
     let banks = [opened(&base), opened(&patch)];
     let info = Answer::<LayersInfo>::from_call(|out| unsafe { lipz_layers_info(banks.as_ptr(), 2, out) }).ok();
-    assert_eq!((info.babble_layer, info.default_locale_layer), (0, 1));
+    assert_eq!((info.babble_layer, info.default_locale_layer, info.faces_layer), (0, 1, 0));
+}
+
+#[test]
+fn a_stack_with_dubs_answers_in_each_voice_as_that_of_the_reader() {
+    let inputs =
+        |files: &[(&str, &str)]| files.iter().map(|(key, file)| Input::from_bytes(*key, *file)).collect::<Vec<_>>();
+    let aye = r#"{ "fps": 24, "visemes": "MA-", "text_en-us": "Aye.", "text_de-de": "Ja." }"#;
+    let dub = r#"{ "fps": 24, "visemes": "AAA" }"#;
+    let voices = Voices::new("en-us").dub("de-at", "at/{key}").dub("de-de", "de/{key}");
+    let compiler = Compiler::new(Options::new().default_locale("en-us").strip(true).voices(voices));
+    let base = compiler.compile(&inputs(&[("aye", aye), ("no", aye)])).into_bank().unwrap();
+    let over = Over::new(Stack::open([("base", &base)]).unwrap());
+    let dubbed = inputs(&[("aye", aye), ("de/aye", dub), ("no", aye)]);
+    let files = [base, compiler.compile_over(&dubbed, &over).into_bank().unwrap()];
+    let banks = files.each_ref().map(|file| opened(file));
+    let (array, count) = (banks.as_ptr(), banks.len() as u32);
+    let layers =
+        Layers::new(files.each_ref().map(|file| lipz_bank::Bank::open(file).unwrap().verify().unwrap())).unwrap();
+    let tag_at = |index| Answer::<String>::from_call(|out| unsafe { lipz_layers_voice_at(array, count, index, out) });
+    let tags = ["en-us", "de-at", "de-de"];
+    assert_eq!([0, 1, 2].map(|index| text_of(tag_at(index).ok())), tags);
+    assert_eq!(tag_at(3).status, LIPZ_NONE);
+    let mut dubs = 0;
+    for (key, tag) in ["aye", "de/aye", "no"].iter().flat_map(|key| tags.map(|tag| (*key, tag))) {
+        let clip = layers.clip_by_key(key).unwrap();
+        let (data, length) = ptr(tag);
+        let voiced = Answer::<LayeredVoicedClip>::from_call(|out| unsafe {
+            lipz_layers_clip_in_voice(array, count, clip.id().get(), data, length, out)
+        });
+        let (voiced, expected) = (voiced.ok(), clip.in_voice(&layers.voice(tag).unwrap()));
+        assert_eq!(
+            (voiced.clip.clip.id, voiced.clip.layer as usize),
+            (expected.clip.id().get(), expected.clip.layer())
+        );
+        assert_eq!(voiced.spoken, expected.spoken as u32, "{key} in {tag}");
+        assert_eq!(Some(voiced.clip.texts_layer as usize), expected.clip.texts_layer());
+        assert_eq!(Some(voiced.clip.texts_id), expected.clip.texts().map(|texts| texts.id().get()));
+        dubs += voiced.spoken;
+        let voice =
+            Answer::<String>::from_call(|out| unsafe { lipz_layers_clip_voice(array, count, clip.id().get(), out) });
+        assert_eq!(text_of(voice.ok()), clip.voice(&layers).unwrap().tag());
+    }
+    assert_eq!(dubs, 6, "the dub twice, and twice for the other voice");
+    let (data, length) = ptr("it-it");
+    let none = Answer::<LayeredVoicedClip>::from_call(|out| unsafe {
+        lipz_layers_clip_in_voice(array, count, 1, data, length, out)
+    });
+    assert_eq!(none.status, LIPZ_NONE);
 }

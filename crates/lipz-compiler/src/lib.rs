@@ -24,6 +24,7 @@
 //! * `build` (default): [`Build`] for build scripts, and `ids`: constants for programs.
 //! * `cache`: recalling what did not change, `Compiler::pack_cached` and `Memory`.
 //! * `settings`: reading `lipz.toml`.
+//! * `shards`: packing on several machines, [`shard`].
 //! * `unpack`: from a bank to a folder of Lipz files.
 //! * `diff`, `stats`: comparing banks, counting what is in them.
 //! * `inspect`: what is in a bank, and a clip as a timeline.
@@ -80,6 +81,8 @@ mod pseudo;
 mod replacements;
 mod rewrite;
 pub mod settings;
+#[cfg(feature = "shards")]
+pub mod shard;
 mod source_index;
 mod source_record;
 mod split;
@@ -107,9 +110,9 @@ pub use discover::{discover, is_pattern};
 pub use dubs::{VoiceCoverage, voice_coverage};
 pub use fix::Fixed;
 pub use input::{Content, Input};
-pub use layers::{Over, Stack};
+pub use layers::{Over, Stack, VoiceBanks};
 pub use lipz_diagnostics as diagnostics;
-pub use options::{EmotionCurves, Emotions, KnownNames, MinCoverage, Options, TextLimits};
+pub use options::{EmotionCurves, Emotions, GestureKeys, Gestures, KnownNames, MinCoverage, Options, TextLimits};
 pub use output::replace_file;
 pub use outputs::{Delivered, OutputFile, Outputs, Replace};
 pub use replacements::Replacements;

@@ -92,7 +92,6 @@ pub(crate) enum Choice {
 /// Resolves fallback for `clips`, whose texts refer to `tags`; [`chain`](crate::fallback::chain) has the rule. The texts of
 /// an original are those of its dubs, too, where these have none.
 pub(crate) fn localise(clips: &[Clip<'_>], tags: &[Box<str>], dubs: &Dubs, options: &Options) -> Localised {
-    let default = options.default_locale.as_deref();
     let mut choices = vec![vec![Stored::new(Choice::Missing); clips.len()]; tags.len()];
     for (at, clip) in clips.iter().enumerate() {
         for (index, text) in (0..).zip(clip.texts()) {
@@ -121,6 +120,23 @@ pub(crate) fn localise(clips: &[Clip<'_>], tags: &[Box<str>], dubs: &Dubs, optio
             choices[locale][at] = Stored::new(Choice::Fallback(other as u32));
         });
     }
+    columns(tags, choices, options)
+}
+
+/// The texts that `clips` have themselves, which refer to `tags`: nothing is resolved.
+#[cfg(feature = "shards")]
+pub(crate) fn own(clips: &[Clip<'_>], tags: &[Box<str>], options: &Options) -> Localised {
+    let mut choices = vec![vec![Stored::new(Choice::Missing); clips.len()]; tags.len()];
+    for (at, clip) in clips.iter().enumerate() {
+        for (index, text) in (0..).zip(clip.texts()) {
+            choices[text.locale as usize][at] = Stored::new(Choice::Own(index));
+        }
+    }
+    columns(tags, choices, options)
+}
+
+fn columns(tags: &[Box<str>], choices: Vec<Vec<Stored>>, options: &Options) -> Localised {
+    let default = options.default_locale.as_deref();
     let locales = std::iter::zip(tags, choices).map(|(tag, texts)| LocaleColumn {
         tag: tag.clone(),
         is_default: Some(tag.as_ref()) == default,

@@ -1,5 +1,6 @@
 //! The files of a bank: the bank itself, or a base with a text bank for each locale beside it.
 
+use crate::layers::VoiceBanks;
 use crate::output::replace_file;
 use crate::split::WholeBank;
 use crate::{Compiled, Compiler, Input, Replacements};
@@ -11,6 +12,8 @@ use std::path::{Path, PathBuf};
 
 /// What the names of text banks end with, behind their locale.
 const TEXTS_EXTENSION: &str = ".lipztexts";
+/// What the names of banks of voices end with, behind their locale.
+const VOICES_EXTENSION: &str = ".lipzbank";
 
 /// The files that a bank is packed into: one, or one for each locale beside it, and perhaps a cache.
 ///
@@ -31,6 +34,7 @@ const TEXTS_EXTENSION: &str = ".lipztexts";
 pub struct Outputs {
     bank: PathBuf,
     is_split: bool,
+    is_split_by_voice: bool,
     cache: Option<PathBuf>,
 }
 
@@ -93,7 +97,7 @@ impl From<OutputFile> for Delivered {
 impl Outputs {
     /// The bank as the file `bank`.
     pub fn new(bank: impl Into<PathBuf>) -> Outputs {
-        Outputs { bank: bank.into(), is_split: false, cache: None }
+        Outputs { bank: bank.into(), is_split: false, is_split_by_voice: false, cache: None }
     }
 
     /// Packs the texts of each locale into a text bank: `dialogue.lipzbank` gets `dialogue.en-us.lipztexts` and so
@@ -102,6 +106,19 @@ impl Outputs {
     pub fn split_locales(mut self, is_split: bool) -> Outputs {
         self.is_split = is_split;
         self
+    }
+
+    /// Packs the dubs of each voice into a bank of its own, a layer over the bank: `dialogue.lipzbank` gets
+    /// `dialogue.de-de.lipzbank` and so on beside it. Such banks have no cache, and are not split by locale.
+    #[must_use]
+    pub fn split_voices(mut self, is_split: bool) -> Outputs {
+        self.is_split_by_voice = is_split;
+        self
+    }
+
+    /// Whether the files are others than the bank.
+    fn has_parts(&self) -> bool {
+        self.is_split || self.is_split_by_voice
     }
 
     /// Keeps what is known of the Lipz files in the file `cache`, as [`Compiler::pack_cached`] does.
@@ -116,7 +133,7 @@ impl Outputs {
     /// writes the others.
     pub fn pack(&self, compiler: &Compiler<'_>, inputs: &[Input]) -> Compiled {
         match &self.cache {
-            _ if self.is_split => compiler.compile(inputs),
+            _ if self.has_parts() => compiler.compile(inputs),
             #[cfg(feature = "cache")]
             Some(cache) => compiler.pack_cached(inputs, &self.bank, cache),
             _ => compiler.pack(inputs, &self.bank),
@@ -147,7 +164,7 @@ impl Outputs {
 
     #[cfg(feature = "cache")]
     fn used_cache(&self) -> Option<&Path> {
-        self.cache.as_deref().filter(|_| !self.is_split)
+        self.cache.as_deref().filter(|_| !self.has_parts())
     }
 
     /// Writes the files of `bank`; those of a split one last of all the bank, so that whoever finds it finds its
@@ -156,6 +173,9 @@ impl Outputs {
     /// # Errors
     /// As [`replace_file`], and if `bank` is damaged.
     pub fn deliver(&self, bank: &[u8], replace: Replace) -> Result<Delivered, Report> {
+        if self.is_split_by_voice {
+            return self.deliver_voices(bank, replace);
+        }
         if !self.is_split {
             return Ok(OutputFile::write(&self.bank, bank, replace)?.into());
         }
@@ -174,7 +194,7 @@ impl Outputs {
             let path = self.bank.with_extension(format!("{}{TEXTS_EXTENSION}", locale.tag()));
             files.push(write(&path, &whole.text_bank(locale)?)?);
         }
-        let stale = stale(&self.bank, &files);
+        let stale = stale(&self.bank, TEXTS_EXTENSION, &files);
         let texts_of_locales = waiting.finish();
         if let Some(report) = texts_of_locales.into_iter().next() {
             return Err(report);
@@ -183,20 +203,45 @@ impl Outputs {
         Ok(Delivered { files, stale })
     }
 
+    /// Writes the banks of voices, and last of all the bank below them.
+    fn deliver_voices(&self, bank: &[u8], replace: Replace) -> Result<Delivered, Report> {
+        let split = VoiceBanks::from_bytes(bank)?;
+        let mut files = Vec::new();
+        for (tag, bytes) in &split.voices {
+            let path = self.bank.with_extension(format!("{tag}{VOICES_EXTENSION}"));
+            files.push(OutputFile::write(&path, bytes, replace)?);
+        }
+        let is_locale = |name: &str| split_tag(name).is_some();
+        let mut stale = stale(&self.bank, VOICES_EXTENSION, &files);
+        stale.retain(|path| path.file_stem().and_then(OsStr::to_str).is_some_and(is_locale));
+        files.insert(0, OutputFile::write(&self.bank, &split.base, replace)?);
+        Ok(Delivered { files, stale })
+    }
+
     /// The file that [`pack`](Outputs::pack) has written already; `None` if the bank is split.
     pub fn packed(&self, bank: &[u8], is_unchanged: bool) -> Option<Delivered> {
         let file = OutputFile { is_new: !is_unchanged, ..OutputFile::new(&self.bank, bank) };
-        (!self.is_split).then(|| file.into())
+        (!self.has_parts()).then(|| file.into())
     }
 }
 
-/// The text banks beside the bank at `path` that are not among those that were written now.
-fn stale(path: &Path, written: &[OutputFile]) -> Vec<PathBuf> {
+/// The locale at the end of a name.
+fn split_tag(name: &str) -> Option<&str> {
+    let (_, tag) = name.rsplit_once('.')?;
+    let (language, country) = tag.split_once('-')?;
+    let is_code = |code: &str| matches!(code.len(), 2..=4) && code.bytes().all(|byte| byte.is_ascii_lowercase());
+    (is_code(language) && is_code(country)).then_some(tag)
+}
+
+/// The files beside the bank at `path` whose names end so and that are not among those that were written now.
+fn stale(path: &Path, extension: &str, written: &[OutputFile]) -> Vec<PathBuf> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let (Some(stem), Ok(files)) = (path.file_stem(), fs::read_dir(folder)) else { return Vec::new() };
     let is_text_bank = |name: &OsStr| {
         let rest = name.as_encoded_bytes().strip_prefix(stem.as_encoded_bytes());
-        rest.is_some_and(|rest| rest.starts_with(b".") && rest.ends_with(TEXTS_EXTENSION.as_bytes()))
+        rest.is_some_and(|rest| {
+            rest.starts_with(b".") && rest.ends_with(extension.as_bytes()) && rest != extension.as_bytes()
+        })
     };
     let written: HashSet<&OsStr> = written.iter().filter_map(|file| file.path.file_name()).collect();
     let names = files.filter_map(|file| Some(file.ok()?.file_name()));

@@ -396,3 +396,12 @@ fn every_changed_byte_of_a_layer_is_refused_or_harmless() {
         assert!(!stacked::every_query(&[open(&base), open(&cut)]), "{length}");
     }
 }
+
+/// A locale that a layer brings shows the texts that stand in for it, also of clips that another layer has brought.
+#[test]
+fn a_new_locale_shows_what_a_layer_below_brought() {
+    let first = one("b", r#"{ "text_en-us": "Ja.|Nein." }"#);
+    let second = with(&first, "act1/aye", r#"{ "text_de-de": "Ja.|Nein." }"#);
+    let third = with(&second, "act1/nay", r#"{ "text_de-at": "Ja.|Nein." }"#);
+    check(&[first, second, third].map(|project| (project, compiler(false, Some("en-us")))));
+}

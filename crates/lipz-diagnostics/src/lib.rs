@@ -30,6 +30,7 @@
 //! * `human` (on by default): [`render::human`] and [`render::Human`], text with the marked source.
 //! * `json`: [`render::json`], [`render::sarif`] and [`render::gitlab`], documents for programs.
 
+mod baseline;
 pub mod bound;
 mod code;
 mod diagnostic;
@@ -42,6 +43,7 @@ pub mod reports;
 mod source;
 pub mod suggest;
 
+pub use baseline::Baseline;
 pub use code::{Code, UnknownCode};
 pub use diagnostic::{Diagnostic, Fix, Label, Severity};
 pub use fix::Applied;

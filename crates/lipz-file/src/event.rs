@@ -1,5 +1,7 @@
-//! Character Event Syntax: what the events of a segment say (Lipz specification, last chapter).
+//! Character Event Syntax: what the events of a segment say (Lipz specification, last chapter), and the gestures that lipz
+//! adds.
 
+use crate::curve::thousandths;
 use crate::emotion::Blend;
 use crate::text::{is_white_space, trim};
 pub use lipz_types::Command;
@@ -11,6 +13,11 @@ pub const SEPARATOR: char = ',';
 
 /// The verb that a blend of emotions follows.
 const FEELS: &str = "feels";
+
+/// What lipz adds besides verbs that a number may follow.
+const BLINKS: &str = "blinks";
+const LOOKS: &str = "looks";
+const AWAY: &str = "away";
 
 /// The emotions of the specification, table "Emotions".
 pub const EMOTIONS: [&str; 11] =
@@ -60,6 +67,39 @@ fn command<'t>(verb: &str, object: Word<'t>) -> Option<Command<Word<'t>>> {
     })
 }
 
+/// The gesture that these words are, and where its verb is.
+fn gesture_command<'t>(words: &[Word<'t>]) -> Option<(Command<Word<'t>>, Range<usize>)> {
+    let is_number = |word: &Word<'_>| thousandths(word.text).is_ok_and(|number| number >= 0);
+    let (verb, number) = match words {
+        [verb] if verb.text == BLINKS => return Some((Command::Blinks, verb.range())),
+        [verb, away] if (verb.text, away.text) == (LOOKS, AWAY) => {
+            return Some((Command::LooksAway, verb.start..away.range().end));
+        }
+        [verb] => (verb, None),
+        [verb, number] if is_number(number) => (verb, Some(*number)),
+        _ => return None,
+    };
+    let command = match verb.text {
+        "nods" => Command::Nods(number),
+        "shakes" => Command::Shakes(number),
+        "breathes" => Command::Breathes(number),
+        _ => return None,
+    };
+    Some((command, verb.range()))
+}
+
+impl Event<'_> {
+    /// The number of a gesture in thousandths; `None` if there is none.
+    pub fn number(&self) -> Option<i32> {
+        match self.command {
+            Command::Nods(number) | Command::Shakes(number) | Command::Breathes(number) => {
+                thousandths(number?.text).ok()
+            }
+            _ => None,
+        }
+    }
+}
+
 impl fmt::Display for Event<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(character) = self.character {
@@ -97,7 +137,7 @@ impl<'t> Part<'t> {
 
     /// The event that the part is; `None` if it is some other syntax.
     pub fn event(self) -> Option<Event<'t>> {
-        self.short_event().or_else(|| self.feeling().map(|(event, _)| event))
+        self.short_event().or_else(|| self.feeling().map(|(event, _)| event)).or_else(|| self.gesture())
     }
 
     /// The event `[character] feels BLEND` that the part is, with its blend; `None` if it is something else.
@@ -113,6 +153,16 @@ impl<'t> Part<'t> {
         let blend = Blend::parse(self.text.get(end - self.start..)?, end)?;
         let command = Command::Feels(blend.strongest()?);
         Some((Event { character, command, verb: verb.range() }, blend))
+    }
+
+    /// An event that lipz adds: `[character] nods [number]`.
+    fn gesture(self) -> Option<Event<'t>> {
+        let words: Vec<Word<'t>> = self.words().take(4).collect();
+        let of = |character, words: &[Word<'t>]| {
+            let (command, verb) = gesture_command(words)?;
+            Some(Event { character, command, verb })
+        };
+        of(None, &words).or_else(|| words.split_first().and_then(|(character, rest)| of(Some(*character), rest)))
     }
 
     /// An event of the specification.
@@ -201,6 +251,29 @@ mod tests {
     }
 
     #[test]
+    fn gestures_with_and_without_numbers() {
+        let gestures = [
+            ("nods", "nods", None),
+            ("nods 4", "nods", Some("4")),
+            ("shakes 2.5", "shakes", Some("2.5")),
+            ("breathes 6", "breathes", Some("6")),
+            ("blinks", "blinks", None),
+            ("looks  away", "looks away", None),
+        ];
+        for (text, verb, number) in gestures {
+            assert_eq!(one(text), Some((None, verb, number)));
+            assert_eq!(one(&format!(" amy {text}")), Some((Some("amy"), verb, number)));
+        }
+        assert_eq!(all("nods 2.5").unwrap()[0].number(), Some(2500));
+        // What meant something before means it still.
+        assert_eq!(one("nods feels sad"), Some((Some("nods"), "feels", Some("sad"))));
+        assert_eq!(one("looks sees away"), Some((Some("looks"), "sees", Some("away"))));
+        for text in ["nods -1", "nods twice", "nods 4 5", "blinks 2", "looks", "looks door", "amy bob nods"] {
+            assert_eq!(all(text), None, "{text}");
+        }
+    }
+
+    #[test]
     fn other_syntax_is_kept_whole() {
         for text in [
             "pointAt(butler)",
@@ -234,7 +307,7 @@ mod tests {
         let word = "[a-zé日-]{1,5}";
         let command = prop_oneof![
             ("feels|sees|stares|points|does", word).prop_map(|(verb, object)| format!("{verb} {object}")),
-            "stops staring|stops pointing",
+            "stops staring|stops pointing|nods|shakes [0-9]|breathes 1[.]5|blinks|looks away",
         ];
         (proptest::option::of(word), command).prop_map(|(character, command)| match character {
             Some(character) => format!("{character} {command}"),

@@ -26,10 +26,14 @@ pub const LAYER_BABBLE: u32 = 1;
 pub const LAYER_DEFAULT_LOCALE: u32 = 2;
 /// Flag of a layer: its face profiles, or its lack of them, count, and not those below it.
 pub const LAYER_FACES: u32 = 4;
+/// Flag of a layer: its list of voices, or its lack of one, counts, and not those below it.
+pub const LAYER_VOICES: u32 = 8;
 /// Part of a clip in a layer: everything but its texts.
 pub const PART_CLIP: u8 = 1;
 /// Part of a clip in a layer: its texts.
 pub const PART_TEXTS: u8 = 2;
+/// Part of a dub in a layer, in place of its texts: they are those that the stack has for its original.
+pub const PART_ORIGINAL: u8 = 4;
 /// Stand-in of a locale for which no other one stands in.
 pub const NO_STAND_IN: u32 = u32::MAX;
 /// Entry of the table of a voice for a clip that has no dub there.
@@ -54,6 +58,16 @@ pub const VERB_POINTS: u8 = 5;
 pub const VERB_STOPS_POINTING: u8 = 6;
 /// Verb of a typed event: `does action`.
 pub const VERB_DOES: u8 = 7;
+/// Verb of a typed event: `nods`, or `nods number`.
+pub const VERB_NODS: u8 = 8;
+/// Verb of a typed event: `shakes`, or `shakes number`.
+pub const VERB_SHAKES: u8 = 9;
+/// Verb of a typed event: `breathes`, or `breathes number`.
+pub const VERB_BREATHES: u8 = 10;
+/// Verb of a typed event: `blinks`.
+pub const VERB_BLINKS: u8 = 11;
+/// Verb of a typed event: `looks away`.
+pub const VERB_LOOKS_AWAY: u8 = 12;
 
 /// One clip while it plays: what is asked for sixty times a second, apart from how it is found, so that
 /// many fit into a cache.
@@ -152,8 +166,8 @@ pub struct EventRecord {
 pub struct TypedEventRecord {
     /// Number of the name of who does it in `EVNM`, or [`NO_NAME`] for the speaker of the clip.
     pub character: U32,
-    /// Number of the name of the emotion, target or action in `EVNM`; [`NO_NAME`] for the verbs that
-    /// stop something.
+    /// Number of the name of the emotion, target or action in `EVNM`, or of the number of a gesture, as it is written;
+    /// [`NO_NAME`] where there is none.
     pub object: U32,
     /// [`VERB_FEELS`] and so on.
     pub verb: u8,
@@ -284,13 +298,43 @@ pub struct LayerRecord {
     pub part_count: U32,
     /// Locales of those banks that it removes: their tags are the rest of the section.
     pub removed_locale_count: U32,
-    /// [`LAYER_BABBLE`], [`LAYER_DEFAULT_LOCALE`] and [`LAYER_FACES`].
+    /// [`LAYER_BABBLE`], [`LAYER_DEFAULT_LOCALE`], [`LAYER_FACES`] and [`LAYER_VOICES`].
     pub flags: U32,
     /// Words of the filter of ids, 0 or a power of two: they follow the checksums.
     pub filter_count: U32,
+    /// What changes about dubs: so many [`LayerDubRecord`]s follow the ids of removed clips.
+    pub dub_count: U32,
+    /// Texts of partly dubbed clips that are those of their originals: so many places follow what is about dubs.
+    pub borrowed_count: U32,
+    /// Voices that it adds, or all of the stack with [`LAYER_VOICES`], behind that of the originals; 0, or at least 2. Their tags
+    /// follow the entries about the clips.
+    pub voice_count: U32,
+}
+
+/// What a layer says about a clip in a voice: an entry of `DUBS` with ids for slots.
+#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
+#[repr(C)]
+pub struct LayerDubRecord {
+    /// The id of the clip.
+    pub clip_id: U64,
+    /// The id of the clip that is played for it, or that it is a dub of; 0 if there is none.
+    pub other_id: U64,
+    /// Index of the voice in the layer's list.
+    pub voice: U16,
+    /// [`LAYER_NO_DUB`], [`LAYER_DUB`], [`LAYER_OTHER_DUB`] or [`LAYER_DUB_OF`].
+    pub kind: U16,
     /// Zero.
     pub reserved: [u8; 4],
 }
+
+/// Nothing is played for the clip in this voice, and it is a dub of none.
+pub const LAYER_NO_DUB: u16 = 0;
+/// The other clip is the dub of this one.
+pub const LAYER_DUB: u16 = 1;
+/// The other clip is a dub of this one in another voice, and is played where this voice has none.
+pub const LAYER_OTHER_DUB: u16 = 2;
+/// The clip is the dub of the other one.
+pub const LAYER_DUB_OF: u16 = 3;
 
 /// The word of a filter of ids with so many words, and the bit in it, that stand for an id.
 #[inline]
@@ -299,7 +343,8 @@ pub const fn filter_place(id: u64, filter_count: usize) -> (usize, u32) {
     ((id >> 6) as usize & filter_count.wrapping_sub(1), id as u32 & 63)
 }
 
-const _: () = assert!(size_of::<LayerRecord>() == 32);
+const _: () = assert!(size_of::<LayerRecord>() == 40);
+const _: () = assert!(size_of::<LayerDubRecord>() == 24);
 const _: () = assert!(size_of::<CurveClipRecord>() == 8);
 const _: () = assert!(size_of::<CurveRecord>() == 8);
 const _: () = assert!(size_of::<CurveKeyRecord>() == 4);

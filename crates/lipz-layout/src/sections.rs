@@ -123,6 +123,8 @@ impl Tag {
 
     /// Optional: a [`LayerRecord`](super::LayerRecord) and its tables. The bank is a layer over others.
     pub const LAYER: Tag = Tag(*b"LAYR");
+    /// Only in objects, which are linked to a bank: what they say beside being one, as JSON.
+    pub const EXPORT: Tag = Tag(*b"XPRT");
 
     /// The sections that a bank of format 1 may have, with the length of an entry, in file order.
     pub const OPTIONAL: [(Tag, usize); 11] = [

@@ -1,10 +1,11 @@
 //! Makes a mouth for each sound of a folder: `cargo run --release -p lipz-speech --example sync_folder -- FOLDER OUT
 //! [LOCALE [MODEL]]`. With `-` as LOCALE, without scripts. The script of `name.wav` is `name.txt`; its language is that of `name.json` (its element `lang`) or LOCALE. For
 //! each, `OUT/name.json` has the frames, and the phones and words with their times in seconds: what scorers read.
-//! MODEL is a file that `lipz sync --train` made; without scripts, one that `lipz recogniser` made.
+//! MODEL is a file that `lipz sync --train` made, or one that `lipz recogniser` made.
 
 use lipz_speech::{
-    AlignOptions, Aligner, Language, Model, Pronouncer, Recogniser, RenderRules, Script, Sound, TrainedModel, render,
+    AlignOptions, Aligner, Language, Model, Pronouncer, Recogniser, RecogniserError, RenderRules, Script, Sound,
+    TrainedModel, render,
 };
 use lipz_types::{Fps, VisemeType};
 use serde_json::{Value, json};
@@ -22,10 +23,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         _ => return Err("usage: sync_folder FOLDER OUT [LOCALE [MODEL]]".into()),
     };
     let (mut trained, mut recogniser) = (None, None);
-    match model {
-        Some(bytes) if locale == "-" => recogniser = Some(Recogniser::from_bytes(&bytes)?),
-        Some(bytes) => trained = Some(TrainedModel::from_bytes(&bytes)?.model),
-        None => {}
+    if let Some(bytes) = model {
+        match Recogniser::from_bytes(&bytes) {
+            Err(RecogniserError::OtherFile) => trained = Some(TrainedModel::from_bytes(&bytes)?.model),
+            read => recogniser = Some(read?),
+        }
     }
     let with = With { locale, model: trained.as_ref().unwrap_or(Model::english()), recogniser: recogniser.as_ref() };
     fs::create_dir_all(out)?;
@@ -67,7 +69,11 @@ fn sync(path: &Path, with: &With<'_>) -> Result<Value, Box<dyn Error>> {
         (false, _) => {
             let language = Language::from_locale(locale).ok_or("no such language")?;
             let script = Pronouncer::new(language).script(text.trim());
-            let alignment = aligner.align(&sound, &script);
+            let mut alignment = aligner.align(&sound, &script);
+            if let Some(recogniser) = with.recogniser {
+                let heard = recogniser.hear(File::open(path)?, extension)?;
+                alignment.mismatches = heard.mismatches(&script, &alignment);
+            }
             (script, alignment)
         }
     };

@@ -56,7 +56,7 @@ pub fn content_hash(mut file: impl Read) -> io::Result<u64> {
 }
 
 /// The length of the sound, to the microsecond.
-fn length_us(path: &Path) -> Result<u64, Report> {
+pub(crate) fn length_us(path: &Path) -> Result<u64, Report> {
     let file = File::open(path).map_err(|error| unreadable(path, &error))?;
     Sound::length_us(BufReader::new(file), extension(path)).map_err(|error| no_sound(path, &error))
 }

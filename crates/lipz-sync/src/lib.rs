@@ -1,7 +1,7 @@
 //! The recordings of a project and its Lipz files.
 //!
 //! A project with `[audio]` in its settings has a recording for each clip. [`Recordings`] finds them, [`Facts`] is what
-//! is known of one: its length and the hash of its file. [`check`] reports what does not belong together, and
+//! is known of one: its length and the hash of its file, [`Recorded`] counts them. [`check`] reports what does not belong together, and
 //! [`in_bank`] is what a bank says about recordings. [`sync`](sync()) makes mouths of recordings, and a [`SyncRecord`]
 //! remembers what each was made from. [`train`] learns a
 //! model of the voices of a project.
@@ -17,6 +17,7 @@ mod known;
 mod lints;
 mod originals;
 mod places;
+mod recorded;
 mod recordings;
 mod sync;
 mod threads;
@@ -27,6 +28,7 @@ pub use in_bank::in_bank;
 pub use known::KnownRecordings;
 pub use lints::check;
 pub use lipz_speech::{Recogniser, RecogniserError, TrainedModel};
+pub use recorded::Recorded;
 pub use recordings::{Recordings, dependencies, is_recording};
 pub(crate) use sync::spoken_text;
 pub use sync::{

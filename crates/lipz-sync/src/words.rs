@@ -22,3 +22,23 @@ pub fn word_times(settings: &Settings, inputs: &[Input]) -> Result<BTreeMap<Stri
     };
     Ok(inputs.iter().filter_map(times).collect())
 }
+
+#[cfg(test)]
+mod tests {
+    use lipz_speech::Language;
+    use std::collections::BTreeSet;
+    use std::path::Path;
+
+    /// The compiler, which does not know lipz-speech, has words for nods and shakes in each of its languages, and in no other.
+    #[test]
+    fn heads_nod_in_each_language() {
+        let table = Path::new(env!("CARGO_MANIFEST_DIR")).join("../lipz-compiler/data/gestures.txt");
+        let table = std::fs::read_to_string(table).expect("the table of words");
+        for gesture in ["nod", "shake"] {
+            let lines = table.lines().filter(|line| !line.starts_with('#')).filter_map(|line| line.split_once(": "));
+            let codes: BTreeSet<&str> =
+                lines.filter_map(|(head, _)| head.strip_suffix(gesture)).map(str::trim).collect();
+            assert_eq!(codes, Language::all().map(Language::code).collect(), "{gesture}");
+        }
+    }
+}

@@ -20,6 +20,9 @@ pub fn every_query(banks: &[Bank<'_>]) -> bool {
             layer.stand_in(0),
         ));
         black_box((layer.parts(0), layer.parts(u32::MAX), layer.has_babble(), layer.has_default_locale()));
+        black_box((layer.has_faces(), layer.has_voices(), layer.voices().count()));
+        black_box((layer.has_texts_of_original(0), layer.borrows(0, 0), layer.borrows(u32::MAX, usize::MAX)));
+        assert!(layer.dub_count() <= limit);
         if let Ok(verified) = bank.verified_layer() {
             assert!(verified.is_some() && layer.removed_clips().all(|id| layer.removes(id) && bank.clip(id).is_none()));
         }
@@ -44,6 +47,8 @@ pub fn every_query(banks: &[Bank<'_>]) -> bool {
     assert!(tags.len() <= limit);
     let locales: Vec<_> = tags.iter().take(8).filter_map(|tag| layers.locale(tag)).collect();
     black_box(layers.default_locale().and_then(|tag| layers.locale_in(tag, &[])));
+    let voices: Vec<&str> = lipz_bank::voice_tags(&layers).take(limit + 1).collect();
+    assert!(voices.len() <= limit);
     let named = layers.event_name("amy");
     let mut count = 0;
     for clip in layers.clips().take(limit + 1) {
@@ -51,7 +56,8 @@ pub fn every_query(banks: &[Bank<'_>]) -> bool {
         black_box((clip.clip().key(), clip.layer(), layers.clip(clip.id()).is_some()));
         black_box((layers.clip_by_key(clip.key()).is_some(), named.and_then(|name| name.of(&clip)).is_some()));
         assert!(clip.texts_layer().is_none_or(|layer| layers.bank(layer).is_some()));
-        black_box(clip.texts().map(|texts| texts.slot()));
+        black_box((clip.texts().map(|texts| texts.slot()), lipz_bank::original_of(&layers, clip.id())));
+        black_box(voices.iter().find_map(|voice| lipz_bank::played_in(&layers, clip.id(), voice)));
         for locale in &locales {
             black_box((locale.tag(), locale.tag_in(clip.layer())));
             for segment in [0, 1, clip.segment_count(), u32::MAX] {

@@ -8,9 +8,6 @@ use lipz_testkit::golden::Random;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Changed copies of each seed.
-const COPIES: u64 = 2_000;
-
 fn fuzz() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz")
 }
@@ -52,7 +49,7 @@ fn the_seeds_and_changes_of_them() {
                     let seed = fs::read(&path).unwrap();
                     (target.check)(&seed);
                     let mut random = Random(seed.len() as u64);
-                    (0..COPIES).for_each(|_| (target.check)(&changed(&seed, &mut random)));
+                    (0..target.copies).for_each(|_| (target.check)(&changed(&seed, &mut random)));
                 }
             };
             std::thread::Builder::new().name(target.name.to_owned()).spawn_scoped(scope, replay).unwrap();

@@ -1,4 +1,4 @@
-//! The verbs of Character Event Syntax (Lipz specification, "Character Event Syntax").
+//! The verbs of Character Event Syntax (Lipz specification, "Character Event Syntax"), and those that lipz adds.
 
 /// What a character does, with the `Name` of an emotion, target or action.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -17,6 +17,16 @@ pub enum Command<Name> {
     StopsPointing,
     /// `does action`: an action of the game.
     Does(Name),
+    /// `nods`, `nods 4`: once, so far as the number says, 0 to 10.
+    Nods(Option<Name>),
+    /// `shakes`, `shakes 4`: the head, so far as the number says, 0 to 10.
+    Shakes(Option<Name>),
+    /// `breathes`, `breathes 6`: once, as deep as the number says, 0 to 10.
+    Breathes(Option<Name>),
+    /// `blinks`: once.
+    Blinks,
+    /// `looks away`: for a moment.
+    LooksAway,
 }
 
 impl<Name> Command<Name> {
@@ -30,10 +40,15 @@ impl<Name> Command<Name> {
             Command::Points(_) => "points",
             Command::StopsPointing => "stops pointing",
             Command::Does(_) => "does",
+            Command::Nods(_) => "nods",
+            Command::Shakes(_) => "shakes",
+            Command::Breathes(_) => "breathes",
+            Command::Blinks => "blinks",
+            Command::LooksAway => "looks away",
         }
     }
 
-    /// The emotion, target or action; `None` for the verbs that stop something.
+    /// The emotion, target or action, or the number of a gesture, as it is written; `None` where there is none.
     pub fn object(self) -> Option<Name> {
         match self {
             Command::Feels(object)
@@ -41,7 +56,8 @@ impl<Name> Command<Name> {
             | Command::Stares(object)
             | Command::Points(object)
             | Command::Does(object) => Some(object),
-            Command::StopsStaring | Command::StopsPointing => None,
+            Command::Nods(number) | Command::Shakes(number) | Command::Breathes(number) => number,
+            Command::StopsStaring | Command::StopsPointing | Command::Blinks | Command::LooksAway => None,
         }
     }
 }

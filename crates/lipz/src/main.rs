@@ -5,6 +5,7 @@
 mod args;
 mod commands;
 mod console;
+mod help;
 mod interrupt;
 mod memory;
 mod outcome;
@@ -12,15 +13,13 @@ mod reporter;
 mod shared;
 mod usage;
 
-use args::Arguments;
-use clap::Parser;
 use outcome::Outcome;
 use reporter::{Abort, Ended, Reporter};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
     memory::give_back();
-    let arguments = match Arguments::try_parse() {
+    let arguments = match help::parse() {
         Ok(arguments) => arguments,
         Err(error) => return usage::end(&error, std::env::args_os()).into(),
     };

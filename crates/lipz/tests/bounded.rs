@@ -6,7 +6,7 @@
 use lipz_bank::{Bank, VisemeType};
 use lipz_compiler::diff::diff;
 use lipz_compiler::ids::{Language, generate};
-use lipz_compiler::inspect::{ClipDetails, timeline};
+use lipz_compiler::inspect::{ClipDetails, Timeline};
 use lipz_compiler::stats::Stats;
 use lipz_compiler::{Compiler, Documents, Input, Options, SplitBank, coverage};
 use lipz_diagnostics::{Report, Severity, render, reports};
@@ -161,7 +161,7 @@ fn commands(file: &str, mut each: impl FnMut(&'static str, &mut dyn FnMut())) {
     each("stats", &mut || drop(Stats::from_bank(&bank)));
     each("coverage", &mut || drop(coverage(&bank)));
     each("diff", &mut || drop((diff(&bank, &other), diff(&bank, &bank))));
-    each("inspect", &mut || drop((ClipDetails::new(&clip, &locales), timeline(&clip, &locales, 100))));
+    each("inspect", &mut || drop((ClipDetails::new(&clip, &locales), Timeline::default().render(&clip, &locales))));
     each("ids", &mut || drop(generate(&bank, Language::C, None)));
     each("unpack", &mut || {
         let documents = Documents::from_bank(&bank).unwrap();

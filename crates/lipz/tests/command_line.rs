@@ -181,6 +181,35 @@ fn a_misspelt_key_gets_the_one_that_was_meant() {
 }
 
 #[test]
+fn lipz_files_and_folders_are_shown_as_the_bank_that_they_become() {
+    let (folder, file) = ("fixtures/drama", "fixtures/drama/act1/mara-good-evening.lipz");
+    let shown = |arguments: &[&str]| {
+        let run = lipz(&repository(), [&["inspect"], arguments].concat());
+        assert_eq!(run.code, 0, "{run:?}");
+        run.stdout
+    };
+    let clip = shown(&[folder, "act1/mara-good-evening"]);
+    assert!(clip.contains("  |0---------------------------------|1-----------------|2---"), "{clip}");
+    assert!(
+        clip.contains("\n  Good evening, Otto.                You are late,      and the fog is early.\n"),
+        "{clip}"
+    );
+    assert!(clip.contains("\n  ▸feels neutral                     ▸sees otto         ▸points fog\n"), "{clip}");
+    assert_eq!(shown(&[file]), clip, "a file that is named alone");
+    let german = shown(&[file, "--locale", "de-de"]);
+    assert!(german.contains("\n  Guten Abend, Otto.                 Du bist spät dran, und der Nebel ist zu früh.\n"));
+    assert!(shown(&[folder]).contains("48 clips, 4,107 frames"));
+    assert_eq!(shown(&[folder, "--list", "act1/mara-g"]).lines().count(), 1);
+    assert!(!clip.contains('\u{1b}'), "no colours where there is no terminal");
+    let coloured = std::process::Command::new(env!("CARGO_BIN_EXE_lipz"))
+        .args(["--color", "always", "inspect", file])
+        .current_dir(repository())
+        .output()
+        .unwrap();
+    assert!(String::from_utf8(coloured.stdout).unwrap().contains("\u{1b}[35m|1-----------------\u{1b}[0m"));
+}
+
+#[test]
 fn rules_are_found_by_their_numbers() {
     let page = lipz(&repository(), ["explain", "LZ0401"]);
     for text in ["401", "0401", "lz401", "error[LZ0401]:", "foreign-code"] {

@@ -54,6 +54,27 @@ fn without_its_depfile_the_bank_is_packed_and_the_run_fails() {
 }
 
 #[test]
+fn settings_that_appear_are_a_change() {
+    let scene = Scene::new();
+    scene.write("voices/aye.lipz", CLIP);
+    scene.write("build/here", "");
+    let listed = |arguments: &[&str]| {
+        scene.prepare(&[&["pack", "voices"], arguments].concat());
+        let depfile = fs::read_to_string(scene.path().join(arguments.last().unwrap())).unwrap();
+        parse(&depfile).1
+    };
+    let in_build = ["-o", "build/b.lipzbank", "--depfile", "build/b.d"];
+    assert_eq!(listed(&in_build), [".", "voices", "voices/aye.lipz"]);
+    assert_eq!(listed(&["-o", "b.lipzbank", "--depfile", "build/b.d"]), ["voices", "voices/aye.lipz"]);
+    assert_eq!(
+        listed(&["-o", "build/b.lipzbank", "--no-config", "--depfile", "build/b.d"]),
+        ["voices", "voices/aye.lipz"]
+    );
+    scene.write("lipz.toml", "");
+    assert_eq!(listed(&in_build), ["voices", "voices/aye.lipz", "lipz.toml"]);
+}
+
+#[test]
 fn every_file_and_folder_is_listed() {
     let scene = Scene::new();
     for name in NAMES {
@@ -69,6 +90,8 @@ fn every_file_and_folder_is_listed() {
     dependencies.sort();
     let mut expected = tree(scene.path());
     expected.retain(|path| !path.starts_with("out") && !path.ends_with(".txt"));
+    // Where a `lipz.toml` may appear.
+    expected.insert(0, ".".into());
     assert_eq!(dependencies, expected);
 }
 

@@ -61,9 +61,51 @@ fn what_does_not_belong_together() {
     assert_eq!(lipz(scene.path(), ["pack", "--quiet", "-o", "base.lipzbank"]).code, 0);
     scene.write("voices/de/act1/mayor.lipz", DUB.replace("EAE", "AAA"));
     let over = ["pack", "--over", "base.lipzbank", "-o", "patch.lipzbank", "--quiet"];
-    scene.expect("LZ2005-dub-in-layer", &over);
-    assert!(!scene.path().join("patch.lipzbank").exists());
+    assert_eq!(lipz(scene.path(), over).code, 0);
+    let played = lipz(scene.path(), ["merge", "base.lipzbank", "patch.lipzbank", "-o", "merged.lipzbank", "--quiet"]);
+    let packed = lipz(scene.path(), ["pack", "--quiet", "-o", "whole.lipzbank"]);
+    assert_eq!((played.code, packed.code), (0, 0), "{played:?} {packed:?}");
+    let read = |name: &str| fs::read(scene.path().join(name)).unwrap();
+    assert!(read("merged.lipzbank") == read("whole.lipzbank"));
+    scene.write("lipz.toml", SETTINGS.replace("en-us", "fr-fr"));
+    let addition = ["pack", "--over", "base.lipzbank", "--keep-others", "-o", "mod.lipzbank", "--quiet"];
+    scene.expect("LZ2005-other-original", &addition);
+    assert!(!scene.path().join("mod.lipzbank").exists());
     scene.finish(7);
+}
+
+#[test]
+fn each_voice_has_a_bank_of_its_own() {
+    let scene = Scene::new();
+    scene.write("lipz.toml", SETTINGS);
+    scene.write(
+        "voices/en/act1/mayor.lipz",
+        r#"{ "viseme_type": "blair", "visemes": "EAE|MA", "text_en-us": "Who|goes?" }"#,
+    );
+    scene.write("voices/de/act1/mayor.lipz", r#"{ "viseme_type": "blair", "visemes": "AA|E" }"#);
+    scene.prepare(&["pack", "--quiet", "-o", "whole.lipzbank"]);
+    let packed = lipz(scene.path(), ["pack", "--split-voices", "-o", "base.lipzbank"]);
+    assert!(packed.stdout.contains("dubs packed into base.de-de.lipzbank ("), "{packed:?}");
+    let stack = "base.lipzbank+base.de-de.lipzbank";
+    scene.prepare(&["merge", stack, "-o", "merged.lipzbank", "--quiet"]);
+    let read = |name: &str| fs::read(scene.path().join(name)).unwrap();
+    assert!(read("merged.lipzbank") == read("whole.lipzbank"));
+    assert_eq!(lipz(scene.path(), ["diff", stack, "whole.lipzbank"]).code, 0);
+    for command in [&["coverage", "--voices"][..], &["stats"], &["inspect"]] {
+        let of = |bank: &str| lipz(scene.path(), [command, &[bank]].concat()).stdout.replace(stack, "whole.lipzbank");
+        assert_eq!(of(stack), of("whole.lipzbank"), "{command:?}");
+    }
+    // What is out of date is told, and stays.
+    fs::remove_file(scene.path().join("voices/de/act1/mayor.lipz")).unwrap();
+    let packed = lipz(scene.path(), ["pack", "--split-voices", "-o", "base.lipzbank"]);
+    assert!(
+        packed.stdout.contains("not written: base.de-de.lipzbank, whose locale the bank no longer has"),
+        "{packed:?}"
+    );
+    for other in [["--split-voices", "--split-locales"], ["--split-voices", "--over=base.lipzbank"]] {
+        let refused = lipz(scene.path(), ["pack", "-o", "x.lipzbank", other[0], other[1]]);
+        assert!(refused.code == 2 && !scene.path().join("x.lipzbank").exists(), "{refused:?}");
+    }
 }
 
 #[test]

@@ -50,6 +50,7 @@ const REFUSED: &[(&[&str], Code)] = &[
     (&["ids", "voices", "--lang", "rust", "--prefix", "a"], Code::Usage),
     (&["watch", "-", "-o", "b.lipzbank"], Code::Usage),
     (&["inspect", "b.lipzbank", "nosuch"], Code::NoSuchClip),
+    (&["inspect", "b.lipzbank", "--locale", "en-us"], Code::Usage),
     (&["inspect", "b.lipzbank", "aye", "--locale", "fr-fr"], Code::NoSuchLocale),
     (&["coverage", "b.lipzbank", "--missing", "fr-fr"], Code::NoSuchLocale),
     (&["explain", "nosuch"], Code::NoSuchRule),
@@ -114,7 +115,7 @@ fn every_error_is_in_every_format() {
 #[test]
 fn scripts_find_usage_errors_on_standard_output() {
     for arguments in [
-        &["inspect", "--format", "json"][..],
+        &["unpack", "--format", "json"][..],
         &["nosuch", "--format=json"],
         &["--format", "json"],
         &["--format", "json", "fallout"],

@@ -134,11 +134,58 @@ fn explain_says_what_was_probably_meant() {
 fn the_diagnostic_in_the_readme_is_that_of_its_file() {
     let readme = std::fs::read_to_string(repository().join("README.md")).unwrap();
     let blocks = blocks(&readme);
-    let [file, diagnostic, ..] = blocks.as_slice() else { panic!("no examples") };
+    let [file, diagnostic, timeline, ..] = blocks.as_slice() else { panic!("no examples") };
     let scene = Scene::new();
     scene.write("voices/act1/mayor.lipz", &file.text);
     let outcome = lipz(scene.path(), ["check", "voices"]);
     assert_eq!((outcome.code, outcome.stderr), (1, format!("{}\n1 error in 1 file\n", diagnostic.text)));
     let formatted = lipz(scene.path(), ["fmt", "voices", "--check"]);
     assert_eq!(formatted.code, 0, "it is in its canonical layout");
+    scene.write("voices/act1/mayor.lipz", file.text.replace("Meister? Meister!", "Meister?|Meister!"));
+    let shown = lipz(scene.path(), ["inspect", "voices/act1/mayor.lipz", "--locale", "en-us"]);
+    assert_eq!(shown.stdout.split("\n\n").nth(1), Some(timeline.text.trim_end()), "{shown:?}");
+}
+
+#[test]
+fn the_commands_for_the_first_hour_lead_to_a_face() {
+    let page = std::fs::read_to_string(repository().join("docs/GETTING-STARTED.md")).unwrap();
+    assert!(page.lines().count() <= 60, "it is for one sitting");
+    let scene = Scene::new();
+    let mut folder = scene.path().to_owned();
+    let mut ran = 0;
+    for block in blocks(&page).iter().filter(|block| block.info == "sh") {
+        for line in block.text.lines() {
+            let line = line.split(" #").next().unwrap();
+            let mut words = shell_words(line);
+            match words.remove(0).as_str() {
+                "cargo" => {}
+                "cd" => folder.push(&words[0]),
+                "mkdir" => std::fs::create_dir(folder.join(&words[0])).unwrap(),
+                // Somebody speaks.
+                "arecord" => {
+                    let voice = std::fs::read(repository().join("fixtures/speech/bobby.wav")).unwrap();
+                    std::fs::write(folder.join(words.last().unwrap()), voice).unwrap();
+                }
+                "lipz" => {
+                    let run = lipz(&folder, &words);
+                    assert_eq!(run.code, 0, "{line}: {run:?}");
+                    ran += 1;
+                }
+                other => panic!("{other} is not known here"),
+            }
+        }
+    }
+    assert!(ran >= 6, "{ran} commands");
+    let shown = lipz(&folder, ["inspect", "dialogue.lipzbank", "bobby"]).stdout;
+    let timeline = blocks(&page).into_iter().find(|block| block.text.contains("▁")).unwrap();
+    assert_eq!(shown.split("\n\n").nth(1), Some(timeline.text.trim_end()), "the page shows what its commands do");
+}
+
+/// The words of a line of a shell, with strings in double quotes.
+fn shell_words(line: &str) -> Vec<String> {
+    let parts = line.split('"').enumerate().flat_map(|(index, part)| match index % 2 {
+        0 => part.split_whitespace().map(str::to_owned).collect(),
+        _ => vec![part.to_owned()],
+    });
+    parts.collect()
 }

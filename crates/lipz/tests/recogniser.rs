@@ -58,6 +58,17 @@ fn recordings_without_a_text_get_the_phones_that_the_recogniser_hears() {
 }
 
 #[test]
+fn a_text_that_the_recogniser_does_not_hear_is_another_one() {
+    let scene = scene();
+    assert_eq!(lipz(scene.path(), ["recogniser", "hama assets", "-o", "phones.lipznet"]).code, 0);
+    let sync = ["sync", "rec", "-o", "voices", "--audio-locale", "en-us", "--recogniser", "phones.lipznet"];
+    let run = lipz(scene.path(), sync);
+    // The network hears nothing but nonsense: from the first sound to the last, it is another text.
+    assert_eq!(run.stderr.matches("[LZ1707]").count(), 1, "{}", run.stderr);
+    assert!(run.stderr.contains("something else is said than `Who goes there`"), "{}", run.stderr);
+}
+
+#[test]
 fn what_is_no_recogniser_is_reported() {
     let mut scene = scene();
     scene.write("notes.txt", "my notes");

@@ -107,3 +107,35 @@ fn a_bank_says_which_recordings_its_clips_were_made_for() {
     assert!(refused.code == 1 && refused.stderr.contains("[LZ1704]"), "{}", refused.stderr);
     assert_eq!(fs::read(scene.path().join("b.lipzbank")).unwrap(), cached, "the bank is left alone");
 }
+
+#[test]
+fn statistics_of_a_project_count_its_recordings() {
+    let scene = Scene::new();
+    let settings = "sources = [\"voices\"]\nroot = \"voices\"\ndefault-locale = \"en-us\"\n[audio]\nfolder = \"rec\"\n";
+    scene.write("lipz.toml", settings);
+    scene.write("voices/mayor.lipz", r#"{ "text_en-us": "Good evening, mayor." }"#);
+    scene.write("voices/otto.lipz", CLIP);
+    scene.write("voices/title.lipz", r#"{ "text_en-us": "Act one" }"#);
+    scene.write("rec/mayor.wav", sound(16_000));
+    scene.write("rec/mayor.ogg", "");
+    scene.write("rec/take 2.wav", sound(3333));
+    let shown = lipz(scene.path(), ["stats"]).stdout;
+    assert!(shown.contains("  1 recording of 1 clip, 2.0 s; 1 clip without, 2 not used\n"), "{shown}");
+    // What the run says of its words is what the statistics count.
+    let synced = lipz(scene.path(), ["sync", "--allow", "warnings"]);
+    assert_eq!(synced.code, 0, "{}", synced.stderr);
+    let record = fs::read_to_string(scene.path().join("voices/lipz-sync.txt")).unwrap();
+    let doubtful =
+        record.lines().filter(|line| !line.starts_with('#')).map(|line| line.matches('?').count()).sum::<usize>();
+    assert!(doubtful > 0, "a buzz is no good evening: {record}");
+    let json = lipz(scene.path(), ["stats", "--json"]);
+    let stats: serde_json::Value = serde_json::from_str(&json.stdout).unwrap();
+    let expected = serde_json::json!({
+        "clips": 1, "recordings": 1, "length_us": 2_000_000, "missing": 1, "unused": 2, "synced": 1,
+        "doubtful_words": doubtful,
+    });
+    assert_eq!((&stats["recorded"], &stats["clips"]), (&expected, &serde_json::json!(3)));
+    scene.write("rec/otto.wav", "RIFF");
+    let refused = lipz(scene.path(), ["stats"]);
+    assert!(refused.code == 1 && refused.stderr.contains("[LZ1704]"), "{}", refused.stderr);
+}

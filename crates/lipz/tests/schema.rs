@@ -34,6 +34,8 @@ const BEYOND_A_SCHEMA: &[(&str, &str)] = &[
     ("LZ1807", "meta may be any text"),
     ("LZ1808", "meta may be any text"),
     ("LZ1809", "the meta of several texts is compared"),
+    ("LZ1810", "events may be any text"),
+    ("LZ1811", "events and curves are compared"),
 ];
 /// Bad files of those names that have a second fault, which the schema finds.
 const FOUND_ALL_THE_SAME: &[&str] = &[

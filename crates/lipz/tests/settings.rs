@@ -280,7 +280,11 @@ fn every_setting_has_a_flag_and_every_flag_a_setting() {
         "--no-cache",
         "--no-config",
         "--over",
+        "--plan",
         "--quiet",
+        "--shard",
+        "--split-voices",
+        "--store",
         "--threads",
         "--timings",
     ];

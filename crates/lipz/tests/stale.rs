@@ -42,6 +42,16 @@ fn codes(folder: &Path) -> Vec<String> {
 }
 
 #[test]
+fn a_file_that_would_be_fixed_has_its_record_all_the_same() {
+    let scene = accepted();
+    let changed = MAYOR.replace("evening", "morning").replace("24", "\"24\"");
+    scene.write("voices/mayor.lipz", &changed);
+    let outcome = lipz(scene.path(), ["check", "--diff", "--quiet"]);
+    assert!(outcome.stdout.contains("+  \"fps\" :        24"), "{outcome:?}");
+    assert!(outcome.stderr.contains("LZ1911"), "{outcome:?}");
+}
+
+#[test]
 fn a_changed_source_is_told_until_somebody_accepts_it() {
     let mut scene = project();
     assert_eq!(codes(scene.path()), [""; 0], "a project without a record works as before");

@@ -107,6 +107,6 @@ fn files_that_are_not_texts_of_the_bank_are_refused() {
     assert_eq!(on_top.code, 2, "{}", on_top.stderr);
     assert_eq!(tree(scene.path()), before);
     // All that stands behind the flag is taken for text banks, so the usage has the bank before it.
-    let behind = lipz(scene.path(), ["inspect", "--texts", TEXTS[1], "split.lipzbank"]);
-    assert!(behind.code == 2 && behind.stderr.contains("usage: lipz inspect <BANK> [KEY] [OPTIONS]"), "{behind:?}");
+    let behind = lipz(scene.path(), ["unpack", "-o", "out", "--texts", TEXTS[1], "split.lipzbank"]);
+    assert!(behind.code == 2 && behind.stderr.contains("usage: lipz unpack <BANK> --output <FOLDER>"), "{behind:?}");
 }

@@ -96,6 +96,9 @@ fn layers_asked(banks: [Bank<'_>; 2], name: &str, see: See) {
         see(u64::from(has_clip) | u64::from(has_texts) << 1 | u64::from(layer.has_babble()) << 2);
         see(u64::from(layer.has_default_locale()) | u64::from(layer.removes_locale(name)) << 1);
         see(u64::from(layer.may_have(ClipId::from_key(name))));
+        see(u64::from(layer.has_faces()) | u64::from(layer.has_voices()) << 1);
+        see(u64::from(layer.has_texts_of_original(number)) | u64::from(layer.borrows(number, name.len())) << 1);
+        see(layer.dub_count() as u64);
         see(u64::from(layer.removes(ClipId::from_key(name))) | layer.stand_in(name.len()).unwrap_or(0) as u64);
     }
     let layers = match Layers::new(banks).or_else(|_| Layers::<2>::from_slice(&banks[..1])) {
@@ -115,6 +118,9 @@ fn layers_asked(banks: [Bank<'_>; 2], name: &str, see: See) {
         see_bytes(see, profile.name().as_bytes());
     }
     see(layers.of_babble().map_or(0, Bank::checksum) ^ layers.of_faces().map_or(0, Bank::checksum));
+    lipz_bank::voice_tags(&layers).for_each(|tag| see_bytes(see, tag.as_bytes()));
+    see(lipz_bank::original_of(&layers, ClipId::from_key(name)).map_or(0, |(tag, id)| id.get() ^ tag.len() as u64));
+    see(lipz_bank::played_in(&layers, ClipId::from_key(name), name).map_or(0, |(id, _)| id.get()));
     let locale = layers.locale(name).or_else(|| layers.locale_in(name, &[]));
     let named = layers.event_name(name);
     let found = [layers.clip(ClipId::from_key(name)), layers.clip_by_key(name)];

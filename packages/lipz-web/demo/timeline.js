@@ -59,6 +59,14 @@ export class Timeline {
     this.#layOut();
   }
 
+  /** Shows a new version of the clip, with what was in view as wide as it was. */
+  update(clip, levels, locale) {
+    [this.#clip, this.#levels] = [clip, levels];
+    this.#element.setAttribute("aria-valuemax", clip.duration.toFixed(3));
+    this.texts(locale);
+    this.#layOut();
+  }
+
   /** Shows the texts of a locale, in the direction that each is written in. */
   texts(locale) {
     this.#segments.replaceChildren(...this.#clip.segments.map((segment) => this.#part(segment, locale)));
@@ -166,7 +174,9 @@ export class Timeline {
     context.scale(dense, dense);
     const colour = (name) => getComputedStyle(this.#element).getPropertyValue(name);
     context.fillStyle = colour("--bar");
-    const bars = height - 14;
+    // As large as the page's text.
+    const rem = parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
+    const bars = height - 14 * rem;
     const bar = (x, px, level) => context.fillRect(x, bars * (0.95 - 0.9 * level), px, bars * (0.05 + 0.9 * level));
     const step = Math.max(1, Math.floor(1 / this.#framePx));
     const first = Math.floor(scrollLeft / this.#framePx / step) * step;
@@ -177,13 +187,13 @@ export class Timeline {
       bar(frame * this.#framePx - scrollLeft, px > 2 ? px - 1 : px, Math.max(...this.#levels.slice(frame, frame + step)));
     }
     context.fillStyle = colour("--faint");
-    context.font = "10px system-ui, sans-serif";
+    context.font = `${10 * rem}px system-ui, sans-serif`;
     const second = (this.#framePx * this.#clip.frameCount) / this.#clip.duration;
-    const each = [0.1, 0.5, 1, 2, 5, 10, 30, 60, 300].find((seconds) => seconds * second >= LABEL_PX) ?? 600;
+    const each = [0.1, 0.5, 1, 2, 5, 10, 30, 60, 300].find((seconds) => seconds * second >= LABEL_PX * rem) ?? 600;
     for (let at = Math.ceil(scrollLeft / second / each); at * each * second < scrollLeft + width; at++) {
       const x = at * each * second - scrollLeft;
-      context.fillRect(x, height - 12, 1, 12);
-      context.fillText(`${Number((at * each).toFixed(1))} s`, x + 4, height - 3);
+      context.fillRect(x, height - 12 * rem, 1, 12 * rem);
+      context.fillText(`${Number((at * each).toFixed(1))} s`, x + 4 * rem, height - 3 * rem);
     }
   }
 

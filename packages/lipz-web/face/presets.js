@@ -13,6 +13,7 @@ export const PRESETS = {
   happy: { joy: USUAL },
   sad: { sadness: USUAL },
   irritated: { anger: 3 },
+  lying: { perplexed: 1 },
   angry: { anger: USUAL },
   suspicious: { perplexed: 2, anger: 1 },
   confused: { perplexed: USUAL },

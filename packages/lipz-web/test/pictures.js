@@ -5,6 +5,8 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { areasOf, lineOf } from "../demo/plots.js";
 import { levelsOf } from "../demo/levels.js";
+import { geometry } from "../face/geometry.js";
+import { markup, PARTS } from "../face/parts.js";
 import { EMOTION_COLOURS, faceMarkup, VIEW_BOX, VISEMES } from "../face.js";
 import { EMOTIONS, open } from "../lipz.js";
 
@@ -112,6 +114,27 @@ async function playing(time) {
   );
 }
 
+/** What is seen of a face from nose to chin, and what the parts of the mouth are cut out with. */
+const AROUND_MOUTH = new Set([undefined, "head", "skull", "features", "nose", "mouth", "insideClip"]);
+
+/** The parts of a face from nose to chin; of a mouth, all. */
+function aroundMouth(parts) {
+  return parts
+    .filter(([, name]) => AROUND_MOUTH.has(name))
+    .map(([tag, name, fixed, inside = []]) => [tag, name, fixed, name === "mouth" || name === "insideClip" ? inside : aroundMouth(inside)]);
+}
+
+/** A picture of the mouth for each code of each viseme type, for editors. */
+function shapes() {
+  const parts = aroundMouth(PARTS);
+  const mouth = (viseme, visemeType) => {
+    const drawn = markup(parts, geometry({ viseme, visemeType }, "m"), false);
+    return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="-66 -6 132 108" width="132" height="108">${drawn}</svg>`;
+  };
+  const drawn = ([type, codes]) => [type, Object.fromEntries(Object.keys(codes).map((code) => [code, mouth(code, type)]))];
+  return JSON.stringify(Object.fromEntries(Object.entries(VISEMES).map(drawn)), null, 1) + "\n";
+}
+
 /** All pictures, by the names of their files. */
 export async function pictures() {
   return {
@@ -120,6 +143,7 @@ export async function pictures() {
     "rms.svg": visemes("rms", "The mouth shapes of the viseme type rms", 6),
     "emotions.svg": emotions(),
     "mixes.svg": mixes(),
+    "shapes.json": shapes(),
     "playing.svg": await playing(1.1),
   };
 }

@@ -11,7 +11,7 @@ pub(super) const FOLDER: &str = "crates/lipz-diagnostics/rules";
 pub(super) const TABLE: &str = "crates/lipz-diagnostics/src/code/table.rs";
 
 /// The headings under which lists show the codes, by the hundreds of their numbers.
-const GROUPS: [&str; 22] = [
+const GROUPS: [&str; 23] = [
     "Reading files",
     "JSON",
     "Elements",
@@ -34,6 +34,7 @@ const GROUPS: [&str; 22] = [
     "Translators' files",
     "Dubs",
     "Layers",
+    "Shards",
 ];
 
 /// A rule: `# NUMBER name`, `severity: summary`, and the page, with an empty line between them.

@@ -20,7 +20,7 @@ pub(crate) struct Settings {
 }
 
 /// What this machine builds and runs.
-const HERE: [Step; 13] = [
+const HERE: [Step; 15] = [
     Step::cargo("format", "fmt --all --check"),
     Step::cargo("lints", "clippy --workspace --all-targets --locked -- -D warnings"),
     // With the rivals, which are not built otherwise.
@@ -41,7 +41,12 @@ const HERE: [Step; 13] = [
         program: Program::CargoWith("LIPZ_TOOLS", "required"),
         ..Step::cargo("translators", "test -p lipz --test texts_elsewhere --locked --quiet")
     },
+    Step {
+        program: Program::CargoWith("LIPZ_TOOLS", "required"),
+        ..Step::cargo("engines", "test -p lipz --test engines --locked --quiet")
+    },
     Step::task("capi"),
+    Step::task("editors"),
     Step::task("instructions"),
 ];
 

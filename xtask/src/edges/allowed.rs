@@ -64,6 +64,7 @@ pub(super) const RULES: &[Rule] = &[
     Rule {
         name: "lipz-compiler",
         direct: &[
+            "anstyle",
             "bincode",
             "cap-std",
             "foldhash",
@@ -86,6 +87,7 @@ pub(super) const RULES: &[Rule] = &[
             "unicase",
             "unicode-ident",
             "unicode-normalization",
+            "unicode-segmentation",
             "unicode-width",
             "walkdir",
             "zerocopy",
@@ -158,6 +160,25 @@ pub(super) const RULES: &[Rule] = &[
             "walkdir",
         ],
         below: Below::AtMost(110),
+    },
+    Rule {
+        name: "lipz-lsp",
+        direct: &[
+            "crossbeam-channel",
+            "lipz-compiler",
+            "lipz-diagnostics",
+            "lipz-file",
+            "lipz-sync",
+            "lipz-types",
+            "lsp-server",
+            "lsp-types",
+            "ropey",
+            "serde",
+            "serde_json",
+            "toml",
+            "url",
+        ],
+        below: Below::AtMost(115),
     },
     // What a game carries; its build script uses the compiler.
     Rule { name: "dialogue-player", direct: &["lipz-bank", "lipz-compiler"], below: Below::Only(READER) },

@@ -35,17 +35,17 @@ pub(super) const PROGRAMS: [Group; 8] = [
     Group { name: "open", parts: &[OPEN], budget_bytes: Some(795) },
     Group { name: "+ find, frames and segments by time", parts: &[OPEN, FRAMES], budget_bytes: Some(1_645) },
     Group { name: "+ texts as bytes, locales", parts: &[OPEN, FRAMES, TEXT_BYTES], budget_bytes: Some(2_165) },
-    Group { name: "+ typed events, names", parts: &[OPEN, FRAMES, TEXT_BYTES, EVENTS], budget_bytes: Some(3_140) },
-    Group { name: "+ find by key", parts: &[OPEN, FRAMES, TEXT_BYTES, EVENTS, KEYS], budget_bytes: Some(3_405) },
+    Group { name: "+ typed events, names", parts: &[OPEN, FRAMES, TEXT_BYTES, EVENTS], budget_bytes: Some(3_250) },
+    Group { name: "+ find by key", parts: &[OPEN, FRAMES, TEXT_BYTES, EVENTS, KEYS], budget_bytes: Some(3_500) },
     Group {
         name: "+ text banks",
         parts: &[OPEN, FRAMES, TEXT_BYTES, EVENTS, KEYS, TEXT_BANKS],
-        budget_bytes: Some(3_740),
+        budget_bytes: Some(3_845),
     },
     Group {
         name: "+ UTF-8 check: texts and event strings as strings",
         parts: &[OPEN, FRAMES, TEXT_BYTES, EVENTS, KEYS, TEXT_BANKS, TEXTS, EVENT_STRINGS],
-        budget_bytes: Some(4_590),
+        budget_bytes: Some(4_680),
     },
     Group {
         name: "+ verify: everything",
@@ -94,7 +94,7 @@ pub(super) const C_PROGRAMS: [Group; 6] = [
     Group {
         name: "C: + typed events, names",
         parts: &[C_OPEN, C_MOUTHS, C_TEXTS, C_EVENTS],
-        budget_bytes: Some(8_635),
+        budget_bytes: Some(8_665),
     },
     Group { name: "C: + cursor", parts: &[C_OPEN, C_MOUTHS, C_TEXTS, C_EVENTS, C_CURSOR], budget_bytes: Some(15_230) },
     Group {

@@ -56,7 +56,8 @@ impl<'data, 'bank> LayeredClip<'data, 'bank> {
         self.texts.map(|_| self.texts_layer as usize)
     }
 
-    /// The clip whose segments have the texts, in its own bank; `None` if no layer has any for this clip.
+    /// The clip whose segments have the texts, in its own bank: this one as another layer has it, or the original of a dub;
+    /// `None` if no layer has any for this clip.
     pub fn texts(&self) -> Option<Clip<'data, 'bank>> {
         self.texts?.clip_at(self.texts_slot)
     }
@@ -69,7 +70,7 @@ impl<'data, 'bank> LayeredClip<'data, 'bank> {
         locale: &LayeredLocale<'texts, N>,
     ) -> Option<(Segment<'data, 'bank>, Locale<'texts>, bool)> {
         let (locale, is_stand_in) = locale.in_layer(self.texts_layer()?)?;
-        let is_own = self.texts_layer == self.layer;
+        let is_own = self.texts_layer == self.layer && self.texts_slot == self.clip.slot();
         let segment = if is_own { self.clip.segment(segment) } else { self.texts()?.segment(segment) };
         Some((segment?, locale, is_stand_in))
     }

@@ -1,6 +1,6 @@
 //! Locales and names of a stack: looked up once, in all of its layers.
 
-use super::{LayeredClip, Layers};
+use super::{LayeredClip, Layers, Placed};
 use crate::{EventName, Locale, TextBank};
 use core::fmt;
 use lipz_layout::LAYER_DEFAULT_LOCALE;
@@ -66,6 +66,10 @@ impl<'data, const N: usize> Layers<'data, N> {
 
     /// Like [`Layers::locale`], also in text banks, each of which one of the banks has opened.
     pub fn locale_in(&self, tag: &str, texts: &[TextBank<'data>]) -> Option<LayeredLocale<'data, N>> {
+        let below = |layer: &Placed<'data>, locale: Locale<'data>| {
+            let place = layer.bank.locales().position(|other| other == locale)?;
+            layer.bank.locales().nth(layer.table.stand_in(place)?)
+        };
         let mut entries = [None; N];
         let mut own = None;
         let mut stand_in = None;
@@ -80,11 +84,12 @@ impl<'data, const N: usize> Layers<'data, N> {
             if let Some(found) = found {
                 own = own.or(Some(found));
                 *entry = Some((found, false));
-                let place = layer.bank.locales().position(|locale| locale == found);
-                let stand_in_place = place.and_then(|place| layer.table.stand_in(place));
-                stand_in = stand_in_place.and_then(|place| layer.bank.locales().nth(place));
+                stand_in = below(layer, found);
             } else if let Some(other) = stand_in {
-                *entry = layer.bank.locale(other.tag()).map(|other: Locale<'data>| (other, true));
+                let found = layer.bank.locale(other.tag());
+                *entry = found.map(|other: Locale<'data>| (other, true));
+                // What the layer brought itself has another one below it.
+                stand_in = found.and_then(|found| below(layer, found)).or(stand_in);
             }
             is_removed |= layer.table.removes_locale(tag);
         }

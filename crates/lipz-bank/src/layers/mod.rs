@@ -5,12 +5,16 @@ mod clips;
 mod error;
 mod locale;
 mod table;
+mod voice;
+mod voiced;
 
 pub use clip::LayeredClip;
 pub use clips::LayeredClips;
 pub use error::LayersError;
 pub use locale::{LayeredLocale, LayeredName};
 pub use table::Layer;
+pub use voice::{Stacked, VoiceTags, original_of, played_in, voice_tags};
+pub use voiced::{LayeredVoice, LayeredVoicedClip};
 
 use crate::{Babble, Bank, ClipId, Error, ErrorKind, FaceProfile};
 use core::fmt;
@@ -142,7 +146,7 @@ impl<'data, const N: usize> Layers<'data, N> {
     /// The clip with this id, of which one layer has the texts, and another one everything else.
     #[inline(never)] // few clips
     fn in_parts(&self, id: ClipId) -> Option<LayeredClip<'data, '_>> {
-        let (mut clip, mut texts) = (None, None);
+        let (mut clip, mut texts, mut has_texts_of_original) = (None, None, false);
         for (at, layer) in self.all().iter().enumerate().rev() {
             let slot = match layer.bank.find(id) {
                 Some((slot, _)) => slot,
@@ -153,12 +157,29 @@ impl<'data, const N: usize> Layers<'data, N> {
             if has_clip && clip.is_none() {
                 clip = layer.bank.clip_at(slot).map(|clip| (clip, at));
             }
-            if has_texts && texts.is_none() {
-                texts = Some((&layer.bank, at, slot));
+            if texts.is_none() && !has_texts_of_original {
+                has_texts_of_original = layer.table.has_texts_of_original(slot);
+                texts = Some((&layer.bank, at, slot)).filter(|_| has_texts);
             }
         }
         let (clip, at) = clip?;
+        if has_texts_of_original {
+            texts = original_of(self, id).and_then(|(_, original)| self.own_texts(original));
+        }
         Some(LayeredClip::new(clip, at, texts))
+    }
+
+    /// Where the texts of the clip with this id are, if it has its own.
+    fn own_texts(&self, id: ClipId) -> Option<(&Bank<'data>, usize, u32)> {
+        for (at, layer) in self.all().iter().enumerate().rev() {
+            match layer.bank.find(id) {
+                Some((slot, _)) if layer.table.parts(slot).1 => return Some((&layer.bank, at, slot)),
+                Some((slot, _)) if layer.table.has_texts_of_original(slot) => return None,
+                None if layer.table.removes(id) => return None,
+                _ => {}
+            }
+        }
+        None
     }
 
     /// The clip with this key, compared whole.

@@ -10,7 +10,7 @@ const MAX_STEPS: u32 = 1 << 20;
 
 /// What of a character's events lasts (Lipz specification, "Character Event Syntax").
 ///
-/// `sees` and `does` are for a moment and leave no state.
+/// `sees`, `does` and gestures such as `nods` are for a moment and leave no state.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
 #[non_exhaustive]
 pub struct CharacterState<'data> {
@@ -31,7 +31,8 @@ impl<'data> CharacterState<'data> {
             Command::StopsStaring => self.stares_at = None,
             Command::Points(target) => self.points_at = Some(target),
             Command::StopsPointing => self.points_at = None,
-            Command::Sees(_) | Command::Does(_) => {}
+            Command::Sees(_) | Command::Does(_) | Command::LooksAway => {}
+            Command::Nods(_) | Command::Shakes(_) | Command::Breathes(_) | Command::Blinks => {}
         }
     }
 }

@@ -67,7 +67,8 @@ pub(crate) fn text_of(string: String) -> &'static str {
 
 /// An event as it is written in Lipz files.
 pub(crate) fn written(event: &Event) -> std::string::String {
-    let verbs = ["", "feels", "sees", "stares", "stops staring", "points", "stops pointing", "does"];
+    let of_specification = ["", "feels", "sees", "stares", "stops staring", "points", "stops pointing", "does"];
+    let verbs = [&of_specification[..], &["nods", "shakes", "breathes", "blinks", "looks away"]].concat();
     let name = |name: EventName| (name.id != LIPZ_NO_NAME).then(|| text_of(name.name));
     let words = [name(event.character), verbs.get(event.verb as usize).copied(), name(event.object)];
     words.into_iter().flatten().collect::<Vec<_>>().join(" ")

@@ -1,7 +1,7 @@
 //! What a program that packs again and again remembers from one run to the next.
 
 use super::old_bank::OldBank;
-use super::{PreviousRun, again, file};
+use super::{Origin, PreviousRun, again, file};
 use crate::compile::verify;
 use crate::{Compiled, Compiler, Input};
 use lipz_diagnostics::Report;
@@ -63,7 +63,7 @@ impl Compiler<'_> {
     /// this one. A run without a bank leaves the memory as it is.
     pub fn compile_again(&self, inputs: &[Input], memory: &mut Memory) -> Compiled {
         // The old bank was verified when it was made.
-        let finish = |bank: &[u8], is_unchanged: bool| if is_unchanged { Ok(()) } else { verify(bank) };
+        let finish = |bank: &[u8], origin| if origin == Origin::New { verify(bank) } else { Ok(()) };
         self.run(|options| {
             let (compiled, stamps) = again(inputs, options, memory.0.clone(), &self.progress, finish);
             if let (Some(bank), Some(stamps)) = (&compiled.bank, stamps) {

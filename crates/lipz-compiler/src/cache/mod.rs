@@ -5,14 +5,19 @@
 //! bank. Nothing is believed without proof, so that the new bank is the one that a run without a cache
 //! makes. `docs/ARCHITECTURE.md` says what is trusted when.
 
+#[cfg(feature = "shards")]
+mod all;
 mod file;
 mod file_meta;
 mod memory;
 mod old_bank;
+mod patch;
 mod recall;
 mod stamps;
 mod sweep;
 
+#[cfg(feature = "shards")]
+pub(crate) use all::clips_of;
 pub use memory::Memory;
 pub(crate) use stamps::{Name, Stamp};
 
@@ -53,9 +58,13 @@ impl Compiler<'_> {
         cache: &Path,
         accept: impl FnOnce(&[u8]) -> Result<(), Report> + Send,
     ) -> Compiled {
-        let finish = |bank: &[u8], is_unchanged: bool| {
+        let finish = |bank: &[u8], origin: Origin| {
             accept(bank)?;
-            if is_unchanged && touch(path).is_ok() { Ok(()) } else { self.write_verified(path, bank) }
+            match origin {
+                Origin::Unchanged if touch(path).is_ok() => Ok(()),
+                Origin::Patched => self.write_if(path, bank, || Ok(())),
+                _ => self.write_verified(path, bank),
+            }
         };
         self.run(|options| {
             let start = Instant::now();
@@ -79,8 +88,19 @@ impl Compiler<'_> {
     }
 }
 
-/// Makes a bank of `inputs` with what is still true of the run `before`. `finish` is handed the bank, and whether
-/// it is the old one; without its consent there is none.
+/// Where a bank comes from.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Origin {
+    /// It is the old one.
+    Unchanged,
+    /// Of the old one, with some clips in it that are new: see [`patch`].
+    Patched,
+    /// It was made of all clips, and is not verified yet.
+    New,
+}
+
+/// Makes a bank of `inputs` with what is still true of the run `before`. `finish` is handed the bank, and where
+/// it comes from; without its consent there is none.
 ///
 /// With a bank come the stamps of its files, unless they are all as they were.
 fn again(
@@ -88,7 +108,7 @@ fn again(
     options: &Options,
     before: Option<PreviousRun>,
     progress: &Progress<'_>,
-    finish: impl FnOnce(&[u8], bool) -> Result<(), Report> + Send,
+    finish: impl FnOnce(&[u8], Origin) -> Result<(), Report> + Send,
 ) -> (Compiled, Option<Stamps>) {
     let start = Instant::now();
     let before = before.filter(|before| before.stamps.are_of(options));
@@ -98,7 +118,8 @@ fn again(
     let mut run = Run::read(inputs, options, Some(&cache), progress);
     run.phases.cache = recalling;
     let found = run.stamped.recalled.len();
-    let is_unchanged = found == inputs.len() && cache.clip_count() == Some(found);
+    let cache_clip_count = cache.clip_count();
+    let is_unchanged = found == inputs.len() && cache_clip_count == Some(found);
     let are_stamps_unchanged = is_unchanged && run.stamped.unread == found && cache.stamp_count() == found;
     let recall = cache.before.map(|(_, recall)| recall);
     drop(stamps);
@@ -107,7 +128,7 @@ fn again(
         drop(recall);
         if let Some(bank) = old.and_then(OldBank::into_whole) {
             let files = std::mem::take(&mut run.stamped.files);
-            let compiled = match run.expect_locales(&bank, options).and_then(|()| finish(&bank, true)) {
+            let compiled = match run.expect_locales(&bank, options).and_then(|()| finish(&bank, Origin::Unchanged)) {
                 Ok(()) => Compiled { is_unchanged, ..run.finish(Some(bank)) },
                 Err(report) => run.fail(report),
             };
@@ -117,6 +138,16 @@ fn again(
         run = Run::read(inputs, options, Some(&Cache::new(None, None)), &|_| ());
     } else if !run.has_errors() {
         let start = Instant::now();
+        let has_same_keys = cache_clip_count == Some(inputs.len()) && found + run.clip_count() == inputs.len();
+        // What is said about dubs is about all clips, not about those that have changed.
+        let recall_few = recall.as_ref().filter(|_| has_same_keys && options.voices.patterns.is_empty());
+        if let Some(bank) = recall_few.and_then(|recall| patch::patched(recall, &run.changed_clips())) {
+            run.phases.lower = start.elapsed();
+            let files = std::mem::take(&mut run.stamped.files);
+            let compiled = run.conclude(Ok(bank), options, |bank| finish(bank, Origin::Patched));
+            let stamps = Stamps::of(&compiled, options, files);
+            return (compiled, stamps);
+        }
         let clips = recall.map_or(Some(Vec::new()), |recall| {
             sweep::recalled(&recall, inputs, &run.stamped.recalled, options.threads)
         });
@@ -130,7 +161,7 @@ fn again(
     }
     run = run.compare_dubs(inputs, options);
     let files = std::mem::take(&mut run.stamped.files);
-    let compiled = run.make(inputs, options, |bank| finish(bank, false));
+    let compiled = run.make(inputs, options, |bank| finish(bank, Origin::New));
     let stamps = Stamps::of(&compiled, options, files);
     (compiled, stamps)
 }

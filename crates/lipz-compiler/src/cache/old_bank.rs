@@ -71,6 +71,15 @@ impl OldBank {
         window.bytes.get(range.start - window.start..range.end.checked_sub(window.start)?)
     }
 
+    /// Reads the bytes that start at this offset.
+    pub(super) fn read(&self, offset: usize, bytes: &mut [u8]) -> Option<()> {
+        match self {
+            OldBank::Whole(whole) => bytes.copy_from_slice(whole.get(offset..offset.checked_add(bytes.len())?)?),
+            OldBank::File(file) => file.read_exact(offset, bytes).ok()?,
+        }
+        Some(())
+    }
+
     /// Whether nobody has written to the file since it was opened: what was read since then is of the bank.
     pub(super) fn is_as_it_was(&self) -> bool {
         match self {

@@ -13,18 +13,18 @@ use zerocopy::FromBytes;
 
 /// The old bank, of which clips are recalled.
 pub(super) struct Recall<'b> {
-    old: &'b OldBank,
-    bank: Bank<'b>,
-    locales: Vec<Locale<'b>>,
-    records: &'b [ClipRecord],
+    pub(super) old: &'b OldBank,
+    pub(super) bank: Bank<'b>,
+    pub(super) locales: Vec<Locale<'b>>,
+    pub(super) records: &'b [ClipRecord],
     /// Locale by locale one entry per segment.
-    text_starts: &'b [U32],
-    segment_count: usize,
+    pub(super) text_starts: &'b [U32],
+    pub(super) segment_count: usize,
     /// Where the frames of all clips are, and the texts.
-    frames: Range<usize>,
-    texts: Range<usize>,
+    pub(super) frames: Range<usize>,
+    pub(super) texts: Range<usize>,
     /// `None` if the bank was stripped.
-    sources: Option<SourceIndex<'b>>,
+    pub(super) sources: Option<SourceIndex<'b>>,
 }
 
 /// What a thread that recalls clips has of its own.
@@ -48,6 +48,12 @@ const WINDOW_BYTES: RangeInclusive<usize> = 1 << 9..=1 << 16;
 /// The checksum in the header of a bank.
 pub(super) fn checksum_of(bank: &[u8]) -> Option<u64> {
     Some(Header::ref_from_prefix(bank).ok()?.0.checksum.get())
+}
+
+/// A section of the old bank that is sure to be in memory.
+pub(super) fn table<'b>(recall: &Recall<'b>, tag: Tag) -> Option<&'b [u8]> {
+    let tables = recall.old.tables();
+    tables.get(section(tables, tag)?)
 }
 
 impl<'b> Recall<'b> {

@@ -1,5 +1,6 @@
 //! Which element plays which role.
 
+use super::Spoken;
 use super::locales::{keep_names_apart, text_locale};
 use super::{names, types};
 use crate::Options;
@@ -72,6 +73,21 @@ impl<'d> Roles<'d> {
         };
         let first_text = || self.texts.iter().min_by_key(rank).map(|text| text.string);
         self.visemes.or_else(first_text).or(self.events)
+    }
+
+    /// The texts: first that in the locale of the voice, then that of the default locale, then in the order of their tags.
+    pub(super) fn texts_by_voice(
+        &self,
+        options: &Options,
+        spoken: Spoken<'_>,
+        locales: &Locales,
+    ) -> Vec<&TextElement<'d>> {
+        let mut texts: Vec<_> = self.texts.iter().collect();
+        texts.sort_by_key(|text| {
+            let tag = locales.tag(text.locale);
+            (spoken.locale != Some(tag), Some(tag) != options.default_locale.as_deref(), tag)
+        });
+        texts
     }
 
     fn text(

@@ -2,20 +2,25 @@
 
 mod bank_limits;
 mod blank;
+mod clean;
 mod curves;
 mod elements;
 mod emotions;
 mod events;
 mod fps;
+mod gestures;
 mod join;
 pub(crate) mod locales;
 mod names;
 mod readability;
 mod segment_table;
 mod segments;
+mod share;
 mod texts;
 mod types;
 mod visemes;
+
+pub(crate) use clean::CleanFiles;
 
 use crate::clip::{ClipData, Locales};
 use crate::{Options, TextLimits, WordTimes, pseudo};
@@ -122,6 +127,7 @@ pub(crate) fn check(
         clip.starts.resize(segment_count, 0);
     }
     emotions::curves(&roles, options, spoken, locales, clip, diagnostics);
+    gestures::curves(&roles, options, spoken, locales, clip, diagnostics);
     blank::report(&roles, clip, options, locales, diagnostics);
     bound::limit(diagnostics);
     bank_limits::for_segments(&roles, clip.starts.len(), diagnostics);

@@ -1,6 +1,7 @@
 //! The curves of clips, flat.
 
 use lipz_bank::CurveValue;
+use std::collections::BTreeMap;
 
 /// A key: frame and value.
 pub(crate) type Key = (u32, CurveValue);
@@ -38,6 +39,16 @@ impl Curves {
     /// All curves.
     pub(crate) fn iter(&self) -> impl Iterator<Item = (&str, &[Key])> {
         self.range(0..self.count())
+    }
+
+    /// Adds curves, unless there are some with their names. All are in the order of their names then.
+    pub(crate) fn add_missing(&mut self, mut curves: BTreeMap<String, Vec<Key>>) {
+        if curves.is_empty() {
+            return;
+        }
+        curves.extend(self.iter().map(|(name, keys)| (name.to_owned(), keys.to_vec())));
+        self.clear();
+        curves.into_iter().for_each(|(name, keys)| self.push(&name, keys));
     }
 
     /// Removes all curves and keeps the room.

@@ -95,10 +95,15 @@ impl ClipData {
         (self.fps, self.viseme_type) = (None, None);
     }
 
+    /// The first frame of a segment; behind the last one, the end of the clip.
+    pub(crate) fn segment_start(&self, segment: usize) -> u32 {
+        self.starts.get(segment).copied().unwrap_or(self.frames.len() as u32)
+    }
+
     /// Adds `self.displays` as the texts of a locale.
     pub(crate) fn add_displays(&mut self, locale: u32) {
         let start = self.runs.len();
-        self.runs.extend(self.displays.ends().iter().flat_map(|&end| (end as u16).to_le_bytes()));
+        self.displays.ends().iter().for_each(|&end| self.runs.extend_from_slice(&(end as u16).to_le_bytes()));
         let texts = self.displays.text().as_bytes();
         self.runs.extend_from_slice(texts);
         self.add_run(locale, start, hash(texts), false);

@@ -89,7 +89,7 @@ pub struct Phases {
     pub recall: Duration,
     /// Reading files, all threads.
     pub read: Duration,
-    /// Parsing, all threads.
+    /// Parsing, all threads; with the check of files without diagnostics, which mostly takes the same pass.
     pub parse: Duration,
     /// Checking, all threads.
     pub check: Duration,

@@ -3,7 +3,7 @@
 use super::Phases;
 use super::read::FileReader;
 use crate::cache::{Cache, CachedFile, FileStamps, Stamp};
-use crate::check::Spoken;
+use crate::check::{CleanFiles, Spoken};
 use crate::clip::{ClipData, Clips, Locales};
 use crate::{Content, Input, Options, check, convert, source_record};
 use lipz_diagnostics::{Diagnostic, Report, Severity};
@@ -11,9 +11,10 @@ use lipz_file::Document;
 use std::time::{Duration, Instant};
 
 /// What a thread needs to make clips of files, and what it has made of them.
-#[derive(Default)]
-pub(super) struct Worker {
+pub(super) struct Worker<'o> {
+    options: &'o Options,
     reader: FileReader,
+    clean: CleanFiles<'o>,
     pub(super) batch: Batch,
     pub(super) reports: Vec<Report>,
     /// The time of recalling, reading, parsing and checking.
@@ -33,10 +34,22 @@ pub(super) struct Batch {
     next_stamp: Option<usize>,
 }
 
-impl Worker {
+impl<'o> Worker<'o> {
+    pub(super) fn new(options: &'o Options) -> Worker<'o> {
+        Worker {
+            options,
+            reader: FileReader::default(),
+            clean: CleanFiles::new(options),
+            batch: Batch::default(),
+            reports: Vec::new(),
+            phases: Phases::default(),
+            stopwatch: Stopwatch::default(),
+        }
+    }
+
     /// Finds the clip of file number `index` in the old bank, or reads, parses and checks the file.
-    pub(super) fn file(&mut self, index: usize, input: &Input, options: &Options, cache: Option<&Cache<'_, '_>>) {
-        let batch = &mut self.batch;
+    pub(super) fn file(&mut self, index: usize, input: &Input, cache: Option<&Cache<'_, '_>>) {
+        let (batch, options) = (&mut self.batch, self.options);
         let seen = cache.and_then(|cache| cache.file(input, batch.next_stamp.get_or_insert(index)));
         if let Some(seen) = &seen
             && let Some((stamp, slot)) = seen.unread()
@@ -59,6 +72,12 @@ impl Worker {
         if let Some(((stamp, Some(slot)), seen)) = &stamped {
             batch.found(index, seen, *stamp, *slot);
             self.phases.recall += self.stopwatch.time();
+            return;
+        }
+        if self.clean.clip(bytes, &batch.clips.locales, &mut batch.clip) {
+            batch.clips.push(&input.key, &batch.clip);
+            batch.stamped.files.extend(stamped.map(|((stamp, _), seen)| (index as u32, seen.name(), stamp)));
+            self.phases.parse += self.stopwatch.time();
             return;
         }
         let lipz_file::Parsed { document, mut diagnostics, fragment } = lipz_file::parse(bytes);

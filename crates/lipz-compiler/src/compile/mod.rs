@@ -115,7 +115,17 @@ impl<'p> Compiler<'p> {
 
     /// Replaces the file at `path` by a bank, which is verified meanwhile.
     pub(crate) fn write_verified(&self, path: &Path, bank: &[u8]) -> Result<(), Report> {
-        let written = self.guarded(|| replace_file_if(path, bank, || verify(bank)));
+        self.write_if(path, bank, || verify(bank))
+    }
+
+    /// Replaces the file at `path` by a bank, which `check` looks at meanwhile.
+    pub(crate) fn write_if(
+        &self,
+        path: &Path,
+        bank: &[u8],
+        check: impl FnOnce() -> Result<(), Report> + Send,
+    ) -> Result<(), Report> {
+        let written = self.guarded(|| replace_file_if(path, bank, check));
         written.unwrap_or_else(|| {
             let help = "call what `around_writes` is given";
             Err(Report::failure(discover::display(path), Code::OutputFailed, "the bank was not written", help))

@@ -3,8 +3,10 @@
 use super::file::Worker;
 use super::{Compiled, Phases, Progress, requirements};
 use crate::cache::{Cache, FileStamps};
+#[cfg(feature = "cache")]
+use crate::clip::Clip;
 use crate::clip::Clips;
-use crate::dubs::{self, Dubs};
+use crate::dubs::{self, Dubs, KeptDubs};
 use crate::layers::Kept;
 use crate::lower::{Beside, Layout};
 use crate::{Input, Options, key, localise, parallel};
@@ -45,13 +47,13 @@ impl Run {
         }
         let next = AtomicUsize::new(0);
         let workers = parallel::workers(options.threads, || {
-            let mut worker = Worker::default();
+            let mut worker = Worker::new(options);
             loop {
                 let first = next.fetch_add(FILES_AT_ONCE, Ordering::Relaxed);
                 let Some(behind) = inputs.get(first..).filter(|behind| !behind.is_empty()) else { return worker };
                 let files = behind.len().min(FILES_AT_ONCE);
                 for (index, input) in (first..).zip(behind).take(files) {
-                    worker.file(index, input, options, cache);
+                    worker.file(index, input, cache);
                 }
                 progress(files as u64);
             }
@@ -78,6 +80,60 @@ impl Run {
         self.phases.files += time;
     }
 
+    /// A run over the clips of objects, with what was reported about their files.
+    #[cfg(feature = "shards")]
+    pub(crate) fn of_clips(clips: Vec<Clips>, reports: Vec<Report>, inputs: &[Input], options: &Options) -> Run {
+        let mut of_keys = Vec::new();
+        key::check(inputs, &mut of_keys);
+        of_keys.iter_mut().for_each(|report| options.levels.apply(&mut report.diagnostics));
+        of_keys.extend(reports);
+        Run { clips, reports: of_keys, ..Run::default() }
+    }
+
+    /// Adds what was found before.
+    #[cfg(feature = "shards")]
+    pub(crate) fn add_reports(&mut self, reports: Vec<Report>) {
+        self.reports.extend(reports);
+    }
+
+    /// Makes an object of the clips: a bank with their own texts, and the section that `export` makes of what was
+    /// reported and of the locales.
+    #[cfg(feature = "shards")]
+    pub(crate) fn object(
+        mut self,
+        inputs: &[Input],
+        options: &Options,
+        export: impl FnOnce(&[Report], &[Box<str>]) -> Vec<u8>,
+    ) -> Compiled {
+        if self.has_errors() {
+            return self.finish(None);
+        }
+        let tags = Clips::join_locales(&mut self.clips);
+        let clips = Clips::by_key(&self.clips);
+        let localised = localise::own(&clips, &tags, options);
+        let beside = Beside { export: export(&self.reports, &tags), ..Beside::of(options) };
+        let layout = Layout::new(&clips, &localised, &Dubs::default(), beside);
+        drop((clips, localised));
+        let batches = std::mem::take(&mut self.clips);
+        let bank = layout.and_then(|layout| layout.fill(batches)).map_err(|report| in_file(report, inputs));
+        match bank.and_then(|bank| super::verify(&bank).map(|()| bank)) {
+            Ok(bank) => self.finish(Some(bank)),
+            Err(report) => self.fail(report),
+        }
+    }
+
+    /// Number of clips that were made of their files.
+    #[cfg(feature = "cache")]
+    pub(crate) fn clip_count(&self) -> usize {
+        self.clips.iter().map(Clips::count).sum()
+    }
+
+    /// The clips that were made of their files, in the order of their keys.
+    #[cfg(feature = "cache")]
+    pub(crate) fn changed_clips(&self) -> Vec<Clip<'_>> {
+        Clips::by_key(&self.clips)
+    }
+
     /// Adds the clips of a bank below this one.
     pub(crate) fn keep(&mut self, mut kept: Kept) {
         self.clips.push(std::mem::take(&mut kept.clips));
@@ -88,7 +144,9 @@ impl Run {
     /// again.
     #[must_use]
     pub(crate) fn compare_dubs(mut self, inputs: &[Input], options: &Options) -> Run {
-        for (index, report) in dubs::compare(&self.clips, inputs, options) {
+        let no_dubs = KeptDubs::default();
+        let kept = self.kept.as_ref().map_or(&no_dubs, |(_, kept)| &kept.dubs);
+        for (index, report) in dubs::compare(&self.clips, inputs, options, kept) {
             self.stamped.files.retain(|(stamped, ..)| *stamped != index);
             self.reports.push(report);
         }
@@ -112,7 +170,8 @@ impl Run {
         let start = Instant::now();
         let tags = Clips::join_locales(&mut self.clips);
         let clips = Clips::by_key(&self.clips);
-        let dubs = Dubs::find(&clips, options);
+        let no_dubs = KeptDubs::default();
+        let dubs = Dubs::find(&clips, options, self.kept.as_ref().map_or(&no_dubs, |(_, kept)| &kept.dubs));
         let mut localised = localise::localise(&clips, &tags, &dubs, options);
         let mut beside = Beside::of(options);
         if let Some((batch, kept)) = &mut self.kept {
@@ -131,6 +190,16 @@ impl Run {
         let batches = std::mem::take(&mut self.clips);
         let bank = layout.and_then(|layout| layout.fill(batches)).map_err(|report| in_file(report, inputs));
         self.phases.lower = start.elapsed();
+        self.conclude(bank, options, finish)
+    }
+
+    /// Ends the run with a bank, if the project and `finish` accept it.
+    pub(crate) fn conclude(
+        mut self,
+        bank: Result<Vec<u8>, Report>,
+        options: &Options,
+        finish: impl FnOnce(&[u8]) -> Result<(), Report> + Send,
+    ) -> Compiled {
         let start = Instant::now();
         let finished = bank.and_then(|bank| {
             requirements::enough_texts(&bank, options)?;

@@ -1,7 +1,8 @@
 //! Whether dubs and their originals belong together.
 
+use super::KeptDubs;
 use crate::clip::{Clip, Clips};
-use crate::{Content, Input, Options};
+use crate::{Content, Input, Options, pseudo};
 use lipz_diagnostics::{Code, Diagnostic, Report, Source, Span, escape};
 use lipz_file::locale::{TextName, text_name};
 use lipz_file::{Document, JsonString, Value};
@@ -9,10 +10,15 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::fs;
 
-/// What is wrong with the dubs among these files, whose clips are in `batches`: reports at the project's levels, each with
-/// the number of its input.
-pub(crate) fn compare(batches: &[Clips], inputs: &[Input], options: &Options) -> Vec<(u32, Report)> {
-    if options.voices.locales().nth(1).is_none() {
+const DIVIDE: &str =
+    "put a `|` into the dub where each segment of the original starts: texts and events of both belong together";
+const REMOVE: &str =
+    "remove the text from the dub, which then has that of the original; or allow the lint if both are meant";
+
+/// What is wrong with the dubs among these files, whose clips are in `batches` with those of a bank below: reports at the
+/// project's levels, each with the number of its input.
+pub(crate) fn compare(batches: &[Clips], inputs: &[Input], options: &Options, kept: &KeptDubs) -> Vec<(u32, Report)> {
+    if options.voices.locales().nth(1).is_none() && kept.originals.is_empty() {
         return Vec::new();
     }
     let places: HashMap<&str, usize> = inputs.iter().map(|input| input.key.as_str()).zip(0..).collect();
@@ -20,12 +26,22 @@ pub(crate) fn compare(batches: &[Clips], inputs: &[Input], options: &Options) ->
     let clip = |key: &str| Some(&clips[clips.binary_search_by(|clip| clip.key().cmp(key)).ok()?]);
     let mut found = Vec::new();
     for (index, dub) in inputs.iter().enumerate() {
-        let Some(line) = options.voices.dubbed_line(&dub.key) else { continue };
-        let original = options.voices.original_of(&dub.key, |key| places.contains_key(key));
-        let report = match original.and_then(|original| inputs.get(*places.get(original.as_str())?)) {
+        let Some(line) = options.voices.dubbed_line(&dub.key) else {
+            // A file of a line whose dubs are below.
+            let of_line = kept.of_line(&dub.key).filter(|key| !places.contains_key(key));
+            let report = clip(&dub.key).and_then(|own| segments_below(own, dub, of_line.filter_map(clip)));
+            found.extend(report.map(|report| (index as u32, report)));
+            continue;
+        };
+        let is_there = |key: &str| places.contains_key(key) || clip(key).is_some();
+        let original = options.voices.original_of(&dub.key, is_there).filter(|key| !kept.originals.contains_key(key));
+        let report = match original {
             None => Some(Report::about(dub.name(), without_original(dub, line, options))),
-            Some(original) => match (clip(&dub.key), clip(&original.key)) {
-                (Some(one), Some(other)) => differing(one, other, dub, original, options),
+            Some(original) => match (clip(&dub.key), clip(&original), places.get(original.as_str())) {
+                (Some(one), Some(other), Some(place)) => {
+                    inputs.get(*place).and_then(|original| differing(one, other, dub, original, options))
+                }
+                (Some(one), Some(other), None) => segments_below(one, dub, [other].into_iter()),
                 _ => None, // one of the two has errors
             },
         };
@@ -36,6 +52,22 @@ pub(crate) fn compare(batches: &[Clips], inputs: &[Input], options: &Options) ->
         }
     }
     found
+}
+
+/// Reports that a file has other segments than one of the clips of its line in a bank below.
+fn segments_below<'c>(
+    own: &Clip<'_>,
+    input: &Input,
+    mut of_line: impl Iterator<Item = &'c Clip<'c>>,
+) -> Option<Report> {
+    let other = of_line.find(|other| other.starts().len() != own.starts().len())?;
+    let (theirs, key) = (other.starts().len(), escape::text(other.key()));
+    let message =
+        format!("the clip has {}, but `{key}` of its line in the bank below has {theirs}", count(own.starts().len()));
+    let help = format!(
+        "bring `{key}` along, with as many segments: texts and events of a dub and its original belong together"
+    );
+    Some(Report::about(input.name(), Diagnostic::new(Code::DubSegments, message).help(help)))
 }
 
 fn without_original(dub: &Input, line: &str, options: &Options) -> Diagnostic {
@@ -57,9 +89,11 @@ fn differing(one: &Clip<'_>, other: &Clip<'_>, dub: &Input, original: &Input, op
         return None;
     }
     // Read once more: clips have no places, and few dubs get here.
-    let (dub_bytes, original_bytes) = (bytes_of(dub)?, bytes_of(original)?);
+    let (dub_bytes, original_bytes) = (bytes_of(dub).unwrap_or_default(), bytes_of(original).unwrap_or_default());
     let parsed = (lipz_file::parse(&dub_bytes).document, lipz_file::parse(&original_bytes).document);
-    let (Some(dub_document), Some(original_document)) = parsed else { return None };
+    let (Some(dub_document), Some(original_document)) = parsed else {
+        return Some(Report::all_about(dub.name(), without_places(counts, &texts, original)));
+    };
     let place = |span: Span| {
         let source =
             Source::new(original.name(), String::from_utf8_lossy(lipz_file::without_byte_order_mark(&original_bytes)));
@@ -68,8 +102,7 @@ fn differing(one: &Clip<'_>, other: &Clip<'_>, dub: &Input, original: &Input, op
     };
     let mut diagnostics = Vec::new();
     if counts.0 != counts.1 {
-        let count = |count: usize| if count == 1 { "1 segment".to_owned() } else { format!("{count} segments") };
-        let message = format!("the dub has {}, but its original has {}", count(counts.0), counts.1);
+        let message = other_segments(counts);
         let (own, theirs) = (divided(&dub_document), divided(&original_document));
         let diagnostic = match own {
             Some(own) => Diagnostic::at(Code::DubSegments, own.span(), message).label(count(counts.0)),
@@ -77,9 +110,7 @@ fn differing(one: &Clip<'_>, other: &Clip<'_>, dub: &Input, original: &Input, op
         };
         let at = theirs.map_or_else(|| original.name(), |theirs| place(theirs.span()));
         let shown = theirs.map(|theirs| format!(": {}", escape::quoted(&theirs.text))).unwrap_or_default();
-        diagnostics.push(diagnostic.note(format!("the original has {} at {at}{shown}", count(counts.1))).help(
-            "put a `|` into the dub where each segment of the original starts: texts and events of both belong together",
-        ));
+        diagnostics.push(diagnostic.note(format!("the original has {} at {at}{shown}", count(counts.1))).help(DIVIDE));
     }
     for tag in texts {
         let (Some(own), Some(theirs)) =
@@ -87,13 +118,33 @@ fn differing(one: &Clip<'_>, other: &Clip<'_>, dub: &Input, original: &Input, op
         else {
             continue; // a pseudo-locale, or a locale that is not packed
         };
-        let message = format!("the dub has another text in `{tag}` than its original");
+        let message = other_text(tag);
         let note = format!("the original says {} at {}", escape::quoted(&theirs.text), place(theirs.span()));
-        diagnostics.push(Diagnostic::at(Code::DubText, own.span(), message).note(note).help(
-            "remove the text from the dub, which then has that of the original; or allow the lint if both are meant",
-        ));
+        diagnostics.push(Diagnostic::at(Code::DubText, own.span(), message).note(note).help(REMOVE));
     }
     Some(Report::from_bytes(dub.name(), &dub_bytes, diagnostics))
+}
+
+/// The same where the files are not there: on a machine that links objects, or because they are gone by now.
+fn without_places(counts: (usize, usize), texts: &[&str], original: &Input) -> Vec<Diagnostic> {
+    let note = || format!("the original is {}", original.name());
+    let segments = (counts.0 != counts.1)
+        .then(|| Diagnostic::new(Code::DubSegments, other_segments(counts)).note(note()).help(DIVIDE));
+    let texts = texts.iter().filter(|tag| !pseudo::is_pseudo(tag));
+    let texts = texts.map(|tag| Diagnostic::new(Code::DubText, other_text(tag)).note(note()).help(REMOVE));
+    segments.into_iter().chain(texts).collect()
+}
+
+fn count(count: usize) -> String {
+    if count == 1 { "1 segment".to_owned() } else { format!("{count} segments") }
+}
+
+fn other_segments((own, theirs): (usize, usize)) -> String {
+    format!("the dub has {}, but its original has {theirs}", count(own))
+}
+
+fn other_text(tag: &str) -> String {
+    format!("the dub has another text in `{tag}` than its original")
 }
 
 /// The locales in which both have a text, and not the same.

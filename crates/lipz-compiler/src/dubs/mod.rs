@@ -2,9 +2,11 @@
 
 mod compare;
 mod coverage;
+mod kept;
 
 pub(crate) use compare::compare;
 pub use coverage::{VoiceCoverage, voice_coverage};
+pub(crate) use kept::KeptDubs;
 
 use crate::clip::Clip;
 use crate::fallback::Fallbacks;
@@ -32,24 +34,33 @@ pub(crate) struct Dub {
 }
 
 impl Dubs {
+    /// These dubs, if there are any.
+    pub(crate) fn new(voices: Vec<String>, of: Vec<Option<Dub>>, others: Vec<(Dub, usize)>) -> Dubs {
+        if of.iter().all(Option::is_none) { Dubs::default() } else { Dubs { voices, of, others } }
+    }
+
     /// The dubs among `clips`, which are in the order of their keys. One with other segments than its original is none:
-    /// [`compare`] has refused it.
-    pub(crate) fn find(clips: &[Clip<'_>], options: &Options) -> Dubs {
-        let voices: Vec<String> = options.voices.locales().map(str::to_owned).collect();
+    /// [`compare`] has refused it. Those of a bank below stay dubs, unless the project says otherwise.
+    pub(crate) fn find(clips: &[Clip<'_>], options: &Options, kept: &KeptDubs) -> Dubs {
+        let voices = kept.with_voices(options.voices.locales().map(str::to_owned).collect());
         if voices.len() < 2 {
             return Dubs::default();
         }
-        let of: Vec<Option<Dub>> = clips.iter().map(|clip| dub(clip, clips, &options.voices, &voices)).collect();
-        if of.iter().all(Option::is_none) {
-            return Dubs::default();
-        }
-        let mut dubs = Dubs { voices, of, others: Vec::new() };
+        let found = |clip| dub(clip, clips, &options.voices, &voices).or_else(|| kept.dub(clip, clips, &voices));
+        let found: Vec<Option<Dub>> = clips.iter().map(found).collect();
+        // A dub is no original: the patterns of an addition can say so of one that is below.
+        let of = found.iter().map(|dub| dub.filter(|dub| found[dub.original].is_none())).collect();
+        let mut dubs = Dubs::new(voices, of, Vec::new());
         dubs.others = dubs.fallbacks(options);
+        kept.restore(&mut dubs, clips);
         dubs
     }
 
     /// What is played where a voice has no dub: that in the first voice that it falls back to.
     fn fallbacks(&self, options: &Options) -> Vec<(Dub, usize)> {
+        if self.voices.is_empty() {
+            return Vec::new();
+        }
         let mut by_original: Vec<(usize, usize, usize)> =
             self.iter().map(|(at, dub)| (dub.original, dub.voice, at)).collect();
         by_original.sort_unstable();

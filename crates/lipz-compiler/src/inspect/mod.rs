@@ -1,4 +1,4 @@
-//! What is in a bank: a summary, its clips, and one of them in full or as a [`timeline()`].
+//! What is in a bank: a summary, its clips, and one of them in full or as a [`Timeline`].
 //!
 //! Everything is `serde::Serialize` with the feature `json`.
 
@@ -8,4 +8,4 @@ mod timeline;
 
 pub use clip::{ClipDetails, ClipSummary, SegmentDetails, SegmentEvent, SegmentText};
 pub use summary::{BankSummary, LayerSummary, LocaleSummary, VoiceSummary};
-pub use timeline::{short_fps, short_recording, timeline};
+pub use timeline::{Timeline, short_fps, short_recording};

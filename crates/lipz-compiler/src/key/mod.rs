@@ -28,6 +28,9 @@ const MAX_KEY_BYTES: usize = u16::MAX as usize;
 /// assert!(refusal("act1/con").is_some());
 /// ```
 pub fn refusal(key: &str) -> Option<String> {
+    if is_plain(key) {
+        return None;
+    }
     if key.len() > MAX_KEY_BYTES {
         return Some(format!("it has {} bytes, more than {MAX_KEY_BYTES}", key.len()));
     }
@@ -45,6 +48,16 @@ pub fn refusal(key: &str) -> Option<String> {
     let (folders, file) = key.rsplit_once('/').map_or((None, key), |(folders, file)| (Some(folders), file));
     let folders = folders.into_iter().flat_map(|folders| folders.split('/'));
     folders.map(|part| (part, true)).chain([(file, false)]).find_map(|(part, is_folder)| part_refusal(part, is_folder))
+}
+
+/// Whether a key can be used, as one sees at a glance: nearly every key is of ASCII letters, digits, `-` and `_`.
+fn is_plain(key: &str) -> bool {
+    let is_plain = |byte: &u8| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_');
+    // Devices have names of three and four such characters.
+    let has_length =
+        |part: &[u8]| matches!(part.len(), 1..=2 | 5..=MAX_PART_BYTES) || part.len() == 4 && part[3] > b'9';
+    key.len() <= MAX_KEY_BYTES
+        && key.as_bytes().split(|byte| *byte == b'/').all(|part| has_length(part) && part.iter().all(is_plain))
 }
 
 fn part_refusal(part: &str, is_folder: bool) -> Option<String> {
@@ -88,6 +101,33 @@ fn is_device(stem: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn plain_keys_are_refused_for_nothing_else() {
+        let parts = [
+            "con",
+            "COM1",
+            "com¹",
+            "prn",
+            "door",
+            "a",
+            "ab",
+            "abc",
+            "line-000001",
+            "x.lipz",
+            "",
+            "9999",
+            &"x".repeat(251),
+        ];
+        for one in parts {
+            for other in parts {
+                let key = format!("{one}/{other}");
+                let part = part_refusal(one, true).or_else(|| part_refusal(other, false));
+                assert!(!is_plain(&key) || part.is_none(), "{key}: {part:?}");
+            }
+        }
+        assert!(["act01/scene03/line-000249", "door/a"].into_iter().all(is_plain));
+    }
 
     #[test]
     fn keys_that_lead_out_or_name_devices_are_refused() {

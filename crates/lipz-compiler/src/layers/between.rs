@@ -1,12 +1,16 @@
 //! The layer that makes one whole bank of another.
 
 use super::content::{Draft, Records, Shown, Texts, are_equal};
+use super::links::{Links, Whose};
 use super::merge::profiles;
 use crate::lower::Beside;
 use crate::lower::layer::LayerDraft;
 use lipz_bank::{Bank, Clip, Locale};
 use lipz_diagnostics::Report;
-use lipz_layout::{LAYER_BABBLE, LAYER_DEFAULT_LOCALE, LAYER_FACES, NO_STAND_IN, PART_CLIP, PART_TEXTS, Tag};
+use lipz_layout::{
+    LAYER_BABBLE, LAYER_DEFAULT_LOCALE, LAYER_FACES, LAYER_VOICES, NO_STAND_IN, PART_CLIP, PART_ORIGINAL, PART_TEXTS,
+    Tag,
+};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap};
 
@@ -31,11 +35,11 @@ pub(super) fn between(old: &Bank<'_>, new: &Bank<'_>, checksums: &[u64]) -> Resu
     let mut layer = LayerDraft { bases: checksums.to_vec(), ..LayerDraft::default() };
     let mut recordings = BTreeMap::new();
     for clip in new.clips() {
-        let texts = Texts::of(&clip, &pairs.new);
+        let (texts, whose) = (Texts::of(&clip, &pairs.new), Whose::of(&clip, &pairs.new));
         let parts = match old.clip_by_key(clip.key()) {
             Some(before) => {
                 let has_record = records[0].get(&before) == records[1].get(&clip);
-                changed(&before, &clip, &texts, &pairs, has_record)
+                changed(&before, &clip, (&texts, &whose), &pairs, has_record)
             }
             None => PART_CLIP | PART_TEXTS,
         };
@@ -43,7 +47,14 @@ pub(super) fn between(old: &Bank<'_>, new: &Bank<'_>, checksums: &[u64]) -> Resu
             continue;
         }
         let has = |part| parts & part != 0;
-        let (of_clip, texts) = (has(PART_CLIP).then_some(&clip), has(PART_TEXTS).then_some(&texts));
+        let all_own = Whose::Some(Vec::new());
+        let texts = (has(PART_TEXTS) && whose != Whose::Original).then_some((&texts, &all_own));
+        let parts = if has(PART_TEXTS) && texts.is_none() { parts ^ PART_TEXTS | PART_ORIGINAL } else { parts };
+        let of_clip = has(PART_CLIP).then_some(&clip);
+        if let (Some(_), Whose::Some(borrowed)) = (&texts, &whose) {
+            let locales = borrowed.iter().enumerate().filter(|(_, is_borrowed)| **is_borrowed);
+            layer.borrowed.extend(locales.map(|(locale, _)| (layer.parts.len(), locale)));
+        }
         draft.push(clip.key(), of_clip, texts, clip.segment_count(), records[1].get(&clip));
         recordings.extend(clip.recording().filter(|_| has(PART_CLIP)).map(|found| (clip.key().to_owned(), found)));
         layer.parts.push(parts);
@@ -59,10 +70,17 @@ pub(super) fn between(old: &Bank<'_>, new: &Bank<'_>, checksums: &[u64]) -> Resu
     let new_profiles = |tag| Some(profiles(new, tag)).filter(|new| *new != profiles(old, tag));
     let (babble, faces) = (new_profiles(Tag::BABBLE), new_profiles(Tag::FACES));
     let has_default = default(&pairs.old) != default(&pairs.new);
-    let has = [(babble.is_some(), LAYER_BABBLE), (faces.is_some(), LAYER_FACES), (has_default, LAYER_DEFAULT_LOCALE)];
+    let links = Links::between(old, new);
+    let has = [
+        (babble.is_some(), LAYER_BABBLE),
+        (faces.is_some(), LAYER_FACES),
+        (has_default, LAYER_DEFAULT_LOCALE),
+        (links.are_all, LAYER_VOICES),
+    ];
+    (layer.dubs, layer.voices) = (links.records, links.voices);
     layer.flags = has.into_iter().filter(|(has, _)| *has).fold(0, |flags, (_, flag)| flags | flag);
     let is_empty = layer.parts.is_empty() && layer.removed.is_empty() && layer.removed_locales.is_empty();
-    if is_empty && layer.stand_ins.is_empty() && layer.flags == 0 {
+    if is_empty && layer.stand_ins.is_empty() && layer.voices.is_empty() && layer.flags == 0 {
         return Ok(None);
     }
     let beside = Beside {
@@ -71,16 +89,30 @@ pub(super) fn between(old: &Bank<'_>, new: &Bank<'_>, checksums: &[u64]) -> Resu
         faces: faces.unwrap_or_default().to_vec(),
         recordings: Cow::Owned(recordings),
         layer: Some(layer),
+        export: Vec::new(),
     };
     draft.bank(beside).map(Some)
 }
 
 /// Which parts of a clip the layer has to have.
-fn changed(before: &Clip<'_, '_>, clip: &Clip<'_, '_>, texts: &Texts<'_>, pairs: &Pairs<'_>, has_record: bool) -> u8 {
+fn changed(
+    before: &Clip<'_, '_>,
+    clip: &Clip<'_, '_>,
+    (texts, whose): (&Texts<'_>, &Whose),
+    pairs: &Pairs<'_>,
+    has_record: bool,
+) -> u8 {
     let is_same = are_equal(before, clip);
     let same_texts = before.segment_count() == clip.segment_count() && {
-        let before = Texts::of(before, &pairs.old);
-        (0..pairs.new.len()).all(|locale| pairs.shows_the_same(&before, texts, locale))
+        let (before, was) = (Texts::of(before, &pairs.old), Whose::of(before, &pairs.old));
+        let is_as_much = |locale: usize| match pairs.sources[locale] {
+            Some((source, false)) => {
+                texts.shown[locale] != Shown::Own || was.is_original(source) == whose.is_original(locale)
+            }
+            _ => true,
+        };
+        (was == Whose::Original) == (*whose == Whose::Original)
+            && (0..pairs.new.len()).all(|locale| pairs.shows_the_same(&before, texts, locale) && is_as_much(locale))
     };
     match (is_same, same_texts) {
         // How the file is spelled: it has to come with something.

@@ -1,5 +1,6 @@
 //! What a clip of a bank says, compared and put into another bank.
 
+use super::links::Whose;
 use crate::clip::{ClipData, Clips};
 use crate::dubs::Dubs;
 use crate::localise::{Choice, LocaleColumn, Localised};
@@ -96,9 +97,10 @@ pub(super) fn take_clip(clip: Option<&Clip<'_, '_>>, segment_count: u32, data: &
 }
 
 /// Gives `data` the texts that are not those of other locales, whose numbers are those of `texts`.
-pub(super) fn take_texts(texts: &Texts<'_>, number: impl Fn(usize) -> u32, data: &mut ClipData) {
+/// Nor those that are an original's.
+pub(super) fn take_texts(texts: &Texts<'_>, whose: &Whose, number: impl Fn(usize) -> u32, data: &mut ClipData) {
     for (locale, shown) in texts.shown.iter().enumerate() {
-        if matches!(shown, Shown::Own | Shown::Borrowed) {
+        if matches!(shown, Shown::Own | Shown::Borrowed) && !whose.is_original(locale) {
             let segments = texts.segments(locale).iter().copied();
             data.add_texts(number(locale), segments, *shown == Shown::Borrowed);
         }
@@ -148,6 +150,8 @@ pub(super) struct Draft {
     locales: Vec<(String, bool)>,
     /// For each locale where the text of each clip is.
     choices: Vec<Vec<Choice>>,
+    /// The dubs among the clips.
+    pub(super) dubs: Dubs,
 }
 
 impl Draft {
@@ -156,7 +160,8 @@ impl Draft {
         let mut clips = Clips::default();
         // So their numbers are their places.
         locales.iter().for_each(|(tag, _)| _ = clips.locales.number(tag, false));
-        Draft { clips, data: ClipData::default(), choices: vec![Vec::new(); locales.len()], locales }
+        let choices = vec![Vec::new(); locales.len()];
+        Draft { clips, data: ClipData::default(), choices, locales, dubs: Dubs::default() }
     }
 
     /// Adds a clip: what it has beside texts, its texts, or both.
@@ -164,18 +169,20 @@ impl Draft {
         &mut self,
         key: &str,
         clip: Option<&Clip<'_, '_>>,
-        texts: Option<&Texts<'_>>,
+        texts: Option<(&Texts<'_>, &Whose)>,
         segment_count: u32,
         record: &[u8],
     ) {
         take_clip(clip, segment_count, &mut self.data);
-        if let Some(texts) = texts {
-            take_texts(texts, |locale| locale as u32, &mut self.data);
+        if let Some((texts, whose)) = texts {
+            take_texts(texts, whose, |locale| locale as u32, &mut self.data);
         }
         let mut own = 0..;
         for (locale, choices) in self.choices.iter_mut().enumerate() {
-            choices.push(match texts.map_or(Shown::Nothing, |texts| texts.shown[locale]) {
+            let is_original = texts.is_some_and(|(_, whose)| whose.is_original(locale));
+            choices.push(match texts.map_or(Shown::Nothing, |(texts, _)| texts.shown[locale]) {
                 Shown::Nothing => Choice::Missing,
+                Shown::Own | Shown::Borrowed if is_original => Choice::Original,
                 Shown::Own | Shown::Borrowed => Choice::Own(own.next().unwrap_or_default()),
                 Shown::Fallback(other) => Choice::Fallback(other as u32),
             });
@@ -191,7 +198,7 @@ impl Draft {
             columns.map(|((tag, is_default), choices)| LocaleColumn::new(&tag, is_default, choices.into_iter()));
         let localised = Localised { locales: columns.collect() };
         let batches = vec![self.clips];
-        let layout = Layout::new(&Clips::by_key(&batches), &localised, &Dubs::default(), beside)?;
+        let layout = Layout::new(&Clips::by_key(&batches), &localised, &self.dubs, beside)?;
         layout.fill(batches)
     }
 }

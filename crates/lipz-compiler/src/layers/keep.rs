@@ -1,11 +1,14 @@
 //! Clips of a stack that stay where its layer does not have them.
 
 use super::content::{Records, Shown, Texts, take_clip, take_texts};
+use super::links::Whose;
 use super::merge::profiles;
 use crate::clip::{Clip, ClipData, Clips};
+use crate::dubs::KeptDubs;
 use crate::localise::{Choice, Localised};
 use crate::{Input, Options};
 use lipz_bank::{Bank, Locale};
+use lipz_diagnostics::{Code, Report, escape};
 use lipz_layout::Tag;
 use std::collections::HashSet;
 
@@ -17,6 +20,10 @@ pub(crate) struct Kept {
     pub(crate) babble: Vec<u8>,
     /// The section of face profiles.
     pub(crate) faces: Vec<u8>,
+    /// The dubs of the bank.
+    pub(crate) dubs: KeptDubs,
+    /// Dubs of which the originals are not kept.
+    orphans: HashSet<usize>,
     /// Tags of the locales.
     tags: Vec<String>,
     /// For each clip, in the order of the keys, what it shows in each of them.
@@ -31,22 +38,39 @@ impl Kept {
         let (mut clips, mut data) = (Clips::default(), ClipData::default());
         let numbers: Vec<u32> = locales.iter().map(|locale| clips.locales.number(locale.tag(), false)).collect();
         let records = Records::of(bank);
-        let mut shown = Vec::new();
+        let (mut shown, mut orphans) = (Vec::new(), HashSet::new());
         for clip in bank.clips().filter(|clip| !replaced.contains(clip.key())) {
             let texts = Texts::of(&clip, &locales);
             take_clip(Some(&clip), clip.segment_count(), &mut data);
-            take_texts(&texts, |locale| numbers[locale], &mut data);
+            take_texts(&texts, &Whose::of(&clip, &locales), |locale| numbers[locale], &mut data);
             data.source.extend_from_slice(records.get(&clip));
             clips.push(clip.key(), &data);
+            if clip.original().is_some_and(|original| replaced.contains(original.key())) {
+                orphans.insert(shown.len());
+            }
             shown.push(texts.shown);
         }
         let tags = locales.iter().map(|locale| locale.tag().to_owned()).collect();
         let [babble, faces] = [Tag::BABBLE, Tag::FACES].map(|tag| profiles(bank, tag).to_vec());
-        Kept { clips, babble, faces, tags, shown }
+        Kept { clips, babble, faces, dubs: KeptDubs::of(bank), orphans, tags, shown }
     }
 
     /// Gives `options` what the clips of `bank` bring with them, where the project does not decide.
-    pub(super) fn add_options(bank: &Bank<'_>, options: &mut Options) {
+    ///
+    /// # Errors
+    /// If the project says that its originals are in another language than those of the bank.
+    pub(super) fn add_options(bank: &Bank<'_>, options: &mut Options) -> Result<(), Report> {
+        if let Some(original) = bank.voices().next() {
+            let own = options.voices.original.get_or_insert_with(|| original.tag().to_owned());
+            if own != original.tag() {
+                let (own, tag) = (escape::text(own), escape::text(original.tag()));
+                let message = format!("the originals are in `{own}`, but those of the bank below are in `{tag}`");
+                let help = format!(
+                    "set `default-locale` or `locale` of [audio] to `{tag}`, or pack all sources without `--keep-others`"
+                );
+                return Err(Report::failure("", Code::OtherOriginal, message, &help));
+            }
+        }
         if options.default_locale.is_none() {
             options.default_locale = bank.default_locale().map(|locale| locale.tag().to_owned());
         }
@@ -55,6 +79,7 @@ impl Kept {
                 options.recordings.entry(clip.key().to_owned()).or_insert(recording);
             }
         }
+        Ok(())
     }
 
     /// Has the clips of this batch show what they did: a mod knows the fallbacks of its own texts only.
@@ -63,7 +88,8 @@ impl Kept {
         let numbers: Vec<Option<usize>> = self.tags.iter().map(number).collect();
         for (at, clip) in clips.iter().enumerate() {
             let (of_batch, index) = clip.place();
-            if of_batch != batch {
+            // What a dub of a new original shows is decided anew.
+            if of_batch != batch || self.orphans.contains(&index) {
                 continue;
             }
             for (shown, locale) in std::iter::zip(&self.shown[index], &numbers) {

@@ -1,6 +1,7 @@
 //! One bank of a stack.
 
 use super::content::{Draft, Records, Texts};
+use super::links::{Whose, dubs_of};
 use super::stack::MAX_LAYERS;
 use crate::lower::Beside;
 use lipz_bank::{Bank, LayeredClip, LayeredLocale, Layers};
@@ -13,9 +14,20 @@ type Locale<'d> = LayeredLocale<'d, MAX_LAYERS>;
 
 /// The bank that is packed from the sources of all layers in one go. Source records are lost if one of them has none.
 pub(super) fn merge(layers: &Layers<'_, MAX_LAYERS>) -> Result<Vec<u8>, Report> {
+    merge_of(layers, &|_| true)
+}
+
+/// The same of the clips that `keeps` chooses: with a dub, its original.
+pub(super) fn merge_of(
+    layers: &Layers<'_, MAX_LAYERS>,
+    keeps: &dyn Fn(&LayeredClip<'_, '_>) -> bool,
+) -> Result<Vec<u8>, Report> {
+    let all: Vec<LayeredClip<'_, '_>> = layers.clips().collect();
+    let clips: Vec<LayeredClip<'_, '_>> = all.iter().copied().filter(keeps).collect();
     let tags: BTreeSet<&str> = layers.locale_tags().collect();
     let locales: Vec<Locale<'_>> = tags.into_iter().filter_map(|tag| layers.locale(tag)).collect();
-    let is_used = used(layers, &locales);
+    // Of all clips, so that banks of voices have the locales of the whole bank: fallback goes by clip.
+    let is_used = used(&all, &locales);
     let locales: Vec<Locale<'_>> =
         std::iter::zip(locales, is_used).filter(|(_, is_used)| *is_used).map(|(locale, _)| locale).collect();
     let default = layers.default_locale();
@@ -24,16 +36,24 @@ pub(super) fn merge(layers: &Layers<'_, MAX_LAYERS>) -> Result<Vec<u8>, Report> 
     let records: Vec<Records<'_>> =
         (0..layers.layer_count()).filter_map(|layer| layers.bank(layer).map(Records::of)).collect();
     let strip = records.iter().any(Records::are_stripped);
+    draft.dubs = dubs_of(layers, &clips);
+    let tags: Vec<&str> = locales.iter().map(LayeredLocale::tag).collect();
     let mut recordings = BTreeMap::new();
-    for clip in layers.clips() {
+    for clip in clips {
         let texts = texts(&clip, &locales);
+        let whose = match clip.original(layers) {
+            Some(original) => {
+                let theirs = self::texts(&original, &locales);
+                Whose::Some(Whose::of_layered(&clip, layers, &tags, (&texts, &theirs)))
+            }
+            None => Whose::Some(Vec::new()),
+        };
         // A record is with what is topmost of its clip.
-        let (_, record) = [(clip.layer(), Some(*clip.clip())), (clip.texts_layer().unwrap_or(0), clip.texts())]
-            .into_iter()
-            .filter_map(|(layer, clip)| Some((layer, records.get(layer)?.get(&clip?))))
-            .max_by_key(|(layer, _)| *layer)
-            .unwrap_or_default();
-        draft.push(clip.key(), Some(clip.clip()), Some(&texts), clip.segment_count(), if strip { &[] } else { record });
+        let in_layer = |layer: usize| Some((layer, layers.bank(layer)?.clip(clip.id())?));
+        let topmost = (0..layers.layer_count()).rev().find_map(in_layer);
+        let record = topmost.and_then(|(layer, clip)| Some(records.get(layer)?.get(&clip))).unwrap_or_default();
+        let record = if strip { &[] } else { record };
+        draft.push(clip.key(), Some(clip.clip()), Some((&texts, &whose)), clip.segment_count(), record);
         recordings.extend(clip.recording().map(|recording| (clip.key().to_owned(), recording)));
     }
     draft.bank(Beside {
@@ -42,6 +62,7 @@ pub(super) fn merge(layers: &Layers<'_, MAX_LAYERS>) -> Result<Vec<u8>, Report> 
         faces: layers.of_faces().map_or(&[][..], |bank| profiles(bank, Tag::FACES)).to_vec(),
         recordings: Cow::Owned(recordings),
         layer: None,
+        export: Vec::new(),
     })
 }
 
@@ -51,9 +72,9 @@ fn texts<'d>(clip: &LayeredClip<'d, '_>, locales: &[Locale<'d>]) -> Texts<'d> {
 }
 
 /// For each locale whether a clip has a text in it, and not only that of another locale.
-fn used(layers: &Layers<'_, MAX_LAYERS>, locales: &[Locale<'_>]) -> Vec<bool> {
+fn used(clips: &[LayeredClip<'_, '_>], locales: &[Locale<'_>]) -> Vec<bool> {
     let mut is_used = vec![false; locales.len()];
-    for clip in layers.clips() {
+    for clip in clips {
         let unknown: Vec<usize> = (0..locales.len()).filter(|&locale| !is_used[locale]).collect();
         if unknown.is_empty() {
             break;
@@ -63,7 +84,7 @@ fn used(layers: &Layers<'_, MAX_LAYERS>, locales: &[Locale<'_>]) -> Vec<bool> {
             unknown.iter().for_each(|&locale| is_used[locale] = true);
             continue;
         }
-        let texts = texts(&clip, locales);
+        let texts = texts(clip, locales);
         unknown.iter().for_each(|&locale| is_used[locale] |= texts.has_own(locale));
     }
     is_used

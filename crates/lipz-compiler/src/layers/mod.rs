@@ -5,12 +5,15 @@
 //! `between` a layer of two whole banks, and both go through the layout that every bank has.
 
 mod between;
+mod by_voice;
 mod content;
 mod keep;
+mod links;
 mod merge;
 mod over;
 mod stack;
 
+pub use by_voice::VoiceBanks;
 pub(crate) use keep::Kept;
 pub use over::Over;
 pub use stack::Stack;

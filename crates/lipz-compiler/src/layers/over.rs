@@ -50,14 +50,16 @@ impl Compiler<'_> {
                 options.strip = true;
                 reports.push(stripped(&options));
             }
-            if over.keeps_others {
-                Kept::add_options(&old, &mut options);
+            if over.keeps_others
+                && let Err(report) = Kept::add_options(&old, &mut options)
+            {
+                return Compiled::refused(report);
             }
-            let mut run = Run::read(inputs, &options, None, &self.progress).compare_dubs(inputs, &options);
+            let mut run = Run::read(inputs, &options, None, &self.progress);
             if over.keeps_others {
                 run.keep(Kept::new(&old, inputs));
             }
-            let mut compiled = run.make(inputs, &options, verify);
+            let mut compiled = run.compare_dubs(inputs, &options).make(inputs, &options, verify);
             if let Some(whole) = compiled.bank.take() {
                 match layer(&old, &whole, over, &options) {
                     Ok((bank, report)) => {
@@ -82,14 +84,6 @@ fn layer(
 ) -> Result<(Option<Vec<u8>>, Option<Report>), Report> {
     let new = Bank::open(whole).and_then(Bank::verify);
     let new = new.map_err(|error| Report::failure("", Code::BankDamaged, error.kind().message(), "pack it again"))?;
-    if old.voices().chain(new.voices()).next().is_some() {
-        let message = "there are dubs, and a layer cannot say of which clips: they would be lost".to_owned();
-        let help = match old.voices().next() {
-            Some(_) => "the bank below has dubs: pack the whole bank again",
-            None => "pack the whole bank again, or leave [voices] out: then the clips of dubs are clips like others",
-        };
-        return Err(Report::failure("", Code::DubInLayer, message, help));
-    }
     if let Some(layer) = between(old, &new, &over.stack.checksums)? {
         verify(&layer)?;
         return Ok((Some(layer), None));

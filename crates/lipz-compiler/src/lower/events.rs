@@ -7,6 +7,7 @@ use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order o
 use lipz_diagnostics::Report;
 use lipz_file::event::{self, Command, Event, Word};
 use lipz_layout::{EventNameRecord, EventRecord, NO_NAME, TypedEventRecord, U32};
+use lipz_layout::{VERB_BLINKS, VERB_BREATHES, VERB_LOOKS_AWAY, VERB_NODS, VERB_SHAKES};
 use lipz_layout::{
     VERB_DOES, VERB_FEELS, VERB_POINTS, VERB_SEES, VERB_STARES, VERB_STOPS_POINTING, VERB_STOPS_STARING,
 };
@@ -80,6 +81,11 @@ fn typed_record(event: &Event<'_>, sorted: &[&str]) -> TypedEventRecord {
             Command::Points(_) => VERB_POINTS,
             Command::StopsPointing => VERB_STOPS_POINTING,
             Command::Does(_) => VERB_DOES,
+            Command::Nods(_) => VERB_NODS,
+            Command::Shakes(_) => VERB_SHAKES,
+            Command::Breathes(_) => VERB_BREATHES,
+            Command::Blinks => VERB_BLINKS,
+            Command::LooksAway => VERB_LOOKS_AWAY,
         },
         reserved: [0; 7],
     }

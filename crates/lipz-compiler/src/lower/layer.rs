@@ -2,7 +2,7 @@
 
 use super::{fit, too_large};
 use lipz_diagnostics::Report;
-use lipz_layout::{LayerRecord, PART_CLIP, PART_TEXTS, U32, U64, filter_place};
+use lipz_layout::{LayerDubRecord, LayerRecord, PART_CLIP, PART_TEXTS, U32, U64, filter_place};
 use zerocopy::IntoBytes;
 
 /// What a layer says about the banks below it, before its clips have slots.
@@ -18,7 +18,13 @@ pub(crate) struct LayerDraft {
     pub(crate) parts: Vec<u8>,
     /// Tags of removed locales, ascending.
     pub(crate) removed_locales: Vec<String>,
-    /// `LAYER_BABBLE`, `LAYER_DEFAULT_LOCALE` and `LAYER_FACES`.
+    /// What changes about dubs, in the order of the ids.
+    pub(crate) dubs: Vec<LayerDubRecord>,
+    /// Clips, by their places, and locales, whose texts are those of originals.
+    pub(crate) borrowed: Vec<(usize, usize)>,
+    /// Tags of voices, that of the originals first.
+    pub(crate) voices: Vec<String>,
+    /// `LAYER_BABBLE`, `LAYER_DEFAULT_LOCALE`, `LAYER_FACES` and `LAYER_VOICES`.
     pub(crate) flags: u32,
 }
 
@@ -34,6 +40,9 @@ impl LayerDraft {
             }
         }
         let filter = self.filter(ids);
+        let place = |(clip, locale): &(usize, usize)| Some(u64::from(*slots.get(*clip)?) << 32 | *locale as u64);
+        let mut borrowed: Vec<u64> = self.borrowed.iter().filter_map(place).collect();
+        borrowed.sort_unstable();
         let record = LayerRecord {
             base_count: fit(self.bases.len(), "layers")?.into(),
             removed_count: fit(self.removed.len(), "removed clips")?.into(),
@@ -42,16 +51,20 @@ impl LayerDraft {
             removed_locale_count: fit(self.removed_locales.len(), "locales")?.into(),
             flags: self.flags.into(),
             filter_count: fit(filter.len(), "ids")?.into(),
-            reserved: [0; 4],
+            dub_count: fit(self.dubs.len(), "dubs")?.into(),
+            borrowed_count: fit(borrowed.len(), "texts of dubs")?.into(),
+            voice_count: fit(self.voices.len(), "voices")?.into(),
         };
         let numbers = |numbers: &[u64]| numbers.iter().map(|&number| U64::new(number)).collect::<Vec<_>>();
         let mut section = record.as_bytes().to_vec();
         section.extend_from_slice(numbers(&self.bases).as_bytes());
         section.extend_from_slice(numbers(&filter).as_bytes());
         section.extend_from_slice(numbers(&self.removed).as_bytes());
+        section.extend_from_slice(self.dubs.as_bytes());
+        section.extend_from_slice(numbers(&borrowed).as_bytes());
         section.extend(self.stand_ins.iter().flat_map(|&stand_in| U32::new(stand_in).to_bytes()));
         section.extend_from_slice(&parts);
-        for tag in &self.removed_locales {
+        for tag in self.voices.iter().chain(&self.removed_locales) {
             section.push(u8::try_from(tag.len()).map_err(|_| too_large("tags of locales"))?);
             section.extend_from_slice(tag.as_bytes());
         }

@@ -46,6 +46,8 @@ pub(crate) struct Beside<'o> {
     pub(crate) recordings: Cow<'o, BTreeMap<String, Recording>>,
     /// What makes the bank a layer.
     pub(crate) layer: Option<LayerDraft>,
+    /// The section of an object; empty for other banks.
+    pub(crate) export: Vec<u8>,
 }
 
 impl<'o> Beside<'o> {
@@ -57,6 +59,7 @@ impl<'o> Beside<'o> {
             faces: options.faces.section(),
             recordings: Cow::Borrowed(&options.recordings),
             layer: None,
+            export: Vec::new(),
         }
     }
 }
@@ -81,6 +84,8 @@ pub(crate) struct Layout {
     is_stripped: bool,
     /// The section of a layer; empty for other banks.
     layer: Vec<u8>,
+    /// The section of an object; empty for other banks.
+    export: Vec<u8>,
     /// For each batch of clips, their slots.
     batch_slots: Vec<Vec<u32>>,
 }
@@ -114,6 +119,7 @@ impl Layout {
             voices: voices::voices(dubs, slots)?,
             is_stripped: beside.strip,
             layer: beside.layer.map_or(Ok(Vec::new()), |layer| layer.section(&ids, slots))?,
+            export: beside.export,
             batch_slots: batch_slots(clips, slots),
             names,
             events,
@@ -165,6 +171,9 @@ impl Layout {
         }
         if !self.layer.is_empty() {
             sections.push(Section::table(Tag::LAYER, &self.layer));
+        }
+        if !self.export.is_empty() {
+            sections.push(Section::table(Tag::EXPORT, &self.export));
         }
         assemble::assemble(&sections, self.index.seed, self.records.fingerprint, |places| {
             fill::fill(self, batches, places);

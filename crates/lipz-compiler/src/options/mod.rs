@@ -1,11 +1,13 @@
 //! What a project decides about its Lipz files.
 
 mod emotions;
+mod gestures;
 mod requirements;
 mod setters;
 
 pub(crate) use emotions::Face;
 pub use emotions::{EmotionCurves, Emotions};
+pub use gestures::{GestureKeys, Gestures};
 pub use requirements::{KnownNames, MinCoverage, TextLimits};
 
 use crate::babble::BabbleProfiles;
@@ -69,10 +71,12 @@ pub struct Options {
     pub faces: FaceProfiles,
     /// How emotions in texts and events become curves.
     pub emotions: Emotions,
+    /// What faces do while something is said or heard.
+    pub gestures: Gestures,
     /// What the bank says about the recordings of clips, by key. Keys without a clip are ignored; without any entry
     /// the bank has no section about recordings.
     pub recordings: BTreeMap<String, Recording>,
-    /// When the words of clips are said, by key: where emotions change.
+    /// When the words of clips are said, by key: where emotions change, and what faces do.
     pub word_times: BTreeMap<String, WordTimes>,
     /// The languages in which lines are recorded: which clips are dubs, and whose text has the emotions that count.
     pub voices: Voices,

@@ -1,7 +1,7 @@
 //! The setters of [`Options`].
 
 use super::requirements::strings;
-use super::{Emotions, KnownNames, MinCoverage, Options, TextLimits};
+use super::{Emotions, Gestures, KnownNames, MinCoverage, Options, TextLimits};
 use crate::babble::BabbleProfiles;
 use crate::face::FaceProfiles;
 use crate::{Voices, WordTimes};
@@ -122,6 +122,12 @@ impl Options {
     #[must_use]
     pub fn emotions(self, emotions: Emotions) -> Options {
         Options { emotions, ..self }
+    }
+
+    /// Sets what faces do while something is said or heard.
+    #[must_use]
+    pub fn gestures(self, gestures: Gestures) -> Options {
+        Options { gestures, ..self }
     }
 
     /// Sets what the bank says about the recordings of clips, by key.

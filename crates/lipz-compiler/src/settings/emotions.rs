@@ -46,7 +46,7 @@ impl Reading<'_> {
     }
 
     /// A number from 0 to `most`.
-    fn within(&mut self, value: &Value<'_>, most: f64) -> Option<f64> {
+    pub(super) fn within(&mut self, value: &Value<'_>, most: f64) -> Option<f64> {
         let number: f64 = value.decimal(&mut self.diagnostics)?.parse().ok()?;
         if (0.0..=most).contains(&number) {
             return Some(number);

@@ -2,6 +2,7 @@
 
 use super::reading::Reading;
 use super::value::{Value, span};
+use crate::GestureKeys;
 use crate::face::{FaceNumbers, FaceSetting, SETTINGS, Unit, numbers};
 use lipz_bank::FaceProfile;
 use lipz_diagnostics::{Code, Diagnostic, escape, suggest::nearest};
@@ -10,9 +11,27 @@ use toml::de::DeValue;
 /// Bytes of a name that a record of the bank can count.
 const MAX_NAME_BYTES: usize = u16::MAX as usize;
 
+/// What makes gestures, by the word for it.
+const KEYS: [(&str, GestureKeys); 3] =
+    [("words", GestureKeys::Words), ("events", GestureKeys::Events), ("off", GestureKeys::Off)];
+
 impl Reading<'_> {
-    /// An entry of `[face]`: a setting of the project's own profile, or a profile with a name.
+    /// An entry of `[face]`: what the compiler makes, a setting of the project's own profile, or a profile with a name.
     pub(super) fn face(&mut self, name: &str, value: &Value<'_>) {
+        match name {
+            "keys" => return self.gesture_keys(value),
+            "nods" => {
+                let strength = self.strength(value);
+                let gestures = &mut self.settings.options.gestures;
+                return gestures.nods_thousandths = strength.unwrap_or(gestures.nods_thousandths);
+            }
+            "breath" => {
+                let strength = self.strength(value);
+                let gestures = &mut self.settings.options.gestures;
+                return gestures.breath_thousandths = strength.unwrap_or(gestures.breath_thousandths);
+            }
+            _ => {}
+        }
         let mut base = self.settings.options.faces.base;
         let is_setting = self.face_setting(name, value, &mut base);
         self.settings.options.faces.base = base;
@@ -40,6 +59,26 @@ impl Reading<'_> {
         self.settings.options.faces.named.insert(name.to_owned(), profile);
     }
 
+    /// What makes gestures.
+    fn gesture_keys(&mut self, value: &Value<'_>) {
+        let Some(text) = value.text(&mut self.diagnostics) else { return };
+        match KEYS.iter().find(|(known, _)| *known == text) {
+            Some((_, keys)) => self.settings.options.gestures.keys = *keys,
+            None => {
+                let help = match nearest(text, KEYS.map(|(known, _)| known)) {
+                    Some(near) => format!("did you mean \"{near}\"?"),
+                    None => "write \"words\", for gestures that go with what is said, \"events\" or \"off\"".to_owned(),
+                };
+                self.refuse(value, "does not say what makes gestures", &help);
+            }
+        }
+    }
+
+    /// A strength from 0 to 10, in thousandths.
+    fn strength(&mut self, value: &Value<'_>) -> Option<i32> {
+        Some((self.within(value, 10.0)? * 1000.0).round() as i32)
+    }
+
     /// Reads a setting of a profile; `false` if there is none with this name.
     fn face_setting(&mut self, name: &str, value: &Value<'_>, profile: &mut FaceNumbers) -> bool {
         let Some(place) = SETTINGS.iter().position(|setting| setting.name == name) else { return false };
@@ -58,7 +97,9 @@ impl Reading<'_> {
 
     fn unknown_face_setting(&mut self, name: &str, value: &Value<'_>) {
         let message = format!("{} is not a setting of a face profile", escape::quoted(name));
-        let help = match nearest(name, SETTINGS.map(|setting| setting.name)) {
+        let of_project = ["keys", "nods", "breath"];
+        let help = match nearest(name, SETTINGS.map(|setting| setting.name).into_iter().chain(of_project)) {
+            Some(known) if known == name => "it is one for all characters: write it in [face]".to_owned(),
             Some(known) => format!("did you mean `{known}`?"),
             None => "docs/FACE.md lists them: blink, head and others; a profile with a name is a table, [face.NAME]"
                 .to_owned(),

@@ -157,6 +157,7 @@ codes! {
     NoSuchLocale "LZ1603" "no-such-locale" Error "a bank has no such locale"
     NoSuchRule "LZ1604" "no-such-rule" Error "no rule has this code or name"
     WatchFailed "LZ1605" "watch-failed" Error "the system cannot watch files for changes"
+    BaselineEntry "LZ1606" "baseline-entry" Warning "a line of the baseline fits no diagnostic"
 
     "Recordings"
     ClipWithoutRecording "LZ1701" "clip-without-recording" Warning "a clip with mouth shapes has no recording"
@@ -190,6 +191,8 @@ codes! {
     EmotionValue "LZ1807" "emotion-value" Error "the value of an emotion is outside of 0 to 10"
     EmotionSum "LZ1808" "emotion-sum" Warning "the emotions of a face add up to more than 10"
     EmotionLocales "LZ1809" "emotion-locales" Warning "a translation has other emotions than the voice"
+    GestureValue "LZ1810" "gesture-value" Warning "the number of a gesture is above 10"
+    GestureHidden "LZ1811" "gesture-hidden" Warning "the gesture of an event moves nothing"
 
     "Translators' files"
     ExchangeSyntax "LZ1901" "exchange-syntax" Error "a translator's file is not of its format"
@@ -213,7 +216,7 @@ codes! {
     DubSegments "LZ2002" "dub-segments" Error "a dub has other segments than its original"
     DubText "LZ2003" "dub-text" Warning "a dub contradicts the text of its original"
     VoiceWithoutLocale "LZ2004" "voice-without-locale" Warning "no clip has a text in the locale of a voice"
-    DubInLayer "LZ2005" "dub-in-layer" Error "a layer cannot have dubs"
+    OtherOriginal "LZ2005" "other-original" Error "an addition has another original voice"
     DubOutOfDate "LZ2006" "dub-out-of-date" Warning "the original changed after its dub was made"
 
     "Layers"
@@ -221,4 +224,11 @@ codes! {
     LayerMisfit "LZ2102" "layer-misfit" Error "a layer does not fit the banks below it"
     LayerStripped "LZ2103" "layer-stripped" Warning "a layer gets no source section, because the bank below it has none"
     LayerAlone "LZ2104" "layer-alone" Error "a layer has only parts of some clips"
+
+    "Shards"
+    PlanUnreadable "LZ2201" "plan-unreadable" Error "a plan of shards cannot be read"
+    PlanOutdated "LZ2202" "plan-outdated" Error "a file is not what it was when the plan was made"
+    NoObject "LZ2203" "no-object" Error "a file is not the object of a shard"
+    ObjectMisfit "LZ2204" "object-misfit" Error "objects do not belong together"
+    ObjectMissing "LZ2205" "object-missing" Error "the objects of some shards are missing"
 }

@@ -6,8 +6,8 @@ use lipz_types::Emotion;
 pub type Feeling = [(Emotion, Option<i32>)];
 
 /// What the words of other sources mean: the eleven emotions of the Lipz specification, the three moods of Fallout's talking
-/// heads, and `calm`. A choice, not a fact: the sources only name them. `docs/FACE.md` shows the table.
-pub const PRESETS: [(&str, &Feeling); 14] = [
+/// heads, and `calm` and `lying`. A choice, not a fact: the sources only name them. `docs/FACE.md` shows the table.
+pub const PRESETS: [(&str, &Feeling); 15] = [
     ("neutral", &[]),
     ("calm", &[]),
     ("amused", &[(Emotion::Joy, Some(3000))]),
@@ -20,6 +20,7 @@ pub const PRESETS: [(&str, &Feeling); 14] = [
     ("afraid", &[(Emotion::Fear, None)]),
     ("thinking", &[(Emotion::Perplexed, Some(2000))]),
     ("evil", &[(Emotion::Anger, Some(5000)), (Emotion::Joy, Some(5000))]),
+    ("lying", &[(Emotion::Perplexed, Some(1000))]),
     ("good", &[(Emotion::Joy, Some(3000))]),
     ("bad", &[(Emotion::Anger, Some(3000))]),
 ];

@@ -134,6 +134,19 @@ mod tests {
     }
 
     #[test]
+    fn no_file_that_ends_early_is_a_recogniser_although_its_hash_is_right() {
+        let whole = file(&SHAPE, 0.5);
+        for length in 0..whole.len() {
+            let mut short = whole[..length].to_vec();
+            if let Some((head, content)) = short.split_at_mut_checked(HASHED) {
+                head[8..].copy_from_slice(&XxHash3_64::oneshot(content).to_le_bytes());
+            }
+            let expected = if length < MAGIC.len() { RecogniserError::OtherFile } else { RecogniserError::Damaged };
+            assert_eq!(Recogniser::from_bytes(&short).err(), Some(expected), "{length}");
+        }
+    }
+
+    #[test]
     fn numbers_that_are_none_are_refused_and_large_ones_are_no_trouble() {
         for number in [f32::NAN, f32::INFINITY] {
             assert_eq!(Recogniser::from_bytes(&file(&SHAPE, number)).err(), Some(RecogniserError::Damaged));

@@ -33,6 +33,16 @@ impl Heard {
         self.words.is_empty()
     }
 
+    /// The words, in the IPA.
+    pub(super) fn words(&self) -> impl Iterator<Item = &str> {
+        self.words.iter().map(String::as_str)
+    }
+
+    #[cfg(test)]
+    pub(super) fn of_words(words: &[&str]) -> Heard {
+        Heard { words: words.iter().map(|&word| word.to_owned()).collect() }
+    }
+
     /// What was heard, as a script: its words are written in the IPA.
     pub fn script(&self) -> Script {
         let word = |word: &String| {

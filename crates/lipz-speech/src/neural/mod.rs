@@ -1,13 +1,14 @@
 //! Phones by a neural network: what is said, when nobody has written it down.
 //!
 //! The network hears phones better than the acoustic model does, but not when they are said: so its phones become the script of
-//! the aligner. It is no part of lipz: a user adds its file.
+//! the aligner. Where there is a script, they tell whether it is what is said. It is no part of lipz: a user adds its file.
 
 mod convert;
 mod file;
 mod hear;
 mod math;
 mod network;
+mod opinion;
 mod spectrum;
 mod tokens;
 

@@ -121,6 +121,22 @@ mod tests {
     }
 
     #[test]
+    fn no_file_that_ends_early_is_a_model_although_its_hash_is_right() {
+        let whole = TrainedModel::new(Model::english().clone(), Language::ENGLISH, 0, 0, 0).to_bytes();
+        // At every byte of both heads, and of the last probabilities; between them, here and there.
+        let heads = 0..HEAD + 16 + 8 * 42;
+        let last = whole.len() - 64..whole.len();
+        for length in heads.clone().chain((heads.end..last.start).step_by(29_989)).chain(last) {
+            let mut short = whole[..length].to_vec();
+            if let Some((head, content)) = short.split_at_mut_checked(16) {
+                head[8..].copy_from_slice(&XxHash3_64::oneshot(content).to_le_bytes());
+            }
+            let expected = if length < MAGIC.len() { ModelError::OtherFile } else { ModelError::Damaged };
+            assert_eq!(TrainedModel::from_bytes(&short).err(), Some(expected), "{length}");
+        }
+    }
+
+    #[test]
     fn numbers_that_make_no_sense_are_refused_although_the_hash_is_right() {
         let model = TrainedModel::new(Model::english().clone(), Language::ENGLISH, 0, 0, 0).to_bytes();
         // A mean, a sigma, and the last probability, as numbers that are none, infinite or negative.

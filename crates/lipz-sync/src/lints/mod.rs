@@ -16,6 +16,7 @@ use lipz_compiler::{Content, Input};
 use lipz_diagnostics::{Code, Report, escape};
 use std::borrow::Cow;
 use std::fs;
+use std::path::PathBuf;
 
 /// Reports clips without a recording, recordings without a clip, and pairs that do not fit. Nothing, if the project has
 /// no folder of recordings. Files that are no Lipz files are for [`Compiler::check`](lipz_compiler::Compiler::check).
@@ -62,6 +63,11 @@ pub fn check(settings: &Settings, inputs: &[Input], progress: &(dyn Fn() + Sync)
     reports
 }
 
+/// Whether a clip with mouth shapes lacks a recording in some language.
+pub(crate) fn is_unrecorded(settings: &Settings, clip: &Clip<'_>, recordings: &Recordings, key: &str) -> bool {
+    !missing::check(settings, clip, recordings, key).is_empty()
+}
+
 /// Compares a clip with its recordings.
 fn one(
     settings: &Settings,
@@ -91,7 +97,7 @@ fn one(
             reports.extend(heard.condition.report(path));
             let before = diagnostics.len();
             diagnostics.extend(length::check(&clip, path, facts, settings.audio.tolerance_ms));
-            if let Content::File(lipz_file) = &input.content {
+            if let Some(lipz_file) = &path_of(input) {
                 let locale = recordings.locale(&input.key);
                 let spoken = spoken_text(settings, locale, &document)
                     .or_else(|| spoken_text(settings, locale, original_document.as_ref()?));
@@ -114,7 +120,16 @@ fn one(
     reports
 }
 
-fn bytes_of(input: &Input) -> Option<Cow<'_, [u8]>> {
+/// The file of an input, also of one whose text is not saved yet: what is remembered of it stays true.
+fn path_of(input: &Input) -> Option<PathBuf> {
+    match &input.content {
+        Content::File(path) => Some(path.clone()),
+        Content::Bytes { name, .. } => Some(PathBuf::from(name)).filter(|path| path.is_file()),
+    }
+}
+
+/// The bytes of a Lipz file; none if it cannot be read.
+pub(crate) fn bytes_of(input: &Input) -> Option<Cow<'_, [u8]>> {
     match &input.content {
         Content::Bytes { bytes, .. } => Some(Cow::Borrowed(bytes.as_slice())),
         Content::File(path) => fs::read(path).ok().map(Cow::Owned),

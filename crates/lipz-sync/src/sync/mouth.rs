@@ -34,14 +34,22 @@ impl Heard {
     }
 }
 
+/// What is listened to, and with what.
+pub(super) struct Hearing<'a> {
+    pub(super) sound: &'a Sound,
+    pub(super) model: &'a Model,
+    /// What a recogniser hears in it, if there is one: whether that is what the script says.
+    pub(super) opinion: Option<&'a lipz_speech::Heard>,
+}
+
 /// The mouth of a sound.
 pub(super) fn make(
-    sound: &Sound,
+    hearing: &Hearing<'_>,
     script: &Script,
-    model: &Model,
     (viseme_type, fps): (VisemeType, Fps),
     options: &SyncOptions,
 ) -> Heard {
+    let Hearing { sound, model, opinion } = *hearing;
     if viseme_type == VisemeType::Rms {
         let mouth = rms(sound, fps, &options.rms);
         return Heard { codes: mouth.frames, segment_starts: mouth.segment_starts, ..Heard::default() };
@@ -51,7 +59,8 @@ pub(super) fn make(
     let alignment = if script.words.is_empty() { aligner.listen(sound) } else { aligner.align(sound, script) };
     let mouth = render(&alignment, viseme_type, fps, &options.rules);
     let doubtful = doubtful(&alignment, script);
-    let mismatches = alignment.mismatches;
+    let mismatches = opinion.map(|opinion| opinion.mismatches(script, &alignment));
+    let mismatches = mismatches.unwrap_or(alignment.mismatches);
     Heard { codes: mouth.frames, segment_starts: mouth.segment_starts, words: alignment.words, doubtful, mismatches }
 }
 

@@ -181,11 +181,14 @@ fn hear(
     let condition = Condition::of(&sound);
     let is_unwritten = script.words.is_empty() && viseme_type != VisemeType::Rms;
     let phones = match options.recogniser.as_ref().filter(|_| is_unwritten) {
-        Some(recogniser) => Some(recognised(recogniser, job)?),
+        Some(recogniser) => Some(recognised(recogniser, job)?.script()),
         None => None,
     };
+    let opinion = options.recogniser.as_ref().filter(|_| !script.words.is_empty() && !condition.is_silent());
+    let opinion = opinion.map(|recogniser| recognised(recogniser, job)).transpose()?;
     let script = phones.as_ref().unwrap_or(script);
-    let mut heard = mouth::make(&sound, script, options.model_of(locale), (viseme_type, fps), options);
+    let hearing = mouth::Hearing { sound: &sound, model: options.model_of(locale), opinion: opinion.as_ref() };
+    let mut heard = mouth::make(&hearing, script, (viseme_type, fps), options);
     if condition.is_silent() || phones.is_some() {
         heard.forget_words(); // of what cannot be heard, nothing else needs to be said
     }
@@ -196,11 +199,11 @@ fn hear(
     Ok(heard)
 }
 
-/// What a recogniser hears in a recording, as a script.
-fn recognised(recogniser: &Recogniser, job: &Job) -> Result<Script, Report> {
+/// What a recogniser hears in a recording.
+fn recognised(recogniser: &Recogniser, job: &Job) -> Result<lipz_speech::Heard, Report> {
     let file = File::open(&job.recording).map_err(|error| unreadable(&job.recording, &error))?;
     let heard = recogniser.hear(BufReader::new(file), extension(&job.recording));
-    Ok(heard.map_err(|error| no_sound(&job.recording, &error))?.script())
+    heard.map_err(|error| no_sound(&job.recording, &error))
 }
 
 /// A Lipz file that gets a mouth.

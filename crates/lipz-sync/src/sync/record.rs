@@ -130,6 +130,9 @@ impl SyncRecord {
 
     /// All that is known of how the mouth of a Lipz file was made.
     pub fn lines_for(&self, lipz_file: &Path) -> &[Line] {
+        if self.lines.is_empty() {
+            return &[];
+        }
         self.lines.get(&self.name(lipz_file)).map_or(&[], Vec::as_slice)
     }
 

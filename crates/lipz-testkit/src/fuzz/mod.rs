@@ -9,6 +9,7 @@ mod file;
 mod foreign;
 mod forged_bank;
 mod layers;
+mod learnt;
 mod round_trip;
 mod second_life;
 mod sound;
@@ -19,6 +20,7 @@ pub use file::{parse, rewrite};
 pub use foreign::{foreign, kind_of_foreign};
 pub use forged_bank::forged_bank;
 pub use layers::layers;
+pub use learnt::{recogniser, trained_model};
 pub use round_trip::round_trip;
 pub use second_life::second_life;
 pub use sound::{sound, sync_record};
@@ -30,20 +32,29 @@ pub struct Target {
     pub name: &'static str,
     /// What must hold.
     pub check: fn(&[u8]),
+    /// How many changed copies of each seed the tests try: fewer where a check takes milliseconds.
+    pub copies: u64,
 }
 
+/// A check takes less than a millisecond.
+const QUICK: u64 = 2_000;
+/// A check takes tens of them.
+const SLOW: u64 = 100;
+
 /// All fuzz targets.
-pub const TARGETS: [Target; 12] = [
-    Target { name: "bank", check: bank },
-    Target { name: "text_bank", check: text_bank },
-    Target { name: "forged_bank", check: forged_bank },
-    Target { name: "layers", check: layers },
-    Target { name: "parse", check: parse },
-    Target { name: "foreign", check: foreign },
-    Target { name: "second_life", check: second_life },
-    Target { name: "texts", check: texts },
-    Target { name: "rewrite", check: rewrite },
-    Target { name: "round_trip", check: round_trip },
-    Target { name: "sound", check: sound },
-    Target { name: "sync_record", check: sync_record },
+pub const TARGETS: [Target; 14] = [
+    Target { name: "bank", check: bank, copies: QUICK },
+    Target { name: "text_bank", check: text_bank, copies: QUICK },
+    Target { name: "forged_bank", check: forged_bank, copies: QUICK },
+    Target { name: "layers", check: layers, copies: QUICK },
+    Target { name: "parse", check: parse, copies: QUICK },
+    Target { name: "foreign", check: foreign, copies: QUICK },
+    Target { name: "second_life", check: second_life, copies: QUICK },
+    Target { name: "texts", check: texts, copies: QUICK },
+    Target { name: "rewrite", check: rewrite, copies: QUICK },
+    Target { name: "round_trip", check: round_trip, copies: QUICK },
+    Target { name: "sound", check: sound, copies: QUICK },
+    Target { name: "sync_record", check: sync_record, copies: QUICK },
+    Target { name: "trained_model", check: trained_model, copies: SLOW },
+    Target { name: "recogniser", check: recogniser, copies: SLOW },
 ];

@@ -1,36 +1,39 @@
-//! `lipz inspect`: what is in a bank.
+//! `lipz inspect`: what is in a bank, or in the Lipz files that one is made of.
 
 use crate::Abort;
 use crate::Ended;
 use crate::commands::Run;
 use crate::reporter::Reporter;
 use crate::shared::bank_file::BankFile;
+use crate::shared::bank_or_sources::Dialogue;
 use crate::shared::locales::choose;
-use crate::shared::text_banks::{TextBanks, TextFiles};
 use crate::{Outcome, console};
 use clap::Args;
 use lipz_bank::{Bank, Locale};
-use lipz_compiler::inspect::{BankSummary, ClipDetails, ClipSummary, LayerSummary, timeline};
-use lipz_compiler::{BankWithTexts, face};
+use lipz_compiler::inspect::{BankSummary, ClipDetails, ClipSummary, LayerSummary, Timeline};
+use lipz_compiler::{BankWithTexts, MinCoverage, face};
 use lipz_diagnostics::{Code, Report, escape, suggest};
 use std::fmt::Write;
 use std::iter::zip;
-use std::path::PathBuf;
 use unicode_width::UnicodeWidthStr;
 
-/// Show what is in a bank: a summary, the list of clips, or one clip as a timeline.
+/// Show what is in a bank or in Lipz files: a summary, the list of clips, or one clip as a timeline.
+///
+/// Lipz files are packed in memory, with the flags of `lipz pack`. A file that is named alone is shown at once. A timeline
+/// has the texts of the default locale under the mouth, or those of the first `--locale`.
 #[derive(Args, Debug)]
-#[command(override_usage = "lipz inspect <BANK> [KEY] [OPTIONS]")]
+#[command(override_usage = "lipz inspect [BANK] [KEY] [OPTIONS]")]
 #[command(after_help = "Examples:
+  lipz inspect voices/act1/mara-hello.lipz
+  lipz inspect voices act1/mara-hello --locale de-de
   lipz inspect dialogue.lipzbank
   lipz inspect dialogue.lipzbank --list act1/
   lipz inspect dialogue.lipzbank act1/mara-hello --locale de-de
   lipz inspect dialogue.lipzbank act1/mara-hello --json
   lipz inspect dialogue.lipzbank act1/mara-hello --texts dialogue.de-de.lipztexts")]
 pub(crate) struct Inspect {
-    /// The bank to read; `-` reads it from standard input
-    #[arg(value_name = "BANK")]
-    pub(crate) bank: PathBuf,
+    #[command(flatten)]
+    dialogue: Dialogue,
 
     /// The clip to show
     #[arg(value_name = "KEY")]
@@ -40,11 +43,8 @@ pub(crate) struct Inspect {
     #[arg(long, value_name = "PREFIX", num_args = 0..=1, default_missing_value = "", conflicts_with = "key")]
     pub(crate) list: Option<String>,
 
-    #[command(flatten)]
-    texts: TextBanks,
-
     /// Show texts in this locale only; may be given several times
-    #[arg(long, value_name = "LOCALE", requires = "key")]
+    #[arg(long, value_name = "LOCALE", conflicts_with = "list")]
     pub(crate) locale: Vec<String>,
 
     /// Print JSON
@@ -58,18 +58,36 @@ impl Run for Inspect {
     }
 
     fn run(&self, reporter: &mut Reporter) -> Ended {
-        let file = BankFile::open(&self.bank, reporter)?;
+        let file = self.bank(reporter)?;
         let bank = file.bank(reporter)?;
-        let text_files = TextFiles::open(&self.texts.texts, reporter)?;
+        let text_files = self.dialogue.text_files(reporter)?;
         let texts = text_files.verified(&bank, reporter)?;
         let whole = BankWithTexts::new(&bank, &texts);
         let json = reporter.wants_json(self.json);
-        match (&self.key, &self.list) {
-            (Some(key), _) => clip(&bank, key, &whole.locales(), &file.name, self, reporter)?,
-            (None, Some(prefix)) => list(&bank, prefix, json, reporter)?,
+        let only =
+            bank.clips().next().filter(|_| self.dialogue.names_file() && bank.clip_count() == 1).map(|clip| clip.key());
+        match (self.key.as_deref().or(only), &self.list) {
+            (_, Some(prefix)) => list(&bank, prefix, json, reporter)?,
+            (None, None) if !self.locale.is_empty() => {
+                let tip = "name a clip of the bank, or a Lipz file";
+                return Err(reporter.usage("`--locale` is about the texts of one clip, and none is named", tip));
+            }
+            (Some(key), None) => clip(&bank, key, &whole.locales(), &file.name, self, reporter)?,
             (None, None) => summary(&BankSummary::from_bank(whole), &file.name, json, reporter)?,
         }
         Ok(Outcome::Clean)
+    }
+}
+
+impl Inspect {
+    /// The bank. Who looks at clips has not translated all of them yet.
+    fn bank(&self, reporter: &mut Reporter) -> Result<BankFile, Abort> {
+        if self.dialogue.is_bank() {
+            return self.dialogue.bank(reporter);
+        }
+        let mut project = self.dialogue.project(reporter)?;
+        project.settings.options.min_coverage = MinCoverage::default();
+        self.dialogue.bank_of(&project, reporter)
     }
 }
 
@@ -103,7 +121,11 @@ fn clip(
     if reporter.wants_json(arguments.json) {
         return reporter.print_json(&ClipDetails::new(&clip, &locales));
     }
-    reporter.print(&timeline(&clip, &locales, console::width()))
+    if arguments.locale.is_empty() {
+        // The first is the one that the bands show.
+        locales.sort_by_key(|locale| !locale.is_default());
+    }
+    reporter.print(&Timeline::default().width(console::width()).styled(true).render(&clip, &locales))
 }
 
 /// Keys that contain the last part of the one asked for, or else are spelled almost like it.

@@ -15,13 +15,17 @@ pub(crate) mod ids;
 pub(crate) mod import;
 pub(crate) mod init;
 pub(crate) mod inspect;
+pub(crate) mod link;
+pub(crate) mod lsp;
 pub(crate) mod man;
 pub(crate) mod maps;
 pub(crate) mod merge;
 pub(crate) mod new;
 pub(crate) mod pack;
+pub(crate) mod preview;
 pub(crate) mod recogniser;
 pub(crate) mod schema;
+pub(crate) mod shard;
 pub(crate) mod stats;
 pub(crate) mod subtitles;
 pub(crate) mod sync;
@@ -42,53 +46,72 @@ pub(crate) trait Run {
     fn run(&self, reporter: &mut Reporter) -> Ended;
 }
 
-/// Makes the list of commands, in the order of `lipz --help`: name and arguments of each.
+/// Makes the list of commands, in the order of `lipz --help`: who uses them, then name and arguments of each.
 macro_rules! commands {
-    ($($name:ident($arguments:path),)+) => {
+    ($($group:literal { $($name:ident($arguments:path),)+ })+) => {
         #[derive(Subcommand, Debug)]
         pub(crate) enum Command {
-            $($name($arguments),)+
+            $($($name($arguments),)+)+
         }
 
         impl Command {
             /// What the command does.
             pub(crate) fn task(&self) -> &dyn Run {
                 match self {
-                    $(Command::$name(arguments) => arguments,)+
+                    $($(Command::$name(arguments) => arguments,)+)+
                 }
             }
         }
+
+        /// The commands by who uses them, as help lists them. clap's own `help` closes the list.
+        pub(crate) const GROUPS: &[(&str, &[&str])] = &[$(($group, &[$(stringify!($name)),+]),)+ ("Help", &["help"])];
     };
 }
 
 commands! {
-    Pack(pack::Pack),
-    Watch(watch::Watch),
-    Check(check::Check),
-    Init(init::Init),
-    New(new::New),
-    Fmt(fmt::Fmt),
-    Convert(convert::Convert),
-    Sync(sync::SyncArguments),
-    Recogniser(recogniser::RecogniserArguments),
-    Import(import::Import),
-    Export(export::Export),
-    Subtitles(subtitles::Subtitles),
-    Texts(texts::Texts),
-    Accept(accept::Accept),
-    Maps(maps::Maps),
-    Unpack(unpack::Unpack),
-    Merge(merge::Merge),
-    Verify(verify::Verify),
-    Inspect(inspect::Inspect),
-    Diff(diff::Diff),
-    Coverage(coverage::CoverageArguments),
-    Stats(stats::Stats),
-    Ids(ids::Ids),
-    Babble(babble::BabbleArguments),
-    Fallout(fallout::Fallout),
-    Explain(explain::Explain),
-    Schema(schema::Schema),
-    Completions(completions::Completions),
-    Man(man::ManPages),
+    "Begin a project" {
+        Init(init::Init),
+        New(new::New),
+    }
+    "For writers and animators" {
+        Check(check::Check),
+        Fmt(fmt::Fmt),
+        Preview(preview::PreviewArguments),
+        Inspect(inspect::Inspect),
+        Convert(convert::Convert),
+        Explain(explain::Explain),
+    }
+    "From recordings and other tools" {
+        Sync(sync::SyncArguments),
+        Import(import::Import),
+        Export(export::Export),
+        Maps(maps::Maps),
+        Recogniser(recogniser::RecogniserArguments),
+        Babble(babble::BabbleArguments),
+        Fallout(fallout::Fallout),
+    }
+    "For translators" {
+        Texts(texts::Texts),
+        Subtitles(subtitles::Subtitles),
+        Coverage(coverage::CoverageArguments),
+        Accept(accept::Accept),
+    }
+    "For programmers and builds" {
+        Pack(pack::Pack),
+        Watch(watch::Watch),
+        Ids(ids::Ids),
+        Verify(verify::Verify),
+        Diff(diff::Diff),
+        Stats(stats::Stats),
+        Merge(merge::Merge),
+        Shard(shard::ShardArguments),
+        Link(link::LinkArguments),
+        Unpack(unpack::Unpack),
+    }
+    "For editors and shells" {
+        Lsp(lsp::Lsp),
+        Schema(schema::Schema),
+        Completions(completions::Completions),
+        Man(man::ManPages),
+    }
 }

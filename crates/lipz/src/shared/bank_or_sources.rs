@@ -3,7 +3,7 @@
 use crate::Abort;
 use crate::reporter::Reporter;
 use crate::shared::bank_file::BankFile;
-use crate::shared::inputs::with_inputs;
+use crate::shared::inputs::{find, with_inputs};
 use crate::shared::settings_file::Project;
 use crate::shared::sources::ProjectArguments;
 use crate::shared::text_banks::{TextBanks, TextFiles};
@@ -12,6 +12,8 @@ use clap::Args;
 use lipz_compiler::is_pattern;
 use lipz_compiler::key::EXTENSION;
 use lipz_compiler::settings::Settings;
+use lipz_diagnostics::reports::have_errors;
+use lipz_sync::Recorded;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
@@ -36,6 +38,23 @@ impl Dialogue {
         bank_or_sources(self.bank.as_deref(), &self.arguments, reporter)
     }
 
+    /// The same, and of Lipz files, how much of them is recorded, if their project has recordings.
+    pub(crate) fn bank_and_recorded(&self, reporter: &mut Reporter) -> Result<(BankFile, Option<Recorded>), Abort> {
+        if self.is_bank() {
+            return Ok((self.bank(reporter)?, None));
+        }
+        let project = self.project(reporter)?;
+        let bank = self.bank_of(&project, reporter)?;
+        let (inputs, _) = find(&project.settings);
+        let (recorded, reports) = Recorded::count(&project.settings, &inputs);
+        if have_errors(&reports) {
+            let outcome = Outcome::from_reports(&reports);
+            return Err(reporter.abort(reports, outcome));
+        }
+        reporter.add(reports);
+        Ok((bank, recorded))
+    }
+
     /// The project to which the bank or the Lipz files belong.
     pub(crate) fn project(&self, reporter: &mut Reporter) -> Result<Project, Abort> {
         self.arguments.project(self.bank.as_slice(), reporter)
@@ -52,6 +71,11 @@ impl Dialogue {
     /// Whether it is a bank, and not Lipz files.
     pub(crate) fn is_bank(&self) -> bool {
         self.bank.as_ref().is_some_and(|bank| !names_lipz_files(bank))
+    }
+
+    /// Whether a file or a pattern of Lipz files is named, and no folder.
+    pub(crate) fn names_file(&self) -> bool {
+        self.bank.as_ref().is_some_and(|path| names_lipz_files(path) && !path.is_dir())
     }
 
     /// Whether to show no progress.
@@ -98,7 +122,7 @@ pub(crate) fn packed(settings: &Settings, quiet: bool, reporter: &mut Reporter) 
 }
 
 /// Whether a path is that of Lipz files: a folder, a pattern, a file `.lipz`.
-fn names_lipz_files(path: &Path) -> bool {
+pub(crate) fn names_lipz_files(path: &Path) -> bool {
     let is_lipz = |extension: &OsStr| extension.eq_ignore_ascii_case(EXTENSION);
     path.is_dir() || path.extension().is_some_and(is_lipz) || is_pattern(path)
 }

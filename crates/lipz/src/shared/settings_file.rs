@@ -32,6 +32,11 @@ pub(crate) struct Project {
 }
 
 impl Project {
+    /// A project that an editor has found.
+    pub(crate) fn found_by_editor(settings: Settings, file: Option<PathBuf>) -> Project {
+        Project { settings, file, is_named: false }
+    }
+
     /// The settings file, if it was found in another folder than the current one.
     pub(crate) fn found(&self) -> Option<&Path> {
         self.file.as_deref().filter(|file| !self.is_named && *file != Path::new(FILE_NAME))

@@ -75,6 +75,11 @@ impl Sources {
         &self.sources
     }
 
+    /// Threads to use, if that is said.
+    pub(crate) fn threads(&self) -> Option<usize> {
+        self.arguments.threads.map(usize::from)
+    }
+
     /// Whether to show diagnostics only.
     pub(crate) fn is_quiet(&self) -> bool {
         self.arguments.quiet

@@ -61,8 +61,11 @@ impl RecordFile {
 
     /// What the record calls a Lipz file: its path below the folder of the record.
     pub(crate) fn name(&self, input: &Input) -> String {
-        let Content::File(path) = &input.content else { return input.key.clone() };
-        let path = from_root(&self.current, path);
+        let path = match &input.content {
+            Content::File(path) => from_root(&self.current, path),
+            // The text of a file that is not saved yet.
+            Content::Bytes { name, .. } => from_root(&self.current, Path::new(name)),
+        };
         let below = path.strip_prefix(&self.folder).unwrap_or(&path);
         let parts = below.components().map(|part| part.as_os_str().to_string_lossy());
         parts.collect::<Vec<_>>().join("/")
@@ -143,7 +146,7 @@ fn place(project: &Project) -> PathBuf {
 }
 
 /// A path from the root, without `.` and `..`.
-fn from_root(current: &Path, path: &Path) -> PathBuf {
+pub(crate) fn from_root(current: &Path, path: &Path) -> PathBuf {
     let mut whole = PathBuf::new();
     for part in current.join(path).components() {
         match part {

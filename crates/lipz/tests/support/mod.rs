@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "each test program uses a part of this")]
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test stops at the first surprise")]
 
+pub(crate) mod editor;
 pub(crate) mod forge;
 pub(crate) mod sound;
 
@@ -57,7 +58,7 @@ pub(crate) fn assert_sarif(document: &serde_json::Value) {
 /// The commands that `lipz --help` lists.
 pub(crate) fn commands() -> Vec<String> {
     let help = lipz(&repository(), ["--help"]).stdout;
-    let list = help.split("Commands:\n").nth(1).unwrap().split("\n\n").next().unwrap();
+    let list = help.split("Usage: ").nth(1).unwrap().split("\nOptions:\n").next().unwrap();
     let names = list.lines().filter(|line| line.starts_with("  ") && !line.starts_with("   "));
     let names = names.filter_map(|line| line.split_whitespace().next()).filter(|name| *name != "help");
     names.map(str::to_owned).collect()

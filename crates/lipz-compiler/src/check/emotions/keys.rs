@@ -35,12 +35,7 @@ pub(super) fn add(changes: BTreeMap<Option<String>, Vec<Change>>, clip: &mut Cli
             }
         }
     }
-    if all.is_empty() {
-        return;
-    }
-    all.extend(clip.curves.iter().map(|(name, keys)| (name.to_owned(), keys.to_vec())));
-    clip.curves.clear();
-    all.into_iter().for_each(|(name, keys)| clip.curves.push(&name, keys));
+    clip.curves.add_missing(all);
 }
 
 /// The keys of one attribute, in a clip of so many frames.

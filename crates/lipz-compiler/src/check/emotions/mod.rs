@@ -5,6 +5,7 @@ mod markup;
 
 use super::Spoken;
 use super::elements::Roles;
+use super::share::share_of_segment;
 use crate::clip::{ClipData, Locales};
 use crate::options::{EmotionCurves, Face};
 use crate::{KnownNames, Options, WordTime};
@@ -41,19 +42,14 @@ pub(super) fn curves(
                 known.unknown_terms(&blend, Some(event.command.object()), &span, &mut faces.found);
                 let whole = span_of_blend(events, range.start, &blend);
                 let character = event.character.map(|word| word.text);
-                faces.change(character, faces.start(segment), &blend, whole, &span);
+                faces.change(character, faces.clip.segment_start(segment), &blend, whole, &span);
             }
         }
     }
-    let mut texts: Vec<_> = roles.texts.iter().filter(|_| !options.literal_braces && !clip.has_joined).collect();
-    texts.sort_by_key(|text| {
-        let tag = locales.tag(text.locale);
-        let is_of_voice = spoken.locale == Some(tag);
-        (!is_of_voice, Some(tag) != options.default_locale.as_deref(), tag)
-    });
+    let may_have_meta = !options.literal_braces && !clip.has_joined;
     // The first text is that of the voice, if it has emotions; else the first one that has.
     let mut voice: Option<(&JsonString<'_>, Vec<Markup<'_>>)> = None;
-    for text in texts {
+    for text in roles.texts_by_voice(options, spoken, locales).into_iter().filter(|_| may_have_meta) {
         let markup = Markup::all(&text.string.text, &known);
         match &voice {
             _ if markup.is_empty() => {}
@@ -76,6 +72,25 @@ pub(super) fn curves(
     }
     diagnostics.extend(found);
     keys::add(changes, clip);
+}
+
+/// Whether a face in the events of a segment becomes a curve.
+pub(super) fn are_in_events(segment: &str, options: &Options) -> bool {
+    become_curves(event::parts(segment).filter_map(event::Part::feeling).map(|(_, blend)| blend), options)
+}
+
+/// Whether a face in the meta of a text becomes a curve.
+pub(super) fn are_in_text(text: &str, options: &Options) -> bool {
+    let known = Known { options, names: &options.known_names };
+    become_curves(Markup::all(text, &known).into_iter().map(|mark| mark.blend), options)
+}
+
+fn become_curves<'t>(mut blends: impl Iterator<Item = Blend<'t>>, options: &Options) -> bool {
+    match options.emotions.curves {
+        EmotionCurves::Off => false,
+        EmotionCurves::Values => blends.any(|blend| blend.has_value()),
+        EmotionCurves::All => blends.next().is_some(),
+    }
 }
 
 /// The names of emotions.
@@ -141,25 +156,17 @@ struct Faces<'c> {
 }
 
 impl Faces<'_> {
-    /// The first frame of a segment.
-    fn start(&self, segment: usize) -> u32 {
-        let end = self.clip.frames.len() as u32;
-        self.clip.starts.get(segment).copied().unwrap_or(end)
-    }
-
     /// The frame of a mark: when the word behind it starts, if that is known; else its share of the segment, by the letters
     /// before it. What stands before the first word holds from the start of the segment.
     fn at(&self, mark: &Markup<'_>, words: &[WordTime]) -> u32 {
-        let (start, end) = (self.start(mark.segment), self.start(mark.segment + 1));
+        let (start, end) = (self.clip.segment_start(mark.segment), self.clip.segment_start(mark.segment + 1));
         let is_inside = 0 < mark.letters_before && mark.letters_before < mark.letters;
         let next = words.get(words.partition_point(|word| word.range.start < mark.range.end)).filter(|_| is_inside);
         if let Some((next, fps)) = next.zip(self.clip.fps) {
             let frame = fps.frame_at(lipz_bank::Micros(i64::from(next.start_ms) * 1000)).unwrap_or(0);
             return frame.clamp(start, end);
         }
-        let frames = u64::from(end.saturating_sub(start));
-        let letters = (mark.letters_before as u64, mark.letters.max(1) as u64);
-        start + ((2 * frames * letters.0 + letters.1) / (2 * letters.1)) as u32
+        share_of_segment(start..end, mark.letters_before, mark.letters)
     }
 
     /// Notes that a face changes at a frame, and what is wrong with that.

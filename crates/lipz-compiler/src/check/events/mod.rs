@@ -34,6 +34,14 @@ pub(super) fn trimmed<'t>(
     trimmed
 }
 
+/// Whether nothing is wrong with the events of a segment.
+pub(super) fn is_clean(segment: &str, known_names: &KnownNames) -> bool {
+    match event::parse(segment) {
+        Some(mut events) => events.all(|event| names::unknown(&event, known_names).next().is_none()),
+        None => near_miss::near_misses(segment, known_names).next().is_none(),
+    }
+}
+
 /// What is wrong with the events of an element.
 struct EventDiagnostics<'e> {
     string: &'e JsonString<'e>,

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 const LISTED: usize = 20;
 
 /// The emotions of the specification, then those that lipz adds: the twelve attributes, and other presets.
-const FEELINGS: [&str; 26] = [
+const FEELINGS: [&str; 27] = [
     "neutral",
     "amused",
     "happy",
@@ -34,6 +34,7 @@ const FEELINGS: [&str; 26] = [
     "exertion",
     "shout",
     "calm",
+    "lying",
     "good",
     "bad",
 ];

@@ -16,6 +16,21 @@ const VERBS: [&str; 5] = ["feels", "sees", "stares", "points", "does"];
 const STOPS: &str = "stops";
 const STOPPED: [&str; 2] = ["staring", "pointing"];
 
+/// Verbs of gestures, which a number may follow or nothing, and other forms of them.
+const GESTURES: [(&str, &str); 8] = [
+    ("nods", "nods"),
+    ("nod", "nods"),
+    ("shakes", "shakes"),
+    ("shake", "shakes"),
+    ("breathes", "breathes"),
+    ("breathe", "breathes"),
+    ("breath", "breathes"),
+    ("breaths", "breathes"),
+];
+/// What eyes do without an object, as `looks away` and in other forms.
+const LOOKS: [&str; 2] = ["looks", "look"];
+const AWAY: &str = "away";
+
 /// Words that stand for verbs although they are spelled otherwise.
 const OTHERWISE: [(&str, &str); 3] = [("do", "does"), ("look", "sees"), ("looks", "sees")];
 /// English verbs that are one letter from a verb of the syntax, and not meant for it.
@@ -95,6 +110,13 @@ impl<'t> Reading<'t, '_> {
     fn near(self, words: &[Word<'t>]) -> Option<NearMiss<'t>> {
         match words {
             [verb, object] if is_nearly(verb.text, STOPS) => self.stops(*verb, *object),
+            [verb, away] if is_nearly(away.text, AWAY) && LOOKS.iter().any(|looks| is_nearly(verb.text, looks)) => {
+                Some(self.fault(verb.start..away.range().end, Fault::Verb, "looks", AWAY))
+            }
+            [verb, number] if is_number(number.text) => {
+                let (_, meant) = GESTURES.iter().find(|(other, _)| is_nearly(verb.text, other))?;
+                Some(self.fault(verb.range(), Fault::Verb, meant, number.text))
+            }
             [verb, object] => self.misspelt(*verb, *object),
             [verb, between @ .., object] => self.too_many_words(*verb, between, *object),
             _ => None,
@@ -144,6 +166,11 @@ impl<'t> Reading<'t, '_> {
         };
         NearMiss { at, fault: fault(words, meant) }
     }
+}
+
+/// Whether a word is the number of a gesture.
+fn is_number(word: &str) -> bool {
+    word.bytes().all(|byte| byte.is_ascii_digit())
 }
 
 /// The verb with an object that a word is, or that was meant by it.
@@ -214,6 +241,10 @@ mod tests {
             ("amy stops pionting", "stops pionting", "amy stops pointing"),
             ("feels very sad", "very", "feels sad"),
             ("points at butler", "at", "points butler"),
+            ("nodds 4", "nodds", "nods 4"),
+            ("amy shake 2", "shake", "amy shakes 2"),
+            ("breath 6", "breath", "breathes 6"),
+            ("look away", "look away", "looks away"),
         ];
         let with_names = [
             ("stare door", "stare", "stares door"),

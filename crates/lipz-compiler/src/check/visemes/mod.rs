@@ -7,7 +7,7 @@ mod type_name;
 mod wrong_code;
 
 pub(super) use instead::DELIMITER_LOOKALIKES;
-pub(super) use never_opens::never_opens;
+pub(super) use never_opens::{are_legal, never_opens, stay_shut};
 pub(super) use type_name::viseme_type;
 
 use crate::clip::ClipData;
@@ -36,19 +36,18 @@ pub(super) fn frames(
     clip: &mut ClipData,
     diagnostics: &mut Vec<Diagnostic>,
 ) {
-    let (frames, starts) = (&mut clip.frames, &mut clip.starts);
     // Looked for in the whole, without a branch per code: it is hardly ever there.
     let has_white_space = string.text.bytes().fold(false, |found, byte| found | is_white_space(byte));
-    for range in text::segments(&string.text) {
-        // A source file has less than 2²⁸ bytes.
-        starts.push(u32::try_from(frames.len()).unwrap_or(u32::MAX));
-        let codes = &string.text.as_bytes()[range];
-        if has_white_space {
-            frames.extend(codes.iter().filter(|code| !is_white_space(**code)));
-        } else {
-            frames.extend_from_slice(codes);
+    divide(&string.text, clip);
+    if has_white_space {
+        clip.frames.clear();
+        clip.starts.clear();
+        for range in text::segments(&string.text) {
+            clip.starts.push(clip.frames.len() as u32);
+            clip.frames.extend(string.text.as_bytes()[range].iter().filter(|code| !is_white_space(**code)));
         }
     }
+    let frames = &clip.frames;
     let legal = match expected {
         Expected::Named(viseme_type) | Expected::Default(viseme_type) => viseme_type.contains_all(frames),
         Expected::Any => VisemeType::ALL.iter().any(|viseme_type| viseme_type.contains_all(frames)),
@@ -59,6 +58,14 @@ pub(super) fn frames(
     }
     if !legal {
         wrong_code::report(string, expected, diagnostics);
+    }
+}
+
+/// Gives the clip all codes between delimiters, and the start frame of each segment.
+pub(super) fn divide(codes: &str, clip: &mut ClipData) {
+    for range in text::segments(codes) {
+        clip.starts.push(clip.frames.len() as u32); // a source file has less than 2²⁸ bytes
+        clip.frames.extend_from_slice(&codes.as_bytes()[range]);
     }
 }
 

@@ -10,12 +10,7 @@ const HUMMED: [char; 6] = ['h', 'm', 'n', 'H', 'M', 'N'];
 
 /// Reports a clip with a text whose frames are all rest or closed lips. The texts of `clip` are complete.
 pub(in crate::check) fn never_opens(string: &JsonString<'_>, clip: &ClipData, diagnostics: &mut Vec<Diagnostic>) {
-    let is_shut = |code: &u8| match clip.viseme_type {
-        Some(viseme_type) => Viseme::from_code(*code).openness(viseme_type) == Weight::default(),
-        // `M`, `A` and `0` are other shapes in each type; rest is `-` in all.
-        None => VisemeType::ALL.iter().all(|kind| Viseme::from_code(*code).openness(*kind) == Weight::default()),
-    };
-    if clip.frames.is_empty() || !clip.frames.iter().all(is_shut) || !are_legal(clip) {
+    if !stay_shut(clip) || !are_legal(clip) {
         return;
     }
     let is_at_rest = clip.frames.iter().all(|code| matches!(code, b'-' | b'0'));
@@ -35,8 +30,18 @@ pub(in crate::check) fn never_opens(string: &JsonString<'_>, clip: &ClipData, di
     }
 }
 
+/// Whether all frames of the clip, if it has any, are rest or closed lips.
+pub(in crate::check) fn stay_shut(clip: &ClipData) -> bool {
+    let is_shut = |code: &u8| match clip.viseme_type {
+        Some(viseme_type) => Viseme::from_code(*code).openness(viseme_type) == Weight::default(),
+        // `M`, `A` and `0` are other shapes in each type; rest is `-` in all.
+        None => VisemeType::ALL.iter().all(|kind| Viseme::from_code(*code).openness(*kind) == Weight::default()),
+    };
+    !clip.frames.is_empty() && clip.frames.iter().all(is_shut)
+}
+
 /// Whether the codes are of the clip's type; wrong ones are reported already, and may mean anything.
-fn are_legal(clip: &ClipData) -> bool {
+pub(in crate::check) fn are_legal(clip: &ClipData) -> bool {
     match clip.viseme_type {
         Some(viseme_type) => viseme_type.contains_all(&clip.frames),
         None => VisemeType::ALL.iter().any(|viseme_type| viseme_type.contains_all(&clip.frames)),

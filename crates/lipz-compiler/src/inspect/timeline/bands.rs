@@ -1,41 +1,85 @@
-//! The bands: time ruler, mouth shapes and segments of as many frames as fit into a line.
+//! The bands: time ruler, heights of the mouth, mouth shapes, segments, texts and events of as many frames as fit
+//! into a line.
 
+use super::events::Events;
+use super::palette::{Palette, Row};
 use super::ruler::ruler;
-use lipz_bank::Clip;
-use std::fmt::Write;
+use super::texts::Texts;
+use lipz_bank::{Clip, Locale, Segment, Viseme};
 use std::ops::Range;
 
 /// Blanks before the bands.
 const MARGIN: usize = 2;
 
-/// All frames of the clip.
-pub(super) fn bands(out: &mut String, clip: &Clip<'_, '_>, width: usize) {
+/// From a mouth that is closed while it speaks to one that is wide open.
+const HEIGHTS: [char; 8] = ['▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'];
+
+/// [`openness`](Viseme::openness) that is one step more, in ten-thousandths.
+const STEP_TEN_THOUSANDTHS: u16 = 10_000 / HEIGHTS.len() as u16;
+
+/// All frames of the clip, with its texts in this locale.
+pub(super) fn bands(out: &mut String, clip: &Clip<'_, '_>, locale: Option<Locale<'_>>, width: usize, palette: Palette) {
     let columns = width.saturating_sub(MARGIN).max(1);
     let frame_count = clip.frame_count() as usize;
+    let mut texts = Texts::new(locale, palette);
+    let mut events = Events::new(clip, columns, palette);
     for first in (0..frame_count).step_by(columns) {
         let frames = first..(first + columns).min(frame_count);
+        let mut rows = vec![Row::default(), heights(clip, &frames, palette), Row::default()];
+        rows[0].put(0, &ruler(clip.fps(), &frames, columns), palette.ruler);
         let mouths = clip.frames().get(frames.clone()).unwrap_or_default();
-        let mouths = mouths.iter().map(|&code| code as char).collect();
-        for row in [ruler(clip.fps(), &frames, columns), mouths, segments(clip, &frames)] {
-            let _ = writeln!(out, "{:MARGIN$}{}", "", row.trim_end());
+        rows[2].put(0, &mouths.iter().map(|&code| code as char).collect::<String>(), anstyle::Style::new());
+        let mut bars = Row::default();
+        let mut shown = Row::default();
+        for segment in segments(clip, &frames) {
+            let part = overlap(&segment, &frames);
+            let bar: String = part.clone().map(|frame| bar_at(&segment, frame)).collect();
+            bars.put(part.start - frames.start, &bar, palette.segment(segment.index()));
+            texts.put(&mut shown, &segment, &part, frames.start);
         }
+        rows.extend([bars, shown]);
+        rows.extend(events.rows(&frames));
+        rows.iter().for_each(|row| out.push_str(&row.line(MARGIN)));
         out.push('\n');
     }
 }
 
-/// A bar per segment with its number: `|0-------|1----`.
-fn segments(clip: &Clip<'_, '_>, frames: &Range<usize>) -> String {
-    let mut row = vec!['-'; frames.len()];
-    let first = u32::try_from(frames.start).ok().and_then(|frame| clip.segment_of_frame(frame));
-    let from_first = (first.map_or(0, |segment| segment.index())..).map_while(|index| clip.segment(index));
-    for segment in from_first.take_while(|segment| (segment.start_frame() as usize) < frames.end) {
-        let (start, end) = (segment.start_frame() as usize, segment.end_frame() as usize);
-        let label = format!("|{}", segment.index());
-        for (column, character) in (start..end).zip(label.chars()) {
-            if let Some(cell) = column.checked_sub(frames.start).and_then(|column| row.get_mut(column)) {
-                *cell = character;
-            }
+/// How far the mouth is open in each frame: blank at rest, where nobody speaks. Nothing if the clip does not say.
+fn heights(clip: &Clip<'_, '_>, frames: &Range<usize>, palette: Palette) -> Row {
+    let mut row = Row::default();
+    let Some(viseme_type) = clip.viseme_type() else { return row };
+    let codes = clip.frames().get(frames.clone()).unwrap_or_default();
+    let height = |&code: &u8| match Viseme::from_code(code) {
+        Viseme::REST => ' ',
+        viseme => {
+            let steps = viseme.openness(viseme_type).ten_thousandths() / STEP_TEN_THOUSANDTHS;
+            HEIGHTS[usize::from(steps).min(HEIGHTS.len() - 1)]
         }
-    }
-    row.into_iter().collect()
+    };
+    let heights: String = codes.iter().map(height).collect();
+    row.put(0, heights.trim_end(), palette.height);
+    row
+}
+
+/// The segments that have some of these frames.
+fn segments<'d, 'b>(clip: &Clip<'d, 'b>, frames: &Range<usize>) -> impl Iterator<Item = Segment<'d, 'b>> {
+    let first = u32::try_from(frames.start).ok().and_then(|frame| clip.segment_of_frame(frame));
+    let (clip, end) = (*clip, frames.end);
+    let from_first = (first.map_or(0, |segment| segment.index())..).map_while(move |index| clip.segment(index));
+    from_first
+        .take_while(move |segment| (segment.start_frame() as usize) < end)
+        .filter(|segment| segment.start_frame() < segment.end_frame())
+}
+
+/// Which of these frames the segment has.
+fn overlap(segment: &Segment<'_, '_>, frames: &Range<usize>) -> Range<usize> {
+    let (start, end) = (segment.start_frame() as usize, segment.end_frame() as usize);
+    start.max(frames.start)..end.min(frames.end)
+}
+
+/// What the bar of a segment has at a frame: `|1--`.
+fn bar_at(segment: &Segment<'_, '_>, frame: usize) -> char {
+    let at = frame - segment.start_frame() as usize;
+    // A `|`, and at most five digits.
+    if at > 5 { '-' } else { format!("|{}", segment.index()).chars().nth(at).unwrap_or('-') }
 }

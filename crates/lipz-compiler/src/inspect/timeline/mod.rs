@@ -1,44 +1,81 @@
 //! One clip as a timeline for a terminal. What comes from the bank is shown so that it cannot steer it.
 
 mod bands;
+mod events;
+mod palette;
 mod ruler;
+mod texts;
 
 use lipz_bank::{Clip, Curve, Fps, Locale, Recording, Segment};
 use lipz_diagnostics::escape;
+use palette::{Palette, painted};
 use std::fmt::Write;
 use unicode_width::UnicodeWidthStr;
 
-/// A clip as text of at most `width` columns: bands of time ruler, mouth shapes and segments, then the segments
-/// with their events, and their texts in these locales, then the curves.
+/// Columns of a timeline whose width is not set.
+const DEFAULT_WIDTH: usize = 100;
+
+/// How a clip is shown as a timeline: bands of time ruler, heights of the mouth, mouth shapes, segments, texts and
+/// events, then the segments with all their texts, then the curves.
 ///
 /// Control characters are escaped, so that no text of a bank steers the terminal. Keys and words that are longer
 /// than a line make it longer.
 ///
 /// ```
 /// use lipz_bank::{Bank, Locale};
-/// use lipz_compiler::{Compiler, Input, inspect::timeline};
-/// let file = r#"{ "fps": 10, "visemes": "AAAA|MM-", "text_en-us": "Aye.|Aye!" }"#;
+/// use lipz_compiler::{Compiler, Input, inspect::Timeline};
+/// let file = r#"{ "fps": 10, "viseme_type": "blair", "visemes": "AAAA|MM-", "text_en-us": "Aye.|Aye!" }"#;
 /// let bytes = Compiler::default().compile(&[Input::from_bytes("aye", file)]).into_bank()?;
 /// let bank = Bank::open(&bytes)?.verify()?;
 /// let locales: Vec<Locale<'_>> = bank.locales().collect();
-/// let shown = timeline(&bank.clip_by_key("aye").ok_or("no clip")?, &locales, 80);
-/// assert!(shown.contains("  AAAAMM-\n  |0--|1-\n"));
+/// let shown = Timeline::default().width(80).render(&bank.clip_by_key("aye").ok_or("no clip")?, &locales);
+/// assert!(shown.contains("  ████▁▁\n  AAAAMM-\n  |0--|1-\n  Ay… Ay…\n"));
 /// assert!(shown.ends_with("segment 1  0.400 s to 0.700 s  frames 4 to 6\n  en-us  Aye!\n"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn timeline(clip: &Clip<'_, '_>, locales: &[Locale<'_>], width: usize) -> String {
-    let mut out = heading(clip);
-    bands::bands(&mut out, clip, width);
-    let tag_width = locales.iter().map(|locale| escape::text(locale.tag()).width()).max().unwrap_or(0);
-    let columns = Columns { tag: tag_width.max("event".len()), whole: width };
-    for segment in clip.segments() {
-        details(&mut out, &segment, locales, columns);
-    }
-    curves(&mut out, clip, columns);
-    out
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Timeline {
+    width: usize,
+    palette: Palette,
 }
 
-fn heading(clip: &Clip<'_, '_>) -> String {
+/// 100 columns, without colours.
+impl Default for Timeline {
+    fn default() -> Timeline {
+        Timeline { width: DEFAULT_WIDTH, palette: Palette::default() }
+    }
+}
+
+impl Timeline {
+    /// Sets the width in columns.
+    #[must_use]
+    pub fn width(mut self, columns: usize) -> Timeline {
+        self.width = columns;
+        self
+    }
+
+    /// Sets whether it has the colours of a terminal.
+    #[must_use]
+    pub fn styled(mut self, is_styled: bool) -> Timeline {
+        self.palette = if is_styled { Palette::coloured() } else { Palette::default() };
+        self
+    }
+
+    /// The clip as text. The bands have its texts in the first of these locales, the list below in all of them.
+    pub fn render(&self, clip: &Clip<'_, '_>, locales: &[Locale<'_>]) -> String {
+        let mut out = heading(clip, self.palette);
+        bands::bands(&mut out, clip, locales.first().copied(), self.width, self.palette);
+        let tag_width = locales.iter().map(|locale| escape::text(locale.tag()).width()).max().unwrap_or(0);
+        let columns = Columns { tag: tag_width.max("event".len()), whole: self.width, palette: self.palette };
+        for segment in clip.segments() {
+            details(&mut out, &segment, locales, columns);
+        }
+        curves(&mut out, clip, columns);
+        out
+    }
+}
+
+fn heading(clip: &Clip<'_, '_>, palette: Palette) -> String {
     let fps = clip.fps().map_or("unspecified frame rate".into(), |fps| format!("{} fps", short_fps(fps)));
     let viseme_type = clip.viseme_type().map_or("unspecified viseme type", lipz_bank::VisemeType::name);
     let frames = match clip.duration_us() {
@@ -51,7 +88,8 @@ fn heading(clip: &Clip<'_, '_>) -> String {
         format!("  dub of {} in {}\n", escape::text(original.key()), escape::text(voice))
     });
     let recording = clip.recording().map_or(String::new(), |found| format!("  recording {}\n", short_recording(found)));
-    format!("{}\n  {fps}, {viseme_type}, {frames}, id {}\n{dub}{recording}\n", escape::text(clip.key()), clip.id())
+    let key = painted(&escape::text(clip.key()), palette.title);
+    format!("{key}\n  {fps}, {viseme_type}, {frames}, id {}\n{dub}{recording}\n", clip.id())
 }
 
 /// A frame rate with at most three decimals, as people write it.
@@ -72,18 +110,19 @@ pub fn short_recording(recording: Recording) -> String {
     format!("{seconds:.3} s, content {:016x}", recording.content_hash())
 }
 
-/// Widths of the list of texts.
+/// How the list of texts is shown.
 #[derive(Clone, Copy)]
 struct Columns {
-    /// Of the names in front of texts.
+    /// Width of the names in front of texts.
     tag: usize,
-    /// Of the terminal.
+    /// Width of the terminal.
     whole: usize,
+    palette: Palette,
 }
 
 /// The segment with its times, event and texts.
 fn details(out: &mut String, segment: &Segment<'_, '_>, locales: &[Locale<'_>], columns: Columns) {
-    let _ = write!(out, "segment {}", segment.index());
+    out.push_str(&painted(&format!("segment {}", segment.index()), columns.palette.title));
     let frames = (segment.start_frame(), segment.end_frame());
     match (segment.start_us(), segment.end_us()) {
         _ if !segment.clip().has_visemes() => out.push('\n'),
@@ -110,7 +149,8 @@ fn curves(out: &mut String, clip: &Clip<'_, '_>, columns: Columns) {
     let name = |curve: &Curve<'_>| escape::text(curve.name().as_str()).into_owned();
     let tag = clip.curves().map(|curve| name(&curve).width()).max();
     let Some(tag) = tag else { return };
-    out.push_str("curves\n");
+    out.push_str(&painted("curves", columns.palette.title));
+    out.push('\n');
     for curve in clip.curves() {
         line(out, &name(&curve), &curve.to_string(), Columns { tag, ..columns });
     }
@@ -136,8 +176,13 @@ fn line(out: &mut String, name: &str, text: &str, columns: Columns) {
     let others = " ".repeat(first.width());
     let options =
         textwrap::Options::new(columns.whole.max(first.width() + 8)).initial_indent(&first).subsequent_indent(&others);
-    for line in textwrap::wrap(&escape::text(text), options) {
-        out.push_str(line.trim_end());
+    for (index, line) in textwrap::wrap(&escape::text(text), options).iter().enumerate() {
+        match line.strip_prefix(&first).filter(|_| index == 0) {
+            Some(text) => {
+                let _ = write!(out, "{}{}", painted(&first, columns.palette.name), text.trim_end());
+            }
+            None => out.push_str(line.trim_end()),
+        }
         out.push('\n');
     }
 }
@@ -156,7 +201,7 @@ mod tests {
     fn shown(bytes: &[u8], width: usize) -> String {
         let bank = Bank::open(bytes).and_then(Bank::verify).unwrap();
         let locales: Vec<_> = bank.locales().collect();
-        timeline(&bank.clip_by_key("a/clip").unwrap(), &locales, width)
+        Timeline::default().width(width).render(&bank.clip_by_key("a/clip").unwrap(), &locales)
     }
 
     #[test]
@@ -171,10 +216,15 @@ a/clip
   24 fps, blair, 60 frames, 2.500 s, id 8497556c6a2fdffa
 
   '0.0s       '0.5s       '1.0s
+  ██████████████████████████████▁▁▁▁▁▁▁▁
   AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAMMMMMMMM
   |0----------------------------|1------
+  One two three four five six…  eight
+  ▸feels sad, amy stops staring
+                      ring(3, x)◂
 
   '1.58s    '2.0s
+  ▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁
   MMMMMMMMMMMMMMMMMMMMMM
   ----------------------
 

@@ -124,7 +124,9 @@ pub const TABLES: &[Table] = &[
                 proportion to `blink`, if you leave it out), 0 for never; `blink-length` the seconds that one takes. `double-blinks` is a percentage of the blinks, `glances` \
                 one of the time. `head` is the degrees that it moves while the mouth does, with one `pose` in so many \
                 seconds; `head-follows` the degrees that eyes turn before it turns, too; `fixation` the seconds that eyes stay \
-                on one place. A named profile takes what it leaves out from the project's own.",
+                on one place. A named profile takes what it leaves out from the project's own. `keys = \"words\"` makes curves of what is \
+                said: nods and shakes of the head, `nods` of 10 high, breath at the ends of sentences, `breath` of 10 deep, \
+                brows and shrugs.",
         content: Content::Map(FACE),
     },
 ];
@@ -174,6 +176,9 @@ const FACE: Map = Map {
     flat_name: "",
     default: "the profile of docs/FACE.md",
     examples: &[
+        "keys = \"words\"",
+        "nods = 4",
+        "breath = 1",
         "blink = 4",
         "blink-anger = 6",
         "blink-fear = 2",

@@ -28,7 +28,7 @@ pub(super) const SYNC: &[Setting] = &[
     Setting {
         name: "recogniser",
         flat_name: "recogniser",
-        about: "File with a neural network that hears the phones of recordings without a text, which `lipz recogniser` makes.",
+        about: "File with a neural network that hears phones, which `lipz recogniser` makes: for recordings without a text, and to compare the others with theirs.",
         default: "none: the model hears them",
         example: "\"phones.lipznet\"",
         read: |value, to| {

@@ -4,9 +4,8 @@ use crate::console;
 use crate::interrupt::Files;
 use crate::shared::rewriting::Rewriting;
 use lipz_compiler::settings::Settings;
-use lipz_compiler::{Compiler, Content, Fixed, Input};
+use lipz_compiler::{Compiler, Fixed, Input};
 use lipz_diagnostics::{Report, escape};
-use std::borrow::Cow;
 use std::collections::HashMap;
 
 /// What fixing gave.
@@ -14,27 +13,10 @@ use std::collections::HashMap;
 pub(super) struct Fixing {
     /// What was fixed in each file, or the differences.
     pub(super) changes: String,
-    /// Files that are to be checked as if they were fixed.
-    in_memory: HashMap<String, String>,
+    /// Files that are to be checked as if they were fixed, by name.
+    pub(super) in_memory: HashMap<String, String>,
     /// Files that could not be written.
     pub(super) unwritten: Vec<Report>,
-}
-
-impl Fixing {
-    /// The inputs, those that are only fixed in memory with their new texts.
-    pub(super) fn instead_of<'i>(&self, inputs: &'i [Input]) -> Cow<'i, [Input]> {
-        if self.in_memory.is_empty() {
-            return Cow::Borrowed(inputs);
-        }
-        let fixed = |input: &Input| match self.in_memory.get(&input.name()) {
-            Some(text) => {
-                let content = Content::Bytes { name: input.name(), bytes: text.clone().into_bytes() };
-                Input { key: input.key.clone(), content }
-            }
-            None => input.clone(),
-        };
-        inputs.iter().map(fixed).collect()
-    }
 }
 
 /// Fixes all files, or shows what would be fixed.

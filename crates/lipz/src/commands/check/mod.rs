@@ -1,25 +1,30 @@
 //! `lipz check`: the diagnostics of source files, and their certain fixes.
 
+mod baseline;
 mod fixing;
 mod statistics;
-mod translations;
+pub(crate) mod translations;
 
 use crate::Ended;
 use crate::Outcome;
 use crate::commands::Run;
 use crate::reporter::Reporter;
 use crate::shared::audio_flags::AudioFlags;
-use crate::shared::inputs::with_inputs;
+use crate::shared::inputs::{Worked, with_inputs};
 use crate::shared::project_flags::hide_of_banks;
 use crate::shared::rewriting::{Rewriting, files};
+use crate::shared::settings_file::Project;
 use crate::shared::sources::Sources;
 use crate::shared::stdio;
 use crate::{console, interrupt};
+use baseline::BaselineFlags;
 use clap::Args;
 use fixing::{Fixing, fix_all};
-use lipz_compiler::Input;
 use lipz_compiler::settings::Settings;
+use lipz_compiler::{Content, Input};
 use lipz_diagnostics::Report;
+use std::borrow::Cow;
+use std::collections::HashMap;
 
 /// Check Lipz files without packing them.
 ///
@@ -38,6 +43,7 @@ use lipz_diagnostics::Report;
   lipz check voices --audio recordings
   lipz check --diff voices
   lipz check --statistics voices
+  lipz check voices --baseline baseline.txt --write-baseline
   lipz check --format junit voices > lipz.xml")]
 pub(crate) struct Check {
     #[command(flatten)]
@@ -45,6 +51,9 @@ pub(crate) struct Check {
 
     #[command(flatten)]
     audio: AudioFlags,
+
+    #[command(flatten)]
+    baseline: BaselineFlags,
 
     /// Apply the fixes that are certain
     #[arg(long)]
@@ -83,13 +92,10 @@ impl Run for Check {
             (true, false) => fix_all(settings, quiet, Rewriting::InPlace),
             (false, false) => Fixing::default(),
         };
-        let mut run = with_inputs(settings, None, quiet, |compiler, inputs| compiler.check(&fixing.instead_of(inputs)));
-        run.reports.extend(with_recordings(settings, &fixing.instead_of(&run.inputs), quiet));
-        run.reports.extend(translations::check(&project, &fixing.instead_of(&run.inputs), quiet));
-        lipz_diagnostics::reports::sort(&mut run.reports);
-        run.reports.dedup(); // both read the record of mouths
+        let mut run = checked(&project, &fixing.in_memory, quiet);
         let unwritten = !fixing.unwritten.is_empty();
         run.reports.extend(fixing.unwritten);
+        let passed_over = self.baseline.apply(&mut run, reporter)?;
         let outcome = run.outcome();
         if self.statistics {
             statistics::print(&run.reports, reporter.wants_json(self.json), reporter)?;
@@ -102,11 +108,42 @@ impl Run for Check {
         } else {
             reporter.summary(&fixing.changes)?;
         }
+        if !quiet && !self.prints_result() {
+            reporter.summary(&passed_over)?;
+        }
         if outcome == Outcome::Clean && !quiet && !self.prints_result() {
             reporter.summary(&format!("{} checked\n", files(run.inputs.len())))?;
         }
         Ok(if unwritten { Outcome::Failed } else { outcome })
     }
+}
+
+/// All that is wrong with a project: its Lipz files, some of which have other texts than on disk, by name; their
+/// recordings; and their translations.
+pub(crate) fn checked(project: &Project, in_memory: &HashMap<String, String>, quiet: bool) -> Worked {
+    let settings = &project.settings;
+    let mut run = with_inputs(settings, None, quiet, |compiler, inputs| compiler.check(&instead(inputs, in_memory)));
+    let inputs = instead(&run.inputs, in_memory);
+    run.reports.extend(with_recordings(settings, &inputs, quiet));
+    run.reports.extend(translations::check(project, &inputs, quiet));
+    lipz_diagnostics::reports::sort(&mut run.reports);
+    run.reports.dedup(); // both read the record of mouths
+    run
+}
+
+/// The inputs, those with other texts than on disk with these.
+fn instead<'i>(inputs: &'i [Input], in_memory: &HashMap<String, String>) -> Cow<'i, [Input]> {
+    if in_memory.is_empty() {
+        return Cow::Borrowed(inputs);
+    }
+    let instead = |input: &Input| match in_memory.get(&input.name()) {
+        Some(text) => {
+            let content = Content::Bytes { name: input.name(), bytes: text.clone().into_bytes() };
+            Input { key: input.key.clone(), content }
+        }
+        None => input.clone(),
+    };
+    inputs.iter().map(instead).collect()
 }
 
 /// What does not belong together: clips and recordings, if the project has a folder of them.

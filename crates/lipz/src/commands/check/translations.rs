@@ -9,7 +9,7 @@ use lipz_file::locale::canonical_tag;
 use lipz_texts::{TextLints, has_translations};
 
 /// Compares the translations of a project with its default locale, or with what they were made from.
-pub(super) fn check(project: &Project, inputs: &[Input], quiet: bool) -> Vec<Report> {
+pub(crate) fn check(project: &Project, inputs: &[Input], quiet: bool) -> Vec<Report> {
     let options = &project.settings.options;
     let (file, report) = match RecordFile::open(project, inputs) {
         Ok(opened) => opened,

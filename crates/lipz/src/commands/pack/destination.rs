@@ -9,6 +9,15 @@ use lipz_diagnostics::Report;
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
 
+/// What is put into files of its own.
+#[derive(Clone, Copy)]
+pub(super) struct Split {
+    /// The texts of each locale.
+    pub(super) locales: bool,
+    /// The dubs of each voice.
+    pub(super) voices: bool,
+}
+
 /// Where a bank goes.
 pub(super) enum Destination {
     StandardOutput,
@@ -21,17 +30,19 @@ impl Destination {
     /// The destination that the arguments name, or how the run ends if they contradict each other.
     pub(super) fn new(
         output: &Path,
-        is_split: bool,
+        split: Split,
         has_depfile: bool,
         cache: Option<&Path>,
         reporter: &mut Reporter,
     ) -> Result<Destination, Abort> {
         if !stdio::is_meant(output) {
             let cache = cache.map(Path::to_owned);
-            return Ok(Destination::Files(Outputs::new(output).split_locales(is_split).cache(cache)));
+            return Ok(Destination::Files(
+                Outputs::new(output).split_locales(split.locales).split_voices(split.voices).cache(cache),
+            ));
         }
-        if is_split || has_depfile {
-            let tip = "name a file with `--output`: text banks are written beside it, and a depfile is about it";
+        if split.locales || split.voices || has_depfile {
+            let tip = "name a file with `--output`: text banks and those of voices are written beside it, and a depfile is about it";
             let message = "standard output takes one bank and has no name";
             return Err(reporter.usage(message, tip));
         }
@@ -121,7 +132,11 @@ pub(super) fn without(mut report: Report, reporter: &mut Reporter) -> Abort {
 /// A line for each file.
 pub(super) fn summary(delivered: &Delivered, contents: &str) -> String {
     let line = |(index, file): (usize, &OutputFile)| {
-        let what = if index == 0 { contents } else { "texts" };
+        let what = match (index, is_bank(file)) {
+            (0, _) => contents,
+            (_, true) => "dubs",
+            _ => "texts",
+        };
         let done = if file.is_new { "packed into" } else { "unchanged in" };
         format!("{what} {done} {} ({} bytes)\n", console::path(&file.path), console::grouped(file.length_bytes))
     };
@@ -129,17 +144,25 @@ pub(super) fn summary(delivered: &Delivered, contents: &str) -> String {
     delivered.files.iter().enumerate().map(line).chain(delivered.stale.iter().map(stale)).collect()
 }
 
+/// Whether a file beside a bank is that of a voice.
+fn is_bank(file: &OutputFile) -> bool {
+    file.path.extension().is_some_and(|extension| extension == "lipzbank")
+}
+
 /// One line about all files, and whether any is another than before.
 pub(super) fn message(delivered: &Delivered, contents: &str) -> String {
     let name = delivered.files.first().map_or_else(String::new, |bank| console::path(&bank.path));
     let length_bytes = delivered.files.iter().map(|file| file.length_bytes).sum();
-    let texts = match delivered.files.len() {
-        0 | 1 => String::new(),
-        files => format!(" and {}", console::counted(files - 1, "text bank")),
+    let beside = match delivered.files.get(1) {
+        Some(file) => {
+            let what = if is_bank(file) { "voice" } else { "text bank" };
+            format!(" and {}", console::counted(delivered.files.len() - 1, what))
+        }
+        None => String::new(),
     };
     let done = match delivered.files.iter().any(|file| file.is_new) {
         true => format!("{contents} packed into"),
         false => format!("nothing changed: {contents} in"),
     };
-    format!("{done} {name}{texts} ({} bytes)", console::grouped(length_bytes))
+    format!("{done} {name}{beside} ({} bytes)", console::grouped(length_bytes))
 }

@@ -2,6 +2,7 @@
 
 mod destination;
 mod layer;
+mod object;
 mod plan;
 
 pub(crate) use plan::{Packed, Plan, Remembered};
@@ -18,6 +19,29 @@ use clap::{ArgAction, Args};
 use lipz_compiler::settings::Settings;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
+
+const SHARDS: &str = "Shards";
+
+/// What a plan decides, or what an object has not.
+const OF_PLAN: [&str; 17] = [
+    "sources",
+    "root",
+    "hidden",
+    "over",
+    "strip",
+    "split_locales",
+    "split_voices",
+    "cache",
+    "no_cache",
+    "timings",
+    "ProjectFlags",
+    "allow",
+    "warn",
+    "deny",
+    "config",
+    "no_config",
+    "AudioFlags",
+];
 
 /// Check Lipz files and pack them into a bank.
 ///
@@ -51,6 +75,11 @@ pub(crate) struct Pack {
     #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
     split_locales: Option<bool>,
 
+    /// Write the dubs of each voice to a bank of its own: BANK with the extension .LOCALE.lipzbank, a layer over the bank. The
+    /// bank itself has the originals
+    #[arg(long, conflicts_with_all = ["over", "split_locales"])]
+    split_voices: bool,
+
     /// Pack a layer over this bank: only what is new, changed or removed. Give the option once for each bank below, the base
     /// first
     #[arg(long, value_name = "BANK", action = ArgAction::Append)]
@@ -59,6 +88,19 @@ pub(crate) struct Pack {
     /// Keep clips of the banks below that the sources do not have: for sources that are only an addition, such as a mod's
     #[arg(long, requires = "over")]
     keep_others: bool,
+
+    /// Pack this shard of --plan into an object, for `lipz link`
+    #[arg(long, value_name = "NUMBER", requires = "plan", conflicts_with_all = OF_PLAN)]
+    #[arg(help_heading = SHARDS)]
+    shard: Option<u16>,
+
+    /// The plan of the shards, by `lipz shard plan`. It names sources and settings
+    #[arg(long, value_name = "PLAN", requires = "shard", help_heading = SHARDS)]
+    plan: Option<PathBuf>,
+
+    /// Folder of results by the hashes of what they are made of: an object that is in it is not made again
+    #[arg(long, value_name = "FOLDER", requires = "shard", help_heading = SHARDS)]
+    store: Option<PathBuf>,
 
     /// Also write the dependencies of the bank, for Make, Ninja and CMake
     #[arg(long, value_name = "FILE")]
@@ -129,6 +171,9 @@ impl Run for Pack {
     }
 
     fn run(&self, reporter: &mut Reporter) -> Ended {
+        if let (Some(shard), Some(plan)) = (self.shard, &self.plan) {
+            return object::run(self, shard, plan, reporter);
+        }
         let quiet = self.sources.is_quiet();
         let plan = self.plan(reporter)?;
         let packed = plan.run(None, quiet, reporter)?;

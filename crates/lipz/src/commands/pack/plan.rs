@@ -1,7 +1,7 @@
 //! One run of packing: what it works with, and what it gave.
 
 use super::Pack;
-use super::destination::{self, Destination};
+use super::destination::{self, Destination, Split};
 use super::layer;
 use crate::Abort;
 use crate::reporter::Reporter;
@@ -21,6 +21,8 @@ pub(crate) struct Plan {
     pub(crate) output: PathBuf,
     destination: Destination,
     depfile: Option<PathBuf>,
+    /// The folder in which a settings file would apply that is not there yet.
+    settings_folder: Option<PathBuf>,
 }
 
 /// What one of many runs leaves to the next, which reads only what changed.
@@ -80,14 +82,23 @@ impl Plan {
             output_file::refuse_same(&files, reporter)?;
         }
         let settings = &project.settings;
+        let settings_folder = match project.file {
+            None if arguments.sources.settings_file().is_some() => beside(&settings.sources),
+            _ => None,
+        };
         let is_split = arguments.split_locales.unwrap_or(settings.split_locales);
         let cache = cache.as_deref();
         if !arguments.over.is_empty() {
             let destination = layer::destination(arguments, &output, is_split, reporter)?;
-            return Ok(Plan { project, output, destination, depfile: arguments.depfile.clone() });
+            return Ok(Plan { project, output, destination, depfile: arguments.depfile.clone(), settings_folder });
         }
-        let destination = Destination::new(&output, is_split, arguments.depfile.is_some(), cache, reporter)?;
-        Ok(Plan { project, output, destination, depfile: arguments.depfile.clone() })
+        if arguments.split_voices && is_split {
+            let tip = "pack it with `--split-locales=false`: banks of voices need the texts of the bank below them";
+            return Err(reporter.usage("a bank is split by locale or by voice", tip));
+        }
+        let split = Split { locales: is_split, voices: arguments.split_voices };
+        let destination = Destination::new(&output, split, arguments.depfile.is_some(), cache, reporter)?;
+        Ok(Plan { project, output, destination, depfile: arguments.depfile.clone(), settings_folder })
     }
 
     /// Whether standard input is read or standard output has the bank: that works once.
@@ -140,11 +151,29 @@ impl Plan {
         let Some(path) = &self.depfile else { return Ok(()) };
         let mut dependencies = dependencies(&self.project.settings, inputs).map_err(|report| reporter.fail(report))?;
         dependencies.extend(lipz_sync::dependencies(&self.project.settings));
+        // A folder that outputs change would be newer than them after each run.
+        let has_output = |folder: &PathBuf| [&self.output, path].iter().any(|file| is_in(file, folder));
+        dependencies.extend(self.settings_folder.clone().filter(|folder| !has_output(folder)));
         dependencies.sort_unstable();
         dependencies.dedup();
         dependencies.extend(self.project.file.clone());
         let bytes = depfile(&self.output, &dependencies).map_err(|report| destination::without(report, reporter))?;
         destination::write(path, &bytes, replace, reporter)
+    }
+}
+
+/// The folder beside whose entries the first source is, in which people create a settings file.
+fn beside(sources: &[PathBuf]) -> Option<PathBuf> {
+    let folder = sources.first()?.ancestors().find(|path| path.is_dir())?.parent()?;
+    Some(if folder.as_os_str().is_empty() { PathBuf::from(".") } else { folder.to_owned() })
+}
+
+/// Whether a file is an entry of the folder.
+fn is_in(file: &Path, folder: &Path) -> bool {
+    let parent = file.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    match (parent.canonicalize(), folder.canonicalize()) {
+        (Ok(parent), Ok(folder)) => parent == folder,
+        _ => false,
     }
 }
 

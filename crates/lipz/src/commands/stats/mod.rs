@@ -1,5 +1,6 @@
 //! `lipz stats`: how much of what is in a bank.
 
+mod recorded;
 mod text;
 
 use crate::Ended;
@@ -12,7 +13,8 @@ use lipz_compiler::BankWithTexts;
 
 /// Show the size of a bank: clips, duration, text, bytes, mouth shapes.
 ///
-/// A folder is compiled in memory, with the flags of `lipz pack`.
+/// A folder is compiled in memory, with the flags of `lipz pack`. If its project has recordings (`[audio]`), they are
+/// counted, too: those that are missing, those that no clip uses, and the words that `lipz sync` did not hear clearly.
 #[derive(Args, Debug)]
 #[command(override_usage = "lipz stats [BANK] [OPTIONS]")]
 #[command(after_help = "Examples:
@@ -35,15 +37,15 @@ impl Run for Stats {
     }
 
     fn run(&self, reporter: &mut Reporter) -> Ended {
-        let file = self.dialogue.bank(reporter)?;
+        let (file, recorded) = self.dialogue.bank_and_recorded(reporter)?;
         let bank = file.bank(reporter)?;
         let text_files = self.dialogue.text_files(reporter)?;
         let texts = text_files.verified(&bank, reporter)?;
         let stats = lipz_compiler::stats::Stats::from_bank(BankWithTexts::new(&bank, &texts));
         if reporter.wants_json(self.json) {
-            reporter.print_json(&stats)?;
+            reporter.print_json(&recorded::WithRecorded { stats: &stats, recorded: recorded.map(Into::into) })?;
         } else {
-            reporter.print(&text::text(&file.name, &stats))?;
+            reporter.print(&text::text(&file.name, &stats, recorded.as_ref()))?;
         }
         Ok(Outcome::Clean)
     }

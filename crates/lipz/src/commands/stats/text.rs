@@ -5,6 +5,7 @@ use lipz_bank::VisemeType;
 use lipz_compiler::inspect::short_fps;
 use lipz_compiler::stats::{ClipDuration, LocaleStats, Stats, VisemeCounts, VoiceStats};
 use lipz_diagnostics::escape;
+use lipz_sync::Recorded;
 use std::fmt::Write;
 use unicode_width::UnicodeWidthStr;
 
@@ -13,7 +14,7 @@ const BAR_COLUMNS: u64 = 40;
 /// Columns of names in front of numbers.
 const NAME_COLUMNS: usize = 12;
 
-pub(super) fn text(name: &str, stats: &Stats<'_>) -> String {
+pub(super) fn text(name: &str, stats: &Stats<'_>, recorded: Option<&Recorded>) -> String {
     let mut out = format!("{name}\n");
     let _ = writeln!(
         out,
@@ -30,6 +31,9 @@ pub(super) fn text(name: &str, stats: &Stats<'_>) -> String {
     }
     if stats.recordings > 0 {
         let _ = writeln!(out, "  {}, {}", counted(stats.recordings, "recording"), time(stats.recordings_us));
+    }
+    if let Some(recorded) = recorded {
+        recordings(&mut out, recorded);
     }
     locales(&mut out, &stats.locales);
     voices(&mut out, &stats.voices);
@@ -74,6 +78,28 @@ fn percent(part: u64, whole: u64) -> String {
 fn bar(part: u64, longest: u64) -> String {
     let columns = (part * BAR_COLUMNS).div_ceil(longest.max(1));
     "#".repeat(number(columns))
+}
+
+/// The recordings of a project, which are not in its bank.
+fn recordings(out: &mut String, recorded: &Recorded) {
+    let Recorded { clips, missing, unused, synced, doubtful_words, .. } = *recorded;
+    let _ = writeln!(
+        out,
+        "  {} of {}, {}; {} without, {} not used",
+        counted(recorded.recordings, "recording"),
+        counted(clips, "clip"),
+        time(recorded.length_us),
+        counted(missing, "clip"),
+        grouped(unused)
+    );
+    if synced > 0 {
+        let _ = writeln!(
+            out,
+            "  {} by lipz sync, {} not clearly heard",
+            counted(synced, "mouth"),
+            counted(doubtful_words, "word")
+        );
+    }
 }
 
 fn locales(out: &mut String, locales: &[LocaleStats<'_>]) {

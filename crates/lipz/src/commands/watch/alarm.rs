@@ -18,7 +18,7 @@ const RETRY: Duration = Duration::from_secs(1);
 
 /// What an event says.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub(super) enum Change {
+pub(crate) enum Change {
     /// Something happened; the state of the files shows whether it matters.
     Perhaps,
     /// A file that matters was changed, added or removed.
@@ -30,7 +30,7 @@ pub(super) enum Change {
 /// It is set anew for every run: folders that were replaced by others of the same name are watched then,
 /// and so are those that a watcher missed. What happens between two settings is not lost: all watchers
 /// ring the same bell.
-pub(super) struct Alarm {
+pub(crate) struct Alarm {
     bell: Sender<Change>,
     rings: Receiver<Change>,
     /// How often to look, instead of waiting for events.
@@ -41,7 +41,7 @@ pub(super) struct Alarm {
 }
 
 impl Alarm {
-    pub(super) fn new(poll: Option<Duration>) -> Alarm {
+    pub(crate) fn new(poll: Option<Duration>) -> Alarm {
         let (bell, rings) = channel();
         Alarm { bell, rings, poll, watcher: None, unwatched: Vec::new() }
     }
@@ -51,7 +51,7 @@ impl Alarm {
     /// # Errors
     ///
     /// The system watches nothing, or nothing more.
-    pub(super) fn set(&mut self, scope: &Scope) -> Result<(), Report> {
+    pub(crate) fn set(&mut self, scope: &Scope) -> Result<(), Report> {
         if self.poll.is_some() {
             return Ok(());
         }
@@ -84,7 +84,7 @@ impl Alarm {
     }
 
     /// What it watches, and what it waits for, for people.
-    pub(super) fn describe(&self, scope: &Scope) -> String {
+    pub(crate) fn describe(&self, scope: &Scope) -> String {
         let (missing, watched): (Vec<_>, Vec<_>) = scope.places().into_iter().partition(|place| !place.exists());
         let list = |paths: &[PathBuf]| paths.iter().map(|path| console::path(path)).collect::<Vec<_>>().join(", ");
         let mut text = String::new();
@@ -98,7 +98,7 @@ impl Alarm {
     }
 
     /// Waits for a change, and until it is over.
-    pub(super) fn wait(&self) -> Change {
+    pub(crate) fn wait(&self) -> Change {
         let retry = (!self.unwatched.is_empty()).then_some(RETRY);
         let first = match self.poll.or(retry) {
             Some(period) => self.rings.recv_timeout(period).ok(),

@@ -9,10 +9,10 @@ use crate::Ended;
 use crate::commands::Run;
 use crate::reporter::Reporter;
 use crate::{Outcome, console};
-use alarm::{Alarm, Change};
+pub(crate) use alarm::{Alarm, Change};
 use clap::Args;
 use jiff::Zoned;
-use scope::Scope;
+pub(crate) use scope::Scope;
 use std::convert::Infallible;
 use std::time::{Duration, Instant};
 

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
 /// The sources and the settings file of a project.
-pub(super) struct Scope {
+pub(crate) struct Scope {
     settings: Settings,
     settings_file: Option<PathBuf>,
 }
@@ -21,7 +21,7 @@ pub(super) struct Scope {
 /// What can be seen of the files of a scope without reading them. Two states differ if a file was
 /// changed, added, removed or moved between them.
 #[derive(PartialEq, Eq)]
-pub(super) struct State {
+pub(crate) struct State {
     files: Vec<(PathBuf, Option<Stamp>)>,
     /// Sources that are missing or cannot be read.
     problems: Vec<Report>,
@@ -32,18 +32,18 @@ type Stamp = (u64, Option<SystemTime>);
 
 impl Scope {
     /// What the command line names, before the settings are read.
-    pub(super) fn before_settings(arguments: &Sources) -> Scope {
+    pub(crate) fn before_settings(arguments: &Sources) -> Scope {
         let settings = Settings::from_sources(arguments.paths().to_vec());
         Scope { settings, settings_file: arguments.settings_file() }
     }
 
     /// What the project names.
-    pub(super) fn new(project: &Project, arguments: &Sources) -> Scope {
+    pub(crate) fn new(project: &Project, arguments: &Sources) -> Scope {
         Scope { settings: project.settings.clone(), settings_file: arguments.settings_file() }
     }
 
     /// The folders to watch, and whether with those in them.
-    pub(super) fn folders(&self) -> BTreeMap<PathBuf, RecursiveMode> {
+    pub(crate) fn folders(&self) -> BTreeMap<PathBuf, RecursiveMode> {
         let recordings = self.settings.audio.folder.iter().filter(|_| self.settings.audio.in_bank);
         let recordings = recordings.map(|folder| (folder.clone(), RecursiveMode::Recursive));
         let settings_folder = self.settings_file.iter().map(|file| (folder_of(file), RecursiveMode::NonRecursive));
@@ -60,19 +60,19 @@ impl Scope {
     }
 
     /// The sources and the settings file, for people: of a pattern, where it begins.
-    pub(super) fn places(&self) -> Vec<PathBuf> {
+    pub(crate) fn places(&self) -> Vec<PathBuf> {
         let mut places = watched(&self.settings.sources);
         places.extend(self.settings_file.clone().filter(|file| file.exists()));
         places
     }
 
     /// The name of the settings file.
-    pub(super) fn settings_name(&self) -> Option<&OsStr> {
+    pub(crate) fn settings_name(&self) -> Option<&OsStr> {
         self.settings_file.as_ref()?.file_name()
     }
 
     /// The state of all files, now.
-    pub(super) fn state(&self) -> State {
+    pub(crate) fn state(&self) -> State {
         let (inputs, problems) = self.settings.discover();
         let lipz_files = inputs.into_iter().filter_map(|input| match input.content {
             Content::File(path) => Some(path),
@@ -89,7 +89,7 @@ impl Scope {
 
 /// Whether a path is that of a Lipz file, of a recording, of the record of mouths or of the settings file, judged by its name: watchers do not
 /// call a file by the path by which the project calls it.
-pub(super) fn concerns(settings_name: Option<&OsStr>, path: &Path) -> bool {
+pub(crate) fn concerns(settings_name: Option<&OsStr>, path: &Path) -> bool {
     is_lipz(path)
         || lipz_sync::is_recording(path)
         || path

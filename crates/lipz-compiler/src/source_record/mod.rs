@@ -4,6 +4,10 @@
 //! a file without padding, meta and unknown elements costs a few bytes, and equal records are
 //! stored once. `docs/FORMAT.md`, "Source records", describes the encoding.
 
+mod recorder;
+
+pub(crate) use recorder::Recorder;
+
 use crate::Options;
 use crate::clip::{ClipData, ClipText, Locales};
 use foldhash::HashMap;

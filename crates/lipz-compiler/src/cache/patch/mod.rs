@@ -1,0 +1,174 @@
+//! A new bank made of the old one, where few clips changed and little of them.
+//!
+//! Keys, segments, events, rates and locales are those of the old bank, and so is nearly everything in the new one: it is
+//! copied, and frames and texts that changed are put in between. The result is, byte by byte, the bank that would be made of all
+//! clips. Where that is not certain, there is none: texts that several clips share, for example, stand once.
+//!
+//! What is copied was verified before the old bank was written, and has the checksum that it had then; what is new is compared
+//! with the clips that it was made of.
+
+mod change;
+mod file;
+mod splice;
+#[cfg(test)]
+mod tests;
+
+use super::recall::{Recall, table};
+use crate::clip::Clip;
+use change::{Change, TextChange};
+use file::{NewSections, file};
+use lipz_bank::Bank;
+use lipz_layout::{ClipRecord, FLAG_VISEMES, NO_TEXT, TEXT_OFFSET, Tag, U32};
+use memchr::memmem;
+use splice::Splices;
+use zerocopy::{FromBytes, IntoBytes};
+
+/// Texts that change: each is looked for in the whole pool.
+const MOST_TEXTS: usize = 32;
+
+/// Places of a text that are looked at before all clips are asked instead.
+const MOST_PLACES: usize = 64;
+
+/// The bank in which `changed` clips are new, and all others those of the old bank, which has the same keys; `None` if it has to
+/// be made of all clips.
+pub(super) fn patched(recall: &Recall<'_>, changed: &[Clip<'_>]) -> Option<Vec<u8>> {
+    let has_other = [Tag::LAYER, Tag::EXPORT].into_iter().any(|tag| table(recall, tag).is_some());
+    let is_plain = recall.bank.voices().next().is_none() && !has_other;
+    let changes: Vec<Change<'_>> = changed
+        .iter()
+        .filter(|_| is_plain)
+        .map(|clip| Change::new(recall, clip))
+        .collect::<Option<_>>()
+        .filter(|changes: &Vec<_>| !changes.is_empty())?;
+    let texts: Vec<&TextChange> = changes.iter().flat_map(|change| &change.texts).collect();
+    if texts.iter().filter(|text| text.is_new).count() > MOST_TEXTS {
+        return None;
+    }
+    let (mut frame_splices, mut text_splices) = (Splices::default(), Splices::default());
+    for change in &changes {
+        frame_splices.add(change.old_frames.clone(), change.clip.frames().to_vec());
+        let new_texts = change.texts.iter().filter(|text| text.is_new);
+        new_texts.for_each(|text| text_splices.add(text.old.clone(), text.bytes.clone()));
+    }
+    frame_splices.finish()?;
+    text_splices.finish()?;
+    let records = records(recall, &changes, &frame_splices)?;
+    let starts = starts(recall, &changes, &frame_splices)?;
+    let text_starts = text_starts(recall, &changes, &text_splices)?;
+    let bank = file(
+        recall.old,
+        &NewSections {
+            tables: [
+                (Tag::CLIPS, records.as_bytes()),
+                (Tag::STARTS, starts.as_bytes()),
+                (Tag::TEXT_STARTS, text_starts.as_bytes()),
+            ],
+            spliced: [(Tag::FRAMES, &frame_splices), (Tag::TEXTS, &text_splices)],
+        },
+    )?;
+    let pool = bank.get(super::old_bank::section(&bank, Tag::TEXTS)?)?;
+    let mut new_texts = texts.iter().filter(|text| text.is_new);
+    let stand_alone = new_texts.all(|text| stands_alone(text, &text_splices, &text_starts, pool));
+    (stand_alone && recall.is_whole() && changes.iter().all(|change| is_there(&bank, change.clip))).then_some(bank)
+}
+
+/// The records of all clips.
+fn records(recall: &Recall<'_>, changes: &[Change<'_>], frames: &Splices) -> Option<Vec<ClipRecord>> {
+    let mut records = recall.records.to_vec();
+    for change in changes {
+        let record = records.get_mut(change.slot as usize)?;
+        record.frame_count = u32::try_from(change.clip.frames().len()).ok()?.into();
+        record.viseme_type = change.clip.viseme_type().map_or(0, |viseme_type| viseme_type as u8);
+        record.flags = if change.clip.has_visemes() { FLAG_VISEMES } else { 0 };
+    }
+    for (slot, record) in (0..).zip(&mut records) {
+        let offset = record.frames_offset_bytes.get() as usize;
+        let is_changed = changes.iter().any(|change| change.slot == slot);
+        let moved = if is_changed { frames.start(offset) } else { frames.moved(offset) };
+        record.frames_offset_bytes = u32::try_from(moved?).ok()?.into();
+    }
+    Some(records)
+}
+
+/// The first frames of all segments, and the end of the last.
+fn starts(recall: &Recall<'_>, changes: &[Change<'_>], frames: &Splices) -> Option<Vec<U32>> {
+    let mut starts = <[U32]>::ref_from_bytes(table(recall, Tag::STARTS)?).ok()?.to_vec();
+    let is_changed = |number: usize| changes.iter().any(|change| change.segments.contains(&number));
+    for (_, start) in starts.iter_mut().enumerate().filter(|(number, _)| !is_changed(*number)) {
+        *start = u32::try_from(frames.moved(start.get() as usize)?).ok()?.into();
+    }
+    for change in changes {
+        let first = u32::try_from(frames.start(change.old_frames.start)?).ok()?;
+        let own = std::iter::zip(starts.get_mut(change.segments.clone())?, change.clip.starts());
+        own.for_each(|(start, in_clip)| *start = (first + in_clip).into());
+    }
+    Some(starts)
+}
+
+/// Where all texts start, and the length of the pool.
+fn text_starts(recall: &Recall<'_>, changes: &[Change<'_>], texts: &Splices) -> Option<Vec<U32>> {
+    let mut starts = recall.text_starts.to_vec();
+    let count = recall.segment_count;
+    let (pool_end, of_locales) = starts.split_last_mut()?;
+    let length = texts.length(pool_end.get() as usize).filter(|length| *length <= TEXT_OFFSET as usize)?;
+    *pool_end = u32::try_from(length).ok()?.into();
+    for of_locale in of_locales.chunks_mut(count.max(1)) {
+        let mut next = 0;
+        let mut own: Vec<_> = changes.iter().map(|change| change.segments.clone()).collect();
+        own.sort_unstable_by_key(|segments| segments.start);
+        for segments in own.into_iter().chain(std::iter::once(count..count)) {
+            for start in of_locale.get_mut(next..segments.start)?.iter_mut().filter(|start| start.get() != NO_TEXT) {
+                let offset = (start.get() & TEXT_OFFSET) as usize;
+                let moved = u32::try_from(texts.moved(offset)?).ok()?;
+                *start = (start.get() & !TEXT_OFFSET | moved).into();
+            }
+            next = segments.end;
+        }
+    }
+    for change in changes {
+        for text in &change.texts {
+            let first =
+                u32::try_from(if text.is_new { texts.start(text.old.start)? } else { texts.moved(text.old.start)? });
+            let first = first.ok()?;
+            let segment = change.segments.start;
+            for (locale, flag) in &text.locales {
+                let own = starts.get_mut(locale * count + segment..)?;
+                std::iter::zip(own, &text.entries).for_each(|(start, entry)| *start = ((first + entry) | flag).into());
+            }
+        }
+    }
+    Some(starts)
+}
+
+/// Whether no other clip can have the same text in the new bank, which would then stand there once.
+fn stands_alone(text: &TextChange, splices: &Splices, starts: &[U32], pool: &[u8]) -> bool {
+    let own = splices.start(text.old.start);
+    let is_start =
+        |at: usize| starts.iter().any(|start| start.get() != NO_TEXT && (start.get() & TEXT_OFFSET) as usize == at);
+    // With a count in it, and without.
+    [text.bytes.as_slice(), &text.without_count()].into_iter().all(|bytes| {
+        let places = memmem::find_iter(pool, bytes).take(MOST_PLACES);
+        let places: Vec<usize> = places.filter(|at| Some(*at) != own).collect();
+        places.len() + 1 < MOST_PLACES && !places.into_iter().any(is_start)
+    })
+}
+
+/// Whether the reader finds a clip in the bank as it was checked.
+fn is_there(bank: &[u8], clip: &Clip<'_>) -> bool {
+    let Ok(bank) = Bank::open(bank) else { return false };
+    let Some(found) = bank.clip_by_key(clip.key()) else { return false };
+    let has_text = |text| {
+        let Some(locale) = bank.locale(clip.tag(text)) else { return false };
+        let mut texts = clip.run(text).1;
+        let are_same = found.segments().all(|segment| {
+            let shown = segment.text_bytes(locale);
+            let rest = shown.and_then(|shown| texts.strip_prefix(shown));
+            rest.map(|rest| texts = rest).is_some()
+        });
+        are_same && texts.is_empty()
+    };
+    found.frames() == clip.frames()
+        && found.viseme_type() == clip.viseme_type()
+        && found.segments().map(|segment| segment.start_frame()).eq(clip.starts().iter().copied())
+        && clip.texts().iter().all(has_text)
+}

@@ -1,0 +1,126 @@
+//! A patched bank is the one that is made of all clips, or there is none.
+
+use super::patched;
+use crate::cache::old_bank::OldBank;
+use crate::cache::recall::Recall;
+use crate::compile::Run;
+use crate::{Compiler, Input, Options};
+use proptest::prelude::*;
+
+/// What a clip is made of, a text for each of three locales.
+type Parts = (String, [Option<String>; 3], String);
+
+const TAGS: [&str; 3] = ["en-us", "de-de", "fr-fr"];
+
+fn input(number: usize, (visemes, texts, events): &Parts) -> Input {
+    let mut members = vec![format!(r#""fps":24,"viseme_type":"blair","visemes":"{visemes}""#)];
+    let named = TAGS.iter().zip(texts).filter_map(|(tag, text)| Some((tag, text.as_ref()?)));
+    members.extend(named.map(|(tag, text)| format!(r#""text_{tag}":"{text}""#)));
+    if !events.is_empty() {
+        members.push(format!(r#""events":"{events}""#));
+    }
+    Input::from_bytes(format!("clip{number}"), format!("{{{}}}", members.join(",")))
+}
+
+fn options(is_stripped: bool) -> Options {
+    Options::new().default_locale("en-us").strip(is_stripped).threads(1)
+}
+
+/// The bank of `before` with the clips of `after` that are others, if it can be patched; and the bank of `after`.
+fn both(before: &[Parts], after: &[Parts], options: &Options) -> Option<(Option<Vec<u8>>, Vec<u8>)> {
+    let inputs =
+        |clips: &[Parts]| -> Vec<Input> { clips.iter().enumerate().map(|(at, clip)| input(at, clip)).collect() };
+    let bank = |clips| Compiler::new(options.clone()).compile(&inputs(clips)).bank;
+    let old = OldBank::Whole(bank(before)?.into());
+    let all = inputs(after).into_iter().zip(before.iter().zip(after));
+    let changed: Vec<Input> = all.filter(|(_, (before, after))| before != after).map(|(input, _)| input).collect();
+    let run = Run::read(&changed, options, None, &|_| {});
+    let recall = Recall::new(&old)?;
+    Some((patched(&recall, &run.changed_clips()), bank(after)?))
+}
+
+fn parts(visemes: &str, texts: [&str; 3], events: &str) -> Parts {
+    let texts = texts.map(|text| (!text.is_empty()).then(|| text.to_owned()));
+    (visemes.to_owned(), texts, events.to_owned())
+}
+
+fn scene() -> Vec<Parts> {
+    vec![
+        parts("MA|E-", ["Hi|you", "Na|du", "Toi|là"], "feels sad|"),
+        parts("MAE", ["One line", "Eine Zeile", ""], ""),
+        parts("A-", ["Same", "Gleich", "Pareil"], ""),
+        parts("MMA-", ["Same", "Anders", "Pareil"], ""),
+        parts("AO", ["The end", "", ""], ""),
+    ]
+}
+
+#[test]
+fn frames_and_texts_of_a_clip_become_others() {
+    let edits: [(usize, Parts); 6] = [
+        (0, parts("MAAA|EEE-", ["Hi|you", "Na|du", "Toi|là"], "feels sad|")),
+        (0, parts("M|E", ["Hello|y", "Na|du", "Toi|là"], "feels sad|")),
+        (1, parts("MAE", ["One longer line", "Eine Zeile", ""], "")),
+        (1, parts("MAEOO", ["Line", "Eine ganz andere Zeile", ""], "")),
+        (3, parts("MMA-", ["Same", "Sehr anders", "Pareil"], "")),
+        (4, parts("OA", ["The very end", "", ""], "")),
+    ];
+    for is_stripped in [false, true] {
+        for (at, edit) in &edits {
+            let mut after = scene();
+            after[*at] = edit.clone();
+            let (patched, made) = both(&scene(), &after, &options(is_stripped)).unwrap();
+            assert!(patched.as_ref() == Some(&made), "{edit:?}: patched {}", patched.is_some());
+        }
+    }
+}
+
+#[test]
+fn what_may_stand_once_is_left_to_all_clips() {
+    let edits: [(usize, Parts); 6] = [
+        (2, parts("A-", ["Other", "Gleich", "Pareil"], "")),
+        (1, parts("MAE", ["Same", "Eine Zeile", ""], "")),
+        (1, parts("MAE", ["One line", "Eine Zeile", "Une ligne"], "")),
+        (0, parts("MA|E-", ["Hi|you", "Na|du", "Toi|là"], "feels joy|")),
+        (0, parts("MA|E|-", ["Hi|y|ou", "Na|d|u", "To|i|là"], "feels sad||")),
+        (4, parts("AO", [" The end", "", ""], "")),
+    ];
+    for (at, edit) in edits {
+        let mut after = scene();
+        after[at] = edit;
+        assert_eq!(both(&scene(), &after, &options(false)).unwrap().0, None, "{:?}", after[at]);
+    }
+}
+
+fn clip() -> impl Strategy<Value = Parts> {
+    let text = || prop::option::weighted(0.8, "[ab]{1,3}|[a-z]{2,9}( [a-z]{2,9}){0,3}");
+    (1_usize..3, prop::array::uniform3(text()), "[MAEO-]{1,6}", any::<bool>()).prop_map(
+        |(count, texts, visemes, has_events)| {
+            let divided = |part: &str| vec![part; count].join("|");
+            let events = if has_events { divided("feels sad") } else { String::new() };
+            (divided(&visemes), texts.map(|text| text.map(|text| divided(&text))), events)
+        },
+    )
+}
+
+proptest! {
+    #[test]
+    fn patched_banks_are_those_of_all_clips(
+        before in prop::collection::vec(clip(), 1..8),
+        edits in prop::collection::vec((any::<prop::sample::Index>(), clip(), 0_usize..4), 1..4),
+        is_stripped in any::<bool>(),
+    ) {
+        let mut after = before.clone();
+        for (at, edit, kind) in edits {
+            let clip = at.get_mut(&mut after);
+            match kind {
+                0 => *clip = edit,
+                1 => clip.0.push_str("AA"),
+                2 => clip.1.iter_mut().flatten().for_each(|text| text.push('x')),
+                _ => clip.1.iter_mut().flatten().take(1).for_each(|text| text.insert(0, 'ü')),
+            }
+        }
+        if let Some((Some(patched), made)) = both(&before, &after, &options(is_stripped)) {
+            prop_assert!(patched == made, "another bank: {before:?} -> {after:?}");
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! Events and meta without diagnostics, each of which is looked at once.
+
+use crate::Options;
+use crate::check::{emotions, events, gestures};
+use foldhash::{HashSet, HashSetExt};
+
+/// Strings of a kind that are remembered: games repeat few of them often.
+const MOST_KNOWN: usize = 1 << 12;
+
+/// The strings that a thread has found clean: without diagnostics, and without a face that becomes a curve.
+pub(super) struct CleanStrings {
+    events: HashSet<Box<str>>,
+    metas: HashSet<Box<str>>,
+}
+
+impl CleanStrings {
+    pub(super) fn new() -> CleanStrings {
+        CleanStrings { events: HashSet::new(), metas: HashSet::new() }
+    }
+
+    /// Whether the events of a segment are clean.
+    pub(super) fn has_events(&mut self, segment: &str, options: &Options) -> bool {
+        segment.is_empty()
+            || known_or(&mut self.events, segment, || {
+                events::is_clean(segment, &options.known_names)
+                    && !emotions::are_in_events(segment, options)
+                    && !gestures::are_in_events(segment)
+            })
+    }
+
+    /// Whether meta is clean, given with its braces. Finding out whether a name is that of an emotion takes longer than to read a
+    /// file.
+    pub(super) fn has_meta(&mut self, meta: &str, options: &Options) -> bool {
+        known_or(&mut self.metas, meta, || !emotions::are_in_text(meta, options))
+    }
+}
+
+/// Whether a string is known to be clean, or found to be so and remembered.
+fn known_or(known: &mut HashSet<Box<str>>, string: &str, is_clean: impl FnOnce() -> bool) -> bool {
+    if known.contains(string) {
+        return true;
+    }
+    let is_clean = is_clean();
+    if is_clean && known.len() < MOST_KNOWN {
+        known.insert(string.into());
+    }
+    is_clean
+}

@@ -1,0 +1,192 @@
+//! A clean file becomes the clip that the full parser and the check make of it; all others are refused.
+
+use super::CleanFiles;
+use crate::check::{self, Spoken};
+use crate::clip::{ClipData, Locales};
+use crate::options::{EmotionCurves, GestureKeys};
+use crate::{Options, source_record};
+use lipz_bank::{Fps, VisemeType};
+use proptest::prelude::*;
+use std::path::Path;
+
+/// All that is kept of a clip, texts with their tags.
+fn shape(clip: &ClipData, locales: &Locales) -> String {
+    let texts = clip.texts.iter().map(|text| (locales.tag(text.locale), clip.whole_run(text), text.hash));
+    let texts: Vec<_> = texts.collect();
+    let events: Vec<&str> = clip.events.iter().collect();
+    let curves: Vec<_> = clip.curves.iter().collect();
+    let flags = (clip.has_visemes, clip.has_events, clip.has_joined);
+    let head = (clip.fps, clip.viseme_type, flags, &clip.frames, &clip.starts);
+    format!("{head:?} {texts:?} {events:?} {curves:?} {:?}", clip.source)
+}
+
+/// What the full parser and the check make of a file; `None` if they report something.
+fn fully(bytes: &[u8], options: &Options, locales: &mut Locales) -> Option<String> {
+    let parsed = lipz_file::parse(bytes);
+    let (document, mut diagnostics) = (parsed.document?, parsed.diagnostics);
+    let mut clip = ClipData::default();
+    check::check(&document, options, Spoken::default(), locales, &mut clip, &mut diagnostics);
+    if let Some(packed) = &options.locales {
+        clip.keep_texts(packed, locales, options);
+    }
+    if !options.strip {
+        source_record::encode(&document, options, locales, &mut clip);
+    }
+    diagnostics.is_empty().then(|| shape(&clip, locales))
+}
+
+/// Reads a file in both ways, which must agree if the short one does not refuse it; returns whether it did not.
+fn is_clean(bytes: &[u8], options: &Options) -> bool {
+    let mut locales = Locales::default();
+    for tag in ["en-us", "de-de", "fr-fr"] {
+        locales.number(tag, true);
+    }
+    let mut clip = ClipData::default();
+    let is_clean = CleanFiles::new(options).clip(bytes, &locales, &mut clip);
+    let full = fully(bytes, options, &mut locales);
+    if is_clean {
+        assert_eq!(full, Some(shape(&clip, &locales)), "{}", String::from_utf8_lossy(bytes));
+    }
+    is_clean
+}
+
+/// Options of every kind that changes what is clean.
+fn all_options() -> Vec<Options> {
+    let usual = Options::new();
+    let mut with_curves = Options::new();
+    with_curves.emotions.curves = EmotionCurves::All;
+    let mut with_gestures = Options::new().default_locale("en-us");
+    with_gestures.gestures.keys = GestureKeys::Words;
+    vec![
+        with_gestures,
+        usual.clone().default_locale("en-us"),
+        usual.clone().strip(true),
+        usual.clone().literal_braces(true),
+        Options { locales: Some(["de-de", "en-us"].map(str::to_owned).into()), ..usual.clone() },
+        Options {
+            default_fps: Fps::new(24, 1),
+            default_viseme_type: Some(VisemeType::Blair),
+            viseme_type: Some(VisemeType::Blair),
+            ..usual.clone()
+        },
+        Options { default_viseme_type: Some(VisemeType::Rms), ..usual.clone() },
+        with_curves,
+        usual,
+    ]
+}
+
+#[test]
+fn usual_files_are_clean() {
+    let files = [
+        r#"{"fps":24,"viseme_type":"blair","visemes":"MA|E-","text_en-us":"Hi| there ","text_de-de":"Na|und","events":"feels sad|"}"#,
+        "{\n\t\"text_en-us\" : \"Hi, {to amy} you\",\r\n  \"fps\": 23.976 }\n",
+        r#" {"visemes":"|","text_de-de":"ü|","text_en-us":"|x"} "#,
+        r#"{"events":"amy sees door, feels sad|bell(3)"}"#,
+        r#"{"text_en-us":"One||two","text_de-de":"Eins| |zwei"}"#,
+    ];
+    for file in files {
+        assert!(is_clean(file.as_bytes(), &Options::new()), "{file}");
+    }
+}
+
+#[test]
+fn whatever_could_be_reported_is_refused() {
+    let files = [
+        "",
+        "{}",
+        "{\"fps\":24,}",
+        "{\"fps\":24} x",
+        "{\"fps\":24\u{1}}",
+        "{\"fps\":024}",
+        "{\"fps\":-24}",
+        "{\"fps\":2.4e1}",
+        "{\"fps\":24.}",
+        "{\"fps\":0.5}",
+        "{\"fps\":24,\"fps\":24}",
+        "{\"fps\":\"24\"}",
+        "{\"visemes\":24}",
+        "{\"visemes\":\"M A\",\"viseme_type\":\"blair\"}",
+        "{\"visemes\":\"MAZ\",\"viseme_type\":\"blair\"}",
+        "{\"visemes\":\"--\",\"text_en-us\":\"Said\"}",
+        "{\"viseme_type\":\"Blair\"}",
+        "{\"text_en-us\":\"a|b\",\"visemes\":\"M\"}",
+        "{\"text_en-us\":\"\"}",
+        "{\"text_en-us\":\"{meta}\"}",
+        "{\"text_en-us\":\"a {b\"}",
+        "{\"text_en-us\":\"a {b {c}}\"}",
+        "{\"text_en-us\":\"a\nb\"}",
+        "{\"text_en-us\":\"a\\nb\"}",
+        "{\"text_en-us\":\"{anger 2} No!\",\"fps\":24,\"visemes\":\"MA\"}",
+        "{\"events\":\"feels joy 3\",\"fps\":24,\"visemes\":\"MA\"}",
+        "{\"events\":\"feels hapy\"}",
+        "{\"text_en-us\":\"a|b\",\"text_de-de\":\"a|\"}",
+        "{\"text_it-it\":\"a\"}",
+        "{\"text_en_us\":\"a\"}",
+        "{\"note\":\"a\"}",
+        "\u{feff}{\"fps\":24}",
+    ];
+    for file in files {
+        assert!(!is_clean(file.as_bytes(), &Options::new().default_locale("en-us")), "{file}");
+    }
+}
+
+#[test]
+fn fixtures_are_read_alike() {
+    let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
+    let (inputs, _) = crate::discover(&[fixtures], None);
+    let (mut count, mut clean_count) = (0, 0);
+    for input in inputs {
+        let crate::Content::File(path) = input.content else { continue };
+        let Ok(bytes) = std::fs::read(path) else { continue };
+        for options in all_options() {
+            count += 1;
+            clean_count += usize::from(is_clean(&bytes, &options));
+        }
+    }
+    assert!(count > 1000 && clean_count > 100, "{clean_count} of {count}");
+}
+
+/// Strings as people write them, and now and then something that is not clean.
+fn string() -> impl Strategy<Value = String> {
+    let part = prop_oneof![
+        8 => "[a-zA-Zü ,.]{0,20}",
+        1 => Just("feels sad".to_owned()),
+        1 => Just("{to amy} hello".to_owned()),
+        1 => Just("{anger 2} hello".to_owned()),
+        1 => "[-MAEO]{0,6}",
+        1 => r#"[{}\\"\t|]{1,2}"#,
+    ];
+    prop::collection::vec(part, 1..4).prop_map(|parts| parts.join("|"))
+}
+
+fn member() -> impl Strategy<Value = String> {
+    let text = |tag: &str| {
+        let tag = tag.to_owned();
+        string().prop_map(move |string| format!("\"text_{tag}\": \"{string}\""))
+    };
+    prop_oneof![
+        prop::sample::select(vec!["24", "30", "29.97", "0", "1e2", "07", "\"24\""])
+            .prop_map(|fps| format!("\"fps\": {fps}")),
+        prop::sample::select(vec!["blair", "rms", "toonboom", "Blair"])
+            .prop_map(|name| format!("\"viseme_type\":\"{name}\"")),
+        "[-MAEO|]{0,12}|[-0-9|]{0,9}| ".prop_map(|codes| format!("\"visemes\" :\t\"{codes}\"")),
+        string().prop_map(|events| format!("\"events\": \"{events}\"")),
+        text("en-us"),
+        text("de-de"),
+        text("it-it"),
+    ]
+}
+
+proptest! {
+    #[test]
+    fn both_ways_agree(members in prop::collection::vec(member(), 0..7), blanks in "[ \n\r\t]{0,3}", change in any::<(u16, u8)>()) {
+        let mut bytes = format!("{blanks}{{{}}}{blanks}", members.join(&format!(",{blanks}"))).into_bytes();
+        for options in all_options() {
+            is_clean(&bytes, &options);
+        }
+        let (at, byte) = change;
+        let at = usize::from(at) % bytes.len();
+        bytes[at] = byte;
+        is_clean(&bytes, &Options::new().default_locale("en-us"));
+    }
+}

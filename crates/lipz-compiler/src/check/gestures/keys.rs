@@ -1,0 +1,105 @@
+//! From gestures to keys of curves.
+
+use super::Gesture;
+use super::shapes::{Path, neutral};
+use crate::clip::Key;
+use lipz_bank::{CurveValue, FaceCurve, Fps, Micros};
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// A gesture that has a place on a curve.
+struct Placed {
+    /// What it adds to the neutral value at most.
+    amplitude: i32,
+    path: Path,
+    /// The frame in which it is done.
+    end: u32,
+}
+
+/// Gestures by the frame in which they start.
+type OfCurve = BTreeMap<u32, Placed>;
+
+/// The curves of gestures, and for each gesture whether it moves one. Of those that overlap on a curve the first one in `gestures`
+/// stays.
+pub(super) fn keys(gestures: &[Gesture<'_>], fps: Fps, clip_end: u32) -> (BTreeMap<String, Vec<Key>>, Vec<bool>) {
+    let mut placed: BTreeMap<String, (FaceCurve, OfCurve)> = BTreeMap::new();
+    let mut moves = Vec::with_capacity(gestures.len());
+    for gesture in gestures {
+        let mut is_placed = false;
+        for (curve, path) in gesture.kind.paths().iter().filter(|_| gesture.frame < clip_end) {
+            let (_, of_curve) = placed.entry(gesture.name_of(*curve)).or_insert_with(|| (*curve, OfCurve::new()));
+            let length = path.iter().fold(0, |length, (ms, _)| frames(fps, *ms).max(length + 1));
+            let end = gesture.frame.saturating_add(length);
+            if is_free(of_curve, gesture.frame..end) {
+                let amplitude = gesture.kind.amplitude(gesture.strength);
+                of_curve.insert(gesture.frame, Placed { amplitude, path, end });
+                is_placed = true;
+            }
+        }
+        moves.push(is_placed);
+    }
+    let keys =
+        placed.into_iter().map(|(name, (curve, of_curve))| (name, curve, keys_of(curve, of_curve, fps, clip_end)));
+    let moving = keys.filter(|(_, curve, keys)| keys.iter().any(|(_, value)| value.thousandths() != neutral(*curve)));
+    (moving.map(|(name, _, keys)| (name, keys)).collect(), moves)
+}
+
+/// Whether no gesture is under way in these frames.
+fn is_free(of_curve: &OfCurve, frames: Range<u32>) -> bool {
+    let before = of_curve.range(..=frames.start).next_back();
+    before.is_none_or(|(start, last)| last.end <= frames.start && *start < frames.start)
+        && of_curve.range(frames).next().is_none()
+}
+
+/// The keys of gestures, one behind the other, in a clip of so many frames.
+fn keys_of(curve: FaceCurve, gestures: OfCurve, fps: Fps, clip_end: u32) -> Vec<Key> {
+    let mut keys: Vec<Key> = Vec::new();
+    let at_rest = CurveValue::from_thousandths(neutral(curve));
+    for (start, Placed { amplitude, path, end }) in gestures {
+        if keys.last().is_none_or(|(frame, _)| *frame < start) {
+            keys.push((start, at_rest));
+        }
+        let mut before = start;
+        for (ms, share) in path {
+            before = start.saturating_add(frames(fps, *ms)).max(before + 1);
+            let value = i64::from(neutral(curve)) + i64::from(amplitude) * i64::from(*share) / 1000;
+            if before < end.min(clip_end) {
+                keys.push((before, CurveValue::from_thousandths(value as i32)));
+            }
+        }
+        // The clip may end before the gesture does: then it is done there.
+        keys.push((end.min(clip_end), at_rest));
+    }
+    keys
+}
+
+/// The frame of a time, the nearest one.
+fn frames(fps: Fps, ms: u32) -> u32 {
+    let half_us = fps.start_of_frame_us(1) / 2;
+    fps.frame_at(Micros((u64::from(ms) * 1000 + half_us) as i64)).unwrap_or(u32::MAX)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::shapes::Kind;
+    use super::*;
+
+    /// The keys of nods, in a clip of 40 frames at 20 a second.
+    fn nods(gestures: &[(u32, i32)]) -> Vec<String> {
+        let nod = |(frame, strength): &(u32, i32)| Gesture::new(Kind::Nod, *frame, *strength);
+        let gestures: Vec<Gesture<'_>> = gestures.iter().map(nod).collect();
+        let (curves, _) = keys(&gestures, Fps::whole(20), 40);
+        curves.into_values().flatten().map(|(frame, value)| format!("{frame}:{value}")).collect()
+    }
+
+    #[test]
+    fn swings_decrease_and_stay_in_the_clip() {
+        assert_eq!(nods(&[(2, 4000)]), ["2:5", "5:3", "8:6", "11:4.5", "14:5"]);
+        assert_eq!(nods(&[(0, 10_000)])[1], "3:0", "as far as the curve goes");
+        assert_eq!(nods(&[(2, 4000), (14, 4000)])[4..], ["14:5", "17:3", "20:6", "23:4.5", "26:5"]);
+        assert_eq!(nods(&[(2, 4000), (13, 4000), (0, 1000)]).len(), 5, "the first of them stays");
+        assert_eq!(nods(&[(34, 4000)]), ["34:5", "37:3", "40:5"]);
+        assert_eq!(nods(&[(39, 4000), (40, 4000), (99, 4000)]), [""; 0]);
+        assert_eq!(nods(&[(2, 0)]), [""; 0], "nothing moves");
+    }
+}

@@ -1,0 +1,100 @@
+//! What faces do while something is said or heard, as curves: nods and shakes of the head, breath, brows, shrugs.
+
+mod clock;
+mod events;
+mod keys;
+mod lists;
+mod pauses;
+mod said;
+mod shapes;
+mod words;
+
+use super::Spoken;
+use super::elements::Roles;
+use crate::Options;
+use crate::clip::{ClipData, Locales};
+use crate::options::GestureKeys;
+use clock::Clock;
+pub(super) use events::are_in_events;
+use lipz_bank::{FaceCurve, Fps};
+use lipz_diagnostics::Diagnostic;
+use lists::Lists;
+use shapes::Kind;
+use words::Words;
+
+/// The highest strength, in thousandths.
+const MOST: i32 = 10_000;
+
+/// What a face does from a frame on.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+struct Gesture<'e> {
+    kind: Kind,
+    frame: u32,
+    /// In thousandths.
+    strength: i32,
+    /// `None` for the speaker.
+    who: Option<&'e str>,
+}
+
+impl Gesture<'_> {
+    fn new(kind: Kind, frame: u32, strength: i32) -> Self {
+        Gesture { kind, frame, strength, who: None }
+    }
+
+    /// The name of one of its curves: those of others have their name in front.
+    fn name_of(&self, curve: FaceCurve) -> String {
+        self.who.map_or(curve.name().to_owned(), |who| format!("{who}.{}", curve.name()))
+    }
+}
+
+/// Gives the clip, whose emotions are known, the curves of its gestures, unless its file has curves of those names.
+pub(super) fn curves(
+    roles: &Roles<'_>,
+    options: &Options,
+    spoken: Spoken<'_>,
+    locales: &Locales,
+    clip: &mut ClipData,
+    diagnostics: &mut Vec<Diagnostic>,
+) {
+    let keys = options.gestures.keys;
+    let Some(fps) = clip.fps.filter(|_| keys != GestureKeys::Off && clip.has_visemes) else { return };
+    let events = roles.events.filter(|_| !clip.has_joined);
+    let of_events = events.map(|events| events::of_events(events, clip, &options.gestures, diagnostics));
+    let of_events = of_events.unwrap_or_default();
+    let mut gestures: Vec<Gesture<'_>> = of_events.iter().map(|(gesture, _)| *gesture).collect();
+    if keys == GestureKeys::Words {
+        of_words(roles, options, spoken, locales, clip, fps, &mut gestures);
+    }
+    let (curves, moves) = keys::keys(&gestures, fps, clip.frames.len() as u32);
+    for ((gesture, span), moves) in of_events.iter().zip(moves) {
+        let is_in_file =
+            |(name, _): (&str, _)| gesture.kind.paths().iter().all(|(curve, _)| gesture.name_of(*curve) == name);
+        if !moves || clip.curves.iter().any(is_in_file) {
+            diagnostics.push(events::hidden(gesture, *span, clip));
+        }
+    }
+    clip.curves.add_missing(curves);
+}
+
+/// Adds what the speaker does with what is said, and while nothing is.
+fn of_words(
+    roles: &Roles<'_>,
+    options: &Options,
+    spoken: Spoken<'_>,
+    locales: &Locales,
+    clip: &ClipData,
+    fps: Fps,
+    to: &mut Vec<Gesture<'_>>,
+) {
+    if let Some(text) = roles.texts_by_voice(options, spoken, locales).first().filter(|_| !clip.has_joined) {
+        let times = spoken.times.map(|times| times.of_text(&text.string.text)).unwrap_or_default();
+        let words = Words::of(&text.string.text, options.literal_braces);
+        let clock = Clock::new(clip, fps, times, &words);
+        if let Some(lists) = Lists::of(locales.tag(text.locale)) {
+            said::of_lists(&words, lists, &clock, &options.gestures, to);
+        }
+        said::of_stress(&words, &clock, to);
+        said::of_breath(&words, clip, &clock, &options.gestures, to);
+    }
+    pauses::of_listening(clip, fps, to);
+}

@@ -1,0 +1,213 @@
+//! The words of a text that are said, and what stands around them.
+
+use lipz_file::text;
+use std::ops::Range;
+
+/// A word that is said.
+pub(super) struct Word<'t> {
+    pub(super) text: &'t str,
+    pub(super) segment: usize,
+    /// Where it starts in the text.
+    pub(super) start: usize,
+    /// Letters and digits of the segment before it.
+    pub(super) letters_before: usize,
+    /// What stands in front of it, from the word or meta before.
+    before: &'t str,
+    /// What stands behind it, up to the next word or meta.
+    behind: &'t str,
+    /// Whether that is a word.
+    goes_on: bool,
+}
+
+/// The words of a text, and how many letters its segments have.
+pub(super) struct Words<'t> {
+    pub(super) words: Vec<Word<'t>>,
+    pub(super) letters: Vec<usize>,
+}
+
+impl<'t> Words<'t> {
+    /// The words of a text, whose braces are meta or not.
+    pub(super) fn of(whole: &'t str, literal_braces: bool) -> Words<'t> {
+        let mut words = Words { words: Vec::new(), letters: Vec::new() };
+        for segment in text::segments(whole) {
+            words.letters.push(0);
+            let metas = if literal_braces { Vec::new() } else { text::meta_ranges(&whole[segment.clone()]) };
+            let mut at = segment.start;
+            for meta in metas {
+                words.piece(whole, at..segment.start + meta.start);
+                at = segment.start + meta.end;
+            }
+            words.piece(whole, at..segment.end);
+        }
+        words
+    }
+
+    /// Adds the words of a stretch that is displayed.
+    fn piece(&mut self, whole: &'t str, range: Range<usize>) {
+        let segment = self.letters.len() - 1;
+        let first = self.words.len();
+        let mut end = range.start;
+        let mut rest = &whole[range.clone()];
+        while let Some(at) = rest.find(is_of_word) {
+            let length = rest[at..].find(|c| !is_of_word(c)).unwrap_or(rest.len() - at);
+            let text = &rest[at..at + length];
+            let start = range.end - rest.len() + at;
+            let before = &whole[end..start];
+            (end, rest) = (start + length, &rest[at + length..]);
+            let letters = text.chars().filter(|c| c.is_alphanumeric()).count();
+            let letters_before = self.letters[segment];
+            self.letters[segment] += letters;
+            if letters > 0 {
+                let (behind, goes_on) = ("", false);
+                self.words.push(Word { text, segment, start, letters_before, before, behind, goes_on });
+            }
+        }
+        let starts: Vec<usize> = self.words[first..].iter().map(|word| word.start).collect();
+        for (number, word) in self.words[first..].iter_mut().enumerate() {
+            let next = starts.get(number + 1).copied();
+            word.behind = &whole[word.end()..next.unwrap_or(range.end)];
+            word.goes_on = next.is_some();
+        }
+    }
+}
+
+impl Word<'_> {
+    /// Where it ends in the text.
+    pub(super) fn end(&self) -> usize {
+        self.start + self.text.len()
+    }
+
+    /// As words of lists are written.
+    pub(super) fn lower_case(&self) -> String {
+        self.text.trim_matches(is_apostrophe).to_lowercase().replace('’', "'")
+    }
+
+    /// Whether only blanks stand between it and the next word.
+    pub(super) fn leads_on(&self) -> bool {
+        self.goes_on && self.behind.chars().all(char::is_whitespace)
+    }
+
+    /// Whether the writer marks it: `I *told* you`.
+    pub(super) fn is_marked(&self) -> bool {
+        self.before.ends_with(['*', '_'])
+    }
+
+    /// Whether it is written in capitals.
+    pub(super) fn is_in_capitals(&self) -> bool {
+        self.text.chars().filter(|c| c.is_uppercase()).count() > 1 && !self.has_small_letters()
+    }
+
+    /// Whether it has letters that are no capitals.
+    pub(super) fn has_small_letters(&self) -> bool {
+        self.text.chars().any(char::is_lowercase)
+    }
+
+    /// Whether one of these marks stands behind it, at the end of a sentence.
+    pub(super) fn is_before(&self, marks: &[char]) -> bool {
+        self.ends_sentence() && self.behind.contains(marks)
+    }
+
+    /// Whether a mark behind it ends a sentence.
+    pub(super) fn ends_sentence(&self) -> bool {
+        let Some(at) = self.behind.find(is_end) else { return false };
+        let rest = self.behind[at..].trim_start_matches(|c| is_end(c) || is_closing(c));
+        // `3.5` and `lipz.toml` go on. Scripts without blanks have marks of their own.
+        !self.goes_on || rest.starts_with(char::is_whitespace) || !self.behind[at..].starts_with(['.', '!', '?'])
+    }
+}
+
+/// Marks at the ends of sentences, of all scripts.
+fn is_end(c: char) -> bool {
+    matches!(
+        c,
+        '.' | '!'
+            | '?'
+            | '…'
+            | '。'
+            | '！'
+            | '？'
+            | '．'
+            | '؟'
+            | '۔'
+            | '।'
+            | '॥'
+            | '።'
+            | '፧'
+            | '։'
+            | '՞'
+            | '၊'
+            | '။'
+            | '។'
+            | '៕'
+    )
+}
+
+/// What may stand between the end of a sentence and the next.
+fn is_closing(c: char) -> bool {
+    matches!(c, '"' | '\'' | ')' | ']' | '*' | '_' | '”' | '’' | '»' | '«' | '」' | '』' | '）')
+}
+
+fn is_apostrophe(c: char) -> bool {
+    matches!(c, '\'' | '’' | '-')
+}
+
+/// Whether a character is of a word. Letters and their marks are, and all that is no blank and no mark of its own: so that the
+/// vowels of Indian scripts, which are no letters, divide no word.
+fn is_of_word(c: char) -> bool {
+    let is_mark = match c {
+        '\'' | '’' | '-' => false,
+        _ if c.is_ascii() => !c.is_ascii_alphanumeric(),
+        '«' | '»' | '¡' | '¿' | '·' | '،' | '؛' | '՝' | '՜' | '፣' | '፤' | '፥' => true,
+        '\u{2010}'..='\u{2027}' | '\u{2030}'..='\u{205e}' | '\u{3000}'..='\u{303f}' | '\u{ff00}'..='\u{ff0f}' => true,
+        '：' | '；' | '［' | '］' | '｛' | '｝' | '～' | '・' => true,
+        _ => false,
+    };
+    !(is_mark || c.is_whitespace() || c.is_control() || is_end(c))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn words(text: &str) -> Vec<(usize, &str)> {
+        Words::of(text, false).words.iter().map(|word| (word.segment, word.text)).collect()
+    }
+
+    /// The words that sentences end with.
+    fn ends(text: &str) -> Vec<&str> {
+        Words::of(text, false).words.iter().filter(|word| word.ends_sentence()).map(|word| word.text).collect()
+    }
+
+    #[test]
+    fn words_of_several_scripts() {
+        assert_eq!(
+            words("Don’t {quietly} go -- *there*, x-ray!"),
+            [(0, "Don’t"), (0, "go"), (0, "there"), (0, "x-ray")]
+        );
+        assert_eq!(words("बिल्कुल नहीं।|はい、そうです。"), [(0, "बिल्कुल"), (0, "नहीं"), (1, "はい"), (1, "そうです")]);
+        assert_eq!(words(" |{meta}|..."), []);
+        let all = Words::of("ab {x} cd|efg", false);
+        assert_eq!((all.letters, all.words[1].letters_before), (vec![4, 3], 2));
+    }
+
+    #[test]
+    fn ends_of_sentences() {
+        assert_eq!(ends("It is 3.5 of lipz.toml. \"Really?\" Yes"), ["toml", "Really"]);
+        assert_eq!(ends("Wait... {calm} no!|对。好"), ["Wait", "no", "对"]);
+        assert_eq!(ends("No, he, she"), [""; 0]);
+    }
+
+    /// The words of which that is true.
+    fn those<'t>(words: &[Word<'t>], is: impl Fn(&Word<'t>) -> bool) -> Vec<&'t str> {
+        words.iter().filter(|word| is(word)).map(|word| word.text).collect()
+    }
+
+    #[test]
+    fn stress() {
+        let all = Words::of("I *told* you NOT to, I said!", false).words;
+        assert_eq!(those(&all, Word::is_marked), ["told"]);
+        assert_eq!(those(&all, Word::is_in_capitals), ["NOT"]);
+        assert_eq!(those(&all, |word| word.is_before(&['!'])), ["said"]);
+        assert_eq!(those(&all, Word::leads_on), ["you", "NOT", "I"]);
+    }
+}

@@ -1,0 +1,91 @@
+//! Dubs of a bank below the one that is packed, whose clips stay.
+
+use super::{Dub, Dubs};
+use crate::clip::Clip;
+use lipz_bank::{Bank, Spoken};
+use std::collections::BTreeMap;
+
+/// The dubs of a bank, by keys.
+#[derive(Debug, Default)]
+pub(crate) struct KeptDubs {
+    /// The locales of the voices, that of the originals first.
+    pub(crate) voices: Vec<String>,
+    /// For each dub its voice and its original.
+    pub(crate) originals: BTreeMap<String, (String, String)>,
+    /// For each original and voice without a dub, the dub that is played.
+    others: BTreeMap<(String, String), String>,
+}
+
+impl KeptDubs {
+    /// Those of a bank.
+    pub(crate) fn of(bank: &Bank<'_>) -> KeptDubs {
+        let mut kept =
+            KeptDubs { voices: bank.voices().map(|voice| voice.tag().to_owned()).collect(), ..Self::default() };
+        for clip in bank.clips() {
+            let key = clip.key().to_owned();
+            if let (Some(original), Some(voice)) = (clip.original(), clip.voice()) {
+                kept.originals.insert(key, (voice.tag().to_owned(), original.key().to_owned()));
+                continue;
+            }
+            for voice in bank.voices() {
+                let voiced = clip.in_voice(voice);
+                if voiced.spoken == Spoken::OtherDub {
+                    kept.others.insert((key.clone(), voice.tag().to_owned()), voiced.clip.key().to_owned());
+                }
+            }
+        }
+        kept
+    }
+
+    /// The original and the dubs of the line that a clip is of, if it has dubs.
+    pub(super) fn of_line(&self, key: &str) -> impl Iterator<Item = &str> {
+        let original = self.originals.get(key).map_or(key, |(_, original)| original).to_owned();
+        let of_line = self.originals.iter().filter(move |(_, (_, of))| *of == original);
+        of_line.flat_map(|(dub, (_, original))| [dub.as_str(), original.as_str()])
+    }
+
+    /// The voices of these clips and of others together.
+    pub(super) fn with_voices(&self, others: Vec<String>) -> Vec<String> {
+        let Some(original) = self.voices.first().or(others.first()).cloned() else { return others };
+        let mut dubbed: Vec<String> =
+            self.voices.iter().cloned().chain(others).filter(|tag| *tag != original).collect();
+        dubbed.sort_unstable();
+        dubbed.dedup();
+        [original].into_iter().chain(dubbed).collect()
+    }
+
+    /// Of which clip this one is a dub, among clips in the order of their keys.
+    pub(super) fn dub(&self, clip: &Clip<'_>, clips: &[Clip<'_>], voices: &[String]) -> Option<Dub> {
+        let (voice, original) = self.originals.get(clip.key())?;
+        let original = clips.binary_search_by(|other| other.key().cmp(original)).ok()?;
+        let voice = voices.iter().position(|tag| tag == voice)?;
+        (clips[original].starts().len() == clip.starts().len()).then_some(Dub { voice, original })
+    }
+
+    /// Has lines whose dubs are the same fall back as they did: who packs an addition knows its own voices only.
+    pub(super) fn restore(&self, dubs: &mut Dubs, clips: &[Clip<'_>]) {
+        if self.voices.is_empty() || dubs.voices.is_empty() {
+            return;
+        }
+        let place = |key: &str| clips.binary_search_by(|clip| clip.key().cmp(key)).ok();
+        let mut before: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+        for (dub, (_, original)) in &self.originals {
+            before.entry(original).or_default().push(dub);
+        }
+        let mut after: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+        for (at, dub) in dubs.iter() {
+            after.entry(clips[dub.original].key()).or_default().push(clips[at].key());
+        }
+        let is_same = |original: &str| before.get(original) == after.get(original);
+        let is_known = |voice: usize| self.voices.contains(&dubs.voices[voice]);
+        let mut others = std::mem::take(&mut dubs.others);
+        others.retain(|(dub, _)| !is_known(dub.voice) || !is_same(clips[dub.original].key()));
+        for ((original, voice), other) in self.others.iter().filter(|((original, _), _)| is_same(original)) {
+            let voice = dubs.voices.iter().position(|tag| tag == voice);
+            if let (Some(voice), Some(original), Some(other)) = (voice, place(original), place(other)) {
+                others.push((Dub { voice, original }, other));
+            }
+        }
+        dubs.others = others;
+    }
+}

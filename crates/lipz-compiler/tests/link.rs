@@ -1,0 +1,186 @@
+//! Objects of shards, linked, are the bank that packs all sources in one go: byte for byte, in any number and order.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
+#![cfg(feature = "shards")]
+
+mod support;
+
+use lipz_bank::{ClipId, Recording};
+use lipz_compiler::babble::BabbleProfiles;
+use lipz_compiler::shard::{Link, Shard, shard_of};
+use lipz_compiler::{Compiled, Compiler, Input, Options, Voices};
+use proptest::prelude::*;
+use std::fs;
+use std::num::NonZero;
+use std::path::{Path, PathBuf};
+
+/// Writes the objects of `inputs` into a folder.
+fn objects(compiler: &Compiler<'_>, inputs: &[Input], shards: u16, folder: &Path) -> Vec<PathBuf> {
+    let count = NonZero::new(shards).unwrap();
+    let of_shard = |shard: u16| {
+        let is_own = |input: &&Input| shard_of(ClipId::from_key(&input.key), count) == shard;
+        let own: Vec<Input> = inputs.iter().filter(is_own).cloned().collect();
+        let object = compiler.object(&own, &Shard::new(shard, shards));
+        let path = folder.join(format!("{shard}-of-{shards}.lipzobj"));
+        fs::write(&path, object.bank.unwrap_or_else(|| panic!("{:?}", object.reports))).unwrap();
+        path
+    };
+    (0..shards).map(of_shard).collect()
+}
+
+fn linked(compiler: &Compiler<'_>, inputs: &[Input], shards: u16, turn: usize) -> Compiled {
+    let folder = tempfile::tempdir().unwrap();
+    let mut paths = objects(compiler, inputs, shards, folder.path());
+    let turn = turn % paths.len();
+    paths.rotate_left(turn);
+    compiler.link_to_bank(&Link::open(&paths).unwrap())
+}
+
+fn assert_same(compiler: &Compiler<'_>, inputs: &[Input], shards: u16, turn: usize) {
+    let packed = compiler.compile(inputs);
+    let linked = linked(compiler, inputs, shards, turn);
+    assert!(packed.bank.is_some(), "{:?}", packed.reports);
+    assert!(packed.bank == linked.bank, "{shards} shards");
+    assert_eq!(packed.reports, linked.reports, "{shards} shards");
+}
+
+fn drama() -> Vec<Input> {
+    support::files("drama").into_iter().map(|(key, bytes)| Input::from_bytes(key, bytes)).collect()
+}
+
+#[test]
+fn the_drama_in_any_number_of_shards() {
+    let inputs = drama();
+    let recordings = inputs.iter().step_by(5).map(|input| (input.key.clone(), Recording::new(1_000_000, 7)));
+    let variants = [
+        Options::new().default_locale("en-us"),
+        Options::new().default_locale("en-us").pseudo(true).strip(true),
+        Options::new().default_locale("en-us").locales(["de-de", "fr-fr"]).fallback("fr-fr", ["de-de"]),
+        Options::new().default_locale("en-us").babble(BabbleProfiles::default()).recordings(recordings),
+    ];
+    for options in variants {
+        for (turn, shards) in [1, 2, 3, 7, 16, 64, 100].into_iter().enumerate() {
+            assert_same(&Compiler::new(options.clone()), &inputs, shards, turn * 3);
+        }
+    }
+}
+
+#[test]
+fn no_clips_and_many_threads() {
+    for threads in 1..=4 {
+        let compiler = Compiler::new(Options::new().threads(threads));
+        assert_same(&compiler, &[], 3, 0);
+        let folders = [tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap()];
+        let alone = Compiler::new(Options::new().threads(1));
+        for (compiler, folder) in [(&compiler, &folders[0]), (&alone, &folders[1])] {
+            objects(compiler, &drama(), 4, folder.path());
+        }
+        for name in ["0-of-4.lipzobj", "3-of-4.lipzobj"] {
+            let [one, other] = folders.each_ref().map(|folder| fs::read(folder.path().join(name)).unwrap());
+            assert!(one == other, "{threads} threads: {name}");
+        }
+    }
+}
+
+#[test]
+fn dubs_whose_originals_are_in_other_shards() {
+    let clip = |key: &str, file: &str| Input::from_bytes(key, file);
+    let voices = Voices::new("en-us").dub("de-de", "de/{key}.ogg").dub("fr-fr", "fr/{key}.ogg");
+    let options = Options::new().default_locale("en-us").voices(voices);
+    let lines: Vec<Input> = (0..20)
+        .flat_map(|line| {
+            let original = clip(&format!("line-{line}"), r#"{ "visemes": "MA|O", "text_en-us": "Ma!|Oh." }"#);
+            let dub = clip(&format!("de/line-{line}"), r#"{ "visemes": "OO|A", "text_de-de": "Mama!|Oh." }"#);
+            [original, dub]
+        })
+        .collect();
+    let compiler = Compiler::new(options);
+    [2, 8].into_iter().for_each(|shards| assert_same(&compiler, &lines, shards, 1));
+    // What is wrong between two clips is found when both are there.
+    let mut wrong = lines.clone();
+    wrong[1] = clip("de/line-0", r#"{ "visemes": "OOA", "text_de-de": "Mama!" }"#);
+    wrong[3] = clip("de/line-1", r#"{ "visemes": "OO|A", "text_en-us": "Other!|Oh." }"#);
+    let [packed, linked] = [compiler.compile(&wrong), linked(&compiler, &wrong, 8, 3)];
+    let messages = |compiled: &Compiled| {
+        let diagnostics = compiled.reports.iter().flat_map(|report| &report.diagnostics);
+        diagnostics.map(|diagnostic| (diagnostic.code, diagnostic.message.clone())).collect::<Vec<_>>()
+    };
+    assert!(packed.bank.is_none() && linked.bank.is_none());
+    assert_eq!(messages(&packed), messages(&linked));
+    assert_eq!(messages(&linked).len(), 2);
+}
+
+#[test]
+fn keys_that_clash_are_found_across_shards() {
+    let inputs = ["A/hello", "a/hello"].map(|key| Input::from_bytes(key, r#"{ "text_en-us": "Hello." }"#));
+    let compiler = Compiler::default();
+    let [packed, linked] = [compiler.compile(&inputs), linked(&compiler, &inputs, 64, 0)];
+    assert!(packed.bank.is_none() && linked.bank.is_none());
+    assert_eq!(packed.reports, linked.reports);
+}
+
+#[test]
+fn damaged_objects_are_refused() {
+    let (compiler, folder) = (Compiler::default(), tempfile::tempdir().unwrap());
+    let paths = objects(&compiler, &drama()[..3], 2, folder.path());
+    let bytes = fs::read(&paths[0]).unwrap();
+    for at in (0..bytes.len()).step_by(7) {
+        let mut damaged = bytes.clone();
+        damaged[at] ^= 1 << (at % 8);
+        fs::write(&paths[0], damaged).unwrap();
+        let linked = Link::open(&paths).map(|link| compiler.link_to_bank(&link));
+        assert!(linked.is_err() || linked.is_ok_and(|linked| linked.bank.is_none()), "byte {at}");
+    }
+    for length in (0..bytes.len()).step_by(97) {
+        fs::write(&paths[0], &bytes[..length]).unwrap();
+        let linked = Link::open(&paths).map(|link| compiler.link_to_bank(&link));
+        assert!(linked.is_err() || linked.is_ok_and(|linked| linked.bank.is_none()), "{length} bytes");
+    }
+}
+
+/// A clip with texts in some locales, events, and curves.
+fn file() -> impl Strategy<Value = String> {
+    let text = "[a-zéß日{} ]{0,8}";
+    let texts = proptest::collection::btree_map("(en-us|de-de|de-at|fr-fr|ja-jp)", text, 0..4);
+    let events = proptest::option::of("(mara sees door|x|shout)");
+    (texts, events, proptest::option::of("[MAEO]{1,9}"), 0..4_u8).prop_map(|(texts, events, visemes, extra)| {
+        let mut elements = serde_json::Map::new();
+        for (tag, text) in texts {
+            // Braces have to be in pairs.
+            elements.insert(format!("text_{tag}"), text.replace(['{', '}'], "").into());
+        }
+        elements.extend(events.map(|events| ("events".to_owned(), events.into())));
+        if let Some(visemes) = visemes {
+            elements.insert("visemes".to_owned(), visemes.into());
+            if extra == 1 {
+                elements.insert("curves".to_owned(), serde_json::json!({ "jawOpen": "0:0.25" }));
+            }
+            if extra == 2 {
+                elements.insert("fps".to_owned(), 23.976.into());
+            }
+        }
+        if extra == 3 {
+            elements.insert("note".to_owned(), serde_json::json!({ "kept": [1, 2] }));
+        }
+        serde_json::Value::Object(elements).to_string()
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    #[test]
+    fn linked_is_packed(
+        files in proptest::collection::btree_map("[a-d]{1,2}/line-[0-9]{1,3}", file(), 0..40),
+        shards in 1..=40_u16,
+        turn in 0..40_usize,
+        pseudo in any::<bool>(),
+        chooses in any::<bool>(),
+    ) {
+        let inputs: Vec<Input> = files.into_iter().map(|(key, file)| Input::from_bytes(key, file)).collect();
+        let mut options = Options::new().default_locale("en-us").fallback("ja-jp", ["fr-fr"]).pseudo(pseudo);
+        if chooses {
+            options = options.locales(["de-at", "en-us", "ja-jp"]);
+        }
+        assert_same(&Compiler::new(options), &inputs, shards, turn);
+    }
+}

@@ -1,0 +1,92 @@
+//! The words of events: who, what, whom or what.
+
+use super::Offer;
+use crate::project::Known;
+use crate::words::Role;
+use lipz_file::event::SEPARATOR;
+use lipz_file::text::{DELIMITER, is_white_space};
+use lsp_types::CompletionItemKind;
+use std::ops::Range;
+
+/// The verbs, and what they say.
+const VERBS: [(&str, &str); 7] = [
+    ("feels", "an emotion, until it changes"),
+    ("sees", "looks at a character or a prop for a moment"),
+    ("stares", "looks at a character or a prop until it stops"),
+    ("stops staring", "looks away"),
+    ("points", "points at a character or a prop until it stops"),
+    ("stops pointing", "takes the hand back"),
+    ("does", "an action of the game"),
+];
+
+/// The word that byte `at` of a string is in, which starts at `start`.
+pub(super) fn word_around(text: &str, start: usize, at: usize) -> Range<usize> {
+    let ends = |c: char| is_white_space(c) || matches!(c, SEPARATOR | DELIMITER | '+' | '"');
+    let before = text.get(start..at).unwrap_or_default();
+    let behind = text.get(at..).unwrap_or_default();
+    let first = before.rfind(ends).map_or(start, |place| start + place + 1);
+    first..at + behind.find(ends).unwrap_or(behind.len())
+}
+
+/// What could follow events that are written so far.
+pub(super) fn offers(before: &str, known: &Known) -> Vec<Offer> {
+    let part = before.rsplit([SEPARATOR, DELIMITER]).next().unwrap_or_default();
+    let mut words: Vec<&str> = part.split(is_white_space).filter(|word| !word.is_empty()).collect();
+    if !part.ends_with(is_white_space) {
+        words.pop(); // it is being written
+    }
+    let named = |role, detail: &str, kind| named(known, role, detail, kind);
+    let things = || named(Role::Target, "character or prop", CompletionItemKind::VARIABLE);
+    let feelings = || named(Role::Emotion, "emotion", CompletionItemKind::ENUM_MEMBER);
+    match words.as_slice() {
+        [] => verbs().into_iter().chain(named(Role::Character, "character", CompletionItemKind::VARIABLE)).collect(),
+        // Of a blend: `feels anger 2 + …`.
+        [.., "feels"] | [_, .., "+"] => feelings(),
+        [.., "sees" | "stares" | "points"] => things(),
+        [.., "does"] => named(Role::Action, "action", CompletionItemKind::FUNCTION),
+        [.., "stops"] => {
+            ["staring", "pointing"].map(|word| Offer::new(word, "verb", CompletionItemKind::KEYWORD)).into()
+        }
+        [_] => verbs(),
+        _ => Vec::new(),
+    }
+}
+
+fn verbs() -> Vec<Offer> {
+    VERBS.map(|(verb, about)| Offer::new(verb, about, CompletionItemKind::KEYWORD)).into()
+}
+
+fn named(known: &Known, role: Role, detail: &str, kind: CompletionItemKind) -> Vec<Offer> {
+    let names = known.words.allowed(role, &known.project.settings.options.known_names);
+    names.into_iter().map(|name| Offer::new(name, detail, kind)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::at;
+    use crate::project::Known;
+
+    fn known() -> Known {
+        let mut known = Known::default();
+        let names = &mut known.project.settings.options.known_names;
+        names.characters = Some(["mara".to_owned()].into());
+        names.props = Some(["door".to_owned()].into());
+        names.actions = Some(["wave".to_owned()].into());
+        known
+    }
+
+    #[test]
+    fn each_word_of_an_event_has_its_own_offers() {
+        let offered = |events: &str| at(&format!("{{\"events\": \"{events}\"}}"), &known());
+        assert!(offered("§").0.contains(&"mara".to_owned()) && offered("a|, §").0.contains(&"feels".to_owned()));
+        assert_eq!(offered("mara §").0.len(), 7, "verbs");
+        assert_eq!(offered("feels sad, mara poi§nts").1, "{\"events\": \"feels sad, mara feels\"}");
+        assert_eq!(offered("mara points d§").0, ["door", "mara"]);
+        assert_eq!(offered("mara does §").0, ["wave"]);
+        assert_eq!(offered("stops §").0, ["staring", "pointing"]);
+        let emotions = offered("feels §").0;
+        assert!(emotions.contains(&"happy".to_owned()) && emotions.contains(&"joy".to_owned()), "{emotions:?}");
+        assert_eq!(offered("feels anger 2 + §").0, emotions);
+        assert_eq!(offered("mara points door §").0.len(), 0);
+    }
+}

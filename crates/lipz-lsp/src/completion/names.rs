@@ -1,0 +1,87 @@
+//! The names of elements that a file does not have yet.
+
+use super::Offer;
+use crate::context;
+use crate::document::Document;
+use crate::hover::element;
+use crate::project::Known;
+use lsp_types::CompletionItemKind;
+use std::collections::{BTreeSet, HashSet};
+
+/// What stands around the name that is completed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Around {
+    /// Not even a quote.
+    Nothing,
+    /// The quote before it.
+    Quote,
+    /// Quotes on both sides, and a colon behind them: there is a value.
+    Colon,
+}
+
+/// What stands behind the name at byte `at`, and the byte where the name or its quote ends.
+pub(super) fn around(text: &str, at: usize) -> (Around, usize) {
+    let rest = text.get(at..).unwrap_or_default();
+    let length = rest.find(|c: char| !(c.is_alphanumeric() || matches!(c, '_' | '-'))).unwrap_or(rest.len());
+    let end = at + length;
+    match rest.get(length..).and_then(|behind| behind.strip_prefix('"')) {
+        Some(behind) if behind.trim_start().starts_with(':') => (Around::Colon, end),
+        Some(_) => (Around::Quote, end + 1),
+        None => (Around::Quote, end),
+    }
+}
+
+/// The names of the format, and of texts in the locales of the project.
+pub(super) fn offers(document: &Document, known: &Known, around: Around) -> Vec<Offer> {
+    let present: HashSet<&str> = context::names(&document.text).into_iter().collect();
+    let options = &known.project.settings.options;
+    let mut locales: BTreeSet<&str> = known.words.locales.iter().map(String::as_str).collect();
+    locales.extend(options.locales.iter().flatten().map(String::as_str));
+    // That of the project comes first; `en-us` where nothing else is known.
+    let first = options.default_locale.as_deref().or((locales.is_empty()).then_some("en-us"));
+    let texts = first.into_iter().chain(locales.iter().copied().filter(|tag| Some(*tag) != first));
+    let texts = texts.map(|tag| format!("text_{tag}"));
+    let names = ["visemes", "viseme_type", "fps", "events", "curves"].map(str::to_owned);
+    let names = names.into_iter().chain(texts).filter(|name| !present.contains(name.as_str()));
+    names.map(|name| offer(name, around)).collect()
+}
+
+fn offer(name: String, around: Around) -> Offer {
+    let value = match name.as_str() {
+        "fps" => "$0",
+        "curves" => "{ $0 }",
+        _ => "\"$0\"",
+    };
+    let text = match around {
+        Around::Nothing => format!("\"{name}\": {value}"),
+        Around::Quote => format!("{name}\": {value}"),
+        Around::Colon => name.clone(),
+    };
+    let (title, about) = element::about(&name).unwrap_or_default();
+    Offer { text, about: about.to_owned(), ..Offer::new(name, title, CompletionItemKind::PROPERTY) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::at;
+    use crate::project::Known;
+
+    #[test]
+    fn elements_that_are_missing_are_offered() {
+        let mut known = Known::default();
+        let (labels, first) = at("{ §", &known);
+        assert_eq!(labels, ["visemes", "viseme_type", "fps", "events", "curves", "text_en-us"]);
+        assert_eq!(first, "{ \"visemes\": \"$0\"");
+        known.words.locales = ["de-de", "fr-fr"].map(str::to_owned).into();
+        known.project.settings.options.default_locale = Some("fr-fr".into());
+        let (labels, first) = at("{ \"visemes\": \"\", \"fps\": 24,\n\"v§\" \n\"text_de-de\": \"\" }", &known);
+        assert_eq!(labels, ["viseme_type", "events", "curves", "text_fr-fr"]);
+        assert_eq!(first, "{ \"visemes\": \"\", \"fps\": 24,\n\"viseme_type\": \"$0\" \n\"text_de-de\": \"\" }");
+    }
+
+    #[test]
+    fn a_value_that_is_there_stays() {
+        let (_, first) = at("{ \"vis§eme\" : \"MA\" }", &Known::default());
+        assert_eq!(first, "{ \"visemes\" : \"MA\" }");
+    }
+}

@@ -1,0 +1,157 @@
+//! What is being written at a place of a Lipz file, which need not be JSON yet.
+
+/// What is being written.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) enum Context<'t> {
+    /// Nothing yet, where the name of an element could stand.
+    Between,
+    /// A name; it starts at this byte, behind its quote.
+    Name(usize),
+    /// The string value of the element with this name; it starts at this byte, behind its quote.
+    Text(&'t str, usize),
+    /// Nothing yet, where the value of the element with this name could stand.
+    Value(&'t str),
+    /// Anything else.
+    Other,
+}
+
+/// What is written so far, without its strings.
+#[derive(Default)]
+struct State<'t> {
+    /// Braces and brackets that are open.
+    depth: usize,
+    /// The name of the element.
+    name: Option<&'t str>,
+    is_behind_colon: bool,
+    has_value: bool,
+    /// The names of all elements so far.
+    names: Vec<&'t str>,
+}
+
+/// What is being written at byte `at`: all that stands before it decides.
+pub(crate) fn context(text: &str, at: usize) -> Context<'_> {
+    match read(text.get(..at).unwrap_or(text)) {
+        (state, Some(start)) => state.in_string(start),
+        (state, None) => state.between(),
+    }
+}
+
+/// The names of the elements, as they are spelled, also of files that are not JSON.
+pub(crate) fn names(text: &str) -> Vec<&str> {
+    read(text).0.names
+}
+
+/// What is written, and where the string starts that is open at the end.
+fn read(text: &str) -> (State<'_>, Option<usize>) {
+    let bytes = text.as_bytes();
+    let mut state = State::default();
+    let mut next = 0;
+    while let Some(&byte) = bytes.get(next) {
+        next += 1;
+        if byte == b'"' {
+            let Some(end) = end_of_string(bytes, next) else { return (state, Some(next)) };
+            if state.depth == 1 && !state.is_behind_colon {
+                state.name = text.get(next..end);
+            }
+            state.has_value |= state.is_behind_colon;
+            next = end + usize::from(bytes.get(end) == Some(&b'"'));
+        } else {
+            state.read(byte);
+        }
+    }
+    (state, None)
+}
+
+/// Where the string that starts at `from` ends: its quote, or the line, which nobody closes; `None` if it is open.
+fn end_of_string(bytes: &[u8], from: usize) -> Option<usize> {
+    let mut at = from;
+    loop {
+        match bytes.get(at)? {
+            b'"' | b'\n' => return Some(at),
+            b'\\' => at += 2,
+            _ => at += 1,
+        }
+    }
+}
+
+impl<'t> State<'t> {
+    fn read(&mut self, byte: u8) {
+        match byte {
+            b'{' => self.depth += 1,
+            // In a list at the root, nothing is an element.
+            b'[' => self.depth += if self.depth == 0 { 2 } else { 1 },
+            b'}' | b']' => {
+                self.depth = self.depth.saturating_sub(1);
+                self.has_value = true;
+            }
+            b':' if self.depth == 1 => {
+                self.names.extend(self.name.filter(|_| !self.is_behind_colon));
+                self.is_behind_colon = true;
+            }
+            b',' if self.depth == 1 => (self.name, self.is_behind_colon, self.has_value) = (None, false, false),
+            // Who has forgotten the comma begins a name on the next line all the same.
+            b'\n' if self.depth == 1 && self.has_value => (self.name, self.is_behind_colon) = (None, false),
+            b' ' | b'\t' | b'\r' | b'\n' => {}
+            _ => self.has_value |= self.is_behind_colon,
+        }
+    }
+
+    fn in_string(&self, start: usize) -> Context<'t> {
+        match (self.depth, self.is_behind_colon, self.name) {
+            (1, true, Some(name)) => Context::Text(name, start),
+            (1, false, _) => Context::Name(start),
+            _ => Context::Other,
+        }
+    }
+
+    fn between(&self) -> Context<'t> {
+        match (self.depth, self.is_behind_colon, self.name) {
+            (1, true, Some(name)) if !self.has_value => Context::Value(name),
+            (1, false, None) => Context::Between,
+            _ => Context::Other,
+        }
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    /// What is being written at `§`.
+    fn at(text: &str) -> (Context<'static>, String) {
+        let place = text.find('§').unwrap();
+        let text: &'static str = text.replace('§', "").leak();
+        let found = context(text, place);
+        let start = match found {
+            Context::Name(start) | Context::Text(_, start) => start,
+            _ => place,
+        };
+        (found, text[start..place].to_owned())
+    }
+
+    #[test]
+    fn names_and_values() {
+        assert_eq!(at("{§"), (Context::Between, String::new()));
+        assert_eq!(at("{ \"vis§"), (Context::Name(3), "vis".into()));
+        assert_eq!(at("{ \"fps\": §"), (Context::Value("fps"), String::new()));
+        assert_eq!(at("{ \"fps\": 24§"), (Context::Other, String::new()));
+        assert_eq!(at("{ \"fps\": 24, §"), (Context::Between, String::new()));
+        assert_eq!(at("{ \"fps\": 24\n  \"te§"), (Context::Name(15), "te".into()), "a comma is missing");
+        assert_eq!(at("{ \"events\": \"a|b§|c\" }"), (Context::Text("events", 13), "a|b".into()));
+        assert_eq!(at("{ \"a\\\"b\": \"c\\\\\", \"§"), (Context::Name(18), String::new()));
+        assert_eq!(at("{ \"events\": \"open\n \"x§"), (Context::Name(20), "x".into()), "a string ends with its line");
+    }
+
+    #[test]
+    fn names_are_found_behind_mistakes() {
+        assert_eq!(names("{ \"a\": 1, \"b\" \n\"c\": { \"d\": 2 }, \"e\": \":\", \"f\""), ["a", "c", "e"]);
+    }
+
+    #[test]
+    fn what_is_not_of_the_format_is_something_else() {
+        for text in ["§", "[§", "{}§", "{ \"curves\": { \"an§", "{ \"x\": [\"a§", "{ \"fps\"§", "\"§"] {
+            assert_eq!(at(text).0, Context::Other, "{text}");
+        }
+    }
+}

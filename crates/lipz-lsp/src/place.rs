@@ -1,0 +1,82 @@
+//! Places in texts: bytes of UTF-8 here, lines and UTF-16 code units in the protocol.
+
+use lipz_diagnostics::Span;
+use lsp_types::{Position, Range};
+use ropey::Rope;
+
+/// The position of a byte; those past the end are the end.
+pub(crate) fn position(rope: &Rope, byte: usize) -> Position {
+    let character = rope.byte_to_char(byte.min(rope.len_bytes()));
+    let line = rope.char_to_line(character);
+    let units = rope.char_to_utf16_cu(character) - rope.char_to_utf16_cu(rope.line_to_char(line));
+    Position::new(number(line), number(units))
+}
+
+/// The byte at a position. As the protocol has it, positions behind a line are its end; those behind the text are that of
+/// the text.
+pub(crate) fn byte(rope: &Rope, position: Position) -> usize {
+    let line = position.line as usize;
+    if line >= rope.len_lines() {
+        return rope.len_bytes();
+    }
+    let start = rope.line_to_char(line);
+    let units = rope.char_to_utf16_cu(start).saturating_add(position.character as usize);
+    let end = line_end(rope, line);
+    if units >= rope.char_to_utf16_cu(end) {
+        return rope.char_to_byte(end);
+    }
+    rope.char_to_byte(rope.utf16_cu_to_char(units))
+}
+
+/// The first character of the line break at the end of a line, or the end of the text.
+fn line_end(rope: &Rope, line: usize) -> usize {
+    let start = rope.line_to_char(line);
+    let mut length = rope.line(line).len_chars();
+    while length > 0 && matches!(rope.line(line).char(length - 1), '\n' | '\r') {
+        length -= 1;
+    }
+    start + length
+}
+
+/// The range of a span.
+pub(crate) fn range(rope: &Rope, span: Span) -> Range {
+    Range::new(position(rope, span.start as usize), position(rope, span.end as usize))
+}
+
+/// The bytes of a range; a range whose ends are the wrong way round is empty.
+pub(crate) fn bytes(rope: &Rope, range: Range) -> std::ops::Range<usize> {
+    let start = byte(rope, range.start);
+    start..byte(rope, range.end).max(start)
+}
+
+fn number(number: usize) -> u32 {
+    u32::try_from(number).unwrap_or(u32::MAX)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn positions_count_utf16_units_and_lines_end_in_three_ways() {
+        let rope = Rope::from_str("aü\r\n𝄞b\rc\u{2028}d\n");
+        let places =
+            [(0, 0, 0), (1, 0, 1), (3, 0, 2), (5, 1, 0), (9, 1, 2), (10, 1, 3), (11, 2, 0), (12, 2, 1), (15, 2, 2)];
+        for (at, line, character) in places {
+            let expected = Position::new(line, character);
+            assert_eq!((position(&rope, at), byte(&rope, expected)), (expected, at));
+        }
+        assert_eq!(position(&rope, 99), Position::new(3, 0), "behind the last line break");
+    }
+
+    #[test]
+    fn positions_that_are_no_places_are_the_nearest() {
+        let rope = Rope::from_str("a𝄞\r\nb");
+        assert_eq!(byte(&rope, Position::new(0, 2)), 1, "in the middle of a character");
+        assert_eq!(byte(&rope, Position::new(0, u32::MAX)), 5, "before the line break");
+        assert_eq!(byte(&rope, Position::new(9, 0)), 8);
+        let backwards = Range::new(Position::new(1, 0), Position::new(0, 0));
+        assert_eq!(bytes(&rope, backwards), 7..7);
+        assert_eq!(byte(&Rope::from_str(""), Position::new(0, 1)), 0);
+    }
+}

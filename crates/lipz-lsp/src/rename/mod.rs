@@ -1,0 +1,166 @@
+//! Renaming a character, a prop or an action, in all files of a project.
+
+mod settings;
+
+use crate::document::Document;
+use crate::project::Known;
+use crate::timing::decoded;
+use crate::words::{Role, each, events};
+use crate::{convert, uri};
+use lipz_compiler::settings::is_word;
+use lipz_diagnostics::Span;
+use lipz_file::{Value, curve, literal};
+use lsp_types::{
+    DocumentChanges, OneOf, OptionalVersionedTextDocumentIdentifier, TextDocumentEdit, TextEdit, Uri, WorkspaceEdit,
+};
+use ropey::Rope;
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::path::Path;
+
+/// A name in the events of a file.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) struct Name {
+    pub(crate) text: String,
+    pub(crate) span: Span,
+    role: Role,
+}
+
+impl Name {
+    /// The roles in which the same name means the same.
+    fn roles(&self) -> &'static [Role] {
+        if self.role == Role::Action { &[Role::Action] } else { &[Role::Character, Role::Target] }
+    }
+
+    /// The lists of the settings that may have it.
+    fn lists(&self) -> &'static [&'static str] {
+        if self.role == Role::Action { &["actions"] } else { &["characters", "props"] }
+    }
+}
+
+/// The name at byte `at` of the text, behind a byte order mark. Emotions are not names: the format has them.
+pub(crate) fn name_at(text: &str, at: usize) -> Option<Name> {
+    let parsed = lipz_file::parse(text.as_bytes());
+    let read = parsed.document.or(parsed.fragment.map(|fragment| fragment.document))?;
+    let events = events(&read)?;
+    let at = decoded(events, at)?;
+    let mut found = None;
+    each(&events.text, |role, range| {
+        if role != Role::Emotion && (range.start..=range.end).contains(&at) {
+            found = Some((role, range));
+        }
+    });
+    let (role, range) = found?;
+    let text = events.text.get(range.clone())?.to_owned();
+    Some(Name { text, span: events.span_of(range), role })
+}
+
+/// The files that are open in the editor, by the names of their paths.
+pub(crate) type OpenFiles<'d> = HashMap<String, &'d Document>;
+
+/// The edits that give a name another text.
+///
+/// # Errors
+/// If that text is no name, or something else has it.
+pub(crate) fn rename(known: &Known, open: &OpenFiles<'_>, name: &Name, new: &str) -> Result<WorkspaceEdit, String> {
+    if !is_word(new) {
+        return Err("a name is a word without spaces, `,` and `|`".to_owned());
+    }
+    let is_same = new == name.text;
+    let is_taken = |role: &Role| known.words.allowed(*role, &known.project.settings.options.known_names).contains(new);
+    if !is_same && name.roles().iter().any(is_taken) {
+        return Err(format!("`{new}` is in use: the two could not be told apart any more"));
+    }
+    let unsaved = open.iter().map(|(path, document)| (path.clone(), document.text.clone())).collect();
+    let work = |path: &str, bytes: &[u8]| file_edit(path, bytes, open.get(path).copied(), name, new);
+    let found: Vec<Option<TextDocumentEdit>> =
+        known.each_file(&unsaved, work).into_iter().collect::<Result<_, String>>()?;
+    let settings = known.project.file.as_deref().and_then(|file| settings_edit(file, open, name, new));
+    let edits = found.into_iter().flatten().chain(settings).collect();
+    Ok(WorkspaceEdit { document_changes: Some(DocumentChanges::Edits(edits)), ..WorkspaceEdit::default() })
+}
+
+/// The edit of a Lipz file that has the name; an error if it may have it, and cannot be read.
+fn file_edit(
+    path: &str,
+    bytes: &[u8],
+    open: Option<&Document>,
+    name: &Name,
+    new: &str,
+) -> Result<Option<TextDocumentEdit>, String> {
+    // Most files do not have it; escapes may hide it.
+    if !contains(bytes, name.text.as_bytes()) && !bytes.contains(&b'\\') {
+        return Ok(None);
+    }
+    let Some(document) = lipz_file::parse(bytes).document else {
+        return Err(format!("`{path}` has mistakes that hide its events: mend them first"));
+    };
+    let mut spans = Vec::new();
+    if let Some(events) = events(&document) {
+        each(&events.text, |role, range| {
+            if name.roles().contains(&role) && events.text.get(range.clone()) == Some(&name.text) {
+                spans.push(events.span_of(range));
+            }
+        });
+    }
+    if name.role != Role::Action {
+        spans.extend(curves_of(&document, &name.text));
+    }
+    let quoted = literal(new);
+    let inside = quoted.get(1..quoted.len() - 1).unwrap_or_default();
+    Ok(text_edit(Path::new(path), bytes, open, &spans, inside))
+}
+
+/// Where curves have the name of somebody in front: `mara.fear`.
+fn curves_of(document: &lipz_file::Document<'_>, name: &str) -> Vec<Span> {
+    let Some(Value::Other(raw)) = document.get(curve::ELEMENT).map(|element| &element.value) else { return Vec::new() };
+    let curves = curve::parse(raw, &mut Vec::new()).unwrap_or_default();
+    let is_theirs = |curve: &curve::Curve<'_>| {
+        let rest = curve.name.text.strip_prefix(name);
+        rest.is_some_and(|rest| rest.starts_with('.'))
+    };
+    let theirs = curves.iter().filter(|curve| is_theirs(curve));
+    theirs.map(|curve| curve.name.span_of(0..name.len())).collect()
+}
+
+/// The edit of the settings file, if its registry has the name.
+fn settings_edit(file: &Path, open: &OpenFiles<'_>, name: &Name, new: &str) -> Option<TextDocumentEdit> {
+    let path = crate::server::path_name(file);
+    let document = open.get(&path).copied();
+    let text = document.map_or_else(|| std::fs::read_to_string(file).ok(), |document| Some(document.text.clone()))?;
+    // What JSON escapes, TOML escapes alike.
+    let mark = text.len() - lipz_file::without_byte_order_mark(text.as_bytes()).len();
+    let spans = settings::places(&text[mark..], name.lists(), &name.text);
+    text_edit(file, text.as_bytes(), document, &spans, &literal(new))
+}
+
+/// An edit that writes `new` at each of the spans; `None` if there are none.
+fn text_edit(
+    path: &Path,
+    bytes: &[u8],
+    open: Option<&Document>,
+    spans: &[Span],
+    new: &str,
+) -> Option<TextDocumentEdit> {
+    let (uri, version): (Uri, _) = match open {
+        Some(document) => (document.uri.clone(), Some(document.version)),
+        None => (uri::of_path(path)?, None),
+    };
+    if spans.is_empty() {
+        return None;
+    }
+    // Editors take a byte order mark off what they read.
+    let (text, shift) = match open {
+        Some(document) => (Cow::Borrowed(document.text.as_str()), document.mark_bytes()),
+        None => (String::from_utf8_lossy(lipz_file::without_byte_order_mark(bytes)), 0),
+    };
+    let rope = Rope::from_str(&text);
+    let edit =
+        |span: &Span| OneOf::Left(TextEdit { range: convert::range(&rope, *span, shift), new_text: new.to_owned() });
+    let text_document = OptionalVersionedTextDocumentIdentifier { uri, version };
+    Some(TextDocumentEdit { text_document, edits: spans.iter().map(edit).collect() })
+}
+
+fn contains(bytes: &[u8], name: &[u8]) -> bool {
+    !name.is_empty() && bytes.windows(name.len()).any(|window| window == name)
+}

@@ -1,0 +1,89 @@
+//! `lipz check --baseline`: diagnostics that a project has known for long, in a file.
+
+use crate::Abort;
+use crate::console::{self, counted};
+use crate::reporter::Reporter;
+use crate::shared::formats::unreadable;
+use crate::shared::inputs::Worked;
+use crate::shared::output_file;
+use crate::shared::text_record::from_root;
+use clap::Args;
+use lipz_diagnostics::{Baseline, Report, reports};
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::{env, fs, io};
+
+/// Which diagnostics are passed over.
+#[derive(Args, Debug)]
+pub(super) struct BaselineFlags {
+    /// Pass over the diagnostics that this file counts, by file and rule: only new ones are reported
+    #[arg(long, value_name = "FILE")]
+    baseline: Option<PathBuf>,
+
+    /// Write the diagnostics of today into that file. What it says about files that are not checked stays
+    #[arg(long, requires = "baseline")]
+    write_baseline: bool,
+}
+
+impl BaselineFlags {
+    /// Removes what is known from the reports of a run, and adds what is wrong with the baseline; or writes it. Gives a line
+    /// about that, for people.
+    pub(super) fn apply(&self, run: &mut Worked, reporter: &mut Reporter) -> Result<String, Abort> {
+        let Some(file) = &self.baseline else { return Ok(String::new()) };
+        output_file::refuse_source(file, reporter)?;
+        let text = match fs::read_to_string(file) {
+            Ok(text) => text,
+            Err(error) if self.write_baseline && error.kind() == io::ErrorKind::NotFound => String::new(),
+            Err(error) => return Err(reporter.fail(unreadable(file, &error))),
+        };
+        let names = Names::new(file);
+        let inputs: BTreeSet<String> = run.inputs.iter().map(|input| names.of(&input.name())).collect();
+        let name = |path: &str| names.of(path);
+        // A file that is gone has no diagnostics either.
+        let is_checked = |path: &str| inputs.contains(path) || !names.folder.join(path).exists();
+        let (known, faults) = Baseline::parse(&text);
+        let shown = console::path(file);
+        if self.write_baseline {
+            if !text.is_empty() && known == Baseline::default() && !faults.is_empty() {
+                // It is some other file.
+                return Err(reporter.refuse(vec![Report::from_bytes(shown, text.as_bytes(), faults)]));
+            }
+            let mut written = Baseline::from_reports(&run.reports, name);
+            written.keep(&known, |path| !is_checked(path));
+            output_file::write(file, written.to_string().as_bytes(), reporter)?;
+            written.pass_over(&mut run.reports, name);
+            reports::sort(&mut run.reports);
+            return Ok(format!("{} in {shown}\n", counted(written.count(), "known diagnostic")));
+        }
+        let mut about = faults;
+        about.extend(known.left_over(&run.reports, name, is_checked));
+        let passed = known.pass_over(&mut run.reports, name);
+        run.reports.push(Report::from_bytes(shown.clone(), text.as_bytes(), about));
+        reports::sort(&mut run.reports);
+        Ok(format!("{} of {shown} passed over\n", counted(passed, "known diagnostic")))
+    }
+}
+
+/// What a baseline calls files: by their paths below its folder, with `/`, wherever the command runs.
+struct Names {
+    current: PathBuf,
+    folder: PathBuf,
+}
+
+impl Names {
+    fn new(baseline: &Path) -> Names {
+        let current = env::current_dir().unwrap_or_default();
+        let mut folder = from_root(&current, baseline);
+        folder.pop();
+        Names { current, folder }
+    }
+
+    /// The name of the file at a path.
+    fn of(&self, path: &str) -> String {
+        let path = from_root(&self.current, Path::new(path));
+        let below = path.strip_prefix(&self.folder).unwrap_or(&path);
+        let parts = below.components().map(|part| part.as_os_str().to_string_lossy());
+        let name = parts.collect::<Vec<_>>().join("/");
+        if name.is_empty() { ".".to_owned() } else { name }
+    }
+}

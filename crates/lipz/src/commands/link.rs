@@ -1,0 +1,95 @@
+//! `lipz link`: one bank of the objects of all shards.
+
+use crate::commands::Run;
+use crate::reporter::{Abort, Ended, Reporter};
+use crate::shared::{output_file, patterns, stdio};
+use crate::{Outcome, console, interrupt};
+use clap::Args;
+use lipz_compiler::settings::Settings;
+use lipz_compiler::shard::Link;
+use lipz_compiler::{Compiler, Outputs, Replace};
+use std::path::{Path, PathBuf};
+
+/// Link the objects of all shards to one bank.
+///
+/// The bank is the one that `lipz pack` makes of all sources, byte for byte. What concerns several clips is decided here:
+/// fallback, dubs, keys that clash, coverage. The settings are in the objects.
+#[derive(Args, Debug)]
+#[command(override_usage = "lipz link <OBJECT>... --output <BANK> [OPTIONS]")]
+#[command(after_help = "Examples:
+  lipz link *.lipzobj -o dialogue.lipzbank
+  lipz link 0-of-2.lipzobj 1-of-2.lipzobj -o dialogue.lipzbank")]
+pub(crate) struct LinkArguments {
+    /// The objects of all shards, in any order
+    #[arg(value_name = "OBJECT", required = true, num_args = 1..)]
+    objects: Vec<PathBuf>,
+
+    /// The bank to write
+    #[arg(short, long, value_name = "BANK")]
+    output: PathBuf,
+
+    /// Threads to use [default: one per core]
+    #[arg(long, visible_alias = "jobs", value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+
+    /// Show no progress and no summary, only diagnostics
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+impl Run for LinkArguments {
+    fn prints_result(&self) -> bool {
+        false
+    }
+
+    fn run(&self, reporter: &mut Reporter) -> Ended {
+        if stdio::is_meant(&self.output) {
+            return Err(reporter.usage("objects are linked to a file", "name a file with `--output`"));
+        }
+        output_file::refuse_source(&self.output, reporter)?;
+        let objects = patterns::files(&self.objects);
+        for object in &objects {
+            output_file::refuse_same(&[("an object", object), ("the output", &self.output)], reporter)?;
+        }
+        let link = Link::open(&objects).map_err(|reports| {
+            let outcome = Outcome::from_reports(&reports);
+            reporter.abort(reports, outcome)
+        })?;
+        let settings = settings(&link, reporter)?;
+        let mut options = settings.options.clone().voices(settings.voices());
+        options.threads = self.threads.map(usize::from);
+        let bar = console::progress_bar(link.clip_count(), self.quiet);
+        let compiler = Compiler::new(options).around_writes(|write| interrupt::whole(write)).progress(|clips| {
+            bar.inc(clips);
+            interrupt::point();
+        });
+        let linked = match settings.split_locales {
+            true => compiler.link_to_bank(&link),
+            false => compiler.link(&link, &self.output),
+        };
+        bar.finish_and_clear();
+        let outcome = Outcome::from_reports(&linked.reports);
+        let Some(bank) = linked.bank else { return Err(reporter.abort(linked.reports, outcome)) };
+        reporter.add(linked.reports);
+        if settings.split_locales {
+            let outputs = Outputs::new(&self.output).split_locales(true);
+            let delivered = interrupt::whole(|| outputs.deliver(&bank, Replace::Always));
+            delivered.map_err(|report| reporter.fail(report))?;
+        }
+        if !self.quiet {
+            let (objects, clips) =
+                (console::counted(objects.len(), "object"), console::counted(link.clip_count(), "clip"));
+            let (path, bytes) = (console::path(&self.output), console::grouped(bank.len()));
+            reporter.summary(&format!("{objects} linked into {path} ({clips}, {bytes} bytes)\n"))?;
+        }
+        Ok(outcome)
+    }
+}
+
+/// The settings that the objects were made with. Their warnings were shown by then.
+fn settings(link: &Link, reporter: &mut Reporter) -> Result<Settings, Abort> {
+    let Some((path, text)) = link.settings() else { return Ok(Settings::default()) };
+    let folder = Path::new(path).parent().unwrap_or(Path::new(""));
+    let (settings, report) = Settings::parse(text.as_bytes(), path, folder);
+    if report.has_errors() { Err(reporter.refuse(vec![report])) } else { Ok(settings) }
+}

@@ -1,0 +1,92 @@
+//! One clip: its file as it is, and what is known about it besides.
+
+use super::places::{Placed, placed};
+use super::version::Version;
+use crate::console;
+use lipz_compiler::WordTime;
+use lipz_file::{Value, parse};
+use serde::Serialize;
+use std::fs;
+
+/// A clip, as the page gets it.
+#[derive(Serialize)]
+pub(super) struct ClipPage {
+    key: String,
+    /// The path of its file; none in a bank.
+    path: Option<String>,
+    /// The file as it was read: a change says which file it is a change of.
+    source: Option<String>,
+    /// The elements with strings, in the order of the file.
+    elements: Vec<(String, String)>,
+    words: Vec<Word>,
+    has_sound: bool,
+    diagnostics: Vec<Placed>,
+}
+
+/// A word that the lip sync has heard.
+#[derive(Serialize)]
+struct Word {
+    text: String,
+    start_ms: u32,
+    end_ms: u32,
+    is_doubtful: bool,
+}
+
+impl ClipPage {
+    /// The clip with this key, as its file is now; none if the project has no such clip.
+    pub(super) fn new(version: &Version, key: &str) -> Option<ClipPage> {
+        let Some(path) = version.files.get(key) else {
+            let has_clip = lipz_bank::Bank::open(&version.bank).is_ok_and(|bank| bank.clip_by_key(key).is_some());
+            return has_clip.then(|| ClipPage::of_bank(key));
+        };
+        let source = fs::read(path).ok().and_then(|bytes| String::from_utf8(bytes).ok());
+        let document = source.as_ref().and_then(|source| parse(source.as_bytes()).document);
+        let strings =
+            document.iter().flat_map(|document| &document.elements).filter_map(|element| match &element.value {
+                Value::String(string) => Some((element.name.text.to_string(), string.text.to_string())),
+                Value::Number(_) | Value::Other(_) => None,
+            });
+        let elements: Vec<(String, String)> = strings.collect();
+        Some(ClipPage {
+            key: key.to_owned(),
+            path: Some(console::path(path)),
+            words: words(version, key, &elements),
+            // A file that cannot be read whole cannot be edited.
+            source: document.is_some().then(|| source.clone()).flatten(),
+            has_sound: version.recordings.find(key).is_some(),
+            diagnostics: placed(&version.reports_of(key)),
+            elements,
+        })
+    }
+
+    /// The same for a page that writes nothing.
+    pub(super) fn read_only(self) -> ClipPage {
+        ClipPage { source: None, ..self }
+    }
+
+    fn of_bank(key: &str) -> ClipPage {
+        ClipPage {
+            key: key.to_owned(),
+            path: None,
+            source: None,
+            elements: Vec::new(),
+            words: Vec::new(),
+            has_sound: false,
+            diagnostics: Vec::new(),
+        }
+    }
+}
+
+/// The words of the text that the mouth was made of: the times know which it is.
+fn words(version: &Version, key: &str, elements: &[(String, String)]) -> Vec<Word> {
+    let Some(times) = version.words.get(key) else { return Vec::new() };
+    let of_text = |text: &String| {
+        let word = |word: WordTime| {
+            let WordTime { start_ms, end_ms, is_doubtful, range } = word;
+            Some(Word { text: text.get(range)?.to_owned(), start_ms, end_ms, is_doubtful })
+        };
+        times.of_text(text).into_iter().filter_map(word).collect::<Vec<_>>()
+    };
+    let texts = elements.iter().filter(|(name, _)| lipz_file::locale::text_name(name).is_some());
+    texts.map(|(_, text)| of_text(text)).find(|words| !words.is_empty()).unwrap_or_default()
+}

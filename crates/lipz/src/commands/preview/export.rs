@@ -1,0 +1,191 @@
+//! `lipz preview --export`: the page as a folder that is opened from a disk, with banks and sounds inside.
+//!
+//! A page from a disk may fetch nothing and import no module beside it. So its modules are in the page, as an import map of
+//! data addresses, and its data are scripts.
+
+use super::assets::{self, Asset};
+use super::clip::ClipPage;
+use super::listing::Listing;
+use super::version::Version;
+use crate::interrupt::Files;
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use lipz_bank::Bank;
+use lipz_diagnostics::Report;
+use serde::Serialize;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The folder of the scripts with data.
+const DATA: &str = "data";
+/// The line of the page that a server needs, and in whose place the modules come.
+const START: &str = "    <script type=\"module\" src=\"page/main.js\"></script>\n";
+
+/// Whether a folder may be written: it is missing or empty, or has an exported page.
+pub(super) fn is_free(folder: &Path) -> bool {
+    let is_export = folder.join(DATA).join("clips.js").is_file();
+    is_export || fs::read_dir(folder).map_or(!folder.exists(), |mut entries| entries.next().is_none())
+}
+
+/// Writes the page and all that it needs into a folder. Gives the number of its clips and of its recordings, or what is
+/// wrong; files of an older page that this one does not have are removed.
+pub(super) fn export(version: &Version, folder: &Path) -> Result<(usize, usize), Vec<Report>> {
+    let mut export = Export { folder, files: Files::new(), written: BTreeSet::new() };
+    let (clips, sounds) =
+        export.data(version).and_then(|counts| export.page().map(|()| counts)).map_err(|report| vec![report])?;
+    let unwritten = export.files.finish();
+    if !unwritten.is_empty() {
+        return Err(unwritten);
+    }
+    export.tidy();
+    Ok((clips, sounds))
+}
+
+struct Export<'f> {
+    folder: &'f Path,
+    files: Files,
+    written: BTreeSet<PathBuf>,
+}
+
+impl Export<'_> {
+    fn data(&mut self, version: &Version) -> Result<(usize, usize), Report> {
+        let listing = Listing::new(version, true);
+        self.script("clips", &listing)?;
+        self.script("bank", &STANDARD.encode(version.bank.as_slice()))?;
+        let wasm = assets::named("web/lipz.wasm").map_or(&[][..], |asset| asset.bytes);
+        self.script("wasm", &STANDARD.encode(wasm))?;
+        let mut sounds = 0;
+        for (place, key) in listing.keys().enumerate() {
+            let Some(clip) = ClipPage::new(version, key) else { continue };
+            self.script(&format!("clip-{place}"), &clip.read_only())?;
+            if let Some(path) = version.recordings.find(key) {
+                let bytes = fs::read(path).map_err(|error| unreadable(path, &error))?;
+                self.script(&format!("sound-{place}"), &STANDARD.encode(bytes))?;
+                sounds += 1;
+            }
+        }
+        Ok((Bank::open(&version.bank).map_or(0, |bank| bank.clips().count()), sounds))
+    }
+
+    /// A script that hands over a value.
+    fn script<T: Serialize>(&mut self, name: &str, value: &T) -> Result<(), Report> {
+        let value = serde_json::to_string(value).unwrap_or_else(|_| "null".to_owned());
+        let path = format!("{DATA}/{name}.js");
+        self.write(&path, format!("lipzExport.take(\"{name}\", {value});\n").as_bytes())
+    }
+
+    fn page(&mut self) -> Result<(), Report> {
+        for asset in assets::ALL.iter().filter(|asset| asset.path.ends_with(".css")) {
+            self.write(asset.path, asset.bytes)?;
+        }
+        let text = |path| {
+            assets::named(path).map_or_else(String::new, |asset| String::from_utf8_lossy(asset.bytes).into_owned())
+        };
+        let page = text("").replace(START, &scripts(&text("page/exported.js")));
+        self.write("index.html", page.as_bytes())
+    }
+
+    fn write(&mut self, path: &str, bytes: &[u8]) -> Result<(), Report> {
+        let path = self.folder.join(path);
+        if let Some(folder) = path.parent() {
+            fs::create_dir_all(folder).map_err(|error| unwritable(folder, &error))?;
+        }
+        self.files.replace(&path, bytes)?;
+        self.written.insert(path);
+        Ok(())
+    }
+
+    /// Removes clips and sounds of an older page.
+    fn tidy(&self) {
+        let entries = fs::read_dir(self.folder.join(DATA)).into_iter().flatten().filter_map(Result::ok);
+        for path in entries.map(|entry| entry.path()).filter(|path| !self.written.contains(path)) {
+            let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
+            if (name.starts_with("clip-") || name.starts_with("sound-")) && name.ends_with(".js") {
+                // What stays is not shown: no file of the page names it.
+                let _ = fs::remove_file(&path);
+            }
+        }
+    }
+}
+
+/// The modules of the page, under their paths, and what starts them.
+fn scripts(exported: &str) -> String {
+    let modules = assets::ALL.iter().filter(|asset| asset.path.ends_with(".js") && asset.path != "page/exported.js");
+    let address = |module: &Asset| format!("data:text/javascript;base64,{}", STANDARD.encode(bare(module)));
+    let imports: BTreeMap<&str, String> = modules.map(|module| (module.path, address(module))).collect();
+    let map = serde_json::json!({ "imports": imports });
+    format!(
+        "    <script>\n{exported}    </script>\n    <script type=\"importmap\">{map}</script>\n    \
+         <script type=\"module\">import \"page/main.js\";</script>\n"
+    )
+}
+
+/// A module whose imports name paths below the page: those beside a data address lead nowhere.
+fn bare(module: &Asset) -> String {
+    let text = String::from_utf8_lossy(module.bytes);
+    let folder = module.path.rsplit_once('/').map_or("", |(folder, _)| folder);
+    let line = |line: &str| {
+        let (before, rest) = line.rsplit_once(" from \"").filter(|(before, _)| is_import(before))?;
+        let (path, after) = rest.split_once('"')?;
+        Some(format!("{before} from \"{}\"{after}", resolved(folder, path)))
+    };
+    text.split_inclusive('\n').map(|text| line(text).unwrap_or_else(|| text.to_owned())).collect()
+}
+
+fn is_import(before: &str) -> bool {
+    ["import ", "export {", "export *", "}"].iter().any(|start| before.starts_with(start))
+}
+
+/// A path beside a folder, without `.` and `..`.
+fn resolved(folder: &str, path: &str) -> String {
+    let mut parts: Vec<&str> = folder.split('/').filter(|part| !part.is_empty()).collect();
+    for part in path.split('/') {
+        match part {
+            "." => {}
+            ".." => drop(parts.pop()),
+            part => parts.push(part),
+        }
+    }
+    parts.join("/")
+}
+
+fn unreadable(path: &Path, error: &std::io::Error) -> Report {
+    let message = format!("`{}` cannot be read: {error}", crate::console::path(path));
+    Report::failure(
+        crate::console::path(path),
+        lipz_diagnostics::Code::UnreadableFile,
+        message,
+        "check that you may read it",
+    )
+}
+
+fn unwritable(path: &Path, error: &std::io::Error) -> Report {
+    let message = format!("`{}` cannot be made: {error}", crate::console::path(path));
+    Report::failure(
+        crate::console::path(path),
+        lipz_diagnostics::Code::OutputFailed,
+        message,
+        "check that you may write there",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_import_leads_to_a_module_of_the_page() {
+        let mut count = 0;
+        for module in assets::ALL.iter().filter(|asset| asset.path.ends_with(".js")) {
+            let text = bare(module);
+            assert!(!text.contains("from \"."), "{}", module.path);
+            for path in text.lines().filter_map(|line| line.split(" from \"").nth(1)?.split('"').next()) {
+                assert!(assets::named(path).is_some(), "{}: {path}", module.path);
+                count += 1;
+            }
+        }
+        assert!(count > 30, "{count}");
+        assert!(String::from_utf8_lossy(assets::named("").unwrap().bytes).contains(START));
+    }
+}

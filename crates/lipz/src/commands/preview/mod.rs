@@ -1,0 +1,184 @@
+//! `lipz preview`: a page on this machine that shows, plays and edits the clips of a project.
+
+mod assets;
+mod clip;
+mod draft;
+mod export;
+mod guard;
+mod http;
+mod listing;
+mod places;
+mod server;
+mod shared;
+mod version;
+
+use crate::Ended;
+use crate::commands::Run;
+use crate::commands::watch::{Alarm, Change, Scope};
+use crate::reporter::{Abort, Reporter};
+use crate::shared::bank_file::BankFile;
+use crate::shared::bank_or_sources::names_lipz_files;
+use crate::shared::sources::Sources;
+use crate::shared::stdio;
+use crate::{Outcome, console};
+use clap::Args;
+use server::Preview;
+use shared::Shared;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use version::{Remembered, Version};
+
+/// See, hear and edit clips in a browser.
+///
+/// Serves a page to this machine alone: no other machine, and no page of another site, can read or change anything. The
+/// page draws the bank that the sources pack to, and packs again when a file changes. What is edited there is written
+/// into the Lipz files. A bank can be seen and heard, not edited. Ctrl-C ends it.
+#[derive(Args, Debug)]
+#[command(after_help = "Examples:
+  lipz preview
+  lipz preview voices --open
+  lipz preview voices --read-only --port 8080
+  lipz preview dialogue.lipzbank
+  lipz preview voices --export site")]
+pub(crate) struct PreviewArguments {
+    #[command(flatten)]
+    sources: Sources,
+
+    /// Listen on this port [default: any that is free]
+    #[arg(long, value_name = "PORT")]
+    port: Option<u16>,
+
+    /// Open the page in the browser
+    #[arg(long)]
+    open: bool,
+
+    /// Refuse to change any file
+    #[arg(long)]
+    read_only: bool,
+
+    /// Write the page into this folder instead, with banks and sounds inside: it needs no server, and edits nothing
+    #[arg(long, value_name = "FOLDER", conflicts_with_all = ["port", "open", "read_only"])]
+    export: Option<PathBuf>,
+}
+
+impl Run for PreviewArguments {
+    fn prints_result(&self) -> bool {
+        false
+    }
+
+    fn run(&self, reporter: &mut Reporter) -> Ended {
+        match self.sources.paths() {
+            [path] if !names_lipz_files(path) && !stdio::is_meant(path) => self.of_bank(path, reporter),
+            paths if paths.iter().any(|path| stdio::is_meant(path)) => {
+                Err(reporter.usage("standard input cannot be previewed", "name a folder, Lipz files or a bank"))
+            }
+            _ => self.of_sources(reporter),
+        }
+    }
+}
+
+impl PreviewArguments {
+    /// Serves a bank, until the process is interrupted.
+    fn of_bank(&self, path: &Path, reporter: &mut Reporter) -> Ended {
+        let file = BankFile::open(path, reporter)?;
+        file.bank(reporter)?;
+        let version = Version::of_bank(&file.name, file.bytes().to_vec());
+        if let Some(folder) = &self.export {
+            return export_to(folder, &version, reporter);
+        }
+        let shared = Arc::new(Shared::new(version));
+        let serving = self.serve(&shared, true, reporter)?;
+        // The threads of the server end with the process.
+        let _ = serving.join();
+        Ok(Outcome::Clean)
+    }
+
+    /// Serves a project, and packs it again whenever a file changes, until the process is interrupted.
+    fn of_sources(&self, reporter: &mut Reporter) -> Ended {
+        if let Some(folder) = &self.export {
+            let project = self.sources.project(reporter)?;
+            let (version, _) = version::load(&project.settings, &mut Remembered::default());
+            return export_to(folder, &version, reporter);
+        }
+        let mut scope = Scope::before_settings(&self.sources);
+        let mut alarm = Alarm::new(None);
+        // Before anything is read, so that no change is missed.
+        alarm.set(&scope).map_err(|report| reporter.fail(report))?;
+        let mut remembered = Remembered::default();
+        let mut shared: Option<Arc<Shared>> = None;
+        loop {
+            match self.sources.project(reporter) {
+                Ok(project) => {
+                    scope = Scope::new(&project, &self.sources);
+                    alarm.set(&scope).map_err(|report| reporter.fail(report))?;
+                    let (version, inputs) = version::load(&project.settings, &mut remembered);
+                    let shared = match &shared {
+                        Some(shared) => {
+                            shared.replace(version);
+                            shared
+                        }
+                        None => {
+                            let first = Arc::new(Shared::new(version));
+                            self.serve(&first, self.read_only, reporter)?;
+                            shared.insert(first)
+                        }
+                    };
+                    shared.look_closer(project, inputs);
+                }
+                Err(abort) if shared.is_none() => return Err(abort),
+                // The settings have errors, which are told: what was shown stays.
+                Err(_) => {}
+            }
+            let state = scope.state();
+            while alarm.wait() == Change::Perhaps {
+                alarm.set(&scope).map_err(|report| reporter.fail(report))?;
+                if scope.state() != state {
+                    break;
+                }
+            }
+        }
+    }
+
+    /// Starts the server, and says where the page is.
+    fn serve(
+        &self,
+        shared: &Arc<Shared>,
+        is_read_only: bool,
+        reporter: &mut Reporter,
+    ) -> Result<std::thread::JoinHandle<()>, Abort> {
+        let server = Preview::listen(self.port, Arc::clone(shared), is_read_only).map_err(|error| {
+            reporter.usage(format!("no page can be served: {error}"), "name another port with `--port`")
+        })?;
+        let address = server.address();
+        reporter.summary(&format!("{address}\n"))?;
+        reporter.remark("          the address is for you alone; Ctrl-C ends\n");
+        if self.open
+            && let Err(error) = open::that_detached(&address)
+        {
+            reporter.remark(&format!("          no browser could be started ({error}): open the address yourself\n"));
+        }
+        std::thread::Builder::new().spawn(move || server.run()).map_err(|error| {
+            reporter.usage(format!("no page can be served: {error}"), "raise the limits of the system")
+        })
+    }
+}
+
+/// Writes the page into a folder. Diagnostics are reported: files with errors are listed there, but not in the bank.
+fn export_to(folder: &Path, version: &Version, reporter: &mut Reporter) -> Ended {
+    if !export::is_free(folder) {
+        let message = format!("`{}` has other files than an exported page", console::path(folder));
+        return Err(reporter.usage(message, "name a folder that is empty or does not exist"));
+    }
+    let reports = version.all_reports();
+    let outcome = Outcome::from_reports(&reports);
+    reporter.add(reports);
+    if outcome == Outcome::Failed || version.bank.is_empty() {
+        let message = "no page is written, as there is no bank to show";
+        return Err(reporter.usage(message, "mend the errors, or name other sources"));
+    }
+    let (clips, sounds) =
+        export::export(version, folder).map_err(|reports| reporter.abort(reports, Outcome::Failed))?;
+    let counts = format!("{}, {}", console::counted(clips, "clip"), console::counted(sounds, "recording"));
+    reporter.summary(&format!("{}: {counts}\n", console::path(&folder.join("index.html"))))?;
+    Ok(outcome)
+}

@@ -1,0 +1,169 @@
+// Changing a clip: shapes, segments, texts and events. Each change is packed by the compiler before it is drawn.
+
+import { open } from "../web/lipz.js";
+import { Edits } from "./edits.js";
+import { Mouth } from "./mouth.js";
+import { Shapes } from "./shapes.js";
+import { source } from "./source.js";
+import { Texts } from "./texts.js";
+
+const $ = (id) => document.getElementById(id);
+
+export class Editor {
+  isReadOnly = true;
+  #clip;
+  #does;
+  #edits;
+  #shapes;
+  #texts;
+  #locales = [];
+  /** How many drafts were asked for: only the last is drawn. */
+  #asked = 0;
+  /** Done when the last draft is drawn. */
+  settled = Promise.resolve();
+
+  /** `does` has what follows from a change: `draw` a clip, `diagnose`, `step`, `frame` and `seek`. */
+  constructor(tracks, does) {
+    this.#does = does;
+    const change = (mouth, isDone) => isDone && this.#set("visemes", mouth.toString());
+    this.#shapes = new Shapes(tracks, { change, step: does.step, frame: does.frame });
+    this.#texts = new Texts($("texts"), { change: (name, text) => this.#set(name, text), seek: does.seek });
+    $("again").onclick = () => this.#solve(true);
+    $("drop").onclick = () => this.#solve(false);
+  }
+
+  get key() {
+    return this.#edits?.page.key;
+  }
+
+  get words() {
+    return this.#edits.page.words;
+  }
+
+  get isChanged() {
+    return this.#edits?.isChanged ?? false;
+  }
+
+  get #isEditable() {
+    return !this.isReadOnly && this.#edits.isEditable;
+  }
+
+  /** The clip as it is drawn. */
+  set clip(clip) {
+    this.#clip = clip;
+  }
+
+  /** Starts anew with a clip. */
+  show(page) {
+    this.#edits = new Edits(page);
+    $("conflict").hidden = true;
+    this.#fill();
+  }
+
+  /** Takes the file as it is now, unless it is being changed here: whether it is. */
+  refresh(page) {
+    if (this.isChanged) return true;
+    if (this.#edits.isAs(page)) this.#edits.rebase(page);
+    else this.#edits = new Edits(page);
+    this.#fill();
+    return false;
+  }
+
+  /** Shows texts in these locales. */
+  languages(main, beside) {
+    this.#locales = [main, beside].filter(Boolean);
+    this.#fill();
+  }
+
+  /** Draws what is in view now. */
+  look() {
+    this.#shapes.draw();
+  }
+
+  mark(segment) {
+    this.#texts.mark(segment);
+  }
+
+  undo() {
+    this.#edits.undo();
+    this.#drafted();
+  }
+
+  redo() {
+    this.#edits.redo();
+    this.#drafted();
+  }
+
+  /** Writes the changes into the file. */
+  async save() {
+    if (!this.isChanged || this.isReadOnly) return;
+    await this.settled;
+    const answer = await source.save(this.#edits.change);
+    if (answer.result === "saved") {
+      this.#edits.rebase(await source.clip(this.key));
+      this.#fill();
+      return;
+    }
+    if (answer.result === "conflict") {
+      $("theirs").textContent = answer.theirs;
+      $("yours").textContent = answer.yours;
+      $("conflict").hidden = false;
+      $("again").focus();
+      return;
+    }
+    if (answer.result === "errors") this.#does.diagnose(answer.diagnostics);
+    throw new Error(`Not saved: ${answer.message ?? "the clip has errors"}`);
+  }
+
+  /** Ends a conflict: what was changed here is changed in the new file, or dropped. */
+  async #solve(isMine) {
+    const page = await source.clip(this.key);
+    if (isMine) this.#edits.rebase(page);
+    else this.#edits = new Edits(page);
+    $("conflict").hidden = true;
+    this.#drafted();
+  }
+
+  #set(name, text) {
+    if (this.#edits.set(name, text)) this.#drafted();
+  }
+
+  /** Shows the file with the changes at once, and the clip when the compiler has packed it. */
+  #drafted() {
+    this.#fill();
+    this.settled = this.#draft(++this.#asked);
+    return this.settled;
+  }
+
+  async #draft(asked) {
+    const { answer, bank } = await source.draft(this.#edits.change);
+    if (asked !== this.#asked) return;
+    if (answer.result !== "draft") throw new Error(answer.message);
+    if (bank) this.#does.draw((await open(bank)).clip(this.key));
+    this.#does.diagnose(answer.diagnostics);
+  }
+
+  #fill() {
+    if (this.#edits === undefined) return;
+    // Of a clip without a file, its shapes in the bank.
+    const visemes = this.#edits.get("visemes") ?? (this.#edits.isEditable ? undefined : shapesOf(this.#clip));
+    const mouth = Mouth.read(visemes ?? "");
+    $("shapes").hidden = visemes === undefined;
+    this.#shapes.show(mouth, this.#clip?.visemeType, this.#isEditable);
+    const column = (tag) => ({ name: `text_${tag}`, label: tag, lang: tag, text: this.#edits.get(`text_${tag}`) });
+    const events = { name: "events", label: "Events", lang: "", text: this.#edits.get("events") };
+    $("texts").hidden = this.#edits.page.path === null;
+    this.#texts.show([...this.#locales.map(column), events], mouth.starts.length + 1, this.#isEditable);
+    $("edits").hidden = !this.#isEditable;
+    $("undo").disabled = !this.#edits.canUndo;
+    $("redo").disabled = !this.#edits.canRedo;
+    $("save").disabled = !this.isChanged;
+    document.body.classList.toggle("changed", this.isChanged);
+  }
+}
+
+/** The mouth shapes of a clip of a bank, as a file would have them. */
+function shapesOf(clip) {
+  const parts = clip?.segments.map(({ startFrame, endFrame }) => clip.frames.slice(startFrame, endFrame));
+  return parts?.join("|");
+}

@@ -1,0 +1,161 @@
+// The list of clips: search, filters, and rows only where they can be seen, so that 100,000 clips are as quick as ten.
+
+/** Rows above and below those in view. */
+const SPARE = 6;
+/** Codes of what is older than what it was made from: stale-mouth, stale-translation, outdated-recording. */
+const STALE = ["LZ1705", "LZ1911", "LZ1915"];
+
+const WHAT = {
+  "All clips": () => true,
+  "With diagnostics": (clip) => clip.errors || clip.warnings,
+  "With errors": (clip) => clip.errors,
+  "Out of date": (clip) => clip.codes?.some((code) => STALE.includes(code)),
+  "With doubtful words": (clip) => clip.doubtful_words,
+  "Without a recording": (clip) => !clip.has_sound,
+};
+const LENGTH = {
+  "Any length": () => true,
+  "Below 2 s": (clip) => clip.seconds < 2,
+  "2 to 5 s": (clip) => clip.seconds >= 2 && clip.seconds < 5,
+  "5 to 10 s": (clip) => clip.seconds >= 5 && clip.seconds < 10,
+  "10 s and more": (clip) => clip.seconds >= 10,
+};
+
+const $ = (id) => document.getElementById(id);
+
+export class List {
+  #clips = [];
+  #found = [];
+  #locales = [];
+  #chosen;
+  #choose;
+  #track = document.createElement("div");
+
+  /** `choose` gets the key of a clip that is chosen. */
+  constructor(choose) {
+    this.#choose = choose;
+    this.#track.role = "presentation";
+    $("list").append(this.#track);
+    $("list").addEventListener("scroll", () => this.#draw());
+    $("list").addEventListener("keydown", (event) => this.#key(event));
+    $("list").addEventListener("click", ({ target }) => this.#take(target.closest("[data-key]")?.dataset.key));
+    $("search").addEventListener("keydown", (event) => event.key !== "Home" && event.key !== "End" && this.#key(event));
+    new ResizeObserver(() => this.#draw()).observe($("list"));
+    options($("what"), Object.keys(WHAT));
+    options($("length"), Object.keys(LENGTH));
+    for (const id of ["search", "what", "missing", "who", "length"]) $(id).addEventListener("input", () => this.#filter(true));
+  }
+
+  /** How many clips the filters leave. */
+  get count() {
+    return this.#found.length;
+  }
+
+  /** Shows the clips of a project. Filters stay as they are. */
+  show({ clips, locales }) {
+    this.#clips = clips.map((clip) => ({ ...clip, text: clip.key.toLowerCase() }));
+    this.#locales = locales;
+    options($("missing"), ["Any translation", ...locales.map((tag) => `Not in ${tag}`)]);
+    const characters = new Set(clips.flatMap(({ characters = [] }) => characters));
+    options($("who"), ["Any character", ...Array.from(characters).sort()]);
+    $("who").hidden = characters.size === 0;
+    $("missing").hidden = locales.length < 2;
+    this.#filter(false);
+  }
+
+  /** Marks the clip that is shown, and brings it into view. */
+  set chosen(key) {
+    this.#chosen = key;
+    this.#draw();
+    const index = this.#found.findIndex((clip) => clip.key === key);
+    if (index < 0) return;
+    const [top, bottom] = [index * this.#rowPx, (index + 1) * this.#rowPx];
+    const { scrollTop, clientHeight } = $("list");
+    if (top < scrollTop) $("list").scrollTop = top;
+    else if (bottom > scrollTop + clientHeight) $("list").scrollTop = bottom - clientHeight;
+  }
+
+  get #rowPx() {
+    return 3.25 * parseFloat(getComputedStyle(document.documentElement).fontSize);
+  }
+
+  #filter(isAnew) {
+    const words = $("search").value.toLowerCase().split(/\s+/).filter(Boolean);
+    const missing = $("missing").selectedIndex - 1;
+    const who = $("who").selectedIndex > 0 && $("who").value;
+    const tests = [
+      words.length > 0 && ((clip) => words.every((word) => clip.text.includes(word))),
+      WHAT[$("what").value],
+      LENGTH[$("length").value],
+      missing >= 0 && ((clip) => !clip.locales?.includes(missing)),
+      who && ((clip) => clip.characters?.includes(who)),
+    ].filter(Boolean);
+    this.#found = this.#clips.filter((clip) => tests.every((test) => test(clip)));
+    const [all, left] = [this.#clips.length, this.#found.length].map((count) => count.toLocaleString("en"));
+    $("count").textContent = left === all ? `${all} clips` : `${left} of ${all} clips`;
+    this.#track.style.height = `${this.#found.length * this.#rowPx}px`;
+    if (isAnew) $("list").scrollTop = 0;
+    this.#draw();
+  }
+
+  #draw() {
+    const row = this.#rowPx;
+    const { scrollTop, clientHeight } = $("list");
+    const first = Math.max(0, Math.floor(scrollTop / row) - SPARE);
+    const shown = this.#found.slice(first, Math.ceil((scrollTop + clientHeight) / row) + SPARE);
+    this.#track.replaceChildren(...shown.map((clip, at) => this.#row(clip, first + at, row)));
+    const chosen = this.#track.querySelector("[aria-selected=true]");
+    if (chosen) $("list").setAttribute("aria-activedescendant", chosen.id);
+    else $("list").removeAttribute("aria-activedescendant");
+  }
+
+  #row(clip, index, row) {
+    const item = document.createElement("div");
+    Object.assign(item, { id: `row-${index}`, role: "option", className: "row", title: clip.key });
+    item.dataset.key = clip.key;
+    item.ariaSelected = String(clip.key === this.#chosen);
+    item.ariaSetSize = String(this.#found.length);
+    item.ariaPosInSet = String(index + 1);
+    item.style.transform = `translateY(${index * row}px)`;
+    const folder = clip.key.slice(0, clip.key.lastIndexOf("/") + 1);
+    item.append(made("span", "name", clip.key.slice(folder.length)), made("small", "about", this.#about(clip, folder)));
+    if (clip.errors) item.append(made("span", "badge error", counted(clip.errors, "error")));
+    else if (clip.warnings) item.append(made("span", "badge warning", counted(clip.warnings, "warning")));
+    return item;
+  }
+
+  #about({ seconds, locales, doubtful_words, is_left_out }, folder) {
+    const about = [folder.slice(0, -1), seconds !== undefined && `${seconds.toFixed(1)} s`];
+    if (this.#locales.length > 1 && !is_left_out) about.push(`${locales?.length ?? 0}/${this.#locales.length} locales`);
+    if (doubtful_words) about.push(counted(doubtful_words, "doubtful word"));
+    if (is_left_out) about.push("not in the bank");
+    return about.filter(Boolean).join(" · ");
+  }
+
+  #key(event) {
+    const page = Math.max(1, Math.floor($("list").clientHeight / this.#rowPx) - 1);
+    const at = this.#found.findIndex((clip) => clip.key === this.#chosen);
+    const last = this.#found.length - 1;
+    const to = { ArrowDown: at + 1, ArrowUp: at - 1, PageDown: at + page, PageUp: at - page, Home: 0, End: last }[event.key];
+    if (to === undefined || event.ctrlKey || event.altKey || event.metaKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.#take(this.#found[Math.max(0, Math.min(to, last))]?.key);
+  }
+
+  #take(key) {
+    if (key !== undefined && key !== this.#chosen) this.#choose(key);
+  }
+}
+
+const counted = (count, what) => `${count} ${what}${count === 1 ? "" : "s"}`;
+
+/** Gives a choice other options; what was chosen stays, if it is among them. */
+function options(select, names) {
+  const { value } = select;
+  select.replaceChildren(...names.map((name) => new Option(name, name, false, name === value)));
+}
+
+export function made(tag, className, textContent = "") {
+  return Object.assign(document.createElement(tag), { className, textContent });
+}

@@ -1,0 +1,106 @@
+// The preview: a list of clips, and one of them on a timeline, with its face, sound, texts and diagnostics.
+
+import { onKeys } from "./keys.js";
+import { List } from "./list.js";
+import { Player } from "./player.js";
+import { source } from "./source.js";
+
+const $ = (id) => document.getElementById(id);
+/** How long to wait before asking a server again that has not answered. */
+const RETRY_MS = 2000;
+
+const player = new Player();
+const list = new List(choose);
+let listing;
+
+/** Shows a clip, unless somebody does not want to lose what is not saved. */
+async function choose(key) {
+  if (player.isChanged && !confirm("What you changed is not saved. Drop it?")) return;
+  list.chosen = key;
+  await player.choose(key).catch(fail);
+  document.title = `${key} – lipz preview`;
+  address();
+  clips(false);
+}
+
+/** Fetches the clips as they are now, and the bank if it is another one. */
+async function refresh() {
+  const before = listing;
+  listing = await source.clips();
+  const isOther = listing.bank !== before?.bank;
+  if (isOther) await player.open(await source.bank(), listing.is_read_only);
+  $("project").textContent = listing.name;
+  list.show(listing);
+  notice(listing.diagnostics);
+  const keys = listing.clips.map(({ key }) => key);
+  if (player.key === undefined) {
+    const { clip, at } = Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
+    const first = keys.includes(clip) ? clip : keys[0];
+    if (first === undefined) return notice(["There is no clip yet."]);
+    list.chosen = first;
+    await player.choose(first, Number(at ?? 0));
+    document.title = `${first} – lipz preview`;
+  } else if (keys.includes(player.key)) {
+    list.chosen = player.key;
+    await player.refresh();
+  } else {
+    notice([`There is no clip ${player.key} any more: this is how it was.`]);
+  }
+  $("failure").hidden = true;
+}
+
+/** Shows what is new, as long as the page is open. */
+async function follow() {
+  while (source.isLive) {
+    try {
+      const version = await source.changed(listing.version);
+      if (version !== listing.version) await refresh();
+    } catch (error) {
+      fail(error);
+      await new Promise((resolve) => setTimeout(resolve, RETRY_MS));
+    }
+  }
+}
+
+function notice(lines) {
+  $("notice").textContent = lines.join("\n");
+  $("notice").hidden = lines.length === 0;
+}
+
+function fail(error) {
+  $("failure").textContent = error.message;
+  $("failure").hidden = false;
+}
+
+/** The address leads to the clip. */
+function address() {
+  const clip = new URLSearchParams({ clip: player.key });
+  history.replaceState(null, "", `#${clip.toString().replaceAll("%2F", "/")}`);
+}
+
+/** Shows the list over the clip, where there is no room beside it. */
+function clips(isOpen) {
+  document.body.classList.toggle("choosing", isOpen);
+  $("clips-button").ariaExpanded = String(isOpen);
+}
+
+async function start() {
+  $("clips-button").onclick = () => clips(!document.body.classList.contains("choosing"));
+  addEventListener("beforeunload", (event) => player.isChanged && event.preventDefault());
+  addEventListener("unhandledrejection", ({ reason }) => fail(reason));
+  onKeys({
+    ...player.actions,
+    search() {
+      clips(true);
+      $("search").focus();
+    },
+  });
+  await refresh();
+  const shown = await new Promise((resolve) => requestAnimationFrame(() => setTimeout(() => resolve(performance.now()))));
+  follow();
+  return { player, list, shown };
+}
+
+/** The page, for tests and for the console. */
+globalThis.preview = start();
+globalThis.preview.catch(fail);

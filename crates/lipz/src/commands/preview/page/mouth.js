@@ -1,0 +1,70 @@
+// The mouth shapes of a Lipz file: codes and where segments start, apart. Every change gives a new mouth.
+
+const DELIMITER = "|";
+
+export class Mouth {
+  /** `codes` has one code a frame, `starts` the frames at which segments start but the first. */
+  constructor(codes, starts) {
+    this.codes = codes;
+    this.starts = starts;
+  }
+
+  /** Reads the element `visemes`. */
+  static read(visemes) {
+    const parts = visemes.split(DELIMITER).map((part) => Array.from(part.trim()));
+    const starts = [];
+    let frame = 0;
+    for (const part of parts.slice(0, -1)) starts.push((frame += part.length));
+    return new Mouth(parts.flat(), starts);
+  }
+
+  /** The element `visemes`. */
+  toString() {
+    let text = "";
+    let next = 0;
+    for (let frame = 0; frame <= this.codes.length; frame++) {
+      while (this.starts[next] === frame) {
+        text += DELIMITER;
+        next += 1;
+      }
+      text += this.codes[frame] ?? "";
+    }
+    return text;
+  }
+
+  /** Runs of one code: `{ code, start, end }`. */
+  get runs() {
+    const runs = [];
+    this.codes.forEach((code, frame) => {
+      const last = runs.at(-1);
+      if (last?.code === code) last.end = frame + 1;
+      else runs.push({ code, start: frame, end: frame + 1 });
+    });
+    return runs;
+  }
+
+  /** With another code in a frame. */
+  typed(frame, code) {
+    return new Mouth(this.codes.with(frame, code), this.starts);
+  }
+
+  /** With the edge between two runs, which is at a frame, at another one: each of the two keeps a frame at least. */
+  edge(from, to) {
+    const runs = this.runs;
+    const after = runs.findIndex(({ start }) => start === from);
+    if (after < 1) return this;
+    const place = Math.max(runs[after - 1].start + 1, Math.min(to, runs[after].end - 1));
+    const codes = this.codes.slice();
+    codes.fill(runs[after].code, Math.min(place, from), runs[after].end);
+    codes.fill(runs[after - 1].code, runs[after - 1].start, place);
+    return new Mouth(codes, this.starts);
+  }
+
+  /** With the start of a segment, from 1, at another frame, between those of its neighbours. */
+  start(segment, to) {
+    const least = this.starts[segment - 2] ?? 0;
+    const most = this.starts[segment] ?? this.codes.length;
+    if (segment < 1 || segment > this.starts.length) return this;
+    return new Mouth(this.codes, this.starts.with(segment - 1, Math.max(least, Math.min(to, most))));
+  }
+}

@@ -1,0 +1,302 @@
+// One clip: what is seen and heard of it, and what is changed in it.
+
+import { FaceDrawing, VISEMES } from "../web/face.js";
+import { open } from "../web/lipz.js";
+import { Curves } from "../web/demo/curves.js";
+import { levelsOf } from "../web/demo/levels.js";
+import { posesOf, withType } from "../web/demo/pose.js";
+import { Timeline } from "../web/demo/timeline.js";
+import { Editor } from "./editor.js";
+import { Problems } from "./problems.js";
+import { Clock } from "./sound.js";
+import { source } from "./source.js";
+import { Tracks } from "./tracks.js";
+
+/** For clips whose file does not say how many frames a second has. */
+const FRAMES_PER_SECOND = 24;
+const FASTEST = 4;
+
+const $ = (id) => document.getElementById(id);
+
+export class Player {
+  clock = new Clock();
+  #face = new FaceDrawing($("face"));
+  #scrub = (time, isDown) => this.scrub(time, isDown);
+  #curves = new Curves($("curves"), this.#scrub);
+  #tracks = new Tracks(this.#scrub);
+  #timeline = new Timeline($("timeline"), this.#scrub, (view) => this.#look(view));
+  #problems = new Problems($("problems"), (frame) => this.seek(this.#clip.startOfFrame(frame) ?? 0));
+  #editor = new Editor(this.#tracks, {
+    draw: (clip) => this.#draw(clip, true),
+    diagnose: (diagnostics) => this.#diagnose(diagnostics),
+    step: () => this.#frames(1),
+    frame: () => this.#clip?.frameAt(this.clock.time) ?? Infinity,
+    seek: (segment) => this.seek(this.#clip.startOfFrame(this.#clip.segment(segment)?.startFrame ?? 0) ?? 0),
+  });
+  #bank;
+  #clip;
+  #cursor;
+  #poseAt;
+  #soundOf;
+  #wasRate;
+
+  constructor() {
+    const { actions } = this;
+    const buttons = { play: "toggle", loop: "loop", half: "half", undo: "undo", redo: "redo", save: "save" };
+    for (const [id, action] of Object.entries(buttons)) $(id).onclick = actions[action];
+    $("in").onclick = () => actions.zoom(true);
+    $("out").onclick = () => actions.zoom(false);
+    $("fit").onclick = () => this.#timeline.fit();
+    $("locale").onchange = $("beside").onchange = () => this.#languages();
+  }
+
+  /** What keys and buttons do. */
+  actions = {
+    toggle: () => (this.clock.playing ? this.#stop() : this.#play(this.#speed)),
+    stop: () => this.#stop(),
+    forward: () => this.#play(this.clock.rate > 0 ? Math.min(FASTEST, this.clock.rate * 2) : this.#speed),
+    back: () => this.#play(this.clock.rate < 0 ? Math.max(-FASTEST, this.clock.rate * 2) : -this.#speed),
+    loop: () => this.#loop(toggled($("loop"))),
+    half: () => (toggled($("half")), this.clock.rate > 0 && this.#play(this.#speed)),
+    frames: (count) => this.#frames(count),
+    seconds: (count) => this.seek(this.clock.time + count),
+    start: () => this.seek(0),
+    end: () => this.seek(this.#clip.duration),
+    zoom: (isIn) => this.#timeline.zoom(isIn),
+    undo: () => this.#editor.undo(),
+    redo: () => this.#editor.redo(),
+    save: () => this.#editor.save(),
+  };
+
+  /** The key of the clip that is shown. */
+  get key() {
+    return this.#editor.key;
+  }
+
+  /** Whether something is not saved. */
+  get isChanged() {
+    return this.#editor.isChanged;
+  }
+
+  get clip() {
+    return this.#clip;
+  }
+
+  /** Done when the last change is drawn. */
+  get settled() {
+    return this.#editor.settled;
+  }
+
+  get #speed() {
+    return pressed($("half")) ? 0.5 : 1;
+  }
+
+  /** Takes another bank. */
+  async open(bytes, isReadOnly) {
+    this.#bank = bytes.byteLength > 0 ? (await open(bytes, { wasm: await source.wasm?.() })).verify() : undefined;
+    this.#editor.isReadOnly = isReadOnly;
+    const locales = this.#bank?.locales ?? [];
+    const main = locales.includes($("locale").value) ? $("locale").value : (this.#bank?.defaultLocale ?? locales[0]);
+    const beside = $("beside").options.length ? $("beside").value : (locales.find((tag) => tag !== main) ?? "");
+    choices($("locale"), locales, main);
+    choices($("beside"), ["", ...locales], beside);
+    $("beside").options[0].textContent = "none";
+  }
+
+  /** Shows a clip from its start, or at a time. */
+  async choose(key, time = 0) {
+    const page = await source.clip(key);
+    this.clock.pause(0);
+    this.#loop(press($("loop"), false));
+    this.#clip = undefined;
+    this.#editor.clip = undefined;
+    this.#editor.show(page);
+    this.#soundOf = undefined;
+    $("key").textContent = key;
+    this.#draw(this.#bank?.clip(key), false);
+    this.#diagnose(page.diagnostics);
+    await this.#listen(page);
+    this.seek(time);
+  }
+
+  /** Shows the clip as it is now: its file or the bank has changed. Place and zoom stay. */
+  async refresh() {
+    const page = await source.clip(this.key);
+    const isDraft = this.#editor.refresh(page);
+    if (isDraft) return;
+    this.#draw(this.#bank?.clip(this.key), true);
+    this.#diagnose(page.diagnostics);
+    await this.#listen(page);
+  }
+
+  /** Jumps, and plays on if it is playing. */
+  seek(time) {
+    if (!this.#clip) return;
+    const at = Math.max(0, Math.min(Number.isFinite(time) ? time : 0, this.#clip.duration));
+    this.#cursor.seek(at);
+    this.clock.seek(at);
+    if (pressed($("loop"))) this.#loop(true);
+    this.show();
+  }
+
+  scrub(time, isDown) {
+    this.#wasRate ??= this.clock.rate;
+    if (this.clock.playing) this.clock.pause();
+    this.seek(time);
+    if (isDown) return;
+    if (this.#wasRate !== 0 && this.clock.time < this.#clip.duration) this.#play(this.#wasRate);
+    this.#wasRate = undefined;
+  }
+
+  /** Draws a clip of a bank; what is in view stays if it is the same as before. */
+  #draw(clip, isSame) {
+    $("tracks").hidden = clip === undefined;
+    this.#clip = clip && withType(clip.orFps(FRAMES_PER_SECOND));
+    if (!this.#clip) return;
+    this.#cursor = this.#clip.cursor();
+    this.#poseAt = posesOf(this.#clip);
+    const levels = levelsOf(this.#clip);
+    this.#editor.clip = this.#tracks.clip = this.#clip;
+    this.#curves.show(this.#clip);
+    this.#timeline[isSame ? "update" : "show"](this.#clip, levels, $("locale").value);
+    this.#languages();
+  }
+
+  #diagnose(diagnostics) {
+    this.#problems.show(diagnostics, this.#clip);
+    if (this.#clip) this.#tracks.show(this.#editor.words, diagnostics, this.#beside);
+  }
+
+  /** Fetches the recording of a clip, which may be another one under the same name. */
+  async #listen({ key, has_sound, path }) {
+    if (!has_sound) {
+      this.clock.load(undefined);
+      this.#tracks.sound = undefined;
+      return;
+    }
+    const isAnew = this.#soundOf !== path;
+    this.#soundOf = path;
+    const buffer = await this.clock.decode(await source.sound(key)).catch(() => undefined);
+    if (this.key !== key || (!isAnew && this.clock.playing)) return;
+    this.clock.load(buffer);
+    this.#tracks.sound = buffer;
+  }
+
+  #look(view) {
+    this.#curves.look(view);
+    this.#tracks.look(view);
+    this.#editor.look();
+  }
+
+  get #beside() {
+    return this.#bank?.locales.includes($("beside").value) ? $("beside").value : undefined;
+  }
+
+  #languages() {
+    if (!this.#clip) return;
+    this.#timeline.texts($("locale").value);
+    this.#tracks.texts(this.#beside);
+    this.#editor.languages($("locale").value, this.#beside);
+    this.show();
+  }
+
+  #frames(count) {
+    if (!this.#clip) return;
+    const frame = this.#clip.frameAt(this.clock.time) ?? this.#clip.frameCount;
+    this.seek(this.#clip.startOfFrame(Math.max(0, frame + count)) ?? this.#clip.duration);
+  }
+
+  #loop(isOn) {
+    const at = this.clock.time;
+    const segment = isOn && (this.#clip?.segmentAt(at) ?? this.#clip?.segments.at(-1));
+    const seconds = (frame) => this.#clip.startOfFrame(frame) ?? this.#clip.duration;
+    const isLong = segment && segment.startFrame < segment.endFrame;
+    this.clock.loop = isLong ? { start: seconds(segment.startFrame), end: seconds(segment.endFrame) } : undefined;
+  }
+
+  async #play(rate) {
+    if (!this.#clip) return;
+    if (rate > 0 && this.clock.time >= this.#clip.duration) this.seek(0);
+    await this.clock.play(rate);
+    this.show();
+    requestAnimationFrame(() => this.#tick());
+  }
+
+  #stop() {
+    this.clock.pause();
+    this.show();
+  }
+
+  #tick() {
+    const { rate, time } = this.clock;
+    if (rate === 0) return;
+    if (rate > 0 ? time >= this.#clip.duration : time <= 0) this.clock.pause(rate > 0 ? this.#clip.duration : 0);
+    else requestAnimationFrame(() => this.#tick());
+    this.show();
+  }
+
+  /** Everything that the page shows follows from the time. */
+  show() {
+    if (!this.#clip) return;
+    const { time, rate } = this.clock;
+    // Backwards nothing happens anew, and a loop starts again.
+    if (rate < 0 || pressed($("loop"))) this.#cursor.seek(time);
+    this.#cursor.advanceTo(time);
+    const { viseme, segment } = this.#cursor;
+    const [main, beside] = [$("locale").value, this.#beside].map((tag) => spoken(this.#clip, segment, tag));
+    const feeling = felt(this.#clip.emotionsAt(time));
+    this.#face.show(this.#poseAt(this.#cursor, time));
+    this.#timeline.mark(time, segment, main?.text, feeling);
+    this.#tracks.mark(time);
+    this.#curves.mark(time);
+    this.#editor.mark(segment);
+    say($("subtitle"), main, $("locale").value);
+    say($("other"), beside, this.#beside);
+    $("feeling").textContent = feeling;
+    $("state").textContent = Array.from(new Set([segment?.event, ...states(this.#cursor)])).filter(Boolean).join(" · ");
+    $("viseme").textContent = viseme;
+    $("viseme").title = $("viseme").ariaLabel = `Mouth shape ${viseme}: ${VISEMES[this.#clip.visemeType][viseme] ?? "none"}`;
+    $("time").textContent = `${time.toFixed(2)} / ${this.#clip.duration.toFixed(2)} s · frame ${this.#clip.frameAt(time) ?? this.#clip.frameCount}`;
+    $("play").classList.toggle("playing", this.clock.playing);
+    $("play").ariaLabel = this.clock.playing ? "Pause" : "Play";
+  }
+}
+
+/** The text of a segment, if the bank has the locale. */
+const spoken = (clip, segment, tag) => (tag ? segment?.text(tag) : undefined);
+
+function say(element, text, tag) {
+  element.textContent = text?.text ?? "";
+  // Whose text a fallback is, the bank does not say.
+  element.lang = text?.isFallback ? "" : (tag ?? "");
+  element.dir = "auto";
+  element.classList.toggle("fallback", text?.isFallback ?? false);
+}
+
+/** What the speaker feels, the strongest first. */
+function felt({ values }) {
+  const strongest = Object.entries(values).filter(([, value]) => value > 0).sort(([, a], [, b]) => b - a);
+  return strongest.map(([emotion, value]) => `${emotion} ${Number(value.toFixed(1))}`).join(", ");
+}
+
+/** What lasts of the events until now. */
+function states(cursor) {
+  return cursor.characters().map(({ name, feels, staresAt, pointsAt }) => {
+    const lasts = [feels && `feels ${feels}`, staresAt && `stares at ${staresAt}`, pointsAt && `points at ${pointsAt}`];
+    const all = lasts.filter(Boolean).join(", ");
+    return all && `${name ?? "the speaker"} ${all}`;
+  });
+}
+
+function choices(select, tags, chosen) {
+  select.replaceChildren(...tags.map((tag) => new Option(tag, tag, false, tag === chosen)));
+}
+
+const pressed = (button) => button.ariaPressed === "true";
+
+function press(button, isOn) {
+  button.ariaPressed = String(isOn);
+  return isOn;
+}
+
+const toggled = (button) => press(button, !pressed(button));

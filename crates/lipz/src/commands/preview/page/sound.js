@@ -1,0 +1,102 @@
+// The clock of a clip: that of its recording while it plays, so that mouth and sound cannot drift apart. Without a recording,
+// and backwards, it is the clock of the page.
+
+/** How long to wait for audio: a browser may forbid it, or have no device. */
+const PATIENCE_MS = 500;
+
+export class Clock {
+  #audio;
+  #buffer;
+  #source;
+  #offset = 0;
+  #startedAt = 0;
+  #rate = 0;
+  #loop;
+
+  get playing() {
+    return this.#rate !== 0;
+  }
+
+  /** How fast it plays: 1 as it was said, 0 if it stands still, less if it goes back. */
+  get rate() {
+    return this.#rate;
+  }
+
+  /** Whether the time is that of the recording. */
+  get isAudio() {
+    return this.#source !== undefined;
+  }
+
+  /** Seconds since the start of the recording. */
+  get time() {
+    if (!this.playing) return this.#offset;
+    const time = this.#offset + (this.#now() - this.#startedAt) * this.#rate;
+    const { start, end } = this.#loop ?? {};
+    return this.#loop && this.#rate > 0 && time >= end ? start + ((time - start) % (end - start)) : Math.max(0, time);
+  }
+
+  /** The samples of a recording. */
+  async decode(bytes) {
+    this.#audio ??= new AudioContext();
+    return this.#audio.decodeAudioData(bytes);
+  }
+
+  /** Takes the recording of another clip; undefined if it has none. */
+  load(buffer) {
+    const { time, rate } = this;
+    this.pause();
+    this.#buffer = buffer;
+    this.#offset = time;
+    if (rate !== 0) this.#begin(rate);
+  }
+
+  /** Plays from here. */
+  async play(rate) {
+    this.pause();
+    if (this.#buffer) {
+      this.#audio ??= new AudioContext();
+      await Promise.race([this.#audio.resume().catch(() => {}), new Promise((done) => setTimeout(done, PATIENCE_MS))]);
+    }
+    this.#begin(rate);
+  }
+
+  pause(time = this.time) {
+    this.#source?.stop();
+    this.#source = undefined;
+    this.#offset = time;
+    this.#rate = 0;
+  }
+
+  /** Jumps, and plays on there if it is playing. */
+  seek(time) {
+    const rate = this.#rate;
+    this.pause(time);
+    if (rate !== 0) this.#begin(rate);
+  }
+
+  /** Repeats what is between two seconds; undefined for the clip as a whole. */
+  set loop(loop) {
+    const { time } = this;
+    this.#loop = loop;
+    if (this.playing) this.seek(loop && (time < loop.start || time >= loop.end) ? loop.start : time);
+  }
+
+  #begin(rate) {
+    const canSound = this.#buffer && rate > 0 && this.#audio?.state === "running" && this.#offset < this.#buffer.duration;
+    if (canSound) {
+      const source = this.#audio.createBufferSource();
+      source.buffer = this.#buffer;
+      source.playbackRate.value = rate;
+      if (this.#loop) Object.assign(source, { loop: true, loopStart: this.#loop.start, loopEnd: this.#loop.end });
+      source.connect(this.#audio.destination);
+      source.start(0, this.#offset);
+      this.#source = source;
+    }
+    this.#startedAt = this.#now();
+    this.#rate = rate;
+  }
+
+  #now() {
+    return this.isAudio ? this.#audio.currentTime : performance.now() / 1000;
+  }
+}

@@ -1,0 +1,48 @@
+// Where the page has its data from: the server, or what `lipz preview --export` wrote beside it.
+
+const api = (path, query = {}) => {
+  const url = new URL(`../api/${path}`, import.meta.url);
+  url.search = new URLSearchParams(query);
+  return url;
+};
+
+/** An answer, or the reason why there is none. */
+async function got(path, query) {
+  const response = await fetch(api(path, query)).catch(() => undefined);
+  if (response === undefined) throw new Error("lipz preview does not answer any more: start it again, and open its new address");
+  if (!response.ok) throw new Error((await response.text()).trim());
+  return response;
+}
+
+async function posted(path, change) {
+  const headers = { "Content-Type": "application/json" };
+  const response = await fetch(api(path), { method: "POST", headers, body: JSON.stringify(change) }).catch(() => undefined);
+  if (response === undefined) throw new Error("lipz preview does not answer any more: nothing was saved");
+  return response;
+}
+
+/** The server. */
+const server = {
+  isLive: true,
+  clips: async () => (await got("clips")).json(),
+  bank: async () => (await got("bank")).arrayBuffer(),
+  clip: async (key) => (await got("clip", { key })).json(),
+  sound: async (key) => (await got("sound", { key })).arrayBuffer(),
+  changed: async (since) => (await (await got("changes", { since })).json()).version,
+  /** The clip with a change, as `{ answer, bank }`. */
+  async draft(change) {
+    const response = await posted("draft", change);
+    if (!response.ok) throw new Error((await response.text()).trim());
+    const bytes = await response.arrayBuffer();
+    const length = new DataView(bytes).getUint32(0, true);
+    const answer = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, length)));
+    return { answer, bank: answer.has_bank ? bytes.slice(4 + length) : undefined };
+  },
+  async save(change) {
+    const response = await posted("save", change);
+    if (response.headers.get("Content-Type") !== "application/json") throw new Error((await response.text()).trim());
+    return response.json();
+  },
+};
+
+export const source = globalThis.lipzExport ?? server;

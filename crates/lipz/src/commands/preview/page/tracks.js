@@ -1,0 +1,150 @@
+// What is beside the timeline of a clip, on the same frames: the recording, words, another locale's texts, diagnostics.
+
+import { onDrag } from "../web/demo/drag.js";
+import { made } from "./list.js";
+
+/** Samples that are looked at for the loudness of one column: enough to see a syllable, few enough to draw at once. */
+const MOST_SAMPLES = 400;
+
+const $ = (id) => document.getElementById(id);
+
+export class Tracks {
+  #clip;
+  #buffer;
+  #words = [];
+  #marks = [];
+  #locale;
+  #view = { first: 0, count: 1, width: 1 };
+  #time = 0;
+
+  constructor(scrub) {
+    for (const id of ["wave", "words", "translation", "marks"]) {
+      onDrag($(id), (x) => this.timeAt(x), scrub);
+    }
+    matchMedia("(prefers-color-scheme: light)").addEventListener("change", () => this.#draw());
+  }
+
+  /** The clip as it is drawn. */
+  set clip(clip) {
+    this.#clip = clip;
+  }
+
+  /** Shows what belongs to the clip: words, and diagnostics with their places. */
+  show(words, diagnostics, locale) {
+    this.#words = words;
+    const places = diagnostics.map((found) => ({ ...found, at: frameOf(this.#clip, found) }));
+    this.#marks = places.filter(({ at }) => at !== undefined);
+    $("words").hidden = words.length === 0;
+    $("marks").hidden = this.#marks.length === 0;
+    this.texts(locale);
+  }
+
+  /** Shows a recording; undefined if there is none. */
+  set sound(buffer) {
+    this.#buffer = buffer;
+    $("wave").hidden = buffer === undefined;
+    if (buffer) $("wave").ariaLabel = `The recording, ${buffer.duration.toFixed(2)} seconds`;
+    this.#draw();
+  }
+
+  /** Shows the texts of another locale; none if it is undefined. */
+  texts(locale) {
+    this.#locale = locale;
+    $("translation").hidden = !locale;
+    this.#draw();
+  }
+
+  /** Shows the frames that are in view in the timeline: from the first, so many, on so many pixels. */
+  look(view) {
+    this.#view = view;
+    this.#draw();
+  }
+
+  /** Moves the playhead. */
+  mark(time) {
+    this.#time = time;
+    const x = this.#x((time / this.#clip.duration) * this.#clip.frameCount);
+    const playhead = $("tracks").querySelector(":scope > .playhead");
+    playhead.style.transform = `translateX(${x}px)`;
+    playhead.hidden = x < 0 || x > this.#view.width;
+    for (const word of $("words").children) word.classList.toggle("now", word.start <= time && time < word.end);
+  }
+
+  /** The frame at an x of the window, with its fraction. */
+  frameAt(x) {
+    return this.#view.first + ((x - $("tracks").getBoundingClientRect().left - 1) / this.#view.width) * this.#view.count;
+  }
+
+  /** The time there. */
+  timeAt(x) {
+    return (this.frameAt(x) / this.#clip.frameCount) * this.#clip.duration;
+  }
+
+  /** Puts an element over frames; whether it can be seen. */
+  place(element, start, end) {
+    const [left, right] = [this.#x(start), this.#x(end)];
+    element.style.left = `${left}px`;
+    element.style.width = `${Math.max(1, right - left)}px`;
+    return right >= 0 && left <= this.#view.width;
+  }
+
+  #x(frame) {
+    return (frame - this.#view.first) * (this.#view.width / this.#view.count);
+  }
+
+  #draw() {
+    if (this.#clip === undefined) return;
+    this.#wave();
+    const rate = this.#clip.frameCount / this.#clip.duration;
+    const blocks = (parent, items, of) => parent.replaceChildren(...items.map(of).filter(Boolean));
+    blocks($("words"), this.#words, ({ text, start_ms, end_ms, is_doubtful }) => {
+      const word = made("span", is_doubtful ? "word doubtful" : "word", text);
+      Object.assign(word, { start: start_ms / 1000, end: end_ms / 1000, dir: "auto" });
+      word.title = is_doubtful ? `${text}: not clearly heard` : text;
+      return this.place(word, word.start * rate, word.end * rate) && word;
+    });
+    blocks($("translation"), this.#locale ? this.#clip.segments : [], (segment) => {
+      const text = segment.text(this.#locale);
+      const part = made("span", text?.isFallback ? "part fallback" : "part", text?.text ?? "");
+      [part.dir, part.lang, part.title] = ["auto", text?.isFallback ? "" : this.#locale, text?.text ?? ""];
+      return this.place(part, segment.startFrame, segment.endFrame) && part;
+    });
+    blocks($("marks"), this.#marks, ({ at, severity, message }) => {
+      const mark = made("span", `mark ${severity}`);
+      mark.title = message;
+      return this.place(mark, at, at) && mark;
+    });
+    this.mark(this.#time);
+  }
+
+  /** Draws how loud the recording is: of each column of pixels, the lowest and the highest sample. */
+  #wave() {
+    const canvas = $("wave");
+    const { clientWidth: width, clientHeight: height } = canvas;
+    if (!this.#buffer || width === 0) return;
+    const dense = devicePixelRatio;
+    Object.assign(canvas, { width: Math.round(width * dense), height: Math.round(height * dense) });
+    const context = canvas.getContext("2d");
+    const samples = this.#buffer.getChannelData(0);
+    const perFrame = (this.#clip.duration / this.#clip.frameCount) * this.#buffer.sampleRate;
+    const perColumn = (this.#view.count / canvas.width) * perFrame;
+    context.fillStyle = getComputedStyle(canvas).getPropertyValue("--bar");
+    const step = Math.max(1, Math.floor(perColumn / MOST_SAMPLES));
+    for (let x = 0; x < canvas.width; x++) {
+      const from = Math.floor(this.#view.first * perFrame + x * perColumn);
+      let [low, high] = [0, 0];
+      for (let at = from; at < from + Math.max(1, perColumn); at += step) {
+        const sample = samples[at] ?? 0;
+        if (sample < low) low = sample;
+        if (sample > high) high = sample;
+      }
+      const half = canvas.height / 2;
+      context.fillRect(x, half - high * half, 1, Math.max(dense, (high - low) * half));
+    }
+  }
+}
+
+/** The frame that a diagnostic is about; undefined if it is about the file. */
+export function frameOf(clip, { frame, segment }) {
+  return frame ?? (segment === null ? undefined : clip.segment(segment)?.startFrame);
+}

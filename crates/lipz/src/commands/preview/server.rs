@@ -1,0 +1,155 @@
+//! The server: which address gives what.
+
+use super::assets;
+use super::clip::ClipPage;
+use super::draft::{Change, Changed};
+use super::guard::{Guard, parameter};
+use super::http::{Answer, Body, Request};
+use super::listing::Listing;
+use super::shared::Shared;
+use serde::Serialize;
+use std::fs::File;
+use std::io;
+use std::net::{TcpListener, TcpStream};
+use std::sync::Arc;
+use std::thread;
+use std::time::Duration;
+
+/// How long a page waits for news before it asks again.
+const PATIENCE: Duration = Duration::from_secs(25);
+
+/// What no page of another site gets, and what ours may do: nothing comes from elsewhere.
+const HEADERS: [(&str, &str); 7] = [
+    (
+        "Content-Security-Policy",
+        "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; img-src 'self' data:; \
+         frame-ancestors 'none'; base-uri 'none'; form-action 'none'",
+    ),
+    ("Cross-Origin-Resource-Policy", "same-origin"),
+    ("Cross-Origin-Opener-Policy", "same-origin"),
+    ("Referrer-Policy", "no-referrer"),
+    ("X-Content-Type-Options", "nosniff"),
+    ("X-Frame-Options", "DENY"),
+    ("Cache-Control", "no-store"),
+];
+
+/// The server of one page.
+pub(super) struct Preview {
+    listener: TcpListener,
+    guard: Guard,
+    shared: Arc<Shared>,
+    is_read_only: bool,
+}
+
+impl Preview {
+    /// Listens on this machine: on a free port, unless one is named.
+    ///
+    /// # Errors
+    /// The port is taken, or the system has no random numbers for the token.
+    pub(super) fn listen(port: Option<u16>, shared: Arc<Shared>, is_read_only: bool) -> io::Result<Preview> {
+        let listener = TcpListener::bind(("127.0.0.1", port.unwrap_or(0)))?;
+        let guard = Guard::new(listener.local_addr()?.port()).map_err(io::Error::other)?;
+        Ok(Preview { listener, guard, shared, is_read_only })
+    }
+
+    /// The address of the page.
+    pub(super) fn address(&self) -> String {
+        self.guard.address()
+    }
+
+    /// Answers until the process ends: each request in a thread, as one may wait for news.
+    pub(super) fn run(self) {
+        let preview = Arc::new(self);
+        for stream in preview.listener.incoming().filter_map(Result::ok) {
+            let preview = Arc::clone(&preview);
+            // A request that gets no thread is dropped, and so is an answer that nobody waits for.
+            let _ = thread::Builder::new().spawn(move || drop(preview.answer(stream)));
+        }
+    }
+
+    fn answer(&self, mut stream: TcpStream) -> io::Result<()> {
+        let Some(request) = Request::read(&mut stream)? else { return Ok(()) };
+        let answer = match self.guard.asked(&request) {
+            Some((path, query)) => self.respond(&request, &path, &query),
+            None => plain(403, "Forbidden: open the address that `lipz preview` printed."),
+        };
+        answer.send(&mut stream, &HEADERS)
+    }
+
+    fn respond(&self, request: &Request, path: &str, query: &str) -> Answer {
+        match request.method.as_str() {
+            "GET" => self.get(path, query),
+            "POST" => self.post(path, &request.body),
+            _ => plain(405, "This address cannot be asked so."),
+        }
+    }
+
+    fn get(&self, path: &str, query: &str) -> Answer {
+        let version = self.shared.now();
+        let key = parameter(query, "key").unwrap_or_default();
+        match path {
+            "api/clips" => json(200, &Listing::new(&version, self.is_read_only)),
+            "api/changes" => {
+                let since = parameter(query, "since").and_then(|number| number.parse().ok());
+                let newer = self.shared.after(since.unwrap_or(u64::MAX), PATIENCE);
+                json(200, &serde_json::json!({ "version": newer.number }))
+            }
+            "api/bank" => bytes("application/octet-stream", version.bank.to_vec()),
+            "api/clip" => match ClipPage::new(&version, &key) {
+                Some(clip) => json(200, &clip),
+                None => plain(404, "There is no such clip any more."),
+            },
+            "api/sound" => match version.recordings.find(&key).map(File::open) {
+                Some(Ok(file)) => {
+                    Answer { status: 200, media_type: "application/octet-stream", body: Body::File(file) }
+                }
+                Some(Err(error)) => plain(404, &format!("The recording cannot be read: {error}.")),
+                None => plain(404, "The clip has no recording."),
+            },
+            _ => match assets::named(path) {
+                Some(asset) => bytes(asset.media_type(), asset.bytes.to_vec()),
+                None => plain(404, "There is nothing at this address."),
+            },
+        }
+    }
+
+    fn post(&self, path: &str, body: &[u8]) -> Answer {
+        let version = self.shared.now();
+        let change: Change = match serde_json::from_slice(body) {
+            Ok(change) => change,
+            Err(error) => return plain(400, &format!("The change cannot be read: {error}.")),
+        };
+        match path {
+            "api/draft" => with_bank(change.draft(&version)),
+            "api/save" if self.is_read_only => {
+                json(403, &Changed::Refused { message: "files are not changed: --read-only".to_owned() })
+            }
+            "api/save" => json(200, &change.save(&version)),
+            _ => plain(404, "There is nothing at this address."),
+        }
+    }
+}
+
+/// What became of a change, with a bank behind it: the length of the document in four bytes, the document, the bank.
+fn with_bank((changed, bank): (Changed, Option<Vec<u8>>)) -> Answer {
+    let mut document = serde_json::to_vec(&changed).unwrap_or_default();
+    let mut body = u32::try_from(document.len()).unwrap_or_default().to_le_bytes().to_vec();
+    body.append(&mut document);
+    body.extend(bank.unwrap_or_default());
+    bytes("application/octet-stream", body)
+}
+
+fn json<T: Serialize>(status: u16, value: &T) -> Answer {
+    match serde_json::to_vec(value) {
+        Ok(document) => Answer { status, media_type: "application/json", body: Body::Bytes(document) },
+        Err(error) => plain(500, &error.to_string()),
+    }
+}
+
+fn plain(status: u16, text: &str) -> Answer {
+    Answer { status, ..bytes("text/plain; charset=utf-8", format!("{text}\n").into_bytes()) }
+}
+
+fn bytes(media_type: &'static str, bytes: Vec<u8>) -> Answer {
+    Answer { status: 200, media_type, body: Body::Bytes(bytes) }
+}

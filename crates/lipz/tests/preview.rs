@@ -1,0 +1,239 @@
+//! `lipz preview` as its page and as pages of others see it: what is answered, and what is written into which file.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use serde_json::{Value, json};
+use std::fs;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::TcpStream;
+use std::process::{Child, Command, Stdio};
+use std::time::Duration;
+use support::{Scene, lipz};
+
+const MAYOR: &str = "{\n  \"visemes\": \"MAAAEO--|MAAEEO--\",\n  \"text_en-us\": \"Mayor?|Mayor!\", \"note\": 1,\n  \
+                     \"fps\": 24, \"viseme_type\": \"blair\"\n}\n";
+
+/// A preview that runs, until the test ends.
+struct Running {
+    process: Child,
+    port: u16,
+    token: String,
+}
+
+/// What a request got.
+struct Answer {
+    status: u16,
+    head: String,
+    body: Vec<u8>,
+}
+
+impl Running {
+    fn start(scene: &Scene, arguments: &[&str]) -> Running {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_lipz"));
+        command.arg("preview").args(arguments).current_dir(scene.path());
+        let mut process = command.stdout(Stdio::piped()).stderr(Stdio::null()).spawn().unwrap();
+        let mut line = String::new();
+        BufReader::new(process.stdout.take().unwrap()).read_line(&mut line).unwrap();
+        let rest = line.trim().strip_prefix("http://127.0.0.1:").unwrap();
+        let (port, token) = rest.trim_end_matches('/').split_once('/').unwrap();
+        Running { process, port: port.parse().unwrap(), token: token.to_owned() }
+    }
+
+    /// Sends a request with these headers, besides those of its length.
+    fn send(&self, method: &str, path: &str, headers: &[(&str, &str)], body: &str) -> Answer {
+        let mut stream = TcpStream::connect(("127.0.0.1", self.port)).unwrap();
+        stream.set_read_timeout(Some(Duration::from_secs(30))).unwrap();
+        let headers: String = headers.iter().map(|(name, value)| format!("{name}: {value}\r\n")).collect();
+        let length = body.len();
+        write!(
+            stream,
+            "{method} {path} HTTP/1.1\r\n{headers}Connection: close\r\nContent-Length: {length}\r\n\r\n{body}"
+        )
+        .unwrap();
+        let mut bytes = Vec::new();
+        stream.read_to_end(&mut bytes).unwrap();
+        let split = bytes.windows(4).position(|four| four == b"\r\n\r\n").unwrap();
+        let head = String::from_utf8(bytes[..split].to_vec()).unwrap();
+        let status = head.split(' ').nth(1).unwrap().parse().unwrap();
+        Answer { status, head, body: bytes[split + 4..].to_vec() }
+    }
+
+    fn host(&self) -> String {
+        format!("127.0.0.1:{}", self.port)
+    }
+
+    fn get(&self, path: &str) -> Answer {
+        self.send("GET", &format!("/{}/{path}", self.token), &[("Host", &self.host())], "")
+    }
+
+    fn post(&self, path: &str, change: &Value) -> Answer {
+        let origin = format!("http://{}", self.host());
+        let headers = [("Host", self.host()), ("Origin", origin)];
+        let headers = headers.each_ref().map(|(name, value)| (*name, value.as_str()));
+        self.send("POST", &format!("/{}/{path}", self.token), &headers, &change.to_string())
+    }
+}
+
+impl Answer {
+    fn json(&self) -> Value {
+        let json = serde_json::from_slice(&self.body);
+        assert!(json.is_ok(), "{}", String::from_utf8_lossy(&self.body));
+        json.unwrap()
+    }
+}
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        let _ = self.process.kill();
+        let _ = self.process.wait();
+    }
+}
+
+fn project() -> Scene {
+    let scene = Scene::new();
+    scene.write("voices/act1/mayor.lipz", MAYOR);
+    scene.write("voices/act1/otto.lipz", r#"{ "visemes": "MA", "text_en-us": "No|Yes", "fps": 24 }"#);
+    scene
+}
+
+/// The file of the mayor's clip.
+fn mayor(scene: &Scene) -> String {
+    fs::read_to_string(scene.path().join("voices/act1/mayor.lipz")).unwrap()
+}
+
+/// A change of the mayor's clip.
+fn change(source: &str, elements: &Value) -> Value {
+    json!({ "key": "act1/mayor", "source": source, "elements": elements })
+}
+
+#[test]
+fn the_page_gets_the_bank_that_a_game_gets() {
+    let scene = project();
+    let preview = Running::start(&scene, &["voices"]);
+    let page = preview.get("");
+    assert_eq!(page.status, 200);
+    assert!(page.head.contains("frame-ancestors 'none'"), "{}", page.head);
+    let list = preview.get("api/clips").json();
+    let keys: Vec<&str> = list["clips"].as_array().unwrap().iter().map(|clip| clip["key"].as_str().unwrap()).collect();
+    assert_eq!(keys, ["act1/mayor", "act1/otto"]);
+    assert_eq!(list["clips"][1]["is_left_out"], true, "it has an error: {list}");
+    assert_eq!(list["clips"][1]["errors"], 1);
+    let clip = preview.get("api/clip?key=act1%2Fotto").json();
+    assert_eq!(clip["diagnostics"][0]["code"], "LZ0601", "{clip}");
+    fs::remove_file(scene.path().join("voices/act1/otto.lipz")).unwrap();
+    assert_eq!(lipz(scene.path(), ["pack", "voices", "-o", "a.lipzbank"]).code, 0);
+    assert_eq!(preview.get("api/bank").body, fs::read(scene.path().join("a.lipzbank")).unwrap());
+    assert_eq!(preview.get("api/clip?key=nobody").status, 404);
+    assert_eq!(preview.get("api/sound?key=act1%2Fmayor").status, 404);
+    assert_eq!(preview.get("../../../../etc/passwd").status, 404);
+    assert_eq!(preview.get("web/lipz.wasm").body.get(..4), Some(&b"\0asm"[..]));
+}
+
+#[test]
+fn pages_of_others_neither_read_nor_write() {
+    let scene = project();
+    let preview = Running::start(&scene, &["voices"]);
+    let own = preview.host();
+    let path = |path: &str| format!("/{}/{path}", preview.token);
+    let evil = ("Origin", "http://evil.example");
+    let save = change(MAYOR, &json!({ "events": "a|b" })).to_string();
+    let refused = [
+        preview.send("GET", "/api/clips", &[("Host", &own)], ""),
+        preview.send("GET", "/", &[("Host", &own)], ""),
+        preview.send("GET", &path("api/clips"), &[("Host", "evil.example")], ""),
+        preview.send("GET", &path("api/clips"), &[("Host", &own), evil], ""),
+        preview.send("GET", &path("api/bank"), &[("Host", &own), ("Sec-Fetch-Site", "cross-site")], ""),
+        preview.send("POST", &path("api/save"), &[("Host", &own)], &save),
+        preview.send("POST", &path("api/save"), &[("Host", &own), evil], &save),
+        preview.send("POST", &path("api/save"), &[("Host", &own), ("Origin", "null")], &save),
+        preview.send("POST", "/00000000000000000000000000000000/api/save", &[("Host", &own)], &save),
+        preview.send("OPTIONS", &path("api/save"), &[("Host", &own), evil], ""),
+    ];
+    for answer in refused {
+        assert_eq!(answer.status, 403, "{}", answer.head);
+        assert!(!answer.head.to_lowercase().contains("access-control"), "{}", answer.head);
+        assert!(!String::from_utf8_lossy(&answer.body).contains("mayor"));
+    }
+    assert_eq!(mayor(&scene), MAYOR);
+}
+
+#[test]
+fn changes_are_written_as_the_file_is_laid_out() {
+    let scene = project();
+    let preview = Running::start(&scene, &["voices"]);
+    let edit = change(MAYOR, &json!({ "visemes": "MAAAEE--|MAAEEO--", "text_de-de": "Meister?|Meister!" }));
+    let draft = preview.post("api/draft", &edit);
+    let length = u32::from_le_bytes(draft.body[..4].try_into().unwrap()) as usize;
+    let document: Value = serde_json::from_slice(&draft.body[4..4 + length]).unwrap();
+    assert_eq!(document["result"], "draft", "{document}");
+    assert!(lipz_bank::Bank::open(&draft.body[4 + length..]).unwrap().clip_by_key("act1/mayor").is_some());
+    assert_eq!(mayor(&scene), MAYOR, "a draft is no file");
+    let before = preview.get("api/clips").json()["version"].as_u64().unwrap();
+    let saved = preview.post("api/save", &edit).json();
+    assert_eq!(saved["result"], "saved", "{saved}");
+    let file = mayor(&scene);
+    let expected = MAYOR
+        .replace("MAAAEO--", "MAAAEE--")
+        .replace("\"Mayor?|Mayor!\",", "\"Mayor?|Mayor!\",\n  \"text_de-de\": \"Meister?|Meister!\",");
+    assert_eq!(file, expected);
+    let changed = preview.get(&format!("api/changes?since={before}")).json();
+    assert_ne!(changed["version"].as_u64(), Some(before), "the page hears of it");
+}
+
+#[test]
+fn what_somebody_else_wrote_is_kept() {
+    let scene = project();
+    let preview = Running::start(&scene, &["voices"]);
+    let theirs = MAYOR.replace("Mayor!", "MAYOR!");
+    scene.write("voices/act1/mayor.lipz", &theirs);
+    let answer = preview.post("api/save", &change(MAYOR, &json!({ "visemes": "MAAAEE--|MAAEEO--" }))).json();
+    assert_eq!(answer["result"], "conflict", "{answer}");
+    assert!(answer["theirs"].as_str().unwrap().contains("MAYOR!"), "{answer}");
+    assert!(answer["yours"].as_str().unwrap().contains("MAAAEE--"), "{answer}");
+    assert_eq!(mayor(&scene), theirs);
+}
+
+#[test]
+fn changes_with_errors_are_refused() {
+    let scene = project();
+    let preview = Running::start(&scene, &["voices"]);
+    let answer = preview.post("api/save", &change(MAYOR, &json!({ "visemes": "MA" }))).json();
+    assert_eq!(
+        (&answer["result"], &answer["diagnostics"][0]["code"]),
+        (&json!("errors"), &json!("LZ0601")),
+        "{answer}"
+    );
+    let other = preview.post("api/save", &change(MAYOR, &json!({ "fps": "24" }))).json();
+    assert_eq!(other["result"], "refused", "{other}");
+    assert_eq!(preview.post("api/save", &json!(["nonsense"])).status, 400);
+    assert_eq!(mayor(&scene), MAYOR);
+}
+
+#[test]
+fn read_only_and_banks_are_not_written() {
+    let scene = project();
+    let preview = Running::start(&scene, &["voices", "--read-only"]);
+    let answer = preview.post("api/save", &change(MAYOR, &json!({ "events": "a|b" })));
+    assert_eq!((answer.status, &answer.json()["result"]), (403, &json!("refused")));
+    assert_eq!(preview.get("api/clips").json()["is_read_only"], true);
+    assert_eq!(mayor(&scene), MAYOR);
+    fs::remove_file(scene.path().join("voices/act1/otto.lipz")).unwrap();
+    scene.prepare(&["pack", "voices", "-o", "a.lipzbank"]);
+    let bank = Running::start(&scene, &["a.lipzbank"]);
+    assert_eq!(bank.get("api/clips").json()["clips"][0]["key"], "act1/mayor");
+    assert_eq!(bank.get("api/clip?key=act1%2Fmayor").json()["path"], Value::Null);
+}
+
+#[test]
+fn what_cannot_be_served_is_told() {
+    let scene = project();
+    let taken = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
+    let port = taken.local_addr().unwrap().port().to_string();
+    let outcome = lipz(scene.path(), ["preview", "voices", "--port", &port]);
+    assert_eq!(outcome.code, 2);
+    assert!(outcome.stderr.contains("name another port"), "{}", outcome.stderr);
+    assert_eq!(lipz(scene.path(), ["preview", "-"]).code, 2);
+    let missing = lipz(scene.path(), ["preview", "missing.lipzbank"]);
+    assert_eq!(missing.code, 2, "{}", missing.stderr);
+}

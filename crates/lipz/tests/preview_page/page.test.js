@@ -1,0 +1,177 @@
+// The page of `lipz preview` in Chromium, used as people do: LIPZ names the command.
+
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { test } from "node:test";
+import { Browser } from "./browser.js";
+import { MAYOR, Project } from "./project.js";
+
+const TIMEOUT_MS = 180_000;
+const READY = "globalThis.preview?.then(({ player }) => player.key !== undefined)";
+const FILE = "voices/act1/mayor.lipz";
+const time = "preview.then(({ player }) => player.clock.time)";
+const text = (id) => `document.getElementById("${id}").textContent`;
+
+/** A page of a project in a browser, until the test ends. */
+async function opened(t, project, options = [], hash = "") {
+  t.after(() => project.end());
+  const address = await project.preview(...options);
+  const browser = await Browser.start();
+  t.after(() => browser.end());
+  const page = await browser.open(address + hash);
+  await page.until(READY);
+  return page;
+}
+
+const close = (actual, expected, what) => assert.ok(Math.abs(actual - expected) < 0.02, `${what}: ${actual}, not ${expected}`);
+
+test("a clip is seen, heard and moved in with keys alone", { timeout: TIMEOUT_MS }, async (t) => {
+  const page = await opened(t, await Project.small());
+  assert.equal(await page.value(text("key")), "act1/mayor");
+  assert.equal(await page.value(text("subtitle")), "Mayor?");
+  assert.equal(await page.value(text("other")), "Meister?");
+  await page.key("ArrowRight");
+  close(await page.value(time), 1 / 24, "a frame on");
+  await page.key("End");
+  close(await page.value(time), 20 / 24, "the end");
+  await page.key("Home");
+  await page.key(" ");
+  await page.until(`preview.then(({ player }) => player.clock.isAudio && player.clock.time > 0.2)`);
+  await page.key("k");
+  const stopped = await page.value(time);
+  await page.key("j");
+  await page.until(`preview.then(({ player }) => player.clock.rate === -1 && player.clock.time < ${stopped})`);
+  await page.until("preview.then(({ player }) => !player.clock.playing)");
+  close(await page.value(time), 0, "back at the start");
+  await page.key("h");
+  await page.key("o");
+  await page.key("l");
+  await page.until("preview.then(({ player }) => player.clock.rate === 0.5 && player.clock.isAudio)");
+  await new Promise((resolve) => setTimeout(resolve, 900));
+  assert.ok((await page.value(time)) < 8 / 24, "the first segment is repeated");
+  await page.key("k");
+  await page.key("/");
+  await page.type("otto");
+  await page.key("ArrowDown");
+  await page.until(`${text("key")} === "act1/otto"`);
+  assert.equal(await page.value(text("count")), "1 of 3 clips");
+  assert.deepEqual(page.complaints, []);
+});
+
+test("what is edited is drawn, undone, and saved as the file is laid out", { timeout: TIMEOUT_MS }, async (t) => {
+  const project = await Project.small();
+  const page = await opened(t, project);
+  const drawn = "preview.then(async ({ player }) => (await player.settled, player.clip.frames))";
+  await page.click("#timeline");
+  await page.key("Home");
+  await page.value('document.getElementById("shapes").focus()');
+  await page.key("E");
+  await page.until(`${drawn}.then((frames) => frames === "EAAAEO--MAAEEO------")`);
+  close(await page.value(time), 1 / 24, "typing goes on by a frame");
+  const framePx = await page.value('document.querySelector("#timeline .track").offsetWidth / 20');
+  await page.drag('[data-grip="edge"][data-at="4"]', -framePx);
+  await page.until(`${drawn}.then((frames) => frames === "EAAEEO--MAAEEO------")`);
+  await page.drag('[data-grip="bar"]', -framePx);
+  await page.until('preview.then(async ({ player }) => (await player.settled, player.clip.segment(1).startFrame === 7))');
+  await page.key("z", "control");
+  await page.until('preview.then(async ({ player }) => (await player.settled, player.clip.segment(1).startFrame === 8))');
+  await page.key("z", "control", "shift");
+  await page.until('preview.then(async ({ player }) => (await player.settled, player.clip.segment(1).startFrame === 7))');
+  await page.click('[data-name="text_de-de"][data-at="1"]');
+  await page.key("End");
+  await page.type("!");
+  await page.key("Enter");
+  assert.equal(await project.read(FILE), MAYOR, "nothing is written before it is saved");
+  await page.key("s", "control");
+  await page.until('document.getElementById("save").disabled');
+  const file = await project.read(FILE);
+  assert.match(file, /"visemes" : {4}"EAAEEO-\|-MAAEEO------"/, file);
+  assert.ok(file.includes("{louder} Meister!!"), file);
+  assert.ok(file.includes('  "note" : "as recorded"\n'), "all else stays");
+  assert.deepEqual(page.complaints, []);
+});
+
+test("a file that somebody else has changed is not overwritten", { timeout: TIMEOUT_MS }, async (t) => {
+  const project = await Project.small();
+  const page = await opened(t, project);
+  await page.value('document.getElementById("shapes").focus()');
+  await page.key("E");
+  await page.until('!document.getElementById("save").disabled');
+  const theirs = MAYOR.replace("points door", "points window");
+  await project.write(FILE, theirs);
+  await page.key("s", "control");
+  await page.until('!document.getElementById("conflict").hidden');
+  assert.ok((await page.value(text("theirs"))).includes("points window"));
+  assert.equal(await project.read(FILE), theirs);
+  await page.click("#again");
+  await page.until('document.getElementById("conflict").hidden && !document.getElementById("save").disabled');
+  await page.key("s", "control");
+  await page.until('document.getElementById("save").disabled');
+  assert.equal(await project.read(FILE), theirs.replace("MAAAEO", "EAAAEO"), "both changes are there");
+});
+
+test("the page follows the files, and stays where it was", { timeout: TIMEOUT_MS }, async (t) => {
+  const project = await Project.small();
+  const page = await opened(t, project);
+  await page.key("+");
+  await page.key("+");
+  for (let frame = 0; frame < 3; frame++) await page.key("ArrowRight");
+  const [before, width] = [await page.value(time), await page.value('document.querySelector("#timeline .track").offsetWidth')];
+  await project.write(FILE, MAYOR.replace("Mayor? ", "Mayors?"));
+  await page.until(`${text("subtitle")} === "Mayors?"`);
+  assert.equal(await page.value(time), before);
+  assert.equal(await page.value('document.querySelector("#timeline .track").offsetWidth'), width);
+  await project.write(FILE, MAYOR.replace("MAAAEO", "MAAAE?"));
+  const isTold = `${text("problems")}.includes("\`?\`")`;
+  await page.until(isTold);
+  await project.write(FILE, MAYOR);
+  await page.until(`!${isTold}`);
+});
+
+test("diagnostics are where they are", { timeout: TIMEOUT_MS }, async (t) => {
+  const page = await opened(t, await Project.small(), [], "#clip=act2/wrong");
+  assert.ok((await page.value(text("problems"))).includes("LZ0601"));
+  await page.value('(document.getElementById("what").value = "With errors", document.getElementById("what").dispatchEvent(new Event("input")))');
+  assert.equal(await page.value(text("count")), "1 of 3 clips");
+});
+
+test("20,000 clips are listed and searched at once", { timeout: TIMEOUT_MS }, async (t) => {
+  const page = await opened(t, await Project.large(20_000));
+  assert.equal(await page.value(text("count")), "20,000 clips");
+  const rows = 'document.querySelectorAll("#list .row").length';
+  assert.ok((await page.value(rows)) < 100, "rows are made where they are seen");
+  await page.value('document.getElementById("list").scrollTop = 1e9');
+  await page.until('document.querySelector("#list .row:last-child").ariaPosInSet === "20000"');
+  await page.key("/");
+  await page.type("line-19999");
+  await page.until(`${text("count")} === "1 of 20,000 clips"`);
+  const shown = await page.value("preview.then(({ shown }) => Math.round(shown))");
+  t.diagnostic(`the first clip was shown ${shown} ms after the page was asked for`);
+});
+
+test("what must not be written cannot be edited", { timeout: TIMEOUT_MS }, async (t) => {
+  const page = await opened(t, await Project.small(), ["--read-only"]);
+  assert.equal(await page.value('document.getElementById("edits").hidden'), true);
+  await page.value('document.getElementById("shapes").focus()');
+  await page.key("E");
+  assert.ok((await page.value("preview.then(({ player }) => player.clip.frames)")).startsWith("M"));
+  assert.equal(await page.value('document.querySelector("#texts textarea").readOnly'), true);
+});
+
+test("an exported page plays from a disk, without a server", { timeout: TIMEOUT_MS }, async (t) => {
+  const project = await Project.small();
+  t.after(() => project.end());
+  const { status, stderr } = spawnSync(process.env.LIPZ, ["preview", "--export", "site"], { cwd: project.folder, encoding: "utf8" });
+  assert.equal(status, 1, `one of the clips has an error, which is told: ${stderr}`);
+  assert.ok(stderr.includes("LZ0601"), stderr);
+  const browser = await Browser.start();
+  t.after(() => browser.end());
+  const page = await browser.open(`file://${project.folder}/site/index.html`);
+  await page.until(READY);
+  assert.equal(await page.value(text("count")), "3 clips");
+  assert.equal(await page.value(text("subtitle")), "Mayor?");
+  await page.key(" ");
+  await page.until("preview.then(({ player }) => player.clock.isAudio && player.clock.time > 0.1)");
+  assert.equal(await page.value('document.getElementById("edits").hidden'), true);
+  assert.deepEqual(page.complaints, []);
+});

@@ -1,0 +1,2 @@
+-- Serves the Lipz file of this buffer.
+require("lipz").attach(0)

@@ -1,0 +1,2 @@
+" Lipz files are JSON.
+runtime! syntax/json.vim

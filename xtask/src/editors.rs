@@ -1,0 +1,47 @@
+//! `cargo xtask editors`: Neovim talks with `lipz lsp` as a client, and the extension for Visual Studio Code is checked,
+//! tested and packed.
+
+use crate::Failure;
+use crate::cargo;
+use crate::paths::{target_folder, temporary_folder, workspace_root};
+use crate::tools::{has_program, skip, succeed};
+use std::process::Command;
+
+pub(crate) fn run() -> Result<(), Failure> {
+    neovim()?;
+    visual_studio_code()
+}
+
+/// Runs the test of the plugin in a folder of its own, without the settings of whoever runs it.
+fn neovim() -> Result<(), Failure> {
+    if !has_program("nvim") {
+        return skip("nvim");
+    }
+    succeed(cargo::command().args(["build", "--quiet", "--locked", "--package", "lipz"]), "cargo build of lipz")?;
+    let program = target_folder().join("debug/lipz");
+    let program = program.canonicalize().map_err(|error| format!("`{}`: {error}", program.display()))?;
+    let plugin = workspace_root().join("editors/nvim");
+    let plugin = plugin.canonicalize().map_err(|error| format!("`{}`: {error}", plugin.display()))?;
+    let folder = temporary_folder()?;
+    let mut nvim = Command::new("nvim");
+    nvim.args(["--headless", "-i", "NONE", "-u", "NONE", "--cmd"]);
+    nvim.arg(format!("set runtimepath^={}", plugin.display())).arg("--cmd");
+    nvim.arg(format!("let g:lipz_command='{}'", program.display()));
+    nvim.args(["--cmd", "filetype plugin on", "--cmd", "syntax on", "-c"]);
+    nvim.arg(format!("luafile {}", plugin.join("test/client.lua").display()));
+    succeed(nvim.current_dir(folder.path()), "the test of the plugin for Neovim")
+}
+
+/// Checks the types of the extension, packs it and tests what is packed.
+fn visual_studio_code() -> Result<(), Failure> {
+    if !has_program("npm") {
+        return skip("npm, of node 20 or later");
+    }
+    let folder = workspace_root().join("editors/vscode");
+    for arguments in [["ci", "--no-audit"], ["run", "package"], ["run", "test"]] {
+        let what = format!("npm {}", arguments.join(" "));
+        succeed(Command::new("npm").args(arguments).arg("--silent").current_dir(&folder), &what)?;
+    }
+    println!("extension: {}", folder.join("lipz.vsix").display());
+    Ok(())
+}
