@@ -147,9 +147,19 @@ fn stands_alone(text: &TextChange, splices: &Splices, starts: &[U32], pool: &[u8
         |at: usize| starts.iter().any(|start| start.get() != NO_TEXT && (start.get() & TEXT_OFFSET) as usize == at);
     // With a count in it, and without.
     [text.bytes.as_slice(), &text.without_count()].into_iter().all(|bytes| {
-        let places = memmem::find_iter(pool, bytes).take(MOST_PLACES);
-        let places: Vec<usize> = places.filter(|at| Some(*at) != own).collect();
+        let places: Vec<usize> = places(pool, bytes).take(MOST_PLACES).filter(|at| Some(*at) != own).collect();
         places.len() + 1 < MOST_PLACES && !places.into_iter().any(is_start)
+    })
+}
+
+/// Where `bytes` stand in the pool, also where such places overlap: a text may start inside of another one's end.
+fn places<'p>(pool: &'p [u8], bytes: &'p [u8]) -> impl Iterator<Item = usize> + 'p {
+    let finder = memmem::Finder::new(bytes);
+    let mut next = 0;
+    std::iter::from_fn(move || {
+        let at = next + finder.find(pool.get(next..)?)?;
+        next = at + 1;
+        Some(at)
     })
 }
 

@@ -91,6 +91,19 @@ fn what_may_stand_once_is_left_to_all_clips() {
     }
 }
 
+#[test]
+fn texts_that_start_inside_of_the_new_one_are_found() {
+    let event = "feels sad|feels sad";
+    let shown = parts("A|A", ["", "bbb|bbb", ""], "");
+    let empty = ["-", "E"].map(|visemes| parts(visemes, ["", "", ""], ""));
+    let clips = |visemes, texts| [&[shown.clone(), parts(visemes, texts, event)], &empty[..]].concat();
+    let (before, after) = (clips("-|-", ["a|a"; 3]), clips("A|A", ["a|a", "bbb|bbb", "a|a"]));
+    for is_stripped in [false, true] {
+        let (patched, made) = both(&before, &after, &options(is_stripped)).unwrap();
+        assert!(patched.is_none_or(|patched| patched == made));
+    }
+}
+
 fn clip() -> impl Strategy<Value = Parts> {
     let text = || prop::option::weighted(0.8, "[ab]{1,3}|[a-z]{2,9}( [a-z]{2,9}){0,3}");
     (1_usize..3, prop::array::uniform3(text()), "[MAEO-]{1,6}", any::<bool>()).prop_map(
