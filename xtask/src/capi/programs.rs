@@ -46,6 +46,9 @@ fn cmake(sources: &Path, prefix: &Path, build: &Path) -> Result<(), Failure> {
 
 fn make(sources: &Path, prefix: &Path, build: &Path, flags: &str) -> Result<(), Failure> {
     let variable = |name: &str, value: &str| format!("{name}={value}");
+    // Make takes blanks for ends of names: those of this checkout's path stay out of it.
+    let from_sources = build.strip_prefix(paths::workspace_root()).map(|build| Path::new("../../..").join(build));
+    let build = from_sources.unwrap_or_else(|_| build.to_owned());
     succeed(
         Command::new("make")
             .args(["--always-make", "--no-print-directory", "-C"])

@@ -94,7 +94,7 @@ pub(super) const C_PROGRAMS: [Group; 6] = [
     Group {
         name: "C: + typed events, names",
         parts: &[C_OPEN, C_MOUTHS, C_TEXTS, C_EVENTS],
-        budget_bytes: Some(8_665),
+        budget_bytes: Some(8_980),
     },
     Group { name: "C: + cursor", parts: &[C_OPEN, C_MOUTHS, C_TEXTS, C_EVENTS, C_CURSOR], budget_bytes: Some(15_230) },
     Group {
