@@ -9,6 +9,7 @@ pub(crate) mod coverage;
 pub(crate) mod diff;
 pub(crate) mod explain;
 pub(crate) mod export;
+pub(crate) mod face;
 pub(crate) mod fallout;
 pub(crate) mod fmt;
 pub(crate) mod ids;
@@ -78,6 +79,7 @@ commands! {
         Fmt(fmt::Fmt),
         Preview(preview::PreviewArguments),
         Inspect(inspect::Inspect),
+        Face(face::Face),
         Convert(convert::Convert),
         Explain(explain::Explain),
     }

@@ -67,9 +67,12 @@ pub(super) fn curves(
     }
     let (curves, moves) = keys::keys(&gestures, fps, clip.frames.len() as u32);
     for ((gesture, span), moves) in of_events.iter().zip(moves) {
-        let is_in_file =
-            |(name, _): (&str, _)| gesture.kind.paths().iter().all(|(curve, _)| gesture.name_of(*curve) == name);
-        if !moves || clip.curves.iter().any(is_in_file) {
+        let is_own = |name: &str| gesture.kind.paths().iter().all(|(curve, _)| gesture.name_of(*curve) == name);
+        let mut of_file = clip.curves.iter().filter(|(name, _)| is_own(name)).peekable();
+        // A curve with a key there is what `lipz face` wrote, or somebody who did the same.
+        let is_in_file = of_file.peek().is_some();
+        let is_written_out = of_file.any(|(_, keys)| keys.iter().any(|(frame, _)| *frame == gesture.frame));
+        if !is_written_out && (!moves || is_in_file) {
             diagnostics.push(events::hidden(gesture, *span, clip));
         }
     }

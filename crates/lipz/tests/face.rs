@@ -1,0 +1,102 @@
+//! `lipz face`: generated curves, written into Lipz files.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use std::fs;
+use support::{Scene, lipz, with_input};
+
+const SETTINGS: &str = "sources = [\"voices\"]\noutput = \"out.lipzbank\"\ndefault-locale = \"en-us\"\nstrip = true\n";
+const NEAT: &str = "{\n  \"visemes\"      :    \"MAEOMAEOMAEOMAEOMAEOMAEO\",\n  \"text_en-us\"   : \"Yes. {anger 2} Of course.\",\n  \"viseme_type\"  : \"blair\",\n  \"fps\"          : 24\n}\n";
+const ROUGH: &str = "{\"fps\":24,\"visemes\":\"MAEOMAEOMAEOMAEO\",\"events\":\"nods 4\", \"mine\": [1,  2], \"curves\": {\"jawOpen\":\"0:0.10 3:0\"},\"note\":0}";
+
+fn scene(keys: &str) -> Scene {
+    let scene = Scene::new();
+    scene.write("lipz.toml", format!("{SETTINGS}[face]\nkeys = \"{keys}\"\n"));
+    scene.write("voices/neat.lipz", NEAT);
+    scene.write("voices/rough.lipz", ROUGH);
+    scene.write("voices/still.lipz", r#"{ "text_en-us": "…" }"#);
+    scene
+}
+
+fn read(scene: &Scene, name: &str) -> String {
+    fs::read_to_string(scene.path().join(name)).unwrap()
+}
+
+#[test]
+fn the_bank_is_the_same_with_curves_in_the_files() {
+    let scene = scene("words");
+    scene.prepare(&["fmt", "voices/neat.lipz", "--quiet"]);
+    let neat = read(&scene, "voices/neat.lipz");
+    scene.prepare(&["pack", "--quiet"]);
+    let before = fs::read(scene.path().join("out.lipzbank")).unwrap();
+    let shown = lipz(scene.path(), ["face", "--check"]);
+    assert_eq!(
+        (shown.code, shown.stdout.replace('\\', "/").as_str()),
+        (1, "voices/neat.lipz\nvoices/rough.lipz\n"),
+        "{shown:?}"
+    );
+    let shown = lipz(scene.path(), ["face", "--diff"]);
+    assert!(shown.code == 1 && shown.stdout.contains("+    \"nod\" "), "{shown:?}");
+    assert_eq!(read(&scene, "voices/neat.lipz"), neat, "nothing is written");
+
+    let said = lipz(scene.path(), ["face"]);
+    assert_eq!(said.code, 0, "{said:?}");
+    let summary = said.stderr + &said.stdout;
+    assert!(
+        summary.contains("2 files have new curves, 1 unchanged") && summary.contains("nod in 2 files"),
+        "{summary}"
+    );
+    let after = read(&scene, "voices/neat.lipz");
+    assert!(after.contains("  \"curves\" :      {\n    \"anger\"") && after.contains("\"breath\""), "{after}");
+    // In the rough file, only the curves are others, of which its own stands first as it was.
+    let rough = read(&scene, "voices/rough.lipz");
+    let start = ROUGH.find('{').and_then(|_| ROUGH.find("\"curves\": {")).unwrap() + "\"curves\": {".len();
+    assert!(rough.starts_with(&ROUGH[..start]) && rough.ends_with(",\"note\":0}"), "{rough}");
+    assert!(rough.contains("\"jawOpen\" : \"0:0.1 3:0\",\n    \"nod\"     : \"0:5 3:3 "), "{rough}");
+
+    let checked = lipz(scene.path(), ["check"]);
+    assert!(checked.code == 0 && checked.stderr.is_empty(), "a gesture that is written out is not hidden: {checked:?}");
+    scene.prepare(&["pack", "--quiet"]);
+    assert!(fs::read(scene.path().join("out.lipzbank")).unwrap() == before, "the same bank");
+    let again = lipz(scene.path(), ["face", "--check"]);
+    assert!(again.code == 0 && again.stdout.is_empty(), "{again:?}");
+}
+
+#[test]
+fn what_an_animator_wrote_stays() {
+    let scene = scene("events");
+    let own = ROUGH.replace("{\"jawOpen\"", "{\"nod\":\"0:5 2:9 4:5\",\"jawOpen\"");
+    scene.write("voices/rough.lipz", &own);
+    let said = lipz(scene.path(), ["face", "--keys", "words", "--curve", "nod"]);
+    assert_eq!(said.code, 0, "{said:?}");
+    assert_eq!(read(&scene, "voices/rough.lipz"), own);
+    let neat = read(&scene, "voices/neat.lipz");
+    assert!(neat.contains("\"nod\" : ") && !neat.contains("\"anger\"") && !neat.contains("\"breath\""), "{neat}");
+}
+
+#[test]
+fn standard_input_goes_to_standard_output() {
+    let scene = scene("words");
+    let made = with_input(scene.path(), &["face", "-"], ROUGH.as_bytes());
+    let text = String::from_utf8(made.stdout).unwrap();
+    assert!(made.status.success() && text.contains("\"nod\" "), "{text}");
+    let same = with_input(scene.path(), &["face", "-"], text.as_bytes());
+    assert_eq!(String::from_utf8(same.stdout).unwrap(), text);
+}
+
+#[test]
+fn what_cannot_be_done_is_told_and_nothing_is_written() {
+    let scene = scene("events");
+    let none = lipz(scene.path(), ["face", "--curve", "nodd"]);
+    assert!(none.code == 2 && none.stderr.contains("no curve `nodd`") && none.stderr.contains("nod"), "{none:?}");
+    let little = lipz(scene.path(), ["face", "voices/still.lipz"]);
+    let all = little.stderr.clone() + &little.stdout;
+    assert!(little.code == 0 && all.contains("curves of what is said are made with `--keys words`"), "{little:?}");
+    scene.write("voices/bad.lipz", r#"{ "visemes": "M", "fps": 24, "curves": { "nod": "x" } }"#);
+    let bad = lipz(scene.path(), ["face"]);
+    assert!(bad.code == 1 && bad.stderr.contains("LZ1801"), "{bad:?}");
+    assert_eq!(read(&scene, "voices/neat.lipz"), NEAT, "nothing is written");
+    let missing = lipz(scene.path(), ["face", "nowhere"]);
+    assert!(missing.code == 2 && missing.stderr.contains("nowhere"), "{missing:?}");
+}
