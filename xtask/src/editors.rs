@@ -23,12 +23,13 @@ fn neovim() -> Result<(), Failure> {
     let plugin = workspace_root().join("editors/nvim");
     let plugin = plugin.canonicalize().map_err(|error| format!("`{}`: {error}", plugin.display()))?;
     let folder = temporary_folder()?;
+    // Paths go through the environment: on a command line of Neovim, blanks, quotes and bars would end them.
     let mut nvim = Command::new("nvim");
-    nvim.args(["--headless", "-i", "NONE", "-u", "NONE", "--cmd"]);
-    nvim.arg(format!("set runtimepath^={}", plugin.display())).arg("--cmd");
-    nvim.arg(format!("let g:lipz_command='{}'", program.display()));
-    nvim.args(["--cmd", "filetype plugin on", "--cmd", "syntax on", "-c"]);
-    nvim.arg(format!("luafile {}", plugin.join("test/client.lua").display()));
+    nvim.args(["--headless", "-i", "NONE", "-u", "NONE", "--cmd", "lua vim.g.lipz_command = vim.env.LIPZ_PROGRAM"]);
+    nvim.args(["--cmd", "lua vim.opt.runtimepath:prepend((vim.env.LIPZ_PLUGIN:gsub(',', '\\\\,')))"]);
+    nvim.args(["--cmd", "filetype plugin on", "--cmd", "syntax on"]);
+    nvim.args(["-c", "lua dofile(vim.env.LIPZ_PLUGIN .. '/test/client.lua')"]);
+    nvim.env("LIPZ_PROGRAM", &program).env("LIPZ_PLUGIN", &plugin);
     succeed(nvim.current_dir(folder.path()), "the test of the plugin for Neovim")
 }
 
