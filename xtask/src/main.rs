@@ -13,6 +13,7 @@ mod fuzz;
 mod msrv;
 mod packages;
 mod paths;
+mod recogniser;
 mod size;
 mod speech_dictionary;
 mod speech_model;
@@ -22,6 +23,7 @@ mod targets;
 mod toolchain;
 mod tools;
 mod web;
+mod wheel;
 mod windows;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
@@ -75,6 +77,8 @@ enum Task {
     SpeechDictionary(speech_dictionary::Settings),
     /// Make the rules for numbers in words of lipz-speech from those of CLDR
     SpeechNumbers,
+    /// Fetch and convert the neural network that hears phones, into target/recogniser
+    Recogniser,
     /// Measure lip sync on sentences of speech synthesisers, beside PocketSphinx
     SpeechScore,
     /// Look for inputs on which something does not hold that must hold for any bytes
@@ -108,6 +112,7 @@ fn main() -> ExitCode {
         Task::Windows => windows::run(),
         Task::Size => size::run(),
         Task::SpeechNumbers => speech_numbers::run(),
+        Task::Recogniser => recogniser::run(),
         Task::SpeechScore => speech_score::run(),
         Task::SpeechDictionary(settings) => speech_dictionary::run(&settings),
         Task::Packages => packages::run(),
