@@ -233,6 +233,48 @@ struct Curve : lipz_curve {
     lipz_clip clip_;
 };
 
+/// What somebody looks at: a direction in thousandths of degrees, up and to the left, as seen from the head at rest.
+struct LookAt : lipz_look_at {
+    /// Somebody straight ahead.
+    LookAt() noexcept : lipz_look_at{0, 0, 1} {}
+    /// Somebody, over whose face, hands and body the eyes go.
+    static LookAt person(std::int32_t pitch, std::int32_t yaw) noexcept { return LookAt(pitch, yaw, 1); }
+    /// Something that they stay on.
+    static LookAt point(std::int32_t pitch, std::int32_t yaw) noexcept { return LookAt(pitch, yaw, 0); }
+
+  private:
+    LookAt(std::int32_t pitch, std::int32_t yaw, std::uint32_t is_person) noexcept
+        : lipz_look_at{pitch, yaw, is_person} {}
+};
+
+/// How a face moves by itself. Of another bank, it makes no faces.
+struct FaceProfile : lipz_face_profile {
+    FaceProfile(const lipz_face_profile &profile) noexcept : lipz_face_profile(profile) {}
+    std::string_view name_view() const noexcept { return view(name); }
+    /// The face of somebody who says nothing: they blink and look. The seed tells them apart from others.
+    std::optional<lipz_face> idle_at(const lipz_bank &bank, Micros time, std::uint64_t seed,
+                                     const LookAt &look = {}) const noexcept {
+        return ask([&](auto *out) { return lipz_face_idle_at_us(&bank, this, &look, seed, time.us, out); });
+    }
+    std::optional<lipz_face> idle_at(const lipz_bank &bank, Samples time, std::uint64_t seed,
+                                     const LookAt &look = {}) const noexcept {
+        return ask([&](auto *out) {
+            return lipz_face_idle_at_samples(&bank, this, &look, seed, time.position, time.rate_hz, out);
+        });
+    }
+    std::optional<lipz_face> idle_at(const lipz_bank &bank, double seconds, std::uint64_t seed,
+                                     const LookAt &look = {}) const noexcept {
+        return ask([&](auto *out) { return lipz_face_idle_at_seconds(&bank, this, &look, seed, seconds, out); });
+    }
+    std::optional<lipz_face> idle_at(const lipz_bank &bank, float seconds, std::uint64_t seed,
+                                     const LookAt &look = {}) const noexcept {
+        return ask([&](auto *out) { return lipz_face_idle_at_seconds_f32(&bank, this, &look, seed, seconds, out); });
+    }
+
+  private:
+    template <typename Ask> static std::optional<lipz_face> ask(Ask ask) noexcept { return answer<lipz_face>(ask); }
+};
+
 /// One spoken line.
 struct Clip : lipz_clip {
     Clip(const lipz_clip &clip) noexcept : lipz_clip(clip) {}
@@ -274,6 +316,26 @@ struct Clip : lipz_clip {
     Emotions emotions_at(const lipz_bank &bank, float seconds) const noexcept {
         return emotions([&](auto *out) { return lipz_clip_emotions_at_seconds_f32(&bank, this, seconds, out); });
     }
+    /// The speaker's face at a time, besides mouth and emotions; nothing for a profile of another bank.
+    std::optional<lipz_face> face_at(const lipz_bank &bank, Micros time, const FaceProfile &profile,
+                                     const LookAt &look = {}) const noexcept {
+        return face([&](auto *out) { return lipz_clip_face_at_us(&bank, this, &profile, &look, time.us, out); });
+    }
+    std::optional<lipz_face> face_at(const lipz_bank &bank, Samples time, const FaceProfile &profile,
+                                     const LookAt &look = {}) const noexcept {
+        return face([&](auto *out) {
+            return lipz_clip_face_at_samples(&bank, this, &profile, &look, time.position, time.rate_hz, out);
+        });
+    }
+    std::optional<lipz_face> face_at(const lipz_bank &bank, double seconds, const FaceProfile &profile,
+                                     const LookAt &look = {}) const noexcept {
+        return face([&](auto *out) { return lipz_clip_face_at_seconds(&bank, this, &profile, &look, seconds, out); });
+    }
+    std::optional<lipz_face> face_at(const lipz_bank &bank, float seconds, const FaceProfile &profile,
+                                     const LookAt &look = {}) const noexcept {
+        return face(
+            [&](auto *out) { return lipz_clip_face_at_seconds_f32(&bank, this, &profile, &look, seconds, out); });
+    }
     std::uint32_t lead_one_frame() const noexcept { return of(lipz_lead_one_frame); }
     std::uint32_t lead_two_frames() const noexcept { return of(lipz_lead_two_frames); }
     std::uint32_t hold_readable() const noexcept { return of(lipz_hold_readable); }
@@ -287,6 +349,7 @@ struct Clip : lipz_clip {
         const auto found = answer<lipz_curve>(ask);
         return found ? std::optional(Curve(*this, *found)) : std::nullopt;
     }
+    template <typename Ask> static std::optional<lipz_face> face(Ask ask) noexcept { return answer<lipz_face>(ask); }
     /// The function writes a neutral face where there is no other answer.
     template <typename Ask> static Emotions emotions(Ask ask) noexcept {
         lipz_emotions found;
@@ -477,6 +540,16 @@ class Bank : public lipz_bank {
     }
     std::optional<Babble> default_babble() const noexcept {
         return answer<Babble, lipz_babble>([&](lipz_babble *out) { return lipz_babble_default(this, out); });
+    }
+    std::optional<FaceProfile> face_profile(std::string_view name) const noexcept {
+        return answer<FaceProfile, lipz_face_profile>([&](lipz_face_profile *out) {
+            return lipz_face_profile_by_name(this, name.data(), name.size(), out);
+        });
+    }
+    /// `[face]` of the project's settings; the usual one if it has none.
+    std::optional<FaceProfile> default_face_profile() const noexcept {
+        return answer<FaceProfile, lipz_face_profile>(
+            [&](lipz_face_profile *out) { return lipz_face_profile_default(this, out); });
     }
 
   private:

@@ -1,6 +1,7 @@
 /* The cases of fixtures/playback/cases.txt in C99: cases <folder of the banks> < cases.txt. Writes the file anew, with the
  * answers of the library. */
 #include "cases_curves.h"
+#include "cases_faces.h"
 #include "cases_words.h"
 
 #include <lipz.h>
@@ -264,6 +265,8 @@ static void command(char *words[], unsigned count, const char *folder) {
         print_curve(&bank, &clip, words);
     } else if (is(words[0], "emotions")) {
         print_emotions(&bank, &clip, words);
+    } else if (is(words[0], "face") || is(words[0], "idle")) {
+        print_face(&bank, &clip, words);
     } else {
         must(moved(words), words[0]);
         print_shown();

@@ -97,6 +97,8 @@ class Stage {
             curves(words);
         } else if (verb == "emotions") {
             with_time(words, 1, [&](auto time) { print(clip_->emotions_at(*bank_, time)); });
+        } else if (verb == "face" || verb == "idle") {
+            face(words);
         } else {
             go(words);
         }
@@ -212,6 +214,32 @@ class Stage {
         const auto strongest = emotions.strongest_emotion();
         std::cout << " strongest " << (strongest ? lipz::name_of(*strongest) : "neutral") << ", sum " << emotions.sum
                   << '\n';
+    }
+
+    void face(const Words &words) const {
+        const auto profile = words.at(1) == "default" ? bank_->default_face_profile() : bank_->face_profile(words.at(1));
+        if (!profile) {
+            std::cout << "  no profile\n";
+            return;
+        }
+        lipz::LookAt look;
+        std::size_t at = 3;
+        if (words.at(2) != "ahead") {
+            const auto pitch = std::stoi(words.at(3)), yaw = std::stoi(words.at(4));
+            look = words.at(2) == "person" ? lipz::LookAt::person(pitch, yaw) : lipz::LookAt::point(pitch, yaw);
+            at = 5;
+        }
+        std::optional<lipz_face> shown;
+        if (words.at(0) == "face") {
+            with_time(words, at, [&](auto time) { shown = clip_->face_at(*bank_, time, *profile, look); });
+        } else {
+            const auto seed = std::stoull(words.at(at));
+            with_time(words, at + 1, [&](auto time) { shown = profile->idle_at(*bank_, time, seed, look); });
+        }
+        const auto face = found(shown, "face");
+        std::cout << "  blink " << face.blink << ", head " << face.head_pitch << ' ' << face.head_yaw << ' '
+                  << face.head_roll << ", eyes " << face.eye_pitch << ' ' << face.eye_yaw << ", brows " << face.brows
+                  << ", shrug " << face.shrug << ", breath " << face.breath << '\n';
     }
 
     void babble(const Words &words) const {

@@ -77,6 +77,9 @@ class Stage {
         return this.#curve(words);
       case "emotions":
         return [emotions(this.#clip.emotionsAt(timeOf(words)[0]))];
+      case "face":
+      case "idle":
+        return this.#face(verb, words);
       default:
         return assert.fail(`no command: ${verb}`);
     }
@@ -112,6 +115,19 @@ class Stage {
     return [value === undefined ? "no frame rate" : String(thousandths(value))];
   }
 
+  #face(verb, [name, look, ...words]) {
+    const profile = name === "default" ? this.#bank.defaultFaceProfile : this.#bank.faceProfile(name);
+    if (profile === undefined) return ["no profile"];
+    let lookAt;
+    if (look !== "ahead") {
+      const [pitch, yaw] = words.splice(0, 2).map((angle) => Number(angle) / 1000);
+      lookAt = { pitch, yaw, isPerson: look === "person" };
+    }
+    const seed = verb === "idle" ? BigInt(words.shift()) : undefined;
+    const [time] = timeOf(words);
+    return [face(verb === "face" ? this.#clip.faceAt(time, { profile, lookAt }) : profile.idleAt(time, { seed, lookAt }))];
+  }
+
   #babble([name, ...words]) {
     const babble = name === "default" ? this.#bank.defaultBabble : this.#bank.babble(name);
     if (babble === undefined) return ["no profile"];
@@ -129,6 +145,12 @@ function emotions({ values, strongest, sum }) {
   const felt = Object.entries(values).filter(([, value]) => value !== 0);
   const told = felt.map(([name, value]) => `${name} ${thousandths(value)}, `).join("");
   return `${told}strongest ${strongest ?? "neutral"}, sum ${thousandths(sum)}`;
+}
+
+function face(found) {
+  const told = (...names) => names.map((name) => thousandths(found[name])).join(" ");
+  const moved = `head ${told("headPitch", "headYaw", "headRoll")}, eyes ${told("eyePitch", "eyeYaw")}`;
+  return `blink ${told("blink")}, ${moved}, brows ${told("brows")}, shrug ${told("shrug")}, breath ${told("breath")}`;
 }
 
 const character = ({ feels, staresAt, pointsAt }, name) =>

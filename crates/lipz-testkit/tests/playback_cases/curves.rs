@@ -35,7 +35,7 @@ impl Stage {
     }
 
     /// The clip with what it was given.
-    fn chosen<'bank>(&self, bank: &'bank Option<lipz_bank::Bank<'static>>) -> Clip<'static, 'bank> {
+    pub(super) fn chosen<'bank>(&self, bank: &'bank Option<lipz_bank::Bank<'static>>) -> Clip<'static, 'bank> {
         let bank = bank.as_ref().expect("a bank");
         let mut clip = self.clip.and_then(|id| bank.clip(id)).expect("a clip");
         if let Some(fps) = self.given.0 {

@@ -6,6 +6,7 @@
 #[macro_use]
 mod time;
 mod curves;
+mod faces;
 
 use lipz_bank::{
     Babble, Bank, CharacterState, Clip, ClipId, ConsonantHold, Cursor, DueSegments, EventName, Fps, Lead, Locale,
@@ -109,6 +110,8 @@ impl Stage {
             }
             ["babble", name, ref rest @ ..] => self.babble(name, rest),
             ["curves" | "curve" | "emotions", ..] => self.curve_command(&words),
+            ["face", ..] => self.face(&words),
+            ["idle", ..] => self.idle(&words),
             _ => panic!("no command: {line}"),
         }
     }

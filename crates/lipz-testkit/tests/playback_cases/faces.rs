@@ -1,0 +1,57 @@
+//! The cases about faces: `face PROFILE LOOK TIME`, `idle PROFILE LOOK SEED TIME`. A look is `ahead`, `person PITCH YAW` or
+//! `point PITCH YAW`. All values are thousandths.
+
+use super::{Stage, Time, number};
+use lipz_bank::{CurveValue, Face, FaceProfile, LookAt};
+
+impl Stage {
+    /// The face of the clip at a time.
+    pub(super) fn face(&mut self, words: &[&str]) {
+        let bank = self.bank;
+        let clip = self.chosen(&bank);
+        let (look, time) = look(&words[2..]);
+        let Some(profile) = self.profile(words[1]) else { return };
+        let face = at!(Time::read(time).0, |time| clip.face_at(time, &profile, look));
+        self.answers.push_str(&told(&face));
+    }
+
+    /// The face of somebody who says nothing.
+    pub(super) fn idle(&mut self, words: &[&str]) {
+        let (look, rest) = look(&words[2..]);
+        let Some(profile) = self.profile(words[1]) else { return };
+        let face = at!(Time::read(&rest[1..]).0, |time| profile.idle_at(time, number(rest[0]), look));
+        self.answers.push_str(&told(&face));
+    }
+
+    fn profile(&mut self, name: &str) -> Option<FaceProfile<'static>> {
+        let bank = self.bank();
+        let found = if name == "default" { Some(bank.default_face_profile()) } else { bank.face_profile(name) };
+        if found.is_none() {
+            self.answers.push_str("  no profile\n");
+        }
+        found
+    }
+}
+
+/// What somebody looks at, and the words behind it.
+fn look<'w>(words: &'w [&'w str]) -> (LookAt, &'w [&'w str]) {
+    let angle = |word: &str| CurveValue::from_thousandths(number(word));
+    match words {
+        ["ahead", rest @ ..] => (LookAt::AHEAD, rest),
+        ["person", pitch, yaw, rest @ ..] => (LookAt::person(angle(pitch), angle(yaw)), rest),
+        ["point", pitch, yaw, rest @ ..] => (LookAt::point(angle(pitch), angle(yaw)), rest),
+        _ => panic!("no look: {words:?}"),
+    }
+}
+
+fn told(face: &Face) -> String {
+    let [blink, pitch, yaw, roll] = [face.blink, face.head_pitch, face.head_yaw, face.head_roll].map(of);
+    let [eye_pitch, eye_yaw, brows, shrug, breath] =
+        [face.eye_pitch, face.eye_yaw, face.brows, face.shrug, face.breath].map(of);
+    let head = format!("  blink {blink}, head {pitch} {yaw} {roll}, eyes {eye_pitch} {eye_yaw}");
+    format!("{head}, brows {brows}, shrug {shrug}, breath {breath}\n")
+}
+
+fn of(value: CurveValue) -> i32 {
+    value.thousandths()
+}
