@@ -49,14 +49,16 @@ fn the_bank_is_the_same_with_curves_in_the_files() {
     );
     let after = read(&scene, "voices/neat.lipz");
     assert!(after.contains("  \"curves\" :      {\n    \"anger\"") && after.contains("\"breath\""), "{after}");
-    // In the rough file, only the curves are others, of which its own stands first as it was.
+    // In the rough file, curves are behind its own, and nothing else is another.
     let rough = read(&scene, "voices/rough.lipz");
-    let start = ROUGH.find('{').and_then(|_| ROUGH.find("\"curves\": {")).unwrap() + "\"curves\": {".len();
-    assert!(rough.starts_with(&ROUGH[..start]) && rough.ends_with(",\"note\":0}"), "{rough}");
-    assert!(rough.contains("\"jawOpen\" : \"0:0.1 3:0\",\n    \"nod\"     : \"0:5 3:3 "), "{rough}");
+    let (head, tail) = ROUGH.split_at(ROUGH.find("},\"note\"").unwrap());
+    assert!(rough.starts_with(&format!("{head},\"nod\":\"0:5 4:3 ")) && rough.ends_with(tail), "{rough}");
 
     let checked = lipz(scene.path(), ["check"]);
-    assert!(checked.code == 0 && checked.stderr.is_empty(), "a gesture that is written out is not hidden: {checked:?}");
+    assert!(
+        checked.code == 0 && !checked.stderr.contains("LZ1811"),
+        "a gesture that is written out is not hidden: {checked:?}"
+    );
     scene.prepare(&["pack", "--quiet"]);
     assert!(fs::read(scene.path().join("out.lipzbank")).unwrap() == before, "the same bank");
     let again = lipz(scene.path(), ["face", "--check"]);
@@ -76,11 +78,24 @@ fn what_an_animator_wrote_stays() {
 }
 
 #[test]
+fn line_ends_are_those_of_the_file() {
+    let scene = scene("events");
+    let lines = "{ \"fps\": 24,\r\n\"visemes\": \"MAEOMAEOMAEOMAEO\", \"events\": \"shakes\" }\r\n";
+    scene.write("voices/lines.lipz", lines);
+    scene.write("voices/line.lipz", lines.replace("\r\n", ""));
+    scene.prepare(&["face", "--quiet"]);
+    let text = read(&scene, "voices/lines.lipz");
+    assert!(text.contains("\"shake\"") && text.matches('\n').count() == text.matches("\r\n").count(), "{text}");
+    let text = read(&scene, "voices/line.lipz");
+    assert!(text.ends_with(" 14:5\" } }") && !text.contains('\n'), "{text}");
+}
+
+#[test]
 fn standard_input_goes_to_standard_output() {
     let scene = scene("words");
     let made = with_input(scene.path(), &["face", "-"], ROUGH.as_bytes());
     let text = String::from_utf8(made.stdout).unwrap();
-    assert!(made.status.success() && text.contains("\"nod\" "), "{text}");
+    assert!(made.status.success() && text.contains("\"nod\":"), "{text}");
     let same = with_input(scene.path(), &["face", "-"], text.as_bytes());
     assert_eq!(String::from_utf8(same.stdout).unwrap(), text);
 }

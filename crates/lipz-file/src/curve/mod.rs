@@ -9,10 +9,12 @@
 //!
 //! A key is one word, `frame:value`. So a person can type a curve, and a comparison by words shows which keys changed.
 
+mod add;
 mod key;
 mod names;
 mod write;
 
+pub use add::add;
 pub use key::Key;
 pub(crate) use key::thousandths;
 pub use names::{ARKIT, is_arkit};

@@ -17,11 +17,14 @@ const INDENT: &str = "    ";
 /// assert_eq!(written, "{\n    \"joy\"     : \"0:0 12:2.2\",\n    \"jawOpen\" : \"0:0.05 3:0\"\n  }");
 /// ```
 pub fn write<'n>(curves: impl IntoIterator<Item = (&'n str, impl IntoIterator<Item = (u32, CurveValue)>)>) -> String {
-    let lines = curves.into_iter().map(|(name, keys)| {
-        let keys: Vec<String> = keys.into_iter().map(|(frame, value)| format!("{frame}:{value}")).collect();
-        (literal(name), format!("\"{}\"", keys.join(" ")))
-    });
+    let lines = curves.into_iter().map(|(name, of_name)| (literal(name), format!("\"{}\"", keys(of_name))));
     laid_out(&lines.collect::<Vec<_>>(), "\n")
+}
+
+/// The keys of a curve, one behind the other.
+pub(super) fn keys(keys: impl IntoIterator<Item = (u32, CurveValue)>) -> String {
+    let keys: Vec<String> = keys.into_iter().map(|(frame, value)| format!("{frame}:{value}")).collect();
+    keys.join(" ")
 }
 
 /// Names and values, as they are spelled, one below the other.

@@ -9,13 +9,13 @@ use crate::shared::rewriting::{Rewriting, files, is_standard_input, reads_standa
 use crate::shared::settings_file::{Project, SettingsFile};
 use crate::{Outcome, console};
 use clap::{Args, ValueEnum};
-use lipz_bank::{Bank, CurveValue};
+use lipz_bank::{Bank, Curve};
 use lipz_compiler::{Compiler, Content, GestureKeys, Input};
 use lipz_diagnostics::escape;
 use lipz_file::format::{LineEnding, Style, rewrite};
 use lipz_file::{Document, Element, Raw, Value, curve};
 use std::borrow::Cow;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::path::PathBuf;
 
 /// Write the curves that lipz makes of texts and events into the Lipz files, to be edited there.
@@ -189,43 +189,53 @@ impl Face {
     fn with_curves(&self, input: &Input, bytes: &[u8], bank: &Bank<'_>, default_locale: Option<&str>) -> Option<Made> {
         let before = lipz_file::parse(bytes).document?;
         let clip = bank.clip_by_key(&input.key)?;
-        let own = before.get(curve::ELEMENT).map(|element| &element.value);
-        let own = match own {
-            Some(Value::Other(value)) => curve::parse(value, &mut Vec::new()).unwrap_or_default(),
+        let own = match before.get(curve::ELEMENT).map(|element| &element.value) {
+            Some(Value::Other(value)) => value.members(&mut Vec::new())?,
             _ => Vec::new(),
         };
+        let own: HashSet<&str> = own.iter().map(|member| member.name.text.as_ref()).collect();
         let is_new = |name: &str| {
             let is_wanted = self.curves.is_empty() || self.curves.iter().any(|wanted| wanted == name);
-            is_wanted && own.iter().all(|curve| curve.name.text != name)
+            is_wanted && !own.contains(name)
         };
-        let mut curves: Vec<(&str, Vec<(u32, CurveValue)>)> = own
-            .iter()
-            .map(|curve| (&*curve.name.text, curve.keys.iter().map(|key| (key.frame, key.value)).collect()))
-            .collect();
         let made: Vec<_> = clip.curves().filter(|curve| is_new(curve.name().as_str())).collect();
-        curves.extend(
-            made.iter().map(|curve| (curve.name().as_str(), curve.keys().map(|key| (key.frame, key.value)).collect())),
-        );
         if made.is_empty() {
             return None;
         }
-        let after = with_element(&before, curve::write(curves));
         let text = String::from_utf8_lossy(bytes);
         let style = Style { default_locale, line_ending: LineEnding::detect(&text) };
+        let after = with_curves(&before, &made, &text, style.line_ending)?;
         let names = made.iter().map(|curve| curve.name().as_str().to_owned()).collect();
         Some(Made { after: rewrite(&text, &before, &after, style), names })
     }
 }
 
-/// The document with this value of its curves.
-fn with_element<'s>(before: &Document<'s>, curves: String) -> Document<'s> {
+/// The document with more curves, laid out as its file is: behind its own, which keep their spelling.
+fn with_curves<'s>(
+    before: &Document<'s>,
+    made: &[Curve<'_>],
+    text: &str,
+    line_ending: LineEnding,
+) -> Option<Document<'s>> {
+    let keys = |curve: &Curve<'_>| curve.keys().map(|key| (key.frame, key.value)).collect::<Vec<_>>();
+    let curves = made.iter().map(|curve| (curve.name().as_str(), keys(curve)));
     let mut after = before.clone();
-    let value = Value::Other(Raw::new(curves));
     match after.elements.iter_mut().find(|element| element.name.text == curve::ELEMENT) {
-        Some(element) => element.value = value,
-        None => after.elements.push(Element { name: Cow::Borrowed(curve::ELEMENT).into(), value }),
+        Some(Element { value: Value::Other(value), .. }) => value.text = Cow::Owned(curve::add(value, curves)?),
+        Some(_) => return None,
+        None => {
+            let written = curve::write(curves);
+            let lines = written.split('\n');
+            let written = match line_ending {
+                _ if !text.trim_end().contains('\n') => lines.map(str::trim).collect::<Vec<_>>().join(" "),
+                LineEnding::Lf => written,
+                LineEnding::CrLf => lines.collect::<Vec<_>>().join("\r\n"),
+            };
+            let value = Value::Other(Raw::new(written));
+            after.elements.push(Element { name: Cow::Borrowed(curve::ELEMENT).into(), value });
+        }
     }
-    after
+    Some(after)
 }
 
 /// What was written.

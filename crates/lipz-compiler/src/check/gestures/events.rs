@@ -65,14 +65,14 @@ fn too_high(event: &Event<'_>, strength: i32, span: Span) -> Diagnostic {
         .help("write a number from 0, nothing, to 10, the most that a face can do")
 }
 
-/// The diagnostic for the gesture of an event that moves no curve.
-pub(super) fn hidden(gesture: &Gesture<'_>, span: Span, clip: &ClipData) -> Diagnostic {
-    let name = gesture.kind.paths().first().map_or(String::new(), |(curve, _)| gesture.name_of(*curve));
-    let is_in_file = clip.curves.iter().any(|(other, _)| other == name);
-    let (message, help) = match is_in_file {
+/// The diagnostic for the gesture of an event that moves no curve: those of the file are still, or it has no place on them.
+pub(super) fn hidden(gesture: &Gesture<'_>, span: Span, is_still: bool, clip: &ClipData) -> Diagnostic {
+    let (message, help) = match is_still {
         true => {
+            let name = gesture.kind.paths().first().map_or(String::new(), |(curve, _)| gesture.name_of(*curve));
             let quoted = escape::quoted(&name);
-            let message = format!("the gesture moves nothing: the file has a curve {quoted}");
+            let message =
+                format!("the gesture moves nothing: the file has a curve {quoted}, which does not move there");
             (message, "write the gesture into the curve, or remove one of the two")
         }
         false if gesture.frame as usize >= clip.frames.len() => {

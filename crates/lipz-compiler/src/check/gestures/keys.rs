@@ -2,7 +2,7 @@
 
 use super::Gesture;
 use super::shapes::{Path, neutral};
-use crate::clip::Key;
+use crate::clip::{ClipData, Key};
 use lipz_bank::{CurveValue, FaceCurve, Fps, Micros};
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -28,8 +28,7 @@ pub(super) fn keys(gestures: &[Gesture<'_>], fps: Fps, clip_end: u32) -> (BTreeM
         let mut is_placed = false;
         for (curve, path) in gesture.kind.paths().iter().filter(|_| gesture.frame < clip_end) {
             let (_, of_curve) = placed.entry(gesture.name_of(*curve)).or_insert_with(|| (*curve, OfCurve::new()));
-            let length = path.iter().fold(0, |length, (ms, _)| frames(fps, *ms).max(length + 1));
-            let end = gesture.frame.saturating_add(length);
+            let end = end_of(gesture, path, fps);
             if is_free(of_curve, gesture.frame..end) {
                 let amplitude = gesture.kind.amplitude(gesture.strength);
                 of_curve.insert(gesture.frame, Placed { amplitude, path, end });
@@ -42,6 +41,28 @@ pub(super) fn keys(gestures: &[Gesture<'_>], fps: Fps, clip_end: u32) -> (BTreeM
         placed.into_iter().map(|(name, (curve, of_curve))| (name, curve, keys_of(curve, of_curve, fps, clip_end)));
     let moving = keys.filter(|(_, curve, keys)| keys.iter().any(|(_, value)| value.thousandths() != neutral(*curve)));
     (moving.map(|(name, _, keys)| (name, keys)).collect(), moves)
+}
+
+/// The frame in which a gesture is done on a curve.
+fn end_of(gesture: &Gesture<'_>, path: Path, fps: Fps) -> u32 {
+    let length = path.iter().fold(0, |length, (ms, _)| frames(fps, *ms).max(length + 1));
+    gesture.frame.saturating_add(length)
+}
+
+/// Whether the file has all curves of a gesture, and none of them moves while the gesture would.
+pub(super) fn are_still(gesture: &Gesture<'_>, fps: Fps, clip: &ClipData) -> bool {
+    gesture.kind.paths().iter().all(|(curve, path)| {
+        let name = gesture.name_of(*curve);
+        let of_file = clip.curves.iter().find(|(other, _)| *other == name);
+        of_file.is_some_and(|(_, keys)| !moves_in(keys, gesture.frame..end_of(gesture, path, fps)))
+    })
+}
+
+/// Whether a curve changes in these frames.
+fn moves_in(keys: &[Key], frames: Range<u32>) -> bool {
+    let first = keys.partition_point(|(frame, _)| *frame <= frames.start).saturating_sub(1);
+    let pairs = keys.iter().zip(keys.iter().skip(1)).skip(first).take_while(|(from, _)| from.0 < frames.end);
+    pairs.into_iter().any(|(from, to)| from.1 != to.1)
 }
 
 /// Whether no gesture is under way in these frames.
@@ -90,6 +111,16 @@ mod tests {
         let gestures: Vec<Gesture<'_>> = gestures.iter().map(nod).collect();
         let (curves, _) = keys(&gestures, Fps::whole(20), 40);
         curves.into_values().flatten().map(|(frame, value)| format!("{frame}:{value}")).collect()
+    }
+
+    #[test]
+    fn a_curve_moves_between_keys_that_differ() {
+        let keys = [(2, 0), (5, 1), (9, 1), (12, 0)].map(|(frame, value)| (frame, CurveValue::from_thousandths(value)));
+        let moving = [(0..2, false), (0..3, true), (4..5, true), (5..9, false), (8..10, true), (12..99, false)];
+        for (frames, moves) in moving {
+            assert_eq!(moves_in(&keys, frames.clone()), moves, "{frames:?}");
+        }
+        assert!(!moves_in(&keys[..1], 0..9) && !moves_in(&[], 0..9));
     }
 
     #[test]

@@ -67,13 +67,10 @@ pub(super) fn curves(
     }
     let (curves, moves) = keys::keys(&gestures, fps, clip.frames.len() as u32);
     for ((gesture, span), moves) in of_events.iter().zip(moves) {
-        let is_own = |name: &str| gesture.kind.paths().iter().all(|(curve, _)| gesture.name_of(*curve) == name);
-        let mut of_file = clip.curves.iter().filter(|(name, _)| is_own(name)).peekable();
-        // A curve with a key there is what `lipz face` wrote, or somebody who did the same.
-        let is_in_file = of_file.peek().is_some();
-        let is_written_out = of_file.any(|(_, keys)| keys.iter().any(|(frame, _)| *frame == gesture.frame));
-        if !is_written_out && (!moves || is_in_file) {
-            diagnostics.push(events::hidden(gesture, *span, clip));
+        // A curve that moves there shows the gesture as somebody wants it, or as `lipz face` wrote it.
+        let is_still = keys::are_still(gesture, fps, clip);
+        if !moves || is_still {
+            diagnostics.push(events::hidden(gesture, *span, is_still, clip));
         }
     }
     clip.curves.add_missing(curves);
