@@ -120,6 +120,8 @@ export class Clip {
   curve(name: string): Curve | undefined;
   /** What the speaker feels at a time: neutral without curves of emotion, and without a frame rate. */
   emotionsAt(time: Time): Emotions;
+  /** What another character of the clip feels at a time: `mara feels fear 4` in its events is in the curve `mara.fear`. */
+  emotionsOf(character: string, time: Time): Emotions;
   /**
    * The speaker's face at a time: generated from the time, the profile and the id of the clip, the same on every machine.
    * Curves of the clip win over what is generated. @throws {LipzError} with a profile of another bank.

@@ -336,6 +336,13 @@ export class Clip {
     return emotionsOf(this.#askAt(c.lipz_emotions, "lipz_clip_emotions", time));
   }
 
+  /** What another character of the clip feels at a time. */
+  emotionsOf(character, time) {
+    const [unit, ...args] = at(time);
+    const name = this.#memory.text(character);
+    return emotionsOf(this.#ask(c.lipz_emotions, `lipz_clip_emotions_of_${unit}`, ...name, ...args));
+  }
+
   /** The speaker's face at a time. */
   faceAt(time, settings) {
     const [unit, ...args] = at(time);

@@ -1,4 +1,4 @@
-//! What a character feels at a time: the curves of a clip that have the names of the twelve attributes.
+//! What a character feels at a time: the curves of a clip that have the names of the twelve attributes, alone or behind a character.
 
 use crate::{Clip, CurveValue, Time};
 use lipz_types::Emotion;
@@ -51,12 +51,33 @@ impl Clip<'_, '_> {
     /// What the speaker feels at `time`: the values of the curves that are named after the attributes of emotion. All are 0
     /// without such curves, and without a frame rate.
     pub fn emotions_at<T: Time>(&self, time: T) -> Emotions {
+        self.emotions_in(None, time)
+    }
+
+    /// What another character of the clip feels at `time`: `mara feels fear 4` in its events is in the curve `mara.fear`. All
+    /// are 0 without such curves, and without a frame rate.
+    ///
+    /// ```
+    /// # use lipz_bank::{Clip, Emotion, Micros};
+    /// # fn draw(clip: &Clip<'_, '_>, now: Micros) {
+    /// let fright = clip.emotions_of("mara", now).get(Emotion::Fear);
+    /// # }
+    /// ```
+    pub fn emotions_of<T: Time>(&self, character: &str, time: T) -> Emotions {
+        self.emotions_in(Some(character), time)
+    }
+
+    fn emotions_in<T: Time>(&self, character: Option<&str>, time: T) -> Emotions {
         let mut emotions = Emotions::default();
         for curve in self.curves() {
-            let place = Emotion::from_name(curve.name().as_str()).map(|emotion| emotion as usize);
-            if let (Some(place), Some(value)) =
-                (place.and_then(|place| emotions.values.get_mut(place)), curve.value_at(time))
-            {
+            let name = curve.name().as_str();
+            let attribute = match character {
+                None => Some(name),
+                Some(character) => name.strip_prefix(character).and_then(|rest| rest.strip_prefix('.')),
+            };
+            let emotion = attribute.and_then(Emotion::from_name);
+            let place = emotion.and_then(|emotion| emotions.values.get_mut(emotion as usize));
+            if let (Some(place), Some(value)) = (place, curve.value_at(time)) {
                 *place = value;
             }
         }

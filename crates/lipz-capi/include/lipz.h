@@ -503,7 +503,7 @@ typedef struct lipz_curve_key {
   int32_t thousandths;
 } lipz_curve_key;
 
-// What the speaker feels: all zeros for a neutral face.
+// What a character feels: all zeros for a neutral face.
 typedef struct lipz_emotions {
   // Values in thousandths, 0 to 10,000 where the file says nothing else: `thousandths[LIPZ_ANGER]`.
   int32_t thousandths[LIPZ_EMOTION_COUNT];
@@ -1111,6 +1111,40 @@ lipz_status lipz_clip_emotions_at_seconds(const struct lipz_bank *bank,
 // `lipz_clip_emotions_at_seconds` for clocks that have no `double`.
 lipz_status lipz_clip_emotions_at_seconds_f32(const struct lipz_bank *bank,
                                               const struct lipz_clip *clip,
+                                              float seconds,
+                                              struct lipz_emotions *emotions);
+
+// What another character of the clip feels `time_us` microseconds after the audio began: `mara feels fear 4` in its events is
+// in the curve `mara.fear`. A neutral face without such curves.
+lipz_status lipz_clip_emotions_of_us(const struct lipz_bank *bank,
+                                     const struct lipz_clip *clip,
+                                     const char *character,
+                                     size_t character_length_bytes,
+                                     int64_t time_us,
+                                     struct lipz_emotions *emotions);
+
+// What another character of the clip feels after `position` samples at `rate_hz`.
+lipz_status lipz_clip_emotions_of_samples(const struct lipz_bank *bank,
+                                          const struct lipz_clip *clip,
+                                          const char *character,
+                                          size_t character_length_bytes,
+                                          int64_t position,
+                                          uint32_t rate_hz,
+                                          struct lipz_emotions *emotions);
+
+// What another character of the clip feels after `seconds`.
+lipz_status lipz_clip_emotions_of_seconds(const struct lipz_bank *bank,
+                                          const struct lipz_clip *clip,
+                                          const char *character,
+                                          size_t character_length_bytes,
+                                          double seconds,
+                                          struct lipz_emotions *emotions);
+
+// `lipz_clip_emotions_of_seconds` for clocks that have no `double`.
+lipz_status lipz_clip_emotions_of_seconds_f32(const struct lipz_bank *bank,
+                                              const struct lipz_clip *clip,
+                                              const char *character,
+                                              size_t character_length_bytes,
                                               float seconds,
                                               struct lipz_emotions *emotions);
 

@@ -316,6 +316,28 @@ struct Clip : lipz_clip {
     Emotions emotions_at(const lipz_bank &bank, float seconds) const noexcept {
         return emotions([&](auto *out) { return lipz_clip_emotions_at_seconds_f32(&bank, this, seconds, out); });
     }
+    /// What another character of the clip feels at a time: `mara feels fear 4` in its events is in the curve `mara.fear`.
+    Emotions emotions_of(const lipz_bank &bank, std::string_view character, Micros time) const noexcept {
+        return emotions([&](auto *out) {
+            return lipz_clip_emotions_of_us(&bank, this, character.data(), character.size(), time.us, out);
+        });
+    }
+    Emotions emotions_of(const lipz_bank &bank, std::string_view character, Samples time) const noexcept {
+        return emotions([&](auto *out) {
+            return lipz_clip_emotions_of_samples(&bank, this, character.data(), character.size(), time.position,
+                                                 time.rate_hz, out);
+        });
+    }
+    Emotions emotions_of(const lipz_bank &bank, std::string_view character, double seconds) const noexcept {
+        return emotions([&](auto *out) {
+            return lipz_clip_emotions_of_seconds(&bank, this, character.data(), character.size(), seconds, out);
+        });
+    }
+    Emotions emotions_of(const lipz_bank &bank, std::string_view character, float seconds) const noexcept {
+        return emotions([&](auto *out) {
+            return lipz_clip_emotions_of_seconds_f32(&bank, this, character.data(), character.size(), seconds, out);
+        });
+    }
     /// The speaker's face at a time, besides mouth and emotions; nothing for a profile of another bank.
     std::optional<lipz_face> face_at(const lipz_bank &bank, Micros time, const FaceProfile &profile,
                                      const LookAt &look = {}) const noexcept {

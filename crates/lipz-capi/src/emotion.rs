@@ -1,8 +1,10 @@
-//! What the speaker of a clip feels at a time: the values of the twelve attributes of emotion.
+//! What a character of a clip feels at a time: the values of the twelve attributes of emotion.
 
 use crate::bank::Bank;
 use crate::clip::{Clip, of_clip};
+use crate::pointer::text;
 use crate::status::Status;
+use crate::string::c_char;
 use core::mem::MaybeUninit;
 use lipz_bank::{Micros, Samples, Seconds, Time};
 
@@ -35,7 +37,7 @@ pub const LIPZ_EMOTION_COUNT: usize = 12;
 /// `strongest` of a neutral face.
 pub const LIPZ_NEUTRAL: u32 = 0xFFFF_FFFF;
 
-/// What the speaker feels: all zeros for a neutral face.
+/// What a character feels: all zeros for a neutral face.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct Emotions {
@@ -62,7 +64,7 @@ pub unsafe extern "C" fn lipz_clip_emotions_at_us(
     emotions: Option<&mut MaybeUninit<Emotions>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_clip(bank, clip, emotions, |clip| Ok(at(&clip, Micros(time_us)))) }
+    unsafe { of_clip(bank, clip, emotions, |clip| Ok(from_found(&clip.emotions_at(Micros(time_us))))) }
 }
 
 /// What the speaker feels after `position` samples at `rate_hz`.
@@ -75,7 +77,7 @@ pub unsafe extern "C" fn lipz_clip_emotions_at_samples(
     emotions: Option<&mut MaybeUninit<Emotions>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_clip(bank, clip, emotions, |clip| Ok(at(&clip, Samples { position, rate_hz }))) }
+    unsafe { of_clip(bank, clip, emotions, |clip| Ok(from_found(&clip.emotions_at(Samples { position, rate_hz })))) }
 }
 
 /// What the speaker feels after `seconds`.
@@ -87,7 +89,7 @@ pub unsafe extern "C" fn lipz_clip_emotions_at_seconds(
     emotions: Option<&mut MaybeUninit<Emotions>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_clip(bank, clip, emotions, |clip| Ok(at(&clip, Seconds(seconds)))) }
+    unsafe { of_clip(bank, clip, emotions, |clip| Ok(from_found(&clip.emotions_at(Seconds(seconds))))) }
 }
 
 /// `lipz_clip_emotions_at_seconds` for clocks that have no `double`.
@@ -99,11 +101,84 @@ pub unsafe extern "C" fn lipz_clip_emotions_at_seconds_f32(
     emotions: Option<&mut MaybeUninit<Emotions>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_clip(bank, clip, emotions, |clip| Ok(at(&clip, Seconds(seconds)))) }
+    unsafe { of_clip(bank, clip, emotions, |clip| Ok(from_found(&clip.emotions_at(Seconds(seconds))))) }
 }
 
-fn at(clip: &lipz_bank::Clip<'_, '_>, time: impl Time) -> Emotions {
-    let found = clip.emotions_at(time);
+/// What another character of the clip feels `time_us` microseconds after the audio began: `mara feels fear 4` in its events is
+/// in the curve `mara.fear`. A neutral face without such curves.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_clip_emotions_of_us(
+    bank: Option<&Bank>,
+    clip: Option<&Clip>,
+    character: *const c_char,
+    character_length_bytes: usize,
+    time_us: i64,
+    emotions: Option<&mut MaybeUninit<Emotions>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe { of(bank, clip, (character, character_length_bytes), Micros(time_us), emotions) }
+}
+
+/// What another character of the clip feels after `position` samples at `rate_hz`.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_clip_emotions_of_samples(
+    bank: Option<&Bank>,
+    clip: Option<&Clip>,
+    character: *const c_char,
+    character_length_bytes: usize,
+    position: i64,
+    rate_hz: u32,
+    emotions: Option<&mut MaybeUninit<Emotions>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe { of(bank, clip, (character, character_length_bytes), Samples { position, rate_hz }, emotions) }
+}
+
+/// What another character of the clip feels after `seconds`.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_clip_emotions_of_seconds(
+    bank: Option<&Bank>,
+    clip: Option<&Clip>,
+    character: *const c_char,
+    character_length_bytes: usize,
+    seconds: f64,
+    emotions: Option<&mut MaybeUninit<Emotions>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe { of(bank, clip, (character, character_length_bytes), Seconds(seconds), emotions) }
+}
+
+/// `lipz_clip_emotions_of_seconds` for clocks that have no `double`.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_clip_emotions_of_seconds_f32(
+    bank: Option<&Bank>,
+    clip: Option<&Clip>,
+    character: *const c_char,
+    character_length_bytes: usize,
+    seconds: f32,
+    emotions: Option<&mut MaybeUninit<Emotions>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe { of(bank, clip, (character, character_length_bytes), Seconds(seconds), emotions) }
+}
+
+/// # Safety
+///
+/// The contract of the crate.
+unsafe fn of(
+    bank: Option<&Bank>,
+    clip: Option<&Clip>,
+    (character, length_bytes): (*const c_char, usize),
+    time: impl Time,
+    emotions: Option<&mut MaybeUninit<Emotions>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe {
+        of_clip(bank, clip, emotions, |clip| Ok(from_found(&clip.emotions_of(text(character, length_bytes)?, time))))
+    }
+}
+
+fn from_found(found: &lipz_bank::Emotions) -> Emotions {
     let mut emotions = Emotions { sum: found.sum().thousandths(), ..Emotions::default() };
     for (place, (_, value)) in emotions.thousandths.iter_mut().zip(found.iter()) {
         *place = value.thousandths();

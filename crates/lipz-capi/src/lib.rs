@@ -78,7 +78,8 @@ pub use emotion::{
     Emotions, LIPZ_ANGER, LIPZ_ASLEEP, LIPZ_DISGUST, LIPZ_EMOTION_COUNT, LIPZ_EXERTION, LIPZ_FEAR, LIPZ_JOY,
     LIPZ_NEUTRAL, LIPZ_PAIN, LIPZ_PERPLEXED, LIPZ_SADNESS, LIPZ_SHOCK, LIPZ_SHOUT, LIPZ_SURPRISE,
     lipz_clip_emotions_at_samples, lipz_clip_emotions_at_seconds, lipz_clip_emotions_at_seconds_f32,
-    lipz_clip_emotions_at_us,
+    lipz_clip_emotions_at_us, lipz_clip_emotions_of_samples, lipz_clip_emotions_of_seconds,
+    lipz_clip_emotions_of_seconds_f32, lipz_clip_emotions_of_us,
 };
 pub use event::{
     Event, EventName, LIPZ_BLINKS, LIPZ_BREATHES, LIPZ_DOES, LIPZ_FEELS, LIPZ_LOOKS_AWAY, LIPZ_NO_NAME, LIPZ_NODS,

@@ -95,6 +95,8 @@ class Stage {
             babble(words);
         } else if (verb == "curves" || verb == "curve") {
             curves(words);
+        } else if (verb == "emotions" && words.at(1) == "of") {
+            with_time(words, 3, [&](auto time) { print(clip_->emotions_of(*bank_, words.at(2), time)); });
         } else if (verb == "emotions") {
             with_time(words, 1, [&](auto time) { print(clip_->emotions_at(*bank_, time)); });
         } else if (verb == "face" || verb == "idle") {

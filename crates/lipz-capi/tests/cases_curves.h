@@ -56,20 +56,34 @@ static void print_curves(const lipz_bank *bank, const lipz_clip *clip) {
     }
 }
 
+/* `emotions TIME`, or `emotions of CHARACTER TIME`. */
 static void print_emotions(const lipz_bank *bank, const lipz_clip *clip, char *words[]) {
     lipz_emotions emotions;
-    const int64_t whole = strtoll(words[2], NULL, 10);
+    const char *of = is(words[1], "of") ? words[2] : NULL;
+    char **time = of == NULL ? words + 1 : words + 3;
+    const size_t length = of == NULL ? 0 : strlen(of);
+    const int64_t whole = strtoll(time[1], NULL, 10);
+    const uint32_t rate_hz = is(time[0], "samples") ? (uint32_t)strtoul(time[2], NULL, 10) : 0;
     uint32_t place;
 
-    if (is(words[1], "us")) {
-        must(lipz_clip_emotions_at_us(bank, clip, whole, &emotions), "emotions");
-    } else if (is(words[1], "samples")) {
-        const uint32_t rate_hz = (uint32_t)strtoul(words[3], NULL, 10);
-        must(lipz_clip_emotions_at_samples(bank, clip, whole, rate_hz, &emotions), "emotions");
-    } else if (is(words[1], "seconds")) {
-        must(lipz_clip_emotions_at_seconds(bank, clip, strtod(words[2], NULL), &emotions), "emotions");
+    if (is(time[0], "us")) {
+        must(of == NULL ? lipz_clip_emotions_at_us(bank, clip, whole, &emotions)
+                        : lipz_clip_emotions_of_us(bank, clip, of, length, whole, &emotions),
+             "emotions");
+    } else if (is(time[0], "samples")) {
+        must(of == NULL ? lipz_clip_emotions_at_samples(bank, clip, whole, rate_hz, &emotions)
+                        : lipz_clip_emotions_of_samples(bank, clip, of, length, whole, rate_hz, &emotions),
+             "emotions");
+    } else if (is(time[0], "seconds")) {
+        const double seconds = strtod(time[1], NULL);
+        must(of == NULL ? lipz_clip_emotions_at_seconds(bank, clip, seconds, &emotions)
+                        : lipz_clip_emotions_of_seconds(bank, clip, of, length, seconds, &emotions),
+             "emotions");
     } else {
-        must(lipz_clip_emotions_at_seconds_f32(bank, clip, strtof(words[2], NULL), &emotions), "emotions");
+        const float seconds = strtof(time[1], NULL);
+        must(of == NULL ? lipz_clip_emotions_at_seconds_f32(bank, clip, seconds, &emotions)
+                        : lipz_clip_emotions_of_seconds_f32(bank, clip, of, length, seconds, &emotions),
+             "emotions");
     }
     printf(" ");
     for (place = 0; place < LIPZ_EMOTION_COUNT; place++) {

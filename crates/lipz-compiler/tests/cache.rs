@@ -90,11 +90,11 @@ impl Scene {
     }
 }
 
-/// Changes one character of a text, and neither length nor time of modification.
+/// Changes one letter, if there is one, and neither length nor time of modification.
 fn tamper(path: &Path) {
     let modified = path.metadata().unwrap().modified().unwrap();
     let text = fs::read_to_string(path).unwrap();
-    let at = text.rfind(|letter: char| letter.is_ascii_lowercase()).unwrap();
+    let Some(at) = text.rfind(|letter: char| letter.is_ascii_lowercase()) else { return };
     let other = if text[at..].starts_with('e') { "o" } else { "e" };
     fs::write(path, [&text[..at], other, &text[at + 1..]].concat()).unwrap();
     set_modified(path, modified);

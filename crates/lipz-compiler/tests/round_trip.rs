@@ -4,6 +4,7 @@
 mod support;
 
 use lipz_bank::{Bank, VisemeType};
+use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiler, Documents, Input, Options};
 use lipz_diagnostics::{Code, Severity};
 use lipz_file::locale::{TextName, text_name};
@@ -138,16 +139,20 @@ fn options() -> impl Strategy<Value = Options> {
     let locales = option::of(collection::btree_set(sample::select(tags.to_vec()), 0..5));
     let default_locale = option::of(sample::select(&["de-de", "en-us", "it-it"][..]));
     let viseme_type = || option::of(sample::select(&VisemeType::ALL[..]));
-    (locales, default_locale, viseme_type(), viseme_type(), any::<[bool; 2]>()).prop_map(
-        |(locales, default_locale, viseme_type, default_viseme_type, [literal_braces, pseudo])| {
+    let faces = ["", "[face]\nkeys = \"words\"\nblink = 3\n", "face.keys = \"off\"\nemotions.curves = \"all\"\n"];
+    (locales, default_locale, viseme_type(), viseme_type(), any::<[bool; 2]>(), sample::select(faces.to_vec()))
+        .prop_map(|(locales, default_locale, viseme_type, default_viseme_type, [literal_braces, pseudo], faces)| {
+            let (settings, report) = Settings::parse(faces.as_bytes(), "lipz.toml", "".as_ref());
+            assert_eq!(report.diagnostics, []);
             let mut options = joining().literal_braces(literal_braces).pseudo(pseudo && default_locale.is_some());
             options.locales = locales.map(|tags| tags.into_iter().map(str::to_owned).collect::<BTreeSet<_>>());
             options.default_locale = default_locale.map(str::to_owned);
             options.viseme_type = viseme_type;
             options.default_viseme_type = default_viseme_type;
+            (options.faces, options.emotions, options.gestures) =
+                (settings.options.faces, settings.options.emotions, settings.options.gestures);
             options
-        },
-    )
+        })
 }
 
 proptest! {

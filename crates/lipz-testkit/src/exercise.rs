@@ -89,7 +89,7 @@ pub fn every_query(bank: &Bank<'_>, effort: Effort) {
             every_clip_query(&clip, &locales, limit, effort);
             said::of_dubs(&clip, &voices);
             if has_faces || effort == Effort::All {
-                said::of_face(&clip, Micros(41_000));
+                said::of_face(&clip, &bank.default_face_profile(), Micros(41_000));
             }
         }
     }

@@ -55,7 +55,7 @@ pub(crate) fn of_curves(clip: &Clip<'_, '_>, limit: usize) {
         let emotions = clip.emotions_at(Micros(time));
         let most = emotions.strongest().map(|(emotion, value)| (Emotion::from_name(emotion.name()), value));
         assert!(most.is_none_or(|(emotion, value)| emotion.is_some_and(|emotion| emotions.get(emotion) == value)));
-        black_box((emotions.sum(), emotions.iter().count()));
+        black_box((emotions.sum(), emotions.iter().count(), clip.emotions_of("amy", Micros(time)).strongest()));
     }
     let named = curves.first().and_then(|curve| clip.curve_named(curve.name()));
     let way = |value: CurveValue| value.towards(CurveValue::from_thousandths(i32::MIN), 1, 3).thousandths();
@@ -108,12 +108,12 @@ pub(crate) fn of_faces(bank: &Bank<'_>, limit: usize) -> bool {
 }
 
 /// The face at a time.
-pub(crate) fn of_face(clip: &Clip<'_, '_>, time: impl Time) {
+pub(crate) fn of_face(clip: &Clip<'_, '_>, profile: &FaceProfile<'_>, time: impl Time) {
     for (curve, name) in FaceCurve::ALL.iter().map(|curve| (curve, curve.name())) {
         assert_eq!(FaceCurve::from_name(name), Some(*curve));
     }
     let low = CurveValue::from_thousandths(i32::MIN);
-    black_box(clip.face_at(time, &FaceProfile::DEFAULT, LookAt::person(low, low)));
+    black_box(clip.face_at(time, profile, LookAt::person(low, low)));
 }
 
 /// What is done by whom to whom.

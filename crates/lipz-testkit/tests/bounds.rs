@@ -3,8 +3,11 @@
 #![allow(clippy::unwrap_used, clippy::panic, clippy::cast_possible_truncation, reason = "tests")]
 #![allow(clippy::expect_used, clippy::unnecessary_map_or, reason = "helpers of the reader's tests")]
 
-use lipz_bank::{Bank, Fps, Micros, Samples, Seconds};
-use lipz_layout::{EventNameRecord, EventRecord, Tag, TypedEventRecord, U32, VERB_DOES};
+use lipz_bank::{Bank, Fps, LookAt, Micros, Samples, Seconds};
+use lipz_layout::{
+    CurveClipRecord, CurveKeyRecord, CurveRecord, EventNameRecord, EventRecord, FaceRecord, Tag, TypedEventRecord, U32,
+    VERB_DOES,
+};
 use lipz_testkit::forge::{self, ForgedClip};
 use lipz_testkit::golden::{directory, section};
 use std::hint::black_box;
@@ -27,6 +30,8 @@ enum Growth {
     Linear,
 }
 
+/// The one name: of a curve that is asked for with all others.
+const EMOTION: &[u8] = b"joy";
 /// Instructions that a query of constant cost may differ by: other branches, no loop.
 const NO_LOOP: u64 = 100;
 /// Instructions of a step of a binary search over names.
@@ -71,6 +76,13 @@ queries! {
     first_event: Constant = |bank| last(bank).events().next().is_some();
     events: Linear = |bank| last(bank).events().count();
     segments: Linear = |bank| the(bank).segments().count();
+    curves: Linear = |bank| the(bank).curves().count();
+    curve: Logarithmic = |bank| the(bank).curve("zz").is_some();
+    curve_value: Logarithmic = |bank| longest(bank).value_at(Micros(i64::MAX));
+    emotions_at: Linear = |bank| the(bank).emotions_at(Micros(1));
+    emotions_of: Linear = |bank| the(bank).emotions_of("amy", Micros(1));
+    face_profile: Linear = |bank| bank.face_profile("zz").is_some();
+    face_at: Linear = |bank| the(bank).face_at(Micros(1), &bank.default_face_profile(), LookAt::AHEAD);
     verify: Linear = |bank| bank.verify().is_err();
 }
 
@@ -84,6 +96,11 @@ fn last<'data, 'bank>(bank: &'bank Bank<'data>) -> lipz_bank::Segment<'data, 'ba
     clip.segment(clip.segment_count() - 1).unwrap()
 }
 
+/// The curve of most keys.
+fn longest<'data>(bank: &Bank<'data>) -> lipz_bank::Curve<'data> {
+    the(bank).curve("joy").unwrap()
+}
+
 /// A bank with so many locales.
 fn many_locales(entries: usize) -> Vec<u8> {
     let clip = ForgedClip { key: "k", frames: vec![], starts: vec![] };
@@ -91,7 +108,7 @@ fn many_locales(entries: usize) -> Vec<u8> {
 }
 
 /// A bank with `entries` of everything that one clip can refer to: segments that are all empty, event
-/// strings that all claim all typed events, names that are all the same.
+/// strings that all claim all typed events, names that are all the same, curves with one name, and profiles of faces.
 fn hostile(entries: usize) -> Vec<u8> {
     let starts = vec![0; entries - 1];
     let clip = ForgedClip { key: "k", frames: vec![b'A'; entries], starts };
@@ -108,7 +125,7 @@ fn hostile(entries: usize) -> Vec<u8> {
         typed_count: number(entries),
     };
     let typed = TypedEventRecord { character: number(0), object: number(0), verb: VERB_DOES, reserved: [0; 7] };
-    let name = EventNameRecord { offset_bytes: number(0), length_bytes: number(1) };
+    let name = EventNameRecord { offset_bytes: number(0), length_bytes: number(EMOTION.len()) };
     for (tag, _, contents) in &mut contents {
         match *tag {
             Tag::KEY_ORDER => *contents = vec![0; 4 * entries],
@@ -116,12 +133,44 @@ fn hostile(entries: usize) -> Vec<u8> {
             Tag::EVENTS => *contents = vec![event; entries].as_bytes().to_vec(),
             Tag::TYPED_EVENTS => *contents = vec![typed; entries].as_bytes().to_vec(),
             Tag::EVENT_NAMES => *contents = vec![name; entries].as_bytes().to_vec(),
-            Tag::EVENT_STRINGS => *contents = b"x".to_vec(),
+            Tag::EVENT_STRINGS => *contents = EMOTION.to_vec(),
             _ => {}
         }
     }
+    // The first curve has half of the keys, the others have one each.
+    let first_key = |curve: usize| if curve == 0 { 0 } else { entries + curve };
+    let curve = |index| CurveRecord { keys_first: number(first_key(index)), name_and_width: number(0) };
+    let curves: Vec<_> = (0..entries).map(curve).collect();
+    let keys: Vec<_> =
+        (0..2 * entries).map(|index| CurveKeyRecord { frame: (index as u16).into(), thousandths: 1.into() }).collect();
+    let profile = [&whole_face().as_bytes()[..], b"a"].concat().repeat(entries);
+    let clips = [CurveClipRecord { slot: number(0), curves_first: number(0) }];
+    let beside = [
+        (Tag::CURVE_CLIPS, clips.as_bytes()),
+        (Tag::CURVES, curves.as_bytes()),
+        (Tag::CURVE_KEYS, keys.as_bytes()),
+        (Tag::FACES, &profile),
+    ];
+    let entry_bytes =
+        |tag| Tag::OPTIONAL.iter().find(|(optional, _)| *optional == tag).map_or(0, |(_, bytes)| *bytes as u16);
+    contents.extend(beside.map(|(tag, bytes)| (tag, entry_bytes(tag), bytes.to_vec())));
     let sections: Vec<_> = contents.iter().map(|(tag, entry, contents)| (*tag, *entry, contents.as_slice())).collect();
     forge::file(&sections, 0, 0)
+}
+
+/// A profile that blinks in thirteen different intervals.
+fn whole_face() -> FaceRecord {
+    FaceRecord {
+        blink_interval_ms: std::array::from_fn(|place| (400 + 10 * place as u16).into()),
+        blink_length_ms: 240.into(),
+        double_blink_percent: 100,
+        glance_percent: 50,
+        head_motion: 3000.into(),
+        head_follows: 20_000.into(),
+        pose_ms: 100.into(),
+        fixation_ms: 100.into(),
+        name_length_bytes: 1.into(),
+    }
 }
 
 /// What runs under callgrind.

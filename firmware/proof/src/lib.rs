@@ -248,6 +248,7 @@ fn curves_asked(bank: &Bank<'_>, clip: &Clip<'_, '_>, number: u32, see: See) {
         see(emotions.get(emotion).thousandths() as u64);
     }
     see(emotions.sum().thousandths() as u64 ^ emotions.iter().count() as u64);
+    see(clip.emotions_of("amy", Micros(i64::from(number))).sum().thousandths() as u64);
     let named = bank.event_name("joy").and_then(|name| clip.curve_named(name));
     for curve in clip.curves().chain(clip.curve("anger")).chain(named) {
         see_bytes(see, curve.name().as_str().as_bytes());

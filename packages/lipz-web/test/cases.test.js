@@ -76,6 +76,7 @@ class Stage {
       case "curve":
         return this.#curve(words);
       case "emotions":
+        if (words[0] === "of") return [emotions(this.#clip.emotionsOf(words[1], timeOf(words.slice(2))[0]))];
         return [emotions(this.#clip.emotionsAt(timeOf(words)[0]))];
       case "face":
       case "idle":

@@ -6,7 +6,8 @@ use crate::golden::{directory, put, reseal, section, u32_at};
 use crate::tools::is_used;
 use arbitrary::{Arbitrary, Unstructured};
 use lipz_bank::Bank;
-use lipz_compiler::{Compiler, Input, Options, Voices};
+use lipz_compiler::settings::Settings;
+use lipz_compiler::{Compiler, Input, Voices};
 use lipz_layout::{ClipRecord, Header, KeyRecord, Tag, fingerprint};
 use std::mem::offset_of;
 use std::sync::LazyLock;
@@ -48,6 +49,9 @@ struct Overwrite {
     value: Number,
 }
 
+/// The settings of a project whose faces move.
+const FACES: &str = "[face]\nkeys = \"words\"\nblink = 5\n[face.amy]\nblink-fear = 1\nglances = 0\n";
+
 /// Small banks, so that a change soon meets something: all kinds of clips, with and without sources.
 static BASES: LazyLock<Vec<Vec<u8>>> = LazyLock::new(|| {
     let far = format!(r#"{{ "visemes": "{}", "text_en-us": "{}x" }}"#, "A|".repeat(11) + "B", "a|".repeat(11));
@@ -72,13 +76,21 @@ static BASES: LazyLock<Vec<Vec<u8>>> = LazyLock::new(|| {
             ("fr/aye", r#"{ "visemes": "O|O", "text_en-us": "Aye!|No" }"#),
         ],
     ];
+    // Profiles; emotions and gestures of texts and events.
+    let face: &[(&str, &str)] = &[(
+        "face",
+        r#"{ "fps": 4, "visemes": "MAEO|EO--", "text_en-us": "{anger 2} Yes, sure!|{calm} No.",
+            "events": "|amy feels fear 3, looks away" }"#,
+    )];
     let voices = Voices::new("en-us").dub("de-de", "de/{key}").dub("fr-fr", "fr/{key}");
-    let bank = |set: &&[(&str, &str)], strip| {
+    let bank = |set: &[(&str, &str)], settings: &str, strip| {
         let inputs: Vec<Input> = set.iter().map(|(key, file)| Input::from_bytes(*key, *file)).collect();
-        let options = Options::new().strip(strip).default_locale("en-us").voices(voices.clone());
+        let (settings, _) = Settings::parse(settings.as_bytes(), "lipz.toml", "".as_ref());
+        let options = settings.options.strip(strip).default_locale("en-us").voices(voices.clone());
         Compiler::new(options.clone()).compile(&inputs).bank.expect("files without errors")
     };
-    sets.iter().flat_map(|set| [bank(set, false), bank(set, true)]).collect()
+    let sets = sets.iter().map(|set| (*set, "")).chain([(face, FACES)]);
+    sets.flat_map(|(set, settings)| [bank(set, settings, false), bank(set, settings, true)]).collect()
 });
 
 /// Makes the changes that the bytes stand for, and asks everything. What passes `verify` is whole, and

@@ -1,4 +1,4 @@
-//! The cases about curves and emotions: `curves`, `curve NAME frame N`, `curve NAME TIME`, `emotions TIME`. All values are
+//! The cases about curves and emotions: `curves`, `curve NAME frame N`, `curve NAME TIME`, `emotions TIME`, `emotions of CHARACTER TIME`. All values are
 //! thousandths.
 
 use super::{Stage, Time, number};
@@ -26,6 +26,10 @@ impl Stage {
                     let _ = writeln!(self.answers, "  {}", value.thousandths());
                 }
             },
+            ["emotions", "of", character, time @ ..] => {
+                let found = at!(Time::read(time).0, |time| clip.emotions_of(character, time));
+                self.answers.push_str(&told(&found));
+            }
             ["emotions", time @ ..] => {
                 let found = at!(Time::read(time).0, |time| clip.emotions_at(time));
                 self.answers.push_str(&told(&found));
