@@ -143,7 +143,7 @@ fn hostile(entries: usize) -> Vec<u8> {
     let curves: Vec<_> = (0..entries).map(curve).collect();
     let keys: Vec<_> =
         (0..2 * entries).map(|index| CurveKeyRecord { frame: (index as u16).into(), thousandths: 1.into() }).collect();
-    let profile = [&whole_face().as_bytes()[..], b"a"].concat().repeat(entries);
+    let profile = [whole_face().as_bytes(), b"a"].concat().repeat(entries);
     let clips = [CurveClipRecord { slot: number(0), curves_first: number(0) }];
     let beside = [
         (Tag::CURVE_CLIPS, clips.as_bytes()),
