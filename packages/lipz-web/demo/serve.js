@@ -27,9 +27,9 @@ async function place(path) {
 /** A server of the files of the package, which listens on a port of this machine alone. */
 export async function serve(port, post = () => false) {
   const server = createServer(async (request, response) => {
-    const { pathname } = new URL(request.url, "http://localhost");
+    const { pathname, search } = new URL(request.url, "http://localhost");
     if (request.method === "POST" && (await post(pathname, request))) return response.end();
-    if (pathname === "/") return response.writeHead(302, { Location: "/demo/index.html" }).end();
+    if (pathname === "/") return response.writeHead(302, { Location: `/demo/index.html${search}` }).end();
     try {
       // `normalize` leaves no `..` behind the leading slash.
       const path = normalize(decodeURIComponent(pathname)).slice(1);

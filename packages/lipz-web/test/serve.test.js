@@ -45,6 +45,8 @@ test("in the repository, files that are elsewhere are served", async (t) => {
     return [response.status, response.headers.get("content-type"), (await response.text()).slice(0, 15)];
   };
   assert.deepEqual(await get("/"), [200, "text/html", "<!doctype html>"], "the address that is printed is the page");
+  const { url: shown } = await fetch(new URL("/?clip=act1/none", url));
+  assert.match(shown, /\/demo\/index\.html\?clip=act1\/none$/, "with what it asks for");
   assert.deepEqual(await get("/demo/dialogue.lipzbank"), [200, "application/octet-stream", "bank"]);
   assert.deepEqual(await get("/demo/faces.lipzbank"), [200, "application/octet-stream", "faces"]);
   assert.deepEqual(await get("/lipz.wasm"), [200, "application/wasm", "module"]);
