@@ -1,0 +1,139 @@
+//! What an editor waits for: the answer to a keystroke in a Lipz file of a megabyte, which is checked whole.
+#![allow(
+    missing_docs,
+    clippy::expect_used,
+    reason = "a bench program: criterion's macros, and a stop at the first surprise"
+)]
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use lipz_benches::files;
+use lipz_lsp::{Checked, serve};
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::io::{BufRead, BufReader, PipeReader, PipeWriter, Read, Write, pipe};
+use std::thread;
+
+/// Clips of the generator that are joined; those of one viseme type have a megabyte with five locales.
+const CLIPS: usize = 2600;
+const LOCALES: usize = 5;
+/// Segments of the file of emotions.
+const EMOTIONAL_SEGMENTS: usize = 8000;
+
+/// A file whose segments are those of many clips.
+fn large_file() -> String {
+    let mut joined: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    for (_, json) in files(CLIPS, LOCALES) {
+        let clip: BTreeMap<String, Value> = serde_json::from_str(&json).expect("a Lipz file");
+        if clip["viseme_type"] != "blair" {
+            continue;
+        }
+        let text = |name: &str| clip.get(name).and_then(Value::as_str);
+        let segments = text("visemes").expect("mouth shapes").matches('|').count();
+        let names = clip.keys().filter(|name| *name == "visemes" || name.starts_with("text_"));
+        for name in names.map(String::as_str).chain(["events"]) {
+            let part = text(name).map_or_else(|| "|".repeat(segments), str::to_owned);
+            joined.entry(name.to_owned()).or_default().push(part);
+        }
+    }
+    let mut elements: Vec<String> =
+        joined.iter().map(|(name, parts)| format!("{name:?}: {:?}", parts.join("|"))).collect();
+    elements.extend(["\"fps\": 24".to_owned(), "\"viseme_type\": \"blair\"".to_owned()]);
+    format!("{{\n  {}\n}}\n", elements.join(",\n  "))
+}
+
+/// A file in which every segment has an emotion, in its event and in its texts.
+fn emotional_file() -> String {
+    let repeated = |part: &str| vec![part; EMOTIONAL_SEGMENTS].join("|");
+    let parts = [
+        ("events", "mara feels fear 4 + joy 1, nods"),
+        ("text_de-de", "{anger 2.2} Ich habe {calm} Nein gesagt."),
+        ("text_en-us", "{anger 2.2} I have {calm} said no."),
+        ("visemes", "MAEO-----AAAAELMO---------"),
+    ];
+    let elements = parts.map(|(name, part)| format!("{name:?}: {:?}", repeated(part)));
+    format!("{{\n  \"fps\": 24, \"viseme_type\": \"blair\",\n  {}\n}}\n", elements.join(",\n  "))
+}
+
+/// An editor with this file open.
+struct Editor {
+    to: PipeWriter,
+    from: BufReader<PipeReader>,
+    version: i32,
+}
+
+impl Editor {
+    fn open(text: &str) -> Editor {
+        let ((input, to), (from, output)) = (pipe().expect("a pipe"), pipe().expect("a pipe"));
+        thread::spawn(move || serve(BufReader::new(input), output, |_, _| Checked::default()));
+        let mut editor = Editor { to, from: BufReader::new(from), version: 0 };
+        editor.say(&json!({ "jsonrpc": "2.0", "id": 1, "method": "initialize", "params": { "capabilities": {} } }));
+        editor.hear();
+        editor.say(&json!({ "jsonrpc": "2.0", "method": "initialized", "params": {} }));
+        let document = json!({ "uri": "untitled:large", "languageId": "lipz", "version": 0, "text": text });
+        editor.tell("textDocument/didOpen", &json!({ "textDocument": document }));
+        editor.wait_for_diagnostics();
+        editor
+    }
+
+    /// Types a letter into the first segment, or takes it back, and waits for what is wrong with the file now.
+    fn type_letter(&mut self, line: usize) {
+        self.version += 1;
+        let (end, text) = if self.version % 2 == 1 { (20, "x") } else { (21, "") };
+        let range = json!({ "start": { "line": line, "character": 20 }, "end": { "line": line, "character": end } });
+        self.tell(
+            "textDocument/didChange",
+            &json!({
+                "textDocument": { "uri": "untitled:large", "version": self.version },
+                "contentChanges": [{ "range": range, "text": text }],
+            }),
+        );
+        self.wait_for_diagnostics();
+    }
+
+    fn tell(&mut self, method: &str, params: &Value) {
+        self.say(&json!({ "jsonrpc": "2.0", "method": method, "params": params }));
+    }
+
+    fn say(&mut self, message: &Value) {
+        let message = message.to_string();
+        write!(self.to, "Content-Length: {}\r\n\r\n{message}", message.len()).expect("a server that listens");
+    }
+
+    fn hear(&mut self) -> Value {
+        let mut length = 0;
+        loop {
+            let mut line = String::new();
+            self.from.read_line(&mut line).expect("a server that speaks");
+            if let Some(number) = line.strip_prefix("Content-Length: ") {
+                length = number.trim().parse().expect("a length");
+            } else if line.trim().is_empty() {
+                break;
+            }
+        }
+        let mut message = vec![0; length];
+        self.from.read_exact(&mut message).expect("a whole message");
+        serde_json::from_slice(&message).expect("JSON")
+    }
+
+    fn wait_for_diagnostics(&mut self) {
+        loop {
+            let message = self.hear();
+            if message["method"] == "textDocument/publishDiagnostics" && message["params"]["version"] == self.version {
+                return;
+            }
+        }
+    }
+}
+
+fn keystroke(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("a keystroke in 1 MB");
+    for (name, text) in [("dialogue", large_file()), ("emotions", emotional_file())] {
+        assert!((900_000..1_300_000).contains(&text.len()), "{} bytes", text.len());
+        let line = text.lines().position(|line| line.contains("\"text_en-us\"")).expect("English texts");
+        let mut editor = Editor::open(&text);
+        group.bench_function(name, |bencher| bencher.iter(|| editor.type_letter(line)));
+    }
+}
+
+criterion_group!(benches, keystroke);
+criterion_main!(benches);
