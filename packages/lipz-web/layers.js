@@ -2,6 +2,7 @@
 
 import { BANK, FIRST, LipzError, SECOND } from "./memory.js";
 import { byCodePoints } from "./order.js";
+import { settingsOf } from "./specials.js";
 import * as c from "./structs.js";
 
 const NO_LAYER = 0xffffffff;
@@ -82,11 +83,24 @@ export class Layers {
     return this.#opened[this.#info.babble_layer].bank.defaultBabble;
   }
 
+  /** The face profile with this name. */
+  faceProfile(name) {
+    return this.#opened[this.#info.faces_layer].bank.faceProfile(name);
+  }
+
+  get defaultFaceProfile() {
+    return this.#opened[this.#info.faces_layer].bank.defaultFaceProfile;
+  }
+
   #clip(fields) {
     if (fields === undefined) return undefined;
     const text = (segment, tag) => this.#text(fields, segment.index, tag);
-    const voices = { of: (id) => this.#voiceOf(id), clipIn: (id, tag) => this.#clipIn(id, tag) };
-    return this.#clipOf(this.#opened[fields.layer].memory, fields.clip, text, voices);
+    const stack = {
+      voiceOf: (id) => this.#voiceOf(id),
+      clipIn: (id, tag) => this.#clipIn(id, tag),
+      faceAt: (clip, unit, ...args) => this.#faceAt({ ...fields, clip }, unit, ...args),
+    };
+    return this.#clipOf(this.#opened[fields.layer].memory, fields.clip, text, stack);
   }
 
   /** The locale of the voice that a clip is spoken in. */
@@ -101,6 +115,14 @@ export class Layers {
     const name = "lipz_layers_clip_in_voice";
     const voiced = memory.ask(c.lipz_layered_voiced_clip, name, ...this.#banks, id, ...memory.text(tag));
     return voiced && { clip: this.#clip(voiced.clip), spoken: voiced.spoken };
+  }
+
+  /** The fields of the face of a clip at a time, with the profiles of the whole stack. */
+  #faceAt(clip, unit, settings, ...time) {
+    const memory = this.#memory;
+    const asked = memory.put(FIRST, c.lipz_layered_clip, clip);
+    const pointers = settingsOf(memory, settings);
+    return memory.ask(c.lipz_face, `lipz_layers_face_at_${unit}`, ...this.#banks, asked, ...pointers, ...time);
   }
 
   #text(clip, segment, tag) {

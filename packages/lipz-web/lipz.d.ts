@@ -29,12 +29,15 @@ export interface OpenOptions {
  */
 export function open(bytes: Bytes, options?: OpenOptions): Promise<Bank>;
 
+/** A bank of a stack: its bytes, or with those of a text bank whose locales it uses in place of its own. */
+export type LayerBytes = Bytes | { readonly bank: Bytes; readonly texts?: Bytes };
+
 /**
  * Opens and verifies a bank and the layers over it (`lipz pack --over`), the base first.
  *
  * @throws {LipzError} if one of them is damaged, or was packed over other banks than those before it.
  */
-export function openLayers(files: readonly Bytes[], options?: OpenOptions): Promise<Layers>;
+export function openLayers(files: readonly LayerBytes[], options?: OpenOptions): Promise<Layers>;
 
 /** A file that is refused, or a call that makes no sense. */
 export class LipzError extends Error {
@@ -88,10 +91,16 @@ export class Layers {
   clip(keyOrId: string | bigint): Clip | undefined;
   /** All clips, in the order of their keys by code points. */
   clips(): Clip[];
+  /** The locales of the voices: that of the originals first. None in a stack without dubs. */
+  readonly voices: string[];
   /** The babble profile with this name. */
   babble(name: string): Babble | undefined;
   /** The profile of the project. */
   readonly defaultBabble: Babble;
+  /** The face profile with this name, of the topmost layer that says something about profiles. */
+  faceProfile(name: string): FaceProfile | undefined;
+  /** The profile of the project. */
+  readonly defaultFaceProfile: FaceProfile;
 }
 
 export class Clip {

@@ -40,13 +40,17 @@ export async function open(bytes, { wasm } = {}) {
   return new Bank(new Memory(await instance(wasm)), bytesOf(bytes));
 }
 
-/** Opens and verifies a bank and the layers over it, the base first. Throws a LipzError if they do not fit. */
+/**
+ * Opens and verifies a bank and the layers over it, the base first; each its bytes, or `{ bank, texts }` with those of a text
+ * bank. Throws a LipzError if they do not fit.
+ */
 export async function openLayers(files, { wasm } = {}) {
   // One instance for all: functions about a stack look at all of its banks.
   const shared = await instance(wasm);
-  const opened = files.map((bytes) => {
+  const opened = files.map((file) => {
     const memory = new Memory(shared);
-    return { memory, bank: new Bank(memory, bytesOf(bytes)).verify() };
+    const bank = new Bank(memory, bytesOf(file.bank ?? file));
+    return { memory, bank: (file.texts ? bank.useTexts(file.texts) : bank).verify() };
   });
   return new Layers(opened, new Memory(shared), (...args) => new Clip(...args));
 }
@@ -188,15 +192,15 @@ export class Clip {
   #memory;
   #fields;
   #textOf;
-  /** What a stack says about voices; undefined in a bank, which knows all of its dubs. */
-  #voices;
+  /** What a stack says, of all of its banks; undefined in a bank, which knows its dubs and profiles. */
+  #stack;
   #key;
 
-  constructor(memory, fields, textOf, voices) {
+  constructor(memory, fields, textOf, stack) {
     this.#memory = memory;
     this.#fields = fields;
     this.#textOf = textOf;
-    this.#voices = voices;
+    this.#stack = stack;
   }
 
   /** Calls a function whose first arguments are the bank and this clip. */
@@ -258,7 +262,7 @@ export class Clip {
 
   /** The locale of the voice that the clip is spoken in; undefined in a bank without dubs. */
   get voice() {
-    if (this.#voices) return this.#voices.of(this.id);
+    if (this.#stack) return this.#stack.voiceOf(this.id);
     const tag = this.#ask(c.lipz_string, "lipz_clip_voice");
     return tag && this.#memory.string(tag);
   }
@@ -268,8 +272,8 @@ export class Clip {
    * such voice.
    */
   inVoice(tag) {
-    if (this.#voices) {
-      const voiced = this.#voices.clipIn(this.id, tag);
+    if (this.#stack) {
+      const voiced = this.#stack.clipIn(this.id, tag);
       return voiced && { clip: voiced.clip, spoken: SPOKEN[voiced.spoken] };
     }
     const voiced = this.#ask(c.lipz_voiced_clip, "lipz_clip_in_voice", ...this.#memory.text(tag));
@@ -313,7 +317,7 @@ export class Clip {
   /** The clip with this viseme type, where its file leaves it unspecified. */
   orVisemeType(name) {
     const viseme_type = this.#fields.viseme_type || VISEME_TYPES.indexOf(name);
-    return new Clip(this.#memory, { ...this.#fields, viseme_type }, this.#textOf, this.#voices);
+    return new Clip(this.#memory, { ...this.#fields, viseme_type }, this.#textOf, this.#stack);
   }
 
   /** The curve with this name; undefined if the clip has none. */
@@ -346,8 +350,9 @@ export class Clip {
   /** The speaker's face at a time. */
   faceAt(time, settings) {
     const [unit, ...args] = at(time);
-    const pointers = settingsOf(this.#memory, settings);
-    const face = this.#ask(c.lipz_face, `lipz_clip_face_at_${unit}`, ...pointers, ...args);
+    const face = this.#stack
+      ? this.#stack.faceAt(this.#fields, unit, settings, ...args)
+      : this.#ask(c.lipz_face, `lipz_clip_face_at_${unit}`, ...settingsOf(this.#memory, settings), ...args);
     if (face === undefined) throw new LipzError("the face profile is that of another bank");
     return faceOf(face);
   }
@@ -361,7 +366,7 @@ export class Clip {
   /** The clip with this frame rate, where its file leaves it unspecified. */
   orFps(numerator, denominator = 1) {
     const fps = this.fps ? {} : { fps_numerator: numerator, fps_denominator: denominator };
-    return new Clip(this.#memory, { ...this.#fields, ...fps }, this.#textOf, this.#voices);
+    return new Clip(this.#memory, { ...this.#fields, ...fps }, this.#textOf, this.#stack);
   }
 
   /** The second at which a frame starts to show; undefined without a frame rate. */

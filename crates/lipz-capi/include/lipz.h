@@ -1291,6 +1291,44 @@ lipz_status lipz_layers_info(const struct lipz_bank *banks,
                              uint32_t count,
                              struct lipz_layers_info_t *info);
 
+// The face of a clip of a stack `time_us` microseconds after the audio began, as `lipz_clip_face_at_us`. `profile` is of
+// `banks[faces_layer]` of `lipz_layers_info`, or null for that of the project. `LIPZ_NONE` for a profile of another bank.
+lipz_status lipz_layers_face_at_us(const struct lipz_bank *banks,
+                                   uint32_t count,
+                                   const struct lipz_layered_clip *clip,
+                                   const struct lipz_face_profile *profile,
+                                   const struct lipz_look_at *look_at,
+                                   int64_t time_us,
+                                   struct lipz_face *face);
+
+// The face of a clip of a stack after `position` samples at `rate_hz`.
+lipz_status lipz_layers_face_at_samples(const struct lipz_bank *banks,
+                                        uint32_t count,
+                                        const struct lipz_layered_clip *clip,
+                                        const struct lipz_face_profile *profile,
+                                        const struct lipz_look_at *look_at,
+                                        int64_t position,
+                                        uint32_t rate_hz,
+                                        struct lipz_face *face);
+
+// The face of a clip of a stack after `seconds`.
+lipz_status lipz_layers_face_at_seconds(const struct lipz_bank *banks,
+                                        uint32_t count,
+                                        const struct lipz_layered_clip *clip,
+                                        const struct lipz_face_profile *profile,
+                                        const struct lipz_look_at *look_at,
+                                        double seconds,
+                                        struct lipz_face *face);
+
+// `lipz_layers_face_at_seconds` for clocks that have no `double`.
+lipz_status lipz_layers_face_at_seconds_f32(const struct lipz_bank *banks,
+                                            uint32_t count,
+                                            const struct lipz_layered_clip *clip,
+                                            const struct lipz_face_profile *profile,
+                                            const struct lipz_look_at *look_at,
+                                            float seconds,
+                                            struct lipz_face *face);
+
 // The clip with this id as it is played in the voice with this tag (`de-de`), spelled as in the banks. The id may be that of
 // the original or of any of its dubs. `LIPZ_NONE` if the stack has no such clip, or no such voice: play the clip as it is.
 lipz_status lipz_layers_clip_in_voice(const struct lipz_bank *banks,

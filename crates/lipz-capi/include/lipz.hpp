@@ -291,6 +291,17 @@ struct Clip : lipz_clip {
         const auto key = answer<lipz_string>([&](lipz_string *out) { return lipz_clip_key(&bank, this, out); });
         return key ? view(*key) : std::string_view();
     }
+    /// The locale of the voice that the clip is spoken in; nothing in a bank without dubs.
+    std::optional<std::string_view> voice(const lipz_bank &bank) const noexcept {
+        const auto tag = answer<lipz_string>([&](lipz_string *out) { return lipz_clip_voice(&bank, this, out); });
+        return tag ? std::optional<std::string_view>(view(*tag)) : std::nullopt;
+    }
+    /// The clip as it is played in a voice, and whose it is: `LIPZ_DUB`, `LIPZ_OTHER_DUB` or `LIPZ_ORIGINAL`. Nothing if the bank
+    /// has no such voice: play the clip as it is.
+    std::optional<lipz_voiced_clip> in_voice(const lipz_bank &bank, std::string_view tag) const noexcept {
+        return answer<lipz_voiced_clip>(
+            [&](lipz_voiced_clip *out) { return lipz_clip_in_voice(&bank, this, tag.data(), tag.size(), out); });
+    }
     /// The curve with this name; nothing if the clip has none.
     std::optional<Curve> curve(const lipz_bank &bank, std::string_view name) const noexcept {
         return curve_of([&](lipz_curve *out) { return lipz_clip_curve(&bank, this, name.data(), name.size(), out); });
@@ -544,6 +555,13 @@ class Bank : public lipz_bank {
     std::optional<lipz_locale> locale(std::string_view tag) const noexcept {
         return answer<lipz_locale>(
             [&](lipz_locale *out) { return lipz_locale_by_tag(this, tag.data(), tag.size(), out); });
+    }
+    /// The locales of the voices: that of the originals first. None in a bank without dubs.
+    auto voices() const noexcept {
+        return range<std::string_view>([this, index = std::uint32_t(0)]() mutable -> std::optional<std::string_view> {
+            const auto tag = answer<lipz_string>([&](lipz_string *out) { return lipz_voice_at(this, index++, out); });
+            return tag ? std::optional<std::string_view>(view(*tag)) : std::nullopt;
+        });
     }
     /// No name if no event mentions it.
     Name name(std::string_view name) const noexcept {

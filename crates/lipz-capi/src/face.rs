@@ -250,7 +250,7 @@ unsafe fn idle_at(
 }
 
 /// The profile that the caller means.
-fn of_reader<'data>(
+pub(crate) fn of_reader<'data>(
     bank: &lipz_bank::Bank<'data>,
     profile: Option<&FaceProfile>,
 ) -> Result<lipz_bank::FaceProfile<'data>, Status> {
@@ -264,7 +264,7 @@ fn of_reader<'data>(
     }
 }
 
-fn direction(look_at: Option<&LookAt>) -> lipz_bank::LookAt {
+pub(crate) fn direction(look_at: Option<&LookAt>) -> lipz_bank::LookAt {
     let value = CurveValue::from_thousandths;
     match look_at {
         None => lipz_bank::LookAt::AHEAD,
@@ -273,7 +273,7 @@ fn direction(look_at: Option<&LookAt>) -> lipz_bank::LookAt {
     }
 }
 
-fn from_found(face: &lipz_bank::Face) -> Face {
+pub(crate) fn from_found(face: &lipz_bank::Face) -> Face {
     Face {
         blink: face.blink.thousandths(),
         head_pitch: face.head_pitch.thousandths(),

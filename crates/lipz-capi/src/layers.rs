@@ -168,18 +168,23 @@ pub unsafe extern "C" fn lipz_layers_info(
     count: u32,
     info: Option<&mut MaybeUninit<LayersInfo>>,
 ) -> Status {
-    answer(info, || {
-        let mut info = LayersInfo::default();
-        for at in 0..count {
-            // SAFETY: the contract of the crate, which the caller keeps.
-            if let Some(layer) = unsafe { opened(bank_at(banks, at)) }?.layer() {
-                info.babble_layer = if layer.has_babble() { at } else { info.babble_layer };
-                info.default_locale_layer = if layer.has_default_locale() { at } else { info.default_locale_layer };
-                info.faces_layer = if layer.has_faces() { at } else { info.faces_layer };
-            }
+    // SAFETY: the contract of the crate, which the caller keeps.
+    answer(info, || unsafe { self::info(banks, count) })
+}
+
+/// # Safety
+/// As [`find`].
+pub(crate) unsafe fn info(banks: *const Bank, count: u32) -> Result<LayersInfo, Status> {
+    let mut info = LayersInfo::default();
+    for at in 0..count {
+        // SAFETY: the same contract.
+        if let Some(layer) = unsafe { opened(bank_at(banks, at)) }?.layer() {
+            info.babble_layer = if layer.has_babble() { at } else { info.babble_layer };
+            info.default_locale_layer = if layer.has_default_locale() { at } else { info.default_locale_layer };
+            info.faces_layer = if layer.has_faces() { at } else { info.faces_layer };
         }
-        Ok(info)
-    })
+    }
+    Ok(info)
 }
 
 /// A bank of the array.

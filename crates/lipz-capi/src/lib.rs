@@ -33,6 +33,7 @@ mod curve;
 mod emotion;
 mod event;
 mod face;
+mod layered_face;
 mod layered_voice;
 mod layers;
 mod locale;
@@ -90,6 +91,9 @@ pub use face::{
     Face, FaceProfile, LookAt, lipz_clip_face_at_samples, lipz_clip_face_at_seconds, lipz_clip_face_at_seconds_f32,
     lipz_clip_face_at_us, lipz_face_idle_at_samples, lipz_face_idle_at_seconds, lipz_face_idle_at_seconds_f32,
     lipz_face_idle_at_us, lipz_face_profile_by_name, lipz_face_profile_default,
+};
+pub use layered_face::{
+    lipz_layers_face_at_samples, lipz_layers_face_at_seconds, lipz_layers_face_at_seconds_f32, lipz_layers_face_at_us,
 };
 pub use layered_voice::{LayeredVoicedClip, lipz_layers_clip_in_voice, lipz_layers_clip_voice, lipz_layers_voice_at};
 pub use layers::{

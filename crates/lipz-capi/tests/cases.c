@@ -2,6 +2,7 @@
  * answers of the library. */
 #include "cases_curves.h"
 #include "cases_faces.h"
+#include "cases_voices.h"
 #include "cases_words.h"
 
 #include <lipz.h>
@@ -265,6 +266,8 @@ static void command(char *words[], unsigned count, const char *folder) {
         print_curve(&bank, &clip, words);
     } else if (is(words[0], "emotions")) {
         print_emotions(&bank, &clip, words);
+    } else if (is(words[0], "voices") || is(words[0], "voice")) {
+        print_voices(&bank, &clip, words);
     } else if (is(words[0], "face") || is(words[0], "idle")) {
         print_face(&bank, &clip, words);
     } else {

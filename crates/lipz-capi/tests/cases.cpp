@@ -101,6 +101,12 @@ class Stage {
             with_time(words, 1, [&](auto time) { print(clip_->emotions_at(*bank_, time)); });
         } else if (verb == "face" || verb == "idle") {
             face(words);
+        } else if (verb == "voices") {
+            for (const auto &tag : bank_->voices()) {
+                std::cout << "  " << tag << '\n';
+            }
+        } else if (verb == "voice") {
+            voice(words.at(1));
         } else {
             go(words);
         }
@@ -216,6 +222,18 @@ class Stage {
         const auto strongest = emotions.strongest_emotion();
         std::cout << " strongest " << (strongest ? lipz::name_of(*strongest) : "neutral") << ", sum " << emotions.sum
                   << '\n';
+    }
+
+    void voice(std::string_view tag) const {
+        static const std::array<std::string_view, 3> WHOSE = {"original", "dub", "other dub"};
+        const auto voiced = clip_->in_voice(*bank_, tag);
+        if (!voiced) {
+            std::cout << "  no voice\n";
+            return;
+        }
+        const lipz::Clip clip = voiced->clip;
+        std::cout << "  " << WHOSE.at(voiced->spoken) << ": " << clip.key(*bank_) << ", spoken in "
+                  << clip.voice(*bank_).value_or("-") << '\n';
     }
 
     void face(const Words &words) const {

@@ -39,7 +39,7 @@ const NAMES: [(&str, &str); 27] = [
 ];
 
 /// The files with declarations, in the order of the header.
-const FILES: [&str; 19] = [
+const FILES: [&str; 20] = [
     "version.rs",
     "status.rs",
     "string.rs",
@@ -58,6 +58,7 @@ const FILES: [&str; 19] = [
     "face.rs",
     "voice.rs",
     "layers.rs",
+    "layered_face.rs",
     "layered_voice.rs",
 ];
 

@@ -4,8 +4,9 @@
 mod common;
 
 use common::{Answer, DRAMA, ptr, text_of};
-use lipz_bank::Layers;
+use lipz_bank::{Layers, Micros};
 use lipz_capi::*;
+use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiler, Input, Options, Over, Stack, Voices};
 use std::ptr::null;
 
@@ -112,6 +113,69 @@ fn the_bank_that_says_what_is_said_once() {
     let banks = [opened(&base), opened(&patch)];
     let info = Answer::<LayersInfo>::from_call(|out| unsafe { lipz_layers_info(banks.as_ptr(), 2, out) }).ok();
     assert_eq!((info.babble_layer, info.default_locale_layer, info.faces_layer), (0, 1, 0));
+}
+
+/// The base has clips, the patch the profiles that count: faces are those of the reader.
+#[test]
+fn faces_of_a_stack_have_the_profiles_of_the_topmost_bank_with_some() {
+    let options = |settings: &str| {
+        let (settings, report) = Settings::parse(settings.as_bytes(), "lipz.toml", "".as_ref());
+        assert_eq!(report.diagnostics, []);
+        Compiler::new(settings.options.strip(true))
+    };
+    let aye = r#"{ "fps": 24, "visemes": "AEAEAEAEAEAE", "text_en-us": "{anger 4} Aye." }"#;
+    let input = [Input::from_bytes("aye", aye)];
+    let base = options("face.robot.blink = 3").compile(&input).into_bank().unwrap();
+    let over = Over::new(Stack::open([("base", &base)]).unwrap());
+    let patch = options("face.blink = 1\nface.robot.blink = 0").compile_over(&input, &over).into_bank().unwrap();
+    let banks = [opened(&base), opened(&patch)];
+    let (array, count) = (banks.as_ptr(), 2);
+    let read = [&base, &patch].map(|file| lipz_bank::Bank::open(file).unwrap().verify().unwrap());
+    let layers = Layers::new(read).unwrap();
+    let clip = layers.clip_by_key("aye").unwrap();
+    assert_eq!((clip.layer(), layers.of_faces().map(lipz_bank::Bank::checksum)), (0, Some(read[1].checksum())));
+    let id = clip.id().get();
+    let found = Answer::<LayeredClip>::from_call(|out| unsafe { lipz_layers_clip_by_id(array, count, id, out) }).ok();
+    let info = Answer::<LayersInfo>::from_call(|out| unsafe { lipz_layers_info(array, count, out) }).ok();
+    assert_eq!(info.faces_layer, 1);
+    let (data, length) = ptr("robot");
+    let of = |bank: usize| {
+        Answer::<FaceProfile>::from_call(|out| unsafe {
+            lipz_face_profile_by_name(Some(&banks[bank]), data, length, out)
+        })
+        .ok()
+    };
+    let (own, other) = (of(1), of(0));
+    let (mut blinks, mut robots) = (0, 0);
+    for us in (0..4_000_000).step_by(40_000) {
+        let ask = |profile| {
+            Answer::<Face>::from_call(|out| unsafe {
+                lipz_layers_face_at_us(array, count, Some(&found), profile, None, us, out)
+            })
+        };
+        let expected = |profile| clip.face_at(Micros(us), &profile, lipz_bank::LookAt::AHEAD).blink.thousandths();
+        assert_eq!(ask(None).ok().blink, expected(layers.default_face_profile()));
+        assert_eq!(ask(Some(&own)).ok().blink, expected(layers.face_profile("robot").unwrap()));
+        assert_eq!(ask(Some(&other)).status, LIPZ_NONE);
+        blinks += ask(None).ok().blink;
+        robots += ask(Some(&own)).ok().blink;
+        let seconds = us as f64 / 1e6;
+        let all = [
+            Answer::<Face>::from_call(|out| unsafe {
+                lipz_layers_face_at_samples(array, count, Some(&found), None, None, us, 1_000_000, out)
+            }),
+            Answer::<Face>::from_call(|out| unsafe {
+                lipz_layers_face_at_seconds(array, count, Some(&found), None, None, seconds, out)
+            }),
+        ];
+        assert_eq!(all.map(|face| face.ok().blink), [ask(None).ok().blink; 2]);
+    }
+    assert!(blinks > 0 && robots == 0, "{blinks} {robots}");
+    let nowhere = LayeredClip { layer: 2, ..found };
+    let none = Answer::<Face>::from_call(|out| unsafe {
+        lipz_layers_face_at_seconds_f32(array, count, Some(&nowhere), None, None, 0.0, out)
+    });
+    assert_ne!(none.status, LIPZ_OK);
 }
 
 #[test]

@@ -339,17 +339,21 @@ fn text_banks_serve_in_a_stack() {
     assert_eq!([text("a"), text("b")], [Some("Ja.".to_owned()), None]);
 }
 
-/// A golden layer: readers and writers of other languages are tested with it.
+/// Golden layers: readers and writers of other languages are tested with them.
 #[test]
-fn the_golden_patch_gives_the_answers_beside_it() {
+fn the_golden_layers_give_the_answers_beside_them() {
+    gives("small", "patch", "patched.dump");
+    gives("dubbed", "redub", "redubbed.dump");
+}
+
+fn gives(base: &str, patch: &str, dump: &str) {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/banks/v1");
-    let [base, patch] =
-        ["small", "patch"].map(|name| std::fs::read(folder.join(name).with_extension("lipzbank")).unwrap());
+    let [base, patch] = [base, patch].map(|name| std::fs::read(folder.join(name).with_extension("lipzbank")).unwrap());
     let whole = stack_of(&[base.clone(), patch.clone()]).into_bank();
     let layers = Layers::new([&base, &patch].map(|bytes| open(bytes))).unwrap();
     assert_eq!(of_layers(&layers), of_bank(&open(&whole)));
     let found = golden::dump(&open(&whole));
-    let path = folder.join("patched.dump");
+    let path = folder.join(dump);
     if std::env::var_os("LIPZ_BLESS").is_some() {
         std::fs::write(&path, &found).unwrap();
     }

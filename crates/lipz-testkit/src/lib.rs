@@ -30,7 +30,9 @@ pub mod tools;
 /// The programs on pages of `docs/` compile.
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/PLAYBACK.md")]
+#[doc = include_str!("../../../docs/FACE.md")]
 #[doc = include_str!("../../../docs/HOST.md")]
+#[doc = include_str!("../../../docs/LAYERS.md")]
 #[doc = include_str!("../../../docs/LOCALISATION.md")]
 struct Pages;
 

@@ -233,7 +233,8 @@ fn queries_cost_what_is_stated() {
         let most = match growth {
             Growth::Constant => small + NO_LOOP,
             Growth::Logarithmic => small + SEARCH_STEP * u64::from(times.ilog2()) * 2,
-            Growth::Linear => small * times + NO_LOOP,
+            // Other branches may be taken at each entry, as well.
+            Growth::Linear => small * times * 21 / 20 + NO_LOOP,
         };
         assert!(large <= most, "{name}: {small} instructions, with {times} times the entries {large}");
         // The measure sees loops at all.

@@ -78,6 +78,13 @@ class Stage {
       case "emotions":
         if (words[0] === "of") return [emotions(this.#clip.emotionsOf(words[1], timeOf(words.slice(2))[0]))];
         return [emotions(this.#clip.emotionsAt(timeOf(words)[0]))];
+      case "voices":
+        return this.#bank.voices;
+      case "voice": {
+        const voiced = this.#clip.inVoice(words[0]);
+        if (voiced === undefined) return ["no voice"];
+        return [`${voiced.spoken.replace("-", " ")}: ${voiced.clip.key}, spoken in ${voiced.clip.voice}`];
+      }
       case "face":
       case "idle":
         return this.#face(verb, words);

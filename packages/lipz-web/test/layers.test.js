@@ -1,4 +1,4 @@
-// A patch over a bank, in node: fixtures/banks/v1/patch.lipzbank over small.lipzbank.
+// Layers over banks, in node: fixtures/banks/v1/patch.lipzbank over small.lipzbank, redub.lipzbank over dubbed.lipzbank.
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
@@ -6,7 +6,7 @@ import { test } from "node:test";
 import { LipzError, open, openLayers } from "../lipz.js";
 
 const read = (name) => readFile(new URL(`banks/${name}.lipzbank`, import.meta.url));
-const [base, patch, other] = await Promise.all(["small", "patch", "drama"].map(read));
+const [base, patch, other, dubbed, redub] = await Promise.all(["small", "patch", "drama", "dubbed", "redub"].map(read));
 
 test("a stack answers from its topmost layer", async () => {
   const below = (await open(base)).verify();
@@ -30,6 +30,49 @@ test("a stack answers from its topmost layer", async () => {
   assert.equal(layers.clip("patch/new").cursor().advanceTo(0).events.length, 1);
   assert.equal(layers.babble("nobody"), undefined);
   assert.equal(layers.defaultBabble.name, "default");
+});
+
+test("a clip of a stack is played in the voice that is asked for", async () => {
+  const below = (await open(dubbed)).verify();
+  const layers = await openLayers([dubbed, redub]);
+  assert.deepEqual(layers.voices, ["en-us", "de-at", "de-de"]);
+  assert.deepEqual(below.clip("no").inVoice("de-de").spoken, "original");
+  const { clip, spoken } = layers.clip("no").inVoice("de-de");
+  assert.deepEqual([clip.key, clip.frames, spoken], ["de/no", "LAAAAAAAE-", "dub"]);
+  assert.deepEqual(clip.segment(0).text("de-de"), { text: "Nein.", isFallback: false });
+  assert.equal(layers.clip("no").inVoice("de-at").spoken, "other-dub");
+  assert.equal(clip.inVoice("en-us").clip.key, "no");
+  assert.deepEqual([clip.voice, layers.clip("aye").voice], ["de-de", "en-us"]);
+  assert.equal(layers.clip("aye").inVoice("de-de").clip.key, "de/aye", "a dub of the base");
+  assert.equal(layers.clip("no").inVoice("it-it"), undefined);
+  assert.deepEqual((await openLayers([base, patch])).voices, []);
+});
+
+test("faces of a stack have the profiles of the topmost bank with some", async () => {
+  const below = (await open(dubbed)).verify();
+  const layers = await openLayers([dubbed, redub]);
+  // The base has the clip, the layer the profile: a blink in each second, not in each fourth.
+  const blinks = (clip, settings) => {
+    const lids = Array.from({ length: 2000 }, (_, step) => clip.faceAt(step / 50, settings).blink);
+    return lids.filter((closed, at) => closed === 1 && lids[at - 1] !== 1).length;
+  };
+  const count = blinks(layers.clip("aye"));
+  assert.ok(count > 30 && blinks(below.clip("aye")) < 20, count);
+  assert.equal(blinks(layers.clip("aye").orFps(12)), count);
+  const profile = layers.defaultFaceProfile;
+  assert.equal(blinks(layers.clip("aye"), { profile }), count);
+  assert.equal(layers.faceProfile("nobody"), undefined);
+  assert.deepEqual(layers.clip("aye").faceAt({ us: 500000 }), layers.clip("aye").faceAt(0.5));
+});
+
+test("a layer uses the locales of a text bank", async () => {
+  const [bank, texts] = await Promise.all(["split.lipzbank", "split.de-de.lipztexts"].map((name) => readFile(new URL(`banks/${name}`, import.meta.url))));
+  const without = await openLayers([bank]);
+  const layers = await openLayers([{ bank, texts }]);
+  assert.deepEqual([without.locales, layers.locales], [[], ["de-de"]]);
+  const expected = (await open(base)).clips().map((clip) => clip.segment(0)?.text("de-de")?.text);
+  assert.deepEqual(layers.clips().map((clip) => clip.segment(0)?.text("de-de")?.text), expected);
+  await assert.rejects(openLayers([{ bank: base, texts: texts.subarray(0, 80) }]), LipzError);
 });
 
 test("layers that do not fit are refused", async () => {

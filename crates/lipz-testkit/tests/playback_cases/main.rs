@@ -10,7 +10,7 @@ mod faces;
 
 use lipz_bank::{
     Babble, Bank, CharacterState, Clip, ClipId, ConsonantHold, Cursor, DueSegments, EventName, Fps, Lead, Locale,
-    TextBank, VisemeType, VoiceLevel, Weights,
+    Spoken, TextBank, VisemeType, VoiceLevel, VoicedClip, Weights,
 };
 use std::fmt::Write;
 use std::fs;
@@ -112,6 +112,12 @@ impl Stage {
             ["curves" | "curve" | "emotions", ..] => self.curve_command(&words),
             ["face", ..] => self.face(&words),
             ["idle", ..] => self.idle(&words),
+            ["voices"] => {
+                for voice in self.bank().voices() {
+                    let _ = writeln!(self.answers, "  {}", voice.tag());
+                }
+            }
+            ["voice", tag] => self.voice(tag),
             _ => panic!("no command: {line}"),
         }
     }
@@ -141,6 +147,24 @@ impl Stage {
         if self.cursor.is_none() {
             self.answers.push_str("  no frame rate\n");
         }
+    }
+
+    /// The chosen clip in a voice.
+    fn voice(&mut self, tag: &str) {
+        let bank = self.bank;
+        let clip = self.chosen(&bank);
+        let Some(voice) = self.bank().voice(tag) else {
+            self.answers.push_str("  no voice\n");
+            return;
+        };
+        let VoicedClip { clip, spoken, .. } = clip.in_voice(voice);
+        let whose = match spoken {
+            Spoken::Original => "original",
+            Spoken::Dub => "dub",
+            _ => "other dub",
+        };
+        let tag = clip.voice().map_or("-", |voice| voice.tag());
+        let _ = writeln!(self.answers, "  {whose}: {}, spoken in {tag}", clip.key());
     }
 
     /// The clip as a game looks it up for each picture, and the cursor.
