@@ -264,8 +264,12 @@ fn unknown_name(table: &str, key: &Spanned<DeString<'_>>, known: &[&'static str]
     if let Some(help) = of_flat_name(name) {
         return diagnostic(&place).help(help);
     }
-    let everywhere = || TABLES.iter().flat_map(setting_names);
-    match nearest(name, known.iter().copied()).or_else(|| nearest(name, everywhere())) {
+    // In a table, a name of the whole file would be the next mistake.
+    let elsewhere = || {
+        let others = TABLES.iter().filter(|other| table.is_empty() || !other.name.is_empty());
+        others.flat_map(setting_names)
+    };
+    match nearest(name, known.iter().copied()).or_else(|| nearest(name, elsewhere())) {
         Some(known) => diagnostic(&place).help(format!("did you mean `{known}`?")),
         None => diagnostic(&place).help(match table {
             "" => format!("settings and tables are {}", known.join(", ")),

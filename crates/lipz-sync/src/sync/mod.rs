@@ -35,6 +35,9 @@ pub struct Synced {
     pub kept: Vec<(String, Kept)>,
     /// How many clips could not be made.
     pub refused: usize,
+    /// The keys of those clips that got a mouth for another text than before, from the same recording: its actor may have to say
+    /// the new words.
+    pub with_new_text: Vec<String>,
     /// Words that somebody should listen to.
     pub doubtful: Vec<DoubtfulWord>,
     /// Words whose pronunciation is a guess, with it, as lines of a lexicon: each once, in the order of the letters.
@@ -117,6 +120,7 @@ pub fn sync(
             Step::New(new) => {
                 record.set(&job.lipz_file, new.line);
                 synced.made.push(job.key.clone());
+                synced.with_new_text.extend(new.has_new_text.then(|| job.key.clone()));
                 synced.doubtful.extend(new.heard.doubtful.iter().filter_map(|(number, start_us)| {
                     let word = new.script.words.get(*number)?.text.clone();
                     Some(DoubtfulWord { key: job.key.clone(), start_us: *start_us, word })

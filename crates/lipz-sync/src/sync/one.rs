@@ -52,6 +52,8 @@ pub(super) struct New {
     pub(super) line: Line,
     pub(super) heard: Heard,
     pub(super) script: Script,
+    /// Whether the mouth was made from this recording before, when the text was another one.
+    pub(super) has_new_text: bool,
 }
 
 /// Does a job, all but writing. What is wrong goes to `reports`.
@@ -138,7 +140,9 @@ fn tried(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Ve
     let words = spoken.as_ref().filter(|_| !script.words.is_empty());
     let words = words.map(|(_, text)| mouth::word_times(&heard, &script, &text.text));
     let line = Line { made, words, original: original_now() };
-    Ok(Step::New(Box::new(New { before: (!is_new).then(|| bytes.clone()), after, line, heard, script })))
+    let known_sound = || known.iter().filter(|line| line.made.sound == made.sound);
+    let has_new_text = known_sound().next().is_some() && known_sound().all(|line| line.made.text != made.text);
+    Ok(Step::New(Box::new(New { before: (!is_new).then(|| bytes.clone()), after, line, heard, script, has_new_text })))
 }
 
 /// The Lipz file of the original of a dub: its name, and its bytes; empty if there is none.

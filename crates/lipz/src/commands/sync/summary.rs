@@ -29,6 +29,8 @@ pub(super) fn summary(synced: &Synced, without: usize, place: &Path) -> String {
         })
         .collect();
     list(&mut out, "kept mouths (--force replaces them)", &kept);
+    let new_texts: Vec<String> = synced.with_new_text.iter().map(|key| escape::text(key).into_owned()).collect();
+    list(&mut out, "recordings older than their texts (record these lines again if the words are others)", &new_texts);
     let width = synced.doubtful.iter().map(|word| escape::text(&word.key).width()).max().unwrap_or(0);
     let doubtful: Vec<String> = (synced.doubtful.iter())
         .map(|word| {
