@@ -24,7 +24,7 @@ pub use learnt::{recogniser, trained_model};
 pub use round_trip::round_trip;
 pub use second_life::second_life;
 pub use sound::{sound, sync_record};
-pub use texts::texts;
+pub use texts::{text_record, texts};
 
 /// One fuzz target: `fuzz/fuzz_targets/NAME.rs` with the seeds in `fuzz/seeds/NAME`.
 pub struct Target {
@@ -42,7 +42,7 @@ const QUICK: u64 = 2_000;
 const SLOW: u64 = 100;
 
 /// All fuzz targets.
-pub const TARGETS: [Target; 14] = [
+pub const TARGETS: [Target; 15] = [
     Target { name: "bank", check: bank, copies: QUICK },
     Target { name: "text_bank", check: text_bank, copies: QUICK },
     Target { name: "forged_bank", check: forged_bank, copies: QUICK },
@@ -51,6 +51,7 @@ pub const TARGETS: [Target; 14] = [
     Target { name: "foreign", check: foreign, copies: QUICK },
     Target { name: "second_life", check: second_life, copies: QUICK },
     Target { name: "texts", check: texts, copies: QUICK },
+    Target { name: "text_record", check: text_record, copies: QUICK },
     Target { name: "rewrite", check: rewrite, copies: QUICK },
     Target { name: "round_trip", check: round_trip, copies: QUICK },
     Target { name: "sound", check: sound, copies: QUICK },

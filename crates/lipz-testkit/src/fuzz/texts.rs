@@ -2,7 +2,7 @@
 
 use super::file::is_about;
 use lipz_diagnostics::Diagnostic;
-use lipz_texts::{Format, Merge, ReadOptions, State, read};
+use lipz_texts::{Format, Merge, ReadOptions, Standing, State, TextRecord, read};
 
 /// The clip that the translations are for: it has all that a merge has to keep.
 const CLIP: &str = r#"{ "visemes": "MA|EO", "text_en-us": "a {b} \u00e9|c", "note": [1,  2],
@@ -38,4 +38,26 @@ pub fn texts(bytes: &[u8]) {
     }
     let again = merge.merge(&text, &after, &entries.iter().collect::<Vec<_>>());
     assert_eq!(again.text, None, "{text}");
+}
+
+/// Reads any bytes as the record of source texts: places are in the file, what is written is read as the same, also where git
+/// has put two branches together; and what is accepted is up to date.
+pub fn text_record(bytes: &[u8]) {
+    let text = String::from_utf8_lossy(bytes);
+    let Some((mut record, found)) = TextRecord::parse(&text) else { return };
+    found.iter().for_each(|found| is_about(found, &text));
+    let written = record.to_string();
+    for twice in [written.clone(), format!("{written}{written}")] {
+        let (again, found) = TextRecord::parse(&twice).expect("it is a record");
+        assert_eq!((again.to_string(), found.len()), (written.clone(), 0));
+    }
+    let files: Vec<String> = record.files().take(4).map(str::to_owned).collect();
+    let (sources, texts) = (["Aye.", "No | one."], ["Ja.", ""]);
+    for file in &files {
+        let standings = record.standings(file, "en-us", "de-de", &sources, &texts);
+        assert_eq!(standings.len(), texts.len());
+        record.accept(file, "en-us", "de-de", &sources, &texts, &[Some(State::Translated), None]);
+        let standings = record.standings(file, "en-us", "de-de", &sources, &texts);
+        assert_eq!(standings[0], Standing::Current(State::Translated), "{record}");
+    }
 }
