@@ -110,7 +110,12 @@ impl<'a> Watch<'a> {
 
     /// Waits until the bank is what `lipz pack` makes of the sources.
     fn until_packed(&self, what: &str, sources: &str) {
-        self.scene.prepare(&["pack", sources, "-o", "expected/b.lipzbank"]);
+        self.until_packed_with(what, &[sources]);
+    }
+
+    /// The same with further arguments of `lipz pack`.
+    fn until_packed_with(&self, what: &str, arguments: &[&str]) {
+        self.scene.prepare(&[&["pack", "-o", "expected/b.lipzbank"], arguments].concat());
         let expected = fs::read(self.scene.path().join("expected/b.lipzbank")).unwrap();
         self.until(what, |watch| fs::read(watch.scene.path().join(BANK)).is_ok_and(|bank| bank == expected));
     }
@@ -156,6 +161,41 @@ fn the_bank_follows_the_files() {
     watch.until_packed("a folder moved away", "voices");
     fs::remove_file(voices.join("b.lipz")).unwrap();
     watch.until_packed("a removed file", "voices");
+}
+
+#[test]
+fn dubs_follow_their_files() {
+    let scene = Scene::new();
+    scene.write("lipz.toml", "default-locale = \"en-us\"\n[voices]\nen-us = \"{key}\"\nde-de = \"de/{key}\"\n");
+    scene.write("voices/a.lipz", r#"{ "fps": 24, "visemes": "MA", "text_en-us": "Aye.", "text_de-de": "Ja." }"#);
+    let watch = Watch::started(&scene, &["voices", "-o", BANK]);
+    for (what, dub) in [("a new dub", "AMA"), ("another take of it", "AMAA")] {
+        scene.write("voices/de/a.lipz", format!(r#"{{ "fps": 24, "visemes": "{dub}" }}"#));
+        watch.until_packed(what, "voices");
+    }
+    watch.refuses(|| scene.write("voices/de/a.lipz", r#"{ "fps": 24, "visemes": "A|M" }"#), "error[LZ2002]");
+    fs::remove_file(scene.path().join("voices/de/a.lipz")).unwrap();
+    watch.until_packed("no dub", "voices");
+}
+
+#[test]
+fn a_layer_follows_the_files() {
+    let scene = Scene::new();
+    scene.write("voices/a.lipz", AYE);
+    scene.write("voices/b.lipz", NO);
+    scene.prepare(&["pack", "voices", "-o", "base.lipzbank"]);
+    let over = ["voices", "--over", "base.lipzbank"];
+    let watch = Watch::start(&scene, &[&over[..], &["-o", BANK]].concat());
+    watch.until("no difference from the base", |watch| watch.stderr().contains("error[LZ2101]"));
+    scene.write("voices/a.lipz", NO);
+    watch.until_packed_with("a changed file", &over);
+    fs::remove_file(scene.path().join("voices/b.lipz")).unwrap();
+    watch.until_packed_with("a removal", &over);
+    // The bank below is another one.
+    scene.write("base/c.lipz", AYE);
+    scene.prepare(&["pack", "base", "-o", "base.lipzbank"]);
+    scene.write("voices/a.lipz", AYE);
+    watch.until_packed_with("another base", &over);
 }
 
 #[test]
