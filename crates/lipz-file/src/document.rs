@@ -1,5 +1,8 @@
 //! The document model: the elements of a Lipz file in file order, with the places of their characters.
 
+use crate::spelled::Walk;
+#[cfg(feature = "format")]
+use crate::spelled::first_character;
 use crate::text;
 use lipz_diagnostics::Span;
 use std::borrow::Cow;
@@ -168,9 +171,18 @@ impl<'s> JsonString<'s> {
     /// Where the characters of `range` (bytes of the decoded text) are in the file, escapes
     /// included. An empty range gives an empty span.
     pub fn span_of(&self, range: Range<usize>) -> Span {
-        let start = self.source_offset(range.start);
-        let end = if range.is_empty() { start } else { self.source_offset(range.end) };
-        Span::new(self.start as usize + start, self.start as usize + end)
+        self.spans_of([range]).next().unwrap_or_default()
+    }
+
+    /// Where each of the ranges is, as [`span_of`](Self::span_of) says. Ranges that ascend are found in one walk through the
+    /// string, however many there are.
+    pub fn spans_of(&self, ranges: impl IntoIterator<Item = Range<usize>>) -> impl Iterator<Item = Span> {
+        let mut walk = self.walk();
+        ranges.into_iter().map(move |range| {
+            let start = self.source_offset(&mut walk, range.start);
+            let end = if range.is_empty() { start } else { self.source_offset(&mut walk, range.end) };
+            Span::new(self.start as usize + start, self.start as usize + end)
+        })
     }
 
     /// The literal as it is spelled in the file, or as [`literal`](crate::literal) spells it.
@@ -193,44 +205,19 @@ impl<'s> JsonString<'s> {
         })
     }
 
-    /// Offset in the literal of the character that starts at byte `decoded` of the text.
-    fn source_offset(&self, decoded: usize) -> usize {
-        if !self.literal.starts_with('"') {
-            return decoded; // one without quotes
-        }
-        let Some(inner) = self.literal.get(1..self.literal.len().saturating_sub(1)) else { return 0 };
-        if inner.len() == self.text.len() {
-            return 1 + decoded; // no escapes
-        }
-        let (mut at_source, mut at_decoded) = (0, 0);
-        while at_decoded < decoded && at_source < inner.len() {
-            let (source_bytes, decoded_bytes) = first_character(&inner[at_source..]);
-            at_source += source_bytes;
-            at_decoded += decoded_bytes;
-        }
-        1 + at_source
+    /// A walk through the inner part of the literal; `None` where escapes need no walk.
+    fn walk(&self) -> Option<Walk<'_>> {
+        let inner = self.literal.strip_prefix('"')?.get(..self.literal.len().checked_sub(2)?)?;
+        (inner.len() != self.text.len()).then(|| Walk::new(inner))
     }
-}
 
-/// Lengths of the first character of a valid literal: as it is spelled, and decoded.
-fn first_character(inner: &str) -> (usize, usize) {
-    let mut bytes = inner.bytes();
-    match (bytes.next(), bytes.next()) {
-        (Some(b'\\'), Some(b'u')) => {
-            let unit = |at: usize| {
-                let digits = inner.get(at..at + 4)?;
-                u32::from_str_radix(digits, 16).ok()
-            };
-            match unit(2) {
-                Some(0xD800..=0xDBFF) => (12, 4), // a surrogate pair
-                Some(unit) => (6, char::from_u32(unit).map_or(3, char::len_utf8)),
-                None => (6, 1),
-            }
-        }
-        (Some(b'\\'), _) => (2, 1),
-        _ => {
-            let length = inner.chars().next().map_or(1, char::len_utf8);
-            (length, length)
+    /// Offset in the literal of the character that starts at byte `decoded` of the text.
+    fn source_offset(&self, walk: &mut Option<Walk<'_>>, decoded: usize) -> usize {
+        match walk {
+            Some(walk) => 1 + walk.to(decoded),
+            None if !self.literal.starts_with('"') => decoded, // one without quotes
+            None if self.literal.len() < 2 => 0,
+            None => 1 + decoded, // no escapes
         }
     }
 }

@@ -30,6 +30,7 @@ pub mod locale;
 mod parse;
 pub mod rate;
 pub mod schema;
+mod spelled;
 pub mod text;
 mod write;
 

@@ -97,11 +97,13 @@ fn file_edit(
     };
     let mut spans = Vec::new();
     if let Some(events) = events(&document) {
+        let mut ranges = Vec::new();
         each(&events.text, |role, range| {
             if name.roles().contains(&role) && events.text.get(range.clone()) == Some(&name.text) {
-                spans.push(events.span_of(range));
+                ranges.push(range);
             }
         });
+        spans.extend(events.spans_of(ranges));
     }
     if name.role != Role::Action {
         spans.extend(curves_of(&document, &name.text));
