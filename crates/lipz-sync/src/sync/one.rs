@@ -112,8 +112,7 @@ fn tried(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Ve
         push(reports, options, &name, &bytes, diagnostics);
         return Ok(Step::Unchanged);
     }
-    let is_by_sync = known.iter().any(|line| line.made.mouth == made.mouth);
-    if has_mouth && !is_by_sync && !options.force {
+    if has_mouth && !options.force && !known.iter().any(|line| line.made.mouth == made.mouth) {
         let kept = if known.is_empty() { Kept::ByHand } else { Kept::Changed };
         let is_current = known.iter().any(|line| (line.made.sound, line.made.text) == (made.sound, made.text));
         diagnostics.extend(clip.visemes.filter(|_| !is_current).map(|visemes| kept_mouth(kept, visemes)));
@@ -137,12 +136,17 @@ fn tried(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Ve
     if push(reports, options, &name, &bytes, diagnostics) {
         return Ok(Step::Refused);
     }
-    let words = spoken.as_ref().filter(|_| !script.words.is_empty());
-    let words = words.map(|(_, text)| mouth::word_times(&heard, &script, &text.text));
+    let scripted = spoken.as_ref().filter(|_| !script.words.is_empty());
+    let words = scripted.map(|(_, text)| mouth::word_times(&heard, &script, &text.text));
     let line = Line { made, words, original: original_now() };
-    let known_sound = || known.iter().filter(|line| line.made.sound == made.sound);
-    let has_new_text = known_sound().next().is_some() && known_sound().all(|line| line.made.text != made.text);
-    Ok(Step::New(Box::new(New { before: (!is_new).then(|| bytes.clone()), after, line, heard, script, has_new_text })))
+    let (before, has_new_text) = ((!is_new).then(|| bytes.clone()), has_new_text(known, &line));
+    Ok(Step::New(Box::new(New { before, after, line, heard, script, has_new_text })))
+}
+
+/// Whether the recording is known, and the text in it was another one.
+fn has_new_text(known: &[Line], now: &Line) -> bool {
+    let mut with_sound = known.iter().filter(|line| line.made.sound == now.made.sound).peekable();
+    with_sound.peek().is_some() && with_sound.all(|line| line.made.text != now.made.text)
 }
 
 /// The Lipz file of the original of a dub: its name, and its bytes; empty if there is none.
