@@ -20,7 +20,7 @@ pub(crate) struct Settings {
 }
 
 /// What this machine builds and runs.
-const HERE: [Step; 15] = [
+const HERE: [Step; 17] = [
     Step::cargo("format", "fmt --all --check"),
     Step::cargo("lints", "clippy --workspace --all-targets --locked -- -D warnings"),
     // With the rivals, which are not built otherwise.
@@ -44,6 +44,12 @@ const HERE: [Step; 15] = [
     Step {
         program: Program::CargoWith("LIPZ_TOOLS", "required"),
         ..Step::cargo("engines", "test -p lipz --test engines --locked --quiet")
+    },
+    Step::task("recogniser"),
+    // With the network that the step before has fetched.
+    Step {
+        program: Program::CargoWith("LIPZ_RECOGNISER", "required"),
+        ..Step::cargo("hearing", "test -p lipz --test recogniser --locked --quiet")
     },
     Step::task("capi"),
     Step::task("editors"),
