@@ -284,6 +284,7 @@ fn every_setting_has_a_flag_and_every_flag_a_setting() {
         "--quiet",
         "--shard",
         "--split-voices",
+        "--stdin-filename",
         "--store",
         "--threads",
         "--timings",

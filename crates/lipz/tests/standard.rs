@@ -5,7 +5,7 @@ mod support;
 
 use std::fs;
 use std::process::{Command, Output};
-use support::{repository, with_input};
+use support::{Scene, lipz, repository, with_input};
 
 fn printed(output: &Output) -> (i32, String, String) {
     let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
@@ -71,4 +71,34 @@ fn colours_are_asked_for_or_not() {
     assert!(has_colours(&["--color", "always"], &[("NO_COLOR", "1")]));
     assert!(!has_colours(&["--color", "never"], &[("CLICOLOR_FORCE", "1")]));
     assert!(!has_colours(&["--color", "auto"], &[]));
+}
+
+/// An editor's text of a file, which is not saved, is checked as the file: by its settings, with its name and key.
+#[test]
+fn standard_input_is_the_text_of_a_file() {
+    let scene = Scene::new();
+    scene.write(
+        "project/lipz.toml",
+        "sources = [\"voices\"]\ndefault-locale = \"de-de\"\nlints.unknown-element = \"deny\"\n",
+    );
+    let text = r#"{ "text_en-us": "Aye.", "text_de-de": "Ja.", "note": 1 }"#;
+    let file = ["--stdin-filename", "project/voices/act1/aye.lipz"];
+    let with_text =
+        |arguments: &[&str]| printed(&with_input(scene.path(), &[arguments, &file].concat(), text.as_bytes()));
+    let checked = with_text(&["check", "-"]);
+    assert!(checked.2.contains("error[LZ0203]"), "{}", checked.2);
+    assert!(checked.2.contains("--> project/voices/act1/aye.lipz:1:"), "{}", checked.2);
+    let packed = with_text(&["pack", "-", "-o", "one.lipzbank", "--allow", "LZ0203"]);
+    assert_eq!(packed.0, 0, "{}", packed.2);
+    assert!(lipz(scene.path(), ["inspect", "one.lipzbank", "--list"]).stdout.contains("act1/aye"));
+    let formatted = with_text(&["fmt", "-"]);
+    assert!(formatted.1.find("text_de-de") < formatted.1.find("text_en-us"), "{}", formatted.1);
+    let different = with_text(&["fmt", "-", "--diff"]);
+    assert!(different.1.contains("project/voices/act1/aye.lipz"), "{}", different.1);
+    // Settings of the current folder do not hold for the file, nor does the name hold for other files.
+    let alone = printed(&with_input(scene.path(), &["check", "-"], text.as_bytes()));
+    assert!(alone.2.contains("--> <stdin>:1:") && alone.0 == 0, "{}", alone.2);
+    let unread = lipz(scene.path(), ["check", "project/voices", "--stdin-filename", "a.lipz"]);
+    assert_eq!(unread.code, 2);
+    assert!(unread.stderr.contains("standard input is not read"), "{}", unread.stderr);
 }

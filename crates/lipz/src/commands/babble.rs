@@ -65,7 +65,7 @@ impl Run for BabbleArguments {
 /// The name for messages and the bytes of the file.
 fn read(path: &Path) -> Result<(String, Vec<u8>), Report> {
     if stdio::is_meant(path) {
-        return Ok((stdio::INPUT_NAME.to_owned(), stdio::lipz_bytes()?));
+        return Ok((stdio::input_name(), stdio::lipz_bytes()?));
     }
     let bytes = std::fs::read(path).map_err(|error| formats::unreadable(path, &error))?;
     Ok((console::path(path), bytes))

@@ -135,7 +135,7 @@ impl Convert {
         }
         let bytes = stdio::lipz_bytes().map_err(|report| reporter.fail(report))?;
         let converted = Compiler::new(options.clone()).convert(&bytes, viseme_type);
-        let report = Report::from_bytes(stdio::INPUT_NAME, &bytes, converted.diagnostics);
+        let report = Report::from_bytes(stdio::input_name(), &bytes, converted.diagnostics);
         let has_errors = report.has_errors();
         if has_errors {
             return Err(reporter.refuse(vec![report]));

@@ -136,12 +136,12 @@ impl Fmt {
 /// Formats what comes from standard input.
 fn standard_input(arguments: &Fmt, default_locale: Option<&str>, reporter: &mut Reporter) -> Ended {
     let formatted = stdio::lipz_bytes()
-        .and_then(|before| formatted(stdio::INPUT_NAME, &before, default_locale).map(|after| (before, after)));
+        .and_then(|before| formatted(&stdio::input_name(), &before, default_locale).map(|after| (before, after)));
     match formatted {
         Ok((before, after)) => {
             match arguments.rewriting() {
                 Rewriting::InPlace => reporter.print(&after)?,
-                Rewriting::Diff => reporter.print(&diff(stdio::INPUT_NAME, &before, &after))?,
+                Rewriting::Diff => reporter.print(&diff(&stdio::input_name(), &before, &after))?,
                 Rewriting::Nothing => {}
             }
             let differs = arguments.rewriting() != Rewriting::InPlace && after.as_bytes() != before;

@@ -44,7 +44,7 @@ impl BankFile {
     /// Reads the file at `path`, or standard input. Reports why that is not possible.
     pub(crate) fn read(path: &Path, reporter: &mut Reporter) -> Result<BankFile, Abort> {
         let (name, bytes) = if stdio::is_meant(path) {
-            (stdio::INPUT_NAME.to_owned(), stdio::read(LONGEST_BANK + 1).map(FileBytes::from))
+            (stdio::input_name(), stdio::read(LONGEST_BANK + 1).map(FileBytes::from))
         } else {
             (console::path(path), FileBytes::read(path))
         };

@@ -101,7 +101,7 @@ impl Source {
         encoding: Option<&'static Encoding>,
     ) -> Result<Source, Report> {
         let (key, bytes, name) = if stdio::is_meant(path) {
-            (stdio::INPUT_KEY.into(), stdio::lipz_bytes()?, stdio::INPUT_NAME.into())
+            (stdio::input_key(None), stdio::lipz_bytes()?, stdio::input_name())
         } else {
             let bytes = fs::read(path).map_err(|error| unreadable(path, &error))?;
             (key_below(root, path, format.extension)?, bytes, console::path(path))

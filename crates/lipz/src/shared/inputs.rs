@@ -53,7 +53,7 @@ pub(crate) fn find(settings: &Settings) -> (Vec<Input>, Vec<Report>) {
     on_disk.sources = paths;
     let (mut inputs, mut reports) = on_disk.discover();
     if !standard.is_empty() {
-        match stdio::lipz_file() {
+        match stdio::lipz_file(settings.root.as_deref()) {
             Ok(input) => inputs.push(input),
             Err(report) => reports.push(report),
         }

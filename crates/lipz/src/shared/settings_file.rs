@@ -4,6 +4,7 @@ use crate::Abort;
 use crate::Outcome;
 use crate::reporter::Reporter;
 use crate::shared::sources::PROJECT;
+use crate::shared::stdio;
 use clap::Args;
 use lipz_compiler::settings::{FILE_NAME, Settings};
 use lipz_diagnostics::Code;
@@ -19,6 +20,10 @@ pub(crate) struct SettingsFile {
     /// Use no settings file
     #[arg(long, conflicts_with = "config", help_heading = PROJECT)]
     no_config: bool,
+
+    /// What `-` reads is the text of this file: diagnostics name it, its lipz.toml holds
+    #[arg(long, value_name = "FILE", help_heading = PROJECT)]
+    stdin_filename: Option<PathBuf>,
 }
 
 /// What a run works with: the settings file, with the command line's arguments over it.
@@ -47,11 +52,23 @@ impl SettingsFile {
     /// The project to which these sources belong; those of its settings file if there are none. What is
     /// wrong with it is printed, and how the run ends is returned.
     pub(crate) fn project(&self, sources: &[PathBuf], reporter: &mut Reporter) -> Result<Project, Abort> {
+        if let Some(file) = &self.stdin_filename {
+            if !sources.iter().any(|source| stdio::is_meant(source)) {
+                let tip = "name `-` among the sources, or leave out `--stdin-filename`";
+                return Err(reporter.usage("standard input is not read, so it is no text of a file".to_owned(), tip));
+            }
+            stdio::is_text_of(file.clone());
+        }
         let file = self.find(sources);
         let mut settings = match &file {
             Some(file) => read(file, reporter)?,
             None => Settings::default(),
         };
+        if let Some(file) = &self.stdin_filename {
+            // Its key is that which the file has in the project.
+            let source = settings.sources.iter().find(|source| file.starts_with(source));
+            settings.root = settings.root.take().or_else(|| source.cloned());
+        }
         if !sources.is_empty() {
             settings.sources = sources.to_vec();
         }
@@ -75,7 +92,13 @@ impl SettingsFile {
         if self.no_config {
             return None;
         }
-        self.config.clone().or_else(|| Settings::find_of(sources))
+        // Standard input is where its file is.
+        let place = |source: &PathBuf| match &self.stdin_filename {
+            Some(file) if stdio::is_meant(source) => file.clone(),
+            _ => source.clone(),
+        };
+        let places: Vec<PathBuf> = sources.iter().map(place).collect();
+        self.config.clone().or_else(|| Settings::find_of(&places))
     }
 }
 

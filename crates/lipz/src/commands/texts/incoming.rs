@@ -39,7 +39,7 @@ impl Incoming {
                 let tip = "files of translations end in .po, .xlf, .csv, .tsv, .xlsx or .json; `--text-format` names a format";
                 return Err(reporter.usage(message, tip));
             };
-            let name = if is_standard { stdio::INPUT_NAME.to_owned() } else { console::path(&path) };
+            let name = if is_standard { stdio::input_name() } else { console::path(&path) };
             let bytes = if is_standard { stdio::read(u64::MAX) } else { fs::read(&path) };
             let bytes = match bytes {
                 Ok(bytes) => bytes,
