@@ -69,6 +69,7 @@ extern crate std;
 
 mod babble;
 mod bank;
+mod bank_set;
 mod clip;
 mod curve;
 mod emotions;
@@ -92,6 +93,7 @@ mod voice;
 
 pub use babble::{Babble, Babbles, Power, VoiceLevel, Weights};
 pub use bank::Bank;
+pub use bank_set::{BankSet, BankSetError, SetLocale, SetName};
 pub use clip::{Clip, Clips};
 pub use curve::{Curve, CurveCursor, CurveKey, Curves};
 pub use emotions::Emotions;

@@ -38,6 +38,14 @@ impl<'data> LocaleTable<'data> {
         self.locales(bank).find(|locale| locale.tag_bytes() == Some(tag.as_bytes()))
     }
 
+    /// The locale at this place, as one of `bank`.
+    pub(crate) fn at(&self, bank: Origin, place: usize) -> Option<Locale<'data>> {
+        let record = self.records.get(place)?;
+        let start = place.checked_mul(self.segment_count)?;
+        let starts = self.starts.get(start..=start.checked_add(self.segment_count)?)?;
+        Some(Locale { bank, record, names: self.names, starts, texts: self.texts })
+    }
+
     /// The locales, as those of `bank`.
     pub(crate) fn locales(&self, bank: Origin) -> Locales<'data> {
         Locales { bank, table: *self, next: 0 }
@@ -111,12 +119,9 @@ impl<'data> Iterator for Locales<'data> {
     type Item = Locale<'data>;
 
     fn next(&mut self) -> Option<Locale<'data>> {
-        let table = self.table;
-        let record = table.records.get(self.next)?;
-        let start = self.next.checked_mul(table.segment_count)?;
-        let starts = table.starts.get(start..=start.checked_add(table.segment_count)?)?;
+        let locale = self.table.at(self.bank, self.next)?;
         self.next = self.next.saturating_add(1);
-        Some(Locale { bank: self.bank, record, names: table.names, starts, texts: table.texts })
+        Some(locale)
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {

@@ -35,6 +35,13 @@ pub const fn slot_of(spread: u64, pilot: u32, slot_count: u32) -> u32 {
     scale((mixed ^ (mixed >> 15)).wrapping_mul(0xC2B2_AE35), slot_count)
 }
 
+/// The shard of a clip, below `shard_count`: the top bits of its id, so that shards ascend with ids and one becomes two
+/// where there are twice as many.
+#[inline]
+pub const fn shard_of(id: u64, shard_count: u32) -> u32 {
+    scale((id >> 32) as u32, shard_count)
+}
+
 /// Maps 0…2³² evenly onto 0…`count` without division.
 #[inline]
 const fn scale(value: u32, count: u32) -> u32 {

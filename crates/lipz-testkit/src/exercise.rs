@@ -28,6 +28,8 @@ pub fn provoke(bytes: &[u8], effort: Effort) -> bool {
     // A whole bank serves as texts beside itself.
     let texts = bank.open_texts(bytes).expect("they have one fingerprint");
     stacked::every_query(&[bank]);
+    assert!(stacked::every_set_query(&[bank]));
+    stacked::every_set_query(&[bank, bank]);
     if effort == Effort::All {
         every_text_query(&bank, &texts);
     }

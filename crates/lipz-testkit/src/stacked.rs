@@ -1,6 +1,6 @@
 //! Every query of a stack of banks that may be damaged.
 
-use lipz_bank::{Bank, ClipId, Layers, LayersError};
+use lipz_bank::{Bank, BankSet, BankSetError, ClipId, EventName, Layers, LayersError};
 use std::hint::black_box;
 
 /// The most banks that are stacked.
@@ -68,4 +68,35 @@ pub fn every_query(banks: &[Bank<'_>]) -> bool {
     }
     assert!(count <= limit && layers.clips_under("act1/").take(limit + 1).count() <= limit);
     true
+}
+
+/// Asks these banks everything as a set, whether or not their clips are where they belong; whether they are.
+pub fn every_set_query(banks: &[Bank<'_>]) -> bool {
+    let set = match BankSet::new(banks) {
+        Ok(set) => set,
+        Err(error) => {
+            assert_eq!((error, banks.is_empty() || banks.len() > 4096), (BankSetError::Count, true));
+            return false;
+        }
+    };
+    let limit: usize = set.banks().iter().map(Bank::length_bytes).sum();
+    assert!(set.clip_count() <= limit && set.clips().take(limit + 1).count() <= limit);
+    let locale = set.default_locale().or_else(|| set.locale("de-de"));
+    let name = set.event_name("amy");
+    for clip in set.clips().chain(set.clips_under("act1/")) {
+        assert!(set.clip(clip.id()).is_none_or(|found| found.id() == clip.id()));
+        assert!(set.clip_by_key(clip.key()).is_none_or(|found| found.key() == clip.key()));
+        black_box(set.bank_of(clip.id()).map(Bank::checksum));
+        black_box(name.and_then(|name| name.of(&clip)).map(EventName::id));
+        let Some(of_clip) = locale.and_then(|locale| locale.of(&clip)) else { continue };
+        assert_eq!(locale.map(|locale| locale.tag()), Some(of_clip.tag()));
+        black_box(clip.segments().filter_map(|segment| segment.text_bytes(of_clip)).count());
+    }
+    match set.verify() {
+        Ok(_) => true,
+        Err(error) => {
+            assert!(matches!(error, BankSetError::OtherShard { bank } if bank < banks.len()), "{error}");
+            false
+        }
+    }
 }

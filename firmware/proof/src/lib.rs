@@ -8,7 +8,7 @@
 
 use core::panic::PanicInfo;
 use lipz_bank::{
-    Babble, Bank, Clip, ClipId, Command, ConsonantHold, Cursor, CurveCursor, CurveValue, Emotion, Error, Event, EventName,
+    Babble, Bank, BankSet, BankSetError, Clip, ClipId, Command, ConsonantHold, Cursor, CurveCursor, CurveValue, Emotion, Error, Event, EventName,
     Face, FaceCurve, FaceProfile, Fps, Layers, LayersError, Lead, Locale, LookAt, Micros, Places, Samples, Seconds, Segment,
     Spoken, TextBank, Time, Viseme, VisemeType, VoiceLevel, Weight,
 };
@@ -43,6 +43,7 @@ fn proof_every_function(bytes: &[u8], texts: &[u8], name: &str, number: u32, see
     }
     if let Ok(above) = Bank::open(texts) {
         layers_asked([bank, above], name, see);
+        set_asked(&[bank, above], name, see);
     }
     match bank.open_texts(texts) {
         Ok(texts) => texts_asked(&bank, &texts, name, see),
@@ -134,6 +135,27 @@ fn layers_asked(banks: [Bank<'_>; 2], name: &str, see: See) {
             see_bytes(see, locale.tag_in(clip.layer()).unwrap_or("").as_bytes());
             see_bytes(see, clip.text_bytes(0, locale).unwrap_or(&[]));
             see_bytes(see, clip.text(0, locale).map_or("", |text| text.as_str()).as_bytes());
+        }
+    }
+}
+
+fn set_asked(banks: &[Bank<'_>], name: &str, see: See) {
+    let set = match BankSet::new(banks).and_then(BankSet::verify).or_else(|_| BankSet::new(banks)) {
+        Ok(set) => set,
+        Err(BankSetError::OtherShard { bank }) => return see(bank as u64),
+        Err(_) => return,
+    };
+    let id = ClipId::from_key(name);
+    see(set.clip_count() as u64 ^ set.banks().len() as u64 ^ set.bank_of(id).map_or(0, Bank::checksum));
+    let locale = set.locale(name).or_else(|| set.default_locale());
+    let named = set.event_name(name);
+    let found = [set.clip(id), set.clip_by_key(name)];
+    for clip in set.clips().chain(set.clips_under(name)).chain(IntoIterator::into_iter(found).flatten()) {
+        see_bytes(see, clip.key().as_bytes());
+        see(named.and_then(|name| name.of(&clip)).map_or(0, |name| u64::from(name.id())));
+        if let Some(locale) = locale {
+            see_bytes(see, locale.tag().as_bytes());
+            see(u64::from(locale.of(&clip).is_some()));
         }
     }
 }

@@ -36,7 +36,7 @@ pub const OBJECT_EXTENSION: &str = "lipzobj";
 /// assert_eq!(shard_of(id, two), 1);
 /// ```
 pub fn shard_of(id: ClipId, shards: NonZero<u16>) -> u16 {
-    (((id.get() >> 32) * u64::from(shards.get())) >> 32) as u16
+    lipz_layout::shard_of(id.get(), u32::from(shards.get())) as u16
 }
 
 #[cfg(test)]
