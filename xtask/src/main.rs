@@ -1,5 +1,6 @@
 //! Tasks of this workspace: `cargo xtask <task>`. Without a task it lists them.
 
+mod accessibility;
 mod bless;
 mod capi;
 mod cargo;
@@ -53,6 +54,8 @@ enum Task {
     Pictures,
     /// Test the plugin for Neovim and the extension for Visual Studio Code, and pack this
     Editors,
+    /// Use the page of `lipz preview` in Chromium, and let axe look at it
+    Accessibility,
     /// Check which crates depend on which
     Edges,
     /// Check the licences and sources of all dependencies
@@ -105,6 +108,7 @@ fn main() -> ExitCode {
         Task::Web => web::run(),
         Task::Pictures => web::pictures(),
         Task::Editors => editors::run(),
+        Task::Accessibility => accessibility::run(),
         Task::Edges => edges::run(),
         Task::Deny => deny::run(),
         Task::Features => features::run(),

@@ -112,7 +112,9 @@ pub use fix::Fixed;
 pub use input::{Content, Input};
 pub use layers::{Over, Stack, VoiceBanks};
 pub use lipz_diagnostics as diagnostics;
-pub use options::{EmotionCurves, Emotions, GestureKeys, Gestures, KnownNames, MinCoverage, Options, TextLimits};
+pub use options::{
+    EmotionCurves, Emotions, FileLevels, GestureKeys, Gestures, KnownNames, MinCoverage, Options, TextLimits,
+};
 pub use output::replace_file;
 pub use outputs::{Delivered, OutputFile, Outputs, Replace};
 pub use replacements::Replacements;

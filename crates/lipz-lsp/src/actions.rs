@@ -63,7 +63,8 @@ fn quick_fix(document: &Document, index: usize, diagnostic: &Diagnostic) -> Opti
 
 fn fix_all(document: &Document, known: &Known) -> Option<CodeAction> {
     let settings = &known.project.settings;
-    let options = settings.options.clone().voices(settings.voices());
+    let name = document.path.as_deref().map(|path| path.display().to_string()).unwrap_or_default();
+    let options = settings.options.for_file(&name).into_owned().voices(settings.voices());
     let fixed = Compiler::new(options).fix(document.text.as_bytes())?;
     Some(CodeAction {
         title: "fix all that is certain".to_owned(),

@@ -10,7 +10,9 @@ pub(crate) fn check(known: &Known, path: Option<&Path>, text: &str) -> Vec<Diagn
     let settings = &known.project.settings;
     // Another thread would cost more than it saves.
     let options = settings.options.clone().voices(settings.voices()).threads(1);
-    let content = Content::Bytes { name: "file".to_owned(), bytes: text.as_bytes().to_vec() };
+    // Patterns of the settings match it.
+    let name = path.map_or_else(|| "file".to_owned(), |path| path.display().to_string());
+    let content = Content::Bytes { name, bytes: text.as_bytes().to_vec() };
     let input = Input { key: known.key(path), content };
     let reports = Compiler::new(options).check(&[input]).reports;
     let mut found: Vec<Diagnostic> = reports.into_iter().flat_map(|report| report.diagnostics).collect();

@@ -6,7 +6,7 @@ mod support;
 use serde_json::{Value, json};
 use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
-use std::net::TcpStream;
+use std::net::{Shutdown, TcpStream};
 use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 use support::{Scene, lipz};
@@ -42,15 +42,19 @@ impl Running {
 
     /// Sends a request with these headers, besides those of its length.
     fn send(&self, method: &str, path: &str, headers: &[(&str, &str)], body: &str) -> Answer {
-        let mut stream = TcpStream::connect(("127.0.0.1", self.port)).unwrap();
-        stream.set_read_timeout(Some(Duration::from_secs(30))).unwrap();
         let headers: String = headers.iter().map(|(name, value)| format!("{name}: {value}\r\n")).collect();
         let length = body.len();
-        write!(
-            stream,
+        self.say(&format!(
             "{method} {path} HTTP/1.1\r\n{headers}Connection: close\r\nContent-Length: {length}\r\n\r\n{body}"
-        )
-        .unwrap();
+        ))
+    }
+
+    /// Sends these bytes, and nothing else.
+    fn say(&self, request: &str) -> Answer {
+        let mut stream = TcpStream::connect(("127.0.0.1", self.port)).unwrap();
+        stream.set_read_timeout(Some(Duration::from_secs(30))).unwrap();
+        stream.write_all(request.as_bytes()).unwrap();
+        stream.shutdown(Shutdown::Write).unwrap();
         let mut bytes = Vec::new();
         stream.read_to_end(&mut bytes).unwrap();
         let split = bytes.windows(4).position(|four| four == b"\r\n\r\n").unwrap();
@@ -223,6 +227,16 @@ fn read_only_and_banks_are_not_written() {
     let bank = Running::start(&scene, &["a.lipzbank"]);
     assert_eq!(bank.get("api/clips").json()["clips"][0]["key"], "act1/mayor");
     assert_eq!(bank.get("api/clip?key=act1%2Fmayor").json()["path"], Value::Null);
+}
+
+#[test]
+fn a_change_that_is_too_long_is_refused_with_a_word() {
+    let preview = Running::start(&project(), &["voices"]);
+    for length in [u64::from(u32::MAX), u64::MAX / 2] {
+        let answer = preview.say(&format!("POST / HTTP/1.1\r\nContent-Length: {length}\r\n\r\n{{"));
+        assert_eq!((answer.status, answer.head.contains("Content Too Large")), (413, true));
+        assert_eq!(String::from_utf8(answer.body).unwrap(), "The change is longer than a Lipz file may be.\n");
+    }
 }
 
 #[test]

@@ -113,6 +113,41 @@ fn levels_in_the_file() {
 }
 
 #[test]
+fn levels_for_some_of_the_files() {
+    let mut scene = Scene::new();
+    let smug = r#"{ "text_en-us": "Aye.", "events": "feels smug", "note": 1 }"#;
+    for name in ["voices/new.lipz", "voices/old/a.lipz", "voices/old/act1/b.lipz"] {
+        scene.write(name, smug);
+    }
+    let check = |scene: &Scene, folder: &str, lints: &str, arguments: &[&str]| {
+        scene.write("lipz.toml", format!("default-locale = \"en-us\"\nlints.unknown-element = \"allow\"\n{lints}\n"));
+        let run = lipz(&scene.path().join(folder), ["check"].iter().chain(arguments));
+        (run.code, run.stderr.matches("[LZ0702]").count(), run.stderr.matches("error[").count())
+    };
+    assert_eq!(check(&scene, "", "", &["voices"]), (0, 3, 0));
+    let old = "[lints.\"voices/old/**\"]\nunknown-emotion = \"allow\"";
+    assert_eq!(check(&scene, "", old, &["voices"]), (0, 1, 0));
+    assert_eq!(check(&scene, "voices", old, &["."]), (0, 1, 0), "from another folder");
+    assert_eq!(check(&scene, "voices/old", old, &["act1"]), (0, 0, 0));
+    assert_eq!(check(&scene, "", &old.replace("**", "*.lipz"), &["voices"]), (0, 2, 0), "a star matches no folder");
+    assert_eq!(check(&scene, "", old, &["voices", "--deny", "unknown-emotion"]), (1, 3, 3), "flags win");
+    let denied = format!("{old}\n[lints.\"voices/old/act1/*\"]\nLZ0702 = \"deny\"");
+    assert_eq!(check(&scene, "", &denied, &["voices"]), (1, 2, 1), "the last pattern counts");
+    // No bank where a file has an error, and none is recalled at the levels of before.
+    let pack = ["pack", "voices", "-o", "b.lipzbank", "--cache", "b.cache", "--quiet"];
+    check(&scene, "", old, &["voices"]);
+    scene.prepare(&pack);
+    check(&scene, "", &denied, &["voices"]);
+    let denied = lipz(scene.path(), pack);
+    assert_eq!((denied.code, denied.stderr.matches("error[LZ0702]").count()), (1, 1), "{}", denied.stderr);
+    scene.write("lipz.toml", "[lints.\"voices/***\"]\nunknown-emotion = \"allow\"\n");
+    scene.expect("LZ1004-setting-value-file-pattern", &["check", "voices"]);
+    scene.write("lipz.toml", "[lints.\"voices/**\"]\nunknown-emotoin = \"allow\"\nLZ0101 = \"alow\"\n");
+    scene.expect("LZ1005-unknown-lint-of-files", &["check", "voices"]);
+    scene.finish(2);
+}
+
+#[test]
 fn elements_that_differ_in_segments_are_joined() {
     let mut scene = Scene::new();
     scene.write("voices/uneven.lipz", UNEVEN);

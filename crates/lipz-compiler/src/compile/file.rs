@@ -5,6 +5,7 @@ use super::read::FileReader;
 use crate::cache::{Cache, CachedFile, FileStamps, Stamp};
 use crate::check::{CleanFiles, Spoken};
 use crate::clip::{ClipData, Clips, Locales};
+use crate::options::FileOptions;
 use crate::{Content, Input, Options, check, convert, source_record};
 use lipz_diagnostics::{Diagnostic, Report, Severity};
 use lipz_file::Document;
@@ -12,7 +13,7 @@ use std::time::{Duration, Instant};
 
 /// What a thread needs to make clips of files, and what it has made of them.
 pub(super) struct Worker<'o> {
-    options: &'o Options,
+    options: FileOptions<'o>,
     reader: FileReader,
     clean: CleanFiles<'o>,
     pub(super) batch: Batch,
@@ -37,7 +38,7 @@ pub(super) struct Batch {
 impl<'o> Worker<'o> {
     pub(super) fn new(options: &'o Options) -> Worker<'o> {
         Worker {
-            options,
+            options: FileOptions::new(options),
             reader: FileReader::default(),
             clean: CleanFiles::new(options),
             batch: Batch::default(),
@@ -49,7 +50,7 @@ impl<'o> Worker<'o> {
 
     /// Finds the clip of file number `index` in the old bank, or reads, parses and checks the file.
     pub(super) fn file(&mut self, index: usize, input: &Input, cache: Option<&Cache<'_, '_>>) {
-        let (batch, options) = (&mut self.batch, self.options);
+        let batch = &mut self.batch;
         let seen = cache.and_then(|cache| cache.file(input, batch.next_stamp.get_or_insert(index)));
         if let Some(seen) = &seen
             && let Some((stamp, slot)) = seen.unread()
@@ -82,6 +83,7 @@ impl<'o> Worker<'o> {
         }
         let lipz_file::Parsed { document, mut diagnostics, fragment } = lipz_file::parse(bytes);
         self.phases.parse += self.stopwatch.time();
+        let options = self.options.of(|| input.name());
         let is_made = match document {
             Some(document) => make_clip(
                 &document,

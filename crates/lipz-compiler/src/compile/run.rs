@@ -42,9 +42,7 @@ impl Run {
         let start = Instant::now();
         let mut run = Run::default();
         key::check(inputs, &mut run.reports);
-        for report in &mut run.reports {
-            options.levels.apply(&mut report.diagnostics);
-        }
+        run.reports.iter_mut().for_each(|report| options.apply_levels(report));
         let next = AtomicUsize::new(0);
         let workers = parallel::workers(options.threads, || {
             let mut worker = Worker::new(options);
@@ -85,7 +83,7 @@ impl Run {
     pub(crate) fn of_clips(clips: Vec<Clips>, reports: Vec<Report>, inputs: &[Input], options: &Options) -> Run {
         let mut of_keys = Vec::new();
         key::check(inputs, &mut of_keys);
-        of_keys.iter_mut().for_each(|report| options.levels.apply(&mut report.diagnostics));
+        of_keys.iter_mut().for_each(|report| options.apply_levels(report));
         of_keys.extend(reports);
         Run { clips, reports: of_keys, ..Run::default() }
     }

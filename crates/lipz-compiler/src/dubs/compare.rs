@@ -46,7 +46,7 @@ pub(crate) fn compare(batches: &[Clips], inputs: &[Input], options: &Options, ke
             },
         };
         let Some(mut report) = report else { continue };
-        options.levels.apply(&mut report.diagnostics);
+        options.apply_levels(&mut report);
         if !report.diagnostics.is_empty() {
             found.push((index as u32, report));
         }

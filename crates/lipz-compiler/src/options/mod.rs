@@ -1,12 +1,15 @@
 //! What a project decides about its Lipz files.
 
 mod emotions;
+mod file_levels;
 mod gestures;
 mod requirements;
 mod setters;
 
 pub(crate) use emotions::Face;
 pub use emotions::{EmotionCurves, Emotions};
+pub use file_levels::FileLevels;
+pub(crate) use file_levels::FileOptions;
 pub use gestures::{GestureKeys, Gestures};
 pub use requirements::{KnownNames, MinCoverage, TextLimits};
 
@@ -47,6 +50,8 @@ pub struct Options {
     pub threads: Option<usize>,
     /// Levels of lints that differ from their defaults.
     pub levels: Levels,
+    /// Levels that hold for some of the files, over [`levels`](Options::levels); later ones win.
+    pub files_levels: Vec<FileLevels>,
     /// Locales to pack; `None` for all that the files have.
     pub locales: Option<BTreeSet<String>>,
     /// For a locale, those that its missing texts are taken from, in order, instead of the usual

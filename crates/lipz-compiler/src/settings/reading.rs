@@ -5,6 +5,7 @@ use super::syntax::Faults;
 use super::table::{Content, TABLES, Table};
 use super::value::{Value, canonical_locale, span};
 use super::{Settings, lint};
+use crate::FileLevels;
 use crate::discover::plain;
 use lipz_diagnostics::{Code, Diagnostic, Levels, Span, escape, suggest::nearest};
 use std::collections::{BTreeMap, BTreeSet};
@@ -186,8 +187,11 @@ impl<'t> Reading<'t> {
         }
     }
 
-    /// The level of the lint or group `name`.
+    /// The level of the lint or group `name`; or levels for the files that it matches, if it has a table.
     pub(super) fn level(&mut self, name: &str, value: &Value<'_>) {
+        if let DeValue::Table(levels) = value.node.get_ref() {
+            return self.levels_of_files(name, value, levels);
+        }
         let selection = lint::Selection::named(name);
         if selection.is_none() {
             let message = format!("{} is not a lint", escape::quoted(name));
@@ -212,6 +216,33 @@ impl<'t> Reading<'t> {
             Some(lint::Selection::One(code)) => self.level_of(code, level, value),
             Some(group) => self.groups.extend(group.codes().into_iter().map(|code| (code, level))),
             None => {}
+        }
+    }
+
+    /// Levels for the files that match a pattern, which counts from the folder of the settings.
+    fn levels_of_files(&mut self, pattern: &str, value: &Value<'_>, levels: &DeTable<'_>) {
+        let project = (std::mem::take(&mut self.groups), std::mem::take(&mut self.levels));
+        let project_levels = std::mem::take(&mut self.settings.options.levels);
+        for (key, node) in levels {
+            let name = dotted(&value.name, key.get_ref());
+            let value = Value { name, key: key.span(), node };
+            match node.get_ref() {
+                DeValue::Table(_) => {
+                    self.refuse(&value, "is not a level", "the levels are \"allow\", \"warn\" and \"deny\"");
+                }
+                _ => self.level(key.get_ref(), &value),
+            }
+        }
+        let mut of_files = std::mem::replace(&mut self.groups, project.0);
+        self.levels = project.1;
+        of_files.extend(std::mem::replace(&mut self.settings.options.levels, project_levels));
+        match FileLevels::new(self.folder, pattern, of_files) {
+            Ok(of_files) => self.settings.options.files_levels.push(of_files),
+            Err(error) => {
+                let message = format!("{} is not a pattern of files: {}", escape::quoted(pattern), error.msg);
+                let help = "write paths from the folder of lipz.toml: `voices/old/**`; `*` matches all but a slash";
+                self.diagnostics.push(Diagnostic::at(Code::SettingValue, span(&value.key), message).help(help));
+            }
         }
     }
 

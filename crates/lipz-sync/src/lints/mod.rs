@@ -56,9 +56,7 @@ pub fn check(settings: &Settings, inputs: &[Input], progress: &(dyn Fn() + Sync)
     });
     reports.extend(found.into_iter().flatten());
     reports.extend(ear.remember().err());
-    for report in &mut reports {
-        settings.options.levels.apply(&mut report.diagnostics);
-    }
+    reports.iter_mut().for_each(|report| settings.options.apply_levels(report));
     lipz_diagnostics::reports::sort(&mut reports);
     reports
 }

@@ -201,7 +201,7 @@ fn hear(
         heard.forget_words(); // of what cannot be heard, nothing else needs to be said
     }
     reports.extend(condition.report(&job.recording).map(|mut report| {
-        options.options.levels.apply(&mut report.diagnostics);
+        options.options.apply_levels(&mut report);
         report
     }));
     Ok(heard)
@@ -284,7 +284,7 @@ fn push(
     bytes: &[u8],
     mut diagnostics: Vec<Diagnostic>,
 ) -> bool {
-    options.options.levels.apply(&mut diagnostics);
+    options.options.levels_for(name).apply(&mut diagnostics);
     let has_errors = diagnostics.iter().any(Diagnostic::is_error);
     diagnostics.sort_by_key(Diagnostic::start);
     if !diagnostics.is_empty() {

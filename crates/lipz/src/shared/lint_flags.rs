@@ -1,8 +1,9 @@
 //! `--allow`, `--warn` and `--deny`: levels of lints, in the order in which they are written.
 
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, Error, FromArgMatches};
+use lipz_compiler::Options;
 use lipz_compiler::settings::lint::{LEVELS, Selection, refusal, suggestion};
-use lipz_diagnostics::{Levels, Severity};
+use lipz_diagnostics::Severity;
 
 /// Levels by the lints that get them; later ones win.
 #[derive(Clone, Debug, Default)]
@@ -10,9 +11,9 @@ pub(crate) struct LintFlags(Vec<(Selection, Option<Severity>)>);
 
 impl LintFlags {
     /// Sets the levels over those of the project.
-    pub(crate) fn apply(&self, levels: &mut Levels) {
+    pub(crate) fn apply(&self, options: &mut Options) {
         for (selection, level) in &self.0 {
-            levels.extend(selection.codes().into_iter().map(|code| (code, *level)));
+            selection.codes().into_iter().for_each(|code| options.overrule(code, *level));
         }
     }
 }
@@ -81,10 +82,10 @@ mod tests {
         let command = LintFlags::augment_args(Command::new("lipz"));
         let words = "lipz --allow LZ0702 --deny warnings,segment-count --warn LZ0601 --allow unknown-locale";
         let matches = command.try_get_matches_from(words.split(' ')).unwrap();
-        let mut levels = Levels::new();
-        LintFlags::from_arg_matches(&matches).unwrap().apply(&mut levels);
-        assert_eq!(levels.severity(Code::UnknownEmotion), Some(Severity::Error));
-        assert_eq!(levels.severity(Code::SegmentCount), Some(Severity::Warning));
-        assert_eq!(levels.severity(Code::UnknownLocale), None);
+        let mut options = Options::new();
+        LintFlags::from_arg_matches(&matches).unwrap().apply(&mut options);
+        assert_eq!(options.levels.severity(Code::UnknownEmotion), Some(Severity::Error));
+        assert_eq!(options.levels.severity(Code::SegmentCount), Some(Severity::Warning));
+        assert_eq!(options.levels.severity(Code::UnknownLocale), None);
     }
 }

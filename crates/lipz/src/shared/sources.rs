@@ -92,7 +92,7 @@ impl ProjectArguments {
         let mut project = self.file.project(sources, reporter)?;
         let options = &mut project.settings.options;
         self.flags.apply(options);
-        self.lints.apply(&mut options.levels);
+        self.lints.apply(options);
         options.threads = self.threads.map(usize::from);
         if let Some(tag) = refused_locale(options) {
             let tip = "name a country, as in en-us, or accept any BCP 47 tag with `--extended-locales`";

@@ -249,6 +249,7 @@ fn are_possible(options: &Options) -> bool {
         // These are about names that were seen before, about diagnostics and curves that clean files do not have, or about the bank.
         extended_locales: _,
         levels: _,
+        files_levels: _,
         word_times: _,
         voices: _,
         threads: _,

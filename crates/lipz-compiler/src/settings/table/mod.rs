@@ -80,7 +80,8 @@ pub const TABLES: &[Table] = &[
     },
     Table {
         name: "lints",
-        about: "Levels of lints: \"allow\" (not reported), \"warn\" or \"deny\" (no bank is written).",
+        about: "Levels of lints: \"allow\" (not reported), \"warn\" or \"deny\" (no bank is written). A pattern of files, from the folder of \
+                lipz.toml, has a table of its own, [lints.\"voices/old/**\"], whose levels count there; of several that match, the last one.",
         content: Content::Map(LINTS),
     },
     Table {
@@ -167,7 +168,12 @@ const LINTS: Map = Map {
     name: "LINT",
     flat_name: "allow, warn, deny",
     default: "each lint's own level",
-    examples: &["warnings = \"deny\"", "unknown-emotion = \"allow\"", "segment-count = \"warn\""],
+    examples: &[
+        "warnings = \"deny\"",
+        "unknown-emotion = \"allow\"",
+        "segment-count = \"warn\"",
+        "\"voices/old/**\" = { unknown-emotion = \"allow\" }",
+    ],
     read: |name, value, to| to.level(name, value),
 };
 

@@ -6,6 +6,7 @@ use crate::shared::rewriting::Rewriting;
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiler, Fixed, Input};
 use lipz_diagnostics::{Report, escape};
+use std::borrow::Cow;
 use std::collections::HashMap;
 
 /// What fixing gave.
@@ -27,7 +28,10 @@ pub(super) fn fix_all(settings: &Settings, quiet: bool, rewriting: Rewriting) ->
     let compiler = Compiler::new(settings.options.clone()).progress(|count| bar.inc(count));
     let files = Files::new();
     let results = compiler.each_file(&inputs, |input, bytes| {
-        let fixed = compiler.fix(bytes)?;
+        let fixed = match settings.options.for_file(&input.name()) {
+            Cow::Borrowed(_) => compiler.fix(bytes)?,
+            Cow::Owned(options) => Compiler::new(options).fix(bytes)?,
+        };
         Some(rewriting.rewrite(&files, input, bytes, &fixed.text).map(|difference| (fixed, difference)))
     });
     let unwritten = files.finish();

@@ -38,9 +38,7 @@ pub(crate) fn check(project: &Project, inputs: &[Input], quiet: bool) -> Vec<Rep
         // What cannot be read is reported by the check of the files.
         reports.extend(found.into_iter().filter_map(Result::ok).flatten());
     }
-    for report in &mut reports {
-        options.levels.apply(&mut report.diagnostics);
-    }
+    reports.iter_mut().for_each(|report| options.apply_levels(report));
     reports.retain(|report| !report.diagnostics.is_empty());
     reports
 }

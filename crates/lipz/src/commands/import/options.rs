@@ -106,7 +106,7 @@ impl Options {
         // The Lipz files that are made are sources of the project.
         let sources = [output.map_or_else(|| PathBuf::from("."), Path::to_owned)];
         let mut project = self.file.project(&sources, reporter)?.settings.options;
-        self.lints.apply(&mut project.levels);
+        self.lints.apply(&mut project);
         let map = self.map.as_deref().map(|map| formats::map(map, reporter)).transpose()?;
         Ok(Settings { flags: self, project, map })
     }

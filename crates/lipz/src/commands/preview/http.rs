@@ -14,6 +14,15 @@ const LONGEST_BODY: usize = 4 * lipz_file::MAX_FILE_BYTES;
 /// How long to wait for the rest of a request: browsers open connections that they may need later.
 const PATIENCE: Duration = Duration::from_secs(10);
 
+/// What came over a connection.
+pub(super) enum Received {
+    Request(Request),
+    /// A request whose body is longer than any change of a Lipz file.
+    TooLong,
+    /// The connection ended before a request was whole, or it is none of HTTP.
+    Nothing,
+}
+
 /// What somebody asks.
 pub(super) struct Request {
     pub(super) method: String,
@@ -36,8 +45,8 @@ pub(super) enum Body {
 }
 
 impl Request {
-    /// Reads a request; none if the connection ends before one is whole, or it is none of HTTP.
-    pub(super) fn read(stream: &mut TcpStream) -> io::Result<Option<Request>> {
+    /// Reads a request. Nothing of a body that is too long is kept.
+    pub(super) fn read(stream: &mut TcpStream) -> io::Result<Received> {
         stream.set_read_timeout(Some(PATIENCE))?;
         let mut bytes = Vec::new();
         let (mut request, start) = loop {
@@ -48,15 +57,20 @@ impl Request {
             let count = stream.read(&mut more)?;
             bytes.extend_from_slice(more.get(..count).unwrap_or_default());
             if count == 0 || bytes.len() > LONGEST_HEAD {
-                return Ok(None);
+                return Ok(Received::Nothing);
             }
         };
         let length = request.header("Content-Length").map_or(Ok(0), str::parse::<usize>);
-        let Some(length) = length.ok().filter(|length| *length <= LONGEST_BODY) else { return Ok(None) };
+        let Ok(length) = length else { return Ok(Received::Nothing) };
+        if length > LONGEST_BODY {
+            // Whoever is still sending does not listen for an answer.
+            let _ = io::copy(&mut stream.take(LONGEST_BODY as u64), &mut io::sink());
+            return Ok(Received::TooLong);
+        }
         request.body = bytes.split_off(start);
         let missing = length.saturating_sub(request.body.len());
         stream.take(missing as u64).read_to_end(&mut request.body)?;
-        Ok((request.body.len() == length).then_some(request))
+        Ok(if request.body.len() == length { Received::Request(request) } else { Received::Nothing })
     }
 
     /// The value of a header.
@@ -109,6 +123,7 @@ fn reason(status: u16) -> &'static str {
         403 => "Forbidden",
         404 => "Not Found",
         405 => "Method Not Allowed",
+        413 => "Content Too Large",
         _ => "Internal Server Error",
     }
 }

@@ -4,7 +4,7 @@ use super::assets;
 use super::clip::ClipPage;
 use super::draft::{Change, Changed};
 use super::guard::{Guard, parameter};
-use super::http::{Answer, Body, Request};
+use super::http::{Answer, Body, Received, Request};
 use super::listing::Listing;
 use super::shared::Shared;
 use serde::Serialize;
@@ -68,10 +68,13 @@ impl Preview {
     }
 
     fn answer(&self, mut stream: TcpStream) -> io::Result<()> {
-        let Some(request) = Request::read(&mut stream)? else { return Ok(()) };
-        let answer = match self.guard.asked(&request) {
-            Some((path, query)) => self.respond(&request, &path, &query),
-            None => plain(403, "Forbidden: open the address that `lipz preview` printed."),
+        let answer = match Request::read(&mut stream)? {
+            Received::Nothing => return Ok(()),
+            Received::TooLong => plain(413, "The change is longer than a Lipz file may be."),
+            Received::Request(request) => match self.guard.asked(&request) {
+                Some((path, query)) => self.respond(&request, &path, &query),
+                None => plain(403, "Forbidden: open the address that `lipz preview` printed."),
+            },
         };
         answer.send(&mut stream, &HEADERS)
     }

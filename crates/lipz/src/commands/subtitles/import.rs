@@ -61,7 +61,7 @@ pub(super) struct Import {
 
 pub(super) fn run(arguments: &Import, reporter: &mut Reporter) -> Ended {
     let mut options = arguments.file.project(std::slice::from_ref(&arguments.output), reporter)?.settings.options;
-    arguments.lints.apply(&mut options.levels);
+    arguments.lints.apply(&mut options);
     options.default_locale = arguments.locale.clone().or(options.default_locale);
     let mut reports = Vec::new();
     let mut found = found::find(&patterns::files(&arguments.files), &options, &mut reports, reporter)?;

@@ -99,7 +99,7 @@ impl From<MinState> for lipz_texts::State {
 pub(super) fn run(arguments: &Import, reporter: &mut Reporter) -> Ended {
     let mut project = arguments.file.project(&arguments.output, reporter)?;
     let settings = &mut project.settings;
-    arguments.lints.apply(&mut settings.options.levels);
+    arguments.lints.apply(&mut settings.options);
     if arguments.root.is_some() {
         settings.root.clone_from(&arguments.root);
     }

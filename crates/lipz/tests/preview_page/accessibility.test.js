@@ -1,0 +1,65 @@
+// axe looks at the page of `lipz preview`: what it says of contrast, names and roles. LIPZ names the command.
+
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { test } from "node:test";
+import { Browser } from "./browser.js";
+import { MAYOR, Project } from "./project.js";
+
+const TIMEOUT_MS = 180_000;
+const READY = "globalThis.preview?.then(({ player }) => player.key !== undefined)";
+const AXE = new URL("node_modules/axe-core/axe.min.js", import.meta.url);
+/** What keeps people out; axe also knows what only bothers them. */
+const SERIOUS = ["serious", "critical"];
+
+/** The serious findings: the rule, and the elements. */
+async function findings(page) {
+  await page.value(await readFile(AXE, "utf8"));
+  const violations = await page.value("axe.run({ resultTypes: ['violations'] }).then(({ violations }) => violations)");
+  const serious = violations.filter(({ impact }) => SERIOUS.includes(impact));
+  return serious.flatMap(({ id, nodes }) => nodes.map(({ target, any }) => `${id}: ${target} ${any[0]?.message ?? ""}`));
+}
+
+test("axe sees the page", { timeout: TIMEOUT_MS }, async (t) => {
+  const browser = await Browser.start();
+  t.after(() => browser.end());
+  const page = await browser.open("data:text/html,<html lang=en><title>A</title><img src=a.png>");
+  await page.until("document.images.length === 1");
+  assert.equal((await findings(page)).filter((finding) => finding.startsWith("image-alt: img")).length, 1);
+});
+
+test("nothing keeps anybody out", { timeout: TIMEOUT_MS }, async (t) => {
+  const project = await Project.small();
+  t.after(() => project.end());
+  const address = await project.preview();
+  const browser = await Browser.start();
+  t.after(() => browser.end());
+  for (const [width, height] of [[375, 800], [1280, 900]]) {
+    const page = await browser.open(address, width, height);
+    await page.until(READY);
+    for (const scheme of ["light", "dark"]) {
+      await page.scheme(scheme);
+      assert.deepEqual(await findings(page), [], `${width} px, ${scheme}`);
+    }
+  }
+  const page = await browser.open(`${address}#clip=act2/wrong`);
+  await page.until(READY);
+  assert.deepEqual(await findings(page), [], "with diagnostics");
+});
+
+test("a conflict keeps nobody out", { timeout: TIMEOUT_MS }, async (t) => {
+  const project = await Project.small();
+  t.after(() => project.end());
+  const address = await project.preview();
+  const browser = await Browser.start();
+  t.after(() => browser.end());
+  const page = await browser.open(address);
+  await page.until(READY);
+  await page.value('document.getElementById("shapes").focus()');
+  await page.key("E");
+  await page.until('!document.getElementById("save").disabled');
+  await project.write("voices/act1/mayor.lipz", MAYOR.replace("points door", "points window"));
+  await page.key("s", "control");
+  await page.until('!document.getElementById("conflict").hidden');
+  assert.deepEqual(await findings(page), []);
+});
