@@ -174,3 +174,18 @@ fn outputs_in_new_folders_and_behind_links() {
     assert!(scene.path().join("link.lipzbank").is_symlink());
     assert_eq!(fs::read(scene.path().join("old.lipzbank")).unwrap(), bank);
 }
+
+#[test]
+fn who_looks_at_one_clip_is_told_of_its_file_alone() {
+    let scene = Scene::new();
+    for name in ["a", "b"] {
+        scene.write(&format!("voices/{name}.lipz"), format!(r#"{{ "text_en-us": "Aye.", "{name}": 1 }}"#));
+    }
+    let inspect = |arguments: &[&str]| lipz(scene.path(), ["inspect", "voices"].iter().chain(arguments)).stderr;
+    assert_eq!(inspect(&[]).matches("[LZ0203]").count(), 2);
+    let of_one = inspect(&["a"]);
+    assert_eq!((of_one.matches("[LZ0203]").count(), of_one.contains("voices/a.lipz")), (1, true), "{of_one}");
+    // What keeps a bank from being packed is told, wherever it is.
+    scene.write("voices/c.lipz", r#"{ "fps": 0 }"#);
+    assert!(inspect(&["a"]).contains("[LZ0301]"));
+}

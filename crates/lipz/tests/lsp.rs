@@ -229,6 +229,23 @@ fn a_character_is_renamed_in_all_files_and_in_the_registry() {
 }
 
 #[test]
+fn levels_for_some_of_the_files_count() {
+    let (_folder, root) = drama();
+    let settings = fs::read_to_string(root.join("lipz.toml")).unwrap();
+    fs::write(root.join("lipz.toml"), settings + "\n[lints.\"act1/old/**\"]\nunknown-emotion = \"allow\"\n").unwrap();
+    let text = r#"{ "visemes": "MA", "viseme_type": "blair", "fps": 24, "events": "feels smug, feels sad" }"#;
+    let mut editor = Editor::in_folder(&root);
+    for (file, expected) in [("act1/new.lipz", &["LZ0702"][..]), ("act1/old/a.lipz", &[])] {
+        let path = root.join(file);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(&path, text).unwrap();
+        editor.open(&path, text);
+        assert_eq!(codes(&editor.diagnostics(&path, |_| true)), expected, "{file}");
+    }
+    assert_eq!(editor.end(), 0);
+}
+
+#[test]
 fn hostile_messages_have_answers_and_end_nothing() {
     let mut editor = Editor::start();
     assert_eq!(editor.ask("textDocument/hover", &json!({}))["error"]["code"], -32002, "before `initialize`");

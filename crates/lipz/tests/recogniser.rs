@@ -99,7 +99,7 @@ fn the_network_hears_what_is_said() {
     fs::remove_dir_all(scene.path().join("voices")).unwrap();
     let with_text = mouth(&["--script", "lines.csv"]);
     let [heard, without] = [heard, without].map(|mouth| same_frames_percent(&mouth, &with_text));
-    // Counted: 100 and 82.
+    // Counted: 100 and 86.
     assert!(
         heard >= 95 && heard > without,
         "{heard} % of the frames are those with the text; without the network {without} %"

@@ -87,7 +87,7 @@ impl Inspect {
         }
         let mut project = self.dialogue.project(reporter)?;
         project.settings.options.min_coverage = MinCoverage::default();
-        self.dialogue.bank_of(&project, reporter)
+        self.dialogue.bank_with_clip(&project, self.key.as_deref(), reporter)
     }
 }
 

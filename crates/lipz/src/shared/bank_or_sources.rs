@@ -9,9 +9,9 @@ use crate::shared::sources::ProjectArguments;
 use crate::shared::text_banks::{TextBanks, TextFiles};
 use crate::{Outcome, console};
 use clap::Args;
-use lipz_compiler::is_pattern;
 use lipz_compiler::key::EXTENSION;
 use lipz_compiler::settings::Settings;
+use lipz_compiler::{Input, is_pattern};
 use lipz_diagnostics::reports::have_errors;
 use lipz_sync::Recorded;
 use std::ffi::OsStr;
@@ -62,9 +62,19 @@ impl Dialogue {
 
     /// [`bank`](Self::bank), with settings that are read already.
     pub(crate) fn bank_of(&self, project: &Project, reporter: &mut Reporter) -> Result<BankFile, Abort> {
+        self.bank_with_clip(project, None, reporter)
+    }
+
+    /// The same for somebody who looks at one clip: warnings about other files are none of theirs.
+    pub(crate) fn bank_with_clip(
+        &self,
+        project: &Project,
+        key: Option<&str>,
+        reporter: &mut Reporter,
+    ) -> Result<BankFile, Abort> {
         match &self.bank {
             Some(bank) if self.is_bank() => BankFile::open(bank, reporter),
-            _ => packed(&project.settings, self.arguments.quiet, reporter),
+            _ => packed_for(&project.settings, self.arguments.quiet, key, reporter),
         }
     }
 
@@ -108,12 +118,21 @@ pub(crate) fn bank_or_sources(
 
 /// The bank of a project's Lipz files, packed in memory. Reports what is wrong with them.
 pub(crate) fn packed(settings: &Settings, quiet: bool, reporter: &mut Reporter) -> Result<BankFile, Abort> {
+    packed_for(settings, quiet, None, reporter)
+}
+
+/// The same; of warnings, only those about the clip with this key, if it is one clip that somebody looks at.
+fn packed_for(settings: &Settings, quiet: bool, key: Option<&str>, reporter: &mut Reporter) -> Result<BankFile, Abort> {
     let sources: Vec<_> = settings.sources.iter().map(|path| console::path(path)).collect();
     #[allow(clippy::redundant_closure_for_method_calls, reason = "the method is of one lifetime only")]
     let mut run = with_inputs(settings, None, quiet, |compiler, inputs| compiler.compile(inputs));
     let outcome = run.outcome();
     match run.compiled.bank.take() {
         Some(bank) if outcome == Outcome::Clean => {
+            if let Some(key) = key {
+                let file = run.inputs.iter().find(|input| input.key == key).map(Input::name);
+                run.reports.retain(|report| Some(&report.source.path) == file.as_ref());
+            }
             reporter.add(run.reports);
             Ok(BankFile::made(sources.join(", "), bank))
         }
