@@ -33,7 +33,7 @@ pub use problem::{Problem, ProblemKind};
 pub use pronounce::{Lexicon, Pronouncer, Reading};
 pub use render::{Mouth, RenderRules, RmsRules, render, rms};
 pub use script::{Origin, Pronunciation, Script, Word};
-pub use sound::{Clipping, Sound, SoundError};
+pub use sound::{Clipping, Damage, Sound, SoundError};
 pub use train::{ModelError, Observations, TrainedModel, Training};
 
 /// The example of the README, run as a test.

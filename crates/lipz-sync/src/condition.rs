@@ -10,8 +10,14 @@ use std::path::Path;
 pub(crate) struct Condition {
     /// It ends in the middle of its data.
     truncated: bool,
-    /// Parts that could not be decoded.
-    damaged_packets: u64,
+    /// Its samples are others than its checksum says.
+    altered: bool,
+    /// Places in the middle where something is missing.
+    damaged: u64,
+    /// The start of the first of them, in microseconds.
+    damaged_us: u64,
+    /// How long they are together, in microseconds, as far as that is known.
+    missing_us: u64,
     /// Nothing can be heard, and its loud parts are so many decibels below full scale.
     silent_db: Option<u32>,
     /// What can be heard is no speech.
@@ -26,9 +32,13 @@ impl Condition {
     pub(crate) fn of(sound: &Sound) -> Condition {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "decibels have few digits")]
         let below = || -sound.level_db().round() as u32;
+        let damage = sound.damage();
         Condition {
             truncated: sound.is_truncated(),
-            damaged_packets: sound.damaged_packets(),
+            altered: sound.is_altered(),
+            damaged: damage.places,
+            damaged_us: damage.start_us,
+            missing_us: damage.missing_us,
             silent_db: sound.is_silent().then(below),
             no_speech: sound.is_no_speech(),
             clipped: sound.clipping().len() as u64,
@@ -44,13 +54,8 @@ impl Condition {
     /// The diagnostics about the recording at `path`, if there are any.
     pub(crate) fn report(&self, path: &Path) -> Option<Report> {
         let mut found = Vec::new();
-        let damaged = match (self.truncated, self.damaged_packets) {
-            (false, 0) => None,
-            (true, _) => Some("the recording ends in the middle of its data".to_owned()),
-            (false, 1) => Some("a part of the recording is damaged and left out".to_owned()),
-            (false, count) => Some(format!("{count} parts of the recording are damaged and left out")),
-        };
-        found.extend(damaged.map(|what| Diagnostic::new(Code::DamagedSound, what).help("export it again")));
+        let damage = self.damage().into_iter();
+        found.extend(damage.map(|what| Diagnostic::new(Code::DamagedSound, what).help("export or copy it again")));
         if let Some(below) = self.silent_db {
             let diagnostic = Diagnostic::new(Code::SilentRecording, "nothing can be heard in the recording");
             let level = format!("its loud parts are {below} decibels below full scale");
@@ -63,11 +68,7 @@ impl Condition {
             found.push(diagnostic.note(note).help("record the voice alone; mix it with other sounds in the game"));
         }
         if self.clipped > 0 {
-            let others = match self.clipped - 1 {
-                0 => String::new(),
-                1 => ", and in another place".to_owned(),
-                more => format!(", and in {more} more places"),
-            };
+            let others = others(self.clipped - 1);
             let at = self.clipped_us as f64 / 1e6;
             let message = format!("the recording is cut off at full scale at {at:.2} s{others}");
             let help = "record it less loudly: it sounds distorted, and its mouth may be wrong there";
@@ -76,24 +77,61 @@ impl Condition {
         (!found.is_empty()).then(|| Report::all_about(shown(path), found))
     }
 
-    /// As one word of a cache: `0,0,-,2,1500000,0`.
+    /// What is said of damage.
+    fn damage(&self) -> Vec<String> {
+        let mut said = Vec::new();
+        if self.damaged > 0 {
+            let missing = match self.missing_us {
+                0 => "a part may be missing there".to_owned(),
+                missing_us => {
+                    let s = missing_us as f64 / 1e6;
+                    format!("{s:.2} s are missing, for which the mouth rests")
+                }
+            };
+            let at = self.damaged_us as f64 / 1e6;
+            said.push(format!("the recording is damaged at {at:.2} s{}: {missing}", others(self.damaged - 1)));
+        }
+        if self.truncated {
+            said.push("the recording ends in the middle of its data".to_owned());
+        }
+        if self.altered && said.is_empty() {
+            said.push("the samples are not those of which the recording was made, by its checksum".to_owned());
+        }
+        said
+    }
+
+    /// As one word of a cache: `0,0,0,0,0,-,2,1500000,0`.
     pub(crate) fn word(&self) -> String {
         let silent = self.silent_db.map_or_else(|| "-".to_owned(), |below| below.to_string());
-        let Condition { truncated, damaged_packets, no_speech, clipped, clipped_us, .. } = self;
-        format!("{},{damaged_packets},{silent},{clipped},{clipped_us},{}", u8::from(*truncated), u8::from(*no_speech))
+        let Condition { damaged, damaged_us, missing_us, clipped, clipped_us, .. } = self;
+        let [truncated, altered, no_speech] = [self.truncated, self.altered, self.no_speech].map(u8::from);
+        format!("{truncated},{altered},{damaged},{damaged_us},{missing_us},{silent},{clipped},{clipped_us},{no_speech}")
     }
 
     pub(crate) fn parse(word: &str) -> Option<Condition> {
         let mut parts = word.split(',');
+        let mut next = || parts.next();
         let condition = Condition {
-            truncated: parts.next()? == "1",
-            damaged_packets: parts.next()?.parse().ok()?,
-            silent_db: Some(parts.next()?).filter(|part| *part != "-").map(str::parse).transpose().ok()?,
-            clipped: parts.next()?.parse().ok()?,
-            clipped_us: parts.next()?.parse().ok()?,
-            no_speech: parts.next()? == "1",
+            truncated: next()? == "1",
+            altered: next()? == "1",
+            damaged: next()?.parse().ok()?,
+            damaged_us: next()?.parse().ok()?,
+            missing_us: next()?.parse().ok()?,
+            silent_db: Some(next()?).filter(|part| *part != "-").map(str::parse).transpose().ok()?,
+            clipped: next()?.parse().ok()?,
+            clipped_us: next()?.parse().ok()?,
+            no_speech: next()? == "1",
         };
         parts.next().is_none().then_some(condition)
+    }
+}
+
+/// So many other places.
+fn others(count: u64) -> String {
+    match count {
+        0 => String::new(),
+        1 => ", and in another place".to_owned(),
+        more => format!(", and in {more} more places"),
     }
 }
 
@@ -110,26 +148,35 @@ mod tests {
     #[test]
     fn every_fault_is_told_and_survives_the_cache() {
         let fine = Condition::default();
-        assert_eq!((told(fine), fine.word()), (Vec::new(), "0,0,-,0,0,0".to_owned()));
+        assert_eq!((told(fine), fine.word()), (Vec::new(), "0,0,0,0,0,-,0,0,0".to_owned()));
         let bad = Condition {
             truncated: true,
-            damaged_packets: 2,
+            altered: true,
+            damaged: 3,
+            damaged_us: 250_000,
+            missing_us: 1_700_000,
             silent_db: Some(90),
             no_speech: true,
             clipped: 3,
             clipped_us: 1_500_000,
         };
         let all = [
+            "the recording is damaged at 0.25 s, and in 2 more places: 1.70 s are missing, for which the mouth rests",
             "the recording ends in the middle of its data",
             "nothing can be heard in the recording",
             "the recording is no speech",
             "the recording is cut off at full scale at 1.50 s, and in 2 more places",
         ];
         assert_eq!(told(bad), all);
-        for condition in [fine, bad] {
+        let altered = Condition { altered: true, ..fine };
+        let checksum = "the samples are not those of which the recording was made, by its checksum";
+        assert_eq!(told(altered), [checksum]);
+        let somewhere = Condition { damaged: 1, ..fine };
+        assert_eq!(told(somewhere), ["the recording is damaged at 0.00 s: a part may be missing there"]);
+        for condition in [fine, bad, altered] {
             assert_eq!(Condition::parse(&condition.word()), Some(condition));
         }
-        for word in ["", "0", "0,0,x,0,0,0", "0,0,-,0,0", "0,0,-,0,0,0,0", "0,-1,-,0,0,0"] {
+        for word in ["", "0", "0,0,0,0,0,x,0,0,0", "0,0,0,0,0,-,0,0", "0,0,0,0,0,-,0,0,0,0", "0,0,-1,0,0,-,0,0,0"] {
             assert_eq!(Condition::parse(word), None, "{word}");
         }
     }

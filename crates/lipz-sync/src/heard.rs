@@ -19,7 +19,7 @@ const PARTS_PER_SECOND: u16 = 100;
 /// Digits of loudness from which on somebody certainly speaks.
 const LOUD: u8 = b'4';
 /// What a cache begins with; another version has another line.
-const HEAD: &str = "lipz audio cache 3\n";
+const HEAD: &str = "lipz audio cache 4\n";
 /// What a cache of any version begins with.
 const MAGIC: &[u8] = b"lipz audio cache ";
 
@@ -74,7 +74,7 @@ impl Heard {
         }
     }
 
-    /// What a cache says of it: length, condition, and the parts as lengths of runs: `70000 0,0,-,0,0,0 -12 +3`.
+    /// What a cache says of it: length, condition, and the parts as lengths of runs: `70000 0,0,0,0,0,-,0,0,0 -12 +3`.
     fn line(&self) -> String {
         let mut runs = format!("{} {}", self.length_us, self.condition.word());
         let mut rest = self.parts.as_str();
@@ -177,13 +177,13 @@ mod tests {
     fn what_was_heard_is_written_and_read_back() {
         let heard = Heard { length_us: 70_000, condition: Condition::default(), parts: "--+++.-".to_owned() };
         let line = format!("{:016x} {}", 7, heard.line());
-        assert_eq!(line, "0000000000000007 70000 0,0,-,0,0,0 -2 +3 .1 -1");
+        assert_eq!(line, "0000000000000007 70000 0,0,0,0,0,-,0,0,0 -2 +3 .1 -1");
         assert_eq!(Heard::parse(&line), Some((7, heard)));
         for bad in ["", "7", "x 1", "7 70000", "7 70000 -3"] {
             assert_eq!(Heard::parse(bad), None, "{bad}");
         }
         for bad in ["*3", "-x", "+18446744073709551615", "-9 -9", "é"] {
-            assert_eq!(Heard::parse(&format!("7 70000 0,0,-,0,0,0 {bad}")), None, "{bad}");
+            assert_eq!(Heard::parse(&format!("7 70000 0,0,0,0,0,-,0,0,0 {bad}")), None, "{bad}");
         }
     }
 
@@ -207,7 +207,9 @@ mod tests {
         let hash = content_hash(File::open(&sound).unwrap()).unwrap();
         fs::write(
             &cache,
-            format!("{HEAD}{hash:016x} 20000 0,0,-,0,0,0 +2\n0000000000000001 10000 0,0,-,0,0,0 -1\nnonsense\n"),
+            format!(
+                "{HEAD}{hash:016x} 20000 0,0,0,0,0,-,0,0,0 +2\n0000000000000001 10000 0,0,0,0,0,-,0,0,0 -1\nnonsense\n"
+            ),
         )
         .unwrap();
         let ear = Ear::open(Some(&cache)).unwrap();
@@ -216,7 +218,7 @@ mod tests {
         ear.remember().unwrap();
         assert_eq!(
             fs::read_to_string(&cache).unwrap(),
-            format!("{HEAD}{hash:016x} 20000 0,0,-,0,0,0 +2\n"),
+            format!("{HEAD}{hash:016x} 20000 0,0,0,0,0,-,0,0,0 +2\n"),
             "only what is still there"
         );
         // Whatever happened to the cache, it is no more than a cache.

@@ -1,14 +1,23 @@
 //! A recording, as far as alignment needs to know it.
 
 mod clipping;
+mod damage;
 pub(crate) mod decode;
 mod error;
+mod lengths;
 pub(crate) mod level;
+mod mpeg;
+mod ogg;
 mod other;
+mod output;
+mod packets;
 mod resample;
+mod source;
 mod speech;
+mod window;
 
 pub use clipping::Clipping;
+pub use damage::Damage;
 pub use error::SoundError;
 
 use crate::features::mel::{HOP, MelFrontEnd, RATE_HZ, Spectrum, WINDOW};
@@ -24,7 +33,8 @@ pub struct Sound {
     rate_hz: u32,
     spectrum: Vec<Spectrum>,
     truncated: bool,
-    damaged_packets: u64,
+    is_altered: bool,
+    damage: Damage,
     clipping: Vec<Clipping>,
 }
 
@@ -38,7 +48,7 @@ impl Sound {
     /// # Errors
     ///
     /// If nothing of the sound can be read. A file that is damaged in the middle or ends too early is read as far as
-    /// possible, and [`Sound::is_truncated`] and [`Sound::damaged_packets`] tell so.
+    /// possible, and [`Sound::is_truncated`], [`Sound::damage`] and [`Sound::is_altered`] tell so.
     pub fn read<S>(source: S, extension: Option<&str>) -> Result<Sound, SoundError>
     where
         S: Read + Seek + Send + Sync,
@@ -58,7 +68,8 @@ impl Sound {
             return Err(SoundError::NoSound);
         }
         sound.truncated = decoded.truncated;
-        sound.damaged_packets = decoded.damaged_packets;
+        sound.is_altered = decoded.is_altered;
+        sound.damage = decoded.damage;
         sound.clipping = decoded.clipping.places;
         Ok(sound)
     }
@@ -127,9 +138,15 @@ impl Sound {
         self.truncated
     }
 
-    /// How many packets of the file could not be decoded and are missing.
-    pub fn damaged_packets(&self) -> u64 {
-        self.damaged_packets
+    /// What is missing in the middle of the file. The sound is silent for as long, so that what follows keeps its time.
+    pub fn damage(&self) -> Damage {
+        self.damage
+    }
+
+    /// Whether the samples are others than those of which the file was made, by its checksum of them. Of the formats that are
+    /// read, only FLAC has one.
+    pub fn is_altered(&self) -> bool {
+        self.is_altered
     }
 
     /// Where the recording is cut off at full scale, in order; near places are one.
@@ -217,7 +234,8 @@ impl Analysis {
             rate_hz: self.rate_hz,
             spectrum: self.spectrum,
             truncated: false,
-            damaged_packets: 0,
+            is_altered: false,
+            damage: Damage::default(),
             clipping: Vec::new(),
         }
     }

@@ -1,0 +1,243 @@
+//! The frames of an MP3 file, and how many are missing between them.
+//!
+//! The decoder's own reader looks for the next frame behind what is no frame, and says nothing: what is missing makes all
+//! that follows too early. Here, the bytes between two frames tell how many there were.
+
+use super::window::Window;
+use std::io::{Read, Result};
+use symphonia::core::formats::Track;
+use symphonia::core::packet::{Packet, PacketBuilder};
+use symphonia::core::units::{Duration, Timestamp};
+
+/// Kilobits a second by their number in a header, of MPEG 1 and of its half rates.
+const KILOBITS: [[u32; 16]; 2] = [
+    [0, 32, 40, 48, 56, 64, 80, 96, 112, 128, 160, 192, 224, 256, 320, 0],
+    [0, 8, 16, 24, 32, 40, 48, 56, 64, 80, 96, 112, 128, 144, 160, 0],
+];
+/// Samples a second by their number in a header, of MPEG 1.
+const RATES_HZ: [u32; 3] = [44_100, 48_000, 32_000];
+/// The bytes of a header.
+const HEADER_BYTES: usize = 4;
+/// The bits in which all headers of a file are alike: the mark, version, layer, rate.
+const ALIKE: u32 = 0xfffe_0c00;
+/// What may follow the last frame: tags of several kinds, and blanks.
+const TAGS: [&[u8]; 5] = [b"TAG", b"APETAGEX", b"LYRICSBEGIN", b"ID3", b"3DI"];
+/// So many zeros are looked at.
+const MOST_ZEROS: usize = 1 << 15;
+
+/// What a header says.
+#[derive(Clone, Copy)]
+struct Header {
+    word: u32,
+    /// The frame with its header.
+    bytes: usize,
+    samples: u64,
+    /// The bytes between the header and the sound.
+    side_bytes: usize,
+}
+
+impl Header {
+    fn parse(bytes: &[u8]) -> Option<Header> {
+        let word = u32::from_be_bytes(*bytes.first_chunk()?);
+        let bits = |shift: u32, count: u32| (word >> shift) & ((1 << count) - 1);
+        let (version, layer) = (bits(19, 2), bits(17, 2));
+        if word >> 21 != 0x7ff || version == 1 || layer != 1 {
+            return None;
+        }
+        let is_full = version == 3;
+        let kilobits = KILOBITS[usize::from(!is_full)][bits(12, 4) as usize];
+        let halves = [2, 0, 1, 0][version as usize];
+        let rate_hz = RATES_HZ.get(bits(10, 2) as usize)? >> halves;
+        let bytes = (if is_full { 144_000 } else { 72_000 }) * kilobits / rate_hz + bits(9, 1);
+        let side_bytes = match (is_full, bits(6, 2) == 3) {
+            (true, false) => 32,
+            (true, true) | (false, false) => 17,
+            (false, true) => 9,
+        };
+        let samples = if is_full { 1152 } else { 576 };
+        (kilobits > 0).then_some(Header { word, bytes: bytes as usize, samples, side_bytes })
+    }
+
+    fn is_like(&self, other: &Header) -> bool {
+        let is_mono = |header: &Header| (header.word >> 6) & 3 == 3;
+        (self.word ^ other.word) & ALIKE == 0 && is_mono(self) == is_mono(other)
+    }
+}
+
+/// The frames of a file, one after the other.
+pub(super) struct Frames<R> {
+    window: Window<R>,
+    /// The header of the first frame, which all others are like.
+    first: Header,
+    /// How many frames there should be.
+    declared: Option<u64>,
+    /// Frames so far, missing ones too; of those, the missing ones; the bytes of those that are there.
+    count: u64,
+    missing: u64,
+    bytes: u64,
+    /// How many samples at the start are none of the sound, and after how many it ends.
+    delay: u64,
+    end: Option<u64>,
+    /// The file ends in the middle of a frame, or before its last.
+    pub(super) is_cut: bool,
+}
+
+impl<R: Read> Frames<R> {
+    /// The frames of `reader`, which is at its start; the decoder knows the rest by its `track`. Nothing, if there is no frame.
+    pub(super) fn new(reader: R, track: &Track) -> Result<Option<Frames<R>>> {
+        let mut window = Window::new(reader);
+        window.skip_tag()?;
+        let first = loop {
+            let Some(bytes) = window.peek(0, HEADER_BYTES)? else { return Ok(None) };
+            match Header::parse(bytes) {
+                Some(header) if window.is_followed(&header)? => break header,
+                _ => window.skip(1)?,
+            }
+        };
+        let mut frames = Frames {
+            window,
+            first,
+            declared: None,
+            count: 0,
+            missing: 0,
+            bytes: 0,
+            delay: u64::from(track.delay.unwrap_or(0)),
+            end: None,
+            is_cut: false,
+        };
+        frames.read_tag(track)?;
+        Ok(Some(frames))
+    }
+
+    /// The first frame may have no sound, but the number of frames.
+    fn read_tag(&mut self, track: &Track) -> Result<()> {
+        let Some(frame) = self.window.peek(0, self.first.bytes)? else { return Ok(()) };
+        let number =
+            |at: usize| frame.get(at..).and_then(|rest| rest.first_chunk()).map(|four| u32::from_be_bytes(*four));
+        let at = HEADER_BYTES + self.first.side_bytes;
+        self.declared = match (frame.get(at..at + 4), frame.get(36..40)) {
+            (Some(b"Xing" | b"Info"), _) => {
+                number(at + 8).filter(|_| number(at + 4).is_some_and(|flags| flags & 1 == 1))
+            }
+            (_, Some(b"VBRI")) => number(36 + 14),
+            _ => return Ok(()),
+        }
+        .map(u64::from);
+        self.end = self.declared.and(track.num_frames);
+        self.window.skip(self.first.bytes)
+    }
+
+    /// The next frame, and how many samples are missing before it, if something is. Nothing at the end.
+    pub(super) fn next(&mut self) -> Result<Option<(Packet, Option<u64>)>> {
+        let mut junk = 0_u64;
+        let header = loop {
+            let Some(bytes) = self.window.peek(0, HEADER_BYTES)? else {
+                self.finish(junk);
+                return Ok(None);
+            };
+            match Header::parse(bytes).filter(|header| header.is_like(&self.first)) {
+                Some(header) if self.is_frame(&header, junk == 0)? => break header,
+                None if junk == 0 && self.window.is_end()? => {
+                    self.finish(0);
+                    return Ok(None);
+                }
+                _ => {
+                    self.window.skip(1)?;
+                    junk += 1;
+                }
+            }
+        };
+        let missing = (junk > 0).then(|| self.lose(junk));
+        let data = self.window.peek(0, header.bytes)?.unwrap_or_default().to_vec();
+        self.window.skip(header.bytes)?;
+        let start = (self.count * header.samples).cast_signed() - self.delay.cast_signed();
+        // Behind the end is what fills the last frames, or another file.
+        let end = self.end.filter(|_| self.declared.is_none_or(|declared| self.count < declared));
+        self.count += 1;
+        self.bytes += header.bytes as u64;
+        let packet = PacketBuilder::new()
+            .track_id(0)
+            .pts(Timestamp::new(start))
+            .trimmed_dur(Duration::from(header.samples), end.map(|end| Timestamp::new(end.cast_signed())))
+            .data(data)
+            .build();
+        Ok(Some((packet, missing)))
+    }
+
+    /// Whether a frame starts here. Where the last one ended, that needs no other sign than its header.
+    fn is_frame(&mut self, header: &Header, is_in_step: bool) -> Result<bool> {
+        if self.window.peek(0, header.bytes)?.is_none() {
+            self.is_cut |= is_in_step;
+            return Ok(false);
+        }
+        Ok(is_in_step || self.window.is_followed(header)?)
+    }
+
+    /// How many samples these bytes had.
+    fn lose(&mut self, bytes: u64) -> u64 {
+        let frames = self.frames_in(bytes);
+        self.count += frames;
+        self.missing += frames;
+        frames * self.first.samples
+    }
+
+    /// How many frames of the mean length these bytes are.
+    fn frames_in(&self, bytes: u64) -> u64 {
+        let mean = self.bytes.checked_div(self.count - self.missing).unwrap_or(self.first.bytes as u64).max(1);
+        (bytes + mean / 2) / mean
+    }
+
+    /// Behind the last frame, there are so many bytes that are none.
+    fn finish(&mut self, junk: u64) {
+        // How many frames were lost is not known for sure.
+        let missing = self.declared.map(|declared| declared.saturating_sub(self.count + 1 + self.missing / 2));
+        self.is_cut = match missing {
+            Some(missing) => missing > 0,
+            None => self.is_cut || self.frames_in(junk) > 0,
+        };
+    }
+}
+
+/// What only MP3 files have.
+impl<R: Read> Window<R> {
+    /// Goes behind the tags at the start of a file.
+    fn skip_tag(&mut self) -> Result<()> {
+        while let Some(&[b'I', b'D', b'3', _, _, flags, ref size @ ..]) = self.peek(0, 10)? {
+            let size = size.iter().fold(0_usize, |size, byte| size << 7 | usize::from(byte & 0x7f));
+            let footer = if flags & 0x10 == 0 { 0 } else { 10 };
+            self.skip(10 + size + footer)?;
+        }
+        Ok(())
+    }
+
+    /// Whether another frame of this kind, or the end, follows a frame that starts here.
+    fn is_followed(&mut self, header: &Header) -> Result<bool> {
+        if self.peek(0, header.bytes)?.is_none() {
+            return Ok(false);
+        }
+        Ok(match self.peek(header.bytes, HEADER_BYTES)? {
+            Some(next) => Header::parse(next).is_some_and(|next| next.is_like(header)) || is_tag(next),
+            None => true,
+        })
+    }
+
+    /// Whether all that follows is no sound: tags, or zeros up to the end.
+    fn is_end(&mut self) -> Result<bool> {
+        let Some(start) = self.peek(0, HEADER_BYTES)? else { return Ok(true) };
+        if is_tag(start) {
+            return Ok(true);
+        }
+        let mut from = 0;
+        while let Some(&[byte]) = self.peek(from, 1)? {
+            if byte != 0 || from > MOST_ZEROS {
+                return Ok(false);
+            }
+            from += 1;
+        }
+        Ok(true)
+    }
+}
+
+fn is_tag(start: &[u8]) -> bool {
+    TAGS.iter().any(|tag| start.starts_with(tag.get(..HEADER_BYTES).unwrap_or(tag)))
+}

@@ -1,0 +1,98 @@
+//! Decoded samples, with silence where some are missing.
+
+use super::decode::{Decoded, RATES_HZ};
+use super::error::SoundError;
+use symphonia::core::audio::GenericAudioBufferRef;
+
+/// How much silence stands for what is missing, in seconds: a damaged number must not make a day of it.
+const MOST_SILENCE_S: u64 = 600;
+/// Samples of silence that are given at a time.
+const BLOCK: usize = 4_096;
+
+/// Takes what is decoded, and gives it on as one channel.
+pub(super) struct Output<T> {
+    take: T,
+    pub(super) decoded: Decoded,
+    rate_hz: Option<u32>,
+    /// Samples that were given; and those that are missing before the first, when the rate is not known yet.
+    given: u64,
+    owed: Option<u64>,
+    /// A packet of another rate came last.
+    is_off: bool,
+    interleaved: Vec<f32>,
+    mono: Vec<f32>,
+}
+
+impl<T: FnMut(u32, &[f32]) -> Result<(), SoundError>> Output<T> {
+    pub(super) fn new(take: T) -> Output<T> {
+        let (interleaved, mono) = Default::default();
+        Output {
+            take,
+            decoded: Decoded::default(),
+            rate_hz: None,
+            given: 0,
+            owed: None,
+            is_off: false,
+            interleaved,
+            mono,
+        }
+    }
+
+    /// Takes the samples of a packet.
+    pub(super) fn push(&mut self, buffer: &GenericAudioBufferRef<'_>) -> Result<(), SoundError> {
+        let rate_hz = buffer.spec().rate();
+        if !RATES_HZ.contains(&rate_hz) {
+            return Err(SoundError::Rate { rate_hz });
+        }
+        if *self.rate_hz.get_or_insert(rate_hz) != rate_hz {
+            // One packet of another rate is a damaged number, two are another sound.
+            return match std::mem::replace(&mut self.is_off, true) {
+                true => Err(SoundError::RateChanges),
+                false => self.leave_out(buffer.frames() as u64),
+            };
+        }
+        self.is_off = false;
+        if let Some(owed) = self.owed.take() {
+            self.leave_out(owed)?;
+        }
+        let channels = buffer.num_planes().max(1);
+        buffer.copy_to_vec_interleaved::<f32>(&mut self.interleaved);
+        self.decoded.clipping.push(&self.interleaved, channels, self.given, rate_hz);
+        self.mono.clear();
+        self.mono.extend(self.interleaved.chunks_exact(channels).map(mean));
+        self.given += self.mono.len() as u64;
+        (self.take)(rate_hz, &self.mono)
+    }
+
+    /// So many samples are missing here; 0 if nobody knows how many.
+    pub(super) fn leave_out(&mut self, samples: u64) -> Result<(), SoundError> {
+        let Some(rate_hz) = self.rate_hz else {
+            self.owed = Some(self.owed.unwrap_or(0).saturating_add(samples));
+            return Ok(());
+        };
+        let start = self.given;
+        self.be_silent(samples, rate_hz)?;
+        self.decoded.damage.add(start, self.given, rate_hz);
+        Ok(())
+    }
+
+    fn be_silent(&mut self, samples: u64, rate_hz: u32) -> Result<(), SoundError> {
+        let left_us = (MOST_SILENCE_S * 1_000_000).saturating_sub(self.decoded.damage.missing_us);
+        let mut left = samples.min(left_us * u64::from(rate_hz) / 1_000_000);
+        let silence = [0.0; BLOCK];
+        while left > 0 {
+            let block = silence.get(..usize::try_from(left).unwrap_or(BLOCK)).unwrap_or(&silence);
+            (self.take)(rate_hz, block)?;
+            self.given += block.len() as u64;
+            left -= block.len() as u64;
+        }
+        Ok(())
+    }
+}
+
+/// The mean of the samples of all channels. A number that is none counts as silence: floats in files can be anything.
+fn mean(frame: &[f32]) -> f32 {
+    let sum: f32 = frame.iter().map(|&sample| if sample.is_finite() { sample.clamp(-1.0, 1.0) } else { 0.0 }).sum();
+    let channels = frame.len() as f32;
+    sum / channels
+}
