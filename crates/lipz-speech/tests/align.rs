@@ -73,6 +73,21 @@ fn the_mouth_closes_for_b_and_p() {
 }
 
 #[test]
+fn the_mouth_moves_for_what_the_script_does_not_say() {
+    let alignment = align(&three_bobbies(), "Bobby ripped the ledger. Bobby ripped the ledger.");
+    let mouth = render(&alignment, VisemeType::Blair, Fps::whole(24), &RenderRules::default()).frames;
+    let length_ms = samples().len() / 48;
+    for number in 0..3 {
+        let start_ms = number * (length_ms + 500);
+        let said = &mouth[start_ms * 24 / 1_000 + 2..(start_ms + length_ms) * 24 / 1_000 - 4];
+        let still = said.bytes().filter(|&shape| shape == b'-').count();
+        assert!(still == 0 && said.contains("MM"), "{number}: {said}, {mouth}");
+    }
+    assert_eq!(alignment.mismatches.len(), 1, "it is told all the same: {:?}", alignment.mismatches);
+    assert!(alignment.phones.iter().all(|phone| phone.end_us > phone.start_us));
+}
+
+#[test]
 fn the_volume_makes_no_difference() {
     let quiet: Vec<f32> = samples().iter().map(|sample| sample / 16.0).collect();
     let (loud, quiet) = (align(&bobby(), "Bobby ripped the ledger."), {

@@ -57,10 +57,32 @@ fn hum(count: usize) -> Vec<f32> {
     (0..count).map(sample).collect()
 }
 
+/// Noise that swells and fades, as rain and waves do.
+fn swelling(count: usize) -> Vec<f32> {
+    let level = |at: usize| 1.0 + 0.8 * (std::f32::consts::TAU * (at % 36_923) as f32 / 36_923.0).sin();
+    white(count).iter().enumerate().map(|(at, noise)| noise * level(at)).collect()
+}
+
+/// Chords of three tones with harmonics, each of which is struck and fades.
+fn music(count: usize) -> Vec<f32> {
+    let sample = |at: usize| {
+        let (number, since) = (at / 16_800, at % 16_800);
+        let base_hz = [220.0, 294.0, 165.0, 247.0, 330.0][number % 5];
+        let tone = |hz: f32| -> f32 {
+            let angle = std::f32::consts::TAU * hz * since as f32 / RATE_HZ as f32;
+            (1..6).map(|harmonic| (angle * harmonic as f32).sin() / harmonic as f32).sum()
+        };
+        let chord: f32 = [1.0, 1.26, 1.5].map(|ratio| tone(base_hz * ratio)).iter().sum();
+        chord * (-3.0 * since as f32 / RATE_HZ as f32).exp()
+    };
+    (0..count).map(sample).collect()
+}
+
 /// Makes so many samples.
 type Noise = fn(usize) -> Vec<f32>;
 
-const NOISES: [(&str, Noise); 4] = [("white", white), ("pink", pink), ("babble", babble), ("hum", hum)];
+const NOISES: [(&str, Noise); 6] =
+    [("white", white), ("pink", pink), ("babble", babble), ("hum", hum), ("swelling", swelling), ("music", music)];
 
 fn power(samples: &[f32]) -> f32 {
     samples.iter().map(|sample| sample * sample).sum::<f32>() / samples.len() as f32
@@ -79,11 +101,12 @@ fn align(sound: &Sound, text: &str) -> Alignment {
     Aligner::new(Model::english(), AlignOptions::default()).align(sound, &script)
 }
 
-/// The frames of a mouth in a pause of a second: from 100 milliseconds after its start to 100 before its end.
+/// The frames of a mouth in a pause of a second: from 100 milliseconds after its start to 200 before its end,
+/// when lips may close for the next word.
 fn frames_of_pause(alignment: &Alignment) -> String {
     let mouth = render(alignment, VisemeType::Blair, Fps::whole(24), &RenderRules::default());
     let start_ms = bobby().len() / 48 + 100;
-    mouth.frames[start_ms * 24 / 1_000..(start_ms + 800) * 24 / 1_000].to_owned()
+    mouth.frames[start_ms * 24 / 1_000..(start_ms + 700) * 24 / 1_000].to_owned()
 }
 
 #[test]

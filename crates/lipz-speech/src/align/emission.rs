@@ -1,7 +1,7 @@
 //! How likely each frame of a sound is in each state, and how well phones fit in the end.
 
 use super::history::Step;
-use crate::features::cepstra::{Frame, Vectors};
+use crate::features::cepstra::Frame;
 use crate::model::{STATES, Scores};
 use crate::{Model, Phone};
 
@@ -17,28 +17,38 @@ const MOST_NATS: f32 = 10.0;
 /// other languages, which fit the phones of English less, gave way to it; at 5.5, no words but wrong ones do.
 const OTHER_SPEECH_NATS: f32 = 5.5;
 
+/// How much more likely silence is, in nats per frame, in stretches far below the voice.
+const QUIET_STRETCH_NATS: f32 = 5.0;
+
 /// The scores of the frames of a sound.
-pub(super) struct Emissions<'a> {
-    model: &'a Model,
-    vectors: Vectors<'a>,
+pub(super) struct Emissions<'m, V> {
+    model: &'m Model,
+    vectors: V,
+    /// By frame: whether nobody can be speaking.
+    quiet: std::vec::IntoIter<bool>,
     /// Of the frames so far, the score of the best phone.
     pub(super) best: Vec<f32>,
 }
 
-impl<'a> Emissions<'a> {
-    pub(super) fn new(model: &'a Model, vectors: Vectors<'a>) -> Emissions<'a> {
-        Emissions { model, vectors, best: Vec::new() }
+impl<'m, V: Iterator<Item = Frame>> Emissions<'m, V> {
+    pub(super) fn new(model: &'m Model, vectors: V, quiet: Vec<bool>) -> Emissions<'m, V> {
+        Emissions { model, vectors, quiet: quiet.into_iter(), best: Vec::new() }
     }
 }
 
-impl Iterator for Emissions<'_> {
+impl<V: Iterator<Item = Frame>> Iterator for Emissions<'_, V> {
     type Item = Scores;
 
     fn next(&mut self) -> Option<Scores> {
         let frame = self.vectors.next()?;
         let scores = self.model.score(&frame.vector);
         self.best.push(scores.iter().copied().fold(f32::MIN, f32::max));
-        Some(adjusted(scores, &frame))
+        let mut scores = adjusted(scores, &frame);
+        if self.quiet.next() == Some(true) {
+            let silence = Phone::Sil.index() * STATES;
+            scores[silence..silence + STATES].iter_mut().for_each(|score| *score += QUIET_STRETCH_NATS);
+        }
+        Some(scores)
     }
 }
 
@@ -85,7 +95,7 @@ fn prior_of_silence(frame: &Frame) -> f32 {
 /// How well each step fits: its score compared to the best phone's, in nats per frame.
 pub(super) fn fits(
     model: &Model,
-    vectors: Vectors<'_>,
+    vectors: impl Iterator<Item = Frame>,
     best: &[f32],
     phone_of: impl Fn(&Step) -> Phone,
     steps: &[Step],

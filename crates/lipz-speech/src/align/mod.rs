@@ -5,16 +5,20 @@ mod edges;
 mod emission;
 mod graph;
 mod history;
+mod loose;
 mod phones;
+mod quiet;
 mod search;
 mod steady;
 mod time;
+mod unwritten;
 
 use crate::features::cepstra::Vectors;
 use crate::{Model, Phone, Script, Sound};
 use emission::Emissions;
 use graph::{Costs, Graph};
 use history::Step;
+use loose::Loose;
 use std::ops::Range;
 
 const COSTS: Costs = Costs { pause: -2.0, noise: -30.0, missing_word: -60.0 };
@@ -88,7 +92,8 @@ pub enum MismatchKind {
 /// A phone with its time.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct AlignedPhone {
-    /// Which phone; [`Phone::Sil`] is a pause, [`Phone::Noise`] and [`Phone::Spoken`] are what the script does not say.
+    /// Which phone; [`Phone::Sil`] is a pause, [`Phone::Noise`] what is no speech. Speech that the script does not say has phones
+    /// without a word.
     pub phone: Phone,
     /// Its start in microseconds from that of the sound.
     pub start_us: u64,
@@ -148,7 +153,7 @@ impl<'m> Aligner<'m> {
     fn path(&self, sound: &Sound, script: &Script) -> Path {
         let graph = Graph::new(script, &COSTS);
         let vectors = Vectors::new(sound.spectrum());
-        let mut emissions = Emissions::new(self.model, vectors.clone());
+        let mut emissions = Emissions::new(self.model, vectors.clone(), quiet::quiet(sound.spectrum()));
         let steps = search::best_path(&graph, self.model, &mut emissions);
         let phone = |step: &Step| graph.nodes[step.node].phone;
         let phones: Vec<Phone> = steps.iter().map(phone).collect();
@@ -162,31 +167,20 @@ impl<'m> Aligner<'m> {
     /// Without a script, one phone in four is mistaken for another, most of them for one that looks alike. Works best for
     /// English.
     pub fn listen(&self, sound: &Sound) -> Alignment {
-        let vectors = Vectors::new(sound.spectrum());
-        let mut emissions = Emissions::new(self.model, vectors.clone());
-        let steps = phones::likely_phones(self.model, &mut emissions, &steady::steady(vectors.clone()));
-        let phone = |step: &Step| Phone::ALL.get(step.node).copied().unwrap_or(Phone::Sil);
-        let fits = emission::fits(self.model, vectors, &emissions.best, phone, &steps);
-        let starts: Vec<f64> = steps.iter().map(|step| step.start as f64).collect();
-        let times = time::of_starts(&starts, &steps, sound.duration_us());
-        let aligned = |((step, (start_us, end_us)), &fit): ((&Step, _), &f32)| AlignedPhone {
-            phone: phone(step),
-            start_us,
-            end_us,
-            word: None,
-            fit,
-        };
-        let phones = time::cover(steps.iter().zip(times).zip(&fits).map(aligned).collect(), sound.duration_us());
+        let duration_us = sound.duration_us();
+        let frames = 0..sound.spectrum().len();
+        let all = AlignedPhone { phone: Phone::Sil, start_us: 0, end_us: duration_us, word: None, fit: 0.0 };
+        let phones = Loose::new(self.model, sound).phones(frames, &all);
         let phones = time::join_pauses(phones, self.options.shortest_pause_us);
         let (words, breaks_us, mismatches) = Default::default();
-        Alignment { duration_us: sound.duration_us(), phones, words, breaks_us, mismatches }
+        Alignment { duration_us, phones, words, breaks_us, mismatches }
     }
 
     fn alignment(&self, sound: &Sound, script: &Script, path: &Path) -> Alignment {
         let duration_us = sound.duration_us();
         let mut phones = Vec::with_capacity(path.steps.len());
         let mut heard = vec![None; script.words.len()];
-        let times = time::of_starts(&path.starts, &path.steps, duration_us);
+        let times = time::of_starts(&path.starts, path.steps.last().map_or(0, |step| step.end), duration_us);
         for ((step, (start_us, end_us)), &fit) in path.steps.iter().zip(times).zip(&path.fits) {
             let node = &path.graph.nodes[step.node];
             let word = node.phone.is_speech().then_some(node.junction);
@@ -198,6 +192,7 @@ impl<'m> Aligner<'m> {
         let phones = time::cover(phones, duration_us);
         let confidences = doubt::confidences(&phones, heard.len());
         let mismatches = doubt::mismatches(&phones, heard.len());
+        let phones = unwritten::put_phones(self.model, sound, &path.steps, phones);
         let phones = time::join_pauses(phones, self.options.shortest_pause_us);
         let words = time::words(&phones, &heard, &confidences);
         let last_us = words.iter().map(|word| word.end_us).max().unwrap_or(duration_us);

@@ -1,6 +1,5 @@
 //! From frames to times, pauses and words.
 
-use super::history::Step;
 use super::{AlignedPhone, AlignedWord};
 use crate::Phone;
 use crate::features::mel::{HOP, RATE_HZ, WINDOW};
@@ -9,15 +8,15 @@ use crate::features::mel::{HOP, RATE_HZ, WINDOW};
 const HOP_US: u64 = HOP as u64 * 1_000_000 / RATE_HZ as u64;
 const WINDOW_US: u64 = WINDOW as u64 * 1_000_000 / RATE_HZ as u64;
 
-/// The times of steps that start in these frames: each frame is the middle of its samples, give or take half a hop.
-pub(super) fn of_starts(starts: &[f64], steps: &[Step], duration_us: u64) -> Vec<(u64, u64)> {
+/// The times of steps that start in these frames, the last of which ends before frame `end`: each frame is the middle of its
+/// samples, give or take half a hop.
+pub(super) fn of_starts(starts: &[f64], end: usize, duration_us: u64) -> Vec<(u64, u64)> {
     let boundary = |frame: f64| match frame > 0.0 {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most a day, and positive")]
         true => ((frame * HOP_US as f64) as u64 + (WINDOW_US - HOP_US) / 2).min(duration_us),
         false => 0,
     };
-    let last = steps.last().map(|step| step.end as f64);
-    let ends = starts.iter().copied().skip(1).chain(last);
+    let ends = starts.iter().copied().skip(1).chain([end as f64]);
     starts.iter().zip(ends).map(|(&start, end)| (boundary(start), boundary(end))).collect()
 }
 

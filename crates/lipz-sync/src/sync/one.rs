@@ -21,7 +21,7 @@ use std::io::{self, BufReader};
 use twox_hash::XxHash3_64;
 
 /// Changes whenever the same recording, text and settings give other mouths than before.
-const VERSION: u32 = 2;
+const VERSION: u32 = 3;
 
 /// What becomes of a job.
 pub(super) enum Step {
