@@ -1,6 +1,7 @@
 //! From the sources that a user names to the Lipz files in them.
 
 use crate::key::EXTENSION;
+use crate::list;
 use crate::walk::{Obstacle, Walk, is_hidden};
 use crate::{Content, Input};
 use glob::MatchOptions;
@@ -110,6 +111,12 @@ impl Discovery<'_> {
 
     fn folder(&mut self, folder: &Path) {
         let prefix = key_prefix(folder, self.root.unwrap_or(folder));
+        if let Some(listed) = list::plain(folder, self.reads_hidden) {
+            self.inputs.reserve(listed.files.len());
+            listed.files.into_iter().for_each(|path| self.found(path, folder, prefix.as_deref()));
+            self.hidden_count += listed.hidden_count;
+            return;
+        }
         let mut walk = Walk::new(folder, self.reads_hidden);
         for entry in &mut walk {
             match entry {
@@ -117,16 +124,21 @@ impl Discovery<'_> {
                     let mut path = entry.into_path();
                     // There are many, and they stay.
                     path.shrink_to_fit();
-                    match prefix.as_deref().and_then(|prefix| key_below(&path, folder, prefix)) {
-                        Some(key) => self.input(path, key),
-                        None => self.file(path, folder),
-                    }
+                    self.found(path, folder, prefix.as_deref());
                 }
                 Ok(_) => {}
                 Err(obstacle) => self.reports.push(impassable(folder, &obstacle)),
             }
         }
         self.hidden_count += walk.hidden_count;
+    }
+
+    /// Adds a file that was found in a folder, whose keys start with this prefix.
+    fn found(&mut self, path: PathBuf, folder: &Path, prefix: Option<&str>) {
+        match prefix.and_then(|prefix| key_below(&path, folder, prefix)) {
+            Some(key) => self.input(path, key),
+            None => self.file(path, folder),
+        }
     }
 
     fn pattern(&mut self, pattern: &str) {

@@ -68,7 +68,10 @@ pub mod inspect;
 #[cfg(feature = "json")]
 mod json;
 pub mod key;
+#[cfg(unix)]
+mod last_folder;
 mod layers;
+mod list;
 mod localise;
 mod lower;
 #[cfg(not(feature = "cache"))]

@@ -8,6 +8,10 @@ use std::marker::PhantomData;
 #[derive(Clone, Copy)]
 pub(crate) struct Stamp;
 
+/// What a thread needs to look at files: nothing.
+#[derive(Default)]
+pub(crate) struct Look;
+
 /// The name of a file in a cache.
 pub(crate) struct Name;
 
@@ -18,7 +22,7 @@ pub(crate) struct Cache<'s, 'b>(Infallible, PhantomData<(&'s (), &'b ())>);
 #[derive(Default)]
 pub(crate) struct FileStamps {
     pub(crate) files: Vec<(u32, Name, Stamp)>,
-    pub(crate) recalled: Vec<(u32, u32)>,
+    pub(crate) recalled: Vec<u32>,
     pub(crate) unread: usize,
 }
 
@@ -26,7 +30,7 @@ pub(crate) struct FileStamps {
 pub(crate) struct CachedFile<'c>(Infallible, PhantomData<&'c ()>);
 
 impl Cache<'_, '_> {
-    pub(crate) fn file<'c>(&'c self, _input: &'c Input, _next: &mut usize) -> Option<CachedFile<'c>> {
+    pub(crate) fn file<'c>(&'c self, _index: usize, _input: &'c Input, _look: &mut Look) -> Option<CachedFile<'c>> {
         match self.0 {}
     }
 }
@@ -42,11 +46,11 @@ impl FileStamps {
 }
 
 impl CachedFile<'_> {
-    pub(crate) fn unread(&self) -> Option<(Stamp, u32)> {
+    pub(crate) fn unread(&self) -> Option<Stamp> {
         match self.0 {}
     }
 
-    pub(crate) fn read(&self, _bytes: &[u8]) -> (Stamp, Option<u32>) {
+    pub(crate) fn read(&self, _bytes: &[u8]) -> (Stamp, bool) {
         match self.0 {}
     }
 

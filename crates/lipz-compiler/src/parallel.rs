@@ -2,9 +2,9 @@
 //! standard library, and all else is done by one. The bank is the same.
 
 #[cfg(feature = "parallel")]
-pub(crate) use with_rayon::{for_each, in_pool, join, map_init, sort, workers};
+pub(crate) use with_rayon::{for_each, in_pool, join, map_init, sort, thread_count, workers};
 #[cfg(not(feature = "parallel"))]
-pub(crate) use without_rayon::{for_each, in_pool, join, map_init, sort, workers};
+pub(crate) use without_rayon::{for_each, in_pool, join, map_init, sort, thread_count, workers};
 
 #[cfg(feature = "parallel")]
 mod with_rayon {
@@ -29,6 +29,11 @@ mod with_rayon {
     /// Whether there are threads to share work with. Asking rayon for its own would panic where there are none.
     fn is_in_pool() -> bool {
         rayon::current_thread_index().is_some()
+    }
+
+    /// Among how many threads work is shared.
+    pub(crate) fn thread_count() -> usize {
+        if is_in_pool() { rayon::current_num_threads() } else { 1 }
     }
 
     /// Runs `work` on each thread; `threads` is that of the pool.
@@ -78,6 +83,11 @@ mod without_rayon {
     /// Runs `work`.
     pub(crate) fn in_pool<R: Send>(_threads: Option<usize>, work: impl FnOnce() -> R + Send) -> R {
         work()
+    }
+
+    /// Among how many threads work is shared.
+    pub(crate) fn thread_count() -> usize {
+        1
     }
 
     /// Runs `work` on this number of threads, or as many as the machine has.

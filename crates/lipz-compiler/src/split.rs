@@ -1,6 +1,6 @@
 //! Splitting a bank by locale: a base bank without texts, and a text bank for each locale.
 
-use crate::clip::ClipData;
+use crate::clip::{ClipData, split_run};
 use crate::lower::assemble::{Section, assemble};
 use crate::lower::numbering::Numbering;
 use crate::lower::texts::{Run, pool_of};
@@ -141,7 +141,7 @@ impl<'data> WholeBank<'data> {
         }
         pool_of(&numbering, |at| {
             let text = texts.texts.get(places[at]? as usize)?;
-            Some(Run::of(text, texts.whole_run(text), numbering.segments(at).len(), false))
+            Some(Run::of(text, split_run(texts.whole_run(text), numbering.segments(at).len()), false))
         })
     }
 }

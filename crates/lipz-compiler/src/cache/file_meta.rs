@@ -36,6 +36,18 @@ impl FileMeta {
         Some(FileMeta { length_bytes: metadata.len(), modified_ns, changed_ns, number })
     }
 
+    /// The same of what the system tells of a file in an open folder.
+    #[cfg(target_os = "linux")]
+    pub(super) fn of_stat(stat: &rustix::fs::Stat) -> Option<FileMeta> {
+        let ns = |seconds: i64, ns: u32| u64::try_from(Duration::new(u64::try_from(seconds).ok()?, ns).as_nanos()).ok();
+        Some(FileMeta {
+            length_bytes: u64::try_from(stat.st_size).ok()?,
+            modified_ns: ns(stat.st_mtime, u32::try_from(stat.st_mtime_nsec).ok()?)?,
+            changed_ns: ns(stat.st_ctime, u32::try_from(stat.st_ctime_nsec).ok()?)?,
+            number: stat.st_ino,
+        })
+    }
+
     /// Whether a file that looks like this at `time` looks different if it changes from then on.
     pub(super) fn is_settled_at(&self, time: SystemTime) -> bool {
         let settled_ns = u128::from(self.changed_ns) + COARSEST_TICK.as_nanos();
@@ -60,6 +72,16 @@ mod tests {
         assert!(!meta.is_settled_at(changed) && !meta.is_settled_at(changed + COARSEST_TICK));
         assert!(meta.is_settled_at(changed + COARSEST_TICK + Duration::from_millis(1)));
         assert!(!meta.is_settled_at(changed - COARSEST_TICK), "a file from the future");
+    }
+
+    #[test]
+    #[cfg(target_os = "linux")]
+    fn a_file_looks_the_same_by_its_path_and_in_its_folder() {
+        let file = tempfile::NamedTempFile::new().unwrap();
+        fs::write(file.path(), "abc").unwrap();
+        let by_path = FileMeta::new(&file.path().metadata().unwrap()).unwrap();
+        let stat = rustix::fs::statat(rustix::fs::CWD, file.path(), rustix::fs::AtFlags::empty()).unwrap();
+        assert_eq!(FileMeta::of_stat(&stat), Some(by_path));
     }
 
     #[test]

@@ -9,6 +9,7 @@
 mod all;
 mod file;
 mod file_meta;
+mod look;
 mod memory;
 mod old_bank;
 mod patch;
@@ -18,6 +19,7 @@ mod sweep;
 
 #[cfg(feature = "shards")]
 pub(crate) use all::clips_of;
+pub(crate) use look::Look;
 pub use memory::Memory;
 pub(crate) use stamps::{Name, Stamp};
 
@@ -201,8 +203,8 @@ pub(crate) struct Cache<'s, 'b> {
 pub(crate) struct FileStamps {
     /// The stamps of all files without diagnostics, with the numbers of their inputs.
     pub(crate) files: Vec<(u32, Name, Stamp)>,
-    /// Numbers of inputs whose clips are in the old bank, and the slots of these.
-    pub(crate) recalled: Vec<(u32, u32)>,
+    /// Numbers of inputs whose clips are in the old bank.
+    pub(crate) recalled: Vec<u32>,
     /// Of these, those whose files were not read.
     pub(crate) unread: usize,
 }
@@ -226,8 +228,8 @@ pub(crate) struct CachedFile<'c> {
     cache: &'c Cache<'c, 'c>,
     name: Name,
     meta: FileMeta,
-    /// Its stamp of the run before, and the slot of its clip in the old bank.
-    known: Option<(&'c Stamp, u32)>,
+    /// Its stamp of the run before, which says that its clip is in the old bank.
+    known: Option<&'c Stamp>,
 }
 
 impl<'s, 'b> Cache<'s, 'b> {
@@ -244,31 +246,27 @@ impl<'s, 'b> Cache<'s, 'b> {
         self.before.as_ref().map_or(0, |(stamps, _)| stamps.count())
     }
 
-    /// Looks at the file of an input; `None` if it has none, or cannot be looked at. Its stamp is probably number
-    /// `next`, which is then counted on.
-    pub(crate) fn file<'c>(&'c self, input: &'c Input, next: &mut usize) -> Option<CachedFile<'c>> {
+    /// Looks at the file of input number `index`; `None` if it has none, or cannot be looked at.
+    pub(crate) fn file<'c>(&'c self, index: usize, input: &'c Input, look: &mut Look) -> Option<CachedFile<'c>> {
         let Content::File(path) = &input.content else { return None };
-        let meta = FileMeta::new(&path.metadata().ok()?)?;
-        let name = Name::new(path.as_os_str().as_encoded_bytes(), &input.key);
-        let known = self.before.as_ref().and_then(|(stamps, recall)| {
-            let stamp = stamps.get(name, next)?;
-            Some((stamp, recall.slot(&input.key)?))
-        });
+        let meta = look.meta(path)?;
+        let name = look.name(path, &input.key);
+        let known = self.before.as_ref().and_then(|(stamps, _)| stamps.get(name, look.next_stamp(index)));
         Some(CachedFile { cache: self, name, meta, known })
     }
 }
 
 impl CachedFile<'_> {
-    /// The stamp of the file and the slot of its clip, if its meta proves that it did not change.
-    pub(crate) fn unread(&self) -> Option<(Stamp, u32)> {
-        self.known.filter(|(known, _)| known.proves(&self.meta)).map(|(known, slot)| (*known, slot))
+    /// The stamp of the file, if its meta proves that it did not change.
+    pub(crate) fn unread(&self) -> Option<Stamp> {
+        self.known.filter(|known| known.proves(&self.meta)).copied()
     }
 
-    /// The stamp of the file, which has these contents, and the slot of its clip if it had them before.
-    pub(crate) fn read(&self, bytes: &[u8]) -> (Stamp, Option<u32>) {
+    /// The stamp of the file, which has these contents, and whether it had them before.
+    pub(crate) fn read(&self, bytes: &[u8]) -> (Stamp, bool) {
         let contents = hash(bytes);
-        let known = self.known.filter(|(known, _)| known.has_contents(contents));
-        (Stamp::new(self.meta, contents, self.cache.start), known.map(|(_, slot)| slot))
+        let is_known = self.known.is_some_and(|known| known.has_contents(contents));
+        (Stamp::new(self.meta, contents, self.cache.start), is_known)
     }
 
     /// The name of the file in a cache.

@@ -64,10 +64,12 @@ impl Stamp {
 pub(crate) struct Name(Hash);
 
 impl Name {
-    /// The name of the file at `path`, whose clip has this key.
-    pub(super) fn new(path: &[u8], key: &str) -> Name {
+    /// The name of the file at `path`, whose clip has this key, made in a buffer.
+    pub(super) fn new(path: &[u8], key: &str, buffer: &mut Vec<u8>) -> Name {
+        buffer.clear();
         // No path contains the separator.
-        Name(hash(&[path, b"\0", key.as_bytes()].concat()))
+        [path, b"\0", key.as_bytes()].into_iter().for_each(|part| buffer.extend_from_slice(part));
+        Name(hash(buffer))
     }
 }
 
@@ -166,9 +168,13 @@ fn hash_of(options: &Options) -> Hash {
 mod tests {
     use super::*;
 
+    fn name(path: &[u8], key: &str) -> Name {
+        Name::new(path, key, &mut Vec::new())
+    }
+
     fn stamps(options: &Options) -> Stamps {
         let meta = FileMeta::new(&std::fs::metadata(env!("CARGO_MANIFEST_DIR")).unwrap()).unwrap();
-        let file = |path: &[u8]| (0, Name::new(path, "a"), Stamp::new(meta, hash(path), SystemTime::now()));
+        let file = |path: &[u8]| (0, name(path, "a"), Stamp::new(meta, hash(path), SystemTime::now()));
         Stamps::new(options, 7, vec![file(b"x"), file(b"y"), file(b"z")])
     }
 
@@ -194,14 +200,14 @@ mod tests {
         let lookup = stamps.lookup();
         let mut next = 0;
         let mut has = |path: &[u8]| {
-            let name = Name::new(path, "a");
+            let name = name(path, "a");
             lookup.get(name, &mut next).is_some_and(|stamp| stamp.has_contents(hash(path)))
         };
         assert!([b"x", b"y", b"z"].into_iter().all(|path| has(path)), "in order");
         assert!(lookup.by_name.get().is_none(), "nothing had to be searched");
         assert!(!has(b"w"), "not known");
         assert!([b"z", b"x", b"y", b"y"].into_iter().all(|path| has(path)), "out of order");
-        assert_eq!(lookup.get(Name::new(b"y", "b"), &mut 1), None, "the path with another key");
+        assert_eq!(lookup.get(name(b"y", "b"), &mut 1), None, "the path with another key");
     }
 
     #[test]

@@ -9,15 +9,16 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// Clips that a thread takes at a time: so many that it reads stretches of the old bank.
 const CLIPS_AT_ONCE: usize = 1024;
 
-/// The clips of inputs, each given by its number and by the slot of its clip; `None` if the old bank does not have them
-/// any more. They come in its order, and so do its bytes.
+/// The clips of inputs, given by their numbers; `None` if the old bank does not have them any more. They come in its order,
+/// and so do its bytes.
 pub(super) fn recalled(
     recall: &Recall<'_>,
     inputs: &[Input],
-    found: &[(u32, u32)],
+    found: &[u32],
     threads: Option<usize>,
 ) -> Option<Vec<Clips>> {
-    let mut order = found.to_vec();
+    let of_input = |&index: &u32| Some((index, recall.slot(&inputs.get(index as usize)?.key)?));
+    let mut order: Vec<(u32, u32)> = found.iter().map(of_input).collect::<Option<_>>()?;
     order.sort_unstable_by_key(|(_, slot)| recall.place(*slot));
     let next = AtomicUsize::new(0);
     let batches = parallel::workers(threads, || {

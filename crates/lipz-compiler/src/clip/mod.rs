@@ -7,7 +7,7 @@ mod store;
 
 pub(crate) use curves::{Curves, Key};
 pub(crate) use locales::Locales;
-pub(crate) use store::{Clip, Clips};
+pub(crate) use store::{Clip, Clips, split_run};
 
 use crate::hashed::hash;
 use crate::strings::Strings;
@@ -52,8 +52,8 @@ pub(crate) struct ClipData {
 pub(crate) struct ClipText {
     /// Number of the locale in [`Locales`].
     pub(crate) locale: u32,
-    /// Where the run starts among the clip's, and where it ends, with [`IS_FALLBACK`]. There are millions of texts: 16
-    /// bytes for each will do.
+    /// Where the run starts among the clip's, and where it ends, with [`IS_FALLBACK`]; in [`Clips`], the texts alone. There
+    /// are millions: 16 bytes for each will do.
     start: u32,
     end: u32,
     /// Hash of the texts: made while it is in the cache.
@@ -67,6 +67,11 @@ impl ClipText {
     /// Where the run lies among the clip's.
     fn place(&self) -> Range<usize> {
         self.start as usize..(self.end & !IS_FALLBACK) as usize
+    }
+
+    /// The same where its texts stand elsewhere.
+    fn at(&self, place: Range<usize>) -> ClipText {
+        ClipText { start: place.start as u32, end: place.end as u32 | self.end & IS_FALLBACK, ..*self }
     }
 
     /// Whether it is the text of another locale, which is not packed.

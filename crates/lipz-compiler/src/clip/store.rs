@@ -19,7 +19,9 @@ pub(crate) struct Clips {
     frames: Vec<u8>,
     starts: Vec<u32>,
     texts: Vec<ClipText>,
-    runs: Vec<u8>,
+    /// For each text of each clip, where its segments end. The bank is laid out by these, and does not touch the texts.
+    text_ends: Vec<U16>,
+    displays: Vec<u8>,
     events: Strings,
     curves: Curves,
     sources: Vec<u8>,
@@ -40,7 +42,8 @@ struct Ends {
     frames: usize,
     starts: usize,
     texts: usize,
-    runs: usize,
+    text_ends: usize,
+    displays: usize,
     events: usize,
     curves: usize,
     source: usize,
@@ -52,8 +55,7 @@ impl Clips {
         self.keys.push(key);
         self.frames.extend_from_slice(&clip.frames);
         self.starts.extend_from_slice(&clip.starts);
-        self.texts.extend_from_slice(&clip.texts);
-        self.runs.extend_from_slice(&clip.runs);
+        self.push_texts(clip);
         clip.events.iter().for_each(|event| self.events.push(event));
         clip.curves.iter().for_each(|(name, keys)| self.curves.push(name, keys.iter().copied()));
         self.sources.extend_from_slice(&clip.source);
@@ -66,12 +68,24 @@ impl Clips {
                 frames: self.frames.len(),
                 starts: self.starts.len(),
                 texts: self.texts.len(),
-                runs: self.runs.len(),
+                text_ends: self.text_ends.len(),
+                displays: self.displays.len(),
                 events: self.events.count(),
                 curves: self.curves.count(),
                 source: self.sources.len(),
             },
         });
+    }
+
+    fn push_texts(&mut self, clip: &ClipData) {
+        let first = self.displays.len();
+        for text in &clip.texts {
+            let (ends, displays) = split_run(clip.whole_run(text), clip.starts.len());
+            let start = self.displays.len() - first;
+            self.text_ends.extend_from_slice(ends);
+            self.displays.extend_from_slice(displays);
+            self.texts.push(text.at(start..self.displays.len() - first));
+        }
     }
 
     /// Number of clips.
@@ -93,7 +107,8 @@ impl Clips {
         cut(&mut self.frames, ends.frames);
         cut(&mut self.starts, ends.starts);
         cut(&mut self.texts, ends.texts);
-        cut(&mut self.runs, ends.runs);
+        cut(&mut self.text_ends, ends.text_ends);
+        cut(&mut self.displays, ends.displays);
         cut(&mut self.sources, ends.source);
     }
 
@@ -134,6 +149,11 @@ impl Clips {
         }
         tags
     }
+}
+
+/// Where the texts of a run end, of which there are so many, and the texts.
+pub(crate) fn split_run(run: &[u8], count: usize) -> (&[U16], &[u8]) {
+    <[U16]>::ref_from_prefix_with_elems(run, count).unwrap_or_default()
 }
 
 /// Leaves the first `length` items, in no more room than they need.
@@ -194,10 +214,9 @@ impl<'c> Clip<'c> {
         &self.clips.texts[self.range(|ends| ends.texts)]
     }
 
-    /// The text in the locale with this number; for clips whose locales are joined.
-    pub(crate) fn text(&self, locale: u32) -> Option<&'c ClipText> {
-        let texts = self.texts();
-        texts.binary_search_by_key(&locale, |text| text.locale).ok().map(|index| &texts[index])
+    /// Which of the texts is in the locale with this number; for clips whose locales are joined.
+    pub(crate) fn text_in(&self, locale: u32) -> Option<usize> {
+        self.texts().binary_search_by_key(&locale, |text| text.locale).ok()
     }
 
     /// The locale of one of the texts; for clips whose locales are not joined yet.
@@ -205,16 +224,15 @@ impl<'c> Clip<'c> {
         self.clips.locales.tag(text.locale)
     }
 
-    /// Where each of the display texts ends, modulo 2¹⁶, and the texts.
-    pub(crate) fn run(&self, text: &ClipText) -> (&'c [U16], &'c [u8]) {
-        let (ends, texts) = self.whole_run(text).split_at(size_of::<U16>() * self.starts().len());
-        (<[U16]>::ref_from_bytes(ends).unwrap_or_default(), texts)
+    /// Where the segments of one of the texts end, modulo 2¹⁶.
+    pub(crate) fn text_ends(&self, index: usize) -> &'c [U16] {
+        let count = self.starts().len();
+        &self.clips.text_ends[self.range(|ends| ends.text_ends)][count * index..][..count]
     }
 
-    /// Both, as they stand in the buffer.
-    pub(crate) fn whole_run(&self, text: &ClipText) -> &'c [u8] {
-        let start = self.range(|ends| ends.runs).start;
-        &self.clips.runs[start + text.place().start..start + text.place().end]
+    /// The display texts of one of the texts, one behind the other.
+    pub(crate) fn displays(&self, index: usize) -> &'c [u8] {
+        &self.clips.displays[self.range(|ends| ends.displays)][self.texts()[index].place()]
     }
 
     /// The event strings of all segments, if the file has an `events` element.
@@ -264,7 +282,7 @@ mod tests {
         let clips = Clips::by_key(&batches);
         let seen: Vec<_> = clips.iter().map(|clip| (clip.key(), clip.frames().len(), clip.place())).collect();
         assert_eq!(seen, [("a", 1, (0, 1)), ("b", 2, (1, 0)), ("c", 3, (0, 0))]);
-        let run = |clip: &Clip<'_>, locale| clip.text(locale).map(|text| clip.run(text).1.to_vec());
+        let run = |clip: &Clip<'_>, locale| clip.text_in(locale).map(|index| clip.displays(index).to_vec());
         let texts: Vec<_> = clips.iter().map(|clip| [0, 1, 2].map(|locale| run(clip, locale))).collect();
         let [de, en, fr] = ["de-de", "en-us", "fr-fr"].map(|tag| Some(tag.into()));
         assert_eq!(texts, [[None, None, None], [None, en, fr.clone()], [de, None, fr]]);

@@ -2,7 +2,7 @@
 
 use super::Phases;
 use super::read::FileReader;
-use crate::cache::{Cache, CachedFile, FileStamps, Stamp};
+use crate::cache::{Cache, CachedFile, FileStamps, Look, Stamp};
 use crate::check::{CleanFiles, Spoken};
 use crate::clip::{ClipData, Clips, Locales};
 use crate::options::FileOptions;
@@ -31,8 +31,8 @@ pub(super) struct Batch {
     pub(super) clips: Clips,
     /// What a cache should know of their files.
     pub(super) stamped: FileStamps,
-    /// Number of the stamp that the next file probably has in the cache; `None` before the first one.
-    next_stamp: Option<usize>,
+    /// What it needs to look at files.
+    look: Look,
 }
 
 impl<'o> Worker<'o> {
@@ -48,19 +48,30 @@ impl<'o> Worker<'o> {
         }
     }
 
-    /// Finds the clip of file number `index` in the old bank, or reads, parses and checks the file.
-    pub(super) fn file(&mut self, index: usize, input: &Input, cache: Option<&Cache<'_, '_>>) {
-        let batch = &mut self.batch;
-        let seen = cache.and_then(|cache| cache.file(input, batch.next_stamp.get_or_insert(index)));
-        if let Some(seen) = &seen
-            && let Some((stamp, slot)) = seen.unread()
-        {
-            batch.found(index, seen, stamp, slot);
-            batch.stamped.unread += 1;
-            self.phases.recall += self.stopwatch.time();
-            return;
+    /// Does some files one after the other, of which the first has number `first`.
+    pub(super) fn files(&mut self, first: usize, inputs: &[Input], cache: Option<&Cache<'_, '_>>) {
+        // The clock is read where a file takes time, and otherwise once for all of them.
+        self.stopwatch.time();
+        for (index, input) in (first..).zip(inputs) {
+            self.file(index, input, cache);
         }
         self.phases.recall += self.stopwatch.time();
+    }
+
+    /// Finds the clip of file number `index` in the old bank, or reads, parses and checks the file.
+    fn file(&mut self, index: usize, input: &Input, cache: Option<&Cache<'_, '_>>) {
+        let batch = &mut self.batch;
+        let seen = cache.and_then(|cache| cache.file(index, input, &mut batch.look));
+        if let Some(seen) = &seen
+            && let Some(stamp) = seen.unread()
+        {
+            batch.found(index, seen, stamp);
+            batch.stamped.unread += 1;
+            return;
+        }
+        if cache.is_some() {
+            self.phases.recall += self.stopwatch.time();
+        }
         let bytes = match &input.content {
             Content::Bytes { bytes, .. } => bytes.as_slice(),
             Content::File(path) => match self.reader.read(path) {
@@ -70,8 +81,8 @@ impl<'o> Worker<'o> {
         };
         self.phases.read += self.stopwatch.time();
         let stamped = seen.map(|seen| (seen.read(bytes), seen));
-        if let Some(((stamp, Some(slot)), seen)) = &stamped {
-            batch.found(index, seen, *stamp, *slot);
+        if let Some(((stamp, true), seen)) = &stamped {
+            batch.found(index, seen, *stamp);
             self.phases.recall += self.stopwatch.time();
             return;
         }
@@ -114,10 +125,10 @@ impl<'o> Worker<'o> {
 }
 
 impl Batch {
-    /// Remembers that the clip of input number `index` is in this slot of the old bank.
-    fn found(&mut self, index: usize, seen: &CachedFile<'_>, stamp: Stamp, slot: u32) {
+    /// Remembers that the clip of input number `index` is in the old bank.
+    fn found(&mut self, index: usize, seen: &CachedFile<'_>, stamp: Stamp) {
         self.stamped.files.push((index as u32, seen.name(), stamp));
-        self.stamped.recalled.push((index as u32, slot));
+        self.stamped.recalled.push(index as u32);
     }
 }
 

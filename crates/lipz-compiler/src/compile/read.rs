@@ -1,6 +1,8 @@
 //! Reading files, each relative to the folder that it lies in.
 
 use crate::discover::display;
+#[cfg(unix)]
+use crate::last_folder::LastFolder;
 use lipz_diagnostics::{Code, Diagnostic, Report};
 use std::fs::File;
 use std::io::{self, Read};
@@ -9,12 +11,11 @@ use std::path::Path;
 /// Bytes that are read without asking how many there are, which takes as long as to read them.
 const SMALL_FILE: u64 = 1 << 16;
 
-/// Reads files one after another into one buffer, and keeps the folder of the last one open: a name is
-/// found in an open folder in two thirds of the time that a whole path takes.
+/// Reads files one after another into one buffer.
 #[derive(Default)]
 pub(crate) struct FileReader {
     #[cfg(unix)]
-    folder: Option<(std::path::PathBuf, File)>,
+    folder: LastFolder,
     bytes: Vec<u8>,
 }
 
@@ -52,12 +53,7 @@ impl FileReader {
     #[cfg(unix)]
     fn open(&mut self, path: &Path) -> io::Result<File> {
         use rustix::fs::{Mode, OFlags, openat};
-        let (Some(folder), Some(name)) = (path.parent(), path.file_name()) else { return File::open(path) };
-        // As strings: paths are compared part by part.
-        if self.folder.as_ref().is_none_or(|(open, _)| open.as_os_str() != folder.as_os_str()) {
-            self.folder = File::open(folder).ok().map(|file| (folder.to_owned(), file));
-        }
-        let Some((_, folder)) = &self.folder else { return File::open(path) };
+        let Some((folder, name)) = self.folder.of(path) else { return File::open(path) };
         let open = || openat(folder, name, OFlags::RDONLY | OFlags::CLOEXEC, Mode::empty());
         Ok(rustix::io::retry_on_intr(open)?.into())
     }

@@ -50,9 +50,7 @@ impl Run {
                 let first = next.fetch_add(FILES_AT_ONCE, Ordering::Relaxed);
                 let Some(behind) = inputs.get(first..).filter(|behind| !behind.is_empty()) else { return worker };
                 let files = behind.len().min(FILES_AT_ONCE);
-                for (index, input) in (first..).zip(behind).take(files) {
-                    worker.file(index, input, cache);
-                }
+                worker.files(first, &behind[..files], cache);
                 progress(files as u64);
             }
         });

@@ -149,12 +149,15 @@ fn other_text(tag: &str) -> String {
 
 /// The locales in which both have a text, and not the same.
 fn contradicting<'c>(dub: &Clip<'c>, original: &Clip<'_>) -> Vec<&'c str> {
-    let own = dub.texts().iter().filter(|text| !text.is_fallback());
-    let differs = |tag: &str, whole: &[u8]| {
-        let mut theirs = original.texts().iter().filter(|text| !text.is_fallback());
-        theirs.find(|text| original.tag(text) == tag).is_some_and(|text| original.whole_run(text) != whole)
+    let own = dub.texts().iter().enumerate().filter(|(_, text)| !text.is_fallback());
+    let differs = |tag: &str, own: usize| {
+        let mut theirs = original.texts().iter().enumerate().filter(|(_, text)| !text.is_fallback());
+        let theirs = theirs.find(|(_, text)| original.tag(text) == tag);
+        theirs.is_some_and(|(theirs, _)| {
+            dub.text_ends(own) != original.text_ends(theirs) || dub.displays(own) != original.displays(theirs)
+        })
     };
-    own.filter(|text| differs(dub.tag(text), dub.whole_run(text))).map(|text| dub.tag(text)).collect()
+    own.filter(|(own, text)| differs(dub.tag(text), *own)).map(|(_, text)| dub.tag(text)).collect()
 }
 
 fn bytes_of(input: &Input) -> Option<Cow<'_, [u8]>> {

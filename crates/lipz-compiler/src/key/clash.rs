@@ -1,10 +1,11 @@
 //! Keys that are the same, or one file on some systems.
 
-use super::refusal;
+use super::{is_plain, refusal};
 use crate::{Input, parallel};
 use foldhash::fast::RandomState;
 use foldhash::{HashMap, HashMapExt};
 use lipz_diagnostics::{Code, Diagnostic, Report, escape};
+use std::cmp::Ordering;
 use std::hash::BuildHasher;
 use unicase::UniCase;
 use unicode_normalization::UnicodeNormalization;
@@ -42,9 +43,27 @@ fn are_fine(inputs: &[Input]) -> bool {
     hashes.array_windows().all(|[one, next]| one != next)
 }
 
+/// Whether one sees at a glance that the keys are fine: they are plain, have no capitals, and come in the order of the
+/// paths of their files, as nearly always.
+fn are_plain_and_ascend(inputs: &[Input]) -> bool {
+    let is_plain = |input: &Input| is_plain(&input.key) && !input.key.bytes().any(|byte| byte.is_ascii_uppercase());
+    inputs.iter().all(is_plain) && inputs.array_windows().all(|[one, next]| path_is_before(&one.key, &next.key))
+}
+
+/// Whether a key without dots is less than another one when `.lipz` stands behind both.
+fn path_is_before(one: &str, next: &str) -> bool {
+    let (one, next) = (one.as_bytes(), next.as_bytes());
+    let common = one.len().min(next.len());
+    match (one[..common].cmp(&next[..common]), one.get(common), next.get(common)) {
+        (Ordering::Equal, Some(more), _) => *more < b'.',
+        (Ordering::Equal, None, Some(more)) => b'.' < *more,
+        (order, ..) => order == Ordering::Less,
+    }
+}
+
 /// Reports refused keys, keys that appear twice, and keys that are one file on some systems.
 pub fn check(inputs: &[Input], reports: &mut Vec<Report>) {
-    if are_fine(inputs) {
+    if are_plain_and_ascend(inputs) || are_fine(inputs) {
         return;
     }
     let mut seen: HashMap<String, &Input> = HashMap::with_capacity(inputs.len());
@@ -129,6 +148,28 @@ mod tests {
             let expected: String = icu.fold_string(&decomposed).nfd().collect();
             assert_eq!(folded(&character.to_string()), expected, "{character:?}");
         }
+    }
+
+    #[test]
+    fn keys_in_the_order_of_paths_are_told_at_a_glance() {
+        let glance = |keys: &[&str]| {
+            let inputs: Vec<Input> = keys.iter().map(|key| Input::from_bytes(*key, "{}")).collect();
+            are_plain_and_ascend(&inputs)
+        };
+        let mut paths =
+            ["hello.lipz", "hello-again.lipz", "hello/sailor.lipz", "hello0.lipz", "b/a.lipz", "b-to-a.lipz", "b.lipz"];
+        paths.sort_unstable();
+        let keys: Vec<&str> = paths.iter().map(|path| path.trim_end_matches(".lipz")).collect();
+        assert!(glance(&keys) && glance(&[]), "{keys:?}");
+        for (one, next) in (0..keys.len()).flat_map(|one| (0..one).map(move |next| (one, next))) {
+            assert!(!glance(&[keys[one], keys[next]]), "{} before {}", keys[one], keys[next]);
+        }
+        assert!(
+            !glance(&["hello", "hello"])
+                && !glance(&["Hello", "hello"])
+                && !glance(&["a", "b", "con"])
+                && !glance(&["a", ""])
+        );
     }
 
     #[test]

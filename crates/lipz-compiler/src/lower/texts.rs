@@ -1,16 +1,15 @@
 //! The texts: where each starts in the pool, and the bytes there.
 
 use super::numbering::Numbering;
+use super::places::{Place, places};
 use super::too_large;
 use crate::clip::{Clip, ClipText};
 use crate::dubs::Dubs;
 use crate::localise::{Choice, Localised};
 use crate::parallel;
-use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order of entries is never used
 use lipz_diagnostics::Report;
 use lipz_layout::{NO_TEXT, TEXT_COUNT_BYTES, TEXT_FALLBACK, TEXT_HAS_LENGTH, TEXT_OFFSET, U16, U32, text_count};
 use std::iter::zip;
-use zerocopy::FromBytes;
 
 /// Where the texts are.
 pub(super) struct Texts {
@@ -32,17 +31,19 @@ pub(super) fn texts(
     let mut lengths = vec![0; count];
     let table_length = segment_count.max(1);
     let shown_elsewhere = shown_elsewhere(clips, localised, dubs);
-    let columns = zip(&localised.locales, &shown_elsewhere);
-    let parts = zip(zip(starts.chunks_mut(table_length), &mut lengths), columns);
-    parallel::for_each(parts.collect(), |((table, length), (column, is_shown_elsewhere))| {
-        let run = |at: usize| match column.text(at) {
-            Choice::Own(index) => {
-                let run = Run::new(&clips[at], &clips[at].texts()[index as usize], is_shown_elsewhere[at]);
-                Some(Run { stands_apart: dubs.dub(at).is_some(), ..run })
-            }
-            _ => None,
-        };
-        *length = lay_out(numbering, run, table);
+    let run = |locale: usize, at: usize| match localised.locales[locale].text(at) {
+        Choice::Own(index) => {
+            let run = Run::new(&clips[at], index as usize, shown_elsewhere[locale][at]);
+            Some(Run { stands_apart: dubs.dub(at).is_some(), ..run })
+        }
+        _ => None,
+    };
+    let tables = zip(starts.chunks_mut(table_length), &mut lengths);
+    let mut columns: Vec<Column<'_>> = tables.map(|(starts, length)| Column { starts, length }).collect();
+    // Each thread goes through the clips once, for all of its locales.
+    let at_once = count.div_ceil(parallel::thread_count()).max(1);
+    parallel::for_each(columns.chunks_mut(at_once).enumerate().collect(), |(part, columns): (usize, &mut [_])| {
+        lay_out(numbering, |column, at| run(part * at_once + column, at), columns);
     });
     let pool_length = pool_length(&lengths)?;
     let bases = lengths.iter().scan(0, |end, length| Some(std::mem::replace(end, *end + *length as u32)));
@@ -107,12 +108,15 @@ pub(crate) fn pool_of<'c>(
     run: impl Fn(usize) -> Option<Run<'c>>,
 ) -> Result<(Vec<U32>, Vec<u8>), Report> {
     let mut starts = vec![U32::new(NO_TEXT); numbering.segment_count];
-    let length = pool_length(&[lay_out(numbering, &run, &mut starts)])?;
+    let mut length = 0;
+    let column = Column { starts: &mut starts, length: &mut length };
+    lay_out(numbering, |_, at| run(at), &mut [column]);
+    let length = pool_length(&[length])?;
     let mut pool = vec![0; length as usize];
     for at in numbering.order() {
         let own = &starts[numbering.segments(at)];
         if let Some(run) = run(at) {
-            copy(run.texts(own.len()), own, 0, &mut pool);
+            copy(run.displays, own, 0, &mut pool);
         }
     }
     starts.push(length.into());
@@ -121,34 +125,37 @@ pub(crate) fn pool_of<'c>(
 
 /// The texts of a clip in one locale, to be placed.
 pub(crate) struct Run<'c> {
-    /// Where each text ends, modulo 2¹⁶, and the texts.
-    whole: &'c [u8],
+    /// Where each text ends, modulo 2¹⁶.
+    ends: &'c [U16],
+    /// The texts, one behind the other.
+    displays: &'c [u8],
     /// Hash of the texts.
-    hash: u32,
+    pub(super) hash: u32,
     is_fallback: bool,
     /// Whether no other clip shares the texts: those of dubs, so that one sees which texts of a dub are its own.
-    stands_apart: bool,
+    pub(super) stands_apart: bool,
     /// Whether the last text is counted, whatever follows it.
     is_counted: bool,
 }
 
 impl<'c> Run<'c> {
-    /// The run of a clip's text, which another locale shows, too, or does not.
-    fn new(clip: &Clip<'c>, text: &ClipText, is_shown_elsewhere: bool) -> Run<'c> {
-        Run::of(text, clip.whole_run(text), clip.starts().len(), is_shown_elsewhere)
+    /// The run of one of a clip's texts, which another locale shows, too, or does not.
+    fn new(clip: &Clip<'c>, index: usize, is_shown_elsewhere: bool) -> Run<'c> {
+        let own = (clip.text_ends(index), clip.displays(index));
+        Run::of(&clip.texts()[index], own, is_shown_elsewhere)
     }
 
-    /// The text with this `whole` run, of a clip of so many segments.
-    pub(crate) fn of(text: &ClipText, whole: &'c [u8], segments: usize, is_shown_elsewhere: bool) -> Run<'c> {
-        let is_empty = whole.len() == segments * size_of::<U16>();
+    /// The run of a text with these ends and texts.
+    pub(crate) fn of(text: &ClipText, own: (&'c [U16], &'c [u8]), is_shown_elsewhere: bool) -> Run<'c> {
+        let (ends, displays) = own;
         // So that every run has a start of its own.
-        let is_counted = is_shown_elsewhere || is_empty;
-        Run { whole, hash: text.hash, is_fallback: text.is_fallback(), stands_apart: false, is_counted }
+        let is_counted = is_shown_elsewhere || displays.is_empty();
+        Run { ends, displays, hash: text.hash, is_fallback: text.is_fallback(), stands_apart: false, is_counted }
     }
 
-    /// The texts of so many segments, one behind the other.
-    fn texts(&self, segments: usize) -> &'c [u8] {
-        self.whole.get(segments * size_of::<U16>()..).unwrap_or_default()
+    /// Whether other texts are the same, segment by segment.
+    pub(super) fn is_same(&self, other: &Run<'_>) -> bool {
+        self.ends == other.ends && self.displays == other.displays
     }
 
     /// The entry of a text that starts at this offset.
@@ -158,9 +165,8 @@ impl<'c> Run<'c> {
 
     /// Makes the entries of texts that stand behind those so far; returns where they end.
     fn put_entries(&self, start: usize, is_counted: bool, entries: &mut [U32]) -> usize {
-        let (ends, _) = <[U16]>::ref_from_prefix_with_elems(self.whole, entries.len()).unwrap_or_default();
         let mut end = start;
-        for (entry, low) in zip(&mut *entries, ends) {
+        for (entry, low) in zip(&mut *entries, self.ends) {
             *entry = self.entry(end as u32); // too much is found by the length
             end += usize::from(low.get().wrapping_sub((end - start) as u16));
         }
@@ -174,71 +180,35 @@ impl<'c> Run<'c> {
     }
 }
 
-/// What becomes of the texts of a clip.
-#[derive(Clone, Copy)]
-enum Place {
-    /// There are none.
-    None,
-    /// They stand behind those so far.
-    Next { is_counted: bool },
-    /// The clip with this place in the order has the same.
-    As(u32),
+/// The texts of one locale, to be placed.
+struct Column<'s> {
+    /// Where the texts of each segment start, as if the pool began with them.
+    starts: &'s mut [U32],
+    /// Their length in bytes.
+    length: &'s mut usize,
 }
 
-/// Places the texts that clips have in one locale, given by `run`: one behind the other, in the order of the segments'
-/// numbers. Those of clips that have the same stand once. Puts their starts into `starts`, as if the pool began with
-/// them, and returns their length.
-fn lay_out<'c>(numbering: &Numbering, run: impl Fn(usize) -> Option<Run<'c>>, starts: &mut [U32]) -> usize {
-    let places = places(numbering, &run);
+/// Places the texts that clips have in some locales, given by `run`: in each locale one behind the other, in the order of
+/// the segments' numbers. Those of clips that have the same stand once.
+///
+/// The clips are gone through twice, whatever the number of locales: they take more memory than there is cache.
+fn lay_out<'c>(numbering: &Numbering, run: impl Fn(usize, usize) -> Option<Run<'c>>, columns: &mut [Column<'_>]) {
+    let places = places(numbering, &run, columns.len());
     let segments = |place: usize| numbering.segments(numbering.clip(place));
-    let mut length = 0;
     for (at, clip) in numbering.order().enumerate() {
-        match (places[at], run(clip)) {
-            (Place::As(same), Some(run)) => {
-                for (number, same) in zip(segments(at), segments(same as usize)) {
-                    starts[number] = run.entry(starts[same].get() & !TEXT_FALLBACK);
+        for (number, (column, places)) in zip(&mut *columns, &places).enumerate() {
+            let Some(run) = run(number, clip) else { continue };
+            if let Place::As(same) = places[at] {
+                for (own, same) in zip(segments(at), segments(same as usize)) {
+                    column.starts[own] = run.entry(column.starts[same].get() & !TEXT_FALLBACK);
                 }
+                continue;
             }
-            (Place::Next { is_counted }, Some(run)) => {
-                let is_followed = matches!(places.get(at + 1), Some(Place::Next { .. }));
-                length = run.put_entries(length, is_counted || !is_followed, &mut starts[segments(at)]);
-            }
-            _ => {}
+            let is_followed = matches!(places.get(at + 1), Some(Place::Next | Place::NextForOthers));
+            let is_counted = run.is_counted || matches!(places[at], Place::NextForOthers) || !is_followed;
+            *column.length = run.put_entries(*column.length, is_counted, &mut column.starts[segments(at)]);
         }
     }
-    length
-}
-
-/// What becomes of the texts of each clip, clips in their order. Their runs are made as they are asked for: all at once,
-/// those of all locales would take as much memory as the texts.
-fn places<'c>(numbering: &Numbering, run: impl Fn(usize) -> Option<Run<'c>>) -> Vec<Place> {
-    // The first place with a hash; and behind each, the next one that has its hash, but other texts.
-    let mut firsts: HashMap<u32, u32> = HashMap::with_capacity(numbering.order().len());
-    let mut others: HashMap<u32, u32> = HashMap::new();
-    let mut same = |at: u32, own: &Run<'c>| {
-        let mut first = *firsts.entry(own.hash).or_insert(at);
-        // Ends are part of what is compared: other segments are other texts.
-        while first != at && run(numbering.clip(first as usize)).is_none_or(|run| run.whole != own.whole) {
-            first = *others.entry(first).or_insert(at);
-        }
-        first
-    };
-    let mut places: Vec<Place> = Vec::with_capacity(numbering.order().len());
-    for (at, clip) in (0..).zip(numbering.order()) {
-        let place = match run(clip) {
-            Some(own) if own.stands_apart => Place::Next { is_counted: own.is_counted },
-            Some(own) => match same(at, &own) {
-                first if first == at => Place::Next { is_counted: own.is_counted },
-                first => {
-                    places[first as usize] = Place::Next { is_counted: true };
-                    Place::As(first)
-                }
-            },
-            None => Place::None,
-        };
-        places.push(place);
-    }
-    places
 }
 
 /// Copies the texts of a clip that have these `starts` to their part of the pool, which begins at `part_start`.
@@ -274,7 +244,7 @@ mod tests {
         }
         let clips: Vec<_> = store.iter().collect();
         let numbering = Numbering::new(clips.iter().map(|clip| (false, clip.starts().len() as u32)));
-        let run = |at: usize| clips[at].texts().first().map(|text| Run::new(&clips[at], text, at == 1));
+        let run = |at: usize| clips[at].texts().first().map(|_| Run::new(&clips[at], 0, at == 1));
         let (mut starts, pool) = pool_of(&numbering, run).ok().unwrap();
         assert_eq!(starts.pop().map(|end| end.get() as usize), Some(pool.len()));
         (starts.iter().map(|start| start.get()).collect(), pool)
@@ -298,11 +268,13 @@ mod tests {
 
     #[test]
     fn texts_with_one_hash_are_told_apart() {
-        let wholes: [&[u8]; 6] = [b"\x01\0a", b"\x01\0b", b"\x01\0c", b"\x01\0b", b"\x01\0c", b"\x01\0a"];
+        let texts: [&[u8]; 6] = [b"a", b"b", b"c", b"b", b"c", b"a"];
+        let ends = [U16::new(1)];
         let run = |at: usize| {
-            Some(Run { whole: wholes[at], hash: 7, is_fallback: false, stands_apart: false, is_counted: false })
+            let (ends, displays) = (&ends[..], texts[at]);
+            Some(Run { ends, displays, hash: 7, is_fallback: false, stands_apart: false, is_counted: false })
         };
-        let numbering = Numbering::new(wholes.iter().map(|_| (false, 1)));
+        let numbering = Numbering::new(texts.iter().map(|_| (false, 1)));
         let (starts, pool) = pool_of(&numbering, run).ok().unwrap();
         let offsets: Vec<u32> = starts.iter().map(|start| start.get() & TEXT_OFFSET).collect();
         assert_eq!(pool, b"\0\0\x01a\0\0\x01b\0\0\x01c");

@@ -2,7 +2,7 @@
 
 use crate::cache::old_bank::Window;
 use crate::cache::recall::Recall;
-use crate::clip::{Clip, ClipText};
+use crate::clip::Clip;
 use lipz_layout::{NO_TEXT, TEXT_COUNT_BYTES, TEXT_FALLBACK, TEXT_HAS_LENGTH, TEXT_OFFSET, counted_length, text_count};
 use std::ops::Range;
 
@@ -78,12 +78,14 @@ impl<'c> Change<'c> {
         let first_of = |number: usize| Some(entries(number)?.first()?.get());
         let (mut texts, mut fallbacks): (Vec<TextChange>, _) = (Vec::new(), Vec::new());
         for (number, locale) in recall.locales.iter().enumerate() {
-            let text = clip.texts().iter().find(|text| clip.tag(text) == locale.tag());
-            match (first_of(number)?, text) {
+            let index = clip.texts().iter().position(|text| clip.tag(text) == locale.tag());
+            match (first_of(number)?, index) {
                 (NO_TEXT, None) => {}
                 (start, None) if start & TEXT_FALLBACK != 0 => fallbacks.push((number, start & TEXT_OFFSET)),
-                (start, Some(text)) if start != NO_TEXT && start & TEXT_FALLBACK == 0 && !text.is_fallback() => {
-                    texts.push(TextChange::new(recall, number, entries(number)?, clip, text)?);
+                (start, Some(index))
+                    if start != NO_TEXT && start & TEXT_FALLBACK == 0 && !clip.texts()[index].is_fallback() =>
+                {
+                    texts.push(TextChange::new(recall, number, entries(number)?, clip, index)?);
                 }
                 _ => return None,
             }
@@ -99,13 +101,13 @@ impl<'c> Change<'c> {
 }
 
 impl TextChange {
-    /// The texts of a clip in the locale with this number, which had these entries; the last one is the next clip's.
+    /// One of the texts of a clip, in the locale with this number, which had these entries; the last one is the next clip's.
     fn new(
         recall: &Recall<'_>,
         locale: usize,
         old_entries: &[lipz_layout::U32],
         clip: &Clip<'_>,
-        text: &ClipText,
+        index: usize,
     ) -> Option<TextChange> {
         let offset = |entry: &lipz_layout::U32| (entry.get() & TEXT_OFFSET) as usize;
         let ([first, ..], [own @ .., next]) = (old_entries, old_entries) else { return None };
@@ -124,7 +126,7 @@ impl TextChange {
         } else {
             (offset(next).checked_sub(offset(first))?, offset(next))
         };
-        let (ends, texts) = clip.run(text);
+        let (ends, texts) = (clip.text_ends(index), clip.displays(index));
         // Where all is empty, or was, another count decides about the bytes.
         if old_length == 0 || texts.is_empty() {
             return None;

@@ -167,9 +167,9 @@ fn places<'p>(pool: &'p [u8], bytes: &'p [u8]) -> impl Iterator<Item = usize> + 
 fn is_there(bank: &[u8], clip: &Clip<'_>) -> bool {
     let Ok(bank) = Bank::open(bank) else { return false };
     let Some(found) = bank.clip_by_key(clip.key()) else { return false };
-    let has_text = |text| {
+    let has_text = |(index, text)| {
         let Some(locale) = bank.locale(clip.tag(text)) else { return false };
-        let mut texts = clip.run(text).1;
+        let mut texts = clip.displays(index);
         let are_same = found.segments().all(|segment| {
             let shown = segment.text_bytes(locale);
             let rest = shown.and_then(|shown| texts.strip_prefix(shown));
@@ -180,5 +180,5 @@ fn is_there(bank: &[u8], clip: &Clip<'_>) -> bool {
     found.frames() == clip.frames()
         && found.viseme_type() == clip.viseme_type()
         && found.segments().map(|segment| segment.start_frame()).eq(clip.starts().iter().copied())
-        && clip.texts().iter().all(has_text)
+        && clip.texts().iter().enumerate().all(has_text)
 }
