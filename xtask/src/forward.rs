@@ -18,7 +18,7 @@ const BENCHES: [(&str, &str); 4] = [
     ("generate", "Write a folder of made-up clips of realistic size and shape"),
     ("measure", "Measure packing against reading the same files"),
     ("compare", "Compare the reader with other ways to keep clips in a file, as a Markdown table"),
-    (INSTRUCTIONS, "Count the instructions of the reader's queries and hold them to their limits"),
+    (INSTRUCTIONS, "Count the instructions of the reader's queries and of packing, and hold them to their limits"),
 ];
 
 /// What the help says about them.
@@ -40,12 +40,14 @@ pub(crate) fn command(arguments: &[OsString]) -> Option<ExitCode> {
         run.args(["run", "--package", "lipz", "--manifest-path"]).arg(manifest).arg("--").args(arguments);
     } else if task == INSTRUCTIONS {
         // Only what is counted is optimised, and that needs little: the program that counts is built with the tests.
-        if !is_built(&["--bin", "queries", "--no-default-features"]) {
+        let are_built = is_built(&["--bin", "queries", "--no-default-features"])
+            && is_built(&["--bin", "packing", "--no-default-features", "--features", "packing"]);
+        if !are_built {
             return Some(ExitCode::FAILURE);
         }
-        let queries = target_folder().join("release").join(format!("queries{}", std::env::consts::EXE_SUFFIX));
+        let built = |name| target_folder().join("release").join(format!("{name}{}", std::env::consts::EXE_SUFFIX));
         run.args(["run", "--quiet", "--package", "lipz-benches", "--bin", INSTRUCTIONS, "--", "--queries"]);
-        run.arg(queries).args(rest).current_dir(workspace_root());
+        run.arg(built("queries")).arg("--packing").arg(built("packing")).args(rest).current_dir(workspace_root());
     } else {
         let (name, _) = BENCHES.iter().find(|(name, _)| task == name)?;
         // All programs, because one runs another; from the root, from which their files are named.

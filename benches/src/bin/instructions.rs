@@ -1,22 +1,26 @@
-//! `cargo xtask instructions`: what the reader's queries cost in instructions, held to limits.
+//! `cargo xtask instructions`: what the reader's queries and packing cost in instructions, held to limits.
 //!
 //! Times jitter with the machine, instruction counts do not: they can fail a build. The limits are in
 //! `benches/instructions.txt`; `--bless` writes what is counted now.
 
 use clap::Parser;
-use lipz_benches::{callgrind, layers, temporary_folder};
+use lipz_benches::{DEFAULT_SEED, callgrind, layers, temporary_folder, write_clips};
 use lipz_compiler::{Compiler, Input, Options};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Count the instructions of the reader's queries and hold them to their limits.
+/// Count the instructions of the reader's queries and of packing, and hold them to their limits.
 #[derive(Parser, Debug)]
 #[command(name = "cargo xtask instructions", max_term_width = 100)]
 struct Settings {
     /// The program that asks, as a release has it
     #[arg(long, value_name = "PROGRAM", hide = true)]
     queries: PathBuf,
+
+    /// The program that packs, as a release has it
+    #[arg(long, value_name = "PROGRAM", hide = true)]
+    packing: PathBuf,
 
     /// Make what is counted now the limits
     #[arg(long)]
@@ -37,6 +41,8 @@ const CLIPS: usize = 1000;
 const LOCALES: usize = 5;
 /// Questions about the whole bank, which take millions of instructions, and are asked less often.
 const WHOLE_BANK: [&str; 1] = ["verify"];
+/// The one that is about no bank, but about files on their way into one.
+const PACKING: &str = "pack a file";
 
 fn main() -> Result<(), Failure> {
     let settings = Settings::parse();
@@ -58,7 +64,10 @@ fn main() -> Result<(), Failure> {
             counted.push('\n');
             continue;
         };
-        let count = count(&settings.queries, &bank, question)?;
+        let count = match question {
+            PACKING => count_packing(&settings.packing, folder.path())?,
+            _ => count(&settings.queries, &bank, question)?,
+        };
         println!("{question:<20} {count:>9} {limit:>9}");
         let _ = writeln!(counted, "{question}: {count}");
         if is_too_much(count, limit) {
@@ -97,6 +106,16 @@ fn count(program: &Path, bank: &Path, question: &str) -> Result<u64, Failure> {
     let ask =
         |times: u64| callgrind::instructions(Command::new(program).arg(bank).arg(question).arg(times.to_string()));
     Ok(ask(2 * times)?.saturating_sub(ask(times)?) / times)
+}
+
+/// Instructions of packing one file: what twice as many take more.
+fn count_packing(program: &Path, folder: &Path) -> Result<u64, Failure> {
+    let pack = |clips: usize| {
+        let files = folder.join(format!("{clips} clips"));
+        write_clips(clips, LOCALES, DEFAULT_SEED, &files)?;
+        callgrind::instructions(Command::new(program).arg(&files).arg(files.with_extension("lipzbank")))
+    };
+    Ok(pack(2 * CLIPS)?.saturating_sub(pack(CLIPS)?) / CLIPS as u64)
 }
 
 #[cfg(test)]

@@ -16,7 +16,7 @@ pub(crate) struct Look;
 pub(crate) struct Name;
 
 /// A cache, of which there is none.
-pub(crate) struct Cache<'s, 'b>(Infallible, PhantomData<(&'s (), &'b ())>);
+pub(crate) struct Cache<'s>(Infallible, PhantomData<&'s ()>);
 
 /// What a run has stamped and recalled: nothing.
 #[derive(Default)]
@@ -29,7 +29,7 @@ pub(crate) struct FileStamps {
 /// A file that was looked at, of which there is none.
 pub(crate) struct CachedFile<'c>(Infallible, PhantomData<&'c ()>);
 
-impl Cache<'_, '_> {
+impl Cache<'_> {
     pub(crate) fn file<'c>(&'c self, _index: usize, _input: &'c Input, _look: &mut Look) -> Option<CachedFile<'c>> {
         match self.0 {}
     }

@@ -2,6 +2,7 @@
 
 use crate::Failure;
 use clap::ValueEnum;
+use cpu_time::ProcessTime;
 use lipz_compiler::{Compiled, Compiler, Input, Options, Phases, discover};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -53,6 +54,8 @@ impl Work {
 pub(super) struct Measurement {
     /// On the clock, from the path of the folder to the end of the work.
     pub(super) seconds: f64,
+    /// Of all threads, in the program and in the system.
+    pub(super) processor_seconds: f64,
     /// Parts of it, by name; those in brackets are sums over threads.
     pub(super) phases: Vec<(String, f64)>,
     /// Peak of the process's memory; `None` on systems that do not tell.
@@ -66,7 +69,7 @@ pub(super) fn run(work: Work, folder: &Path, bank: &Path, threads: usize) -> Res
     if work == Work::Again {
         change_one_file(folder, bank, threads)?;
     }
-    let start = Instant::now();
+    let (start, processor_start) = (Instant::now(), ProcessTime::now());
     match work {
         Work::List => {
             black_box(lipz_benches::list(folder).map_err(|error| error.to_string())?);
@@ -90,6 +93,7 @@ pub(super) fn run(work: Work, folder: &Path, bank: &Path, threads: usize) -> Res
         Work::Again => pack_again(folder, bank, threads, &mut measurement)?,
     }
     measurement.seconds = start.elapsed().as_secs_f64();
+    measurement.processor_seconds = processor_start.elapsed().as_secs_f64();
     measurement.peak_bytes = peak_bytes();
     Ok(measurement)
 }

@@ -123,11 +123,10 @@ fn again(
     let cache_clip_count = cache.clip_count();
     let is_unchanged = found == inputs.len() && cache_clip_count == Some(found);
     let are_stamps_unchanged = is_unchanged && run.stamped.unread == found && cache.stamp_count() == found;
-    let recall = cache.before.map(|(_, recall)| recall);
+    drop(cache);
     drop(stamps);
     if is_unchanged && !run.has_errors() {
         // Nothing is copied, least of all to be thrown away.
-        drop(recall);
         if let Some(bank) = old.and_then(OldBank::into_whole) {
             let files = std::mem::take(&mut run.stamped.files);
             let compiled = match run.expect_locales(&bank, options).and_then(|()| finish(&bank, Origin::Unchanged)) {
@@ -140,6 +139,8 @@ fn again(
         run = Run::read(inputs, options, Some(&Cache::new(None, None)), &|_| ());
     } else if !run.has_errors() {
         let start = Instant::now();
+        // Before it is recalled from, and only then: a bank that stays is read once.
+        let recall = old.as_ref().filter(|old| found > 0 && old.is_proven()).and_then(Recall::new);
         let has_same_keys = cache_clip_count == Some(inputs.len()) && found + run.clip_count() == inputs.len();
         // What is said about dubs is about all clips, not about those that have changed.
         let recall_few = recall.as_ref().filter(|_| has_same_keys && options.voices.patterns.is_empty());
@@ -150,12 +151,13 @@ fn again(
             let stamps = Stamps::of(&compiled, options, files);
             return (compiled, stamps);
         }
-        let clips = recall.map_or(Some(Vec::new()), |recall| {
-            sweep::recalled(&recall, inputs, &run.stamped.recalled, options.threads)
-        });
+        let clips = match &recall {
+            Some(recall) => sweep::recalled(recall, inputs, &run.stamped.recalled, options.threads),
+            None => (found == 0).then(Vec::new),
+        };
         match clips {
             Some(clips) => run.add(clips, start.elapsed()),
-            // Somebody has written to the old bank meanwhile.
+            // The old bank is damaged, or somebody has written to it meanwhile.
             None => run = Run::read(inputs, options, Some(&Cache::new(None, None)), &|_| ()),
         }
         // The old bank is given back before the new one is made.
@@ -193,8 +195,9 @@ impl PreviousRun {
 }
 
 /// What a run asks for the clips of files that did not change.
-pub(crate) struct Cache<'s, 'b> {
-    before: Option<(Lookup<'s>, Recall<'b>)>,
+pub(crate) struct Cache<'s> {
+    /// The stamps of the run before, and how many clips its bank has.
+    before: Option<(Lookup<'s>, usize)>,
     start: SystemTime,
 }
 
@@ -225,21 +228,21 @@ impl FileStamps {
 
 /// A file that was looked at.
 pub(crate) struct CachedFile<'c> {
-    cache: &'c Cache<'c, 'c>,
+    cache: &'c Cache<'c>,
     name: Name,
     meta: FileMeta,
     /// Its stamp of the run before, which says that its clip is in the old bank.
     known: Option<&'c Stamp>,
 }
 
-impl<'s, 'b> Cache<'s, 'b> {
-    fn new(stamps: Option<&'s Stamps>, bank: Option<&'b OldBank>) -> Cache<'s, 'b> {
-        let recall = bank.and_then(Recall::new);
-        Cache { before: stamps.map(Stamps::lookup).zip(recall), start: SystemTime::now() }
+impl<'s> Cache<'s> {
+    fn new(stamps: Option<&'s Stamps>, bank: Option<&OldBank>) -> Cache<'s> {
+        let clip_count = bank.and_then(OldBank::clip_count);
+        Cache { before: stamps.map(Stamps::lookup).zip(clip_count), start: SystemTime::now() }
     }
 
     fn clip_count(&self) -> Option<usize> {
-        self.before.as_ref().map(|(_, recall)| recall.clip_count())
+        self.before.as_ref().map(|(_, clip_count)| *clip_count)
     }
 
     fn stamp_count(&self) -> usize {

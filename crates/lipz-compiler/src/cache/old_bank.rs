@@ -8,7 +8,7 @@ use std::hash::Hasher;
 use std::io::{self, Read, Seek, SeekFrom};
 use std::ops::Range;
 use std::path::Path;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use twox_hash::XxHash64;
 use zerocopy::FromBytes;
 
@@ -33,6 +33,8 @@ pub(super) struct BankFile {
     tables: Vec<u8>,
     /// What the file looked like before it was read.
     meta: FileMeta,
+    /// Whether the bytes have the checksum of the header: not asked for where all of them are read anyway.
+    is_proven: OnceLock<bool>,
 }
 
 /// A stretch of the file that was read last: what is asked for next mostly is in it, too.
@@ -43,7 +45,7 @@ pub(super) struct Window {
 }
 
 impl OldBank {
-    /// The bank with this checksum in the file at `path`; `None` if that is something else.
+    /// The bank with this checksum in the file at `path`, by its header; `None` if that is something else.
     pub(super) fn open(path: &Path, expected_checksum: u64) -> Option<OldBank> {
         BankFile::open(path, expected_checksum).ok().flatten().map(|file| OldBank::File(file.into()))
     }
@@ -78,6 +80,19 @@ impl OldBank {
             OldBank::File(file) => file.read_exact(offset, bytes).ok()?,
         }
         Some(())
+    }
+
+    /// Number of clips, by the tables.
+    pub(super) fn clip_count(&self) -> Option<usize> {
+        lipz_bank::Bank::open(self.tables()).ok().map(|bank| bank.clip_count())
+    }
+
+    /// Whether all bytes have the checksum of the header: it is the bank that was verified.
+    pub(super) fn is_proven(&self) -> bool {
+        match self {
+            OldBank::Whole(_) => true,
+            OldBank::File(file) => *file.is_proven.get_or_init(|| file.checksum().ok() == checksum_of(&file.tables)),
+        }
     }
 
     /// Whether nobody has written to the file since it was opened: what was read since then is of the bank.
@@ -124,7 +139,6 @@ impl BankFile {
         let (true, Some(meta)) = (metadata.is_file() && length > size_of::<Header>(), FileMeta::new(&metadata)) else {
             return Ok(None);
         };
-        let mut block = vec![0; BLOCK_BYTES];
         let mut tables = vec![0; length];
         // The directory and more: so many sections a bank has at most.
         let head = (size_of::<Header>() + MAX_SECTIONS * size_of::<DirectoryEntry>()).min(length);
@@ -132,25 +146,35 @@ impl BankFile {
         if checksum_of(&tables) != Some(expected_checksum) {
             return Ok(None);
         }
-        let large: Vec<Range<usize>> = LARGE.into_iter().filter_map(|tag| section(&tables, tag)).collect();
-        let mut hasher = XxHash64::with_seed(0);
-        hasher.write(&tables[CHECKED_FROM..head]);
-        let mut start = head;
-        while start < length {
-            let end = (start + BLOCK_BYTES).min(length);
-            let read = &mut block[..end - start];
-            file.read_exact(read)?;
-            hasher.write(read);
-            if !large.iter().any(|section| section.start <= start && end <= section.end) {
-                tables[start..end].copy_from_slice(read);
+        for (block, is_table) in blocks(&tables) {
+            if is_table {
+                file.seek(SeekFrom::Start(block.start as u64))?;
+                file.read_exact(&mut tables[block])?;
             }
-            start = end;
+        }
+        Ok(Some(BankFile { file: file.into(), tables, meta, is_proven: OnceLock::new() }))
+    }
+
+    /// The checksum of the bytes: of the tables as they are in memory, and of all else as it is in the file.
+    fn checksum(&self) -> io::Result<u64> {
+        let length = self.tables.len();
+        let mut hasher = XxHash64::with_seed(0);
+        let mut bytes = vec![0; BLOCK_BYTES];
+        for (block, is_table) in blocks(&self.tables) {
+            let from = block.start.max(CHECKED_FROM);
+            if is_table {
+                hasher.write(&self.tables[from..block.end]);
+            } else {
+                let bytes = &mut bytes[..block.end - from];
+                self.read_exact(from, bytes)?;
+                hasher.write(bytes);
+            }
         }
         // What stands behind the bytes, as `docs/FORMAT.md` has it.
         let mut rest = vec![1];
         rest.resize((length - CHECKED_FROM + 1).next_multiple_of(STRIPE) - (length - CHECKED_FROM), 0);
         hasher.write(&rest);
-        Ok((hasher.finish() == expected_checksum).then_some(BankFile { file: file.into(), tables, meta }))
+        Ok(hasher.finish())
     }
 
     fn read_exact(&self, offset: usize, bytes: &mut [u8]) -> io::Result<()> {
@@ -158,6 +182,16 @@ impl BankFile {
         file.seek(SeekFrom::Start(offset as u64))?;
         file.read_exact(bytes)
     }
+}
+
+/// The blocks of a bank, and which of them have something else in them than parts of a large section. Of the bank, the
+/// directory must be there.
+fn blocks(bank: &[u8]) -> Vec<(Range<usize>, bool)> {
+    let large: Vec<Range<usize>> = LARGE.into_iter().filter_map(|tag| section(bank, tag)).collect();
+    let starts = (0..bank.len()).step_by(BLOCK_BYTES);
+    let blocks = starts.map(|start| start..(start + BLOCK_BYTES).min(bank.len()));
+    let is_large = |block: &Range<usize>| large.iter().any(|part| part.start <= block.start && block.end <= part.end);
+    blocks.map(|block| (block.clone(), !is_large(&block))).collect()
 }
 
 /// Bytes that the checksum takes at a time.
@@ -179,8 +213,9 @@ mod tests {
     use crate::{Compiler, Input};
 
     fn bank(text: &str) -> Vec<u8> {
-        let file = format!(r#"{{"visemes":"A-","viseme_type":"blair","text_en-us":"{text}"}}"#);
-        let inputs: Vec<Input> = (0..300).map(|number| Input::from_bytes(format!("{number}"), file.clone())).collect();
+        let file = |number| format!(r#"{{"visemes":"A-","viseme_type":"blair","text_en-us":"{text} {number}"}}"#);
+        let inputs: Vec<Input> =
+            (100..400).map(|number| Input::from_bytes(format!("{number}"), file(number))).collect();
         Compiler::default().compile(&inputs).into_bank().unwrap()
     }
 
@@ -200,10 +235,26 @@ mod tests {
             }
         }
         assert_eq!(old.bytes(bytes.len() - 1..bytes.len() + 1, &mut window, 1), None);
-        assert!(old.is_as_it_was());
+        assert!(old.is_as_it_was() && old.is_proven());
         assert!(old.clone().into_whole().is_some_and(|whole| whole == bytes), "shared");
         assert!(old.into_whole().is_some_and(|whole| whole == bytes));
         assert!(OldBank::open(&path, checksum ^ 1).is_none());
+    }
+
+    #[test]
+    fn damage_anywhere_behind_the_header_is_no_proof() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("b.lipzbank");
+        let bytes = bank(&"Aye. ".repeat(600));
+        assert!(bytes.len() > 8 * BLOCK_BYTES && blocks(&bytes).iter().any(|(_, is_table)| !is_table));
+        let checksum = checksum_of(&bytes).unwrap();
+        for at in (size_of::<Header>()..bytes.len()).step_by(BLOCK_BYTES / 3) {
+            let mut damaged = bytes.clone();
+            damaged[at] ^= 4;
+            std::fs::write(&path, &damaged).unwrap();
+            let old = OldBank::open(&path, checksum);
+            assert!(old.is_none_or(|old| !old.is_proven() && old.into_whole().is_none()), "{at}");
+        }
     }
 
     #[test]

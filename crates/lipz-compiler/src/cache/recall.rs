@@ -57,7 +57,7 @@ pub(super) fn table<'b>(recall: &Recall<'b>, tag: Tag) -> Option<&'b [u8]> {
 }
 
 impl<'b> Recall<'b> {
-    /// Recalls from this bank, which was verified before it was written; `None` if it cannot be opened.
+    /// Recalls from this bank, which is proven, and was verified before it was written; `None` if it cannot be opened.
     pub(super) fn new(old: &'b OldBank) -> Option<Recall<'b>> {
         let tables = old.tables();
         let bank = Bank::open(tables).ok()?;
@@ -82,10 +82,6 @@ impl<'b> Recall<'b> {
     /// Whether what was recalled is of the old bank: nobody has written to it since.
     pub(super) fn is_whole(&self) -> bool {
         self.old.is_as_it_was()
-    }
-
-    pub(super) fn clip_count(&self) -> usize {
-        self.bank.clip_count()
     }
 
     /// The slot of the clip with this key.

@@ -49,7 +49,7 @@ impl<'o> Worker<'o> {
     }
 
     /// Does some files one after the other, of which the first has number `first`.
-    pub(super) fn files(&mut self, first: usize, inputs: &[Input], cache: Option<&Cache<'_, '_>>) {
+    pub(super) fn files(&mut self, first: usize, inputs: &[Input], cache: Option<&Cache<'_>>) {
         // The clock is read where a file takes time, and otherwise once for all of them.
         self.stopwatch.time();
         for (index, input) in (first..).zip(inputs) {
@@ -59,7 +59,7 @@ impl<'o> Worker<'o> {
     }
 
     /// Finds the clip of file number `index` in the old bank, or reads, parses and checks the file.
-    fn file(&mut self, index: usize, input: &Input, cache: Option<&Cache<'_, '_>>) {
+    fn file(&mut self, index: usize, input: &Input, cache: Option<&Cache<'_>>) {
         let batch = &mut self.batch;
         let seen = cache.and_then(|cache| cache.file(index, input, &mut batch.look));
         if let Some(seen) = &seen

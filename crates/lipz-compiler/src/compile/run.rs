@@ -33,12 +33,7 @@ pub(crate) struct Run {
 impl Run {
     /// Reads, parses and checks `inputs`, or finds that their clips are in the old bank. Each thread makes one batch of
     /// clips: more of them, and smaller ones, would leave more memory with the allocator.
-    pub(crate) fn read(
-        inputs: &[Input],
-        options: &Options,
-        cache: Option<&Cache<'_, '_>>,
-        progress: &Progress<'_>,
-    ) -> Run {
+    pub(crate) fn read(inputs: &[Input], options: &Options, cache: Option<&Cache<'_>>, progress: &Progress<'_>) -> Run {
         let start = Instant::now();
         let mut run = Run::default();
         key::check(inputs, &mut run.reports);

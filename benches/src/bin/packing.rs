@@ -1,0 +1,14 @@
+//! The program whose instructions `cargo xtask instructions` counts for packing: packs a folder on one thread.
+//!
+//! `packing FOLDER BANK`
+
+use lipz_compiler::{Compiler, Options, discover};
+use std::path::PathBuf;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let arguments: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
+    let [folder, bank] = arguments.as_slice() else { return Err("usage: packing FOLDER BANK".into()) };
+    let (inputs, _) = discover(std::slice::from_ref(folder), None);
+    Compiler::new(Options::new().threads(1)).pack(&inputs, bank).into_bank()?;
+    Ok(())
+}
