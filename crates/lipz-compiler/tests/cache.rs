@@ -157,7 +157,7 @@ fn curves_are_recalled_as_they_were() {
     faces.base[0] = Some(5000);
     scene.options = options.clone().faces(faces);
     let files = [
-        ("own", r#""curves": { "jawOpen": "0:0 2:-40.25", "nod": "0:5" }"#),
+        ("own", r#""curves": { "ears": "0:0 2:-40.25", "nod": "0:5" }"#),
         ("felt", r#""text_en-us": "{anger 2.2} I told {joy 4} you.", "events": "mara feels fear 4""#),
         ("both", r#""text_en-us": "{anger 2.2} No.", "curves": { "anger": "0:1 2:9" }"#),
         ("none", r#""text_en-us": "No.""#),

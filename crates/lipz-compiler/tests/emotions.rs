@@ -4,7 +4,6 @@
 use lipz_bank::{Bank, Emotion, Micros};
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiler, Input, Options, WordTime, WordTimes};
-use lipz_testkit::golden::DRAMA;
 
 /// Forty frames at 10 frames a second: two segments of 20.
 const VISEMES: &str = "MAEOMAEOMAEOMAEOMAEO|MAEOMAEOMAEOMAEOMAEO";
@@ -84,15 +83,36 @@ fn events_change_the_face_at_their_segments() {
     assert_eq!(curves(events, ""), expected);
 }
 
-/// Files from before have no values: they are packed as ever.
+/// A word has the project's usual value. A project that reads `feels sad` from the events alone can say so.
 #[test]
-fn old_files_mean_what_they_meant() {
+fn words_have_the_usual_value() {
     let old = r#""events": "feels sad|amy feels happy", "text_en-us": "{sad} a|{louder} b""#;
-    assert_eq!(curves(old, ""), [""; 0]);
-    assert_eq!(curves(old, "[emotions]\ncurves = \"all\"\nvalue = 4\n"), ["amy.joy 20:0 24:4", "sadness 0:0 4:4"]);
-    assert!(Bank::open(DRAMA).unwrap().clips().all(|clip| clip.curves().count() == 0));
+    assert_eq!(curves(old, ""), ["amy.joy 20:0 24:5", "sadness 0:0 4:5"]);
+    assert_eq!(curves(old, "[emotions]\nvalue = 4\n"), ["amy.joy 20:0 24:4", "sadness 0:0 4:4"]);
+    let values = "[emotions]\ncurves = \"values\"\n";
+    assert_eq!(curves(old, values), [""; 0]);
     let one_value = r#""events": "feels sad|feels joy 1""#;
-    assert_eq!(curves(one_value, ""), ["joy 20:0 24:1", "sadness 0:0 4:5 20:5 24:0"]);
+    assert_eq!(curves(one_value, values), ["joy 20:0 24:1", "sadness 0:0 4:5 20:5 24:0"]);
+}
+
+/// The examples of the specification move faces without any setting.
+#[test]
+fn the_examples_of_the_specification_move_faces() {
+    let file = std::fs::read(concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/spec/repaired/06-three-moods.lipz"))
+        .unwrap();
+    let bytes = Compiler::default().compile(&[Input::from_bytes("a", file)]).into_bank().unwrap();
+    let bank = Bank::open(&bytes).unwrap().verify().unwrap();
+    let names: Vec<String> =
+        bank.clips().flat_map(|clip| clip.curves()).map(|curve| curve.name().to_string()).collect();
+    assert!(names.iter().all(|name| Emotion::from_name(name).is_some()) && names.len() > 1, "{names:?}");
+}
+
+/// A segment of some other syntax is one string for the game, whatever stands between its commas.
+#[test]
+fn other_syntax_moves_no_face() {
+    for events in ["feels anger 2,5|", "feels anger 2, jumps|", "say('feels anger 2'), feels anger 3|"] {
+        assert_eq!(curves(&format!(r#""events": "{events}""#), ""), [""; 0], "{events}");
+    }
 }
 
 #[test]
@@ -101,7 +121,7 @@ fn presets_have_values_and_projects_have_their_own() {
     assert_eq!(first("evil 2", ""), ["anger 0:0 4:2", "joy 0:0 4:2"]);
     assert_eq!(first("suspicious 4", ""), ["anger 0:0 4:2", "perplexed 0:0 4:4"]);
     assert_eq!(first("sad 7", ""), ["sadness 0:0 4:7"]);
-    let own = "[emotions]\nsmug = \"joy 2 + disgust 1\"\nsad = \"sadness 3\"\ncurves = \"all\"\n";
+    let own = "[emotions]\nsmug = \"joy 2 + disgust 1\"\nsad = \"sadness 3\"\n";
     assert_eq!(first("smug", own), ["disgust 0:0 4:1", "joy 0:0 4:2"]);
     assert_eq!(first("sad", own), ["sadness 0:0 4:3"]);
     assert_eq!(first("take 3", own), [""; 0], "a note");
@@ -152,6 +172,11 @@ fn what_is_wrong_is_said() {
     assert_eq!(codes(r#""events": "feels anger 11|""#), ["LZ1807: anger 11 is outside of 0 to 10"]);
     let sum = codes(r#""text_en-us": "a|b {anger 8, joy 5} c""#);
     assert_eq!(sum, ["LZ1808: the emotions add up to 13 from frame 30 (3.00 s) on"]);
+    assert_eq!(codes(r#""text_en-us": "{anger 2,2} a|{louder} b""#).len(), 1);
+    let registered = options("[registry]\nemotions = [\"smug\"]\n");
+    let file = format!(r#"{{ "fps": 10, "visemes": "{VISEMES}", "events": "feels smug|" }}"#);
+    let reports = Compiler::new(registered).check(&[Input::from_bytes("a", file)]).reports;
+    assert_eq!(reports[0].diagnostics[0].message, "no face is known for `smug`: it makes no curve");
     let translated = r#""text_de-de": "{joy 2} a|b", "text_en-us": "{joy 1} a|b", "text_fr-fr": "a|b""#;
     assert_eq!(codes(translated), ["LZ1809: the text of the voice has another emotion here, in segment 0"]);
     assert_eq!(codes(r#""text_en-us": "{take 3} a|{to amy} b {wait 0.5}""#), [""; 0]);

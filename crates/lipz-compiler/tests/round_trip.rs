@@ -139,7 +139,7 @@ fn options() -> impl Strategy<Value = Options> {
     let locales = option::of(collection::btree_set(sample::select(tags.to_vec()), 0..5));
     let default_locale = option::of(sample::select(&["de-de", "en-us", "it-it"][..]));
     let viseme_type = || option::of(sample::select(&VisemeType::ALL[..]));
-    let faces = ["", "[face]\nkeys = \"words\"\nblink = 3\n", "face.keys = \"off\"\nemotions.curves = \"all\"\n"];
+    let faces = ["", "[face]\nkeys = \"words\"\nblink = 3\n", "face.keys = \"off\"\nemotions.curves = \"values\"\n"];
     (locales, default_locale, viseme_type(), viseme_type(), any::<[bool; 2]>(), sample::select(faces.to_vec()))
         .prop_map(|(locales, default_locale, viseme_type, default_viseme_type, [literal_braces, pseudo], faces)| {
             let (settings, report) = Settings::parse(faces.as_bytes(), "lipz.toml", "".as_ref());

@@ -39,7 +39,11 @@ fn compare(bytes: &[u8]) -> usize {
         count += events.len();
         names.extend(events.iter().flat_map(|(character, _, object)| [*character, *object]).flatten());
     }
-    // Names are numbered in their order, without gaps, and none is there that no event mentions.
+    // Curves have names of the same kind.
+    let curves: Vec<String> =
+        bank.clips().flat_map(|clip| clip.curves()).map(|curve| curve.name().to_string()).collect();
+    names.extend(curves.iter().map(String::as_str));
+    // Names are numbered in their order, without gaps, and none is there that no event and no curve has.
     for (name, number) in names.iter().zip(0..) {
         assert_eq!(bank.event_name(name).map(EventName::id), Some(number), "{names:?}");
     }

@@ -212,6 +212,19 @@ pub fn parse(segment: &str) -> Option<impl Iterator<Item = Event<'_>>> {
     is_whole.then(|| parts(segment).filter_map(Part::event))
 }
 
+/// The events `[character] feels BLEND` of a segment, with their blends; none if a part of it is some other syntax.
+///
+/// ```
+/// use lipz_file::event::feelings;
+/// assert_eq!(feelings("nods, mara feels fear 4").count(), 1);
+/// assert_eq!(feelings("say('feels fear 4'), feels fear 4").count(), 0);
+/// ```
+pub fn feelings(segment: &str) -> impl Iterator<Item = (Event<'_>, Blend<'_>)> {
+    // Most events are others.
+    let is_whole = segment.contains(FEELS) && parse(segment).is_some();
+    parts(segment).filter(move |_| is_whole).filter_map(Part::feeling)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -44,7 +44,7 @@ fn the_bank_is_the_same_with_curves_in_the_files() {
     assert_eq!(said.code, 0, "{said:?}");
     let summary = said.stderr + &said.stdout;
     assert!(
-        summary.contains("2 files have new curves, 1 unchanged") && summary.contains("nod in 2 files"),
+        summary.contains("2 files with new curves, 1 unchanged") && summary.contains("nod in 2 files"),
         "{summary}"
     );
     let after = read(&scene, "voices/neat.lipz");

@@ -36,6 +36,9 @@ const BEYOND_A_SCHEMA: &[(&str, &str)] = &[
     ("LZ1809", "the meta of several texts is compared"),
     ("LZ1810", "events may be any text"),
     ("LZ1811", "events and curves are compared"),
+    ("LZ1812", "meta may be any text"),
+    ("LZ1813", "a curve may have any value"),
+    ("LZ1814", "events and curves are compared"),
 ];
 /// Bad files of those names that have a second fault, which the schema finds.
 const FOUND_ALL_THE_SAME: &[&str] = &[

@@ -75,9 +75,7 @@ pub(crate) fn check(
         clip.has_visemes = true;
         visemes::frames(string, expected, clip, diagnostics);
     }
-    if let Some(value) = roles.curves {
-        curves::curves(value, &options.known_names, clip, diagnostics);
-    }
+    let curves = roles.curves.map(|value| curves::curves(value, &options.known_names, clip, diagnostics));
     // One element says how many segments there are; others are joined if that is allowed.
     let segment_count = match roles.reference(options, locales) {
         _ if clip.has_visemes => clip.starts.len(),
@@ -127,6 +125,7 @@ pub(crate) fn check(
         clip.starts.resize(segment_count, 0);
     }
     emotions::curves(&roles, options, spoken, locales, clip, diagnostics);
+    emotions::sums(&curves.unwrap_or_default(), clip, diagnostics);
     gestures::curves(&roles, options, spoken, locales, clip, diagnostics);
     blank::report(&roles, clip, options, locales, diagnostics);
     bound::limit(diagnostics);
@@ -154,7 +153,7 @@ pub(crate) fn fragment(fragment: &Fragment<'_>, options: &Options, diagnostics: 
         texts::display_texts(text.string, options, &mut clip.displays, &mut found);
         bank_limits::for_texts(text.string, &clip.displays, &mut found);
     }
-    roles.curves.into_iter().for_each(|value| curves::curves(value, &options.known_names, &mut clip, &mut found));
+    roles.curves.into_iter().for_each(|value| drop(curves::curves(value, &options.known_names, &mut clip, &mut found)));
     roles.events.into_iter().for_each(|string| drop(events::trimmed(string, &options.known_names, &mut found)));
     found.iter_mut().for_each(|diagnostic| diagnostic.retain_fixes(|_| false));
     diagnostics.append(&mut found);

@@ -22,18 +22,18 @@ pub struct Emotions {
 /// Which clips get curves of their emotions.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum EmotionCurves {
-    /// Those in which an emotion has a value: `{anger 2.2}`. Files from before lipz have none.
+    /// Those with emotions: `{anger 2.2}`, `feels sad`.
     #[default]
-    Values,
-    /// Also those that only name emotions: `feels sad`.
     All,
+    /// Those in which an emotion has a value: `{anger 2.2}`. For projects that read `feels sad` from the events alone.
+    Values,
     /// None.
     Off,
 }
 
 impl Default for Emotions {
     fn default() -> Emotions {
-        Emotions { curves: EmotionCurves::Values, usual_thousandths: 5000, over_ms: 400, presets: BTreeMap::new() }
+        Emotions { curves: EmotionCurves::All, usual_thousandths: 5000, over_ms: 400, presets: BTreeMap::new() }
     }
 }
 
@@ -50,6 +50,11 @@ impl Emotions {
     pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
         let presets = emotion::PRESETS.iter().map(|(name, _)| *name);
         Emotion::ALL.iter().map(|emotion| emotion.name()).chain(presets).chain(self.presets.keys().map(String::as_str))
+    }
+
+    /// Whether a name stands for some attribute.
+    pub(crate) fn has_attributes(&self, name: &str) -> bool {
+        !self.feeling(name, None).is_empty()
     }
 
     /// The face of a blend; names that are not known change nothing.

@@ -9,7 +9,7 @@ use lipz_file::emotion::Blend;
 
 /// The words for which clips get curves.
 const CURVES: [(&str, EmotionCurves); 3] =
-    [("values", EmotionCurves::Values), ("all", EmotionCurves::All), ("off", EmotionCurves::Off)];
+    [("all", EmotionCurves::All), ("values", EmotionCurves::Values), ("off", EmotionCurves::Off)];
 
 /// Longest time of a change, in seconds.
 const MOST_SECONDS: f64 = 60.0;
@@ -25,7 +25,7 @@ impl Reading<'_> {
                     None => {
                         let help = match suggest::nearest(text, CURVES.map(|(known, _)| known)) {
                             Some(near) => format!("did you mean \"{near}\"?"),
-                            None => "write \"values\", \"all\" or \"off\"".to_owned(),
+                            None => "write \"all\", \"values\" or \"off\"".to_owned(),
                         };
                         self.refuse(value, "does not say which clips get curves", &help);
                     }

@@ -193,6 +193,9 @@ codes! {
     EmotionLocales "LZ1809" "emotion-locales" Warning "a translation has other emotions than the voice"
     GestureValue "LZ1810" "gesture-value" Warning "the number of a gesture is above 10"
     GestureHidden "LZ1811" "gesture-hidden" Warning "the gesture of an event moves nothing"
+    NearEmotion "LZ1812" "near-emotion" Warning "braces are nearly a blend of emotions"
+    CurveOutOfRange "LZ1813" "curve-out-of-range" Warning "a value of a curve is more than a face can show"
+    EmotionHidden "LZ1814" "emotion-hidden" Warning "an emotion makes no curve"
 
     "Translators' files"
     ExchangeSyntax "LZ1901" "exchange-syntax" Error "a translator's file is not of its format"

@@ -3,8 +3,10 @@
 //! In the meta of a text (`{anger 6, joy 1}`) they hold from the word behind it; in events (`feels anger 6 + joy 1`) from
 //! the start of the segment. A blend says what the whole face is: what it does not name is 0.
 
+mod near;
 mod presets;
 
+pub use near::NearBlend;
 pub use presets::{Feeling, PRESETS, preset};
 
 use crate::curve::thousandths;

@@ -141,8 +141,8 @@ impl Run for Face {
         match self.rewriting() {
             _ if self.quiet || worked.inputs.is_empty() => {}
             Rewriting::InPlace if is_standard => {}
-            Rewriting::InPlace => shown.push_str(&counts.summary("have new curves", keys)),
-            Rewriting::Nothing | Rewriting::Diff => reporter.remark(&counts.summary("would get curves", keys)),
+            Rewriting::InPlace => shown.push_str(&counts.summary("with new curves", keys)),
+            Rewriting::Nothing | Rewriting::Diff => reporter.remark(&counts.summary("to get curves", keys)),
         }
         if self.prints_result() {
             reporter.print(&shown)?;

@@ -46,7 +46,7 @@ fn parts(visemes: &str, texts: [&str; 3], events: &str) -> Parts {
 
 fn scene() -> Vec<Parts> {
     vec![
-        parts("MA|E-", ["Hi|you", "Na|du", "Toi|là"], "feels sad|"),
+        parts("MA|E-", ["Hi|you", "Na|du", "Toi|là"], "sees amy|"),
         parts("MAE", ["One line", "Eine Zeile", ""], ""),
         parts("A-", ["Same", "Gleich", "Pareil"], ""),
         parts("MMA-", ["Same", "Anders", "Pareil"], ""),
@@ -57,8 +57,8 @@ fn scene() -> Vec<Parts> {
 #[test]
 fn frames_and_texts_of_a_clip_become_others() {
     let edits: [(usize, Parts); 6] = [
-        (0, parts("MAAA|EEE-", ["Hi|you", "Na|du", "Toi|là"], "feels sad|")),
-        (0, parts("M|E", ["Hello|y", "Na|du", "Toi|là"], "feels sad|")),
+        (0, parts("MAAA|EEE-", ["Hi|you", "Na|du", "Toi|là"], "sees amy|")),
+        (0, parts("M|E", ["Hello|y", "Na|du", "Toi|là"], "sees amy|")),
         (1, parts("MAE", ["One longer line", "Eine Zeile", ""], "")),
         (1, parts("MAEOO", ["Line", "Eine ganz andere Zeile", ""], "")),
         (3, parts("MMA-", ["Same", "Sehr anders", "Pareil"], "")),
@@ -80,8 +80,8 @@ fn what_may_stand_once_is_left_to_all_clips() {
         (2, parts("A-", ["Other", "Gleich", "Pareil"], "")),
         (1, parts("MAE", ["Same", "Eine Zeile", ""], "")),
         (1, parts("MAE", ["One line", "Eine Zeile", "Une ligne"], "")),
-        (0, parts("MA|E-", ["Hi|you", "Na|du", "Toi|là"], "feels joy|")),
-        (0, parts("MA|E|-", ["Hi|y|ou", "Na|d|u", "To|i|là"], "feels sad||")),
+        (0, parts("MA|E-", ["Hi|you", "Na|du", "Toi|là"], "sees rob|")),
+        (0, parts("MA|E|-", ["Hi|y|ou", "Na|d|u", "To|i|là"], "sees amy||")),
         (4, parts("AO", [" The end", "", ""], "")),
     ];
     for (at, edit) in edits {

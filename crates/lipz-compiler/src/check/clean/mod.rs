@@ -10,7 +10,7 @@ mod strings;
 #[cfg(test)]
 mod tests;
 
-use super::visemes;
+use super::{emotions, visemes};
 use crate::clip::{ClipData, Locales};
 use crate::options::GestureKeys;
 use crate::source_record::Recorder;
@@ -125,6 +125,9 @@ impl<'o> CleanFiles<'o> {
         }
         if !clip.has_visemes {
             clip.starts.resize(segment_count.unwrap_or(1), 0);
+        }
+        if clip.has_events && !emotions::of_clean_events(clip, self.options) {
+            return Err(Unclean);
         }
         self.order_texts(locales, clip)?;
         if has_blank {

@@ -7,7 +7,7 @@ use foldhash::{HashSet, HashSetExt};
 /// Strings of a kind that are remembered: games repeat few of them often.
 const MOST_KNOWN: usize = 1 << 12;
 
-/// The strings that a thread has found clean: without diagnostics, and without a face that becomes a curve.
+/// The strings that a thread has found clean: without diagnostics, and without what becomes a curve, but for emotions of events.
 pub(super) struct CleanStrings {
     events: HashSet<Box<str>>,
     metas: HashSet<Box<str>>,
@@ -23,7 +23,7 @@ impl CleanStrings {
         segment.is_empty()
             || known_or(&mut self.events, segment, || {
                 events::is_clean(segment, &options.known_names)
-                    && !emotions::are_in_events(segment, options)
+                    && emotions::is_clean(segment, options)
                     && !gestures::are_in_events(segment)
             })
     }

@@ -54,7 +54,7 @@ fn is_clean(bytes: &[u8], options: &Options) -> bool {
 fn all_options() -> Vec<Options> {
     let usual = Options::new();
     let mut with_curves = Options::new();
-    with_curves.emotions.curves = EmotionCurves::All;
+    with_curves.emotions.curves = EmotionCurves::Values;
     let mut with_gestures = Options::new().default_locale("en-us");
     with_gestures.gestures.keys = GestureKeys::Words;
     vec![
@@ -79,6 +79,9 @@ fn all_options() -> Vec<Options> {
 fn usual_files_are_clean() {
     let files = [
         r#"{"fps":24,"viseme_type":"blair","visemes":"MA|E-","text_en-us":"Hi| there ","text_de-de":"Na|und","events":"feels sad|"}"#,
+        r#"{"events":"feels joy 3, amy feels sad + anger 2 over 1s|feels calm","fps":24,"visemes":"MAAAA|E-"}"#,
+        r#"{"events":"feels joy 3","visemes":"MAAAA"}"#,
+        r#"{"events":"feels joy 3"}"#,
         "{\n\t\"text_en-us\" : \"Hi, {to amy} you\",\r\n  \"fps\": 23.976 }\n",
         r#" {"visemes":"|","text_de-de":"ü|","text_en-us":"|x"} "#,
         r#"{"events":"amy sees door, feels sad|bell(3)"}"#,
@@ -117,7 +120,11 @@ fn whatever_could_be_reported_is_refused() {
         "{\"text_en-us\":\"a\nb\"}",
         "{\"text_en-us\":\"a\\nb\"}",
         "{\"text_en-us\":\"{anger 2} No!\",\"fps\":24,\"visemes\":\"MA\"}",
-        "{\"events\":\"feels joy 3\",\"fps\":24,\"visemes\":\"MA\"}",
+        "{\"events\":\"feels joy 13\",\"fps\":24,\"visemes\":\"MA\"}",
+        "{\"events\":\"feels joy 6 + anger 6\",\"fps\":24,\"visemes\":\"MA\"}",
+        "{\"events\":\"feels neutral 3\",\"fps\":24,\"visemes\":\"MA\"}",
+        "{\"events\":\"|feels joy\",\"fps\":24,\"visemes\":\"MA|\"}",
+        "{\"text_en-us\":\"Hi {anger 2,2} you\"}",
         "{\"events\":\"feels hapy\"}",
         "{\"text_en-us\":\"a|b\",\"text_de-de\":\"a|\"}",
         "{\"text_it-it\":\"a\"}",

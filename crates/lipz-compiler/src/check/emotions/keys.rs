@@ -1,6 +1,7 @@
 //! From changes of faces to keys of curves.
 
-use crate::clip::{ClipData, Key};
+use super::faces::Changes;
+pub(super) use crate::clip::Key;
 use crate::options::Face;
 use lipz_bank::{CurveValue, Emotion};
 use std::collections::BTreeMap;
@@ -16,10 +17,9 @@ pub(super) struct Change {
     pub(super) over: u32,
 }
 
-/// Adds the curves to those of the clip, which stay in the order of their names. Those of the file stay as they are.
-pub(super) fn add(changes: BTreeMap<Option<String>, Vec<Change>>, clip: &mut ClipData) {
-    let end = clip.frames.len() as u32;
-    let mut all: BTreeMap<String, Vec<Key>> = BTreeMap::new();
+/// The curves of all characters, in a clip of so many frames.
+pub(super) fn curves(changes: Changes, end: u32) -> BTreeMap<String, Vec<Key>> {
+    let mut all = BTreeMap::new();
     for (character, mut changes) in changes {
         changes.retain(|change| change.frame < end);
         // Of several at one frame, the last one holds.
@@ -35,7 +35,7 @@ pub(super) fn add(changes: BTreeMap<Option<String>, Vec<Change>>, clip: &mut Cli
             }
         }
     }
-    clip.curves.add_missing(all);
+    all
 }
 
 /// The keys of one attribute, in a clip of so many frames.

@@ -1,10 +1,10 @@
 //! Emotions in the meta of a text.
 
-use super::Known;
+use super::known::Known;
 use crate::Options;
 use crate::options::Face;
-use lipz_diagnostics::{Code, Diagnostic};
-use lipz_file::emotion::Blend;
+use lipz_diagnostics::{Code, Diagnostic, escape};
+use lipz_file::emotion::{Blend, NearBlend};
 use lipz_file::{JsonString, text};
 use std::ops::Range;
 
@@ -58,6 +58,32 @@ fn is_meant(blend: &Blend<'_>, known: &Known<'_>) -> bool {
     let names = || blend.terms.iter().map(|term| term.name.text);
     let is_near = |name: &str| known.has(name) || known.nearest(name).is_some();
     names().all(|name| known.has(name)) || blend.has_value() && names().all(is_near)
+}
+
+/// What was meant by a meta, given with its braces, that is nearly a blend of emotions.
+pub(super) fn near_miss<'t>(meta: &'t str, known: &Known<'_>) -> Option<NearBlend<'t>> {
+    let inner = meta.strip_prefix('{')?.strip_suffix('}')?;
+    if Blend::parse(inner, 0).is_some_and(|blend| is_meant(&blend, known)) {
+        return None;
+    }
+    NearBlend::of(inner, |name| known.has(name))
+}
+
+/// The diagnostics of all metas of a text that are nearly blends of emotions.
+pub(super) fn near_misses(string: &JsonString<'_>, known: &Known<'_>) -> Vec<Diagnostic> {
+    let mut found = Vec::new();
+    for segment in text::segments(&string.text).filter(|_| string.text.contains('{')) {
+        for meta in text::meta_ranges(&string.text[segment.clone()]) {
+            let range = segment.start + meta.start..segment.start + meta.end;
+            let written = &string.text[range.clone()];
+            let Some(near) = near_miss(written, known) else { continue };
+            let message = format!("{} is nearly a blend of emotions, and is taken for a note", escape::quoted(written));
+            let note = near.note.map(|note| format!(" A note has braces of its own: {{{}}}", escape::text(note)));
+            let help = format!("did you mean `{{{}}}`?{}", near.meant, note.unwrap_or_default());
+            found.push(Diagnostic::at(Code::NearEmotion, string.span_of(range), message).help(help));
+        }
+    }
+    found
 }
 
 /// The first place where the emotions of a translation are not those of the voice.

@@ -65,6 +65,13 @@ fn too_high(event: &Event<'_>, strength: i32, span: Span) -> Diagnostic {
         .help("write a number from 0, nothing, to 10, the most that a face can do")
 }
 
+/// The diagnostic for the first gesture of a clip without a frame rate.
+pub(super) fn without_fps((_, span): &(Gesture<'_>, Span)) -> Diagnostic {
+    Diagnostic::at(Code::GestureHidden, *span, "the gesture moves nothing: the clip has no frame rate")
+        .note("a gesture takes a time, of which lipz has to make frames")
+        .help("add `fps` to the file, or `default-fps` to lipz.toml for all that have none")
+}
+
 /// The diagnostic for the gesture of an event that moves no curve: those of the file are still, or it has no place on them.
 pub(super) fn hidden(gesture: &Gesture<'_>, span: Span, is_still: bool, clip: &ClipData) -> Diagnostic {
     let (message, help) = match is_still {

@@ -57,10 +57,13 @@ pub(super) fn curves(
     diagnostics: &mut Vec<Diagnostic>,
 ) {
     let keys = options.gestures.keys;
-    let Some(fps) = clip.fps.filter(|_| keys != GestureKeys::Off && clip.has_visemes) else { return };
+    if keys == GestureKeys::Off || !clip.has_visemes {
+        return;
+    }
     let events = roles.events.filter(|_| !clip.has_joined);
     let of_events = events.map(|events| events::of_events(events, clip, &options.gestures, diagnostics));
     let of_events = of_events.unwrap_or_default();
+    let Some(fps) = clip.fps else { return diagnostics.extend(of_events.first().map(events::without_fps)) };
     let mut gestures: Vec<Gesture<'_>> = of_events.iter().map(|(gesture, _)| *gesture).collect();
     if keys == GestureKeys::Words {
         of_words(roles, options, spoken, locales, clip, fps, &mut gestures);
@@ -93,7 +96,7 @@ fn of_words(
         if let Some(lists) = Lists::of(locales.tag(text.locale)) {
             said::of_lists(&words, lists, &clock, &options.gestures, to);
         }
-        said::of_stress(&words, &clock, to);
+        said::of_stress(&words, locales.tag(text.locale), &clock, to);
         said::of_breath(&words, clip, &clock, &options.gestures, to);
     }
     pauses::of_listening(clip, fps, to);

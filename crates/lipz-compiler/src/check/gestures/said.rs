@@ -20,6 +20,9 @@ const SHRUG: i32 = 600;
 
 const EXCLAMATION_MARKS: &[char] = &['!', '！', '՜'];
 const QUESTION_MARKS: &[char] = &['?', '？', '؟', '፧', '՞'];
+/// In Greek, that of questions looks like a semicolon, and is written with one.
+const GREEK_QUESTION_MARKS: &[char] = &[';', '\u{37E}', '?'];
+const GREEK: &str = "el";
 
 /// Adds the nods, shakes and shrugs of the words in a text, whose language has these `lists`.
 pub(super) fn of_lists(words: &Words<'_>, lists: &Lists, clock: &Clock<'_>, own: &Gestures, to: &mut Vec<Gesture<'_>>) {
@@ -37,8 +40,13 @@ pub(super) fn of_lists(words: &Words<'_>, lists: &Lists, clock: &Clock<'_>, own:
     }
 }
 
-/// Adds what brows and head do at stressed words, and brows at the ends of questions.
-pub(super) fn of_stress(words: &Words<'_>, clock: &Clock<'_>, to: &mut Vec<Gesture<'_>>) {
+/// Adds what brows and head do at stressed words, and brows at the ends of questions, in a text of this locale.
+pub(super) fn of_stress(words: &Words<'_>, tag: &str, clock: &Clock<'_>, to: &mut Vec<Gesture<'_>>) {
+    let is_greek = tag.split('-').next() == Some(GREEK);
+    let asks = |word: &Word<'_>| match is_greek {
+        true => word.is_followed_by(GREEK_QUESTION_MARKS),
+        false => word.is_before(QUESTION_MARKS),
+    };
     let mut segment = usize::MAX;
     let mut has_small_letters = false;
     for (number, word) in words.words.iter().enumerate() {
@@ -53,7 +61,7 @@ pub(super) fn of_stress(words: &Words<'_>, clock: &Clock<'_>, to: &mut Vec<Gestu
             let frame = clock.start(word, 0);
             to.push(Gesture::new(Kind::Stress, frame, STRESS));
             to.push(Gesture::new(Kind::Brows, frame, STRESSED_BROWS));
-        } else if word.is_before(QUESTION_MARKS) {
+        } else if asks(word) {
             to.push(Gesture::new(Kind::Brows, clock.start(word, 0), ASKING_BROWS));
         }
     }

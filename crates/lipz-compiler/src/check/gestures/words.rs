@@ -107,6 +107,11 @@ impl Word<'_> {
         self.ends_sentence() && self.behind.contains(marks)
     }
 
+    /// Whether one of these marks stands behind it.
+    pub(super) fn is_followed_by(&self, marks: &[char]) -> bool {
+        self.behind.contains(marks)
+    }
+
     /// Whether a mark behind it ends a sentence.
     pub(super) fn ends_sentence(&self) -> bool {
         let Some(at) = self.behind.find(is_end) else { return false };

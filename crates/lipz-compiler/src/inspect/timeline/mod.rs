@@ -238,6 +238,8 @@ segment 0  0.000 s to 1.250 s  frames 0 to 29
 segment 1  1.250 s to 2.500 s  frames 30 to 59
   event  ring(3, x)  (other syntax)
   en-us  eight
+curves
+  sadness  0:0 9:5
 ";
         assert_eq!(shown(&bank(&json), 40), expected);
     }

@@ -91,8 +91,8 @@ pub const TABLES: &[Table] = &[
     },
     Table {
         name: "emotions",
-        about: "Emotions in texts and events, as curves: `curves` says of which clips, \"values\" (in which an emotion has a \
-                value), \"all\" (also `feels sad`) or \"off\"; `value` is that of emotions without one, `over` the seconds in \
+        about: "Emotions in texts and events, as curves: `curves` says of which clips, \"all\", \"values\" (only those in which an \
+                emotion has a value, not `feels sad`) or \"off\"; `value` is that of emotions without one, `over` the seconds in \
                 which a face changes, 0 for at once. Every other name is a word of the project for a blend of emotions.",
         content: Content::Map(EMOTIONS),
     },
@@ -136,7 +136,7 @@ const EMOTIONS: Map = Map {
     name: "NAME",
     flat_name: "",
     default: "the presets of docs/FACE.md",
-    examples: &["curves = \"all\"", "value = 5", "over = 0.4", "smug = \"joy 2 + disgust 1\""],
+    examples: &["curves = \"values\"", "value = 5", "over = 0.4", "smug = \"joy 2 + disgust 1\""],
     read: |name, value, to| to.emotions(name, value),
 };
 

@@ -23,7 +23,7 @@ pub(super) const REGISTRY: &[Setting] = &[
     Setting {
         name: "emotions",
         flat_name: "emotions",
-        about: "Emotions beyond those of the specification.",
+        about: "Emotions beyond those of the specification. What they look like stands in [emotions].",
         default: "none",
         example: "[\"nervous\"]",
         read: |value, to| to.settings.options.known_names.emotions = to.words(value).unwrap_or_default(),

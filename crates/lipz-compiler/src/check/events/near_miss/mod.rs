@@ -4,11 +4,14 @@
 //! Syntax as a whole once its faults are corrected, and a misspelt verb is believed only where what
 //! follows confirms it: a known emotion, target or action.
 
+mod values;
+
 use super::names::{Names, Role};
 use crate::KnownNames;
 use lipz_diagnostics::{Code, Diagnostic, Span, escape, suggest};
 use lipz_file::event::{self, Part, Word};
 use std::ops::Range;
+use values::{decimal_comma, is_number};
 
 /// Verbs that an object follows.
 const VERBS: [&str; 5] = ["feels", "sees", "stares", "points", "does"];
@@ -16,21 +19,11 @@ const VERBS: [&str; 5] = ["feels", "sees", "stares", "points", "does"];
 const STOPS: &str = "stops";
 const STOPPED: [&str; 2] = ["staring", "pointing"];
 
-/// Verbs of gestures, which a number may follow or nothing, and other forms of them.
-const GESTURES: [(&str, &str); 8] = [
-    ("nods", "nods"),
-    ("nod", "nods"),
-    ("shakes", "shakes"),
-    ("shake", "shakes"),
-    ("breathes", "breathes"),
-    ("breathe", "breathes"),
-    ("breath", "breathes"),
-    ("breaths", "breathes"),
-];
 /// What eyes do without an object, as `looks away` and in other forms.
 const LOOKS: [&str; 2] = ["looks", "look"];
 const AWAY: &str = "away";
-
+/// Where else eyes cannot look without a target.
+const DIRECTIONS: [&str; 5] = ["up", "down", "left", "right", "aside"];
 /// Words that stand for verbs although they are spelled otherwise.
 const OTHERWISE: [(&str, &str); 3] = [("do", "does"), ("look", "sees"), ("looks", "sees")];
 /// English verbs that are one letter from a verb of the syntax, and not meant for it.
@@ -57,12 +50,21 @@ enum Fault<'t> {
     Verb(&'t str, String),
     /// These words are too many; the event that was probably meant.
     Extra(&'t str, String),
+    /// Not a blend of emotions, or not the number of a gesture; the event that was probably meant.
+    Value(String),
     /// Nothing stands beside this `,`.
     Nothing,
 }
 
 /// The faults of a segment that is not Character Event Syntax, if it certainly was to be.
 pub(super) fn near_misses<'t>(segment: &'t str, known_names: &KnownNames) -> impl Iterator<Item = NearMiss<'t>> {
+    let decimal_comma = decimal_comma(segment);
+    let other = if decimal_comma.is_some() { "" } else { segment };
+    decimal_comma.into_iter().chain(faults(other, known_names))
+}
+
+/// The faults of the parts of a segment.
+fn faults<'t>(segment: &'t str, known_names: &KnownNames) -> impl Iterator<Item = NearMiss<'t>> {
     let fault = |part: Part<'t>| if part.event().is_some() { None } else { near_miss(part, known_names) };
     let mut has_event = false;
     let is_near_miss = event::parts(segment).all(|part| {
@@ -81,11 +83,14 @@ fn near_miss<'t>(part: Part<'t>, known_names: &KnownNames) -> Option<NearMiss<'t
         let separator = part.start.checked_sub(1).unwrap_or(part.text.len());
         return Some(NearMiss { at: separator..separator + 1, fault: Fault::Nothing });
     }
-    if words.len() > MOST_WORDS || !words.iter().all(|word| is_plain(word.text)) {
-        return None;
-    }
     // The verb is the first word or, behind a character, the second.
     let speaker = Reading { part, character: None, known_names };
+    if let Some(blend) = speaker.blend(&words) {
+        return Some(blend);
+    }
+    if words.len() > MOST_WORDS || !words.iter().all(|word| is_plain(word.text) || is_number(word.text)) {
+        return None;
+    }
     speaker.near(&words).or_else(|| {
         let (character, rest) = words.split_first()?;
         Reading { character: Some(*character), ..speaker }.near(rest)
@@ -108,14 +113,16 @@ struct Reading<'t, 'r> {
 impl<'t> Reading<'t, '_> {
     /// The fault if `words` are nearly a verb and what belongs to it.
     fn near(self, words: &[Word<'t>]) -> Option<NearMiss<'t>> {
+        if let Some(gesture) = self.gesture(words) {
+            return Some(gesture);
+        }
         match words {
             [verb, object] if is_nearly(verb.text, STOPS) => self.stops(*verb, *object),
             [verb, away] if is_nearly(away.text, AWAY) && LOOKS.iter().any(|looks| is_nearly(verb.text, looks)) => {
                 Some(self.fault(verb.start..away.range().end, Fault::Verb, "looks", AWAY))
             }
-            [verb, number] if is_number(number.text) => {
-                let (_, meant) = GESTURES.iter().find(|(other, _)| is_nearly(verb.text, other))?;
-                Some(self.fault(verb.range(), Fault::Verb, meant, number.text))
+            [verb, direction] if DIRECTIONS.contains(&direction.text) && LOOKS.contains(&verb.text) => {
+                Some(self.fault(verb.start..direction.range().end, Fault::Verb, LOOKS[0], AWAY))
             }
             [verb, object] => self.misspelt(*verb, *object),
             [verb, between @ .., object] => self.too_many_words(*verb, between, *object),
@@ -160,17 +167,10 @@ impl<'t> Reading<'t, '_> {
         object: &str,
     ) -> NearMiss<'t> {
         let words = &self.part.text[at.start - self.part.start..at.end - self.part.start];
-        let meant = match self.character {
-            Some(character) => format!("{} {verb} {object}", character.text),
-            None => format!("{verb} {object}"),
-        };
+        let words_meant = self.character.map(|who| who.text).into_iter().chain([verb, object]);
+        let meant = words_meant.filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ");
         NearMiss { at, fault: fault(words, meant) }
     }
-}
-
-/// Whether a word is the number of a gesture.
-fn is_number(word: &str) -> bool {
-    word.bytes().all(|byte| byte.is_ascii_digit())
 }
 
 /// The verb with an object that a word is, or that was meant by it.
@@ -197,6 +197,7 @@ impl NearMiss<'_> {
             Fault::Extra(words, meant) => {
                 (format!("{} is between a verb and its object", escape::quoted(words)), did_you_mean(meant))
             }
+            Fault::Value(meant) => ("this is no value that an event may have".to_owned(), did_you_mean(meant)),
             Fault::Nothing => ("an event is missing beside this `,`".to_owned(), "remove the `,`".to_owned()),
         };
         Diagnostic::at(Code::NearEvent, span, message)
@@ -223,7 +224,7 @@ mod tests {
     /// What is marked in a segment, and what was meant by it.
     fn faults<'t>(segment: &'t str, known_names: &KnownNames) -> Vec<(&'t str, String)> {
         let meant = |fault| match fault {
-            Fault::Verb(_, meant) | Fault::Extra(_, meant) => meant,
+            Fault::Verb(_, meant) | Fault::Extra(_, meant) | Fault::Value(meant) => meant,
             Fault::Nothing => String::new(),
         };
         near_misses(segment, known_names).map(|miss| (&segment[miss.at], meant(miss.fault))).collect()
@@ -281,7 +282,7 @@ mod tests {
             "She points at him",
             "They see the light.",
             "Points at the door.",
-            "nod",
+            "nod, bow",
             "bow, look-at mayor",
             ",",
             "a,",

@@ -1,0 +1,149 @@
+//! What becomes of a clip's emotions: changes of faces, and what is wrong with them.
+
+use super::MOST;
+use super::keys::{self, Change};
+use super::markup::Markup;
+use crate::check::share::share_of_segment;
+use crate::clip::ClipData;
+use crate::options::Face;
+use crate::{Options, WordTime};
+use lipz_bank::{CurveValue, Emotion, Micros};
+use lipz_diagnostics::{Code, Diagnostic, Span, escape};
+use lipz_file::emotion::{Blend, Term};
+use std::collections::BTreeMap;
+
+/// Changes by character, those of the speaker without a name.
+pub(super) type Changes = BTreeMap<Option<String>, Vec<Change>>;
+
+/// The change from a frame on that a blend calls for.
+pub(super) fn change(blend: &Blend<'_>, frame: u32, clip: &ClipData, options: &Options) -> Change {
+    let over_ms = blend.over_ms.unwrap_or(options.emotions.over_ms);
+    let frames = |fps: lipz_bank::Fps| fps.frame_at(Micros(i64::from(over_ms) * 1000)).unwrap_or(0);
+    let over = if over_ms == 0 { 0 } else { clip.fps.map_or(0, frames).max(1) };
+    Change { frame, face: options.emotions.face(blend), over }
+}
+
+/// Whether a value is none that a face can show.
+pub(super) fn is_outside(term: &Term<'_>) -> bool {
+    term.thousandths.is_some_and(|value| !(0..=MOST).contains(&value))
+}
+
+/// The sum of all attributes.
+pub(super) fn sum(face: &Face) -> i32 {
+    face.iter().fold(0, |sum: i32, value| sum.saturating_add(*value))
+}
+
+/// A frame for people.
+pub(super) fn when(clip: &ClipData, frame: u32) -> String {
+    match clip.fps {
+        Some(fps) => format!("frame {frame} ({:.2} s)", fps.start_of_frame_us(frame) as f64 / 1e6),
+        None => format!("frame {frame}"),
+    }
+}
+
+/// What becomes of a clip's emotions.
+pub(super) struct Faces<'c> {
+    pub(super) clip: &'c ClipData,
+    options: &'c Options,
+    changes: Changes,
+    /// Who changes, to what face, and where that is written.
+    places: Vec<(Option<String>, Face, Span)>,
+    pub(super) has_value: bool,
+    pub(super) found: Vec<Diagnostic>,
+}
+
+impl<'c> Faces<'c> {
+    pub(super) fn new(clip: &'c ClipData, options: &'c Options) -> Faces<'c> {
+        Faces { clip, options, changes: BTreeMap::new(), places: Vec::new(), has_value: false, found: Vec::new() }
+    }
+
+    /// The frame of a mark: when the word behind it starts, if that is known; else its share of the segment, by the letters
+    /// before it. What stands before the first word holds from the start of the segment.
+    pub(super) fn at(&self, mark: &Markup<'_>, words: &[WordTime]) -> u32 {
+        let (start, end) = (self.clip.segment_start(mark.segment), self.clip.segment_start(mark.segment + 1));
+        let is_inside = 0 < mark.letters_before && mark.letters_before < mark.letters;
+        let next = words.get(words.partition_point(|word| word.range.start < mark.range.end)).filter(|_| is_inside);
+        if let Some((next, fps)) = next.zip(self.clip.fps) {
+            let frame = fps.frame_at(Micros(i64::from(next.start_ms) * 1000)).unwrap_or(0);
+            return frame.clamp(start, end);
+        }
+        share_of_segment(start..end, mark.letters_before, mark.letters)
+    }
+
+    /// Notes that the face of somebody changes at a frame, and what is wrong with that.
+    pub(super) fn change(
+        &mut self,
+        character: Option<&str>,
+        frame: u32,
+        blend: &Blend<'_>,
+        whole: Span,
+        span: &impl Fn(&Term<'_>) -> Span,
+    ) {
+        self.has_value |= blend.has_value();
+        for term in blend.terms.iter().filter(|term| is_outside(term)) {
+            let value = CurveValue::from_thousandths(term.thousandths.unwrap_or(0));
+            let message = format!("{} {value} is outside of 0 to 10", term.name.text);
+            self.found.push(
+                Diagnostic::at(Code::EmotionValue, span(term), message)
+                    .help("write a value from 0, nothing, to 10, the most that a face can show"),
+            );
+        }
+        let change = change(blend, frame, self.clip, self.options);
+        self.found.extend(self.over_the_top(&change.face, frame, whole));
+        if self.clip.has_visemes && frame as usize >= self.clip.frames.len() && sum(&change.face) > 0 {
+            let message = "the emotion makes no curve: the clip ends where it starts";
+            self.found.push(
+                Diagnostic::at(Code::EmotionHidden, whole, message)
+                    .help("put it into an earlier segment, or remove it"),
+            );
+        }
+        let who = character.map(str::to_owned);
+        self.places.push((who.clone(), change.face, whole));
+        self.changes.entry(who).or_default().push(change);
+    }
+
+    /// The diagnostic for a face whose attributes add up to more than it can show.
+    fn over_the_top(&self, face: &Face, frame: u32, whole: Span) -> Option<Diagnostic> {
+        // A value that is too large by itself is reported already.
+        if sum(face) <= MOST || face.iter().any(|value| *value > MOST) {
+            return None;
+        }
+        Some(too_much(face, self.clip, frame, whole))
+    }
+
+    /// The curves, by their names, and everything that is wrong.
+    pub(super) fn into_curves(mut self) -> (BTreeMap<String, Vec<keys::Key>>, Vec<Diagnostic>) {
+        let curves = keys::curves(self.changes, self.clip.frames.len() as u32);
+        for (name, keys) in self.clip.curves.iter() {
+            let is_still = keys.windows(2).all(|pair| pair[0].1 == pair[1].1);
+            if !is_still || !curves.contains_key(name) {
+                continue;
+            }
+            let (who, emotion) = name.rsplit_once('.').map_or((None, name), |(who, emotion)| (Some(who), emotion));
+            let has = |face: &Face| Emotion::from_name(emotion).is_some_and(|emotion| face[emotion as usize] != 0);
+            let first = self.places.iter().find(|(character, face, _)| character.as_deref() == who && has(face));
+            if let Some((_, _, span)) = first {
+                let quoted = escape::quoted(name);
+                let message = format!("the file has a curve {quoted}, which does not move: {emotion} does not show");
+                self.found.push(
+                    Diagnostic::at(Code::EmotionHidden, *span, message)
+                        .help("write the emotion into the curve, or remove one of the two"),
+                );
+            }
+        }
+        (curves, self.found)
+    }
+}
+
+/// The diagnostic for emotions that add up to more than a face can show.
+pub(super) fn too_much(face: &Face, clip: &ClipData, frame: u32, span: Span) -> Diagnostic {
+    let parts = Emotion::ALL.iter().filter(|emotion| face[**emotion as usize] != 0);
+    let parts =
+        parts.map(|emotion| format!("{} {}", emotion.name(), CurveValue::from_thousandths(face[*emotion as usize])));
+    let note = parts.collect::<Vec<_>>().join(" + ");
+    let sum = CurveValue::from_thousandths(sum(face));
+    let message = format!("the emotions add up to {sum} from {} on", when(clip, frame));
+    Diagnostic::at(Code::EmotionSum, span, message).note(note).help(
+        "keep the sum at 10 or below, as 3.3 for each of three: more pulls a face apart, since emotions are added",
+    )
+}
