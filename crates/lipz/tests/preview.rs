@@ -185,6 +185,70 @@ fn changes_are_written_as_the_file_is_laid_out() {
     assert_ne!(changed["version"].as_u64(), Some(before), "the page hears of it");
 }
 
+/// What a draft says, and its bank.
+fn drafted(answer: &Answer) -> (Value, &[u8]) {
+    let length = u32::from_le_bytes(answer.body[..4].try_into().unwrap()) as usize;
+    (serde_json::from_slice(&answer.body[4..4 + length]).unwrap(), &answer.body[4 + length..])
+}
+
+#[test]
+fn of_a_clip_with_errors_what_is_right_is_shown() {
+    let scene = project();
+    let preview = Running::start(&scene, &["voices"]);
+    let edit = json!({ "text_de-de": "Meister?", "text_fr-fr": "Maire ?|Maire !" });
+    let answer = preview.post("api/draft", &change(MAYOR, &edit));
+    let (document, bank) = drafted(&answer);
+    assert_eq!(document["diagnostics"][0]["code"], "LZ0601", "{document}");
+    let bank = lipz_bank::Bank::open(bank).unwrap();
+    let tags: Vec<&str> = bank.locales().map(|locale| locale.tag()).collect();
+    assert_eq!(tags, ["en-us", "fr-fr"], "a text with too few parts is left out");
+    assert_eq!(bank.clip_by_key("act1/mayor").unwrap().segments().count(), 2);
+    let answer = preview.post("api/draft", &change("{ \"visemes\": 1 ", &json!({})));
+    assert_eq!(drafted(&answer).0["result"], "refused", "no document, no draft");
+}
+
+#[test]
+fn a_dub_is_packed_with_its_original() {
+    let scene = Scene::new();
+    let dub = r#"{ "fps": 24, "viseme_type": "blair", "visemes": "AAA-" }"#;
+    scene.write(
+        "lipz.toml",
+        "sources = [\"v\"]\nroot = \"v\"\ndefault-locale = \"en-us\"\n[voices]\nen-us = \"{key}\"\n\
+                              de-de = \"de/{key}\"\n[lints]\nwarnings = \"deny\"\n",
+    );
+    scene.write(
+        "v/aye.lipz",
+        r#"{ "fps": 24, "viseme_type": "blair", "visemes": "MA-", "text_en-us": "Aye!", "text_de-de": "Ja!" }"#,
+    );
+    scene.write("v/de/aye.lipz", dub);
+    let preview = Running::start(&scene, &[]);
+    let edit = json!({ "key": "de/aye", "source": dub, "elements": { "visemes": "EAA-" } });
+    let answer = preview.post("api/draft", &edit);
+    let (document, bank) = drafted(&answer);
+    assert_eq!(document["diagnostics"], json!([]));
+    let bank = lipz_bank::Bank::open(bank).unwrap();
+    let segment = bank.clip_by_key("de/aye").unwrap().segments().next().unwrap();
+    assert_eq!(segment.text(bank.locale("de-de").unwrap()).unwrap().as_str(), "Ja!");
+    assert_eq!(preview.post("api/save", &edit).json()["result"], "saved");
+}
+
+#[test]
+fn recordings_are_named_on_the_command_line_too() {
+    let scene = project();
+    let samples: Vec<i16> = (0..8000).map(|at| if at % 80 < 40 { 900 } else { -900 }).collect();
+    scene.write("recordings/act1/mayor.wav", support::sound::wav(16_000, &samples));
+    let preview = Running::start(&scene, &["voices", "--audio", "recordings"]);
+    assert_eq!(preview.get("api/clips").json()["clips"][0]["has_sound"], true);
+    assert_eq!(preview.get("api/sound?key=act1%2Fmayor").body.get(..4), Some(&b"RIFF"[..]));
+    fs::remove_file(scene.path().join("voices/act1/otto.lipz")).unwrap();
+    scene.prepare(&["pack", "voices", "-o", "a.lipzbank"]);
+    let bank = Running::start(&scene, &["a.lipzbank", "--audio", "recordings"]);
+    assert_eq!(bank.get("api/clips").json()["clips"][0]["has_sound"], true);
+    assert_eq!(bank.get("api/clip?key=act1%2Fmayor").json()["has_sound"], true);
+    assert_eq!(bank.get("api/sound?key=act1%2Fmayor").status, 200);
+    assert_eq!(lipz(scene.path(), ["preview", "a.lipzbank", "--audio", "nowhere"]).code, 2);
+}
+
 #[test]
 fn what_somebody_else_wrote_is_kept() {
     let scene = project();

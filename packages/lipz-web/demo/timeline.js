@@ -15,8 +15,8 @@ const LABEL_PX = 64;
 const MARGIN = 0.08;
 
 export class Timeline {
+  /** The slider, which scrolls as well: so the keyboard reaches what is out of view. */
   #element;
-  #scroll = made("scroll");
   #track = made("track");
   #segments = made("segments");
   #canvas = document.createElement("canvas");
@@ -39,10 +39,9 @@ export class Timeline {
     this.#look = look;
     this.#canvas.className = "frames";
     this.#track.append(this.#segments, this.#canvas, this.#playhead);
-    this.#scroll.append(this.#track);
-    element.replaceChildren(this.#scroll);
-    this.#scroll.addEventListener("scroll", () => this.#draw());
-    new ResizeObserver(() => this.#layOut()).observe(this.#scroll);
+    element.replaceChildren(this.#track);
+    element.addEventListener("scroll", () => this.#draw());
+    new ResizeObserver(() => this.#layOut()).observe(element);
     matchMedia("(prefers-color-scheme: light)").addEventListener("change", () => this.#draw());
     this.#listen(scrub);
   }
@@ -54,7 +53,7 @@ export class Timeline {
     this.#framePx = Math.max(READABLE_PX, this.#fitPx);
     this.#isWhole = this.#framePx === this.#fitPx;
     this.#element.setAttribute("aria-valuemax", clip.duration.toFixed(3));
-    this.#scroll.scrollLeft = 0;
+    this.#element.scrollLeft = 0;
     this.texts(locale);
     this.#layOut();
   }
@@ -86,10 +85,10 @@ export class Timeline {
   /** Puts the playhead where it belongs, and keeps it in view. */
   #follow() {
     const x = this.#x;
-    const { scrollLeft, clientWidth } = this.#scroll;
+    const { scrollLeft, clientWidth } = this.#element;
     const margin = clientWidth * MARGIN;
     if (x < scrollLeft + margin || x > scrollLeft + clientWidth - margin) {
-      this.#scroll.scrollLeft = x < scrollLeft + margin ? x - clientWidth + 2 * margin : x - 2 * margin;
+      this.#element.scrollLeft = x < scrollLeft + margin ? x - clientWidth + 2 * margin : x - 2 * margin;
     }
     this.#playhead.style.transform = `translateX(${x}px)`;
   }
@@ -106,7 +105,7 @@ export class Timeline {
 
   /** The width of a frame, in pixels, at which the clip fits the view. */
   get #fitPx() {
-    return this.#scroll.clientWidth / Math.max(1, this.#clip.frameCount);
+    return this.#element.clientWidth / Math.max(1, this.#clip.frameCount);
   }
 
   /** The place of the playhead. */
@@ -115,17 +114,17 @@ export class Timeline {
   }
 
   #widen(framePx) {
-    const before = this.#x - this.#scroll.scrollLeft;
+    const before = this.#x - this.#element.scrollLeft;
     this.#framePx = Math.max(this.#fitPx, Math.min(framePx, Math.max(WIDEST_PX, this.#fitPx)));
     this.#isWhole = this.#framePx === this.#fitPx;
     this.#layOut();
-    this.#scroll.scrollLeft = this.#x - before;
+    this.#element.scrollLeft = this.#x - before;
     this.#draw();
   }
 
   /** Fits everything to the size of the view and of a frame. */
   #layOut() {
-    if (this.#clip === undefined || this.#scroll.clientWidth === 0) return;
+    if (this.#clip === undefined || this.#element.clientWidth === 0) return;
     this.#framePx = this.#isWhole ? this.#fitPx : Math.max(this.#fitPx, this.#framePx);
     this.#track.style.width = `${this.#framePx * this.#clip.frameCount}px`;
     this.#place();
@@ -163,7 +162,7 @@ export class Timeline {
 
   /** Draws the frames that are in view: a canvas as wide as the whole clip could not be. */
   #draw() {
-    const { clientWidth: width, scrollLeft } = this.#scroll;
+    const { clientWidth: width, scrollLeft } = this.#element;
     const height = this.#canvas.clientHeight;
     if (this.#clip === undefined || width === 0) return;
     this.#look({ first: scrollLeft / this.#framePx, count: width / this.#framePx, width });
@@ -199,11 +198,11 @@ export class Timeline {
 
   #listen(scrub) {
     const timeAt = (clientX) => {
-      const x = clientX - this.#scroll.getBoundingClientRect().left + this.#scroll.scrollLeft;
+      const x = clientX - this.#element.getBoundingClientRect().left - this.#element.clientLeft + this.#element.scrollLeft;
       return (x / (this.#framePx * this.#clip.frameCount)) * this.#clip.duration;
     };
     const isScrollbar = ({ clientY }) =>
-      clientY > this.#scroll.getBoundingClientRect().bottom - (this.#scroll.offsetHeight - this.#scroll.clientHeight);
+      clientY > this.#element.getBoundingClientRect().bottom - (this.#element.offsetHeight - this.#element.clientHeight);
     onDrag(this.#element, timeAt, scrub, isScrollbar);
     this.#element.addEventListener(
       "wheel",

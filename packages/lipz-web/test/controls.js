@@ -53,7 +53,7 @@ export async function graph(demo, same) {
     const { page, window, player } = await demo({}, width);
     same(await dropped(window, await file("long.lipzbank")), true, "the page takes a file");
     same(player.clip.key, "monologue", "the clip of the dropped bank");
-    const scroll = page.querySelector(".scroll");
+    const scroll = page.getElementById("timeline");
     same(scroll.scrollWidth, 1440 * 4, `${width}: pixels of 1440 frames`);
     const part = painted(page);
     same(part > 0.7 && part < 0.8, true, `${width}: three of four pixels of a frame, ${part}`);
@@ -278,7 +278,7 @@ export async function events(demo, same) {
 /** A segment without frames at the end of a clip needs no room behind it. */
 export async function points(demo, same) {
   const { page } = await demo({ clip: "act3/nell-light", at: 3.39 });
-  const scroll = page.querySelector(".scroll");
+  const scroll = page.getElementById("timeline");
   same(page.querySelectorAll(".segment.point").length, 1, "its line");
   same(scroll.scrollWidth, scroll.clientWidth, "nothing to scroll");
 }

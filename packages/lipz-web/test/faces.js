@@ -114,7 +114,7 @@ export async function band(demo, same) {
 export async function zoomed(demo, same) {
   for (const width of [1000, 320]) {
     const { page, window, player } = await demo({ ...FACES, clip: "twelve" }, width);
-    const scroll = page.querySelector(".scroll");
+    const scroll = page.getElementById("timeline");
     const plot = page.querySelector(".curves li svg");
     const view = () => plot.getAttribute("viewBox").split(" ").map(Number);
     for (const id of ["fit", "in", "in", "in"]) page.getElementById(id).click();
@@ -172,7 +172,7 @@ export async function narrower(demo, same) {
   const { page, window } = await demo({ ...FACES, clip: "twelve", at: 13 });
   window.frameElement.width = 320;
   await soon(200);
-  const { left, right } = page.querySelector(".scroll").getBoundingClientRect();
+  const { left, right } = page.getElementById("timeline").getBoundingClientRect();
   const playhead = page.querySelector(".track .playhead").getBoundingClientRect().left;
   same(playhead > left && playhead < right, true, `${playhead} in ${left} to ${right}`);
 }

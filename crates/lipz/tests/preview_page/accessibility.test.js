@@ -47,6 +47,36 @@ test("nothing keeps anybody out", { timeout: TIMEOUT_MS }, async (t) => {
   assert.deepEqual(await findings(page), [], "with diagnostics");
 });
 
+test("a long clip keeps nobody out, and a conflict does not widen the page", { timeout: TIMEOUT_MS }, async (t) => {
+  const project = await Project.long();
+  t.after(() => project.end());
+  const address = await project.preview();
+  const browser = await Browser.start();
+  t.after(() => browser.end());
+  const file = await project.read("voices/long.lipz");
+  for (const [width, height] of [[375, 800], [3840, 2160]]) {
+    const page = await browser.open(address, width, height);
+    await page.until(READY);
+    for (let zoom = 0; zoom < 5; zoom++) await page.key("+");
+    const scrolls = '(({ scrollWidth, clientWidth }) => scrollWidth > clientWidth)(document.getElementById("timeline"))';
+    assert.equal(await page.value(scrolls), true, "the timeline is wider than the window");
+    assert.deepEqual(await findings(page), [], `${width} px, zoomed`);
+    await page.value('document.getElementById("shapes").focus()');
+    await page.key("E");
+    await page.until('!document.getElementById("save").disabled');
+    await project.write("voices/long.lipz", file.replace("Otto 5.", "Otto five."));
+    await page.key("s", "control");
+    await page.until('!document.getElementById("conflict").hidden');
+    assert.equal(await page.value('document.querySelector("#theirs mark").textContent'), "5");
+    assert.deepEqual(await findings(page), [], `${width} px, a conflict`);
+    const main = await page.value('(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)(document.querySelector("main"))');
+    assert.equal(main, 0, "nothing is out of the window");
+    await project.write("voices/long.lipz", file);
+    await page.click("#drop");
+    await page.until('document.getElementById("save").disabled');
+  }
+});
+
 test("a conflict keeps nobody out", { timeout: TIMEOUT_MS }, async (t) => {
   const project = await Project.small();
   t.after(() => project.end());

@@ -12,7 +12,7 @@ const FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", 
 const PATIENCE_MS = 20_000;
 
 /** Keys that are not the characters that they type. */
-const CODES = { Enter: 13, Escape: 27, Home: 36, End: 35, ArrowLeft: 37, ArrowUp: 38, ArrowRight: 39, ArrowDown: 40, Tab: 9, PageDown: 34 };
+const CODES = { Enter: 13, Escape: 27, Home: 36, End: 35, ArrowLeft: 37, ArrowUp: 38, ArrowRight: 39, ArrowDown: 40, Tab: 9, Backspace: 8, PageDown: 34 };
 const MODIFIERS = { alt: 1, control: 2, meta: 4, shift: 8 };
 
 export class Browser {

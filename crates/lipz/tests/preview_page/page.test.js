@@ -135,6 +135,90 @@ test("diagnostics are where they are", { timeout: TIMEOUT_MS }, async (t) => {
   assert.equal(await page.value(text("count")), "1 of 3 clips");
 });
 
+test("a clip with errors is shown as far as it is right, and mended", { timeout: TIMEOUT_MS }, async (t) => {
+  const project = await Project.small();
+  const parts = '{ "visemes": "MAAO|MAAO", "text_en-us": "Only a text.", "text_de-de": "Nur | ein | Text.", "fps": 24, "viseme_type": "blair" }\n';
+  await project.write("voices/act2/parts.lipz", parts);
+  const page = await opened(t, project);
+  await page.until(`${text("subtitle")} === "Mayor?"`);
+  await page.click('[data-key="act2/parts"]');
+  await page.until(`${text("key")} === "act2/parts" && !document.getElementById("tracks").hidden`);
+  assert.equal(await page.value(text("subtitle")), "", "nothing of another clip stays");
+  assert.equal(await page.value(text("viseme")), "M");
+  assert.equal(await page.value('preview.then(({ player }) => player.clip.segments.length)'), 2);
+  assert.equal(await page.value('[...document.querySelectorAll("#texts th")].map((cell) => cell.textContent).join()'), "#,en-us,de-de,Events");
+  await page.click('[data-name="text_de-de"][data-at="2"]');
+  await page.key("a", "control");
+  await page.key("Backspace");
+  await page.key("Enter");
+  await page.click('[data-name="text_en-us"][data-at="1"]');
+  await page.type("Two.");
+  await page.key("Enter");
+  await page.until(`preview.then(async ({ player }) => (await player.settled, document.getElementById("problems").hidden))`);
+  await page.key("s", "control");
+  await page.until('document.getElementById("save").disabled');
+  assert.equal(await project.read("voices/act2/parts.lipz"), parts.replace("| Text.", "").replace("a text.", "a text.|Two."));
+  assert.deepEqual(page.complaints, []);
+});
+
+test("a project of one clip with errors has its texts", { timeout: TIMEOUT_MS }, async (t) => {
+  const project = await Project.make({ "voices/a.lipz": '{ "visemes": "MA", "text_en-us": "A.", "text_de-de": "A.|B.", "fps": 24, "viseme_type": "blair" }' });
+  const page = await opened(t, project, ["voices"]);
+  assert.equal(await page.value(text("count")), "1 clip");
+  assert.equal(await page.value(text("subtitle")), "A.");
+  assert.equal(await page.value('document.querySelectorAll(\'[data-name="text_de-de"]\').length'), 2);
+});
+
+test("what is typed stays while files change", { timeout: TIMEOUT_MS }, async (t) => {
+  const project = await Project.small();
+  const page = await opened(t, project);
+  const field = '[data-name="text_en-us"][data-at="0"]';
+  await page.click(field);
+  await page.key("Home");
+  await page.type("Oh, ");
+  await project.write("voices/act1/otto.lipz", '{ "visemes": "MAEO--", "text_en-us": "Good morning.", "fps": 24, "viseme_type": "blair" }\n');
+  await page.until("preview.then(({ list }) => document.getElementById('list').textContent.includes('0.3 s'))");
+  // A row more, and the table is another one.
+  await project.write(FILE, MAYOR.replace("MAAAEO", "MA|AAEO").replace("{louder} Mayor!", "{louder} Mayor!|Mayor."));
+  await page.until('document.querySelectorAll("#texts tbody tr").length === 3');
+  const state = `(({ value, selectionStart }) => [value, selectionStart, document.activeElement.matches(${JSON.stringify(field)})])(document.querySelector(${JSON.stringify(field)}))`;
+  assert.deepEqual(await page.value(state), ["Oh, Mayor?", 4, true]);
+  assert.equal(await page.value("preview.then(({ player }) => player.isChanged)"), false, "typing is not done");
+  await page.key("Enter");
+  await page.until(`preview.then(async ({ player }) => (await player.settled, player.clip.segment(0).text("en-us").text === "Oh, Mayor?"))`);
+});
+
+test("codes are those of the file, whatever the bank has", { timeout: TIMEOUT_MS }, async (t) => {
+  const page = await opened(t, await Project.small(), ["--viseme-type", "toonboom"]);
+  await page.value('document.getElementById("shapes").focus()');
+  await page.key("G");
+  await page.key("O");
+  await page.until(`preview.then(async ({ player }) => (await player.settled, player.isChanged))`);
+  assert.equal(await page.value('document.querySelector("#shapes .shape").textContent'), "O", "`G` is no code of the file");
+  assert.ok(!(await page.value(text("problems"))).includes("LZ0401"));
+});
+
+test("texts are searched, too, and settings with mistakes are told", { timeout: TIMEOUT_MS }, async (t) => {
+  const project = await Project.small();
+  const page = await opened(t, project);
+  await page.key("/");
+  await page.type("meister otto");
+  await page.until(`${text("count")} === "0 of 3 clips"`);
+  await page.value('document.getElementById("search").value = ""');
+  await page.type("MEISTER");
+  await page.until(`${text("count")} === "1 of 3 clips"`);
+  await project.write("lipz.toml", 'sources = ["voices"]\nfancy = 1\n');
+  await page.until(`${text("notice")}.includes("fancy")`);
+  await project.write("lipz.toml", 'sources = ["voices"]\n');
+  await page.until('document.getElementById("notice").hidden');
+  await page.value('document.getElementById("search").value = ""');
+  await project.remove(FILE);
+  await page.until(`${text("notice")}.includes("no clip act1/mayor")`);
+  await page.type("otto");
+  await page.click('[data-key="act1/otto"]');
+  await page.until(`${text("key")} === "act1/otto" && document.getElementById("notice").hidden`);
+});
+
 test("20,000 clips are listed and searched at once", { timeout: TIMEOUT_MS }, async (t) => {
   const page = await opened(t, await Project.large(20_000));
   assert.equal(await page.value(text("count")), "20,000 clips");
@@ -145,6 +229,9 @@ test("20,000 clips are listed and searched at once", { timeout: TIMEOUT_MS }, as
   await page.key("/");
   await page.type("line-19999");
   await page.until(`${text("count")} === "1 of 20,000 clips"`);
+  await page.value('document.getElementById("search").value = ""');
+  await page.type("evening, Otto 1999");
+  await page.until(`${text("count")} === "12 of 20,000 clips"`);
   const shown = await page.value("preview.then(({ shown }) => Math.round(shown))");
   t.diagnostic(`the first clip was shown ${shown} ms after the page was asked for`);
 });

@@ -43,6 +43,14 @@ export class Project {
     });
   }
 
+  /** A clip of ten seconds in one line of its file. */
+  static long() {
+    const line = (text) => Array.from({ length: 10 }, (_, at) => `${text} ${at + 1}.`).join("|");
+    const visemes = Array.from({ length: 10 }, () => "MAAAEO------MAAEEO------").join("|");
+    const clip = { visemes, "text_en-us": line("Good evening, Otto"), "text_de-de": line("Guten Abend"), fps: 24, viseme_type: "blair" };
+    return Project.make({ "lipz.toml": SETTINGS, "voices/long.lipz": `${JSON.stringify(clip)}\n`, "recordings/long.wav": tone(10) });
+  }
+
   /** Many clips. */
   static large(count) {
     const clip = (index) => [`voices/scene-${index % 200}/line-${index}.lipz`, OTTO.replace("Otto", `Otto ${index}`)];
@@ -52,6 +60,10 @@ export class Project {
 
   write(name, contents) {
     return writeFile(join(this.folder, name), contents);
+  }
+
+  remove(name) {
+    return rm(join(this.folder, name));
   }
 
   read(name) {

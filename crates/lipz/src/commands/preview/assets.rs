@@ -17,6 +17,7 @@ macro_rules! assets {
 
 assets! {
     "page/clip.css"
+    "page/difference.js"
     "page/editor.js"
     "page/edits.js"
     "page/exported.js"

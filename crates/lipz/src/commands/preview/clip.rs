@@ -37,7 +37,7 @@ impl ClipPage {
     pub(super) fn new(version: &Version, key: &str) -> Option<ClipPage> {
         let Some(path) = version.files.get(key) else {
             let has_clip = lipz_bank::Bank::open(&version.bank).is_ok_and(|bank| bank.clip_by_key(key).is_some());
-            return has_clip.then(|| ClipPage::of_bank(key));
+            return has_clip.then(|| ClipPage::of_bank(version, key));
         };
         let source = fs::read(path).ok().and_then(|bytes| String::from_utf8(bytes).ok());
         let document = source.as_ref().and_then(|source| parse(source.as_bytes()).document);
@@ -64,14 +64,14 @@ impl ClipPage {
         ClipPage { source: None, ..self }
     }
 
-    fn of_bank(key: &str) -> ClipPage {
+    fn of_bank(version: &Version, key: &str) -> ClipPage {
         ClipPage {
             key: key.to_owned(),
             path: None,
             source: None,
             elements: Vec::new(),
             words: Vec::new(),
-            has_sound: false,
+            has_sound: version.recordings.find(key).is_some(),
             diagnostics: Vec::new(),
         }
     }

@@ -1,17 +1,18 @@
 //! Changes of a clip: packed in memory for the page, and written into the Lipz file.
 
-use super::places::{Placed, placed};
+use super::places::{Placed, elements_with_errors, placed};
 use super::version::Version;
 use crate::interrupt;
 use crate::shared::rewriting::diff;
 use lipz_compiler::{Compiler, Content, Input, MinCoverage, rewrite_file};
+use lipz_diagnostics::Report;
 use lipz_diagnostics::reports::have_errors;
 use lipz_file::format::{LineEnding, Style, rewrite};
 use lipz_file::locale::text_name;
 use lipz_file::{Document, Element, JsonString, Value, parse};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
@@ -29,7 +30,7 @@ pub(super) struct Change {
 #[derive(Serialize)]
 #[serde(tag = "result", rename_all = "snake_case")]
 pub(super) enum Changed {
-    /// The draft, as a file. Its bank follows, unless there are errors.
+    /// The draft, as a file. Its bank follows, if there is one: of all in the file that has no errors.
     Draft { source: String, has_bank: bool, diagnostics: Vec<Placed> },
     /// It is in the file, which is this now.
     Saved { source: String },
@@ -42,13 +43,14 @@ pub(super) enum Changed {
 }
 
 impl Change {
-    /// Packs the clip as it would be. Gives its bank, too, if there are no errors.
+    /// Packs the clip as it would be. Gives the bank of what has no errors, too.
     pub(super) fn draft(&self, version: &Version) -> (Changed, Option<Vec<u8>>) {
         let source = match self.applied(version) {
             Ok(source) => source,
             Err(message) => return (Changed::Refused { message }, None),
         };
-        let (bank, diagnostics) = self.packed(version, &source);
+        let Packed { bank, wrong, diagnostics } = self.packed(version, &source);
+        let bank = bank.or_else(|| self.without(version, &source, wrong));
         (Changed::Draft { source, has_bank: bank.is_some(), diagnostics }, bank)
     }
 
@@ -64,7 +66,7 @@ impl Change {
         if let Some(conflict) = self.conflict(path, &source) {
             return conflict;
         }
-        let (bank, diagnostics) = self.packed(version, &source);
+        let Packed { bank, diagnostics, .. } = self.packed(version, &source);
         if bank.is_none() {
             return Changed::Errors { diagnostics };
         }
@@ -94,16 +96,41 @@ impl Change {
         Ok(rewrite(&self.source, &before, &after, style))
     }
 
-    /// The clip alone, packed as the project is, and what is wrong with it.
-    fn packed(&self, version: &Version, source: &str) -> (Option<Vec<u8>>, Vec<Placed>) {
+    /// The clip, packed as the project is, and what is wrong with it. A dub needs its original: the texts are there.
+    fn packed(&self, version: &Version, source: &str) -> Packed {
         // How much of the project is translated, one clip does not tell.
         let mut options = version.options.clone();
         options.min_coverage = MinCoverage::default();
+        let original = options.voices.original_of(&self.key, |key| version.files.contains_key(key));
+        let original = original.and_then(|key| {
+            let content = Content::File(version.files.get(&key)?.clone());
+            Some(Input { key, content })
+        });
         let name = version.files.get(&self.key).map_or_else(String::new, |path| crate::console::path(path));
-        let content = Content::Bytes { name, bytes: source.as_bytes().to_vec() };
-        let compiled = Compiler::new(options).compile(&[Input { key: self.key.clone(), content }]);
-        let bank = compiled.bank.filter(|_| !have_errors(&compiled.reports));
-        (bank, placed(&compiled.reports))
+        let content = Content::Bytes { name: name.clone(), bytes: source.as_bytes().to_vec() };
+        let own = Input { key: self.key.clone(), content };
+        let inputs: Vec<Input> = original.into_iter().chain([own]).collect();
+        let compiled = Compiler::new(options).compile(&inputs);
+        let (own, others): (Vec<Report>, Vec<Report>) =
+            compiled.reports.into_iter().partition(|report| report.source.path == name);
+        let diagnostics = placed(&own);
+        let wrong = if have_errors(&others) { BTreeSet::new() } else { elements_with_errors(&diagnostics) };
+        Packed { bank: compiled.bank.filter(|_| !have_errors(&own)), wrong, diagnostics }
+    }
+
+    /// The bank without the elements that have errors; none if something else is wrong.
+    fn without(&self, version: &Version, source: &str, mut wrong: BTreeSet<String>) -> Option<Vec<u8>> {
+        let whole = parse(source.as_bytes()).document?;
+        loop {
+            let mut rest = whole.clone();
+            rest.elements.retain(|element| !wrong.contains(element.name.text.as_ref()));
+            let packed = self.packed(version, &rewrite(source, &whole, &rest, Style::default()));
+            // Without one element, another may be wrong: each turn leaves out more of them.
+            if packed.bank.is_some() || packed.wrong.is_subset(&wrong) {
+                return packed.bank;
+            }
+            wrong.extend(packed.wrong);
+        }
     }
 
     /// The two changes of the file, if it is another one than the page has read.
@@ -116,6 +143,15 @@ impl Change {
         let theirs = diff(&name, self.source.as_bytes(), &String::from_utf8_lossy(&now));
         Some(Changed::Conflict { theirs, yours: diff(&name, self.source.as_bytes(), mine) })
     }
+}
+
+/// A clip, packed.
+struct Packed {
+    /// None if it has errors.
+    bank: Option<Vec<u8>>,
+    /// The elements that have errors.
+    wrong: BTreeSet<String>,
+    diagnostics: Vec<Placed>,
 }
 
 /// Gives an element another text; a new one comes behind the last text.

@@ -76,6 +76,8 @@ impl Listing {
             });
             row.add(&version.reports_of(key));
             row.doubtful_words = version.words.get(key).map_or(0, lipz_compiler::WordTimes::doubtful_count);
+        }
+        for (key, row) in &mut rows {
             row.has_sound = version.recordings.find(key).is_some();
         }
         Listing {

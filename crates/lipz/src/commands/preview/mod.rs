@@ -16,12 +16,18 @@ use crate::Ended;
 use crate::commands::Run;
 use crate::commands::watch::{Alarm, Change, Scope};
 use crate::reporter::{Abort, Reporter};
+use crate::shared::audio_flags::AudioFlags;
 use crate::shared::bank_file::BankFile;
 use crate::shared::bank_or_sources::names_lipz_files;
+use crate::shared::settings_file::Project;
 use crate::shared::sources::Sources;
 use crate::shared::stdio;
 use crate::{Outcome, console};
 use clap::Args;
+use lipz_compiler::settings::Settings;
+use lipz_diagnostics::Report;
+use lipz_diagnostics::reports::have_errors;
+use lipz_sync::Recordings;
 use server::Preview;
 use shared::Shared;
 use std::path::{Path, PathBuf};
@@ -43,6 +49,9 @@ use version::{Remembered, Version};
 pub(crate) struct PreviewArguments {
     #[command(flatten)]
     sources: Sources,
+
+    #[command(flatten)]
+    audio: AudioFlags,
 
     /// Listen on this port [default: any that is free]
     #[arg(long, value_name = "PORT")]
@@ -82,7 +91,13 @@ impl PreviewArguments {
     fn of_bank(&self, path: &Path, reporter: &mut Reporter) -> Ended {
         let file = BankFile::open(path, reporter)?;
         file.bank(reporter)?;
-        let version = Version::of_bank(&file.name, file.bytes().to_vec());
+        let mut settings = Settings::default();
+        self.audio.apply(&mut settings.audio);
+        let (recordings, unread) = Recordings::discover(&settings);
+        if have_errors(&unread) {
+            return Err(reporter.abort(unread, Outcome::Failed));
+        }
+        let version = Version::of_bank(&file.name, file.bytes().to_vec(), recordings);
         if let Some(folder) = &self.export {
             return export_to(folder, &version, reporter);
         }
@@ -93,10 +108,17 @@ impl PreviewArguments {
         Ok(Outcome::Clean)
     }
 
+    /// The project that the arguments name.
+    fn project(&self, reporter: &mut Reporter) -> Result<Project, Abort> {
+        let mut project = self.sources.project(reporter)?;
+        self.audio.apply(&mut project.settings.audio);
+        Ok(project)
+    }
+
     /// Serves a project, and packs it again whenever a file changes, until the process is interrupted.
     fn of_sources(&self, reporter: &mut Reporter) -> Ended {
         if let Some(folder) = &self.export {
-            let project = self.sources.project(reporter)?;
+            let project = self.project(reporter)?;
             let (version, _) = version::load(&project.settings, &mut Remembered::default());
             return export_to(folder, &version, reporter);
         }
@@ -107,7 +129,7 @@ impl PreviewArguments {
         let mut remembered = Remembered::default();
         let mut shared: Option<Arc<Shared>> = None;
         loop {
-            match self.sources.project(reporter) {
+            match self.project(reporter) {
                 Ok(project) => {
                     scope = Scope::new(&project, &self.sources);
                     alarm.set(&scope).map_err(|report| reporter.fail(report))?;
@@ -126,8 +148,12 @@ impl PreviewArguments {
                     shared.look_closer(project, inputs);
                 }
                 Err(abort) if shared.is_none() => return Err(abort),
-                // The settings have errors, which are told: what was shown stays.
-                Err(_) => {}
+                // The settings have errors, which are told, in the page as well: what was shown stays.
+                Err(_) => {
+                    let file = self.sources.settings_file().filter(|file| file.is_file());
+                    let report = file.map(|file| Settings::read(&file).1).filter(Report::has_errors);
+                    shared.iter().zip(&report).for_each(|(shared, report)| shared.tell(report));
+                }
             }
             let state = scope.state();
             while alarm.wait() == Change::Perhaps {

@@ -1,9 +1,10 @@
 //! Where in a clip a diagnostic is: in which element, segment and frame.
 
-use lipz_diagnostics::{Diagnostic, Report, escape};
+use lipz_diagnostics::{Diagnostic, Report, Severity, escape};
 use lipz_file::text::{DELIMITER, segments};
 use lipz_file::{Document, JsonString, Value, parse};
 use serde::Serialize;
+use std::collections::BTreeSet;
 
 /// A diagnostic, as the page gets it.
 #[derive(Serialize)]
@@ -23,6 +24,12 @@ pub(super) struct Placed {
     segment: Option<usize>,
     /// The frame, if it is about mouth shapes.
     frame: Option<usize>,
+}
+
+/// The elements in which there are errors.
+pub(super) fn elements_with_errors(diagnostics: &[Placed]) -> BTreeSet<String> {
+    let errors = diagnostics.iter().filter(|found| found.severity == Severity::Error.to_string());
+    errors.filter_map(|found| found.element.clone()).collect()
 }
 
 /// The diagnostics of a file with their places in its clip.

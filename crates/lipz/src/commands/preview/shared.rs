@@ -34,6 +34,15 @@ impl Shared {
         self.changed.notify_all();
     }
 
+    /// Tells what is wrong with the settings, which are not taken: what is shown stays.
+    pub(super) fn tell(&self, report: &Report) {
+        let mut now = self.lock();
+        let mut next = now.with_only(report);
+        next.number = now.number + 1;
+        *now = Arc::new(next);
+        self.changed.notify_all();
+    }
+
     /// Waits until there is another version than `number`, but not for ever.
     pub(super) fn after(&self, number: u64, patience: Duration) -> Arc<Version> {
         let waited = self.changed.wait_timeout_while(self.lock(), patience, |now| now.number == number);

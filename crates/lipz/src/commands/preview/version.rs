@@ -40,8 +40,9 @@ pub(super) struct Version {
 
 impl Version {
     /// The only state of a bank.
-    pub(super) fn of_bank(name: &str, bank: Vec<u8>) -> Version {
-        Version { name: name.to_owned(), bank: Arc::new(bank), ..Version::default() }
+    pub(super) fn of_bank(name: &str, bank: Vec<u8>, recordings: Recordings) -> Version {
+        let (bank, recordings) = (Arc::new(bank), Arc::new(recordings));
+        Version { name: name.to_owned(), bank, recordings, ..Version::default() }
     }
 
     /// The diagnostics of a clip: of its Lipz file, and of its recording.
@@ -67,6 +68,13 @@ impl Version {
     pub(super) fn with(&self, reports: &[Report]) -> Version {
         let mut next = self.clone();
         next.add(reports);
+        next
+    }
+
+    /// The same with this report about its file, and no other.
+    pub(super) fn with_only(&self, report: &Report) -> Version {
+        let mut next = self.clone();
+        next.reports.insert(report.source.path.clone(), vec![report.clone()]);
         next
     }
 

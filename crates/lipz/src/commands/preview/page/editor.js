@@ -1,6 +1,8 @@
 // Changing a clip: shapes, segments, texts and events. Each change is packed by the compiler before it is drawn.
 
+import { VISEMES } from "../web/face.js";
 import { open } from "../web/lipz.js";
+import { showDifference } from "./difference.js";
 import { Edits } from "./edits.js";
 import { Mouth } from "./mouth.js";
 import { Shapes } from "./shapes.js";
@@ -38,6 +40,11 @@ export class Editor {
 
   get words() {
     return this.#edits.page.words;
+  }
+
+  /** The locales of which the file has texts. */
+  get ownLocales() {
+    return this.#edits?.locales ?? [];
   }
 
   get isChanged() {
@@ -105,9 +112,9 @@ export class Editor {
       return;
     }
     if (answer.result === "conflict") {
-      $("theirs").textContent = answer.theirs;
-      $("yours").textContent = answer.yours;
       $("conflict").hidden = false;
+      showDifference($("theirs"), answer.theirs);
+      showDifference($("yours"), answer.yours);
       $("again").focus();
       return;
     }
@@ -128,6 +135,13 @@ export class Editor {
     if (this.#edits.set(name, text)) this.#drafted();
   }
 
+  /** Draws what can be packed of the file, if the bank does not have it. */
+  async pack() {
+    if (!this.#edits.isEditable) return;
+    this.settled = this.#draft(++this.#asked);
+    await this.settled;
+  }
+
   /** Shows the file with the changes at once, and the clip when the compiler has packed it. */
   #drafted() {
     this.#fill();
@@ -143,13 +157,19 @@ export class Editor {
     this.#does.diagnose(answer.diagnostics);
   }
 
+  /** The viseme type of the codes in the file: the project may have another one, to which they are converted. */
+  get #type() {
+    const own = this.#edits.get("viseme_type");
+    return Object.hasOwn(VISEMES, own ?? "") ? own : this.#clip?.visemeType;
+  }
+
   #fill() {
     if (this.#edits === undefined) return;
     // Of a clip without a file, its shapes in the bank.
     const visemes = this.#edits.get("visemes") ?? (this.#edits.isEditable ? undefined : shapesOf(this.#clip));
     const mouth = Mouth.read(visemes ?? "");
     $("shapes").hidden = visemes === undefined;
-    this.#shapes.show(mouth, this.#clip?.visemeType, this.#isEditable);
+    this.#shapes.show(mouth, this.#type, this.#isEditable);
     const column = (tag) => ({ name: `text_${tag}`, label: tag, lang: tag, text: this.#edits.get(`text_${tag}`) });
     const events = { name: "events", label: "Events", lang: "", text: this.#edits.get("events") };
     $("texts").hidden = this.#edits.page.path === null;

@@ -1,5 +1,8 @@
 // The changes of a clip: what is undone and done again, and what is not saved yet.
 
+/** How the names of texts start. */
+const TEXT = "text_";
+
 export class Edits {
   #page;
   #inFile;
@@ -50,6 +53,12 @@ export class Edits {
   /** The text of an element; undefined if the clip has none. */
   get(name) {
     return this.#now[name];
+  }
+
+  /** The locales of which it has texts. */
+  get locales() {
+    const names = Object.keys(this.#now).filter((name) => name.startsWith(TEXT));
+    return names.map((name) => name.slice(TEXT.length));
   }
 
   /** Gives an element another text; whether it is another one. */

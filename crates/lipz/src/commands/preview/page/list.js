@@ -2,6 +2,8 @@
 
 /** Rows above and below those in view. */
 const SPARE = 6;
+/** For how long texts are read before the page does something else. */
+const SLICE_MS = 8;
 /** Codes of what is older than what it was made from: stale-mouth, stale-translation, outdated-recording. */
 const STALE = ["LZ1705", "LZ1911", "LZ1915"];
 
@@ -29,17 +31,19 @@ export class List {
   #locales = [];
   #chosen;
   #choose;
+  #said;
   #track = document.createElement("div");
 
-  /** `choose` gets the key of a clip that is chosen. */
-  constructor(choose) {
-    this.#choose = choose;
+  /** `choose` gets the key of a clip that is chosen; `said` tells all that is said in a clip, in lower case. */
+  constructor(choose, said) {
+    [this.#choose, this.#said] = [choose, said];
     this.#track.role = "presentation";
     $("list").append(this.#track);
     $("list").addEventListener("scroll", () => this.#draw());
     $("list").addEventListener("keydown", (event) => this.#key(event));
     $("list").addEventListener("click", ({ target }) => this.#take(target.closest("[data-key]")?.dataset.key));
     $("search").addEventListener("keydown", (event) => event.key !== "Home" && event.key !== "End" && this.#key(event));
+    $("search").addEventListener("focus", () => this.#read());
     new ResizeObserver(() => this.#draw()).observe($("list"));
     options($("what"), Object.keys(WHAT));
     options($("length"), Object.keys(LENGTH));
@@ -53,7 +57,7 @@ export class List {
 
   /** Shows the clips of a project. Filters stay as they are. */
   show({ clips, locales }) {
-    this.#clips = clips.map((clip) => ({ ...clip, text: clip.key.toLowerCase() }));
+    this.#clips = clips.map((clip) => ({ ...clip, name: clip.key.toLowerCase() }));
     this.#locales = locales;
     options($("missing"), ["Any translation", ...locales.map((tag) => `Not in ${tag}`)]);
     const characters = new Set(clips.flatMap(({ characters = [] }) => characters));
@@ -79,20 +83,32 @@ export class List {
     return 3.25 * parseFloat(getComputedStyle(document.documentElement).fontSize);
   }
 
+  /** Reads what is said in all clips, a little at a time, so that the first search does not wait for it. */
+  async #read() {
+    let end = performance.now() + SLICE_MS;
+    for (const { key } of this.#clips) {
+      this.#said(key);
+      if (performance.now() < end) continue;
+      await new Promise((resolve) => setTimeout(resolve));
+      end = performance.now() + SLICE_MS;
+    }
+  }
+
   #filter(isAnew) {
     const words = $("search").value.toLowerCase().split(/\s+/).filter(Boolean);
     const missing = $("missing").selectedIndex - 1;
     const who = $("who").selectedIndex > 0 && $("who").value;
     const tests = [
-      words.length > 0 && ((clip) => words.every((word) => clip.text.includes(word))),
+      words.length > 0 && ((clip) => words.every((word) => clip.name.includes(word) || this.#said(clip.key).includes(word))),
       WHAT[$("what").value],
       LENGTH[$("length").value],
       missing >= 0 && ((clip) => !clip.locales?.includes(missing)),
       who && ((clip) => clip.characters?.includes(who)),
     ].filter(Boolean);
     this.#found = this.#clips.filter((clip) => tests.every((test) => test(clip)));
-    const [all, left] = [this.#clips.length, this.#found.length].map((count) => count.toLocaleString("en"));
-    $("count").textContent = left === all ? `${all} clips` : `${left} of ${all} clips`;
+    const [all, left] = [this.#clips.length, this.#found.length];
+    const shown = counted(all, "clip");
+    $("count").textContent = left === all ? shown : `${left.toLocaleString("en")} of ${shown}`;
     this.#track.style.height = `${this.#found.length * this.#rowPx}px`;
     if (isAnew) $("list").scrollTop = 0;
     this.#draw();
@@ -148,7 +164,7 @@ export class List {
   }
 }
 
-const counted = (count, what) => `${count} ${what}${count === 1 ? "" : "s"}`;
+const counted = (count, what) => `${count.toLocaleString("en")} ${what}${count === 1 ? "" : "s"}`;
 
 /** Gives a choice other options; what was chosen stays, if it is among them. */
 function options(select, names) {

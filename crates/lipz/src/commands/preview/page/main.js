@@ -10,13 +10,14 @@ const $ = (id) => document.getElementById(id);
 const RETRY_MS = 2000;
 
 const player = new Player();
-const list = new List(choose);
+const list = new List(choose, (key) => player.said(key));
 let listing;
 
 /** Shows a clip, unless somebody does not want to lose what is not saved. */
 async function choose(key) {
   if (player.isChanged && !confirm("What you changed is not saved. Drop it?")) return;
   list.chosen = key;
+  notice(listing.diagnostics);
   await player.choose(key).catch(fail);
   document.title = `${key} – lipz preview`;
   address();

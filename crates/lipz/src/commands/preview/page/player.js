@@ -27,14 +27,18 @@ export class Player {
   #timeline = new Timeline($("timeline"), this.#scrub, (view) => this.#look(view));
   #problems = new Problems($("problems"), (frame) => this.seek(this.#clip.startOfFrame(frame) ?? 0));
   #editor = new Editor(this.#tracks, {
-    draw: (clip) => this.#draw(clip, true),
+    draw: (clip) => this.#draw(clip),
     diagnose: (diagnostics) => this.#diagnose(diagnostics),
     step: () => this.#frames(1),
     frame: () => this.#clip?.frameAt(this.clock.time) ?? Infinity,
-    seek: (segment) => this.seek(this.#clip.startOfFrame(this.#clip.segment(segment)?.startFrame ?? 0) ?? 0),
+    seek: (segment) => this.seek(this.#clip?.startOfFrame(this.#clip.segment(segment)?.startFrame ?? 0) ?? 0),
   });
   #bank;
+  /** The texts of clips of the bank, by their keys, as far as somebody has searched for them. */
+  #said = new Map();
   #clip;
+  /** The key of the clip that is drawn; undefined if none is. */
+  #drawn;
   #cursor;
   #poseAt;
   #soundOf;
@@ -46,7 +50,7 @@ export class Player {
     for (const [id, action] of Object.entries(buttons)) $(id).onclick = actions[action];
     $("in").onclick = () => actions.zoom(true);
     $("out").onclick = () => actions.zoom(false);
-    $("fit").onclick = () => this.#timeline.fit();
+    $("fit").onclick = () => this.#clip && this.#timeline.fit();
     $("locale").onchange = $("beside").onchange = () => this.#languages();
   }
 
@@ -61,8 +65,8 @@ export class Player {
     frames: (count) => this.#frames(count),
     seconds: (count) => this.seek(this.clock.time + count),
     start: () => this.seek(0),
-    end: () => this.seek(this.#clip.duration),
-    zoom: (isIn) => this.#timeline.zoom(isIn),
+    end: () => this.seek(this.#clip?.duration),
+    zoom: (isIn) => this.#clip && this.#timeline.zoom(isIn),
     undo: () => this.#editor.undo(),
     redo: () => this.#editor.redo(),
     save: () => this.#editor.save(),
@@ -94,13 +98,19 @@ export class Player {
   /** Takes another bank. */
   async open(bytes, isReadOnly) {
     this.#bank = bytes.byteLength > 0 ? (await open(bytes, { wasm: await source.wasm?.() })).verify() : undefined;
+    this.#said.clear();
     this.#editor.isReadOnly = isReadOnly;
-    const locales = this.#bank?.locales ?? [];
-    const main = locales.includes($("locale").value) ? $("locale").value : (this.#bank?.defaultLocale ?? locales[0]);
-    const beside = $("beside").options.length ? $("beside").value : (locales.find((tag) => tag !== main) ?? "");
-    choices($("locale"), locales, main);
-    choices($("beside"), ["", ...locales], beside);
-    $("beside").options[0].textContent = "none";
+    this.#offer();
+  }
+
+  /** All texts of a clip of the bank, to be searched; nothing if the bank does not have it. */
+  said(key) {
+    if (!this.#said.has(key)) {
+      const segments = this.#bank?.clip(key)?.segments ?? [];
+      const texts = this.#bank?.locales.map((tag) => segments.map((segment) => segment.text(tag)?.text ?? "").join(" "));
+      this.#said.set(key, texts?.join("\n").toLowerCase() ?? "");
+    }
+    return this.#said.get(key);
   }
 
   /** Shows a clip from its start, or at a time. */
@@ -108,24 +118,26 @@ export class Player {
     const page = await source.clip(key);
     this.clock.pause(0);
     this.#loop(press($("loop"), false));
-    this.#clip = undefined;
-    this.#editor.clip = undefined;
     this.#editor.show(page);
-    this.#soundOf = undefined;
+    this.#soundOf = this.#drawn = undefined;
     $("key").textContent = key;
-    this.#draw(this.#bank?.clip(key), false);
-    this.#diagnose(page.diagnostics);
-    await this.#listen(page);
+    await this.#take(page);
     this.seek(time);
   }
 
   /** Shows the clip as it is now: its file or the bank has changed. Place and zoom stay. */
   async refresh() {
     const page = await source.clip(this.key);
-    const isDraft = this.#editor.refresh(page);
-    if (isDraft) return;
-    this.#draw(this.#bank?.clip(this.key), true);
+    if (!this.#editor.refresh(page)) await this.#take(page);
+  }
+
+  /** Shows a clip as the bank has it or, if it has errors, what is right of its file. */
+  async #take(page) {
+    this.#offer();
+    const clip = this.#bank?.clip(page.key);
+    this.#draw(clip);
     this.#diagnose(page.diagnostics);
+    if (clip === undefined) await this.#editor.pack();
     await this.#listen(page);
   }
 
@@ -148,18 +160,32 @@ export class Player {
     this.#wasRate = undefined;
   }
 
-  /** Draws a clip of a bank; what is in view stays if it is the same as before. */
-  #draw(clip, isSame) {
+  /** Draws a clip of a bank, or that there is none; what is in view stays if the same clip is drawn already. */
+  #draw(clip) {
     $("tracks").hidden = clip === undefined;
-    this.#clip = clip && withType(clip.orFps(FRAMES_PER_SECOND));
-    if (!this.#clip) return;
-    this.#cursor = this.#clip.cursor();
-    this.#poseAt = posesOf(this.#clip);
-    const levels = levelsOf(this.#clip);
-    this.#editor.clip = this.#tracks.clip = this.#clip;
-    this.#curves.show(this.#clip);
-    this.#timeline[isSame ? "update" : "show"](this.#clip, levels, $("locale").value);
+    this.#clip = this.#editor.clip = clip && withType(clip.orFps(FRAMES_PER_SECOND));
+    const isSame = this.#drawn === this.key;
+    this.#drawn = this.#clip && this.key;
+    if (this.#clip) {
+      this.#cursor = this.#clip.cursor();
+      this.#poseAt = posesOf(this.#clip);
+      this.#tracks.clip = this.#clip;
+      this.#curves.show(this.#clip);
+      this.#timeline[isSame ? "update" : "show"](this.#clip, levelsOf(this.#clip), $("locale").value);
+    } else this.#blank();
     this.#languages();
+  }
+
+  /** Shows nobody: nothing of another clip stays. */
+  #blank() {
+    this.clock.pause(0);
+    $("curves").hidden = true;
+    this.#face.show({});
+    for (const id of ["subtitle", "other", "feeling", "state", "viseme", "time"]) $(id).textContent = "";
+    $("viseme").title = "";
+    $("viseme").ariaLabel = "No mouth shape";
+    this.#editor.mark(undefined);
+    this.#button();
   }
 
   #diagnose(diagnostics) {
@@ -189,14 +215,25 @@ export class Player {
   }
 
   get #beside() {
-    return this.#bank?.locales.includes($("beside").value) ? $("beside").value : undefined;
+    return $("beside").value || undefined;
+  }
+
+  /** Offers the locales of the bank, and those that only the file of the clip has. */
+  #offer() {
+    const locales = Array.from(new Set([...(this.#bank?.locales ?? []), ...this.#editor.ownLocales]));
+    const main = locales.includes($("locale").value) ? $("locale").value : (this.#bank?.defaultLocale ?? locales[0]);
+    const wasAsked = $("beside").options.length > 1;
+    const beside = wasAsked ? $("beside").value : (locales.find((tag) => tag !== main) ?? "");
+    choices($("locale"), locales, main);
+    choices($("beside"), ["", ...locales], beside);
+    $("beside").options[0].textContent = "none";
   }
 
   #languages() {
+    this.#editor.languages($("locale").value, this.#beside);
     if (!this.#clip) return;
     this.#timeline.texts($("locale").value);
     this.#tracks.texts(this.#beside);
-    this.#editor.languages($("locale").value, this.#beside);
     this.show();
   }
 
@@ -229,7 +266,7 @@ export class Player {
 
   #tick() {
     const { rate, time } = this.clock;
-    if (rate === 0) return;
+    if (rate === 0 || !this.#clip) return;
     if (rate > 0 ? time >= this.#clip.duration : time <= 0) this.clock.pause(rate > 0 ? this.#clip.duration : 0);
     else requestAnimationFrame(() => this.#tick());
     this.show();
@@ -257,6 +294,10 @@ export class Player {
     $("viseme").textContent = viseme;
     $("viseme").title = $("viseme").ariaLabel = `Mouth shape ${viseme}: ${VISEMES[this.#clip.visemeType][viseme] ?? "none"}`;
     $("time").textContent = `${time.toFixed(2)} / ${this.#clip.duration.toFixed(2)} s · frame ${this.#clip.frameAt(time) ?? this.#clip.frameCount}`;
+    this.#button();
+  }
+
+  #button() {
     $("play").classList.toggle("playing", this.clock.playing);
     $("play").ariaLabel = this.clock.playing ? "Pause" : "Play";
   }

@@ -112,7 +112,10 @@ export class Tracks {
     blocks($("marks"), this.#marks, ({ at, severity, message }) => {
       const mark = made("span", `mark ${severity}`);
       mark.title = message;
-      return this.place(mark, at, at) && mark;
+      if (!this.place(mark, at, at)) return undefined;
+      // At the ends of the window, too, it is seen whole.
+      mark.style.left = `clamp(0.35rem, ${mark.style.left}, calc(100% - 0.35rem))`;
+      return mark;
     });
     this.mark(this.#time);
   }
