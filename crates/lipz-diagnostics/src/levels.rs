@@ -5,6 +5,8 @@ use std::collections::{BTreeMap, btree_map};
 
 /// The levels that a project gives to rules; all other rules have their own.
 ///
+/// Rules that are allowed by default ([`Code::is_allowed_by_default`]) report nothing unless they are given one.
+///
 /// A level is a severity, or `None` to allow what the rule reports. Errors that cannot be lowered
 /// ([`Code::can_be_lowered`]) stay errors, whatever level they are given.
 ///
@@ -47,9 +49,6 @@ impl Levels {
 
     /// Gives the diagnostics their levels in this project, and drops those that it allows.
     pub fn apply(&self, diagnostics: &mut Vec<Diagnostic>) {
-        if self.0.is_empty() {
-            return;
-        }
         diagnostics.retain_mut(|diagnostic| {
             let severity = self.at(diagnostic.code, diagnostic.severity);
             diagnostic.severity = severity.unwrap_or(diagnostic.severity);
@@ -60,6 +59,7 @@ impl Levels {
     /// What becomes of a severity.
     fn at(&self, code: Code, severity: Severity) -> Option<Severity> {
         match self.0.get(&code) {
+            None if code.is_allowed_by_default() => None,
             Some(&level) if level >= Some(severity) || code.can_be_lowered() => level,
             _ => Some(severity),
         }
@@ -124,7 +124,16 @@ mod tests {
         assert_eq!(levels.severity(Code::ByteOrderMark), None);
         assert_eq!(levels.severity(Code::ForeignCode), Some(Severity::Error));
         let lowered: Vec<Code> = Code::ALL.iter().copied().filter(|code| levels.lowers(*code)).collect();
-        assert_eq!(lowered, [Code::ByteOrderMark, Code::SegmentCount]);
+        assert_eq!(lowered, [Code::ByteOrderMark, Code::SegmentCount, Code::OtherEvents]);
+    }
+
+    #[test]
+    fn what_is_allowed_by_default_has_to_be_asked_for() {
+        let mut diagnostics = vec![Diagnostic::new(Code::OtherEvents, "")];
+        Levels::from([(Code::OtherEvents, Some(Severity::Warning))]).apply(&mut diagnostics);
+        assert_eq!(diagnostics.len(), 1);
+        Levels::new().apply(&mut diagnostics);
+        assert_eq!(diagnostics.len(), 0);
     }
 
     #[test]

@@ -110,7 +110,12 @@ pub(crate) fn each(events: &str, mut found: impl FnMut(Role, Range<usize>)) {
                 blend.terms.iter().for_each(|term| word(Role::Emotion, term.name.range()));
             } else if let Some(event) = part.event() {
                 event.character.iter().for_each(|character| word(Role::Character, character.range()));
-                let role = if matches!(event.command, Command::Does(_)) { Role::Action } else { Role::Target };
+                let role = match event.command {
+                    Command::Does(_) => Role::Action,
+                    // How strong a gesture is.
+                    Command::Nods(_) | Command::Shakes(_) | Command::Breathes(_) => continue,
+                    _ => Role::Target,
+                };
                 event.command.object().iter().for_each(|object| word(role, object.range()));
             }
         }
@@ -124,7 +129,8 @@ mod tests {
 
     #[test]
     fn words_of_events_are_told_apart() {
-        let events = "mara feels anger 2 + joy, points door|script(1), otto does wave| does nod, otto stares mara";
+        let events =
+            "mara feels anger 2 + joy, points door|script(1), otto does wave| does nod, otto stares mara, nods 4";
         let mut found = Vec::new();
         each(events, |role, range| found.push((role, &events[range])));
         let expected = [

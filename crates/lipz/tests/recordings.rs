@@ -40,6 +40,8 @@ fn what_does_not_belong_together() {
     scene.write("recordings/act1/otto.wav", sound(3333));
     scene.write("recordings/act1/Mayor 2.wav", sound(3333));
     scene.expect("LZ1702-recording-without-clip", &check);
+    let one = ["check", "voices/act1/mayor.lipz", "--root", "voices", "--audio", "recordings", "--quiet"];
+    assert_eq!(lipz(scene.path(), one).stderr, "", "of the recordings of other clips, one clip knows nothing");
     scene.expect("LZ1702-recording-without-clip-denied", &[&check[..], &["--deny", "LZ1702"]].concat());
     scene.expect("LZ0001-unreadable-file-recordings", &["check", "voices", "--audio", "nowhere", "--quiet"]);
     let sarif = lipz(scene.path(), check.into_iter().chain(["--format", "sarif"]));

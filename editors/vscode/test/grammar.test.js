@@ -26,7 +26,7 @@ async function grammar() {
 test("each part of a Lipz file has its colour", async () => {
   const lines = [
     '{ "visemes": "MA-|E", "fps": 24,',
-    '"events": "mara points door|feels sad",',
+    '"events": "mara points door|feels sad|nods 4, otto looks away",',
     '"text_en-us": "Hi {softly}\\n|there", "x": "a|b", "open": "',
     '"viseme_type": "blair" }',
   ];
@@ -36,6 +36,8 @@ test("each part of a Lipz file has its colour", async () => {
     ["|", "keyword.operator.segment.lipz"],
     ["24", "constant.numeric.lipz"],
     ["points", "keyword.control.verb.lipz"],
+    ["nods", "keyword.control.verb.lipz"],
+    ["looks away", "keyword.control.verb.lipz"],
     ["{softly}", "comment.block.meta.lipz"],
     ["\\n", "constant.character.escape.lipz"],
     ["a|b", "string.quoted.double.lipz"],

@@ -111,9 +111,7 @@ pub(crate) fn check(
     clip.texts.sort_by(|a, b| locales.tag(a.locale).cmp(locales.tag(b.locale)));
     if let Some(string) = roles.events {
         clip.has_events = true;
-        events::trimmed(string, &options.known_names, diagnostics)
-            .into_iter()
-            .for_each(|event| clip.events.push(event));
+        events::trimmed(string, options, diagnostics).into_iter().for_each(|event| clip.events.push(event));
         let count = expected_count(clip.events.count());
         join::events(&mut clip.events, count);
     }
@@ -154,7 +152,7 @@ pub(crate) fn fragment(fragment: &Fragment<'_>, options: &Options, diagnostics: 
         bank_limits::for_texts(text.string, &clip.displays, &mut found);
     }
     roles.curves.into_iter().for_each(|value| drop(curves::curves(value, &options.known_names, &mut clip, &mut found)));
-    roles.events.into_iter().for_each(|string| drop(events::trimmed(string, &options.known_names, &mut found)));
+    roles.events.into_iter().for_each(|string| drop(events::trimmed(string, options, &mut found)));
     found.iter_mut().for_each(|diagnostic| diagnostic.retain_fixes(|_| false));
     diagnostics.append(&mut found);
     bound::limit(diagnostics);

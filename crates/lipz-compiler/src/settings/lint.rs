@@ -43,7 +43,9 @@ impl Selection {
         match self {
             Selection::One(code) => vec![*code],
             Selection::Warnings => {
-                Code::ALL.iter().copied().filter(|code| code.default_severity() == Severity::Warning).collect()
+                let is_warning =
+                    |code: &Code| code.default_severity() == Severity::Warning && !code.is_allowed_by_default();
+                Code::ALL.iter().copied().filter(is_warning).collect()
             }
         }
     }

@@ -28,7 +28,8 @@ macro_rules! codes {
                 match self { $($(Code::$variant => $name,)+)+ }
             }
 
-            /// The severity unless a project sets another.
+            /// The severity unless a project sets another; rules that are
+            /// [allowed by default](Code::is_allowed_by_default) have to be asked for.
             pub const fn default_severity(self) -> Severity {
                 match self { $($(Code::$variant => Severity::$level,)+)+ }
             }
@@ -66,6 +67,11 @@ impl Code {
     pub const fn can_be_lowered(self) -> bool {
         matches!(self.default_severity(), Severity::Warning)
             || matches!(self, Code::SegmentCount | Code::TextWithoutLocale | Code::KeyClash | Code::NoSources)
+    }
+
+    /// Whether the rule reports only where a project gives it a level: it is about a matter of choice.
+    pub const fn is_allowed_by_default(self) -> bool {
+        matches!(self, Code::OtherEvents)
     }
 
     /// What a writer or localiser should know about the rule, in Markdown: what, why, example and fix.

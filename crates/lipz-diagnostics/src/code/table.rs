@@ -68,6 +68,7 @@ codes! {
     UnknownTarget "LZ0704" "unknown-target" Warning "the target of an event is not registered"
     UnknownAction "LZ0705" "unknown-action" Warning "the action of an event is not registered"
     NearEvent "LZ0706" "near-event" Warning "events are almost Character Event Syntax, and kept as text"
+    OtherEvents "LZ0707" "other-events" Warning "events are not Character Event Syntax"
 
     "Keys and sources"
     KeyClash "LZ0801" "key-clash" Error "two keys differ only in case or Unicode normalisation"

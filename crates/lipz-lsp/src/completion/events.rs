@@ -9,7 +9,7 @@ use lsp_types::CompletionItemKind;
 use std::ops::Range;
 
 /// The verbs, and what they say.
-const VERBS: [(&str, &str); 7] = [
+const VERBS: [(&str, &str); 12] = [
     ("feels", "an emotion, until it changes"),
     ("sees", "looks at a character or a prop for a moment"),
     ("stares", "looks at a character or a prop until it stops"),
@@ -17,6 +17,11 @@ const VERBS: [(&str, &str); 7] = [
     ("points", "points at a character or a prop until it stops"),
     ("stops pointing", "takes the hand back"),
     ("does", "an action of the game"),
+    ("nods", "moves the head down and up, a number times as strong"),
+    ("shakes", "turns the head to both sides, a number times as strong"),
+    ("breathes", "takes a breath, a number times as deep"),
+    ("blinks", "shuts the eyes for a moment"),
+    ("looks away", "looks at nobody for a moment"),
 ];
 
 /// The word that byte `at` of a string is in, which starts at `start`.
@@ -43,7 +48,9 @@ pub(super) fn offers(before: &str, known: &Known) -> Vec<Offer> {
         // Of a blend: `feels anger 2 + …`.
         [.., "feels"] | [_, .., "+"] => feelings(),
         [.., "sees" | "stares" | "points"] => things(),
+        [.., "nods" | "shakes" | "breathes" | "blinks" | "away"] => Vec::new(),
         [.., "does"] => named(Role::Action, "action", CompletionItemKind::FUNCTION),
+        [.., "looks"] => vec![Offer::new("away", "verb", CompletionItemKind::KEYWORD)],
         [.., "stops"] => {
             ["staring", "pointing"].map(|word| Offer::new(word, "verb", CompletionItemKind::KEYWORD)).into()
         }
@@ -79,7 +86,9 @@ mod tests {
     fn each_word_of_an_event_has_its_own_offers() {
         let offered = |events: &str| at(&format!("{{\"events\": \"{events}\"}}"), &known());
         assert!(offered("§").0.contains(&"mara".to_owned()) && offered("a|, §").0.contains(&"feels".to_owned()));
-        assert_eq!(offered("mara §").0.len(), 7, "verbs");
+        assert_eq!(offered("mara §").0.len(), 12, "verbs");
+        assert!(offered("mara §").0.contains(&"looks away".to_owned()), "what lipz adds, too");
+        assert_eq!(offered("looks §").0, ["away"]);
         assert_eq!(offered("feels sad, mara poi§nts").1, "{\"events\": \"feels sad, mara feels\"}");
         assert_eq!(offered("mara points d§").0, ["door", "mara"]);
         assert_eq!(offered("mara does §").0, ["wave"]);

@@ -24,6 +24,7 @@ use std::path::{Path, PathBuf};
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz new act1/mara-hello \"Good evening, Otto.\"
+  lipz new act1/mara-later
   lipz new act1/mara-hello \"Guten Abend, Otto.\" --locale de-de
   lipz new act2/otto-aye \"{tired} Aye. |Aye!\"")]
 pub(crate) struct New {
@@ -31,9 +32,9 @@ pub(crate) struct New {
     #[arg(value_name = "KEY")]
     key: String,
 
-    /// What is said; `|` separates segments
+    /// What is said; `|` separates segments [default: nothing yet]
     #[arg(value_name = "TEXT")]
-    text: String,
+    text: Option<String>,
 
     /// The locale of the text [default: the project's]
     #[arg(long, value_name = "LOCALE", value_parser = parse_locale)]
@@ -74,7 +75,7 @@ impl Run for New {
         if let Some(report) = refusal(key, folder, &settings, &file) {
             return Err(reporter.refuse(vec![report]));
         }
-        let text = layout(locale, &self.text);
+        let text = layout(locale, self.text.as_deref().unwrap_or_default());
         let content = Content::Bytes { name: console::path(&file), bytes: text.clone().into_bytes() };
         let input = Input { key: key.to_owned(), content };
         let found = Compiler::new(settings.options.clone()).check(&[input]).reports;
@@ -82,7 +83,10 @@ impl Run for New {
             return Err(reporter.refuse(found));
         }
         output_file::write(&file, text.as_bytes(), reporter)?;
-        reporter.add(found);
+        // That nothing is said yet is no surprise to who asked for it.
+        if self.text.is_some() {
+            reporter.add(found);
+        }
         if !self.quiet {
             reporter.summary(&format!("{} written\n", console::path(&file)))?;
         }

@@ -5,7 +5,9 @@ use crate::reporter::Reporter;
 use crate::shared::lint_flags::LintFlags;
 use crate::shared::project_flags::{ProjectFlags, refused_locale};
 use crate::shared::settings_file::{Project, SettingsFile};
+use crate::shared::stdio;
 use clap::Args;
+use lipz_diagnostics::{Code, Report};
 use std::path::PathBuf;
 
 pub(crate) const PROJECT: &str = "Project";
@@ -73,6 +75,15 @@ impl Sources {
     /// The paths that the command line names.
     pub(crate) fn paths(&self) -> &[PathBuf] {
         &self.sources
+    }
+
+    /// Drops what is told about recordings of other clips, if the command line names single files: nothing is known of the
+    /// rest of the project.
+    pub(crate) fn retain_own(&self, reports: &mut Vec<Report>) {
+        let is_file = |path: &PathBuf| stdio::is_meant(path) || path.is_file();
+        if !self.sources.is_empty() && self.sources.iter().all(is_file) {
+            reports.retain(|report| !report.diagnostics.iter().any(|found| found.code == Code::RecordingWithoutClip));
+        }
     }
 
     /// Threads to use, if that is said.

@@ -22,7 +22,7 @@ impl CleanStrings {
     pub(super) fn has_events(&mut self, segment: &str, options: &Options) -> bool {
         segment.is_empty()
             || known_or(&mut self.events, segment, || {
-                events::is_clean(segment, &options.known_names)
+                events::is_clean(segment, options)
                     && emotions::is_clean(segment, options)
                     && !gestures::are_in_events(segment)
             })

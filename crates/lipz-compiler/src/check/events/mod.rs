@@ -5,9 +5,9 @@ mod names;
 mod near_miss;
 
 use super::texts::nul;
-use crate::KnownNames;
-use lipz_diagnostics::{Code, Diagnostic};
-use lipz_file::event;
+use crate::{KnownNames, Options};
+use lipz_diagnostics::{Code, Diagnostic, Span, escape};
+use lipz_file::event::{self, Part};
 use lipz_file::{JsonString, text};
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -18,11 +18,12 @@ const SHOWN: usize = 3;
 /// The trimmed event string of each segment.
 pub(super) fn trimmed<'t>(
     string: &'t JsonString<'_>,
-    known_names: &KnownNames,
+    options: &Options,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Vec<&'t str> {
     nul(string, Code::NulInEvents, "the events contain", diagnostics);
-    let mut of_events = EventDiagnostics { string, known_names, by_code: BTreeMap::new() };
+    let (known_names, is_strict) = (&options.known_names, wants_events_only(options));
+    let mut of_events = EventDiagnostics { string, known_names, is_strict, by_code: BTreeMap::new() };
     let trimmed = text::segments(&string.text)
         .map(|range| {
             let segment = &string.text[range.clone()];
@@ -35,17 +36,25 @@ pub(super) fn trimmed<'t>(
 }
 
 /// Whether nothing is wrong with the events of a segment.
-pub(super) fn is_clean(segment: &str, known_names: &KnownNames) -> bool {
+pub(super) fn is_clean(segment: &str, options: &Options) -> bool {
+    let known_names = &options.known_names;
     match event::parse(segment) {
         Some(mut events) => events.all(|event| names::unknown(&event, known_names).next().is_none()),
-        None => near_miss::near_misses(segment, known_names).next().is_none(),
+        None => !wants_events_only(options) && near_miss::near_misses(segment, known_names).next().is_none(),
     }
+}
+
+/// Whether the project has no other syntax for events.
+fn wants_events_only(options: &Options) -> bool {
+    options.levels.severity(Code::OtherEvents).is_some()
 }
 
 /// What is wrong with the events of an element.
 struct EventDiagnostics<'e> {
     string: &'e JsonString<'e>,
     known_names: &'e KnownNames,
+    /// Whether events of another syntax are reported, too.
+    is_strict: bool,
     by_code: BTreeMap<Code, OfCode>,
 }
 
@@ -68,8 +77,16 @@ impl EventDiagnostics<'_> {
                 }
             }
             None => {
+                let mut is_near = false;
                 for near_miss in near_miss::near_misses(segment, known_names) {
+                    is_near = true;
                     self.add(Code::NearEvent, || near_miss.diagnostic(span(near_miss.at.clone())));
+                }
+                if self.is_strict && !is_near {
+                    let parts = event::parts(segment).filter(|part| part.event().is_none());
+                    for part in parts {
+                        self.add(Code::OtherEvents, || other_events(part, &span));
+                    }
                 }
             }
         }
@@ -82,6 +99,19 @@ impl EventDiagnostics<'_> {
             of_code.first.push(diagnostic());
         }
     }
+}
+
+/// A part of a segment is no event.
+fn other_events(part: Part<'_>, span: impl Fn(Range<usize>) -> Span) -> Diagnostic {
+    let written = text::trim(part.text);
+    let start = part.start + part.text.find(written).unwrap_or(0);
+    let message = match written {
+        "" => "an event is missing beside this `,`".to_owned(),
+        _ => format!("{} is not Character Event Syntax", escape::quoted(written)),
+    };
+    Diagnostic::at(Code::OtherEvents, span(start..start + written.len()), message)
+        .note("all of the segment is kept as text: games see no events in it")
+        .help("write it as in `amy feels sad, points door`, and actions of the game as in `amy does wave`")
 }
 
 impl OfCode {

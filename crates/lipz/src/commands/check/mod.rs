@@ -93,6 +93,7 @@ impl Run for Check {
             (false, false) => Fixing::default(),
         };
         let mut run = checked(&project, &fixing.in_memory, quiet);
+        self.sources.retain_own(&mut run.reports);
         let unwritten = !fixing.unwritten.is_empty();
         run.reports.extend(fixing.unwritten);
         let passed_over = self.baseline.apply(&mut run, reporter)?;

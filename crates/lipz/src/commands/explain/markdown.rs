@@ -22,7 +22,7 @@ pub(crate) fn heading(text: &str) -> String {
 /// Number, name, level and summary, then the page, in lines of at most `width` columns.
 pub(crate) fn terminal(code: Code, width: usize) -> String {
     let title = heading(&format!("{code} {}", code.name()));
-    let mut text = format!("{title} ({} by default)\n{}\n", code.default_severity(), code.summary());
+    let mut text = format!("{title} ({} by default)\n{}\n", super::default_level(code), code.summary());
     let mut block = Block::default();
     for event in Parser::new(code.page()) {
         match event {

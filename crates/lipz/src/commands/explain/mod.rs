@@ -57,11 +57,16 @@ fn list() -> String {
         let title = group.first().map_or("", |code| code.group());
         let _ = writeln!(text, "{}{}", if text.is_empty() { "" } else { "\n" }, markdown::heading(title));
         for code in group {
-            let (name, level) = (code.name(), code.default_severity().to_string());
+            let (name, level) = (code.name(), default_level(*code));
             let _ = writeln!(text, "  {code}  {name:width$}  {level:7}  {}", code.summary());
         }
     }
     text
+}
+
+/// The level of a rule, unless a project sets another.
+pub(super) fn default_level(code: Code) -> String {
+    if code.is_allowed_by_default() { "allowed".to_owned() } else { code.default_severity().to_string() }
 }
 
 /// The code that has only its number, or this without zeros, for a name: `401`, `LZ401`.
