@@ -1,8 +1,8 @@
 //! What readers find: texts, whose they are, and where they stand in the file.
 
 use crate::{Mark, State};
-use lipz_diagnostics::{Diagnostic, Span};
-use lipz_file::locale::{canonical_tag, language};
+use lipz_diagnostics::{Code, Diagnostic, Span, escape};
+use lipz_file::locale::{canonical_tag, has_lipz_shape, language};
 use lipz_file::text::DELIMITER;
 
 /// A text of a file, and where it stands.
@@ -38,6 +38,8 @@ pub struct Entry {
     pub says_state: bool,
     /// The translation at the time of the export.
     pub mark: Option<Mark>,
+    /// Whether it comes from a table: programs that save tables change the ends of lines inside of cells.
+    pub is_of_table: bool,
     /// A number for whoever reads several files: [`read()`](crate::read()) sets 0.
     pub file: usize,
 }
@@ -64,6 +66,32 @@ pub struct ReadOptions {
     pub wanted: Vec<String>,
     /// The locales that the project has: files may name them without a country.
     pub known: Vec<String>,
+    /// Whether locales may be any BCP 47 tag, and not only `ll-cc`.
+    pub has_extended_locales: bool,
+}
+
+/// Why a tag names no locale of a project.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum NoLocale {
+    /// It is no tag, or could be several locales.
+    Tag,
+    /// It does not have the form `ll-cc`.
+    Shape,
+}
+
+impl NoLocale {
+    pub(crate) const NOTE: &str = "the locales of this project have the form ll-cc, a language and a country";
+    pub(crate) const HELP: &str = "name the locale that is meant for the import: `--locale fr-fr`; or accept any BCP 47 tag: `extended-locales = true`";
+
+    /// The diagnostic for a tag that stands here.
+    pub(crate) fn diagnostic(self, tag: &str, span: Span) -> Diagnostic {
+        let message = format!("the language {} is no locale of the project", escape::quoted(tag));
+        let diagnostic = Diagnostic::at(Code::ExchangeSyntax, span, message);
+        match self {
+            NoLocale::Tag => diagnostic.help("name the locale of the file for the import, as in de-de"),
+            NoLocale::Shape => diagnostic.note(NoLocale::NOTE).help(NoLocale::HELP),
+        }
+    }
 }
 
 impl ReadOptions {
@@ -84,14 +112,26 @@ impl ReadOptions {
         ReadOptions { known: locales.into_iter().map(Into::into).collect(), ..self }
     }
 
+    /// Sets whether locales may be any BCP 47 tag.
+    #[must_use]
+    pub fn extended_locales(self, has_extended_locales: bool) -> ReadOptions {
+        ReadOptions { has_extended_locales, ..self }
+    }
+
     /// Whether the texts of a locale are wanted.
     pub(crate) fn wants(&self, locale: &str) -> bool {
         locale != self.source_locale && (self.wanted.is_empty() || self.wanted.iter().any(|wanted| wanted == locale))
     }
 
-    /// The locale that a file means by a tag: `de_DE`, `de-DE`, or `de` if only one locale is German. `None` if it is no
-    /// tag, or could be several.
-    pub(crate) fn locale(&self, tag: &str) -> Option<String> {
+    /// The locale that a file means by a tag: `de_DE`, `de-DE`, or `de` if only one locale is German.
+    pub(crate) fn locale(&self, tag: &str) -> Result<String, NoLocale> {
+        let locale = self.meant(tag).ok_or(NoLocale::Tag)?;
+        let is_allowed = self.has_extended_locales || has_lipz_shape(&locale);
+        is_allowed.then_some(locale).ok_or(NoLocale::Shape)
+    }
+
+    /// The locale, of whatever form; `None` if the tag is none, or could be several.
+    fn meant(&self, tag: &str) -> Option<String> {
         // gettext has `sr_RS@latin` and `de_DE.UTF-8`.
         let tag = tag.split(['@', '.']).next().unwrap_or(tag).trim();
         let canonical = canonical_tag(tag, true)?;
@@ -128,14 +168,19 @@ mod tests {
     fn tags_of_all_tools() {
         let options = ReadOptions::new("en-us").known(["de-de", "pt-br", "pt-pt"]);
         let of = |tag: &str| options.locale(tag);
-        assert_eq!(of("de_DE.UTF-8").as_deref(), Some("de-de"));
-        assert_eq!(of("de-DE").as_deref(), Some("de-de"));
-        assert_eq!(of("de").as_deref(), Some("de-de"));
-        assert_eq!(of("EN").as_deref(), Some("en-us"));
-        assert_eq!(of("pt"), None, "which one?");
-        assert_eq!(options.clone().wanted(["pt-br"]).locale("pt").as_deref(), Some("pt-br"));
-        assert_eq!(of("fr-ca").as_deref(), Some("fr-ca"), "a new one");
-        assert_eq!(of("Speaker"), None);
+        let is = |tag: &str| Ok(tag.to_owned());
+        assert_eq!(of("de_DE.UTF-8"), is("de-de"));
+        assert_eq!(of("de-DE"), is("de-de"));
+        assert_eq!(of("de"), is("de-de"));
+        assert_eq!(of("EN"), is("en-us"));
+        assert_eq!(of("pt"), Err(NoLocale::Tag), "which one?");
+        assert_eq!(options.clone().wanted(["pt-br"]).locale("pt"), is("pt-br"));
+        assert_eq!(of("fr-ca"), is("fr-ca"), "a new one");
+        assert_eq!(of("Speaker"), Err(NoLocale::Tag));
+        assert_eq!([of("fr"), of("es-419")], [Err(NoLocale::Shape), Err(NoLocale::Shape)], "`lipz check` says LZ0503");
+        let extended = options.clone().extended_locales(true);
+        assert_eq!([extended.locale("fr"), extended.locale("es-419")], [is("fr"), is("es-419")]);
+        assert_eq!(options.clone().wanted(["fr-fr"]).locale("fr"), is("fr-fr"));
     }
 
     #[test]

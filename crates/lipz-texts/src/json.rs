@@ -186,10 +186,12 @@ fn clips(file: &FileIn<'_>, text: &str, options: &ReadOptions, incoming: &mut In
             let Some(source) = string(segment.source, text, &mut incoming.diagnostics) else { continue };
             for (tag, translation) in &segment.translations {
                 let Some(text) = string(translation.text, text, &mut incoming.diagnostics) else { continue };
-                let Some(locale) = options.locale(tag) else {
-                    let message = format!("{} is no locale of the project", escape::quoted(tag));
-                    incoming.diagnostics.push(Diagnostic::at(Code::ExchangeSyntax, text.span, message));
-                    continue;
+                let locale = match options.locale(tag) {
+                    Ok(locale) => locale,
+                    Err(why) => {
+                        incoming.diagnostics.push(why.diagnostic(tag, text.span));
+                        continue;
+                    }
                 };
                 let state = translation.state.as_deref().and_then(State::from_name).unwrap_or(State::Translated);
                 incoming.entries.push(Entry {

@@ -166,6 +166,10 @@ fn slips_on_the_command_line() {
         (&["texts", "import", "x.docx"], "names no format"),
         (&["texts", "import", "x.po"], "`x.po` does not exist"),
         (&["texts", "import", "x.po", "-o", "nowhere"], "`nowhere` does not exist"),
+        (&["texts", "export", "po", "--locale", "fr", "-o", "x.po"], "the locale `fr` does not have the form ll-cc"),
+        (&["texts", "export", "po", "--from", "en", "-o", "x.po"], "the locale `en` does not have the form ll-cc"),
+        (&["texts", "import", "x.po", "--locale", "fr"], "the locale `fr` does not have the form ll-cc"),
+        (&["coverage", "--missing", "fr"], "the locale `fr` does not have the form ll-cc"),
         // What is wrong with the sources comes before a locale that is missing because of it.
         (&["texts", "export", "po", "nowhere", "-o", "x.po"], "`nowhere` does not exist"),
         (&["texts", "export", "po", "nowhere", "-o", "x.po", "--no-config"], "`nowhere` does not exist"),
@@ -187,6 +191,30 @@ fn slips_on_the_command_line() {
     let (code, error) = told(&["texts", "import", "wide.csv"]);
     assert!(code == 0 && error.contains("LZ1909"), "{error}");
     assert!(read(scene.path(), "voices/shoe.lipz").contains("\"Ä {name}\""));
+}
+
+/// A template has no locale, and its translators may call theirs as they like; `lipz check` does not.
+#[test]
+fn a_language_that_the_project_does_not_accept_is_not_imported() {
+    let scene = project();
+    let french = po(&[("shoe", "Shoes, {name}!", "Chaussures, {name} !")]).replace("de_DE", "fr");
+    scene.write("fr.po", &french);
+    let refused = lipz(scene.path(), ["texts", "import", "fr.po"]);
+    assert!(
+        refused.code == 1 && refused.stderr.contains("the language `fr` is no locale of the project"),
+        "{refused:?}"
+    );
+    scene.write("a.csv", "key,en-us,fr,de-de\nshoe,\"Shoes, {name}!\",\"Chaussures, {name} !\",\"Treter, {name}\"\n");
+    let left_out = lipz(scene.path(), ["texts", "import", "a.csv"]);
+    assert!(left_out.code == 0 && left_out.stderr.contains("a.csv:1:11"), "{left_out:?}");
+    assert!(left_out.stderr.contains("the column `fr` is not imported"), "{left_out:?}");
+    let shoe = read(scene.path(), "voices/shoe.lipz");
+    assert!(!shoe.contains("text_fr") && shoe.contains("Treter"), "{shoe}");
+    let named = lipz(scene.path(), ["texts", "import", "fr.po", "--locale", "fr-fr"]);
+    assert_eq!((named.code, named.stderr.as_str()), (0, ""));
+    assert!(read(scene.path(), "voices/shoe.lipz").contains("text_fr-fr"));
+    scene.write("lipz.toml", read(scene.path(), "lipz.toml") + "extended-locales = true\n");
+    assert_eq!(lipz(scene.path(), ["texts", "import", "fr.po"]).code, 0);
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! What the columns of a CSV are, by their names.
 
 use crate::ReadOptions;
+use crate::entry::NoLocale;
 
 /// What is in a column.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -23,6 +24,15 @@ pub(super) enum Column {
     State,
     /// For people, or for another tool.
     Other,
+}
+
+/// Why nothing of a column is imported.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum NoColumn {
+    /// Nobody knows what it is.
+    Unknown,
+    /// It is called as a language, and that is no locale of the project.
+    Locale,
 }
 
 /// Columns that are for people, or for other tools.
@@ -48,8 +58,8 @@ const OTHERS: [&str; 16] = [
 /// What stands before the locale in the names of columns with marks.
 pub(crate) const LOCK: &str = "lock";
 
-/// What the columns with these names are; `Err` is one that nothing is known about.
-pub(super) fn columns(names: &[&str], options: &ReadOptions) -> Vec<Result<Column, ()>> {
+/// What the columns with these names are; `Err` is one that is not imported.
+pub(super) fn columns(names: &[&str], options: &ReadOptions) -> Vec<Result<Column, NoColumn>> {
     let is = |name: &str, known: &str| name.trim().eq_ignore_ascii_case(known);
     let has = |known: &str| names.iter().any(|name| is(name, known));
     let is_by_row = has("language") && has("text");
@@ -78,22 +88,23 @@ pub(super) fn columns(names: &[&str], options: &ReadOptions) -> Vec<Result<Colum
             return Ok(Column::SourceMark);
         }
         if let Some(locale) = plain.strip_prefix(LOCK).and_then(|rest| rest.strip_prefix(' ')) {
-            return options.locale(locale).map(Column::Mark).ok_or(());
+            return options.locale(locale).map(Column::Mark).map_err(|_| NoColumn::Unknown);
         }
         match locale(name, options) {
-            Some(locale) if locale == options.source_locale && !has("source") && !has("sourcestring") => {
+            Ok(locale) if locale == options.source_locale && !has("source") && !has("sourcestring") => {
                 Ok(Column::Source)
             }
-            Some(locale) => Ok(Column::Locale(locale)),
-            None if name.starts_with('_') || name.starts_with('?') => Ok(Column::Other),
-            None => Err(()),
+            Ok(locale) => Ok(Column::Locale(locale)),
+            Err(_) if name.starts_with('_') || name.starts_with('?') => Ok(Column::Other),
+            Err(NoLocale::Tag) => Err(NoColumn::Unknown),
+            Err(NoLocale::Shape) => Err(NoColumn::Locale),
         }
     };
     names.iter().map(column).collect()
 }
 
 /// The locale of a column: `de-DE`, `German(de-DE)`, `German (Germany)(de-DE)`.
-fn locale(name: &str, options: &ReadOptions) -> Option<String> {
+fn locale(name: &str, options: &ReadOptions) -> Result<String, NoLocale> {
     let inside = name.strip_suffix(')').and_then(|name| name.rsplit_once('(')).map(|(_, tag)| tag);
     options.locale(inside.unwrap_or(name))
 }
@@ -102,7 +113,7 @@ fn locale(name: &str, options: &ReadOptions) -> Option<String> {
 mod tests {
     use super::*;
 
-    fn of(names: &[&str]) -> Vec<Result<Column, ()>> {
+    fn of(names: &[&str]) -> Vec<Result<Column, NoColumn>> {
         columns(names, &ReadOptions::new("en-us").known(["de-de"]))
     }
 
@@ -110,10 +121,8 @@ mod tests {
     fn headers_of_all_tools() {
         let locale = |tag: &str| Ok(Column::Locale(tag.into()));
         let other = || Ok(Column::Other);
-        assert_eq!(
-            of(&["keys", "en", "de", "id"]),
-            [Ok(Column::Key), Ok(Column::Source), locale("de-de"), locale("id")]
-        );
+        let no_locale = Err(NoColumn::Locale);
+        assert_eq!(of(&["keys", "en", "de", "id"]), [Ok(Column::Key), Ok(Column::Source), locale("de-de"), no_locale]);
         assert_eq!(
             of(&["Key", "Id", "Shared Comments", "English(en)", "German(de)", "German(de) Comments"]),
             [Ok(Column::Key), other(), other(), Ok(Column::Source), locale("de-de"), other()]
@@ -128,7 +137,7 @@ mod tests {
         );
         assert_eq!(
             of(&["key", "_lock de_DE", "_ours", "Who knows"]),
-            [Ok(Column::Key), Ok(Column::Mark("de-de".into())), other(), Err(())]
+            [Ok(Column::Key), Ok(Column::Mark("de-de".into())), other(), Err(NoColumn::Unknown)]
         );
     }
 }

@@ -3,6 +3,7 @@
 mod cell;
 mod columns;
 mod read;
+mod scan;
 mod write;
 
 pub(crate) use cell::defused;

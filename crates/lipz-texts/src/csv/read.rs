@@ -1,10 +1,13 @@
 //! Reading tables: rows with the place of every cell, from CSV files and spreadsheets.
 
 use super::cell;
-use super::columns::{Column, columns};
-use crate::{Entry, Incoming, Mark, ReadOptions, State, Words, decode, entry};
+use super::columns::{Column, NoColumn, columns};
+use super::scan::scan;
+use crate::entry::{self, NoLocale};
+use crate::{Entry, Incoming, Mark, ReadOptions, State, Words, decode};
 use csv::{ReaderBuilder, StringRecord};
 use lipz_diagnostics::{Code, Diagnostic, Span, bound, escape};
+use std::cmp::Ordering;
 use std::collections::HashMap;
 use std::ops::Range;
 
@@ -42,9 +45,16 @@ fn rows(text: &str, options: &ReadOptions, incoming: &mut Incoming) {
             }
         }
         let end = usize::try_from(reader.position().byte()).unwrap_or(usize::MAX);
-        let raw = text.get(start..end).unwrap_or_default();
+        let scanned = scan(text.get(start..end).unwrap_or_default(), separator);
+        if let Some(fault) = scanned.fault {
+            // From here on nobody knows which cell is whose.
+            incoming.diagnostics.push(fault.diagnostic(start));
+            return;
+        }
         let cells = record.iter().map(|cell| cell::text(cell).to_owned()).collect();
-        if !table.row(&Row { cells, places: places(raw, separator), start }, incoming) {
+        let row = Row { cells, places: scanned.places, start };
+        incoming.diagnostics.extend(table.length(&row));
+        if !table.row(&row, incoming) {
             return;
         }
     }
@@ -73,6 +83,21 @@ impl<'o> Table<'o> {
         Table { options, columns: None }
     }
 
+    /// The diagnostic for a row with more or fewer cells than the header.
+    fn length(&self, row: &Row) -> Option<Diagnostic> {
+        let needs = self.columns.as_ref()?.len();
+        let has = row.cells.len();
+        let (at, help) = match has.cmp(&needs) {
+            Ordering::Equal => return None,
+            Ordering::Greater => (needs, "put a text with separators between quotes: \"Stop, you!\""),
+            Ordering::Less => {
+                (has - 1, "was the file cut off? each row has a cell for each column, if only an empty one")
+            }
+        };
+        let message = format!("the row has {has} cells, the header {needs}");
+        Some(Diagnostic::at(Code::ExchangeSyntax, row.span(at), message).help(help))
+    }
+
     /// Reads the next row; false if the others say nothing, because the columns are not known.
     pub(crate) fn row(&mut self, row: &Row, incoming: &mut Incoming) -> bool {
         match &self.columns {
@@ -99,13 +124,18 @@ fn header(row: &Row, options: &ReadOptions, incoming: &mut Incoming) -> Option<V
     let names: Vec<&str> = row.cells.iter().map(String::as_str).collect();
     let mut found = Vec::new();
     for (at, column) in columns(&names, options).into_iter().enumerate() {
-        if column.is_err() {
+        if let Err(why) = &column {
             let name = escape::quoted(names.get(at).copied().unwrap_or_default());
-            incoming.diagnostics.push(
-                Diagnostic::at(Code::ExchangeLoss, row.span(at), format!("the column {name} is not imported"))
-                    .note("it is neither a locale nor a column that lipz or another tool writes")
-                    .help("call a column of texts by its locale, as in de-de"),
-            );
+            let (note, help) = match why {
+                NoColumn::Unknown => (
+                    "it is neither a locale nor a column that lipz or another tool writes",
+                    "call a column of texts by its locale, as in de-de",
+                ),
+                NoColumn::Locale => (NoLocale::NOTE, NoLocale::HELP),
+            };
+            let message = format!("the column {name} is not imported");
+            let diagnostic = Diagnostic::at(Code::ExchangeLoss, row.span(at), message);
+            incoming.diagnostics.push(diagnostic.note(note).help(help));
         }
         found.push(column.unwrap_or(Column::Other));
     }
@@ -176,6 +206,7 @@ impl Row {
                 text,
                 mark: mark(marks.get(&locale).copied()),
                 locale,
+                is_of_table: true,
                 ..Entry::default()
             });
         }
@@ -185,42 +216,6 @@ impl Row {
     fn locale(&self, column: Option<usize>, options: &ReadOptions, incoming: &mut Incoming) -> Option<String> {
         let language = self.words(column?);
         let locale = options.locale(&language.text);
-        if locale.is_none() {
-            let message = format!("the language {} is no locale of the project", escape::quoted(&language.text));
-            incoming.diagnostics.push(Diagnostic::at(Code::ExchangeSyntax, language.span, message));
-        }
-        locale
-    }
-}
-
-/// Where the cells of a row stand, without the quotes around them.
-fn places(raw: &str, separator: u8) -> Vec<Range<usize>> {
-    // A blank line before a row belongs to what is read with it.
-    let start = raw.len() - raw.trim_start_matches(['\n', '\r']).len();
-    let bytes = raw.as_bytes();
-    let mut places = Vec::new();
-    let (mut first, mut at, mut is_quoted) = (start, start, false);
-    loop {
-        match bytes.get(at) {
-            Some(b'"') if is_quoted => {
-                // Two quotes are one of the text.
-                if bytes.get(at + 1) == Some(&b'"') { at += 1 } else { is_quoted = false }
-            }
-            Some(b'"') if at == first => is_quoted = true,
-            Some(_) if is_quoted => {}
-            Some(byte) if *byte != separator && !matches!(byte, b'\n' | b'\r') => {}
-            end => {
-                let inner = match bytes.get(first..at) {
-                    Some([b'"', .., b'"']) => first + 1..at - 1,
-                    _ => first..at,
-                };
-                places.push(inner);
-                if end != Some(&separator) {
-                    return places;
-                }
-                first = at + 1;
-            }
-        }
-        at += 1;
+        locale.map_err(|why| incoming.diagnostics.push(why.diagnostic(&language.text, language.span))).ok()
     }
 }

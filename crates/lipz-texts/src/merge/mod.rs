@@ -2,6 +2,7 @@
 
 mod confirmed;
 mod keys;
+mod line_ends;
 mod one;
 mod splice;
 
@@ -13,6 +14,7 @@ use lipz_diagnostics::{Code, Diagnostic, Levels};
 use lipz_file::Document;
 use lipz_file::format::Style;
 use lipz_file::locale::{TextName, text_name};
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// How translations come into Lipz files.
@@ -150,6 +152,9 @@ impl<'a> Merge<'a> {
             };
             let mut found = Vec::new();
             let own = trimmed(locale);
+            let project = [sources.as_slice(), own.as_deref().unwrap_or_default()];
+            let entries: Vec<_> = entries.into_iter().map(|entry| line_ends::of_project(entry, &project)).collect();
+            let entries: Vec<&Entry> = entries.iter().map(Cow::as_ref).collect();
             let result = one::merge(self, sources, own.as_deref(), &entries, &mut found);
             let is_refused = self.report(found, &mut merged.found);
             if !is_refused {

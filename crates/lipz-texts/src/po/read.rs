@@ -3,7 +3,7 @@
 use super::EXPORTED;
 use super::string::unescaped;
 use crate::{Entry, Incoming, Mark, ReadOptions, State, Words, decode, entry};
-use lipz_diagnostics::{Code, Diagnostic, Span, escape};
+use lipz_diagnostics::{Code, Diagnostic, Span};
 
 /// Reads a file of any bytes.
 pub(crate) fn read(bytes: &[u8], options: &ReadOptions, incoming: &mut Incoming) {
@@ -191,17 +191,14 @@ impl Reader<'_> {
             return; // the project says which
         }
         let language = text.text.lines().find_map(|line| line.strip_prefix("Language:")).unwrap_or_default().trim();
-        self.locale = self.options.locale(language);
-        if self.locale.is_none() {
-            let what = match language.is_empty() {
-                true => "the header names no language".to_owned(),
-                false => format!("the language {} is no locale of the project", escape::quoted(language)),
-            };
-            let diagnostic = Diagnostic::at(Code::ExchangeSyntax, text.span, what);
-            self.incoming.diagnostics.push(diagnostic.help("name the locale of the file for the import, as in de-de"));
-            // Told once.
-            self.locale = Some(String::new());
-        }
+        let locale = self.options.locale(language).map_err(|why| match language {
+            "" => Diagnostic::at(Code::ExchangeSyntax, text.span, "the header names no language")
+                .help("name the locale of the file for the import, as in de-de"),
+            _ => why.diagnostic(language, text.span),
+        });
+        // Told once.
+        let locale = locale.map_err(|diagnostic| self.incoming.diagnostics.push(diagnostic)).unwrap_or_default();
+        self.locale = Some(locale);
     }
 
     fn wrong(&mut self, at: usize, length: usize, what: &str) {

@@ -67,16 +67,12 @@ pub(super) fn locale(
         return Some(only.clone());
     }
     let tag = node.attribute(attribute).unwrap_or_default();
-    let locale = options.locale(tag);
-    if locale.is_none() {
-        let message = match tag {
-            "" => format!("the file has no `{attribute}`"),
-            _ => format!("the language {} is no locale of the project", escape::quoted(tag)),
-        };
-        let diagnostic = Diagnostic::at(Code::ExchangeSyntax, start(node), message);
-        diagnostics.push(diagnostic.help("name the locale of the file for the import, as in de-de"));
-    }
-    locale
+    let locale = options.locale(tag).map_err(|why| match tag {
+        "" => Diagnostic::at(Code::ExchangeSyntax, start(node), format!("the file has no `{attribute}`"))
+            .help("name the locale of the file for the import, as in de-de"),
+        _ => why.diagnostic(tag, start(node)),
+    });
+    locale.map_err(|diagnostic| diagnostics.push(diagnostic)).ok()
 }
 
 /// The diagnostic for markup that texts of clips do not have.

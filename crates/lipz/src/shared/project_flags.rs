@@ -1,5 +1,6 @@
 //! The flags for what a project decides about its Lipz files: one for every setting of `lipz.toml`.
 
+use crate::reporter::{Abort, Reporter};
 use clap::{Arg, ArgAction, Args};
 use lipz_bank::{Fps, VisemeType};
 use lipz_compiler::Options;
@@ -138,12 +139,26 @@ impl ProjectFlags {
     }
 }
 
-/// The locale of the options that needs `extended-locales`, which is not set.
-pub(crate) fn refused_locale(options: &Options) -> Option<&str> {
+/// Refuses locales of the options that need `extended-locales`, which is not set.
+pub(crate) fn refuse_locales_of(options: &Options, reporter: &mut Reporter) -> Result<(), Abort> {
     let fallbacks = options.fallbacks.iter().flat_map(|(locale, chain)| std::iter::once(locale).chain(chain));
-    let locales = options.default_locale.iter().chain(options.locales.iter().flatten()).chain(fallbacks);
-    let mut refused = locales.filter(|tag| !options.extended_locales && !lipz_file::locale::has_lipz_shape(tag));
-    refused.next().map(String::as_str)
+    refuse_locales(
+        options.default_locale.iter().chain(options.locales.iter().flatten()).chain(fallbacks),
+        options,
+        reporter,
+    )
+}
+
+/// Refuses the first of these locales that the project does not accept in its Lipz files.
+pub(crate) fn refuse_locales<'l>(
+    locales: impl IntoIterator<Item = &'l String>,
+    options: &Options,
+    reporter: &mut Reporter,
+) -> Result<(), Abort> {
+    let is_refused = |tag: &&String| !options.extended_locales && !lipz_file::locale::has_lipz_shape(tag);
+    let Some(tag) = locales.into_iter().find(is_refused) else { return Ok(()) };
+    let tip = "name a country, as in en-us, or accept any BCP 47 tag: `extended-locales = true` in lipz.toml";
+    Err(reporter.usage(format!("the locale `{tag}` does not have the form ll-cc"), tip))
 }
 
 fn override_some<T: Clone>(option: &mut Option<T>, flag: &Option<T>) {

@@ -3,7 +3,7 @@
 use crate::Abort;
 use crate::reporter::Reporter;
 use crate::shared::lint_flags::LintFlags;
-use crate::shared::project_flags::{ProjectFlags, refused_locale};
+use crate::shared::project_flags::{ProjectFlags, refuse_locales_of};
 use crate::shared::settings_file::{Project, SettingsFile};
 use crate::shared::stdio;
 use clap::Args;
@@ -105,11 +105,7 @@ impl ProjectArguments {
         self.flags.apply(options);
         self.lints.apply(options);
         options.threads = self.threads.map(usize::from);
-        if let Some(tag) = refused_locale(options) {
-            let tip = "name a country, as in en-us, or accept any BCP 47 tag with `--extended-locales`";
-            let message = format!("the locale `{tag}` does not have the form ll-cc");
-            return Err(reporter.usage(message, tip));
-        }
+        refuse_locales_of(options, reporter)?;
         Ok(project)
     }
 }

@@ -10,7 +10,7 @@ use crate::commands::Run;
 use crate::reporter::{Abort, Reporter};
 use crate::shared::bank_or_sources::Dialogue;
 use crate::shared::locales::choose;
-use crate::shared::project_flags::parse_locale;
+use crate::shared::project_flags::{parse_locale, refuse_locales};
 use clap::Args;
 use lipz_compiler::{BankWithTexts, Coverage, MinCoverage, VoiceCoverage, coverage, shortfalls, voice_coverage};
 use lipz_diagnostics::{Report, escape};
@@ -79,6 +79,9 @@ impl Run for CoverageArguments {
 
     fn run(&self, reporter: &mut Reporter) -> Ended {
         let mut project = self.dialogue.project(reporter)?;
+        if !self.dialogue.is_bank() {
+            refuse_locales(self.missing.iter().chain(&self.stale), &project.settings.options, reporter)?;
+        }
         // Here it is the question, not a condition for packing.
         let wanted: MinCoverage = std::mem::take(&mut project.settings.options.min_coverage);
         let file = self.dialogue.bank_of(&project, reporter)?;

@@ -7,7 +7,7 @@ use crate::interrupt::point;
 use crate::reporter::{Abort, Ended, Reporter};
 use crate::shared::inputs::find_all;
 use crate::shared::output_file::refuse_source;
-use crate::shared::project_flags::{hide_of_banks, parse_locale};
+use crate::shared::project_flags::{hide_of_banks, parse_locale, refuse_locales};
 use crate::shared::sources::Sources;
 use crate::shared::text_record::RecordFile;
 use crate::shared::{formats, stdio};
@@ -127,6 +127,7 @@ pub(super) fn run(arguments: &Export, reporter: &mut Reporter) -> Ended {
     refuse_source(&arguments.output, reporter)?;
     let project = arguments.sources.project(reporter)?;
     let options = &project.settings.options;
+    refuse_locales(arguments.locale.iter().chain(&arguments.from), options, reporter)?;
     let (inputs, mut reports) = find_all(&project.settings, reporter)?;
     let source_locale = source_locale(arguments.from.as_ref(), options, reporter)?;
     let is_template = arguments.text_format == Format::Pot;

@@ -8,7 +8,7 @@ use crate::interrupt::{Files, point};
 use crate::reporter::{Ended, Reporter};
 use crate::shared::inputs::find_all;
 use crate::shared::lint_flags::LintFlags;
-use crate::shared::project_flags::parse_locale;
+use crate::shared::project_flags::{parse_locale, refuse_locales};
 use crate::shared::settings_file::SettingsFile;
 use crate::shared::text_record::RecordFile;
 use clap::{Args, ValueEnum};
@@ -105,10 +105,14 @@ pub(super) fn run(arguments: &Import, reporter: &mut Reporter) -> Ended {
     }
     let settings = &project.settings;
     let options = &settings.options;
+    refuse_locales(arguments.locale.iter().chain(&arguments.from), options, reporter)?;
     let (inputs, mut reports) = find_all(settings, reporter)?;
     let source_locale = source_locale(arguments.from.as_ref(), options, reporter)?;
     let known = locales_of(&inputs, options, &source_locale);
-    let read_options = ReadOptions::new(source_locale.as_str()).wanted(arguments.locale.iter().cloned()).known(known);
+    let read_options = ReadOptions::new(source_locale.as_str())
+        .wanted(arguments.locale.iter().cloned())
+        .known(known)
+        .extended_locales(options.extended_locales);
     let mut incoming =
         Incoming::read(&arguments.files, arguments.text_format.map(Into::into), &read_options, reporter, &mut reports)?;
     let keys: BTreeSet<&str> = inputs.iter().map(|input| input.key.as_str()).collect();
