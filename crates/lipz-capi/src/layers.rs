@@ -311,7 +311,10 @@ unsafe fn locale_in(banks: *const Bank, count: u32, layer: u32, tag: &str) -> Re
             let place = about.and_then(|layer| layer.stand_in(own.index as usize));
             stand_in = place.and_then(|place| opened.bank.locales().nth(place)).map(|locale| locale.tag());
         }
-        is_removed |= about.map_or(false, |layer| layer.removes_locale(tag));
+        let removes = |tag: &str| about.as_ref().map_or(false, |layer| layer.removes_locale(tag));
+        is_removed |= removes(tag);
+        // Nothing of that counts below: it is another locale with the same tag, which came later.
+        stand_in = stand_in.filter(|other| !removes(other));
     }
     Err(LIPZ_NONE)
 }

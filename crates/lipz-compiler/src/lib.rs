@@ -110,7 +110,7 @@ pub use coverage::{Coverage, coverage, shortfalls};
 pub use decompile::Documents;
 pub use depend::{dependencies, depfile, watched};
 pub use discover::{discover, is_pattern};
-pub use dubs::{VoiceCoverage, voice_coverage};
+pub use dubs::{VoiceCoverage, voice_coverage, voice_coverage_of};
 pub use fix::Fixed;
 pub use input::{Content, Input};
 pub use layers::{Over, Stack, VoiceBanks};

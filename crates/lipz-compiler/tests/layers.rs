@@ -172,6 +172,26 @@ fn compiler(strip: bool, default: Option<&str>) -> Compiler<'static> {
     })
 }
 
+/// A locale that a layer removes and a later one brings back is another one: what stands in for a third locale is the new one.
+#[test]
+fn a_locale_that_came_back_stands_in_for_none_below() {
+    let events = r#"{ "events": "amy feels sad|" }"#;
+    let versions = [
+        vec![("z/z", r#"{ "text_de-at": "Ja.|Nein." }"#)],
+        vec![("a", "{  }"), ("z/z", events)],
+        vec![("act1/aye", r#"{ "text_de-at": "Ja.|Nein." }"#), ("act1/nay", "{  }"), ("z/z", events)],
+        vec![
+            ("a", r#"{ "text_de-de": "Ja.|Nein." }"#),
+            ("act1/aye", r#"{ "text_de-at": "Ja.|Nein." }"#),
+            ("z/z", events),
+        ],
+    ];
+    let project = |files: Vec<(&str, &str)>| files.into_iter().map(|(key, file)| (key.into(), file.into())).collect();
+    let versions: Vec<(Project, Compiler<'_>)> =
+        versions.into_iter().map(|files| (project(files), compiler(false, None))).collect();
+    check(&versions);
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 300, ..ProptestConfig::default() })]
 

@@ -2,7 +2,7 @@
 
 use crate::merge::tag_of;
 use crate::{Segment, State, Texts, Translation, Unit};
-use lipz_diagnostics::{Code, Diagnostic, escape};
+use lipz_diagnostics::{Code, Diagnostic, Severity, escape};
 use lipz_file::rate::Rate;
 use lipz_file::text::{DELIMITER, is_white_space, meta, segments, trim};
 use lipz_file::{Document, Element, JsonString, Value};
@@ -75,11 +75,12 @@ impl Collect {
                     let (has, needs) = (texts.len(), sources.len());
                     let message =
                         format!("the text of {locale} has {has} segments, that of {} {needs}", self.source_locale);
-                    diagnostics.push(
-                        Diagnostic::at(Code::TextSegments, span, message)
-                            .note("the file of exchange has no translation in its place")
-                            .help("put a `|` into both texts where the segments meet"),
-                    );
+                    let mut diagnostic = Diagnostic::at(Code::TextSegments, span, message)
+                        .note("the file of exchange has no translation in its place")
+                        .help("put a `|` into both texts where the segments meet");
+                    // All other texts are exported.
+                    diagnostic.severity = Severity::Warning;
+                    diagnostics.push(diagnostic);
                     vec![String::new(); sources.len()]
                 }
                 None => vec![String::new(); sources.len()],

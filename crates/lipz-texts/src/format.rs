@@ -4,7 +4,7 @@ use crate::csv::{self, Shape};
 #[cfg(feature = "xlsx")]
 use crate::xlsx;
 use crate::{Division, Entry, Exchange, Incoming, ReadOptions, json, po, xliff};
-use lipz_diagnostics::{Diagnostic, bound};
+use lipz_diagnostics::{Code, Diagnostic, bound};
 
 /// A format of files for translators.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -177,6 +177,13 @@ pub fn read(format: Format, bytes: &[u8], options: &ReadOptions) -> Incoming {
     incoming.diagnostics.sort_by_key(Diagnostic::start);
     if incoming.diagnostics.iter().any(Diagnostic::is_error) {
         incoming.entries = Vec::new();
+    }
+    let is_source = |entry: &&Entry| entry.locale == options.source_locale && !entry.text.text.is_empty();
+    if let Some(first) = incoming.entries.iter().find(is_source) {
+        let message = format!("texts in {} are translated, and not imported", options.source_locale);
+        let diagnostic = Diagnostic::at(Code::ExchangeLoss, first.text.span, message)
+            .help("edit them in the Lipz files; `--from` names another locale that was translated");
+        incoming.diagnostics.push(diagnostic);
     }
     incoming.entries.retain(|entry: &Entry| options.wants(&entry.locale));
     incoming

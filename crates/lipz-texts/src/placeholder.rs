@@ -66,6 +66,23 @@ fn metas(text: &str) -> Vec<Meta<'_>> {
     all
 }
 
+/// Whether a text has placeholders, all of which are plain names or numbers, `{name}` and `{0}`, and no other braces.
+pub(crate) fn are_plain(text: &str) -> bool {
+    let is_word = |character: char| character.is_ascii_alphanumeric() || character == '_';
+    let is_name = |name: &str| {
+        let is_number = name.chars().all(|character| character.is_ascii_digit());
+        is_number || !name.starts_with(|first: char| first.is_ascii_digit()) && name.chars().all(is_word)
+    };
+    let places = meta_places(text);
+    let braces = text.chars().filter(|character| matches!(character, '{' | '}')).count();
+    let metas = metas(text);
+    let plain = metas.iter().filter(|meta| match meta {
+        Meta::Placeholder(whole) => whole.get(1..whole.len() - 1).is_some_and(|name| !name.is_empty() && is_name(name)),
+        Meta::Named(_) | Meta::Note => false,
+    });
+    !places.is_empty() && plain.count() == places.len() && braces == 2 * places.len()
+}
+
 /// How the placeholders of a translation differ from those of its source; `None` if they are the same.
 ///
 /// Lost are those that the translation does not have, or has less often, added the others.
@@ -131,6 +148,16 @@ mod tests {
         let added = Some("the translation has a note `{…}`, which its source does not have".into());
         assert_eq!(meta_difference("{a}", "{b} {sehr laut}"), added);
         assert_eq!(difference("{to: amy} {0:NAME}", "{0:NAME}"), None);
+    }
+
+    #[test]
+    fn plain_placeholders_are_those_that_gettext_checks() {
+        for text in ["{name}", "Hi {first_name}, {0}!"] {
+            assert!(are_plain(text), "{text}");
+        }
+        for text in ["", "Hi", "{speaker: Mara} {name}", "{anger 2}", "{very loud}", "{a-b}", "{}", "{a} {", "{1a}"] {
+            assert!(!are_plain(text), "{text}");
+        }
     }
 
     #[test]

@@ -219,3 +219,24 @@ fn every_command_knows_voices() {
     let none = lipz(scene.path(), ["coverage", "voices/en", "--no-config", "--voices"]);
     assert!(none.code == 2 && none.stderr.contains("no clip of the bank is a dub"), "{}", none.stderr);
 }
+
+/// The project plans a language, and nobody has recorded a line of it.
+#[test]
+fn the_first_dub_has_its_work_before_it_begins() {
+    let scene = scene();
+    fs::remove_dir_all(scene.path().join("voices/de")).unwrap();
+    let run = |arguments: &[&str]| lipz(scene.path(), [&["coverage", "--voices"], arguments].concat());
+    let table = run(&[]);
+    let row = table.stdout.lines().find(|line| line.contains("de-de")).unwrap_or_default();
+    assert_eq!(row.split_whitespace().collect::<Vec<_>>().join(" "), "de-de 0.0 % 0 0.0 s 2 0.6 s", "{table:?}");
+    assert_eq!(run(&["--missing", "de-de"]).stdout, "en/act1/mayor\nen/act1/yes\n");
+    let unknown = run(&["--missing", "fr-fr"]);
+    assert!(unknown.code == 2 && unknown.stderr.contains("no voice is `fr-fr`"), "{unknown:?}");
+    assert!(unknown.stderr.contains("there are en-us, de-de; [voices] in lipz.toml names others"), "{unknown:?}");
+    let exported = lipz(scene.path(), ["texts", "export", "po", "-o", "de.po"]);
+    assert_eq!(exported.stdout, "texts of 2 clips for de-de written into de.po\n");
+    scene.write("voices/de/act1/mayor.lipz", DUB);
+    let exported = lipz(scene.path(), ["texts", "export", "po", "-o", "de.po", "--force"]);
+    let expected = "texts of 2 clips for de-de written into de.po; 1 dub left out, whose texts are their originals'\n";
+    assert_eq!(exported.stdout, expected);
+}

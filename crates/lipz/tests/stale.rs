@@ -101,11 +101,14 @@ fn an_import_says_what_translations_were_made_from() {
     scene.write("voices/mayor.lipz", MAYOR.replace("evening", "morning"));
     lipz(folder, ["texts", "export", "po", "-o", "de.po"]);
     let po = fs::read_to_string(folder.join("de.po")).unwrap();
-    assert!(po.contains("#, fuzzy\n#| msgid \"Good evening, {name}. | Who goes there?\"\n"), "{po}");
+    assert!(
+        po.contains("#, fuzzy, python-brace-format\n#| msgid \"Good evening, {name}. | Who goes there?\"\n"),
+        "{po}"
+    );
     lipz(folder, ["texts", "import", "de.po"]);
     assert_eq!(codes(folder), ["LZ1911"], "nobody has looked at it");
     // A translator who finds that it still fits takes the mark away.
-    scene.write("de.po", po.replace("#, fuzzy\n", ""));
+    scene.write("de.po", po.replace("fuzzy, ", ""));
     lipz(folder, ["texts", "import", "de.po"]);
     assert_eq!(codes(folder), [""; 0]);
     scene.write("voices/mayor.lipz", MAYOR.replace("evening", "night"));
@@ -123,8 +126,52 @@ fn an_import_says_what_translations_were_made_from() {
     scene.write("de.xlf", xliff.replacen("state=\"translated\"", "state=\"final\"", 1));
     lipz(folder, ["texts", "import", "de.xlf"]);
     assert!(record(folder).contains("f,68686a10\t"), "{}", record(folder));
-    let again = lipz(folder, ["texts", "export", "xliff", "-o", "-", "--by", "segment"]).stdout;
-    assert!(!again.contains("state=\"final\""), "of the clip, the earliest state counts");
+    let again = lipz(folder, ["texts", "export", "xliff", "-o", "-"]).stdout;
+    assert!(
+        again.contains("state=\"translated\"") && !again.contains("state=\"final\""),
+        "of the clip, the earliest state counts"
+    );
+}
+
+/// Without a record nothing can be out of date, and nobody may believe that all is well.
+#[test]
+fn translations_of_which_nothing_is_known() {
+    let scene = project();
+    let folder = scene.path();
+    let unknown = "unknown: of 2 of 2 translated segments nobody knows";
+    let check = lipz(folder, ["check"]);
+    assert!(check.code == 0 && check.stdout.contains("nobody knows what the translations were made from"), "{check:?}");
+    assert!(lipz(folder, ["coverage"]).stdout.contains(unknown));
+    assert!(lipz(folder, ["coverage", "--csv"]).stdout.contains(",0,0,2,5,0\r\n"));
+    let json: serde_json::Value = serde_json::from_str(&lipz(folder, ["coverage", "--json"]).stdout).unwrap();
+    let german = json.as_array().unwrap().iter().find(|locale| locale["locale"] == "de-de").unwrap();
+    assert_eq!(german["work"]["unknown"], serde_json::json!({ "segments": 2, "words": 5 }));
+    assert!(lipz(folder, ["coverage", "--html"]).stdout.contains("nobody knows what they were made from"));
+    lipz(folder, ["accept", "--all"]);
+    assert!(!lipz(folder, ["check"]).stdout.contains("nobody knows"));
+    assert!(!lipz(folder, ["coverage"]).stdout.contains("nobody knows"));
+    // Added by hand, after the record began.
+    scene.write("voices/new.lipz", r#"{ "visemes": "M", "text_en-us": "Halt!", "text_de-de": "Halt!" }"#);
+    assert!(lipz(folder, ["coverage"]).stdout.contains("unknown: of 1 of 3 translated segments nobody knows"));
+}
+
+/// The file says what its translation was made from, also where somebody insists on it.
+#[test]
+fn a_forced_import_of_an_older_text_is_out_of_date() {
+    for recorded in [false, true] {
+        let scene = if recorded { accepted() } else { project() };
+        let folder = scene.path();
+        lipz(folder, ["texts", "export", "po", "-o", "de.po"]);
+        let changed = MAYOR.replace("evening", "morning");
+        scene.write("voices/mayor.lipz", &changed);
+        let po = fs::read_to_string(folder.join("de.po")).unwrap();
+        scene.write("de.po", po.replace("Guten Abend", "Schönen Abend"));
+        let import = lipz(folder, ["texts", "import", "de.po", "--force"]);
+        assert!(import.code == 0 && import.stderr.contains("warning[LZ1904]"), "{import:?}");
+        let check = lipz(folder, ["check", "--quiet"]);
+        assert_eq!(check.stderr.matches("LZ1911").count(), 1, "{recorded}: {check:?}");
+        assert!(check.stderr.contains("this was `evening`"), "{check:?}");
+    }
 }
 
 #[test]
@@ -184,10 +231,17 @@ fn coverage_says_what_is_to_be_done() {
                     mayor,1,de-de,stale,\"Good morning, {name}.\",\"Good evening, {name}.\",\"Guten Abend, {name}.\",2\r\n\
                     mayor,2,de-de,missing,Who goes there?,,,3\r\n";
     assert_eq!(list, expected);
+    let json = coverage(&["--missing", "de-de", "--stale", "de-de", "--json", "--cost-per-word", "0.5"]).stdout;
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let stale = serde_json::json!({
+        "key": "mayor", "segment": 1, "locale": "de-de", "state": "stale", "source": "Good morning, {name}.",
+        "translated_from": "Good evening, {name}.", "translation": "Guten Abend, {name}.", "words": 2, "cost": 1.0,
+    });
+    assert_eq!((json.as_array().unwrap().len(), &json[1]), (3, &stale));
     let csv = coverage(&["--csv"]).stdout;
     let columns = |line: &str| line.split(',').count();
     assert!(csv.lines().all(|line| columns(line) == columns(csv.lines().next().unwrap())), "{csv}");
-    assert!(csv.contains("\r\nde-de,2,50.0,1,0,1,0,3,6,2,4,1,2,0,0,0,0,0,0,6\r\n"), "{csv}");
+    assert!(csv.contains("\r\nde-de,2,50.0,1,0,1,0,3,6,2,4,1,2,0,0,0,0,0,0,0,0,6\r\n"), "{csv}");
     let json = coverage(&["--json", "--cost-per-word", "0.5"]).stdout;
     assert!(json.contains("\"words_to_do\": 6,\n      \"cost\": 3.0"), "{json}");
     let page = coverage(&["--html"]).stdout;

@@ -170,6 +170,9 @@ fn slips_on_the_command_line() {
         (&["texts", "export", "po", "--from", "en", "-o", "x.po"], "the locale `en` does not have the form ll-cc"),
         (&["texts", "import", "x.po", "--locale", "fr"], "the locale `fr` does not have the form ll-cc"),
         (&["coverage", "--missing", "fr"], "the locale `fr` does not have the form ll-cc"),
+        (&["texts", "export", "xliff", "--by", "segment", "-o", "x.xlf"], "`--by` changes nothing here"),
+        (&["texts", "export", "po", "--shape", "unity", "-o", "x.po"], "`--shape` changes nothing here"),
+        (&["texts", "export", "po", "--raw-cells", "-o", "x.po"], "`--raw-cells` changes nothing here"),
         // What is wrong with the sources comes before a locale that is missing because of it.
         (&["texts", "export", "po", "nowhere", "-o", "x.po"], "`nowhere` does not exist"),
         (&["texts", "export", "po", "nowhere", "-o", "x.po", "--no-config"], "`nowhere` does not exist"),
@@ -191,6 +194,36 @@ fn slips_on_the_command_line() {
     let (code, error) = told(&["texts", "import", "wide.csv"]);
     assert!(code == 0 && error.contains("LZ1909"), "{error}");
     assert!(read(scene.path(), "voices/shoe.lipz").contains("\"Ä {name}\""));
+}
+
+/// Source texts are edited in Lipz files: who edits them in a file of exchange has to know that nothing comes of it.
+#[test]
+fn source_texts_of_a_file_are_not_imported() {
+    let scene = project();
+    let folder = scene.path();
+    lipz(folder, ["texts", "export", "csv", "--locale", "de-de", "-o", "a.csv"]);
+    let table = read(folder, "a.csv");
+    scene.write("a.csv", table.replace("\"Shoes, {name}!\"", "\"Boots, {name}!\""));
+    let import = lipz(folder, ["texts", "import", "a.csv"]);
+    assert!(
+        import.code == 0 && import.stderr.contains("warning[LZ1908]: 1 source text of the file is another one"),
+        "{import:?}"
+    );
+    assert!(import.stderr.contains("Boots") && import.stderr.contains("a.csv:3:"), "{import:?}");
+    scene.write("en.po", po(&[("shoe", "Shoes, {name}!", "Boots, {name}!")]).replace("de_DE", "en_US"));
+    let import = lipz(folder, ["texts", "import", "en.po"]);
+    assert!(import.stderr.contains("texts in en-us are translated, and not imported"), "{import:?}");
+    assert_eq!(voices(folder), [MAYOR, SHOE]);
+}
+
+#[test]
+fn a_clip_that_does_not_fit_is_left_out_of_an_export() {
+    let scene = project();
+    scene.write("voices/shoe.lipz", SHOE.replace("Schuhe", "Schuhe|"));
+    let export = lipz(scene.path(), ["texts", "export", "po", "-o", "de.po"]);
+    assert_eq!(export.code, 0, "{export:?}");
+    assert!(export.stderr.contains("warning[LZ1903]: the text of de-de has 2 segments"), "{export:?}");
+    assert!(read(scene.path(), "de.po").contains("msgctxt \"shoe\"\nmsgid \"Shoes, {name}!\"\nmsgstr \"\"\n"));
 }
 
 /// A template has no locale, and its translators may call theirs as they like; `lipz check` does not.

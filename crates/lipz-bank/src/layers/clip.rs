@@ -1,6 +1,6 @@
 //! A clip of a stack: what the topmost layer that has it says.
 
-use super::LayeredLocale;
+use super::{LayeredLocale, Places};
 use crate::{Bank, Clip, Locale, Segment, Text};
 use core::ops::Deref;
 
@@ -20,24 +20,20 @@ pub struct LayeredClip<'data, 'bank> {
 }
 
 impl<'data, 'bank> LayeredClip<'data, 'bank> {
-    /// A clip whose texts are those of another layer, or of none.
+    /// A clip of these places; `texts` is the bank of its texts.
+    #[inline]
     pub(super) fn new(
         clip: Clip<'data, 'bank>,
-        layer: usize,
-        texts: Option<(&'bank Bank<'data>, usize, u32)>,
+        places: Places,
+        texts: Option<&'bank Bank<'data>>,
     ) -> LayeredClip<'data, 'bank> {
-        let (texts, texts_layer, texts_slot) = match texts {
-            Some((bank, layer, slot)) => (Some(bank), layer as u32, slot),
-            None => (None, 0, 0),
-        };
-        LayeredClip { clip, layer: layer as u32, texts_layer, texts_slot, texts }
-    }
-
-    /// A clip with its own texts.
-    #[inline]
-    pub(super) fn whole(clip: Clip<'data, 'bank>, layer: usize) -> LayeredClip<'data, 'bank> {
-        let (layer, texts_slot) = (layer as u32, clip.slot());
-        LayeredClip { clip, layer, texts_layer: layer, texts_slot, texts: Some(clip.bank) }
+        LayeredClip {
+            clip,
+            layer: places.clip.layer(),
+            texts_layer: places.texts.layer(),
+            texts_slot: places.texts.slot(),
+            texts,
+        }
     }
 
     /// The clip in its own bank.

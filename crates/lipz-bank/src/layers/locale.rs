@@ -92,6 +92,8 @@ impl<'data, const N: usize> Layers<'data, N> {
                 stand_in = found.and_then(|found| below(layer, found)).or(stand_in);
             }
             is_removed |= layer.table.removes_locale(tag);
+            // Nothing of that counts below: it is another locale with the same tag, which came later.
+            stand_in = stand_in.filter(|other| !layer.table.removes_locale(other.tag()));
         }
         Some(LayeredLocale { own: own?, entries })
     }

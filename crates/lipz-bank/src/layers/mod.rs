@@ -57,6 +57,37 @@ struct Placed<'data> {
     table: Layer<'data>,
 }
 
+/// Where a clip is: the layer in the upper half, the slot in the lower one. Two of them fit into registers.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct Place(u64);
+
+impl Place {
+    /// Of a clip that no layer has.
+    const NONE: Place = Place(u64::MAX);
+
+    #[inline]
+    const fn new(layer: usize, slot: u32) -> Place {
+        Place((layer as u64) << 32 | slot as u64)
+    }
+
+    #[inline]
+    const fn layer(self) -> u32 {
+        (self.0 >> 32) as u32
+    }
+
+    #[inline]
+    const fn slot(self) -> u32 {
+        self.0 as u32
+    }
+}
+
+/// Where a clip of a stack is, and where its texts are: mostly the same.
+#[derive(Clone, Copy)]
+struct Places {
+    clip: Place,
+    texts: Place,
+}
+
 impl<'data, const N: usize> Layers<'data, N> {
     /// The stack of these banks, the base first, each over those before it.
     ///
@@ -118,68 +149,63 @@ impl<'data, const N: usize> Layers<'data, N> {
     #[cfg_attr(not(target_pointer_width = "64"), inline)]
     pub fn clip(&self, id: ClipId) -> Option<LayeredClip<'data, '_>> {
         let (base, above) = self.all().split_first()?;
-        for (at, layer) in above.iter().enumerate().rev() {
-            if layer.table.may_have(id) {
-                if let Some(answer) = self.answer(layer, at.wrapping_add(1), id) {
-                    return answer;
-                }
-            }
+        if above.iter().any(|layer| layer.table.may_have(id)) {
+            let places = self.places(id);
+            let bank = |place: Place| self.bank(place.layer() as usize);
+            let clip = bank(places.clip)?.clip_at(places.clip.slot())?;
+            return Some(LayeredClip::new(clip, places, bank(places.texts)));
         }
-        Some(LayeredClip::whole(base.bank.clip(id)?, 0))
+        let clip = base.bank.clip(id)?;
+        let place = Place::new(0, clip.slot());
+        Some(LayeredClip::new(clip, Places { clip: place, texts: place }, Some(clip.bank)))
     }
 
-    /// What a layer above the base says about the clip with this id, if it says something.
-    #[inline(never)] // the filter of a layer lets few ids through that are not its own
-    fn answer(&self, layer: &Placed<'data>, at: usize, id: ClipId) -> Option<Option<LayeredClip<'data, '_>>> {
-        match layer.bank.find(id) {
-            Some((slot, _)) if layer.table.parts(slot) == (true, true) => {
-                // The place in the stack, not the copy: it lives as long as the stack.
-                let bank = &self.all().get(at)?.bank;
-                Some(bank.clip_at(slot).map(|clip| LayeredClip::whole(clip, at)))
-            }
-            Some(_) => Some(self.in_parts(id)),
-            None if layer.table.removes(id) => Some(None),
-            None => None,
-        }
-    }
-
-    /// The clip with this id, of which one layer has the texts, and another one everything else.
-    #[inline(never)] // few clips
-    fn in_parts(&self, id: ClipId) -> Option<LayeredClip<'data, '_>> {
-        let (mut clip, mut texts, mut has_texts_of_original) = (None, None, false);
+    /// Where the clip with this id is, about which a layer may say something: the filters let few ids through that are not
+    /// those of their layers.
+    #[inline(never)]
+    fn places(&self, id: ClipId) -> Places {
+        let mut places = Places { clip: Place::NONE, texts: Place::NONE };
+        let mut has_texts_of_original = false;
         for (at, layer) in self.all().iter().enumerate().rev() {
+            if !layer.table.may_have(id) {
+                continue;
+            }
             let slot = match layer.bank.find(id) {
                 Some((slot, _)) => slot,
                 None if layer.table.removes(id) => break,
                 None => continue,
             };
+            let place = Place::new(at, slot);
             let (has_clip, has_texts) = layer.table.parts(slot);
-            if has_clip && clip.is_none() {
-                clip = layer.bank.clip_at(slot).map(|clip| (clip, at));
+            if has_texts && places.texts == Place::NONE && !has_texts_of_original {
+                places.texts = place;
             }
-            if texts.is_none() && !has_texts_of_original {
-                has_texts_of_original = layer.table.has_texts_of_original(slot);
-                texts = Some((&layer.bank, at, slot)).filter(|_| has_texts);
+            if has_clip && places.clip == Place::NONE {
+                places.clip = place;
+            }
+            has_texts_of_original |= places.texts == Place::NONE && layer.table.has_texts_of_original(slot);
+            if places.clip != Place::NONE && (places.texts != Place::NONE || has_texts_of_original) {
+                break;
             }
         }
-        let (clip, at) = clip?;
         if has_texts_of_original {
-            texts = original_of(self, id).and_then(|(_, original)| self.own_texts(original));
+            let original = original_of(self, id);
+            places.texts = original.map_or(Place::NONE, |(_, original)| self.own_texts(original));
         }
-        Some(LayeredClip::new(clip, at, texts))
+        places
     }
 
     /// Where the texts of the clip with this id are, if it has its own.
-    fn own_texts(&self, id: ClipId) -> Option<(&Bank<'data>, usize, u32)> {
+    fn own_texts(&self, id: ClipId) -> Place {
         for (at, layer) in self.all().iter().enumerate().rev() {
             match layer.bank.find(id) {
-                Some((slot, _)) if layer.table.parts(slot).1 => return Some((&layer.bank, at, slot)),
-                Some((slot, _)) if layer.table.has_texts_of_original(slot) => return None,
-                None if layer.table.removes(id) => return None,
+                Some((slot, _)) if layer.table.parts(slot).1 => return Place::new(at, slot),
+                Some((slot, _)) if layer.table.has_texts_of_original(slot) => return Place::NONE,
+                None if layer.table.removes(id) => return Place::NONE,
                 _ => {}
             }
         }
-        None
+        Place::NONE
     }
 
     /// The clip with this key, compared whole.

@@ -1,5 +1,6 @@
 //! Coverage of voices: which lines of a bank are dubbed.
 
+use crate::Voices;
 use lipz_bank::{Bank, Clip, Recording, Spoken, Voice};
 use std::collections::BTreeMap;
 
@@ -50,8 +51,7 @@ impl VoiceCoverage {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn voice_coverage(bank: &Bank<'_>) -> Vec<VoiceCoverage> {
-    let lines: Vec<Clip<'_, '_>> =
-        bank.clips().filter(|clip| clip.frame_count() > 0 && clip.original().is_none()).collect();
+    let lines = lines(bank);
     let of_voice = |voice: Voice<'_>| {
         let mut found = VoiceCoverage {
             tag: voice.tag().to_owned(),
@@ -80,4 +80,38 @@ pub fn voice_coverage(bank: &Bank<'_>) -> Vec<VoiceCoverage> {
         found
     };
     bank.voices().map(of_voice).collect()
+}
+
+/// The same for the voices that a project plans, of which a bank knows nothing while nobody has recorded a dub: the lines of all
+/// but the original's are missing.
+pub fn voice_coverage_of(bank: &Bank<'_>, planned: &Voices) -> Vec<VoiceCoverage> {
+    let found = voice_coverage(bank);
+    let Some(original) = planned.original.as_ref().filter(|_| found.is_empty()) else { return found };
+    let lines = lines(bank);
+    let length_us = |clip: &Clip<'_, '_>| clip.duration_us().unwrap_or(0);
+    let all_us = lines.iter().map(length_us).fold(0, u64::saturating_add);
+    let recordings = lines.iter().map(|clip| clip.recording().map_or(0, Recording::length_us));
+    let of_original = VoiceCoverage {
+        tag: original.clone(),
+        is_original: true,
+        lines: lines.len(),
+        dubbed: lines.len(),
+        dubbed_us: all_us,
+        recordings_us: recordings.fold(0, u64::saturating_add),
+        ..VoiceCoverage::default()
+    };
+    let of_dub = |tag: &String| VoiceCoverage {
+        tag: tag.clone(),
+        lines: lines.len(),
+        missing: lines.iter().map(|line| line.key().to_owned()).collect(),
+        to_record_us: all_us,
+        ..VoiceCoverage::default()
+    };
+    let dubs: Vec<VoiceCoverage> = planned.patterns.keys().filter(|tag| *tag != original).map(of_dub).collect();
+    if dubs.is_empty() { dubs } else { std::iter::once(of_original).chain(dubs).collect() }
+}
+
+/// Clips with mouth shapes that are no dubs.
+fn lines<'data, 'bank>(bank: &'bank Bank<'data>) -> Vec<Clip<'data, 'bank>> {
+    bank.clips().filter(|clip| clip.frame_count() > 0 && clip.original().is_none()).collect()
 }

@@ -5,7 +5,7 @@ mod coverage;
 mod kept;
 
 pub(crate) use compare::compare;
-pub use coverage::{VoiceCoverage, voice_coverage};
+pub use coverage::{VoiceCoverage, voice_coverage, voice_coverage_of};
 pub(crate) use kept::KeptDubs;
 
 use crate::clip::Clip;

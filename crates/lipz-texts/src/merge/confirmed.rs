@@ -4,6 +4,7 @@ use super::Confirmed;
 use crate::collect::trimmed;
 use crate::model::joined;
 use crate::{Entry, Mark, State};
+use lipz_diagnostics::Span;
 use lipz_file::text::trim;
 use std::collections::BTreeMap;
 
@@ -29,6 +30,35 @@ impl Confirmed {
             is_looked_at: vec![false; count],
         }
     }
+}
+
+/// What texts that were imported all the same, although their source is another one today, were made from; `None` if there
+/// are none.
+pub(super) fn of_older(
+    mut older: Confirmed,
+    entries: &[&Entry],
+    imported: &BTreeMap<usize, String>,
+) -> Option<Confirmed> {
+    for entry in entries {
+        let Some(source) = &entry.source else { continue };
+        let sources: Vec<(usize, String)> = match entry.segment {
+            Some(number) => vec![(number.saturating_sub(1), trim(&source.text).to_owned())],
+            None => trimmed(&source.text).into_iter().enumerate().collect(),
+        };
+        if entry.segment.is_none() && sources.len() != older.sources.len() {
+            continue;
+        }
+        for (at, source) in sources {
+            let is_imported = imported.contains_key(&at);
+            let (Some(slot), Some(state)) = (older.sources.get_mut(at), older.states.get_mut(at)) else { continue };
+            if is_imported && *slot != source {
+                *slot = source;
+                *state = Some(entry.state);
+                older.is_looked_at.get_mut(at).into_iter().for_each(|is_looked_at| *is_looked_at = true);
+            }
+        }
+    }
+    older.states.iter().any(Option::is_some).then_some(older)
 }
 
 /// What the entries of the clip in the locale confirm; `None` if that is nothing.
@@ -57,6 +87,16 @@ pub(super) fn of_entries(mut confirmed: Confirmed, entries: &[&Entry]) -> Option
         }
     }
     confirmed.states.iter().any(Option::is_some).then_some(confirmed)
+}
+
+/// Where the entries have source texts that are others than those of today.
+pub(super) fn other_sources(sources: &[String], entries: &[&Entry]) -> Vec<(usize, Span)> {
+    let now = joined(sources);
+    let is_other = |entry: &&&Entry| {
+        let own = entry.segment.map(|number| sources.get(number.saturating_sub(1)).map_or("", String::as_str));
+        entry.source.is_some() && !is_made_from(entry, own.unwrap_or(&now))
+    };
+    entries.iter().filter(is_other).filter_map(|entry| Some((entry.file, entry.source.as_ref()?.span))).collect()
 }
 
 fn mark_of(parts: &[(usize, String)]) -> Mark {

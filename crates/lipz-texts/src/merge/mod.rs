@@ -10,7 +10,7 @@ pub use keys::unknown_keys;
 
 use crate::collect::{strings, trimmed};
 use crate::{Entry, State};
-use lipz_diagnostics::{Code, Diagnostic, Levels};
+use lipz_diagnostics::{Code, Diagnostic, Levels, Span};
 use lipz_file::Document;
 use lipz_file::format::Style;
 use lipz_file::locale::{TextName, text_name};
@@ -39,9 +39,12 @@ pub struct Merged {
     pub counts: Counts,
     /// What the translations are made from that the file vouches for, imported or as they were.
     pub confirmed: Vec<Confirmed>,
+    /// Source texts of the file that are others than those of the clip, with the number of the file. They are never imported.
+    pub other_sources: Vec<(usize, Span)>,
 }
 
-/// Translations of a clip into a locale that were made from the source texts of today, as a file of exchange says.
+/// Translations of a clip into a locale that were made from these source texts, as a file of exchange says: those of today, or
+/// older ones whose translations were imported all the same.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Confirmed {
     /// The locale of the translations.
@@ -159,7 +162,9 @@ impl<'a> Merge<'a> {
             let is_refused = self.report(found, &mut merged.found);
             if !is_refused {
                 let now = Confirmed::new(locale, sources, own.as_deref(), &result.texts);
+                merged.confirmed.extend(confirmed::of_older(now.clone(), &entries, &result.texts));
                 merged.confirmed.extend(confirmed::of_entries(now, &entries));
+                merged.other_sources.extend(confirmed::other_sources(sources, &entries));
             }
             let has_own = own.is_some_and(|own| own.iter().any(|text| !text.is_empty()));
             let counts = &mut merged.counts;

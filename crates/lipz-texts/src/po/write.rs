@@ -4,9 +4,13 @@ use super::EXPORTED;
 use super::string::literal;
 use crate::model::Item;
 use crate::tag::underscored;
-use crate::{Division, Exchange, State, Translation};
+use crate::{Division, Exchange, State, Translation, placeholder};
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use std::fmt::Write;
+
+/// The flag of texts whose placeholders are those of Python: `{name}`. `msgfmt -c`, Poedit and Weblate then check that a
+/// translation has no others.
+const PLAIN_PLACEHOLDERS: &str = "python-brace-format";
 
 /// The file of one locale, the one at `at` of the exchange.
 pub(crate) fn write(exchange: &Exchange, at: usize, division: Division, diagnostics: &mut Vec<Diagnostic>) -> Vec<u8> {
@@ -62,8 +66,12 @@ fn entry(item: &Item<'_>, translation: &Translation) -> String {
         let _ = writeln!(out, "#: {}", paths.join(" "));
     }
     let made_from = item.made_from(translation);
-    if !text.is_empty() && item.state(translation) == State::Initial {
-        out.push_str("#, fuzzy\n");
+    let is_fuzzy = !text.is_empty() && item.state(translation) == State::Initial;
+    let has_placeholders = placeholder::are_plain(&item.source());
+    let flags = [(is_fuzzy, "fuzzy"), (has_placeholders, PLAIN_PLACEHOLDERS)].into_iter();
+    let flags: Vec<&str> = flags.filter(|(is_set, _)| *is_set).map(|(_, flag)| flag).collect();
+    if !flags.is_empty() {
+        let _ = writeln!(out, "#, {}", flags.join(", "));
     }
     if let Some(made_from) = made_from {
         for (number, line) in literal(&made_from).lines().enumerate() {

@@ -53,6 +53,8 @@ pub struct LocaleWork {
     /// The locale.
     pub locale: String,
     amounts: [Amount; 5],
+    /// Of what is translated, that of which nobody knows what it was made from: it may be stale.
+    pub unknown: Amount,
     /// What is missing or stale, in the order of the clips.
     pub open: Vec<OpenSegment>,
 }
@@ -156,9 +158,10 @@ impl Work {
                     Some(Standing::Current(state)) => (Progress::from(*state), None),
                     Some(Standing::Unknown) | None => (Progress::Translated, None),
                 };
-                let amount = &mut work.amounts[progress as usize];
-                amount.segments += 1;
-                amount.words += words;
+                work.amounts[progress as usize].add(Amount { segments: 1, words: *words });
+                if progress == Progress::Translated && matches!(standing, None | Some(Standing::Unknown)) {
+                    work.unknown.add(Amount { segments: 1, words: *words });
+                }
                 if progress.is_open() {
                     let number = (sources.len() > 1).then_some(at + 1);
                     let (key, source, text) = (key.to_owned(), source.clone(), text.to_owned());
@@ -168,15 +171,26 @@ impl Work {
         }
     }
 
+    /// Translated segments of all locales, and those of which nobody knows what they were made from.
+    pub fn unknown(&self) -> (usize, usize) {
+        let of = |locale: &LocaleWork| (locale.all().segments - locale.to_do().segments, locale.unknown.segments);
+        self.locales.iter().map(of).fold((0, 0), |sum, one| (sum.0 + one.0, sum.1 + one.1))
+    }
+
     /// Adds the clips of another one, which is about the same locales.
     pub fn join(&mut self, other: Work) {
         for (ours, theirs) in self.locales.iter_mut().zip(other.locales) {
-            for (our, their) in ours.amounts.iter_mut().zip(theirs.amounts) {
-                our.segments += their.segments;
-                our.words += their.words;
-            }
+            ours.amounts.iter_mut().zip(theirs.amounts).for_each(|(our, their)| our.add(their));
+            ours.unknown.add(theirs.unknown);
             ours.open.extend(theirs.open);
         }
+    }
+}
+
+impl Amount {
+    fn add(&mut self, other: Amount) {
+        self.segments += other.segments;
+        self.words += other.words;
     }
 }
 
@@ -205,9 +219,9 @@ impl LocaleWork {
     fn sum(&self, is_meant: impl Fn(Progress) -> bool) -> Amount {
         let meant =
             Progress::ALL.into_iter().filter(|progress| is_meant(*progress)).map(|progress| self.amount(progress));
-        meant.fold(Amount::default(), |sum, amount| Amount {
-            segments: sum.segments + amount.segments,
-            words: sum.words + amount.words,
+        meant.fold(Amount::default(), |mut sum, amount| {
+            sum.add(amount);
+            sum
         })
     }
 }

@@ -20,11 +20,24 @@ pub fn page(work: &Work, title: &str, cost_per_word: Option<f64>) -> String {
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <title>Translations of {title}</title>\n<style>\n{STYLE}</style>\n\
          <h1>Translations of {title}</h1>\n\
-         <p>From <b>{source_locale}</b>: {} segments with {} words.</p>\n",
-        grouped(source.segments),
-        grouped(source.words)
+         <p>From <b>{source_locale}</b>: {} with {}.</p>\n",
+        counted(source.segments, "segment"),
+        counted(source.words, "word")
     );
     summary(work, cost_per_word, &mut out);
+    let (translated, unknown) = work.unknown();
+    if unknown > 0 {
+        let _ = writeln!(
+            out,
+            "<p>Of {} nobody knows what {}: <code>lipz accept --all</code> records them as they are.</p>",
+            counted(translated, "translated segment"),
+            if unknown == translated {
+                "they were made from".to_owned()
+            } else {
+                format!("{} were made from", grouped(unknown))
+            }
+        );
+    }
     for locale in work.locales.iter().filter(|locale| !locale.open.is_empty()) {
         details(locale, &work.source_locale, &mut out);
     }
@@ -97,11 +110,11 @@ fn details(locale: &LocaleWork, source_locale: &str, out: &mut String) {
         };
         let _ = writeln!(
             out,
-            "<details{open}><summary>{}: {} segments, {} words</summary>\n<div class=\"wide\"><table>\n\
+            "<details{open}><summary>{}: {}, {}</summary>\n<div class=\"wide\"><table>\n\
              <tr><th>clip</th><th>{}</th>{other}</tr>",
             progress.name(),
-            grouped(amount.segments),
-            grouped(amount.words),
+            counted(amount.segments, "segment"),
+            counted(amount.words, "word"),
             html(source_locale)
         );
         let of_kind = || locale.open.iter().filter(|open| open.progress() == progress);
@@ -163,6 +176,11 @@ fn html(text: &str) -> String {
         }
     }
     out
+}
+
+/// `1 word`, `12,345 words`.
+fn counted(number: usize, what: &str) -> String {
+    format!("{} {what}{}", grouped(number), if number == 1 { "" } else { "s" })
 }
 
 /// `12,345`.

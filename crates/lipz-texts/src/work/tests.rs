@@ -33,6 +33,9 @@ fn every_progress_is_counted() {
     assert_eq!(counts(&work.locales[0]), [(2, 4), (2, 2), (1, 1), (1, 1), (1, 1)]);
     assert_eq!(counts(&work.locales[1]), [(7, 9), (0, 0), (0, 0), (0, 0), (0, 0)], "nobody has begun");
     assert_eq!((work.locales[0].percent_in_tenths(), work.locales[1].percent_in_tenths()), (33.3, 0.0));
+    let unknown = Amount { segments: 1, words: 1 };
+    assert_eq!((work.locales[0].unknown, work.locales[1].unknown), (unknown, Amount::default()));
+    assert_eq!(work.unknown(), (3, 1));
     let mut twice = work.clone();
     twice.join(work);
     assert_eq!((twice.locales[0].all().words, twice.locales[0].open.len()), (18, 8));

@@ -6,5 +6,9 @@
 mod read;
 mod write;
 
+/// What the parts of a file may have unpacked, in bytes, all together, however long it is: more than any spreadsheet
+/// that people work with.
+const MAX_UNPACKED_BYTES: u64 = 1 << 29;
+
 pub(crate) use read::read;
 pub(crate) use write::write;

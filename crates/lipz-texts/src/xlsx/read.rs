@@ -1,5 +1,6 @@
 //! Reading XLSX files: the first sheet.
 
+use super::MAX_UNPACKED_BYTES;
 use crate::csv::{Row, Table};
 use crate::{Incoming, ReadOptions};
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
@@ -7,11 +8,39 @@ use roxmltree::{Document, Node, ParsingOptions};
 use std::io::{Cursor, Read};
 use zip::ZipArchive;
 
-/// What the parts of a file may have unpacked, in bytes, all together: a hundred times what ten thousand clips need.
-const MAX_BYTES: u64 = 1 << 26;
+/// What the parts of any file may have unpacked, in bytes, all together.
+const FREE_BYTES: u64 = 1 << 26;
 
-/// Nodes of a part.
-const MAX_NODES: u32 = 1 << 22;
+/// Bytes more for each of the file: what is written by programs has a tenth of its length packed, what is made to do harm a
+/// thousandth.
+const RATIO: u64 = 32;
+
+/// Bytes of a part for each of its nodes: a cell has three, and at least 32 bytes.
+const BYTES_PER_NODE: u64 = 10;
+
+/// What the parts of a file of this length may have unpacked.
+fn most_bytes(file_bytes: usize) -> u64 {
+    (FREE_BYTES + RATIO * file_bytes as u64).min(MAX_UNPACKED_BYTES)
+}
+
+/// Why a file is not read.
+struct Refusal {
+    why: String,
+    help: &'static str,
+}
+
+impl<T: Into<String>> From<T> for Refusal {
+    fn from(why: T) -> Refusal {
+        Refusal { why: why.into(), help: "open it in a spreadsheet, and save it as .xlsx without a password" }
+    }
+}
+
+impl Refusal {
+    fn too_large(what: &str, most: u64) -> Refusal {
+        let why = format!("{what} more than {} megabytes", most >> 20);
+        Refusal { why, help: "divide it, or save it as CSV" }
+    }
+}
 
 /// Rows and columns of a sheet, at most, as Excel has them.
 const MAX_ROWS: usize = 1 << 20;
@@ -29,9 +58,13 @@ pub(crate) fn read(bytes: &[u8], options: &ReadOptions, incoming: &mut Incoming)
                 table.finish(incoming);
             }
         }
-        Err(why) => incoming.diagnostics.push(
-            Diagnostic::at(Code::ExchangeSyntax, Span::default(), format!("the file is no spreadsheet: {why}"))
-                .help("open it in a spreadsheet, and save it as .xlsx without a password"),
+        Err(Refusal { why, help }) => incoming.diagnostics.push(
+            Diagnostic::at(
+                Code::ExchangeSyntax,
+                Span::default(),
+                format!("the file cannot be read as a spreadsheet: {why}"),
+            )
+            .help(help),
         ),
     }
     incoming.text = text;
@@ -40,12 +73,13 @@ pub(crate) fn read(bytes: &[u8], options: &ReadOptions, incoming: &mut Incoming)
 /// The parts of a file, and how much more of them may be unpacked.
 struct Parts<'b> {
     archive: ZipArchive<Cursor<&'b [u8]>>,
+    most_bytes: u64,
     left_bytes: u64,
 }
 
 impl Parts<'_> {
     /// The text of a part; `None` if there is none with the name.
-    fn text(&mut self, name: &str) -> Result<Option<String>, String> {
+    fn text(&mut self, name: &str) -> Result<Option<String>, Refusal> {
         let Ok(part) = self.archive.by_name(name) else { return Ok(None) };
         let mut bytes = Vec::new();
         // One byte more than is allowed shows that there are too many, whatever the archive says.
@@ -53,14 +87,15 @@ impl Parts<'_> {
         read.map_err(|error| escape::text(&error.to_string()).into_owned())?;
         match self.left_bytes.checked_sub(bytes.len() as u64) {
             Some(left) => self.left_bytes = left,
-            None => return Err(format!("unpacked it has more than {} megabytes", MAX_BYTES >> 20)),
+            None => return Err(Refusal::too_large("unpacked it has", self.most_bytes)),
         }
-        String::from_utf8(bytes).map(Some).map_err(|_| format!("{} is not UTF-8", escape::quoted(name)))
+        String::from_utf8(bytes).map(Some).map_err(|_| format!("{} is not UTF-8", escape::quoted(name)).into())
     }
 }
 
 fn parsed(text: &str) -> Result<Document<'_>, String> {
-    let options = ParsingOptions { nodes_limit: MAX_NODES, ..ParsingOptions::default() };
+    let nodes_limit = u32::try_from((FREE_BYTES.max(text.len() as u64)) / BYTES_PER_NODE).unwrap_or(u32::MAX);
+    let options = ParsingOptions { nodes_limit, ..ParsingOptions::default() };
     Document::parse_with_options(text, options).map_err(|error| escape::text(&error.to_string()).into_owned())
 }
 
@@ -70,9 +105,10 @@ fn elements<'a>(document: &'a Document<'_>, name: &'static str) -> impl Iterator
 }
 
 /// The rows of the first sheet, which are lines of `text`.
-fn rows(bytes: &[u8], text: &mut String) -> Result<Vec<Row>, String> {
+fn rows(bytes: &[u8], text: &mut String) -> Result<Vec<Row>, Refusal> {
     let archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| escape::text(&error.to_string()).into_owned())?;
-    let mut parts = Parts { archive, left_bytes: MAX_BYTES };
+    let most_bytes = most_bytes(bytes.len());
+    let mut parts = Parts { archive, most_bytes, left_bytes: most_bytes };
     let (sheet, strings) = places(&mut parts)?;
     let strings = match parts.text(&strings)? {
         Some(strings) => shared(&parsed(&strings)?),
@@ -85,20 +121,20 @@ fn rows(bytes: &[u8], text: &mut String) -> Result<Vec<Row>, String> {
     for row in elements(&sheet, "row") {
         let number = row.attribute("r").and_then(|number| number.parse().ok()).unwrap_or(line + 1);
         if number <= line || number > MAX_ROWS {
-            return Err(format!("row {number} follows row {line}"));
+            return Err(format!("row {number} follows row {line}").into());
         }
         text.extend(std::iter::repeat_n('\n', number - line - usize::from(line == 0)));
         line = number;
-        rows.push(cells(row, &strings, text)?);
-        if text.len() as u64 > MAX_BYTES {
-            return Err(format!("its cells have more than {} megabytes", MAX_BYTES >> 20));
+        rows.push(cells(row, &strings, text, most_bytes)?);
+        if text.len() as u64 > most_bytes {
+            return Err(Refusal::too_large("its cells have", most_bytes));
         }
     }
     Ok(rows)
 }
 
 /// The names of the parts with the first sheet and with the shared strings.
-fn places(parts: &mut Parts<'_>) -> Result<(String, String), String> {
+fn places(parts: &mut Parts<'_>) -> Result<(String, String), Refusal> {
     let (mut sheet, mut strings) = ("xl/worksheets/sheet1.xml".to_owned(), "xl/sharedStrings.xml".to_owned());
     let (Some(workbook), Some(relations)) = (parts.text("xl/workbook.xml")?, parts.text("xl/_rels/workbook.xml.rels")?)
     else {
@@ -133,8 +169,8 @@ fn string(node: Node<'_, '_>) -> String {
     unescaped(&texts.filter_map(|text| text.text()).collect::<String>())
 }
 
-/// Adds the cells of a row to the text.
-fn cells(row: Node<'_, '_>, strings: &[String], text: &mut String) -> Result<Row, String> {
+/// Adds the cells of a row to the text, up to so many bytes.
+fn cells(row: Node<'_, '_>, strings: &[String], text: &mut String, most_bytes: u64) -> Result<Row, String> {
     let mut read = Row { start: text.len(), ..Row::default() };
     for cell in row.children().filter(|node| node.tag_name().name() == "c") {
         let column = cell.attribute("r").and_then(column).unwrap_or(read.cells.len());
@@ -154,7 +190,7 @@ fn cells(row: Node<'_, '_>, strings: &[String], text: &mut String) -> Result<Row
             (_, Some(value)) => push(&mut read, &unescaped(value), text),
             (_, None) => push(&mut read, "", text),
         }
-        if text.len() as u64 > MAX_BYTES {
+        if text.len() as u64 > most_bytes {
             break;
         }
     }

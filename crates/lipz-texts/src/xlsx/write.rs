@@ -1,5 +1,6 @@
 //! Writing XLSX files.
 
+use super::MAX_UNPACKED_BYTES;
 use crate::csv::{LOCK, rows};
 use crate::{Exchange, Shape, WriteOptions};
 use lipz_diagnostics::{Code, Diagnostic, escape};
@@ -8,6 +9,9 @@ use rust_xlsxwriter::{DocProperties, ExcelDateTime, Format, FormatAlign, Workboo
 /// UTF-16 units that a cell of Excel holds.
 const CELL_UNITS: usize = 32_767;
 
+/// Bytes of a cell in the parts of a file, beside its text.
+const CELL_BYTES: u64 = 64;
+
 /// Width of the columns with texts, in characters.
 const TEXT_WIDTH: u16 = 48;
 
@@ -15,14 +19,26 @@ const TEXT_WIDTH: u16 = 48;
 pub(crate) fn write(exchange: &Exchange, options: &WriteOptions, diagnostics: &mut Vec<Diagnostic>) -> Vec<u8> {
     let options = options.shape(Shape::Sheet);
     let rows: Vec<Vec<String>> = rows(exchange, None, &options);
+    // A cell has its place and its format, too.
+    let needed = rows.iter().flatten().map(|cell| cell.len() as u64 + CELL_BYTES).sum::<u64>();
+    if needed > MAX_UNPACKED_BYTES {
+        let message = format!("the spreadsheet would have more than {} megabytes unpacked", MAX_UNPACKED_BYTES >> 20);
+        diagnostics.push(refusal(message));
+        return Vec::new();
+    }
     let made = workbook(&rows, &exchange.source_locale, diagnostics);
     made.unwrap_or_else(|error| {
-        let message = format!("the texts do not fit into a spreadsheet: {error}");
-        let mut diagnostic = Diagnostic::new(Code::ExchangeLoss, message).help("export fewer clips at a time, or CSV");
-        diagnostic.severity = lipz_diagnostics::Severity::Error;
-        diagnostics.push(diagnostic);
+        diagnostics.push(refusal(format!("the texts do not fit into a spreadsheet: {error}")));
         Vec::new()
     })
+}
+
+/// Nothing is written.
+fn refusal(message: String) -> Diagnostic {
+    let mut diagnostic =
+        Diagnostic::new(Code::ExchangeLoss, message).help("export fewer locales or clips at a time, or CSV");
+    diagnostic.severity = lipz_diagnostics::Severity::Error;
+    diagnostic
 }
 
 fn workbook(rows: &[Vec<String>], source: &str, diagnostics: &mut Vec<Diagnostic>) -> Result<Vec<u8>, XlsxError> {

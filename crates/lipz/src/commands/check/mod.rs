@@ -72,6 +72,10 @@ pub(crate) struct Check {
     json: bool,
 }
 
+/// What to say of a project whose translations may all be out of date.
+const UNRECORDED: &str = "nobody knows what the translations were made from, so none can be out of date: `lipz accept --all` records \
+                          them as they are today\n";
+
 impl Run for Check {
     fn prints_result(&self) -> bool {
         self.diff || self.statistics
@@ -92,7 +96,7 @@ impl Run for Check {
             (true, false) => fix_all(settings, quiet, Rewriting::InPlace),
             (false, false) => Fixing::default(),
         };
-        let mut run = checked(&project, &fixing.in_memory, quiet);
+        let (mut run, is_unrecorded) = checked(&project, &fixing.in_memory, quiet);
         self.sources.retain_own(&mut run.reports);
         let unwritten = !fixing.unwritten.is_empty();
         run.reports.extend(fixing.unwritten);
@@ -115,21 +119,25 @@ impl Run for Check {
         if outcome == Outcome::Clean && !quiet && !self.prints_result() {
             reporter.summary(&format!("{} checked\n", files(run.inputs.len())))?;
         }
+        if is_unrecorded && project.file.is_some() && !quiet && !self.prints_result() {
+            reporter.summary(UNRECORDED)?;
+        }
         Ok(if unwritten { Outcome::Failed } else { outcome })
     }
 }
 
 /// All that is wrong with a project: its Lipz files, some of which have other texts than on disk, by name; their
-/// recordings; and their translations.
-pub(crate) fn checked(project: &Project, in_memory: &HashMap<String, String>, quiet: bool) -> Worked {
+/// recordings; and their translations. Also whether nothing is known of these.
+pub(crate) fn checked(project: &Project, in_memory: &HashMap<String, String>, quiet: bool) -> (Worked, bool) {
     let settings = &project.settings;
     let mut run = with_inputs(settings, None, quiet, |compiler, inputs| compiler.check(&instead(inputs, in_memory)));
     let inputs = instead(&run.inputs, in_memory);
     run.reports.extend(with_recordings(settings, &inputs, quiet));
-    run.reports.extend(translations::check(project, &inputs, quiet));
+    let translations = translations::check(project, &inputs, quiet);
+    run.reports.extend(translations.reports);
     lipz_diagnostics::reports::sort(&mut run.reports);
     run.reports.dedup(); // both read the record of mouths
-    run
+    (run, translations.is_unrecorded)
 }
 
 /// The inputs, those with other texts than on disk with these.

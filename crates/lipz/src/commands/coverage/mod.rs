@@ -1,5 +1,6 @@
 //! `lipz coverage`: how much of a dialogue is translated and dubbed, and what is left to do.
 
+mod open;
 mod table;
 mod voices;
 mod work;
@@ -12,7 +13,9 @@ use crate::shared::bank_or_sources::Dialogue;
 use crate::shared::locales::choose;
 use crate::shared::project_flags::{parse_locale, refuse_locales};
 use clap::Args;
-use lipz_compiler::{BankWithTexts, Coverage, MinCoverage, VoiceCoverage, coverage, shortfalls, voice_coverage};
+use lipz_compiler::{
+    BankWithTexts, Coverage, MinCoverage, VoiceCoverage, Voices, coverage, shortfalls, voice_coverage_of,
+};
 use lipz_diagnostics::{Report, escape};
 use lipz_texts::{LocaleWork, Progress, Work, page};
 use std::collections::BTreeSet;
@@ -44,11 +47,11 @@ pub(crate) struct CoverageArguments {
 
     /// List the keys of clips without a text in LOCALE, of Lipz files also those of which a segment is blank; also for a locale that
     /// nobody has begun
-    #[arg(long, value_name = "LOCALE", value_parser = parse_locale, conflicts_with_all = ["json", "html"])]
+    #[arg(long, value_name = "LOCALE", value_parser = parse_locale, conflicts_with = "html")]
     missing: Option<String>,
 
     /// List the keys of clips whose text in LOCALE is older than its source
-    #[arg(long, value_name = "LOCALE", value_parser = parse_locale, conflicts_with_all = ["json", "html"])]
+    #[arg(long, value_name = "LOCALE", value_parser = parse_locale, conflicts_with = "html")]
     stale: Option<String>,
 
     /// Show how much is dubbed in each voice instead; with --missing, the keys of the lines that a voice does not have
@@ -59,7 +62,7 @@ pub(crate) struct CoverageArguments {
     #[arg(long, value_name = "PRICE", value_parser = parse_cost)]
     cost_per_word: Option<f64>,
 
-    /// Print JSON
+    /// Print JSON: the locales, or the segments that --missing and --stale list, with their texts
     #[arg(long)]
     json: bool,
 
@@ -86,8 +89,11 @@ impl Run for CoverageArguments {
         let wanted: MinCoverage = std::mem::take(&mut project.settings.options.min_coverage);
         let file = self.dialogue.bank_of(&project, reporter)?;
         let bank = file.bank(reporter)?;
+        // A bank without dubs does not know the voices that the project plans.
+        let planned = if self.dialogue.is_bank() { Voices::default() } else { project.settings.voices() };
+        let dubs = voice_coverage_of(&bank, &planned);
         if self.voices {
-            return voices::run(&bank, &file.name, self.missing.as_deref(), reporter.wants_json(self.json), reporter);
+            return voices::run(&dubs, &file.name, self.missing.as_deref(), reporter.wants_json(self.json), reporter);
         }
         let text_files = self.dialogue.text_files(reporter)?;
         let found = coverage(BankWithTexts::new(&bank, &text_files.verified(&bank, reporter)?));
@@ -100,11 +106,12 @@ impl Run for CoverageArguments {
             }
         };
         let needs_sources = self.html || self.stale.is_some() || self.cost_per_word.is_some();
-        if work.is_none() && (needs_sources || self.csv && self.missing.is_some()) {
+        let is_table = self.csv || reporter.wants_json(self.json);
+        if work.is_none() && (needs_sources || is_table && self.missing.is_some()) {
             let tip = "name the folder of Lipz files, in a project with `default-locale`";
             return Err(reporter.usage("what translations are made from is not known here", tip));
         }
-        self.print(&file.name, &found, &voice_coverage(&bank), work.as_ref(), reporter)?;
+        self.print(&file.name, &found, &dubs, work.as_ref(), reporter)?;
         let shortfalls = shortfalls(&found, &wanted);
         if shortfalls.is_empty() {
             return Ok(Outcome::Clean);
@@ -124,6 +131,12 @@ impl CoverageArguments {
         reporter: &mut Reporter,
     ) -> Result<(), Abort> {
         if self.missing.is_some() || self.stale.is_some() {
+            if let (Some(work), true) = (work, reporter.wants_json(self.json)) {
+                let rows = self.named(work).flat_map(|locale| {
+                    open::rows(locale, |progress| self.is_meant(locale, progress), self.cost_per_word)
+                });
+                return reporter.print_json(&rows.collect::<Vec<_>>());
+            }
             let list = self.list(found, work, name).map_err(|report| reporter.fail(report))?;
             if list.is_empty() {
                 reporter.remark(match (&self.missing, &self.stale) {
@@ -147,18 +160,27 @@ impl CoverageArguments {
         }
     }
 
-    /// What is missing, stale, or both: the keys, one a line, or a table of segments.
-    fn list(&self, found: &[Coverage], work: Option<&Work>, bank: &str) -> Result<Vec<u8>, Report> {
-        let is_meant = |locale: &LocaleWork, progress| match progress {
+    /// Whether --missing or --stale asks for segments of a locale that are so far.
+    fn is_meant(&self, locale: &LocaleWork, progress: Progress) -> bool {
+        match progress {
             Progress::Missing => self.missing.as_ref() == Some(&locale.locale),
             Progress::Stale => self.stale.as_ref() == Some(&locale.locale),
             _ => false,
-        };
-        let named = work.into_iter().flat_map(|work| &work.locales);
-        let named = named.filter(|locale| [&self.missing, &self.stale].contains(&&Some(locale.locale.clone())));
+        }
+    }
+
+    /// The locales that they name.
+    fn named<'w>(&self, work: &'w Work) -> impl Iterator<Item = &'w LocaleWork> {
+        let named = [self.missing.clone(), self.stale.clone()];
+        work.locales.iter().filter(move |locale| named.contains(&Some(locale.locale.clone())))
+    }
+
+    /// What is missing, stale, or both: the keys, one a line, or a table of segments.
+    fn list(&self, found: &[Coverage], work: Option<&Work>, bank: &str) -> Result<Vec<u8>, Report> {
+        let named = work.into_iter().flat_map(|work| self.named(work));
         if self.csv && work.is_some() {
             let tables = named.enumerate().map(|(number, locale)| {
-                let table = locale.csv(|progress| is_meant(locale, progress), self.cost_per_word);
+                let table = locale.csv(|progress| self.is_meant(locale, progress), self.cost_per_word);
                 // One head for both.
                 let head =
                     if number == 0 { 0 } else { table.iter().position(|byte| *byte == b'\n').map_or(0, |at| at + 1) };
@@ -168,7 +190,7 @@ impl CoverageArguments {
         }
         let mut keys: BTreeSet<&str> = BTreeSet::new();
         for locale in named {
-            let open = locale.open.iter().filter(|open| is_meant(locale, open.progress()));
+            let open = locale.open.iter().filter(|open| self.is_meant(locale, open.progress()));
             keys.extend(open.map(|open| open.key.as_str()));
         }
         let known = |tag: &String| found.iter().any(|coverage| coverage.tag == *tag);

@@ -4,7 +4,7 @@ use crate::console::{self, grouped};
 use crate::shared::locales::locale_name;
 use lipz_compiler::Coverage;
 use lipz_diagnostics::escape;
-use lipz_texts::{LocaleWork, Progress, Work, cost_of};
+use lipz_texts::{Amount, LocaleWork, Progress, Work, cost_of};
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -72,6 +72,16 @@ pub(super) fn of_work(work: &Work, cost_per_word: Option<f64>) -> String {
         let _ = writeln!(text, " {:>12}{}", grouped(to_do), cost.unwrap_or_default());
     }
     text.push_str("\nwords: those translated; the columns behind it count segments\n");
+    let (translated, unknown) = work.unknown();
+    if unknown > 0 {
+        let _ = writeln!(
+            text,
+            "unknown: of {} of {} nobody knows what they were made from, so they may be stale;\n`lipz accept --all` records \
+             them as they are today",
+            grouped(unknown),
+            console::counted(translated, "translated segment")
+        );
+    }
     text
 }
 
@@ -83,7 +93,7 @@ pub(super) fn csv(found: &[Coverage], work: Option<&Work>, cost_per_word: Option
         for progress in Progress::ALL {
             let _ = write!(text, ",{0} segments,{0} words", progress.name());
         }
-        text.push_str(",words to do");
+        text.push_str(",unknown segments,unknown words,words to do");
         text.push_str(if cost_per_word.is_some() { ",cost" } else { "" });
     }
     text.push_str("\r\n");
@@ -102,7 +112,7 @@ pub(super) fn csv(found: &[Coverage], work: Option<&Work>, cost_per_word: Option
         match (work, work.and_then(|work| of_locale(work, &coverage.tag))) {
             (None, _) => {}
             (Some(_), Some(work)) => work_cells(work, cost_per_word, &mut text),
-            (Some(_), None) => text.push_str(&",".repeat(13 + usize::from(cost_per_word.is_some()))),
+            (Some(_), None) => text.push_str(&",".repeat(15 + usize::from(cost_per_word.is_some()))),
         }
         text.push_str("\r\n");
     }
@@ -116,7 +126,7 @@ fn work_cells(work: &LocaleWork, cost_per_word: Option<f64>, text: &mut String) 
         let _ = write!(text, ",{},{}", amount.segments, amount.words);
     }
     let to_do = work.to_do().words;
-    let _ = write!(text, ",{to_do}");
+    let _ = write!(text, ",{},{},{to_do}", work.unknown.segments, work.unknown.words);
     if let Some(cost) = cost_per_word {
         let _ = write!(text, ",{}", cost_of(to_do, cost));
     }
@@ -144,6 +154,8 @@ struct WorkRow {
     reviewed: AmountRow,
     #[serde(rename = "final")]
     done: AmountRow,
+    /// Of what is translated, that of which nobody knows what it was made from.
+    unknown: AmountRow,
     words_to_do: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
     cost: Option<f64>,
@@ -165,10 +177,8 @@ pub(super) fn document<'a>(found: &'a [Coverage], work: Option<&Work>, cost_per_
 }
 
 fn work_row(from: &str, locale: &LocaleWork, cost_per_word: Option<f64>) -> WorkRow {
-    let amount = |progress| {
-        let amount = locale.amount(progress);
-        AmountRow { segments: amount.segments, words: amount.words }
-    };
+    let row = |amount: Amount| AmountRow { segments: amount.segments, words: amount.words };
+    let amount = |progress| row(locale.amount(progress));
     let to_do = locale.to_do().words;
     WorkRow {
         from: from.to_owned(),
@@ -177,6 +187,7 @@ fn work_row(from: &str, locale: &LocaleWork, cost_per_word: Option<f64>) -> Work
         translated: amount(Progress::Translated),
         reviewed: amount(Progress::Reviewed),
         done: amount(Progress::Final),
+        unknown: row(locale.unknown),
         words_to_do: to_do,
         cost: cost_per_word.map(|cost| (to_do as f64 * cost * 100.0).round() / 100.0),
     }

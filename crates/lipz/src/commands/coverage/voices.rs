@@ -3,15 +3,20 @@
 use crate::Outcome;
 use crate::console::{counted, grouped};
 use crate::reporter::{Ended, Reporter};
-use crate::shared::locales::{choose, locale_name};
-use lipz_bank::Bank;
-use lipz_compiler::{VoiceCoverage, voice_coverage};
+use crate::shared::locales::locale_name;
+use lipz_compiler::VoiceCoverage;
 use lipz_diagnostics::{Code, Report, escape};
+use lipz_file::locale::canonical_tag;
 use std::fmt::Write;
 
 /// Prints the voices of a bank, or the keys of the lines that are `missing` in one of them.
-pub(super) fn run(bank: &Bank<'_>, name: &str, missing: Option<&str>, json: bool, reporter: &mut Reporter) -> Ended {
-    let found = voice_coverage(bank);
+pub(super) fn run(
+    found: &[VoiceCoverage],
+    name: &str,
+    missing: Option<&str>,
+    json: bool,
+    reporter: &mut Reporter,
+) -> Ended {
     if found.is_empty() && !json {
         let help = "name the voices and their keys in lipz.toml: [voices] de-de = \"de/{key}\"";
         return Err(reporter.fail(Report::failure(
@@ -23,15 +28,30 @@ pub(super) fn run(bank: &Bank<'_>, name: &str, missing: Option<&str>, json: bool
     }
     match missing {
         Some(tag) => {
-            let voice = choose(tag, name, found.iter(), |voice| &voice.tag).map_err(|report| reporter.fail(report))?;
+            let voice = choose_voice(tag, name, found).map_err(|report| reporter.fail(report))?;
             let mut keys: Vec<&String> = voice.other_voices.values().flatten().chain(&voice.missing).collect();
             keys.sort_unstable();
             reporter.print(&keys.into_iter().flat_map(|key| [escape::text(key), "\n".into()]).collect::<String>())?;
         }
         None if json => reporter.print_json(&found)?,
-        None => reporter.print(&format!("{name}{}", table(&found)))?,
+        None => reporter.print(&format!("{name}{}", table(found)))?,
     }
     Ok(Outcome::Clean)
+}
+
+/// The voice with this tag; if there is none, the report names those that there are.
+fn choose_voice<'v>(asked: &str, name: &str, found: &'v [VoiceCoverage]) -> Result<&'v VoiceCoverage, Report> {
+    let canonical = canonical_tag(asked, true);
+    let wanted = canonical.as_deref().unwrap_or(asked);
+    found.iter().find(|voice| voice.tag == wanted).ok_or_else(|| {
+        let tags: Vec<_> = found.iter().map(|voice| escape::text(&voice.tag)).collect();
+        let help = format!(
+            "there are {}; [voices] in lipz.toml names others: {wanted} = \"{wanted}/{{key}}\"",
+            tags.join(", ")
+        );
+        let message = format!("no voice is {}", escape::quoted(asked));
+        Report::failure(name, Code::NoSuchLocale, message, &help)
+    })
 }
 
 /// The voices, a line each; empty for a bank without dubs.

@@ -56,7 +56,7 @@ impl Shared {
         let shared = Arc::clone(self);
         let number = shared.now().number;
         let look = move || {
-            let mut reports = translations::check(&project, &inputs, true);
+            let mut reports = translations::check(&project, &inputs, true).reports;
             if project.settings.audio.folder.is_some() {
                 reports.extend(lipz_sync::check(&project.settings, &inputs, &|| {}));
             }

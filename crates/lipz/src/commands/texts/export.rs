@@ -13,12 +13,12 @@ use crate::shared::text_record::RecordFile;
 use crate::shared::{formats, stdio};
 use clap::Args;
 use lipz_compiler::settings::Settings;
-use lipz_compiler::{Compiler, Input, Options};
+use lipz_compiler::{Compiler, Input, Options, Voices};
 use lipz_diagnostics::{Report, Severity};
 use lipz_file::Document;
 use lipz_file::locale::{TextName, text_name};
 use lipz_sync::Recordings;
-use lipz_texts::{Collect, Exchange, Progress, Unit, WriteOptions, Written, write};
+use lipz_texts::{Collect, Division, Exchange, Progress, Shape, Unit, WriteOptions, Written, write};
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
@@ -52,13 +52,13 @@ pub(super) struct Export {
     #[arg(long, value_enum, value_name = "STATES", value_delimiter = ',')]
     state: Vec<StateName>,
 
-    /// What an entry is about
-    #[arg(long, value_enum, default_value_t = By::Clip)]
-    by: By,
+    /// What an entry is about [default: clip]
+    #[arg(long, value_enum)]
+    by: Option<By>,
 
-    /// The columns of a CSV
-    #[arg(long, value_enum, default_value_t = Columns::Sheet)]
-    shape: Columns,
+    /// The columns of a CSV [default: sheet]
+    #[arg(long, value_enum)]
+    shape: Option<Columns>,
 
     /// Write cells of a CSV that look like formulas without an apostrophe before them, for programs that show it
     #[arg(long)]
@@ -73,6 +73,19 @@ impl Export {
     /// Whether the file goes to standard output.
     pub(super) fn is_printed(&self) -> bool {
         stdio::is_meant(&self.output)
+    }
+
+    /// Refuses flags that the format has no use for: nobody should believe that they do something.
+    fn refuse_idle_flags(&self, reporter: &mut Reporter) -> Result<(), Abort> {
+        let knows_segments = matches!(self.text_format, Format::Xliff | Format::Json);
+        let is_csv = self.text_format == Format::Csv;
+        let (flag, why) = match self {
+            Export { by: Some(_), .. } if knows_segments => ("--by", "the format has both clips and segments"),
+            Export { shape: Some(_), .. } if !is_csv => ("--shape", "it chooses the columns of a CSV"),
+            Export { raw_cells: true, .. } if !is_csv => ("--raw-cells", "it is about cells of a CSV"),
+            _ => return Ok(()),
+        };
+        Err(reporter.usage(format!("`{flag}` changes nothing here"), &format!("leave it out: {why}")))
     }
 
     /// The states that clips are chosen by.
@@ -91,7 +104,10 @@ impl Export {
     /// The files of the exchange.
     fn write(&self, exchange: &Exchange) -> Written {
         let format = lipz_texts::Format::from(self.text_format);
-        let options = WriteOptions::new().division(self.by.into()).shape(self.shape.into()).raw_cells(self.raw_cells);
+        let options = WriteOptions::new()
+            .division(self.by.map_or(Division::Clip, Into::into))
+            .shape(self.shape.map_or(Shape::Sheet, Into::into))
+            .raw_cells(self.raw_cells);
         if self.state.is_empty() || !format.is_of_one_locale(&options) {
             return write(format, exchange, &options);
         }
@@ -117,6 +133,35 @@ impl Export {
 /// Locales that the summary names.
 const LOCALES_SHOWN: usize = 6;
 
+/// Clips that have no entry.
+struct LeftOut {
+    count: usize,
+    /// Of these, dubs that have the texts of their originals.
+    dubs: usize,
+}
+
+impl LeftOut {
+    fn count(inputs: &[Input], units: &[Unit], voices: &Voices) -> LeftOut {
+        let keys: BTreeSet<&str> = inputs.iter().map(|input| input.key.as_str()).collect();
+        let exported: BTreeSet<&str> = units.iter().map(|unit| unit.key.as_str()).collect();
+        let is_dub = |key: &&&str| voices.original_of(key, |original| keys.contains(original)).is_some();
+        let dubs = keys.difference(&exported).filter(is_dub).count();
+        LeftOut { count: inputs.len() - units.len(), dubs }
+    }
+
+    fn said(&self, source_locale: &str) -> String {
+        let mut said = String::new();
+        let others = self.count - self.dubs;
+        if others > 0 {
+            said += &format!("; {} without a text in {source_locale} left out", console::counted(others, "clip"));
+        }
+        if self.dubs > 0 {
+            said += &format!("; {} left out, whose texts are their originals'", console::counted(self.dubs, "dub"));
+        }
+        said
+    }
+}
+
 /// What one clip gives.
 struct Made {
     unit: Option<Unit>,
@@ -125,6 +170,7 @@ struct Made {
 
 pub(super) fn run(arguments: &Export, reporter: &mut Reporter) -> Ended {
     refuse_source(&arguments.output, reporter)?;
+    arguments.refuse_idle_flags(reporter)?;
     let project = arguments.sources.project(reporter)?;
     let options = &project.settings.options;
     refuse_locales(arguments.locale.iter().chain(&arguments.from), options, reporter)?;
@@ -149,10 +195,10 @@ pub(super) fn run(arguments: &Export, reporter: &mut Reporter) -> Ended {
         Err(report) => return Err(reporter.fail(report)),
     };
     let units = units(arguments, &project.settings, &inputs, (&source_locale, &locales), &record, &mut reports);
-    let left_out = inputs.len() - units.len();
+    let left_out = LeftOut::count(&inputs, &units, &project.settings.voices());
     let mut exchange = Exchange { source_locale, locales, units };
     arguments.keep_states(&mut exchange);
-    if exchange.units.is_empty() && left_out < inputs.len() {
+    if exchange.units.is_empty() && left_out.count < inputs.len() {
         let message = format!("no text is {}", arguments.states().map(Progress::name).collect::<Vec<_>>().join(" or "));
         return Err(reporter.usage(message, "`lipz coverage` shows how far the translations are"));
     }
@@ -171,10 +217,7 @@ pub(super) fn run(arguments: &Export, reporter: &mut Reporter) -> Ended {
         few if few.len() <= LOCALES_SHOWN => few.join(", "),
         many => console::counted(many.len(), "locale"),
     };
-    let without = match left_out {
-        0 => String::new(),
-        some => format!("; {} without a text in {} left out", console::counted(some, "clip"), exchange.source_locale),
-    };
+    let without = left_out.said(&exchange.source_locale);
     let into = if arguments.is_printed() { "standard output".to_owned() } else { name };
     let summary = format!("texts of {clips} for {locales} written into {into}{without}\n");
     reporter.end(reports, (!arguments.sources.is_quiet() && count > 0).then_some(summary))

@@ -14,7 +14,7 @@ use crate::shared::text_record::RecordFile;
 use clap::{Args, ValueEnum};
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiler, Content, Input};
-use lipz_diagnostics::{Code, Diagnostic, Report, reports as all_reports};
+use lipz_diagnostics::{Code, Diagnostic, Report, Span, reports as all_reports};
 use lipz_texts::{Confirmed, Counts, Entry, Merge, Merged, ReadOptions, unknown_keys};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
@@ -176,6 +176,7 @@ impl Import {
         bar.finish_and_clear();
         let mut counts = Counts::default();
         let mut confirmed = Vec::new();
+        let mut other_sources: BTreeMap<usize, BTreeSet<Span>> = BTreeMap::new();
         for (input, result) in inputs.into_iter().zip(results) {
             match result.and_then(|result| result) {
                 Ok(merged) => {
@@ -185,15 +186,21 @@ impl Import {
                         confirmed.push((input, merged.confirmed));
                     }
                     incoming.found.extend(merged.found);
+                    for (file, span) in merged.other_sources {
+                        other_sources.entry(file).or_default().insert(span);
+                    }
                 }
                 Err(report) => reports.push(report),
             }
         }
         reports.extend(unwritten);
-        if counts.unmarked > 0 {
-            let mut found = vec![unmarked(counts.unmarked, self.check)];
-            options.levels.apply(&mut found);
-            incoming.found.extend(found.into_iter().map(|diagnostic| (0, diagnostic)));
+        let mut found: Vec<(usize, Diagnostic)> =
+            other_sources.iter().filter_map(|(file, spans)| Some((*file, not_imported(spans)?))).collect();
+        found.extend((counts.unmarked > 0).then(|| (0, unmarked(counts.unmarked, self.check))));
+        for (file, diagnostic) in found {
+            let mut one = vec![diagnostic];
+            options.levels.apply(&mut one);
+            incoming.found.extend(one.into_iter().map(|diagnostic| (file, diagnostic)));
         }
         (counts, confirmed)
     }
@@ -224,6 +231,15 @@ fn one(merge: &Merge<'_>, input: &Input, bytes: &[u8], entries: &[&Entry]) -> Re
         Some(document) => Ok(merge.merge(&String::from_utf8_lossy(bytes), &document, entries)),
         None => Err(Report::from_bytes(input.name(), bytes, diagnostics)),
     }
+}
+
+/// The diagnostic for source texts of a file that are others than those of the project, at the first of them.
+fn not_imported(spans: &BTreeSet<Span>) -> Option<Diagnostic> {
+    let texts = console::counted(spans.len(), "source text");
+    let (are, ones) = if spans.len() == 1 { ("is", "another one") } else { ("are", "others") };
+    let message = format!("{texts} of the file {are} {ones} than in the project, where nothing changes");
+    let diagnostic = Diagnostic::at(Code::ExchangeLoss, *spans.first()?, message);
+    Some(diagnostic.help("edit source texts in the Lipz files; if they changed there, export again"))
 }
 
 /// The diagnostic for texts that were replaced without a mark.

@@ -1,0 +1,47 @@
+//! Segments that are to be translated, as a document for programs.
+
+use lipz_texts::{LocaleWork, OpenSegment, Progress, words};
+use serde::Serialize;
+
+/// A segment that is missing or stale.
+#[derive(Serialize)]
+pub(super) struct OpenRow<'w> {
+    key: &'w str,
+    /// From 1; none for the only one of its clip.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    segment: Option<usize>,
+    locale: &'w str,
+    state: &'static str,
+    source: &'w str,
+    /// The source text that the translation was made from, if that is known and another one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    translated_from: Option<&'w str>,
+    #[serde(skip_serializing_if = "str::is_empty")]
+    translation: &'w str,
+    words: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cost: Option<f64>,
+}
+
+/// The segments of a locale that are meant.
+pub(super) fn rows<'w>(
+    work: &'w LocaleWork,
+    is_meant: impl Fn(Progress) -> bool,
+    cost_per_word: Option<f64>,
+) -> Vec<OpenRow<'w>> {
+    let row = |open: &'w OpenSegment| {
+        let words = words(&open.source);
+        OpenRow {
+            key: &open.key,
+            segment: open.number,
+            locale: &work.locale,
+            state: open.progress().name(),
+            source: &open.source,
+            translated_from: open.made_from.as_deref(),
+            translation: &open.text,
+            words,
+            cost: cost_per_word.map(|cost| (words as f64 * cost * 100.0).round() / 100.0),
+        }
+    };
+    work.open.iter().filter(|open| is_meant(open.progress())).map(row).collect()
+}
