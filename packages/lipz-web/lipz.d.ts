@@ -39,6 +39,18 @@ export type LayerBytes = Bytes | { readonly bank: Bytes; readonly texts?: Bytes 
  */
 export function openLayers(files: readonly LayerBytes[], options?: OpenOptions): Promise<Layers>;
 
+/**
+ * Opens a set of banks by its index (`.lipzset`). `load` gives the bytes of a bank by the name of its file, which is beside the
+ * index; it is called when a clip of that bank is asked for.
+ *
+ * @throws {LipzError} if the bytes are not an index.
+ */
+export function openSet(
+  index: Bytes,
+  load: (fileName: string) => Bytes | Promise<Bytes>,
+  options?: OpenOptions,
+): Promise<BankSet>;
+
 /** A file that is refused, or a call that makes no sense. */
 export class LipzError extends Error {
   /** The number of the status in lipz.h. */
@@ -81,6 +93,31 @@ export class Bank {
 }
 
 /** A bank with patches, dubs and mods over it: the topmost of them answers, with a {@link Clip} as any other. */
+/** What the index of a set says about a bank. */
+export interface BankOfSet {
+  readonly fileName: string;
+  readonly clipCount: number;
+  readonly lengthBytes: number;
+  readonly fingerprint: bigint;
+  readonly checksum: bigint;
+}
+
+/** Banks that answer as one. */
+export class BankSet {
+  private constructor();
+  /** What the index says about each bank, in order. */
+  readonly banks: readonly BankOfSet[];
+  /** The number of clips in all banks. */
+  readonly clipCount: number;
+  readonly fingerprint: bigint;
+  /** The number of the bank that has the clip with this key or id, if any bank has it. */
+  bankNumberOf(keyOrId: string | bigint): number;
+  /** The bank with this number, verified: loaded once, and again only if that fails. @throws {LipzError} */
+  bank(number: number): Promise<Bank>;
+  /** The clip with this key, or with this id if it is a bigint, of its bank. @throws {LipzError} */
+  clip(keyOrId: string | bigint): Promise<Clip | undefined>;
+}
+
 export class Layers {
   private constructor();
   readonly layerCount: number;

@@ -7,11 +7,12 @@ import { FaceProfile, faceOf, settingsOf } from "./specials.js";
 import { Layers } from "./layers.js";
 import { BANK, FIRST, LipzError, Memory, SECOND } from "./memory.js";
 import { byCodePoints } from "./order.js";
+import { BankSet } from "./set.js";
 import * as c from "./structs.js";
 import { at, eventOf, TEN_THOUSAND, VISEME_TYPES } from "./words.js";
 
 export { Babble, UNMEASURED } from "./babble.js";
-export { Cursor, Curve, EMOTIONS, FaceProfile, Layers, LipzError };
+export { BankSet, Cursor, Curve, EMOTIONS, FaceProfile, Layers, LipzError };
 
 let compiled;
 
@@ -53,6 +54,18 @@ export async function openLayers(files, { wasm } = {}) {
     return { memory, bank: (file.texts ? bank.useTexts(file.texts) : bank).verify() };
   });
   return new Layers(opened, new Memory(shared), (...args) => new Clip(...args));
+}
+
+/**
+ * Opens a set of banks by its index. `load` gives the bytes of a bank by the name of its file, which is beside the index; it is
+ * called when a clip of that bank is asked for. Throws a LipzError if the bytes are not an index.
+ */
+export async function openSet(index, load, { wasm } = {}) {
+  return new BankSet(new Memory(await instance(wasm)), bytesOf(index), async (fileName) => {
+    const memory = new Memory(await instance(wasm));
+    const bank = new Bank(memory, bytesOf(await load(fileName)));
+    return { bank, memory, pointer: memory.slot(BANK) };
+  });
 }
 
 function bytesOf(bytes) {

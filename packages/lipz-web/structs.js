@@ -165,3 +165,15 @@ export const lipz_layered_voiced_clip = struct({ clip: lipz_layered_clip, spoken
 export const lipz_layered_locale = struct({ locale: lipz_locale, is_stand_in: u32 });
 
 export const lipz_layers_info_t = struct({ babble_layer: u32, default_locale_layer: u32, faces_layer: u32 });
+
+export const lipz_set = struct({ data: pointer, length_bytes: u32 });
+
+export const lipz_set_info_t = struct({ fingerprint: u64, clip_count: u64, bank_count: u32, moved_count: u32 });
+
+export const lipz_set_bank = struct({
+  file_name: lipz_string,
+  checksum: u64,
+  fingerprint: u64,
+  length_bytes: u32,
+  clip_count: u32,
+});

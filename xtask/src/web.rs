@@ -18,6 +18,8 @@ const DEMO_BANKS: [(&str, &str); 2] = [("drama", "dialogue"), ("faces", "faces")
 /// The cases of playback, and the banks that they play.
 const CASES: &str = "fixtures/playback/cases.txt";
 const BANKS: &str = "fixtures/banks/v1";
+/// A set, and its banks.
+const SETS: &str = "fixtures/banks/sets";
 
 /// The folders of the package, the first of which is the package itself.
 const FOLDERS: [&str; 4] = ["", "demo", "face", "test"];
@@ -128,6 +130,7 @@ fn assemble(package: &Path, built: &Path) -> std::io::Result<()> {
     fs::copy(root.join("crates/lipz-capi/include/lipz.h"), package.join("test/lipz.h"))?;
     fs::copy(root.join(CASES), package.join("test/cases.txt"))?;
     copy_files(&root.join(BANKS), &package.join("test/banks"))?;
+    copy_files(&root.join(SETS), &package.join("test/sets"))?;
     fs::copy(root.join("docs/FACE.md"), package.join("test/FACE.md"))?;
     copy_files(&root.join(PICTURES), &package.join("test/pictures"))?;
     Ok(())

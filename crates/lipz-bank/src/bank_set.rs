@@ -1,11 +1,8 @@
 //! Banks that hold the clips of a project between them: each clip is in the one that its id names.
 
-use crate::{Bank, Clip, ClipId, EventName, Locale};
+use crate::{Bank, Clip, ClipId, EventName, Locale, SetIndex, Voice};
 use core::fmt;
-use lipz_layout::shard_of;
-
-/// The most banks of a set.
-const MOST_BANKS: usize = 4096;
+use lipz_layout::{MAX_SET_BANKS, shard_of};
 
 /// The banks of all shards of a project, which answer as one.
 ///
@@ -31,32 +28,60 @@ const MOST_BANKS: usize = 4096;
 #[derive(Clone, Copy)]
 pub struct BankSet<'data, 'bank> {
     banks: &'bank [Bank<'data>],
+    /// What says which clips are in another bank than that of their id, if any are.
+    index: Option<SetIndex<'data>>,
 }
 
 impl<'data, 'bank> BankSet<'data, 'bank> {
-    /// The set of these banks, the one of shard 0 first.
+    /// The set of these banks, the one of shard 0 first, in which each clip is in the bank of its id.
     ///
     /// # Errors
     /// When there is no bank, or there are more than 4096.
     pub fn new(banks: &'bank [Bank<'data>]) -> Result<BankSet<'data, 'bank>, BankSetError> {
-        if banks.is_empty() || banks.len() > MOST_BANKS {
+        if banks.is_empty() || banks.len() > MAX_SET_BANKS {
             return Err(BankSetError::Count);
         }
-        Ok(BankSet { banks })
+        Ok(BankSet { banks, index: None })
     }
 
-    /// Checks that each clip is in the bank that its id names: in another one, it is never found. Reads all ids. The banks
-    /// are [verified](Bank::verify) on their own.
+    /// The set of the banks that an index names, in its order. Finding a clip costs what it costs without; only a dub that is
+    /// asked for by itself costs a search in the index, because it is in the bank of its original.
+    ///
+    /// # Errors
+    /// When these are not the banks that the index names.
+    pub fn with_index(
+        banks: &'bank [Bank<'data>],
+        index: &SetIndex<'data>,
+    ) -> Result<BankSet<'data, 'bank>, BankSetError> {
+        if banks.len() != index.bank_count() {
+            return Err(BankSetError::Count);
+        }
+        let differs = |(bank, entry): (&Bank<'_>, crate::SetBank<'_>)| bank.checksum() != entry.checksum;
+        if let Some(bank) = banks.iter().zip(index.banks()).position(differs) {
+            return Err(BankSetError::OtherBank { bank });
+        }
+        Ok(BankSet { banks, index: Some(*index).filter(|index| index.moved_count() > 0) })
+    }
+
+    /// Checks that each clip is where it is looked for, in the bank of its id or in the one that the index names: elsewhere it
+    /// is never found. Reads all ids. Banks and index are [verified](Bank::verify) on their own.
     ///
     /// # Errors
     /// When a bank has a clip of another one: the banks are in another order, or one is missing.
     pub fn verify(self) -> Result<BankSet<'data, 'bank>, BankSetError> {
         for (place, bank) in self.banks.iter().enumerate() {
-            if bank.keys.iter().any(|record| self.shard(record.id.get()) != place) {
-                return Err(BankSetError::OtherShard { bank: place });
+            for record in bank.keys {
+                if self.place(record.id.get()) != place {
+                    return Err(BankSetError::OtherShard { bank: place });
+                }
             }
         }
         Ok(self)
+    }
+
+    /// The bank that a clip is in, if that is not the one of its id.
+    fn moved_to(&self, id: u64) -> Option<usize> {
+        self.index?.moved_to(id)
     }
 
     /// The banks.
@@ -75,16 +100,30 @@ impl<'data, 'bank> BankSet<'data, 'bank> {
         shard_of(id, self.banks.len() as u32) as usize
     }
 
+    /// The place of the bank that has the clip with this id.
+    fn place(&self, id: u64) -> usize {
+        self.moved_to(id).unwrap_or_else(|| self.shard(id))
+    }
+
     /// The bank that has the clip with this id, if any has it.
     #[inline]
     pub fn bank_of(&self, id: ClipId) -> Option<&'bank Bank<'data>> {
-        self.banks.get(self.shard(id.get()))
+        self.banks.get(self.place(id.get()))
     }
 
     /// The clip with this id: looked for in one bank.
     #[inline]
     pub fn clip(&self, id: ClipId) -> Option<Clip<'data, 'bank>> {
-        self.bank_of(id)?.clip(id)
+        match self.banks.get(self.shard(id.get()))?.clip(id) {
+            None if self.index.is_some() => self.moved_clip(id),
+            found => found,
+        }
+    }
+
+    /// The clip with this id, if it is not in the bank of its id.
+    #[cold]
+    fn moved_clip(&self, id: ClipId) -> Option<Clip<'data, 'bank>> {
+        self.banks.get(self.moved_to(id.get())?)?.clip(id)
     }
 
     /// The clip with this key, compared whole.
@@ -119,6 +158,11 @@ impl<'data, 'bank> BankSet<'data, 'bank> {
             let place = bank.locales().position(|locale| locale.is_default())?;
             SetLocale::new(bank, place)
         })
+    }
+
+    /// The voice in this locale, spelled as in the banks (`de-de`), if any has dubs in it, or originals with dubs.
+    pub fn voice(&self, tag: &str) -> Option<SetVoice<'data>> {
+        self.banks.iter().find_map(|bank| bank.voice(tag)).map(|voice| SetVoice { tag: voice.tag() })
     }
 
     /// The name that events mention, spelled as there (`amy`); `None` if no event of any bank does.
@@ -183,12 +227,35 @@ impl SetName<'_> {
     }
 }
 
+/// A voice of a [`BankSet`]: each bank with dubs has a [`Voice`] of its own for it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct SetVoice<'data> {
+    tag: &'data str,
+}
+
+impl<'data> SetVoice<'data> {
+    /// The locale of the voice: `de-de`.
+    pub const fn tag(&self) -> &'data str {
+        self.tag
+    }
+
+    /// The voice in the bank of the clip, for [`Clip::in_voice`]; `None` if that bank has no dubs: play the clip as it is.
+    pub fn of<'other>(&self, clip: &Clip<'other, '_>) -> Option<Voice<'other>> {
+        clip.bank.voice(self.tag)
+    }
+}
+
 /// Why banks are no set.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[non_exhaustive]
 pub enum BankSetError {
-    /// There is no bank, or there are more than 4096.
+    /// There is no bank, or there are more than 4096, or not as many as the index names.
     Count,
+    /// A bank is not the one that the index names.
+    OtherBank {
+        /// Its place among the banks.
+        bank: usize,
+    },
     /// A bank has a clip that belongs into another one.
     OtherShard {
         /// Its place among the banks.
@@ -199,7 +266,8 @@ pub enum BankSetError {
 impl fmt::Display for BankSetError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            BankSetError::Count => f.write_str("a set has 1 to 4096 banks"),
+            BankSetError::Count => f.write_str("a set has 1 to 4096 banks, as many as its index names"),
+            BankSetError::OtherBank { bank } => write!(f, "bank {bank} is not the one that the index of the set names"),
             BankSetError::OtherShard { bank } => {
                 write!(
                     f,

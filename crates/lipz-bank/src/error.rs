@@ -146,4 +146,10 @@ error_kinds! {
     Voice = 40, "a voice or a dub is not valid";
     /// A face profile is cut off, not in the order of the names, or has a number that is out of its range.
     Face = 41, "a face profile is not valid";
+    /// The first bytes are not those of the index of a set.
+    NotASet = 42, "the file is not the index of a set of banks";
+    /// The index of a set has a name that is none, clips out of order, or as many banks as no set has.
+    Set = 43, "what the index of a set says about its banks is not valid";
+    /// A bank of a set is not the one that its index names, or has clips that belong into another one.
+    OtherBank = 44, "the banks are not those of the set, in their order";
 }

@@ -65,6 +65,9 @@ fn numbers_are_stable() {
         (39, LayerCount),
         (40, Voice),
         (41, Face),
+        (42, NotASet),
+        (43, Set),
+        (44, OtherBank),
     ];
     let kinds: Vec<_> = ErrorKind::ALL.iter().map(|&kind| (kind as u8, kind)).collect();
     assert_eq!(table[..], kinds, "the table above has every kind, and numbers that it has stay");

@@ -4,6 +4,7 @@
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
 use lipz_bank::{ClipId, CurveValue, ErrorKind};
+use lipz_layout::SetBankRecord;
 use lipz_layout::{BabbleRecord, EventNameRecord, EventRecord, FaceRecord, RecordingRecord, TypedEventRecord};
 use lipz_layout::{ClipRecord, DirectoryEntry, Header, KeyRecord, LocaleRecord, RateRecord, Tag};
 use lipz_layout::{CurveClipRecord, CurveKeyRecord, CurveRecord, LayerDubRecord, LayerRecord, WideCurveKeyRecord};
@@ -126,21 +127,6 @@ fn records() {
     check_fields("CurveClipRecord", &fields, size_of::<CurveClipRecord>());
     let fields = fields!(CurveRecord { keys_first, name_and_width });
     check_fields("CurveRecord", &fields, size_of::<CurveRecord>());
-    let fields = fields!(LayerRecord {
-        base_count,
-        removed_count,
-        stand_in_count,
-        part_count,
-        removed_locale_count,
-        flags,
-        filter_count,
-        dub_count,
-        borrowed_count,
-        voice_count,
-    });
-    check_fields("LayerRecord", &fields, size_of::<LayerRecord>());
-    let fields = fields!(LayerDubRecord { clip_id, other_id, voice, kind, reserved });
-    check_fields("LayerDubRecord", &fields, size_of::<LayerDubRecord>());
     let keys: Vec<_> = table("### Keys of a curve", "| key | bytes | frame | value |");
     let narrow = fields!(CurveKeyRecord { frame, thousandths });
     let wide = fields!(WideCurveKeyRecord { frame, thousandths });
@@ -154,11 +140,44 @@ fn records() {
 }
 
 #[test]
+fn records_about_several_banks() {
+    let fields = fields!(LayerRecord {
+        base_count,
+        removed_count,
+        stand_in_count,
+        part_count,
+        removed_locale_count,
+        flags,
+        filter_count,
+        dub_count,
+        borrowed_count,
+        voice_count,
+    });
+    check_fields("LayerRecord", &fields, size_of::<LayerRecord>());
+    let fields = fields!(SetBankRecord {
+        checksum,
+        fingerprint,
+        length_bytes,
+        clip_count,
+        name_offset_bytes,
+        name_length_bytes
+    });
+    check_fields("SetBankRecord", &fields, size_of::<SetBankRecord>());
+    let fields = fields!(LayerDubRecord { clip_id, other_id, voice, kind, reserved });
+    check_fields("LayerDubRecord", &fields, size_of::<LayerDubRecord>());
+}
+
+#[test]
 fn sections() {
     let row = |row: &Vec<&'static str>| (row[0], number(row[1]) as usize);
     let required: Vec<_> = table("### Sections", "| tag | entry bytes | contents |").iter().map(row).collect();
     let known = Tag::REQUIRED.map(|(tag, bytes)| (String::from_utf8(tag.0.to_vec()).expect("ASCII"), bytes));
     assert!(required.iter().map(|&(tag, bytes)| (tag.to_owned(), bytes)).eq(known));
+    let of_set: Vec<_> = table("## Sets", "| tag | entry bytes | contents |").iter().map(row).collect();
+    let known = Tag::SET.map(|(tag, bytes)| (String::from_utf8(tag.0.to_vec()).expect("ASCII"), bytes));
+    assert!(of_set.iter().map(|&(tag, bytes)| (tag.to_owned(), bytes)).eq(known));
+    let magic: Vec<String> = lipz_layout::SET_MAGIC.iter().map(|byte| format!("{byte:02X}")).collect();
+    assert!(PAGE.contains(&format!("`{}`", magic.join(" "))));
     for (tag, bytes) in Tag::OPTIONAL {
         let tag = String::from_utf8(tag.0.to_vec()).expect("ASCII");
         assert!(PAGE.contains(&format!("\n| `{tag}` | {bytes} | ")), "docs/FORMAT.md has no row for the section {tag}");

@@ -143,6 +143,15 @@
 // Damage: a face profile is not valid.
 #define LIPZ_FACE 41
 
+// Damage: the file is not the index of a set of banks.
+#define LIPZ_NOT_A_SET 42
+
+// Damage: what the index of a set says about its banks is not valid.
+#define LIPZ_SET 43
+
+// Damage: the banks are not those of the set, in their order.
+#define LIPZ_OTHER_BANK 44
+
 
 
 // Version of this header: changes of the first number break programs; so do, while it is 0, those
@@ -605,6 +614,40 @@ typedef struct lipz_layered_voiced_clip {
   // 0.
   uint32_t reserved;
 } lipz_layered_voiced_clip;
+
+// The index of a set: the caller's bytes. It owns nothing: copy it, keep it, forget it.
+typedef struct lipz_set {
+  // The bytes of the index, at any address.
+  const uint8_t *data;
+  // Length of the index.
+  size_t length_bytes;
+} lipz_set;
+
+// What a set has.
+typedef struct lipz_set_info_t {
+  // Hash of what the clips of all banks are.
+  uint64_t fingerprint;
+  // Number of clips in all banks.
+  uint64_t clip_count;
+  // Number of banks.
+  uint32_t bank_count;
+  // Number of clips that are not in the bank of their id, but in that of their line: dubs.
+  uint32_t moved_count;
+} lipz_set_info_t;
+
+// What the index says about a bank.
+typedef struct lipz_set_bank {
+  // The name of its file, which is beside the index.
+  struct lipz_string file_name;
+  // The checksum of the bank.
+  uint64_t checksum;
+  // Its fingerprint.
+  uint64_t fingerprint;
+  // Its length.
+  uint32_t length_bytes;
+  // Number of its clips.
+  uint32_t clip_count;
+} lipz_set_bank;
 
 // The answer was written.
 #define LIPZ_OK 0
@@ -1350,6 +1393,35 @@ lipz_status lipz_layers_voice_at(const struct lipz_bank *banks,
                                  uint32_t count,
                                  uint32_t index,
                                  struct lipz_string *tag);
+
+// Opens the index of a set (`.lipzset`) and checks every byte of it: it is short. The banks that it names are opened and verified
+// on their own.
+//
+// `damage_offset_bytes` may be null; otherwise it gets the place of what is wrong, and 0 if nothing is.
+lipz_status lipz_set_open(const uint8_t *data,
+                          size_t length_bytes,
+                          struct lipz_set *set,
+                          uint32_t *damage_offset_bytes);
+
+// What the set has.
+lipz_status lipz_set_info(const struct lipz_set *set, struct lipz_set_info_t *info);
+
+// What the set says about the bank with this number, from 0. `LIPZ_NONE` behind the last.
+lipz_status lipz_set_bank_at(const struct lipz_set *set,
+                             uint32_t number,
+                             struct lipz_set_bank *bank);
+
+// The number of the bank that has the clip with this id, if any bank has it: ask that one. `lipz_clip_id_of_key` gives the id of a
+// key.
+lipz_status lipz_set_bank_of(const struct lipz_set *set,
+                             uint64_t id,
+                             uint32_t *number);
+
+// Checks that an opened bank is the one with this number in the set; otherwise the status is bank error 44. Call it once for
+// each bank, after opening it.
+lipz_status lipz_set_check_bank(const struct lipz_set *set,
+                                uint32_t number,
+                                const struct lipz_bank *bank);
 
 #ifdef __cplusplus
 }  // extern "C"

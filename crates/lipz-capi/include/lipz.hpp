@@ -601,6 +601,37 @@ class Bank : public lipz_bank {
     }
 };
 
+/// The index of a set of banks: which of them has a clip. The program keeps the bytes and the banks.
+class Set : public lipz_set {
+  public:
+    /// Opens the bytes of the index and checks every one of them. Throws an Error.
+    static Set must_open(const void *data, std::size_t length_bytes) {
+        Set set;
+        std::uint32_t place = 0;
+        must(lipz_set_open(static_cast<const std::uint8_t *>(data), length_bytes, &set, &place), place);
+        return set;
+    }
+    /// What the index says about each bank, in order: `view(bank.file_name)` is the file beside it.
+    auto banks() const noexcept {
+        return range<lipz_set_bank>([this, number = std::uint32_t(0)]() mutable {
+            return answer<lipz_set_bank>([&](lipz_set_bank *out) { return lipz_set_bank_at(this, number++, out); });
+        });
+    }
+    /// The number of the bank that has the clip with this id, if any bank has it.
+    std::uint32_t bank_of(std::uint64_t id) const noexcept {
+        std::uint32_t number = 0;
+        lipz_set_bank_of(this, id, &number);
+        return number;
+    }
+    std::uint32_t bank_of(std::string_view key) const noexcept {
+        std::uint64_t id = 0;
+        lipz_clip_id_of_key(key.data(), key.size(), &id);
+        return bank_of(id);
+    }
+    /// Checks that a bank is the one with this number. Throws an Error.
+    void must_have(std::uint32_t number, const lipz_bank &bank) const { must(lipz_set_check_bank(this, number, &bank), 0); }
+};
+
 } // namespace lipz
 
 #endif // LIPZ_HPP

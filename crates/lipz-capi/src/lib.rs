@@ -41,6 +41,7 @@ mod locale;
 mod panic;
 mod pointer;
 mod segment;
+mod set;
 mod status;
 mod string;
 mod time;
@@ -102,6 +103,9 @@ pub use layers::{
 };
 pub use locale::{Locale, lipz_locale_at, lipz_locale_by_tag, lipz_locale_default};
 pub use segment::{Segment, Text, lipz_segment_at, lipz_segment_of_frame, lipz_segment_text};
+pub use set::{
+    Set, SetBank, SetInfo, lipz_set_bank_at, lipz_set_bank_of, lipz_set_check_bank, lipz_set_info, lipz_set_open,
+};
 pub use status::{
     LIPZ_NONE, LIPZ_NOT_OPENED, LIPZ_NOT_UTF8, LIPZ_NULL_POINTER, LIPZ_OK, LIPZ_OTHER_VERSION, Status,
     lipz_status_message,

@@ -8,7 +8,7 @@ use std::fs;
 use std::path::Path;
 
 /// The names of the structs in C: those of functions and constants are the same in Rust.
-const NAMES: [(&str, &str); 27] = [
+const NAMES: [(&str, &str); 30] = [
     ("Babble", "lipz_babble"),
     ("Bank", "lipz_bank"),
     ("BankInfo", "lipz_bank_info_t"),
@@ -30,6 +30,9 @@ const NAMES: [(&str, &str); 27] = [
     ("LookAt", "lipz_look_at"),
     ("Recording", "lipz_recording"),
     ("Segment", "lipz_segment"),
+    ("Set", "lipz_set"),
+    ("SetBank", "lipz_set_bank"),
+    ("SetInfo", "lipz_set_info_t"),
     ("Status", "lipz_status"),
     ("String", "lipz_string"),
     ("Text", "lipz_text"),
@@ -39,7 +42,7 @@ const NAMES: [(&str, &str); 27] = [
 ];
 
 /// The files with declarations, in the order of the header.
-const FILES: [&str; 20] = [
+const FILES: [&str; 21] = [
     "version.rs",
     "status.rs",
     "string.rs",
@@ -60,6 +63,7 @@ const FILES: [&str; 20] = [
     "layers.rs",
     "layered_face.rs",
     "layered_voice.rs",
+    "set.rs",
 ];
 
 const INTRODUCTION: &str = "/*

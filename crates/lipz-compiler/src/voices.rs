@@ -70,6 +70,14 @@ impl Voices {
         self.of_key(key).filter(|(locale, _)| *locale != original).map(|(_, line)| line)
     }
 
+    /// The line that the clip with this key says, in whichever voice: what the keys of an original and of its dubs have in
+    /// common.
+    #[cfg(feature = "shards")]
+    pub(crate) fn line_of<'k>(&self, key: &'k str) -> &'k str {
+        let line = self.original.as_ref().and_then(|_| self.of_key(key));
+        line.map_or(key, |(_, line)| line)
+    }
+
     /// The keys that the original of a line may have, the likeliest first.
     pub(crate) fn originals_of(&self, line: &str) -> Vec<String> {
         let by_pattern = self.original.as_deref().and_then(|original| self.key_of(line, original));

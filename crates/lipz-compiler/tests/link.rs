@@ -4,28 +4,13 @@
 
 mod support;
 
-use lipz_bank::{ClipId, Recording};
+use lipz_bank::Recording;
 use lipz_compiler::babble::BabbleProfiles;
-use lipz_compiler::shard::{Link, Shard, shard_of};
+use lipz_compiler::shard::Link;
 use lipz_compiler::{Compiled, Compiler, Input, Options, Voices};
 use proptest::prelude::*;
 use std::fs;
-use std::num::NonZero;
-use std::path::{Path, PathBuf};
-
-/// Writes the objects of `inputs` into a folder.
-fn objects(compiler: &Compiler<'_>, inputs: &[Input], shards: u16, folder: &Path) -> Vec<PathBuf> {
-    let count = NonZero::new(shards).unwrap();
-    let of_shard = |shard: u16| {
-        let is_own = |input: &&Input| shard_of(ClipId::from_key(&input.key), count) == shard;
-        let own: Vec<Input> = inputs.iter().filter(is_own).cloned().collect();
-        let object = compiler.object(&own, &Shard::new(shard, shards));
-        let path = folder.join(format!("{shard}-of-{shards}.lipzobj"));
-        fs::write(&path, object.bank.unwrap_or_else(|| panic!("{:?}", object.reports))).unwrap();
-        path
-    };
-    (0..shards).map(of_shard).collect()
-}
+use support::shards::{objects, project};
 
 fn linked(compiler: &Compiler<'_>, inputs: &[Input], shards: u16, turn: usize) -> Compiled {
     let folder = tempfile::tempdir().unwrap();
@@ -82,7 +67,7 @@ fn no_clips_and_many_threads() {
 }
 
 #[test]
-fn dubs_whose_originals_are_in_other_shards() {
+fn dubs_and_their_originals() {
     let clip = |key: &str, file: &str| Input::from_bytes(key, file);
     let voices = Voices::new("en-us").dub("de-de", "de/{key}.ogg").dub("fr-fr", "fr/{key}.ogg");
     let options = Options::new().default_locale("en-us").voices(voices);
@@ -137,50 +122,15 @@ fn damaged_objects_are_refused() {
     }
 }
 
-/// A clip with texts in some locales, events, and curves.
-fn file() -> impl Strategy<Value = String> {
-    let text = "[a-zéß日{} ]{0,8}";
-    let texts = proptest::collection::btree_map("(en-us|de-de|de-at|fr-fr|ja-jp)", text, 0..4);
-    let events = proptest::option::of("(mara sees door|x|shout)");
-    (texts, events, proptest::option::of("[MAEO]{1,9}"), 0..4_u8).prop_map(|(texts, events, visemes, extra)| {
-        let mut elements = serde_json::Map::new();
-        for (tag, text) in texts {
-            // Braces have to be in pairs.
-            elements.insert(format!("text_{tag}"), text.replace(['{', '}'], "").into());
-        }
-        elements.extend(events.map(|events| ("events".to_owned(), events.into())));
-        if let Some(visemes) = visemes {
-            elements.insert("visemes".to_owned(), visemes.into());
-            if extra == 1 {
-                elements.insert("curves".to_owned(), serde_json::json!({ "jawOpen": "0:0.25" }));
-            }
-            if extra == 2 {
-                elements.insert("fps".to_owned(), 23.976.into());
-            }
-        }
-        if extra == 3 {
-            elements.insert("note".to_owned(), serde_json::json!({ "kept": [1, 2] }));
-        }
-        serde_json::Value::Object(elements).to_string()
-    })
-}
-
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
     #[test]
-    fn linked_is_packed(
-        files in proptest::collection::btree_map("[a-d]{1,2}/line-[0-9]{1,3}", file(), 0..40),
-        shards in 1..=40_u16,
-        turn in 0..40_usize,
-        pseudo in any::<bool>(),
-        chooses in any::<bool>(),
-    ) {
-        let inputs: Vec<Input> = files.into_iter().map(|(key, file)| Input::from_bytes(key, file)).collect();
-        let mut options = Options::new().default_locale("en-us").fallback("ja-jp", ["fr-fr"]).pseudo(pseudo);
-        if chooses {
-            options = options.locales(["de-at", "en-us", "ja-jp"]);
-        }
-        assert_same(&Compiler::new(options), &inputs, shards, turn);
+    fn linked_is_packed((options, inputs) in project(), shards in 1..=40_u16, turn in 0..40_usize) {
+        let compiler = Compiler::new(options);
+        let packed = compiler.compile(&inputs);
+        let linked = linked(&compiler, &inputs, shards, turn);
+        prop_assert!(packed.bank == linked.bank);
+        prop_assert_eq!(packed.reports, linked.reports);
     }
 }

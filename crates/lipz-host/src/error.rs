@@ -10,6 +10,8 @@ pub enum OpenError {
     File(io::Error),
     /// It is no bank, or a damaged one.
     Bank(lipz_bank::Error),
+    /// The banks are not those of the set.
+    Set(lipz_bank::BankSetError),
 }
 
 impl fmt::Display for OpenError {
@@ -17,6 +19,7 @@ impl fmt::Display for OpenError {
         match self {
             OpenError::File(error) => error.fmt(f),
             OpenError::Bank(error) => error.fmt(f),
+            OpenError::Set(error) => error.fmt(f),
         }
     }
 }
@@ -32,5 +35,11 @@ impl From<io::Error> for OpenError {
 impl From<lipz_bank::Error> for OpenError {
     fn from(error: lipz_bank::Error) -> OpenError {
         OpenError::Bank(error)
+    }
+}
+
+impl From<lipz_bank::BankSetError> for OpenError {
+    fn from(error: lipz_bank::BankSetError) -> OpenError {
+        OpenError::Set(error)
     }
 }

@@ -80,7 +80,7 @@ impl fmt::Debug for OwnedLayers {
     }
 }
 
-/// Why files are not used as a stack.
+/// Why files are not used as a stack, or as a set.
 #[derive(Debug)]
 pub struct LayersOpenError {
     path: PathBuf,

@@ -3,7 +3,8 @@
 //! `lipz-bank` reads a bank from any bytes and knows no files. This crate supplies the bytes:
 //! [`FileBytes`] reads or maps a file, [`OwnedBank`] is a bank together with its bytes, and
 //! [`LiveBank`] switches to a new version of the file while the program runs, for instance when
-//! `lipz watch` has written one. [`OwnedLayers`] and [`LiveLayers`] are the same for a bank with layers over it.
+//! `lipz watch` has written one. [`OwnedLayers`] and [`LiveLayers`] are the same for a bank with layers over it,
+//! and [`OwnedSet`] is a set of banks.
 //!
 //! A game keeps a version of the bank and what is playing in one struct:
 //!
@@ -71,6 +72,7 @@ mod layers;
 mod live;
 mod live_layers;
 mod owned;
+mod set;
 mod stamp;
 
 pub use bytes::FileBytes;
@@ -79,6 +81,7 @@ pub use layers::{LayersOpenError, MAX_LAYERS, OwnedLayers};
 pub use live::LiveBank;
 pub use live_layers::LiveLayers;
 pub use owned::OwnedBank;
+pub use set::OwnedSet;
 
 /// The example of the README, run as a test.
 #[cfg(doctest)]

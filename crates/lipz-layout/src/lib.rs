@@ -37,7 +37,7 @@ pub use records::{BabbleRecord, ClipRecord, EventNameRecord, EventRecord, FaceRe
 pub use records::{CURVE_WIDE, CurveClipRecord, CurveKeyRecord, CurveRecord, WideCurveKeyRecord};
 pub use records::{DUB_OF, NO_DUB, OTHER_DUB};
 pub use records::{FLAG_VISEMES, LOCALE_DEFAULT, MAX_INTEGER_FPS, NO_NAME, NO_RATE, NO_RECORDING, stored_fps};
-pub use records::{KeyRecord, LocaleRecord, RateRecord, RecordingRecord, TypedEventRecord};
+pub use records::{KeyRecord, LocaleRecord, RateRecord, RecordingRecord, SetBankRecord, TypedEventRecord};
 pub use records::{
     LAYER_BABBLE, LAYER_DEFAULT_LOCALE, LAYER_DUB, LAYER_DUB_OF, LAYER_FACES, LAYER_NO_DUB, LAYER_OTHER_DUB,
     LAYER_VOICES, LayerDubRecord, LayerRecord, NO_STAND_IN, PART_CLIP, PART_ORIGINAL, PART_TEXTS, filter_place,
@@ -58,6 +58,12 @@ pub type I16 = zerocopy::little_endian::I16;
 pub type I32 = zerocopy::little_endian::I32;
 /// Little-endian, unaligned 64-bit number.
 pub type U64 = zerocopy::little_endian::U64;
+
+/// The first eight bytes of the index of a set, which is no bank.
+pub const SET_MAGIC: [u8; 8] = *b"\x89LPS\r\n\x1a\n";
+
+/// The most banks of a set.
+pub const MAX_SET_BANKS: usize = 4096;
 
 /// Major format version: a reader refuses any other.
 pub const FORMAT_MAJOR: u16 = 1;
@@ -95,6 +101,11 @@ pub fn fingerprint(keys: &[KeyRecord], clips: &[ClipRecord]) -> u64 {
         let segments = u64::from(clip.segments_first.get()) << 32 | u64::from(key.segment_count.get());
         mix(mix(hash ^ key.id.get(), STEP) ^ segments, FINISH)
     })
+}
+
+/// Hash of the fingerprints of the banks of a set, in their order.
+pub fn set_fingerprint(banks: &[SetBankRecord]) -> u64 {
+    banks.iter().fold(banks.len() as u64, |hash, bank| mix(hash ^ bank.fingerprint.get(), STEP))
 }
 
 /// The example of the README, run as a test.

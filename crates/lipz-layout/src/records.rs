@@ -336,6 +336,24 @@ pub const LAYER_OTHER_DUB: u16 = 2;
 /// The clip is the dub of the other one.
 pub const LAYER_DUB_OF: u16 = 3;
 
+/// A bank of a set: 32 bytes.
+#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned, Clone, Copy, Debug)]
+#[repr(C)]
+pub struct SetBankRecord {
+    /// The checksum in its header.
+    pub checksum: U64,
+    /// The fingerprint in its header.
+    pub fingerprint: U64,
+    /// Its length.
+    pub length_bytes: U32,
+    /// Its clips.
+    pub clip_count: U32,
+    /// Where the name of its file starts in `NAME`.
+    pub name_offset_bytes: U32,
+    /// Length of the name.
+    pub name_length_bytes: U32,
+}
+
 /// The word of a filter of ids with so many words, and the bit in it, that stand for an id.
 #[inline]
 pub const fn filter_place(id: u64, filter_count: usize) -> (usize, u32) {
@@ -345,6 +363,7 @@ pub const fn filter_place(id: u64, filter_count: usize) -> (usize, u32) {
 
 const _: () = assert!(size_of::<LayerRecord>() == 40);
 const _: () = assert!(size_of::<LayerDubRecord>() == 24);
+const _: () = assert!(size_of::<SetBankRecord>() == 32);
 const _: () = assert!(size_of::<CurveClipRecord>() == 8);
 const _: () = assert!(size_of::<CurveRecord>() == 8);
 const _: () = assert!(size_of::<CurveKeyRecord>() == 4);

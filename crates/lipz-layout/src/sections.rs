@@ -126,6 +126,21 @@ impl Tag {
     /// Only in objects, which are linked to a bank: what they say beside being one, as JSON.
     pub const EXPORT: Tag = Tag(*b"XPRT");
 
+    /// Only in indices of sets: [`SetBankRecord`](super::SetBankRecord)s in the order of the shards.
+    pub const SET_BANKS: Tag = Tag(*b"SETB");
+    /// Only in indices of sets: the ids of clips that are not in the bank of their id, ascending, one `u64` each.
+    pub const SET_MOVED: Tag = Tag(*b"SETM");
+    /// Only in indices of sets: the number of the bank that each of these clips is in, one `u16` each.
+    pub const SET_HOMES: Tag = Tag(*b"SETH");
+
+    /// The sections of the index of a set, with the length of an entry, in file order.
+    pub const SET: [(Tag, usize); 4] = [
+        (Tag::SET_BANKS, size_of::<super::SetBankRecord>()),
+        (Tag::SET_MOVED, 8),
+        (Tag::SET_HOMES, 2),
+        (Tag::NAMES, 1),
+    ];
+
     /// The sections that a bank of format 1 may have, with the length of an entry, in file order.
     pub const OPTIONAL: [(Tag, usize); 11] = [
         (Tag::BABBLE, 1),

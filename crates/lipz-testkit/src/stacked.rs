@@ -1,6 +1,6 @@
 //! Every query of a stack of banks that may be damaged.
 
-use lipz_bank::{Bank, BankSet, BankSetError, ClipId, EventName, Layers, LayersError};
+use lipz_bank::{Bank, BankSet, BankSetError, ClipId, EventName, Layers, LayersError, SetIndex};
 use std::hint::black_box;
 
 /// The most banks that are stacked.
@@ -79,6 +79,18 @@ pub fn every_set_query(banks: &[Bank<'_>]) -> bool {
             return false;
         }
     };
+    every_query_of_set(&set);
+    match set.verify() {
+        Ok(_) => true,
+        Err(error) => {
+            assert!(matches!(error, BankSetError::OtherShard { bank } if bank < banks.len()), "{error}");
+            false
+        }
+    }
+}
+
+/// Asks a set everything, whether or not its clips are where they belong.
+pub fn every_query_of_set(set: &BankSet<'_, '_>) {
     let limit: usize = set.banks().iter().map(Bank::length_bytes).sum();
     assert!(set.clip_count() <= limit && set.clips().take(limit + 1).count() <= limit);
     let locale = set.default_locale().or_else(|| set.locale("de-de"));
@@ -91,12 +103,30 @@ pub fn every_set_query(banks: &[Bank<'_>]) -> bool {
         let Some(of_clip) = locale.and_then(|locale| locale.of(&clip)) else { continue };
         assert_eq!(locale.map(|locale| locale.tag()), Some(of_clip.tag()));
         black_box(clip.segments().filter_map(|segment| segment.text_bytes(of_clip)).count());
+        let voice = set.voice("de-de").filter(|voice| voice.tag() == "de-de").and_then(|voice| voice.of(&clip));
+        black_box(voice.map(|voice| clip.in_voice(voice).clip.key()));
     }
-    match set.verify() {
-        Ok(_) => true,
-        Err(error) => {
-            assert!(matches!(error, BankSetError::OtherShard { bank } if bank < banks.len()), "{error}");
-            false
-        }
+}
+
+/// Asks the bytes everything as the index of a set, of these banks or of others; the index, if it passes `verify`.
+pub fn every_query_of_index<'data>(bytes: &'data [u8], banks: &[Bank<'data>]) -> Option<SetIndex<'data>> {
+    let opened = SetIndex::open(bytes).ok()?;
+    let limit = bytes.len();
+    assert_eq!(opened.length_bytes(), limit);
+    assert!(opened.bank_count() <= limit && opened.moved_count() <= limit);
+    assert_eq!(opened.banks().count(), opened.bank_count());
+    assert!(opened.bank_at(opened.bank_count()).is_none() && opened.bank_at(0).is_some());
+    black_box((opened.fingerprint(), opened.checksum(), opened.clip_count()));
+    let ids = ["a", "de/a", "nobody"].map(ClipId::from_key);
+    black_box(ids.map(|id| opened.bank_of(id)));
+    match BankSet::with_index(banks, &opened) {
+        Ok(set) => every_query_of_set(&set),
+        Err(BankSetError::OtherBank { bank }) => assert!(bank < banks.len()),
+        Err(error) => assert_eq!((error, banks.len() == opened.bank_count()), (BankSetError::Count, false)),
     }
+    let verified = opened.verify().ok()?;
+    let is_beside = |name: &str| std::path::Path::new(name).file_name().is_some_and(|file| file == name);
+    assert!(verified.banks().all(|bank| is_beside(bank.file_name)), "a name leads elsewhere");
+    assert!(ids.iter().all(|id| verified.bank_of(*id) < verified.bank_count()));
+    Some(verified)
 }

@@ -10,7 +10,7 @@ use core::panic::PanicInfo;
 use lipz_bank::{
     Babble, Bank, BankSet, BankSetError, Clip, ClipId, Command, ConsonantHold, Cursor, CurveCursor, CurveValue, Emotion, Error, Event, EventName,
     Face, FaceCurve, FaceProfile, Fps, Layers, LayersError, Lead, Locale, LookAt, Micros, Places, Samples, Seconds, Segment,
-    Spoken, TextBank, Time, Viseme, VisemeType, VoiceLevel, Weight,
+    SetIndex, Spoken, TextBank, Time, Viseme, VisemeType, VoiceLevel, Weight,
 };
 
 /// Takes what was answered, so that no question is left out as useless.
@@ -43,7 +43,8 @@ fn proof_every_function(bytes: &[u8], texts: &[u8], name: &str, number: u32, see
     }
     if let Ok(above) = Bank::open(texts) {
         layers_asked([bank, above], name, see);
-        set_asked(&[bank, above], name, see);
+        banks_asked(&[bank, above], name, see);
+        index_asked(texts, &[bank, above], name, see);
     }
     match bank.open_texts(texts) {
         Ok(texts) => texts_asked(&bank, &texts, name, see),
@@ -139,12 +140,32 @@ fn layers_asked(banks: [Bank<'_>; 2], name: &str, see: See) {
     }
 }
 
-fn set_asked(banks: &[Bank<'_>], name: &str, see: See) {
+fn index_asked<'data>(bytes: &'data [u8], banks: &[Bank<'data>], name: &str, see: See) {
+    let index = match SetIndex::open(bytes).and_then(SetIndex::verify).or_else(|_| SetIndex::open(bytes)) {
+        Ok(index) => index,
+        Err(error) => return see_error(see, error),
+    };
+    see(index.fingerprint() ^ index.checksum() ^ index.clip_count() ^ index.length_bytes() as u64);
+    see((index.bank_count() ^ index.moved_count() ^ index.bank_of(ClipId::from_key(name))) as u64);
+    for bank in index.banks().chain(index.bank_at(name.len())) {
+        see_bytes(see, bank.file_name.as_bytes());
+    }
+    match BankSet::with_index(banks, &index) {
+        Ok(set) => set_asked(set, name, see),
+        Err(_) => see(0),
+    }
+}
+
+fn banks_asked(banks: &[Bank<'_>], name: &str, see: See) {
     let set = match BankSet::new(banks).and_then(BankSet::verify).or_else(|_| BankSet::new(banks)) {
         Ok(set) => set,
         Err(BankSetError::OtherShard { bank }) => return see(bank as u64),
         Err(_) => return,
     };
+    set_asked(set, name, see);
+}
+
+fn set_asked(set: BankSet<'_, '_>, name: &str, see: See) {
     let id = ClipId::from_key(name);
     see(set.clip_count() as u64 ^ set.banks().len() as u64 ^ set.bank_of(id).map_or(0, Bank::checksum));
     let locale = set.locale(name).or_else(|| set.default_locale());
@@ -153,6 +174,10 @@ fn set_asked(banks: &[Bank<'_>], name: &str, see: See) {
     for clip in set.clips().chain(set.clips_under(name)).chain(IntoIterator::into_iter(found).flatten()) {
         see_bytes(see, clip.key().as_bytes());
         see(named.and_then(|name| name.of(&clip)).map_or(0, |name| u64::from(name.id())));
+        if let Some(voice) = set.voice(name) {
+            see_bytes(see, voice.tag().as_bytes());
+            see(u64::from(voice.of(&clip).is_some()));
+        }
         if let Some(locale) = locale {
             see_bytes(see, locale.tag().as_bytes());
             see(u64::from(locale.of(&clip).is_some()));

@@ -85,6 +85,14 @@ pub(crate) fn verify_texts<'data>(
     Ok(())
 }
 
+/// Checks checksum and sections of the index of a set, and gives its names as checked.
+pub(crate) fn set_index<'data>(file: &File<'data>, mut names: Pool<'data>) -> Result<Pool<'data>, Error> {
+    checksum(file)?;
+    sections::sections(file)?;
+    check_pool(file, &mut names, core_utf8)?;
+    Ok(names)
+}
+
 fn checksum(file: &File<'_>) -> Result<(), Error> {
     let checked = file.bytes.get(lipz_layout::CHECKED_FROM..).unwrap_or(&[]);
     if lipz_layout::checksum(checked) != file.header.checksum.get() {

@@ -23,7 +23,7 @@ pub(crate) use look::Look;
 pub use memory::Memory;
 pub(crate) use stamps::{Name, Stamp};
 
-use crate::compile::{Progress, Run};
+use crate::compile::{Progress, Run, Texts};
 use crate::discover::display;
 use crate::{Compiled, Compiler, Content, Input, Options};
 use file_meta::FileMeta;
@@ -129,7 +129,10 @@ fn again(
         // Nothing is copied, least of all to be thrown away.
         if let Some(bank) = old.and_then(OldBank::into_whole) {
             let files = std::mem::take(&mut run.stamped.files);
-            let compiled = match run.expect_locales(&bank, options).and_then(|()| finish(&bank, Origin::Unchanged)) {
+            let compiled = match run
+                .expect(&Texts::of_old(&bank, options), options)
+                .and_then(|()| finish(&bank, Origin::Unchanged))
+            {
                 Ok(()) => Compiled { is_unchanged, ..run.finish(Some(bank)) },
                 Err(report) => run.fail(report),
             };

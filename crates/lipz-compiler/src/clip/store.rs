@@ -140,14 +140,17 @@ impl Clips {
             );
         }
         let tags: Vec<Box<str>> = used.into_iter().cloned().collect();
-        for clips in batches {
-            let locales = std::mem::take(&mut clips.locales);
-            // Those that are not used are not asked for.
-            let number = |tag| tags.binary_search(tag).map_or(u32::MAX, |number| number as u32);
-            let numbers: Vec<u32> = locales.tags().iter().map(number).collect();
-            clips.texts.iter_mut().for_each(|text| text.locale = numbers[text.locale as usize]);
-        }
+        batches.iter_mut().for_each(|clips| clips.refer_to(&tags));
         tags
+    }
+
+    /// Has the texts refer to `tags`, which are sorted and have all of their locales.
+    pub(crate) fn refer_to(&mut self, tags: &[Box<str>]) {
+        let locales = std::mem::take(&mut self.locales);
+        // Those that are not used are not asked for.
+        let number = |tag| tags.binary_search(tag).map_or(u32::MAX, |number| number as u32);
+        let numbers: Vec<u32> = locales.tags().iter().map(number).collect();
+        self.texts.iter_mut().for_each(|text| text.locale = numbers[text.locale as usize]);
     }
 }
 

@@ -8,7 +8,10 @@ mod run;
 
 pub use compiled::{CompileError, Compiled, Phases};
 pub(crate) use read::FileReader;
+pub(crate) use requirements::Texts;
 pub(crate) use run::Run;
+#[cfg(feature = "shards")]
+pub(crate) use run::in_file;
 
 use crate::output::replace_file_if;
 use crate::{Input, Options, discover, parallel};
@@ -125,8 +128,16 @@ impl<'p> Compiler<'p> {
         bank: &[u8],
         check: impl FnOnce() -> Result<(), Report> + Send,
     ) -> Result<(), Report> {
-        let written = self.guarded(|| replace_file_if(path, bank, check));
-        written.unwrap_or_else(|| {
+        self.written(path, || replace_file_if(path, bank, check))
+    }
+
+    /// Does a `write` around which the program may do something, and which it must not leave out.
+    pub(crate) fn written<R: Send>(
+        &self,
+        path: &Path,
+        write: impl FnOnce() -> Result<R, Report> + Send,
+    ) -> Result<R, Report> {
+        self.guarded(write).unwrap_or_else(|| {
             let help = "call what `around_writes` is given";
             Err(Report::failure(discover::display(path), Code::OutputFailed, "the bank was not written", help))
         })

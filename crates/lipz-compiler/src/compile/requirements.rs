@@ -1,64 +1,121 @@
-//! What a project asks of the texts of a bank as a whole.
+//! What a project asks of the texts of a bank, or of a set of banks, as a whole.
 
 use crate::check::locales::in_no_list;
 use crate::fallback::script;
-use crate::{MinCoverage, Options, coverage, pseudo, shortfalls};
-use lipz_bank::{Bank, Clip, Locale, Voice};
+use crate::{Coverage, MinCoverage, Options, coverage, pseudo, shortfalls};
+use lipz_bank::{Bank, Clip, Locale};
 use lipz_diagnostics::{Code, Diagnostic, Report};
 use lipz_file::locale;
 use std::collections::BTreeMap;
 
-/// Whether as much is translated as the project asks for.
-pub(super) fn enough_texts(bank: &[u8], options: &Options) -> Result<(), Report> {
-    if options.min_coverage == MinCoverage::default() {
-        return Ok(());
+/// What the texts of a bank, or of all banks of a set, are judged by.
+#[derive(Default)]
+pub(crate) struct Texts {
+    /// The locales, if a bank was looked at.
+    locales: Option<Vec<String>>,
+    /// The voices.
+    voices: Vec<String>,
+    /// Locales that another one of their language has texts for, in another script: both, and how many clips.
+    crossed: Vec<(String, String, usize)>,
+    /// Empty if nothing is asked of it.
+    coverage: Vec<Coverage>,
+}
+
+impl Texts {
+    /// Those of a bank. Nothing is said of a damaged one, which is found by who verifies it.
+    pub(crate) fn of(bank: &[u8], options: &Options) -> Texts {
+        let Ok(bank) = Bank::open(bank) else { return Texts::default() };
+        let asks = options.min_coverage != MinCoverage::default();
+        Texts { coverage: if asks { coverage(&bank) } else { Vec::new() }, ..Texts::without_coverage(&bank, options) }
     }
-    // A damaged bank is found by who verifies it.
-    let Ok(bank) = Bank::open(bank) else { return Ok(()) };
-    let shortfalls = shortfalls(&coverage(&bank), &options.min_coverage);
-    if shortfalls.is_empty() { Ok(()) } else { Err(Report::all_about("", shortfalls)) }
+
+    /// The same for a bank whose coverage was judged before.
+    pub(crate) fn of_old(bank: &[u8], options: &Options) -> Texts {
+        Bank::open(bank).map_or_else(|_| Texts::default(), |bank| Texts::without_coverage(&bank, options))
+    }
+
+    fn without_coverage(bank: &Bank<'_>, options: &Options) -> Texts {
+        Texts {
+            locales: Some(bank.locales().map(|locale| locale.tag().to_owned()).collect()),
+            voices: bank.voices().map(|voice| voice.tag().to_owned()).collect(),
+            crossed: crossed(bank, options),
+            coverage: Vec::new(),
+        }
+    }
+
+    /// Adds those of another bank of the set, which has the same locales.
+    #[cfg(feature = "shards")]
+    pub(crate) fn add(&mut self, other: Texts) {
+        self.locales = self.locales.take().or(other.locales);
+        self.voices = std::mem::take(&mut self.voices).into_iter().chain(other.voices).collect();
+        self.voices.sort_unstable();
+        self.voices.dedup();
+        for (tag, from, count) in other.crossed {
+            match self.crossed.iter_mut().find(|(known, ..)| *known == tag) {
+                Some((.., sum)) => *sum += count,
+                None => self.crossed.push((tag, from, count)),
+            }
+        }
+        if self.coverage.is_empty() {
+            self.coverage = other.coverage;
+            return;
+        }
+        for (sum, of_bank) in std::iter::zip(&mut self.coverage, &other.coverage) {
+            sum.clip_count += of_bank.clip_count;
+            sum.own_count += of_bank.own_count;
+        }
+    }
+
+    /// Whether as much is translated as the project asks for.
+    pub(crate) fn are_enough(&self, options: &Options) -> Result<(), Report> {
+        if options.min_coverage == MinCoverage::default() || self.locales.is_none() {
+            return Ok(());
+        }
+        let shortfalls = shortfalls(&self.coverage, &options.min_coverage);
+        if shortfalls.is_empty() { Ok(()) } else { Err(Report::all_about("", shortfalls)) }
+    }
+
+    /// What the project should know of them, at its levels.
+    pub(crate) fn judged(&self, options: &Options) -> Report {
+        let Some(locales) = &self.locales else { return Report::default() };
+        let mut diagnostics = Vec::new();
+        if let Some(packed) = &options.locales {
+            let is_absent = |tag: &&String| !locales.contains(tag) && !pseudo::is_pseudo(tag);
+            diagnostics.extend(packed.iter().filter(is_absent).map(|tag| without_texts(tag)));
+        }
+        let crossed = self.crossed.iter().filter(|(.., count)| *count > 0);
+        diagnostics.extend(crossed.map(|(tag, other, count)| not_crossed(tag, other, *count)));
+        // The voices of a project that names the locales of its bank may be of others.
+        if options.locales.is_none() && !locales.is_empty() {
+            let is_lonely = |voice: &&String| !locales.contains(voice);
+            diagnostics.extend(self.voices.iter().filter(is_lonely).map(|voice| lonely_voice(voice, locales)));
+        }
+        options.levels.apply(&mut diagnostics);
+        Report::all_about("", diagnostics)
+    }
 }
 
-/// A diagnostic for each locale that the project packs and the bank does not have, at the project's level.
-pub(super) fn locales_without_texts(bank: &[u8], options: &Options) -> Report {
-    let (Some(packed), Ok(bank)) = (&options.locales, Bank::open(bank)) else { return Report::default() };
-    let is_absent = |tag: &&String| bank.locale(tag).is_none() && !pseudo::is_pseudo(tag);
-    let mut diagnostics = packed.iter().filter(is_absent).map(|tag| without_texts(tag)).collect();
-    options.levels.apply(&mut diagnostics);
-    Report::all_about("", diagnostics)
+/// A diagnostic for a voice in whose locale no clip has a text.
+fn lonely_voice(voice: &str, locales: &[String]) -> Diagnostic {
+    let message = format!("the clips have a voice in `{voice}`, but no clip has a text in it");
+    let tags = || locales.iter().map(String::as_str);
+    let near = tags().find(|tag| locale::language(tag) == locale::language(voice));
+    let near = near.or_else(|| lipz_diagnostics::suggest::nearest(voice, tags()));
+    Diagnostic::new(Code::VoiceWithoutLocale, message).help(match near {
+        Some(tag) => format!("did you mean `{tag}`? correct the locale in [voices]"),
+        None => "correct the locale in [voices], or add what is said as texts of this locale".to_owned(),
+    })
 }
 
-/// A diagnostic for each voice of a bank in whose locale no clip has a text, at the project's level. Those of a project
-/// that names the locales of its bank may be of others.
-pub(super) fn voices_without_texts(bank: &[u8], options: &Options) -> Report {
-    let (None, Ok(bank)) = (&options.locales, Bank::open(bank)) else { return Report::default() };
-    let tags: Vec<&str> = bank.locales().map(|locale| locale.tag()).collect();
-    let is_lonely = |voice: &Voice<'_>| !tags.is_empty() && !tags.contains(&voice.tag());
-    let diagnostic = |voice: Voice<'_>| {
-        let message = format!("the clips have a voice in `{}`, but no clip has a text in it", voice.tag());
-        let is_near = |tag: &&str| locale::language(tag) == locale::language(voice.tag());
-        let near = tags.iter().copied().find(is_near);
-        let near = near.or_else(|| lipz_diagnostics::suggest::nearest(voice.tag(), tags.iter().copied()));
-        Diagnostic::new(Code::VoiceWithoutLocale, message).help(match near {
-            Some(tag) => format!("did you mean `{tag}`? correct the locale in [voices]"),
-            None => "correct the locale in [voices], or add what is said as texts of this locale".to_owned(),
-        })
-    };
-    let mut diagnostics = bank.voices().filter(is_lonely).map(diagnostic).collect();
-    options.levels.apply(&mut diagnostics);
-    Report::all_about("", diagnostics)
-}
-
-/// A diagnostic for each locale of a bank whose missing texts another one of the same language has, but in another
-/// script, at the project's level. What the project names, it has decided.
-pub(super) fn scripts_not_crossed(bank: &[u8], options: &Options) -> Report {
-    let Ok(bank) = Bank::open(bank) else { return Report::default() };
+/// The locales of a bank whose missing texts another one of the same language may have, but in another script, with that and
+/// with the number of clips of which this is so. What the project names, it has decided.
+fn crossed(bank: &Bank<'_>, options: &Options) -> Vec<(String, String, usize)> {
     let mut of_language: BTreeMap<&str, Vec<(Locale<'_>, Option<&str>)>> = BTreeMap::new();
     for locale in bank.locales().filter(|locale| !pseudo::is_pseudo(locale.tag())) {
         let (tag, script) = (locale.tag(), script(locale.tag()));
         of_language.entry(locale::language(tag)).or_default().push((locale, script));
     }
-    let mut diagnostics = Vec::new();
+    let mut found = Vec::new();
     for locales in of_language.into_values() {
         let mut scripts: Vec<_> = locales.iter().map(|(_, script)| *script).collect();
         scripts.sort_unstable();
@@ -82,13 +139,11 @@ pub(super) fn scripts_not_crossed(bank: &[u8], options: &Options) -> Report {
                     && others().any(|(other, _)| has_text(clip, *other))
             };
             let count = bank.clips().filter(is_lost).count();
-            if count > 0 {
-                diagnostics.extend(others().next().map(|(other, _)| not_crossed(locale.tag(), other.tag(), count)));
-            }
+            let other = others().next().map(|(other, _)| other.tag().to_owned());
+            found.extend(other.map(|other| (locale.tag().to_owned(), other, count)));
         }
     }
-    options.levels.apply(&mut diagnostics);
-    Report::all_about("", diagnostics)
+    found
 }
 
 fn not_crossed(tag: &str, other: &str, count: usize) -> Diagnostic {

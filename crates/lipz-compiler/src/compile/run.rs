@@ -1,7 +1,8 @@
 //! One run: files are read on all threads, then a bank is made of their clips.
 
 use super::file::Worker;
-use super::{Compiled, Phases, Progress, requirements};
+use super::requirements::Texts;
+use super::{Compiled, Phases, Progress};
 use crate::cache::{Cache, FileStamps};
 #[cfg(feature = "cache")]
 use crate::clip::Clip;
@@ -193,8 +194,9 @@ impl Run {
     ) -> Compiled {
         let start = Instant::now();
         let finished = bank.and_then(|bank| {
-            requirements::enough_texts(&bank, options)?;
-            self.expect_locales(&bank, options)?;
+            let texts = Texts::of(&bank, options);
+            texts.are_enough(options)?;
+            self.expect(&texts, options)?;
             finish(&bank).map(|()| bank)
         });
         self.phases.finish = start.elapsed();
@@ -209,10 +211,8 @@ impl Run {
     ///
     /// # Errors
     /// If they are errors in the project.
-    pub(crate) fn expect_locales(&mut self, bank: &[u8], options: &Options) -> Result<(), Report> {
-        let mut report = requirements::locales_without_texts(bank, options);
-        report.diagnostics.extend(requirements::scripts_not_crossed(bank, options).diagnostics);
-        report.diagnostics.extend(requirements::voices_without_texts(bank, options).diagnostics);
+    pub(crate) fn expect(&mut self, texts: &Texts, options: &Options) -> Result<(), Report> {
+        let report = texts.judged(options);
         if report.has_errors() {
             return Err(report);
         }
@@ -235,7 +235,7 @@ impl Run {
 }
 
 /// The report with the name of the file, where it has the key of a clip for a path.
-fn in_file(mut report: Report, inputs: &[Input]) -> Report {
+pub(crate) fn in_file(mut report: Report, inputs: &[Input]) -> Report {
     if let Some(input) = inputs.iter().find(|input| input.key == report.source.path) {
         report.source.path = input.name();
     }

@@ -30,7 +30,7 @@ impl<'b> Section<'b> {
     /// A section of so many bytes that is copied from the clips.
     pub(crate) fn of_clips(tag: Tag, length: usize) -> Section<'b> {
         let bytes_of = |table: &[(Tag, usize)]| table.iter().find(|(known, _)| *known == tag).map(|(_, bytes)| *bytes);
-        let required = bytes_of(&Tag::REQUIRED);
+        let required = bytes_of(&Tag::REQUIRED).or_else(|| bytes_of(&Tag::SET));
         Section {
             tag,
             length,

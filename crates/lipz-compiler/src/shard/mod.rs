@@ -1,22 +1,30 @@
 //! Packing on several machines: a plan, an object for each of its shards, and the bank that they are linked to.
 //!
-//! A shard has the clips whose ids lie in its part of all ids, so that a clip stays in its shard when others come and
-//! go. Each step is a function of files that the plan names with the hashes of their contents.
+//! A shard has the lines whose ids lie in its part of all ids, so that a clip stays in its shard when others come and
+//! go, and is in one with its dubs. Each step is a function of files that the plan names with the hashes of their contents.
 
 mod changed;
 mod export;
 mod hash;
 mod link;
+mod linked_object;
+mod misfits;
 mod object;
 mod plan;
 mod reading;
+mod set;
+mod set_files;
 mod wire;
 
 pub use hash::ContentHash;
-pub use link::{Link, LinkedObject};
+pub use link::Link;
+pub use linked_object::LinkedObject;
 pub use object::Shard;
 pub use plan::{Common, Plan, PlannedFile, PlannedShard, ShardPlan, plan};
+pub use set::LinkedSet;
+pub use set_files::SetFiles;
 
+use crate::Voices;
 use lipz_bank::ClipId;
 use std::num::NonZero;
 
@@ -26,7 +34,24 @@ pub const MAX_SHARDS: u16 = 4096;
 /// What the names of objects end with, behind a dot.
 pub const OBJECT_EXTENSION: &str = "lipzobj";
 
-/// The shard of so many to which a clip belongs: the top bits of its id, for numbers that are no power of two in proportion.
+/// What the names of indices of sets end with, behind a dot.
+pub const SET_EXTENSION: &str = "lipzset";
+
+/// The shard of so many to which the clip with this key belongs: that of the [id](shard_of) of its line, so that dubs are in one
+/// shard with their original. The line of a clip that is neither is its key.
+///
+/// ```
+/// use lipz_compiler::Voices;
+/// use lipz_compiler::shard::shard_of_key;
+/// let many = std::num::NonZero::new(4096).unwrap();
+/// let voices = Voices::new("en-us").dub("de-de", "de/{key}");
+/// assert_eq!(shard_of_key("de/act1/hello", &voices, many), shard_of_key("act1/hello", &voices, many));
+/// ```
+pub fn shard_of_key(key: &str, voices: &Voices, shards: NonZero<u16>) -> u16 {
+    shard_of(ClipId::from_key(voices.line_of(key)), shards)
+}
+
+/// The shard of so many to which an id belongs: its top bits, for numbers that are no power of two in proportion.
 ///
 /// ```
 /// use lipz_bank::ClipId;

@@ -3,7 +3,7 @@
 use super::hash::Fields;
 use super::{ContentHash, OBJECT_EXTENSION, shard_of};
 use crate::discover::display;
-use crate::{Content, Input, parallel};
+use crate::{Content, Input, Voices, parallel};
 use lipz_bank::ClipId;
 use lipz_diagnostics::{Code, Diagnostic, Report};
 use serde::{Deserialize, Serialize};
@@ -94,6 +94,9 @@ pub struct PlannedFile {
 #[serde(deny_unknown_fields)]
 pub(super) struct PlannedInput {
     pub(super) key: String,
+    /// What is said in the clip, if that is not its key: the shard is that of its line.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub(super) line: Option<String>,
     pub(super) path: String,
     pub(super) hash: ContentHash,
     #[serde(skip_serializing_if = "Option::is_none", default)]
@@ -107,6 +110,8 @@ pub struct Common<'p> {
     pub settings: Option<&'p Path>,
     /// What all shards read beside it.
     pub files: &'p [PathBuf],
+    /// The voices of the project: a dub is in one shard with its original.
+    pub voices: &'p Voices,
 }
 
 /// Plans the packing of `inputs` in so many shards. `recording` finds what is read of a clip beside its Lipz file.
@@ -122,14 +127,15 @@ pub fn plan(
     let mut faults = Vec::new();
     let mut file = |path: &Path| PlannedFile::read(path).map_err(|report| faults.push(report)).ok();
     let settings = common.settings.and_then(&mut file);
+    let voices = common.voices;
     let common: Vec<PlannedFile> = common.files.iter().filter_map(|path| file(path)).collect();
     let read: Vec<Result<PlannedInput, Report>> = parallel::in_pool(None, || {
-        parallel::map_init(inputs, || (), |(), input: &Input| PlannedInput::read(input, &recording))
+        parallel::map_init(inputs, || (), |(), input: &Input| PlannedInput::read(input, voices, &recording))
     });
     let mut of_shards: Vec<Vec<PlannedInput>> = vec![Vec::new(); usize::from(shards.get())];
     for input in read {
         match input {
-            Ok(input) => of_shards[usize::from(shard_of(ClipId::from_key(&input.key), shards))].push(input),
+            Ok(input) => of_shards[usize::from(input.shard(shards))].push(input),
             Err(report) => faults.push(report),
         }
     }
@@ -212,6 +218,7 @@ impl ShardPlan {
         files.for_each(|file| file.add_to(&mut fields));
         for input in &self.inputs {
             fields.add(&input.key);
+            fields.add(input.line());
             fields.add(&input.path);
             fields.add(input.hash);
             fields.add(input.recording.is_some());
@@ -263,14 +270,28 @@ impl PlannedFile {
 }
 
 impl PlannedInput {
-    fn read(input: &Input, recording: &impl Fn(&str) -> Option<PathBuf>) -> Result<PlannedInput, Report> {
+    fn read(
+        input: &Input,
+        voices: &Voices,
+        recording: &impl Fn(&str) -> Option<PathBuf>,
+    ) -> Result<PlannedInput, Report> {
         let Content::File(path) = &input.content else {
             let message = "a plan is about files: what is in memory is not there on another machine";
             return Err(Report::failure(input.name(), Code::UnreadableFile, message, "name files and folders"));
         };
         let PlannedFile { path, hash } = PlannedFile::read(path)?;
         let recording = recording(&input.key).map(|path| PlannedFile::read(&path)).transpose()?;
-        Ok(PlannedInput { key: input.key.clone(), path, hash, recording })
+        let line = Some(voices.line_of(&input.key)).filter(|line| *line != input.key).map(str::to_owned);
+        Ok(PlannedInput { key: input.key.clone(), line, path, hash, recording })
+    }
+
+    fn line(&self) -> &str {
+        self.line.as_ref().unwrap_or(&self.key)
+    }
+
+    /// The shard to which the clip belongs.
+    pub(super) fn shard(&self, shards: NonZero<u16>) -> u16 {
+        shard_of(ClipId::from_key(self.line()), shards)
     }
 }
 

@@ -1,9 +1,8 @@
 //! Plans, read and checked: everything that a step relies on.
 
 use super::plan::{FORMAT, MAKER, SHARD_FORMAT, VERSION};
-use super::{MAX_SHARDS, Plan, PlannedShard, ShardPlan, shard_of};
+use super::{MAX_SHARDS, Plan, PlannedShard, ShardPlan};
 use crate::discover::display;
-use lipz_bank::ClipId;
 use lipz_diagnostics::{Code, Diagnostic, Report, Span, escape};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
@@ -101,9 +100,8 @@ impl ShardPlan {
         if let Some([_, next]) = self.inputs.array_windows().find(|[one, next]| one.key >= next.key) {
             return Some((quoted(&next.key), "the inputs are not in the order of their keys, each once".to_owned()));
         }
-        let is_elsewhere = |key: &str| shard_of(ClipId::from_key(key), count) != self.shard;
-        if let Some(input) = self.inputs.iter().find(|input| is_elsewhere(&input.key)) {
-            let (key, right) = (escape::text(&input.key), shard_of(ClipId::from_key(&input.key), count));
+        if let Some(input) = self.inputs.iter().find(|input| input.shard(count) != self.shard) {
+            let (key, right) = (escape::text(&input.key), input.shard(count));
             return Some((
                 quoted(&input.key),
                 format!("the clip `{key}` belongs to shard {right}, not {}", self.shard),
@@ -181,7 +179,7 @@ fn quoted(text: &str) -> String {
 mod tests {
     use super::super::plan::{Common, plan};
     use super::*;
-    use crate::discover;
+    use crate::{Voices, discover};
 
     fn plans() -> (Plan, Vec<ShardPlan>) {
         let folder = tempfile::tempdir().unwrap();
@@ -189,7 +187,8 @@ mod tests {
             std::fs::write(folder.path().join(name).with_extension("lipz"), "{}").unwrap();
         }
         let (inputs, _) = discover(&[folder.path().into()], None);
-        let common = Common { settings: None, files: &[] };
+        let voices = Voices::default();
+        let common = Common { settings: None, files: &[], voices: &voices };
         let shards = plan(&inputs, NonZero::new(2).unwrap(), common, |_| None).unwrap();
         (Plan::new(&shards, "p", Path::new("d.lipzbank"), vec!["x".to_owned()]).unwrap(), shards)
     }

@@ -2,6 +2,9 @@
 #![allow(dead_code, reason = "each test program uses a part of this")]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
 
+#[cfg(feature = "shards")]
+pub(crate) mod shards;
+
 use lipz_compiler::{Content, discover};
 use std::path::{Path, PathBuf};
 

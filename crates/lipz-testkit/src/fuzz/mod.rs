@@ -12,6 +12,7 @@ mod layers;
 mod learnt;
 mod round_trip;
 mod second_life;
+mod set;
 mod sound;
 mod texts;
 
@@ -23,6 +24,7 @@ pub use layers::layers;
 pub use learnt::{recogniser, trained_model};
 pub use round_trip::round_trip;
 pub use second_life::second_life;
+pub use set::set;
 pub use sound::{sound, sync_record};
 pub use texts::{text_record, texts};
 
@@ -42,11 +44,12 @@ const QUICK: u64 = 2_000;
 const SLOW: u64 = 100;
 
 /// All fuzz targets.
-pub const TARGETS: [Target; 15] = [
+pub const TARGETS: [Target; 16] = [
     Target { name: "bank", check: bank, copies: QUICK },
     Target { name: "text_bank", check: text_bank, copies: QUICK },
     Target { name: "forged_bank", check: forged_bank, copies: QUICK },
     Target { name: "layers", check: layers, copies: QUICK },
+    Target { name: "set", check: set, copies: QUICK },
     Target { name: "parse", check: parse, copies: QUICK },
     Target { name: "foreign", check: foreign, copies: QUICK },
     Target { name: "second_life", check: second_life, copies: QUICK },

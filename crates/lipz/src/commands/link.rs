@@ -1,4 +1,4 @@
-//! `lipz link`: one bank of the objects of all shards.
+//! `lipz link`: one bank, or a set of banks, of the objects of all shards.
 
 use crate::commands::Run;
 use crate::reporter::{Abort, Ended, Reporter};
@@ -6,25 +6,29 @@ use crate::shared::{output_file, patterns, stdio};
 use crate::{Outcome, console, interrupt};
 use clap::Args;
 use lipz_compiler::settings::Settings;
-use lipz_compiler::shard::Link;
+use lipz_compiler::shard::{Link, LinkedSet, SET_EXTENSION};
 use lipz_compiler::{Compiler, Outputs, Replace};
 use std::path::{Path, PathBuf};
 
-/// Link the objects of all shards to one bank.
+/// Link the objects of all shards to one bank, or to a set of banks.
 ///
 /// The bank is the one that `lipz pack` makes of all sources, byte for byte. What concerns several clips is decided here:
 /// fallback, dubs, keys that clash, coverage. The settings are in the objects.
+///
+/// A set is for dialogue that does not fit the 4 GiB of a bank: `-o dialogue.lipzset` writes a bank for each shard, and last
+/// of all this index, which names them. A set answers what one bank would.
 #[derive(Args, Debug)]
 #[command(override_usage = "lipz link <OBJECT>... --output <BANK> [OPTIONS]")]
 #[command(after_help = "Examples:
   lipz link *.lipzobj -o dialogue.lipzbank
-  lipz link 0-of-2.lipzobj 1-of-2.lipzobj -o dialogue.lipzbank")]
+  lipz link 0-of-2.lipzobj 1-of-2.lipzobj -o dialogue.lipzbank
+  lipz link *.lipzobj -o dialogue.lipzset")]
 pub(crate) struct LinkArguments {
     /// The objects of all shards, in any order
     #[arg(value_name = "OBJECT", required = true, num_args = 1..)]
     objects: Vec<PathBuf>,
 
-    /// The bank to write
+    /// The bank to write, or the index of a set, whose name ends with .lipzset
     #[arg(short, long, value_name = "BANK")]
     output: PathBuf,
 
@@ -58,11 +62,20 @@ impl Run for LinkArguments {
         let settings = settings(&link, reporter)?;
         let mut options = settings.options.clone().voices(settings.voices());
         options.threads = self.threads.map(usize::from);
+        if self.is_set() && settings.split_locales {
+            let tip = "link it to one bank, or take `split-locales` out of lipz.toml and plan it again";
+            return Err(reporter.usage("the banks of a set are not split by locale", tip));
+        }
         let bar = console::progress_bar(link.clip_count(), self.quiet);
         let compiler = Compiler::new(options).around_writes(|write| interrupt::whole(write)).progress(|clips| {
             bar.inc(clips);
             interrupt::point();
         });
+        if self.is_set() {
+            let linked = compiler.link_to_set(&link, &self.output);
+            bar.finish_and_clear();
+            return self.finish_set(linked, link.clip_count(), reporter);
+        }
         let linked = match settings.split_locales {
             true => compiler.link_to_bank(&link),
             false => compiler.link(&link, &self.output),
@@ -81,6 +94,26 @@ impl Run for LinkArguments {
                 (console::counted(objects.len(), "object"), console::counted(link.clip_count(), "clip"));
             let (path, bytes) = (console::path(&self.output), console::grouped(bank.len()));
             reporter.summary(&format!("{objects} linked into {path} ({clips}, {bytes} bytes)\n"))?;
+        }
+        Ok(outcome)
+    }
+}
+
+impl LinkArguments {
+    /// Whether the output is the index of a set.
+    fn is_set(&self) -> bool {
+        self.output.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(SET_EXTENSION))
+    }
+
+    fn finish_set(&self, linked: LinkedSet, clips: usize, reporter: &mut Reporter) -> Ended {
+        let outcome = Outcome::from_reports(&linked.reports);
+        let Some(files) = linked.files else { return Err(reporter.abort(linked.reports, outcome)) };
+        reporter.add(linked.reports);
+        if !self.quiet {
+            let (banks, clips) = (console::counted(files.banks.len(), "bank"), console::counted(clips, "clip"));
+            let bytes: usize = files.banks.iter().chain([&files.index]).map(|file| file.length_bytes).sum();
+            let (path, bytes) = (console::path(&self.output), console::grouped(bytes));
+            reporter.summary(&format!("{banks} linked into the set {path} ({clips}, {bytes} bytes)\n"))?;
         }
         Ok(outcome)
     }

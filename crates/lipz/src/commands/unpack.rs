@@ -5,6 +5,7 @@ use crate::commands::Run;
 use crate::interrupt::Files;
 use crate::reporter::Reporter;
 use crate::shared::bank_file::BankFile;
+use crate::shared::set_file::SetFile;
 use crate::shared::text_banks::{TextBanks, TextFiles};
 use crate::{Outcome, console, interrupt};
 use clap::Args;
@@ -20,9 +21,10 @@ use std::path::PathBuf;
 #[command(override_usage = "lipz unpack <BANK> --output <FOLDER> [OPTIONS]")]
 #[command(after_help = "Examples:
   lipz unpack dialogue.lipzbank -o voices
+  lipz unpack dialogue.lipzset -o voices
   lipz unpack dialogue.lipzbank --texts dialogue.*.lipztexts -o voices")]
 pub(crate) struct Unpack {
-    /// The bank to read; `-` reads it from standard input
+    /// The bank to read, or a set by its index; `-` reads a bank from standard input
     #[arg(value_name = "BANK")]
     pub(crate) bank: PathBuf,
 
@@ -48,7 +50,22 @@ impl Run for Unpack {
     }
 
     fn run(&self, reporter: &mut Reporter) -> Ended {
-        let file = BankFile::open(&self.bank, reporter)?;
+        let Some(set) = SetFile::open(&self.bank, reporter)? else {
+            return self.bank(&BankFile::open(&self.bank, reporter)?, reporter);
+        };
+        if !self.texts.texts.is_empty() {
+            return Err(reporter.usage("text banks belong to one bank", "name the bank of the set that they belong to"));
+        }
+        // One bank is in memory at a time. Another one has other clips, and so other files.
+        for number in 0..set.index(reporter)?.bank_count() {
+            self.bank(&set.bank(number, reporter)?, reporter)?;
+        }
+        Ok(Outcome::Clean)
+    }
+}
+
+impl Unpack {
+    fn bank(&self, file: &BankFile, reporter: &mut Reporter) -> Ended {
         let bank = file.bank(reporter)?;
         let text_files = TextFiles::open(&self.texts.texts, reporter)?;
         let texts = text_files.verified(&bank, reporter)?;

@@ -6,23 +6,25 @@ use crate::commands::Run;
 use crate::reporter::Reporter;
 use crate::shared::bank_file::BankFile;
 use crate::shared::patterns;
+use crate::shared::set_file::SetFile;
 use crate::shared::text_banks::TextBanks;
 use crate::{Outcome, console};
 use clap::Args;
-use lipz_bank::Bank;
+use lipz_bank::{Bank, BankSetError};
 use lipz_diagnostics::escape;
 use std::path::{Path, PathBuf};
 
 /// Check every byte and every reference of banks.
 ///
-/// Text banks are checked against the bank that they belong to.
+/// Text banks are checked against the bank that they belong to. Of a set, name the index: all of its banks are checked, too.
 #[derive(Args, Debug)]
 #[command(override_usage = "lipz verify <BANK>... [OPTIONS]")]
 #[command(after_help = "Examples:
   lipz verify dialogue.lipzbank
+  lipz verify dialogue.lipzset
   lipz verify dialogue.lipzbank --texts dialogue.*.lipztexts")]
 pub(crate) struct Verify {
-    /// The banks to check; `-` reads one from standard input
+    /// The banks to check, or sets by their index; `-` reads one from standard input
     #[arg(value_name = "BANK", required = true)]
     pub(crate) banks: Vec<PathBuf>,
 
@@ -52,6 +54,9 @@ impl Run for Verify {
 }
 
 fn verify(path: &Path, arguments: &Verify, reporter: &mut Reporter) -> Ended {
+    if let Some(set) = SetFile::open(path, reporter)? {
+        return verify_set(&set, arguments, reporter);
+    }
     let file = BankFile::open(path, reporter)?;
     let bank = file.bank(reporter)?;
     let clips = console::counted(bank.clip_count(), "clip");
@@ -59,6 +64,27 @@ fn verify(path: &Path, arguments: &Verify, reporter: &mut Reporter) -> Ended {
     let texts = patterns::files(&arguments.texts.texts);
     let texts = texts.iter().map(|path| verify_texts(path, &bank, arguments, reporter));
     Ok(worst(texts))
+}
+
+/// Verifies the banks of a set one at a time, and that each clip is in the bank where it is looked for.
+fn verify_set(set: &SetFile, arguments: &Verify, reporter: &mut Reporter) -> Ended {
+    if !arguments.texts.texts.is_empty() {
+        return Err(reporter.usage("text banks belong to one bank", "name the bank of the set that they belong to"));
+    }
+    let index = set.index(reporter)?;
+    let mut length_bytes = index.length_bytes();
+    for number in 0..index.bank_count() {
+        let file = set.bank(number, reporter)?;
+        let bank = file.bank(reporter)?;
+        if bank.clips().any(|clip| index.bank_of(clip.id()) != number) {
+            return Err(set.refuse(BankSetError::OtherShard { bank: number }, reporter));
+        }
+        length_bytes += bank.length_bytes();
+    }
+    let clips = console::counted(usize::try_from(index.clip_count()).unwrap_or(usize::MAX), "clip");
+    let banks = console::counted(index.bank_count(), "bank");
+    print_verified(set.name(), &format!("{banks}, {clips}"), length_bytes, arguments, reporter)?;
+    Ok(Outcome::Clean)
 }
 
 fn verify_texts(path: &Path, bank: &Bank<'_>, arguments: &Verify, reporter: &mut Reporter) -> Ended {

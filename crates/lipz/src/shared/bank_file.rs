@@ -7,7 +7,7 @@ use crate::shared::{stack, stdio};
 use lipz_bank::{Bank, Error, ErrorKind, TextBank};
 use lipz_diagnostics::{Code, Diagnostic, Report};
 use lipz_host::FileBytes;
-use lipz_layout::{FORMAT_MAJOR, FORMAT_MINOR, Header, MAGIC};
+use lipz_layout::{FORMAT_MAJOR, FORMAT_MINOR, Header, MAGIC, SET_MAGIC};
 use std::io;
 use std::mem::offset_of;
 use std::path::Path;
@@ -16,6 +16,9 @@ use std::path::Path;
 const LONGEST_BANK: u64 = u32::MAX as u64;
 
 const NAME_A_BANK: &str = "name a .lipzbank file; `lipz pack` packs one from Lipz files";
+
+const NAME_ONE_OF_SET: &str =
+    "it is the index of a set of banks, which `lipz verify`, `inspect` and `unpack` read; name one of its banks";
 
 /// The bytes of a bank, and how messages name it.
 pub(crate) struct BankFile {
@@ -99,7 +102,7 @@ fn unreadable(shown: &str, error: &io::Error) -> Diagnostic {
 }
 
 /// The diagnostic for a file that does not open or verify as a bank.
-fn refused(code: Code, error: Error, bytes: &[u8]) -> Diagnostic {
+pub(crate) fn refused(code: Code, error: Error, bytes: &[u8]) -> Diagnostic {
     let kind = error.kind();
     let place = format!("bank error {}, at byte {} of {}", kind as u8, error.offset_bytes(), bytes.len());
     let diagnostic = Diagnostic::new(code, kind.message()).note(place);
@@ -109,6 +112,7 @@ fn refused(code: Code, error: Error, bytes: &[u8]) -> Diagnostic {
             .note(format!("the bank has {}, this lipz reads {FORMAT_MAJOR}.{FORMAT_MINOR}", version(bytes)))
             .help(update),
         ErrorKind::SectionUnknown => diagnostic.help(update),
+        ErrorKind::NotABank if bytes.starts_with(&SET_MAGIC) => diagnostic.help(NAME_ONE_OF_SET),
         ErrorKind::NotABank => diagnostic.help(NAME_A_BANK),
         ErrorKind::TooShort if !bytes.starts_with(&MAGIC) => diagnostic.help(NAME_A_BANK),
         ErrorKind::TextsOnly => diagnostic.help("name the bank that it belongs to, and this file with --texts"),

@@ -78,6 +78,11 @@ impl Dialogue {
         }
     }
 
+    /// The path of the bank, if it is one.
+    pub(crate) fn bank_path(&self) -> Option<&Path> {
+        self.bank.as_deref().filter(|_| self.is_bank())
+    }
+
     /// Whether it is a bank, and not Lipz files.
     pub(crate) fn is_bank(&self) -> bool {
         self.bank.as_ref().is_some_and(|bank| !names_lipz_files(bank))

@@ -14,6 +14,7 @@ pub(crate) mod patterns;
 pub(crate) mod project_flags;
 pub(crate) mod rewriting;
 pub(crate) mod script_file;
+pub(crate) mod set_file;
 pub(crate) mod settings_file;
 pub(crate) mod sources;
 pub(crate) mod stack;

@@ -79,7 +79,7 @@ impl Run for PlanArguments {
         let (recordings, unread) = Recordings::discover(settings);
         reporter.add(unread);
         let recording = |key: &str| recordings.find(key).map(Path::to_owned);
-        let common = Common { settings: file, files: &common(settings) };
+        let common = Common { settings: file, files: &common(settings), voices: &settings.voices() };
         let shards = shard::plan(&found, count, common, recording);
         let shards = shards.map_err(|reports| reporter.abort(reports, Outcome::Failed))?;
         let folder = self.folder(reporter)?;

@@ -1,5 +1,7 @@
 //! `lipz inspect`: what is in a bank, or in the Lipz files that one is made of.
 
+mod set;
+
 use crate::Abort;
 use crate::Ended;
 use crate::commands::Run;
@@ -7,9 +9,10 @@ use crate::reporter::Reporter;
 use crate::shared::bank_file::BankFile;
 use crate::shared::bank_or_sources::Dialogue;
 use crate::shared::locales::choose;
+use crate::shared::set_file::SetFile;
 use crate::{Outcome, console};
 use clap::Args;
-use lipz_bank::{Bank, Locale};
+use lipz_bank::{Bank, ClipId, Locale};
 use lipz_compiler::inspect::{BankSummary, ClipDetails, ClipSummary, LayerSummary, Timeline};
 use lipz_compiler::{BankWithTexts, MinCoverage, face};
 use lipz_diagnostics::{Code, Report, escape, suggest};
@@ -28,6 +31,7 @@ use unicode_width::UnicodeWidthStr;
   lipz inspect voices act1/mara-hello --locale de-de
   lipz inspect dialogue.lipzbank
   lipz inspect dialogue.lipzbank --list act1/
+  lipz inspect dialogue.lipzset
   lipz inspect dialogue.lipzbank act1/mara-hello --locale de-de
   lipz inspect dialogue.lipzbank act1/mara-hello --json
   lipz inspect dialogue.lipzbank act1/mara-hello --texts dialogue.de-de.lipztexts")]
@@ -58,7 +62,13 @@ impl Run for Inspect {
     }
 
     fn run(&self, reporter: &mut Reporter) -> Ended {
-        let file = self.bank(reporter)?;
+        let file = match self.set(reporter)? {
+            None => self.bank(reporter)?,
+            Some(set) => match &self.key {
+                Some(key) => set.bank(set.index(reporter)?.bank_of(ClipId::from_key(key)), reporter)?,
+                None => return set::inspect(&set, self.list.as_deref(), self.json, reporter),
+            },
+        };
         let bank = file.bank(reporter)?;
         let text_files = self.dialogue.text_files(reporter)?;
         let texts = text_files.verified(&bank, reporter)?;
@@ -80,6 +90,14 @@ impl Run for Inspect {
 }
 
 impl Inspect {
+    /// The set that is named, if it is one.
+    fn set(&self, reporter: &mut Reporter) -> Result<Option<SetFile>, Abort> {
+        match self.dialogue.bank_path() {
+            Some(path) => SetFile::open(path, reporter),
+            None => Ok(None),
+        }
+    }
+
     /// The bank. Who looks at clips has not translated all of them yet.
     fn bank(&self, reporter: &mut Reporter) -> Result<BankFile, Abort> {
         if self.dialogue.is_bank() {

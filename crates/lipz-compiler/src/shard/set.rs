@@ -1,0 +1,182 @@
+//! Linking to a set: the objects of all shards become a bank each, in which all is decided as in one bank of all.
+//!
+//! What clips of several lines decide together is little: which locales there are, coverage, keys that clash. All else is
+//! decided in a line, and the clips of a line are in one shard. So one shard after the other is in memory, and of the others
+//! only keys.
+
+use super::Link;
+use super::linked_object::{Found, LinkedObject};
+use super::set_files::{SetFiles, SetPart, SetPlace};
+use super::shard_of;
+use crate::clip::Clips;
+use crate::compile::{Texts, in_file, verify};
+use crate::discover::display;
+use crate::dubs::{self, Dubs, KeptDubs};
+use crate::lower::{Beside, Layout};
+use crate::{Compiler, Input, Options, key, localise, parallel};
+use lipz_bank::ClipId;
+use lipz_diagnostics::{Code, Report, reports};
+use std::collections::BTreeSet;
+use std::num::NonZero;
+use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// The result of linking to a set.
+#[derive(Clone, Debug, Default)]
+#[non_exhaustive]
+pub struct LinkedSet {
+    /// The files; `None` if there are errors.
+    pub files: Option<SetFiles>,
+    /// All diagnostics, sorted by file and place.
+    pub reports: Vec<Report>,
+}
+
+/// What became of an object.
+struct Part {
+    inputs: Vec<Input>,
+    reports: Vec<Report>,
+    texts: Texts,
+    /// `None` if there are errors.
+    bank: Option<SetPart>,
+}
+
+impl Compiler<'_> {
+    /// Links the objects of all shards to a set: a bank for each beside the index at `path`, which is written last, so that
+    /// the old set or the new one is there, whole. Diagnostics are those of [`link`](Compiler::link), and so is what the set
+    /// answers. Each thread has the clips of one shard in memory at a time.
+    pub fn link_to_set(&self, link: &Link, path: &Path) -> LinkedSet {
+        let options = match self.options.canonical() {
+            Ok(options) => options,
+            Err(report) => return LinkedSet { reports: vec![report], ..LinkedSet::default() },
+        };
+        let shards = link.objects.len() as u16;
+        let place = link.with_options(&options).and_then(|()| SetPlace::new(path, shards));
+        let linked = place.map(|place| parallel::in_pool(options.threads, || self.set(link, &place, &options)));
+        linked.unwrap_or_else(|report| LinkedSet { reports: vec![report], ..LinkedSet::default() })
+    }
+
+    fn set(&self, link: &Link, place: &SetPlace<'_>, options: &Options) -> LinkedSet {
+        let (parts, mut reports) = self.parts(link, place, options);
+        let (mut inputs, mut banks, mut texts) = (Vec::new(), Vec::new(), Texts::default());
+        for part in parts {
+            inputs.extend(part.inputs);
+            reports.extend(part.reports);
+            texts.add(part.texts);
+            banks.extend(part.bank);
+        }
+        inputs.sort_by_cached_key(Input::name);
+        let mut of_keys = Vec::new();
+        key::check(&inputs, &mut of_keys);
+        of_keys.iter_mut().for_each(|report| options.apply_levels(report));
+        reports.splice(..0, of_keys);
+        let mut finished = Ok(None);
+        if !reports::have_errors(&reports) {
+            finished = texts.are_enough(options).and_then(|()| {
+                reports.push(texts.judged(options));
+                if reports::have_errors(&reports) {
+                    return Ok(None);
+                }
+                let moved = moved(&inputs, options, banks.len() as u16)?;
+                self.written(place.index, || place.finish(banks.clone(), &moved)).map(Some)
+            });
+        }
+        let files = finished.unwrap_or_else(|report| {
+            reports.push(report);
+            None
+        });
+        if files.is_none() {
+            banks.iter().for_each(SetPart::withdraw);
+        }
+        reports::sort(&mut reports);
+        LinkedSet { files, reports }
+    }
+
+    /// What becomes of each object, in the order of the shards, and what is wrong with them.
+    fn parts(&self, link: &Link, place: &SetPlace<'_>, options: &Options) -> (Vec<Part>, Vec<Report>) {
+        // All banks have the locales of all.
+        let tags: BTreeSet<&str> =
+            link.objects.iter().flat_map(|object| &object.export.locales).map(String::as_str).collect();
+        let tags: Vec<Box<str>> = tags.into_iter().map(Box::from).collect();
+        let next = AtomicUsize::new(0);
+        let workers = parallel::workers(options.threads, || {
+            let mut done = Vec::new();
+            while let Some(object) = link.objects.get(next.fetch_add(1, Ordering::Relaxed)) {
+                done.push((object.export.shard, self.part(object, place, &tags, options)));
+                (self.progress)(object.export.names.len() as u64);
+            }
+            done
+        });
+        let mut done: Vec<_> = workers.into_iter().flatten().collect();
+        done.sort_by_key(|(shard, _)| *shard);
+        let (mut parts, mut faults) = (Vec::new(), Vec::new());
+        for (_, part) in done {
+            match part {
+                Ok(part) => parts.push(part),
+                Err(report) => faults.push(report),
+            }
+        }
+        (parts, faults)
+    }
+
+    /// Makes the bank of an object, whose locales are `tags`, and writes it.
+    fn part(
+        &self,
+        object: &LinkedObject,
+        place: &SetPlace<'_>,
+        tags: &[Box<str>],
+        options: &Options,
+    ) -> Result<Part, Report> {
+        let found = object.read(&options.voices)?;
+        let inputs: Vec<Input> = object.inputs(&found).collect();
+        let mut reports = object.reports()?;
+        let Found { clips, recordings } = found;
+        let options = Options { recordings, ..options.clone() };
+        let batches = vec![clips];
+        let of_dubs = dubs::compare(&batches, &inputs, &options, &KeptDubs::default());
+        reports.extend(of_dubs.into_iter().map(|(_, report)| report));
+        let mut part = Part { inputs, reports, texts: Texts::default(), bank: None };
+        if reports::have_errors(&part.reports) {
+            return Ok(part);
+        }
+        let bytes = bank(batches, tags, &options).map_err(|report| in_file(report, &part.inputs))?;
+        verify(&bytes)?;
+        part.texts = Texts::of(&bytes, &options);
+        let written = self.written(place.index, || place.write(object.export.shard, &bytes))?;
+        Ok(Part { bank: Some(written), ..part })
+    }
+}
+
+/// The bank of the clips of a shard.
+fn bank(mut batches: Vec<Clips>, tags: &[Box<str>], options: &Options) -> Result<Vec<u8>, Report> {
+    batches.iter_mut().for_each(|clips| clips.refer_to(tags));
+    let clips = Clips::by_key(&batches);
+    let dubs = Dubs::find(&clips, options, &KeptDubs::default());
+    let localised = localise::localise(&clips, tags, &dubs, options);
+    let layout = Layout::new(&clips, &localised, &dubs, Beside::of(options))?;
+    drop((clips, localised, dubs));
+    layout.fill(batches)
+}
+
+/// The clips that are in another bank than that of their id: dubs are in the one of their line.
+fn moved(inputs: &[Input], options: &Options, shards: u16) -> Result<Vec<(u64, u16)>, Report> {
+    let Some(shards) = NonZero::new(shards) else { return Ok(Vec::new()) };
+    let mut all: Vec<(u64, u16, &Input)> = inputs
+        .iter()
+        .map(|input| {
+            let home = super::shard_of_key(&input.key, &options.voices, shards);
+            (ClipId::from_key(&input.key).get(), home, input)
+        })
+        .collect();
+    all.sort_unstable_by_key(|(id, ..)| *id);
+    if let Some([(id, _, one), (_, _, next)]) = all.array_windows().find(|[(one, ..), (next, ..)]| one == next) {
+        let message = format!("the keys `{}` and `{}` have the same clip id, {id:016x}", one.key, next.key);
+        return Err(Report::failure(
+            display(Path::new(&next.name())),
+            Code::IdCollision,
+            message,
+            "rename one of the two",
+        ));
+    }
+    let is_moved = |(id, home, _): &(u64, u16, &Input)| shard_of(ClipId::from_u64(*id), shards) != *home;
+    Ok(all.into_iter().filter(is_moved).map(|(id, home, _)| (id, home)).collect())
+}

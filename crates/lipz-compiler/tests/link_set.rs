@@ -1,0 +1,207 @@
+//! A set that objects are linked to answers every question as the one bank does that they are linked to otherwise.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
+#![cfg(feature = "shards")]
+
+mod support;
+
+use lipz_bank::{Bank, BankSet, Clip, Locale, SetIndex, Spoken, Voice};
+use lipz_compiler::shard::{Link, LinkedSet};
+use lipz_compiler::{Compiler, Input, Options, Voices, coverage};
+use lipz_testkit::stacked::every_set_query;
+use proptest::prelude::*;
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use support::shards::{objects, project};
+
+/// The names of the files in a folder.
+fn names(folder: &Path) -> BTreeSet<String> {
+    fs::read_dir(folder).unwrap().map(|file| file.unwrap().file_name().into_string().unwrap()).collect()
+}
+
+fn linked(compiler: &Compiler<'_>, inputs: &[Input], shards: u16, turn: usize, index: &Path) -> LinkedSet {
+    let folder = tempfile::tempdir().unwrap();
+    let mut paths = objects(compiler, inputs, shards, folder.path());
+    let turn = turn % paths.len();
+    paths.rotate_left(turn);
+    compiler.link_to_set(&Link::open(&paths).unwrap(), index)
+}
+
+/// Index and banks of the set at this path, as a program reads them.
+fn read(index: &Path) -> (Vec<u8>, Vec<Vec<u8>>) {
+    let bytes = fs::read(index).unwrap();
+    let banks = SetIndex::open(&bytes).unwrap().verify().unwrap();
+    let banks = banks.banks().map(|bank| fs::read(index.with_file_name(bank.file_name)).unwrap()).collect();
+    (bytes, banks)
+}
+
+/// All that a clip says: also what stands in for texts, and for mouths in other voices.
+fn said(clip: &Clip<'_, '_>, locales: &[Option<Locale<'_>>], voices: &[Option<Voice<'_>>]) -> Vec<String> {
+    let mut lines = vec![format!("{} {} {:?} {:?}", clip.key(), clip.id(), clip.fps(), clip.viseme_type())];
+    lines.push(format!("{:?} {:?} {:?}", clip.frames(), clip.duration_us(), clip.recording()));
+    for segment in clip.segments() {
+        let events: Vec<String> = segment.events().map(|event| event.to_string()).collect();
+        lines.push(format!("{} {} {events:?}", segment.start_frame(), segment.end_frame()));
+        for locale in locales {
+            let text = locale.and_then(|locale| segment.text(locale));
+            lines.push(format!("{:?}", text.map(|text| (text.as_str().to_owned(), text.is_fallback()))));
+        }
+    }
+    lines.extend(clip.curves().map(|curve| {
+        let keys: Vec<String> = curve.keys().map(|key| format!("{key:?}")).collect();
+        format!("{} {keys:?}", curve.name().as_str())
+    }));
+    lines.push(format!("{:?}", clip.original().map(|original| original.key().to_owned())));
+    for voice in voices {
+        let voiced = voice.map(|voice| clip.in_voice(voice));
+        // A bank without dubs has no voices: its clips are played as they are.
+        let (played, spoken) = voiced.map_or((*clip, Spoken::Original), |voiced| (voiced.clip, voiced.spoken));
+        lines.push(format!("{} {spoken:?}", played.key()));
+    }
+    lines
+}
+
+/// Compares the set at `index` with the bank of all.
+fn assert_answers(index: &Path, whole: &Bank<'_>) {
+    let (bytes, files) = read(index);
+    let banks: Vec<Bank<'_>> = files.iter().map(|bytes| Bank::open(bytes).unwrap().verify().unwrap()).collect();
+    let index = SetIndex::open(&bytes).unwrap().verify().unwrap();
+    let set = BankSet::with_index(&banks, &index).unwrap().verify().unwrap();
+    assert_eq!((set.clip_count(), index.clip_count()), (whole.clip_count(), whole.clip_count() as u64));
+    let tags: Vec<&str> = whole.locales().map(|locale| locale.tag()).collect();
+    let locales: Vec<_> = tags.iter().map(|tag| set.locale(tag)).collect();
+    let of_whole: Vec<_> = tags.iter().map(|tag| whole.locale(tag)).collect();
+    let voices = ["en-us", "de-de", "fr-fr"].map(|tag| (whole.voice(tag), set.voice(tag)));
+    for (one, other) in &voices {
+        assert_eq!(one.map(|voice| voice.tag()), other.map(|voice| voice.tag()));
+    }
+    for clip in whole.clips() {
+        let found = set.clip(clip.id()).unwrap();
+        assert_eq!(set.clip_by_key(clip.key()), Some(found));
+        assert_eq!(set.bank_of(clip.id()).unwrap().clip(clip.id()), Some(found));
+        assert_eq!(banks[index.bank_of(clip.id())].clip(clip.id()), Some(found));
+        let own: Vec<_> = locales.iter().map(|locale| locale.and_then(|locale| locale.of(&found))).collect();
+        let own_voices = voices.map(|(_, voice)| voice.and_then(|voice| voice.of(&found)));
+        let whole_voices = voices.map(|(voice, _)| voice);
+        assert_eq!(said(&found, &own, &own_voices), said(&clip, &of_whole, &whole_voices));
+    }
+    for bank in &banks {
+        assert!(bank.locales().map(|locale| locale.tag()).eq(tags.iter().copied()), "each bank has all locales");
+    }
+    let sums = |banks: &[Bank<'_>]| {
+        let mut sums = vec![(0, 0, 0); tags.len()];
+        for bank in banks {
+            for (sum, found) in std::iter::zip(&mut sums, coverage(bank)) {
+                let missing = found.missing.len();
+                *sum = (sum.0 + found.clip_count, sum.1 + found.own_count, sum.2 + missing);
+            }
+        }
+        sums
+    };
+    assert_eq!(sums(&banks), sums(&[*whole]));
+    assert!(every_set_query(&banks) || index.moved_count() > 0);
+}
+
+fn assert_same(compiler: &Compiler<'_>, inputs: &[Input], shards: u16, turn: usize) {
+    let folder = tempfile::tempdir().unwrap();
+    let index = folder.path().join("d.lipzset");
+    let packed = compiler.compile(inputs);
+    let linked = linked(compiler, inputs, shards, turn, &index);
+    assert_eq!(packed.reports, linked.reports, "{shards} shards");
+    assert_eq!(packed.bank.is_some(), linked.files.is_some());
+    let expected = linked.files.map_or(0, |files| files.banks.len() + 1);
+    assert_eq!(names(folder.path()).len(), expected, "nothing is left");
+    let Some(whole) = packed.bank else { return };
+    if shards == 1 {
+        assert!(read(&index).1 == [whole.clone()], "the one bank of a set is the bank");
+    }
+    assert_answers(&index, &Bank::open(&whole).unwrap().verify().unwrap());
+}
+
+fn drama() -> Vec<Input> {
+    support::files("drama").into_iter().map(|(key, bytes)| Input::from_bytes(key, bytes)).collect()
+}
+
+#[test]
+fn the_drama_in_any_number_of_shards() {
+    let variants = [
+        Options::new().default_locale("en-us"),
+        Options::new().default_locale("en-us").pseudo(true).strip(true),
+        Options::new().default_locale("en-us").locales(["de-de", "fr-fr"]).fallback("fr-fr", ["de-de"]),
+    ];
+    for options in variants {
+        for (turn, shards) in [1, 2, 7, 64].into_iter().enumerate() {
+            assert_same(&Compiler::new(options.clone()), &drama(), shards, turn * 3);
+        }
+    }
+}
+
+#[test]
+fn what_all_shards_decide_together() {
+    let line = |key: &str, texts: &str| Input::from_bytes(key, format!("{{ {texts} }}"));
+    // One of 20 clips is translated: some shards have no German text at all, and that of another script is lost in some.
+    let lines: Vec<Input> = (0..20)
+        .map(|number| match number {
+            3 => line("line-3", r#""text_en-us": "Aye.", "text_de-de": "Ja.", "text_zh-cn": "是""#),
+            4 => line("line-4", r#""text_en-us": "Aye.", "text_zh-tw": "是""#),
+            _ => line(&format!("line-{number}"), r#""text_en-us": "Aye.""#),
+        })
+        .collect();
+    let english = || Options::new().default_locale("en-us");
+    let coverage = |percent| {
+        let mut options = english();
+        options.min_coverage.all = Some(percent);
+        options
+    };
+    let variants = [
+        english(),
+        coverage(5.0),
+        coverage(5.1),
+        english().locales(["en-us", "it-it"]),
+        english().voices(Voices::new("en-us").dub("it-it", "it/{key}")),
+    ];
+    for options in variants {
+        assert_same(&Compiler::new(options), &lines, 8, 3);
+    }
+    let clash = [line("A/hello", r#""text_en-us": "Hello.""#), line("a/hello", r#""text_en-us": "Hello.""#)];
+    assert_same(&Compiler::new(english()), &clash, 64, 0);
+}
+
+#[test]
+fn a_new_set_takes_the_place_of_the_old_one_and_a_failed_one_does_not() {
+    let folder = tempfile::tempdir().unwrap();
+    let index = folder.path().join("d.lipzset");
+    for other in ["d.lipzbank", "d.de-de.lipzbank", "e.0-of-4.0123456789abcdef.lipzbank"] {
+        fs::write(folder.path().join(other), "another").unwrap();
+    }
+    let compiler = Compiler::new(Options::new().default_locale("en-us"));
+    let old = linked(&compiler, &drama(), 4, 0, &index).files.unwrap();
+    assert!(old.index.is_new && old.removed.is_empty() && old.banks.iter().all(|bank| bank.is_new));
+    let again = linked(&compiler, &drama(), 4, 1, &index).files.unwrap();
+    assert!(!again.index.is_new && again.banks.iter().all(|bank| !bank.is_new), "nothing is written twice");
+    let before = names(folder.path());
+    // Left by a run that was killed.
+    let orphan = folder.path().join("d.0-of-2.0123456789abcdef.lipzbank");
+    fs::write(&orphan, "half a ba").unwrap();
+    let mut clash = drama();
+    clash.extend(["A/hello", "a/hello"].map(|key| Input::from_bytes(key, r#"{ "text_en-us": "Hello." }"#)));
+    let failed = linked(&compiler, &clash, 4, 0, &index);
+    assert!(failed.files.is_none() && !failed.reports.is_empty());
+    assert!(orphan.exists() && names(folder.path()).len() == before.len() + 1, "the old set is whole");
+    let changed = [&drama()[1..], &[Input::from_bytes("z", r#"{ "text_en-us": "Hello." }"#)]].concat();
+    let new = linked(&compiler, &changed, 4, 0, &index).files.unwrap();
+    let gone: Vec<PathBuf> = new.removed.clone();
+    assert!(gone.contains(&orphan) && gone.len() > 1, "{gone:?}");
+    assert_eq!(names(folder.path()).len(), before.len(), "an index, four banks, and three files of others");
+    let whole = compiler.compile(&changed).bank.unwrap();
+    assert_answers(&index, &Bank::open(&whole).unwrap().verify().unwrap());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(32))]
+
+    #[test]
+    fn a_set_answers_as_one_bank((options, inputs) in project(), shards in 1..=20_u16, turn in 0..20_usize) {
+        assert_same(&Compiler::new(options), &inputs, shards, turn);
+    }
+}

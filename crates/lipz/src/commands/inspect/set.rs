@@ -1,0 +1,114 @@
+//! `lipz inspect` of a set of banks.
+
+use super::list;
+use crate::reporter::{Ended, Reporter};
+use crate::shared::set_file::SetFile;
+use crate::{Outcome, console};
+use lipz_bank::SetIndex;
+use lipz_compiler::inspect::ClipSummary;
+use lipz_diagnostics::escape;
+use serde::Serialize;
+use std::fmt::Write;
+
+/// What the index says.
+#[derive(Serialize)]
+struct SetSummary<'d> {
+    clips: u64,
+    /// Clips that are in another bank than that of their id.
+    moved_clips: usize,
+    bytes: u64,
+    fingerprint: String,
+    checksum: String,
+    banks: Vec<BankOfSet<'d>>,
+}
+
+/// What the index says of a bank.
+#[derive(Serialize)]
+struct BankOfSet<'d> {
+    file: &'d str,
+    clips: u32,
+    bytes: u32,
+    checksum: String,
+    fingerprint: String,
+}
+
+/// Shows what is in a set: a summary of the index, or the clips of all banks, bank by bank.
+pub(super) fn inspect(set: &SetFile, prefix: Option<&str>, json: bool, reporter: &mut Reporter) -> Ended {
+    let index = set.index(reporter)?;
+    let json = reporter.wants_json(json);
+    match prefix {
+        None => summary(&SetSummary::new(&index), set.name(), json, reporter),
+        Some(prefix) => clips(set, &index, prefix, json, reporter),
+    }
+}
+
+/// Lists the clips of all banks, one of which is in memory at a time.
+fn clips(set: &SetFile, index: &SetIndex<'_>, prefix: &str, json: bool, reporter: &mut Reporter) -> Ended {
+    let (mut all, mut is_any) = (Vec::new(), false);
+    for number in 0..index.bank_count() {
+        let file = set.bank(number, reporter)?;
+        let bank = file.bank(reporter)?;
+        let mut clips = bank.clips_under(prefix).peekable();
+        if json {
+            let summaries = clips.map(|clip| serde_json::to_value(ClipSummary::from(&clip)).unwrap_or_default());
+            all.extend(summaries);
+        } else if clips.peek().is_some() {
+            is_any = true;
+            list(&bank, prefix, false, reporter)?;
+        }
+    }
+    if json {
+        reporter.print_json(&all)?;
+    } else if !is_any {
+        reporter.remark(&format!("no key starts with `{}`\n", escape::text(prefix)));
+    }
+    Ok(Outcome::Clean)
+}
+
+impl<'d> SetSummary<'d> {
+    fn new(index: &SetIndex<'d>) -> SetSummary<'d> {
+        let hexadecimal = |number: u64| format!("{number:016x}");
+        let banks: Vec<BankOfSet<'d>> = index
+            .banks()
+            .map(|bank| BankOfSet {
+                file: bank.file_name,
+                clips: bank.clip_count,
+                bytes: bank.length_bytes,
+                checksum: hexadecimal(bank.checksum),
+                fingerprint: hexadecimal(bank.fingerprint),
+            })
+            .collect();
+        SetSummary {
+            clips: index.clip_count(),
+            moved_clips: index.moved_count(),
+            bytes: banks.iter().map(|bank| u64::from(bank.bytes)).sum::<u64>() + index.length_bytes() as u64,
+            fingerprint: hexadecimal(index.fingerprint()),
+            checksum: hexadecimal(index.checksum()),
+            banks,
+        }
+    }
+}
+
+fn summary(summary: &SetSummary<'_>, path: &str, json: bool, reporter: &mut Reporter) -> Ended {
+    if json {
+        reporter.print_json(summary)?;
+        return Ok(Outcome::Clean);
+    }
+    let number = |number: u64| console::grouped(usize::try_from(number).unwrap_or(usize::MAX));
+    let mut text = String::new();
+    let banks = console::counted(summary.banks.len(), "bank");
+    let _ = writeln!(text, "{path}: set of {banks}, {} bytes", number(summary.bytes));
+    let moved = match summary.moved_clips {
+        0 => String::new(),
+        moved => format!(", {} in the bank of their line", console::grouped(moved)),
+    };
+    let _ = writeln!(text, "  {} clips{moved}", number(summary.clips));
+    let _ = writeln!(text, "  fingerprint {}, checksum {}", summary.fingerprint, summary.checksum);
+    let _ = writeln!(text, "\n  {:>5} {:>12} {:>14}  file", "bank", "clips", "bytes");
+    for (place, bank) in summary.banks.iter().enumerate() {
+        let (clips, bytes) = (number(bank.clips.into()), number(bank.bytes.into()));
+        let _ = writeln!(text, "  {place:>5} {clips:>12} {bytes:>14}  {}", escape::text(bank.file));
+    }
+    reporter.print(&text)?;
+    Ok(Outcome::Clean)
+}
