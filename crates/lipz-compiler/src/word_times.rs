@@ -63,6 +63,11 @@ impl WordTimes {
         self.words.split(',').filter_map(word_time).filter_map(place).collect()
     }
 
+    /// Whether there are no words.
+    pub fn is_empty(&self) -> bool {
+        self.words.is_empty()
+    }
+
     /// How many words are not clearly heard.
     pub fn doubtful_count(&self) -> usize {
         self.words.split(',').filter(|word| word.ends_with('?')).count()

@@ -12,6 +12,7 @@
 
 mod align;
 mod features;
+mod label;
 mod language;
 mod model;
 mod neural;
@@ -25,6 +26,7 @@ mod text;
 mod train;
 
 pub use align::{AlignOptions, AlignedPhone, AlignedWord, Aligner, Alignment, Mismatch, MismatchKind};
+pub use label::phones_of_label;
 pub use language::{Language, Reliance};
 pub use model::Model;
 pub use neural::{Heard, Recogniser, RecogniserError};

@@ -30,12 +30,12 @@ pub use lints::check;
 pub use lipz_speech::{Recogniser, RecogniserError, TrainedModel};
 pub use recorded::Recorded;
 pub use recordings::{Recordings, dependencies, is_recording};
-pub(crate) use sync::spoken_text;
 pub use sync::{
     DoubtfulWord, Job, Kept, Line, Made, Original, OriginalThen, RECORD_NAME, SyncOptions, SyncRecord, Synced,
     TRAINING_ROUNDS, Trained, Whole, jobs_of_clips, jobs_of_recordings, model_at, record_place, sync, train,
     write_model,
 };
+pub(crate) use sync::{spoken_string, spoken_text};
 pub use words::word_times;
 
 /// The example of the README, run as a test.

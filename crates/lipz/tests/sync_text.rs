@@ -99,3 +99,89 @@ fn the_text_of_another_line_is_told() {
     are_near(&other, [0.0, 2.72]);
     assert_eq!(marked(&other).trim_end_matches('.'), text.trim_end_matches('.'));
 }
+
+#[test]
+fn findings_stay_until_they_are_mended() {
+    let scene = Scene::new();
+    scene.write(
+        "lipz.toml",
+        "sources = [\"voices\"]\nroot = \"voices\"\ndefault-locale = \"en-us\"\n[audio]\nfolder = \"rec\"\n",
+    );
+    let text = format!("{SENTENCE} The mayor has never seen a castle.");
+    scene.write("rec/a.wav", said(1));
+    scene.write("voices/a.lipz", format!("{{ \"text_en-us\": \"{text}\" }}"));
+    let message = "warning[LZ1707]: `The mayor has never seen a castle` is not said";
+    for command in [["sync", "--quiet"], ["sync", "--quiet"], ["check", "--quiet"]] {
+        let run = lipz(scene.path(), command);
+        assert!(run.stderr.contains(message), "{command:?}: {}", run.stderr);
+        assert_eq!(marked(&run.stderr), "The mayor has never seen a castle");
+    }
+    assert!(lipz(scene.path(), ["check", "--format", "sarif"]).stdout.contains("LZ1707"));
+    // The words are others, and another run looks again.
+    scene.write(
+        "voices/a.lipz",
+        fs::read_to_string(scene.path().join("voices/a.lipz")).unwrap().replace(&text, SENTENCE),
+    );
+    let run = lipz(scene.path(), ["sync"]);
+    assert!(run.stdout.contains("1 clip synced") && !run.stderr.contains("LZ1707"), "{run:?}");
+    let run = lipz(scene.path(), ["check", "--quiet"]);
+    assert!(!run.stderr.contains("LZ1707"), "{}", run.stderr);
+}
+
+#[test]
+fn what_is_not_spoken_makes_no_text_another_one() {
+    let scene = Scene::new();
+    scene.write(
+        "lipz.toml",
+        "sources = [\"voices\"]\nroot = \"voices\"\ndefault-locale = \"en-us\"\n[audio]\nfolder = \"rec\"\n",
+    );
+    scene.write("rec/a.wav", said(1));
+    scene.write("voices/a.lipz", r#"{ "text_en-us": "Bobby ripped the ledger." }"#);
+    assert_eq!(lipz(scene.path(), ["sync"]).code, 0);
+    let path = scene.path().join("voices/a.lipz");
+    for text in ["Bobby ripped| the {angry} ledger.", "{aside} Bobby ripped the ledger."] {
+        let before = fs::read_to_string(&path).unwrap();
+        let element = before.lines().find(|line| line.contains("text_en-us")).unwrap();
+        let changed = before.replace(element, &format!("  \"text_en-us\": \"{text}\","));
+        // In each segment, the mouth has its part.
+        let changed = changed.replace('|', "").replace("ripped the {", "ripped| the {");
+        fs::write(&path, changed.replace(", }", " }")).unwrap();
+        let checked = lipz(scene.path(), ["check"]);
+        assert!(!checked.stderr.contains("LZ1915"), "{}", checked.stderr);
+        let run = lipz(scene.path(), ["sync"]);
+        assert!(!run.stdout.contains("older than their texts"), "{run:?}");
+    }
+}
+
+#[test]
+fn every_word_to_look_at_can_be_had_again() {
+    let scene = Scene::new();
+    scene.write("rec/a.wav", said(1));
+    scene.write("rec/a.txt", "Bobby ripped the Wesnothian, \"ledger\".");
+    let run =
+        |list: &str| lipz(scene.path(), ["sync", "rec", "-o", "voices", "--audio-locale", "en-us", "--list", list]);
+    assert!(run("first.csv").stdout.contains("1 clip synced"));
+    let again = run("lists/second.csv");
+    assert!(again.stdout.contains("1 unchanged"), "{again:?}");
+    let [first, second] =
+        ["first.csv", "lists/second.csv"].map(|name| fs::read_to_string(scene.path().join(name)).unwrap());
+    assert_eq!(first.lines().next(), Some("what,clip,seconds,word"));
+    assert!(first.contains("by rules,,,Wesnothian  W"), "{first}");
+    let words = |table: &str| table.lines().map(|line| line.split(',').next().unwrap().to_owned()).collect::<Vec<_>>();
+    assert_eq!(words(&first), words(&second), "{first}{second}");
+}
+
+#[test]
+fn only_lines_without_a_recording_are_missed() {
+    let scene = Scene::new();
+    ["a", "b"].iter().for_each(|name| scene.write(&format!("rec/{name}.wav"), said(1)));
+    scene.write("lines.csv", format!("file,text\na,{SENTENCE}\nb,{SENTENCE}\nc,{SENTENCE}\n"));
+    let arguments = ["sync", "rec/a.wav", "-o", "voices", "--audio-locale", "en-us", "--script", "lines.csv"];
+    let run = lipz(scene.path(), arguments);
+    assert!(run.stderr.contains("the script has a text for `c`, which was not recorded\n"), "{}", run.stderr);
+    for name in ["a", "b", "c"] {
+        scene.write(&format!("rec/{name}.txt"), SENTENCE);
+    }
+    let run = lipz(scene.path(), ["sync", "rec/a.wav", "-o", "others", "--audio-locale", "en-us"]);
+    assert!(run.stderr.contains("there is no recording for the text `rec/c.txt`\n"), "{}", run.stderr);
+}

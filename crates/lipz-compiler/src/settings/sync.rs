@@ -12,6 +12,8 @@ pub struct Sync {
     pub model: Option<PathBuf>,
     /// A file with a neural network that hears phones, for recordings without a text.
     pub recogniser: Option<PathBuf>,
+    /// The folder of TextGrids with the times of words and phones, for correction by hand.
+    pub textgrids: Option<PathBuf>,
     /// Milliseconds by which a shape is ahead of its sound.
     pub lead_ms: Option<u32>,
     /// Milliseconds for which closed lips, and the lip under the teeth, stay at least.

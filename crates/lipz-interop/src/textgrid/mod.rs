@@ -8,6 +8,8 @@ mod phones;
 mod read;
 mod write;
 
+pub use phones::is_silence;
+
 use crate::Time;
 use lipz_diagnostics::Span;
 

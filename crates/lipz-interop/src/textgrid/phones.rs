@@ -4,7 +4,7 @@
 const SILENCES: [&str; 10] = ["", "sil", "sp", "silence", "pau", "<eps>", "<sil>", "#", "_", "<p:>"];
 
 /// Whether a label says that nobody speaks.
-pub(super) fn is_silence(label: &str) -> bool {
+pub fn is_silence(label: &str) -> bool {
     SILENCES.iter().any(|silence| label.eq_ignore_ascii_case(silence))
 }
 

@@ -3,7 +3,7 @@
 use crate::clip::Clip;
 use crate::facts::content_hash;
 use crate::recordings::shown;
-use crate::sync::one::text_hash;
+use crate::sync::hashes::text_hash;
 use crate::{Line, OriginalThen, Recordings, spoken_text};
 use lipz_compiler::Input;
 use lipz_compiler::settings::Settings;
@@ -30,7 +30,9 @@ pub(super) fn check(
     let (visemes, _) = (clip.visemes?, then.first()?);
     let path = recordings.find(key);
     let sound = path.and_then(|path| File::open(path).and_then(content_hash).ok()).unwrap_or(0);
-    let text = text_hash(spoken_text(settings, recordings.locale(key), original.document));
+    let spoken = spoken_text(settings, recordings.locale(key), original.document);
+    let text = text_hash(spoken);
+    let then: Vec<OriginalThen> = then.into_iter().map(|then| then.renewed(spoken)).collect();
     // A recording that is not there, or was not, tells nothing: another lint misses it.
     let is_same = |then: &OriginalThen| then.sound == sound || then.sound == 0 || path.is_none();
     if then.iter().any(|then| is_same(then) && then.text == text) {

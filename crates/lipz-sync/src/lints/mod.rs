@@ -10,6 +10,7 @@ use crate::clip::Clip;
 use crate::heard::Ear;
 use crate::originals::Originals;
 use crate::recordings::{not_used, shown};
+use crate::sync::mouth::mismatches;
 use crate::{Recordings, SyncRecord, record_place, spoken_text, threads};
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Content, Input};
@@ -101,6 +102,11 @@ fn one(
                     .or_else(|| spoken_text(settings, locale, original_document.as_ref()?));
                 let known = record.lines_for(lipz_file);
                 diagnostics.extend(stale::check(&clip, spoken, facts.content_hash, path, known));
+                // What the run said that made the mouth is still true. After a merge there may be several lines: the last one counts.
+                let made = known.iter().rev().find(|line| line.made.sound == facts.content_hash);
+                let differences = made.and_then(|line| line.differences.as_ref());
+                let text = crate::spoken_string(settings, locale, &document);
+                diagnostics.extend(text.into_iter().flat_map(|text| mismatches(differences, text)));
                 if let (Some(original), Some(document)) = (original, &original_document) {
                     let original = dub::Original { input: original, document };
                     diagnostics.extend(dub::check(settings, &clip, &original, recordings, known));

@@ -3,7 +3,7 @@
 use crate::Line;
 use crate::clip::Clip;
 use crate::recordings::shown;
-use crate::sync::one::text_hash;
+use crate::sync::hashes::text_hash;
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use std::path::Path;
 
@@ -16,6 +16,7 @@ pub(super) fn check(
     known: &[Line],
 ) -> Option<Diagnostic> {
     let (visemes, text) = (clip.visemes?, text_hash(spoken));
+    let known: Vec<Line> = known.iter().map(|line| line.renewed(spoken)).collect();
     if known.is_empty() || known.iter().any(|line| line.made.sound == sound && line.made.text == text) {
         return None;
     }

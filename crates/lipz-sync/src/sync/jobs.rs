@@ -147,7 +147,10 @@ pub fn jobs_of_recordings(settings: &Settings, output: &Path, script: Option<&Sc
         }
     }
     add_originals(&mut jobs, &places);
-    reports.extend(script.and_then(|script| script_without_recording(script, &jobs)));
+    // Of a folder of which only some files are named, the others are recorded, too.
+    let named = settings.sources.iter().filter(|source| source.is_file()).filter_map(|source| source.parent());
+    let beside: Vec<PathBuf> = named.collect::<BTreeSet<_>>().into_iter().flat_map(recordings_in).collect();
+    reports.extend(script.and_then(|script| script_without_recording(script, &jobs, &beside)));
     reports.extend(texts_without_recording(&jobs));
     (jobs, reports)
 }
@@ -186,9 +189,20 @@ fn text_of(key: &str, recording: &Path, script: Option<&Script>) -> Result<Optio
     }
 }
 
-/// Lines of a script that belong to no recording.
-fn script_without_recording(script: &Script, jobs: &[Job]) -> Option<Report> {
-    let lines = script.names_without(jobs.iter().map(|job| (job.recording.as_path(), job.key.as_str())));
+/// The recordings that are in this folder itself.
+fn recordings_in(folder: &Path) -> Vec<PathBuf> {
+    let here = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let files = fs::read_dir(here).into_iter().flatten().flatten().map(|entry| folder.join(entry.file_name()));
+    files.filter(|path| is_recording(path)).collect()
+}
+
+/// Lines of a script that belong to no recording, neither one of the jobs nor one that is `beside` them.
+fn script_without_recording(script: &Script, jobs: &[Job], beside: &[PathBuf]) -> Option<Report> {
+    let of_jobs = jobs.iter().map(|job| (job.recording.as_path(), job.key.as_str()));
+    let name = |path: &PathBuf| path.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default().to_owned();
+    let names: Vec<String> = beside.iter().map(name).collect();
+    let others = beside.iter().map(PathBuf::as_path).zip(names.iter().map(String::as_str));
+    let lines = script.names_without(of_jobs.chain(others));
     let message = |first: &str| format!("the script has a text for `{first}`, which was not recorded");
     let diagnostic = without_recording(&lines, message)?;
     Some(Report::about(script.path(), diagnostic.help("add the recordings, or remove the lines")))
@@ -206,8 +220,12 @@ fn texts_without_recording(jobs: &[Job]) -> Vec<Report> {
         let here = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
         let files = fs::read_dir(here).into_iter().flatten().flatten().map(|entry| folder.join(entry.file_name()));
         let is_text = |path: &PathBuf| path.extension().is_some_and(|extension| extension == "txt") && path.is_file();
+        let is_recorded = |path: &PathBuf| {
+            let mut extensions = lipz_compiler::settings::SOUND_EXTENSIONS.iter();
+            of_recordings.contains(path) || extensions.any(|extension| path.with_extension(extension).is_file())
+        };
         let mut lonely: Vec<String> =
-            files.filter(|path| is_text(path) && !of_recordings.contains(path)).map(|path| shown(&path)).collect();
+            files.filter(|path| is_text(path) && !is_recorded(path)).map(|path| shown(&path)).collect();
         lonely.sort();
         let lonely: Vec<&str> = lonely.iter().map(String::as_str).collect();
         let diagnostic = without_recording(&lonely, |first| format!("there is no recording for the text `{first}`"));

@@ -1,18 +1,23 @@
 //! Recordings become mouths of Lipz files.
 
+mod grid;
+pub(crate) mod hashes;
 mod jobs;
+mod listed;
 mod model_file;
-mod mouth;
-pub(crate) mod one;
+pub(crate) mod mouth;
+mod one;
 mod options;
 mod record;
+mod subject;
+mod target;
 mod train;
 
 pub use jobs::{Job, Original, jobs_of_clips, jobs_of_recordings};
 pub use model_file::{model_at, write_model};
 pub use one::Kept;
 pub use options::SyncOptions;
-pub(crate) use options::spoken_text;
+pub(crate) use options::{spoken_string, spoken_text};
 pub use record::{Line, Made, OriginalThen, RECORD_NAME, SyncRecord, record_place};
 pub use train::{TRAINING_ROUNDS, Trained, train};
 
@@ -42,6 +47,10 @@ pub struct Synced {
     pub doubtful: Vec<DoubtfulWord>,
     /// Words whose pronunciation is a guess, with it, as lines of a lexicon: each once, in the order of the letters.
     pub guessed: Vec<String>,
+    /// The same of the clips whose mouths are what they would become.
+    pub doubtful_before: Vec<DoubtfulWord>,
+    /// Guesses of these clips that are not among the others.
+    pub guessed_before: Vec<String>,
     /// Everything that was found.
     pub reports: Vec<Report>,
 }
@@ -110,25 +119,32 @@ pub fn sync(
     };
     let mut done = threads::map(&originals, options.options.threads, make);
     done.extend(threads::map(&dubs, options.options.threads, make));
-    let (mut synced, mut guessed) = (Synced::default(), BTreeMap::new());
+    let (mut synced, mut guessed, mut guessed_before) = (Synced::default(), BTreeMap::new(), BTreeMap::new());
+    let doubtful = |job: &Job, words: Vec<(u64, String)>| {
+        let key = job.key.clone();
+        words.into_iter().map(move |(start_us, word)| DoubtfulWord { key: key.clone(), start_us, word })
+    };
     for (job, (step, reports)) in originals.iter().chain(&dubs).zip(done) {
         synced.reports.extend(reports);
         match step {
-            Step::Unchanged => synced.unchanged += 1,
+            Step::Unchanged(listed) => {
+                synced.unchanged += 1;
+                synced.doubtful_before.extend(doubtful(job, listed.doubtful));
+                guessed_before.extend(listed.guessed);
+            }
             Step::Kept(kept) => synced.kept.push((job.key.clone(), kept)),
             Step::Refused => synced.refused += 1,
             Step::New(new) => {
                 record.set(&job.lipz_file, new.line);
                 synced.made.push(job.key.clone());
                 synced.with_new_text.extend(new.has_new_text.then(|| job.key.clone()));
-                synced.doubtful.extend(new.heard.doubtful.iter().filter_map(|(number, start_us)| {
-                    let word = new.script.words.get(*number)?.text.clone();
-                    Some(DoubtfulWord { key: job.key.clone(), start_us: *start_us, word })
-                }));
-                guessed.extend(new.script.guessed().map(|word| (word.text.to_lowercase(), word.to_string())));
+                synced.doubtful.extend(doubtful(job, new.listed.doubtful));
+                guessed.extend(new.listed.guessed);
             }
         }
     }
+    guessed_before.retain(|word, _| !guessed.contains_key(word));
+    synced.guessed_before = guessed_before.into_values().collect();
     synced.guessed = guessed.into_values().collect();
     let mut written = Ok(());
     whole(&mut || written = record.write());
@@ -161,7 +177,10 @@ fn write(
             )),
             None => replace_file(&job.lipz_file, new.after.as_bytes()),
         };
-        written = file.map_err(Some);
+        // One that has come into being meanwhile is somebody's work.
+        let grid = new.grid.as_ref().filter(|(place, _)| !place.exists());
+        let write_grid = || grid.map_or(Ok(()), |(place, text)| replace_file(place, text.as_bytes()));
+        written = file.and_then(|()| write_grid()).map_err(Some);
     });
     written
 }

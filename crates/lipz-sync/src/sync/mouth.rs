@@ -1,11 +1,12 @@
 //! From sound and script to frames, and where somebody should listen.
 
-use super::SyncOptions;
+use super::{SyncOptions, grid};
 use lipz_compiler::{WordTime, WordTimes};
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use lipz_file::JsonString;
 use lipz_speech::{AlignedWord, Aligner, Alignment, Mismatch, MismatchKind, Model, Script, Sound, render, rms};
 use lipz_types::{Fps, VisemeType};
+use std::ops::Range;
 
 /// Confidence below which a word is doubtful.
 const DOUBTFUL: f32 = 0.5;
@@ -23,6 +24,8 @@ pub(super) struct Heard {
     pub(super) doubtful: Vec<(usize, u64)>,
     /// Where sound and script do not belong together.
     mismatches: Vec<Mismatch>,
+    /// All of it, as a TextGrid.
+    pub(super) grid: Option<String>,
 }
 
 impl Heard {
@@ -40,36 +43,45 @@ pub(super) struct Hearing<'a> {
     pub(super) model: &'a Model,
     /// What a recogniser hears in it, if there is one: whether that is what the script says.
     pub(super) opinion: Option<&'a lipz_speech::Heard>,
+    /// What somebody has corrected: then nothing is listened to.
+    pub(super) corrected: Option<Alignment>,
 }
 
 /// The mouth of a sound.
 pub(super) fn make(
-    hearing: &Hearing<'_>,
+    hearing: Hearing<'_>,
     script: &Script,
     (viseme_type, fps): (VisemeType, Fps),
     options: &SyncOptions,
 ) -> Heard {
-    let Hearing { sound, model, opinion } = *hearing;
+    let Hearing { sound, model, opinion, corrected } = hearing;
     if viseme_type == VisemeType::Rms {
         let mouth = rms(sound, fps, &options.rms);
         return Heard { codes: mouth.frames, segment_starts: mouth.segment_starts, ..Heard::default() };
     }
     let aligner = Aligner::new(model, options.align);
     // Without words, whatever phones are heard.
-    let alignment = if script.words.is_empty() { aligner.listen(sound) } else { aligner.align(sound, script) };
+    let (is_corrected, is_unwritten) = (corrected.is_some(), script.words.is_empty());
+    let listen = || if is_unwritten { aligner.listen(sound) } else { aligner.align(sound, script) };
+    let alignment = corrected.unwrap_or_else(listen);
     let mouth = render(&alignment, viseme_type, fps, &options.rules);
     let doubtful = doubtful(&alignment, script);
+    let opinion = opinion.filter(|_| !is_corrected);
     let mismatches = opinion.map(|opinion| opinion.mismatches(script, &alignment));
+    let grid =
+        options.textgrids.is_some().then(|| grid::written(&alignment, script, &mouth.frames, (viseme_type, fps)));
     let mismatches = mismatches.unwrap_or(alignment.mismatches);
-    Heard { codes: mouth.frames, segment_starts: mouth.segment_starts, words: alignment.words, doubtful, mismatches }
+    let (codes, segment_starts) = (mouth.frames, mouth.segment_starts);
+    Heard { codes, segment_starts, words: alignment.words, doubtful, mismatches, grid }
 }
 
 /// When the words of `text` are said, of which `script` was made.
 pub(super) fn word_times(heard: &Heard, script: &Script, text: &str) -> WordTimes {
     let ms = |us: u64| u32::try_from(us / 1000).unwrap_or(u32::MAX);
     let mut times: Vec<WordTime> = Vec::new();
-    for (aligned, word) in heard.words.iter().zip(&script.words).filter(|(aligned, _)| aligned.pronunciation.is_some())
-    {
+    // One that is not heard is doubtful, and takes no time.
+    let said = heard.words.iter().zip(&script.words).filter(|(_, word)| !word.pronunciations.is_empty());
+    for (aligned, word) in said {
         let is_doubtful = aligned.confidence < DOUBTFUL;
         match times.last_mut().filter(|last| last.range == word.range) {
             // A number is several words.
@@ -95,32 +107,51 @@ fn doubtful(alignment: &Alignment, script: &Script) -> Vec<(usize, u64)> {
     doubtful.map(|(number, (word, _))| (number, word.start_us)).collect()
 }
 
-/// Reports where sound and text do not say the same.
-pub(super) fn mismatches(heard: &Heard, script: &Script, text: &JsonString<'_>) -> Vec<Diagnostic> {
-    heard.mismatches.iter().map(|found| mismatch(found, script, text)).collect()
+/// Where sound and `text` do not say the same, to be remembered: as times of words. Of what is not in the text, there are no
+/// bytes; what is not said is doubtful.
+pub(super) fn differences(heard: &Heard, script: &Script, text: &str) -> Option<WordTimes> {
+    let ms = |us: u64| u32::try_from(us / 1000).unwrap_or(u32::MAX);
+    let found = heard.mismatches.iter().map(|found| WordTime {
+        range: place(found, script, text),
+        start_ms: ms(found.start_us),
+        end_ms: ms(found.end_us),
+        is_doubtful: found.kind == MismatchKind::NotSaid,
+    });
+    let found: Vec<WordTime> = found.collect();
+    (!found.is_empty()).then(|| WordTimes::new(text, &found))
 }
 
-fn mismatch(found: &Mismatch, script: &Script, text: &JsonString<'_>) -> Diagnostic {
+/// The bytes of the text that a mismatch is about.
+fn place(found: &Mismatch, script: &Script, text: &str) -> Range<usize> {
     let words = script.words.get(found.words.clone()).unwrap_or_default();
-    let seconds = |us: u64| format!("{:.2} s", us as f64 / 1e6);
-    let time = match found.end_us == found.start_us {
-        true => format!("at {}", seconds(found.start_us)),
-        false => format!("from {} to {}", seconds(found.start_us), seconds(found.end_us)),
-    };
-    let range = match (words.first(), words.last()) {
+    match (words.first(), words.last()) {
         (Some(first), Some(last)) => first.range.start..last.range.end.max(first.range.start),
         // Between two words: where the next one starts.
         _ => {
-            let at = script.words.get(found.words.start).map_or(text.text.len(), |next| next.range.start);
+            let at = script.words.get(found.words.start).map_or(text.len(), |next| next.range.start);
             at..at
         }
+    }
+}
+
+/// Reports where sound and text do not say the same.
+pub(crate) fn mismatches(differences: Option<&WordTimes>, text: &JsonString<'_>) -> Vec<Diagnostic> {
+    let found = differences.map(|differences| differences.of_text(&text.text)).unwrap_or_default();
+    found.iter().map(|found| mismatch(found, text)).collect()
+}
+
+fn mismatch(found: &WordTime, text: &JsonString<'_>) -> Diagnostic {
+    let seconds = |ms: u32| format!("{:.2} s", f64::from(ms) / 1e3);
+    let time = match found.end_ms == found.start_ms {
+        true => format!("at {}", seconds(found.start_ms)),
+        false => format!("from {} to {}", seconds(found.start_ms), seconds(found.end_ms)),
     };
-    let written = || escape::quoted(text.text.get(range.clone()).unwrap_or_default());
-    let (message, help) = match found.kind {
-        MismatchKind::NotSaid => {
+    let written = || escape::quoted(text.text.get(found.range.clone()).unwrap_or_default());
+    let (message, help) = match (found.is_doubtful, found.range.is_empty()) {
+        (true, _) => {
             (format!("{} is not said: it should be {time}", written()), "remove it from the text, or record it")
         }
-        MismatchKind::NotInScript => {
+        (_, true) => {
             (format!("what is said {time} is not in the text"), "write it into the text, or cut it from the recording")
         }
         _ => (
@@ -128,5 +159,5 @@ fn mismatch(found: &Mismatch, script: &Script, text: &JsonString<'_>) -> Diagnos
             "listen there: is this the text of the recording? A word may also be said in another way (`{say: …}`, lexicon)",
         ),
     };
-    Diagnostic::at(Code::TextMismatch, text.span_of(range), message).help(help)
+    Diagnostic::at(Code::TextMismatch, text.span_of(found.range.clone()), message).help(help)
 }

@@ -14,7 +14,7 @@ use lipz_speech::{
 use lipz_types::{Fps, VisemeType};
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// The frame rate of clips for which nobody names another.
@@ -40,6 +40,8 @@ pub struct SyncOptions {
     pub(crate) rules: RenderRules,
     /// How loudness becomes frames.
     pub(crate) rms: RmsRules,
+    /// Where TextGrids of what is heard are.
+    pub(crate) textgrids: Option<PathBuf>,
     lexicon: Lexicon,
     trained: Option<Trained>,
     /// What hears phones where there is no text.
@@ -104,6 +106,7 @@ impl SyncOptions {
             align,
             rules,
             rms,
+            textgrids: sync.textgrids.clone(),
             lexicon,
             trained: None,
             recogniser,
@@ -210,7 +213,16 @@ fn spoken<'d>(
 
 /// The text of a Lipz file that is spoken in its recording: in the locale of a voice, or that of the project.
 pub(crate) fn spoken_text<'d>(settings: &Settings, voice: Option<&str>, document: &'d Document<'d>) -> Option<&'d str> {
+    spoken_string(settings, voice, document).map(|text| &*text.text)
+}
+
+/// The same, with its place in the file.
+pub(crate) fn spoken_string<'d>(
+    settings: &Settings,
+    voice: Option<&str>,
+    document: &'d Document<'d>,
+) -> Option<&'d JsonString<'d>> {
     let default_locale = settings.options.default_locale.as_deref();
     let locale = voice.or(settings.audio.locale.as_deref()).or(default_locale);
-    spoken(document, locale, default_locale).map(|(_, text)| &*text.text)
+    spoken(document, locale, default_locale).map(|(_, text)| text)
 }

@@ -31,6 +31,9 @@ const HEAD: &str = "\
 /// What a line says before the hashes of the original.
 const DUB_OF: &str = "dub-of:";
 
+/// What a line says before the places where recording and text do not say the same.
+const DIFFERS: &str = "differs:";
+
 /// What a line says before the times of words.
 const SAID: &str = "said:";
 
@@ -43,6 +46,9 @@ pub struct Line {
     pub words: Option<WordTimes>,
     /// What the original was when this mouth was made, if it is that of a dub.
     pub original: Option<OriginalThen>,
+    /// Where recording and text do not say the same: bytes of the text (none, if it is not in the text) and times, and what is
+    /// not said is doubtful.
+    pub differences: Option<WordTimes>,
 }
 
 /// What the original of a dub was: hashes.
@@ -200,10 +206,11 @@ impl fmt::Display for SyncRecord {
 impl Line {
     fn written(&self, file: &str) -> String {
         let Made { sound, text, settings, mouth } = self.made;
+        let differs = self.differences.as_ref().map_or(String::new(), |differs| format!("{DIFFERS}{differs} "));
         let said = self.words.as_ref().map_or(String::new(), |words| format!("{SAID}{words} "));
         let original = |OriginalThen { sound, text }: OriginalThen| format!("{DUB_OF}{sound:016x},{text:016x} ");
         let original = self.original.map_or(String::new(), original);
-        format!("{sound:016x} {text:016x} {settings:016x} {mouth:016x} {original}{said}{file}")
+        format!("{sound:016x} {text:016x} {settings:016x} {mouth:016x} {original}{differs}{said}{file}")
     }
 
     fn parse(line: &str) -> Option<(Line, &str)> {
@@ -215,12 +222,10 @@ impl Line {
             Some(dub) => dub.and_then(|(hashes, rest)| Some((Some(OriginalThen::parse(hashes)?), rest)))?,
             None => (None, rest),
         };
+        let (differences, rest) = times(rest, DIFFERS)?;
         // Older versions wrote no times.
-        let (words, file) = match rest.strip_prefix(SAID).map(|said| said.split_once(' ')) {
-            Some(said) => said.and_then(|(words, file)| Some((Some(words.parse().ok()?), file)))?,
-            None => (None, rest),
-        };
-        (!file.is_empty()).then_some((Line { made, words, original }, file))
+        let (words, file) = times(rest, SAID)?;
+        (!file.is_empty()).then_some((Line { made, words, original, differences }, file))
     }
 }
 
@@ -228,6 +233,14 @@ impl OriginalThen {
     fn parse(hashes: &str) -> Option<OriginalThen> {
         let (sound, text) = hashes.split_once(',')?;
         Some(OriginalThen { sound: parse_hash(sound)?, text: parse_hash(text)? })
+    }
+}
+
+/// The times that a line has behind such a name, and what follows them.
+fn times<'l>(line: &'l str, name: &str) -> Option<(Option<WordTimes>, &'l str)> {
+    match line.strip_prefix(name).map(|rest| rest.split_once(' ')) {
+        Some(times) => times.and_then(|(times, rest)| Some((Some(times.parse().ok()?), rest))),
+        None => Some((None, line)),
     }
 }
 
@@ -241,11 +254,13 @@ mod tests {
     use super::*;
 
     const MADE: Made = Made { sound: 1, text: 2, settings: 3, mouth: u64::MAX };
-    const A: Line = Line { made: MADE, words: None, original: None };
+    const A: Line = Line { made: MADE, words: None, original: None, differences: None };
 
     fn b() -> Line {
         let words = Some("0badcafe:0-3@40-250,4-9@300-410?".parse().unwrap());
-        Line { made: Made { mouth: 0, ..MADE }, words, original: Some(OriginalThen { sound: 10, text: 11 }) }
+        let differences = Some("0badcafe:4-9@300-410".parse().unwrap());
+        let original = Some(OriginalThen { sound: 10, text: 11 });
+        Line { made: Made { mouth: 0, ..MADE }, words, original, differences }
     }
 
     #[test]
@@ -268,7 +283,7 @@ mod tests {
         let text = fs::read_to_string(&path).unwrap();
         let zeros = "0".repeat(15);
         let expected = format!(
-            "{zeros}1 {zeros}2 {zeros}3 {zeros}0 dub-of:{zeros}a,{zeros}b said:0badcafe:0-3@40-250,4-9@300-410? a/x.lipz\n{zeros}1 {zeros}2 {zeros}3 ffffffffffffffff b c.lipz\n"
+            "{zeros}1 {zeros}2 {zeros}3 {zeros}0 dub-of:{zeros}a,{zeros}b differs:0badcafe:4-9@300-410 said:0badcafe:0-3@40-250,4-9@300-410? a/x.lipz\n{zeros}1 {zeros}2 {zeros}3 ffffffffffffffff b c.lipz\n"
         );
         assert_eq!(text.strip_prefix(HEAD), Some(expected.as_str()));
     }

@@ -36,6 +36,16 @@ pub(super) const SYNC: &[Setting] = &[
         },
     },
     Setting {
+        name: "textgrids",
+        flat_name: "textgrids",
+        about: "Folder of TextGrids, `KEY.TextGrid`, with the times of words and phones. One that is there makes the mouth, so that it can be corrected in Praat; one that is not is written.",
+        default: "none",
+        example: "\"textgrids\"",
+        read: |value, to| {
+            to.settings.sync.textgrids = value.text(&mut to.diagnostics).map(|path| inside(to.folder, path));
+        },
+    },
+    Setting {
         name: "lead-ms",
         flat_name: "lead-ms",
         about: "Milliseconds by which a shape is ahead of its sound, as lips are. Use 0 if the game leads the sound itself.",

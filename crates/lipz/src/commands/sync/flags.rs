@@ -22,6 +22,10 @@ pub(super) struct SyncFlags {
     #[arg(long, value_name = "FILE", help_heading = MOUTHS)]
     recogniser: Option<PathBuf>,
 
+    /// Folder of TextGrids with the times of words and phones: one that is there makes the mouth, the others are written
+    #[arg(long, value_name = "FOLDER", help_heading = MOUTHS)]
+    textgrids: Option<PathBuf>,
+
     /// Milliseconds by which a shape is ahead of its sound [default: 40]
     #[arg(long, value_name = "COUNT", help_heading = MOUTHS)]
     lead_ms: Option<u32>,
@@ -53,6 +57,7 @@ impl SyncFlags {
         sync.lexicon = self.lexicon.clone().or(sync.lexicon.take());
         sync.model = self.model.clone().or(sync.model.take());
         sync.recogniser = self.recogniser.clone().or(sync.recogniser.take());
+        sync.textgrids = self.textgrids.clone().or(sync.textgrids.take());
         sync.lead_ms = self.lead_ms.or(sync.lead_ms);
         sync.hold_ms = self.hold_ms.or(sync.hold_ms);
         sync.shortest_wide_ms = self.shortest_wide_ms.or(sync.shortest_wide_ms);

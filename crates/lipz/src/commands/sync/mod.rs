@@ -68,6 +68,10 @@ pub(crate) struct SyncArguments {
     #[arg(long)]
     train: bool,
 
+    /// Write a CSV table of all words to look at, those of unchanged clips too: doubtful ones, and those pronounced by rules
+    #[arg(long, value_name = "FILE")]
+    list: Option<PathBuf>,
+
     /// Also replace mouths that were made or changed by hand
     #[arg(long)]
     force: bool,
@@ -157,6 +161,11 @@ impl Run for SyncArguments {
         let mut synced = sync(&work.jobs, &options, &mut record, &progress, &|write| interrupt::whole(write));
         bar.finish_and_clear();
         let mut reports = work.reports;
+        if let Some(path) = &self.list {
+            let table = summary::table(&synced);
+            let written = interrupt::whole(|| lipz_compiler::replace_file(path, table.as_bytes()));
+            reports.extend(written.err());
+        }
         let mut of_record = Vec::from_iter(odd_lines);
         of_record.iter_mut().for_each(|report| settings.options.levels.apply(&mut report.diagnostics));
         reports.extend(problems.into_iter().chain(of_record).chain(std::mem::take(&mut synced.reports)));

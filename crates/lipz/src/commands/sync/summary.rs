@@ -45,6 +45,33 @@ pub(super) fn summary(synced: &Synced, without: usize, place: &Path) -> String {
     out
 }
 
+/// All that somebody should look at, of clips that did not change, too: rows of a string table.
+pub(super) fn table(synced: &Synced) -> String {
+    let mut rows = vec!["what,clip,seconds,word".to_owned()];
+    let mut add = |what: &str, clip: &str, seconds: &str, word: &str| {
+        rows.push([what, clip, seconds, word].map(field).join(","));
+    };
+    synced.kept.iter().for_each(|(key, _)| add("kept", key, "", ""));
+    synced.with_new_text.iter().for_each(|key| add("older than its text", key, "", ""));
+    let mut doubtful: Vec<_> = synced.doubtful.iter().chain(&synced.doubtful_before).collect();
+    doubtful.sort_by_key(|word| (&word.key, word.start_us));
+    doubtful.iter().for_each(|word| {
+        add("doubtful", &word.key, &format!("{:.3}", word.start_us as f64 / 1e6), &word.word);
+    });
+    let mut guessed: Vec<_> = synced.guessed.iter().chain(&synced.guessed_before).collect();
+    guessed.sort();
+    guessed.iter().for_each(|line| add("by rules", "", "", line));
+    rows.join("\n") + "\n"
+}
+
+/// A field of a table, in quotes if it needs them.
+fn field(text: &str) -> String {
+    match text.contains([',', '"', '\n', '\r']) {
+        true => format!("\"{}\"", text.replace('"', "\"\"")),
+        false => text.to_owned(),
+    }
+}
+
 /// A heading, and the lines below it.
 fn list(out: &mut String, heading: &str, lines: &[String]) {
     if lines.is_empty() {
@@ -55,6 +82,6 @@ fn list(out: &mut String, heading: &str, lines: &[String]) {
         let _ = writeln!(out, "  {line}");
     }
     if let Some(hidden) = lines.len().checked_sub(SHOWN).filter(|hidden| *hidden > 0) {
-        let _ = writeln!(out, "  … and {} more", console::grouped(hidden));
+        let _ = writeln!(out, "  … and {} more: --list FILE has all", console::grouped(hidden));
     }
 }
