@@ -31,7 +31,7 @@ pub(super) fn rows(clips: usize, json_bytes: u64, measured: &[(Work, Vec<Measure
         first.clear();
         if matches!(work, Work::Pack | Work::Again) {
             for (name, seconds) in &median.phases {
-                row("", &format!("… {name}"), &format!("{} | | ", time(*seconds, reading)), " | | ");
+                row("", &format!("… {name}"), &format!("{} |  | ", time(*seconds, reading)), " | | ");
             }
         }
     }
