@@ -67,6 +67,15 @@ fn whole_files_have_nothing_to_tell() {
 }
 
 #[test]
+fn mp3_files_that_were_put_behind_each_other_are_heard_to_the_end() {
+    let [_, _, (_, mp3), ..] = files();
+    // Each begins with a tag, here of four bytes.
+    let tagged = [&b"ID3\x04\0\0\0\0\0\x04none"[..], &mp3].concat();
+    let sound = Sound::from_bytes(&tagged.repeat(2), Some("mp3")).unwrap();
+    assert!(length_ms(&sound).abs_diff(2 * LENGTH_MS) < 600, "{}", length_ms(&sound));
+}
+
+#[test]
 fn a_file_that_is_cut_says_so() {
     for (name, bytes) in files() {
         let whole = Sound::from_bytes(&bytes, None).unwrap();

@@ -10,6 +10,13 @@ const DRAMA: &str = "fixtures/drama";
 const DRAMA_BANK: &str = "fixtures/banks/v1/drama.lipzbank";
 const FLAGS: [&str; 2] = ["--default-locale", "en-us"];
 
+/// Settings by which the drama becomes its golden bank: it is from before emotions without values made curves.
+fn settings_of_the_bank() -> Scene {
+    let scene = Scene::new();
+    scene.write("lipz.toml", "default-locale = \"en-us\"\n\n[emotions]\ncurves = \"values\"\n");
+    scene
+}
+
 fn aye(text: &str, more: &str) -> String {
     format!(r#"{{ "fps": 24, "viseme_type": "blair", "visemes": "AAAA|MM", "text_en-us": "{text}"{more} }}"#)
 }
@@ -83,11 +90,17 @@ clips: 1 removed, 1 added, 1 renamed, 1 changed, 1 the same
 
 #[test]
 fn a_bank_is_the_same_as_its_folder() {
+    let settings = settings_of_the_bank();
+    let flags = ["--config", settings.path().join("lipz.toml").to_str().unwrap()].map(str::to_owned);
     for sides in [[DRAMA_BANK, DRAMA], [DRAMA, DRAMA_BANK], [DRAMA_BANK, DRAMA_BANK]] {
-        let same = lipz(&repository(), ["diff"].iter().chain(&sides).chain(&FLAGS));
+        let same =
+            lipz(&repository(), ["diff"].iter().chain(&sides).map(|part| (*part).to_owned()).chain(flags.clone()));
         assert_eq!(same.code, 0, "{}", same.stdout);
         assert!(same.stdout.ends_with("\nno difference in 48 clips\n"), "{}", same.stdout);
-        let quiet = lipz(&repository(), ["diff", "--quiet"].iter().chain(&sides).chain(&FLAGS));
+        let quiet = lipz(
+            &repository(),
+            ["diff", "--quiet"].iter().chain(&sides).map(|part| (*part).to_owned()).chain(flags.clone()),
+        );
         assert_eq!((quiet.code, quiet.stdout.as_str()), (0, ""));
     }
     let other = lipz(&repository(), ["diff", "--no-config", DRAMA_BANK, DRAMA]);
@@ -160,7 +173,9 @@ fn without_two_sides_there_is_no_comparison() {
 
 #[test]
 fn statistics_of_a_bank_and_of_its_folder() {
-    let of = |source: &str| lipz(&repository(), ["stats", source].iter().chain(&FLAGS));
+    let settings = settings_of_the_bank();
+    let config = settings.path().join("lipz.toml");
+    let of = |source: &str| lipz(&repository(), ["stats", source, "--config", config.to_str().unwrap()]);
     let (bank, folder) = (of(DRAMA_BANK), of(DRAMA));
     assert_eq!((bank.code, folder.code), (0, 0));
     let table = |text: &str| text.split_once('\n').unwrap().1.to_owned();

@@ -216,7 +216,7 @@ fn a_character_is_renamed_in_all_files_and_in_the_registry() {
     assert!(apply(&renamed["result"]) > 5, "{renamed}");
     assert_eq!(editor.end(), 0);
     let drama = lipz(&root, ["check", "."]);
-    assert_eq!((drama.code, drama.stdout.as_str()), (0, "49 files checked\n"), "{}", drama.stderr);
+    assert_eq!((drama.code, drama.stdout.lines().next()), (0, Some("49 files checked")), "{}", drama.stderr);
     assert!(!drama.stderr.contains("LZ07"), "{}", drama.stderr);
     let acts = ["act1", "act2", "act3"].iter().flat_map(|act| files(root.join(act).to_str().unwrap(), "lipz"));
     for file in acts {

@@ -118,12 +118,12 @@ fn what_is_wrong_with_a_set_is_reported() {
     let mut scene = scene();
     pack(&scene);
     scene.prepare(&LINK);
-    scene.expect("LZ0902-set-in-place-of-bank", &["stats", "out/dialogue.lipzset"]);
+    scene.expect("LZ0902-bank-refused-set", &["stats", "out/dialogue.lipzset"]);
     let files = banks(&scene);
     let whole = fs::read(&files[1]).unwrap();
     let verify = ["verify", "out/dialogue.lipzset"];
     fs::copy(&files[2], &files[1]).unwrap();
-    scene.expect("LZ0903-other-bank-in-set", &verify);
+    scene.expect("LZ0903-bank-damaged-set", &verify);
     fs::write(&files[1], &whole[..100]).unwrap();
     assert_eq!(lipz(scene.path(), verify).code, 1);
     fs::remove_file(&files[1]).unwrap();

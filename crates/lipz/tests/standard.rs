@@ -21,7 +21,7 @@ fn a_lipz_file_is_checked_from_standard_input() {
     assert_eq!((code, stdout.as_str()), (1, ""));
     assert!(stderr.contains("error[LZ0301]") && stderr.contains("--> <stdin>:1:10"), "{stderr}");
     let beside = with_input(&folder, &["check", "fixtures/drama", "-"], b"{ \"fps\": 24 }");
-    assert_eq!(printed(&beside).1, "49 files checked\n");
+    assert!(printed(&beside).1.starts_with("49 files checked\n"));
 }
 
 #[test]

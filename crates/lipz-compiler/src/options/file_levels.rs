@@ -66,6 +66,12 @@ impl Options {
         }
     }
 
+    /// Whether a lint is reported in any file, for all that is known without its name.
+    pub(crate) fn may_report(&self, code: Code) -> bool {
+        let of_files = self.files_levels.iter().map(|of_files| &of_files.levels);
+        of_files.chain([&self.levels]).any(|levels| levels.severity(code).is_some())
+    }
+
     /// Gives a lint a level in all files, whatever was set before.
     pub fn overrule(&mut self, code: Code, level: Option<Severity>) {
         let of_files = self.files_levels.iter_mut().map(|of_files| &mut of_files.levels);

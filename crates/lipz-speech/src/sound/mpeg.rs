@@ -135,8 +135,11 @@ impl<R: Read> Frames<R> {
                 self.finish(junk);
                 return Ok(None);
             };
+            let is_tagged = bytes.starts_with(b"ID3");
             match Header::parse(bytes).filter(|header| header.is_like(&self.first)) {
                 Some(header) if self.is_frame(&header, junk == 0)? => break header,
+                // Of a file that was put behind another.
+                None if junk == 0 && is_tagged => self.window.skip_tag()?,
                 None if junk == 0 && self.window.is_end()? => {
                     self.finish(0);
                     return Ok(None);

@@ -176,8 +176,10 @@ fn read_phones(tier: &Tier, start: u64, end: u64, diagnostics: &mut Vec<Diagnost
         add(Phone::Sil, done, from);
         let parts = found.len() as u64;
         let length = to.saturating_sub(from);
+        // In this order, because a TextGrid may be of any length.
+        let share = |number: u64| from + length / parts * number + length % parts * number / parts;
         for (number, phone) in (0..).zip(found) {
-            add(phone, from + length * number / parts, from + length * (number + 1) / parts);
+            add(phone, share(number), share(number + 1));
         }
         done = done.max(to);
     }

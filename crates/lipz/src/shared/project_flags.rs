@@ -157,7 +157,7 @@ pub(crate) fn refuse_locales<'l>(
 ) -> Result<(), Abort> {
     let is_refused = |tag: &&String| !options.extended_locales && !lipz_file::locale::has_lipz_shape(tag);
     let Some(tag) = locales.into_iter().find(is_refused) else { return Ok(()) };
-    let tip = "name a country, as in en-us, or accept any BCP 47 tag: `extended-locales = true` in lipz.toml";
+    let tip = "name a country, as in en-us, or accept any BCP 47 tag: --extended-locales, `extended-locales = true` in lipz.toml";
     Err(reporter.usage(format!("the locale `{tag}` does not have the form ll-cc"), tip))
 }
 

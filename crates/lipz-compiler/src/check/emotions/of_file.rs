@@ -22,9 +22,12 @@ pub(in crate::check) fn sums(of_file: &OfFile, clip: &ClipData, diagnostics: &mu
             by_character.entry(who).or_default().push((emotion, keys));
         }
     }
+    let mut spans = BTreeMap::new();
+    for (name, span) in &of_file.emotions {
+        spans.entry(name.rsplit_once('.').map_or("", |(who, _)| who)).or_insert(*span);
+    }
     for (who, curves) in by_character {
-        let is_theirs = |(name, _): &&(String, _)| name.rsplit_once('.').map_or("", |(who, _)| who) == who;
-        let Some((_, span)) = of_file.emotions.iter().find(is_theirs) else { continue };
+        let Some(span) = spans.get(who) else { continue };
         let over = first_over_the_top(&curves);
         diagnostics.extend(over.map(|(frame, face)| too_much(&face, clip, frame, *span)));
     }

@@ -108,6 +108,7 @@ impl Run for CoverageArguments {
         let needs_sources = self.html || self.stale.is_some() || self.cost_per_word.is_some();
         let is_table = self.csv || reporter.wants_json(self.json);
         if work.is_none() && (needs_sources || is_table && self.missing.is_some()) {
+            self.list(&found, None, &file.name).map_err(|report| reporter.fail(report))?;
             let tip = "name the folder of Lipz files, in a project with `default-locale`";
             return Err(reporter.usage("what translations are made from is not known here", tip));
         }

@@ -63,6 +63,7 @@ assets! {
     "web/lipz.wasm"
     "web/memory.js"
     "web/order.js"
+    "web/set.js"
     "web/specials.js"
     "web/structs.js"
     "web/words.js"

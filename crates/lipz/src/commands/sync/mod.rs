@@ -8,6 +8,7 @@ use crate::commands::Run;
 use crate::reporter::{Abort, Ended, Reporter};
 use crate::shared::audio_flags::AudioFlags;
 use crate::shared::inputs;
+use crate::shared::output_file;
 use crate::shared::project_flags::{hide_of_banks, parse_fps};
 use crate::shared::sources::Sources;
 use crate::shared::{formats, patterns, script_file, stdio};
@@ -162,6 +163,7 @@ impl Run for SyncArguments {
         bar.finish_and_clear();
         let mut reports = work.reports;
         if let Some(path) = &self.list {
+            output_file::refuse_source(path, reporter)?;
             let table = summary::table(&synced);
             let written = interrupt::whole(|| lipz_compiler::replace_file(path, table.as_bytes()));
             reports.extend(written.err());

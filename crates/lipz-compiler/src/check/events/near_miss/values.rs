@@ -33,8 +33,9 @@ pub(super) fn decimal_comma(segment: &str) -> Option<NearMiss<'_>> {
     let is_decimal = |at: &usize| is_digit(at.checked_sub(1)) && is_digit(Some(at + 1));
     let commas: Vec<usize> = segment.match_indices(event::SEPARATOR).map(|(at, _)| at).filter(is_decimal).collect();
     let first = *commas.first()?;
+    let mut next = commas.iter().peekable();
     let with_points: String =
-        segment.char_indices().map(|(at, c)| if commas.contains(&at) { '.' } else { c }).collect();
+        segment.char_indices().map(|(at, c)| if next.next_if_eq(&&at).is_some() { '.' } else { c }).collect();
     drop(event::parse(&with_points)?);
     let is_number = |c: char| c.is_ascii_digit();
     let start = segment[..first].trim_end_matches(is_number).len();
