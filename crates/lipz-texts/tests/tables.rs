@@ -1,5 +1,5 @@
 //! Tables that other programs have saved: what they change without being asked, and what they break.
-#![allow(clippy::unwrap_used, reason = "tests")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 use lipz_diagnostics::Diagnostic;
 use lipz_texts::{Collect, Exchange, Format, Incoming, Merge, ReadOptions, Shape, WriteOptions, read, write};

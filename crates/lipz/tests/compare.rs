@@ -8,7 +8,6 @@ use support::{Scene, lipz, repository, tree};
 
 const DRAMA: &str = "fixtures/drama";
 const DRAMA_BANK: &str = "fixtures/banks/v1/drama.lipzbank";
-const FLAGS: [&str; 2] = ["--default-locale", "en-us"];
 
 /// Settings by which the drama becomes its golden bank: it is from before emotions without values made curves.
 fn settings_of_the_bank() -> Scene {

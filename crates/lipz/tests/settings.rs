@@ -134,11 +134,12 @@ fn levels_for_some_of_the_files() {
     let denied = format!("{old}\n[lints.\"voices/old/act1/*\"]\nLZ0702 = \"deny\"");
     assert_eq!(check(&scene, "", &denied, &["voices"]), (1, 2, 1), "the last pattern counts");
     // Also of a lint that is allowed by default, in files that are clean without it.
-    scene.write("voices/old/script.lipz", r#"{ "fps": 24, "visemes": "A", "text_en-us": "Aye.", "events": "jump(3)" }"#);
+    scene
+        .write("voices/old/script.lipz", r#"{ "fps": 24, "visemes": "A", "text_en-us": "Aye.", "events": "jump(3)" }"#);
     scene.write("lipz.toml", "default-locale = \"en-us\"\n[lints.\"voices/old/**\"]\nother-events = \"warn\"\n");
     let others = lipz(scene.path(), ["check", "voices"]);
     assert!(others.stderr.contains("[LZ0707]"), "{}", others.stderr);
-    std::fs::remove_file(scene.path().join("voices/old/script.lipz")).unwrap();
+    fs::remove_file(scene.path().join("voices/old/script.lipz")).unwrap();
     // No bank where a file has an error, and none is recalled at the levels of before.
     let pack = ["pack", "voices", "-o", "b.lipzbank", "--cache", "b.cache", "--quiet"];
     check(&scene, "", old, &["voices"]);

@@ -86,7 +86,7 @@ impl EventDiagnostics<'_> {
                 if self.is_strict && !is_near {
                     let parts = event::parts(segment).filter(|part| part.event().is_none());
                     for part in parts {
-                        self.add(Code::OtherEvents, || other_events(part, &span));
+                        self.add(Code::OtherEvents, || other_events(part, span));
                     }
                 }
             }
