@@ -43,6 +43,13 @@ class Error : public std::runtime_error {
     std::uint32_t offset_bytes_;
 };
 
+/// Throws an Error unless a call has succeeded.
+inline void must(lipz_status status, std::uint32_t place) {
+    if (status != LIPZ_OK) {
+        throw Error(status, place);
+    }
+}
+
 /// What a function of lipz.h writes to its last pointer, if there is an answer: as it is, or as a class of this header.
 template <typename T, typename Of = T, typename Ask> std::optional<T> answer(Ask ask) noexcept {
     Of found;
@@ -594,11 +601,6 @@ class Bank : public lipz_bank {
 
   private:
     Bank() noexcept : lipz_bank() {}
-    static void must(lipz_status status, std::uint32_t place) {
-        if (status != LIPZ_OK) {
-            throw Error(status, place);
-        }
-    }
 };
 
 /// The index of a set of banks: which of them has a clip. The program keeps the bytes and the banks.
