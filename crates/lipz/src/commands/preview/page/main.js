@@ -17,8 +17,9 @@ let listing;
 async function choose(key) {
   if (player.isChanged && !confirm("What you changed is not saved. Drop it?")) return;
   list.chosen = key;
-  notice(listing.diagnostics);
   await player.choose(key).catch(fail);
+  // Now: what came in the meantime was still about the clip of before.
+  notice(listing.diagnostics);
   document.title = `${key} – lipz preview`;
   address();
   clips(false);
