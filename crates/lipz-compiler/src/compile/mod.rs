@@ -8,6 +8,7 @@ mod run;
 
 pub use compiled::{CompileError, Compiled, Phases};
 pub(crate) use read::FileReader;
+#[cfg(feature = "cache")]
 pub(crate) use requirements::Texts;
 pub(crate) use run::Run;
 #[cfg(feature = "shards")]

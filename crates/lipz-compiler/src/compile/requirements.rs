@@ -30,6 +30,7 @@ impl Texts {
     }
 
     /// The same for a bank whose coverage was judged before.
+    #[cfg(feature = "cache")]
     pub(crate) fn of_old(bank: &[u8], options: &Options) -> Texts {
         Bank::open(bank).map_or_else(|_| Texts::default(), |bank| Texts::without_coverage(&bank, options))
     }
