@@ -92,7 +92,6 @@ export class Bank {
   readonly defaultFaceProfile: FaceProfile;
 }
 
-/** A bank with patches, dubs and mods over it: the topmost of them answers, with a {@link Clip} as any other. */
 /** What the index of a set says about a bank. */
 export interface BankOfSet {
   readonly fileName: string;
@@ -118,6 +117,7 @@ export class BankSet {
   clip(keyOrId: string | bigint): Promise<Clip | undefined>;
 }
 
+/** A bank with patches, dubs and mods over it: the topmost of them answers, with a {@link Clip} as any other. */
 export class Layers {
   private constructor();
   readonly layerCount: number;
