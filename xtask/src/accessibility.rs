@@ -18,7 +18,5 @@ pub(crate) fn run() -> Result<(), Failure> {
     let mut npm = Command::new("npm");
     npm.args(["ci", "--no-audit", "--silent"]).current_dir(workspace_root().join(FOLDER));
     succeed(&mut npm, "npm ci")?;
-    let mut tests = cargo::command();
-    tests.args(["test", "--package", "lipz", "--test", "preview_page", "--locked", "--quiet"]);
-    succeed(tests.env("LIPZ_TOOLS", "required").current_dir(workspace_root()), "the tests of the page")
+    succeed(cargo::tests("preview_page").env("LIPZ_TOOLS", "required"), "the tests of the page")
 }

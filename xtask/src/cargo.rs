@@ -1,8 +1,10 @@
 //! Cargo, as a program: commands, what they print, and what it says about the workspace.
 
 use crate::Failure;
-use crate::paths::workspace_root;
+use crate::paths::{target_folder, workspace_root};
+use crate::tools::succeed;
 use serde::Deserialize;
+use std::path::PathBuf;
 use std::process::Command;
 
 /// A package of the workspace: as much as is needed of what `cargo metadata` prints.
@@ -38,6 +40,22 @@ impl Dependency {
 /// The cargo that runs this task, or else the one on the path.
 pub(crate) fn command() -> Command {
     Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
+}
+
+/// The tests with this name, of all crates. `--package` would build nearly everything once more: which features the crates of
+/// others have depends on what is built together.
+pub(crate) fn tests(name: &str) -> Command {
+    let mut command = command();
+    command.args(["test", "--workspace", "--locked", "--quiet", "--test", name]).current_dir(workspace_root());
+    command
+}
+
+/// The command `lipz` as the tests run it, built if it is not. A test that needs it has cargo build it with the features that
+/// it has for all tests.
+pub(crate) fn lipz() -> Result<PathBuf, Failure> {
+    succeed(tests("command_line").arg("--no-run"), "cargo build of lipz")?;
+    let program = target_folder().join("debug").join(format!("lipz{}", std::env::consts::EXE_SUFFIX));
+    program.canonicalize().map_err(|error| format!("`{}`: {error}", program.display()))
 }
 
 /// What cargo prints, at the root of the workspace.

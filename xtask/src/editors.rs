@@ -3,7 +3,7 @@
 
 use crate::Failure;
 use crate::cargo;
-use crate::paths::{target_folder, temporary_folder, workspace_root};
+use crate::paths::{temporary_folder, workspace_root};
 use crate::tools::{has_program, skip, succeed};
 use std::process::Command;
 
@@ -17,9 +17,7 @@ fn neovim() -> Result<(), Failure> {
     if !has_program("nvim") {
         return skip("nvim");
     }
-    succeed(cargo::command().args(["build", "--quiet", "--locked", "--package", "lipz"]), "cargo build of lipz")?;
-    let program = target_folder().join("debug/lipz");
-    let program = program.canonicalize().map_err(|error| format!("`{}`: {error}", program.display()))?;
+    let program = cargo::lipz()?;
     let plugin = workspace_root().join("editors/nvim");
     let plugin = plugin.canonicalize().map_err(|error| format!("`{}`: {error}", plugin.display()))?;
     let folder = temporary_folder()?;

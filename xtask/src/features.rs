@@ -7,6 +7,7 @@ use crate::paths::{target_folder, workspace_root};
 use crate::tools::succeed;
 use std::collections::BTreeSet;
 use std::fs;
+use std::process::Command;
 
 const CRATE: &str = "lipz-compiler";
 
@@ -79,22 +80,9 @@ fn same_bytes() -> Result<(), Failure> {
     let program = folder.join("Cargo.toml").display().to_string();
     let built = folder.join("build").display().to_string();
     cargo_run(&["run", "--quiet", "--manifest-path", &program, "--target-dir", &built, "--", SOURCES, &none])?;
-    cargo_run(&[
-        "run",
-        "--quiet",
-        "--locked",
-        "-p",
-        "lipz",
-        "--",
-        "pack",
-        SOURCES,
-        "-o",
-        &all,
-        "--default-locale",
-        "en-us",
-        "--no-config",
-        "--quiet",
-    ])?;
+    let mut pack = Command::new(cargo::lipz()?);
+    pack.args(["pack", SOURCES, "-o", &all, "--default-locale", "en-us", "--no-config", "--quiet"]);
+    succeed(pack.current_dir(workspace_root()), "lipz pack")?;
     let read = |path: &str| fs::read(path).map_err(|error| format!("`{path}`: {error}"));
     if read(&none)? == read(&all)? {
         println!("{SOURCES} gives the same bank without features and with all of them");

@@ -2,7 +2,7 @@
 //! not settled (docs/LIP-SYNC.md), so it stays below `target`, and is in no crate and no package.
 
 use crate::tools::succeed;
-use crate::{Failure, paths, wheel};
+use crate::{Failure, cargo, paths, wheel};
 use std::fs;
 use std::process::Command;
 
@@ -20,17 +20,13 @@ const CONVERTED: &str = "recogniser/phones.lipznet";
 pub(crate) fn run() -> Result<(), Failure> {
     let temporary = paths::temporary_folder()?;
     let assets = wheel::unpacked(REQUIREMENT, temporary.path())?.join(FOLDER);
-    // From the root of the workspace, where cargo runs.
     let output = std::path::absolute(paths::target_folder().join(CONVERTED)).map_err(|error| error.to_string())?;
     if let Some(folder) = output.parent() {
         fs::create_dir_all(folder).map_err(|error| format!("`{}`: {error}", folder.display()))?;
     }
     let assets = std::path::absolute(assets).map_err(|error| error.to_string())?;
-    let mut cargo = Command::new("cargo");
-    cargo
-        .args(["run", "--quiet", "--locked", "--package", "lipz", "--", "recogniser"])
-        .current_dir(paths::workspace_root());
-    succeed(cargo.arg(&assets).arg("--output").arg(&output).arg("--quiet"), "lipz recogniser")?;
+    let mut lipz = Command::new(cargo::lipz()?);
+    succeed(lipz.arg("recogniser").arg(&assets).arg("--output").arg(&output).arg("--quiet"), "lipz recogniser")?;
     println!("{}", output.display());
     Ok(())
 }

@@ -1,12 +1,13 @@
 //! `cargo xtask ci`: all that a change must pass besides `cargo test --workspace`.
 //!
 //! There are two lists of steps, each done in order, and both at the same time: what is built for other
-//! machines has a folder of its own, and often keeps but one core busy. A failure ends both.
+//! machines has a folder of its own, and often keeps but one core busy. A failure ends both. `.ci/run` starts
+//! the second list while the tests run, which keep but one core busy, too.
 
 mod step;
 
 use crate::Failure;
-use clap::Args;
+use clap::{Args, ValueEnum};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 use step::{Program, Step};
@@ -17,10 +18,35 @@ pub(crate) struct Settings {
     /// The steps to run; all of them, if none is named
     #[arg(value_parser = names())]
     steps: Vec<String>,
+    /// Only the steps of one list
+    #[arg(long, value_enum, conflicts_with = "steps")]
+    only: Option<List>,
+}
+
+/// A list of steps.
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+enum List {
+    /// What this machine builds and runs
+    Here,
+    /// What is built for other machines
+    Elsewhere,
+}
+
+impl Settings {
+    /// The steps of a list that are to be run.
+    fn chosen(&self, list: List) -> impl Iterator<Item = &'static Step> {
+        let steps: &[Step] = match list {
+            List::Here => &HERE,
+            List::Elsewhere => &ELSEWHERE,
+        };
+        let is_left_out = self.only.is_some_and(|only| only != list);
+        let is_chosen = |step: &&Step| self.steps.is_empty() || self.steps.iter().any(|chosen| chosen == step.name);
+        steps.iter().filter(move |step| !is_left_out && is_chosen(step))
+    }
 }
 
 /// What this machine builds and runs.
-const HERE: [Step; 18] = [
+static HERE: [Step; 18] = [
     Step::cargo("format", "fmt --all --check"),
     Step::cargo("lints", "clippy --workspace --all-targets --locked -- -D warnings"),
     // With the rivals, which are not built otherwise.
@@ -39,17 +65,17 @@ const HERE: [Step; 18] = [
     // `cargo test` runs while the tools are installed that it compares with, and leaves it out then.
     Step {
         program: Program::CargoWith("LIPZ_TOOLS", "required"),
-        ..Step::cargo("translators", "test -p lipz --test texts_elsewhere --locked --quiet")
+        ..Step::cargo("translators", "test --workspace --test texts_elsewhere --locked --quiet")
     },
     Step {
         program: Program::CargoWith("LIPZ_TOOLS", "required"),
-        ..Step::cargo("engines", "test -p lipz --test engines --locked --quiet")
+        ..Step::cargo("engines", "test --workspace --test engines --locked --quiet")
     },
     Step::task("recogniser"),
     // With the network that the step before has fetched.
     Step {
         program: Program::CargoWith("LIPZ_RECOGNISER", "required"),
-        ..Step::cargo("hearing", "test -p lipz --test recogniser --locked --quiet")
+        ..Step::cargo("hearing", "test --workspace --test recogniser --locked --quiet")
     },
     Step::task("capi"),
     Step::task("editors"),
@@ -58,7 +84,7 @@ const HERE: [Step; 18] = [
 ];
 
 /// What is built for other machines, in `target/machines`.
-const ELSEWHERE: [Step; 4] = [Step::task("size"), Step::task("targets"), Step::task("web"), Step::task("windows")];
+static ELSEWHERE: [Step; 4] = [Step::task("size"), Step::task("targets"), Step::task("web"), Step::task("windows")];
 
 /// The names of all steps.
 fn names() -> Vec<&'static str> {
@@ -69,13 +95,12 @@ fn names() -> Vec<&'static str> {
 type Times = Vec<(&'static str, Duration)>;
 
 pub(crate) fn run(settings: &Settings) -> Result<(), Failure> {
-    let is_chosen = |step: &&Step| settings.steps.is_empty() || settings.steps.iter().any(|chosen| chosen == step.name);
     let has_failed = AtomicBool::new(false);
     let mut printed = String::new();
     let (here, elsewhere) = std::thread::scope(|scope| {
-        let steps = ELSEWHERE.iter().filter(is_chosen);
+        let steps = settings.chosen(List::Elsewhere);
         let elsewhere = scope.spawn(|| in_order(steps, &has_failed, |step| step.run_into(&mut printed)));
-        (in_order(HERE.iter().filter(is_chosen), &has_failed, Step::run), elsewhere.join())
+        (in_order(settings.chosen(List::Here), &has_failed, Step::run), elsewhere.join())
     });
     print!("{printed}");
     let times = [here?, elsewhere.map_err(|_| "the steps for other machines panicked")??].concat();
