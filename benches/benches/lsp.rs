@@ -1,4 +1,5 @@
-//! What an editor waits for: the answer to a keystroke in a Lipz file of a megabyte, which is checked whole.
+//! What an editor waits for: the answers to a keystroke in a Lipz file of a megabyte, which is checked whole, and to what it asks
+//! besides.
 #![allow(
     missing_docs,
     clippy::expect_used,
@@ -90,6 +91,18 @@ impl Editor {
         self.wait_for_diagnostics();
     }
 
+    /// Asks, and waits for the answer.
+    fn ask(&mut self, method: &str, params: &Value) -> Value {
+        self.say(&json!({ "jsonrpc": "2.0", "id": 7, "method": method, "params": params }));
+        loop {
+            let message = self.hear();
+            if message["id"] == 7 {
+                assert!(!message["result"].is_null(), "{method}: {message:.300}");
+                return message;
+            }
+        }
+    }
+
     fn tell(&mut self, method: &str, params: &Value) {
         self.say(&json!({ "jsonrpc": "2.0", "method": method, "params": params }));
     }
@@ -135,5 +148,30 @@ fn keystroke(criterion: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, keystroke);
+/// What editors ask beside that: at the pointer or the cursor, and when somebody stops typing.
+fn requests(criterion: &mut Criterion) {
+    let text = large_file();
+    let lines: Vec<&str> = text.lines().collect();
+    let line = lines.iter().position(|line| line.contains("\"visemes\"")).expect("mouth shapes");
+    let document = json!({ "uri": "untitled:large" });
+    let at = |line: usize, character: usize| json!({ "textDocument": document, "position": { "line": line, "character": character } });
+    let whole = json!({ "start": { "line": line, "character": 20 }, "end": { "line": line, "character": 20 } });
+    let last = lines[line].len() - 10;
+    let options = json!({ "tabSize": 2, "insertSpaces": true });
+    let mut editor = Editor::open(&text);
+    let mut group = criterion.benchmark_group("1 MB");
+    for (method, params) in [
+        ("completion", at(lines.len() - 2, 0)),
+        ("hover", at(line, last)),
+        ("documentSymbol", json!({ "textDocument": document })),
+        ("documentLink", json!({ "textDocument": document })),
+        ("codeAction", json!({ "textDocument": document, "range": whole, "context": { "diagnostics": [] } })),
+        ("formatting", json!({ "textDocument": document, "options": options })),
+    ] {
+        let method = format!("textDocument/{method}");
+        group.bench_function(&method, |bencher| bencher.iter(|| editor.ask(&method, &params)));
+    }
+}
+
+criterion_group!(benches, keystroke, requests);
 criterion_main!(benches);

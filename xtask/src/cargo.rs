@@ -58,6 +58,15 @@ pub(crate) fn lipz() -> Result<PathBuf, Failure> {
     program.canonicalize().map_err(|error| format!("`{}`: {error}", program.display()))
 }
 
+/// The command `lipz` as people have it, built: to be measured.
+pub(crate) fn lipz_release() -> Result<PathBuf, Failure> {
+    let mut build = command();
+    build.args(["build", "--quiet", "--locked", "--release", "--package", "lipz"]).current_dir(workspace_root());
+    succeed(&mut build, "cargo build of lipz")?;
+    let program = target_folder().join("release").join(format!("lipz{}", std::env::consts::EXE_SUFFIX));
+    program.canonicalize().map_err(|error| format!("`{}`: {error}", program.display()))
+}
+
 /// What cargo prints, at the root of the workspace.
 pub(crate) fn output(arguments: &[&str]) -> Result<String, Failure> {
     let shown = format!("cargo {}", arguments.join(" "));

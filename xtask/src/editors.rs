@@ -31,15 +31,18 @@ fn neovim() -> Result<(), Failure> {
     succeed(nvim.current_dir(folder.path()), "the test of the plugin for Neovim")
 }
 
-/// Checks the types of the extension, packs it and tests what is packed.
+/// Checks the types of the extension, packs it, and tests what is packed: also with the program, which it starts.
 fn visual_studio_code() -> Result<(), Failure> {
     if !has_program("npm") {
         return skip("npm, of node 20 or later");
     }
+    let program = cargo::lipz()?;
     let folder = workspace_root().join("editors/vscode");
     for arguments in [["ci", "--no-audit"], ["run", "package"], ["run", "test"]] {
         let what = format!("npm {}", arguments.join(" "));
-        succeed(Command::new("npm").args(arguments).arg("--silent").current_dir(&folder), &what)?;
+        let mut npm = Command::new("npm");
+        npm.args(arguments).arg("--silent").env("LIPZ", &program).current_dir(&folder);
+        succeed(&mut npm, &what)?;
     }
     println!("extension: {}", folder.join("lipz.vsix").display());
     Ok(())

@@ -13,6 +13,7 @@ mod forward;
 mod fuzz;
 mod msrv;
 mod packages;
+mod page;
 mod paths;
 mod recogniser;
 mod size;
@@ -56,6 +57,10 @@ enum Task {
     Editors,
     /// Use the page of `lipz preview` in Chromium, and let axe look at it
     Accessibility,
+    /// Use the page of `lipz preview` in Firefox, as its test does in Chromium
+    Firefox,
+    /// Measure how soon `lipz preview` shows the first of 20,000 clips
+    FirstPicture,
     /// Check which crates depend on which
     Edges,
     /// Check the licences and sources of all dependencies
@@ -109,6 +114,8 @@ fn main() -> ExitCode {
         Task::Pictures => web::pictures(),
         Task::Editors => editors::run(),
         Task::Accessibility => accessibility::run(),
+        Task::Firefox => page::firefox(),
+        Task::FirstPicture => page::first_picture(),
         Task::Edges => edges::run(),
         Task::Deny => deny::run(),
         Task::Features => features::run(),

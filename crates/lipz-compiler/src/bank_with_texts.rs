@@ -1,6 +1,8 @@
 //! A bank together with its text banks.
 
+use crate::layers;
 use lipz_bank::{Bank, Locale, TextBank};
+use lipz_diagnostics::Report;
 
 /// A bank, and the text banks that hold its texts if it was [split](crate::SplitBank).
 ///
@@ -54,5 +56,13 @@ impl<'data, 'bank> BankWithTexts<'data, 'bank> {
         locales.sort_by_key(Locale::tag);
         locales.dedup_by_key(|locale| locale.tag());
         locales
+    }
+
+    /// One bank with all of these texts: what was split, without source records.
+    ///
+    /// # Errors
+    /// If the bank is a layer over others, or too large as a whole.
+    pub fn joined(self) -> Result<Vec<u8>, Report> {
+        layers::joined(self.bank, self.texts)
     }
 }

@@ -4,7 +4,7 @@
 mod support;
 
 use lipz_bank::Bank;
-use lipz_compiler::{Compiler, Options, SplitBank, discover};
+use lipz_compiler::{BankWithTexts, Compiler, Options, SplitBank, discover};
 
 #[test]
 fn text_banks_answer_as_the_whole() {
@@ -33,6 +33,21 @@ fn text_banks_answer_as_the_whole() {
         assert!(bytes.len() < whole.len() / 5, "{tag}: {} of {} bytes", bytes.len(), whole.len());
     }
     assert!(text_count > 500, "{text_count} texts");
+}
+
+#[test]
+fn what_was_split_is_joined_again() {
+    let options = Options::new().default_locale("en-us").strip(true);
+    let (inputs, _) = discover(&[support::folder("drama")], None);
+    let whole = Compiler::new(options).compile(&inputs).bank.unwrap();
+    let split = SplitBank::from_bytes(&whole).unwrap();
+    let base = Bank::open(&split.base).unwrap().verify().unwrap();
+    let texts: Vec<_> =
+        split.texts.iter().map(|(_, bytes)| base.open_texts(bytes).unwrap().verify(&base).unwrap()).collect();
+    assert!(BankWithTexts::new(&base, &texts).joined().unwrap() == whole, "to the last byte");
+    let some = BankWithTexts::new(&base, &texts[..1]).joined().unwrap();
+    let some = Bank::open(&some).unwrap().verify().unwrap();
+    assert!(some.locales().map(|locale| locale.tag()).eq([split.texts[0].0.as_str()]));
 }
 
 #[test]

@@ -11,6 +11,10 @@ pub(crate) enum Context<'t> {
     Text(&'t str, usize),
     /// Nothing yet, where the value of the element with this name could stand.
     Value(&'t str),
+    /// Nothing yet, where the name of a curve could stand.
+    BetweenCurves,
+    /// The name of a curve; it starts at this byte, behind its quote.
+    CurveName(usize),
     /// Anything else.
     Other,
 }
@@ -24,8 +28,13 @@ struct State<'t> {
     name: Option<&'t str>,
     is_behind_colon: bool,
     has_value: bool,
+    /// The last string in the element `curves`, and whether a colon is behind it.
+    curve: Option<&'t str>,
+    is_behind_curve: bool,
     /// The names of all elements so far.
     names: Vec<&'t str>,
+    /// The names of all curves so far.
+    curves: Vec<&'t str>,
 }
 
 /// What is being written at byte `at`: all that stands before it decides.
@@ -41,6 +50,11 @@ pub(crate) fn names(text: &str) -> Vec<&str> {
     read(text).0.names
 }
 
+/// The names of the curves.
+pub(crate) fn curve_names(text: &str) -> Vec<&str> {
+    read(text).0.curves
+}
+
 /// What is written, and where the string starts that is open at the end.
 fn read(text: &str) -> (State<'_>, Option<usize>) {
     let bytes = text.as_bytes();
@@ -52,6 +66,9 @@ fn read(text: &str) -> (State<'_>, Option<usize>) {
             let Some(end) = end_of_string(bytes, next) else { return (state, Some(next)) };
             if state.depth == 1 && !state.is_behind_colon {
                 state.name = text.get(next..end);
+            }
+            if state.is_in_curves() && !state.is_behind_curve {
+                state.curve = text.get(next..end);
             }
             state.has_value |= state.is_behind_colon;
             next = end + usize::from(bytes.get(end) == Some(&b'"'));
@@ -77,7 +94,10 @@ fn end_of_string(bytes: &[u8], from: usize) -> Option<usize> {
 impl<'t> State<'t> {
     fn read(&mut self, byte: u8) {
         match byte {
-            b'{' => self.depth += 1,
+            b'{' => {
+                self.depth += 1;
+                (self.curve, self.is_behind_curve) = (None, false);
+            }
             // In a list at the root, nothing is an element.
             b'[' => self.depth += if self.depth == 0 { 2 } else { 1 },
             b'}' | b']' => {
@@ -88,6 +108,11 @@ impl<'t> State<'t> {
                 self.names.extend(self.name.filter(|_| !self.is_behind_colon));
                 self.is_behind_colon = true;
             }
+            b':' if self.is_in_curves() => {
+                self.curves.extend(self.curve.filter(|_| !self.is_behind_curve));
+                self.is_behind_curve = true;
+            }
+            b',' if self.is_in_curves() => (self.curve, self.is_behind_curve) = (None, false),
             b',' if self.depth == 1 => (self.name, self.is_behind_colon, self.has_value) = (None, false, false),
             // Who has forgotten the comma begins a name on the next line all the same.
             b'\n' if self.depth == 1 && self.has_value => (self.name, self.is_behind_colon) = (None, false),
@@ -96,7 +121,15 @@ impl<'t> State<'t> {
         }
     }
 
+    /// Whether it is in the braces of `curves`, and in no others there.
+    fn is_in_curves(&self) -> bool {
+        self.depth == 2 && self.is_behind_colon && self.name == Some("curves")
+    }
+
     fn in_string(&self, start: usize) -> Context<'t> {
+        if self.is_in_curves() && !self.is_behind_curve {
+            return Context::CurveName(start);
+        }
         match (self.depth, self.is_behind_colon, self.name) {
             (1, true, Some(name)) => Context::Text(name, start),
             (1, false, _) => Context::Name(start),
@@ -105,6 +138,9 @@ impl<'t> State<'t> {
     }
 
     fn between(&self) -> Context<'t> {
+        if self.is_in_curves() && !self.is_behind_curve && self.curve.is_none() {
+            return Context::BetweenCurves;
+        }
         match (self.depth, self.is_behind_colon, self.name) {
             (1, true, Some(name)) if !self.has_value => Context::Value(name),
             (1, false, None) => Context::Between,
@@ -124,7 +160,7 @@ mod tests {
         let text: &'static str = text.replace('§', "").leak();
         let found = context(text, place);
         let start = match found {
-            Context::Name(start) | Context::Text(_, start) => start,
+            Context::Name(start) | Context::Text(_, start) | Context::CurveName(start) => start,
             _ => place,
         };
         (found, text[start..place].to_owned())
@@ -149,8 +185,27 @@ mod tests {
     }
 
     #[test]
+    fn curves_have_names() {
+        assert_eq!(at("{ \"curves\": { \"an§\" }"), (Context::CurveName(15), "an".into()));
+        assert_eq!(at("{ \"curves\": {§"), (Context::BetweenCurves, String::new()));
+        assert_eq!(at("{ \"curves\": { \"joy\": \"0:1\", §"), (Context::BetweenCurves, String::new()));
+        for text in [
+            "{ \"curves\": { \"joy\": \"0§",
+            "{ \"curves\": { \"joy\"§",
+            "{ \"x\": { \"an§",
+            "{ \"curves\": { \"a\": { \"b§",
+        ] {
+            assert_eq!(at(text).0, Context::Other, "{text}");
+        }
+        assert_eq!(
+            curve_names("{ \"x\": { \"y\": 1 }, \"curves\": { \"joy\": \"0:1\", \"fear\" : \"\" "),
+            ["joy", "fear"]
+        );
+    }
+
+    #[test]
     fn what_is_not_of_the_format_is_something_else() {
-        for text in ["§", "[§", "{}§", "{ \"curves\": { \"an§", "{ \"x\": [\"a§", "{ \"fps\"§", "\"§"] {
+        for text in ["§", "[§", "{}§", "{ \"x\": [\"a§", "{ \"fps\"§", "\"§"] {
             assert_eq!(at(text).0, Context::Other, "{text}");
         }
     }

@@ -12,6 +12,35 @@ pub(crate) fn position(rope: &Rope, byte: usize) -> Position {
     Position::new(number(line), number(units))
 }
 
+/// Positions of bytes that ascend, each found from the one before: a string of a megabyte has thousands.
+pub(crate) struct Walk<'t> {
+    rope: &'t Rope,
+    text: &'t str,
+    byte: usize,
+    position: Position,
+}
+
+impl<'t> Walk<'t> {
+    /// Starts at a byte of a text, which is also the rope's.
+    pub(crate) fn new(rope: &'t Rope, text: &'t str, byte: usize) -> Walk<'t> {
+        Walk { rope, text, byte, position: position(rope, byte) }
+    }
+
+    /// The position of a byte.
+    pub(crate) fn position(&mut self, byte: usize) -> Position {
+        let is_line_break = |c: char| matches!(c, '\n' | '\r' | '\u{b}' | '\u{c}' | '\u{85}' | '\u{2028}' | '\u{2029}');
+        self.position = match self.text.get(self.byte..byte) {
+            Some(between) if !between.contains(is_line_break) => {
+                let Position { line, character } = self.position;
+                Position::new(line, character.saturating_add(number(between.encode_utf16().count())))
+            }
+            _ => position(self.rope, byte),
+        };
+        self.byte = byte;
+        self.position
+    }
+}
+
 /// The byte at a position. As the protocol has it, positions behind a line are its end; those behind the text are that of
 /// the text.
 pub(crate) fn byte(rope: &Rope, position: Position) -> usize {
@@ -67,6 +96,20 @@ mod tests {
             assert_eq!((position(&rope, at), byte(&rope, expected)), (expected, at));
         }
         assert_eq!(position(&rope, 99), Position::new(3, 0), "behind the last line break");
+    }
+
+    #[test]
+    fn a_walk_finds_what_a_search_finds() {
+        let text = "aü\r\n𝄞b\rc\u{2028}d\n𝄞𝄞";
+        let rope = Rope::from_str(text);
+        let places: Vec<usize> = text.char_indices().map(|(at, _)| at).chain([text.len()]).collect();
+        for start in 0..places.len() {
+            let mut walk = Walk::new(&rope, text, places[start]);
+            for &place in &places[start..] {
+                assert_eq!(walk.position(place), position(&rope, place), "{place}");
+            }
+            assert_eq!(walk.position(0), Position::new(0, 0), "backwards, too");
+        }
     }
 
     #[test]

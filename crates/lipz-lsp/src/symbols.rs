@@ -1,12 +1,13 @@
 //! The outline of a file: its elements, and the segments of its texts.
 
 use crate::document::Document;
+use crate::place::Walk;
 use crate::timing::Timing;
 use crate::{convert, project};
 use lipz_diagnostics::Span;
 use lipz_file::locale::text_name;
 use lipz_file::{Element, Value, text};
-use lsp_types::{DocumentSymbol, SymbolKind};
+use lsp_types::{DocumentSymbol, Range, SymbolKind};
 
 /// The longest value that an outline shows.
 const SHOWN_CHARACTERS: usize = 60;
@@ -29,7 +30,9 @@ fn symbol(document: &Document, element: &Element<'_>, timing: Option<&Timing>) -
     let (start, end) = (element.name.span().start, element.value.span().end);
     let whole = Span { start, end: end.max(element.name.span().end) };
     let children = (name == "events" || text_name(name).is_some()).then(|| segments(document, element, timing));
-    made(document, if name.is_empty() { "\"\"" } else { name }, detail, kind, (whole, element.name.span()), children)
+    let range = |span| convert::range(&document.rope, span, document.mark_bytes());
+    let ranges = (range(whole), range(element.name.span()));
+    made(if name.is_empty() { "\"\"" } else { name }, detail, kind, ranges, children)
 }
 
 /// The segments of a text with more than one.
@@ -39,34 +42,36 @@ fn segments(document: &Document, element: &Element<'_>, timing: Option<&Timing>)
         // Where characters stand is found quickly only without escapes; an outline is not worth more.
         return Vec::new();
     }
+    let shift = document.mark_bytes();
+    let mut walk = Walk::new(&document.rope, &document.text, string.span().start as usize + shift);
     let one = |(index, range): (usize, std::ops::Range<usize>)| {
         let said = shortened(text::trim(string.text.get(range.clone()).unwrap_or_default()));
         let name = if said.is_empty() { format!("segment {}", index + 1) } else { said };
         let time = timing.and_then(|timing| timing.shown(index)).unwrap_or_default();
         let span = string.span_of(range);
-        made(document, &name, time, SymbolKind::STRING, (span, span), None)
+        let [start, end] = [span.start, span.end].map(|place| walk.position(place as usize + shift));
+        let range = Range::new(start, end);
+        made(&name, time, SymbolKind::STRING, (range, range), None)
     };
     text::segments(&string.text).enumerate().map(one).collect()
 }
 
 #[allow(deprecated, reason = "the type has a field that is deprecated")]
 fn made(
-    document: &Document,
     name: &str,
     detail: String,
     kind: SymbolKind,
-    (whole, selected): (Span, Span),
+    (range, selection_range): (Range, Range),
     children: Option<Vec<DocumentSymbol>>,
 ) -> DocumentSymbol {
-    let range = |span| convert::range(&document.rope, span, document.mark_bytes());
     DocumentSymbol {
         name: name.to_owned(),
         detail: Some(detail),
         kind,
         tags: None,
         deprecated: None,
-        range: range(whole),
-        selection_range: range(selected),
+        range,
+        selection_range,
         children,
     }
 }

@@ -3,7 +3,7 @@
 //! A project with `[audio]` in its settings has a recording for each clip. [`Recordings`] finds them, [`Facts`] is what
 //! is known of one: its length and the hash of its file, [`Recorded`] counts them. [`check`] reports what does not belong together, and
 //! [`in_bank`] is what a bank says about recordings. [`sync`](sync()) makes mouths of recordings, and a [`SyncRecord`]
-//! remembers what each was made from. [`train`] learns a
+//! remembers what each was made from. [`KnownPhones`] hears once more when each sound of a clip is said. [`train`] learns a
 //! model of the voices of a project.
 //!
 //! What is not here: printing, exit codes (`lipz`); phones, words and mouth shapes (`lipz-speech`).
@@ -31,9 +31,9 @@ pub use lipz_speech::{Recogniser, RecogniserError, TrainedModel};
 pub use recorded::Recorded;
 pub use recordings::{Recordings, dependencies, is_recording};
 pub use sync::{
-    DoubtfulWord, Job, Kept, Line, Made, Original, OriginalThen, RECORD_NAME, SyncOptions, SyncRecord, Synced,
-    TRAINING_ROUNDS, Trained, Whole, jobs_of_clips, jobs_of_recordings, model_at, record_place, sync, train,
-    write_model,
+    DoubtfulWord, Job, Kept, KnownPhones, Line, Made, Original, OriginalThen, PhoneTime, RECORD_NAME, SyncOptions,
+    SyncRecord, Synced, TRAINING_ROUNDS, Trained, Whole, jobs_of_clips, jobs_of_recordings, model_at, record_place,
+    sync, train, write_model,
 };
 pub(crate) use sync::{spoken_string, spoken_text};
 pub use words::word_times;

@@ -207,22 +207,21 @@ fn of_a_clip_with_errors_what_is_right_is_shown() {
     assert_eq!(drafted(&answer).0["result"], "refused", "no document, no draft");
 }
 
+const DUBBED: &str = "sources = [\"v\"]\nroot = \"v\"\ndefault-locale = \"en-us\"\n[voices]\nen-us = \"{key}\"\n\
+                      de-de = \"de/{key}\"\n[lints]\nwarnings = \"deny\"\n";
+const DUB: &str = r#"{ "fps": 24, "viseme_type": "blair", "visemes": "AAA-" }"#;
+
 #[test]
 fn a_dub_is_packed_with_its_original() {
     let scene = Scene::new();
-    let dub = r#"{ "fps": 24, "viseme_type": "blair", "visemes": "AAA-" }"#;
-    scene.write(
-        "lipz.toml",
-        "sources = [\"v\"]\nroot = \"v\"\ndefault-locale = \"en-us\"\n[voices]\nen-us = \"{key}\"\n\
-                              de-de = \"de/{key}\"\n[lints]\nwarnings = \"deny\"\n",
-    );
+    scene.write("lipz.toml", DUBBED);
     scene.write(
         "v/aye.lipz",
         r#"{ "fps": 24, "viseme_type": "blair", "visemes": "MA-", "text_en-us": "Aye!", "text_de-de": "Ja!" }"#,
     );
-    scene.write("v/de/aye.lipz", dub);
+    scene.write("v/de/aye.lipz", DUB);
     let preview = Running::start(&scene, &[]);
-    let edit = json!({ "key": "de/aye", "source": dub, "elements": { "visemes": "EAA-" } });
+    let edit = json!({ "key": "de/aye", "source": DUB, "elements": { "visemes": "EAA-" } });
     let answer = preview.post("api/draft", &edit);
     let (document, bank) = drafted(&answer);
     assert_eq!(document["diagnostics"], json!([]));
@@ -230,6 +229,112 @@ fn a_dub_is_packed_with_its_original() {
     let segment = bank.clip_by_key("de/aye").unwrap().segments().next().unwrap();
     assert_eq!(segment.text(bank.locale("de-de").unwrap()).unwrap().as_str(), "Ja!");
     assert_eq!(preview.post("api/save", &edit).json()["result"], "saved");
+}
+
+/// A project whose dub has an original with an error.
+fn dubbed() -> Scene {
+    let scene = Scene::new();
+    scene.write("lipz.toml", DUBBED);
+    scene.write(
+        "v/aye.lipz",
+        r#"{ "fps": 24, "viseme_type": "blair", "visemes": "M?-", "text_en-us": "Aye!", "text_de-de": "Ja!" }"#,
+    );
+    scene.write("v/de/aye.lipz", DUB);
+    scene
+}
+
+#[test]
+fn a_dub_is_not_to_blame_for_its_original() {
+    let scene = dubbed();
+    let preview = Running::start(&scene, &[]);
+    let edit = json!({ "key": "de/aye", "source": DUB, "elements": { "visemes": "EAA-" } });
+    let answer = preview.post("api/draft", &edit);
+    let (document, bank) = drafted(&answer);
+    assert_eq!(document["diagnostics"], json!([]));
+    let bank = lipz_bank::Bank::open(bank).unwrap();
+    let segment = bank.clip_by_key("de/aye").unwrap().segments().next().unwrap();
+    assert_eq!(segment.text(bank.locale("de-de").unwrap()).unwrap().as_str(), "Ja!", "its texts are right");
+    let wrong = json!({ "key": "de/aye", "source": DUB, "elements": { "visemes": "E?A-" } });
+    assert_eq!(preview.post("api/save", &wrong).json()["diagnostics"][0]["code"], "LZ0401", "its own errors count");
+    assert_eq!(preview.post("api/save", &edit).json()["result"], "saved");
+    assert!(fs::read_to_string(scene.path().join("v/de/aye.lipz")).unwrap().contains("EAA-"));
+    // Nothing can be said of one that is no JSON.
+    scene.write("v/aye.lipz", "{ \"fps\": ");
+    let source = fs::read_to_string(scene.path().join("v/de/aye.lipz")).unwrap();
+    let edit = json!({ "key": "de/aye", "source": source, "elements": { "visemes": "OAA-" } });
+    assert_eq!(preview.post("api/save", &edit).json()["result"], "saved");
+}
+
+#[test]
+fn texts_in_files_of_their_own_are_shown() {
+    let scene = project();
+    fs::remove_file(scene.path().join("voices/act1/otto.lipz")).unwrap();
+    let file = MAYOR.replace("\"note\"", "\"text_de-de\": \"Meister?|Meister!\", \"note\"");
+    scene.write("voices/act1/mayor.lipz", file);
+    scene.prepare(&["pack", "voices", "-o", "a.lipzbank", "--split-locales"]);
+    let preview = Running::start(&scene, &["a.lipzbank", "--texts", "a.*.lipztexts"]);
+    assert_eq!(preview.get("api/clips").json()["locales"], json!(["de-de", "en-us"]));
+    let bytes = preview.get("api/bank").body;
+    let bank = lipz_bank::Bank::open(&bytes).unwrap().verify().unwrap();
+    let segment = bank.clip_by_key("act1/mayor").unwrap().segment(1).unwrap();
+    assert_eq!(segment.text(bank.locale("de-de").unwrap()).unwrap().as_str(), "Meister!");
+    let refused = lipz(scene.path(), ["preview", "voices", "--texts", "a.de-de.lipztexts"]);
+    assert!(refused.code == 2 && refused.stderr.contains("names texts of a bank"), "{refused:?}");
+}
+
+#[test]
+fn of_one_file_the_rest_of_the_project_is_not_missed() {
+    let scene = project();
+    let samples = [0_i16; 8000];
+    for name in ["mayor", "nobody"] {
+        scene.write(&format!("recordings/act1/{name}.wav"), support::sound::wav(16_000, &samples));
+    }
+    let told = |source: &str| {
+        let preview = Running::start(&scene, &[source, "--root", "voices", "--audio", "recordings"]);
+        let before = preview.get("api/clips").json()["version"].as_u64().unwrap();
+        preview.get(&format!("api/changes?since={before}"));
+        preview.get("api/clips").json()["diagnostics"].to_string()
+    };
+    assert!(told("voices").contains("LZ1702"));
+    let single = told("voices/act1/mayor.lipz");
+    assert!(!single.contains("LZ1702"), "{single}");
+}
+
+/// A project with a recording of a sentence.
+fn recorded() -> Scene {
+    let scene = Scene::new();
+    scene.write("lipz.toml", "sources = [\"voices\"]\ndefault-locale = \"en-us\"\n[audio]\nfolder = \"rec\"\n");
+    scene.write("rec/bobby.wav", fs::read(support::repository().join("fixtures/speech/bobby.wav")).unwrap());
+    scene.write("voices/bobby.lipz", "{ \"text_en-us\": \"Bobby ripped the ledger.\" }");
+    scene
+}
+
+#[test]
+fn the_phones_of_a_synced_clip_are_known() {
+    let scene = recorded();
+    let preview = Running::start(&scene, &[]);
+    assert_eq!(preview.get("api/phones?key=bobby").json(), json!([]), "nothing was synced");
+    drop(preview);
+    scene.prepare(&["sync", "--textgrids", "grids", "--quiet"]);
+    let phones = |options: &[&str]| Running::start(&scene, options).get("api/phones?key=bobby").json();
+    let heard = phones(&[]);
+    let names: Vec<&str> = heard.as_array().unwrap().iter().map(|found| found["phone"].as_str().unwrap()).collect();
+    assert!(names.starts_with(&["B", "AA"]) && names.contains(&"JH"), "{heard}");
+    let grid = fs::read_to_string(scene.path().join("grids/bobby.TextGrid")).unwrap();
+    let from_grid = grid.lines().filter(|line| line.trim() == "text = \"JH\"").count();
+    assert_eq!(names.iter().filter(|name| **name == "JH").count(), from_grid, "as the TextGrid has them");
+    // What somebody has corrected counts.
+    let settings = fs::read_to_string(scene.path().join("lipz.toml")).unwrap();
+    scene.write("lipz.toml", settings + "[sync]\ntextgrids = \"grids\"\n");
+    scene.write("grids/bobby.TextGrid", grid.replace("\"JH\"", "\"ZH\""));
+    assert!(phones(&[]).to_string().contains("\"ZH\""));
+    // An exported page has them inside.
+    assert_eq!(lipz(scene.path(), ["preview", "--export", "site"]).code, 0);
+    let clip = fs::read_to_string(scene.path().join("site/data/clip-0.js")).unwrap();
+    assert!(clip.contains(r#""phones":[{"phone":"B","#) && clip.contains("\"ZH\""), "{clip}");
+    // Another take: nobody has heard it yet.
+    scene.write("rec/bobby.wav", support::sound::voice(&[(true, 900)], 2));
+    assert_eq!(phones(&[]), json!([]));
 }
 
 #[test]

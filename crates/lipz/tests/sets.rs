@@ -66,6 +66,10 @@ fn a_set_is_linked_verified_inspected_and_unpacked() {
             ["out/dialogue.lipzset", "whole.lipzbank"].map(|bank| lipz(scene.path(), ["inspect", bank, key]));
         assert_eq!((one.code, &one.stdout), (0, &other.stdout), "{key}");
     }
+    for (flag, value) in [("--locale", "de-de"), ("--texts", "de-de.lipztexts")] {
+        let refused = lipz(scene.path(), ["inspect", "out/dialogue.lipzset", flag, value]);
+        assert!(refused.code == 2 && refused.stderr.contains(flag), "not passed over in silence: {refused:?}");
+    }
     let listed = lipz(scene.path(), ["inspect", "out/dialogue.lipzset", "--list", "de/"]);
     assert_eq!(listed.stdout.lines().count(), 5, "{listed:?}");
     let listed = lipz(scene.path(), ["inspect", "out/dialogue.lipzset", "--list", "--json"]);

@@ -257,6 +257,21 @@ fn a_new_project_packs() {
 }
 
 #[test]
+fn a_project_of_recordings_begins_with_a_folder_for_them() {
+    let scene = Scene::new();
+    let begun = lipz(scene.path(), ["init", "game", "--audio", "takes"]);
+    assert!(begun.code == 0 && begun.stdout.contains("record a line there"), "{begun:?}");
+    let expected = [".gitignore", "lipz.toml", "takes", "voices"].map(|name| format!("game/{name}"));
+    assert_eq!(tree(scene.path()), [vec!["game".to_owned()], expected.to_vec()].concat());
+    let game = scene.path().join("game");
+    fs::write(game.join("takes/aye.wav"), support::sound::voice(&[(true, 400)], 1)).unwrap();
+    assert_eq!(lipz(&game, ["new", "aye", "Aye."]).code, 0);
+    assert_eq!(lipz(&game, ["sync", "--quiet"]).code, 0);
+    let checked = lipz(&game, ["check"]);
+    assert!(checked.code == 0 && !checked.stderr.contains("LZ1701"), "every clip has its recording: {checked:?}");
+}
+
+#[test]
 fn new_clips_replace_none_and_fit_into_the_project() {
     let scene = Scene::new();
     scene.write("lipz.toml", "sources = [\"voices\"]\n");

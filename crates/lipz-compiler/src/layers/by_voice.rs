@@ -52,7 +52,7 @@ impl VoiceBanks {
         });
         let dubs: HashMap<ClipId, &str> = dubs.collect();
         let voice_of = |clip: &LayeredClip<'_, '_>| dubs.get(&clip.id()).copied();
-        let base = merge_of(&layers, &|clip| voice_of(clip).is_none())?;
+        let base = merge_of(&layers, &[], &|clip| voice_of(clip).is_none())?;
         verify(&base)?;
         let opened = Bank::open(&base).map_err(|error| failed(error.kind().message()))?;
         let mut voices = Vec::new();
@@ -60,7 +60,7 @@ impl VoiceBanks {
             if !dubs.values().any(|tag| *tag == voice.tag()) {
                 continue;
             }
-            let dubbed = merge_of(&layers, &|clip| voice_of(clip).is_none_or(|tag| tag == voice.tag()))?;
+            let dubbed = merge_of(&layers, &[], &|clip| voice_of(clip).is_none_or(|tag| tag == voice.tag()))?;
             verify(&dubbed)?;
             let new = Bank::open(&dubbed).map_err(|error| failed(error.kind().message()))?;
             if let Some(layer) = between(&opened, &new, &[opened.checksum()])? {

@@ -4,8 +4,8 @@ use super::content::{Draft, Records, Texts};
 use super::links::{Whose, dubs_of};
 use super::stack::MAX_LAYERS;
 use crate::lower::Beside;
-use lipz_bank::{Bank, LayeredClip, LayeredLocale, Layers};
-use lipz_diagnostics::Report;
+use lipz_bank::{Bank, LayeredClip, LayeredLocale, Layers, TextBank};
+use lipz_diagnostics::{Code, Report};
 use lipz_layout::Tag;
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
@@ -14,23 +14,36 @@ type Locale<'d> = LayeredLocale<'d, MAX_LAYERS>;
 
 /// The bank that is packed from the sources of all layers in one go. Source records are lost if one of them has none.
 pub(super) fn merge(layers: &Layers<'_, MAX_LAYERS>) -> Result<Vec<u8>, Report> {
-    merge_of(layers, &|_| true)
+    merge_of(layers, &[], &|_| true)
 }
 
-/// The same of the clips that `keeps` chooses: with a dub, its original.
-pub(super) fn merge_of(
-    layers: &Layers<'_, MAX_LAYERS>,
+/// A bank with the texts of its text banks, as it was before it was split.
+pub(crate) fn joined<'d>(bank: &Bank<'d>, texts: &[TextBank<'d>]) -> Result<Vec<u8>, Report> {
+    let layers = Layers::from_slice(std::slice::from_ref(bank)).map_err(|_| not_whole())?;
+    merge_of(&layers, texts, &|_| true)
+}
+
+fn not_whole() -> Report {
+    let help = "name the banks below it, too: `base.lipzbank+layer.lipzbank`";
+    Report::failure("", Code::LayerMisfit, "a layer alone is no bank", help)
+}
+
+/// The same of the clips that `keeps` chooses: with a dub, its original. `texts` are those of the banks.
+pub(super) fn merge_of<'d>(
+    layers: &Layers<'d, MAX_LAYERS>,
+    texts: &[TextBank<'d>],
     keeps: &dyn Fn(&LayeredClip<'_, '_>) -> bool,
 ) -> Result<Vec<u8>, Report> {
     let all: Vec<LayeredClip<'_, '_>> = layers.clips().collect();
     let clips: Vec<LayeredClip<'_, '_>> = all.iter().copied().filter(keeps).collect();
-    let tags: BTreeSet<&str> = layers.locale_tags().collect();
-    let locales: Vec<Locale<'_>> = tags.into_iter().filter_map(|tag| layers.locale(tag)).collect();
+    let of_texts = || texts.iter().flat_map(TextBank::locales);
+    let tags: BTreeSet<&str> = layers.locale_tags().chain(of_texts().map(|locale| locale.tag())).collect();
+    let locales: Vec<Locale<'_>> = tags.into_iter().filter_map(|tag| layers.locale_in(tag, texts)).collect();
     // Of all clips, so that banks of voices have the locales of the whole bank: fallback goes by clip.
     let is_used = used(&all, &locales);
     let locales: Vec<Locale<'_>> =
         std::iter::zip(locales, is_used).filter(|(_, is_used)| *is_used).map(|(locale, _)| locale).collect();
-    let default = layers.default_locale();
+    let default = layers.default_locale().or_else(|| Some(of_texts().find(lipz_bank::Locale::is_default)?.tag()));
     let mut draft =
         Draft::new(locales.iter().map(|locale| (locale.tag().to_owned(), default == Some(locale.tag()))).collect());
     let records: Vec<Records<'_>> =
@@ -40,11 +53,11 @@ pub(super) fn merge_of(
     let tags: Vec<&str> = locales.iter().map(LayeredLocale::tag).collect();
     let mut recordings = BTreeMap::new();
     for clip in clips {
-        let texts = texts(&clip, &locales);
+        let shown = self::texts(&clip, &locales);
         let whose = match clip.original(layers) {
             Some(original) => {
                 let theirs = self::texts(&original, &locales);
-                Whose::Some(Whose::of_layered(&clip, layers, &tags, (&texts, &theirs)))
+                Whose::Some(Whose::of_layered(&clip, layers, &tags, (&shown, &theirs)))
             }
             None => Whose::Some(Vec::new()),
         };
@@ -53,7 +66,7 @@ pub(super) fn merge_of(
         let topmost = (0..layers.layer_count()).rev().find_map(in_layer);
         let record = topmost.and_then(|(layer, clip)| Some(records.get(layer)?.get(&clip))).unwrap_or_default();
         let record = if strip { &[] } else { record };
-        draft.push(clip.key(), Some(clip.clip()), Some((&texts, &whose)), clip.segment_count(), record);
+        draft.push(clip.key(), Some(clip.clip()), Some((&shown, &whose)), clip.segment_count(), record);
         recordings.extend(clip.recording().map(|recording| (clip.key().to_owned(), recording)));
     }
     draft.bank(Beside {

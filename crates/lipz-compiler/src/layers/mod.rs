@@ -15,6 +15,7 @@ mod stack;
 
 pub use by_voice::VoiceBanks;
 pub(crate) use keep::Kept;
+pub(crate) use merge::joined;
 pub use over::Over;
 pub use stack::Stack;
 

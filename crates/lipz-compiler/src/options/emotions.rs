@@ -46,10 +46,15 @@ impl Emotions {
         Emotion::from_name(name).is_some() || emotion::preset(name).is_some() || self.presets.contains_key(name)
     }
 
-    /// All names that it knows.
-    pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
+    /// All names that it knows, those of the attributes first.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
         let presets = emotion::PRESETS.iter().map(|(name, _)| *name);
         Emotion::ALL.iter().map(|emotion| emotion.name()).chain(presets).chain(self.presets.keys().map(String::as_str))
+    }
+
+    /// The attributes of a name without a value, in thousandths; none of a calm face, and of a name that is not known.
+    pub fn attributes(&self, name: &str) -> Vec<(Emotion, i32)> {
+        self.feeling(name, None)
     }
 
     /// Whether a name stands for some attribute.

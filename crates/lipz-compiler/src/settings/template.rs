@@ -12,17 +12,17 @@ const HEAD: &str = "\
 /// Columns of an explanation.
 const WIDTH: usize = 100;
 
-/// A settings file with every setting at its default, or with an example, behind `#`; those in `set`, of the first
-/// table, have the values that stand there, in TOML.
-pub fn template(set: &[(&str, &str)]) -> String {
+/// A settings file with every setting at its default, or with an example, behind `#`; those in `set` have the values that stand
+/// there, in TOML: table (none for the first), name, value.
+pub fn template(set: &[(&str, &str, &str)]) -> String {
     let mut text = HEAD.to_owned();
     for table in TABLES {
-        push_table(&mut text, table, if table.name.is_empty() { set } else { &[] });
+        push_table(&mut text, table, set);
     }
     text
 }
 
-fn push_table(text: &mut String, table: &Table, set: &[(&str, &str)]) {
+fn push_table(text: &mut String, table: &Table, set: &[(&str, &str, &str)]) {
     text.push('\n');
     push_comment(text, table.about);
     if !table.name.is_empty() {
@@ -34,8 +34,9 @@ fn push_table(text: &mut String, table: &Table, set: &[(&str, &str)]) {
             for setting in *settings {
                 text.push('\n');
                 push_comment(text, &format!("{} Default: {}.", setting.about, setting.default));
-                let _ = match set.iter().find(|(name, _)| *name == setting.name) {
-                    Some((name, value)) => writeln!(text, "{name} = {value}"),
+                let is_it = |(of, name, _): &&(&str, &str, &str)| (*of, *name) == (table.name, setting.name);
+                let _ = match set.iter().find(is_it) {
+                    Some((_, name, value)) => writeln!(text, "{name} = {value}"),
                     None => writeln!(text, "#{} = {}", setting.name, setting.example),
                 };
             }
@@ -83,7 +84,10 @@ mod tests {
     fn the_template_changes_nothing() {
         let (written, empty) = (read(&template(&[])), read(""));
         assert_eq!(format!("{written:?}"), format!("{empty:?}"));
-        let (written, set) = (read(&template(&[("strip", "true")])), read("strip = true"));
+        let (written, set) = (read(&template(&[("", "strip", "true")])), read("strip = true"));
+        assert_eq!(format!("{written:?}"), format!("{set:?}"));
+        let set = template(&[("audio", "folder", "\"here\"")]);
+        let (written, set) = (read(&set), read("[audio]\nfolder = \"here\""));
         assert_eq!(format!("{written:?}"), format!("{set:?}"));
     }
 

@@ -1,6 +1,6 @@
 //! The words of events: who, what, whom or what.
 
-use super::Offer;
+use super::{Offer, emotions};
 use crate::project::Known;
 use crate::words::Role;
 use lipz_file::event::SEPARATOR;
@@ -42,11 +42,14 @@ pub(super) fn offers(before: &str, known: &Known) -> Vec<Offer> {
     }
     let named = |role, detail: &str, kind| named(known, role, detail, kind);
     let things = || named(Role::Target, "character or prop", CompletionItemKind::VARIABLE);
-    let feelings = || named(Role::Emotion, "emotion", CompletionItemKind::ENUM_MEMBER);
+    // What is behind `feels` is a blend: `feels anger 2 + joy`.
+    if let Some(feels) = words.iter().position(|word| *word == "feels") {
+        let blend = part.split_once("feels").map_or("", |(_, blend)| blend);
+        let term = blend.rsplit('+').next().unwrap_or_default();
+        return if feels < 2 { emotions::in_term(term, known) } else { Vec::new() };
+    }
     match words.as_slice() {
         [] => verbs().into_iter().chain(named(Role::Character, "character", CompletionItemKind::VARIABLE)).collect(),
-        // Of a blend: `feels anger 2 + …`.
-        [.., "feels"] | [_, .., "+"] => feelings(),
         [.., "sees" | "stares" | "points"] => things(),
         [.., "nods" | "shakes" | "breathes" | "blinks" | "away"] => Vec::new(),
         [.., "does"] => named(Role::Action, "action", CompletionItemKind::FUNCTION),

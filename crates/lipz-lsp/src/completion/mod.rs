@@ -1,5 +1,7 @@
-//! Completion: names of elements, viseme types, rates, and the words of events.
+//! Completion: names of elements and curves, viseme types, rates, the words of events, and emotions in texts.
 
+mod curves;
+mod emotions;
 mod events;
 mod names;
 
@@ -7,6 +9,7 @@ use crate::context::{Context, context};
 use crate::document::Document;
 use crate::place;
 use crate::project::Known;
+use lipz_file::locale::text_name;
 use lipz_types::VisemeType;
 use lsp_types::{
     CompletionItem, CompletionItemKind, CompletionTextEdit, Documentation, InsertTextFormat, MarkupContent, MarkupKind,
@@ -46,6 +49,11 @@ pub(crate) fn complete(document: &Document, known: &Known, at: usize, has_snippe
             let (around, end) = names::around(text, at);
             (names::offers(document, known, around), start..end)
         }
+        Context::BetweenCurves => (curves::offers(document, known, names::Around::Nothing), at..at),
+        Context::CurveName(start) => {
+            let (around, end) = names::around(text, at);
+            (curves::offers(document, known, around), start..end)
+        }
         Context::Value("viseme_type") => (quoted(types()), at..at),
         Context::Value("fps") => (rates(), at..at),
         Context::Text("viseme_type", start) => (types(), start..end_of_text(text, at)),
@@ -53,6 +61,10 @@ pub(crate) fn complete(document: &Document, known: &Known, at: usize, has_snippe
             let before = text.get(start..at).unwrap_or_default();
             let word = events::word_around(text, start, at);
             (events::offers(before, known), word)
+        }
+        Context::Text(name, start) if text_name(name).is_some() => {
+            let before = text.get(start..at).unwrap_or_default();
+            (emotions::in_braces(before, known), emotions::word_around(text, start, at))
         }
         _ => return Vec::new(),
     };

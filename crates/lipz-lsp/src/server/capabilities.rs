@@ -53,7 +53,7 @@ fn server() -> ServerCapabilities {
         save: Some(true.into()),
         ..TextDocumentSyncOptions::default()
     };
-    let triggers = ["\"", " ", ",", "|", "+"].map(str::to_owned).to_vec();
+    let triggers = ["\"", " ", ",", "|", "+", "{"].map(str::to_owned).to_vec();
     ServerCapabilities {
         text_document_sync: Some(TextDocumentSyncCapability::Options(sync)),
         completion_provider: Some(CompletionOptions {

@@ -8,6 +8,7 @@ mod model_file;
 pub(crate) mod mouth;
 mod one;
 mod options;
+mod phones;
 mod record;
 mod subject;
 mod target;
@@ -18,6 +19,7 @@ pub use model_file::{model_at, write_model};
 pub use one::Kept;
 pub use options::SyncOptions;
 pub(crate) use options::{spoken_string, spoken_text};
+pub use phones::{KnownPhones, PhoneTime};
 pub use record::{Line, Made, OriginalThen, RECORD_NAME, SyncRecord, record_place};
 pub use train::{TRAINING_ROUNDS, Trained, train};
 

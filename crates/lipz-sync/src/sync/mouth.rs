@@ -4,7 +4,9 @@ use super::{SyncOptions, grid};
 use lipz_compiler::{WordTime, WordTimes};
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use lipz_file::JsonString;
-use lipz_speech::{AlignedWord, Aligner, Alignment, Mismatch, MismatchKind, Model, Script, Sound, render, rms};
+use lipz_speech::{
+    AlignedPhone, AlignedWord, Aligner, Alignment, Mismatch, MismatchKind, Model, Script, Sound, render, rms,
+};
 use lipz_types::{Fps, VisemeType};
 use std::ops::Range;
 
@@ -20,6 +22,8 @@ pub(super) struct Heard {
     pub(super) segment_starts: Vec<usize>,
     /// The words of the script, when they are said.
     words: Vec<AlignedWord>,
+    /// All phones and pauses; none of a mouth that follows the loudness.
+    pub(super) phones: Vec<AlignedPhone>,
     /// The words of the script of which nobody is sure: number and start in microseconds.
     pub(super) doubtful: Vec<(usize, u64)>,
     /// Where sound and script do not belong together.
@@ -72,7 +76,8 @@ pub(super) fn make(
         options.textgrids.is_some().then(|| grid::written(&alignment, script, &mouth.frames, (viseme_type, fps)));
     let mismatches = mismatches.unwrap_or(alignment.mismatches);
     let (codes, segment_starts) = (mouth.frames, mouth.segment_starts);
-    Heard { codes, segment_starts, words: alignment.words, doubtful, mismatches, grid }
+    let Alignment { words, phones, .. } = alignment;
+    Heard { codes, segment_starts, words, phones, doubtful, mismatches, grid }
 }
 
 /// When the words of `text` are said, of which `script` was made.

@@ -54,8 +54,9 @@ pub(super) struct New {
 }
 
 /// Does a job, all but writing. What is wrong goes to `reports`.
+#[allow(clippy::redundant_closure_for_method_calls, reason = "the method is of one lifetime only")]
 pub(super) fn one(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Vec<Report>) -> Step {
-    match tried(job, options, record, reports) {
+    match with_subject(job, options, record, reports, |subject, reports| subject.step(reports)) {
         Ok(step) => step,
         Err(report) => {
             reports.push(report);
@@ -64,7 +65,15 @@ pub(super) fn one(job: &Job, options: &SyncOptions, record: &SyncRecord, reports
     }
 }
 
-fn tried(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Vec<Report>) -> Result<Step, Report> {
+/// Finds out all that is known of a job before its recording is decoded, and does something with it. What is odd goes to
+/// `reports`.
+pub(super) fn with_subject<R>(
+    job: &Job,
+    options: &SyncOptions,
+    record: &SyncRecord,
+    reports: &mut Vec<Report>,
+    work: impl FnOnce(Subject<'_>, &mut Vec<Report>) -> Result<R, Report>,
+) -> Result<R, Report> {
     let name = shown(&job.lipz_file);
     let (is_new, bytes) = text_file(job, options)?;
     let parsed = lipz_file::parse(&bytes);
@@ -102,7 +111,7 @@ fn tried(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Ve
     let diagnostics = Vec::from_iter(other_text(job, text.filter(|_| !is_borrowed)).filter(|_| !is_new));
     let (original, original_file) = (original.as_ref(), (&*original_file.0, &*original_file.1));
     let (name, bytes, before) = (&*name, &*bytes, &before);
-    Subject {
+    let subject = Subject {
         job,
         options,
         name,
@@ -123,8 +132,8 @@ fn tried(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Ve
         known,
         diagnostics,
         of_text,
-    }
-    .step(reports)
+    };
+    work(subject, reports)
 }
 
 /// The Lipz file of the original of a dub: its name, and its bytes; empty if there is none.

@@ -15,11 +15,18 @@ use crate::recordings::shown;
 use lipz_compiler::WordTimes;
 use lipz_diagnostics::{Code, Diagnostic, Report};
 use lipz_file::{Document, JsonString};
-use lipz_speech::{Alignment, Recogniser, Script, Sound};
+use lipz_speech::{AlignedPhone, Alignment, Recogniser, Script, Sound};
 use lipz_types::{Fps, VisemeType};
 use std::fs::File;
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
+
+/// Whether text and recording are compared by a recogniser, if there is one: that takes longer than all else.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Compared {
+    WithRecogniser,
+    Not,
+}
 
 /// Everything that is known of a job before its recording is decoded.
 pub(super) struct Subject<'a> {
@@ -130,7 +137,7 @@ impl Subject<'_> {
 
     /// The file with a new mouth.
     fn make(mut self, reports: &mut Vec<Report>) -> Result<Step, Report> {
-        let heard = self.hear(reports)?;
+        let heard = self.hear(Compared::WithRecogniser, reports)?;
         let spoken_text = self.text.map(|text| &*text.text);
         let differences = spoken_text.and_then(|text| mouth::differences(&heard, &self.script, text));
         self.of_text.extend(self.mismatches(differences.as_ref()));
@@ -160,8 +167,20 @@ impl Subject<'_> {
         Ok(Step::New(Box::new(New { before, after, line, listed, grid, has_new_text })))
     }
 
+    /// Whether a mouth was made of the phones of this recording and this text.
+    pub(super) fn has_phones(&self) -> bool {
+        let (sound, text) = (self.made.sound, self.made.text);
+        let is_made = self.known.iter().any(|line| (line.made.sound, line.made.text) == (sound, text));
+        is_made && self.rate.0 != VisemeType::Rms
+    }
+
+    /// When the phones of the recording are said.
+    pub(super) fn phones(&self, reports: &mut Vec<Report>) -> Result<Vec<AlignedPhone>, Report> {
+        self.hear(Compared::Not, reports).map(|heard| heard.phones)
+    }
+
     /// The mouth of the recording. Reports what is wrong with it.
-    fn hear(&self, reports: &mut Vec<Report>) -> Result<Heard, Report> {
+    fn hear(&self, compared: Compared, reports: &mut Vec<Report>) -> Result<Heard, Report> {
         let Subject { job, options, ref script, .. } = *self;
         let file = File::open(&job.recording).map_err(|error| unreadable(&job.recording, &error))?;
         let sound = Sound::read(BufReader::new(file), extension(&job.recording))
@@ -174,6 +193,7 @@ impl Subject<'_> {
             None => None,
         };
         let is_compared = !script.words.is_empty() && !condition.is_silent() && corrected.is_none();
+        let is_compared = is_compared && compared == Compared::WithRecogniser;
         let opinion = options.recogniser.as_ref().filter(|_| is_compared);
         let opinion = opinion.map(|recogniser| recognised(recogniser, job)).transpose()?;
         let script = phones.as_ref().unwrap_or(script);

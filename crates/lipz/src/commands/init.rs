@@ -20,21 +20,28 @@ const FIRST_CLIP: &str = r#"{
 }
 "#;
 
+const VOICES: &str = "voices";
 const FIRST_PATH: &str = "voices/hello.lipz";
 const BANK: &str = "dialogue.lipzbank";
 const IGNORED: &str = ".gitignore";
 
 /// Begin a project: a lipz.toml with every setting, explained, a first clip, and a .gitignore for the bank.
 ///
-/// Where there are Lipz files already, no clip is written. A .gitignore that exists gets a line more.
+/// Where there are Lipz files already, no clip is written, nor with --audio: what is recorded will be the first. A .gitignore that
+/// exists gets a line more.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz init
+  lipz init game --audio recordings
   lipz init game/dialogue")]
 pub(crate) struct Init {
     /// The folder of the project; it is created if needed
     #[arg(value_name = "FOLDER", default_value = ".")]
     folder: PathBuf,
+
+    /// Make a folder for recordings, which lipz.toml names
+    #[arg(long, value_name = "FOLDER")]
+    audio: Option<PathBuf>,
 
     /// Replace a file that exists
     #[arg(long)]
@@ -61,11 +68,20 @@ impl Run for Init {
             return Err(reporter.refuse(vec![Report::about(shown, diagnostic)]));
         }
         let bank = format!("\"{BANK}\"");
-        let mut set = vec![("output", bank.as_str())];
+        let audio = self.audio.as_ref().map(|folder| lipz_file::literal(&folder.to_string_lossy()));
+        let mut set = vec![("", "output", bank.as_str())];
         let is_new = !has_clips(&self.folder);
         if is_new {
-            set.extend([("sources", "[\"voices\"]"), ("default-locale", "\"en-us\"")]);
+            set.extend([("", "sources", "[\"voices\"]"), ("", "default-locale", "\"en-us\"")]);
+        }
+        if is_new && self.audio.is_none() {
             output_file::write(&self.folder.join(FIRST_PATH), FIRST_CLIP.as_bytes(), reporter)?;
+        }
+        if let (Some(folder), Some(audio)) = (&self.audio, &audio) {
+            set.push(("audio", "folder", audio));
+            for folder in [&self.folder.join(VOICES), &self.folder.join(folder)] {
+                fs::create_dir_all(folder).map_err(|error| reporter.fail(unreadable(folder, &error)))?;
+            }
         }
         ignore_bank(&self.folder.join(IGNORED), reporter)?;
         output_file::write(&file, template(&set).as_bytes(), reporter)?;
@@ -73,6 +89,9 @@ impl Run for Init {
             return Ok(Outcome::Clean);
         }
         let next = match is_new {
+            true if self.audio.is_some() => {
+                "record a line there, and `lipz new KEY TEXT` makes its clip: KEY is the name of the recording"
+            }
             true => "with a first clip in voices: `lipz pack` there packs it, `lipz new KEY TEXT` makes another one",
             false => "`lipz check` in its folder checks all Lipz files there and below",
         };

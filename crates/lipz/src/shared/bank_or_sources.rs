@@ -38,6 +38,11 @@ impl Dialogue {
         bank_or_sources(self.bank.as_deref(), &self.arguments, reporter)
     }
 
+    /// Whether text banks are named.
+    pub(crate) fn has_texts(&self) -> bool {
+        !self.texts.texts.is_empty()
+    }
+
     /// The same, and of Lipz files, how much of them is recorded, if their project has recordings.
     pub(crate) fn bank_and_recorded(&self, reporter: &mut Reporter) -> Result<(BankFile, Option<Recorded>), Abort> {
         if self.is_bank() {

@@ -77,13 +77,10 @@ impl Sources {
         &self.sources
     }
 
-    /// Drops what is told about recordings of other clips, if the command line names single files: nothing is known of the
-    /// rest of the project.
-    pub(crate) fn retain_own(&self, reports: &mut Vec<Report>) {
+    /// Whether the command line names single files: then nothing is known of the rest of the project.
+    pub(crate) fn names_single_files(&self) -> bool {
         let is_file = |path: &PathBuf| stdio::is_meant(path) || path.is_file();
-        if !self.sources.is_empty() && self.sources.iter().all(is_file) {
-            reports.retain(|report| !report.diagnostics.iter().any(|found| found.code == Code::RecordingWithoutClip));
-        }
+        !self.sources.is_empty() && self.sources.iter().all(is_file)
     }
 
     /// Threads to use, if that is said.
@@ -108,4 +105,10 @@ impl ProjectArguments {
         refuse_locales_of(options, reporter)?;
         Ok(project)
     }
+}
+
+/// Drops what is told about recordings of other clips than those of single files.
+pub(crate) fn retain_own(reports: &mut Vec<Report>) {
+    reports.iter_mut().for_each(|report| report.diagnostics.retain(|found| found.code != Code::RecordingWithoutClip));
+    reports.retain(|report| !report.diagnostics.is_empty());
 }

@@ -69,7 +69,7 @@ test("a long clip keeps nobody out, and a conflict does not widen the page", { t
     await page.until('!document.getElementById("conflict").hidden');
     assert.equal(await page.value('document.querySelector("#theirs mark").textContent'), "5");
     assert.deepEqual(await findings(page), [], `${width} px, a conflict`);
-    const main = await page.value('(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)(document.querySelector("main"))');
+    const main = await page.value('(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)(document.getElementById("clip"))');
     assert.equal(main, 0, "nothing is out of the window");
     await project.write("voices/long.lipz", file);
     await page.click("#drop");

@@ -1,14 +1,18 @@
-// The page of `lipz preview` in Chromium, used as people do: LIPZ names the command.
+// The page of `lipz preview` in a browser, used as people do: LIPZ names the command, BROWSER the browser.
 
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
+import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { Browser } from "./browser.js";
-import { MAYOR, Project } from "./project.js";
+import { MAYOR, Project, SETTINGS } from "./project.js";
 
 const TIMEOUT_MS = 180_000;
 const READY = "globalThis.preview?.then(({ player }) => player.key !== undefined)";
 const FILE = "voices/act1/mayor.lipz";
+const BOBBY = new URL("../../../../fixtures/speech/bobby.wav", import.meta.url);
+/** What a page that plays does: where there is no device for sound, silently. */
+const SOUNDS = Browser.hasSound ? "player.clock.isAudio" : "player.clock.playing";
 const time = "preview.then(({ player }) => player.clock.time)";
 const text = (id) => `document.getElementById("${id}").textContent`;
 
@@ -36,7 +40,7 @@ test("a clip is seen, heard and moved in with keys alone", { timeout: TIMEOUT_MS
   close(await page.value(time), 20 / 24, "the end");
   await page.key("Home");
   await page.key(" ");
-  await page.until(`preview.then(({ player }) => player.clock.isAudio && player.clock.time > 0.2)`);
+  await page.until(`preview.then(({ player }) => ${SOUNDS} && player.clock.time > 0.2)`);
   await page.key("k");
   const stopped = await page.value(time);
   await page.key("j");
@@ -46,7 +50,7 @@ test("a clip is seen, heard and moved in with keys alone", { timeout: TIMEOUT_MS
   await page.key("h");
   await page.key("o");
   await page.key("l");
-  await page.until("preview.then(({ player }) => player.clock.rate === 0.5 && player.clock.isAudio)");
+  await page.until(`preview.then(({ player }) => player.clock.rate === 0.5 && ${SOUNDS})`);
   await new Promise((resolve) => setTimeout(resolve, 900));
   assert.ok((await page.value(time)) < 8 / 24, "the first segment is repeated");
   await page.key("k");
@@ -236,6 +240,52 @@ test("20,000 clips are listed and searched at once", { timeout: TIMEOUT_MS }, as
   t.diagnostic(`the first clip was shown ${shown} ms after the page was asked for`);
 });
 
+test("a clip of `lipz new` gets a mouth by typing", { timeout: TIMEOUT_MS }, async (t) => {
+  const project = await Project.make({ "lipz.toml": 'sources = ["voices"]\ndefault-locale = "en-us"\n' });
+  spawnSync(process.env.LIPZ, ["new", "aye", "Aye.|No."], { cwd: project.folder });
+  const page = await opened(t, project);
+  assert.equal(await page.value(text("subtitle")), "Aye.", "what is to be said is seen");
+  await page.value('document.getElementById("shapes").focus()');
+  const drawn = (frames) => page.until(`preview.then(async ({ player }) => (await player.settled, player.clip.frames === "${frames}"))`);
+  for (const code of ["M", "A", "|", "E", "E", "O"]) await page.key(code);
+  await drawn("MAEEO");
+  await page.key("Backspace");
+  await drawn("MAEE");
+  assert.equal(await page.value("preview.then(({ player }) => player.clip.segment(1).startFrame)"), 2);
+  await page.key("-");
+  await drawn("MAEE-");
+  await page.key("s", "control");
+  await page.until('document.getElementById("save").disabled');
+  const file = await project.read("voices/aye.lipz");
+  assert.match(file, /^\{\n {2}"visemes" : +"MA *\|EE-",\n {2}"text_en-us" : "Aye\.\|No\."/, file);
+  assert.deepEqual(page.complaints, []);
+});
+
+test("the phones of a clip that was synced come when it is looked at", { timeout: TIMEOUT_MS }, async (t) => {
+  const project = await Project.make({ "lipz.toml": SETTINGS, "voices/bobby.lipz": '{ "text_en-us": "Bobby ripped the ledger." }\n', "recordings/bobby.wav": await readFile(BOBBY) });
+  const { status, stderr } = spawnSync(process.env.LIPZ, ["sync"], { cwd: project.folder, encoding: "utf8" });
+  assert.equal(status, 0, stderr);
+  const page = await opened(t, project);
+  const row = '[...document.querySelectorAll("#phones .phone")]';
+  await page.until(`!document.getElementById("phones").hidden && ${row}.length > 10`);
+  assert.deepEqual((await page.value(`${row}.map(({ textContent }) => textContent)`)).slice(0, 4), ["B", "AA", "B", "IY"]);
+  const rights = '(id) => Math.max(...[...document.querySelectorAll(id)].map((part) => part.getBoundingClientRect().right))';
+  assert.ok(Math.abs(await page.value(`(${rights})("#phones .phone") - (${rights})("#words .word")`)) < 3, "the last word ends with its last phone");
+  assert.deepEqual(page.complaints, []);
+});
+
+test("an address leads to a clip and a moment", { timeout: TIMEOUT_MS }, async (t) => {
+  const page = await opened(t, await Project.small(), [], "#clip=act1/mayor&at=0.25");
+  assert.equal(await page.value(time), 0.25);
+  await page.key("ArrowRight");
+  await page.value('document.getElementById("link").click()');
+  await page.until(`${text("linked")} !== ""`);
+  assert.equal(await page.value("location.hash"), "#clip=act1/mayor&at=0.292", "the start of the frame, not before it");
+  await page.value('location.hash = "#clip=act1/otto&at=0.1"');
+  await page.until(`${text("key")} === "act1/otto"`);
+  await page.until(`${time}.then((time) => time === 0.1)`);
+});
+
 test("what must not be written cannot be edited", { timeout: TIMEOUT_MS }, async (t) => {
   const page = await opened(t, await Project.small(), ["--read-only"]);
   assert.equal(await page.value('document.getElementById("edits").hidden'), true);
@@ -258,7 +308,7 @@ test("an exported page plays from a disk, without a server", { timeout: TIMEOUT_
   assert.equal(await page.value(text("count")), "3 clips");
   assert.equal(await page.value(text("subtitle")), "Mayor?");
   await page.key(" ");
-  await page.until("preview.then(({ player }) => player.clock.isAudio && player.clock.time > 0.1)");
+  await page.until(`preview.then(({ player }) => ${SOUNDS} && player.clock.time > 0.1)`);
   assert.equal(await page.value('document.getElementById("edits").hidden'), true);
   assert.deepEqual(page.complaints, []);
 });

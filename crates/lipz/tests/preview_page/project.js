@@ -20,7 +20,7 @@ export const MAYOR = `{
 `;
 const OTTO = '{ "visemes": "MAEO----", "text_en-us": "Good evening, Otto.", "fps": 24, "viseme_type": "blair" }\n';
 const WRONG = '{ "visemes": "MA|EO", "text_en-us": "One segment only.", "fps": 24, "viseme_type": "blair" }\n';
-const SETTINGS = 'sources = ["voices"]\ndefault-locale = "en-us"\n[audio]\nfolder = "recordings"\n';
+export const SETTINGS = 'sources = ["voices"]\ndefault-locale = "en-us"\n[audio]\nfolder = "recordings"\n';
 
 export class Project {
   static async make(files) {

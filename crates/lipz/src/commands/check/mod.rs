@@ -14,7 +14,7 @@ use crate::shared::inputs::{Worked, with_inputs};
 use crate::shared::project_flags::hide_of_banks;
 use crate::shared::rewriting::{Rewriting, files};
 use crate::shared::settings_file::Project;
-use crate::shared::sources::Sources;
+use crate::shared::sources::{Sources, retain_own};
 use crate::shared::stdio;
 use crate::{console, interrupt};
 use baseline::BaselineFlags;
@@ -97,7 +97,9 @@ impl Run for Check {
             (false, false) => Fixing::default(),
         };
         let (mut run, is_unrecorded) = checked(&project, &fixing.in_memory, quiet);
-        self.sources.retain_own(&mut run.reports);
+        if self.sources.names_single_files() {
+            retain_own(&mut run.reports);
+        }
         let unwritten = !fixing.unwritten.is_empty();
         run.reports.extend(fixing.unwritten);
         let passed_over = self.baseline.apply(&mut run, reporter)?;

@@ -66,6 +66,11 @@ impl Run for Inspect {
             None => self.bank(reporter)?,
             Some(set) => match &self.key {
                 Some(key) => set.bank(set.index(reporter)?.bank_of(ClipId::from_key(key)), reporter)?,
+                None if !self.locale.is_empty() => return Err(Inspect::no_clip(reporter)),
+                None if self.dialogue.has_texts() => {
+                    let tip = "name a clip, or one bank of the set";
+                    return Err(reporter.usage("`--texts` is about the texts of one bank, and this is a set", tip));
+                }
                 None => return set::inspect(&set, self.list.as_deref(), self.json, reporter),
             },
         };
@@ -78,10 +83,7 @@ impl Run for Inspect {
             bank.clips().next().filter(|_| self.dialogue.names_file() && bank.clip_count() == 1).map(|clip| clip.key());
         match (self.key.as_deref().or(only), &self.list) {
             (_, Some(prefix)) => list(&bank, prefix, json, reporter)?,
-            (None, None) if !self.locale.is_empty() => {
-                let tip = "name a clip of the bank, or a Lipz file";
-                return Err(reporter.usage("`--locale` is about the texts of one clip, and none is named", tip));
-            }
+            (None, None) if !self.locale.is_empty() => return Err(Inspect::no_clip(reporter)),
             (Some(key), None) => clip(&bank, key, &whole.locales(), &file.name, self, reporter)?,
             (None, None) => summary(&BankSummary::from_bank(whole), &file.name, json, reporter)?,
         }
@@ -96,6 +98,11 @@ impl Inspect {
             Some(path) => SetFile::open(path, reporter),
             None => Ok(None),
         }
+    }
+
+    fn no_clip(reporter: &mut Reporter) -> Abort {
+        let tip = "name a clip of the bank, or a Lipz file";
+        reporter.usage("`--locale` is about the texts of one clip, and none is named", tip)
     }
 
     /// The bank. Who looks at clips has not translated all of them yet.

@@ -5,6 +5,7 @@ use super::version::Version;
 use crate::console;
 use lipz_compiler::WordTime;
 use lipz_file::{Value, parse};
+use lipz_sync::PhoneTime;
 use serde::Serialize;
 use std::fs;
 
@@ -19,6 +20,9 @@ pub(super) struct ClipPage {
     /// The elements with strings, in the order of the file.
     elements: Vec<(String, String)>,
     words: Vec<Word>,
+    /// On a page without a server, which cannot be asked for them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    phones: Option<Vec<Phone>>,
     has_sound: bool,
     diagnostics: Vec<Placed>,
 }
@@ -30,6 +34,21 @@ struct Word {
     start_ms: u32,
     end_ms: u32,
     is_doubtful: bool,
+}
+
+/// A sound of speech that the lip sync has heard.
+#[derive(Serialize)]
+pub(super) struct Phone {
+    phone: String,
+    start_ms: u32,
+    end_ms: u32,
+}
+
+/// Phones, as the page gets them.
+pub(super) fn phones(heard: &[PhoneTime]) -> Vec<Phone> {
+    let phone =
+        |heard: &PhoneTime| Phone { phone: heard.phone.clone(), start_ms: heard.start_ms, end_ms: heard.end_ms };
+    heard.iter().map(phone).collect()
 }
 
 impl ClipPage {
@@ -51,6 +70,7 @@ impl ClipPage {
             key: key.to_owned(),
             path: Some(console::path(path)),
             words: words(version, key, &elements),
+            phones: None,
             // A file that cannot be read whole cannot be edited.
             source: document.is_some().then(|| source.clone()).flatten(),
             has_sound: version.recordings.find(key).is_some(),
@@ -59,9 +79,9 @@ impl ClipPage {
         })
     }
 
-    /// The same for a page that writes nothing.
-    pub(super) fn read_only(self) -> ClipPage {
-        ClipPage { source: None, ..self }
+    /// The same for a page that writes nothing and asks nobody.
+    pub(super) fn alone(self, heard: &[PhoneTime]) -> ClipPage {
+        ClipPage { source: None, phones: Some(phones(heard)), ..self }
     }
 
     fn of_bank(version: &Version, key: &str) -> ClipPage {
@@ -71,6 +91,7 @@ impl ClipPage {
             source: None,
             elements: Vec::new(),
             words: Vec::new(),
+            phones: None,
             has_sound: version.recordings.find(key).is_some(),
             diagnostics: Vec::new(),
         }

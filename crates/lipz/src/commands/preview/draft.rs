@@ -49,8 +49,9 @@ impl Change {
             Ok(source) => source,
             Err(message) => return (Changed::Refused { message }, None),
         };
-        let Packed { bank, wrong, diagnostics } = self.packed(version, &source);
-        let bank = bank.or_else(|| self.without(version, &source, wrong));
+        let Packed { bank, has_errors, diagnostics, .. } = self.packed(version, &source);
+        let right = if has_errors { self.right_part(version, &source) } else { None };
+        let bank = bank.or_else(|| self.packed(version, &right?).bank);
         (Changed::Draft { source, has_bank: bank.is_some(), diagnostics }, bank)
     }
 
@@ -66,8 +67,8 @@ impl Change {
         if let Some(conflict) = self.conflict(path, &source) {
             return conflict;
         }
-        let Packed { bank, diagnostics, .. } = self.packed(version, &source);
-        if bank.is_none() {
+        let Packed { has_errors, diagnostics, .. } = self.packed(version, &source);
+        if has_errors {
             return Changed::Errors { diagnostics };
         }
         let written = interrupt::whole(|| rewrite_file(path, self.source.as_bytes(), source.as_bytes()));
@@ -98,36 +99,63 @@ impl Change {
 
     /// The clip, packed as the project is, and what is wrong with it. A dub needs its original: the texts are there.
     fn packed(&self, version: &Version, source: &str) -> Packed {
+        let original = self.original(version);
+        let as_it_is = original.as_ref().map(|original| original.input(version, original.source.clone()));
+        let (mut bank, own) = self.compiled(version, source, as_it_is);
+        let has_errors = have_errors(&own) || bank.is_none() && original.is_none();
+        if bank.is_none() && !has_errors {
+            // The original has errors, which are not those of the dub: what is right of it stands in for it.
+            let right = original.and_then(|original| {
+                let right = original.right_part(version, &original.source)?;
+                Some(original.input(version, right))
+            });
+            bank = self.compiled(version, source, right).0;
+        }
+        let diagnostics = placed(&own);
+        Packed { bank, has_errors, wrong: elements_with_errors(&diagnostics), diagnostics }
+    }
+
+    /// The bank of the clip and its original, and what is wrong with the clip.
+    fn compiled(&self, version: &Version, source: &str, original: Option<Input>) -> (Option<Vec<u8>>, Vec<Report>) {
         // How much of the project is translated, one clip does not tell.
         let mut options = version.options.clone();
         options.min_coverage = MinCoverage::default();
-        let original = options.voices.original_of(&self.key, |key| version.files.contains_key(key));
-        let original = original.and_then(|key| {
-            let content = Content::File(version.files.get(&key)?.clone());
-            Some(Input { key, content })
-        });
-        let name = version.files.get(&self.key).map_or_else(String::new, |path| crate::console::path(path));
-        let content = Content::Bytes { name: name.clone(), bytes: source.as_bytes().to_vec() };
-        let own = Input { key: self.key.clone(), content };
+        let own = self.input(version, source.to_owned());
+        let name = own.name();
         let inputs: Vec<Input> = original.into_iter().chain([own]).collect();
         let compiled = Compiler::new(options).compile(&inputs);
-        let (own, others): (Vec<Report>, Vec<Report>) =
-            compiled.reports.into_iter().partition(|report| report.source.path == name);
-        let diagnostics = placed(&own);
-        let wrong = if have_errors(&others) { BTreeSet::new() } else { elements_with_errors(&diagnostics) };
-        Packed { bank: compiled.bank.filter(|_| !have_errors(&own)), wrong, diagnostics }
+        let own: Vec<Report> = compiled.reports.into_iter().filter(|report| report.source.path == name).collect();
+        (compiled.bank.filter(|_| !have_errors(&own)), own)
     }
 
-    /// The bank without the elements that have errors; none if something else is wrong.
-    fn without(&self, version: &Version, source: &str, mut wrong: BTreeSet<String>) -> Option<Vec<u8>> {
+    /// The original of the clip, as it is, if the clip is a dub.
+    fn original(&self, version: &Version) -> Option<Change> {
+        let key = version.options.voices.original_of(&self.key, |key| version.files.contains_key(key))?;
+        let source = String::from_utf8(fs::read(version.files.get(&key)?).ok()?).ok()?;
+        Some(Change { key, source, elements: BTreeMap::new() })
+    }
+
+    /// The file of the clip with this text.
+    fn input(&self, version: &Version, source: String) -> Input {
+        let name = version.files.get(&self.key).map_or_else(String::new, |path| crate::console::path(path));
+        Input { key: self.key.clone(), content: Content::Bytes { name, bytes: source.into_bytes() } }
+    }
+
+    /// The file without the elements that have errors; none if something else is wrong.
+    fn right_part(&self, version: &Version, source: &str) -> Option<String> {
         let whole = parse(source.as_bytes()).document?;
+        let mut wrong = BTreeSet::new();
         loop {
             let mut rest = whole.clone();
             rest.elements.retain(|element| !wrong.contains(element.name.text.as_ref()));
-            let packed = self.packed(version, &rewrite(source, &whole, &rest, Style::default()));
+            let rest = rewrite(source, &whole, &rest, Style::default());
+            let packed = self.packed(version, &rest);
+            if !packed.has_errors {
+                return Some(rest);
+            }
             // Without one element, another may be wrong: each turn leaves out more of them.
-            if packed.bank.is_some() || packed.wrong.is_subset(&wrong) {
-                return packed.bank;
+            if packed.wrong.is_subset(&wrong) {
+                return None;
             }
             wrong.extend(packed.wrong);
         }
@@ -149,12 +177,13 @@ impl Change {
 struct Packed {
     /// None if it has errors.
     bank: Option<Vec<u8>>,
+    has_errors: bool,
     /// The elements that have errors.
     wrong: BTreeSet<String>,
     diagnostics: Vec<Placed>,
 }
 
-/// Gives an element another text; a new one comes behind the last text.
+/// Gives an element another text; a new one comes behind the last text, a mouth first.
 fn set<'s>(document: &mut Document<'s>, name: &str, text: &str) {
     let value = Value::String(JsonString::from(Cow::Owned(text.to_owned())));
     if let Some(element) = document.elements.iter_mut().find(|element| element.name.text == name) {
@@ -162,6 +191,6 @@ fn set<'s>(document: &mut Document<'s>, name: &str, text: &str) {
         return;
     }
     let last = document.elements.iter().rposition(|element| text_name(&element.name.text).is_some());
-    let place = last.map_or(document.elements.len(), |last| last + 1);
+    let place = if name == "visemes" { 0 } else { last.map_or(document.elements.len(), |last| last + 1) };
     document.elements.insert(place, Element { name: JsonString::from(Cow::Owned(name.to_owned())), value });
 }

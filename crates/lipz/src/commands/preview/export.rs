@@ -5,6 +5,7 @@
 
 use super::assets::{self, Asset};
 use super::clip::ClipPage;
+use super::hearing::Phones;
 use super::listing::Listing;
 use super::version::Version;
 use crate::interrupt::Files;
@@ -30,10 +31,12 @@ pub(super) fn is_free(folder: &Path) -> bool {
 
 /// Writes the page and all that it needs into a folder. Gives the number of its clips and of its recordings, or what is
 /// wrong; files of an older page that this one does not have are removed.
-pub(super) fn export(version: &Version, folder: &Path) -> Result<(usize, usize), Vec<Report>> {
+pub(super) fn export(version: &Version, phones: &Phones, folder: &Path) -> Result<(usize, usize), Vec<Report>> {
     let mut export = Export { folder, files: Files::new(), written: BTreeSet::new() };
-    let (clips, sounds) =
-        export.data(version).and_then(|counts| export.page().map(|()| counts)).map_err(|report| vec![report])?;
+    let (clips, sounds) = export
+        .data(version, phones)
+        .and_then(|counts| export.page().map(|()| counts))
+        .map_err(|report| vec![report])?;
     let unwritten = export.files.finish();
     if !unwritten.is_empty() {
         return Err(unwritten);
@@ -49,7 +52,7 @@ struct Export<'f> {
 }
 
 impl Export<'_> {
-    fn data(&mut self, version: &Version) -> Result<(usize, usize), Report> {
+    fn data(&mut self, version: &Version, phones: &Phones) -> Result<(usize, usize), Report> {
         let listing = Listing::new(version, true);
         self.script("clips", &listing)?;
         self.script("bank", &STANDARD.encode(version.bank.as_slice()))?;
@@ -58,7 +61,8 @@ impl Export<'_> {
         let mut sounds = 0;
         for (place, key) in listing.keys().enumerate() {
             let Some(clip) = ClipPage::new(version, key) else { continue };
-            self.script(&format!("clip-{place}"), &clip.read_only())?;
+            let heard = phones.get(key).map_or(&[][..], AsRef::as_ref);
+            self.script(&format!("clip-{place}"), &clip.alone(heard))?;
             if let Some(path) = version.recordings.find(key) {
                 let bytes = fs::read(path).map_err(|error| unreadable(path, &error))?;
                 self.script(&format!("sound-{place}"), &STANDARD.encode(bytes))?;

@@ -35,6 +35,8 @@ pub(super) struct Request {
 pub(super) struct Answer {
     pub(super) status: u16,
     pub(super) media_type: &'static str,
+    /// What tells this version of the body from others.
+    pub(super) tag: Option<String>,
     pub(super) body: Body,
 }
 
@@ -100,13 +102,14 @@ fn head(bytes: &[u8]) -> Option<(Request, usize)> {
 impl Answer {
     /// Sends it, with these headers, and ends the connection.
     pub(super) fn send(self, stream: &mut TcpStream, headers: &[(&str, &str)]) -> io::Result<()> {
-        let Answer { status, media_type, body } = self;
+        let Answer { status, media_type, tag, body } = self;
         let length = match &body {
             Body::Bytes(bytes) => bytes.len() as u64,
             Body::File(file) => file.metadata()?.len(),
         };
         let mut head = format!("HTTP/1.1 {status} {}\r\nContent-Type: {media_type}\r\n", reason(status));
         head += &format!("Content-Length: {length}\r\nConnection: close\r\n");
+        head.extend(tag.map(|tag| format!("ETag: \"{tag}\"\r\n")));
         head.extend(headers.iter().map(|(name, value)| format!("{name}: {value}\r\n")));
         stream.write_all((head + "\r\n").as_bytes())?;
         match body {

@@ -13,7 +13,7 @@ const MOST_OTHERS: usize = 3;
 #[derive(Serialize)]
 pub(super) struct Listing {
     version: u64,
-    /// The hash of the bank, in hexadecimal: JavaScript has no integers of 64 bits in JSON.
+    /// What tells the bank from others.
     bank: String,
     name: String,
     is_read_only: bool,
@@ -82,7 +82,7 @@ impl Listing {
         }
         Listing {
             version: version.number,
-            bank: format!("{:016x}", version.bank_hash()),
+            bank: version.bank_tag(),
             name: version.name.clone(),
             is_read_only,
             locales: locales.iter().map(|locale| locale.tag().to_owned()).collect(),

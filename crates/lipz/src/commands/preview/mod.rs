@@ -5,6 +5,7 @@ mod clip;
 mod draft;
 mod export;
 mod guard;
+mod hearing;
 mod http;
 mod listing;
 mod places;
@@ -22,8 +23,10 @@ use crate::shared::bank_or_sources::names_lipz_files;
 use crate::shared::settings_file::Project;
 use crate::shared::sources::Sources;
 use crate::shared::stdio;
-use crate::{Outcome, console};
+use crate::shared::text_banks::{TextBanks, TextFiles};
+use crate::{Outcome, console, interrupt};
 use clap::Args;
+use lipz_compiler::BankWithTexts;
 use lipz_compiler::settings::Settings;
 use lipz_diagnostics::Report;
 use lipz_diagnostics::reports::have_errors;
@@ -45,6 +48,7 @@ use version::{Remembered, Version};
   lipz preview voices --open
   lipz preview voices --read-only --port 8080
   lipz preview dialogue.lipzbank
+  lipz preview dialogue.lipzbank --texts dialogue.*.lipztexts
   lipz preview voices --export site")]
 pub(crate) struct PreviewArguments {
     #[command(flatten)]
@@ -52,6 +56,9 @@ pub(crate) struct PreviewArguments {
 
     #[command(flatten)]
     audio: AudioFlags,
+
+    #[command(flatten)]
+    texts: TextBanks,
 
     /// Listen on this port [default: any that is free]
     #[arg(long, value_name = "PORT")]
@@ -81,6 +88,9 @@ impl Run for PreviewArguments {
             paths if paths.iter().any(|path| stdio::is_meant(path)) => {
                 Err(reporter.usage("standard input cannot be previewed", "name a folder, Lipz files or a bank"))
             }
+            _ if !self.texts.texts.is_empty() => {
+                Err(reporter.usage("`--texts` names texts of a bank, and none is named", "name the bank before it"))
+            }
             _ => self.of_sources(reporter),
         }
     }
@@ -90,22 +100,33 @@ impl PreviewArguments {
     /// Serves a bank, until the process is interrupted.
     fn of_bank(&self, path: &Path, reporter: &mut Reporter) -> Ended {
         let file = BankFile::open(path, reporter)?;
-        file.bank(reporter)?;
+        let bytes = self.with_texts(&file, reporter)?;
         let mut settings = Settings::default();
         self.audio.apply(&mut settings.audio);
         let (recordings, unread) = Recordings::discover(&settings);
         if have_errors(&unread) {
             return Err(reporter.abort(unread, Outcome::Failed));
         }
-        let version = Version::of_bank(&file.name, file.bytes().to_vec(), recordings);
+        let version = Version::of_bank(&file.name, bytes, recordings);
         if let Some(folder) = &self.export {
-            return export_to(folder, &version, reporter);
+            return export_to(folder, &version, self.sources.is_quiet(), reporter);
         }
         let shared = Arc::new(Shared::new(version));
         let serving = self.serve(&shared, true, reporter)?;
         // The threads of the server end with the process.
         let _ = serving.join();
         Ok(Outcome::Clean)
+    }
+
+    /// The bank in a file with the texts that are named besides, verified.
+    fn with_texts(&self, file: &BankFile, reporter: &mut Reporter) -> Result<Vec<u8>, Abort> {
+        let bank = file.bank(reporter)?;
+        let text_files = TextFiles::open(&self.texts.texts, reporter)?;
+        let texts = text_files.verified(&bank, reporter)?;
+        if texts.is_empty() {
+            return Ok(file.bytes().to_vec());
+        }
+        BankWithTexts::new(&bank, &texts).joined().map_err(|report| reporter.fail(report))
     }
 
     /// The project that the arguments name.
@@ -120,7 +141,7 @@ impl PreviewArguments {
         if let Some(folder) = &self.export {
             let project = self.project(reporter)?;
             let (version, _) = version::load(&project.settings, &mut Remembered::default());
-            return export_to(folder, &version, reporter);
+            return export_to(folder, &version, self.sources.is_quiet(), reporter);
         }
         let mut scope = Scope::before_settings(&self.sources);
         let mut alarm = Alarm::new(None);
@@ -134,6 +155,7 @@ impl PreviewArguments {
                     scope = Scope::new(&project, &self.sources);
                     alarm.set(&scope).map_err(|report| reporter.fail(report))?;
                     let (version, inputs) = version::load(&project.settings, &mut remembered);
+                    let single = self.sources.names_single_files();
                     let shared = match &shared {
                         Some(shared) => {
                             shared.replace(version);
@@ -145,7 +167,7 @@ impl PreviewArguments {
                             shared.insert(first)
                         }
                     };
-                    shared.look_closer(project, inputs);
+                    shared.look_closer(project, inputs, single);
                 }
                 Err(abort) if shared.is_none() => return Err(abort),
                 // The settings have errors, which are told, in the page as well: what was shown stays.
@@ -190,12 +212,19 @@ impl PreviewArguments {
 }
 
 /// Writes the page into a folder. Diagnostics are reported: files with errors are listed there, but not in the bank.
-fn export_to(folder: &Path, version: &Version, reporter: &mut Reporter) -> Ended {
+fn export_to(folder: &Path, version: &Version, is_quiet: bool, reporter: &mut Reporter) -> Ended {
     if !export::is_free(folder) {
         let message = format!("`{}` has other files than an exported page", console::path(folder));
         return Err(reporter.usage(message, "name a folder that is empty or does not exist"));
     }
-    let reports = version.all_reports();
+    let mut reports = version.all_reports();
+    let bar = console::progress_bar(version.files.len(), is_quiet);
+    let (phones, unheard) = version.hearing.all(version, &|| {
+        bar.inc(1);
+        interrupt::point();
+    });
+    bar.finish_and_clear();
+    reports.extend(unheard);
     let outcome = Outcome::from_reports(&reports);
     reporter.add(reports);
     if outcome == Outcome::Failed || version.bank.is_empty() {
@@ -203,7 +232,7 @@ fn export_to(folder: &Path, version: &Version, reporter: &mut Reporter) -> Ended
         return Err(reporter.usage(message, "mend the errors, or name other sources"));
     }
     let (clips, sounds) =
-        export::export(version, folder).map_err(|reports| reporter.abort(reports, Outcome::Failed))?;
+        export::export(version, &phones, folder).map_err(|reports| reporter.abort(reports, Outcome::Failed))?;
     let counts = format!("{}, {}", console::counted(clips, "clip"), console::counted(sounds, "recording"));
     reporter.summary(&format!("{}: {counts}\n", console::path(&folder.join("index.html"))))?;
     Ok(outcome)

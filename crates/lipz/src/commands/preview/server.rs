@@ -1,7 +1,7 @@
 //! The server: which address gives what.
 
 use super::assets;
-use super::clip::ClipPage;
+use super::clip::{ClipPage, phones};
 use super::draft::{Change, Changed};
 use super::guard::{Guard, parameter};
 use super::http::{Answer, Body, Received, Request};
@@ -97,15 +97,19 @@ impl Preview {
                 let newer = self.shared.after(since.unwrap_or(u64::MAX), PATIENCE);
                 json(200, &serde_json::json!({ "version": newer.number }))
             }
-            "api/bank" => bytes("application/octet-stream", version.bank.to_vec()),
+            "api/bank" => {
+                Answer { tag: Some(version.bank_tag()), ..bytes("application/octet-stream", version.bank.to_vec()) }
+            }
             "api/clip" => match ClipPage::new(&version, &key) {
                 Some(clip) => json(200, &clip),
                 None => plain(404, "There is no such clip any more."),
             },
+            "api/phones" => match version.hearing.phones(&version, &key) {
+                Ok(heard) => json(200, &phones(&heard)),
+                Err(report) => plain(500, &report.to_string()),
+            },
             "api/sound" => match version.recordings.find(&key).map(File::open) {
-                Some(Ok(file)) => {
-                    Answer { status: 200, media_type: "application/octet-stream", body: Body::File(file) }
-                }
+                Some(Ok(file)) => Answer { body: Body::File(file), ..bytes("application/octet-stream", Vec::new()) },
                 Some(Err(error)) => plain(404, &format!("The recording cannot be read: {error}.")),
                 None => plain(404, "The clip has no recording."),
             },
@@ -144,7 +148,7 @@ fn with_bank((changed, bank): (Changed, Option<Vec<u8>>)) -> Answer {
 
 fn json<T: Serialize>(status: u16, value: &T) -> Answer {
     match serde_json::to_vec(value) {
-        Ok(document) => Answer { status, media_type: "application/json", body: Body::Bytes(document) },
+        Ok(document) => Answer { status, ..bytes("application/json", document) },
         Err(error) => plain(500, &error.to_string()),
     }
 }
@@ -154,5 +158,5 @@ fn plain(status: u16, text: &str) -> Answer {
 }
 
 fn bytes(media_type: &'static str, bytes: Vec<u8>) -> Answer {
-    Answer { status: 200, media_type, body: Body::Bytes(bytes) }
+    Answer { status: 200, media_type, tag: None, body: Body::Bytes(bytes) }
 }

@@ -3,6 +3,7 @@
 use super::version::Version;
 use crate::commands::check::translations;
 use crate::shared::settings_file::Project;
+use crate::shared::sources::retain_own;
 use lipz_compiler::Input;
 use lipz_diagnostics::Report;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -51,14 +52,18 @@ impl Shared {
     }
 
     /// Looks, beside everything else, for what takes longer than packing: whether clips fit their recordings, and
-    /// translations their sources. What it finds is added, unless the version is another one by then.
-    pub(super) fn look_closer(self: &Arc<Shared>, project: Project, inputs: Vec<Input>) {
+    /// translations their sources. What it finds is added, unless the version is another one by then. Of `single` files, the
+    /// rest of the project is not known.
+    pub(super) fn look_closer(self: &Arc<Shared>, project: Project, inputs: Vec<Input>, single: bool) {
         let shared = Arc::clone(self);
         let number = shared.now().number;
         let look = move || {
             let mut reports = translations::check(&project, &inputs, true).reports;
             if project.settings.audio.folder.is_some() {
                 reports.extend(lipz_sync::check(&project.settings, &inputs, &|| {}));
+            }
+            if single {
+                retain_own(&mut reports);
             }
             shared.add(number, &reports);
         };

@@ -1,12 +1,13 @@
 //! One state of a project: its bank, and what is known about each clip besides.
 
+use super::hearing::Hearing;
 use crate::console;
 use crate::shared::inputs::with_inputs;
 use lipz_bank::Bank;
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiled, Compiler, Content, Input, Memory, Options, WordTimes};
 use lipz_diagnostics::Report;
-use lipz_sync::{KnownRecordings, Recordings};
+use lipz_sync::{KnownPhones, KnownRecordings, Recordings};
 use std::collections::{BTreeMap, HashSet};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -16,6 +17,7 @@ use std::sync::Arc;
 pub(super) struct Remembered {
     clips: Memory,
     recordings: KnownRecordings,
+    phones: Arc<KnownPhones>,
     has_looked: bool,
 }
 
@@ -34,6 +36,7 @@ pub(super) struct Version {
     reports: BTreeMap<String, Vec<Report>>,
     pub(super) words: BTreeMap<String, WordTimes>,
     pub(super) recordings: Arc<Recordings>,
+    pub(super) hearing: Arc<Hearing>,
     /// How drafts of a clip are packed.
     pub(super) options: Options,
 }
@@ -94,15 +97,16 @@ impl Version {
         }
     }
 
-    /// The hash of the bank's bytes, by which the page knows whether it has them.
-    pub(super) fn bank_hash(&self) -> u64 {
-        Bank::open(&self.bank).map_or(0, |bank| bank.checksum())
+    /// The hash of the bank's bytes in hexadecimal, by which the page knows whether it has them: JavaScript has no integers of
+    /// 64 bits in JSON.
+    pub(super) fn bank_tag(&self) -> String {
+        format!("{:016x}", Bank::open(&self.bank).map_or(0, |bank| bank.checksum()))
     }
 }
 
 /// Packs the project in memory: all files without errors.
 pub(super) fn load(settings: &Settings, remembered: &mut Remembered) -> (Version, Vec<Input>) {
-    let Remembered { clips, recordings, has_looked } = remembered;
+    let Remembered { clips, recordings, phones, has_looked } = remembered;
     if !*has_looked && let (Some(cache), Some(output)) = (&settings.cache, &settings.output) {
         // A cache that is none is told by `lipz pack`, which would write it; this run can do without.
         *clips = Memory::read(cache, output).unwrap_or_default();
@@ -118,6 +122,7 @@ pub(super) fn load(settings: &Settings, remembered: &mut Remembered) -> (Version
         bank: Arc::new(worked.compiled.bank.unwrap_or_default()),
         words: lipz_sync::word_times(settings, &worked.inputs).unwrap_or_default(),
         recordings: Arc::new(Recordings::discover(settings).0),
+        hearing: Arc::new(Hearing::new(settings.clone(), Arc::clone(phones))),
         options,
         ..Version::default()
     };

@@ -168,7 +168,8 @@ export class Editor {
     // Of a clip without a file, its shapes in the bank.
     const visemes = this.#edits.get("visemes") ?? (this.#edits.isEditable ? undefined : shapesOf(this.#clip));
     const mouth = Mouth.read(visemes ?? "");
-    $("shapes").hidden = visemes === undefined;
+    // Into a file without a mouth, one is typed.
+    $("shapes").hidden = visemes === undefined && !this.#isEditable;
     this.#shapes.show(mouth, this.#type, this.#isEditable);
     const column = (tag) => ({ name: `text_${tag}`, label: tag, lang: tag, text: this.#edits.get(`text_${tag}`) });
     const events = { name: "events", label: "Events", lang: "", text: this.#edits.get("events") };

@@ -29,8 +29,9 @@ globalThis.lipzExport = {
   /** What each file in `data/` calls. */
   take: (name, value) => (taken[name] = value),
   clips: () => loaded("clips"),
-  bank: async () => bytes(await loaded("bank")),
+  bank: async () => ({ bytes: bytes(await loaded("bank")), tag: (await loaded("clips")).bank }),
   wasm: async () => bytes(await loaded("wasm")),
   clip: async (key) => loaded(`clip-${await place(key)}`),
+  phones: async (key) => (await loaded(`clip-${await place(key)}`)).phones,
   sound: async (key) => bytes(await loaded(`sound-${await place(key)}`)),
 };

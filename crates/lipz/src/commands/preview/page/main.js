@@ -28,19 +28,20 @@ async function choose(key) {
 /** Fetches the clips as they are now, and the bank if it is another one. */
 async function refresh() {
   const before = listing;
+  // The first time, it comes beside the list.
+  const ahead = before ? undefined : source.bank();
   listing = await source.clips();
-  const isOther = listing.bank !== before?.bank;
-  if (isOther) await player.open(await source.bank(), listing.is_read_only);
+  if (listing.bank !== before?.bank) await player.open(await bank(listing.bank, ahead), listing.is_read_only);
   $("project").textContent = listing.name;
   list.show(listing);
   notice(listing.diagnostics);
   const keys = listing.clips.map(({ key }) => key);
   if (player.key === undefined) {
-    const { clip, at } = Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
+    const { clip, time } = place();
     const first = keys.includes(clip) ? clip : keys[0];
     if (first === undefined) return notice(["There is no clip yet."]);
     list.chosen = first;
-    await player.choose(first, Number(at ?? 0));
+    await player.choose(first, time);
     document.title = `${first} – lipz preview`;
   } else if (keys.includes(player.key)) {
     list.chosen = player.key;
@@ -49,6 +50,12 @@ async function refresh() {
     notice([`There is no clip ${player.key} any more: this is how it was.`]);
   }
   $("failure").hidden = true;
+}
+
+/** The bytes of the bank that a list names; what came ahead may be an older one. */
+async function bank(tag, ahead) {
+  const first = await ahead;
+  return (first?.tag === tag ? first : await source.bank()).bytes;
 }
 
 /** Shows what is new, as long as the page is open. */
@@ -74,10 +81,34 @@ function fail(error) {
   $("failure").hidden = false;
 }
 
-/** The address leads to the clip. */
-function address() {
-  const clip = new URLSearchParams({ clip: player.key });
-  history.replaceState(null, "", `#${clip.toString().replaceAll("%2F", "/")}`);
+/** The address leads to the clip, and to a time of it if there is one. */
+function address(time) {
+  const place = new URLSearchParams({ clip: player.key, ...(time && { at: shortTime(time) }) });
+  history.replaceState(null, "", `#${place.toString().replaceAll("%2F", "/")}`);
+}
+
+/** Whole milliseconds, and never before the time: a frame starts there. */
+const shortTime = (time) => Math.ceil(time * 1000 - 0.001) / 1000;
+
+/** The clip and the time that the address names. */
+function place() {
+  const { clip, at } = Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
+  return { clip, time: Number(at ?? 0) };
+}
+
+/** Goes where the address leads, which somebody has changed or followed. */
+async function followAddress() {
+  const { clip, time } = place();
+  if (!listing?.clips.some(({ key }) => key === clip)) return;
+  if (clip !== player.key) await choose(clip);
+  if (clip === player.key) player.seek(time);
+}
+
+/** Hands out the address of what is shown now. */
+async function link() {
+  address(player.clock.time);
+  const isCopied = await (navigator.clipboard?.writeText(location.href) ?? Promise.reject()).then(() => true, () => false);
+  $("linked").textContent = isCopied ? "Copied." : "The address of the page leads here.";
 }
 
 /** Shows the list over the clip, where there is no room beside it. */
@@ -88,6 +119,8 @@ function clips(isOpen) {
 
 async function start() {
   $("clips-button").onclick = () => clips(!document.body.classList.contains("choosing"));
+  $("link").onclick = link;
+  addEventListener("hashchange", followAddress);
   addEventListener("beforeunload", (event) => player.isChanged && event.preventDefault());
   addEventListener("unhandledrejection", ({ reason }) => fail(reason));
   onKeys({

@@ -43,9 +43,25 @@ export class Mouth {
     return runs;
   }
 
-  /** With another code in a frame. */
+  /** With another code in a frame; behind the last one, with a frame more. */
   typed(frame, code) {
-    return new Mouth(this.codes.with(frame, code), this.starts);
+    const codes = this.codes.slice();
+    codes[Math.min(frame, codes.length)] = code;
+    return new Mouth(codes, this.starts);
+  }
+
+  /** Without the last frame. */
+  shorter() {
+    const codes = this.codes.slice(0, -1);
+    return new Mouth(codes, this.starts.map((start) => Math.min(start, codes.length)));
+  }
+
+  /** With a segment that starts at a frame; if one does already, it is joined with the one before. */
+  divided(at) {
+    const frame = Math.min(at, this.codes.length);
+    const starts = this.starts.filter((start) => start !== frame);
+    const isThere = starts.length < this.starts.length;
+    return new Mouth(this.codes, isThere ? starts : [...starts, frame].sort((a, b) => a - b));
   }
 
   /** With the edge between two runs, which is at a frame, at another one: each of the two keeps a frame at least. */

@@ -15,6 +15,8 @@ import { Tracks } from "./tracks.js";
 /** For clips whose file does not say how many frames a second has. */
 const FRAMES_PER_SECOND = 24;
 const FASTEST = 4;
+/** For how long a clip is looked at before its phones are asked for: whoever goes through the list does not wait for them. */
+const LINGER_MS = 200;
 
 const $ = (id) => document.getElementById(id);
 
@@ -42,6 +44,8 @@ export class Player {
   #cursor;
   #poseAt;
   #soundOf;
+  /** How many times phones were asked for: only the last answer counts. */
+  #phonesAsked = 0;
   #wasRate;
 
   constructor() {
@@ -120,6 +124,7 @@ export class Player {
     this.#loop(press($("loop"), false));
     this.#editor.show(page);
     this.#soundOf = this.#drawn = undefined;
+    this.#tracks.phones = [];
     $("key").textContent = key;
     await this.#take(page);
     this.seek(time);
@@ -138,6 +143,7 @@ export class Player {
     this.#draw(clip);
     this.#diagnose(page.diagnostics);
     if (clip === undefined) await this.#editor.pack();
+    this.#hear(page);
     await this.#listen(page);
   }
 
@@ -162,9 +168,11 @@ export class Player {
 
   /** Draws a clip of a bank, or that there is none; what is in view stays if the same clip is drawn already. */
   #draw(clip) {
+    const before = this.#clip;
     $("tracks").hidden = clip === undefined;
     this.#clip = this.#editor.clip = clip && withType(clip.orFps(FRAMES_PER_SECOND));
     const isSame = this.#drawn === this.key;
+    const wasAtEnd = isSame && this.clock.time >= before.duration;
     this.#drawn = this.#clip && this.key;
     if (this.#clip) {
       this.#cursor = this.#clip.cursor();
@@ -174,6 +182,8 @@ export class Player {
       this.#timeline[isSame ? "update" : "show"](this.#clip, levelsOf(this.#clip), $("locale").value);
     } else this.#blank();
     this.#languages();
+    // A frame that was typed behind the last one is behind the playhead.
+    if (this.#clip && wasAtEnd && !this.clock.playing) this.seek(this.#clip.duration);
   }
 
   /** Shows nobody: nothing of another clip stays. */
@@ -206,6 +216,15 @@ export class Player {
     if (this.key !== key || (!isAnew && this.clock.playing)) return;
     this.clock.load(buffer);
     this.#tracks.sound = buffer;
+  }
+
+  /** Fetches the phones of the recording, which the server may have to listen to first. */
+  async #hear({ key, has_sound, path }) {
+    const asked = ++this.#phonesAsked;
+    if (has_sound && path !== null) await new Promise((resolve) => setTimeout(resolve, LINGER_MS));
+    if (asked !== this.#phonesAsked) return;
+    const phones = has_sound && path !== null ? await source.phones(key) : [];
+    if (asked === this.#phonesAsked) this.#tracks.phones = phones;
   }
 
   #look(view) {
@@ -279,7 +298,9 @@ export class Player {
     // Backwards nothing happens anew, and a loop starts again.
     if (rate < 0 || pressed($("loop"))) this.#cursor.seek(time);
     this.#cursor.advanceTo(time);
-    const { viseme, segment } = this.#cursor;
+    const { viseme } = this.#cursor;
+    // Of a clip without a mouth, the first text is what there is to see.
+    const segment = this.#clip.frameCount > 0 ? this.#cursor.segment : this.#clip.segments[0];
     const [main, beside] = [$("locale").value, this.#beside].map((tag) => spoken(this.#clip, segment, tag));
     const feeling = felt(this.#clip.emotionsAt(time));
     this.#face.show(this.#poseAt(this.#cursor, time));

@@ -75,14 +75,18 @@ export class Shapes {
     const code = [event.key, event.key.toUpperCase()].find((key) => Object.hasOwn(VISEMES[this.#type] ?? {}, key));
     const runs = this.#mouth.runs;
     const run = runs.find(({ start, end }) => start <= frame && frame < end);
+    const isAtEnd = frame >= this.#mouth.codes.length;
     const segment = this.#mouth.starts.findLastIndex((start) => start <= frame) + 1;
     const to = {
       "[": () => this.#mouth.edge(run.start, run.start - 1),
       "]": () => this.#mouth.edge(run.start, run.start + 1),
       "<": () => this.#mouth.start(segment, this.#mouth.starts[segment - 1] - 1),
       ">": () => this.#mouth.start(segment, this.#mouth.starts[segment - 1] + 1),
+      "|": () => this.#mouth.divided(frame),
+      Backspace: isAtEnd && this.#mouth.codes.length > 0 && (() => this.#mouth.shorter()),
     }[event.key];
-    if (frame >= this.#mouth.codes.length || (to === undefined && code === undefined)) return;
+    const needsRun = event.key === "[" || event.key === "]";
+    if ((needsRun && !run) || (!to && code === undefined)) return;
     event.preventDefault();
     event.stopPropagation();
     this.#show(to ? to() : this.#mouth.typed(frame, code), true);

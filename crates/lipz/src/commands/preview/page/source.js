@@ -25,8 +25,13 @@ async function posted(path, change) {
 const server = {
   isLive: true,
   clips: async () => (await got("clips")).json(),
-  bank: async () => (await got("bank")).arrayBuffer(),
+  /** The bank as `{ bytes, tag }`: the tag is that of a list of clips that are in it. */
+  async bank() {
+    const response = await got("bank");
+    return { bytes: await response.arrayBuffer(), tag: response.headers.get("ETag")?.replaceAll('"', "") };
+  },
   clip: async (key) => (await got("clip", { key })).json(),
+  phones: async (key) => (await got("phones", { key })).json(),
   sound: async (key) => (await got("sound", { key })).arrayBuffer(),
   changed: async (since) => (await (await got("changes", { since })).json()).version,
   /** The clip with a change, as `{ answer, bank }`. */

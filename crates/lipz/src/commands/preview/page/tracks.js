@@ -12,13 +12,14 @@ export class Tracks {
   #clip;
   #buffer;
   #words = [];
+  #phones = [];
   #marks = [];
   #locale;
   #view = { first: 0, count: 1, width: 1 };
   #time = 0;
 
   constructor(scrub) {
-    for (const id of ["wave", "words", "translation", "marks"]) {
+    for (const id of ["wave", "words", "phones", "translation", "marks"]) {
       onDrag($(id), (x) => this.timeAt(x), scrub);
     }
     matchMedia("(prefers-color-scheme: light)").addEventListener("change", () => this.#draw());
@@ -37,6 +38,13 @@ export class Tracks {
     $("words").hidden = words.length === 0;
     $("marks").hidden = this.#marks.length === 0;
     this.texts(locale);
+  }
+
+  /** Shows the phones of the recording; none, if they are not known. */
+  set phones(phones) {
+    this.#phones = phones;
+    $("phones").hidden = phones.length === 0;
+    this.#draw();
   }
 
   /** Shows a recording; undefined if there is none. */
@@ -67,7 +75,7 @@ export class Tracks {
     const playhead = $("tracks").querySelector(":scope > .playhead");
     playhead.style.transform = `translateX(${x}px)`;
     playhead.hidden = x < 0 || x > this.#view.width;
-    for (const word of $("words").children) word.classList.toggle("now", word.start <= time && time < word.end);
+    for (const word of $("tracks").querySelectorAll(".words > *")) word.classList.toggle("now", word.start <= time && time < word.end);
   }
 
   /** The frame at an x of the window, with its fraction. */
@@ -97,13 +105,22 @@ export class Tracks {
     this.#wave();
     const rate = this.#clip.frameCount / this.#clip.duration;
     const blocks = (parent, items, of) => parent.replaceChildren(...items.map(of).filter(Boolean));
-    blocks($("words"), this.#words, ({ text, start_ms, end_ms, is_doubtful }) => {
-      const word = made("span", is_doubtful ? "word doubtful" : "word", text);
-      Object.assign(word, { start: start_ms / 1000, end: end_ms / 1000, dir: "auto" });
-      word.title = is_doubtful ? `${text}: not clearly heard` : text;
+    const said = (text, className, { start_ms, end_ms }) => {
+      const word = Object.assign(made("span", className, text), { start: start_ms / 1000, end: end_ms / 1000, dir: "auto" });
+      word.title = text;
       return this.place(word, word.start * rate, word.end * rate) && word;
+    };
+    blocks($("words"), this.#words, (found) => {
+      const word = said(found.text, found.is_doubtful ? "word doubtful" : "word", found);
+      if (word && found.is_doubtful) word.title = `${found.text}: not clearly heard`;
+      return word;
     });
-    blocks($("translation"), this.#locale ? this.#clip.segments : [], (segment) => {
+    blocks($("phones"), this.#phones, (found) => {
+      const phone = said(found.phone, "phone", found);
+      if (phone) phone.title = `${found.phone}, ${found.end_ms - found.start_ms} ms`;
+      return phone;
+    });
+    blocks($("translation"), this.#locale && this.#clip.frameCount > 0 ? this.#clip.segments : [], (segment) => {
       const text = segment.text(this.#locale);
       const part = made("span", text?.isFallback ? "part fallback" : "part", text?.text ?? "");
       [part.dir, part.lang, part.title] = ["auto", text?.isFallback ? "" : this.#locale, text?.text ?? ""];
