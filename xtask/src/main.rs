@@ -21,6 +21,7 @@ mod speech_dictionary;
 mod speech_model;
 mod speech_numbers;
 mod speech_score;
+mod speech_units;
 mod targets;
 mod toolchain;
 mod tools;
@@ -85,6 +86,8 @@ enum Task {
     SpeechDictionary(speech_dictionary::Settings),
     /// Make the rules for numbers in words of lipz-speech from those of CLDR
     SpeechNumbers,
+    /// Make the names of units of lipz-speech from those of CLDR
+    SpeechUnits,
     /// Fetch and convert the neural network that hears phones, into target/recogniser
     Recogniser,
     /// Measure lip sync on sentences of speech synthesisers, beside PocketSphinx
@@ -123,6 +126,7 @@ fn main() -> ExitCode {
         Task::Windows => windows::run(),
         Task::Size => size::run(),
         Task::SpeechNumbers => speech_numbers::run(),
+        Task::SpeechUnits => speech_units::run(),
         Task::Recogniser => recogniser::run(),
         Task::SpeechScore => speech_score::run(),
         Task::SpeechDictionary(settings) => speech_dictionary::run(&settings),

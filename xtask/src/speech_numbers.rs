@@ -4,7 +4,7 @@ use crate::Failure;
 use crate::paths::{temporary_folder, workspace_root};
 use crate::tools::succeed;
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// The package that has the rules.
@@ -13,19 +13,11 @@ const PACKAGE: &str = "cldr-rbnf@48.2.0";
 /// Makes `data/numbers/rules.txt` of lipz-speech. The same package makes the same bytes.
 pub(crate) fn run() -> Result<(), Failure> {
     let folder = temporary_folder()?;
-    let folder = folder.path();
-    let mut npm = Command::new("npm");
-    succeed(npm.args(["pack", "--silent", "--pack-destination"]).arg(folder).arg(PACKAGE), "npm pack")?;
-    let list = |folder: &Path| std::fs::read_dir(folder).map_err(|error| format!("`{}`: {error}", folder.display()));
-    let archive =
-        list(folder)?.flatten().map(|entry| entry.path()).find(|path| path.extension().is_some_and(|e| e == "tgz"));
-    let archive = archive.ok_or("npm fetched no package")?;
-    succeed(Command::new("tar").arg("-xzf").arg(archive).arg("-C").arg(folder), "tar")?;
-    let package = folder.join("package");
+    let package = fetched(PACKAGE, folder.path())?;
     let read = |path: &Path| std::fs::read_to_string(path).map_err(|error| format!("`{}`: {error}", path.display()));
 
     let mut languages = BTreeMap::new();
-    for entry in list(&package.join("rbnf"))?.flatten() {
+    for entry in listed(&package.join("rbnf"))?.flatten() {
         let name = entry.file_name().to_string_lossy().into_owned();
         // Languages, not what their regions do otherwise.
         let Some(code) = name.strip_suffix("-SpelloutRules.txt").filter(|code| matches!(code.len(), 2 | 3)) else {
@@ -46,6 +38,21 @@ pub(crate) fn run() -> Result<(), Failure> {
     };
     write("rules.txt", &text)?;
     write("LICENSE-UNICODE", &read(&package.join("LICENSE"))?)
+}
+
+/// A package of npm, unpacked in this folder.
+pub(crate) fn fetched(package: &str, folder: &Path) -> Result<PathBuf, Failure> {
+    let mut npm = Command::new("npm");
+    succeed(npm.args(["pack", "--silent", "--pack-destination"]).arg(folder).arg(package), "npm pack")?;
+    let mut files = listed(folder)?.flatten().map(|entry| entry.path());
+    let archive = files.find(|path| path.extension().is_some_and(|extension| extension == "tgz"));
+    let archive = archive.ok_or("npm fetched no package")?;
+    succeed(Command::new("tar").arg("-xzf").arg(archive).arg("-C").arg(folder), "tar")?;
+    Ok(folder.join("package"))
+}
+
+fn listed(folder: &Path) -> Result<std::fs::ReadDir, Failure> {
+    std::fs::read_dir(folder).map_err(|error| format!("`{}`: {error}", folder.display()))
 }
 
 /// The rule sets of a language that are needed, in their order; none if it has none for numbers.

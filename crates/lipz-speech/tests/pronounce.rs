@@ -58,6 +58,22 @@ fn a_writer_tells_how_words_are_said() {
 }
 
 #[test]
+fn japanese_particles_are_said_as_particles() {
+    let japanese = |text: &str| {
+        let language = Language::from_locale("ja-jp").expect("a language");
+        let (lexicon, problems) = Lexicon::parse("東京 とうきょう\n");
+        assert_eq!(problems, []);
+        lines(&Pronouncer::new(language).with_lexicon(lexicon).script(text))
+    };
+    for text in ["東京はきれいです", "東京{say: とうきょう}はきれいです", "東京 {say: とうきょう}はきれいです"]
+    {
+        assert_eq!(japanese(text).concat(), "東京  T AO K Y AOはきれいです  W AA K IY R EH D EH S UW", "{text}");
+    }
+    assert_eq!(japanese("はい、はな"), ["はい  HH AA IY", "はな  HH AA N AA"]);
+    assert_eq!(japanese("ロボットへ"), ["ロボット  R AO B AO T AO", "へ  EH"]);
+}
+
+#[test]
 fn what_is_said_in_addition_stands_where_it_is_said() {
     let text = "Well, {say: um} I| {say: uh} know{say: no}{say: ehm}";
     let script = english(text);

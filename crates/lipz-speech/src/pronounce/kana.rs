@@ -40,8 +40,27 @@ const VOWELS: [Phone; 5] = [Aa, Iy, Uw, Eh, Ao];
 
 /// All ways to say a run of hiragana or katakana.
 pub(super) fn pronounce(kana: &str) -> Vec<Pronunciation> {
+    run(kana, false)
+}
+
+/// All ways to say a run of kana that stands directly behind a word in another writing: there, `は` and `へ` are particles.
+pub(super) fn pronounce_behind_word(kana: &str) -> Vec<Pronunciation> {
+    run(kana, true)
+}
+
+/// All ways to say kana that somebody has written down to say how a word is read: nothing in it is a particle.
+pub(super) fn reading(kana: &str) -> Vec<Vec<Phone>> {
+    said(&hiragana(kana)).into_iter().filter(|phones| !phones.is_empty()).collect()
+}
+
+/// Whether a text is kana, and nothing else.
+pub(super) fn is_kana(text: &str) -> bool {
+    !text.is_empty() && text.chars().all(|c| matches!(writing(c), Writing::Hiragana | Writing::Katakana))
+}
+
+fn run(kana: &str, is_behind_word: bool) -> Vec<Pronunciation> {
     let with = |phones| Pronunciation { phones, origin: Origin::Rules };
-    ways(kana).into_iter().filter(|phones| !phones.is_empty()).map(with).collect()
+    ways(kana, is_behind_word).into_iter().filter(|phones| !phones.is_empty()).map(with).collect()
 }
 
 /// All ways to say Chinese characters; those that the table of readings lacks as `guess` says.
@@ -56,7 +75,7 @@ pub(super) fn characters(han: &str, guess: impl Fn(&str) -> Vec<Vec<Phone>>) -> 
             han.get(*start..end(count)).and_then(|word| readings.get(word)).map(|kana| (count, kana))
         });
         if let Some((count, kana)) = found {
-            parts.push(kana.iter().flat_map(|kana| ways(kana)).collect());
+            parts.push(kana.iter().flat_map(|kana| reading(kana)).collect());
             at += count;
         } else {
             origin = Origin::Letters;
@@ -68,8 +87,34 @@ pub(super) fn characters(han: &str, guess: impl Fn(&str) -> Vec<Vec<Phone>>) -> 
     all.map(|phones| Pronunciation { phones, origin }).collect()
 }
 
-/// `は` and `へ` are also particles, said otherwise; `u` and `i` between voiceless sounds may be silent.
-fn ways(kana: &str) -> Vec<Vec<Phone>> {
+/// What stands before `は` as a particle, in a text without Chinese characters: particles, and words that are often subjects.
+const BEFORE_PARTICLE: [&str; 15] = [
+    "に",
+    "で",
+    "と",
+    "から",
+    "まで",
+    "こと",
+    "これ",
+    "それ",
+    "あれ",
+    "ここ",
+    "そこ",
+    "わたし",
+    "あなた",
+    "ぼく",
+    "きょう",
+];
+
+/// Whether a `は` behind this hiragana is a particle, as far as that can be known without knowing all words.
+fn is_before_particle(before: &str) -> bool {
+    BEFORE_PARTICLE.iter().any(|word| before.ends_with(word))
+}
+
+/// `は` and `へ` are also particles, said otherwise; `u` and `i` between voiceless sounds may be silent. Both ways are given: the
+/// particle first where it stands alone, at the end of a run, at its beginning behind a word in another writing, and behind the
+/// words of [`BEFORE_PARTICLE`].
+fn ways(kana: &str, is_behind_word: bool) -> Vec<Vec<Phone>> {
     let plain = hiragana(kana);
     let is_hiragana = kana.chars().any(|c| writing(c) == Writing::Hiragana);
     let mut parts: Vec<Vec<Vec<Phone>>> = Vec::new();
@@ -85,11 +130,12 @@ fn ways(kana: &str) -> Vec<Vec<Phone>> {
             rest.push(c);
             continue;
         };
+        let is_behind_particle = is_before_particle(&rest);
         parts.push(said(&rest));
         rest.clear();
-        // Alone and at the end of a run it is a particle as a rule.
         let both = [particle.to_vec(), plain.to_vec()];
-        parts.push(if at == last { both.to_vec() } else { both.into_iter().rev().collect() });
+        let is_particle = at == last || at == 0 && is_behind_word || c == 'は' && is_behind_particle;
+        parts.push(if is_particle { both.to_vec() } else { both.into_iter().rev().collect() });
     }
     parts.push(said(&rest));
     parts.retain(|ways| ways.iter().any(|way| !way.is_empty()));
@@ -240,6 +286,22 @@ mod tests {
     }
 
     #[test]
+    fn particles_come_first_where_they_are_known() {
+        assert_eq!(first("これはほんです"), "K AO R EH W AA HH AO N D EH S UW");
+        assert_eq!(first("では"), "D EH W AA");
+        assert_eq!(first("ここにはない"), "K AO K AO N IY W AA N AA IY");
+        assert_eq!(first("はな"), "HH AA N AA");
+        assert_eq!(first("はははは"), "HH AA HH AA HH AA W AA");
+        let behind = |kana| pronounce_behind_word(kana).first().map(ToString::to_string).unwrap_or_default();
+        assert_eq!(behind("はきれいです"), "W AA K IY R EH D EH S UW");
+        assert_eq!(behind("への"), "EH N AO");
+        assert_eq!(behind("がはな"), "G AA HH AA N AA");
+        // What is not decided is heard.
+        assert!(pronounce("はな").iter().any(|way| way.to_string() == "W AA N AA"));
+        assert!(reading("はは").iter().all(|way| way == &[Hh, Aa, Hh, Aa]));
+    }
+
+    #[test]
     fn what_may_be_silent_is_a_variant() {
         let all: Vec<String> = pronounce("です").iter().map(ToString::to_string).collect();
         assert_eq!(all, ["D EH S UW", "D EH S"]);
@@ -251,9 +313,7 @@ mod tests {
         assert!(readings.len() > 100 && *longest > 1);
         for (word, kana) in readings {
             assert!(word.chars().any(|c| writing(c) == Writing::Han), "{word}");
-            let is_kana =
-                |kana: &str| kana.chars().all(|c| matches!(writing(c), Writing::Hiragana | Writing::Katakana));
-            assert!(kana.iter().all(|kana| is_kana(kana) && !ways(kana)[0].is_empty()), "{word}");
+            assert!(kana.iter().all(|kana| is_kana(kana) && !reading(kana).is_empty()), "{word}");
         }
         let said = |han| {
             let all = characters(han, |_| vec![vec![M]]);

@@ -1,6 +1,6 @@
 //! A project's own pronunciations.
 
-use super::ipa;
+use super::{ipa, kana};
 use crate::{Phone, Problem, ProblemKind};
 use std::collections::HashMap;
 use std::ops::Range;
@@ -16,11 +16,12 @@ use unicode_segmentation::UnicodeSegmentation;
 /// KONRAD  K AA N R AE D
 /// KONRAD(2)  K OW N R AA D
 /// Asheviere  a ʃ ə v i ɛ ɹ
+/// 東京  とうきょう
 /// ```
 ///
 /// The word ends at a tab, two blanks or the first blank, so it may be several (`New York`, `Jean-Luc`; 16 at most); upper and
 /// lower case are the same. Phones are those of
-/// ARPAbet in capitals, with or without stress, or IPA; a line is one or the other. Numbers between word and phones
+/// ARPAbet in capitals, with or without stress, or IPA, or there is a reading in kana; a line is one of these. Numbers between word and phones
 /// (the probabilities of MFA) are skipped. A word on several lines has several pronunciations.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Lexicon {
@@ -51,7 +52,7 @@ impl Lexicon {
             let line = line.trim_end_matches(['\n', '\r']);
             let mark = if line_start == 0 { line.len() - line.trim_start_matches('\u{feff}').len() } else { 0 };
             match read_line(line.get(mark..).unwrap_or_default()) {
-                Ok(Some((word, phones))) => lexicon.add(&word, phones),
+                Ok(Some((word, all))) => all.into_iter().for_each(|phones| lexicon.add(&word, phones)),
                 Ok(None) => {}
                 Err((kind, range)) => {
                     let at = line_start + mark;
@@ -116,7 +117,8 @@ pub(super) fn folded(word: &str) -> String {
     }
 }
 
-type Line = Option<(String, Vec<Phone>)>;
+/// A word with its pronunciations.
+type Line = Option<(String, Vec<Vec<Phone>>)>;
 
 /// A line: its word and phones, nothing, or what is wrong where.
 fn read_line(line: &str) -> Result<Line, (ProblemKind, Range<usize>)> {
@@ -138,6 +140,10 @@ fn read_line(line: &str) -> Result<Line, (ProblemKind, Range<usize>)> {
     if fields.is_empty() {
         return Err((ProblemKind::NoPhones, word_range));
     }
+    if fields.iter().all(|(_, field)| kana::is_kana(field)) {
+        let whole: String = fields.iter().map(|(_, field)| *field).collect();
+        return Ok(Some((without_variant(word).to_owned(), kana::reading(&whole))));
+    }
     let unknown = |(at, field): (usize, &str)| (ProblemKind::UnknownPhone, at..at + field.len());
     let is_lower = |field: &str| field.chars().any(|c| c.is_lowercase() || !c.is_ascii());
     let mut phones = Vec::new();
@@ -150,7 +156,7 @@ fn read_line(line: &str) -> Result<Line, (ProblemKind, Range<usize>)> {
             phones.push(arpabet(field.1).ok_or_else(|| unknown(field))?);
         }
     }
-    Ok(Some((without_variant(word).to_owned(), phones)))
+    Ok(Some((without_variant(word).to_owned(), vec![phones])))
 }
 
 /// A phone of speech by its ARPAbet name in capitals.
@@ -194,6 +200,16 @@ mod tests {
         assert_eq!(all(&lexicon, "NEW YORK"), ["N UW Y AO R K"]);
         assert_eq!(all(&lexicon, "E\u{301}owyn"), ["EY OW IH N"]);
         assert!(lexicon.find("york").is_empty());
+    }
+
+    #[test]
+    fn readings_in_kana() {
+        let (lexicon, problems) = Lexicon::parse("東京 とうきょう\nWESNOTH  ウェスノス\n母\tは は\n朝 あさ kk\n");
+        assert_eq!(all(&lexicon, "東京"), ["T AO K Y AO"]);
+        assert_eq!(all(&lexicon, "Wesnoth").first().map(String::as_str), Some("W EH S UW N AO S UW"));
+        assert_eq!(all(&lexicon, "母"), ["HH AA HH AA"], "no particle");
+        let kinds: Vec<ProblemKind> = problems.iter().map(|problem| problem.kind).collect();
+        assert_eq!(kinds, [ProblemKind::UnknownPhone]);
     }
 
     #[test]

@@ -94,6 +94,8 @@ impl Pronouncer {
         reading.problems.extend(problems.into_iter().map(|(kind, range)| Problem { kind, range }));
         // Texts repeat words.
         let mut seen: HashMap<String, Vec<Pronunciation>> = HashMap::new();
+        // Where a word in another writing than kana ends.
+        let mut end_of_word = None;
         for item in items {
             let token = match item {
                 Item::Break => {
@@ -102,7 +104,13 @@ impl Pronouncer {
                 }
                 Item::Token(token) => token,
             };
+            let is_kana = token.kind == Kind::Word && kana::is_kana(&token.text);
+            let is_behind_word = is_kana && end_of_word.is_some_and(|end| is_beside(text, end, token.range.start));
+            end_of_word = (!is_kana).then_some(token.range.end);
             let pronunciations = match &token.kind {
+                Kind::Word if is_behind_word && self.lexicon.find(&token.text).is_empty() => {
+                    kana::pronounce_behind_word(&token.text)
+                }
                 Kind::Word => match seen.get(&token.text) {
                     Some(known) => known.clone(),
                     None => seen.entry(token.text.clone()).or_insert(self.pronounce(&token.text)).clone(),
@@ -166,6 +174,12 @@ impl Pronouncer {
             spelled: Box::new(|text, at| numbers::spelled(self.language.code(), text, at)),
         }
     }
+}
+
+/// Whether nothing is displayed between two places of a text: only `{…}` are there.
+fn is_beside(text: &str, end: usize, start: usize) -> bool {
+    let between = text.get(end..start).unwrap_or_default();
+    between.is_empty() || between.trim_start().starts_with('{') && between.ends_with('}') && !between.contains("} ")
 }
 
 type Known<'p> = Box<dyn Fn(&str) -> bool + 'p>;

@@ -1,9 +1,12 @@
 //! Numbers and signs of a text in words: cardinals, ordinals, years, decimals, money, percent, times of day.
 
+mod counters;
+mod dates;
 mod plural;
 mod roman;
 mod rules;
 mod signs;
+mod units;
 
 use super::Spelling;
 use rules::{LARGEST, Rules, Use};
@@ -62,6 +65,11 @@ pub(crate) fn spelled(code: &str, text: &str, at: usize) -> Option<Spelling> {
     if let Some(found) = number(code, rest, start) {
         // A word such as `3D` is none.
         let (end, mut readings) = readings(code, rules, rest, &found, money)?;
+        let day = found.whole.parse().ok().filter(|_| end == found.end && found.decimals.is_empty());
+        if let Some(ordinal) = day.filter(|day| dates::is_behind_month(code, text.get(..at).unwrap_or_default(), *day))
+        {
+            readings.splice(0..0, rules.spell(ordinal, Use::Ordinal));
+        }
         if minus {
             readings.iter_mut().for_each(|reading| *reading = format!("{} {reading}", rules.minus()));
         }
@@ -143,6 +151,9 @@ fn readings(code: &str, rules: &Rules, text: &str, found: &Found, money: Option<
             return Some((found.end + length, readings));
         }
     }
+    if let Some(unit) = units::find(code, rest).filter(|_| money.is_none()) {
+        return Some((found.end + unit.length, with_unit(code, rules, found, &unit)));
+    }
     if rest.starts_with(char::is_alphabetic) && !rest.starts_with(|c: char| super::writing(c).stands_alone()) {
         return None;
     }
@@ -164,15 +175,37 @@ fn readings(code: &str, rules: &Rules, text: &str, found: &Found, money: Option<
             let word = signs::word(code, money.or(sign)?, found.whole == "1")?;
             all.insert(0, format!("{whole} {word} {cents}"));
         }
-    } else if found.decimals.is_empty() && !found.grouped && rest.starts_with('.') && orders_by_point(code) {
-        // `3. Mai`: an ordinal, unless a sentence ends there.
-        let next = rest.get(1..)?.trim_start().chars().next();
-        if let (Some(ordinal), Some(next)) = (spell(rules, &found.whole, Use::Ordinal), next) {
-            let first = if next.is_lowercase() { 0 } else { all.len() };
-            all.insert(first, ordinal);
+    } else if found.decimals.is_empty() && !found.grouped {
+        let value = found.whole.parse().ok();
+        if let Some((native, is_likely)) =
+            value.filter(|_| code == "ko").and_then(|value| counters::native(value, rest))
+        {
+            all.insert(if is_likely { 0 } else { all.len() }, native);
+        }
+        let ordinal = dates::ordinal(code, rest, value).zip(spell(rules, &found.whole, Use::Ordinal));
+        if let Some((is_likely, ordinal)) = ordinal {
+            let at = if is_likely { 0 } else { all.len() };
+            all.splice(at..at, dates::forms(code, ordinal));
         }
     }
     Some((end, all))
+}
+
+/// All ways to say a number with its unit.
+fn with_unit(code: &str, rules: &Rules, found: &Found, unit: &units::Unit) -> Vec<String> {
+    let one = found.whole == "1" && found.decimals.is_empty();
+    let numbers = plain(rules, found);
+    // Before a noun, one is another word: `ein Kilo`.
+    let before_noun = |words: &String| match (code, one) {
+        ("de", true) => "ein".to_owned(),
+        ("ca" | "es" | "it", true) => "un".to_owned(),
+        _ => words.clone(),
+    };
+    let value = found.whole.parse().ok().filter(|_| found.decimals.is_empty());
+    let degrees = signs::word(code, '°', one).filter(|_| unit.is_of_degrees).map(|word| format!("# {word}"));
+    let names: Vec<String> = unit.names(value).map(str::to_owned).chain(degrees).collect();
+    let with = |words: String| names.iter().map(move |name| name.replace('#', &words));
+    numbers.iter().map(before_noun).flat_map(with).collect()
 }
 
 /// A number without anything beside it.
@@ -209,7 +242,8 @@ fn time(code: &str, rules: &Rules, hours: &str, rest: &str) -> Option<(usize, St
     if more || !fits(hours, 24) || !minutes.bytes().all(|byte| byte.is_ascii_digit()) || !fits(minutes, 59) {
         return None;
     }
-    let hour = cardinal(rules, hours.trim_start_matches('0')).or_else(|| cardinal(rules, "0"))?;
+    let native = hours.parse().ok().filter(|hour| code == "ko" && (1..=12).contains(hour)).and_then(counters::words);
+    let hour = native.or_else(|| cardinal(rules, hours.trim_start_matches('0'))).or_else(|| cardinal(rules, "0"))?;
     let between = signs::word(code, ':', false).unwrap_or_default();
     let minute = match minutes {
         "00" if code == "en" => "o'clock".to_owned(),
@@ -245,30 +279,6 @@ fn with_suffix(code: &str, rules: &Rules, digits: &str, rest: &str) -> Option<(u
         return Some((letters, vec![plural]));
     }
     None
-}
-
-/// Whether ordinals are written with a point.
-fn orders_by_point(code: &str) -> bool {
-    matches!(
-        code,
-        "de" | "cs"
-            | "pl"
-            | "fi"
-            | "tr"
-            | "da"
-            | "nb"
-            | "no"
-            | "nn"
-            | "sk"
-            | "hr"
-            | "sr"
-            | "bs"
-            | "sl"
-            | "hu"
-            | "et"
-            | "lv"
-            | "is"
-    )
 }
 
 /// The decimals of an amount of money, if they are cents.

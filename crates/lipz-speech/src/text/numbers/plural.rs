@@ -2,12 +2,18 @@
 
 /// The form for a whole number, of a list such as `(cardinal,one{…}few{…}other{…}`.
 pub(super) fn choose<'r>(code: &str, number: u64, forms: &'r str) -> &'r str {
-    let form = |name: &str| {
-        let start = forms.find(&format!("{name}{{"))? + name.len() + 1;
-        let end = forms.get(start..)?.find('}')?;
-        forms.get(start..start + end)
-    };
-    form(category(code, number)).or_else(|| form("other")).unwrap_or_default()
+    form(category(code, number), forms).unwrap_or_else(|| of_decimals(forms))
+}
+
+/// The form for a number with decimals: that for all that no other form is for.
+pub(super) fn of_decimals(forms: &str) -> &str {
+    form("other", forms).unwrap_or_default()
+}
+
+fn form<'r>(name: &str, forms: &'r str) -> Option<&'r str> {
+    let start = forms.find(&format!("{name}{{"))? + name.len() + 1;
+    let end = forms.get(start..)?.find('}')?;
+    forms.get(start..start + end)
 }
 
 /// The category of a whole number, as CLDR has it for the languages whose rules ask.
