@@ -1,6 +1,7 @@
 //! From a Lipz document to a track in the symbols of another tool, and to its file.
 
 use crate::import::{REST, element};
+use crate::textgrid::Tier;
 use crate::{Format, Map, Shape, Text, Time, Timed, Track, map};
 use lipz_diagnostics::{Code, Diagnostic};
 use lipz_file::locale::{TextName, text_name};
@@ -24,11 +25,13 @@ pub struct ExportOptions<'a> {
     pub name: Option<&'a str>,
     /// The number of the first frame in Moho files, 0 or 1.
     pub dat_base: u64,
+    /// Tiers that a TextGrid gets besides those of the clip: when words and phones are said.
+    pub tiers: &'a [Tier],
 }
 
 impl Default for ExportOptions<'_> {
     fn default() -> Self {
-        ExportOptions { map: None, default_rate: None, default_viseme_type: None, name: None, dat_base: 1 }
+        ExportOptions { map: None, default_rate: None, default_viseme_type: None, name: None, dat_base: 1, tiers: &[] }
     }
 }
 
@@ -68,6 +71,12 @@ impl<'a> ExportOptions<'a> {
     #[must_use]
     pub fn name(self, name: impl Into<Option<&'a str>>) -> Self {
         ExportOptions { name: name.into(), ..self }
+    }
+
+    /// Sets the tiers that a TextGrid gets besides those of the clip.
+    #[must_use]
+    pub fn tiers(self, tiers: &'a [Tier]) -> Self {
+        ExportOptions { tiers, ..self }
     }
 }
 
@@ -148,9 +157,20 @@ fn track<'m>(
     let (name, phrases) = (options.name.map(str::to_owned), segments(visemes, rate));
     let rest = map.symbol(REST).map(str::to_owned);
     let (texts, elements) = if format.keeps_texts { divided(document) } else { Default::default() };
-    let first_frame = options.dat_base;
-    let track =
-        Track { name, shapes, end, rate: Some(rate), first_frame, rest, phrases, texts, elements, ..Track::default() };
+    let (first_frame, tiers) = (options.dat_base, options.tiers.to_vec());
+    let track = Track {
+        tiers,
+        name,
+        shapes,
+        end,
+        rate: Some(rate),
+        first_frame,
+        rest,
+        phrases,
+        texts,
+        elements,
+        ..Track::default()
+    };
     Some((Track { map: map::find(&map.name).map(|map| map.name.as_str()), ..track }, map))
 }
 
@@ -203,7 +223,7 @@ fn viseme_type(document: &Document<'_>, codes: &[u8], options: &ExportOptions<'_
 }
 
 /// Where equal codes start, with the code.
-fn runs(codes: &[u8]) -> impl Iterator<Item = (u64, u8)> {
+pub(crate) fn runs(codes: &[u8]) -> impl Iterator<Item = (u64, u8)> {
     let mut frame = 0;
     codes.chunk_by(|a, b| a == b).map(move |run| {
         let start = frame;

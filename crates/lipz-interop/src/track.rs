@@ -1,6 +1,7 @@
 //! What other tools say about a recording, before it becomes a Lipz file: shapes with their times.
 
 use crate::Time;
+use crate::textgrid::Tier;
 use lipz_diagnostics::Span;
 use lipz_file::Element;
 use lipz_file::rate::Rate;
@@ -34,6 +35,8 @@ pub struct Track {
     pub texts: Vec<Text>,
     /// Elements of Lipz files that are taken as they are, such as events.
     pub elements: Vec<Element<'static>>,
+    /// Tiers that a TextGrid gets besides those of the clip.
+    pub tiers: Vec<Tier>,
     /// How the file was read where there was a choice, a sentence each.
     pub remarks: Vec<String>,
 }

@@ -1,7 +1,8 @@
 //! The recordings of a project and its Lipz files.
 //!
 //! A project with `[audio]` in its settings has a recording for each clip. [`Recordings`] finds them, [`Facts`] is what
-//! is known of one: its length and the hash of its file, [`Recorded`] counts them. [`check`] reports what does not belong together, and
+//! is known of one: its length and the hash of its file, [`Recorded`] counts them, [`RecordedClip`] is
+//! that of a clip. [`check`] reports what does not belong together, and
 //! [`in_bank`] is what a bank says about recordings. [`sync`](sync()) makes mouths of recordings, and a [`SyncRecord`]
 //! remembers what each was made from. [`KnownPhones`] hears once more when each sound of a clip is said. [`train`] learns a
 //! model of the voices of a project.
@@ -18,6 +19,7 @@ mod lints;
 mod originals;
 mod places;
 mod recorded;
+mod recorded_clip;
 mod recordings;
 mod sync;
 mod threads;
@@ -29,11 +31,12 @@ pub use known::KnownRecordings;
 pub use lints::check;
 pub use lipz_speech::{Recogniser, RecogniserError, TrainedModel};
 pub use recorded::Recorded;
+pub use recorded_clip::{RecordedClip, SyncState};
 pub use recordings::{Recordings, dependencies, is_recording};
 pub use sync::{
-    DoubtfulWord, Job, Kept, KnownPhones, Line, Made, Original, OriginalThen, PhoneTime, RECORD_NAME, SyncOptions,
-    SyncRecord, Synced, TRAINING_ROUNDS, Trained, Whole, jobs_of_clips, jobs_of_recordings, model_at, record_place,
-    sync, train, write_model,
+    CodesOfPhones, DoubtfulWord, JOB_PARTS, Job, Kept, KnownPhones, Line, Made, Original, OriginalThen, PhoneTime,
+    RECORD_NAME, Said, SaidTiers, SyncOptions, SyncRecord, Synced, TRAINING_ROUNDS, Trained, Whole, codes_of_phones,
+    jobs_of_clips, jobs_of_recordings, model_at, record_place, sync, train, write_model,
 };
 pub(crate) use sync::{spoken_string, spoken_text};
 pub use words::word_times;

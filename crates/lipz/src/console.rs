@@ -1,7 +1,8 @@
 //! What goes to standard output and standard error.
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{HumanCount, HumanDuration, ProgressBar, ProgressState, ProgressStyle};
 use lipz_diagnostics::escape;
+use std::fmt;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 use std::thread;
@@ -52,17 +53,26 @@ pub(crate) fn width() -> usize {
     terminal_size::terminal_size().map_or(DEFAULT_WIDTH, |(width, _)| usize::from(width.0)).clamp(24, 200)
 }
 
-/// A bar that counts files, if anybody sees it: on a terminal.
+/// A bar that counts files or parts of them, if anybody sees it: on a terminal.
 pub(crate) struct Progress(Option<ProgressBar>);
 
 /// A bar that counts to `length`; shown only on a terminal.
 pub(crate) fn progress_bar(length: usize, quiet: bool) -> Progress {
+    progress_bar_of_parts(length, 1, quiet)
+}
+
+/// A bar that counts parts of `length` files, which have `parts` each.
+pub(crate) fn progress_bar_of_parts(length: usize, parts: u64, quiet: bool) -> Progress {
     if quiet || !io::stderr().is_terminal() {
         return Progress(None);
     }
-    let bar = ProgressBar::new(length as u64);
-    if let Ok(style) = ProgressStyle::with_template("{bar:30} {human_pos}/{human_len} files, {eta} left") {
-        bar.set_style(style);
+    let bar = ProgressBar::new(length as u64 * parts);
+    if let Ok(style) = ProgressStyle::with_template("{bar:30} {files} files{left}") {
+        let files = move |state: &ProgressState, out: &mut dyn fmt::Write| {
+            let count = |parts_done: u64| HumanCount(parts_done / parts);
+            let _ = write!(out, "{}/{}", count(state.pos()), count(state.len().unwrap_or_default()));
+        };
+        bar.set_style(style.with_key("files", files).with_key("left", left));
     }
     // It takes a thread, and panics without one.
     if thread::Builder::new().spawn(|| ()).is_ok() {
@@ -71,11 +81,19 @@ pub(crate) fn progress_bar(length: usize, quiet: bool) -> Progress {
     Progress(Some(bar))
 }
 
+/// How much time is left, once that can be known.
+fn left(state: &ProgressState, out: &mut dyn fmt::Write) {
+    if state.pos() > 0 {
+        let _ = write!(out, ", {:#} left", HumanDuration(state.eta()));
+    }
+}
+
 impl Progress {
-    /// Counts files that are done. Where nobody sees it, nothing is worked out: a hidden bar estimates its end, too.
-    pub(crate) fn inc(&self, files: u64) {
+    /// Counts files, or parts of files, that are done. Where nobody sees it, nothing is worked out: a hidden bar estimates its
+    /// end, too.
+    pub(crate) fn inc(&self, done: u64) {
         if let Some(bar) = &self.0 {
-            bar.inc(files);
+            bar.inc(done);
         }
     }
 
@@ -94,7 +112,7 @@ pub(crate) fn path(path: &Path) -> String {
 
 /// A number with commas: 1,234,567.
 pub(crate) fn grouped(number: usize) -> String {
-    indicatif::HumanCount(number as u64).to_string()
+    HumanCount(number as u64).to_string()
 }
 
 /// `1 clip`, `2 clips`.

@@ -60,12 +60,21 @@ pub(crate) struct Reporter {
     first: Option<Code>,
     /// Whether `lipz check --fix` would fix some of those that they saw.
     has_fixes: bool,
+    /// What a JSON document has besides.
+    result: serde_json::Map<String, serde_json::Value>,
 }
 
 impl Reporter {
     /// `is_output_taken` if standard output is for something else.
     pub(crate) fn new(format: Format, is_output_taken: bool) -> Reporter {
-        Reporter { format, is_output_taken, reports: Vec::new(), first: None, has_fixes: false }
+        Reporter {
+            format,
+            is_output_taken,
+            reports: Vec::new(),
+            first: None,
+            has_fixes: false,
+            result: serde_json::Map::new(),
+        }
     }
 
     /// Shows these diagnostics, or keeps them for the document.
@@ -118,6 +127,14 @@ impl Reporter {
         Ok(())
     }
 
+    /// Adds what the command did to the document, if that is JSON: what a summary tells people.
+    pub(crate) fn add_result<T: Serialize>(&mut self, name: &str, value: impl FnOnce() -> T) {
+        if self.format == Format::Json {
+            // Of what cannot be serialised, there is nothing in our results.
+            self.result.insert(name.to_owned(), serde_json::to_value(value()).unwrap_or_default());
+        }
+    }
+
     /// Reports what was found, and prints for people what the command did all the same.
     pub(crate) fn end(&mut self, reports: Vec<Report>, summary: Option<String>) -> Ended {
         let outcome = Outcome::from_reports(&reports);
@@ -167,7 +184,7 @@ impl Reporter {
                 self.first.inspect(|code| hint(*code));
                 return outcome;
             }
-            Format::Json => render::json(&self.reports),
+            Format::Json => render::json_with(&self.reports, &self.result),
             Format::Sarif => render::sarif(&self.reports, outcome != Outcome::Failed),
             Format::Github => render::github(&self.reports),
             Format::Gitlab => render::gitlab(&self.reports),

@@ -141,3 +141,54 @@ fn statistics_of_a_project_count_its_recordings() {
     let refused = lipz(scene.path(), ["stats"]);
     assert!(refused.code == 1 && refused.stderr.contains("[LZ1704]"), "{}", refused.stderr);
 }
+
+#[test]
+fn a_clip_is_shown_with_its_recording() {
+    let scene = Scene::new();
+    let settings = "sources = [\"voices\"]\nroot = \"voices\"\ndefault-locale = \"en-us\"\n[audio]\nfolder = \"rec\"\n";
+    scene.write("lipz.toml", settings);
+    scene.write("voices/mayor.lipz", r#"{ "text_en-us": "Good evening, mayor." }"#);
+    scene.write("voices/otto.lipz", CLIP);
+    scene.write("voices/title.lipz", r#"{ "text_en-us": "Act one" }"#);
+    scene.write("rec/mayor.wav", sound(16_000));
+    scene.write("rec/otto.wav", sound(3333));
+    let shown = |key: &str| lipz(scene.path(), ["inspect", "voices", key]).stdout;
+    let states = |key: &str| {
+        let json = lipz(scene.path(), ["inspect", "voices", key, "--json"]);
+        let clip: serde_json::Value = serde_json::from_str(&json.stdout).unwrap();
+        assert_eq!(clip["key"], key);
+        (clip["recorded"]["state"].clone(), clip["recorded"]["doubtful"].as_array().map(Vec::len))
+    };
+    assert!(
+        shown("mayor").contains("\nrecording rec/mayor.wav, 2.000 s\n  the clip has no mouth yet\n"),
+        "{}",
+        shown("mayor")
+    );
+    assert!(shown("otto").contains("  the mouth was drawn by hand, or made by another tool\n"), "{}", shown("otto"));
+    assert!(!shown("title").contains("recording"));
+    assert_eq!(states("title").0, serde_json::Value::Null);
+    assert_eq!(lipz(scene.path(), ["sync", "--allow", "warnings"]).code, 0);
+    let text = shown("mayor");
+    assert!(
+        text.contains("  the mouth was made of it\n  doubtful words (listen there)\n"),
+        "a buzz is no good evening: {text}"
+    );
+    let (state, doubtful) = states("mayor");
+    assert!(state == "synced" && doubtful.unwrap() > 0);
+    let file = fs::read_to_string(scene.path().join("voices/mayor.lipz")).unwrap();
+    let first = file.find("visemes\": \"").unwrap() + "visemes\": \"".len();
+    let other = if &file[first..=first] == "M" { "O" } else { "M" };
+    for (changed, expected) in [
+        (file.replace("evening", "morning"), "other-text"),
+        ([&file[..first], other, &file[first + 1..]].concat(), "changed"),
+        (file.clone(), "synced"),
+    ] {
+        scene.write("voices/mayor.lipz", changed);
+        assert_eq!(states("mayor").0, expected);
+    }
+    scene.write("rec/mayor.wav", sound(16_001));
+    assert_eq!(states("mayor").0, "other-recording");
+    scene.write("rec/mayor.wav", "RIFF");
+    let refused = lipz(scene.path(), ["inspect", "voices", "mayor"]);
+    assert!(refused.code == 2 && refused.stderr.contains("[LZ1704]"), "{}", refused.stderr);
+}

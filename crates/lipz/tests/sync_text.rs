@@ -172,6 +172,61 @@ fn every_word_to_look_at_can_be_had_again() {
 }
 
 #[test]
+fn programs_get_the_table_as_data() {
+    let scene = Scene::new();
+    scene.write("rec/=a.wav", said(1));
+    scene.write("rec/=a.txt", "Bobby ripped the Wesnothian, ledger.");
+    let arguments = ["sync", "rec", "-o", "voices", "--audio-locale", "en-us"];
+    for state in ["synced", "unchanged"] {
+        let run = lipz(scene.path(), arguments.into_iter().chain(["--format", "json"]));
+        let document: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+        assert!(document["errors"] == 0 && document["diagnostics"].is_array());
+        let sync = &document["sync"];
+        match state {
+            "synced" => assert_eq!(sync["synced"], serde_json::json!(["=a"])),
+            _ => assert_eq!((&sync["synced"], &sync["unchanged"]), (&serde_json::json!([]), &1.into())),
+        }
+        assert_eq!(sync["by_rules"][0]["word"], "Wesnothian");
+        assert!(sync["by_rules"][0]["pronunciation"].as_str().unwrap().starts_with('W'));
+        let doubtful = sync["doubtful"].as_array().unwrap();
+        assert!(doubtful.iter().any(|word| word["clip"] == "=a" && word["start_us"].as_u64().unwrap() > 0), "{sync}");
+    }
+    // The table for spreadsheets: on standard output, all else beside it, and no formulas.
+    let run = lipz(scene.path(), arguments.into_iter().chain(["--list", "-"]));
+    assert!(run.stdout.starts_with("what,clip,seconds,word\n") && run.stderr.contains("1 unchanged"), "{run:?}");
+    assert!(run.stdout.contains("doubtful,'=a,") && !run.stdout.contains(",=a"), "{}", run.stdout);
+}
+
+#[test]
+fn a_dub_that_says_something_else_than_its_borrowed_text_is_told_by_check() {
+    let scene = Scene::new();
+    let settings = "sources = [\"voices\"]\nroot = \"voices\"\ndefault-locale = \"en-us\"\n[audio]\nfolder = \"rec\"\n\
+                    [voices]\nen-us = \"en/{key}\"\nen-gb = \"gb/{key}\"\n";
+    scene.write("lipz.toml", settings);
+    let (text, other) = (SENTENCE, "The mayor has never seen a castle. Bobby ripped the ledger.");
+    scene.write("voices/en/a.lipz", format!("{{ \"text_en-us\": \"{text}\", \"text_en-gb\": \"{other}\" }}"));
+    ["en", "gb"].iter().for_each(|voice| scene.write(&format!("rec/{voice}/a.wav"), said(1)));
+    let told = "warning[LZ1707]: `The mayor has never seen a castle` is not said";
+    for arguments in [&["sync"][..], &["sync"], &["check"]] {
+        let run = lipz(scene.path(), arguments);
+        assert!(
+            run.stderr.contains(told) && run.stderr.contains("= note: in its dub `gb/a`"),
+            "{arguments:?}: {run:?}"
+        );
+        assert!(run.stderr.contains("--> voices/en/a.lipz:"), "{}", run.stderr);
+    }
+}
+
+#[test]
+fn languages_without_rules_are_told() {
+    let scene = Scene::new();
+    scene.write("rec/a.wav", said(1));
+    scene.write("rec/a.txt", SENTENCE);
+    let run = lipz(scene.path(), ["sync", "rec", "-o", "voices", "--audio-locale", "xx-yy"]);
+    assert!(run.stdout.contains("there are no rules for their language\n  xx-yy\n"), "{run:?}");
+}
+
+#[test]
 fn only_lines_without_a_recording_are_missed() {
     let scene = Scene::new();
     ["a", "b"].iter().for_each(|name| scene.write(&format!("rec/{name}.wav"), said(1)));

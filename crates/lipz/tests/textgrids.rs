@@ -110,3 +110,138 @@ fn a_textgrid_of_something_else_is_told_and_not_used() {
         assert_eq!(read(&scene, "grids/a/b.TextGrid"), changed, "{told}");
     }
 }
+
+/// The frames of the clip in a folder, without `|`.
+fn frames(scene: &Scene, folder: &str) -> Vec<char> {
+    let file = read(scene, &format!("{folder}/a/b.lipz"));
+    let line = file.lines().find(|line| line.contains("\"visemes\"")).unwrap();
+    line.split('"').nth(3).unwrap().chars().filter(|code| *code != '|').collect()
+}
+
+/// The TextGrid with another label where `phone` is first, and the seconds of that interval.
+fn with_label(grid: &str, phone: &str, label: &str) -> (String, f64, f64) {
+    let (start, end, at) = interval(grid, phone);
+    let mut lines: Vec<String> = grid.lines().map(str::to_owned).collect();
+    lines[at] = format!("text = \"{label}\" ");
+    (lines.join("\n") + "\n", start, end)
+}
+
+#[test]
+fn an_export_has_words_and_phones_and_comes_back_as_the_same_clip() {
+    let scene = project();
+    scene.write("lipz.toml", read(&scene, "lipz.toml").replace("textgrids = \"grids\"\n", ""));
+    lipz(scene.path(), ["sync"]);
+    let before = read(&scene, "voices/a/b.lipz");
+    let run = lipz(scene.path(), ["export", "textgrid", "-o", "tg"]);
+    assert!(
+        run.stdout.contains("1 file exported to textgrid in tg; 1 with their words, 1 with their phones"),
+        "{run:?}"
+    );
+    let grid = read(&scene, "tg/a/b.TextGrid");
+    let names: Vec<&str> = grid.lines().filter_map(|line| line.trim().strip_prefix("name = ")).collect();
+    assert_eq!(names, ["\"words\"", "\"phones\"", "\"visemes\"", "\"segments\"", "\"text_en-us\""]);
+    interval(&grid, "JH");
+    for (folder, arguments) in [("voices", &[][..]), ("new", &["--segments", "phrases"])] {
+        let run = lipz(
+            scene.path(),
+            ["import", "textgrid", "tg/a/b.TextGrid", "--root", "tg", "-o", folder].iter().chain(arguments),
+        );
+        assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{folder}");
+        assert!(!run.stdout.contains("phones"), "nothing was corrected: {}", run.stdout);
+        assert_eq!(frames(&scene, folder), frames(&scene, "voices"));
+    }
+    assert_eq!(read(&scene, "voices/a/b.lipz"), before);
+    // The same file makes mouths of `lipz sync`, too, although it ends with a frame.
+    let run = lipz(scene.path(), ["sync", "--textgrids", "tg"]);
+    assert_eq!((run.code, run.stderr.as_str(), frames(&scene, "voices")), (0, "", frames(&scene, "new")));
+    // Of a mouth that is another one, its phones are not known; its words are.
+    let changed = read(&scene, "voices/a/b.lipz").replacen("MM", "OO", 1);
+    scene.write("voices/a/b.lipz", &changed);
+    let run = lipz(scene.path(), ["export", "textgrid", "-o", "tg", "--force"]);
+    assert!(run.stdout.contains("; 1 with their words, 0 with their phones"), "{run:?}");
+    interval(&read(&scene, "tg/a/b.TextGrid"), "Bobby");
+}
+
+#[test]
+fn a_corrected_phone_that_is_imported_changes_only_its_place() {
+    let scene = project();
+    lipz(scene.path(), ["sync"]);
+    let before = frames(&scene, "voices");
+    let grid = read(&scene, "grids/a/b.TextGrid");
+    // A vowel becomes a short p: closed lips of two frames, ahead of the sound.
+    let (corrected, start, end) = with_label(&grid, "EH", "P");
+    scene.write("grids/a/b.TextGrid", &corrected);
+    let import = ["import", "textgrid", "grids/a/b.TextGrid", "--root", "grids", "-o"];
+    for folder in ["voices", "new"] {
+        let run = lipz(scene.path(), import.iter().copied().chain([folder]));
+        assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+        assert!(run.stdout.contains("1 file: shapes follow the phones, by the rules of [sync]"), "{}", run.stdout);
+        let after = frames(&scene, folder);
+        assert_eq!(after.len(), before.len());
+        let changed: Vec<usize> = (0..before.len()).filter(|&frame| before[frame] != after[frame]).collect();
+        let is_near = |frame: &usize| (start - 0.1..end + 0.1).contains(&(*frame as f64 / 24.0));
+        assert!(!changed.is_empty() && changed.iter().all(is_near), "{changed:?}");
+        assert!(after.windows(2).any(|two| two == ['M', 'M'] && before != after));
+    }
+    // It is what `lipz sync` makes of it.
+    let imported = frames(&scene, "voices");
+    lipz(scene.path(), ["sync", "--force"]);
+    assert_eq!(frames(&scene, "voices"), imported);
+    // Whoever corrects shapes gets these: the phones say what the clip has.
+    let shapes = corrected.replacen("text = \"W\"", "text = \"U\"", 1).replacen("text = \"L\"", "text = \"O\"", 1);
+    assert_ne!(shapes, corrected);
+    scene.write("grids/a/b.TextGrid", &shapes);
+    lipz(scene.path(), import.iter().copied().chain(["voices"]));
+    assert_ne!(frames(&scene, "voices"), imported);
+    // A label that is no phone is told.
+    scene.write("grids/a/b.TextGrid", with_label(&grid, "EH", "?!").0);
+    let run = lipz(scene.path(), import.iter().copied().chain(["voices"]));
+    assert!(run.stderr.contains("warning[LZ1710]: `?!` is no phone"), "{}", run.stderr);
+    assert_eq!(frames(&scene, "voices"), before);
+}
+
+#[test]
+fn a_run_without_textgrids_keeps_what_was_corrected() {
+    let scene = project();
+    lipz(scene.path(), ["sync"]);
+    let (heard, grid) = (mouth(&scene), read(&scene, "grids/a/b.TextGrid"));
+    let without = read(&scene, "lipz.toml").replace("textgrids = \"grids\"\n", "");
+    let with = read(&scene, "lipz.toml");
+    // What lipz heard itself is nobody's work.
+    scene.write("lipz.toml", &without);
+    assert!(lipz(scene.path(), ["sync"]).stdout.contains("1 clip synced"));
+    scene.write("lipz.toml", &with);
+    assert!(lipz(scene.path(), ["sync"]).stdout.contains("1 clip synced"));
+    assert!(!read(&scene, "voices/lipz-sync.txt").contains("from:textgrid"));
+    scene.write("grids/a/b.TextGrid", with_label(&grid, "EH", "P").0);
+    lipz(scene.path(), ["sync"]);
+    let corrected = mouth(&scene);
+    assert_ne!(corrected, heard);
+    assert!(read(&scene, "voices/lipz-sync.txt").contains(" from:textgrid "));
+    scene.write("lipz.toml", &without);
+    let run = lipz(scene.path(), ["sync"]);
+    assert!(run.stdout.contains("a/b  made from a corrected TextGrid"), "{}", run.stdout);
+    assert_eq!((mouth(&scene), run.stderr.as_str()), (corrected.clone(), ""));
+    // Another text is told.
+    scene.write("voices/a/b.lipz", read(&scene, "voices/a/b.lipz").replace("ledger", "castle"));
+    let run = lipz(scene.path(), ["sync"]);
+    assert!(run.stderr.contains("warning[LZ1706]: the mouth was made from a corrected TextGrid"), "{}", run.stderr);
+    assert_eq!(mouth(&scene), corrected);
+    scene.write("voices/a/b.lipz", read(&scene, "voices/a/b.lipz").replace("castle", "ledger"));
+    assert!(lipz(scene.path(), ["sync", "--force"]).stdout.contains("1 clip synced"));
+    assert_eq!(mouth(&scene), heard);
+}
+
+#[test]
+fn a_textgrid_of_another_length_is_told_each_time() {
+    let scene = project();
+    lipz(scene.path(), ["sync"]);
+    let grid = read(&scene, "grids/a/b.TextGrid");
+    let last = grid.lines().find_map(|line| line.strip_prefix("xmax = ")).unwrap().trim();
+    scene.write("grids/a/b.TextGrid", grid.replace(last, "9.5"));
+    for arguments in [&["sync"][..], &["sync"], &["check"], &["check"]] {
+        let run = lipz(scene.path(), arguments);
+        let told = run.stderr.matches("warning[LZ1703]: the TextGrid lasts 9.500 s, but the recording ").count();
+        assert_eq!(told, 1, "{arguments:?}: {}", run.stderr);
+    }
+}

@@ -18,6 +18,8 @@ pub struct Sync {
     pub lead_ms: Option<u32>,
     /// Milliseconds for which closed lips, and the lip under the teeth, stay at least.
     pub hold_ms: Option<u32>,
+    /// Whether the shapes of other consonants stay as long, as far as vowels have time to spare.
+    pub hold_consonants: bool,
     /// Milliseconds below which a vowel does not open the mouth wide.
     pub shortest_wide_ms: Option<u32>,
     /// Decibels below the loud parts of a recording at which a mouth of loudness (`rms`) is closed.

@@ -21,6 +21,27 @@ pub fn json(reports: &[Report]) -> String {
     to_json(&Document::new(reports))
 }
 
+/// The same document with the fields of `result` behind its own: for a run that has results besides its diagnostics.
+///
+/// ```
+/// use lipz_diagnostics::render::json_with;
+/// #[derive(serde::Serialize)]
+/// struct Result { made: usize }
+/// let document: serde_json::Value = serde_json::from_str(&json_with(&[], &Result { made: 3 })).unwrap();
+/// assert_eq!((&document["errors"], &document["made"]), (&0.into(), &3.into()));
+/// ```
+pub fn json_with<T: Serialize>(reports: &[Report], result: &T) -> String {
+    to_json(&With { document: Document::new(reports), result })
+}
+
+#[derive(Serialize)]
+struct With<'r, T> {
+    #[serde(flatten)]
+    document: Document<'r>,
+    #[serde(flatten)]
+    result: &'r T,
+}
+
 /// The value as indented JSON, with every control character escaped: serde_json leaves those above U+007E.
 ///
 /// For other documents beside [`json`]. A value that cannot be serialised becomes `null`.

@@ -31,7 +31,7 @@ pub use gitlab::gitlab;
 #[cfg(feature = "human")]
 pub use human::{Human, human};
 #[cfg(feature = "json")]
-pub use json::{json, to_json};
+pub use json::{json, json_with, to_json};
 pub use junit::junit;
 #[cfg(feature = "json")]
 pub use sarif::sarif;

@@ -16,7 +16,7 @@ use document::{OnFrames, document, texts};
 use lipz_diagnostics::{Code, Diagnostic, Severity, escape};
 use lipz_file::Document;
 use lipz_file::rate::Rate;
-use runs::{in_order, report, runs};
+use runs::{in_order, report, runs, with_codes};
 
 /// The result of an import.
 #[derive(Debug, Default)]
@@ -130,8 +130,11 @@ fn table<'m>(format: &Format, track: &Track, options: &ImportOptions<'m>) -> Opt
 
 /// The clip of a track.
 fn clip(track: Track, map: &Map, options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<Clip> {
-    let track = in_order(track, diagnostics);
     let rate = options.rate.or(track.rate).unwrap_or(options.default_rate);
+    let track = match options.codes {
+        Some(codes) => with_codes(track, codes, map, rate),
+        None => in_order(track, diagnostics),
+    };
     let (symbols, runs) = runs(&track, map, rate, diagnostics)?;
     if track.shapes.is_empty() {
         diagnostics.push(

@@ -31,6 +31,8 @@ pub struct ImportOptions<'a> {
     pub sound_length: Option<Time>,
     /// The number of the first frame in Moho files, 0 or 1.
     pub dat_base: u64,
+    /// The codes of the mouth, one per frame; without them, the shapes of the file are. For files with one speaker.
+    pub codes: Option<&'a str>,
     /// Frames for which a shape is shown at least.
     pub min_hold: usize,
     /// What is said; without it, what the file has.
@@ -55,6 +57,7 @@ impl Default for ImportOptions<'_> {
             units_per_second: None,
             sound_length: None,
             dat_base: 1,
+            codes: None,
             min_hold: 1,
             text: None,
             locale: None,
@@ -124,6 +127,12 @@ impl<'a> ImportOptions<'a> {
     #[must_use]
     pub fn dat_base(self, dat_base: u64) -> Self {
         ImportOptions { dat_base, ..self }
+    }
+
+    /// Sets the codes of the mouth, one per frame.
+    #[must_use]
+    pub fn codes(self, codes: impl Into<Option<&'a str>>) -> Self {
+        ImportOptions { codes: codes.into(), ..self }
     }
 
     /// Sets the frames for which a shape is shown at least.

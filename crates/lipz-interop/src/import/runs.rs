@@ -3,7 +3,7 @@
 use super::LostShape;
 use super::document::spell;
 use crate::frames::Run;
-use crate::{Map, Shape, Time, Track};
+use crate::{Map, Shape, Time, Track, export};
 use lipz_diagnostics::{Code, Diagnostic, Label, escape};
 use lipz_file::rate::Rate;
 use std::collections::HashMap;
@@ -30,6 +30,14 @@ pub(super) fn in_order(mut track: Track, diagnostics: &mut Vec<Diagnostic>) -> T
         track.shapes.sort_by_key(|shape| shape.start);
     }
     track
+}
+
+/// The track with shapes of these codes, one per frame.
+pub(super) fn with_codes(track: Track, codes: &str, map: &Map, rate: Rate) -> Track {
+    let symbol = |code: u8| map.symbol(code).map_or_else(|| char::from(code).to_string(), str::to_owned);
+    let shape = |(frame, code)| Shape::new(Time::of_frame(frame, rate), symbol(code));
+    let shapes = export::runs(codes.as_bytes()).map(shape).collect();
+    Track { shapes, end: Some(Time::of_frame(codes.len() as u64, rate)), ..track }
 }
 
 fn shape_diagnostic(code: Code, shape: &Shape, message: String) -> Diagnostic {

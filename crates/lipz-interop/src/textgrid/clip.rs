@@ -313,7 +313,19 @@ fn shapes(intervals: &[Interval], symbols: Symbols<'_>, origin: Origin, end: Tim
     shapes
 }
 
-/// Writes the codes as `visemes`, the segments, and a tier for each text and the events.
+/// A tier that ends where the file does: a recording ends within the last frame of its mouth.
+fn until(tier: &Tier, end: Time) -> Tier {
+    let cut = |interval: &Interval| Interval { end: interval.end.min(end), ..interval.clone() };
+    let mut intervals: Vec<Interval> =
+        tier.intervals.iter().map(cut).filter(|interval| interval.start < interval.end).collect();
+    let done = intervals.last().map_or(Time::ZERO, |last| last.end);
+    if done < end {
+        intervals.push(Interval::new(done, end, ""));
+    }
+    Tier { intervals, ..tier.clone() }
+}
+
+/// Writes when words and phones are said, the codes as `visemes`, the segments, and a tier for each text and the events.
 fn write(track: &Track, diagnostics: &mut Vec<Diagnostic>) -> Vec<u8> {
     let end = track.end.unwrap_or(Time::ZERO);
     // Praat has no sound, and no file, of no length.
@@ -327,9 +339,7 @@ fn write(track: &Track, diagnostics: &mut Vec<Diagnostic>) -> Vec<u8> {
     let add = |grid: &mut TextGrid, name: &str, starts: &[(Time, String)]| {
         grid.tiers.push(Tier::new(name, tier_of(starts)));
     };
-    if !track.words.is_empty() {
-        add(&mut grid, "words", &track.words.iter().map(|word| (word.start, word.text.clone())).collect::<Vec<_>>());
-    }
+    grid.tiers.extend(track.tiers.iter().map(|tier| until(tier, end)));
     let mut shapes: Vec<_> = track.shapes.iter().map(|shape| (shape.start, shape.symbol.clone())).collect();
     if shapes.is_empty() {
         shapes.push((Time::ZERO, String::new()));

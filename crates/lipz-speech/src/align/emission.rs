@@ -28,11 +28,21 @@ pub(super) struct Emissions<'m, V> {
     quiet: std::vec::IntoIter<bool>,
     /// Of the frames so far, the score of the best phone.
     pub(super) best: Vec<f32>,
+    /// Is told every now and then how many frames are done.
+    tell: Option<&'m dyn Fn(usize)>,
 }
+
+/// Frames after which somebody is told: ten seconds of sound.
+const TOLD_FRAMES: usize = 1_000;
 
 impl<'m, V: Iterator<Item = Frame>> Emissions<'m, V> {
     pub(super) fn new(model: &'m Model, vectors: V, quiet: Vec<bool>) -> Emissions<'m, V> {
-        Emissions { model, vectors, quiet: quiet.into_iter(), best: Vec::new() }
+        Emissions { model, vectors, quiet: quiet.into_iter(), best: Vec::new(), tell: None }
+    }
+
+    /// Tells every now and then how many frames are done.
+    pub(super) fn telling(self, tell: Option<&'m dyn Fn(usize)>) -> Emissions<'m, V> {
+        Emissions { tell, ..self }
     }
 }
 
@@ -43,6 +53,9 @@ impl<V: Iterator<Item = Frame>> Iterator for Emissions<'_, V> {
         let frame = self.vectors.next()?;
         let scores = self.model.score(&frame.vector);
         self.best.push(scores.iter().copied().fold(f32::MIN, f32::max));
+        if let Some(tell) = self.tell.filter(|_| self.best.len().is_multiple_of(TOLD_FRAMES)) {
+            tell(self.best.len());
+        }
         let mut scores = adjusted(scores, &frame);
         if self.quiet.next() == Some(true) {
             let silence = Phone::Sil.index() * STATES;

@@ -17,6 +17,8 @@ pub(super) struct Loose<'s> {
     quiet: Vec<bool>,
     /// By frame: whether nobody speaks there, quiet or not.
     still: Vec<bool>,
+    /// Is told every now and then how many frames of a part are done.
+    tell: Option<&'s dyn Fn(usize)>,
 }
 
 impl<'s> Loose<'s> {
@@ -24,7 +26,12 @@ impl<'s> Loose<'s> {
         let vectors = Vectors::new(sound.spectrum());
         let quiet = quiet::quiet(sound.spectrum());
         let still = steady::steady(vectors.clone()).iter().zip(&quiet).map(|(steady, quiet)| steady | quiet).collect();
-        Loose { model, vectors, next: 0, duration_us: sound.duration_us(), quiet, still }
+        Loose { model, vectors, next: 0, duration_us: sound.duration_us(), quiet, still, tell: None }
+    }
+
+    /// Tells every now and then how many frames of a part are done.
+    pub(super) fn telling(self, tell: Option<&'s dyn Fn(usize)>) -> Loose<'s> {
+        Loose { tell, ..self }
     }
 
     /// The phones that are heard in these frames, which are all of `place`. Frames come in order: time is that of all frames
@@ -34,7 +41,7 @@ impl<'s> Loose<'s> {
         self.next = frames.start;
         let vectors = || self.vectors.clone().take(frames.len());
         let (quiet, still) = (&self.quiet[frames.clone()], &self.still[frames.clone()]);
-        let mut emissions = Emissions::new(self.model, vectors(), quiet.to_vec());
+        let mut emissions = Emissions::new(self.model, vectors(), quiet.to_vec()).telling(self.tell);
         let steps = phones::likely_phones(self.model, &mut emissions, still);
         let phone = |step: &Step| Phone::ALL.get(step.node).copied().unwrap_or(Phone::Sil);
         let fits = emission::fits(self.model, vectors(), &emissions.best, phone, &steps);

@@ -19,6 +19,7 @@ use emission::Emissions;
 use graph::{Costs, Graph};
 use history::Step;
 use loose::Loose;
+use std::fmt;
 use std::ops::Range;
 
 const COSTS: Costs = Costs { pause: -2.0, noise: -30.0, missing_word: -60.0 };
@@ -27,10 +28,17 @@ const COSTS: Costs = Costs { pause: -2.0, noise: -30.0, missing_word: -60.0 };
 ///
 /// Forced alignment with hidden Markov models: of all ways to say the script (every pronunciation, with and without pauses), the
 /// one is taken that makes the sound most likely. See L. Rabiner, "A tutorial on hidden Markov models", 1989.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Aligner<'m> {
     model: &'m Model,
     options: AlignOptions,
+    progress: Option<&'m (dyn Fn(f32) + Sync)>,
+}
+
+impl fmt::Debug for Aligner<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Aligner").field("options", &self.options).finish_non_exhaustive()
+    }
 }
 
 /// What an [`Aligner`] may take for granted.
@@ -131,7 +139,20 @@ struct Path {
 impl<'m> Aligner<'m> {
     /// An aligner with this model.
     pub fn new(model: &'m Model, options: AlignOptions) -> Aligner<'m> {
-        Aligner { model, options }
+        Aligner { model, options, progress: None }
+    }
+
+    /// Tells `progress` every ten seconds of a sound which part of it is done, from 0 to 1.
+    #[must_use]
+    pub fn with_progress(self, progress: &'m (dyn Fn(f32) + Sync)) -> Aligner<'m> {
+        Aligner { progress: Some(progress), ..self }
+    }
+
+    /// Tells how many of so many frames are done.
+    fn tell(&self, done: usize, frames: usize) {
+        if let Some(progress) = self.progress {
+            progress(done as f32 / frames.max(1) as f32);
+        }
     }
 
     /// Aligns `sound` to `script`.
@@ -153,7 +174,9 @@ impl<'m> Aligner<'m> {
     fn path(&self, sound: &Sound, script: &Script) -> Path {
         let graph = Graph::new(script, &COSTS);
         let vectors = Vectors::new(sound.spectrum());
-        let mut emissions = Emissions::new(self.model, vectors.clone(), quiet::quiet(sound.spectrum()));
+        let tell = |done| self.tell(done, sound.spectrum().len());
+        let mut emissions =
+            Emissions::new(self.model, vectors.clone(), quiet::quiet(sound.spectrum())).telling(Some(&tell));
         let steps = search::best_path(&graph, self.model, &mut emissions);
         let phone = |step: &Step| graph.nodes[step.node].phone;
         let phones: Vec<Phone> = steps.iter().map(phone).collect();
@@ -170,7 +193,8 @@ impl<'m> Aligner<'m> {
         let duration_us = sound.duration_us();
         let frames = 0..sound.spectrum().len();
         let all = AlignedPhone { phone: Phone::Sil, start_us: 0, end_us: duration_us, word: None, fit: 0.0 };
-        let phones = Loose::new(self.model, sound).phones(frames, &all);
+        let tell = |done| self.tell(done, sound.spectrum().len());
+        let phones = Loose::new(self.model, sound).telling(Some(&tell)).phones(frames, &all);
         let phones = time::join_pauses(phones, self.options.shortest_pause_us);
         let (words, breaks_us, mismatches) = Default::default();
         Alignment { duration_us, phones, words, breaks_us, mismatches }

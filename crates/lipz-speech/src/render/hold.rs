@@ -16,11 +16,23 @@ pub(super) fn hold(shapes: &mut Vec<Shape>, hold_us: u64, least_us: u64) {
     shapes.retain(|shape| shape.length_us() > 0);
 }
 
+/// Makes the shapes of other consonants last `hold_us` as far as the vowels beside them, and pauses, keep `frame_us`. Closed shapes come
+/// afterwards and take what they need.
+pub(super) fn hold_consonants(shapes: &mut [Shape], hold_us: u64, frame_us: u64) {
+    for current in 0..shapes.len() {
+        if shapes[current].is_consonant() {
+            take(shapes, current, hold_us, frame_us);
+        }
+    }
+}
+
 /// Takes what a shape lacks from its neighbours, which keep `keep_us`, or `hold_us` if they are closed.
 fn take(shapes: &mut [Shape], current: usize, hold_us: u64, keep_us: u64) {
+    let is_consonant = shapes[current].is_consonant();
     let lacking = |shapes: &[Shape]| hold_us.saturating_sub(shapes[current].length_us());
     let spare_us = |shape: &Shape| {
-        let keep_us = if shape.is_closed() { hold_us } else { keep_us };
+        let is_held = shape.is_closed() || is_consonant && shape.is_consonant();
+        let keep_us = if is_held { hold_us } else { keep_us };
         shape.length_us().saturating_sub(keep_us)
     };
     let lacking_us = lacking(shapes);

@@ -28,11 +28,14 @@ pub struct RenderRules {
     pub hold_us: u64,
     /// Vowels that are shorter, in microseconds, do not open the mouth wide. A frame at 24 frames per second.
     pub shortest_wide_us: u64,
+    /// Whether the other consonants stay as long, as far as the vowels beside them keep a frame. Not as a rule: a quick mouth
+    /// that stops for each t looks chopped.
+    pub hold_consonants: bool,
 }
 
 impl Default for RenderRules {
     fn default() -> RenderRules {
-        RenderRules { lead_us: 40_000, hold_us: 83_333, shortest_wide_us: 41_667 }
+        RenderRules { lead_us: 40_000, hold_us: 83_333, shortest_wide_us: 41_667, hold_consonants: false }
     }
 }
 
@@ -67,7 +70,11 @@ pub fn render(alignment: &Alignment, viseme_type: VisemeType, fps: Fps, rules: &
     let mut shapes = shapes::of_phones(&alignment.phones, rules);
     // The lead first: lips that are closed when the sound starts must still be seen.
     shapes::advance(&mut shapes, rules.lead_us);
-    hold::hold(&mut shapes, frames::hold_us(rules.hold_us, fps), frames::least_us(fps));
+    let (hold_us, least_us) = (frames::hold_us(rules.hold_us, fps), frames::least_us(fps));
+    if rules.hold_consonants {
+        hold::hold_consonants(&mut shapes, hold_us, frames::hold_us(0, fps));
+    }
+    hold::hold(&mut shapes, hold_us, least_us);
     let count = frames::count(alignment.duration_us, fps);
     let mut shapes = shapes.iter().peekable();
     let code = |frame| {

@@ -20,6 +20,11 @@ impl Shape {
         self.end_us - self.start_us
     }
 
+    /// Whether it is that of another consonant.
+    pub(super) fn is_consonant(&self) -> bool {
+        matches!(self.shape, b'S' | b'L' | b'W')
+    }
+
     /// Whether viewers must be able to read it: closed lips, the lip under the teeth.
     pub(super) fn is_closed(&self) -> bool {
         matches!(self.shape, b'M' | b'F')

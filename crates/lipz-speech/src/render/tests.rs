@@ -43,6 +43,21 @@ fn closed_lips_take_time_from_the_sound_before_them() {
 }
 
 #[test]
+fn other_consonants_stay_as_long_if_that_is_wanted() {
+    let held = |phones: &[(&str, u64)]| {
+        let rules = RenderRules { lead_us: 0, hold_consonants: true, ..RenderRules::default() };
+        render(&alignment(phones, &[]), VisemeType::Blair, Fps::whole(24), &rules).frames
+    };
+    let phones = [("AA", 250), ("T", 30), ("AA", 250), ("L", 42), ("IY", 250)];
+    assert_eq!(blair(&phones), "AAAAAASAAAAAALEEEEEE");
+    assert_eq!(held(&phones), "AAAAASSAAAAALLEEEEEE");
+    // They leave vowels something, and closed lips come first.
+    let phones = [("T", 30), ("IY", 120), ("T", 30), ("B", 30), ("AA", 250)];
+    let frames = held(&phones);
+    assert!(frames.contains("MM") && frames.contains('S') && frames.contains('E'), "{frames}");
+}
+
+#[test]
 fn closed_lips_last_two_frames_in_the_fastest_speech() {
     for length_ms in 55..120 {
         let phones: Vec<(&str, u64)> = ["T", "AH", "B", "AH", "L", "V", "IY", "M", "IH", "S", "P", "AH", "D"]

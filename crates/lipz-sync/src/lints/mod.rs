@@ -10,11 +10,12 @@ use crate::clip::Clip;
 use crate::heard::Ear;
 use crate::originals::Originals;
 use crate::recordings::{not_used, shown};
+use crate::sync::grid;
 use crate::sync::mouth::mismatches;
 use crate::{Recordings, SyncRecord, record_place, spoken_text, threads};
 use lipz_compiler::settings::Settings;
-use lipz_compiler::{Content, Input};
-use lipz_diagnostics::{Code, Report, escape};
+use lipz_compiler::{Content, Input, WordTimes};
+use lipz_diagnostics::{Code, Diagnostic, Report, escape};
 use std::borrow::Cow;
 use std::fs;
 use std::path::PathBuf;
@@ -96,6 +97,9 @@ fn one(
             reports.extend(heard.condition.report(path));
             let before = diagnostics.len();
             diagnostics.extend(length::check(&clip, path, facts, settings.audio.tolerance_ms));
+            if let Some((folder, fps)) = settings.sync.textgrids.as_deref().zip(clip.fps) {
+                reports.extend(grid::check(&grid::place(folder, &input.key), path, fps));
+            }
             if let Some(lipz_file) = &path_of(input) {
                 let locale = recordings.locale(&input.key);
                 let spoken = spoken_text(settings, locale, &document)
@@ -105,8 +109,10 @@ fn one(
                 // What the run said that made the mouth is still true. After a merge there may be several lines: the last one counts.
                 let made = known.iter().rev().find(|line| line.made.sound == facts.content_hash);
                 let differences = made.and_then(|line| line.differences.as_ref());
-                let text = crate::spoken_string(settings, locale, &document);
-                diagnostics.extend(text.into_iter().flat_map(|text| mismatches(differences, text)));
+                match crate::spoken_string(settings, locale, &document) {
+                    Some(text) => diagnostics.extend(mismatches(differences, text)),
+                    None => reports.extend(of_borrowed(settings, locale, input, original, differences)),
+                }
                 if let (Some(original), Some(document)) = (original, &original_document) {
                     let original = dub::Original { input: original, document };
                     diagnostics.extend(dub::check(settings, &clip, &original, recordings, known));
@@ -122,6 +128,22 @@ fn one(
         reports.push(Report::from_bytes(input.name(), &bytes, diagnostics));
     }
     reports
+}
+
+/// Where a dub that is spoken as the text of its original says something else.
+fn of_borrowed(
+    settings: &Settings,
+    locale: Option<&str>,
+    dub: &Input,
+    original: Option<&Input>,
+    differences: Option<&WordTimes>,
+) -> Option<Report> {
+    let (original, bytes) = (original?, bytes_of(original?)?);
+    let document = lipz_file::parse(&bytes).document?;
+    let found = mismatches(differences, crate::spoken_string(settings, locale, &document)?);
+    let note = format!("in its dub {}", escape::quoted(&dub.key));
+    let found: Vec<Diagnostic> = found.into_iter().map(|diagnostic| diagnostic.note(note.clone())).collect();
+    (!found.is_empty()).then(|| Report::from_bytes(original.name(), &bytes, found))
 }
 
 /// The file of an input, also of one whose text is not saved yet: what is remembered of it stays true.

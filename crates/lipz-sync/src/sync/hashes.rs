@@ -4,7 +4,7 @@ use super::SyncOptions;
 use super::grid::Grid;
 use super::record::{Line, Made, OriginalThen};
 use lipz_file::text::{DELIMITER, display, segments, trim};
-use lipz_speech::Script;
+use lipz_speech::{RenderRules, Script};
 use lipz_types::{Fps, VisemeType};
 use twox_hash::XxHash3_64;
 
@@ -62,11 +62,21 @@ pub(super) fn settings_hash(
             let model = options.trained_for(locale).map_or(String::new(), |trained| format!(" {:x}", trained.hash));
             let recogniser = options.recogniser.as_ref().filter(|_| script.words.is_empty());
             let recogniser = recogniser.map_or(String::new(), |recogniser| format!(" heard {:x}", recogniser.hash()));
-            format!("{:?} {:?} {:?} {:?}{model}{recogniser}", options.align, options.rules, said(), script.breaks)
+            let rules = hash_of_rules(&options.rules);
+            format!("{:?} {rules} {:?} {:?}{model}{recogniser}", options.align, said(), script.breaks)
         }
     };
     let grid = grid.map_or(String::new(), |grid| format!(" {grid:?}"));
     hash(format!("{VERSION} {}/{} {viseme_type:?} {rules}{grid}", fps.numerator(), fps.denominator()).as_bytes())
+}
+
+/// The rules of mouths; one that came later says something only if it is not as before.
+fn hash_of_rules(rules: &RenderRules) -> String {
+    let RenderRules { lead_us, hold_us, shortest_wide_us, .. } = rules;
+    let consonants = if rules.hold_consonants { " consonants" } else { "" };
+    format!(
+        "RenderRules {{ lead_us: {lead_us}, hold_us: {hold_us}, shortest_wide_us: {shortest_wide_us} }}{consonants}"
+    )
 }
 
 /// The mouth of a file. `|` is not a part of it: writers move them.

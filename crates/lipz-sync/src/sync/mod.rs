@@ -1,6 +1,6 @@
 //! Recordings become mouths of Lipz files.
 
-mod grid;
+pub(crate) mod grid;
 pub(crate) mod hashes;
 mod jobs;
 mod listed;
@@ -9,25 +9,32 @@ pub(crate) mod mouth;
 mod one;
 mod options;
 mod phones;
+mod progress;
 mod record;
+mod said;
 mod subject;
 mod target;
 mod train;
 
+pub use grid::{CodesOfPhones, codes_of_phones};
 pub use jobs::{Job, Original, jobs_of_clips, jobs_of_recordings};
 pub use model_file::{model_at, write_model};
 pub use one::Kept;
 pub use options::SyncOptions;
 pub(crate) use options::{spoken_string, spoken_text};
 pub use phones::{KnownPhones, PhoneTime};
+pub use progress::JOB_PARTS;
 pub use record::{Line, Made, OriginalThen, RECORD_NAME, SyncRecord, record_place};
+pub use said::{Said, SaidTiers};
 pub use train::{TRAINING_ROUNDS, Trained, train};
 
 use crate::threads;
 use lipz_compiler::{replace_file, rewrite_file};
 use lipz_diagnostics::{Code, Report};
+use lipz_speech::{Language, Reliance};
 use one::{New, Step, one};
-use std::collections::BTreeMap;
+use progress::Progress;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What a run did, clip by clip in the order of the jobs, originals before dubs.
@@ -45,6 +52,8 @@ pub struct Synced {
     /// The keys of those clips that got a mouth for another text than before, from the same recording: its actor may have to say
     /// the new words.
     pub with_new_text: Vec<String>,
+    /// Locales of those texts whose languages lipz has no rules for: their words are read letter by letter.
+    pub read_by_letters: BTreeSet<String>,
     /// Words that somebody should listen to.
     pub doubtful: Vec<DoubtfulWord>,
     /// Words whose pronunciation is a guess, with it, as lines of a lexicon: each once, in the order of the letters.
@@ -77,7 +86,7 @@ pub type Whole<'w> = dyn Fn(&mut dyn FnMut()) + Sync + 'w;
 /// A file that exists gets only `visemes`, `viseme_type` and `fps`; all else stays, and the `|` of its text move with the
 /// words. What `record` knows of is not made again unless recording, text or settings changed, and mouths that were changed by
 /// hand stay (see [`SyncOptions::force`]). The record is written whenever a file is, so that an interrupted run goes on where
-/// it ended. `progress` is called for each job.
+/// it ended. `progress` is told how many more parts of a job are done, of which each job has [`JOB_PARTS`].
 ///
 /// ```no_run
 /// use lipz_compiler::settings::Settings;
@@ -88,7 +97,7 @@ pub type Whole<'w> = dyn Fn(&mut dyn FnMut()) + Sync + 'w;
 /// let (options, _) = SyncOptions::new(&settings)?;
 /// let (mut record, _) = SyncRecord::read(&record_place(&settings))?;
 /// let jobs = jobs_of_clips(&inputs, &recordings);
-/// let synced = sync(&jobs, &options, &mut record, &|| (), &|write| write());
+/// let synced = sync(&jobs, &options, &mut record, &|_| (), &|write| write());
 /// println!("{} mouths made, {} kept", synced.made.len(), synced.kept.len());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -96,7 +105,7 @@ pub fn sync(
     jobs: &[Job],
     options: &SyncOptions,
     record: &mut SyncRecord,
-    progress: &(dyn Fn() + Sync),
+    progress: &(dyn Fn(u32) + Sync),
     whole: &Whole<'_>,
 ) -> Synced {
     let known = &*record;
@@ -105,9 +114,9 @@ pub fn sync(
     // Dubs borrow the texts of originals, which must be there.
     let (originals, dubs): (Vec<&Job>, Vec<&Job>) = jobs.iter().partition(|job| job.original.is_none());
     let make = |job: &&Job| {
-        let mut reports = Vec::new();
+        let (mut reports, progress) = (Vec::new(), Progress::new(progress));
         let mut step = match has_no_record.load(Ordering::Relaxed) {
-            false => one(job, options, known, &mut reports),
+            false => one(job, options, known, &progress, &mut reports),
             true => Step::Refused,
         };
         if let Step::New(new) = &step
@@ -116,7 +125,7 @@ pub fn sync(
             reports.extend(report);
             step = Step::Refused;
         }
-        progress();
+        progress.finish();
         (step, reports)
     };
     let mut done = threads::map(&originals, options.options.threads, make);
@@ -137,6 +146,9 @@ pub fn sync(
             Step::Kept(kept) => synced.kept.push((job.key.clone(), kept)),
             Step::Refused => synced.refused += 1,
             Step::New(new) => {
+                let locale =
+                    options.locale_of(job).filter(|locale| new.line.words.is_some() && is_read_by_letters(locale));
+                synced.read_by_letters.extend(locale.map(str::to_owned));
                 record.set(&job.lipz_file, new.line);
                 synced.made.push(job.key.clone());
                 synced.with_new_text.extend(new.has_new_text.then(|| job.key.clone()));
@@ -153,6 +165,11 @@ pub fn sync(
     synced.reports.extend(written.err());
     lipz_diagnostics::reports::sort(&mut synced.reports);
     synced
+}
+
+/// Whether the language of a locale has no rules of its own.
+fn is_read_by_letters(locale: &str) -> bool {
+    Language::from_locale(locale).is_some_and(|language| language.reliance() == Reliance::Letters)
 }
 
 /// Writes a file and its line of the record. If that cannot be written, only the first file says so.

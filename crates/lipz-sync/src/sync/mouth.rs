@@ -1,5 +1,6 @@
 //! From sound and script to frames, and where somebody should listen.
 
+use super::progress::Progress;
 use super::{SyncOptions, grid};
 use lipz_compiler::{WordTime, WordTimes};
 use lipz_diagnostics::{Code, Diagnostic, escape};
@@ -49,6 +50,9 @@ pub(super) struct Hearing<'a> {
     pub(super) opinion: Option<&'a lipz_speech::Heard>,
     /// What somebody has corrected: then nothing is listened to.
     pub(super) corrected: Option<Alignment>,
+    /// Whether somebody wants the TextGrid.
+    pub(super) with_grid: bool,
+    pub(super) progress: &'a Progress<'a>,
 }
 
 /// The mouth of a sound.
@@ -58,12 +62,13 @@ pub(super) fn make(
     (viseme_type, fps): (VisemeType, Fps),
     options: &SyncOptions,
 ) -> Heard {
-    let Hearing { sound, model, opinion, corrected } = hearing;
+    let Hearing { sound, model, opinion, corrected, with_grid, progress } = hearing;
     if viseme_type == VisemeType::Rms {
         let mouth = rms(sound, fps, &options.rms);
         return Heard { codes: mouth.frames, segment_starts: mouth.segment_starts, ..Heard::default() };
     }
-    let aligner = Aligner::new(model, options.align);
+    let progress = |share| progress.heard(share);
+    let aligner = Aligner::new(model, options.align).with_progress(&progress);
     // Without words, whatever phones are heard.
     let (is_corrected, is_unwritten) = (corrected.is_some(), script.words.is_empty());
     let listen = || if is_unwritten { aligner.listen(sound) } else { aligner.align(sound, script) };
@@ -72,8 +77,7 @@ pub(super) fn make(
     let doubtful = doubtful(&alignment, script);
     let opinion = opinion.filter(|_| !is_corrected);
     let mismatches = opinion.map(|opinion| opinion.mismatches(script, &alignment));
-    let grid =
-        options.textgrids.is_some().then(|| grid::written(&alignment, script, &mouth.frames, (viseme_type, fps)));
+    let grid = with_grid.then(|| grid::written(&alignment, script, &mouth.frames, (viseme_type, fps)));
     let mismatches = mismatches.unwrap_or(alignment.mismatches);
     let (codes, segment_starts) = (mouth.frames, mouth.segment_starts);
     let Alignment { words, phones, .. } = alignment;

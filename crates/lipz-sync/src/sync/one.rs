@@ -3,11 +3,12 @@
 use super::grid::{self, Grid};
 use super::hashes::{mouth_hash, settings_hash, text_hash, words};
 use super::listed::Listed;
+use super::progress::Progress;
 use super::record::{Line, Made};
 use super::subject::Subject;
 use super::{Job, SyncOptions, SyncRecord};
 use crate::clip::{Clip, string};
-use crate::facts::{content_hash, unreadable};
+use crate::facts::{content_hash, length_us, unreadable};
 use crate::recordings::shown;
 use lipz_diagnostics::{Code, Diagnostic, Report, escape};
 use lipz_file::format::{Style, format};
@@ -38,6 +39,8 @@ pub enum Kept {
     Changed,
     /// The record does not know it: somebody drew it, or another tool.
     ByHand,
+    /// It was made from a TextGrid that somebody had corrected, and this run has no TextGrids.
+    Corrected,
 }
 
 /// A file to be written.
@@ -54,15 +57,28 @@ pub(super) struct New {
 }
 
 /// Does a job, all but writing. What is wrong goes to `reports`.
-#[allow(clippy::redundant_closure_for_method_calls, reason = "the method is of one lifetime only")]
-pub(super) fn one(job: &Job, options: &SyncOptions, record: &SyncRecord, reports: &mut Vec<Report>) -> Step {
-    match with_subject(job, options, record, reports, |subject, reports| subject.step(reports)) {
+pub(super) fn one(
+    job: &Job,
+    options: &SyncOptions,
+    record: &SyncRecord,
+    progress: &Progress<'_>,
+    reports: &mut Vec<Report>,
+) -> Step {
+    match with_subject(job, options, record, reports, |subject, reports| subject.step(progress, reports)) {
         Ok(step) => step,
         Err(report) => {
             reports.push(report);
             Step::Refused
         }
     }
+}
+
+/// The TextGrid of the mouth that is there, if it is what the recording makes of it.
+pub(super) fn textgrid(job: &Job, options: &SyncOptions, record: &SyncRecord) -> Option<String> {
+    #[allow(clippy::redundant_closure_for_method_calls, reason = "the method is of one lifetime only")]
+    let work = |subject: Subject<'_>, reports: &mut Vec<Report>| subject.textgrid(reports);
+    // What is wrong with recording and text, runs that make mouths tell.
+    with_subject(job, options, record, &mut Vec::new(), work).ok()?
 }
 
 /// Finds out all that is known of a job before its recording is decoded, and does something with it. What is odd goes to
@@ -99,15 +115,26 @@ pub(super) fn with_subject<R>(
     let grid_place = grid_place.map(|folder| grid::place(folder, &job.key));
     let (grid, odd_grid) =
         grid_place.as_deref().map(|place| Grid::read(place, &script)).transpose()?.unwrap_or_default();
-    push_report(reports, options, odd_grid);
+    let known_lines = record.lines_for(&job.lipz_file);
+    let settings_with = |grid: Option<&Grid>| settings_hash(options, locale, &script, rate, grid);
+    // One from which a mouth of this recording was made is as long; of others, somebody has to look.
+    let was_used = |grid: &Grid| {
+        let settings = settings_with(Some(grid));
+        known_lines.iter().any(|line| (line.made.sound, line.made.settings) == (sound, settings))
+    };
+    let unfit = grid.as_ref().filter(|grid| !was_used(grid));
+    let unfit = unfit.and_then(|grid| grid.fits(length_us(&job.recording).ok()?, rate.1).err());
+    let grid = grid.filter(|_| unfit.is_none());
+    let unfit = grid_place.as_ref().zip(unfit).map(|(place, unfit)| Report::about(shown(place), *unfit));
+    push_report(reports, options, odd_grid.or(unfit));
     let spoken_text = text.map(|text| &*text.text);
     let made = Made {
         sound,
         text: text_hash(spoken_text),
-        settings: settings_hash(options, locale, &script, rate, grid.as_ref()),
+        settings: settings_with(grid.as_ref()),
         mouth: mouth_hash(&clip.codes, own_fps.or(options.options.default_fps), own_type),
     };
-    let known = record.lines_for(&job.lipz_file).iter().map(|line| line.renewed(spoken_text)).collect();
+    let known = known_lines.iter().map(|line| line.renewed(spoken_text)).collect();
     let diagnostics = Vec::from_iter(other_text(job, text.filter(|_| !is_borrowed)).filter(|_| !is_new));
     let (original, original_file) = (original.as_ref(), (&*original_file.0, &*original_file.1));
     let (name, bytes, before) = (&*name, &*bytes, &before);

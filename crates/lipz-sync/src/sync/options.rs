@@ -4,7 +4,7 @@ use super::{Job, model_file};
 use crate::facts::unreadable;
 use crate::recordings::shown;
 use lipz_compiler::Options;
-use lipz_compiler::settings::Settings;
+use lipz_compiler::settings::{Settings, Sync};
 use lipz_diagnostics::{Code, Diagnostic, Report, Source, Span};
 use lipz_file::locale::{TextName, text_name};
 use lipz_file::{Document, JsonString, Value};
@@ -82,12 +82,7 @@ impl SyncOptions {
                 (lexicon, report)
             }
         };
-        let (mut rules, mut align) = (RenderRules::default(), AlignOptions::default());
-        let us = |ms: Option<u32>, default: u64| ms.map_or(default, |ms| u64::from(ms) * 1000);
-        rules.lead_us = us(sync.lead_ms, rules.lead_us);
-        rules.hold_us = us(sync.hold_ms, rules.hold_us);
-        rules.shortest_wide_us = us(sync.shortest_wide_ms, rules.shortest_wide_us);
-        align.shortest_pause_us = us(sync.shortest_pause_ms, align.shortest_pause_us);
+        let (rules, align) = rules(sync);
         let mut rms = RmsRules::default();
         (rms.lead_us, rms.shortest_pause_us) = (rules.lead_us, align.shortest_pause_us);
         #[allow(clippy::cast_possible_truncation, reason = "a setting with few digits")]
@@ -188,6 +183,18 @@ impl SyncOptions {
     pub(crate) fn viseme_type_of(&self, own: Option<VisemeType>) -> VisemeType {
         self.viseme_type.or(own).or(self.options.default_viseme_type).unwrap_or(VisemeType::Blair)
     }
+}
+
+/// How shapes become frames, and what an alignment takes for granted, as a project has it.
+pub(super) fn rules(sync: &Sync) -> (RenderRules, AlignOptions) {
+    let (mut rules, mut align) = (RenderRules::default(), AlignOptions::default());
+    let us = |ms: Option<u32>, default: u64| ms.map_or(default, |ms| u64::from(ms) * 1000);
+    rules.lead_us = us(sync.lead_ms, rules.lead_us);
+    rules.hold_us = us(sync.hold_ms, rules.hold_us);
+    rules.shortest_wide_us = us(sync.shortest_wide_ms, rules.shortest_wide_us);
+    rules.hold_consonants = sync.hold_consonants;
+    align.shortest_pause_us = us(sync.shortest_pause_ms, align.shortest_pause_us);
+    (rules, align)
 }
 
 /// The text that is spoken in `locale`, and its locale. Without one, the first text.

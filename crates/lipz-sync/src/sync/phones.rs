@@ -39,7 +39,9 @@ impl KnownPhones {
     /// If a file cannot be read.
     pub fn of(&self, job: &Job, options: &SyncOptions, record: &SyncRecord) -> Result<Arc<[PhoneTime]>, Report> {
         // What is odd about the clip is for `check`.
-        with_subject(job, options, record, &mut Vec::new(), |subject, reports| self.of_subject(&subject, reports))
+        with_subject(job, options, record, &mut Vec::new(), |mut subject, reports| {
+            self.of_subject(&mut subject, reports)
+        })
     }
 
     /// The same of many clips, on as many threads as the options say.
@@ -60,7 +62,7 @@ impl KnownPhones {
         })
     }
 
-    fn of_subject(&self, subject: &Subject<'_>, reports: &mut Vec<Report>) -> Result<Arc<[PhoneTime]>, Report> {
+    fn of_subject(&self, subject: &mut Subject<'_>, reports: &mut Vec<Report>) -> Result<Arc<[PhoneTime]>, Report> {
         if !subject.has_phones() {
             return Ok(Arc::default());
         }

@@ -31,6 +31,9 @@ const HEAD: &str = "\
 /// What a line says before the hashes of the original.
 const DUB_OF: &str = "dub-of:";
 
+/// What a line says if the mouth was made from a TextGrid that somebody has corrected.
+const CORRECTED: &str = "from:textgrid ";
+
 /// What a line says before the places where recording and text do not say the same.
 const DIFFERS: &str = "differs:";
 
@@ -46,6 +49,8 @@ pub struct Line {
     pub words: Option<WordTimes>,
     /// What the original was when this mouth was made, if it is that of a dub.
     pub original: Option<OriginalThen>,
+    /// Whether the mouth was made from a TextGrid that somebody has corrected: it is work by hand.
+    pub is_corrected: bool,
     /// Where recording and text do not say the same: bytes of the text (none, if it is not in the text) and times, and what is
     /// not said is doubtful.
     pub differences: Option<WordTimes>,
@@ -210,7 +215,8 @@ impl Line {
         let said = self.words.as_ref().map_or(String::new(), |words| format!("{SAID}{words} "));
         let original = |OriginalThen { sound, text }: OriginalThen| format!("{DUB_OF}{sound:016x},{text:016x} ");
         let original = self.original.map_or(String::new(), original);
-        format!("{sound:016x} {text:016x} {settings:016x} {mouth:016x} {original}{differs}{said}{file}")
+        let corrected = if self.is_corrected { CORRECTED } else { "" };
+        format!("{sound:016x} {text:016x} {settings:016x} {mouth:016x} {original}{corrected}{differs}{said}{file}")
     }
 
     fn parse(line: &str) -> Option<(Line, &str)> {
@@ -222,10 +228,11 @@ impl Line {
             Some(dub) => dub.and_then(|(hashes, rest)| Some((Some(OriginalThen::parse(hashes)?), rest)))?,
             None => (None, rest),
         };
+        let (is_corrected, rest) = rest.strip_prefix(CORRECTED).map_or((false, rest), |rest| (true, rest));
         let (differences, rest) = times(rest, DIFFERS)?;
         // Older versions wrote no times.
         let (words, file) = times(rest, SAID)?;
-        (!file.is_empty()).then_some((Line { made, words, original, differences }, file))
+        (!file.is_empty()).then_some((Line { made, words, original, is_corrected, differences }, file))
     }
 }
 
@@ -254,13 +261,13 @@ mod tests {
     use super::*;
 
     const MADE: Made = Made { sound: 1, text: 2, settings: 3, mouth: u64::MAX };
-    const A: Line = Line { made: MADE, words: None, original: None, differences: None };
+    const A: Line = Line { made: MADE, words: None, original: None, is_corrected: false, differences: None };
 
     fn b() -> Line {
         let words = Some("0badcafe:0-3@40-250,4-9@300-410?".parse().unwrap());
         let differences = Some("0badcafe:4-9@300-410".parse().unwrap());
         let original = Some(OriginalThen { sound: 10, text: 11 });
-        Line { made: Made { mouth: 0, ..MADE }, words, original, differences }
+        Line { made: Made { mouth: 0, ..MADE }, words, original, is_corrected: true, differences }
     }
 
     #[test]
@@ -283,7 +290,7 @@ mod tests {
         let text = fs::read_to_string(&path).unwrap();
         let zeros = "0".repeat(15);
         let expected = format!(
-            "{zeros}1 {zeros}2 {zeros}3 {zeros}0 dub-of:{zeros}a,{zeros}b differs:0badcafe:4-9@300-410 said:0badcafe:0-3@40-250,4-9@300-410? a/x.lipz\n{zeros}1 {zeros}2 {zeros}3 ffffffffffffffff b c.lipz\n"
+            "{zeros}1 {zeros}2 {zeros}3 {zeros}0 dub-of:{zeros}a,{zeros}b from:textgrid differs:0badcafe:4-9@300-410 said:0badcafe:0-3@40-250,4-9@300-410? a/x.lipz\n{zeros}1 {zeros}2 {zeros}3 ffffffffffffffff b c.lipz\n"
         );
         assert_eq!(text.strip_prefix(HEAD), Some(expected.as_str()));
     }

@@ -5,6 +5,7 @@ use super::hashes::{mouth_hash, settings_hash, text_hash};
 use super::listed::Listed;
 use super::mouth::{self, Heard};
 use super::one::{Kept, New, Step, push, push_report};
+use super::progress::{Progress, Watched};
 use super::record::{Line, Made, OriginalThen};
 use super::target::{Target, merged};
 use super::{Job, SyncOptions};
@@ -13,7 +14,7 @@ use crate::condition::Condition;
 use crate::facts::{content_hash, extension, no_sound, unreadable};
 use crate::recordings::shown;
 use lipz_compiler::WordTimes;
-use lipz_diagnostics::{Code, Diagnostic, Report};
+use lipz_diagnostics::{Code, Diagnostic, Report, escape};
 use lipz_file::{Document, JsonString};
 use lipz_speech::{AlignedPhone, Alignment, Recogniser, Script, Sound};
 use lipz_types::{Fps, VisemeType};
@@ -21,11 +22,13 @@ use std::fs::File;
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
-/// Whether text and recording are compared by a recogniser, if there is one: that takes longer than all else.
+/// What a recording is heard for.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Compared {
-    WithRecogniser,
-    Not,
+enum Wanted {
+    /// Everything: a recogniser, if there is one, compares text and recording, which takes longer than all else.
+    Mouth,
+    Phones,
+    TextGrid,
 }
 
 /// Everything that is known of a job before its recording is decoded.
@@ -60,11 +63,11 @@ pub(super) struct Subject<'a> {
 
 impl Subject<'_> {
     /// Does the job, all but writing.
-    pub(super) fn step(mut self, reports: &mut Vec<Report>) -> Result<Step, Report> {
+    pub(super) fn step(mut self, progress: &Progress<'_>, reports: &mut Vec<Report>) -> Result<Step, Report> {
         let is_unwritten = self.script.words.is_empty() && self.rate.0 != VisemeType::Rms;
         let no_script = is_unwritten.then(|| no_script(self.options.locale_of(self.job)));
         let spoken_text = self.text.map_or("", |text| &*text.text);
-        if let Some(line) = self.current() {
+        if let Some(line) = self.current().filter(|_| self.lacking_grid().is_none()) {
             let listed = Listed::remembered(line, &self.script, spoken_text);
             let differences = line.differences.clone();
             self.of_text.extend(self.mismatches(differences.as_ref()));
@@ -82,7 +85,7 @@ impl Subject<'_> {
             return Ok(Step::Kept(kept));
         }
         self.diagnostics.extend(no_script);
-        self.make(reports)
+        self.make(progress, reports)
     }
 
     /// Where its TextGrid will be, if there should be one, and there is none.
@@ -103,15 +106,29 @@ impl Subject<'_> {
             let is_of_original = line.original.is_some() && !self.options.force || line.original == original_now();
             line.made == self.made && is_whole && is_of_original
         };
-        self.known.iter().find(is_current).filter(|_| !self.is_new && self.lacking_grid().is_none())
+        self.known.iter().find(is_current).filter(|_| !self.is_new)
     }
 
     /// Whether somebody has made the mouth by hand, and it stays.
     fn kept(&self) -> Option<Kept> {
         let has_mouth = self.clip.codes.iter().any(|code| *code != b'-');
-        let is_known = self.known.iter().any(|line| line.made.mouth == self.made.mouth);
-        let kept = if self.known.is_empty() { Kept::ByHand } else { Kept::Changed };
-        (has_mouth && !self.options.force && !is_known).then_some(kept)
+        let mut known = self.known.iter().filter(|line| line.made.mouth == self.made.mouth);
+        let kept = match known.next() {
+            None if self.known.is_empty() => Kept::ByHand,
+            None => Kept::Changed,
+            Some(line) if line.is_corrected && self.grid_place.is_none() => Kept::Corrected,
+            Some(_) => return None,
+        };
+        (has_mouth && !self.options.force).then_some(kept)
+    }
+
+    /// The TextGrid of the mouth that is there, if it is what the recording makes of it.
+    pub(super) fn textgrid(mut self, reports: &mut Vec<Report>) -> Result<Option<String>, Report> {
+        if self.current().is_none() || self.rate.0 == VisemeType::Rms {
+            return Ok(None);
+        }
+        let heard = self.hear(Wanted::TextGrid, &Progress::new(&|_| ()), reports)?;
+        Ok(heard.grid.filter(|_| heard.codes.as_bytes() == self.clip.codes))
     }
 
     fn original_now(&self) -> Option<OriginalThen> {
@@ -120,7 +137,12 @@ impl Subject<'_> {
 
     /// Where recording and text do not say the same.
     fn mismatches(&self, differences: Option<&WordTimes>) -> Vec<Diagnostic> {
-        self.text.map(|text| mouth::mismatches(differences, text)).unwrap_or_default()
+        let mut found = self.text.map(|text| mouth::mismatches(differences, text)).unwrap_or_default();
+        if self.is_borrowed {
+            let note = format!("in its dub {}", escape::quoted(&self.job.key));
+            found.iter_mut().for_each(|diagnostic| diagnostic.notes.push(note.clone()));
+        }
+        found
     }
 
     /// Reports what was found; whether there is an error in the Lipz file.
@@ -136,8 +158,8 @@ impl Subject<'_> {
     }
 
     /// The file with a new mouth.
-    fn make(mut self, reports: &mut Vec<Report>) -> Result<Step, Report> {
-        let heard = self.hear(Compared::WithRecogniser, reports)?;
+    fn make(mut self, progress: &Progress<'_>, reports: &mut Vec<Report>) -> Result<Step, Report> {
+        let heard = self.hear(Wanted::Mouth, progress, reports)?;
         let spoken_text = self.text.map(|text| &*text.text);
         let differences = spoken_text.and_then(|text| mouth::differences(&heard, &self.script, text));
         self.of_text.extend(self.mismatches(differences.as_ref()));
@@ -159,7 +181,11 @@ impl Subject<'_> {
         }
         let scripted = spoken_text.filter(|_| !self.script.words.is_empty());
         let words = scripted.map(|text| mouth::word_times(&heard, &self.script, text));
-        let line = Line { made, words, original: self.original_now(), differences };
+        // What lipz heard itself is no work by hand, nor is what makes the same mouth.
+        let is_own =
+            |line: &Line| !line.is_corrected && Made { settings: 0, ..line.made } == Made { settings: 0, ..made };
+        let is_corrected = self.grid.is_some() && !self.known.iter().any(is_own);
+        let line = Line { made, words, original: self.original_now(), is_corrected, differences };
         let (before, has_new_text) = ((!is_new).then(|| bytes.to_vec()), has_new_text(&self.known, &line));
         let word = |number: usize| Some(self.script.words.get(number)?.text.clone());
         let doubtful = heard.doubtful.iter().filter_map(|(number, start_us)| Some((*start_us, word(*number)?)));
@@ -175,30 +201,37 @@ impl Subject<'_> {
     }
 
     /// When the phones of the recording are said.
-    pub(super) fn phones(&self, reports: &mut Vec<Report>) -> Result<Vec<AlignedPhone>, Report> {
-        self.hear(Compared::Not, reports).map(|heard| heard.phones)
+    pub(super) fn phones(&mut self, reports: &mut Vec<Report>) -> Result<Vec<AlignedPhone>, Report> {
+        self.hear(Wanted::Phones, &Progress::new(&|_| ()), reports).map(|heard| heard.phones)
     }
 
     /// The mouth of the recording. Reports what is wrong with it.
-    fn hear(&self, compared: Compared, reports: &mut Vec<Report>) -> Result<Heard, Report> {
-        let Subject { job, options, ref script, .. } = *self;
+    fn hear(&mut self, wanted: Wanted, progress: &Progress<'_>, reports: &mut Vec<Report>) -> Result<Heard, Report> {
+        let Subject { job, options, .. } = *self;
         let file = File::open(&job.recording).map_err(|error| unreadable(&job.recording, &error))?;
+        let file = Watched::new(file, progress).map_err(|error| unreadable(&job.recording, &error))?;
         let sound = Sound::read(BufReader::new(file), extension(&job.recording))
             .map_err(|error| no_sound(&job.recording, &error))?;
         let condition = Condition::of(&sound);
         let corrected = self.corrected(&sound, reports);
+        let script = &self.script;
         let is_unwritten = script.words.is_empty() && self.rate.0 != VisemeType::Rms && corrected.is_none();
         let phones = match options.recogniser.as_ref().filter(|_| is_unwritten) {
             Some(recogniser) => Some(recognised(recogniser, job)?.script()),
             None => None,
         };
         let is_compared = !script.words.is_empty() && !condition.is_silent() && corrected.is_none();
-        let is_compared = is_compared && compared == Compared::WithRecogniser;
+        let is_compared = is_compared && wanted == Wanted::Mouth;
         let opinion = options.recogniser.as_ref().filter(|_| is_compared);
         let opinion = opinion.map(|recogniser| recognised(recogniser, job)).transpose()?;
         let script = phones.as_ref().unwrap_or(script);
         let (model, opinion) = (options.model_of(self.locale), opinion.as_ref());
-        let hearing = mouth::Hearing { sound: &sound, model, opinion, corrected };
+        let with_grid = match wanted {
+            Wanted::Mouth => options.textgrids.is_some(),
+            Wanted::Phones => false,
+            Wanted::TextGrid => true,
+        };
+        let hearing = mouth::Hearing { sound: &sound, model, opinion, corrected, with_grid, progress };
         let mut heard = mouth::make(hearing, script, self.rate, options);
         if condition.is_silent() || phones.is_some() {
             heard.forget_words(); // of what cannot be heard, nothing else needs to be said
@@ -207,16 +240,16 @@ impl Subject<'_> {
         Ok(heard)
     }
 
-    /// What somebody has corrected, if it is for this sound. Reports that it is not.
-    fn corrected(&self, sound: &Sound, reports: &mut Vec<Report>) -> Option<Alignment> {
+    /// What somebody has corrected, if it is for this sound. Otherwise reports that it is not, and forgets it.
+    fn corrected(&mut self, sound: &Sound, reports: &mut Vec<Report>) -> Option<Alignment> {
         let (grid, place) = (self.grid.as_ref()?, self.grid_place.as_ref()?);
-        match grid.alignment(sound.duration_us(), &self.script) {
-            Ok(alignment) => Some(alignment),
-            Err(diagnostic) => {
-                push_report(reports, self.options, Some(Report::about(shown(place), *diagnostic)));
-                None
-            }
-        }
+        let Err(unfit) = grid.fits(sound.duration_us(), self.rate.1) else {
+            return Some(grid.alignment(sound.duration_us(), &self.script));
+        };
+        push_report(reports, self.options, Some(Report::about(shown(place), *unfit)));
+        self.grid = None;
+        self.made.settings = settings_hash(self.options, self.locale, &self.script, self.rate, None);
+        None
     }
 }
 
@@ -245,6 +278,7 @@ fn kept_mouth(kept: Kept, visemes: &JsonString<'_>) -> Diagnostic {
     let why = match kept {
         Kept::Changed => "the mouth was changed by hand, and its recording or text is another one now",
         Kept::ByHand => "the mouth was drawn by hand, or made by another tool",
+        Kept::Corrected => "the mouth was made from a corrected TextGrid, and its recording or text is another one now",
     };
     Diagnostic::at(Code::MouthKept, visemes.span(), format!("{why}: it is kept"))
         .help("only a forced run replaces it: look first whether it fits")

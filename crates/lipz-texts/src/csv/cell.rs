@@ -13,8 +13,8 @@ fn is_formula(cell: &str) -> bool {
     cell.trim_start_matches(APOSTROPHE).starts_with(['=', '+', '-', '@', '\t', '\r'])
 }
 
-/// The text as a cell that is no formula.
-pub(crate) fn defused(text: &str) -> Cow<'_, str> {
+/// The text as a cell of a table that no spreadsheet takes for a formula: with an apostrophe before it, if it looks like one.
+pub fn defused(text: &str) -> Cow<'_, str> {
     if is_formula(text) { Cow::Owned(format!("{APOSTROPHE}{text}")) } else { Cow::Borrowed(text) }
 }
 

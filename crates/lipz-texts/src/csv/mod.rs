@@ -6,7 +6,7 @@ mod read;
 mod scan;
 mod write;
 
-pub(crate) use cell::defused;
+pub use cell::defused;
 pub(crate) use read::read;
 pub(crate) use write::write;
 #[cfg(feature = "xlsx")]

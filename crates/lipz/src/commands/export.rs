@@ -14,6 +14,7 @@ use clap::Args;
 use lipz_compiler::{Compiler, Input, Options, key};
 use lipz_diagnostics::{Diagnostic, Report, Severity};
 use lipz_interop::{ExportOptions, Exported, Format, Map, export};
+use lipz_sync::Said;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
@@ -52,6 +53,9 @@ pub(crate) struct Export {
 struct Made {
     exported: Exported,
     report: Option<Report>,
+    /// Whether it says when words and phones are said.
+    has_words: bool,
+    has_phones: bool,
 }
 
 impl Run for Export {
@@ -79,10 +83,14 @@ impl Run for Export {
             return Err(reporter.refuse(reports));
         }
         let map = map.as_ref().map(formats::MapChoice::map);
-        let results = Compiler::new(options.clone())
-            .each_file(&inputs, |input, bytes| one(format, input, bytes, options, (map, self.dat_base)));
+        let said = match format.name {
+            "textgrid" => Said::new(&project.settings, &inputs).map_err(|report| reporter.fail(report))?,
+            _ => None,
+        };
+        let made = Work { format, options, map, dat_base: self.dat_base, said };
+        let results = Compiler::new(options.clone()).each_file(&inputs, |input, bytes| made.one(input, bytes));
         let files = Files::new();
-        let (mut written, mut left_out) = (0, BTreeSet::new());
+        let (mut written, mut left_out, mut said) = (0, BTreeSet::new(), (0, 0));
         for (input, result) in inputs.iter().zip(results) {
             let made = match result {
                 Ok(made) => made,
@@ -94,6 +102,7 @@ impl Run for Export {
             reports.extend(made.report);
             let Some(bytes) = made.exported.bytes else { continue };
             left_out.extend(made.exported.left_out);
+            said = (said.0 + usize::from(made.has_words), said.1 + usize::from(made.has_phones));
             match &self.output {
                 None => {
                     reporter.add(reports);
@@ -113,29 +122,46 @@ impl Run for Export {
         reporter.add(reports);
         match self.output.as_deref().filter(|_| !self.sources.is_quiet() && written > 0) {
             None => Ok(outcome),
-            Some(folder) => reporter.summary(&summary(format, written, folder, &left_out)).map(|()| outcome),
+            Some(folder) => reporter.summary(&summary(format, written, folder, &left_out, said)).map(|()| outcome),
         }
     }
 }
 
-/// Exports one Lipz file.
-fn one(format: &Format, input: &Input, bytes: &[u8], options: &Options, (map, dat_base): (Option<&Map>, u64)) -> Made {
-    let parsed = lipz_file::parse(bytes);
-    let mut diagnostics = parsed.diagnostics;
-    let export_options = ExportOptions::new()
-        .map(map)
-        .default_rate(options.default_fps.map(formats::rate))
-        .default_viseme_type(options.default_viseme_type)
-        .dat_base(dat_base)
-        .name(input.key.rsplit('/').next());
-    let mut exported = parsed.document.map(|document| export(format, &document, &export_options)).unwrap_or_default();
-    diagnostics.append(&mut exported.diagnostics);
-    options.levels.apply(&mut diagnostics);
-    if has_errors(&diagnostics) {
-        exported.bytes = None;
+/// What is the same for all files of a run.
+struct Work<'a> {
+    format: &'a Format,
+    options: &'a Options,
+    map: Option<&'a Map>,
+    dat_base: u64,
+    /// When words and phones are said, for formats that have a place for them.
+    said: Option<Said<'a>>,
+}
+
+impl Work<'_> {
+    /// Exports one Lipz file.
+    fn one(&self, input: &Input, bytes: &[u8]) -> Made {
+        let parsed = lipz_file::parse(bytes);
+        let mut diagnostics = parsed.diagnostics;
+        let said = self.said.as_ref().map(|said| said.of(input)).unwrap_or_default();
+        let (has_words, has_phones) = (said.words.is_some(), said.phones.is_some());
+        let tiers: Vec<_> = said.words.into_iter().chain(said.phones).collect();
+        let export_options = ExportOptions::new()
+            .map(self.map)
+            .default_rate(self.options.default_fps.map(formats::rate))
+            .default_viseme_type(self.options.default_viseme_type)
+            .dat_base(self.dat_base)
+            .name(input.key.rsplit('/').next())
+            .tiers(&tiers);
+        let mut exported =
+            parsed.document.map(|document| export(self.format, &document, &export_options)).unwrap_or_default();
+        diagnostics.append(&mut exported.diagnostics);
+        self.options.levels.apply(&mut diagnostics);
+        if has_errors(&diagnostics) {
+            exported.bytes = None;
+        }
+        let report = (!diagnostics.is_empty()).then(|| Report::from_bytes(input.name(), bytes, diagnostics));
+        Made { exported, report, has_words, has_phones }
     }
-    let report = (!diagnostics.is_empty()).then(|| Report::from_bytes(input.name(), bytes, diagnostics));
-    Made { exported, report }
 }
 
 fn has_errors(diagnostics: &[Diagnostic]) -> bool {
@@ -146,11 +172,21 @@ fn write(files: &Files, folder: &Path, input: &Input, format: &Format, bytes: &[
     files.replace(&formats::path(folder, &input.key, format.extension), bytes)
 }
 
-fn summary(format: &Format, written: usize, folder: &Path, left_out: &BTreeSet<&str>) -> String {
+fn summary(
+    format: &Format,
+    written: usize,
+    folder: &Path,
+    left_out: &BTreeSet<&str>,
+    (words, phones): (usize, usize),
+) -> String {
     let files = console::counted(written, "file");
     let left_out = match left_out.is_empty() {
         true => String::new(),
         false => format!("; the format has no place for {}", left_out.iter().copied().collect::<Vec<_>>().join(", ")),
     };
-    format!("{files} exported to {} in {}{left_out}\n", format.name, console::path(folder))
+    let said = match (words, phones) {
+        (0, 0) => String::new(),
+        (words, phones) => format!("; {words} with their words, {phones} with their phones"),
+    };
+    format!("{files} exported to {} in {}{said}{left_out}\n", format.name, console::path(folder))
 }

@@ -7,7 +7,7 @@ pub(super) const SYNC: &[Setting] = &[
     Setting {
         name: "lexicon",
         flat_name: "lexicon",
-        about: "File with the pronunciations of the project's own words, one a line, in the phones of CMUdict or in IPA: \
+        about: "File with the pronunciations of the project's own words, one a line, in the phones of CMUdict, in IPA, or in kana: \
                 `WESNOTH  W EH S N AO TH`.",
         default: "none",
         example: "\"lexicon.txt\"",
@@ -61,6 +61,17 @@ pub(super) const SYNC: &[Setting] = &[
         default: "83, two frames at 24 a second",
         example: "83",
         read: |value, to| to.settings.sync.hold_ms = value.milliseconds(&mut to.diagnostics),
+    },
+    Setting {
+        name: "hold-consonants",
+        flat_name: "hold-consonants",
+        about: "Whether the shapes of the other consonants (t, s, l, w, …) stay as long as closed lips do, as far as the vowels \
+                beside them have time to spare.",
+        default: "false",
+        example: "true",
+        read: |value, to| {
+            to.settings.sync.hold_consonants = value.boolean(&mut to.diagnostics).unwrap_or_default();
+        },
     },
     Setting {
         name: "shortest-wide-ms",

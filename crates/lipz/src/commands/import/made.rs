@@ -2,7 +2,7 @@
 
 use super::options::Settings;
 use super::text::Texts;
-use super::{Import, joined};
+use super::{Import, joined, phones};
 use crate::interrupt::Files;
 use crate::shared::existing::Existing;
 use crate::shared::formats::{self, Source};
@@ -102,12 +102,18 @@ fn one(
     };
     let existing: Vec<Option<Existing>> = imported.clips.iter().map(existing).collect::<Result<_, _>>()?;
     if !arguments.replace
-        && let Some(options) = settings.as_before(existing.iter().flatten(), &options)
+        && let Some(as_before) = settings.as_before(existing.iter().flatten(), &options)
     {
+        options = as_before;
         imported = import(tool_format, &source.bytes, &options);
     }
-    let Imported { clips, diagnostics: found, .. } = imported;
     let mut diagnostics = source.diagnostics.clone();
+    if let Some(by_phones) =
+        phones::by_phones(tool_format, source, settings, &options, (&imported, &existing), &mut diagnostics)
+    {
+        imported = by_phones;
+    }
+    let Imported { clips, diagnostics: found, .. } = imported;
     diagnostics.extend(found);
     settings.apply_levels(&mut diagnostics);
     let is_wrong = diagnostics.iter().any(Diagnostic::is_error);

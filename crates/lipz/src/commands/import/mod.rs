@@ -3,6 +3,7 @@
 mod joined;
 mod made;
 mod options;
+mod phones;
 mod recordings;
 mod report;
 mod summary;

@@ -10,6 +10,7 @@ use crate::shared::project_flags::{parse_fps, parse_locale, parse_viseme_type};
 use crate::shared::settings_file::SettingsFile;
 use clap::{Args, ValueEnum};
 use lipz_bank::Fps;
+use lipz_compiler::settings::Sync;
 use lipz_diagnostics::Diagnostic;
 use lipz_interop::{DEFAULT_RATE, ImportOptions, MergeOptions, Segments, Time};
 use lipz_types::VisemeType;
@@ -97,6 +98,8 @@ impl From<Where> for Segments {
 pub(super) struct Settings<'a> {
     flags: &'a Options,
     project: lipz_compiler::Options,
+    /// The rules of mouths that are made of phones.
+    pub(super) sync: Sync,
     map: Option<MapChoice>,
 }
 
@@ -105,10 +108,11 @@ impl Options {
     pub(super) fn settings(&self, output: Option<&Path>, reporter: &mut Reporter) -> Result<Settings<'_>, Abort> {
         // The Lipz files that are made are sources of the project.
         let sources = [output.map_or_else(|| PathBuf::from("."), Path::to_owned)];
-        let mut project = self.file.project(&sources, reporter)?.settings.options;
+        let settings = self.file.project(&sources, reporter)?.settings;
+        let (mut project, sync) = (settings.options, settings.sync);
         self.lints.apply(&mut project);
         let map = self.map.as_deref().map(|map| formats::map(map, reporter)).transpose()?;
-        Ok(Settings { flags: self, project, map })
+        Ok(Settings { flags: self, project, sync, map })
     }
 }
 
@@ -130,9 +134,9 @@ impl Settings<'_> {
 
     /// The options for files whose clips exist: these have a rate and a type of their own, which they keep unless
     /// somebody or the file names another. `None` if that changes nothing, or not all of them agree.
-    pub(super) fn as_before<'o>(
+    pub(super) fn as_before<'o, 'e>(
         &self,
-        clips: impl Iterator<Item = &'o Existing>,
+        clips: impl Iterator<Item = &'e Existing>,
         options: &ImportOptions<'o>,
     ) -> Option<ImportOptions<'o>> {
         let mut of_clips = clips.filter_map(|clip| clip.rate_and_type().ok());

@@ -1,5 +1,6 @@
 //! `lipz inspect`: what is in a bank, or in the Lipz files that one is made of.
 
+mod recorded;
 mod set;
 
 use crate::Abort;
@@ -10,12 +11,14 @@ use crate::shared::bank_file::BankFile;
 use crate::shared::bank_or_sources::Dialogue;
 use crate::shared::locales::choose;
 use crate::shared::set_file::SetFile;
+use crate::shared::settings_file::Project;
 use crate::{Outcome, console};
 use clap::Args;
 use lipz_bank::{Bank, ClipId, Locale};
 use lipz_compiler::inspect::{BankSummary, ClipDetails, ClipSummary, LayerSummary, Timeline};
 use lipz_compiler::{BankWithTexts, MinCoverage, face};
 use lipz_diagnostics::{Code, Report, escape, suggest};
+use lipz_sync::RecordedClip;
 use std::fmt::Write;
 use std::iter::zip;
 use unicode_width::UnicodeWidthStr;
@@ -62,10 +65,10 @@ impl Run for Inspect {
     }
 
     fn run(&self, reporter: &mut Reporter) -> Ended {
-        let file = match self.set(reporter)? {
+        let (file, project) = match self.set(reporter)? {
             None => self.bank(reporter)?,
             Some(set) => match &self.key {
-                Some(key) => set.bank(set.index(reporter)?.bank_of(ClipId::from_key(key)), reporter)?,
+                Some(key) => (set.bank(set.index(reporter)?.bank_of(ClipId::from_key(key)), reporter)?, None),
                 None if !self.locale.is_empty() => return Err(Inspect::no_clip(reporter)),
                 None if self.dialogue.has_texts() => {
                     let tip = "name a clip, or one bank of the set";
@@ -84,7 +87,10 @@ impl Run for Inspect {
         match (self.key.as_deref().or(only), &self.list) {
             (_, Some(prefix)) => list(&bank, prefix, json, reporter)?,
             (None, None) if !self.locale.is_empty() => return Err(Inspect::no_clip(reporter)),
-            (Some(key), None) => clip(&bank, key, &whole.locales(), &file.name, self, reporter)?,
+            (Some(key), None) => {
+                let recorded = project.map(|project| recorded::find(&project, key, reporter)).transpose()?.flatten();
+                clip(&bank, key, &whole.locales(), (&file.name, recorded), self, reporter)?;
+            }
             (None, None) => summary(&BankSummary::from_bank(whole), &file.name, json, reporter)?,
         }
         Ok(Outcome::Clean)
@@ -105,14 +111,15 @@ impl Inspect {
         reporter.usage("`--locale` is about the texts of one clip, and none is named", tip)
     }
 
-    /// The bank. Who looks at clips has not translated all of them yet.
-    fn bank(&self, reporter: &mut Reporter) -> Result<BankFile, Abort> {
+    /// The bank, and the project if it is made of that. Who looks at clips has not translated all of them yet.
+    fn bank(&self, reporter: &mut Reporter) -> Result<(BankFile, Option<Project>), Abort> {
         if self.dialogue.is_bank() {
-            return self.dialogue.bank(reporter);
+            return Ok((self.dialogue.bank(reporter)?, None));
         }
         let mut project = self.dialogue.project(reporter)?;
         project.settings.options.min_coverage = MinCoverage::default();
-        self.dialogue.bank_with_clip(&project, self.key.as_deref(), reporter)
+        let bank = self.dialogue.bank_with_clip(&project, self.key.as_deref(), reporter)?;
+        Ok((bank, Some(project)))
     }
 }
 
@@ -120,7 +127,7 @@ fn clip(
     bank: &Bank<'_>,
     key: &str,
     all: &[Locale<'_>],
-    path: &str,
+    (path, recorded): (&str, Option<RecordedClip>),
     arguments: &Inspect,
     reporter: &mut Reporter,
 ) -> Result<(), Abort> {
@@ -144,13 +151,16 @@ fn clip(
         return Err(reporter.fail(Report::failure(path, Code::BankDamaged, message, help)));
     }
     if reporter.wants_json(arguments.json) {
-        return reporter.print_json(&ClipDetails::new(&clip, &locales));
+        let clip = ClipDetails::new(&clip, &locales);
+        return reporter
+            .print_json(&recorded::WithRecording { clip: &clip, recorded: recorded.as_ref().map(Into::into) });
     }
     if arguments.locale.is_empty() {
         // The first is the one that the bands show.
         locales.sort_by_key(|locale| !locale.is_default());
     }
-    reporter.print(&Timeline::default().width(console::width()).styled(true).render(&clip, &locales))
+    let timeline = Timeline::default().width(console::width()).styled(true).render(&clip, &locales);
+    reporter.print(&(timeline + &recorded.map_or(String::new(), |recorded| recorded::text(&recorded))))
 }
 
 /// Keys that contain the last part of the one asked for, or else are spelled almost like it.

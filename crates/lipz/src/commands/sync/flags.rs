@@ -34,6 +34,11 @@ pub(super) struct SyncFlags {
     #[arg(long, value_name = "COUNT", help_heading = MOUTHS)]
     hold_ms: Option<u32>,
 
+    /// Let the shapes of the other consonants (t, s, l, w, …) stay as long, as far as vowels have time to spare
+    #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true",
+          help_heading = MOUTHS)]
+    hold_consonants: Option<bool>,
+
     /// Milliseconds below which a vowel does not open the mouth wide [default: 42]
     #[arg(long, value_name = "COUNT", help_heading = MOUTHS)]
     shortest_wide_ms: Option<u32>,
@@ -60,6 +65,7 @@ impl SyncFlags {
         sync.textgrids = self.textgrids.clone().or(sync.textgrids.take());
         sync.lead_ms = self.lead_ms.or(sync.lead_ms);
         sync.hold_ms = self.hold_ms.or(sync.hold_ms);
+        sync.hold_consonants = self.hold_consonants.unwrap_or(sync.hold_consonants);
         sync.shortest_wide_ms = self.shortest_wide_ms.or(sync.shortest_wide_ms);
         sync.shortest_pause_ms = self.shortest_pause_ms.or(sync.shortest_pause_ms);
         sync.rms_threshold_db = self.rms_threshold_db.or(sync.rms_threshold_db);

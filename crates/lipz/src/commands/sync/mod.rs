@@ -2,6 +2,7 @@
 
 mod flags;
 mod summary;
+mod table;
 mod train;
 
 use crate::commands::Run;
@@ -19,7 +20,7 @@ use lipz_bank::Fps;
 use lipz_compiler::settings::Settings;
 use lipz_diagnostics::{Code, Report};
 use lipz_interop::Encoding;
-use lipz_sync::{Job, Recordings, SyncOptions, SyncRecord, jobs_of_clips, jobs_of_recordings, sync};
+use lipz_sync::{JOB_PARTS, Job, Recordings, SyncOptions, SyncRecord, jobs_of_clips, jobs_of_recordings, sync};
 use std::path::{Path, PathBuf};
 
 /// Make mouth shapes from recordings.
@@ -69,7 +70,8 @@ pub(crate) struct SyncArguments {
     #[arg(long)]
     train: bool,
 
-    /// Write a CSV table of all words to look at, those of unchanged clips too: doubtful ones, and those pronounced by rules
+    /// Write a CSV table of all words to look at, those of unchanged clips too: doubtful ones, and those pronounced by rules;
+    /// `-` is standard output
     #[arg(long, value_name = "FILE")]
     list: Option<PathBuf>,
 
@@ -118,7 +120,7 @@ struct Work {
 
 impl Run for SyncArguments {
     fn prints_result(&self) -> bool {
-        false
+        self.list.as_deref().is_some_and(stdio::is_meant)
     }
 
     fn run(&self, reporter: &mut Reporter) -> Ended {
@@ -141,7 +143,7 @@ impl Run for SyncArguments {
         let (mut options, problems) = SyncOptions::new(settings).map_err(|report| reporter.fail(report))?;
         (options.fps, options.force) = (self.fps, self.force);
         if options.locale.is_none() && work.jobs.iter().any(|job| job.text.is_some() && job.locale.is_none()) {
-            let tip = "name it with `--audio-locale`, or set `default-locale` in lipz.toml";
+            let tip = "name it with `--audio-locale`, or set `default-locale` in lipz.toml: texts become `text_LOCALE` of the Lipz files";
             return Err(reporter.usage("no locale of the texts is named", tip));
         }
         let learnt = match &to_train {
@@ -154,17 +156,17 @@ impl Run for SyncArguments {
         let beside = || SyncRecord::place(&work.place);
         let place = settings.audio.record.clone().unwrap_or_else(beside);
         let (mut record, odd_lines) = SyncRecord::read(&place).map_err(|report| reporter.fail(report))?;
-        let bar = console::progress_bar(work.jobs.len(), self.sources.is_quiet());
-        let progress = || {
-            bar.inc(1);
+        let bar = console::progress_bar_of_parts(work.jobs.len(), JOB_PARTS.into(), self.sources.is_quiet());
+        let progress = |parts: u32| {
+            bar.inc(parts.into());
             interrupt::point();
         };
         let mut synced = sync(&work.jobs, &options, &mut record, &progress, &|write| interrupt::whole(write));
         bar.finish_and_clear();
         let mut reports = work.reports;
-        if let Some(path) = &self.list {
+        if let Some(path) = self.list.as_deref().filter(|path| !stdio::is_meant(path)) {
             output_file::refuse_source(path, reporter)?;
-            let table = summary::table(&synced);
+            let table = table::csv(&synced);
             let written = interrupt::whole(|| lipz_compiler::replace_file(path, table.as_bytes()));
             reports.extend(written.err());
         }
@@ -174,6 +176,10 @@ impl Run for SyncArguments {
         lipz_diagnostics::reports::sort(&mut reports);
         let outcome = Outcome::from_reports(&reports);
         reporter.add(reports);
+        reporter.add_result("sync", || table::Table::new(&synced, work.without));
+        if self.prints_result() {
+            reporter.print(&table::csv(&synced))?;
+        }
         if !self.sources.is_quiet() {
             reporter.summary(&learnt.unwrap_or_default())?;
             reporter.summary(&summary::summary(&synced, work.without, &work.place))?;

@@ -1,9 +1,10 @@
 //! What a run of `lipz sync` did, for people.
 
+use super::table::why;
 use crate::console;
 use crate::console::counted;
 use lipz_diagnostics::escape;
-use lipz_sync::{Kept, Synced};
+use lipz_sync::Synced;
 use std::fmt::Write;
 use std::path::Path;
 use unicode_width::UnicodeWidthStr;
@@ -22,15 +23,14 @@ pub(super) fn summary(synced: &Synced, without: usize, place: &Path) -> String {
     let others = counts.into_iter().filter(|(count, _)| *count > 0);
     let others: String = others.map(|(count, what)| format!(", {} {what}", console::grouped(count))).collect();
     let mut out = format!("{} synced{others}, in {}\n", counted(synced.made.len(), "clip"), console::path(place));
-    let kept: Vec<String> = (synced.kept.iter())
-        .map(|(key, kept)| match kept {
-            Kept::Changed => format!("{}  changed by hand", escape::text(key)),
-            Kept::ByHand => format!("{}  not made by `lipz sync`", escape::text(key)),
-        })
-        .collect();
+    let kept: Vec<String> =
+        (synced.kept.iter()).map(|(key, kept)| format!("{}  {}", escape::text(key), why(*kept))).collect();
     list(&mut out, "kept mouths (--force replaces them)", &kept);
     let new_texts: Vec<String> = synced.with_new_text.iter().map(|key| escape::text(key).into_owned()).collect();
     list(&mut out, "recordings older than their texts (record these lines again if the words are others)", &new_texts);
+    let by_letters: Vec<String> =
+        synced.read_by_letters.iter().map(|locale| escape::text(locale).into_owned()).collect();
+    list(&mut out, "texts that are read letter by letter, because there are no rules for their language", &by_letters);
     let width = synced.doubtful.iter().map(|word| escape::text(&word.key).width()).max().unwrap_or(0);
     let doubtful: Vec<String> = (synced.doubtful.iter())
         .map(|word| {
@@ -43,33 +43,6 @@ pub(super) fn summary(synced: &Synced, without: usize, place: &Path) -> String {
     let guessed: Vec<String> = synced.guessed.iter().map(|line| escape::text(line).into_owned()).collect();
     list(&mut out, "words pronounced by rules (correct them in the lexicon)", &guessed);
     out
-}
-
-/// All that somebody should look at, of clips that did not change, too: rows of a string table.
-pub(super) fn table(synced: &Synced) -> String {
-    let mut rows = vec!["what,clip,seconds,word".to_owned()];
-    let mut add = |what: &str, clip: &str, seconds: &str, word: &str| {
-        rows.push([what, clip, seconds, word].map(field).join(","));
-    };
-    synced.kept.iter().for_each(|(key, _)| add("kept", key, "", ""));
-    synced.with_new_text.iter().for_each(|key| add("older than its text", key, "", ""));
-    let mut doubtful: Vec<_> = synced.doubtful.iter().chain(&synced.doubtful_before).collect();
-    doubtful.sort_by_key(|word| (&word.key, word.start_us));
-    doubtful.iter().for_each(|word| {
-        add("doubtful", &word.key, &format!("{:.3}", word.start_us as f64 / 1e6), &word.word);
-    });
-    let mut guessed: Vec<_> = synced.guessed.iter().chain(&synced.guessed_before).collect();
-    guessed.sort();
-    guessed.iter().for_each(|line| add("by rules", "", "", line));
-    rows.join("\n") + "\n"
-}
-
-/// A field of a table, in quotes if it needs them.
-fn field(text: &str) -> String {
-    match text.contains([',', '"', '\n', '\r']) {
-        true => format!("\"{}\"", text.replace('"', "\"\"")),
-        false => text.to_owned(),
-    }
 }
 
 /// A heading, and the lines below it.
