@@ -4,8 +4,10 @@
 //! `benches/instructions.txt`; `--bless` writes what is counted now.
 
 use clap::Parser;
+use lipz_bank::ClipId;
 use lipz_benches::{DEFAULT_SEED, callgrind, layers, temporary_folder, write_clips};
 use lipz_compiler::{Compiler, Input, Options};
+use std::collections::HashMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -43,6 +45,14 @@ const LOCALES: usize = 5;
 const WHOLE_BANK: [&str; 1] = ["verify"];
 /// The one that is about no bank, but about files on their way into one.
 const PACKING: &str = "pack a file";
+/// Banks of the set that is asked.
+const SHARDS: u32 = 64;
+/// What is asked of many banks, how much it may take of what the same takes in one bank, in percent, and that.
+const RATIOS: [(&str, u64, &str); 3] = [
+    ("find in three layers", 150, "find by id"),
+    ("find by id in a set", 130, "find by id"),
+    ("find by key in a set", 130, "find by key"),
+];
 
 fn main() -> Result<(), Failure> {
     let settings = Settings::parse();
@@ -50,13 +60,9 @@ fn main() -> Result<(), Failure> {
     let limits = std::fs::read_to_string(&limits_path).map_err(|error| format!("`{LIMITS}`: {error}"))?;
     let folder = temporary_folder()?;
     let bank = folder.path().join("counted.lipzbank");
-    let bytes = bank_bytes()?;
-    let (patch, addition) = layers::over(&bytes, CLIPS)?;
-    for (extension, bytes) in [("lipzbank", &bytes), ("patch", &patch), ("mod", &addition)] {
-        std::fs::write(bank.with_extension(extension), bytes).map_err(|error| error.to_string())?;
-    }
+    write_banks(&bank)?;
 
-    let (mut counted, mut too_many) = (String::new(), Vec::new());
+    let (mut counted, mut counts, mut too_many) = (String::new(), HashMap::new(), Vec::new());
     println!("{:<20} {:>9} {:>9}", "question", "counted", "limit");
     for line in limits.lines() {
         let Some((question, limit)) = limit_of(line) else {
@@ -70,9 +76,14 @@ fn main() -> Result<(), Failure> {
         };
         println!("{question:<20} {count:>9} {limit:>9}");
         let _ = writeln!(counted, "{question}: {count}");
+        counts.insert(question, count);
         if is_too_much(count, limit) {
-            too_many.push(question);
+            too_many.push(question.to_owned());
         }
+    }
+    let slow = slow_among(&counts);
+    if !slow.is_empty() {
+        return Err(slow.join("\n"));
     }
     if settings.bless {
         return std::fs::write(&limits_path, counted).map_err(|error| format!("`{LIMITS}`: {error}"));
@@ -93,11 +104,36 @@ fn limit_of(line: &str) -> Option<(&str, u64)> {
     Some((question, limit.parse().ok()?))
 }
 
-fn bank_bytes() -> Result<Vec<u8>, Failure> {
+/// What takes more of what one bank takes than it may.
+fn slow_among(counts: &HashMap<&str, u64>) -> Vec<String> {
+    let ratios = RATIOS
+        .iter()
+        .filter_map(|&(many, percent, one)| Some((many, percent, one, counts.get(many)?, counts.get(one)?)));
+    let slow = ratios.filter(|(_, percent, _, many, one)| *many * 100 > *one * percent);
+    slow.map(|(many, percent, one, ..)| format!("`{many}` takes more than {percent} % of `{one}`")).collect()
+}
+
+/// Writes the bank, the layers over it, and the banks of a set of the same clips.
+fn write_banks(bank: &Path) -> Result<(), Failure> {
     let files = lipz_benches::files(CLIPS, LOCALES);
-    let inputs: Vec<Input> = files.iter().map(|(key, json)| Input::from_bytes(key, json.as_bytes())).collect();
-    let options = Options::new().strip(true);
-    Compiler::new(options.clone()).compile(&inputs).bank.ok_or_else(|| "the generated clips have errors".to_owned())
+    let bytes = bank_of(files.iter())?;
+    let (patch, addition) = layers::over(&bytes, CLIPS)?;
+    let write = |extension: &str, bytes: &[u8]| std::fs::write(bank.with_extension(extension), bytes);
+    for (extension, bytes) in [("lipzbank", &bytes), ("patch", &patch), ("mod", &addition)] {
+        write(extension, bytes).map_err(|error| error.to_string())?;
+    }
+    for shard in 0..SHARDS {
+        let is_in_it = |key: &str| lipz_layout::shard_of(ClipId::from_key(key).get(), SHARDS) == shard;
+        let bytes = bank_of(files.iter().filter(|(key, _)| is_in_it(key)))?;
+        write(&format!("shard{shard}"), &bytes).map_err(|error| error.to_string())?;
+    }
+    Ok(())
+}
+
+fn bank_of<'f>(files: impl Iterator<Item = &'f (String, String)>) -> Result<Vec<u8>, Failure> {
+    let inputs: Vec<Input> = files.map(|(key, json)| Input::from_bytes(key, json.as_bytes())).collect();
+    let compiled = Compiler::new(Options::new().strip(true)).compile(&inputs);
+    compiled.bank.ok_or_else(|| "the generated clips have errors".to_owned())
 }
 
 /// Instructions of one answer: what twice as many take more.
@@ -128,5 +164,12 @@ mod tests {
         assert_eq!(limit_of("# a comment: not a number"), None);
         assert!(!is_too_much(105, 100));
         assert!(is_too_much(106, 100));
+    }
+
+    #[test]
+    fn many_banks_take_little_more_than_one() {
+        let counts = |layers| HashMap::from([("find by id", 100), ("find in three layers", layers)]);
+        assert_eq!(slow_among(&counts(150)), Vec::<String>::new());
+        assert_eq!(slow_among(&counts(151)), ["`find in three layers` takes more than 150 % of `find by id`"]);
     }
 }

@@ -1,9 +1,10 @@
 //! The program whose instructions `cargo xtask instructions` counts: asks a bank of the generator's
 //! clips the same kind of question a number of times.
 //!
-//! `queries BANK QUESTION TIMES`; beside the bank lie layers over it, with the extensions `patch` and `mod`.
+//! `queries BANK QUESTION TIMES`; beside the bank lie layers over it, with the extensions `patch` and `mod`, and its clips as
+//! a set, with the extensions `shard0`, `shard1` and so on.
 
-use lipz_bank::{Bank, Clip, ClipId, Cursor, Layers, Micros, Seconds};
+use lipz_bank::{Bank, BankSet, Clip, ClipId, Cursor, Layers, Micros, Seconds};
 use lipz_benches::{DEFAULT_SEED, Random, clip_key};
 use std::hint::black_box;
 
@@ -20,12 +21,19 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         return Err("usage: queries BANK QUESTION TIMES".into());
     };
     let bytes = std::fs::read(path)?;
-    // The layers over the bank, made before: that does not count.
-    let layer = |name| std::fs::read(std::path::Path::new(path).with_extension(name)).unwrap_or_default();
-    ask([&bytes, &layer("patch"), &layer("mod")], question, times.parse()?)
+    // The layers over the bank and the banks of the set, made before: that does not count.
+    let beside = |name: &str| std::fs::read(std::path::Path::new(path).with_extension(name)).unwrap_or_default();
+    let shards = (0..).map(|shard: usize| beside(&format!("shard{shard}")));
+    let shards: Vec<Vec<u8>> = shards.take_while(|shard| !shard.is_empty()).collect();
+    ask([&bytes, &beside("patch"), &beside("mod")], &shards, question, times.parse()?)
 }
 
-fn ask([bytes, patch, addition]: [&[u8]; 3], question: &str, times: usize) -> Result<(), Box<dyn std::error::Error>> {
+fn ask(
+    [bytes, patch, addition]: [&[u8]; 3],
+    shards: &[Vec<u8>],
+    question: &str,
+    times: usize,
+) -> Result<(), Box<dyn std::error::Error>> {
     let bank = Bank::open(bytes)?.verify()?;
     let locale = bank.locale("de-de").ok_or("the bank has no German")?;
     let keys: Vec<String> = (0..bank.clip_count()).map(clip_key).collect();
@@ -43,6 +51,14 @@ fn ask([bytes, patch, addition]: [&[u8]; 3], question: &str, times: usize) -> Re
         "find by key" => asked.for_each(|(at, _)| _ = black_box(bank.clip_by_key(&keys[at]))),
         "find nothing" => {
             asked.for_each(|(at, _)| _ = black_box(bank.clip(ClipId::from_u64(ids[at].get() ^ 1))));
+        }
+        "find by id in a set" | "find by key in a set" => {
+            let banks: Vec<Bank<'_>> = shards.iter().map(|shard| Bank::open(shard)).collect::<Result<_, _>>()?;
+            let set = BankSet::new(&banks)?.verify()?;
+            match question {
+                "find by id in a set" => asked.for_each(|(at, _)| _ = black_box(set.clip(ids[at]))),
+                _ => asked.for_each(|(at, _)| _ = black_box(set.clip_by_key(&keys[at]))),
+            }
         }
         // A base with a patch of every hundredth clip and a mod of every thousandth over it.
         "find in three layers" | "text in three layers" => {

@@ -112,7 +112,13 @@ impl<'data> Bank<'data> {
     /// The clip with this key, compared whole.
     #[inline]
     pub fn clip_by_key(&self, key: &str) -> Option<Clip<'data, '_>> {
-        let (slot, record) = self.find(ClipId::from_key(key))?;
+        self.clip_with_key(ClipId::from_key(key), key)
+    }
+
+    /// The clip with this key, of which this is the id.
+    #[inline]
+    pub(crate) fn clip_with_key(&self, id: ClipId, key: &str) -> Option<Clip<'data, '_>> {
+        let (slot, record) = self.find(id)?;
         if self.key_bytes(record)? == key.as_bytes() { self.clip_at(slot) } else { None }
     }
 

@@ -127,8 +127,13 @@ impl<'data, 'bank> BankSet<'data, 'bank> {
     }
 
     /// The clip with this key, compared whole.
+    #[inline]
     pub fn clip_by_key(&self, key: &str) -> Option<Clip<'data, 'bank>> {
-        self.bank_of(ClipId::from_key(key))?.clip_by_key(key)
+        let id = ClipId::from_key(key);
+        match self.banks.get(self.shard(id.get()))?.clip_with_key(id, key) {
+            None if self.index.is_some() => self.moved_clip(id).filter(|clip| clip.key() == key),
+            found => found,
+        }
     }
 
     /// All clips, one bank after the other, those of each in the order of their keys.

@@ -11,11 +11,8 @@ use core::ops::Deref;
 #[derive(Clone, Copy, Debug)]
 pub struct LayeredClip<'data, 'bank> {
     clip: Clip<'data, 'bank>,
-    layer: u32,
-    /// The layer that has the texts, and the slot of the clip there. A clip is made of them when it is asked for: mostly it
-    /// is this one.
-    texts_layer: u32,
-    texts_slot: u32,
+    /// Where it is, and where the clip with the texts is, which is made when it is asked for: mostly it is this one.
+    places: Places,
     texts: Option<&'bank Bank<'data>>,
 }
 
@@ -27,13 +24,7 @@ impl<'data, 'bank> LayeredClip<'data, 'bank> {
         places: Places,
         texts: Option<&'bank Bank<'data>>,
     ) -> LayeredClip<'data, 'bank> {
-        LayeredClip {
-            clip,
-            layer: places.clip.layer(),
-            texts_layer: places.texts.layer(),
-            texts_slot: places.texts.slot(),
-            texts,
-        }
+        LayeredClip { clip, places, texts }
     }
 
     /// The clip in its own bank.
@@ -44,18 +35,18 @@ impl<'data, 'bank> LayeredClip<'data, 'bank> {
 
     /// Index of the layer whose mouth shapes, segments, events and curves these are; 0 for the base.
     pub const fn layer(&self) -> usize {
-        self.layer as usize
+        self.places.clip.layer() as usize
     }
 
     /// Index of the layer whose texts these are; `None` if no layer has any for this clip.
     pub fn texts_layer(&self) -> Option<usize> {
-        self.texts.map(|_| self.texts_layer as usize)
+        self.texts.map(|_| self.places.texts.layer() as usize)
     }
 
     /// The clip whose segments have the texts, in its own bank: this one as another layer has it, or the original of a dub;
     /// `None` if no layer has any for this clip.
     pub fn texts(&self) -> Option<Clip<'data, 'bank>> {
-        self.texts?.clip_at(self.texts_slot)
+        self.texts?.clip_at(self.places.texts.slot())
     }
 
     /// The segment that has the text, and the locale to ask it for.
@@ -66,7 +57,7 @@ impl<'data, 'bank> LayeredClip<'data, 'bank> {
         locale: &LayeredLocale<'texts, N>,
     ) -> Option<(Segment<'data, 'bank>, Locale<'texts>, bool)> {
         let (locale, is_stand_in) = locale.in_layer(self.texts_layer()?)?;
-        let is_own = self.texts_layer == self.layer && self.texts_slot == self.clip.slot();
+        let is_own = self.places.texts == self.places.clip;
         let segment = if is_own { self.clip.segment(segment) } else { self.texts()?.segment(segment) };
         Some((segment?, locale, is_stand_in))
     }
@@ -99,8 +90,7 @@ impl<'data, 'bank> LayeredClip<'data, 'bank> {
 /// Equal are clips that are equal in their banks and have the same texts.
 impl PartialEq for LayeredClip<'_, '_> {
     fn eq(&self, other: &Self) -> bool {
-        let texts = |clip: &Self| (clip.texts_layer(), clip.texts_slot);
-        self.clip == other.clip && self.layer == other.layer && texts(self) == texts(other)
+        self.clip == other.clip && self.places == other.places
     }
 }
 impl Eq for LayeredClip<'_, '_> {}

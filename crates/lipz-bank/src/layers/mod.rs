@@ -18,7 +18,8 @@ pub use voiced::{LayeredVoice, LayeredVoicedClip};
 
 use crate::{Babble, Bank, ClipId, Error, ErrorKind, FaceProfile};
 use core::fmt;
-use lipz_layout::{LAYER_BABBLE, LAYER_FACES};
+use lipz_layout::{LAYER_BABBLE, LAYER_FACES, U64};
+use table::may_have;
 
 /// A bank and the layers over it, the topmost of which answers.
 ///
@@ -47,7 +48,13 @@ pub struct Layers<'data, const N: usize> {
     /// Those behind `count` are never looked at.
     layers: [Placed<'data>; N],
     count: usize,
+    /// For each layer the bits of the ids that it says something about; for the base, and where there is none, no bits. They are
+    /// together, and as many as there can be, so that looking whether any layer counts is no loop.
+    filters: [&'data [U64]; N],
 }
+
+/// The filter of what says nothing about any id.
+const NO_BITS: [U64; 1] = [U64::ZERO];
 
 /// A bank of a stack.
 #[derive(Clone, Copy)]
@@ -58,7 +65,7 @@ struct Placed<'data> {
 }
 
 /// Where a clip is: the layer in the upper half, the slot in the lower one. Two of them fit into registers.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
 struct Place(u64);
 
 impl Place {
@@ -82,7 +89,7 @@ impl Place {
 }
 
 /// Where a clip of a stack is, and where its texts are: mostly the same.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
 struct Places {
     clip: Place,
     texts: Place,
@@ -112,12 +119,16 @@ impl<'data, const N: usize> Layers<'data, N> {
             _ => return Err(LayersError::new(banks.len(), at_start(ErrorKind::LayerCount))),
         };
         let mut layers = [Placed { bank: first, table: Layer::NONE }; N];
-        for (at, (layer, bank)) in layers.iter_mut().zip(banks).enumerate() {
+        let mut filters: [&[U64]; N] = [&NO_BITS; N];
+        for (at, ((layer, filter), bank)) in layers.iter_mut().zip(&mut filters).zip(banks).enumerate() {
             let table = bank.verified_layer().map_err(|error| LayersError::new(at, error))?.unwrap_or(Layer::NONE);
             *layer = Placed { bank: *bank, table };
             let below = banks.get(..at).unwrap_or(&[]);
             if at > 0 && table.bases.is_empty() {
                 return Err(LayersError::new(at, at_start(ErrorKind::NotALayer)));
+            }
+            if at > 0 {
+                *filter = table.filter;
             }
             let mut found = below.iter();
             // Each is looked for above the one before it.
@@ -125,7 +136,7 @@ impl<'data, const N: usize> Layers<'data, N> {
                 return Err(LayersError::new(at, at_start(ErrorKind::OtherBase)));
             }
         }
-        Ok(Layers { layers, count: banks.len() })
+        Ok(Layers { layers, count: banks.len(), filters })
     }
 
     /// The layers, the base first.
@@ -148,20 +159,21 @@ impl<'data, const N: usize> Layers<'data, N> {
     #[cfg_attr(target_pointer_width = "64", inline(always))] // otherwise the whole clip is copied for the call
     #[cfg_attr(not(target_pointer_width = "64"), inline)]
     pub fn clip(&self, id: ClipId) -> Option<LayeredClip<'data, '_>> {
-        let (base, above) = self.all().split_first()?;
-        if above.iter().any(|layer| layer.table.may_have(id)) {
+        let base = &self.layers.first()?.bank;
+        let (places, bank, texts) = if self.filters.iter().skip(1).any(|filter| may_have(filter, id)) {
             let places = self.places(id);
             let bank = |place: Place| self.bank(place.layer() as usize);
-            let clip = bank(places.clip)?.clip_at(places.clip.slot())?;
-            return Some(LayeredClip::new(clip, places, bank(places.texts)));
-        }
-        let clip = base.bank.clip(id)?;
-        let place = Place::new(0, clip.slot());
-        Some(LayeredClip::new(clip, Places { clip: place, texts: place }, Some(clip.bank)))
+            (places, bank(places.clip)?, bank(places.texts))
+        } else {
+            let place = Place::new(0, base.find(id)?.0);
+            (Places { clip: place, texts: place }, base, Some(base))
+        };
+        Some(LayeredClip::new(bank.clip_at(places.clip.slot())?, places, texts))
     }
 
     /// Where the clip with this id is, about which a layer may say something: the filters let few ids through that are not
     /// those of their layers.
+    #[cold]
     #[inline(never)]
     fn places(&self, id: ClipId) -> Places {
         let mut places = Places { clip: Place::NONE, texts: Place::NONE };

@@ -19,7 +19,7 @@ pub struct Layer<'data> {
     /// Checksums of the banks that it was made over, the lowest first.
     pub(super) bases: &'data [U64],
     /// Bits of the ids that the layer says something about; empty if that is not known.
-    filter: &'data [U64],
+    pub(super) filter: &'data [U64],
     /// Ids of removed clips in ascending order.
     removed: &'data [U64],
     /// In ascending order of the ids of the clips, and of the voices.
@@ -199,8 +199,7 @@ impl<'data> Layer<'data> {
     /// Whether the layer may say something about the clip with this id; `false` if it surely does not.
     #[inline]
     pub fn may_have(&self, id: ClipId) -> bool {
-        let (word, bit) = lipz_layout::filter_place(id.get(), self.filter.len());
-        self.filter.get(word).map_or(true, |word| word.get() >> bit & 1 != 0)
+        may_have(self.filter, id)
     }
 
     /// Whether the layer removes the clip with this id from the banks below.
@@ -249,6 +248,13 @@ impl<'data> Layer<'data> {
     pub fn has_default_locale(&self) -> bool {
         self.has(LAYER_DEFAULT_LOCALE)
     }
+}
+
+/// Whether a filter lets an id through. An empty one lets all of them.
+#[inline]
+pub(super) fn may_have(filter: &[U64], id: ClipId) -> bool {
+    let (word, bit) = lipz_layout::filter_place(id.get(), filter.len());
+    filter.get(word).map_or(true, |word| word.get() >> bit & 1 != 0)
 }
 
 /// So many entries at the start of `bytes`, and what is behind them.
