@@ -72,6 +72,7 @@ pub(crate) fn command(arguments: &[OsString]) -> Option<ExitCode> {
 fn is_built(arguments: &[&str]) -> bool {
     let mut build = cargo::command();
     build.args(["build", "--release", "--quiet", "--package", "lipz-benches"]).args(arguments);
+    eprintln!("building the programs of lipz-benches: {}", arguments.join(" ").trim());
     build.current_dir(workspace_root()).status().is_ok_and(|status| status.success())
 }
 

@@ -260,7 +260,7 @@ fn a_new_project_packs() {
 fn a_project_of_recordings_begins_with_a_folder_for_them() {
     let scene = Scene::new();
     let begun = lipz(scene.path(), ["init", "game", "--audio", "takes"]);
-    assert!(begun.code == 0 && begun.stdout.contains("record a line there"), "{begun:?}");
+    assert!(begun.code == 0 && begun.stdout.contains("record a line as game/takes/KEY.wav"), "{begun:?}");
     let expected = [".gitignore", "lipz.toml", "takes", "voices"].map(|name| format!("game/{name}"));
     assert_eq!(tree(scene.path()), [vec!["game".to_owned()], expected.to_vec()].concat());
     let game = scene.path().join("game");

@@ -88,10 +88,10 @@ impl Run for Init {
         if self.quiet {
             return Ok(Outcome::Clean);
         }
+        let takes = self.audio.iter().map(|folder| console::path(&self.folder.join(folder))).next().unwrap_or_default();
+        let first_take = format!("record a line as {takes}/KEY.wav, and `lipz new KEY TEXT` makes its clip");
         let next = match is_new {
-            true if self.audio.is_some() => {
-                "record a line there, and `lipz new KEY TEXT` makes its clip: KEY is the name of the recording"
-            }
+            true if self.audio.is_some() => &first_take,
             true => "with a first clip in voices: `lipz pack` there packs it, `lipz new KEY TEXT` makes another one",
             false => "`lipz check` in its folder checks all Lipz files there and below",
         };

@@ -12,11 +12,15 @@ const AXE = new URL("node_modules/axe-core/axe.min.js", import.meta.url);
 /** What keeps people out; axe also knows what only bothers them. */
 const SERIOUS = ["serious", "critical"];
 
+/** All that breaks a rule. */
+async function violations(page) {
+  await page.value(await readFile(AXE, "utf8"));
+  return page.value("axe.run({ resultTypes: ['violations'] }).then(({ violations }) => violations)");
+}
+
 /** The serious findings: the rule, and the elements. */
 async function findings(page) {
-  await page.value(await readFile(AXE, "utf8"));
-  const violations = await page.value("axe.run({ resultTypes: ['violations'] }).then(({ violations }) => violations)");
-  const serious = violations.filter(({ impact }) => SERIOUS.includes(impact));
+  const serious = (await violations(page)).filter(({ impact }) => SERIOUS.includes(impact));
   return serious.flatMap(({ id, nodes }) => nodes.map(({ target, any }) => `${id}: ${target} ${any[0]?.message ?? ""}`));
 }
 
@@ -42,6 +46,11 @@ test("nothing keeps anybody out", { timeout: TIMEOUT_MS }, async (t) => {
       assert.deepEqual(await findings(page), [], `${width} px, ${scheme}`);
     }
   }
+  const phone = await browser.open(address, 375, 800);
+  await phone.until(READY);
+  await phone.click("#clips-button");
+  await phone.until('document.body.classList.contains("choosing")');
+  assert.deepEqual((await violations(phone)).map(({ id }) => id), [], "the list is open");
   const page = await browser.open(`${address}#clip=act2/wrong`);
   await page.until(READY);
   assert.deepEqual(await findings(page), [], "with diagnostics");

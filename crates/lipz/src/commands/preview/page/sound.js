@@ -30,7 +30,7 @@ export class Clock {
   /** Seconds since the start of the recording. */
   get time() {
     if (!this.playing) return this.#offset;
-    const time = this.#offset + (this.#now() - this.#startedAt) * this.#rate;
+    const time = this.#offset + Math.max(0, this.#now() - this.#latency - this.#startedAt) * this.#rate;
     const { start, end } = this.#loop ?? {};
     return this.#loop && this.#rate > 0 && time >= end ? start + ((time - start) % (end - start)) : Math.max(0, time);
   }
@@ -94,6 +94,11 @@ export class Clock {
     }
     this.#startedAt = this.#now();
     this.#rate = rate;
+  }
+
+  /** What the sound takes from here to the ear: as much as wireless headphones take is seen. */
+  get #latency() {
+    return (this.isAudio && this.#audio.outputLatency) || 0;
   }
 
   #now() {
