@@ -104,7 +104,7 @@ pub use bank_with_texts::BankWithTexts;
 pub use build::{Build, BuildError};
 #[cfg(feature = "cache")]
 pub use cache::Memory;
-pub use compile::{CompileError, Compiled, Compiler, Phases};
+pub use compile::{Checked, CompileError, Compiled, Compiler, Lint, Linted, Phases};
 pub use convert::Converted;
 pub use coverage::{Coverage, coverage, shortfalls};
 pub use decompile::Documents;

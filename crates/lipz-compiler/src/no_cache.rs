@@ -24,6 +24,7 @@ pub(crate) struct FileStamps {
     pub(crate) files: Vec<(u32, Name, Stamp)>,
     pub(crate) recalled: Vec<u32>,
     pub(crate) unread: usize,
+    pub(crate) marked: usize,
 }
 
 /// A file that was looked at, of which there is none.
@@ -40,9 +41,18 @@ impl FileStamps {
         self.files.extend(other.files);
         self.recalled.extend(other.recalled);
         self.unread += other.unread;
+        self.marked += other.marked;
     }
 
     pub(crate) fn sort(&mut self) {}
+}
+
+impl Stamp {
+    pub(crate) fn mark(&mut self, _is_marked: bool) {}
+
+    pub(crate) fn is_marked(self) -> bool {
+        false
+    }
 }
 
 impl CachedFile<'_> {

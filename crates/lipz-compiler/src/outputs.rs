@@ -140,17 +140,27 @@ impl Outputs {
         }
     }
 
-    /// Makes the bank with what `memory` has of the previous run, first of all that of the cache.
-    /// [`deliver`](Outputs::deliver) writes it.
+    /// Makes the bank with what `memory` has of the previous run, first of all that of the cache. If it is known which files
+    /// can have `changed` since then, no other is looked at, as by [`Compiler::compile_changed`]. A bank that is
+    /// not split is also written, if it is another one than before; [`deliver`](Outputs::deliver) writes the others.
     #[cfg(feature = "cache")]
-    pub fn compile_again(&self, compiler: &Compiler<'_>, inputs: &[Input], memory: &mut crate::Memory) -> Compiled {
-        if let (Some(cache), true) = (self.used_cache(), memory.is_empty()) {
-            match crate::Memory::read(cache, &self.bank) {
+    pub fn pack_again(
+        &self,
+        compiler: &Compiler<'_>,
+        inputs: &[Input],
+        changed: Option<&[usize]>,
+        memory: &mut crate::Memory,
+    ) -> Compiled {
+        if self.has_parts() {
+            return compiler.compile_changed(inputs, changed, memory);
+        }
+        if let (Some(cache), true) = (&self.cache, memory.is_empty()) {
+            match crate::Memory::read_beside(cache) {
                 Ok(read) => *memory = read,
                 Err(report) => return Compiled::refused(report),
             }
         }
-        compiler.compile_again(inputs, memory)
+        compiler.pack_changed(inputs, changed, &self.bank, memory)
     }
 
     /// Writes what is remembered into the cache, if there is one.
@@ -218,7 +228,8 @@ impl Outputs {
         Ok(Delivered { files, stale })
     }
 
-    /// The file that [`pack`](Outputs::pack) has written already; `None` if the bank is split.
+    /// The file that [`pack`](Outputs::pack) or [`pack_again`](Outputs::pack_again) has written already; `None` if the bank
+    /// is split.
     pub fn packed(&self, bank: &[u8], is_unchanged: bool) -> Option<Delivered> {
         let file = OutputFile { is_new: !is_unchanged, ..OutputFile::new(&self.bank, bank) };
         (!self.has_parts()).then(|| file.into())
@@ -252,7 +263,7 @@ fn stale(path: &Path, extension: &str, written: &[OutputFile]) -> Vec<PathBuf> {
 }
 
 /// Whether the file has these bytes.
-fn has(path: &Path, bytes: &[u8]) -> bool {
+pub(crate) fn has(path: &Path, bytes: &[u8]) -> bool {
     let is_as_long = path.metadata().is_ok_and(|found| found.is_file() && found.len() == bytes.len() as u64);
     is_as_long && fs::read(path).is_ok_and(|found| found == bytes)
 }

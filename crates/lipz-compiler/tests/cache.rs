@@ -4,14 +4,15 @@
 
 mod support;
 
-use lipz_compiler::{Compiled, Compiler, Input, Memory, Options, discover};
-use lipz_diagnostics::{Code, Levels};
+use lipz_compiler::{Compiled, Compiler, Input, Linted, Memory, Options, Outputs, discover};
+use lipz_diagnostics::{Code, Levels, Report};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 use std::cell::RefCell;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, SystemTime};
 
 /// How long a file has to be left alone before its look alone proves that it did not change.
@@ -23,6 +24,14 @@ struct Scene {
     options: Options,
     has_other_root: bool,
     memory: RefCell<Memory>,
+    told: RefCell<Told>,
+}
+
+/// A memory that is told which files changed, and what they were when it packed last.
+#[derive(Default)]
+struct Told {
+    memory: Memory,
+    files: Vec<(String, String, Vec<u8>)>,
 }
 
 impl Scene {
@@ -32,6 +41,7 @@ impl Scene {
             options: Options::default(),
             has_other_root: false,
             memory: RefCell::default(),
+            told: RefCell::default(),
         };
         fs::create_dir_all(scene.path("voices/act1")).unwrap();
         scene
@@ -74,13 +84,40 @@ impl Scene {
         Compiler::new(self.options.clone()).compile_again(&self.inputs(), &mut self.memory.borrow_mut())
     }
 
-    /// Packs with the cache and with a memory, and compares everything with a run without them.
+    fn told_bank(&self) -> PathBuf {
+        self.path("out/told.lipzbank")
+    }
+
+    /// Packs with a memory that is told exactly which files changed, unless there are others.
+    fn pack_told(&self) -> Compiled {
+        let (inputs, mut told) = (self.inputs(), self.told.borrow_mut());
+        let file = |input: &Input| (input.key.clone(), input.name(), fs::read(input.name()).unwrap());
+        let files: Vec<_> = inputs.iter().map(file).collect();
+        let names = |files: &[(String, String, Vec<u8>)]| -> Vec<_> {
+            files.iter().map(|(key, name, _)| (key.clone(), name.clone())).collect()
+        };
+        let changed: Option<Vec<usize>> = (names(&files) == names(&told.files))
+            .then(|| (0..files.len()).filter(|at| files[*at].2 != told.files[*at].2).collect());
+        let (outputs, compiler) = (Outputs::new(self.told_bank()), Compiler::new(self.options.clone()));
+        let packed = outputs.pack_again(&compiler, &inputs, changed.as_deref(), &mut told.memory);
+        if let Some(bank) = &packed.bank {
+            assert!(fs::read(self.told_bank()).unwrap() == *bank, "another bank was written");
+            told.memory.reuse(bank.clone());
+            told.files = files;
+        }
+        packed
+    }
+
+    /// Packs with the cache and with memories, and compares everything with a run without them.
     fn pack(&self) -> Compiled {
         let with_cache = self.pack_unchecked();
         let with_memory = self.remember();
+        let told = self.pack_told();
         let without = Compiler::new(self.options.clone()).compile(&self.inputs());
         assert_eq!(with_memory.reports, without.reports);
         assert!(with_memory.bank == without.bank, "the bank of the memory differs");
+        assert_eq!(told.reports, without.reports);
+        assert!(told.bank == without.bank, "the bank of the memory that is told what changed differs");
         assert_eq!(with_cache.reports, without.reports);
         assert!(with_cache.bank == without.bank, "the banks differ");
         if let Some(bank) = &without.bank {
@@ -211,6 +248,45 @@ fn errors_leave_the_memory() {
 }
 
 #[test]
+fn what_is_told_is_looked_at_and_nothing_else() {
+    let scene = Scene::new();
+    let write = |name: &str, text: &str| {
+        let clip = format!(r#"{{"visemes":"A-","viseme_type":"blair","fps":24,"text_en-us":"{text}"}}"#);
+        fs::write(scene.path(&format!("voices/{name}.lipz")), clip).unwrap();
+    };
+    ["a", "b", "c"].iter().for_each(|name| write(name, &format!("This is {name}.")));
+    fs::write(scene.path("voices/doubtful.lipz"), "{}").unwrap();
+    let (inputs, outputs) = (scene.inputs(), Outputs::new(scene.bank()));
+    let (mut memory, compiler) = (Memory::default(), Compiler::default());
+    let mut pack = |changed: Option<&[usize]>| {
+        let packed = outputs.pack_again(&compiler, &inputs, changed, &mut memory);
+        let text = |key: &str| {
+            let bank = packed.bank.as_ref()?;
+            let bank = lipz_bank::Bank::open(bank).unwrap();
+            let segment = bank.clip_by_key(key)?.segment(0)?;
+            Some(segment.text(bank.locale("en-us")?)?.to_string())
+        };
+        ((text("a"), text("b")), packed.recalled, packed.reports.len(), packed.is_unchanged)
+    };
+    let is = |text: &str| Some(text.to_owned());
+    let first = (is("This is a."), is("This is b."));
+    assert_eq!(pack(Some(&[0])), (first.clone(), 0, 1, false), "nothing is remembered yet: all are read");
+    write("a", "This is another.");
+    write("b", "So is this.");
+    assert_eq!(pack(Some(&[])), (first, 3, 1, true));
+    let second = (is("This is another."), is("This is b."));
+    assert_eq!(pack(Some(&[0])), (second, 2, 1, false), "nobody said anything of b");
+    let third = (is("This is another."), is("So is this."));
+    assert_eq!(pack(Some(&[1, 2])), (third.clone(), 2, 1, false));
+    write("a", "Is it?");
+    assert_eq!(pack(None).0, (is("Is it?"), is("So is this.")));
+    fs::write(scene.path("voices/a.lipz"), "{").unwrap();
+    assert_eq!(pack(Some(&[0])).0, (None, None));
+    write("a", "This is another.");
+    assert_eq!(pack(Some(&[0])).0, third);
+}
+
+#[test]
 fn memory_and_cache_go_over_into_each_other() {
     let scene = Scene::drama();
     let count = scene.inputs().len();
@@ -227,6 +303,56 @@ fn memory_and_cache_go_over_into_each_other() {
     for path in [scene.path("voices"), scene.bank()] {
         assert!(Memory::read(&path, &scene.bank()).is_err() && scene.memory.borrow().write(&path).is_err(), "{path:?}");
     }
+}
+
+#[test]
+fn what_was_checked_is_not_read_again() {
+    let scene = Scene::drama();
+    let (doubtful, cache) = (scene.path("voices/doubtful.lipz"), scene.path("check.cache"));
+    fs::write(&doubtful, "{}").unwrap();
+    let count = scene.inputs().len();
+    let check = |options: &Options, beside: &[u8]| {
+        let read = AtomicUsize::new(0);
+        // Finds fault with one file, and counts those with a text in English.
+        let lint = |input: &Input, bytes: &[u8]| {
+            read.fetch_add(1, Ordering::Relaxed);
+            let is_wrong = input.key == "wrong";
+            let report = is_wrong.then(|| Report::failure(input.name(), Code::KeyClash, "wrong", "mend it"));
+            Linted::new(report, bytes.windows(10).any(|part| part == b"text_en-us"))
+        };
+        let (inputs, compiler) = (scene.inputs(), Compiler::new(options.clone()));
+        let checked = compiler.check_cached(&inputs, &lint, &cache, beside);
+        let read = read.swap(0, Ordering::Relaxed);
+        let without = compiler.check_with(&inputs, &lint);
+        assert_eq!(checked.compiled.reports, without.compiled.reports);
+        assert_eq!((checked.linted, checked.marked), (without.linted, without.marked));
+        assert!(checked.compiled.bank.is_none() && checked.marked > 0);
+        read
+    };
+    let plain = Options::default();
+    assert_eq!([check(&plain, b""), check(&plain, b"")].map(|read| read >= count), [true, false]);
+    let doubtful_count = check(&plain, b"");
+    assert!((1..count / 2).contains(&doubtful_count), "only files with diagnostics are read: {doubtful_count}");
+    assert_eq!(check(&plain, b"another record"), count);
+    assert_eq!(check(&plain, b"another record"), doubtful_count);
+    fs::write(scene.path("voices/wrong.lipz"), r#"{"visemes":"A-","viseme_type":"blair","fps":24}"#).unwrap();
+    assert_eq!(check(&plain, b"another record"), doubtful_count + 1);
+    assert_eq!(check(&plain, b"another record"), doubtful_count + 1, "something is said about it each time");
+    assert_eq!(check(&options(4), b"another record"), count + 1, "at other levels");
+    fs::remove_file(&doubtful).unwrap();
+    let bytes = fs::read(&cache).unwrap();
+    for at in (0..bytes.len()).step_by(7) {
+        flip(&cache, at);
+        let compiled = Compiler::new(options(4)).check_cached(&scene.inputs(), &|_, _| Linted::default(), &cache, b"");
+        match at {
+            0..16 => assert_eq!(compiled.compiled.reports[0].diagnostics[0].code, Code::OutputFailed),
+            _ => assert_eq!(compiled.compiled.reports, []),
+        }
+        fs::write(&cache, &bytes).unwrap();
+    }
+    scene.pack();
+    let other = Compiler::default().check_cached(&scene.inputs(), &|_, _| Linted::default(), &scene.cache(), b"");
+    assert!(other.compiled.reports[0].to_string().contains("is the cache of a bank"), "{:?}", other.compiled.reports);
 }
 
 #[test]
@@ -335,7 +461,7 @@ impl Scene {
                 let _ = fs::rename(file(*b), file(*a));
                 fs::rename(self.path("aside"), file(*b)).unwrap();
             }
-            Edit::DamageBank(at) => flip(&self.bank(), *at),
+            Edit::DamageBank(at) => [self.bank(), self.told_bank()].iter().for_each(|bank| flip(bank, *at)),
             // Not where it says that it is a cache.
             Edit::DamageCache(at) => flip(&self.cache(), 16 + at % (fs::read(self.cache()).unwrap().len() - 16)),
             Edit::Options(number) => self.options = options(*number),

@@ -163,6 +163,61 @@ fn the_bank_follows_the_files() {
     watch.until_packed("a removed file", "voices");
 }
 
+/// Whatever happens to files and folders, in one step or in several, the bank is that of a pack.
+#[test]
+fn the_bank_follows_everything() {
+    let scene = Scene::new();
+    let mut seed = 7_u64;
+    let mut next = |below: usize| {
+        seed = seed.wrapping_mul(0x5851_F42D_4C95_7F2D).wrapping_add(0x1405_7B7E_F767_814F);
+        (seed >> 33) as usize % below
+    };
+    let clip = |take: usize, text: &str| {
+        let (mouth, event) =
+            ("MA-E".repeat(1 + take % 5), ["", "|otto feels sad"][usize::from(take.is_multiple_of(7))]);
+        let events = if event.is_empty() { String::new() } else { format!(r#", "events": "{event}""#) };
+        format!(
+            r#"{{ "fps": 24, "viseme_type": "blair", "visemes": "{mouth}|A", "text_en-us": "{text}|Aye.", "text_de-de": "{text}!|Ja."{events} }}"#
+        )
+    };
+    let settings = |strips: bool| {
+        format!("sources = [\"voices\"]\noutput = \"{BANK}\"\ndefault-locale = \"en-us\"\nstrip = {strips}\n")
+    };
+    scene.write("lipz.toml", settings(false));
+    (0..24).for_each(|number| {
+        scene.write(&format!("voices/act{}/{number}.lipz", number % 3), clip(number, &format!("Line {number}.")));
+    });
+    let at = |name: String| scene.path().join("voices").join(name);
+    let watch = Watch::started(&scene, &[]);
+    for step in 0..40 {
+        for _ in 0..1 + next(2) {
+            let (number, take) = (next(24), next(1000));
+            let act = format!("act{}", number % 3);
+            let file = at(format!("{act}/{number}.lipz"));
+            let text = format!("Take {take}.");
+            let kind = next(12);
+            println!("step {step}: {kind} of {act}/{number}, take {take}"); // shown if the test fails
+            match kind {
+                // Most often, somebody writes.
+                0..=3 if file.is_file() => fs::write(&file, clip(take, &text)).unwrap(),
+                4 if file.is_file() => {
+                    fs::write(at("draft.tmp".to_owned()), clip(take, &text)).unwrap();
+                    fs::rename(at("draft.tmp".to_owned()), &file).unwrap();
+                }
+                5 if file.is_file() => fs::write(&file, format!(" {}", fs::read_to_string(&file).unwrap())).unwrap(),
+                6 if file.is_file() => fs::write(&file, clip(take, "Line 1.")).unwrap(),
+                7 if file.is_file() => fs::remove_file(&file).unwrap(),
+                8 if file.is_file() => fs::rename(&file, file.with_file_name(format!("{take}-{number}.lipz"))).unwrap(),
+                9 if at(act.clone()).is_dir() => fs::rename(at(act), at(format!("scene{step}-{take}"))).unwrap(),
+                10 => scene.write("lipz.toml", settings(take.is_multiple_of(2))),
+                _ => scene.write(&format!("voices/{act}/{number}.lipz"), clip(take, &text)),
+            }
+        }
+        watch.until_packed_with(&format!("step {step}"), &[]);
+    }
+    assert!(watch.count("packed into") > 20, "{}", watch.stdout());
+}
+
 #[test]
 fn dubs_follow_their_files() {
     let scene = Scene::new();

@@ -1,6 +1,6 @@
 //! The file that a user names for a cache: read, and replaced only if it is one.
 
-use super::stamps::{MAGIC, Stamps};
+use super::stamps::{CHECK_MAGIC, MAGIC, Magic, Stamps};
 use crate::discover::display;
 use crate::replace_file;
 use lipz_diagnostics::{Code, Report, escape};
@@ -12,30 +12,30 @@ use std::path::Path;
 ///
 /// # Errors
 /// If `path` is something else, which must not be replaced.
-pub(super) fn read(path: &Path) -> Result<Option<Stamps>, Report> {
-    Ok(Stamps::decode(&bytes(path)?))
+pub(super) fn read(path: &Path, magic: Magic) -> Result<Option<Stamps>, Report> {
+    Ok(Stamps::decode(magic, &bytes(path, magic)?))
 }
 
 /// Replaces the cache at `path`.
 ///
 /// # Errors
 /// If it cannot be written, or `path` is something else.
-pub(super) fn write(path: &Path, stamps: &Stamps) -> Result<(), Report> {
-    bytes(path)?;
-    match stamps.encode() {
+pub(super) fn write(path: &Path, magic: Magic, stamps: &Stamps) -> Result<(), Report> {
+    bytes(path, magic)?;
+    match stamps.encode(magic) {
         Some(bytes) => replace_file(path, &bytes),
         None => Ok(()),
     }
 }
 
 /// The bytes of the cache at `path`; empty if there is none.
-fn bytes(path: &Path) -> Result<Vec<u8>, Report> {
+fn bytes(path: &Path, magic: Magic) -> Result<Vec<u8>, Report> {
     let mut bytes = Vec::new();
     let is_cache = match path.metadata() {
         Ok(metadata) if !metadata.is_file() => Ok(false),
         Ok(_) => File::open(path).and_then(|mut file| {
-            file.by_ref().take(MAGIC.len() as u64).read_to_end(&mut bytes)?;
-            let is_cache = bytes.is_empty() || bytes == MAGIC;
+            file.by_ref().take(magic.len() as u64).read_to_end(&mut bytes)?;
+            let is_cache = bytes.is_empty() || bytes == magic;
             if is_cache {
                 file.read_to_end(&mut bytes)?;
             }
@@ -46,6 +46,8 @@ fn bytes(path: &Path) -> Result<Vec<u8>, Report> {
     };
     let why = match is_cache {
         Ok(true) => return Ok(bytes),
+        Ok(false) if bytes == MAGIC => "is the cache of a bank, and is left alone".to_owned(),
+        Ok(false) if bytes == CHECK_MAGIC => "is a cache of `lipz check`, and is left alone".to_owned(),
         Ok(false) => "is not a cache of lipz, and is left alone".to_owned(),
         Err(error) => format!("cannot be read: {error}"),
     };

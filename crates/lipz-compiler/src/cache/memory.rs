@@ -1,8 +1,12 @@
 //! What a program that packs again and again remembers from one run to the next.
 
+use super::few::Known;
 use super::old_bank::OldBank;
-use super::{Origin, PreviousRun, again, file};
+use super::recall::checksum_of;
+use super::stamps::{MAGIC, Stamps};
+use super::{Done, Origin, PreviousRun, Task, again, file};
 use crate::compile::verify;
+use crate::outputs::has;
 use crate::{Compiled, Compiler, Input};
 use lipz_diagnostics::Report;
 use std::path::Path;
@@ -26,7 +30,20 @@ use std::sync::Arc;
 /// # Ok::<(), std::io::Error>(())
 /// ```
 #[derive(Clone, Default)]
-pub struct Memory(Option<PreviousRun>);
+pub struct Memory {
+    before: Option<Remembered>,
+    /// Room for the next bank: the system takes longer to give it than it takes to copy a bank.
+    room: Vec<u8>,
+}
+
+/// A run that is remembered.
+#[derive(Clone)]
+struct Remembered {
+    stamps: Arc<Stamps>,
+    known: Option<Arc<Known>>,
+    /// Its bank; `None` if that is in the file into which it was written.
+    bank: Option<Arc<Vec<u8>>>,
+}
 
 impl Memory {
     /// What [`pack_cached`](Compiler::pack_cached) left in the file `cache` about the bank at `path`. Nothing, if either
@@ -36,11 +53,19 @@ impl Memory {
     /// If there is something else than a cache at `cache`, or it cannot be read.
     pub fn read(cache: &Path, path: &Path) -> Result<Memory, Report> {
         let before = PreviousRun::read(cache, path)?;
-        Ok(Memory(before.and_then(|PreviousRun { stamps, bank }| {
+        let remembered = before.and_then(|PreviousRun { stamps, bank, .. }| {
             // The file may change before the next run; memory does not.
-            let bank = OldBank::Whole(bank.into_whole()?.into());
-            Some(PreviousRun { stamps, bank })
-        })))
+            let bank = bank.into_whole()?;
+            Some(Remembered { stamps, known: None, bank: Some(bank.into()) })
+        });
+        Ok(Memory { before: remembered, room: Vec::new() })
+    }
+
+    /// The same for runs that write the bank into this file, where it can stay.
+    pub(crate) fn read_beside(cache: &Path) -> Result<Memory, Report> {
+        let stamps = file::read(cache, MAGIC)?;
+        let remembered = stamps.map(|stamps| Remembered { stamps: stamps.into(), known: None, bank: None });
+        Ok(Memory { before: remembered, room: Vec::new() })
     }
 
     /// Writes it into the file `cache`, for a later [`Memory::read`] or [`pack_cached`](Compiler::pack_cached). The bank
@@ -49,12 +74,46 @@ impl Memory {
     /// # Errors
     /// If there is something else than a cache at `cache`, or it cannot be written.
     pub fn write(&self, cache: &Path) -> Result<(), Report> {
-        self.0.as_ref().map_or(Ok(()), |before| file::write(cache, &before.stamps))
+        self.before.as_ref().map_or(Ok(()), |before| file::write(cache, MAGIC, &before.stamps))
     }
 
     /// Whether nothing is remembered.
     pub fn is_empty(&self) -> bool {
-        self.0.is_none()
+        self.before.is_none()
+    }
+
+    /// Takes back the bank of the last run, which is no longer needed: the next one is made where it was.
+    pub fn reuse(&mut self, bank: Vec<u8>) {
+        // Who has the bank in memory needs no more than one other, which is handed out.
+        if self.before.as_ref().is_some_and(|before| before.bank.is_none()) {
+            self.room = bank;
+        }
+    }
+
+    /// The run before, whose bank may be in the file at `path`.
+    fn previous(&self, path: Option<&Path>) -> Option<PreviousRun> {
+        let Remembered { stamps, known, bank } = self.before.clone()?;
+        let bank = match (bank, path) {
+            (Some(whole), _) => OldBank::Whole(whole),
+            (None, path) => OldBank::open(path?, stamps.bank_checksum)?,
+        };
+        Some(PreviousRun { stamps, bank, known })
+    }
+
+    /// Remembers a run that has made a bank; what it has no new stamps for has those of the run before. `bank` is
+    /// `None` if it is in a file.
+    fn remember(&mut self, done: (Option<Stamps>, Option<Known>), bank: Option<Arc<Vec<u8>>>) {
+        let (stamps, known) = done;
+        let known = known.map(Arc::new);
+        match (stamps, self.before.as_mut()) {
+            (Some(stamps), _) => self.before = Some(Remembered { stamps: stamps.into(), known, bank }),
+            (None, Some(before)) => {
+                before.known = known;
+                // Of the same bank.
+                before.bank = before.bank.take().and(bank);
+            }
+            (None, None) => {}
+        }
     }
 }
 
@@ -62,14 +121,61 @@ impl Compiler<'_> {
     /// Does what [`compile`](Compiler::compile) does with what `memory` has of the previous run, and remembers
     /// this one. A run without a bank leaves the memory as it is.
     pub fn compile_again(&self, inputs: &[Input], memory: &mut Memory) -> Compiled {
+        self.compile_changed(inputs, None, memory)
+    }
+
+    /// The same for a program that knows which files can have `changed` since the run that `memory` remembers, by their
+    /// numbers among `inputs`, which have to be those of that run: no other file is looked at. If it does not know,
+    /// or `memory` has nothing of these inputs, all are.
+    pub fn compile_changed(&self, inputs: &[Input], changed: Option<&[usize]>, memory: &mut Memory) -> Compiled {
         // The old bank was verified when it was made.
         let finish = |bank: &[u8], origin| if origin == Origin::New { verify(bank) } else { Ok(()) };
         self.run(|options| {
-            let (compiled, stamps) = again(inputs, options, memory.0.clone(), &self.progress, finish);
-            if let (Some(bank), Some(stamps)) = (&compiled.bank, stamps) {
-                memory.0 = Some(PreviousRun { stamps: stamps.into(), bank: OldBank::Whole(Arc::new(bank.clone())) });
+            let task = Task { inputs, options, progress: &self.progress, changed };
+            let Done { compiled, stamps, known } = again(&task, memory.previous(None), Vec::new(), finish);
+            if let Some(bank) = &compiled.bank {
+                let old = memory.before.as_ref().and_then(|before| before.bank.clone());
+                let bank = old.filter(|_| stamps.is_none()).unwrap_or_else(|| Arc::new(bank.clone()));
+                memory.remember((stamps, known), Some(bank));
             }
             compiled
         })
+    }
+
+    /// The same for a program that has the bank in the file at `path` and nowhere else. It is written if it is another one than
+    /// the file has.
+    pub(crate) fn pack_changed(
+        &self,
+        inputs: &[Input],
+        changed: Option<&[usize]>,
+        path: &Path,
+        memory: &mut Memory,
+    ) -> Compiled {
+        let old_checksum = memory.before.as_ref().map(|before| before.stamps.bank_checksum);
+        let is_in_file = memory.before.as_ref().is_some_and(|before| before.bank.is_none());
+        let mut is_written = false;
+        let finish = |bank: &[u8], origin: Origin| {
+            // Nothing is compared with a file that is sure to be another one.
+            let may_be_there = old_checksum.is_none_or(|old| Some(old) == checksum_of(bank));
+            if origin == Origin::Unchanged && is_in_file || may_be_there && has(path, bank) {
+                return Ok(());
+            }
+            is_written = true;
+            match origin {
+                Origin::Patched => self.write_if(path, bank, || Ok(())),
+                _ => self.write_verified(path, bank),
+            }
+        };
+        let mut compiled = self.run(|options| {
+            let task = Task { inputs, options, progress: &self.progress, changed };
+            let room = std::mem::take(&mut memory.room);
+            let Done { compiled, stamps, known } = again(&task, memory.previous(Some(path)), room, finish);
+            if compiled.bank.is_some() {
+                memory.remember((stamps, known), None);
+            }
+            compiled
+        });
+        compiled.is_unchanged = compiled.bank.is_some() && !is_written;
+        compiled
     }
 }

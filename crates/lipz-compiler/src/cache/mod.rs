@@ -7,6 +7,8 @@
 
 #[cfg(feature = "shards")]
 mod all;
+mod check;
+mod few;
 mod file;
 mod file_meta;
 mod look;
@@ -26,11 +28,12 @@ pub(crate) use stamps::{Name, Stamp};
 use crate::compile::{Progress, Run, Texts};
 use crate::discover::display;
 use crate::{Compiled, Compiler, Content, Input, Options};
+use few::Known;
 use file_meta::FileMeta;
 use lipz_diagnostics::Report;
 use old_bank::OldBank;
 use recall::Recall;
-use stamps::{Lookup, Stamps, hash};
+use stamps::{Lookup, MAGIC, Stamps, hash};
 use std::fs::File;
 use std::io;
 use std::path::Path;
@@ -75,9 +78,10 @@ impl Compiler<'_> {
                 Err(report) => return Compiled::refused(report),
             };
             let reading = start.elapsed();
-            let (mut compiled, stamps) = again(inputs, options, before, &self.progress, finish);
+            let task = Task { inputs, options, progress: &self.progress, changed: None };
+            let Done { mut compiled, stamps, .. } = again(&task, before, Vec::new(), finish);
             let start = Instant::now();
-            let written = stamps.and_then(|stamps| self.guarded(|| file::write(cache, &stamps)));
+            let written = stamps.and_then(|stamps| self.guarded(|| file::write(cache, MAGIC, &stamps)));
             if let Some(Err(mut report)) = written {
                 let note = format!("the bank is written: `{}` is that of these files", display(path));
                 report.diagnostics.iter_mut().for_each(|diagnostic| diagnostic.notes.push(note.clone()));
@@ -101,76 +105,153 @@ enum Origin {
     New,
 }
 
-/// Makes a bank of `inputs` with what is still true of the run `before`. `finish` is handed the bank, and where
+/// What a run is to make a bank of.
+struct Task<'t> {
+    inputs: &'t [Input],
+    options: &'t Options,
+    progress: &'t Progress<'t>,
+    /// Numbers of the inputs whose files can have changed since the run before, if that is known: no other file is looked
+    /// at.
+    changed: Option<&'t [usize]>,
+}
+
+/// What a run has made.
+struct Done {
+    compiled: Compiled,
+    /// With a bank come the stamps of its files, unless they are all as they were.
+    stamps: Option<Stamps>,
+    /// What a run has to know that looks only at what changed since.
+    known: Option<Known>,
+}
+
+/// Makes a bank of the inputs with what is still true of the run `before`, in `room`. `finish` is handed the bank, and where
 /// it comes from; without its consent there is none.
-///
-/// With a bank come the stamps of its files, unless they are all as they were.
 fn again(
-    inputs: &[Input],
-    options: &Options,
+    task: &Task<'_>,
     before: Option<PreviousRun>,
-    progress: &Progress<'_>,
+    room: Vec<u8>,
     finish: impl FnOnce(&[u8], Origin) -> Result<(), Report> + Send,
-) -> (Compiled, Option<Stamps>) {
-    let start = Instant::now();
+) -> Done {
+    let (inputs, options) = (task.inputs, task.options);
     let before = before.filter(|before| before.stamps.are_of(options));
-    let (stamps, old) = before.map(|before| (before.stamps, before.bank)).unzip();
-    let cache = Cache::new(stamps.as_deref(), old.as_ref());
-    let recalling = start.elapsed();
-    let mut run = Run::read(inputs, options, Some(&cache), progress);
-    run.phases.cache = recalling;
-    let found = run.stamped.recalled.len();
-    let cache_clip_count = cache.clip_count();
-    let is_unchanged = found == inputs.len() && cache_clip_count == Some(found);
-    let are_stamps_unchanged = is_unchanged && run.stamped.unread == found && cache.stamp_count() == found;
-    drop(cache);
-    drop(stamps);
-    if is_unchanged && !run.has_errors() {
+    let mut looked = Looked::at(task, before.as_ref());
+    let old = before.map(|before| before.bank);
+    if looked.run.has_errors() {
+        return looked.run.compare_dubs(inputs, options).done(task, |run, _| run.finish(None));
+    }
+    if looked.is_unchanged {
+        drop(room);
         // Nothing is copied, least of all to be thrown away.
         if let Some(bank) = old.and_then(OldBank::into_whole) {
-            let files = std::mem::take(&mut run.stamped.files);
-            let compiled = match run
-                .expect(&Texts::of_old(&bank, options), options)
-                .and_then(|()| finish(&bank, Origin::Unchanged))
-            {
-                Ok(()) => Compiled { is_unchanged, ..run.finish(Some(bank)) },
-                Err(report) => run.fail(report),
-            };
-            let stamps = (!are_stamps_unchanged).then(|| Stamps::of(&compiled, options, files));
-            return (compiled, stamps.flatten());
+            return looked.unchanged(task, bank, finish);
         }
-        run = Run::read(inputs, options, Some(&Cache::new(None, None)), &|_| ());
-    } else if !run.has_errors() {
+        looked.run = read_all(task);
+    } else {
         let start = Instant::now();
         // Before it is recalled from, and only then: a bank that stays is read once.
-        let recall = old.as_ref().filter(|old| found > 0 && old.is_proven()).and_then(Recall::new);
-        let has_same_keys = cache_clip_count == Some(inputs.len()) && found + run.clip_count() == inputs.len();
+        let recall = old.as_ref().filter(|old| looked.found > 0 && old.is_proven()).and_then(Recall::new);
         // What is said about dubs is about all clips, not about those that have changed.
-        let recall_few = recall.as_ref().filter(|_| has_same_keys && options.voices.patterns.is_empty());
-        if let Some(bank) = recall_few.and_then(|recall| patch::patched(recall, &run.changed_clips())) {
-            run.phases.lower = start.elapsed();
-            let files = std::mem::take(&mut run.stamped.files);
-            let compiled = run.conclude(Ok(bank), options, |bank| finish(bank, Origin::Patched));
-            let stamps = Stamps::of(&compiled, options, files);
-            return (compiled, stamps);
+        let recall_few = recall.as_ref().filter(|_| looked.has_same_keys && options.voices.patterns.is_empty());
+        let changed = looked.run.changed_clips();
+        if let Some(bank) = recall_few.and_then(|recall| patch::patched(recall, &changed, room)) {
+            drop(changed);
+            looked.run.phases.lower = start.elapsed();
+            let finish = |bank: &[u8]| finish(bank, Origin::Patched);
+            return looked.run.done(task, |run, options| run.conclude(Ok(bank), options, finish));
         }
+        drop(changed);
         let clips = match &recall {
-            Some(recall) => sweep::recalled(recall, inputs, &run.stamped.recalled, options.threads),
-            None => (found == 0).then(Vec::new),
+            Some(recall) => sweep::recalled(recall, inputs, &looked.run.stamped.recalled, options.threads),
+            None => (looked.found == 0).then(Vec::new),
         };
         match clips {
-            Some(clips) => run.add(clips, start.elapsed()),
+            Some(clips) => looked.run.add(clips, start.elapsed()),
             // The old bank is damaged, or somebody has written to it meanwhile.
-            None => run = Run::read(inputs, options, Some(&Cache::new(None, None)), &|_| ()),
+            None => looked.run = read_all(task),
         }
         // The old bank is given back before the new one is made.
         drop(old);
     }
-    run = run.compare_dubs(inputs, options);
-    let files = std::mem::take(&mut run.stamped.files);
-    let compiled = run.make(inputs, options, |bank| finish(bank, Origin::New));
-    let stamps = Stamps::of(&compiled, options, files);
-    (compiled, stamps)
+    let run = looked.run.compare_dubs(inputs, options);
+    run.done(task, |run, options| run.make(inputs, options, |bank| finish(bank, Origin::New)))
+}
+
+/// A run that reads all files, and stamps them.
+fn read_all(task: &Task<'_>) -> Run {
+    Run::read(task.inputs, task.options, Some(&Cache::new(None, None)), &|_| ())
+}
+
+/// A run that has looked at files, and what follows for the old bank.
+struct Looked {
+    run: Run,
+    /// Number of the clips that are in it.
+    found: usize,
+    /// Whether it is that of all the files.
+    is_unchanged: bool,
+    /// Whether there is nothing new in the stamps either.
+    are_stamps_unchanged: bool,
+    /// Whether it has the same keys.
+    has_same_keys: bool,
+}
+
+impl Looked {
+    /// Looks at the files that can have changed since the run `before`.
+    fn at(task: &Task<'_>, before: Option<&PreviousRun>) -> Looked {
+        let start = Instant::now();
+        let Task { inputs, options, progress, changed } = task;
+        let clip_count = before.and_then(|before| before.bank.clip_count());
+        let few = before.zip(*changed).and_then(|(before, changed)| Some((before, before.few(inputs, changed)?)));
+        let run = match few {
+            Some((before, few)) => few.read(task, before),
+            None => {
+                let cache = Cache::new(before.map(|before| &*before.stamps), before.map(|before| &before.bank));
+                let recalling = start.elapsed();
+                let mut run = Run::read(inputs, options, Some(&cache), progress);
+                run.phases.cache = recalling;
+                run
+            }
+        };
+        let found = run.stamped.recalled.len();
+        let stamp_count = before.map_or(0, |before| before.stamps.count());
+        let is_unchanged = found == inputs.len() && clip_count == Some(found);
+        Looked {
+            found,
+            is_unchanged,
+            are_stamps_unchanged: is_unchanged && run.stamped.unread == found && stamp_count == found,
+            has_same_keys: clip_count == Some(inputs.len()) && found + run.clip_count() == inputs.len(),
+            run,
+        }
+    }
+
+    /// Ends the run with the old bank.
+    fn unchanged(
+        self,
+        task: &Task<'_>,
+        bank: Vec<u8>,
+        finish: impl FnOnce(&[u8], Origin) -> Result<(), Report>,
+    ) -> Done {
+        let mut done = self.run.done(task, |mut run, options| {
+            let accepted = run.expect(&Texts::of_old(&bank, options), options);
+            match accepted.and_then(|()| finish(&bank, Origin::Unchanged)) {
+                Ok(()) => Compiled { is_unchanged: true, ..run.finish(Some(bank)) },
+                Err(report) => run.fail(report),
+            }
+        });
+        done.stamps = done.stamps.filter(|_| !self.are_stamps_unchanged);
+        done
+    }
+}
+
+impl Run {
+    /// Ends the run, and keeps what the next one has to know.
+    fn done(mut self, task: &Task<'_>, end: impl FnOnce(Run, &Options) -> Compiled) -> Done {
+        let files = std::mem::take(&mut self.stamped.files);
+        let known = self.are_keys_fine.then(|| Known::new(&files, task.inputs.len()));
+        let compiled = end(self, task.options);
+        let stamps = Stamps::of(&compiled, task.options, files);
+        let known = known.filter(|_| compiled.bank.is_some());
+        Done { compiled, stamps, known }
+    }
 }
 
 /// Gives the file at `path` the current time, for build tools that compare it with those of the sources.
@@ -183,6 +264,8 @@ fn touch(path: &Path) -> io::Result<()> {
 struct PreviousRun {
     stamps: Arc<Stamps>,
     bank: OldBank,
+    /// What is known of its inputs, if it was in this process.
+    known: Option<Arc<Known>>,
 }
 
 impl PreviousRun {
@@ -191,16 +274,16 @@ impl PreviousRun {
     /// # Errors
     /// If there is something else than a cache at `cache`.
     fn read(cache: &Path, path: &Path) -> Result<Option<PreviousRun>, Report> {
-        let Some(stamps) = file::read(cache)? else { return Ok(None) };
+        let Some(stamps) = file::read(cache, MAGIC)? else { return Ok(None) };
         let bank = OldBank::open(path, stamps.bank_checksum);
-        Ok(bank.map(|bank| PreviousRun { stamps: stamps.into(), bank }))
+        Ok(bank.map(|bank| PreviousRun { stamps: stamps.into(), bank, known: None }))
     }
 }
 
 /// What a run asks for the clips of files that did not change.
 pub(crate) struct Cache<'s> {
-    /// The stamps of the run before, and how many clips its bank has.
-    before: Option<(Lookup<'s>, usize)>,
+    /// The stamps of the run before, if its bank is there.
+    before: Option<Lookup<'s>>,
     start: SystemTime,
 }
 
@@ -213,6 +296,8 @@ pub(crate) struct FileStamps {
     pub(crate) recalled: Vec<u32>,
     /// Of these, those whose files were not read.
     pub(crate) unread: usize,
+    /// Files that a lint counts.
+    pub(crate) marked: usize,
 }
 
 impl FileStamps {
@@ -221,6 +306,7 @@ impl FileStamps {
         self.files.append(&mut other.files);
         self.recalled.append(&mut other.recalled);
         self.unread += other.unread;
+        self.marked += other.marked;
     }
 
     /// Puts the stamps into the order of the inputs, in which the next run looks for them.
@@ -240,16 +326,8 @@ pub(crate) struct CachedFile<'c> {
 
 impl<'s> Cache<'s> {
     fn new(stamps: Option<&'s Stamps>, bank: Option<&OldBank>) -> Cache<'s> {
-        let clip_count = bank.and_then(OldBank::clip_count);
-        Cache { before: stamps.map(Stamps::lookup).zip(clip_count), start: SystemTime::now() }
-    }
-
-    fn clip_count(&self) -> Option<usize> {
-        self.before.as_ref().map(|(_, clip_count)| *clip_count)
-    }
-
-    fn stamp_count(&self) -> usize {
-        self.before.as_ref().map_or(0, |(stamps, _)| stamps.count())
+        let is_there = bank.and_then(OldBank::clip_count).is_some();
+        Cache { before: stamps.filter(|_| is_there).map(Stamps::lookup), start: SystemTime::now() }
     }
 
     /// Looks at the file of input number `index`; `None` if it has none, or cannot be looked at.
@@ -257,7 +335,7 @@ impl<'s> Cache<'s> {
         let Content::File(path) = &input.content else { return None };
         let meta = look.meta(path)?;
         let name = look.name(path, &input.key);
-        let known = self.before.as_ref().and_then(|(stamps, _)| stamps.get(name, look.next_stamp(index)));
+        let known = self.before.as_ref().and_then(|stamps| stamps.get(name, look.next_stamp(index)));
         Some(CachedFile { cache: self, name, meta, known })
     }
 }
@@ -271,8 +349,10 @@ impl CachedFile<'_> {
     /// The stamp of the file, which has these contents, and whether it had them before.
     pub(crate) fn read(&self, bytes: &[u8]) -> (Stamp, bool) {
         let contents = hash(bytes);
-        let is_known = self.known.is_some_and(|known| known.has_contents(contents));
-        (Stamp::new(self.meta, contents, self.cache.start), is_known)
+        let known = self.known.filter(|known| known.has_contents(contents));
+        let mut stamp = Stamp::new(self.meta, contents, self.cache.start);
+        stamp.mark(known.is_some_and(|known| known.is_marked()));
+        (stamp, known.is_some())
     }
 
     /// The name of the file in a cache.

@@ -11,11 +11,16 @@ use std::time::SystemTime;
 use twox_hash::XxHash3_128;
 
 /// What a cache starts with, of any version: files that start with something else are never replaced.
-pub(super) const MAGIC: &[u8; 16] = b"lipz cache file\n";
+pub(super) type Magic = &'static [u8; 16];
+
+/// The magic of a cache of packing.
+pub(super) const MAGIC: Magic = b"lipz cache file\n";
+/// The magic of a cache of checking.
+pub(super) const CHECK_MAGIC: Magic = b"lipz check cache";
 
 /// Changes whenever the file or the meaning of a stamp does. The version of the crate counts, too:
 /// another compiler may find other things in the same file.
-const MAKER: (&str, u16, u16, u32) = (env!("CARGO_PKG_VERSION"), FORMAT_MAJOR, FORMAT_MINOR, 2);
+const MAKER: (&str, u16, u16, u32) = (env!("CARGO_PKG_VERSION"), FORMAT_MAJOR, FORMAT_MINOR, 3);
 
 /// Bytes of the hash between the magic and the encoded stamps.
 const HASH_BYTES: usize = 16;
@@ -36,21 +41,34 @@ pub(super) fn hash(bytes: &[u8]) -> Hash {
 pub(crate) struct Stamp {
     meta: FileMeta,
     contents: Hash,
-    /// Whether the file was old enough when it was looked at for the same meta to prove the same
-    /// contents.
-    is_settled: bool,
+    flags: u8,
 }
+
+/// The file was old enough when it was looked at for the same meta to prove the same contents.
+const SETTLED: u8 = 1;
+/// A lint counts the file.
+const MARKED: u8 = 2;
 
 impl Stamp {
     /// The stamp of a file with these contents that looked like this before it was read, in a run that
     /// started at `start`.
     pub(super) fn new(meta: FileMeta, contents: Hash, start: SystemTime) -> Stamp {
-        Stamp { meta, contents, is_settled: meta.is_settled_at(start) }
+        Stamp { meta, contents, flags: if meta.is_settled_at(start) { SETTLED } else { 0 } }
     }
 
     /// Whether a file that looks like this is certainly the one of the stamp.
     pub(super) fn proves(&self, meta: &FileMeta) -> bool {
-        self.is_settled && self.meta == *meta
+        self.flags & SETTLED != 0 && self.meta == *meta
+    }
+
+    /// Notes whether a lint counts the file.
+    pub(crate) fn mark(&mut self, is_marked: bool) {
+        self.flags = self.flags & !MARKED | if is_marked { MARKED } else { 0 };
+    }
+
+    /// Whether a lint counts the file.
+    pub(crate) fn is_marked(self) -> bool {
+        self.flags & MARKED != 0
     }
 
     /// Whether the file of the stamp had these contents.
@@ -97,9 +115,14 @@ impl Stamps {
         Some(Stamps::new(options, checksum, files))
     }
 
+    /// Stamps of files that were checked, and by a lint that depends on what is `beside` the files. There is no bank.
+    pub(super) fn of_check(options: &Options, beside: &[u8], files: Vec<(u32, Name, Stamp)>) -> Stamps {
+        Stamps { options: hash_of_check(options, beside), ..Stamps::new(options, 0, files) }
+    }
+
     /// The stamps in the file of a cache; `None` if it was made by another version, or is damaged.
-    pub(super) fn decode(file: &[u8]) -> Option<Stamps> {
-        let (sum, encoded) = file.strip_prefix(MAGIC)?.split_first_chunk::<HASH_BYTES>()?;
+    pub(super) fn decode(magic: Magic, file: &[u8]) -> Option<Stamps> {
+        let (sum, encoded) = file.strip_prefix(magic)?.split_first_chunk::<HASH_BYTES>()?;
         if *sum != hash(encoded) {
             return None;
         }
@@ -112,15 +135,30 @@ impl Stamps {
         self.options == hash_of(options)
     }
 
+    /// Whether they were checked so.
+    pub(super) fn are_of_check(&self, options: &Options, beside: &[u8]) -> bool {
+        self.options == hash_of_check(options, beside)
+    }
+
     /// The file of a cache.
-    pub(super) fn encode(&self) -> Option<Vec<u8>> {
+    pub(super) fn encode(&self, magic: Magic) -> Option<Vec<u8>> {
         let encoded = bincode::encode_to_vec(self, ENCODING).ok()?;
-        Some([MAGIC.as_slice(), &hash(&encoded), &encoded].concat())
+        Some([magic.as_slice(), &hash(&encoded), &encoded].concat())
     }
 
     /// For looking the stamps up by name.
     pub(super) fn lookup(&self) -> Lookup<'_> {
-        Lookup { files: &self.files, by_name: OnceLock::new() }
+        Lookup::new(&self.files)
+    }
+
+    /// Number of stamps.
+    pub(super) fn count(&self) -> usize {
+        self.files.len()
+    }
+
+    /// The names and stamps of files, in the order of the inputs.
+    pub(super) fn files(&self) -> &[(Name, Stamp)] {
+        &self.files
     }
 }
 
@@ -133,9 +171,9 @@ pub(super) struct Lookup<'s> {
 }
 
 impl<'s> Lookup<'s> {
-    /// Number of stamps.
-    pub(super) fn count(&self) -> usize {
-        self.files.len()
+    /// For looking these up.
+    pub(super) fn new(files: &'s [(Name, Stamp)]) -> Lookup<'s> {
+        Lookup { files, by_name: OnceLock::new() }
     }
 
     /// The stamp of a file, probably the one at `next`, which is then moved behind it.
@@ -164,6 +202,11 @@ fn hash_of(options: &Options) -> Hash {
     hash(format!("{:?}", Options { threads: None, ..options.clone() }).as_bytes())
 }
 
+/// The options and what else a lint depends on.
+fn hash_of_check(options: &Options, beside: &[u8]) -> Hash {
+    hash(&[hash_of(options).as_slice(), beside].concat())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -181,17 +224,17 @@ mod tests {
     #[test]
     fn a_file_gives_its_stamps_back_and_damaged_none() {
         let stamps = stamps(&Options::default());
-        let file = stamps.encode().unwrap();
-        assert_eq!(Stamps::decode(&file).as_ref(), Some(&stamps));
+        let file = stamps.encode(MAGIC).unwrap();
+        assert_eq!(Stamps::decode(MAGIC, &file).as_ref(), Some(&stamps));
         for at in 0..file.len() {
-            assert_eq!(Stamps::decode(&file[..at]), None);
+            assert_eq!(Stamps::decode(MAGIC, &file[..at]), None);
             for bit in 0..8 {
                 let mut damaged = file.clone();
                 damaged[at] ^= 1 << bit;
-                assert_eq!(Stamps::decode(&damaged), None, "bit {bit} of byte {at}");
+                assert_eq!(Stamps::decode(MAGIC, &damaged), None, "bit {bit} of byte {at}");
             }
         }
-        assert_eq!(Stamps::decode(&[&file[..], b"\0"].concat()), None);
+        assert_eq!(Stamps::decode(MAGIC, &[&file[..], b"\0"].concat()), None);
     }
 
     #[test]
@@ -215,7 +258,8 @@ mod tests {
         let stamps = stamps(&Options::default());
         assert!(stamps.are_of(&Options::new().threads(3)));
         assert!(!stamps.are_of(&Options::new().strip(true)));
+        assert_eq!(Stamps::decode(CHECK_MAGIC, &stamps.encode(MAGIC).unwrap()), None);
         let of_another = Stamps { maker: hash(b"another"), ..stamps };
-        assert_eq!(Stamps::decode(&of_another.encode().unwrap()), None);
+        assert_eq!(Stamps::decode(MAGIC, &of_another.encode(MAGIC).unwrap()), None);
     }
 }

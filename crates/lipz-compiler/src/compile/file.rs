@@ -1,7 +1,7 @@
 //! What one thread does: it reads, parses and checks one file after another, and takes the time.
 
-use super::Phases;
 use super::read::FileReader;
+use super::{Lint, Phases};
 use crate::cache::{Cache, CachedFile, FileStamps, Look, Stamp};
 use crate::check::{CleanFiles, Spoken};
 use crate::clip::{ClipData, Clips, Locales};
@@ -16,8 +16,11 @@ pub(super) struct Worker<'o> {
     options: FileOptions<'o>,
     reader: FileReader,
     clean: CleanFiles<'o>,
+    lint: Option<&'o Lint<'o>>,
     pub(super) batch: Batch,
     pub(super) reports: Vec<Report>,
+    /// What the lint found.
+    pub(super) linted: Vec<Report>,
     /// The time of recalling, reading, parsing and checking.
     pub(super) phases: Phases,
     stopwatch: Stopwatch,
@@ -36,13 +39,15 @@ pub(super) struct Batch {
 }
 
 impl<'o> Worker<'o> {
-    pub(super) fn new(options: &'o Options) -> Worker<'o> {
+    pub(super) fn new(options: &'o Options, lint: Option<&'o Lint<'o>>) -> Worker<'o> {
         Worker {
             options: FileOptions::new(options),
             reader: FileReader::default(),
             clean: CleanFiles::new(options),
+            lint,
             batch: Batch::default(),
             reports: Vec::new(),
+            linted: Vec::new(),
             phases: Phases::default(),
             stopwatch: Stopwatch::default(),
         }
@@ -86,9 +91,17 @@ impl<'o> Worker<'o> {
             self.phases.recall += self.stopwatch.time();
             return;
         }
+        let mut stamped = stamped.map(|((stamp, _), seen)| (index as u32, seen.name(), stamp));
+        if let Some(lint) = self.lint {
+            let linted = lint(input, bytes);
+            batch.stamped.marked += usize::from(linted.is_marked);
+            stamped = stamped.filter(|_| linted.report.is_none());
+            stamped.iter_mut().for_each(|(.., stamp)| stamp.mark(linted.is_marked));
+            self.linted.extend(linted.report);
+        }
         if self.clean.clip(bytes, &batch.clips.locales, &mut batch.clip) {
             batch.clips.push(&input.key, &batch.clip);
-            batch.stamped.files.extend(stamped.map(|((stamp, _), seen)| (index as u32, seen.name(), stamp)));
+            batch.stamped.files.extend(stamped);
             self.phases.parse += self.stopwatch.time();
             return;
         }
@@ -115,7 +128,7 @@ impl<'o> Worker<'o> {
         }
         self.phases.check += self.stopwatch.time();
         if is_made && diagnostics.is_empty() {
-            batch.stamped.files.extend(stamped.map(|((stamp, _), seen)| (index as u32, seen.name(), stamp)));
+            batch.stamped.files.extend(stamped);
         }
         if !diagnostics.is_empty() {
             diagnostics.sort_by_key(Diagnostic::start);
@@ -127,6 +140,7 @@ impl<'o> Worker<'o> {
 impl Batch {
     /// Remembers that the clip of input number `index` is in the old bank.
     fn found(&mut self, index: usize, seen: &CachedFile<'_>, stamp: Stamp) {
+        self.stamped.marked += usize::from(stamp.is_marked());
         self.stamped.files.push((index as u32, seen.name(), stamp));
         self.stamped.recalled.push(index as u32);
     }

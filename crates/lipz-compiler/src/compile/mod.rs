@@ -2,11 +2,13 @@
 
 mod compiled;
 mod file;
+mod lint;
 mod read;
 mod requirements;
 mod run;
 
 pub use compiled::{CompileError, Compiled, Phases};
+pub use lint::{Checked, Lint, Linted};
 pub(crate) use read::FileReader;
 #[cfg(feature = "cache")]
 pub(crate) use requirements::Texts;

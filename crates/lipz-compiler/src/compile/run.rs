@@ -2,7 +2,7 @@
 
 use super::file::Worker;
 use super::requirements::Texts;
-use super::{Compiled, Phases, Progress};
+use super::{Compiled, Lint, Phases, Progress};
 use crate::cache::{Cache, FileStamps};
 #[cfg(feature = "cache")]
 use crate::clip::Clip;
@@ -24,6 +24,11 @@ const FILES_AT_ONCE: usize = 64;
 pub(crate) struct Run {
     clips: Vec<Clips>,
     reports: Vec<Report>,
+    /// What a lint found.
+    pub(crate) linted: Vec<Report>,
+    /// Whether nothing is reported about keys.
+    #[cfg(feature = "cache")]
+    pub(crate) are_keys_fine: bool,
     pub(crate) phases: Phases,
     /// Clips of a bank below this one, and in which batch they are.
     kept: Option<(usize, Kept)>,
@@ -35,13 +40,28 @@ impl Run {
     /// Reads, parses and checks `inputs`, or finds that their clips are in the old bank. Each thread makes one batch of
     /// clips: more of them, and smaller ones, would leave more memory with the allocator.
     pub(crate) fn read(inputs: &[Input], options: &Options, cache: Option<&Cache<'_>>, progress: &Progress<'_>) -> Run {
+        Run::read_with(inputs, options, cache, None, progress)
+    }
+
+    /// The same, and asks `lint` about each file that is read.
+    pub(crate) fn read_with(
+        inputs: &[Input],
+        options: &Options,
+        cache: Option<&Cache<'_>>,
+        lint: Option<&Lint<'_>>,
+        progress: &Progress<'_>,
+    ) -> Run {
         let start = Instant::now();
         let mut run = Run::default();
         key::check(inputs, &mut run.reports);
+        #[cfg(feature = "cache")]
+        {
+            run.are_keys_fine = run.reports.is_empty();
+        }
         run.reports.iter_mut().for_each(|report| options.apply_levels(report));
         let next = AtomicUsize::new(0);
         let workers = parallel::workers(options.threads, || {
-            let mut worker = Worker::new(options);
+            let mut worker = Worker::new(options, lint);
             loop {
                 let first = next.fetch_add(FILES_AT_ONCE, Ordering::Relaxed);
                 let Some(behind) = inputs.get(first..).filter(|behind| !behind.is_empty()) else { return worker };
@@ -53,6 +73,7 @@ impl Run {
         for worker in workers {
             run.clips.push(worker.batch.clips);
             run.reports.extend(worker.reports);
+            run.linted.extend(worker.linted);
             run.stamped.append(worker.batch.stamped);
             run.phases.recall += worker.phases.recall;
             run.phases.read += worker.phases.read;

@@ -114,7 +114,7 @@ impl Run for Face {
         });
         let unwritten = files_to_write.finish();
         let (mut counts, mut shown) = (Counts::default(), String::new());
-        for (input, result) in std::iter::zip(&worked.inputs, results) {
+        for (input, result) in std::iter::zip(worked.inputs.iter(), results) {
             match result.and_then(|result| result) {
                 Ok(None) => {
                     counts.unchanged += 1;

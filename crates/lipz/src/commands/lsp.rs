@@ -53,6 +53,6 @@ fn check(project: &lipz_lsp::Project, unsaved: &HashMap<String, String>) -> Chec
     let mut settings = project.settings.clone();
     // Only a bank has what is read of recordings for it.
     settings.audio.in_bank = false;
-    let (run, _) = checked(&Project::found_by_editor(settings, project.file.clone()), unsaved, true);
-    Checked { inputs: run.inputs, reports: run.reports }
+    let (run, _) = checked(&Project::found_by_editor(settings, project.file.clone()), unsaved, None, true);
+    Checked { inputs: run.inputs.into_owned(), reports: run.reports }
 }

@@ -8,6 +8,7 @@ use lipz_compiler::{Compiled, Compiler, Input, key};
 use lipz_diagnostics::reports::{count, have_errors};
 use lipz_diagnostics::{Code, Report, Severity};
 use lipz_sync::KnownRecordings;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
@@ -19,9 +20,29 @@ pub(crate) fn with_inputs(
     known: Option<&mut KnownRecordings>,
     quiet: bool,
     work: impl FnOnce(&Compiler<'_>, &[Input]) -> Compiled,
-) -> Worked {
+) -> Worked<'static> {
     let start = Instant::now();
-    let (inputs, mut reports) = find(settings);
+    let (inputs, reports) = find(settings);
+    with_found(settings, Found { inputs: inputs.into(), reports, took: start.elapsed() }, known, quiet, work)
+}
+
+/// The inputs of a project that were found before.
+pub(crate) struct Found<'i> {
+    pub(crate) inputs: Cow<'i, [Input]>,
+    pub(crate) reports: Vec<Report>,
+    pub(crate) took: Duration,
+}
+
+/// The same with inputs that were found before.
+pub(crate) fn with_found<'i>(
+    settings: &Settings,
+    found: Found<'i>,
+    known: Option<&mut KnownRecordings>,
+    quiet: bool,
+    work: impl FnOnce(&Compiler<'_>, &[Input]) -> Compiled,
+) -> Worked<'i> {
+    let start = Instant::now();
+    let Found { inputs, mut reports, took } = found;
     let (recordings, unread) = known.unwrap_or(&mut KnownRecordings::default()).in_bank(settings, &inputs);
     reports.extend(unread);
     let word_times = lipz_sync::word_times(settings, &inputs).unwrap_or_else(|report| {
@@ -29,7 +50,7 @@ pub(crate) fn with_inputs(
         BTreeMap::new()
     });
     let options = settings.options.clone().recordings(recordings).word_times(word_times).voices(settings.voices());
-    let discover = start.elapsed();
+    let discover = took + start.elapsed();
     let bar = console::progress_bar(inputs.len(), quiet);
     let compiler = Compiler::new(options).progress(|files| {
         bar.inc(files);
@@ -74,14 +95,14 @@ pub(crate) fn find_all(settings: &Settings, reporter: &mut Reporter) -> Result<(
 }
 
 /// The result of a run over source files.
-pub(crate) struct Worked {
-    pub(crate) inputs: Vec<Input>,
+pub(crate) struct Worked<'i> {
+    pub(crate) inputs: Cow<'i, [Input]>,
     pub(crate) reports: Vec<Report>,
     pub(crate) compiled: Compiled,
     pub(crate) discover: Duration,
 }
 
-impl Worked {
+impl Worked<'_> {
     /// How the run ends, by its diagnostics: with errors and without a single input, or a way to write the
     /// bank, the tool could not run.
     pub(crate) fn outcome(&self) -> Outcome {

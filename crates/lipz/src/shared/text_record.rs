@@ -71,6 +71,11 @@ impl RecordFile {
         parts.collect::<Vec<_>>().join("/")
     }
 
+    /// What is in the file; nothing if there is none.
+    pub(crate) fn bytes(&self) -> &[u8] {
+        self.before.as_deref().unwrap_or_default()
+    }
+
     /// Whether there is a file.
     pub(crate) fn exists(&self) -> bool {
         self.before.is_some()
@@ -108,6 +113,9 @@ impl RecordFile {
 
     /// Files that are no more are looked for among those that it does not know.
     fn follow(&mut self, inputs: &[Input], options: &Options) {
+        if self.record.is_empty() {
+            return;
+        }
         let names: Vec<String> = inputs.iter().map(|input| self.name(input)).collect();
         let known: HashSet<&str> = names.iter().map(String::as_str).collect();
         let missing = self.record.files().filter(|file| !known.contains(file));

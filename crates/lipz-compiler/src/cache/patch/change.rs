@@ -149,12 +149,15 @@ impl TextChange {
         Some(TextChange { locales: vec![(locale, 0)], old, bytes, entries, is_new })
     }
 
-    /// The texts without the count before the last one.
-    pub(super) fn without_count(&self) -> Vec<u8> {
+    /// The texts without the count before the last one; with it, if they have none.
+    pub(super) fn other_form(&self) -> Vec<u8> {
         let mut bytes = self.bytes.clone();
-        if let Some(last) = self.entries.last().filter(|last| *last & TEXT_HAS_LENGTH != 0) {
-            let start = (last & TEXT_OFFSET) as usize;
+        let last = self.entries.last().copied().unwrap_or_default();
+        let start = (last & TEXT_OFFSET) as usize;
+        if last & TEXT_HAS_LENGTH != 0 {
             bytes.drain(start..start + TEXT_COUNT_BYTES);
+        } else {
+            bytes.splice(start..start, text_count(self.bytes.len() - start));
         }
         bytes
     }

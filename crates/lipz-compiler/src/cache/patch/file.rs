@@ -12,8 +12,9 @@ pub(super) struct NewSections<'s> {
     pub(super) spliced: [(Tag, &'s Splices); 2],
 }
 
-/// The bank with these sections and all others of the old one, in the order of the old one.
-pub(super) fn file(old: &OldBank, new: &NewSections<'_>) -> Option<Vec<u8>> {
+/// The bank with these sections and all others of the old one, in the order of the old one. It is made in `room`, and every
+/// byte of that is written.
+pub(super) fn file(old: &OldBank, new: &NewSections<'_>, room: Vec<u8>) -> Option<Vec<u8>> {
     let tables = old.tables();
     let (mut header, rest) = Header::read_from_prefix(tables).ok()?;
     let count = (header.section_count.get() as usize).min(MAX_SECTIONS);
@@ -31,9 +32,12 @@ pub(super) fn file(old: &OldBank, new: &NewSections<'_>) -> Option<Vec<u8>> {
         entry.length_bytes = u32::try_from(length).ok()?.into();
     }
     header.file_length_bytes = u32::try_from(end).ok()?.into();
-    let mut bank = vec![0; end];
+    let mut bank = resized(room, end);
+    let mut written_end = directory_end;
     for (entry, before) in std::iter::zip(&directory, old_directory) {
         let start = entry.offset_bytes.get() as usize;
+        bank.get_mut(written_end..start)?.fill(0);
+        written_end = start + entry.length_bytes.get() as usize;
         let place = bank.get_mut(start..start + entry.length_bytes.get() as usize)?;
         let old_start = before.offset_bytes.get() as usize;
         let old_place = old_start..old_start + before.length_bytes.get() as usize;
@@ -52,4 +56,14 @@ pub(super) fn file(old: &OldBank, new: &NewSections<'_>) -> Option<Vec<u8>> {
     };
     bank.get_mut(..size_of::<Header>())?.copy_from_slice(header.as_bytes());
     Some(bank)
+}
+
+/// Room for so many bytes, with anything in it. New memory is zero already.
+fn resized(mut room: Vec<u8>, length: usize) -> Vec<u8> {
+    if room.capacity() == 0 {
+        return vec![0; length];
+    }
+    room.reserve_exact(length.saturating_sub(room.len()));
+    room.resize(length, 0);
+    room
 }

@@ -23,6 +23,9 @@ use memchr::memmem;
 use splice::Splices;
 use zerocopy::{FromBytes, IntoBytes};
 
+/// Clips that may have changed: each is looked for among all records and starts.
+const MOST_CLIPS: usize = 32;
+
 /// Texts that change: each is looked for in the whole pool.
 const MOST_TEXTS: usize = 32;
 
@@ -30,10 +33,10 @@ const MOST_TEXTS: usize = 32;
 const MOST_PLACES: usize = 64;
 
 /// The bank in which `changed` clips are new, and all others those of the old bank, which has the same keys; `None` if it has to
-/// be made of all clips.
-pub(super) fn patched(recall: &Recall<'_>, changed: &[Clip<'_>]) -> Option<Vec<u8>> {
+/// be made of all clips. It is made in `room`, whatever is in that.
+pub(super) fn patched(recall: &Recall<'_>, changed: &[Clip<'_>], room: Vec<u8>) -> Option<Vec<u8>> {
     let has_other = [Tag::LAYER, Tag::EXPORT].into_iter().any(|tag| table(recall, tag).is_some());
-    let is_plain = recall.bank.voices().next().is_none() && !has_other;
+    let is_plain = recall.bank.voices().next().is_none() && !has_other && changed.len() <= MOST_CLIPS;
     let changes: Vec<Change<'_>> = changed
         .iter()
         .filter(|_| is_plain)
@@ -65,6 +68,7 @@ pub(super) fn patched(recall: &Recall<'_>, changed: &[Clip<'_>]) -> Option<Vec<u
             ],
             spliced: [(Tag::FRAMES, &frame_splices), (Tag::TEXTS, &text_splices)],
         },
+        room,
     )?;
     let pool = bank.get(super::old_bank::section(&bank, Tag::TEXTS)?)?;
     let mut new_texts = texts.iter().filter(|text| text.is_new);
@@ -146,7 +150,7 @@ fn stands_alone(text: &TextChange, splices: &Splices, starts: &[U32], pool: &[u8
     let is_start =
         |at: usize| starts.iter().any(|start| start.get() != NO_TEXT && (start.get() & TEXT_OFFSET) as usize == at);
     // With a count in it, and without.
-    [text.bytes.as_slice(), &text.without_count()].into_iter().all(|bytes| {
+    [text.bytes.as_slice(), &text.other_form()].into_iter().all(|bytes| {
         let places: Vec<usize> = places(pool, bytes).take(MOST_PLACES).filter(|at| Some(*at) != own).collect();
         places.len() + 1 < MOST_PLACES && !places.into_iter().any(is_start)
     })

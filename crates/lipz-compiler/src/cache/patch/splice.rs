@@ -40,6 +40,14 @@ impl Splices {
 
     /// Where what stood at this offset of the old section stands in the new one; `None` if that is replaced.
     pub(super) fn moved(&self, offset: usize) -> Option<usize> {
+        // Nearly everything is before or behind them all.
+        let (Some(first), Some(last)) = (self.splices.first(), self.splices.last()) else { return Some(offset) };
+        if offset < first.old.start {
+            return Some(offset);
+        }
+        if offset >= last.old.end {
+            return offset.checked_add_signed(last.growth);
+        }
         let before = self.splices.partition_point(|splice| splice.old.end <= offset);
         let is_replaced = self.splices.get(before).is_some_and(|splice| splice.old.start <= offset);
         if is_replaced { None } else { offset.checked_add_signed(self.growth(before)) }

@@ -36,7 +36,9 @@ fn both(before: &[Parts], after: &[Parts], options: &Options) -> Option<(Option<
     let changed: Vec<Input> = all.filter(|(_, (before, after))| before != after).map(|(input, _)| input).collect();
     let run = Run::read(&changed, options, None, &|_| {});
     let recall = Recall::new(&old)?;
-    Some((patched(&recall, &run.changed_clips()), bank(after)?))
+    // Whatever was there before.
+    let room = vec![0xA5; old.tables().len() + 3];
+    Some((patched(&recall, &run.changed_clips(), room), bank(after)?))
 }
 
 fn parts(visemes: &str, texts: [&str; 3], events: &str) -> Parts {
@@ -89,6 +91,18 @@ fn what_may_stand_once_is_left_to_all_clips() {
         after[at] = edit;
         assert_eq!(both(&scene(), &after, &options(false)).unwrap().0, None, "{:?}", after[at]);
     }
+}
+
+#[test]
+fn texts_that_stand_there_with_a_count_are_found() {
+    // Two clips share a text, which is counted therefore; that of the third one is not.
+    let clips = |last: &str| ["One|two", "One|two", last].map(|text| parts("MA|E", [text, "", ""], "")).to_vec();
+    assert_eq!(both(&clips("Else|two"), &clips("One|two"), &options(false)).unwrap().0, None);
+    assert!(both(&clips("Else|two"), &clips("Other|two"), &options(false)).unwrap().0.is_some());
+    // And the other way round.
+    let clips = |first: &str| [first, "Two|three", "One|two"].map(|text| parts("MA|E", [text, "", ""], "")).to_vec();
+    let (patched, made) = both(&clips("Else|two"), &clips("One|two"), &options(false)).unwrap();
+    assert!(patched.is_none_or(|patched| patched == made));
 }
 
 #[test]

@@ -28,7 +28,7 @@ pub(super) struct BaselineFlags {
 impl BaselineFlags {
     /// Removes what is known from the reports of a run, and adds what is wrong with the baseline; or writes it. Gives a line
     /// about that, for people.
-    pub(super) fn apply(&self, run: &mut Worked, reporter: &mut Reporter) -> Result<String, Abort> {
+    pub(super) fn apply(&self, run: &mut Worked<'_>, reporter: &mut Reporter) -> Result<String, Abort> {
         let Some(file) = &self.baseline else { return Ok(String::new()) };
         output_file::refuse_source(file, reporter)?;
         let text = match fs::read_to_string(file) {

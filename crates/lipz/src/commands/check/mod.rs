@@ -11,6 +11,7 @@ use crate::commands::Run;
 use crate::reporter::Reporter;
 use crate::shared::audio_flags::AudioFlags;
 use crate::shared::inputs::{Worked, with_inputs};
+use crate::shared::output_file;
 use crate::shared::project_flags::hide_of_banks;
 use crate::shared::rewriting::{Rewriting, files};
 use crate::shared::settings_file::Project;
@@ -25,6 +26,8 @@ use lipz_compiler::{Content, Input};
 use lipz_diagnostics::Report;
 use std::borrow::Cow;
 use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+use translations::Translations;
 
 /// Check Lipz files without packing them.
 ///
@@ -43,6 +46,7 @@ use std::collections::HashMap;
   lipz check voices --audio recordings
   lipz check --diff voices
   lipz check --statistics voices
+  lipz check voices --cache check.cache
   lipz check voices --baseline baseline.txt --write-baseline
   lipz check --format junit voices > lipz.xml")]
 pub(crate) struct Check {
@@ -62,6 +66,11 @@ pub(crate) struct Check {
     /// Show the fixes as a unified diff, and write nothing
     #[arg(long, visible_alias = "dry-run")]
     diff: bool,
+
+    /// Remember in FILE the Lipz files in which nothing was found, so that the next check reads only those that
+    /// changed. It finds the same, and is safe to delete. Not the cache of `lipz pack`
+    #[arg(long, value_name = "FILE")]
+    cache: Option<PathBuf>,
 
     /// Show how often each rule has reported, instead of the diagnostics
     #[arg(long, conflicts_with = "diff")]
@@ -86,6 +95,7 @@ impl Run for Check {
         self.audio.apply(&mut project.settings.audio);
         // Only a bank has what is read of recordings for it.
         project.settings.audio.in_bank = false;
+        self.cache.iter().try_for_each(|cache| output_file::refuse_source(cache, reporter))?;
         let (settings, quiet) = (&project.settings, self.sources.is_quiet());
         if (self.fix || self.diff) && settings.sources.iter().any(|source| stdio::is_meant(source)) {
             let tip = "save it in a file, or leave out `--fix` and `--diff`";
@@ -96,7 +106,7 @@ impl Run for Check {
             (true, false) => fix_all(settings, quiet, Rewriting::InPlace),
             (false, false) => Fixing::default(),
         };
-        let (mut run, is_unrecorded) = checked(&project, &fixing.in_memory, quiet);
+        let (mut run, is_unrecorded) = checked(&project, &fixing.in_memory, self.cache.as_deref(), quiet);
         if self.sources.names_single_files() {
             retain_own(&mut run.reports);
         }
@@ -129,13 +139,34 @@ impl Run for Check {
 }
 
 /// All that is wrong with a project: its Lipz files, some of which have other texts than on disk, by name; their
-/// recordings; and their translations. Also whether nothing is known of these.
-pub(crate) fn checked(project: &Project, in_memory: &HashMap<String, String>, quiet: bool) -> (Worked, bool) {
+/// recordings; and their translations. Also whether nothing is known of these. With a cache, only files that changed are read.
+pub(crate) fn checked(
+    project: &Project,
+    in_memory: &HashMap<String, String>,
+    cache: Option<&Path>,
+    quiet: bool,
+) -> (Worked<'static>, bool) {
     let settings = &project.settings;
-    let mut run = with_inputs(settings, None, quiet, |compiler, inputs| compiler.check(&instead(inputs, in_memory)));
+    let mut translations = None;
+    let mut run = with_inputs(settings, None, quiet, |compiler, inputs| {
+        let inputs = instead(inputs, in_memory);
+        // Each file is read once, for both.
+        match Translations::open(project, &inputs) {
+            Ok(opened) => {
+                let lint = |input: &Input, bytes: &[u8]| opened.lint(input, bytes);
+                let checked = match cache {
+                    Some(cache) => compiler.check_cached(&inputs, &lint, cache, &opened.beside()),
+                    None => compiler.check_with(&inputs, &lint),
+                };
+                translations = Some(opened.found(checked.linted, checked.marked));
+                checked.compiled
+            }
+            Err(_) => compiler.check(&inputs),
+        }
+    });
     let inputs = instead(&run.inputs, in_memory);
     run.reports.extend(with_recordings(settings, &inputs, quiet));
-    let translations = translations::check(project, &inputs, quiet);
+    let translations = translations.unwrap_or_else(|| translations::check(project, &inputs, quiet));
     run.reports.extend(translations.reports);
     lipz_diagnostics::reports::sort(&mut run.reports);
     run.reports.dedup(); // both read the record of mouths

@@ -3,11 +3,10 @@
 use crate::shared::settings_file::Project;
 use crate::shared::text_record::RecordFile;
 use crate::{console, interrupt};
-use lipz_compiler::{Compiler, Input};
+use lipz_compiler::{Compiler, Input, Linted, Options};
 use lipz_diagnostics::Report;
 use lipz_file::locale::{canonical_tag, text_name};
 use lipz_texts::{TextLints, has_translations};
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What is wrong with the translations of a project.
 #[derive(Default)]
@@ -17,43 +16,89 @@ pub(crate) struct Checked {
     pub(crate) is_unrecorded: bool,
 }
 
-/// Compares the translations of a project with its default locale, or with what they were made from.
+/// How the translations of a project are compared: with its default locale, or with what they were made from.
+pub(super) struct Translations<'p> {
+    options: &'p Options,
+    file: RecordFile,
+    /// What is odd about the record.
+    odd_lines: Option<Report>,
+    /// `None` if nothing can be compared.
+    source_locale: Option<String>,
+}
+
+impl<'p> Translations<'p> {
+    /// # Errors
+    /// If the record cannot be read, or is another file.
+    pub(super) fn open(project: &'p Project, inputs: &[Input]) -> Result<Translations<'p>, Report> {
+        let options = &project.settings.options;
+        let (file, odd_lines) = RecordFile::open(project, inputs)?;
+        let default = options.default_locale.as_deref().and_then(|locale| canonical_tag(locale, true));
+        let recorded = || file.record.source_locales().first().map(|locale| (*locale).to_owned());
+        let source_locale = default.or_else(recorded);
+        Ok(Translations { options, file, odd_lines, source_locale })
+    }
+
+    /// What is wrong with the translations of a file. Counted are those that have some which no record knows.
+    pub(super) fn lint(&self, input: &Input, bytes: &[u8]) -> Linted {
+        let Some(source_locale) = self.source_locale.as_ref().filter(|_| has_translations(bytes)) else {
+            return Linted::default();
+        };
+        let Some(document) = lipz_file::parse(bytes).document else { return Linted::default() };
+        let is_recorded = self.file.exists();
+        let texts = || document.elements.iter().filter(|one| text_name(&one.name.text).is_some());
+        let lints = TextLints::new(source_locale.as_str())
+            .default_locale(self.options.default_locale.clone())
+            .record(is_recorded.then_some(&self.file.record));
+        let mut diagnostics = Vec::new();
+        let name = if is_recorded { self.file.name(input) } else { String::new() };
+        lints.check(&name, &document, &mut diagnostics);
+        let report = (!diagnostics.is_empty()).then(|| {
+            let mut report = Report::from_bytes(input.name(), bytes, diagnostics);
+            self.options.apply_levels(&mut report);
+            report
+        });
+        let report = report.filter(|report| !report.diagnostics.is_empty());
+        Linted::new(report, !is_recorded && texts().nth(1).is_some())
+    }
+
+    /// All that decides about the translations besides the Lipz files and the options.
+    pub(super) fn beside(&self) -> Vec<u8> {
+        let exists = [u8::from(self.file.exists())];
+        match self.file.renamed.is_empty() {
+            true => [exists.as_slice(), self.file.bytes()].concat(),
+            // What is known of a file that was renamed depends on which files are no more.
+            false => [exists.as_slice(), self.file.record.to_string().as_bytes()].concat(),
+        }
+    }
+
+    /// What is wrong with them, as was found in files of which so many were counted.
+    pub(super) fn found(self, reports: Vec<Report>, marked: usize) -> Checked {
+        let mut of_record = Vec::from_iter(self.odd_lines);
+        of_record.iter_mut().for_each(|report| self.options.apply_levels(report));
+        of_record.retain(|report| !report.diagnostics.is_empty());
+        of_record.extend(reports);
+        Checked { reports: of_record, is_unrecorded: marked > 0 }
+    }
+}
+
+/// Compares the translations of a project.
 pub(crate) fn check(project: &Project, inputs: &[Input], quiet: bool) -> Checked {
-    let options = &project.settings.options;
-    let (file, report) = match RecordFile::open(project, inputs) {
+    let translations = match Translations::open(project, inputs) {
         Ok(opened) => opened,
         Err(report) => return Checked { reports: vec![report], is_unrecorded: false },
     };
-    let mut reports = Vec::from_iter(report);
-    let has_some = AtomicBool::new(false);
-    let default = options.default_locale.as_deref().and_then(|locale| canonical_tag(locale, true));
-    let recorded = || file.record.source_locales().first().map(|locale| (*locale).to_owned());
-    if let Some(source_locale) = default.or_else(recorded) {
-        let lints = TextLints::new(source_locale)
-            .default_locale(options.default_locale.clone())
-            .record(file.exists().then_some(&file.record));
-        let bar = console::progress_bar(inputs.len(), quiet);
-        let compiler = Compiler::new(options.clone()).progress(|files| {
-            bar.inc(files);
-            interrupt::point();
-        });
-        let found = compiler.each_file(inputs, |input, bytes| {
-            let document = Some(bytes).filter(|bytes| has_translations(bytes));
-            let document = document.and_then(|bytes| lipz_file::parse(bytes).document)?;
-            if !file.exists()
-                && document.elements.iter().filter(|one| text_name(&one.name.text).is_some()).nth(1).is_some()
-            {
-                has_some.store(true, Ordering::Relaxed);
-            }
-            let mut diagnostics = Vec::new();
-            lints.check(&file.name(input), &document, &mut diagnostics);
-            (!diagnostics.is_empty()).then(|| Report::from_bytes(input.name(), bytes, diagnostics))
-        });
-        bar.finish_and_clear();
-        // What cannot be read is reported by the check of the files.
-        reports.extend(found.into_iter().filter_map(Result::ok).flatten());
+    if translations.source_locale.is_none() {
+        return translations.found(Vec::new(), 0);
     }
-    reports.iter_mut().for_each(|report| options.apply_levels(report));
-    reports.retain(|report| !report.diagnostics.is_empty());
-    Checked { reports, is_unrecorded: has_some.into_inner() }
+    let bar = console::progress_bar(inputs.len(), quiet);
+    let compiler = Compiler::new(translations.options.clone()).progress(|files| {
+        bar.inc(files);
+        interrupt::point();
+    });
+    // What cannot be read is reported by the check of the files.
+    let linted = compiler.each_file(inputs, |input, bytes| translations.lint(input, bytes));
+    bar.finish_and_clear();
+    let linted: Vec<Linted> = linted.into_iter().filter_map(Result::ok).collect();
+    let marked = linted.iter().filter(|linted| linted.is_marked).count();
+    translations.found(linted.into_iter().filter_map(|linted| linted.report).collect(), marked)
 }

@@ -71,11 +71,18 @@ impl Destination {
         }
     }
 
-    /// Makes the bank with what is remembered of the previous run, first of all that of the cache.
-    pub(super) fn make_again(&self, memory: &mut Memory, compiler: &Compiler<'_>, inputs: &[Input]) -> Compiled {
+    /// Makes the bank with what is remembered of the previous run, first of all that of the cache. If it is known which files
+    /// can have `changed` since then, no other is looked at.
+    pub(super) fn make_again(
+        &self,
+        memory: &mut Memory,
+        compiler: &Compiler<'_>,
+        inputs: &[Input],
+        changed: Option<&[usize]>,
+    ) -> Compiled {
         match self {
             Destination::StandardOutput => compiler.compile_again(inputs, memory),
-            Destination::Files(outputs) => outputs.compile_again(compiler, inputs, memory),
+            Destination::Files(outputs) => outputs.pack_again(compiler, inputs, changed, memory),
             Destination::Layer(_, over) => compiler.compile_over(inputs, over),
         }
     }
@@ -105,8 +112,8 @@ impl Destination {
                 return Ok(OutputFile::new(STANDARD_OUTPUT, bank).into());
             }
         };
-        // What `make` has written already.
-        if let Some(packed) = outputs.packed(bank, is_unchanged).filter(|_| replace == Replace::Always) {
+        // What is written already.
+        if let Some(packed) = outputs.packed(bank, is_unchanged) {
             return Ok(packed);
         }
         interrupt::whole(|| outputs.deliver(bank, replace)).map_err(|report| reporter.fail(report))

@@ -176,7 +176,7 @@ impl Run for Pack {
         }
         let quiet = self.sources.is_quiet();
         let plan = self.plan(reporter)?;
-        let packed = plan.run(None, quiet, reporter)?;
+        let packed = plan.run(quiet, reporter)?;
         let mut text = String::new();
         if !quiet {
             text = packed.summary();

@@ -5,11 +5,11 @@ use super::destination::{self, Destination, Split};
 use super::layer;
 use crate::Abort;
 use crate::reporter::Reporter;
-use crate::shared::inputs::with_inputs;
+use crate::shared::inputs::{Found, Worked, with_found, with_inputs};
 use crate::shared::settings_file::Project;
 use crate::shared::{output_file, stdio};
 use crate::{Outcome, console};
-use lipz_compiler::{Compiled, Delivered, Input, Memory, Phases, Replace, dependencies, depfile};
+use lipz_compiler::{Compiled, Compiler, Delivered, Input, Memory, Phases, Replace, dependencies, depfile};
 use lipz_sync::KnownRecordings;
 use std::mem;
 use std::path::{Path, PathBuf};
@@ -108,41 +108,68 @@ impl Plan {
     }
 
     /// Packs once. Diagnostics are shown; if there are errors, nothing is written.
-    ///
-    /// With a `memory`, the run is one of many: it reads only the files that changed, and replaces files by
-    /// other bytes only.
-    pub(crate) fn run(
+    pub(super) fn run(&self, quiet: bool, reporter: &mut Reporter) -> Result<Packed, Abort> {
+        let work = |compiler: &Compiler<'_>, inputs: &[Input]| self.destination.make(compiler, inputs);
+        let mut run = with_inputs(&self.project.settings, None, quiet, work);
+        let bank = self.bank(&mut run, reporter)?;
+        self.packed(&run, &bank, Replace::Always, Ok(()), reporter)
+    }
+
+    /// Packs once of many times, the inputs that were found: what is remembered is not made again, and files are replaced by
+    /// other bytes only. If it is known which files can have `changed` since the run that is remembered, no other is
+    /// looked at.
+    pub(crate) fn run_again(
         &self,
-        memory: Option<&mut Remembered>,
+        memory: &mut Remembered,
+        found: Found<'_>,
+        changed: Option<&[usize]>,
         quiet: bool,
         reporter: &mut Reporter,
     ) -> Result<Packed, Abort> {
-        let settings = &self.project.settings;
-        let replace = if memory.is_some() { Replace::IfDifferent } else { Replace::Always };
-        let (mut memory, known) = memory.map(|before| (&mut before.clips, &mut before.recordings)).unzip();
-        let mut run = with_inputs(settings, known, quiet, |compiler, inputs| match &mut memory {
-            Some(memory) => self.destination.make_again(memory, compiler, inputs),
-            None => self.destination.make(compiler, inputs),
+        let Remembered { clips, recordings } = memory;
+        let mut run = with_found(&self.project.settings, found, Some(recordings), quiet, |compiler, inputs| {
+            self.destination.make_again(clips, compiler, inputs, changed)
         });
+        let bank = self.bank(&mut run, reporter)?;
+        let remembered = self.destination.remember(clips, reporter);
+        let packed = self.packed(&run, &bank, Replace::IfDifferent, remembered, reporter);
+        clips.reuse(bank);
+        packed
+    }
+
+    /// The bank that a run has made; its diagnostics are shown.
+    fn bank(&self, run: &mut Worked<'_>, reporter: &mut Reporter) -> Result<Vec<u8>, Abort> {
         let outcome = run.outcome();
         let reports = mem::take(&mut run.reports);
-        let bank = match run.compiled.bank.take() {
-            Some(bank) if outcome == Outcome::Clean => bank,
-            _ => return Err(reporter.abort(reports, outcome)),
-        };
-        reporter.add(reports);
-        let delivered = self.destination.deliver(&bank, run.compiled.is_unchanged, replace, reporter)?;
-        let remembered = memory.map_or(Ok(()), |memory| self.destination.remember(memory, reporter));
+        match run.compiled.bank.take() {
+            Some(bank) if outcome == Outcome::Clean => {
+                reporter.add(reports);
+                Ok(bank)
+            }
+            _ => Err(reporter.abort(reports, outcome)),
+        }
+    }
+
+    /// Brings the bank to where it is not yet, and writes what belongs to it.
+    fn packed(
+        &self,
+        run: &Worked<'_>,
+        bank: &[u8],
+        replace: Replace,
+        remembered: Result<(), Abort>,
+        reporter: &mut Reporter,
+    ) -> Result<Packed, Abort> {
+        let delivered = self.destination.deliver(bank, run.compiled.is_unchanged, replace, reporter)?;
         let outcome = remembered.and(self.write_depfile(&run.inputs, replace, reporter));
-        let Compiled { recalled, phases, .. } = run.compiled;
+        let Compiled { recalled, phases, .. } = &run.compiled;
         Ok(Packed {
             clip_count: run.inputs.len(),
-            recalled,
+            recalled: *recalled,
             delivered,
-            layer: self.destination.is_layer().then(|| layer::summary(&bank)),
+            layer: self.destination.is_layer().then(|| layer::summary(bank)),
             outcome: outcome.err().map_or(Outcome::Clean, Abort::outcome),
             discover: run.discover,
-            phases,
+            phases: *phases,
         })
     }
 

@@ -15,7 +15,7 @@ mod version;
 
 use crate::Ended;
 use crate::commands::Run;
-use crate::commands::watch::{Alarm, Change, Scope};
+use crate::commands::watch::{Alarm, Scope};
 use crate::reporter::{Abort, Reporter};
 use crate::shared::audio_flags::AudioFlags;
 use crate::shared::bank_file::BankFile;
@@ -178,7 +178,7 @@ impl PreviewArguments {
                 }
             }
             let state = scope.state();
-            while alarm.wait() == Change::Perhaps {
+            while !alarm.wait().is_certain {
                 alarm.set(&scope).map_err(|report| reporter.fail(report))?;
                 if scope.state() != state {
                     break;

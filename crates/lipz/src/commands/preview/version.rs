@@ -131,7 +131,7 @@ pub(super) fn load(settings: &Settings, remembered: &mut Remembered) -> (Version
         Content::Bytes { .. } => None,
     }));
     version.add(&worked.reports);
-    (version, worked.inputs)
+    (version, worked.inputs.into_owned())
 }
 
 /// The bank of all files that have no errors, with the diagnostics of all.

@@ -3,7 +3,9 @@
 use super::scope::{Scope, concerns};
 use crate::console;
 use lipz_diagnostics::{Code, Report};
+use notify::event::{AccessKind, AccessMode};
 use notify::{ErrorKind, Event, EventKind, RecommendedWatcher, Watcher, recommended_watcher};
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread;
@@ -16,18 +18,37 @@ const PATIENCE: Duration = Duration::from_secs(1);
 /// How often to look at folders that cannot be watched, most often because they do not exist.
 const RETRY: Duration = Duration::from_secs(1);
 
-/// What an event says.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub(crate) enum Change {
-    /// Something happened; the state of the files shows whether it matters.
-    Perhaps,
-    /// A file that matters was changed, added or removed.
-    Certain,
+/// Paths of which one is told at most; of more, all files are looked at.
+const MOST_PATHS: usize = 1000;
+
+/// What has happened.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) struct Change {
+    /// Whether a file that matters was changed, added or removed. Otherwise the state of the files shows whether something
+    /// matters.
+    pub(crate) is_certain: bool,
+    /// All paths on which something has happened, as the system calls them; `None` if there may be others.
+    pub(super) paths: Option<BTreeSet<PathBuf>>,
+}
+
+impl Change {
+    /// Something happened, somewhere.
+    const PERHAPS: Change = Change { is_certain: false, paths: None };
+
+    /// Both.
+    fn and(self, next: Change) -> Change {
+        let paths = self.paths.zip(next.paths).map(|(mut paths, mut next)| {
+            paths.append(&mut next);
+            paths
+        });
+        let paths = paths.filter(|paths| paths.len() <= MOST_PATHS);
+        Change { is_certain: self.is_certain || next.is_certain, paths }
+    }
 }
 
 /// Rings when files may have changed.
 ///
-/// It is set anew for every run: folders that were replaced by others of the same name are watched then,
+/// It is set anew before all files are looked at: folders that were replaced by others of the same name are watched then,
 /// and so are those that a watcher missed. What happens between two settings is not lost: all watchers
 /// ring the same bell.
 pub(crate) struct Alarm {
@@ -65,7 +86,7 @@ impl Alarm {
         let mut watcher = recommended_watcher(move |event: notify::Result<Event>| {
             let concerns = |path: &PathBuf| concerns(settings_name.as_deref(), path);
             // An error is that of one folder; looking at the files tells more about it.
-            let change = event.map_or(Some(Change::Perhaps), |event| weigh(&event, concerns));
+            let change = event.map_or(Some(Change::PERHAPS), |event| weigh(event, concerns));
             if let Some(change) = change {
                 // Nobody hears it when the watch has ended.
                 let _ = bell.send(change);
@@ -104,11 +125,11 @@ impl Alarm {
             Some(period) => self.rings.recv_timeout(period).ok(),
             None => self.rings.recv().ok(),
         };
-        let Some(mut change) = first else { return Change::Perhaps };
+        let Some(mut change) = first else { return Change::PERHAPS };
         let start = Instant::now();
         while start.elapsed() < PATIENCE {
             match self.rings.recv_timeout(QUIET) {
-                Ok(next) => change = change.max(next),
+                Ok(next) => change = change.and(next),
                 Err(_) => break,
             }
         }
@@ -123,22 +144,25 @@ fn cannot_watch(error: &notify::Error) -> Report {
 }
 
 /// What an event says; `None` if nothing that matters. Packing itself reads files and writes others.
-fn weigh(event: &Event, concerns: impl Fn(&PathBuf) -> bool) -> Option<Change> {
+fn weigh(event: Event, concerns: impl Fn(&PathBuf) -> bool) -> Option<Change> {
+    let is_certain = event.paths.iter().any(concerns);
     match event.kind {
         // Too many events to be told apart, perhaps those of reading.
-        _ if event.need_rescan() => Some(Change::Perhaps),
-        EventKind::Access(_) => None,
-        _ if event.paths.iter().any(concerns) => Some(Change::Certain),
-        _ if event.paths.iter().all(|path| path.is_file()) => None,
-        // A folder, or what is no longer there and may have been one.
-        _ => Some(Change::Perhaps),
+        _ if event.need_rescan() => return Some(Change::PERHAPS),
+        // Also what was written through a memory map ends so.
+        EventKind::Access(AccessKind::Close(AccessMode::Write)) if is_certain => {}
+        EventKind::Access(_) => return None,
+        // Not a folder, nor what is no longer there and may have been one.
+        _ if !is_certain && event.paths.iter().all(|path| path.is_file()) => return None,
+        _ => {}
     }
+    Some(Change { is_certain, paths: Some(event.paths.into_iter().collect()) })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use notify::event::{AccessKind, AccessMode, CreateKind, DataChange, Flag, ModifyKind, RemoveKind, RenameMode};
+    use notify::event::{CreateKind, DataChange, Flag, ModifyKind, RemoveKind, RenameMode};
 
     #[test]
     fn events_are_weighed() {
@@ -154,29 +178,44 @@ mod tests {
         let data = EventKind::Modify(ModifyKind::Data(DataChange::Any));
         let from = EventKind::Modify(ModifyKind::Name(RenameMode::From));
         let read = EventKind::Access(AccessKind::Close(AccessMode::Read));
-        let weigh = |kind, path: &PathBuf| weigh(&Event::new(kind).add_path(path.clone()), |path| concerns(None, path));
-        assert_eq!(weigh(data, &clip), Some(Change::Certain));
-        assert_eq!(weigh(data, &settings), Some(Change::Certain));
-        assert_eq!(weigh(EventKind::Remove(RemoveKind::File), &gone.with_extension("lipz")), Some(Change::Certain));
+        let written = EventKind::Access(AccessKind::Close(AccessMode::Write));
+        let of = |kind, path: &PathBuf| weigh(Event::new(kind).add_path(path.clone()), |path| concerns(None, path));
+        let weigh = |kind, path: &PathBuf| {
+            let change = of(kind, path)?;
+            assert_eq!(change.paths, Some(BTreeSet::from([path.clone()])));
+            Some(change.is_certain)
+        };
+        assert_eq!(weigh(data, &clip), Some(true));
+        assert_eq!(weigh(data, &settings), Some(true));
+        assert_eq!(weigh(EventKind::Remove(RemoveKind::File), &gone.with_extension("lipz")), Some(true));
         assert_eq!(weigh(read, &clip), None, "packing reads it");
+        assert_eq!((weigh(written, &clip), weigh(written, &note)), (Some(true), None));
         assert_eq!(weigh(data, &note), None);
-        assert_eq!(weigh(EventKind::Create(CreateKind::Folder), &folder.path().into()), Some(Change::Perhaps));
-        assert_eq!(weigh(from, &gone), Some(Change::Perhaps), "it may have been a folder");
+        assert_eq!(weigh(EventKind::Create(CreateKind::Folder), &folder.path().into()), Some(false));
+        assert_eq!(weigh(from, &gone), Some(false), "it may have been a folder");
     }
 
     #[test]
     fn lost_events_are_looked_after() {
-        let event = Event::new(EventKind::Other).set_flag(Flag::Rescan);
-        assert_eq!(weigh(&event, |_| false), Some(Change::Perhaps));
+        let event = Event::new(EventKind::Other).set_flag(Flag::Rescan).add_path("a.lipz".into());
+        assert_eq!(weigh(event, |_| true), Some(Change::PERHAPS));
     }
 
     #[test]
     fn a_burst_is_one_change() {
         let alarm = Alarm::new(None);
-        for change in [Change::Perhaps, Change::Certain, Change::Perhaps] {
+        let change = |is_certain, path: &str| Change { is_certain, paths: Some(BTreeSet::from([path.into()])) };
+        for change in [change(false, "a"), change(true, "b"), change(false, "a")] {
             alarm.bell.send(change).unwrap();
         }
-        assert_eq!(alarm.wait(), Change::Certain);
+        let both = Change { is_certain: true, paths: Some(["a", "b"].map(PathBuf::from).into()) };
+        assert_eq!(alarm.wait(), both);
         assert!(alarm.rings.try_recv().is_err(), "all of it is over");
+        for change in [change(true, "a"), Change::PERHAPS, change(false, "b")] {
+            alarm.bell.send(change).unwrap();
+        }
+        assert_eq!(alarm.wait(), Change { is_certain: true, paths: None });
+        (0..=MOST_PATHS).for_each(|number| alarm.bell.send(change(false, &number.to_string())).unwrap());
+        assert_eq!(alarm.wait(), Change::PERHAPS);
     }
 }

@@ -2,6 +2,7 @@
 
 mod alarm;
 mod scope;
+mod state;
 
 use super::pack::{Pack, Plan, Remembered};
 use crate::Abort;
@@ -9,10 +10,13 @@ use crate::Ended;
 use crate::commands::Run;
 use crate::reporter::Reporter;
 use crate::{Outcome, console};
-pub(crate) use alarm::{Alarm, Change};
+pub(crate) use alarm::Alarm;
 use clap::Args;
 use jiff::Zoned;
+use lipz_diagnostics::Report;
 pub(crate) use scope::Scope;
+use state::{Scent, State};
+use std::collections::BTreeSet;
 use std::convert::Infallible;
 use std::time::{Duration, Instant};
 
@@ -63,9 +67,14 @@ fn watch(arguments: &Watch, reporter: &mut Reporter) -> Result<Infallible, Abort
     alarm.set(&scope).map_err(|report| reporter.fail(report))?;
     let mut told = String::new();
     let mut memory = Remembered::default();
+    // The state in which the last run found the files.
+    let mut state: Option<State> = None;
+    // Numbers of the inputs that can have changed since the run that is remembered; `None` if they can be any, or others.
+    let mut changed: Option<BTreeSet<usize>> = None;
     loop {
         if !arguments.pack.may_remember() {
             memory = Remembered::default();
+            changed = None;
         }
         if arguments.clear {
             console::clear();
@@ -76,21 +85,52 @@ fn watch(arguments: &Watch, reporter: &mut Reporter) -> Result<Infallible, Abort
             Ok(plan) => scope = Scope::new(&plan.project, sources),
             Err(abort) if told.is_empty() && abort.outcome() == Outcome::Failed => return Err(*abort),
             // Settings with errors: those of the last run say where to look.
-            Err(_) => {}
+            Err(_) => changed = None,
         }
-        alarm.set(&scope).map_err(|report| reporter.fail(report))?;
-        let state = scope.state();
-        let mut outcome = arguments.pack_once(plan, &mut memory, start, reporter);
+        let now = match (state.take(), &changed) {
+            (Some(mut state), Some(changed)) => {
+                state.look_again(changed);
+                state
+            }
+            _ => {
+                alarm.set(&scope).map_err(|report| reporter.fail(report))?;
+                scope.state()
+            }
+        };
+        let numbers: Option<Vec<usize>> = changed.as_ref().map(|changed| changed.iter().copied().collect());
+        let packed = arguments.pack_once(plan, &mut memory, (&now, numbers.as_deref()), start, reporter);
+        // What could not be packed has changed still.
+        if packed.is_ok() {
+            changed = Some(BTreeSet::new());
+        }
+        let mut outcome = packed.unwrap_or_else(|outcome| outcome);
         let place = alarm.describe(&scope);
         if place != told {
             outcome = outcome.max(arguments.say(&place, reporter));
             told = place;
         }
         reporter.finish_run(Ok(outcome));
-        while alarm.wait() == Change::Perhaps {
-            alarm.set(&scope).map_err(|report| reporter.fail(report))?;
-            if scope.state() != state {
-                break;
+        wait(&mut alarm, &scope, &now, &mut changed).map_err(|report| reporter.fail(report))?;
+        state = Some(now);
+    }
+}
+
+/// Waits until something is another than in this state, and adds what it is to what has `changed`.
+fn wait(alarm: &mut Alarm, scope: &Scope, state: &State, changed: &mut Option<BTreeSet<usize>>) -> Result<(), Report> {
+    loop {
+        let change = alarm.wait();
+        match change.paths.map_or(Scent::Unknown, |paths| state.judge(&paths, scope.settings_name())) {
+            Scent::Nothing => {}
+            Scent::Inputs(numbers) => {
+                changed.iter_mut().for_each(|changed| changed.extend(&numbers));
+                return Ok(());
+            }
+            Scent::Unknown => {
+                alarm.set(scope)?;
+                if change.is_certain || scope.state() != *state {
+                    *changed = None;
+                    return Ok(());
+                }
             }
         }
     }
@@ -108,30 +148,34 @@ impl Watch {
         Ok(plan)
     }
 
-    /// Packs if there is a plan, and says how it went.
+    /// Packs if there is a plan, the files in this state, of which only those with these numbers can have changed; and says how
+    /// it went. An error if there is no new bank.
     fn pack_once(
         &self,
         plan: Result<Plan, Abort>,
         memory: &mut Remembered,
+        (state, changed): (&State, Option<&[usize]>),
         start: Instant,
         reporter: &mut Reporter,
-    ) -> Outcome {
+    ) -> Result<Outcome, Outcome> {
         let mut old_bank = "the old bank is kept";
         let packed = plan.and_then(|plan| {
             if !plan.output.exists() {
                 old_bank = "there is no bank yet";
             }
-            plan.run(Some(memory), self.pack.sources.is_quiet(), reporter)
+            plan.run_again(memory, state.found(), changed, self.pack.sources.is_quiet(), reporter)
         });
         let (outcome, message, timings) = match packed {
             Ok(packed) => {
                 let took_ms = start.elapsed().as_millis();
-                (packed.outcome, format!("{}, {took_ms} ms", packed.message()), self.pack.timings(&packed))
+                let timings = self.pack.timings(&packed);
+                (Ok(packed.outcome), format!("{}, {took_ms} ms", packed.message()), timings)
             }
-            Err(abort) => (abort.outcome(), format!("not packed: {old_bank}"), String::new()),
+            Err(abort) => (Err(abort.outcome()), format!("not packed: {old_bank}"), String::new()),
         };
         let time = Zoned::now().strftime("%H:%M:%S");
-        outcome.max(self.say(&format!("{time}  {message}\n{timings}"), reporter))
+        let said = self.say(&format!("{time}  {message}\n{timings}"), reporter);
+        outcome.map(|outcome| outcome.max(said)).map_err(|outcome| outcome.max(said))
     }
 
     /// Prints a summary, unless only diagnostics are wanted. A full disk does not end the watch.

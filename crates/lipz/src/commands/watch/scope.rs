@@ -1,34 +1,21 @@
-//! What a watch looks at: the places where Lipz files and settings lie, and the state they are in.
+//! What a watch looks at: the places where Lipz files and settings lie.
 
+use super::state::State;
 use crate::shared::settings_file::Project;
 use crate::shared::sources::Sources;
 use lipz_compiler::key::EXTENSION;
 use lipz_compiler::settings::{FILE_NAME, Settings};
-use lipz_compiler::{Content, watched};
-use lipz_diagnostics::Report;
+use lipz_compiler::watched;
 use notify::RecursiveMode;
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
-use std::time::SystemTime;
 
 /// The sources and the settings file of a project.
 pub(crate) struct Scope {
     settings: Settings,
     settings_file: Option<PathBuf>,
 }
-
-/// What can be seen of the files of a scope without reading them. Two states differ if a file was
-/// changed, added, removed or moved between them.
-#[derive(PartialEq, Eq)]
-pub(crate) struct State {
-    files: Vec<(PathBuf, Option<Stamp>)>,
-    /// Sources that are missing or cannot be read.
-    problems: Vec<Report>,
-}
-
-/// Length and time of a file.
-type Stamp = (u64, Option<SystemTime>);
 
 impl Scope {
     /// What the command line names, before the settings are read.
@@ -73,17 +60,7 @@ impl Scope {
 
     /// The state of all files, now.
     pub(crate) fn state(&self) -> State {
-        let (inputs, problems) = self.settings.discover();
-        let lipz_files = inputs.into_iter().filter_map(|input| match input.content {
-            Content::File(path) => Some(path),
-            Content::Bytes { .. } => None,
-        });
-        let paths = lipz_files.chain(self.settings_file.clone()).chain(lipz_sync::dependencies(&self.settings));
-        let stamped = |path: PathBuf| {
-            let stamp = stamp(&path);
-            (path, stamp)
-        };
-        State { files: paths.map(stamped).collect(), problems }
+        State::of(&self.settings, self.settings_file.as_deref())
     }
 }
 
@@ -95,11 +72,6 @@ pub(crate) fn concerns(settings_name: Option<&OsStr>, path: &Path) -> bool {
         || path
             .file_name()
             .is_some_and(|name| name == FILE_NAME || name == lipz_sync::RECORD_NAME || Some(name) == settings_name)
-}
-
-fn stamp(path: &Path) -> Option<Stamp> {
-    let metadata = path.metadata().ok()?;
-    Some((metadata.len(), metadata.modified().ok()))
 }
 
 fn is_lipz(path: &Path) -> bool {

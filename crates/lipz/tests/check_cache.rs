@@ -1,0 +1,90 @@
+//! `lipz check --cache` finds what it finds without, whatever happens to the files.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use std::fs;
+use std::time::Duration;
+use support::{Scene, lipz};
+
+/// How long a file has to be left alone before its look alone proves that it did not change.
+const SETTLING: Duration = Duration::from_millis(2100);
+
+fn clip(source: &str, translation: &str) -> String {
+    format!(
+        r#"{{ "fps": 24, "viseme_type": "blair", "visemes": "MA-", "text_en-us": "{source}", "text_de-de": "{translation}" }}"#
+    )
+}
+
+#[test]
+fn the_findings_are_the_same() {
+    let scene = Scene::new();
+    let settings = |levels: &str| format!("default-locale = \"en-us\"\nsources = [\"voices\"]\n[lints]\n{levels}");
+    scene.write("lipz.toml", settings(""));
+    for number in 0..12 {
+        scene.write(&format!("voices/{number}.lipz"), clip(&format!("Line {number}."), &format!("Zeile {number}.")));
+    }
+    std::thread::sleep(SETTLING);
+    let voices = |name: &str| scene.path().join("voices").join(name);
+    let check = |what: &str| {
+        let without = lipz(scene.path(), ["check"]);
+        for _ in 0..2 {
+            let with = lipz(scene.path(), ["check", "--cache", "check.cache"]);
+            assert_eq!(
+                (&with.stdout, &with.stderr, with.code),
+                (&without.stdout, &without.stderr, without.code),
+                "{what}"
+            );
+        }
+        without
+    };
+    let first = check("at first");
+    assert!(first.code == 0 && first.stdout.contains("nobody knows what the translations were made from"), "{first:?}");
+    scene.write("voices/1.lipz", clip("Line 1.", "Zeile 2."));
+    assert!(check("another number").stderr.contains("voices/1.lipz"));
+    scene.write("lipz.toml", settings("numbers-differ = \"deny\"\n"));
+    assert_eq!(check("another level").code, 1);
+    scene.write("voices/2.lipz", "{ \"text_en-us\": ");
+    check("an error");
+    scene.write("voices/3.lipz", r#"{ "fps": 24, "viseme_type": "blair", "visemes": "MA-", "text_en-us": "Alone." }"#);
+    check("a translation that is gone");
+    scene.write("voices/2.lipz", clip("Line 2.", "Zeile 2."));
+    scene.write("voices/1.lipz", clip("Line 1.", "Zeile 1."));
+    assert_eq!(check("mended").code, 0);
+    scene.prepare(&["accept", "--all"]);
+    let recorded = check("a record");
+    assert!(recorded.code == 0 && !recorded.stdout.contains("nobody knows"), "{recorded:?}");
+    scene.write("voices/4.lipz", clip("Another line 4.", "Zeile 4."));
+    assert!(check("a stale translation").stderr.contains("voices/4.lipz"));
+    fs::rename(voices("4.lipz"), voices("5-new.lipz")).unwrap();
+    assert!(check("it is stale under another name, too").stderr.contains("voices/5-new.lipz"));
+    fs::rename(voices("6.lipz"), voices("7-new.lipz")).unwrap();
+    check("a renamed file");
+    fs::remove_file(voices("7.lipz")).unwrap();
+    check("a removed file");
+    fs::remove_file(scene.path().join("lipz-texts.txt")).unwrap();
+    assert!(check("no record any more").stdout.contains("nobody knows"));
+    scene.write("lipz.toml", settings("") + "[voices]\nen-us = \"{key}\"\nde-de = \"de/{key}\"\n");
+    check("voices");
+}
+
+#[test]
+fn a_cache_replaces_nothing_but_a_cache() {
+    let scene = Scene::new();
+    scene.write("voices/a.lipz", clip("Aye.", "Ja."));
+    scene.prepare(&["pack", "voices", "-o", "a.lipzbank", "--cache", "pack.cache"]);
+    for (cache, why) in [
+        ("voices/a.lipz", "is the name of a Lipz file"),
+        ("a.lipzbank", "is not a cache of lipz, and is left alone"),
+        ("pack.cache", "is the cache of a bank, and is left alone"),
+        ("voices", "is not a cache of lipz, and is left alone"),
+    ] {
+        let before = fs::read(scene.path().join(cache)).ok();
+        let refused = lipz(scene.path(), ["check", "voices", "--cache", cache]);
+        assert!(refused.code == 2 && refused.stderr.contains(why), "{refused:?}");
+        assert_eq!(fs::read(scene.path().join(cache)).ok(), before);
+    }
+    scene.prepare(&["check", "voices", "--cache", "check.cache"]);
+    let refused = lipz(scene.path(), ["pack", "voices", "-o", "a.lipzbank", "--cache", "check.cache"]);
+    assert!(refused.code == 2 && refused.stderr.contains("is a cache of `lipz check`"), "{refused:?}");
+}
