@@ -58,7 +58,8 @@ impl<'data, 'bank> BankWithTexts<'data, 'bank> {
         locales
     }
 
-    /// One bank with all of these texts: what was split, without source records.
+    /// One bank with all of these texts, which answers as the one that was split: text banks do not say which locale a fallback
+    /// is of, so it has these texts again.
     ///
     /// # Errors
     /// If the bank is a layer over others, or too large as a whole.

@@ -17,7 +17,7 @@ pub(super) fn merge(layers: &Layers<'_, MAX_LAYERS>) -> Result<Vec<u8>, Report> 
     merge_of(layers, &[], &|_| true)
 }
 
-/// A bank with the texts of its text banks, as it was before it was split.
+/// A bank with the texts of its text banks.
 pub(crate) fn joined<'d>(bank: &Bank<'d>, texts: &[TextBank<'d>]) -> Result<Vec<u8>, Report> {
     let layers = Layers::from_slice(std::slice::from_ref(bank)).map_err(|_| not_whole())?;
     merge_of(&layers, texts, &|_| true)
