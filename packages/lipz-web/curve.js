@@ -1,5 +1,6 @@
 // Curves of a clip: numbers that change while it plays, such as blend shapes and emotions.
 
+import { SECOND, THIRD } from "./memory.js";
 import * as c from "./structs.js";
 import { at } from "./words.js";
 
@@ -28,14 +29,31 @@ export function emotionsOf({ thousandths, strongest, sum }) {
 }
 
 export class Curve {
-  #ask;
+  #ofClip;
+  #memory;
   #fields;
+  /** Where the curve was read last: the next picture needs no search. */
+  #cursor = { key: 0 };
 
-  /** @param ask calls a function whose first arguments are the bank, the clip and this curve */
-  constructor(ask, name, fields) {
-    this.#ask = ask;
+  /** @param ofClip calls a function whose first arguments are the bank and the clip */
+  constructor(ofClip, memory, fields) {
+    this.#ofClip = ofClip;
+    this.#memory = memory;
     this.#fields = fields;
-    this.name = name;
+    this.name = memory.string(fields.name);
+  }
+
+  /** Calls a function whose first arguments are the bank, the clip and this curve. */
+  #ask(type, name, ...args) {
+    return this.#ofClip(type, name, this.#memory.put(SECOND, c.lipz_curve, this.#fields), ...args);
+  }
+
+  /** Calls a function that moves the cursor and gives a value. */
+  #value(name, ...args) {
+    const memory = this.#memory;
+    const thousandths = this.#ask(c.i32, name, memory.put(THIRD, c.lipz_curve_cursor, this.#cursor), ...args);
+    this.#cursor = memory.read(THIRD, c.lipz_curve_cursor);
+    return thousandths === undefined ? undefined : thousandths / THOUSAND;
   }
 
   get keyCount() {
@@ -43,19 +61,18 @@ export class Curve {
   }
 
   get keys() {
-    const key = (index) => this.#ask(c.lipz_curve_key, "lipz_clip_curve_key", this.#fields, index);
+    const key = (index) => this.#ask(c.lipz_curve_key, "lipz_clip_curve_key", index);
     return Array.from({ length: this.keyCount }, (_, index) => key(index))
       .filter((found) => found !== undefined)
       .map(({ frame, thousandths }) => ({ frame, value: thousandths / THOUSAND }));
   }
 
   value(frame) {
-    return this.#ask(c.i32, "lipz_clip_curve_value", this.#fields, frame) / THOUSAND;
+    return this.#value("lipz_clip_curve_value", frame);
   }
 
   valueAt(time) {
     const [unit, ...args] = at(time);
-    const thousandths = this.#ask(c.i32, `lipz_clip_curve_value_at_${unit}`, this.#fields, ...args);
-    return thousandths === undefined ? undefined : thousandths / THOUSAND;
+    return this.#value(`lipz_clip_curve_value_at_${unit}`, ...args);
   }
 }

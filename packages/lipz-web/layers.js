@@ -98,7 +98,7 @@ export class Layers {
     const stack = {
       voiceOf: (id) => this.#voiceOf(id),
       clipIn: (id, tag) => this.#clipIn(id, tag),
-      faceAt: (clip, unit, ...args) => this.#faceAt({ ...fields, clip }, unit, ...args),
+      face: (clip, ...args) => this.#face({ ...fields, clip }, ...args),
     };
     return this.#clipOf(this.#opened[fields.layer].memory, fields.clip, text, stack);
   }
@@ -117,12 +117,12 @@ export class Layers {
     return voiced && { clip: this.#clip(voiced.clip), spoken: voiced.spoken };
   }
 
-  /** The fields of the face of a clip at a time, with the profiles of the whole stack. */
-  #faceAt(clip, unit, settings, ...time) {
+  /** The fields of the face of a clip, or of somebody in it, with the profiles of the whole stack. */
+  #face(clip, what, who, settings, ...time) {
     const memory = this.#memory;
     const asked = memory.put(FIRST, c.lipz_layered_clip, clip);
-    const pointers = settingsOf(memory, settings);
-    return memory.ask(c.lipz_face, `lipz_layers_face_at_${unit}`, ...this.#banks, asked, ...pointers, ...time);
+    const pointers = [...who(memory), ...settingsOf(memory, settings)];
+    return memory.ask(c.lipz_face, `lipz_layers_face_${what}`, ...this.#banks, asked, ...pointers, ...time);
   }
 
   #text(clip, segment, tag) {

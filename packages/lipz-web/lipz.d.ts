@@ -166,13 +166,22 @@ export class Clip {
   curve(name: string): Curve | undefined;
   /** What the speaker feels at a time: neutral without curves of emotion, and without a frame rate. */
   emotionsAt(time: Time): Emotions;
-  /** What another character of the clip feels at a time: `mara feels fear 4` in its events is in the curve `mara.fear`. */
-  emotionsOf(character: string, time: Time): Emotions;
+  /**
+   * What a character of the clip feels at a time: `mara feels fear 4` in its events is in the curve `mara.fear`. That of the
+   * speaker has curves without a name, too.
+   */
+  emotionsOf(character: string, time: Time, settings?: { isSpeaker?: boolean }): Emotions;
   /**
    * The speaker's face at a time: generated from the time, the profile and the id of the clip, the same on every machine.
    * Curves of the clip win over what is generated. @throws {LipzError} with a profile of another bank.
    */
   faceAt(time: Time, settings?: FaceSettings): Face;
+  /**
+   * The face of a character of the clip at a time: with the curves that have the name in front, and blinks by their own
+   * emotions. The head of somebody who listens moves for these curves and for what is looked at only. @throws {LipzError} with
+   * a profile of another bank.
+   */
+  faceOf(character: string, time: Time, settings?: FaceSettings & { isSpeaker?: boolean }): Face;
   /** All curves, in the order of their names. */
   readonly curves: Curve[];
   /** The clip with this frame rate, where its file leaves it unspecified. */
@@ -203,7 +212,8 @@ export class Clip {
 
 /**
  * A number that changes while a clip plays: a blend shape, an emotion. Between two keys it changes evenly; outside of them it is
- * that of the first or last.
+ * that of the first or last. Keep it while the clip plays: it remembers which key was needed last, so that the next picture
+ * needs no search.
  */
 export class Curve {
   private constructor();
@@ -269,7 +279,7 @@ export interface Face {
 export interface FaceSettings {
   /** How the face moves; that of the project without it. */
   profile?: FaceProfile;
-  /** What the speaker looks at; somebody straight ahead without it. */
+  /** What is looked at; somebody straight ahead without it. */
   lookAt?: LookAt;
 }
 

@@ -3,7 +3,7 @@
 import { Babble } from "./babble.js";
 import { Cursor } from "./cursor.js";
 import { Curve, EMOTIONS, emotionsOf } from "./curve.js";
-import { FaceProfile, faceOf, settingsOf } from "./specials.js";
+import { FaceProfile, faceOf, settingsOf, whoOf } from "./specials.js";
 import { Layers } from "./layers.js";
 import { BANK, FIRST, LipzError, Memory, SECOND } from "./memory.js";
 import { byCodePoints } from "./order.js";
@@ -353,27 +353,34 @@ export class Clip {
     return emotionsOf(this.#askAt(c.lipz_emotions, "lipz_clip_emotions", time));
   }
 
-  /** What another character of the clip feels at a time. */
-  emotionsOf(character, time) {
+  /** What a character of the clip feels at a time. */
+  emotionsOf(character, time, { isSpeaker } = {}) {
     const [unit, ...args] = at(time);
-    const name = this.#memory.text(character);
-    return emotionsOf(this.#ask(c.lipz_emotions, `lipz_clip_emotions_of_${unit}`, ...name, ...args));
+    const who = whoOf(this.#memory, character, isSpeaker);
+    return emotionsOf(this.#ask(c.lipz_emotions, `lipz_clip_emotions_of_${unit}`, who, ...args));
   }
 
   /** The speaker's face at a time. */
   faceAt(time, settings) {
-    const [unit, ...args] = at(time);
+    return this.#face(`at_${at(time)[0]}`, time, settings);
+  }
+
+  /** The face of a character of the clip at a time. */
+  faceOf(character, time, { isSpeaker, ...settings } = {}) {
+    return this.#face(`of_${at(time)[0]}`, time, settings, (memory) => [whoOf(memory, character, isSpeaker)]);
+  }
+
+  #face(what, time, settings, who = () => []) {
+    const [, ...args] = at(time);
     const face = this.#stack
-      ? this.#stack.faceAt(this.#fields, unit, settings, ...args)
-      : this.#ask(c.lipz_face, `lipz_clip_face_at_${unit}`, ...settingsOf(this.#memory, settings), ...args);
+      ? this.#stack.face(this.#fields, what, who, settings, ...args)
+      : this.#ask(c.lipz_face, `lipz_clip_face_${what}`, ...who(this.#memory), ...settingsOf(this.#memory, settings), ...args);
     if (face === undefined) throw new LipzError("the face profile is that of another bank");
     return faceOf(face);
   }
 
   #curve(fields) {
-    const ask = (type, name, curve, ...args) =>
-      this.#ask(type, name, this.#memory.put(SECOND, c.lipz_curve, curve), ...args);
-    return fields && new Curve(ask, this.#memory.string(fields.name), fields);
+    return fields && new Curve((...args) => this.#ask(...args), this.#memory, fields);
   }
 
   /** The clip with this frame rate, where its file leaves it unspecified. */

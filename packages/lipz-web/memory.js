@@ -11,7 +11,8 @@ export const BANK = 0;
 export const FIRST = 1;
 export const SECOND = 2;
 export const THIRD = 3;
-const ANSWER = 4;
+export const FOURTH = 4;
+const ANSWER = 5;
 
 const LIPZ_OK = 0;
 const LIPZ_NONE = 256;

@@ -1,11 +1,17 @@
 // Faces that move by themselves: lids, head and eyes at a time.
 
-import { BANK, SECOND, THIRD } from "./memory.js";
+import { BANK, FOURTH, SECOND, THIRD } from "./memory.js";
 import * as c from "./structs.js";
 import { at } from "./words.js";
 
 const THOUSAND = 1000;
 const NULL = 0;
+
+/** The address of a character, for a function of lipz.h. */
+export function whoOf(memory, name, isSpeaker = false) {
+  const [data, length_bytes] = memory.text(name);
+  return memory.put(FOURTH, c.lipz_who, { name: { data, length_bytes }, is_speaker: Number(isSpeaker) });
+}
 
 /** The addresses of a profile and of what somebody looks at, for a function of lipz.h; null for what is left out. */
 export function settingsOf(memory, { profile, lookAt } = {}) {

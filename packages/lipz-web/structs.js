@@ -133,9 +133,13 @@ export const lipz_character = struct({
   points_at: lipz_name,
 });
 
-export const lipz_curve = struct({ name: lipz_string, index: u32, key_count: u32 });
+export const lipz_curve = struct({ name: lipz_string, place: u32, key_count: u32 });
+
+export const lipz_curve_cursor = struct({ key: u32 });
 
 export const lipz_curve_key = struct({ frame: u32, thousandths: i32 });
+
+export const lipz_who = struct({ name: lipz_string, is_speaker: u32 });
 
 export const lipz_emotions = struct({ thousandths: array(i32, 12), strongest: u32, sum: i32 });
 

@@ -1,7 +1,8 @@
 //! What a character feels at a time: the curves of a clip that have the names of the twelve attributes, alone or behind a character.
 
-use crate::{Clip, CurveValue, Time};
-use lipz_types::Emotion;
+use crate::who::farther;
+use crate::{Clip, CurveValue, Time, Who};
+use lipz_types::{Emotion, Position};
 
 /// The values of the twelve attributes at a time. Those without a curve are 0.
 ///
@@ -51,11 +52,12 @@ impl Clip<'_, '_> {
     /// What the speaker feels at `time`: the values of the curves that are named after the attributes of emotion. All are 0
     /// without such curves, and without a frame rate.
     pub fn emotions_at<T: Time>(&self, time: T) -> Emotions {
-        self.emotions_in(None, time)
+        self.emotions_of(Who::Speaker, time)
     }
 
-    /// What another character of the clip feels at `time`: `mara feels fear 4` in its events is in the curve `mara.fear`. All
-    /// are 0 without such curves, and without a frame rate.
+    /// What a character of the clip feels at `time`: `mara feels fear 4` in its events is in the curve `mara.fear`. All are 0
+    /// without such curves, and without a frame rate. A name is that of somebody else than the speaker, unless [`Who`] says
+    /// otherwise.
     ///
     /// ```
     /// # use lipz_bank::{Clip, Emotion, Micros};
@@ -63,22 +65,17 @@ impl Clip<'_, '_> {
     /// let fright = clip.emotions_of("mara", now).get(Emotion::Fear);
     /// # }
     /// ```
-    pub fn emotions_of<T: Time>(&self, character: &str, time: T) -> Emotions {
-        self.emotions_in(Some(character), time)
+    pub fn emotions_of<'name, T: Time>(&self, who: impl Into<Who<'name>>, time: T) -> Emotions {
+        self.position(time).map_or_else(Emotions::default, |position| self.emotions_in(who.into(), position))
     }
 
-    fn emotions_in<T: Time>(&self, character: Option<&str>, time: T) -> Emotions {
+    fn emotions_in(&self, who: Who<'_>, position: Position) -> Emotions {
         let mut emotions = Emotions::default();
         for curve in self.curves() {
-            let name = curve.name().as_str();
-            let attribute = match character {
-                None => Some(name),
-                Some(character) => name.strip_prefix(character).and_then(|rest| rest.strip_prefix('.')),
-            };
-            let emotion = attribute.and_then(Emotion::from_name);
-            let place = emotion.and_then(|emotion| emotions.values.get_mut(emotion as usize));
-            if let (Some(place), Some(value)) = (place, curve.value_at(time)) {
-                *place = value;
+            let emotion = who.purpose(curve.name().as_str()).and_then(Emotion::from_name);
+            if let Some(place) = emotion.and_then(|emotion| emotions.values.get_mut(emotion as usize)) {
+                let value = farther(place.thousandths(), curve.value_in(position).thousandths(), 0);
+                *place = CurveValue::from_thousandths(value);
             }
         }
         emotions

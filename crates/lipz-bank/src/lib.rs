@@ -91,6 +91,7 @@ mod text;
 mod text_bank;
 mod verify;
 mod voice;
+mod who;
 
 pub use babble::{Babble, Babbles, Power, VoiceLevel, Weights};
 pub use bank::Bank;
@@ -112,6 +113,7 @@ pub use set_index::{SetBank, SetIndex};
 pub use text::Text;
 pub use text_bank::TextBank;
 pub use voice::{Spoken, Voice, VoicedClip, Voices};
+pub use who::Who;
 
 pub use lipz_types::{
     ClipId, Command, CurveValue, Emotion, FaceCurve, Fps, Micros, Samples, Seconds, Time, Viseme, VisemeType, Weight,

@@ -5,8 +5,8 @@
  * docs/C.md shows how to use it.
  *
  * Contract: a pointer is null or leads to a value of its type, or to as many bytes as the length
- * beside it says; that holds for the pointers in a lipz_bank, too, for as long as the bank and strings
- * from it are used. Nobody writes to those bytes meanwhile, and answers do not overlap arguments.
+ * beside it says; that holds for the pointers in a lipz_bank and a lipz_who, too, for as long as the bank and
+ * strings from it are used. Nobody writes to those bytes meanwhile, and answers do not overlap arguments.
  *
  * Everything else is total: no function crashes, reads out of bounds or loops without end, whatever the
  * bytes of the bank and the numbers in the structs are. Each returns a status, and writes an
@@ -494,12 +494,12 @@ typedef struct lipz_weights {
   uint32_t aah;
 } lipz_weights;
 
-// A curve of a clip. Queries go by `index`; the other fields are there to be read.
+// A curve of a clip. Queries go by `place`; the other fields are there to be read.
 typedef struct lipz_curve {
   // Its name: `jawOpen`, `anger`.
   struct lipz_string name;
-  // Its place among the curves of its clip, which are in the order of their names.
-  uint32_t index;
+  // Its place among all curves of the bank.
+  uint32_t place;
   // Number of keys, at least 1 in a verified bank.
   uint32_t key_count;
 } lipz_curve;
@@ -512,6 +512,15 @@ typedef struct lipz_curve_key {
   int32_t thousandths;
 } lipz_curve_key;
 
+// Which key of a curve was needed last. Start with zeros: `lipz_curve_cursor cursor = {0}`.
+//
+// With it, no key is searched for as long as time moves on by a few keys per picture. The answers are the same, also
+// after a jump, and with a cursor of another curve.
+typedef struct lipz_curve_cursor {
+  // The key, by its index.
+  uint32_t key;
+} lipz_curve_cursor;
+
 // What a character feels: all zeros for a neutral face.
 typedef struct lipz_emotions {
   // Values in thousandths, 0 to 10,000 where the file says nothing else: `thousandths[LIPZ_ANGER]`.
@@ -521,6 +530,15 @@ typedef struct lipz_emotions {
   // The sum of all values, in thousandths.
   int32_t sum;
 } lipz_emotions;
+
+// A character of a clip: `mara feels fear` and `mara nods` in its events are about mara, and in curves with this name in front.
+typedef struct lipz_who {
+  // The name as events have it: data and length.
+  struct lipz_string name;
+  // 1 for the speaker: then curves without a name are about them, too. Of two for the same, that one counts which is farther
+  // from neutral. 0 for somebody else.
+  uint32_t is_speaker;
+} lipz_who;
 
 // A face profile of a bank. Look it up once; queries go by `index` and `bank`.
 typedef struct lipz_face_profile {
@@ -1083,7 +1101,7 @@ lipz_status lipz_clip_curve(const struct lipz_bank *bank,
                             size_t name_length_bytes,
                             struct lipz_curve *curve);
 
-// The curve of a clip with this index: ask from 0 on until `LIPZ_NONE`.
+// The curve of a clip with this index, in the order of their names: ask from 0 on until `LIPZ_NONE`.
 lipz_status lipz_clip_curve_at(const struct lipz_bank *bank,
                                const struct lipz_clip *clip,
                                uint32_t index,
@@ -1096,17 +1114,20 @@ lipz_status lipz_clip_curve_key(const struct lipz_bank *bank,
                                 uint32_t index,
                                 struct lipz_curve_key *key);
 
-// The value of a curve at the start of a frame, in thousandths.
+// The value of a curve at the start of a frame, in thousandths. `cursor` may be null.
 lipz_status lipz_clip_curve_value(const struct lipz_bank *bank,
                                   const struct lipz_clip *clip,
                                   const struct lipz_curve *curve,
+                                  struct lipz_curve_cursor *cursor,
                                   uint32_t frame,
                                   int32_t *thousandths);
 
 // The value of a curve `time_us` microseconds after the audio began, in thousandths. `LIPZ_NONE` without a frame rate.
+// `cursor` may be null; with one, a picture needs no search among the keys.
 lipz_status lipz_clip_curve_value_at_us(const struct lipz_bank *bank,
                                         const struct lipz_clip *clip,
                                         const struct lipz_curve *curve,
+                                        struct lipz_curve_cursor *cursor,
                                         int64_t time_us,
                                         int32_t *thousandths);
 
@@ -1114,6 +1135,7 @@ lipz_status lipz_clip_curve_value_at_us(const struct lipz_bank *bank,
 lipz_status lipz_clip_curve_value_at_samples(const struct lipz_bank *bank,
                                              const struct lipz_clip *clip,
                                              const struct lipz_curve *curve,
+                                             struct lipz_curve_cursor *cursor,
                                              int64_t position,
                                              uint32_t rate_hz,
                                              int32_t *thousandths);
@@ -1122,6 +1144,7 @@ lipz_status lipz_clip_curve_value_at_samples(const struct lipz_bank *bank,
 lipz_status lipz_clip_curve_value_at_seconds(const struct lipz_bank *bank,
                                              const struct lipz_clip *clip,
                                              const struct lipz_curve *curve,
+                                             struct lipz_curve_cursor *cursor,
                                              double seconds,
                                              int32_t *thousandths);
 
@@ -1129,6 +1152,7 @@ lipz_status lipz_clip_curve_value_at_seconds(const struct lipz_bank *bank,
 lipz_status lipz_clip_curve_value_at_seconds_f32(const struct lipz_bank *bank,
                                                  const struct lipz_clip *clip,
                                                  const struct lipz_curve *curve,
+                                                 struct lipz_curve_cursor *cursor,
                                                  float seconds,
                                                  int32_t *thousandths);
 
@@ -1157,37 +1181,33 @@ lipz_status lipz_clip_emotions_at_seconds_f32(const struct lipz_bank *bank,
                                               float seconds,
                                               struct lipz_emotions *emotions);
 
-// What another character of the clip feels `time_us` microseconds after the audio began: `mara feels fear 4` in its events is
-// in the curve `mara.fear`. A neutral face without such curves.
+// What a character of the clip feels `time_us` microseconds after the audio began: `mara feels fear 4` in its events is
+// in the curve `mara.fear`. A neutral face without such curves. `who` may be null for the speaker.
 lipz_status lipz_clip_emotions_of_us(const struct lipz_bank *bank,
                                      const struct lipz_clip *clip,
-                                     const char *character,
-                                     size_t character_length_bytes,
+                                     const struct lipz_who *who,
                                      int64_t time_us,
                                      struct lipz_emotions *emotions);
 
-// What another character of the clip feels after `position` samples at `rate_hz`.
+// What a character of the clip feels after `position` samples at `rate_hz`.
 lipz_status lipz_clip_emotions_of_samples(const struct lipz_bank *bank,
                                           const struct lipz_clip *clip,
-                                          const char *character,
-                                          size_t character_length_bytes,
+                                          const struct lipz_who *who,
                                           int64_t position,
                                           uint32_t rate_hz,
                                           struct lipz_emotions *emotions);
 
-// What another character of the clip feels after `seconds`.
+// What a character of the clip feels after `seconds`.
 lipz_status lipz_clip_emotions_of_seconds(const struct lipz_bank *bank,
                                           const struct lipz_clip *clip,
-                                          const char *character,
-                                          size_t character_length_bytes,
+                                          const struct lipz_who *who,
                                           double seconds,
                                           struct lipz_emotions *emotions);
 
 // `lipz_clip_emotions_of_seconds` for clocks that have no `double`.
 lipz_status lipz_clip_emotions_of_seconds_f32(const struct lipz_bank *bank,
                                               const struct lipz_clip *clip,
-                                              const char *character,
-                                              size_t character_length_bytes,
+                                              const struct lipz_who *who,
                                               float seconds,
                                               struct lipz_emotions *emotions);
 
@@ -1231,6 +1251,45 @@ lipz_status lipz_clip_face_at_seconds(const struct lipz_bank *bank,
 // `lipz_clip_face_at_seconds` for clocks that have no `double`.
 lipz_status lipz_clip_face_at_seconds_f32(const struct lipz_bank *bank,
                                           const struct lipz_clip *clip,
+                                          const struct lipz_face_profile *profile,
+                                          const struct lipz_look_at *look_at,
+                                          float seconds,
+                                          struct lipz_face *face);
+
+// The face of a character of the clip `time_us` microseconds after the audio began: with the curves that have the name in
+// front, and blinks by their own emotions. The head of somebody who listens moves for these curves and for what is looked at only. `who`
+// may be null for the speaker, the others as for `lipz_clip_face_at_us`.
+lipz_status lipz_clip_face_of_us(const struct lipz_bank *bank,
+                                 const struct lipz_clip *clip,
+                                 const struct lipz_who *who,
+                                 const struct lipz_face_profile *profile,
+                                 const struct lipz_look_at *look_at,
+                                 int64_t time_us,
+                                 struct lipz_face *face);
+
+// The face of a character of the clip after `position` samples at `rate_hz`.
+lipz_status lipz_clip_face_of_samples(const struct lipz_bank *bank,
+                                      const struct lipz_clip *clip,
+                                      const struct lipz_who *who,
+                                      const struct lipz_face_profile *profile,
+                                      const struct lipz_look_at *look_at,
+                                      int64_t position,
+                                      uint32_t rate_hz,
+                                      struct lipz_face *face);
+
+// The face of a character of the clip after `seconds`.
+lipz_status lipz_clip_face_of_seconds(const struct lipz_bank *bank,
+                                      const struct lipz_clip *clip,
+                                      const struct lipz_who *who,
+                                      const struct lipz_face_profile *profile,
+                                      const struct lipz_look_at *look_at,
+                                      double seconds,
+                                      struct lipz_face *face);
+
+// `lipz_clip_face_of_seconds` for clocks that have no `double`.
+lipz_status lipz_clip_face_of_seconds_f32(const struct lipz_bank *bank,
+                                          const struct lipz_clip *clip,
+                                          const struct lipz_who *who,
                                           const struct lipz_face_profile *profile,
                                           const struct lipz_look_at *look_at,
                                           float seconds,
@@ -1367,6 +1426,48 @@ lipz_status lipz_layers_face_at_seconds(const struct lipz_bank *banks,
 lipz_status lipz_layers_face_at_seconds_f32(const struct lipz_bank *banks,
                                             uint32_t count,
                                             const struct lipz_layered_clip *clip,
+                                            const struct lipz_face_profile *profile,
+                                            const struct lipz_look_at *look_at,
+                                            float seconds,
+                                            struct lipz_face *face);
+
+// The face of a character of a clip of a stack `time_us` microseconds after the audio began, as `lipz_clip_face_of_us`, with a
+// profile as for `lipz_layers_face_at_us`.
+lipz_status lipz_layers_face_of_us(const struct lipz_bank *banks,
+                                   uint32_t count,
+                                   const struct lipz_layered_clip *clip,
+                                   const struct lipz_who *who,
+                                   const struct lipz_face_profile *profile,
+                                   const struct lipz_look_at *look_at,
+                                   int64_t time_us,
+                                   struct lipz_face *face);
+
+// The face of a character of a clip of a stack after `position` samples at `rate_hz`.
+lipz_status lipz_layers_face_of_samples(const struct lipz_bank *banks,
+                                        uint32_t count,
+                                        const struct lipz_layered_clip *clip,
+                                        const struct lipz_who *who,
+                                        const struct lipz_face_profile *profile,
+                                        const struct lipz_look_at *look_at,
+                                        int64_t position,
+                                        uint32_t rate_hz,
+                                        struct lipz_face *face);
+
+// The face of a character of a clip of a stack after `seconds`.
+lipz_status lipz_layers_face_of_seconds(const struct lipz_bank *banks,
+                                        uint32_t count,
+                                        const struct lipz_layered_clip *clip,
+                                        const struct lipz_who *who,
+                                        const struct lipz_face_profile *profile,
+                                        const struct lipz_look_at *look_at,
+                                        double seconds,
+                                        struct lipz_face *face);
+
+// `lipz_layers_face_of_seconds` for clocks that have no `double`.
+lipz_status lipz_layers_face_of_seconds_f32(const struct lipz_bank *banks,
+                                            uint32_t count,
+                                            const struct lipz_layered_clip *clip,
+                                            const struct lipz_who *who,
                                             const struct lipz_face_profile *profile,
                                             const struct lipz_look_at *look_at,
                                             float seconds,

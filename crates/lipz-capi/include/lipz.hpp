@@ -202,6 +202,11 @@ struct Emotions : lipz_emotions {
     }
 };
 
+/// Which key of a curve was needed last: passed with each picture, no key is searched for. A new one is as good.
+struct CurveCursor : lipz_curve_cursor {
+    CurveCursor() noexcept : lipz_curve_cursor{0} {}
+};
+
 /// A number that changes while its clip plays. Values are thousandths.
 struct Curve : lipz_curve {
     Curve(const lipz_clip &clip, const lipz_curve &curve) noexcept : lipz_curve(curve), clip_(clip) {}
@@ -214,23 +219,24 @@ struct Curve : lipz_curve {
         });
     }
     /// The value at the start of a frame.
-    std::int32_t value(const lipz_bank &bank, std::uint32_t frame) const noexcept {
-        return ask([&](auto *out) { return lipz_clip_curve_value(&bank, &clip_, this, frame, out); }).value_or(0);
+    std::int32_t value(const lipz_bank &bank, std::uint32_t frame, CurveCursor *cursor = nullptr) const noexcept {
+        return ask([&](auto *out) { return lipz_clip_curve_value(&bank, &clip_, this, cursor, frame, out); }).value_or(0);
     }
     /// The value at a time; nothing without a frame rate.
-    std::optional<std::int32_t> value_at(const lipz_bank &bank, Micros time) const noexcept {
-        return ask([&](auto *out) { return lipz_clip_curve_value_at_us(&bank, &clip_, this, time.us, out); });
+    std::optional<std::int32_t> value_at(const lipz_bank &bank, Micros time, CurveCursor *cursor = nullptr) const noexcept {
+        return ask([&](auto *out) { return lipz_clip_curve_value_at_us(&bank, &clip_, this, cursor, time.us, out); });
     }
-    std::optional<std::int32_t> value_at(const lipz_bank &bank, Samples time) const noexcept {
+    std::optional<std::int32_t> value_at(const lipz_bank &bank, Samples time, CurveCursor *cursor = nullptr) const noexcept {
         return ask([&](auto *out) {
-            return lipz_clip_curve_value_at_samples(&bank, &clip_, this, time.position, time.rate_hz, out);
+            return lipz_clip_curve_value_at_samples(&bank, &clip_, this, cursor, time.position, time.rate_hz, out);
         });
     }
-    std::optional<std::int32_t> value_at(const lipz_bank &bank, double seconds) const noexcept {
-        return ask([&](auto *out) { return lipz_clip_curve_value_at_seconds(&bank, &clip_, this, seconds, out); });
+    std::optional<std::int32_t> value_at(const lipz_bank &bank, double seconds, CurveCursor *cursor = nullptr) const noexcept {
+        return ask([&](auto *out) { return lipz_clip_curve_value_at_seconds(&bank, &clip_, this, cursor, seconds, out); });
     }
-    std::optional<std::int32_t> value_at(const lipz_bank &bank, float seconds) const noexcept {
-        return ask([&](auto *out) { return lipz_clip_curve_value_at_seconds_f32(&bank, &clip_, this, seconds, out); });
+    std::optional<std::int32_t> value_at(const lipz_bank &bank, float seconds, CurveCursor *cursor = nullptr) const noexcept {
+        return ask(
+            [&](auto *out) { return lipz_clip_curve_value_at_seconds_f32(&bank, &clip_, this, cursor, seconds, out); });
     }
 
   private:
@@ -238,6 +244,16 @@ struct Curve : lipz_curve {
         return answer<std::int32_t>(ask);
     }
     lipz_clip clip_;
+};
+
+/// Whose face and emotions: `"mara"` for a character who listens, `Who::speaker("mara")` for the one who speaks. The name outlives it.
+struct Who : lipz_who {
+    Who(std::string_view name) noexcept : Who(name, 0) {}
+    Who(const char *name) noexcept : Who(std::string_view(name), 0) {}
+    static Who speaker(std::string_view name) noexcept { return Who(name, 1); }
+
+  private:
+    Who(std::string_view name, std::uint32_t is_speaker) noexcept : lipz_who{{name.data(), name.size()}, is_speaker} {}
 };
 
 /// What somebody looks at: a direction in thousandths of degrees, up and to the left, as seen from the head at rest.
@@ -334,27 +350,20 @@ struct Clip : lipz_clip {
     Emotions emotions_at(const lipz_bank &bank, float seconds) const noexcept {
         return emotions([&](auto *out) { return lipz_clip_emotions_at_seconds_f32(&bank, this, seconds, out); });
     }
-    /// What another character of the clip feels at a time: `mara feels fear 4` in its events is in the curve `mara.fear`.
-    Emotions emotions_of(const lipz_bank &bank, std::string_view character, Micros time) const noexcept {
+    /// What a character of the clip feels at a time: `mara feels fear 4` in its events is in the curve `mara.fear`.
+    Emotions emotions_of(const lipz_bank &bank, const Who &who, Micros time) const noexcept {
+        return emotions([&](auto *out) { return lipz_clip_emotions_of_us(&bank, this, &who, time.us, out); });
+    }
+    Emotions emotions_of(const lipz_bank &bank, const Who &who, Samples time) const noexcept {
         return emotions([&](auto *out) {
-            return lipz_clip_emotions_of_us(&bank, this, character.data(), character.size(), time.us, out);
+            return lipz_clip_emotions_of_samples(&bank, this, &who, time.position, time.rate_hz, out);
         });
     }
-    Emotions emotions_of(const lipz_bank &bank, std::string_view character, Samples time) const noexcept {
-        return emotions([&](auto *out) {
-            return lipz_clip_emotions_of_samples(&bank, this, character.data(), character.size(), time.position,
-                                                 time.rate_hz, out);
-        });
+    Emotions emotions_of(const lipz_bank &bank, const Who &who, double seconds) const noexcept {
+        return emotions([&](auto *out) { return lipz_clip_emotions_of_seconds(&bank, this, &who, seconds, out); });
     }
-    Emotions emotions_of(const lipz_bank &bank, std::string_view character, double seconds) const noexcept {
-        return emotions([&](auto *out) {
-            return lipz_clip_emotions_of_seconds(&bank, this, character.data(), character.size(), seconds, out);
-        });
-    }
-    Emotions emotions_of(const lipz_bank &bank, std::string_view character, float seconds) const noexcept {
-        return emotions([&](auto *out) {
-            return lipz_clip_emotions_of_seconds_f32(&bank, this, character.data(), character.size(), seconds, out);
-        });
+    Emotions emotions_of(const lipz_bank &bank, const Who &who, float seconds) const noexcept {
+        return emotions([&](auto *out) { return lipz_clip_emotions_of_seconds_f32(&bank, this, &who, seconds, out); });
     }
     /// The speaker's face at a time, besides mouth and emotions; nothing for a profile of another bank.
     std::optional<lipz_face> face_at(const lipz_bank &bank, Micros time, const FaceProfile &profile,
@@ -375,6 +384,26 @@ struct Clip : lipz_clip {
                                      const LookAt &look = {}) const noexcept {
         return face(
             [&](auto *out) { return lipz_clip_face_at_seconds_f32(&bank, this, &profile, &look, seconds, out); });
+    }
+    /// The face of a character of the clip: with their own curves and emotions, and without the motion of a head that speaks.
+    std::optional<lipz_face> face_of(const lipz_bank &bank, const Who &who, Micros time, const FaceProfile &profile,
+                                     const LookAt &look = {}) const noexcept {
+        return face([&](auto *out) { return lipz_clip_face_of_us(&bank, this, &who, &profile, &look, time.us, out); });
+    }
+    std::optional<lipz_face> face_of(const lipz_bank &bank, const Who &who, Samples time, const FaceProfile &profile,
+                                     const LookAt &look = {}) const noexcept {
+        return face([&](auto *out) {
+            return lipz_clip_face_of_samples(&bank, this, &who, &profile, &look, time.position, time.rate_hz, out);
+        });
+    }
+    std::optional<lipz_face> face_of(const lipz_bank &bank, const Who &who, double seconds, const FaceProfile &profile,
+                                     const LookAt &look = {}) const noexcept {
+        return face([&](auto *out) { return lipz_clip_face_of_seconds(&bank, this, &who, &profile, &look, seconds, out); });
+    }
+    std::optional<lipz_face> face_of(const lipz_bank &bank, const Who &who, float seconds, const FaceProfile &profile,
+                                     const LookAt &look = {}) const noexcept {
+        return face(
+            [&](auto *out) { return lipz_clip_face_of_seconds_f32(&bank, this, &who, &profile, &look, seconds, out); });
     }
     std::uint32_t lead_one_frame() const noexcept { return of(lipz_lead_one_frame); }
     std::uint32_t lead_two_frames() const noexcept { return of(lipz_lead_two_frames); }

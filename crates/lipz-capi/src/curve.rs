@@ -10,14 +10,14 @@ use crate::string::{String, c_char};
 use core::mem::MaybeUninit;
 use lipz_bank::{CurveValue, Micros, Samples, Seconds, Time};
 
-/// A curve of a clip. Queries go by `index`; the other fields are there to be read.
+/// A curve of a clip. Queries go by `place`; the other fields are there to be read.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Curve {
     /// Its name: `jawOpen`, `anger`.
     pub name: String,
-    /// Its place among the curves of its clip, which are in the order of their names.
-    pub index: u32,
+    /// Its place among all curves of the bank.
+    pub place: u32,
     /// Number of keys, at least 1 in a verified bank.
     pub key_count: u32,
 }
@@ -32,9 +32,19 @@ pub struct CurveKey {
     pub thousandths: i32,
 }
 
-fn from_found(index: usize, curve: &lipz_bank::Curve<'_>) -> Curve {
-    let name = String::from_text(curve.name().as_str());
-    Curve { name, index: u32::try_from(index).unwrap_or(u32::MAX), key_count: curve.key_count() }
+/// Which key of a curve was needed last. Start with zeros: `lipz_curve_cursor cursor = {0}`.
+///
+/// With it, no key is searched for as long as time moves on by a few keys per picture. The answers are the same, also
+/// after a jump, and with a cursor of another curve.
+#[repr(C)]
+#[derive(Clone, Copy, Default, Debug)]
+pub struct CurveCursor {
+    /// The key, by its index.
+    pub key: u32,
+}
+
+fn from_found(curve: &lipz_bank::Curve<'_>) -> Curve {
+    Curve { name: String::from_text(curve.name().as_str()), place: curve.place(), key_count: curve.key_count() }
 }
 
 /// The curve of a clip with this name. `LIPZ_NONE` if it has none.
@@ -50,13 +60,12 @@ pub unsafe extern "C" fn lipz_clip_curve(
     unsafe {
         of_clip(bank, clip, curve, |clip| {
             let found = clip.curve(text(name, name_length_bytes)?).ok_or(LIPZ_NONE)?;
-            let index = clip.curves().take_while(|curve| curve.name() != found.name()).count();
-            Ok(from_found(index, &found))
+            Ok(from_found(&found))
         })
     }
 }
 
-/// The curve of a clip with this index: ask from 0 on until `LIPZ_NONE`.
+/// The curve of a clip with this index, in the order of their names: ask from 0 on until `LIPZ_NONE`.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_curve_at(
     bank: Option<&Bank>,
@@ -65,12 +74,7 @@ pub unsafe extern "C" fn lipz_clip_curve_at(
     curve: Option<&mut MaybeUninit<Curve>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe {
-        of_clip(bank, clip, curve, |clip| {
-            let index = index as usize;
-            Ok(from_found(index, &clip.curves().nth(index).ok_or(LIPZ_NONE)?))
-        })
-    }
+    unsafe { of_clip(bank, clip, curve, |clip| Ok(from_found(&clip.curves().nth(index as usize).ok_or(LIPZ_NONE)?))) }
 }
 
 /// The key of a curve with this index, a number below its `key_count`.
@@ -91,30 +95,37 @@ pub unsafe extern "C" fn lipz_clip_curve_key(
     }
 }
 
-/// The value of a curve at the start of a frame, in thousandths.
+/// The value of a curve at the start of a frame, in thousandths. `cursor` may be null.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_curve_value(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
     curve: Option<&Curve>,
+    cursor: Option<&mut CurveCursor>,
     frame: u32,
     thousandths: Option<&mut MaybeUninit<i32>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_curve(bank, clip, curve, thousandths, |curve| Ok(curve.value(frame).thousandths())) }
+    unsafe {
+        of_curve(bank, clip, curve, thousandths, |curve| {
+            Ok(with_cursor(cursor, |cursor| cursor.value(&curve, frame)).thousandths())
+        })
+    }
 }
 
 /// The value of a curve `time_us` microseconds after the audio began, in thousandths. `LIPZ_NONE` without a frame rate.
+/// `cursor` may be null; with one, a picture needs no search among the keys.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_curve_value_at_us(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
     curve: Option<&Curve>,
+    cursor: Option<&mut CurveCursor>,
     time_us: i64,
     thousandths: Option<&mut MaybeUninit<i32>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { value_at(bank, clip, curve, Micros(time_us), thousandths) }
+    unsafe { value_at(bank, clip, curve, cursor, Micros(time_us), thousandths) }
 }
 
 /// The value of a curve after `position` samples at `rate_hz`, in thousandths. `LIPZ_NONE` without a frame rate.
@@ -123,12 +134,13 @@ pub unsafe extern "C" fn lipz_clip_curve_value_at_samples(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
     curve: Option<&Curve>,
+    cursor: Option<&mut CurveCursor>,
     position: i64,
     rate_hz: u32,
     thousandths: Option<&mut MaybeUninit<i32>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { value_at(bank, clip, curve, Samples { position, rate_hz }, thousandths) }
+    unsafe { value_at(bank, clip, curve, cursor, Samples { position, rate_hz }, thousandths) }
 }
 
 /// The value of a curve after `seconds`, in thousandths. `LIPZ_NONE` without a frame rate.
@@ -137,11 +149,12 @@ pub unsafe extern "C" fn lipz_clip_curve_value_at_seconds(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
     curve: Option<&Curve>,
+    cursor: Option<&mut CurveCursor>,
     seconds: f64,
     thousandths: Option<&mut MaybeUninit<i32>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { value_at(bank, clip, curve, Seconds(seconds), thousandths) }
+    unsafe { value_at(bank, clip, curve, cursor, Seconds(seconds), thousandths) }
 }
 
 /// `lipz_clip_curve_value_at_seconds` for clocks that have no `double`.
@@ -150,11 +163,12 @@ pub unsafe extern "C" fn lipz_clip_curve_value_at_seconds_f32(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
     curve: Option<&Curve>,
+    cursor: Option<&mut CurveCursor>,
     seconds: f32,
     thousandths: Option<&mut MaybeUninit<i32>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { value_at(bank, clip, curve, Seconds(seconds), thousandths) }
+    unsafe { value_at(bank, clip, curve, cursor, Seconds(seconds), thousandths) }
 }
 
 /// # Safety
@@ -163,18 +177,29 @@ unsafe fn value_at(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
     curve: Option<&Curve>,
+    cursor: Option<&mut CurveCursor>,
     time: impl Time,
     thousandths: Option<&mut MaybeUninit<i32>>,
 ) -> Status {
     // SAFETY: the same contract.
     unsafe {
         of_curve(bank, clip, curve, thousandths, |curve| {
-            curve.value_at(time).map(CurveValue::thousandths).ok_or(LIPZ_NONE)
+            with_cursor(cursor, |cursor| cursor.value_at(&curve, time)).map(CurveValue::thousandths).ok_or(LIPZ_NONE)
         })
     }
 }
 
-/// Answers a query about a curve: the one of the clip with the index of `curve`.
+/// Asks with the cursor of the caller, and writes back where it is; with a new one without it.
+fn with_cursor<T>(cursor: Option<&mut CurveCursor>, ask: impl FnOnce(&mut lipz_bank::CurveCursor) -> T) -> T {
+    let mut moved = lipz_bank::CurveCursor::from_word(cursor.as_ref().map_or(0, |cursor| cursor.key));
+    let answer = ask(&mut moved);
+    if let Some(cursor) = cursor {
+        cursor.key = moved.to_word();
+    }
+    answer
+}
+
+/// Answers a query about a curve: the one in the place of `curve`.
 ///
 /// # Safety
 /// The contract of the crate.
@@ -188,8 +213,7 @@ unsafe fn of_curve<T: Default>(
     // SAFETY: the same contract.
     unsafe {
         of_clip(bank, clip, out, |clip| {
-            let index = curve.ok_or(LIPZ_NULL_POINTER)?.index as usize;
-            query(clip.curves().nth(index).ok_or(LIPZ_NONE)?)
+            query(clip.curve_in_place(curve.ok_or(LIPZ_NULL_POINTER)?.place).ok_or(LIPZ_NONE)?)
         })
     }
 }

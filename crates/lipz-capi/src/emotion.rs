@@ -2,9 +2,8 @@
 
 use crate::bank::Bank;
 use crate::clip::{Clip, of_clip};
-use crate::pointer::text;
 use crate::status::Status;
-use crate::string::c_char;
+use crate::who::{self, Who};
 use core::mem::MaybeUninit;
 use lipz_bank::{Micros, Samples, Seconds, Time};
 
@@ -104,48 +103,45 @@ pub unsafe extern "C" fn lipz_clip_emotions_at_seconds_f32(
     unsafe { of_clip(bank, clip, emotions, |clip| Ok(from_found(&clip.emotions_at(Seconds(seconds))))) }
 }
 
-/// What another character of the clip feels `time_us` microseconds after the audio began: `mara feels fear 4` in its events is
-/// in the curve `mara.fear`. A neutral face without such curves.
+/// What a character of the clip feels `time_us` microseconds after the audio began: `mara feels fear 4` in its events is
+/// in the curve `mara.fear`. A neutral face without such curves. `who` may be null for the speaker.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_emotions_of_us(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
-    character: *const c_char,
-    character_length_bytes: usize,
+    who: Option<&Who>,
     time_us: i64,
     emotions: Option<&mut MaybeUninit<Emotions>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of(bank, clip, (character, character_length_bytes), Micros(time_us), emotions) }
+    unsafe { of(bank, clip, who, Micros(time_us), emotions) }
 }
 
-/// What another character of the clip feels after `position` samples at `rate_hz`.
+/// What a character of the clip feels after `position` samples at `rate_hz`.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_emotions_of_samples(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
-    character: *const c_char,
-    character_length_bytes: usize,
+    who: Option<&Who>,
     position: i64,
     rate_hz: u32,
     emotions: Option<&mut MaybeUninit<Emotions>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of(bank, clip, (character, character_length_bytes), Samples { position, rate_hz }, emotions) }
+    unsafe { of(bank, clip, who, Samples { position, rate_hz }, emotions) }
 }
 
-/// What another character of the clip feels after `seconds`.
+/// What a character of the clip feels after `seconds`.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_emotions_of_seconds(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
-    character: *const c_char,
-    character_length_bytes: usize,
+    who: Option<&Who>,
     seconds: f64,
     emotions: Option<&mut MaybeUninit<Emotions>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of(bank, clip, (character, character_length_bytes), Seconds(seconds), emotions) }
+    unsafe { of(bank, clip, who, Seconds(seconds), emotions) }
 }
 
 /// `lipz_clip_emotions_of_seconds` for clocks that have no `double`.
@@ -153,13 +149,12 @@ pub unsafe extern "C" fn lipz_clip_emotions_of_seconds(
 pub unsafe extern "C" fn lipz_clip_emotions_of_seconds_f32(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
-    character: *const c_char,
-    character_length_bytes: usize,
+    who: Option<&Who>,
     seconds: f32,
     emotions: Option<&mut MaybeUninit<Emotions>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of(bank, clip, (character, character_length_bytes), Seconds(seconds), emotions) }
+    unsafe { of(bank, clip, who, Seconds(seconds), emotions) }
 }
 
 /// # Safety
@@ -168,14 +163,12 @@ pub unsafe extern "C" fn lipz_clip_emotions_of_seconds_f32(
 unsafe fn of(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
-    (character, length_bytes): (*const c_char, usize),
+    who: Option<&Who>,
     time: impl Time,
     emotions: Option<&mut MaybeUninit<Emotions>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe {
-        of_clip(bank, clip, emotions, |clip| Ok(from_found(&clip.emotions_of(text(character, length_bytes)?, time))))
-    }
+    unsafe { of_clip(bank, clip, emotions, |clip| Ok(from_found(&clip.emotions_of(who::of_reader(who)?, time)))) }
 }
 
 fn from_found(found: &lipz_bank::Emotions) -> Emotions {

@@ -7,6 +7,7 @@ use crate::clip::{Clip, of_clip};
 use crate::pointer::{answer, text};
 use crate::status::{LIPZ_NONE, Status};
 use crate::string::{String, c_char};
+use crate::who::{self, Who};
 use core::mem::MaybeUninit;
 use lipz_bank::{CurveValue, Micros, Samples, Seconds, Time};
 
@@ -109,7 +110,7 @@ pub unsafe extern "C" fn lipz_clip_face_at_us(
     face: Option<&mut MaybeUninit<Face>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { face_at(bank, clip, profile, look_at, Micros(time_us), face) }
+    unsafe { face_of(bank, clip, None, profile, look_at, Micros(time_us), face) }
 }
 
 /// The speaker's face after `position` samples at `rate_hz`.
@@ -124,7 +125,7 @@ pub unsafe extern "C" fn lipz_clip_face_at_samples(
     face: Option<&mut MaybeUninit<Face>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { face_at(bank, clip, profile, look_at, Samples { position, rate_hz }, face) }
+    unsafe { face_of(bank, clip, None, profile, look_at, Samples { position, rate_hz }, face) }
 }
 
 /// The speaker's face after `seconds`.
@@ -138,7 +139,7 @@ pub unsafe extern "C" fn lipz_clip_face_at_seconds(
     face: Option<&mut MaybeUninit<Face>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { face_at(bank, clip, profile, look_at, Seconds(seconds), face) }
+    unsafe { face_of(bank, clip, None, profile, look_at, Seconds(seconds), face) }
 }
 
 /// `lipz_clip_face_at_seconds` for clocks that have no `double`.
@@ -152,7 +153,70 @@ pub unsafe extern "C" fn lipz_clip_face_at_seconds_f32(
     face: Option<&mut MaybeUninit<Face>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { face_at(bank, clip, profile, look_at, Seconds(seconds), face) }
+    unsafe { face_of(bank, clip, None, profile, look_at, Seconds(seconds), face) }
+}
+
+/// The face of a character of the clip `time_us` microseconds after the audio began: with the curves that have the name in
+/// front, and blinks by their own emotions. The head of somebody who listens moves for these curves and for what is looked at only. `who`
+/// may be null for the speaker, the others as for `lipz_clip_face_at_us`.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_clip_face_of_us(
+    bank: Option<&Bank>,
+    clip: Option<&Clip>,
+    who: Option<&Who>,
+    profile: Option<&FaceProfile>,
+    look_at: Option<&LookAt>,
+    time_us: i64,
+    face: Option<&mut MaybeUninit<Face>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe { face_of(bank, clip, who, profile, look_at, Micros(time_us), face) }
+}
+
+/// The face of a character of the clip after `position` samples at `rate_hz`.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_clip_face_of_samples(
+    bank: Option<&Bank>,
+    clip: Option<&Clip>,
+    who: Option<&Who>,
+    profile: Option<&FaceProfile>,
+    look_at: Option<&LookAt>,
+    position: i64,
+    rate_hz: u32,
+    face: Option<&mut MaybeUninit<Face>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe { face_of(bank, clip, who, profile, look_at, Samples { position, rate_hz }, face) }
+}
+
+/// The face of a character of the clip after `seconds`.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_clip_face_of_seconds(
+    bank: Option<&Bank>,
+    clip: Option<&Clip>,
+    who: Option<&Who>,
+    profile: Option<&FaceProfile>,
+    look_at: Option<&LookAt>,
+    seconds: f64,
+    face: Option<&mut MaybeUninit<Face>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe { face_of(bank, clip, who, profile, look_at, Seconds(seconds), face) }
+}
+
+/// `lipz_clip_face_of_seconds` for clocks that have no `double`.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_clip_face_of_seconds_f32(
+    bank: Option<&Bank>,
+    clip: Option<&Clip>,
+    who: Option<&Who>,
+    profile: Option<&FaceProfile>,
+    look_at: Option<&LookAt>,
+    seconds: f32,
+    face: Option<&mut MaybeUninit<Face>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe { face_of(bank, clip, who, profile, look_at, Seconds(seconds), face) }
 }
 
 /// The face of somebody who says nothing, `time_us` microseconds from anywhere: they blink and look. `seed` tells them apart
@@ -215,9 +279,10 @@ pub unsafe extern "C" fn lipz_face_idle_at_seconds_f32(
 
 /// # Safety
 /// The contract of the crate.
-unsafe fn face_at(
+unsafe fn face_of(
     bank: Option<&Bank>,
     clip: Option<&Clip>,
+    who: Option<&Who>,
     profile: Option<&FaceProfile>,
     look_at: Option<&LookAt>,
     time: impl Time,
@@ -227,7 +292,7 @@ unsafe fn face_at(
     unsafe {
         of_clip(bank, clip, out, |clip| {
             let opened = opened(bank)?;
-            Ok(from_found(&clip.face_at(time, &of_reader(&opened, profile)?, direction(look_at))))
+            Ok(from_found(&clip.face_of(who::of_reader(who)?, time, &of_reader(&opened, profile)?, direction(look_at))))
         })
     }
 }

@@ -5,6 +5,7 @@ use crate::clip::of_clip;
 use crate::face::{Face, FaceProfile, LookAt, direction, from_found, of_reader};
 use crate::layers::{LayeredClip, bank_at, info};
 use crate::status::Status;
+use crate::who::{self, Who};
 use core::mem::MaybeUninit;
 use lipz_bank::{Micros, Samples, Seconds, Time};
 
@@ -21,7 +22,7 @@ pub unsafe extern "C" fn lipz_layers_face_at_us(
     face: Option<&mut MaybeUninit<Face>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { face_at((banks, count), clip, profile, look_at, Micros(time_us), face) }
+    unsafe { face_of((banks, count), clip, None, profile, look_at, Micros(time_us), face) }
 }
 
 /// The face of a clip of a stack after `position` samples at `rate_hz`.
@@ -37,7 +38,7 @@ pub unsafe extern "C" fn lipz_layers_face_at_samples(
     face: Option<&mut MaybeUninit<Face>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { face_at((banks, count), clip, profile, look_at, Samples { position, rate_hz }, face) }
+    unsafe { face_of((banks, count), clip, None, profile, look_at, Samples { position, rate_hz }, face) }
 }
 
 /// The face of a clip of a stack after `seconds`.
@@ -52,7 +53,7 @@ pub unsafe extern "C" fn lipz_layers_face_at_seconds(
     face: Option<&mut MaybeUninit<Face>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { face_at((banks, count), clip, profile, look_at, Seconds(seconds), face) }
+    unsafe { face_of((banks, count), clip, None, profile, look_at, Seconds(seconds), face) }
 }
 
 /// `lipz_layers_face_at_seconds` for clocks that have no `double`.
@@ -67,14 +68,81 @@ pub unsafe extern "C" fn lipz_layers_face_at_seconds_f32(
     face: Option<&mut MaybeUninit<Face>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { face_at((banks, count), clip, profile, look_at, Seconds(seconds), face) }
+    unsafe { face_of((banks, count), clip, None, profile, look_at, Seconds(seconds), face) }
+}
+
+/// The face of a character of a clip of a stack `time_us` microseconds after the audio began, as `lipz_clip_face_of_us`, with a
+/// profile as for `lipz_layers_face_at_us`.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_layers_face_of_us(
+    banks: *const Bank,
+    count: u32,
+    clip: Option<&LayeredClip>,
+    who: Option<&Who>,
+    profile: Option<&FaceProfile>,
+    look_at: Option<&LookAt>,
+    time_us: i64,
+    face: Option<&mut MaybeUninit<Face>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe { face_of((banks, count), clip, who, profile, look_at, Micros(time_us), face) }
+}
+
+/// The face of a character of a clip of a stack after `position` samples at `rate_hz`.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_layers_face_of_samples(
+    banks: *const Bank,
+    count: u32,
+    clip: Option<&LayeredClip>,
+    who: Option<&Who>,
+    profile: Option<&FaceProfile>,
+    look_at: Option<&LookAt>,
+    position: i64,
+    rate_hz: u32,
+    face: Option<&mut MaybeUninit<Face>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe { face_of((banks, count), clip, who, profile, look_at, Samples { position, rate_hz }, face) }
+}
+
+/// The face of a character of a clip of a stack after `seconds`.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_layers_face_of_seconds(
+    banks: *const Bank,
+    count: u32,
+    clip: Option<&LayeredClip>,
+    who: Option<&Who>,
+    profile: Option<&FaceProfile>,
+    look_at: Option<&LookAt>,
+    seconds: f64,
+    face: Option<&mut MaybeUninit<Face>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe { face_of((banks, count), clip, who, profile, look_at, Seconds(seconds), face) }
+}
+
+/// `lipz_layers_face_of_seconds` for clocks that have no `double`.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_layers_face_of_seconds_f32(
+    banks: *const Bank,
+    count: u32,
+    clip: Option<&LayeredClip>,
+    who: Option<&Who>,
+    profile: Option<&FaceProfile>,
+    look_at: Option<&LookAt>,
+    seconds: f32,
+    face: Option<&mut MaybeUninit<Face>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe { face_of((banks, count), clip, who, profile, look_at, Seconds(seconds), face) }
 }
 
 /// # Safety
 /// The contract of the crate.
-unsafe fn face_at(
+unsafe fn face_of(
     (banks, count): (*const Bank, u32),
     clip: Option<&LayeredClip>,
+    who: Option<&Who>,
     profile: Option<&FaceProfile>,
     look_at: Option<&LookAt>,
     time: impl Time,
@@ -86,7 +154,8 @@ unsafe fn face_at(
         let bank = layer.and_then(|layer| bank_at(banks, layer));
         of_clip(bank, clip.map(|clip| &clip.clip), out, |clip| {
             let with_profiles = opened(bank_at(banks, info(banks, count)?.faces_layer))?;
-            Ok(from_found(&clip.face_at(time, &of_reader(&with_profiles, profile)?, direction(look_at))))
+            let profile = of_reader(&with_profiles, profile)?;
+            Ok(from_found(&clip.face_of(who::of_reader(who)?, time, &profile, direction(look_at))))
         })
     }
 }

@@ -8,7 +8,7 @@
 //! The caller guarantees, and nothing else:
 //!
 //! * a pointer is null or leads to a value of its type, or to as many bytes as the length beside it
-//!   says; that holds for the pointers in a [`Bank`], too, for as long as the bank and the strings
+//!   says; that holds for the pointers in a [`Bank`] and a [`Who`], too, for as long as the bank and the strings
 //!   from it are used;
 //! * nobody writes to those bytes meanwhile, and answers do not overlap arguments.
 //!
@@ -47,6 +47,7 @@ mod string;
 mod time;
 mod version;
 mod voice;
+mod who;
 
 pub use babble::{
     Babble, LIPZ_BUILT_IN, LIPZ_UNMEASURED, Weights, lipz_babble_at_samples, lipz_babble_at_seconds,
@@ -72,7 +73,7 @@ pub use cursor_time::{
     lipz_cursor_seek_samples, lipz_cursor_seek_seconds, lipz_cursor_seek_seconds_f32, lipz_cursor_seek_us,
 };
 pub use curve::{
-    Curve, CurveKey, lipz_clip_curve, lipz_clip_curve_at, lipz_clip_curve_key, lipz_clip_curve_value,
+    Curve, CurveCursor, CurveKey, lipz_clip_curve, lipz_clip_curve_at, lipz_clip_curve_key, lipz_clip_curve_value,
     lipz_clip_curve_value_at_samples, lipz_clip_curve_value_at_seconds, lipz_clip_curve_value_at_seconds_f32,
     lipz_clip_curve_value_at_us,
 };
@@ -90,11 +91,13 @@ pub use event::{
 };
 pub use face::{
     Face, FaceProfile, LookAt, lipz_clip_face_at_samples, lipz_clip_face_at_seconds, lipz_clip_face_at_seconds_f32,
-    lipz_clip_face_at_us, lipz_face_idle_at_samples, lipz_face_idle_at_seconds, lipz_face_idle_at_seconds_f32,
+    lipz_clip_face_at_us, lipz_clip_face_of_samples, lipz_clip_face_of_seconds, lipz_clip_face_of_seconds_f32,
+    lipz_clip_face_of_us, lipz_face_idle_at_samples, lipz_face_idle_at_seconds, lipz_face_idle_at_seconds_f32,
     lipz_face_idle_at_us, lipz_face_profile_by_name, lipz_face_profile_default,
 };
 pub use layered_face::{
     lipz_layers_face_at_samples, lipz_layers_face_at_seconds, lipz_layers_face_at_seconds_f32, lipz_layers_face_at_us,
+    lipz_layers_face_of_samples, lipz_layers_face_of_seconds, lipz_layers_face_of_seconds_f32, lipz_layers_face_of_us,
 };
 pub use layered_voice::{LayeredVoicedClip, lipz_layers_clip_in_voice, lipz_layers_clip_voice, lipz_layers_voice_at};
 pub use layers::{
@@ -120,3 +123,4 @@ pub use version::{LIPZ_VERSION_MAJOR, LIPZ_VERSION_MINOR, LIPZ_VERSION_PATCH, li
 pub use voice::{
     LIPZ_DUB, LIPZ_ORIGINAL, LIPZ_OTHER_DUB, VoicedClip, lipz_clip_in_voice, lipz_clip_voice, lipz_voice_at,
 };
+pub use who::Who;

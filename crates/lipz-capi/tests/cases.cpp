@@ -95,8 +95,8 @@ class Stage {
             babble(words);
         } else if (verb == "curves" || verb == "curve") {
             curves(words);
-        } else if (verb == "emotions" && words.at(1) == "of") {
-            with_time(words, 3, [&](auto time) { print(clip_->emotions_of(*bank_, words.at(2), time)); });
+        } else if (const auto who = who_of(words); verb == "emotions" && who) {
+            with_time(words, 3, [&](auto time) { print(clip_->emotions_of(*bank_, *who, time)); });
         } else if (verb == "emotions") {
             with_time(words, 1, [&](auto time) { print(clip_->emotions_at(*bank_, time)); });
         } else if (verb == "face" || verb == "idle") {
@@ -190,7 +190,7 @@ class Stage {
                   << or_none(character.stares_at) << ", points " << or_none(character.points_at) << '\n';
     }
 
-    void curves(const Words &words) const {
+    void curves(const Words &words) {
         if (words.at(0) == "curves") {
             for (const auto &curve : clip_->curves(*bank_)) {
                 std::cout << "  " << curve.name_view() << ':';
@@ -202,11 +202,18 @@ class Stage {
             return;
         }
         const auto curve = clip_->curve(*bank_, words.at(1));
-        std::optional<std::int32_t> value;
+        std::optional<std::int32_t> value, with_cursor;
         if (curve && words.at(2) == "frame") {
             value = curve->value(*bank_, number(words.at(3)));
+            with_cursor = curve->value(*bank_, number(words.at(3)), &curve_cursor_);
         } else if (curve) {
-            with_time(words, 2, [&](auto time) { value = curve->value_at(*bank_, time); });
+            with_time(words, 2, [&](auto time) {
+                value = curve->value_at(*bank_, time);
+                with_cursor = curve->value_at(*bank_, time, &curve_cursor_);
+            });
+        }
+        if (value != with_cursor) {
+            throw std::runtime_error("a cursor says something else");
         }
         std::cout << "  " << (!curve ? "no curve" : value ? std::to_string(*value) : "no frame rate") << '\n';
     }
@@ -236,21 +243,35 @@ class Stage {
                   << clip.voice(*bank_).value_or("-") << '\n';
     }
 
+    /// `of NAME` or `speaker NAME`.
+    static std::optional<lipz::Who> who_of(const Words &words) {
+        if (words.size() < 3 || (words[1] != "of" && words[1] != "speaker")) {
+            return std::nullopt;
+        }
+        return words[1] == "of" ? lipz::Who(words[2]) : lipz::Who::speaker(words[2]);
+    }
+
     void face(const Words &words) const {
-        const auto profile = words.at(1) == "default" ? bank_->default_face_profile() : bank_->face_profile(words.at(1));
+        const auto who = who_of(words);
+        std::size_t at = who ? 3 : 1;
+        const auto &name = words.at(at);
+        const auto profile = name == "default" ? bank_->default_face_profile() : bank_->face_profile(name);
         if (!profile) {
             std::cout << "  no profile\n";
             return;
         }
         lipz::LookAt look;
-        std::size_t at = 3;
-        if (words.at(2) != "ahead") {
-            const auto pitch = std::stoi(words.at(3)), yaw = std::stoi(words.at(4));
-            look = words.at(2) == "person" ? lipz::LookAt::person(pitch, yaw) : lipz::LookAt::point(pitch, yaw);
-            at = 5;
+        const auto &where = words.at(at + 1);
+        at += 2;
+        if (where != "ahead") {
+            const auto pitch = std::stoi(words.at(at)), yaw = std::stoi(words.at(at + 1));
+            look = where == "person" ? lipz::LookAt::person(pitch, yaw) : lipz::LookAt::point(pitch, yaw);
+            at += 2;
         }
         std::optional<lipz_face> shown;
-        if (words.at(0) == "face") {
+        if (who) {
+            with_time(words, at, [&](auto time) { shown = clip_->face_of(*bank_, *who, time, *profile, look); });
+        } else if (words.at(0) == "face") {
             with_time(words, at, [&](auto time) { shown = clip_->face_at(*bank_, time, *profile, look); });
         } else {
             const auto seed = std::stoull(words.at(at));
@@ -286,6 +307,8 @@ class Stage {
     std::optional<lipz_locale> locale_;
     std::optional<lipz::Clip> clip_;
     std::optional<lipz::Cursor> cursor_;
+    /// One for all curves: it says what a search says, wherever it was used before.
+    lipz::CurveCursor curve_cursor_;
 };
 
 } // namespace

@@ -24,4 +24,15 @@ static void print(const char *data, size_t length_bytes) {
     }
 }
 
+/* `of NAME` or `speaker NAME` at `words`: null if neither stands there. */
+static const lipz_who *who_at(char *words[], lipz_who *who) {
+    if (!is(words[0], "of") && !is(words[0], "speaker")) {
+        return NULL;
+    }
+    who->name.data = words[1];
+    who->name.length_bytes = strlen(words[1]);
+    who->is_speaker = (uint32_t)is(words[0], "speaker");
+    return who;
+}
+
 #endif

@@ -21,15 +21,15 @@ fn curves_give_the_answers_of_the_reader() {
             let (name, length) = ptr(curve.name().as_str());
             let named =
                 Answer::<Curve>::from_call(|out| unsafe { lipz_clip_curve(bank, asked, name, length, out) }).ok();
-            assert_eq!((named.index, text_of(named.name)), (found.index, curve.name().as_str()));
-            assert_eq!((found.index as usize, found.key_count), (index, curve.key_count()));
+            assert_eq!((named.place, text_of(named.name)), (found.place, curve.name().as_str()));
+            assert_eq!((found.place, found.key_count), (curve.place(), curve.key_count()));
             for (index, key) in (0..).zip(curve.keys()) {
                 let found = Answer::<CurveKey>::from_call(|out| unsafe {
                     lipz_clip_curve_key(bank, asked, Some(&named), index, out)
                 });
                 assert_eq!((found.ok().frame, found.ok().thousandths), (key.frame, key.value.thousandths()));
                 let value = Answer::from_call(|out| unsafe {
-                    lipz_clip_curve_value(bank, asked, Some(&named), key.frame, out)
+                    lipz_clip_curve_value(bank, asked, Some(&named), None, key.frame, out)
                 })
                 .ok();
                 assert_eq!(value, key.value.thousandths());
@@ -46,36 +46,59 @@ fn curves_give_the_answers_of_the_reader() {
     assert_eq!(seen, 7);
 }
 
+/// One cursor for all: jumps and other curves change no answer.
 fn at_times(bank: Option<&Bank>, clip: Option<&Clip>, named: &Curve, curve: &lipz_bank::Curve<'_>) {
-    let named = Some(named);
-    for us in (-50_000..1_500_000).step_by(33_333) {
+    let (named, mut cursor) = (Some(named), CurveCursor { key: u32::MAX });
+    for (step, us) in (-50_000..1_500_000).step_by(33_333).enumerate() {
         let (seconds, position, rate_hz) = (us as f64 / 1e6, us * 441 / 10_000, 44_100);
-        let answers = [
-            (
-                Answer::from_call(|out| unsafe { lipz_clip_curve_value_at_us(bank, clip, named, us, out) }),
-                curve.value_at(Micros(us)),
-            ),
-            (
-                Answer::from_call(|out| unsafe {
-                    lipz_clip_curve_value_at_samples(bank, clip, named, position, rate_hz, out)
-                }),
-                curve.value_at(Samples { position, rate_hz }),
-            ),
-            (
-                Answer::from_call(|out| unsafe { lipz_clip_curve_value_at_seconds(bank, clip, named, seconds, out) }),
-                curve.value_at(Seconds(seconds)),
-            ),
-            (
-                Answer::from_call(|out| unsafe {
-                    lipz_clip_curve_value_at_seconds_f32(bank, clip, named, seconds as f32, out)
-                }),
-                curve.value_at(Seconds(seconds as f32)),
-            ),
-        ];
-        for (found, expected) in answers {
-            assert_eq!(found.some(), expected.map(CurveValue::thousandths), "{us} us");
+        for is_with in [false, true] {
+            let us_found = Answer::from_call(|out| unsafe {
+                lipz_clip_curve_value_at_us(bank, clip, named, Some(&mut cursor).filter(|_| is_with), us, out)
+            });
+            let samples_found = Answer::from_call(|out| unsafe {
+                lipz_clip_curve_value_at_samples(
+                    bank,
+                    clip,
+                    named,
+                    Some(&mut cursor).filter(|_| is_with),
+                    position,
+                    rate_hz,
+                    out,
+                )
+            });
+            let seconds_found = Answer::from_call(|out| unsafe {
+                lipz_clip_curve_value_at_seconds(bank, clip, named, Some(&mut cursor).filter(|_| is_with), seconds, out)
+            });
+            let short_found = Answer::from_call(|out| unsafe {
+                lipz_clip_curve_value_at_seconds_f32(
+                    bank,
+                    clip,
+                    named,
+                    Some(&mut cursor).filter(|_| is_with),
+                    seconds as f32,
+                    out,
+                )
+            });
+            let frame_found = Answer::<i32>::from_call(|out| unsafe {
+                lipz_clip_curve_value(bank, clip, named, Some(&mut cursor).filter(|_| is_with), step as u32, out)
+            });
+            let answers = [
+                (us_found, curve.value_at(Micros(us))),
+                (samples_found, curve.value_at(Samples { position, rate_hz })),
+                (seconds_found, curve.value_at(Seconds(seconds))),
+                (short_found, curve.value_at(Seconds(seconds as f32))),
+                (frame_found, Some(curve.value(step as u32))),
+            ];
+            for (found, expected) in answers {
+                assert_eq!(found.some(), expected.map(CurveValue::thousandths), "{us} us");
+            }
         }
     }
+    let last = curve.value(u32::MAX).thousandths();
+    let found = Answer::<i32>::from_call(|out| unsafe {
+        lipz_clip_curve_value(bank, clip, named, Some(&mut cursor), u32::MAX, out)
+    });
+    assert_eq!((found.ok(), cursor.key), (last, curve.key_count() - 1), "it is at the last key");
 }
 
 /// The attributes have the numbers of the reader.
@@ -140,7 +163,7 @@ fn null_pointers_are_a_status() {
     let (_, bank) = bank(CURVES);
     let clip = Answer::<Clip>::from_call(|out| unsafe { lipz_clip_at(Some(&bank), 0, out) }).ok();
     let value =
-        Answer::<i32>::from_call(|out| unsafe { lipz_clip_curve_value(Some(&bank), Some(&clip), None, 0, out) });
+        Answer::<i32>::from_call(|out| unsafe { lipz_clip_curve_value(Some(&bank), Some(&clip), None, None, 0, out) });
     assert_eq!((value.status, value.written()), (LIPZ_NULL_POINTER, 0));
     assert_eq!(unsafe { lipz_clip_curve_at(Some(&bank), Some(&clip), 0, None) }, LIPZ_NULL_POINTER);
 }

@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{Answer, CURVES, bank, ptr, text_of};
+use common::{Answer, CURVES, SPECIALS, bank, ptr, text_of};
 use lipz_bank::{CurveValue, Micros, Samples, Seconds};
 use lipz_capi::*;
 
@@ -103,4 +103,68 @@ fn what_there_is_not_is_a_status() {
     };
     assert_eq!(ask(bank, Some(&other)).status, LIPZ_NONE);
     assert_eq!(ask(None, None).status, LIPZ_NULL_POINTER);
+}
+
+/// Of others and of a speaker with a name, in every unit of time; the bank has `mara.nod` and `otto.joy`.
+#[test]
+fn faces_and_emotions_of_characters_are_those_of_the_reader() {
+    let (expected, bank) = bank(SPECIALS);
+    let bank = Some(&bank);
+    let clip = expected.clip_by_key("listens").unwrap();
+    let asked = Answer::<Clip>::from_call(|out| unsafe { lipz_clip_by_id(bank, clip.id().get(), out) }).ok();
+    let (asked, own, ahead) = (Some(&asked), expected.default_face_profile(), lipz_bank::LookAt::AHEAD);
+    let mut different = 0;
+    for (name, is_speaker) in [("mara", 0), ("otto", 0), ("otto", 1), ("nobody", 7), ("", 0)] {
+        let (data, length_bytes) = ptr(name);
+        let who = Some(&Who { name: String { data, length_bytes }, is_speaker });
+        let of = if is_speaker == 0 { lipz_bank::Who::Other(name) } else { lipz_bank::Who::SpeakerNamed(name) };
+        for us in (-50_000..6_000_000).step_by(133_333) {
+            let (seconds, position, rate_hz) = (us as f64 / 1e6, us * 441 / 10_000, 44_100);
+            let (short, samples) = (Seconds(seconds as f32), Samples { position, rate_hz });
+            let faces = [
+                Answer::<Face>::from_call(|out| unsafe { lipz_clip_face_of_us(bank, asked, who, None, None, us, out) }),
+                Answer::from_call(|out| unsafe {
+                    lipz_clip_face_of_samples(bank, asked, who, None, None, position, rate_hz, out)
+                }),
+                Answer::from_call(|out| unsafe {
+                    lipz_clip_face_of_seconds(bank, asked, who, None, None, seconds, out)
+                }),
+                Answer::from_call(|out| unsafe {
+                    lipz_clip_face_of_seconds_f32(bank, asked, who, None, None, short.0, out)
+                }),
+            ];
+            let of_reader = [
+                clip.face_of(of, Micros(us), &own, ahead),
+                clip.face_of(of, samples, &own, ahead),
+                clip.face_of(of, Seconds(seconds), &own, ahead),
+                clip.face_of(of, short, &own, ahead),
+            ];
+            different += i32::from(of_reader[0] != clip.face_at(Micros(us), &own, ahead));
+            assert_eq!(faces.map(|face| fields_of_c(face.ok())), of_reader.map(fields), "{name} {us} us");
+            let sums = [
+                Answer::<Emotions>::from_call(|out| unsafe { lipz_clip_emotions_of_us(bank, asked, who, us, out) }),
+                Answer::from_call(|out| unsafe {
+                    lipz_clip_emotions_of_samples(bank, asked, who, position, rate_hz, out)
+                }),
+                Answer::from_call(|out| unsafe { lipz_clip_emotions_of_seconds(bank, asked, who, seconds, out) }),
+                Answer::from_call(|out| unsafe { lipz_clip_emotions_of_seconds_f32(bank, asked, who, short.0, out) }),
+            ];
+            let of_reader = [
+                clip.emotions_of(of, Micros(us)),
+                clip.emotions_of(of, samples),
+                clip.emotions_of(of, Seconds(seconds)),
+                clip.emotions_of(of, short),
+            ];
+            assert_eq!(sums.map(|found| found.ok().sum), of_reader.map(|found| found.sum().thousandths()));
+        }
+    }
+    assert!(different > 100, "{different}");
+    let nobody = Who::default();
+    let null = Answer::<Face>::from_call(|out| unsafe {
+        lipz_clip_face_of_us(bank, asked, Some(&nobody), None, None, 0, out)
+    });
+    assert_eq!(null.status, LIPZ_NULL_POINTER);
+    let speaker =
+        Answer::<Face>::from_call(|out| unsafe { lipz_clip_face_of_us(bank, asked, None, None, None, 700_000, out) });
+    assert_eq!(fields_of_c(speaker.ok()), fields(clip.face_at(Micros(700_000), &own, ahead)), "null is the speaker");
 }

@@ -8,7 +8,7 @@ use std::fs;
 use std::path::Path;
 
 /// The names of the structs in C: those of functions and constants are the same in Rust.
-const NAMES: [(&str, &str); 30] = [
+const NAMES: [(&str, &str); 32] = [
     ("Babble", "lipz_babble"),
     ("Bank", "lipz_bank"),
     ("BankInfo", "lipz_bank_info_t"),
@@ -16,6 +16,7 @@ const NAMES: [(&str, &str); 30] = [
     ("Clip", "lipz_clip"),
     ("Cursor", "lipz_cursor"),
     ("Curve", "lipz_curve"),
+    ("CurveCursor", "lipz_curve_cursor"),
     ("CurveKey", "lipz_curve_key"),
     ("Emotions", "lipz_emotions"),
     ("Event", "lipz_event"),
@@ -39,10 +40,11 @@ const NAMES: [(&str, &str); 30] = [
     ("Viseme", "lipz_viseme"),
     ("VoicedClip", "lipz_voiced_clip"),
     ("Weights", "lipz_weights"),
+    ("Who", "lipz_who"),
 ];
 
 /// The files with declarations, in the order of the header.
-const FILES: [&str; 21] = [
+const FILES: [&str; 22] = [
     "version.rs",
     "status.rs",
     "string.rs",
@@ -57,6 +59,7 @@ const FILES: [&str; 21] = [
     "character.rs",
     "babble.rs",
     "curve.rs",
+    "who.rs",
     "emotion.rs",
     "face.rs",
     "voice.rs",
@@ -73,8 +76,8 @@ const INTRODUCTION: &str = "/*
  * docs/C.md shows how to use it.
  *
  * Contract: a pointer is null or leads to a value of its type, or to as many bytes as the length
- * beside it says; that holds for the pointers in a lipz_bank, too, for as long as the bank and strings
- * from it are used. Nobody writes to those bytes meanwhile, and answers do not overlap arguments.
+ * beside it says; that holds for the pointers in a lipz_bank and a lipz_who, too, for as long as the bank and
+ * strings from it are used. Nobody writes to those bytes meanwhile, and answers do not overlap arguments.
  *
  * Everything else is total: no function crashes, reads out of bounds or loops without end, whatever the
  * bytes of the bank and the numbers in the structs are. Each returns a status, and writes an

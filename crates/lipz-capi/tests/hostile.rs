@@ -144,14 +144,15 @@ fn every_query(bank: &Bank, clip: &Clip, number: u32) {
             Segment { clip_id: clip.id, index: number % 13, start_frame: number, end_frame: number, reserved: number };
         let locale = Locale { index: number % 3, ..Locale::default() };
         Answer::<BankInfo>::from_call(|out| lipz_bank_info(bank, out));
-        let named = Curve { index: number % 7, key_count: number, ..Curve::default() };
+        let named = Curve { place: number % 7, key_count: number, ..Curve::default() };
         let (clip_of, named) = (Some(clip), Some(&named));
         Answer::<Curve>::from_call(|out| lipz_clip_curve_at(bank, clip_of, number, out));
         Answer::<Curve>::from_call(|out| lipz_clip_curve(bank, clip_of, c"joy".as_ptr(), 3, out));
         Answer::<CurveKey>::from_call(|out| lipz_clip_curve_key(bank, clip_of, named, number, out));
-        Answer::<i32>::from_call(|out| lipz_clip_curve_value(bank, clip_of, named, number, out));
+        Answer::<i32>::from_call(|out| lipz_clip_curve_value(bank, clip_of, named, None, number, out));
         Answer::<Emotions>::from_call(|out| lipz_clip_emotions_at_us(bank, clip_of, time_us, out));
-        Answer::<i32>::from_call(|out| lipz_clip_curve_value_at_us(bank, clip_of, named, time_us, out));
+        Answer::<i32>::from_call(|out| lipz_clip_curve_value_at_us(bank, clip_of, named, None, time_us, out));
+        every_face(bank, clip_of, named, number);
         Answer::<Clip>::from_call(|out| lipz_clip_at(bank, number, out));
         Answer::<Clip>::from_call(|out| lipz_clip_by_id(bank, clip.id, out));
         Answer::<String>::from_call(|out| lipz_clip_key(bank, Some(clip), out));
@@ -175,6 +176,27 @@ fn every_query(bank: &Bank, clip: &Clip, number: u32) {
         Answer::<Locale>::from_call(|out| lipz_locale_default(bank, out));
     }
     every_move(bank, clip, number);
+}
+
+/// Curves with a cursor of a forged number, and the face of somebody.
+///
+/// # Safety
+/// The contract of the library.
+unsafe fn every_face(bank: Option<&Bank>, clip: Option<&Clip>, curve: Option<&Curve>, number: u32) {
+    let time_us = i64::from(number) * 1000;
+    let mut cursor = CurveCursor { key: number.rotate_left(9) };
+    let who = Who { name: String { data: c"mara".as_ptr(), length_bytes: 4 }, is_speaker: number % 3 };
+    let far = Curve { place: number, ..Curve::default() };
+    let look_at = LookAt { pitch: time_us as i32, yaw: number as i32, is_person: number % 2 };
+    for curve in [curve, Some(&far)] {
+        Answer::<i32>::from_call(|out| unsafe {
+            lipz_clip_curve_value_at_us(bank, clip, curve, Some(&mut cursor), time_us, out)
+        });
+    }
+    Answer::<Emotions>::from_call(|out| unsafe { lipz_clip_emotions_of_us(bank, clip, Some(&who), time_us, out) });
+    Answer::<Face>::from_call(|out| unsafe {
+        lipz_clip_face_of_us(bank, clip, Some(&who), None, Some(&look_at), time_us, out)
+    });
 }
 
 /// Plays with a cursor of forged numbers.

@@ -109,6 +109,23 @@ fn a_head_moves_while_its_mouth_does() {
     }
 }
 
+/// A head turns to another pose where a segment or a pause begins, which is what a bank knows about words.
+#[test]
+fn a_head_turns_with_segments_and_pauses() {
+    let [first, second, third, rest] = [13, 13, 18, 35].map(|count| "A".repeat(count));
+    let file = format!(r#"{{ "fps": 20, "visemes": "{first}|{second}|{third}-{rest}", "viseme_type": "blair" }}"#);
+    let bytes = compile("face.pose = 0.9\n", &[Input::from_bytes("talk", file)]);
+    let bank = Bank::open(&bytes).unwrap();
+    let (clip, profile) = (bank.clip_by_key("talk").unwrap(), bank.default_face_profile());
+    let yaw = |ms: i64| clip.face_at(Micros(ms * 1000), &profile, LookAt::AHEAD).head_yaw.thousandths();
+    // Slots of 0.9 seconds: segments start at 0.65 and 1.3 seconds, a pause at 2.2. A step takes 0.45.
+    for still in [0..650, 1100..1300, 1750..2200] {
+        let poses: Vec<i32> = still.clone().map(yaw).collect();
+        assert!(poses.iter().all(|pose| *pose == poses[0]), "{still:?}: {poses:?}");
+        assert_ne!(yaw(still.end + 60), poses[0], "{still:?}");
+    }
+}
+
 #[test]
 fn curves_win_and_gestures_are_added() {
     let file = r#"{ "fps": 10, "visemes": "AAAAAAAAAA", "viseme_type": "blair", "curves": {

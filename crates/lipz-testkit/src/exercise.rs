@@ -35,7 +35,7 @@ pub fn provoke(bytes: &[u8], effort: Effort) -> bool {
     }
     match bank.verify() {
         Ok(bank) => {
-            assert!(bank.is_verified());
+            assert!(bank.is_verified() && bank.verify_lines().is_ok_and(|bank| bank.is_verified()));
             if effort == Effort::All {
                 assert!(bank.verify_with(|bytes| std::str::from_utf8(bytes).ok()).is_ok());
             }
@@ -49,6 +49,7 @@ pub fn provoke(bytes: &[u8], effort: Effort) -> bool {
         Err(error) => {
             assert!(error.offset_bytes() as usize <= bytes.len(), "{error}");
             black_box((error.kind().number(), error.kind().message()));
+            assert!(bank.verify_lines().map_or_else(|found| found == error, |_| true), "{error}");
             false
         }
     }

@@ -2,7 +2,7 @@
 
 use lipz_bank::{
     Babble, Bank, Clip, ClipId, ConsonantHold, CurveCursor, CurveValue, Emotion, Event, FaceCurve, FaceProfile, Fps,
-    Lead, LookAt, Micros, Time, Viseme, VisemeType, Voice, VoiceLevel, Weight,
+    Lead, LookAt, Micros, Time, Viseme, VisemeType, Voice, VoiceLevel, Weight, Who,
 };
 use std::hint::black_box;
 
@@ -44,6 +44,9 @@ pub(crate) fn of_curves(clip: &Clip<'_, '_>, limit: usize) {
     for curve in &curves {
         black_box((clip.curve(curve.name().as_str()), curve.name().id()));
         assert!(curve.keys().take(limit + 1).count() <= limit.min(curve.key_count() as usize));
+        assert!(clip.curve_in_place(curve.place()).as_ref() == Some(curve), "the place of a curve leads to it");
+        let (jumped, word) = (CurveCursor::from_word(u32::MAX).value(curve, 7), cursor.to_word());
+        assert_eq!((jumped, CurveCursor::from_word(word)), (curve.value(7), cursor));
         black_box((curve.key(u32::MAX), curve.value(u32::MAX), cursor.value(curve, 7)));
         for time in [-1, 0, 41_667, 3_600_000_000, 100_000, i64::MAX] {
             let value = curve.value_at(Micros(time));
@@ -56,7 +59,12 @@ pub(crate) fn of_curves(clip: &Clip<'_, '_>, limit: usize) {
         let most = emotions.strongest().map(|(emotion, value)| (Emotion::from_name(emotion.name()), value));
         assert!(most.is_none_or(|(emotion, value)| emotion.is_some_and(|emotion| emotions.get(emotion) == value)));
         black_box((emotions.sum(), emotions.iter().count(), clip.emotions_of("amy", Micros(time)).strongest()));
+        let named =
+            [Who::Speaker, Who::SpeakerNamed("amy"), Who::Other("")].map(|who| clip.emotions_of(who, Micros(time)));
+        assert_eq!(named[0], emotions);
+        black_box(named);
     }
+    black_box((clip.curve_in_place(u32::MAX), clip.curves().nth(usize::MAX), clip.curves().nth(1)));
     let named = curves.first().and_then(|curve| clip.curve_named(curve.name()));
     let way = |value: CurveValue| value.towards(CurveValue::from_thousandths(i32::MIN), 1, 3).thousandths();
     black_box((clip.curve("joy"), named.map(|curve| way(curve.value(0)))));
@@ -113,7 +121,10 @@ pub(crate) fn of_face(clip: &Clip<'_, '_>, profile: &FaceProfile<'_>, time: impl
         assert_eq!(FaceCurve::from_name(name), Some(*curve));
     }
     let low = CurveValue::from_thousandths(i32::MIN);
-    black_box(clip.face_at(time, profile, LookAt::person(low, low)));
+    let face = clip.face_at(time, profile, LookAt::person(low, low));
+    assert_eq!(clip.face_of(Who::Speaker, time, profile, LookAt::person(low, low)), face);
+    black_box(clip.generated_at(time, profile, LookAt::person(low, low)));
+    black_box([Who::from("amy"), Who::SpeakerNamed("amy")].map(|who| clip.face_of(who, time, profile, LookAt::AHEAD)));
 }
 
 /// What is done by whom to whom.

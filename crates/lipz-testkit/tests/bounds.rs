@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, clippy::cast_possible_truncation, reason = "tests")]
 #![allow(clippy::expect_used, clippy::unnecessary_map_or, reason = "helpers of the reader's tests")]
 
-use lipz_bank::{Bank, Fps, LookAt, Micros, Samples, Seconds};
+use lipz_bank::{Bank, CurveCursor, Fps, LookAt, Micros, Samples, Seconds};
 use lipz_layout::{
     CurveClipRecord, CurveKeyRecord, CurveRecord, EventNameRecord, EventRecord, FaceRecord, Tag, TypedEventRecord, U32,
     VERB_DOES,
@@ -78,11 +78,15 @@ queries! {
     segments: Linear = |bank| the(bank).segments().count();
     curves: Linear = |bank| the(bank).curves().count();
     curve: Logarithmic = |bank| the(bank).curve("zz").is_some();
+    curve_in_place: Constant = |bank| the(bank).curve_in_place(1).is_some();
+    nth_curve: Logarithmic = |bank| the(bank).curves().nth(7).is_some();
+    curve_tick: Constant = |bank| CurveCursor::from_word(5).value_at(&first(bank), Micros(250_000));
     curve_value: Logarithmic = |bank| longest(bank).value_at(Micros(i64::MAX));
     emotions_at: Linear = |bank| the(bank).emotions_at(Micros(1));
     emotions_of: Linear = |bank| the(bank).emotions_of("amy", Micros(1));
     face_profile: Linear = |bank| bank.face_profile("zz").is_some();
     face_at: Linear = |bank| the(bank).face_at(Micros(1), &bank.default_face_profile(), LookAt::AHEAD);
+    face_of: Linear = |bank| the(bank).face_of("amy", Micros(1), &bank.default_face_profile(), LookAt::AHEAD);
     verify: Linear = |bank| bank.verify().is_err();
 }
 
@@ -94,6 +98,11 @@ fn the<'data, 'bank>(bank: &'bank Bank<'data>) -> lipz_bank::Clip<'data, 'bank> 
 fn last<'data, 'bank>(bank: &'bank Bank<'data>) -> lipz_bank::Segment<'data, 'bank> {
     let clip = the(bank);
     clip.segment(clip.segment_count() - 1).unwrap()
+}
+
+/// The same, found without a search.
+fn first<'data>(bank: &Bank<'data>) -> lipz_bank::Curve<'data> {
+    the(bank).curve_in_place(0).unwrap()
 }
 
 /// The curve of most keys.

@@ -3,6 +3,7 @@
 
 mod support;
 
+use lipz_bank::{Bank, LookAt, Micros};
 use std::fs;
 use support::{Scene, lipz, with_input};
 
@@ -114,4 +115,55 @@ fn what_cannot_be_done_is_told_and_nothing_is_written() {
     assert_eq!(read(&scene, "voices/neat.lipz"), NEAT, "nothing is written");
     let missing = lipz(scene.path(), ["face", "nowhere"]);
     assert!(missing.code == 2 && missing.stderr.contains("nowhere"), "{missing:?}");
+}
+
+/// What the reader generates, written into a file, moves the face as before: at each frame, and nearly between them.
+#[test]
+fn what_is_generated_can_be_edited() {
+    let scene = scene("events");
+    let line = format!(
+        "{{ \"fps\": 24, \"viseme_type\": \"blair\", \"visemes\": \"{}\", \"curves\": {{ \"lids\": \"0:0 30:1 31:0\", \"eyeYaw\": \"0:3\" }} }}",
+        "MAEO".repeat(60)
+    );
+    scene.write("voices/long.lipz", &line);
+    scene.prepare(&["pack", "--quiet"]);
+    let before = fs::read(scene.path().join("out.lipzbank")).unwrap();
+    let names = ["blink", "headPitch", "headYaw", "headRoll", "eyePitch", "eyeYaw"];
+    let mut arguments = vec!["face", "voices/long.lipz"];
+    names.iter().for_each(|name| arguments.extend(["--curve", *name]));
+    let said = lipz(scene.path(), &arguments);
+    assert!(said.code == 0 && said.stdout.contains("1 file with new curves"), "{said:?}");
+    let written = read(&scene, "voices/long.lipz");
+    assert!(written.contains("\"eyeYaw\": \"0:3\"") && written.contains("\"blink\""), "{written}");
+    scene.prepare(&["pack", "--quiet"]);
+    let after = fs::read(scene.path().join("out.lipzbank")).unwrap();
+    let banks = [&before, &after].map(|bytes| Bank::open(bytes).unwrap().verify().unwrap());
+    let clips = [0, 1].map(|bank: usize| banks[bank].clip_by_key("long").unwrap());
+    let keys: u32 = names.iter().filter_map(|name| Some(clips[1].curve(name)?.key_count())).sum();
+    assert!((20..500).contains(&keys), "{keys} keys of 240 frames");
+    let mut blinks = 0;
+    for frame in 0..240_i64 {
+        let shown = |bank: usize| {
+            let profile = banks[bank].default_face_profile();
+            let face = clips[bank].face_at(Micros((frame * 1_000_000 + 23) / 24), &profile, LookAt::AHEAD);
+            [face.blink, face.head_pitch, face.head_yaw, face.head_roll, face.eye_pitch, face.eye_yaw]
+        };
+        let (generated, written) = (shown(0), shown(1));
+        blinks += i32::from(generated[0].thousandths() > 500);
+        for (place, (one, other)) in std::iter::zip(generated, written).enumerate() {
+            let most = if place == 0 { 20 } else { 50 };
+            assert!(
+                one.thousandths().abs_diff(other.thousandths()) <= most,
+                "{frame}, {}: {one} {other}",
+                names[place]
+            );
+        }
+    }
+    assert!(blinks > 1, "there is something to see");
+    let now = read(&scene, "voices/long.lipz");
+    let again = lipz(scene.path(), &arguments);
+    assert!(again.code == 0 && read(&scene, "voices/long.lipz") == now, "{again:?}");
+    // Without times, nothing is generated.
+    let said = lipz(scene.path(), ["face", "voices/still.lipz", "--curve", "blink"]);
+    assert!(said.code == 2 && said.stderr.contains("no curve `blink` is made"), "{said:?}");
 }

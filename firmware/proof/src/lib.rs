@@ -10,7 +10,7 @@ use core::panic::PanicInfo;
 use lipz_bank::{
     Babble, Bank, BankSet, BankSetError, Clip, ClipId, Command, ConsonantHold, Cursor, CurveCursor, CurveValue, Emotion, Error, Event, EventName,
     Face, FaceCurve, FaceProfile, Fps, Layers, LayersError, Lead, Locale, LookAt, Micros, Places, Samples, Seconds, Segment,
-    SetIndex, Spoken, TextBank, Time, Viseme, VisemeType, VoiceLevel, Weight,
+    SetIndex, Spoken, TextBank, Time, Viseme, VisemeType, VoiceLevel, Weight, Who,
 };
 
 /// Takes what was answered, so that no question is left out as useless.
@@ -50,7 +50,7 @@ fn proof_every_function(bytes: &[u8], texts: &[u8], name: &str, number: u32, see
         Ok(texts) => texts_asked(&bank, &texts, name, see),
         Err(error) => see_error(see, error),
     }
-    match bank.verify().and_then(|bank| bank.verify_with(|bytes| core::str::from_utf8(bytes).ok())) {
+    match bank.verify_lines().and_then(Bank::verify).and_then(|bank| bank.verify_with(|bytes| core::str::from_utf8(bytes).ok())) {
         Ok(bank) => bank_asked(&bank, name, number, see),
         Err(error) => see_error(see, error),
     }
@@ -81,6 +81,11 @@ fn bank_asked(bank: &Bank<'_>, name: &str, number: u32, see: See) {
     for clip in bank.clips().chain(bank.clips_under(name)).chain(IntoIterator::into_iter(found).flatten()) {
         clip_asked(bank, &clip, number, see);
         see_face(see, clip.face_at(Micros(i64::from(number)), &bank.default_face_profile(), look(number)));
+        see_face(see, clip.generated_at(Micros(i64::from(number)), &bank.default_face_profile(), look(number)));
+        for who in [Who::from("amy"), Who::SpeakerNamed("amy")] {
+            let now = Micros(i64::from(number));
+            see_face(see, clip.face_of(who, now, &bank.default_face_profile(), look(number)));
+        }
         play(&clip, named, number, see);
         // A rate of the program's own.
         if let Some(fps) = Fps::new(number, number >> 5) {
@@ -295,10 +300,14 @@ fn curves_asked(bank: &Bank<'_>, clip: &Clip<'_, '_>, number: u32, see: See) {
         see(emotions.get(emotion).thousandths() as u64);
     }
     see(emotions.sum().thousandths() as u64 ^ emotions.iter().count() as u64);
-    see(clip.emotions_of("amy", Micros(i64::from(number))).sum().thousandths() as u64);
+    for who in [Who::from("amy"), Who::SpeakerNamed("amy")] {
+        see(clip.emotions_of(who, Micros(i64::from(number))).sum().thousandths() as u64);
+    }
     let named = bank.event_name("joy").and_then(|name| clip.curve_named(name));
     for curve in clip.curves().chain(clip.curve("anger")).chain(named) {
         see_bytes(see, curve.name().as_str().as_bytes());
+        cursor = CurveCursor::from_word(cursor.to_word() ^ number);
+        see(clip.curve_in_place(curve.place()).map_or(0, |same| u64::from(same.key_count())));
         see(u64::from(curve.key_count()) | curve.key(number).map_or(0, |key| u64::from(key.frame)));
         let value_see = |value: CurveValue| see(value.thousandths() as u64 ^ u64::from(value.to_f32().to_bits()));
         curve.keys().for_each(|key| value_see(key.value));

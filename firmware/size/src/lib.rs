@@ -48,6 +48,17 @@ fn size_verify(bank: &mut Bank<'_>) -> u32 {
 }
 
 #[no_mangle]
+fn size_verify_lines(bank: &mut Bank<'_>) -> u32 {
+    match bank.verify_lines() {
+        Ok(verified) => {
+            *bank = verified;
+            0
+        }
+        Err(error) => error.kind() as u32 | error.offset_bytes() << 8,
+    }
+}
+
+#[no_mangle]
 fn size_clip(bank: &Bank<'_>, id: ClipId) -> u32 {
     bank.clip(id).map_or(u32::MAX, |clip| clip.slot())
 }
@@ -161,6 +172,16 @@ fn size_curves(clip: &Clip<'_, '_>, time_us: i64, each: fn(EventName<'_>, i32)) 
 #[no_mangle]
 fn size_face(bank: &Bank<'_>, clip: &Clip<'_, '_>, time_us: i64, face: &mut Face) {
     *face = clip.face_at(Micros(time_us), &bank.default_face_profile(), LookAt::AHEAD);
+}
+
+#[no_mangle]
+fn size_emotions(clip: &Clip<'_, '_>, time_us: i64) -> i32 {
+    clip.emotions_at(Micros(time_us)).strongest().map_or(0, |(_, value)| value.thousandths())
+}
+
+#[no_mangle]
+fn size_face_of(bank: &Bank<'_>, clip: &Clip<'_, '_>, name: &str, time_us: i64, face: &mut Face) {
+    *face = clip.face_of(name, Micros(time_us), &bank.default_face_profile(), LookAt::AHEAD);
 }
 
 extern "C" {

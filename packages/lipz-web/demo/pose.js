@@ -10,6 +10,9 @@ const RESTLESS = { headPitch: 0, headYaw: 0, headRoll: 0, eyePitch: 0, eyeYaw: 0
 const ASIDE = { least: 12, most: 40 };
 const UP = 8;
 
+/** Seconds that eyes stay on what somebody sees: as long as on any place, of which the usual profile says a second. */
+const SEEN = 1;
+
 const still = matchMedia("(prefers-reduced-motion: reduce)");
 
 /** Gives the function that tells the pose at a time, of a cursor there: the curves of a clip are looked up once. */
@@ -18,13 +21,24 @@ export function posesOf(clip) {
   const others = curves.filter(({ name }) => !EMOTIONS.includes(name));
   // Without curves of emotion, the face is that of the word: `feels sad`.
   const isFelt = others.length < curves.length;
+  const sights = sightsOf(clip);
   return (cursor, time) => {
     const { feels, staresAt } = cursor.state();
+    const last = sights.filter(({ since }) => since <= time).at(-1);
+    const lookedAt = last?.verb === "sees" && time < last.since + SEEN ? last.object : staresAt;
     const emotions = isFelt ? clip.emotionsAt(time).values : emotionsOf(feels);
     const shapes = Object.fromEntries(others.map((curve) => [curve.name, curve.valueAt(time)]));
-    const face = clip.faceAt(time, { lookAt: staresAt && placeOf(staresAt) });
+    const face = clip.faceAt(time, { lookAt: lookedAt && placeOf(lookedAt) });
     return { viseme: cursor.viseme, visemeType: clip.visemeType, emotions, shapes, ...face, ...(still.matches && RESTLESS) };
   };
+}
+
+/** What the speaker looks at, and since when: `stares` lasts, and is in the state of the cursor; `sees` is for a moment. */
+function sightsOf(clip) {
+  const isSight = ({ character, verb }) => character === undefined && (verb === "sees" || verb === "stares");
+  return clip.segments.flatMap(({ startFrame, events }) =>
+    events.filter(isSight).map(({ verb, object }) => ({ verb, object, since: clip.startOfFrame(startFrame) })),
+  );
 }
 
 /** Where something is that a line names: a bank does not know, so each name has a place of its own beside the face. */

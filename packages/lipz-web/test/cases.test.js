@@ -19,7 +19,15 @@ function timeOf([unit, value, ...rest]) {
   return [seconds, rest];
 }
 
+/** Takes `of CHARACTER` or `speaker CHARACTER` from the front of words, if that stands there. */
+function whoOf(words) {
+  if (words[0] !== "of" && words[0] !== "speaker") return undefined;
+  const [what, character] = words.splice(0, 2);
+  return { character, isSpeaker: what === "speaker" };
+}
+
 class Stage {
+  #curves = new Map();
   #bank;
   #clip;
   #cursor;
@@ -31,6 +39,7 @@ class Stage {
       case "bank":
         this.#bank = (await open(await readFile(beside(`banks/${words[0]}.lipzbank`)))).verify();
         this.#locale = undefined;
+        this.#curves.clear();
         // As a game does that keeps its cursor while the bank is replaced.
         this.#clip = this.#clip && this.#bank.clip(this.#clip.id);
         if (this.#cursor && this.#clip) this.#cursor = this.#clip.resume(this.#cursor);
@@ -76,8 +85,7 @@ class Stage {
       case "curve":
         return this.#curve(words);
       case "emotions":
-        if (words[0] === "of") return [emotions(this.#clip.emotionsOf(words[1], timeOf(words.slice(2))[0]))];
-        return [emotions(this.#clip.emotionsAt(timeOf(words)[0]))];
+        return [this.#emotions(words)];
       case "voices":
         return this.#bank.voices;
       case "voice": {
@@ -119,11 +127,24 @@ class Stage {
   #curve([name, ...words]) {
     const curve = this.#clip.curve(name);
     if (curve === undefined) return ["no curve"];
-    const value = words[0] === "frame" ? curve.value(Number(words[1])) : curve.valueAt(timeOf(words)[0]);
+    const read = (from) => (words[0] === "frame" ? from.value(Number(words[1])) : from.valueAt(timeOf(words)[0]));
+    const value = read(curve);
+    // The same curve as read before, wherever: its cursor changes nothing.
+    const id = `${this.#clip.key} ${this.#clip.fps?.numerator} ${name}`;
+    if (!this.#curves.has(id)) this.#curves.set(id, curve);
+    assert.equal(read(this.#curves.get(id)), value);
     return [value === undefined ? "no frame rate" : String(thousandths(value))];
   }
 
-  #face(verb, [name, look, ...words]) {
+  #emotions(words) {
+    const who = whoOf(words);
+    const [time] = timeOf(words);
+    return emotions(who ? this.#clip.emotionsOf(who.character, time, who) : this.#clip.emotionsAt(time));
+  }
+
+  #face(verb, words) {
+    const who = whoOf(words);
+    const [name, look] = words.splice(0, 2);
     const profile = name === "default" ? this.#bank.defaultFaceProfile : this.#bank.faceProfile(name);
     if (profile === undefined) return ["no profile"];
     let lookAt;
@@ -133,7 +154,9 @@ class Stage {
     }
     const seed = verb === "idle" ? BigInt(words.shift()) : undefined;
     const [time] = timeOf(words);
-    return [face(verb === "face" ? this.#clip.faceAt(time, { profile, lookAt }) : profile.idleAt(time, { seed, lookAt }))];
+    if (verb === "idle") return [face(profile.idleAt(time, { seed, lookAt }))];
+    const settings = { profile, lookAt };
+    return [face(who ? this.#clip.faceOf(who.character, time, { ...who, ...settings }) : this.#clip.faceAt(time, settings))];
   }
 
   #babble([name, ...words]) {

@@ -79,6 +79,21 @@ export async function specials(demo, same) {
   same(Math.abs(aside - eye()) > 2, true, `eyes on otto, ${aside}, and not, ${eye()}`);
 }
 
+/** What its speaker sees, it looks at for a second. */
+export async function sights(demo, same) {
+  const { page, player } = await demo({ clip: "act1/mara-good-evening" });
+  const seen = player.clip.segments.find(({ events }) => events.some(({ verb }) => verb === "sees"));
+  const since = player.clip.startOfFrame(seen.startFrame);
+  const eye = (time) => {
+    player.seek(time);
+    return Number(part(page, "leftIris").getAttribute("cx"));
+  };
+  const onOtto = eye(since + 0.1);
+  same(Math.abs(onOtto - eye(since - 0.1)) > 2, true, "eyes turn to what is seen");
+  same(eye(since + 0.9), onOtto, "and stay on it");
+  same(Math.abs(onOtto - eye(since + 1.1)) > 2, true, "for a second");
+}
+
 /** Each curve has a name, a colour and its value at the playhead. */
 export async function curves(demo, same) {
   const { page, player } = await demo({ ...FACES, clip: "rig", at: 0.5 });

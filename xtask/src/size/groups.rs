@@ -26,12 +26,15 @@ const TEXT_BANKS: &[&str] = &["size_open_texts", "size_text_bank_locale"];
 const PLAYBACK: &[&str] = &["size_play", "size_advance", "size_seek", "size_state"];
 const BABBLE: &[&str] = &["size_babble"];
 const CURVES: &[&str] = &["size_curve_cursor", "size_curves"];
+const EMOTIONS: &[&str] = &["size_emotions"];
 const FACE: &[&str] = &["size_face"];
+const FACES: &[&str] = &["size_face", "size_face_of"];
+const VERIFY_LINES: &[&str] = &["size_verify_lines"];
 const VERIFY: &[&str] = &["size_verify"];
 const VERIFY_TEXTS: &[&str] = &["size_verify_texts"];
 
 /// Programs, each with all of the one before it.
-pub(super) const PROGRAMS: [Group; 8] = [
+pub(super) const PROGRAMS: [Group; 9] = [
     Group { name: "open", parts: &[OPEN], budget_bytes: Some(795) },
     Group { name: "+ find, frames and segments by time", parts: &[OPEN, FRAMES], budget_bytes: Some(1_645) },
     Group { name: "+ texts as bytes, locales", parts: &[OPEN, FRAMES, TEXT_BYTES], budget_bytes: Some(2_165) },
@@ -48,6 +51,11 @@ pub(super) const PROGRAMS: [Group; 8] = [
         budget_bytes: Some(4_680),
     },
     Group {
+        name: "+ verify of mouths, texts and events",
+        parts: &[OPEN, FRAMES, TEXT_BYTES, EVENTS, KEYS, TEXT_BANKS, TEXTS, EVENT_STRINGS, VERIFY_LINES, VERIFY_TEXTS],
+        budget_bytes: Some(12_400),
+    },
+    Group {
         name: "+ verify: everything",
         parts: &[OPEN, FRAMES, TEXT_BYTES, EVENTS, KEYS, TEXT_BANKS, TEXTS, EVENT_STRINGS, VERIFY, VERIFY_TEXTS],
         budget_bytes: Some(12_400),
@@ -55,7 +63,7 @@ pub(super) const PROGRAMS: [Group; 8] = [
 ];
 
 /// Single groups, each with all that it calls: what they share is counted in each.
-pub(super) const SINGLE: [Group; 12] = [
+pub(super) const SINGLE: [Group; 15] = [
     Group { name: "alone: find", parts: &[&["size_clip"]], budget_bytes: None },
     Group { name: "alone: frame by time", parts: &[&["size_viseme_at"]], budget_bytes: None },
     Group { name: "alone: segment by time", parts: &[&["size_segment_at"]], budget_bytes: None },
@@ -65,8 +73,11 @@ pub(super) const SINGLE: [Group; 12] = [
     Group { name: "alone: playback with lead, hold, events and state", parts: &[PLAYBACK], budget_bytes: None },
     Group { name: "alone: babble", parts: &[BABBLE], budget_bytes: None },
     Group { name: "alone: curves, one with a cursor and all", parts: &[CURVES], budget_bytes: None },
+    Group { name: "alone: emotions at a time", parts: &[EMOTIONS], budget_bytes: None },
     Group { name: "alone: the face at a time", parts: &[FACE], budget_bytes: None },
+    Group { name: "alone: the face at a time, and those of others", parts: &[FACES], budget_bytes: None },
     Group { name: "alone: open a text bank", parts: &[&["size_open_texts"]], budget_bytes: None },
+    Group { name: "alone: verify of mouths, texts and events", parts: &[VERIFY_LINES], budget_bytes: None },
     Group { name: "alone: verify", parts: &[VERIFY], budget_bytes: None },
 ];
 
@@ -85,9 +96,13 @@ const C_CURSOR: &[&str] = &[
     "lipz_cursor_character",
 ];
 const C_BABBLE: &[&str] = &["lipz_babble_default", "lipz_babble_at_us_level"];
+const C_CURVES: &[&str] = &["lipz_clip_curve", "lipz_clip_curve_at", "lipz_clip_curve_value_at_us"];
+const C_EMOTIONS: &[&str] = &["lipz_clip_emotions_at_us"];
+const C_FACE: &[&str] = &["lipz_face_profile_default", "lipz_clip_face_at_us"];
+const C_FACES: &[&str] = &["lipz_clip_face_of_us", "lipz_clip_emotions_of_us"];
 
 /// Programs in C, with the library that `cargo xtask capi` builds.
-pub(super) const C_PROGRAMS: [Group; 6] = [
+pub(super) const C_PROGRAMS: [Group; 10] = [
     Group { name: "C: open", parts: &[C_OPEN], budget_bytes: Some(1_150) },
     Group { name: "C: + find, mouths by time", parts: &[C_OPEN, C_MOUTHS], budget_bytes: Some(3_855) },
     Group { name: "C: + locales, segments, texts", parts: &[C_OPEN, C_MOUTHS, C_TEXTS], budget_bytes: Some(7_195) },
@@ -101,5 +116,25 @@ pub(super) const C_PROGRAMS: [Group; 6] = [
         name: "C: + babble",
         parts: &[C_OPEN, C_MOUTHS, C_TEXTS, C_EVENTS, C_CURSOR, C_BABBLE],
         budget_bytes: Some(16_475),
+    },
+    Group {
+        name: "C: + curves",
+        parts: &[C_OPEN, C_MOUTHS, C_TEXTS, C_EVENTS, C_CURSOR, C_BABBLE, C_CURVES],
+        budget_bytes: None,
+    },
+    Group {
+        name: "C: + emotions",
+        parts: &[C_OPEN, C_MOUTHS, C_TEXTS, C_EVENTS, C_CURSOR, C_BABBLE, C_CURVES, C_EMOTIONS],
+        budget_bytes: None,
+    },
+    Group {
+        name: "C: + the face at a time",
+        parts: &[C_OPEN, C_MOUTHS, C_TEXTS, C_EVENTS, C_CURSOR, C_BABBLE, C_CURVES, C_EMOTIONS, C_FACE],
+        budget_bytes: None,
+    },
+    Group {
+        name: "C: + faces and emotions of others",
+        parts: &[C_OPEN, C_MOUTHS, C_TEXTS, C_EVENTS, C_CURSOR, C_BABBLE, C_CURVES, C_EMOTIONS, C_FACE, C_FACES],
+        budget_bytes: None,
     },
 ];

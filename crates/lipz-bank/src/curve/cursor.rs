@@ -30,6 +30,16 @@ impl CurveCursor {
         CurveCursor { index: 0 }
     }
 
+    /// The cursor as a number, to keep it where no cursor can be: in a struct of another language.
+    pub const fn to_word(self) -> u32 {
+        self.index
+    }
+
+    /// The cursor of [`CurveCursor::to_word`]. Any number is taken.
+    pub const fn from_word(word: u32) -> CurveCursor {
+        CurveCursor { index: word }
+    }
+
     /// The value of the curve at the start of a frame.
     pub fn value(&mut self, curve: &Curve<'_>, frame: u32) -> CurveValue {
         self.value_of(curve, Position::of_frame(frame))
@@ -41,7 +51,7 @@ impl CurveCursor {
         Some(self.value_of(curve, time.position(fps)))
     }
 
-    fn value_of(&mut self, curve: &Curve<'_>, position: Position) -> CurveValue {
+    pub(super) fn value_of(&mut self, curve: &Curve<'_>, position: Position) -> CurveValue {
         self.index = self.index_at(curve, position.frame);
         curve.value_between(self.index, position)
     }

@@ -31,6 +31,14 @@ impl<'data> Clip<'data, '_> {
         curves.at(curves.range.start.wrapping_add(at)).filter(|curve| curve.name.id() == name.id())
     }
 
+    /// The curve in this [place](Curve::place) of the bank, without a search: of this clip or, if the place is one of another clip,
+    /// of that one. For programs that keep places and not curves.
+    pub fn curve_in_place(&self, place: u32) -> Option<Curve<'data>> {
+        let table = CurveTable::new(self.bank);
+        let range = 0..table.curves.len();
+        Curves { table, range, names: self.bank.event_names(), fps: self.stored_fps() }.at(place as usize)
+    }
+
     /// All curves of the clip, in the order of their names.
     pub fn curves(&self) -> Curves<'data> {
         let table = CurveTable::new(self.bank);
@@ -59,7 +67,8 @@ impl<'data> Curves<'data> {
             return None;
         }
         let name = self.table.curves.get(index)?.name_and_width.get() & !CURVE_WIDE;
-        Some(Curve { name: self.names.numbered(name)?, keys: self.table.keys_of(index)?, fps: self.fps })
+        let keys = self.table.keys_of(index)?;
+        Some(Curve { name: self.names.numbered(name)?, keys, fps: self.fps, place: index as u32 })
     }
 }
 
@@ -71,6 +80,11 @@ impl<'data> Iterator for Curves<'data> {
         // A damaged curve ends the iteration.
         self.range.start = if curve.is_some() { self.range.start.wrapping_add(1) } else { self.range.end };
         curve
+    }
+
+    fn nth(&mut self, count: usize) -> Option<Curve<'data>> {
+        self.range.start = self.range.start.saturating_add(count).min(self.range.end);
+        self.next()
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {

@@ -8,7 +8,7 @@ pub use cursor::CurveCursor;
 pub use curves::Curves;
 
 use crate::event::NameKey;
-use crate::{CurveValue, EventName, Time};
+use crate::{Clip, CurveValue, EventName, Time};
 use core::fmt;
 use lipz_types::{Position, StoredFps};
 use table::Keys;
@@ -40,12 +40,18 @@ pub struct Curve<'data> {
     name: EventName<'data>,
     keys: Keys<'data>,
     fps: Option<StoredFps>,
+    place: u32,
 }
 
 impl<'data> Curve<'data> {
     /// The name.
     pub const fn name(&self) -> EventName<'data> {
         self.name
+    }
+
+    /// The place of the curve among all curves of the bank, for [`Clip::curve_in_place`].
+    pub const fn place(&self) -> u32 {
+        self.place
     }
 
     /// The number of keys, at least 1 in a verified bank.
@@ -77,6 +83,11 @@ impl<'data> Curve<'data> {
         CurveCursor::new().value_at(self, time)
     }
 
+    /// The value at a point in time.
+    pub(crate) fn value_in(&self, position: Position) -> CurveValue {
+        CurveCursor::new().value_of(self, position)
+    }
+
     /// The value between the key with this index and the next one.
     fn value_between(&self, index: u32, position: Position) -> CurveValue {
         let key = match self.keys.get(index) {
@@ -93,21 +104,28 @@ impl<'data> Curve<'data> {
     }
 }
 
+impl Clip<'_, '_> {
+    /// A point in time in frames; `None` without a frame rate.
+    pub(crate) fn position<T: Time>(&self, time: T) -> Option<Position> {
+        Some(time.position(self.stored_fps()?))
+    }
+}
+
 /// Bits of a position behind the whole frames.
 const FRACTION_BITS: u32 = 16;
 
 /// Equal are the same curves of clips that are equal.
 impl PartialEq for Curve<'_> {
     fn eq(&self, other: &Self) -> bool {
-        self.place() == other.place()
+        self.identity() == other.identity()
     }
 }
 impl Eq for Curve<'_> {}
 
 impl Curve<'_> {
-    fn place(&self) -> (NameKey, usize, u32, Option<StoredFps>) {
-        let (start, count) = self.keys.place();
-        (self.name.key(), start, count, self.fps)
+    /// The name knows its bank.
+    fn identity(&self) -> (NameKey, u32, Option<StoredFps>) {
+        (self.name.key(), self.place, self.fps)
     }
 }
 

@@ -85,13 +85,4 @@ impl Keys<'_> {
         };
         Some(CurveKey { frame, value: CurveValue::from_thousandths(thousandths) })
     }
-
-    /// What tells them from other keys: their address, and how many they are.
-    pub(crate) fn place(self) -> (usize, u32) {
-        let start = match self {
-            Keys::Narrow(keys) => keys.as_ptr() as usize,
-            Keys::Wide(keys) => keys.as_ptr() as usize,
-        };
-        (start, self.count())
-    }
 }

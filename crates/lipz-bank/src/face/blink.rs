@@ -1,7 +1,7 @@
 //! Blinks: one now and then, sometimes two.
 
 use super::FaceProfile;
-use super::chance::{Stream, draw, part};
+use super::chance::{Steps, Stream, draw, part};
 use crate::{CurveValue, Emotion};
 
 /// How far lids are closed that are closed, in thousandths.
@@ -13,8 +13,7 @@ const CLOSED: u64 = 1000;
 /// emotion which leads when it begins.
 pub(super) fn closed(
     profile: &FaceProfile<'_>,
-    seed: u64,
-    ms: u64,
+    Steps { seed, ms }: Steps,
     strongest: impl Fn(u64) -> Option<(Emotion, CurveValue)>,
 ) -> i32 {
     let intervals = profile.blink_intervals();

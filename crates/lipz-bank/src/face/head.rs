@@ -1,32 +1,39 @@
 //! The head: it moves a little while the mouth does.
 
 use super::FaceProfile;
-use super::chance::{Steps, Stream, WHOLE, draw, either_side, scaled};
-use crate::{Clip, Micros, Time, Viseme};
+use super::chance::{Steps, Stream, WHOLE, draw, either_side, part, scaled};
+use super::mouth::{Mouth, SPEAKING};
 
 /// Angles in thousandths of a degree.
+#[derive(Default)]
 pub(super) struct Pose {
     pub(super) pitch: i32,
     pub(super) yaw: i32,
     pub(super) roll: i32,
 }
 
-/// Microseconds in which a head comes to rest when the mouth has, and before it begins.
-const NEAR_US: u64 = 250_000;
-/// A mouth that moves.
-const SPEAKING: u64 = 1000;
-
-/// The generated motion, while the mouth moves so much: a pose for every word of usual length.
-pub(super) fn motion(profile: &FaceProfile<'_>, steps: Steps, speaking: u32) -> Pose {
-    let step = steps.step(Stream::PoseTime, profile.pose_ms(), profile.pose_ms() / 2);
-    // Starts and ends slowly: x² · (3 - 2x).
-    let square = step.part.wrapping_mul(step.part) >> 16;
-    let eased = square.wrapping_mul((3 * WHOLE).wrapping_sub(step.part.wrapping_mul(2))) >> 16;
+/// The generated motion: a pose for each segment, each pause and, between those, each word of usual length.
+///
+/// Time is divided into slots, and in each the head begins to turn to another pose. Steps that overlap are added, so that
+/// a pose is a mean of at most three.
+pub(super) fn motion(profile: &FaceProfile<'_>, steps: Steps, mouth: &Mouth<'_>) -> Pose {
+    let speaking = mouth.speaking(steps.ms);
+    if speaking == 0 {
+        return Pose::default();
+    }
+    let slot = steps.ms.checked_div(u64::from(profile.pose_ms())).unwrap_or(0);
+    let (turned, turning) =
+        (slot.checked_sub(1).map_or(0, |slot| eased(profile, steps, mouth, slot)), eased(profile, steps, mouth, slot));
     let angle = |stream: Stream, most: u32| {
+        // The pose that the step of a slot leads to has a number one higher.
         let at = |number| either_side(most, draw(steps.seed, stream, 0, number));
-        let (before, now) = (at(step.before), at(step.now));
-        let angle = before.wrapping_add(scaled(now.wrapping_sub(before), eased, WHOLE));
-        scaled(angle, u64::from(speaking), SPEAKING)
+        let (first, second, third) = (at(slot.saturating_sub(1)), at(slot), at(slot.wrapping_add(1)));
+        let angle = first.wrapping_add(scaled(second.wrapping_sub(first), turned, WHOLE)).wrapping_add(scaled(
+            third.wrapping_sub(second),
+            turning,
+            WHOLE,
+        ));
+        scaled(angle, speaking, SPEAKING)
     };
     let most = u32::from(profile.head_motion_thousandths());
     Pose {
@@ -36,26 +43,15 @@ pub(super) fn motion(profile: &FaceProfile<'_>, steps: Steps, speaking: u32) -> 
     }
 }
 
-/// How much the mouth moves, in thousandths: fully in a frame that is not at rest, less the farther away the nearest is.
-pub(super) fn speaking(clip: &Clip<'_, '_>, ms: u64) -> u32 {
-    let fps = match clip.stored_fps().filter(|fps| fps.checked().is_some()) {
-        Some(fps) => fps,
-        None => return 0,
-    };
-    let now_us = ms.wrapping_mul(1000);
-    let frame_at = |us: u64| Micros(us as i64).frame(fps, u32::MAX).unwrap_or(u32::MAX) as usize;
-    let frames = clip.frames();
-    let now = frame_at(now_us);
-    let within = |start: usize, end: usize| frames.get(start.min(frames.len())..end.min(frames.len())).unwrap_or(&[]);
-    let moves = |code: &u8| !Viseme::from_code(*code).is_rest();
-    let first = frame_at(now_us.saturating_sub(NEAR_US));
-    let behind = within(first, now.saturating_add(1)).iter().rposition(moves).map(|index| {
-        let end = first.wrapping_add(index).wrapping_add(1);
-        now_us.saturating_sub(fps.start_of_frame_us(end as u32))
+/// How far the step of a slot has come, in 65,536ths. It takes half a slot, and starts and ends slowly: x² · (3 - 2x).
+fn eased(profile: &FaceProfile<'_>, Steps { seed, ms }: Steps, mouth: &Mouth<'_>, slot: u64) -> u64 {
+    let length = u64::from(profile.pose_ms());
+    let slot_ms = slot.wrapping_mul(length);
+    let start = mouth.change_ms(slot_ms, length).unwrap_or_else(|| {
+        let late = part(u32::from(profile.pose_ms() / 2), draw(seed, Stream::PoseTime, 0, slot));
+        slot_ms.wrapping_add(u64::from(late))
     });
-    let next = now.saturating_add(1);
-    let ahead = within(next, frame_at(now_us.wrapping_add(NEAR_US)).saturating_add(1)).iter().position(moves);
-    let ahead = ahead.map(|index| fps.start_of_frame_us(next.wrapping_add(index) as u32).saturating_sub(now_us));
-    let nearest = behind.unwrap_or(NEAR_US).min(ahead.unwrap_or(NEAR_US)).min(NEAR_US);
-    (NEAR_US.wrapping_sub(nearest).wrapping_mul(SPEAKING) / NEAR_US) as u32
+    let passed = ms.saturating_sub(start) << 16;
+    let part = passed.checked_div(length / 2).unwrap_or(WHOLE).min(WHOLE);
+    (part.wrapping_mul(part) >> 16).wrapping_mul((3 * WHOLE).wrapping_sub(part.wrapping_mul(2))) >> 16
 }

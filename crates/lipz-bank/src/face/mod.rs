@@ -5,14 +5,17 @@ mod chance;
 mod eyes;
 mod head;
 mod look;
+mod mouth;
 mod profile;
 
 pub use look::LookAt;
 pub use profile::{FaceProfile, FaceProfiles};
 
-use crate::{Clip, CurveValue, Emotion, Time};
+use crate::who::farther;
+use crate::{Clip, ClipId, CurveValue, Emotion, Time, Who};
 use chance::Steps;
-use lipz_types::{FaceCurve, Fps, Micros};
+use lipz_types::{FaceCurve, Fps, Micros, Position};
+use mouth::Mouth;
 
 /// What a face does at a time, besides its mouth and its emotions. Angles are in degrees: pitch is positive upwards, yaw to
 /// the left of the character, roll towards the left shoulder.
@@ -64,15 +67,74 @@ impl Clip<'_, '_> {
     /// # Ok::<(), lipz_bank::Error>(())
     /// ```
     pub fn face_at<T: Time>(&self, time: T, profile: &FaceProfile<'_>, look: LookAt) -> Face {
+        self.face_of(Who::Speaker, time, profile, look)
+    }
+
+    /// The face of a character of the clip at `time`: with the curves that have their name in front, blinks by the strongest
+    /// of their own emotions, and, since they listen, a head that moves for these curves and for what they look at only. A
+    /// name is that of somebody else than the speaker, unless [`Who`] says otherwise.
+    ///
+    /// ```
+    /// # use lipz_bank::{Bank, Clip, LookAt, Micros, Who};
+    /// # fn draw(bank: &Bank<'_>, clip: &Clip<'_, '_>, now: Micros) {
+    /// let profile = bank.default_face_profile();
+    /// let mara = clip.face_of("mara", now, &profile, LookAt::AHEAD); // `mara nods` in the events of Otto's line
+    /// let otto = clip.face_of(Who::SpeakerNamed("otto"), now, &profile, LookAt::AHEAD); // `nods` and `otto nods`
+    /// # }
+    /// ```
+    pub fn face_of<'name, T: Time>(
+        &self,
+        who: impl Into<Who<'name>>,
+        time: T,
+        profile: &FaceProfile<'_>,
+        look: LookAt,
+    ) -> Face {
+        self.face_in(who.into(), (milliseconds(time), self.position(time)), profile, look)
+    }
+
+    /// What is generated of the speaker's face at `time`, as the curves that replace it would have it: `blink`, the motion of
+    /// the head and where the eyes look, each whole and without what is added to it. `lipz face --curve blink` samples it.
+    pub fn generated_at<T: Time>(&self, time: T, profile: &FaceProfile<'_>, look: LookAt) -> Face {
+        let steps = Steps { seed: self.id().get(), ms: milliseconds(time) };
+        let head = Mouth::of(self).map(|mouth| head::motion(profile, steps, &mouth)).unwrap_or_default();
+        let eyes = eyes::target(profile, steps, look);
+        let value = CurveValue::from_thousandths;
+        Face {
+            blink: value(blink::closed(profile, steps, |ms| self.strongest(Who::Speaker, ms))),
+            head_pitch: value(head.pitch),
+            head_yaw: value(head.yaw),
+            head_roll: value(head.roll),
+            eye_pitch: value(eyes.pitch),
+            eye_yaw: value(eyes.yaw),
+            ..Face::default()
+        }
+    }
+
+    /// The emotion that leads.
+    fn strongest(&self, who: Who<'_>, ms: u64) -> Option<(Emotion, CurveValue)> {
+        self.emotions_of(who, Micros(ms.wrapping_mul(1000) as i64)).strongest()
+    }
+
+    /// The face at a time that is given in milliseconds and in frames.
+    fn face_in(
+        &self,
+        who: Who<'_>,
+        (ms, position): (u64, Option<Position>),
+        profile: &FaceProfile<'_>,
+        look: LookAt,
+    ) -> Face {
         let mut curves = Curves::default();
         for curve in self.curves() {
-            if let (Some(known), Some(value)) = (FaceCurve::from_name(curve.name().as_str()), curve.value_at(time)) {
-                curves.set(known, value.thousandths());
+            let known = who.purpose(curve.name().as_str()).and_then(FaceCurve::from_name);
+            if let (Some(known), Some(position)) = (known, position) {
+                curves.set(known, curve.value_in(position).thousandths());
             }
         }
-        let ms = milliseconds(time);
-        let strongest = |ms: u64| self.emotions_at(Micros(ms.wrapping_mul(1000) as i64)).strongest();
-        Moment { profile, seed: self.id().get(), ms, speaking: head::speaking(self, ms), curves }.face(look, strongest)
+        let (seed, mouth) = match who {
+            Who::Speaker | Who::SpeakerNamed(_) => (self.id().get(), Mouth::of(self)),
+            Who::Other(name) => (self.id().get() ^ ClipId::from_key(name).get(), None),
+        };
+        Moment { profile, steps: Steps { seed, ms }, mouth, curves }.face(look, |ms| self.strongest(who, ms))
     }
 }
 
@@ -86,7 +148,8 @@ impl FaceProfile<'_> {
     /// assert_eq!(listening.head_yaw.thousandths(), 0); // a head moves while its mouth does
     /// ```
     pub fn idle_at<T: Time>(&self, time: T, seed: u64, look: LookAt) -> Face {
-        let moment = Moment { profile: self, seed, ms: milliseconds(time), speaking: 0, curves: Curves::default() };
+        let steps = Steps { seed, ms: milliseconds(time) };
+        let moment = Moment { profile: self, steps, mouth: None, curves: Curves::default() };
         moment.face(look, |_| None)
     }
 }
@@ -108,8 +171,9 @@ struct Curves {
 
 impl Curves {
     fn set(&mut self, curve: FaceCurve, thousandths: i32) {
+        let neutral = if matches!(curve, FaceCurve::Nod | FaceCurve::Shake) { NEUTRAL } else { 0 };
         if let Some(place) = self.values.get_mut(curve as usize) {
-            *place = Some(thousandths);
+            *place = Some(place.map_or(thousandths, |before| farther(before, thousandths, neutral)));
         }
     }
 
@@ -129,22 +193,21 @@ impl Curves {
 }
 
 /// What a face depends on.
-struct Moment<'p> {
-    profile: &'p FaceProfile<'p>,
-    seed: u64,
-    ms: u64,
-    /// How much the mouth moves, in thousandths.
-    speaking: u32,
+struct Moment<'m> {
+    profile: &'m FaceProfile<'m>,
+    steps: Steps,
+    /// The mouth that is heard; `None` for somebody who says nothing.
+    mouth: Option<Mouth<'m>>,
     curves: Curves,
 }
 
 impl Moment<'_> {
     fn face(&self, look: LookAt, strongest: impl Fn(u64) -> Option<(Emotion, CurveValue)>) -> Face {
-        let Moment { profile, seed, ms, curves, .. } = self;
+        let Moment { profile, steps, mouth, curves } = self;
         let value = CurveValue::from_thousandths;
-        let blink = curves.get(FaceCurve::Blink).unwrap_or_else(|| blink::closed(profile, *seed, *ms, strongest));
-        let head = head::motion(profile, Steps { seed: *seed, ms: *ms }, self.speaking);
-        let eyes = eyes::target(profile, Steps { seed: *seed, ms: *ms }, look);
+        let blink = curves.get(FaceCurve::Blink).unwrap_or_else(|| blink::closed(profile, *steps, strongest));
+        let head = mouth.as_ref().map(|mouth| head::motion(profile, *steps, mouth)).unwrap_or_default();
+        let eyes = eyes::target(profile, *steps, look);
         let (eye_pitch, pitch) = profile.shared(
             curves.get(FaceCurve::EyePitch).unwrap_or(eyes.pitch).saturating_add(curves.or_zero(FaceCurve::LookPitch)),
         );

@@ -33,6 +33,17 @@ pub(crate) fn core_utf8(bytes: &[u8]) -> Option<&str> {
 
 /// Checks the bank and marks its pools as checked.
 pub(crate) fn verify<'data>(bank: &mut Bank<'data>, utf8: Utf8<'data>) -> Result<(), Error> {
+    lines(bank, utf8)?;
+    sections::optional_sections(bank)?;
+    babble::babble(bank)?;
+    faces::faces(bank)?;
+    recordings::recordings(bank)?;
+    curves::curves(bank)?;
+    voices::voices(bank)
+}
+
+/// Checks what all banks have, mouth shapes, texts and events, and marks the pools as checked.
+pub(crate) fn lines<'data>(bank: &mut Bank<'data>, utf8: Utf8<'data>) -> Result<(), Error> {
     checksum(&bank.file)?;
     sections::sections(&bank.file)?;
     sections::table_lengths(bank)?;
@@ -43,11 +54,6 @@ pub(crate) fn verify<'data>(bank: &mut Bank<'data>, utf8: Utf8<'data>) -> Result
     let keys_end = clips::clips(bank)?;
     locales(&bank.file, &bank.texts, keys_end)?;
     events::events(bank)?;
-    babble::babble(bank)?;
-    faces::faces(bank)?;
-    recordings::recordings(bank)?;
-    curves::curves(bank)?;
-    voices::voices(bank)?;
     if lipz_layout::fingerprint(bank.keys, bank.clips) != bank.file.header.fingerprint.get() {
         return Err(Error::new(ErrorKind::Fingerprint, 24));
     }

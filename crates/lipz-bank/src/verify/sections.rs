@@ -38,7 +38,11 @@ pub(super) fn table_lengths(bank: &Bank<'_>) -> Result<(), Error> {
     if bank.keys.len() != bank.clips.len() {
         return Err(error_at(bank, ErrorKind::ClipKey, bank.keys));
     }
-    text_lengths(&bank.file, &bank.texts)?;
+    text_lengths(&bank.file, &bank.texts)
+}
+
+/// Checks the shapes of sections that a bank may have.
+pub(super) fn optional_sections(bank: &Bank<'_>) -> Result<(), Error> {
     let has_shape =
         |entry: &DirectoryEntry, (_, entry_bytes): (Tag, usize)| usize::from(entry.entry_bytes.get()) == entry_bytes;
     let [

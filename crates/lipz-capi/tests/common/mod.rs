@@ -9,6 +9,7 @@ use std::mem::MaybeUninit;
 pub(crate) const CURVES: &[u8] = include_bytes!("../../../../fixtures/banks/v1/curves.lipzbank");
 pub(crate) const DRAMA: &[u8] = include_bytes!("../../../../fixtures/banks/v1/drama.lipzbank");
 pub(crate) const SMALL: &[u8] = include_bytes!("../../../../fixtures/banks/v1/small.lipzbank");
+pub(crate) const SPECIALS: &[u8] = include_bytes!("../../../../fixtures/banks/v1/specials.lipzbank");
 pub(crate) const SPLIT: &[u8] = include_bytes!("../../../../fixtures/banks/v1/split.lipzbank");
 pub(crate) const GERMAN: &[u8] = include_bytes!("../../../../fixtures/banks/v1/split.de-de.lipztexts");
 pub(crate) const ENGLISH: &[u8] = include_bytes!("../../../../fixtures/banks/v1/split.en-us.lipztexts");

@@ -12,12 +12,14 @@
 mod add;
 mod key;
 mod names;
+mod sampled;
 mod write;
 
 pub use add::add;
 pub use key::Key;
 pub(crate) use key::thousandths;
 pub use names::{ARKIT, is_arkit};
+pub use sampled::sampled;
 #[cfg(feature = "format")]
 pub(crate) use write::tidy;
 pub use write::write;

@@ -1,5 +1,5 @@
-//! The cases about curves and emotions: `curves`, `curve NAME frame N`, `curve NAME TIME`, `emotions TIME`, `emotions of CHARACTER TIME`. All values are
-//! thousandths.
+//! The cases about curves and emotions: `curves`, `curve NAME frame N`, `curve NAME TIME`, `emotions TIME`, `emotions of CHARACTER
+//! TIME`, `emotions speaker CHARACTER TIME`. All values are thousandths.
 
 use super::{Stage, Time, number};
 use lipz_bank::{Clip, CurveCursor, CurveValue, Emotions};
@@ -19,19 +19,21 @@ impl Stage {
                     self.answers.push('\n');
                 }
             }
-            ["curve", name, rest @ ..] => match clip.curve(name).map(|curve| value(&curve, rest)) {
-                None => self.answers.push_str("  no curve\n"),
-                Some(None) => self.answers.push_str("  no frame rate\n"),
-                Some(Some(value)) => {
-                    let _ = writeln!(self.answers, "  {}", value.thousandths());
+            ["curve", name, rest @ ..] => {
+                match clip.curve(name).map(|curve| value(&curve, rest, &mut self.curve_cursor)) {
+                    None => self.answers.push_str("  no curve\n"),
+                    Some(None) => self.answers.push_str("  no frame rate\n"),
+                    Some(Some(value)) => {
+                        let _ = writeln!(self.answers, "  {}", value.thousandths());
+                    }
                 }
-            },
-            ["emotions", "of", character, time @ ..] => {
-                let found = at!(Time::read(time).0, |time| clip.emotions_of(character, time));
-                self.answers.push_str(&told(&found));
             }
-            ["emotions", time @ ..] => {
-                let found = at!(Time::read(time).0, |time| clip.emotions_at(time));
+            ["emotions", rest @ ..] => {
+                let (who, time) = super::faces::who(rest);
+                let found = at!(Time::read(time).0, |time| match who {
+                    None => clip.emotions_at(time),
+                    Some(who) => clip.emotions_of(who, time),
+                });
                 self.answers.push_str(&told(&found));
             }
             _ => panic!("{words:?}"),
@@ -49,9 +51,8 @@ impl Stage {
     }
 }
 
-/// The value at a frame or a time, which a curve and a new cursor agree about.
-fn value(curve: &lipz_bank::Curve<'_>, words: &[&str]) -> Option<CurveValue> {
-    let mut cursor = CurveCursor::new();
+/// The value at a frame or a time, which a curve and a cursor agree about that all cases share.
+fn value(curve: &lipz_bank::Curve<'_>, words: &[&str], cursor: &mut CurveCursor) -> Option<CurveValue> {
     let (found, with_cursor) = match words {
         ["frame", frame] => (Some(curve.value(number(frame))), Some(cursor.value(curve, number(frame)))),
         _ => at!(Time::read(words).0, |time| (curve.value_at(time), cursor.value_at(curve, time))),

@@ -1,17 +1,21 @@
-//! The cases about faces: `face PROFILE LOOK TIME`, `idle PROFILE LOOK SEED TIME`. A look is `ahead`, `person PITCH YAW` or
+//! The cases about faces: `face PROFILE LOOK TIME`, with `of CHARACTER` or `speaker CHARACTER` before the profile; `idle PROFILE LOOK SEED TIME`. A look is `ahead`, `person PITCH YAW` or
 //! `point PITCH YAW`. All values are thousandths.
 
 use super::{Stage, Time, number};
-use lipz_bank::{CurveValue, Face, FaceProfile, LookAt};
+use lipz_bank::{CurveValue, Face, FaceProfile, LookAt, Who};
 
 impl Stage {
     /// The face of the clip at a time.
     pub(super) fn face(&mut self, words: &[&str]) {
         let bank = self.bank;
         let clip = self.chosen(&bank);
-        let (look, time) = look(&words[2..]);
-        let Some(profile) = self.profile(words[1]) else { return };
-        let face = at!(Time::read(time).0, |time| clip.face_at(time, &profile, look));
+        let (who, words) = who(&words[1..]);
+        let (look, time) = look(&words[1..]);
+        let Some(profile) = self.profile(words[0]) else { return };
+        let face = at!(Time::read(time).0, |time| match who {
+            None => clip.face_at(time, &profile, look),
+            Some(who) => clip.face_of(who, time, &profile, look),
+        });
         self.answers.push_str(&told(&face));
     }
 
@@ -30,6 +34,15 @@ impl Stage {
             self.answers.push_str("  no profile\n");
         }
         found
+    }
+}
+
+/// Whose face, and the words behind it.
+pub(super) fn who<'w>(words: &'w [&'w str]) -> (Option<Who<'w>>, &'w [&'w str]) {
+    match words {
+        ["of", character, rest @ ..] => (Some(Who::Other(character)), rest),
+        ["speaker", character, rest @ ..] => (Some(Who::SpeakerNamed(character)), rest),
+        _ => (None, words),
     }
 }
 

@@ -9,8 +9,8 @@ mod curves;
 mod faces;
 
 use lipz_bank::{
-    Babble, Bank, CharacterState, Clip, ClipId, ConsonantHold, Cursor, DueSegments, EventName, Fps, Lead, Locale,
-    Spoken, TextBank, VisemeType, VoiceLevel, VoicedClip, Weights,
+    Babble, Bank, CharacterState, Clip, ClipId, ConsonantHold, Cursor, CurveCursor, DueSegments, EventName, Fps, Lead,
+    Locale, Spoken, TextBank, VisemeType, VoiceLevel, VoicedClip, Weights,
 };
 use std::fmt::Write;
 use std::fs;
@@ -40,6 +40,7 @@ struct Stage {
     /// What the clip was given where it has none.
     given: (Option<Fps>, Option<VisemeType>),
     cursor: Option<Cursor>,
+    curve_cursor: CurveCursor,
     answers: String,
 }
 

@@ -53,8 +53,8 @@ fn is_clean(bytes: &[u8], options: &Options) -> bool {
 /// Options of every kind that changes what is clean.
 fn all_options() -> Vec<Options> {
     let usual = Options::new();
-    let mut with_curves = Options::new();
-    with_curves.emotions.curves = EmotionCurves::Values;
+    let mut of_values = Options::new();
+    of_values.emotions.curves = EmotionCurves::Values;
     let mut with_gestures = Options::new().default_locale("en-us");
     with_gestures.gestures.keys = GestureKeys::Words;
     vec![
@@ -70,7 +70,7 @@ fn all_options() -> Vec<Options> {
             ..usual.clone()
         },
         Options { default_viseme_type: Some(VisemeType::Rms), ..usual.clone() },
-        with_curves,
+        of_values,
         usual,
     ]
 }

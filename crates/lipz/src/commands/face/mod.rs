@@ -1,5 +1,7 @@
 //! `lipz face`: the curves that lipz makes of texts and events, written into the Lipz files.
 
+mod generated;
+
 use crate::Ended;
 use crate::commands::Run;
 use crate::interrupt::Files;
@@ -9,7 +11,7 @@ use crate::shared::rewriting::{Rewriting, files, is_standard_input, reads_standa
 use crate::shared::settings_file::{Project, SettingsFile};
 use crate::{Outcome, console};
 use clap::{Args, ValueEnum};
-use lipz_bank::{Bank, Curve};
+use lipz_bank::{Bank, Clip, CurveValue, FaceProfile};
 use lipz_compiler::{Compiler, Content, GestureKeys, Input};
 use lipz_diagnostics::escape;
 use lipz_file::format::{LineEnding, Style, rewrite};
@@ -23,10 +25,14 @@ use std::path::PathBuf;
 /// A bank has them anyway: emotions, and with `keys` in `[face]` what heads, brows and breath do (docs/FACE.md). What a
 /// file has wins, so a curve that is in it already is never changed, and one that is written no longer follows the
 /// texts. To have it made again, remove it from the file.
+///
+/// Blinks and the motion of head and eyes are in no bank: the reader makes them. `--curve blink` (headPitch, headYaw, headRoll,
+/// eyePitch, eyeYaw) writes what it makes for a clip, so that one blink can be changed and the others stay.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz face voices/act1/mayor.lipz --keys words
   lipz face voices --curve nod --curve shake
+  lipz face voices/act1/mayor.lipz --curve blink
   lipz face voices --diff")]
 pub(crate) struct Face {
     /// Folders, files or glob patterns; `-` reads standard input and writes to standard output [default: those of
@@ -39,9 +45,9 @@ pub(crate) struct Face {
 
     /// What makes curves of gestures: events only, or also what is said and heard [default: `keys` of `[face]`]
     #[arg(long, value_name = "WHAT")]
-    keys: Option<Keys>,
+    keys: Option<GesturesOf>,
 
-    /// Write only the curve with this name; can be given several times
+    /// Write only the curve with this name, also one that the reader generates; can be given several times
     #[arg(long = "curve", value_name = "NAME")]
     curves: Vec<String>,
 
@@ -58,20 +64,23 @@ pub(crate) struct Face {
     quiet: bool,
 }
 
+/// The keys of a curve.
+type Keys = Vec<(u32, CurveValue)>;
+
 /// What makes curves of gestures.
 #[derive(ValueEnum, Clone, Copy, Debug)]
-enum Keys {
+enum GesturesOf {
     /// `nods 4` and the like in events
     Events,
     /// Events, and what is said and heard
     Words,
 }
 
-impl From<Keys> for GestureKeys {
-    fn from(keys: Keys) -> GestureKeys {
-        match keys {
-            Keys::Events => GestureKeys::Events,
-            Keys::Words => GestureKeys::Words,
+impl From<GesturesOf> for GestureKeys {
+    fn from(what: GesturesOf) -> GestureKeys {
+        match what {
+            GesturesOf::Events => GestureKeys::Events,
+            GesturesOf::Words => GestureKeys::Words,
         }
     }
 }
@@ -171,10 +180,16 @@ impl Face {
 
     /// Refuses names of curves that no clip has.
     fn refuse_unmade(&self, bank: &Bank<'_>, inputs: &[Input], reporter: &mut Reporter) -> Result<(), crate::Abort> {
-        let clips = inputs.iter().filter_map(|input| bank.clip_by_key(&input.key));
-        let made: BTreeSet<String> = clips
+        if self.curves.is_empty() {
+            return Ok(());
+        }
+        let clips = || inputs.iter().filter_map(|input| bank.clip_by_key(&input.key));
+        let mut made: BTreeSet<String> = clips()
             .flat_map(|clip| clip.curves().map(|curve| curve.name().as_str().to_owned()).collect::<Vec<_>>())
             .collect();
+        if clips().any(|clip| generated::is_possible(&clip)) {
+            made.extend(generated::ALL.iter().map(|generated| generated.name().to_owned()));
+        }
         let Some(unmade) = self.curves.iter().find(|name| !made.contains(*name)) else { return Ok(()) };
         let tip = match made.is_empty() {
             true => {
@@ -198,27 +213,47 @@ impl Face {
             let is_wanted = self.curves.is_empty() || self.curves.iter().any(|wanted| wanted == name);
             is_wanted && !own.contains(name)
         };
-        let made: Vec<_> = clip.curves().filter(|curve| is_new(curve.name().as_str())).collect();
+        let made = self.made(&clip, &bank.default_face_profile(), &is_new);
         if made.is_empty() {
             return None;
         }
         let text = String::from_utf8_lossy(bytes);
         let style = Style { default_locale, line_ending: LineEnding::detect(&text) };
         let after = with_curves(&before, &made, &text, style.line_ending)?;
-        let names = made.iter().map(|curve| curve.name().as_str().to_owned()).collect();
+        let names = made.into_iter().map(|(name, _)| name).collect();
         Some(Made { after: rewrite(&text, &before, &after, style), names })
+    }
+
+    /// The new curves of a clip: those that it has in the bank, and, of those that the reader generates, what is asked for.
+    fn made(
+        &self,
+        clip: &Clip<'_, '_>,
+        profile: &FaceProfile<'_>,
+        is_new: &impl Fn(&str) -> bool,
+    ) -> Vec<(String, Keys)> {
+        let in_bank = clip.curves().filter(|curve| is_new(curve.name().as_str())).map(|curve| {
+            let keys = curve.keys().map(|key| (key.frame, key.value)).collect();
+            (curve.name().as_str().to_owned(), keys)
+        });
+        let mut made: Vec<(String, Keys)> = in_bank.collect();
+        let is_asked = |name: &str| self.curves.iter().any(|wanted| wanted == name);
+        for generated in
+            generated::ALL.iter().filter(|generated| is_asked(generated.name()) && is_new(generated.name()))
+        {
+            made.extend(generated.keys(clip, profile).map(|keys| (generated.name().to_owned(), keys)));
+        }
+        made
     }
 }
 
 /// The document with more curves, laid out as its file is: behind its own, which keep their spelling.
 fn with_curves<'s>(
     before: &Document<'s>,
-    made: &[Curve<'_>],
+    made: &[(String, Keys)],
     text: &str,
     line_ending: LineEnding,
 ) -> Option<Document<'s>> {
-    let keys = |curve: &Curve<'_>| curve.keys().map(|key| (key.frame, key.value)).collect::<Vec<_>>();
-    let curves = made.iter().map(|curve| (curve.name().as_str(), keys(curve)));
+    let curves = made.iter().map(|(name, keys)| (name.as_str(), keys.clone()));
     let mut after = before.clone();
     match after.elements.iter_mut().find(|element| element.name.text == curve::ELEMENT) {
         Some(Element { value: Value::Other(value), .. }) => value.text = Cow::Owned(curve::add(value, curves)?),

@@ -1,0 +1,72 @@
+//! When a mouth moves, and where its words may begin: pauses and segments, which a bank knows.
+
+use crate::{Clip, Micros, Time, Viseme, segment};
+use lipz_types::StoredFps;
+
+/// The mouth of a clip that has a frame rate.
+pub(super) struct Mouth<'m> {
+    clip: &'m Clip<'m, 'm>,
+    frames: &'m [u8],
+    fps: StoredFps,
+}
+
+/// Microseconds in which a head comes to rest when the mouth has, and before it begins.
+const NEAR_US: u64 = 250_000;
+/// A mouth that moves.
+pub(super) const SPEAKING: u64 = 1000;
+/// Milliseconds of a slot of poses in which changes are looked for: it bounds the work where poses last for long.
+const LOOKED_AT_MS: u64 = 1000;
+
+impl<'m> Mouth<'m> {
+    /// The mouth of a clip; `None` without a frame rate.
+    pub(super) fn of(clip: &'m Clip<'_, '_>) -> Option<Mouth<'m>> {
+        let fps = clip.stored_fps().filter(|fps| fps.checked().is_some())?;
+        Some(Mouth { clip, frames: clip.frames(), fps })
+    }
+
+    fn frame_at(&self, us: u64) -> usize {
+        Micros(us as i64).frame(self.fps, u32::MAX).unwrap_or(u32::MAX) as usize
+    }
+
+    fn within(&self, start: usize, end: usize) -> &'m [u8] {
+        self.frames.get(start.min(self.frames.len())..end.min(self.frames.len())).unwrap_or(&[])
+    }
+
+    /// How much the mouth moves, in thousandths: fully in a frame that is not at rest, less the farther away the nearest is.
+    pub(super) fn speaking(&self, ms: u64) -> u64 {
+        let now_us = ms.wrapping_mul(1000);
+        let now = self.frame_at(now_us);
+        let first = self.frame_at(now_us.saturating_sub(NEAR_US));
+        let behind = self.within(first, now.saturating_add(1)).iter().rposition(moves).map(|index| {
+            let end = first.wrapping_add(index).wrapping_add(1);
+            now_us.saturating_sub(self.fps.start_of_frame_us(end as u32))
+        });
+        let next = now.saturating_add(1);
+        let last = self.frame_at(now_us.wrapping_add(NEAR_US));
+        let ahead = self.within(next, last.saturating_add(1)).iter().position(moves);
+        let ahead =
+            ahead.map(|index| self.fps.start_of_frame_us(next.wrapping_add(index) as u32).saturating_sub(now_us));
+        let nearest = behind.unwrap_or(NEAR_US).min(ahead.unwrap_or(NEAR_US)).min(NEAR_US);
+        NEAR_US.wrapping_sub(nearest).wrapping_mul(SPEAKING) / NEAR_US
+    }
+
+    /// When something else begins to be said in the slot of so many milliseconds: the last segment that starts in it, or else the
+    /// first pause that begins or ends there. `None` if the mouth moves on, or rests, as before.
+    pub(super) fn change_ms(&self, slot_ms: u64, length_ms: u64) -> Option<u64> {
+        let start_us = slot_ms.wrapping_mul(1000);
+        let end_us = start_us.wrapping_add(length_ms.min(LOOKED_AT_MS).wrapping_mul(1000));
+        // Frames that start in the slot; the first frame of all changes nothing.
+        let before = self.frame_at(start_us.saturating_sub(1));
+        let codes = self.within(before, self.frame_at(end_us.saturating_sub(1)).saturating_add(1));
+        let last = before.wrapping_add(codes.len()).checked_sub(1)?;
+        let segment = segment::index_of_frame(self.clip, last as u32).and_then(|index| self.clip.segment(index));
+        let starts = segment.map(|segment| segment.start_frame() as usize).filter(|start| *start > before);
+        let turns = || codes.windows(2).position(|pair| matches!(pair, [one, other] if moves(one) != moves(other)));
+        let frame = starts.or_else(|| turns().map(|index| before.wrapping_add(index).wrapping_add(1)))?;
+        Some(self.fps.start_of_frame_us(frame as u32) / 1000)
+    }
+}
+
+fn moves(code: &u8) -> bool {
+    !Viseme::from_code(*code).is_rest()
+}
