@@ -45,8 +45,8 @@ pub(crate) fn of_curves(clip: &Clip<'_, '_>, limit: usize) {
         black_box((clip.curve(curve.name().as_str()), curve.name().id()));
         assert!(curve.keys().take(limit + 1).count() <= limit.min(curve.key_count() as usize));
         assert!(clip.curve_in_place(curve.place()).as_ref() == Some(curve), "the place of a curve leads to it");
-        let (jumped, word) = (CurveCursor::from_word(u32::MAX).value(curve, 7), cursor.to_word());
-        assert_eq!((jumped, CurveCursor::from_word(word)), (curve.value(7), cursor));
+        assert_eq!(CurveCursor::from_word(cursor.to_word()), cursor);
+        black_box(CurveCursor::from_word(u32::MAX).value(curve, 7));
         black_box((curve.key(u32::MAX), curve.value(u32::MAX), cursor.value(curve, 7)));
         for time in [-1, 0, 41_667, 3_600_000_000, 100_000, i64::MAX] {
             let value = curve.value_at(Micros(time));

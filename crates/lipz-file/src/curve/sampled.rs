@@ -8,6 +8,7 @@ pub fn sampled(samples: &[CurveValue], tolerance: i32) -> Vec<(u32, CurveValue)>
     let Some(first) = samples.first() else { return Vec::new() };
     let mut keys = vec![(0, *first)];
     let mut fan = Fan::new(0, *first);
+    let mut last = (0, *first);
     for (frame, pair) in (1..).zip(samples.windows(2)) {
         let (before, now) = (pair[0], pair[1]);
         if !fan.has(fan.slope(frame, now, 0)) {
@@ -15,9 +16,9 @@ pub fn sampled(samples: &[CurveValue], tolerance: i32) -> Vec<(u32, CurveValue)>
             fan = Fan::new(frame - 1, before);
         }
         fan.narrow(frame, now, tolerance);
+        last = (frame, now);
     }
     // A curve keeps its last value.
-    let last = (samples.len() as u32 - 1, samples[samples.len() - 1]);
     if keys[keys.len() - 1].1 != last.1 {
         keys.push(last);
     }
