@@ -1,7 +1,7 @@
 //! Faces of those who listen, and of a speaker whose events name them.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use lipz_bank::{Bank, Clip, Emotion, Face, FaceProfile, LookAt, Micros, Who};
+use lipz_bank::{Bank, Clip, CurveValue, Emotion, Face, FaceProfile, LookAt, Micros, Who};
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiler, Input};
 
@@ -35,7 +35,7 @@ fn who_listens_moves_by_their_own_curves_only() {
     for ms in (0..1000).step_by(10) {
         let pitch = 2 * (nod.value_at(Micros(ms * 1000)).unwrap().thousandths() - 5000);
         assert_eq!(
-            [mara(ms).head_pitch, mara(ms).head_yaw, mara(ms).head_roll].map(|angle| angle.thousandths()),
+            [mara(ms).head_pitch, mara(ms).head_yaw, mara(ms).head_roll].map(CurveValue::thousandths),
             [pitch, 0, 0]
         );
     }
