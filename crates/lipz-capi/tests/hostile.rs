@@ -187,7 +187,7 @@ unsafe fn every_face(bank: Option<&Bank>, clip: Option<&Clip>, curve: Option<&Cu
     let mut cursor = CurveCursor { key: number.rotate_left(9) };
     let who = Who { name: String { data: c"mara".as_ptr(), length_bytes: 4 }, is_speaker: number % 3 };
     let far = Curve { place: number, ..Curve::default() };
-    let look_at = LookAt { pitch: number.rotate_left(3).cast_signed(), yaw: number.cast_signed(), is_person: number % 2 };
+    let look_at = LookAt { pitch: number.rotate_left(3) as i32, yaw: number as i32, is_person: number % 2 };
     for curve in [curve, Some(&far)] {
         Answer::<i32>::from_call(|out| unsafe {
             lipz_clip_curve_value_at_us(bank, clip, curve, Some(&mut cursor), time_us, out)

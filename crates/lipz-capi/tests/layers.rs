@@ -157,30 +157,7 @@ fn faces_of_a_stack_have_the_profiles_of_the_topmost_bank_with_some() {
         assert_eq!(ask(None).ok().blink, expected(layers.default_face_profile()));
         assert_eq!(ask(Some(&own)).ok().blink, expected(layers.face_profile("robot").unwrap()));
         assert_eq!(ask(Some(&other)).status, LIPZ_NONE);
-        let (data, length_bytes) = ptr("amy");
-        let (amy, usual) = (Who { name: String { data, length_bytes }, is_speaker: 0 }, layers.default_face_profile());
-        let (amy, seconds) = (Some(&amy), us as f64 / 1e6);
-        let short = lipz_bank::Seconds(seconds as f32);
-        let of_amy = [
-            Answer::<Face>::from_call(|out| unsafe {
-                lipz_layers_face_of_us(array, count, Some(&found), amy, None, None, us, out)
-            }),
-            Answer::from_call(|out| unsafe {
-                lipz_layers_face_of_samples(array, count, Some(&found), amy, None, None, us, 1_000_000, out)
-            }),
-            Answer::from_call(|out| unsafe {
-                lipz_layers_face_of_seconds(array, count, Some(&found), amy, None, None, seconds, out)
-            }),
-            Answer::from_call(|out| unsafe {
-                lipz_layers_face_of_seconds_f32(array, count, Some(&found), amy, None, None, short.0, out)
-            }),
-        ];
-        let of_reader = [
-            clip.face_of("amy", Micros(us), &usual, lipz_bank::LookAt::AHEAD),
-            clip.face_of("amy", short, &usual, lipz_bank::LookAt::AHEAD),
-        ];
-        let [at_us, at_short] = of_reader.map(|face| face.eye_yaw.thousandths());
-        assert_eq!(of_amy.map(|face| face.ok().eye_yaw), [at_us, at_us, at_us, at_short]);
+        of_amy((array, count), (&clip, &found), us, &layers.default_face_profile());
         blinks += ask(None).ok().blink;
         robots += ask(Some(&own)).ok().blink;
         let seconds = us as f64 / 1e6;
@@ -200,6 +177,36 @@ fn faces_of_a_stack_have_the_profiles_of_the_topmost_bank_with_some() {
         lipz_layers_face_at_seconds_f32(array, count, Some(&nowhere), None, None, 0.0, out)
     });
     assert_ne!(none.status, LIPZ_OK);
+}
+
+/// The face of somebody who listens, in each unit of time, with the profile of the stack.
+fn of_amy(
+    (array, count): (*const Bank, u32),
+    (clip, found): (&lipz_bank::Clip<'_, '_>, &LayeredClip),
+    us: i64,
+    usual: &lipz_bank::FaceProfile<'_>,
+) {
+    let (data, length_bytes) = ptr("amy");
+    let amy = Who { name: String { data, length_bytes }, is_speaker: 0 };
+    let (amy, found, seconds) = (Some(&amy), Some(found), us as f64 / 1e6);
+    let short = lipz_bank::Seconds(seconds as f32);
+    let of_c = [
+        Answer::<Face>::from_call(|out| unsafe {
+            lipz_layers_face_of_us(array, count, found, amy, None, None, us, out)
+        }),
+        Answer::from_call(|out| unsafe {
+            lipz_layers_face_of_samples(array, count, found, amy, None, None, us, 1_000_000, out)
+        }),
+        Answer::from_call(|out| unsafe {
+            lipz_layers_face_of_seconds(array, count, found, amy, None, None, seconds, out)
+        }),
+        Answer::from_call(|out| unsafe {
+            lipz_layers_face_of_seconds_f32(array, count, found, amy, None, None, short.0, out)
+        }),
+    ];
+    let at_us = clip.face_of("amy", Micros(us), usual, lipz_bank::LookAt::AHEAD).eye_yaw.thousandths();
+    let at_short = clip.face_of("amy", short, usual, lipz_bank::LookAt::AHEAD).eye_yaw.thousandths();
+    assert_eq!(of_c.map(|face| face.ok().eye_yaw), [at_us, at_us, at_us, at_short]);
 }
 
 #[test]
