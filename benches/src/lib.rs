@@ -10,6 +10,7 @@ mod clip;
 mod folder;
 #[cfg(feature = "tools")]
 pub mod layers;
+mod memory;
 #[cfg(feature = "tools")]
 pub mod naive;
 mod random;
@@ -17,6 +18,7 @@ mod texts;
 
 #[cfg(feature = "tools")]
 pub use folder::{list, temporary_folder, write_clips};
+pub use memory::peak_bytes;
 pub use random::Random;
 
 /// Clips of a folder: a scene.

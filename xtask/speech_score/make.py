@@ -1,4 +1,5 @@
-"""Sounds with labels: make.py FOLDER. For each sentence NAME.wav, NAME.txt, and NAME.json with its phones and their times."""
+"""Sounds with labels: make.py FOLDER LESSONS. For each sentence NAME.wav, NAME.txt, and NAME.json with its phones and their times; in LESSONS,
+for each language those of which a model of its voice is learnt."""
 
 import array
 import json
@@ -92,16 +93,30 @@ def with_pauses(rate, samples, phones, chance):
     return longer, moved
 
 
+def lines(name):
+    """The sentences of a file, each with its language."""
+    return [line.split(' ', 1) for line in (HERE / name).read_text().splitlines() if not line.startswith('#')]
+
+
+def said(folder, number, language, text):
+    """A sentence in the voice of its language: the rate and the samples of the sound, and its phones."""
+    wav = folder / 'sound.tmp.wav'
+    labels = flite(number, text, wav) if language == 'en' else festival(language, text, wav)
+    rate, samples = read(wav)
+    wav.unlink()
+    return rate, samples, phones_of(labels, len(samples) / rate)
+
+
 def main():
-    folder = pathlib.Path(sys.argv[1])
+    folder, lessons = map(pathlib.Path, sys.argv[1:])
+    for number, (language, text) in enumerate(lines('lessons.txt')):
+        (lessons / language).mkdir(parents=True, exist_ok=True)
+        rate, samples, phones = said(lessons / language, number, language, text)
+        write(lessons / language, f'{number:02}', rate, samples, {'lang': language, 'text': text, 'phones': phones})
     folder.mkdir(parents=True, exist_ok=True)
-    lines = [line.split(' ', 1) for line in (HERE / 'texts.txt').read_text().splitlines() if not line.startswith('#')]
-    for number, (language, text) in enumerate(lines):
-        name, wav, chance = f'{language}-{number:02}', folder / 'sound.tmp.wav', random.Random(number)
-        labels = flite(number, text, wav) if language == 'en' else festival(language, text, wav)
-        rate, samples = read(wav)
-        wav.unlink()
-        phones = phones_of(labels, len(samples) / rate)
+    for number, (language, text) in enumerate(lines('texts.txt')):
+        name, chance = f'{language}-{number:02}', random.Random(number)
+        rate, samples, phones = said(folder, number, language, text)
         facts = {'lang': language, 'set': 'English' if language == 'en' else language, 'text': text, 'phones': phones}
         write(folder, name, rate, samples, facts)
         if language == 'en':

@@ -1,5 +1,6 @@
 """Compares mouths with labels: score.py SOUNDS NAME=PREDICTIONS..."""
 
+import itertools
 import json
 import pathlib
 import sys
@@ -40,6 +41,17 @@ def predicted(prediction, count):
     return [look_at(parts, (frame + 0.5) / FPS) for frame in range(count)]
 
 
+def closed_lips(facts, prediction):
+    """Of a mouth: how many closed shapes there are, and how many last two frames; how many p, b, m were said, and how many are seen."""
+    codes = prediction['visemes'].replace('|', '')
+    runs = [(code, len(list(run))) for code, run in itertools.groupby(codes)]
+    held = [length for code, length in runs if code in 'MF']
+    seen = predicted(prediction, len(codes))
+    said = [(start, end) for name, start, end in facts['phones'] if looks(name, facts['lang']) == 'M']
+    shown = ['M' in seen[max(0, int(start * FPS - 1)):int(end * FPS + 2)] for start, end in said]
+    return len(held), sum(length >= 2 for length in held), len(said), sum(shown)
+
+
 def main():
     sounds = pathlib.Path(sys.argv[1])
     facts = {path.stem: json.loads(path.read_text()) for path in sorted(sounds.glob('*.json'))}
@@ -59,6 +71,10 @@ def main():
                         near += any(look in fits for fits in true[max(0, at - 1):at + 2])
             if own:
                 print(f'| {of_set} | {name} | {len(own)} | {100 * right / frames:.1f} / {100 * near / frames:.1f} % |')
+    mouths = [(name, pathlib.Path(sys.argv[2].split('=', 1)[1]) / f'{name}.json') for name in facts]
+    counts = [closed_lips(facts[name], json.loads(path.read_text())) for name, path in mouths if path.exists()]
+    held, two, said, shown = map(sum, zip(*counts))
+    print(f'\nclosed lips, and the lip under the teeth: {two} of {held} last two frames and more; {shown} of {said} p, b, m are seen')
 
 
 main()

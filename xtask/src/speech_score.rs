@@ -25,7 +25,8 @@ pub(crate) fn run() -> Result<(), Failure> {
     }
     succeed(Command::new(&python).args(["-m", "pip", "install", "--quiet", PEER]), "pip install")?;
     let (ours, theirs) = (folder.join("lipz"), folder.join("pocketsphinx"));
-    for made in [&sounds, &ours, &theirs].into_iter().filter(|made| made.exists()) {
+    let (lessons, trained) = (folder.join("lessons"), folder.join("trained"));
+    for made in [&sounds, &ours, &theirs, &lessons, &trained].into_iter().filter(|made| made.exists()) {
         fs::remove_dir_all(made).map_err(|error| format!("{}: {error}", made.display()))?;
     }
     let script = |name: &str| {
@@ -33,11 +34,40 @@ pub(crate) fn run() -> Result<(), Failure> {
         command.arg(scripts.join(name));
         command
     };
-    succeed(script("make.py").arg(&sounds), "make.py")?;
-    let mut cargo = Command::new("cargo");
-    cargo.args(["run", "--release", "--quiet", "--package", "lipz-speech", "--example", "sync_folder", "--"]);
-    succeed(cargo.current_dir(workspace_root()).args([&sounds, &ours]), "sync_folder")?;
+    succeed(script("make.py").args([&sounds, &lessons]), "make.py")?;
+    succeed(example("sync_folder").args([&sounds, &ours]), "sync_folder")?;
+    fs::create_dir_all(&trained).map_err(|error| format!("{}: {error}", trained.display()))?;
+    for language in ["it", "cs", "fi", "ca"] {
+        let model = trained.join(format!("{language}.lipzmodel"));
+        succeed(example("train_folder").arg(lessons.join(language)).arg(language).arg(&model), "train_folder")?;
+        // The sentences of this language alone: those of the others are not for its model.
+        let of_language = folder.join("of_language");
+        let _ = fs::remove_dir_all(&of_language);
+        copy(&sounds, &of_language, language).map_err(|error| format!("{}: {error}", of_language.display()))?;
+        succeed(example("sync_folder").args([&of_language, &trained]).arg(language).arg(&model), "sync_folder")?;
+    }
     succeed(script("sphinx.py").args([&sounds, &theirs]), "sphinx.py")?;
     let peer = |name: &str, folder: &Path| format!("{name}={}", folder.display());
-    succeed(script("score.py").arg(&sounds).arg(peer("lipz", &ours)).arg(peer("PocketSphinx", &theirs)), "score.py")
+    let peers = [peer("lipz", &ours), peer("lipz, its voice learnt", &trained), peer("PocketSphinx", &theirs)];
+    succeed(script("score.py").arg(&sounds).args(peers), "score.py")
+}
+
+/// An example of lipz-speech, to be run.
+fn example(name: &str) -> Command {
+    let mut cargo = Command::new("cargo");
+    cargo.args(["run", "--release", "--quiet", "--package", "lipz-speech", "--example", name, "--"]);
+    cargo.current_dir(workspace_root());
+    cargo
+}
+
+/// Copies the files of a language.
+fn copy(from: &Path, to: &Path, language: &str) -> std::io::Result<()> {
+    fs::create_dir_all(to)?;
+    for entry in fs::read_dir(from)? {
+        let name = entry?.file_name();
+        if name.to_string_lossy().starts_with(&format!("{language}-")) {
+            fs::copy(from.join(&name), to.join(&name))?;
+        }
+    }
+    Ok(())
 }

@@ -3,6 +3,7 @@
 use crate::Failure;
 use clap::ValueEnum;
 use cpu_time::ProcessTime;
+use lipz_benches::peak_bytes;
 use lipz_compiler::{Compiled, Compiler, Input, Options, Phases, discover};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -223,14 +224,6 @@ fn phases(discovered: Duration, packing: Duration, phases: &Phases) -> Vec<(Stri
         ("in no phase", packing.saturating_sub(accounted)),
     ];
     parts.map(|(name, time)| (name.to_owned(), time.as_secs_f64())).into()
-}
-
-/// The high-water mark of this process's memory, where Linux tells it.
-fn peak_bytes() -> Option<u64> {
-    let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
-    let kibibytes: u64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
-    Some(kibibytes * 1024)
 }
 
 #[cfg(test)]

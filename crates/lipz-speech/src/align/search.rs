@@ -11,8 +11,8 @@ const NEVER: f32 = -1e30;
 const BEAM: f32 = 2_000.0;
 /// After how many frames what is common to all paths is decided.
 const DECIDE_FRAMES: usize = 256;
-/// How many bytes of undecided past are kept.
-const MOST_BYTES: usize = 8 << 20;
+/// How many bytes of undecided past are kept: half a minute and more. Only what repeats itself for so long is undecided.
+const MOST_BYTES: usize = 2 << 20;
 /// The choice of a junction that the word before it is left out.
 const SKIP: u8 = u8::MAX;
 
