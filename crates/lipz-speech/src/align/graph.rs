@@ -26,8 +26,10 @@ pub(super) struct Node {
 pub(super) struct Costs {
     /// A pause between words.
     pub(super) pause: f32,
-    /// A noise, or speech that is not in the script.
+    /// A noise.
     pub(super) noise: f32,
+    /// Speech that is not in the script.
+    pub(super) other_speech: f32,
     /// A word that is not said.
     pub(super) missing_word: f32,
 }
@@ -62,7 +64,7 @@ impl Graph {
             let pause = if junction == 0 || junction + 1 == junctions { 0.0 } else { costs.pause };
             graph.add_filler(Phone::Sil, junction, pause);
             graph.add_filler(Phone::Noise, junction, costs.noise);
-            graph.add_filler(Phone::Spoken, junction, costs.noise);
+            graph.add_filler(Phone::Spoken, junction, costs.other_speech);
             if let Some(word) = script.words.get(junction) {
                 for (number, pronunciation) in word.pronunciations.iter().take(MOST_PRONUNCIATIONS).enumerate() {
                     graph.add_pronunciation(&pronunciation.phones, junction, number);
@@ -110,7 +112,7 @@ mod tests {
     use super::*;
     use crate::align::tests::script;
 
-    const COSTS: Costs = Costs { pause: -2.0, noise: -3.0, missing_word: -4.0 };
+    const COSTS: Costs = Costs { pause: -2.0, noise: -3.0, other_speech: -3.0, missing_word: -4.0 };
 
     #[test]
     fn every_pronunciation_leads_from_one_junction_to_the_next() {
