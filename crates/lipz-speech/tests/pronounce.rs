@@ -74,6 +74,16 @@ fn japanese_particles_are_said_as_particles() {
 }
 
 #[test]
+fn mandarin_years_are_said_digit_by_digit_too() {
+    let mandarin = Pronouncer::new(Language::from_locale("zh-cn").expect("a language"));
+    let year = mandarin.script("2024年");
+    let digits = mandarin.script("二零二四").words;
+    let digit_by_digit: Vec<String> = digits.iter().map(|word| word.pronunciations[0].to_string()).collect();
+    let all: Vec<String> = year.words[0].pronunciations.iter().map(ToString::to_string).collect();
+    assert!(all.contains(&digit_by_digit.join(" ")), "{digit_by_digit:?} {all:?}");
+}
+
+#[test]
 fn what_is_said_in_addition_stands_where_it_is_said() {
     let text = "Well, {say: um} I| {say: uh} know{say: no}{say: ehm}";
     let script = english(text);
