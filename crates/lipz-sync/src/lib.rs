@@ -21,6 +21,7 @@ mod places;
 mod recorded;
 mod recorded_clip;
 mod recordings;
+pub mod shard;
 mod sync;
 mod threads;
 mod words;
@@ -39,7 +40,7 @@ pub use sync::{
     jobs_of_clips, jobs_of_recordings, model_at, record_place, sync, train, write_model,
 };
 pub(crate) use sync::{spoken_string, spoken_text};
-pub use words::word_times;
+pub use words::{word_times, word_times_of};
 
 /// The example of the README, run as a test.
 #[cfg(doctest)]

@@ -73,6 +73,14 @@ impl Recordings {
         (recordings, reports)
     }
 
+    /// Leaves those whose paths are such.
+    pub(crate) fn retain(&mut self, is_one: impl Fn(&Path) -> bool) {
+        self.files.retain(|_, files| {
+            files.retain(|path| is_one(path));
+            !files.is_empty()
+        });
+    }
+
     /// The recording of which the mouth of the clip with this key is made.
     pub fn find(&self, key: &str) -> Option<&Path> {
         self.entry(self.places.of(key)).map(|(_, path)| path)

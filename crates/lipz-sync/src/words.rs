@@ -14,13 +14,18 @@ use std::collections::BTreeMap;
 /// If the record cannot be read. What is odd about its lines is for [`check`](crate::check()).
 pub fn word_times(settings: &Settings, inputs: &[Input]) -> Result<BTreeMap<String, WordTimes>, Report> {
     let (record, _) = SyncRecord::read(&record_place(settings))?;
+    Ok(word_times_of(&record, inputs))
+}
+
+/// The same, as this record tells.
+pub fn word_times_of(record: &SyncRecord, inputs: &[Input]) -> BTreeMap<String, WordTimes> {
     let times = |input: &Input| {
         let Content::File(lipz_file) = &input.content else { return None };
         // After a merge there may be several: of other texts, they will say nothing.
         let words = record.lines_for(lipz_file).iter().rev().find_map(|line| line.words.clone())?;
         Some((input.key.clone(), words))
     };
-    Ok(inputs.iter().filter_map(times).collect())
+    inputs.iter().filter_map(times).collect()
 }
 
 #[cfg(test)]

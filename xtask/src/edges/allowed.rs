@@ -156,6 +156,8 @@ pub(super) const RULES: &[Rule] = &[
             "lipz-interop",
             "lipz-speech",
             "lipz-types",
+            "serde",
+            "serde_json",
             "twox-hash",
             "walkdir",
         ],

@@ -20,9 +20,10 @@ pub use hash::ContentHash;
 pub use link::Link;
 pub use linked_object::LinkedObject;
 pub use object::Shard;
-pub use plan::{Common, Plan, PlannedFile, PlannedShard, ShardPlan, plan};
+pub use plan::{Beside, Common, Plan, PlannedFile, PlannedShard, ShardPlan, Step, plan};
 pub use set::LinkedSet;
 pub use set_files::SetFiles;
+pub use wire::WireReport;
 
 use crate::Voices;
 use lipz_bank::ClipId;
@@ -33,6 +34,9 @@ pub const MAX_SHARDS: u16 = 4096;
 
 /// What the names of objects end with, behind a dot.
 pub const OBJECT_EXTENSION: &str = "lipzobj";
+
+/// What the names of files with the mouths of a shard end with, behind a dot.
+pub const MOUTHS_EXTENSION: &str = "lipzmouths";
 
 /// What the names of indices of sets end with, behind a dot.
 pub const SET_EXTENSION: &str = "lipzset";

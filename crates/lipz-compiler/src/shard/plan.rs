@@ -1,7 +1,7 @@
 //! What is to be done: the shards of a project, and what each of them is made of.
 
 use super::hash::Fields;
-use super::{ContentHash, OBJECT_EXTENSION, shard_of};
+use super::{ContentHash, MOUTHS_EXTENSION, OBJECT_EXTENSION, shard_of};
 use crate::discover::display;
 use crate::{Content, Input, Voices, parallel};
 use lipz_bank::ClipId;
@@ -30,15 +30,45 @@ pub struct Plan {
     pub(super) version: u32,
     /// The version of lipz that made the plan, and that has to make the objects.
     pub lipz: String,
+    /// What its steps do.
+    #[serde(default, skip_serializing_if = "Step::is_pack")]
+    pub step: Step,
     /// The arguments of lipz that make the plan again.
     pub made_by: Vec<String>,
-    /// The bank that the objects are linked to.
+    /// The bank that the objects are linked to; of a plan of lip sync, the file by which engines know that its mouths are in the
+    /// Lipz files.
     pub makes: String,
     /// The shards in order. Shard 0 has the clips with the lowest ids.
     pub shards: Vec<PlannedShard>,
 }
 
-/// A shard in a plan: the step that packs it.
+/// What the steps of a plan do.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Step {
+    /// They pack, each an object.
+    #[default]
+    Pack,
+    /// They make mouths of recordings.
+    Sync,
+}
+
+impl Step {
+    #[allow(clippy::trivially_copy_pass_by_ref, reason = "serde asks so")]
+    fn is_pack(&self) -> bool {
+        *self == Step::Pack
+    }
+
+    /// What the names of its results end with, behind a dot.
+    pub fn extension(self) -> &'static str {
+        match self {
+            Step::Pack => OBJECT_EXTENSION,
+            Step::Sync => MOUTHS_EXTENSION,
+        }
+    }
+}
+
+/// A shard in a plan: the step that makes something of it.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
@@ -51,7 +81,7 @@ pub struct PlannedShard {
     pub clips: usize,
     /// The file of its [`ShardPlan`], from the folder of the plan.
     pub needs: String,
-    /// The object that the step makes.
+    /// The result that the step makes.
     pub makes: String,
 }
 
@@ -64,6 +94,9 @@ pub struct ShardPlan {
     pub(super) version: u32,
     /// The version of lipz that made the plan.
     pub lipz: String,
+    /// What the step does.
+    #[serde(default, skip_serializing_if = "Step::is_pack")]
+    pub step: Step,
     /// The number of the shard.
     pub shard: u16,
     /// How many shards there are.
@@ -72,6 +105,8 @@ pub struct ShardPlan {
     pub id: ContentHash,
     /// The settings file, if there is one.
     pub settings: Option<PlannedFile>,
+    /// Where the record of mouths is, if it is there, or would be. Of it, only what it says of the clips matters.
+    pub record: String,
     /// What all shards read beside it.
     pub common: Vec<PlannedFile>,
     /// The Lipz files in the order of their keys.
@@ -89,7 +124,7 @@ pub struct PlannedFile {
     pub hash: ContentHash,
 }
 
-/// A Lipz file, and perhaps the recording of its clip.
+/// A Lipz file, and what else is read for its clip.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct PlannedInput {
@@ -101,6 +136,22 @@ pub(super) struct PlannedInput {
     pub(super) hash: ContentHash,
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub(super) recording: Option<PlannedFile>,
+    /// The hash of what the record of mouths says of it, if it says something.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub(super) record: Option<ContentHash>,
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub(super) beside: Vec<PlannedFile>,
+}
+
+/// What is read of a clip besides its Lipz file.
+#[derive(Clone, Debug, Default)]
+pub struct Beside {
+    /// Its recording.
+    pub recording: Option<PathBuf>,
+    /// The hash of what the record of mouths says of it, if it says something.
+    pub record: Option<ContentHash>,
+    /// All else.
+    pub files: Vec<PathBuf>,
 }
 
 /// What all shards of a project have in common.
@@ -108,29 +159,33 @@ pub(super) struct PlannedInput {
 pub struct Common<'p> {
     /// The settings file, if there is one.
     pub settings: Option<&'p Path>,
+    /// Where the record of mouths is, or would be.
+    pub record: &'p Path,
     /// What all shards read beside it.
     pub files: &'p [PathBuf],
     /// The voices of the project: a dub is in one shard with its original.
     pub voices: &'p Voices,
 }
 
-/// Plans the packing of `inputs` in so many shards. `recording` finds what is read of a clip beside its Lipz file.
+/// Plans a step for each of so many shards of `inputs`. `beside` finds what is read of a clip besides its Lipz file.
 ///
 /// # Errors
 /// What cannot be read, or has a path that is not Unicode.
 pub fn plan(
+    step: Step,
     inputs: &[Input],
     shards: NonZero<u16>,
     common: Common<'_>,
-    recording: impl Fn(&str) -> Option<PathBuf> + Send + Sync,
+    beside: impl Fn(&Input) -> Beside + Send + Sync,
 ) -> Result<Vec<ShardPlan>, Vec<Report>> {
     let mut faults = Vec::new();
     let mut file = |path: &Path| PlannedFile::read(path).map_err(|report| faults.push(report)).ok();
     let settings = common.settings.and_then(&mut file);
     let voices = common.voices;
+    let record = unicode(common.record).map_err(|report| vec![report])?;
     let common: Vec<PlannedFile> = common.files.iter().filter_map(|path| file(path)).collect();
     let read: Vec<Result<PlannedInput, Report>> = parallel::in_pool(None, || {
-        parallel::map_init(inputs, || (), |(), input: &Input| PlannedInput::read(input, voices, &recording))
+        parallel::map_init(inputs, || (), |(), input: &Input| PlannedInput::read(input, voices, beside(input)))
     });
     let mut of_shards: Vec<Vec<PlannedInput>> = vec![Vec::new(); usize::from(shards.get())];
     for input in read {
@@ -148,10 +203,12 @@ pub fn plan(
             format: SHARD_FORMAT.to_owned(),
             version: VERSION,
             lipz: MAKER.to_owned(),
+            step,
             shard,
             shards: shards.get(),
             id: ContentHash::of(&[]),
             settings: settings.clone(),
+            record: record.clone(),
             common: common.clone(),
             inputs,
         };
@@ -176,13 +233,14 @@ impl Plan {
                 id: plan.id,
                 clips: plan.inputs.len(),
                 needs,
-                makes: format!("{name}.{OBJECT_EXTENSION}"),
+                makes: format!("{name}.{}", plan.step.extension()),
             }
         };
         Ok(Plan {
             format: FORMAT.to_owned(),
             version: VERSION,
             lipz: MAKER.to_owned(),
+            step: shards.first().map_or(Step::Pack, |shard| shard.step),
             made_by,
             makes: unicode(makes)?,
             shards: shards.iter().map(shard).collect(),
@@ -210,9 +268,11 @@ impl ShardPlan {
     pub(super) fn hash(&self) -> ContentHash {
         let mut fields = Fields::default();
         fields.add(&self.lipz);
+        fields.add(self.step.extension());
         fields.add(self.shard);
         fields.add(self.shards);
         fields.add(self.settings.is_some());
+        fields.add(&self.record);
         fields.add(self.common.len());
         let files = self.settings.iter().chain(&self.common);
         files.for_each(|file| file.add_to(&mut fields));
@@ -223,6 +283,10 @@ impl ShardPlan {
             fields.add(input.hash);
             fields.add(input.recording.is_some());
             input.recording.iter().for_each(|recording| recording.add_to(&mut fields));
+            fields.add(input.record.is_some());
+            input.record.iter().for_each(|record| fields.add(record));
+            fields.add(input.beside.len());
+            input.beside.iter().for_each(|file| file.add_to(&mut fields));
         }
         fields.hash()
     }
@@ -236,13 +300,18 @@ impl ShardPlan {
         self.inputs.iter().map(input).collect()
     }
 
-    /// The paths of all that the step reads.
+    /// The paths of all that the step reads, but for the record of mouths: only what that says of its clips matters, and the plan
+    /// is another one then.
     pub fn needs(&self) -> impl Iterator<Item = &str> {
-        let common = self.settings.iter().chain(&self.common).map(|file| file.path.as_str());
-        let recordings = self.inputs.iter().filter_map(|input| input.recording.as_ref());
-        common
-            .chain(self.inputs.iter().map(|input| input.path.as_str()))
-            .chain(recordings.map(|file| file.path.as_str()))
+        self.files().map(|(path, _)| path)
+    }
+
+    /// The same with their hashes.
+    pub(super) fn files(&self) -> impl Iterator<Item = (&str, ContentHash)> {
+        let common = self.settings.iter().chain(&self.common);
+        let beside = self.inputs.iter().flat_map(|input| input.recording.iter().chain(&input.beside));
+        let files = common.chain(beside).map(|file| (file.path.as_str(), file.hash));
+        files.chain(self.inputs.iter().map(|input| (input.path.as_str(), input.hash)))
     }
 }
 
@@ -270,19 +339,17 @@ impl PlannedFile {
 }
 
 impl PlannedInput {
-    fn read(
-        input: &Input,
-        voices: &Voices,
-        recording: &impl Fn(&str) -> Option<PathBuf>,
-    ) -> Result<PlannedInput, Report> {
+    fn read(input: &Input, voices: &Voices, beside: Beside) -> Result<PlannedInput, Report> {
         let Content::File(path) = &input.content else {
             let message = "a plan is about files: what is in memory is not there on another machine";
             return Err(Report::failure(input.name(), Code::UnreadableFile, message, "name files and folders"));
         };
         let PlannedFile { path, hash } = PlannedFile::read(path)?;
-        let recording = recording(&input.key).map(|path| PlannedFile::read(&path)).transpose()?;
+        let recording = beside.recording.map(|path| PlannedFile::read(&path)).transpose()?;
+        let record = beside.record;
+        let beside = beside.files.iter().map(|path| PlannedFile::read(path)).collect::<Result<_, _>>()?;
         let line = Some(voices.line_of(&input.key)).filter(|line| *line != input.key).map(str::to_owned);
-        Ok(PlannedInput { key: input.key.clone(), line, path, hash, recording })
+        Ok(PlannedInput { key: input.key.clone(), line, path, hash, recording, record, beside })
     }
 
     fn line(&self) -> &str {

@@ -48,7 +48,7 @@ impl Plan {
         let (name, bytes) = contents(&path.with_file_name(&shard.needs))?;
         let found = ShardPlan::parse(&bytes, &name)?;
         let is_meant = (found.shard, usize::from(found.shards)) == (shard.shard, self.shards.len());
-        if is_meant && found.id == shard.id && found.inputs.len() == shard.clips {
+        if is_meant && found.step == self.step && found.id == shard.id && found.inputs.len() == shard.clips {
             return Ok(found);
         }
         let message = format!("this is another plan of a shard than the one that `{}` names", display(path));
@@ -177,7 +177,7 @@ fn quoted(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::plan::{Common, plan};
+    use super::super::plan::{Beside, Common, Step, plan};
     use super::*;
     use crate::{Voices, discover};
 
@@ -188,8 +188,8 @@ mod tests {
         }
         let (inputs, _) = discover(&[folder.path().into()], None);
         let voices = Voices::default();
-        let common = Common { settings: None, files: &[], voices: &voices };
-        let shards = plan(&inputs, NonZero::new(2).unwrap(), common, |_| None).unwrap();
+        let common = Common { settings: None, record: Path::new("r.txt"), files: &[], voices: &voices };
+        let shards = plan(Step::Pack, &inputs, NonZero::new(2).unwrap(), common, |_| Beside::default()).unwrap();
         (Plan::new(&shards, "p", Path::new("d.lipzbank"), vec!["x".to_owned()]).unwrap(), shards)
     }
 

@@ -3,10 +3,10 @@
 use lipz_diagnostics::{Code, Diagnostic, Label, Report, Severity, Source, Span};
 use serde::{Deserialize, Serialize};
 
-/// A [`Report`].
+/// A [`Report`] as a document that gives it back as it was.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct WireReport {
+pub struct WireReport {
     path: String,
     text: String,
     diagnostics: Vec<WireDiagnostic>,
@@ -45,13 +45,14 @@ impl WireLabel {
 }
 
 impl WireReport {
-    pub(super) fn of(report: &Report) -> WireReport {
+    /// The document of a report.
+    pub fn of(report: &Report) -> WireReport {
         let diagnostics = report.diagnostics.iter().map(WireDiagnostic::of).collect();
         WireReport { path: report.source.path.clone(), text: report.source.text.clone(), diagnostics }
     }
 
     /// The report; `None` if it is of no rule that is known, or of places that are none.
-    pub(super) fn into_report(self) -> Option<Report> {
+    pub fn into_report(self) -> Option<Report> {
         let diagnostics = self.diagnostics.iter().map(|wire| wire.diagnostic(&self.text)).collect::<Option<_>>()?;
         Some(Report::new(Source::new(self.path, self.text), diagnostics))
     }

@@ -3,7 +3,7 @@
 pub(crate) mod grid;
 pub(crate) mod hashes;
 mod jobs;
-mod listed;
+pub(crate) mod listed;
 mod model_file;
 pub(crate) mod mouth;
 mod one;
@@ -16,6 +16,7 @@ mod subject;
 mod target;
 mod train;
 
+pub(crate) use grid::place as grid_place;
 pub use grid::{CodesOfPhones, codes_of_phones};
 pub use jobs::{Job, Original, jobs_of_clips, jobs_of_recordings};
 pub use model_file::{model_at, write_model};
@@ -32,10 +33,14 @@ use crate::threads;
 use lipz_compiler::{replace_file, rewrite_file};
 use lipz_diagnostics::{Code, Report};
 use lipz_speech::{Language, Reliance};
-use one::{New, Step, one};
+use listed::Listings;
+use one::one;
+pub(crate) use one::{New, Step};
 use progress::Progress;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
+use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::{fs, io};
 
 /// What a run did, clip by clip in the order of the jobs, originals before dubs.
 #[derive(Debug, Default)]
@@ -109,97 +114,174 @@ pub fn sync(
     whole: &Whole<'_>,
 ) -> Synced {
     let known = &*record;
-    // Without the record, no mouth may be written: one clip says so, the others need not be made.
-    let has_no_record = AtomicBool::new(false);
-    // Dubs borrow the texts of originals, which must be there.
+    let sources = Sources { record: known, has_no_record: AtomicBool::new(false), whole };
+    let done = work(jobs, options, known, &sources, progress);
+    let mut synced = Synced::default();
+    let mut listed = Listings::default();
+    let mut lines = Vec::new();
+    for (job, step, reports) in done {
+        synced.reports.extend(reports);
+        match step {
+            Step::Unchanged(words) => {
+                synced.unchanged += 1;
+                listed.unchanged(&job.key, words);
+            }
+            Step::Kept(kept) => synced.kept.push((job.key.clone(), kept)),
+            Step::Refused => synced.refused += 1,
+            Step::New(new) => {
+                synced.read_by_letters.extend(by_letters(job, options, &new));
+                synced.made.push(job.key.clone());
+                synced.with_new_text.extend(new.has_new_text.then(|| job.key.clone()));
+                listed.made(&job.key, new.listed);
+                lines.push((&job.lipz_file, new.line));
+            }
+        }
+    }
+    lines.into_iter().for_each(|(lipz_file, line)| record.set(lipz_file, line));
+    synced.end(listed, record, whole)
+}
+
+impl Synced {
+    /// Ends a run: the record is written as a whole.
+    pub(crate) fn end(mut self, listed: Listings, record: &SyncRecord, whole: &Whole<'_>) -> Synced {
+        listed.tell(&mut self);
+        let mut written = Ok(());
+        whole(&mut || written = record.write());
+        self.reports.extend(written.err());
+        lipz_diagnostics::reports::sort(&mut self.reports);
+        self
+    }
+}
+
+/// Where Lipz files come from while mouths are made, and where those go.
+pub(crate) trait Place: Sync {
+    /// The bytes of a Lipz file, with the mouth that it has got by now.
+    fn read(&self, lipz_file: &Path) -> io::Result<Vec<u8>>;
+
+    /// Whether nothing can be put there any more.
+    fn is_closed(&self) -> bool;
+
+    /// Puts what was made of a job there. An error that was told before is none to tell.
+    fn put(&self, job: &Job, new: &New) -> Result<(), Option<Report>>;
+}
+
+/// Does jobs on as many threads as the options say: originals first, because dubs borrow their texts.
+pub(crate) fn work<'j>(
+    jobs: &'j [Job],
+    options: &SyncOptions,
+    record: &SyncRecord,
+    place: &dyn Place,
+    progress: &(dyn Fn(u32) + Sync),
+) -> Vec<(&'j Job, Step, Vec<Report>)> {
     let (originals, dubs): (Vec<&Job>, Vec<&Job>) = jobs.iter().partition(|job| job.original.is_none());
-    let make = |job: &&Job| {
+    let make = |job: &&'j Job| {
         let (mut reports, progress) = (Vec::new(), Progress::new(progress));
-        let mut step = match has_no_record.load(Ordering::Relaxed) {
-            false => one(job, options, known, &progress, &mut reports),
+        let mut step = match place.is_closed() {
+            false => one(job, options, (record, place), &progress, &mut reports),
             true => Step::Refused,
         };
         if let Step::New(new) = &step
-            && let Err(report) = write(job, new, known, &has_no_record, whole)
+            && let Err(report) = place.put(job, new)
         {
             reports.extend(report);
             step = Step::Refused;
         }
         progress.finish();
-        (step, reports)
+        (*job, step, reports)
     };
     let mut done = threads::map(&originals, options.options.threads, make);
     done.extend(threads::map(&dubs, options.options.threads, make));
-    let (mut synced, mut guessed, mut guessed_before) = (Synced::default(), BTreeMap::new(), BTreeMap::new());
-    let doubtful = |job: &Job, words: Vec<(u64, String)>| {
-        let key = job.key.clone();
-        words.into_iter().map(move |(start_us, word)| DoubtfulWord { key: key.clone(), start_us, word })
-    };
-    for (job, (step, reports)) in originals.iter().chain(&dubs).zip(done) {
-        synced.reports.extend(reports);
-        match step {
-            Step::Unchanged(listed) => {
-                synced.unchanged += 1;
-                synced.doubtful_before.extend(doubtful(job, listed.doubtful));
-                guessed_before.extend(listed.guessed);
-            }
-            Step::Kept(kept) => synced.kept.push((job.key.clone(), kept)),
-            Step::Refused => synced.refused += 1,
-            Step::New(new) => {
-                let locale =
-                    options.locale_of(job).filter(|locale| new.line.words.is_some() && is_read_by_letters(locale));
-                synced.read_by_letters.extend(locale.map(str::to_owned));
-                record.set(&job.lipz_file, new.line);
-                synced.made.push(job.key.clone());
-                synced.with_new_text.extend(new.has_new_text.then(|| job.key.clone()));
-                synced.doubtful.extend(doubtful(job, new.listed.doubtful));
-                guessed.extend(new.listed.guessed);
-            }
-        }
+    done
+}
+
+/// The locale of the words of a mouth, if its language has no rules of its own.
+pub(crate) fn by_letters(job: &Job, options: &SyncOptions, new: &New) -> Option<String> {
+    let is_read_by_letters =
+        |locale: &&str| Language::from_locale(locale).is_some_and(|language| language.reliance() == Reliance::Letters);
+    options.locale_of(job).filter(|_| new.line.words.is_some()).filter(is_read_by_letters).map(str::to_owned)
+}
+
+/// The Lipz files themselves, which are read only.
+pub(crate) struct OnDisk;
+
+impl Place for OnDisk {
+    fn read(&self, lipz_file: &Path) -> io::Result<Vec<u8>> {
+        fs::read(lipz_file)
     }
-    guessed_before.retain(|word, _| !guessed.contains_key(word));
-    synced.guessed_before = guessed_before.into_values().collect();
-    synced.guessed = guessed.into_values().collect();
-    let mut written = Ok(());
-    whole(&mut || written = record.write());
-    synced.reports.extend(written.err());
-    lipz_diagnostics::reports::sort(&mut synced.reports);
-    synced
+
+    fn is_closed(&self) -> bool {
+        true
+    }
+
+    fn put(&self, _job: &Job, _new: &New) -> Result<(), Option<Report>> {
+        Err(None)
+    }
 }
 
-/// Whether the language of a locale has no rules of its own.
-fn is_read_by_letters(locale: &str) -> bool {
-    Language::from_locale(locale).is_some_and(|language| language.reliance() == Reliance::Letters)
+/// The Lipz files themselves, each of which is written when its mouth is made.
+struct Sources<'s> {
+    record: &'s SyncRecord,
+    /// Without the record, no mouth may be written: one clip says so, the others need not be made.
+    has_no_record: AtomicBool,
+    whole: &'s Whole<'s>,
 }
 
-/// Writes a file and its line of the record. If that cannot be written, only the first file says so.
-fn write(
-    job: &Job,
-    new: &New,
+impl Place for Sources<'_> {
+    fn read(&self, lipz_file: &Path) -> io::Result<Vec<u8>> {
+        fs::read(lipz_file)
+    }
+
+    fn is_closed(&self) -> bool {
+        self.has_no_record.load(Ordering::Relaxed)
+    }
+
+    fn put(&self, job: &Job, new: &New) -> Result<(), Option<Report>> {
+        let grid = new.grid.as_ref().map(|(place, text)| (place.as_path(), text.as_str()));
+        write(&job.lipz_file, new.before.as_deref(), &new.after, (&new.line, grid), self.record, self.whole).map_err(
+            |fault| {
+                let is_first = !fault.is_of_record || !self.has_no_record.swap(true, Ordering::Relaxed);
+                is_first.then_some(fault.report)
+            },
+        )
+    }
+}
+
+/// Why a mouth is not written.
+pub(crate) struct Fault {
+    pub(crate) report: Report,
+    /// Because its line cannot be.
+    is_of_record: bool,
+}
+
+/// Writes a line of the record, then the file, which had these bytes `before`, and the TextGrid.
+pub(crate) fn write(
+    lipz_file: &Path,
+    before: Option<&[u8]>,
+    after: &str,
+    (line, grid): (&Line, Option<(&Path, &str)>),
     record: &SyncRecord,
-    has_no_record: &AtomicBool,
     whole: &Whole<'_>,
-) -> Result<(), Option<Report>> {
+) -> Result<(), Fault> {
     let mut written = Ok(());
     whole(&mut || {
-        if let Err(report) = record.append(&job.lipz_file, &new.line) {
-            written = Err((!has_no_record.swap(true, Ordering::Relaxed)).then_some(report));
+        if let Err(report) = record.append(lipz_file, line) {
+            written = Err(Fault { report, is_of_record: true });
             return;
         }
-        let file = match &new.before {
-            Some(before) => rewrite_file(&job.lipz_file, before, new.after.as_bytes()),
-            None if job.lipz_file.exists() => Err(Report::failure(
-                crate::recordings::shown(&job.lipz_file),
+        let file = match before {
+            Some(before) => rewrite_file(lipz_file, before, after.as_bytes()),
+            None if lipz_file.exists() => Err(Report::failure(
+                crate::recordings::shown(lipz_file),
                 Code::OutputFailed,
                 "another program has made the file in the meantime",
                 "run the command again",
             )),
-            None => replace_file(&job.lipz_file, new.after.as_bytes()),
+            None => replace_file(lipz_file, after.as_bytes()),
         };
         // One that has come into being meanwhile is somebody's work.
-        let grid = new.grid.as_ref().filter(|(place, _)| !place.exists());
+        let grid = grid.filter(|(place, _)| !place.exists());
         let write_grid = || grid.map_or(Ok(()), |(place, text)| replace_file(place, text.as_bytes()));
-        written = file.and_then(|()| write_grid()).map_err(Some);
+        written = file.and_then(|()| write_grid()).map_err(|report| Fault { report, is_of_record: false });
     });
     written
 }

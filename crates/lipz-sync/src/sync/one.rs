@@ -6,7 +6,7 @@ use super::listed::Listed;
 use super::progress::Progress;
 use super::record::{Line, Made};
 use super::subject::Subject;
-use super::{Job, SyncOptions, SyncRecord};
+use super::{Job, OnDisk, Place, SyncOptions, SyncRecord};
 use crate::clip::{Clip, string};
 use crate::facts::{content_hash, length_us, unreadable};
 use crate::recordings::shown;
@@ -15,13 +15,14 @@ use lipz_file::format::{Style, format};
 use lipz_file::{Document, Element, JsonString, Value};
 use lipz_speech::Script;
 use lipz_types::VisemeType;
+use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
-use std::fs::{self, File};
+use std::fs::File;
 use std::io;
 use std::path::PathBuf;
 
 /// What becomes of a job.
-pub(super) enum Step {
+pub(crate) enum Step {
     /// The mouth is what it would become.
     Unchanged(Listed),
     /// The mouth was made or changed by hand, and stays.
@@ -33,7 +34,7 @@ pub(super) enum Step {
 }
 
 /// Why a mouth stays.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub enum Kept {
     /// It was changed by hand after it had been made of a recording.
     Changed,
@@ -44,27 +45,27 @@ pub enum Kept {
 }
 
 /// A file to be written.
-pub(super) struct New {
+pub(crate) struct New {
     /// What the file was; `None` if there is none.
-    pub(super) before: Option<Vec<u8>>,
-    pub(super) after: String,
-    pub(super) line: Line,
-    pub(super) listed: Listed,
+    pub(crate) before: Option<Vec<u8>>,
+    pub(crate) after: String,
+    pub(crate) line: Line,
+    pub(crate) listed: Listed,
     /// The TextGrid that is not there yet, and its place.
-    pub(super) grid: Option<(PathBuf, String)>,
+    pub(crate) grid: Option<(PathBuf, String)>,
     /// Whether the mouth was made from this recording before, when the text was another one.
-    pub(super) has_new_text: bool,
+    pub(crate) has_new_text: bool,
 }
 
 /// Does a job, all but writing. What is wrong goes to `reports`.
 pub(super) fn one(
     job: &Job,
     options: &SyncOptions,
-    record: &SyncRecord,
+    (record, place): (&SyncRecord, &dyn Place),
     progress: &Progress<'_>,
     reports: &mut Vec<Report>,
 ) -> Step {
-    match with_subject(job, options, record, reports, |subject, reports| subject.step(progress, reports)) {
+    match with_subject(job, options, (record, place), reports, |subject, reports| subject.step(progress, reports)) {
         Ok(step) => step,
         Err(report) => {
             reports.push(report);
@@ -78,7 +79,7 @@ pub(super) fn textgrid(job: &Job, options: &SyncOptions, record: &SyncRecord) ->
     #[allow(clippy::redundant_closure_for_method_calls, reason = "the method is of one lifetime only")]
     let work = |subject: Subject<'_>, reports: &mut Vec<Report>| subject.textgrid(reports);
     // What is wrong with recording and text, runs that make mouths tell.
-    with_subject(job, options, record, &mut Vec::new(), work).ok()?
+    with_subject(job, options, (record, &OnDisk), &mut Vec::new(), work).ok()?
 }
 
 /// Finds out all that is known of a job before its recording is decoded, and does something with it. What is odd goes to
@@ -86,12 +87,12 @@ pub(super) fn textgrid(job: &Job, options: &SyncOptions, record: &SyncRecord) ->
 pub(super) fn with_subject<R>(
     job: &Job,
     options: &SyncOptions,
-    record: &SyncRecord,
+    (record, place): (&SyncRecord, &dyn Place),
     reports: &mut Vec<Report>,
     work: impl FnOnce(Subject<'_>, &mut Vec<Report>) -> Result<R, Report>,
 ) -> Result<R, Report> {
     let name = shown(&job.lipz_file);
-    let (is_new, bytes) = text_file(job, options)?;
+    let (is_new, bytes) = text_file(job, options, place.read(&job.lipz_file))?;
     let parsed = lipz_file::parse(&bytes);
     let is_whole = !parsed.diagnostics.iter().any(Diagnostic::is_error);
     let before = parsed.document.filter(|_| is_whole);
@@ -100,7 +101,7 @@ pub(super) fn with_subject<R>(
     let own_fps = before.get("fps").and(clip.fps);
     let rate = (options.viseme_type_of(own_type(&before)), options.fps_of(own_fps));
     // A dub without a text has that of its original.
-    let original_file = original_file(job);
+    let original_file = original_file(job, place);
     let original = lipz_file::parse(&original_file.1).document;
     let own = options.spoken(job, &before);
     let (is_borrowed, mut of_text) = (own.is_none(), Vec::new());
@@ -164,14 +165,18 @@ pub(super) fn with_subject<R>(
 }
 
 /// The Lipz file of the original of a dub: its name, and its bytes; empty if there is none.
-fn original_file(job: &Job) -> (String, Vec<u8>) {
+fn original_file(job: &Job, place: &dyn Place) -> (String, Vec<u8>) {
     let Some(original) = &job.original else { return Default::default() };
-    (shown(&original.lipz_file), fs::read(&original.lipz_file).unwrap_or_default())
+    (shown(&original.lipz_file), place.read(&original.lipz_file).unwrap_or_default())
 }
 
 /// Whether the Lipz file of a job is not there yet, and its bytes; for a new one, what it will be without a mouth.
-pub(super) fn text_file(job: &Job, options: &SyncOptions) -> Result<(bool, Vec<u8>), Report> {
-    match fs::read(&job.lipz_file) {
+pub(super) fn text_file(
+    job: &Job,
+    options: &SyncOptions,
+    read: io::Result<Vec<u8>>,
+) -> Result<(bool, Vec<u8>), Report> {
+    match read {
         Ok(bytes) => Ok((false, bytes)),
         Err(error) if error.kind() == io::ErrorKind::NotFound => {
             let style = Style { default_locale: options.options.default_locale.as_deref(), ..Style::default() };

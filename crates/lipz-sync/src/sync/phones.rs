@@ -3,7 +3,7 @@
 use super::one::with_subject;
 use super::record::Made;
 use super::subject::Subject;
-use super::{Job, SyncOptions, SyncRecord};
+use super::{Job, OnDisk, SyncOptions, SyncRecord};
 use crate::threads;
 use lipz_diagnostics::Report;
 use std::collections::HashMap;
@@ -39,7 +39,7 @@ impl KnownPhones {
     /// If a file cannot be read.
     pub fn of(&self, job: &Job, options: &SyncOptions, record: &SyncRecord) -> Result<Arc<[PhoneTime]>, Report> {
         // What is odd about the clip is for `check`.
-        with_subject(job, options, record, &mut Vec::new(), |mut subject, reports| {
+        with_subject(job, options, (record, &OnDisk), &mut Vec::new(), |mut subject, reports| {
             self.of_subject(&mut subject, reports)
         })
     }

@@ -186,7 +186,7 @@ impl SyncRecord {
     }
 
     /// What the record calls a Lipz file: its path below the folder of the record, with `/`.
-    fn name(&self, lipz_file: &Path) -> String {
+    pub(crate) fn name(&self, lipz_file: &Path) -> String {
         let folder = self.path.parent().unwrap_or(Path::new(""));
         shown(lipz_file.strip_prefix(folder).unwrap_or(lipz_file))
     }
@@ -209,7 +209,7 @@ impl fmt::Display for SyncRecord {
 }
 
 impl Line {
-    fn written(&self, file: &str) -> String {
+    pub(crate) fn written(&self, file: &str) -> String {
         let Made { sound, text, settings, mouth } = self.made;
         let differs = self.differences.as_ref().map_or(String::new(), |differs| format!("{DIFFERS}{differs} "));
         let said = self.words.as_ref().map_or(String::new(), |words| format!("{SAID}{words} "));
@@ -219,7 +219,7 @@ impl Line {
         format!("{sound:016x} {text:016x} {settings:016x} {mouth:016x} {original}{corrected}{differs}{said}{file}")
     }
 
-    fn parse(line: &str) -> Option<(Line, &str)> {
+    pub(crate) fn parse(line: &str) -> Option<(Line, &str)> {
         let mut parts = line.splitn(5, ' ');
         let mut hash = || parts.next().and_then(parse_hash);
         let made = Made { sound: hash()?, text: hash()?, settings: hash()?, mouth: hash()? };

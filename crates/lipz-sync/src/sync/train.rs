@@ -101,7 +101,7 @@ pub fn train(
 
 /// The recording of a job and what is said in it, if both can be read and this is the language.
 fn lesson<'j>(job: &'j Job, language: Language, options: &SyncOptions) -> Option<Lesson<'j>> {
-    let (_, bytes) = text_file(job, options).ok()?;
+    let (_, bytes) = text_file(job, options, std::fs::read(&job.lipz_file)).ok()?;
     let document = lipz_file::parse(&bytes).document?;
     let (locale, text) = options.spoken(job, &document)?;
     if locale.as_deref().and_then(Language::from_locale) != Some(language) {

@@ -16,6 +16,7 @@ pub(crate) mod rewriting;
 pub(crate) mod script_file;
 pub(crate) mod set_file;
 pub(crate) mod settings_file;
+pub(crate) mod shard_step;
 pub(crate) mod sources;
 pub(crate) mod stack;
 pub(crate) mod stdio;

@@ -8,9 +8,11 @@ use crate::shared::{output_file, stdio};
 use crate::{Outcome, console, interrupt};
 use clap::Args;
 use lipz_compiler::settings::Settings;
-use lipz_compiler::shard::{self, Common, MAX_SHARDS, Plan};
-use lipz_compiler::{OutputFile, Replace, dependencies, depfile};
-use lipz_sync::Recordings;
+use lipz_compiler::shard::{self, Beside, Common, MAX_SHARDS, Plan, Step};
+use lipz_compiler::{Input, OutputFile, Replace, dependencies, depfile};
+use lipz_sync::shard::{beside, record_hash};
+use lipz_sync::{Recordings, SyncOptions, SyncRecord, jobs_of_clips, record_place};
+use std::collections::HashMap;
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
 
@@ -21,7 +23,8 @@ use std::path::{Path, PathBuf};
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz shard plan voices --shards 64 -o plan.json
-  lipz shard plan --shards 16 -o plan.json")]
+  lipz shard plan --shards 16 -o plan.json
+  lipz shard plan --sync --shards 16 -o sync.json")]
 pub(super) struct PlanArguments {
     /// Folders, files or glob patterns [default: those of lipz.toml]
     #[arg(value_name = "SOURCES")]
@@ -42,6 +45,10 @@ pub(super) struct PlanArguments {
     /// it depends on into plan.json.d, for Make and Ninja
     #[arg(short, long, value_name = "PLAN")]
     output: PathBuf,
+
+    /// Plan lip sync, with `lipz sync --plan`, instead of packing
+    #[arg(long, conflicts_with = "bank")]
+    sync: bool,
 
     /// The bank that the objects will be linked to [default: `output` of lipz.toml, else dialogue.lipzbank]
     #[arg(long, value_name = "BANK")]
@@ -73,27 +80,32 @@ impl Run for PlanArguments {
         if found.is_empty() {
             return Err(reporter.usage("there is nothing to plan", "name a folder of Lipz files"));
         }
-        let bank = self.bank.clone().or(settings.output.clone()).unwrap_or_else(|| "dialogue.lipzbank".into());
+        let makes = match self.sync {
+            true => self.output.with_extension("done"),
+            false => self.bank.clone().or(settings.output.clone()).unwrap_or_else(|| "dialogue.lipzbank".into()),
+        };
+        let needs = self.needs(settings, &found, reporter)?;
         let count = NonZero::new(self.shards).unwrap_or(NonZero::<u16>::MIN);
-        let file = project.file.as_deref();
-        let (recordings, unread) = Recordings::discover(settings);
-        reporter.add(unread);
-        let recording = |key: &str| recordings.find(key).map(Path::to_owned);
-        let common = Common { settings: file, files: &common(settings), voices: &settings.voices() };
-        let shards = shard::plan(&found, count, common, recording);
+        let (file, voices) = (project.file.as_deref(), settings.voices());
+        let common = Common { settings: file, record: &record_place(settings), files: &needs.common, voices: &voices };
+        let step = if self.sync { Step::Sync } else { Step::Pack };
+        let beside = |input: &Input| needs.beside.get(&input.key).cloned().unwrap_or_default();
+        let shards = shard::plan(step, &found, count, common, beside);
         let shards = shards.map_err(|reports| reporter.abort(reports, Outcome::Failed))?;
         let folder = self.folder(reporter)?;
-        let plan = Plan::new(&shards, &folder, &bank, made_by()).map_err(|report| reporter.fail(report))?;
+        let plan = Plan::new(&shards, &folder, &makes, made_by()).map_err(|report| reporter.fail(report))?;
         // The plan comes last: whoever finds it finds those of its shards.
         for (planned, shard) in std::iter::zip(&plan.shards, &shards) {
             write(&self.output.with_file_name(&planned.needs), &shard.to_json(), reporter)?;
         }
         write(&self.output, &plan.to_json(), reporter)?;
-        let mut needs = dependencies(settings, &found).map_err(|report| reporter.fail(report))?;
-        needs.extend(common.settings.map(Path::to_owned));
-        needs.extend(common.files.iter().cloned());
-        needs.extend(found.iter().filter_map(|input| recording(&input.key)));
-        let bytes = depfile(&self.output, &needs).map_err(|report| reporter.fail(report))?;
+        let mut files = dependencies(settings, &found).map_err(|report| reporter.fail(report))?;
+        files.extend(common.settings.map(Path::to_owned));
+        files.extend(needs.record.into_iter().chain(needs.common));
+        files.extend(needs.beside.into_values().flat_map(|of_clip| of_clip.recording.into_iter().chain(of_clip.files)));
+        files.sort_unstable();
+        files.dedup();
+        let bytes = depfile(&self.output, &files).map_err(|report| reporter.fail(report))?;
         let mut path = self.output.clone().into_os_string();
         path.push(".d");
         output_file::write(Path::new(&path), &bytes, reporter)?;
@@ -106,7 +118,45 @@ impl Run for PlanArguments {
     }
 }
 
+/// What steps read besides Lipz files and settings.
+struct Needs {
+    /// The record of mouths, if it is there.
+    record: Option<PathBuf>,
+    /// What all shards read.
+    common: Vec<PathBuf>,
+    /// What is read for each clip, by key.
+    beside: HashMap<String, Beside>,
+}
+
 impl PlanArguments {
+    fn needs(&self, settings: &Settings, found: &[Input], reporter: &mut Reporter) -> Result<Needs, Abort> {
+        let (recordings, unread) = Recordings::discover(settings);
+        reporter.add(unread);
+        let place = record_place(settings);
+        let (record, _) = SyncRecord::read(&place).map_err(|report| reporter.fail(report))?;
+        let place = Some(place).filter(|place| place.is_file());
+        if !self.sync {
+            let of_clip = |input: &Input| {
+                let recording = recordings.find(&input.key).map(Path::to_owned);
+                let beside = Beside { recording, record: record_hash(&record, input), files: Vec::new() };
+                (input.key.clone(), beside)
+            };
+            return Ok(Needs { record: place, common: Vec::new(), beside: found.iter().map(of_clip).collect() });
+        }
+        let beside = beside(settings, found, &recordings, &record);
+        if beside.is_empty() {
+            let tip = "name their folder in [audio] of lipz.toml; keys are paths of Lipz files and of recordings";
+            return Err(reporter.usage("no clip has a recording", tip));
+        }
+        let (options, _) = SyncOptions::new(settings).map_err(|report| reporter.fail(report))?;
+        if let Some(path) = &settings.sync.model {
+            options.check_model(path, &jobs_of_clips(found, &recordings)).map_err(|report| reporter.fail(report))?;
+        }
+        let sync = &settings.sync;
+        let common = [&sync.lexicon, &sync.model, &sync.recogniser].into_iter().flatten().cloned().collect();
+        Ok(Needs { record: place, common, beside })
+    }
+
     /// The folder of the plans of the shards, which is beside the plan: `plan.shards` of `plan.json`.
     fn folder(&self, reporter: &mut Reporter) -> Result<String, Abort> {
         let folder = self.output.with_extension("shards");
@@ -124,10 +174,4 @@ fn made_by() -> Vec<String> {
 fn write(path: &Path, json: &str, reporter: &mut Reporter) -> Result<(), Abort> {
     let written = interrupt::whole(|| OutputFile::write(path, json.as_bytes(), Replace::IfDifferent));
     written.map(drop).map_err(|report| reporter.fail(report))
-}
-
-/// What all shards read beside the settings: the record of mouths, which tells when words are said.
-fn common(settings: &Settings) -> Vec<PathBuf> {
-    let record = lipz_sync::record_place(settings);
-    Vec::from_iter(Some(record).filter(|record| record.is_file()))
 }

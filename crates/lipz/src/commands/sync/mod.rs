@@ -1,6 +1,8 @@
 //! `lipz sync`: mouth shapes from recordings.
 
 mod flags;
+mod merging;
+mod shard;
 mod summary;
 mod table;
 mod train;
@@ -38,6 +40,8 @@ use std::path::{Path, PathBuf};
   lipz sync voices/act1/mara-hello.lipz --audio recordings --root voices --force
   lipz sync recordings -o voices --script lines.csv --audio-locale en-us
   lipz sync --train --model voices.lipzmodel
+  lipz sync --plan sync.json --shard 3 -o 3-of-64.lipzmouths
+  lipz sync --from '*-of-64.lipzmouths'
   lipz sync recordings -o voices --viseme-type rms")]
 pub(crate) struct SyncArguments {
     #[command(flatten)]
@@ -78,7 +82,51 @@ pub(crate) struct SyncArguments {
     /// Also replace mouths that were made or changed by hand
     #[arg(long)]
     force: bool,
+
+    /// Make the mouths of this shard of --plan, in the file --output: nothing else is written
+    #[arg(long, value_name = "NUMBER", requires = "plan", conflicts_with_all = OF_PLAN, help_heading = SHARDS)]
+    shard: Option<u16>,
+
+    /// The plan of the shards, by `lipz shard plan --sync`. It names Lipz files, recordings and settings
+    #[arg(long, value_name = "PLAN", requires = "shard", help_heading = SHARDS)]
+    plan: Option<PathBuf>,
+
+    /// Folder of results by the hashes of what they are made of: what is in it is not made again
+    #[arg(long, value_name = "FOLDER", requires = "shard", help_heading = SHARDS)]
+    store: Option<PathBuf>,
+
+    /// Also write the dependencies of the result, for Make, Ninja and CMake
+    #[arg(long, value_name = "FILE", requires = "shard", help_heading = SHARDS)]
+    depfile: Option<PathBuf>,
+
+    /// Merge the mouths of all shards into the Lipz files: names or patterns of what --shard made
+    #[arg(long, value_name = "FILES", num_args = 1.., conflicts_with_all = OF_PLAN, conflicts_with = "shard")]
+    #[arg(help_heading = SHARDS)]
+    from: Vec<PathBuf>,
 }
+
+const SHARDS: &str = "Shards";
+
+/// What a plan decides.
+const OF_PLAN: [&str; 17] = [
+    "sources",
+    "root",
+    "hidden",
+    "ProjectFlags",
+    "allow",
+    "warn",
+    "deny",
+    "config",
+    "no_config",
+    "AudioFlags",
+    "SyncFlags",
+    "script",
+    "encoding",
+    "fps",
+    "train",
+    "list",
+    "force",
+];
 
 /// Flags of others that have nothing to do with mouths, by their fields. They are accepted, as the settings are.
 const OF_OTHERS: [&str; 10] = [
@@ -124,6 +172,12 @@ impl Run for SyncArguments {
     }
 
     fn run(&self, reporter: &mut Reporter) -> Ended {
+        if let (Some(shard), Some(plan)) = (self.shard, &self.plan) {
+            return shard::run(self, shard, plan, reporter);
+        }
+        if !self.from.is_empty() {
+            return merging::run(self, reporter);
+        }
         let mut project = self.sources.project(reporter)?;
         let settings = &mut project.settings;
         self.audio.apply(&mut settings.audio);

@@ -10,7 +10,7 @@ use crate::reporter::{Ended, Reporter};
 use crate::shared::{output_file, stdio};
 use crate::{Abort, Outcome, console};
 use clap::{Args, ValueEnum};
-use lipz_compiler::shard::Plan;
+use lipz_compiler::shard::{Plan, Step as StepKind};
 use std::path::{Path, PathBuf};
 
 /// Write a plan as what a build engine reads.
@@ -64,6 +64,8 @@ enum Engine {
 struct Steps {
     lipz: String,
     plan: String,
+    /// What the steps do.
+    step: StepKind,
     /// The arguments that made the plan.
     made_by: Vec<String>,
     shards: Vec<Step>,
@@ -123,6 +125,7 @@ impl Emit {
         Ok(Steps {
             lipz: plain(Path::new(&self.lipz))?,
             plan: plain(&self.plan)?,
+            step: plan.step,
             made_by: plan.made_by.clone(),
             bank: plain(Path::new(&plan.makes))?,
             store: plain(&store)?,
@@ -134,7 +137,14 @@ impl Emit {
 impl Steps {
     /// The command that packs a shard, whose number and object the engine puts in.
     fn pack(&self, shard: &str, object: &str) -> String {
-        format!("{} pack --plan {} --shard {shard} -o {object} --store {} --quiet", self.lipz, self.plan, self.store)
+        let command = match self.step {
+            StepKind::Pack => "pack",
+            StepKind::Sync => "sync",
+        };
+        format!(
+            "{} {command} --plan {} --shard {shard} -o {object} --store {} --quiet",
+            self.lipz, self.plan, self.store
+        )
     }
 
     /// The command that makes the plan again.
@@ -144,14 +154,18 @@ impl Steps {
         words.join(" ")
     }
 
-    /// The command that links the objects. A pattern stands for their names: thousands do not fit a command line.
+    /// The command that links the objects, or merges the mouths. A pattern stands for their names: thousands do not fit a command line.
     fn link(&self) -> String {
-        format!("{} link '{}' -o {} --quiet", self.lipz, self.objects(), self.bank)
+        let (lipz, objects, makes) = (&self.lipz, self.objects(), &self.bank);
+        match self.step {
+            StepKind::Pack => format!("{lipz} link '{objects}' -o {makes} --quiet"),
+            StepKind::Sync => format!("{lipz} sync --from '{objects}' --quiet && touch {makes}"),
+        }
     }
 
     /// The pattern of the objects of this plan, and of no other one.
     fn objects(&self) -> String {
-        let name = format!("*-of-{}.lipzobj", self.shards.len());
+        let name = format!("*-of-{}.{}", self.shards.len(), self.step.extension());
         Path::new(&self.plan).with_file_name(name).to_string_lossy().into_owned()
     }
 }

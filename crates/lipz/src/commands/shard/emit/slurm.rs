@@ -6,7 +6,8 @@ use std::path::Path;
 /// The script: an array job, and a job that starts when all of its tasks have succeeded.
 pub(super) fn file(steps: &Steps) -> String {
     let count = steps.shards.len();
-    let object = Path::new(&steps.plan).with_file_name(format!("$SLURM_ARRAY_TASK_ID-of-{count}.lipzobj"));
+    let object =
+        Path::new(&steps.plan).with_file_name(format!("$SLURM_ARRAY_TASK_ID-of-{count}.{}", steps.step.extension()));
     let object = format!("\"{}\"", object.to_string_lossy());
     let pack = steps.pack("\"$SLURM_ARRAY_TASK_ID\"", &object);
     format!(

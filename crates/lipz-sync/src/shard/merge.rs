@@ -1,0 +1,76 @@
+//! The mouths of all shards, merged into the Lipz files.
+
+use super::mouths::{MadeMouth, Mouths};
+use crate::sync::listed::Listings;
+use crate::sync::{Line, Whole, write};
+use crate::{SyncRecord, Synced};
+use lipz_compiler::replace_file;
+use lipz_compiler::shard::{ContentHash, WireReport};
+use lipz_diagnostics::{Code, Diagnostic, Report};
+use std::fs;
+use std::io;
+use std::path::Path;
+
+/// Brings the mouths of all shards into their Lipz files and the record, as [`sync`](crate::sync()) does with those that it
+/// makes. A file that is not what it was when the plan was made stays as it is, which is reported; one that has its mouth
+/// already is done. So a run that ended in the middle can be done again.
+pub fn merge(mouths: Vec<Mouths>, record: &mut SyncRecord, whole: &Whole<'_>) -> Synced {
+    let (mut synced, mut listed, mut made) = (Synced::default(), Listings::default(), Vec::new());
+    for of_shard in mouths {
+        synced.refused += of_shard.refused;
+        synced.unchanged += of_shard.unchanged.len();
+        synced.kept.extend(of_shard.kept);
+        synced.reports.extend(of_shard.reports.into_iter().filter_map(WireReport::into_report));
+        of_shard.unchanged.into_iter().for_each(|(key, words)| listed.unchanged(&key, words));
+        made.extend(of_shard.made);
+    }
+    synced.kept.sort_by(|one, other| one.0.cmp(&other.0));
+    made.sort_by(|one, other| (one.is_dub, &one.lipz_file).cmp(&(other.is_dub, &other.lipz_file)));
+    let mut lines = Vec::new();
+    for mouth in made {
+        match put(&mouth, record, whole) {
+            Ok(line) => {
+                synced.read_by_letters.extend(mouth.read_by_letters);
+                synced.with_new_text.extend(mouth.has_new_text.then(|| mouth.key.clone()));
+                listed.made(&mouth.key, mouth.listed);
+                synced.made.push(mouth.key);
+                lines.push((mouth.lipz_file, line));
+            }
+            Err(report) => {
+                synced.refused += 1;
+                synced.reports.push(report);
+            }
+        }
+    }
+    lines.into_iter().for_each(|(lipz_file, line)| record.set(Path::new(&lipz_file), line));
+    synced.end(listed, record, whole)
+}
+
+/// Writes a mouth into its file, and its line into the record.
+fn put(mouth: &MadeMouth, record: &SyncRecord, whole: &Whole<'_>) -> Result<Line, Report> {
+    let path = Path::new(&mouth.lipz_file);
+    let outdated = |message: String| {
+        let help = "the file is kept; make the plan again, and the mouths: lipz shard plan --sync";
+        Report::about(mouth.lipz_file.as_str(), Diagnostic::new(Code::PlanOutdated, message).help(help))
+    };
+    let line = Line::parse(&mouth.line).filter(|(_, file)| *file == record.name(path)).map(|(line, _)| line);
+    let line = line.ok_or_else(|| outdated("the record is in another place than when the plan was made".to_owned()))?;
+    let now = match fs::read(path) {
+        Ok(bytes) => Some(bytes),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+        Err(error) => return Err(crate::facts::unreadable(path, &error)),
+    };
+    let grid = mouth.grid.as_ref().map(|(place, text)| (Path::new(place), text.as_str()));
+    let is_done = now.as_deref() == Some(mouth.after.as_bytes());
+    if !is_done && now.as_deref().map(ContentHash::of) != mouth.before {
+        return Err(outdated(format!("`{}` is not what it was when the plan was made", mouth.lipz_file)));
+    }
+    if is_done {
+        let grid = grid.filter(|(place, _)| !place.exists());
+        let mut written = Ok(());
+        whole(&mut || written = grid.map_or(Ok(()), |(place, text)| replace_file(place, text.as_bytes())));
+        return written.map(|()| line);
+    }
+    write(path, now.as_deref(), &mouth.after, (&line, grid), record, whole).map_err(|fault| fault.report)?;
+    Ok(line)
+}

@@ -1,0 +1,285 @@
+//! Lip sync in shards: the Lipz files, the record, the TextGrids and the diagnostics of `lipz sync` in one go.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::process::{Command, Stdio};
+use std::time::Duration;
+use support::sound::voice;
+use support::{Scene, lipz, tree};
+
+/// When somebody speaks in a recording, and when not, in milliseconds.
+const LINE: &[(bool, u32)] = &[(false, 200), (true, 500), (false, 100), (true, 300), (false, 200)];
+
+const SETTINGS: &str = "sources = [\"voices\"]
+default-locale = \"en-us\"
+
+[voices]
+en-us = \"en/{key}\"
+de-de = \"de/{key}\"
+
+[audio]
+folder = \"recordings\"
+
+[sync]
+lexicon = \"words.txt\"
+textgrids = \"grids\"
+";
+
+/// Originals with a text of two segments, one with a mouth by hand, one without a text, one with an error; dubs with a
+/// file, and without one.
+fn scene() -> Scene {
+    let scene = Scene::new();
+    scene.write("lipz.toml", SETTINGS);
+    scene.write("words.txt", "ZWOGG  Z W AA G\nBAD LINE %%\n");
+    for line in 0..9 {
+        let text = format!(r#""text_en-us": "Good evening,| Zwogg {line}.", "text_de-de": "Guten Abend,| Zwogg.""#);
+        scene.write(&format!("voices/en/line-{line}.lipz"), format!("{{ {text} }}\n"));
+        scene.write(&format!("recordings/en/line-{line}.wav"), voice(LINE, line));
+    }
+    let by_hand = r#"{ "fps": 24, "viseme_type": "blair", "visemes": "MAAE", "text_en-us": "Mine." }"#;
+    scene.write("voices/en/line-3.lipz", by_hand);
+    scene.write("voices/en/line-4.lipz", "{ \"note\": \"nobody knows\" }");
+    scene.write("voices/en/line-5.lipz", "{ \"text_en-us\": ");
+    for line in [0, 1, 6, 7] {
+        scene.write(&format!("recordings/de/line-{line}.wav"), voice(LINE, 100 + line));
+    }
+    scene.write("voices/de/line-1.lipz", r#"{ "viseme_type": "blair" }"#);
+    scene.write("recordings/en/line-8.wav", "no sound");
+    scene
+}
+
+/// The files that lip sync writes, with what is in them.
+fn made(scene: &Scene) -> BTreeMap<String, Vec<u8>> {
+    let is_made = |name: &String| name.starts_with("voices/") || name.starts_with("grids/");
+    let files = tree(scene.path()).into_iter().filter(is_made).filter(|name| scene.path().join(name).is_file());
+    files.map(|name| (name.clone(), fs::read(scene.path().join(name)).unwrap())).collect()
+}
+
+fn plan(scene: &Scene, shards: usize) {
+    scene.prepare(&["shard", "plan", "--sync", "--shards", &shards.to_string(), "-o", "build/sync.json", "--quiet"]);
+}
+
+fn arguments(shard: usize, shards: usize) -> Vec<String> {
+    let (number, output) = (shard.to_string(), format!("build/{shard}-of-{shards}.lipzmouths"));
+    let words = ["sync", "--plan", "build/sync.json", "--shard", &number, "-o", &output, "--store", "store"];
+    words.map(str::to_owned).to_vec()
+}
+
+fn step(scene: &Scene, shard: usize, shards: usize) -> support::Outcome {
+    let outcome = lipz(scene.path(), arguments(shard, shards));
+    assert_eq!(outcome.code, 0, "{outcome:?}");
+    outcome
+}
+
+fn merge(scene: &Scene, shards: usize) -> support::Outcome {
+    lipz(scene.path(), ["sync", "--from", &format!("build/*-of-{shards}.lipzmouths")])
+}
+
+#[test]
+fn shards_make_what_is_made_in_one_go() {
+    let whole = scene();
+    let expected = lipz(whole.path(), ["sync"]);
+    assert!(expected.code != 0 && expected.stdout.contains("kept"), "{expected:?}");
+    let expected_files = made(&whole);
+    assert!(expected_files.contains_key("voices/de/line-0.lipz"), "a dub without a file gets one");
+    for (shards, is_reversed) in [(2, false), (5, true)] {
+        let scene = scene();
+        plan(&scene, shards);
+        let before = made(&scene);
+        let order: Vec<usize> = if is_reversed { (0..shards).rev().collect() } else { (0..shards).collect() };
+        order.iter().for_each(|shard| drop(step(&scene, *shard, shards)));
+        assert!(made(&scene) == before, "steps write nothing but their results");
+        let merged = merge(&scene, shards);
+        let files = made(&scene);
+        for (name, bytes) in &expected_files {
+            assert_eq!(
+                files.get(name).map(|own| String::from_utf8_lossy(own)),
+                Some(String::from_utf8_lossy(bytes)),
+                "{name}"
+            );
+        }
+        assert_eq!(files.len(), expected_files.len());
+        assert_eq!((merged.code, &merged.stderr), (expected.code, &expected.stderr), "{shards} shards");
+        // All of it again: everything is as it is after a second run in one go.
+        let again = merge(&scene, shards);
+        assert!(made(&scene) == files && again.code == merged.code, "{again:?}");
+        plan(&scene, shards);
+        order.iter().for_each(|shard| drop(step(&scene, *shard, shards)));
+        let second = lipz(whole.path(), ["sync"]);
+        let merged = merge(&scene, shards);
+        assert!(made(&scene) == made(&whole) && merged.stderr == second.stderr, "{merged:?} {second:?}");
+    }
+}
+
+#[test]
+fn mouths_are_pure_functions_of_their_inputs() {
+    let (one, other) = (scene(), scene());
+    let results = |scene: &Scene, threads: &str| -> Vec<Vec<u8>> {
+        plan(scene, 2);
+        (0..2)
+            .map(|shard| {
+                let more = ["--threads", threads].map(str::to_owned);
+                let outcome = lipz(scene.path(), arguments(shard, 2).into_iter().chain(more));
+                assert_eq!(outcome.code, 0, "{outcome:?}");
+                fs::read(scene.path().join(format!("build/{shard}-of-2.lipzmouths"))).unwrap()
+            })
+            .collect()
+    };
+    let first = results(&one, "1");
+    assert!(first == results(&other, "7"));
+    // A text changes one shard; the other one is taken from the store.
+    one.write("voices/en/line-2.lipz", r#"{ "text_en-us": "Good night." }"#);
+    plan(&one, 2);
+    let again: Vec<String> = (0..2).map(|shard| step(&one, shard, 2).stdout).collect();
+    assert_eq!(again.iter().filter(|said| said.contains("unchanged in")).count(), 1, "{again:?}");
+    // What is not in the plan is not looked at, or the step does not run.
+    one.write("recordings/de/line-2.wav", voice(LINE, 9));
+    fs::remove_dir_all(one.path().join("store")).unwrap();
+    let before: Vec<Vec<u8>> =
+        (0..2).map(|shard| fs::read(one.path().join(format!("build/{shard}-of-2.lipzmouths"))).unwrap()).collect();
+    for (shard, before) in before.iter().enumerate() {
+        step(&one, shard, 2);
+        assert!(fs::read(one.path().join(format!("build/{shard}-of-2.lipzmouths"))).unwrap() == *before);
+    }
+    for (name, bytes) in [
+        ("recordings/en/line-0.wav", voice(LINE, 77)),
+        ("words.txt", b"ZWOGG  Z W AO G\n".to_vec()),
+        ("grids/en/line-0.TextGrid", b"new".to_vec()),
+        ("voices/lipz-sync.txt", b"# lipz sync\n".to_vec()),
+    ] {
+        let changed = scene();
+        plan(&changed, 1);
+        changed.write(name, bytes);
+        let outcome = lipz(changed.path(), arguments(0, 1));
+        let is_harmless = name.ends_with("lipz-sync.txt");
+        assert_eq!(outcome.code, i32::from(!is_harmless), "{name}: {outcome:?}");
+        assert!(is_harmless || outcome.stderr.contains("LZ2202"), "{name}: {outcome:?}");
+    }
+}
+
+#[test]
+fn what_somebody_changed_meanwhile_is_kept() {
+    let scene = scene();
+    plan(&scene, 2);
+    (0..2).for_each(|shard| drop(step(&scene, shard, 2)));
+    let mine = r#"{ "fps": 24, "viseme_type": "blair", "visemes": "OOO", "text_en-us": "Good evening,| Zwogg 0." }"#;
+    scene.write("voices/en/line-0.lipz", mine);
+    let merged = merge(&scene, 2);
+    assert!(merged.code == 1 && merged.stderr.contains("LZ2202"), "{merged:?}");
+    assert_eq!(fs::read_to_string(scene.path().join("voices/en/line-0.lipz")).unwrap(), mine);
+    let files = made(&scene);
+    assert!(
+        String::from_utf8_lossy(&files["voices/en/line-2.lipz"]).contains("visemes"),
+        "the others have their mouths"
+    );
+    assert!(!String::from_utf8_lossy(&files["voices/lipz-sync.txt"]).contains(" en/line-0.lipz"));
+}
+
+/// Steps and merges that are killed are done again, and nothing is lost.
+#[test]
+fn killed_and_resumed() {
+    let whole = scene();
+    lipz(whole.path(), ["sync"]);
+    let scene = scene();
+    plan(&scene, 4);
+    let kill_after = |arguments: Vec<String>, ms: u64| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_lipz"));
+        let child =
+            command.args(arguments).current_dir(scene.path()).stdout(Stdio::null()).stderr(Stdio::null()).spawn();
+        let mut child = child.unwrap();
+        std::thread::sleep(Duration::from_millis(ms));
+        let _ = child.kill();
+        child.wait().unwrap();
+    };
+    for round in 0..3 {
+        (0..4).for_each(|shard| kill_after(arguments(shard, 4), 20 + 40 * round));
+    }
+    (0..4).for_each(|shard| drop(step(&scene, shard, 4)));
+    for ms in (0..60).step_by(6) {
+        kill_after(["sync", "--from", "build/*-of-4.lipzmouths"].map(str::to_owned).to_vec(), ms);
+    }
+    merge(&scene, 4);
+    let (files, expected) = (made(&scene), made(&whole));
+    let left = files.keys().filter(|name| name.ends_with(".lipztmp")).count();
+    assert_eq!(files.len() - left, expected.len());
+    assert!(expected.iter().all(|(name, bytes)| files.get(name) == Some(bytes)));
+}
+
+#[test]
+fn what_is_refused() {
+    let scene = scene();
+    plan(&scene, 2);
+    let refused = |arguments: &[&str], why: &str| {
+        let outcome = lipz(scene.path(), arguments);
+        assert!(outcome.code != 0 && outcome.stderr.contains(why), "{arguments:?}: {outcome:?}");
+    };
+    refused(&["pack", "--plan", "build/sync.json", "--shard", "0", "-o", "0.lipzobj"], "is a plan of lip sync");
+    refused(&["sync", "--plan", "build/sync.json", "--shard", "0"], "no result to write is named");
+    refused(&["sync", "--plan", "build/sync.json", "--shard", "2", "-o", "2.lipzmouths"], "the plan has 2 shards");
+    refused(&["sync", "--plan", "build/sync.json", "--shard", "0", "-o", "0.lipzmouths", "--force"], "LZ1601");
+    step(&scene, 0, 2);
+    refused(&["sync", "--from", "build/0-of-2.lipzmouths"], "LZ2205");
+    step(&scene, 1, 2);
+    let mouths = fs::read_to_string(scene.path().join("build/0-of-2.lipzmouths")).unwrap();
+    scene.write("build/other.lipzmouths", &mouths);
+    refused(&["sync", "--from", "build/0-of-2.lipzmouths", "build/other.lipzmouths"], "shard 0 is there twice");
+    scene.write("build/other.lipzmouths", mouths.replacen("\"refused\": ", "\"refused\": 1", 1));
+    refused(&["sync", "--from", "build/other.lipzmouths"], "it is damaged, or was changed by hand");
+    scene.write("build/other.lipzmouths", &mouths[..mouths.len() / 2]);
+    refused(&["sync", "--from", "build/other.lipzmouths", "build/none.lipzmouths"], "LZ2203");
+    assert!(!scene.path().join("grids").exists() && !scene.path().join("voices/lipz-sync.txt").exists());
+    scene.write("lipz.toml", SETTINGS.replace("recordings", "none"));
+    refused(&["shard", "plan", "--sync", "--shards", "2", "-o", "build/sync.json"], "none");
+}
+
+/// What engines run makes what is made in one go. An engine that is not on this machine is left out with a word.
+#[test]
+#[cfg(unix)]
+fn engines_run_the_steps() {
+    let small = || {
+        let scene = scene();
+        for line in [3, 4, 5, 8] {
+            fs::remove_file(scene.path().join(format!("voices/en/line-{line}.lipz"))).unwrap();
+        }
+        scene
+    };
+    let whole = small();
+    lipz(whole.path(), ["sync"]);
+    let emit = |scene: &Scene, engine: &str, file: &str| {
+        plan(scene, 3);
+        scene.prepare(&["shard", "emit", engine, "build/sync.json", "-o", file, "--lipz", "./lipz", "--quiet"]);
+        fs::read_to_string(scene.path().join(file)).unwrap()
+    };
+    for (engine, file, arguments) in
+        [("ninja", "build.ninja", &[][..]), ("make", "sync.mk", &["-f", "sync.mk", "-j2"][..])]
+    {
+        let is_there =
+            Command::new(engine).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok();
+        if !is_there {
+            assert!(std::env::var_os("LIPZ_TOOLS").is_none(), "needs {engine}, which `.ci/install` brings");
+            eprintln!("skipped: {engine} is not on this machine");
+            continue;
+        }
+        let scene = small();
+        std::os::unix::fs::symlink(env!("CARGO_BIN_EXE_lipz"), scene.path().join("lipz")).unwrap();
+        emit(&scene, engine, file);
+        let run = || {
+            let output = Command::new(engine).args(arguments).current_dir(scene.path()).output().unwrap();
+            assert!(output.status.success(), "{}", String::from_utf8_lossy(&[output.stdout, output.stderr].concat()));
+        };
+        run();
+        assert!(made(&scene) == made(&whole), "{engine}");
+        run();
+        assert!(made(&scene) == made(&whole) && scene.path().join("build/sync.done").is_file(), "{engine}, again");
+    }
+    let scene = small();
+    for engine in ["hyperqueue", "slurm"] {
+        let text = emit(&scene, engine, "steps");
+        assert!(text.contains("./lipz sync --plan build/sync.json --shard"), "{text}");
+        assert!(text.contains("sync --from") && text.contains("build/*-of-3.lipzmouths"), "{text}");
+        assert!(text.contains("touch build/sync.done") && !text.contains("lipzobj"), "{text}");
+    }
+}
