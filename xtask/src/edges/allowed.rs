@@ -180,7 +180,7 @@ pub(super) const RULES: &[Rule] = &[
             "toml",
             "url",
         ],
-        below: Below::AtMost(115),
+        below: Below::AtMost(116),
     },
     // What a game carries; its build script uses the compiler.
     Rule { name: "dialogue-player", direct: &["lipz-bank", "lipz-compiler"], below: Below::Only(READER) },
