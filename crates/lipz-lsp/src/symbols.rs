@@ -12,6 +12,9 @@ use lsp_types::{DocumentSymbol, Range, SymbolKind};
 /// The longest value that an outline shows.
 const SHOWN_CHARACTERS: usize = 60;
 
+/// The most segments of a text that an outline lists: nobody reads more there, and editors ask for it while somebody types.
+const MOST_SEGMENTS: usize = 200;
+
 /// The elements of a file, in its order.
 pub(crate) fn symbols(document: &Document, known: &project::Known) -> Vec<DocumentSymbol> {
     let parsed = lipz_file::parse(document.text.as_bytes());
@@ -42,7 +45,7 @@ fn segments(document: &Document, element: &Element<'_>, timing: Option<&Timing>)
         // Where characters stand is found quickly only without escapes; an outline is not worth more.
         return Vec::new();
     }
-    let shift = document.mark_bytes();
+    let (shift, count) = (document.mark_bytes(), text::segment_count(&string.text));
     let mut walk = Walk::new(&document.rope, &document.text, string.span().start as usize + shift);
     let one = |(index, range): (usize, std::ops::Range<usize>)| {
         let said = shortened(text::trim(string.text.get(range.clone()).unwrap_or_default()));
@@ -53,7 +56,14 @@ fn segments(document: &Document, element: &Element<'_>, timing: Option<&Timing>)
         let range = Range::new(start, end);
         made(&name, time, SymbolKind::STRING, (range, range), None)
     };
-    text::segments(&string.text).enumerate().map(one).collect()
+    let mut listed: Vec<DocumentSymbol> =
+        text::segments(&string.text).take(MOST_SEGMENTS).enumerate().map(one).collect();
+    if let Some(last) = listed.last().filter(|_| count > MOST_SEGMENTS) {
+        let name = format!("and {} more segments", count - MOST_SEGMENTS);
+        let range = (last.range, last.selection_range);
+        listed.push(made(&name, String::new(), SymbolKind::STRING, range, None));
+    }
+    listed
 }
 
 #[allow(deprecated, reason = "the type has a field that is deprecated")]
@@ -90,6 +100,16 @@ mod tests {
     use crate::project::Known;
     use lsp_types::Uri;
     use std::str::FromStr;
+
+    #[test]
+    fn long_texts_are_listed_from_their_start() {
+        let text = format!("{{ \"text_en-us\": \"{}\" }}", vec!["a"; MOST_SEGMENTS + 3].join("|"));
+        let document = Document::new(Uri::from_str("untitled:a").unwrap(), 1, text);
+        let symbols = symbols(&document, &Known::default());
+        let children = symbols[0].children.as_ref().unwrap();
+        assert_eq!((children.len(), children[MOST_SEGMENTS].name.as_str()), (MOST_SEGMENTS + 1, "and 3 more segments"));
+        assert_eq!(children[1].range.start.character, 19);
+    }
 
     #[test]
     fn elements_and_segments_are_listed_also_of_broken_files() {
