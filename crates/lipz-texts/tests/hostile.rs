@@ -26,6 +26,22 @@ fn entities_are_refused() {
     assert!(told(Format::Json, "[".repeat(200_000).as_bytes()).contains("LZ1901"));
 }
 
+/// What a tool writes that does not know the marks of segments: the text would be passed over.
+#[test]
+fn a_text_beside_marked_segments_is_told() {
+    let file = |target: &str| {
+        format!(
+            r#"<xliff version="1.2"><file source-language="en-US" target-language="de-DE"><body><trans-unit id="a">
+            <source>One | Two</source><target>{target}</target></trans-unit></body></file></xliff>"#
+        )
+    };
+    let marked = r#"<mrk mtype="seg" mid="1">Eins</mrk> | <mrk mtype="seg" mid="2">Zwei</mrk>"#;
+    let beside = told(Format::Xliff12, file(&format!("Eins | Zwo{marked}")).as_bytes());
+    assert!(beside.contains("a text stands beside the segments of its target"), "{beside}");
+    let incoming = read(Format::Xliff12, file(marked).as_bytes(), &ReadOptions::new("en-us"));
+    assert_eq!((incoming.entries.len(), incoming.diagnostics.len()), (1, 0));
+}
+
 #[cfg(feature = "xlsx")]
 mod spreadsheets {
     use super::{Format, told};

@@ -31,6 +31,12 @@ fn unit(node: Node<'_, '_>, locale: &str, incoming: &mut Incoming) {
     };
     let source = Words { text: text(source, &mut incoming.diagnostics), span: inner(source) };
     let target = child("target");
+    if let Some(beside) = target.and_then(beside_segments) {
+        let message = "a text stands beside the segments of its target, which are marked (`<mrk>`)";
+        let help = "write it into a segment, or export with `--by segment`, if the tool knows no `<mrk>`";
+        incoming.diagnostics.push(Diagnostic::at(Code::ExchangeSyntax, whole(beside), message).help(help));
+        return;
+    }
     let words = match target {
         Some(target) => Words { text: text(target, &mut incoming.diagnostics), span: inner(target) },
         None => Words { text: String::new(), span: whole(node) },
@@ -63,9 +69,19 @@ fn state(unit: Node<'_, '_>, target: Option<Node<'_, '_>>) -> State {
     }
 }
 
+fn is_segment(node: &Node<'_, '_>) -> bool {
+    node.tag_name().name() == "mrk" && node.attribute("mtype") == Some("seg")
+}
+
+/// What stands between marked segments and is more than a `|`: the work of a tool that does not know such marks.
+fn beside_segments<'a, 'input>(target: Node<'a, 'input>) -> Option<Node<'a, 'input>> {
+    let is_divider = |text: &str| text.chars().all(|c| c == '|' || c.is_whitespace());
+    let mut beside = target.children().filter(|node| node.is_text() && !node.text().is_none_or(is_divider));
+    if target.descendants().any(|node| is_segment(&node)) { beside.next() } else { None }
+}
+
 /// The text of a source or target. If its segments are marked, what is between them does not count.
 fn text(node: Node<'_, '_>, diagnostics: &mut Vec<Diagnostic>) -> String {
-    let is_segment = |node: &Node<'_, '_>| node.tag_name().name() == "mrk" && node.attribute("mtype") == Some("seg");
     let mut segments: Vec<Node<'_, '_>> = node.descendants().filter(is_segment).collect();
     if segments.is_empty() {
         return content(node, diagnostics);

@@ -23,6 +23,14 @@ fn most_bytes(file_bytes: usize) -> u64 {
     (FREE_BYTES + RATIO * file_bytes as u64).min(MAX_UNPACKED_BYTES)
 }
 
+/// What a whole file may have unpacked, if its parts have more.
+pub(super) fn exceeded(file: &[u8]) -> Option<u64> {
+    let mut archive = ZipArchive::new(Cursor::new(file)).ok()?;
+    let parts = 0..archive.len();
+    let unpacked: u64 = parts.filter_map(|part| Some(archive.by_index(part).ok()?.size())).sum();
+    Some(most_bytes(file.len())).filter(|most| unpacked > *most)
+}
+
 /// Why a file is not read.
 struct Refusal {
     why: String,
@@ -234,8 +242,22 @@ fn unescaped(text: &str) -> String {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_too_large_to_be_read_is_not_written() {
+        let packed = |bytes: usize| {
+            let mut archive = zip::ZipWriter::new(Cursor::new(Vec::new()));
+            archive.start_file("a", zip::write::SimpleFileOptions::default()).unwrap();
+            std::io::Write::write_all(&mut archive, &vec![b'a'; bytes]).unwrap();
+            archive.finish().unwrap().into_inner()
+        };
+        assert_eq!(exceeded(&packed(1 << 20)), None);
+        let large = packed(usize::try_from(FREE_BYTES * 2).unwrap());
+        assert_eq!(exceeded(&large), Some(most_bytes(large.len())));
+    }
 
     #[test]
     fn columns_and_characters_are_those_of_excel() {

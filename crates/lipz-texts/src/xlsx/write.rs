@@ -1,6 +1,7 @@
 //! Writing XLSX files.
 
 use super::MAX_UNPACKED_BYTES;
+use super::read::exceeded;
 use crate::csv::{LOCK, rows};
 use crate::{Exchange, Shape, WriteOptions};
 use lipz_diagnostics::{Code, Diagnostic, escape};
@@ -27,8 +28,16 @@ pub(crate) fn write(exchange: &Exchange, options: &WriteOptions, diagnostics: &m
         return Vec::new();
     }
     let made = workbook(&rows, &exchange.source_locale, diagnostics);
-    made.unwrap_or_else(|error| {
-        diagnostics.push(refusal(format!("the texts do not fit into a spreadsheet: {error}")));
+    let made = made.map_err(|error| format!("the texts do not fit into a spreadsheet: {error}"));
+    // By the rule of reading: what is packed so much could be made to do harm.
+    let is_read = |file: Vec<u8>| match exceeded(&file) {
+        Some(most) => {
+            Err(format!("lipz would not read the spreadsheet: unpacked it has more than {} megabytes", most >> 20))
+        }
+        None => Ok(file),
+    };
+    made.and_then(is_read).unwrap_or_else(|message| {
+        diagnostics.push(refusal(message));
         Vec::new()
     })
 }
