@@ -632,6 +632,110 @@ class Bank : public lipz_bank {
     Bank() noexcept : lipz_bank() {}
 };
 
+/// A clip of a stack: `bank(clip)` of its Layers is the bank to ask about its mouth, segments, events and curves.
+struct LayeredClip : lipz_layered_clip {
+    LayeredClip(const lipz_layered_clip &found) noexcept : lipz_layered_clip(found) {}
+    /// The clip in its own bank.
+    Clip own() const noexcept { return clip; }
+    bool has_texts() const noexcept { return texts_layer != LIPZ_NO_LAYER; }
+};
+
+/// A clip of a stack as it is played in a voice, and whose it is: `LIPZ_DUB`, `LIPZ_OTHER_DUB` or `LIPZ_ORIGINAL`.
+struct LayeredVoicedClip {
+    LayeredVoicedClip(const lipz_layered_voiced_clip &found) noexcept : clip(found.clip), spoken(found.spoken) {}
+    LayeredClip clip;
+    std::uint32_t spoken;
+};
+
+/// A bank and the layers over it, the topmost of which answers. It keeps the `N` banks, not their bytes.
+template <std::size_t N> class Layers {
+  public:
+    /// Checks that these banks make a stack, the base first. Throws an Error.
+    template <typename... Banks> static Layers must_stack(const Banks &...banks) {
+        const Layers layers(std::array<lipz_bank, N>{static_cast<const lipz_bank &>(banks)...});
+        must(lipz_layers_check(layers.banks_.data(), count(), nullptr), 0);
+        return layers;
+    }
+    static constexpr std::uint32_t count() noexcept { return static_cast<std::uint32_t>(N); }
+    /// The banks, the base first.
+    const std::array<lipz_bank, N> &banks() const noexcept { return banks_; }
+    /// The bank that a clip is in.
+    const lipz_bank &bank(const LayeredClip &clip) const noexcept { return banks_[clip.layer < N ? clip.layer : 0]; }
+    std::optional<LayeredClip> clip(std::uint64_t id) const noexcept {
+        return answer<LayeredClip, lipz_layered_clip>(
+            [&](lipz_layered_clip *out) { return lipz_layers_clip_by_id(banks_.data(), count(), id, out); });
+    }
+    std::optional<LayeredClip> clip(std::string_view key) const noexcept {
+        return answer<LayeredClip, lipz_layered_clip>([&](lipz_layered_clip *out) {
+            return lipz_layers_clip_by_key(banks_.data(), count(), key.data(), key.size(), out);
+        });
+    }
+    /// The locale with this tag where the clip has its texts, or what stands in for it there. Look it up once for each `texts_layer`.
+    std::optional<lipz_layered_locale> locale(const LayeredClip &clip, std::string_view tag) const noexcept {
+        return answer<lipz_layered_locale>([&](lipz_layered_locale *out) {
+            return lipz_layers_locale(banks_.data(), count(), clip.texts_layer, tag.data(), tag.size(), out);
+        });
+    }
+    /// The text of the segment with this index; nothing if the clip has none, also by fallback.
+    std::optional<Text> text(const LayeredClip &clip, std::uint32_t segment,
+                             const lipz_layered_locale &locale) const noexcept {
+        lipz_text text;
+        if (lipz_layers_text(banks_.data(), count(), &clip, segment, &locale, &text) != LIPZ_OK) {
+            return std::nullopt;
+        }
+        return Text{{text.data, text.length_bytes}, text.is_fallback != 0};
+    }
+    /// Nothing without a frame rate: give the clip one.
+    std::optional<Cursor> cursor(const LayeredClip &clip) const noexcept {
+        return answer<Cursor, lipz_cursor>(
+            [&](lipz_cursor *out) { return lipz_cursor_new(&bank(clip), &clip.clip, sizeof *out, out); });
+    }
+    /// Which banks say what is said once: babble profiles, face profiles, the default locale.
+    lipz_layers_info_t info() const noexcept {
+        lipz_layers_info_t found;
+        lipz_layers_info(banks_.data(), count(), &found);
+        return found;
+    }
+    /// The locales of the voices: that of the originals first. None in a stack without dubs.
+    auto voices() const noexcept {
+        return range<std::string_view>([this, index = std::uint32_t(0)]() mutable -> std::optional<std::string_view> {
+            const auto tag = answer<lipz_string>(
+                [&](lipz_string *out) { return lipz_layers_voice_at(banks_.data(), count(), index++, out); });
+            return tag ? std::optional<std::string_view>(view(*tag)) : std::nullopt;
+        });
+    }
+    /// The clip with this id as it is played in a voice; nothing if the stack has no such voice: play the clip as it is.
+    std::optional<LayeredVoicedClip> in_voice(std::uint64_t id, std::string_view tag) const noexcept {
+        return answer<LayeredVoicedClip, lipz_layered_voiced_clip>([&](lipz_layered_voiced_clip *out) {
+            return lipz_layers_clip_in_voice(banks_.data(), count(), id, tag.data(), tag.size(), out);
+        });
+    }
+    /// The speaker's face at a time, besides mouth and emotions, with a profile of `banks()[info().faces_layer]`, or that of the
+    /// project.
+    std::optional<lipz_face> face_at(const LayeredClip &clip, Micros time, const FaceProfile *profile = nullptr,
+                                     const LookAt &look = {}) const noexcept {
+        return answer<lipz_face>([&](lipz_face *out) {
+            return lipz_layers_face_at_us(banks_.data(), count(), &clip, profile, &look, time.us, out);
+        });
+    }
+    std::optional<lipz_face> face_at(const LayeredClip &clip, Samples time, const FaceProfile *profile = nullptr,
+                                     const LookAt &look = {}) const noexcept {
+        return answer<lipz_face>([&](lipz_face *out) {
+            return lipz_layers_face_at_samples(banks_.data(), count(), &clip, profile, &look, time.position,
+                                               time.rate_hz, out);
+        });
+    }
+
+  private:
+    explicit Layers(const std::array<lipz_bank, N> &banks) noexcept : banks_(banks) {}
+    std::array<lipz_bank, N> banks_;
+};
+
+/// The stack of these banks, the base first: `lipz::must_stack(base, patch)`. Throws an Error.
+template <typename... Banks> Layers<sizeof...(Banks)> must_stack(const Banks &...banks) {
+    return Layers<sizeof...(Banks)>::must_stack(banks...);
+}
+
 /// The index of a set of banks: which of them has a clip. The program keeps the bytes and the banks.
 class Set : public lipz_set {
   public:

@@ -307,10 +307,17 @@ unsafe fn locale_in(banks: *const Bank, count: u32, layer: u32, tag: &str) -> Re
                 (None, None) => Err(LIPZ_NONE),
             };
         }
-        if let Some(own) = found {
-            let place = about.and_then(|layer| layer.stand_in(own.index as usize));
-            stand_in = place.and_then(|place| opened.bank.locales().nth(place)).map(|locale| locale.tag());
-        }
+        // What stands in for a locale of this bank in those below it.
+        let below = |tag: &str| {
+            let place = opened.bank.locales().position(|locale| locale.tag() == tag)?;
+            let place = about.and_then(|layer| layer.stand_in(place))?;
+            opened.bank.locales().nth(place).map(|locale| locale.tag())
+        };
+        stand_in = match found {
+            Some(_) => below(tag),
+            // What this bank brought itself has another one below it.
+            None => stand_in.and_then(below).or(stand_in),
+        };
         let removes = |tag: &str| about.as_ref().map_or(false, |layer| layer.removes_locale(tag));
         is_removed |= removes(tag);
         // Nothing of that counts below: it is another locale with the same tag, which came later.

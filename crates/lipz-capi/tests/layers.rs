@@ -256,3 +256,87 @@ fn a_stack_with_dubs_answers_in_each_voice_as_that_of_the_reader() {
     });
     assert_eq!(none.status, LIPZ_NONE);
 }
+
+/// What `layers.cpp` prints, by the reader.
+#[test]
+fn the_expected_answers_of_the_program_in_cpp_are_those_of_the_reader() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/banks/v1");
+    let files = ["small", "patch", "dubbed", "redub"].map(|name| {
+        let path = folder.join(name).with_extension("lipzbank");
+        std::fs::read(path).unwrap()
+    });
+    let banks = files.each_ref().map(|file| lipz_bank::Bank::open(file).unwrap().verify().unwrap());
+    let mut lines = std::string::String::new();
+    let stacks = [
+        ([banks[0], banks[1]], &["act1/blair", "act2/bare", "act2/no-frames", "patch/new"][..]),
+        ([banks[2], banks[3]], &["aye", "no", "de/no"]),
+    ];
+    for (banks, keys) in stacks {
+        let layers = Layers::new(banks).unwrap();
+        for key in keys {
+            print(&layers, key, &mut lines);
+        }
+    }
+    lines +=
+        &format!("another base: status {}\n", Layers::new([banks[0], banks[3]]).unwrap_err().error().kind().number());
+    let expected = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/layers.expected");
+    if std::env::var_os("LIPZ_BLESS").is_some() {
+        std::fs::write(&expected, &lines).unwrap();
+    }
+    assert_eq!(lines, std::fs::read_to_string(expected).unwrap());
+}
+
+/// The lines about a clip.
+fn print(layers: &Layers<'_, 2>, key: &str, out: &mut std::string::String) {
+    use std::fmt::Write;
+    let Some(clip) = layers.clip_by_key(key) else {
+        let _ = writeln!(out, "{key}: none");
+        return;
+    };
+    let plays = if lipz_bank::Cursor::new(&clip).is_some() { "plays" } else { "has no frame rate" };
+    let _ = writeln!(out, "{}: layer {}, {} frames, {plays}", clip.key(), clip.layer(), clip.frame_count());
+    for tag in ["de-de", "en-us", "fr-fr"] {
+        let Some(locale) = layers.locale(tag) else { continue };
+        for segment in 0..clip.segment_count() {
+            let Some(text) = clip.text(segment, &locale) else { continue };
+            let mark = if text.is_fallback() { "?" } else { "" };
+            let _ = writeln!(out, "  {tag} {segment}{mark}: {text}");
+        }
+    }
+    for voice in layers.voices() {
+        let _ = writeln!(out, "  {}: {}", voice.tag(), clip.in_voice(&voice).clip.key());
+    }
+}
+
+/// A locale of a patch for which another one stands in, of a bank for which yet another one does: C follows both.
+#[test]
+fn a_stand_in_has_a_stand_in_below_it() {
+    let packed = |locale: &str, text: &str| Input::from_bytes("aye", format!(r#"{{ "text_{locale}": "{text}" }}"#));
+    let other = |key: &str, texts: &str| Input::from_bytes(key, format!("{{ {texts} }}"));
+    let compiler = |locale: &str| Compiler::new(Options::new().default_locale(locale).strip(true));
+    let base = compiler("en-us").compile(&[packed("en-us", "Aye.")]).into_bank().unwrap();
+    let over = Over::new(Stack::open([("base", &base)]).unwrap()).keep_others(true);
+    let german = other("ja", r#""text_en-us": "Yes.", "text_de-de": "Ja.""#);
+    let patch = compiler("en-us").compile_over(&[german], &over).into_bank().unwrap();
+    let over = Over::new(Stack::open([("base", &base), ("patch", &patch)]).unwrap()).keep_others(true);
+    let austrian = other("jo", r#""text_en-us": "Yep.", "text_de-de": "Jo.", "text_de-at": "Jo eh.""#);
+    let addition = compiler("en-us").compile_over(&[austrian], &over).into_bank().unwrap();
+    let files = [base, patch, addition];
+    let banks = files.each_ref().map(|file| opened(file));
+    let read = files.each_ref().map(|file| lipz_bank::Bank::open(file).unwrap().verify().unwrap());
+    let layers = Layers::new(read).unwrap();
+    let mut stand_ins = 0;
+    for tag in ["en-us", "de-de", "de-at"] {
+        let locale = layers.locale(tag).unwrap();
+        for layer in 0..3 {
+            let (data, length) = ptr(tag);
+            let found = Answer::<LayeredLocale>::from_call(|out| unsafe {
+                lipz_layers_locale(banks.as_ptr(), 3, layer, data, length, out)
+            });
+            let found = found.some().map(|found| text_of(found.locale.tag));
+            assert_eq!(found, locale.tag_in(layer as usize), "{tag} in {layer}");
+            stand_ins += usize::from(found.is_some_and(|found| found != tag));
+        }
+    }
+    assert_eq!(stand_ins, 3, "German in the base, Austrian in the base and in the patch");
+}

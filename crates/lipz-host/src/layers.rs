@@ -2,7 +2,7 @@
 
 use crate::owned::utf8;
 use crate::{FileBytes, OpenError};
-use lipz_bank::{Bank, Layers, LayersError};
+use lipz_bank::{Bank, Error, LayeredLocale, Layers, LayersError, TextBank};
 use self_cell::self_cell;
 use std::path::{Path, PathBuf};
 use std::{error, fmt};
@@ -11,11 +11,20 @@ use std::{error, fmt};
 pub const MAX_LAYERS: usize = 16;
 
 /// A stack of at most [`MAX_LAYERS`] banks.
-type Stack<'data> = Layers<'data, MAX_LAYERS>;
+struct Stack<'data> {
+    layers: Layers<'data, MAX_LAYERS>,
+    texts: Vec<TextBank<'data>>,
+}
+
+/// The bytes of the banks, and of the text banks beside them.
+struct Files {
+    banks: Vec<FileBytes>,
+    texts: Vec<FileBytes>,
+}
 
 self_cell!(
     struct Cell {
-        owner: Vec<FileBytes>,
+        owner: Files,
         #[covariant]
         dependent: Stack,
     }
@@ -41,13 +50,37 @@ impl OwnedLayers {
     /// # Errors
     /// When one of the files cannot be read, is no bank or a damaged one, or does not fit those before it.
     pub fn open<P: AsRef<Path>>(paths: impl IntoIterator<Item = P>) -> Result<OwnedLayers, LayersOpenError> {
-        let paths: Vec<PathBuf> = paths.into_iter().map(|path| path.as_ref().to_owned()).collect();
+        OwnedLayers::open_with_texts(paths, std::iter::empty())
+    }
+
+    /// The same, with the text banks at `texts`: each is verified beside the topmost bank whose clips it is about.
+    ///
+    /// # Errors
+    /// As [`open`](OwnedLayers::open), and when a text bank cannot be read, is damaged, or is about the clips of none of the banks.
+    pub fn open_with_texts<P: AsRef<Path>>(
+        paths: impl IntoIterator<Item = P>,
+        texts: impl IntoIterator<Item = P>,
+    ) -> Result<OwnedLayers, LayersOpenError> {
+        let owned = |path: P| path.as_ref().to_owned();
+        let (paths, texts): (Vec<PathBuf>, Vec<PathBuf>) =
+            (paths.into_iter().map(owned).collect(), texts.into_iter().map(owned).collect());
         let read = |path: &PathBuf| FileBytes::read(path).map_err(|error| LayersOpenError::new(path, error.into()));
-        let files = paths.iter().map(read).collect::<Result<Vec<_>, _>>()?;
-        OwnedLayers::from_bytes(files).map_err(|error| {
-            let path = paths.get(error.layer()).or(paths.last()).cloned().unwrap_or_default();
-            LayersOpenError::new(&path, error.error().into())
-        })
+        let files = Files {
+            banks: paths.iter().map(read).collect::<Result<Vec<_>, _>>()?,
+            texts: texts.iter().map(read).collect::<Result<Vec<_>, _>>()?,
+        };
+        let cell = Cell::try_new(files, |files| {
+            let layers = stack(&files.banks).map_err(|error| {
+                let path = paths.get(error.layer()).or(paths.last()).cloned().unwrap_or_default();
+                LayersOpenError::new(&path, error.error().into())
+            })?;
+            let found = files.texts.iter().zip(&texts).filter_map(|(bytes, path)| {
+                Some(text_bank(&layers, bytes)?.map_err(|error| LayersOpenError::new(path, error.into())))
+            });
+            let texts = found.collect::<Result<Vec<_>, _>>()?;
+            Ok(Stack { layers, texts })
+        })?;
+        Ok(OwnedLayers(cell))
     }
 
     /// Verifies the banks that these bytes are, the base first.
@@ -55,16 +88,38 @@ impl OwnedLayers {
     /// # Errors
     /// When one of them is damaged or does not fit those before it.
     pub fn from_bytes(files: Vec<FileBytes>) -> Result<OwnedLayers, LayersError> {
-        let cell = Cell::try_new(files, |files| {
-            Layers::from_slice(&files.iter().enumerate().map(verified).collect::<Result<Vec<_>, _>>()?)
-        })?;
+        let files = Files { banks: files, texts: Vec::new() };
+        let cell = Cell::try_new(files, |files| Ok(Stack { layers: stack(&files.banks)?, texts: Vec::new() }))?;
         Ok(OwnedLayers(cell))
     }
 
     /// The stack.
     pub fn layers(&self) -> &Layers<'_, MAX_LAYERS> {
-        self.0.borrow_dependent()
+        &self.0.borrow_dependent().layers
     }
+
+    /// The text banks beside its banks.
+    pub fn texts(&self) -> &[TextBank<'_>] {
+        &self.0.borrow_dependent().texts
+    }
+
+    /// The locale with this tag, in the banks and in the text banks: [`Layers::locale_in`].
+    pub fn locale(&self, tag: &str) -> Option<LayeredLocale<'_, MAX_LAYERS>> {
+        self.layers().locale_in(tag, self.texts())
+    }
+}
+
+/// The stack of these banks, verified.
+fn stack(files: &[FileBytes]) -> Result<Layers<'_, MAX_LAYERS>, LayersError> {
+    Layers::from_slice(&files.iter().enumerate().map(verified).collect::<Result<Vec<_>, _>>()?)
+}
+
+/// The text bank in a file, verified beside the topmost bank whose clips it is about; `None` of a stack without banks.
+fn text_bank<'data>(layers: &Layers<'data, MAX_LAYERS>, bytes: &'data [u8]) -> Option<Result<TextBank<'data>, Error>> {
+    let mut banks = (0..layers.layer_count()).rev().filter_map(|layer| layers.bank(layer));
+    // If it fits none, the base says why.
+    let bank = banks.find(|bank| bank.open_texts(bytes).is_ok()).or_else(|| layers.bank(0))?;
+    Some(bank.open_texts(bytes).and_then(|texts| texts.verify_with(bank, utf8)))
 }
 
 /// The bank in a file, verified.
@@ -76,7 +131,7 @@ fn verified((layer, bytes): (usize, &FileBytes)) -> Result<Bank<'_>, LayersError
 /// The banks.
 impl fmt::Debug for OwnedLayers {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_tuple("OwnedLayers").field(self.layers()).finish()
+        f.debug_struct("OwnedLayers").field("layers", self.layers()).field("texts", &self.texts()).finish()
     }
 }
 

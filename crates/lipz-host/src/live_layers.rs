@@ -13,6 +13,7 @@ use std::sync::{Arc, Mutex, PoisonError, RwLock};
 #[derive(Debug)]
 pub struct LiveLayers {
     paths: Vec<PathBuf>,
+    texts: Vec<PathBuf>,
     current: RwLock<Arc<OwnedLayers>>,
     /// What the files looked like when they were used or refused.
     seen: Mutex<Seen>,
@@ -39,11 +40,23 @@ impl LiveLayers {
     /// # Errors
     /// As [`OwnedLayers::open`].
     pub fn open<P: Into<PathBuf>>(paths: impl IntoIterator<Item = P>) -> Result<LiveLayers, LayersOpenError> {
-        let paths: Vec<PathBuf> = paths.into_iter().map(Into::into).collect();
+        LiveLayers::open_with_texts(paths, std::iter::empty())
+    }
+
+    /// The same, with the text banks at `texts`, which are followed, too.
+    ///
+    /// # Errors
+    /// As [`OwnedLayers::open_with_texts`].
+    pub fn open_with_texts<P: Into<PathBuf>>(
+        paths: impl IntoIterator<Item = P>,
+        texts: impl IntoIterator<Item = P>,
+    ) -> Result<LiveLayers, LayersOpenError> {
+        let (paths, texts): (Vec<PathBuf>, Vec<PathBuf>) =
+            (paths.into_iter().map(Into::into).collect(), texts.into_iter().map(Into::into).collect());
         // Before they are read: what is written afterwards then shows.
-        let seen = Seen::new(stamps(&paths)?);
-        let current = RwLock::new(Arc::new(OwnedLayers::open(&paths)?));
-        Ok(LiveLayers { paths, current, seen: Mutex::new(seen) })
+        let seen = Seen::new(stamps(paths.iter().chain(&texts))?);
+        let current = RwLock::new(Arc::new(OwnedLayers::open_with_texts(&paths, &texts)?));
+        Ok(LiveLayers { paths, texts, current, seen: Mutex::new(seen) })
     }
 
     /// The current version. Keep it for as long as what you do with it should not change: a conversation, a frame.
@@ -63,7 +76,7 @@ impl LiveLayers {
     pub fn refresh(&self) -> Result<bool, LayersOpenError> {
         // Held until the end: one version after the other.
         let mut seen = self.seen.lock().unwrap_or_else(PoisonError::into_inner);
-        let now = stamps(&self.paths)?;
+        let now = stamps(self.paths.iter().chain(&self.texts))?;
         if seen.stamps == now && seen.are_settled {
             return Ok(false);
         }
@@ -71,12 +84,12 @@ impl LiveLayers {
         if self.are_used()? {
             return Ok(false);
         }
-        let opened = OwnedLayers::open(&self.paths)?;
+        let opened = OwnedLayers::open_with_texts(&self.paths, &self.texts)?;
         *self.current.write().unwrap_or_else(PoisonError::into_inner) = Arc::new(opened);
         Ok(true)
     }
 
-    /// The paths of the files, the base first.
+    /// The paths of the banks, the base first.
     pub fn paths(&self) -> impl Iterator<Item = &Path> {
         self.paths.iter().map(PathBuf::as_path)
     }
@@ -84,10 +97,12 @@ impl LiveLayers {
     /// Whether the files have the checksums of the current version.
     fn are_used(&self) -> Result<bool, LayersOpenError> {
         let current = self.current();
-        for (layer, path) in self.paths.iter().enumerate() {
+        let banks = (0..self.paths.len()).map(|layer| current.layers().bank(layer).map(lipz_bank::Bank::checksum));
+        let used = banks.chain(current.texts().iter().map(|texts| Some(texts.checksum())));
+        for (path, used) in self.paths.iter().chain(&self.texts).zip(used) {
             let found =
                 File::open(path).and_then(checksum).map_err(|error| LayersOpenError::new(path, error.into()))?;
-            if found != current.layers().bank(layer).map(lipz_bank::Bank::checksum) {
+            if found != used {
                 return Ok(false);
             }
         }
@@ -96,12 +111,12 @@ impl LiveLayers {
 }
 
 /// What the files look like.
-fn stamps(paths: &[PathBuf]) -> Result<Vec<Stamp>, LayersOpenError> {
+fn stamps<'p>(paths: impl Iterator<Item = &'p PathBuf>) -> Result<Vec<Stamp>, LayersOpenError> {
     let stamp = |path: &PathBuf| match fs::metadata(path) {
         Ok(metadata) => Ok(Stamp::new(&metadata)),
         Err(error) => Err(LayersOpenError::new(path, error.into())),
     };
-    paths.iter().map(stamp).collect()
+    paths.map(stamp).collect()
 }
 
 #[cfg(test)]
@@ -126,7 +141,7 @@ mod tests {
         write(r#"{ "visemes": "AM" }"#);
         let long_ago = SystemTime::now() - Duration::from_secs(60);
         File::options().write(true).open(&path).unwrap().set_modified(long_ago).unwrap();
-        live.seen.lock().unwrap().stamps = stamps(&live.paths).unwrap();
+        live.seen.lock().unwrap().stamps = stamps(live.paths.iter()).unwrap();
         assert!(live.refresh().unwrap() && !live.refresh().unwrap());
     }
 }

@@ -1,7 +1,7 @@
 //! A stack follows its files, and is never a mixture of versions that do not belong together.
 #![allow(clippy::unwrap_used, clippy::incompatible_msrv)]
 
-use lipz_compiler::{Compiler, Input, Over, Stack};
+use lipz_compiler::{Compiler, Input, Over, SplitBank, Stack};
 use lipz_host::{LiveLayers, OwnedLayers};
 use std::fs;
 use std::path::PathBuf;
@@ -63,4 +63,39 @@ fn files_that_make_no_stack_are_refused() {
     assert_eq!(OwnedLayers::open([&path]).unwrap_err().path(), path);
     fs::write(&path, &patch[..patch.len() - 1]).unwrap();
     assert!(OwnedLayers::open([&path]).is_err());
+}
+
+/// A language that came after the bank: its text bank is made from the next version, and fits the clips of this one.
+#[test]
+fn text_banks_are_followed_beside_the_stack() {
+    let folder = tempfile::tempdir().unwrap();
+    let [base, german] = ["base.lipzbank", "base.de-de.lipztexts"].map(|name| folder.path().join(name));
+    let packed = |texts: &str| {
+        let file = format!(r#"{{ "visemes": "MA", {texts} }}"#);
+        Compiler::default().compile(&[Input::from_bytes("line", file)]).into_bank().unwrap()
+    };
+    let write_german = |text: &str| {
+        let whole = packed(&format!(r#""text_en-us": "Aye.", "text_de-de": "{text}""#));
+        let split = SplitBank::from_bytes(&whole).unwrap();
+        let (_, texts) = split.texts.iter().find(|(locale, _)| locale == "de-de").unwrap();
+        let new = german.with_extension("new");
+        fs::write(&new, texts).unwrap();
+        fs::rename(&new, &german).unwrap();
+    };
+    fs::write(&base, packed(r#""text_en-us": "Aye.""#)).unwrap();
+    write_german("Ja.");
+    let live = LiveLayers::open_with_texts([&base], [&german]).unwrap();
+    let text = || {
+        let current = live.current();
+        let german = current.locale("de-de").unwrap();
+        current.layers().clip_by_key("line").unwrap().text(0, &german).unwrap().as_str().to_owned()
+    };
+    assert_eq!((text().as_str(), live.refresh().unwrap()), ("Ja.", false));
+    write_german("Jawohl.");
+    assert!(live.refresh().unwrap() && !live.refresh().unwrap());
+    assert_eq!(text(), "Jawohl.");
+    // Those of other clips are refused, and the old ones stay.
+    fs::copy("../../fixtures/banks/v1/split.de-de.lipztexts", &german).unwrap();
+    assert_eq!(live.refresh().unwrap_err().path(), german);
+    assert_eq!(text(), "Jawohl.");
 }
