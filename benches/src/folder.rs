@@ -3,6 +3,7 @@
 use crate::{CLIPS_PER_SCENE, clip_json, scene_folder};
 use rayon::prelude::*;
 use std::fs;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
@@ -40,7 +41,7 @@ pub fn write_clips(clips: usize, locales: usize, seed: u64, folder: &Path) -> Re
 ///
 /// # Errors
 /// If a folder cannot be read.
-pub fn list(folder: &Path) -> std::io::Result<Vec<PathBuf>> {
+pub fn list(folder: &Path) -> io::Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     let mut folders = vec![folder.to_owned()];
     while let Some(folder) = folders.pop() {
@@ -69,6 +70,16 @@ pub fn temporary_folder() -> Result<TempDir, String> {
     fs::create_dir_all(&parent)
         .and_then(|()| tempfile::tempdir_in(&parent))
         .map_err(|error| format!("no temporary folder in `{}`: {error}", parent.display()))
+}
+
+/// Writes a file, and waits until the disk has it, as a bank is written.
+///
+/// # Errors
+/// If it cannot be written.
+pub fn write_synced(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut file = fs::File::create(path)?;
+    file.write_all(bytes)?;
+    file.sync_all()
 }
 
 #[cfg(test)]

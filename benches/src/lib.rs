@@ -17,7 +17,7 @@ mod random;
 mod texts;
 
 #[cfg(feature = "tools")]
-pub use folder::{list, temporary_folder, write_clips};
+pub use folder::{list, temporary_folder, write_clips, write_synced};
 pub use memory::peak_bytes;
 pub use random::Random;
 

@@ -14,9 +14,10 @@ const LIPZ: [&str; 4] = ["pack", "unpack", "verify", "inspect"];
 const INSTRUCTIONS: &str = "instructions";
 
 /// Programs of `lipz-benches`, with what they do.
-const BENCHES: [(&str, &str); 5] = [
+const BENCHES: [(&str, &str); 6] = [
     ("generate", "Write a folder of made-up clips of realistic size and shape"),
     ("measure", "Measure packing against reading the same files"),
+    ("scale", "Measure how packing on several machines grows with clips, as a Markdown table"),
     ("lip-sync", "Measure lip sync up to an hour of sound: times real time, and peak memory"),
     ("compare", "Compare the reader with other ways to keep clips in a file, as a Markdown table"),
     (INSTRUCTIONS, "Count the instructions of the reader's queries and of packing, and hold them to their limits"),
