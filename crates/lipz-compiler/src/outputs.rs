@@ -4,6 +4,7 @@ use crate::layers::VoiceBanks;
 use crate::output::replace_file;
 use crate::split::WholeBank;
 use crate::{Compiled, Compiler, Input, Replacements};
+use lipz_bank::Bank;
 use lipz_diagnostics::Report;
 use std::collections::HashSet;
 use std::ffi::OsStr;
@@ -55,6 +56,8 @@ pub struct OutputFile {
     pub path: PathBuf,
     /// Its length.
     pub length_bytes: usize,
+    /// The number of its clips, if it is one of several banks that have the clips of the run between them.
+    pub clip_count: Option<usize>,
     /// Whether it was written, rather than found as it should be.
     pub is_new: bool,
 }
@@ -72,7 +75,7 @@ pub struct Delivered {
 impl OutputFile {
     /// A file that a run wrote.
     pub fn new(path: impl Into<PathBuf>, bytes: &[u8]) -> OutputFile {
-        OutputFile { path: path.into(), length_bytes: bytes.len(), is_new: true }
+        OutputFile { path: path.into(), length_bytes: bytes.len(), clip_count: None, is_new: true }
     }
 
     /// Replaces the file at `path` by `bytes`, as [`replace_file`] does.
@@ -216,15 +219,18 @@ impl Outputs {
     /// Writes the banks of voices, and last of all the bank below them.
     fn deliver_voices(&self, bank: &[u8], replace: Replace) -> Result<Delivered, Report> {
         let split = VoiceBanks::from_bytes(bank)?;
+        let write = |path: &Path, bytes: &[u8]| {
+            let clip_count = Bank::open(bytes).ok().map(|bank| bank.clip_count());
+            Ok::<OutputFile, Report>(OutputFile { clip_count, ..OutputFile::write(path, bytes, replace)? })
+        };
         let mut files = Vec::new();
         for (tag, bytes) in &split.voices {
-            let path = self.bank.with_extension(format!("{tag}{VOICES_EXTENSION}"));
-            files.push(OutputFile::write(&path, bytes, replace)?);
+            files.push(write(&self.bank.with_extension(format!("{tag}{VOICES_EXTENSION}")), bytes)?);
         }
         let is_locale = |name: &str| split_tag(name).is_some();
         let mut stale = stale(&self.bank, VOICES_EXTENSION, &files);
         stale.retain(|path| path.file_stem().and_then(OsStr::to_str).is_some_and(is_locale));
-        files.insert(0, OutputFile::write(&self.bank, &split.base, replace)?);
+        files.insert(0, write(&self.bank, &split.base)?);
         Ok(Delivered { files, stale })
     }
 

@@ -25,6 +25,7 @@ fn every_setting_is_read() {
         default-locale = "EN_us"
         locales = ["en-us", "zh-Hant"]
         split-locales = true
+        split-voices = true
         pseudo = true
         strip = true
         coverage = { all = 90, DE_de = 99.5 }
@@ -38,7 +39,7 @@ fn every_setting_is_read() {
     assert_eq!(settings.sources, ["game/voices", "game/../shared/*.lipz"].map(PathBuf::from));
     assert_eq!(settings.root, Some("game".into()));
     assert_eq!(settings.output, Some("/tmp/b.lipzbank".into()));
-    assert!(settings.split_locales);
+    assert!(settings.split_locales && settings.split_voices);
     let options = settings.options;
     assert!(options.pseudo);
     assert_eq!(options.min_coverage, MinCoverage::new().all(90.0).locale("de-de", 99.5));

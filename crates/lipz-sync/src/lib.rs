@@ -4,11 +4,13 @@
 //! is known of one: its length and the hash of its file, [`Recorded`] counts them, [`RecordedClip`] is
 //! that of a clip. [`check`] reports what does not belong together, and
 //! [`in_bank`] is what a bank says about recordings. [`sync`](sync()) makes mouths of recordings, and a [`SyncRecord`]
-//! remembers what each was made from. [`KnownPhones`] hears once more when each sound of a clip is said. [`train`] learns a
+//! remembers what each was made from; [`unaccepted`] are recordings of which nobody knows that they say what is written now.
+//! [`KnownPhones`] hears once more when each sound of a clip is said. [`train`] learns a
 //! model of the voices of a project.
 //!
 //! What is not here: printing, exit codes (`lipz`); phones, words and mouth shapes (`lipz-speech`).
 
+mod accept;
 mod clip;
 mod condition;
 mod facts;
@@ -22,10 +24,12 @@ mod recorded;
 mod recorded_clip;
 mod recordings;
 pub mod shard;
+mod spoken_now;
 mod sync;
 mod threads;
 mod words;
 
+pub use accept::{Unaccepted, unaccepted};
 pub use facts::{Facts, content_hash};
 pub use in_bank::in_bank;
 pub use known::KnownRecordings;
@@ -36,8 +40,8 @@ pub use recorded_clip::{RecordedClip, SyncState};
 pub use recordings::{Recordings, dependencies, is_recording};
 pub use sync::{
     CodesOfPhones, DoubtfulWord, JOB_PARTS, Job, Kept, KnownPhones, Line, Made, Original, OriginalThen, PhoneTime,
-    RECORD_NAME, Said, SaidTiers, SyncOptions, SyncRecord, Synced, TRAINING_ROUNDS, Trained, Whole, codes_of_phones,
-    jobs_of_clips, jobs_of_recordings, model_at, record_place, sync, train, write_model,
+    RECORD_NAME, Said, SaidTiers, Spoken, SyncOptions, SyncRecord, Synced, TRAINING_ROUNDS, Trained, Whole,
+    codes_of_phones, jobs_of_clips, jobs_of_recordings, model_at, record_place, sync, train, write_model,
 };
 pub(crate) use sync::{spoken_string, spoken_text};
 pub use words::{word_times, word_times_of};

@@ -45,7 +45,7 @@ pub use merge::{Confirmed, Counts, Merge, Merged, unknown_keys};
 pub use model::{Division, Exchange, Segment, State, Translation, Unit};
 pub use record::{Standing, TextRecord, Texts};
 pub use words::words;
-pub use work::{Amount, LocaleWork, OpenSegment, Progress, Work, cost_of, page};
+pub use work::{Amount, LocaleWork, OpenSegment, Progress, Work, cost_of, csv_table, html, html_page, page};
 
 /// The example of the README, run as a test.
 #[cfg(doctest)]

@@ -85,7 +85,8 @@ fn each_voice_has_a_bank_of_its_own() {
     scene.write("voices/de/act1/mayor.lipz", r#"{ "viseme_type": "blair", "visemes": "AA|E" }"#);
     scene.prepare(&["pack", "--quiet", "-o", "whole.lipzbank"]);
     let packed = lipz(scene.path(), ["pack", "--split-voices", "-o", "base.lipzbank"]);
-    assert!(packed.stdout.contains("dubs packed into base.de-de.lipzbank ("), "{packed:?}");
+    assert!(packed.stdout.starts_with("1 clip packed into base.lipzbank ("), "{packed:?}");
+    assert!(packed.stdout.contains("\n1 dub packed into base.de-de.lipzbank ("), "{packed:?}");
     let stack = "base.lipzbank+base.de-de.lipzbank";
     scene.prepare(&["merge", stack, "-o", "merged.lipzbank", "--quiet"]);
     let read = |name: &str| fs::read(scene.path().join(name)).unwrap();
@@ -95,6 +96,28 @@ fn each_voice_has_a_bank_of_its_own() {
         let of = |bank: &str| lipz(scene.path(), [command, &[bank]].concat()).stdout.replace(stack, "whole.lipzbank");
         assert_eq!(of(stack), of("whole.lipzbank"), "{command:?}");
     }
+    // By the settings, too; and each voice is patched by itself, over the banks that its players have.
+    scene.write("lipz.toml", format!("split-voices = true\n{SETTINGS}"));
+    scene.prepare(&["pack", "-o", "set.lipzbank", "--quiet"]);
+    assert!(read("set.lipzbank") == read("base.lipzbank") && read("set.de-de.lipzbank") == read("base.de-de.lipzbank"));
+    let patch = lipz(scene.path(), ["pack", "--over", "base.lipzbank", "-o", "x.lipzbank"]);
+    assert!(patch.code == 2 && patch.stderr.contains("--split-voices=false"), "{patch:?}");
+    let (original, dub) = ("voices/en/act1/mayor.lipz", "voices/de/act1/mayor.lipz");
+    for (path, old, new) in [(original, "Who|goes?", "Who|went?"), (dub, "AA|E", "AE|E")] {
+        let text = fs::read_to_string(scene.path().join(path)).unwrap();
+        scene.write(path, text.replace(old, new));
+    }
+    let over = ["--split-voices=false", "--root", "voices", "--quiet", "--over", "base.lipzbank"];
+    scene.prepare(&[&["pack", "voices/en", "-o", "patch.lipzbank"], &over[..]].concat());
+    let german = ["pack", "voices/de", "-o", "patch.de-de.lipzbank", "--over", "base.de-de.lipzbank", "--keep-others"];
+    scene.prepare(&[&german[..1], &over, &german[1..]].concat());
+    scene.prepare(&["pack", "--split-voices=false", "-o", "new.lipzbank", "--quiet"]);
+    let patched = "base.lipzbank+base.de-de.lipzbank+patch.lipzbank+patch.de-de.lipzbank";
+    let differ = lipz(scene.path(), ["diff", patched, "new.lipzbank"]);
+    assert!(differ.code == 0 && differ.stdout.contains("\nno difference in 2 clips\n"), "{differ:?}");
+    let english = lipz(scene.path(), ["inspect", "base.lipzbank+patch.lipzbank", "en/act1/mayor"]);
+    assert!(english.code == 0 && english.stdout.contains("went?"), "without the voice: {english:?}");
+    scene.write("lipz.toml", SETTINGS);
     // What is out of date is told, and stays.
     fs::remove_file(scene.path().join("voices/de/act1/mayor.lipz")).unwrap();
     let packed = lipz(scene.path(), ["pack", "--split-voices", "-o", "base.lipzbank"]);
@@ -133,7 +156,19 @@ fn recordings_of_dubs_become_dubs() {
     assert_eq!(check(&scene), [""; 0]);
     // The dub is spoken as the German text of the original says.
     scene.write("voices/en/mayor.lipz", format!("{{ {english}, \"text_de-de\": \"Wer ist|da?\" }}"));
+    assert_eq!(check(&scene), ["LZ1915"], "the dub says the old words");
     assert_eq!(first(&run(&["sync"]).stdout), "2 clips synced, in voices");
+    assert_eq!(check(&scene), ["LZ1915"], "a new mouth is no new recording");
+    let accept = || lipz(scene.path(), ["accept", "--key", "de/mayor"]).stdout;
+    let accepted = accept();
+    assert!(
+        accepted.starts_with("de/mayor: rec/de/mayor.wav says the text of today, before another one\n"),
+        "{accepted}"
+    );
+    assert!(
+        accepted.contains("\n1 recording with another text before, 0 recordings of which nothing was known\n"),
+        "{accepted}"
+    );
     assert_eq!(check(&scene), [""; 0]);
     // What the original says has changed since.
     let again = fs::read_to_string(scene.path().join("voices/en/mayor.lipz")).unwrap().replace("goes", "went");
@@ -142,7 +177,10 @@ fn recordings_of_dubs_become_dubs() {
     scene.write("rec/en/mayor.wav", voice(LINE, 3));
     scene.expect("LZ2006-dub-out-of-date", &["check", "--quiet", "--allow", "LZ1707,LZ1715,LZ1705,LZ1915"]);
     let forced = lipz(scene.path(), ["sync", "--force", "--allow", "LZ1707,LZ1715"]);
-    assert_eq!((forced.code, check(&scene)), (0, vec![]));
+    assert_eq!((forced.code, check(&scene)), (0, vec!["LZ2006".to_owned()]), "a new mouth is no new dub");
+    scene.write("rec/de/mayor.wav", voice(LINE, 4));
+    let again = lipz(scene.path(), ["sync", "--allow", "LZ1707,LZ1715"]);
+    assert_eq!((again.code, check(&scene)), (0, vec![]));
     scene.finish(2);
 }
 
@@ -230,6 +268,17 @@ fn the_first_dub_has_its_work_before_it_begins() {
     let row = table.stdout.lines().find(|line| line.contains("de-de")).unwrap_or_default();
     assert_eq!(row.split_whitespace().collect::<Vec<_>>().join(" "), "de-de 0.0 % 0 0.0 s 2 0.6 s", "{table:?}");
     assert_eq!(run(&["--missing", "de-de"]).stdout, "en/act1/mayor\nen/act1/yes\n");
+    let line = |key: &str| serde_json::json!({ "key": key, "voice": "de-de", "played": "en-us" });
+    let json: serde_json::Value = serde_json::from_str(&run(&["--missing", "de-de", "--json"]).stdout).unwrap();
+    assert_eq!(json, serde_json::json!([line("en/act1/mayor"), line("en/act1/yes")]));
+    let csv = run(&["--missing", "de-de", "--csv"]).stdout;
+    assert_eq!(csv, "key,voice,played\r\nen/act1/mayor,de-de,en-us\r\nen/act1/yes,de-de,en-us\r\n");
+    let csv = run(&["--csv"]).stdout;
+    assert!(csv.starts_with("voice,lines,dubbed,") && csv.contains("\r\nde-de,2,0,0.0,0.0,0.0,0,2,0.6\r\n"), "{csv}");
+    let page = run(&["--html"]).stdout;
+    assert!(page.contains("<summary>2 lines to be recorded</summary>") && page.ends_with("</html>\n"), "{page}");
+    let none = run(&["--missing", "en-us", "--json"]);
+    assert_eq!((none.code, none.stdout.trim(), none.stderr.as_str()), (0, "[]", "no line is missing\n"));
     let unknown = run(&["--missing", "fr-fr"]);
     assert!(unknown.code == 2 && unknown.stderr.contains("no voice is `fr-fr`"), "{unknown:?}");
     assert!(unknown.stderr.contains("there are en-us, de-de; [voices] in lipz.toml names others"), "{unknown:?}");

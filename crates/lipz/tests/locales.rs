@@ -32,8 +32,8 @@ to be translated from en-us: 2 segments with 2 words
   de-de           50.0 %          1          0          1          0          0            1
 
 words: those translated; the columns behind it count segments
-unknown: of 1 of 1 translated segment nobody knows what they were made from, so they may be stale;
-`lipz accept --all` records them as they are today
+unknown: 1 of 1 translated segment, of which nobody knows the source text, and so whether it has changed;
+`lipz accept --all` takes that of today for it
 ";
 
 #[test]

@@ -222,8 +222,10 @@ fn init_writes_a_file_that_works_and_replaces_none() {
     scene.prepare(&["init", "--force"]);
     assert_eq!(fs::read_to_string(scene.path().join("lipz.toml")).unwrap(), written);
     scene.prepare(&["init", "new/project", "--quiet"]);
-    let of_new = [".gitignore", "lipz.toml", "voices", "voices/hello.lipz"].map(|name| format!("new/project/{name}"));
-    let old = [".gitignore", "act1", "act1/aye.lipz", "lipz.toml", "new", "new/project"].map(str::to_owned);
+    let of_new = [".gitattributes", ".gitignore", "lipz.toml", "voices", "voices/hello.lipz"];
+    let of_new = of_new.map(|name| format!("new/project/{name}"));
+    let old =
+        [".gitattributes", ".gitignore", "act1", "act1/aye.lipz", "lipz.toml", "new", "new/project"].map(str::to_owned);
     let mut files: Vec<String> = old.into_iter().chain(of_new).collect();
     files.sort();
     assert_eq!(tree(scene.path()), files);
@@ -236,6 +238,8 @@ fn a_new_project_packs() {
     scene.write(".gitignore", "target");
     scene.prepare(&["init"]);
     assert_eq!(fs::read_to_string(scene.path().join(".gitignore")).unwrap(), "target\n/dialogue.lipzbank\n");
+    let attributes = || fs::read_to_string(scene.path().join(".gitattributes")).unwrap();
+    assert_eq!(attributes(), "lipz-texts.txt merge=union\n");
     let first = lipz(scene.path(), ["check", "--deny", "warnings"]);
     assert_eq!((first.code, first.stderr.as_str()), (0, ""));
     assert_eq!(lipz(scene.path(), ["fmt", "--check"]).code, 0, "the first clip is in canonical layout");
@@ -254,6 +258,7 @@ fn a_new_project_packs() {
     }
     scene.prepare(&["init", "--force"]);
     assert_eq!(fs::read_to_string(scene.path().join(".gitignore")).unwrap(), "target\n/dialogue.lipzbank\n");
+    assert_eq!(attributes(), "lipz-texts.txt merge=union\n");
 }
 
 #[test]
@@ -261,7 +266,7 @@ fn a_project_of_recordings_begins_with_a_folder_for_them() {
     let scene = Scene::new();
     let begun = lipz(scene.path(), ["init", "game", "--audio", "takes"]);
     assert!(begun.code == 0 && begun.stdout.contains("record a line as game/takes/KEY.wav"), "{begun:?}");
-    let expected = [".gitignore", "lipz.toml", "takes", "voices"].map(|name| format!("game/{name}"));
+    let expected = [".gitattributes", ".gitignore", "lipz.toml", "takes", "voices"].map(|name| format!("game/{name}"));
     assert_eq!(tree(scene.path()), [vec!["game".to_owned()], expected.to_vec()].concat());
     let game = scene.path().join("game");
     fs::write(game.join("takes/aye.wav"), support::sound::voice(&[(true, 400)], 1)).unwrap();
@@ -343,7 +348,6 @@ fn every_setting_has_a_flag_and_every_flag_a_setting() {
         "--plan",
         "--quiet",
         "--shard",
-        "--split-voices",
         "--stdin-filename",
         "--store",
         "--threads",

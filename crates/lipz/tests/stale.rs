@@ -5,6 +5,7 @@ mod support;
 
 use std::fs;
 use std::path::Path;
+use support::sound::voice;
 use support::{Scene, lipz, with_input};
 
 const MAYOR: &str = r#"{
@@ -138,21 +139,24 @@ fn an_import_says_what_translations_were_made_from() {
 fn translations_of_which_nothing_is_known() {
     let scene = project();
     let folder = scene.path();
-    let unknown = "unknown: of 2 of 2 translated segments nobody knows";
-    let check = lipz(folder, ["check"]);
-    assert!(check.code == 0 && check.stdout.contains("nobody knows what the translations were made from"), "{check:?}");
+    let unknown = "unknown: 2 of 2 translated segments, of which nobody knows the source text";
+    let hint =
+        |arguments: &[&str]| lipz(folder, [&["check"], arguments].concat()).stdout.contains("nobody knows what the");
+    assert!(hint(&[]) && !hint(&["--allow", "stale-translation"]));
     assert!(lipz(folder, ["coverage"]).stdout.contains(unknown));
     assert!(lipz(folder, ["coverage", "--csv"]).stdout.contains(",0,0,2,5,0\r\n"));
     let json: serde_json::Value = serde_json::from_str(&lipz(folder, ["coverage", "--json"]).stdout).unwrap();
     let german = json.as_array().unwrap().iter().find(|locale| locale["locale"] == "de-de").unwrap();
     assert_eq!(german["work"]["unknown"], serde_json::json!({ "segments": 2, "words": 5 }));
-    assert!(lipz(folder, ["coverage", "--html"]).stdout.contains("nobody knows what they were made from"));
+    assert!(
+        lipz(folder, ["coverage", "--html"]).stdout.contains("of 2 translated segments nobody knows the source text")
+    );
     lipz(folder, ["accept", "--all"]);
-    assert!(!lipz(folder, ["check"]).stdout.contains("nobody knows"));
+    assert!(!hint(&[]));
     assert!(!lipz(folder, ["coverage"]).stdout.contains("nobody knows"));
     // Added by hand, after the record began.
     scene.write("voices/new.lipz", r#"{ "visemes": "M", "text_en-us": "Halt!", "text_de-de": "Halt!" }"#);
-    assert!(lipz(folder, ["coverage"]).stdout.contains("unknown: of 1 of 3 translated segments nobody knows"));
+    assert!(lipz(folder, ["coverage"]).stdout.contains("unknown: 1 of 3 translated segments, of which nobody"));
 }
 
 /// The file says what its translation was made from, also where somebody insists on it.
@@ -238,6 +242,13 @@ fn coverage_says_what_is_to_be_done() {
         "translated_from": "Good evening, {name}.", "translation": "Guten Abend, {name}.", "words": 2, "cost": 1.0,
     });
     assert_eq!((json.as_array().unwrap().len(), &json[1]), (3, &stale));
+    for look in ["--json", "--csv"] {
+        let source = coverage(&["--missing", "en-us", look]);
+        let said = "nothing is translated into en-us: the texts of the others are made from it\n";
+        assert!(source.code == 0 && source.stderr.ends_with(said), "{look}: {source:?}");
+        let none = coverage(&["--stale", "fr-fr", look]);
+        assert!(none.code == 0 && none.stderr.ends_with("no text is known to be older than its source\n"), "{none:?}");
+    }
     let csv = coverage(&["--csv"]).stdout;
     let columns = |line: &str| line.split(',').count();
     assert!(csv.lines().all(|line| columns(line) == columns(csv.lines().next().unwrap())), "{csv}");
@@ -317,4 +328,47 @@ fn what_is_missing_is_not_called_translated() {
     for useless in [&["--cost-per-word", "0.1"][..], &["--missing", "de-de", "--csv"]] {
         assert_eq!(lipz(scene.path(), [&["coverage", "a.lipzbank"], useless].concat()).code, 2, "{useless:?}");
     }
+}
+
+#[test]
+fn recordings_of_mouths_by_hand_are_known_once_they_are_accepted() {
+    let scene = Scene::new();
+    let settings = "sources = [\"voices\"]\ndefault-locale = \"en-us\"\n[audio]\nfolder = \"rec\"\n";
+    scene.write("lipz.toml", format!("{settings}[voices]\nen-us = \"{{key}}\"\nde-de = \"de/{{key}}\"\n"));
+    scene.write("voices/mayor.lipz", MAYOR);
+    scene.write("voices/silent.lipz", r#"{ "fps": 24, "visemes": "MAEO" }"#);
+    let dub = r#"{ "fps": 24, "visemes": "MAAAEO----|MAAAAEEO--" }"#;
+    scene.write("voices/de/mayor.lipz", dub);
+    for (take, name) in ["mayor", "silent", "de/mayor"].into_iter().enumerate() {
+        scene.write(&format!("rec/{name}.wav"), voice(&[(true, 833)], take as u32));
+    }
+    let told = || -> Vec<String> {
+        codes(scene.path()).into_iter().filter(|code| ["LZ1915", "LZ2006"].contains(&code.as_str())).collect()
+    };
+    let accept = |arguments: &[&str]| lipz(scene.path(), [&["accept"], arguments].concat());
+    let check = accept(&["--all", "--check"]);
+    let unknown = "\n0 recordings with another text before, 2 recordings of which nothing was known\n";
+    assert!(check.code == 1 && check.stdout.ends_with(unknown), "{check:?}");
+    assert!(!scene.path().join("lipz-sync.txt").exists() && !scene.path().join("voices/lipz-sync.txt").exists());
+    assert_eq!(accept(&["--all", "--quiet"]).code, 0);
+    let again = accept(&["--all", "--check"]);
+    assert!(again.code == 0 && !again.stdout.contains("recording"), "{again:?}");
+    assert_eq!(told(), [""; 0]);
+    // Both texts change: the original says the old words, and so does the dub, of which the original is another, too.
+    let changed = MAYOR.replace("evening", "morning").replace("Abend", "Morgen");
+    scene.write("voices/mayor.lipz", &changed);
+    assert_eq!(told(), ["LZ1915", "LZ2006", "LZ1915"]);
+    scene.write("rec/mayor.wav", voice(&[(true, 833)], 10));
+    assert_eq!(told(), ["LZ1915", "LZ2006"], "the original is recorded again");
+    scene.write("rec/de/mayor.wav", voice(&[(true, 833)], 11));
+    assert_eq!(told(), [""; 0], "and the dub");
+    assert_eq!(accept(&["--all", "--quiet"]).code, 0);
+    scene.write("voices/mayor.lipz", changed.replace("Morgen", "morgen"));
+    assert_eq!(told(), ["LZ1915"]);
+    let one = accept(&["--key", "de/mayor"]);
+    assert!(
+        one.stdout.starts_with("de/mayor: rec/de/mayor.wav says the text of today, before another one\n"),
+        "{one:?}"
+    );
+    assert_eq!(told(), [""; 0]);
 }

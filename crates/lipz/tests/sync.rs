@@ -132,17 +132,28 @@ fn hand_work_is_kept() {
     let check = ["check", "voices/synced.lipz", "--root", "voices", "--audio", "rec", "--quiet", "--allow", allow];
     scene.expect("LZ1915-outdated-recording", &check);
     scene.write("voices/synced.lipz", &text);
-    // From now on, the mouth counts as made for the new text; this run is the last to say that nobody has spoken it.
+    // From now on, the mouth counts as made for the new text; the recording does not, whatever becomes of the mouth.
     let told = lipz(scene.path(), ["sync"].iter().chain(&arguments)).stdout;
     assert!(told.starts_with("1 clip synced, 3 unchanged, in voices\n"), "{told}");
     assert!(
         told.contains(
-            "\nrecordings older than their texts (record these lines again if the words are others)\n  synced\n"
+            "\nrecordings older than their texts (record these lines again, or `lipz accept` them)\n  synced\n"
         ),
         "{told}"
     );
     let told = lipz(scene.path(), ["sync"].iter().chain(&arguments).chain(&["--lead-ms", "0"])).stdout;
     assert!(told.starts_with("4 clips synced, in voices\n") && !told.contains("older than"), "{told}");
+    let is_told = || lipz(scene.path(), check).stderr.contains("LZ1915");
+    assert!(is_told(), "nobody has recorded it");
+    let recorded = fs::read(scene.path().join("rec/synced.wav")).unwrap();
+    scene.write("rec/synced.wav", voice(LINE, 4));
+    assert!(!is_told(), "somebody has");
+    scene.write("rec/synced.wav", recorded);
+    let (text, old) = (read(&scene, "voices/synced.lipz"), "here?");
+    scene.write("voices/synced.lipz", text.replace(old, "there?"));
+    assert!(!is_told(), "it says what it said");
+    scene.write("voices/synced.lipz", text);
+    assert!(is_told());
     // Without the record, nobody knows who made a mouth.
     fs::remove_file(scene.path().join("voices/lipz-sync.txt")).unwrap();
     assert_eq!(sync(&scene, &arguments).1, "0 clips synced, 4 kept, in voices");

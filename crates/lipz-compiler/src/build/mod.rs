@@ -50,7 +50,18 @@ pub struct Build {
     root: Option<PathBuf>,
     options: Option<Options>,
     name: Option<String>,
-    is_split: bool,
+    parts: Parts,
+}
+
+/// What goes into files of its own.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+enum Parts {
+    #[default]
+    Nothing,
+    /// The texts of each locale.
+    Locales,
+    /// The dubs of each voice.
+    Voices,
 }
 
 /// What the outputs are called unless the build names them.
@@ -68,7 +79,7 @@ impl Build {
     }
 
     /// A build by the settings of a project, `lipz.toml`. What the methods below set goes before them. Its
-    /// `output` and `split-locales` are left alone: the outputs are those of a build script.
+    /// `output`, `split-locales` and `split-voices` are left alone: the outputs are those of a build script.
     #[cfg(feature = "settings")]
     pub fn from_settings(file: impl Into<PathBuf>) -> Build {
         Build { settings_file: Some(file.into()), ..Build::default() }
@@ -113,7 +124,16 @@ impl Build {
     /// else. For programs that ship or load one language at a time.
     #[must_use]
     pub fn split_locales(mut self, is_split: bool) -> Build {
-        self.is_split = is_split;
+        self.parts = if is_split { Parts::Locales } else { Parts::Nothing };
+        self
+    }
+
+    /// Packs the dubs of each voice into a bank of its own, `NAME.LOCALE.lipzbank`, a layer over `NAME.lipzbank`, which has the
+    /// originals and all texts. For programs whose players choose a voice. A bank is split by locale or by voice: the method
+    /// that is called last counts.
+    #[must_use]
+    pub fn split_voices(mut self, is_split: bool) -> Build {
+        self.parts = if is_split { Parts::Voices } else { Parts::Nothing };
         self
     }
 
@@ -200,7 +220,10 @@ impl Build {
         let compiler = Compiler::new(settings.options.clone());
         let mut compiled = match lipz_diagnostics::reports::have_errors(&reports) {
             true => compiler.check(&inputs),
-            false if self.is_split => split(&compiler, &inputs, &bank, accept),
+            false if self.parts != Parts::Nothing => {
+                let outputs = Outputs::new(&bank).split_locales(self.parts == Parts::Locales);
+                split(&compiler, &inputs, &outputs.split_voices(self.parts == Parts::Voices), accept)
+            }
             #[cfg(feature = "cache")]
             false => compiler.pack_cached_if(&inputs, &bank, &path("lipzcache"), accept),
             #[cfg(not(feature = "cache"))]
@@ -237,16 +260,15 @@ fn unused(file: &Path, why: &str, help: &str) -> Report {
     Report::about(file, diagnostic)
 }
 
-/// Packs `inputs` into a bank at `path` and text banks beside it, if `accept` finds nothing in the whole.
+/// Packs `inputs` into a bank and the files beside it, if `accept` finds nothing in the whole.
 fn split(
     compiler: &Compiler<'_>,
     inputs: &[Input],
-    path: &Path,
+    outputs: &Outputs,
     accept: impl FnOnce(&[u8]) -> Result<(), Report>,
 ) -> Compiled {
     let mut compiled = compiler.compile(inputs);
     let Some(bank) = &compiled.bank else { return compiled };
-    let outputs = Outputs::new(path).split_locales(true);
     if let Err(report) = accept(bank).and_then(|()| outputs.deliver(bank, Replace::IfDifferent)) {
         compiled.reports.push(report);
         compiled.bank = None;

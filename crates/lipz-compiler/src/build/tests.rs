@@ -104,6 +104,25 @@ fn split_locales_are_files_of_their_own() {
 }
 
 #[test]
+fn dubs_are_banks_of_their_own() {
+    let scene = tempfile::tempdir().unwrap();
+    let clip = r#"{ "viseme_type": "blair", "visemes": "MAE", "text_en-us": "Mayor!" }"#;
+    let voices = || Options::new().default_locale("en-us").voices(crate::Voices::new("en-us").dub("de-de", "de/{key}"));
+    let files = [("mayor.lipz", clip), ("de/mayor.lipz", r#"{ "viseme_type": "blair", "visemes": "EAE" }"#)];
+    let build = |build: Build| build.options(voices()).split_locales(true).split_voices(true);
+    let (lines, names) = run(scene.path(), build, &files);
+    assert!(!lines.contains("error"), "{lines}");
+    assert_eq!(names, ["dialogue.de-de.lipzbank", "dialogue.lipzbank", "dialogue.rs"]);
+    let read = |name: &str| fs::read(scene.path().join("out").join(name)).unwrap();
+    let banks = [read("dialogue.lipzbank"), read("dialogue.de-de.lipzbank")];
+    let [base, german] = banks.each_ref().map(|bank| Bank::open(bank).unwrap().verify().unwrap());
+    assert!(base.clip_by_key("de/mayor").is_none());
+    let layers = lipz_bank::Layers::new([base, german]).unwrap();
+    let voice = layers.voice("de-de").unwrap();
+    assert_eq!(layers.clip_by_key("mayor").unwrap().in_voice(&voice).clip.key(), "de/mayor");
+}
+
+#[test]
 fn a_path_cannot_leave_its_line() {
     assert_eq!(rerun_lines(&["a\nb".into()]), "cargo::rerun-if-changed=a\\nb\n");
 }

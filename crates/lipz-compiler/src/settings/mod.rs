@@ -52,6 +52,8 @@ pub struct Settings {
     pub output: Option<PathBuf>,
     /// Write the texts of each locale into a text bank of its own.
     pub split_locales: bool,
+    /// Write the dubs of each voice into a bank of its own.
+    pub split_voices: bool,
     /// File in which a run remembers the Lipz files for the next one.
     pub cache: Option<PathBuf>,
     /// Its recordings.

@@ -10,9 +10,10 @@ use crate::clip::Clip;
 use crate::heard::Ear;
 use crate::originals::Originals;
 use crate::recordings::{not_used, shown};
+use crate::spoken_now::SpokenNow;
 use crate::sync::grid;
 use crate::sync::mouth::mismatches;
-use crate::{Recordings, SyncRecord, record_place, spoken_text, threads};
+use crate::{Recordings, SyncRecord, record_place, threads};
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Content, Input, WordTimes};
 use lipz_diagnostics::{Code, Diagnostic, Report, escape};
@@ -101,21 +102,23 @@ fn one(
                 reports.extend(grid::check(&grid::place(folder, &input.key), path, fps));
             }
             if let Some(lipz_file) = &path_of(input) {
-                let locale = recordings.locale(&input.key);
-                let spoken = spoken_text(settings, locale, &document)
-                    .or_else(|| spoken_text(settings, locale, original_document.as_ref()?));
                 let known = record.lines_for(lipz_file);
-                diagnostics.extend(stale::check(&clip, spoken, facts.content_hash, path, known));
+                let of_original = original.zip(original_document.as_ref());
+                let keyed = of_original.map(|(input, document)| (&*input.key, document));
+                let said = SpokenNow::new(settings, recordings, facts.content_hash, (&input.key, &document), keyed);
+                let recorded = said.known(record, lipz_file);
+                diagnostics.extend(stale::check(&clip, &said.now, path, &recorded, known));
                 // What the run said that made the mouth is still true. After a merge there may be several lines: the last one counts.
                 let made = known.iter().rev().find(|line| line.made.sound == facts.content_hash);
                 let differences = made.and_then(|line| line.differences.as_ref());
+                let locale = recordings.locale(&input.key);
                 match crate::spoken_string(settings, locale, &document) {
                     Some(text) => diagnostics.extend(mismatches(differences, text)),
                     None => reports.extend(of_borrowed(settings, locale, input, original, differences)),
                 }
-                if let (Some(original), Some(document)) = (original, &original_document) {
-                    let original = dub::Original { input: original, document };
-                    diagnostics.extend(dub::check(settings, &clip, &original, recordings, known));
+                if let Some(original) = original {
+                    let original = (original, recordings.find(&original.key));
+                    diagnostics.extend(dub::check(&clip, original, &said.now, &recorded));
                 }
             }
             // Of a mouth of another length, every other place is wrong, too.
@@ -147,7 +150,7 @@ fn of_borrowed(
 }
 
 /// The file of an input, also of one whose text is not saved yet: what is remembered of it stays true.
-fn path_of(input: &Input) -> Option<PathBuf> {
+pub(crate) fn path_of(input: &Input) -> Option<PathBuf> {
     match &input.content {
         Content::File(path) => Some(path.clone()),
         Content::Bytes { name, .. } => Some(PathBuf::from(name)).filter(|path| path.is_file()),

@@ -1,33 +1,24 @@
 //! Mouths that were made from another recording, and recordings that are older than their text.
 
-use crate::Line;
 use crate::clip::Clip;
 use crate::recordings::shown;
-use crate::sync::hashes::text_hash;
+use crate::{Line, Spoken};
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use std::path::Path;
 
-/// Reports a mouth of which the record knows, but not from this recording and this text: one of the two has changed.
-pub(super) fn check(
-    clip: &Clip<'_>,
-    spoken: Option<&str>,
-    sound: u64,
-    path: &Path,
-    known: &[Line],
-) -> Option<Diagnostic> {
-    let (visemes, text) = (clip.visemes?, text_hash(spoken));
-    let known: Vec<Line> = known.iter().map(|line| line.renewed(spoken)).collect();
-    if known.is_empty() || known.iter().any(|line| line.made.sound == sound && line.made.text == text) {
+/// Reports a recording of which the record knows that it says another text, and a mouth that was made from none but another recording.
+pub(super) fn check(clip: &Clip<'_>, now: &Spoken, path: &Path, known: &[Spoken], made: &[Line]) -> Option<Diagnostic> {
+    let visemes = clip.visemes?;
+    if known.iter().any(|spoken| spoken.text == now.text) || known.is_empty() && made.is_empty() {
         return None;
     }
-    let is_same_sound = known.iter().any(|line| line.made.sound == sound);
-    let (code, message, help) = match is_same_sound {
-        true => (
+    let (code, message, help) = match known.is_empty() {
+        false => (
             Code::OutdatedRecording,
             "the recording is older than its text",
-            "record the line again; if its words are the same, make the mouth again, for this text",
+            "record the line again; if it says the text all the same: `lipz accept`",
         ),
-        false => {
+        true => {
             (Code::StaleMouth, "the mouth was made from another recording", "make the mouth again from the recording")
         }
     };

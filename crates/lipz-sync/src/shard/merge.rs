@@ -2,7 +2,7 @@
 
 use super::mouths::{MadeMouth, Mouths};
 use crate::sync::listed::Listings;
-use crate::sync::{Line, Whole, write};
+use crate::sync::{Line, Spoken, Whole, write};
 use crate::{SyncRecord, Synced};
 use lipz_compiler::replace_file;
 use lipz_compiler::shard::{ContentHash, WireReport};
@@ -29,12 +29,12 @@ pub fn merge(mouths: Vec<Mouths>, record: &mut SyncRecord, whole: &Whole<'_>) ->
     let mut lines = Vec::new();
     for mouth in made {
         match put(&mouth, record, whole) {
-            Ok(line) => {
+            Ok((line, spoken)) => {
                 synced.read_by_letters.extend(mouth.read_by_letters);
                 synced.with_new_text.extend(mouth.has_new_text.then(|| mouth.key.clone()));
                 listed.made(&mouth.key, mouth.listed);
                 synced.made.push(mouth.key);
-                lines.push((mouth.lipz_file, line));
+                lines.push((mouth.lipz_file, line, spoken));
             }
             Err(report) => {
                 synced.refused += 1;
@@ -42,12 +42,12 @@ pub fn merge(mouths: Vec<Mouths>, record: &mut SyncRecord, whole: &Whole<'_>) ->
             }
         }
     }
-    lines.into_iter().for_each(|(lipz_file, line)| record.set(Path::new(&lipz_file), line));
+    lines.into_iter().for_each(|(lipz_file, line, spoken)| record.set(Path::new(&lipz_file), line, spoken));
     synced.end(listed, record, whole)
 }
 
-/// Writes a mouth into its file, and its line into the record.
-fn put(mouth: &MadeMouth, record: &SyncRecord, whole: &Whole<'_>) -> Result<Line, Report> {
+/// Writes a mouth into its file, and its lines into the record.
+fn put(mouth: &MadeMouth, record: &SyncRecord, whole: &Whole<'_>) -> Result<(Line, Vec<Spoken>), Report> {
     let path = Path::new(&mouth.lipz_file);
     let outdated = |message: String| {
         let help = "the file is kept; make the plan again, and the mouths: lipz shard plan --sync";
@@ -55,6 +55,7 @@ fn put(mouth: &MadeMouth, record: &SyncRecord, whole: &Whole<'_>) -> Result<Line
     };
     let line = Line::parse(&mouth.line).filter(|(_, file)| *file == record.name(path)).map(|(line, _)| line);
     let line = line.ok_or_else(|| outdated("the record is in another place than when the plan was made".to_owned()))?;
+    let spoken = mouth.spoken.iter().filter_map(|spoken| Some(Spoken::parse(spoken)?.0)).collect::<Vec<_>>();
     let now = match fs::read(path) {
         Ok(bytes) => Some(bytes),
         Err(error) if error.kind() == io::ErrorKind::NotFound => None,
@@ -69,8 +70,8 @@ fn put(mouth: &MadeMouth, record: &SyncRecord, whole: &Whole<'_>) -> Result<Line
         let grid = grid.filter(|(place, _)| !place.exists());
         let mut written = Ok(());
         whole(&mut || written = grid.map_or(Ok(()), |(place, text)| replace_file(place, text.as_bytes())));
-        return written.map(|()| line);
+        return written.map(|()| (line, spoken));
     }
-    write(path, now.as_deref(), &mouth.after, (&line, grid), record, whole).map_err(|fault| fault.report)?;
-    Ok(line)
+    write(path, now.as_deref(), &mouth.after, (&line, &spoken, grid), record, whole).map_err(|fault| fault.report)?;
+    Ok((line, spoken))
 }

@@ -53,6 +53,8 @@ pub(super) struct MadeMouth {
     pub(super) after: String,
     /// The line of the record.
     pub(super) line: String,
+    /// Lines of it about what the recording says, if the mouth is made for other words.
+    pub(super) spoken: Vec<String>,
     pub(super) listed: Listed,
     /// Place and text of the TextGrid that is not there yet.
     pub(super) grid: Option<(String, String)>,

@@ -103,6 +103,7 @@ fn made_mouth(job: &Job, new: New, options: &SyncOptions, record: &SyncRecord) -
         before: new.before.as_deref().map(ContentHash::of),
         after: new.after,
         line: new.line.written(&record.name(&job.lipz_file)),
+        spoken: new.outdated.iter().map(|spoken| spoken.written(&record.name(&job.lipz_file))).collect(),
         listed: new.listed,
         grid: new.grid.map(|(place, text)| (shown(&place), text)),
         has_new_text: new.has_new_text,

@@ -11,13 +11,16 @@ use twox_hash::XxHash3_64;
 /// Changes whenever the same recording, text and settings give other mouths than before.
 const VERSION: u32 = 3;
 
+/// What a record has where there is no text.
+pub(super) const NO_TEXT: u64 = 0;
+
 fn hash(bytes: &[u8]) -> u64 {
     XxHash3_64::oneshot(bytes)
 }
 
 /// What a record has of a text: its words, without what only divides and comments it. How they are pronounced is a setting.
 pub(crate) fn text_hash(spoken: Option<&str>) -> u64 {
-    spoken.map_or(0, |text| {
+    spoken.map_or(NO_TEXT, |text| {
         let displayed: String =
             segments(text).flat_map(|segment| [display(&text[segment]).text.into_owned(), " ".into()]).collect();
         hash(words(&displayed).collect::<Vec<_>>().join(" ").as_bytes())
@@ -27,22 +30,25 @@ pub(crate) fn text_hash(spoken: Option<&str>) -> u64 {
 /// What records of older versions have: its segments as they are written.
 fn old_text_hash(spoken: Option<&str>) -> u64 {
     let segments = |text: &str| text.split(DELIMITER).map(trim).collect::<Vec<_>>().join("|");
-    spoken.map_or(0, |text| hash(segments(text).as_bytes()))
+    spoken.map_or(NO_TEXT, |text| hash(segments(text).as_bytes()))
+}
+
+/// The hash of a text in a record, as it would be written today if it is of this text.
+pub(super) fn renewed(hash: u64, spoken: Option<&str>) -> u64 {
+    if hash == old_text_hash(spoken) { text_hash(spoken) } else { hash }
 }
 
 impl Line {
     /// The line, as it would be written today if it was made from this text.
     pub(crate) fn renewed(&self, spoken: Option<&str>) -> Line {
-        let text = if self.made.text == old_text_hash(spoken) { text_hash(spoken) } else { self.made.text };
-        Line { made: Made { text, ..self.made }, ..self.clone() }
+        Line { made: Made { text: renewed(self.made.text, spoken), ..self.made }, ..self.clone() }
     }
 }
 
 impl OriginalThen {
     /// The same, as it would be written today if the original had this text.
     pub(crate) fn renewed(self, spoken: Option<&str>) -> OriginalThen {
-        let text = if self.text == old_text_hash(spoken) { text_hash(spoken) } else { self.text };
-        OriginalThen { text, ..self }
+        OriginalThen { text: renewed(self.text, spoken), ..self }
     }
 }
 

@@ -12,6 +12,7 @@ mod phones;
 mod progress;
 mod record;
 mod said;
+mod spoken;
 mod subject;
 mod target;
 mod train;
@@ -27,6 +28,7 @@ pub use phones::{KnownPhones, PhoneTime};
 pub use progress::JOB_PARTS;
 pub use record::{Line, Made, OriginalThen, RECORD_NAME, SyncRecord, record_place};
 pub use said::{Said, SaidTiers};
+pub use spoken::Spoken;
 pub use train::{TRAINING_ROUNDS, Trained, train};
 
 use crate::threads;
@@ -133,11 +135,11 @@ pub fn sync(
                 synced.made.push(job.key.clone());
                 synced.with_new_text.extend(new.has_new_text.then(|| job.key.clone()));
                 listed.made(&job.key, new.listed);
-                lines.push((&job.lipz_file, new.line));
+                lines.push((&job.lipz_file, new.line, new.outdated));
             }
         }
     }
-    lines.into_iter().for_each(|(lipz_file, line)| record.set(lipz_file, line));
+    lines.into_iter().for_each(|(lipz_file, line, spoken)| record.set(lipz_file, line, spoken));
     synced.end(listed, record, whole)
 }
 
@@ -237,12 +239,18 @@ impl Place for Sources<'_> {
 
     fn put(&self, job: &Job, new: &New) -> Result<(), Option<Report>> {
         let grid = new.grid.as_ref().map(|(place, text)| (place.as_path(), text.as_str()));
-        write(&job.lipz_file, new.before.as_deref(), &new.after, (&new.line, grid), self.record, self.whole).map_err(
-            |fault| {
-                let is_first = !fault.is_of_record || !self.has_no_record.swap(true, Ordering::Relaxed);
-                is_first.then_some(fault.report)
-            },
+        write(
+            &job.lipz_file,
+            new.before.as_deref(),
+            &new.after,
+            (&new.line, &new.outdated, grid),
+            self.record,
+            self.whole,
         )
+        .map_err(|fault| {
+            let is_first = !fault.is_of_record || !self.has_no_record.swap(true, Ordering::Relaxed);
+            is_first.then_some(fault.report)
+        })
     }
 }
 
@@ -258,13 +266,13 @@ pub(crate) fn write(
     lipz_file: &Path,
     before: Option<&[u8]>,
     after: &str,
-    (line, grid): (&Line, Option<(&Path, &str)>),
+    (line, spoken, grid): (&Line, &[Spoken], Option<(&Path, &str)>),
     record: &SyncRecord,
     whole: &Whole<'_>,
 ) -> Result<(), Fault> {
     let mut written = Ok(());
     whole(&mut || {
-        if let Err(report) = record.append(lipz_file, line) {
+        if let Err(report) = record.append(lipz_file, line, spoken) {
             written = Err(Fault { report, is_of_record: true });
             return;
         }

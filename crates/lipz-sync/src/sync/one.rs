@@ -5,7 +5,8 @@ use super::hashes::{mouth_hash, settings_hash, text_hash, words};
 use super::listed::Listed;
 use super::progress::Progress;
 use super::record::{Line, Made};
-use super::subject::Subject;
+use super::spoken::Spoken;
+use super::subject::{Subject, spoken_in_original};
 use super::{Job, OnDisk, Place, SyncOptions, SyncRecord};
 use crate::clip::{Clip, string};
 use crate::facts::{content_hash, length_us, unreadable};
@@ -19,7 +20,7 @@ use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::fs::File;
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// What becomes of a job.
 pub(crate) enum Step {
@@ -50,6 +51,8 @@ pub(crate) struct New {
     pub(crate) before: Option<Vec<u8>>,
     pub(crate) after: String,
     pub(crate) line: Line,
+    /// What the recording says, if the mouth is made for other words.
+    pub(crate) outdated: Vec<Spoken>,
     pub(crate) listed: Listed,
     /// The TextGrid that is not there yet, and its place.
     pub(crate) grid: Option<(PathBuf, String)>,
@@ -109,11 +112,10 @@ pub(super) fn with_subject<R>(
     let to_read = spoken.as_ref().filter(|_| rate.0 != VisemeType::Rms);
     let script = to_read.map(|spoken| script(spoken, options, &mut of_text)).unwrap_or_default();
     let (locale, text) = spoken.as_ref().map_or((None, None), |(locale, text)| (locale.as_deref(), Some(*text)));
-    let sound =
-        File::open(&job.recording).and_then(content_hash).map_err(|error| unreadable(&job.recording, &error))?;
+    let sound = hash_of(&job.recording)?;
     let own_type = own_type(&before).or(options.options.default_viseme_type);
-    let grid_place = options.textgrids.as_deref().filter(|_| rate.0 != VisemeType::Rms);
-    let grid_place = grid_place.map(|folder| grid::place(folder, &job.key));
+    let textgrids = options.textgrids.as_deref().filter(|_| rate.0 != VisemeType::Rms);
+    let grid_place = textgrids.map(|folder| grid::place(folder, &job.key));
     let (grid, odd_grid) =
         grid_place.as_deref().map(|place| Grid::read(place, &script)).transpose()?.unwrap_or_default();
     let known_lines = record.lines_for(&job.lipz_file);
@@ -136,7 +138,8 @@ pub(super) fn with_subject<R>(
         mouth: mouth_hash(&clip.codes, own_fps.or(options.options.default_fps), own_type),
     };
     let known = known_lines.iter().map(|line| line.renewed(spoken_text)).collect();
-    let diagnostics = Vec::from_iter(other_text(job, text.filter(|_| !is_borrowed)).filter(|_| !is_new));
+    let of_original = spoken_in_original(job, original.as_ref(), options);
+    let recorded = record.spoken_now(&job.lipz_file, sound, spoken_text, of_original);
     let (original, original_file) = (original.as_ref(), (&*original_file.0, &*original_file.1));
     let (name, bytes, before) = (&*name, &*bytes, &before);
     let subject = Subject {
@@ -158,10 +161,16 @@ pub(super) fn with_subject<R>(
         grid,
         made,
         known,
-        diagnostics,
+        recorded,
+        diagnostics: Vec::from_iter(other_text(job, text.filter(|_| !is_borrowed)).filter(|_| !is_new)),
         of_text,
     };
     work(subject, reports)
+}
+
+/// The content hash of a recording.
+fn hash_of(recording: &Path) -> Result<u64, Report> {
+    File::open(recording).and_then(content_hash).map_err(|error| unreadable(recording, &error))
 }
 
 /// The Lipz file of the original of a dub: its name, and its bytes; empty if there is none.

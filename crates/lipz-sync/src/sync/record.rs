@@ -1,11 +1,12 @@
 //! What mouths were made from: a text file that belongs to the Lipz files, and that version control merges.
 
+use super::spoken::Spoken;
 use crate::facts::unreadable;
 use crate::recordings::shown;
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{WordTimes, replace_file};
 use lipz_diagnostics::{Code, Diagnostic, Report, Source, Span};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
@@ -26,6 +27,7 @@ pub fn record_place(settings: &Settings) -> PathBuf {
 const HEAD: &str = "\
 # lipz sync: what each mouth was made from, as hashes of recording, text, settings and mouth shapes, and when its words are said.
 # Keep this file with the Lipz files. A mouth that is in no line counts as made by hand.
+# `spoken:` is the text that a recording was made for, if that is not the one of its mouth.
 ";
 
 /// What a line says before the hashes of the original.
@@ -84,6 +86,8 @@ pub struct SyncRecord {
     path: PathBuf,
     /// By the paths of Lipz files below the folder of the record.
     lines: BTreeMap<String, Vec<Line>>,
+    /// By the same paths, what recordings say beside what these lines say.
+    spoken: BTreeMap<String, Vec<Spoken>>,
 }
 
 impl SyncRecord {
@@ -111,7 +115,7 @@ impl SyncRecord {
     /// # Errors
     /// If it is another file.
     pub fn parse(path: &Path, bytes: &[u8]) -> Result<(SyncRecord, Option<Report>), Report> {
-        let empty = SyncRecord { path: path.to_owned(), lines: BTreeMap::new() };
+        let empty = SyncRecord { path: path.to_owned(), ..SyncRecord::default() };
         let text = String::from_utf8_lossy(lipz_file::without_byte_order_mark(bytes));
         if !text.is_empty() && !text.starts_with("# lipz sync") && !text.starts_with("<<<<<<<") {
             let message =
@@ -123,10 +127,11 @@ impl SyncRecord {
         let mut start = 0;
         for line in text.split_inclusive('\n') {
             let content = line.trim_end_matches(['\n', '\r']);
-            match Line::parse(content) {
-                Some((line, file)) => record.lines.entry(file.to_owned()).or_default().push(line),
-                None if content.is_empty() || content.starts_with('#') => {}
-                None => {
+            match (Line::parse(content), Spoken::parse(content)) {
+                (Some((line, file)), _) => record.lines.entry(file.to_owned()).or_default().push(line),
+                (_, Some((spoken, file))) => record.spoken.entry(file.to_owned()).or_default().push(spoken),
+                _ if content.is_empty() || content.starts_with('#') => {}
+                _ => {
                     let span = Span::new(start, start + content.len());
                     let diagnostic = Diagnostic::at(Code::SyncRecordLine, span, "the line says nothing about a mouth");
                     diagnostics.push(diagnostic.help("remove it: the next run that makes mouths writes the file anew"));
@@ -147,19 +152,50 @@ impl SyncRecord {
         self.lines.get(&self.name(lipz_file)).map_or(&[], Vec::as_slice)
     }
 
-    /// Adds a line to the file at once, before the mouth is written: if the run ends in between, the old line is still there.
+    /// All that is known of which text this recording of a Lipz file was made for: what somebody has accepted or a run has
+    /// kept, otherwise what its mouth was made from.
+    pub fn spoken_for(&self, lipz_file: &Path, sound: u64) -> Vec<Spoken> {
+        let spoken = if self.spoken.is_empty() { None } else { self.spoken.get(&self.name(lipz_file)) };
+        let is_in_it = |spoken: &Spoken| spoken.sound == sound;
+        let spoken: Vec<Spoken> = spoken.into_iter().flatten().copied().filter(is_in_it).collect();
+        if !spoken.is_empty() {
+            return spoken;
+        }
+        self.lines_for(lipz_file).iter().map(Spoken::from).filter(is_in_it).collect()
+    }
+
+    /// The same, as it would be written today if the recording says `text` and its original `of_original`.
+    pub(crate) fn spoken_now(
+        &self,
+        lipz_file: &Path,
+        sound: u64,
+        text: Option<&str>,
+        of_original: Option<&str>,
+    ) -> Vec<Spoken> {
+        let known = self.spoken_for(lipz_file, sound).into_iter();
+        known.map(|spoken| spoken.renewed(text, of_original)).collect()
+    }
+
+    /// Notes that a recording of a Lipz file says this, and nothing else.
+    pub(crate) fn accept(&mut self, lipz_file: &Path, spoken: Spoken) {
+        self.spoken.insert(self.name(lipz_file), vec![spoken]);
+    }
+
+    /// Adds lines to the file at once, before the mouth is written: if the run ends in between, the old line is still there.
     ///
     /// # Errors
     /// If it cannot be written.
-    pub(crate) fn append(&self, lipz_file: &Path, line: &Line) -> Result<(), Report> {
+    pub(crate) fn append(&self, lipz_file: &Path, line: &Line, spoken: &[Spoken]) -> Result<(), Report> {
         let write = || {
             if let Some(folder) = self.path.parent() {
                 fs::create_dir_all(folder)?;
             }
             let mut file = OpenOptions::new().append(true).create(true).open(&self.path)?;
             let head = if file.metadata()?.len() == 0 { HEAD } else { "" };
+            let name = self.name(lipz_file);
+            let spoken: String = spoken.iter().map(|spoken| spoken.written(&name) + "\n").collect();
             // One write: what is killed half-way leaves a line that says nothing.
-            file.write_all(format!("{head}{}\n", line.written(&self.name(lipz_file))).as_bytes())
+            file.write_all(format!("{head}{spoken}{}\n", line.written(&name)).as_bytes())
         };
         write().map_err(|error: io::Error| {
             let message = format!("`{}` cannot be written: {error}", shown(&self.path));
@@ -168,9 +204,15 @@ impl SyncRecord {
         })
     }
 
-    /// Makes this the only line about its file.
-    pub(crate) fn set(&mut self, lipz_file: &Path, line: Line) {
-        self.lines.insert(self.name(lipz_file), vec![line]);
+    /// Makes these the only lines about their file.
+    pub(crate) fn set(&mut self, lipz_file: &Path, line: Line, spoken: Vec<Spoken>) {
+        let name = self.name(lipz_file);
+        if spoken.is_empty() {
+            self.spoken.remove(&name);
+        } else {
+            self.spoken.insert(name.clone(), spoken);
+        }
+        self.lines.insert(name, vec![line]);
     }
 
     /// Replaces the file: one line a mouth, in the order of their paths.
@@ -179,7 +221,9 @@ impl SyncRecord {
     /// If it cannot be written.
     pub fn write(&self) -> Result<(), Report> {
         let text = self.to_string();
-        if self.lines.is_empty() || fs::read(&self.path).is_ok_and(|before| before == text.as_bytes()) {
+        if self.lines.is_empty() && self.spoken.is_empty()
+            || fs::read(&self.path).is_ok_and(|before| before == text.as_bytes())
+        {
             return Ok(());
         }
         replace_file(&self.path, text.as_bytes())
@@ -196,12 +240,13 @@ impl SyncRecord {
 impl fmt::Display for SyncRecord {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(HEAD)?;
-        for (file, lines) in &self.lines {
-            let mut lines: Vec<&Line> = lines.iter().collect();
-            lines.sort_unstable();
-            lines.dedup();
-            for line in lines {
+        let files: BTreeSet<&String> = self.lines.keys().chain(self.spoken.keys()).collect();
+        for file in files {
+            for line in self.lines.get(file).into_iter().flatten().collect::<BTreeSet<_>>() {
                 writeln!(f, "{}", line.written(file))?;
+            }
+            for spoken in self.spoken.get(file).into_iter().flatten().collect::<BTreeSet<_>>() {
+                writeln!(f, "{}", spoken.written(file))?;
             }
         }
         Ok(())
@@ -213,8 +258,7 @@ impl Line {
         let Made { sound, text, settings, mouth } = self.made;
         let differs = self.differences.as_ref().map_or(String::new(), |differs| format!("{DIFFERS}{differs} "));
         let said = self.words.as_ref().map_or(String::new(), |words| format!("{SAID}{words} "));
-        let original = |OriginalThen { sound, text }: OriginalThen| format!("{DUB_OF}{sound:016x},{text:016x} ");
-        let original = self.original.map_or(String::new(), original);
+        let original = OriginalThen::written(self.original);
         let corrected = if self.is_corrected { CORRECTED } else { "" };
         format!("{sound:016x} {text:016x} {settings:016x} {mouth:016x} {original}{corrected}{differs}{said}{file}")
     }
@@ -224,10 +268,7 @@ impl Line {
         let mut hash = || parts.next().and_then(parse_hash);
         let made = Made { sound: hash()?, text: hash()?, settings: hash()?, mouth: hash()? };
         let rest = parts.next()?;
-        let (original, rest) = match rest.strip_prefix(DUB_OF).map(|dub| dub.split_once(' ')) {
-            Some(dub) => dub.and_then(|(hashes, rest)| Some((Some(OriginalThen::parse(hashes)?), rest)))?,
-            None => (None, rest),
-        };
+        let (original, rest) = OriginalThen::take(rest)?;
         let (is_corrected, rest) = rest.strip_prefix(CORRECTED).map_or((false, rest), |rest| (true, rest));
         let (differences, rest) = times(rest, DIFFERS)?;
         // Older versions wrote no times.
@@ -237,9 +278,22 @@ impl Line {
 }
 
 impl OriginalThen {
-    fn parse(hashes: &str) -> Option<OriginalThen> {
+    /// Whether its recording is the same. One that is not there, or was not, tells nothing: another lint misses it.
+    pub(crate) fn is_recorded_as(&self, other: &OriginalThen) -> bool {
+        self.sound == other.sound || self.sound == 0 || other.sound == 0
+    }
+
+    /// As it stands in a line.
+    pub(super) fn written(original: Option<OriginalThen>) -> String {
+        original.map_or(String::new(), |OriginalThen { sound, text }| format!("{DUB_OF}{sound:016x},{text:016x} "))
+    }
+
+    /// The one with which the rest of a line may begin, and what follows it.
+    pub(super) fn take(rest: &str) -> Option<(Option<OriginalThen>, &str)> {
+        let Some(rest) = rest.strip_prefix(DUB_OF) else { return Some((None, rest)) };
+        let (hashes, rest) = rest.split_once(' ')?;
         let (sound, text) = hashes.split_once(',')?;
-        Some(OriginalThen { sound: parse_hash(sound)?, text: parse_hash(text)? })
+        Some((Some(OriginalThen { sound: parse_hash(sound)?, text: parse_hash(text)? }), rest))
     }
 }
 
@@ -251,7 +305,7 @@ fn times<'l>(line: &'l str, name: &str) -> Option<(Option<WordTimes>, &'l str)> 
     }
 }
 
-fn parse_hash(digits: &str) -> Option<u64> {
+pub(super) fn parse_hash(digits: &str) -> Option<u64> {
     if digits.len() == 16 { u64::from_str_radix(digits, 16).ok() } else { None }
 }
 
@@ -279,13 +333,13 @@ mod tests {
         record.write().unwrap();
         assert!(!path.exists(), "nothing to say");
         let files = ["b c.lipz", "a/x.lipz"].map(|name| folder.path().join(name));
-        record.append(&files[0], &A).unwrap();
-        record.append(&files[1], &A).unwrap();
-        record.append(&files[1], &b()).unwrap();
+        record.append(&files[0], &A, &[]).unwrap();
+        record.append(&files[1], &A, &[]).unwrap();
+        record.append(&files[1], &b(), &[]).unwrap();
         let (again, report) = SyncRecord::read(&path).unwrap();
         assert_eq!((report, again.lines_for(&files[0]), again.lines_for(&files[1])), (None, &[A][..], &[A, b()][..]));
-        record.set(&files[0], A);
-        record.set(&files[1], b());
+        record.set(&files[0], A, Vec::new());
+        record.set(&files[1], b(), Vec::new());
         record.write().unwrap();
         let text = fs::read_to_string(&path).unwrap();
         let zeros = "0".repeat(15);
@@ -293,6 +347,32 @@ mod tests {
             "{zeros}1 {zeros}2 {zeros}3 {zeros}0 dub-of:{zeros}a,{zeros}b from:textgrid differs:0badcafe:4-9@300-410 said:0badcafe:0-3@40-250,4-9@300-410? a/x.lipz\n{zeros}1 {zeros}2 {zeros}3 ffffffffffffffff b c.lipz\n"
         );
         assert_eq!(text.strip_prefix(HEAD), Some(expected.as_str()));
+    }
+
+    #[test]
+    fn what_a_recording_says_is_what_was_accepted_or_else_what_its_mouth_was_made_from() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join(RECORD_NAME);
+        let file = folder.path().join("x.lipz");
+        let (mut record, _) = SyncRecord::read(&path).unwrap();
+        let (made, of_dub) = (Spoken::from(&A), Spoken { sound: 1, text: 9, original: b().original });
+        assert_eq!(record.spoken_for(&file, 1), []);
+        record.append(&file, &A, &[of_dub]).unwrap();
+        record = SyncRecord::read(&path).unwrap().0;
+        assert_eq!((record.spoken_for(&file, 1), record.spoken_for(&file, 2)), (vec![of_dub], vec![]));
+        record.accept(&file, Spoken { sound: 5, ..of_dub });
+        assert_eq!(record.spoken_for(&file, 1), [made], "of another recording, nothing else is known");
+        record.write().unwrap();
+        let (again, report) = SyncRecord::read(&path).unwrap();
+        assert_eq!((&again, report), (&record, None));
+        record.set(&file, A, Vec::new());
+        assert_eq!(record.spoken_for(&file, 1), [made]);
+        let line = of_dub.written("x.lipz");
+        for damaged in ["spoken:1,2", "spoken:", "dub-of:0"] {
+            let at = line.find(&damaged[..damaged.len().min(7)]).unwrap();
+            let damaged = format!("{}{damaged} {}", &line[..at], &line[line.len() - 6..]);
+            assert_eq!(Spoken::parse(&damaged), None, "{damaged}");
+        }
     }
 
     #[test]

@@ -1,12 +1,13 @@
 //! A job of which everything is known but what its recording sounds like: whether a mouth is made, and how.
 
 use super::grid::Grid;
-use super::hashes::{mouth_hash, settings_hash, text_hash};
+use super::hashes::{NO_TEXT, mouth_hash, settings_hash, text_hash};
 use super::listed::Listed;
 use super::mouth::{self, Heard};
 use super::one::{Kept, New, Step, push, push_report};
 use super::progress::{Progress, Watched};
 use super::record::{Line, Made, OriginalThen};
+use super::spoken::Spoken;
 use super::target::{Target, merged};
 use super::{Job, SyncOptions};
 use crate::clip::Clip;
@@ -56,6 +57,8 @@ pub(super) struct Subject<'a> {
     pub(super) grid: Option<Grid>,
     pub(super) made: Made,
     pub(super) known: Vec<Line>,
+    /// What is known of what the recording says.
+    pub(super) recorded: Vec<Spoken>,
     /// What was found in the Lipz file, and in the text.
     pub(super) diagnostics: Vec<Diagnostic>,
     pub(super) of_text: Vec<Diagnostic>,
@@ -187,10 +190,15 @@ impl Subject<'_> {
         let is_corrected = self.grid.is_some() && !self.known.iter().any(is_own);
         let line = Line { made, words, original: self.original_now(), is_corrected, differences };
         let (before, has_new_text) = ((!is_new).then(|| bytes.to_vec()), has_new_text(&self.known, &line));
+        let now = Spoken::from(&line);
+        // A recording of which nobody had the words was made for none.
+        self.recorded.retain(|recorded| recorded.text != NO_TEXT);
+        let is_outdated = !self.recorded.iter().any(|recorded| recorded.is_still(&now));
+        let outdated = if is_outdated { std::mem::take(&mut self.recorded) } else { Vec::new() };
         let word = |number: usize| Some(self.script.words.get(number)?.text.clone());
         let doubtful = heard.doubtful.iter().filter_map(|(number, start_us)| Some((*start_us, word(*number)?)));
         let listed = Listed::new(&self.script, doubtful.collect());
-        Ok(Step::New(Box::new(New { before, after, line, listed, grid, has_new_text })))
+        Ok(Step::New(Box::new(New { before, after, line, outdated, listed, grid, has_new_text })))
     }
 
     /// Whether a mouth was made of the phones of this recording and this text.
@@ -263,8 +271,17 @@ fn has_new_text(known: &[Line], now: &Line) -> bool {
 fn original_then(job: &Job, document: &Document<'_>, options: &SyncOptions) -> Option<OriginalThen> {
     let original = job.original.as_ref()?;
     let sound = original.recording.as_ref().and_then(|path| File::open(path).and_then(content_hash).ok()).unwrap_or(0);
-    let spoken = options.spoken_in(original.locale.as_deref(), document);
-    Some(OriginalThen { sound, text: text_hash(spoken.as_ref().map(|(_, text)| &*text.text)) })
+    Some(OriginalThen { sound, text: text_hash(spoken_in_original(job, Some(document), options)) })
+}
+
+/// What is spoken in the original of a dub.
+pub(super) fn spoken_in_original<'d>(
+    job: &Job,
+    document: Option<&'d Document<'d>>,
+    options: &SyncOptions,
+) -> Option<&'d str> {
+    let spoken = options.spoken_in(job.original.as_ref()?.locale.as_deref(), document?);
+    spoken.map(|(_, text)| &*text.text)
 }
 
 /// What a recogniser hears in a recording.

@@ -9,7 +9,6 @@ impl LocaleWork {
     /// What is missing, stale, or both, as a CSV file (RFC 4180): a row for each segment with its source text. Cells are no
     /// formulas. With a cost per word, a column has what the segment costs.
     pub fn csv(&self, is_meant: impl Fn(Progress) -> bool, cost_per_word: Option<f64>) -> Vec<u8> {
-        let mut writer = WriterBuilder::new().terminator(Terminator::CRLF).from_writer(Vec::new());
         let head = ["key", "segment", "locale", "state", "source", "translated from", "translation", "words"];
         let cost_name = cost_per_word.map(|_| "cost".to_owned());
         let mut rows = vec![head.map(str::to_owned).into_iter().chain(cost_name).collect::<Vec<_>>()];
@@ -27,12 +26,18 @@ impl LocaleWork {
             ];
             rows.push(cells.into_iter().chain(cost_per_word.map(|cost| cost_of(count, cost))).collect());
         }
-        for row in rows {
-            // Writing to memory does not fail.
-            let _ = writer.write_record(row.iter().map(|cell| defused(cell).into_owned().into_bytes()));
-        }
-        writer.into_inner().unwrap_or_default()
+        csv_table(rows)
     }
+}
+
+/// A CSV file (RFC 4180) of these rows. Cells are no formulas.
+pub fn csv_table(rows: impl IntoIterator<Item = Vec<String>>) -> Vec<u8> {
+    let mut writer = WriterBuilder::new().terminator(Terminator::CRLF).from_writer(Vec::new());
+    for row in rows {
+        // Writing to memory does not fail.
+        let _ = writer.write_record(row.iter().map(|cell| defused(cell).into_owned().into_bytes()));
+    }
+    writer.into_inner().unwrap_or_default()
 }
 
 /// What words cost, with two digits behind the point.

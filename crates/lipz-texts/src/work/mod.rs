@@ -1,9 +1,11 @@
 //! What is left to translate: segments and words, by how far they are.
 
+mod html;
 mod list;
 mod page;
 
-pub use list::cost_of;
+pub use html::{html, html_page};
+pub use list::{cost_of, csv_table};
 pub use page::page;
 
 use crate::{Standing, State, TextRecord, Texts, Unit, words};

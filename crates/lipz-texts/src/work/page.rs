@@ -1,5 +1,6 @@
 //! The work of a project as a page for people: one HTML file, without scripts.
 
+use super::html::{html, html_page};
 use super::list::cost_of;
 use super::{LocaleWork, OpenSegment, Progress, Work};
 use crate::changes::changes;
@@ -8,19 +9,13 @@ use std::fmt::Write;
 /// Segments of a locale that the page shows; it counts the others.
 const SHOWN: usize = 500;
 
-const STYLE: &str = include_str!("page.css");
-
 /// An HTML file about the work: for each locale how far it is, in words, and what is missing or stale. `title` names the
 /// project. With a cost per word, it says what the rest costs. The same texts give the same bytes.
 pub fn page(work: &Work, title: &str, cost_per_word: Option<f64>) -> String {
-    let (title, source_locale) = (html(title), html(&work.source_locale));
+    let source_locale = html(&work.source_locale);
     let source = work.locales.first().map(LocaleWork::all).unwrap_or_default();
     let mut out = format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <title>Translations of {title}</title>\n<style>\n{STYLE}</style>\n\
-         <h1>Translations of {title}</h1>\n\
-         <p>From <b>{source_locale}</b>: {} with {}.</p>\n",
+        "<p>From <b>{source_locale}</b>: {} with {}.</p>\n",
         counted(source.segments, "segment"),
         counted(source.words, "word")
     );
@@ -29,20 +24,14 @@ pub fn page(work: &Work, title: &str, cost_per_word: Option<f64>) -> String {
     if unknown > 0 {
         let _ = writeln!(
             out,
-            "<p>Of {} nobody knows what {}: <code>lipz accept --all</code> records them as they are.</p>",
-            counted(translated, "translated segment"),
-            if unknown == translated {
-                "they were made from".to_owned()
-            } else {
-                format!("{} were made from", grouped(unknown))
-            }
+            "<p>Unknown: of {} nobody knows the source text. <code>lipz accept --all</code> takes that of today for it.</p>",
+            share(unknown, translated)
         );
     }
     for locale in work.locales.iter().filter(|locale| !locale.open.is_empty()) {
         details(locale, &work.source_locale, &mut out);
     }
-    out.push_str("</html>\n");
-    out
+    html_page(&format!("Translations of {title}"), &out)
 }
 
 fn summary(work: &Work, cost_per_word: Option<f64>, out: &mut String) {
@@ -162,20 +151,10 @@ fn marked(old: &str, new: &str) -> String {
     out + &html(new.get(done..).unwrap_or_default())
 }
 
-/// A text of which HTML reads nothing as its own.
-fn html(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for character in lipz_diagnostics::escape::text(text).chars() {
-        match character {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\'' => out.push_str("&#39;"),
-            character => out.push(character),
-        }
-    }
-    out
+/// `1 translated segment`, `2 of 5 translated segments`.
+fn share(unknown: usize, translated: usize) -> String {
+    let all = counted(translated, "translated segment");
+    if unknown == translated { all } else { format!("{} of {all}", grouped(unknown)) }
 }
 
 /// `1 word`, `12,345 words`.

@@ -4,6 +4,7 @@ use crate::commands::Run;
 use crate::reporter::Reporter;
 use crate::shared::formats::unreadable;
 use crate::shared::output_file;
+use crate::shared::text_record::RECORD_NAME;
 use crate::{Abort, Ended, Outcome, console};
 use clap::Args;
 use lipz_compiler::settings::{FILE_NAME, Settings, template};
@@ -24,11 +25,13 @@ const VOICES: &str = "voices";
 const FIRST_PATH: &str = "voices/hello.lipz";
 const BANK: &str = "dialogue.lipzbank";
 const IGNORED: &str = ".gitignore";
+const ATTRIBUTES: &str = ".gitattributes";
 
-/// Begin a project: a lipz.toml with every setting, explained, a first clip, and a .gitignore for the bank.
+/// Begin a project: a lipz.toml with every setting, explained, a first clip, a .gitignore for the bank, and a .gitattributes by which
+/// git merges the record of translations.
 ///
-/// Where there are Lipz files already, no clip is written, nor with --audio: what is recorded will be the first. A .gitignore that
-/// exists gets a line more.
+/// Where there are Lipz files already, no clip is written, nor with --audio: what is recorded will be the first. Files of git that
+/// exist get a line more.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz init
@@ -83,7 +86,12 @@ impl Run for Init {
                 fs::create_dir_all(folder).map_err(|error| reporter.fail(unreadable(folder, &error)))?;
             }
         }
-        ignore_bank(&self.folder.join(IGNORED), reporter)?;
+        // The bank is made again from the Lipz files.
+        let is_bank = |known: &str| known == BANK || known == "*.lipzbank";
+        add_line(&self.folder.join(IGNORED), &format!("/{BANK}"), is_bank, reporter)?;
+        // The lines of two branches together say what both have accepted.
+        let is_merged = |known: &str| known.split_whitespace().next() == Some(RECORD_NAME);
+        add_line(&self.folder.join(ATTRIBUTES), &format!("{RECORD_NAME} merge=union"), is_merged, reporter)?;
         output_file::write(&file, template(&set).as_bytes(), reporter)?;
         if self.quiet {
             return Ok(Outcome::Clean);
@@ -107,19 +115,18 @@ fn has_clips(folder: &Path) -> bool {
     folder.is_dir() && !settings.discover().0.is_empty()
 }
 
-/// Adds the bank to the files that git ignores: it is made again from the Lipz files.
-fn ignore_bank(file: &Path, reporter: &mut Reporter) -> Result<(), Abort> {
-    let line = format!("/{BANK}");
+/// Adds a line to a file of git, unless it has that line or one that `says_so`.
+fn add_line(file: &Path, line: &str, says_so: impl Fn(&str) -> bool, reporter: &mut Reporter) -> Result<(), Abort> {
     let mut text = match fs::read_to_string(file) {
         Ok(text) => text,
         Err(error) if error.kind() == io::ErrorKind::NotFound => String::new(),
         Err(error) => return Err(reporter.fail(unreadable(file, &error))),
     };
-    if text.lines().any(|known| known == line || known == BANK || known == "*.lipzbank") {
+    if text.lines().any(|known| known == line || says_so(known)) {
         return Ok(());
     }
     if !text.is_empty() && !text.ends_with('\n') {
         text.push('\n');
     }
-    output_file::write(file, (text + &line + "\n").as_bytes(), reporter)
+    output_file::write(file, (text + line + "\n").as_bytes(), reporter)
 }

@@ -1,13 +1,14 @@
 //! `lipz link`: one bank, or a set of banks, of the objects of all shards.
 
 use crate::commands::Run;
+use crate::commands::pack::Split;
 use crate::reporter::{Abort, Ended, Reporter};
 use crate::shared::{output_file, patterns, stdio};
 use crate::{Outcome, console, interrupt};
 use clap::Args;
 use lipz_compiler::settings::Settings;
 use lipz_compiler::shard::{Link, LinkedSet, SET_EXTENSION};
-use lipz_compiler::{Compiler, Outputs, Replace};
+use lipz_compiler::{Compiler, Replace};
 use std::path::{Path, PathBuf};
 
 /// Link the objects of all shards to one bank, or to a set of banks.
@@ -62,9 +63,13 @@ impl Run for LinkArguments {
         let settings = settings(&link, reporter)?;
         let mut options = settings.options.clone().voices(settings.voices());
         options.threads = self.threads.map(usize::from);
-        if self.is_set() && settings.split_locales {
-            let tip = "link it to one bank, or take `split-locales` out of lipz.toml and plan it again";
-            return Err(reporter.usage("the banks of a set are not split by locale", tip));
+        let split = Split { locales: settings.split_locales, voices: settings.split_voices };
+        split.refuse_both(reporter)?;
+        let is_split = split.locales || split.voices;
+        if self.is_set() && is_split {
+            let tip =
+                "link it to one bank, or take `split-locales` and `split-voices` out of lipz.toml and plan it again";
+            return Err(reporter.usage("the banks of a set are not split by locale or by voice", tip));
         }
         let bar = console::progress_bar(link.clip_count(), self.quiet);
         let compiler = Compiler::new(options).around_writes(|write| interrupt::whole(write)).progress(|clips| {
@@ -76,7 +81,7 @@ impl Run for LinkArguments {
             bar.finish_and_clear();
             return self.finish_set(linked, link.clip_count(), reporter);
         }
-        let linked = match settings.split_locales {
+        let linked = match is_split {
             true => compiler.link_to_bank(&link),
             false => compiler.link(&link, &self.output),
         };
@@ -84,9 +89,8 @@ impl Run for LinkArguments {
         let outcome = Outcome::from_reports(&linked.reports);
         let Some(bank) = linked.bank else { return Err(reporter.abort(linked.reports, outcome)) };
         reporter.add(linked.reports);
-        if settings.split_locales {
-            let outputs = Outputs::new(&self.output).split_locales(true);
-            let delivered = interrupt::whole(|| outputs.deliver(&bank, Replace::Always));
+        if is_split {
+            let delivered = interrupt::whole(|| split.outputs(&self.output).deliver(&bank, Replace::Always));
             delivered.map_err(|report| reporter.fail(report))?;
         }
         if !self.quiet {

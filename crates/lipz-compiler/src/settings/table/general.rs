@@ -124,6 +124,14 @@ pub(super) const GENERAL: &[Setting] = &[
         read: |value, to| to.settings.split_locales = value.boolean(&mut to.diagnostics).unwrap_or_default(),
     },
     Setting {
+        name: "split-voices",
+        flat_name: "split-voices",
+        about: "Write the dubs of each voice into a bank of its own, over that of the originals: `dialogue.de-de.lipzbank`.",
+        default: "false",
+        example: "false",
+        read: |value, to| to.settings.split_voices = value.boolean(&mut to.diagnostics).unwrap_or_default(),
+    },
+    Setting {
         name: "pseudo",
         flat_name: "pseudo",
         about: "Add a pseudo-locale with the default locale's texts, accented and longer: `en-xa` for `en-us`.",

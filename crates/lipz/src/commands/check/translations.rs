@@ -4,7 +4,7 @@ use crate::shared::settings_file::Project;
 use crate::shared::text_record::RecordFile;
 use crate::{console, interrupt};
 use lipz_compiler::{Compiler, Input, Linted, Options};
-use lipz_diagnostics::Report;
+use lipz_diagnostics::{Code, Report};
 use lipz_file::locale::{canonical_tag, text_name};
 use lipz_texts::{TextLints, has_translations};
 
@@ -77,7 +77,9 @@ impl<'p> Translations<'p> {
         of_record.iter_mut().for_each(|report| self.options.apply_levels(report));
         of_record.retain(|report| !report.diagnostics.is_empty());
         of_record.extend(reports);
-        Checked { reports: of_record, is_unrecorded: marked > 0 }
+        // Who does not want to know which translations are stale need not know why none is.
+        let is_asked = self.options.levels.severity(Code::StaleTranslation).is_some();
+        Checked { reports: of_record, is_unrecorded: is_asked && marked > 0 }
     }
 }
 

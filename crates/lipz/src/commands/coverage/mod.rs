@@ -2,6 +2,7 @@
 
 mod open;
 mod table;
+mod voice_documents;
 mod voices;
 mod work;
 
@@ -19,6 +20,7 @@ use lipz_compiler::{
 use lipz_diagnostics::{Report, escape};
 use lipz_texts::{LocaleWork, Progress, Work, page};
 use std::collections::BTreeSet;
+use voices::Look;
 
 /// Show how much of a dialogue is translated into each locale and dubbed in each voice, and what is left to do.
 ///
@@ -55,7 +57,7 @@ pub(crate) struct CoverageArguments {
     stale: Option<String>,
 
     /// Show how much is dubbed in each voice instead; with --missing, the keys of the lines that a voice does not have
-    #[arg(long, conflicts_with_all = ["stale", "csv", "html"])]
+    #[arg(long, conflicts_with = "stale")]
     voices: bool,
 
     /// What the translation of a word costs: shows the cost of what is to be done
@@ -93,7 +95,13 @@ impl Run for CoverageArguments {
         let planned = if self.dialogue.is_bank() { Voices::default() } else { project.settings.voices() };
         let dubs = voice_coverage_of(&bank, &planned);
         if self.voices {
-            return voices::run(&dubs, &file.name, self.missing.as_deref(), reporter.wants_json(self.json), reporter);
+            let look = match reporter.wants_json(self.json) {
+                true => Look::Json,
+                false if self.csv => Look::Csv,
+                false if self.html => Look::Html,
+                false => Look::Table,
+            };
+            return voices::run(&dubs, &file.name, self.missing.as_deref(), look, reporter);
         }
         let text_files = self.dialogue.text_files(reporter)?;
         let found = coverage(BankWithTexts::new(&bank, &text_files.verified(&bank, reporter)?));
@@ -136,16 +144,14 @@ impl CoverageArguments {
                 let rows = self.named(work).flat_map(|locale| {
                     open::rows(locale, |progress| self.is_meant(locale, progress), self.cost_per_word)
                 });
-                return reporter.print_json(&rows.collect::<Vec<_>>());
+                let rows: Vec<_> = rows.collect();
+                self.remark_if(rows.is_empty(), work, reporter);
+                return reporter.print_json(&rows);
             }
             let list = self.list(found, work, name).map_err(|report| reporter.fail(report))?;
-            if list.is_empty() {
-                reporter.remark(match (&self.missing, &self.stale) {
-                    (Some(_), None) => "no text is missing\n",
-                    (None, _) => "no text is known to be older than its source\n",
-                    _ => "no text is missing, and none is known to be older than its source\n",
-                });
-            }
+            // A table has its head in any case.
+            let lines = list.iter().filter(|byte| **byte == b'\n').count();
+            self.remark_if(lines <= usize::from(self.csv), work.unwrap_or(&Work::default()), reporter);
             return reporter.print_bytes(&list);
         }
         match work {
@@ -159,6 +165,25 @@ impl CoverageArguments {
                 reporter.print(&(table::of_bank(name, found) + &of_work + &voices::table(dubs)))
             }
         }
+    }
+
+    /// Says why nothing is listed, if nothing is.
+    fn remark_if(&self, is_empty: bool, work: &Work, reporter: &Reporter) {
+        if !is_empty {
+            return;
+        }
+        let mut asked = self.missing.iter().chain(&self.stale);
+        if let Some(source) = asked.find(|locale| **locale == work.source_locale) {
+            let source = escape::text(source);
+            reporter
+                .remark(&format!("nothing is translated into {source}: the texts of the others are made from it\n"));
+            return;
+        }
+        reporter.remark(match (&self.missing, &self.stale) {
+            (Some(_), None) => "no text is missing\n",
+            (None, _) => "no text is known to be older than its source\n",
+            _ => "no text is missing, and none is known to be older than its source\n",
+        });
     }
 
     /// Whether --missing or --stale asks for segments of a locale that are so far.

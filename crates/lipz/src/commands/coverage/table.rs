@@ -76,8 +76,8 @@ pub(super) fn of_work(work: &Work, cost_per_word: Option<f64>) -> String {
     if unknown > 0 {
         let _ = writeln!(
             text,
-            "unknown: of {} of {} nobody knows what they were made from, so they may be stale;\n`lipz accept --all` records \
-             them as they are today",
+            "unknown: {} of {}, of which nobody knows the source text, and so whether it has changed;\n`lipz accept --all` \
+             takes that of today for it",
             grouped(unknown),
             console::counted(translated, "translated segment")
         );

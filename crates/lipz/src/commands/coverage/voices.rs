@@ -1,23 +1,34 @@
 //! How much of a dialogue is dubbed in each voice.
 
+use super::voice_documents;
 use crate::Outcome;
 use crate::console::{counted, grouped};
-use crate::reporter::{Ended, Reporter};
+use crate::reporter::{Abort, Ended, Reporter};
 use crate::shared::locales::locale_name;
 use lipz_compiler::VoiceCoverage;
 use lipz_diagnostics::{Code, Report, escape};
 use lipz_file::locale::canonical_tag;
 use std::fmt::Write;
 
-/// Prints the voices of a bank, or the keys of the lines that are `missing` in one of them.
+/// How the answer looks.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Look {
+    /// For people.
+    Table,
+    Json,
+    Csv,
+    Html,
+}
+
+/// Prints the voices of a bank, or the lines that are `missing` in one of them.
 pub(super) fn run(
     found: &[VoiceCoverage],
     name: &str,
     missing: Option<&str>,
-    json: bool,
+    look: Look,
     reporter: &mut Reporter,
 ) -> Ended {
-    if found.is_empty() && !json {
+    if found.is_empty() && (look != Look::Json || missing.is_some()) {
         let help = "name the voices and their keys in lipz.toml: [voices] de-de = \"de/{key}\"";
         return Err(reporter.fail(Report::failure(
             name,
@@ -26,17 +37,38 @@ pub(super) fn run(
             help,
         )));
     }
-    match missing {
-        Some(tag) => {
-            let voice = choose_voice(tag, name, found).map_err(|report| reporter.fail(report))?;
-            let mut keys: Vec<&String> = voice.other_voices.values().flatten().chain(&voice.missing).collect();
-            keys.sort_unstable();
-            reporter.print(&keys.into_iter().flat_map(|key| [escape::text(key), "\n".into()]).collect::<String>())?;
-        }
-        None if json => reporter.print_json(&found)?,
-        None => reporter.print(&format!("{name}{}", table(found)))?,
+    let missing = missing.map(|tag| choose_voice(tag, name, found)).transpose();
+    match missing.map_err(|report| reporter.fail(report))? {
+        Some(voice) => print_lines(voice, found, look, reporter)?,
+        None => match look {
+            Look::Json => reporter.print_json(&found)?,
+            Look::Csv => reporter.print_bytes(&voice_documents::csv(found))?,
+            Look::Html => reporter.print(&voice_documents::page(found, name))?,
+            Look::Table => reporter.print(&format!("{name}{}", table(found)))?,
+        },
     }
     Ok(Outcome::Clean)
+}
+
+/// The lines that a voice does not have.
+fn print_lines(
+    voice: &VoiceCoverage,
+    found: &[VoiceCoverage],
+    look: Look,
+    reporter: &mut Reporter,
+) -> Result<(), Abort> {
+    let lines = voice_documents::lines(voice, found);
+    if lines.is_empty() {
+        reporter.remark("no line is missing\n");
+    }
+    match look {
+        Look::Json => reporter.print_json(&lines),
+        Look::Csv => reporter.print_bytes(&voice_documents::csv_of_lines(&lines)),
+        _ => {
+            let keys = lines.iter().flat_map(|line| [escape::text(line.key), "\n".into()]);
+            reporter.print(&keys.collect::<String>())
+        }
+    }
 }
 
 /// The voice with this tag; if there is none, the report names those that there are.

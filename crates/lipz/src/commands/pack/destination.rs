@@ -11,11 +11,27 @@ use std::path::{Path, PathBuf};
 
 /// What is put into files of its own.
 #[derive(Clone, Copy)]
-pub(super) struct Split {
+pub(crate) struct Split {
     /// The texts of each locale.
-    pub(super) locales: bool,
+    pub(crate) locales: bool,
     /// The dubs of each voice.
-    pub(super) voices: bool,
+    pub(crate) voices: bool,
+}
+
+impl Split {
+    /// Refuses to do both.
+    pub(crate) fn refuse_both(self, reporter: &mut Reporter) -> Result<(), Abort> {
+        if self.locales && self.voices {
+            let tip = "leave one of them out, or say `--split-locales=false`: banks of voices need the texts of the bank below them";
+            return Err(reporter.usage("a bank is split by locale or by voice", tip));
+        }
+        Ok(())
+    }
+
+    /// The files of a bank.
+    pub(crate) fn outputs(self, bank: &Path) -> Outputs {
+        Outputs::new(bank).split_locales(self.locales).split_voices(self.voices)
+    }
 }
 
 /// Where a bank goes.
@@ -37,9 +53,7 @@ impl Destination {
     ) -> Result<Destination, Abort> {
         if !stdio::is_meant(output) {
             let cache = cache.map(Path::to_owned);
-            return Ok(Destination::Files(
-                Outputs::new(output).split_locales(split.locales).split_voices(split.voices).cache(cache),
-            ));
+            return Ok(Destination::Files(split.outputs(output).cache(cache)));
         }
         if split.locales || split.voices || has_depfile {
             let tip = "name a file with `--output`: text banks and those of voices are written beside it, and a depfile is about it";
@@ -139,10 +153,11 @@ pub(super) fn without(mut report: Report, reporter: &mut Reporter) -> Abort {
 /// A line for each file.
 pub(super) fn summary(delivered: &Delivered, contents: &str) -> String {
     let line = |(index, file): (usize, &OutputFile)| {
-        let what = match (index, is_bank(file)) {
-            (0, _) => contents,
-            (_, true) => "dubs",
-            _ => "texts",
+        let what = match (index, file.clip_count) {
+            (0, None) => contents.to_owned(),
+            (0, Some(originals)) => console::counted(originals, "clip"),
+            (_, Some(dubs)) => console::counted(dubs, "dub"),
+            (_, None) => "texts".to_owned(),
         };
         let done = if file.is_new { "packed into" } else { "unchanged in" };
         format!("{what} {done} {} ({} bytes)\n", console::path(&file.path), console::grouped(file.length_bytes))
@@ -151,18 +166,13 @@ pub(super) fn summary(delivered: &Delivered, contents: &str) -> String {
     delivered.files.iter().enumerate().map(line).chain(delivered.stale.iter().map(stale)).collect()
 }
 
-/// Whether a file beside a bank is that of a voice.
-fn is_bank(file: &OutputFile) -> bool {
-    file.path.extension().is_some_and(|extension| extension == "lipzbank")
-}
-
 /// One line about all files, and whether any is another than before.
 pub(super) fn message(delivered: &Delivered, contents: &str) -> String {
     let name = delivered.files.first().map_or_else(String::new, |bank| console::path(&bank.path));
     let length_bytes = delivered.files.iter().map(|file| file.length_bytes).sum();
     let beside = match delivered.files.get(1) {
         Some(file) => {
-            let what = if is_bank(file) { "voice" } else { "text bank" };
+            let what = if file.clip_count.is_some() { "voice" } else { "text bank" };
             format!(" and {}", console::counted(delivered.files.len() - 1, what))
         }
         None => String::new(),

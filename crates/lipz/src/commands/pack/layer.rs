@@ -1,7 +1,7 @@
 //! `lipz pack --over`: a layer over other banks.
 
 use super::Pack;
-use super::destination::Destination;
+use super::destination::{Destination, Split};
 use crate::Abort;
 use crate::console;
 use crate::reporter::Reporter;
@@ -15,13 +15,17 @@ use std::path::Path;
 pub(super) fn destination(
     arguments: &Pack,
     output: &Path,
-    is_split: bool,
+    split: Split,
     reporter: &mut Reporter,
 ) -> Result<Destination, Abort> {
-    if is_split {
+    if split.locales {
         let tip = "pack it with `--split-locales=false`; the texts of a locale that the shipped bank lacks are a download of \
                    their own: those of `lipz pack --split-locales` without `--over`";
         return Err(reporter.usage("a layer is not split by locale", tip));
+    }
+    if split.voices {
+        let tip = "pack the originals and each voice over its own banks, with `--split-voices=false`: docs/LAYERS.md shows it";
+        return Err(reporter.usage("a layer is not split by voice", tip));
     }
     let is_printed = stdio::is_meant(output);
     if is_printed && arguments.depfile.is_some() {

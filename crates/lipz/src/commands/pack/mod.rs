@@ -5,6 +5,7 @@ mod layer;
 mod object;
 mod plan;
 
+pub(crate) use destination::Split;
 pub(crate) use plan::{Packed, Plan, Remembered};
 
 use crate::Abort;
@@ -77,8 +78,8 @@ pub(crate) struct Pack {
 
     /// Write the dubs of each voice to a bank of its own: BANK with the extension .LOCALE.lipzbank, a layer over the bank. The
     /// bank itself has the originals
-    #[arg(long, conflicts_with_all = ["over", "split_locales"])]
-    split_voices: bool,
+    #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    split_voices: Option<bool>,
 
     /// Pack a layer over this bank: only what is new, changed or removed. Give the option once for each bank below, the base
     /// first

@@ -86,17 +86,16 @@ impl Plan {
             None if arguments.sources.settings_file().is_some() => beside(&settings.sources),
             _ => None,
         };
-        let is_split = arguments.split_locales.unwrap_or(settings.split_locales);
+        let split = Split {
+            locales: arguments.split_locales.unwrap_or(settings.split_locales),
+            voices: arguments.split_voices.unwrap_or(settings.split_voices),
+        };
         let cache = cache.as_deref();
         if !arguments.over.is_empty() {
-            let destination = layer::destination(arguments, &output, is_split, reporter)?;
+            let destination = layer::destination(arguments, &output, split, reporter)?;
             return Ok(Plan { project, output, destination, depfile: arguments.depfile.clone(), settings_folder });
         }
-        if arguments.split_voices && is_split {
-            let tip = "pack it with `--split-locales=false`: banks of voices need the texts of the bank below them";
-            return Err(reporter.usage("a bank is split by locale or by voice", tip));
-        }
-        let split = Split { locales: is_split, voices: arguments.split_voices };
+        split.refuse_both(reporter)?;
         let destination = Destination::new(&output, split, arguments.depfile.is_some(), cache, reporter)?;
         Ok(Plan { project, output, destination, depfile: arguments.depfile.clone(), settings_folder })
     }

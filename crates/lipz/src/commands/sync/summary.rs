@@ -27,7 +27,7 @@ pub(super) fn summary(synced: &Synced, without: usize, place: &Path) -> String {
         (synced.kept.iter()).map(|(key, kept)| format!("{}  {}", escape::text(key), why(*kept))).collect();
     list(&mut out, "kept mouths (--force replaces them)", &kept);
     let new_texts: Vec<String> = synced.with_new_text.iter().map(|key| escape::text(key).into_owned()).collect();
-    list(&mut out, "recordings older than their texts (record these lines again if the words are others)", &new_texts);
+    list(&mut out, "recordings older than their texts (record these lines again, or `lipz accept` them)", &new_texts);
     let by_letters: Vec<String> =
         synced.read_by_letters.iter().map(|locale| escape::text(locale).into_owned()).collect();
     list(&mut out, "texts that are read letter by letter, because there are no rules for their language", &by_letters);

@@ -1,4 +1,6 @@
-//! `lipz accept`: translations that still say what the source says.
+//! `lipz accept`: translations that still say what the source says, and recordings that say the texts of today.
+
+mod recordings;
 
 use crate::commands::Run;
 use crate::commands::texts::{locales_of, source_locale};
@@ -16,11 +18,12 @@ use lipz_diagnostics::escape;
 use lipz_texts::{Standing, State, TextRecord, Texts, texts_of};
 use std::fmt::Write;
 
-/// Note that translations say what their source says today, after a look at them.
+/// Note that translations say what their source says today, after a look at them, and recordings what their texts say.
 ///
 /// lipz-texts.txt, beside lipz.toml, knows the source text that each translation was made from. When the source
 /// changes, `lipz check` reports the translations that are older. What is accepted here counts as made from the
-/// text of today, also translations of which nothing was known before.
+/// text of today, also translations of which nothing was known before. If lipz.toml names the folder of the
+/// recordings, lipz-sync.txt knows in the same way which text each of them was made for.
 #[derive(Args, Debug)]
 #[command(mut_args(hide_of_banks))]
 #[command(after_help = "Examples:
@@ -39,7 +42,7 @@ pub(crate) struct Accept {
     #[arg(long, value_name = "PATTERN", value_parser = Pattern::new)]
     key: Vec<Pattern>,
 
-    /// Accept translations into this locale only; may be given several times
+    /// Accept translations into this locale only, and its dubs; may be given several times
     #[arg(long, value_name = "LOCALE", value_parser = parse_locale)]
     locale: Vec<String>,
 
@@ -47,7 +50,7 @@ pub(crate) struct Accept {
     #[arg(long, value_name = "LOCALE", value_parser = parse_locale)]
     from: Option<String>,
 
-    /// Accept all translations of the project, and forget those of Lipz files that are no more
+    /// Accept all translations and recordings of the project, and forget the translations of Lipz files that are no more
     #[arg(long)]
     all: bool,
 
@@ -101,6 +104,8 @@ impl Run for Accept {
         self.refuse_unknown(&inputs, options, &source_locale, reporter)?;
         let (clips, unread) = self.clips(options, &source_locale, &inputs, &file);
         reports.extend(unread);
+        let mut recordings = recordings::find(self, &project, &inputs).map_err(|report| reporter.fail(report))?;
+        reports.append(&mut recordings.reports);
         let mut said = String::new();
         let mut counts = Counts::default();
         for (old, new) in &file.renamed {
@@ -109,14 +114,16 @@ impl Run for Accept {
         for clip in &clips {
             clip.accept(&source_locale, &mut file.record, &mut counts, &mut said);
         }
+        recordings.accept(&mut said);
         let forgotten = if self.all && self.sources.paths().is_empty() { file.lost.clone() } else { Vec::new() };
         for lost in &forgotten {
             file.record.forget(lost);
             let _ = writeln!(said, "{} is no more", escape::text(lost));
         }
         let is_new = !file.exists();
-        let is_written = !self.check && file.write().map_err(|report| reporter.fail(report))?;
-        let has_some = counts.stale + counts.unknown + file.renamed.len() + forgotten.len() > 0;
+        let write = || recordings.write().and_then(|()| file.write());
+        let is_written = !self.check && write().map_err(|report| reporter.fail(report))?;
+        let has_some = counts.stale + counts.unknown + recordings.count() + file.renamed.len() + forgotten.len() > 0;
         let mut outcome = Outcome::from_reports(&reports);
         if self.check && has_some {
             outcome = outcome.max(Outcome::Errors);
@@ -124,6 +131,7 @@ impl Run for Accept {
         reporter.add(reports);
         if !self.sources.is_quiet() {
             said += &counts.summary(self.check);
+            said += &recordings.summary();
             said += &if is_written && is_new { file.introduction() } else { String::new() };
             reporter.summary(&said)?;
         }
@@ -158,6 +166,11 @@ impl Accept {
         Ok(())
     }
 
+    /// Whether the clip with this key is one of those that are named.
+    fn is_meant(&self, key: &str) -> bool {
+        self.key.is_empty() || self.key.iter().any(|pattern| pattern.matches(key))
+    }
+
     /// The clips that have something to accept, in the order of the inputs.
     fn clips(
         &self,
@@ -166,8 +179,7 @@ impl Accept {
         inputs: &[Input],
         file: &RecordFile,
     ) -> (Vec<Clip>, Vec<lipz_diagnostics::Report>) {
-        let is_meant = |input: &&Input| self.key.is_empty() || self.key.iter().any(|key| key.matches(&input.key));
-        let inputs: Vec<Input> = inputs.iter().filter(is_meant).cloned().collect();
+        let inputs: Vec<Input> = inputs.iter().filter(|input| self.is_meant(&input.key)).cloned().collect();
         let bar = console::progress_bar(inputs.len(), self.sources.is_quiet());
         let compiler = Compiler::new(options.clone()).progress(|count| {
             bar.inc(count);
