@@ -339,8 +339,8 @@ fn recordings_of_mouths_by_hand_are_known_once_they_are_accepted() {
     scene.write("voices/silent.lipz", r#"{ "fps": 24, "visemes": "MAEO" }"#);
     let dub = r#"{ "fps": 24, "visemes": "MAAAEO----|MAAAAEEO--" }"#;
     scene.write("voices/de/mayor.lipz", dub);
-    for (take, name) in ["mayor", "silent", "de/mayor"].into_iter().enumerate() {
-        scene.write(&format!("rec/{name}.wav"), voice(&[(true, 833)], take as u32));
+    for (take, name) in (0..).zip(["mayor", "silent", "de/mayor"]) {
+        scene.write(&format!("rec/{name}.wav"), voice(&[(true, 833)], take));
     }
     let told = || -> Vec<String> {
         codes(scene.path()).into_iter().filter(|code| ["LZ1915", "LZ2006"].contains(&code.as_str())).collect()
