@@ -6,8 +6,8 @@
 )]
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
-use lipz_bank::{Bank, ClipId, Layers, Micros};
-use lipz_benches::{DEFAULT_SEED, Random, files, layers, naive};
+use lipz_bank::{Bank, ClipId, CurveCursor, Layers, LookAt, Micros};
+use lipz_benches::{DEFAULT_SEED, Random, faces, files, layers, naive};
 use lipz_compiler::{Compiler, Input, Options};
 use std::hint::black_box;
 
@@ -93,6 +93,43 @@ fn queries(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// Lines with seven curves, one of them with a key in each frame.
+fn curves_and_faces(criterion: &mut Criterion) {
+    let bytes = faces::bank(DEFAULT_SEED, 100).expect("lines without errors");
+    let bank = Bank::open(&bytes).and_then(Bank::verify).expect("a bank without fault");
+    let (clips, profile) = (bank.clips().collect::<Vec<_>>(), bank.default_face_profile());
+    let jaws: Vec<_> = clips.iter().map(|clip| clip.curve("jawOpen").expect("a jaw")).collect();
+    let mut random = Random::new(DEFAULT_SEED, 0);
+    let mut drawn = move || (random.between(0, 99), Micros(random.between(0, 12_000_000) as i64));
+    let mut group = criterion.benchmark_group("faces");
+    group.bench_function("a curve at a time", |bencher| {
+        bencher.iter(|| {
+            let (at, time) = drawn();
+            jaws[at].value_at(time)
+        });
+    });
+    let (mut cursor, mut now) = (CurveCursor::new(), 0);
+    group.bench_function("60 Hz tick of a curve", |bencher| {
+        bencher.iter(|| {
+            now = (now + TICK_US) % 12_000_000;
+            cursor.value_at(&jaws[0], Micros(now))
+        });
+    });
+    group.bench_function("emotions at a time", |bencher| {
+        bencher.iter(|| {
+            let (at, time) = drawn();
+            clips[at].emotions_at(time)
+        });
+    });
+    group.bench_function("the face at a time", |bencher| {
+        bencher.iter(|| {
+            let (at, time) = drawn();
+            clips[at].face_at(time, &profile, LookAt::AHEAD)
+        });
+    });
+    group.finish();
+}
+
 fn whole_bank(criterion: &mut Criterion) {
     let files = files(CLIPS, LOCALES);
     let bytes = bank(&files);
@@ -108,5 +145,5 @@ fn whole_bank(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, queries, whole_bank);
+criterion_group!(benches, queries, curves_and_faces, whole_bank);
 criterion_main!(benches);

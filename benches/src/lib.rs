@@ -7,6 +7,8 @@
 pub mod callgrind;
 mod clip;
 #[cfg(feature = "tools")]
+pub mod faces;
+#[cfg(feature = "tools")]
 mod folder;
 #[cfg(feature = "tools")]
 pub mod layers;

@@ -5,7 +5,7 @@
 
 use clap::Parser;
 use lipz_bank::ClipId;
-use lipz_benches::{DEFAULT_SEED, callgrind, layers, temporary_folder, write_clips};
+use lipz_benches::{DEFAULT_SEED, callgrind, faces, layers, temporary_folder, write_clips};
 use lipz_compiler::{Compiler, Input, Options};
 use std::collections::HashMap;
 use std::fmt::Write as _;
@@ -39,6 +39,8 @@ const LIMITS: &str = "benches/instructions.txt";
 const TOLERANCE_PERCENT: u64 = 5;
 /// Clips of the bank that is asked: what is counted hardly depends on it.
 const CLIPS: usize = 1000;
+/// Lines of the bank that is asked about curves and faces.
+const LINES_WITH_FACES: usize = 100;
 /// Locales of each clip.
 const LOCALES: usize = 5;
 /// Questions about the whole bank, which take millions of instructions, and are asked less often.
@@ -100,7 +102,7 @@ fn is_too_much(count: u64, limit: u64) -> bool {
 
 /// A line of the file of limits, `question: limit`; other lines are comments.
 fn limit_of(line: &str) -> Option<(&str, u64)> {
-    let (question, limit) = line.split_once(": ")?;
+    let (question, limit) = line.rsplit_once(": ")?;
     Some((question, limit.parse().ok()?))
 }
 
@@ -113,13 +115,14 @@ fn slow_among(counts: &HashMap<&str, u64>) -> Vec<String> {
     slow.map(|(many, percent, one, ..)| format!("`{many}` takes more than {percent} % of `{one}`")).collect()
 }
 
-/// Writes the bank, the layers over it, and the banks of a set of the same clips.
+/// Writes the bank, the layers over it, the banks of a set of the same clips, and the bank about faces.
 fn write_banks(bank: &Path) -> Result<(), Failure> {
     let files = lipz_benches::files(CLIPS, LOCALES);
     let bytes = bank_of(files.iter())?;
     let (patch, addition) = layers::over(&bytes, CLIPS)?;
+    let faces = faces::bank(DEFAULT_SEED, LINES_WITH_FACES)?;
     let write = |extension: &str, bytes: &[u8]| std::fs::write(bank.with_extension(extension), bytes);
-    for (extension, bytes) in [("lipzbank", &bytes), ("patch", &patch), ("mod", &addition)] {
+    for (extension, bytes) in [("lipzbank", &bytes), ("patch", &patch), ("mod", &addition), ("faces", &faces)] {
         write(extension, bytes).map_err(|error| error.to_string())?;
     }
     for shard in 0..SHARDS {
@@ -161,6 +164,7 @@ mod tests {
     #[test]
     fn limits_allow_a_little_more() {
         assert_eq!(limit_of("find by id: 100"), Some(("find by id", 100)));
+        assert_eq!(limit_of("face: emotions: 7"), Some(("face: emotions", 7)));
         assert_eq!(limit_of("# a comment: not a number"), None);
         assert!(!is_too_much(105, 100));
         assert!(is_too_much(106, 100));

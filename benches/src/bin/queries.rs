@@ -1,10 +1,10 @@
 //! The program whose instructions `cargo xtask instructions` counts: asks a bank of the generator's
 //! clips the same kind of question a number of times.
 //!
-//! `queries BANK QUESTION TIMES`; beside the bank lie layers over it, with the extensions `patch` and `mod`, and its clips as
-//! a set, with the extensions `shard0`, `shard1` and so on.
+//! `queries BANK QUESTION TIMES`; beside the bank lie layers over it, with the extensions `patch` and `mod`, its clips as
+//! a set, with the extensions `shard0`, `shard1` and so on, and a bank about faces, with `faces`.
 
-use lipz_bank::{Bank, BankSet, Clip, ClipId, Cursor, Layers, Micros, Seconds};
+use lipz_bank::{Bank, BankSet, Clip, ClipId, Cursor, CurveCursor, Layers, LookAt, Micros, Seconds};
 use lipz_benches::{DEFAULT_SEED, Random, clip_key};
 use std::hint::black_box;
 
@@ -21,11 +21,42 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         return Err("usage: queries BANK QUESTION TIMES".into());
     };
     let bytes = std::fs::read(path)?;
+    let times = times.parse()?;
     // The layers over the bank and the banks of the set, made before: that does not count.
     let beside = |name: &str| std::fs::read(std::path::Path::new(path).with_extension(name)).unwrap_or_default();
+    if let Some(question) = question.strip_prefix("face: ") {
+        return ask_faces(&beside("faces"), question, times);
+    }
     let shards = (0..).map(|shard: usize| beside(&format!("shard{shard}")));
     let shards: Vec<Vec<u8>> = shards.take_while(|shard| !shard.is_empty()).collect();
-    ask([&bytes, &beside("patch"), &beside("mod")], &shards, question, times.parse()?)
+    ask([&bytes, &beside("patch"), &beside("mod")], &shards, question, times)
+}
+
+/// Questions about curves, of lines with seven of them.
+fn ask_faces(bytes: &[u8], question: &str, times: usize) -> Result<(), Box<dyn std::error::Error>> {
+    let bank = Bank::open(bytes)?.verify()?;
+    let clips: Vec<Clip<'_, '_>> = bank.clips().collect();
+    let jaws: Vec<_> = clips.iter().filter_map(|clip| clip.curve("jawOpen")).collect();
+    let (name, profile) = (bank.event_name("jawOpen").ok_or("no jaw")?, bank.default_face_profile());
+    let mut random = Random::new(DEFAULT_SEED, 0);
+    let drawn: Vec<(usize, i64)> =
+        (0..DRAWN).map(|_| (random.between(0, clips.len() - 1), random.between(0, LONGEST_US) as i64)).collect();
+    let asked = drawn.into_iter().cycle().take(times);
+    match question {
+        "find a curve" => asked.for_each(|(at, _)| _ = black_box(clips[at].curve_named(name))),
+        "a curve at a time" => asked.for_each(|(at, time_us)| _ = black_box(jaws[at].value_at(Micros(time_us)))),
+        "a tick of a curve" => {
+            let mut cursor = CurveCursor::new();
+            let time = |tick: usize| Micros((tick * TICK_US % LONGEST_US) as i64);
+            (0..times).for_each(|tick| _ = black_box(cursor.value_at(&jaws[0], time(tick))));
+        }
+        "emotions" => asked.for_each(|(at, time_us)| _ = black_box(clips[at].emotions_at(Micros(time_us)))),
+        "whole" => asked.for_each(|(at, time_us)| {
+            black_box(clips[at].face_at(Micros(time_us), &profile, LookAt::AHEAD));
+        }),
+        _ => return Err(format!("no such question: {question}").into()),
+    }
+    Ok(())
 }
 
 fn ask(
