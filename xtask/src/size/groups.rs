@@ -53,7 +53,7 @@ pub(super) const PROGRAMS: [Group; 9] = [
     Group {
         name: "+ verify of mouths, texts and events",
         parts: &[OPEN, FRAMES, TEXT_BYTES, EVENTS, KEYS, TEXT_BANKS, TEXTS, EVENT_STRINGS, VERIFY_LINES, VERIFY_TEXTS],
-        budget_bytes: Some(12_400),
+        budget_bytes: Some(9_280),
     },
     Group {
         name: "+ verify: everything",
@@ -120,21 +120,21 @@ pub(super) const C_PROGRAMS: [Group; 10] = [
     Group {
         name: "C: + curves",
         parts: &[C_OPEN, C_MOUTHS, C_TEXTS, C_EVENTS, C_CURSOR, C_BABBLE, C_CURVES],
-        budget_bytes: None,
+        budget_bytes: Some(19_880),
     },
     Group {
         name: "C: + emotions",
         parts: &[C_OPEN, C_MOUTHS, C_TEXTS, C_EVENTS, C_CURSOR, C_BABBLE, C_CURVES, C_EMOTIONS],
-        budget_bytes: None,
+        budget_bytes: Some(20_950),
     },
     Group {
         name: "C: + the face at a time",
         parts: &[C_OPEN, C_MOUTHS, C_TEXTS, C_EVENTS, C_CURSOR, C_BABBLE, C_CURVES, C_EMOTIONS, C_FACE],
-        budget_bytes: None,
+        budget_bytes: Some(31_285),
     },
     Group {
         name: "C: + faces and emotions of others",
         parts: &[C_OPEN, C_MOUTHS, C_TEXTS, C_EVENTS, C_CURSOR, C_BABBLE, C_CURVES, C_EMOTIONS, C_FACE, C_FACES],
-        budget_bytes: None,
+        budget_bytes: Some(31_740),
     },
 ];
