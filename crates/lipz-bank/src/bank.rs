@@ -103,7 +103,7 @@ impl<'data> Bank<'data> {
         Ok(self)
     }
 
-    /// Whether the bank came from [`Bank::verify`] or [`Bank::verify_with`].
+    /// Whether the bank came from [`Bank::verify`], [`Bank::verify_with`] or [`Bank::verify_lines`], which leaves out some sections.
     pub const fn is_verified(&self) -> bool {
         self.event_strings.is_checked()
     }

@@ -250,6 +250,7 @@ struct Curve : lipz_curve {
 struct Who : lipz_who {
     Who(std::string_view name) noexcept : Who(name, 0) {}
     Who(const char *name) noexcept : Who(std::string_view(name), 0) {}
+    Who(const std::string &name) noexcept : Who(std::string_view(name), 0) {}
     static Who speaker(std::string_view name) noexcept { return Who(name, 1); }
 
   private:

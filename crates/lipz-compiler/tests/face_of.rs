@@ -39,11 +39,8 @@ fn who_listens_moves_by_their_own_curves_only() {
             [pitch, 0, 0]
         );
     }
-    assert_eq!(
-        (mara(1120).blink.thousandths(), mara(1600).head_yaw.thousandths() > 3000),
-        (1000, true),
-        "lids, and the look"
-    );
+    assert!((1000..1400).any(|ms| mara(ms).blink.thousandths() == 1000), "she blinks");
+    assert!(mara(1600).head_yaw.thousandths() > 3000, "she looks away");
     assert_eq!(clip.emotions_of("mara", Micros(2_500_000)).strongest().map(|(leads, _)| leads), Some(Emotion::Fear));
     assert_ne!(faces(&clip, "mara"), faces(&clip, "otto"), "each has blinks and eyes of their own");
     // A part of a name is another name.

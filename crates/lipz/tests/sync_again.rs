@@ -72,6 +72,9 @@ fn made(scene: &Scene, arguments: &[&str]) -> Vec<String> {
     let changed = record().into_iter().filter(|line| !line.starts_with('#') && !before.contains(line));
     let mut names: Vec<String> = changed.filter_map(|line| Some(line.rsplit_once(' ')?.1.to_owned())).collect();
     names.iter_mut().for_each(|name| *name = name.trim_end_matches(".lipz").to_owned());
+    // A clip may have two lines: of its mouth, and of what was said in its recording.
+    names.sort();
+    names.dedup();
     let told = format!("{} clip{} synced", names.len(), if names.len() == 1 { "" } else { "s" });
     assert!(run.stdout.starts_with(&told), "{names:?}: {}", run.stdout);
     names

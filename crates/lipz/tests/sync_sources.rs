@@ -94,7 +94,9 @@ fn nothing_in_a_folder_of_recordings_is_passed_over_in_silence() {
     scene.write("voices/phone.lipz", r#"{ "visemes": "AA", "viseme_type": "blair", "fps": 24 }"#);
     fs::remove_file(scene.path().join("rec/noise.mp3")).unwrap();
     let (_, _, found) = run(&scene, &["check", "voices", "--audio", "rec", "--audio-pattern", "{key}.wav"]);
-    assert_eq!(found.matches("[LZ").count(), found.matches("[LZ1701]").count() + found.matches("[LZ1715]").count());
+    // The text of `a` is not what is said in the only recording of these tests.
+    let told = ["[LZ1701]", "[LZ1707]", "[LZ1715]"].map(|code| found.matches(code).count());
+    assert_eq!(found.matches("[LZ").count(), told.iter().sum::<usize>(), "{found}");
     assert!(found.contains("there is `rec/phone.m4a`, in a format that is not read"), "{found}");
 }
 

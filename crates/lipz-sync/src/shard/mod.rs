@@ -21,9 +21,18 @@ pub fn record_hash(record: &SyncRecord, input: &Input) -> Option<ContentHash> {
     }
 }
 
-/// The same of a Lipz file.
+/// The hash of what the record says of the mouth of a Lipz file.
 fn hash_of(record: &SyncRecord, lipz_file: &Path) -> Option<ContentHash> {
-    let mut lines: Vec<String> = record.lines_for(lipz_file).iter().map(|line| line.written("")).collect();
+    hash(record.lines_for(lipz_file).iter().map(|line| line.written("")).collect())
+}
+
+/// The same with what it says of recordings, which makes no other bank, but other lines of a mouth.
+fn hash_for_sync(record: &SyncRecord, lipz_file: &Path) -> Option<ContentHash> {
+    let lines = record.lines_for(lipz_file).iter().map(|line| line.written(""));
+    hash(lines.chain(record.all_spoken(lipz_file).iter().map(|spoken| spoken.written(""))).collect())
+}
+
+fn hash(mut lines: Vec<String>) -> Option<ContentHash> {
     lines.sort_unstable();
     (!lines.is_empty()).then(|| ContentHash::of(lines.join("\n").as_bytes()))
 }

@@ -1,6 +1,6 @@
 //! The step of a shard: what is read of its clips, and the mouths that are made of them.
 
-use super::hash_of;
+use super::hash_for_sync;
 use super::mouths::{MadeMouth, Mouths};
 use crate::recordings::shown;
 use crate::sync::{New, Place, Step, by_letters, grid_place, work};
@@ -34,7 +34,7 @@ pub fn beside(
         let grid = settings.sync.textgrids.as_deref().map(|folder| grid_place(folder, &job.key));
         of_clip.files.extend(grid.filter(|grid| grid.is_file()));
         of_clip.files.push(job.recording);
-        let known = hash_of(record, &job.lipz_file);
+        let known = hash_for_sync(record, &job.lipz_file);
         of_clip.record = match (of_clip.record, known) {
             (Some(one), Some(other)) => Some(ContentHash::of(format!("{one} {other}").as_bytes())),
             (one, other) => one.or(other),

@@ -176,6 +176,11 @@ impl SyncRecord {
         known.map(|spoken| spoken.renewed(text, of_original)).collect()
     }
 
+    /// What is known of all recordings of a Lipz file.
+    pub(crate) fn all_spoken(&self, lipz_file: &Path) -> &[Spoken] {
+        self.spoken.get(&self.name(lipz_file)).map_or(&[], Vec::as_slice)
+    }
+
     /// Notes that a recording of a Lipz file says this, and nothing else.
     pub(crate) fn accept(&mut self, lipz_file: &Path, spoken: Spoken) {
         self.spoken.insert(self.name(lipz_file), vec![spoken]);

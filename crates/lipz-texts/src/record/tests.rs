@@ -159,7 +159,10 @@ proptest! {
             let known = expected.entry(pair).or_insert(state);
             *known = state.max(*known);
         }
-        prop_assert_eq!(current(&both), expected);
-        prop_assert_eq!(TextRecord::parse(&both.to_string()), Some((both, Vec::new())));
+        prop_assert_eq!(&current(&both), &expected);
+        // Which translations stand in one line may be others.
+        let (again, odd_lines) = TextRecord::parse(&both.to_string()).unwrap();
+        prop_assert_eq!(odd_lines, []);
+        prop_assert_eq!(current(&again), expected);
     }
 }

@@ -68,7 +68,7 @@ pub(super) const SYNC: &[Setting] = &[
         about: "Whether the shapes of the other consonants (t, s, l, w, …) stay as long as closed lips do, as far as the vowels \
                 beside them have time to spare.",
         default: "false",
-        example: "true",
+        example: "false",
         read: |value, to| {
             to.settings.sync.hold_consonants = value.boolean(&mut to.diagnostics).unwrap_or_default();
         },

@@ -36,6 +36,10 @@ const BLANKS: [char; 4] = [' ', '\u{a0}', '\u{2009}', '\u{202f}'];
 /// Symbols of one letter that are one behind a blank, too, where others are words: `5 s bratrem`.
 const AFTER_BLANK: [char; 9] = ['g', 'h', 'l', 'm', 't', 'г', 'л', 'м', 'т'];
 
+/// Symbols that are common words behind a blank: `en 1990 mi padre`, `nel 1990 ha detto`.
+const WORDS: [(&str, &str); 7] =
+    [("es", "ha"), ("es", "mi"), ("it", "ha"), ("it", "mi"), ("ca", "ha"), ("ca", "mi"), ("pl", "mi")];
+
 /// A unit in a text.
 pub(super) struct Unit {
     /// How many bytes it is, with the blank before it.
@@ -57,9 +61,12 @@ pub(super) fn find(code: &str, text: &str) -> Option<Unit> {
             .is_some_and(|c| c.is_alphanumeric() && !super::super::writing(c).stands_alone() || matches!(c, '\'' | '’'))
     };
     let is_word = |symbol: &str| {
+        // `1945 г.` is a year.
+        let is_year = symbol == "г" && rest[symbol.len()..].starts_with('.');
         let mut letters = symbol.chars();
         let only = letters.next().filter(|c| c.is_alphabetic() && letters.next().is_none());
-        blank > 0 && only.is_some_and(|letter| !AFTER_BLANK.contains(&letter))
+        let is_other = only.is_some_and(|letter| !AFTER_BLANK.contains(&letter));
+        blank > 0 && (is_year || is_other || WORDS.contains(&(*code, symbol)))
     };
     let fits = |symbol: &&str| rest.starts_with(symbol) && ends(symbol) && !is_word(symbol);
     let symbol = units.iter().map(|(symbol, _)| *symbol).filter(fits).max_by_key(|symbol| symbol.len())?;
@@ -104,9 +111,18 @@ mod tests {
         assert_eq!(length("en", "\u{a0}km/h."), Some(6));
         assert_eq!(length("en", " m"), Some(2));
         assert_eq!(length("de", "kg-Sack"), Some(2));
-        for (code, text) in
-            [("en", " men"), ("en", "D"), ("cs", " s bratrem"), ("ru", " с братом"), ("fr", " m'ont"), ("tlh", "kg")]
-        {
+        assert_eq!((length("ru", " г сахара"), length("it", "ha")), (Some(3), Some(2)));
+        for (code, text) in [
+            ("en", " men"),
+            ("en", "D"),
+            ("cs", " s bratrem"),
+            ("ru", " с братом"),
+            ("ru", " г. всё"),
+            ("fr", " m'ont"),
+            ("it", " ha detto"),
+            ("es", " mi padre"),
+            ("tlh", "kg"),
+        ] {
             assert_eq!(length(code, text), None, "{code} {text}");
         }
         assert_eq!(length("cs", "s"), Some(1));

@@ -17,7 +17,10 @@ pub(super) fn run(arguments: &SyncArguments, reporter: &mut Reporter) -> Ended {
     let mouths = read(&patterns::files(&arguments.from), reporter)?;
     let (settings, record) =
         mouths.first().map(|first| (first.settings.clone(), first.record.clone())).unwrap_or_default();
-    let settings = settings.map(|file| Settings::read(Path::new(&file)).0).unwrap_or_default();
+    let (settings, report) = settings.map(|file| Settings::read(Path::new(&file))).unwrap_or_default();
+    if report.has_errors() {
+        return Err(reporter.refuse(vec![report]));
+    }
     let (_, problems) = SyncOptions::new(&settings).map_err(|report| reporter.fail(report))?;
     let place = PathBuf::from(record);
     let (mut record, odd_lines) = SyncRecord::read(&place).map_err(|report| reporter.fail(report))?;
