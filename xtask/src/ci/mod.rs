@@ -26,9 +26,9 @@ pub(crate) struct Settings {
 /// A list of steps.
 #[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
 enum List {
-    /// What this machine builds and runs
+    /// What this machine builds and runs, in one folder
     Here,
-    /// What is built for other machines
+    /// What is built in folders of its own, most of it for other machines
     Elsewhere,
 }
 
@@ -45,8 +45,8 @@ impl Settings {
     }
 }
 
-/// What this machine builds and runs.
-static HERE: [Step; 18] = [
+/// What this machine builds and runs, in one folder.
+static HERE: [Step; 15] = [
     Step::cargo("format", "fmt --all --check"),
     Step::cargo("lints", "clippy --workspace --all-targets --locked -- -D warnings"),
     // With the rivals, which are not built otherwise.
@@ -60,7 +60,6 @@ static HERE: [Step; 18] = [
     // A workspace of its own, which no other step builds: its lock file names what this one depends on now.
     Step::cargo("fuzz-lock", "tree --locked --depth 0 --manifest-path fuzz/Cargo.toml"),
     Step::task("deny"),
-    Step::task("msrv"),
     Step::task("packages"),
     // `cargo test` runs while the tools are installed that it compares with, and leaves it out then.
     Step {
@@ -77,14 +76,20 @@ static HERE: [Step; 18] = [
         program: Program::CargoWith("LIPZ_RECOGNISER", "required"),
         ..Step::cargo("hearing", "test --workspace --test recogniser --locked --quiet")
     },
-    Step::task("capi"),
     Step::task("editors"),
     Step::task("accessibility"),
-    Step::task("instructions"),
 ];
 
-/// What is built for other machines, in `target/machines`.
-static ELSEWHERE: [Step; 4] = [Step::task("size"), Step::task("targets"), Step::task("web"), Step::task("windows")];
+/// What is built for other machines, for C, by an old compiler or for speed: each in a folder of its own.
+static ELSEWHERE: [Step; 7] = [
+    Step::task("size"),
+    Step::task("targets"),
+    Step::task("web"),
+    Step::task("windows"),
+    Step::task("msrv"),
+    Step::task("capi"),
+    Step::task("instructions"),
+];
 
 /// The names of all steps.
 fn names() -> Vec<&'static str> {
