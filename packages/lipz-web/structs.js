@@ -133,7 +133,7 @@ export const lipz_character = struct({
   points_at: lipz_name,
 });
 
-export const lipz_curve = struct({ name: lipz_string, place: u32, key_count: u32 });
+export const lipz_curve = struct({ name: lipz_string, place: u32, key_count: u32, bank: u32 });
 
 export const lipz_curve_cursor = struct({ key: u32 });
 

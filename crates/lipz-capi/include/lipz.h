@@ -494,7 +494,7 @@ typedef struct lipz_weights {
   uint32_t aah;
 } lipz_weights;
 
-// A curve of a clip. Queries go by `place`; the other fields are there to be read.
+// A curve of a clip. Queries go by `place` and `bank`; the other fields are there to be read.
 typedef struct lipz_curve {
   // Its name: `jawOpen`, `anger`.
   struct lipz_string name;
@@ -502,6 +502,9 @@ typedef struct lipz_curve {
   uint32_t place;
   // Number of keys, at least 1 in a verified bank.
   uint32_t key_count;
+  // Tells the bank that the curve is of apart from others: asked of another one, also of a newer version, a curve gives
+  // `LIPZ_NONE`.
+  uint32_t bank;
 } lipz_curve;
 
 // A key of a curve: its value at the start of a frame.

@@ -211,15 +211,30 @@ pub(crate) unsafe fn of_clip<T: Default>(
     out: Option<&mut MaybeUninit<T>>,
     query: impl FnOnce(lipz_bank::Clip<'_, '_>) -> Result<T, Status>,
 ) -> Status {
+    // SAFETY: the same contract.
+    unsafe { of_clip_in(bank, clip, out, |_, clip| query(clip)) }
+}
+
+/// The same for queries that ask the bank, too.
+///
+/// # Safety
+/// The contract of the crate.
+pub(crate) unsafe fn of_clip_in<T: Default>(
+    bank: Option<&Bank>,
+    clip: Option<&Clip>,
+    out: Option<&mut MaybeUninit<T>>,
+    query: impl FnOnce(&lipz_bank::Bank<'_>, lipz_bank::Clip<'_, '_>) -> Result<T, Status>,
+) -> Status {
     answer(out, || {
         // SAFETY: the same contract.
         let bank = unsafe { opened(bank) }?;
         let asked = clip.ok_or(LIPZ_NULL_POINTER)?;
         let clip = bank.clip(ClipId::from_u64(asked.id)).ok_or(LIPZ_NONE)?;
         // Whether it has a rate of its own: `Clip::fps` would check it, which takes longer than the query.
-        query(match lipz_bank::Cursor::new(&clip) {
+        let clip = match lipz_bank::Cursor::new(&clip) {
             Some(_) => clip,
             None => Fps::new(asked.fps_numerator, asked.fps_denominator).map_or(clip, |fps| clip.or_fps(fps)),
-        })
+        };
+        query(&bank, clip)
     })
 }

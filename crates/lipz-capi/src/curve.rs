@@ -2,15 +2,15 @@
 //!
 //! Values are in thousandths. Between two keys they change evenly; outside of the keys they are those of the first and last.
 
-use crate::bank::Bank;
-use crate::clip::{Clip, of_clip};
+use crate::bank::{Bank, origin};
+use crate::clip::{Clip, of_clip_in};
 use crate::pointer::text;
 use crate::status::{LIPZ_NONE, LIPZ_NULL_POINTER, Status};
 use crate::string::{String, c_char};
 use core::mem::MaybeUninit;
 use lipz_bank::{CurveValue, Micros, Samples, Seconds, Time};
 
-/// A curve of a clip. Queries go by `place`; the other fields are there to be read.
+/// A curve of a clip. Queries go by `place` and `bank`; the other fields are there to be read.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Curve {
@@ -20,6 +20,9 @@ pub struct Curve {
     pub place: u32,
     /// Number of keys, at least 1 in a verified bank.
     pub key_count: u32,
+    /// Tells the bank that the curve is of apart from others: asked of another one, also of a newer version, a curve gives
+    /// `LIPZ_NONE`.
+    pub bank: u32,
 }
 
 /// A key of a curve: its value at the start of a frame.
@@ -43,8 +46,13 @@ pub struct CurveCursor {
     pub key: u32,
 }
 
-fn from_found(curve: &lipz_bank::Curve<'_>) -> Curve {
-    Curve { name: String::from_text(curve.name().as_str()), place: curve.place(), key_count: curve.key_count() }
+fn from_found(bank: &lipz_bank::Bank<'_>, curve: &lipz_bank::Curve<'_>) -> Curve {
+    Curve {
+        name: String::from_text(curve.name().as_str()),
+        place: curve.place(),
+        key_count: curve.key_count(),
+        bank: origin(bank),
+    }
 }
 
 /// The curve of a clip with this name. `LIPZ_NONE` if it has none.
@@ -58,9 +66,9 @@ pub unsafe extern "C" fn lipz_clip_curve(
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
     unsafe {
-        of_clip(bank, clip, curve, |clip| {
+        of_clip_in(bank, clip, curve, |bank, clip| {
             let found = clip.curve(text(name, name_length_bytes)?).ok_or(LIPZ_NONE)?;
-            Ok(from_found(&found))
+            Ok(from_found(bank, &found))
         })
     }
 }
@@ -74,7 +82,12 @@ pub unsafe extern "C" fn lipz_clip_curve_at(
     curve: Option<&mut MaybeUninit<Curve>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_clip(bank, clip, curve, |clip| Ok(from_found(&clip.curves().nth(index as usize).ok_or(LIPZ_NONE)?))) }
+    unsafe {
+        of_clip_in(bank, clip, curve, |bank, clip| {
+            let found = clip.curves().nth(index as usize).ok_or(LIPZ_NONE)?;
+            Ok(from_found(bank, &found))
+        })
+    }
 }
 
 /// The key of a curve with this index, a number below its `key_count`.
@@ -199,7 +212,7 @@ fn with_cursor<T>(cursor: Option<&mut CurveCursor>, ask: impl FnOnce(&mut lipz_b
     answer
 }
 
-/// Answers a query about a curve: the one in the place of `curve`.
+/// Answers a query about a curve: the one in the place of `curve`, if that is of this bank.
 ///
 /// # Safety
 /// The contract of the crate.
@@ -212,8 +225,10 @@ unsafe fn of_curve<T: Default>(
 ) -> Status {
     // SAFETY: the same contract.
     unsafe {
-        of_clip(bank, clip, out, |clip| {
-            query(clip.curve_in_place(curve.ok_or(LIPZ_NULL_POINTER)?.place).ok_or(LIPZ_NONE)?)
+        of_clip_in(bank, clip, out, |bank, clip| {
+            let asked = curve.ok_or(LIPZ_NULL_POINTER)?;
+            let found = if asked.bank == origin(bank) { clip.curve_in_place(asked.place) } else { None };
+            query(found.ok_or(LIPZ_NONE)?)
         })
     }
 }

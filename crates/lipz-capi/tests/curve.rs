@@ -4,8 +4,9 @@
 mod common;
 
 use common::{Answer, CURVES, bank, ptr, text_of};
-use lipz_bank::{CurveValue, Emotion, Micros, Samples, Seconds};
+use lipz_bank::{ClipId, CurveValue, Emotion, Micros, Samples, Seconds};
 use lipz_capi::*;
+use lipz_compiler::{Compiler, Input};
 
 #[test]
 fn curves_give_the_answers_of_the_reader() {
@@ -44,6 +45,34 @@ fn curves_give_the_answers_of_the_reader() {
         assert_eq!(none.status, LIPZ_NONE);
     }
     assert_eq!(seen, 7);
+}
+
+/// A curve that is kept, and asked of another version of its bank, is no curve of that.
+#[test]
+fn a_curve_of_another_bank_is_none() {
+    let sources =
+        [("b", r#"{ "fps": 24, "visemes": "MAMA", "curves": { "joy": "0:1 3:4" } }"#), ("a", r#"{ "visemes": "MA" }"#)];
+    let banks = [1, 2].map(|count| {
+        let inputs = sources.into_iter().take(count).map(|(key, file)| Input::from_bytes(key, file));
+        Compiler::default().compile(&inputs.collect::<Vec<_>>()).into_bank().unwrap()
+    });
+    let opened = banks.map(|bytes| bank(bytes.leak()).1);
+    let [old, newer] = &opened;
+    let id = ClipId::from_key("b").get();
+    let clip = |bank| Answer::<Clip>::from_call(|out| unsafe { lipz_clip_by_id(Some(bank), id, out) }).ok();
+    let curve = |bank| {
+        let ((name, length), clip) = (ptr("joy"), clip(bank));
+        Answer::<Curve>::from_call(|out| unsafe { lipz_clip_curve(Some(bank), Some(&clip), name, length, out) }).ok()
+    };
+    let status = |bank, curve| {
+        let clip = clip(bank);
+        let call =
+            |out: Option<&mut _>| unsafe { lipz_clip_curve_value(Some(bank), Some(&clip), Some(curve), None, 3, out) };
+        Answer::<i32>::from_call(call).status
+    };
+    let (kept, found) = (curve(old), curve(newer));
+    assert_eq!(kept.place, found.place, "only the bank tells them apart");
+    assert_eq!([status(old, &kept), status(newer, &kept), status(newer, &found)], [LIPZ_OK, LIPZ_NONE, LIPZ_OK]);
 }
 
 /// One cursor for all: jumps and other curves change no answer.

@@ -139,12 +139,13 @@ fn queries_are_total_on_damaged_banks_and_foreign_structs() {
 
 fn every_query(bank: &Bank, clip: &Clip, number: u32) {
     let (bank, time_us) = (Some(bank), i64::from(number) * 1000);
+    let origin = origin(bank);
     unsafe {
         let segment =
             Segment { clip_id: clip.id, index: number % 13, start_frame: number, end_frame: number, reserved: number };
         let locale = Locale { index: number % 3, ..Locale::default() };
         Answer::<BankInfo>::from_call(|out| lipz_bank_info(bank, out));
-        let named = Curve { place: number % 7, key_count: number, ..Curve::default() };
+        let named = Curve { place: number % 7, key_count: number, bank: origin, ..Curve::default() };
         let (clip_of, named) = (Some(clip), Some(&named));
         Answer::<Curve>::from_call(|out| lipz_clip_curve_at(bank, clip_of, number, out));
         Answer::<Curve>::from_call(|out| lipz_clip_curve(bank, clip_of, c"joy".as_ptr(), 3, out));
@@ -178,6 +179,17 @@ fn every_query(bank: &Bank, clip: &Clip, number: u32) {
     every_move(bank, clip, number);
 }
 
+/// What tells the bank apart from others: as much of the checksum in its header as a curve has. 0 if the bank has no header.
+///
+/// # Safety
+/// The contract of the library.
+fn origin(bank: Option<&Bank>) -> u32 {
+    let bytes = bank.filter(|bank| bank.length_bytes >= 20 && !bank.data.is_null());
+    // SAFETY: so many bytes are there.
+    let bytes = bytes.map(|bank| unsafe { std::slice::from_raw_parts(bank.data, bank.length_bytes) });
+    bytes.map_or(0, |bytes| u32::from_le_bytes([bytes[8], bytes[9], bytes[10], bytes[11]]))
+}
+
 /// Curves with a cursor of a forged number, and the face of somebody.
 ///
 /// # Safety
@@ -186,7 +198,7 @@ unsafe fn every_face(bank: Option<&Bank>, clip: Option<&Clip>, curve: Option<&Cu
     let time_us = i64::from(number) * 1000;
     let mut cursor = CurveCursor { key: number.rotate_left(9) };
     let who = Who { name: String { data: c"mara".as_ptr(), length_bytes: 4 }, is_speaker: number % 3 };
-    let far = Curve { place: number, ..Curve::default() };
+    let far = Curve { place: number, bank: origin(bank), ..Curve::default() };
     let look_at = LookAt { pitch: number.rotate_left(3) as i32, yaw: number as i32, is_person: number % 2 };
     for curve in [curve, Some(&far)] {
         Answer::<i32>::from_call(|out| unsafe {

@@ -163,6 +163,10 @@ fn what_all_shards_decide_together() {
     for options in variants {
         assert_same(&Compiler::new(options), &lines, 8, 3);
     }
+    // No voice has a locale: they are told in the same order.
+    let foreign = [line("line", r#""text_it-it": "Ciao.""#), line("de/line", ""), line("fr/line", "")];
+    let voices = Voices::new("en-us").dub("de-de", "de/{key}").dub("fr-fr", "fr/{key}");
+    assert_same(&Compiler::new(english().voices(voices)), &foreign, 3, 1);
     let clash = [line("A/hello", r#""text_en-us": "Hello.""#), line("a/hello", r#""text_en-us": "Hello.""#)];
     assert_same(&Compiler::new(english()), &clash, 64, 0);
 }

@@ -14,6 +14,8 @@ pub const MAX_LAYERS: usize = 16;
 struct Stack<'data> {
     layers: Layers<'data, MAX_LAYERS>,
     texts: Vec<TextBank<'data>>,
+    /// The checksums of the files of text banks: one may be beside several banks.
+    text_checksums: Vec<u64>,
 }
 
 /// The bytes of the banks, and of the text banks beside them.
@@ -53,7 +55,8 @@ impl OwnedLayers {
         OwnedLayers::open_with_texts(paths, std::iter::empty())
     }
 
-    /// The same, with the text banks at `texts`: each is verified beside the topmost bank whose clips it is about.
+    /// The same, with the text banks at `texts`: each is verified beside every bank whose clips it is about. A patch of mouths
+    /// is one, too, but its texts are those of the bank below it.
     ///
     /// # Errors
     /// As [`open`](OwnedLayers::open), and when a text bank cannot be read, is damaged, or is about the clips of none of the banks.
@@ -74,11 +77,14 @@ impl OwnedLayers {
                 let path = paths.get(error.layer()).or(paths.last()).cloned().unwrap_or_default();
                 LayersOpenError::new(&path, error.error().into())
             })?;
-            let found = files.texts.iter().zip(&texts).filter_map(|(bytes, path)| {
-                Some(text_bank(&layers, bytes)?.map_err(|error| LayersOpenError::new(path, error.into())))
-            });
-            let texts = found.collect::<Result<Vec<_>, _>>()?;
-            Ok(Stack { layers, texts })
+            let (mut found, mut text_checksums) = (Vec::new(), Vec::new());
+            for (bytes, path) in files.texts.iter().zip(&texts) {
+                let beside = text_banks(&layers, bytes);
+                let beside = beside.map_err(|error| LayersOpenError::new(path, error.into()))?;
+                text_checksums.extend(beside.first().map(TextBank::checksum));
+                found.extend(beside);
+            }
+            Ok(Stack { layers, texts: found, text_checksums })
         })?;
         Ok(OwnedLayers(cell))
     }
@@ -89,7 +95,9 @@ impl OwnedLayers {
     /// When one of them is damaged or does not fit those before it.
     pub fn from_bytes(files: Vec<FileBytes>) -> Result<OwnedLayers, LayersError> {
         let files = Files { banks: files, texts: Vec::new() };
-        let cell = Cell::try_new(files, |files| Ok(Stack { layers: stack(&files.banks)?, texts: Vec::new() }))?;
+        let cell = Cell::try_new(files, |files| {
+            Ok(Stack { layers: stack(&files.banks)?, texts: Vec::new(), text_checksums: Vec::new() })
+        })?;
         Ok(OwnedLayers(cell))
     }
 
@@ -103,6 +111,11 @@ impl OwnedLayers {
         &self.0.borrow_dependent().texts
     }
 
+    /// The checksums of the files of text banks, in their order.
+    pub(crate) fn text_checksums(&self) -> &[u64] {
+        &self.0.borrow_dependent().text_checksums
+    }
+
     /// The locale with this tag, in the banks and in the text banks: [`Layers::locale_in`].
     pub fn locale(&self, tag: &str) -> Option<LayeredLocale<'_, MAX_LAYERS>> {
         self.layers().locale_in(tag, self.texts())
@@ -114,12 +127,14 @@ fn stack(files: &[FileBytes]) -> Result<Layers<'_, MAX_LAYERS>, LayersError> {
     Layers::from_slice(&files.iter().enumerate().map(verified).collect::<Result<Vec<_>, _>>()?)
 }
 
-/// The text bank in a file, verified beside the topmost bank whose clips it is about; `None` of a stack without banks.
-fn text_bank<'data>(layers: &Layers<'data, MAX_LAYERS>, bytes: &'data [u8]) -> Option<Result<TextBank<'data>, Error>> {
-    let mut banks = (0..layers.layer_count()).rev().filter_map(|layer| layers.bank(layer));
-    // If it fits none, the base says why.
-    let bank = banks.find(|bank| bank.open_texts(bytes).is_ok()).or_else(|| layers.bank(0))?;
-    Some(bank.open_texts(bytes).and_then(|texts| texts.verify_with(bank, utf8)))
+/// The text bank in a file, verified beside each bank whose clips it is about.
+fn text_banks<'data>(layers: &Layers<'data, MAX_LAYERS>, bytes: &'data [u8]) -> Result<Vec<TextBank<'data>>, Error> {
+    let banks = (0..layers.layer_count()).filter_map(|layer| layers.bank(layer));
+    let mut fitting: Vec<_> = banks.filter(|bank| bank.open_texts(bytes).is_ok()).collect();
+    if fitting.is_empty() {
+        fitting.extend(layers.bank(0)); // which says why
+    }
+    fitting.into_iter().map(|bank| bank.open_texts(bytes)?.verify_with(bank, utf8)).collect()
 }
 
 /// The bank in a file, verified.

@@ -98,7 +98,7 @@ impl LiveLayers {
     fn are_used(&self) -> Result<bool, LayersOpenError> {
         let current = self.current();
         let banks = (0..self.paths.len()).map(|layer| current.layers().bank(layer).map(lipz_bank::Bank::checksum));
-        let used = banks.chain(current.texts().iter().map(|texts| Some(texts.checksum())));
+        let used = banks.chain(current.text_checksums().iter().copied().map(Some));
         for (path, used) in self.paths.iter().chain(&self.texts).zip(used) {
             let found =
                 File::open(path).and_then(checksum).map_err(|error| LayersOpenError::new(path, error.into()))?;

@@ -8,12 +8,16 @@ use std::path::PathBuf;
 
 /// A base with this text, and a patch that replaces it.
 fn stack(text: &str, patched: &str) -> [Vec<u8>; 2] {
-    let inputs = |text: &str| [Input::from_bytes("line", format!(r#"{{ "text_en-us": "{text}" }}"#))];
-    let compiler = Compiler::default();
-    let base = compiler.compile(&inputs(text)).into_bank().unwrap();
-    let over = Over::new(Stack::open([("base", &base)]).unwrap());
-    let patch = compiler.compile_over(&inputs(patched), &over).into_bank().unwrap();
+    let input = |text: &str| Input::from_bytes("line", format!(r#"{{ "text_en-us": "{text}" }}"#));
+    let base = Compiler::default().compile(&[input(text)]).into_bank().unwrap();
+    let patch = patch(&base, input(patched));
     [base, patch]
+}
+
+/// The patch that makes this of the clip of a base.
+fn patch(base: &[u8], input: Input) -> Vec<u8> {
+    let over = Over::new(Stack::open([("base", base)]).unwrap());
+    Compiler::default().compile_over(&[input], &over).into_bank().unwrap()
 }
 
 fn text(layers: &OwnedLayers) -> String {
@@ -94,6 +98,15 @@ fn text_banks_are_followed_beside_the_stack() {
     write_german("Jawohl.");
     assert!(live.refresh().unwrap() && !live.refresh().unwrap());
     assert_eq!(text(), "Jawohl.");
+    // A patch of the mouth alone has the clips of the base, and no texts: theirs are still those of the base.
+    let mouth = folder.path().join("mouth.lipzbank");
+    let input = Input::from_bytes("line", r#"{ "visemes": "AM", "text_en-us": "Aye." }"#);
+    fs::write(&mouth, patch(&fs::read(&base).unwrap(), input)).unwrap();
+    let stack = LiveLayers::open_with_texts([&base, &mouth], [&german]).unwrap();
+    let current = stack.current();
+    let clip = current.layers().clip_by_key("line").unwrap();
+    assert_eq!(clip.text(0, &current.locale("de-de").unwrap()).unwrap().as_str(), "Jawohl.");
+    assert!(!stack.refresh().unwrap());
     // Those of other clips are refused, and the old ones stay.
     fs::copy("../../fixtures/banks/v1/split.de-de.lipztexts", &german).unwrap();
     assert_eq!(live.refresh().unwrap_err().path(), german);

@@ -178,6 +178,66 @@ fn what_somebody_changed_meanwhile_is_kept() {
     assert!(!String::from_utf8_lossy(&files["voices/lipz-sync.txt"]).contains(" en/line-0.lipz"));
 }
 
+/// What is known of recordings and mouths since the plan was made is not undone by what was made before.
+#[test]
+fn newer_records_recordings_and_settings_are_not_undone() {
+    let scene = scene();
+    for faulty in
+        ["voices/en/line-5.lipz", "voices/en/line-8.lipz", "recordings/en/line-5.wav", "recordings/en/line-8.wav"]
+    {
+        fs::remove_file(scene.path().join(faulty)).unwrap();
+    }
+    scene.write("words.txt", "ZWOGG  Z W AA G\n");
+    let steps = |shards: usize| {
+        plan(&scene, shards);
+        (0..shards).for_each(|shard| drop(step(&scene, shard, shards)));
+    };
+    let record = || fs::read_to_string(scene.path().join("voices/lipz-sync.txt")).unwrap();
+    // Whether the recording of a clip is told to say something else than its text.
+    let is_outdated = || lipz(scene.path(), ["check"]).stderr.contains("LZ1915");
+    steps(2);
+    assert_eq!((merge(&scene, 2).code, is_outdated()), (0, false));
+    // Other words for the same recording: the mouth is made for them, and what the recording says is remembered.
+    let file = "voices/en/line-2.lipz";
+    let text = fs::read_to_string(scene.path().join(file)).unwrap();
+    scene.write(file, text.replace("Zwogg", "Zwack"));
+    steps(2);
+    assert_eq!((merge(&scene, 2).code, is_outdated()), (0, true));
+    // Accepted: merging again leaves it so.
+    scene.prepare(&["accept", "--all", "--quiet"]);
+    let accepted = record();
+    assert_eq!((merge(&scene, 2).code, record(), is_outdated()), (0, accepted, false));
+    // Accepted between step and merge: the mouth is refused.
+    let text = fs::read_to_string(scene.path().join(file)).unwrap();
+    scene.write(file, text.replace("Zwack", "Zweck"));
+    steps(2);
+    scene.prepare(&["accept", "--all", "--quiet"]);
+    let accepted = record();
+    let merged = merge(&scene, 2);
+    assert!(merged.code == 1 && merged.stderr.contains("the record says something else"), "{merged:?}");
+    assert_eq!(record(), accepted);
+    // Planned again, it is no result of before acceptance that comes from the store.
+    steps(2);
+    assert_eq!((merge(&scene, 2).code, is_outdated()), (0, false));
+    // Another take.
+    scene.write("voices/en/line-3.lipz", r#"{ "text_en-us": "Zwogg 3." }"#);
+    steps(2);
+    let recording = scene.path().join("recordings/en/line-3.wav");
+    let take = fs::read(&recording).unwrap();
+    let mut longer = take.clone();
+    longer.extend([0, 0]);
+    fs::write(&recording, &longer).unwrap();
+    let merged = merge(&scene, 2);
+    assert!(merged.code == 1 && merged.stderr.contains("line-3.wav` is not what it was"), "{merged:?}");
+    fs::write(&recording, &take).unwrap();
+    // One shard with other settings than the other.
+    scene.write("lipz.toml", SETTINGS.replace("[sync]", "[sync]\nlead-ms = 80"));
+    plan(&scene, 2);
+    step(&scene, 0, 2);
+    let merged = merge(&scene, 2);
+    assert!(merged.code != 0 && merged.stderr.contains("with other settings"), "{merged:?}");
+}
+
 /// Steps and merges that are killed are done again, and nothing is lost.
 #[test]
 fn killed_and_resumed() {

@@ -6,7 +6,7 @@ use crate::{Coverage, MinCoverage, Options, coverage, pseudo, shortfalls};
 use lipz_bank::{Bank, Clip, Locale};
 use lipz_diagnostics::{Code, Diagnostic, Report};
 use lipz_file::locale;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What the texts of a bank, or of all banks of a set, are judged by.
 #[derive(Default)]
@@ -48,9 +48,7 @@ impl Texts {
     #[cfg(feature = "shards")]
     pub(crate) fn add(&mut self, other: Texts) {
         self.locales = self.locales.take().or(other.locales);
-        self.voices = std::mem::take(&mut self.voices).into_iter().chain(other.voices).collect();
-        self.voices.sort_unstable();
-        self.voices.dedup();
+        self.voices.extend(other.voices);
         for (tag, from, count) in other.crossed {
             match self.crossed.iter_mut().find(|(known, ..)| *known == tag) {
                 Some((.., sum)) => *sum += count,
@@ -88,8 +86,11 @@ impl Texts {
         diagnostics.extend(crossed.map(|(tag, other, count)| not_crossed(tag, other, *count)));
         // The voices of a project that names the locales of its bank may be of others.
         if options.locales.is_none() && !locales.is_empty() {
-            let is_lonely = |voice: &&String| !locales.contains(voice);
-            diagnostics.extend(self.voices.iter().filter(is_lonely).map(|voice| lonely_voice(voice, locales)));
+            // Of a set, they come from several banks. The original first, as in each of these.
+            let lonely = self.voices.iter().filter(|voice| !locales.contains(voice));
+            let lonely: BTreeSet<_> =
+                lonely.map(|voice| (Some(voice) != options.voices.original.as_ref(), voice)).collect();
+            diagnostics.extend(lonely.into_iter().map(|(_, voice)| lonely_voice(voice, locales)));
         }
         options.levels.apply(&mut diagnostics);
         Report::all_about("", diagnostics)

@@ -30,6 +30,8 @@ pub struct Mouths {
     pub settings: Option<String>,
     /// Where the record is, or would be.
     pub record: String,
+    /// The hash of the settings and of all that every shard reads.
+    pub common: ContentHash,
     pub(super) made: Vec<MadeMouth>,
     /// The keys of the clips whose mouths are what they would become, and their words to look at.
     pub(super) unchanged: Vec<(String, Listed)>,
@@ -51,6 +53,10 @@ pub(super) struct MadeMouth {
     pub(super) before: Option<ContentHash>,
     /// The file with the mouth.
     pub(super) after: String,
+    /// The recording.
+    pub(super) recording: String,
+    /// The hash of what the record said of the file and its recordings, if it said something.
+    pub(super) known: Option<ContentHash>,
     /// The line of the record.
     pub(super) line: String,
     /// Lines of it about what the recording says, if the mouth is made for other words.
@@ -76,6 +82,7 @@ impl Mouths {
             id: plan.id,
             settings: plan.settings.as_ref().map(|file| file.path.clone()),
             record: plan.record.clone(),
+            common: common(plan),
             made: Vec::new(),
             unchanged: Vec::new(),
             kept: Vec::new(),
@@ -118,6 +125,11 @@ impl Mouths {
     fn hash(&self) -> ContentHash {
         ContentHash::of(json(&Mouths { hash: ContentHash::of(&[]), ..self.clone() }).as_bytes())
     }
+}
+
+fn common(plan: &ShardPlan) -> ContentHash {
+    let files = plan.settings.iter().chain(&plan.common).map(|file| format!("{} {}\n", file.hash, file.path));
+    ContentHash::of(files.collect::<String>().as_bytes())
 }
 
 fn json(mouths: &Mouths) -> String {

@@ -33,6 +33,12 @@ pub fn beside(
         let Some(of_clip) = own.map(|key| all.entry((*key).to_owned()).or_default()) else { continue };
         let grid = settings.sync.textgrids.as_deref().map(|folder| grid_place(folder, &job.key));
         of_clip.files.extend(grid.filter(|grid| grid.is_file()));
+        // A dub is made with the text and the recording of its original, which need not be an input.
+        if let Some(original) = &job.original {
+            let is_input = file_of.contains_key(original.lipz_file.as_path());
+            of_clip.files.extend((!is_input).then(|| original.lipz_file.clone()));
+            of_clip.files.extend(original.recording.clone());
+        }
         of_clip.files.push(job.recording);
         let known = hash_for_sync(record, &job.lipz_file);
         of_clip.record = match (of_clip.record, known) {
@@ -102,6 +108,8 @@ fn made_mouth(job: &Job, new: New, options: &SyncOptions, record: &SyncRecord) -
         lipz_file: shown(&job.lipz_file),
         before: new.before.as_deref().map(ContentHash::of),
         after: new.after,
+        recording: shown(&job.recording),
+        known: hash_for_sync(record, &job.lipz_file),
         line: new.line.written(&record.name(&job.lipz_file)),
         spoken: new.outdated.iter().map(|spoken| spoken.written(&record.name(&job.lipz_file))).collect(),
         listed: new.listed,

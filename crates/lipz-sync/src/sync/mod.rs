@@ -37,7 +37,7 @@ use lipz_diagnostics::{Code, Report};
 use lipz_speech::{Language, Reliance};
 use listed::Listings;
 use one::one;
-pub(crate) use one::{New, Step};
+pub(crate) use one::{New, Step, hash_of};
 use progress::Progress;
 use std::collections::BTreeSet;
 use std::path::Path;

@@ -169,7 +169,7 @@ pub(super) fn with_subject<R>(
 }
 
 /// The content hash of a recording.
-fn hash_of(recording: &Path) -> Result<u64, Report> {
+pub(crate) fn hash_of(recording: &Path) -> Result<u64, Report> {
     File::open(recording).and_then(content_hash).map_err(|error| unreadable(recording, &error))
 }
 

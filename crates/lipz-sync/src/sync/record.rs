@@ -183,7 +183,16 @@ impl SyncRecord {
 
     /// Notes that a recording of a Lipz file says this, and nothing else.
     pub(crate) fn accept(&mut self, lipz_file: &Path, spoken: Spoken) {
-        self.spoken.insert(self.name(lipz_file), vec![spoken]);
+        self.say(self.name(lipz_file), spoken.sound, vec![spoken]);
+    }
+
+    /// Makes this all that is known of a recording. What others say stays: a take that was replaced may come back.
+    fn say(&mut self, name: String, sound: u64, mut spoken: Vec<Spoken>) {
+        let known = self.spoken.remove(&name).unwrap_or_default();
+        spoken.extend(known.into_iter().filter(|other| other.sound != sound));
+        if !spoken.is_empty() {
+            self.spoken.insert(name, spoken);
+        }
     }
 
     /// Adds lines to the file at once, before the mouth is written: if the run ends in between, the old line is still there.
@@ -209,14 +218,10 @@ impl SyncRecord {
         })
     }
 
-    /// Makes these the only lines about their file.
+    /// Makes these the only lines about the mouth of a file and the recording that it was made from.
     pub(crate) fn set(&mut self, lipz_file: &Path, line: Line, spoken: Vec<Spoken>) {
         let name = self.name(lipz_file);
-        if spoken.is_empty() {
-            self.spoken.remove(&name);
-        } else {
-            self.spoken.insert(name.clone(), spoken);
-        }
+        self.say(name.clone(), line.made.sound, spoken);
         self.lines.insert(name, vec![line]);
     }
 
@@ -366,12 +371,14 @@ mod tests {
         record = SyncRecord::read(&path).unwrap().0;
         assert_eq!((record.spoken_for(&file, 1), record.spoken_for(&file, 2)), (vec![of_dub], vec![]));
         record.accept(&file, Spoken { sound: 5, ..of_dub });
-        assert_eq!(record.spoken_for(&file, 1), [made], "of another recording, nothing else is known");
+        let other = Spoken { sound: 5, ..of_dub };
+        assert_eq!((record.spoken_for(&file, 1), record.spoken_for(&file, 5)), (vec![of_dub], vec![other]));
         record.write().unwrap();
         let (again, report) = SyncRecord::read(&path).unwrap();
         assert_eq!((&again, report), (&record, None));
         record.set(&file, A, Vec::new());
         assert_eq!(record.spoken_for(&file, 1), [made]);
+        assert_eq!(record.spoken_for(&file, 5), [other], "a take that was replaced may come back");
         let line = of_dub.written("x.lipz");
         for damaged in ["spoken:1,2", "spoken:", "dub-of:0"] {
             let at = line.find(&damaged[..damaged.len().min(7)]).unwrap();

@@ -49,14 +49,14 @@ fn read(files: &[PathBuf], reporter: &mut Reporter) -> Result<Vec<Mouths>, Abort
             Ok(mouths) => {
                 let shards = *count.get_or_insert(mouths.shards);
                 let others = by_shard.values().next();
-                let is_alike = |other: &Mouths| (&other.settings, &other.record) == (&mouths.settings, &mouths.record);
-                if others.is_some_and(|other| !is_alike(other)) {
-                    faults.push(fault(
-                        path,
-                        Code::ObjectMisfit,
-                        "this is of another project",
-                        "name those of one plan",
-                    ));
+                let is_of_project =
+                    |other: &Mouths| (&other.settings, &other.record) == (&mouths.settings, &mouths.record);
+                if others.is_some_and(|other| !is_of_project(other)) {
+                    let message = "this is of another project";
+                    faults.push(fault(path, Code::ObjectMisfit, message, "name those of one plan"));
+                } else if others.is_some_and(|other| other.common != mouths.common) {
+                    let message = "this was made with other settings, models or lexicons than those before it";
+                    faults.push(fault(path, Code::ObjectMisfit, message, "make the mouths of all shards by one plan"));
                 } else if mouths.shards != shards {
                     let message = format!("this is one of {} shards, and others are of {shards}", mouths.shards);
                     faults.push(fault(path, Code::ObjectMisfit, &message, "name those of one plan"));
