@@ -204,9 +204,11 @@ fn of_amy(
             lipz_layers_face_of_seconds_f32(array, count, found, amy, None, None, short.0, out)
         }),
     ];
-    let at_us = clip.face_of("amy", Micros(us), usual, lipz_bank::LookAt::AHEAD).eye_yaw.thousandths();
-    let at_short = clip.face_of("amy", short, usual, lipz_bank::LookAt::AHEAD).eye_yaw.thousandths();
-    assert_eq!(of_c.map(|face| face.ok().eye_yaw), [at_us, at_us, at_us, at_short]);
+    let numbers = |face: lipz_bank::Face| (face.blink.thousandths(), face.eye_yaw.thousandths());
+    let at_us = numbers(clip.face_of("amy", Micros(us), usual, lipz_bank::LookAt::AHEAD));
+    let at_short = numbers(clip.face_of("amy", short, usual, lipz_bank::LookAt::AHEAD));
+    let found = of_c.map(|face| (face.ok().blink, face.ok().eye_yaw));
+    assert_eq!(found, [at_us, at_us, at_us, at_short]);
 }
 
 #[test]

@@ -49,7 +49,11 @@ pub fn provoke(bytes: &[u8], effort: Effort) -> bool {
         Err(error) => {
             assert!(error.offset_bytes() as usize <= bytes.len(), "{error}");
             black_box((error.kind().number(), error.kind().message()));
-            assert!(bank.verify_lines().map_or_else(|found| found == error, |_| true), "{error}");
+            match bank.verify_lines() {
+                // What is damaged is in a section that is left out: of that, any answer will do.
+                Ok(bank) => every_query(&bank, effort),
+                Err(found) => assert_eq!(found, error),
+            }
             false
         }
     }

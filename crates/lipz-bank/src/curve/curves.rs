@@ -82,6 +82,7 @@ impl<'data> Iterator for Curves<'data> {
         curve
     }
 
+    // Without a look at those before it: of a damaged bank, it may give one that `next` does not come to.
     fn nth(&mut self, count: usize) -> Option<Curve<'data>> {
         self.range.start = self.range.start.saturating_add(count).min(self.range.end);
         self.next()
