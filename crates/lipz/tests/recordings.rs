@@ -110,8 +110,8 @@ fn a_bank_says_which_recordings_its_clips_were_made_for() {
     assert_eq!(fs::read(scene.path().join("b.lipzbank")).unwrap(), cached, "the bank is left alone");
 }
 
-#[test]
-fn statistics_of_a_project_count_its_recordings() {
+/// A project of three clips, one of which has a recording.
+fn project() -> Scene {
     let scene = Scene::new();
     let settings = "sources = [\"voices\"]\nroot = \"voices\"\ndefault-locale = \"en-us\"\n[audio]\nfolder = \"rec\"\n";
     scene.write("lipz.toml", settings);
@@ -119,6 +119,12 @@ fn statistics_of_a_project_count_its_recordings() {
     scene.write("voices/otto.lipz", CLIP);
     scene.write("voices/title.lipz", r#"{ "text_en-us": "Act one" }"#);
     scene.write("rec/mayor.wav", sound(16_000));
+    scene
+}
+
+#[test]
+fn statistics_of_a_project_count_its_recordings() {
+    let scene = project();
     scene.write("rec/mayor.ogg", "");
     scene.write("rec/take 2.wav", sound(3333));
     let shown = lipz(scene.path(), ["stats"]).stdout;
@@ -144,13 +150,7 @@ fn statistics_of_a_project_count_its_recordings() {
 
 #[test]
 fn a_clip_is_shown_with_its_recording() {
-    let scene = Scene::new();
-    let settings = "sources = [\"voices\"]\nroot = \"voices\"\ndefault-locale = \"en-us\"\n[audio]\nfolder = \"rec\"\n";
-    scene.write("lipz.toml", settings);
-    scene.write("voices/mayor.lipz", r#"{ "text_en-us": "Good evening, mayor." }"#);
-    scene.write("voices/otto.lipz", CLIP);
-    scene.write("voices/title.lipz", r#"{ "text_en-us": "Act one" }"#);
-    scene.write("rec/mayor.wav", sound(16_000));
+    let scene = project();
     scene.write("rec/otto.wav", sound(3333));
     let shown = |key: &str| lipz(scene.path(), ["inspect", "voices", key]).stdout;
     let states = |key: &str| {

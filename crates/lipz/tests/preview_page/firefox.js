@@ -5,6 +5,7 @@ import { spawn } from "node:child_process";
 import { mkdtemp, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { middleOf } from "./element.js";
 
 const FIREFOX = process.env.FIREFOX ?? "firefox";
 /** Nothing is asked, fetched or shown at the start; sound may play, and pages may be left. */
@@ -159,12 +160,7 @@ class Page {
 
   /** The middle of an element, in the window. */
   async middle(selector) {
-    return this.value(`(() => {
-      const element = document.querySelector(${JSON.stringify(selector)});
-      element.scrollIntoView({ block: "nearest" });
-      const { left, top, width, height } = element.getBoundingClientRect();
-      return { x: left + width / 2, y: top + height / 2 };
-    })()`);
+    return this.value(middleOf(selector));
   }
 
   async click(selector) {
