@@ -711,24 +711,75 @@ template <std::size_t N> class Layers {
             return lipz_layers_clip_in_voice(banks_.data(), count(), id, tag.data(), tag.size(), out);
         });
     }
-    /// The speaker's face at a time, besides mouth and emotions, with a profile of `banks()[info().faces_layer]`, or that of the
-    /// project.
+    /// The face profile with this name, of the topmost bank that says something about profiles.
+    std::optional<FaceProfile> face_profile(std::string_view name) const noexcept {
+        return answer<FaceProfile, lipz_face_profile>([&](lipz_face_profile *out) {
+            return lipz_face_profile_by_name(of_faces(), name.data(), name.size(), out);
+        });
+    }
+    /// The face profile of the project; the usual one if it has none.
+    std::optional<FaceProfile> default_face_profile() const noexcept {
+        return answer<FaceProfile, lipz_face_profile>(
+            [&](lipz_face_profile *out) { return lipz_face_profile_default(of_faces(), out); });
+    }
+    /// The bank whose profiles these are, for `idle_at`.
+    const lipz_bank *of_faces() const noexcept { return &banks_[info().faces_layer % N]; }
+    /// The speaker's face at a time, besides mouth and emotions, with a profile of the stack, or that of the project.
     std::optional<lipz_face> face_at(const LayeredClip &clip, Micros time, const FaceProfile *profile = nullptr,
                                      const LookAt &look = {}) const noexcept {
-        return answer<lipz_face>([&](lipz_face *out) {
+        return face([&](auto *out) {
             return lipz_layers_face_at_us(banks_.data(), count(), &clip, profile, &look, time.us, out);
         });
     }
     std::optional<lipz_face> face_at(const LayeredClip &clip, Samples time, const FaceProfile *profile = nullptr,
                                      const LookAt &look = {}) const noexcept {
-        return answer<lipz_face>([&](lipz_face *out) {
+        return face([&](auto *out) {
             return lipz_layers_face_at_samples(banks_.data(), count(), &clip, profile, &look, time.position,
                                                time.rate_hz, out);
+        });
+    }
+    std::optional<lipz_face> face_at(const LayeredClip &clip, double seconds, const FaceProfile *profile = nullptr,
+                                     const LookAt &look = {}) const noexcept {
+        return face([&](auto *out) {
+            return lipz_layers_face_at_seconds(banks_.data(), count(), &clip, profile, &look, seconds, out);
+        });
+    }
+    std::optional<lipz_face> face_at(const LayeredClip &clip, float seconds, const FaceProfile *profile = nullptr,
+                                     const LookAt &look = {}) const noexcept {
+        return face([&](auto *out) {
+            return lipz_layers_face_at_seconds_f32(banks_.data(), count(), &clip, profile, &look, seconds, out);
+        });
+    }
+    /// The face of a character of the clip: with their own curves and emotions, and without the motion of a head that speaks.
+    std::optional<lipz_face> face_of(const LayeredClip &clip, const Who &who, Micros time,
+                                     const FaceProfile *profile = nullptr, const LookAt &look = {}) const noexcept {
+        return face([&](auto *out) {
+            return lipz_layers_face_of_us(banks_.data(), count(), &clip, &who, profile, &look, time.us, out);
+        });
+    }
+    std::optional<lipz_face> face_of(const LayeredClip &clip, const Who &who, Samples time,
+                                     const FaceProfile *profile = nullptr, const LookAt &look = {}) const noexcept {
+        return face([&](auto *out) {
+            return lipz_layers_face_of_samples(banks_.data(), count(), &clip, &who, profile, &look, time.position,
+                                               time.rate_hz, out);
+        });
+    }
+    std::optional<lipz_face> face_of(const LayeredClip &clip, const Who &who, double seconds,
+                                     const FaceProfile *profile = nullptr, const LookAt &look = {}) const noexcept {
+        return face([&](auto *out) {
+            return lipz_layers_face_of_seconds(banks_.data(), count(), &clip, &who, profile, &look, seconds, out);
+        });
+    }
+    std::optional<lipz_face> face_of(const LayeredClip &clip, const Who &who, float seconds,
+                                     const FaceProfile *profile = nullptr, const LookAt &look = {}) const noexcept {
+        return face([&](auto *out) {
+            return lipz_layers_face_of_seconds_f32(banks_.data(), count(), &clip, &who, profile, &look, seconds, out);
         });
     }
 
   private:
     explicit Layers(const std::array<lipz_bank, N> &banks) noexcept : banks_(banks) {}
+    template <typename Ask> static std::optional<lipz_face> face(Ask ask) noexcept { return answer<lipz_face>(ask); }
     std::array<lipz_bank, N> banks_;
 };
 

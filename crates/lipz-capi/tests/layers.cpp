@@ -14,7 +14,39 @@ std::vector<char> read(const std::string &path) {
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-/// A line for each clip, and one for each text and voice.
+void print(const char *whose, const std::optional<lipz_face> &face) {
+    std::cout << "  " << whose << ":";
+    if (face) {
+        std::cout << " blink " << face->blink << ", head " << face->head_yaw << ", eyes " << face->eye_pitch << " "
+                  << face->eye_yaw << "\n";
+    } else {
+        std::cout << " none\n";
+    }
+}
+
+/// The faces of speaker and listener, in each unit of time, with and without a profile, and of somebody outside of the line.
+template <std::size_t N> void print_faces(const lipz::Layers<N> &layers, const lipz::LayeredClip &clip) {
+    const lipz::Micros us{300'000};
+    const lipz::Samples samples{14'400, 48'000};
+    const auto profile = layers.default_face_profile();
+    std::cout << "  " << (layers.face_profile("default") ? "own" : "usual") << " profile\n";
+    print("speaks", layers.face_at(clip, us));
+    print("speaks", layers.face_at(clip, samples, &*profile));
+    print("speaks", layers.face_at(clip, 0.3));
+    print("speaks", layers.face_at(clip, 0.3F, nullptr, lipz::LookAt::point(0, 5'000)));
+    print("amy", layers.face_of(clip, "amy", us));
+    print("amy", layers.face_of(clip, lipz::Who::speaker("amy"), samples, &*profile));
+    print("amy", layers.face_of(clip, "amy", 0.3));
+    print("amy", layers.face_of(clip, "amy", 0.3F, nullptr, lipz::LookAt::point(0, 5'000)));
+    print("idle", profile->idle_at(*layers.of_faces(), us, 7));
+    lipz_face_profile forged = *profile;
+    forged.index = 0;
+    forged.bank += 1;
+    const lipz::FaceProfile other = forged;
+    print("of another bank", layers.face_of(clip, "amy", us, &other));
+}
+
+/// A line for each clip, one for each text and voice, and its faces.
 template <std::size_t N> void print(const lipz::Layers<N> &layers, const std::vector<std::string> &keys) {
     for (const auto &key : keys) {
         const auto clip = layers.clip(key);
@@ -39,6 +71,7 @@ template <std::size_t N> void print(const lipz::Layers<N> &layers, const std::ve
             const auto voiced = layers.in_voice(id, voice);
             std::cout << "  " << voice << ": " << voiced->clip.own().key(layers.bank(voiced->clip)) << "\n";
         }
+        print_faces(layers, *clip);
     }
 }
 

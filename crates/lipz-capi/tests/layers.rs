@@ -308,6 +308,34 @@ fn print(layers: &Layers<'_, 2>, key: &str, out: &mut std::string::String) {
     for voice in layers.voices() {
         let _ = writeln!(out, "  {}: {}", voice.tag(), clip.in_voice(&voice).clip.key());
     }
+    let has_profile = layers.face_profile("default").is_some();
+    let _ = writeln!(out, "  {} profile", if has_profile { "own" } else { "usual" });
+    for (whose, face) in faces(layers, &clip) {
+        let [blink, yaw, eye_pitch, eye_yaw] =
+            [face.blink, face.head_yaw, face.eye_pitch, face.eye_yaw].map(lipz_bank::CurveValue::thousandths);
+        let _ = writeln!(out, "  {whose}: blink {blink}, head {yaw}, eyes {eye_pitch} {eye_yaw}");
+    }
+    out.push_str("  of another bank: none\n");
+}
+
+/// The faces that `layers.cpp` asks for, each in its unit of time.
+fn faces(layers: &Layers<'_, 2>, clip: &lipz_bank::Clip<'_, '_>) -> [(&'static str, lipz_bank::Face); 9] {
+    use lipz_bank::{CurveValue, LookAt, Samples, Seconds, Who};
+    let (us, samples) = (Micros(300_000), Samples { position: 14_400, rate_hz: 48_000 });
+    let (seconds, short) = (Seconds(0.3), Seconds(0.3_f32));
+    let point = LookAt::point(CurveValue::default(), CurveValue::from_thousandths(5000));
+    let (profile, look) = (&layers.default_face_profile(), LookAt::AHEAD);
+    [
+        ("speaks", clip.face_at(us, profile, look)),
+        ("speaks", clip.face_at(samples, profile, look)),
+        ("speaks", clip.face_at(seconds, profile, look)),
+        ("speaks", clip.face_at(short, profile, point)),
+        ("amy", clip.face_of("amy", us, profile, look)),
+        ("amy", clip.face_of(Who::SpeakerNamed("amy"), samples, profile, look)),
+        ("amy", clip.face_of("amy", seconds, profile, look)),
+        ("amy", clip.face_of("amy", short, profile, point)),
+        ("idle", profile.idle_at(us, 7, look)),
+    ]
 }
 
 /// A locale of a patch for which another one stands in, of a bank for which yet another one does: C follows both.
