@@ -56,10 +56,10 @@ enum Task {
     Pictures,
     /// Test the plugin for Neovim and the extension for Visual Studio Code, and pack this
     Editors,
-    /// Use the page of `lipz preview` in Chromium, and let axe look at it
+    /// Let axe look at the page of `lipz preview` in Chromium
     Accessibility,
     /// Use the page of `lipz preview` in Firefox, as its test does in Chromium
-    Firefox,
+    Firefox(page::FirefoxSettings),
     /// Measure how soon `lipz preview` shows the first of 20,000 clips
     FirstPicture,
     /// Check which crates depend on which
@@ -117,7 +117,7 @@ fn main() -> ExitCode {
         Task::Pictures => web::pictures(),
         Task::Editors => editors::run(),
         Task::Accessibility => accessibility::run(),
-        Task::Firefox => page::firefox(),
+        Task::Firefox(settings) => page::firefox(&settings),
         Task::FirstPicture => page::first_picture(),
         Task::Edges => edges::run(),
         Task::Deny => deny::run(),

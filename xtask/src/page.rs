@@ -1,5 +1,5 @@
-//! What is done with the page of `lipz preview` in browsers by hand: `cargo xtask firefox` uses it in Firefox as its test does
-//! in Chromium, `cargo xtask first-picture` measures how soon a large project is seen.
+//! What is done with the page of `lipz preview` in browsers: `cargo xtask firefox` uses it in Firefox as its test does in
+//! Chromium, `cargo xtask first-picture` measures how soon a large project is seen.
 
 use crate::Failure;
 use crate::cargo;
@@ -11,14 +11,33 @@ use std::process::Command;
 /// Where the test and what drives browsers are.
 const FOLDER: &str = "crates/lipz/tests/preview_page";
 
-pub(crate) fn firefox() -> Result<(), Failure> {
+/// Tests of the page in which most of what a browser does takes part: keys, pointers, drawing, sound, saving, a page on a disk.
+const MAIN: [&str; 4] = [
+    "a clip is seen, heard and moved in with keys alone",
+    "what is edited is drawn, undone, and saved as the file is laid out",
+    "a file that somebody else has changed is not overwritten",
+    "an exported page plays from a disk, without a server",
+];
+
+/// Which tests Firefox runs.
+#[derive(Debug, clap::Args)]
+pub(crate) struct FirefoxSettings {
+    /// Run only the main tests: all of them take four times as long as in Chromium
+    #[arg(long)]
+    main: bool,
+}
+
+pub(crate) fn firefox(settings: &FirefoxSettings) -> Result<(), Failure> {
     if !has_program("firefox") {
         return skip("firefox");
     }
     // Its driver speaks over a socket, which node has without a flag from version 22 on.
     let mut test = node(cargo::lipz()?)?;
-    test.args(["--experimental-websocket", "--test", "--test-reporter=spec", "page.test.js"]).env("BROWSER", "firefox");
-    succeed(&mut test, "the test of the page")
+    test.args(["--experimental-websocket", "--test", "--test-reporter=spec"]).env("BROWSER", "firefox");
+    if settings.main {
+        test.args(MAIN.iter().map(|name| format!("--test-name-pattern=^{name}$")));
+    }
+    succeed(test.arg("page.test.js"), "the test of the page")
 }
 
 pub(crate) fn first_picture() -> Result<(), Failure> {
@@ -36,4 +55,18 @@ fn node(lipz: PathBuf) -> Result<Command, Failure> {
     let mut node = Command::new("node");
     node.current_dir(workspace_root().join(FOLDER)).env("LIPZ", lipz);
     Ok(node)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_main_tests_are_those_of_the_page() {
+        let tests = std::fs::read_to_string(workspace_root().join(FOLDER).join("page.test.js"));
+        let tests = tests.unwrap_or_default();
+        for name in MAIN {
+            assert_eq!(tests.matches(&format!("\ntest(\"{name}\", ")).count(), 1, "{name}");
+        }
+    }
 }

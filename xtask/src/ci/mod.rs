@@ -46,7 +46,7 @@ impl Settings {
 }
 
 /// What this machine builds and runs, in one folder.
-static HERE: [Step; 15] = [
+static HERE: [Step; 16] = [
     Step::cargo("format", "fmt --all --check"),
     Step::cargo("lints", "clippy --workspace --all-targets --locked -- -D warnings"),
     // With the rivals, which are not built otherwise.
@@ -61,7 +61,7 @@ static HERE: [Step; 15] = [
     Step::cargo("fuzz-lock", "tree --locked --depth 0 --manifest-path fuzz/Cargo.toml"),
     Step::task("deny"),
     Step::task("packages"),
-    // `cargo test` runs while the tools are installed that it compares with, and leaves it out then.
+    // `cargo test` leaves this and the next out where their tools are missing.
     Step {
         program: Program::CargoWith("LIPZ_TOOLS", "required"),
         ..Step::cargo("translators", "test --workspace --test texts_elsewhere --locked --quiet")
@@ -78,6 +78,7 @@ static HERE: [Step; 15] = [
     },
     Step::task("editors"),
     Step::task("accessibility"),
+    Step { arguments: "firefox --main", ..Step::task("firefox") },
 ];
 
 /// What is built for other machines, for C, by an old compiler or for speed: each in a folder of its own.
