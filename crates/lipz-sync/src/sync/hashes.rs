@@ -9,7 +9,7 @@ use lipz_types::{Fps, VisemeType};
 use twox_hash::XxHash3_64;
 
 /// Changes whenever the same recording, text and settings give other mouths than before.
-const VERSION: u32 = 3;
+const VERSION: u32 = 4;
 
 /// What a record has where there is no text.
 pub(super) const NO_TEXT: u64 = 0;
