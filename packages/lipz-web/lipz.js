@@ -14,6 +14,10 @@ import { at, eventOf, TEN_THOUSAND, VISEME_TYPES } from "./words.js";
 export { Babble, UNMEASURED } from "./babble.js";
 export { BankSet, Cursor, Curve, EMOTIONS, FaceProfile, Layers, LipzError };
 
+/** What the header of a bank takes, and where its checksum is in it. */
+const HEADER_BYTES = 64;
+const CHECKSUM_OFFSET = 8;
+
 let compiled;
 
 /** Compiles the reader; without a source, the file beside this one, once. */
@@ -62,9 +66,10 @@ export async function openLayers(files, { wasm } = {}) {
  */
 export async function openSet(index, load, { wasm } = {}) {
   return new BankSet(new Memory(await instance(wasm)), bytesOf(index), async (fileName) => {
-    const memory = new Memory(await instance(wasm));
-    const bank = new Bank(memory, bytesOf(await load(fileName)));
-    return { bank, memory, pointer: memory.slot(BANK) };
+    const bytes = bytesOf(await load(fileName));
+    const bank = new Bank(new Memory(await instance(wasm)), bytes);
+    const header = new DataView(bytes.buffer, bytes.byteOffset, HEADER_BYTES);
+    return { bank, lengthBytes: bytes.byteLength, checksum: header.getBigUint64(CHECKSUM_OFFSET, true) };
   });
 }
 

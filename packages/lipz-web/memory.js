@@ -116,6 +116,11 @@ export class Memory {
     return this.read(ANSWER, type);
   }
 
+  /** Throws what a status other than that of success says. */
+  refuse(status) {
+    this.#must(status);
+  }
+
   #must(status, offsetBytes) {
     if (status === LIPZ_OK) return;
     this.#functions.lipz_status_message(status, this.slot(ANSWER));

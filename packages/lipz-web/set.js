@@ -3,20 +3,21 @@
 import { FIRST, LipzError } from "./memory.js";
 import * as c from "./structs.js";
 
+/** The status of a bank that is not the one that the index names. */
+const OTHER_BANK = 44;
+
 export class BankSet {
   #memory;
   #set;
-  #index;
   #load;
   #info;
   /** The banks that were asked for, as promises. */
   #opened = new Map();
   #banks;
 
-  /** `load` gives the bank of a file name, and the memory that it is in. */
+  /** `load` gives the bank of a file name, with its length and the checksum in its header. */
   constructor(memory, index, load) {
     this.#memory = memory;
-    this.#index = index;
     this.#load = load;
     this.#set = memory.slot(FIRST);
     memory.check("lipz_set_open", memory.add(index), index.byteLength, this.#set);
@@ -58,7 +59,7 @@ export class BankSet {
     const entry = this.#banks[number];
     if (entry === undefined) return Promise.reject(new LipzError(`the set has no bank ${number}`));
     if (!this.#opened.has(number)) {
-      const opened = this.#open(number, entry.fileName);
+      const opened = this.#open(entry);
       this.#opened.set(number, opened);
       opened.catch(() => this.#opened.delete(number));
     }
@@ -71,11 +72,13 @@ export class BankSet {
     return bank.clip(keyOrId);
   }
 
-  async #open(number, fileName) {
-    const { bank, memory, pointer } = await this.#load(fileName);
-    // The bank has a memory of its own, so that a set may be larger than one: the index goes there for this question.
-    const set = { data: memory.add(this.#index), length_bytes: this.#index.byteLength };
-    memory.call("lipz_set_check_bank", memory.put(FIRST, c.lipz_set, set), number, pointer);
+  async #open(entry) {
+    const { bank, lengthBytes, checksum } = await this.#load(entry.fileName);
+    // The bank has a memory of its own, so that a set may be larger than one. What the index says of it is here.
+    const isNamed = checksum === entry.checksum && lengthBytes === entry.lengthBytes;
+    if (!isNamed || bank.fingerprint !== entry.fingerprint || bank.clipCount !== entry.clipCount) {
+      this.#memory.refuse(OTHER_BANK);
+    }
     return bank.verify();
   }
 }

@@ -43,6 +43,12 @@ test("banks that are not those of the index are refused, and asked for again", a
   const names = (await openSet(index, file)).banks.map((bank) => bank.fileName);
   const set = await openSet(index, (name) => file(isOther ? names.find((other) => other !== name) : name));
   await assert.rejects(set.clip("aye"), (error) => error.status === 44);
+  const forged = async (name) => {
+    const [own, other] = await Promise.all([file(name), file(names.find((other) => other !== name))]);
+    own.copy(other, 8, 8, 16);
+    return other;
+  };
+  await assert.rejects((await openSet(index, forged)).clip("aye"), (error) => error.status === 44, "by its header alone");
   isOther = false;
   assert.equal((await set.clip("aye")).key, "aye");
   await assert.rejects(set.bank(2), LipzError);
