@@ -1,6 +1,7 @@
 //! What stands for the cache without the feature `cache`: no file is ever known.
 
 use crate::Input;
+use crate::compile::FileReader;
 use std::convert::Infallible;
 use std::marker::PhantomData;
 
@@ -31,7 +32,13 @@ pub(crate) struct FileStamps {
 pub(crate) struct CachedFile<'c>(Infallible, PhantomData<&'c ()>);
 
 impl Cache<'_> {
-    pub(crate) fn file<'c>(&'c self, _index: usize, _input: &'c Input, _look: &mut Look) -> Option<CachedFile<'c>> {
+    pub(crate) fn file<'c>(
+        &'c self,
+        _index: usize,
+        _input: &'c Input,
+        _look: &mut Look,
+        _reader: &mut FileReader,
+    ) -> Option<CachedFile<'c>> {
         match self.0 {}
     }
 }

@@ -4,6 +4,7 @@ use super::file_meta::FileMeta;
 use super::look::Look;
 use super::old_bank::OldBank;
 use super::stamps::{Lookup, Name, Stamp, Stamps, hash};
+use crate::compile::FileReader;
 use crate::{Content, Input};
 use std::time::SystemTime;
 
@@ -57,10 +58,16 @@ impl<'s> Cache<'s> {
         Cache { before: stamps.filter(|_| is_there).map(Stamps::lookup), start: SystemTime::now() }
     }
 
-    /// Looks at the file of input number `index`; `None` if it has none, or cannot be looked at.
-    pub(crate) fn file<'c>(&'c self, index: usize, input: &'c Input, look: &mut Look) -> Option<CachedFile<'c>> {
+    /// Looks at the file of input number `index`, which `reader` may read next; `None` if it has none, or cannot be looked at.
+    pub(crate) fn file<'c>(
+        &'c self,
+        index: usize,
+        input: &'c Input,
+        look: &mut Look,
+        reader: &mut FileReader,
+    ) -> Option<CachedFile<'c>> {
         let Content::File(path) = &input.content else { return None };
-        let meta = look.meta(path)?;
+        let meta = Look::meta(path, reader)?;
         let name = look.name(path, &input.key);
         let known = self.before.as_ref().and_then(|stamps| stamps.get(name, look.next_stamp(index)));
         Some(CachedFile { cache: self, name, meta, known })

@@ -2,15 +2,12 @@
 
 use super::file_meta::FileMeta;
 use super::stamps::Name;
-#[cfg(target_os = "linux")]
-use crate::last_folder::LastFolder;
+use crate::compile::FileReader;
 use std::path::Path;
 
 /// What is kept from one file to the next.
 #[derive(Default)]
 pub(crate) struct Look {
-    #[cfg(target_os = "linux")]
-    folder: LastFolder,
     /// Room for a path and a key.
     buffer: Vec<u8>,
     /// Number of the stamp that the next file probably has in the cache; `None` before the first one.
@@ -18,16 +15,16 @@ pub(crate) struct Look {
 }
 
 impl Look {
-    /// How the file at `path` looks from outside.
+    /// How the file at `path` looks from outside, in the folder in which `reader` will find it.
     #[cfg(target_os = "linux")]
-    pub(super) fn meta(&mut self, path: &Path) -> Option<FileMeta> {
+    pub(super) fn meta(path: &Path, reader: &mut FileReader) -> Option<FileMeta> {
         use rustix::fs::{AtFlags, statat};
-        let Some((folder, name)) = self.folder.of(path) else { return FileMeta::new(&path.metadata().ok()?) };
+        let Some((folder, name)) = reader.folder.of(path) else { return FileMeta::new(&path.metadata().ok()?) };
         FileMeta::of_stat(&rustix::io::retry_on_intr(|| statat(folder, name, AtFlags::empty())).ok()?)
     }
 
     #[cfg(not(target_os = "linux"))]
-    pub(super) fn meta(&mut self, path: &Path) -> Option<FileMeta> {
+    pub(super) fn meta(path: &Path, _reader: &mut FileReader) -> Option<FileMeta> {
         FileMeta::new(&path.metadata().ok()?)
     }
 

@@ -66,7 +66,7 @@ impl<'o> Worker<'o> {
     /// Finds the clip of file number `index` in the old bank, or reads, parses and checks the file.
     fn file(&mut self, index: usize, input: &Input, cache: Option<&Cache<'_>>) {
         let batch = &mut self.batch;
-        let seen = cache.and_then(|cache| cache.file(index, input, &mut batch.look));
+        let seen = cache.and_then(|cache| cache.file(index, input, &mut batch.look, &mut self.reader));
         if let Some(seen) = &seen
             && let Some(stamp) = seen.unread()
         {

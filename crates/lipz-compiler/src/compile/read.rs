@@ -14,8 +14,9 @@ const SMALL_FILE: u64 = 1 << 16;
 /// Reads files one after another into one buffer.
 #[derive(Default)]
 pub(crate) struct FileReader {
+    /// Where the last file was found, also by who only looks at files.
     #[cfg(unix)]
-    folder: LastFolder,
+    pub(crate) folder: LastFolder,
     bytes: Vec<u8>,
 }
 

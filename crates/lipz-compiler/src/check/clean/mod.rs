@@ -10,7 +10,8 @@ mod strings;
 #[cfg(test)]
 mod tests;
 
-use super::{emotions, visemes};
+use super::emotions::{self, Feeling};
+use super::visemes;
 use crate::clip::{ClipData, Locales};
 use crate::options::GestureKeys;
 use crate::source_record::Recorder;
@@ -33,6 +34,8 @@ pub(crate) struct CleanFiles<'o> {
     ranks: Vec<u32>,
     /// The elements of a file, with places in it.
     elements: Vec<Element>,
+    /// The emotions in the events of a file, with the numbers of their segments.
+    feelings: Vec<(usize, Feeling)>,
 }
 
 /// An element of a clean file.
@@ -62,6 +65,7 @@ impl<'o> CleanFiles<'o> {
             rate: None,
             ranks: Vec::new(),
             elements: Vec::new(),
+            feelings: Vec::new(),
         }
     }
 
@@ -79,6 +83,7 @@ impl<'o> CleanFiles<'o> {
     fn read(&mut self, file: &str, locales: &Locales, clip: &mut ClipData) -> Result<(), Unclean> {
         clip.clear();
         self.elements.clear();
+        self.feelings.clear();
         let mut members = Members::of(file)?;
         // Of all elements, which must have as many.
         let mut segment_count = None;
@@ -126,7 +131,7 @@ impl<'o> CleanFiles<'o> {
         if !clip.has_visemes {
             clip.starts.resize(segment_count.unwrap_or(1), 0);
         }
-        if clip.has_events && !emotions::of_clean_events(clip, self.options) {
+        if !self.feelings.is_empty() && !emotions::of_clean_events(clip, &self.feelings, self.options) {
             return Err(Unclean);
         }
         self.order_texts(locales, clip)?;
@@ -149,9 +154,11 @@ impl<'o> CleanFiles<'o> {
 
     /// Adds the events of all segments, and counts these.
     fn events(&mut self, string: &str, clip: &mut ClipData) -> Result<usize, Unclean> {
-        for range in text::segments(string) {
+        for (number, range) in text::segments(string).enumerate() {
             let segment = &string[range];
-            if !self.strings.has_events(segment, self.options) {
+            let feelings = &mut self.feelings;
+            let add = |feeling: &Feeling| feelings.push((number, feeling.clone()));
+            if !self.strings.has_events(segment, self.options, add) {
                 return Err(Unclean);
             }
             clip.events.push(text::trim(segment));

@@ -1,31 +1,45 @@
 //! Events and meta without diagnostics, each of which is looked at once.
 
 use crate::Options;
-use crate::check::{emotions, events, gestures};
-use foldhash::{HashSet, HashSetExt};
+use crate::check::emotions::{self, Feeling};
+use crate::check::{events, gestures};
+use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 
 /// Strings of a kind that are remembered: games repeat few of them often.
 const MOST_KNOWN: usize = 1 << 12;
 
 /// The strings that a thread has found clean: without diagnostics, and without what becomes a curve, but for emotions of events.
 pub(super) struct CleanStrings {
-    events: HashSet<Box<str>>,
+    /// With the emotions in them.
+    events: HashMap<Box<str>, Box<[Feeling]>>,
     metas: HashSet<Box<str>>,
 }
 
 impl CleanStrings {
     pub(super) fn new() -> CleanStrings {
-        CleanStrings { events: HashSet::new(), metas: HashSet::new() }
+        CleanStrings { events: HashMap::new(), metas: HashSet::new() }
     }
 
-    /// Whether the events of a segment are clean.
-    pub(super) fn has_events(&mut self, segment: &str, options: &Options) -> bool {
-        segment.is_empty()
-            || known_or(&mut self.events, segment, || {
-                events::is_clean(segment, options)
-                    && emotions::is_clean(segment, options)
-                    && !gestures::are_in_events(segment)
-            })
+    /// Whether the events of a segment are clean; the emotions in them go to `each`.
+    pub(super) fn has_events(&mut self, segment: &str, options: &Options, each: impl FnMut(&Feeling)) -> bool {
+        if segment.is_empty() {
+            return true;
+        }
+        if let Some(feelings) = self.events.get(segment) {
+            feelings.iter().for_each(each);
+            return true;
+        }
+        let is_clean = events::is_clean(segment, options)
+            && emotions::is_clean(segment, options)
+            && !gestures::are_in_events(segment);
+        if is_clean {
+            let feelings = emotions::feelings_of(segment, options);
+            feelings.iter().for_each(each);
+            if self.events.len() < MOST_KNOWN {
+                self.events.insert(segment.into(), feelings.into());
+            }
+        }
+        is_clean
     }
 
     /// Whether meta is clean, given with its braces. Finding out whether a name is that of an emotion takes longer than to read a

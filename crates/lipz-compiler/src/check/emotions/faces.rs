@@ -15,12 +15,24 @@ use std::collections::BTreeMap;
 /// Changes by character, those of the speaker without a name.
 pub(super) type Changes = BTreeMap<Option<String>, Vec<Change>>;
 
-/// The change from a frame on that a blend calls for.
-pub(super) fn change(blend: &Blend<'_>, frame: u32, clip: &ClipData, options: &Options) -> Change {
-    let over_ms = blend.over_ms.unwrap_or(options.emotions.over_ms);
-    let frames = |fps: lipz_bank::Fps| fps.frame_at(Micros(i64::from(over_ms) * 1000)).unwrap_or(0);
-    let over = if over_ms == 0 { 0 } else { clip.fps.map_or(0, frames).max(1) };
-    Change { frame, face: options.emotions.face(blend), over }
+/// What a blend is in a project.
+#[derive(Clone, Debug)]
+pub(super) struct Felt {
+    face: Face,
+    over_ms: u32,
+}
+
+impl Felt {
+    pub(super) fn new(blend: &Blend<'_>, options: &Options) -> Felt {
+        Felt { face: options.emotions.face(blend), over_ms: blend.over_ms.unwrap_or(options.emotions.over_ms) }
+    }
+
+    /// The change that it calls for from a frame on.
+    pub(super) fn change(&self, frame: u32, clip: &ClipData) -> Change {
+        let frames = |fps: lipz_bank::Fps| fps.frame_at(Micros(i64::from(self.over_ms) * 1000)).unwrap_or(0);
+        let over = if self.over_ms == 0 { 0 } else { clip.fps.map_or(0, frames).max(1) };
+        Change { frame, face: self.face, over }
+    }
 }
 
 /// Whether a value is none that a face can show.
@@ -46,15 +58,15 @@ pub(super) struct Faces<'c> {
     pub(super) clip: &'c ClipData,
     options: &'c Options,
     changes: Changes,
-    /// Who changes, to what face, and where that is written.
-    places: Vec<(Option<String>, Face, Span)>,
+    /// For each character and emotion, where it is written that it shows first.
+    places: BTreeMap<Option<String>, [Option<Span>; Emotion::ALL.len()]>,
     pub(super) has_value: bool,
     pub(super) found: Vec<Diagnostic>,
 }
 
 impl<'c> Faces<'c> {
     pub(super) fn new(clip: &'c ClipData, options: &'c Options) -> Faces<'c> {
-        Faces { clip, options, changes: BTreeMap::new(), places: Vec::new(), has_value: false, found: Vec::new() }
+        Faces { clip, options, changes: BTreeMap::new(), places: BTreeMap::new(), has_value: false, found: Vec::new() }
     }
 
     /// The frame of a mark: when the word behind it starts, if that is known; else its share of the segment, by the letters
@@ -88,7 +100,7 @@ impl<'c> Faces<'c> {
                     .help("write a value from 0, nothing, to 10, the most that a face can show"),
             );
         }
-        let change = change(blend, frame, self.clip, self.options);
+        let change = Felt::new(blend, self.options).change(frame, self.clip);
         self.found.extend(self.over_the_top(&change.face, frame, whole));
         if self.clip.has_visemes && frame as usize >= self.clip.frames.len() && sum(&change.face) > 0 {
             let message = "the emotion makes no curve: the clip ends where it starts";
@@ -98,7 +110,10 @@ impl<'c> Faces<'c> {
             );
         }
         let who = character.map(str::to_owned);
-        self.places.push((who.clone(), change.face, whole));
+        let first = self.places.entry(who.clone()).or_default();
+        for (first, value) in std::iter::zip(first, &change.face) {
+            *first = first.or_else(|| (*value != 0).then_some(whole));
+        }
         self.changes.entry(who).or_default().push(change);
     }
 
@@ -120,13 +135,12 @@ impl<'c> Faces<'c> {
                 continue;
             }
             let (who, emotion) = name.rsplit_once('.').map_or((None, name), |(who, emotion)| (Some(who), emotion));
-            let has = |face: &Face| Emotion::from_name(emotion).is_some_and(|emotion| face[emotion as usize] != 0);
-            let first = self.places.iter().find(|(character, face, _)| character.as_deref() == who && has(face));
-            if let Some((_, _, span)) = first {
+            let place = |emotion: Emotion| self.places.get(&who.map(str::to_owned))?[emotion as usize];
+            if let Some(span) = Emotion::from_name(emotion).and_then(place) {
                 let quoted = escape::quoted(name);
                 let message = format!("the file has a curve {quoted}, which does not move: {emotion} does not show");
                 self.found.push(
-                    Diagnostic::at(Code::EmotionHidden, *span, message)
+                    Diagnostic::at(Code::EmotionHidden, span, message)
                         .help("write the emotion into the curve, or remove one of the two"),
                 );
             }
@@ -146,4 +160,32 @@ pub(super) fn too_much(face: &Face, clip: &ClipData, frame: u32, span: Span) -> 
     Diagnostic::at(Code::EmotionSum, span, message).note(note).help(
         "keep the sum at 10 or below, as 3.3 for each of three: more pulls a face apart, since emotions are added",
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lipz_file::event;
+
+    /// Curves ask for places by character and emotion: whatever is written how often, one place is kept of each.
+    #[test]
+    fn one_place_is_kept_of_each_emotion_of_a_character() {
+        let (clip, options) =
+            (ClipData { frames: vec![b'-'; 9], starts: vec![0], ..ClipData::default() }, Options::default());
+        let mut faces = Faces::new(&clip, &options);
+        let feels = |faces: &mut Faces<'_>, events: &str, at: usize| {
+            let span = |_: &Term<'_>| Span::new(at, at + 1);
+            for (event, blend) in event::feelings(events) {
+                faces.change(event.character.map(|word| word.text), 0, &blend, Span::new(at, at + 1), &span);
+            }
+        };
+        (0..1000).for_each(|at| feels(&mut faces, "feels joy, amy feels joy + sad", at));
+        assert_eq!(faces.places.len(), 2);
+        let kept = faces.places.values().flatten().flatten();
+        assert!(kept.clone().count() <= 2 * Emotion::ALL.len() && kept.clone().count() >= 2);
+        assert!(
+            faces.places.values().all(|places| places[Emotion::Joy as usize] == Some(Span::new(0, 1))),
+            "the first"
+        );
+    }
 }

@@ -11,7 +11,7 @@ use super::elements::Roles;
 use crate::Options;
 use crate::clip::{ClipData, Locales};
 use crate::options::EmotionCurves;
-use faces::{Changes, Faces};
+use faces::{Changes, Faces, Felt};
 use known::Known;
 use lipz_diagnostics::{Code, Diagnostic, Span};
 use lipz_file::emotion::{Blend, Term};
@@ -78,22 +78,39 @@ pub(super) fn curves(
     clip.curves.add_missing(curves);
 }
 
-/// Gives a clip whose events are [clean](is_clean) the curves of their emotions; false if something would have to be said.
-pub(super) fn of_clean_events(clip: &mut ClipData, options: &Options) -> bool {
+/// An emotion in the events of a segment.
+#[derive(Clone, Debug)]
+pub(super) struct Feeling {
+    /// Who feels it; `None` for the speaker.
+    character: Option<String>,
+    felt: Felt,
+    has_value: bool,
+}
+
+/// The emotions in the events of a segment, which are [clean](is_clean).
+pub(super) fn feelings_of(segment: &str, options: &Options) -> Vec<Feeling> {
     if options.emotions.curves == EmotionCurves::Off {
-        return true;
+        return Vec::new();
     }
+    let feeling = |(event, blend): (event::Event<'_>, Blend<'_>)| Feeling {
+        character: event.character.map(|word| word.text.to_owned()),
+        felt: Felt::new(&blend, options),
+        has_value: blend.has_value(),
+    };
+    event::feelings(segment).map(feeling).collect()
+}
+
+/// Gives a clip the curves of these emotions, each in the segment with a number; false if something would have to be said.
+pub(super) fn of_clean_events(clip: &mut ClipData, feelings: &[(usize, Feeling)], options: &Options) -> bool {
     let mut changes = Changes::new();
     let mut has_value = false;
-    for (segment, events) in clip.events.iter().enumerate() {
-        for (event, blend) in event::feelings(events) {
-            let change = faces::change(&blend, clip.segment_start(segment), clip, options);
-            if clip.has_visemes && change.frame as usize >= clip.frames.len() {
-                return false;
-            }
-            has_value |= blend.has_value();
-            changes.entry(event.character.map(|word| word.text.to_owned())).or_default().push(change);
+    for (segment, feeling) in feelings {
+        let change = feeling.felt.change(clip.segment_start(*segment), clip);
+        if clip.has_visemes && change.frame as usize >= clip.frames.len() {
+            return false;
         }
+        has_value |= feeling.has_value;
+        changes.entry(feeling.character.clone()).or_default().push(change);
     }
     if has_value || options.emotions.curves == EmotionCurves::All {
         clip.curves.add_missing(keys::curves(changes, clip.frames.len() as u32));
