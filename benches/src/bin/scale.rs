@@ -138,7 +138,10 @@ fn run(step: Step, folder: &Path, shards: NonZero<u16>) -> Result<(), String> {
             }
             Ok(())
         }
-        Step::Link => of(&compiler.link(&link()?, &folder.join("link.lipzbank"))),
+        Step::Link => {
+            let linked = compiler.link(&link()?, &folder.join("link.lipzbank"));
+            linked.file.map(drop).ok_or_else(|| format!("{:?}", linked.reports))
+        }
         Step::LinkSet => {
             let linked = compiler.link_to_set(&link()?, &folder.join("link.lipzset"));
             linked.files.map(drop).ok_or_else(|| format!("{:?}", linked.reports))

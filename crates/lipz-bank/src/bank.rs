@@ -103,6 +103,15 @@ impl<'data> Bank<'data> {
         Ok(self)
     }
 
+    /// Checks all of the bank but the checksum and what frames and texts say: for tools that copy these from verified banks, and
+    /// have the tables in memory before them. Queries gain nothing by it.
+    ///
+    /// # Errors
+    /// The first damage found.
+    pub fn verify_tables(&self) -> Result<(), Error> {
+        crate::verify::tables(*self)
+    }
+
     /// Whether the bank came from [`Bank::verify`], [`Bank::verify_with`] or [`Bank::verify_lines`], which leaves out some sections.
     pub const fn is_verified(&self) -> bool {
         self.event_strings.is_checked()

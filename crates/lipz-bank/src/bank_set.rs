@@ -56,7 +56,7 @@ impl<'data, 'bank> BankSet<'data, 'bank> {
         if banks.len() != index.bank_count() {
             return Err(BankSetError::Count);
         }
-        let differs = |(bank, entry): (&Bank<'_>, crate::SetBank<'_>)| bank.checksum() != entry.checksum;
+        let differs = |(bank, entry): (&Bank<'_>, crate::SetBank<'_>)| !entry.is_of(bank);
         if let Some(bank) = banks.iter().zip(index.banks()).position(differs) {
             return Err(BankSetError::OtherBank { bank });
         }

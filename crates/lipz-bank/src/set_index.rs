@@ -2,7 +2,7 @@
 
 use crate::file::{File, entries};
 use crate::pool::Pool;
-use crate::{ClipId, Error, ErrorKind};
+use crate::{Bank, ClipId, Error, ErrorKind};
 use core::fmt;
 use core::mem::size_of;
 use lipz_layout::{Header, MAX_SET_BANKS, SECTION_REQUIRED, SetBankRecord, Tag, U16, U64, shard_of};
@@ -48,6 +48,18 @@ pub struct SetBank<'data> {
     pub length_bytes: u32,
     /// Its clips.
     pub clip_count: u32,
+}
+
+impl SetBank<'_> {
+    /// Whether a bank is this one, by all that the index says of it. Of a bank that is not [verified](crate::Bank::verify), that is
+    /// what its header claims.
+    pub fn is_of(&self, bank: &Bank<'_>) -> bool {
+        let length_bytes = bank.length_bytes() as u64;
+        self.checksum == bank.checksum()
+            && self.fingerprint == bank.fingerprint()
+            && u64::from(self.length_bytes) == length_bytes
+            && u64::from(self.clip_count) == bank.clip_count() as u64
+    }
 }
 
 /// Where the places of the sections stand in the header.

@@ -149,7 +149,7 @@ pub unsafe extern "C" fn lipz_set_check_bank(set: Option<&Set>, number: u32, ban
 unsafe fn is_bank(set: Option<&Set>, number: u32, bank: Option<&Bank>) -> Result<bool, Status> {
     // SAFETY: the same contract.
     let (index, bank) = unsafe { (index(set)?, opened(bank)?) };
-    Ok(index.bank_at(number as usize).map_or(false, |named| named.checksum == bank.checksum()))
+    Ok(index.bank_at(number as usize).map_or(false, |named| named.is_of(&bank)))
 }
 
 /// The index of a set. Its numbers were checked by `lipz_set_open`, or lead nowhere.

@@ -1,5 +1,6 @@
 //! Bytes that know their hash, for tables of bytes that are met again long after they were made.
 
+use crate::clip::Part;
 use foldhash::fast::RandomState;
 use std::hash::{BuildHasher, Hash, Hasher};
 use std::sync::LazyLock;
@@ -16,7 +17,7 @@ pub(crate) fn hash(bytes: &[u8]) -> u64 {
 #[derive(PartialEq, Eq)]
 pub(crate) struct Hashed<'b> {
     pub(crate) hash: u64,
-    pub(crate) bytes: &'b [u8],
+    pub(crate) bytes: Part<'b>,
 }
 
 impl Hash for Hashed<'_> {

@@ -2,6 +2,7 @@
 
 use crate::discover::display;
 use crate::key::EXTENSION;
+use std::borrow::Cow;
 use std::path::PathBuf;
 
 /// One Lipz file to be packed.
@@ -36,9 +37,14 @@ impl Input {
 
     /// How messages name the file: by its path, with `/` on every system.
     pub fn name(&self) -> String {
+        self.shown_name().into_owned()
+    }
+
+    /// The same without a copy, if that is possible.
+    pub(crate) fn shown_name(&self) -> Cow<'_, str> {
         match &self.content {
-            Content::File(path) => display(path),
-            Content::Bytes { name, .. } => name.clone(),
+            Content::File(path) => Cow::Owned(display(path)),
+            Content::Bytes { name, .. } => Cow::Borrowed(name),
         }
     }
 }

@@ -73,6 +73,7 @@ mod last_folder;
 mod layers;
 mod list;
 mod localise;
+mod lock;
 mod lower;
 #[cfg(not(feature = "cache"))]
 mod no_cache;
@@ -83,6 +84,8 @@ mod parallel;
 mod pseudo;
 mod replacements;
 mod rewrite;
+#[cfg(feature = "cache")]
+mod running_checksum;
 pub mod settings;
 #[cfg(feature = "shards")]
 pub mod shard;

@@ -31,6 +31,17 @@ pub(crate) fn replace_file_if(
     written.and_then(replace).map_err(|error| failed(path, &error))
 }
 
+/// The same with a file that `write` fills; what it finds wrong leaves `path` as it is, too.
+#[cfg(feature = "shards")]
+pub(crate) fn replace_file_with<E: From<io::Error>>(
+    path: &Path,
+    write: impl FnOnce(&mut std::fs::File) -> Result<(), E>,
+) -> Result<(), E> {
+    let file = TemporaryFile::beside_with(path, write)?;
+    sync_temporary(std::iter::once(&file))?;
+    Ok(replace(file)?)
+}
+
 /// The temporary file with these bytes, on disk.
 fn synced(path: &Path, bytes: &[u8]) -> io::Result<TemporaryFile> {
     let file = TemporaryFile::beside(path, bytes)?;

@@ -1,6 +1,7 @@
 //! The files of a bank: the bank itself, or a base with a text bank for each locale beside it.
 
 use crate::layers::VoiceBanks;
+use crate::lock::Lock;
 use crate::output::replace_file;
 use crate::split::WholeBank;
 use crate::{Compiled, Compiler, Input, Replacements};
@@ -181,16 +182,17 @@ impl Outputs {
     }
 
     /// Writes the files of `bank`; those of a split one last of all the bank, so that whoever finds it finds its
-    /// texts, too.
+    /// texts, too. Another run that writes the files of a split bank to the same place comes before or after.
     ///
     /// # Errors
     /// As [`replace_file`], and if `bank` is damaged.
     pub fn deliver(&self, bank: &[u8], replace: Replace) -> Result<Delivered, Report> {
+        if !self.has_parts() {
+            return Ok(OutputFile::write(&self.bank, bank, replace)?.into());
+        }
+        let _lock = Lock::wait(&self.bank)?;
         if self.is_split_by_voice {
             return self.deliver_voices(bank, replace);
-        }
-        if !self.is_split {
-            return Ok(OutputFile::write(&self.bank, bank, replace)?.into());
         }
         let whole = WholeBank::open(bank)?;
         let waiting = Replacements::default();
@@ -292,6 +294,26 @@ mod tests {
         let again = outputs.deliver(&bank(&["en-us"]), Replace::Always).unwrap();
         assert_eq!(again.stale, [folder.path().join("b.de-de.lipztexts")]);
         assert!(again.stale[0].exists() && again.files.len() == 2);
+    }
+
+    #[test]
+    fn the_files_of_a_split_bank_are_those_of_one_run() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("b.lipzbank");
+        let (first, second) = (bank(&["de-de", "en-us"]), bank(&["en-us", "fr-fr"]));
+        let outputs = Outputs::new(&path).split_locales(true);
+        let held = Lock::wait(&path).unwrap();
+        std::thread::scope(|scope| {
+            let waiting = scope.spawn(|| outputs.deliver(&second, Replace::Always));
+            std::thread::sleep(std::time::Duration::from_millis(100));
+            assert!(!waiting.is_finished() && fs::read_dir(folder.path()).unwrap().count() == 1, "only the lock");
+            fs::write(folder.path().join("b.en-us.lipztexts"), &first).unwrap();
+            drop(held);
+            assert_eq!(waiting.join().unwrap().unwrap().files.len(), 3);
+        });
+        let base = fs::read(&path).unwrap();
+        let texts = fs::read(folder.path().join("b.en-us.lipztexts")).unwrap();
+        assert!(Bank::open(&base).unwrap().verify().unwrap().open_texts(&texts).is_ok());
     }
 
     #[test]

@@ -141,7 +141,8 @@ impl<'data> WholeBank<'data> {
         }
         pool_of(&numbering, |at| {
             let text = texts.texts.get(places[at]? as usize)?;
-            Some(Run::of(text, split_run(texts.whole_run(text), numbering.segments(at).len()), false))
+            let (ends, displays) = split_run(texts.whole_run(text), numbering.segments(at).len());
+            Some(Run::of(text, ends, displays))
         })
     }
 }

@@ -10,14 +10,24 @@ use lipz_compiler::shard::Link;
 use lipz_compiler::{Compiled, Compiler, Input, Options, Voices};
 use proptest::prelude::*;
 use std::fs;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Duration;
 use support::shards::{objects, project};
 
+/// What is linked to a bank in memory, and to the same in a file.
 fn linked(compiler: &Compiler<'_>, inputs: &[Input], shards: u16, turn: usize) -> Compiled {
     let folder = tempfile::tempdir().unwrap();
     let mut paths = objects(compiler, inputs, shards, folder.path());
     let turn = turn % paths.len();
     paths.rotate_left(turn);
-    compiler.link_to_bank(&Link::open(&paths).unwrap())
+    let link = Link::open(&paths).unwrap();
+    let linked = compiler.link_to_bank(&link);
+    let path = folder.path().join("linked.lipzbank");
+    let to_file = compiler.link(&link, &path);
+    assert_eq!(to_file.reports, linked.reports);
+    assert_eq!(to_file.file.map(|file| file.length_bytes), linked.bank.as_ref().map(Vec::len));
+    assert!(fs::read(&path).ok() == linked.bank);
+    linked
 }
 
 fn assert_same(compiler: &Compiler<'_>, inputs: &[Input], shards: u16, turn: usize) {
@@ -43,7 +53,7 @@ fn the_drama_in_any_number_of_shards() {
         Options::new().default_locale("en-us").babble(BabbleProfiles::default()).recordings(recordings),
     ];
     for options in variants {
-        for (turn, shards) in [1, 2, 3, 7, 16, 64, 100].into_iter().enumerate() {
+        for (turn, shards) in [1, 2, 3, 7, 16, 64, 150].into_iter().enumerate() {
             assert_same(&Compiler::new(options.clone()), &inputs, shards, turn * 3);
         }
     }
@@ -119,6 +129,29 @@ fn damaged_objects_are_refused() {
         fs::write(&paths[0], &bytes[..length]).unwrap();
         let linked = Link::open(&paths).map(|link| compiler.link_to_bank(&link));
         assert!(linked.is_err() || linked.is_ok_and(|linked| linked.bank.is_none()), "{length} bytes");
+    }
+}
+
+/// What was verified is what is copied.
+#[test]
+fn objects_that_somebody_writes_to_meanwhile_are_refused() {
+    for shards in [2, 150] {
+        let folder = tempfile::tempdir().unwrap();
+        let paths = objects(&Compiler::default(), &drama(), shards, folder.path());
+        let link = Link::open(&paths).unwrap();
+        let read = AtomicUsize::new(0);
+        let meanwhile = |_| {
+            if read.fetch_add(1, Ordering::SeqCst) + 1 == paths.len() {
+                // Longer than a tick of the file system's clock.
+                std::thread::sleep(Duration::from_millis(50));
+                fs::write(&paths[1], fs::read(&paths[1]).unwrap()).unwrap();
+            }
+        };
+        let path = folder.path().join("linked.lipzbank");
+        let linked = Compiler::default().progress(meanwhile).link(&link, &path);
+        assert!(linked.file.is_none() && !path.exists(), "{shards} shards");
+        let messages: Vec<_> = linked.reports.iter().flat_map(|report| &report.diagnostics).collect();
+        assert!(messages.iter().any(|found| found.message.contains("replaced meanwhile")), "{messages:?}");
     }
 }
 

@@ -4,7 +4,7 @@
 
 mod support;
 
-use lipz_bank::{Bank, BankSet, Clip, Locale, SetIndex, Spoken, Voice};
+use lipz_bank::{Bank, BankSet, BankSetError, Clip, Locale, SetIndex, Spoken, Voice};
 use lipz_compiler::shard::{Link, LinkedSet};
 use lipz_compiler::{Compiler, Input, Options, Voices, coverage};
 use lipz_testkit::stacked::every_set_query;
@@ -12,6 +12,8 @@ use proptest::prelude::*;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
 use support::shards::{objects, project};
 
 /// The names of the files in a folder.
@@ -199,6 +201,55 @@ fn a_new_set_takes_the_place_of_the_old_one_and_a_failed_one_does_not() {
     assert_eq!(names(folder.path()).len(), before.len(), "an index, four banks, and three files of others");
     let whole = compiler.compile(&changed).bank.unwrap();
     assert_answers(&index, &Bank::open(&whole).unwrap().verify().unwrap());
+}
+
+/// A link that comes while another one has written banks, but no index: it removes what no index names.
+#[test]
+fn of_two_links_to_one_set_one_comes_after_the_other() {
+    let folder = tempfile::tempdir().unwrap();
+    let [first_objects, second_objects] = ["1", "2"].map(|name| folder.path().join(name));
+    let index = folder.path().join("out/d.lipzset");
+    let (first, second) = (drama(), drama().split_off(1));
+    let options = || Options::new().default_locale("en-us").threads(1);
+    let objects = |inputs: &[Input], to: &Path| {
+        fs::create_dir(to).unwrap();
+        Link::open(&objects(&Compiler::new(options()), inputs, 4, to)).unwrap()
+    };
+    let (first_link, second_link) = (objects(&first, &first_objects), objects(&second, &second_objects));
+    let started = AtomicBool::new(false);
+    std::thread::scope(|scope| {
+        let meanwhile = |_| {
+            if !started.swap(true, Ordering::SeqCst) {
+                let other = scope.spawn(|| Compiler::new(options()).link_to_set(&second_link, &index));
+                // Long enough for it to be done, if nothing held it up.
+                let end = Instant::now() + Duration::from_secs(1);
+                while !other.is_finished() && Instant::now() < end {
+                    std::thread::sleep(Duration::from_millis(10));
+                }
+            }
+        };
+        let linked = Compiler::new(options()).progress(meanwhile).link_to_set(&first_link, &index);
+        assert!(linked.files.is_some(), "{:?}", linked.reports);
+    });
+    let whole = Compiler::new(options()).compile(&second).bank.unwrap();
+    assert_answers(&index, &Bank::open(&whole).unwrap().verify().unwrap());
+    assert_eq!(names(&folder.path().join("out")).len(), 5, "an index and its banks");
+}
+
+/// A bank whose header claims the checksum of another one.
+#[test]
+fn a_set_takes_no_bank_for_another() {
+    let folder = tempfile::tempdir().unwrap();
+    let index = folder.path().join("d.lipzset");
+    let compiler = Compiler::new(Options::new().default_locale("en-us"));
+    linked(&compiler, &drama(), 2, 0, &index).files.unwrap();
+    let (bytes, mut files) = read(&index);
+    let expected = files[0][8..16].to_vec();
+    files[0] = compiler.compile(&drama()[..2]).bank.unwrap();
+    files[0][8..16].copy_from_slice(&expected);
+    let banks: Vec<Bank<'_>> = files.iter().map(|bytes| Bank::open(bytes).unwrap()).collect();
+    let refused = BankSet::with_index(&banks, &SetIndex::open(&bytes).unwrap()).unwrap_err();
+    assert_eq!(refused, BankSetError::OtherBank { bank: 0 });
 }
 
 proptest! {

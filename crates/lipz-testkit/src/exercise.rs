@@ -33,8 +33,10 @@ pub fn provoke(bytes: &[u8], effort: Effort) -> bool {
     if effort == Effort::All {
         every_text_query(&bank, &texts);
     }
+    let tables = bank.verify_tables();
     match bank.verify() {
         Ok(bank) => {
+            assert_eq!(tables, Ok(()));
             assert!(bank.is_verified() && bank.verify_lines().is_ok_and(|bank| bank.is_verified()));
             if effort == Effort::All {
                 assert!(bank.verify_with(|bytes| std::str::from_utf8(bytes).ok()).is_ok());

@@ -37,11 +37,22 @@ fn clip(number: usize) -> String {
     clip + "}"
 }
 
+/// A clip of frames and texts that take twenty times the memory of what tables have of it.
+fn long_clip(number: usize) -> String {
+    let mouth = "-AELOMFS".repeat(800);
+    let text = |tag: &str| format!("{tag}{number} ").repeat(1000);
+    format!(
+        "{{\"visemes\":\"{mouth}\",\"viseme_type\":\"blair\",\"text_de-de\":\"{}\",\"text_en-us\":\"{}\"}}",
+        text("Wort"),
+        text("word")
+    )
+}
+
 /// The most bytes that `lipz` had in memory.
 #[allow(clippy::zombie_processes, reason = "it is waited for by a call that also tells what it took")]
 fn peak_bytes(scene: &Scene, arguments: &[&str]) -> u64 {
     let mut command = Command::new(env!("CARGO_BIN_EXE_lipz"));
-    command.args(arguments).args(["--no-config", "--quiet", "--threads", "2"]).current_dir(scene.path());
+    command.args(arguments).args(["--quiet", "--threads", "2"]).current_dir(scene.path());
     let child = command.stdin(Stdio::null()).spawn().unwrap();
     let pid = libc::pid_t::try_from(child.id()).unwrap();
     // SAFETY: the structs are plain numbers, for which zeros will do, and are written by the call.
@@ -62,7 +73,7 @@ fn packing_takes_no_more_than_twice_the_bank() {
     }
     scene.write("one/a.lipz", clip(0));
     let pack = |folder: &str, bank: &str, flags: &[&str]| {
-        peak_bytes(&scene, &[&["pack", folder, "-o", &format!("{bank}.lipzbank")], flags].concat())
+        peak_bytes(&scene, &[&["pack", folder, "-o", &format!("{bank}.lipzbank"), "--no-config"], flags].concat())
     };
     let peak = pack("voices", "whole", &[]);
     let bank = fs::metadata(scene.path().join("whole.lipzbank")).unwrap().len();
@@ -80,4 +91,35 @@ fn packing_takes_no_more_than_twice_the_bank() {
     check("one file changed", pack("voices", "cached", &cache), &[]);
     let bytes = |name: &str| fs::read(scene.path().join(name)).unwrap();
     assert!(bytes("cached.lipzbank") == bytes("whole.lipzbank"));
+}
+
+/// The most bytes that linking a folder in so many shards has in memory, and those of the bank.
+fn linked(scene: &Scene, folder: &str, shards: usize) -> (u64, u64) {
+    scene.write("lipz.toml", format!("sources = [\"{folder}\"]\noutput = \"{folder}.lipzbank\"\n"));
+    let plan = format!("{folder}-plan/plan.json");
+    scene.prepare(&["shard", "plan", "--shards", &shards.to_string(), "-o", &plan, "--quiet"]);
+    for shard in 0..shards {
+        let object = format!("{folder}-plan/{shard}.lipzobj");
+        scene.prepare(&["pack", "--plan", &plan, "--shard", &shard.to_string(), "-o", &object, "--quiet"]);
+    }
+    let bank = format!("{folder}.lipzbank");
+    let peak = peak_bytes(scene, &["link", &format!("{folder}-plan/*.lipzobj"), "-o", &bank]);
+    (peak, fs::metadata(scene.path().join(bank)).unwrap().len())
+}
+
+#[test]
+fn linking_holds_tables_and_no_more() {
+    const SHARDS: usize = 16;
+    let scene = Scene::new();
+    scene.write("one/a.lipz", clip(0));
+    let (program, _) = linked(&scene, "one", SHARDS);
+    for number in 0..CLIPS / 8 {
+        scene.write(&format!("long/line-{number:06}.lipz"), long_clip(number));
+    }
+    let (peak, bank) = linked(&scene, "long", SHARDS);
+    let taken = peak.saturating_sub(program);
+    println!("{taken} bytes, {:.2} times the bank", taken as f64 / bank as f64);
+    // On each thread an object, and of each object a stretch.
+    let most = bank * 2 / SHARDS as u64 + (6 << 20);
+    assert!(taken < most, "{taken} bytes for a bank of {bank}");
 }

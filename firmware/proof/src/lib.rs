@@ -50,6 +50,9 @@ fn proof_every_function(bytes: &[u8], texts: &[u8], name: &str, number: u32, see
         Ok(texts) => texts_asked(&bank, &texts, name, see),
         Err(error) => see_error(see, error),
     }
+    if let Err(error) = bank.verify_tables() {
+        see_error(see, error);
+    }
     match bank.verify_lines().and_then(Bank::verify).and_then(|bank| bank.verify_with(|bytes| core::str::from_utf8(bytes).ok())) {
         Ok(bank) => bank_asked(&bank, name, number, see),
         Err(error) => see_error(see, error),

@@ -34,6 +34,17 @@ pub(crate) fn core_utf8(bytes: &[u8]) -> Option<&str> {
 /// Checks the bank and marks its pools as checked.
 pub(crate) fn verify<'data>(bank: &mut Bank<'data>, utf8: Utf8<'data>) -> Result<(), Error> {
     lines(bank, utf8)?;
+    optional(bank)
+}
+
+/// Checks everything but the checksum and what frames and texts say.
+pub(crate) fn tables(mut bank: Bank<'_>) -> Result<(), Error> {
+    required::<false>(&mut bank, core_utf8)?;
+    optional(&bank)
+}
+
+/// Checks the sections that a bank need not have.
+fn optional(bank: &Bank<'_>) -> Result<(), Error> {
     sections::optional_sections(bank)?;
     babble::babble(bank)?;
     faces::faces(bank)?;
@@ -45,13 +56,18 @@ pub(crate) fn verify<'data>(bank: &mut Bank<'data>, utf8: Utf8<'data>) -> Result
 /// Checks what all banks have, mouth shapes, texts and events, and marks the pools as checked.
 pub(crate) fn lines<'data>(bank: &mut Bank<'data>, utf8: Utf8<'data>) -> Result<(), Error> {
     checksum(&bank.file)?;
+    required::<true>(bank, utf8)
+}
+
+/// Checks the sections that all banks have; without `CONTENTS`, not what frames and texts say.
+fn required<'data, const CONTENTS: bool>(bank: &mut Bank<'data>, utf8: Utf8<'data>) -> Result<(), Error> {
     sections::sections(&bank.file)?;
     sections::table_lengths(bank)?;
     for pool in [&mut bank.texts.names, &mut bank.texts.texts, &mut bank.event_strings] {
         check_pool(&bank.file, pool, utf8)?;
     }
     clips::rates(bank)?;
-    let keys_end = clips::clips(bank)?;
+    let keys_end = clips::clips::<CONTENTS>(bank)?;
     locales(&bank.file, &bank.texts, keys_end)?;
     events::events(bank)?;
     if lipz_layout::fingerprint(bank.keys, bank.clips) != bank.file.header.fingerprint.get() {

@@ -10,7 +10,7 @@ const COARSEST_TICK: Duration = Duration::from_secs(2);
 
 /// How a file looks from outside.
 #[derive(Encode, Decode, Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) struct FileMeta {
+pub(crate) struct FileMeta {
     length_bytes: u64,
     modified_ns: u64,
     /// When anything about the file changed last. Programs can set the time of modification, but on
@@ -23,7 +23,7 @@ pub(super) struct FileMeta {
 
 impl FileMeta {
     /// The meta of a file with this metadata; `None` if it has times before 1970 or after 2500.
-    pub(super) fn new(metadata: &Metadata) -> Option<FileMeta> {
+    pub(crate) fn new(metadata: &Metadata) -> Option<FileMeta> {
         let modified_ns = since_epoch_ns(metadata.modified().ok()?)?;
         #[cfg(unix)]
         let (changed_ns, number) = {
@@ -34,6 +34,12 @@ impl FileMeta {
         #[cfg(not(unix))]
         let (changed_ns, number) = (modified_ns, 0);
         Some(FileMeta { length_bytes: metadata.len(), modified_ns, changed_ns, number })
+    }
+
+    /// The length of the file.
+    #[cfg(feature = "shards")]
+    pub(crate) fn length_bytes(&self) -> u64 {
+        self.length_bytes
     }
 
     /// The same of what the system tells of a file in an open folder.

@@ -5,8 +5,6 @@
 //! bank. Nothing is believed without proof, so that the new bank is the one that a run without a cache
 //! makes. `docs/ARCHITECTURE.md` says what is trusted when.
 
-#[cfg(feature = "shards")]
-mod all;
 mod cached_file;
 mod check;
 mod few;
@@ -20,11 +18,15 @@ mod recall;
 mod stamps;
 mod sweep;
 
-#[cfg(feature = "shards")]
-pub(crate) use all::clips_of;
 pub(crate) use cached_file::{Cache, CachedFile, FileStamps};
+#[cfg(feature = "shards")]
+pub(crate) use file_meta::FileMeta;
 pub(crate) use look::Look;
 pub use memory::Memory;
+#[cfg(feature = "shards")]
+pub(crate) use old_bank::section;
+#[cfg(feature = "shards")]
+pub(crate) use recall::recall_tables;
 pub(crate) use stamps::Stamp;
 
 use crate::compile::{Progress, Run, Texts};

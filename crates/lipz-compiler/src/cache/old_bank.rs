@@ -2,14 +2,13 @@
 
 use super::file_meta::FileMeta;
 use super::recall::checksum_of;
+use crate::running_checksum::RunningChecksum;
 use lipz_layout::{CHECKED_FROM, DirectoryEntry, Header, MAX_SECTIONS, Tag, checksum};
 use std::fs::File;
-use std::hash::Hasher;
 use std::io::{self, Read, Seek, SeekFrom};
 use std::ops::Range;
 use std::path::Path;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
-use twox_hash::XxHash64;
 use zerocopy::FromBytes;
 
 /// The sections that are most of a bank, and of which a clip is recalled piece by piece.
@@ -157,24 +156,19 @@ impl BankFile {
 
     /// The checksum of the bytes: of the tables as they are in memory, and of all else as it is in the file.
     fn checksum(&self) -> io::Result<u64> {
-        let length = self.tables.len();
-        let mut hasher = XxHash64::with_seed(0);
+        let mut checksum = RunningChecksum::new();
         let mut bytes = vec![0; BLOCK_BYTES];
         for (block, is_table) in blocks(&self.tables) {
             let from = block.start.max(CHECKED_FROM);
             if is_table {
-                hasher.write(&self.tables[from..block.end]);
+                checksum.add(&self.tables[from..block.end]);
             } else {
                 let bytes = &mut bytes[..block.end - from];
                 self.read_exact(from, bytes)?;
-                hasher.write(bytes);
+                checksum.add(bytes);
             }
         }
-        // What stands behind the bytes, as `docs/FORMAT.md` has it.
-        let mut rest = vec![1];
-        rest.resize((length - CHECKED_FROM + 1).next_multiple_of(STRIPE) - (length - CHECKED_FROM), 0);
-        hasher.write(&rest);
-        Ok(hasher.finish())
+        Ok(checksum.finish())
     }
 
     fn read_exact(&self, offset: usize, bytes: &mut [u8]) -> io::Result<()> {
@@ -194,11 +188,8 @@ fn blocks(bank: &[u8]) -> Vec<(Range<usize>, bool)> {
     blocks.map(|block| (block.clone(), !is_large(&block))).collect()
 }
 
-/// Bytes that the checksum takes at a time.
-const STRIPE: usize = 32;
-
 /// Where a section of a bank is.
-pub(super) fn section(bank: &[u8], tag: Tag) -> Option<Range<usize>> {
+pub(crate) fn section(bank: &[u8], tag: Tag) -> Option<Range<usize>> {
     let (header, rest) = Header::ref_from_prefix(bank).ok()?;
     let count = (header.section_count.get() as usize).min(MAX_SECTIONS);
     let (directory, _) = <[DirectoryEntry]>::ref_from_prefix_with_elems(rest, count).ok()?;

@@ -50,6 +50,23 @@ pub(super) fn checksum_of(bank: &[u8]) -> Option<u64> {
     Some(Header::ref_from_prefix(bank).ok()?.0.checksum.get())
 }
 
+/// Makes `clip` the one that was found, but for frames, texts and source record; `None` if an event is damaged.
+pub(crate) fn recall_tables(found: &Clip<'_, '_>, clip: &mut ClipData) -> Option<()> {
+    clip.clear();
+    clip.fps = found.fps();
+    clip.viseme_type = found.viseme_type();
+    clip.has_visemes = found.has_visemes();
+    clip.starts.extend(found.segments().map(|segment| segment.start_frame()));
+    clip.has_events = found.has_events();
+    for segment in found.segments().filter(|_| clip.has_events) {
+        clip.events.push(segment.event()?);
+    }
+    found
+        .curves()
+        .for_each(|curve| clip.curves.push(curve.name().as_str(), curve.keys().map(|key| (key.frame, key.value))));
+    Some(())
+}
+
 /// A section of the old bank that is sure to be in memory.
 pub(super) fn table<'b>(recall: &Recall<'b>, tag: Tag) -> Option<&'b [u8]> {
     let tables = recall.old.tables();
@@ -124,21 +141,10 @@ impl Recaller<'_, '_> {
     pub(super) fn clip(&mut self, slot: u32, clip: &mut ClipData) -> Option<()> {
         let recall = self.recall;
         let found = recall.bank.clip_at(slot)?;
-        clip.clear();
-        clip.fps = found.fps();
-        clip.viseme_type = found.viseme_type();
-        clip.has_visemes = found.has_visemes();
+        recall_tables(&found, clip)?;
         let start = recall.frames.start + recall.records.get(slot as usize)?.frames_offset_bytes.get() as usize;
         let frames = start..start + found.frame_count() as usize;
         clip.frames.extend_from_slice(recall.old.bytes(frames, &mut self.frames, self.at_once)?);
-        clip.starts.extend(found.segments().map(|segment| segment.start_frame()));
-        clip.has_events = found.has_events();
-        for segment in found.segments().filter(|_| clip.has_events) {
-            clip.events.push(segment.event()?);
-        }
-        found
-            .curves()
-            .for_each(|curve| clip.curves.push(curve.name().as_str(), curve.keys().map(|key| (key.frame, key.value))));
         self.texts(&found, clip)?;
         if let Some(sources) = &recall.sources {
             let record = recall.old.bytes(sources.record(slot)?, &mut self.sources, self.at_once)?;

@@ -3,16 +3,22 @@
 mod curves;
 mod locales;
 mod packed;
+mod part;
+#[cfg(feature = "shards")]
+mod staying;
 mod store;
 
 pub(crate) use curves::{Curves, Key};
 pub(crate) use locales::Locales;
+pub(crate) use part::Part;
+#[cfg(feature = "shards")]
+pub(crate) use staying::{ClipFile, SectionStarts, StayingSource, Window};
 pub(crate) use store::{Clip, Clips, split_run};
 
 use crate::hashed::hash;
 use crate::strings::Strings;
 use lipz_bank::{Fps, VisemeType};
-use lipz_layout::U16;
+use lipz_layout::{TEXT_COUNT_BYTES, U16};
 use std::ops::Range;
 
 /// One clip as the check makes it. A thread fills the same one for all of its files, so that its
@@ -52,8 +58,8 @@ pub(crate) struct ClipData {
 pub(crate) struct ClipText {
     /// Number of the locale in [`Locales`].
     pub(crate) locale: u32,
-    /// Where the run starts among the clip's, and where it ends, with [`IS_FALLBACK`]; in [`Clips`], the texts alone. There
-    /// are millions: 16 bytes for each will do.
+    /// Where the run starts among the clip's, and where it ends, with [`IS_FALLBACK`]; in [`Clips`], the texts alone, or where
+    /// they stay. There are millions: 16 bytes for each will do.
     start: u32,
     end: u32,
     /// Hash of the texts: made while it is in the cache.
@@ -62,16 +68,36 @@ pub(crate) struct ClipText {
 
 /// A bit of the end of a run. A file, and so its texts, has less than 2²⁸ bytes.
 const IS_FALLBACK: u32 = 1 << 31;
+/// A bit of the end of texts that stay in the pool of a bank, where the last of them is counted. A pool has less than 2³⁰ bytes.
+const IS_COUNTED: u32 = 1 << 30;
 
 impl ClipText {
     /// Where the run lies among the clip's.
     fn place(&self) -> Range<usize> {
-        self.start as usize..(self.end & !IS_FALLBACK) as usize
+        self.start as usize..(self.end & !(IS_FALLBACK | IS_COUNTED)) as usize
     }
 
     /// The same where its texts stand elsewhere.
     fn at(&self, place: Range<usize>) -> ClipText {
         ClipText { start: place.start as u32, end: place.end as u32 | self.end & IS_FALLBACK, ..*self }
+    }
+
+    /// The texts that stay at a place in the pool of a bank, with a count before the last one or without.
+    #[cfg(feature = "shards")]
+    pub(crate) fn staying(locale: u32, place: Range<usize>, is_counted: bool, displays: &[u8]) -> ClipText {
+        let counted = if is_counted { IS_COUNTED } else { 0 };
+        ClipText { locale, start: place.start as u32, end: place.end as u32 | counted, hash: hash(displays) as u32 }
+    }
+
+    /// Whether there is nothing in texts that are alone, here or elsewhere.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.place().len() == if self.end & IS_COUNTED != 0 { TEXT_COUNT_BYTES } else { 0 }
+    }
+
+    /// Whether the last of texts that stay is counted.
+    #[cfg(feature = "shards")]
+    fn is_counted(&self) -> bool {
+        self.end & IS_COUNTED != 0
     }
 
     /// Whether it is the text of another locale, which is not packed.
@@ -80,7 +106,7 @@ impl ClipText {
     }
 
     /// The same text for another locale, which has none.
-    fn as_fallback_of(&self, locale: u32) -> ClipText {
+    pub(crate) fn as_fallback_of(&self, locale: u32) -> ClipText {
         ClipText { locale, end: self.end | IS_FALLBACK, ..*self }
     }
 }

@@ -1,6 +1,9 @@
 //! Checked clips in bulk: flat, so that a hundred thousand of them cost no allocation each.
 
-use super::{ClipData, ClipText, Curves, Key, Locales};
+#[cfg(feature = "shards")]
+use super::staying::{ClipFile, StayingSource};
+use super::{ClipData, ClipText, Curves, Key, Locales, Part};
+use crate::hashed::{Hashed, hash};
 use crate::strings::Strings;
 use lipz_bank::{Fps, VisemeType};
 use lipz_layout::U16;
@@ -25,6 +28,17 @@ pub(crate) struct Clips {
     events: Strings,
     curves: Curves,
     sources: Vec<u8>,
+    /// Where frames, texts and source records stay, if they are not in the buffers.
+    #[cfg(feature = "shards")]
+    staying: Option<Staying>,
+}
+
+/// The file in which clips leave frames, texts and source records.
+#[cfg(feature = "shards")]
+#[derive(Debug)]
+struct Staying {
+    file: ClipFile,
+    sources: Vec<StayingSource>,
 }
 
 /// What is not in a buffer of a clip, and where its parts end.
@@ -52,27 +66,31 @@ struct Ends {
 impl Clips {
     /// Adds a clip, whose texts refer to `self.locales`.
     pub(crate) fn push(&mut self, key: &str, clip: &ClipData) {
-        self.keys.push(key);
         self.frames.extend_from_slice(&clip.frames);
-        self.starts.extend_from_slice(&clip.starts);
         self.push_texts(clip);
+        self.sources.extend_from_slice(&clip.source);
+        let (frames, displays, source) = (self.frames.len(), self.displays.len(), self.sources.len());
+        self.push_tables(key, clip, Ends { frames, displays, source, ..Ends::default() });
+    }
+
+    /// Adds what is not in the large buffers, in which the clip ends so.
+    fn push_tables(&mut self, key: &str, clip: &ClipData, ends: Ends) {
+        self.keys.push(key);
+        self.starts.extend_from_slice(&clip.starts);
         clip.events.iter().for_each(|event| self.events.push(event));
         clip.curves.iter().for_each(|(name, keys)| self.curves.push(name, keys.iter().copied()));
-        self.sources.extend_from_slice(&clip.source);
         self.heads.push(Head {
             fps: clip.fps,
             viseme_type: clip.viseme_type,
             has_visemes: clip.has_visemes,
             has_events: clip.has_events,
             ends: Ends {
-                frames: self.frames.len(),
                 starts: self.starts.len(),
                 texts: self.texts.len(),
                 text_ends: self.text_ends.len(),
-                displays: self.displays.len(),
                 events: self.events.count(),
                 curves: self.curves.count(),
-                source: self.sources.len(),
+                ..ends
             },
         });
     }
@@ -86,6 +104,33 @@ impl Clips {
             self.displays.extend_from_slice(displays);
             self.texts.push(text.at(start..self.displays.len() - first));
         }
+    }
+
+    /// Clips that leave frames, texts and source records in a file.
+    #[cfg(feature = "shards")]
+    pub(crate) fn staying_in(file: ClipFile) -> Clips {
+        Clips { staying: Some(Staying { file, sources: Vec::new() }), ..Clips::default() }
+    }
+
+    /// Adds a text of the clip that is [pushed next](Self::push_staying), which refers to `self.locales`.
+    #[cfg(feature = "shards")]
+    pub(crate) fn push_staying_text(&mut self, text: ClipText, ends: impl Iterator<Item = U16>) {
+        self.texts.push(text);
+        self.text_ends.extend(ends);
+    }
+
+    /// Adds a clip of so many frames, which stand in the file behind those of the clip before it.
+    #[cfg(feature = "shards")]
+    pub(crate) fn push_staying(&mut self, key: &str, clip: &ClipData, frame_count: usize, source: StayingSource) {
+        self.staying.iter_mut().for_each(|staying| staying.sources.push(source));
+        let frames = self.heads.last().map_or(0, |last| last.ends.frames) + frame_count;
+        self.push_tables(key, clip, Ends { frames, ..Ends::default() });
+    }
+
+    /// Whether nothing has happened to the file in which the clips left something.
+    #[cfg(feature = "shards")]
+    pub(crate) fn is_as_it_was(&self) -> bool {
+        self.staying.as_ref().is_none_or(|staying| staying.file.is_as_it_was())
     }
 
     /// Number of clips.
@@ -115,6 +160,12 @@ impl Clips {
     /// The clips in the order in which they were added, as the first batch.
     pub(crate) fn iter(&self) -> impl Iterator<Item = Clip<'_>> {
         (0..self.heads.len() as u32).map(|index| Clip { clips: self, batch: 0, index })
+    }
+
+    /// The clip that was added after so many others.
+    #[cfg(feature = "shards")]
+    pub(crate) fn clip(&self, index: u32) -> Clip<'_> {
+        Clip { clips: self, batch: 0, index }
     }
 
     /// The clips of all `batches` in the order of their keys.
@@ -205,8 +256,18 @@ impl<'c> Clip<'c> {
         self.head().has_visemes
     }
 
-    pub(crate) fn frames(&self) -> &'c [u8] {
-        &self.clips.frames[self.range(|ends| ends.frames)]
+    /// Number of frames.
+    pub(crate) fn frame_count(&self) -> usize {
+        self.range(|ends| ends.frames).len()
+    }
+
+    pub(crate) fn frames(&self) -> Part<'c> {
+        let place = self.range(|ends| ends.frames);
+        #[cfg(feature = "shards")]
+        if let Some(staying) = &self.clips.staying {
+            return Part::Stays(staying.file.frames(place));
+        }
+        Part::Here(&self.clips.frames[place])
     }
 
     pub(crate) fn starts(&self) -> &'c [u32] {
@@ -234,8 +295,13 @@ impl<'c> Clip<'c> {
     }
 
     /// The display texts of one of the texts, one behind the other.
-    pub(crate) fn displays(&self, index: usize) -> &'c [u8] {
-        &self.clips.displays[self.range(|ends| ends.displays)][self.texts()[index].place()]
+    pub(crate) fn displays(&self, index: usize) -> Part<'c> {
+        let text = &self.texts()[index];
+        #[cfg(feature = "shards")]
+        if let Some(staying) = &self.clips.staying {
+            return Part::Stays(staying.file.text(text, last_start(self.text_ends(index))));
+        }
+        Part::Here(&self.clips.displays[self.range(|ends| ends.displays)][text.place()])
     }
 
     /// The event strings of all segments, if the file has an `events` element.
@@ -253,9 +319,31 @@ impl<'c> Clip<'c> {
         !self.range(|ends| ends.curves).is_empty()
     }
 
-    pub(crate) fn source(&self) -> &'c [u8] {
-        &self.clips.sources[self.range(|ends| ends.source)]
+    pub(crate) fn source(&self) -> Part<'c> {
+        #[cfg(feature = "shards")]
+        if let Some(staying) = &self.clips.staying {
+            return Part::Stays(staying.file.source(staying.sources[self.index as usize]));
+        }
+        Part::Here(&self.clips.sources[self.range(|ends| ends.source)])
     }
+
+    /// The source record with its hash.
+    pub(crate) fn hashed_source(&self) -> Hashed<'c> {
+        #[cfg(feature = "shards")]
+        if let Some(staying) = &self.clips.staying {
+            let hash = u64::from(staying.sources[self.index as usize].hash);
+            return Hashed { hash, bytes: self.source() };
+        }
+        let bytes = &self.clips.sources[self.range(|ends| ends.source)];
+        Hashed { hash: hash(bytes), bytes: Part::Here(bytes) }
+    }
+}
+
+/// Where the last of texts starts behind the first, by where each of them ends.
+#[cfg(feature = "shards")]
+fn last_start(ends: &[U16]) -> usize {
+    let before_last = &ends[..ends.len().saturating_sub(1)];
+    before_last.iter().fold(0, |start, low| start + usize::from(low.get().wrapping_sub(start as u16)))
 }
 
 #[cfg(test)]
@@ -283,9 +371,9 @@ mod tests {
         let mut batches = [first, second];
         assert_eq!(Clips::join_locales(&mut batches), ["de-de", "en-us", "fr-fr"].map(Box::from));
         let clips = Clips::by_key(&batches);
-        let seen: Vec<_> = clips.iter().map(|clip| (clip.key(), clip.frames().len(), clip.place())).collect();
+        let seen: Vec<_> = clips.iter().map(|clip| (clip.key(), clip.frame_count(), clip.place())).collect();
         assert_eq!(seen, [("a", 1, (0, 1)), ("b", 2, (1, 0)), ("c", 3, (0, 0))]);
-        let run = |clip: &Clip<'_>, locale| clip.text_in(locale).map(|index| clip.displays(index).to_vec());
+        let run = |clip: &Clip<'_>, locale| clip.text_in(locale).map(|index| clip.displays(index).bytes().to_vec());
         let texts: Vec<_> = clips.iter().map(|clip| [0, 1, 2].map(|locale| run(clip, locale))).collect();
         let [de, en, fr] = ["de-de", "en-us", "fr-fr"].map(|tag| Some(tag.into()));
         assert_eq!(texts, [[None, None, None], [None, en, fr.clone()], [de, None, fr]]);

@@ -148,10 +148,16 @@ impl<'p> Compiler<'p> {
 
     /// Does `work` with the canonical options on the threads of the compiler.
     pub(crate) fn run(&self, work: impl FnOnce(&Options) -> Compiled + Send) -> Compiled {
-        match self.options.canonical() {
-            Ok(options) => parallel::in_pool(options.threads, || work(&options)),
-            Err(report) => Compiled::refused(report),
-        }
+        self.run_any(work).unwrap_or_else(Compiled::refused)
+    }
+
+    /// The same for work with another result.
+    ///
+    /// # Errors
+    /// If the options are not those of a project.
+    pub(crate) fn run_any<R: Send>(&self, work: impl FnOnce(&Options) -> R + Send) -> Result<R, Report> {
+        let options = self.options.canonical()?;
+        Ok(parallel::in_pool(options.threads, || work(&options)))
     }
 }
 
@@ -178,13 +184,19 @@ impl fmt::Debug for Compiler<'_> {
 pub(crate) fn verify(bank: &[u8]) -> Result<(), Report> {
     // Not core's check of UTF-8, which takes longer than all others together.
     let utf8 = |bytes| simdutf8::basic::from_utf8(bytes).ok();
-    match Bank::open(bank).and_then(|bank| bank.verify_with(utf8)) {
-        Ok(_) => Ok(()),
-        Err(error) => Err(Report::failure(
-            "",
-            Code::BankDamaged,
-            format!("the bank that was made does not pass verification: {error}"),
-            "this is a defect of lipz: please report it with the files that lead to it",
-        )),
-    }
+    verified(Bank::open(bank).and_then(|bank| bank.verify_with(utf8).map(|_| ())))
+}
+
+/// The same for a bank with zeros where its clips own something.
+#[cfg(feature = "shards")]
+pub(crate) fn verify_tables(tables: &[u8]) -> Result<(), Report> {
+    verified(Bank::open(tables).and_then(|bank| bank.verify_tables()))
+}
+
+fn verified(found: Result<(), lipz_bank::Error>) -> Result<(), Report> {
+    found.map_err(|error| {
+        let message = format!("the bank that was made does not pass verification: {error}");
+        let help = "this is a defect of lipz: please report it with the files that lead to it";
+        Report::failure("", Code::BankDamaged, message, help)
+    })
 }

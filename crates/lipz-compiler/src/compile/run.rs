@@ -180,6 +180,16 @@ impl Run {
         if self.has_errors() {
             return self.finish(None);
         }
+        let layout = self.lay_out(options);
+        let start = Instant::now();
+        let batches = std::mem::take(&mut self.clips);
+        let bank = layout.and_then(|layout| layout.fill(batches)).map_err(|report| in_file(report, inputs));
+        self.phases.lower += start.elapsed();
+        self.conclude(bank, options, finish)
+    }
+
+    /// Lays out the bank of the clips. A report may have the key of a clip for a path.
+    fn lay_out(&mut self, options: &Options) -> Result<Layout, Report> {
         let start = Instant::now();
         let tags = Clips::join_locales(&mut self.clips);
         let clips = Clips::by_key(&self.clips);
@@ -199,11 +209,37 @@ impl Run {
         self.phases.localise = start.elapsed();
         let start = Instant::now();
         let layout = Layout::new(&clips, &localised, &dubs, beside);
-        drop((clips, localised, dubs));
-        let batches = std::mem::take(&mut self.clips);
-        let bank = layout.and_then(|layout| layout.fill(batches)).map_err(|report| in_file(report, inputs));
         self.phases.lower = start.elapsed();
-        self.conclude(bank, options, finish)
+        layout
+    }
+
+    /// Lays out the bank of clips that stay in files, and has `write` write it: that gets the layout, the clips, and the bank
+    /// without what they own, which is verified. Returns what was written, if the project accepts the bank, and all
+    /// diagnostics. `name` gives a report that has the key of a clip for a path the name of its file.
+    #[cfg(feature = "shards")]
+    pub(crate) fn stream<T>(
+        mut self,
+        options: &Options,
+        name: impl FnOnce(Report, &[Clips]) -> Report,
+        write: impl FnOnce(&Layout, &[Clips]) -> Result<T, Report> + Send,
+    ) -> (Option<T>, Vec<Report>) {
+        if self.has_errors() {
+            return (None, self.finish(None).reports);
+        }
+        let layout = self.lay_out(options).map_err(|report| name(report, &self.clips));
+        let written = layout.and_then(|layout| {
+            let tables = layout.tables()?;
+            super::verify_tables(&tables)?;
+            let texts = Texts::of(&tables, options);
+            texts.are_enough(options)?;
+            self.expect(&texts, options)?;
+            drop(tables);
+            write(&layout, &self.clips)
+        });
+        match written {
+            Ok(written) => (Some(written), self.finish(None).reports),
+            Err(report) => (None, self.fail(report).reports),
+        }
     }
 
     /// Ends the run with a bank, if the project and `finish` accept it.

@@ -13,10 +13,10 @@ const ALIGNMENT: usize = SECTION_ALIGNMENT as usize;
 
 /// A section to be written.
 pub(crate) struct Section<'b> {
-    tag: Tag,
+    pub(super) tag: Tag,
     length: usize,
     /// The section, unless it is copied from the clips.
-    table: Option<&'b [u8]>,
+    pub(super) table: Option<&'b [u8]>,
     entry_bytes: usize,
     flags: u16,
 }
@@ -41,6 +41,44 @@ impl<'b> Section<'b> {
     }
 }
 
+/// Header and directory of a file with these sections in the order given, zeros between them.
+pub(super) struct Head {
+    pub(super) header: Header,
+    pub(super) directory: Vec<DirectoryEntry>,
+    /// The length of the file.
+    pub(super) end: usize,
+}
+
+impl Head {
+    pub(super) fn new(sections: &[Section<'_>], index_seed: u64, fingerprint: u64) -> Result<Head, Report> {
+        let mut directory = Vec::with_capacity(sections.len());
+        let mut end = size_of::<Header>() + sections.len() * size_of::<DirectoryEntry>();
+        for section in sections {
+            let offset = end.next_multiple_of(ALIGNMENT);
+            end = offset + section.length;
+            directory.push(DirectoryEntry {
+                tag: section.tag.0,
+                offset_bytes: fit(offset, "sections")?.into(),
+                length_bytes: fit(section.length, "sections")?.into(),
+                entry_bytes: U16::new(u16::try_from(section.entry_bytes).map_err(|_| too_large("entries"))?),
+                flags: section.flags.into(),
+            });
+        }
+        let header = Header {
+            magic: MAGIC,
+            checksum: 0.into(),
+            file_length_bytes: fit(end, "sections")?.into(),
+            format_major: FORMAT_MAJOR.into(),
+            format_minor: FORMAT_MINOR.into(),
+            fingerprint: fingerprint.into(),
+            index_seed: index_seed.into(),
+            section_count: fit(sections.len(), "sections")?.into(),
+            reserved: [0; 20],
+        };
+        Ok(Head { header, directory, end })
+    }
+}
+
 /// The file: header, directory, sections in the order given, zeros between them. `fill` gets the places
 /// of those that are copied from the clips.
 pub(crate) fn assemble(
@@ -49,31 +87,8 @@ pub(crate) fn assemble(
     fingerprint: u64,
     fill: impl FnOnce(Vec<&mut [u8]>),
 ) -> Result<Vec<u8>, Report> {
-    let directory_end = size_of::<Header>() + sections.len() * size_of::<DirectoryEntry>();
-    let mut directory = Vec::with_capacity(sections.len());
-    let mut end = directory_end;
-    for section in sections {
-        let offset = end.next_multiple_of(ALIGNMENT);
-        end = offset + section.length;
-        directory.push(DirectoryEntry {
-            tag: section.tag.0,
-            offset_bytes: fit(offset, "sections")?.into(),
-            length_bytes: fit(section.length, "sections")?.into(),
-            entry_bytes: U16::new(u16::try_from(section.entry_bytes).map_err(|_| too_large("entries"))?),
-            flags: section.flags.into(),
-        });
-    }
-    let mut header = Header {
-        magic: MAGIC,
-        checksum: 0.into(),
-        file_length_bytes: fit(end, "sections")?.into(),
-        format_major: FORMAT_MAJOR.into(),
-        format_minor: FORMAT_MINOR.into(),
-        fingerprint: fingerprint.into(),
-        index_seed: index_seed.into(),
-        section_count: fit(sections.len(), "sections")?.into(),
-        reserved: [0; 20],
-    };
+    let Head { mut header, directory, end } = Head::new(sections, index_seed, fingerprint)?;
+    let directory_end = size_of::<Header>() + directory.as_bytes().len();
     // Zeros straight from the system, touched only where a section is written.
     let mut bank = vec![0; end];
     bank[..size_of::<Header>()].copy_from_slice(header.as_bytes());

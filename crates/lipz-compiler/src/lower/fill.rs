@@ -61,16 +61,16 @@ impl Lane<'_> {
     fn copy(&mut self, layout: &Layout, clip: &Clip<'_>, slot: usize) {
         match self.part {
             Part::Frames => {
-                self.copy_to(layout.records.clips[slot].frames_offset_bytes.get() as usize, clip.frames());
+                self.copy_to(layout.records.clips[slot].frames_offset_bytes.get() as usize, &clip.frames().bytes());
             }
             Part::Texts { locale, start } => {
                 let Some(text) = clip.text_in(locale as u32) else { return };
                 let segments_first = layout.records.clips[slot].segments_first.get() as usize;
                 let first = locale * layout.segment_count + segments_first;
                 let starts = &layout.texts.starts[first..first + clip.starts().len()];
-                texts::copy(clip.displays(text), starts, start, self.place);
+                texts::copy(&clip.displays(text).bytes(), starts, start, self.place);
             }
-            Part::Sources => self.copy_to(layout.sources.index[slot].get() as usize, clip.source()),
+            Part::Sources => self.copy_to(layout.sources.index[slot].get() as usize, &clip.source().bytes()),
         }
     }
 

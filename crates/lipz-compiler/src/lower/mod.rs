@@ -11,6 +11,8 @@ mod places;
 mod recordings;
 mod records;
 mod repeated;
+#[cfg(feature = "shards")]
+pub(crate) mod stream;
 mod strings;
 pub(crate) mod texts;
 mod voices;
@@ -131,6 +133,20 @@ impl Layout {
 
     /// The bank, filled from the clips that were laid out.
     pub(crate) fn fill(&self, batches: Vec<Clips>) -> Result<Vec<u8>, Report> {
+        assemble::assemble(&self.sections(), self.index.seed, self.records.fingerprint, |places| {
+            fill::fill(self, batches, places);
+        })
+    }
+
+    /// The bank with its tables, and zeros where something is copied from the clips: pages that nobody writes to take no
+    /// memory.
+    #[cfg(feature = "shards")]
+    pub(crate) fn tables(&self) -> Result<Vec<u8>, Report> {
+        assemble::assemble(&self.sections(), self.index.seed, self.records.fingerprint, |_| ())
+    }
+
+    /// The sections in their order.
+    fn sections(&self) -> Vec<Section<'_>> {
         let mut sections = vec![
             Section::table(Tag::CLIPS, self.records.clips.as_bytes()),
             Section::table(Tag::KEYS, self.records.keys.as_bytes()),
@@ -177,9 +193,7 @@ impl Layout {
         if !self.export.is_empty() {
             sections.push(Section::table(Tag::EXPORT, &self.export));
         }
-        assemble::assemble(&sections, self.index.seed, self.records.fingerprint, |places| {
-            fill::fill(self, batches, places);
-        })
+        sections
     }
 }
 

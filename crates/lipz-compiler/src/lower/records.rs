@@ -50,14 +50,14 @@ pub(super) fn clips(
         };
         records[slots[at] as usize] = ClipRecord {
             frames_offset_bytes: frames_start.into(),
-            frame_count: fit(clip.frames().len(), "frames")?.into(),
+            frame_count: fit(clip.frame_count(), "frames")?.into(),
             segments_first: fit(numbering.segments(at).start, "segments")?.into(),
             rate: clip.fps().map_or(Ok(NO_RATE), |fps| rates.number(fps))?.into(),
             viseme_type: clip.viseme_type().map_or(0, |viseme_type: VisemeType| viseme_type as u8),
             flags: if clip.has_visemes() { FLAG_VISEMES } else { 0 },
         };
         starts.extend(clip.starts().iter().map(|&start| U32::new(frames_start.wrapping_add(start)))); // too much is found at the end
-        frames_offset += clip.frames().len();
+        frames_offset += clip.frame_count();
     }
     starts.push(fit(frames_offset, "frames")?.into());
     let fingerprint = fingerprint(&keys, &records);

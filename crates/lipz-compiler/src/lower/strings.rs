@@ -2,7 +2,6 @@
 
 use super::{fit, too_large};
 use crate::clip::Clip;
-use crate::hashed::{Hashed, hash};
 use crate::localise::Localised;
 use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order of entries is never used
 use lipz_diagnostics::Report;
@@ -54,17 +53,19 @@ pub(super) struct Interned {
 }
 
 /// The source records.
-pub(super) fn own_sources(clips: &[Clip<'_>]) -> Interned {
+pub(super) fn own_sources<'c>(clips: &[Clip<'c>]) -> Interned {
     let (mut length, mut known) = (0, HashMap::with_capacity(clips.len() / 2));
-    let offset = |bytes| {
-        let offset = *known.entry(Hashed { hash: hash(bytes), bytes }).or_insert(length);
+    let offset = |clip: &Clip<'c>| {
+        let source = clip.hashed_source();
+        let source_length = source.bytes.length();
+        let offset = *known.entry(source).or_insert(length);
         // Records that are known lie before the end.
         if offset == length {
-            length += bytes.len();
+            length += source_length;
         }
         offset as u32
     };
-    let offsets = clips.iter().map(Clip::source).map(offset).collect();
+    let offsets = clips.iter().map(offset).collect();
     Interned { length, offsets }
 }
 

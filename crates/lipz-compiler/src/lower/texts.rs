@@ -3,7 +3,7 @@
 use super::numbering::Numbering;
 use super::places::{Place, places};
 use super::too_large;
-use crate::clip::{Clip, ClipText};
+use crate::clip::{Clip, ClipText, Part};
 use crate::dubs::Dubs;
 use crate::localise::{Choice, Localised};
 use crate::parallel;
@@ -116,7 +116,7 @@ pub(crate) fn pool_of<'c>(
     for at in numbering.order() {
         let own = &starts[numbering.segments(at)];
         if let Some(run) = run(at) {
-            copy(run.displays, own, 0, &mut pool);
+            copy(&run.texts.displays().bytes(), own, 0, &mut pool);
         }
     }
     starts.push(length.into());
@@ -125,10 +125,7 @@ pub(crate) fn pool_of<'c>(
 
 /// The texts of a clip in one locale, to be placed.
 pub(crate) struct Run<'c> {
-    /// Where each text ends, modulo 2¹⁶.
-    ends: &'c [U16],
-    /// The texts, one behind the other.
-    displays: &'c [u8],
+    texts: RunTexts<'c>,
     /// Hash of the texts.
     pub(super) hash: u32,
     is_fallback: bool,
@@ -138,24 +135,50 @@ pub(crate) struct Run<'c> {
     is_counted: bool,
 }
 
+/// Where the texts of a run are.
+#[derive(Clone, Copy)]
+enum RunTexts<'c> {
+    /// Those of a clip with this number, which are looked at when they are needed: there are millions.
+    Of(Clip<'c>, usize),
+    /// Where each text ends, modulo 2¹⁶, and the texts, one behind the other.
+    Here(&'c [U16], &'c [u8]),
+}
+
+impl<'c> RunTexts<'c> {
+    fn ends(self) -> &'c [U16] {
+        match self {
+            RunTexts::Of(clip, index) => clip.text_ends(index),
+            RunTexts::Here(ends, _) => ends,
+        }
+    }
+
+    fn displays(self) -> Part<'c> {
+        match self {
+            RunTexts::Of(clip, index) => clip.displays(index),
+            RunTexts::Here(_, displays) => Part::Here(displays),
+        }
+    }
+}
+
 impl<'c> Run<'c> {
     /// The run of one of a clip's texts, which another locale shows, too, or does not.
     fn new(clip: &Clip<'c>, index: usize, is_shown_elsewhere: bool) -> Run<'c> {
-        let own = (clip.text_ends(index), clip.displays(index));
-        Run::of(&clip.texts()[index], own, is_shown_elsewhere)
+        let text = &clip.texts()[index];
+        // So that every run has a start of its own.
+        let is_counted = is_shown_elsewhere || text.is_empty();
+        let (texts, is_fallback) = (RunTexts::Of(*clip, index), text.is_fallback());
+        Run { texts, hash: text.hash, is_fallback, stands_apart: false, is_counted }
     }
 
     /// The run of a text with these ends and texts.
-    pub(crate) fn of(text: &ClipText, own: (&'c [U16], &'c [u8]), is_shown_elsewhere: bool) -> Run<'c> {
-        let (ends, displays) = own;
-        // So that every run has a start of its own.
-        let is_counted = is_shown_elsewhere || displays.is_empty();
-        Run { ends, displays, hash: text.hash, is_fallback: text.is_fallback(), stands_apart: false, is_counted }
+    pub(crate) fn of(text: &ClipText, ends: &'c [U16], displays: &'c [u8]) -> Run<'c> {
+        let (texts, is_fallback) = (RunTexts::Here(ends, displays), text.is_fallback());
+        Run { texts, hash: text.hash, is_fallback, stands_apart: false, is_counted: displays.is_empty() }
     }
 
     /// Whether other texts are the same, segment by segment.
     pub(super) fn is_same(&self, other: &Run<'_>) -> bool {
-        self.ends == other.ends && self.displays == other.displays
+        self.texts.ends() == other.texts.ends() && self.texts.displays() == other.texts.displays()
     }
 
     /// The entry of a text that starts at this offset.
@@ -166,7 +189,7 @@ impl<'c> Run<'c> {
     /// Makes the entries of texts that stand behind those so far; returns where they end.
     fn put_entries(&self, start: usize, is_counted: bool, entries: &mut [U32]) -> usize {
         let mut end = start;
-        for (entry, low) in zip(&mut *entries, self.ends) {
+        for (entry, low) in zip(&mut *entries, self.texts.ends()) {
             *entry = self.entry(end as u32); // too much is found by the length
             end += usize::from(low.get().wrapping_sub((end - start) as u16));
         }
@@ -271,8 +294,8 @@ mod tests {
         let texts: [&[u8]; 6] = [b"a", b"b", b"c", b"b", b"c", b"a"];
         let ends = [U16::new(1)];
         let run = |at: usize| {
-            let (ends, displays) = (&ends[..], texts[at]);
-            Some(Run { ends, displays, hash: 7, is_fallback: false, stands_apart: false, is_counted: false })
+            let texts = RunTexts::Here(&ends, texts[at]);
+            Some(Run { texts, hash: 7, is_fallback: false, stands_apart: false, is_counted: false })
         };
         let numbering = Numbering::new(texts.iter().map(|_| (false, 1)));
         let (starts, pool) = pool_of(&numbering, run).ok().unwrap();

@@ -3,12 +3,16 @@
 use super::linked_object::{Found, LinkedObject};
 use super::misfits::misfits;
 use super::object::options_hash;
-use crate::compile::{Run, verify};
+use crate::clip::Clips;
+use crate::compile::{Run, in_file, verify};
 use crate::discover::display;
-use crate::{Compiled, Compiler, Input, Options, parallel};
+use crate::lower::Layout;
+use crate::lower::stream::{Fault, stream};
+use crate::output::replace_file_with;
+use crate::{Compiled, Compiler, Input, Options, OutputFile, parallel};
 use lipz_diagnostics::{Code, Report};
-use std::collections::BTreeMap;
-use std::mem;
+use std::fs::File;
+use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -17,6 +21,20 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 pub struct Link {
     pub(super) objects: Vec<LinkedObject>,
 }
+
+/// The result of linking to a bank in a file.
+#[derive(Clone, Debug, Default)]
+#[non_exhaustive]
+pub struct LinkedBank {
+    /// The bank; `None` if there are errors.
+    pub file: Option<OutputFile>,
+    /// All diagnostics, sorted by file and place.
+    pub reports: Vec<Report>,
+}
+
+/// Objects that are kept open while they are linked: systems allow some hundreds of files. More are opened again for each
+/// piece.
+const MOST_OPEN: usize = 128;
 
 impl Link {
     /// Opens the objects at `paths`, in any order.
@@ -64,17 +82,14 @@ impl Link {
         Err(Report::failure(display(&first.path), Code::ObjectMisfit, message, "link them as they were packed"))
     }
 
-    /// The clips of all objects, read on all threads, and what is known of their recordings.
-    fn read(
-        &self,
-        options: &Options,
-        progress: &(dyn Fn(u64) + Sync),
-    ) -> Result<(Vec<Found>, Vec<Report>), Vec<Report>> {
+    /// The clips of all objects, read on all threads, in the order of the shards, and what is known of their recordings.
+    fn read(&self, options: &Options, progress: &(dyn Fn(u64) + Sync)) -> Result<Found<Vec<Clips>>, Vec<Report>> {
         let next = AtomicUsize::new(0);
+        let keep_open = self.objects.len() <= MOST_OPEN;
         let workers = parallel::workers(options.threads, || {
-            let (mut found, mut faults) = (Vec::new(), Vec::new());
+            let (mut found, mut faults, mut room) = (Vec::new(), Vec::new(), Vec::new());
             while let Some(object) = self.objects.get(next.fetch_add(1, Ordering::Relaxed)) {
-                match object.read(&options.voices) {
+                match object.read(&options.voices, keep_open, &mut room) {
                     Ok(of_object) => found.push((object.export.shard, of_object)),
                     Err(report) => faults.push(report),
                 }
@@ -88,23 +103,36 @@ impl Link {
             lipz_diagnostics::reports::sort(&mut faults);
             return Err(faults);
         }
-        let mut found: Vec<(u16, Found)> = found.into_iter().flatten().collect();
+        let mut found: Vec<_> = found.into_iter().flatten().collect();
         found.sort_by_key(|(shard, _)| *shard);
+        let (clips, recordings): (Vec<Clips>, Vec<_>) = found.into_iter().map(|(_, found)| found).unzip();
+        Ok((clips, recordings.into_iter().flatten().collect()))
+    }
+
+    /// What was reported when the objects were made.
+    fn reports(&self) -> Result<Vec<Report>, Report> {
         let mut reports = Vec::new();
         for object in &self.objects {
-            reports.extend(object.reports().map_err(|report| vec![report])?);
+            reports.extend(object.reports()?);
         }
-        Ok((found.into_iter().map(|(_, found)| found).collect(), reports))
+        Ok(reports)
     }
 
     /// The inputs of all shards, by their names: their contents are in the objects.
-    fn inputs(&self, found: &[Found]) -> Vec<Input> {
+    fn inputs(&self, batches: &[Clips]) -> Vec<Input> {
         let mut inputs = Vec::with_capacity(self.clip_count());
-        for (object, found) in std::iter::zip(&self.objects, found) {
-            inputs.extend(object.inputs(found));
+        for (object, clips) in std::iter::zip(&self.objects, batches) {
+            inputs.extend(object.inputs(clips));
         }
-        inputs.sort_by_cached_key(Input::name);
+        // The names of an object are those of its clips in the order of the keys: nearly in order.
+        inputs.sort_by(|one, other| one.shown_name().cmp(&other.shown_name()));
         inputs
+    }
+
+    /// Whether nobody has written to an object since it was verified.
+    fn is_as_it_was(&self, batches: &[Clips]) -> Result<(), Report> {
+        let changed = std::iter::zip(&self.objects, batches).find(|(_, clips)| !clips.is_as_it_was());
+        changed.map_or(Ok(()), |(object, _)| Err(object.changed()))
     }
 }
 
@@ -112,31 +140,54 @@ impl Compiler<'_> {
     /// Links the objects of all shards, and replaces the file at `path` by the bank that [`pack`](Compiler::pack) makes of
     /// their sources in one go: the same bytes, and the same diagnostics but for those about dubs, whose sources are not
     /// read again to show the place.
-    pub fn link(&self, link: &Link, path: &Path) -> Compiled {
-        self.link_with(link, |bank| self.write_verified(path, bank))
+    ///
+    /// Objects are read twice, and what clips own goes from them to the bank piece by piece: in memory are only tables of
+    /// all clips, and for each thread one object.
+    pub fn link(&self, link: &Link, path: &Path) -> LinkedBank {
+        let (file, reports) = self.link_with(link, |layout, batches| {
+            let mut length_bytes = 0;
+            let write = |file: &mut File| {
+                length_bytes = stream(layout, batches, file)?;
+                link.is_as_it_was(batches).map_err(Fault::Refused)
+            };
+            self.written(path, || replace_file_with(path, write).map_err(|fault| fault.into_report(path)))?;
+            Ok(OutputFile { length_bytes, ..OutputFile::new(path, &[]) })
+        });
+        LinkedBank { file, reports }
     }
 
     /// The same without a file.
     pub fn link_to_bank(&self, link: &Link) -> Compiled {
-        self.link_with(link, verify)
+        let (bank, reports) = self.link_with(link, |layout, batches| {
+            let mut bank = Cursor::new(Vec::new());
+            stream(layout, batches, &mut bank).map_err(|fault| fault.into_report(Path::new("")))?;
+            link.is_as_it_was(batches)?;
+            verify(bank.get_ref()).map(|()| bank.into_inner())
+        });
+        Compiled { bank, reports, ..Compiled::default() }
     }
 
-    fn link_with(&self, link: &Link, finish: impl FnOnce(&[u8]) -> Result<(), Report> + Send) -> Compiled {
-        self.run(|options| {
-            if let Err(report) = link.with_options(options) {
-                return Compiled::refused(report);
-            }
-            let (mut found, reports) = match link.read(options, &self.progress) {
-                Ok(read) => read,
-                Err(reports) => return Compiled { reports, ..Compiled::default() },
-            };
-            let inputs = link.inputs(&found);
-            let mut recordings = BTreeMap::new();
-            found.iter_mut().for_each(|found| recordings.append(&mut found.recordings));
-            let clips = found.iter_mut().map(|found| mem::take(&mut found.clips)).collect();
+    fn link_with<T: Send>(
+        &self,
+        link: &Link,
+        write: impl FnOnce(&Layout, &[Clips]) -> Result<T, Report> + Send,
+    ) -> (Option<T>, Vec<Report>) {
+        let linked = self.run_any(|options| {
+            link.with_options(options).map_err(|report| vec![report])?;
+            let (clips, recordings) = link.read(options, &self.progress)?;
+            let reports = link.reports().map_err(|report| vec![report])?;
             let options = Options { recordings, ..options.clone() };
-            let run = Run::of_clips(clips, reports, &inputs, &options).compare_dubs(&inputs, &options);
-            run.make(&inputs, &options, finish)
-        })
+            let run = {
+                let inputs = link.inputs(&clips);
+                Run::of_clips(clips, reports, &inputs, &options).compare_dubs(&inputs, &options)
+            };
+            let name = |report, batches: &[Clips]| in_file(report, &link.inputs(batches));
+            Ok(run.stream(&options, name, write))
+        });
+        match linked {
+            Ok(Ok(linked)) => linked,
+            Ok(Err(reports)) => (None, reports),
+            Err(report) => (None, vec![report]),
+        }
     }
 }

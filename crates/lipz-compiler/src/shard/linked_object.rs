@@ -1,17 +1,24 @@
 //! An object that is linked: opened, and read when its clips are needed.
 
 use super::export::{self, Export};
+use super::object_clips::object_clips;
 use super::shard_of_key;
 use super::wire::WireReport;
-use crate::cache::clips_of;
-use crate::clip::Clips;
+use crate::cache::{FileMeta, section};
+use crate::clip::{ClipFile, Clips, SectionStarts};
 use crate::discover::display;
 use crate::{Content, Input, Voices};
 use lipz_bank::{Bank, Recording};
 use lipz_diagnostics::{Code, Diagnostic, Report};
+use lipz_layout::Tag;
 use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::{self, Read};
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
+
+/// The most bytes that a bank has: its offsets have 32 bits.
+const MOST_BYTES: u64 = u32::MAX as u64;
 
 /// An object that was opened.
 #[derive(Clone, Debug)]
@@ -21,12 +28,8 @@ pub struct LinkedObject {
     pub(super) export: Export,
 }
 
-/// What the clips of an object come with.
-#[derive(Default)]
-pub(super) struct Found {
-    pub(super) clips: Clips,
-    pub(super) recordings: BTreeMap<String, Recording>,
-}
+/// Clips, and what is known of their recordings.
+pub(super) type Found<C> = (C, BTreeMap<String, Recording>);
 
 impl LinkedObject {
     pub(super) fn open(path: &Path) -> Result<LinkedObject, Report> {
@@ -45,18 +48,46 @@ impl LinkedObject {
         }
     }
 
-    /// The clips, of bytes that are verified first.
-    pub(super) fn read(&self, voices: &Voices) -> Result<Found, Report> {
-        let name = display(&self.path);
-        let bytes = std::fs::read(&self.path).map_err(|error| {
-            let message = format!("`{name}` cannot be read: {error}");
-            Report::about(name.as_str(), Diagnostic::new(Code::UnreadableFile, message))
-        })?;
+    /// The clips, of bytes that are verified first. Frames, texts and source records stay in the file, which is kept open or
+    /// opened again; `room` is for its bytes.
+    pub(super) fn read(&self, voices: &Voices, keep_open: bool, room: &mut Vec<u8>) -> Result<Found<Clips>, Report> {
+        let (file, meta) = self.read_into(room)?;
+        let bytes: &[u8] = room;
         let utf8 = |bytes| simdutf8::basic::from_utf8(bytes).ok();
-        let verified = Bank::open(&bytes).and_then(|bank| bank.verify_with(utf8));
+        let verified = Bank::open(bytes).and_then(|bank| bank.verify_with(utf8));
         let bank = verified.map_err(|error| self.damaged(&error.to_string()))?;
+        self.check(&bank, voices)?;
+        let recordings = bank.clips().filter_map(|clip| Some((clip.key().to_owned(), clip.recording()?))).collect();
+        let start = |tag| section(bytes, tag).map_or(0, |section| section.start);
+        let starts =
+            SectionStarts { frames: start(Tag::FRAMES), texts: start(Tag::TEXTS), sources: start(Tag::SOURCES) };
+        let file = ClipFile::new(self.path.clone(), keep_open.then_some(file), meta, starts);
+        let clips = object_clips(bytes, &bank, file).ok_or_else(|| self.damaged("its clips cannot be read"))?;
+        Ok((clips, recordings))
+    }
+
+    /// Reads the file, and returns it with what it looked like before.
+    fn read_into(&self, bytes: &mut Vec<u8>) -> Result<(File, FileMeta), Report> {
+        let mut read = || {
+            let file = File::open(&self.path)?;
+            let metadata = file.metadata()?;
+            bytes.clear();
+            bytes.reserve_exact(metadata.len().min(MOST_BYTES) as usize);
+            (&file).take(MOST_BYTES + 1).read_to_end(bytes)?;
+            let meta = FileMeta::new(&metadata).ok_or_else(|| io::Error::other("its times cannot be told"))?;
+            Ok((file, meta))
+        };
+        read().map_err(|error: io::Error| {
+            let name = display(&self.path);
+            let message = format!("`{name}` cannot be read: {error}");
+            Report::about(name, Diagnostic::new(Code::UnreadableFile, message))
+        })
+    }
+
+    /// Whether a verified bank is what was opened, and that of its shard.
+    fn check(&self, bank: &Bank<'_>, voices: &Voices) -> Result<(), Report> {
         if bank.checksum() != self.checksum {
-            return Err(self.damaged("it was replaced meanwhile"));
+            return Err(self.changed());
         }
         if bank.clip_count() != self.export.names.len() {
             return Err(self.damaged("its export table is about other clips"));
@@ -71,15 +102,13 @@ impl LinkedObject {
         if !bank.locales().map(|locale| locale.tag()).eq(self.export.locales.iter().map(String::as_str)) {
             return Err(self.damaged("its export table names other locales"));
         }
-        let recordings = bank.clips().filter_map(|clip| Some((clip.key().to_owned(), clip.recording()?))).collect();
-        let clips = clips_of(bytes).ok_or_else(|| self.damaged("its clips cannot be read"))?;
-        Ok(Found { clips, recordings })
+        Ok(())
     }
 
     /// The inputs of its clips, by their names: their contents are in the object.
-    pub(super) fn inputs(&self, found: &Found) -> impl Iterator<Item = Input> {
-        // Both are in the order of the keys.
-        std::iter::zip(found.clips.iter(), &self.export.names).map(|(clip, name)| {
+    pub(super) fn inputs(&self, clips: &Clips) -> impl Iterator<Item = Input> {
+        let by_key = Clips::by_key(std::slice::from_ref(clips));
+        std::iter::zip(by_key, &self.export.names).map(|(clip, name)| {
             let content = Content::Bytes { name: name.clone(), bytes: Vec::new() };
             Input { key: clip.key().to_owned(), content }
         })
@@ -89,6 +118,11 @@ impl LinkedObject {
     pub(super) fn reports(&self) -> Result<Vec<Report>, Report> {
         let reports = self.export.reports.iter().cloned().map(WireReport::into_report);
         reports.collect::<Option<_>>().ok_or_else(|| self.damaged("a diagnostic in it is none"))
+    }
+
+    /// The report that somebody has written to it since it was opened.
+    pub(super) fn changed(&self) -> Report {
+        self.damaged("it was replaced meanwhile")
     }
 
     pub(super) fn damaged(&self, why: &str) -> Report {

@@ -10,6 +10,7 @@ mod link;
 mod linked_object;
 mod misfits;
 mod object;
+mod object_clips;
 mod plan;
 mod reading;
 mod set;
@@ -17,7 +18,7 @@ mod set_files;
 mod wire;
 
 pub use hash::ContentHash;
-pub use link::Link;
+pub use link::{Link, LinkedBank};
 pub use linked_object::LinkedObject;
 pub use object::Shard;
 pub use plan::{Beside, Common, Plan, PlannedFile, PlannedShard, ShardPlan, Step, plan};

@@ -5,18 +5,21 @@
 //! only keys.
 
 use super::Link;
-use super::linked_object::{Found, LinkedObject};
+use super::linked_object::LinkedObject;
 use super::set_files::{SetFiles, SetPart, SetPlace};
 use super::shard_of;
 use crate::clip::Clips;
 use crate::compile::{Texts, in_file, verify};
 use crate::discover::display;
 use crate::dubs::{self, Dubs, KeptDubs};
+use crate::lock::Lock;
+use crate::lower::stream::stream;
 use crate::lower::{Beside, Layout};
 use crate::{Compiler, Input, Options, key, localise, parallel};
 use lipz_bank::ClipId;
 use lipz_diagnostics::{Code, Report, reports};
 use std::collections::BTreeSet;
+use std::io::Cursor;
 use std::num::NonZero;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -43,7 +46,7 @@ struct Part {
 impl Compiler<'_> {
     /// Links the objects of all shards to a set: a bank for each beside the index at `path`, which is written last, so that
     /// the old set or the new one is there, whole. Diagnostics are those of [`link`](Compiler::link), and so is what the set
-    /// answers. Each thread has the clips of one shard in memory at a time.
+    /// answers. Each thread has one object in memory at a time. Another run that links to the same place comes before or after.
     pub fn link_to_set(&self, link: &Link, path: &Path) -> LinkedSet {
         let options = match self.options.canonical() {
             Ok(options) => options,
@@ -51,7 +54,10 @@ impl Compiler<'_> {
         };
         let shards = link.objects.len() as u16;
         let place = link.with_options(&options).and_then(|()| SetPlace::new(path, shards));
-        let linked = place.map(|place| parallel::in_pool(options.threads, || self.set(link, &place, &options)));
+        // It removes the banks that no index names: those that another run is about to name are not there yet.
+        let locked = place.and_then(|place| Ok((Lock::wait(path)?, place)));
+        let linked =
+            locked.map(|(_lock, place)| parallel::in_pool(options.threads, || self.set(link, &place, &options)));
         linked.unwrap_or_else(|report| LinkedSet { reports: vec![report], ..LinkedSet::default() })
     }
 
@@ -64,7 +70,7 @@ impl Compiler<'_> {
             texts.add(part.texts);
             banks.extend(part.bank);
         }
-        inputs.sort_by_cached_key(Input::name);
+        inputs.sort_by(|one, other| one.shown_name().cmp(&other.shown_name()));
         let mut of_keys = Vec::new();
         key::check(&inputs, &mut of_keys);
         of_keys.iter_mut().for_each(|report| options.apply_levels(report));
@@ -126,10 +132,9 @@ impl Compiler<'_> {
         tags: &[Box<str>],
         options: &Options,
     ) -> Result<Part, Report> {
-        let found = object.read(&options.voices)?;
-        let inputs: Vec<Input> = object.inputs(&found).collect();
+        let (clips, recordings) = object.read(&options.voices, true, &mut Vec::new())?;
+        let inputs: Vec<Input> = object.inputs(&clips).collect();
         let mut reports = object.reports()?;
-        let Found { clips, recordings } = found;
         let options = Options { recordings, ..options.clone() };
         let batches = vec![clips];
         let of_dubs = dubs::compare(&batches, &inputs, &options, &KeptDubs::default());
@@ -139,6 +144,7 @@ impl Compiler<'_> {
             return Ok(part);
         }
         let bytes = bank(batches, tags, &options).map_err(|report| in_file(report, &part.inputs))?;
+        let bytes = bytes.ok_or_else(|| object.changed())?;
         verify(&bytes)?;
         part.texts = Texts::of(&bytes, &options);
         let written = self.written(place.index, || place.write(object.export.shard, &bytes))?;
@@ -146,15 +152,17 @@ impl Compiler<'_> {
     }
 }
 
-/// The bank of the clips of a shard.
-fn bank(mut batches: Vec<Clips>, tags: &[Box<str>], options: &Options) -> Result<Vec<u8>, Report> {
+/// The bank of the clips of a shard; `None` if somebody has written to their object meanwhile.
+fn bank(mut batches: Vec<Clips>, tags: &[Box<str>], options: &Options) -> Result<Option<Vec<u8>>, Report> {
     batches.iter_mut().for_each(|clips| clips.refer_to(tags));
     let clips = Clips::by_key(&batches);
     let dubs = Dubs::find(&clips, options, &KeptDubs::default());
     let localised = localise::localise(&clips, tags, &dubs, options);
     let layout = Layout::new(&clips, &localised, &dubs, Beside::of(options))?;
     drop((clips, localised, dubs));
-    layout.fill(batches)
+    let mut bank = Cursor::new(Vec::new());
+    stream(&layout, &batches, &mut bank).map_err(|fault| fault.into_report(Path::new("")))?;
+    Ok(batches.iter().all(Clips::is_as_it_was).then(|| bank.into_inner()))
 }
 
 /// The clips that are in another bank than that of their id: dubs are in the one of their line.

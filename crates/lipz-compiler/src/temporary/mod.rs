@@ -41,6 +41,14 @@ pub(crate) enum Folder {
 impl TemporaryFile {
     /// The file with these bytes, not yet on disk.
     pub(crate) fn beside(path: &Path, bytes: &[u8]) -> io::Result<TemporaryFile> {
+        TemporaryFile::beside_with(path, |file| file.write_all(bytes))
+    }
+
+    /// The file that `write` fills, not yet on disk.
+    pub(crate) fn beside_with<E: From<io::Error>>(
+        path: &Path,
+        write: impl FnOnce(&mut File) -> Result<(), E>,
+    ) -> Result<TemporaryFile, E> {
         let target = target(path)?;
         let folder = folder_of(&target);
         std::fs::create_dir_all(folder)?;
@@ -54,7 +62,7 @@ impl TemporaryFile {
             builder.permissions(std::fs::Permissions::from_mode(0o666));
         }
         let mut temporary = builder.tempfile_in(folder)?;
-        temporary.write_all(bytes)?;
+        write(temporary.as_file_mut())?;
         if let Ok(metadata) = target.metadata() {
             // Whoever may write to a folder may replace files in it that they cannot read.
             keep::keep(&metadata, File::open(&target).ok().as_ref(), temporary.as_file())?;

@@ -81,22 +81,25 @@ impl Run for LinkArguments {
             bar.finish_and_clear();
             return self.finish_set(linked, link.clip_count(), reporter);
         }
-        let linked = match is_split {
-            true => compiler.link_to_bank(&link),
-            false => compiler.link(&link, &self.output),
+        let (length_bytes, reports, whole) = if is_split {
+            let linked = compiler.link_to_bank(&link);
+            (linked.bank.as_ref().map(Vec::len), linked.reports, linked.bank)
+        } else {
+            let linked = compiler.link(&link, &self.output);
+            (linked.file.map(|file| file.length_bytes), linked.reports, None)
         };
         bar.finish_and_clear();
-        let outcome = Outcome::from_reports(&linked.reports);
-        let Some(bank) = linked.bank else { return Err(reporter.abort(linked.reports, outcome)) };
-        reporter.add(linked.reports);
-        if is_split {
+        let outcome = Outcome::from_reports(&reports);
+        let Some(length_bytes) = length_bytes else { return Err(reporter.abort(reports, outcome)) };
+        reporter.add(reports);
+        if let Some(bank) = whole {
             let delivered = interrupt::whole(|| split.outputs(&self.output).deliver(&bank, Replace::Always));
             delivered.map_err(|report| reporter.fail(report))?;
         }
         if !self.quiet {
             let (objects, clips) =
                 (console::counted(objects.len(), "object"), console::counted(link.clip_count(), "clip"));
-            let (path, bytes) = (console::path(&self.output), console::grouped(bank.len()));
+            let (path, bytes) = (console::path(&self.output), console::grouped(length_bytes));
             reporter.summary(&format!("{objects} linked into {path} ({clips}, {bytes} bytes)\n"))?;
         }
         Ok(outcome)

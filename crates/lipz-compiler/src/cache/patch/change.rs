@@ -45,16 +45,16 @@ impl<'c> Change<'c> {
         };
         let has_curves = clip.has_curves() || found.curves().next().is_some();
         let is_alike = found.fps() == clip.fps() && found.segment_count() as usize == segment_count;
-        let has_frames = found.frame_count() > 0 && !clip.frames().is_empty();
+        let has_frames = found.frame_count() > 0 && clip.frame_count() > 0;
         if !has_same_events || has_curves || !is_alike || !has_frames {
             return None;
         }
         let has_same_source = match &recall.sources {
             Some(sources) => {
                 let mut window = Window::default();
-                recall.old.bytes(sources.record(slot)?, &mut window, 1)? == clip.source()
+                recall.old.bytes(sources.record(slot)?, &mut window, 1)? == &*clip.source().bytes()
             }
-            None => clip.source().is_empty(),
+            None => clip.source().length() == 0,
         };
         let (first, frames) = (record.segments_first.get() as usize, record.frames_offset_bytes.get() as usize);
         let mut change = Change {
@@ -126,7 +126,7 @@ impl TextChange {
         } else {
             (offset(next).checked_sub(offset(first))?, offset(next))
         };
-        let (ends, texts) = (clip.text_ends(index), clip.displays(index));
+        let (ends, texts) = (clip.text_ends(index), clip.displays(index).bytes());
         // Where all is empty, or was, another count decides about the bytes.
         if old_length == 0 || texts.is_empty() {
             return None;

@@ -49,7 +49,7 @@ pub(super) fn patched(recall: &Recall<'_>, changed: &[Clip<'_>], room: Vec<u8>) 
     }
     let (mut frame_splices, mut text_splices) = (Splices::default(), Splices::default());
     for change in &changes {
-        frame_splices.add(change.old_frames.clone(), change.clip.frames().to_vec());
+        frame_splices.add(change.old_frames.clone(), change.clip.frames().bytes().into_owned());
         let new_texts = change.texts.iter().filter(|text| text.is_new);
         new_texts.for_each(|text| text_splices.add(text.old.clone(), text.bytes.clone()));
     }
@@ -81,7 +81,7 @@ fn records(recall: &Recall<'_>, changes: &[Change<'_>], frames: &Splices) -> Opt
     let mut records = recall.records.to_vec();
     for change in changes {
         let record = records.get_mut(change.slot as usize)?;
-        record.frame_count = u32::try_from(change.clip.frames().len()).ok()?.into();
+        record.frame_count = u32::try_from(change.clip.frame_count()).ok()?.into();
         record.viseme_type = change.clip.viseme_type().map_or(0, |viseme_type| viseme_type as u8);
         record.flags = if change.clip.has_visemes() { FLAG_VISEMES } else { 0 };
     }
@@ -173,7 +173,8 @@ fn is_there(bank: &[u8], clip: &Clip<'_>) -> bool {
     let Some(found) = bank.clip_by_key(clip.key()) else { return false };
     let has_text = |(index, text)| {
         let Some(locale) = bank.locale(clip.tag(text)) else { return false };
-        let mut texts = clip.displays(index);
+        let texts = clip.displays(index).bytes();
+        let mut texts: &[u8] = &texts;
         let are_same = found.segments().all(|segment| {
             let shown = segment.text_bytes(locale);
             let rest = shown.and_then(|shown| texts.strip_prefix(shown));
@@ -181,7 +182,7 @@ fn is_there(bank: &[u8], clip: &Clip<'_>) -> bool {
         });
         are_same && texts.is_empty()
     };
-    found.frames() == clip.frames()
+    found.frames() == &*clip.frames().bytes()
         && found.viseme_type() == clip.viseme_type()
         && found.segments().map(|segment| segment.start_frame()).eq(clip.starts().iter().copied())
         && clip.texts().iter().enumerate().all(has_text)

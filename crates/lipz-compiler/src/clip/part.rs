@@ -1,0 +1,49 @@
+//! The parts of a clip that take most of its memory: frames, texts, its source record.
+
+#[cfg(feature = "shards")]
+use super::staying::StayingPart;
+use std::borrow::Cow;
+
+/// Frames, the texts in a locale, or the source record of a clip.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Part<'c> {
+    /// In memory.
+    Here(&'c [u8]),
+    /// In the file of an object.
+    #[cfg(feature = "shards")]
+    Stays(StayingPart<'c>),
+}
+
+impl<'c> Part<'c> {
+    /// The bytes, which are read if they are not here.
+    pub(crate) fn bytes(self) -> Cow<'c, [u8]> {
+        match self {
+            Part::Here(bytes) => Cow::Borrowed(bytes),
+            #[cfg(feature = "shards")]
+            Part::Stays(part) => Cow::Owned(part.read()),
+        }
+    }
+
+    /// How many they are.
+    pub(crate) fn length(self) -> usize {
+        match self {
+            Part::Here(bytes) => bytes.len(),
+            #[cfg(feature = "shards")]
+            Part::Stays(part) => part.length(),
+        }
+    }
+}
+
+impl PartialEq for Part<'_> {
+    fn eq(&self, other: &Part<'_>) -> bool {
+        match (self, other) {
+            (Part::Here(own), Part::Here(other)) => own == other,
+            #[cfg(feature = "shards")]
+            (Part::Stays(own), Part::Stays(other)) if own.is_at(other) => true,
+            #[cfg(feature = "shards")]
+            _ => self.length() == other.length() && self.bytes() == other.bytes(),
+        }
+    }
+}
+
+impl Eq for Part<'_> {}
