@@ -4,6 +4,7 @@ use crate::{Mark, State};
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 use lipz_file::locale::{canonical_tag, has_lipz_shape, language};
 use lipz_file::text::DELIMITER;
+use std::sync::Arc;
 
 /// A text of a file, and where it stands.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
@@ -18,18 +19,18 @@ pub struct Words {
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 #[non_exhaustive]
 pub struct Entry {
-    /// The key of the clip, and where the file names it.
-    pub key: Words,
+    /// The key of the clip, and where the file names it: the same for all locales and segments that stand together.
+    pub key: Arc<Words>,
     /// The number of the segment, from 1; `None` if the texts are those of the whole clip, with `|` between segments.
     pub segment: Option<usize>,
     /// How many segments the file says that the clip has.
     pub segment_count: Option<usize>,
-    /// What was translated, if the file says so.
-    pub source: Option<Words>,
+    /// What was translated, if the file says so: the same for all locales.
+    pub source: Option<Arc<Words>>,
     /// The mark of what was translated, if the file has only that.
     pub source_mark: Option<Mark>,
     /// The locale of the translation.
-    pub locale: String,
+    pub locale: Arc<str>,
     /// The translation; empty if there is none.
     pub text: Words,
     /// How far the work is.

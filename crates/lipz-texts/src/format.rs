@@ -178,7 +178,7 @@ pub fn read(format: Format, bytes: &[u8], options: &ReadOptions) -> Incoming {
     if incoming.diagnostics.iter().any(Diagnostic::is_error) {
         incoming.entries = Vec::new();
     }
-    let is_source = |entry: &&Entry| entry.locale == options.source_locale && !entry.text.text.is_empty();
+    let is_source = |entry: &&Entry| *entry.locale == *options.source_locale && !entry.text.text.is_empty();
     if let Some(first) = incoming.entries.iter().find(is_source) {
         let message = format!("texts in {} are translated, and not imported", options.source_locale);
         let diagnostic = Diagnostic::at(Code::ExchangeLoss, first.text.span, message)

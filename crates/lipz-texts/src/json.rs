@@ -5,6 +5,7 @@ use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// What `format` says.
 const FORMAT: &str = "lipz-texts";
@@ -182,12 +183,14 @@ fn mistake(text: &str, error: &serde_json::Error) -> Diagnostic {
 fn clips(file: &FileIn<'_>, text: &str, options: &ReadOptions, incoming: &mut Incoming) {
     for clip in &file.clips {
         let Some(key) = string(clip.key, text, &mut incoming.diagnostics) else { continue };
+        let key = Arc::new(key);
         for (number, segment) in (1..).zip(&clip.segments) {
             let Some(source) = string(segment.source, text, &mut incoming.diagnostics) else { continue };
+            let source = Arc::new(source);
             for (tag, translation) in &segment.translations {
                 let Some(text) = string(translation.text, text, &mut incoming.diagnostics) else { continue };
                 let locale = match options.locale(tag) {
-                    Ok(locale) => locale,
+                    Ok(locale) => locale.into(),
                     Err(why) => {
                         incoming.diagnostics.push(why.diagnostic(tag, text.span));
                         continue;
@@ -195,10 +198,10 @@ fn clips(file: &FileIn<'_>, text: &str, options: &ReadOptions, incoming: &mut In
                 };
                 let state = translation.state.as_deref().and_then(State::from_name).unwrap_or(State::Translated);
                 incoming.entries.push(Entry {
-                    key: key.clone(),
+                    key: Arc::clone(&key),
                     segment: Some(number),
                     segment_count: Some(clip.segments.len()),
-                    source: Some(source.clone()),
+                    source: Some(Arc::clone(&source)),
                     locale,
                     state: if text.text.is_empty() { State::Initial } else { state },
                     says_state: translation.state.is_some(),

@@ -67,7 +67,8 @@ mod spreadsheets {
     /// Texts of many clips in many languages have more bytes than any small file may have unpacked.
     #[test]
     fn a_large_file_is_read() {
-        let strings = format!("<sst><si><t>a</t></si><si><t>{}</t></si></sst>", "not used ".repeat(8 << 20));
+        let unused = format!("<si><t>{}</t></si>", "not used ".repeat(1 << 10));
+        let strings = format!("<sst><si><t>a</t></si>{}</sst>", unused.repeat(8 << 10));
         let header = r#"<row><c t="inlineStr"><is><t>key</t></is></c><c t="inlineStr"><is><t>de-de</t></is></c></row>"#;
         let sheet = format!(r#"<worksheet>{header}<row><c t="s"><v>0</v></c><c t="s"><v>0</v></c></row></worksheet>"#);
         let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
@@ -83,9 +84,19 @@ mod spreadsheets {
 
     #[test]
     fn archives_and_sheets_without_end_are_refused() {
-        let bomb = archive(&[("xl/worksheets/sheet1.xml", &vec![b' '; 80 << 20])]);
-        assert!(bomb.len() < 1 << 20, "{}", bomb.len());
-        assert!(told(Format::Xlsx, &bomb).contains("unpacked it has more than 66 megabytes"));
+        let megabyte = format!("<a>{}</a>", "b".repeat(1 << 20));
+        for part in ["xl/workbook.xml", "xl/sharedStrings.xml", "xl/worksheets/sheet1.xml"] {
+            let bomb = archive(&[(part, &megabyte.repeat(80).into_bytes())]);
+            assert!(bomb.len() < 1 << 20, "{}", bomb.len());
+            assert!(told(Format::Xlsx, &bomb).contains("unpacked it has more than 66 megabytes"), "{part}");
+        }
+        for piece in [
+            " ".to_owned() + &"x".repeat(5 << 20),
+            format!("<!--{}-->", " ".repeat(5 << 20)),
+            format!("<a {}/>", "b='' ".repeat(1 << 20)),
+        ] {
+            assert!(told(Format::Xlsx, &sheet(&piece)).contains("a tag or a text in it has more than 4 megabytes"));
+        }
         let strings = format!("<sst><si><t>{}</t></si></sst>", "a".repeat(1 << 20));
         let cells = r#"<c t="s"><v>0</v></c>"#.repeat(100);
         let sheet_of_strings = format!("<worksheet><row>{cells}</row></worksheet>");
@@ -94,14 +105,36 @@ mod spreadsheets {
         assert!(told(Format::Xlsx, &archive(&parts)).contains("its cells have more than 64 megabytes"));
         for (rows, why) in [
             (r#"<row r="99999999"/>"#, "row 99999999 follows row 0"),
-            (r#"<row r="2"/><row r="1"/>"#, "row 1 follows row 2"),
+            (
+                r#"<row r="2"><c t="inlineStr"><is><t>key</t></is></c><c><v>de-de</v></c></row><row r="1"/>"#,
+                "row 1 follows row 2",
+            ),
             (r#"<row><c r="ZZZZ1"/></row>"#, "the cells of a row are not in order"),
             (r#"<row><c t="s"><v>7</v></c></row>"#, "a string that is not there"),
             ("", "the file has no header"),
+            (&"<a>".repeat(200_000), "more than 100 deep"),
+            ("<row></sheetData>", "expected `</row>`"),
+            ("<row><c><v>&b;</v></c></row>", "an entity that XML does not know: `b`"),
+            ("<row><c><v>&#0;</v></c></row>", "cannot be read as a spreadsheet"),
+            ("<row a=\"\u{0}\"", "cannot be read as a spreadsheet"),
         ] {
             let told = told(Format::Xlsx, &sheet(rows));
             assert!(told.contains(why), "{rows}: {told}");
         }
+        let entities = format!(
+            "<!DOCTYPE a [<!ENTITY b '{}'>]><worksheet><row><c><v>&b;</v></c></row></worksheet>",
+            "a".repeat(100)
+        );
+        for (sheet, why) in [
+            (entities.as_bytes(), "it has a DTD"),
+            (b"<!DOCTYPE a SYSTEM 'file:///etc/passwd'><worksheet/>", "it has a DTD"),
+            (b"<worksheet><row><c><v>\xff</v></c></row></worksheet>", "utf-8"),
+            (b"<worksheet><row><c><v>a</v>", "one of its parts ends inside of an element"),
+        ] {
+            let told = told(Format::Xlsx, &archive(&[("xl/worksheets/sheet1.xml", sheet)]));
+            assert!(told.contains(why), "{told}");
+        }
+        assert!(told(Format::Xlsx, &archive(&[("a", b"")])).contains("it has no sheet"));
         assert!(told(Format::Xlsx, b"PK\x03\x04").contains("the file cannot be read as a spreadsheet"));
         assert!(told(Format::Xlsx, b"\xD0\xCF\x11\xE0").contains("without a password"));
     }

@@ -118,6 +118,7 @@ pub(super) const RULES: &[Rule] = &[
             "encoding_rs",
             "lipz-diagnostics",
             "lipz-file",
+            "quick-xml",
             "roxmltree",
             "rust_xlsxwriter",
             "serde",

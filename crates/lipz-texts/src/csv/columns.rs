@@ -2,6 +2,7 @@
 
 use crate::ReadOptions;
 use crate::entry::NoLocale;
+use std::sync::Arc;
 
 /// What is in a column.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -15,11 +16,11 @@ pub(super) enum Column {
     /// The translation into the locale of the row.
     Text,
     /// The translations into a locale.
-    Locale(String),
+    Locale(Arc<str>),
     /// The mark of the text to be translated.
     SourceMark,
     /// The marks of the translations into a locale.
-    Mark(String),
+    Mark(Arc<str>),
     /// How far the translation into the locale of the row is.
     State,
     /// For people, or for another tool.
@@ -88,13 +89,13 @@ pub(super) fn columns(names: &[&str], options: &ReadOptions) -> Vec<Result<Colum
             return Ok(Column::SourceMark);
         }
         if let Some(locale) = plain.strip_prefix(LOCK).and_then(|rest| rest.strip_prefix(' ')) {
-            return options.locale(locale).map(Column::Mark).map_err(|_| NoColumn::Unknown);
+            return options.locale(locale).map(|locale| Column::Mark(locale.into())).map_err(|_| NoColumn::Unknown);
         }
         match locale(name, options) {
             Ok(locale) if locale == options.source_locale && !has("source") && !has("sourcestring") => {
                 Ok(Column::Source)
             }
-            Ok(locale) => Ok(Column::Locale(locale)),
+            Ok(locale) => Ok(Column::Locale(locale.into())),
             Err(_) if name.starts_with('_') || name.starts_with('?') => Ok(Column::Other),
             Err(NoLocale::Tag) => Err(NoColumn::Unknown),
             Err(NoLocale::Shape) => Err(NoColumn::Locale),

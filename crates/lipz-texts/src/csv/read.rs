@@ -10,6 +10,7 @@ use lipz_diagnostics::{Code, Diagnostic, Span, bound, escape};
 use std::cmp::Ordering;
 use std::collections::HashMap;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// What may separate cells. Spreadsheets write `;` where a comma is the sign before decimals.
 const SEPARATORS: [u8; 3] = [b',', b';', b'\t'];
@@ -176,35 +177,36 @@ impl Row {
             }
             return;
         }
-        let source = find(&Column::Source).map(|at| self.words(at));
+        let source = find(&Column::Source).map(|at| Arc::new(self.words(at)));
         let source_mark = mark(find(&Column::SourceMark));
         let state =
             find(&Column::State).and_then(|at| State::from_name(&self.cells.get(at)?.trim().to_ascii_lowercase()));
         let row_locale = self.locale(find(&Column::Language), options, incoming);
         let (id, segment) = entry::id(&key.text);
+        let key = Arc::new(Words { text: id.to_owned(), span: key.span });
         // Of two columns about one locale, the first counts.
-        let mark_of = |(at, column): (usize, &'_ Column)| match column {
-            Column::Mark(locale) => Some((locale.clone(), at)),
+        let named = columns.iter().enumerate().rev().filter_map(|(at, column)| match column {
+            Column::Mark(locale) => Some((&**locale, at)),
             _ => None,
-        };
-        let marks: HashMap<String, usize> = columns.iter().enumerate().rev().filter_map(mark_of).collect();
+        });
+        let marks: HashMap<&str, usize> = named.collect();
         for (at, column) in columns.iter().enumerate() {
             let locale = match column {
-                Column::Locale(locale) => Some(locale.clone()),
+                Column::Locale(locale) => Some(Arc::clone(locale)),
                 Column::Text => row_locale.clone(),
                 _ => continue,
             };
             let Some(locale) = locale.filter(|locale| options.wants(locale)) else { continue };
             let text = self.words(at);
             incoming.entries.push(Entry {
-                key: Words { text: id.to_owned(), span: key.span },
+                key: Arc::clone(&key),
                 segment,
                 source: source.clone(),
                 source_mark,
                 state: if text.text.is_empty() { State::Initial } else { state.unwrap_or(State::Translated) },
                 says_state: state.is_some(),
                 text,
-                mark: mark(marks.get(&locale).copied()),
+                mark: mark(marks.get(&*locale).copied()),
                 locale,
                 is_of_table: true,
                 ..Entry::default()
@@ -213,9 +215,9 @@ impl Row {
     }
 
     /// The locale of the row, if a column says it.
-    fn locale(&self, column: Option<usize>, options: &ReadOptions, incoming: &mut Incoming) -> Option<String> {
+    fn locale(&self, column: Option<usize>, options: &ReadOptions, incoming: &mut Incoming) -> Option<Arc<str>> {
         let language = self.words(column?);
-        let locale = options.locale(&language.text);
+        let locale = options.locale(&language.text).map(Arc::from);
         locale.map_err(|why| incoming.diagnostics.push(why.diagnostic(&language.text, language.span))).ok()
     }
 }

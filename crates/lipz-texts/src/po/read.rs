@@ -4,6 +4,7 @@ use super::EXPORTED;
 use super::string::unescaped;
 use crate::{Entry, Incoming, Mark, ReadOptions, State, Words, decode, entry};
 use lipz_diagnostics::{Code, Diagnostic, Span};
+use std::sync::Arc;
 
 /// Reads a file of any bytes.
 pub(crate) fn read(bytes: &[u8], options: &ReadOptions, incoming: &mut Incoming) {
@@ -13,7 +14,7 @@ pub(crate) fn read(bytes: &[u8], options: &ReadOptions, incoming: &mut Incoming)
     };
     let mut reader = Reader { options, locale: None, message: Message::default(), incoming };
     if let [only] = options.wanted.as_slice() {
-        reader.locale = Some(only.clone());
+        reader.locale = Some(only.as_str().into());
     }
     let mut at = 0;
     for line in text.split_inclusive('\n') {
@@ -55,7 +56,7 @@ struct Message {
 struct Reader<'a> {
     options: &'a ReadOptions,
     /// The locale of the file.
-    locale: Option<String>,
+    locale: Option<Arc<str>>,
     message: Message,
     incoming: &'a mut Incoming,
 }
@@ -167,15 +168,15 @@ impl Reader<'_> {
             return self.wrong_at(plural, "an entry has plural forms, which texts of clips do not have");
         }
         let Some(locale) = self.locale.clone() else {
-            self.locale = Some(String::new()); // told once
+            self.locale = Some("".into()); // told once
             return self.wrong_at(source.span, "no header stands before the first entry");
         };
         let (key, segment) = entry::id(&context.text);
         let is_done = !text.text.is_empty() && !message.is_fuzzy;
         self.incoming.entries.push(Entry {
-            key: Words { text: key.to_owned(), span: context.span },
+            key: Words { text: key.to_owned(), span: context.span }.into(),
             segment,
-            source: Some(source),
+            source: Some(source.into()),
             locale,
             state: if is_done { State::Translated } else { State::Initial },
             says_state: true,
@@ -198,7 +199,7 @@ impl Reader<'_> {
         });
         // Told once.
         let locale = locale.map_err(|diagnostic| self.incoming.diagnostics.push(diagnostic)).unwrap_or_default();
-        self.locale = Some(locale);
+        self.locale = Some(locale.into());
     }
 
     fn wrong(&mut self, at: usize, length: usize, what: &str) {

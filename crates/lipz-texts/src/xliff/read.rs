@@ -4,6 +4,7 @@ use super::{read1, read2, xml};
 use crate::{Incoming, ReadOptions, decode};
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use roxmltree::{Document, Node, ParsingOptions};
+use std::sync::Arc;
 
 /// Nodes of a file, at most: what fits into a file of the greatest length that somebody wrote.
 const MAX_NODES: u32 = 20_000_000;
@@ -62,12 +63,12 @@ pub(super) fn locale(
     attribute: &str,
     options: &ReadOptions,
     diagnostics: &mut Vec<Diagnostic>,
-) -> Option<String> {
+) -> Option<Arc<str>> {
     if let [only] = options.wanted.as_slice() {
-        return Some(only.clone());
+        return Some(only.as_str().into());
     }
     let tag = node.attribute(attribute).unwrap_or_default();
-    let locale = options.locale(tag).map_err(|why| match tag {
+    let locale = options.locale(tag).map(Arc::from).map_err(|why| match tag {
         "" => Diagnostic::at(Code::ExchangeSyntax, start(node), format!("the file has no `{attribute}`"))
             .help("name the locale of the file for the import, as in de-de"),
         _ => why.diagnostic(tag, start(node)),

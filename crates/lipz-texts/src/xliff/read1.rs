@@ -7,6 +7,7 @@ use crate::model::joined;
 use crate::{Entry, Incoming, ReadOptions, State, Words, entry};
 use lipz_diagnostics::{Code, Diagnostic, bound};
 use roxmltree::{Node, NodeType};
+use std::sync::Arc;
 
 /// Adds the entries of a file.
 pub(super) fn read(root: Node<'_, '_>, options: &ReadOptions, incoming: &mut Incoming) {
@@ -19,7 +20,7 @@ pub(super) fn read(root: Node<'_, '_>, options: &ReadOptions, incoming: &mut Inc
     }
 }
 
-fn unit(node: Node<'_, '_>, locale: &str, incoming: &mut Incoming) {
+fn unit(node: Node<'_, '_>, locale: &Arc<str>, incoming: &mut Incoming) {
     let Some(id) = node.attribute("resname").or_else(|| node.attribute("id")) else {
         incoming.diagnostics.push(Diagnostic::at(Code::ExchangeSyntax, start(node), "a trans-unit has no id"));
         return;
@@ -45,10 +46,10 @@ fn unit(node: Node<'_, '_>, locale: &str, incoming: &mut Incoming) {
     let mut marks = notes.filter_map(|note| note.strip_prefix(EXPORTED)?.strip_prefix(": "));
     let (key, segment) = entry::id(id);
     incoming.entries.push(Entry {
-        key: Words { text: key.to_owned(), span: start(node) },
+        key: Words { text: key.to_owned(), span: start(node) }.into(),
         segment,
-        source: Some(source),
-        locale: locale.to_owned(),
+        source: Some(source.into()),
+        locale: Arc::clone(locale),
         state: if words.text.is_empty() { State::Initial } else { state(node, target) },
         says_state: node.has_attribute("approved") || target.is_some_and(|target| target.has_attribute("state")),
         text: words,

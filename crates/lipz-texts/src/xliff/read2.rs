@@ -7,6 +7,7 @@ use crate::{Entry, Incoming, ReadOptions, State, Words};
 use lipz_diagnostics::{Code, Diagnostic, bound};
 use roxmltree::{Node, NodeType};
 use std::collections::HashMap;
+use std::sync::Arc;
 
 /// Adds the entries of a file.
 pub(super) fn read(root: Node<'_, '_>, options: &ReadOptions, incoming: &mut Incoming) {
@@ -29,11 +30,12 @@ struct Unit<'d> {
     codes: HashMap<String, String>,
 }
 
-fn unit(node: Node<'_, '_>, locale: &str, incoming: &mut Incoming) {
+fn unit(node: Node<'_, '_>, locale: &Arc<str>, incoming: &mut Incoming) {
     let Some(key) = node.attribute("name").or_else(|| node.attribute("id")) else {
         incoming.diagnostics.push(Diagnostic::at(Code::ExchangeSyntax, start(node), "a unit has no name"));
         return;
     };
+    let key = Arc::new(Words { text: key.to_owned(), span: start(node) });
     let children = |name: &'static str| node.children().filter(move |child| child.tag_name().name() == name);
     let mut unit = Unit { data: HashMap::new(), codes: HashMap::new() };
     for data in children("originalData").flat_map(|all| all.children()) {
@@ -68,11 +70,11 @@ fn unit(node: Node<'_, '_>, locale: &str, incoming: &mut Incoming) {
         // Without a state, a target is there because somebody wrote it.
         let state = segment.attribute("state").and_then(State::from_name).unwrap_or(State::Translated);
         incoming.entries.push(Entry {
-            key: Words { text: key.to_owned(), span: start(node) },
+            key: Arc::clone(&key),
             segment: Some(at + 1),
             segment_count: Some(segments.len()),
-            source: Some(source),
-            locale: locale.to_owned(),
+            source: Some(source.into()),
+            locale: Arc::clone(locale),
             state: if text.text.is_empty() { State::Initial } else { state },
             says_state: segment.has_attribute("state"),
             text,

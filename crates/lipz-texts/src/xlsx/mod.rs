@@ -1,7 +1,8 @@
 //! XLSX: the table of a CSV as a spreadsheet.
 //!
-//! rust_xlsxwriter writes it. To read it, zip takes it apart and roxmltree reads its parts: calamine, which reads
-//! spreadsheets of all kinds, reserves as much memory as a file claims to need, and panics on some that are damaged.
+//! rust_xlsxwriter writes it. To read it, zip unpacks its parts and quick-xml takes them apart, a tag at a time, so that
+//! memory is needed for texts only. calamine, which reads spreadsheets of all kinds, reserves as much memory as a file
+//! claims to need, and panics on some that are damaged.
 
 mod read;
 mod write;

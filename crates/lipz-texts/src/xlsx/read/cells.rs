@@ -1,0 +1,89 @@
+//! The cells of a row.
+
+use super::parts::Refusal;
+use super::strings::{Strings, add_string, unescaped};
+use super::xml::{Part, Step};
+use crate::csv::Row;
+
+/// Columns of a sheet, at most, as Excel has them.
+const MAX_COLUMNS: usize = 1 << 14;
+
+/// Reads the row that has just begun, up to its end, and adds it to the text, which may have so many bytes.
+pub(super) fn row(
+    part: &mut Part<'_, '_>,
+    strings: &Strings,
+    text: &mut String,
+    most_bytes: u64,
+) -> Result<Row, Refusal> {
+    let mut row = Row { start: text.len(), ..Row::default() };
+    while let Some(step) = part.next()? {
+        match step {
+            Step::Start if part.name() == "c" => cell(part, strings, &mut row, text)?,
+            Step::Start => part.skip()?,
+            Step::End => break,
+            Step::Text | Step::Other => {}
+        }
+        if text.len() as u64 > most_bytes {
+            return Err(Refusal::too_large("its cells have", most_bytes));
+        }
+    }
+    Ok(row)
+}
+
+/// Reads the cell that has just begun, up to its end.
+fn cell(part: &mut Part<'_, '_>, strings: &Strings, row: &mut Row, text: &mut String) -> Result<(), Refusal> {
+    let at = part.attribute("r").as_deref().and_then(column).unwrap_or(row.cells.len());
+    if at < row.cells.len() || at >= MAX_COLUMNS {
+        return Err("the cells of a row are not in order".into());
+    }
+    while row.cells.len() < at {
+        push(row, "", text);
+    }
+    let kind = part.attribute("t");
+    let is_inline = kind.as_deref() == Some("inlineStr");
+    let mut value = String::new();
+    while let Some(step) = part.next()? {
+        match step {
+            Step::Start if is_inline && part.name() == "is" => add_string(part, &mut value)?,
+            Step::Start if !is_inline && part.name() == "v" => part.add_text(&mut value)?,
+            Step::Start => part.skip()?,
+            Step::End => break,
+            Step::Text | Step::Other => {}
+        }
+    }
+    match kind.as_deref() {
+        Some("s") if value.is_empty() => push(row, "", text),
+        Some("s") => push(row, strings.get(&value).ok_or("a cell refers to a string that is not there")?, text),
+        _ => push(row, &unescaped(&value), text),
+    }
+    Ok(())
+}
+
+/// Adds a cell. Line ends and tabs in it are blanks in the text, so that a line stays a row.
+fn push(row: &mut Row, cell: &str, text: &mut String) {
+    if !row.cells.is_empty() {
+        text.push('\t');
+    }
+    let start = text.len() - row.start;
+    text.extend(cell.chars().map(|character| if matches!(character, '\n' | '\r' | '\t') { ' ' } else { character }));
+    row.places.push(start..text.len() - row.start);
+    row.cells.push(cell.to_owned());
+}
+
+/// The number of a column from 0: that of `AB12` is 27.
+fn column(reference: &str) -> Option<usize> {
+    let letters = reference.bytes().take_while(u8::is_ascii_alphabetic);
+    let number =
+        letters.take(4).fold(0, |number, letter| number * 26 + usize::from(letter.to_ascii_uppercase() - b'A') + 1);
+    number.checked_sub(1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_are_those_of_excel() {
+        assert_eq!([column("A1"), column("Z9"), column("AB12"), column("7")], [Some(0), Some(25), Some(27), None]);
+    }
+}
