@@ -16,7 +16,7 @@ const NONE: &str = "none";
 /// assert_eq!(mark.to_string().parse(), Ok(mark));
 /// assert_eq!(Mark::of("").to_string(), "none");
 /// ```
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Mark(Option<u32>);
 
 impl Mark {

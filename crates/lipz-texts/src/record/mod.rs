@@ -1,6 +1,7 @@
 //! What each translation was made from: a text file that belongs to the Lipz files, and that version control merges.
 
 mod line;
+mod merge;
 mod moved;
 mod standing;
 mod unit;
@@ -12,6 +13,7 @@ use crate::State;
 use crate::{Mark, model::joined};
 use line::Line;
 use lipz_diagnostics::{Code, Diagnostic, Span};
+use merge::merge;
 use standing::Fact;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -23,7 +25,8 @@ const HEAD: &str = "\
 ";
 
 /// The source texts that translations were made from. Several lines may say something about the same translation: each of
-/// them is true, so the lines of two branches together are what both have accepted.
+/// them is true, so the lines of two branches together are what both have accepted. Records that say the same are the same
+/// file.
 ///
 /// ```
 /// use lipz_texts::{Standing, State, TextRecord};
@@ -87,7 +90,10 @@ impl TextRecord {
             start += whole.len();
         }
         lipz_diagnostics::bound::limit(&mut diagnostics);
-        record.files.values_mut().for_each(merge);
+        record.files.retain(|_, versions| {
+            merge(versions);
+            !versions.is_empty()
+        });
         Some((record, diagnostics))
     }
 
@@ -146,7 +152,8 @@ impl TextRecord {
         let mut older: BTreeMap<usize, Vec<(usize, Made)>> = BTreeMap::new();
         for (at, (fact, text)) in facts.into_iter().zip(texts).enumerate() {
             let mark = Mark::of(text.as_ref());
-            match (accepted.get(at).copied().flatten(), fact) {
+            let state = accepted.get(at).copied().flatten().filter(|_| !text.as_ref().is_empty());
+            match (state, fact) {
                 (Some(state), _) | (None, Fact::Current(state)) => {
                     if let Some(slot) = current.get_mut(at) {
                         *slot = Some(Made { mark, state });
@@ -186,51 +193,6 @@ impl TextRecord {
 
     fn add(&mut self, line: Line) {
         self.files.entry(line.file).or_default().push(line.version);
-    }
-}
-
-/// Puts versions with the same source texts together, in the order of these. Of two states of a translation, the further
-/// one counts; of two translations, both.
-fn merge(versions: &mut Vec<Version>) {
-    versions.retain(|version| version.made.values().flatten().any(Option::is_some));
-    versions.sort_by(|a, b| (&a.source_locale, &a.sources).cmp(&(&b.source_locale, &b.sources)));
-    let mut merged: Vec<Version> = Vec::with_capacity(versions.len());
-    for version in versions.drain(..) {
-        let rest = match merged.last_mut() {
-            Some(last) if last.source_locale == version.source_locale && last.sources == version.sources => {
-                last.join(version)
-            }
-            _ => Some(version),
-        };
-        merged.extend(rest);
-    }
-    *versions = merged;
-}
-
-impl Version {
-    /// Takes in what another version of the same texts says; gives back what has no room beside it: other translations.
-    fn join(&mut self, other: Version) -> Option<Version> {
-        let Version { source_locale, sources, made } = other;
-        let mut rest = Version { source_locale, sources, made: BTreeMap::new() };
-        for (locale, theirs) in made {
-            let Some(ours) = self.made.get_mut(&locale) else {
-                self.made.insert(locale, theirs);
-                continue;
-            };
-            let mut left = vec![None; theirs.len()];
-            for (at, their) in theirs.into_iter().enumerate() {
-                match (ours.get_mut(at), their) {
-                    (Some(our @ None), their) => *our = their,
-                    (Some(Some(our)), Some(their)) if our.mark == their.mark => our.state = our.state.max(their.state),
-                    (_, Some(their)) => left.get_mut(at).into_iter().for_each(|slot| *slot = Some(their)),
-                    (_, None) => {}
-                }
-            }
-            if left.iter().any(Option::is_some) {
-                rest.made.insert(locale, left);
-            }
-        }
-        (!rest.made.is_empty()).then_some(rest)
     }
 }
 
