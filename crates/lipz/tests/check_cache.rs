@@ -68,6 +68,30 @@ fn the_findings_are_the_same() {
     check("voices");
 }
 
+/// Its lines name files by their paths from its folder, so the same bytes elsewhere are about other files.
+#[test]
+fn a_record_that_moves_is_another_one() {
+    let scene = Scene::new();
+    let settings = "default-locale = \"en-us\"\nsources = [\"voices\"]\n";
+    scene.write("voices/a.lipz", clip("Line 1.", "Zeile 1."));
+    scene.write("voices/lipz.toml", settings.replace("\"voices\"", "\".\""));
+    scene.prepare(&["accept", "--all", "--config", "voices/lipz.toml"]);
+    scene.write("voices/a.lipz", clip("Another line 1.", "Andere Zeile 1."));
+    scene.write("lipz.toml", settings);
+    fs::rename(scene.path().join("voices/lipz-texts.txt"), scene.path().join("lipz-texts.txt")).unwrap();
+    std::thread::sleep(SETTLING);
+    let check = |settings: &str| lipz(scene.path(), ["check", "--config", settings, "--cache", "check.cache"]);
+    for _ in 0..2 {
+        let beside = check("lipz.toml");
+        assert!(beside.code == 0 && !beside.stderr.contains("LZ1911"), "the record does not know the file: {beside:?}");
+    }
+    fs::rename(scene.path().join("lipz-texts.txt"), scene.path().join("voices/lipz-texts.txt")).unwrap();
+    for _ in 0..2 {
+        let stale = check("voices/lipz.toml");
+        assert!(stale.stderr.contains("LZ1911"), "{stale:?}");
+    }
+}
+
 #[test]
 fn a_cache_replaces_nothing_but_a_cache() {
     let scene = Scene::new();

@@ -142,7 +142,15 @@ fn translations_of_which_nothing_is_known() {
     let unknown = "unknown: 2 of 2 translated segments, of which nobody knows the source text";
     let hint =
         |arguments: &[&str]| lipz(folder, [&["check"], arguments].concat()).stdout.contains("nobody knows what the");
-    assert!(hint(&[]) && !hint(&["--allow", "stale-translation"]));
+    assert!(hint(&[]) && !hint(&["--allow", "stale-translation"]) && !hint(&["--quiet"]) && !hint(&["--statistics"]));
+    let settings = fs::read_to_string(folder.join("lipz.toml")).unwrap();
+    // As the hint itself says.
+    scene.write("lipz.toml", format!("{settings}\n[lints]\nstale-translation = \"allow\"\n"));
+    assert!(!hint(&[]));
+    scene.write("lipz.toml", settings);
+    scene.write("voices/broken.lipz", "{");
+    assert!(!hint(&[]), "there is other work to do");
+    fs::remove_file(folder.join("voices/broken.lipz")).unwrap();
     assert!(lipz(folder, ["coverage"]).stdout.contains(unknown));
     assert!(lipz(folder, ["coverage", "--csv"]).stdout.contains(",0,0,2,5,0\r\n"));
     let json: serde_json::Value = serde_json::from_str(&lipz(folder, ["coverage", "--json"]).stdout).unwrap();

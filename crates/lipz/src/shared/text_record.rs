@@ -71,6 +71,11 @@ impl RecordFile {
         parts.collect::<Vec<_>>().join("/")
     }
 
+    /// All that [`name`](RecordFile::name) depends on besides the Lipz file.
+    pub(crate) fn folders(&self) -> Vec<u8> {
+        [&self.folder, &self.current].map(|folder| folder.as_os_str().as_encoded_bytes()).join(&0)
+    }
+
     /// What is in the file; nothing if there is none.
     pub(crate) fn bytes(&self) -> &[u8] {
         self.before.as_deref().unwrap_or_default()

@@ -81,9 +81,10 @@ pub(crate) struct Check {
     json: bool,
 }
 
-/// What to say of a project whose translations may all be out of date.
-const UNRECORDED: &str = "nobody knows what the translations were made from, so none can be out of date: `lipz accept --all` records \
-                          them as they are today\n";
+/// What to say of a project whose translations may all be out of date, and how to be told no more.
+const UNRECORDED: &str = "hint: nobody knows what the translations were made from, so none can be out of date. `lipz accept --all` \
+                          records them as they are today; with `stale-translation = \"allow\"` under [lints] in lipz.toml this \
+                          hint ends\n";
 
 impl Run for Check {
     fn prints_result(&self) -> bool {
@@ -130,9 +131,10 @@ impl Run for Check {
         }
         if outcome == Outcome::Clean && !quiet && !self.prints_result() {
             reporter.summary(&format!("{} checked\n", files(run.inputs.len())))?;
-        }
-        if is_unrecorded && project.file.is_some() && !quiet && !self.prints_result() {
-            reporter.summary(UNRECORDED)?;
+            // While something is wrong, there is other work to do.
+            if is_unrecorded && project.file.is_some() {
+                reporter.summary(UNRECORDED)?;
+            }
         }
         Ok(if unwritten { Outcome::Failed } else { outcome })
     }

@@ -63,11 +63,12 @@ impl<'p> Translations<'p> {
 
     /// All that decides about the translations besides the Lipz files and the options.
     pub(super) fn beside(&self) -> Vec<u8> {
-        let exists = [u8::from(self.file.exists())];
+        // The same record in another folder is about other files.
+        let place = [&[u8::from(self.file.exists())], self.file.folders().as_slice(), &[0]].concat();
         match self.file.renamed.is_empty() {
-            true => [exists.as_slice(), self.file.bytes()].concat(),
+            true => [place.as_slice(), self.file.bytes()].concat(),
             // What is known of a file that was renamed depends on which files are no more.
-            false => [exists.as_slice(), self.file.record.to_string().as_bytes()].concat(),
+            false => [place.as_slice(), self.file.record.to_string().as_bytes()].concat(),
         }
     }
 
