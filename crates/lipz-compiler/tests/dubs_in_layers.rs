@@ -1,12 +1,12 @@
 //! Dubs in layers: a stack answers in each voice as the bank of all sources, and becomes just that bank when it is merged.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
 
-use lipz_bank::{Bank, Clip, Layers, Spoken, Text};
+use lipz_bank::{Bank, Layers, Spoken};
 use lipz_compiler::diagnostics::Code;
 use lipz_compiler::{Compiler, Input, Options, Over, Stack, VoiceBanks, Voices};
+use lipz_testkit::layered::assert_same;
 use proptest::prelude::*;
 use std::collections::BTreeMap;
-use std::fmt::Write;
 
 /// Lipz files by key.
 type Project = BTreeMap<&'static str, String>;
@@ -39,59 +39,11 @@ fn stack_of(files: &[Vec<u8>]) -> Stack {
     Stack::open(files.iter().map(|bytes| ("bank", bytes.as_slice()))).unwrap()
 }
 
-fn say(said: &mut String, clip: &Clip<'_, '_>, spoken: Spoken, voice: &str, original: Option<&str>) {
-    writeln!(said, " {} {spoken:?} {voice} {original:?} {:?}", clip.key(), clip.frames()).unwrap();
-}
-
-fn say_text(said: &mut String, tag: &str, text: Option<Text<'_>>) {
-    writeln!(said, " {tag} {:?}", text.map(|text| (text.as_str(), text.is_fallback()))).unwrap();
-}
-
-/// What a bank says of each clip in each voice.
-fn of_bank(bank: &Bank<'_>) -> String {
-    let mut said = format!("{:?}\n", bank.voices().map(|voice| (voice.tag(), voice.is_original())).collect::<Vec<_>>());
-    for clip in bank.clips() {
-        writeln!(said, "{}", clip.key()).unwrap();
-        for locale in bank.locales() {
-            clip.segments().for_each(|segment| say_text(&mut said, locale.tag(), segment.text(locale)));
-        }
-        for voice in bank.voices() {
-            let voiced = clip.in_voice(voice);
-            let of = voiced.clip.original();
-            let own = voiced.clip.voice().map_or("", |voice| voice.tag());
-            say(&mut said, &voiced.clip, voiced.spoken, own, of.as_ref().map(Clip::key));
-        }
-    }
-    said
-}
-
-/// The same of a stack.
-fn of_layers<const N: usize>(layers: &Layers<'_, N>) -> String {
-    let voices: Vec<_> = layers.voices().map(|voice| (voice.tag(), voice.is_original())).collect();
-    let mut said = format!("{voices:?}\n");
-    let mut tags: Vec<&str> = layers.locale_tags().collect();
-    tags.sort_unstable();
-    for clip in layers.clips() {
-        writeln!(said, "{}", clip.key()).unwrap();
-        for tag in &tags {
-            let locale = layers.locale(tag).unwrap();
-            clip.segments().for_each(|segment| say_text(&mut said, tag, clip.text(segment.index(), &locale)));
-        }
-        for (tag, _) in &voices {
-            let voiced = clip.in_voice(&layers.voice(tag).unwrap());
-            let of = voiced.clip.original(layers);
-            let own = voiced.clip.voice(layers).map_or("", |voice| voice.tag());
-            say(&mut said, &voiced.clip, voiced.spoken, own, of.as_ref().map(|clip| clip.key()));
-        }
-    }
-    said
-}
-
 /// The stack of these files says what the whole bank says, and becomes it.
 fn check(files: &[Vec<u8>], whole: &[u8]) {
     let banks: Vec<Bank<'_>> = files.iter().map(|file| open(file)).collect();
     let layers = Layers::<8>::from_slice(&banks).unwrap();
-    assert_eq!(of_layers(&layers), of_bank(&open(whole)));
+    assert_same(&layers, &open(whole));
     assert!(stack_of(files).into_bank() == whole, "the merged bank is another one");
 }
 

@@ -1,15 +1,14 @@
 //! Layers: a stack answers as the bank of all sources, and becomes just that bank when it is merged.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::cast_possible_truncation, reason = "tests")]
 
-use lipz_bank::{Bank, Clip, ClipId, Layers, Micros, Recording, Text};
+use lipz_bank::{Bank, ClipId, Layers, Recording};
 use lipz_compiler::diagnostics::Code;
-use lipz_compiler::face::numbers;
 use lipz_compiler::{Compiler, Input, Options, Over, Stack};
 use lipz_layout::Tag;
+use lipz_testkit::layered::assert_same;
 use lipz_testkit::{golden, stacked};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
-use std::fmt::Write;
 
 /// A version of a project: Lipz files by key.
 type Project = BTreeMap<String, String>;
@@ -28,69 +27,6 @@ fn stack_of(files: &[Vec<u8>]) -> Stack {
     Stack::open(named.iter().map(|(name, bytes)| (name.as_str(), *bytes))).unwrap()
 }
 
-/// What a clip says beside its texts.
-fn say_clip(said: &mut String, clip: &Clip<'_, '_>) {
-    writeln!(said, "{} {:?} {:?} {:?}", clip.key(), clip.id(), clip.fps(), clip.viseme_type()).unwrap();
-    writeln!(said, " {} {} {:?}", clip.has_visemes(), clip.has_events(), clip.recording()).unwrap();
-    writeln!(said, " {:?} {}", clip.frames(), clip.segment_count()).unwrap();
-    for segment in clip.segments() {
-        let events: Vec<String> = segment.events().map(|event| event.to_string()).collect();
-        writeln!(said, " {} {:?} {events:?}", segment.start_frame(), segment.event()).unwrap();
-    }
-    for curve in clip.curves() {
-        writeln!(said, " {} {curve} {:?}", curve.name(), curve.value_at(Micros(60_000))).unwrap();
-    }
-}
-
-fn say_text(said: &mut String, tag: &str, text: Option<Text<'_>>) {
-    writeln!(said, " {tag} {:?}", text.map(|text| (text.as_str(), text.is_fallback()))).unwrap();
-}
-
-fn say_faces(said: &mut String, bank: &Bank<'_>) {
-    let profiles: Vec<_> = bank.face_profiles().map(|profile| (profile, numbers(&profile))).collect();
-    writeln!(said, "{profiles:?}").unwrap();
-}
-
-/// All that a bank says.
-fn of_bank(bank: &Bank<'_>) -> String {
-    let mut said = String::new();
-    writeln!(said, "{:?} {:?}", bank.default_locale(), bank.babbles()).unwrap();
-    say_faces(&mut said, bank);
-    for clip in bank.clips() {
-        say_clip(&mut said, &clip);
-        for locale in bank.locales() {
-            clip.segments().for_each(|segment| say_text(&mut said, locale.tag(), segment.text(locale)));
-        }
-    }
-    said
-}
-
-/// The same of a stack.
-fn of_layers<const N: usize>(layers: &Layers<'_, N>) -> String {
-    let mut said = String::new();
-    let default = layers.default_locale().and_then(|tag| layers.locale(tag));
-    let default = default.map(|locale| format!("Locale({:?})", locale.tag()));
-    let babbles = layers.of_babble().map(Bank::babbles).unwrap();
-    writeln!(said, "{} {babbles:?}", default.map_or("None".to_owned(), |tag| format!("Some({tag})"))).unwrap();
-    say_faces(&mut said, layers.of_faces().unwrap());
-    let mut tags: Vec<&str> = layers.locale_tags().collect();
-    tags.sort_unstable();
-    for clip in layers.clips() {
-        assert_eq!(layers.clip(clip.id()), Some(clip));
-        assert_eq!(layers.clip_by_key(clip.key()), Some(clip));
-        say_clip(&mut said, &clip);
-        for tag in &tags {
-            let locale = layers.locale(tag).unwrap();
-            for segment in clip.segments() {
-                let text = clip.text(segment.index(), &locale);
-                assert_eq!(clip.text_bytes(segment.index(), &locale), text.map(|text| text.as_str().as_bytes()));
-                say_text(&mut said, tag, text);
-            }
-        }
-    }
-    said
-}
-
 /// Packs versions of a project over each other. The stack has to say at each point what the bank of the version says, and
 /// to become that bank.
 fn check(versions: &[(Project, Compiler<'_>)]) {
@@ -106,14 +42,7 @@ fn check(versions: &[(Project, Compiler<'_>)]) {
         }
         let banks: Vec<Bank<'_>> = files.iter().map(|file| open(file)).collect();
         let layers = Layers::<8>::from_slice(&banks).unwrap();
-        assert_eq!(of_layers(&layers), of_bank(&open(&whole)));
-        let keys = layers.clips().map(|clip| clip.key().to_owned());
-        assert!(keys.eq(open(&whole).clips().map(|clip| clip.key().to_owned())));
-        for bank in &banks {
-            for clip in bank.clips() {
-                assert_eq!(layers.clip(clip.id()).is_some(), open(&whole).clip(clip.id()).is_some());
-            }
-        }
+        assert_same(&layers, &open(&whole));
         assert!(stack_of(&files).into_bank() == whole, "the merged bank is another one");
     }
 }
@@ -219,8 +148,7 @@ proptest! {
         let whole = default.compile(&inputs(&all)).into_bank().unwrap();
         let files = [below, layer];
         let banks = files.each_ref().map(|file| open(file));
-        let said = of_layers(&Layers::new(banks).unwrap());
-        prop_assert_eq!(said, of_bank(&open(&whole)));
+        assert_same(&Layers::new(banks).unwrap(), &open(&whole));
         prop_assert!(stack_of(&files).into_bank() == whole);
     }
 }
@@ -371,7 +299,7 @@ fn gives(base: &str, patch: &str, dump: &str) {
     let [base, patch] = [base, patch].map(|name| std::fs::read(folder.join(name).with_extension("lipzbank")).unwrap());
     let whole = stack_of(&[base.clone(), patch.clone()]).into_bank();
     let layers = Layers::new([&base, &patch].map(|bytes| open(bytes))).unwrap();
-    assert_eq!(of_layers(&layers), of_bank(&open(&whole)));
+    assert_same(&layers, &open(&whole));
     let found = golden::dump(&open(&whole));
     let path = folder.join(dump);
     if std::env::var_os("LIPZ_BLESS").is_some() {

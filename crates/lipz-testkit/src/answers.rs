@@ -4,7 +4,7 @@
 //! they give the same answers as the machine that the dumps were written on.
 
 use core::fmt::{self, Debug, Display, Write};
-use lipz_bank::{Bank, Clip, Emotion, FaceProfile, Fps, LookAt, Micros, Segment, Spoken, Viseme};
+use lipz_bank::{Bank, Clip, Emotion, FaceProfile, Fps, LookAt, Micros, Segment, Spoken, Text, Viseme};
 
 /// Strings longer than this are shown by their length, their hash and their start.
 const LONGEST_BYTES: usize = 400;
@@ -25,20 +25,43 @@ pub fn write_answers(bank: &Bank<'_>, out: &mut impl Write) -> fmt::Result {
     for voice in bank.voices() {
         writeln!(out, "voice {}{}", voice.tag(), if voice.is_original() { " original" } else { "" })?;
     }
-    for profile in bank.face_profiles() {
-        write!(out, "face {}, blinks {}", Quoted(profile.name()), profile.blink_interval_ms(None))?;
-        for emotion in Emotion::ALL {
-            write!(out, " {}", profile.blink_interval_ms(Some(emotion)))?;
-        }
-        write!(out, " ms, each {}, {} % double", profile.blink_length_ms(), profile.double_blink_percent())?;
-        let (motion, follows) = (profile.head_motion_thousandths(), profile.head_follows_thousandths());
-        write!(out, ", head {motion} {follows}, pose {} ms", profile.pose_ms())?;
-        writeln!(out, ", glances {} %, fixation {} ms", profile.glance_percent(), profile.fixation_ms())?;
-    }
+    bank.face_profiles().try_for_each(|profile| write_profile(out, &profile))?;
     bank.clips().try_for_each(|clip| write_clip(out, bank, &clip))
 }
 
+/// What a face profile says.
+pub(crate) fn write_profile(out: &mut impl Write, profile: &FaceProfile<'_>) -> fmt::Result {
+    write!(out, "face {}, blinks {}", Quoted(profile.name()), profile.blink_interval_ms(None))?;
+    for emotion in Emotion::ALL {
+        write!(out, " {}", profile.blink_interval_ms(Some(emotion)))?;
+    }
+    write!(out, " ms, each {}, {} % double", profile.blink_length_ms(), profile.double_blink_percent())?;
+    let (motion, follows) = (profile.head_motion_thousandths(), profile.head_follows_thousandths());
+    write!(out, ", head {motion} {follows}, pose {} ms", profile.pose_ms())?;
+    writeln!(out, ", glances {} %, fixation {} ms", profile.glance_percent(), profile.fixation_ms())
+}
+
 fn write_clip(out: &mut impl Write, bank: &Bank<'_>, clip: &Clip<'_, '_>) -> fmt::Result {
+    write_mouth(out, clip)?;
+    if let Some(original) = clip.original() {
+        writeln!(out, "  dub of {} in {}", original.key(), clip.voice().map_or("", |voice| voice.tag()))?;
+    }
+    for voice in bank.voices().filter(|_| clip.original().is_none()) {
+        let voiced = clip.in_voice(voice);
+        if voiced.spoken != Spoken::Original {
+            writeln!(out, "  in {} {} ({:?})", voice.tag(), voiced.clip.key(), voiced.spoken)?;
+        }
+    }
+    write_curves(out, clip)?;
+    // Only where a bank is about faces: every clip has one.
+    for profile in bank.face_profiles() {
+        write_faces(out, clip, &profile)?;
+    }
+    clip.segments().try_for_each(|segment| write_segment(out, bank, &segment))
+}
+
+/// The mouth of a clip.
+pub(crate) fn write_mouth(out: &mut impl Write, clip: &Clip<'_, '_>) -> fmt::Result {
     writeln!(out, "\nclip {} {}", clip.key(), clip.id())?;
     writeln!(out, "  rate {}, type {}", OrUnknown(clip.fps()), OrUnknown(clip.viseme_type()))?;
     writeln!(out, "  visemes {}, events {}", clip.has_visemes(), clip.has_events())?;
@@ -49,16 +72,11 @@ fn write_clip(out: &mut impl Write, bank: &Bank<'_>, clip: &Clip<'_, '_>) -> fmt
     writeln!(out, ", {:?} us", clip.duration_us())?;
     out.write_str("  at 24 fps, each 50 ms: ")?;
     write_sampled(out, &clip.or_fps(Fps::whole(24)))?;
-    out.write_str("\n")?;
-    if let Some(original) = clip.original() {
-        writeln!(out, "  dub of {} in {}", original.key(), clip.voice().map_or("", |voice| voice.tag()))?;
-    }
-    for voice in bank.voices().filter(|_| clip.original().is_none()) {
-        let voiced = clip.in_voice(voice);
-        if voiced.spoken != Spoken::Original {
-            writeln!(out, "  in {} {} ({:?})", voice.tag(), voiced.clip.key(), voiced.spoken)?;
-        }
-    }
+    out.write_str("\n")
+}
+
+/// The recording and the curves of a clip.
+pub(crate) fn write_curves(out: &mut impl Write, clip: &Clip<'_, '_>) -> fmt::Result {
     if let Some(recording) = clip.recording() {
         writeln!(out, "  recording {} us, content {:016x}", recording.length_us(), recording.content_hash())?;
     }
@@ -70,16 +88,12 @@ fn write_clip(out: &mut impl Write, bank: &Bank<'_>, clip: &Clip<'_, '_>) -> fmt
         }
         out.write_str("\n")?;
     }
-    // Only where a bank is about faces: every clip has one.
-    for profile in bank.face_profiles() {
-        write_faces(out, clip, &profile)?;
-    }
-    clip.segments().try_for_each(|segment| write_segment(out, bank, &segment))
+    Ok(())
 }
 
 /// The face every 150 ms, for ten seconds: lids; pitch, yaw and roll of the head; pitch and yaw of the eyes; brows, shrug and
 /// breath.
-fn write_faces(out: &mut impl Write, clip: &Clip<'_, '_>, profile: &FaceProfile<'_>) -> fmt::Result {
+pub(crate) fn write_faces(out: &mut impl Write, clip: &Clip<'_, '_>, profile: &FaceProfile<'_>) -> fmt::Result {
     write!(out, "  face {}, each 150 ms", Quoted(profile.name()))?;
     for step in 0..67 {
         let face = clip.face_at(Micros(step * 150_000), profile, LookAt::AHEAD);
@@ -90,6 +104,12 @@ fn write_faces(out: &mut impl Write, clip: &Clip<'_, '_>, profile: &FaceProfile<
 }
 
 fn write_segment(out: &mut impl Write, bank: &Bank<'_>, segment: &Segment<'_, '_>) -> fmt::Result {
+    write_events(out, segment)?;
+    bank.locales().try_for_each(|locale| write_text(out, locale.tag(), segment.text(locale)))
+}
+
+/// The frames and events of a segment.
+pub(crate) fn write_events(out: &mut impl Write, segment: &Segment<'_, '_>) -> fmt::Result {
     let (start, end) = (segment.start_frame(), segment.end_frame());
     write!(out, "  segment {} frames {start}..{end}", segment.index())?;
     writeln!(out, " us {:?}..{:?}", segment.start_us(), segment.end_us())?;
@@ -101,13 +121,14 @@ fn write_segment(out: &mut impl Write, bank: &Bank<'_>, segment: &Segment<'_, '_
         write!(Escaping(out), "{event}")?;
         out.write_str("\"\n")?;
     }
-    for locale in bank.locales() {
-        if let Some(text) = segment.text(locale) {
-            let origin = if text.is_fallback() { " (fallback)" } else { "" };
-            writeln!(out, "    {} {}{origin}", locale.tag(), Quoted(text.as_str()))?;
-        }
-    }
     Ok(())
+}
+
+/// The text of a segment, if it has one.
+pub(crate) fn write_text(out: &mut impl Write, tag: &str, text: Option<Text<'_>>) -> fmt::Result {
+    let Some(text) = text else { return Ok(()) };
+    let origin = if text.is_fallback() { " (fallback)" } else { "" };
+    writeln!(out, "    {tag} {}{origin}", Quoted(text.as_str()))
 }
 
 /// The viseme and the segment every 50 ms, for at most 200 of them.

@@ -21,6 +21,8 @@ pub mod fuzz;
 #[cfg(feature = "std")]
 pub mod golden;
 #[cfg(feature = "std")]
+pub mod layered;
+#[cfg(feature = "std")]
 mod said;
 #[cfg(feature = "std")]
 pub mod stacked;

@@ -1,10 +1,12 @@
-//! Layers by someone who knows the format, over a bank that they were or were not made for.
+//! Layers: those that the compiler makes of the versions of a project, and those of someone who knows the format.
 
 use super::forged_bank::Forgery;
+use crate::layered::assert_same;
 use crate::stacked::every_query;
 use arbitrary::{Arbitrary, Unstructured};
-use lipz_bank::Bank;
-use lipz_compiler::{Compiler, Input, Options, Over, Stack};
+use lipz_bank::{Bank, Layers};
+use lipz_compiler::{Compiler, Input, Options, Over, Stack, Voices};
+use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 /// A base, and a layer that changes a text, a mouth and a default, removes a clip and a locale, and adds both.
@@ -29,9 +31,19 @@ static FILES: LazyLock<[Vec<u8>; 2]> = LazyLock::new(|| {
     [base, layer]
 });
 
-/// Makes the changes that the bytes stand for in the layer, and asks stacks everything. The tools take what the reader takes.
+/// Asks stacks everything. Whatever they are made of, what they answer is what the bank answers that they are merged into.
 pub fn layers(bytes: &[u8]) {
-    let Ok(forgery) = Forgery::arbitrary_take_rest(Unstructured::new(bytes)) else { return };
+    let Some((first, rest)) = bytes.split_first() else { return };
+    let unstructured = Unstructured::new(rest);
+    if first % 2 == 0 {
+        Forgery::arbitrary_take_rest(unstructured).iter().for_each(forged);
+    } else {
+        History::arbitrary_take_rest(unstructured).iter().for_each(History::check);
+    }
+}
+
+/// Makes the changes in the layer. The tools take what the reader takes.
+fn forged(forgery: &Forgery) {
     let [base, layer] = &*FILES;
     let forged = forgery.apply_to(layer);
     let (below, opened) = (Bank::open(base).expect("a bank"), Bank::open(&forged));
@@ -39,9 +51,110 @@ pub fn layers(bytes: &[u8]) {
     for stack in [&[below, opened][..], &[opened, below], &[opened, opened], &[below, opened, opened]] {
         every_query(stack);
     }
-    if let Ok(verified) = opened.verify() {
-        let fits = every_query(&[below.verify().expect("a whole bank"), verified]);
-        let stack = Stack::open([("base", base), ("layer", &forged)]);
-        assert_eq!(stack.is_ok(), fits, "reader and tools differ about what fits");
+    let Ok(verified) = opened.verify() else { return };
+    let banks = [below.verify().expect("a whole bank"), verified];
+    let fits = every_query(&banks);
+    let stack = Stack::open([("base", base), ("layer", &forged)]);
+    assert_eq!(stack.is_ok(), fits, "reader and tools differ about what fits");
+    if let (Ok(stack), Ok(layers)) = (stack, Layers::new(banks)) {
+        let merged = stack.into_bank();
+        assert_same(&layers, &Bank::open(&merged).and_then(Bank::verify).expect("a whole bank"));
     }
+}
+
+/// The most versions of a project.
+const MOST: usize = 6;
+
+const KEYS: [&str; 5] = ["a", "act1/b", "de/a", "de/act1/b", "z"];
+const TEXTS: [&str; 4] = ["Ja.|Nein.", "Aye.|Nay.", "|", "Ja.|  {low} Nein. "];
+const TAGS: [&str; 4] = ["de-at", "de-de", "en-us", "fr-fr"];
+const VISEMES: [&str; 4] = ["MA|EO-", "-|-", "MAMA|EO", "MA|EO"];
+const EVENTS: [&str; 4] = ["amy feels sad|", "|sees door, amy stares door", "x|y", "amy points amy|amy stops pointing"];
+const CURVES: [&str; 3] = [r#"{ "joy": "0:0 1:2" }"#, r#"{ "anger": "0:1", "joy": "1:3" }"#, r#"{ "blink": "0:1" }"#];
+const RATES: [&str; 3] = ["24", "23.976", "30.0"];
+
+/// Versions of a project, each packed over those before it.
+#[derive(Arbitrary, Debug)]
+struct History {
+    strip: bool,
+    versions: Vec<Version>,
+}
+
+/// What is done to the clips of the version before, and the settings.
+#[derive(Arbitrary, Debug)]
+struct Version {
+    default_locale: u8,
+    has_voices: bool,
+    changes: Vec<(u8, Option<Contents>)>,
+}
+
+/// A Lipz file: numbers say which of the few parts it has, if any.
+#[derive(Arbitrary, Debug)]
+struct Contents {
+    texts: [u8; TAGS.len()],
+    visemes: u8,
+    events: u8,
+    curves: u8,
+    fps: u8,
+}
+
+impl History {
+    /// The stack has to say at each version what its bank says, and to become that bank.
+    fn check(&self) {
+        let mut project: BTreeMap<&str, String> = BTreeMap::new();
+        let mut files: Vec<Vec<u8>> = Vec::new();
+        for version in self.versions.iter().take(MOST) {
+            for (key, contents) in &version.changes {
+                let key = KEYS[usize::from(*key) % KEYS.len()];
+                match contents {
+                    Some(contents) => project.insert(key, contents.file()),
+                    None => project.remove(key),
+                };
+            }
+            let inputs: Vec<Input> = project.iter().map(|(key, file)| Input::from_bytes(*key, file.clone())).collect();
+            let compiler = Compiler::new(version.options(self.strip));
+            // Dubs that do not fit their originals are errors.
+            let Ok(whole) = compiler.compile(&inputs).into_bank() else { continue };
+            let stack = |files: &[Vec<u8>]| Stack::open(files.iter().map(|file| ("", file.as_slice())));
+            match stack(&files) {
+                Ok(below) => files.extend(compiler.compile_over(&inputs, &Over::new(below)).bank),
+                Err(_) => files.push(whole.clone()),
+            }
+            let banks: Vec<Bank<'_>> =
+                files.iter().map(|file| Bank::open(file).and_then(Bank::verify).expect("a whole bank")).collect();
+            let layers = Layers::<MOST>::from_slice(&banks).expect("they were made for each other");
+            assert_same(&layers, &Bank::open(&whole).expect("a bank"));
+            assert!(stack(&files).expect("banks").into_bank() == whole, "the merged bank is another one");
+        }
+    }
+}
+
+impl Version {
+    fn options(&self, strip: bool) -> Options {
+        let options = Options::new().strip(strip).threads(1);
+        let options = match chosen(&TAGS, self.default_locale) {
+            Some(tag) => options.default_locale(*tag),
+            None => options,
+        };
+        let voices = Voices::new("en-us").dub("de-de", "de/{key}");
+        if self.has_voices { options.voices(voices) } else { options }
+    }
+}
+
+impl Contents {
+    fn file(&self) -> String {
+        let texts = TAGS.iter().zip(self.texts).filter_map(|(tag, text)| Some((tag, chosen(&TEXTS, text)?)));
+        let mut elements: Vec<String> = texts.map(|(tag, text)| format!("\"text_{tag}\": \"{text}\"")).collect();
+        let visemes = chosen(&VISEMES, self.visemes);
+        elements.extend(visemes.map(|visemes| format!("\"viseme_type\": \"blair\", \"visemes\": \"{visemes}\"")));
+        elements.extend(chosen(&EVENTS, self.events).map(|events| format!("\"events\": \"{events}\"")));
+        elements.extend(chosen(&CURVES, self.curves).map(|curves| format!("\"curves\": {curves}")));
+        elements.extend(chosen(&RATES, self.fps).map(|fps| format!("\"fps\": {fps}")));
+        format!("{{ {} }}", elements.join(", "))
+    }
+}
+
+/// One of some things, or none.
+fn chosen<T>(all: &[T], number: u8) -> Option<&T> {
+    all.get(usize::from(number) % (all.len() + 1))
 }
