@@ -82,6 +82,25 @@ mod spreadsheets {
         assert_eq!((incoming.diagnostics, incoming.entries.len()), (Vec::new(), 1));
     }
 
+    /// Who writes `=Ja` into a spreadsheet has written a formula; programs that compute none save it without a value.
+    #[test]
+    fn a_formula_without_a_value_is_told() {
+        let text = |text: &str| format!(r#"<c t="inlineStr"><is><t>{text}</t></is></c>"#);
+        let file = |cell: &str| {
+            let (key, german, a) = (text("key"), text("de-de"), text("a"));
+            sheet(&format!("<row>{key}{german}</row><row>{a}{cell}</row>"))
+        };
+        let read = |cell: &str| lipz_texts::read(Format::Xlsx, &file(cell), &lipz_texts::ReadOptions::new("en-us"));
+        for cell in ["<c><f>Ja</f></c>", "<c><f>Ja</f><v/></c>", r#"<c t="str"><f>Ja</f><v></v></c>"#] {
+            let incoming = read(cell);
+            let [told] = incoming.diagnostics.as_slice() else { panic!("{:?}", incoming.diagnostics) };
+            assert!(told.message.contains("formula without a value"), "{told}");
+            assert_eq!(told.start(), 12, "behind the key of the second row");
+        }
+        let computed = read(r#"<c t="str"><f>A1</f><v>Ja</v></c>"#);
+        assert_eq!((computed.diagnostics.len(), computed.entries[0].text.text.as_str()), (0, "Ja"));
+    }
+
     #[test]
     fn archives_and_sheets_without_end_are_refused() {
         let megabyte = format!("<a>{}</a>", "b".repeat(1 << 20));

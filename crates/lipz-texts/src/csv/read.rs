@@ -156,7 +156,7 @@ fn header(row: &Row, options: &ReadOptions, incoming: &mut Incoming) -> Option<V
 
 impl Row {
     /// Where a cell stands, without quotes; the start of the row if there is none.
-    fn span(&self, at: usize) -> Span {
+    pub(crate) fn span(&self, at: usize) -> Span {
         let place = self.places.get(at).cloned().unwrap_or(0..0);
         Span::new(self.start + place.start, self.start + place.end)
     }

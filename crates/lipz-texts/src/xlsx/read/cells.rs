@@ -3,22 +3,30 @@
 use super::parts::Refusal;
 use super::strings::{Strings, add_string, unescaped};
 use super::xml::{Part, Step};
+use crate::Incoming;
 use crate::csv::Row;
+use lipz_diagnostics::{Code, Diagnostic, Span};
 
 /// Columns of a sheet, at most, as Excel has them.
 const MAX_COLUMNS: usize = 1 << 14;
 
-/// Reads the row that has just begun, up to its end, and adds it to the text, which may have so many bytes.
+/// Reads the row that has just begun, up to its end, and adds it to the text of the file, which may have so many bytes.
+/// Formulas without a value are reported: nobody computes them here.
 pub(super) fn row(
     part: &mut Part<'_, '_>,
     strings: &Strings,
-    text: &mut String,
+    incoming: &mut Incoming,
     most_bytes: u64,
 ) -> Result<Row, Refusal> {
+    let Incoming { text, diagnostics, .. } = incoming;
     let mut row = Row { start: text.len(), ..Row::default() };
     while let Some(step) = part.next()? {
         match step {
-            Step::Start if part.name() == "c" => cell(part, strings, &mut row, text)?,
+            Step::Start if part.name() == "c" => {
+                if cell(part, strings, &mut row, text)? {
+                    diagnostics.push(not_computed(row.span(row.cells.len() - 1)));
+                }
+            }
             Step::Start => part.skip()?,
             Step::End => break,
             Step::Text | Step::Other => {}
@@ -30,8 +38,8 @@ pub(super) fn row(
     Ok(row)
 }
 
-/// Reads the cell that has just begun, up to its end.
-fn cell(part: &mut Part<'_, '_>, strings: &Strings, row: &mut Row, text: &mut String) -> Result<(), Refusal> {
+/// Reads the cell that has just begun, up to its end; whether it is a formula without a value.
+fn cell(part: &mut Part<'_, '_>, strings: &Strings, row: &mut Row, text: &mut String) -> Result<bool, Refusal> {
     let at = part.attribute("r").as_deref().and_then(column).unwrap_or(row.cells.len());
     if at < row.cells.len() || at >= MAX_COLUMNS {
         return Err("the cells of a row are not in order".into());
@@ -41,12 +49,15 @@ fn cell(part: &mut Part<'_, '_>, strings: &Strings, row: &mut Row, text: &mut St
     }
     let kind = part.attribute("t");
     let is_inline = kind.as_deref() == Some("inlineStr");
-    let mut value = String::new();
+    let (mut value, mut is_formula) = (String::new(), false);
     while let Some(step) = part.next()? {
         match step {
             Step::Start if is_inline && part.name() == "is" => add_string(part, &mut value)?,
             Step::Start if !is_inline && part.name() == "v" => part.add_text(&mut value)?,
-            Step::Start => part.skip()?,
+            Step::Start => {
+                is_formula |= part.name() == "f";
+                part.skip()?;
+            }
             Step::End => break,
             Step::Text | Step::Other => {}
         }
@@ -56,7 +67,14 @@ fn cell(part: &mut Part<'_, '_>, strings: &Strings, row: &mut Row, text: &mut St
         Some("s") => push(row, strings.get(&value).ok_or("a cell refers to a string that is not there")?, text),
         _ => push(row, &unescaped(&value), text),
     }
-    Ok(())
+    Ok(is_formula && value.is_empty())
+}
+
+/// The diagnostic for a formula without a value.
+fn not_computed(span: Span) -> Diagnostic {
+    Diagnostic::at(Code::ExchangeLoss, span, "the cell is a formula without a value, and is not imported").help(
+        "write an apostrophe before a text that begins with `=`; or save the file in a spreadsheet, which computes it",
+    )
 }
 
 /// Adds a cell. Line ends and tabs in it are blanks in the text, so that a line stays a row.
