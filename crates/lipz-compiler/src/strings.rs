@@ -23,6 +23,13 @@ impl Strings {
         self.ends.clear();
     }
 
+    /// Gives back the room for more strings.
+    #[cfg(feature = "shards")]
+    pub(crate) fn shrink(&mut self) {
+        self.text.shrink_to_fit();
+        self.ends.shrink_to_fit();
+    }
+
     /// Number of strings.
     pub(crate) fn count(&self) -> usize {
         self.ends.len()

@@ -127,6 +127,18 @@ impl Clips {
         self.push_tables(key, clip, Ends { frames, ..Ends::default() });
     }
 
+    /// Gives back the room for more clips.
+    #[cfg(feature = "shards")]
+    pub(crate) fn shrink(&mut self) {
+        self.heads.shrink_to_fit();
+        self.keys.shrink();
+        self.starts.shrink_to_fit();
+        self.texts.shrink_to_fit();
+        self.text_ends.shrink_to_fit();
+        self.events.shrink();
+        self.staying.iter_mut().for_each(|staying| staying.sources.shrink_to_fit());
+    }
+
     /// Whether nothing has happened to the file in which the clips left something.
     #[cfg(feature = "shards")]
     pub(crate) fn is_as_it_was(&self) -> bool {

@@ -166,40 +166,40 @@ impl<'l> Pieces<'l> {
     /// The texts, locale by locale. Equal ones have one place, and stand there when the first of them has been written.
     fn texts(&mut self, start: usize, output: &mut Output<'_>) -> Result<(), Fault> {
         let layout = self.layout;
-        let offset = |entry: &U32| (entry.get() & TEXT_OFFSET) as usize;
-        let places = self.order.len();
-        for (locale, place) in
-            (0..layout.locales.len()).flat_map(|locale| (0..places).map(move |place| (locale, place)))
-        {
-            let slot = self.order[place];
-            let clip = self.clip(slot);
-            let Some(index) = clip.text_in(locale as u32) else { continue };
-            let first =
-                locale * layout.segment_count + layout.records.clips[slot as usize].segments_first.get() as usize;
-            let entries = &layout.texts.starts[first..first + clip.starts().len()];
-            if let (Some(first), Some(last)) = (entries.first(), entries.last()) {
-                self.text(slot, clip.displays(index), start, (offset(first), last), output)?;
+        for (locale, table) in layout.texts.starts.chunks(layout.segment_count.max(1)).enumerate() {
+            for place in 0..self.order.len() {
+                let slot = self.order[place];
+                let clip = self.clip(slot);
+                let Some(index) = clip.text_in(locale as u32) else { continue };
+                let first = layout.records.clips[slot as usize].segments_first.get() as usize;
+                let entries = &table[first..first + clip.starts().len()];
+                self.text(slot, clip.displays(index), start, entries, output)?;
             }
         }
         Ok(())
     }
 
-    /// Writes the texts of a clip that start at `first`, the last of them at its entry.
+    /// Writes the texts of a clip at their entries, unless they stand there.
     fn text(
         &mut self,
         slot: u32,
         texts: Part<'l>,
         section_start: usize,
-        (first, last): (usize, &U32),
+        entries: &[U32],
         output: &mut Output<'_>,
     ) -> Result<(), Fault> {
-        if section_start + first < output.position() {
+        let offset = |entry: &U32| (entry.get() & TEXT_OFFSET) as usize;
+        let (Some(first), Some(last)) = (entries.first(), entries.last()) else { return Ok(()) };
+        if section_start + offset(first) < output.position() {
             return Ok(());
         }
-        if section_start + first != output.position() {
+        let inner = offset(last).checked_sub(offset(first)).ok_or_else(misplaced)?;
+        let (before, last_text) = self.pieces(slot, texts, inner);
+        let starts = entries.iter().map(|entry| offset(entry).checked_sub(offset(first)));
+        let are_starts = starts.clone().all(|start| start.is_some_and(|start| is_start(before, start)));
+        if section_start + offset(first) != output.position() || !are_starts || !is_start(last_text, 0) {
             return Err(misplaced());
         }
-        let (before, last_text) = self.pieces(slot, texts, (last.get() & TEXT_OFFSET) as usize - first);
         output.put(before)?;
         if last.get() & TEXT_HAS_LENGTH != 0 {
             output.put(&text_count(last_text.len()))?;
@@ -243,6 +243,11 @@ impl<'l> Pieces<'l> {
             }
         }
     }
+}
+
+/// Whether a character of a UTF-8 string starts there, or the string ends.
+fn is_start(text: &[u8], at: usize) -> bool {
+    text.get(at).map_or(at == text.len(), |byte| byte & 0xC0 != 0x80)
 }
 
 fn misplaced() -> Fault {

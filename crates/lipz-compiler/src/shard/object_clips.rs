@@ -44,6 +44,7 @@ pub(super) fn object_clips(bytes: &[u8], bank: &Bank<'_>, file: ClipFile) -> Opt
         }
         clips.push_staying(found.key(), &clip, found.frame_count() as usize, object.source(slot)?);
     }
+    clips.shrink();
     Some(clips)
 }
 
