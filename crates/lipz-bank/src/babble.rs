@@ -195,8 +195,7 @@ impl<'data> Bank<'data> {
 
     /// All babble profiles of the bank, in the order of their names.
     pub fn babbles(&self) -> Babbles<'data> {
-        let section = self.file.entry(Tag::BABBLE).and_then(|entry| self.file.contents(entry));
-        Babbles { bytes: section.unwrap_or(&[]) }
+        Babbles { bytes: self.file.section(Tag::BABBLE) }
     }
 }
 

@@ -72,7 +72,9 @@ impl Clip<'_, '_> {
     fn emotions_in(&self, who: Who<'_>, position: Position) -> Emotions {
         let mut emotions = Emotions::default();
         for curve in self.curves() {
-            let emotion = who.purpose(curve.name().as_str()).and_then(Emotion::from_name);
+            let emotion = who
+                .purpose(curve.name().bytes())
+                .and_then(|name| Emotion::ALL.iter().copied().find(|emotion| emotion.name().as_bytes() == name));
             if let Some(place) = emotion.and_then(|emotion| emotions.values.get_mut(emotion as usize)) {
                 let value = farther(place.thousandths(), curve.value_in(position).thousandths(), 0);
                 *place = CurveValue::from_thousandths(value);

@@ -51,6 +51,13 @@ impl<'data> EventName<'data> {
         self.strings.text_at(self.record.offset_bytes.get(), self.record.length_bytes.get()).unwrap_or("")
     }
 
+    /// The bytes of the name, which nobody has to check to be UTF-8 to compare them with known names; none of a damaged one.
+    pub(crate) fn bytes(self) -> &'data [u8] {
+        let start = self.record.offset_bytes.get() as usize;
+        let end = start.saturating_add(self.record.length_bytes.get() as usize);
+        self.strings.slice(start, end).unwrap_or(&[])
+    }
+
     /// Whether the name is one of `bank`.
     pub fn is_of(self, bank: &Bank<'_>) -> bool {
         self.key.is_of(bank)

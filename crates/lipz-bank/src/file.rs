@@ -134,6 +134,13 @@ impl<'data> File<'data> {
         self.directory.iter().find(|entry| entry.tag == tag.0)
     }
 
+    /// The contents of a section that a file need not have; empty without it, and if it does not lie in the file.
+    // Short code where memory is scarce: it is needed in several places.
+    #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
+    pub(crate) fn section(&self, tag: Tag) -> &'data [u8] {
+        self.entry(tag).and_then(|entry| self.contents(entry)).unwrap_or(&[])
+    }
+
     /// The sections in the order of the directory, known or not.
     pub(crate) fn sections(&self) -> impl Iterator<Item = ([u8; 4], &'data [u8])> + '_ {
         self.directory.iter().filter_map(move |entry| Some((entry.tag, self.contents(entry)?)))

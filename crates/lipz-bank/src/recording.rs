@@ -43,8 +43,7 @@ impl Clip<'_, '_> {
     /// The recording that the clip was made for; `None` if the bank was packed without recordings, or the clip had
     /// none.
     pub fn recording(&self) -> Option<Recording> {
-        let file = &self.bank.file;
-        let records: &[RecordingRecord] = entries(file.contents(file.entry(Tag::RECORDINGS)?)?);
+        let records: &[RecordingRecord] = entries(self.bank.file.section(Tag::RECORDINGS));
         let record = records.get(self.slot() as usize)?;
         let recording = Recording::new(record.length_us.get(), record.content_hash.get());
         if recording.length_us == NO_RECORDING { None } else { Some(recording) }

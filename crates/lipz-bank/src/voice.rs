@@ -146,16 +146,12 @@ impl<'data, 'bank> Clip<'data, 'bank> {
 
 /// The tags of the voices, each with a zero byte behind it.
 pub(crate) fn tags<'data>(file: &File<'data>) -> &'data [u8] {
-    section(file, Tag::VOICES)
+    file.section(Tag::VOICES)
 }
 
 /// The entries of all voices but the original.
 pub(crate) fn dubs<'data>(file: &File<'data>) -> &'data [U32] {
-    entries(section(file, Tag::DUBS))
-}
-
-fn section<'data>(file: &File<'data>, tag: Tag) -> &'data [u8] {
-    file.entry(tag).and_then(|entry| file.contents(entry)).unwrap_or(&[])
+    entries(file.section(Tag::DUBS))
 }
 
 /// The voices of a bank.

@@ -31,8 +31,9 @@ impl<'name> From<&'name str> for Who<'name> {
 
 impl Who<'_> {
     /// What the curve with this name is for, without the character: `fear` for `mara.fear`. `None` if it is about another one.
-    pub(crate) fn purpose(self, curve: &str) -> Option<&str> {
-        let behind = |character: &str| curve.strip_prefix(character).and_then(|rest| rest.strip_prefix('.'));
+    pub(crate) fn purpose(self, curve: &[u8]) -> Option<&[u8]> {
+        let behind =
+            |character: &str| curve.strip_prefix(character.as_bytes()).and_then(|rest| rest.strip_prefix(b"."));
         match self {
             Who::Speaker => Some(curve),
             Who::SpeakerNamed(character) => Some(behind(character).unwrap_or(curve)),
@@ -53,7 +54,8 @@ mod tests {
     #[test]
     fn a_name_is_whole() {
         let of = |who: Who<'_>| {
-            ["fear", "mara.fear", "maria.fear", "mara.", "mara"].map(|curve| who.purpose(curve).map(str::len))
+            ["fear", "mara.fear", "maria.fear", "mara.", "mara"]
+                .map(|curve| who.purpose(curve.as_bytes()).map(<[u8]>::len))
         };
         assert_eq!(of(Who::Speaker), [Some(4), Some(9), Some(10), Some(5), Some(4)]);
         assert_eq!(of(Who::Other("mara")), [None, Some(4), None, Some(0), None]);

@@ -1,7 +1,7 @@
 //! Emotions in texts and events become curves, which programs read as emotions.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use lipz_bank::{Bank, Emotion, Micros};
+use lipz_bank::{Bank, Emotion, Emotions, FaceProfile, Fps, LookAt, Micros};
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiler, Input, Options, WordTime, WordTimes};
 
@@ -196,4 +196,25 @@ fn a_dub_feels_what_its_own_language_says() {
         clip.curves().map(|curve| curve.name().to_string()).collect::<Vec<_>>()
     });
     assert_eq!(names, [["anger"], ["joy"]]);
+}
+
+/// Nobody knows how many frames 0.4 s are, so the face changes within one, and no gesture has a length. What the program supplies
+/// counts, and without it no time has a frame.
+#[test]
+fn without_a_frame_rate_a_face_changes_within_one_frame() {
+    let text = "{joy 4 over 2s} abcde fghij {anger 6} klmno pqrst|x";
+    let file = format!(r#"{{ "visemes": "{VISEMES}", "text_en-us": "{text}", "events": "nods 4|" }}"#);
+    let bytes = Compiler::new(options("face.keys = \"words\"\n")).compile(&[Input::from_bytes("a", file)]);
+    let bytes = bytes.into_bank().unwrap();
+    let bank = Bank::open(&bytes).unwrap().verify().unwrap();
+    let clip = bank.clip_by_key("a").unwrap();
+    let curves: Vec<String> = clip.curves().map(|curve| format!("{} {curve}", curve.name())).collect();
+    assert_eq!(curves, ["anger 10:0 11:6", "joy 0:0 1:4 10:4 11:0"]);
+    let (time, usual) = (Micros(1_050_000), FaceProfile::DEFAULT);
+    assert_eq!(clip.emotions_at(time), Emotions::default());
+    assert_eq!(clip.face_at(time, &usual, LookAt::AHEAD), usual.idle_at(time, clip.id().get(), LookAt::AHEAD));
+    let given = clip.or_fps(Fps::whole(10));
+    let of = |emotion| given.emotions_at(time).get(emotion).thousandths();
+    assert_eq!((of(Emotion::Anger), of(Emotion::Joy)), (3000, 2000));
+    assert_ne!(given.face_at(time, &usual, LookAt::AHEAD).head_yaw.thousandths(), 0);
 }

@@ -126,6 +126,35 @@ fn a_head_turns_with_segments_and_pauses() {
     }
 }
 
+/// With the curve `pose`, a head turns at its keys, to where it would stay, and as far as they say.
+#[test]
+fn a_head_turns_at_the_keys_of_poses() {
+    let mouth = "A".repeat(80);
+    let file = format!(
+        r#"{{ "fps": 20, "visemes": "{mouth}", "viseme_type": "blair", "curves": {{ "pose": "10:1 30:1 32:0 60:0.5" }} }}"#
+    );
+    let bytes = compile("", &[Input::from_bytes("talk", file)]);
+    let bank = Bank::open(&bytes).unwrap().verify().unwrap();
+    let clip = bank.clip_by_key("talk").unwrap();
+    let poses = |ms: i64| {
+        let face = face(&clip, Micros(ms * 1000));
+        [face.head_pitch, face.head_yaw, face.head_roll].map(CurveValue::thousandths)
+    };
+    // Before the first key, as at it. A turn takes 0.2 seconds, or as long as there are until the next key.
+    for still in [0..1500, 1800..3000, 3200..3900] {
+        assert!(still.clone().all(|ms| poses(ms) == poses(still.start)), "{still:?}");
+    }
+    assert_ne!(poses(1499), poses(1550));
+    assert_eq!(poses(2000), [0, 0, 0], "straight ahead");
+    let half = FaceProfile::DEFAULT.head_motion_thousandths() / 2;
+    assert!(poses(3500) != [0; 3] && poses(3500).iter().all(|angle| angle.unsigned_abs() <= u32::from(half)));
+    for ms in 0..3900 {
+        let far = poses(ms).iter().zip(poses(ms + 5)).map(|(now, then)| now.abs_diff(then)).max().unwrap();
+        assert!(far < 1000, "{ms}: a jump of {far}");
+    }
+    assert_eq!(face(&clip, Micros(2_000_000)), face(&clip, Seconds(2.0)));
+}
+
 #[test]
 fn curves_win_and_gestures_are_added() {
     let file = r#"{ "fps": 10, "visemes": "AAAAAAAAAA", "viseme_type": "blair", "curves": {

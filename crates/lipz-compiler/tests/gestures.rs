@@ -66,6 +66,40 @@ fn words_are_where_they_are_heard() {
     assert!(heard.contains(&"nod 6:5 9:3 12:6 15:4.5 18:5".to_owned()), "{heard:?}");
 }
 
+/// The head turns at each word and at each pause: where words are heard, or else at their share of the segment.
+#[test]
+fn each_word_and_each_pause_has_a_pose() {
+    let text = "I was so sure|it was him";
+    let pose = |elements: &str, options: Options| -> String {
+        let curves = curves(elements, options);
+        curves.iter().find_map(|curve| curve.strip_prefix("pose ")).unwrap_or_default().to_owned()
+    };
+    let words = format!(r#""text_en-us": "{text}""#);
+    // One letter, three and two of ten in 40 frames; then two and three of eight. What rests at the end is no pose.
+    assert_eq!(pose(&words, options(WORDS)), "0:1 4:1 16:1 24:1 40:1 50:1 65:1");
+    let heard = |range, start_ms, end_ms| WordTime { range, start_ms, end_ms, is_doubtful: false };
+    let times = WordTimes::new(text, &[heard(2..5, 300, 500), heard(9..13, 1000, 1400)]);
+    assert_eq!(pose(&words, options(WORDS).word_times([("a", times)])), "0:1 6:1 16:1 20:1 40:1 50:1 65:1");
+    assert_eq!(pose(&words, options("default-locale = \"en-us\"\n")), "", "who does not ask for them");
+    assert_eq!(pose(r#""text_en-us": "...|{louder}""#, options(WORDS)), "", "nobody says a word");
+}
+
+/// A pause has its pose, and a word is not in it; scripts without blanks have poses as often as words are usual.
+#[test]
+fn poses_follow_the_mouth() {
+    let pose = |visemes: &str, text: &str| {
+        let file = format!(r#"{{ "fps": 20, "visemes": "{visemes}", "text_en-us": "{text}" }}"#);
+        let bytes = Compiler::new(options(WORDS)).compile(&[Input::from_bytes("a", file)]).into_bank().unwrap();
+        let bank = Bank::open(&bytes).unwrap().verify().unwrap();
+        let clip = bank.clip_by_key("a").unwrap();
+        clip.curve("pose").map(|curve| curve.to_string()).unwrap_or_default()
+    };
+    // The third of four words would be in the pause, from 8 to 15. A rest of two frames is none.
+    assert_eq!(pose("--MAEO--AEMA-------MAEOM", "ab cd ef gh"), "0:1 6:1 12:1 19:1");
+    assert_eq!(pose("MAEOMAEO", "ab"), "0:1");
+    assert_eq!(pose("MAEOMAEOMAEOMAEOMAEOMAEOMAEOMAEO", "はいそうです"), "0:1 8:1 16:1 24:1");
+}
+
 #[test]
 fn breath_comes_behind_sentences_and_deeper_with_effort() {
     let breath = |text: &str, settings: &str| keys("breath", "en-us", text, settings);
@@ -147,8 +181,8 @@ fn who_listens_moves_now_and_then() {
 
 #[test]
 fn curves_of_the_file_win_and_files_without_times_get_none() {
-    let own = r#""text_en-us": "Yes.|x", "curves": { "nod": "0:5", "breath": "0:0" }"#;
-    assert_eq!(curves(own, options(WORDS)), ["breath 0:0", "nod 0:5"]);
+    let own = r#""text_en-us": "Yes.|x", "curves": { "nod": "0:5", "breath": "0:0", "pose": "3:1" }"#;
+    assert_eq!(curves(own, options(WORDS)), ["breath 0:0", "nod 0:5", "pose 3:1"]);
     let file = r#"{ "text_en-us": "Yes." }"#;
     let bytes = Compiler::new(options(WORDS)).compile(&[Input::from_bytes("a", file)]).into_bank().unwrap();
     assert_eq!(Bank::open(&bytes).unwrap().clip_by_key("a").unwrap().curves().count(), 0);

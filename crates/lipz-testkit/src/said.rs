@@ -123,7 +123,9 @@ pub(crate) fn of_face(clip: &Clip<'_, '_>, profile: &FaceProfile<'_>, time: impl
     let low = CurveValue::from_thousandths(i32::MIN);
     let face = clip.face_at(time, profile, LookAt::person(low, low));
     assert_eq!(clip.face_of(Who::Speaker, time, profile, LookAt::person(low, low)), face);
-    black_box(clip.generated_at(time, profile, LookAt::person(low, low)));
+    let generated = clip.generated_at(time, profile, LookAt::person(low, low));
+    assert_eq!(clip.generated_of(Who::Speaker, time, profile, LookAt::person(low, low)), generated);
+    black_box(clip.generated_of("amy", time, profile, LookAt::AHEAD));
     black_box([Who::from("amy"), Who::SpeakerNamed("amy")].map(|who| clip.face_of(who, time, profile, LookAt::AHEAD)));
 }
 

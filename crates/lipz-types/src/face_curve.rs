@@ -39,11 +39,14 @@ pub enum FaceCurve {
     Shrug,
     /// `breath`: from 0 to 10, gasping.
     Breath,
+    /// `pose`, instead of the times at which the head turns to another pose while its mouth moves: at each key, and as far as its
+    /// value says, 0 to 1.
+    Pose,
 }
 
 impl FaceCurve {
     /// All of them, in the order of their numbers.
-    pub const ALL: [FaceCurve; 14] = [
+    pub const ALL: [FaceCurve; 15] = [
         FaceCurve::Blink,
         FaceCurve::HeadPitch,
         FaceCurve::HeadYaw,
@@ -58,6 +61,7 @@ impl FaceCurve {
         FaceCurve::Brows,
         FaceCurve::Shrug,
         FaceCurve::Breath,
+        FaceCurve::Pose,
     ];
 
     /// The name.
@@ -77,6 +81,7 @@ impl FaceCurve {
             FaceCurve::Brows => "brows",
             FaceCurve::Shrug => "shrug",
             FaceCurve::Breath => "breath",
+            FaceCurve::Pose => "pose",
         }
     }
 

@@ -121,12 +121,16 @@ impl StoredFps {
     /// The first microsecond at which `frame` shows: ⌈frame / rate⌉ in exact arithmetic.
     ///
     /// Saturates at `u64::MAX` only for rates that no valid bank has.
+    // Short code where memory is scarce: it is needed in several places.
+    #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     pub fn start_of_frame_us(self, frame: u32) -> u64 {
-        let numerator = u128::from(self.numerator());
-        let micros =
-            u128::from(frame).wrapping_mul(u128::from(self.denominator())).wrapping_mul(u128::from(MICROS_PER_SECOND));
-        let frames = micros.wrapping_add(numerator.wrapping_sub(1)).checked_div(numerator);
-        frames.and_then(|us| u64::try_from(us).ok()).unwrap_or(u64::MAX)
+        let numerator = core::num::NonZeroU64::from(self.numerator);
+        let parts = u64::from(frame).wrapping_mul(u64::from(self.denominator()));
+        // Whole seconds and what is left of them: 128 bits are not needed, and no processor divides them at once.
+        let (seconds, rest) = (parts / numerator, parts % numerator);
+        let micros = rest.wrapping_mul(MICROS_PER_SECOND);
+        let rounded_up = micros.wrapping_add(numerator.get().wrapping_sub(1)) / numerator;
+        seconds.checked_mul(MICROS_PER_SECOND).and_then(|us| us.checked_add(rounded_up)).unwrap_or(u64::MAX)
     }
 }
 

@@ -95,3 +95,17 @@ fn values_are_displayed_as_numbers() {
         assert_eq!(CurveValue::from_thousandths(thousandths).to_string(), text);
     }
 }
+
+/// Also at rates that no valid bank has: as far as 64 bits go.
+#[test]
+fn starts_of_frames_are_exact_or_as_late_as_can_be() {
+    let numbers = [1, 2, 3, 7, 24, 1000, 1001, 65_537, u32::MAX - 1, u32::MAX];
+    for (numerator, denominator) in numbers.iter().flat_map(|n| numbers.iter().map(move |d| (*n, *d))) {
+        let rate = StoredFps::from_parts(numerator, denominator, 0).unwrap();
+        for frame in numbers.into_iter().chain([0]) {
+            let exact = (u128::from(frame) * u128::from(denominator) * 1_000_000).div_ceil(u128::from(numerator));
+            let start = u128::from(rate.start_of_frame_us(frame));
+            assert_eq!(start, exact.min(u128::from(u64::MAX)), "{frame} at {numerator}/{denominator}");
+        }
+    }
+}

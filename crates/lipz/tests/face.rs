@@ -163,6 +163,30 @@ fn what_is_generated_can_be_edited() {
     let now = read(&scene, "voices/long.lipz");
     let again = lipz(scene.path(), &arguments);
     assert!(again.code == 0 && read(&scene, "voices/long.lipz") == now, "{again:?}");
+    // Of somebody else, whom its events name; what is not generated of them is no name.
+    scene.write("voices/heard.lipz", line.replace("\"curves\"", "\"events\": \"mara nods\", \"curves\""));
+    let said = lipz(scene.path(), ["face", "voices/heard.lipz", "--curve", "mara.blink", "--curve", "mara.eyeYaw"]);
+    assert!(said.code == 0 && said.stdout.contains("mara.blink in 1 file"), "{said:?}");
+    scene.prepare(&["pack", "--quiet"]);
+    let bytes = fs::read(scene.path().join("out.lipzbank")).unwrap();
+    let bank = Bank::open(&bytes).unwrap().verify().unwrap();
+    let (clip, profile) = (bank.clip_by_key("heard").unwrap(), bank.default_face_profile());
+    let mut closed = 0;
+    for frame in 0..240_i64 {
+        let time = Micros((frame * 1_000_000 + 23) / 24);
+        let generated = clip.generated_of("mara", time, &profile, LookAt::AHEAD);
+        let shown = clip.face_of("mara", time, &profile, LookAt::AHEAD);
+        assert!(generated.blink.thousandths().abs_diff(shown.blink.thousandths()) <= 20, "{frame}");
+        assert!(generated.eye_yaw.thousandths().abs_diff(shown.eye_yaw.thousandths()) <= 50, "{frame}");
+        closed += i32::from(shown.blink.thousandths() > 500);
+    }
+    assert!(closed > 0);
+    for (file, name) in
+        [("voices/heard.lipz", "mara.headYaw"), ("voices/heard.lipz", "otto.blink"), ("voices/long.lipz", "mara.blink")]
+    {
+        let said = lipz(scene.path(), ["face", file, "--curve", name]);
+        assert!(said.code == 2 && said.stderr.contains("no curve"), "{said:?}");
+    }
     // Without times, nothing is generated.
     let said = lipz(scene.path(), ["face", "voices/still.lipz", "--curve", "blink"]);
     assert!(said.code == 2 && said.stderr.contains("no curve `blink` is made"), "{said:?}");

@@ -85,6 +85,7 @@ fn bank_asked(bank: &Bank<'_>, name: &str, number: u32, see: See) {
         clip_asked(bank, &clip, number, see);
         see_face(see, clip.face_at(Micros(i64::from(number)), &bank.default_face_profile(), look(number)));
         see_face(see, clip.generated_at(Micros(i64::from(number)), &bank.default_face_profile(), look(number)));
+        see_face(see, clip.generated_of(name, Micros(i64::from(number)), &bank.default_face_profile(), look(number)));
         for who in [Who::from("amy"), Who::SpeakerNamed("amy")] {
             let now = Micros(i64::from(number));
             see_face(see, clip.face_of(who, now, &bank.default_face_profile(), look(number)));

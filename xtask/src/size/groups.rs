@@ -58,7 +58,7 @@ pub(super) const PROGRAMS: [Group; 9] = [
     Group {
         name: "+ verify: everything",
         parts: &[OPEN, FRAMES, TEXT_BYTES, EVENTS, KEYS, TEXT_BANKS, TEXTS, EVENT_STRINGS, VERIFY, VERIFY_TEXTS],
-        budget_bytes: Some(12_400),
+        budget_bytes: Some(12_185),
     },
 ];
 
@@ -130,11 +130,11 @@ pub(super) const C_PROGRAMS: [Group; 10] = [
     Group {
         name: "C: + the face at a time",
         parts: &[C_OPEN, C_MOUTHS, C_TEXTS, C_EVENTS, C_CURSOR, C_BABBLE, C_CURVES, C_EMOTIONS, C_FACE],
-        budget_bytes: Some(31_285),
+        budget_bytes: Some(28_085),
     },
     Group {
         name: "C: + faces and emotions of others",
         parts: &[C_OPEN, C_MOUTHS, C_TEXTS, C_EVENTS, C_CURSOR, C_BABBLE, C_CURVES, C_EMOTIONS, C_FACE, C_FACES],
-        budget_bytes: Some(31_740),
+        budget_bytes: Some(28_540),
     },
 ];

@@ -57,7 +57,7 @@ impl CurveCursor {
     }
 
     /// The index of the last key at or before a frame; 0 if there is none.
-    fn index_at(&self, curve: &Curve<'_>, frame: u32) -> u32 {
+    pub(super) fn index_at(&self, curve: &Curve<'_>, frame: u32) -> u32 {
         let has_come = |index: u32| curve.keys.get(index).map_or(false, |key| key.frame <= frame);
         let mut index = self.index;
         if !has_come(index) && index == 0 {

@@ -88,6 +88,11 @@ impl<'data> Curve<'data> {
         CurveCursor::new().value_of(self, position)
     }
 
+    /// The index of the last key at or before a frame; 0 if there is none.
+    pub(crate) fn index_at(&self, frame: u32) -> u32 {
+        CurveCursor::new().index_at(self, frame)
+    }
+
     /// The value between the key with this index and the next one.
     fn value_between(&self, index: u32, position: Position) -> CurveValue {
         let key = match self.keys.get(index) {

@@ -20,11 +20,10 @@ impl<'data> CurveTable<'data> {
     /// The sections of a bank.
     #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     pub(crate) fn new(bank: &Bank<'data>) -> Self {
-        let section = |tag| bank.file.entry(tag).and_then(|entry| bank.file.contents(entry)).unwrap_or(&[]);
         CurveTable {
-            clips: entries(section(Tag::CURVE_CLIPS)),
-            curves: entries(section(Tag::CURVES)),
-            units: entries(section(Tag::CURVE_KEYS)),
+            clips: entries(bank.file.section(Tag::CURVE_CLIPS)),
+            curves: entries(bank.file.section(Tag::CURVES)),
+            units: entries(bank.file.section(Tag::CURVE_KEYS)),
         }
     }
 

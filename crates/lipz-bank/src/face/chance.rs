@@ -21,6 +21,7 @@ pub(super) enum Stream {
 }
 
 /// A number from 0 to 65,535, as likely as any other. `interval` tells the draws of one grid of blinks from another's.
+#[cfg_attr(not(target_pointer_width = "64"), inline(never))]
 pub(super) fn draw(seed: u64, stream: Stream, interval: u64, index: u64) -> u32 {
     let stream = interval << 8 | stream as u64;
     (mix(mix(mix(seed ^ stream, STEP) ^ index, FINISH), STEP) >> 48) as u32
@@ -37,6 +38,7 @@ pub(super) fn either_side(amount: u32, draw: u32) -> i32 {
 }
 
 /// `value` · `part` / `whole`, towards 0; 0 for nothing of a whole.
+#[cfg_attr(not(target_pointer_width = "64"), inline(never))]
 pub(super) fn scaled(value: i32, part: u64, whole: u64) -> i32 {
     let product = i64::from(value).wrapping_mul(part as i64);
     product.checked_div(whole as i64).unwrap_or(0) as i32

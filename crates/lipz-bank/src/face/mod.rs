@@ -12,7 +12,7 @@ pub use look::LookAt;
 pub use profile::{FaceProfile, FaceProfiles};
 
 use crate::who::farther;
-use crate::{Clip, ClipId, CurveValue, Emotion, Time, Who};
+use crate::{Clip, ClipId, Curve, CurveValue, Emotion, Time, Who};
 use chance::Steps;
 use lipz_types::{FaceCurve, Fps, Micros, Position};
 use mouth::Mouth;
@@ -95,18 +95,39 @@ impl Clip<'_, '_> {
     /// What is generated of the speaker's face at `time`, as the curves that replace it would have it: `blink`, the motion of
     /// the head and where the eyes look, each whole and without what is added to it. `lipz face --curve blink` samples it.
     pub fn generated_at<T: Time>(&self, time: T, profile: &FaceProfile<'_>, look: LookAt) -> Face {
-        let steps = Steps { seed: self.id().get(), ms: milliseconds(time) };
-        let head = Mouth::of(self).map(|mouth| head::motion(profile, steps, &mouth)).unwrap_or_default();
+        self.generated_of(Who::Speaker, time, profile, look)
+    }
+
+    /// What is generated of the face of a character of the clip: [`Clip::generated_at`] for [`Clip::face_of`].
+    pub fn generated_of<'name, T: Time>(
+        &self,
+        who: impl Into<Who<'name>>,
+        time: T,
+        profile: &FaceProfile<'_>,
+        look: LookAt,
+    ) -> Face {
+        let who = who.into();
+        let (seed, mouth) = self.moved(who, self.curve(FaceCurve::Pose.name()));
+        let steps = Steps { seed, ms: milliseconds(time) };
+        let [pitch, yaw, roll] = mouth.map(|mouth| head::motion(profile, steps, &mouth)).unwrap_or_default();
         let eyes = eyes::target(profile, steps, look);
         let value = CurveValue::from_thousandths;
         Face {
-            blink: value(blink::closed(profile, steps, |ms| self.strongest(Who::Speaker, ms))),
-            head_pitch: value(head.pitch),
-            head_yaw: value(head.yaw),
-            head_roll: value(head.roll),
+            blink: value(blink::closed(profile, steps, |ms| self.strongest(who, ms))),
+            head_pitch: value(pitch),
+            head_yaw: value(yaw),
+            head_roll: value(roll),
             eye_pitch: value(eyes.pitch),
             eye_yaw: value(eyes.yaw),
             ..Face::default()
+        }
+    }
+
+    /// What a face is drawn with, and the mouth that moves its head: that of a speaker.
+    fn moved<'m>(&'m self, who: Who<'_>, poses: Option<Curve<'m>>) -> (u64, Option<Mouth<'m>>) {
+        match who {
+            Who::Speaker | Who::SpeakerNamed(_) => (self.id().get(), Mouth::of(self, poses)),
+            Who::Other(name) => (self.id().get() ^ ClipId::from_key(name).get(), None),
         }
     }
 
@@ -124,16 +145,18 @@ impl Clip<'_, '_> {
         look: LookAt,
     ) -> Face {
         let mut curves = Curves::default();
+        let mut poses = None;
         for curve in self.curves() {
-            let known = who.purpose(curve.name().as_str()).and_then(FaceCurve::from_name);
-            if let (Some(known), Some(position)) = (known, position) {
-                curves.set(known, curve.value_in(position).thousandths());
+            let known = who
+                .purpose(curve.name().bytes())
+                .and_then(|name| FaceCurve::ALL.iter().copied().find(|known| known.name().as_bytes() == name));
+            match (known, position) {
+                (Some(FaceCurve::Pose), _) => poses = Some(curve),
+                (Some(known), Some(position)) => curves.set(known, curve.value_in(position).thousandths()),
+                _ => {}
             }
         }
-        let (seed, mouth) = match who {
-            Who::Speaker | Who::SpeakerNamed(_) => (self.id().get(), Mouth::of(self)),
-            Who::Other(name) => (self.id().get() ^ ClipId::from_key(name).get(), None),
-        };
+        let (seed, mouth) = self.moved(who, poses);
         Moment { profile, steps: Steps { seed, ms }, mouth, curves }.face(look, |ms| self.strongest(who, ms))
     }
 }
@@ -206,7 +229,8 @@ impl Moment<'_> {
         let Moment { profile, steps, mouth, curves } = self;
         let value = CurveValue::from_thousandths;
         let blink = curves.get(FaceCurve::Blink).unwrap_or_else(|| blink::closed(profile, *steps, strongest));
-        let head = mouth.as_ref().map(|mouth| head::motion(profile, *steps, mouth)).unwrap_or_default();
+        let [head_pitch, head_yaw, head_roll] =
+            mouth.as_ref().map(|mouth| head::motion(profile, *steps, mouth)).unwrap_or_default();
         let eyes = eyes::target(profile, *steps, look);
         let (eye_pitch, pitch) = profile.shared(
             curves.get(FaceCurve::EyePitch).unwrap_or(eyes.pitch).saturating_add(curves.or_zero(FaceCurve::LookPitch)),
@@ -220,9 +244,9 @@ impl Moment<'_> {
         };
         Face {
             blink: value(blink.max(curves.or_zero(FaceCurve::Lids))),
-            head_pitch: turned(FaceCurve::HeadPitch, head.pitch, curves.swing(FaceCurve::Nod), pitch),
-            head_yaw: turned(FaceCurve::HeadYaw, head.yaw, curves.swing(FaceCurve::Shake), yaw),
-            head_roll: turned(FaceCurve::HeadRoll, head.roll, 0, 0),
+            head_pitch: turned(FaceCurve::HeadPitch, head_pitch, curves.swing(FaceCurve::Nod), pitch),
+            head_yaw: turned(FaceCurve::HeadYaw, head_yaw, curves.swing(FaceCurve::Shake), yaw),
+            head_roll: turned(FaceCurve::HeadRoll, head_roll, 0, 0),
             eye_pitch: value(eye_pitch),
             eye_yaw: value(eye_yaw),
             brows: value(curves.or_zero(FaceCurve::Brows)),

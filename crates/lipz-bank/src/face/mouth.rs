@@ -1,6 +1,6 @@
 //! When a mouth moves, and where its words may begin: pauses and segments, which a bank knows.
 
-use crate::{Clip, Micros, Time, Viseme, segment};
+use crate::{Clip, Curve, Micros, Time, Viseme, segment};
 use lipz_types::StoredFps;
 
 /// The mouth of a clip that has a frame rate.
@@ -8,6 +8,8 @@ pub(super) struct Mouth<'m> {
     clip: &'m Clip<'m, 'm>,
     frames: &'m [u8],
     fps: StoredFps,
+    /// The curve `pose`.
+    pub(super) poses: Option<Curve<'m>>,
 }
 
 /// Microseconds in which a head comes to rest when the mouth has, and before it begins.
@@ -18,13 +20,19 @@ pub(super) const SPEAKING: u64 = 1000;
 const LOOKED_AT_MS: u64 = 1000;
 
 impl<'m> Mouth<'m> {
-    /// The mouth of a clip; `None` without a frame rate.
-    pub(super) fn of(clip: &'m Clip<'_, '_>) -> Option<Mouth<'m>> {
+    /// The mouth of a clip that turns its head as `poses` says; `None` without a frame rate.
+    pub(super) fn of(clip: &'m Clip<'_, '_>, poses: Option<Curve<'m>>) -> Option<Mouth<'m>> {
         let fps = clip.stored_fps().filter(|fps| fps.checked().is_some())?;
-        Some(Mouth { clip, frames: clip.frames(), fps })
+        Some(Mouth { clip, frames: clip.frames(), fps, poses })
     }
 
-    fn frame_at(&self, us: u64) -> usize {
+    /// The milliseconds at which a frame starts.
+    pub(super) fn start_ms(&self, frame: u32) -> u64 {
+        self.fps.start_of_frame_us(frame) / 1000
+    }
+
+    /// The frame that shows at a time; of the last ones after the clip.
+    pub(super) fn frame_at(&self, us: u64) -> usize {
         Micros(us as i64).frame(self.fps, u32::MAX).unwrap_or(u32::MAX) as usize
     }
 
@@ -63,7 +71,7 @@ impl<'m> Mouth<'m> {
         let starts = segment.map(|segment| segment.start_frame() as usize).filter(|start| *start > before);
         let turns = || codes.windows(2).position(|pair| matches!(pair, [one, other] if moves(one) != moves(other)));
         let frame = starts.or_else(|| turns().map(|index| before.wrapping_add(index).wrapping_add(1)))?;
-        Some(self.fps.start_of_frame_us(frame as u32) / 1000)
+        Some(self.start_ms(frame as u32))
     }
 }
 

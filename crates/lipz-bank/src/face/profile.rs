@@ -157,8 +157,7 @@ impl<'data> Bank<'data> {
 
     /// All face profiles of the bank, in the order of their names.
     pub fn face_profiles(&self) -> FaceProfiles<'data> {
-        let section = self.file.entry(Tag::FACES).and_then(|entry| self.file.contents(entry));
-        FaceProfiles { bytes: section.unwrap_or(&[]) }
+        FaceProfiles { bytes: self.file.section(Tag::FACES) }
     }
 }
 

@@ -7,8 +7,7 @@ use lipz_layout::{NO_RECORDING, RecordingRecord, Tag};
 
 /// Checks the section, if the bank has it: its length is that of the clips already.
 pub(super) fn recordings(bank: &Bank<'_>) -> Result<(), Error> {
-    let section = bank.file.entry(Tag::RECORDINGS).and_then(|entry| bank.file.contents(entry));
-    let records: &[RecordingRecord] = entries(section.unwrap_or(&[]));
+    let records: &[RecordingRecord] = entries(bank.file.section(Tag::RECORDINGS));
     // Times of the reader are signed.
     let is_valid = |record: &&RecordingRecord| match record.length_us.get() {
         NO_RECORDING => record.content_hash.get() == 0,

@@ -42,7 +42,7 @@ mod tests {
         let mut known = Known::default();
         known.project.settings.options.known_names.curves = Some(["sparks".to_owned()].into());
         let (names, first) = at("{ \"curves\": { \"sadness\": \"0:1\", \"§\" } }", &known);
-        assert_eq!(names.len(), 11 + 14 + 1 + 52);
+        assert_eq!(names.len(), 11 + 15 + 1 + 52);
         assert_eq!(first, "{ \"curves\": { \"sadness\": \"0:1\", \"anger\": \"0:$0\" } }");
         for name in ["headYaw", "sparks", "jawOpen"] {
             assert!(names.iter().any(|known| known == name), "{name}");

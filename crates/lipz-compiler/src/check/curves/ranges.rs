@@ -19,7 +19,7 @@ fn range_of(name: &str) -> Option<RangeInclusive<i32>> {
 fn range_of_face(curve: FaceCurve) -> RangeInclusive<i32> {
     use FaceCurve::*;
     match curve {
-        Blink | Lids | Brows | Shrug => 0..=1000,
+        Blink | Lids | Brows | Shrug | Pose => 0..=1000,
         Nod | Shake | Breath => 0..=10_000,
         HeadPitch | HeadYaw | HeadRoll | EyePitch | EyeYaw | LookPitch | LookYaw => -180_000..=180_000,
     }

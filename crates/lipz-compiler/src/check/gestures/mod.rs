@@ -5,6 +5,7 @@ mod events;
 mod keys;
 mod lists;
 mod pauses;
+mod poses;
 mod said;
 mod shapes;
 mod words;
@@ -12,7 +13,7 @@ mod words;
 use super::Spoken;
 use super::elements::Roles;
 use crate::Options;
-use crate::clip::{ClipData, Locales};
+use crate::clip::{ClipData, Key, Locales};
 use crate::options::GestureKeys;
 use clock::Clock;
 pub(super) use events::are_in_events;
@@ -65,10 +66,14 @@ pub(super) fn curves(
     let of_events = of_events.unwrap_or_default();
     let Some(fps) = clip.fps else { return diagnostics.extend(of_events.first().map(events::without_fps)) };
     let mut gestures: Vec<Gesture<'_>> = of_events.iter().map(|(gesture, _)| *gesture).collect();
+    let mut poses = Vec::new();
     if keys == GestureKeys::Words {
-        of_words(roles, options, spoken, locales, clip, fps, &mut gestures);
+        poses = of_words(roles, options, spoken, locales, clip, fps, &mut gestures);
     }
-    let (curves, moves) = keys::keys(&gestures, fps, clip.frames.len() as u32);
+    let (mut curves, moves) = keys::keys(&gestures, fps, clip.frames.len() as u32);
+    if !poses.is_empty() {
+        curves.insert(FaceCurve::Pose.name().to_owned(), poses);
+    }
     for ((gesture, span), moves) in of_events.iter().zip(moves) {
         // A curve that moves there shows the gesture as somebody wants it, or as `lipz face` wrote it.
         let is_still = keys::are_still(gesture, fps, clip);
@@ -79,7 +84,7 @@ pub(super) fn curves(
     clip.curves.add_missing(curves);
 }
 
-/// Adds what the speaker does with what is said, and while nothing is.
+/// Adds what the speaker does with what is said, and while nothing is. Returns the keys of poses.
 fn of_words(
     roles: &Roles<'_>,
     options: &Options,
@@ -88,7 +93,8 @@ fn of_words(
     clip: &ClipData,
     fps: Fps,
     to: &mut Vec<Gesture<'_>>,
-) {
+) -> Vec<Key> {
+    let mut poses = Vec::new();
     if let Some(text) = roles.texts_by_voice(options, spoken, locales).first().filter(|_| !clip.has_joined) {
         let times = spoken.times.map(|times| times.of_text(&text.string.text)).unwrap_or_default();
         let words = Words::of(&text.string.text, options.literal_braces);
@@ -98,6 +104,8 @@ fn of_words(
         }
         said::of_stress(&words, locales.tag(text.locale), &clock, to);
         said::of_breath(&words, clip, &clock, &options.gestures, to);
+        poses = poses::of_words(&words, clip, &clock, fps);
     }
     pauses::of_listening(clip, fps, to);
+    poses
 }

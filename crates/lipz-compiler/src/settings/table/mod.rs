@@ -127,7 +127,7 @@ pub const TABLES: &[Table] = &[
                 seconds; `head-follows` the degrees that eyes turn before it turns, too; `fixation` the seconds that eyes stay \
                 on one place. A named profile takes what it leaves out from the project's own. `keys = \"words\"` makes curves of what is \
                 said: nods and shakes of the head, `nods` of 10 high, breath at the ends of sentences, `breath` of 10 deep, \
-                brows and shrugs.",
+                brows and shrugs, and a pose of the head for each word.",
         content: Content::Map(FACE),
     },
 ];

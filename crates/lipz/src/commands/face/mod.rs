@@ -27,7 +27,8 @@ use std::path::PathBuf;
 /// texts. To have it made again, remove it from the file.
 ///
 /// Blinks and the motion of head and eyes are in no bank: the reader makes them. `--curve blink` (headPitch, headYaw, headRoll,
-/// eyePitch, eyeYaw) writes what it makes for a clip, so that one blink can be changed and the others stay.
+/// eyePitch, eyeYaw) writes what it makes for a clip, so that one blink can be changed and the others stay; `--curve mara.blink`
+/// (mara.eyePitch, mara.eyeYaw) does so for somebody else, where events name them.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz face voices/act1/mayor.lipz --keys words
@@ -187,9 +188,7 @@ impl Face {
         let mut made: BTreeSet<String> = clips()
             .flat_map(|clip| clip.curves().map(|curve| curve.name().as_str().to_owned()).collect::<Vec<_>>())
             .collect();
-        if clips().any(|clip| generated::is_possible(&clip)) {
-            made.extend(generated::ALL.iter().map(|generated| generated.name().to_owned()));
-        }
+        made.extend(clips().flat_map(|clip| generated::names(&clip)));
         let Some(unmade) = self.curves.iter().find(|name| !made.contains(*name)) else { return Ok(()) };
         let tip = match made.is_empty() {
             true => {
@@ -236,11 +235,8 @@ impl Face {
             (curve.name().as_str().to_owned(), keys)
         });
         let mut made: Vec<(String, Keys)> = in_bank.collect();
-        let is_asked = |name: &str| self.curves.iter().any(|wanted| wanted == name);
-        for generated in
-            generated::ALL.iter().filter(|generated| is_asked(generated.name()) && is_new(generated.name()))
-        {
-            made.extend(generated.keys(clip, profile).map(|keys| (generated.name().to_owned(), keys)));
+        for name in self.curves.iter().filter(|name| is_new(name)).collect::<BTreeSet<_>>() {
+            made.extend(generated::keys(name, clip, profile).map(|keys| (name.clone(), keys)));
         }
         made
     }
