@@ -12,8 +12,8 @@ use lsp_types::{DocumentSymbol, Range, SymbolKind};
 /// The longest value that an outline shows.
 const SHOWN_CHARACTERS: usize = 60;
 
-/// The most segments of a text that an outline lists: nobody reads more there, and editors ask for it while somebody types.
-const MOST_SEGMENTS: usize = 200;
+/// The most entries of a text: editors ask for an outline while somebody types, and a megabyte has 24,000 segments.
+const MOST_ENTRIES: usize = 500;
 
 /// The elements of a file, in its order.
 pub(crate) fn symbols(document: &Document, known: &project::Known) -> Vec<DocumentSymbol> {
@@ -38,32 +38,33 @@ fn symbol(document: &Document, element: &Element<'_>, timing: Option<&Timing>) -
     made(if name.is_empty() { "\"\"" } else { name }, detail, kind, ranges, children)
 }
 
-/// The segments of a text with more than one.
+/// The segments of a text with more than one; of one with very many, groups of as many segments each.
 fn segments(document: &Document, element: &Element<'_>, timing: Option<&Timing>) -> Vec<DocumentSymbol> {
     let Value::String(string) = &element.value else { return Vec::new() };
-    if text::segment_count(&string.text) < 2 || string.span().range().len() != string.text.len() + 2 {
-        // Where characters stand is found quickly only without escapes; an outline is not worth more.
+    let count = text::segment_count(&string.text);
+    if count < 2 {
         return Vec::new();
     }
-    let (shift, count) = (document.mark_bytes(), text::segment_count(&string.text));
+    let shift = document.mark_bytes();
+    let ranges: Vec<_> = text::segments(&string.text).collect();
+    let groups: Vec<_> = ranges.chunks(count.div_ceil(MOST_ENTRIES)).collect();
+    let wholes = groups.iter().map(|group| group[0].start..group[group.len() - 1].end);
     let mut walk = Walk::new(&document.rope, &document.text, string.span().start as usize + shift);
-    let one = |(index, range): (usize, std::ops::Range<usize>)| {
-        let said = shortened(text::trim(string.text.get(range.clone()).unwrap_or_default()));
-        let name = if said.is_empty() { format!("segment {}", index + 1) } else { said };
-        let time = timing.and_then(|timing| timing.shown(index)).unwrap_or_default();
-        let span = string.span_of(range);
+    let mut first = 0;
+    let one = |(group, span): (&&[std::ops::Range<usize>], Span)| {
+        let said = shortened(text::trim(string.text.get(group[0].clone()).unwrap_or_default()));
+        let time = timing.and_then(|timing| timing.shown(first..first + group.len())).unwrap_or_default();
+        let name = match group.len() {
+            1 if said.is_empty() => format!("segment {}", first + 1),
+            1 => said,
+            more => format!("segments {}–{}: {said}", first + 1, first + more).trim_end_matches(": ").to_owned(),
+        };
+        first += group.len();
         let [start, end] = [span.start, span.end].map(|place| walk.position(place as usize + shift));
         let range = Range::new(start, end);
         made(&name, time, SymbolKind::STRING, (range, range), None)
     };
-    let mut listed: Vec<DocumentSymbol> =
-        text::segments(&string.text).take(MOST_SEGMENTS).enumerate().map(one).collect();
-    if let Some(last) = listed.last().filter(|_| count > MOST_SEGMENTS) {
-        let name = format!("and {} more segments", count - MOST_SEGMENTS);
-        let range = (last.range, last.selection_range);
-        listed.push(made(&name, String::new(), SymbolKind::STRING, range, None));
-    }
-    listed
+    groups.iter().zip(string.spans_of(wholes)).map(one).collect()
 }
 
 #[allow(deprecated, reason = "the type has a field that is deprecated")]
@@ -101,14 +102,37 @@ mod tests {
     use lsp_types::Uri;
     use std::str::FromStr;
 
-    #[test]
-    fn long_texts_are_listed_from_their_start() {
-        let text = format!("{{ \"text_en-us\": \"{}\" }}", vec!["a"; MOST_SEGMENTS + 3].join("|"));
+    /// The segments that an outline lists of a text.
+    fn listed(text: &str, visemes: &str) -> Vec<DocumentSymbol> {
+        let text = format!("{{ \"fps\": 10, \"visemes\": \"{visemes}\", \"text_en-us\": \"{text}\" }}");
         let document = Document::new(Uri::from_str("untitled:a").unwrap(), 1, text);
-        let symbols = symbols(&document, &Known::default());
-        let children = symbols[0].children.as_ref().unwrap();
-        assert_eq!((children.len(), children[MOST_SEGMENTS].name.as_str()), (MOST_SEGMENTS + 1, "and 3 more segments"));
-        assert_eq!(children[1].range.start.character, 19);
+        symbols(&document, &Known::default()).pop().and_then(|symbol| symbol.children).unwrap()
+    }
+
+    #[test]
+    fn all_of_a_long_text_is_listed_in_groups() {
+        let count = 2 * MOST_ENTRIES + 1;
+        let children = listed(&vec!["aü"; count].join("|"), &vec!["AA"; count].join("|"));
+        assert_eq!(children.len(), count.div_ceil(3));
+        let shown = |index: usize| (children[index].name.as_str(), children[index].detail.as_deref().unwrap());
+        assert_eq!(shown(1), ("segments 4–6: aü", "frames 6–12, 0.600 s–1.200 s"));
+        assert_eq!(shown(children.len() - 1), ("segments 1000–1001: aü", "frames 1998–2002, 199.800 s–200.200 s"));
+        for (one, next) in children.iter().zip(&children[1..]) {
+            assert_eq!(one.range.end.character + 1, next.range.start.character, "nothing between them but a delimiter");
+        }
+        assert_eq!(listed(&"|".repeat(count), "A")[0].name, "segments 1–3");
+        assert_eq!(listed(&vec!["a"; MOST_ENTRIES].join("|"), "A").len(), MOST_ENTRIES);
+    }
+
+    #[test]
+    fn segments_behind_escapes_are_listed_at_their_places() {
+        let children = listed(r#"\"Ah\", \u00fc|\t|so\n|"#, "A");
+        let names: Vec<&str> = children.iter().map(|child| child.name.as_str()).collect();
+        assert_eq!(names, ["\"Ah\", ü", "segment 2", "so", "segment 4"]);
+        let places: Vec<_> =
+            children.iter().map(|child| (child.range.start.character, child.range.end.character)).collect();
+        let start = u32::try_from(r#"{ "fps": 10, "visemes": "A", "text_en-us": ""#.len()).unwrap();
+        assert_eq!(places, [(0, 14), (15, 17), (18, 22), (23, 23)].map(|(from, to)| (start + from, start + to)));
     }
 
     #[test]

@@ -31,9 +31,9 @@ impl Timing {
         Some(Timing { starts, fps })
     }
 
-    /// The frames of a segment.
-    pub(crate) fn segment(&self, index: usize) -> Option<Range<u32>> {
-        Some(*self.starts.get(index)?..*self.starts.get(index + 1)?)
+    /// The frames of segments that follow each other.
+    fn segments(&self, segments: Range<usize>) -> Option<Range<u32>> {
+        Some(*self.starts.get(segments.start)?..*self.starts.get(segments.end)?)
     }
 
     /// The number of segments.
@@ -46,9 +46,9 @@ impl Timing {
         Some(format!("{:.3} s", self.fps?.start_of_frame_us(frame) as f64 / 1e6))
     }
 
-    /// The time of a segment, for people: `frames 24–48, 1.000 s–2.000 s`.
-    pub(crate) fn shown(&self, index: usize) -> Option<String> {
-        let frames = self.segment(index)?;
+    /// The time of segments, for people: `frames 24–48, 1.000 s–2.000 s`.
+    pub(crate) fn shown(&self, segments: Range<usize>) -> Option<String> {
+        let frames = self.segments(segments)?;
         let shown = format!("frames {}–{}", frames.start, frames.end);
         Some(match (self.time(frames.start), self.time(frames.end)) {
             (Some(start), Some(end)) => format!("{shown}, {start}–{end}"),
@@ -110,9 +110,9 @@ mod tests {
     fn segments_have_frames_and_times() {
         let file = br#"{ "visemes": "MA EO-||SS", "fps": 25 }"#;
         let timing = Timing::of(&lipz_file::parse(file).document.unwrap(), None).unwrap();
-        assert_eq!((timing.segment_count(), timing.segment(0), timing.segment(1)), (3, Some(0..5), Some(5..5)));
-        assert_eq!(timing.shown(2).unwrap(), "frames 5–7, 0.200 s–0.280 s");
-        assert_eq!(timing.segment(3), None);
+        assert_eq!((timing.segment_count(), timing.segments(0..1), timing.segments(1..2)), (3, Some(0..5), Some(5..5)));
+        assert_eq!(timing.shown(2..3).unwrap(), "frames 5–7, 0.200 s–0.280 s");
+        assert_eq!(timing.segments(3..4), None);
         assert_eq!(Timing::of(&lipz_file::parse(b"{}").document.unwrap(), None), None);
     }
 

@@ -99,7 +99,8 @@ impl Clip<'_> {
     /// `segment 2 of 3: frames 24–48, 1.000 s–2.000 s`.
     fn segment_line(&self, segment: usize) -> Option<String> {
         let timing = self.timing?;
-        let shown = timing.shown(segment).unwrap_or_else(|| "no frames: `visemes` has fewer segments".to_owned());
+        let shown =
+            timing.shown(segment..segment + 1).unwrap_or_else(|| "no frames: `visemes` has fewer segments".to_owned());
         Some(format!("segment {} of {}: {shown}", segment + 1, timing.segment_count()))
     }
 }
