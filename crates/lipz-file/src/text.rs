@@ -83,6 +83,25 @@ pub fn meta_ranges(segment: &str) -> Vec<Range<usize>> {
     }
 }
 
+/// What begins the meta information of who speaks from there on.
+const SPEAKER: &str = "{speaker:";
+
+/// Who speaks, where a text says so, in order: `{speaker: Mara}`; nobody, if it says that.
+///
+/// ```
+/// let text = "{speaker: Mara} Hi. {smiling} {speaker:}|{speaker:Tom} Ho.";
+/// assert!(lipz_file::text::speakers(text).eq(["Mara", "", "Tom"]));
+/// ```
+pub fn speakers(text: &str) -> impl Iterator<Item = &str> {
+    let name = |range: Range<usize>| text.get(range)?.strip_prefix(SPEAKER)?.strip_suffix('}').map(str::trim);
+    meta_ranges(text).into_iter().filter_map(name)
+}
+
+/// Whether there is anything in these bytes, such as those of a bank with its files, that [`speakers`] could find.
+pub fn may_name_speakers(bytes: &[u8]) -> bool {
+    memchr::memmem::find(bytes, SPEAKER.as_bytes()).is_some()
+}
+
 /// Where the meta information of a segment is, with its braces, in order.
 ///
 /// ```

@@ -4,12 +4,9 @@ use crate::merge::tag_of;
 use crate::{Segment, State, Texts, Translation, Unit};
 use lipz_diagnostics::{Code, Diagnostic, Severity, escape};
 use lipz_file::rate::Rate;
-use lipz_file::text::{DELIMITER, is_white_space, meta, segments, trim};
+use lipz_file::text::{DELIMITER, is_white_space, segments, speakers, trim};
 use lipz_file::{Document, Element, JsonString, Value};
 use std::collections::HashMap;
-
-/// The meta of a text that says who speaks from there on.
-const SPEAKER: &str = "{speaker:";
 
 /// Makes units of clips.
 ///
@@ -174,9 +171,7 @@ pub(crate) fn trimmed(text: &str) -> Vec<String> {
 
 /// Who speaks at the end of a text, if it says so.
 fn speaker_in(text: &str) -> Option<String> {
-    let mut metas = meta(text).into_iter().rev().filter_map(|place| text.get(place));
-    let name = metas.find_map(|meta| meta.strip_prefix(SPEAKER)?.strip_suffix('}'))?;
-    Some(escape::text(name.trim()).into_owned()).filter(|name| !name.is_empty())
+    speakers(text).last().filter(|name| !name.is_empty()).map(|name| escape::text(name).into_owned())
 }
 
 #[cfg(test)]

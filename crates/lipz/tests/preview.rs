@@ -134,6 +134,41 @@ fn the_page_gets_the_bank_that_a_game_gets() {
     assert_eq!(preview.get("web/lipz.wasm").body.get(..4), Some(&b"\0asm"[..]));
 }
 
+/// By events, by `{speaker: …}` of texts, by words of keys, and of dubs by their originals; also in a bank.
+#[test]
+fn the_list_knows_who_is_in_a_clip() {
+    let scene = Scene::new();
+    scene.write("lipz.toml", "sources = [\"voices\"]\ndefault-locale = \"en-us\"\n[registry]\ncharacters = [\"Ivo\", \"mara\", \"otto\"]\n[voices]\nen-us = \"en/{key}\"\nde-de = \"de/{key}\"\n");
+    let clip = |text: &str, events: &str| {
+        format!(r#"{{ "visemes": "MA--|EO--", "fps": 24, "text_en-us": "{text}", "events": "{events}" }}"#)
+    };
+    scene.write("voices/en/one.lipz", clip("{speaker: Mara} Hi.|Well.", "otto feels sad|"));
+    scene.write("voices/en/otto/two.lipz", clip("Hi.|{speaker:} {speaker: Ärzte} Well.", "|"));
+    scene.write("voices/en/three-IVO_x.lipz", clip("Hi.|Ivory.", "|"));
+    scene.write("voices/en/ivory.lipz", clip("Hi.|Well.", "|"));
+    scene.write("voices/de/one.lipz", r#"{ "visemes": "MA--|EO--", "fps": 24 }"#);
+    scene.write("voices/en/broken-mara.lipz", "{");
+    let of = |preview: &Running| {
+        let list = preview.get("api/clips").json();
+        let row = |clip: &Value| format!("{} {}", clip["key"].as_str().unwrap(), clip["characters"]);
+        list["clips"].as_array().unwrap().iter().map(row).collect::<Vec<_>>()
+    };
+    let found = of(&Running::start(&scene, &[]));
+    let expected = [
+        r#"de/one ["mara","otto"]"#,
+        r#"en/broken-mara ["mara"]"#,
+        "en/ivory null",
+        r#"en/one ["mara","otto"]"#,
+        r#"en/otto/two ["otto","Ärzte"]"#,
+        r#"en/three-IVO_x ["Ivo"]"#,
+    ];
+    assert_eq!(found, expected);
+    fs::remove_file(scene.path().join("voices/en/broken-mara.lipz")).unwrap();
+    assert_eq!(lipz(scene.path(), ["pack", "-o", "a.lipzbank"]).code, 0);
+    let of_bank = of(&Running::start(&scene, &["a.lipzbank"]));
+    assert_eq!(of_bank[0], r#"de/one ["Mara","otto"]"#, "nobody but the text spells her");
+}
+
 #[test]
 fn pages_of_others_neither_read_nor_write() {
     let scene = project();

@@ -1,5 +1,6 @@
 //! The list of clips: a row for each, with what can be searched and filtered.
 
+use super::characters;
 use super::version::Version;
 use lipz_bank::{Bank, Clip, Locale};
 use lipz_diagnostics::{Report, Severity};
@@ -47,7 +48,7 @@ struct Row {
     /// The places of the locales in which it has a text of its own.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     locales: Vec<usize>,
-    /// Whom its events name.
+    /// Who is in it.
     #[serde(skip_serializing_if = "BTreeSet::is_empty")]
     characters: BTreeSet<String>,
     #[serde(skip_serializing_if = "std::ops::Not::not")]
@@ -77,7 +78,9 @@ impl Listing {
             row.add(&version.reports_of(key));
             row.doubtful_words = version.words.get(key).map_or(0, lipz_compiler::WordTimes::doubtful_count);
         }
+        let mut characters = bank.map(|bank| characters::of_clips(version, &bank)).unwrap_or_default();
         for (key, row) in &mut rows {
+            row.characters = characters.remove(key).unwrap_or_default();
             row.has_sound = version.recordings.find(key).is_some();
         }
         Listing {
@@ -117,17 +120,9 @@ impl Row {
             clip.segments().any(|segment| segment.text(*locale).is_some_and(|text| !text.is_fallback()))
         };
         let own = locales.iter().enumerate().filter(|(_, locale)| has_own(locale)).map(|(place, _)| place);
-        let events = clip.segments().flat_map(|segment| segment.events());
-        let characters = events.filter_map(|event| event.character.map(|name| name.as_str().to_owned()));
         #[allow(clippy::cast_precision_loss, reason = "clips are shorter than a century")]
         let seconds = clip.duration_us().map(|us| us as f64 / 1e6);
-        Row {
-            key: clip.key().to_owned(),
-            seconds,
-            locales: own.collect(),
-            characters: characters.collect(),
-            ..Row::default()
-        }
+        Row { key: clip.key().to_owned(), seconds, locales: own.collect(), ..Row::default() }
     }
 
     fn add(&mut self, reports: &[Report]) {

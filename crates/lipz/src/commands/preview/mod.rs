@@ -1,6 +1,7 @@
 //! `lipz preview`: a page on this machine that shows, plays and edits the clips of a project.
 
 mod assets;
+mod characters;
 mod clip;
 mod draft;
 mod export;
