@@ -3,6 +3,7 @@
 #[cfg(feature = "shards")]
 use super::staying::StayingPart;
 use std::borrow::Cow;
+use std::ops::Range;
 
 /// Frames, the texts in a locale, or the source record of a clip.
 #[derive(Clone, Copy, Debug)]
@@ -24,6 +25,15 @@ impl<'c> Part<'c> {
         }
     }
 
+    /// Where they are in which file; none if they are here.
+    pub(crate) fn place(self) -> Option<(*const (), Range<usize>)> {
+        match self {
+            Part::Here(_) => None,
+            #[cfg(feature = "shards")]
+            Part::Stays(part) => Some(part.place()),
+        }
+    }
+
     /// How many they are.
     pub(crate) fn length(self) -> usize {
         match self {
@@ -39,7 +49,7 @@ impl PartialEq for Part<'_> {
         match (self, other) {
             (Part::Here(own), Part::Here(other)) => own == other,
             #[cfg(feature = "shards")]
-            (Part::Stays(own), Part::Stays(other)) if own.is_at(other) => true,
+            (Part::Stays(own), Part::Stays(other)) if own.place() == other.place() => true,
             #[cfg(feature = "shards")]
             _ => self.length() == other.length() && self.bytes() == other.bytes(),
         }

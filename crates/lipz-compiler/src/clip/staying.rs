@@ -112,9 +112,9 @@ impl StayingPart<'_> {
         self.end - self.start - self.count.map_or(0, |_| TEXT_COUNT_BYTES)
     }
 
-    /// Whether it stands where another one does.
-    pub(super) fn is_at(&self, other: &StayingPart<'_>) -> bool {
-        std::ptr::eq(self.file, other.file) && self.start == other.start && self.end == other.end
+    /// Where it stands: the address of its file, and the bytes there.
+    pub(super) fn place(&self) -> (*const (), Range<usize>) {
+        (std::ptr::from_ref(self.file).cast(), self.start..self.end)
     }
 
     pub(super) fn read(&self) -> Vec<u8> {

@@ -55,14 +55,21 @@ pub(super) struct Interned {
 /// The source records.
 pub(super) fn own_sources<'c>(clips: &[Clip<'c>]) -> Interned {
     let (mut length, mut known) = (0, HashMap::with_capacity(clips.len() / 2));
+    // Equal ones have one place in an object: they are not read once more to find that out.
+    let mut by_place = HashMap::new();
     let offset = |clip: &Clip<'c>| {
         let source = clip.hashed_source();
+        let place = source.bytes.place();
+        if let Some(&offset) = place.as_ref().and_then(|place| by_place.get(place)) {
+            return offset;
+        }
         let source_length = source.bytes.length();
         let offset = *known.entry(source).or_insert(length);
         // Records that are known lie before the end.
         if offset == length {
             length += source_length;
         }
+        by_place.extend(place.map(|place| (place, offset as u32)));
         offset as u32
     };
     let offsets = clips.iter().map(offset).collect();
