@@ -101,6 +101,17 @@ fn compiler(strip: bool, default: Option<&str>) -> Compiler<'static> {
     })
 }
 
+#[test]
+#[should_panic(expected = "Nay.")]
+fn a_stack_that_answers_otherwise_is_noticed() {
+    let compiler = compiler(true, Some("en-us"));
+    let pack = |text: &str| inputs(&one("a", &format!(r#"{{ "text_en-us": "{text}" }}"#)));
+    let base = compiler.compile(&pack("Aye.")).into_bank().unwrap();
+    let over = Over::new(stack_of(std::slice::from_ref(&base)));
+    let patch = compiler.compile_over(&pack("Nay."), &over).into_bank().unwrap();
+    assert_same(&Layers::new([open(&base), open(&patch)]).unwrap(), &open(&base));
+}
+
 /// A locale that a layer removes and a later one brings back is another one: what stands in for a third locale is the new one.
 #[test]
 fn a_locale_that_came_back_stands_in_for_none_below() {
