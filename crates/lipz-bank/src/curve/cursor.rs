@@ -57,6 +57,8 @@ impl CurveCursor {
     }
 
     /// The index of the last key at or before a frame; 0 if there is none.
+    // Each picture asks for it.
+    #[cfg_attr(target_pointer_width = "64", inline(always))]
     pub(super) fn index_at(&self, curve: &Curve<'_>, frame: u32) -> u32 {
         let has_come = |index: u32| curve.keys.get(index).map_or(false, |key| key.frame <= frame);
         let mut index = self.index;
