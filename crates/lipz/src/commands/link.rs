@@ -72,10 +72,8 @@ impl Run for LinkArguments {
             return Err(reporter.usage("the banks of a set are not split by locale or by voice", tip));
         }
         let bar = console::progress_bar(link.clip_count(), self.quiet);
-        let compiler = Compiler::new(options).around_writes(|write| interrupt::whole(write)).progress(|clips| {
-            bar.inc(clips);
-            interrupt::point();
-        });
+        let compiler =
+            Compiler::new(options).around_writes(|write| interrupt::whole(write)).progress(|clips| bar.inc(clips));
         if self.is_set() {
             let linked = compiler.link_to_set(&link, &self.output);
             bar.finish_and_clear();

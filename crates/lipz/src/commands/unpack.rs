@@ -70,13 +70,15 @@ impl Unpack {
         let text_files = TextFiles::open(&self.texts.texts, reporter)?;
         let texts = text_files.verified(&bank, reporter)?;
         let bar = console::progress_bar(bank.clip_count(), self.quiet);
-        let progress = |count| {
-            bar.inc(count);
-            interrupt::point();
-        };
         let whole = BankWithTexts::new(&bank, &texts);
         let files = Files::new();
-        let unpacked = interrupt::whole(|| unpack(whole, &self.output, self.force, files.waiting(), &progress));
+        let unpacked = interrupt::whole_files(|point| {
+            let progress = |count| {
+                bar.inc(count);
+                point();
+            };
+            unpack(whole, &self.output, self.force, files.waiting(), &progress)
+        });
         bar.finish_and_clear();
         match unpacked {
             Ok(unpacked) => {

@@ -74,17 +74,22 @@ fn on_request(end: impl FnMut() + Send + 'static) {
     let _ = ctrlc::set_handler(end);
 }
 
-/// Runs `write`, which leaves no file half-written when it returns or calls [`point`]; ends the
-/// process after it if that was asked for meanwhile.
+/// Runs `write`, which leaves no file half-written when it returns; ends the process after it if that was asked for
+/// meanwhile.
 pub(crate) fn whole<R>(write: impl FnOnce() -> R) -> R {
+    whole_files(|_| write())
+}
+
+/// The same with many files, which `write` writes one after another: it calls what it is given between two of them, and
+/// there the process may end. Nobody else can: while one thread writes, others have no say.
+pub(crate) fn whole_files<R>(write: impl FnOnce(&dyn Fn()) -> R) -> R {
     let _held = writing();
-    let written = write();
-    point();
+    let written = write(&end_if_asked);
+    end_if_asked();
     written
 }
 
-/// A point between two files of a [`whole`] run at which the process may end; any thread may call it.
-pub(crate) fn point() {
+fn end_if_asked() {
     if IS_ASKED.load(Ordering::SeqCst) {
         end();
     }

@@ -52,10 +52,7 @@ pub(crate) fn with_found<'i>(
     let options = settings.options.clone().recordings(recordings).word_times(word_times).voices(settings.voices());
     let discover = took + start.elapsed();
     let bar = console::progress_bar(inputs.len(), quiet);
-    let compiler = Compiler::new(options).progress(|files| {
-        bar.inc(files);
-        interrupt::point();
-    });
+    let compiler = Compiler::new(options).progress(|files| bar.inc(files));
     let compiler = compiler.around_writes(|write| interrupt::whole(write));
     let mut compiled = match count(&reports, Severity::Error) {
         0 => work(&compiler, &inputs),

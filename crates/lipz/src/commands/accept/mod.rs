@@ -4,7 +4,6 @@ mod recordings;
 
 use crate::commands::Run;
 use crate::commands::texts::{locales_of, source_locale};
-use crate::interrupt::point;
 use crate::reporter::{Abort, Ended, Reporter};
 use crate::shared::inputs::find_all;
 use crate::shared::project_flags::{hide_of_banks, parse_locale};
@@ -181,10 +180,7 @@ impl Accept {
     ) -> (Vec<Clip>, Vec<lipz_diagnostics::Report>) {
         let inputs: Vec<Input> = inputs.iter().filter(|input| self.is_meant(&input.key)).cloned().collect();
         let bar = console::progress_bar(inputs.len(), self.sources.is_quiet());
-        let compiler = Compiler::new(options.clone()).progress(|count| {
-            bar.inc(count);
-            point();
-        });
+        let compiler = Compiler::new(options.clone()).progress(|count| bar.inc(count));
         let results = compiler.each_file(&inputs, |input, bytes| {
             let parsed = lipz_file::parse(bytes);
             let Some(document) = parsed.document else {

@@ -30,10 +30,7 @@ pub(super) fn find(accept: &Accept, project: &Project, inputs: &[Input]) -> Resu
         let of_locale = |wanted: &String| locale == Some(wanted);
         accept.is_meant(key) && (accept.locale.is_empty() || accept.locale.iter().any(of_locale))
     };
-    let progress = || {
-        bar.inc(1);
-        interrupt::point();
-    };
+    let progress = || bar.inc(1);
     let (unaccepted, mut reports) = unaccepted(&project.settings, inputs, &record, &is_meant, &progress);
     bar.finish_and_clear();
     reports.extend(odd_lines);

@@ -8,6 +8,7 @@ pub(crate) mod translations;
 use crate::Ended;
 use crate::Outcome;
 use crate::commands::Run;
+use crate::console;
 use crate::reporter::Reporter;
 use crate::shared::audio_flags::AudioFlags;
 use crate::shared::inputs::{Worked, with_inputs};
@@ -17,7 +18,6 @@ use crate::shared::rewriting::{Rewriting, files};
 use crate::shared::settings_file::Project;
 use crate::shared::sources::{Sources, retain_own};
 use crate::shared::stdio;
-use crate::{console, interrupt};
 use baseline::BaselineFlags;
 use clap::Args;
 use fixing::{Fixing, fix_all};
@@ -196,10 +196,7 @@ fn with_recordings(settings: &Settings, inputs: &[Input], quiet: bool) -> Vec<Re
         return Vec::new();
     }
     let bar = console::progress_bar(inputs.len(), quiet);
-    let reports = lipz_sync::check(settings, inputs, &|| {
-        bar.inc(1);
-        interrupt::point();
-    });
+    let reports = lipz_sync::check(settings, inputs, &|| bar.inc(1));
     bar.finish_and_clear();
     reports
 }

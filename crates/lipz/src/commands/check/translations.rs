@@ -1,8 +1,8 @@
 //! What is wrong with translations: those that are older than their source, or say something else.
 
+use crate::console;
 use crate::shared::settings_file::Project;
 use crate::shared::text_record::RecordFile;
-use crate::{console, interrupt};
 use lipz_compiler::{Compiler, Input, Linted, Options};
 use lipz_diagnostics::{Code, Report};
 use lipz_file::locale::{canonical_tag, text_name};
@@ -94,10 +94,7 @@ pub(crate) fn check(project: &Project, inputs: &[Input], quiet: bool) -> Checked
         return translations.found(Vec::new(), 0);
     }
     let bar = console::progress_bar(inputs.len(), quiet);
-    let compiler = Compiler::new(translations.options.clone()).progress(|files| {
-        bar.inc(files);
-        interrupt::point();
-    });
+    let compiler = Compiler::new(translations.options.clone()).progress(|files| bar.inc(files));
     // What cannot be read is reported by the check of the files.
     let linted = compiler.each_file(inputs, |input, bytes| translations.lint(input, bytes));
     bar.finish_and_clear();

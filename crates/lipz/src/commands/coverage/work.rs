@@ -1,7 +1,6 @@
 //! The work of a project's Lipz files: what is missing in each locale, and what is stale.
 
 use crate::console;
-use crate::interrupt::point;
 use crate::reporter::{Abort, Reporter};
 use crate::shared::inputs::find;
 use crate::shared::settings_file::Project;
@@ -28,10 +27,7 @@ pub(super) fn of_project(
     let (file, odd_lines) = RecordFile::open(project, &inputs).map_err(|report| reporter.fail(report))?;
     reporter.add(Vec::from_iter(odd_lines));
     let bar = console::progress_bar(inputs.len(), quiet);
-    let compiler = Compiler::new(options.clone()).progress(|files| {
-        bar.inc(files);
-        point();
-    });
+    let compiler = Compiler::new(options.clone()).progress(|files| bar.inc(files));
     let texts = compiler.each_file(&inputs, |_, bytes| {
         let document = lipz_file::parse(bytes).document.unwrap_or_default();
         texts_of(&document, options.default_locale.as_deref())

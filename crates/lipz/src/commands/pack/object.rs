@@ -3,7 +3,7 @@
 use super::Pack;
 use crate::reporter::{Abort, Ended, Reporter};
 use crate::shared::shard_step;
-use crate::{Outcome, console, interrupt};
+use crate::{Outcome, console};
 use lipz_bank::Bank;
 use lipz_compiler::shard::{OBJECT_EXTENSION, Shard, ShardPlan, Step};
 use lipz_compiler::{Compiler, Replace};
@@ -58,10 +58,7 @@ fn make(arguments: &Pack, plan: &ShardPlan, reporter: &mut Reporter) -> Result<V
     let mut shard = Shard::new(plan.shard, plan.shards);
     (shard.settings, shard.reports) = (shown, reports);
     let bar = console::progress_bar(inputs.len(), arguments.sources.is_quiet());
-    let compiler = Compiler::new(options).progress(|files| {
-        bar.inc(files);
-        interrupt::point();
-    });
+    let compiler = Compiler::new(options).progress(|files| bar.inc(files));
     let made = compiler.object(&inputs, &shard);
     bar.finish_and_clear();
     let outcome = Outcome::from_reports(&made.reports);

@@ -25,7 +25,7 @@ use crate::shared::settings_file::Project;
 use crate::shared::sources::Sources;
 use crate::shared::stdio;
 use crate::shared::text_banks::{TextBanks, TextFiles};
-use crate::{Outcome, console, interrupt};
+use crate::{Outcome, console};
 use clap::Args;
 use lipz_compiler::BankWithTexts;
 use lipz_compiler::settings::Settings;
@@ -220,10 +220,7 @@ fn export_to(folder: &Path, version: &Version, is_quiet: bool, reporter: &mut Re
     }
     let mut reports = version.all_reports();
     let bar = console::progress_bar(version.files.len(), is_quiet);
-    let (phones, unheard) = version.hearing.all(version, &|| {
-        bar.inc(1);
-        interrupt::point();
-    });
+    let (phones, unheard) = version.hearing.all(version, &|| bar.inc(1));
     bar.finish_and_clear();
     reports.extend(unheard);
     let outcome = Outcome::from_reports(&reports);

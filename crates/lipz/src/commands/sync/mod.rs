@@ -211,10 +211,7 @@ impl Run for SyncArguments {
         let place = settings.audio.record.clone().unwrap_or_else(beside);
         let (mut record, odd_lines) = SyncRecord::read(&place).map_err(|report| reporter.fail(report))?;
         let bar = console::progress_bar_of_parts(work.jobs.len(), JOB_PARTS.into(), self.sources.is_quiet());
-        let progress = |parts: u32| {
-            bar.inc(parts.into());
-            interrupt::point();
-        };
+        let progress = |parts: u32| bar.inc(parts.into());
         let mut synced = sync(&work.jobs, &options, &mut record, &progress, &|write| interrupt::whole(write));
         bar.finish_and_clear();
         let mut reports = work.reports;

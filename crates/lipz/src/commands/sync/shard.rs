@@ -3,7 +3,7 @@
 use super::SyncArguments;
 use crate::reporter::{Ended, Reporter};
 use crate::shared::shard_step;
-use crate::{Outcome, console, interrupt};
+use crate::{Outcome, console};
 use lipz_compiler::Replace;
 use lipz_compiler::shard::{MOUTHS_EXTENSION, Step};
 use lipz_sync::shard::{Mouths, mouths};
@@ -27,10 +27,7 @@ pub(super) fn run(arguments: &SyncArguments, number: u16, plan: &Path, reporter:
             let (record, _) = SyncRecord::read(Path::new(&shard.record)).map_err(|report| reporter.fail(report))?;
             let quiet = arguments.sources.is_quiet();
             let bar = console::progress_bar_of_parts(shard.inputs().len(), JOB_PARTS.into(), quiet);
-            let progress = |parts: u32| {
-                bar.inc(parts.into());
-                interrupt::point();
-            };
+            let progress = |parts: u32| bar.inc(parts.into());
             let made = mouths(&shard, &settings, &options, &record, &progress);
             bar.finish_and_clear();
             (made.map_err(|reports| reporter.refuse(reports))?, false)

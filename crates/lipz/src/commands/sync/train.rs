@@ -29,10 +29,7 @@ pub(super) fn train(
     }
     let known = model_at(place).map_err(|report| reporter.fail(report))?;
     let bar = console::progress_bar(jobs.len() * TRAINING_ROUNDS, quiet);
-    let progress = || {
-        bar.inc(1);
-        interrupt::point();
-    };
+    let progress = || bar.inc(1);
     let trained = learn(jobs, options, known.as_ref(), &progress);
     bar.finish_and_clear();
     let shown = console::path(place);

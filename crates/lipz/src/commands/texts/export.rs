@@ -3,7 +3,6 @@
 use super::deliver::deliver;
 use super::{By, Columns, Format, StateName};
 use crate::console;
-use crate::interrupt::point;
 use crate::reporter::{Abort, Ended, Reporter};
 use crate::shared::inputs::find_all;
 use crate::shared::output_file::refuse_source;
@@ -283,10 +282,7 @@ fn units(
     let (recordings, unread) = Recordings::discover(settings);
     reports.extend(unread);
     let bar = console::progress_bar(inputs.len(), arguments.sources.is_quiet());
-    let compiler = Compiler::new(options.clone()).progress(|count| {
-        bar.inc(count);
-        point();
-    });
+    let compiler = Compiler::new(options.clone()).progress(|count| bar.inc(count));
     let results = compiler.each_file(inputs, |input, bytes| {
         let parsed = lipz_file::parse(bytes);
         let mut diagnostics = parsed.diagnostics;

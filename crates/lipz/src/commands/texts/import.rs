@@ -4,7 +4,7 @@ use super::Format as TextFormat;
 use super::export::{locales_of, source_locale};
 use super::incoming::Incoming;
 use crate::console;
-use crate::interrupt::{Files, point};
+use crate::interrupt::Files;
 use crate::reporter::{Ended, Reporter};
 use crate::shared::inputs::find_all;
 use crate::shared::lint_flags::LintFlags;
@@ -160,10 +160,7 @@ impl Import {
             .forced(self.force)
             .levels(&options.levels);
         let bar = console::progress_bar(inputs.len(), self.quiet);
-        let compiler = Compiler::new(options.clone()).progress(|count| {
-            bar.inc(count);
-            point();
-        });
+        let compiler = Compiler::new(options.clone()).progress(|count| bar.inc(count));
         let files = Files::new();
         let results = compiler.each_file(&inputs, |input, bytes| {
             let merged = one(&merge, input, bytes, by_key.get(&*input.key).map_or(&[], Vec::as_slice))?;
