@@ -65,6 +65,32 @@ fn a_speaker_with_a_name_is_the_speaker() {
     }
 }
 
+/// Whatever the order of their names.
+#[test]
+fn of_two_curves_of_poses_that_of_the_name_counts() {
+    for name in ["mara", "zoe"] {
+        let curves = |curves: String| {
+            let file =
+                format!(r#"{{ "fps": 20, "visemes": "{VISEMES}", "viseme_type": "blair", "curves": {{ {curves} }} }}"#);
+            compile("", &[Input::from_bytes("line", file)])
+        };
+        let own = curves(format!(r#""{name}.pose": "0:0""#));
+        let both = curves(format!(r#""{name}.pose": "0:0", "pose": "0:1 10:1 20:1 30:1""#));
+        let [own, both] = [&own, &both].map(|bytes| Bank::open(bytes).unwrap().verify().unwrap());
+        let [own, both] = [&own, &both].map(|bank| bank.clip_by_key("line").unwrap());
+        let who = Who::SpeakerNamed(name);
+        assert_eq!(faces(&both, who), faces(&own, who));
+        assert_ne!(faces(&both, Who::Speaker), faces(&own, who));
+        let made = |clip: &Clip<'_, '_>, ms: i64| {
+            clip.generated_of(who, Micros(ms * 1000), &FaceProfile::DEFAULT, LookAt::AHEAD)
+        };
+        for ms in (0..4000).step_by(7) {
+            assert_eq!(made(&both, ms), made(&own, ms));
+            assert_eq!(made(&both, ms).head_yaw.thousandths(), 0, "it stays ahead");
+        }
+    }
+}
+
 #[test]
 fn of_two_curves_for_the_same_the_one_farther_from_neutral_counts() {
     let bytes = with_events("feels joy 4 over 0s, nods 2|mara feels joy 2 + fear 3 over 0s, mara nods 8");

@@ -107,7 +107,8 @@ impl Clip<'_, '_> {
         look: LookAt,
     ) -> Face {
         let who = who.into();
-        let (seed, mouth) = self.moved(who, self.curve(FaceCurve::Pose.name()));
+        let is_pose = |curve: &Curve<'_>| who.purpose(curve.name().bytes()) == Some(FaceCurve::Pose.name().as_bytes());
+        let (seed, mouth) = self.moved(who, self.curves().filter(is_pose).fold(None, own));
         let steps = Steps { seed, ms: milliseconds(time) };
         let [pitch, yaw, roll] = mouth.map(|mouth| head::motion(profile, steps, &mouth)).unwrap_or_default();
         let eyes = eyes::target(profile, steps, look);
@@ -151,7 +152,7 @@ impl Clip<'_, '_> {
                 .purpose(curve.name().bytes())
                 .and_then(|name| FaceCurve::ALL.iter().copied().find(|known| known.name().as_bytes() == name));
             match (known, position) {
-                (Some(FaceCurve::Pose), _) => poses = Some(curve),
+                (Some(FaceCurve::Pose), _) => poses = own(poses, curve),
                 (Some(known), Some(position)) => curves.set(known, curve.value_in(position).thousandths()),
                 _ => {}
             }
@@ -174,6 +175,14 @@ impl FaceProfile<'_> {
         let steps = Steps { seed, ms: milliseconds(time) };
         let moment = Moment { profile: self, steps, mouth: None, curves: Curves::default() };
         moment.face(look, |_| None)
+    }
+}
+
+/// Of the poses of a speaker, those with their name in front: of what is theirs, it says more.
+fn own<'m>(before: Option<Curve<'m>>, curve: Curve<'m>) -> Option<Curve<'m>> {
+    match before {
+        Some(before) if before.name().bytes().len() > curve.name().bytes().len() => Some(before),
+        _ => Some(curve),
     }
 }
 
