@@ -9,6 +9,9 @@ use std::process::Command;
 /// Where npm brings axe, beside the tests that use it.
 const FOLDER: &str = "crates/lipz/tests/preview_page";
 
+/// The test of the page that needs axe.
+const TEST: &str = "the_page_keeps_nobody_out";
+
 pub(crate) fn run() -> Result<(), Failure> {
     for program in ["npm", "chromium"] {
         if !has_program(program) {
@@ -20,6 +23,18 @@ pub(crate) fn run() -> Result<(), Failure> {
     succeed(&mut npm, "npm ci")?;
     let mut tests = cargo::tests("preview_page");
     // What needs no axe is among the tests of the workspace.
-    tests.args(["--", "the_page_keeps_nobody_out"]).env("LIPZ_TOOLS", "required");
+    tests.args(["--", "--exact", TEST]).env("LIPZ_TOOLS", "required");
     succeed(&mut tests, "the tests of the page")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_test_is_there() {
+        let file = workspace_root().join("crates/lipz/tests/preview_page.rs");
+        let tests = std::fs::read_to_string(file).unwrap_or_default();
+        assert!(tests.contains(&format!("#[test]\nfn {TEST}()")));
+    }
 }
