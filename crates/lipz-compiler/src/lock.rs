@@ -4,9 +4,10 @@ use crate::output::failed;
 use crate::temporary::folder_of;
 use lipz_diagnostics::Report;
 use std::ffi::OsString;
-use std::fs::{self, File};
-use std::io;
+use std::fs::{self, File, TryLockError};
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+use std::{io, thread};
 
 /// What the name of a lock ends with, which starts with a dot and the name of the file that it is about.
 const SUFFIX: &str = ".lipzlock";
@@ -14,21 +15,56 @@ const SUFFIX: &str = ".lipzlock";
 /// As long as it lives, no other run that asks for it writes the file that it is about, or those that belong to that. A run that
 /// is killed gives it back.
 #[derive(Debug)]
-pub(crate) struct Lock {
-    path: PathBuf,
-    file: File,
-}
+pub(crate) struct Lock(Option<(PathBuf, File)>);
+
+/// How long a run waits whose user cannot stop it meanwhile.
+const PATIENCE: Duration = Duration::from_secs(30);
+const PAUSE: Duration = Duration::from_millis(50);
 
 impl Lock {
-    /// Waits until the lock for the file at `path` is free, and takes it. Where the file system knows no locks, there is none.
+    /// Waits until the lock for the file at `path` is free, and takes it. Where the file system knows no locks, there is none, nor
+    /// where nobody may write: what has to be written there says so.
     ///
     /// # Errors
-    /// If nothing can be written beside `path`.
+    /// If the file or its folder cannot be made, for other reasons.
     pub(crate) fn wait(path: &Path) -> Result<Lock, Report> {
-        Lock::take(path).map_err(|error| failed(path, &error))
+        Lock::take(path, File::lock).map_err(|error| failed(path, &error))
     }
 
-    fn take(path: &Path) -> io::Result<Lock> {
+    /// As [`wait`](Lock::wait), but not longer than half a minute.
+    ///
+    /// # Errors
+    /// The same, and if another run still has the lock.
+    pub(crate) fn wait_briefly(path: &Path) -> Result<Lock, Report> {
+        let until = Instant::now() + PATIENCE;
+        let lock = |file: &File| loop {
+            match file.try_lock() {
+                Ok(()) => return Ok(()),
+                Err(TryLockError::Error(error)) => return Err(error),
+                Err(TryLockError::WouldBlock) if Instant::now() > until => return Err(io::ErrorKind::TimedOut.into()),
+                Err(TryLockError::WouldBlock) => thread::sleep(PAUSE),
+            }
+        };
+        Lock::take(path, lock).map_err(|error| match error.kind() {
+            io::ErrorKind::TimedOut => {
+                failed(path, &io::Error::other("another run has been writing it for half a minute"))
+            }
+            _ => failed(path, &error),
+        })
+    }
+
+    fn take(path: &Path, lock: impl Fn(&File) -> io::Result<()>) -> io::Result<Lock> {
+        match Lock::locked(path, lock) {
+            Err(error)
+                if matches!(error.kind(), io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem) =>
+            {
+                Ok(Lock(None))
+            }
+            locked => locked.map(|locked| Lock(Some(locked))),
+        }
+    }
+
+    fn locked(path: &Path, lock: impl Fn(&File) -> io::Result<()>) -> io::Result<(PathBuf, File)> {
         let folder = folder_of(path);
         fs::create_dir_all(folder)?;
         let mut name = OsString::from(".");
@@ -36,16 +72,19 @@ impl Lock {
         name.push(SUFFIX);
         let path = folder.join(name);
         loop {
-            let file = File::options().create(true).truncate(false).write(true).open(&path)?;
+            let made = File::options().create(true).truncate(false).write(true).open(&path);
+            // One that somebody else has left can still be locked.
+            let file = made.or_else(|error| File::open(&path).map_err(|_| error))?;
             let is_known = loop {
-                match file.lock() {
+                match lock(&file) {
                     Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
+                    Err(error) if error.kind() == io::ErrorKind::TimedOut => return Err(error),
                     locked => break locked.is_ok(),
                 }
             };
             // The run that had it before has removed it by now, and another one may have made it anew.
             if !is_known || is_at(&file, &path) {
-                return Ok(Lock { path, file });
+                return Ok((path, file));
             }
         }
     }
@@ -53,11 +92,12 @@ impl Lock {
 
 impl Drop for Lock {
     fn drop(&mut self) {
+        let Some((path, file)) = &self.0 else { return };
         // Elsewhere, who waits could not tell that it is gone: it stays.
-        if cfg!(unix) && is_at(&self.file, &self.path) {
-            let _ = fs::remove_file(&self.path);
+        if cfg!(unix) && is_at(file, path) {
+            let _ = fs::remove_file(path);
         }
-        let _ = self.file.unlock();
+        let _ = file.unlock();
     }
 }
 
@@ -79,7 +119,6 @@ fn is_at(_file: &File, _path: &Path) -> bool {
 mod tests {
     use super::*;
     use std::sync::atomic::{AtomicUsize, Ordering};
-    use std::thread;
 
     #[test]
     fn one_at_a_time_and_nothing_is_left() {
@@ -90,7 +129,8 @@ mod tests {
             for _ in 0..8 {
                 scope.spawn(|| {
                     for _ in 0..20 {
-                        let _lock = Lock::wait(&path).unwrap();
+                        let wait = if inside.load(Ordering::SeqCst) == 0 { Lock::wait } else { Lock::wait_briefly };
+                        let _lock = wait(&path).unwrap();
                         assert_eq!(inside.fetch_add(1, Ordering::SeqCst), 0);
                         thread::yield_now();
                         inside.fetch_sub(1, Ordering::SeqCst);
@@ -100,5 +140,23 @@ mod tests {
         });
         let left = fs::read_dir(path.parent().unwrap()).unwrap().count();
         assert_eq!(left, if cfg!(unix) { 0 } else { 1 });
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn what_another_user_left_can_be_locked_and_a_folder_for_nobody_needs_no_lock() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("d.lipzset");
+        let left = folder.path().join(".d.lipzset.lipzlock");
+        fs::write(&left, "").unwrap();
+        fs::set_permissions(&left, fs::Permissions::from_mode(0o444)).unwrap();
+        assert!(Lock::wait(&path).unwrap().0.is_some());
+        assert!(!left.exists());
+        fs::set_permissions(folder.path(), fs::Permissions::from_mode(0o555)).unwrap();
+        // Root may write everywhere.
+        let may_write = fs::write(folder.path().join("a"), "").is_ok();
+        assert_eq!(Lock::wait(&path).unwrap().0.is_some(), may_write);
+        fs::set_permissions(folder.path(), fs::Permissions::from_mode(0o755)).unwrap();
     }
 }

@@ -19,15 +19,6 @@ pub(crate) struct Name;
 /// A cache, of which there is none.
 pub(crate) struct Cache<'s>(Infallible, PhantomData<&'s ()>);
 
-/// What a run has stamped and recalled: nothing.
-#[derive(Default)]
-pub(crate) struct FileStamps {
-    pub(crate) files: Vec<(u32, Name, Stamp)>,
-    pub(crate) recalled: Vec<u32>,
-    pub(crate) unread: usize,
-    pub(crate) marked: usize,
-}
-
 /// A file that was looked at, of which there is none.
 pub(crate) struct CachedFile<'c>(Infallible, PhantomData<&'c ()>);
 
@@ -41,17 +32,6 @@ impl Cache<'_> {
     ) -> Option<CachedFile<'c>> {
         match self.0 {}
     }
-}
-
-impl FileStamps {
-    pub(crate) fn append(&mut self, other: FileStamps) {
-        self.files.extend(other.files);
-        self.recalled.extend(other.recalled);
-        self.unread += other.unread;
-        self.marked += other.marked;
-    }
-
-    pub(crate) fn sort(&mut self) {}
 }
 
 impl Stamp {

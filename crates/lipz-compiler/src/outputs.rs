@@ -185,12 +185,13 @@ impl Outputs {
     /// texts, too. Another run that writes the files of a split bank to the same place comes before or after.
     ///
     /// # Errors
-    /// As [`replace_file`], and if `bank` is damaged.
+    /// As [`replace_file`], if `bank` is damaged, and if another run has been writing them for half a minute.
     pub fn deliver(&self, bank: &[u8], replace: Replace) -> Result<Delivered, Report> {
         if !self.has_parts() {
             return Ok(OutputFile::write(&self.bank, bank, replace)?.into());
         }
-        let _lock = Lock::wait(&self.bank)?;
+        // Commands put off an interrupt until the files are written.
+        let _lock = Lock::wait_briefly(&self.bank)?;
         if self.is_split_by_voice {
             return self.deliver_voices(bank, replace);
         }

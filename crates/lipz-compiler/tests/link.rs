@@ -4,15 +4,17 @@
 
 mod support;
 
-use lipz_bank::Recording;
+use lipz_bank::{Bank, Recording};
 use lipz_compiler::babble::BabbleProfiles;
 use lipz_compiler::shard::Link;
 use lipz_compiler::{Compiled, Compiler, Input, Options, Voices};
+use lipz_layout::{CHECKED_FROM, Header, TEXT_HAS_LENGTH, U32};
 use proptest::prelude::*;
 use std::fs;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 use support::shards::{objects, project};
+use zerocopy::{FromBytes, IntoBytes};
 
 /// What is linked to a bank in memory, and to the same in a file.
 fn linked(compiler: &Compiler<'_>, inputs: &[Input], shards: u16, turn: usize) -> Compiled {
@@ -132,6 +134,33 @@ fn damaged_objects_are_refused() {
     }
 }
 
+/// Readers can use such a bank, but no compiler makes it.
+#[test]
+fn objects_whose_texts_are_not_in_order_are_refused() {
+    let (compiler, folder) = (Compiler::default(), tempfile::tempdir().unwrap());
+    let file = br#"{ "text_en-us": "One two three. | Four five six. | Seven eight nine." }"#;
+    let paths = objects(&compiler, &[Input::from_bytes("a", file.to_vec())], 1, folder.path());
+    let bytes = fs::read(&paths[0]).unwrap();
+    let start = |tag: &[u8; 4]| {
+        let section = Bank::open(&bytes).unwrap().sections().find(|(found, _)| found == tag).unwrap().1;
+        section.as_ptr().addr() - bytes.as_ptr().addr()
+    };
+    let (starts, texts) = (start(b"TXST"), start(b"TEXT"));
+    let mut forged = bytes.clone();
+    // The first text is counted, and has one letter: what is before the second is no text.
+    let first = U32::new(TEXT_HAS_LENGTH);
+    forged[starts..starts + 4].copy_from_slice(first.as_bytes());
+    forged[texts..texts + 4].copy_from_slice(b"\0\0\x01O");
+    let checksum = lipz_layout::checksum(&forged[CHECKED_FROM..]);
+    let (header, _) = Header::mut_from_prefix(&mut forged).unwrap();
+    header.checksum = checksum.into();
+    Bank::open(&forged).unwrap().verify().unwrap();
+    fs::write(&paths[0], forged).unwrap();
+    let linked = compiler.link_to_bank(&Link::open(&paths).unwrap());
+    assert!(linked.bank.is_none());
+    assert!(linked.reports[0].diagnostics[0].message.contains("its clips cannot be read"), "{:?}", linked.reports);
+}
+
 /// What was verified is what is copied.
 #[test]
 fn objects_that_somebody_writes_to_meanwhile_are_refused() {
@@ -151,7 +180,7 @@ fn objects_that_somebody_writes_to_meanwhile_are_refused() {
         let linked = Compiler::default().progress(meanwhile).link(&link, &path);
         assert!(linked.file.is_none() && !path.exists(), "{shards} shards");
         let messages: Vec<_> = linked.reports.iter().flat_map(|report| &report.diagnostics).collect();
-        assert!(messages.iter().any(|found| found.message.contains("replaced meanwhile")), "{messages:?}");
+        assert!(messages.iter().any(|found| found.message.contains("changed while it was linked")), "{messages:?}");
     }
 }
 

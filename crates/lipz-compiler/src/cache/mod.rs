@@ -18,7 +18,7 @@ mod recall;
 mod stamps;
 mod sweep;
 
-pub(crate) use cached_file::{Cache, CachedFile, FileStamps};
+pub(crate) use cached_file::{Cache, CachedFile};
 #[cfg(feature = "shards")]
 pub(crate) use file_meta::FileMeta;
 pub(crate) use look::Look;
@@ -26,8 +26,8 @@ pub use memory::Memory;
 #[cfg(feature = "shards")]
 pub(crate) use old_bank::section;
 #[cfg(feature = "shards")]
-pub(crate) use recall::recall_tables;
-pub(crate) use stamps::Stamp;
+pub(crate) use recall::{are_in_order, recall_tables};
+pub(crate) use stamps::{Name, Stamp};
 
 use crate::compile::{Progress, Run, Texts};
 use crate::discover::display;

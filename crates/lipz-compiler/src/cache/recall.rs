@@ -73,6 +73,15 @@ pub(super) fn table<'b>(recall: &Recall<'b>, tag: Tag) -> Option<&'b [u8]> {
     tables.get(section(tables, tag)?)
 }
 
+/// Whether the entries of a clip's texts are as the compiler makes them: one behind the other, and at most the last is counted.
+/// Readers ask for one text at a time, so that [`Bank::verify`] accepts others, too.
+pub(crate) fn are_in_order(entries: &[U32]) -> bool {
+    entries.array_windows().all(|[entry, next]| {
+        let length = (next.get() & TEXT_OFFSET).checked_sub(entry.get() & TEXT_OFFSET);
+        entry.get() & TEXT_HAS_LENGTH == 0 && length.is_some_and(|length| u16::try_from(length).is_ok())
+    })
+}
+
 impl<'b> Recall<'b> {
     /// Recalls from this bank, which is proven, and was verified before it was written; `None` if it cannot be opened.
     pub(super) fn new(old: &'b OldBank) -> Option<Recall<'b>> {
@@ -176,7 +185,11 @@ impl Recaller<'_, '_> {
             let (window, at_once) = (self.texts.get_mut(number)?, self.at_once);
             let entries = recall.entries(found, number)?;
             let offset = |entry: &U32| (entry.get() & TEXT_OFFSET) as usize;
-            let ([first, ..], [.., last, next]) = (entries, entries) else { continue };
+            let ([first, ..], [own @ .., next]) = (entries, entries) else { continue };
+            if !are_in_order(own) {
+                return None;
+            }
+            let Some(last) = own.last() else { continue };
             let range = |start: usize, end: usize| recall.texts.start + start..recall.texts.start + end;
             // As the reader finds the end: by the entry behind it, or by the count before the last text.
             let (last_start, end) = if last.get() & TEXT_HAS_LENGTH == 0 {

@@ -1,8 +1,9 @@
 //! What one thread does: it reads, parses and checks one file after another, and takes the time.
 
 use super::read::FileReader;
+use super::stamped::FileStamps;
 use super::{Lint, Phases};
-use crate::cache::{Cache, CachedFile, FileStamps, Look, Stamp};
+use crate::cache::{Cache, CachedFile, Look, Stamp};
 use crate::check::{CleanFiles, Spoken};
 use crate::clip::{ClipData, Clips, Locales};
 use crate::options::FileOptions;

@@ -6,6 +6,7 @@ mod lint;
 mod read;
 mod requirements;
 mod run;
+mod stamped;
 
 pub use compiled::{CompileError, Compiled, Phases};
 pub use lint::{Checked, Lint, Linted};

@@ -2,8 +2,9 @@
 
 use super::file::Worker;
 use super::requirements::Texts;
+use super::stamped::FileStamps;
 use super::{Compiled, Lint, Phases, Progress};
-use crate::cache::{Cache, FileStamps};
+use crate::cache::Cache;
 #[cfg(feature = "cache")]
 use crate::clip::Clip;
 use crate::clip::Clips;
@@ -213,8 +214,8 @@ impl Run {
         layout
     }
 
-    /// Lays out the bank of clips that stay in files, and has `write` write it: that gets the layout, the clips, and the bank
-    /// without what they own, which is verified. Returns what was written, if the project accepts the bank, and all
+    /// Lays out the bank of clips that stay in files, verifies its tables, and has `write` write it, of the layout and the
+    /// clips. Returns what was written, if the project accepts the bank, and all
     /// diagnostics. `name` gives a report that has the key of a clip for a path the name of its file.
     #[cfg(feature = "shards")]
     pub(crate) fn stream<T>(

@@ -138,8 +138,8 @@ impl Layout {
         })
     }
 
-    /// The bank with its tables, and zeros where something is copied from the clips: pages that nobody writes to take no
-    /// memory.
+    /// The bank with its tables, and zeros where something is copied from the clips. On Linux, pages that nobody writes to take
+    /// no memory.
     #[cfg(feature = "shards")]
     pub(crate) fn tables(&self) -> Result<Vec<u8>, Report> {
         assemble::assemble(&self.sections(), self.index.seed, self.records.fingerprint, |_| ())

@@ -120,9 +120,11 @@ impl LinkedObject {
         reports.collect::<Option<_>>().ok_or_else(|| self.damaged("a diagnostic in it is none"))
     }
 
-    /// The report that somebody has written to it since it was opened.
+    /// The report that somebody has written to it since it was opened, or that it can be read no more.
     pub(super) fn changed(&self) -> Report {
-        self.damaged("it was replaced meanwhile")
+        let name = display(&self.path);
+        let message = format!("the object `{name}` was changed while it was linked, or can no longer be read");
+        Report::failure(name, Code::BankDamaged, message, "link again when nobody writes to it")
     }
 
     pub(super) fn damaged(&self, why: &str) -> Report {

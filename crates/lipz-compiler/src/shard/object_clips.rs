@@ -1,6 +1,6 @@
 //! The clips of an object, which leave frames, texts and source records in its file.
 
-use crate::cache::{recall_tables, section};
+use crate::cache::{are_in_order, recall_tables, section};
 use crate::clip::{ClipData, ClipFile, ClipText, Clips, StayingSource};
 use crate::hashed::hash;
 use crate::source_index::SourceIndex;
@@ -67,7 +67,8 @@ impl<'b> Object<'b> {
         })
     }
 
-    /// Adds the text of the segments with these numbers in a locale, if they have one, as that of the next clip.
+    /// Adds the text of the segments with these numbers in a locale, if they have one, as that of the next clip; `None` if no
+    /// compiler makes such texts.
     fn text(&mut self, number: usize, locale: u32, segments: Range<usize>, clips: &mut Clips) -> Option<()> {
         let first_entry = number * self.segment_count + segments.start;
         let entries = self.text_starts.get(first_entry..=first_entry + segments.len())?;
@@ -76,7 +77,7 @@ impl<'b> Object<'b> {
         if first.get() == NO_TEXT {
             return Some(());
         }
-        let last = own.last()?;
+        let last = own.last().filter(|_| are_in_order(own))?;
         // As the reader finds the end: by the entry behind it, or by the count before the last text.
         let is_counted = last.get() & TEXT_HAS_LENGTH != 0;
         let (last_start, end) = if is_counted {
