@@ -51,7 +51,8 @@ pub struct Entry {
 pub struct Incoming {
     /// The file as text, which places count in. A spreadsheet is a line for each row.
     pub text: String,
-    /// Its entries, in the order of their places. None if a diagnostic is an error.
+    /// Its entries, in the order of their places. None if a diagnostic is an error. A row of a table has none for cells without a
+    /// text and a mark; one that has nothing else has one for the first of them.
     pub entries: Vec<Entry>,
     /// What is wrong with the file.
     pub diagnostics: Vec<Diagnostic>,

@@ -82,23 +82,41 @@ mod spreadsheets {
         assert_eq!((incoming.diagnostics, incoming.entries.len()), (Vec::new(), 1));
     }
 
-    /// Who writes `=Ja` into a spreadsheet has written a formula; programs that compute none save it without a value.
-    #[test]
-    fn a_formula_without_a_value_is_told() {
+    /// Reads a sheet whose second row has these cells for a translation and for a comment, which is not imported.
+    fn with(cells: [&str; 2]) -> lipz_texts::Incoming {
         let text = |text: &str| format!(r#"<c t="inlineStr"><is><t>{text}</t></is></c>"#);
-        let file = |cell: &str| {
-            let (key, german, a) = (text("key"), text("de-de"), text("a"));
-            sheet(&format!("<row>{key}{german}</row><row>{a}{cell}</row>"))
-        };
-        let read = |cell: &str| lipz_texts::read(Format::Xlsx, &file(cell), &lipz_texts::ReadOptions::new("en-us"));
-        for cell in ["<c><f>Ja</f></c>", "<c><f>Ja</f><v/></c>", r#"<c t="str"><f>Ja</f><v></v></c>"#] {
-            let incoming = read(cell);
-            let [told] = incoming.diagnostics.as_slice() else { panic!("{:?}", incoming.diagnostics) };
-            assert!(told.message.contains("formula without a value"), "{told}");
-            assert_eq!(told.start(), 12, "behind the key of the second row");
+        let (head, key) = (["key", "de-de", "comment"].map(text).concat(), text("a"));
+        let file = sheet(&format!("<row>{head}</row><row>{key}{}</row>", cells.concat()));
+        lipz_texts::read(Format::Xlsx, &file, &lipz_texts::ReadOptions::new("en-us"))
+    }
+
+    /// Who writes `=Ja` into a spreadsheet has written a formula; programs that compute none save it without a value, Excel
+    /// with an error for one.
+    #[test]
+    fn a_formula_without_a_value_or_with_an_error_is_told() {
+        let without = "the cell is a formula without a value, and is not imported";
+        for (cell, message) in [
+            ("<c><f>Ja</f></c>", without),
+            ("<c><f>Ja</f><v/></c>", without),
+            ("<c><f>Ja</f><v></v></c>", without),
+            (r#"<c t="str"><f>Ja</f></c>"#, without),
+            (r#"<c t="e"><f>Ja</f><v>#NAME?</v></c>"#, "the cell is the error `#NAME?`, and is not imported"),
+        ] {
+            let incoming = with([cell, ""]);
+            let [told] = incoming.diagnostics.as_slice() else { panic!("{cell}: {:?}", incoming.diagnostics) };
+            assert_eq!(told.message, message, "{cell}");
+            assert_eq!(told.start(), 20, "behind the key of the second row");
+            assert_eq!(incoming.entries[0].text.text, "", "{cell}");
+            assert_eq!(with(["<c/>", cell]).diagnostics, [], "{cell}: nobody imports comments");
         }
-        let computed = read(r#"<c t="str"><f>A1</f><v>Ja</v></c>"#);
-        assert_eq!((computed.diagnostics.len(), computed.entries[0].text.text.as_str()), (0, "Ja"));
+        for (cell, text) in [
+            (r#"<c t="str"><f>A1</f><v>Ja</v></c>"#, "Ja"),
+            (r#"<c t="str"><f>A1</f><v></v></c>"#, ""),
+            (r#"<c t="str"><f>A1</f><v/></c>"#, ""),
+        ] {
+            let computed = with([cell, ""]);
+            assert_eq!((computed.diagnostics, computed.entries[0].text.text.as_str()), (Vec::new(), text), "{cell}");
+        }
     }
 
     #[test]

@@ -42,6 +42,19 @@ fn very_many_wrong_rows_are_counted() {
 }
 
 #[test]
+fn a_cell_without_a_text_is_read_if_it_has_a_mark() {
+    let of = |table: &str| {
+        let entries = read(Format::Csv, table.as_bytes(), &ReadOptions::new("en-us")).entries;
+        entries.iter().map(|entry| format!("{} {}", entry.locale, entry.text.text)).collect::<Vec<_>>()
+    };
+    let head = "key,lock de-de,lock fr-fr,fr-fr,de-de,it-it,es-es\n";
+    assert_eq!(of(&format!("{head}a,0123abcd,none,,,,\n")), ["fr-fr ", "de-de "], "in the order of their places");
+    assert_eq!(of(&format!("{head}a,,,,,,Hola.\n")), ["es-es Hola."]);
+    assert_eq!(of(&format!("{head}a,,,,,,\n")), ["de-de "], "for its key");
+    assert_eq!(of("language,id,text\nde-de,a,\n"), ["de-de "]);
+}
+
+#[test]
 fn line_ends_that_another_program_changed_change_no_text() {
     for file in [
         r#"{ "visemes": "MA|E", "text_en-us": "One\nTwo|Three", "text_de-de": "Eins\nZwei|Drei" }"#,

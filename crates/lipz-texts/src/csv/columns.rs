@@ -5,7 +5,7 @@ use crate::entry::NoLocale;
 use std::sync::Arc;
 
 /// What is in a column.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub(super) enum Column {
     /// Keys, perhaps with the number of a segment.
     Key,

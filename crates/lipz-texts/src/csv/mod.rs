@@ -2,7 +2,9 @@
 
 mod cell;
 mod columns;
+mod header;
 mod read;
+mod row;
 mod scan;
 mod write;
 
@@ -10,11 +12,7 @@ pub use cell::defused;
 pub(crate) use read::read;
 pub(crate) use write::write;
 #[cfg(feature = "xlsx")]
-pub(crate) use {
-    columns::LOCK,
-    read::{Row, Table},
-    write::rows,
-};
+pub(crate) use {columns::LOCK, read::Table, row::Row, write::rows};
 
 /// Which columns a CSV has, and how they are called. Readers know all of them by their names.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]

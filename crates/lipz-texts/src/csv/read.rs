@@ -1,16 +1,13 @@
 //! Reading tables: rows with the place of every cell, from CSV files and spreadsheets.
 
 use super::cell;
-use super::columns::{Column, NoColumn, columns};
+use super::header::Header;
+use super::row::Row;
 use super::scan::scan;
-use crate::entry::{self, NoLocale};
-use crate::{Entry, Incoming, Mark, ReadOptions, State, Words, decode};
+use crate::{Incoming, ReadOptions, decode};
 use csv::{ReaderBuilder, StringRecord};
 use lipz_diagnostics::{Code, Diagnostic, Span, bound, escape};
 use std::cmp::Ordering;
-use std::collections::HashMap;
-use std::ops::Range;
-use std::sync::Arc;
 
 /// What may separate cells. Spreadsheets write `;` where a comma is the sign before decimals.
 const SEPARATORS: [u8; 3] = [b',', b';', b'\t'];
@@ -53,40 +50,29 @@ fn rows(text: &str, options: &ReadOptions, incoming: &mut Incoming) {
             return;
         }
         let cells = record.iter().map(|cell| cell::text(cell).to_owned()).collect();
-        let row = Row { cells, places: scanned.places, start };
+        let row = Row { cells, places: scanned.places, start, ..Row::default() };
         incoming.diagnostics.extend(table.length(&row));
-        if !table.row(&row, incoming) {
+        if !table.row(row, incoming) {
             return;
         }
     }
     table.finish(incoming);
 }
 
-/// A row, and where its cells stand.
-#[derive(Debug, Default)]
-pub(crate) struct Row {
-    /// What is in its cells.
-    pub(crate) cells: Vec<String>,
-    /// Where they are, in bytes from `start`.
-    pub(crate) places: Vec<Range<usize>>,
-    /// Where the row starts in the text.
-    pub(crate) start: usize,
-}
-
 /// A table as far as it is read: the first row names its columns.
 pub(crate) struct Table<'o> {
     options: &'o ReadOptions,
-    columns: Option<Vec<Column>>,
+    header: Option<Header>,
 }
 
 impl<'o> Table<'o> {
     pub(crate) fn new(options: &'o ReadOptions) -> Table<'o> {
-        Table { options, columns: None }
+        Table { options, header: None }
     }
 
     /// The diagnostic for a row with more or fewer cells than the header.
     fn length(&self, row: &Row) -> Option<Diagnostic> {
-        let needs = self.columns.as_ref()?.len();
+        let needs = self.header.as_ref()?.count();
         let has = row.cells.len();
         let (at, help) = match has.cmp(&needs) {
             Ordering::Equal => return None,
@@ -100,124 +86,25 @@ impl<'o> Table<'o> {
     }
 
     /// Reads the next row; false if the others say nothing, because the columns are not known.
-    pub(crate) fn row(&mut self, row: &Row, incoming: &mut Incoming) -> bool {
-        match &self.columns {
-            Some(columns) => row.entries(columns, self.options, incoming),
-            None => self.columns = header(row, self.options, incoming),
+    pub(crate) fn row(&mut self, mut row: Row, incoming: &mut Incoming) -> bool {
+        let is_read = |at: usize| self.header.as_ref().is_none_or(|header| header.is_read(at, self.options));
+        let faults = std::mem::take(&mut row.faults).into_iter().filter(|(at, _)| is_read(*at));
+        incoming.diagnostics.extend(faults.map(|(_, fault)| fault));
+        match &self.header {
+            Some(header) => row.entries(header, self.options, incoming),
+            None => self.header = Header::read(&row, self.options, &mut incoming.diagnostics),
         }
         bound::limit_many(&mut incoming.diagnostics);
-        self.columns.is_some()
+        self.header.is_some()
     }
 
     /// Reports that there was no row.
     pub(crate) fn finish(&self, incoming: &mut Incoming) {
-        if self.columns.is_none() {
+        if self.header.is_none() {
             incoming.diagnostics.push(
                 Diagnostic::new(Code::ExchangeSyntax, "the file has no header")
                     .help("its first row names the columns: key, en-us, de-de"),
             );
         }
-    }
-}
-
-/// The columns; `None` if there is none with keys.
-fn header(row: &Row, options: &ReadOptions, incoming: &mut Incoming) -> Option<Vec<Column>> {
-    let names: Vec<&str> = row.cells.iter().map(String::as_str).collect();
-    let mut found = Vec::new();
-    for (at, column) in columns(&names, options).into_iter().enumerate() {
-        if let Err(why) = &column {
-            let name = escape::quoted(names.get(at).copied().unwrap_or_default());
-            let (note, help) = match why {
-                NoColumn::Unknown => (
-                    "it is neither a locale nor a column that lipz or another tool writes",
-                    "call a column of texts by its locale, as in de-de",
-                ),
-                NoColumn::Locale => (NoLocale::NOTE, NoLocale::HELP),
-            };
-            let message = format!("the column {name} is not imported");
-            let diagnostic = Diagnostic::at(Code::ExchangeLoss, row.span(at), message);
-            incoming.diagnostics.push(diagnostic.note(note).help(help));
-        }
-        found.push(column.unwrap_or(Column::Other));
-    }
-    let missing = |what: &str, help: &str| {
-        Some(Diagnostic::at(Code::ExchangeSyntax, row.span(0), format!("no column has {what}")).help(help))
-    };
-    let is_text = |column: &Column| matches!(column, Column::Text | Column::Locale(_));
-    let wrong = match &found {
-        all if !all.contains(&Column::Key) => missing("the keys of clips", "call it `key`"),
-        all if !all.iter().any(is_text) => missing("translations", "call each by its locale, as in de-de"),
-        _ => None,
-    };
-    let is_wrong = wrong.is_some();
-    incoming.diagnostics.extend(wrong);
-    (!is_wrong).then_some(found)
-}
-
-impl Row {
-    /// Where a cell stands, without quotes; the start of the row if there is none.
-    pub(crate) fn span(&self, at: usize) -> Span {
-        let place = self.places.get(at).cloned().unwrap_or(0..0);
-        Span::new(self.start + place.start, self.start + place.end)
-    }
-
-    fn words(&self, at: usize) -> Words {
-        Words { text: self.cells.get(at).cloned().unwrap_or_default(), span: self.span(at) }
-    }
-
-    /// Adds the translations of a row.
-    fn entries(&self, columns: &[Column], options: &ReadOptions, incoming: &mut Incoming) {
-        let find = |column: &Column| columns.iter().position(|other| other == column);
-        let mark = |at: Option<usize>| self.cells.get(at?)?.parse::<Mark>().ok();
-        let Some(key) = find(&Column::Key).map(|at| self.words(at)) else { return };
-        if key.text.is_empty() {
-            if self.cells.iter().any(|cell| !cell.is_empty()) {
-                let message = "a row has no key, and is not imported";
-                incoming.diagnostics.push(Diagnostic::at(Code::ExchangeLoss, self.span(0), message));
-            }
-            return;
-        }
-        let source = find(&Column::Source).map(|at| Arc::new(self.words(at)));
-        let source_mark = mark(find(&Column::SourceMark));
-        let state =
-            find(&Column::State).and_then(|at| State::from_name(&self.cells.get(at)?.trim().to_ascii_lowercase()));
-        let row_locale = self.locale(find(&Column::Language), options, incoming);
-        let (id, segment) = entry::id(&key.text);
-        let key = Arc::new(Words { text: id.to_owned(), span: key.span });
-        // Of two columns about one locale, the first counts.
-        let named = columns.iter().enumerate().rev().filter_map(|(at, column)| match column {
-            Column::Mark(locale) => Some((&**locale, at)),
-            _ => None,
-        });
-        let marks: HashMap<&str, usize> = named.collect();
-        for (at, column) in columns.iter().enumerate() {
-            let locale = match column {
-                Column::Locale(locale) => Some(Arc::clone(locale)),
-                Column::Text => row_locale.clone(),
-                _ => continue,
-            };
-            let Some(locale) = locale.filter(|locale| options.wants(locale)) else { continue };
-            let text = self.words(at);
-            incoming.entries.push(Entry {
-                key: Arc::clone(&key),
-                segment,
-                source: source.clone(),
-                source_mark,
-                state: if text.text.is_empty() { State::Initial } else { state.unwrap_or(State::Translated) },
-                says_state: state.is_some(),
-                text,
-                mark: mark(marks.get(&*locale).copied()),
-                locale,
-                is_of_table: true,
-                ..Entry::default()
-            });
-        }
-    }
-
-    /// The locale of the row, if a column says it.
-    fn locale(&self, column: Option<usize>, options: &ReadOptions, incoming: &mut Incoming) -> Option<Arc<str>> {
-        let language = self.words(column?);
-        let locale = options.locale(&language.text).map(Arc::from);
-        locale.map_err(|why| incoming.diagnostics.push(why.diagnostic(&language.text, language.span))).ok()
     }
 }

@@ -3,30 +3,23 @@
 use super::parts::Refusal;
 use super::strings::{Strings, add_string, unescaped};
 use super::xml::{Part, Step};
-use crate::Incoming;
 use crate::csv::Row;
-use lipz_diagnostics::{Code, Diagnostic, Span};
+use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 
 /// Columns of a sheet, at most, as Excel has them.
 const MAX_COLUMNS: usize = 1 << 14;
 
 /// Reads the row that has just begun, up to its end, and adds it to the text of the file, which may have so many bytes.
-/// Formulas without a value are reported: nobody computes them here.
 pub(super) fn row(
     part: &mut Part<'_, '_>,
     strings: &Strings,
-    incoming: &mut Incoming,
+    text: &mut String,
     most_bytes: u64,
 ) -> Result<Row, Refusal> {
-    let Incoming { text, diagnostics, .. } = incoming;
     let mut row = Row { start: text.len(), ..Row::default() };
     while let Some(step) = part.next()? {
         match step {
-            Step::Start if part.name() == "c" => {
-                if cell(part, strings, &mut row, text)? {
-                    diagnostics.push(not_computed(row.span(row.cells.len() - 1)));
-                }
-            }
+            Step::Start if part.name() == "c" => cell(part, strings, &mut row, text)?,
             Step::Start => part.skip()?,
             Step::End => break,
             Step::Text | Step::Other => {}
@@ -38,8 +31,9 @@ pub(super) fn row(
     Ok(row)
 }
 
-/// Reads the cell that has just begun, up to its end; whether it is a formula without a value.
-fn cell(part: &mut Part<'_, '_>, strings: &Strings, row: &mut Row, text: &mut String) -> Result<bool, Refusal> {
+/// Reads the cell that has just begun, up to its end. A formula without a value is a fault, as nobody computes it here; and so
+/// is an error, which was a text if somebody typed one that begins with `=`.
+fn cell(part: &mut Part<'_, '_>, strings: &Strings, row: &mut Row, text: &mut String) -> Result<(), Refusal> {
     let at = part.attribute("r").as_deref().and_then(column).unwrap_or(row.cells.len());
     if at < row.cells.len() || at >= MAX_COLUMNS {
         return Err("the cells of a row are not in order".into());
@@ -48,12 +42,15 @@ fn cell(part: &mut Part<'_, '_>, strings: &Strings, row: &mut Row, text: &mut St
         push(row, "", text);
     }
     let kind = part.attribute("t");
-    let is_inline = kind.as_deref() == Some("inlineStr");
-    let (mut value, mut is_formula) = (String::new(), false);
+    let kind = kind.as_deref();
+    let (mut value, mut is_formula, mut has_value) = (String::new(), false, false);
     while let Some(step) = part.next()? {
         match step {
-            Step::Start if is_inline && part.name() == "is" => add_string(part, &mut value)?,
-            Step::Start if !is_inline && part.name() == "v" => part.add_text(&mut value)?,
+            Step::Start if kind == Some("inlineStr") && part.name() == "is" => add_string(part, &mut value)?,
+            Step::Start if kind != Some("inlineStr") && part.name() == "v" => {
+                has_value = true;
+                part.add_text(&mut value)?;
+            }
             Step::Start => {
                 is_formula |= part.name() == "f";
                 part.skip()?;
@@ -62,12 +59,21 @@ fn cell(part: &mut Part<'_, '_>, strings: &Strings, row: &mut Row, text: &mut St
             Step::Text | Step::Other => {}
         }
     }
-    match kind.as_deref() {
-        Some("s") if value.is_empty() => push(row, "", text),
-        Some("s") => push(row, strings.get(&value).ok_or("a cell refers to a string that is not there")?, text),
+    // A text may be computed and empty. A number cannot: some programs write an empty value where they have none.
+    let is_computed = !value.is_empty() || (has_value && kind == Some("str"));
+    match kind {
+        Some("s") if !value.is_empty() => {
+            push(row, strings.get(&value).ok_or("a cell refers to a string that is not there")?, text);
+        }
+        Some("s" | "e") => push(row, "", text),
         _ => push(row, &unescaped(&value), text),
     }
-    Ok(is_formula && value.is_empty())
+    let fault = match kind {
+        Some("e") if is_computed => Some(error(row.span(at), &value)),
+        _ => (is_formula && !is_computed).then(|| not_computed(row.span(at))),
+    };
+    row.faults.extend(fault.map(|fault| (at, fault)));
+    Ok(())
 }
 
 /// The diagnostic for a formula without a value.
@@ -75,6 +81,13 @@ fn not_computed(span: Span) -> Diagnostic {
     Diagnostic::at(Code::ExchangeLoss, span, "the cell is a formula without a value, and is not imported").help(
         "write an apostrophe before a text that begins with `=`; or save the file in a spreadsheet, which computes it",
     )
+}
+
+/// The diagnostic for a formula whose value is an error, as `#NAME?` for `=Yes!`.
+fn error(span: Span, value: &str) -> Diagnostic {
+    let message = format!("the cell is the error {}, and is not imported", escape::quoted(value));
+    Diagnostic::at(Code::ExchangeLoss, span, message)
+        .help("write an apostrophe before a text that begins with `=`; mend what is meant as a formula")
 }
 
 /// Adds a cell. Line ends and tabs in it are blanks in the text, so that a line stays a row.

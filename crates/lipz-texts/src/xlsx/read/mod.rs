@@ -51,8 +51,8 @@ fn rows(bytes: &[u8], options: &ReadOptions, incoming: &mut Incoming) -> Result<
         }
         incoming.text.extend(std::iter::repeat_n('\n', number - line - usize::from(line == 0)));
         line = number;
-        let row = cells::row(&mut sheet, &strings, incoming, most_bytes)?;
-        if !table.row(&row, incoming) {
+        let row = cells::row(&mut sheet, &strings, &mut incoming.text, most_bytes)?;
+        if !table.row(row, incoming) {
             return Ok(());
         }
     }
