@@ -138,7 +138,7 @@ fn the_page_gets_the_bank_that_a_game_gets() {
 #[test]
 fn the_list_knows_who_is_in_a_clip() {
     let scene = Scene::new();
-    scene.write("lipz.toml", "sources = [\"voices\"]\ndefault-locale = \"en-us\"\n[registry]\ncharacters = [\"Ivo\", \"mara\", \"otto\"]\n[voices]\nen-us = \"en/{key}\"\nde-de = \"de/{key}\"\n");
+    scene.write("lipz.toml", "sources = [\"voices\"]\ndefault-locale = \"en-us\"\n[registry]\ncharacters = [\"Ivo\", \"Old_Man\", \"mara\", \"otto\"]\n[voices]\nen-us = \"en/{key}\"\nde-de = \"de/{key}\"\n");
     let clip = |text: &str, events: &str| {
         format!(r#"{{ "visemes": "MA--|EO--", "fps": 24, "text_en-us": "{text}", "events": "{events}" }}"#)
     };
@@ -146,6 +146,9 @@ fn the_list_knows_who_is_in_a_clip() {
     scene.write("voices/en/otto/two.lipz", clip("Hi.|{speaker:} {speaker: Ärzte} Well.", "|"));
     scene.write("voices/en/three-IVO_x.lipz", clip("Hi.|Ivory.", "|"));
     scene.write("voices/en/ivory.lipz", clip("Hi.|Well.", "|"));
+    scene.write("voices/en/old-man_the-queen.lipz", clip("Hi.|Well.", "old-mill feels sad|"));
+    scene.write("voices/en/old_mill-man/queen.lipz", clip("Hi.|Well.", "|"));
+    scene.write("voices/en/queen.lipz", clip("{speaker: The Queen} Hi.|Well.", "|"));
     scene.write("voices/de/one.lipz", r#"{ "visemes": "MA--|EO--", "fps": 24 }"#);
     scene.write("voices/en/broken-mara.lipz", "{");
     let of = |preview: &Running| {
@@ -158,8 +161,11 @@ fn the_list_knows_who_is_in_a_clip() {
         r#"de/one ["mara","otto"]"#,
         r#"en/broken-mara ["mara"]"#,
         "en/ivory null",
+        r#"en/old-man_the-queen ["Old_Man","The Queen","old-mill"]"#,
+        r#"en/old_mill-man/queen ["old-mill"]"#,
         r#"en/one ["mara","otto"]"#,
         r#"en/otto/two ["otto","Ärzte"]"#,
+        r#"en/queen ["The Queen"]"#,
         r#"en/three-IVO_x ["Ivo"]"#,
     ];
     assert_eq!(found, expected);

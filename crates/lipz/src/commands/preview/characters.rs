@@ -5,11 +5,14 @@ use crate::shared::characters::in_events;
 use lipz_bank::Bank;
 use lipz_compiler::Documents;
 use lipz_file::{Value, locale::text_name, text};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+/// The characters of clips, by their keys.
+pub(super) type Characters = BTreeMap<String, BTreeSet<String>>;
 
 /// The characters of each clip that has some, by its key.
-pub(super) fn of_clips(version: &Version, bank: &Bank<'_>) -> BTreeMap<String, BTreeSet<String>> {
-    let mut found: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+pub(super) fn of_clips(version: &Version, bank: &Bank<'_>) -> Characters {
+    let mut found = Characters::new();
     let mut spellings = Spellings::default();
     for name in version.options.known_names.characters.iter().flatten() {
         spellings.of(name);
@@ -23,9 +26,9 @@ pub(super) fn of_clips(version: &Version, bank: &Bank<'_>) -> BTreeMap<String, B
     }
     let of_bank = bank.clips().map(|clip| clip.key());
     let keys: BTreeSet<&str> = version.files.keys().map(String::as_str).chain(of_bank).collect();
+    let names = spellings.by_words();
     for key in keys {
-        let of_key = parts(key).filter_map(|part| spellings.known(part));
-        found.entry(key.to_owned()).or_default().extend(of_key);
+        found.entry(key.to_owned()).or_default().extend(in_key(key, &names));
     }
     // A dub is spoken by whoever speaks its original.
     for (clip, original) in bank.clips().filter_map(|clip| Some((clip, clip.original()?))) {
@@ -44,9 +47,32 @@ impl Spellings {
         self.0.entry(name.to_lowercase()).or_insert_with(|| name.to_owned()).clone()
     }
 
-    fn known(&self, name: &str) -> Option<String> {
-        self.0.get(&name.to_lowercase()).cloned()
+    /// All names by the number of their words, and by these.
+    fn by_words(&self) -> ByWords<'_> {
+        let mut names = ByWords::new();
+        for name in self.0.values() {
+            let words = words(name);
+            if !words.is_empty() {
+                names.entry(words.len()).or_default().entry(words).or_default().push(name);
+            }
+        }
+        names
     }
+}
+
+/// Names by the number of their words, and by these: some names have the same, as `Old_Man` and `old-man`.
+type ByWords<'s> = BTreeMap<usize, HashMap<Vec<String>, Vec<&'s String>>>;
+
+/// The names whose words stand in a key, one after another: `Old_Man` is in `act1/old-man-hello`. Looking at each name for each
+/// key would take minutes where there are very many of both.
+fn in_key(key: &str, names: &ByWords<'_>) -> BTreeSet<String> {
+    let key = words(key);
+    let mut found = BTreeSet::new();
+    for (word_count, names) in names {
+        let of_words = key.windows(*word_count).filter_map(|words| names.get(words));
+        found.extend(of_words.flatten().map(|name| (*name).clone()));
+    }
+    found
 }
 
 /// The key of a clip and a name, for each `{speaker: …}` in its texts. A bank without files has none.
@@ -69,7 +95,7 @@ fn speakers(bytes: &[u8], bank: &Bank<'_>) -> Vec<(String, String)> {
     documents.iter().filter_map(Result::ok).flat_map(of_document).collect()
 }
 
-/// The words of a key: `act1`, `mara`, `good` and `evening` of `act1/mara-good-evening`.
-fn parts(key: &str) -> impl Iterator<Item = &str> {
-    key.split(|c: char| !c.is_alphanumeric()).filter(|part| !part.is_empty())
+/// The words of a key or name, in small letters: `act1`, `mara`, `good` and `evening` of `act1/Mara-good_evening`.
+fn words(key: &str) -> Vec<String> {
+    key.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).map(str::to_lowercase).collect()
 }

@@ -1,6 +1,5 @@
 //! The list of clips: a row for each, with what can be searched and filtered.
 
-use super::characters;
 use super::version::Version;
 use lipz_bank::{Bank, Clip, Locale};
 use lipz_diagnostics::{Report, Severity};
@@ -78,9 +77,9 @@ impl Listing {
             row.add(&version.reports_of(key));
             row.doubtful_words = version.words.get(key).map_or(0, lipz_compiler::WordTimes::doubtful_count);
         }
-        let mut characters = bank.map(|bank| characters::of_clips(version, &bank)).unwrap_or_default();
+        let characters = version.characters();
         for (key, row) in &mut rows {
-            row.characters = characters.remove(key).unwrap_or_default();
+            row.characters = characters.get(key).cloned().unwrap_or_default();
             row.has_sound = version.recordings.find(key).is_some();
         }
         Listing {

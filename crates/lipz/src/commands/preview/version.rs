@@ -1,5 +1,6 @@
 //! One state of a project: its bank, and what is known about each clip besides.
 
+use super::characters::{self, Characters};
 use super::hearing::Hearing;
 use crate::console;
 use crate::shared::inputs::with_inputs;
@@ -10,7 +11,7 @@ use lipz_diagnostics::Report;
 use lipz_sync::{KnownPhones, KnownRecordings, Recordings};
 use std::collections::{BTreeMap, HashSet};
 use std::path::PathBuf;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// What one packing leaves to the next, which reads only what changed.
 #[derive(Default)]
@@ -39,6 +40,8 @@ pub(super) struct Version {
     pub(super) hearing: Arc<Hearing>,
     /// How drafts of a clip are packed.
     pub(super) options: Options,
+    /// Found when a list is first asked for, and kept: diagnostics that are added later are of the same clips.
+    characters: Arc<OnceLock<Characters>>,
 }
 
 impl Version {
@@ -46,6 +49,12 @@ impl Version {
     pub(super) fn of_bank(name: &str, bank: Vec<u8>, recordings: Recordings) -> Version {
         let (bank, recordings) = (Arc::new(bank), Arc::new(recordings));
         Version { name: name.to_owned(), bank, recordings, ..Version::default() }
+    }
+
+    /// Who is in the clips.
+    pub(super) fn characters(&self) -> &Characters {
+        let find = || Bank::open(&self.bank).map(|bank| characters::of_clips(self, &bank)).unwrap_or_default();
+        self.characters.get_or_init(find)
     }
 
     /// The diagnostics of a clip: of its Lipz file, and of its recording.
@@ -146,4 +155,15 @@ fn packed(compiler: &Compiler<'_>, inputs: &[Input], memory: &mut Memory) -> Com
     let mut rest = compiler.compile(&right);
     rest.reports = whole.reports;
     rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn characters_are_found_once_for_all_lists_of_a_bank() {
+        let version = Version::default();
+        assert!(std::ptr::eq(version.characters(), version.with(&[]).characters()));
+    }
 }
