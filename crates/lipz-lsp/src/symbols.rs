@@ -117,6 +117,9 @@ mod tests {
         let shown = |index: usize| (children[index].name.as_str(), children[index].detail.as_deref().unwrap());
         assert_eq!(shown(1), ("segments 4–6: aü", "frames 6–12, 0.600 s–1.200 s"));
         assert_eq!(shown(children.len() - 1), ("segments 1000–1001: aü", "frames 1998–2002, 199.800 s–200.200 s"));
+        // The mouth has fewer segments than the text: the last group has the time of those that it has.
+        let shorter = listed(&vec!["aü"; count].join("|"), &vec!["AA"; count - 1].join("|"));
+        assert_eq!(shorter[shorter.len() - 1].detail.as_deref(), Some("frames 1998–2000, 199.800 s–200.000 s"));
         for (one, next) in children.iter().zip(&children[1..]) {
             assert_eq!(one.range.end.character + 1, next.range.start.character, "nothing between them but a delimiter");
         }

@@ -31,9 +31,13 @@ impl Timing {
         Some(Timing { starts, fps })
     }
 
-    /// The frames of segments that follow each other.
+    /// The frames of segments that follow each other, as far as the mouth has them; `None` if it has none of them.
     fn segments(&self, segments: Range<usize>) -> Option<Range<u32>> {
-        Some(*self.starts.get(segments.start)?..*self.starts.get(segments.end)?)
+        let of_mouth = segments.start..segments.end.min(self.segment_count());
+        if of_mouth.is_empty() {
+            return None;
+        }
+        Some(*self.starts.get(of_mouth.start)?..*self.starts.get(of_mouth.end)?)
     }
 
     /// The number of segments.
@@ -112,7 +116,7 @@ mod tests {
         let timing = Timing::of(&lipz_file::parse(file).document.unwrap(), None).unwrap();
         assert_eq!((timing.segment_count(), timing.segments(0..1), timing.segments(1..2)), (3, Some(0..5), Some(5..5)));
         assert_eq!(timing.shown(2..3).unwrap(), "frames 5–7, 0.200 s–0.280 s");
-        assert_eq!(timing.segments(3..4), None);
+        assert_eq!((timing.segments(1..5), timing.segments(3..4)), (Some(5..7), None), "as far as there are frames");
         assert_eq!(Timing::of(&lipz_file::parse(b"{}").document.unwrap(), None), None);
     }
 

@@ -191,3 +191,14 @@ fn what_is_generated_can_be_edited() {
     let said = lipz(scene.path(), ["face", "voices/still.lipz", "--curve", "blink"]);
     assert!(said.code == 2 && said.stderr.contains("no curve `blink` is made"), "{said:?}");
 }
+
+/// `mara.old` has a `blink`; `mara` has no `old.blink`.
+#[test]
+fn a_name_may_have_dots() {
+    let scene = scene("events");
+    let events = "mara nods, mara.old nods";
+    let clip = format!(r#"{{ "fps": 24, "visemes": "{}", "events": "{events}" }}"#, "MA".repeat(120));
+    scene.write("voices/heard.lipz", clip);
+    let said = lipz(scene.path(), ["face", "voices/heard.lipz", "--curve", "mara.old.blink"]);
+    assert!(said.code == 0 && said.stdout.contains("mara.old.blink in 1 file"), "{said:?}");
+}

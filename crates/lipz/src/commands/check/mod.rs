@@ -131,7 +131,7 @@ impl Run for Check {
         }
         if outcome == Outcome::Clean && !quiet && !self.prints_result() {
             reporter.summary(&format!("{} checked\n", files(run.inputs.len())))?;
-            // While something is wrong, there is other work to do.
+            // While there are errors, there is other work to do; warnings do not keep it away.
             if is_unrecorded && project.file.is_some() {
                 reporter.summary(UNRECORDED)?;
             }
