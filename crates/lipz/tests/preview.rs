@@ -325,8 +325,8 @@ fn of_one_file_the_rest_of_the_project_is_not_missed() {
     }
     let told = |source: &str| {
         let preview = Running::start(&scene, &[source, "--root", "voices", "--audio", "recordings"]);
-        let before = preview.get("api/clips").json()["version"].as_u64().unwrap();
-        preview.get(&format!("api/changes?since={before}"));
+        // The first version is 0; recordings may have been compared before anybody asks, and then nothing changes any more.
+        preview.get("api/changes?since=0");
         preview.get("api/clips").json()["diagnostics"].to_string()
     };
     assert!(told("voices").contains("LZ1702"));
