@@ -3,10 +3,12 @@
 
 use crate::Failure;
 use crate::cargo;
-use crate::paths::{target_folder, workspace_root};
+use crate::forward::packing;
+use crate::paths::{temporary_folder, workspace_root};
 use crate::tools::succeed;
 use std::collections::BTreeSet;
 use std::fs;
+use std::path::Path;
 use std::process::Command;
 
 const CRATE: &str = "lipz-compiler";
@@ -21,16 +23,6 @@ const MOST_CRATES: usize = 33;
 
 /// What is packed with all features and with none.
 const SOURCES: &str = "fixtures/drama";
-
-/// Packs a folder into a file.
-const PROGRAM: &str = r#"fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let paths: Vec<std::path::PathBuf> = std::env::args_os().skip(1).map(From::from).collect();
-    let (inputs, _) = lipz_compiler::discover(&paths[..1], None);
-    let options = lipz_compiler::Options::new().default_locale("en-us");
-    let bank = lipz_compiler::Compiler::new(options).compile(&inputs).into_bank()?;
-    Ok(std::fs::write(&paths[1], bank)?)
-}
-"#;
 
 pub(crate) fn run() -> Result<(), Failure> {
     // What is unused without other features is an error, too.
@@ -60,33 +52,19 @@ fn cargo_run(arguments: &[&str]) -> Result<(), Failure> {
     succeed(cargo::command().args(arguments).current_dir(workspace_root()), &format!("cargo {}", arguments.join(" ")))
 }
 
-/// Packs a folder with the command, which has all features, and with a program outside of the workspace, which has
-/// none: inside of it, cargo would give it those of the tests.
+/// Packs a folder with the command, which has all features, and with the program `packing`, whose compiler has none.
 fn same_bytes() -> Result<(), Failure> {
-    let folder = target_folder().join("features");
-    let manifest = format!(
-        "[package]\nname = \"program\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[workspace]\n\n[dependencies]\n\
-         {CRATE} = {{ path = {:?}, default-features = false }}\n",
-        workspace_root().join("crates").join(CRATE)
-    );
-    let write = || {
-        fs::create_dir_all(folder.join("src"))?;
-        fs::write(folder.join("Cargo.toml"), manifest)?;
-        fs::write(folder.join("src/main.rs"), PROGRAM)?;
-        fs::copy(workspace_root().join("Cargo.lock"), folder.join("Cargo.lock"))
-    };
-    write().map_err(|error| format!("`{}`: {error}", folder.display()))?;
-    let [none, all] = ["none.lipzbank", "all.lipzbank"].map(|name| folder.join(name).display().to_string());
-    let program = folder.join("Cargo.toml").display().to_string();
-    let built = folder.join("build").display().to_string();
-    cargo_run(&["run", "--quiet", "--manifest-path", &program, "--target-dir", &built, "--", SOURCES, &none])?;
+    let folder = temporary_folder()?;
+    let [none, all] = ["none.lipzbank", "all.lipzbank"].map(|name| folder.path().join(name));
+    let mut packing = Command::new(packing()?);
+    succeed(packing.arg(SOURCES).arg(&none).current_dir(workspace_root()), "packing")?;
     let mut pack = Command::new(cargo::lipz()?);
-    pack.args(["pack", SOURCES, "-o", &all, "--default-locale", "en-us", "--no-config", "--quiet"]);
+    pack.args(["pack", SOURCES, "--default-locale", "en-us", "--no-config", "--quiet", "-o"]).arg(&all);
     succeed(pack.current_dir(workspace_root()), "lipz pack")?;
-    let read = |path: &str| fs::read(path).map_err(|error| format!("`{path}`: {error}"));
+    let read = |path: &Path| fs::read(path).map_err(|error| format!("`{}`: {error}", path.display()));
     if read(&none)? == read(&all)? {
         println!("{SOURCES} gives the same bank without features and with all of them");
         return Ok(());
     }
-    Err(format!("a feature of {CRATE} changes the bank of {SOURCES}: compare {none} and {all}"))
+    Err(format!("a feature of {CRATE} changes the bank of {SOURCES}"))
 }

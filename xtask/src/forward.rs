@@ -2,9 +2,11 @@
 //!
 //! They are run, not linked: the tasks of the workspace build in seconds.
 
+use crate::Failure;
 use crate::cargo;
 use crate::paths::{target_folder, workspace_root};
 use std::ffi::OsString;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// The commands of `lipz` that the project is driven by.
@@ -42,14 +44,11 @@ pub(crate) fn command(arguments: &[OsString]) -> Option<ExitCode> {
         run.args(["run", "--package", "lipz", "--manifest-path"]).arg(manifest).arg("--").args(arguments);
     } else if task == INSTRUCTIONS {
         // Only what is counted is optimised, and that needs little: the program that counts is built with the tests.
-        let are_built = is_built(&["--bin", "queries", "--no-default-features"])
-            && is_built(&["--bin", "packing", "--no-default-features", "--features", "packing"]);
-        if !are_built {
+        let (Ok(queries), Ok(packing)) = (counted("queries", ""), packing()) else {
             return Some(ExitCode::FAILURE);
-        }
-        let built = |name| target_folder().join("release").join(format!("{name}{}", std::env::consts::EXE_SUFFIX));
+        };
         run.args(["run", "--quiet", "--package", "lipz-benches", "--bin", INSTRUCTIONS, "--", "--queries"]);
-        run.arg(built("queries")).arg("--packing").arg(built("packing")).args(rest).current_dir(workspace_root());
+        run.arg(queries).arg("--packing").arg(packing).args(rest).current_dir(workspace_root());
     } else {
         let (name, _) = BENCHES.iter().find(|(name, _)| task == name)?;
         // All programs, because one runs another; from the root, from which their files are named.
@@ -68,6 +67,19 @@ pub(crate) fn command(arguments: &[OsString]) -> Option<ExitCode> {
         }
     };
     Some(ExitCode::from(code))
+}
+
+/// The program that packs, with a compiler without features.
+pub(crate) fn packing() -> Result<PathBuf, Failure> {
+    counted("packing", "packing")
+}
+
+/// A program whose instructions are counted.
+fn counted(name: &str, features: &str) -> Result<PathBuf, Failure> {
+    if !is_built(&["--bin", name, "--no-default-features", "--features", features]) {
+        return Err(format!("`{name}` cannot be built"));
+    }
+    Ok(target_folder().join("release").join(format!("{name}{}", std::env::consts::EXE_SUFFIX)))
 }
 
 /// Builds programs of `lipz-benches` for measurements.

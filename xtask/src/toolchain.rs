@@ -93,6 +93,17 @@ impl Toolchain {
         command
     }
 
+    /// `cargo <task>` for a crate of this workspace, with the release profile of the workspace `firmware`: both share what is
+    /// built of the standard library.
+    pub(crate) fn as_firmware(&self, task: &str) -> Command {
+        let mut command = self.cargo(task);
+        command.arg("--release");
+        for (setting, value) in [("OPT_LEVEL", "s"), ("LTO", "fat"), ("PANIC", "abort")] {
+            command.env(format!("CARGO_PROFILE_RELEASE_{setting}"), value);
+        }
+        command
+    }
+
     /// `cargo <task>` in the workspace `firmware`, linked by the linker that comes with Rust.
     pub(crate) fn firmware(&self, task: &str) -> Command {
         let mut command = self.cargo(task);

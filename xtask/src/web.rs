@@ -96,16 +96,12 @@ fn compare_module(built: &Path) -> Result<(), Failure> {
 }
 
 fn build(toolchain: &Toolchain) -> Result<(), Failure> {
-    let mut command = toolchain.cargo("rustc");
+    // A page waits for the module to be loaded more than for its answers.
+    let mut command = toolchain.as_firmware("rustc");
     if let Some(linker) = rust_lld() {
         command.env(variable(TARGET, "LINKER"), linker);
     }
-    // A page waits for the module to be loaded more than for its answers.
-    // And as the firmware is built: the two share what is built of the standard library.
-    for (setting, value) in [("OPT_LEVEL", "s"), ("LTO", "fat"), ("PANIC", "abort")] {
-        command.env(format!("CARGO_PROFILE_RELEASE_{setting}"), value);
-    }
-    command.args(["--package", "lipz-capi", "--lib", "--release", "--quiet"]);
+    command.args(["--package", "lipz-capi", "--lib", "--quiet"]);
     command.args(["--features", "panic-handler", "--crate-type", "cdylib", "--", "-C", "strip=symbols"]);
     succeed(&mut command, "the build of the module")
 }

@@ -1,4 +1,5 @@
-//! The program whose instructions `cargo xtask instructions` counts for packing: packs a folder on one thread.
+//! The program whose instructions `cargo xtask instructions` counts for packing: packs a folder on one thread, with a compiler
+//! without features. `cargo xtask features` compares its bank with that of the command.
 //!
 //! `packing FOLDER BANK`
 
@@ -9,6 +10,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let arguments: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
     let [folder, bank] = arguments.as_slice() else { return Err("usage: packing FOLDER BANK".into()) };
     let (inputs, _) = discover(std::slice::from_ref(folder), None);
-    Compiler::new(Options::new().threads(1)).pack(&inputs, bank).into_bank()?;
+    Compiler::new(Options::new().default_locale("en-us").threads(1)).pack(&inputs, bank).into_bank()?;
     Ok(())
 }

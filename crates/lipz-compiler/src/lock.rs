@@ -27,11 +27,12 @@ impl Lock {
     ///
     /// # Errors
     /// If the file or its folder cannot be made, for other reasons.
+    #[cfg(any(feature = "shards", test))]
     pub(crate) fn wait(path: &Path) -> Result<Lock, Report> {
         Lock::take(path, File::lock).map_err(|error| failed(path, &error))
     }
 
-    /// As [`wait`](Lock::wait), but not longer than half a minute.
+    /// The same, but not longer than half a minute.
     ///
     /// # Errors
     /// The same, and if another run still has the lock.

@@ -61,11 +61,8 @@ pub(crate) fn run() -> Result<(), Failure> {
 
 /// The build of the library for C, as for firmware.
 fn c_library(toolchain: &Toolchain) -> Command {
-    let mut command = toolchain.cargo("rustc");
-    for (setting, value) in [("OPT_LEVEL", "s"), ("LTO", "fat"), ("PANIC", "abort")] {
-        command.env(format!("CARGO_PROFILE_RELEASE_{setting}"), value);
-    }
-    command.args(["--quiet", "--release", "--package", "lipz-capi", "--lib"]);
+    let mut command = toolchain.as_firmware("rustc");
+    command.args(["--quiet", "--package", "lipz-capi", "--lib"]);
     command.args(["--features", "panic-handler", "--crate-type", "staticlib"]);
     command
 }

@@ -1,14 +1,14 @@
-//! A target on which there is no std: a reader that needs it does not build.
+//! A target on which there is no std: a reader that needs it does not build. It is that of a firmware, with what is
+//! built of the standard library for it.
 
+use super::cortex_m;
 use crate::Failure;
 use crate::toolchain::{Library, NEEDS, Toolchain};
 use crate::tools::{skip, succeed};
 use std::process::Command;
 
-const TARGET: &str = "x86_64-unknown-none";
-
 pub(super) fn run() -> Result<(), Failure> {
-    let Some(toolchain) = Toolchain::find(TARGET, Library::Core) else {
+    let Some(toolchain) = Toolchain::find(cortex_m::M4.target, Library::Core) else {
         return skip(NEEDS);
     };
     succeed(&mut reader(&toolchain), "the build of the reader without std")?;
@@ -23,7 +23,7 @@ pub(super) fn run() -> Result<(), Failure> {
 }
 
 fn reader(toolchain: &Toolchain) -> Command {
-    let mut command = toolchain.cargo("build");
+    let mut command = toolchain.as_firmware("build");
     command.args(["--quiet", "--package", "lipz-bank", "--no-default-features"]);
     command
 }

@@ -15,7 +15,7 @@ const ANSWERS_ADDRESS: &str = "0x21800000";
 
 /// A processor and the machine that it is in.
 pub(super) struct Processor {
-    target: &'static str,
+    pub(super) target: &'static str,
     machine: &'static str,
 }
 
