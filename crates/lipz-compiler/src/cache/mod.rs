@@ -151,8 +151,7 @@ fn again(
         looked.run = read_all(task);
     } else {
         let start = Instant::now();
-        // Before it is recalled from, and only then: a bank that stays is read once.
-        let recall = old.as_ref().filter(|old| looked.found > 0 && old.is_proven()).and_then(Recall::new);
+        let recall = old.as_ref().filter(|_| looked.found > 0).and_then(Recall::new);
         // What is said about dubs is about all clips, not about those that have changed.
         let recall_few = recall.as_ref().filter(|_| looked.has_same_keys && options.voices.patterns.is_empty());
         let changed = looked.run.changed_clips();
@@ -163,7 +162,8 @@ fn again(
             return looked.run.done(task, |run, options| run.conclude(Ok(bank), options, finish));
         }
         drop(changed);
-        let clips = match &recall {
+        // Before all else is recalled from it, and only then: a bank that stays or is patched is read once.
+        let clips = match recall.as_ref().filter(|recall| recall.old.is_proven()) {
             Some(recall) => sweep::recalled(recall, inputs, &looked.run.stamped.recalled, options.threads),
             None => (looked.found == 0).then(Vec::new),
         };

@@ -90,8 +90,17 @@ impl OldBank {
     pub(super) fn is_proven(&self) -> bool {
         match self {
             OldBank::Whole(_) => true,
-            OldBank::File(file) => *file.is_proven.get_or_init(|| file.checksum().ok() == checksum_of(&file.tables)),
+            OldBank::File(file) => *file.is_proven.get_or_init(|| {
+                let mut checksum = RunningChecksum::new();
+                let is_read = file.add_to(&mut checksum, CHECKED_FROM..file.tables.len()).is_ok();
+                is_read && Some(checksum.finish()) == checksum_of(&file.tables)
+            }),
         }
+    }
+
+    /// A pass over all bytes, which proves them.
+    pub(super) fn pass(&self) -> Pass<'_> {
+        Pass { old: self, checksum: RunningChecksum::new(), at: CHECKED_FROM }
     }
 
     /// Whether nobody has written to the file since it was opened: what was read since then is of the bank.
@@ -130,6 +139,49 @@ impl OldBank {
     }
 }
 
+/// The bytes of a bank, from front to end, each of which is read once: where all are read anyway, the proof costs no more than
+/// their checksum.
+pub(super) struct Pass<'o> {
+    old: &'o OldBank,
+    checksum: RunningChecksum,
+    /// Up to where the checksum goes.
+    at: usize,
+}
+
+impl Pass<'_> {
+    /// Reads the bytes that start at this offset, none of which was read before, and hands them on piece by piece.
+    pub(super) fn read(&mut self, offset: usize, place: &mut [u8], mut next: impl FnMut(&[u8])) -> Option<()> {
+        self.go_to(offset)?;
+        for piece in place.chunks_mut(BLOCK_BYTES) {
+            self.old.read(self.at, piece)?;
+            self.at += piece.len();
+            if matches!(self.old, OldBank::File(_)) {
+                self.checksum.add(piece);
+            }
+            next(piece);
+        }
+        Some(())
+    }
+
+    /// Goes on to this offset, which is not before those so far.
+    fn go_to(&mut self, offset: usize) -> Option<()> {
+        let skipped = self.at..offset;
+        self.at = offset;
+        match self.old {
+            OldBank::Whole(_) => Some(()),
+            OldBank::File(file) => file.add_to(&mut self.checksum, skipped).ok(),
+        }
+    }
+
+    /// Whether the bytes have the checksum of the header.
+    pub(super) fn proves(mut self) -> bool {
+        let OldBank::File(file) = self.old else { return true };
+        let is_read = self.go_to(file.tables.len()).is_some();
+        let is_proven = is_read && Some(self.checksum.finish()) == checksum_of(&file.tables);
+        *file.is_proven.get_or_init(|| is_proven) && is_proven
+    }
+}
+
 impl BankFile {
     fn open(path: &Path, expected_checksum: u64) -> io::Result<Option<BankFile>> {
         let mut file = File::open(path)?;
@@ -154,21 +206,19 @@ impl BankFile {
         Ok(Some(BankFile { file: file.into(), tables, meta, is_proven: OnceLock::new() }))
     }
 
-    /// The checksum of the bytes: of the tables as they are in memory, and of all else as it is in the file.
-    fn checksum(&self) -> io::Result<u64> {
-        let mut checksum = RunningChecksum::new();
-        let mut bytes = vec![0; BLOCK_BYTES];
-        for (block, is_table) in blocks(&self.tables) {
-            let from = block.start.max(CHECKED_FROM);
+    /// Adds the bytes in this range to a checksum: of tables as they are in memory, and all else as it is in the file.
+    fn add_to(&self, checksum: &mut RunningChecksum, range: Range<usize>) -> io::Result<()> {
+        let mut bytes = Vec::new();
+        for (block, is_table) in blocks_in(&self.tables, range) {
             if is_table {
-                checksum.add(&self.tables[from..block.end]);
+                checksum.add(&self.tables[block]);
             } else {
-                let bytes = &mut bytes[..block.end - from];
-                self.read_exact(from, bytes)?;
-                checksum.add(bytes);
+                bytes.resize(block.len(), 0);
+                self.read_exact(block.start, &mut bytes)?;
+                checksum.add(&bytes);
             }
         }
-        Ok(checksum.finish())
+        Ok(())
     }
 
     fn read_exact(&self, offset: usize, bytes: &mut [u8]) -> io::Result<()> {
@@ -181,11 +231,17 @@ impl BankFile {
 /// The blocks of a bank, and which of them have something else in them than parts of a large section. Of the bank, the
 /// directory must be there.
 fn blocks(bank: &[u8]) -> Vec<(Range<usize>, bool)> {
+    blocks_in(bank, 0..bank.len())
+}
+
+/// The same, as far as they are in this range.
+fn blocks_in(bank: &[u8], range: Range<usize>) -> Vec<(Range<usize>, bool)> {
     let large: Vec<Range<usize>> = LARGE.into_iter().filter_map(|tag| section(bank, tag)).collect();
-    let starts = (0..bank.len()).step_by(BLOCK_BYTES);
+    let starts = (range.start / BLOCK_BYTES * BLOCK_BYTES..range.end).step_by(BLOCK_BYTES);
     let blocks = starts.map(|start| start..(start + BLOCK_BYTES).min(bank.len()));
     let is_large = |block: &Range<usize>| large.iter().any(|part| part.start <= block.start && block.end <= part.end);
-    blocks.map(|block| (block.clone(), !is_large(&block))).collect()
+    let part = |block: &Range<usize>| block.start.max(range.start)..block.end.min(range.end);
+    blocks.map(|block| (part(&block), !is_large(&block))).collect()
 }
 
 /// Where a section of a bank is.

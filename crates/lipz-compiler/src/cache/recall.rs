@@ -83,7 +83,8 @@ pub(crate) fn are_in_order(entries: &[U32]) -> bool {
 }
 
 impl<'b> Recall<'b> {
-    /// Recalls from this bank, which is proven, and was verified before it was written; `None` if it cannot be opened.
+    /// Recalls from this bank; `None` if it cannot be opened. Only what is recalled from a bank that is proven by then is what
+    /// was verified before it was written.
     pub(super) fn new(old: &'b OldBank) -> Option<Recall<'b>> {
         let tables = old.tables();
         let bank = Bank::open(tables).ok()?;

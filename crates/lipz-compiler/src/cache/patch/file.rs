@@ -1,8 +1,9 @@
 //! The file of a patched bank: the sections of the old one, but for those that change.
 
 use super::splice::Splices;
-use crate::cache::old_bank::OldBank;
-use lipz_layout::{CHECKED_FROM, DirectoryEntry, Header, MAX_SECTIONS, SECTION_ALIGNMENT, Tag, checksum};
+use crate::cache::old_bank::{OldBank, Pass};
+use crate::running_checksum::RunningChecksum;
+use lipz_layout::{CHECKED_FROM, DirectoryEntry, Header, MAX_SECTIONS, SECTION_ALIGNMENT, Tag};
 use zerocopy::{FromBytes, IntoBytes};
 
 /// Sections that are no longer what they were.
@@ -12,16 +13,64 @@ pub(super) struct NewSections<'s> {
     pub(super) spliced: [(Tag, &'s Splices); 2],
 }
 
-/// The bank with these sections and all others of the old one, in the order of the old one. It is made in `room`, and every
-/// byte of that is written.
+/// What is written of the new bank so far, and read of the old one.
+pub(super) struct NewFile<'o> {
+    old: Pass<'o>,
+    checksum: RunningChecksum,
+}
+
+impl NewFile<'_> {
+    /// Keeps what starts at this offset of the old bank.
+    pub(super) fn keep(&mut self, offset: usize, place: &mut [u8]) -> Option<()> {
+        self.old.read(offset, place, |piece| self.checksum.add(piece))
+    }
+
+    /// Puts something new to its place.
+    pub(super) fn put(&mut self, bytes: &[u8], place: &mut [u8]) -> Option<()> {
+        self.checksum.add(bytes);
+        (bytes.len() == place.len()).then(|| place.copy_from_slice(bytes))
+    }
+}
+
+/// The bank with these sections and all others of the old one, in the order of the old one; `None` if that is not what was
+/// verified, either. It is made in `room`, and every byte of that is written.
 pub(super) fn file(old: &OldBank, new: &NewSections<'_>, room: Vec<u8>) -> Option<Vec<u8>> {
     let tables = old.tables();
     let (mut header, rest) = Header::read_from_prefix(tables).ok()?;
     let count = (header.section_count.get() as usize).min(MAX_SECTIONS);
     let (old_directory, _) = <[DirectoryEntry]>::ref_from_prefix_with_elems(rest, count).ok()?;
-    let mut directory = old_directory.to_vec();
-    let directory_end = size_of::<Header>() + directory.as_bytes().len();
-    let mut end = directory_end;
+    let (directory, end) = directory(old_directory, new)?;
+    header.file_length_bytes = u32::try_from(end).ok()?.into();
+    let mut bank = resized(room, end);
+    let (head, _) = bank.split_at_mut_checked(size_of::<Header>() + directory.as_bytes().len())?;
+    head.copy_from_slice(&[header.as_bytes(), directory.as_bytes()].concat());
+    let mut file = NewFile { old: old.pass(), checksum: RunningChecksum::new() };
+    file.checksum.add(head.get(CHECKED_FROM..)?);
+    let mut written_end = head.len();
+    for (entry, before) in std::iter::zip(&directory, old_directory) {
+        let start = entry.offset_bytes.get() as usize;
+        let gap = bank.get_mut(written_end..start)?;
+        file.put(&vec![0; gap.len()], gap)?;
+        written_end = start + entry.length_bytes.get() as usize;
+        let place = bank.get_mut(start..written_end)?;
+        let old_start = before.offset_bytes.get() as usize;
+        if let Some((_, table)) = new.tables.iter().find(|(tag, _)| tag.0 == entry.tag) {
+            file.put(table, place)?;
+        } else if let Some((_, splices)) = new.spliced.iter().find(|(tag, _)| tag.0 == entry.tag) {
+            splices.write(&mut file, old_start..old_start + before.length_bytes.get() as usize, place)?;
+        } else {
+            file.keep(old_start, place)?;
+        }
+    }
+    header.checksum = file.checksum.finish().into();
+    bank.get_mut(..size_of::<Header>())?.copy_from_slice(header.as_bytes());
+    file.old.proves().then_some(bank)
+}
+
+/// The directory of the new bank, and where its last section ends.
+fn directory(old: &[DirectoryEntry], new: &NewSections<'_>) -> Option<(Vec<DirectoryEntry>, usize)> {
+    let mut directory = old.to_vec();
+    let mut end = size_of::<Header>() + old.as_bytes().len();
     for entry in &mut directory {
         let offset = end.next_multiple_of(SECTION_ALIGNMENT as usize);
         let old_length = entry.length_bytes.get() as usize;
@@ -31,31 +80,7 @@ pub(super) fn file(old: &OldBank, new: &NewSections<'_>, room: Vec<u8>) -> Optio
         entry.offset_bytes = u32::try_from(offset).ok()?.into();
         entry.length_bytes = u32::try_from(length).ok()?.into();
     }
-    header.file_length_bytes = u32::try_from(end).ok()?.into();
-    let mut bank = resized(room, end);
-    let mut written_end = directory_end;
-    for (entry, before) in std::iter::zip(&directory, old_directory) {
-        let start = entry.offset_bytes.get() as usize;
-        bank.get_mut(written_end..start)?.fill(0);
-        written_end = start + entry.length_bytes.get() as usize;
-        let place = bank.get_mut(start..start + entry.length_bytes.get() as usize)?;
-        let old_start = before.offset_bytes.get() as usize;
-        let old_place = old_start..old_start + before.length_bytes.get() as usize;
-        if let Some((_, table)) = new.tables.iter().find(|(tag, _)| tag.0 == entry.tag) {
-            (table.len() == place.len()).then(|| place.copy_from_slice(table))?;
-        } else if let Some((_, splices)) = new.spliced.iter().find(|(tag, _)| tag.0 == entry.tag) {
-            splices.write(old, old_place, place)?;
-        } else {
-            old.read(old_start, place)?;
-        }
-    }
-    bank.get_mut(size_of::<Header>()..directory_end)?.copy_from_slice(directory.as_bytes());
-    header.checksum = {
-        bank.get_mut(..size_of::<Header>())?.copy_from_slice(header.as_bytes());
-        checksum(bank.get(CHECKED_FROM..)?).into()
-    };
-    bank.get_mut(..size_of::<Header>())?.copy_from_slice(header.as_bytes());
-    Some(bank)
+    Some((directory, end))
 }
 
 /// Room for so many bytes, with anything in it. New memory is zero already.

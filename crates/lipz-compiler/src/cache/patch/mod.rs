@@ -4,8 +4,8 @@
 //! copied, and frames and texts that changed are put in between. The result is, byte by byte, the bank that would be made of all
 //! clips. Where that is not certain, there is none: texts that several clips share, for example, stand once.
 //!
-//! What is copied was verified before the old bank was written, and has the checksum that it had then; what is new is compared
-//! with the clips that it was made of.
+//! What is copied was verified before the old bank was written, and has the checksum that it had then: that is proven while it
+//! is copied. What is new is compared with the clips that it was made of.
 
 mod change;
 mod file;

@@ -1,6 +1,6 @@
 //! Stretches of a section that become others, and where everything behind them comes to stand.
 
-use crate::cache::old_bank::OldBank;
+use super::file::NewFile;
 use std::ops::Range;
 
 /// New bytes for stretches of a section.
@@ -69,16 +69,16 @@ impl Splices {
         count.checked_sub(1).and_then(|last| self.splices.get(last)).map_or(0, |splice| splice.growth)
     }
 
-    /// Writes the new section, whose old one is in this range of the old bank.
-    pub(super) fn write(&self, old: &OldBank, section: Range<usize>, mut place: &mut [u8]) -> Option<()> {
+    /// Writes the new section to the file, whose old one is in this range of the old bank.
+    pub(super) fn write(&self, file: &mut NewFile<'_>, section: Range<usize>, mut place: &mut [u8]) -> Option<()> {
         let mut at = section.start;
         for splice in &self.splices {
             let (kept, rest) = place.split_at_mut_checked((section.start + splice.old.start).checked_sub(at)?)?;
-            old.read(at, kept)?;
+            file.keep(at, kept)?;
             let (new, rest) = rest.split_at_mut_checked(splice.new.len())?;
-            new.copy_from_slice(&splice.new);
+            file.put(&splice.new, new)?;
             (at, place) = (section.start + splice.old.end, rest);
         }
-        (place.len() == section.end.checked_sub(at)?).then(|| old.read(at, place))?
+        (place.len() == section.end.checked_sub(at)?).then(|| file.keep(at, place))?
     }
 }
