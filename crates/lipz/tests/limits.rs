@@ -207,7 +207,7 @@ fn what_may_not_be_written_is_named_and_stays() {
         (&["pack", "voices", "-o", "closed/b.lipzbank"], "closed/b.lipzbank"),
         (&["pack", "voices", "-o", "closed/new/b.lipzbank"], "closed/new/b.lipzbank"),
         (&["pack", "voices", "-o", "closed/b.lipzbank", "--cache", "closed/c.cache"], "closed/b.lipzbank"),
-        (&["pack", "voices", "-o", "closed/b.lipzbank", "--split-locales"], "closed/b.lipzbank"),
+        (&["pack", "voices", "-o", "closed/b.lipzbank", "--split-locales"], "closed/b.en-us.lipztexts"),
         (&["unpack", "old.lipzbank", "-o", "closed"], "closed/act1/mayor.lipz"),
         (&["unpack", "old.lipzbank", "-o", "closed/new"], "closed/new"),
         (&["fmt", "voices"], "voices/act1/mayor.lipz"),
