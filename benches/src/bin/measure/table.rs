@@ -29,7 +29,7 @@ pub(super) fn rows(clips: usize, json_bytes: u64, measured: &[(Work, Vec<Measure
         let times = format!("{} | {}", time(median.seconds, reading), time(processor, processor_reading));
         row(&first, work.name(), &times, &memory(&median));
         first.clear();
-        if matches!(work, Work::Pack | Work::Again) {
+        if matches!(work, Work::Pack | Work::Again | Work::Watch) {
             for (name, seconds) in &median.phases {
                 row("", &format!("… {name}"), &format!("{} |  | ", time(*seconds, reading)), " | | ");
             }

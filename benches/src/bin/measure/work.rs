@@ -4,12 +4,11 @@ use crate::Failure;
 use clap::ValueEnum;
 use cpu_time::ProcessTime;
 use lipz_benches::peak_bytes;
-use lipz_compiler::{Compiled, Compiler, Input, Options, Phases, discover};
+use lipz_compiler::{Compiled, Compiler, Input, Linted, Memory, Options, Outputs, Phases, discover};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
-use std::fs::File;
 use std::hint::black_box;
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -24,11 +23,23 @@ pub(super) enum Work {
     Pack,
     Strip,
     Again,
+    Watch,
+    Check,
 }
 
 impl Work {
-    pub(super) const ALL: [Work; 8] =
-        [Work::List, Work::Stat, Work::Read, Work::Borrowed, Work::Value, Work::Pack, Work::Strip, Work::Again];
+    pub(super) const ALL: [Work; 10] = [
+        Work::List,
+        Work::Stat,
+        Work::Read,
+        Work::Borrowed,
+        Work::Value,
+        Work::Pack,
+        Work::Strip,
+        Work::Again,
+        Work::Watch,
+        Work::Check,
+    ];
 
     /// What it is called in the table.
     pub(super) fn name(self) -> &'static str {
@@ -41,6 +52,8 @@ impl Work {
             Work::Pack => "**pack**",
             Work::Strip => "**pack --strip**",
             Work::Again => "**pack --cache after one file changed**",
+            Work::Watch => "**watch, when one file changed**",
+            Work::Check => "**check --cache, nothing changed**",
         }
     }
 
@@ -67,8 +80,13 @@ pub(super) struct Measurement {
 
 pub(super) fn run(work: Work, folder: &Path, bank: &Path, threads: usize) -> Result<Measurement, Failure> {
     let mut measurement = Measurement::default();
-    if work == Work::Again {
-        change_one_file(folder, bank, threads)?;
+    let mut watched = None;
+    match work {
+        Work::Again => change_one_of_the_cache(folder, bank, threads)?,
+        Work::Watch => watched = Some(Watched::new(folder, bank, threads)?),
+        // The cache of the run before, unless there was none.
+        Work::Check => check(folder, bank, threads)?,
+        _ => {}
     }
     let (start, processor_start) = (Instant::now(), ProcessTime::now());
     match work {
@@ -92,6 +110,8 @@ pub(super) fn run(work: Work, folder: &Path, bank: &Path, threads: usize) -> Res
         Work::Pack => pack(folder, bank, threads, false, &mut measurement)?,
         Work::Strip => pack(folder, bank, threads, true, &mut measurement)?,
         Work::Again => pack_again(folder, bank, threads, &mut measurement)?,
+        Work::Watch => watched.ok_or("nothing is watched")?.pack(&mut measurement)?,
+        Work::Check => check(folder, bank, threads)?,
     }
     measurement.seconds = start.elapsed().as_secs_f64();
     measurement.processor_seconds = processor_start.elapsed().as_secs_f64();
@@ -177,14 +197,76 @@ fn remembered(bank: &Path) -> (PathBuf, PathBuf) {
 }
 
 /// Makes the cache if there is none, then changes a file.
-fn change_one_file(folder: &Path, bank: &Path, threads: usize) -> Result<(), Failure> {
+fn change_one_of_the_cache(folder: &Path, bank: &Path, threads: usize) -> Result<(), Failure> {
     if !remembered(bank).1.exists() {
         pack_again(folder, bank, threads, &mut Measurement::default())?;
     }
     let files = lipz_benches::list(folder).map_err(|error| error.to_string())?;
-    let Some(path) = files.first() else { return Ok(()) };
-    let mut file = File::options().append(true).open(path).map_err(|error| failed(path, &error))?;
-    file.write_all(b"\n").map_err(|error| failed(path, &error))
+    files.first().map_or(Ok(()), |path| change(path))
+}
+
+/// Makes a text of a file one letter longer.
+fn change(path: &Path) -> Result<(), Failure> {
+    let text = std::fs::read_to_string(path).map_err(|error| failed(path, &error))?;
+    let longer = text.replacen("\"text_en-us\": \"", "\"text_en-us\": \"a", 1);
+    if longer == text {
+        return Err(format!("`{}` has no text to change", path.display()));
+    }
+    std::fs::write(path, longer).map_err(|error| failed(path, &error))
+}
+
+/// A folder that was packed and is watched, and in which a file has changed.
+struct Watched {
+    compiler: Compiler<'static>,
+    inputs: Vec<Input>,
+    outputs: Outputs,
+    memory: Memory,
+}
+
+impl Watched {
+    fn new(folder: &Path, bank: &Path, threads: usize) -> Result<Watched, Failure> {
+        let (inputs, _) = discover(&[folder.to_owned()], None);
+        let first = inputs.first().map(|input| PathBuf::from(input.name())).ok_or("no file to change")?;
+        let mut watched = Watched {
+            compiler: Compiler::new(Options::new().threads(threads)),
+            inputs,
+            outputs: Outputs::new(bank.with_extension("watched.lipzbank")),
+            memory: Memory::default(),
+        };
+        // The first run, and one that only finds room for the next.
+        for changed in [None, Some(&[0][..])] {
+            change(&first)?;
+            let packed = watched.pack_again(changed);
+            watched.memory.reuse(packed.into_bank().map_err(|error| error.to_string())?);
+        }
+        change(&first)?;
+        Ok(watched)
+    }
+
+    fn pack_again(&mut self, changed: Option<&[usize]>) -> Compiled {
+        self.outputs.pack_again(&self.compiler, &self.inputs, changed, &mut self.memory)
+    }
+
+    /// Packs again what the system told to have changed.
+    fn pack(&mut self, measurement: &mut Measurement) -> Result<(), Failure> {
+        let start = Instant::now();
+        let packed = self.pack_again(Some(&[0]));
+        measurement.phases = phases(Duration::ZERO, start.elapsed(), &packed.phases);
+        measurement.bank_bytes = Some(packed.into_bank().map_err(|error| error.to_string())?.len() as u64);
+        Ok(())
+    }
+}
+
+/// Checks with a cache of its own, and nothing but what the compiler checks.
+fn check(folder: &Path, bank: &Path, threads: usize) -> Result<(), Failure> {
+    let (inputs, _) = discover(&[folder.to_owned()], None);
+    let compiler = Compiler::new(Options::new().threads(threads));
+    let nothing = |_: &Input, _: &[u8]| Linted::default();
+    let checked = compiler.check_cached(&inputs, &nothing, &bank.with_extension("checked.cache"), b"");
+    match checked.compiled.reports.iter().flat_map(|report| &report.diagnostics).next() {
+        Some(diagnostic) => Err(format!("checking made-up clips: {}", diagnostic.message)),
+        None => Ok(()),
+    }
 }
 
 /// Finds the inputs and hands them to `pack`; takes the time of its phases.
@@ -245,6 +327,7 @@ mod tests {
             let parts = measurement.phases.iter().filter(|(name, _)| !name.starts_with('('));
             assert!(parts.map(|(_, seconds)| seconds).sum::<f64>() <= measurement.seconds);
         }
-        assert!(matches!(sizes[..], [whole, stripped, again] if stripped < whole && again == whole), "{sizes:?}");
+        let [whole, stripped, again, watched] = sizes[..] else { panic!("{sizes:?}") };
+        assert!(stripped < whole && whole < again && again < watched, "a longer text each time: {sizes:?}");
     }
 }
