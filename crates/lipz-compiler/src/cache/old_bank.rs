@@ -289,6 +289,30 @@ mod tests {
     }
 
     #[test]
+    fn a_pass_proves_what_it_reads_and_what_it_leaves_out() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("b.lipzbank");
+        let bytes = bank(&"Aye. ".repeat(600));
+        let checksum = checksum_of(&bytes).unwrap();
+        let (from, to) = (BLOCK_BYTES + 100, 6 * BLOCK_BYTES + 9);
+        let pass = |old: OldBank| {
+            let (mut pass, mut place, mut pieces) = (old.pass(), vec![0; to - from], Vec::new());
+            pass.read(from, &mut place, |piece| pieces.extend_from_slice(piece)).unwrap();
+            assert!(place == pieces && (place == bytes[from..to] || !old.is_proven()));
+            pass.proves()
+        };
+        assert!(pass(OldBank::Whole(bytes.clone().into())));
+        std::fs::write(&path, &bytes).unwrap();
+        assert!(pass(OldBank::open(&path, checksum).unwrap()));
+        for at in [from - 1, from, to - 1, to, bytes.len() - 1] {
+            let mut damaged = bytes.clone();
+            damaged[at] ^= 4;
+            std::fs::write(&path, &damaged).unwrap();
+            assert!(!pass(OldBank::open(&path, checksum).unwrap()), "{at}");
+        }
+    }
+
+    #[test]
     fn damage_anywhere_behind_the_header_is_no_proof() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("b.lipzbank");

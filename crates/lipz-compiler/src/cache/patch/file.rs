@@ -8,10 +8,13 @@ use zerocopy::{FromBytes, IntoBytes};
 
 /// Sections that are no longer what they were.
 pub(super) struct NewSections<'s> {
-    /// Of the same length.
-    pub(super) tables: [(Tag, &'s [u8]); 3],
+    /// Of the same length: what makes the old one the new one in its place.
+    pub(super) tables: [(Tag, &'s Renewal<'s>); 3],
     pub(super) spliced: [(Tag, &'s Splices); 2],
 }
+
+/// Makes a table of the old bank that of the new one; `None` if it cannot be.
+pub(super) type Renewal<'s> = dyn Fn(&mut [u8]) -> Option<()> + 's;
 
 /// What is written of the new bank so far, and read of the old one.
 pub(super) struct NewFile<'o> {
@@ -23,6 +26,14 @@ impl NewFile<'_> {
     /// Keeps what starts at this offset of the old bank.
     pub(super) fn keep(&mut self, offset: usize, place: &mut [u8]) -> Option<()> {
         self.old.read(offset, place, |piece| self.checksum.add(piece))
+    }
+
+    /// Makes a table that is in memory the new one, in its place.
+    fn renew(&mut self, old: &[u8], renewal: &Renewal<'_>, place: &mut [u8]) -> Option<()> {
+        (old.len() == place.len()).then(|| place.copy_from_slice(old))?;
+        renewal(place)?;
+        self.checksum.add(place);
+        Some(())
     }
 
     /// Puts something new to its place.
@@ -54,10 +65,11 @@ pub(super) fn file(old: &OldBank, new: &NewSections<'_>, room: Vec<u8>) -> Optio
         written_end = start + entry.length_bytes.get() as usize;
         let place = bank.get_mut(start..written_end)?;
         let old_start = before.offset_bytes.get() as usize;
-        if let Some((_, table)) = new.tables.iter().find(|(tag, _)| tag.0 == entry.tag) {
-            file.put(table, place)?;
+        let old_place = old_start..old_start.checked_add(before.length_bytes.get() as usize)?;
+        if let Some((_, renewal)) = new.tables.iter().find(|(tag, _)| tag.0 == entry.tag) {
+            file.renew(tables.get(old_place)?, renewal, place)?;
         } else if let Some((_, splices)) = new.spliced.iter().find(|(tag, _)| tag.0 == entry.tag) {
-            splices.write(&mut file, old_start..old_start + before.length_bytes.get() as usize, place)?;
+            splices.write(&mut file, old_place, place)?;
         } else {
             file.keep(old_start, place)?;
         }

@@ -13,6 +13,7 @@ mod splice;
 #[cfg(test)]
 mod tests;
 
+use super::old_bank::section;
 use super::recall::{Recall, table};
 use crate::clip::Clip;
 use change::{Change, TextChange};
@@ -21,7 +22,7 @@ use lipz_bank::Bank;
 use lipz_layout::{ClipRecord, FLAG_VISEMES, NO_TEXT, TEXT_OFFSET, Tag, U32};
 use memchr::memmem;
 use splice::Splices;
-use zerocopy::{FromBytes, IntoBytes};
+use zerocopy::FromBytes;
 
 /// Clips that may have changed: each is looked for among all records and starts.
 const MOST_CLIPS: usize = 32;
@@ -55,48 +56,45 @@ pub(super) fn patched(recall: &Recall<'_>, changed: &[Clip<'_>], room: Vec<u8>) 
     }
     frame_splices.finish()?;
     text_splices.finish()?;
-    let records = records(recall, &changes, &frame_splices)?;
-    let starts = starts(recall, &changes, &frame_splices)?;
-    let text_starts = text_starts(recall, &changes, &text_splices)?;
+    let records = |table: &mut [u8]| records(<[_]>::mut_from_bytes(table).ok()?, &changes, &frame_splices);
+    let starts = |table: &mut [u8]| starts(<[_]>::mut_from_bytes(table).ok()?, &changes, &frame_splices);
+    let text_starts = |table: &mut [u8]| {
+        text_starts(<[_]>::mut_from_bytes(table).ok()?, recall.segment_count, &changes, &text_splices)
+    };
     let bank = file(
         recall.old,
         &NewSections {
-            tables: [
-                (Tag::CLIPS, records.as_bytes()),
-                (Tag::STARTS, starts.as_bytes()),
-                (Tag::TEXT_STARTS, text_starts.as_bytes()),
-            ],
+            tables: [(Tag::CLIPS, &records), (Tag::STARTS, &starts), (Tag::TEXT_STARTS, &text_starts)],
             spliced: [(Tag::FRAMES, &frame_splices), (Tag::TEXTS, &text_splices)],
         },
         room,
     )?;
-    let pool = bank.get(super::old_bank::section(&bank, Tag::TEXTS)?)?;
+    let in_bank = |tag: Tag| bank.get(section(&bank, tag)?);
+    let (pool, starts) = (in_bank(Tag::TEXTS)?, <[U32]>::ref_from_bytes(in_bank(Tag::TEXT_STARTS)?).ok()?);
     let mut new_texts = texts.iter().filter(|text| text.is_new);
-    let stand_alone = new_texts.all(|text| stands_alone(text, &text_splices, &text_starts, pool));
+    let stand_alone = new_texts.all(|text| stands_alone(text, &text_splices, starts, pool));
     (stand_alone && recall.is_whole() && changes.iter().all(|change| is_there(&bank, change.clip))).then_some(bank)
 }
 
-/// The records of all clips.
-fn records(recall: &Recall<'_>, changes: &[Change<'_>], frames: &Splices) -> Option<Vec<ClipRecord>> {
-    let mut records = recall.records.to_vec();
+/// Makes the records of all clips the new ones.
+fn records(records: &mut [ClipRecord], changes: &[Change<'_>], frames: &Splices) -> Option<()> {
     for change in changes {
         let record = records.get_mut(change.slot as usize)?;
         record.frame_count = u32::try_from(change.clip.frame_count()).ok()?.into();
         record.viseme_type = change.clip.viseme_type().map_or(0, |viseme_type| viseme_type as u8);
         record.flags = if change.clip.has_visemes() { FLAG_VISEMES } else { 0 };
     }
-    for (slot, record) in (0..).zip(&mut records) {
+    for (slot, record) in (0..).zip(records) {
         let offset = record.frames_offset_bytes.get() as usize;
         let is_changed = changes.iter().any(|change| change.slot == slot);
         let moved = if is_changed { frames.start(offset) } else { frames.moved(offset) };
         record.frames_offset_bytes = u32::try_from(moved?).ok()?.into();
     }
-    Some(records)
+    Some(())
 }
 
-/// The first frames of all segments, and the end of the last.
-fn starts(recall: &Recall<'_>, changes: &[Change<'_>], frames: &Splices) -> Option<Vec<U32>> {
-    let mut starts = <[U32]>::ref_from_bytes(table(recall, Tag::STARTS)?).ok()?.to_vec();
+/// The same for the first frames of all segments, and the end of the last.
+fn starts(starts: &mut [U32], changes: &[Change<'_>], frames: &Splices) -> Option<()> {
     let is_changed = |number: usize| changes.iter().any(|change| change.segments.contains(&number));
     for (_, start) in starts.iter_mut().enumerate().filter(|(number, _)| !is_changed(*number)) {
         *start = u32::try_from(frames.moved(start.get() as usize)?).ok()?.into();
@@ -106,13 +104,11 @@ fn starts(recall: &Recall<'_>, changes: &[Change<'_>], frames: &Splices) -> Opti
         let own = std::iter::zip(starts.get_mut(change.segments.clone())?, change.clip.starts());
         own.for_each(|(start, in_clip)| *start = (first + in_clip).into());
     }
-    Some(starts)
+    Some(())
 }
 
-/// Where all texts start, and the length of the pool.
-fn text_starts(recall: &Recall<'_>, changes: &[Change<'_>], texts: &Splices) -> Option<Vec<U32>> {
-    let mut starts = recall.text_starts.to_vec();
-    let count = recall.segment_count;
+/// The same for where all texts start, of so many segments in each locale, and the length of the pool.
+fn text_starts(starts: &mut [U32], count: usize, changes: &[Change<'_>], texts: &Splices) -> Option<()> {
     let (pool_end, of_locales) = starts.split_last_mut()?;
     let length = texts.length(pool_end.get() as usize).filter(|length| *length <= TEXT_OFFSET as usize)?;
     *pool_end = u32::try_from(length).ok()?.into();
@@ -141,7 +137,7 @@ fn text_starts(recall: &Recall<'_>, changes: &[Change<'_>], texts: &Splices) -> 
             }
         }
     }
-    Some(starts)
+    Some(())
 }
 
 /// Whether no other clip can have the same text in the new bank, which would then stand there once.
